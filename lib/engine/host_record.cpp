@@ -1,4 +1,5 @@
 // host: what happens is written down.
+#include <algorithm>
 #include <cmath>
 
 #include "engine/host.h"
@@ -84,7 +85,7 @@ int driven(lua_State* L) {
   return 0;
 }
 
-// (tween, target, info, goals): it begins to play.
+// (tween, target, info, goals, starts): it begins to play.
 int tween(lua_State* L) {
   Host& host = Host::of(L);
   Tween seen;
@@ -111,8 +112,14 @@ int tween(lua_State* L) {
   seen.direction = item("EasingDirection");
   lua_getfield(L, 3, "Reverses");
   seen.reverses = lua_toboolean(L, -1) != 0;
-  for (lua_pushnil(L); lua_next(L, 4) != 0; lua_pop(L, 1))
-    seen.properties.emplace_back(lua_tostring(L, -2));
+  for (lua_pushnil(L); lua_next(L, 4) != 0; lua_pop(L, 1)) {
+    lua_getfield(L, 5, lua_tostring(L, -2));
+    const int top = lua_gettop(L);
+    seen.ways.push_back({lua_tostring(L, -3), plainAt(L, top), plainAt(L, top - 1)});
+    lua_pop(L, 1);
+  }
+  std::sort(seen.ways.begin(), seen.ways.end(),
+            [](const TweenWay& a, const TweenWay& b) { return a.property < b.property; });
   seen.line = host.where(L);
   host.recorder.tween(std::move(seen));
   return 0;

@@ -1,4 +1,5 @@
 // host: numbers, colours, materials, easing and the libraries of bits and characters.
+#include <algorithm>
 #include <cmath>
 #include <ctime>
 #include <new>
@@ -8,6 +9,7 @@
 #include "engine/values/color.h"
 #include "engine/values/materials.h"
 #include "engine/values/noise.h"
+#include "engine/values/rotations.h"
 #include "engine/values/values.h"
 #include "level/motion_tables.h"
 
@@ -33,6 +35,20 @@ int ease(lua_State* L) {
   const auto style = schema::Easing(luaL_checkint(L, 2));
   const auto direction = schema::EasingDirection(luaL_checkint(L, 3));
   return pushNumber(L, level::ease(style, direction, luaL_checknumber(L, 1)));
+}
+
+// (pose): with its rotation repaired, as parts take it: products of many rotations are off by and
+// by.
+int rigid(lua_State* L) {
+  constexpr float kSlack = 1e-6f;
+  const Pose pose = checkCFrame(L, 1);
+  const Mat3& r = pose.rotation;
+  const float off =
+      std::max({absf(dot(r.x, r.x) - 1), absf(dot(r.y, r.y) - 1), absf(dot(r.z, r.z) - 1),
+                absf(dot(r.x, r.y)), absf(dot(r.y, r.z)), absf(dot(r.x, r.z))});
+  lua_settop(L, 1);
+  if (off > kSlack) push(L, Pose{pose.position, orthonormal(r)});
+  return 1;
 }
 
 // The number's red, green, blue (0 to 255) and name.
@@ -150,6 +166,7 @@ constexpr luaL_Reg kFunctions[] = {{"single", single},
                                    {"truncated", truncated},
                                    {"noise", noise},
                                    {"ease", ease},
+                                   {"rigid", rigid},
                                    {"brickColor", brickColorOf},
                                    {"nearestBrickColor", nearestBrickColor},
                                    {"brickNumber", brickNumber},

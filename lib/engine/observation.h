@@ -50,6 +50,12 @@ struct Track {
   InstanceId driver = kNoInstance;
 };
 
+// A property that a tween changes.
+struct TweenWay {
+  std::string property;
+  Plain from, to;
+};
+
 // A tween that began to play.
 struct Tween {
   double time = 0;
@@ -59,7 +65,7 @@ struct Tween {
   uint32_t style = 0, direction = 0;  // items of Enum.EasingStyle and EasingDirection
   int repeats = 0;
   bool reverses = false;
-  std::vector<std::string> properties;
+  std::vector<TweenWay> ways;  // by their properties
   Line line;
 };
 

@@ -42,6 +42,7 @@ class Watcher {
       stage_.run(60);
     report_.undisturbed = stage_.observation();
     report_.complete = !stage_.isExhausted();
+    report_.over = report_.complete && stage_.isIdle();
     if (!report_.complete) report_.failure = "the scripts' budget was used up";
     report_.culprit = stage_.greedyScript();
     children_.finish();

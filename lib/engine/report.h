@@ -46,6 +46,7 @@ struct Report {
   std::vector<MadePart> made;        // in the world by then
   PlayerState arrived;               // the player by then
   bool complete = false;             // the undisturbed run got to its end
+  bool over = false;                 // and nothing goes on any more
   std::string failure;               // why there is less than asked for: for people
   InstanceId culprit = kNoInstance;  // the script that ran when the child died
 };

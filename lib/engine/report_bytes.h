@@ -19,10 +19,14 @@ void fields(A& a, Track& t) {
   a(t.start), a(t.poses), a(t.line), a(t.driver);
 }
 template <class A>
+void fields(A& a, TweenWay& w) {
+  a(w.property), a(w.from), a(w.to);
+}
+template <class A>
 void fields(A& a, Tween& t) {
   a(t.time), a(t.id), a(t.target), a(t.seconds), a(t.delay), a(t.style), a(t.direction),
       a(t.repeats);
-  a(t.reverses), a(t.properties), a(t.line);
+  a(t.reverses), a(t.ways), a(t.line);
 }
 template <class A>
 void fields(A& a, Problem& p) {
@@ -48,7 +52,7 @@ void fields(A& a, Revisit& r) {
 template <class A>
 void fields(A& a, Report& r) {
   a(r.undisturbed), a(r.probes), a(r.revisits), a(r.made), a(r.arrived), a(r.probedAt),
-      a(r.complete), a(r.failure), a(r.culprit);
+      a(r.complete), a(r.over), a(r.failure), a(r.culprit);
 }
 
 template <class T>

@@ -17,9 +17,9 @@ namespace {
 
 constexpr uint32_t kTouch = 12, kBetween = 4;  // frames of a touch on the tour, and after it
 constexpr uint32_t kShortTouch = 4, kLongTour = 100;
-constexpr double kSettleAtLeast = 1, kSettleAtMost = 20;  // seconds after the tour
-constexpr size_t kMostPatient = 32;                       // parts that do nothing at first
-constexpr size_t kMostProbed = 150;                       // parts that harm come last
+constexpr double kSettleAtLeast = 1, kSettleAtMost = 20;           // seconds after the tour
+constexpr size_t kMostPatient = 32;                                // parts that do nothing at first
+constexpr size_t kMostProbed = 150;                                // parts that harm come last
 constexpr uint64_t kOfOneTour = 40'000'000, kOfAll = 250'000'000;  // instructions
 
 struct Seen {
@@ -185,8 +185,8 @@ class Tour {
     }
     probe.seen = {};
     probe.at = stage_.frames() / 60.0;
-    probe = runProbe(stage_, plan_, std::move(probe),
-                     {.patient = patiently && patient_.contains(i)});
+    probe =
+        runProbe(stage_, plan_, std::move(probe), {.patient = patiently && patient_.contains(i)});
     probe.lost = stage_.isExhausted();
     return probe;
   }

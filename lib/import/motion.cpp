@@ -1,4 +1,4 @@
-// From sampled poses to spins and keys; spreading a motion over the parts that move together.
+// From sampled poses to keys; spreading a motion over the parts that move together.
 #include "import/motion.h"
 
 #include <algorithm>
@@ -24,28 +24,40 @@ MotionKey keyAt(double time, const Pose& pose) {
   return {float(time), pose, Easing::linear, EasingDirection::out};
 }
 
-bool isStraight(const std::vector<MotionKey>& keys, size_t from, size_t to) {
+// How far keys on a straight way may be off it.
+struct Straight {
+  float place = kStraight, turn = kStraightTurn;
+};
+
+bool isStraight(const std::vector<MotionKey>& keys, size_t from, size_t to, Straight slack) {
   for (size_t i = from + 1; i < to; ++i) {
     const float span = keys[to].time - keys[from].time;
     const float t = span > 0 ? (keys[i].time - keys[from].time) / span : 0;
     const Pose way = between(keys[from].pose, keys[to].pose, t);
-    if (length(way.position - keys[i].pose.position) > kStraight ||
-        length(rotationVector(way.rotation * inverse(keys[i].pose.rotation))) > kStraightTurn)
+    if (length(way.position - keys[i].pose.position) > slack.place ||
+        length(rotationVector(way.rotation * inverse(keys[i].pose.rotation))) > slack.turn)
       return false;
   }
   return true;
 }
 
-std::vector<MotionKey> simplified(const std::vector<MotionKey>& keys) {
+std::vector<MotionKey> simplified(const std::vector<MotionKey>& keys, Straight slack) {
   constexpr size_t kLongest = 64;  // keys replaced by one way: bounds the work
   std::vector<MotionKey> out;
   for (size_t from = 0; from < keys.size();) {
     out.push_back(keys[from]);
     size_t to = from + 1;
-    while (to + 1 < keys.size() && to - from < kLongest && isStraight(keys, from, to + 1)) ++to;
+    while (to + 1 < keys.size() && to - from < kLongest && isStraight(keys, from, to + 1, slack))
+      ++to;
     from = to;
   }
   return out;
+}
+
+// A long straight way becomes one: what the first look left of it is looked at again, closely.
+std::vector<MotionKey> simplified(const std::vector<MotionKey>& keys) {
+  constexpr float kClose = 0.1f;
+  return simplified(simplified(keys, {}), {kClose * kStraight, kClose * kStraightTurn});
 }
 
 // Parts that move when `moved` does.
@@ -67,82 +79,15 @@ std::vector<InstanceId> followers(RoleContext& context, InstanceId moved) {
 
 }  // namespace
 
-void beginAt(Motion& motion, double seconds) {
-  if (seconds > 0) motion.offset = -float(seconds);  // else a zero, which has no sign
-}
-
 bool samePose(const Pose& a, const Pose& b) {
   return length(a.position - b.position) < kStill &&
          length(rotationVector(a.rotation * inverse(b.rotation))) < kUnturned;
 }
 
-namespace {
-
-// The point that a turn leaves where it is, in the frame that is turned.
-Vec3 fixedPoint(const Pose& turned) {
-  const Vec3 turn = rotationVector(turned.rotation);
-  const Vec3 axis = normalize(turn);
-  const Vec3 way = turned.position - axis * dot(turned.position, axis);
-  const double half = double(length(turn)) / 2;
-  return way * 0.5f + cross(axis, way) * float(0.5 / std::tan(half));
-}
-
-// The fixed point of samples that turn by `step` radians each; the origin of `start` where that
-// stays. A large part of a turn shows it best.
-Vec3 pivotFrom(const Pose& start, const std::vector<PoseSample>& samples, float step) {
-  constexpr float kQuarter = 1.57f;
-  const bool stays = std::all_of(samples.begin(), samples.end(), [&](const PoseSample& s) {
-    return length(s.pose.position - start.position) <= kStill;
-  });
-  if (stays || step < 1e-5f) return {};
-  const size_t turns = std::max<size_t>(1, size_t(kQuarter / step));
-  return fixedPoint(inverse(start) * samples[std::min(turns, samples.size()) - 1].pose);
-}
-
-}  // namespace
-
-std::optional<Spin> spinFrom(const Pose& start, const std::vector<PoseSample>& samples,
-                             double period) {
-  if (samples.size() < 3 || !(period > 0)) return std::nullopt;
-  Pose last = start;
-  double total = 0;
-  const double step = period / double(samples.size());
-  const Vec3 first = rotationVector(inverse(start.rotation) * samples[0].pose.rotation);
-  const Vec3 pivot = pivotFrom(start, samples, length(first));
-  const float slack = kStill + 1e-4f * length(pivot);
-  for (size_t i = 0; i < samples.size(); ++i) {
-    const Vec3 off = toWorld(samples[i].pose, pivot) - toWorld(start, pivot);
-    if (!(length(off) <= slack)) return std::nullopt;
-    const Vec3 turn = rotationVector(inverse(last.rotation) * samples[i].pose.rotation);
-    if (length(turn) < 1e-5f || length(turn - first) > 0.02f * length(first) + 1e-4f)
-      return std::nullopt;
-    if (i > 0 && std::abs(samples[i].time - samples[i - 1].time - step) > 0.2 * step + 1e-3)
-      return std::nullopt;
-    total += double(length(turn));
-    last = samples[i].pose;
-  }
-  Spin spin;
-  spin.axis = normalize(first);
-  spin.speed = float(total / period);
-  spin.pivot = pivot;
-  return spin;
-}
-
-std::optional<double> nearPeriod(const std::vector<PoseSample>& samples) {
-  if (samples.size() < 8) return std::nullopt;
-  const auto mismatch = [&](size_t a, size_t b) {
-    return length(samples[a].pose.position - samples[b].pose.position) +
-           length(rotationVector(samples[a].pose.rotation * inverse(samples[b].pose.rotation)));
-  };
-  float range = 0, best = 0;
-  size_t bestAt = 0;
-  for (size_t k = 2; k + 1 < samples.size(); ++k) {
-    range = std::max(range, mismatch(1, k));
-    const float now = mismatch(1, k) + mismatch(2, k + 1);
-    if (k > 3 && (bestAt == 0 || now < best)) best = now, bestAt = k;
-  }
-  if (bestAt == 0 || best > 0.01f * range) return std::nullopt;
-  return samples[bestAt].time - samples[1].time;
+std::vector<MotionKey> keysThrough(const Pose& start, const std::vector<PoseSample>& samples) {
+  std::vector<MotionKey> keys = {keyAt(0, start)};
+  for (const PoseSample& sample : samples) keys.push_back(keyAt(sample.time, sample.pose));
+  return simplified(keys);
 }
 
 std::vector<MotionKey> keysFrom(const Pose& start, const std::vector<PoseSample>& samples,
@@ -264,21 +209,6 @@ int giveMotion(RoleContext& context, InstanceId moved, const Motion& ofPivot,
     ++given;
   }
   return given;
-}
-
-void hideMarker(RoleContext& context, InstanceId marker, InstanceId mover) {
-  PartDraft* part = context.part(marker);
-  const PartDraft* other = context.part(mover);
-  if (!part || marker == mover || part->motion || part->kill || part->checkpoint || part->goal ||
-      hasEvidence(*part, "marker"))
-    return;
-  const bool sameSize = other && length(part->size - other->size) < 0.1f * length(other->size);
-  if (part->transparency < 0.5f && !sameSize) return;
-  if (part->solid || part->touch)
-    part->evidence.push_back(
-        {"marker", "shows " + context.tree.at(mover).name + " where to go", true});
-  part->solid = false;
-  part->touch = false;
 }
 
 }  // namespace obby::importer

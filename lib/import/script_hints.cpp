@@ -4,7 +4,6 @@
 #include <set>
 #include <string_view>
 
-
 namespace obby::importer {
 namespace {
 

@@ -56,6 +56,28 @@ OBBY_DEVICE void holdJump(PlayerT<F>& w, const Params& p, const FloorT<F>& floor
   w.freeSteps = select(held, F(float(p.substeps)), w.freeSteps);
 }
 
+// A torso that rests on an edge that no floor ray finds holds the body up. For kHangSteps the
+// player may pull itself in; then its legs hang in the air and it goes nowhere, so that nobody
+// walks along an edge, or against a belt by its side (a guess: no recording shows it). landedSteps,
+// which has no other use in this state, counts.
+constexpr int32_t kHangSteps = 24;     // of 1/240 s
+constexpr float kHangFriction = 0.3f;  // of plastic on plastic
+
+template <class F>
+OBBY_DEVICE void countHanging(PlayerT<F>& w, const Params& p, const FloorT<F>& floor) {
+  using Int = IntOf<F>;
+  const MaskOf<F> falls = w.is(State::freefall);
+  const MaskOf<F> hangs = falls & (!floor.sensed) & (w.velocity.y == 0.0f);
+  const Int more = w.landedSteps + int32_t(p.substeps);
+  const Int counted = select(w.landedSteps < kHangSteps, more, w.landedSteps);
+  w.landedSteps = select(falls, select(hangs, counted, Int(0)), w.landedSteps);
+}
+
+template <class F>
+OBBY_DEVICE MaskOf<F> isCaught(const PlayerT<F>& w) {
+  return w.is(State::freefall) & (w.landedSteps >= kHangSteps);
+}
+
 template <class F>
 OBBY_DEVICE void updateState(PlayerT<F>& w, const Params& p, const FloorT<F>& floor,
                              const ControlT<F>& control) {
@@ -94,6 +116,7 @@ OBBY_DEVICE void updateState(PlayerT<F>& w, const Params& p, const FloorT<F>& fl
   if (p.tricks & kHeldJump) holdJump(w, p, floor, control, jumping, jumps);
   // One jump a take-off.
   w.floorlessSteps = select(jumps, Int(int32_t(p.coyoteSteps)), w.floorlessSteps);
+  countHanging(w, p, floor);
   w.sensed = floor.sensed;
 }
 
@@ -141,6 +164,9 @@ OBBY_DEVICE DriveT<F> drive(const PlayerT<F>& w, const Params& p, const FloorT<F
   d.velocity = select(steep | ignored, own, d.velocity);
   d.limit = select(standing, p.traction * floor.grip, F(p.airAccel));
   d.limit = select(steep, F(0.0f), select(jumping, F(p.jumpAccel), d.limit));
+  const Mask caught = isCaught(w);
+  d.velocity = select(caught, none, d.velocity);
+  d.limit = select(caught, F(kHangFriction * p.gravity), d.limit);
   d.slide = select(
       steep, Vec3T<F>{floor.normal.x, 0, floor.normal.z} * (p.gravity * floor.normal.y), none);
   return d;

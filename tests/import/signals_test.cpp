@@ -4,8 +4,6 @@
 namespace obby::test {
 namespace {
 
-const char* const kSignalsWait = "wait that a script computes";
-
 TEST(Signals, TouchesOfAPartAreOfThatPart) {
   const char* const texts[] = {
       "local touched = p.Touched touched:Connect(kill)",
@@ -62,20 +60,6 @@ TEST(Signals, OfEachFrameMoveAndWait) {
       EXPECT_NEAR(scene[part].motion->spin->speed, 6, 0.1) << text;
       EXPECT_TRUE(scene.level().unmodelled.empty()) << text;
     }
-  }
-}
-
-TEST(Signals, TheEndOfATweenIsKnown) {
-  const std::string tweens = "local there, back = tween(even(2), to(10)), tween(even(1), to(0))\n";
-  const char* const texts[] = {
-      "local over = there.Completed there:Play() over:Wait() back:Play()",
-      "local over = there.Completed over:Connect(function() back:Play() end) there:Play()",
-      "local over = {there.Completed} over[1]:Connect(function() back:Play() end) there:Play()"};
-  for (const char* text : texts) {
-    const Overlap tweened({tweens + text});
-    EXPECT_NEAR(tweened.z(2), 10, 0.1) << text;
-    EXPECT_NEAR(tweened.z(3), 0, 0.1) << text;
-    EXPECT_EQ(tweened.scene.unmodelled(kSignalsWait), 0u) << text;
   }
 }
 

@@ -1,7 +1,6 @@
 // One part that scripts tween, for the tests of how tweens go.
 #pragma once
 
-#include <cmath>
 #include <initializer_list>
 #include <string>
 
@@ -31,7 +30,9 @@ struct Overlap {
     EXPECT_TRUE(scene[part].motion);
     return scene[part].motion ? *scene[part].motion : kNone;
   }
-  float z(float time) const { return motion().keys.empty() ? NAN : at(scene[part], time).z; }
+  Vec3 at(double time) const { return poseAt(scene[part], time).position; }
+  float z(double time) const { return at(time).z; }
+  float yaw(double time) const { return yawAt(scene[part], time); }
 
   Scene scene;
   InstanceId part = kNoInstance;

@@ -19,10 +19,14 @@ constexpr const char* kStarted = "motion that a touch or click starts";
 void EffectRoles::takeParts(PartDraft& part, bool used, const ProbeEffects& effects) {
   for (const Away& away : effects.aways) takeAway(part, used, away, false);
   for (const Away& back : effects.backs) takeAway(part, used, back, true);
-  for (const Moved& moved : effects.moved)
-    if (PartDraft* const other = context_.part(moved.part);
-        other && !other->motion && moved.driver == kNoInstance)
+  for (const Moved& moved : effects.moved) {
+    PartDraft* const other = context_.part(moved.part);
+    if (!other || moved.driver != kNoInstance) continue;
+    if (!other->motion)
       takeMotion(part, *other, moved, used);
+    else if (other->motion->trigger == MotionTrigger::always)
+      note(kStarted, moved.part, "keeps the motion of its own; ", moved.line);
+  }
   for (const auto& [id, line] : effects.sizes)
     note("size that scripts change", id, "stays as it is at the start; ", line);
   for (const auto& [id, line] : effects.belts)
@@ -88,7 +92,7 @@ void EffectRoles::takeMotion(PartDraft& part, PartDraft& other, const Moved& mov
   if (!motion) return note(kStarted, moved.part, "stays where it is; ", moved.line);
   const bool own = &other == &part && !used;
   motion->trigger = own ? MotionTrigger::touch : MotionTrigger::signal;
-  motion->offset = 0;
+  if (motion->repeat != Repeat::once) motion->offset = 0;  // it rests where its keys begin
   motion->carries = moved.driver != kNoInstance;
   if (!own) {
     motion->signal = signalOf(part);

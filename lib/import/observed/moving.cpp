@@ -5,44 +5,14 @@
 #include "import/frame_time.h"
 #include "import/motion.h"
 #include "import/observed/roles.h"
+#include "import/observed/rounds.h"
 #include "import/observed/settle.h"
+#include "import/observed/steady_turn.h"
+#include "import/observed/tween_law.h"
 #include "import/pose_math.h"
+#include "level/rotation.h"
 
 namespace obby::importer {
-namespace {
-
-constexpr float kSamePlace = 0.02f;  // studs
-constexpr float kSameTurn = 0.01f;   // radians
-
-// How far a part may be off its place a round before: a little, and the share of a frame's way by
-// which a period that is no whole number of frames is off.
-struct Slack {
-  float place = kSamePlace, turn = kSameTurn;
-};
-
-float turnBetween(const Pose& a, const Pose& b) {
-  return std::max(length(a.rotation.x - b.rotation.x), length(a.rotation.y - b.rotation.y));
-}
-
-bool near(const Pose& a, const Pose& b, Slack slack = {}) {
-  return length(a.position - b.position) < slack.place && turnBetween(a, b) < slack.turn;
-}
-
-// Most parts move little in a frame: a jump says nothing about the speed.
-Slack slackOf(const std::vector<Pose>& poses) {
-  constexpr float kShare = 0.6f, kJump = 2;  // studs
-  Slack slack;
-  for (size_t i = 1; i < poses.size(); ++i) {
-    const float way = length(poses[i].position - poses[i - 1].position);
-    const float turn = turnBetween(poses[i], poses[i - 1]);
-    if (way > kJump || turn > 0.5f) continue;
-    slack.place = std::max(slack.place, kShare * way);
-    slack.turn = std::max(slack.turn, kShare * turn);
-  }
-  return slack;
-}
-
-}  // namespace
 
 std::vector<Pose> posesOf(const Pose& start, const engine::Track& track, uint32_t first,
                           uint32_t frames) {
@@ -59,67 +29,13 @@ std::vector<Pose> posesOf(const Pose& start, const engine::Track& track, uint32_
 
 namespace {
 
-struct Round {
-  size_t frames = 0;   // the nearest whole number; 0: the poses do not repeat
-  double seconds = 0;  // exactly
-  size_t begin = 0;    // the first frame from which they repeat
-};
+constexpr size_t kSmoothSteps = 9, kRareSteps = 60;  // frames between steps of a steady turn
 
-bool repeats(const std::vector<Pose>& poses, size_t period, Slack slack) {
-  // The last two rounds: far from the start, where scripts still wait.
-  for (size_t i = poses.size() - period; i-- > poses.size() - 2 * period;)
-    if (!near(poses[i], poses[i + period], slack)) return false;
-  return true;
-}
-
-double worst(const std::vector<Pose>& poses, size_t period) {
-  double most = 0;
-  for (size_t i = poses.size() - period; i-- > poses.size() - 2 * period;)
-    most = std::max(most, double(length(poses[i].position - poses[i + period].position) +
-                                 turnBetween(poses[i], poses[i + period])));
-  return most;
-}
-
-// The period to a fraction of a frame, by the longest multiple of it that was seen.
-double exactPeriod(const std::vector<Pose>& poses, size_t period) {
-  double exact = double(period);
-  for (size_t rounds = 2; 2 * rounds * period < poses.size(); rounds *= 2) {
-    const auto middle = size_t(std::lround(exact * double(rounds)));
-    size_t best = middle;
-    for (size_t lag = middle - 1; lag <= middle + 1; ++lag)
-      if (2 * lag < poses.size() && worst(poses, lag) < worst(poses, best)) best = lag;
-    exact = double(best) / double(rounds);
-  }
-  return exact;
-}
-
-bool isStill(const std::vector<Pose>& poses, size_t period) {
-  return std::all_of(poses.end() - std::ptrdiff_t(period), poses.end(),
-                     [&](const Pose& pose) { return near(pose, poses.back()); });
-}
-
-// The smallest period of which two rounds were seen.
-Round roundIn(const std::vector<Pose>& poses) {
-  const Slack slack = slackOf(poses);
-  Round round;
-  for (size_t period = 2; 2 * period < poses.size() && round.frames == 0; ++period)
-    if (repeats(poses, period, slack) && !isStill(poses, period) &&
-        (period > 30 || worst(poses, period) < double(kSamePlace)))
-      round.frames = period;
-  if (round.frames == 0) return round;
-  // A slow motion resembles itself after a few frames: the period is where it resembles itself
-  // most.
-  size_t best = round.frames;
-  for (size_t lag = round.frames; lag < round.frames + round.frames / 4 && 2 * lag < poses.size();
-       ++lag)
-    if (worst(poses, lag) < worst(poses, best)) best = lag;
-  round.frames = best;
-  round.seconds = exactPeriod(poses, round.frames) * kFrame;
-  round.begin = poses.size() - round.frames;
-  while (round.begin > 0 &&
-         near(poses[round.begin - 1], poses[round.begin - 1 + round.frames], slack))
-    --round.begin;
-  return round;
+bool isSame(const Pose& a, const Pose& b) {
+  constexpr float kUnmoved = 1e-4f;
+  return length(a.position - b.position) < kUnmoved &&
+         length(a.rotation.x - b.rotation.x) < kUnmoved &&
+         length(a.rotation.y - b.rotation.y) < kUnmoved;
 }
 
 std::vector<PoseSample> samplesOf(const std::vector<Pose>& poses, size_t from, size_t count) {
@@ -134,7 +50,9 @@ std::vector<PoseSample> changesIn(const std::vector<PoseSample>& samples, const 
   std::vector<PoseSample> changes;
   const Pose* last = &start;
   for (const PoseSample& sample : samples) {
-    if (!(sample.pose.position == last->position) || turnBetween(sample.pose, *last) > 0)
+    if (!(sample.pose.position == last->position) ||
+        !(sample.pose.rotation.x == last->rotation.x) ||
+        !(sample.pose.rotation.y == last->rotation.y))
       changes.push_back(sample);
     last = &sample.pose;
   }
@@ -144,18 +62,11 @@ std::vector<PoseSample> changesIn(const std::vector<PoseSample>& samples, const 
 // A round that goes on for ever.
 Motion roundMotion(const std::vector<Pose>& poses, const Round& round) {
   Motion motion;
-  const size_t begin = round.begin;
-  const double seconds = round.seconds;
-  const auto samples = samplesOf(poses, begin, round.frames);
-  const double since = std::fmod(double(begin) * kFrame, seconds);
-  if (const auto spin = spinFrom(poses[begin], samples, double(round.frames) * kFrame)) {
-    motion.spin = *spin;
-    if (!samePose(poses[begin], poses[0]))
-      motion.keys = {{0, poses[begin], Easing::linear, EasingDirection::out}};
-  } else {
-    motion.keys = keysFrom(poses[begin], changesIn(samples, poses[begin]), seconds, true);
-  }
-  if (since > 0) motion.offset = float(seconds - since);
+  const double since = std::fmod(double(round.begin) * kFrame, round.seconds);
+  auto samples = changesIn(samplesOf(poses, round.begin, round.frames), poses[round.begin]);
+  while (!samples.empty() && samples.back().time > round.seconds - kFrame / 2) samples.pop_back();
+  motion.keys = keysFrom(poses[round.begin], samples, round.seconds, true);
+  if (since > 0) motion.offset = float(round.seconds - since);
   return motion;
 }
 
@@ -170,17 +81,49 @@ Motion onceOf(const std::vector<Pose>& poses, size_t begin, size_t end) {
   return motion;
 }
 
+// The motion of a part that turns all the time; nothing if its place changes in a way that has
+// none.
+std::optional<Motion> turningMotion(const std::vector<Pose>& poses, const SteadyTurn& turn,
+                                    size_t rest) {
+  Motion motion;
+  const Pose& begin = poses[turn.begin];
+  const auto rotationAt = [&](double seconds) {
+    return begin.rotation * rotationAbout(turn.axis, turn.speed * (seconds - turn.since));
+  };
+  if (turn.pivot) {
+    if (std::abs(turn.since) > 1e-4) motion.offset = -float(turn.since);
+    if (!samePose(begin, poses[0]))
+      motion.keys = {{0, begin, Easing::linear, EasingDirection::out}};
+  } else {
+    std::vector<Pose> places = poses;
+    for (Pose& place : places) place.rotation = {};
+    const auto found = motionOf(places, rest);
+    if (!found) return std::nullopt;
+    motion = *found;
+    const Mat3 rotation = rotationAt(-double(motion.offset));
+    for (MotionKey& key : motion.keys) key.pose.rotation = rotation;
+  }
+  motion.spin = Spin{turn.axis, float(turn.speed), turn.pivot.value_or(Vec3{})};
+  return motion;
+}
+
+std::optional<Motion> turningMotion(const std::vector<Pose>& poses, size_t longestGap,
+                                    size_t rest) {
+  const auto turn = steadyTurnIn(poses, longestGap);
+  return turn ? turningMotion(poses, *turn, rest) : std::nullopt;
+}
+
 }  // namespace
 
 std::optional<Motion> motionOf(const std::vector<Pose>& poses, size_t rest) {
-  constexpr Slack kUnmoved = {1e-4f, 1e-4f};
   size_t end = poses.size() - 1;
-  while (end > 0 && near(poses[end - 1], poses[end], kUnmoved)) --end;
+  while (end > 0 && isSame(poses[end - 1], poses[end])) --end;
   if (end == 0) return std::nullopt;
+  if (auto turning = turningMotion(poses, kSmoothSteps, rest)) return turning;
   if (const Round round = roundIn(poses); round.frames > 0) return roundMotion(poses, round);
-  if (poses.size() - end < rest) return std::nullopt;  // it still moves
+  if (poses.size() - end < rest) return turningMotion(poses, kRareSteps, rest);  // it still moves
   size_t begin = 0;
-  while (begin < end && near(poses[begin + 1], poses[begin], kUnmoved)) ++begin;
+  while (begin < end && isSame(poses[begin + 1], poses[begin])) ++begin;
   return onceOf(poses, begin, end);
 }
 
@@ -193,15 +136,33 @@ engine::Line moverOf(const engine::Observation& seen, InstanceId part, const eng
   return track.line;
 }
 
+namespace {
+
+// Rounds that come to an end later go on for ever in the level.
+void noteEnd(RoleContext& context, InstanceId id, const Motion& motion,
+             const std::optional<double>& end, const std::string& reason) {
+  if (end && motion.repeat != Repeat::once)
+    context.level.noteUnmodelled(
+        "motion that ends", context.tree.path(id),
+        "goes on for ever; ends after " + std::to_string(std::lround(*end)) + " s; " + reason);
+}
+
+}  // namespace
+
 void movingFromObservation(RoleContext& context, const engine::Report& report) {
-  constexpr size_t kRest = 300;  // frames after which it is taken to have stopped
-  const uint32_t frames = report.undisturbed.frames + 1;
-  for (const auto& [id, track] : report.undisturbed.tracks) {
+  constexpr size_t kLongRest = 300;  // frames after which a part is taken to have stopped
+  const engine::Observation& seen = report.undisturbed;
+  const TweenLaws laws(seen);
+  const size_t own = context.tree.size() - report.made.size();
+  for (const auto& [id, track] : seen.tracks) {
     PartDraft* const part = context.part(id);
-    if (!part || part->motion || !keepsMoving(report, id)) continue;
-    const auto poses = posesOf(track.start, track, 0, frames);
-    const std::string reason = lineReason(context.tree, moverOf(report.undisturbed, id, track));
-    if (auto motion = motionOf(poses, kRest)) {
+    if (!part || part->motion || !movesByItself(report, id)) continue;
+    const auto poses = posesOf(poseAtStart(track, id >= own), track, 0, seen.frames + 1);
+    const std::string reason = lineReason(context.tree, moverOf(seen, id, track));
+    auto motion = motionOf(poses, report.over ? 1 : kLongRest);
+    if (motion) noteEnd(context, id, *motion, laws.end(poses, id), reason);
+    if (!motion) motion = laws.outlasting(poses, id);
+    if (motion) {
       motion->carries = track.driver != kNoInstance;
       giveMotion(context, id, *motion, reason, false);
     } else {

@@ -1,7 +1,6 @@
 #include "import/observed/settle.h"
 
 #include <algorithm>
-#include <set>
 #include <string>
 #include <utility>
 
@@ -96,6 +95,32 @@ void settleParent(Document& document, const engine::Report& report, InstanceId i
     document.instances[id].properties["Enabled"] = false;  // a joint
 }
 
+bool samePlace(const Pose& a, const Pose& b) {
+  return a.position == b.position && a.rotation.x == b.rotation.x && a.rotation.y == b.rotation.y;
+}
+
+// The last frame that has changed the pose.
+uint32_t lastChange(const engine::Track& track) {
+  size_t last = track.poses.size() - 1;
+  while (last > 0 && samePlace(track.poses[last - 1].pose, track.poses[last].pose)) --last;
+  return track.poses[last].frame;
+}
+
+// Whether it goes somewhere step by step; else scripts put it in its place.
+bool isWay(const engine::Track& track) {
+  constexpr uint32_t kLongestGap = 30, kShortest = 15, kFewest = 3;  // frames; steps
+  const Pose* last = &track.start;
+  uint32_t first = 0, before = 0, steps = 0;
+  for (const auto& [frame, pose] : track.poses) {
+    if (samePlace(*last, pose)) continue;
+    last = &pose;
+    if (steps == 0 || frame - before > kLongestGap) first = frame, steps = 0;
+    before = frame;
+    if (++steps >= kFewest && frame - first >= kShortest) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 std::map<InstanceId, InstanceId> addMadeParts(Document& document, const engine::Report& report) {
@@ -129,36 +154,56 @@ std::map<InstanceId, InstanceId> addMadeParts(Document& document, const engine::
   return ids;
 }
 
-bool keepsMoving(const engine::Report& report, InstanceId part) {
+bool movesByItself(const engine::Report& report, InstanceId part) {
   const auto track = report.undisturbed.tracks.find(part);
-  if (track == report.undisturbed.tracks.end()) return false;
-  return track->second.poses.back().frame / 60.0 > report.probedAt;
+  return track != report.undisturbed.tracks.end() &&
+         (lastChange(track->second) / 60.0 > report.probedAt || isWay(track->second));
 }
 
-void settle(Document& document, const engine::Report& report) {
-  std::map<std::pair<InstanceId, std::string>, const Change*> last;
-  std::set<std::pair<InstanceId, std::string>> later;
-  for (const Change& change : report.undisturbed.changes)
-    if (change.time <= report.probedAt)
-      last[{change.target, change.property}] = &change;
+Pose poseAtStart(const engine::Track& track, bool isMade) {
+  const engine::Placed& first = track.poses.front();
+  return isMade || first.frame == 0 ? first.pose : track.start;
+}
+
+namespace {
+
+using Key = std::pair<InstanceId, std::string>;
+
+// The change of each property that counts: the last one before the probes. Where more follow, the
+// last one of the start, but for parts that come and go: timers.cpp looks at those.
+std::map<Key, const Change*> settledChanges(const engine::Report& report) {
+  constexpr double kStart = 0.1;  // seconds
+  std::map<Key, const Change*> start, settled;
+  for (const Change& change : report.undisturbed.changes) {
+    const Key key = {change.target, change.property};
+    if (change.time <= kStart) start[key] = &change;
+    if (change.time <= report.probedAt) settled[key] = &change;
+    if (change.time <= report.probedAt || !settled.contains(key)) continue;
+    const bool goes = change.property == "Parent" || change.property == "CanCollide";
+    const auto first = start.find(key);
+    if (goes || first == start.end())
+      settled.erase(key);
     else
-      later.emplace(change.target, change.property);
-  for (const auto& [key, change] : last) {
-    // Those that come and go are looked at elsewhere (timers.cpp).
-    const bool goes = key.second == "Parent" || key.second == "CanCollide";
-    if (key.first >= document.instances.size() || (goes && later.contains(key))) continue;
+      settled[key] = first->second;
+  }
+  return settled;
+}
+
+}  // namespace
+
+void settle(Document& document, const engine::Report& report) {
+  for (const auto& [key, change] : settledChanges(report)) {
+    if (key.first >= document.instances.size()) continue;
     if (key.second != "Parent")
       set(document, key.first, key.second, change->value);
     else if (const bool* const stays = std::get_if<bool>(&change->value))
       settleParent(document, report, key.first, *stays);
   }
-  for (const auto& [id, track] : report.undisturbed.tracks) {
-    if (id >= document.instances.size()) continue;
-    const bool moves = keepsMoving(report, id);
-    if (!moves || track.poses.front().frame == 0)
+  const size_t own = document.instances.size() - report.made.size();
+  for (const auto& [id, track] : report.undisturbed.tracks)
+    if (id < document.instances.size())
       document.instances[id].properties["CFrame"] =
-          moves ? track.poses.front().pose : track.poses.back().pose;
-  }
+          movesByItself(report, id) ? poseAtStart(track, id >= own) : track.poses.back().pose;
 }
 
 }  // namespace obby::importer

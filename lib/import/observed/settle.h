@@ -11,11 +11,14 @@ namespace obby::importer {
 // are. Returns their ids by those of the report.
 std::map<InstanceId, InstanceId> addMadeParts(Document& document, const engine::Report& report);
 
-// Sets properties and poses that scripts changed before the probes and never afterwards. Parts that
-// are out of the world by then leave the tree.
+// Sets properties that scripts changed before the probes and never afterwards, and the poses at
+// which parts stay or begin to move. Parts that are out of the world by then leave the tree.
 void settle(Document& document, const engine::Report& report);
 
-// Whether the part moves by itself after the start.
-bool keepsMoving(const engine::Report& report, InstanceId part);
+// Whether the part moves by itself, other than to be put in its place at the start.
+bool movesByItself(const engine::Report& report, InstanceId part);
+
+// The part's pose before it begins to move.
+Pose poseAtStart(const engine::Track& track, bool isMade);
 
 }  // namespace obby::importer

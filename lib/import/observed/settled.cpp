@@ -53,7 +53,7 @@ std::map<std::pair<InstanceId, std::string>, engine::Line> settlingLines(
   for (const engine::Change& change : report.undisturbed.changes)
     if (change.time <= report.probedAt) lines[{change.target, change.property}] = change.line;
   for (const auto& [id, track] : report.undisturbed.tracks)
-    if (!keepsMoving(report, id)) lines[{id, "CFrame"}] = moverOf(report.undisturbed, id, track);
+    if (!movesByItself(report, id)) lines[{id, "CFrame"}] = moverOf(report.undisturbed, id, track);
   return lines;
 }
 

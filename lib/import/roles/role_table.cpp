@@ -23,8 +23,7 @@ constexpr RoleRow kRoles[] = {
 
 }  // namespace
 
-RoleContext::RoleContext(const Tree& treeIn, const Assemblies& assembliesIn,
-                         LevelDraft& levelIn)
+RoleContext::RoleContext(const Tree& treeIn, const Assemblies& assembliesIn, LevelDraft& levelIn)
     : tree(treeIn), assemblies(assembliesIn), level(levelIn) {
   for (size_t i = 0; i < level.parts.size(); ++i) index_[level.parts[i].id] = i;
 }

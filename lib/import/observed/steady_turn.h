@@ -1,0 +1,23 @@
+// Poses, a frame each, that turn about an axis at a constant speed.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "import/draft.h"
+
+namespace obby::importer {
+
+struct SteadyTurn {
+  Vec3 axis;  // unit, in the part's frame
+  double speed = 0;
+  // The point of the part's frame that stays in place; nothing: the part moves as it turns.
+  std::optional<Vec3> pivot;
+  size_t begin = 0;  // the last frame before it turns
+  double since = 0;  // seconds: when it left the rotation that it has at `begin`
+};
+
+// A turn that goes on to the last frame. Steps of up to `longestGap` frames are taken as smooth.
+std::optional<SteadyTurn> steadyTurnIn(const std::vector<Pose>& poses, size_t longestGap);
+
+}  // namespace obby::importer

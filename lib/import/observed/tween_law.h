@@ -1,0 +1,30 @@
+// Tweens that play for longer than the run: their own times and goals tell what follows.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <vector>
+
+#include "engine/observation.h"
+#include "import/draft.h"
+
+namespace obby::importer {
+
+class TweenLaws {
+ public:
+  explicit TweenLaws(const engine::Observation& seen);
+
+  // The motion of a part, at `poses` a frame each, whose tweens are not over at the last frame.
+  // Nothing where there are none, where it is not where they would have it, or where they have no
+  // common round.
+  std::optional<Motion> outlasting(const std::vector<Pose>& poses, InstanceId part) const;
+
+  // When the tweens that play at the last frame end; nothing: there are none, or they take more
+  // than twenty minutes.
+  std::optional<double> end(const std::vector<Pose>& poses, InstanceId part) const;
+
+ private:
+  std::map<InstanceId, std::vector<const engine::Tween*>> byTarget_;
+};
+
+}  // namespace obby::importer
