@@ -55,8 +55,8 @@ void findRolesOf(RoleContext& context, const ObservedPlace& place) {
   goalFromTags(context);
   touchesFromObservation(context, place.report);
   findRoles(context);
-  laterTouchesFromObservation(context, place.report);
   touchedDrivesFromObservation(context, place.report);
+  laterTouchesFromObservation(context, place.report);
   hintsFromScripts(context, place);
   noteObservedLosses(context, place);
 }
