@@ -152,7 +152,7 @@ int problem(lua_State* L) {
   const auto owner = size_t(luaL_checknumber(L, 1));
   const char* const text = luaL_optstring(L, 2, "error");
   const InstanceId script = owner < host.owners.size() ? host.owners[owner] : kNoInstance;
-  host.recorder.problem(script, host.withNames(text));
+  host.recorder.problem(script, host.withNames(std::string(Recorder::shortened(text))));
   host.noteError(script, text);
   return 0;
 }

@@ -39,6 +39,16 @@ int spend(lua_State* L) {
   return 0;
 }
 
+// As coroutine.resume, which it has as its upvalue. A thread counts its own calls alone, so threads
+// in threads would use up the C stack.
+int resume(lua_State* L) {
+  constexpr size_t kMostStack = size_t(3) << 20;  // bytes; one thread takes up to 2 MB
+  if (Vm::of(L).stackUsed() < kMostStack) return lua_tocfunction(L, lua_upvalueindex(1))(L);
+  lua_pushboolean(L, 0);
+  lua_pushliteral(L, "C stack overflow");
+  return 2;
+}
+
 int newId(lua_State* L) {
   lua_pushnumber(L, lua_Number(Host::of(L).nextMade++));
   return 1;
@@ -52,6 +62,11 @@ int enter(lua_State* L) {
   if (host.settings.runningScript) *host.settings.runningScript = host.owners[host.running];
   ++host.beat;
   if (lua_toboolean(L, 2) != 0) host.vm.beginStretch();
+  return 1;
+}
+
+int isNative(lua_State* L) {
+  lua_pushboolean(L, lua_iscfunction(L, 1));
   return 1;
 }
 
@@ -109,6 +124,8 @@ int setStringMethods(lua_State* L) {
   lua_getmetatable(L, -1);
   lua_pushvalue(L, 1);
   lua_setfield(L, -2, "__index");
+  lua_pushliteral(L, "The metatable is locked");
+  lua_setfield(L, -2, "__metatable");
   return 0;
 }
 
@@ -132,7 +149,8 @@ constexpr luaL_Reg kFunctions[] = {{"rawType", rawType},     {"metatableOf", met
                                    {"load", load},           {"where", where},
                                    {"rawLength", rawLength}, {"setStringMethods", setStringMethods},
                                    {"copyList", copyList},   {"rig", rig},
-                                   {"isSkipped", isSkipped}, {nullptr, nullptr}};
+                                   {"isSkipped", isSkipped}, {"isNative", isNative},
+                                   {nullptr, nullptr}};
 
 }  // namespace
 }  // namespace script_functions
@@ -140,6 +158,9 @@ constexpr luaL_Reg kFunctions[] = {{"rawType", rawType},     {"metatableOf", met
 void registerScriptFunctions(lua_State* L) {
   luaL_register(L, nullptr, script_functions::kFunctions);
   lua_getglobal(L, "coroutine");
+  lua_getfield(L, -1, "resume");
+  lua_pushcclosure(L, script_functions::resume, 1);
+  lua_setfield(L, -2, "resume");
   lua_setfield(L, -2, "coroutine");
   lua_getglobal(L, "unpack");
   lua_setfield(L, -2, "unpack");

@@ -93,7 +93,9 @@ int randomSeed(lua_State* L) {
   return 0;
 }
 Random& randomAt(lua_State* L) {
-  luaL_checktype(L, 1, LUA_TUSERDATA);
+  // Scripts have other values of this kind; none of this size.
+  if (lua_type(L, 1) != LUA_TUSERDATA || lua_objlen(L, 1) != sizeof(Random))
+    luaL_typerror(L, 1, "Random");
   return *static_cast<Random*>(lua_touserdata(L, 1));
 }
 int newRandom(lua_State* L) {
@@ -127,11 +129,11 @@ int date(lua_State* L) {
     return 1;
   }
   lua_newtable(L);
-  const auto set = [L](const char* name, int value) {
+  const auto set = [L](const char* name, double value) {
     lua_pushnumber(L, value);
     lua_setfield(L, -2, name);
   };
-  set("year", parts.tm_year + 1900);
+  set("year", parts.tm_year + 1900.0);
   set("month", parts.tm_mon + 1);
   set("day", parts.tm_mday);
   set("hour", parts.tm_hour);
@@ -144,10 +146,11 @@ int date(lua_State* L) {
 
 // (table): seconds since 1970 of a date in UTC, as os.time takes it.
 int timeOf(lua_State* L) {
+  static constexpr double kMost = 1e9;
   luaL_checktype(L, 1, LUA_TTABLE);
   const auto field = [L](const char* name, int usual) {
     lua_getfield(L, 1, name);
-    const int value = luaL_optint(L, -1, usual);
+    const int value = int(std::fmin(std::fmax(luaL_optnumber(L, -1, usual), -kMost), kMost));
     lua_pop(L, 1);
     return value;
   };

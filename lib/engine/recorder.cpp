@@ -22,23 +22,34 @@ void Recorder::place(InstanceId part, const Pose& before, const Pose& pose, Line
 void Recorder::change(Change change) {
   if (!recording_ || isFull()) return;
   change.time = time();
+  text_ += change.property.size();
+  if (const auto* const text = std::get_if<std::string>(&change.value)) text_ += text->size();
   seen_.changes.push_back(std::move(change));
   ++changes_;
 }
 
+void Recorder::count(const std::string& what) {
+  if (isFull()) return;
+  const auto [row, isNew] = seen_.counts.try_emplace(what, 0);
+  if (isNew) text_ += what.size();
+  ++row->second;
+}
+
 void Recorder::problem(InstanceId script, std::string_view text) {
+  text = shortened(text);
   for (Problem& known : seen_.problems)
     if (known.script == script && known.text == text) {
       ++known.count;
       return;
     }
-  seen_.problems.push_back({script, std::string(text), 1});
+  if (seen_.problems.size() < kMostProblems)
+    seen_.problems.push_back({script, std::string(text), 1});
 }
 
 void Recorder::restart() {
   const uint32_t frame = frame_;
   seen_ = {};
-  changes_ = placed_ = 0;
+  changes_ = placed_ = text_ = 0;
   setTime(frame);
 }
 

@@ -28,11 +28,17 @@ class Recorder {
   void tween(Tween tween) { seen_.tweens.push_back(std::move(tween)); }
   void harm(double from, double to, Line line) { seen_.harms.push_back({time(), from, to, line}); }
   void problem(InstanceId script, std::string_view text);
-  void count(const std::string& what) { ++seen_.counts[what]; }
+  void count(const std::string& what);
+  // As much of a problem's text as is kept.
+  static std::string_view shortened(std::string_view text) {
+    return text.substr(0, kMostProblemText);
+  }
   // Grows with all that is recorded.
   size_t activity() const { return changes_ + placed_ + seen_.harms.size() + seen_.tweens.size(); }
   // True if what is recorded would not fit any more.
-  bool isFull() const { return changes_ >= kMostChanges || placed_ >= kMostPlaced; }
+  bool isFull() const {
+    return changes_ >= kMostChanges || placed_ >= kMostPlaced || text_ >= kMostText;
+  }
 
   Observation& seen() { return seen_; }
   const Observation& seen() const { return seen_; }
@@ -41,12 +47,15 @@ class Recorder {
 
  private:
   static constexpr size_t kMostChanges = 300'000, kMostPlaced = 4'000'000;
+  static constexpr size_t kMostText = size_t(64) << 20;  // bytes
+  // Other problems, and what is beyond in their text, are left out.
+  static constexpr size_t kMostProblems = 500, kMostProblemText = 1000;
 
   Observation seen_;
   std::map<InstanceId, InstanceId> drivers_;  // of parts
   bool recording_ = false;
   uint32_t frame_ = 0;
-  size_t changes_ = 0, placed_ = 0;
+  size_t changes_ = 0, placed_ = 0, text_ = 0;
 };
 
 }  // namespace obby::engine

@@ -15,27 +15,39 @@ Stage::Stage(const Document& document, const Settings& settings)
 Stage::~Stage() = default;
 
 void Stage::call(const char* module, const char* name, int arguments, int results) {
-  lua_State* const L = host_->vm.state();
   host_->vm.beginStretch();
-  host_->use(L, module);
-  lua_getfield(L, -1, name);
-  lua_remove(L, -2);
-  lua_insert(L, -1 - arguments);
-  const Result<void> done = host_->vm.call(arguments, results);
-  if (!done) {
-    host_->recorder.problem(kNoInstance, host_->withNames(std::string(module) + "." + name + ": " +
-                                                          done.error().message));
-    host_->noteError(kNoInstance, done.error().message);
-    for (int i = 0; i < results; ++i) lua_pushnil(L);
-  }
+  const auto body = [&](lua_State* L) {
+    host_->use(L, module);
+    lua_getfield(L, -1, name);
+    lua_remove(L, -2);
+    lua_insert(L, 1);
+    lua_call(L, arguments, results);
+    return results;
+  };
+  const Result<void> done = host_->vm.call(body, arguments, results);
+  if (done) return;
+  note(std::string(module) + "." + name, done.error());
+  for (int i = 0; i < results; ++i) lua_pushnil(host_->vm.state());
+}
+
+void Stage::read(const char* name, const std::function<void(lua_State*)>& body) {
+  const Result<void> done = host_->vm.call([&](lua_State* L) { return body(L), 0; });
+  if (!done) note(name, done.error());
+}
+
+void Stage::note(const std::string& what, const Error& error) {
+  host_->recorder.problem(kNoInstance, host_->withNames(what + ": " + error.message));
+  host_->noteError(kNoInstance, error.message);
 }
 
 void Stage::load() {
   const Document& document = host_->document;
   call("boot", "begin", 0);
   instances_.assign(document.instances.size(), LUA_NOREF);
-  for (InstanceId id = 0; id < document.instances.size(); ++id) loadInstance(id);
-  for (InstanceId id = 0; id < document.instances.size(); ++id) loadReferences(id);
+  for (InstanceId id = 0; id < document.instances.size(); ++id)
+    read("load", [&](lua_State*) { loadInstance(id); });
+  for (InstanceId id = 0; id < document.instances.size(); ++id)
+    read("load", [&](lua_State*) { loadReferences(id); });
   for (const int reference : instances_)
     luaL_unref(host_->vm.state(), LUA_REGISTRYINDEX, reference);
   instances_.clear();
@@ -143,9 +155,13 @@ void Stage::restart() {
 }
 
 std::vector<Probe> Stage::probes() {
-  lua_State* const L = host_->vm.state();
-  call("probe", "targets", 0, 1);
   std::vector<Probe> all;
+  read("probes", [&](lua_State* L) { readProbes(L, all); });
+  return all;
+}
+
+void Stage::readProbes(lua_State* L, std::vector<Probe>& all) {
+  call("probe", "targets", 0, 1);
   for (int i = 1; lua_istable(L, -1) && i <= int(lua_objlen(L, -1)); ++i) {
     lua_rawgeti(L, -1, i);
     lua_rawgeti(L, -1, 1);
@@ -158,14 +174,16 @@ std::vector<Probe> Stage::probes() {
     all.push_back(std::move(probe));
     lua_pop(L, 4);
   }
-  lua_pop(L, 1);
-  return all;
 }
 
 std::vector<MadePart> Stage::made() {
-  lua_State* const L = host_->vm.state();
-  call("probe", "made", 0, 1);
   std::vector<MadePart> all;
+  read("made", [&](lua_State* L) { readMade(L, all); });
+  return all;
+}
+
+void Stage::readMade(lua_State* L, std::vector<MadePart>& all) {
+  call("probe", "made", 0, 1);
   const auto text = [L](int i) {
     lua_rawgeti(L, -1, i);
     const char* const read = lua_tostring(L, -1);
@@ -193,8 +211,6 @@ std::vector<MadePart> Stage::made() {
     lua_pop(L, 2);
     all.push_back(std::move(part));
   }
-  lua_pop(L, 1);
-  return all;
 }
 
 void Stage::use(InstanceId target) {

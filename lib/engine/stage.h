@@ -2,6 +2,7 @@
 // happens is in observation(). Untrusted scripts: use it in a process that may die (sandbox.h).
 #pragma once
 
+#include <functional>
 #include <memory>
 
 #include "engine/document.h"
@@ -69,6 +70,11 @@ class Stage {
   // Calls a function of a file of api/ with `arguments` values from the top of the stack.
   void call(const char* module, const char* name, int arguments, int results = 0);
   double numberOf(const char* name);
+  // Runs `body` with the stack empty; an error, of used up memory as well, ends it and is noted.
+  void read(const char* name, const std::function<void(lua_State*)>& body);
+  void note(const std::string& what, const Error& error);
+  void readProbes(lua_State* L, std::vector<Probe>& all);
+  void readMade(lua_State* L, std::vector<MadePart>& all);
 
   std::unique_ptr<Host> host_;
   std::vector<int> instances_;  // references in the registry, by id

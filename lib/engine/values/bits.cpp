@@ -44,11 +44,15 @@ uint32_t shifted(uint32_t value, int by) {
   if (by <= -32 || by >= 32) return 0;
   return by >= 0 ? value << by : value >> -by;
 }
-int lshift(lua_State* L) { return pushBits(L, shifted(bitsAt(L, 1), luaL_checkint(L, 2))); }
-int rshift(lua_State* L) { return pushBits(L, shifted(bitsAt(L, 1), -luaL_checkint(L, 2))); }
+// From -32 to 32: further shifts are all the same, and these can be negated.
+int shiftAt(lua_State* L, int index) {
+  return int(std::fmin(std::fmax(luaL_checknumber(L, index), -32), 32));
+}
+int lshift(lua_State* L) { return pushBits(L, shifted(bitsAt(L, 1), shiftAt(L, 2))); }
+int rshift(lua_State* L) { return pushBits(L, shifted(bitsAt(L, 1), -shiftAt(L, 2))); }
 int arshift(lua_State* L) {
   const auto value = int32_t(bitsAt(L, 1));
-  const int by = luaL_checkint(L, 2);
+  const int by = shiftAt(L, 2);
   return pushBits(L,
                   by < 0 ? shifted(uint32_t(value), -by) : uint32_t(value >> (by > 31 ? 31 : by)));
 }
@@ -58,7 +62,7 @@ int rrotate(lua_State* L) { return pushBits(L, std::rotr(bitsAt(L, 1), luaL_chec
 // The mask of `width` bits; an error where the field leaves the word.
 uint32_t maskAt(lua_State* L, int field, int index) {
   const int width = luaL_optint(L, index, 1);
-  if (field < 0 || width < 1 || field + width > 32)
+  if (field < 0 || width < 1 || field > 31 || width > 32 - field)
     luaL_error(L, "trying to access non-existent bits");
   return width == 32 ? ~0u : (1u << width) - 1;
 }

@@ -15,6 +15,8 @@ void openType(lua_State* L, ValueType type, const luaL_Reg* meta, const luaL_Reg
   luaL_register(L, nullptr, meta);
   lua_pushstring(L, type.name);
   lua_setfield(L, -2, "__type");
+  lua_pushliteral(L, "The metatable is locked");
+  lua_setfield(L, -2, "__metatable");
   lua_pushcfunction(L, newIndex);
   lua_setfield(L, -2, "__newindex");
   lua_newtable(L);

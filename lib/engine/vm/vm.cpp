@@ -6,6 +6,7 @@ namespace obby::engine {
 namespace {
 
 constexpr int kBetweenCounts = 1000;  // instructions
+constexpr int kRunBody = -1;          // in the registry
 
 }  // namespace
 
@@ -17,6 +18,9 @@ Vm::Vm(const Budget& budget, void* owner)
       stretchLeft_(budget.stretch) {
   state_ = arena_.isMapped() ? lua_newstate(allocate, this) : nullptr;
   OBBY_CHECK_EQ(state_ != nullptr, true);
+  // Kept, so that no call has to make it: there may be no memory by then.
+  lua_pushcfunction(state_, runBody);
+  lua_rawseti(state_, LUA_REGISTRYINDEX, kRunBody);
   lua_sethook(state_, count, LUA_MASKCOUNT, kBetweenCounts);
 }
 
@@ -43,12 +47,31 @@ void Vm::count(lua_State* L, lua_Debug*) {
   luaL_error(L, "Script timeout: exhausted allowed execution time");
 }
 
-Result<void> Vm::call(int arguments, int results) {
-  if (lua_pcall(state_, arguments, results, 0) == 0) return {};
-  const char* const text = lua_tostring(state_, -1);
-  Error error = makeError(text ? text : "a script failed");
+int Vm::runBody(lua_State* L) {
+  const Body& body = *static_cast<const Body*>(lua_touserdata(L, 1));
+  lua_remove(L, 1);
+  return body(L);
+}
+
+Result<void> Vm::call(const Body& body, int arguments, int results) {
+  const char* const outer = stackBase_;
+  if (!outer) stackBase_ = static_cast<const char*>(__builtin_frame_address(0));
+  lua_rawgeti(state_, LUA_REGISTRYINDEX, kRunBody);
+  lua_insert(state_, -1 - arguments);
+  lua_pushlightuserdata(state_, const_cast<Body*>(&body));
+  lua_insert(state_, -1 - arguments);
+  const int failed = lua_pcall(state_, arguments + 1, results, 0);
+  stackBase_ = outer;
+  if (failed == 0) return {};
+  const bool isText = lua_type(state_, -1) == LUA_TSTRING;
+  Error error = makeError(isText ? lua_tostring(state_, -1) : "a script failed");
   lua_pop(state_, 1);
   return error;
+}
+
+size_t Vm::stackUsed() const {
+  const auto* const here = static_cast<const char*>(__builtin_frame_address(0));
+  return stackBase_ && here < stackBase_ ? size_t(stackBase_ - here) : 0;
 }
 
 }  // namespace obby::engine

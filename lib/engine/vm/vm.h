@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <string_view>
 
@@ -27,8 +28,13 @@ class Vm {
   static void* ownerOf(lua_State* L);
   static Vm& of(lua_State* L);
 
-  // Calls the function below `arguments` arguments; `results` values stay on the stack.
-  Result<void> call(int arguments, int results);
+  // Runs `body` with the `arguments` values on top; it returns how many it leaves, of which
+  // `results` stay on the stack. Its errors end it alone, that of used up memory, too.
+  using Body = std::function<int(lua_State*)>;
+  Result<void> call(const Body& body, int arguments = 0, int results = 0);
+
+  // Bytes of the C stack below the outermost call().
+  size_t stackUsed() const;
 
   void beginStretch() { stretchLeft_ = budget_.stretch, timedOut_ = false; }
   bool timedOut() const { return timedOut_; }
@@ -40,6 +46,7 @@ class Vm {
  private:
   static void* allocate(void* self, void* block, size_t oldSize, size_t newSize);
   static void count(lua_State* L, lua_Debug* at);
+  static int runBody(lua_State* L);
 
   Budget budget_;
   Arena arena_;
@@ -47,6 +54,7 @@ class Vm {
   lua_State* state_ = nullptr;
   uint64_t left_, stretchLeft_;
   bool timedOut_ = false;
+  const char* stackBase_ = nullptr;
 };
 
 }  // namespace obby::engine
