@@ -101,13 +101,13 @@ int tween(lua_State* L) {
   const auto item = [L](const char* key) {
     lua_getfield(L, 3, key);
     lua_getfield(L, -1, "Value");
-    const auto value = uint32_t(lua_tonumber(L, -1));
+    const auto value = integerOf<uint32_t>(lua_tonumber(L, -1));
     lua_pop(L, 2);
     return value;
   };
   seen.seconds = number("Time");
   seen.delay = number("DelayTime");
-  seen.repeats = int(number("RepeatCount"));
+  seen.repeats = integerOf<int>(number("RepeatCount"));
   seen.style = item("EasingStyle");
   seen.direction = item("EasingDirection");
   lua_getfield(L, 3, "Reverses");

@@ -53,7 +53,7 @@ int rigid(lua_State* L) {
 
 // The number's red, green, blue (0 to 255) and name.
 int brickColorOf(lua_State* L) {
-  const auto number = int64_t(luaL_checknumber(L, 1));
+  const auto number = integerOf<int64_t>(luaL_checknumber(L, 1));
   const ColorRgb color = brickColor(number);
   for (const uint8_t channel : {color.r, color.g, color.b}) lua_pushnumber(L, channel);
   const std::string name = brickColorName(number);
@@ -76,11 +76,11 @@ int isBrickColor(lua_State* L) {
   return 1;
 }
 int paletteNumber(lua_State* L) {
-  return pushNumber(L, double(paletteColor(size_t(luaL_checknumber(L, 1)))));
+  return pushNumber(L, double(paletteColor(integerOf<size_t>(luaL_checknumber(L, 1)))));
 }
 
 int material(lua_State* L) {
-  const PhysicalProperties p = materialProperties(uint32_t(luaL_checknumber(L, 1)));
+  const PhysicalProperties p = materialProperties(integerOf<uint32_t>(luaL_checknumber(L, 1)));
   for (const float value :
        {p.density, p.friction, p.elasticity, p.frictionWeight, p.elasticityWeight})
     lua_pushnumber(L, lua_Number(value));
@@ -89,7 +89,7 @@ int material(lua_State* L) {
 
 int random(lua_State* L) { return pushNumber(L, Host::of(L).random.share()); }
 int randomSeed(lua_State* L) {
-  Host::of(L).random = Random(uint64_t(luaL_checknumber(L, 1)));
+  Host::of(L).random = Random(uint64_t(integerOf<int64_t>(luaL_checknumber(L, 1))));
   return 0;
 }
 Random& randomAt(lua_State* L) {
@@ -99,7 +99,8 @@ Random& randomAt(lua_State* L) {
   return *static_cast<Random*>(lua_touserdata(L, 1));
 }
 int newRandom(lua_State* L) {
-  new (lua_newuserdata(L, sizeof(Random))) Random(uint64_t(luaL_checknumber(L, 1)));
+  new (lua_newuserdata(L, sizeof(Random)))
+      Random(uint64_t(integerOf<int64_t>(luaL_checknumber(L, 1))));
   return 1;
 }
 int nextRandom(lua_State* L) { return pushNumber(L, randomAt(L).share()); }
@@ -117,7 +118,7 @@ int tinySteps(lua_State* L) {
 
 int date(lua_State* L) {
   const std::string format = luaL_checkstring(L, 1);
-  const auto when = std::time_t(luaL_checknumber(L, 2));
+  const auto when = integerOf<std::time_t>(luaL_checknumber(L, 2));
   std::tm parts{};
   gmtime_r(&when, &parts);
   const bool table = format.find("*t") != std::string::npos;

@@ -80,6 +80,18 @@ TEST(Budget, ARandomIsNoOtherValue) {
   EXPECT_EQ(seen, "");
 }
 
+TEST(Budget, IntegersOfAnyNumber) {
+  EXPECT_EQ(
+      problemsOf("for _, x in {-1e308, 1e308, 0 / 0, 1 / 0, -1} do\n"
+                 "  Random.new(x):NextNumber() bit32.band(x) BrickColor.new(x)\n"
+                 "  pcall(BrickColor.palette, x)\n"
+                 "  game:GetService('TweenService'):Create(workspace.Spawn,\n"
+                 "    TweenInfo.new(1, Enum.EasingStyle.Linear, Enum.EasingDirection.In, x),\n"
+                 "    {Transparency = 1}):Play()\nend\n"
+                 "assert(bit32.band(-1) == 4294967295)"),
+      "");
+}
+
 TEST(Budget, ShiftsByAnyNumber) {
   EXPECT_EQ(problemsOf("assert(bit32.rshift(1, -2147483648) == 0)\n"
                        "assert(bit32.arshift(1, -2147483648) == 0)\n"

@@ -9,7 +9,6 @@
 #include <string_view>
 
 #include "engine/place.h"
-#include "engine/report_bytes.h"
 #include "engine/stage.h"
 
 namespace {
@@ -76,6 +75,42 @@ void require(bool holds, const char* what) {
   std::abort();
 }
 
+// What is seen, as text that is the same if it is.
+class Summary {
+ public:
+  void add(double value) { text.append(reinterpret_cast<const char*>(&value), sizeof value); }
+  void add(const std::string& value) { text.append(value), add(double(value.size())); }
+  void add(Vec3 v) { add(double(v.x)), add(double(v.y)), add(double(v.z)); }
+  void add(const Pose& pose) { add(pose.position), add(pose.rotation.x), add(pose.rotation.y); }
+  void add(const engine::Plain& value) {
+    std::visit([this](const auto& held) { addHeld(held); }, value);
+  }
+  void add(const engine::Observation& seen) {
+    for (const engine::Change& change : seen.changes) {
+      add(change.time), add(change.target), add(change.property), add(change.value);
+      add(change.line.script), add(change.line.line);
+    }
+    for (const auto& [part, track] : seen.tracks) {
+      add(part), add(track.line.line), add(track.driver);
+      for (const engine::Placed& placed : track.poses) add(placed.frame), add(placed.pose);
+    }
+    for (const engine::Tween& tween : seen.tweens) add(tween.time), add(tween.target);
+    for (const engine::Harm& harm : seen.harms) add(harm.time), add(harm.to);
+    for (const engine::Problem& problem : seen.problems) add(problem.text), add(problem.count);
+    for (const auto& [what, count] : seen.counts) add(what), add(count);
+    add(seen.player.feet), add(seen.player.health), add(seen.player.walkSpeed);
+  }
+
+  std::string text;
+
+ private:
+  void addHeld(std::monostate) {}
+  template <class T>
+  void addHeld(const T& value) {
+    add(value);
+  }
+};
+
 // Everything that a run shows.
 std::string run(const Document& document) {
   const engine::Settings budget = settings();
@@ -85,7 +120,11 @@ std::string run(const Document& document) {
   stage.revive();
   std::vector<engine::Probe> probes = stage.probes();
   if (probes.size() > kMostProbes) probes.resize(kMostProbes);
-  std::string bytes = engine::toBytes(stage.made());
+  Summary summary;
+  for (const engine::MadePart& part : stage.made()) {
+    summary.add(part.id), summary.add(part.name);
+    for (const auto& [name, value] : part.properties) summary.add(name), summary.add(value);
+  }
   for (const engine::Probe& probe : probes) {
     if (probe.approach == engine::Approach::use) {
       stage.use(probe.target);
@@ -96,17 +135,11 @@ std::string run(const Document& document) {
     stage.leave();
     stage.run(kProbeFrames);
   }
-  engine::Observation seen = stage.observation();
+  const engine::Observation& seen = stage.observation();
   require(seen.frames <= kFrames + 2 * kProbeFrames * kMostProbes, "it ran more frames than asked");
   require(stage.left() <= budget.budget.instructions, "it ran more instructions than it has");
-  // PlayerState has padding: its numbers one by one.
-  engine::PlayerState& player = seen.player;
-  engine::BytesOut out;
-  out(player.feet), out(player.velocity), out(player.health), out(player.maxHealth);
-  out(player.walkSpeed), out(player.jumpPower), out(player.jumpHeight), out(player.alive);
-  out(seen.changes), out(seen.tracks), out(seen.tweens), out(seen.harms), out(seen.problems);
-  out(seen.counts), out(seen.frames);
-  return bytes + out.bytes;
+  summary.add(seen);
+  return summary.text;
 }
 
 }  // namespace

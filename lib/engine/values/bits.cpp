@@ -12,7 +12,7 @@ namespace {
 
 uint32_t bitsAt(lua_State* L, int index) {
   const double value = std::fmod(std::floor(luaL_checknumber(L, index)), 4294967296.0);
-  return uint32_t(int64_t(value < 0 ? value + 4294967296.0 : value));
+  return uint32_t(integerOf<int64_t>(value < 0 ? value + 4294967296.0 : value));
 }
 int pushBits(lua_State* L, uint32_t value) {
   lua_pushnumber(L, lua_Number(value));

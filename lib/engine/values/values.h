@@ -4,6 +4,8 @@
 // Private to lib/engine.
 #pragma once
 
+#include <limits>
+
 #include "engine/vm/lua.h"
 #include "math/vec.h"
 
@@ -12,6 +14,15 @@ namespace obby::engine {
 // The libraries bit32 and utf8: each sets its functions in the table at the top of the stack.
 void registerBits(lua_State* L);
 void registerCharacters(lua_State* L);
+
+// A number as an integer: the nearest that there is, 0 for what is no number.
+template <class T>
+T integerOf(double number) {
+  constexpr T kLeast = std::numeric_limits<T>::min(), kMost = std::numeric_limits<T>::max();
+  if (number != number) return 0;
+  if (number <= double(kLeast)) return kLeast;
+  return number >= double(kMost) ? kMost : T(number);
+}
 
 struct ValueType {
   const char* name;
