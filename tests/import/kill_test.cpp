@@ -1,4 +1,7 @@
 // Kill and damage parts, each way that real places make them.
+#include <string>
+#include <utility>
+
 #include "import/scene.h"
 
 namespace obby::test {
@@ -272,6 +275,27 @@ end)",
   EXPECT_FLOAT_EQ(scene[zone].kill->damage, 5);
   EXPECT_NEAR(scene[zone].kill->cooldown, 0.5, 0.04);
   EXPECT_FALSE(scene[other].kill);
+}
+
+TEST(Kill, HarmByExplosions) {
+  const std::string made = "local e = Instance.new('Explosion') ";
+  const std::pair<std::string, bool> cases[] = {
+      {made + "e.Position = p.Position e.Parent = workspace p:Destroy()", true},
+      {"local e = Instance.new('Explosion', workspace) e.Position = p.Position", true},
+      {made + "e.Position = p.Position e.Parent = hit.Parent", true},
+      {made + "e.Parent = workspace", false},  // at the origin
+      {made + "e.Position = p.Position e.DestroyJointRadiusPercent = 0 e.Parent = workspace",
+       false},
+      {made + "e.Position = p.Position e.Parent = game.ServerStorage", false}};
+  for (const auto& [text, harms] : cases) {
+    Scene scene;
+    const auto mine = scene.part("Mine", {40, 0, 0});
+    scene.script("local p = script.Parent p.Touched:Connect(function(hit)\np.Transparency = 0.5 " +
+                     text + " end)",
+                 mine);
+    scene.level();
+    EXPECT_EQ(scene[mine].kill.has_value(), harms) << text;
+  }
 }
 
 TEST(Kill, WhatAScriptDoesIsStrongerThanATag) {

@@ -133,21 +133,6 @@ TEST(Motion, AModelOfManyWaysTakesTheFirst) {
   EXPECT_EQ(scene.evidence(platform, "motion"), "guessed: marker Positions");
 }
 
-TEST(Unmodelled, EachPoseOfALoopDoesNotCostAllPartsOfItsModel) {
-  Scene scene;
-  const auto model = scene.add("Model", "Train", scene.workspace);
-  const auto wagons = scene.add("Folder", "Wagons", model);
-  for (int i = 0; i < 5000; ++i) scene.part("Wagon", {float(i), 0, 0}, wagons);
-  scene.part("Button", {0, 9, 0});
-  const std::string ride =
-      "for a = 1, 20 do for b = 1, 1000 do m:PivotTo(CFrame.new(b, 0, 0)) wait() end end";
-  scene.script("local m = workspace.Train " + ride, scene.scripts);
-  scene.script(
-      "local m = workspace.Train workspace.Button.Touched:Connect(function() " + ride + " end)",
-      scene.scripts);
-  expectQuick([&] { scene.level(); });
-}
-
 TEST(Kill, ATagInManySpellingsCountsOnce) {
   Scene scene;
   const auto folder = scene.add("Folder", "Hot", scene.workspace);

@@ -3,6 +3,7 @@
 #include <string>
 #include <utility>
 
+#include "import/constraint_scene.h"
 #include "import/motion_checks.h"
 
 namespace obby::test {
@@ -87,6 +88,27 @@ TEST(Movers, AVelocityThatATouchTurnsRoundBeginsWithIt) {
   EXPECT_TRUE(lift.scene[lift.part].anchored);
   expectNear(at(lift.scene[lift.part], 1), {0, 18, 0}, 0.4f);
   expectNear(at(lift.scene[lift.part], 2), {0, 28, 0}, 0.4f);
+}
+
+// A hinge with a servo: 90 degrees in a second, back after four.
+TEST(Movers, ADoorThatATouchOpensTurns) {
+  Scene scene;
+  const auto c = constrained(scene, "HingeConstraint");
+  scene.set(c.id, "ActuatorType", EnumItem{2, {}});
+  scene.set(c.id, "AngularSpeed", 1.5708);
+  scene.set(c.id, "ServoMaxTorque", 1e6);
+  const auto button = scene.part("Button", {30, 0, 0});
+  scene.script(
+      "local hinge = workspace.Base.HingeConstraint\n"
+      "script.Parent.Touched:Connect(function() hinge.TargetAngle = 90 wait(4) "
+      "hinge.TargetAngle = 0 end)",
+      button);
+  scene.level();
+  ASSERT_TRUE(scene[c.arm].motion && scene[button].button);
+  EXPECT_EQ(scene[c.arm].motion->signal, scene[button].button->signal);
+  EXPECT_TRUE(scene[c.arm].motion->carries && scene[c.arm].anchored);
+  for (const auto& [time, yaw] : {std::pair{0.5, 45}, {2.0, 90}, {4.5, 45}, {6.0, 0}})
+    EXPECT_NEAR(yawAt(scene[c.arm], time), yaw, 4) << time;
 }
 
 TEST(Movers, AMoverThatAScriptMakesPushes) {

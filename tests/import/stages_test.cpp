@@ -138,17 +138,34 @@ spawn.Touched:connect(function(hit)
   end
 end))",
                part, "CheckpointScript");
-  const auto stat = scene.part("Stat", {40, 0, 0});
-  scene.script(
-      "script.Parent.Touched:Connect(function(hit)\n"
-      " local player = game.Players:GetPlayerFromCharacter(hit.Parent)\n"
-      " if player then player.leaderstats.Stage.Value = 2 end\nend)",
-      stat);
   scene.level();
   EXPECT_EQ(*scene[part].checkpoint, 1);
   EXPECT_EQ(scene.evidence(part, "checkpoint"),
             "script CheckpointScript line 14: checkpoint.Value = spawn");
-  EXPECT_EQ(*scene[stat].checkpoint, 2);
+}
+
+TEST(Stages, LeaderstatsTellTheOrder) {
+  Scene scene;
+  spawn(scene, "Start", {});
+  scene.script(
+      "game.Players.PlayerAdded:Connect(function(player)\n"
+      " local stats = Instance.new('Folder', player) stats.Name = 'leaderstats'\n"
+      " Instance.new('IntValue', stats).Name = 'Stage'\nend)",
+      scene.scripts);
+  const auto pad = [&](int stage, float z) {
+    const auto part = scene.part("Plate", {0, 0, z});
+    scene.script(
+        "script.Parent.Touched:Connect(function(hit)\n"
+        " local player = game.Players:GetPlayerFromCharacter(hit.Parent)\n"
+        " if player then player.leaderstats.Stage.Value = " +
+            std::to_string(stage) + " end\nend)",
+        part);
+    return part;
+  };
+  const auto second = pad(2, 20), first = pad(1, 40);
+  scene.level();
+  EXPECT_EQ(*scene[first].checkpoint, 1);
+  EXPECT_EQ(*scene[second].checkpoint, 2);
 }
 
 TEST(Stages, WithoutSpawnAPartCalledStartOrTheFirstCheckpointServes) {

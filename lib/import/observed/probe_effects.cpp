@@ -95,6 +95,8 @@ class Difference {
       takeMover(change);
     else if (property == "note respawn" || property == "note team")
       setStage(std::nullopt, change.line);
+    else if (property == "note kept" && change.target == probe_.target)
+      setStage(std::nullopt, change.line);
     else if (property.rfind("note stat ", 0) == 0)
       takeStat(change);
     else if (property == "note sit" || property == "note state")

@@ -49,6 +49,7 @@ class Touches {
       std::erase_if(part->evidence, [](const auto& e) { return e.reason == kNothing; });
       roles_.setGuessed(!added.onlyStage());
       give(*part, revisit.probe, added);
+      roles_.takeDrives(*part, revisit.probe, added);
       roles_.setGuessed(false);
       if (!added.onlyStage())
         note("touch that does more later", part->id,
