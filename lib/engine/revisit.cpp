@@ -101,7 +101,8 @@ class Tour {
   }
 
   // What is seen at each touch of `touched`, and then by each probe of `probed`.
-  Seen tour(const std::vector<size_t>& touched, const std::vector<size_t>& probed, TourMode mode = {}) {
+  Seen tour(const std::vector<size_t>& touched, const std::vector<size_t>& probed,
+            TourMode mode = {}) {
     Seen seen;
     const bool isShort = touched.size() > kLongTour;
     if (used_ >= kOfAll) return seen;
@@ -205,7 +206,8 @@ class Tour {
   }
 
   // Whether the part does the same once those are touched.
-  bool sameAfter(size_t i, const Names& effects, const std::vector<size_t>& touched, TourMode mode = {}) {
+  bool sameAfter(size_t i, const Names& effects, const std::vector<size_t>& touched,
+                 TourMode mode = {}) {
     const std::vector<Probe> probes = tour(touched, {i}, mode).probes;
     if (probes.empty()) return false;
     const Names now = effectsIn(probes[0], usual_);
