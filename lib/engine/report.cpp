@@ -104,7 +104,10 @@ class Watcher {
   void revisitAll() {
     children_.start(
         plan_.timeLimit / 4, [&] { return toBytes(revisit(stage_, plan_, report_.probes)); },
-        [this](const std::string& bytes) { fromBytes(bytes, report_.revisits); });
+        [this](const std::string& bytes) {
+          if (!fromBytes(bytes, report_.revisits) && report_.failure.empty())
+            report_.failure = "later touches of parts took too long";
+        });
   }
 
   const Plan& plan_;

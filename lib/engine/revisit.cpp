@@ -34,7 +34,7 @@ void fields(A& a, Seen& s) {
 }
 
 // `touches`: false lets the time of the touches pass without them.
-struct How {
+struct TourMode {
   bool patiently = true, touches = true;
 };
 
@@ -101,7 +101,8 @@ class Tour {
   }
 
   // What is seen at each touch of `touched`, and then by each probe of `probed`.
-  Seen tour(const std::vector<size_t>& touched, const std::vector<size_t>& probed, How how = {}) {
+  Seen tour(const std::vector<size_t>& touched, const std::vector<size_t>& probed,
+            TourMode mode = {}) {
     Seen seen;
     const bool isShort = touched.size() > kLongTour;
     if (used_ >= kOfAll) return seen;
@@ -112,7 +113,7 @@ class Tour {
                 for (const size_t i : touched) {
                   if (!seen.touches.empty()) seen.touches.back().seen = stage_.observation();
                   seen.touches.push_back(first_[i]);
-                  if (how.touches)
+                  if (mode.touches)
                     touch(i, isShort);
                   else
                     stage_.run(kTouch + kBetween);
@@ -120,7 +121,7 @@ class Tour {
                 settle();
                 if (!seen.touches.empty()) seen.touches.back().seen = stage_.observation();
                 seen.used = left - stage_.left();
-                seen.probes = probeAll(affordable(probed, seen.used), how.patiently);
+                seen.probes = probeAll(affordable(probed, seen.used), mode.patiently);
                 seen.end = stage_.frames() / 60.0;
                 return toBytes(std::move(seen));
               }),
@@ -194,6 +195,7 @@ class Tour {
   Names usualUntil(double seconds) {
     Observation seen;
     fromBytes(inCopy([&] {
+                stage_.limit(kOfOneTour);
                 stage_.restart();
                 const uint32_t end = framesOf(seconds), now = stage_.frames();
                 stage_.run(end > now ? end - now : 0);
@@ -204,8 +206,9 @@ class Tour {
   }
 
   // Whether the part does the same once those are touched.
-  bool sameAfter(size_t i, const Names& effects, const std::vector<size_t>& touched, How how = {}) {
-    const std::vector<Probe> probes = tour(touched, {i}, how).probes;
+  bool sameAfter(size_t i, const Names& effects, const std::vector<size_t>& touched,
+                 TourMode mode = {}) {
+    const std::vector<Probe> probes = tour(touched, {i}, mode).probes;
     if (probes.empty()) return false;
     const Names now = effectsIn(probes[0], usual_);
     return !differ(effects, now) && !differ(now, effects);
@@ -214,7 +217,7 @@ class Tour {
   void explain(size_t i, const Names& effects, const std::vector<size_t>& touched,
                Revisit& revisit) {
     // Patience touches it again, too.
-    const How once = {.patiently = false}, idle = {.patiently = false, .touches = false};
+    const TourMode once = {.patiently = false}, idle = {.patiently = false, .touches = false};
     if (kills(first_[i]) ? sameAfter(i, effects, {})
                          : sameAfter(i, effects, {i}, once) && !sameAfter(i, effects, {i}, idle))
       revisit.cause = Cause::again;

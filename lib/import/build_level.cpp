@@ -47,12 +47,13 @@ void readParts(const Tree& tree, const Assemblies& assemblies, LevelDraft& level
 void findRolesOf(RoleContext& context, const ObservedPlace& place) {
   noteSettled(context, place);
   applyPlayerState(context.level, place);
+  movingFromRecordings(context);  // the designer's own samples count before ours
   movingFromObservation(context, place.report);
   timersFromObservation(context, place.report);
   // A pad that is said to be a checkpoint may kill, to bring the player to the next stage.
-  harmlessFromTags(context);
   checkpointFromTags(context);
   goalFromTags(context);
+  killFromTags(context);
   touchesFromObservation(context, place.report);
   findRoles(context);
   touchedDrivesFromObservation(context, place.report);

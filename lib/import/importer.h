@@ -17,7 +17,7 @@ struct ImportOptions {
   std::string name;        // of the level; empty: the file's name without folder and ending
   bool queries = true;     // a query for each stage
   bool explain = false;    // fill Import::explanation
-  bool runScripts = true;  // else their texts are read, with more left open
+  bool runScripts = true;  // else what they do is missing, but for guesses from their texts
 };
 
 struct Import {

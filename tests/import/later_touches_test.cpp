@@ -112,6 +112,33 @@ TEST(LaterTouches, AKillThatACharacterScriptDealsComesWithEachLife) {
   }
 }
 
+TEST(Touches, APartThatATouchLetsLooseFallsAway) {
+  ScriptedPart scene("p.Touched:Connect(function() task.wait(0.5) p.Anchored = false end)");
+  ASSERT_TRUE(scene[scene.self].vanish);
+  EXPECT_NEAR(scene[scene.self].vanish->delay, 0.5, 0.05);
+}
+
+TEST(Touches, AClickThatMovesThePlayerIsNamed) {
+  Scene scene;
+  const auto button = scene.part("Button", {20, 0, 0});
+  scene.add("ClickDetector", "ClickDetector", button);
+  scene.script(
+      "script.Parent.ClickDetector.MouseClick:Connect(function(player)\n"
+      "player.Character:PivotTo(CFrame.new(0, 99, 0)) end)",
+      button);
+  scene.level();
+  EXPECT_EQ(scene.unmodelled("use that acts on the player"), 1u);
+}
+
+TEST(Touches, ATagKillsWhereScriptsDoNothing) {
+  Scene scene;
+  const auto part = scene.part("Part", {20, 0, 0});
+  scene.tag(part, "KillBrick");
+  scene.script("script.Parent.Touched:Connect(function() print('x') end)", part);
+  scene.level();
+  EXPECT_TRUE(scene[part].kill);
+}
+
 TEST(LaterTouches, ALoopBeforeTheChangeDelaysIt) {
   for (const char* loop : {"while fade < 10 do fade += 1 wait(0.1) end",
                            "repeat fade = fade + 1 wait(0.1) until fade >= 10"}) {

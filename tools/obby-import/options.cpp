@@ -47,7 +47,7 @@ cli::ToolSpec importSpec() {
       cli::commonRow(cli::Common::onError),
       nameRow(),
       flag("no-queries", "write only the level, without a query for each stage"),
-      flag("no-scripts", "do not run the place's scripts; read what their texts state"),
+      flag("no-scripts", "do not run the place's scripts: what they do is missing"),
       flag("explain", "print a table of parts, roles and evidence instead of records"),
   };
   spec.inputHelp =

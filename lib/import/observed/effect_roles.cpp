@@ -20,6 +20,7 @@ void EffectRoles::note(const char* kind, InstanceId id, const char* note, engine
 void EffectRoles::takePlayer(PartDraft& part, const ProbeEffects& effects) {
   if (effects.harm && !part.checkpoint && !part.goal && !hasEvidence(part, kHarmless)) {
     part.kill = {float(effects.harm->damage), float(effects.harm->cooldown)};
+    std::erase_if(part.evidence, [](const Evidence& e) { return e.role == "kill"; });
     prove(part, "kill", reason(effects.harm->line));
   }
   if (effects.push) takePush(part, *effects.push);

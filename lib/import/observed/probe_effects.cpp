@@ -237,7 +237,10 @@ class Difference {
   void findAways() {
     std::map<InstanceId, Away> found, came;
     for (const Change* change : own_) {
-      if (change->property != "CanCollide" && change->property != "Parent") continue;
+      // What falls carries nobody any more.
+      if (change->property != "CanCollide" && change->property != "Parent" &&
+          change->property != "Anchored")
+        continue;
       const bool* const solid = std::get_if<bool>(&change->value);
       if (!solid || change->target >= engine::kMade) continue;
       const auto known = found.find(change->target);

@@ -68,6 +68,9 @@ struct ProbeEffects {
            !trips && aways.empty() && backs.empty() && moved.empty() && belts.empty() &&
            sizes.empty();
   }
+  bool touchesPlayer() const {
+    return harm || push || teleport || boost || stage || gravity || force || jumps || trips;
+  }
   // Nothing but progress.
   bool onlyStage() const;
   // Of one of the effects; of none: {}.

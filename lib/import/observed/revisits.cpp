@@ -20,8 +20,8 @@ std::vector<T> partsWithout(const std::vector<T>& all, const std::vector<T>& kno
 // A click detector or a prompt goes by the name of its part.
 const std::string& partNear(const Tree& tree, InstanceId lever) {
   const InstanceId parent = tree.at(lever).parent;
-  const bool isPart = tree.at(lever).properties.contains("Size");
-  return !isPart && parent < tree.size() ? tree.at(parent).name : tree.at(lever).name;
+  const bool hasParent = !tree.isPart(lever) && parent < tree.size();
+  return hasParent ? tree.at(parent).name : tree.at(lever).name;
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // Poses, a frame each, that come again and again.
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "math/vec.h"

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "import/frame_time.h"
+#include "import/pose_math.h"
 #include "level/rotation.h"
 
 namespace obby::importer {

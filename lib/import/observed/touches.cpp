@@ -22,7 +22,7 @@ class Touches {
     if (!part) return roles_.takeAbility(isKeys(probe.target), effects);
     if (probe.lost) return note("touch that broke down", part->id, "treated as a plain part");
     if (effects.empty()) {
-      if (!probe.byPlace && !hasEvidence(*part, kHarmless))
+      if (!probe.byPlace && !part->kill && !hasEvidence(*part, kHarmless))
         part->evidence.push_back({kHarmless, kNothing, false});
       return;
     }
@@ -80,7 +80,11 @@ class Touches {
 
   void give(PartDraft& part, const engine::Probe& probe, const ProbeEffects& effects) {
     const bool used = probe.approach == engine::Approach::use;
-    if (!used) roles_.takePlayer(part, effects);
+    if (!used)
+      roles_.takePlayer(part, effects);
+    else if (effects.touchesPlayer())
+      note("use that acts on the player", part.id,
+           "the player stays as it is; " + roles_.reason(effects.line()));
     roles_.takeParts(part, used, effects);
   }
 

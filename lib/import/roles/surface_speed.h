@@ -19,9 +19,4 @@ bool isUpward(Vec3 velocity);
 void giveConveyor(PartDraft& part, Conveyor conveyor, std::string reason, bool guessed);
 void giveJumpPad(PartDraft& part, JumpPad pad, std::string reason, bool guessed);
 
-// Names in level.unmodelled the anchored parts to which scripts, by themselves, give a velocity
-// that their text does not tell, but for those of which a tag or a marker states it. Call it after
-// findRoles, while loose parts are loose.
-void noteUntoldVelocities(RoleContext& context);
-
 }  // namespace obby::importer
