@@ -19,7 +19,6 @@ constexpr RoleRow kRoles[] = {
     {"vanish", vanishFromTags, vanishFromMarkers, nullptr},
     {"seat", seatFromClass, nullptr, nullptr},
     {"ladder", nullptr, nullptr, ladderFromStacks},
-    {"motion, recorded", movingFromRecordings, nullptr, nullptr},
     {"motion", movingFromTags, movingFromMarkers, movingFromConstraints},
 };
 
