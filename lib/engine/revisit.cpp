@@ -19,7 +19,7 @@ constexpr uint32_t kTouch = 12, kBetween = 4;  // frames of a touch on the tour,
 constexpr uint32_t kShortTouch = 4, kLongTour = 100;
 constexpr double kSettleAtLeast = 1, kSettleAtMost = 20;           // seconds after the tour
 constexpr size_t kMostPatient = 32;                                // parts that do nothing at first
-constexpr size_t kMostProbed = 150;                                // parts that harm come last
+constexpr size_t kMostProbed = 100;                                // parts that harm come last
 constexpr uint64_t kOfOneTour = 20'000'000, kOfAll = 100'000'000;  // instructions
 
 struct Seen {

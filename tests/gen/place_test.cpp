@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 #include "gen/made.h"
@@ -59,7 +60,8 @@ float roundOf(schema::Motion::Reader motion) {
 // way through a part's frame in single precision, some hundred studs out. The script of a carrier
 // waits at both ends, and waits end with a frame of the engine: each is up to one longer.
 void expectSameWay(schema::Part::Reader a, schema::Part::Reader b, const std::string& what) {
-  constexpr float kFrame = 1.0f / 60, kRounding = 1e-3f;  // seconds; studs and seconds
+  // Seconds; studs and seconds: motions are seen once a frame, and their keys lie on those poses.
+  constexpr float kFrame = 1.0f / 60, kRounding = 0.02f;
   const Box before = wayOf(a), after = wayOf(b);
   EXPECT_LT(length(before.lo - after.lo), kRounding) << what;
   EXPECT_LT(length(before.hi - after.hi), kRounding) << what;
@@ -72,9 +74,11 @@ void expectSameWay(schema::Part::Reader a, schema::Part::Reader b, const std::st
 // exact.
 void expectSame(schema::Vanish::Reader a, schema::Vanish::Reader b, const std::string& what) {
   EXPECT_EQ(int(a.getTrigger()), int(b.getTrigger())) << what;
+  if (a.getTrigger() == schema::VanishTrigger::SIGNAL) return;  // its button tells the times
   EXPECT_NEAR(a.getDelay(), b.getDelay(), 1e-4) << what;
   EXPECT_NEAR(a.getAway(), b.getAway(), 1e-4) << what;
-  EXPECT_NEAR(a.getPhase(), b.getPhase(), 1e-4) << what;
+  const float period = a.getDelay() + a.getAway();
+  EXPECT_NEAR(std::remainder(a.getPhase() - b.getPhase(), period), 0, 1e-4) << what;
 }
 
 void expectSame(schema::Part::Reader a, schema::Part::Reader b) {
@@ -99,20 +103,12 @@ void expectSame(schema::Part::Reader a, schema::Part::Reader b) {
   const auto turning = a.getMotion().getSpin(), back = b.getMotion().getSpin();
   EXPECT_LT(length(turn(turning) - turn(back)), 0.02f) << what;
   EXPECT_LT(length(level::vec(turning.getPivot()) - level::vec(back.getPivot())), 0.01f) << what;
-  const bool byButton = a.getVanish().getTrigger() == schema::VanishTrigger::SIGNAL;
-  EXPECT_EQ(a.hasVanish() && !byButton, b.hasVanish()) << what;
+  EXPECT_EQ(a.hasVanish(), b.hasVanish()) << what;
   if (b.hasVanish()) expectSame(a.getVanish(), b.getVanish(), what);
   // Loose parts stay loose; carriers are loose in the place, and known by what drives them.
   if (!a.hasMotion()) {
     EXPECT_EQ(a.getAnchored(), b.getAnchored()) << what;
   }
-}
-
-// Motions that are read come back to the last bit; those that are seen do but for a frame.
-importer::ImportOptions readOptions() {
-  importer::ImportOptions options;
-  options.runScripts = false;
-  return options;
 }
 
 class Places : public ::testing::TestWithParam<std::string> {};
@@ -122,15 +118,12 @@ TEST_P(Places, ComeBackFromTheImporterAsTheyWere) {
   for (uint64_t i = 0; i < 5; ++i) {
     gen::PlaceFile place(generator);
     ASSERT_TRUE(place.add(generator.generate(1, i)));
-    const auto back = importer::importPlace(place.finish(), "made.rbxlx", readOptions());
+    const auto back = importer::importPlace(place.finish(), "made.rbxlx", {});
     ASSERT_TRUE(back) << back.error().text();
     const Made made = makeRecords(generator, 1, i);
     const auto level = back->level.reader().getLevel();
     const Parts before = partsOf(made.level.reader().getLevel()), after = partsOf(level);
-    // Buttons are not among what the importer models.
-    const bool pressed = std::any_of(before.begin(), before.end(),
-                                     [](const auto& named) { return named.second.hasButton(); });
-    EXPECT_EQ(back->warnings.empty(), !pressed);
+    EXPECT_TRUE(back->warnings.empty()) << (back->warnings.empty() ? "" : back->warnings[0]);
     ASSERT_EQ(before.size(), after.size());
     for (const auto& [name, part] : before) {
       ASSERT_TRUE(after.count(name)) << name;

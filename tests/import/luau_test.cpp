@@ -195,7 +195,7 @@ TEST(Luau, ManyPartsUnderOneCentralScript) {
       scene.scripts);
   const auto start = std::chrono::steady_clock::now();
   const auto& level = scene.level();
-  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(20));
+  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(60));
   for (const auto& part : level.parts) ASSERT_TRUE(part.kill);
 }
 
