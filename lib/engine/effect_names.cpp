@@ -32,7 +32,7 @@ bool lacks(const Names& all, const std::string& effect) {
 
 bool harms(const Probe& probe) {
   return std::any_of(probe.seen.harms.begin(), probe.seen.harms.end(),
-                     [](const Harm& harm) { return harm.to < harm.from; });
+                     [](const Harm& harm) { return harm.hurts(); });
 }
 
 bool kills(const Probe& probe) { return harms(probe) && !probe.seen.player.alive; }
@@ -42,7 +42,7 @@ Names namesIn(const Observation& seen) {
   for (const Change& change : seen.changes) names.insert(nameOf(change));
   for (const auto& [id, track] : seen.tracks) names.insert(std::to_string(id));
   for (const Harm& harm : seen.harms)
-    if (harm.to < harm.from) names.insert("harm");
+    if (harm.hurts()) names.insert("harm");
   return names;
 }
 

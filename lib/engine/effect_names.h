@@ -1,4 +1,5 @@
-// What probes do, as sets of names that can be compared. Private to lib/engine.
+// The effects of probes as sets of names, so that two probes can be compared. Private to
+// lib/engine.
 #pragma once
 
 #include <set>
@@ -13,14 +14,14 @@ using Names = std::set<std::string>;
 bool harms(const Probe& probe);
 bool kills(const Probe& probe);
 
-// What changes in a run that nobody disturbs: "target.property", and "target" of what moves.
+// The changes in a run without touches: "target.property", and "target" for each part that moves.
 Names namesIn(const Observation& seen);
-// What a probe does besides. Names that begin with ~ are of effects that end by themselves, so that
-// they may come again.
+// The probe's effects beyond `usual`. A leading ~ marks an effect that ends by itself and may come
+// again.
 Names effectsIn(const Probe& probe, const Names& usual);
 // Whether `now` has an effect that `before` lacks.
 bool adds(const Names& before, const Names& now);
-// Whether it has, or lacks one that may come again.
+// True if `now` adds an effect, or lacks one of `before` that may come again.
 bool differ(const Names& before, const Names& now);
 
 }  // namespace obby::engine

@@ -22,7 +22,7 @@ bool isIn(std::string_view text, const std::string_view (&list)[kCount]) {
   return std::find(list, list + kCount, text) != list + kCount;
 }
 
-// Whether the text at index 1 is one of the list.
+// Pushes true if the string at index 1 is in the list.
 template <size_t kCount>
 int isOneOf(lua_State* L, const std::string_view (&list)[kCount]) {
   lua_pushboolean(L, isIn(textAt(L, 1), list));

@@ -13,6 +13,8 @@
 
 namespace obby::engine {
 
+constexpr double kFrame = 1.0 / 60;  // seconds: scripts resume, and poses are sampled, once a frame
+
 // A script's line. `script` is the instance in the file; kNoInstance: nobody's, such as the engine.
 struct Line {
   InstanceId script = kNoInstance;
@@ -73,6 +75,8 @@ struct Harm {
   double time = 0;
   double from = 0, to = 0;  // the player's health before and after
   Line line;
+
+  bool hurts() const { return to < from; }  // else it heals
 };
 
 struct Problem {

@@ -6,7 +6,6 @@
 namespace obby::engine {
 namespace {
 
-constexpr double kFrame = 1.0 / 60;
 constexpr double kHold = 1.1;        // seconds that a probe stays: longer than most polls wait
 constexpr double kPatientHold = 4;   // seconds
 constexpr uint32_t kTouchEvery = 5;  // frames between the touches of a patient probe
@@ -18,7 +17,7 @@ constexpr double kAtLeast = 1.5;
 bool awaitsHit(Stage& stage, double now) {
   double first = -1, last = -1;
   for (const Harm& harm : stage.harms())
-    if (harm.to < harm.from) {
+    if (harm.hurts()) {
       if (first < 0) first = harm.time;
       last = harm.time;
     }

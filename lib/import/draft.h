@@ -103,7 +103,6 @@ struct PartDraft {
   InstanceId id = kNoInstance;
   Shape shape = Shape::block;
   Pose pose;
-  std::optional<Pose> rest;  // where the file has it, if a script puts it elsewhere at the start
   Vec3 size = {4, 1.2f, 2};
   std::vector<std::vector<Vec3>> hulls;
   bool solid = true, touch = true, anchored = true;

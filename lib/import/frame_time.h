@@ -1,9 +1,10 @@
 // The engine's frame.
 #pragma once
 
+#include "engine/observation.h"
+
 namespace obby::importer {
 
-// Seconds: scripts go on, and poses that they set are seen, no more often.
-constexpr double kFrame = 1.0 / 60;
+using engine::kFrame;
 
 }  // namespace obby::importer

@@ -181,13 +181,13 @@ int giveMotion(RoleContext& context, InstanceId moved, const Motion& ofPivot,
   const std::vector<PartDraft*> parts = takers(context, moved);
   float reach = 0;
   for (const PartDraft* part : parts)
-    reach = std::max(reach, length(toLocal(pivot, part->rest.value_or(part->pose).position)));
+    reach = std::max(reach, length(toLocal(pivot, part->pose.position)));
   const Motion motion = withArcs(ofPivot, reach);
   if (!haveRoom(context, parts, motion, reason)) return 0;
   int given = 0;
   for (PartDraft* part : parts) {
     if (!hasRoom(context, *part, motion, reason)) continue;
-    const Pose inPivot = inverse(pivot) * part->rest.value_or(part->pose);
+    const Pose inPivot = inverse(pivot) * part->pose;
     Motion own = motion;
     for (MotionKey& key : own.keys) key.pose = key.pose * inPivot;
     if (own.spin) {

@@ -35,7 +35,6 @@ void EffectRoles::takeParts(PartDraft& part, bool used, const ProbeEffects& effe
 
 void EffectRoles::takeDrives(PartDraft& part, const engine::Probe& probe,
                              const ProbeEffects& effects) {
-  if (!setsJoints(probe)) return;
   std::set<InstanceId> done;
   for (const Moved& moved : effects.moved) {
     PartDraft* const other = context_.part(moved.part);

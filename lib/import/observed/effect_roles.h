@@ -18,6 +18,8 @@ class EffectRoles {
   void takePlayer(PartDraft& part, const ProbeEffects& effects);
   // What it does to parts, itself among them. `used`: by a click or prompt instead of a touch.
   void takeParts(PartDraft& part, bool used, const ProbeEffects& effects);
+  // Whether the probe sets a joint or moves a part through one.
+  bool setsJoints(const engine::Probe& probe) const;
   // What moves by constraints and movers that the touch sets. What it sets to no effect that the
   // level has is named.
   void takeDrives(PartDraft& part, const engine::Probe& probe, const ProbeEffects& effects);
@@ -41,7 +43,6 @@ class EffectRoles {
   void press(PartDraft& part, double seconds);
   std::string signalOf(const PartDraft& part) const { return "touch " + path(part.id); }
   bool isJoint(InstanceId id) const;
-  bool setsJoints(const engine::Probe& probe) const;
   void note(const char* kind, InstanceId id, const char* note, engine::Line line);
 
   RoleContext& context_;

@@ -43,7 +43,7 @@ void noteChanges(RoleContext& context, const engine::Report& report) {
             std::string(row.note) + "; " + lineReason(context.tree, change.line));
   }
   for (const engine::Harm& harm : report.undisturbed.harms)
-    if (harm.to < harm.from)
+    if (harm.hurts())
       return context.level.noteUnmodelled(
           "harm by itself", "", "no part deals it; " + lineReason(context.tree, harm.line));
 }

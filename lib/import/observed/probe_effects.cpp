@@ -64,11 +64,11 @@ class Difference {
   void findHarm() {
     std::set<int64_t> usual;
     for (const engine::Harm& harm : report_.undisturbed.harms)
-      if (harm.to < harm.from) usual.insert(std::llround(harm.time / kFrame));
+      if (harm.hurts()) usual.insert(std::llround(harm.time / kFrame));
     std::optional<double> first, second;
     Harmful found;
     for (const engine::Harm& harm : probe_.seen.harms) {
-      if (!(harm.to < harm.from) || usual.contains(std::llround(harm.time / kFrame))) continue;
+      if (!harm.hurts() || usual.contains(std::llround(harm.time / kFrame))) continue;
       if (!first) {
         first = harm.time;
         found.damage = harm.from - harm.to;

@@ -35,7 +35,7 @@ class Touches {
 
   void takeDrives(const engine::Probe& probe) {
     PartDraft* const part = partOf(probe);
-    if (part && !probe.lost && probe.allOver)
+    if (part && !probe.lost && probe.allOver && roles_.setsJoints(probe))
       roles_.takeDrives(*part, probe, effectsOf(report_, probe));
   }
 
@@ -49,7 +49,7 @@ class Touches {
       std::erase_if(part->evidence, [](const auto& e) { return e.reason == kNothing; });
       roles_.setGuessed(!added.onlyStage());
       give(*part, revisit.probe, added);
-      roles_.takeDrives(*part, revisit.probe, added);
+      if (roles_.setsJoints(revisit.probe)) roles_.takeDrives(*part, revisit.probe, added);
       roles_.setGuessed(false);
       if (!added.onlyStage())
         note("touch that does more later", part->id,

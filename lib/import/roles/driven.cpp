@@ -31,16 +31,10 @@ bool toItsLimit(RoleContext& context, const ConstraintSettings& settings, const 
                     "motor drives it to its limit", false);
 }
 
-// The way of what hangs on `base`: from where scripts have placed that, or along with it. Nothing
-// where both go their own ways.
+// The motion of a part that hangs on `base`: along with it. Nothing if both move on their own.
 std::optional<Motion> carried(const PartDraft* base, const Pose& own, Motion motion) {
-  if (!base || (!base->motion && !base->rest)) return motion;
-  const Pose back = inverse(base->rest.value_or(base->pose));
-  if (!base->motion) {
-    if (motion.keys.empty()) motion.keys = {{0, own, Easing::linear, EasingDirection::out}};
-    for (MotionKey& key : motion.keys) key.pose = base->pose * back * key.pose;
-    return motion;
-  }
+  if (!base || !base->motion) return motion;
+  const Pose back = inverse(base->pose);
   const Pose fromBase = back * (motion.keys.empty() ? own : motion.keys.front().pose);
   Motion way = withArcs(*base->motion, length(fromBase.position));
   if (way.spin || way.keys.empty() || motion.keys.size() > 1) return std::nullopt;
@@ -158,7 +152,7 @@ Motion slideTo(const Track& track, double position, double speed, const std::opt
 
 bool standStill(RoleContext& context, const Drive& drive, const std::optional<Spin>& spin) {
   const PartDraft* base = context.part(drive.base);
-  const bool stays = !base || (!base->motion && !base->rest);
+  const bool stays = !base || !base->motion;
   if (!spin && stays) return hold(context, drive.moving, "a motor holds it in place");
   Motion motion;
   motion.spin = spin;
