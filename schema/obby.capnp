@@ -163,12 +163,21 @@ struct LevelSource {
   partsCulled @5 :UInt32; # parts far from all others or below the fall height, and parts that scripts destroy as play starts
 }
 
+enum Bearing {
+  # How the game can differ from the level because of a loss of the import.
+  either @0;  # easier or harder for the player
+  easier @1;  # easier only: a solution holds all the same
+  harder @2;  # harder only: what is unreachable stays unreachable
+}
+
 struct Unmodelled {
   # Something that the importer found and the simulator does not model.
-  kind @0 :Text;     # "terrain", "constraint PrismaticConstraint", "script pattern"
+  kind @0 :Text;     # "terrain", "constraint PrismaticConstraint", "script that fails"
   count @1 :UInt32;
   example @2 :Text;  # path of one instance
   note @3 :Text;     # what is lost
+  bearing @4 :Bearing;
+  anywhere @5 :Bool;  # some of them concern no single part; the others are in the parts' `doubts`
 }
 
 struct Spawn {
@@ -226,6 +235,7 @@ struct Part {
   climbable @32 :Bool;    # a rung of a ladder built from parts, climbed like a truss
   material @33 :Text;     # appearance only, by the engine's name ("WoodPlanks"); empty: plastic
   frictionWeight @34 :Float32 = 1;  # of `friction` in the mean with a player's or a dynamic body's, 0 to 100
+  doubts @35 :List(Text);  # kinds of `unmodelled` that concern this part: the game may treat it otherwise
 }
 
 struct PartSource {
@@ -556,6 +566,7 @@ struct Trajectory {
   tricks @20 :List(Trick);   # that the player may use; a replay allows the same
   body @21 :Text;            # of the player; empty: the level's physics
   frameRate @22 :UInt16;     # ticks per second; 0: the level's controlRate
+  doubtful @23 :List(Int32); # parts with doubts that a solution stands on or touches, in order of their first touch
 }
 
 struct Path {
@@ -731,6 +742,14 @@ struct Result {
   heatMap @19 :HeatMap;      # of a search, on request
   tricks @20 :List(Trick);   # that the query allows
   players @21 :List(PlayerAnswer);  # if the query names bodies or frame rates
+  holds @22 :Bool = true;    # false: the shortest solution depends on something that the import is not sure of
+  doubts @23 :List(Doubt);   # what that is
+}
+
+struct Doubt {
+  # A loss of the import that a solution depends on.
+  kind @0 :Text;         # as in Unmodelled
+  part @1 :Int32 = -1;   # that the solution stands on or touches; -1: the loss concerns no single part
 }
 
 struct PlayerAnswer {

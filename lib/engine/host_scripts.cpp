@@ -2,6 +2,8 @@
 #include <algorithm>
 #include <string>
 
+#include "base/hash.h"
+#include "engine/classes/class_defaults.h"
 #include "engine/host.h"
 #include "engine/luau/emit.h"
 #include "engine/luau/helpers.h"
@@ -102,6 +104,22 @@ int where(lua_State* L) {
   return 1;
 }
 
+// (function): a number that functions of the same line of scripts of the same text share.
+int kinOf(lua_State* L) {
+  const Host& host = Host::of(L);
+  lua_Debug at;
+  lua_settop(L, 1);
+  lua_getinfo(L, ">S", &at);
+  const InstanceId script = scriptOf(at.source);
+  const bool known = script < host.document.instances.size();
+  const std::string text =
+      known ? get<std::string>(host.document.instances[script], "Source") : at.source;
+  constexpr int kBits = 53;  // of a number without a fraction
+  const uint64_t kin = hashBytes(text.data(), text.size(), uint64_t(at.linedefined));
+  lua_pushnumber(L, lua_Number(kin >> (64 - kBits)));
+  return 1;
+}
+
 int rawLength(lua_State* L) {
   lua_pushnumber(L, lua_Number(lua_objlen(L, 1)));
   return 1;
@@ -142,14 +160,23 @@ int rig(lua_State* L) {
   return 1;
 }
 
-constexpr luaL_Reg kFunctions[] = {{"rawType", rawType},     {"metatableOf", metatableOf},
-                                   {"try", tryCall},         {"spend", spend},
-                                   {"newId", newId},         {"enter", enter},
-                                   {"timedOut", timedOut},   {"newOwner", newOwner},
-                                   {"load", load},           {"where", where},
-                                   {"rawLength", rawLength}, {"setStringMethods", setStringMethods},
-                                   {"copyList", copyList},   {"rig", rig},
-                                   {"isSkipped", isSkipped}, {"isNative", isNative},
+constexpr luaL_Reg kFunctions[] = {{"rawType", rawType},
+                                   {"metatableOf", metatableOf},
+                                   {"try", tryCall},
+                                   {"spend", spend},
+                                   {"newId", newId},
+                                   {"enter", enter},
+                                   {"timedOut", timedOut},
+                                   {"newOwner", newOwner},
+                                   {"load", load},
+                                   {"where", where},
+                                   {"kinOf", kinOf},
+                                   {"rawLength", rawLength},
+                                   {"setStringMethods", setStringMethods},
+                                   {"copyList", copyList},
+                                   {"rig", rig},
+                                   {"isSkipped", isSkipped},
+                                   {"isNative", isNative},
                                    {nullptr, nullptr}};
 
 }  // namespace

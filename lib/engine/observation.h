@@ -19,6 +19,7 @@ constexpr double kFrame = 1.0 / 60;  // seconds: scripts resume, and poses are s
 struct Line {
   InstanceId script = kNoInstance;
   int line = 0;
+  auto operator<=>(const Line&) const = default;
 };
 
 // Stands for the player's body and its Humanoid in changes.

@@ -44,7 +44,9 @@ Probe runProbe(Stage& stage, const Plan& plan, Probe probe, Manner manner) {
       stage.standAt(probe.target, probe.approach == Approach::inside, manner.share);
     else if (stands && frame == hold)
       stage.leave();
-    if (awaits || insists) stage.touchAgain();
+    // A part next to the spawn may have been touched all the time.
+    const bool arrives = stands && frame == 0;
+    if (arrives || awaits || insists) stage.touchAgain();
     const size_t before = stage.activity();
     stage.run(1);
     ++frame;

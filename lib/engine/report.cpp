@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <map>
 
 #include "engine/child.h"
 #include "engine/probe_run.h"
@@ -60,16 +61,39 @@ class Watcher {
 
   void probeAll() {
     std::vector<Probe> wanted = stage_.probes();
-    if (wanted.size() > plan_.mostProbes) {
-      report_.failure = "too many parts to touch";
-      wanted.resize(plan_.mostProbes);
-    }
+    if (wanted.size() > plan_.mostProbes) choose(wanted);
     for (Probe& probe : wanted) probe.at = plan_.probeAt;
     report_.probes.resize(wanted.size());
     runAll(wanted);
     children_.finish();
     for (size_t i = 0; i < wanted.size(); ++i)
       if (wanted[i].byPlace && happens(report_.probes[i])) lookAllOver(wanted[i], i);
+  }
+
+  // Leaves the first part of each kin, the second of each, and so on, in their order.
+  void choose(std::vector<Probe>& wanted) {
+    std::map<uint64_t, uint32_t> seen;
+    std::vector<std::pair<uint32_t, size_t>> ranks;  // how many of its kin come before it
+    for (size_t i = 0; i < wanted.size(); ++i) ranks.emplace_back(seen[wanted[i].kin]++, i);
+    std::sort(ranks.begin(), ranks.end());
+    std::vector<bool> taken(wanted.size());
+    for (size_t i = 0; i < plan_.mostProbes; ++i) taken[ranks[i].second] = true;
+    std::vector<Probe> probes;
+    std::map<uint64_t, uint32_t> first;  // probe of each kin
+    for (size_t i = 0; i < wanted.size(); ++i) {
+      if (!taken[i]) continue;
+      if (wanted[i].kin != 0) first.emplace(wanted[i].kin, uint32_t(probes.size()));
+      probes.push_back(wanted[i]);
+    }
+    for (size_t i = 0; i < wanted.size(); ++i) {
+      if (taken[i]) continue;
+      const auto kin = first.find(wanted[i].kin);
+      if (kin != first.end())
+        report_.alike.push_back({wanted[i].target, kin->second});
+      else
+        report_.failure = "too many parts to touch";
+    }
+    wanted = std::move(probes);
   }
 
   static bool happens(const Probe& probe) {
@@ -91,6 +115,7 @@ class Watcher {
   void runAll(const std::vector<Probe>& wanted) {
     for (size_t i = 0; i < wanted.size(); ++i) {
       report_.probes[i] = wanted[i];
+      stage_.noteWork();
       children_.start(
           plan_.timeLimit / 4, [&, i] { return toBytes(runProbe(stage_, plan_, wanted[i])); },
           [this, i](const std::string& bytes) {

@@ -21,6 +21,14 @@ struct Probe {
   bool lost = false;     // the copy died or ran out of time
   bool byPlace = false;  // nobody listens to the part: what happens follows from the place
   bool allOver = true;   // it happens towards two opposite corners of the part, too
+  uint64_t kin = 0;      // parts that the same functions listen to have the same number; 0: none do
+};
+
+// A part that was not probed, as there are too many. The same functions listen to it as to a probed
+// one.
+struct Alike {
+  InstanceId target = kNoInstance;
+  uint32_t probe = 0;  // index into Report::probes
 };
 
 // Why a part does something else than at its first probe.
@@ -41,6 +49,7 @@ struct Revisit {
 struct Report {
   Observation undisturbed;
   std::vector<Probe> probes;
+  std::vector<Alike> alike;
   std::vector<Revisit> revisits;
   double probedAt = 0;               // seconds, when the probes began
   std::vector<MadePart> made;        // in the world by then

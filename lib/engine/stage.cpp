@@ -167,12 +167,14 @@ void Stage::readProbes(lua_State* L, std::vector<Probe>& all) {
     lua_rawgeti(L, -1, 1);
     lua_rawgeti(L, -2, 2);
     lua_rawgeti(L, -3, 3);
+    lua_rawgeti(L, -4, 4);
     Probe probe;
-    probe.target = InstanceId(lua_tonumber(L, -3));
-    probe.approach = Approach(int(lua_tonumber(L, -2)));
-    probe.byPlace = lua_toboolean(L, -1) != 0;
+    probe.target = InstanceId(lua_tonumber(L, -4));
+    probe.approach = Approach(int(lua_tonumber(L, -3)));
+    probe.byPlace = lua_toboolean(L, -2) != 0;
+    probe.kin = uint64_t(lua_tonumber(L, -1));
     all.push_back(std::move(probe));
-    lua_pop(L, 4);
+    lua_pop(L, 5);
   }
 }
 

@@ -60,8 +60,10 @@ class Stage {
   void limit(uint64_t instructions) { host_->vm.limit(instructions); }
   // The script that has used up the memory, if one has.
   InstanceId greedyScript() const { return host_->greedy; }
-  // Grows whenever a script begins or ends to run.
+  // Grows whenever a script begins or ends to run, and by noteWork().
   const unsigned* beat() const { return &host_->beat; }
+  // The host does long work between two scripts.
+  void noteWork() { ++host_->beat; }
 
  private:
   void load();

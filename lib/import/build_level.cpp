@@ -5,6 +5,7 @@
 #include "import/checkpoints.h"
 #include "import/collision_groups.h"
 #include "import/culling.h"
+#include "import/doubts.h"
 #include "import/loose.h"
 #include "import/motion_room.h"
 #include "import/observed/roles.h"
@@ -38,7 +39,7 @@ void readParts(const Tree& tree, const Assemblies& assemblies, LevelDraft& level
     groups.apply(*part);
     if (!groups.isSettled(tree.at(id)))
       level.noteUnmodelled(
-          "collision group " + groupNameOf(tree.at(id)), tree.path(id),
+          "collision group " + groupNameOf(tree.at(id)), tree, id,
           "its collisions are not known: the file does not list it, or scripts set groups");
     level.parts.push_back(std::move(*part));
   }
@@ -81,6 +82,7 @@ LevelDraft buildLevel(const Tree& tree, const ObservedPlace& place, const std::s
   orderStages(tree, level);
   noteUnmodelled(context);
   addTerrain(tree, level);
+  markDoubts(context);
   return level;
 }
 

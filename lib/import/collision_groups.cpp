@@ -74,7 +74,7 @@ CollisionGroups::CollisionGroups(const Tree& tree, LevelDraft& level) : tree_(tr
     if (id == kNoInstance || groupBytes(tree.at(id)).empty()) continue;
     auto matrix = decodeGroups(groupBytes(tree.at(id)));
     if (!matrix) {
-      level.noteUnmodelled("collision groups", tree.path(id), matrix.error().text());
+      level.noteUnmodelled("collision groups", tree, id, matrix.error().text());
       continue;
     }
     matrix_ = *std::move(matrix);

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,8 @@
 #include "math/vec.h"
 
 namespace obby::importer {
+
+class Tree;
 
 // The order is the schema's.
 enum class Shape : uint16_t { block, ball, cylinder, wedge, cornerWedge, truss, hull };
@@ -126,6 +129,7 @@ struct PartDraft {
   std::optional<int> goal;        // stage
   std::optional<Motion> motion;
   std::vector<Evidence> evidence;
+  std::vector<std::string> doubts;  // kinds of losses that concern the part (doubts.h)
 };
 
 struct SpawnDraft {
@@ -140,6 +144,14 @@ struct UnmodelledDraft {
   uint32_t count = 0;
   std::string example;
   std::string note;
+  bool anywhere = false;  // some of them concern no single part (doubts.h)
+};
+
+// An instance that the level does less than justice to.
+struct Loss {
+  InstanceId at = kNoInstance;  // kNoInstance: the whole place
+  std::string kind;
+  auto operator<=>(const Loss&) const = default;
 };
 
 // Numbers of the world; fields as in schema PhysicsParams.
@@ -174,11 +186,11 @@ struct LevelDraft {
   std::map<std::string, UnmodelledDraft> unmodelled;  // by kind
   std::map<std::string, UnmodelledDraft> ignored;     // left out on purpose: for --explain only
 
+  std::set<Loss> losses;  // every instance behind `unmodelled`
+
   // One more of a kind that the simulator does not do. The first example and note stay.
-  void noteUnmodelled(const std::string& kind, const std::string& example,
-                      const std::string& note) {
-    count(unmodelled, kind, example, note);
-  }
+  void noteUnmodelled(const std::string& kind, const Tree& tree, InstanceId at,
+                      const std::string& note);
   void noteIgnored(const std::string& kind, const std::string& example, const std::string& note) {
     count(ignored, kind, example, note);
   }

@@ -27,7 +27,7 @@ void noteBoxed(const Tree& tree, PartDraft& part, size_t boxed, LevelDraft& leve
       "{} of {} hulls have more than {} corners; each of these becomes its bounding box", boxed,
       part.hulls.size(), kMostCorners);
   part.evidence.push_back({"shape", what, true});
-  if (part.solid) level.noteUnmodelled(kKind, tree.path(part.id), what);
+  if (part.solid) level.noteUnmodelled(kKind, tree, part.id, what);
 }
 
 }  // namespace
@@ -86,7 +86,7 @@ void LevelHulls::give(const Tree& tree, PartDraft& part, LevelDraft& level) {
       {"shape", "bounding box: " + (fits ? known.collision.detail : tooMany), true});
   if (part.solid)
     level.noteUnmodelled(
-        kKind, tree.path(part.id),
+        kKind, tree, part.id,
         (fits ? "no readable collision hulls" : tooMany) + "; its bounding box is used");
 }
 

@@ -6,6 +6,7 @@
 
 #include "engine/classes/class_defaults.h"
 #include "import/avatar.h"
+#include "import/doubts.h"
 #include "import/pose_math.h"
 #include "import/record_values.h"
 #include "io/utf8.h"
@@ -16,6 +17,7 @@ namespace {
 static_assert(uint16_t(Shape::hull) == uint16_t(schema::Shape::HULL));
 static_assert(uint16_t(Easing::cubic) == uint16_t(schema::Easing::CUBIC));
 static_assert(uint16_t(EasingDirection::inOut) == uint16_t(schema::EasingDirection::IN_OUT));
+static_assert(uint16_t(Bearing::harder) == uint16_t(schema::Bearing::HARDER));
 static_assert(uint16_t(Repeat::pingPong) == uint16_t(schema::Repeat::PING_PONG));
 
 void setSource(schema::PartSource::Builder to, const PartDraft& part, const Tree& tree) {
@@ -148,6 +150,8 @@ void setPart(schema::Part::Builder to, const PartDraft& part, const Tree& tree) 
     evidence[i].setReason(validUtf8(part.evidence[i].reason));
     evidence[i].setGuessed(part.evidence[i].guessed);
   }
+  auto doubts = to.initDoubts(unsigned(part.doubts.size()));
+  for (unsigned i = 0; i < part.doubts.size(); ++i) doubts.set(i, validUtf8(part.doubts[i]));
   const auto& tags = tree.at(part.id).tags;
   auto list = to.initTags(unsigned(tags.size()));
   for (unsigned i = 0; i < tags.size(); ++i) list.set(i, validUtf8(tags[i]));
@@ -175,6 +179,8 @@ void setUnmodelled(schema::Level::Builder to, const LevelDraft& level) {
     list[i].setCount(entry.count);
     list[i].setExample(validUtf8(entry.example));
     list[i].setNote(validUtf8(entry.note));
+    list[i].setBearing(schema::Bearing(bearingOf(kind)));
+    list[i].setAnywhere(entry.anywhere);
     ++i;
   }
 }

@@ -17,7 +17,7 @@ bool isPushbox(const Tree& tree, const PartDraft& part) {
 void anchor(const Tree& tree, LevelDraft& level, PartDraft& part, const std::string& why) {
   part.anchored = true;
   part.evidence.push_back({"anchored", why, true});
-  level.noteUnmodelled("unanchored part", tree.path(part.id), "treated as anchored: " + why);
+  level.noteUnmodelled("unanchored part", tree, part.id, "treated as anchored: " + why);
 }
 
 // Sets free what can move on its own; gives how many parts do.

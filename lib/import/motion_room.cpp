@@ -42,7 +42,7 @@ void take(MotionRoom& room, const Motion& motion) {
 }
 
 void noteTooMany(RoleContext& context, InstanceId part, const std::string& reason) {
-  context.level.noteUnmodelled("motion of too many poses", context.tree.path(part),
+  context.level.noteUnmodelled("motion of too many poses", context.tree, part,
                                "the level's motions have more than " +
                                    std::to_string(kMaxLevelKeys) + " poses or " +
                                    std::to_string(level::kMaxLevelRows) +

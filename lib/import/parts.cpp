@@ -60,14 +60,14 @@ std::optional<PartDraft> partFrom(const Tree& tree, InstanceId id, LevelHulls& h
   part.size = abs(get<Vec3>(instance, "Size"));
   const auto frame = get<CFrame>(instance, "CFrame");
   if (!isFinite(frame.position) || !isFinite(part.size)) {
-    level.noteUnmodelled("part with an invalid position or size", tree.path(id),
+    level.noteUnmodelled("part with an invalid position or size", tree, id,
                          "its position or size is not finite; left out");
     return std::nullopt;
   }
   bool reflected = false;
   part.pose = {frame.position, repairedRotation(frame.rotation, &reflected)};
   if (reflected)
-    level.noteUnmodelled("mirrored part", tree.path(id),
+    level.noteUnmodelled("mirrored part", tree, id,
                          "its rotation is a reflection; replaced by the rotation with the same "
                          "look and up directions");
   part.anchored = get<bool>(instance, "Anchored");

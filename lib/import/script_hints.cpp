@@ -46,7 +46,7 @@ void hintsFromScripts(RoleContext& context, const ObservedPlace& place) {
     if (!isRunnable(instance) || (place.ran && !failed.contains(id))) continue;
     hint(context, id);
     if (!place.ran)
-      context.level.noteUnmodelled("script that did not run", context.tree.path(id),
+      context.level.noteUnmodelled("script that did not run", context.tree, id,
                                    "what it does is missing");
   }
 }

@@ -156,20 +156,20 @@ PartDraft partOf(const TerrainBlock& block, InstanceId id, bool solid) {
   return part;
 }
 
-void noteLosses(const Terrain& terrain, const std::string& path, LevelDraft& level) {
+void noteLosses(const Terrain& terrain, const Tree& tree, InstanceId id, LevelDraft& level) {
   if (terrain.chunksLeft + terrain.blocksLeft > 0)
     level.noteUnmodelled(
-        kTerrainKind, path,
+        kTerrainKind, tree, id,
         fmt::format(
             "too much of it: {} and {} are left out, the nearest {:.0f} studs from the parts",
             plural(terrain.chunksLeft, "chunk"), plural(terrain.blocksLeft, "block"),
             terrain.leftFrom));
   if (terrain.shape.slopes > 0)
     level.noteUnmodelled(
-        "slope of terrain", path,
+        "slope of terrain", tree, id,
         fmt::format("its surface is made of steps, at {} places", terrain.shape.slopes));
   if (terrain.shape.water > 0)
-    level.noteUnmodelled("water", path,
+    level.noteUnmodelled("water", tree, id,
                          fmt::format("{} cells of terrain hold water: players fall through it and "
                                      "cannot swim",
                                      terrain.shape.water));
@@ -178,7 +178,7 @@ void noteLosses(const Terrain& terrain, const std::string& path, LevelDraft& lev
 void addVoxels(const Tree& tree, InstanceId id, std::string_view bytes, LevelDraft& level) {
   auto chunks = voxelChunks(bytes);
   if (!chunks) {
-    level.noteUnmodelled(kTerrainKind, tree.path(id), "left out: " + chunks.error().text());
+    level.noteUnmodelled(kTerrainKind, tree, id, "left out: " + chunks.error().text());
     return;
   }
   const size_t count = chunks->size();
@@ -191,7 +191,7 @@ void addVoxels(const Tree& tree, InstanceId id, std::string_view bytes, LevelDra
     level.noteIgnored(kTerrainKind, tree.path(id),
                       plural(count, "chunk") + " of voxels stand as " +
                           plural(terrain.shape.blocks.size(), "block"));
-  noteLosses(terrain, tree.path(id), level);
+  noteLosses(terrain, tree, id, level);
 }
 
 }  // namespace
@@ -207,7 +207,7 @@ void addTerrain(const Tree& tree, LevelDraft& level) {
     const size_t voxels = voxelBytes(tree.at(terrain), name).size();
     if (voxels <= kEmptyTerrain) continue;
     level.noteUnmodelled(
-        kTerrainKind, tree.path(terrain),
+        kTerrainKind, tree, terrain,
         std::to_string(voxels) + " bytes of voxels that players could stand on are left out");
     return;
   }

@@ -48,7 +48,7 @@ void noteNames(RoleContext& context) {
     const auto* row = hasRole(part) ? nullptr : tellingName(context.tree.at(part.id).name);
     if (row && !kept.count(row->word))
       context.level.noteUnmodelled(
-          row->kind, context.tree.path(part.id),
+          row->kind, context.tree, part.id,
           "nothing in the file says what it does; treated as a plain part");
   }
 }
@@ -58,7 +58,7 @@ void noteInstances(RoleContext& context) {
   for (const PartDraft& part : context.level.parts) {
     const Instance& instance = tree.at(part.id);
     if (instance.className == "VehicleSeat")
-      context.level.noteUnmodelled("vehicle seat", tree.path(part.id),
+      context.level.noteUnmodelled("vehicle seat", tree, part.id,
                                    "treated as a plain part: players do not sit in it");
     if (!hasRole(part) && !hasEvidence(part, kHarmless))
       for (const std::string& tag : instance.tags)
@@ -66,7 +66,7 @@ void noteInstances(RoleContext& context) {
   }
   for (InstanceId id = 0; id < tree.size(); ++id)
     if (isA(tree.at(id).className, "BackpackItem"))
-      context.level.noteUnmodelled("tool", tree.path(id), "the simulated player has no tools");
+      context.level.noteUnmodelled("tool", tree, id, "the simulated player has no tools");
 }
 
 // Kit tags whose meaning the simulator has no room for, lower case.
@@ -79,8 +79,7 @@ void noteTags(RoleContext& context) {
     for (const std::string& tag : context.tree.at(id).tags)
       if (std::find(std::begin(kKitTags), std::end(kKitTags), lower(tag)) != std::end(kKitTags) &&
           context.hasParts(id))
-        context.level.noteUnmodelled("tag " + tag, context.tree.path(id),
-                                     "treated as a plain part");
+        context.level.noteUnmodelled("tag " + tag, context.tree, id, "treated as a plain part");
 }
 
 }  // namespace

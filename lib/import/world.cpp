@@ -45,7 +45,7 @@ void readHealthScript(const Tree& tree, InstanceId player, LevelDraft& level) {
     level.world.healthRegeneration = 0;
     return;
   }
-  level.noteUnmodelled("custom Health script", tree.path(script),
+  level.noteUnmodelled("custom Health script", tree, script,
                        "health is assumed to regenerate by the default 1 % a second");
 }
 
@@ -63,7 +63,7 @@ InstanceId controllerLibrary(const Tree& tree, InstanceId player) {
 // Settings of Workspace that say where and how often characters are simulated.
 void noteSimulation(const Tree& tree, InstanceId workspace, LevelDraft& level) {
   if (get<EnumItem>(tree.at(workspace), "AuthorityMode").value == kServerAuthority)
-    level.noteUnmodelled("server authority", tree.path(workspace),
+    level.noteUnmodelled("server authority", tree, workspace,
                          "the server moves the characters; the simulator follows laws measured on "
                          "characters that their players' own machines move");
   if (get<EnumItem>(tree.at(workspace), "UseFixedSimulation").value != 0)
@@ -74,12 +74,12 @@ void noteSimulation(const Tree& tree, InstanceId workspace, LevelDraft& level) {
 
 void noteCharacter(const Tree& tree, InstanceId player, LevelDraft& level) {
   if (const InstanceId says = controllerLibrary(tree, player); says != kNoInstance)
-    level.noteUnmodelled("Character Controller Library", tree.path(says),
+    level.noteUnmodelled("Character Controller Library", tree, says,
                          "the player is simulated as the classic Humanoid, which accelerates and "
                          "turns differently");
   const InstanceId custom = tree.child(player, "StarterCharacter");
   if (custom != kNoInstance)
-    level.noteUnmodelled("custom character model", tree.path(custom),
+    level.noteUnmodelled("custom character model", tree, custom,
                          "simulated as the standard body with hip height 2");
 }
 

@@ -197,6 +197,7 @@ TEST(Luau, ManyPartsUnderOneCentralScript) {
   const auto& level = scene.level();
   EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(60));
   for (const auto& part : level.parts) ASSERT_TRUE(part.kill);
+  EXPECT_TRUE(level.unmodelled.empty());
 }
 
 TEST(Luau, TruncatedAtEveryByte) {

@@ -161,6 +161,25 @@ TEST(Tween, ManyRoundsThatOutlastTheRunAreEndless) {
   EXPECT_EQ(ends.scene.level().unmodelled.count("motion that ends"), 1u);
 }
 
+// A script that plays tweens of one way again and again does not end with the last one seen.
+TEST(Tween, OfOneWayInALoopAreEndless) {
+  Scene scene;
+  const InstanceId slab = scene.part("Slab");
+  scene.script(R"(
+local tweens, info = game:GetService("TweenService"), TweenInfo.new(4, Enum.EasingStyle.Sine)
+local there = tweens:Create(script.Parent, info, {Position = Vector3.new(0, 5, 9)})
+local back = tweens:Create(script.Parent, info, {Position = Vector3.new(0, 5, 0)})
+while true do
+  there:Play()
+  there.Completed:Wait()
+  back:Play()
+  back.Completed:Wait()
+end)",
+               slab);
+  EXPECT_TRUE(scene.level().unmodelled.empty());
+  EXPECT_TRUE(scene[slab].motion);
+}
+
 // Half a round, or not even one, is seen.
 TEST(Tween, LongWaysGoOnAsTheTweenSays) {
   const Tweened swing("40, " + kLinear + ", -1, true", "Position = Vector3.new(0, 0, 80)");

@@ -14,7 +14,7 @@ void EffectRoles::prove(PartDraft& part, const char* role, const std::string& wh
 }
 
 void EffectRoles::note(const char* kind, InstanceId id, const char* note, engine::Line line) {
-  context_.level.noteUnmodelled(kind, path(id), note + reason(line));
+  context_.level.noteUnmodelled(kind, context_.tree, id, note + reason(line));
 }
 
 void EffectRoles::takePlayer(PartDraft& part, const ProbeEffects& effects) {
@@ -76,7 +76,7 @@ void EffectRoles::takeStage(PartDraft& part, const StageSet& stage) {
 void EffectRoles::takeAbility(bool keys, const ProbeEffects& effects) {
   LevelDraft& level = context_.level;
   if (effects.empty() && keys)
-    level.noteUnmodelled("keys that a script listens to", "",
+    level.noteUnmodelled("keys that a script listens to", context_.tree, kNoInstance,
                          "what they do is not known: the player walks and jumps only");
   if (effects.boost && effects.boost->walk > 0 && effects.boost->jump > 0) {
     World& world = level.world;
@@ -92,9 +92,11 @@ void EffectRoles::takeAbility(bool keys, const ProbeEffects& effects) {
       prove(*other, "solid", "once a button on the screen is used; " + reason(back.line));
     }
   if (!effects.aways.empty() || !effects.moved.empty())
-    level.noteUnmodelled("button on the screen", "", "the player does not use it");
+    level.noteUnmodelled("button on the screen", context_.tree, kNoInstance,
+                         "the player does not use it");
   if (effects.gravity || effects.push || effects.teleport || effects.force || effects.jumps)
-    level.noteUnmodelled("ability of the player", "", "the player does not use it");
+    level.noteUnmodelled("ability of the player", context_.tree, kNoInstance,
+                         "the player does not use it");
 }
 
 }  // namespace obby::importer

@@ -1,7 +1,8 @@
 // What was seen and is not in the level, and scripts that did not run to the end.
-#include "import/observed/roles.h"
-
 #include <set>
+
+#include "import/observed/probe_effects.h"
+#include "import/observed/roles.h"
 
 namespace obby::importer {
 namespace {
@@ -32,6 +33,15 @@ bool isUsual(const engine::PlayerState& player, const engine::Change& change) {
                                                      : player.jumpHeight);
 }
 
+// Harm by these lines comes from parts, also where one of them moves into the player.
+std::set<engine::Line> linesThatHarm(const engine::Report& report) {
+  std::set<engine::Line> lines;
+  for (const engine::Probe& probe : report.probes)
+    if (!probe.lost)
+      if (const auto harm = effectsOf(report, probe).harm) lines.insert(harm->line);
+  return lines;
+}
+
 void noteChanges(RoleContext& context, const engine::Report& report) {
   std::set<std::pair<InstanceId, std::string>> named;
   for (const engine::Change& change : report.undisturbed.changes) {
@@ -39,13 +49,15 @@ void noteChanges(RoleContext& context, const engine::Report& report) {
     for (const LossRow& row : kLosses)
       if (change.property == row.property && named.insert({change.target, change.property}).second)
         context.level.noteUnmodelled(
-            row.kind, change.target < context.tree.size() ? context.tree.path(change.target) : "",
+            row.kind, context.tree, change.target,
             std::string(row.note) + "; " + lineReason(context.tree, change.line));
   }
+  const std::set<engine::Line> known = linesThatHarm(report);
   for (const engine::Harm& harm : report.undisturbed.harms)
-    if (harm.hurts())
+    if (harm.hurts() && !known.contains(harm.line))
       return context.level.noteUnmodelled(
-          "harm by itself", "", "no part deals it; " + lineReason(context.tree, harm.line));
+          "harm by itself", context.tree, kNoInstance,
+          "no part deals it; " + lineReason(context.tree, harm.line));
 }
 
 }  // namespace
@@ -54,12 +66,11 @@ void noteObservedLosses(RoleContext& context, const ObservedPlace& place) {
   const Tree& tree = context.tree;
   const engine::Report& report = place.report;
   if (!report.failure.empty())
-    context.level.noteUnmodelled("scripts that did not finish",
-                                 report.culprit < tree.size() ? tree.path(report.culprit) : "",
+    context.level.noteUnmodelled("scripts that did not finish", tree, report.culprit,
                                  report.failure);
   for (const engine::Problem& problem : report.undisturbed.problems) {
     if (problem.script >= tree.size()) continue;
-    context.level.noteUnmodelled("script that fails", tree.path(problem.script), problem.text);
+    context.level.noteUnmodelled("script that fails", tree, problem.script, problem.text);
   }
   noteChanges(context, report);
   for (const auto& [what, count] : report.undisturbed.counts) {

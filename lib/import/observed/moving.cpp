@@ -143,7 +143,7 @@ void noteEnd(RoleContext& context, InstanceId id, const Motion& motion,
              const std::optional<double>& end, const std::string& reason) {
   if (end && motion.repeat != Repeat::once)
     context.level.noteUnmodelled(
-        "motion that ends", context.tree.path(id),
+        "motion that ends", context.tree, id,
         "goes on for ever; ends after " + std::to_string(std::lround(*end)) + " s; " + reason);
 }
 
@@ -166,7 +166,7 @@ void movingFromObservation(RoleContext& context, const engine::Report& report) {
       motion->carries = track.driver != kNoInstance;
       giveMotion(context, id, *motion, reason, false);
     } else {
-      context.level.noteUnmodelled("motion without a period", context.tree.path(id),
+      context.level.noteUnmodelled("motion without a period", context.tree, id,
                                    "stays where it is at the start; " + reason);
       if (!part->anchored) part->evidence.push_back({"held", reason, false});
       part->anchored = true;

@@ -73,6 +73,9 @@ struct ProbeEffects {
   }
   // Nothing but progress.
   bool onlyStage() const;
+  // The effects that a touch of `from` has, for `to`, to which the same functions listen. Nothing
+  // if they depend on where the parts are, or concern other parts.
+  std::optional<ProbeEffects> asOf(InstanceId from, InstanceId to) const;
   // Of one of the effects; of none: {}.
   engine::Line line() const;
 };

@@ -32,6 +32,18 @@ bool ProbeEffects::onlyStage() const {
   return rest.empty();
 }
 
+std::optional<ProbeEffects> ProbeEffects::asOf(InstanceId from, InstanceId to) const {
+  ProbeEffects other = *this;
+  if (teleport || !moved.empty() || !belts.empty() || !sizes.empty()) return std::nullopt;
+  for (std::vector<Away>* const parts : {&other.aways, &other.backs})
+    for (Away& away : *parts) {
+      if (away.part != from) return std::nullopt;
+      away.part = to;
+    }
+  if (other.stage) other.stage->number.reset();
+  return other;
+}
+
 engine::Line ProbeEffects::line() const {
   if (harm) return harm->line;
   if (push) return push->line;

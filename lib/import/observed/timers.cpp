@@ -52,8 +52,8 @@ void giveTimer(RoleContext& context, PartDraft& part, const Turns& turns) {
   const auto period = rhythmOf(turns.gone);
   const std::string reason = lineReason(context.tree, turns.line);
   if (!period || turns.back.size() < 2) {
-    context.level.noteUnmodelled("part that comes and goes without a rhythm",
-                                 context.tree.path(part.id), "stays as in the file; " + reason);
+    context.level.noteUnmodelled("part that comes and goes without a rhythm", context.tree, part.id,
+                                 "stays as in the file; " + reason);
     return;
   }
   const double gone = turns.gone[turns.gone.size() - 2];
@@ -83,7 +83,7 @@ void timersFromObservation(RoleContext& context, const engine::Report& report) {
         ++belts[change.target] == 1)
       if (const PartDraft* const part = context.part(change.target); part && part->anchored)
         context.level.noteUnmodelled(
-            "conveyor that a script changes", context.tree.path(change.target),
+            "conveyor that a script changes", context.tree, change.target,
             "keeps its velocity at the start of play; " + lineReason(context.tree, change.line));
 }
 

@@ -33,6 +33,21 @@ class Touches {
     give(*part, probe, effects);
   }
 
+  // What the probe shows is a guess for this part.
+  void take(const engine::Alike& alike) {
+    const engine::Probe& probe = report_.probes[alike.probe];
+    PartDraft* const part = context_.part(alike.target);
+    const ProbeEffects effects = effectsOf(report_, probe);
+    if (!part || effects.empty()) return;
+    const auto own = effects.asOf(probe.target, part->id);
+    if (probe.lost || !own)
+      return note("touch that was not tried", part->id, "there are too many parts to touch");
+    roles_.setGuessed(true);
+    roles_.takePlayer(*part, *own);
+    roles_.takeParts(*part, false, *own);
+    roles_.setGuessed(false);
+  }
+
   void takeDrives(const engine::Probe& probe) {
     PartDraft* const part = partOf(probe);
     if (part && !probe.lost && probe.allOver && roles_.setsJoints(probe))
@@ -89,7 +104,7 @@ class Touches {
   }
 
   void note(const char* kind, InstanceId id, const std::string& text) {
-    context_.level.noteUnmodelled(kind, roles_.path(id), text);
+    context_.level.noteUnmodelled(kind, context_.tree, id, text);
   }
 
   RoleContext& context_;
@@ -102,6 +117,7 @@ class Touches {
 void touchesFromObservation(RoleContext& context, const engine::Report& report) {
   Touches touches(context, report);
   for (const engine::Probe& probe : report.probes) touches.take(probe);
+  for (const engine::Alike& alike : report.alike) touches.take(alike);
 }
 
 void touchedDrivesFromObservation(RoleContext& context, const engine::Report& report) {

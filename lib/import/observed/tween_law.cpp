@@ -189,7 +189,8 @@ std::optional<Motion> TweenLaws::outlasting(const std::vector<Pose>& poses, Inst
 std::optional<double> TweenLaws::end(const std::vector<Pose>& poses, InstanceId part) const {
   const auto tweens = byTarget_.find(part);
   if (tweens == byTarget_.end()) return std::nullopt;
-  const std::vector<Law> laws = lawsAt(poses, tweens->second);
+  std::vector<Law> laws = lawsAt(poses, tweens->second);
+  std::erase_if(laws, [](const Law& law) { return law.tween->repeats == 0; });
   const double end = endOf(laws);
   return laws.empty() || end > kEndless ? std::nullopt : std::optional(end);
 }

@@ -19,8 +19,8 @@ class TweenLaws {
   // common round.
   std::optional<Motion> outlasting(const std::vector<Pose>& poses, InstanceId part) const;
 
-  // When the tweens that play at the last frame end; nothing: there are none, or they take more
-  // than twenty minutes.
+  // When the repeating tweens that play at the last frame end; nothing: there are none, or they
+  // take more than twenty minutes. A tween of one way belongs to a loop of the script.
   std::optional<double> end(const std::vector<Pose>& poses, InstanceId part) const;
 
  private:

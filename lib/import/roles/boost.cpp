@@ -31,8 +31,7 @@ void boostFromMarkers(RoleContext& context) {
     const auto boost = boostOf(
         context.level.world, lower(tree.text(marker, "Type").value_or("Speed")), power.value_or(0));
     const std::string reason = "marker " + tree.at(marker).name;
-    if (!boost)
-      return context.level.noteUnmodelled("booster without a power", tree.path(owner), reason);
+    if (!boost) return context.level.noteUnmodelled("booster without a power", tree, owner, reason);
     part->boost = boost;
     part->boost->seconds =
         float(std::clamp(tree.number(marker, "Duration").value_or(0), 0.0, kMostSeconds));

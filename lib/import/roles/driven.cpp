@@ -103,7 +103,7 @@ bool giveDriven(RoleContext& context, const Drive& drive, Motion motion, const s
     return giveDriven(context, drive.moving, std::move(*way), drive.constraint, what, guessed);
   if (!hold(context, drive.moving, "it moves on a moving part")) return false;
   context.level.noteUnmodelled(
-      "motion on a moving part", context.tree.path(drive.constraint),
+      "motion on a moving part", context.tree, drive.constraint,
       "both move on their own; the part it drives stays at its position in the file");
   return true;
 }
@@ -122,7 +122,7 @@ bool hold(RoleContext& context, InstanceId part, const std::string& why) {
 bool leaveDriven(RoleContext& context, const char* kind, InstanceId part, InstanceId constraint,
                  const std::string& why) {
   if (!hold(context, part, "it is not known where its motor drives it")) return false;
-  context.level.noteUnmodelled(kind, context.tree.path(constraint),
+  context.level.noteUnmodelled(kind, context.tree, constraint,
                                "the part it drives stays at its position in the file; " + why);
   return true;
 }
@@ -168,7 +168,7 @@ bool fromSliderMotor(RoleContext& context, const ConstraintSettings& settings, c
   if (!standStill(context, drive, spin)) return false;
   if (!unknown.empty())
     context.level.noteUnmodelled(
-        "motion of a slider's motor", context.tree.path(motor),
+        "motion of a slider's motor", context.tree, motor,
         unknown + "; the part it drives stays at its position in the file");
   return true;
 }

@@ -168,7 +168,7 @@ void noteTurning(RoleContext& context, const ConstraintSettings& settings, Insta
   const auto force = forceOf(context.tree, settings, id);
   const char* const name = velocityName(context.tree, id);
   if (length(settings.vector(id, name)) >= 1e-3f && (!force || length(*force) > 0))
-    context.level.noteUnmodelled("part that two movers move", context.tree.path(part),
+    context.level.noteUnmodelled("part that two movers move", context.tree, part,
                                  "it only turns in place; " + context.tree.path(id));
 }
 

@@ -95,8 +95,7 @@ void noteBoth(RoleContext& context, const ConstraintSettings& settings, Instance
     if (end == kNoInstance || context.assemblies.anchored(end)) continue;
     const PartDraft* part = context.part(end);
     if (part && part->motion && !part->motion->carries)
-      context.level.noteUnmodelled("part that a script and a constraint move",
-                                   context.tree.path(end),
+      context.level.noteUnmodelled("part that a script and a constraint move", context.tree, end,
                                    "moves as the script says; " + context.tree.path(id));
   }
 }
@@ -136,7 +135,7 @@ void movingFromConstraints(RoleContext& context) {
     const InstanceId moved = loosePart(context, id);
     if (moved == kNoInstance) continue;  // moves nothing in the level
     const std::string& className = context.tree.at(id).className;
-    context.level.noteUnmodelled("constraint " + className, context.tree.path(id),
+    context.level.noteUnmodelled("constraint " + className, context.tree, id,
                                  isHolder(className) ? "the part stays at its position in the file"
                                                      : "the part it holds or drives moves freely");
     if (isHolder(className)) held.insert(moved);

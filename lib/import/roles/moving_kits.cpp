@@ -92,7 +92,7 @@ void movingFromTags(RoleContext& context) {
     const WayPoints way = wayPointsOf(tree, id);
     const auto speed = tree.number(id, "speed");
     if (way.points.size() < 2) {
-      context.level.noteUnmodelled("moving platform without waypoints", tree.path(id),
+      context.level.noteUnmodelled("moving platform without waypoints", tree, id,
                                    "tag " + tag + "; stays at its position in the file");
       return;
     }
@@ -123,7 +123,7 @@ void movingFromMarkers(RoleContext& context) {
     if (!delay) delay = tree.number(model, "Delay");
     const WayPoints way = wayPointsOf(tree, model);
     if (touchStarts && way.points.size() >= 2)
-      context.level.noteUnmodelled("motion that a touch or click starts", tree.path(model),
+      context.level.noteUnmodelled("motion that a touch or click starts", tree, model,
                                    "treated as always moving");
     give(context, way, 0, std::clamp(delay.value_or(old ? kKitDelay : kKit6Delay), 0.1, 60.0),
          "marker Positions", true);

@@ -46,7 +46,7 @@ void give(RoleContext& context, PartDraft& part, const std::string& text) {
                      moves(read->reader().getLevel().getParts()[0].getMotion());
   if (!whole) {
     context.level.noteUnmodelled(
-        "recorded motion", context.tree.path(part.id),
+        "recorded motion", context.tree, part.id,
         read ? "the attribute ObbyMotion has neither keys nor a spin; record it again"
              : read.error().text());
     return;

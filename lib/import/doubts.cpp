@@ -1,0 +1,86 @@
+#include "import/doubts.h"
+
+#include <algorithm>
+
+#include "import/classes.h"
+
+namespace obby::importer {
+namespace {
+
+// What only gives players more than the level does: they may leave it.
+constexpr std::string_view kEasier[] = {"ability of the player",
+                                        "button on the screen",
+                                        "keys that a script listens to",
+                                        "tag balloon",
+                                        "tag swing",
+                                        "tag walljump",
+                                        "tag zipline",
+                                        "tool",
+                                        "use that acts on the player"};
+constexpr std::string_view kHarder[] = {"harm by itself"};
+
+template <size_t n>
+bool listed(const std::string_view (&kinds)[n], std::string_view kind) {
+  return std::find(std::begin(kinds), std::end(kinds), kind) != std::end(kinds);
+}
+
+bool isJointClass(const std::string& name) {
+  return isFreeConstraintClass(name) || isRigidJointClass(name);
+}
+
+class Concerned {
+ public:
+  explicit Concerned(RoleContext& context)
+      : context_(context), most_(context.level.parts.size() / 2) {}
+
+  // Empty: no single part is concerned.
+  std::vector<PartDraft*> by(InstanceId loss) {
+    for (InstanceId id = loss; id < context_.tree.size(); id = context_.tree.at(id).parent) {
+      if (PartDraft* const part = context_.part(id)) return {part};
+      if (isJointClass(context_.tree.at(id).className)) return endsOf(id);
+      if (isWorld(id)) break;
+      if (context_.hasParts(id)) return few(context_.partsOf(id));
+    }
+    return {};
+  }
+
+ private:
+  bool isWorld(InstanceId id) const { return context_.tree.service("Workspace") == id; }
+  std::vector<PartDraft*> endsOf(InstanceId joint) {
+    const JointEnds ends = jointEnds(context_.tree, joint);
+    std::vector<PartDraft*> parts;
+    for (const InstanceId end : {ends.first, ends.second})
+      if (PartDraft* const part = end == kNoInstance ? nullptr : context_.part(end))
+        parts.push_back(part);
+    return parts;
+  }
+  std::vector<PartDraft*> few(std::vector<PartDraft*> parts) const {
+    if (parts.size() > std::max<size_t>(most_, 1)) parts.clear();
+    return parts;
+  }
+
+  RoleContext& context_;
+  size_t most_;  // parts of a folder
+};
+
+}  // namespace
+
+Bearing bearingOf(const std::string& kind) {
+  if (listed(kEasier, kind)) return Bearing::easier;
+  return listed(kHarder, kind) ? Bearing::harder : Bearing::either;
+}
+
+void markDoubts(RoleContext& context) {
+  Concerned concerned(context);
+  for (const Loss& loss : context.level.losses) {
+    const auto parts = concerned.by(loss.at);
+    if (parts.empty()) context.level.unmodelled.at(loss.kind).anywhere = true;
+    for (PartDraft* part : parts) part->doubts.push_back(loss.kind);
+  }
+  for (PartDraft& part : context.level.parts) {
+    std::sort(part.doubts.begin(), part.doubts.end());
+    part.doubts.erase(std::unique(part.doubts.begin(), part.doubts.end()), part.doubts.end());
+  }
+}
+
+}  // namespace obby::importer

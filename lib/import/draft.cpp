@@ -1,0 +1,14 @@
+#include "import/draft.h"
+
+#include "import/tree.h"
+
+namespace obby::importer {
+
+void LevelDraft::noteUnmodelled(const std::string& kind, const Tree& tree, InstanceId at,
+                                const std::string& note) {
+  const bool known = at < tree.size();
+  count(unmodelled, kind, known ? tree.path(at) : "", note);
+  losses.insert({known ? at : kNoInstance, kind});
+}
+
+}  // namespace obby::importer

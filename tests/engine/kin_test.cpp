@@ -1,0 +1,68 @@
+// More parts than probes: parts that the same functions listen to are taken alike.
+#include <gtest/gtest.h>
+
+#include "engine/place.h"
+#include "engine/report.h"
+
+namespace obby::test {
+namespace {
+
+engine::Report observeWith(size_t mostProbes, Place& place) {
+  engine::Plan plan;
+  plan.seconds = 5;
+  plan.mostProbes = mostProbes;
+  return engine::observe(place.document, plan);
+}
+
+const std::string kDeadly =
+    "script.Parent.Touched:Connect(function(hit)\n"
+    "  hit.Parent.Humanoid.Health = 0\nend)";
+const std::string kHurting =
+    "script.Parent.Touched:Connect(function(hit)\n"
+    "  hit.Parent.Humanoid:TakeDamage(5)\nend)";
+
+TEST(Kin, CopiesOfAScriptAreAlikeAndOthersAreNot) {
+  Place place;
+  std::vector<InstanceId> parts;
+  for (int i = 0; i < 6; ++i) {
+    parts.push_back(place.part("Part", {20.0f + 10 * float(i), 0, 0}));
+    place.script(i == 4 ? kHurting : kDeadly, parts.back());
+  }
+  const engine::Report report = observeWith(3, place);
+  EXPECT_EQ(report.failure, "");
+  ASSERT_EQ(report.probes.size(), 3u);  // the first and second of one kin, the first of the other
+  EXPECT_EQ(report.probes[0].target, parts[0]);
+  EXPECT_EQ(report.probes[1].target, parts[1]);
+  EXPECT_EQ(report.probes[2].target, parts[4]);
+  ASSERT_EQ(report.alike.size(), 3u);
+  const size_t left[] = {2, 3, 5};
+  for (size_t i = 0; i < 3; ++i) {
+    EXPECT_EQ(report.alike[i].target, parts[left[i]]);
+    EXPECT_EQ(report.alike[i].probe, 0u);
+  }
+}
+
+TEST(Kin, OneFunctionForManyPartsMakesThemAlike) {
+  Place place;
+  for (int i = 0; i < 5; ++i) place.part("Part", {20.0f + 10 * float(i), 0, 0});
+  place.script(
+      "for _, part in workspace:GetChildren() do\n  if part.Name == 'Part' then\n"
+      "    part.Touched:Connect(function(hit) hit.Parent.Humanoid.Health = 0 end)\n"
+      "  end\nend",
+      place.scripts);
+  const engine::Report report = observeWith(2, place);
+  EXPECT_EQ(report.probes.size(), 2u);
+  EXPECT_EQ(report.alike.size(), 3u);
+}
+
+TEST(Kin, WhatHasNoKinAmongTheProbedIsNamed) {
+  Place place;
+  for (int i = 0; i < 3; ++i) {
+    const InstanceId part = place.part("Part", {20.0f + 10 * float(i), 0, 0});
+    place.script("local number = " + std::to_string(i) + "\n" + kDeadly, part);
+  }
+  EXPECT_EQ(observeWith(2, place).failure, "too many parts to touch");
+}
+
+}  // namespace
+}  // namespace obby::test

@@ -1,0 +1,83 @@
+// Which parts a loss concerns.
+#include <gtest/gtest.h>
+
+#include "import/doubts.h"
+#include "import/scene.h"
+
+namespace obby::test {
+namespace {
+
+using Kinds = std::vector<std::string>;
+const std::string kFails = "error('no')";
+
+struct Doubted : Scene {
+  Doubted() {
+    for (int i = 0; i < 10; ++i) part("Plain", {100.0f * float(i), 0, 0});
+  }
+  Kinds doubts(InstanceId id) { return (*this)[id].doubts; }
+  bool anywhere(const std::string& kind) { return level().unmodelled.at(kind).anywhere; }
+};
+
+TEST(PartDoubts, AScriptInAPartConcernsThatPart) {
+  Doubted scene;
+  const InstanceId part = scene.part("Trap"), other = scene.part("Other", {20, 0, 0});
+  scene.script(kFails, part);
+  scene.script(kFails, part);
+  scene.level();
+  EXPECT_EQ(scene.doubts(part), Kinds{"script that fails"});
+  EXPECT_EQ(scene.doubts(other), Kinds{});
+  EXPECT_FALSE(scene.anywhere("script that fails"));
+}
+
+TEST(PartDoubts, AScriptInAModelConcernsItsParts) {
+  Doubted scene;
+  const InstanceId model = scene.add("Model", "Door", scene.workspace);
+  const InstanceId left = scene.part("Left", {20, 0, 0}, model),
+                   right = scene.part("Right", {24, 0, 0}, model);
+  scene.script(kFails, model);
+  scene.level();
+  EXPECT_EQ(scene.doubts(left), Kinds{"script that fails"});
+  EXPECT_EQ(scene.doubts(right), Kinds{"script that fails"});
+}
+
+TEST(PartDoubts, AScriptAtAServiceOrAroundMostOfTheLevelConcernsNoSinglePart) {
+  for (const bool folder : {false, true}) {
+    Scene scene;
+    const InstanceId map = scene.add("Folder", "Map", scene.workspace);
+    const InstanceId part = scene.part("Part", {20, 0, 0}, map);
+    scene.part("Part", {30, 0, 0}, map);
+    scene.script(kFails, folder ? map : scene.scripts);
+    EXPECT_TRUE(scene.level().unmodelled.at("script that fails").anywhere);
+    EXPECT_EQ(scene[part].doubts, Kinds{});
+  }
+}
+
+TEST(PartDoubts, WhatOnlyHelpsOrHindersIsToldApart) {
+  EXPECT_EQ(importer::bearingOf("tool"), importer::Bearing::easier);
+  EXPECT_EQ(importer::bearingOf("harm by itself"), importer::Bearing::harder);
+  EXPECT_EQ(importer::bearingOf("script that fails"), importer::Bearing::either);
+}
+
+// A kill part that moves into the player while it stands at the spawn is no harm without a cause.
+TEST(PartDoubts, AMovingPartThatHarmsThePlayerAtTheSpawnIsNoLoss) {
+  Scene scene;
+  const InstanceId arm = scene.part("Arm", {12, 3, 0});
+  scene.script(R"(
+script.Parent.Touched:Connect(function(hit)
+  local humanoid = hit.Parent:FindFirstChild("Humanoid")
+  if humanoid then humanoid.Health = 0 end
+end)
+while true do
+  script.Parent.CFrame = CFrame.new(12, 3, 0)
+  task.wait(2)
+  script.Parent.CFrame = CFrame.new(0, 3, 0)
+  task.wait(2)
+end)",
+               arm);
+  scene.level();
+  EXPECT_TRUE(scene[arm].kill);
+  EXPECT_FALSE(scene.level().unmodelled.contains("harm by itself"));
+}
+
+}  // namespace
+}  // namespace obby::test
