@@ -60,7 +60,7 @@ int Host::use(lua_State* L, const std::string& name) {
 }
 
 void Host::noteError(InstanceId script, std::string_view text) {
-  if (text.find("Script timeout") != std::string_view::npos) slow = script;
+  if (text.find("Script timeout") != std::string_view::npos) limited.insert(slow = script);
   if (text.find("not enough memory") == std::string_view::npos || greedy != kNoInstance) return;
   greedy = script != kNoInstance ? script : slow != kNoInstance ? slow : owners[running];
 }

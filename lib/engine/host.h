@@ -3,6 +3,7 @@
 // Private to lib/engine.
 #pragma once
 
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -45,6 +46,7 @@ class Host {
   double tinySteps = 0;
   InstanceId greedy = kNoInstance;  // the script that has used up the memory
   InstanceId slow = kNoInstance;    // the last that had used up its time
+  std::set<InstanceId> limited;     // scripts that have used what the twin does not do
   // Takes note of an error by its text.
   void noteError(InstanceId script, std::string_view text);
 };

@@ -143,7 +143,9 @@ int note(lua_State* L) {
 }
 
 int count(lua_State* L) {
-  Host::of(L).recorder.count(std::string(luaL_checkstring(L, 1)) + " " + luaL_checkstring(L, 2));
+  Host& host = Host::of(L);
+  host.limited.insert(host.owners[host.running]);
+  host.recorder.count(std::string(luaL_checkstring(L, 1)) + " " + luaL_checkstring(L, 2));
   return 0;
 }
 
@@ -152,8 +154,9 @@ int problem(lua_State* L) {
   const auto owner = size_t(luaL_checknumber(L, 1));
   const char* const text = luaL_optstring(L, 2, "error");
   const InstanceId script = owner < host.owners.size() ? host.owners[owner] : kNoInstance;
-  host.recorder.problem(script, host.withNames(std::string(Recorder::shortened(text))));
   host.noteError(script, text);
+  host.recorder.problem(script, host.limited.contains(script),
+                        host.withNames(std::string(Recorder::shortened(text))));
   return 0;
 }
 

@@ -84,6 +84,7 @@ struct Problem {
   InstanceId script = kNoInstance;
   std::string text;
   int count = 0;
+  bool limited = false;  // the script had used what the twin does not do: in the game it may go on
 };
 
 // A part that scripts have made or copied; or a joint, constraint, mover or attachment.

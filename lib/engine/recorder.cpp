@@ -35,7 +35,7 @@ void Recorder::count(const std::string& what) {
   ++row->second;
 }
 
-void Recorder::problem(InstanceId script, std::string_view text) {
+void Recorder::problem(InstanceId script, bool limited, std::string_view text) {
   text = shortened(text);
   for (Problem& known : seen_.problems)
     if (known.script == script && known.text == text) {
@@ -43,7 +43,7 @@ void Recorder::problem(InstanceId script, std::string_view text) {
       return;
     }
   if (seen_.problems.size() < kMostProblems)
-    seen_.problems.push_back({script, std::string(text), 1});
+    seen_.problems.push_back({script, std::string(text), 1, limited});
 }
 
 void Recorder::restart() {

@@ -18,7 +18,8 @@ namespace obby::engine {
 
 namespace {
 
-constexpr double kStuck = 2;  // seconds of CPU without a beat
+constexpr double kStuck = 2;          // seconds of CPU without a beat
+constexpr uint32_t kMostOfKin = 100;  // probes, where there are too many parts for all
 constexpr size_t kProcessMemory = size_t(2) << 30;
 
 // In the caged child: everything but the probes themselves.
@@ -77,7 +78,10 @@ class Watcher {
     for (size_t i = 0; i < wanted.size(); ++i) ranks.emplace_back(seen[wanted[i].kin]++, i);
     std::sort(ranks.begin(), ranks.end());
     std::vector<bool> taken(wanted.size());
-    for (size_t i = 0; i < plan_.mostProbes; ++i) taken[ranks[i].second] = true;
+    for (size_t i = 0; i < plan_.mostProbes; ++i) {
+      const auto& [rank, index] = ranks[i];
+      taken[index] = rank < kMostOfKin || wanted[index].kin == 0;
+    }
     std::vector<Probe> probes;
     std::map<uint64_t, uint32_t> first;  // probe of each kin
     for (size_t i = 0; i < wanted.size(); ++i) {
@@ -183,7 +187,7 @@ Report observe(const Document& document, const Plan& plan) {
   }
   for (const InstanceId script : own.settings.skipped)
     report.undisturbed.problems.push_back(
-        {script, "it uses too much time or memory, so it is left out", 1});
+        {script, "it uses too much time or memory, so it is left out", 1, true});
   return report;
 }
 

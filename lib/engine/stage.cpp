@@ -36,7 +36,7 @@ void Stage::read(const char* name, const std::function<void(lua_State*)>& body) 
 }
 
 void Stage::note(const std::string& what, const Error& error) {
-  host_->recorder.problem(kNoInstance, host_->withNames(what + ": " + error.message));
+  host_->recorder.problem(kNoInstance, true, host_->withNames(what + ": " + error.message));
   host_->noteError(kNoInstance, error.message);
 }
 

@@ -6,6 +6,7 @@
 
 #include "solve/answers/answer_records.h"
 #include "solve/archive/heat_map.h"
+#include "solve/cautious.h"
 #include "solve/difficulty/difficulty_records.h"
 #include "solve/players/solve_players.h"
 #include "solve/query/posed_query.h"
@@ -33,7 +34,7 @@ class Solving {
         query_(question.query),
         options_(options),
         output_(output),
-        posed_{level_.level, level_.record.reader().getLevel(), compiled, query_, options.policy},
+        posed_{level_.level, levelRecord(), compiled, query_, options.policy},
         identity_{compiled.id(),        level_.level.name(),    compiled.start(),
                   options.method->name, compiled.view().tricks, question.player} {}
 
@@ -46,6 +47,7 @@ class Solving {
     const Watcher watcher{[this](const Playthrough& p) { return accepts(p); },
                           [this](const SearchView& v) { return look(v); }};
     SearchOutcome outcome = answer(problem, watcher, machine);
+    OBBY_RETURN_IF_ERROR(weighDoubts(problem, machine, outcome));
     if (!earlier) outcome.knownSolutions = 0;
     if (!outcome.device && output_.deviceFailed) output_.deviceFailed(outcome.device.error());
     OBBY_RETURN_IF_ERROR(std::move(status_));
@@ -67,14 +69,28 @@ class Solving {
     return solves(p, posed_) && (!question_.accept || question_.accept(p));
   }
 
-  // Did the importer leave out what might carry a player?
-  bool incomplete() const { return level_.record.reader().getLevel().getUnmodelled().size() > 0; }
+  schema::Level::Reader levelRecord() const { return level_.record.reader().getLevel(); }
+
+  // Which doubtful parts the shortest solution touches; others are preferred that touch none.
+  Status weighDoubts(const Problem& problem, const Machine& machine, SearchOutcome& outcome) {
+    const std::vector<uint32_t> doubtful = doubtfulParts(levelRecord());
+    if (outcome.solutions.empty() || doubtful.empty()) return {};
+    const Course course = courseOf(problem, outcome.solutions.front());
+    touched_ = touchedOf(doubtful, problem.level, course);
+    if (touched_.empty() || !problem.companions.empty()) return {};
+    const Watcher watcher{
+        [this](const Playthrough& p) { return accepts(p); },
+        [this](const SearchView&) { return !question_.goOn || question_.goOn(); }};
+    OBBY_ASSIGN(avoiding_, avoidDoubts({level_, query_, options_, watcher}, machine, course,
+                                       touched_, outcome));
+    return {};
+  }
 
   // What is shown to be impossible is not searched for. Nothing is shown of a place by a level that
-  // lacks some of it.
+  // lacks what might carry a player.
   SearchOutcome answer(const Problem& problem, const Watcher& watcher, const Machine& machine) {
     const double start = secondsNow();
-    auto cut = incomplete() ? std::nullopt : cutOf(problem, query_);
+    auto cut = mayBeEasier(levelRecord()) ? std::nullopt : cutOf(problem, query_);
     if (cut) {
       tryTricks(*cut, problem, query_);
       SearchOutcome shown;
@@ -144,8 +160,8 @@ class Solving {
     }
     io::RecordBuilder record;
     auto result = record.root().initResult();
-    const auto levelRecord = level_.record.reader().getLevel();
-    fillResult(result, identity_, outcome, level_.level, levelRecord, query_);
+    fillResult(result, identity_, outcome, level_.level, levelRecord(), query_);
+    if (!outcome.solutions.empty()) fillDoubts(result, levelRecord(), touched_, avoiding_);
     if (relaxations) fillRelaxations(result, *relaxations);
     if (!hardest.empty()) result.setReason(result.getReason().cStr() + (" " + hardest));
     if (!heatMap_.empty()) heatMap_.fill(result.initHeatMap());
@@ -166,6 +182,7 @@ class Solving {
                       const Playthrough& p, ThreadPool& pool) const {
     const Course course = courseOf(problem, p);
     fillRoute(record, routeOf(course));
+    fillDoubtful(record, touchedOf(doubtfulParts(levelRecord()), problem.level, course));
     const Budget& b = options_.budget;
     const auto interrupted = [&] { return b.stop != nullptr && b.stop->load(); };
     if (options_.difficultyTrials == 0 || course.ticks() == 0 || interrupted()) return {};
@@ -173,7 +190,7 @@ class Solving {
     const Difficulty difficulty = difficultyOf(problem, course, asked, pool);
     if (interrupted()) return {};
     fillDifficulty(record.initDifficulty(), difficulty, asked.noise);
-    return hardestText(difficulty, level_.level, level_.record.reader().getLevel());
+    return hardestText(difficulty, level_.level, levelRecord());
   }
 
   const PlayerQuestion& question_;
@@ -183,6 +200,8 @@ class Solving {
   const SolverOutput& output_;
   const PosedQuery posed_;
   const AnswerIdentity identity_;
+  std::vector<uint32_t> touched_;  // doubtful parts of the shortest solution
+  Avoiding avoiding_ = Avoiding::notTried;
   uint32_t noted_ = 0;  // cells of the search
   Footprints footprints_;
   HeatMap heatMap_;

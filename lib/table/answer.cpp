@@ -70,12 +70,14 @@ void describe(schema::Query::Reader query, const LevelFacts* level, Answer& answ
 }
 
 void describe(schema::Result::Reader result, double controlRate, Answer& answer) {
-  answer.state = stateOf(result.getVerdict());
+  const State verdict = stateOf(result.getVerdict());
+  const bool solved = verdict == State::solved;
+  answer.state = solved && !result.getHolds() ? State::doubtful : verdict;
   answer.reason = result.getReason();
   answer.playTime.reset();
   answer.foundIn.reset();
   answer.jumps.reset();
-  if (answer.state != State::solved) return;
+  if (!solved) return;
   answer.playTime = result.getTicks() / controlRate;
   answer.jumps = result.getJumps();
   const float found = result.getTiming().getFirstSolution();

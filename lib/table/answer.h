@@ -14,6 +14,7 @@ enum class State {
   notAsked,  // the stream has the query only
   noResult,  // and trajectories or progress
   solved,
+  doubtful,  // solved, but it may not hold in the game
   unreachable,
   unknown,
   mismatch,  // a recorded solution does not replay

@@ -42,6 +42,7 @@ VerdictText verdictOf(State state) {
     case State::notAsked: return {"not asked in this run", kGrey};
     case State::noResult: return {"no result", kGrey};
     case State::solved: return {"solved", kGreen};
+    case State::doubtful: return {"solved, in doubt", kYellow};
     case State::unreachable: return {"unreachable", kRed};
     case State::unknown: return {"unknown", kYellow};
     case State::mismatch: break;

@@ -131,6 +131,7 @@ void writeResult(JsonText& json, const QueryEntry& entry) {
   const auto result = entry.answer();
   const auto timing = result.getTiming();
   json.open('{').field("verdict", enumName(result.getVerdict(), "unknown"));
+  json.field("holds", result.getHolds());
   json.field("reason", std::string_view(result.getReason().cStr()));
   json.field("solutions", result.getSolutions()).field("ticks", result.getTicks());
   json.field("jumps", result.getJumps()).field("steps", std::to_string(result.getSteps()));

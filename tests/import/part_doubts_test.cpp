@@ -52,6 +52,22 @@ TEST(PartDoubts, AScriptAtAServiceOrAroundMostOfTheLevelConcernsNoSinglePart) {
   }
 }
 
+const std::string kKillsLater =
+    "\nscript.Parent.Touched:Connect(function(hit) hit.Parent.Humanoid.Health = 0 end)";
+
+// An error ends a script in the game, too; one at what the twin does not do might not.
+TEST(PartDoubts, AScriptThatFailsBeforeItListensIsHarmless) {
+  Doubted scene;
+  const InstanceId wrong = scene.part("Wrong", {20, 0, 0}), limited = scene.part("Limited");
+  scene.script("local value = workspace.Missing.Value" + kKillsLater, wrong);
+  scene.script("local module = require(123456)" + kKillsLater, limited);
+  scene.level();
+  EXPECT_FALSE(scene[wrong].kill);
+  EXPECT_EQ(scene.doubts(wrong), Kinds{"script that fails"});
+  ASSERT_TRUE(scene[limited].kill);
+  EXPECT_TRUE(scene[limited].evidence.back().guessed);
+}
+
 TEST(PartDoubts, WhatOnlyHelpsOrHindersIsToldApart) {
   EXPECT_EQ(importer::bearingOf("tool"), importer::Bearing::easier);
   EXPECT_EQ(importer::bearingOf("harm by itself"), importer::Bearing::harder);

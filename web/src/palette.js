@@ -30,6 +30,7 @@ export const OUTCOME_STYLE = {
 
 export const VERDICT_STYLE = {
   solved: { label: 'Solved', color: '#5fd6a2', mark: '✓' },
+  doubtful: { label: 'Solved, in doubt', color: '#c9d66a', mark: '✓' },
   unreachable: { label: 'Unreachable', color: '#f0484e', mark: '✕' },
   unknown: { label: 'Unknown', color: '#e6c85a', mark: '?' },
   mismatch: { label: 'Replay mismatch', color: '#ff7ad9', mark: '≠' },
@@ -68,7 +69,7 @@ export function pathColor(path) {
 
 export function verdictOf(query) {
   if (query.paths.some((path) => path.mismatch && path.kind === 'solution')) return 'mismatch';
-  if (query.result) return query.result.verdict;
+  if (query.result) return query.result.holds === false ? 'doubtful' : query.result.verdict;
   if (query.running) return query.progress ? 'running' : 'waiting';
   return 'none';
 }

@@ -10,8 +10,8 @@ namespace obby::solve::learned {
 
 namespace {
 
-constexpr uint64_t kPlayers = 1ull << 32, kFollowers = 2ull << 32;  // streams of random numbers
-constexpr Turns kNorth = 0;  // all observations look that way: moves mean the same
+constexpr uint64_t kFollowers = 2ull << 32;  // streams of random numbers
+constexpr Turns kNorth = 0;                  // all observations look that way: moves mean the same
 
 }  // namespace
 
@@ -30,7 +30,7 @@ Cflge::Cflge(const Problem& problem, uint64_t seed, const CflgeSettings& setting
   }
   for (uint32_t i = 0; i < settings.groups * kGroup; ++i) {
     Group& g = groups_[i / kGroup];
-    g.players.emplace_back(seed, kPlayers + i);
+    g.players.emplace_back(seed, kPlayerStreams + i);
     restart(g, g.players.back());
   }
 }

@@ -19,6 +19,8 @@
 
 namespace obby::solve::learned {
 
+constexpr uint64_t kPlayerStreams = 1ull << 32;  // of random numbers, one for each player
+
 // How many players set out to return to where others had been, and how many of these came there.
 struct Returns {
   uint64_t tried = 0, reached = 0;

@@ -10,11 +10,10 @@ namespace obby::solve::learned {
 
 namespace {
 
-constexpr float kNewNearby = 0.1f;         // of the aims, where there is any
-constexpr float kNearby = 0.25f;           // of the rest
-constexpr int kAims = 8;                   // places looked at for one in a cell that is new
-constexpr uint32_t kFarthest = 8;          // of these, in cells
-constexpr uint64_t kPlayers = 1ull << 32;  // streams of random numbers
+constexpr float kNewNearby = 0.1f;  // of the aims, where there is any
+constexpr float kNearby = 0.25f;    // of the rest
+constexpr int kAims = 8;            // places looked at for one in a cell that is new
+constexpr uint32_t kFarthest = 8;   // of these, in cells
 
 geom::Region around(Vec3 place, float width) {
   return {{place, {}}, {0.5f * width, width, 0.5f * width}};
@@ -33,7 +32,7 @@ Pbge::Pbge(const Problem& problem, uint64_t seed, const PbgeSettings& settings,
   for (Group& g : groups_) g.pass = NetPass(device());
   for (uint32_t i = 0; i < made_.players; ++i) {
     Group& g = groups_[i / kGroup];
-    g.players.emplace_back(seed, kPlayers + i, (i + 1) % kGroup == 0);
+    g.players.emplace_back(seed, kPlayerStreams + i, (i + 1) % kGroup == 0);
     restart(g, g.players.back());
   }
 }

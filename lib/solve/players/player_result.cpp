@@ -71,6 +71,8 @@ void addUp(schema::Result::Builder result, const std::vector<PlayerCase>& cases)
   result.setRounds(rounds);
   result.setCells(cells);
   result.setSolutions(solutions);
+  result.setHolds(
+      std::ranges::all_of(cases, [](const PlayerCase& c) { return c.answer().getHolds(); }));
   auto timing = result.getTiming();
   timing.setSeconds(seconds);
   timing.setCompile(compile);

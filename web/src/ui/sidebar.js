@@ -82,7 +82,7 @@ export class Sidebar {
   }
 
   fillHead() {
-    const solved = this.report.queries.filter((query) => verdictOf(query) === 'solved').length;
+    const solved = this.report.queries.filter((query) => ['solved', 'doubtful'].includes(verdictOf(query))).length;
     const total = this.report.queries.length;
     const summary = total
       ? `${solved} of ${total} ${total === 1 ? 'query' : 'queries'} solved`

@@ -1,0 +1,81 @@
+#include "solve/cautious.h"
+
+#include <algorithm>
+#include <set>
+
+#include "solve/query/posed_query.h"
+
+namespace obby::solve {
+
+namespace {
+
+constexpr uint64_t kLeastSteps = 500'000;
+constexpr uint64_t kTimesSteps = 8;  // those of the first search
+constexpr float kDeadly = 1e6f;      // damage: more than any health
+
+// Parts that a solution touches whatever its route.
+std::set<uint32_t> namedParts(schema::Query::Reader query) {
+  std::set<uint32_t> parts;
+  const auto add = [&](schema::Region::Reader region) {
+    if (region.getPartIndex() >= 0) parts.insert(uint32_t(region.getPartIndex()));
+  };
+  add(query.getGoal());
+  for (const auto region : query.getGoals()) add(region);
+  for (const auto region : query.getVisits()) add(region);
+  for (const auto waypoint : query.getWaypoints()) add(waypoint.getRegion());
+  return parts;
+}
+
+// The parts hold nobody: a floor is sensed from above before it is touched.
+Result<LoadedLevel> withDeadly(const io::Record& level, const std::vector<uint32_t>& parts) {
+  io::RecordBuilder copy(level.reader());
+  auto all = copy.root().getLevel().getParts();
+  for (const uint32_t part : parts) {
+    all[part].setSolid(false);
+    all[part].setTouch(true);
+    all[part].initKill().setDamage(kDeadly);
+  }
+  return loadLevel(io::Record(std::move(copy)));
+}
+
+// What is left of the budget, as far as it is worth while.
+Budget budgetAfter(Budget budget, const SearchOutcome& first) {
+  const uint64_t steps = first.statistics.steps;
+  budget.maxSteps -= std::min(budget.maxSteps, steps);
+  budget.maxSteps = std::min(budget.maxSteps, std::max(kLeastSteps, kTimesSteps * steps));
+  budget.seconds = std::max(0.0, budget.seconds - first.seconds);
+  return budget;
+}
+
+}  // namespace
+
+Result<Avoiding> avoidDoubts(const SolvedQuery& solved, const Machine& machine,
+                             const Course& course, std::vector<uint32_t>& touched,
+                             SearchOutcome& outcome) {
+  const auto record = solved.level.record.reader().getLevel();
+  const level::LevelView& view = solved.level.level.view();
+  std::set<uint32_t> needed = namedParts(solved.query);
+  for (const uint32_t part : touchedOf(touched, view, course, 1)) needed.insert(part);
+  const auto isNeeded = [&](uint32_t part) { return needed.contains(part); };
+  if (std::ranges::all_of(touched, isNeeded)) return Avoiding::notTried;
+  std::vector<uint32_t> deadly = doubtfulParts(record);
+  std::erase_if(deadly, isNeeded);
+
+  OBBY_ASSIGN(const LoadedLevel level, withDeadly(solved.level.record, deadly));
+  OBBY_ASSIGN(const level::Query query, level::Query::compile(solved.query, level.level));
+  const PosedQuery posed{level.level, level.record.reader().getLevel(), query, solved.query,
+                         solved.options.policy};
+  const Problem problem = problemOf(posed);
+  if (isCut(problem, solved.query)) return Avoiding::impossible;
+  SearchOutcome found = solved.options.method->run(
+      problem, budgetAfter(solved.options.budget, outcome), solved.watcher, machine);
+  outcome.statistics.steps += found.statistics.steps;
+  outcome.seconds += found.seconds;
+  if (found.solutions.empty()) return Avoiding::notFound;
+  outcome.solutions = std::move(found.solutions);
+  outcome.routes = std::move(found.routes);
+  std::erase_if(touched, [&](uint32_t part) { return !isNeeded(part); });
+  return Avoiding::notTried;
+}
+
+}  // namespace obby::solve

@@ -1,0 +1,172 @@
+// Solutions that depend on what the import is not sure of, and how they are told.
+#include <gtest/gtest.h>
+
+#include <optional>
+
+#include "scenes.h"
+
+namespace obby::solve {
+namespace {
+
+constexpr const char* kDoubtKind = "conveyor that a script changes";
+
+struct Answered {
+  schema::Result::Reader result() const { return record->reader().getResult(); }
+  std::string reason() const { return result().getReason(); }
+  std::vector<int32_t> doubtful, route;  // of the first solution
+  std::optional<io::Record> record;
+};
+
+class DoubtfulLevel : public LevelBuilder {
+ public:
+  DoubtfulLevel() {
+    physics([](schema::PhysicsParams::Builder p) { p.setFallenPartsHeight(-40); });
+    spawn({0, 0, 0});
+  }
+  void block(Vec3 at, Vec3 size, std::vector<const char*> doubts = {}) {
+    LevelBuilder::block(at, size, [doubts](schema::Part::Builder part) {
+      auto list = part.initDoubts(uint32_t(doubts.size()));
+      for (uint32_t i = 0; i < list.size(); ++i) list.set(i, doubts[i]);
+    });
+  }
+  void loss(const char* kind, schema::Bearing bearing, bool anywhere) {
+    losses_.push_back({kind, bearing, anywhere});
+  }
+  // To a box of 8 x 4 x 8 around `goal`.
+  Answered solve(Vec3 goal) {
+    io::RecordBuilder level;
+    level.root().setLevel(record());
+    auto list = level.root().getLevel().initUnmodelled(uint32_t(losses_.size()));
+    for (uint32_t i = 0; i < list.size(); ++i) {
+      list[i].setKind(losses_[i].kind);
+      list[i].setCount(1);
+      list[i].setBearing(losses_[i].bearing);
+      list[i].setAnywhere(losses_[i].anywhere);
+    }
+    const auto loaded = loadLevel(io::Record(std::move(level)));
+    EXPECT_TRUE(loaded) << loaded.error().text();
+    io::RecordBuilder query;
+    auto region = query.root().initQuery().initGoal();
+    support::set(region.initPosition(), goal);
+    support::set(region.initSize(), {8, 4, 8});
+    SolverOptions options;
+    options.method = findMethod("auto");
+    options.budget.maxSteps = 2'000'000;
+    options.progressRecords = false;
+    ThreadPool pool(1);
+    Answered answered;
+    const auto write = [&](schema::Record::Reader record) -> Status {
+      if (record.isTrajectory() && record.getTrajectory().getIndex() == 0) {
+        for (const int32_t p : record.getTrajectory().getDoubtful()) answered.doubtful.push_back(p);
+        for (const int32_t p : record.getTrajectory().getRoute()) answered.route.push_back(p);
+      }
+      if (record.isResult()) answered.record = io::Record(io::RecordBuilder(record));
+      return {};
+    };
+    const auto done =
+        solveQuery(*loaded, query.reader().getQuery(), options, {pool, nullptr}, {write, {}, {}});
+    EXPECT_TRUE(done) << done.error().text();
+    return answered;
+  }
+
+ private:
+  struct Loss {
+    const char* kind;
+    schema::Bearing bearing;
+    bool anywhere;
+  };
+  std::vector<Loss> losses_;
+};
+
+constexpr Vec3 kBehindTheStone{0, 2, -28};
+
+// A start and a goal, with a stone between them that is in doubt.
+DoubtfulLevel stoneInDoubt() {
+  DoubtfulLevel level;
+  level.block({0, -0.5f, 0}, {8, 1, 8});
+  level.block({0, -0.5f, -28}, {8, 1, 8});
+  level.block({0, -0.5f, -14}, {8, 1, 6}, {kDoubtKind});
+  level.loss(kDoubtKind, schema::Bearing::EITHER, false);
+  return level;
+}
+
+TEST(Doubts, ASolutionThatNeedsADoubtfulPartDoesNotHold) {
+  const Answered answered = stoneInDoubt().solve(kBehindTheStone);
+  EXPECT_EQ(answered.result().getVerdict(), schema::Verdict::SOLVED);
+  EXPECT_FALSE(answered.result().getHolds());
+  ASSERT_EQ(answered.result().getDoubts().size(), 1u);
+  EXPECT_EQ(answered.result().getDoubts()[0].getPart(), 2);
+  EXPECT_STREQ(answered.result().getDoubts()[0].getKind().cStr(), kDoubtKind);
+  EXPECT_EQ(answered.doubtful, std::vector<int32_t>{2});
+  EXPECT_NE(answered.reason().find("it uses part 2 (conveyor that a script changes)"),
+            std::string::npos)
+      << answered.reason();
+  EXPECT_NE(answered.reason().find("There is none without it."), std::string::npos)
+      << answered.reason();
+}
+
+TEST(Doubts, ALongerRouteWithoutThePartIsPreferred) {
+  DoubtfulLevel level = stoneInDoubt();
+  level.block({10, -0.5f, -2}, {10, 1, 4});
+  level.block({14, -0.5f, -15}, {4, 1, 28});
+  level.block({10, -0.5f, -28}, {10, 1, 4});
+  const Answered answered = level.solve(kBehindTheStone);
+  EXPECT_TRUE(answered.result().getHolds()) << answered.reason();
+  EXPECT_EQ(answered.result().getDoubts().size(), 0u);
+  EXPECT_EQ(answered.doubtful, std::vector<int32_t>{});
+  EXPECT_EQ(std::ranges::count(answered.route, 2), 0);
+}
+
+TEST(Doubts, APartThatIsOnlyNearMakesNone) {
+  DoubtfulLevel level;
+  level.block({0, -0.5f, -14}, {8, 1, 36});
+  level.block({20, -0.5f, -14}, {8, 1, 36}, {kDoubtKind});
+  level.loss(kDoubtKind, schema::Bearing::EITHER, false);
+  EXPECT_TRUE(level.solve(kBehindTheStone).result().getHolds());
+}
+
+TEST(Doubts, ThePartThatThePlayerStartsOnIsNamed) {
+  DoubtfulLevel level;
+  level.block({0, -0.5f, -14}, {8, 1, 36}, {kDoubtKind});
+  level.loss(kDoubtKind, schema::Bearing::EITHER, false);
+  const Answered answered = level.solve(kBehindTheStone);
+  EXPECT_FALSE(answered.result().getHolds());
+  EXPECT_EQ(answered.doubtful, std::vector<int32_t>{0});
+}
+
+TEST(Doubts, WhatCanOnlyHelpIsNone) {
+  DoubtfulLevel level;
+  level.block({0, -0.5f, -14}, {8, 1, 36}, {"tool"});
+  level.loss("tool", schema::Bearing::EASIER, true);
+  EXPECT_TRUE(level.solve(kBehindTheStone).result().getHolds());
+}
+
+TEST(Doubts, WhatConcernsNoSinglePartConcernsAll) {
+  DoubtfulLevel level;
+  level.block({0, -0.5f, -14}, {8, 1, 36});
+  level.loss("script that fails", schema::Bearing::EITHER, true);
+  const Answered answered = level.solve(kBehindTheStone);
+  EXPECT_FALSE(answered.result().getHolds());
+  ASSERT_EQ(answered.result().getDoubts().size(), 1u);
+  EXPECT_EQ(answered.result().getDoubts()[0].getPart(), -1);
+  EXPECT_NE(answered.reason().find("may matter anywhere: script that fails (1)"), std::string::npos)
+      << answered.reason();
+}
+
+// Nothing that a player lacks can make it worse.
+TEST(Doubts, UnreachableIsSaidWhereALossCanOnlyHinder) {
+  for (const auto bearing :
+       {schema::Bearing::EITHER, schema::Bearing::EASIER, schema::Bearing::HARDER}) {
+    DoubtfulLevel level;
+    level.block({0, -0.5f, 0}, {8, 1, 8});
+    level.block({0, -0.5f, -48}, {8, 1, 8});
+    level.loss("harm by itself", bearing, true);
+    const Answered answered = level.solve({0, 2, -48});
+    const bool shown = bearing == schema::Bearing::HARDER;
+    EXPECT_EQ(answered.result().getVerdict() == schema::Verdict::UNREACHABLE, shown);
+    EXPECT_TRUE(answered.result().getHolds());
+  }
+}
+
+}  // namespace
+}  // namespace obby::solve
