@@ -132,7 +132,7 @@ class Watcher {
   // While the undisturbed run goes on.
   void revisitAll() {
     children_.start(
-        plan_.timeLimit / 4, [&] { return toBytes(revisit(stage_, plan_, report_.probes)); },
+        plan_.timeLimit * 0.75, [&] { return toBytes(revisit(stage_, plan_, report_.probes)); },
         [this](const std::string& bytes) {
           if (!fromBytes(bytes, report_.revisits) && report_.failure.empty())
             report_.failure = "later touches of parts took too long";

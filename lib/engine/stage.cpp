@@ -56,6 +56,7 @@ void Stage::load() {
 void Stage::loadInstance(InstanceId id) {
   lua_State* const L = host_->vm.state();
   const Instance& from = host_->document.instances[id];
+  noteWork();
   const auto push = [L](const std::string& text) { lua_pushlstring(L, text.data(), text.size()); };
   lua_pushnumber(L, id);
   push(from.className);
