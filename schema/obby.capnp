@@ -302,12 +302,15 @@ struct Teleport {
 }
 
 struct Boost {
-  # The player walks and jumps faster (or slower) for a time. The boost touched last applies.
+  # The player walks and jumps faster (or slower), or falls under another gravity, for a time. Of several boosts the
+  # one touched last applies.
   walkSpeed @0 :Float32 = 1 $example("2");  # x PhysicsParams.walkSpeed; above 0, at most 100
   jumpSpeed @1 :Float32 = 1;  # x PhysicsParams.jumpSpeed; above 0, at most 100
   jumpMore @2 :Float32;       # studs/s added to that, -1000 to 1000
   seconds @3 :Float32;        # after the last touch; 0: only while the part is touched
   forever @4 :Bool;           # true: until the playthrough ends
+  gravity @5 :Float32 = 1;    # x PhysicsParams.gravity, for the player only; 0 to 100, the product at most 2000
+  resets @6 :Bool;            # true: what it leaves at 1 goes back to the level's own value, whatever was touched before
 }
 
 struct OneWay {

@@ -222,20 +222,23 @@ const Observation& Stage::observation() {
   lua_State* const L = host_->vm.state();
   PlayerState& player = host_->recorder.seen().player;
   player = {};
-  call("probe", "look", 0, 8);
-  if (const Vec3* const feet = toVector3(L, lua_gettop(L) - 7)) {
-    const int top = lua_gettop(L);
+  constexpr int kValues = 10;
+  call("probe", "look", 0, kValues);
+  const int first = lua_gettop(L) - kValues + 1;
+  if (const Vec3* const feet = toVector3(L, first)) {
     player.feet = *feet;
-    player.health = lua_tonumber(L, top - 6);
-    if (const Vec3* const velocity = toVector3(L, top - 5)) player.velocity = *velocity;
-    player.walkSpeed = lua_tonumber(L, top - 4);
-    player.jumpPower = lua_tonumber(L, top - 3);
-    player.jumpHeight = lua_tonumber(L, top - 2);
-    player.maxHealth = lua_tonumber(L, top - 1);
-    player.usesJumpPower = lua_toboolean(L, top) != 0;
+    player.health = lua_tonumber(L, first + 1);
+    if (const Vec3* const velocity = toVector3(L, first + 2)) player.velocity = *velocity;
+    player.walkSpeed = lua_tonumber(L, first + 3);
+    player.jumpPower = lua_tonumber(L, first + 4);
+    player.jumpHeight = lua_tonumber(L, first + 5);
+    player.maxHealth = lua_tonumber(L, first + 6);
+    player.usesJumpPower = lua_toboolean(L, first + 7) != 0;
+    player.gravity = lua_tonumber(L, first + 8);
+    player.lift = lua_tonumber(L, first + 9);
     player.alive = player.health > 0;
   }
-  lua_pop(L, 8);
+  lua_pop(L, kValues);
   return host_->recorder.seen();
 }
 

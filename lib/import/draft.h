@@ -65,9 +65,10 @@ struct Teleport {
   bool turns = false;
 };
 struct Boost {
-  float walkSpeed = 1, jumpSpeed = 1;  // times the player's
-  float seconds = 0;                   // after the last touch; 0: while touched
+  float walkSpeed = 1, jumpSpeed = 1, gravity = 1;  // times the player's
+  float seconds = 0;                                // after the last touch; 0: while touched
   bool forever = false;
+  bool resets = false;  // what it leaves at 1 goes back to the level's
 };
 struct Trip {
   float seconds = 3;

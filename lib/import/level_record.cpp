@@ -94,6 +94,8 @@ void setRoles(schema::Part::Builder to, const PartDraft& part) {
     boost.setJumpSpeed(part.boost->jumpSpeed);
     boost.setSeconds(part.boost->seconds);
     boost.setForever(part.boost->forever);
+    boost.setGravity(part.boost->gravity);
+    boost.setResets(part.boost->resets);
   }
   if (part.trip) to.initTrip().setSeconds(part.trip->seconds);
   if (part.button) {

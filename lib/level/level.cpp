@@ -114,6 +114,7 @@ uint64_t digest(const LevelView& v, const PartTables& t) {
   for (const Clock& c : t.clocks) {
     add(c.length), add(c.restarts), add(c.walkFactor), add(c.jumpFactor), add(c.jumpMore);
     add(c.helpless), add(c.seat);
+    if (changesGravity(c)) add(c.gravityFactor), add(c.resets);
   }
   for (const Mover& m : t.movers) {
     h = hashBytes(m.keys, m.keyCount * sizeof(Pose), h);

@@ -87,11 +87,13 @@ struct Clock {
   uint32_t length = 0;    // ticks, kForever
   bool restarts = false;  // touched while it runs, it starts anew
   // What it does to the player meanwhile.
-  float walkFactor = 1;   // x walkSpeed
-  float jumpFactor = 1;   // x jumpSpeed
-  float jumpMore = 0;     // studs/s on top
-  uint32_t helpless = 0;  // ticks from its start in which keys do nothing
-  uint32_t seat = kNone;  // collider on which the player sits while it is held at 0
+  float walkFactor = 1;     // x walkSpeed
+  float jumpFactor = 1;     // x jumpSpeed
+  float jumpMore = 0;       // studs/s on top
+  float gravityFactor = 1;  // x gravity
+  bool resets = false;      // what it leaves as it is goes back to the level's
+  uint32_t helpless = 0;    // ticks from its start in which keys do nothing
+  uint32_t seat = kNone;    // collider on which the player sits while it is held at 0
 };
 constexpr uint32_t kForever = 0xffffffffu;
 
@@ -99,8 +101,11 @@ constexpr uint32_t kForever = 0xffffffffu;
 OBBY_DEVICE float jumpSpeedUnder(const Clock& c, const Params& p) {
   return maxf(p.jumpSpeed * c.jumpFactor + c.jumpMore, 0.0f);
 }
-OBBY_DEVICE bool changesWalk(const Clock& c) { return c.walkFactor != 1; }
-OBBY_DEVICE bool changesJump(const Clock& c) { return c.jumpFactor != 1 || c.jumpMore != 0; }
+OBBY_DEVICE bool changesWalk(const Clock& c) { return c.resets || c.walkFactor != 1; }
+OBBY_DEVICE bool changesJump(const Clock& c) {
+  return c.resets || c.jumpFactor != 1 || c.jumpMore != 0;
+}
+OBBY_DEVICE bool changesGravity(const Clock& c) { return c.resets || c.gravityFactor != 1; }
 
 constexpr int kMostStarts = 4;
 

@@ -89,6 +89,9 @@ TEST(LevelHash, ChangesWithEachFieldThatMatters) {
       [](auto p) { p.initBoost().setJumpMore(2); },
       [](auto p) { p.initBoost().setJumpMore(2), p.getBoost().setSeconds(1); },
       [](auto p) { p.initBoost().setJumpMore(2), p.getBoost().setForever(true); },
+      [](auto p) { p.initBoost().setGravity(0.5f); },
+      [](auto p) { p.initBoost().setGravity(0); },
+      [](auto p) { p.initBoost().setResets(true); },
       [](auto p) { p.initOneWay(); },
       [](auto p) {
         set(p.initOneWay().initDirection(), {1, 0, 0});

@@ -102,7 +102,10 @@ inline void setRole(schema::Part::Builder part, const PartSpec& spec) {
       return;
     case 7: return setFall(part.initFall(), spec);
     case 8: support::set(part.initTeleport().initPosition(), v * 0.2f); return;
-    case 9: part.initBoost().setWalkSpeed(2), part.getBoost().setSeconds(0.5f); return;
+    case 9:
+      part.initBoost().setWalkSpeed(2), part.getBoost().setSeconds(0.5f);
+      part.getBoost().setGravity(spec.turn.x < -1 ? 0 : spec.turn.x < 1 ? 1 : 4);
+      return;
     case 10: part.initOneWay(); return;
     case 11: part.initSeat(); return;
     case 12: part.initTrip().setSeconds(0.3f); return;

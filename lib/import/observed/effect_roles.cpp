@@ -6,6 +6,12 @@
 #include "import/observed/run.h"
 
 namespace obby::importer {
+namespace {
+
+// More gravity than a level can have.
+constexpr float kMostFactor = 100, kMostGravity = 2000;  // times the level's, studs/s^2
+
+}  // namespace
 
 std::string EffectRoles::reason(engine::Line line) const { return lineReason(context_.tree, line); }
 
@@ -32,8 +38,6 @@ void EffectRoles::takePlayer(PartDraft& part, const ProbeEffects& effects) {
   }
   if (effects.stage && !part.checkpoint && !effects.harm) takeStage(part, *effects.stage);
   if (effects.force) note("force on the player", part.id, "does not act; ", *effects.force);
-  if (effects.gravity)
-    note("gravity that a touch changes", part.id, "gravity stays as it is; ", *effects.gravity);
 }
 
 void EffectRoles::takePush(PartDraft& part, const Push& push) {
@@ -59,10 +63,15 @@ void EffectRoles::takeBoost(PartDraft& part, const Booster& boost) {
   Boost own;
   own.walkSpeed = boost.walk;
   own.jumpSpeed = boost.jump;
+  own.gravity = boost.gravity;
   own.seconds = float(boost.seconds);
   own.forever = boost.forever;
+  own.resets = boost.resets;
   if (!(own.walkSpeed > 0) || !(own.jumpSpeed > 0))
     return note("part that stops the player", part.id, "", boost.line);
+  if (!(own.gravity >= 0) || own.gravity > kMostFactor ||
+      own.gravity * base_.gravity > kMostGravity)
+    return note("force on the player", part.id, "does not act; ", boost.line);
   part.boost = own;
   prove(part, "boost", reason(boost.line));
 }
@@ -78,7 +87,8 @@ void EffectRoles::takeAbility(bool keys, const ProbeEffects& effects) {
   if (effects.empty() && keys)
     level.noteUnmodelled("keys that a script listens to", "",
                          "what they do is not known: the player walks and jumps only");
-  if (effects.boost && effects.boost->walk > 0 && effects.boost->jump > 0) {
+  const bool falls = effects.boost && effects.boost->gravity == 1;
+  if (falls && effects.boost->walk > 0 && effects.boost->jump > 0 && !effects.boost->resets) {
     World& world = level.world;
     world.walkSpeed = std::max(world.walkSpeed, base_.walkSpeed * effects.boost->walk);
     world.jumpSpeed = std::max(world.jumpSpeed, base_.jumpSpeed * effects.boost->jump);
@@ -93,7 +103,8 @@ void EffectRoles::takeAbility(bool keys, const ProbeEffects& effects) {
     }
   if (!effects.aways.empty() || !effects.moved.empty())
     level.noteUnmodelled("button on the screen", "", "the player does not use it");
-  if (effects.gravity || effects.push || effects.teleport || effects.force || effects.jumps)
+  if ((effects.boost && !falls) || effects.push || effects.teleport || effects.force ||
+      effects.jumps)
     level.noteUnmodelled("ability of the player", "", "the player does not use it");
 }
 
