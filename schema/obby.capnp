@@ -226,6 +226,7 @@ struct Part {
   climbable @32 :Bool;    # a rung of a ladder built from parts, climbed like a truss
   material @33 :Text;     # appearance only, by the engine's name ("WoodPlanks"); empty: plastic
   frictionWeight @34 :Float32 = 1;  # of `friction` in the mean with a player's or a dynamic body's, 0 to 100
+  byRoot @35 :Bool;       # true: touched only while the centre of the root is inside, as by scripts that compare positions
 }
 
 struct PartSource {

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "engine/child.h"
+#include "engine/effect_names.h"
 #include "engine/probe_run.h"
 #include "engine/report_bytes.h"
 #include "engine/revisit.h"
@@ -69,11 +70,18 @@ class Watcher {
     runAll(wanted);
     children_.finish();
     for (size_t i = 0; i < wanted.size(); ++i)
-      if (wanted[i].byPlace && happens(report_.probes[i])) lookAllOver(wanted[i], i);
+      if (wanted[i].byPlace && happens(report_.probes[i])) {
+        lookAllOver(wanted[i], i);
+        if (wanted[i].approach == Approach::inside) lookFromOutside(wanted[i], i);
+      }
   }
 
   static bool happens(const Probe& probe) {
     return !probe.seen.changes.empty() || !probe.seen.harms.empty();
+  }
+
+  static bool happensAgain(const Probe& first, const Probe& again) {
+    return harms(first) ? harms(again) : happens(again);
   }
 
   void lookAllOver(const Probe& wanted, size_t index) {
@@ -84,7 +92,22 @@ class Watcher {
           [&, share] { return toBytes(runProbe(stage_, plan_, wanted, {.share = share})); },
           [this, index](const std::string& bytes) {
             Probe probe;
-            if (!fromBytes(bytes, probe) || !happens(probe)) report_.probes[index].allOver = false;
+            Probe& first = report_.probes[index];
+            if (!fromBytes(bytes, probe) || !happensAgain(first, probe)) first.allOver = false;
+          });
+  }
+
+  // Before three faces: a script that looks at the middle of the body does not see it in the part.
+  void lookFromOutside(const Probe& wanted, size_t index) {
+    report_.probes[index].byRoot = true;
+    for (const int face : {1, 2, 3})
+      children_.start(
+          plan_.timeLimit / 4,
+          [&, face] { return toBytes(runProbe(stage_, plan_, wanted, {.face = face})); },
+          [this, index](const std::string& bytes) {
+            Probe probe;
+            Probe& first = report_.probes[index];
+            if (!fromBytes(bytes, probe) || happensAgain(first, probe)) first.byRoot = false;
           });
   }
 

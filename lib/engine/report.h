@@ -21,6 +21,7 @@ struct Probe {
   bool lost = false;     // the copy died or ran out of time
   bool byPlace = false;  // nobody listens to the part: what happens follows from the place
   bool allOver = true;   // it happens towards two opposite corners of the part, too
+  bool byRoot = false;   // it does not happen where limbs alone are in the part
 };
 
 // Why a part does something else than at its first probe.

@@ -43,7 +43,8 @@ void fields(A& a, Observation& o) {
 }
 template <class A>
 void fields(A& a, Probe& p) {
-  a(p.target), a(p.approach), a(p.at), a(p.left), a(p.seen), a(p.lost), a(p.byPlace), a(p.allOver);
+  a(p.target), a(p.approach), a(p.at), a(p.left), a(p.seen), a(p.lost), a(p.byPlace), a(p.allOver),
+      a(p.byRoot);
 }
 template <class A>
 void fields(A& a, Revisit& r) {

@@ -124,12 +124,13 @@ void Stage::stand(Vec3 feet, float yaw) {
   call("probe", "stand", 4);
 }
 
-void Stage::standAt(InstanceId part, bool inside, float share) {
+void Stage::standAt(InstanceId part, bool inside, float share, int face) {
   lua_State* const L = host_->vm.state();
   lua_pushnumber(L, part);
   lua_pushboolean(L, inside);
   lua_pushnumber(L, lua_Number(share));
-  call("probe", "standAt", 3);
+  lua_pushnumber(L, face);
+  call("probe", "standAt", 4);
 }
 
 void Stage::touchAgain() { call("touch", "again", 0); }

@@ -107,6 +107,7 @@ struct PartDraft {
   Vec3 size = {4, 1.2f, 2};
   std::vector<std::vector<Vec3>> hulls;
   bool solid = true, touch = true, anchored = true;
+  bool byRoot = false;  // touched by the centre of the root
   float friction = 0.3f, frictionWeight = 1, elasticity = 0.5f, density = 0.7f;
   ColorRgb color = {163, 162, 165};
   float transparency = 0;

@@ -126,6 +126,7 @@ void setGeometry(schema::Part::Builder to, const PartDraft& part) {
   }
   to.setSolid(part.solid);
   to.setTouch(part.touch);
+  to.setByRoot(part.byRoot);
   to.setAnchored(part.anchored);
 }
 

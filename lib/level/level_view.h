@@ -33,8 +33,9 @@ enum ColliderFlag : uint32_t {
   kOneWay = 32768,  // solid from one side only
   kCrush = 65536,   // kills whom it squeezes
   kSeat = 131072,
-  kRung = 524288,   // with kTruss: thin, so that the sensor must look for it
-  kLoose = 262144,  // part of a loose body
+  kRung = 524288,     // with kTruss: thin, so that the sensor must look for it
+  kLoose = 262144,    // part of a loose body
+  kByRoot = 1048576,  // touched by the centre of the root, not by limbs
 };
 constexpr uint32_t kTouchRoles = kKill | kPad | kStarts | kTeleport | kHeal | kSeat;
 

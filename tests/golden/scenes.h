@@ -172,6 +172,23 @@ inline LevelBuilder vanishing() {
   });
 }
 
+// Boosts that change gravity, some for good, and parts that only the root touches.
+inline LevelBuilder weights() {
+  return crowd(40, [](Part::Builder p, int i) {
+    if (i % 4 == 3) {
+      p.setSolid(false);
+      p.setByRoot(true);
+      p.initKill().setDamage(20);
+      return;
+    }
+    auto boost = p.initBoost();
+    boost.setGravity(0.3f * float(i % 6));
+    boost.setSeconds(0.5f * float(i % 3));
+    boost.setForever(i % 8 == 5);
+    boost.setResets(i % 5 == 4);
+  });
+}
+
 inline LevelBuilder killers() {
   return crowd(25, [](Part::Builder p, int i) {
     p.setSolid(i % 3 != 0);

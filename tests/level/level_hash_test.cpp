@@ -73,6 +73,7 @@ TEST(LevelHash, ChangesWithEachFieldThatMatters) {
       [](auto p) { spin(p, 1, {}, true); },
       [](auto p) { p.getVanish().setInverted(true); },
       [](auto p) { p.getKill().setDamage(-5); },
+      [](auto p) { p.setByRoot(true); },
       [](auto p) { p.getKill().setDamage(-5), p.getKill().setCooldown(1); },
       [](auto p) {
         set(p.initTeleport().initPosition(), {1, 0, 0});

@@ -88,7 +88,10 @@ inline void setTriggered(schema::Part::Builder part, const PartSpec& spec) {
 inline void setRole(schema::Part::Builder part, const PartSpec& spec) {
   const Vec3 v = spec.turn * 30.0f;
   switch (spec.role) {
-    case 1: part.initKill().setDamage(20), part.getKill().setCooldown(0.2f); return;
+    case 1:
+      part.initKill().setDamage(20), part.getKill().setCooldown(0.2f);
+      part.setByRoot(spec.turn.x > 1);
+      return;
     case 2: support::set(part.initJumpPad().initVelocity(), v); return;
     case 3: support::set(part.initConveyor().initVelocity(), v); return;
     case 4: part.initVanish().setDelay(0.2f); return;
