@@ -453,6 +453,7 @@ struct PhysicsParams {
   climbWill @49 :Float32 = 0.01 $unit("share of the move direction") $range((min = 0, max = 1)) $source("H into the truss or away from it: dot product of +-0.01");
   playerFriction @50 :Float32 = 0.3 $unit("friction") $range((min = 0, max = 2)) $source("measured with traction: of the body, in the mean with the floor");
   jumpAccel @51 :Float32 = 0 $unit("studs/s^2") $range((min = 0, max = 5000)) $source("measured: keys have no effect while Jumping");
+  airJumps @52 :UInt16 = 0 $unit("jumps in the air between two floors; 100: any number") $range((min = 0, max = 100)) $source("H none without a script");
 }
 
 # ---------------------------------------------------------------------------------------------- query

@@ -7,6 +7,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "engine/air_jumps.h"
 #include "engine/child.h"
 #include "engine/effect_names.h"
 #include "engine/probe_run.h"
@@ -37,6 +38,7 @@ class Watcher {
     report_.made = stage_.made();
     report_.arrived = stage_.observation().player;
     probeAll();
+    if (stage_.hearsJumps()) jumpInAir();
     revisitAll();
     stage_.run(framesOf(plan_.probeSeconds));
     while (stage_.frames() < framesOf(plan_.seconds) && !stage_.isExhausted() && !stage_.isIdle())
@@ -121,6 +123,12 @@ class Watcher {
             probe.lost = !fromBytes(bytes, probe);
           });
     }
+  }
+
+  void jumpInAir() {
+    children_.start(
+        plan_.timeLimit / 4, [&] { return toBytes(findAirJumps(stage_)); },
+        [this](const std::string& bytes) { fromBytes(bytes, report_.airJumps); });
   }
 
   // While the undisturbed run goes on.

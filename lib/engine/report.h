@@ -39,13 +39,21 @@ struct Revisit {
   InstanceId lever = kNoInstance;  // the target of the other probe
 };
 
+// Jumps in the air between two floors that scripts give the player.
+struct AirJumps {
+  uint16_t count = 0;
+  Line line;
+};
+constexpr uint16_t kNoLimit = 0xffff;
+
 struct Report {
   Observation undisturbed;
   std::vector<Probe> probes;
   std::vector<Revisit> revisits;
-  double probedAt = 0;               // seconds, when the probes began
-  std::vector<MadePart> made;        // in the world by then
-  PlayerState arrived;               // the player by then
+  double probedAt = 0;         // seconds, when the probes began
+  std::vector<MadePart> made;  // in the world by then
+  PlayerState arrived;         // the player by then
+  AirJumps airJumps;
   bool complete = false;             // the undisturbed run got to its end
   bool over = false;                 // and nothing goes on any more
   std::string failure;               // why there is less than asked for: for people

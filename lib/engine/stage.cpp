@@ -146,6 +146,11 @@ double Stage::numberOf(const char* name) {
   return value;
 }
 
+void Stage::takeOff() { call("probe", "takeOff", 0); }
+void Stage::fall() { call("probe", "fall", 0); }
+void Stage::land() { call("probe", "land", 0); }
+void Stage::pressJump() { call("probe", "pressJump", 0); }
+bool Stage::hearsJumps() { return numberOf("hearsJumps") > 0; }
 bool Stage::playerLives() { return numberOf("health") > 0; }
 bool Stage::isBusy() { return numberOf("waiting") > waiting_; }
 bool Stage::isIdle() { return numberOf("idle") > 0; }

@@ -37,6 +37,12 @@ class Stage {
   void leave();
   // Clicks a ClickDetector or a button, holds a ProximityPrompt, activates a tool.
   void use(InstanceId target);
+  // The states of a player in the air, without moving it; and the jump key.
+  void takeOff();
+  void fall();
+  void land();
+  void pressJump();
+  bool hearsJumps();
   bool playerLives();
   // A player that has died where it spawns lives again, away from everything.
   void revive();

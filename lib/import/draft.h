@@ -153,6 +153,7 @@ struct World {
   float maxHealth = 100;
   float healthRegeneration = 0.01f;
   float fallenPartsHeight = -500;
+  uint16_t airJumps = 0;
 };
 
 // The bodies that a place gives its players.

@@ -162,6 +162,7 @@ void setWorld(schema::PhysicsParams::Builder to, const World& world) {
     return std::isnan(v) ? fallback : std::clamp(v, lo, hi);
   };
   to.setGravity(within(world.gravity, 0, 2000, usual.gravity));
+  to.setAirJumps(world.airJumps);
   to.setWalkSpeed(within(world.walkSpeed, 0, 500, usual.walkSpeed));
   to.setJumpSpeed(within(world.jumpSpeed, 0, 1000, usual.jumpSpeed));
   to.setMaxSlope(within(world.maxSlope, 0, usual.maxSlope, usual.maxSlope));

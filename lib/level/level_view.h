@@ -210,6 +210,7 @@ struct LevelView {
   const Loose* loose;  // (looseCount)
   uint32_t colliderCount, roleCount, moverCount, clockCount, looseCount;
   uint32_t crushClock;  // counts the ticks of being squeezed; kNone: no part kills so
+  uint32_t airClock;    // counts jumps in the air (sim/air_jump.h); kNone: there are none
   Grid grid;
   Grid looseGrid;      // the same over centres of loose bodies; empty where there are none
   float maxSideSpeed;  // studs/s; the grid lists reach as far as this carries a player in a tick

@@ -108,7 +108,7 @@ TEST(ReachBound, BoostsPadsAndBeltsReachFurther) {
   const auto light = [](schema::Part::Builder p) { p.initBoost().setGravity(0.4f); };
   EXPECT_NE(jumpsAcross(platforms(20, 0, light)), ReachBound::kNever);
   EXPECT_NE(jumpsAcross(platforms(1, 17, light)), ReachBound::kNever);
-  EXPECT_EQ(jumpsAcross(platforms(1, 22, light)), ReachBound::kNever);
+  EXPECT_EQ(jumpsAcross(platforms(1, 26, light)), ReachBound::kNever);
   const auto belt = [](schema::Part::Builder p) {
     support::set(p.initConveyor().initVelocity(), {0, 0, -40});
   };

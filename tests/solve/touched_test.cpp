@@ -1,4 +1,5 @@
-// Searches through what a touch does to the player: gravity, and parts that only the root touches.
+// Searches by what scripts add: gravity by touch, parts that only the root touches, jumps in the
+// air.
 #include <gtest/gtest.h>
 
 #include "io/json_codec.h"
@@ -33,6 +34,17 @@ std::string gapBehind(const std::string& role) {
 TEST(TouchedSearch, ALightPlayerCrossesAWiderGap) {
   EXPECT_EQ(ask(gapBehind("")).unreachable, 1u);
   EXPECT_EQ(ask(gapBehind(R"(,"boost":{"gravity":0.4,"forever":true})")).solved, 1u);
+}
+
+// With a jump in the air a gap of 17 studs is crossed, and nothing is said to be out of reach.
+TEST(TouchedSearch, AJumpInTheAirCrossesAWiderGap) {
+  const auto with = [](const char* more) {
+    std::string lines = gapBehind("");
+    const std::string physics = "\"fallenPartsHeight\":-40";
+    return lines.replace(lines.find(physics), physics.size(), physics + more);
+  };
+  EXPECT_EQ(ask(with(",\"airJumps\":1")).solved, 1u);
+  EXPECT_EQ(ask(with(",\"airJumps\":1,\"jumpSpeed\":1"), 100'000).unknown, 1u);
 }
 
 // A floor between two boxes that kill, eight tenths of a stud apart.

@@ -4,6 +4,7 @@
 
 #include "import/checkpoints.h"
 #include "import/observed/run.h"
+#include "level/params.h"
 
 namespace obby::importer {
 namespace {
@@ -82,9 +83,15 @@ void EffectRoles::takeStage(PartDraft& part, const StageSet& stage) {
   prove(part, "checkpoint", reason(stage.line));
 }
 
-void EffectRoles::takeAbility(bool keys, const ProbeEffects& effects) {
+void EffectRoles::takeAbility(bool keys, const engine::AirJumps& inAir,
+                              const ProbeEffects& effects) {
   LevelDraft& level = context_.level;
-  if (effects.empty() && keys)
+  const bool leaps = keys && inAir.count > 0;
+  if (leaps) {
+    level.world.airJumps = std::min(inAir.count, kAnyAirJumps);
+    level.noteIgnored("ability of the player", "", "jumps in the air; " + reason(inAir.line));
+  }
+  if (effects.empty() && keys && !leaps)
     level.noteUnmodelled("keys that a script listens to", "",
                          "what they do is not known: the player walks and jumps only");
   const bool falls = effects.boost && effects.boost->gravity == 1;
@@ -104,7 +111,7 @@ void EffectRoles::takeAbility(bool keys, const ProbeEffects& effects) {
   if (!effects.aways.empty() || !effects.moved.empty())
     level.noteUnmodelled("button on the screen", "", "the player does not use it");
   if ((effects.boost && !falls) || effects.push || effects.teleport || effects.force ||
-      effects.jumps)
+      (effects.jumps && !leaps))
     level.noteUnmodelled("ability of the player", "", "the player does not use it");
 }
 

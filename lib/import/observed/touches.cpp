@@ -20,7 +20,7 @@ class Touches {
   void take(const engine::Probe& probe) {
     PartDraft* const part = partOf(probe);
     const ProbeEffects effects = effectsOf(report_, probe);
-    if (!part) return roles_.takeAbility(isKeys(probe.target), effects);
+    if (!part) return roles_.takeAbility(isKeys(probe.target), report_.airJumps, effects);
     if (probe.lost) return note("touch that broke down", part->id, "treated as a plain part");
     if (effects.empty()) {
       if (!probe.byPlace && !part->kill && !hasEvidence(*part, kHarmless))

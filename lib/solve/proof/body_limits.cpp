@@ -61,6 +61,7 @@ const char* unboundedPart(const level::LevelView& level) {
   const Params& p = level.params;
   if (level.looseCount != 0) return "dynamic parts, which can be pushed anywhere";
   if (!(gravityIn(level).lo > 1)) return "almost no gravity";
+  if (p.airJumps != 0) return "jumps in the air";
   if (slowRate(p) < 0) return "legs that bounce";
   if (p.moveGain * p.substepSeconds > 1) return "walks that overshoot their speed";
   bool slopes = false;
