@@ -69,6 +69,20 @@ TEST(GravityByTouch, AJumpHeightStaysSoTheSpeedFollows) {
   EXPECT_NEAR(scene[pad].boost->jumpSpeed, std::sqrt(0.5f), 1e-4f);
 }
 
+TEST(JumpByTouch, OnlyTheSettingThatTheBodyUsesCounts) {
+  const PadScene place(R"(script.Parent.Touched:Connect(function(hit)
+  local human = hit.Parent:FindFirstChild("Humanoid")
+  if human then human.JumpPower = 75 human.JumpHeight = 20 end
+end))");
+  ASSERT_TRUE(place.boost());
+  EXPECT_NEAR(place.boost()->jumpSpeed, 1.5f, 1e-4f);
+  const PadScene other(R"(script.Parent.Touched:Connect(function(hit)
+  local human = hit.Parent:FindFirstChild("Humanoid")
+  if human then human.JumpHeight = 20 end
+end))");
+  EXPECT_FALSE(other.boost());
+}
+
 TEST(GravityByTouch, AForceTakesWeightAndThenIsGone) {
   const PadScene place(R"(script.Parent.Touched:Connect(function(hit)
   local root = hit.Parent:FindFirstChild("HumanoidRootPart")

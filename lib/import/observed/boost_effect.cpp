@@ -25,21 +25,24 @@ class Speeds {
         base_(gravity_ - lift_),
         usesHeight_(!probe.seen.player.usesJumpPower) {}
 
-  void take(const std::string& property, double value) {
-    if (property == "Gravity")
-      gravity_ = value;
-    else if (property == "note lift")
-      lift_ = value;
-    else
-      factors_[property] = ratioTo(property, value);
+  // True: the property is as it was before.
+  bool take(const std::string& property, double value) {
+    const bool byForce = property == "note lift";
+    if (byForce || property == "Gravity") {
+      (byForce ? lift_ : gravity_) = value;
+      return !differs(gravity());
+    }
+    factors_[property] = ratioTo(property, value);
+    return !differs(factors_[property]);
   }
 
   double walk() const { return factorOf("WalkSpeed"); }
-  // A height is reached under any gravity of the world: the speed follows. Forces do not count.
+  // By the setting that the body uses. A height is reached under any gravity of the world: the
+  // speed follows. Forces do not count.
   double jump() const {
-    const double height = factorOf("JumpHeight");
-    const double world = usesHeight_ && world_ > 0 ? std::max(gravity_, 0.0) / world_ : 1;
-    return factorOf("JumpPower") * std::sqrt(height * world);
+    if (!usesHeight_) return factorOf("JumpPower");
+    const double world = world_ > 0 ? std::max(gravity_, 0.0) / world_ : 1;
+    return std::sqrt(factorOf("JumpHeight") * world);
   }
   double gravity() const {
     const double now = gravity_ - lift_;
@@ -78,22 +81,21 @@ std::optional<Booster> boosterOf(const engine::Report& report, const engine::Pro
   Speeds speeds(report, probe);
   Booster boost;
   double last = 0;
-  bool seen = false, changed = false;
+  bool seen = false, changed = false, restored = false;
   for (const Change* change : changes) {
     const double* const value = std::get_if<double>(&change->value);
     if (!value) continue;
     if (!seen) boost.line = change->line;
     seen = true;
     last = change->time;
-    speeds.take(change->property, *value);
+    restored |= speeds.take(change->property, *value);
     if (differs(speeds.walk())) boost.walk = float(speeds.walk());
     if (differs(speeds.jump())) boost.jump = float(speeds.jump());
     if (differs(speeds.gravity())) boost.gravity = float(speeds.gravity());
     changed |= differs(speeds.walk()) || differs(speeds.jump()) || differs(speeds.gravity());
   }
-  if (!seen) return std::nullopt;
-  // It undoes what others do.
-  boost.resets = !changed;
+  if (!changed && !restored) return std::nullopt;
+  boost.resets = !changed;  // it undoes what others do
   boost.forever =
       boost.resets || differs(speeds.walk()) || differs(speeds.jump()) || differs(speeds.gravity());
   if (boost.forever) return boost;
