@@ -235,7 +235,8 @@ struct Part {
   climbable @32 :Bool;    # a rung of a ladder built from parts, climbed like a truss
   material @33 :Text;     # appearance only, by the engine's name ("WoodPlanks"); empty: plastic
   frictionWeight @34 :Float32 = 1;  # of `friction` in the mean with a player's or a dynamic body's, 0 to 100
-  doubts @35 :List(Text);  # kinds of `unmodelled` that concern this part: the game may treat it otherwise
+  byRoot @35 :Bool;       # true: touched only while the centre of the root is inside, as by scripts that compare positions
+  doubts @36 :List(Text);  # kinds of `unmodelled` that concern this part: the game may treat it otherwise
 }
 
 struct PartSource {
@@ -312,12 +313,15 @@ struct Teleport {
 }
 
 struct Boost {
-  # The player walks and jumps faster (or slower) for a time. The boost touched last applies.
+  # The player walks and jumps faster (or slower), or falls under another gravity, for a time. Of several boosts the
+  # one touched last applies.
   walkSpeed @0 :Float32 = 1 $example("2");  # x PhysicsParams.walkSpeed; above 0, at most 100
   jumpSpeed @1 :Float32 = 1;  # x PhysicsParams.jumpSpeed; above 0, at most 100
   jumpMore @2 :Float32;       # studs/s added to that, -1000 to 1000
   seconds @3 :Float32;        # after the last touch; 0: only while the part is touched
   forever @4 :Bool;           # true: until the playthrough ends
+  gravity @5 :Float32 = 1;    # x PhysicsParams.gravity, for the player only; 0 to 100, the product at most 2000
+  resets @6 :Bool;            # true: what it leaves at 1 goes back to the level's own value, whatever was touched before
 }
 
 struct OneWay {
@@ -459,6 +463,7 @@ struct PhysicsParams {
   climbWill @49 :Float32 = 0.01 $unit("share of the move direction") $range((min = 0, max = 1)) $source("H into the truss or away from it: dot product of +-0.01");
   playerFriction @50 :Float32 = 0.3 $unit("friction") $range((min = 0, max = 2)) $source("measured with traction: of the body, in the mean with the floor");
   jumpAccel @51 :Float32 = 0 $unit("studs/s^2") $range((min = 0, max = 5000)) $source("measured: keys have no effect while Jumping");
+  airJumps @52 :UInt16 = 0 $unit("jumps in the air between two floors; 100: any number") $range((min = 0, max = 100)) $source("H none without a script");
 }
 
 # ---------------------------------------------------------------------------------------------- query

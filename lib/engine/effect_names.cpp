@@ -47,9 +47,9 @@ Names namesIn(const Observation& seen) {
 }
 
 Names effectsIn(const Probe& probe, const Names& usual) {
-  static const char* const kCounted[] = {"CanCollide", "Parent",   "WalkSpeed",     "JumpPower",
-                                         "JumpHeight", "Gravity",  "PlatformStand", "note sit",
-                                         "note state", "note jump"};
+  static const char* const kCounted[] = {"CanCollide", "Parent",    "WalkSpeed",     "JumpPower",
+                                         "JumpHeight", "Gravity",   "PlatformStand", "note sit",
+                                         "note state", "note jump", "note lift"};
   Names effects;
   if (harms(probe) && !usual.contains("harm")) effects.insert("~harm");
   std::map<std::string, std::vector<std::string>> values;

@@ -41,7 +41,7 @@ Probe runProbe(Stage& stage, const Plan& plan, Probe probe, Manner manner) {
                          stage.harms().empty();
     if (awaits) hold = std::max(hold, frame + 1);
     if (stands && frame < hold)
-      stage.standAt(probe.target, probe.approach == Approach::inside, manner.share);
+      stage.standAt(probe.target, probe.approach == Approach::inside, manner.share, manner.face);
     else if (stands && frame == hold)
       stage.leave();
     // A part next to the spawn may have been touched all the time.

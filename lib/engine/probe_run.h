@@ -8,6 +8,7 @@ namespace obby::engine {
 
 struct Manner {
   float share = 0;       // see Stage::standAt
+  int face = 0;          // the same
   bool patient = false;  // stays for seconds and touches the part again and again
 };
 

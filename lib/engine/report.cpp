@@ -8,7 +8,9 @@
 #include <cmath>
 #include <map>
 
+#include "engine/air_jumps.h"
 #include "engine/child.h"
+#include "engine/effect_names.h"
 #include "engine/probe_run.h"
 #include "engine/report_bytes.h"
 #include "engine/revisit.h"
@@ -38,6 +40,7 @@ class Watcher {
     report_.made = stage_.made();
     report_.arrived = stage_.observation().player;
     probeAll();
+    if (stage_.hearsJumps()) jumpInAir();
     revisitAll();
     stage_.run(framesOf(plan_.probeSeconds));
     while (stage_.frames() < framesOf(plan_.seconds) && !stage_.isExhausted() && !stage_.isIdle())
@@ -68,7 +71,10 @@ class Watcher {
     runAll(wanted);
     children_.finish();
     for (size_t i = 0; i < wanted.size(); ++i)
-      if (wanted[i].byPlace && happens(report_.probes[i])) lookAllOver(wanted[i], i);
+      if (wanted[i].byPlace && happens(report_.probes[i])) {
+        lookAllOver(wanted[i], i);
+        if (wanted[i].approach == Approach::inside) lookFromOutside(wanted[i], i);
+      }
   }
 
   // Leaves the first part of each kin, the second of each, and so on, in their order.
@@ -104,6 +110,10 @@ class Watcher {
     return !probe.seen.changes.empty() || !probe.seen.harms.empty();
   }
 
+  static bool happensAgain(const Probe& first, const Probe& again) {
+    return harms(first) ? harms(again) : happens(again);
+  }
+
   void lookAllOver(const Probe& wanted, size_t index) {
     constexpr float kTowardsCorner = 0.8f;
     for (const float share : {kTowardsCorner, -kTowardsCorner})
@@ -112,7 +122,22 @@ class Watcher {
           [&, share] { return toBytes(runProbe(stage_, plan_, wanted, {.share = share})); },
           [this, index](const std::string& bytes) {
             Probe probe;
-            if (!fromBytes(bytes, probe) || !happens(probe)) report_.probes[index].allOver = false;
+            Probe& first = report_.probes[index];
+            if (!fromBytes(bytes, probe) || !happensAgain(first, probe)) first.allOver = false;
+          });
+  }
+
+  // Before three faces: a script that looks at the middle of the body does not see it in the part.
+  void lookFromOutside(const Probe& wanted, size_t index) {
+    report_.probes[index].byRoot = true;
+    for (const int face : {1, 2, 3})
+      children_.start(
+          plan_.timeLimit / 4,
+          [&, face] { return toBytes(runProbe(stage_, plan_, wanted, {.face = face})); },
+          [this, index](const std::string& bytes) {
+            Probe probe;
+            Probe& first = report_.probes[index];
+            if (!fromBytes(bytes, probe) || happensAgain(first, probe)) first.byRoot = false;
           });
   }
 
@@ -127,6 +152,12 @@ class Watcher {
             probe.lost = !fromBytes(bytes, probe);
           });
     }
+  }
+
+  void jumpInAir() {
+    children_.start(
+        plan_.timeLimit / 4, [&] { return toBytes(findAirJumps(stage_)); },
+        [this](const std::string& bytes) { fromBytes(bytes, report_.airJumps); });
   }
 
   // While the undisturbed run goes on.

@@ -21,6 +21,7 @@ struct Probe {
   bool lost = false;     // the copy died or ran out of time
   bool byPlace = false;  // nobody listens to the part: what happens follows from the place
   bool allOver = true;   // it happens towards two opposite corners of the part, too
+  bool byRoot = false;   // it does not happen where limbs alone are in the part
   uint64_t kin = 0;      // parts that the same functions listen to have the same number; 0: none do
 };
 
@@ -46,14 +47,22 @@ struct Revisit {
   InstanceId lever = kNoInstance;  // the target of the other probe
 };
 
+// Jumps in the air between two floors that scripts give the player.
+struct AirJumps {
+  uint16_t count = 0;
+  Line line;
+};
+constexpr uint16_t kNoLimit = 0xffff;
+
 struct Report {
   Observation undisturbed;
   std::vector<Probe> probes;
   std::vector<Alike> alike;
   std::vector<Revisit> revisits;
-  double probedAt = 0;               // seconds, when the probes began
-  std::vector<MadePart> made;        // in the world by then
-  PlayerState arrived;               // the player by then
+  double probedAt = 0;         // seconds, when the probes began
+  std::vector<MadePart> made;  // in the world by then
+  PlayerState arrived;         // the player by then
+  AirJumps airJumps;
   bool complete = false;             // the undisturbed run got to its end
   bool over = false;                 // and nothing goes on any more
   std::string failure;               // why there is less than asked for: for people

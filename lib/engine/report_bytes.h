@@ -43,8 +43,8 @@ void fields(A& a, Observation& o) {
 }
 template <class A>
 void fields(A& a, Probe& p) {
-  a(p.target), a(p.approach), a(p.at), a(p.left), a(p.seen), a(p.lost), a(p.byPlace), a(p.allOver);
-  a(p.kin);
+  a(p.target), a(p.approach), a(p.at), a(p.left), a(p.seen), a(p.lost), a(p.byPlace), a(p.allOver),
+      a(p.byRoot), a(p.kin);
 }
 template <class A>
 void fields(A& a, Alike& l) {
@@ -56,8 +56,8 @@ void fields(A& a, Revisit& r) {
 }
 template <class A>
 void fields(A& a, Report& r) {
-  a(r.undisturbed), a(r.probes), a(r.alike), a(r.revisits), a(r.made), a(r.arrived), a(r.probedAt),
-      a(r.complete), a(r.over), a(r.failure), a(r.culprit);
+  a(r.undisturbed), a(r.probes), a(r.alike), a(r.revisits), a(r.made), a(r.arrived);
+  a(r.airJumps), a(r.probedAt), a(r.complete), a(r.over), a(r.failure), a(r.culprit);
 }
 
 template <class T>

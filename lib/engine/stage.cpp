@@ -125,12 +125,13 @@ void Stage::stand(Vec3 feet, float yaw) {
   call("probe", "stand", 4);
 }
 
-void Stage::standAt(InstanceId part, bool inside, float share) {
+void Stage::standAt(InstanceId part, bool inside, float share, int face) {
   lua_State* const L = host_->vm.state();
   lua_pushnumber(L, part);
   lua_pushboolean(L, inside);
   lua_pushnumber(L, lua_Number(share));
-  call("probe", "standAt", 3);
+  lua_pushnumber(L, face);
+  call("probe", "standAt", 4);
 }
 
 void Stage::touchAgain() { call("touch", "again", 0); }
@@ -146,6 +147,11 @@ double Stage::numberOf(const char* name) {
   return value;
 }
 
+void Stage::takeOff() { call("probe", "takeOff", 0); }
+void Stage::fall() { call("probe", "fall", 0); }
+void Stage::land() { call("probe", "land", 0); }
+void Stage::pressJump() { call("probe", "pressJump", 0); }
+bool Stage::hearsJumps() { return numberOf("hearsJumps") > 0; }
 bool Stage::playerLives() { return numberOf("health") > 0; }
 bool Stage::isBusy() { return numberOf("waiting") > waiting_; }
 bool Stage::isIdle() { return numberOf("idle") > 0; }
@@ -225,20 +231,23 @@ const Observation& Stage::observation() {
   lua_State* const L = host_->vm.state();
   PlayerState& player = host_->recorder.seen().player;
   player = {};
-  call("probe", "look", 0, 8);
-  if (const Vec3* const feet = toVector3(L, lua_gettop(L) - 7)) {
-    const int top = lua_gettop(L);
+  constexpr int kValues = 10;
+  call("probe", "look", 0, kValues);
+  const int first = lua_gettop(L) - kValues + 1;
+  if (const Vec3* const feet = toVector3(L, first)) {
     player.feet = *feet;
-    player.health = lua_tonumber(L, top - 6);
-    if (const Vec3* const velocity = toVector3(L, top - 5)) player.velocity = *velocity;
-    player.walkSpeed = lua_tonumber(L, top - 4);
-    player.jumpPower = lua_tonumber(L, top - 3);
-    player.jumpHeight = lua_tonumber(L, top - 2);
-    player.maxHealth = lua_tonumber(L, top - 1);
-    player.usesJumpPower = lua_toboolean(L, top) != 0;
+    player.health = lua_tonumber(L, first + 1);
+    if (const Vec3* const velocity = toVector3(L, first + 2)) player.velocity = *velocity;
+    player.walkSpeed = lua_tonumber(L, first + 3);
+    player.jumpPower = lua_tonumber(L, first + 4);
+    player.jumpHeight = lua_tonumber(L, first + 5);
+    player.maxHealth = lua_tonumber(L, first + 6);
+    player.usesJumpPower = lua_toboolean(L, first + 7) != 0;
+    player.gravity = lua_tonumber(L, first + 8);
+    player.lift = lua_tonumber(L, first + 9);
     player.alive = player.health > 0;
   }
-  lua_pop(L, 8);
+  lua_pop(L, kValues);
   return host_->recorder.seen();
 }
 

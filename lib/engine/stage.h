@@ -26,8 +26,10 @@ class Stage {
   // Puts the player's feet there; yaw in radians, 0 looks along -Z.
   void stand(Vec3 feet, float yaw);
   // On top of a part, or its middle in the middle of the part, wherever that is by now.
-  // `share`: how far off, as a share of the way to a corner.
-  void standAt(InstanceId part, bool inside, float share);
+  // `share`: how far off, as a share of the way to a corner. `face`: 1, 2, 3 put the root's middle
+  // just outside of the part instead, before its face toward X, Y, Z: then limbs alone are in the
+  // part.
+  void standAt(InstanceId part, bool inside, float share, int face = 0);
   // All that touches the player's body ends and begins again in the next frame, as where it walks.
   void touchAgain();
   const std::vector<Harm>& harms() { return host_->recorder.seen().harms; }
@@ -35,6 +37,12 @@ class Stage {
   void leave();
   // Clicks a ClickDetector or a button, holds a ProximityPrompt, activates a tool.
   void use(InstanceId target);
+  // The states of a player in the air, without moving it; and the jump key.
+  void takeOff();
+  void fall();
+  void land();
+  void pressJump();
+  bool hearsJumps();
   bool playerLives();
   // A player that has died where it spawns lives again, away from everything.
   void revive();

@@ -68,9 +68,10 @@ struct Teleport {
   bool turns = false;
 };
 struct Boost {
-  float walkSpeed = 1, jumpSpeed = 1;  // times the player's
-  float seconds = 0;                   // after the last touch; 0: while touched
+  float walkSpeed = 1, jumpSpeed = 1, gravity = 1;  // times the player's
+  float seconds = 0;                                // after the last touch; 0: while touched
   bool forever = false;
+  bool resets = false;  // what it leaves at 1 goes back to the level's
 };
 struct Trip {
   float seconds = 3;
@@ -109,6 +110,7 @@ struct PartDraft {
   Vec3 size = {4, 1.2f, 2};
   std::vector<std::vector<Vec3>> hulls;
   bool solid = true, touch = true, anchored = true;
+  bool byRoot = false;  // touched by the centre of the root
   float friction = 0.3f, frictionWeight = 1, elasticity = 0.5f, density = 0.7f;
   ColorRgb color = {163, 162, 165};
   float transparency = 0;
@@ -163,6 +165,7 @@ struct World {
   float maxHealth = 100;
   float healthRegeneration = 0.01f;
   float fallenPartsHeight = -500;
+  uint16_t airJumps = 0;
 };
 
 // The bodies that a place gives its players.

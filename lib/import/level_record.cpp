@@ -96,6 +96,8 @@ void setRoles(schema::Part::Builder to, const PartDraft& part) {
     boost.setJumpSpeed(part.boost->jumpSpeed);
     boost.setSeconds(part.boost->seconds);
     boost.setForever(part.boost->forever);
+    boost.setGravity(part.boost->gravity);
+    boost.setResets(part.boost->resets);
   }
   if (part.trip) to.initTrip().setSeconds(part.trip->seconds);
   if (part.button) {
@@ -126,6 +128,7 @@ void setGeometry(schema::Part::Builder to, const PartDraft& part) {
   }
   to.setSolid(part.solid);
   to.setTouch(part.touch);
+  to.setByRoot(part.byRoot);
   to.setAnchored(part.anchored);
 }
 
@@ -163,6 +166,7 @@ void setWorld(schema::PhysicsParams::Builder to, const World& world) {
     return std::isnan(v) ? fallback : std::clamp(v, lo, hi);
   };
   to.setGravity(within(world.gravity, 0, 2000, usual.gravity));
+  to.setAirJumps(world.airJumps);
   to.setWalkSpeed(within(world.walkSpeed, 0, 500, usual.walkSpeed));
   to.setJumpSpeed(within(world.jumpSpeed, 0, 1000, usual.jumpSpeed));
   to.setMaxSlope(within(world.maxSlope, 0, usual.maxSlope, usual.maxSlope));

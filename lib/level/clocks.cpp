@@ -12,8 +12,8 @@ constexpr uint32_t kShared = 0x80000000u;
 
 // All that a clock does: clocks for which it is equal do the same.
 auto effectOf(const Clock& c) {
-  return std::make_tuple(c.length, c.restarts, c.walkFactor, c.jumpFactor, c.jumpMore, c.helpless,
-                         c.seat);
+  return std::make_tuple(c.length, c.restarts, c.walkFactor, c.jumpFactor, c.jumpMore,
+                         c.gravityFactor, c.resets, c.helpless, c.seat);
 }
 
 void resolve(uint32_t& clock, uint32_t role, size_t roleCount) {

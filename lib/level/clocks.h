@@ -47,7 +47,7 @@ class ClockTables {
 
   std::map<std::string, Signal> signals_;
   std::vector<Clock> shared_;
-  using Effect = std::tuple<uint32_t, bool, float, float, float, uint32_t, uint32_t>;
+  using Effect = std::tuple<uint32_t, bool, float, float, float, float, bool, uint32_t, uint32_t>;
   std::map<Effect, uint32_t> given_;  // by share(): what does the same has one clock
 };
 

@@ -269,8 +269,11 @@ Status PartCompiler::finish() {
   bool crushes = false;
   for (const Bounds& b : out_.bounds) crushes = crushes || (b.flags & kCrush) != 0;
   if (crushes) clocks_.add({kForever});
+  if (params_.airJumps != 0) clocks_.add({kForever});
   out_.clocks = clocks_.finish(own_, out_.colliders, out_.roles, out_.movers);
-  if (crushes) out_.crushClock = uint32_t(out_.clocks.size() - 1);
+  auto last = uint32_t(out_.clocks.size());
+  if (params_.airJumps != 0) out_.airClock = --last;
+  if (crushes) out_.crushClock = --last;
   const Vec3 nowhere{1e38f, 1e38f, 1e38f};
   out_.bounds.push_back(makeBounds({nowhere, -nowhere}, 0, uint32_t(out_.bounds.size()), false));
   return {};

@@ -20,14 +20,14 @@ struct PartTables {
   std::vector<Roles> roles;
   std::vector<Mover> movers;
   std::vector<Loose> loose;
-  size_t fixedColliders = 0;  // those of loose parts come after them
-  std::vector<Clock> clocks;  // each role's own, then those that parts share
-  uint32_t crushClock = kNone;
-  std::vector<std::string> names;         // (parts)
-  std::deque<std::vector<Pose>> motions;  // tables of keys that movers point into
-  SpinStore spins;                        // and their turns
-  HullStore hulls;                        // what shapes point into
-  bool timed = false;                     // any part whose state depends on the clock
+  size_t fixedColliders = 0;                      // those of loose parts come after them
+  std::vector<Clock> clocks;                      // each role's own, then those that parts share
+  uint32_t crushClock = kNone, airClock = kNone;  // those of LevelView
+  std::vector<std::string> names;                 // (parts)
+  std::deque<std::vector<Pose>> motions;          // tables of keys that movers point into
+  SpinStore spins;                                // and their turns
+  HullStore hulls;                                // what shapes point into
+  bool timed = false;                             // any part whose state depends on the clock
 };
 
 // Smallest extent that the engine's physics uses (docs/physics.md, parts).

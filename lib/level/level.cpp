@@ -94,7 +94,11 @@ uint64_t digest(const LevelView& v, const PartTables& t) {
   uint64_t h = 1;
   const auto add = [&h](const auto& value) { h = hashBytes(&value, sizeof value, h); };
 #define OBBY_PARAM_DIGEST(type, name) add(v.params.name);
-  OBBY_PHYSICS_PARAMS(OBBY_PARAM_DIGEST)
+  OBBY_FIRST_PARAMS(OBBY_PARAM_DIGEST)
+#undef OBBY_PARAM_DIGEST
+#define OBBY_PARAM_DIGEST(type, name) \
+  if (v.params.name != 0) add(v.params.name);
+  OBBY_LATER_PARAMS(OBBY_PARAM_DIGEST)
 #undef OBBY_PARAM_DIGEST
   for (size_t i = 0; i < t.colliders.size(); ++i) {
     const Collider& c = t.colliders[i];
@@ -114,6 +118,7 @@ uint64_t digest(const LevelView& v, const PartTables& t) {
   for (const Clock& c : t.clocks) {
     add(c.length), add(c.restarts), add(c.walkFactor), add(c.jumpFactor), add(c.jumpMore);
     add(c.helpless), add(c.seat);
+    if (changesGravity(c)) add(c.gravityFactor), add(c.resets);
   }
   for (const Mover& m : t.movers) {
     h = hashBytes(m.keys, m.keyCount * sizeof(Pose), h);
@@ -156,6 +161,7 @@ Result<Level> Level::compile(schema::Level::Reader record) {
   v.clocks = t.clocks.data();
   v.clockCount = uint32_t(t.clocks.size());
   v.crushClock = t.crushClock;
+  v.airClock = t.airClock;
   v.colliderCount = uint32_t(t.colliders.size());
   v.roleCount = uint32_t(t.roles.size());
   v.moverCount = uint32_t(t.movers.size());

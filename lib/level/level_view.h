@@ -33,8 +33,9 @@ enum ColliderFlag : uint32_t {
   kOneWay = 32768,  // solid from one side only
   kCrush = 65536,   // kills whom it squeezes
   kSeat = 131072,
-  kRung = 524288,   // with kTruss: thin, so that the sensor must look for it
-  kLoose = 262144,  // part of a loose body
+  kRung = 524288,     // with kTruss: thin, so that the sensor must look for it
+  kLoose = 262144,    // part of a loose body
+  kByRoot = 1048576,  // touched by the centre of the root, not by limbs
 };
 constexpr uint32_t kTouchRoles = kKill | kPad | kStarts | kTeleport | kHeal | kSeat;
 
@@ -87,11 +88,13 @@ struct Clock {
   uint32_t length = 0;    // ticks, kForever
   bool restarts = false;  // touched while it runs, it starts anew
   // What it does to the player meanwhile.
-  float walkFactor = 1;   // x walkSpeed
-  float jumpFactor = 1;   // x jumpSpeed
-  float jumpMore = 0;     // studs/s on top
-  uint32_t helpless = 0;  // ticks from its start in which keys do nothing
-  uint32_t seat = kNone;  // collider on which the player sits while it is held at 0
+  float walkFactor = 1;     // x walkSpeed
+  float jumpFactor = 1;     // x jumpSpeed
+  float jumpMore = 0;       // studs/s on top
+  float gravityFactor = 1;  // x gravity
+  bool resets = false;      // what it leaves as it is goes back to the level's
+  uint32_t helpless = 0;    // ticks from its start in which keys do nothing
+  uint32_t seat = kNone;    // collider on which the player sits while it is held at 0
 };
 constexpr uint32_t kForever = 0xffffffffu;
 
@@ -99,8 +102,11 @@ constexpr uint32_t kForever = 0xffffffffu;
 OBBY_DEVICE float jumpSpeedUnder(const Clock& c, const Params& p) {
   return maxf(p.jumpSpeed * c.jumpFactor + c.jumpMore, 0.0f);
 }
-OBBY_DEVICE bool changesWalk(const Clock& c) { return c.walkFactor != 1; }
-OBBY_DEVICE bool changesJump(const Clock& c) { return c.jumpFactor != 1 || c.jumpMore != 0; }
+OBBY_DEVICE bool changesWalk(const Clock& c) { return c.resets || c.walkFactor != 1; }
+OBBY_DEVICE bool changesJump(const Clock& c) {
+  return c.resets || c.jumpFactor != 1 || c.jumpMore != 0;
+}
+OBBY_DEVICE bool changesGravity(const Clock& c) { return c.resets || c.gravityFactor != 1; }
 
 constexpr int kMostStarts = 4;
 
@@ -204,6 +210,7 @@ struct LevelView {
   const Loose* loose;  // (looseCount)
   uint32_t colliderCount, roleCount, moverCount, clockCount, looseCount;
   uint32_t crushClock;  // counts the ticks of being squeezed; kNone: no part kills so
+  uint32_t airClock;    // counts jumps in the air (sim/air_jump.h); kNone: there are none
   Grid grid;
   Grid looseGrid;      // the same over centres of loose bodies; empty where there are none
   float maxSideSpeed;  // studs/s; the grid lists reach as far as this carries a player in a tick

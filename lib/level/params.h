@@ -11,7 +11,7 @@ namespace obby {
 
 // X(type, name)
 // clang-format off
-#define OBBY_PHYSICS_PARAMS(X) \
+#define OBBY_FIRST_PARAMS(X) \
   X(float, gravity) X(float, walkSpeed) X(float, jumpSpeed) X(float, maxSlope) \
   X(float, maxHealth) X(float, healthRegeneration) X(float, fallenPartsHeight) \
   X(uint16_t, controlRate) X(uint16_t, substeps) X(float, hipHeight) X(float, rootHeight) \
@@ -26,6 +26,9 @@ namespace obby {
   X(float, seatCooldown) \
   X(float, climbLowest) X(float, climbWill) X(float, playerMass) X(float, pushForce) X(float, sleepSpeed) X(float, sleepTime) \
   X(float, playerFriction) X(float, jumpAccel)
+// Those that came later count in a level's digest only where they are not 0.
+#define OBBY_LATER_PARAMS(X) X(uint16_t, airJumps)
+#define OBBY_PHYSICS_PARAMS(X) OBBY_FIRST_PARAMS(X) OBBY_LATER_PARAMS(X)
 // clang-format on
 
 // Bits of Params::tricks, in the order of schema Trick (docs/physics.md, tricks).
@@ -78,6 +81,9 @@ OBBY_DEVICE float pairFriction(const Params& p, float friction, float weight) {
 OBBY_DEVICE float riseOfLaunch(const Params& p, float gravity, float speed) {
   return 0.5f * speed * (speed / gravity + p.substepSeconds);
 }
+
+// Params::airJumps for any number of them.
+constexpr uint16_t kAnyAirJumps = 100;
 
 // Times hipHeight: how far the floor rays reach, in whatever state the player is.
 OBBY_DEVICE float farthestFloor(const Params& p) {

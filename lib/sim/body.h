@@ -74,7 +74,7 @@ OBBY_DEVICE Vec3T<F> acceleration(const MotionT<F>& m, const Params& p) {
   // The legs push below their length, and let fall above it.
   const F gap = m.position.y - m.floorY;
   const F lift = -p.hoverStiffness * gap - p.hoverDamping * (m.velocity.y - m.floorSpeed);
-  a.y = select(d.hover & (gap <= 0.0f), minf(lift, F(p.hoverLimit)), F(-p.gravity));
+  a.y = select(d.hover & (gap <= 0.0f), minf(lift, F(p.hoverLimit)), F(-d.gravity));
   if (p.tricks & kHangingLanding) {
     const float gain = minf(kHangGain, 1.0f / p.substepSeconds);  // no step overshoots
     a.y = select(d.hangs & (gap > 0.0f), (m.floorSpeed - m.velocity.y) * gain, a.y);
@@ -131,7 +131,7 @@ OBBY_DEVICE BoxT<F> bodyReach(const MotionT<F>& m, const Params& p) {
   const float dt = p.tickSeconds;
   // Sideways no faster than now or than wanted; up and down what gravity can add in a tick. The
   // legs add more upward only where the floor is above the feet, and then no more than that.
-  const float more = p.gravity * dt * dt + p.contactSkin;
+  const float more = m.drive.gravity * dt * dt + p.contactSkin;
   const F lift = select(m.drive.hover, maxf(m.floorY - m.position.y, F(0.0f)), F(0.0f));
   const Vec3T<F> fastest = max(abs(m.velocity), abs(m.drive.velocity));
   const Vec3T<F> move = fastest * F(dt) + Vec3T<F>{more, more, more};
@@ -248,7 +248,7 @@ OBBY_DEVICE F safeTravel(const MotionT<F>& m, const Params& p) {
 template <class F>
 OBBY_DEVICE F substepTravel(const MotionT<F>& m, const Params& p) {
   const Vec3T<F> v = max(abs(m.velocity), abs(m.drive.velocity));
-  return (maxf(maxf(v.x, v.z), v.y) + p.gravity * p.tickSeconds) * p.substepSeconds;
+  return (maxf(maxf(v.x, v.z), v.y) + m.drive.gravity * p.tickSeconds) * p.substepSeconds;
 }
 
 // Moves of a substep near solid parts: several for the very fast.

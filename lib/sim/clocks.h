@@ -1,5 +1,5 @@
 // Clocks that touches start, and what depends on them: whether a part is there, where a triggered
-// part is, how fast the player is. A clock that does not run has no effect.
+// part is, how fast and heavy the player is. A clock that does not run has no effect.
 #pragma once
 
 #include "level/level_view.h"
@@ -74,6 +74,7 @@ OBBY_DEVICE Params boosted(const World& w, const level::LevelView& level) {
     const level::Clock& c = level.clocks[w.clocks[i].clock];
     if (changesWalk(c)) p.walkSpeed = level.params.walkSpeed * c.walkFactor;
     if (changesJump(c)) p.jumpSpeed = jumpSpeedUnder(c, level.params);
+    if (changesGravity(c)) p.gravity = level.params.gravity * c.gravityFactor;
   }
   return p;
 }

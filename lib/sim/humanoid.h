@@ -15,6 +15,7 @@ struct DriveT {
   MaskOf<F> hover = false;  // the legs hold the body above the floor
   MaskOf<F> hangs = false;  // above the floor the body slows down to a stop (a trick)
   F freeSteps = 0;          // of the tick, its first, without gravity
+  float gravity = 0;        // of the player, studs/s^2
 };
 
 using Drive = DriveT<float>;
@@ -151,6 +152,7 @@ OBBY_DEVICE DriveT<F> drive(const PlayerT<F>& w, const Params& p, const FloorT<F
   const F rise = (along.x * floor.normal.x + along.z * floor.normal.z) / floor.normal.y;
   const F level = select(standing, 1.0f / sqrtf32(1.0f + rise * rise), F(1.0f));
   DriveT<F> d;
+  d.gravity = p.gravity;
   d.hover = standing;
   if (p.tricks & kHangingLanding) {
     d.hangs = w.is(State::landed) & floor.sensed & control.walk;

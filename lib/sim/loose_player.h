@@ -43,7 +43,7 @@ OBBY_APART bool wakeTouched(World& w, LooseBody* loose, const Floor& floor, cons
 OBBY_DEVICE void loadFloor(LooseScene& scene, const Motion& m, const Floor& floor, const Params& p,
                            float dt) {
   Rigid& b = scene.bodies[floor.loose];
-  const Vec3 pressed = acceleration(m, p) + Vec3{0, p.gravity, 0};
+  const Vec3 pressed = acceleration(m, p) + Vec3{0, m.drive.gravity, 0};
   const Vec3 at{m.position.x, m.floorY, m.position.z};
   push(b, at - b.position, pressed * (-p.playerMass * dt));
   b.restless = true;

@@ -12,14 +12,14 @@ OBBY_DEVICE Pose poseAfter(const level::LevelView& level, const World& w, const 
   return poseOf(c, w, loose, level, 0);
 }
 
-// Do the limbs touch the collider? The same test that roles are touched by, away or not.
+// Does the player touch the collider? The same test that roles are touched by, away or not.
 OBBY_CALLED bool touchesCollider(const World& w, const LooseBody* loose,
                                  const level::LevelView& level, uint32_t id, const Limbs& limbs) {
   const level::Collider& c = level.colliders[id];
   if (isGone(c, loose)) return false;
   const Pose pose = poseAfter(level, w, loose, c);
   const Candidate candidate{boundsOf(pose, c.shape.half), &pose, id, level.bounds[id].flags};
-  return touches(c, candidate, limbs.column) || touches(c, candidate, limbs.arms);
+  return touches(c, candidate, limbs);
 }
 
 // Does something hold the player: a floor, a truss or a seat?

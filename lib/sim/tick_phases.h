@@ -3,6 +3,7 @@
 // tick.h.
 #pragma once
 
+#include "sim/air_jump.h"
 #include "sim/climb.h"
 #include "sim/loose_player.h"
 #include "sim/squeeze.h"
@@ -43,6 +44,7 @@ OBBY_DEVICE void move(World& w, LooseBody* loose, const level::LevelView& level,
   faceAtOnce(player, p, control);
   const Floor floor = senseFloor(w, loose, player, level, near);
   updateState(player, p, floor, control);
+  jumpInAir(w, player, level, p, control);
   const Truss truss = updateClimbing(w, loose, player, level, p, near, floor, control);
   const bool climbs = player.is(State::climbing);
   turn(player, p, floor, climbs ? facing(truss, control) : control);
@@ -76,6 +78,7 @@ OBBY_DEVICE void tickWith(World& w, LooseBody* loose, const level::LevelView& le
   if (w.state == State::seated) {
     if (kLoose && (w.flags & kLooseAwake)) moveTogether(w, loose, nullptr, {}, level, near);
     sit(w, kLoose ? loose : nullptr, level, p, control.jump);
+    keepAirJumps(w, level, 0, control.jump);
   } else {
     move<kLoose>(w, loose, level, p, near, control);
     squeeze(w, level, near);

@@ -9,6 +9,7 @@ namespace obby::sim {
 
 struct Limbs {
   geom::UprightBox arms, column;
+  geom::UprightBox root;  // its centre alone
 };
 
 OBBY_DEVICE Limbs limbsOf(const World& w, const Params& p) {
@@ -17,14 +18,23 @@ OBBY_DEVICE Limbs limbsOf(const World& w, const Params& p) {
   const float armsHalf = (p.headBottom - p.hipHeight) * 0.5f;
   const Vec3 armsCenter = w.position + Vec3{0, p.hipHeight + armsHalf, 0};
   const Vec3 columnCenter = w.position + Vec3{0, p.bodyTop * 0.5f, 0};
+  const Vec3 rootCenter = w.position + Vec3{0, p.hipHeight + p.rootHeight * 0.5f, 0};
   return {{armsCenter, Vec3{p.armSpan * 0.5f + m, armsHalf + m, p.bodyDepth * 0.5f + m}, yaw},
           {columnCenter, Vec3{p.bodyWidth * 0.5f + m, p.bodyTop * 0.5f + m, p.bodyDepth * 0.5f + m},
-           yaw}};
+           yaw},
+          {rootCenter, Vec3{}, yaw}};
 }
 
 OBBY_DEVICE bool touches(const level::Collider& collider, const Candidate& c,
                          const geom::UprightBox& box) {
   return overlaps(box.bounds(), c.bounds) && contactWith(collider, c, box).depth >= 0;
+}
+
+// Does the player touch it: with a limb, or where it asks for that with the centre of the root?
+OBBY_DEVICE bool touches(const level::Collider& collider, const Candidate& c, const Limbs& limbs) {
+  const bool byRoot = (c.flags & level::kByRoot) != 0;
+  return touches(collider, c, byRoot ? limbs.root : limbs.column) ||
+         (!byRoot && touches(collider, c, limbs.arms));
 }
 
 OBBY_DEVICE void touchKill(World& w, const level::LevelView& level, const level::Collider& c) {
@@ -119,9 +129,8 @@ OBBY_DEVICE void touchParts(World& w, const level::LevelView& level, const Candi
       if (!(c.flags & level::kTouchRoles)) continue;
       const level::Collider& collider = level.colliders[c.collider];
       if (collider.part == done) continue;
-      const bool touched = k == near.footedOn || touches(collider, c, limbs.column) ||
-                           touches(collider, c, limbs.arms);
-      if (!touched) continue;
+      const bool footed = k == near.footedOn && !(c.flags & level::kByRoot);
+      if (!footed && !touches(collider, c, limbs)) continue;
       done = collider.part;
       const Touched after = touchPart(w, level, c);
       if (after == Touched::elsewhere) return;

@@ -24,6 +24,7 @@ OBBY_DEVICE float bodyBottom(State state, const Params& p) {
 // Friction with the floor that the body lies on, and nothing in the air.
 OBBY_DEVICE Drive slideDown(const Player& w, const Params& p, const Floor& floor) {
   Drive d;
+  d.gravity = p.gravity;
   const bool lies = floor.sensed && floor.gap <= p.touchMargin;
   d.velocity = lies ? floor.velocity : w.velocity;
   d.velocity.y = 0;

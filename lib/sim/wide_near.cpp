@@ -77,7 +77,10 @@ void WideNear::look(World* const* worlds, const LooseBody* const* loose, int cou
     __builtin_prefetch(lists[i]);
   }
   for (int i = 0; i < count; ++i) {
-    turn_[i] = looks_[i].outcome != 0 ? Turn::ended : list(i, lists[i]);
+    // Lanes know no jumps in the air.
+    turn_[i] = looks_[i].outcome != 0            ? Turn::ended
+               : level_.airClock != level::kNone ? Turn::single
+                                                 : list(i, lists[i]);
     if (level_.looseCount == 0 || turn_[i] != Turn::lanes) continue;
     if (nearLoose(i, loose[i])) turn_[i] = Turn::single;
   }

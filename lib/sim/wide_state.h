@@ -118,12 +118,14 @@ OBBY_LANES Rows rowsOf(const WideMotion& m, WideInt yaw) {
   return r;
 }
 
-OBBY_LANES WideMotion motionAt(const Rows& r) {
+// `gravity`: the level's, as worlds with a running clock are in no lane.
+OBBY_LANES WideMotion motionAt(const Rows& r, float gravity) {
   const Vec3T<WideFloat> wanted = vectorAt(r, 6), slide = vectorAt(r, 9), legs = vectorAt(r, 12);
   DriveT<WideFloat> d;
   d.velocity = {wanted.x, 0, wanted.y};
   d.limit = wanted.z;
   d.slide = {slide.x, 0, slide.y};
+  d.gravity = gravity;
   d.hover = legs.x < WideFloat(0.0f);
   d.hangs = legs.x == WideFloat(-2.0f);
   d.freeSteps = maxf(legs.x, WideFloat(0.0f));

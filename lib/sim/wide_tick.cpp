@@ -215,7 +215,7 @@ void Ticker::bump(const int32_t* slots, uint32_t lanes) {
     motions[lane] = motions_ + slots[lane];
     worlds[lane] = worlds_[order_[slots[lane]]];
   }
-  WideMotion m = motionAt(loadRows(motions));
+  WideMotion m = motionAt(loadRows(motions), level_.params.gravity);
   for (int s = 0; s < level_.params.substeps; ++s) {
     accelerate<F>(m, level_, level_.params.substepSeconds);
     moveAmong(m, level_.params, obstacles, level_.params.substepSeconds);

@@ -53,6 +53,8 @@ inline const Scene kScenes[] = {
     {"pads", pads, 0xbce077574b9c9ccd},
     {"vanishing", vanishing, 0x37cae8c3c073dd22},
     {"killers", killers, 0x4fb2eb74db253b78},
+    {"weights", weights, 0x44a1b34ce02f2be3},
+    {"jumps in the air", airJumps, 0x4d4cf09ce7c4ed29},
     {"moving arena", [] { return support::movingArena(40, 12, 8); }, 0x21d10a1298348351},
     {"moving arena, 120 Hz",
      [] {

@@ -172,6 +172,35 @@ inline LevelBuilder vanishing() {
   });
 }
 
+// Boosts that change gravity, some for good, and parts that only the root touches.
+inline LevelBuilder weights() {
+  return crowd(40, [](Part::Builder p, int i) {
+    if (i % 4 == 3) {
+      p.setSolid(false);
+      p.setByRoot(true);
+      p.initKill().setDamage(5);
+      p.getKill().setCooldown(0.5f);
+      return;
+    }
+    auto boost = p.initBoost();
+    boost.setGravity(0.3f * float(1 + i % 6));
+    boost.setSeconds(0.5f * float(i % 3));
+    boost.setForever(i % 8 == 5);
+    boost.setResets(i % 5 == 4);
+  });
+}
+
+// Two jumps in the air, among trusses, seats and pads.
+inline LevelBuilder airJumps() {
+  return crowd(40,
+               [](Part::Builder p, int i) {
+                 if (i % 6 == 1) p.setShape(schema::Shape::TRUSS);
+                 if (i % 6 == 2) p.initSeat();
+                 if (i % 6 == 3) support::set(p.initJumpPad().initVelocity(), {10, 60, 0});
+               })
+      .physics([](auto p) { p.setAirJumps(2); });
+}
+
 inline LevelBuilder killers() {
   return crowd(25, [](Part::Builder p, int i) {
     p.setSolid(i % 3 != 0);

@@ -125,6 +125,10 @@ TEST(CompileErrors, Boost) {
   expectRefused([](auto p) { p.initBoost().setJumpMore(kNan); }, ".boost.jumpMore", "studs/s");
   expectRefused([](auto p) { p.initBoost().setWalkSpeed(2), p.getBoost().setSeconds(-1); },
                 ".boost.seconds", "expected 0 or more");
+  for (const float bad : {-1.0f, kNan, 101.0f}) {
+    expectRefused([=](auto p) { p.initBoost().setGravity(bad); }, ".boost.gravity", "0 to 100");
+  }
+  expectRefused([](auto p) { p.initBoost().setGravity(11); }, ".boost.gravity", "2158.2");
   expectRefused([](auto p) { p.initBoost(); }, ".boost", "changes nothing");
 }
 

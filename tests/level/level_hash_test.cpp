@@ -73,6 +73,7 @@ TEST(LevelHash, ChangesWithEachFieldThatMatters) {
       [](auto p) { spin(p, 1, {}, true); },
       [](auto p) { p.getVanish().setInverted(true); },
       [](auto p) { p.getKill().setDamage(-5); },
+      [](auto p) { p.setByRoot(true); },
       [](auto p) { p.getKill().setDamage(-5), p.getKill().setCooldown(1); },
       [](auto p) {
         set(p.initTeleport().initPosition(), {1, 0, 0});
@@ -89,6 +90,9 @@ TEST(LevelHash, ChangesWithEachFieldThatMatters) {
       [](auto p) { p.initBoost().setJumpMore(2); },
       [](auto p) { p.initBoost().setJumpMore(2), p.getBoost().setSeconds(1); },
       [](auto p) { p.initBoost().setJumpMore(2), p.getBoost().setForever(true); },
+      [](auto p) { p.initBoost().setGravity(0.5f); },
+      [](auto p) { p.initBoost().setGravity(0); },
+      [](auto p) { p.initBoost().setResets(true); },
       [](auto p) { p.initOneWay(); },
       [](auto p) {
         set(p.initOneWay().initDirection(), {1, 0, 0});

@@ -50,6 +50,39 @@ TEST(Kill, touch_only_parts_kill_without_stopping) {
   EXPECT_EQ(play.world.outcome, Outcome::killed);
 }
 
+// Whether a player who stands at `x` is killed by a box that begins at x = 10, of that shape.
+bool killedByRoot(float x, schema::Shape shape = schema::Shape::BLOCK, float height = 3) {
+  const auto level = floorLevel()
+                         .block({14, height, 0}, {8, 4, 8},
+                                [=](schema::Part::Builder p) {
+                                  p.initKill(), p.setByRoot(true), p.setSolid(false),
+                                      p.setShape(shape);
+                                })
+                         .compile();
+  Play play(level, {x, 0, 0});
+  play.run(stand(), 30);
+  return play.world.outcome == sim::Outcome::killed;
+}
+
+TEST(Kill, by_the_root_counts_its_centre_and_no_limb) {
+  EXPECT_FALSE(killedByRoot(9.9f)) << "arms and torso are inside";
+  EXPECT_TRUE(killedByRoot(10.1f));
+  EXPECT_TRUE(killedByRoot(10.1f, schema::Shape::BLOCK, 4.9f)) << "the root's centre is at 3";
+  EXPECT_FALSE(killedByRoot(10.1f, schema::Shape::BLOCK, 5.1f)) << "the head is inside";
+  EXPECT_FALSE(killedByRoot(11, schema::Shape::BALL)) << "a ball of radius 2";
+  EXPECT_TRUE(killedByRoot(12.1f, schema::Shape::BALL));
+}
+
+TEST(Kill, by_the_root_a_floor_that_kills_is_none) {
+  const auto level = LevelBuilder()
+                         .block({0, -1, 0}, {20, 2, 20},
+                                [](schema::Part::Builder p) { p.initKill(), p.setByRoot(true); })
+                         .compile();
+  Play play(level);
+  play.run(stand(), 60);
+  EXPECT_EQ(play.world.outcome, sim::Outcome::running);
+}
+
 TEST(Kill, parts_without_touch_do_not_kill) {
   const auto level = floorLevel()
                          .block({0, 0.5f, -10}, {10, 1, 4},

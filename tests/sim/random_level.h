@@ -88,7 +88,10 @@ inline void setTriggered(schema::Part::Builder part, const PartSpec& spec) {
 inline void setRole(schema::Part::Builder part, const PartSpec& spec) {
   const Vec3 v = spec.turn * 30.0f;
   switch (spec.role) {
-    case 1: part.initKill().setDamage(20), part.getKill().setCooldown(0.2f); return;
+    case 1:
+      part.initKill().setDamage(20), part.getKill().setCooldown(0.2f);
+      part.setByRoot(spec.turn.x > 1);
+      return;
     case 2: support::set(part.initJumpPad().initVelocity(), v); return;
     case 3: support::set(part.initConveyor().initVelocity(), v); return;
     case 4: part.initVanish().setDelay(0.2f); return;
@@ -102,7 +105,10 @@ inline void setRole(schema::Part::Builder part, const PartSpec& spec) {
       return;
     case 7: return setFall(part.initFall(), spec);
     case 8: support::set(part.initTeleport().initPosition(), v * 0.2f); return;
-    case 9: part.initBoost().setWalkSpeed(2), part.getBoost().setSeconds(0.5f); return;
+    case 9:
+      part.initBoost().setWalkSpeed(2), part.getBoost().setSeconds(0.5f);
+      part.getBoost().setGravity(spec.turn.x < -1 ? 0 : spec.turn.x < 1 ? 1 : 4);
+      return;
     case 10: part.initOneWay(); return;
     case 11: part.initSeat(); return;
     case 12: part.initTrip().setSeconds(0.3f); return;

@@ -116,6 +116,8 @@ class Attack {
         case 3: p.initVanish().setDelay(0.2f); return;
         case 4: support::set(p.initTeleport().initPosition(), to); return;
         case 5: p.initBoost().setWalkSpeed(2), p.getBoost().setSeconds(0.5f); return;
+        case 12: p.initBoost().setGravity(0.1f * seconds), p.getBoost().setForever(turns); return;
+        case 13: p.initBoost().setGravity(seconds), p.getBoost().setSeconds(0.5f); return;
         case 6: p.initOneWay(); return;
         case 7:
         case 8:

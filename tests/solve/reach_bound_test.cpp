@@ -105,6 +105,10 @@ TEST(ReachBound, RefusesWhatIsWellBeyondAJump) {
 TEST(ReachBound, BoostsPadsAndBeltsReachFurther) {
   const auto boost = [](schema::Part::Builder p) { p.initBoost().setWalkSpeed(3); };
   EXPECT_NE(jumpsAcross(platforms(30, 0, boost)), ReachBound::kNever);
+  const auto light = [](schema::Part::Builder p) { p.initBoost().setGravity(0.4f); };
+  EXPECT_NE(jumpsAcross(platforms(20, 0, light)), ReachBound::kNever);
+  EXPECT_NE(jumpsAcross(platforms(1, 17, light)), ReachBound::kNever);
+  EXPECT_EQ(jumpsAcross(platforms(1, 26, light)), ReachBound::kNever);
   const auto belt = [](schema::Part::Builder p) {
     support::set(p.initConveyor().initVelocity(), {0, 0, -40});
   };

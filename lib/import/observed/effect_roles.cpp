@@ -4,8 +4,15 @@
 
 #include "import/checkpoints.h"
 #include "import/observed/run.h"
+#include "level/params.h"
 
 namespace obby::importer {
+namespace {
+
+// More gravity than a level can have.
+constexpr float kMostFactor = 100, kMostGravity = 2000;  // times the level's, studs/s^2
+
+}  // namespace
 
 std::string EffectRoles::reason(engine::Line line) const { return lineReason(context_.tree, line); }
 
@@ -32,8 +39,6 @@ void EffectRoles::takePlayer(PartDraft& part, const ProbeEffects& effects) {
   }
   if (effects.stage && !part.checkpoint && !effects.harm) takeStage(part, *effects.stage);
   if (effects.force) note("force on the player", part.id, "does not act; ", *effects.force);
-  if (effects.gravity)
-    note("gravity that a touch changes", part.id, "gravity stays as it is; ", *effects.gravity);
 }
 
 void EffectRoles::takePush(PartDraft& part, const Push& push) {
@@ -59,10 +64,15 @@ void EffectRoles::takeBoost(PartDraft& part, const Booster& boost) {
   Boost own;
   own.walkSpeed = boost.walk;
   own.jumpSpeed = boost.jump;
+  own.gravity = boost.gravity;
   own.seconds = float(boost.seconds);
   own.forever = boost.forever;
+  own.resets = boost.resets;
   if (!(own.walkSpeed > 0) || !(own.jumpSpeed > 0))
     return note("part that stops the player", part.id, "", boost.line);
+  if (!(own.gravity >= 0) || own.gravity > kMostFactor ||
+      own.gravity * base_.gravity > kMostGravity)
+    return note("force on the player", part.id, "does not act; ", boost.line);
   part.boost = own;
   prove(part, "boost", reason(boost.line));
 }
@@ -73,12 +83,19 @@ void EffectRoles::takeStage(PartDraft& part, const StageSet& stage) {
   prove(part, "checkpoint", reason(stage.line));
 }
 
-void EffectRoles::takeAbility(bool keys, const ProbeEffects& effects) {
+void EffectRoles::takeAbility(bool keys, const engine::AirJumps& inAir,
+                              const ProbeEffects& effects) {
   LevelDraft& level = context_.level;
-  if (effects.empty() && keys)
+  const bool leaps = keys && inAir.count > 0;
+  if (leaps) {
+    level.world.airJumps = std::min(inAir.count, kAnyAirJumps);
+    level.noteIgnored("ability of the player", "", "jumps in the air; " + reason(inAir.line));
+  }
+  if (effects.empty() && keys && !leaps)
     level.noteUnmodelled("keys that a script listens to", context_.tree, kNoInstance,
                          "what they do is not known: the player walks and jumps only");
-  if (effects.boost && effects.boost->walk > 0 && effects.boost->jump > 0) {
+  const bool falls = effects.boost && effects.boost->gravity == 1;
+  if (falls && effects.boost->walk > 0 && effects.boost->jump > 0 && !effects.boost->resets) {
     World& world = level.world;
     world.walkSpeed = std::max(world.walkSpeed, base_.walkSpeed * effects.boost->walk);
     world.jumpSpeed = std::max(world.jumpSpeed, base_.jumpSpeed * effects.boost->jump);
@@ -92,11 +109,10 @@ void EffectRoles::takeAbility(bool keys, const ProbeEffects& effects) {
       prove(*other, "solid", "once a button on the screen is used; " + reason(back.line));
     }
   if (!effects.aways.empty() || !effects.moved.empty())
-    level.noteUnmodelled("button on the screen", context_.tree, kNoInstance,
-                         "the player does not use it");
-  if (effects.gravity || effects.push || effects.teleport || effects.force || effects.jumps)
-    level.noteUnmodelled("ability of the player", context_.tree, kNoInstance,
-                         "the player does not use it");
+    level.noteUnmodelled("button on the screen", context_.tree, kNoInstance, "the player does not use it");
+  if ((effects.boost && !falls) || effects.push || effects.teleport || effects.force ||
+      (effects.jumps && !leaps))
+    level.noteUnmodelled("ability of the player", context_.tree, kNoInstance, "the player does not use it");
 }
 
 }  // namespace obby::importer

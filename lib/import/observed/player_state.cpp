@@ -1,4 +1,4 @@
-// What scripts make of each new player's speeds.
+// What scripts make of each new player's speeds and weight.
 #include <cmath>
 
 #include "import/observed/roles.h"
@@ -14,6 +14,8 @@ void applyPlayerState(LevelDraft& level, const ObservedPlace& place) {
   world.jumpSpeed = player.usesJumpPower
                         ? float(kJumpPowerGain * player.jumpPower)
                         : float(std::sqrt(2 * double(world.gravity) * player.jumpHeight));
+  // A force that each new body is given.
+  if (player.lift < double(world.gravity)) world.gravity -= float(player.lift);
   world.maxHealth = float(player.maxHealth);
 }
 

@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "import/frame_time.h"
+#include "import/observed/boost_effect.h"
 #include "import/observed/roles.h"
 #include "import/pose_math.h"
 #include "import/world.h"
@@ -52,7 +53,7 @@ class Difference {
     for (const Change* change : own_) take(*change);
     findAways();
     findMoved();
-    settleBoost();
+    effects_.boost = boosterOf(report_, probe_, speeds_);
     return std::move(effects_);
   }
 
@@ -87,8 +88,8 @@ class Difference {
     if (change.target == kPlayer) return takePlayer(change);
     const std::string& property = change.property;
     effects_.others.emplace(change.target, change.line);
-    if (property == "Gravity")
-      effects_.gravity = effects_.gravity.value_or(change.line);
+    if (changesSpeed(change))
+      speeds_.push_back(&change);
     else if (property == "note jump")
       takeJump(change);
     else if (property.rfind("note mover ", 0) == 0)
@@ -118,7 +119,7 @@ class Difference {
     else if (const Pose* const pose = std::get_if<Pose>(&change.value);
              pose && property == "CFrame")
       setTeleport(*pose, change.time, change.line);
-    else if (property == "WalkSpeed" || property == "JumpPower" || property == "JumpHeight")
+    else if (changesSpeed(change))
       speeds_.push_back(&change);
     else if (property == "PlatformStand")
       takeState(change);
@@ -193,45 +194,6 @@ class Difference {
     if (!(flag && *flag) && !falls) return;
     effects_.trips = true;
     effects_.tripLine = change.line;
-  }
-
-  void settleBoost() {
-    if (speeds_.empty()) return;
-    const auto usual = [&](const std::string& property) {
-      const engine::PlayerState& before = report_.undisturbed.player;
-      return property == "WalkSpeed"   ? before.walkSpeed
-             : property == "JumpPower" ? before.jumpPower
-                                       : before.jumpHeight;
-    };
-    Booster boost;
-    boost.line = speeds_.front()->line;
-    double last = 0;
-    bool changed = false;
-    std::map<std::string, double> now;
-    for (const Change* change : speeds_) {
-      const double* const value = std::get_if<double>(&change->value);
-      if (!value) continue;
-      const double before = usual(change->property), ratio = before > 0 ? *value / before : 1;
-      now[change->property] = ratio;
-      last = change->time;
-      if (std::abs(ratio - 1) < 1e-6) continue;
-      changed = true;
-      if (change->property == "WalkSpeed")
-        boost.walk = float(ratio);
-      else
-        boost.jump = float(change->property == "JumpHeight" ? std::sqrt(ratio) : ratio);
-    }
-    if (!changed) return;
-    boost.forever = std::any_of(now.begin(), now.end(),
-                                [](const auto& one) { return std::abs(one.second - 1) > 1e-6; });
-    if (!boost.forever) boost.seconds = boostSeconds(last);
-    effects_.boost = boost;
-  }
-
-  // By the last touch: a boost that ends when the player leaves has none.
-  double boostSeconds(double end) const {
-    const double left = std::abs(end - probe_.left);
-    return left < 3 * kFrame ? 0 : std::max(kFrame, end - speeds_.front()->time);
   }
 
   void findAways() {

@@ -26,9 +26,10 @@ struct Teleported {
   engine::Line line;
 };
 struct Booster {
-  float walk = 1, jump = 1;  // times what it was
-  double seconds = 0;        // after the player has left; 0: at once
+  float walk = 1, jump = 1, gravity = 1;  // times what it was; below 0: the player floats up
+  double seconds = 0;                     // after the player has left; 0: at once
   bool forever = false;
+  bool resets = false;  // sets what it was, and nothing else
   engine::Line line;
 };
 struct StageSet {
@@ -54,7 +55,6 @@ struct ProbeEffects {
   std::optional<Teleported> teleport;
   std::optional<Booster> boost;
   std::optional<StageSet> stage;
-  std::optional<engine::Line> gravity;
   bool trips = false;
   engine::Line tripLine;
   std::optional<engine::Line> force, jumps;  // jumps: in the air, too
@@ -64,12 +64,11 @@ struct ProbeEffects {
   std::map<InstanceId, engine::Line> others;  // things whose other properties are set
 
   bool empty() const {
-    return !harm && !push && !teleport && !boost && !stage && !gravity && !force && !jumps &&
-           !trips && aways.empty() && backs.empty() && moved.empty() && belts.empty() &&
-           sizes.empty();
+    return !harm && !push && !teleport && !boost && !stage && !force && !jumps && !trips &&
+           aways.empty() && backs.empty() && moved.empty() && belts.empty() && sizes.empty();
   }
   bool touchesPlayer() const {
-    return harm || push || teleport || boost || stage || gravity || force || jumps || trips;
+    return harm || push || teleport || boost || stage || force || jumps || trips;
   }
   // Nothing but progress.
   bool onlyStage() const;

@@ -50,7 +50,7 @@ engine::Line ProbeEffects::line() const {
   if (teleport) return teleport->line;
   if (boost) return boost->line;
   if (trips) return tripLine;
-  for (const auto& one : {gravity, force, jumps})
+  for (const auto& one : {force, jumps})
     if (one) return *one;
   if (!aways.empty()) return aways[0].line;
   if (!backs.empty()) return backs[0].line;
@@ -65,7 +65,6 @@ ProbeEffects addedIn(const ProbeEffects& before, const ProbeEffects& now) {
   if (!before.teleport) added.teleport = now.teleport;
   if (!before.boost) added.boost = now.boost;
   if (!before.stage) added.stage = now.stage;
-  if (!before.gravity) added.gravity = now.gravity;
   if (!before.force) added.force = now.force;
   added.trips = now.trips && !before.trips;
   added.tripLine = now.tripLine;

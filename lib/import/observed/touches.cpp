@@ -10,6 +10,7 @@ namespace obby::importer {
 namespace {
 
 constexpr const char* kNothing = "scripts listen to it, and do nothing to a player";
+constexpr const char* kPosition = "nothing happens while limbs alone are in it";
 
 class Touches {
  public:
@@ -19,7 +20,7 @@ class Touches {
   void take(const engine::Probe& probe) {
     PartDraft* const part = partOf(probe);
     const ProbeEffects effects = effectsOf(report_, probe);
-    if (!part) return roles_.takeAbility(isKeys(probe.target), effects);
+    if (!part) return roles_.takeAbility(isKeys(probe.target), report_.airJumps, effects);
     if (probe.lost) return note("touch that broke down", part->id, "treated as a plain part");
     if (effects.empty()) {
       if (!probe.byPlace && !part->kill && !hasEvidence(*part, kHarmless))
@@ -30,6 +31,8 @@ class Touches {
       return note("place where scripts act", part->id,
                   "only a piece of the part is concerned: treated as a plain part");
     if (probe.byPlace) part->touch = true;  // the script looks; it does not wait for a touch
+    part->byRoot = probe.byRoot && part->shape == Shape::block && effects.touchesPlayer();
+    if (part->byRoot) part->evidence.push_back({"byRoot", kPosition, false});
     give(*part, probe, effects);
   }
 

@@ -56,6 +56,7 @@ Status compileBehaviours(PartContext& context) {
     if (!b.has(context.part) || (b.byTouch && !context.part.getTouch())) continue;
     OBBY_RETURN_IF_ERROR(b.compile(context));
   }
+  if (context.part.getByRoot() && context.part.getTouch()) context.flags |= kByRoot;
   return {};
 }
 

@@ -1,4 +1,4 @@
-// Makes a player who touches it faster, or slower, for a time.
+// Makes a player who touches it faster, slower, lighter or heavier for a time.
 #include <cmath>
 
 #include "level/behaviours/behaviour.h"
@@ -9,12 +9,27 @@ namespace {
 
 // More than this is no boost but a mistake, and would make the grid's lists long.
 constexpr float kMostFactor = 100;
-constexpr float kMostMore = 1000;  // studs/s
+constexpr float kMostMore = 1000;     // studs/s
+constexpr float kMostGravity = 2000;  // studs/s^2, as of PhysicsParams
 
 Status checkFactor(float factor, const char* path) {
   if (factor > 0 && factor <= kMostFactor) return {};
   return pathError(path, "expected a factor above 0 and at most 100, found " + shown(factor),
                    "use 1 to leave the speed unchanged");
+}
+
+Status checkGravity(float factor, const Params& params) {
+  if (!(factor >= 0 && factor <= kMostFactor)) {
+    return pathError("boost.gravity", "expected a factor from 0 to 100, found " + shown(factor),
+                     "use 1 to leave the gravity unchanged");
+  }
+  if (!(factor * params.gravity <= kMostGravity)) {
+    return pathError(
+        "boost.gravity",
+        "expected a gravity of at most 2000 studs/s^2, found " + shown(factor * params.gravity),
+        "use a smaller factor");
+  }
+  return {};
 }
 
 }  // namespace
@@ -27,6 +42,7 @@ Status compileBoost(PartContext& c) {
     return pathError("boost.jumpMore",
                      "expected -1000 to 1000 studs/s, found " + shown(record.getJumpMore()));
   }
+  OBBY_RETURN_IF_ERROR(checkGravity(record.getGravity(), c.params));
   OBBY_ASSIGN(const uint32_t ticks, ticksOf(c.params, record.getSeconds(), "boost.seconds"));
   Clock clock;
   // One tick at least: it runs on while the part is touched.
@@ -35,8 +51,11 @@ Status compileBoost(PartContext& c) {
   clock.walkFactor = record.getWalkSpeed();
   clock.jumpFactor = record.getJumpSpeed();
   clock.jumpMore = record.getJumpMore();
-  if (!changesWalk(clock) && !changesJump(clock)) {
-    return pathError("boost", "the boost changes nothing", "set walkSpeed, jumpSpeed or jumpMore");
+  clock.gravityFactor = record.getGravity();
+  clock.resets = record.getResets();
+  if (!changesWalk(clock) && !changesJump(clock) && !changesGravity(clock)) {
+    return pathError("boost", "the boost changes nothing",
+                     "set walkSpeed, jumpSpeed, jumpMore or gravity");
   }
   start(c, c.clocks.share(clock));
   return {};

@@ -43,7 +43,10 @@ float clearanceTo(const level::LevelView& level, const sim::World& w,
   const Box near = grow(join(limbs.arms.bounds(), limbs.column.bounds()),
                         {kLookForKills, kLookForKills, kLookForKills});
   if (!overlaps(near, boundsOf(kill.pose, c.shape.half))) return kLookForKills;
-  const float least = minf(apart(convexOf(limbs.arms), kill), apart(convexOf(limbs.column), kill));
+  const float least =
+      level.bounds[id].flags & level::kByRoot
+          ? apart(convexOf(limbs.root), kill)
+          : minf(apart(convexOf(limbs.arms), kill), apart(convexOf(limbs.column), kill));
   return clampf(least, 0.0f, kLookForKills);
 }
 

@@ -29,6 +29,20 @@ bool addsSpeed(const level::Roles& r) {
   return r.padKeepsSideways && slanted;
 }
 
+struct Range {
+  float lo, hi;
+};
+
+// The least and the most gravity of a player.
+Range gravityIn(const level::LevelView& level) {
+  Range factor{1, 1};
+  for (uint32_t i = 0; i < level.clockCount; ++i) {
+    factor.lo = std::min(factor.lo, level.clocks[i].gravityFactor);
+    factor.hi = std::max(factor.hi, level.clocks[i].gravityFactor);
+  }
+  return {level.params.gravity * factor.lo, level.params.gravity * factor.hi};
+}
+
 }  // namespace
 
 Box allPlaces(const Problem& problem) {
@@ -46,7 +60,8 @@ Box allPlaces(const Problem& problem) {
 const char* unboundedPart(const level::LevelView& level) {
   const Params& p = level.params;
   if (level.looseCount != 0) return "dynamic parts, which can be pushed anywhere";
-  if (!(p.gravity > 1)) return "almost no gravity";
+  if (!(gravityIn(level).lo > 1)) return "almost no gravity";
+  if (p.airJumps != 0) return "jumps in the air";
   if (slowRate(p) < 0) return "legs that bounce";
   if (p.moveGain * p.substepSeconds > 1) return "walks that overshoot their speed";
   bool slopes = false;
@@ -65,7 +80,8 @@ BodyLimits::BodyLimits(const Problem& problem, const std::vector<PartMotion>& mo
     : p_(problem.level.params),
       dt_(p_.substepSeconds),
       tick_(p_.tickSeconds),
-      gravity_(p_.gravity) {
+      light_(gravityIn(problem.level).lo),
+      heavy_(gravityIn(problem.level).hi) {
   setSpeeds(problem, motions);
   setBody();
   setTakeOff();
@@ -85,6 +101,7 @@ void BodyLimits::setSpeeds(const Problem& problem, const std::vector<PartMotion>
   sim::Motion fast{};
   fast.velocity.y = -std::max(p_.maxFallSpeed, level.maxSideSpeed);
   fast.bottom = p_.headBottom;
+  fast.drive.gravity = heavy_;
   const float roundings = float(std::max(sim::contactSplits(fast, p_), 5)) / dt_;
   jump = p_.jumpSpeed;
   slowJump = std::min(p_.jumpSpeed, p_.maxFallSpeed);
@@ -122,8 +139,8 @@ void BodyLimits::setBody() {
   if (fastest_ * tick_ + slack >= 0.9f * least) overlap = turned;
 }
 
-float BodyLimits::fallOver(uint32_t steps) const {
-  return 0.5f * gravity_ * dt_ * dt_ * float(steps) * float(steps + 1);
+float BodyLimits::fallOver(uint32_t steps, float gravity) const {
+  return 0.5f * gravity * dt_ * dt_ * float(steps) * float(steps + 1);
 }
 
 float BodyLimits::reachAt(float fall, bool kept) const {
@@ -138,16 +155,16 @@ void BodyLimits::setTakeOff() {
   const uint32_t more = landed > n ? (landed - n + n - 1) / n : 0;
   const uint32_t waits = n * (landed == 0 ? 1 : 1 + std::max(1u, more));  // to the first jump
   const uint32_t graced = std::max(p_.graceSteps, p_.coyoteSteps) + n;
-  sunk = sim::rayHeight(p_) + fallOver(graced);
-  keptReach_ = std::max({reachAt(0, true), reachAt(gravity_ * dt_ * float(graced), false), 0.0f});
+  sunk = sim::rayHeight(p_) + fallOver(graced, heavy_);
+  keptReach_ = std::max({reachAt(0, true), reachAt(heavy_ * dt_ * float(graced), false), 0.0f});
   // A landing at this speed, where the rays acquire a floor, leaves nothing.
-  const float seconds = float(waits) * dt_, fall = fallOver(waits);
+  const float seconds = float(waits) * dt_, fall = fallOver(waits, light_);
   const float speed = std::max(reachAt(0, false) - fall, 0.0f) / seconds;
   for (const float v : {speed, p_.maxFallSpeed}) {
     always_ = std::max(always_, reachAt(v, false) - v * seconds - fall);
   }
-  const float fallen = speed * (speed + gravity_ * dt_) / (2 * gravity_);
-  slowest_ = std::max(keptReach_ + fallOver(n) + slack, reachAt(speed, false) + fallen);
+  const float fallen = speed * (speed + heavy_ * dt_) / (2 * light_);
+  slowest_ = std::max(keptReach_ + fallOver(n, heavy_) + slack, reachAt(speed, false) + fallen);
 }
 
 void BodyLimits::setTricks() {
@@ -198,26 +215,31 @@ float BodyLimits::takeOff(float low, float high) const {
 }
 
 float BodyLimits::apex(float up, bool leaps) const {
-  const float w = std::max(up, 0.0f) + (leaps ? 0.5f * gravity_ * dt_ : 0);
-  return w * w / (2 * gravity_);
+  const float w = std::max(up, 0.0f) + (leaps ? 0.5f * heavy_ * dt_ : 0);
+  return w * w / (2 * light_);
+}
+
+float BodyLimits::lowApex(float up, bool leaps) const {
+  const float w = std::max(up, 0.0f) + (leaps ? 0.5f * light_ * dt_ : 0);
+  return w * w / (2 * heavy_);
 }
 
 float BodyLimits::airSeconds(float w, float rise) const {
-  const float end2 = w * w - 2 * gravity_ * rise;
+  const float end2 = w * w - 2 * light_ * rise;
   if (end2 < 0 || (rise > 0 && w <= 0)) return -1;
   const float end = sqrtf32(end2), limit = p_.maxFallSpeed;
-  if (end <= limit) return (w + end) / gravity_;
-  const float fallen = (limit * limit - w * w) / (2 * gravity_);
-  return (w + limit) / gravity_ + (-rise - fallen) / limit + 2 * dt_;
+  if (end <= limit) return (w + end) / light_;
+  const float fallen = (limit * limit - w * w) / (2 * light_);
+  return (w + limit) / light_ + (-rise - fallen) / limit + 2 * dt_;
 }
 
 // A fall off an edge has a tick on the level; a jump has the best number of ticks.
 float BodyLimits::seconds(const Flight& f, float height) const {
-  const float w = f.up + (f.leaps ? 0.5f : -0.5f) * gravity_ * dt_;
+  const float w = f.up + (f.leaps ? 0.5f * heavy_ : -0.5f * light_) * dt_;
   const uint32_t first = f.leaps ? 0 : 1, last = f.leaps ? lateTicks_ : 1;
   float most = -1;
   for (uint32_t k = first; k <= last; ++k) {
-    const float fallen = k > 0 ? fallOver((k - 1) * p_.substeps) : 0;
+    const float fallen = k > 0 ? fallOver((k - 1) * p_.substeps, light_) : 0;
     const float air = airSeconds(w, height - f.height + fallen);
     if (air < 0) break;
     const float whole = dt_ * std::floor(air / dt_ + 0.01f);

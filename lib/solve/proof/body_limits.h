@@ -62,6 +62,8 @@ class BodyLimits {
   // Height of a flight, and that of launches at `up` studs/s above where they begin.
   float apex(const Flight& f) const { return f.height + apex(f.up, f.leaps); }
   float apex(float up, bool leaps) const;
+  // The least height of such a launch.
+  float lowApex(float up, bool leaps) const;
   // Seconds until the feet are at `height` for the last time, with the ticks before the take-off;
   // below 0: never.
   float seconds(const Flight& f, float height) const;
@@ -72,7 +74,8 @@ class BodyLimits {
   float legsOvershoot(float speed) const;
 
  private:
-  float fallOver(uint32_t steps) const;  // studs of a free fall from rest
+  // Studs of a free fall from rest.
+  float fallOver(uint32_t steps, float gravity) const;
   float airSeconds(float w, float rise) const;
   float reachAt(float fall, bool kept) const;  // of the rays below the feet
   void setSpeeds(const Problem& problem, const std::vector<PartMotion>& motions);
@@ -81,7 +84,8 @@ class BodyLimits {
   void setTricks();
 
   const Params& p_;
-  float dt_, tick_, gravity_;
+  float dt_, tick_;
+  float light_, heavy_;     // the least and the most gravity, under all boosts of the level
   float fastest_ = 0;       // sideways of anybody, studs/s
   uint32_t lateTicks_ = 0;  // from the last tick with a floor to the last jump
   float keptReach_ = 0;     // studs above a floor up to which it is sensed

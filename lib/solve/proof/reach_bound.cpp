@@ -133,7 +133,7 @@ float ReachBound::takeOffAfter(uint32_t from, uint32_t to, const Flight& f) cons
   // The flight may also begin lower and be slower. A floor gains on the jumps off it.
   const float gain = from == to ? a.vertical : 0;
   float low = from == to ? a.top() - gain * (p_.coyoteTime + p_.tickSeconds) : a.lowest;
-  if (f.leaps) low += limits_.apex(limits_.slowJump - 3 * gain, true);
+  if (f.leaps) low += limits_.lowApex(limits_.slowJump - 3 * gain, true);
   return limits_.takeOff(low - limits_.sunk - floor, high);
 }
 

@@ -1,0 +1,70 @@
+// Searches by what scripts add: gravity by touch, parts that only the root touches, jumps in the
+// air.
+#include <gtest/gtest.h>
+
+#include "io/json_codec.h"
+#include "scenes.h"
+
+namespace obby::solve {
+namespace {
+
+FilterCounts ask(const std::string& lines, uint64_t steps = 3'000'000) {
+  const LinesFile file(lines);
+  FilterOptions o;
+  o.threads = 2;
+  o.solver.budget.maxSteps = steps;
+  o.solver.budget.attempts = 0;
+  o.solver.progressRecords = false;
+  const Filtered f = runFilter(file.path(), std::move(o));
+  EXPECT_TRUE(f.status) << f.status.error().text();
+  return f.counts;
+}
+
+// A gap of 17 studs behind a floor with `role`.
+std::string gapBehind(const std::string& role) {
+  return R"({"type":"level","name":"gap","physics":{"fallenPartsHeight":-40},"parts":[)"
+         R"({"name":"A","position":[0,-0.5,-4],"size":[8,1,8])" +
+         role +
+         R"(},{"name":"B","position":[0,-0.5,-29],"size":[8,1,8]}],"spawns":[{"position":[0,0,-2]}]})"
+         "\n"
+         R"({"type":"query","id":"q","goal":{"position":[0,2,-29],"size":[8,4,8]}})"
+         "\n";
+}
+
+TEST(TouchedSearch, ALightPlayerCrossesAWiderGap) {
+  EXPECT_EQ(ask(gapBehind("")).unreachable, 1u);
+  EXPECT_EQ(ask(gapBehind(R"(,"boost":{"gravity":0.4,"forever":true})")).solved, 1u);
+}
+
+// With a jump in the air a gap of 17 studs is crossed, and nothing is said to be out of reach.
+TEST(TouchedSearch, AJumpInTheAirCrossesAWiderGap) {
+  const auto with = [](const char* more) {
+    std::string lines = gapBehind("");
+    const std::string physics = "\"fallenPartsHeight\":-40";
+    return lines.replace(lines.find(physics), physics.size(), physics + more);
+  };
+  EXPECT_EQ(ask(with(",\"airJumps\":1")).solved, 1u);
+  EXPECT_EQ(ask(with(",\"airJumps\":1,\"jumpSpeed\":1"), 100'000).unknown, 1u);
+}
+
+// A floor between two boxes that kill, eight tenths of a stud apart.
+std::string betweenKills(bool byRoot) {
+  const std::string role =
+      std::string(R"(,"solid":false,"kill":{})") + (byRoot ? R"(,"byRoot":true)" : "");
+  return R"({"type":"level","name":"slit","physics":{"fallenPartsHeight":-40},"parts":[)"
+         R"({"name":"A","position":[0,-0.5,-10],"size":[12,1,24]},)"
+         R"({"name":"L","position":[-4.4,4,-10],"size":[8,20,4])" +
+         role + R"(},{"name":"R","position":[4.4,4,-10],"size":[8,20,4])" + role +
+         R"(}],"spawns":[{"position":[0,0,-2]}]})"
+         "\n"
+         R"({"type":"query","id":"q","maxDamage":0,"goal":{"position":[0,2,-18],"size":[8,4,4]}})"
+         "\n";
+}
+
+TEST(TouchedSearch, ThePlayerPassesWhereLimbsAreInAPartTouchedByTheRoot) {
+  EXPECT_EQ(ask(betweenKills(true)).solved, 1u);
+  EXPECT_EQ(ask(betweenKills(false), 200'000).solved, 0u);
+}
+
+}  // namespace
+}  // namespace obby::solve
