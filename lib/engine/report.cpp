@@ -92,7 +92,8 @@ class Watcher {
     for (size_t i = 0; i < wanted.size(); ++i) {
       report_.probes[i] = wanted[i];
       children_.start(
-          plan_.timeLimit / 4, [&, i] { return toBytes(runProbe(stage_, plan_, wanted[i])); },
+          plan_.timeLimit / 4,
+          [&, i] { return toBytes(runProbe(stage_, plan_, wanted[i], {.comesBack = true})); },
           [this, i](const std::string& bytes) {
             Probe& probe = report_.probes[i];
             probe.lost = !fromBytes(bytes, probe);

@@ -21,6 +21,8 @@ struct Probe {
   bool lost = false;     // the copy died or ran out of time
   bool byPlace = false;  // nobody listens to the part: what happens follows from the place
   bool allOver = true;   // it happens towards two opposite corners of the part, too
+  bool reborn = false;   // the player died after a touch without other effects, and came back:
+  Vec3 rebornAt;         // the feet then
 };
 
 // Why a part does something else than at its first probe.

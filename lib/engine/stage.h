@@ -36,6 +36,9 @@ class Stage {
   // Clicks a ClickDetector or a button, holds a ProximityPrompt, activates a tool.
   void use(InstanceId target);
   bool playerLives();
+  // Whether scripts listen to new bodies of the player: only then can they place them.
+  bool mindsBodies() { return numberOf("mindsBodies") > 0; }
+  void die();
   // A player that has died where it spawns lives again, away from everything.
   void revive();
   // What a player can touch or use with effect, as far as listeners tell.
