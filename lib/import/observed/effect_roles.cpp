@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "import/checkpoints.h"
 #include "import/observed/run.h"
+#include "import/stages/numbers.h"
 
 namespace obby::importer {
 
@@ -30,7 +30,11 @@ void EffectRoles::takePlayer(PartDraft& part, const ProbeEffects& effects) {
     part.trip = Trip{};
     prove(part, "trip", reason(effects.tripLine));
   }
-  if (effects.stage && !part.checkpoint && !effects.harm) takeStage(part, *effects.stage);
+  if (effects.stage && !effects.harm) takeStage(part, *effects.stage);
+  if (effects.won && !effects.harm && !part.goal) {
+    part.goal = 0;
+    prove(part, "goal", reason(*effects.won));
+  }
   if (effects.force) note("force on the player", part.id, "does not act; ", *effects.force);
   if (effects.gravity)
     note("gravity that a touch changes", part.id, "gravity stays as it is; ", *effects.gravity);
@@ -68,9 +72,17 @@ void EffectRoles::takeBoost(PartDraft& part, const Booster& boost) {
 }
 
 void EffectRoles::takeStage(PartDraft& part, const StageSet& stage) {
-  part.checkpoint =
-      stage.number ? int(*stage.number) : stageNumber(context_.tree, part.id, part.id);
-  prove(part, "checkpoint", reason(stage.line));
+  StageSigns& signs = part.stageSigns;
+  if (stage.number && signs[NumberFrom::seen] == kUnnumbered)
+    signs[NumberFrom::seen] = *stage.number;
+  if (stage.team) signs.team = stage.team;
+  if (stage.respawn != kNoInstance) signs.respawn = stage.respawn;
+  if (part.checkpoint) return;
+  part.checkpoint = kUnnumbered;
+  readNumbers(context_.tree, part.id, part);
+  const bool isLine = stage.line.script != kNoInstance;
+  prove(part, "checkpoint",
+        isLine ? reason(stage.line) : "players who die after a touch come back to it");
 }
 
 void EffectRoles::takeAbility(bool keys, const ProbeEffects& effects) {

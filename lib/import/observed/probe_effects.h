@@ -31,8 +31,16 @@ struct Booster {
   bool forever = false;
   engine::Line line;
 };
+// Progress that scripts keep of the player.
 struct StageSet {
-  std::optional<double> number;  // in leaderstats or the like
+  std::optional<int> number;         // in leaderstats or the like
+  std::optional<int64_t> team;       // the colour of the player's new team
+  InstanceId respawn = kNoInstance;  // the SpawnLocation where the player comes back from now on
+  engine::Line line;
+};
+// A number that scripts keep of the player under a name that says nothing.
+struct Kept {
+  int number = 0;
   engine::Line line;
 };
 struct Away {
@@ -54,6 +62,8 @@ struct ProbeEffects {
   std::optional<Teleported> teleport;
   std::optional<Booster> boost;
   std::optional<StageSet> stage;
+  std::optional<engine::Line> won;
+  std::vector<Kept> kept;
   std::optional<engine::Line> gravity;
   bool trips = false;
   engine::Line tripLine;
@@ -64,12 +74,12 @@ struct ProbeEffects {
   std::map<InstanceId, engine::Line> others;  // things whose other properties are set
 
   bool empty() const {
-    return !harm && !push && !teleport && !boost && !stage && !gravity && !force && !jumps &&
-           !trips && aways.empty() && backs.empty() && moved.empty() && belts.empty() &&
+    return !harm && !push && !teleport && !boost && !stage && !won && !gravity && !force &&
+           !jumps && !trips && aways.empty() && backs.empty() && moved.empty() && belts.empty() &&
            sizes.empty();
   }
   bool touchesPlayer() const {
-    return harm || push || teleport || boost || stage || gravity || force || jumps || trips;
+    return harm || push || teleport || boost || stage || won || gravity || force || jumps || trips;
   }
   // Nothing but progress.
   bool onlyStage() const;
