@@ -1,5 +1,7 @@
 #include "import/checkpoints.h"
 
+#include <map>
+
 #include "import/pose_math.h"
 #include "import/stages/course.h"
 #include "import/stages/numbers.h"
@@ -7,17 +9,31 @@
 namespace obby::importer {
 namespace {
 
+void takeMissing(StageSigns& to, const StageSigns& from) {
+  for (size_t i = 0; i < kNumberSources; ++i)
+    if (to.numbers[i] == kUnnumbered) to.numbers[i] = from.numbers[i];
+}
+
 // A pad that sets a SpawnLocation elsewhere stands for it: what numbers that one numbers the pad.
+// If that one is said to be a checkpoint itself, and beside the pad, it stands for both.
 void joinRespawns(const Tree& tree, LevelDraft& level) {
+  constexpr float kBeside = 24;  // studs
+  std::map<InstanceId, PartDraft*> spawns;
+  for (PartDraft& part : level.parts)
+    if (tree.at(part.id).className == "SpawnLocation") spawns[part.id] = &part;
   for (PartDraft& pad : level.parts) {
-    const InstanceId respawn = pad.stageSigns.respawn;
-    if (!pad.checkpoint || respawn == pad.id || respawn >= tree.size()) continue;
-    PartDraft target;
-    target.id = respawn;
-    readNumbers(tree, respawn, target);
-    for (size_t i = 0; i < kNumberSources; ++i)
-      if (pad.stageSigns.numbers[i] == kUnnumbered)
-        pad.stageSigns.numbers[i] = target.stageSigns.numbers[i];
+    const auto found = spawns.find(pad.stageSigns.respawn);
+    if (!pad.checkpoint || found == spawns.end() || found->second == &pad) continue;
+    PartDraft& spawn = *found->second;
+    const bool isBeside = length(spawn.pose.position - pad.pose.position) < kBeside;
+    readNumbers(tree, spawn.id, spawn);
+    if (spawn.checkpoint && isBeside) {
+      takeMissing(spawn.stageSigns, pad.stageSigns);
+      pad.checkpoint.reset();
+      std::erase_if(pad.evidence, [](const Evidence& e) { return e.role == "checkpoint"; });
+    } else {
+      takeMissing(pad.stageSigns, spawn.stageSigns);
+    }
   }
 }
 

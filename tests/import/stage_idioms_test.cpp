@@ -200,6 +200,21 @@ TEST(StageIdioms, AHiddenSpawnLocationThatAPadSetsIsNoCheckpointOfItsOwn) {
   EXPECT_EQ(checkpoints(scene.level()), (Names{"Flag1", "Flag2"}));
 }
 
+TEST(StageIdioms, ATaggedSpawnLocationAndThePadThatSetsItAreOneCheckpoint) {
+  Scene scene;
+  spawn(scene, "Start", {});
+  for (const int n : {2, 1}) {
+    const auto home = spawn(scene, "Home" + std::to_string(n), {40.0f * float(n), 0, 0});
+    scene.tag(home, "Checkpoint");
+    scene.script(
+        "script.Parent.Touched:Connect(function(hit)\n"
+        " local player = game.Players:GetPlayerFromCharacter(hit.Parent)\n"
+        " if player then player.RespawnLocation = script.Parent.Parent end\nend)",
+        scene.part("Touch", {40.0f * float(n), 1, 0}, home));
+  }
+  EXPECT_EQ(checkpoints(scene.level()), (Names{"Home1", "Home2"}));
+}
+
 TEST(StageIdioms, ATeamThatAPadGivesNumbersIt) {
   for (const char* set : {"player.Team = game.Teams['Level %d']",
                           "player.TeamColor = game.Teams['Level %d'].TeamColor"}) {
