@@ -499,6 +499,7 @@ enum Directions {
 
 struct Query {
   id @0 :Text;
+  title @23 :Text;          # from where to where, for display: no answer depends on it
   level @1 :Text;           # name of the level record; empty: the last level before the query
   start @2 :Start;          # absent: the level's first spawn
   goal @3 :Region;

@@ -62,6 +62,7 @@ Names effectsIn(const Probe& probe, const Names& usual) {
     else if (property.rfind("note mover ", 0) == 0)
       effects.insert("~" + property);
     else if (property == "note respawn" || property == "note team" ||
+             (property == "note kept" && change.target == probe.target) ||
              property.rfind("note stat ", 0) == 0)
       effects.insert("stage");
     else if (std::find(std::begin(kCounted), std::end(kCounted), property) != std::end(kCounted))

@@ -51,6 +51,21 @@ int resume(lua_State* L) {
   return 2;
 }
 
+// (thread, arguments...): resumes a thread for the engine. Returns whether it is well, what it
+// yielded or its error, and whether its time was up: then what the engine does next has time of its
+// own, from the first instruction on.
+int runThread(lua_State* L) {
+  const int results = resume(L);
+  const bool good = lua_toboolean(L, -results) != 0;
+  Vm& vm = Vm::of(L);
+  const bool isLate = !good && vm.timedOut();
+  if (isLate) vm.beginStretch();
+  if (results > 1) lua_settop(L, lua_gettop(L) - results + 2);
+  if (results == 1) lua_pushnil(L);
+  lua_pushboolean(L, isLate);
+  return 3;
+}
+
 int newId(lua_State* L) {
   lua_pushnumber(L, lua_Number(Host::of(L).nextMade++));
   return 1;
@@ -186,6 +201,9 @@ void registerScriptFunctions(lua_State* L) {
   luaL_register(L, nullptr, script_functions::kFunctions);
   lua_getglobal(L, "coroutine");
   lua_getfield(L, -1, "resume");
+  lua_pushvalue(L, -1);
+  lua_pushcclosure(L, script_functions::runThread, 1);
+  lua_setfield(L, -4, "runThread");
   lua_pushcclosure(L, script_functions::resume, 1);
   lua_setfield(L, -2, "resume");
   lua_setfield(L, -2, "coroutine");

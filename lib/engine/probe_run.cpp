@@ -12,6 +12,7 @@ constexpr uint32_t kTouchEvery = 5;  // frames between the touches of a patient 
 constexpr double kSecondHit = 5;     // seconds that it waits to be harmed again
 constexpr double kQuiet = 1.0;       // seconds without a change end a probe
 constexpr double kAtLeast = 1.5;
+constexpr double kLongestDeath = 11, kPlacing = 1;  // seconds: RespawnTime, and what scripts wait
 
 // Whether a second hit is still to come after the first.
 bool awaitsHit(Stage& stage, double now) {
@@ -22,6 +23,27 @@ bool awaitsHit(Stage& stage, double now) {
       last = harm.time;
     }
   return first >= 0 && last == first && now < first + kSecondHit;
+}
+
+// Nothing but numbers that scripts keep.
+bool isQuiet(const Observation& seen) {
+  return seen.harms.empty() && seen.tracks.empty() &&
+         std::all_of(seen.changes.begin(), seen.changes.end(), [](const Change& change) {
+           return change.property.rfind("note stat ", 0) == 0;
+         });
+}
+
+// Scripts may keep the part to themselves: then it shows where they put the next body.
+void comeBack(Stage& stage, Probe& probe) {
+  const uint32_t begun = stage.frames();
+  stage.die();
+  stage.run(1);
+  while (!stage.playerLives() && !stage.isExhausted() &&
+         stage.frames() - begun < framesOf(kLongestDeath))
+    stage.run(10);
+  probe.reborn = stage.playerLives();
+  stage.run(framesOf(kPlacing));
+  probe.rebornAt = stage.observation().player.feet;
 }
 
 }  // namespace
@@ -55,6 +77,9 @@ Probe runProbe(Stage& stage, const Plan& plan, Probe probe, Manner manner) {
   }
   probe.left = probe.at + hold * kFrame;
   probe.seen = stage.observation();
+  if (manner.comesBack && stands && !probe.byPlace && stage.playerLives() && isQuiet(probe.seen) &&
+      stage.mindsBodies())
+    comeBack(stage, probe);
   return probe;
 }
 

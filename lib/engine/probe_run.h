@@ -7,9 +7,10 @@
 namespace obby::engine {
 
 struct Manner {
-  float share = 0;       // see Stage::standAt
-  int face = 0;          // the same
-  bool patient = false;  // stays for seconds and touches the part again and again
+  float share = 0;         // see Stage::standAt
+  int face = 0;            // the same
+  bool patient = false;    // stays for seconds and touches the part again and again
+  bool comesBack = false;  // dies in the end if nothing has happened, to see where it comes back
 };
 
 // The number of frames nearest to `seconds`.

@@ -146,7 +146,8 @@ class Watcher {
       report_.probes[i] = wanted[i];
       stage_.noteWork();
       children_.start(
-          plan_.timeLimit / 4, [&, i] { return toBytes(runProbe(stage_, plan_, wanted[i])); },
+          plan_.timeLimit / 4,
+          [&, i] { return toBytes(runProbe(stage_, plan_, wanted[i], {.comesBack = true})); },
           [this, i](const std::string& bytes) {
             Probe& probe = report_.probes[i];
             probe.lost = !fromBytes(bytes, probe);

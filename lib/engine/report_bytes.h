@@ -44,7 +44,7 @@ void fields(A& a, Observation& o) {
 template <class A>
 void fields(A& a, Probe& p) {
   a(p.target), a(p.approach), a(p.at), a(p.left), a(p.seen), a(p.lost), a(p.byPlace), a(p.allOver),
-      a(p.byRoot), a(p.kin);
+      a(p.byRoot), a(p.kin), a(p.reborn), a(p.rebornAt);
 }
 template <class A>
 void fields(A& a, Alike& l) {

@@ -140,6 +140,8 @@ void Stage::leave() { call("probe", "leave", 0); }
 
 void Stage::revive() { call("probe", "revive", 0); }
 
+void Stage::die() { call("probe", "die", 0); }
+
 double Stage::numberOf(const char* name) {
   call("probe", name, 0, 1);
   const double value = lua_tonumber(host_->vm.state(), -1);

@@ -44,6 +44,9 @@ class Stage {
   void pressJump();
   bool hearsJumps();
   bool playerLives();
+  // Whether scripts listen to new bodies of the player: only then can they place them.
+  bool mindsBodies() { return numberOf("mindsBodies") > 0; }
+  void die();
   // A player that has died where it spawns lives again, away from everything.
   void revive();
   // What a player can touch or use with effect, as far as listeners tell.

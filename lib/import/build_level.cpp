@@ -1,6 +1,8 @@
 // World, parts, strays, roles, stages, what is left over, and the ground.
 #include "import/build_level.h"
 
+#include <optional>
+
 #include "import/assemblies.h"
 #include "import/checkpoints.h"
 #include "import/collision_groups.h"
@@ -45,6 +47,12 @@ void readParts(const Tree& tree, const Assemblies& assemblies, LevelDraft& level
   }
 }
 
+// The feet of a new player by the time of the first probes.
+std::optional<Vec3> arrivedAt(const ObservedPlace& place) {
+  if (!place.ran || !place.report.arrived.alive) return std::nullopt;
+  return place.report.arrived.feet;
+}
+
 void findRolesOf(RoleContext& context, const ObservedPlace& place) {
   noteSettled(context, place);
   applyPlayerState(context.level, place);
@@ -59,6 +67,7 @@ void findRolesOf(RoleContext& context, const ObservedPlace& place) {
   findRoles(context);
   touchedDrivesFromObservation(context, place.report);
   laterTouchesFromObservation(context, place.report);
+  checkpointFromSiblings(context);
   hintsFromScripts(context, place);
   noteObservedLosses(context, place);
 }
@@ -79,7 +88,7 @@ LevelDraft buildLevel(const Tree& tree, const ObservedPlace& place, const std::s
   findRolesOf(context, place);
   settleMotions(context);
   looseParts(tree, assemblies, level);
-  orderStages(tree, level);
+  orderStages(tree, level, arrivedAt(place));
   noteUnmodelled(context);
   addTerrain(tree, level);
   markDoubts(context);

@@ -103,6 +103,31 @@ struct Motion {
   std::string signal;
 };
 
+// Where the number of a checkpoint may come from, strongest first.
+enum class NumberFrom : uint8_t {
+  seen,    // a touch sets it
+  asked,   // it does nothing before others have been touched
+  tag,     // "Checkpoint_3"
+  value,   // an attribute or a value object
+  name,    // its own, or that of its model
+  folder,  // "Stages/3"
+  team,    // the name of the team
+};
+constexpr size_t kNumberSources = 7;
+// Stage of a checkpoint that nobody numbered; only until orderStages has run.
+constexpr int kUnnumbered = -1;
+
+// What is known of a checkpoint before orderStages has run.
+struct StageSigns {
+  std::array<int, kNumberSources> numbers = {kUnnumbered, kUnnumbered, kUnnumbered, kUnnumbered,
+                                             kUnnumbered, kUnnumbered, kUnnumbered};
+  std::optional<int64_t> team;       // the colour of the team that a touch sets
+  InstanceId respawn = kNoInstance;  // the SpawnLocation that it sets
+
+  int& operator[](NumberFrom from) { return numbers[size_t(from)]; }
+  int operator[](NumberFrom from) const { return numbers[size_t(from)]; }
+};
+
 struct PartDraft {
   InstanceId id = kNoInstance;
   Shape shape = Shape::block;
@@ -128,7 +153,8 @@ struct PartDraft {
   bool oneWay = false;  // solid for players above it only
   bool climbable = false;
   std::optional<int> checkpoint;  // stage
-  std::optional<int> goal;        // stage
+  StageSigns stageSigns;
+  std::optional<int> goal;  // stage
   std::optional<Motion> motion;
   std::vector<Evidence> evidence;
   std::vector<std::string> doubts;  // kinds of losses that concern the part (doubts.h)

@@ -2,6 +2,7 @@
 #include "import/queries.h"
 
 #include "import/level_record.h"
+#include "import/place_names.h"
 #include "import/record_values.h"
 
 namespace obby::importer {
@@ -47,11 +48,15 @@ std::vector<io::RecordBuilder> stageQueries(const LevelDraft& level, const Tree&
   std::vector<io::RecordBuilder> queries;
   if (level.spawns.empty()) return queries;
   int number = 0;
+  const PlaceNames names(level, tree);
   for (const Target& target : targets(level)) {
     const PartDraft& part = level.parts[size_t(target.part)];
     io::RecordBuilder record;
     auto query = record.root().initQuery();
     query.setId("stage" + std::to_string(++number));
+    query.setTitle(validUtf8("Stage " + std::to_string(number) + ": " +
+                             names.of(level.spawns[size_t(target.from)].part) + " to " +
+                             names.of(target.part)));
     query.setLevel(validUtf8(level.name));
     query.initStart().setSpawn(target.from);
     const GoalBox box = goalBox(part);

@@ -46,6 +46,12 @@ std::string spawnName(schema::Level::Reader level, schema::Spawn::Reader spawn) 
   return level.getParts()[uint32_t(part)].getName();
 }
 
+// "Stage 3: 'Pad 2' to 'Pad 3'" without its beginning: the id says which stage it is.
+std::string routeOf(const std::string& title) {
+  const size_t colon = title.find(": ");
+  return colon == std::string::npos ? title : title.substr(colon + 2);
+}
+
 State stateOf(schema::Verdict verdict) {
   switch (verdict) {
     case schema::Verdict::SOLVED: return State::solved;
@@ -67,6 +73,7 @@ LevelFacts factsOf(schema::Level::Reader level) {
 void describe(schema::Query::Reader query, const LevelFacts* level, Answer& answer) {
   answer.from = startOf(query, level);
   answer.to = goalOf(query);
+  answer.route = routeOf(query.getTitle());
 }
 
 void describe(schema::Result::Reader result, double controlRate, Answer& answer) {

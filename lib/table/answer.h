@@ -24,6 +24,7 @@ struct Answer {
   std::string query;     // id
   std::string level;     // name; shown where queries of several levels have one id
   std::string from, to;  // start and goal; empty: not known
+  std::string route;     // both in words, instead of them; empty: there is none
   State state = State::notAsked;
   std::optional<double> playTime, foundIn;  // seconds
   std::optional<uint32_t> jumps;

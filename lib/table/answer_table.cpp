@@ -133,6 +133,10 @@ class Table {
     const std::vector<size_t> indices = listed(answers_);
     for (size_t i = 0; i < rows_.size(); ++i) {
       const Answer& answer = answers_[indices[i]];
+      if (!answer.route.empty()) {
+        rows_[i][kRoute] = fitted(answer.route, 2 * place + columnCount(arrow()), !terminal_.utf8);
+        continue;
+      }
       if (answer.from.empty() || answer.to.empty()) continue;
       rows_[i][kRoute] = fitted(answer.from, place, !terminal_.utf8) + arrow() +
                          fitted(answer.to, place, !terminal_.utf8);

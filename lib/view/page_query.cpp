@@ -250,6 +250,8 @@ void writePath(JsonText& json, const PathEntry& path, uint32_t stride) {
 
 void writeQueryFacts(JsonText& json, const QueryEntry& entry) {
   json.field("id", entry.id).field("level", entry.level);
+  if (entry.query && entry.reader().getTitle().size() > 0)
+    json.field("title", std::string_view(entry.reader().getTitle().cStr()));
   writeConstraints(json, entry);
   writeResult(json, entry);
   writeProgress(json, entry);

@@ -86,7 +86,7 @@ TEST(Hostile, EachOfSeveralIsNamed) {
     bool named = false;
     for (const engine::Problem& problem : report.undisturbed.problems)
       named = named || problem.script == script;
-    EXPECT_TRUE(named) << script;
+    EXPECT_TRUE(named) << script << ": " << report.failure << " " << problems(report.undisturbed);
   }
 }
 

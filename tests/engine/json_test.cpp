@@ -32,7 +32,8 @@ TEST(Json, ValuesAreWritten) {
 TEST(Json, TextsAreRead) {
   const std::pair<const char*, const char*> cases[] = {
       {R"(('[1, 2.5, -3e2]'))", "[1,2.5,-300]"},
-      {R"((' { "a" : [ ] , "b" : null , "c" : { "d" : false } } '))", R"({"a":[],"c":{"d":false}})"},
+      {R"((' { "a" : [ ] , "b" : null , "c" : { "d" : false } } '))",
+       R"({"a":[],"c":{"d":false}})"},
       {R"(('"\\u00e4\\ud83d\\ude00\\n"'))", "\"\xc3\xa4\xf0\x9f\x98\x80\\n\""}};
   for (const auto& [text, again] : cases)
     EXPECT_EQ(said("http:JSONEncode(http:JSONDecode" + std::string(text) + ")"), again) << text;

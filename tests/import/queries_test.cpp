@@ -72,6 +72,38 @@ TEST(Queries, OneForEachStageAndOneToTheGoal) {
   EXPECT_TRUE(importer::importDocument(scene.document, {"tower", false, false}).queries.empty());
 }
 
+std::vector<std::string> titles(const Scene& scene) {
+  std::vector<std::string> all;
+  for (const auto& query : importer::importDocument(scene.document, {}).queries)
+    all.emplace_back(query.reader().getQuery().getTitle());
+  return all;
+}
+
+TEST(Queries, TitlesSayFromWhereToWhere) {
+  EXPECT_EQ(titles(threeStages()),
+            (std::vector<std::string>{"Stage 1: the start to 'Checkpoint1'",
+                                      "Stage 2: 'Checkpoint1' to 'Checkpoint2'",
+                                      "Stage 3: 'Checkpoint2' to 'Gate'"}));
+}
+
+TEST(Queries, TitlesUseNumbersAndModelsWhereNamesSayNothing) {
+  Scene scene;
+  scene.part("Base", {}, scene.workspace, "SpawnLocation");
+  const auto folder = scene.add("Folder", "Checkpoints", scene.workspace);
+  for (const int n : {17, 19}) scene.part(std::to_string(n), {float(n), 0, 0}, folder);
+  for (const char* name : {"Bridge", "Tower"}) {
+    const auto model = scene.add("Model", name, scene.workspace);
+    const auto part = scene.part("Touch", {60, 0, 0}, model);
+    scene.tag(part, name[0] == 'B' ? "Checkpoint" : "Goal");
+    if (name[0] == 'B') scene.attribute(part, "Stage", int64_t{3});
+  }
+  for (const InstanceId id : scene.document.instances[folder].children) scene.tag(id, "Checkpoint");
+  EXPECT_EQ(titles(scene),
+            (std::vector<std::string>{
+                "Stage 1: the start to 'Bridge'", "Stage 2: 'Bridge' to checkpoint 17",
+                "Stage 3: checkpoint 17 to checkpoint 19", "Stage 4: checkpoint 19 to 'Tower'"}));
+}
+
 TEST(Queries, AGoalThatIsTheLastCheckpointIsAskedOnce) {
   Scene scene;
   scene.part("SpawnLocation", {}, scene.workspace, "SpawnLocation");

@@ -23,4 +23,11 @@ inline std::vector<std::string> order(const LevelDraft& level) {
 }
 using Names = std::vector<std::string>;
 
+// Names of the spawns behind the start.
+inline Names checkpoints(const LevelDraft& level) {
+  Names names = order(level);
+  if (!names.empty()) names.erase(names.begin());
+  return names;
+}
+
 }  // namespace obby::test

@@ -120,6 +120,12 @@ TEST(JsonErrors, NameThePathTheExpectationAndWhatWasThere) {
   for (const JsonCodecCase& c : cases) EXPECT_EQ(jsonCodecErrorOf(c.line), c.expected) << c.line;
 }
 
+TEST(JsonLines, AQueryKeepsItsTitle) {
+  const std::string line = R"({"type":"query","id":"stage1","title":"Stage 1: 'A' to 'B'"})";
+  EXPECT_EQ(recordFromJson(line)->reader().getQuery().getTitle(), "Stage 1: 'A' to 'B'");
+  EXPECT_EQ(normal(line), R"({"type":"query","id":"stage1","title":"Stage 1: 'A' to 'B'"})");
+}
+
 TEST(JsonErrors, NothingMayFollowBehindAZeroByte) {
   const std::string line = R"({"type":"query"})";
   EXPECT_EQ(jsonCodecErrorOf(line), "no error");

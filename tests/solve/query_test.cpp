@@ -45,6 +45,22 @@ TEST_F(QuickQueryTest, AStartOnASpawnsPartIsThatSpawnAndTheGoalDefaultsToTheLast
   EXPECT_EQ(query->reader().getQuery().getGoal().getName(), "Top");
 }
 
+TEST_F(QuickQueryTest, ATitleStaysAsLongAsItIsTrue) {
+  io::RecordBuilder own;
+  auto query = own.root().initQuery();
+  query.setTitle("Stage 1: the start to 'Top'");
+  query.initGoal().setPart("Top");
+  QuickQuery limits, other;
+  limits.maxJumps = 4;
+  other.goals = {"Base"};
+  const io::Record asked(std::move(own));
+  const auto limited = changeQuery(level(), limits, asked),
+             moved = changeQuery(level(), other, asked);
+  ASSERT_TRUE(limited && moved);
+  EXPECT_EQ(limited->reader().getQuery().getTitle(), "Stage 1: the start to 'Top'");
+  EXPECT_EQ(moved->reader().getQuery().getTitle(), "");
+}
+
 TEST_F(QuickQueryTest, EveryKindOfLimitBecomesAField) {
   QuickQuery quick;
   quick.goals = {"Top", "Base"};

@@ -5,6 +5,7 @@
 
 #include <sstream>
 
+#include "io/record.h"
 #include "table/columns.h"
 
 namespace obby::table_test {
@@ -63,6 +64,20 @@ TEST(AnswerTable, PlacesAreShortenedAndThenLeftOutOnNarrowTerminals) {
   EXPECT_THAT(row(80), HasSubstr("SpawnLocation -> Checkpoint 1"));
   EXPECT_THAT(row(70), HasSubstr("SpawnLo... -> Checkpo..."));
   EXPECT_THAT(row(50), Not(HasSubstr("->")));
+}
+
+TEST(AnswerTable, ATitleStandsInPlaceOfStartAndGoal) {
+  io::RecordBuilder record;
+  auto query = record.root().initQuery();
+  query.initGoal().setName("Part");
+  Answer answer = solved("stage1");
+  query.setTitle("Stage 1: the start to 'Checkpoint 1'");
+  table::describe(query, nullptr, answer);
+  const std::string wide = table::answerTable({answer}, {100, false, true});
+  EXPECT_THAT(wide, HasSubstr("stage1  solved   the start to 'Checkpoint 1'     8.40 s"));
+  EXPECT_THAT(wide, Not(HasSubstr("Part")));
+  const std::string narrow = table::answerTable({answer}, {70, false, false});
+  EXPECT_THAT(narrow, HasSubstr("the start to 'Checkpo..."));
 }
 
 TEST(AnswerTable, ColumnsThatNoRowNeedsAreLeftOut) {

@@ -48,6 +48,15 @@ TEST(Page, DataNamesLevelQueryAndTrajectories) {
   EXPECT_THAT(data, Not(HasSubstr("mismatch")));
 }
 
+TEST(Page, AQueryMayHaveATitle) {
+  auto report = collect({R"({"type":"level","name":"L","parts":[{"name":"A"},{"name":"B"}]})",
+                         R"({"type":"query","id":"stage1","title":"Stage 1: 'A' to 'B'",)"
+                         R"("start":{"region":{"part":"A"}},"goal":{"part":"B"}})"});
+  ASSERT_TRUE(report) << report.error().text();
+  EXPECT_THAT(view::pageData(*report, {}),
+              HasSubstr(R"("id":"stage1","level":0,"title":"Stage 1: 'A' to 'B'")"));
+}
+
 TEST(Page, MaterialsAreNamedOnceAndNoMoreThanAByteTells) {
   std::string level = R"({"type":"level","name":"L","parts":[{},{"material":"Wood"})";
   for (int i = 0; i < 300; ++i) level += R"(,{"material":"M)" + std::to_string(i) + R"("})";

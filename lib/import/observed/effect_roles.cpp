@@ -2,15 +2,15 @@
 
 #include <algorithm>
 
-#include "import/checkpoints.h"
 #include "import/observed/run.h"
+#include "import/stages/numbers.h"
 #include "level/params.h"
 
 namespace obby::importer {
 namespace {
 
 // More gravity than a level can have.
-constexpr float kMostFactor = 100, kMostGravity = 2000;  // times the level's, studs/s^2
+constexpr float kMostGravityFactor = 100, kMostGravity = 2000;  // times the level's, studs/s^2
 
 }  // namespace
 
@@ -37,7 +37,11 @@ void EffectRoles::takePlayer(PartDraft& part, const ProbeEffects& effects) {
     part.trip = Trip{};
     prove(part, "trip", reason(effects.tripLine));
   }
-  if (effects.stage && !part.checkpoint && !effects.harm) takeStage(part, *effects.stage);
+  if (effects.stage && !effects.harm) takeStage(part, *effects.stage);
+  if (effects.won && !effects.harm && !part.goal) {
+    part.goal = 0;
+    prove(part, "goal", reason(*effects.won));
+  }
   if (effects.force) note("force on the player", part.id, "does not act; ", *effects.force);
 }
 
@@ -70,7 +74,7 @@ void EffectRoles::takeBoost(PartDraft& part, const Booster& boost) {
   own.resets = boost.resets;
   if (!(own.walkSpeed > 0) || !(own.jumpSpeed > 0))
     return note("part that stops the player", part.id, "", boost.line);
-  if (!(own.gravity >= 0) || own.gravity > kMostFactor ||
+  if (!(own.gravity >= 0) || own.gravity > kMostGravityFactor ||
       own.gravity * base_.gravity > kMostGravity)
     return note("force on the player", part.id, "does not act; ", boost.line);
   part.boost = own;
@@ -78,9 +82,17 @@ void EffectRoles::takeBoost(PartDraft& part, const Booster& boost) {
 }
 
 void EffectRoles::takeStage(PartDraft& part, const StageSet& stage) {
-  part.checkpoint =
-      stage.number ? int(*stage.number) : stageNumber(context_.tree, part.id, part.id);
-  prove(part, "checkpoint", reason(stage.line));
+  StageSigns& signs = part.stageSigns;
+  if (stage.number && signs[NumberFrom::seen] == kUnnumbered)
+    signs[NumberFrom::seen] = *stage.number;
+  if (stage.team) signs.team = stage.team;
+  if (stage.respawn != kNoInstance) signs.respawn = stage.respawn;
+  if (part.checkpoint) return;
+  part.checkpoint = kUnnumbered;
+  readNumbers(context_.tree, part.id, part);
+  const bool isLine = stage.line.script != kNoInstance;
+  prove(part, "checkpoint",
+        isLine ? reason(stage.line) : "players who die after a touch come back to it");
 }
 
 void EffectRoles::takeAbility(bool keys, const engine::AirJumps& inAir,
@@ -109,10 +121,12 @@ void EffectRoles::takeAbility(bool keys, const engine::AirJumps& inAir,
       prove(*other, "solid", "once a button on the screen is used; " + reason(back.line));
     }
   if (!effects.aways.empty() || !effects.moved.empty())
-    level.noteUnmodelled("button on the screen", context_.tree, kNoInstance, "the player does not use it");
+    level.noteUnmodelled("button on the screen", context_.tree, kNoInstance,
+                         "the player does not use it");
   if ((effects.boost && !falls) || effects.push || effects.teleport || effects.force ||
       (effects.jumps && !leaps))
-    level.noteUnmodelled("ability of the player", context_.tree, kNoInstance, "the player does not use it");
+    level.noteUnmodelled("ability of the player", context_.tree, kNoInstance,
+                         "the player does not use it");
 }
 
 }  // namespace obby::importer

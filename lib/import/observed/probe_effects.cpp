@@ -9,6 +9,7 @@
 
 #include "import/frame_time.h"
 #include "import/observed/boost_effect.h"
+#include "import/observed/progress.h"
 #include "import/observed/roles.h"
 #include "import/pose_math.h"
 #include "import/world.h"
@@ -94,12 +95,8 @@ class Difference {
       takeJump(change);
     else if (property.rfind("note mover ", 0) == 0)
       takeMover(change);
-    else if (property == "note respawn" || property == "note team")
-      setStage(std::nullopt, change.line);
-    else if (property == "note kept" && change.target == probe_.target)
-      setStage(std::nullopt, change.line);
-    else if (property.rfind("note stat ", 0) == 0)
-      takeStat(change);
+    else if (property.rfind("note ", 0) == 0 && takeProgress(effects_, change, probe_.target))
+      return;
     else if (property == "note sit" || property == "note state")
       takeState(change);
     else if (property == "note walk")
@@ -164,25 +161,6 @@ class Difference {
       setPush(*velocity, change.line);
     else
       effects_.force = effects_.force.value_or(change.line);
-  }
-
-  void setStage(std::optional<double> number, engine::Line line) {
-    if (!effects_.stage)
-      effects_.stage = StageSet{number, line};
-    else if (number && !effects_.stage->number)
-      effects_.stage->number = number;
-  }
-
-  void takeStat(const Change& change) {
-    static const char* const kNames[] = {"stage", "level", "checkpoint", "spawn"};
-    std::string name = change.property.substr(10);
-    std::transform(name.begin(), name.end(), name.begin(),
-                   [](unsigned char c) { return std::tolower(c); });
-    const bool tells = std::any_of(std::begin(kNames), std::end(kNames), [&](const char* word) {
-      return name.find(word) != std::string::npos;
-    });
-    const double* const number = std::get_if<double>(&change.value);
-    if (tells && number) setStage(*number, change.line);
   }
 
   void takeState(const Change& change) {

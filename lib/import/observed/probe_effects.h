@@ -32,8 +32,16 @@ struct Booster {
   bool resets = false;  // sets what it was, and nothing else
   engine::Line line;
 };
+// Progress that scripts keep of the player.
 struct StageSet {
-  std::optional<double> number;  // in leaderstats or the like
+  std::optional<int> number;         // in leaderstats or the like
+  std::optional<int64_t> team;       // the colour of the player's new team
+  InstanceId respawn = kNoInstance;  // the SpawnLocation where the player comes back from now on
+  engine::Line line;
+};
+// A number that scripts keep of the player under a name that says nothing.
+struct Kept {
+  int number = 0;
   engine::Line line;
 };
 struct Away {
@@ -55,6 +63,8 @@ struct ProbeEffects {
   std::optional<Teleported> teleport;
   std::optional<Booster> boost;
   std::optional<StageSet> stage;
+  std::optional<engine::Line> won;
+  std::vector<Kept> kept;
   bool trips = false;
   engine::Line tripLine;
   std::optional<engine::Line> force, jumps;  // jumps: in the air, too
@@ -64,11 +74,11 @@ struct ProbeEffects {
   std::map<InstanceId, engine::Line> others;  // things whose other properties are set
 
   bool empty() const {
-    return !harm && !push && !teleport && !boost && !stage && !force && !jumps && !trips &&
+    return !harm && !push && !teleport && !boost && !stage && !won && !force && !jumps && !trips &&
            aways.empty() && backs.empty() && moved.empty() && belts.empty() && sizes.empty();
   }
   bool touchesPlayer() const {
-    return harm || push || teleport || boost || stage || force || jumps || trips;
+    return harm || push || teleport || boost || stage || won || force || jumps || trips;
   }
   // Nothing but progress.
   bool onlyStage() const;

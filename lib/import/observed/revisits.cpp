@@ -29,6 +29,7 @@ const std::string& partNear(const Tree& tree, InstanceId lever) {
 bool ProbeEffects::onlyStage() const {
   ProbeEffects rest = *this;
   rest.stage.reset();
+  rest.won.reset();
   return rest.empty();
 }
 
@@ -55,6 +56,7 @@ engine::Line ProbeEffects::line() const {
   if (!aways.empty()) return aways[0].line;
   if (!backs.empty()) return backs[0].line;
   if (!moved.empty()) return moved[0].line;
+  if (won) return *won;
   return stage ? stage->line : engine::Line{};
 }
 
@@ -65,6 +67,7 @@ ProbeEffects addedIn(const ProbeEffects& before, const ProbeEffects& now) {
   if (!before.teleport) added.teleport = now.teleport;
   if (!before.boost) added.boost = now.boost;
   if (!before.stage) added.stage = now.stage;
+  if (!before.won) added.won = now.won;
   if (!before.force) added.force = now.force;
   added.trips = now.trips && !before.trips;
   added.tripLine = now.tripLine;
@@ -86,6 +89,7 @@ ProbeEffects endedIn(const ProbeEffects& before, const ProbeEffects& now) {
     return !samePose(moved.poses.front(), moved.poses.back());
   });
   ended.stage.reset();
+  ended.won.reset();
   if (ended.boost && ended.boost->forever) ended.boost.reset();
   return ended;
 }

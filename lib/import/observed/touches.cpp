@@ -3,13 +3,14 @@
 
 #include "import/observed/effect_roles.h"
 #include "import/observed/probe_effects.h"
+#include "import/observed/progress.h"
 #include "import/observed/revisits.h"
 #include "import/observed/roles.h"
+#include "import/stages/numbers.h"
 
 namespace obby::importer {
 namespace {
 
-constexpr const char* kNothing = "scripts listen to it, and do nothing to a player";
 constexpr const char* kPosition = "nothing happens while limbs alone are in it";
 
 class Touches {
@@ -19,17 +20,18 @@ class Touches {
 
   void take(const engine::Probe& probe) {
     PartDraft* const part = partOf(probe);
-    const ProbeEffects effects = effectsOf(report_, probe);
+    const ProbeEffects effects = effectsAt(part, probe);
     if (!part) return roles_.takeAbility(isKeys(probe.target), report_.airJumps, effects);
     if (probe.lost) return note("touch that broke down", part->id, "treated as a plain part");
     if (effects.empty()) {
       if (!probe.byPlace && !part->kill && !hasEvidence(*part, kHarmless))
-        part->evidence.push_back({kHarmless, kNothing, false});
+        part->evidence.push_back({kHarmless, kHeardOnly, false});
       return;
     }
     if (!probe.allOver)
       return note("place where scripts act", part->id,
                   "only a piece of the part is concerned: treated as a plain part");
+    if (effects.stage) part->stageSigns[NumberFrom::asked] = 0;
     if (probe.byPlace) part->touch = true;  // the script looks; it does not wait for a touch
     part->byRoot = probe.byRoot && part->shape == Shape::block && effects.touchesPlayer();
     if (part->byRoot) part->evidence.push_back({"byRoot", kPosition, false});
@@ -61,11 +63,12 @@ class Touches {
     PartDraft* const part = partOf(revisit.probe);
     const engine::Probe* const first = firstOf(revisit.probe);
     if (!part || !first || !first->allOver) return;
-    const ProbeEffects before = effectsOf(report_, *first), now = effectsOf(report_, revisit.probe);
+    const ProbeEffects before = effectsAt(part, *first), now = effectsAt(part, revisit.probe);
     const std::string when = whenOf(context_.tree, revisit);
     if (const ProbeEffects added = addedIn(before, now); !added.empty()) {
-      std::erase_if(part->evidence, [](const auto& e) { return e.reason == kNothing; });
+      std::erase_if(part->evidence, [](const auto& e) { return e.reason == kHeardOnly; });
       roles_.setGuessed(!added.onlyStage());
+      if (added.stage) part->stageSigns[NumberFrom::asked] = ++asked_;
       give(*part, revisit.probe, added);
       if (roles_.setsJoints(revisit.probe)) roles_.takeDrives(*part, revisit.probe, added);
       roles_.setGuessed(false);
@@ -84,6 +87,19 @@ class Touches {
     for (InstanceId id = probe.target; id < context_.tree.size(); id = context_.tree.at(id).parent)
       if (PartDraft* const part = context_.part(id)) return part;
     return nullptr;
+  }
+  // A number of a name that says nothing is a stage if it is the part's own.
+  ProbeEffects effectsAt(const PartDraft* part, const engine::Probe& probe) const {
+    ProbeEffects effects = effectsOf(report_, probe);
+    if (!part) return effects;
+    PartDraft copy;
+    copy.id = part->id;
+    if (!effects.kept.empty()) readNumbers(context_.tree, copy.id, copy);
+    const StageSigns& own = copy.stageSigns;
+    takeOwnNumber(effects,
+                  {own[NumberFrom::value], own[NumberFrom::name], own[NumberFrom::folder]});
+    takeComeback(effects, report_, probe, *part);
+    return effects;
   }
   bool isKeys(InstanceId target) const {
     return target >= context_.tree.size() ||
@@ -113,6 +129,7 @@ class Touches {
   RoleContext& context_;
   const engine::Report& report_;
   EffectRoles roles_;
+  int asked_ = 0;  // checkpoints that ask for others first, in the order in which they gave in
 };
 
 }  // namespace

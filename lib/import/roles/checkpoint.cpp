@@ -1,23 +1,31 @@
-// Parts at which a player comes back. The stage is first the number that the maker gave, or
-// kUnnumbered; checkpoints.cpp puts them in order afterwards.
+// Parts at which a player comes back. Each gets the numbers that the file states for it;
+// checkpoints.cpp puts them in order afterwards.
+#include <algorithm>
+#include <map>
+#include <set>
 #include <unordered_map>
 
-#include "import/checkpoints.h"
+#include "import/roles/numbered_rows.h"
 #include "import/roles/role.h"
+#include "import/stages/numbers.h"
 #include "import/words.h"
 
 namespace obby::importer {
 namespace {
 
-const std::vector<std::string_view> kCheckpointTags = {
+constexpr std::string_view kCheckpointTags[] = {
     "checkpoint", "checkpoints", "stage", "stages", "spawnpoint", "respawn", "respawnpoint"};
 constexpr std::string_view kWords[] = {"checkpoint", "checkpoints"};
-constexpr std::string_view kFolderWords[] = {"checkpoint", "checkpoints", "stages", "spawns"};
+constexpr std::string_view kPadWords[] = {"pad", "stage",   "level", "spawn",
+                                          "cp",  "respawn", "save"};
 
-void give(PartDraft& part, int stage, std::string reason, bool guessed) {
-  if (part.checkpoint || part.kill) return;
-  part.checkpoint = stage;
+bool give(RoleContext& context, PartDraft& part, InstanceId owner, std::string reason,
+          bool guessed) {
+  if (part.checkpoint || part.kill) return false;
+  part.checkpoint = kUnnumbered;
+  readNumbers(context.tree, owner, part);
   part.evidence.push_back({"checkpoint", std::move(reason), guessed});
+  return true;
 }
 
 // "Checkpoint 3", "CheckPoint", "check_point": of a model that is one, not of a folder of them.
@@ -27,64 +35,50 @@ bool beginsAsCheckpoint(std::string_view name) {
          (words[0] == "checkpoint" || (words.size() > 1 && words[0] + words[1] == "checkpoint"));
 }
 
-bool isNumber(std::string_view name) {
-  return !name.empty() && name.find_first_not_of("0123456789") == std::string_view::npos;
+// A tag of checkpoints without its number ("Checkpoint_3" is "checkpoint"), or nothing.
+std::string checkpointTag(const std::string& tag) {
+  auto words = wordsOf(tag);
+  if (words.size() > 1 && isWholeNumber(words.back())) words.pop_back();
+  std::string joined;
+  for (const std::string& word : words) joined += word;
+  const bool isOne = std::find(std::begin(kCheckpointTags), std::end(kCheckpointTags), joined) !=
+                     std::end(kCheckpointTags);
+  return isOne ? joined : std::string();
 }
 
-// "Stage 3", "stage3_lava": what is in it belongs to that stage.
-bool isStage(std::string_view name) {
-  const auto words = wordsOf(name);
-  return words.size() > 1 && words[0] == "stage" && isNumber(words[1]);
+void giveTagged(RoleContext& context, InstanceId id, const std::string& tag,
+                const std::string& kind) {
+  const auto giveOne = [&](InstanceId one) {
+    PartDraft* const part = touchPart(context, one);
+    if (part && give(context, *part, one, "tag " + tag, false))
+      part->stageSigns[NumberFrom::tag] = firstNumber(tag).value_or(kUnnumbered);
+  };
+  // A folder holds checkpoints side by side, but for that of one stage. A model is one.
+  if (context.tree.at(id).className != "Folder" || kind == "stage") return giveOne(id);
+  for (const InstanceId child : context.tree.at(id).children) giveOne(child);
 }
 
-bool inCheckpointFolder(const Tree& tree, InstanceId id) {
-  const InstanceId parent = tree.at(id).parent;
-  return parent != kNoInstance && !firstWordIn(tree.at(parent).name, kFolderWords).empty();
-}
-
-}  // namespace
-
-int stageNumber(const Tree& tree, InstanceId id, InstanceId part) {
-  for (InstanceId holder : {id, part})
-    for (const char* name : {"Stage", "Checkpoint", "Number", "Index", "Order", "Level", "ID"})
-      if (const auto number = tree.number(holder, name))
-        if (*number >= 0 && *number < 1e6) return int(*number);
-  for (InstanceId holder = part; holder != kNoInstance; holder = tree.at(holder).parent) {
-    const std::string& name = tree.at(holder).name;
-    const bool own = holder == id || holder == part;
-    const bool tells =
-        own || isNumber(name) || isStage(name) || !firstWordIn(name, kFolderWords).empty();
-    const auto number = tells ? firstNumber(name) : std::nullopt;
-    if (number) return *number;
+// Whether the place says by other means than names which parts are checkpoints.
+bool areStated(const RoleContext& context) {
+  int changing = 0;
+  for (const PartDraft& part : context.level.parts) {
+    if (part.checkpoint) return true;
+    const Instance& instance = context.tree.at(part.id);
+    if (instance.className == "SpawnLocation" &&
+        propertyOr(instance, "AllowTeamChangeOnTouch", false))
+      ++changing;
   }
-  return kUnnumbered;
+  return changing > 1;
 }
 
-void checkpointFromTags(RoleContext& context) {
-  context.eachTagged(kCheckpointTags, [&](InstanceId id, const std::string& tag) {
-    const auto giveOne = [&](InstanceId one) {
-      PartDraft* part = touchPart(context, one);
-      if (part) give(*part, stageNumber(context.tree, one, part->id), "tag " + tag, false);
-    };
-    // A folder holds checkpoints side by side, but for that of one stage. A model is one.
-    if (context.tree.at(id).className != "Folder" || lower(tag) == "stage") return giveOne(id);
-    for (InstanceId child : context.tree.at(id).children) giveOne(child);
-  });
-}
-
-void checkpointFromNames(RoleContext& context) {
+void giveNamed(RoleContext& context) {
   const Tree& tree = context.tree;
-  bool stated = false;
-  for (const PartDraft& part : context.level.parts) stated = stated || part.checkpoint.has_value();
-  if (stated) return;  // stated checkpoints make names needless
   std::unordered_map<InstanceId, const PartDraft*> touched;  // of each model
-  for (size_t i = 0; i < context.level.parts.size(); ++i) {
-    PartDraft& part = context.level.parts[i];
+  for (PartDraft& part : context.level.parts) {
     const Instance& instance = tree.at(part.id);
     if (hasRole(part) || !part.touch || instance.className == "SpawnLocation") continue;
-    const bool named = !firstWordIn(instance.name, kWords).empty();
-    if (named || (isNumber(instance.name) && inCheckpointFolder(tree, part.id))) {
-      give(part, stageNumber(tree, part.id, part.id), "name " + instance.name, true);
+    if (!firstWordIn(instance.name, kWords).empty() && !isBelowMover(tree, part.id)) {
+      give(context, part, part.id, "name " + instance.name, true);
       continue;
     }
     // A model called like a checkpoint: one of its parts counts.
@@ -94,7 +88,89 @@ void checkpointFromNames(RoleContext& context) {
     if (!beginsAsCheckpoint(name)) continue;
     const auto [known, isNew] = touched.try_emplace(model);
     if (isNew) known->second = touchPart(context, model);
-    if (known->second == &part) give(part, stageNumber(tree, model, part.id), "name " + name, true);
+    if (known->second == &part) give(context, part, model, "name " + name, true);
+  }
+}
+
+bool isHeardOnly(const PartDraft& part) {
+  return !hasRole(part) && std::any_of(part.evidence.begin(), part.evidence.end(),
+                                       [](const Evidence& e) { return e.reason == kHeardOnly; });
+}
+
+// Pads in a row that scripts listen to and do nothing visible: they keep the player's stage in a
+// table of their own.
+void giveHeardRows(RoleContext& context) {
+  std::map<std::string, std::vector<PartDraft*>> rows;
+  for (PartDraft& part : context.level.parts) {
+    if (!isHeardOnly(part)) continue;
+    const std::string& name = context.tree.at(part.id).name;
+    const std::string row = rowOf(context.tree, part.id);
+    const bool tells = isWholeNumber(name) || !firstWordIn(row, kPadWords).empty();
+    if (tells && !row.empty()) rows[row].push_back(&part);
+  }
+  for (const auto& [row, parts] : rows)
+    if (parts.size() > 1)
+      for (PartDraft* part : parts)
+        give(context, *part, part->id, "scripts listen to a numbered row of such parts", true);
+}
+
+}  // namespace
+
+void checkpointFromTags(RoleContext& context) {
+  for (InstanceId id = 0; id < context.tree.size(); ++id)
+    for (const std::string& tag : context.tree.at(id).tags) {
+      const std::string kind = checkpointTag(tag);
+      // "Stage3" on all that is in a stage is a group.
+      const bool isGroup =
+          kind == "stage" && firstNumber(tag) && context.tree.tagged(tag).size() > 1;
+      if (kind.empty() || isGroup) continue;
+      giveTagged(context, id, tag, kind);
+      break;
+    }
+}
+
+// A number of its own in each of several parts or models, under a name such as Stage.
+void checkpointFromMarkers(RoleContext& context) {
+  constexpr const char* kNames[] = {"Stage", "Checkpoint", "StageNumber", "CheckpointNumber"};
+  if (areStated(context)) return;
+  std::map<int, std::vector<InstanceId>> owners;
+  for (InstanceId id = 0; id < context.tree.size(); ++id) {
+    const bool isOwner = context.tree.isPart(id) || context.tree.at(id).className == "Model";
+    if (!isOwner || !context.hasParts(id)) continue;
+    for (const char* name : kNames)
+      if (const auto number = context.tree.number(id, name);
+          number && *number >= 0 && *number < 1e6) {
+        owners[int(*number)].push_back(id);
+        break;
+      }
+  }
+  const bool isRow = std::all_of(owners.begin(), owners.end(),
+                                 [](const auto& one) { return one.second.size() == 1; });
+  if (owners.size() < 2 || !isRow) return;
+  for (const auto& [number, ids] : owners)
+    if (PartDraft* const part = touchPart(context, ids[0]); part && part->touch)
+      give(context, *part, ids[0], "its value Stage", true);
+}
+
+void checkpointFromNames(RoleContext& context) {
+  if (areStated(context)) return;  // stated checkpoints make names needless
+  giveNamed(context);
+  for (const RowMember& member : rowsInStageFolders(context))
+    give(context, *member.part, member.owner, "name " + context.tree.at(member.owner).name, true);
+  if (!areStated(context)) giveHeardRows(context);
+}
+
+void checkpointFromSiblings(RoleContext& context) {
+  const Tree& tree = context.tree;
+  std::set<std::string> rows;
+  for (const PartDraft& part : context.level.parts)
+    if (part.checkpoint) rows.insert(rowOf(tree, part.id));
+  rows.erase("");
+  for (PartDraft& part : context.level.parts) {
+    const bool isOpen = !hasRole(part) && part.touch && !part.checkpoint;
+    if (!isOpen || !(isHeardOnly(part) || isInRowFolder(tree, part.id))) continue;
+    if (rows.contains(rowOf(tree, part.id)))
+      give(context, part, part.id, "numbered like the checkpoints beside it", true);
   }
 }
 

@@ -76,6 +76,8 @@ bool hasEvidence(const PartDraft& part, const char* role);
 
 // The evidence of a part that a tag says to hurt nobody; it leaves the other roles as they are.
 constexpr const char* kHarmless = "harmless";
+// Its reason where the part was seen to do nothing.
+constexpr const char* kHeardOnly = "scripts listen to it, and do nothing to a player";
 
 // True if anything but its shape, its joints, what scripts set at the start and that it is harmless
 // is known about the part.
@@ -87,7 +89,11 @@ void killFromTags(RoleContext&);
 void killFromMarkers(RoleContext&);
 void killFromNames(RoleContext&);
 void checkpointFromTags(RoleContext&);
+void checkpointFromMarkers(RoleContext&);
 void checkpointFromNames(RoleContext&);
+// Parts numbered in one row with checkpoints, that scripts listen to or that are in a folder of
+// stages: they ask for more than the touches that were tried.
+void checkpointFromSiblings(RoleContext&);
 void goalFromTags(RoleContext&);
 void goalFromNames(RoleContext&);
 void conveyorFromTags(RoleContext&);

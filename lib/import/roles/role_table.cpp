@@ -10,7 +10,7 @@ namespace {
 //   role                tags, class           markers              names and defaults
 constexpr RoleRow kRoles[] = {
     {"goal", goalFromTags, nullptr, goalFromNames},
-    {"checkpoint", checkpointFromTags, nullptr, checkpointFromNames},
+    {"checkpoint", checkpointFromTags, checkpointFromMarkers, checkpointFromNames},
     {"kill", killFromTags, killFromMarkers, killFromNames},
     {"jumpPad", jumpPadFromTags, jumpPadFromMarkers, nullptr},
     {"boost", nullptr, boostFromMarkers, nullptr},

@@ -190,6 +190,8 @@ const char* firstOption(const QuickQuery& q) {
 
 // What is asked for takes the place of what the query has.
 Status fill(schema::Level::Reader level, const QuickQuery& quick, schema::Query::Builder query) {
+  // A title says from where to where.
+  if (!quick.start.empty() || !quick.goals.empty()) query.disownTitle();
   if (!quick.start.empty()) OBBY_RETURN_IF_ERROR(fillStart(level, quick.start, query));
   if (!quick.goals.empty()) {
     const std::vector<std::string> others(quick.goals.begin() + 1, quick.goals.end());

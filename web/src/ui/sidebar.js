@@ -116,8 +116,8 @@ export class Sidebar {
     const shared = sharedIds(this.report.queries);
     this.report.queries.forEach((query, index) => {
       const level = this.report.levels[query.level];
-      const id = query.id || 'Query';
-      const name = level && shared.has(query.id) ? `${id} · ${level.name || 'Level'}` : id;
+      const heading = query.title || query.id || 'Query';
+      const name = level && shared.has(query.id) ? `${heading} · ${level.name || 'Level'}` : heading;
       const result = query.result;
       const facts =
         result?.verdict === 'solved' && level
@@ -131,7 +131,7 @@ export class Sidebar {
             role: 'option',
             tabindex: -1,
             type: 'button',
-            data: { name: name.toLowerCase(), query: index, key: `query ${index}` },
+            data: { name: `${name} ${query.id}`.toLowerCase(), query: index, key: `query ${index}` },
             on: { click: () => this.store.set({ query: index }) },
           },
           badge(verdictOf(query)),

@@ -1,0 +1,32 @@
+// Instances side by side that are called alike but for a number: "Stage1", "Stage2", ...
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "import/roles/role.h"
+
+namespace obby::importer {
+
+// What the parts of one row share: the folder, and the names without their numbers. The number may
+// be in the part's own name, in a value of it or in the name of its model. Empty: there is none.
+std::string rowOf(const Tree& tree, InstanceId part);
+
+// Whether it has a number and is right in a folder called Stages, Checkpoints or the like.
+bool isInRowFolder(const Tree& tree, InstanceId part);
+
+// Whether a tag says that something above it moves: what is called a checkpoint there is a way
+// point.
+bool isBelowMover(const Tree& tree, InstanceId id);
+
+struct RowMember {
+  InstanceId owner = kNoInstance;  // whose name has the number
+  PartDraft* part = nullptr;
+};
+
+// The pads of the rows in folders that are called Stages, Checkpoints or the like. A model or
+// folder that has no part made for touching counts by the part that is nearest to the pad before.
+// In a folder called Checkpoints without a row each part is one.
+std::vector<RowMember> rowsInStageFolders(RoleContext& context);
+
+}  // namespace obby::importer

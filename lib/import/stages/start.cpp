@@ -1,0 +1,253 @@
+// The start, and what the other SpawnLocations are.
+#include <algorithm>
+#include <set>
+#include <tuple>
+
+#include "engine/classes/class_defaults.h"
+#include "import/stages/course.h"
+#include "import/stages/numbers.h"
+#include "import/words.h"
+
+namespace obby::importer {
+namespace {
+
+constexpr float kSameLobby = 24;  // studs between pads that are one start
+constexpr float kOnTop = 8;       // studs that scripts leave between a pad and the player at most
+constexpr std::string_view kStartWords[] = {"start", "lobby", "spawn", "mapstart", "inicio"};
+constexpr std::string_view kSurelyStart[] = {"start", "mapstart", "inicio"};
+
+// The middle of the part's top.
+Vec3 topOf(const PartDraft& part) {
+  const Vec3& middle = part.pose.position;
+  return {middle.x, boundsOf(part.pose, part.size * 0.5f).hi.y, middle.z};
+}
+
+void giveGoal(Course& course, int index, const char* why) {
+  PartDraft& part = course.part(index);
+  part.checkpoint.reset();
+  if (!part.goal) part.goal = 0;
+  course.prove(index, "goal", why, false);
+}
+
+// A pad that scripts were seen to give the winners' team.
+void findWinnersPads(Course& course) {
+  for (int i = 0; i < int(course.level.parts.size()); ++i)
+    for (const Team& team : course.teams)
+      if (course.part(i).stageSigns.team == team.color && isForWinners(team.name))
+        giveGoal(course, i, "sets the winners' team");
+}
+
+class SpawnRoles {
+ public:
+  explicit SpawnRoles(Course& course) : course_(course) {
+    for (int i = 0; i < int(course.level.parts.size()); ++i) {
+      if (course.instance(i).className != "SpawnLocation" || !course.is(i, "Enabled")) continue;
+      spawns_.push_back(i);
+      read(i);
+    }
+    for (const PartDraft& part : course.level.parts)
+      if (part.checkpoint && part.stageSigns.respawn != part.id)
+        remote_.insert(part.stageSigns.respawn);
+  }
+
+  bool empty() const { return spawns_.empty(); }
+
+  // Whether the engine itself puts a player there.
+  bool isOnOne(Vec3 feet) const {
+    return std::any_of(spawns_.begin(), spawns_.end(), [&](int spawn) {
+      const PartDraft& part = course_.part(spawn);
+      const Vec3 off = feet - topOf(part);
+      return absf(off.y) < 1 && length(Vec3{off.x, 0, off.z}) < length(part.size) / 2;
+    });
+  }
+
+  void give() {
+    chooseStart();
+    for (const int spawn : spawns_)
+      if (spawn != course_.start) giveRole(spawn);
+  }
+
+ private:
+  void read(int spawn) {
+    PartDraft& part = course_.part(spawn);
+    readNumbers(course_.tree, part.id, part);
+    const Team* const team = course_.teamOf(spawn);
+    if (!team) return;
+    part.stageSigns[NumberFrom::team] = firstNumber(team->name).value_or(kUnnumbered);
+  }
+
+  // Its own number, else that of its folder or team.
+  int numberOf(int spawn) const {
+    const StageSigns& signs = course_.part(spawn).stageSigns;
+    for (const NumberFrom from : {NumberFrom::tag, NumberFrom::value, NumberFrom::name,
+                                  NumberFrom::folder, NumberFrom::team})
+      if (signs[from] != kUnnumbered) return signs[from];
+    return kUnnumbered;
+  }
+
+  bool forWinners(int spawn) const {
+    const InstanceId parent = course_.instance(spawn).parent;
+    const Team* const team = course_.teamOf(spawn);
+    return isForWinners(course_.instance(spawn).name) || (team && isForWinners(team->name)) ||
+           (parent != kNoInstance && isForWinners(course_.tree.at(parent).name));
+  }
+
+  // The team that a new player gets; of several those in the game share, the first by number.
+  const Team* firstTeam() const {
+    const Team* first = nullptr;
+    const auto number = [](const Team& team) { return firstNumber(team.name).value_or(0); };
+    for (const Team& team : course_.teams)
+      if (team.joined && !isForWinners(team.name) && (!first || number(team) < number(*first)))
+        first = &team;
+    return first;
+  }
+
+  // Smaller is a better start.
+  int rank(int spawn, const Team* joined) const {
+    if (forWinners(spawn)) return 5;
+    const Team* const team = course_.teamOf(spawn);
+    if (team && joined && team->color == joined->color) return 0;
+    if (!firstWordIn(course_.instance(spawn).name, kSurelyStart).empty()) return 1;
+    if (course_.part(spawn).checkpoint) return 4;
+    return course_.is(spawn, "Neutral") && !course_.is(spawn, "AllowTeamChangeOnTouch") ? 2 : 3;
+  }
+
+  // The checkpoint of the least number; -1: none is numbered.
+  int firstCheckpoint() const {
+    std::vector<int> known;
+    for (int i = 0; i < int(course_.level.parts.size()); ++i)
+      if (course_.part(i).checkpoint) known.push_back(i);
+    const std::vector<int> numbers = numbersThatCount(course_.level, known);
+    int best = -1;
+    for (size_t i = 0; i < known.size(); ++i)
+      if (numbers[i] != kUnnumbered && (best < 0 || numbers[i] < numbers[size_t(best)]))
+        best = int(i);
+    return best < 0 ? -1 : known[size_t(best)];
+  }
+
+  void chooseStart() {
+    const Team* const joined = firstTeam();
+    const int first = firstCheckpoint();
+    const auto key = [&](int spawn) {
+      const int number = numberOf(spawn);
+      const float away = first < 0 ? 0 : course_.hop(spawn, first);
+      return std::tuple(rank(spawn, joined), number == kUnnumbered ? 0 : number, away, spawn);
+    };
+    course_.start = *std::min_element(spawns_.begin(), spawns_.end(),
+                                      [&](int a, int b) { return key(a) < key(b); });
+    course_.prove(course_.start, "start", "SpawnLocation", spawns_.size() > 1);
+  }
+
+  void giveRole(int spawn) {
+    PartDraft& part = course_.part(spawn);
+    const bool changesTeam = course_.is(spawn, "AllowTeamChangeOnTouch");
+    if (forWinners(spawn)) return giveWinners(spawn, changesTeam || part.checkpoint);
+    if (part.checkpoint) return;
+    if (remote_.contains(part.id))
+      return course_.prove(spawn, "start", "SpawnLocation of a checkpoint elsewhere", false);
+    const int number = numberOf(spawn);
+    const bool isOther = number != kUnnumbered && number != numberOf(course_.start);
+    if (!isOther && !changesTeam) return giveStart(spawn);
+    if (!changesTeam && isBesideItsLike(spawn))
+      return course_.prove(spawn, "start", "SpawnLocation next to one of its stage", true);
+    part.checkpoint = kUnnumbered;
+    course_.prove(spawn, "checkpoint",
+                  changesTeam ? "SpawnLocation that changes the team" : "SpawnLocation",
+                  !changesTeam);
+  }
+
+  bool areNear(int a, int b) const {
+    return length(course_.part(a).pose.position - course_.part(b).pose.position) < kSameLobby;
+  }
+
+  // Whether a checkpoint of the same number is near.
+  bool isBesideItsLike(int spawn) const {
+    return std::any_of(spawns_.begin(), spawns_.end(), [&](int other) {
+      return other != spawn && course_.part(other).checkpoint && areNear(spawn, other) &&
+             numberOf(other) == numberOf(spawn);
+    });
+  }
+
+  void giveStart(int spawn) {
+    const bool near = areNear(spawn, course_.start);
+    const Team* const team = course_.teamOf(spawn);
+    course_.prove(spawn, "start",
+                  near   ? "SpawnLocation next to the start"
+                  : team ? "SpawnLocation of the team " + team->name
+                         : "another SpawnLocation",
+                  true);
+  }
+
+  // A player who walks onto it has won; or what brings the player there is the goal.
+  void giveWinners(int spawn, bool isReached) {
+    PartDraft& part = course_.part(spawn);
+    part.checkpoint.reset();
+    if (isReached) return giveGoal(course_, spawn, "SpawnLocation of the winners");
+    course_.prove(spawn, "start", "SpawnLocation of the winners", true);
+    for (int i = 0; i < int(course_.level.parts.size()); ++i) {
+      const PartDraft& other = course_.part(i);
+      const bool leads =
+          other.teleport && length(other.teleport->position - part.pose.position) < kSameLobby;
+      if (i != spawn && (leads || other.stageSigns.respawn == part.id))
+        giveGoal(course_, i, "leads to the winners' SpawnLocation");
+    }
+  }
+
+  Course& course_;
+  std::vector<int> spawns_;
+  std::set<InstanceId> remote_;  // SpawnLocations that checkpoints elsewhere set
+};
+
+// No SpawnLocation: a part called Start.
+void startFromNames(Course& course) {
+  for (int i = 0; i < int(course.level.parts.size()); ++i) {
+    const std::string& name = course.instance(i).name;
+    const auto words = wordsOf(name);
+    const PartDraft& part = course.part(i);
+    if (words.size() > 2 || words.empty() || part.kill || part.goal || part.motion) continue;
+    if (firstWordIn(name, kStartWords).empty()) continue;
+    course.start = i;
+    return course.prove(i, "start", "name " + name, true);
+  }
+}
+
+// The highest part below the feet, or one that the body is in; -1: none within reach.
+int partBelow(const Course& course, Vec3 feet) {
+  constexpr float kToRoot = 3;  // studs
+  for (const float into : {0.0f, kToRoot}) {
+    int best = -1;
+    float highest = feet.y - kOnTop;
+    for (int i = 0; i < int(course.level.parts.size()); ++i) {
+      const PartDraft& part = course.part(i);
+      const auto bounds = boundsOf(part.pose, part.size * 0.5f);
+      const bool over = feet.x >= bounds.lo.x && feet.x <= bounds.hi.x && feet.z >= bounds.lo.z &&
+                        feet.z <= bounds.hi.z && bounds.lo.y <= feet.y + into;
+      if (!over || bounds.hi.y < highest) continue;
+      highest = bounds.hi.y;
+      best = i;
+    }
+    if (best >= 0) return best;
+  }
+  return -1;
+}
+
+}  // namespace
+
+void findStart(Course& course, const std::optional<Vec3>& arrived) {
+  findWinnersPads(course);
+  SpawnRoles spawns(course);
+  if (spawns.empty())
+    startFromNames(course);
+  else
+    spawns.give();
+  if (!arrived || spawns.isOnOne(*arrived)) return;
+  // Scripts have put the player there.
+  const int below = partBelow(course, *arrived);
+  if (below < 0 || below == course.start) return;
+  course.start = below;
+  const bool isInside = topOf(course.part(below)).y > arrived->y;
+  if (!course.part(below).checkpoint && !isInside) course.arrived = arrived;
+  course.prove(below, "start", "scripts put new players there", false);
+}
+
+}  // namespace obby::importer
