@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 
 namespace obby::engine {
 namespace {
@@ -33,10 +34,19 @@ bool isQuiet(const Observation& seen) {
          });
 }
 
-// Scripts may keep the part to themselves: then it shows where they put the next body.
+// Whether scripts note progress of the player, or a number of it.
+bool isProgress(const Observation& seen) {
+  constexpr std::string_view kNotes[] = {"note respawn", "note team", "note stat "};
+  return std::any_of(seen.changes.begin(), seen.changes.end(), [&](const Change& change) {
+    return std::any_of(std::begin(kNotes), std::end(kNotes),
+                       [&](std::string_view note) { return change.property.rfind(note, 0) == 0; });
+  });
+}
+
+// Where the next body is: scripts may keep a checkpoint to themselves, and a portal may kill.
 void comeBack(Stage& stage, Probe& probe) {
   const uint32_t begun = stage.frames();
-  stage.die();
+  if (stage.playerLives()) stage.die();
   stage.run(1);
   while (!stage.playerLives() && !stage.isExhausted() &&
          stage.frames() - begun < framesOf(kLongestDeath))
@@ -77,8 +87,9 @@ Probe runProbe(Stage& stage, const Plan& plan, Probe probe, Manner manner) {
   }
   probe.left = probe.at + hold * kFrame;
   probe.seen = stage.observation();
-  if (manner.comesBack && stands && !probe.byPlace && stage.playerLives() && isQuiet(probe.seen) &&
-      stage.mindsBodies())
+  const bool isPortal = !stage.playerLives() && isProgress(probe.seen);
+  const bool mayBeKept = stage.playerLives() && isQuiet(probe.seen) && stage.mindsBodies();
+  if (manner.comesBack && stands && !probe.byPlace && (isPortal || mayBeKept))
     comeBack(stage, probe);
   return probe;
 }

@@ -7,10 +7,11 @@
 namespace obby::engine {
 
 struct Manner {
-  float share = 0;         // see Stage::standAt
-  int face = 0;            // the same
-  bool patient = false;    // stays for seconds and touches the part again and again
-  bool comesBack = false;  // dies in the end if nothing has happened, to see where it comes back
+  float share = 0;       // see Stage::standAt
+  int face = 0;          // the same
+  bool patient = false;  // stays for seconds and touches the part again and again
+  // Is watched until it lives again if it dies with progress, and dies if nothing has happened.
+  bool comesBack = false;
 };
 
 // The number of frames nearest to `seconds`.

@@ -20,8 +20,9 @@ namespace obby::engine {
 
 namespace {
 
-constexpr double kStuck = 2;          // seconds of CPU without a beat
-constexpr uint32_t kMostOfKin = 100;  // probes, where there are too many parts for all
+constexpr double kStuck = 2;             // seconds of CPU without a beat
+constexpr uint32_t kMostOfKin = 100;     // probes, where there are too many parts for all
+constexpr uint32_t kMostComebacks = 40;  // probes of a kin whose player may die: each takes seconds
 constexpr size_t kProcessMemory = size_t(2) << 30;
 
 // In the caged child: everything but the probes themselves.
@@ -142,12 +143,16 @@ class Watcher {
   }
 
   void runAll(const std::vector<Probe>& wanted) {
+    std::map<uint64_t, uint32_t> seen;  // probes of each kin
     for (size_t i = 0; i < wanted.size(); ++i) {
+      const bool comesBack = wanted[i].kin == 0 || seen[wanted[i].kin]++ < kMostComebacks;
       report_.probes[i] = wanted[i];
       stage_.noteWork();
       children_.start(
           plan_.timeLimit / 4,
-          [&, i] { return toBytes(runProbe(stage_, plan_, wanted[i], {.comesBack = true})); },
+          [&, i, comesBack] {
+            return toBytes(runProbe(stage_, plan_, wanted[i], {.comesBack = comesBack}));
+          },
           [this, i](const std::string& bytes) {
             Probe& probe = report_.probes[i];
             probe.lost = !fromBytes(bytes, probe);

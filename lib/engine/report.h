@@ -23,8 +23,9 @@ struct Probe {
   bool allOver = true;   // it happens towards two opposite corners of the part, too
   bool byRoot = false;   // it does not happen where limbs alone are in the part
   uint64_t kin = 0;      // parts that the same functions listen to have the same number; 0: none do
-  bool reborn = false;   // the player died after a touch without other effects, and came back:
-  Vec3 rebornAt;         // the feet then
+  bool reborn =
+      false;      // the player died of the touch, or after one without effects, and came back:
+  Vec3 rebornAt;  // the feet then
 };
 
 // A part that was not probed, as there are too many. The same functions listen to it as to a probed

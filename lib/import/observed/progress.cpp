@@ -77,7 +77,13 @@ void takeComeback(ProbeEffects& effects, const engine::Report& report, const eng
                   const PartDraft& part) {
   constexpr float kMoved = 2, kBeside = 3, kAbove = 10, kBelow = 2;  // studs
   const Vec3 feet = probe.rebornAt;
-  if (effects.stage || !probe.reborn || length(feet - report.arrived.feet) < kMoved) return;
+  if (!probe.reborn || length(feet - report.arrived.feet) < kMoved) return;
+  if (effects.stage && effects.harm) {
+    effects.teleport = Teleported{feet, false, 0, effects.stage->line};
+    effects.harm.reset();
+    effects.stage.reset();
+  }
+  if (effects.stage || effects.teleport) return;
   const auto bounds = boundsOf(part.pose, part.size * 0.5f);
   const bool isThere = feet.x > bounds.lo.x - kBeside && feet.x < bounds.hi.x + kBeside &&
                        feet.z > bounds.lo.z - kBeside && feet.z < bounds.hi.z + kBeside &&

@@ -14,7 +14,8 @@ bool takeProgress(ProbeEffects& effects, const engine::Change& note, InstanceId 
 // If a number of a name that says nothing is that of the part itself, it is the part's stage.
 void takeOwnNumber(ProbeEffects& effects, std::initializer_list<int> numbersOfPart);
 
-// A player who died after the touch, and came back to the part instead of the spawn.
+// A player who died after the touch, and came back to the part instead of the spawn. A part that
+// kills and brings the player on is a portal to where it comes back.
 void takeComeback(ProbeEffects& effects, const engine::Report& report, const engine::Probe& probe,
                   const PartDraft& part);
 
