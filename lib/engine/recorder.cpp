@@ -40,6 +40,7 @@ void Recorder::problem(InstanceId script, bool limited, std::string_view text) {
   for (Problem& known : seen_.problems)
     if (known.script == script && known.text == text) {
       ++known.count;
+      known.limited |= limited;
       return;
     }
   if (seen_.problems.size() < kMostProblems)

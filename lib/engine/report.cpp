@@ -163,7 +163,9 @@ class Watcher {
   void jumpInAir() {
     children_.start(
         plan_.timeLimit / 4, [&] { return toBytes(findAirJumps(stage_)); },
-        [this](const std::string& bytes) { fromBytes(bytes, report_.airJumps); });
+        [this](const std::string& bytes) {
+          if (!fromBytes(bytes, report_.airJumps)) report_.airJumps = {};
+        });
   }
 
   // While the undisturbed run goes on.

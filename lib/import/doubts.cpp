@@ -17,7 +17,8 @@ constexpr std::string_view kEasier[] = {"ability of the player",
                                         "tag zipline",
                                         "tool",
                                         "use that acts on the player"};
-constexpr std::string_view kHarder[] = {"harm by itself"};
+constexpr std::string_view kHarder[] = {"harm by itself", "part that stops the player",
+                                        "tag trippart"};
 
 template <size_t n>
 bool listed(const std::string_view (&kinds)[n], std::string_view kind) {

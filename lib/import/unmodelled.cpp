@@ -79,7 +79,8 @@ void noteTags(RoleContext& context) {
     for (const std::string& tag : context.tree.at(id).tags)
       if (std::find(std::begin(kKitTags), std::end(kKitTags), lower(tag)) != std::end(kKitTags) &&
           context.hasParts(id))
-        context.level.noteUnmodelled("tag " + tag, context.tree, id, "treated as a plain part");
+        context.level.noteUnmodelled("tag " + lower(tag), context.tree, id,
+                                     "treated as a plain part");
 }
 
 }  // namespace

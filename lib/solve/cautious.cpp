@@ -9,7 +9,7 @@ namespace obby::solve {
 
 namespace {
 
-constexpr uint64_t kLeastSteps = 500'000;
+constexpr uint64_t kMinSteps = 500'000;
 constexpr uint64_t kTimesSteps = 8;  // those of the first search
 constexpr float kDeadly = 1e6f;      // damage: more than any health
 
@@ -26,23 +26,37 @@ std::set<uint32_t> namedParts(schema::Query::Reader query) {
   return parts;
 }
 
-// The parts hold nobody: a floor is sensed from above before it is touched.
+// Players fall through these parts: the simulator senses a floor before the feet touch it.
 Result<LoadedLevel> withDeadly(const io::Record& level, const std::vector<uint32_t>& parts) {
   io::RecordBuilder copy(level.reader());
   auto all = copy.root().getLevel().getParts();
   for (const uint32_t part : parts) {
     all[part].setSolid(false);
     all[part].setTouch(true);
+    all[part].setByRoot(false);
     all[part].initKill().setDamage(kDeadly);
   }
   return loadLevel(io::Record(std::move(copy)));
+}
+
+// Could the game be easier because of a loss that does not concern deadly parts alone?
+bool mayBeEasierElsewhere(schema::Level::Reader level, const std::vector<uint32_t>& deadly) {
+  for (const auto loss : level.getUnmodelled()) {
+    if (loss.getAnywhere() && loss.getBearing() != schema::Bearing::HARDER) return true;
+  }
+  const auto parts = level.getParts();
+  for (uint32_t i = 0; i < parts.size(); ++i) {
+    const bool isDeadly = std::ranges::binary_search(deadly, i);
+    if (parts[i].getDoubts().size() > 0 && !isDeadly) return true;
+  }
+  return false;
 }
 
 // What is left of the budget, as far as it is worth while.
 Budget budgetAfter(Budget budget, const SearchOutcome& first) {
   const uint64_t steps = first.statistics.steps;
   budget.maxSteps -= std::min(budget.maxSteps, steps);
-  budget.maxSteps = std::min(budget.maxSteps, std::max(kLeastSteps, kTimesSteps * steps));
+  budget.maxSteps = std::min(budget.maxSteps, std::max(kMinSteps, kTimesSteps * steps));
   budget.seconds = std::max(0.0, budget.seconds - first.seconds);
   return budget;
 }
@@ -66,7 +80,8 @@ Result<Avoiding> avoidDoubts(const SolvedQuery& solved, const Machine& machine,
   const PosedQuery posed{level.level, level.record.reader().getLevel(), query, solved.query,
                          solved.options.policy};
   const Problem problem = problemOf(posed);
-  if (isCut(problem, solved.query)) return Avoiding::impossible;
+  if (isCut(problem, solved.query))
+    return mayBeEasierElsewhere(record, deadly) ? Avoiding::notFound : Avoiding::impossible;
   SearchOutcome found = solved.options.method->run(
       problem, budgetAfter(solved.options.budget, outcome), solved.watcher, machine);
   outcome.statistics.steps += found.statistics.steps;
@@ -74,7 +89,12 @@ Result<Avoiding> avoidDoubts(const SolvedQuery& solved, const Machine& machine,
   if (found.solutions.empty()) return Avoiding::notFound;
   outcome.solutions = std::move(found.solutions);
   outcome.routes = std::move(found.routes);
-  std::erase_if(touched, [&](uint32_t part) { return !isNeeded(part); });
+  outcome.knownSolutions = 0;
+  outcome.cells = found.cells;
+  outcome.statistics.rounds += found.statistics.rounds;
+  outcome.firstSolution = outcome.seconds - found.seconds + found.firstSolution;
+  touched =
+      touchedOf(doubtfulParts(record), view, courseOf(solved.problem, outcome.solutions.front()));
   return Avoiding::notTried;
 }
 

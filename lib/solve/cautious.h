@@ -10,6 +10,7 @@ namespace obby::solve {
 struct SolvedQuery {
   const LoadedLevel& level;
   schema::Query::Reader query;
+  const Problem& problem;
   const SolverOptions& options;
   const Watcher& watcher;  // of the search for other solutions, in `level`
 };

@@ -81,8 +81,8 @@ class Solving {
     const Watcher watcher{
         [this](const Playthrough& p) { return accepts(p); },
         [this](const SearchView&) { return !question_.goOn || question_.goOn(); }};
-    OBBY_ASSIGN(avoiding_, avoidDoubts({level_, query_, options_, watcher}, machine, course,
-                                       touched_, outcome));
+    OBBY_ASSIGN(avoiding_, avoidDoubts({level_, query_, problem, options_, watcher}, machine,
+                                       course, touched_, outcome));
     return {};
   }
 

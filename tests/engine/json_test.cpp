@@ -6,16 +6,8 @@
 namespace obby::test {
 namespace {
 
-// The text of an expression, by way of an error, which the stage keeps as a problem.
-std::string said(const std::string& expression) {
-  Place place;
-  place.script("local http = game:GetService('HttpService')\nerror(tostring(" + expression + "))",
-               place.scripts);
-  engine::Stage stage(place.document, {});
-  stage.start();
-  const std::string text = problems(stage.observation());
-  const size_t begin = text.find("2: ");
-  return begin == std::string::npos ? text : text.substr(begin + 3, text.size() - begin - 4);
+std::string json(const std::string& expression) {
+  return resultOf("local http = game:GetService('HttpService')\nlocal result = " + expression);
 }
 
 TEST(Json, ValuesAreWritten) {
@@ -26,7 +18,7 @@ TEST(Json, ValuesAreWritten) {
       {R"('say "hi"\n')", R"("say \"hi\"\n")"},
       {"{part = workspace, gone = 0 / 0}", R"({"gone":null,"part":null})"}};
   for (const auto& [value, text] : cases)
-    EXPECT_EQ(said("http:JSONEncode(" + std::string(value) + ")"), text) << value;
+    EXPECT_EQ(json("http:JSONEncode(" + std::string(value) + ")"), text) << value;
 }
 
 TEST(Json, TextsAreRead) {
@@ -36,17 +28,17 @@ TEST(Json, TextsAreRead) {
        R"({"a":[],"c":{"d":false}})"},
       {R"(('"\\u00e4\\ud83d\\ude00\\n"'))", "\"\xc3\xa4\xf0\x9f\x98\x80\\n\""}};
   for (const auto& [text, again] : cases)
-    EXPECT_EQ(said("http:JSONEncode(http:JSONDecode" + std::string(text) + ")"), again) << text;
+    EXPECT_EQ(json("http:JSONEncode(http:JSONDecode" + std::string(text) + ")"), again) << text;
 }
 
 TEST(Json, BrokenTextsAreErrors) {
   for (const char* text : {"", "{", "[1,]", "{\"a\"}", "[1] 2", "\"a", "tru", "1-2", "nan"})
-    EXPECT_EQ(said("pcall(http.JSONDecode, http, '" + std::string(text) + "')"), "false") << text;
+    EXPECT_EQ(json("pcall(http.JSONDecode, http, '" + std::string(text) + "')"), "false") << text;
 }
 
 TEST(Json, DepthIsBounded) {
-  EXPECT_EQ(said("pcall(http.JSONDecode, http, ('['):rep(1000) .. (']'):rep(1000))"), "false");
-  EXPECT_EQ(said("pcall(function() local t = {} t.t = t return http:JSONEncode(t) end)"), "false");
+  EXPECT_EQ(json("pcall(http.JSONDecode, http, ('['):rep(1000) .. (']'):rep(1000))"), "false");
+  EXPECT_EQ(json("pcall(function() local t = {} t.t = t return http:JSONEncode(t) end)"), "false");
 }
 
 }  // namespace

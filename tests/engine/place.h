@@ -56,4 +56,17 @@ inline std::string problems(const engine::Observation& seen) {
   return all;
 }
 
+// What a server script has in `result` at the end of `text`, by way of an error: the stage keeps it
+// as a problem. Runs for half a second.
+inline std::string resultOf(const std::string& text) {
+  Place place;
+  place.script(text + "\nerror('result ' .. tostring(result), 0)", place.scripts);
+  engine::Stage stage(place.document, {});
+  stage.start();
+  stage.run(30);
+  const std::string all = problems(stage.observation());
+  const size_t begin = all.find("result ");
+  return begin == std::string::npos ? all : all.substr(begin + 7, all.size() - begin - 8);
+}
+
 }  // namespace obby::test

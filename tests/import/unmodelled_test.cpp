@@ -84,7 +84,7 @@ TEST(Unmodelled, KitTagsAndTellingNames) {
   scene.tag(scene.part("Gate"), "WallJump");
   scene.part("Jump Pad");
   scene.level();
-  EXPECT_EQ(scene.unmodelled("tag WallJump"), 1u);
+  EXPECT_EQ(scene.unmodelled("tag walljump"), 1u);
   EXPECT_EQ(scene.unmodelled("name that suggests a jump pad"), 1u);
 }
 

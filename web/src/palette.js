@@ -67,9 +67,13 @@ export function pathColor(path) {
   return path.outcome === 'goal' ? SOLUTION_COLOR : OUTCOME_STYLE[path.outcome].color;
 }
 
+function isDoubtful(result) {
+  return result.verdict === 'solved' && result.holds === false;
+}
+
 export function verdictOf(query) {
   if (query.paths.some((path) => path.mismatch && path.kind === 'solution')) return 'mismatch';
-  if (query.result) return query.result.holds === false ? 'doubtful' : query.result.verdict;
+  if (query.result) return isDoubtful(query.result) ? 'doubtful' : query.result.verdict;
   if (query.running) return query.progress ? 'running' : 'waiting';
   return 'none';
 }

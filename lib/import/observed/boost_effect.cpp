@@ -41,7 +41,7 @@ class Speeds {
   // speed follows. Forces do not count.
   double jump() const {
     if (!usesHeight_) return factorOf("JumpPower");
-    const double world = world_ > 0 ? std::max(gravity_, 0.0) / world_ : 1;
+    const double world = world_ > 0 && gravity_ > 0 ? gravity_ / world_ : 1;
     return std::sqrt(factorOf("JumpHeight") * world);
   }
   double gravity() const {

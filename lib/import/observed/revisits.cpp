@@ -41,7 +41,7 @@ std::optional<ProbeEffects> ProbeEffects::asOf(InstanceId from, InstanceId to) c
       if (away.part != from) return std::nullopt;
       away.part = to;
     }
-  if (other.stage) other.stage->number.reset();
+  if (other.stage) other.stage = StageSet{{}, {}, kNoInstance, other.stage->line};
   return other;
 }
 

@@ -42,11 +42,16 @@ class Touches {
   void take(const engine::Alike& alike) {
     const engine::Probe& probe = report_.probes[alike.probe];
     PartDraft* const part = context_.part(alike.target);
-    const ProbeEffects effects = effectsOf(report_, probe);
-    if (!part || effects.empty()) return;
+    if (!part) return;
+    const ProbeEffects effects = effectsAt(partOf(probe), probe);
     const auto own = effects.asOf(probe.target, part->id);
     if (probe.lost || !own)
       return note("touch that was not tried", part->id, "there are too many parts to touch");
+    if (own->empty()) {
+      if (!part->kill && !hasEvidence(*part, kHarmless))
+        part->evidence.push_back({kHarmless, kHeardOnly, true});
+      return;
+    }
     roles_.setGuessed(true);
     roles_.takePlayer(*part, *own);
     roles_.takeParts(*part, false, *own);

@@ -211,9 +211,9 @@ void startFromNames(Course& course) {
   }
 }
 
-// The highest part below the feet, or one that the body is in; -1: none within reach.
+// The highest solid part below the feet, else a part that the body is in; -1: none within reach.
 int partBelow(const Course& course, Vec3 feet) {
-  constexpr float kToRoot = 3;  // studs
+  constexpr float kToRoot = 3, kSunk = 0.5f;  // studs
   for (const float into : {0.0f, kToRoot}) {
     int best = -1;
     float highest = feet.y - kOnTop;
@@ -222,7 +222,8 @@ int partBelow(const Course& course, Vec3 feet) {
       const auto bounds = boundsOf(part.pose, part.size * 0.5f);
       const bool over = feet.x >= bounds.lo.x && feet.x <= bounds.hi.x && feet.z >= bounds.lo.z &&
                         feet.z <= bounds.hi.z && bounds.lo.y <= feet.y + into;
-      if (!over || bounds.hi.y < highest) continue;
+      const bool fits = into > 0 || (part.solid && bounds.hi.y <= feet.y + kSunk);
+      if (!over || !fits || bounds.hi.y < highest) continue;
       highest = bounds.hi.y;
       best = i;
     }
@@ -245,7 +246,7 @@ void findStart(Course& course, const std::optional<Vec3>& arrived) {
   const int below = partBelow(course, *arrived);
   if (below < 0 || below == course.start) return;
   course.start = below;
-  const bool isInside = topOf(course.part(below)).y > arrived->y;
+  const bool isInside = course.part(below).solid && topOf(course.part(below)).y > arrived->y;
   if (!course.part(below).checkpoint && !isInside) course.arrived = arrived;
   course.prove(below, "start", "scripts put new players there", false);
 }

@@ -99,7 +99,7 @@ std::string textOf(schema::Level::Reader level, const Kinds& kinds,
   std::vector<std::string> anywhere;
   for (const auto loss : level.getUnmodelled()) {
     if (loss.getAnywhere() && isHarder(kinds, loss.getKind().cStr())) {
-      anywhere.push_back(fmt::format("{} ({})", loss.getKind().cStr(), loss.getCount()));
+      anywhere.push_back(loss.getKind().cStr());
     }
   }
   if (anywhere.empty()) return text;

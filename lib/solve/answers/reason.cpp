@@ -146,6 +146,7 @@ std::string overrunText(uint8_t overruns) {
 std::string unmodelledText(schema::Level::Reader level) {
   std::string kinds;
   for (const auto& u : level.getUnmodelled()) {
+    if (u.getBearing() == schema::Bearing::HARDER) continue;
     kinds += fmt::format("{}{} ({})", kinds.empty() ? "" : ", ", u.getKind().cStr(), u.getCount());
   }
   return kinds.empty() ? kinds : " The place has things that are not simulated: " + kinds + ".";

@@ -71,12 +71,19 @@ void addUp(schema::Result::Builder result, const std::vector<PlayerCase>& cases)
   result.setRounds(rounds);
   result.setCells(cells);
   result.setSolutions(solutions);
-  result.setHolds(
-      std::ranges::all_of(cases, [](const PlayerCase& c) { return c.answer().getHolds(); }));
   auto timing = result.getTiming();
   timing.setSeconds(seconds);
   timing.setCompile(compile);
   timing.setStepsPerSecond(double(steps) / std::max(double(seconds), 1e-9));
+}
+
+// A solution for all players holds if each of theirs does.
+void fillDoubts(schema::Result::Builder result, const std::vector<PlayerCase>& cases) {
+  const auto doubtful =
+      std::ranges::find_if(cases, [](const PlayerCase& c) { return !c.answer().getHolds(); });
+  if (result.getVerdict() != schema::Verdict::SOLVED || doubtful == cases.end()) return;
+  result.setHolds(false);
+  result.setDoubts(doubtful->answer().getDoubts());
 }
 
 }  // namespace
@@ -99,6 +106,7 @@ io::Record resultOf(const std::vector<PlayerCase>& cases, const PlayersAsked& as
   fillPlayers(result, cases);
   result.setReason(reasonOf(cases, asked));
   addUp(result, cases);
+  fillDoubts(result, cases);
   result.setTicks(level::nextTickAtRate(result.getTicks(), base.rate, asked.levelRate));
   for (auto route : result.getRoutes()) {
     route.setTicks(level::nextTickAtRate(route.getTicks(), base.rate, asked.levelRate));
