@@ -33,7 +33,7 @@ class DoubtfulLevel : public LevelBuilder {
     losses_.push_back({kind, bearing, anywhere});
   }
   // To a box of 8 x 4 x 8 around `goal`.
-  Answered solve(Vec3 goal) {
+  Answered solve(Vec3 goal, std::vector<const char*> bodies = {}) {
     io::RecordBuilder level;
     level.root().setLevel(record());
     auto list = level.root().getLevel().initUnmodelled(uint32_t(losses_.size()));
@@ -49,6 +49,8 @@ class DoubtfulLevel : public LevelBuilder {
     auto region = query.root().initQuery().initGoal();
     support::set(region.initPosition(), goal);
     support::set(region.initSize(), {8, 4, 8});
+    auto asked = query.root().getQuery().initBodies(uint32_t(bodies.size()));
+    for (uint32_t i = 0; i < asked.size(); ++i) asked.set(i, bodies[i]);
     SolverOptions options;
     options.method = findMethod("auto");
     options.budget.maxSteps = 2'000'000;
@@ -150,6 +152,27 @@ TEST(Doubts, WhatConcernsNoSinglePartConcernsAll) {
   ASSERT_EQ(answered.result().getDoubts().size(), 1u);
   EXPECT_EQ(answered.result().getDoubts()[0].getPart(), -1);
   EXPECT_NE(answered.reason().find("may matter anywhere: script that fails."), std::string::npos)
+      << answered.reason();
+}
+
+TEST(Doubts, AnAnswerForSeveralBodiesHoldsIfEachDoes) {
+  const Answered answered = stoneInDoubt().solve(kBehindTheStone, {"r6", "r15"});
+  EXPECT_EQ(answered.result().getVerdict(), schema::Verdict::SOLVED);
+  EXPECT_FALSE(answered.result().getHolds());
+  EXPECT_EQ(answered.result().getDoubts().size(), 1u);
+  DoubtfulLevel apart = stoneInDoubt();
+  const Answered unsolved = apart.solve({0, 2, -90}, {"r6", "r15"});
+  EXPECT_NE(unsolved.result().getVerdict(), schema::Verdict::SOLVED);
+  EXPECT_TRUE(unsolved.result().getHolds());
+}
+
+// A loss that may help somewhere else leaves open whether the part is needed.
+TEST(Doubts, NothingIsShownToBeNeededWhereAnotherLossMayHelp) {
+  DoubtfulLevel level = stoneInDoubt();
+  level.loss("water", schema::Bearing::EITHER, true);
+  const Answered answered = level.solve(kBehindTheStone);
+  EXPECT_EQ(answered.reason().find("There is none"), std::string::npos) << answered.reason();
+  EXPECT_NE(answered.reason().find("No solution without it was found."), std::string::npos)
       << answered.reason();
 }
 
