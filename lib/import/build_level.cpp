@@ -55,7 +55,7 @@ std::optional<Vec3> arrivedAt(const ObservedPlace& place) {
 
 void findRolesOf(RoleContext& context, const ObservedPlace& place) {
   noteSettled(context, place);
-  applyPlayerState(context.level, place);
+  applyPlayerState(context, place);
   movingFromRecordings(context);  // the designer's own samples count before ours
   movingFromObservation(context, place.report);
   timersFromObservation(context, place.report);

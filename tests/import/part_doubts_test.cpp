@@ -68,6 +68,26 @@ TEST(PartDoubts, AScriptThatFailsBeforeItListensIsHarmless) {
   EXPECT_TRUE(scene[limited].evidence.back().guessed);
 }
 
+TEST(PartDoubts, APlayerThatIsMovedWithoutATouchIsNamed) {
+  const std::string pushes[] = {
+      "character:PivotTo(CFrame.new(0, 50, 0))",
+      "character.HumanoidRootPart.AssemblyLinearVelocity = Vector3.new(0, 90, 0)",
+      "local force = Instance.new('BodyVelocity') force.Velocity = Vector3.new(9, 0, 0) "
+      "force.Parent = character.HumanoidRootPart"};
+  for (const std::string& push : pushes) {
+    Doubted scene;
+    scene.script(
+        "game.Players.PlayerAdded:Connect(function(player)\n"
+        " local character = player.Character or player.CharacterAdded:Wait()\n"
+        " task.wait(20)\n " +
+            push + "\nend)",
+        scene.scripts);
+    EXPECT_EQ(scene.unmodelled("push without a touch"), 0u);
+    scene.level();
+    EXPECT_EQ(scene.unmodelled("push without a touch"), 1u) << push;
+  }
+}
+
 TEST(PartDoubts, WhatOnlyHelpsOrHindersIsToldApart) {
   EXPECT_EQ(importer::bearingOf("tool"), importer::Bearing::easier);
   EXPECT_EQ(importer::bearingOf("harm by itself"), importer::Bearing::harder);

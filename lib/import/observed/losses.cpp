@@ -1,4 +1,5 @@
 // What was seen and is not in the level, and scripts that did not run to the end.
+#include <algorithm>
 #include <set>
 
 #include "import/observed/probe_effects.h"
@@ -23,6 +24,27 @@ constexpr LossRow kLosses[] = {
     {"CollisionGroup", "collision group that scripts change", "stays as it is at the start"},
     {"Anchored", "part that scripts let loose", "stays as it is at the start"},
 };
+
+// Moves a player who stands at the spawn.
+bool isPush(const engine::Change& change) {
+  const std::string& property = change.property;
+  const bool isForce = property == "note lift" || property.rfind("note mover ", 0) == 0;
+  const bool isSet = property == "CFrame" || property == "Velocity";
+  return change.line.script != kNoInstance &&
+         (isForce || (isSet && change.target == engine::kPlayer));
+}
+
+// A player who has died may be put anywhere.
+void notePushes(RoleContext& context, const engine::Report& report) {
+  const auto& changes = report.undisturbed.changes;
+  const auto push = std::find_if(changes.begin(), changes.end(), [&](const engine::Change& change) {
+    return change.time > report.probedAt && isPush(change);
+  });
+  if (push != changes.end() && report.undisturbed.harms.empty())
+    context.level.noteUnmodelled("push without a touch", context.tree, kNoInstance,
+                                 "the player stays where it is; " +
+                                     lineReason(context.tree, push->line));
+}
 
 // Each new body gets the same speeds again.
 bool isUsual(const engine::PlayerState& player, const engine::Change& change) {
@@ -73,6 +95,7 @@ void noteObservedLosses(RoleContext& context, const ObservedPlace& place) {
     context.level.noteUnmodelled("script that fails", tree, problem.script, problem.text);
   }
   noteChanges(context, report);
+  notePushes(context, report);
   for (const auto& [what, count] : report.undisturbed.counts) {
     (void)count;
     context.level.noteIgnored("not in the twin of the engine", what, "does nothing");

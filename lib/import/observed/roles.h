@@ -12,7 +12,7 @@ namespace obby::importer {
 // What scripts changed of parts before play began.
 void noteSettled(RoleContext& context, const ObservedPlace& place);
 // Speeds that scripts give each new player.
-void applyPlayerState(LevelDraft& level, const ObservedPlace& place);
+void applyPlayerState(RoleContext& context, const ObservedPlace& place);
 // Motions of what moves by itself.
 void movingFromObservation(RoleContext& context, const engine::Report& report);
 // Parts that come and go, belts that change: what happens by itself in a rhythm.
