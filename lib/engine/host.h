@@ -47,6 +47,7 @@ class Host {
   InstanceId greedy = kNoInstance;  // the script that has used up the memory
   InstanceId slow = kNoInstance;    // the last that had used up its time
   std::set<InstanceId> limited;     // scripts that have used what the twin does not do
+  std::string refused;              // the last error that the engine itself raises, by its rules
   // Takes note of an error by its text.
   void noteError(InstanceId script, std::string_view text);
 };

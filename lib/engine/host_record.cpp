@@ -155,8 +155,11 @@ int problem(lua_State* L) {
   const char* const text = luaL_optstring(L, 2, "error");
   const InstanceId script = owner < host.owners.size() ? host.owners[owner] : kNoInstance;
   host.noteError(script, text);
-  host.recorder.problem(script, host.limited.contains(script),
-                        host.withNames(std::string(Recorder::shortened(text))));
+  const bool isRefused = !host.refused.empty() && std::string_view(text).ends_with(host.refused);
+  const Failure failure = isRefused                       ? Failure::refused
+                          : host.limited.contains(script) ? Failure::limited
+                                                          : Failure::usual;
+  host.recorder.problem(script, failure, host.withNames(std::string(Recorder::shortened(text))));
   return 0;
 }
 

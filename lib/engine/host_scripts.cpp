@@ -135,6 +135,12 @@ int kinOf(lua_State* L) {
   return 1;
 }
 
+// (text): the text of an error that the engine raises by a rule of its own. Returns it.
+int refused(lua_State* L) {
+  Host::of(L).refused = luaL_checkstring(L, 1);
+  return 1;
+}
+
 int rawLength(lua_State* L) {
   lua_pushnumber(L, lua_Number(lua_objlen(L, 1)));
   return 1;
@@ -175,23 +181,15 @@ int rig(lua_State* L) {
   return 1;
 }
 
-constexpr luaL_Reg kFunctions[] = {{"rawType", rawType},
-                                   {"metatableOf", metatableOf},
-                                   {"try", tryCall},
-                                   {"spend", spend},
-                                   {"newId", newId},
-                                   {"enter", enter},
-                                   {"timedOut", timedOut},
-                                   {"newOwner", newOwner},
-                                   {"load", load},
-                                   {"where", where},
-                                   {"kinOf", kinOf},
-                                   {"rawLength", rawLength},
-                                   {"setStringMethods", setStringMethods},
-                                   {"copyList", copyList},
-                                   {"rig", rig},
-                                   {"isSkipped", isSkipped},
-                                   {"isNative", isNative},
+constexpr luaL_Reg kFunctions[] = {{"rawType", rawType},     {"metatableOf", metatableOf},
+                                   {"try", tryCall},         {"spend", spend},
+                                   {"newId", newId},         {"enter", enter},
+                                   {"timedOut", timedOut},   {"newOwner", newOwner},
+                                   {"load", load},           {"where", where},
+                                   {"kinOf", kinOf},         {"refused", refused},
+                                   {"rawLength", rawLength}, {"setStringMethods", setStringMethods},
+                                   {"copyList", copyList},   {"rig", rig},
+                                   {"isSkipped", isSkipped}, {"isNative", isNative},
                                    {nullptr, nullptr}};
 
 }  // namespace

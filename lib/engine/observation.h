@@ -80,11 +80,18 @@ struct Harm {
   bool hurts() const { return to < from; }  // else it heals
 };
 
+// What an error that ends a script says of the game.
+enum class Failure : uint8_t {
+  refused,  // the engine raises it by its rules: it ends the script in the game, too
+  usual,    // the script does something wrong, as it seems
+  limited   // the script had used what the twin does not do: in the game it may go on
+};
+
 struct Problem {
   InstanceId script = kNoInstance;
   std::string text;
   int count = 0;
-  bool limited = false;  // the script had used what the twin does not do: in the game it may go on
+  Failure failure = Failure::usual;
 };
 
 // A part that scripts have made or copied; or a joint, constraint, mover or attachment.

@@ -1,5 +1,7 @@
 #include "engine/recorder.h"
 
+#include <algorithm>
+
 namespace obby::engine {
 
 void Recorder::place(InstanceId part, const Pose& before, const Pose& pose, Line line) {
@@ -35,16 +37,16 @@ void Recorder::count(const std::string& what) {
   ++row->second;
 }
 
-void Recorder::problem(InstanceId script, bool limited, std::string_view text) {
+void Recorder::problem(InstanceId script, Failure failure, std::string_view text) {
   text = shortened(text);
   for (Problem& known : seen_.problems)
     if (known.script == script && known.text == text) {
       ++known.count;
-      known.limited |= limited;
+      known.failure = std::max(known.failure, failure);
       return;
     }
   if (seen_.problems.size() < kMostProblems)
-    seen_.problems.push_back({script, std::string(text), 1, limited});
+    seen_.problems.push_back({script, std::string(text), 1, failure});
 }
 
 void Recorder::restart() {

@@ -27,7 +27,7 @@ class Recorder {
   void change(Change change);
   void tween(Tween tween) { seen_.tweens.push_back(std::move(tween)); }
   void harm(double from, double to, Line line) { seen_.harms.push_back({time(), from, to, line}); }
-  void problem(InstanceId script, bool limited, std::string_view text);
+  void problem(InstanceId script, Failure failure, std::string_view text);
   void count(const std::string& what);
   // As much of a problem's text as is kept.
   static std::string_view shortened(std::string_view text) {

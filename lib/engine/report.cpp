@@ -226,7 +226,7 @@ Report observe(const Document& document, const Plan& plan) {
   }
   for (const InstanceId script : own.settings.skipped)
     report.undisturbed.problems.push_back(
-        {script, "it uses too much time or memory, so it is left out", 1, true});
+        {script, "it uses too much time or memory, so it is left out", 1, Failure::limited});
   return report;
 }
 

@@ -30,7 +30,7 @@ void fields(A& a, Tween& t) {
 }
 template <class A>
 void fields(A& a, Problem& p) {
-  a(p.script), a(p.text), a(p.count), a(p.limited);
+  a(p.script), a(p.text), a(p.count), a(p.failure);
 }
 template <class A>
 void fields(A& a, MadePart& m) {

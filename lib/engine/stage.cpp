@@ -36,7 +36,8 @@ void Stage::read(const char* name, const std::function<void(lua_State*)>& body) 
 }
 
 void Stage::note(const std::string& what, const Error& error) {
-  host_->recorder.problem(kNoInstance, true, host_->withNames(what + ": " + error.message));
+  host_->recorder.problem(kNoInstance, Failure::limited,
+                          host_->withNames(what + ": " + error.message));
   host_->noteError(kNoInstance, error.message);
 }
 

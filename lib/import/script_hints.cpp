@@ -40,7 +40,7 @@ void hint(RoleContext& context, InstanceId script) {
 void hintsFromScripts(RoleContext& context, const ObservedPlace& place) {
   std::set<InstanceId> failed;
   for (const engine::Problem& problem : place.report.undisturbed.problems)
-    if (problem.limited) failed.insert(problem.script);
+    if (problem.failure == engine::Failure::limited) failed.insert(problem.script);
   for (InstanceId id = 0; id < context.tree.size(); ++id) {
     const Instance& instance = context.tree.at(id);
     if (!isRunnable(instance) || (place.ran && !failed.contains(id))) continue;

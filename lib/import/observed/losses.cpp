@@ -41,9 +41,9 @@ void notePushes(RoleContext& context, const engine::Report& report) {
     return change.time > report.probedAt && isPush(change);
   });
   if (push != changes.end() && report.undisturbed.harms.empty())
-    context.level.noteUnmodelled("push without a touch", context.tree, kNoInstance,
-                                 "the player stays where it is; " +
-                                     lineReason(context.tree, push->line));
+    context.level.noteUnmodelled(
+        "push without a touch", context.tree, kNoInstance,
+        "the player stays where it is; " + lineReason(context.tree, push->line));
 }
 
 // Each new body gets the same speeds again.
@@ -92,7 +92,11 @@ void noteObservedLosses(RoleContext& context, const ObservedPlace& place) {
                                  report.failure);
   for (const engine::Problem& problem : report.undisturbed.problems) {
     if (problem.script >= tree.size()) continue;
-    context.level.noteUnmodelled("script that fails", tree, problem.script, problem.text);
+    if (problem.failure == engine::Failure::refused)
+      context.level.noteIgnored("script that fails", tree.path(problem.script),
+                                "in the game, too: " + problem.text);
+    else
+      context.level.noteUnmodelled("script that fails", tree, problem.script, problem.text);
   }
   noteChanges(context, report);
   notePushes(context, report);
