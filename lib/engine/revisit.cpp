@@ -50,6 +50,7 @@ class Tour {
 
   std::vector<Revisit> revisits() {
     if (probed_.empty()) return {};
+    repeatPasses();
     const Seen seen = tour(touched_, probed_);
     usual_ = usualUntil(seen.end + plan_.probeSeconds);
     std::vector<Revisit> found;
@@ -75,6 +76,17 @@ class Tour {
     if (probed_.size() < kMostProbed) probed_.push_back(i);
     if (silent && probe.approach != Approach::use && patient_.size() < kMostPatient)
       patient_.insert(i);
+  }
+
+  // Several passes find what has to be touched in an order, or several times. Odd: a switch that is
+  // touched as often is on.
+  void repeatPasses() {
+    constexpr size_t kMaxTouches = 60, kMaxPasses = 5;
+    const std::vector<size_t> once = touched_;
+    size_t passes = kMaxPasses;
+    while (passes > 1 && passes * once.size() > kMaxTouches) passes -= 2;
+    for (size_t pass = 1; pass < passes; ++pass)
+      touched_.insert(touched_.end(), once.begin(), once.end());
   }
 
   // A probe of part `i` after touches of `touched`.

@@ -11,6 +11,8 @@ namespace {
 constexpr std::string_view kEasier[] = {"ability of the player",
                                         "button on the screen",
                                         "keys that a script listens to",
+                                        "listener without a visible effect",
+                                        "script that still waits",
                                         "tag balloon",
                                         "tag swing",
                                         "tag walljump",

@@ -80,6 +80,7 @@ struct Button {
   std::string signal;
   float seconds = 5;
   bool forever = false;
+  bool restarts = false;  // a touch while the signal lasts restarts it
 };
 enum class MotionTrigger : uint16_t { always, touch, signal };
 struct MotionKey {

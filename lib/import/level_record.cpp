@@ -105,6 +105,7 @@ void setRoles(schema::Part::Builder to, const PartDraft& part) {
     button.setSignal(part.button->signal);
     button.setSeconds(part.button->seconds);
     button.setForever(part.button->forever);
+    button.setRestarts(part.button->restarts);
   }
   if (part.seat) to.initSeat();
   if (part.oneWay) to.initOneWay();

@@ -61,9 +61,10 @@ bool EffectRoles::setsJoints(const engine::Probe& probe) const {
                      [](const auto& track) { return track.second.driver != kNoInstance; });
 }
 
-void EffectRoles::press(PartDraft& part, double seconds) {
+void EffectRoles::press(PartDraft& part, double seconds, bool held) {
   if (!part.button) prove(part, "button", "a touch changes other parts");
-  Button button = part.button.value_or(Button{signalOf(part), 0, false});
+  Button button = part.button.value_or(Button{signalOf(part), 0, false, held});
+  button.restarts = button.restarts && held;
   button.forever = button.forever || seconds >= kForever;
   button.seconds = std::max(button.seconds, float(seconds));
   part.button = button;
@@ -78,7 +79,7 @@ void EffectRoles::takeAway(PartDraft& part, bool used, const Away& away, bool in
   if (!inverted) vanish.away = away.seconds ? float(*away.seconds) : kGone;
   if (inverted || other != &part || used) {
     vanish.signal = signalOf(part);
-    press(part, away.seconds ? away.delay + *away.seconds : kForever);
+    press(part, away.seconds ? away.delay + *away.seconds : kForever, away.held);
   }
   other->vanish = vanish;
   other->solid = true;

@@ -40,8 +40,8 @@ class EffectRoles {
   void takeAway(PartDraft& part, bool used, const Away& away, bool inverted);
   // The part moves, or another one does.
   void takeMotion(PartDraft& part, PartDraft& other, const Moved& moved, bool used);
-  // A touch of the part is felt elsewhere for that long.
-  void press(PartDraft& part, double seconds);
+  // A touch of the part is felt elsewhere for that long; `held`: after its end.
+  void press(PartDraft& part, double seconds, bool held = false);
   std::string signalOf(const PartDraft& part) const { return "touch " + path(part.id); }
   bool isJoint(InstanceId id) const;
   void note(const char* kind, InstanceId id, const char* note, engine::Line line);

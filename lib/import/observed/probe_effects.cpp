@@ -80,9 +80,26 @@ class Difference {
       }
     }
     if (!first) return;
+    if (const auto total = lastingHarm(*first)) {
+      found.damage = *total;
+      effects_.harm = found;
+      return;
+    }
     const double between = second.value_or(probe_.left) - *first;
     if (between >= kNoCooldown && (second || probe_.seen.player.alive)) found.cooldown = between;
     effects_.harm = found;
+  }
+
+  // What one touch takes in all, if it goes on once the player has left.
+  std::optional<double> lastingHarm(double first) const {
+    double total = 0;
+    int later = 0;
+    for (const engine::Harm& harm : probe_.seen.harms) {
+      if (!harm.hurts() || harm.time < first) continue;
+      total += harm.from - harm.to;
+      later += probe_.left > 0 && harm.time > probe_.left + 2 * kFrame;
+    }
+    return later > 1 ? std::optional(total) : std::nullopt;
   }
 
   void take(const Change& change) {
@@ -174,6 +191,14 @@ class Difference {
     effects_.tripLine = change.line;
   }
 
+  // At once when the player has left: it lasts as long as the touch.
+  void comeBack(Away& away, double time) const {
+    constexpr double kAtOnce = 0.35;  // seconds: polls look a few times a second
+    const double late = time - probe_.left;
+    away.held = probe_.left > 0 && late >= -kFrame && late < kAtOnce;
+    away.seconds = away.held ? std::max(late, kFrame) : after(time) - away.delay;
+  }
+
   void findAways() {
     std::map<InstanceId, Away> found, came;
     for (const Change* change : own_) {
@@ -188,11 +213,11 @@ class Difference {
       if (*solid && known == found.end() && back == came.end())
         came[change->target] = {change->target, after(change->time), std::nullopt, change->line};
       else if (!*solid && back != came.end() && !back->second.seconds)
-        back->second.seconds = after(change->time) - back->second.delay;
+        comeBack(back->second, change->time);
       else if (!*solid && known == found.end() && back == came.end())
         found[change->target] = {change->target, after(change->time), std::nullopt, change->line};
       else if (*solid && known != found.end() && !known->second.seconds)
-        known->second.seconds = after(change->time) - known->second.delay;
+        comeBack(known->second, change->time);
     }
     for (const auto& [id, away] : found) effects_.aways.push_back(away);
     for (const auto& [id, away] : came) effects_.backs.push_back(away);

@@ -49,6 +49,7 @@ struct Away {
   double delay = 0;
   std::optional<double> seconds;  // nothing: it did not come back
   engine::Line line;
+  bool held = false;  // it came back as the player left: `seconds` after that
 };
 struct Moved {
   InstanceId part = kNoInstance;

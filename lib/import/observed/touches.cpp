@@ -23,11 +23,7 @@ class Touches {
     const ProbeEffects effects = effectsAt(part, probe);
     if (!part) return roles_.takeAbility(isKeys(probe.target), report_.airJumps, effects);
     if (probe.lost) return note("touch that broke down", part->id, "treated as a plain part");
-    if (effects.empty()) {
-      if (!probe.byPlace && !part->kill && !hasEvidence(*part, kHarmless))
-        part->evidence.push_back({kHarmless, kHeardOnly, false});
-      return;
-    }
+    if (effects.empty()) return takeNothing(*part, probe);
     if (!probe.allOver)
       return note("place where scripts act", part->id,
                   "only a piece of the part is concerned: treated as a plain part");
@@ -86,7 +82,37 @@ class Touches {
            when + ", taken as if it stayed the same; " + roles_.reason(ended.line()));
   }
 
+  // What scripts hear without an effect that shows may count for one that comes later, unless it is
+  // known as the lever of something.
+  void noteHidden() {
+    for (const engine::Probe& probe : report_.probes) {
+      PartDraft* const part = partOf(probe);
+      if (!part || probe.lost || probe.byPlace || !effectsAt(part, probe).empty()) continue;
+      const bool isKnown = std::any_of(
+          report_.revisits.begin(), report_.revisits.end(), [&](const engine::Revisit& revisit) {
+            return revisit.lever == probe.target || revisit.probe.target == probe.target;
+          });
+      if (!isKnown)
+        note("listener without a visible effect", part->id,
+             "scripts may count it for something that comes later");
+    }
+  }
+
  private:
+  // Scripts that were seen to do nothing count before a tag.
+  void takeNothing(PartDraft& part, const engine::Probe& probe) {
+    if (probe.byPlace) return;
+    const auto isTag = [](const Evidence& e) {
+      return e.role == "kill" && e.reason.rfind("tag ", 0) == 0;
+    };
+    if (part.kill && std::any_of(part.evidence.begin(), part.evidence.end(), isTag)) {
+      part.kill.reset();
+      std::erase_if(part.evidence, isTag);
+    }
+    if (!part.kill && !hasEvidence(part, kHarmless))
+      part.evidence.push_back({kHarmless, kHeardOnly, false});
+  }
+
   // The part that a player touches: for a click or prompt the part that it is in.
   PartDraft* partOf(const engine::Probe& probe) {
     for (InstanceId id = probe.target; id < context_.tree.size(); id = context_.tree.at(id).parent)
@@ -153,6 +179,7 @@ void touchedDrivesFromObservation(RoleContext& context, const engine::Report& re
 void laterTouchesFromObservation(RoleContext& context, const engine::Report& report) {
   Touches touches(context, report);
   for (const engine::Revisit& revisit : report.revisits) touches.take(revisit);
+  touches.noteHidden();
 }
 
 }  // namespace obby::importer
