@@ -1,10 +1,13 @@
 // World, parts, strays, roles, stages, what is left over, and the ground.
 #include "import/build_level.h"
 
+#include <algorithm>
+
 #include <optional>
 
 #include "import/assemblies.h"
 #include "import/checkpoints.h"
+#include "import/classes.h"
 #include "import/collision_groups.h"
 #include "import/culling.h"
 #include "import/doubts.h"
@@ -53,7 +56,20 @@ std::optional<Vec3> arrivedAt(const ObservedPlace& place) {
   return place.report.arrived.feet;
 }
 
+// Only what the engine refuses by its rules went wrong.
+bool scriptsTell(const Tree& tree, const ObservedPlace& place) {
+  const auto& problems = place.report.undisturbed.problems;
+  bool any = false;
+  for (InstanceId id = 0; id < tree.size() && !any; ++id)
+    any = isScriptClass(tree.at(id).className) && tree.at(id).className != "ModuleScript";
+  return any && place.ran && place.report.failure.empty() &&
+         std::all_of(problems.begin(), problems.end(), [](const engine::Problem& problem) {
+           return problem.failure == engine::Failure::refused;
+         });
+}
+
 void findRolesOf(RoleContext& context, const ObservedPlace& place) {
+  context.scriptsTell = scriptsTell(context.tree, place);
   noteSettled(context, place);
   applyPlayerState(context, place);
   movingFromRecordings(context);  // the designer's own samples count before ours

@@ -88,6 +88,17 @@ TEST(PartDoubts, APlayerThatIsMovedWithoutATouchIsNamed) {
   }
 }
 
+// Scripts that all run well tell what kills; a name alone does not.
+TEST(PartDoubts, ANameKillsOnlyWhereScriptsDoNotTell) {
+  for (const std::string& text : {std::string(), std::string("print('x')"), kFails}) {
+    Scene scene;
+    const InstanceId lava = scene.part("Lava", {20, 0, 0});
+    if (!text.empty()) scene.script(text, scene.scripts);
+    scene.level();
+    EXPECT_EQ(scene[lava].kill.has_value(), text != "print('x')") << text;
+  }
+}
+
 TEST(PartDoubts, WhatOnlyHelpsOrHindersIsToldApart) {
   EXPECT_EQ(importer::bearingOf("tool"), importer::Bearing::easier);
   EXPECT_EQ(importer::bearingOf("harm by itself"), importer::Bearing::harder);

@@ -257,6 +257,7 @@ TEST(ScriptedStart, ATaggedSpinnerTurnsWhereItIsPut) {
 TEST(ScriptedStart, WhatIsSetLeavesTheRolesToTheOtherEvidence) {
   Scene scene;
   const auto lava = scene.part("Lava"), blink = scene.part("Blink");
+  scene.tag(lava, "KillBrick");
   scene.script("workspace.Lava.CanCollide = false", scene.scripts);
   scene.script(
       "local p = script.Parent\np.CanCollide = false\nwhile true do wait(2) p.CanCollide = true "
@@ -264,7 +265,7 @@ TEST(ScriptedStart, WhatIsSetLeavesTheRolesToTheOtherEvidence) {
       blink);
   const auto& level = scene.level();
   EXPECT_FALSE(scene[lava].solid);
-  EXPECT_TRUE(scene[lava].kill) << "by its name";
+  EXPECT_TRUE(scene[lava].kill) << "by its tag";
   EXPECT_TRUE(scene[blink].solid) << "but for the times of its timer";
   ASSERT_TRUE(scene[blink].vanish);
   EXPECT_NEAR(scene[blink].vanish->away, 2, 1e-3);

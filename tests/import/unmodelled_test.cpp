@@ -116,6 +116,7 @@ TEST(Explain, FitsAHundredColumnsAndNamesEvidenceAndGuesses) {
   scene.script("script.Parent.Touched:Connect(function(h) h.Parent.Humanoid.Health = 0 " +
                    std::string(200, ' ') + " end)",
                odd);
+  scene.script("error('leaves names as guesses')", scene.scripts);
   scene.add("Tool", "Sword", scene.workspace);
   const auto& level = scene.level();
   const std::string text = importer::explain(level, importer::Tree(scene.document));

@@ -153,6 +153,11 @@ void killFromNames(RoleContext& context) {
       word = firstWordIn(from, kKillWords);
     }
     if (word.empty() || isFriend(from)) continue;
+    if (context.scriptsTell) {
+      context.level.noteIgnored("name that suggests a kill part", context.tree.path(part.id),
+                                "no script makes it kill");
+      continue;
+    }
     if (from != instance.name && scripted.count(instance.parent)) {
       context.level.noteIgnored("name that suggests a kill part", context.tree.path(part.id),
                                 "a script makes a sibling kill, not this part");

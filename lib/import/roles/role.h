@@ -27,6 +27,8 @@ class RoleContext {
   const Tree& tree;
   const Assemblies& assemblies;
   LevelDraft& level;
+  // Every script of the place ran without an error: what none of them makes deadly is harmless.
+  bool scriptsTell = false;
   // Taken so far by parts that a player can meet, and by parts that had no role yet.
   MotionRoom metRoom, unmetRoom;
   std::vector<InstanceId> unmetMoving;  // those that move
