@@ -39,9 +39,9 @@ class Touches {
   }
 
   // What the probe shows is a guess for this part.
-  void take(const engine::Alike& alike) {
-    const engine::Probe& probe = report_.probes[alike.probe];
-    PartDraft* const part = context_.part(alike.target);
+  void take(const engine::SameListeners& unprobed) {
+    const engine::Probe& probe = report_.probes[unprobed.probe];
+    PartDraft* const part = context_.part(unprobed.target);
     if (!part) return;
     const ProbeEffects effects = effectsAt(partOf(probe), probe);
     const auto own = effects.asOf(probe.target, part->id);
@@ -142,7 +142,7 @@ class Touches {
 void touchesFromObservation(RoleContext& context, const engine::Report& report) {
   Touches touches(context, report);
   for (const engine::Probe& probe : report.probes) touches.take(probe);
-  for (const engine::Alike& alike : report.alike) touches.take(alike);
+  for (const engine::SameListeners& unprobed : report.sameListeners) touches.take(unprobed);
 }
 
 void touchedDrivesFromObservation(RoleContext& context, const engine::Report& report) {
