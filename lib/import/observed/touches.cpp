@@ -24,8 +24,7 @@ class Touches {
     if (!part) return roles_.takeAbility(isKeys(probe.target), report_.airJumps, effects);
     if (probe.lost) return note("touch that broke down", part->id, "treated as a plain part");
     if (effects.empty()) {
-      if (!probe.byPlace && !part->kill && !hasEvidence(*part, kHarmless))
-        part->evidence.push_back({kHarmless, kHeardOnly, false});
+      if (!probe.byPlace) takeHeardOnly(*part, false);
       return;
     }
     if (!probe.allOver)
@@ -48,8 +47,7 @@ class Touches {
     if (probe.lost || !own)
       return note("touch that was not tried", part->id, "there are too many parts to touch");
     if (own->empty()) {
-      if (!part->kill && !hasEvidence(*part, kHarmless))
-        part->evidence.push_back({kHarmless, kHeardOnly, true});
+      takeHeardOnly(*part, true);
       return;
     }
     roles_.setGuessed(true);
@@ -71,7 +69,9 @@ class Touches {
     const ProbeEffects before = effectsAt(part, *first), now = effectsAt(part, revisit.probe);
     const std::string when = whenOf(context_.tree, revisit);
     if (const ProbeEffects added = addedIn(before, now); !added.empty()) {
-      std::erase_if(part->evidence, [](const auto& e) { return e.reason == kHeardOnly; });
+      if (part->heardOnly)
+        std::erase_if(part->evidence, [](const Evidence& e) { return e.role == kHarmless; });
+      part->heardOnly = false;
       roles_.setGuessed(!added.onlyStage());
       if (added.stage) part->stageSigns[NumberFrom::asked] = ++asked_;
       give(*part, revisit.probe, added);
@@ -87,6 +87,12 @@ class Touches {
   }
 
  private:
+  static void takeHeardOnly(PartDraft& part, bool guessed) {
+    if (part.kill || hasEvidence(part, kHarmless)) return;
+    part.heardOnly = true;
+    part.evidence.push_back(
+        {kHarmless, "scripts listen to it, and do nothing to a player", guessed});
+  }
   // The part that a player touches: for a click or prompt the part that it is in.
   PartDraft* partOf(const engine::Probe& probe) {
     for (InstanceId id = probe.target; id < context_.tree.size(); id = context_.tree.at(id).parent)
@@ -99,7 +105,7 @@ class Touches {
     if (!part) return effects;
     PartDraft copy;
     copy.id = part->id;
-    if (!effects.kept.empty()) readNumbers(context_.tree, copy.id, copy);
+    if (!effects.unnamed.empty()) readNumbers(context_.tree, copy.id, copy);
     const StageSigns& own = copy.stageSigns;
     takeOwnNumber(effects,
                   {own[NumberFrom::value], own[NumberFrom::name], own[NumberFrom::folder]});
