@@ -11,7 +11,7 @@ namespace {
 constexpr double kUntilPress = 0.5, kPause = 0.5;
 constexpr uint16_t kPresses = 5;  // more jumps than any game counts
 
-// The line of a script that has made the player jump since; nothing: none has.
+// The change by which a script made the player jump; null if no script did.
 const Change* jumpIn(const Observation& seen) {
   const auto made =
       std::find_if(seen.changes.begin(), seen.changes.end(), [](const Change& change) {

@@ -119,8 +119,8 @@ int where(lua_State* L) {
   return 1;
 }
 
-// (function): a number that functions of the same line of scripts of the same text share.
-int kinOf(lua_State* L) {
+// (function): a hash of its line and of its script's text.
+int functionHash(lua_State* L) {
   const Host& host = Host::of(L);
   lua_Debug at;
   lua_settop(L, 1);
@@ -130,8 +130,8 @@ int kinOf(lua_State* L) {
   const std::string text =
       known ? get<std::string>(host.document.instances[script], "Source") : at.source;
   constexpr int kBits = 53;  // of a number without a fraction
-  const uint64_t kin = hashBytes(text.data(), text.size(), uint64_t(at.linedefined));
-  lua_pushnumber(L, lua_Number(kin >> (64 - kBits)));
+  const uint64_t hash = hashBytes(text.data(), text.size(), uint64_t(at.linedefined));
+  lua_pushnumber(L, lua_Number(hash >> (64 - kBits)));
   return 1;
 }
 
@@ -181,15 +181,24 @@ int rig(lua_State* L) {
   return 1;
 }
 
-constexpr luaL_Reg kFunctions[] = {{"rawType", rawType},     {"metatableOf", metatableOf},
-                                   {"try", tryCall},         {"spend", spend},
-                                   {"newId", newId},         {"enter", enter},
-                                   {"timedOut", timedOut},   {"newOwner", newOwner},
-                                   {"load", load},           {"where", where},
-                                   {"kinOf", kinOf},         {"refused", refused},
-                                   {"rawLength", rawLength}, {"setStringMethods", setStringMethods},
-                                   {"copyList", copyList},   {"rig", rig},
-                                   {"isSkipped", isSkipped}, {"isNative", isNative},
+constexpr luaL_Reg kFunctions[] = {{"rawType", rawType},
+                                   {"metatableOf", metatableOf},
+                                   {"try", tryCall},
+                                   {"spend", spend},
+                                   {"newId", newId},
+                                   {"enter", enter},
+                                   {"timedOut", timedOut},
+                                   {"newOwner", newOwner},
+                                   {"load", load},
+                                   {"where", where},
+                                   {"functionHash", functionHash},
+                                   {"refused", refused},
+                                   {"rawLength", rawLength},
+                                   {"setStringMethods", setStringMethods},
+                                   {"copyList", copyList},
+                                   {"rig", rig},
+                                   {"isSkipped", isSkipped},
+                                   {"isNative", isNative},
                                    {nullptr, nullptr}};
 
 }  // namespace

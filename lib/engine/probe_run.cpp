@@ -13,9 +13,12 @@ constexpr uint32_t kTouchEvery = 5;  // frames between the touches of a patient 
 constexpr double kSecondHit = 5;     // seconds that it waits to be harmed again
 constexpr double kQuiet = 1.0;       // seconds without a change end a probe
 constexpr double kAtLeast = 1.5;
-constexpr double kLongestDeath = 11, kPlacing = 1;  // seconds: RespawnTime, and what scripts wait
+// Seconds from death to life: the place's RespawnTime, and what scripts that load the body wait.
+constexpr double kLeastRespawn = 5, kLongestRespawn = 30, kScriptedWait = 6;
+constexpr uint32_t kBetweenLooks = 10;  // frames between two looks for the next body
+constexpr double kPlacing = 1;          // seconds that scripts take to place a new body
 
-// Whether a second hit is still to come after the first.
+// Returns true if a second hit is still to come after the first.
 bool awaitsHit(Stage& stage, double now) {
   double first = -1, last = -1;
   for (const Harm& harm : stage.harms())
@@ -26,7 +29,7 @@ bool awaitsHit(Stage& stage, double now) {
   return first >= 0 && last == first && now < first + kSecondHit;
 }
 
-// Nothing but numbers that scripts keep.
+// Returns true if scripts did no more than set numbers that they keep.
 bool isQuiet(const Observation& seen) {
   return seen.harms.empty() && seen.tracks.empty() &&
          std::all_of(seen.changes.begin(), seen.changes.end(), [](const Change& change) {
@@ -34,7 +37,7 @@ bool isQuiet(const Observation& seen) {
          });
 }
 
-// Whether scripts note progress of the player, or a number of it.
+// Returns true if scripts set progress of the player, or a number of it.
 bool isProgress(const Observation& seen) {
   constexpr std::string_view kNotes[] = {"note respawn", "note team", "note stat "};
   return std::any_of(seen.changes.begin(), seen.changes.end(), [&](const Change& change) {
@@ -43,14 +46,19 @@ bool isProgress(const Observation& seen) {
   });
 }
 
-// Where the next body is: scripts may keep a checkpoint to themselves, and a portal may kill.
+double longestDeath(Stage& stage) {
+  const double respawn = std::fmin(std::fmax(stage.respawnTime(), kLeastRespawn), kLongestRespawn);
+  return respawn + kScriptedWait;
+}
+
+// Finds where the next body appears. Scripts may keep a checkpoint to themselves; a portal may
+// kill.
 void comeBack(Stage& stage, Probe& probe) {
-  const uint32_t begun = stage.frames();
+  const uint32_t end = stage.frames() + framesOf(longestDeath(stage));
   if (stage.playerLives()) stage.die();
   stage.run(1);
-  while (!stage.playerLives() && !stage.isExhausted() &&
-         stage.frames() - begun < framesOf(kLongestDeath))
-    stage.run(10);
+  while (!stage.playerLives() && !stage.isExhausted() && stage.frames() < end)
+    stage.run(kBetweenLooks);
   probe.reborn = stage.playerLives();
   stage.run(framesOf(kPlacing));
   probe.rebornAt = stage.observation().player.feet;
@@ -88,7 +96,7 @@ Probe runProbe(Stage& stage, const Plan& plan, Probe probe, Manner manner) {
   probe.left = probe.at + hold * kFrame;
   probe.seen = stage.observation();
   const bool isPortal = !stage.playerLives() && isProgress(probe.seen);
-  const bool mayBeKept = stage.playerLives() && isQuiet(probe.seen) && stage.mindsBodies();
+  const bool mayBeKept = stage.playerLives() && isQuiet(probe.seen) && stage.hearsNewBodies();
   if (manner.comesBack && stands && !probe.byPlace && (isPortal || mayBeKept))
     comeBack(stage, probe);
   return probe;

@@ -20,9 +20,15 @@ namespace obby::engine {
 
 namespace {
 
-constexpr double kStuck = 2;             // seconds of CPU without a beat
-constexpr uint32_t kMostOfKin = 100;     // probes, where there are too many parts for all
-constexpr uint32_t kMostComebacks = 40;  // probes of a kin whose player may die: each takes seconds
+constexpr double kStuck = 2;  // seconds of CPU without a beat
+// Probes of parts with the same listeners, if there are too many parts for all: more of them rarely
+// show anything new.
+constexpr uint32_t kMaxSameListeners = 100;
+// Those of them whose player may die: each death takes RespawnTime, 300 frames by default.
+constexpr uint32_t kMaxComebacks = 40;
+// Shares of the whole time limit. One copy of the place that hangs must leave time for the others;
+// revisits run once, during the rest of the undisturbed run.
+constexpr double kCopyShare = 0.25, kRevisitShare = 0.75;
 constexpr size_t kProcessMemory = size_t(2) << 30;
 
 // In the caged child: everything but the probes themselves.
@@ -78,29 +84,31 @@ class Watcher {
       }
   }
 
-  // Leaves the first part of each kin, the second of each, and so on, in their order.
+  // Keeps the first part of each set of listeners, then the second of each, and so on, in order.
   void choose(std::vector<Probe>& wanted) {
     std::map<uint64_t, uint32_t> seen;
-    std::vector<std::pair<uint32_t, size_t>> ranks;  // how many of its kin come before it
-    for (size_t i = 0; i < wanted.size(); ++i) ranks.emplace_back(seen[wanted[i].kin]++, i);
+    std::vector<std::pair<uint32_t, size_t>> ranks;  // number of earlier parts with its listeners
+    for (size_t i = 0; i < wanted.size(); ++i)
+      ranks.emplace_back(seen[wanted[i].listenerHash]++, i);
     std::sort(ranks.begin(), ranks.end());
     std::vector<bool> taken(wanted.size());
     for (size_t i = 0; i < plan_.mostProbes; ++i) {
       const auto& [rank, index] = ranks[i];
-      taken[index] = rank < kMostOfKin || wanted[index].kin == 0;
+      taken[index] = rank < kMaxSameListeners || wanted[index].listenerHash == 0;
     }
     std::vector<Probe> probes;
-    std::map<uint64_t, uint32_t> first;  // probe of each kin
+    std::map<uint64_t, uint32_t> first;  // probe by listenerHash
     for (size_t i = 0; i < wanted.size(); ++i) {
       if (!taken[i]) continue;
-      if (wanted[i].kin != 0) first.emplace(wanted[i].kin, uint32_t(probes.size()));
+      if (wanted[i].listenerHash != 0)
+        first.emplace(wanted[i].listenerHash, uint32_t(probes.size()));
       probes.push_back(wanted[i]);
     }
     for (size_t i = 0; i < wanted.size(); ++i) {
       if (taken[i]) continue;
-      const auto kin = first.find(wanted[i].kin);
-      if (kin != first.end())
-        report_.alike.push_back({wanted[i].target, kin->second});
+      const auto found = first.find(wanted[i].listenerHash);
+      if (found != first.end())
+        report_.sameListeners.push_back({wanted[i].target, found->second});
       else
         report_.failure = "too many parts to touch";
     }
@@ -119,7 +127,7 @@ class Watcher {
     constexpr float kTowardsCorner = 0.8f;
     for (const float share : {kTowardsCorner, -kTowardsCorner})
       children_.start(
-          plan_.timeLimit / 4,
+          plan_.timeLimit * kCopyShare,
           [&, share] { return toBytes(runProbe(stage_, plan_, wanted, {.share = share})); },
           [this, index](const std::string& bytes) {
             Probe probe;
@@ -133,7 +141,7 @@ class Watcher {
     report_.probes[index].byRoot = true;
     for (const int face : {1, 2, 3})
       children_.start(
-          plan_.timeLimit / 4,
+          plan_.timeLimit * kCopyShare,
           [&, face] { return toBytes(runProbe(stage_, plan_, wanted, {.face = face})); },
           [this, index](const std::string& bytes) {
             Probe probe;
@@ -143,13 +151,14 @@ class Watcher {
   }
 
   void runAll(const std::vector<Probe>& wanted) {
-    std::map<uint64_t, uint32_t> seen;  // probes of each kin
+    std::map<uint64_t, uint32_t> seen;  // probes by listenerHash
     for (size_t i = 0; i < wanted.size(); ++i) {
-      const bool comesBack = wanted[i].kin == 0 || seen[wanted[i].kin]++ < kMostComebacks;
+      const bool comesBack =
+          wanted[i].listenerHash == 0 || seen[wanted[i].listenerHash]++ < kMaxComebacks;
       report_.probes[i] = wanted[i];
       stage_.noteWork();
       children_.start(
-          plan_.timeLimit / 4,
+          plan_.timeLimit * kCopyShare,
           [&, i, comesBack] {
             return toBytes(runProbe(stage_, plan_, wanted[i], {.comesBack = comesBack}));
           },
@@ -162,7 +171,7 @@ class Watcher {
 
   void jumpInAir() {
     children_.start(
-        plan_.timeLimit / 4, [&] { return toBytes(findAirJumps(stage_)); },
+        plan_.timeLimit * kCopyShare, [&] { return toBytes(findAirJumps(stage_)); },
         [this](const std::string& bytes) {
           if (!fromBytes(bytes, report_.airJumps)) report_.airJumps = {};
         });
@@ -171,7 +180,8 @@ class Watcher {
   // While the undisturbed run goes on.
   void revisitAll() {
     children_.start(
-        plan_.timeLimit * 0.75, [&] { return toBytes(revisit(stage_, plan_, report_.probes)); },
+        plan_.timeLimit * kRevisitShare,
+        [&] { return toBytes(revisit(stage_, plan_, report_.probes)); },
         [this](const std::string& bytes) {
           if (!fromBytes(bytes, report_.revisits) && report_.failure.empty())
             report_.failure = "later touches of parts took too long";
@@ -217,10 +227,10 @@ Report observeOnce(const Document& document, const Plan& plan) {
 }  // namespace
 
 Report observe(const Document& document, const Plan& plan) {
-  constexpr int kMostCulprits = 3;
+  constexpr int kMaxCulprits = 3;
   Plan own = plan;
   Report report = observeOnce(document, own);
-  for (int i = 0; i < kMostCulprits && report.culprit < document.instances.size(); ++i) {
+  for (int i = 0; i < kMaxCulprits && report.culprit < document.instances.size(); ++i) {
     own.settings.skipped.push_back(report.culprit);
     report = observeOnce(document, own);
   }

@@ -15,22 +15,22 @@ enum class Approach : uint8_t { stand, inside, use };
 struct Probe {
   InstanceId target = kNoInstance;  // the part, ClickDetector, prompt or tool
   Approach approach = Approach::stand;
-  double at = 0;         // when the player arrived
-  double left = 0;       // and went away; 0: stayed to the end
-  Observation seen;      // from the arrival on
-  bool lost = false;     // the copy died or ran out of time
-  bool byPlace = false;  // nobody listens to the part: what happens follows from the place
-  bool allOver = true;   // it happens towards two opposite corners of the part, too
-  bool byRoot = false;   // it does not happen where limbs alone are in the part
-  uint64_t kin = 0;      // parts that the same functions listen to have the same number; 0: none do
-  bool reborn =
-      false;      // the player died of the touch, or after one without effects, and came back:
+  double at = 0;              // when the player arrived
+  double left = 0;            // and went away; 0: stayed to the end
+  Observation seen;           // from the arrival on
+  bool lost = false;          // the copy died or ran out of time
+  bool byPlace = false;       // no script listens to the part: what happens follows from the place
+  bool allOver = true;        // it happens towards two opposite corners of the part, too
+  bool byRoot = false;        // it does not happen where limbs alone are in the part
+  uint64_t listenerHash = 0;  // of the functions that listen to the part; 0: none do
+  // The player died of the touch, or after one without effects, and lives again.
+  bool reborn = false;
   Vec3 rebornAt;  // the feet then
 };
 
 // A part that was not probed, as there are too many. The same functions listen to it as to a probed
 // one.
-struct Alike {
+struct SameListeners {
   InstanceId target = kNoInstance;
   uint32_t probe = 0;  // index into Report::probes
 };
@@ -60,7 +60,7 @@ constexpr uint16_t kNoLimit = 0xffff;
 struct Report {
   Observation undisturbed;
   std::vector<Probe> probes;
-  std::vector<Alike> alike;
+  std::vector<SameListeners> sameListeners;
   std::vector<Revisit> revisits;
   double probedAt = 0;         // seconds, when the probes began
   std::vector<MadePart> made;  // in the world by then

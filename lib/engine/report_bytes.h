@@ -44,10 +44,10 @@ void fields(A& a, Observation& o) {
 template <class A>
 void fields(A& a, Probe& p) {
   a(p.target), a(p.approach), a(p.at), a(p.left), a(p.seen), a(p.lost), a(p.byPlace), a(p.allOver),
-      a(p.byRoot), a(p.kin), a(p.reborn), a(p.rebornAt);
+      a(p.byRoot), a(p.listenerHash), a(p.reborn), a(p.rebornAt);
 }
 template <class A>
-void fields(A& a, Alike& l) {
+void fields(A& a, SameListeners& l) {
   a(l.target), a(l.probe);
 }
 template <class A>
@@ -56,7 +56,7 @@ void fields(A& a, Revisit& r) {
 }
 template <class A>
 void fields(A& a, Report& r) {
-  a(r.undisturbed), a(r.probes), a(r.alike), a(r.revisits), a(r.made), a(r.arrived);
+  a(r.undisturbed), a(r.probes), a(r.sameListeners), a(r.revisits), a(r.made), a(r.arrived);
   a(r.airJumps), a(r.probedAt), a(r.complete), a(r.over), a(r.failure), a(r.culprit);
 }
 

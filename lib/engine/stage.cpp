@@ -182,7 +182,7 @@ void Stage::readProbes(lua_State* L, std::vector<Probe>& all) {
     probe.target = InstanceId(lua_tonumber(L, -4));
     probe.approach = Approach(int(lua_tonumber(L, -3)));
     probe.byPlace = lua_toboolean(L, -2) != 0;
-    probe.kin = uint64_t(lua_tonumber(L, -1));
+    probe.listenerHash = uint64_t(lua_tonumber(L, -1));
     all.push_back(std::move(probe));
     lua_pop(L, 5);
   }

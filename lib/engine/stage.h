@@ -26,9 +26,9 @@ class Stage {
   // Puts the player's feet there; yaw in radians, 0 looks along -Z.
   void stand(Vec3 feet, float yaw);
   // On top of a part, or its middle in the middle of the part, wherever that is by now.
-  // `share`: how far off, as a share of the way to a corner. `face`: 1, 2, 3 put the root's middle
-  // just outside of the part instead, before its face toward X, Y, Z: then limbs alone are in the
-  // part.
+  // `share`: how far off, as a share of the distance to a corner. `face`: 1, 2, 3 put the root's
+  // middle just outside of the part instead, before its face toward X, Y, Z: then limbs alone are
+  // in the part.
   void standAt(InstanceId part, bool inside, float share, int face = 0);
   // All that touches the player's body ends and begins again in the next frame, as where it walks.
   void touchAgain();
@@ -44,9 +44,10 @@ class Stage {
   void pressJump();
   bool hearsJumps();
   bool playerLives();
-  // Whether scripts listen to new bodies of the player: only then can they place them.
-  bool mindsBodies() { return numberOf("mindsBodies") > 0; }
+  // Returns true if scripts listen for new bodies of the player. Only then can they place them.
+  bool hearsNewBodies() { return numberOf("hearsNewBodies") > 0; }
   void die();
+  double respawnTime() { return numberOf("respawnTime"); }  // seconds, of the Players service
   // A player that has died where it spawns lives again, away from everything.
   void revive();
   // What a player can touch or use with effect, as far as listeners tell.

@@ -14,10 +14,9 @@ void takeMissing(StageSigns& to, const StageSigns& from) {
     if (to.numbers[i] == kUnnumbered) to.numbers[i] = from.numbers[i];
 }
 
-// A pad that sets a SpawnLocation elsewhere stands for it: what numbers that one numbers the pad.
-// If that one is said to be a checkpoint itself, and beside the pad, it stands for both.
+// A pad that sets a SpawnLocation elsewhere stands for it, and takes over its numbers. A
+// SpawnLocation next to the pad that is a checkpoint itself stands for both.
 void joinRespawns(const Tree& tree, LevelDraft& level) {
-  constexpr float kBeside = 24;  // studs
   std::map<InstanceId, PartDraft*> spawns;
   for (PartDraft& part : level.parts)
     if (tree.at(part.id).className == "SpawnLocation") spawns[part.id] = &part;
@@ -25,9 +24,9 @@ void joinRespawns(const Tree& tree, LevelDraft& level) {
     const auto found = spawns.find(pad.stageSigns.respawn);
     if (!pad.checkpoint || found == spawns.end() || found->second == &pad) continue;
     PartDraft& spawn = *found->second;
-    const bool isBeside = length(spawn.pose.position - pad.pose.position) < kBeside;
+    const bool isNext = length(spawn.pose.position - pad.pose.position) < kOnePlatform;
     readNumbers(tree, spawn.id, spawn);
-    if (spawn.checkpoint && isBeside) {
+    if (spawn.checkpoint && isNext) {
       takeMissing(spawn.stageSigns, pad.stageSigns);
       pad.checkpoint.reset();
       std::erase_if(pad.evidence, [](const Evidence& e) { return e.role == "checkpoint"; });

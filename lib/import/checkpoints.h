@@ -9,7 +9,7 @@
 namespace obby::importer {
 
 // Fills level.spawns: stage 0 is the start, then the checkpoints; sets part.checkpoint to 1, 2, ...
-// `arrived`: the feet of a new player once scripts have had their way; nothing: not known.
+// `arrived`: feet of a new player after scripts ran; nullopt if unknown.
 void orderStages(const Tree& tree, LevelDraft& level, const std::optional<Vec3>& arrived);
 
 // Where the feet of a player stand who appears on the part, and the yaw of its front.

@@ -7,7 +7,7 @@
 namespace obby::importer {
 namespace {
 
-// What only gives players more than the level does: they may leave it.
+// Losses that only give players more than the level does: players may ignore them.
 constexpr std::string_view kEasier[] = {"ability of the player",
                                         "button on the screen",
                                         "keys that a script listens to",
@@ -34,9 +34,9 @@ bool isJointClass(const std::string& name) {
 class Concerned {
  public:
   explicit Concerned(RoleContext& context)
-      : context_(context), most_(context.level.parts.size() / 2) {}
+      : context_(context), maxConcerned_(context.level.parts.size() / 2) {}
 
-  // Empty: no single part is concerned.
+  // Empty if no single part is concerned.
   std::vector<PartDraft*> by(InstanceId loss) {
     for (InstanceId id = loss; id < context_.tree.size(); id = context_.tree.at(id).parent) {
       if (PartDraft* const part = context_.part(id)) return {part};
@@ -58,12 +58,12 @@ class Concerned {
     return parts;
   }
   std::vector<PartDraft*> few(std::vector<PartDraft*> parts) const {
-    if (parts.size() > std::max<size_t>(most_, 1)) parts.clear();
+    if (parts.size() > std::max<size_t>(maxConcerned_, 1)) parts.clear();
     return parts;
   }
 
   RoleContext& context_;
-  size_t most_;  // parts of a folder
+  size_t maxConcerned_;  // parts of a folder that are still said to be concerned
 };
 
 }  // namespace

@@ -115,7 +115,7 @@ enum class NumberFrom : uint8_t {
   team,    // the name of the team
 };
 constexpr size_t kNumberSources = 7;
-// Stage of a checkpoint that nobody numbered; only until orderStages has run.
+// Stage of a checkpoint without a number; only until orderStages has run.
 constexpr int kUnnumbered = -1;
 
 // What is known of a checkpoint before orderStages has run.
@@ -136,7 +136,8 @@ struct PartDraft {
   Vec3 size = {4, 1.2f, 2};
   std::vector<std::vector<Vec3>> hulls;
   bool solid = true, touch = true, anchored = true;
-  bool byRoot = false;  // touched by the centre of the root
+  bool byRoot = false;     // touched by the centre of the root
+  bool heardOnly = false;  // scripts listen to it, and a probe saw no effect
   float friction = 0.3f, frictionWeight = 1, elasticity = 0.5f, density = 0.7f;
   ColorRgb color = {163, 162, 165};
   float transparency = 0;

@@ -10,6 +10,7 @@
 #include "import/pose_math.h"
 #include "import/record_values.h"
 #include "io/utf8.h"
+#include "level/params.h"
 
 namespace obby::importer {
 namespace {
@@ -166,7 +167,7 @@ void setWorld(schema::PhysicsParams::Builder to, const World& world) {
   const auto within = [](float v, float lo, float hi, float fallback) {
     return std::isnan(v) ? fallback : std::clamp(v, lo, hi);
   };
-  to.setGravity(within(world.gravity, 0, 2000, usual.gravity));
+  to.setGravity(within(world.gravity, 0, kMaxGravity, usual.gravity));
   to.setAirJumps(world.airJumps);
   to.setWalkSpeed(within(world.walkSpeed, 0, 500, usual.walkSpeed));
   to.setJumpSpeed(within(world.jumpSpeed, 0, 1000, usual.jumpSpeed));

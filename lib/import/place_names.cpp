@@ -38,7 +38,7 @@ constexpr std::string_view kEmptyNames[] = {"part",
                                             "primary",
                                             "main"};
 
-// Whether the name tells a reader which place is meant.
+// Returns true if the name tells a reader which place is meant.
 bool saysSomething(const std::string& name) {
   std::string joined;
   bool hasLetters = false;

@@ -27,7 +27,7 @@ std::string firstWordIn(std::string_view name, const List& list) {
   return {};
 }
 
-// Whether `text` has any of the `list` in it, as it stands there.
+// Returns true if `text` contains any of the `list`, in the same case.
 template <class List>
 bool hasAny(std::string_view text, const List& list) {
   return std::any_of(std::begin(list), std::end(list), [&](std::string_view one) {

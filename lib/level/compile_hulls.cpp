@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-#include "level/compile_parts.h"
+#include "level/part_numbers.h"
 #include "level/record_values.h"
 
 namespace obby::level {

@@ -9,6 +9,7 @@
 #include "level/behaviours/fall.h"
 #include "level/compile_hulls.h"
 #include "level/compile_loose.h"
+#include "level/part_numbers.h"
 #include "level/record_values.h"
 #include "level/swept_bounds.h"
 #include "level/upright.h"
@@ -58,17 +59,7 @@ class PartCompiler {
   bool overBudget_ = false;
 };
 
-Result<Vec3> halfExtents(schema::Part::Reader part) {
-  const Vec3 size = vec(part.getSize());
-  if (!isFinite(size) || !(size.x > 0 && size.y > 0 && size.z > 0) ||
-      maxf(size.x, maxf(size.y, size.z)) > kMaxSize) {
-    return pathError("size",
-                     "expected three numbers above 0 and at most 2048, found " + shown(size));
-  }
-  return max(size, Vec3{kMinSize, kMinSize, kMinSize}) * 0.5f;
-}
-
-// Nobody meets it.
+// No player meets it.
 bool isScenery(const PartContext& c) { return (c.flags & (kSolid | kTouchRoles)) == 0; }
 
 // The clock that moves a part; kNone: the level's.
@@ -183,15 +174,7 @@ Status PartCompiler::shapes(schema::Part::Reader part, Collider collider, uint32
 Status PartCompiler::add(schema::Part::Reader part, uint32_t index) {
   if (uint16_t(part.getShape()) > uint16_t(schema::Shape::HULL))
     return pathError("shape", "unknown shape");
-  if (!(part.getFriction() >= 0 && part.getFriction() <= kMaxFriction))
-    return pathError("friction", fmt::format("expected a number from 0 to {}, found {}",
-                                             kMaxFriction, part.getFriction()));
-  if (!(part.getFrictionWeight() >= 0 && part.getFrictionWeight() <= kMaxFrictionWeight))
-    return pathError("frictionWeight", fmt::format("expected a number from 0 to {}, found {}",
-                                                   kMaxFrictionWeight, part.getFrictionWeight()));
-  if (!(part.getElasticity() >= 0 && part.getElasticity() <= 1))
-    return pathError("elasticity",
-                     "expected a number from 0 to 1, found " + shown(part.getElasticity()));
+  OBBY_RETURN_IF_ERROR(checkSurface(part));
   OBBY_ASSIGN(const Vec3 half, halfExtents(part));
   OBBY_ASSIGN(const Vec3 center, position(part.getPosition(), "position"));
   OBBY_ASSIGN(const Mat3 axes, rotation(part.getRotation(), "rotation"));
@@ -290,10 +273,11 @@ Result<PartTables> compileParts(schema::Level::Reader record, const Params& para
   for (size_t i = 0;; ++i) {
     PartTables out;
     out.hulls = std::move(hulls);
-    PartCompiler compiler(out, params, kMostRows[i]);
+    PartCompiler compiler(out, params, kMaxTableRows[i]);
     auto status = compiler.compile(record);
     if (status) return out;
-    if (!compiler.isOverBudget() || i + 1 == std::size(kMostRows)) return std::move(status).error();
+    if (!compiler.isOverBudget() || i + 1 == std::size(kMaxTableRows))
+      return std::move(status).error();
     hulls = std::move(out.hulls);
   }
 }

@@ -30,16 +30,12 @@ struct PartTables {
   bool timed = false;                             // any part whose state depends on the clock
 };
 
-// Smallest extent that the engine's physics uses (docs/physics.md, parts).
-constexpr float kMinSize = 0.05f;
-constexpr float kMaxSize = 2048;
-constexpr float kMaxFriction = 100, kMaxFrictionWeight = 100;
 constexpr uint32_t kMaxParts = 1000000;
 // Rows of all motion tables of a level together: 200 MB.
 constexpr size_t kMaxLevelRows = 4000000;
 // Rows of one table: the first number with which all tables fit. With fewer of them a period that
 // is no whole number of ticks is less exact, by at most half a tick a repetition.
-constexpr uint32_t kMostRows[] = {kMaxRows, kMaxRows / 4, kMaxRows / 16, kMaxRows / 64};
+constexpr uint32_t kMaxTableRows[] = {kMaxRows, kMaxRows / 4, kMaxRows / 16, kMaxRows / 64};
 
 Result<PartTables> compileParts(schema::Level::Reader record, const Params& params);
 

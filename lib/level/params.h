@@ -82,6 +82,10 @@ OBBY_DEVICE float riseOfLaunch(const Params& p, float gravity, float speed) {
   return 0.5f * speed * (speed / gravity + p.substepSeconds);
 }
 
+// Limits of levels: studs/s^2 of gravity, and times the player's speed or gravity in a boost. More
+// is a mistake, and would make the grid's lists long.
+constexpr float kMaxGravity = 2000, kMaxBoostFactor = 100;
+
 // Params::airJumps for any number of them.
 constexpr uint16_t kAnyAirJumps = 100;
 

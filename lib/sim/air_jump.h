@@ -1,5 +1,5 @@
-// Jumps in the air, as scripts add them: a falling player jumps again when the key is pressed anew,
-// so often between two floors. A clock of the level keeps the count while there is one to keep.
+// Jumps in the air, as scripts add them. A falling player may jump again on a new key press, up to
+// airJumps times before landing. A clock of the level stores the count.
 #pragma once
 
 #include "sim/clocks.h"
@@ -7,11 +7,11 @@
 
 namespace obby::sim {
 
-// Of the clock's ticks: the jumps made, and whether the key was held in the last tick. Ticks that
-// pass stay below.
+// The clock's ticks hold the number of jumps, and the bit kJumpHeld if the key was held in the last
+// tick. Ticks that pass count in the bits below.
 constexpr uint32_t kAirJump = 1u << 25, kJumpHeld = 1u << 24;
 
-// Those made since the last floor.
+// Air jumps since the last floor.
 OBBY_DEVICE uint32_t airJumpsMade(const World& w, const level::LevelView& level) {
   const int i = findClock(w, level.airClock);
   return i < 0 ? 0 : w.clocks[i].ticks / kAirJump;

@@ -49,6 +49,21 @@ TEST(Portal, AKillThatRaisesTheStageLeadsToWhereScriptsPutTheNextBody) {
   EXPECT_NEAR(scene[door].teleport->position.z, 400, 3);
 }
 
+TEST(Portal, ALongRespawnTimeIsWaitedFor) {
+  Scene scene;
+  scene.set(scene.add("Players", "Players", kNoInstance), "RespawnTime", 15.0f);
+  spawn(scene, "Start", {});
+  const InstanceId door = scene.part("Door", {20, 3, 0});
+  spawn(scene, "Next", {300, 0, 0});
+  scene.script(
+      kPlayerOf + " player.RespawnLocation = workspace.Next\n hit.Parent.Humanoid.Health = 0\nend)",
+      door);
+  scene.level();
+  EXPECT_FALSE(scene[door].kill);
+  ASSERT_TRUE(scene[door].teleport);
+  EXPECT_NEAR(scene[door].teleport->position.x, 300, 3);
+}
+
 // Deaths are counted, too; the player comes back to where it was.
 TEST(Portal, AKillThatCountsDeathsIsAKill) {
   Scene scene;

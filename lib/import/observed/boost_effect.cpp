@@ -14,7 +14,7 @@ using engine::PlayerState;
 
 bool differs(double factor) { return std::abs(factor - 1) > 1e-6; }
 
-// What the player has beside what it had, as the changes come.
+// Ratios of the player's speeds and gravity to those before, as changes are applied.
 class Speeds {
  public:
   Speeds(const engine::Report& report, const engine::Probe& probe)
@@ -25,8 +25,8 @@ class Speeds {
         base_(gravity_ - lift_),
         usesHeight_(!probe.seen.player.usesJumpPower) {}
 
-  // True: the property is as it was before.
-  bool take(const std::string& property, double value) {
+  // Returns true if the property is as it was before.
+  bool apply(const std::string& property, double value) {
     const bool byForce = property == "note lift";
     if (byForce || property == "Gravity") {
       (byForce ? lift_ : gravity_) = value;
@@ -88,7 +88,7 @@ std::optional<Booster> boosterOf(const engine::Report& report, const engine::Pro
     if (!seen) boost.line = change->line;
     seen = true;
     last = change->time;
-    restored |= speeds.take(change->property, *value);
+    restored |= speeds.apply(change->property, *value);
     if (differs(speeds.walk())) boost.walk = float(speeds.walk());
     if (differs(speeds.jump())) boost.jump = float(speeds.jump());
     if (differs(speeds.gravity())) boost.gravity = float(speeds.gravity());
@@ -99,7 +99,7 @@ std::optional<Booster> boosterOf(const engine::Report& report, const engine::Pro
   boost.forever =
       boost.resets || differs(speeds.walk()) || differs(speeds.jump()) || differs(speeds.gravity());
   if (boost.forever) return boost;
-  // By the last touch: a boost that ends when the player leaves has none.
+  // The time counts from the last touch: a boost that ends when the player leaves has none.
   const bool ends = std::abs(last - probe.left) < 3 * kFrame;
   boost.seconds = ends ? 0 : std::max(kFrame, last - changes.front()->time);
   return boost;

@@ -7,12 +7,6 @@
 #include "level/params.h"
 
 namespace obby::importer {
-namespace {
-
-// More gravity than a level can have.
-constexpr float kMostGravityFactor = 100, kMostGravity = 2000;  // times the level's, studs/s^2
-
-}  // namespace
 
 std::string EffectRoles::reason(engine::Line line) const { return lineReason(context_.tree, line); }
 
@@ -74,8 +68,8 @@ void EffectRoles::takeBoost(PartDraft& part, const Booster& boost) {
   own.resets = boost.resets;
   if (!(own.walkSpeed > 0) || !(own.jumpSpeed > 0))
     return note("part that stops the player", part.id, "", boost.line);
-  if (!(own.gravity >= 0) || own.gravity > kMostGravityFactor ||
-      own.gravity * base_.gravity > kMostGravity)
+  if (!(own.gravity >= 0) || own.gravity > kMaxBoostFactor ||
+      own.gravity * base_.gravity > kMaxGravity)
     return note("force on the player", part.id, "does not act; ", boost.line);
   part.boost = own;
   prove(part, "boost", reason(boost.line));

@@ -39,8 +39,8 @@ struct StageSet {
   InstanceId respawn = kNoInstance;  // the SpawnLocation where the player comes back from now on
   engine::Line line;
 };
-// A number that scripts keep of the player under a name that says nothing.
-struct Kept {
+// A number of the player that scripts keep under a name that does not tell its meaning.
+struct UnnamedStat {
   int number = 0;
   engine::Line line;
 };
@@ -65,7 +65,7 @@ struct ProbeEffects {
   std::optional<Booster> boost;
   std::optional<StageSet> stage;
   std::optional<engine::Line> won;
-  std::vector<Kept> kept;
+  std::vector<UnnamedStat> unnamed;
   bool trips = false;
   engine::Line tripLine;
   std::optional<engine::Line> force, jumps;  // jumps: in the air, too

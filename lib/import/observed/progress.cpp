@@ -4,6 +4,8 @@
 #include <cmath>
 #include <iterator>
 
+#include "import/stages/numbers.h"
+#include "import/stages/stage_words.h"
 #include "import/tree.h"
 #include "import/words.h"
 
@@ -11,9 +13,6 @@ namespace obby::importer {
 namespace {
 
 constexpr std::string_view kStageWords[] = {"stage", "level", "checkpoint", "spawn"};
-constexpr std::string_view kWinWords[] = {"win",      "wins",      "won",        "victories",
-                                          "finished", "completed", "completions"};
-constexpr double kMost = 1e6;
 
 StageSet& stageIn(ProbeEffects& effects, engine::Line line) {
   if (!effects.stage) {
@@ -27,8 +26,8 @@ StageSet& stageIn(ProbeEffects& effects, engine::Line line) {
 std::optional<int> wholeOf(const engine::Plain& value) {
   if (const auto* const text = std::get_if<std::string>(&value)) return firstNumber(*text);
   const auto* const number = std::get_if<double>(&value);
-  if (!number || !(*number >= 0) || !(*number < kMost) || std::floor(*number) != *number) return {};
-  return int(*number);
+  if (!number || std::floor(*number) != *number) return {};
+  return asStage(*number);
 }
 
 void takeStat(ProbeEffects& effects, const std::string& name, const engine::Change& note) {
@@ -39,10 +38,10 @@ void takeStat(ProbeEffects& effects, const std::string& name, const engine::Chan
     if (!number) return;
     StageSet& stage = stageIn(effects, note.line);
     stage.number = stage.number.value_or(*number);
-  } else if (!firstWordIn(name, kWinWords).empty()) {
+  } else if (hasStageWord(kWinsWord, name)) {
     if ((number && *number > 0) || (flag && *flag)) effects.won = effects.won.value_or(note.line);
   } else if (number) {
-    effects.kept.push_back({*number, note.line});
+    effects.unnamed.push_back({*number, note.line});
   }
 }
 
@@ -66,16 +65,19 @@ bool takeProgress(ProbeEffects& effects, const engine::Change& note, InstanceId 
 }
 
 void takeOwnNumber(ProbeEffects& effects, std::initializer_list<int> numbersOfPart) {
-  for (const Kept& kept : effects.kept) {
+  for (const UnnamedStat& stat : effects.unnamed) {
     if (effects.stage) return;
-    if (std::find(numbersOfPart.begin(), numbersOfPart.end(), kept.number) != numbersOfPart.end())
-      stageIn(effects, kept.line).number = kept.number;
+    if (std::find(numbersOfPart.begin(), numbersOfPart.end(), stat.number) != numbersOfPart.end())
+      stageIn(effects, stat.line).number = stat.number;
   }
 }
 
 void takeComeback(ProbeEffects& effects, const engine::Report& report, const engine::Probe& probe,
                   const PartDraft& part) {
-  constexpr float kMoved = 2, kBeside = 3, kAbove = 10, kBelow = 2;  // studs
+  constexpr float kMoved = 2;  // studs: a body that appears at its old spawn is closer
+  // Studs around the part. Scripts drop the body from above it, or put it at an edge; parts that
+  // are zones reach below the floor.
+  constexpr float kAround = 3, kAbove = 10, kBelow = 2;
   const Vec3 feet = probe.rebornAt;
   if (!probe.reborn || length(feet - report.arrived.feet) < kMoved) return;
   if (effects.stage && effects.harm) {
@@ -85,8 +87,8 @@ void takeComeback(ProbeEffects& effects, const engine::Report& report, const eng
   }
   if (effects.stage || effects.teleport) return;
   const auto bounds = boundsOf(part.pose, part.size * 0.5f);
-  const bool isThere = feet.x > bounds.lo.x - kBeside && feet.x < bounds.hi.x + kBeside &&
-                       feet.z > bounds.lo.z - kBeside && feet.z < bounds.hi.z + kBeside &&
+  const bool isThere = feet.x > bounds.lo.x - kAround && feet.x < bounds.hi.x + kAround &&
+                       feet.z > bounds.lo.z - kAround && feet.z < bounds.hi.z + kAround &&
                        feet.y > bounds.lo.y - kBelow && feet.y < bounds.hi.y + kAbove;
   if (isThere) stageIn(effects, {});
 }

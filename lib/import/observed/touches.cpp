@@ -23,7 +23,10 @@ class Touches {
     const ProbeEffects effects = effectsAt(part, probe);
     if (!part) return roles_.takeAbility(isKeys(probe.target), report_.airJumps, effects);
     if (probe.lost) return note("touch that broke down", part->id, "treated as a plain part");
-    if (effects.empty()) return takeNothing(*part, probe);
+    if (effects.empty()) {
+      if (!probe.byPlace) takeHeardOnly(*part, false);
+      return;
+    }
     if (!probe.allOver)
       return note("place where scripts act", part->id,
                   "only a piece of the part is concerned: treated as a plain part");
@@ -35,17 +38,16 @@ class Touches {
   }
 
   // What the probe shows is a guess for this part.
-  void take(const engine::Alike& alike) {
-    const engine::Probe& probe = report_.probes[alike.probe];
-    PartDraft* const part = context_.part(alike.target);
+  void take(const engine::SameListeners& unprobed) {
+    const engine::Probe& probe = report_.probes[unprobed.probe];
+    PartDraft* const part = context_.part(unprobed.target);
     if (!part) return;
     const ProbeEffects effects = effectsAt(partOf(probe), probe);
     const auto own = effects.asOf(probe.target, part->id);
     if (probe.lost || !own)
       return note("touch that was not tried", part->id, "there are too many parts to touch");
     if (own->empty()) {
-      if (!part->kill && !hasEvidence(*part, kHarmless))
-        part->evidence.push_back({kHarmless, kHeardOnly, true});
+      takeHeardOnly(*part, true);
       return;
     }
     roles_.setGuessed(true);
@@ -67,7 +69,9 @@ class Touches {
     const ProbeEffects before = effectsAt(part, *first), now = effectsAt(part, revisit.probe);
     const std::string when = whenOf(context_.tree, revisit);
     if (const ProbeEffects added = addedIn(before, now); !added.empty()) {
-      std::erase_if(part->evidence, [](const auto& e) { return e.reason == kHeardOnly; });
+      if (part->heardOnly)
+        std::erase_if(part->evidence, [](const Evidence& e) { return e.role == kHarmless; });
+      part->heardOnly = false;
       roles_.setGuessed(!added.onlyStage());
       if (added.stage) part->stageSigns[NumberFrom::asked] = ++asked_;
       give(*part, revisit.probe, added);
@@ -100,8 +104,7 @@ class Touches {
 
  private:
   // Scripts that were seen to do nothing count before a tag.
-  void takeNothing(PartDraft& part, const engine::Probe& probe) {
-    if (probe.byPlace) return;
+  static void takeHeardOnly(PartDraft& part, bool guessed) {
     const auto isTag = [](const Evidence& e) {
       return e.role == "kill" && e.reason.rfind("tag ", 0) == 0;
     };
@@ -109,10 +112,11 @@ class Touches {
       part.kill.reset();
       std::erase_if(part.evidence, isTag);
     }
-    if (!part.kill && !hasEvidence(part, kHarmless))
-      part.evidence.push_back({kHarmless, kHeardOnly, false});
+    if (part.kill || hasEvidence(part, kHarmless)) return;
+    part.heardOnly = true;
+    part.evidence.push_back(
+        {kHarmless, "scripts listen to it, and do nothing to a player", guessed});
   }
-
   // The part that a player touches: for a click or prompt the part that it is in.
   PartDraft* partOf(const engine::Probe& probe) {
     for (InstanceId id = probe.target; id < context_.tree.size(); id = context_.tree.at(id).parent)
@@ -125,7 +129,7 @@ class Touches {
     if (!part) return effects;
     PartDraft copy;
     copy.id = part->id;
-    if (!effects.kept.empty()) readNumbers(context_.tree, copy.id, copy);
+    if (!effects.unnamed.empty()) readNumbers(context_.tree, copy.id, copy);
     const StageSigns& own = copy.stageSigns;
     takeOwnNumber(effects,
                   {own[NumberFrom::value], own[NumberFrom::name], own[NumberFrom::folder]});
@@ -168,7 +172,7 @@ class Touches {
 void touchesFromObservation(RoleContext& context, const engine::Report& report) {
   Touches touches(context, report);
   for (const engine::Probe& probe : report.probes) touches.take(probe);
-  for (const engine::Alike& alike : report.alike) touches.take(alike);
+  for (const engine::SameListeners& unprobed : report.sameListeners) touches.take(unprobed);
 }
 
 void touchedDrivesFromObservation(RoleContext& context, const engine::Report& report) {

@@ -58,7 +58,7 @@ void giveTagged(RoleContext& context, InstanceId id, const std::string& tag,
   for (const InstanceId child : context.tree.at(id).children) giveOne(child);
 }
 
-// Whether the place says by other means than names which parts are checkpoints.
+// Returns true if the place says by other means than names which parts are checkpoints.
 bool areStated(const RoleContext& context) {
   int changing = 0;
   for (const PartDraft& part : context.level.parts) {
@@ -92,10 +92,7 @@ void giveNamed(RoleContext& context) {
   }
 }
 
-bool isHeardOnly(const PartDraft& part) {
-  return !hasRole(part) && std::any_of(part.evidence.begin(), part.evidence.end(),
-                                       [](const Evidence& e) { return e.reason == kHeardOnly; });
-}
+bool isHeardOnly(const PartDraft& part) { return !hasRole(part) && part.heardOnly; }
 
 // Pads in a row that scripts listen to and do nothing visible: they keep the player's stage in a
 // table of their own.
@@ -129,7 +126,8 @@ void checkpointFromTags(RoleContext& context) {
     }
 }
 
-// A number of its own in each of several parts or models, under a name such as Stage.
+// Takes several parts or models for checkpoints if each has its own number in a value called Stage
+// or the like.
 void checkpointFromMarkers(RoleContext& context) {
   constexpr const char* kNames[] = {"Stage", "Checkpoint", "StageNumber", "CheckpointNumber"};
   if (areStated(context)) return;
@@ -138,9 +136,8 @@ void checkpointFromMarkers(RoleContext& context) {
     const bool isOwner = context.tree.isPart(id) || context.tree.at(id).className == "Model";
     if (!isOwner || !context.hasParts(id)) continue;
     for (const char* name : kNames)
-      if (const auto number = context.tree.number(id, name);
-          number && *number >= 0 && *number < 1e6) {
-        owners[int(*number)].push_back(id);
+      if (const auto number = context.tree.number(id, name); number && asStage(*number)) {
+        owners[*asStage(*number)].push_back(id);
         break;
       }
   }

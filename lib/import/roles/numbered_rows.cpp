@@ -6,14 +6,13 @@
 
 #include "import/pivot.h"
 #include "import/stages/numbers.h"
+#include "import/stages/stage_words.h"
 #include "import/words.h"
 
 namespace obby::importer {
 namespace {
 
 constexpr size_t kFewParts = 4;  // a pad with decoration
-constexpr std::string_view kRowFolders[] = {"checkpoints", "stages", "spawns", "spawnpoints",
-                                            "respawns"};
 constexpr std::string_view kPadNames[] = {"touch",      "hitbox", "trigger",    "pad",
                                           "checkpoint", "spawn",  "spawnpoint", "start"};
 
@@ -27,12 +26,12 @@ std::string withoutNumber(std::string_view name) {
 bool hasNumber(std::string_view name) { return firstNumber(name).has_value(); }
 
 bool isRowFolder(const Tree& tree, InstanceId id) {
-  return id != kNoInstance && !firstWordIn(tree.at(id).name, kRowFolders).empty();
+  return id != kNoInstance && hasStageWord(kRowWord, tree.at(id).name);
 }
 
 bool isSpawn(const Tree& tree, InstanceId id) { return tree.at(id).className == "SpawnLocation"; }
 
-// Whether a player could come to it and stay: pads do not kill or move.
+// Returns true if a player could come to it and stay: pads do not kill or move.
 bool canBePad(const PartDraft& part) {
   return part.touch && !part.kill && !part.motion && !part.goal && !part.checkpoint;
 }
@@ -139,7 +138,7 @@ std::vector<RowMember> rowsInStageFolders(RoleContext& context) {
   for (InstanceId id = 0; id < context.tree.size(); ++id) {
     const Instance& folder = context.tree.at(id);
     const bool isFolder = folder.className == "Folder" || folder.className == "Model";
-    if (!isFolder || !isStageFolderName(folder.name) || hasNumber(folder.name)) continue;
+    if (!isFolder || !hasStageWord(kFolderWord, folder.name) || hasNumber(folder.name)) continue;
     if (isBelowMover(context.tree, id)) continue;
     const auto found = rows.inFolder(id);
     members.insert(members.end(), found.begin(), found.end());

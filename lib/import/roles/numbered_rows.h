@@ -8,15 +8,17 @@
 
 namespace obby::importer {
 
-// What the parts of one row share: the folder, and the names without their numbers. The number may
-// be in the part's own name, in a value of it or in the name of its model. Empty: there is none.
+// A text that the parts of one row share: the folder, and the names without their numbers. The
+// number may be in the part's own name, in a value of it or in the name of its model. Empty if
+// there is none.
 std::string rowOf(const Tree& tree, InstanceId part);
 
-// Whether it has a number and is right in a folder called Stages, Checkpoints or the like.
+// Returns true if the part has a number and its parent is a folder called Stages, Checkpoints or
+// the like.
 bool isInRowFolder(const Tree& tree, InstanceId part);
 
-// Whether a tag says that something above it moves: what is called a checkpoint there is a way
-// point.
+// Returns true if a tag says that an ancestor moves. A part called checkpoint there is a waypoint
+// of the motion.
 bool isBelowMover(const Tree& tree, InstanceId id);
 
 struct RowMember {

@@ -76,10 +76,8 @@ PartDraft* touchPart(RoleContext& context, InstanceId id);
 // True if some evidence gave the part a role called `role`.
 bool hasEvidence(const PartDraft& part, const char* role);
 
-// The evidence of a part that a tag says to hurt nobody; it leaves the other roles as they are.
+// The evidence of a part that does not hurt, by its tag or by a probe. Other roles are unaffected.
 constexpr const char* kHarmless = "harmless";
-// Its reason where the part was seen to do nothing.
-constexpr const char* kHeardOnly = "scripts listen to it, and do nothing to a player";
 
 // True if anything but its shape, its joints, what scripts set at the start and that it is harmless
 // is known about the part.

@@ -7,9 +7,9 @@
 namespace obby::importer {
 namespace {
 
-constexpr size_t kMostByDistance = 10000;  // checkpoints of a level: bounds the work
-constexpr size_t kMostWithPortals = 500;   // checkpoints: beyond, portals are not looked at
-constexpr size_t kMostInserted = 1000;     // checkpoints of a level
+// Checkpoints of a level up to which portals count, each gets its best place, and distance decides.
+// The work grows with their square.
+constexpr size_t kMaxWithPortals = 500, kMaxInserted = 1000, kMaxByDistance = 10000;
 
 struct Numbered {
   int number = kUnnumbered;
@@ -65,22 +65,22 @@ class Order {
     course_.prove(part, "checkpoint", "ordered by distance: " + why, true);
   }
 
-  // From each the nearest next.
+  // Puts the nearest checkpoint next, again and again.
   void sortByDistance(Chain& chain, Chain::iterator first, Chain::iterator end,
                       const std::string& why) {
-    if (end - first < 2 || chain.size() > kMostByDistance) return;
+    if (end - first < 2 || chain.size() > kMaxByDistance) return;
     for (; first != end; ++first) {
       const int last = first == chain.begin() ? course_.start : (first - 1)->part;
       std::iter_swap(first, std::min_element(first, end, [&](const Numbered& a, const Numbered& b) {
-                       return course_.hop(last, a.part) < course_.hop(last, b.part);
+                       return course_.distance(last, a.part) < course_.distance(last, b.part);
                      }));
       proveDistance(first->part, why);
     }
   }
 
-  // Each where it is least out of the way.
+  // Inserts each where it makes the shortest detour.
   void insertUnnumbered() {
-    const bool isMany = chain_.size() + unnumbered_.size() > kMostInserted;
+    const bool isMany = chain_.size() + unnumbered_.size() > kMaxInserted;
     for (const Numbered& one : unnumbered_) {
       chain_.insert(isMany ? chain_.end() : placeOf(one.part), one);
       proveDistance(one.part, kNoNumber);
@@ -89,11 +89,11 @@ class Order {
 
   Chain::iterator placeOf(int part) {
     auto best = chain_.end();
-    float least = course_.hop(chain_.back().part, part);
+    float least = course_.distance(chain_.back().part, part);
     int before = course_.start;
     for (auto at = chain_.begin(); at != chain_.end(); before = at->part, ++at) {
-      const float detour =
-          course_.hop(before, part) + course_.hop(part, at->part) - course_.hop(before, at->part);
+      const float detour = course_.distance(before, part) + course_.distance(part, at->part) -
+                           course_.distance(before, at->part);
       if (detour >= least) continue;
       least = detour;
       best = at;
@@ -109,7 +109,7 @@ class Order {
 // button on the screen or the like.
 void leaveLobby(Course& course) {
   auto& list = course.checkpoints;
-  if (list.empty() || course.arrived || !course.isFar(course.hop(course.start, list.front())))
+  if (list.empty() || course.arrived || !course.isFar(course.distance(course.start, list.front())))
     return;
   course.start = list.front();
   list.erase(list.begin());
@@ -121,7 +121,7 @@ void leaveLobby(Course& course) {
 void orderCheckpoints(Course& course) {
   for (int i = 0; i < int(course.level.parts.size()); ++i)
     if (course.part(i).checkpoint) course.checkpoints.push_back(i);
-  if (course.checkpoints.size() > kMostWithPortals) course.portals.clear();
+  if (course.checkpoints.size() > kMaxWithPortals) course.portals.clear();
   course.checkpoints = Order(course).checkpoints();
   leaveLobby(course);
 }

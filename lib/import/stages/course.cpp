@@ -3,21 +3,25 @@
 #include <algorithm>
 
 #include "engine/classes/class_defaults.h"
-#include "import/words.h"
 
 namespace obby::importer {
 namespace {
 
-constexpr std::string_view kWinnersWords[] = {"winner",  "winners",   "win",       "victory",
-                                              "finish",  "finished",  "finishers", "champions",
-                                              "victors", "completed", "beaten"};
-constexpr size_t kMostPortals = 64;    // bounds the work
-constexpr float kFar = 150;            // studs: nobody jumps that far
-constexpr float kOutOfProportion = 3;  // times the longest hop
+constexpr size_t kMaxPortals = 64;  // bounds the work
+// Studs: farther than any jump between two checkpoints. Long courses may have long segments, so
+// that it has to be out of proportion, too: segments of one course differ by less than this factor.
+constexpr float kFar = 150, kOutOfProportion = 3;
+
+// Studs; 0 for fewer than two checkpoints.
+float longestBetweenCheckpoints(const Course& course) {
+  const std::vector<int>& parts = course.checkpoints;
+  float longest = 0;
+  for (size_t i = 1; i < parts.size(); ++i)
+    longest = std::max(longest, course.distance(parts[i - 1], parts[i]));
+  return longest;
+}
 
 }  // namespace
-
-bool isForWinners(std::string_view name) { return !firstWordIn(name, kWinnersWords).empty(); }
 
 bool Course::is(int index, const char* flag) const { return get<bool>(instance(index), flag); }
 
@@ -29,7 +33,7 @@ const Team* Course::teamOf(int spawn) const {
   return found == teams.end() ? nullptr : &*found;
 }
 
-float Course::hop(int from, int to) const {
+float Course::distance(int from, int to) const {
   const Vec3 a = part(from).pose.position, b = part(to).pose.position;
   float best = length(a - b);
   for (const auto& [entry, exit] : portals)
@@ -37,16 +41,9 @@ float Course::hop(int from, int to) const {
   return best;
 }
 
-float Course::longestHop() const {
-  float longest = 0;
-  for (size_t i = 1; i < checkpoints.size(); ++i)
-    longest = std::max(longest, hop(checkpoints[i - 1], checkpoints[i]));
-  return longest;
-}
-
-bool Course::isFar(float hop) const {
-  const float longest = longestHop();
-  return longest > 0 && hop > std::max(kFar, kOutOfProportion * longest);
+bool Course::isFar(float studs) const {
+  const float longest = longestBetweenCheckpoints(*this);
+  return longest > 0 && studs > std::max(kFar, kOutOfProportion * longest);
 }
 
 Course courseOf(const Tree& tree, LevelDraft& level) {
@@ -58,7 +55,7 @@ Course courseOf(const Tree& tree, LevelDraft& level) {
         course.teams.push_back(
             {get<int64_t>(team, "TeamColor"), team.name, propertyOr(team, "AutoAssignable", true)});
   for (const PartDraft& part : level.parts)
-    if (part.teleport && course.portals.size() < kMostPortals)
+    if (part.teleport && course.portals.size() < kMaxPortals)
       course.portals.emplace_back(part.pose.position, part.teleport->position);
   return course;
 }

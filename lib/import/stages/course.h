@@ -14,7 +14,7 @@ namespace obby::importer {
 struct Team {
   int64_t color = 0;
   std::string name;
-  bool joined = true;  // players get it by themselves
+  bool autoAssigned = true;  // new players may get it
 };
 
 struct Course {
@@ -22,7 +22,7 @@ struct Course {
   LevelDraft& level;
   std::vector<Team> teams = {};
   int start = -1;                                   // part index
-  std::optional<Vec3> arrived = {};                 // on the start; nothing: the middle of its top
+  std::optional<Vec3> arrived = {};                 // on the start; nullopt: the middle of its top
   std::vector<int> checkpoints = {};                // part indices, in order once that is known
   std::vector<std::pair<Vec3, Vec3>> portals = {};  // from where to where
 
@@ -30,12 +30,10 @@ struct Course {
   const Instance& instance(int index) const { return tree.at(part(index).id); }
   bool is(int index, const char* flag) const;  // a flag of its instance
   const Team* teamOf(int spawn) const;         // that a SpawnLocation is for; null: for all
-  // Studs from one part to another, by the shortest of all portals or directly.
-  float hop(int from, int to) const;
-  // Studs of the longest hop from each checkpoint to the next; 0: fewer than two.
-  float longestHop() const;
-  // Whether a hop is out of all proportion to those between the checkpoints.
-  bool isFar(float hop) const;
+  // Studs from one part to another: directly, or through the portal that makes it shortest.
+  float distance(int from, int to) const;
+  // Returns true if a distance is out of all proportion to those between the checkpoints.
+  bool isFar(float studs) const;
   void prove(int index, const char* role, std::string reason, bool guessed) const {
     part(index).evidence.push_back({role, std::move(reason), guessed});
   }
@@ -43,16 +41,17 @@ struct Course {
 
 Course courseOf(const Tree& tree, LevelDraft& level);
 
-// "Winners", "Finish": words for those who have come to the end.
-bool isForWinners(std::string_view name);
+// Studs. Pads whose centres are closer are taken for one platform: a default SpawnLocation is 12
+// studs wide, so two of them fit side by side.
+constexpr float kOnePlatform = 24;
 
-// The start and, of the other SpawnLocations, those that are checkpoints or the end. `arrived`:
-// where the feet of a new player are once scripts have had their way; nothing: not known.
+// Finds the start, and which of the other SpawnLocations are checkpoints or the end. `arrived`:
+// feet of a new player after scripts ran; nullopt if unknown.
 void findStart(Course& course, const std::optional<Vec3>& arrived);
-// Puts the checkpoints in order. Without a start the first one serves, and so it does if the start
+// Puts the checkpoints in order. The first one becomes the start if there is none, or if the start
 // is far from the course and no portal leads there.
 void orderCheckpoints(Course& course);
-// Leaves one goal if none is stated; without any the last checkpoint is it.
+// Keeps one goal if none is stated. Without any, the last checkpoint becomes the goal.
 void settleGoal(Course& course);
 
 }  // namespace obby::importer

@@ -20,14 +20,14 @@ void endAtLastCheckpoint(Course& course) {
   course.prove(last, "goal", "last checkpoint", true);
 }
 
-// Of several guesses the one next to the last checkpoint; without checkpoints the one that shares
-// a folder with the start, else the farthest.
+// Returns the guess that is nearest to the last checkpoint. Without checkpoints it is the one that
+// shares a folder with the start, else the farthest.
 int bestGuess(const Course& course, const std::vector<int>& goals) {
   const bool hasLast = !course.checkpoints.empty();
   const int from = hasLast ? course.checkpoints.back() : course.start;
   const InstanceId family = course.instance(course.start).parent;
   const auto rank = [&](int goal) {
-    const float away = course.hop(from, goal);
+    const float away = course.distance(from, goal);
     return std::pair(!hasLast && course.instance(goal).parent == family, hasLast ? -away : away);
   };
   return *std::max_element(goals.begin(), goals.end(),
@@ -61,7 +61,7 @@ void settleGoal(Course& course) {
   for (const int goal : goals)
     if (goal != best) dropGuess(course, goal, "another part is the goal");
   if (course.checkpoints.empty() || course.part(best).checkpoint ||
-      !course.isFar(course.hop(course.checkpoints.back(), best)))
+      !course.isFar(course.distance(course.checkpoints.back(), best)))
     return;
   dropGuess(course, best, "it is far from the last checkpoint");
   endAtLastCheckpoint(course);

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "engine/classes/class_defaults.h"
+#include "import/stages/stage_words.h"
 #include "import/words.h"
 
 namespace obby::importer {
@@ -13,8 +14,6 @@ namespace {
 constexpr const char* kNumberNames[] = {"Stage", "Checkpoint",       "Number",  "Index",
                                         "Order", "StageNumber",      "StageID", "CheckpointID",
                                         "Level", "CheckpointNumber", "ID"};
-constexpr std::string_view kStageFolders[] = {"checkpoint", "checkpoints", "stages",
-                                              "spawns",     "spawnpoints", "respawns"};
 
 // "Stage 3", "stage3_lava": what is in it belongs to that stage.
 bool isStageName(std::string_view name) {
@@ -30,55 +29,12 @@ void fill(int& number, int found) {
   if (number == kUnnumbered) number = found;
 }
 
-}  // namespace
-
-bool isStageFolderName(std::string_view name) { return !firstWordIn(name, kStageFolders).empty(); }
-
-bool isWholeNumber(std::string_view name) {
-  return !name.empty() && name.find_first_not_of("0123456789") == std::string_view::npos;
-}
-
-int statedNumber(const Tree& tree, InstanceId id) {
-  for (const char* name : kNumberNames)
-    if (const auto number = tree.number(id, name))
-      if (*number >= 0 && *number < 1e6) return int(*number);
-  return kUnnumbered;
-}
-
-void readNumbers(const Tree& tree, InstanceId owner, PartDraft& part) {
-  StageSigns& signs = part.stageSigns;
-  const InstanceId parent = tree.at(part.id).parent;
-  const bool inModel = parent != kNoInstance && tree.at(parent).className == "Model";
-  for (const InstanceId holder : {owner, part.id, inModel ? parent : part.id})
-    fill(signs[NumberFrom::value], statedNumber(tree, holder));
-  for (const InstanceId holder : {owner, part.id, inModel ? parent : part.id})
-    fill(signs[NumberFrom::name], numberInName(tree, holder));
-  for (InstanceId holder = part.id; holder != kNoInstance; holder = tree.at(holder).parent) {
-    const std::string& name = tree.at(holder).name;
-    const bool tells = isWholeNumber(name) || isStageName(name) || isStageFolderName(name);
-    if (tells && holder != owner && holder != part.id)
-      fill(signs[NumberFrom::folder], numberInName(tree, holder));
-  }
-}
-
-std::map<int64_t, int> numbersOfTeams(const Tree& tree) {
-  std::map<int64_t, int> numbers;
-  const InstanceId teams = tree.service("Teams");
-  if (teams == kNoInstance) return numbers;
-  for (const InstanceId team : tree.at(teams).children)
-    if (tree.at(team).className == "Team")
-      numbers.emplace(get<int64_t>(tree.at(team), "TeamColor"), numberInName(tree, team));
-  return numbers;
-}
-
-namespace {
-
-// Names that people read: a number in free text ("4 Way Jump") is no place in an order.
+// Names that people read: a number in free text ("4 Way Jump") is not an order.
 bool isFreeText(NumberFrom from) { return from == NumberFrom::name || from == NumberFrom::team; }
 
-// Whether a source tells checkpoints apart: not if it gives one number to all. Free text tells only
-// if at least half of those that have no number yet have one, and what is asked for only if it
-// makes a chain.
+// Returns true if a source tells checkpoints apart. It does not if it gives one number to all. Free
+// text has to give a number to at least half of those that have none yet. NumberFrom::asked has to
+// make a chain.
 bool tells(NumberFrom from, const std::vector<int>& source, const std::vector<int>& numbers) {
   size_t open = 0, count = 0;
   std::set<int> values;
@@ -95,6 +51,49 @@ bool tells(NumberFrom from, const std::vector<int>& source, const std::vector<in
 }
 
 }  // namespace
+
+bool isWholeNumber(std::string_view name) {
+  return !name.empty() && name.find_first_not_of("0123456789") == std::string_view::npos;
+}
+
+std::optional<int> asStage(double number) {
+  constexpr double kMaxStage = 1e6;  // larger numbers are prices, times or identities
+  if (!(number >= 0) || !(number < kMaxStage)) return {};
+  return int(number);
+}
+
+int statedNumber(const Tree& tree, InstanceId id) {
+  for (const char* name : kNumberNames)
+    if (const auto number = tree.number(id, name))
+      if (const auto stage = asStage(*number)) return *stage;
+  return kUnnumbered;
+}
+
+void readNumbers(const Tree& tree, InstanceId owner, PartDraft& part) {
+  StageSigns& signs = part.stageSigns;
+  const InstanceId parent = tree.at(part.id).parent;
+  const bool inModel = parent != kNoInstance && tree.at(parent).className == "Model";
+  for (const InstanceId holder : {owner, part.id, inModel ? parent : part.id})
+    fill(signs[NumberFrom::value], statedNumber(tree, holder));
+  for (const InstanceId holder : {owner, part.id, inModel ? parent : part.id})
+    fill(signs[NumberFrom::name], numberInName(tree, holder));
+  for (InstanceId holder = part.id; holder != kNoInstance; holder = tree.at(holder).parent) {
+    const std::string& name = tree.at(holder).name;
+    const bool tells = isWholeNumber(name) || isStageName(name) || hasStageWord(kFolderWord, name);
+    if (tells && holder != owner && holder != part.id)
+      fill(signs[NumberFrom::folder], numberInName(tree, holder));
+  }
+}
+
+std::map<int64_t, int> numbersOfTeams(const Tree& tree) {
+  std::map<int64_t, int> numbers;
+  const InstanceId teams = tree.service("Teams");
+  if (teams == kNoInstance) return numbers;
+  for (const InstanceId team : tree.at(teams).children)
+    if (tree.at(team).className == "Team")
+      numbers.emplace(get<int64_t>(tree.at(team), "TeamColor"), numberInName(tree, team));
+  return numbers;
+}
 
 std::vector<int> numbersThatCount(const LevelDraft& level, const std::vector<int>& parts) {
   std::vector<int> numbers(parts.size(), kUnnumbered);

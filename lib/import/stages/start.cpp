@@ -6,15 +6,25 @@
 #include "engine/classes/class_defaults.h"
 #include "import/stages/course.h"
 #include "import/stages/numbers.h"
+#include "import/stages/stage_words.h"
 #include "import/words.h"
 
 namespace obby::importer {
 namespace {
 
-constexpr float kSameLobby = 24;  // studs between pads that are one start
-constexpr float kOnTop = 8;       // studs that scripts leave between a pad and the player at most
-constexpr std::string_view kStartWords[] = {"start", "lobby", "spawn", "mapstart", "inicio"};
-constexpr std::string_view kSurelyStart[] = {"start", "mapstart", "inicio"};
+constexpr float kOnTop = 8;  // studs that scripts leave between a pad and the player at most
+
+// How good a start a SpawnLocation is, best first.
+enum class StartRank {
+  ofFirstTeam,  // the engine puts new players there
+  named,        // "Start"
+  open,         // for all, and it does not change their team
+  other,
+  checkpoint,  // known by its tag, its script or its number
+  winners      // players appear there after the end
+};
+
+bool isForWinners(std::string_view name) { return hasStageWord(kWinnersWord, name); }
 
 // The middle of the part's top.
 Vec3 topOf(const PartDraft& part) {
@@ -52,7 +62,7 @@ class SpawnRoles {
 
   bool empty() const { return spawns_.empty(); }
 
-  // Whether the engine itself puts a player there.
+  // Returns true if the engine itself puts a player there.
   bool isOnOne(Vec3 feet) const {
     return std::any_of(spawns_.begin(), spawns_.end(), [&](int spawn) {
       const PartDraft& part = course_.part(spawn);
@@ -92,27 +102,29 @@ class SpawnRoles {
            (parent != kNoInstance && isForWinners(course_.tree.at(parent).name));
   }
 
-  // The team that a new player gets; of several those in the game share, the first by number.
+  // The team that a new player gets. The players of a game share the teams: the first by number.
   const Team* firstTeam() const {
     const Team* first = nullptr;
     const auto number = [](const Team& team) { return firstNumber(team.name).value_or(0); };
     for (const Team& team : course_.teams)
-      if (team.joined && !isForWinners(team.name) && (!first || number(team) < number(*first)))
+      if (team.autoAssigned && !isForWinners(team.name) &&
+          (!first || number(team) < number(*first)))
         first = &team;
     return first;
   }
 
-  // Smaller is a better start.
-  int rank(int spawn, const Team* joined) const {
-    if (forWinners(spawn)) return 5;
+  StartRank rank(int spawn, const Team* first) const {
+    if (forWinners(spawn)) return StartRank::winners;
     const Team* const team = course_.teamOf(spawn);
-    if (team && joined && team->color == joined->color) return 0;
-    if (!firstWordIn(course_.instance(spawn).name, kSurelyStart).empty()) return 1;
-    if (course_.part(spawn).checkpoint) return 4;
-    return course_.is(spawn, "Neutral") && !course_.is(spawn, "AllowTeamChangeOnTouch") ? 2 : 3;
+    if (team && first && team->color == first->color) return StartRank::ofFirstTeam;
+    if (hasStageWord(kSureStartWord, course_.instance(spawn).name)) return StartRank::named;
+    if (course_.part(spawn).checkpoint) return StartRank::checkpoint;
+    const bool isOpen =
+        course_.is(spawn, "Neutral") && !course_.is(spawn, "AllowTeamChangeOnTouch");
+    return isOpen ? StartRank::open : StartRank::other;
   }
 
-  // The checkpoint of the least number; -1: none is numbered.
+  // The checkpoint with the lowest number; -1 if none has a number.
   int firstCheckpoint() const {
     std::vector<int> known;
     for (int i = 0; i < int(course_.level.parts.size()); ++i)
@@ -126,12 +138,12 @@ class SpawnRoles {
   }
 
   void chooseStart() {
-    const Team* const joined = firstTeam();
+    const Team* const team = firstTeam();
     const int first = firstCheckpoint();
     const auto key = [&](int spawn) {
       const int number = numberOf(spawn);
-      const float away = first < 0 ? 0 : course_.hop(spawn, first);
-      return std::tuple(rank(spawn, joined), number == kUnnumbered ? 0 : number, away, spawn);
+      const float away = first < 0 ? 0 : course_.distance(spawn, first);
+      return std::tuple(rank(spawn, team), number == kUnnumbered ? 0 : number, away, spawn);
     };
     course_.start = *std::min_element(spawns_.begin(), spawns_.end(),
                                       [&](int a, int b) { return key(a) < key(b); });
@@ -148,7 +160,7 @@ class SpawnRoles {
     const int number = numberOf(spawn);
     const bool isOther = number != kUnnumbered && number != numberOf(course_.start);
     if (!isOther && !changesTeam) return giveStart(spawn);
-    if (!changesTeam && isBesideItsLike(spawn))
+    if (!changesTeam && isNextToItsStage(spawn))
       return course_.prove(spawn, "start", "SpawnLocation next to one of its stage", true);
     part.checkpoint = kUnnumbered;
     course_.prove(spawn, "checkpoint",
@@ -157,11 +169,11 @@ class SpawnRoles {
   }
 
   bool areNear(int a, int b) const {
-    return length(course_.part(a).pose.position - course_.part(b).pose.position) < kSameLobby;
+    return length(course_.part(a).pose.position - course_.part(b).pose.position) < kOnePlatform;
   }
 
-  // Whether a checkpoint of the same number is near.
-  bool isBesideItsLike(int spawn) const {
+  // Returns true if a checkpoint of the same number is near.
+  bool isNextToItsStage(int spawn) const {
     return std::any_of(spawns_.begin(), spawns_.end(), [&](int other) {
       return other != spawn && course_.part(other).checkpoint && areNear(spawn, other) &&
              numberOf(other) == numberOf(spawn);
@@ -187,7 +199,7 @@ class SpawnRoles {
     for (int i = 0; i < int(course_.level.parts.size()); ++i) {
       const PartDraft& other = course_.part(i);
       const bool leads =
-          other.teleport && length(other.teleport->position - part.pose.position) < kSameLobby;
+          other.teleport && length(other.teleport->position - part.pose.position) < kOnePlatform;
       if (i != spawn && (leads || other.stageSigns.respawn == part.id))
         giveGoal(course_, i, "leads to the winners' SpawnLocation");
     }
@@ -205,13 +217,13 @@ void startFromNames(Course& course) {
     const auto words = wordsOf(name);
     const PartDraft& part = course.part(i);
     if (words.size() > 2 || words.empty() || part.kill || part.goal || part.motion) continue;
-    if (firstWordIn(name, kStartWords).empty()) continue;
+    if (!hasStageWord(kStartWord, name)) continue;
     course.start = i;
     return course.prove(i, "start", "name " + name, true);
   }
 }
 
-// The highest solid part below the feet, else a part that the body is in; -1: none within reach.
+// The highest solid part below the feet, else a part that the body is in; -1 if none is near.
 int partBelow(const Course& course, Vec3 feet) {
   constexpr float kToRoot = 3, kSunk = 0.5f;  // studs
   for (const float into : {0.0f, kToRoot}) {

@@ -7,23 +7,20 @@
 namespace obby::level {
 namespace {
 
-// More than this is no boost but a mistake, and would make the grid's lists long.
-constexpr float kMostFactor = 100;
-constexpr float kMostMore = 1000;     // studs/s
-constexpr float kMostGravity = 2000;  // studs/s^2, as of PhysicsParams
+constexpr float kMaxJumpMore = 1000;  // studs/s
 
 Status checkFactor(float factor, const char* path) {
-  if (factor > 0 && factor <= kMostFactor) return {};
+  if (factor > 0 && factor <= kMaxBoostFactor) return {};
   return pathError(path, "expected a factor above 0 and at most 100, found " + shown(factor),
                    "use 1 to leave the speed unchanged");
 }
 
 Status checkGravity(float factor, const Params& params) {
-  if (!(factor >= 0 && factor <= kMostFactor)) {
+  if (!(factor >= 0 && factor <= kMaxBoostFactor)) {
     return pathError("boost.gravity", "expected a factor from 0 to 100, found " + shown(factor),
                      "use 1 to leave the gravity unchanged");
   }
-  if (!(factor * params.gravity <= kMostGravity)) {
+  if (!(factor * params.gravity <= kMaxGravity)) {
     return pathError(
         "boost.gravity",
         "expected a gravity of at most 2000 studs/s^2, found " + shown(factor * params.gravity),
@@ -38,7 +35,7 @@ Status compileBoost(PartContext& c) {
   const auto record = c.part.getBoost();
   OBBY_RETURN_IF_ERROR(checkFactor(record.getWalkSpeed(), "boost.walkSpeed"));
   OBBY_RETURN_IF_ERROR(checkFactor(record.getJumpSpeed(), "boost.jumpSpeed"));
-  if (!(std::fabs(record.getJumpMore()) <= kMostMore)) {
+  if (!(std::fabs(record.getJumpMore()) <= kMaxJumpMore)) {
     return pathError("boost.jumpMore",
                      "expected -1000 to 1000 studs/s, found " + shown(record.getJumpMore()));
   }

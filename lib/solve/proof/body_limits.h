@@ -62,7 +62,7 @@ class BodyLimits {
   // Height of a flight, and that of launches at `up` studs/s above where they begin.
   float apex(const Flight& f) const { return f.height + apex(f.up, f.leaps); }
   float apex(float up, bool leaps) const;
-  // The least height of such a launch.
+  // Lower bound of the height of a launch at `up`.
   float lowApex(float up, bool leaps) const;
   // Seconds until the feet are at `height` for the last time, with the ticks before the take-off;
   // below 0: never.

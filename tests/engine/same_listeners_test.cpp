@@ -1,4 +1,4 @@
-// More parts than probes: parts that the same functions listen to are taken alike.
+// More parts than probes: one probe stands for parts with the same listeners.
 #include <gtest/gtest.h>
 
 #include "engine/place.h"
@@ -21,7 +21,7 @@ const std::string kHurting =
     "script.Parent.Touched:Connect(function(hit)\n"
     "  hit.Parent.Humanoid:TakeDamage(5)\nend)";
 
-TEST(Kin, CopiesOfAScriptAreAlikeAndOthersAreNot) {
+TEST(SameListeners, CopiesOfAScriptAreAlikeAndOthersAreNot) {
   Place place;
   std::vector<InstanceId> parts;
   for (int i = 0; i < 6; ++i) {
@@ -30,19 +30,19 @@ TEST(Kin, CopiesOfAScriptAreAlikeAndOthersAreNot) {
   }
   const engine::Report report = observeWith(3, place);
   EXPECT_EQ(report.failure, "");
-  ASSERT_EQ(report.probes.size(), 3u);  // the first and second of one kin, the first of the other
+  ASSERT_EQ(report.probes.size(), 3u);  // the first two with one script, the first with the other
   EXPECT_EQ(report.probes[0].target, parts[0]);
   EXPECT_EQ(report.probes[1].target, parts[1]);
   EXPECT_EQ(report.probes[2].target, parts[4]);
-  ASSERT_EQ(report.alike.size(), 3u);
+  ASSERT_EQ(report.sameListeners.size(), 3u);
   const size_t left[] = {2, 3, 5};
   for (size_t i = 0; i < 3; ++i) {
-    EXPECT_EQ(report.alike[i].target, parts[left[i]]);
-    EXPECT_EQ(report.alike[i].probe, 0u);
+    EXPECT_EQ(report.sameListeners[i].target, parts[left[i]]);
+    EXPECT_EQ(report.sameListeners[i].probe, 0u);
   }
 }
 
-TEST(Kin, OneFunctionForManyPartsMakesThemAlike) {
+TEST(SameListeners, OneFunctionForManyPartsMakesThemAlike) {
   Place place;
   for (int i = 0; i < 5; ++i) place.part("Part", {20.0f + 10 * float(i), 0, 0});
   place.script(
@@ -52,10 +52,10 @@ TEST(Kin, OneFunctionForManyPartsMakesThemAlike) {
       place.scripts);
   const engine::Report report = observeWith(2, place);
   EXPECT_EQ(report.probes.size(), 2u);
-  EXPECT_EQ(report.alike.size(), 3u);
+  EXPECT_EQ(report.sameListeners.size(), 3u);
 }
 
-TEST(Kin, WhatHasNoKinAmongTheProbedIsNamed) {
+TEST(SameListeners, PartsWithoutAProbedPartnerAreNamed) {
   Place place;
   for (int i = 0; i < 3; ++i) {
     const InstanceId part = place.part("Part", {20.0f + 10 * float(i), 0, 0});
