@@ -93,6 +93,7 @@ Probe runProbe(Stage& stage, const Plan& plan, Probe probe, Manner manner) {
     quiet = stage.activity() == before && !stage.isBusy() && !awaits ? quiet + 1 : 0;
     if (!stage.playerLives()) break;
   }
+  probe.sleeps = frame >= most && stage.sleeps();
   probe.left = probe.at + hold * kFrame;
   probe.seen = stage.observation();
   const bool isPortal = !stage.playerLives() && isProgress(probe.seen);

@@ -55,6 +55,7 @@ class Watcher {
     report_.undisturbed = stage_.observation();
     report_.complete = !stage_.isExhausted();
     report_.over = report_.complete && stage_.isIdle();
+    report_.sleeps = stage_.sleeps();
     if (!report_.complete) report_.failure = "the scripts' budget was used up";
     report_.culprit = stage_.greedyScript();
     children_.finish();

@@ -24,6 +24,7 @@ struct Probe {
   bool byRoot = false;        // it does not happen where limbs alone are in the part
   uint64_t listenerHash = 0;  // of the functions that listen to the part; 0: none do
   // The player died of the touch, or after one without effects, and lives again.
+  bool sleeps = false;  // something that the touch began still waits at the end
   bool reborn = false;
   Vec3 rebornAt;  // the feet then
 };
@@ -68,6 +69,7 @@ struct Report {
   AirJumps airJumps;
   bool complete = false;             // the undisturbed run got to its end
   bool over = false;                 // and nothing goes on any more
+  bool sleeps = false;               // scripts still wait for the first time
   std::string failure;               // why there is less than asked for: for people
   InstanceId culprit = kNoInstance;  // the script that ran when the child died
 };

@@ -44,7 +44,7 @@ void fields(A& a, Observation& o) {
 template <class A>
 void fields(A& a, Probe& p) {
   a(p.target), a(p.approach), a(p.at), a(p.left), a(p.seen), a(p.lost), a(p.byPlace), a(p.allOver),
-      a(p.byRoot), a(p.listenerHash), a(p.reborn), a(p.rebornAt);
+      a(p.byRoot), a(p.listenerHash), a(p.sleeps), a(p.reborn), a(p.rebornAt);
 }
 template <class A>
 void fields(A& a, SameListeners& l) {
@@ -57,7 +57,7 @@ void fields(A& a, Revisit& r) {
 template <class A>
 void fields(A& a, Report& r) {
   a(r.undisturbed), a(r.probes), a(r.sameListeners), a(r.revisits), a(r.made), a(r.arrived);
-  a(r.airJumps), a(r.probedAt), a(r.complete), a(r.over), a(r.failure), a(r.culprit);
+  a(r.airJumps), a(r.probedAt), a(r.complete), a(r.over), a(r.sleeps), a(r.failure), a(r.culprit);
 }
 
 template <class T>

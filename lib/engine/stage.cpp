@@ -157,11 +157,13 @@ void Stage::pressJump() { call("probe", "pressJump", 0); }
 bool Stage::hearsJumps() { return numberOf("hearsJumps") > 0; }
 bool Stage::playerLives() { return numberOf("health") > 0; }
 bool Stage::isBusy() { return numberOf("waiting") > waiting_; }
+bool Stage::sleeps() { return numberOf("asleep") > asleep_; }
 bool Stage::isIdle() { return numberOf("idle") > 0; }
 
 void Stage::restart() {
   forget();
   waiting_ = numberOf("waiting");
+  asleep_ = numberOf("asleep");
 }
 
 std::vector<Probe> Stage::probes() {

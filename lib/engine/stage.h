@@ -58,6 +58,8 @@ class Stage {
   size_t activity() const { return host_->recorder.activity(); }
   // Something waits that did not when restart() was called.
   bool isBusy();
+  // Threads that have waited since they began, without those of when restart() was called.
+  bool sleeps();
   // Nothing will ever happen by itself.
   bool isIdle();
   // With the player's state as of now.
@@ -91,8 +93,8 @@ class Stage {
   void readMade(lua_State* L, std::vector<MadePart>& all);
 
   std::unique_ptr<Host> host_;
-  std::vector<int> instances_;  // references in the registry, by id
-  double waiting_ = 0;          // threads that waited at the last restart()
+  std::vector<int> instances_;       // references in the registry, by id
+  double waiting_ = 0, asleep_ = 0;  // threads that waited at the last restart()
 };
 
 }  // namespace obby::engine

@@ -122,6 +122,19 @@ TEST(LaterTouches, PadsInAnOrderAreFound) {
   EXPECT_TRUE(scene[bridge].vanish->inverted);
 }
 
+// What comes after the longest probe, or after the run, may help a player.
+TEST(LaterTouches, ScriptsThatStillWaitAreNamed) {
+  const char* const kWaits = "script that still waits";
+  ScriptedPart touched("p.Touched:Connect(function() task.wait(20) p.CanCollide = false end)");
+  EXPECT_EQ(touched.unmodelled(kWaits), 1u);
+  ScriptedPart late("task.wait(90) p.CanCollide = false");
+  EXPECT_EQ(late.unmodelled(kWaits), 1u);
+  ScriptedPart loop("while true do task.wait(2) p.CanCollide = not p.CanCollide end");
+  EXPECT_EQ(loop.unmodelled(kWaits), 0u);
+  ScriptedPart soon("p.Touched:Connect(function() task.wait(3) p.CanCollide = false end)");
+  EXPECT_EQ(soon.unmodelled(kWaits), 0u);
+}
+
 TEST(LaterTouches, SeveralClicksAreFound) {
   Scene scene;
   const auto button = scene.part("Button", {20, 0, 0});

@@ -98,6 +98,9 @@ void noteObservedLosses(RoleContext& context, const ObservedPlace& place) {
     else
       context.level.noteUnmodelled("script that fails", tree, problem.script, problem.text);
   }
+  if (report.sleeps)
+    context.level.noteUnmodelled("script that still waits", tree, kNoInstance,
+                                 "what comes later is not seen");
   noteChanges(context, report);
   notePushes(context, report);
   for (const auto& [what, count] : report.undisturbed.counts) {

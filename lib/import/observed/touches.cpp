@@ -23,6 +23,8 @@ class Touches {
     const ProbeEffects effects = effectsAt(part, probe);
     if (!part) return roles_.takeAbility(isKeys(probe.target), report_.airJumps, effects);
     if (probe.lost) return note("touch that broke down", part->id, "treated as a plain part");
+    if (probe.sleeps)
+      note("script that still waits", part->id, "what comes later after a touch is not seen");
     if (effects.empty()) {
       if (!probe.byPlace) takeHeardOnly(*part, false);
       return;
