@@ -256,6 +256,38 @@ TEST(Touches, AMaterialThatIsPolledKills) {
   EXPECT_TRUE(scene[lava].kill);
 }
 
+TEST(Touches, ABoxWithoutAPartIsNamed) {
+  Scene scene;
+  scene.script(
+      "while task.wait(0.1) do\n"
+      " for _, part in workspace:GetPartBoundsInBox(CFrame.new(60, 3, 0), Vector3.new(8, 8, 8)) "
+      "do\n"
+      "  local human = part.Parent:FindFirstChild('Humanoid')\n"
+      "  if human then human.Health = 0 end\n end\nend",
+      scene.scripts);
+  scene.part("Floor", {90, 0, 0});
+  scene.level();
+  EXPECT_EQ(scene.unmodelled("place where scripts look for players"), 1u);
+}
+
+// A velocity that is held for a while reaches as high as one that is given at once.
+TEST(Touches, APushThatLastsIsNamed) {
+  Scene scene;
+  const auto pad = scene.part("Pad", {20, 0, 0});
+  scene.script(
+      "script.Parent.Touched:Connect(function(hit)\n"
+      " local root = hit.Parent:FindFirstChild('HumanoidRootPart')\n"
+      " if not root or root:FindFirstChild('Push') then return end\n"
+      " local push = Instance.new('BodyVelocity') push.Name = 'Push'\n"
+      " push.Velocity = Vector3.new(0, 60, 0) push.MaxForce = Vector3.new(0, 1e5, 0)\n"
+      " push.Parent = root task.wait(0.6) push:Destroy()\nend)",
+      pad);
+  scene.level();
+  ASSERT_TRUE(scene[pad].jumpPad);
+  EXPECT_NEAR(scene[pad].jumpPad->velocity.y, 133, 3);
+  EXPECT_EQ(scene.unmodelled("push that lasts"), 1u);
+}
+
 TEST(Touches, ABoxOfAPartIsThePart) {
   const char* const looks[] = {
       "workspace:GetPartBoundsInBox(frame, size)",

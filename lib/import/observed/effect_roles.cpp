@@ -1,6 +1,7 @@
 #include "import/observed/effect_roles.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "import/observed/run.h"
 #include "import/stages/numbers.h"
@@ -45,6 +46,12 @@ void EffectRoles::takePush(PartDraft& part, const Push& push) {
   pad.keepSideways = push.keepsSideways;
   if (pad.keepSideways) pad.velocity.x = pad.velocity.z = 0;
   if (pad.velocity.y == 0 && pad.velocity.x == 0 && pad.velocity.z == 0) return;
+  if (push.seconds > 0) {
+    // As high as with the velocity held: v t + v^2 / 2g.
+    const float v = pad.velocity.y, g = context_.level.world.gravity;
+    if (v > 0) pad.velocity.y = std::sqrt(v * v + 2 * g * v * float(push.seconds));
+    note("push that lasts", part.id, "given all at once; ", push.line);
+  }
   part.jumpPad = pad;
   prove(part, "jumpPad", reason(push.line));
 }

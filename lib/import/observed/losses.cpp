@@ -34,6 +34,14 @@ bool isPush(const engine::Change& change) {
          (isForce || (isSet && change.target == engine::kPlayer));
 }
 
+void noteLooks(RoleContext& context, const engine::Report& report) {
+  for (const engine::Change& change : report.undisturbed.changes)
+    if (change.property == "note looks")
+      context.level.noteUnmodelled("place where scripts look for players", context.tree,
+                                   kNoInstance,
+                                   "no part is there; " + lineReason(context.tree, change.line));
+}
+
 // A player who has died may be put anywhere.
 void notePushes(RoleContext& context, const engine::Report& report) {
   const auto& changes = report.undisturbed.changes;
@@ -103,6 +111,7 @@ void noteObservedLosses(RoleContext& context, const ObservedPlace& place) {
                                  "what comes later is not seen");
   noteChanges(context, report);
   notePushes(context, report);
+  noteLooks(context, report);
   for (const auto& [what, count] : report.undisturbed.counts) {
     (void)count;
     context.level.noteIgnored("not in the twin of the engine", what, "does nothing");

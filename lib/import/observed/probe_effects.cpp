@@ -174,10 +174,15 @@ class Difference {
   void takeMover(const Change& change) {
     const Vec3* const velocity = std::get_if<Vec3>(&change.value);
     const bool sets = change.property.find("Velocity") != std::string::npos;
-    if (velocity && sets)
+    if (change.property == "note mover end") {
+      if (change.target == mover_ && effects_.push) effects_.push->seconds = change.time - moved_;
+    } else if (velocity && sets) {
+      if (!effects_.push) mover_ = change.target, moved_ = change.time;
       setPush(*velocity, change.line);
-    else
+      if (mover_ == change.target) effects_.push->seconds = probe_.seen.frames * kFrame - moved_;
+    } else {
       effects_.force = effects_.force.value_or(change.line);
+    }
   }
 
   void takeState(const Change& change) {
@@ -252,6 +257,8 @@ class Difference {
   std::vector<const Change*> own_;
   std::vector<const Change*> speeds_;
   ProbeEffects effects_;
+  InstanceId mover_ = kNoInstance;  // that gives the push
+  double moved_ = 0;                // since when
 };
 
 }  // namespace

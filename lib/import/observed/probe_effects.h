@@ -18,6 +18,7 @@ struct Push {
   Vec3 velocity;
   bool keepsSideways = false;
   engine::Line line;
+  double seconds = 0;  // that a mover holds the velocity; 0: it is set once
 };
 struct Teleported {
   Vec3 feet;

@@ -93,7 +93,8 @@ class Touches {
   void noteHidden() {
     for (const engine::Probe& probe : report_.probes) {
       PartDraft* const part = partOf(probe);
-      if (!part || probe.lost || probe.byPlace || !effectsAt(part, probe).empty()) continue;
+      if (!part || part->checkpoint || part->goal) continue;
+      if (probe.lost || probe.byPlace || !effectsAt(part, probe).empty()) continue;
       const bool isKnown = std::any_of(
           report_.revisits.begin(), report_.revisits.end(), [&](const engine::Revisit& revisit) {
             return revisit.lever == probe.target || revisit.probe.target == probe.target;
