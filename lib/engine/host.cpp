@@ -12,13 +12,12 @@ constexpr const char* kModules = "obby.modules";
 
 int useFunction(lua_State* L) { return Host::of(L).use(L, luaL_checkstring(L, 1)); }
 
-// The id in a chunk's name "=#12"; kNoInstance for the runtime's own.
-InstanceId scriptOf(const char* source) {
+}  // namespace
+
+InstanceId Host::scriptOf(const char* source) {
   if (source[0] != '=' || source[1] != '#') return kNoInstance;
   return InstanceId(std::strtoul(source + 2, nullptr, 10));
 }
-
-}  // namespace
 
 Host::Host(const Document& documentIn, const Settings& settingsIn)
     : document(documentIn),

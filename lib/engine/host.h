@@ -22,6 +22,8 @@ class Host {
  public:
   Host(const Document& document, const Settings& settings);
   static Host& of(lua_State* L) { return *static_cast<Host*>(Vm::ownerOf(L)); }
+  // The id in a chunk's name "=#12"; kNoInstance for the runtime's own chunks.
+  static InstanceId scriptOf(const char* source);
 
   // Loads the runtime's file of that name and leaves its result on the stack; later calls find it.
   int use(lua_State* L, const std::string& name);

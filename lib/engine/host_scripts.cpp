@@ -125,7 +125,7 @@ int functionHash(lua_State* L) {
   lua_Debug at;
   lua_settop(L, 1);
   lua_getinfo(L, ">S", &at);
-  const InstanceId script = scriptOf(at.source);
+  const InstanceId script = Host::scriptOf(at.source);
   const bool known = script < host.document.instances.size();
   const std::string text =
       known ? get<std::string>(host.document.instances[script], "Source") : at.source;
