@@ -210,6 +210,20 @@ TEST(Touches, HarmThatGoesOnIsThatOfOneTouch) {
   EXPECT_NEAR(scene[poison].kill->damage, 80, 8);
 }
 
+TEST(Touches, HarmThatKillsAPlayerWhoHasLeftIsDeadly) {
+  Scene scene;
+  const auto fire = scene.part("Fire", {20, 0, 0});
+  scene.script(
+      "local burns = false\nscript.Parent.Touched:Connect(function(hit)\n"
+      " local human = hit.Parent:FindFirstChild('Humanoid')\n"
+      " if not human or burns then return end\n burns = true\n"
+      " for i = 1, 6 do human:TakeDamage(25) task.wait(0.5) end\n burns = false\nend)",
+      fire);
+  scene.level();
+  ASSERT_TRUE(scene[fire].kill);
+  EXPECT_NEAR(scene[fire].kill->damage, 100, 1);
+}
+
 TEST(Touches, APromptOfTheServiceOpensADoor) {
   Scene scene;
   const auto panel = scene.part("Panel", {20, 0, 0});

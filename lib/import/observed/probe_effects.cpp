@@ -99,7 +99,8 @@ class Difference {
       total += harm.from - harm.to;
       later += probe_.left > 0 && harm.time > probe_.left + 2 * kFrame;
     }
-    return later > 1 ? std::optional(total) : std::nullopt;
+    const bool dies = later == 1 && !probe_.seen.player.alive;
+    return later > 1 || dies ? std::optional(total) : std::nullopt;
   }
 
   void take(const Change& change) {
