@@ -80,7 +80,7 @@ struct Harm {
   bool hurts() const { return to < from; }  // else it heals
 };
 
-// What an error that ends a script says of the game.
+// How an error that ends a script carries over to the game.
 enum class Failure : uint8_t {
   refused,  // the engine raises it by its rules: it ends the script in the game, too
   usual,    // the script does something wrong, as it seems

@@ -104,7 +104,7 @@ struct Motion {
   std::string signal;
 };
 
-// Where the number of a checkpoint may come from, strongest first.
+// Sources of a checkpoint's number, strongest first.
 enum class NumberFrom : uint8_t {
   seen,    // a touch sets it
   asked,   // it does nothing before others have been touched
@@ -118,7 +118,7 @@ constexpr size_t kNumberSources = 7;
 // Stage of a checkpoint without a number; only until orderStages has run.
 constexpr int kUnnumbered = -1;
 
-// What is known of a checkpoint before orderStages has run.
+// Facts about a checkpoint, collected before orderStages runs.
 struct StageSigns {
   std::array<int, kNumberSources> numbers = {kUnnumbered, kUnnumbered, kUnnumbered, kUnnumbered,
                                              kUnnumbered, kUnnumbered, kUnnumbered};

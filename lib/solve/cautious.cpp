@@ -72,7 +72,7 @@ Result<Avoiding> avoidDoubts(const SolvedQuery& solved, const Machine& machine,
   for (const uint32_t part : touchedOf(touched, view, course, 1)) needed.insert(part);
   const auto isNeeded = [&](uint32_t part) { return needed.contains(part); };
   if (std::ranges::all_of(touched, isNeeded)) return Avoiding::notTried;
-  std::vector<uint32_t> deadly = doubtfulParts(record);
+  std::vector<uint32_t> deadly = solved.doubtful;
   std::erase_if(deadly, isNeeded);
 
   OBBY_ASSIGN(const LoadedLevel level, withDeadly(solved.level.record, deadly));
@@ -93,8 +93,7 @@ Result<Avoiding> avoidDoubts(const SolvedQuery& solved, const Machine& machine,
   outcome.cells = found.cells;
   outcome.statistics.rounds += found.statistics.rounds;
   outcome.firstSolution = outcome.seconds - found.seconds + found.firstSolution;
-  touched =
-      touchedOf(doubtfulParts(record), view, courseOf(solved.problem, outcome.solutions.front()));
+  touched = touchedOf(solved.doubtful, view, courseOf(solved.problem, outcome.solutions.front()));
   return Avoiding::notTried;
 }
 

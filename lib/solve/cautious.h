@@ -11,6 +11,7 @@ struct SolvedQuery {
   const LoadedLevel& level;
   schema::Query::Reader query;
   const Problem& problem;
+  const std::vector<uint32_t>& doubtful;  // doubtfulParts() of the level
   const SolverOptions& options;
   const Watcher& watcher;  // of the search for other solutions, in `level`
 };

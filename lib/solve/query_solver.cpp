@@ -73,16 +73,15 @@ class Solving {
 
   // Which doubtful parts the shortest solution touches; others are preferred that touch none.
   Status weighDoubts(const Problem& problem, const Machine& machine, SearchOutcome& outcome) {
-    const std::vector<uint32_t> doubtful = doubtfulParts(levelRecord());
-    if (outcome.solutions.empty() || doubtful.empty()) return {};
+    if (outcome.solutions.empty() || doubtful_.empty()) return {};
     const Course course = courseOf(problem, outcome.solutions.front());
-    touched_ = touchedOf(doubtful, problem.level, course);
+    touched_ = touchedOf(doubtful_, problem.level, course);
     if (touched_.empty() || !problem.companions.empty()) return {};
     const Watcher watcher{
         [this](const Playthrough& p) { return accepts(p); },
         [this](const SearchView&) { return !question_.goOn || question_.goOn(); }};
-    OBBY_ASSIGN(avoiding_, avoidDoubts({level_, query_, problem, options_, watcher}, machine,
-                                       course, touched_, outcome));
+    OBBY_ASSIGN(avoiding_, avoidDoubts({level_, query_, problem, doubtful_, options_, watcher},
+                                       machine, course, touched_, outcome));
     return {};
   }
 
@@ -182,7 +181,7 @@ class Solving {
                       const Playthrough& p, ThreadPool& pool) const {
     const Course course = courseOf(problem, p);
     fillRoute(record, routeOf(course));
-    fillDoubtful(record, touchedOf(doubtfulParts(levelRecord()), problem.level, course));
+    fillDoubtful(record, touchedOf(doubtful_, problem.level, course));
     const Budget& b = options_.budget;
     const auto interrupted = [&] { return b.stop != nullptr && b.stop->load(); };
     if (options_.difficultyTrials == 0 || course.ticks() == 0 || interrupted()) return {};
@@ -200,6 +199,7 @@ class Solving {
   const SolverOutput& output_;
   const PosedQuery posed_;
   const AnswerIdentity identity_;
+  const std::vector<uint32_t> doubtful_ = doubtfulParts(levelRecord());
   std::vector<uint32_t> touched_;  // doubtful parts of the shortest solution
   Avoiding avoiding_ = Avoiding::notTried;
   uint32_t noted_ = 0;  // cells of the search

@@ -1,4 +1,4 @@
-// What a touch does to the player's speeds and gravity, and for how long.
+// Effects of a touch on the player's speeds and gravity, and their duration.
 #pragma once
 
 #include <optional>

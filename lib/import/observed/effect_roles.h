@@ -18,7 +18,7 @@ class EffectRoles {
   void takePlayer(PartDraft& part, const ProbeEffects& effects);
   // What it does to parts, itself among them. `used`: by a click or prompt instead of a touch.
   void takeParts(PartDraft& part, bool used, const ProbeEffects& effects);
-  // Whether the probe sets a joint or moves a part through one.
+  // Returns true if the probe sets a joint or moves a part through one.
   bool setsJoints(const engine::Probe& probe) const;
   // What moves by constraints and movers that the touch sets. What it sets to no effect that the
   // level has is named.

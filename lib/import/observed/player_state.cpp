@@ -1,4 +1,4 @@
-// What scripts make of each new player's speeds and weight.
+// Speeds and weight that scripts give each new player.
 #include <cmath>
 
 #include "import/observed/roles.h"

@@ -64,38 +64,41 @@ class Difference {
 
   // Limbs that are hit in one frame are each hit for itself: what one of them takes is the damage.
   void findHarm() {
-    std::set<int64_t> usual;
-    for (const engine::Harm& harm : report_.undisturbed.harms)
-      if (harm.hurts()) usual.insert(std::llround(harm.time / kFrame));
-    std::optional<double> first, second;
+    const std::vector<engine::Harm> harms = ownHarms();
+    if (harms.empty()) return;
     Harmful found;
-    for (const engine::Harm& harm : probe_.seen.harms) {
-      if (!harm.hurts() || usual.contains(std::llround(harm.time / kFrame))) continue;
-      if (!first) {
-        first = harm.time;
-        found.damage = harm.from - harm.to;
-        found.line = harm.line;
-      } else if (!second && harm.time > *first) {
-        second = harm.time;
-      }
-    }
-    if (!first) return;
-    if (const auto total = lastingHarm(*first)) {
+    found.damage = harms[0].from - harms[0].to;
+    found.line = harms[0].line;
+    if (const auto total = lastingHarm(harms)) {
       found.damage = *total;
       effects_.harm = found;
       return;
     }
-    const double between = second.value_or(probe_.left) - *first;
+    const double first = harms[0].time;
+    std::optional<double> second;
+    for (const engine::Harm& harm : harms)
+      if (!second && harm.time > first) second = harm.time;
+    const double between = second.value_or(probe_.left) - first;
     if (between >= kNoCooldown && (second || probe_.seen.player.alive)) found.cooldown = between;
     effects_.harm = found;
   }
 
-  // What one touch takes in all, if it goes on once the player has left.
-  std::optional<double> lastingHarm(double first) const {
+  // Hits of the probe without those that came in the undisturbed run in the same frame.
+  std::vector<engine::Harm> ownHarms() const {
+    std::set<int64_t> usual;
+    for (const engine::Harm& harm : report_.undisturbed.harms)
+      if (harm.hurts()) usual.insert(std::llround(harm.time / kFrame));
+    std::vector<engine::Harm> own;
+    for (const engine::Harm& harm : probe_.seen.harms)
+      if (harm.hurts() && !usual.contains(std::llround(harm.time / kFrame))) own.push_back(harm);
+    return own;
+  }
+
+  // Total damage of one touch, if harm goes on after the player has left; else nullopt.
+  std::optional<double> lastingHarm(const std::vector<engine::Harm>& harms) const {
     double total = 0;
     int later = 0;
-    for (const engine::Harm& harm : probe_.seen.harms) {
-      if (!harm.hurts() || harm.time < first) continue;
+    for (const engine::Harm& harm : harms) {
       total += harm.from - harm.to;
       later += probe_.left > 0 && harm.time > probe_.left + 2 * kFrame;
     }

@@ -39,7 +39,7 @@ class Touches {
     give(*part, probe, effects);
   }
 
-  // What the probe shows is a guess for this part.
+  // Gives the unprobed part the effects of the probed one, as a guess.
   void take(const engine::SameListeners& unprobed) {
     const engine::Probe& probe = report_.probes[unprobed.probe];
     PartDraft* const part = context_.part(unprobed.target);
@@ -88,8 +88,8 @@ class Touches {
            when + ", taken as if it stayed the same; " + roles_.reason(ended.line()));
   }
 
-  // What scripts hear without an effect that shows may count for one that comes later, unless it is
-  // known as the lever of something.
+  // Names listeners without a visible effect: scripts may count such touches towards a later
+  // effect. Levers whose effect is known are left out.
   void noteHidden() {
     for (const engine::Probe& probe : report_.probes) {
       PartDraft* const part = partOf(probe);
@@ -120,6 +120,7 @@ class Touches {
     part.evidence.push_back(
         {kHarmless, "scripts listen to it, and do nothing to a player", guessed});
   }
+
   // The part that a player touches: for a click or prompt the part that it is in.
   PartDraft* partOf(const engine::Probe& probe) {
     for (InstanceId id = probe.target; id < context_.tree.size(); id = context_.tree.at(id).parent)
