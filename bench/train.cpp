@@ -13,6 +13,7 @@
 #include "common/need.h"
 #include "common/report.h"
 #include "common/timed_device.h"
+#include "nn/device/kernels.h"
 #include "shared/generated_levels.h"
 #include "sim/backend.h"
 #include "sim/host_device.h"
@@ -83,7 +84,7 @@ void scene(bench::Report& report, const std::string& name, const train::TrainerS
 train::TrainerSettings settingsOf(uint32_t passes) {
   train::TrainerSettings settings;
   settings.easiest = 0.5f;
-  settings.ppo.passes = passes;
+  settings.ppo.epochs = passes;
   return settings;
 }
 
@@ -95,7 +96,7 @@ void onCpu(bench::Report& report, ThreadPool& pool) {
 train::TrainerSettings settingsOnDevice(uint32_t passes, uint32_t worlds, uint32_t part) {
   train::TrainerSettings settings = settingsOf(passes);
   settings.crowds = worlds / settings.crowd.size();
-  settings.ppo.part = part;
+  settings.ppo.minibatch = part;
   return settings;
 }
 
@@ -115,12 +116,13 @@ void kernels(bench::Report& report, ThreadPool& pool, sim::Device& device, bool 
 }
 
 void onDevice(bench::Report& report, ThreadPool& pool, sim::Device& device, bool small) {
-  for (const auto step : {train::TrainStep::act, train::TrainStep::observe,
-                          train::TrainStep::product, train::TrainStep::gradient}) {
-    const auto facts = device.facts(train::trainKernel(step));
+  for (const sim::Kernel& kernel :
+       {train::trainKernel(train::TrainStep::act), train::trainKernel(train::TrainStep::observe),
+        nn::kernel(nn::Step::product), nn::kernel(nn::Step::gradient)}) {
+    const auto facts = device.facts(kernel);
     if (!facts) continue;
-    report.add(train::trainKernel(step).name, "registers", facts->registers, "");
-    report.add(train::trainKernel(step).name, "localBytes", facts->localBytes, "B");
+    report.add(kernel.name, "registers", facts->registers, "");
+    report.add(kernel.name, "localBytes", facts->localBytes, "B");
   }
   const std::vector<uint32_t> counts =
       small ? std::vector<uint32_t>{256} : std::vector<uint32_t>{16384, 65536, 131072};

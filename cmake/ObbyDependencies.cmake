@@ -4,7 +4,7 @@ find_package(CapnProto REQUIRED)       # schema, io
 find_package(nlohmann_json REQUIRED)   # io
 find_package(fmt REQUIRED)             # io and above
 find_package(CLI11 REQUIRED)           # cli
-find_package(Eigen3 REQUIRED)          # import, train, calibrate
+find_package(Eigen3 REQUIRED)          # import, nn, calibrate
 find_package(pugixml REQUIRED)         # import
 set(ZLIB_USE_STATIC_LIBS ${OBBY_PORTABLE})
 find_package(ZLIB REQUIRED)            # bridge: under Cap'n Proto's gzip streams

@@ -40,6 +40,11 @@ OBBY_DEVICE float maxf(float a, float b) { return a > b ? a : b; }
 OBBY_DEVICE float absf(float v) { return __builtin_fabsf(v); }
 OBBY_DEVICE float sqrtf32(float v) { return __builtin_sqrtf(v); }  // correctly rounded everywhere
 
+// Lanes of a row: the one lane of a float. WideFloat has its own where rows are read.
+OBBY_DEVICE void loadRow(const float* from, float& row) { row = *from; }
+OBBY_DEVICE void storeRow(float row, float* to) { *to = row; }
+OBBY_DEVICE float greatestOf(float row) { return row; }
+
 template <class F>
 OBBY_DEVICE F clampf(F v, F lo, F hi) {
   return minf(maxf(v, lo), hi);

@@ -56,11 +56,6 @@ OBBY_DEVICE Points<1> placePoint(Turns ahead, int point) {
   return {{way.x * radius}, {way.z * radius}};
 }
 
-// Lanes of a row: the one lane of a float. WideFloat has its own (policy.cpp).
-OBBY_DEVICE void loadRow(const float* from, float& row) { row = *from; }
-OBBY_DEVICE void storeRow(float row, float* to) { *to = row; }
-OBBY_DEVICE float greatestOf(float row) { return row; }
-
 // Height of the solid's top where it is in the way of somebody who walks or jumps there, elsewhere
 // kDeepest.
 template <class F>

@@ -1,6 +1,7 @@
 // A policy's numbers as rollouts read them: plain spans, for device code.
 #pragma once
 
+#include "nn/row.h"
 #include "policy/observation.h"
 
 namespace obby::policy {
@@ -8,18 +9,12 @@ namespace obby::policy {
 constexpr int kHidden = 64;         // units a layer
 constexpr int kPaddedOutputs = 48;  // logits, the value, and padding for every number of lanes
 
-// One layer: y = W x + b. Weights by input, (inputs, padded), so that a row is a run of lanes.
-struct LayerView {
-  const float* weights = nullptr;  // (inputs, padded)
-  const float* biases = nullptr;   // (padded)
-};
-
 // Plain spans, for device code.
 struct NetworkView {
   const float* means = nullptr;   // (kInputs), of the observations that it was trained on
   const float* scales = nullptr;  // (kInputs), 1 / their spread
   const float* voids = nullptr;   // (kInputs), what normalised inputs are where nothing is in sight
-  LayerView layers[3];            // kInputs -> kHidden -> kHidden -> kPaddedOutputs; the first is
+  nn::LayerView layers[3];        // kInputs -> kHidden -> kHidden -> kPaddedOutputs; the first is
                                   // given inputs less `voids`, which its biases make up for
 };
 

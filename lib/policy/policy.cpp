@@ -17,12 +17,12 @@ OBBY_LANES float greatestOf(WideFloat row) {
 }
 }  // namespace obby
 
-namespace obby::policy {
+namespace obby::nn {
 
 // In a list, so that there is no branch at each of them. Rows come in order, so that the list is no
 // longer than what came: storeChosen() writes a whole row at its end.
-template <int kMost>
-class NonZero<WideFloat, kMost> {
+template <int kMax>
+class NonZero<WideFloat, kMax> {
  public:
   OBBY_LANES void put(int first, WideFloat row) {
     const uint32_t chosen = bitsOf(row != WideFloat(0.0f));
@@ -37,9 +37,13 @@ class NonZero<WideFloat, kMost> {
 
  private:
   int count_ = 0;
-  alignas(64) float numbers_[kMost];
-  alignas(64) float indices_[kMost];  // the bits of integers
+  alignas(64) float numbers_[kMax];
+  alignas(64) float indices_[kMax];  // the bits of integers
 };
+
+}  // namespace obby::nn
+
+namespace obby::policy {
 
 static_assert(kPaddedPoints % kLanes == 0 && kInputs % kLanes == 0 && kHidden % kLanes == 0 &&
               kPaddedOutputs % kLanes == 0);

@@ -12,17 +12,18 @@ Thinker::Thinker(const Network& network) : voids_(kInputs), biases_(kHidden) {
   };
   view_.means = next();
   view_.scales = next();
-  for (LayerView& l : view_.layers) {
+  for (nn::LayerView& l : view_.layers) {
     l.weights = next();
     l.biases = next();
   }
   for (int i = kStateInputs; i < kInputs; ++i) {
     voids_[size_t(i)] = normalised(kEmptyInput, view_.means[i], view_.scales[i]);
   }
-  NonZero<float, kInputs> empty;
+  nn::NonZero<float, kInputs> empty;
   for (int i = 0; i < kInputs; ++i) empty.put(i, voids_[size_t(i)]);
-  LayerView& first = view_.layers[0];
-  layer<float, kHidden>(first, empty, kHidden, [&](int i, float sum) { biases_[size_t(i)] = sum; });
+  nn::LayerView& first = view_.layers[0];
+  nn::linearRow<float, kHidden>(first, empty, kHidden,
+                                [&](int i, float sum) { biases_[size_t(i)] = sum; });
   view_.voids = voids_.data();
   first.biases = biases_.data();
 }

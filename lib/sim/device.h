@@ -58,6 +58,12 @@ class Device {
   virtual Result<KernelFacts> facts(const Kernel& kernel) const = 0;
 };
 
+// Device::enqueue with the kernel's own arguments.
+template <class Arguments>
+Status enqueue(Device& device, const Kernel& kernel, const Arguments& arguments, size_t count) {
+  return device.enqueue(kernel, &arguments, uint32_t(count));
+}
+
 // Memory of a device, released with this object. Must not outlive the device.
 class Memory {
  public:

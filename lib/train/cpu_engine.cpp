@@ -27,17 +27,17 @@ class CpuEngine : public Engine {
     Crowd crowd;
     uint32_t first, worlds;      // of the batch's worlds: its own
     std::vector<uint32_t> rows;  // of the batch: its worlds' in a tick
-    Pass pass;
+    nn::Pass<float> pass;
     Sums seen{policy::kInputs};
     std::vector<uint8_t> mayJump;
     std::vector<int> moves;
     std::vector<Step> steps;
-    Rows<float> raw;  // what they see in a tick
-    Status missing;   // of what is played next
+    std::vector<float> raw;  // what they see in a tick: (worlds, kInputs)
+    Status missing;          // of what is played next
   };
 
   void play(Group& group, const PlayOrder& order);
-  const Rows<float>& look(Group& group, uint32_t tick, bool count);
+  const float* look(Group& group, uint32_t tick, bool count);
   void decide(Group& group, const PlayOrder& order, uint32_t tick);
   void take(Group& group, uint32_t tick);
   uint64_t decisionOf(const PlayOrder& order, uint32_t tick) const {
@@ -51,7 +51,7 @@ class CpuEngine : public Engine {
   Ppo ppo_;
   std::vector<std::unique_ptr<Group>> groups_;
   Batch batch_;
-  Line<float> void_;  // what the first layer makes of empty surroundings, in this iteration
+  std::vector<float> void_;  // what the first layer makes of empty surroundings, in this iteration
 };
 
 // Crowds are numbered over all ranks.
@@ -64,7 +64,7 @@ CpuEngine::Group::Group(const LevelSource& source, const TrainerSettings& s, uin
       mayJump(worlds),
       moves(worlds),
       steps(worlds),
-      raw(worlds, policy::kInputs) {}
+      raw(size_t(worlds) * policy::kInputs) {}
 
 CpuEngine::CpuEngine(const TrainerSettings& settings, const LevelSource& source, ThreadPool& pool,
                      Ranks& ranks)
@@ -105,30 +105,30 @@ size_t CpuEngine::rowOf(const Group& g, uint32_t tick) const {
   return size_t(tick) * batch_.worlds + g.first;
 }
 
-// What the network says of it.
-const Rows<float>& CpuEngine::look(Group& g, uint32_t tick, bool count) {
+// What the network says of it: (worlds, kPaddedOutputs).
+const float* CpuEngine::look(Group& g, uint32_t tick, bool count) {
   g.crowd.observe(g.raw.data(), g.mayJump.data());
   for (uint32_t w = 0; w < g.worlds; ++w) {
-    const float* const raw = g.raw.row(w).data();
+    const float* const raw = g.raw.data() + size_t(w) * policy::kInputs;
     if (count) g.seen.add(raw);
     g.rows[w] = uint32_t(rowOf(g, tick) + w);
     batch_.seen.take(g.rows[w], raw);
   }
-  return g.pass.forward(ppo_.weights(), SeenPart(batch_.seen, g.rows, void_));
+  return g.pass.forward(ppo_.net(), SeenPart(batch_.seen, g.rows, void_));
 }
 
 void CpuEngine::decide(Group& g, const PlayOrder& order, uint32_t tick) {
-  const Rows<float>& out = look(g, tick, tick % kCountEvery == 0);
+  const float* out = look(g, tick, tick % kCountEvery == 0);
   const size_t first = rowOf(g, tick);
-  for (uint32_t w = 0; w < g.worlds; ++w) {
+  for (uint32_t w = 0; w < g.worlds; ++w, out += policy::kPaddedOutputs) {
     const bool mayJump = g.mayJump[w] != 0;
     const float draw =
         drawsOf(settings_.seed, Draw::move, decisionOf(order, tick), g.crowd.firstWorld() + w)
             .unit();
-    const policy::Drawn drawn = policy::drawMove(out.row(w).data(), mayJump, draw);
-    g.moves[w] = drawn.move;
-    batch_.decisions[first + w] = {drawn.move, mayJump, drawn.logChance, 0, 0};
-    batch_.values[first + w] = ppo_.valueOf(out(w, policy::kMoves));
+    const nn::Drawn drawn = policy::drawMove(out, mayJump, draw);
+    g.moves[w] = drawn.action;
+    batch_.decisions[first + w] = {{drawn.action, drawn.logProbability, 0, 0}, mayJump};
+    batch_.values[first + w] = ppo_.valueOf(out[policy::kMoves]);
   }
 }
 
@@ -148,15 +148,15 @@ void CpuEngine::play(Group& g, const PlayOrder& order) {
     decide(g, order, t);
     take(g, t);
   }
-  const Rows<float>& out = look(g, settings_.ticks, false);
+  const float* const out = look(g, settings_.ticks, false) + policy::kMoves;
   for (uint32_t w = 0; w < g.worlds; ++w)
-    batch_.last[g.first + w] = ppo_.valueOf(out(w, policy::kMoves));
+    batch_.last[g.first + w] = ppo_.valueOf(out[size_t(w) * policy::kPaddedOutputs]);
   g.missing = g.crowd.settleIteration(decisionOf(order, settings_.ticks - 1), order.hardest);
 }
 
 Result<Played> CpuEngine::play(const PlayOrder& order) {
   batch_.seen.normaliseBy(order.means, order.scales);
-  voidSums(batch_.seen, ppo_.weights(), void_);
+  voidSums(batch_.seen, ppo_.net(), void_);
   pool_.run(int(groups_.size()), [&](int i) { play(*groups_[size_t(i)], order); });
   Played out;
   uint64_t first = ~uint64_t(0);  // level that is still played

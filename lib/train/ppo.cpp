@@ -1,56 +1,34 @@
 #include "train/ppo.h"
 
-#include <Eigen/QR>
 #include <algorithm>
-#include <cmath>
-#include <functional>
 
-#include "policy/advantages.h"
-#include "train/parts.h"
+#include "nn/minibatches.h"
+#include "nn/orthogonal.h"
 
 namespace obby::train {
 
 namespace {
 
-constexpr uint32_t kShares = 8;
+constexpr size_t kShares = 8;
 constexpr size_t kRowsPerTile =
     256;  // decisions whose layers stay in a core's cache on their way through
 
-// Sum of two draws' logarithm and cosine would need libm; the sum of twelve is near enough.
-float normalDraw(Random& random) {
-  float sum = -6;
-  for (int i = 0; i < 12; ++i) sum += random.unit();
-  return sum;
-}
-
-// Orthogonal columns or rows, whichever are fewer, of length `gain`.
-void fillOrthogonal(Rows<float>& matrix, int columns, float gain, Random& random) {
-  const Eigen::Index rows = matrix.rows(), most = std::max<Eigen::Index>(rows, columns);
-  const Eigen::Index least = std::min<Eigen::Index>(rows, columns);
-  Eigen::MatrixXf draws(most, least);
-  for (Eigen::Index i = 0; i < draws.size(); ++i) draws.data()[i] = normalDraw(random);
-  const Eigen::HouseholderQR<Eigen::MatrixXf> qr(draws);
-  const Eigen::MatrixXf q = qr.householderQ() * Eigen::MatrixXf::Identity(most, least);
-  if (rows >= columns) {
-    matrix.leftCols(columns) = gain * q;
-  } else {
-    matrix.leftCols(columns) = gain * q.transpose();
-  }
-}
-
 }  // namespace
 
-Weights<float> firstWeights(uint64_t seed) {
+nn::Network<float> firstNetwork(uint64_t seed) {
   Random random(seed, 0x50504f);
-  Weights<float> weights;
-  const float gain = std::sqrt(2.0f);
-  fillOrthogonal(weights.w[0], policy::kHidden, gain, random);
-  fillOrthogonal(weights.w[1], policy::kHidden, gain, random);
-  fillOrthogonal(weights.w[2], policy::kMoves, 0.01f, random);
-  Rows<float> value(policy::kHidden, 1);
-  fillOrthogonal(value, 1, 1, random);
-  weights.w[2].col(policy::kMoves) = value;
-  return weights;
+  nn::Network<float> net = policy::trainableNetwork();
+  std::vector<float>& parameters = net.parameters();
+  const auto fill = [&](size_t l, size_t first, size_t columns, float gain) {
+    nn::fillOrthogonal(parameters.data() + net.at(l) + first, net.inputs(l), columns,
+                       net.outputs(l), gain, random);
+  };
+  const float gain = sqrtf32(2.0f);
+  fill(0, 0, policy::kHidden, gain);
+  fill(1, 0, policy::kHidden, gain);
+  fill(2, 0, policy::kMoves, 0.01f);
+  fill(2, policy::kMoves, 1, 1);  // the value
+  return net;
 }
 
 Ppo::Ppo(const PpoSettings& settings, uint64_t seed, ThreadPool& pool, Ranks& ranks)
@@ -58,52 +36,47 @@ Ppo::Ppo(const PpoSettings& settings, uint64_t seed, ThreadPool& pool, Ranks& ra
       pool_(pool),
       ranks_(ranks),
       seed_(seed),
-      weights_(firstWeights(seed)),
+      learner_(firstNetwork(seed), kShares),
       shares_(kShares) {}
 
-LearnerState Ppo::state() const { return {weights_, momentum_, squares_, adam_.steps(), values_}; }
-
-void Ppo::restore(const LearnerState& s) {
-  weights_ = s.weights;
-  momentum_ = s.momentum;
-  squares_ = s.squares;
-  adam_ = policy::Adam(s.steps);
-  values_ = s.values;
+void Ppo::restore(const LearnerState& state) {
+  learner_.restore(state);
+  values_ = state.values;
 }
 
 template <class Task>
 void Ppo::inShares(size_t count, Task&& task) {
-  const size_t each = (count + kShares - 1) / kShares;
-  const auto share = [&](int s) {
-    const size_t first = std::min(size_t(s) * each, count);
-    task(first, std::min(each, count - first), shares_[size_t(s)]);
-  };
-  pool_.run(int(kShares), std::ref(share));  // by itself it would be copied to the heap
+  nn::forShares(pool_, kShares, count,
+                [&](size_t s, size_t first, size_t some) { task(first, some, s); });
 }
 
 void Ppo::fillAdvantages(const Batch& b) {
   advantages_.resize(b.values.size());
-  targets_.resize(b.values.size());
-  const policy::Played played{b.ticks,          b.worlds,      b.values.data(),
-                              b.rewards.data(), b.done.data(), b.last.data()};
-  inShares(b.worlds, [&](size_t first, size_t count, Share&) {
+  returns_.resize(b.values.size());
+  const nn::Rollout rollout{b.ticks,          b.worlds,      b.values.data(),
+                            b.rewards.data(), b.done.data(), b.last.data()};
+  inShares(b.worlds, [&](size_t first, size_t count, size_t) {
     for (size_t w = first; w < first + count; ++w)
-      policy::fillAdvantagesOf(played, uint32_t(w), settings_.discount, settings_.lambda,
-                               advantages_.data(), targets_.data());
+      nn::fillAdvantagesOf(rollout, uint32_t(w), settings_.discount, settings_.lambda,
+                           advantages_.data(), returns_.data());
   });
 }
 
 void Ppo::rescaleValues() {
-  inShares(targets_.size(), [&](size_t first, size_t count, Share& share) {
-    share.returns = Sums(1);
-    for (size_t i = first; i < first + count; ++i) share.returns.add(&targets_[i]);
+  inShares(returns_.size(), [&](size_t first, size_t count, size_t s) {
+    shares_[s].returns = Sums(1);
+    for (size_t i = first; i < first + count; ++i) shares_[s].returns.add(&returns_[i]);
   });
   Sums now(1);
   for (const Share& share : shares_) now.add(share.returns);
   const ValueScale old = values_;
   values_.take(std::move(now), ranks_);
-  weights_.w[2].col(policy::kMoves) *= old.deviation / values_.deviation;
-  float& bias = weights_.b[2](policy::kMoves);
+  nn::Network<float>& net = learner_.net();
+  const size_t last = net.layers() - 1;
+  float* const weight = net.parameters().data() + net.at(last) + policy::kMoves;
+  for (size_t i = 0; i < net.inputs(last); ++i)
+    weight[i * net.outputs()] *= old.deviation / values_.deviation;
+  float& bias = net.parameters()[net.biasesAt(last) + policy::kMoves];
   bias = (bias * old.deviation + old.mean - values_.mean) / values_.deviation;
 }
 
@@ -111,143 +84,89 @@ Progress Ppo::learn(Batch& batch, float rate) {
   fillAdvantages(batch);
   rescaleValues();
   order_.resize(batch.decisions.size());
-  inShares(order_.size(), [&](size_t first, size_t count, Share&) {
+  inShares(order_.size(), [&](size_t first, size_t count, size_t) {
     for (size_t i = first; i < first + count; ++i)
-      batch.decisions[i].target = (targets_[i] - values_.mean) / values_.deviation;
+      batch.decisions[i].target = (returns_[i] - values_.mean) / values_.deviation;
   });
   Progress sums;
-  const Parts parts(uint32_t(order_.size()), settings_.part);
-  for (uint32_t pass = 0; pass < settings_.passes; ++pass) {
-    const Shuffle shuffle = orderOf(seed_, adam_.steps(), order_.size());
-    inShares(order_.size(), [&](size_t first, size_t count, Share&) {
+  const nn::Minibatches minibatches(uint32_t(order_.size()), settings_.minibatch);
+  for (uint32_t epoch = 0; epoch < settings_.epochs; ++epoch) {
+    const Shuffle shuffle = orderOf(seed_, learner_.steps(), order_.size());
+    inShares(order_.size(), [&](size_t first, size_t count, size_t) {
       for (size_t i = first; i < first + count; ++i) order_[i] = shuffle(uint32_t(i));
     });
-    for (uint32_t i = 0; i < parts.count(); ++i)
-      learnPart(batch, std::span(order_).subspan(parts.first(i), parts.size(i)), rate, sums);
+    for (uint32_t i = 0; i < minibatches.count(); ++i) {
+      const std::span<const uint32_t> order = order_;
+      learnMinibatch(batch, order.subspan(minibatches.first(i), minibatches.size(i)), rate, sums);
+    }
   }
-  sums.finish(order_.size() * settings_.passes, parts.count() * settings_.passes, ranks_);
+  sums.finish(order_.size() * settings_.epochs, minibatches.count() * settings_.epochs, ranks_);
   return sums;
 }
 
-void Progress::finish(size_t decisions, uint32_t parts, Ranks& ranks) {
-  double all[] = {loss, entropy, divergence, clipped, valueError};
+void Progress::add(const nn::PpoLoss<float>& r) {
+  loss += double(r.loss);
+  entropy += double(r.entropy);
+  approxKl += double(r.approxKl);
+  clipFraction += r.clipped ? 1 : 0;
+  valueError += double(r.valueError * r.valueError);
+}
+
+void Progress::add(const Progress& sums) {
+  loss += sums.loss, entropy += sums.entropy, approxKl += sums.approxKl;
+  clipFraction += sums.clipFraction, valueError += sums.valueError;
+}
+
+void Progress::finish(size_t decisions, uint32_t minibatches, Ranks& ranks) {
+  double all[] = {loss, entropy, approxKl, clipFraction, valueError};
   ranks.add(all);
   const double* next = all;
-  for (double* mean : {&loss, &entropy, &divergence, &clipped, &valueError})
+  for (double* mean : {&loss, &entropy, &approxKl, &clipFraction, &valueError})
     *mean = *next++ / (double(decisions) * ranks.count());
-  norm /= parts;
+  gradNorm /= minibatches;
 }
 
-AdvantageScale::AdvantageScale(double sum, double squares, double rows) : count(float(rows)) {
-  const double average = sum / rows;
-  const double deviation = std::sqrt(std::max(squares / rows - average * average, 0.0));
-  mean = float(average);
-  scale = float(1 / (deviation + 1e-8));
-}
-
-namespace {
-
-// Makes the sum of `count` decisions' gradients their mean, no longer than `most`; how long it was.
-// Squares are added as doubles, as on a GPU: as floats a network's thousands would cost two digits.
-float meanCut(Weights<float>& gradient, float count, float most) {
-  double squares = 0;
-  for (int l = 0; l < 3; ++l) {
-    gradient.w[l] /= count;
-    gradient.b[l] /= count;
-    squares += gradient.w[l].cast<double>().squaredNorm();
-    squares += gradient.b[l].cast<double>().squaredNorm();
-  }
-  const float norm = std::sqrt(float(squares));
-  if (norm <= most) return norm;
-  for (int l = 0; l < 3; ++l) {
-    gradient.w[l] *= most / norm;
-    gradient.b[l] *= most / norm;
-  }
-  return norm;
-}
-
-}  // namespace
-
-void Ppo::learnPart(const Batch& batch, std::span<const uint32_t> rows, float rate,
-                    Progress& sums) {
-  double sum = 0, squares = 0;
-  for (const uint32_t r : rows) {
-    sum += double(advantages_[r]);
-    squares += double(advantages_[r]) * double(advantages_[r]);
-  }
-  double moments[] = {sum, squares, double(rows.size())};
+void Ppo::learnMinibatch(const Batch& batch, std::span<const uint32_t> rows, float rate,
+                         Progress& sums) {
+  nn::Moments m;
+  for (const uint32_t r : rows) m.add(double(advantages_[r]));
+  double moments[] = {m.sum, m.squares, double(rows.size())};
   ranks_.add(moments);
-  const AdvantageScale scale(moments[0], moments[1], moments[2]);
-  back_.take(weights_);
-  voidSums(batch.seen, weights_, void_);
-  inShares(rows.size(), [&](size_t first, size_t count, Share& share) {
-    learnShare(batch, rows.subspan(first, count), scale, share);
+  const nn::AdvantageScale scale = advantageScaleOf({moments[0], moments[1]}, moments[2]);
+  voidSums(batch.seen, net(), void_);
+  inShares(rows.size(), [&](size_t first, size_t count, size_t s) {
+    shares_[s].sums = {};
+    for (size_t done = 0; done < count; done += kRowsPerTile)
+      learnTile(batch, rows.subspan(first + done, std::min(kRowsPerTile, count - done)), scale,
+                shares_[s], learner_.gradient(s));
   });
-  Weights<float>& all = shares_[0].gradient;
-  for (uint32_t s = 0; s < kShares; ++s) {
-    const Progress& p = shares_[s].sums;
-    sums.loss += p.loss, sums.entropy += p.entropy, sums.divergence += p.divergence;
-    sums.clipped += p.clipped, sums.valueError += p.valueError;
-    if (s == 0) continue;
-    for (int l = 0; l < 3; ++l) {
-      all.w[l] += shares_[s].gradient.w[l];
-      all.b[l] += shares_[s].gradient.b[l];
-    }
-  }
-  addVoidSlopes(batch.seen, all);
-  addRanks(all);
-  sums.norm += double(meanCut(all, scale.count, settings_.mostNorm));
-  step(all, settings_.rate * rate);
+  for (const Share& share : shares_) sums.add(share.sums);
+  std::vector<float>& gradient = learner_.sumShares();
+  addVoidGradients(batch.seen, net(), gradient);
+  ranks_.add(gradient);
+  for (float& g : gradient) g /= float(moments[2]);
+  // Squares are added as doubles, as on a GPU: as floats, thousands of them would cost two digits.
+  sums.gradNorm += double(nn::clipGradNorm<double>(gradient, settings_.maxGradNorm));
+  learner_.step(settings_.learningRate * rate);
 }
 
-void Ppo::learnShare(const Batch& batch, std::span<const uint32_t> rows,
-                     const AdvantageScale& scale, Share& share) const {
-  share.gradient.setZero();
-  share.sums = {};
-  for (size_t first = 0; first < rows.size(); first += kRowsPerTile)
-    learnTile(batch, rows.subspan(first, std::min(kRowsPerTile, rows.size() - first)), scale,
-              share);
-}
-
-void Ppo::learnTile(const Batch& batch, std::span<const uint32_t> rows, const AdvantageScale& scale,
-                    Share& share) const {
+void Ppo::learnTile(const Batch& batch, std::span<const uint32_t> rows,
+                    const nn::AdvantageScale& scale, Share& share, std::vector<float>& gradient) {
+  constexpr size_t kOutputs = policy::kPaddedOutputs;
   const SeenPart inputs(batch.seen, rows, void_);
-  share.slope.resize(Eigen::Index(rows.size()), policy::kPaddedOutputs);
-  const Rows<float>& out = share.pass.forward(weights_, inputs);
+  share.gradient.resize(kRowsPerTile * kOutputs);
+  const float* const out = share.pass.forward(net(), inputs);
   for (size_t i = 0; i < rows.size(); ++i) {
     if (i + kRowsAhead < rows.size()) {
       __builtin_prefetch(&batch.decisions[rows[i + kRowsAhead]]);
       __builtin_prefetch(&advantages_[rows[i + kRowsAhead]]);
     }
     Decision d = batch.decisions[rows[i]];
-    d.advantage = (advantages_[rows[i]] - scale.mean) * scale.scale;
-    const auto r = lossOf(out.row(Eigen::Index(i)).data(), d, settings_.loss,
-                          share.slope.row(Eigen::Index(i)).data());
-    share.sums.loss += double(r.loss);
-    share.sums.entropy += double(r.entropy);
-    share.sums.divergence += double(r.divergence);
-    share.sums.clipped += r.clipped ? 1 : 0;
-    share.sums.valueError += double(r.valueError * r.valueError);
+    d.advantage = scale(advantages_[rows[i]]);
+    share.sums.add(policy::ppoLossOf(out + i * kOutputs, d, settings_.loss,
+                                     share.gradient.data() + i * kOutputs));
   }
-  share.pass.backward(back_, inputs, share.slope, share.gradient);
-}
-
-void Ppo::addRanks(Weights<float>& gradient) {
-  if (ranks_.count() == 1) return;
-  std::vector<float> flat = gradient.flat();
-  ranks_.add(flat);
-  gradient.setFlat(flat.data());
-}
-
-void Ppo::step(Weights<float>& gradient, float rate) {
-  adam_.next();
-  const auto update = [&](auto& w, auto& m, auto& v, const auto& g) {
-    adam_.update(w.data(), g.data(), m.data(), v.data(), size_t(w.size()), rate);
-  };
-  for (int l = 0; l < 3; ++l) {
-    update(weights_.w[l], momentum_.w[l], squares_.w[l], gradient.w[l]);
-    update(weights_.b[l], momentum_.b[l], squares_.b[l], gradient.b[l]);
-  }
+  share.pass.backward(net(), inputs, share.gradient.data(), gradient);
 }
 
 }  // namespace obby::train

@@ -21,7 +21,8 @@ void SeenRows::normaliseBy(std::span<const float> means, std::span<const float> 
   means_.assign(means.begin(), means.end());
   scales_.assign(scales.begin(), scales.end());
   for (int i = policy::kStateInputs; i < policy::kInputs; ++i)
-    voids_(i) = policy::normalised(policy::kEmptyInput, means_[size_t(i)], scales_[size_t(i)]);
+    voids_[size_t(i)] =
+        policy::normalised(policy::kEmptyInput, means_[size_t(i)], scales_[size_t(i)]);
 }
 
 // The player's state is kept whatever it is.
@@ -43,16 +44,21 @@ void SeenRows::take(size_t row, const float* raw) {
   }
 }
 
-void voidSums(const SeenRows& rows, const Weights<float>& net, Line<float>& out) {
-  Units sums(net.b[0].data());
+void voidSums(const SeenRows& rows, const nn::Network<float>& net, std::vector<float>& out) {
+  Units sums(net.biases(0));
   for (int i = policy::kStateInputs; i < policy::kInputs; ++i)
-    sums.add(net.w[0].data() + i * kUnits, rows.voids()(i));
+    sums.add(net.weights(0) + i * kUnits, rows.voids()[size_t(i)]);
   out.resize(kUnits);
   sums.put(out.data());
 }
 
-void addVoidSlopes(const SeenRows& rows, Weights<float>& sums) {
-  sums.w[0].noalias() += rows.voids().transpose() * sums.b[0];
+void addVoidGradients(const SeenRows& rows, const nn::Network<float>& net,
+                      std::vector<float>& sums) {
+  float* const weights = sums.data() + net.at(0);
+  const float* const biases = sums.data() + net.biasesAt(0);
+  for (int i = policy::kStateInputs; i < policy::kInputs; ++i) {
+    for (int o = 0; o < kUnits; ++o) weights[i * kUnits + o] += rows.voids()[size_t(i)] * biases[o];
+  }
 }
 
 void SeenPart::ask(size_t i) const {
@@ -60,11 +66,10 @@ void SeenPart::ask(size_t i) const {
   for (int line = 0; line < kAskedLines; ++line) __builtin_prefetch(begin + 64 * line);
 }
 
-void SeenPart::firstLayer(const Weights<float>& net, Rows<float>& out) const {
-  out.resize(Eigen::Index(which_.size()), kUnits);
+void SeenPart::firstLayer(const nn::Network<float>& net, float* out) const {
   for (size_t first = 0; first < which_.size(); first += kBlock) {
     const size_t count = std::min(kBlock, which_.size() - first);
-    blockLayer(first, count, net.w[0].data(), out.data() + first * kUnits);
+    blockLayer(first, count, net.weights(0), out + first * kUnits);
   }
 }
 
@@ -80,23 +85,26 @@ void SeenPart::blockLayer(size_t first, size_t count, const float* weights, floa
       forBits(row(first + i).seen[w],
               [&](int bit) OBBY_INLINED { sums.add(weights + bit * kUnits, *value++); });
       values[i] = value;
-      if (w + 1 == SeenRows::kWords) sums.rectify();
       sums.put(out + i * kUnits);
     }
   }
 }
 
-void SeenPart::addFirstSlopes(const Rows<float>& slope, Weights<float>& sums) const {
-  addRows<kUnits>(slope.data(), which_.size(), sums.b[0].data());
+void SeenPart::addFirstGradient(const nn::Network<float>& net, const float* gradient,
+                                std::vector<float>& sums) const {
+  Units biases(sums.data() + net.biasesAt(0));
+  for (size_t r = 0; r < which_.size(); ++r) biases.add(gradient + r * kUnits);
+  biases.put(sums.data() + net.biasesAt(0));
   for (size_t first = 0; first < which_.size(); first += kBlock) {
     const size_t count = std::min(kBlock, which_.size() - first);
-    addBlockSlopes(first, count, slope.data() + first * kUnits, sums.w[0].data());
+    addBlockGradient(first, count, gradient + first * kUnits, sums.data() + net.at(0));
   }
 }
 
-// An input after the other: the slopes of its weights are summed in registers over all rows that
+// An input after the other: the gradient of its weights is summed in registers over all rows that
 // see it.
-void SeenPart::addBlockSlopes(size_t first, size_t count, const float* slope, float* sums) const {
+void SeenPart::addBlockGradient(size_t first, size_t count, const float* gradient,
+                                float* sums) const {
   const float* values[kBlock];
   for (size_t i = 0; i < count; ++i) values[i] = row(first + i).values;
   for (int w = 0; w < SeenRows::kWords; ++w) {
@@ -108,7 +116,7 @@ void SeenPart::addBlockSlopes(size_t first, size_t count, const float* slope, fl
       if (seenBy[input] == 0) continue;
       Units sum(sums);
       forBits(seenBy[input],
-              [&](int i) OBBY_INLINED { sum.add(slope + i * kUnits, *values[i]++); });
+              [&](int i) OBBY_INLINED { sum.add(gradient + i * kUnits, *values[i]++); });
       sum.put(sums);
     }
   }

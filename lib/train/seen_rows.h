@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "base/huge_pages.h"
-#include "train/weights.h"
+#include "policy/trainable.h"
 
 namespace obby::train {
 
@@ -27,7 +27,8 @@ class SeenRows {
   // `raw`: (kInputs), as policy::observe() gives them.
   void take(size_t row, const float* raw);
 
-  const Line<float>& voids() const { return voids_; }  // empty surroundings, normalised
+  // Empty surroundings, normalised: (kInputs).
+  const std::vector<float>& voids() const { return voids_; }
 
  private:
   friend class SeenPart;
@@ -40,31 +41,32 @@ class SeenRows {
     float values[policy::kInputs];  // normalised, less those of empty surroundings; side by side
   };
 
-  std::vector<float> means_, scales_;
-  Line<float> voids_ = Line<float>::Zero(policy::kInputs);
+  std::vector<float> means_, scales_, voids_ = std::vector<float>(policy::kInputs);
   std::vector<Row, HugePages<Row>> rows_;
 };
 
-// Fills `out` with what the first layer makes of empty surroundings: the sums begin with it. To be
-// made again when the weights or the rows' normaliser change. In the order of policy::Thinker, so
-// that a layer has the bits that the search knows. Allocates where `out` is empty only.
-void voidSums(const SeenRows& rows, const Weights<float>& net, Line<float>& out);
+// Fills `out`, (kHidden), with what the first layer makes of empty surroundings: the sums begin
+// with it. To be made again when the weights or the rows' normaliser change. In the order of
+// policy::Thinker, so that a layer has the bits that the search knows.
+void voidSums(const SeenRows& rows, const nn::Network<float>& net, std::vector<float>& out);
 
-// Adds to the first layer's slopes what empty surroundings contribute, once for all rows of which
-// `sums` has the slopes of the first biases.
-void addVoidSlopes(const SeenRows& rows, Weights<float>& sums);
+// Adds to the first layer's gradient what empty surroundings contribute, once for all rows whose
+// gradients are summed in its biases.
+void addVoidGradients(const SeenRows& rows, const nn::Network<float>& net,
+                      std::vector<float>& sums);
 
-// Some of the rows, as inputs of a Pass (pass.h).
+// Some of the rows, as inputs of an nn::Pass.
 class SeenPart {
  public:
   // All three must outlive it. `which`: rows.
-  SeenPart(const SeenRows& rows, std::span<const uint32_t> which, const Line<float>& voidSums)
+  SeenPart(const SeenRows& rows, std::span<const uint32_t> which,
+           const std::vector<float>& voidSums)
       : rows_(rows), which_(which), voidSums_(voidSums) {}
 
-  // The first hidden layer.
-  void firstLayer(const Weights<float>& net, Rows<float>& out) const;
-  // Adds the gradients of its weights and biases, by the slopes of its sums.
-  void addFirstSlopes(const Rows<float>& slope, Weights<float>& sums) const;
+  size_t rows() const { return which_.size(); }
+  void firstLayer(const nn::Network<float>& net, float* out) const;
+  void addFirstGradient(const nn::Network<float>& net, const float* gradient,
+                        std::vector<float>& sums) const;
 
  private:
   static constexpr size_t kBlock = 64;  // rows whose inputs are gone through together
@@ -72,11 +74,11 @@ class SeenPart {
   const SeenRows::Row& row(size_t i) const { return rows_.rows_[which_[i]]; }
   void ask(size_t i) const;
   void blockLayer(size_t first, size_t count, const float* weights, float* out) const;
-  void addBlockSlopes(size_t first, size_t count, const float* slope, float* sums) const;
+  void addBlockGradient(size_t first, size_t count, const float* gradient, float* sums) const;
 
   const SeenRows& rows_;
   std::span<const uint32_t> which_;
-  const Line<float>& voidSums_;
+  const std::vector<float>& voidSums_;
 };
 
 }  // namespace obby::train

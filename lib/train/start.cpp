@@ -38,7 +38,10 @@ Result<Start> startFrom(const policy::PolicyFile& file) {
       return makeError("its normalisers are not valid for further training",
                        "name a policy that obby-train wrote");
   }
-  start.learner.weights.setFlat(scales + policy::kInputs);
+  nn::LearnerState& learner = start.learner;
+  learner.parameters.assign(scales + policy::kInputs, means + policy::Network::kNumbers);
+  learner.momentum.assign(learner.parameters.size(), 0.0f);
+  learner.squares = learner.momentum;
   if (file.values.deviation > 0) {
     start.learner.values.mean = file.values.mean;
     start.learner.values.deviation = file.values.deviation;

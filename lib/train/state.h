@@ -5,9 +5,9 @@
 #include <utility>
 #include <vector>
 
+#include "nn/learner.h"
 #include "train/play.h"
 #include "train/value_scale.h"
-#include "train/weights.h"
 
 namespace obby::train {
 
@@ -41,9 +41,7 @@ struct CrowdState {
   std::vector<PlaceState> places;
 };
 
-struct LearnerState {
-  Weights<float> weights, momentum, squares;  // the last two: Adam's means of gradients
-  uint64_t steps = 0;                         // of Adam
+struct LearnerState : nn::LearnerState {
   ValueScale values;
 };
 

@@ -11,6 +11,7 @@
 
 #include "base/check.h"
 #include "base/hash.h"
+#include "policy/trainable.h"
 
 namespace obby::train {
 
@@ -69,11 +70,9 @@ Status rowsOf(capnp::Data::Reader bytes, const char* what, std::vector<T>& rows)
   return {};
 }
 
-Status readWeights(capnp::List<float>::Reader from, const char* what, Weights<float>& out) {
-  std::vector<float> numbers(out.flat().size());
-  OBBY_RETURN_IF_ERROR(take(from, what, numbers.size(), numbers.data()));
-  out.setFlat(numbers.data());
-  return {};
+Status readNumbers(capnp::List<float>::Reader from, const char* what, std::vector<float>& out) {
+  out.resize(policy::trainableNetwork().parameters().size());
+  return take(from, what, out.size(), out.data());
 }
 
 void writePlace(const PlaceState& s, schema::SavedPlace::Builder to) {
@@ -143,9 +142,9 @@ bool isFinite(const Sums& sums) {
 }
 
 bool isFinite(const LearnerState& s) {
-  return allFinite(s.weights.flat()) && allFinite(s.momentum.flat()) &&
-         allFinite(s.squares.flat()) && std::isfinite(s.values.mean) &&
-         std::isfinite(s.values.deviation) && isFinite(s.values.returns);
+  return allFinite(s.parameters) && allFinite(s.momentum) && allFinite(s.squares) &&
+         std::isfinite(s.values.mean) && std::isfinite(s.values.deviation) &&
+         isFinite(s.values.returns);
 }
 
 uint64_t stateLayout() {
@@ -179,13 +178,10 @@ Status readSums(schema::SavedSums::Reader from, Sums& out) {
 }
 
 void writeLearner(const LearnerState& state, schema::SavedLearner::Builder to) {
-  const auto write = [](const Weights<float>& weights, auto init) {
-    const std::vector<float> numbers = weights.flat();
-    fill(numbers.data(), init(uint32_t(numbers.size())));
-  };
-  write(state.weights, [&](uint32_t count) { return to.initWeights(count); });
-  write(state.momentum, [&](uint32_t count) { return to.initMomentum(count); });
-  write(state.squares, [&](uint32_t count) { return to.initSquares(count); });
+  const auto count = uint32_t(state.parameters.size());
+  fill(state.parameters.data(), to.initWeights(count));
+  fill(state.momentum.data(), to.initMomentum(count));
+  fill(state.squares.data(), to.initSquares(count));
   to.setSteps(state.steps);
   to.setValueMean(state.values.mean);
   to.setValueDeviation(state.values.deviation);
@@ -193,9 +189,9 @@ void writeLearner(const LearnerState& state, schema::SavedLearner::Builder to) {
 }
 
 Status readLearner(schema::SavedLearner::Reader from, LearnerState& out) {
-  OBBY_RETURN_IF_ERROR(readWeights(from.getWeights(), "weights", out.weights));
-  OBBY_RETURN_IF_ERROR(readWeights(from.getMomentum(), "means of gradients", out.momentum));
-  OBBY_RETURN_IF_ERROR(readWeights(from.getSquares(), "means of squares", out.squares));
+  OBBY_RETURN_IF_ERROR(readNumbers(from.getWeights(), "weights", out.parameters));
+  OBBY_RETURN_IF_ERROR(readNumbers(from.getMomentum(), "means of gradients", out.momentum));
+  OBBY_RETURN_IF_ERROR(readNumbers(from.getSquares(), "means of squares", out.squares));
   out.steps = from.getSteps();
   out.values.mean = from.getValueMean();
   out.values.deviation = from.getValueDeviation();

@@ -48,14 +48,14 @@ Result<std::unique_ptr<Trainer>> Trainer::make(const TrainerSettings& settings,
     trainer->seen_ = start->seen;
     trainer->refreshNormaliser();
   }
-  OBBY_RETURN_IF_ERROR(ranks.agree(trainer->takeWeights()));
+  OBBY_RETURN_IF_ERROR(ranks.agree(trainer->takeParameters()));
   return trainer;
 }
 
-Status Trainer::takeWeights() {
+Status Trainer::takeParameters() {
   OBBY_ASSIGN(LearnerState learner, engine_->learner());
   finite_ = isFinite(learner);
-  weights_ = std::move(learner.weights);
+  parameters_ = std::move(learner.parameters);
   return {};
 }
 
@@ -109,7 +109,7 @@ Result<Iteration> Trainer::iterate() {
   gather(played, out);
   const float share = std::min(float(double(decisions_) / double(settings_.decisions)), 1.0f);
   OBBY_ASSIGN(out.progress, learned(engine_->learn(1 - 0.9f * share)));
-  OBBY_RETURN_IF_ERROR(ranks_.agree(takeWeights()));
+  OBBY_RETURN_IF_ERROR(ranks_.agree(takeParameters()));
   OBBY_RETURN_IF_ERROR(sameNetwork());
   OBBY_RETURN_IF_ERROR(ranks_.agree(stillFinite()));
   more_ = ranks_.agree(Status(played.missing));
@@ -132,8 +132,7 @@ policy::Network Trainer::network() const {
   };
   append(means_.data(), means_.size());
   append(scales_.data(), scales_.size());
-  const std::vector<float> weights = weights_.flat();
-  append(weights.data(), weights.size());
+  append(parameters_.data(), parameters_.size());
   return network;
 }
 

@@ -69,7 +69,7 @@ class Trainer {
   void refreshNormaliser();
   void hide();
   Status restore(TrainerState state);
-  Status takeWeights();
+  Status takeParameters();
   Result<Progress> learned(Result<Progress> mine) const;
   Status sameNetwork() const;
   Status stillFinite() const;
@@ -77,8 +77,8 @@ class Trainer {
   TrainerSettings settings_;
   Ranks& ranks_;
   std::unique_ptr<Engine> engine_;
-  Weights<float> weights_;  // the engine's, as they are now
-  bool finite_ = true;      // all that the engine learned
+  std::vector<float> parameters_;  // the engine's network, as it is now
+  bool finite_ = true;             // all that the engine learned
   Sums seen_{policy::kInputs};
   std::vector<float> means_, scales_;
   uint64_t iterations_ = 0, decisions_ = 0;

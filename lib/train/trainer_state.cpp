@@ -33,7 +33,7 @@ Status Trainer::restore(TrainerState state) {
   hardest_ = state.hardest;
   seen_ = std::move(state.seen);
   refreshNormaliser();
-  return takeWeights();
+  return takeParameters();
 }
 
 Result<TrainerState> Trainer::state() const {
@@ -57,8 +57,7 @@ Status Trainer::stillFinite() const {
 // Ranks of another kind of machine may round otherwise; their networks would part unseen.
 Status Trainer::sameNetwork() const {
   if (ranks_.count() == 1) return {};
-  const std::vector<float> weights = weights_.flat();
-  const uint64_t hash = hashBytes(weights.data(), weights.size() * sizeof(float));
+  const uint64_t hash = hashBytes(parameters_.data(), parameters_.size() * sizeof(float));
   std::vector<uint64_t> all(ranks_.count());
   ranks_.exchange(&hash, sizeof hash, all.data());
   for (size_t rank = 1; rank < all.size(); ++rank) {

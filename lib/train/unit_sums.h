@@ -1,5 +1,5 @@
-// Sums over a layer's units as lanes, and over lists of what is not zero: what learning on the CPU
-// is made of. Host only.
+// Sums over a layer's units as lanes, and over lists of bits: what rows that are mostly empty are
+// learned from with. Host only.
 #pragma once
 
 #include <cstddef>
@@ -29,37 +29,10 @@ struct UnitSums {
     const WideFloat all(times);
     for (int g = 0; g < kGroups; ++g) group[g] = group[g] + load(row + g * kLanes) * all;
   }
-  OBBY_LANES void rectify() {
-    for (WideFloat& g : group) g = maxf(g, WideFloat(0.0f));
-  }
-  // 0 for units that are off in `row`.
-  OBBY_LANES void stopWhereOff(const float* row) {
-    const WideFloat zero(0.0f);
-    for (int g = 0; g < kGroups; ++g)
-      group[g] = select(load(row + g * kLanes) > zero, group[g], zero);
-  }
   OBBY_LANES void put(float* to) const {
     for (int g = 0; g < kGroups; ++g) store(group[g], to + g * kLanes);
   }
 };
-
-// Adds `count` rows, one behind the other, to `sums`: (kUnits).
-template <int kUnits>
-OBBY_LANES void addRows(const float* rows, size_t count, float* sums) {
-  UnitSums<kUnits> all(sums);
-  for (size_t r = 0; r < count; ++r) all.add(rows + r * kUnits);
-  all.put(sums);
-}
-
-// A bit for each number of a row that is not zero.
-template <int kUnits>
-OBBY_LANES uint64_t nonZero(const float* row) {
-  static_assert(kUnits <= 64 && kUnits % kLanes == 0);
-  uint64_t bits = 0;
-  for (int i = 0; i < kUnits; i += kLanes)
-    bits |= uint64_t(bitsOf(load(row + i) != WideFloat(0.0f))) << i;
-  return bits;
-}
 
 // Calls visit(number of the bit) from the lowest on.
 template <class Visit>

@@ -35,22 +35,6 @@ Difficulty ofBeam(float width, const std::function<void(LevelBuilder&)>& more = 
   return measured(problem, courseOf(problem, playByHand(problem, walkAndJump(1e3f, 1e3f))));
 }
 
-TEST(Noise, IsNearlyNormal) {
-  Random random(3, 5);
-  double sum = 0, squares = 0;
-  int beyond = 0;
-  constexpr int kDraws = 20000;
-  for (int i = 0; i < kDraws; ++i) {
-    const double g = gaussian(random);
-    sum += g;
-    squares += g * g;
-    beyond += g > 1 || g < -1 ? 1 : 0;
-  }
-  EXPECT_NEAR(sum / kDraws, 0, 0.03);
-  EXPECT_NEAR(squares / kDraws, 1, 0.05);
-  EXPECT_NEAR(double(beyond) / kDraws, 0.317, 0.02);
-}
-
 TEST(Noise, IsNamedWithItsNumbers) {
   const std::string text = describe({});
   for (const char* part : {"average player", "30 ms", "6 degrees", "250 ms", "0.2 studs"}) {

@@ -27,12 +27,12 @@ struct OnePlace {
     std::fill(d.done.begin(), d.done.end(), uint8_t(1));
   }
   std::vector<float> chances(const GoalPolicy& pupil, float sharpness = 1) const {
-    Pass<float> pass;
-    const float* const out = pass.forward(pupil.net(), d.inputs.data(), 1);
+    nn::Pass<float> pass;
+    const float* const out = pass.forward(pupil.net(), nn::DenseRows<float>{d.inputs.data(), 1});
     float logits[policy::kMoves];
     for (int m = 0; m < policy::kMoves; ++m) logits[m] = out[m] * sharpness;
     std::vector<float> p(policy::kMoves);
-    policy::chancesOf(logits, true, p.data());
+    policy::probabilitiesOf(logits, true, p.data());
     return p;
   }
   // As `maker` made them under the policy as it is; move 4 was worth `worth` more than 9.
@@ -40,7 +40,7 @@ struct OnePlace {
     const std::vector<float> p = chances(pupil, sharpness);
     for (size_t r = 0; r < d.rows(); ++r) {
       const int move = r % 2 == 0 ? 4 : 9;
-      d.made[r] = {move, true, logOf(p[size_t(move)]), 0, 0};
+      d.made[r] = {{move, logOf(p[size_t(move)]), 0, 0}, true};
       d.makers[r] = maker;
       d.sharpness[r] = sharpness;
       d.values[r] = 0.5f;
@@ -69,8 +69,8 @@ TEST(GoalPolicy, LearnsFromAChoiceAsSharpAsItWasMade) {
   constexpr float kSharpness = 0.25f;
   ThreadPool pool(1);
   GoalPolicySettings settings;
-  settings.loss.entropyShare = 0;
-  settings.loss.valueShare = 0;
+  settings.loss.entropyWeight = 0;
+  settings.loss.valueWeight = 0;
   GoalPolicy pupil(settings, 1);
   OnePlace place;
   for (int n = 0; n < 40 && place.chances(pupil)[4] < 0.2f; ++n)
@@ -79,11 +79,11 @@ TEST(GoalPolicy, LearnsFromAChoiceAsSharpAsItWasMade) {
   const std::vector<float> own = place.chances(pupil), made = place.chances(pupil, kSharpness);
   ASSERT_GT(own[4], 1.3f * made[4]);
   ASSERT_LT(own[9], 0.7f * made[9]);
-  const std::vector<float> before = pupil.net().numbers();
+  const std::vector<float> before = pupil.net().parameters();
   place.teach(pupil, pool, Maker::policy, 1, kSharpness);
   float moved = 0;
   for (size_t i = 0; i < before.size(); ++i)
-    moved = std::max(moved, std::abs(pupil.net().numbers()[i] - before[i]));
+    moved = std::max(moved, std::abs(pupil.net().parameters()[i] - before[i]));
   EXPECT_GT(moved, 2e-6f);
   EXPECT_GT(place.chances(pupil)[4], own[4]);
 }
@@ -145,7 +145,7 @@ struct OneDecision {
     QuantileSettings settings;
     settings.hindsight = 0;
     settings.refresh = 1u << 30;
-    settings.learner.rate = rate;
+    settings.learner.learningRate = rate;
     QuantilePolicy pupil(settings, 1);
     ThreadPool pool(1);
     const InverseDynamics module(1);
@@ -154,8 +154,8 @@ struct OneDecision {
     float place[kPlace] = {}, goal[kPlace] = {};
     goal[0] = kGoal;
     observeGoal(place, goal, inputs.data() + policy::kInputs);
-    Pass<float> pass;
-    const float* out = pass.forward(pupil.net(), inputs.data(), 1);
+    nn::Pass<float> pass;
+    const float* out = pass.forward(pupil.net(), nn::DenseRows<float>{inputs.data(), 1});
     std::vector<float> means;
     for (int m = 0; m < policy::kMoves; ++m, out += kQuantiles)
       means.push_back(std::accumulate(out, out + kQuantiles, 0.0f) / float(kQuantiles));

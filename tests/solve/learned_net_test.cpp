@@ -1,18 +1,14 @@
-// What learning within a search runs on: products in a fixed order, gradients held against finite
-// differences in double precision, losses, the latent space.
+// What learning within a search is made of: sub-goals, the latent space, what its policies learn
+// from.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
-#include <numeric>
 
 #include "scenes.h"
 #include "solve/learned/cell_choice.h"
 #include "solve/learned/goal_policy.h"
-#include "solve/learned/imitation_loss.h"
 #include "solve/learned/inverse_dynamics.h"
-#include "solve/learned/quantile_loss.h"
 #include "solve/learned/quantile_policy.h"
 #include "solve/learned/soft_window.h"
 
@@ -24,128 +20,6 @@ std::vector<S> learnedNetDrawn(size_t count, Random& random) {
   std::vector<S> v(count);
   for (S& x : v) x = S(2 * random.unit() - 1);
   return v;
-}
-
-// Whatever the lanes: each number is summed as a loop would.
-TEST(Product, HasTheBitsOfALoop) {
-  Random random(1, 1);
-  for (const size_t rows : {1u, 7u, 8u, 19u}) {
-    const size_t inner = 37, columns = 48;
-    const auto a = learnedNetDrawn<float>(rows * inner, random),
-               b = learnedNetDrawn<float>(inner * columns, random);
-    auto c = learnedNetDrawn<float>(rows * columns, random), expected = c;
-    addProduct<float>({a.data(), inner, 1}, rows, inner, b.data(), columns, c.data());
-    for (size_t r = 0; r < rows; ++r) {
-      for (size_t o = 0; o < columns; ++o) {
-        for (size_t k = 0; k < inner; ++k)
-          expected[r * columns + o] += a[r * inner + k] * b[k * columns + o];
-      }
-    }
-    EXPECT_EQ(std::memcmp(c.data(), expected.data(), c.size() * sizeof(float)), 0) << rows;
-  }
-}
-
-// The sum of the outputs, each times a weight of its own: its slope by them is these.
-TEST(Net, GradientsAreThoseOfFiniteDifferences) {
-  constexpr size_t kRows = 5;
-  Random random(2, 2);
-  Net<double> net({16, 32, 32, 16});
-  net.numbers() = learnedNetDrawn<double>(net.numbers().size(), random);
-  auto inputs = learnedNetDrawn<double>(kRows * 16, random);
-  const auto slope = learnedNetDrawn<double>(kRows * 16, random);
-  Pass<double> pass;
-  const auto total = [&] {
-    const double* out = pass.forward(net, inputs.data(), kRows);
-    return std::inner_product(slope.begin(), slope.end(), out, 0.0);
-  };
-  std::vector<double> gradient(net.numbers().size(), 0.0), inputSlope(inputs.size(), 0.0);
-  total();
-  pass.backward(net, inputs.data(), kRows, slope.data(), gradient, inputSlope.data());
-  const auto check = [&](std::vector<double>& numbers, const std::vector<double>& slopes) {
-    for (int n = 0; n < 200; ++n) {
-      const size_t i = random.below(uint32_t(numbers.size()));
-      const double step = 1e-6, old = numbers[i];
-      numbers[i] = old + step;
-      const double more = total();
-      numbers[i] = old - step;
-      const double less = total();
-      numbers[i] = old;
-      EXPECT_NEAR(slopes[i], (more - less) / (2 * step), 1e-6) << i;
-    }
-  };
-  check(net.numbers(), gradient);
-  check(inputs, inputSlope);
-}
-
-// Holds the slope that loss(at, slope) fills against its differences.
-template <class Loss>
-void checkSlope(std::vector<double> at, Loss&& loss, double within = 1e-6) {
-  std::vector<double> slope(at.size()), unused(at.size());
-  loss(at.data(), slope.data());
-  for (size_t i = 0; i < at.size(); ++i) {
-    const double step = 1e-6, old = at[i];
-    at[i] = old + step;
-    const double more = loss(at.data(), unused.data());
-    at[i] = old - step;
-    const double less = loss(at.data(), unused.data());
-    at[i] = old;
-    EXPECT_NEAR(slope[i], (more - less) / (2 * step), within) << i;
-  }
-}
-
-TEST(ImitationLoss, SlopesAreThoseOfFiniteDifferences) {
-  Random random(3, 3);
-  for (int n = 0; n < 20; ++n) {
-    const auto at = learnedNetDrawn<double>(policy::kPaddedOutputs, random);
-    const policy::Decision d{int(random.below(policy::kMoves)), true, 0, 0, 2};
-    // How much better it went is a constant to the likelihood's slope, not to the value's.
-    const double better = double(d.target) - at[policy::kMoves];
-    checkSlope(at, [&](const double* out, double* slope) {
-      imitationLoss<double>(out, d, 0.1, 0.5, slope);
-      double p[policy::kMoves];
-      policy::chancesOf(out, true, p);
-      const double error = double(d.target) - out[policy::kMoves];
-      return 0.1 * (-std::log(p[d.move]) * better + 0.5 * error * error / 2);
-    });
-  }
-}
-
-TEST(ImitationLoss, LearnsNothingFromWhatWentWorseThanExpected) {
-  float outputs[policy::kPaddedOutputs] = {}, slope[policy::kPaddedOutputs];
-  outputs[policy::kMoves] = 1;
-  EXPECT_EQ(imitationLoss(outputs, {3, true, 0, 0, 0.5f}, 0.1f, 0.5f, slope), 0);
-  for (const float s : slope) EXPECT_EQ(s, 0);
-}
-
-TEST(QuantileLoss, SlopesAreThoseOfFiniteDifferences) {
-  Random random(4, 4);
-  for (int n = 0; n < 20; ++n) {
-    const auto targets = learnedNetDrawn<double>(kQuantiles, random);
-    auto at = learnedNetDrawn<double>(kQuantiles, random);
-    for (double& v : at) v *= 3;  // on both sides of where the loss becomes straight
-    checkSlope(at, [&](const double* predicted, double* slope) {
-      return quantileLoss(predicted, targets.data(), slope);
-    });
-  }
-}
-
-// Followed downhill, predictions come to the quantiles of the targets.
-TEST(QuantileLoss, EndsAtTheQuantiles) {
-  double targets[kQuantiles], predicted[kQuantiles] = {}, slope[kQuantiles];
-  for (size_t i = 0; i < kQuantiles; ++i) targets[i] = 100 * double(i);
-  for (int n = 0; n < 20000; ++n) {
-    quantileLoss(predicted, targets, slope);
-    for (size_t i = 0; i < kQuantiles; ++i) predicted[i] -= slope[i];
-  }
-  for (size_t i = 0; i < kQuantiles; ++i) EXPECT_NEAR(predicted[i], targets[i], 5) << i;
-}
-
-TEST(CrossEntropy, SlopesAreThoseOfFiniteDifferences) {
-  Random random(5, 5);
-  const uint8_t moves[] = {4, 33};
-  checkSlope(
-      learnedNetDrawn<double>(2 * padded(policy::kMoves), random),
-      [&](const double* logits, double* slope) { return crossEntropy(logits, moves, 2, slope); });
 }
 
 TEST(SoftWindow, PassesSubgoalsInOrderOrAheadWithinIt) {
@@ -228,12 +102,12 @@ TEST(CellChoice, WeighsCellsByTheActionsTakenThere) {
 // Rows of a policy that is sure of itself, at one place; returned: how far learning moved it.
 float movedBy(Maker maker) {
   GoalPolicy policy({}, 1);
-  const std::vector<float> before = policy.net().numbers();
+  const std::vector<float> before = policy.net().parameters();
   Decisions d(8, 2);
   Random random(9, 9);
   d.inputs = learnedNetDrawn<float>(d.inputs.size(), random);
   for (size_t r = 0; r < d.rows(); ++r) {
-    d.made[r] = {int(r) % policy::kMoves, true, logOf(1.0f / policy::kMoves), 0, 0};
+    d.made[r] = {{int(r) % policy::kMoves, logOf(1.0f / policy::kMoves), 0, 0}, true};
     d.makers[r] = maker;
     d.rewards[r] = r % 3 == 0 ? 1.0f : 0.0f;
   }
@@ -241,7 +115,7 @@ float movedBy(Maker maker) {
   policy.learn(pool, d);
   float moved = 0;
   for (size_t i = 0; i < before.size(); ++i)
-    moved = std::max(moved, std::abs(policy.net().numbers()[i] - before[i]));
+    moved = std::max(moved, std::abs(policy.net().parameters()[i] - before[i]));
   return moved;
 }
 

@@ -263,7 +263,7 @@ TEST(Pbge, EachOfItsPartsShows) {
   EXPECT_TRUE(under([](PbgeSettings&) {}) == whole);
   EXPECT_FALSE(under([](PbgeSettings& s) { s.unrest = 0; }) == whole) << "left to chance";
   EXPECT_FALSE(under([](PbgeSettings& s) { s.policy.imitation = 0; }) == whole) << "imitation";
-  EXPECT_FALSE(under([](PbgeSettings& s) { s.policy.loss.entropyShare = 0; }) == whole);
+  EXPECT_FALSE(under([](PbgeSettings& s) { s.policy.loss.entropyWeight = 0; }) == whole);
   EXPECT_FALSE(under([](PbgeSettings& s) { s.last = s.subgoal; }) == whole) << "the last sub-goal";
   EXPECT_FALSE(under([](PbgeSettings& s) { s.aimFor = 1'000'000; }) == whole) << "other places";
 }

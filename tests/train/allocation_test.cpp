@@ -1,4 +1,4 @@
-// Learning from a batch takes memory once, however many parts and passes there are.
+// Learning from a batch takes memory once, however many minibatches and epochs there are.
 #include <gtest/gtest.h>
 
 #include <atomic>
@@ -24,12 +24,12 @@ namespace {
 constexpr uint32_t kWorlds = 1024;
 
 // Of a batch that is learned from for the second time.
-size_t askedFor(uint32_t passes, uint32_t part) {
+size_t askedFor(uint32_t epochs, uint32_t minibatch) {
   ThreadPool pool(2);
   OneRank alone;
   PpoSettings settings;
-  settings.passes = passes;
-  settings.part = part;
+  settings.epochs = epochs;
+  settings.minibatch = minibatch;
   Ppo ppo(settings, 1, pool, alone);
   Batch batch = someBatch(0, kWorlds);
   ppo.learn(batch, 1);
@@ -38,7 +38,7 @@ size_t askedFor(uint32_t passes, uint32_t part) {
   return asked - before;
 }
 
-TEST(Allocation, PartsAndPassesTakeNone) {
+TEST(Allocation, MinibatchesAndEpochsTakeNone) {
   const size_t least = askedFor(1, kTicks * kWorlds);
   EXPECT_GT(least, 0u) << "of an iteration; otherwise nothing is counted";
   EXPECT_LT(least, 100u);

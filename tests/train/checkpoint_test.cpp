@@ -18,7 +18,7 @@ std::vector<double> figuresOf(const Iteration& i) {
   const Progress& p = i.progress;
   return {double(i.number), double(i.decisions), i.reward,     i.solved,
           double(i.played), double(i.hardest),   p.loss,       p.entropy,
-          p.divergence,     p.clipped,           p.valueError, p.norm};
+          p.approxKl,       p.clipFraction,      p.valueError, p.gradNorm};
 }
 
 struct Learned {

@@ -126,16 +126,16 @@ TEST_P(Parity, OfTheFirstIteration) {
   EXPECT_EQ(here->decisions, there->decisions);
   EXPECT_NEAR(here->progress.loss, there->progress.loss, 1e-5);
   EXPECT_NEAR(here->progress.entropy, there->progress.entropy, 1e-5);
-  EXPECT_NEAR(here->progress.divergence, there->progress.divergence, 1e-5);
-  EXPECT_NEAR(here->progress.clipped, there->progress.clipped, 1e-3);
+  EXPECT_NEAR(here->progress.approxKl, there->progress.approxKl, 1e-5);
+  EXPECT_NEAR(here->progress.clipFraction, there->progress.clipFraction, 1e-3);
   EXPECT_NEAR(here->progress.valueError, there->progress.valueError, 1e-5);
-  EXPECT_NEAR(here->progress.norm / there->progress.norm, 1, 1e-6);  // some 15
+  EXPECT_NEAR(here->progress.gradNorm / there->progress.gradNorm, 1, 1e-6);  // some 15
   EXPECT_NEAR(a.learner.values.mean, b.learner.values.mean, 1e-6);
   EXPECT_NEAR(a.learner.values.deviation, b.learner.values.deviation, 1e-6);
   EXPECT_EQ(a.learner.steps, b.learner.steps);
   // A decision on the edge of clipping may fall to either side, and moves some weights then.
-  EXPECT_LT(farApart(a.learner.weights.flat(), b.learner.weights.flat()), 1e-7);
-  EXPECT_LT(farthest(a.learner.weights.flat(), b.learner.weights.flat()), 2e-4);
+  EXPECT_LT(farApart(a.learner.parameters, b.learner.parameters), 1e-7);
+  EXPECT_LT(farthest(a.learner.parameters, b.learner.parameters), 2e-4);
 }
 
 INSTANTIATE_TEST_SUITE_P(WithAndWithoutLooseBodies, Parity, testing::Bool());
@@ -145,7 +145,7 @@ INSTANTIATE_TEST_SUITE_P(WithAndWithoutLooseBodies, Parity, testing::Bool());
 TEST_P(Parity, OfPlayThroughManyLevels) {
   const Gaps gaps(GetParam());
   TrainerSettings settings = small();
-  settings.ppo.rate = 0;
+  settings.ppo.learningRate = 0;
   settings.crowd.playthroughs = 24;
   settings.crowd.patience = -5;  // cut after some four seconds
   ThreadPool pool(1);
@@ -190,8 +190,7 @@ TEST(DeviceEngine, LearnsInEachIterationWhatTheCpuDoes) {
     const bool same = different == 0;
     EXPECT_NEAR(here->reward, there->reward, same ? 1e-9 : 1e-3) << i;
     EXPECT_NEAR(here->progress.entropy, there->progress.entropy, same ? 1e-5 : 1e-3) << i;
-    EXPECT_LT(farApart(a.learner.weights.flat(), b.learner.weights.flat()), same ? 1e-6 : 1e-4)
-        << i;
+    EXPECT_LT(farApart(a.learner.parameters, b.learner.parameters), same ? 1e-6 : 1e-4) << i;
   }
 }
 
@@ -208,12 +207,12 @@ TEST(DeviceEngine, GivesTheSameBitsOnAnyNumberOfThreads) {
   }
 }
 
-TEST(DeviceEngine, LearnsInPartsOfOneSize) {
+TEST(DeviceEngine, LearnsInMinibatchesOfOneSize) {
   const Gaps gaps;
   const uint32_t rows = tiny().ticks * tiny().worlds();
-  const auto learned = [&](uint32_t part) {
+  const auto learned = [&](uint32_t minibatch) {
     TrainerSettings settings = tiny();
-    settings.ppo.part = part;
+    settings.ppo.minibatch = minibatch;
     Machine machine;
     const auto trainer = machine.make(gaps, settings);
     EXPECT_TRUE((*trainer)->iterate());

@@ -77,8 +77,8 @@ inline TrainerSettings small() {
   s.crowds = 2;
   s.crowd.levels = 4;
   s.crowd.worlds = 32;
-  s.ppo.part = 1024;
-  s.ppo.rate = 1e-3f;
+  s.ppo.minibatch = 1024;
+  s.ppo.learningRate = 1e-3f;
   s.decisions = 2'000'000;
   return s;
 }
@@ -87,7 +87,7 @@ inline TrainerSettings small() {
 inline TrainerSettings tiny() {
   TrainerSettings s = small();
   s.crowd.worlds /= 4;
-  s.ppo.part /= 4;
+  s.ppo.minibatch /= 4;
   return s;
 }
 

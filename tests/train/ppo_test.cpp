@@ -1,6 +1,5 @@
-// The parts of learning, each against numbers made by hand or a formula: what a state was worth,
-// normalised advantages, returns of a moving scale, a step of the optimiser, ranks that share a
-// batch.
+// PPO against numbers made by hand: returns of a moving scale, steps of the optimiser, ranks that
+// share a batch.
 #include "train/ppo.h"
 
 #include <gtest/gtest.h>
@@ -8,58 +7,16 @@
 #include <algorithm>
 #include <cmath>
 
-#include "policy/advantages.h"
 #include "train/some_batch.h"
 #include "train/thread_ranks.h"
 
 namespace obby::train {
 namespace {
 
-// One that dies with its second decision, and one that goes on, or is cut: what came last stands
-// for the rest.
-TEST(Advantages, AreBootstrappedWhereOneGoesOnButNotWhereOneDied) {
-  const float values[] = {1, 1, 2, 2, 3, 3}, rewards[] = {1, 1, -1, 0, 2, 2}, last[] = {4, 4};
-  const uint8_t done[] = {0, 0, 1, 0, 0, 0};
-  float advantages[6], targets[6];
-  policy::fillAdvantages({3, 2, values, rewards, done, last}, 0.5f, 0.5f, advantages, targets);
-  const float dies[] = {0.25f, -3, 1}, goesOn[] = {0.9375f, -0.25f, 1};
-  for (int t = 0; t < 3; ++t) {
-    EXPECT_FLOAT_EQ(advantages[2 * t], dies[t]) << t;
-    EXPECT_FLOAT_EQ(advantages[2 * t + 1], goesOn[t]) << t;
-    EXPECT_FLOAT_EQ(targets[2 * t], values[2 * t] + dies[t]) << t;
-    EXPECT_FLOAT_EQ(targets[2 * t + 1], values[2 * t + 1] + goesOn[t]) << t;
-  }
-}
-
-TEST(AdvantageScale, IsMeanAndDeviation) {
-  const AdvantageScale scale(1 + 2 + 3 + 6, 1 + 4 + 9 + 36, 4);
-  EXPECT_FLOAT_EQ(scale.mean, 3);
-  EXPECT_FLOAT_EQ(scale.scale, float(1 / std::sqrt(3.5)));
-  EXPECT_EQ(scale.count, 4);
-  EXPECT_TRUE(std::isfinite(AdvantageScale(8, 16, 4).scale)) << "all alike";
-}
-
-// Kingma and Ba 2015, algorithm 1, in double precision.
-TEST(Adam, MovesAWeightAsPublished) {
-  policy::Adam adam;
-  float weight = 1, momentum = 0, squares = 0;
-  double w = 1, m = 0, v = 0;
-  int t = 0;
-  for (const float g : {2.0f, -1.0f, 0.5f, 0.0f}) {
-    adam.next();
-    adam.update(&weight, &g, &momentum, &squares, 1, 0.1f);
-    ++t;
-    m = 0.9 * m + 0.1 * double(g);
-    v = 0.999 * v + 0.001 * double(g) * double(g);
-    w -= 0.1 * (m / (1 - std::pow(0.9, t))) / (std::sqrt(v / (1 - std::pow(0.999, t))) + 1e-5);
-    EXPECT_NEAR(weight, w, 1e-6) << t;
-  }
-}
-
 PpoSettings oneStepOf(uint32_t decisions) {
   PpoSettings s;
-  s.passes = 1;
-  s.part = decisions;
+  s.epochs = 1;
+  s.minibatch = decisions;
   return s;
 }
 
@@ -70,10 +27,10 @@ TEST(Ppo, OfTwoRanksTakesTheStepOfOneWithBothBatches) {
   ThreadPool pool(1);
   OneRank alone;
   Ppo whole(oneStepOf(kTicks * kWorlds), 5, pool, alone);
-  const std::vector<float> before = whole.weights().flat();
+  const std::vector<float> before = whole.net().parameters();
   Batch all = someBatch(0, kWorlds);
   const Progress expected = whole.learn(all, 1);
-  const std::vector<float> weights = whole.weights().flat();
+  const std::vector<float> weights = whole.net().parameters();
   const LearnerState learned = whole.state();
   ThreadRanks::run(2, [&](Ranks& ranks) {
     ThreadPool own(1);
@@ -81,12 +38,12 @@ TEST(Ppo, OfTwoRanksTakesTheStepOfOneWithBothBatches) {
     Batch mine = someBatch(ranks.number() * kWorlds / 2, kWorlds / 2);
     const Progress found = half.learn(mine, 1);
     EXPECT_NEAR(found.loss, expected.loss, 1e-5);
-    EXPECT_NEAR(found.norm, expected.norm, 1e-5 * expected.norm);
+    EXPECT_NEAR(found.gradNorm, expected.gradNorm, 1e-5 * expected.gradNorm);
     const LearnerState state = half.state();
     EXPECT_NEAR(state.values.mean, learned.values.mean, 1e-6);
     EXPECT_NEAR(state.values.deviation, learned.values.deviation, 1e-6);
     // Momentum is a tenth of the gradient: unlike a step of Adam it tells a wrong factor.
-    const std::vector<float> mine1 = state.momentum.flat(), theirs = learned.momentum.flat();
+    const std::vector<float> mine1 = state.momentum, theirs = learned.momentum;
     for (size_t i = 0; i < mine1.size(); ++i) ASSERT_NEAR(mine1[i], theirs[i], 1e-7) << i;
   });
   double moved = 0;
@@ -96,15 +53,15 @@ TEST(Ppo, OfTwoRanksTakesTheStepOfOneWithBothBatches) {
 }
 
 // Another step by the one decision that is left over would move as much as the first.
-TEST(Ppo, LearnsInPartsOfOneSize) {
+TEST(Ppo, LearnsInMinibatchesOfOneSize) {
   constexpr uint32_t kWorlds = 24;
   ThreadPool pool(1);
   OneRank alone;
-  const auto learned = [&](uint32_t part) {
-    Ppo ppo(oneStepOf(part), 5, pool, alone);
+  const auto learned = [&](uint32_t minibatch) {
+    Ppo ppo(oneStepOf(minibatch), 5, pool, alone);
     Batch batch = someBatch(0, kWorlds);
     ppo.learn(batch, 1);
-    return ppo.weights().flat();
+    return ppo.net().parameters();
   };
   EXPECT_EQ(learned(kTicks * kWorlds - 1), learned(kTicks * kWorlds / 2));
 }
@@ -119,13 +76,13 @@ TEST(Ppo, SaysTheSameOfAStateWhenTheScaleOfReturnsMoves) {
   std::vector<uint32_t> rows(16);
   for (uint32_t i = 0; i < 16; ++i) rows[i] = i;
   const auto says = [&] {
-    Pass pass;
-    Line<float> begin;
-    voidSums(batch.seen, ppo.weights(), begin);
-    const Rows<float> out = pass.forward(ppo.weights(), {batch.seen, rows, begin});
+    nn::Pass<float> pass;
+    std::vector<float> begin;
+    voidSums(batch.seen, ppo.net(), begin);
+    const float* const out = pass.forward(ppo.net(), SeenPart(batch.seen, rows, begin));
     std::vector<float> values;
-    for (Eigen::Index r = 0; r < out.rows(); ++r)
-      values.push_back(ppo.valueOf(out(r, policy::kMoves)));
+    for (size_t r = 0; r < rows.size(); ++r)
+      values.push_back(ppo.valueOf(out[r * policy::kPaddedOutputs + policy::kMoves]));
     return values;
   };
   const std::vector<float> before = says();
@@ -136,31 +93,6 @@ TEST(Ppo, SaysTheSameOfAStateWhenTheScaleOfReturnsMoves) {
   EXPECT_GT(now.deviation, 2 * old.deviation);
   const std::vector<float> after = says();
   for (size_t i = 0; i < before.size(); ++i) EXPECT_NEAR(after[i], before[i], 1e-4f) << i;
-}
-
-// Orthogonal columns, or rows where these are fewer, of the stated length.
-TEST(FirstWeights, AreOrthogonal) {
-  const Weights<float> net = firstWeights(3);
-  const auto expectIdentity = [](const Rows<float>& product, float length) {
-    const Rows<float> identity = Rows<float>::Identity(product.rows(), product.cols());
-    EXPECT_LT((product - length * length * identity).cwiseAbs().maxCoeff(), 1e-5f);
-  };
-  expectIdentity(net.w[0].transpose() * net.w[0], std::sqrt(2.0f));
-  expectIdentity(net.w[1].transpose() * net.w[1], std::sqrt(2.0f));
-  const Rows<float> moves = net.w[2].leftCols(policy::kMoves);
-  expectIdentity(moves.transpose() * moves, 0.01f);
-  EXPECT_NEAR(net.w[2].col(policy::kMoves).norm(), 1, 1e-5f);
-  EXPECT_NE(firstWeights(4).flat(), net.flat());
-}
-
-TEST(Advantages, DiscountAndLambdaAreTwoThings) {
-  const float values[] = {1, 2, 3}, rewards[] = {1, 0, 2}, last[] = {4};
-  const uint8_t done[] = {0, 0, 0};
-  float advantages[3], targets[3];
-  policy::fillAdvantages({3, 1, values, rewards, done, last}, 0.5f, 0.25f, advantages, targets);
-  EXPECT_FLOAT_EQ(advantages[2], 1);
-  EXPECT_FLOAT_EQ(advantages[1], -0.375f);
-  EXPECT_FLOAT_EQ(advantages[0], 0.953125f);
 }
 
 // Each decision ends a playthrough; those with one half of the moves are worth 1, others nothing.
@@ -174,19 +106,19 @@ TEST(Ppo, MakesLikelierWhatWentBetterThanExpected) {
   std::vector<uint32_t> rows(kDecisions);
   for (uint32_t i = 0; i < kDecisions; ++i) {
     rows[i] = i;
-    batch.rewards[i] = isGood(batch.decisions[i].move) ? 1.0f : 0.0f;
+    batch.rewards[i] = isGood(batch.decisions[i].action) ? 1.0f : 0.0f;
     batch.values[i] = 0.5f;
     batch.done[i] = 1;
   }
   const auto shareOfGood = [&] {
-    Pass pass;
-    Line<float> begin;
-    voidSums(batch.seen, ppo.weights(), begin);
-    const Rows<float>& out = pass.forward(ppo.weights(), {batch.seen, rows, begin});
+    nn::Pass<float> pass;
+    std::vector<float> begin;
+    voidSums(batch.seen, ppo.net(), begin);
+    const float* const out = pass.forward(ppo.net(), SeenPart(batch.seen, rows, begin));
     double good = 0;
-    for (Eigen::Index r = 0; r < out.rows(); ++r) {
+    for (size_t r = 0; r < rows.size(); ++r) {
       float chances[policy::kMoves];
-      policy::chancesOf(out.row(r).data(), true, chances);
+      policy::probabilitiesOf(out + r * policy::kPaddedOutputs, true, chances);
       for (int m = 0; m < policy::kMoves; ++m) {
         if (isGood(m)) good += double(chances[m]);
       }
@@ -198,14 +130,36 @@ TEST(Ppo, MakesLikelierWhatWentBetterThanExpected) {
   EXPECT_GT(shareOfGood(), 0.55);
 }
 
+// Hidden layers of columns of length sqrt(2), hardly any preference among moves, a value of length
+// 1.
+TEST(FirstNetwork, HasTheLengthsOfItsLayers) {
+  const nn::Network<float> net = firstNetwork(3);
+  const auto length2 = [&](size_t l, size_t column) {
+    float sum = 0;
+    for (size_t i = 0; i < net.inputs(l); ++i) {
+      const float w = net.weights(l)[i * net.outputs(l) + column];
+      sum += w * w;
+    }
+    return sum;
+  };
+  for (size_t o = 0; o < policy::kHidden; ++o) {
+    EXPECT_NEAR(length2(0, o), 2, 1e-5f) << o;
+    EXPECT_NEAR(length2(1, o), 2, 1e-5f) << o;
+  }
+  for (size_t m = 0; m < policy::kMoves; ++m) EXPECT_NEAR(length2(2, m), 1e-4f, 1e-8f) << m;
+  EXPECT_NEAR(length2(2, policy::kMoves), 1, 1e-5f);
+  EXPECT_EQ(length2(2, policy::kMoves + 1), 0) << "padding";
+  EXPECT_NE(firstNetwork(4).parameters(), net.parameters());
+}
+
 // Normalised: eight times the rewards move the policy as much.
 TEST(Ppo, TakesTheSameStepWhateverRewardsAreCountedIn) {
   constexpr uint32_t kWorlds = 24;
   ThreadPool pool(1);
   OneRank alone;
   PpoSettings settings = oneStepOf(kTicks * kWorlds);
-  settings.loss.valueShare = 0;
-  settings.mostNorm = 1e9f;
+  settings.loss.valueWeight = 0;
+  settings.maxGradNorm = 1e9f;
   const auto momentumAt = [&](float unit) {
     Batch batch = someBatch(0, kWorlds);
     for (std::vector<float>* numbers : {&batch.rewards, &batch.values, &batch.last}) {
@@ -213,7 +167,7 @@ TEST(Ppo, TakesTheSameStepWhateverRewardsAreCountedIn) {
     }
     Ppo ppo(settings, 5, pool, alone);
     ppo.learn(batch, 1);
-    return ppo.state().momentum.flat();
+    return ppo.state().momentum;
   };
   const std::vector<float> plain = momentumAt(1), eightfold = momentumAt(8);
   float most = 0;

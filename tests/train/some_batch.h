@@ -24,7 +24,7 @@ inline Batch someBatch(uint32_t first, uint32_t worlds) {
       b.seen.take(size_t(t) * worlds + w, raw.data());
       if (t == kTicks) break;
       const size_t row = size_t(t) * worlds + w;
-      b.decisions[row] = {int(random.below(policy::kMoves)), true, -3.5f, 0, 0};
+      b.decisions[row] = {{int(random.below(policy::kMoves)), -3.5f, 0, 0}, true};
       b.values[row] = random.unit();
       b.rewards[row] = 2 * random.unit() - 1;
       b.done[row] = random.below(4) == 0;

@@ -52,15 +52,15 @@ TEST(Trainer, LearnsFirstFromThePolicyThatPlayed) {
   const Gaps gaps;
   ThreadPool pool(1);
   TrainerSettings settings = tiny();
-  settings.ppo.passes = 1;
-  settings.ppo.part = settings.worlds() * settings.ticks;
+  settings.ppo.epochs = 1;
+  settings.ppo.minibatch = settings.worlds() * settings.ticks;
   const auto trainer = Trainer::make(settings, gaps, pool, alone());
   ASSERT_TRUE(trainer);
   for (int i = 0; i < 4; ++i) {
     const auto iteration = (*trainer)->iterate();
     ASSERT_TRUE(iteration);
-    EXPECT_NEAR(iteration->progress.divergence, 0, 1e-6) << i;
-    EXPECT_EQ(iteration->progress.clipped, 0) << i;
+    EXPECT_NEAR(iteration->progress.approxKl, 0, 1e-6) << i;
+    EXPECT_EQ(iteration->progress.clipFraction, 0) << i;
     EXPECT_GT(iteration->progress.entropy, 2) << i;
   }
 }
@@ -205,8 +205,8 @@ TEST(Trainer, GoesNoFurtherOnceItHasDiverged) {
       "training diverged: the network's weights are no longer finite (start again "
       "with a lower --rate; resuming the last checkpoint would diverge again)";
   EXPECT_EQ(error([](TrainerState&) {}), "");
-  EXPECT_EQ(error([](TrainerState& s) { s.learner.weights.w[1](3, 4) = NAN; }), diverged);
-  EXPECT_EQ(error([](TrainerState& s) { s.learner.squares.b[0](5) = INFINITY; }), diverged);
+  EXPECT_EQ(error([](TrainerState& s) { s.learner.parameters[20000] = NAN; }), diverged);
+  EXPECT_EQ(error([](TrainerState& s) { s.learner.squares[18500] = INFINITY; }), diverged);
   EXPECT_EQ(error([](TrainerState& s) { s.seen.sum[7] = NAN; }), diverged);
 }
 

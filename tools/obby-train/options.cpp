@@ -96,13 +96,13 @@ std::vector<OptionRow> learnRows() {
       rare(multipleOf(learnRow("worlds", ValueType::integer, "N", s.worlds(),
                                "worlds that play at a time; a multiple of 256", kCrowd, 1 << 20),
                       kCrowd)),
-      rare(learnRow("rate", ValueType::number, "R", s.ppo.rate,
+      rare(learnRow("rate", ValueType::number, "R", s.ppo.learningRate,
                     "initial learning rate; it falls to a tenth of this", 1e-7, 1)),
-      rare(learnRow("passes", ValueType::integer, "N", s.ppo.passes,
+      rare(learnRow("passes", ValueType::integer, "N", s.ppo.epochs,
                     "epochs: passes over each batch of decisions", 1, 100)),
-      rare(learnRow("part", ValueType::integer, "N", s.ppo.part,
+      rare(learnRow("part", ValueType::integer, "N", s.ppo.minibatch,
                     "maximum size of a minibatch, in decisions", 64, 1 << 20)),
-      rare(learnRow("entropy", ValueType::number, "SHARE", s.ppo.loss.entropyShare,
+      rare(learnRow("entropy", ValueType::number, "SHARE", s.ppo.loss.entropyWeight,
                     "weight of the entropy in the loss: more makes the policy explore more", 0,
                     10)),
       rare(learnRow("discount", ValueType::number, "SHARE", s.ppo.discount,
@@ -250,11 +250,11 @@ train::TrainerSettings trainerSettings(const cli::Context& context) {
   s.seed = a.seed();
   s.crowds = uint32_t(a.integer("worlds")) / (s.crowd.levels * s.crowd.worlds);
   s.decisions = uint64_t(a.integer("decisions"));
-  s.ppo.rate = float(a.number("rate"));
-  s.ppo.passes = uint32_t(a.integer("passes"));
-  s.ppo.part = uint32_t(a.integer("part"));
+  s.ppo.learningRate = float(a.number("rate"));
+  s.ppo.epochs = uint32_t(a.integer("passes"));
+  s.ppo.minibatch = uint32_t(a.integer("part"));
   s.ppo.discount = float(a.number("discount"));
-  s.ppo.loss.entropyShare = float(a.number("entropy"));
+  s.ppo.loss.entropyWeight = float(a.number("entropy"));
   return s;
 }
 

@@ -1,7 +1,6 @@
 // What the CUDA build adds to the search.
 #pragma once
 
-#include "solve/learned/device_steps.h"
 #include "solve/resident/steps.h"
 
 namespace obby::solve::cuda {
@@ -9,6 +8,6 @@ namespace obby::solve::cuda {
 // Kernel::entry of their namesakes; null without CUDA.
 const void* rolloutEntry(bool loose);
 const void* residentEntry(ResidentStep step);
-const void* learnedEntry(learned::LearnedStep step);
+const void* sightEntry();
 
 }  // namespace obby::solve::cuda

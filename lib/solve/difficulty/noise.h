@@ -5,8 +5,6 @@
 
 #include <string>
 
-#include "base/random.h"
-
 namespace obby::solve {
 
 struct NoiseModel {
@@ -27,13 +25,5 @@ struct NoiseModel {
 
 // "average player: press error 30 ms, aim error 6 degrees, ...".
 std::string describe(const NoiseModel& model);
-
-// Near enough a normal distribution of mean 0 and standard deviation 1, without libm: the sum of
-// twelve uniform numbers. Never beyond 6.
-inline float gaussian(Random& random) {
-  float sum = -6;
-  for (int i = 0; i < 12; ++i) sum += random.unit();
-  return sum;
-}
 
 }  // namespace obby::solve

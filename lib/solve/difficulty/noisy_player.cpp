@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "nn/normal.h"
 #include "solve/rollouts/explore_context.h"
 
 namespace obby::solve {
@@ -36,7 +37,7 @@ NoisyPlayer::NoisyPlayer(const Leg& leg, const NoiseModel& model, std::span<cons
   if (leg.setsOff) lag_ = late();
 }
 
-int32_t NoisyPlayer::late() { return nearest(gaussian(random_) * ticksOf(model_.press)); }
+int32_t NoisyPlayer::late() { return nearest(nn::normal(random_) * ticksOf(model_.press)); }
 
 // Decides about the time until the next look. A player who walks and is ahead or behind need do
 // nothing: the way is the same, only the keys of its places are pressed later. Beside the way, or
@@ -58,7 +59,7 @@ void NoisyPlayer::look(const sim::World& world) {
     lag_ += std::clamp(nearest(ticksOf(behind / speed)), -lookEvery_, lookEvery_);
   }
   if (noisy_) {
-    aside_ = Turns(nearest(gaussian(random_) * model_.aim * kTurnsPerDegree));
+    aside_ = Turns(nearest(nn::normal(random_) * model_.aim * kTurnsPerDegree));
   }
 }
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "base/check.h"
-#include "solve/learned/device_steps.h"
+#include "solve/cuda/cuda.h"
 
 namespace obby::solve::learned {
 
@@ -58,8 +58,10 @@ Status DevicePlayers::see(std::span<const View> views, float* inputs, size_t str
   OBBY_RETURN_IF_ERROR(sim::makeRoom(*device_, inputMemory_, sight_.inputs, inputs_.size()));
   sight_.players = lookerMemory_.as<Looker>();
   sight_.loose = looseMemory_.as<sim::LooseBody>();
-  OBBY_RETURN_IF_ERROR(device_->launch(learnedKernel(LearnedStep::see), &sight_,
-                                       uint32_t(views.size()) * policy::kViewThreads));
+  static const sim::Kernel kernel =
+      sim::makeKernel<SightArguments, seePart>("learnedSee", cuda::sightEntry());
+  OBBY_RETURN_IF_ERROR(
+      device_->launch(kernel, &sight_, uint32_t(views.size()) * policy::kViewThreads));
   OBBY_RETURN_IF_ERROR(
       device_->download(inputs_.data(), sight_.inputs, inputs_.size() * sizeof(float)));
   for (size_t i = 0; i < views.size(); ++i)

@@ -6,21 +6,22 @@
 #include <span>
 #include <vector>
 
-#include "policy/ppo_loss.h"
-#include "solve/learned/learner.h"
+#include "nn/advantages.h"
+#include "nn/learner.h"
+#include "policy/decision.h"
 #include "solve/learned/net_pass.h"
 
 namespace obby::solve::learned {
 
 struct GoalPolicySettings {
-  policy::LossSettings loss{.entropyShare = 0.003f};
-  LearnerSettings learner{.rate = 1e-3f, .mostNorm = 0.5f};
-  float imitation = 0.1f;        // share of its loss
-  float imitationValue = 0.01f;  // of that, share of the value's
+  nn::PpoLossSettings loss{.entropyWeight = 0.003f};
+  nn::LearnerSettings learner{.learningRate = 1e-3f, .maxGradNorm = 0.5f};
+  float imitation = 0.1f;        // weight of its loss
+  float imitationValue = 0.01f;  // in that, weight of the value's
   float discount = 0.99f;        // a decision
   float lambda = 0.95f;          // of generalised advantage estimation
-  uint32_t passes = 2;           // over the decisions of a round
-  uint32_t part = 256;           // decisions a step of the optimiser
+  uint32_t epochs = 2;           // over the decisions of a round
+  uint32_t minibatch = 256;      // decisions a step of the optimiser
 };
 
 // Who made a decision: nothing is learned from those of explorers.
@@ -58,23 +59,23 @@ class GoalPolicy {
   GoalPolicy(const GoalPolicySettings& settings, uint64_t seed, DeviceWork* device = nullptr);
 
   // (kInputs) to (kPaddedOutputs), logits and value.
-  const Net<float>& net() const { return learner_.net(); }
+  const nn::Network<float>& net() const { return learner_.net(); }
 
   void learn(ThreadPool& pool, const Decisions& d);
 
  private:
   struct Share {
     NetPass pass;
-    std::vector<float> inputs, slope;
+    std::vector<float> inputs, gradient;
   };
 
-  void learnPart(ThreadPool& pool, const Decisions& d, std::span<const uint32_t> rows);
-  void learnShare(const Decisions& d, std::span<const uint32_t> rows, float mean, float scale,
-                  size_t s);
+  void learnMinibatch(ThreadPool& pool, const Decisions& d, std::span<const uint32_t> rows);
+  void learnShare(const Decisions& d, std::span<const uint32_t> rows,
+                  const nn::AdvantageScale& scale, size_t s);
 
   GoalPolicySettings settings_;
   Random random_;
-  Learner learner_;
+  nn::Learner learner_;
   Share shares_[kShares];
   std::vector<float> advantages_, targets_, returns_;  // (rows)
   std::vector<float> unused_;

@@ -2,25 +2,31 @@
 
 #include <algorithm>
 
+#include "policy/decision.h"
+
 namespace obby::solve::learned {
 
 namespace {
 
 constexpr uint64_t kDynamicsStream = 0x4c4745;  // of the seed's random numbers
 constexpr size_t kDynamicsUnits = 64;           // a hidden layer
-constexpr size_t kDynamicsOut = padded(policy::kMoves);
+constexpr size_t kDynamicsOut = nn::padded(policy::kMoves);
 constexpr float kApart = 1000;    // more than latent space is wide
 constexpr float kFollow = 0.02f;  // of the new in the mean of distances
-constexpr LearnerSettings kSettings{.rate = 1e-3f, .decay = 1e-5f};
+constexpr nn::LearnerSettings kSettings{.learningRate = 1e-3f, .weightDecay = 1e-5f};
+
+nn::Network<float> netOf(size_t inputs, size_t outputs) {
+  return nn::Network<float>({inputs, kDynamicsUnits, kDynamicsUnits, outputs});
+}
 
 }  // namespace
 
 InverseDynamics::InverseDynamics(uint64_t seed, DeviceWork* device)
     : random_(seed, kDynamicsStream),
-      encoder_({kPlace, kDynamicsUnits, kDynamicsUnits, kLatent}, kSettings),
-      head_({2 * kLatent, kDynamicsUnits, kDynamicsUnits, kDynamicsOut}, kSettings) {
-  fillRandom(encoder_.net(), 1, random_);
-  fillRandom(head_.net(), 0.1f, random_);
+      encoder_(netOf(kPlace, kLatent), kShares),
+      head_(netOf(2 * kLatent, kDynamicsOut), kShares) {
+  nn::fillUniform(encoder_.net(), 1, random_);
+  nn::fillUniform(head_.net(), 0.1f, random_);
   for (Share& s : shares_) {
     for (NetPass* pass : {&s.encoder, &s.head}) *pass = NetPass(device);
   }
@@ -29,11 +35,11 @@ InverseDynamics::InverseDynamics(uint64_t seed, DeviceWork* device)
 float InverseDynamics::learn(ThreadPool& pool, const Memory& memory) {
   size_t rows[kBatch];
   for (size_t& r : rows) r = random_.below(uint32_t(memory.size()));
-  forShares(pool, kBatch, [&](size_t s, size_t first, size_t count) {
+  nn::forShares(pool, kShares, kBatch, [&](size_t s, size_t first, size_t count) {
     learnShare(memory, std::span(rows).subspan(first, count), s);
   });
-  encoder_.step(1.0f / kBatch);
-  head_.step(1.0f / kBatch);
+  encoder_.step(kSettings, 1.0f / kBatch);
+  head_.step(kSettings, 1.0f / kBatch);
   float loss = 0, apart = 0;
   for (const Share& s : shares_) {
     loss += s.loss;
@@ -74,12 +80,18 @@ void InverseDynamics::learnShare(const Memory& memory, std::span<const size_t> r
     share.apart += sqrtf32(latentDistance2(pair, pair + kLatent));
   }
   const float* const logits = share.head.forward(head_.net(), pairs, count);
-  share.slope.resize(count * kDynamicsOut);
-  share.loss = crossEntropy(logits, share.moves.data(), count, share.slope.data());
-  share.pairSlope.assign(2 * count * kLatent, 0.0f);
-  share.head.backward(head_.net(), pairs, count, share.slope.data(), head_.gradient(s),
-                      share.pairSlope.data());
-  share.encoder.backward(encoder_.net(), share.places.data(), 2 * count, share.pairSlope.data(),
+  share.gradient.assign(count * kDynamicsOut, 0.0f);
+  share.loss = 0;
+  for (size_t i = 0; i < count; ++i) {
+    float p[policy::kMoves];
+    policy::probabilitiesOf(logits + i * kDynamicsOut, true, p);
+    share.loss += nn::crossEntropy<policy::kMoves>(p, share.moves[i],
+                                                   share.gradient.data() + i * kDynamicsOut);
+  }
+  share.pairGradient.resize(2 * count * kLatent);
+  share.head.backward(head_.net(), pairs, count, share.gradient.data(), head_.gradient(s),
+                      share.pairGradient.data());
+  share.encoder.backward(encoder_.net(), share.places.data(), 2 * count, share.pairGradient.data(),
                          encoder_.gradient(s));
 }
 

@@ -5,29 +5,12 @@
 
 #include <span>
 
-#include "policy/ppo_loss.h"
+#include "nn/learner.h"
 #include "solve/learned/latent.h"
-#include "solve/learned/learner.h"
 #include "solve/learned/net_pass.h"
 #include "solve/learned/track.h"
 
 namespace obby::solve::learned {
-
-// The summed loss of predicting `moves`, (rows), from logits, (rows, padded(kMoves)); fills their
-// slope.
-template <class S>
-S crossEntropy(const S* logits, const uint8_t* moves, size_t rows, S* slope) {
-  constexpr size_t kWidth = padded(policy::kMoves);
-  S sum = 0;
-  for (size_t r = 0; r < rows; ++r, logits += kWidth, slope += kWidth) {
-    S p[policy::kMoves];
-    policy::chancesOf(logits, true, p);
-    for (size_t m = 0; m < kWidth; ++m) slope[m] = m < size_t(policy::kMoves) ? p[m] : S(0);
-    slope[moves[r]] -= 1;
-    sum -= logOf(p[moves[r]]);
-  }
-  return sum;
-}
 
 class InverseDynamics {
  public:
@@ -52,14 +35,14 @@ class InverseDynamics {
  private:
   struct Share {
     NetPass encoder, head;
-    std::vector<float> places, slope, pairSlope;
+    std::vector<float> places, gradient, pairGradient;
     std::vector<uint8_t> moves;
     float loss = 0, apart = 0;
   };
   void learnShare(const Memory& memory, std::span<const size_t> rows, size_t s);
 
   Random random_;
-  Learner encoder_, head_;
+  nn::Learner encoder_, head_;
   Share shares_[kShares];
   float apart_ = 0.25f;  // how far apart the points around a decision are, lately
 };

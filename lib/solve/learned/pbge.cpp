@@ -133,12 +133,12 @@ void Pbge::decideByPolicy(Player& p, const float* outputs, size_t row) {
   float logits[policy::kMoves], chances[policy::kMoves];
   for (int m = 0; m < policy::kMoves; ++m) logits[m] = outputs[m] * sharpness;
   const bool mayJump = policy::jumpAllowed(scene(), p.episode.world);
-  policy::chancesOf(logits, mayJump, chances);
+  policy::probabilitiesOf(logits, mayJump, chances);
   const int move = policy::draw<float>(logits, mayJump, p.random);
   p.action = policy::actionOf(move, p.ahead);
   made_.makers[row] = explores ? Maker::explorer : Maker::policy;
   made_.sharpness[row] = sharpness;
-  made_.made[row] = {move, mayJump, logOf(chances[move]), 0, 0};
+  made_.made[row] = {{move, logOf(chances[move]), 0, 0}, mayJump};
 }
 
 // What it did then is what the policy is to do; the actions themselves are repeated tick by tick.
@@ -147,7 +147,7 @@ void Pbge::decideAsKept(Player& p, size_t row) {
   WayCursor ahead = p.cursor;
   const sim::Action action = ahead.next(actions(p.way));
   made_.makers[row] = Maker::kept;
-  made_.made[row] = {nearestMove(action, p.ahead, mayJump), mayJump, 0, 0, 0};
+  made_.made[row] = {{nearestMove(action, p.ahead, mayJump), 0, 0, 0}, mayJump};
 }
 
 void Pbge::tick(std::span<Group> groups) {

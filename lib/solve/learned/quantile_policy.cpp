@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "nn/losses.h"
+
 namespace obby::solve::learned {
 
 namespace {
@@ -45,9 +47,10 @@ int bestMove(const float* quantiles, bool mayJump) {
 QuantilePolicy::QuantilePolicy(const QuantileSettings& settings, uint64_t seed, DeviceWork* device)
     : settings_(settings),
       random_(seed, kQuantileStream),
-      learner_({kPolicyInputs, kQuantileUnits, kQuantileUnits, kQuantileOut}, settings.learner),
+      learner_(nn::Network<float>({kPolicyInputs, kQuantileUnits, kQuantileUnits, kQuantileOut}),
+               kShares),
       target_(learner_.net()) {
-  fillRandom(learner_.net(), 0.01f, random_);
+  nn::fillUniform(learner_.net(), 0.01f, random_);
   target_ = learner_.net();
   for (Share& s : shares_) {
     for (NetPass* pass : {&s.pass, &s.next, &s.encoder}) *pass = NetPass(device);
@@ -70,10 +73,10 @@ void QuantilePolicy::learn(ThreadPool& pool, const Memory& memory, const Inverse
   if (steps_++ % settings_.refresh == 0) target_ = learner_.net();
   Lesson lessons[kBatch];
   draw(memory, lessons);
-  forShares(pool, kBatch, [&](size_t s, size_t first, size_t count) {
+  nn::forShares(pool, kShares, kBatch, [&](size_t s, size_t first, size_t count) {
     learnShare(module, std::span(lessons).subspan(first, count), s);
   });
-  learner_.step(1.0f / kBatch);
+  learner_.step(settings_.learner, 1.0f / kBatch);
 }
 
 // Death is as bad as never to come to the goal.
@@ -95,7 +98,7 @@ void QuantilePolicy::learnShare(const InverseDynamics& module, std::span<const L
   const float* points = share.points.data();
   const float* next = share.next.forward(target_, share.nextInputs.data(), count);
   const float* out = share.pass.forward(learner_.net(), share.inputs.data(), count);
-  share.slope.assign(count * kQuantileOut, 0.0f);
+  share.gradient.assign(count * kQuantileOut, 0.0f);
   for (size_t i = 0; i < count;
        ++i, points += 2 * kLatent, next += kQuantileOut, out += kQuantileOut) {
     const Lesson& l = lessons[i];
@@ -110,9 +113,10 @@ void QuantilePolicy::learnShare(const InverseDynamics& module, std::span<const L
       targets[q] = (reached ? 0.0f : -1.0f) + settings_.discount * later;
     }
     const size_t move = size_t(l.track->moves[l.decision]) * kQuantiles;
-    quantileLoss(out + move, targets, share.slope.data() + i * kQuantileOut + move);
+    nn::quantileLoss<kQuantiles>(out + move, targets,
+                                 share.gradient.data() + i * kQuantileOut + move);
   }
-  share.pass.backward(learner_.net(), share.inputs.data(), count, share.slope.data(),
+  share.pass.backward(learner_.net(), share.inputs.data(), count, share.gradient.data(),
                       learner_.gradient(s));
 }
 

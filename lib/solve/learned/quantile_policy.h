@@ -7,10 +7,10 @@
 
 #include "policy/moves.h"
 #include "solve/learned/inverse_dynamics.h"
-#include "solve/learned/quantile_loss.h"
 
 namespace obby::solve::learned {
 
+constexpr size_t kQuantiles = 8;
 constexpr size_t kGoalInputs = 16;  // where the goal lies from here
 constexpr size_t kPolicyInputs = size_t(policy::kInputs) + kGoalInputs;
 
@@ -22,7 +22,7 @@ void observeGoal(const float* place, const float* goal, float* out);
 int bestMove(const float* quantiles, bool mayJump);
 
 struct QuantileSettings {
-  LearnerSettings learner{.rate = 1e-3f, .mostNorm = 10};
+  nn::LearnerSettings learner{.learningRate = 1e-3f, .maxGradNorm = 10};
   float discount = 0.95f;
   float hindsight = 0.8f;  // of the decisions learned from get a goal reached later
   uint32_t refresh = 200;  // steps until what is aimed for is computed by the newest weights
@@ -36,7 +36,7 @@ class QuantilePolicy {
   QuantilePolicy(const QuantileSettings& settings, uint64_t seed, DeviceWork* device = nullptr);
 
   // (kPolicyInputs) to (kMoves, kQuantiles).
-  const Net<float>& net() const { return learner_.net(); }
+  const nn::Network<float>& net() const { return learner_.net(); }
 
   // One step on decisions drawn from the memory.
   void learn(ThreadPool& pool, const Memory& memory, const InverseDynamics& module);
@@ -49,15 +49,15 @@ class QuantilePolicy {
   };
   struct Share {
     NetPass pass, next, encoder;
-    std::vector<float> inputs, nextInputs, places, points, slope;
+    std::vector<float> inputs, nextInputs, places, points, gradient;
   };
   void draw(const Memory& memory, std::span<Lesson> lessons);
   void learnShare(const InverseDynamics& module, std::span<const Lesson> lessons, size_t s);
 
   QuantileSettings settings_;
   Random random_;
-  Learner learner_;
-  Net<float> target_;
+  nn::Learner learner_;
+  nn::Network<float> target_;
   uint32_t steps_ = 0;
   Share shares_[kShares];
 };

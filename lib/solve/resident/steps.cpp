@@ -9,9 +9,7 @@ namespace {
 
 template <class Arguments, void (*kFunction)(const Arguments&, uint32_t)>
 sim::Kernel kernel(const char* name, ResidentStep step) {
-  static_assert(sizeof(Arguments) <= 4096, "a kernel's arguments on a GPU");
-  return {name, sim::kernelBody<Arguments, kFunction>, cuda::residentEntry(step),
-          sizeof(Arguments)};
+  return sim::makeKernel<Arguments, kFunction>(name, cuda::residentEntry(step));
 }
 
 template <void (*kFunction)(const ResidentArguments&, uint32_t)>

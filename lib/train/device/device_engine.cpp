@@ -2,6 +2,7 @@
 
 #include "train/device/device_learner.h"
 #include "train/device/device_places.h"
+#include "train/device/kernels.h"
 
 namespace obby::train {
 
@@ -46,8 +47,8 @@ class DeviceEngine : public Engine {
   HostRanks through_;
   DeviceLearner learner_;
   DevicePlaces places_;
-  DeviceTable<float> means_, scales_, spare_;  // spare: (worlds, kInputs), what is seen last
-  DeviceTable<double> sums_, squares_;         // (crowds, kInputs)
+  sim::DeviceTable<float> means_, scales_, spare_;  // spare: (worlds, kInputs), what is seen last
+  sim::DeviceTable<double> sums_, squares_;         // (crowds, kInputs)
 };
 
 Status DeviceEngine::make() {
@@ -83,7 +84,7 @@ void DeviceEngine::pointTo(PlayArguments& a, uint32_t tick) {
   DeviceBatch& b = learner_.batch();
   const size_t first = size_t(tick) * b.worlds;
   a.inputs = b.inputs.data() + first * policy::kInputs;
-  a.outputs = learner_.network().outputs();
+  a.outputs = learner_.outputs();
   a.decisions = b.decisions.data() + first;
   a.values = b.values.data() + first;
   a.rewards = b.rewards.data() + first;
@@ -92,17 +93,18 @@ void DeviceEngine::pointTo(PlayArguments& a, uint32_t tick) {
 
 // What all worlds see, and what the network says to it.
 Status DeviceEngine::look(const PlayArguments& a, bool count) {
+  OBBY_RETURN_IF_ERROR(enqueue(device_, trainKernel(TrainStep::observe), a,
+                               size_t(a.worlds) * policy::kViewThreads));
+  if (count)
+    OBBY_RETURN_IF_ERROR(enqueue(device_, trainKernel(TrainStep::countInputs), a, sums_.size()));
   OBBY_RETURN_IF_ERROR(
-      enqueue(device_, TrainStep::observe, a, size_t(a.worlds) * policy::kViewThreads));
-  if (count) OBBY_RETURN_IF_ERROR(enqueue(device_, TrainStep::countInputs, a, sums_.size()));
-  OBBY_RETURN_IF_ERROR(
-      enqueue(device_, TrainStep::normalise, a, size_t(a.worlds) * policy::kInputs));
-  return learner_.network().forward(a.inputs, a.worlds);
+      enqueue(device_, trainKernel(TrainStep::normalise), a, size_t(a.worlds) * policy::kInputs));
+  return learner_.forward(a.inputs, a.worlds);
 }
 
 // Worlds with loose bodies are few, but take as long as all others: so both play at a time.
 Status DeviceEngine::act(const PlayArguments& a) {
-  if (!places_.anyLoose()) return enqueue(device_, TrainStep::act, a, a.worlds);
+  if (!places_.anyLoose()) return enqueue(device_, trainKernel(TrainStep::act), a, a.worlds);
   return device_.enqueueTogether(trainKernel(TrainStep::act), trainKernel(TrainStep::actLoose), &a,
                                  a.worlds);
 }
@@ -114,15 +116,15 @@ Status DeviceEngine::playTicks(PlayArguments& a) {
     OBBY_RETURN_IF_ERROR(look(a, t % kCountEvery == 0));
     OBBY_RETURN_IF_ERROR(act(a));
     if (t + 1 == settings_.ticks) break;
-    OBBY_RETURN_IF_ERROR(enqueue(device_, TrainStep::settle, a, places));
+    OBBY_RETURN_IF_ERROR(enqueue(device_, trainKernel(TrainStep::settle), a, places));
     ++a.rules.decision;
   }
   a.inputs = spare_.data();
   a.values = learner_.batch().last.data();
   OBBY_RETURN_IF_ERROR(look(a, false));
-  OBBY_RETURN_IF_ERROR(enqueue(device_, TrainStep::expect, a, a.worlds));
+  OBBY_RETURN_IF_ERROR(enqueue(device_, trainKernel(TrainStep::expect), a, a.worlds));
   a.rules.endOfIteration = true;
-  return enqueue(device_, TrainStep::settle, a, places);
+  return enqueue(device_, trainKernel(TrainStep::settle), a, places);
 }
 
 Result<Played> DeviceEngine::play(const PlayOrder& order) {
@@ -136,7 +138,7 @@ Result<Played> DeviceEngine::play(const PlayOrder& order) {
   OBBY_ASSIGN(out.tally, places_.endIteration(order.hardest, a));
   out.missing = places_.missing();
   OBBY_ASSIGN(out.seen, seen());
-  OBBY_ASSIGN(const Moments rewards, learner_.momentsOf(learner_.batch().rewards.data()));
+  OBBY_ASSIGN(const nn::Moments rewards, learner_.momentsOf(learner_.batch().rewards.data()));
   out.reward = rewards.sum;
   return out;
 }

@@ -1,21 +1,22 @@
-// Proximal policy optimisation on a device: what Ppo is on the CPU.
+// Proximal policy optimisation on a device: what Ppo is on the CPU, rounded otherwise.
 #pragma once
 
-#include "train/device/device_network.h"
+#include "nn/device/device_adam.h"
+#include "nn/device/device_pass.h"
+#include "nn/device/sums.h"
 #include "train/device/device_ranks.h"
 #include "train/device/learn_kernels.h"
 #include "train/engine.h"
-#include "train/parts.h"
 
 namespace obby::train {
 
 // A batch (train/ppo.h) on a device, and what is learned from it.
 struct DeviceBatch {
   uint32_t ticks = 0, worlds = 0;
-  DeviceTable<float> inputs;  // (ticks, worlds, kInputs)
-  DeviceTable<policy::Decision> decisions;
-  DeviceTable<float> values, rewards, last, advantages, targets;
-  DeviceTable<uint8_t> done;
+  sim::DeviceTable<float> inputs;  // (ticks, worlds, kInputs)
+  sim::DeviceTable<policy::Decision> decisions;
+  sim::DeviceTable<float> values, rewards, last, advantages, returns;
+  sim::DeviceTable<uint8_t> done;
 
   Status make(sim::Device& device, uint32_t tickCount, uint32_t worldCount);
   uint32_t rows() const { return ticks * worlds; }
@@ -33,36 +34,39 @@ class DeviceLearner {
   Status restore(const LearnerState& state);
   Result<LearnerState> state() const;
 
-  DeviceNetwork& network() { return network_; }
+  // `inputs`: (rows, kInputs), on the device.
+  Status forward(const float* inputs, uint32_t rows) {
+    return pass_.forward(parameters_.data(), inputs, rows);
+  }
+  const float* outputs() const { return pass_.outputs(); }  // (rows, kPaddedOutputs)
   DeviceBatch& batch() { return batch_; }
   const ValueScale& values() const { return values_; }
 
   // Sums of one of the batch's tables, (rows).
-  Result<Moments> momentsOf(const float* table);
+  Result<nn::Moments> momentsOf(const float* table);
 
   Result<Progress> learn(float rate);
 
  private:
-  Parts partsOfPass() const { return {batch_.rows(), settings_.ppo.part}; }
+  nn::Minibatches minibatches() const { return {batch_.rows(), settings_.ppo.minibatch}; }
   Status fillAdvantages();
   Status rescaleValues();
-  Result<std::vector<AdvantageScale>> scalesOf(const Shuffle& shuffle);
-  Result<std::vector<Moments>> moments(const MomentArguments& m);
-  Status learnPart(const PartArguments& part, const AdvantageScale& scale, float rate);
+  Result<std::vector<nn::Moments>> moments(const float* values, const Shuffle* shuffle);
+  Result<std::vector<double>> advantageMoments(const Shuffle& shuffle);
+  Status learnMinibatch(const MinibatchArguments& m);
   Status addRanks();
-  Status step(float decisions, float rate);
 
   TrainerSettings settings_;
   sim::Device& device_;
   Ranks& ranks_;
   DeviceRanks& direct_;
-  DeviceNetwork network_;
+  nn::DevicePass pass_{nn::Rounding::fused};
+  nn::DeviceAdam adam_;
   DeviceBatch batch_;
-  policy::Adam adam_;
   ValueScale values_;
-  DeviceTable<float> momentum_, squares_, rows_, figures_, scale_, everywhere_;
-  DeviceTable<double> figureChunks_, totals_;  // totals: kFigures sums, then that of norms
-  DeviceTable<Moments> chunks_, parts_, squareChunks_;
+  sim::DeviceTable<float> parameters_, gradient_, rows_, figures_, everywhere_;
+  sim::DeviceTable<double> figureChunks_, totals_;  // totals: kFigures sums, then that of norms
+  sim::DeviceTable<nn::Moments> chunks_, moments_;
 };
 
 }  // namespace obby::train

@@ -6,6 +6,8 @@
 #include <numeric>
 #include <utility>
 
+#include "train/device/kernels.h"
+
 namespace obby::train {
 
 namespace {
@@ -86,7 +88,7 @@ Status DevicePlaces::begin(float hardest) {
 Status DevicePlaces::beginNew() {
   PlayArguments play{};
   describe(play);
-  return enqueue(device_, TrainStep::begin, play, places_.size());
+  return enqueue(device_, trainKernel(TrainStep::begin), play, places_.size());
 }
 
 Result<NextLevel> DevicePlaces::needed(size_t p) {
@@ -134,7 +136,7 @@ Result<Tally> DevicePlaces::endIteration(float hardest, const PlayArguments& pla
   if (over.empty()) return tally;
   OBBY_RETURN_IF_ERROR(takeLevels(over, hardest));
   dropPastLevels();
-  OBBY_RETURN_IF_ERROR(enqueue(device_, TrainStep::begin, play, places_.size()));
+  OBBY_RETURN_IF_ERROR(enqueue(device_, trainKernel(TrainStep::begin), play, places_.size()));
   return tally;
 }
 

@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
+#include "sim/device_table.h"
 #include "train/device/next_levels.h"
-#include "train/device/table.h"
 #include "train/engine.h"
 
 namespace obby::train {
@@ -66,10 +66,10 @@ class DevicePlaces {
   bool anyLoose_ = false;
   Status missing_;
   NextLevels next_;
-  DeviceTable<DevicePlace> table_;
-  DeviceTable<Player> players_;
-  DeviceTable<Reached> reached_;
-  DeviceTable<PlaceCounts> counts_;
+  sim::DeviceTable<DevicePlace> table_;
+  sim::DeviceTable<Player> players_;
+  sim::DeviceTable<Reached> reached_;
+  sim::DeviceTable<PlaceCounts> counts_;
 };
 
 }  // namespace obby::train

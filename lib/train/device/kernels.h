@@ -1,4 +1,5 @@
-// The kernels of learning on a device, by name. OBBY_TRAIN_KERNELS is the only list of them.
+// The kernels of training on a device besides those of lib/nn, by name. OBBY_TRAIN_KERNELS is the
+// only list of them.
 #pragma once
 
 #include "sim/kernel.h"
@@ -7,26 +8,15 @@
 #define OBBY_PLAY_KERNELS(X)           \
   X(act, PlayArguments, actOne<false>) \
   X(actLoose, PlayArguments, actOne<true>)
-#define OBBY_LEARN_KERNELS(X)                          \
-  X(observe, PlayArguments, observeWorld)              \
-  X(countInputs, PlayArguments, countInputs)           \
-  X(normalise, PlayArguments, normaliseInput)          \
-  X(expect, PlayArguments, expectValue)                \
-  X(settle, PlayArguments, settlePlace)                \
-  X(begin, PlayArguments, beginPlace)                  \
-  X(product, ProductArguments, productTile)            \
-  X(gradient, GradientArguments, gradientTile)         \
-  X(transpose, TransposeArguments, transposeOne)       \
-  X(sumColumns, ColumnSumArguments, sumColumnChunk)    \
-  X(sumRows, RowSumArguments, sumRows)                 \
-  X(chunkMoments, MomentArguments, momentsOfChunk)     \
-  X(partMoments, MomentArguments, momentsOfPart)       \
-  X(advantages, AdvantageArguments, advantagesOfWorld) \
-  X(gather, PartArguments, gatherInputs)               \
-  X(loss, PartArguments, lossOfPlace)                  \
-  X(squares, StepArguments, squareChunk)               \
-  X(scale, StepArguments, scaleGradient)               \
-  X(move, StepArguments, moveWeight)                   \
+#define OBBY_LEARN_KERNELS(X)                 \
+  X(observe, PlayArguments, observeWorld)     \
+  X(countInputs, PlayArguments, countInputs)  \
+  X(normalise, PlayArguments, normaliseInput) \
+  X(expect, PlayArguments, expectValue)       \
+  X(settle, PlayArguments, settlePlace)       \
+  X(begin, PlayArguments, beginPlace)         \
+  X(gather, MinibatchArguments, gatherInputs) \
+  X(loss, MinibatchArguments, lossOfPlace)    \
   X(rescale, RescaleArguments, rescaleOne)
 #define OBBY_TRAIN_KERNELS(X) OBBY_PLAY_KERNELS(X) OBBY_LEARN_KERNELS(X)
 

@@ -2,7 +2,8 @@
 // sees), the network thinks (product.h), every world moves, every place begins anew what is over.
 #pragma once
 
-#include "policy/ppo_loss.h"
+#include "policy/decision.h"
+#include "policy/network.h"
 #include "sim/rules.h"
 #include "sim/tick.h"
 #include "train/play.h"
@@ -86,13 +87,13 @@ OBBY_DEVICE void expectValue(const PlayArguments& a, uint32_t w) {
   a.values[w] = a.valueMean + a.valueDeviation * out[policy::kMoves];
 }
 
-OBBY_DEVICE policy::Drawn decideMove(const PlayArguments& a, const policy::Scene& scene,
-                                     const sim::World& world, uint32_t w) {
+OBBY_DEVICE nn::Drawn decideMove(const PlayArguments& a, const policy::Scene& scene,
+                                 const sim::World& world, uint32_t w) {
   const bool mayJump = policy::jumpAllowed(scene, world);
   const float draw = drawsOf(a.rules.seed, Draw::move, a.rules.decision, a.firstWorld + w).unit();
-  const policy::Drawn drawn =
+  const nn::Drawn drawn =
       policy::drawMove(a.outputs + size_t(w) * policy::kPaddedOutputs, mayJump, draw);
-  a.decisions[w] = {drawn.move, mayJump, drawn.logChance, 0, 0};
+  a.decisions[w] = {{drawn.action, drawn.logProbability, 0, 0}, mayJump};
   expectValue(a, w);
   return drawn;
 }
@@ -106,8 +107,8 @@ OBBY_DEVICE void actOne(const PlayArguments& a, uint32_t w) {
   if ((on.level.looseCount != 0) != kLoose) return;
   Player player = place.players[w % a.worldsOfPlace];
   sim::LooseBody* const loose = kLoose ? place.looseOf(w % a.worldsOfPlace) : nullptr;
-  const policy::Drawn drawn = decideMove(a, on.scene(), player.world, w);
-  const sim::Action action = policy::actionOf(drawn.move, player.ahead);
+  const nn::Drawn drawn = decideMove(a, on.scene(), player.world, w);
+  const sim::Action action = policy::actionOf(drawn.action, player.ahead);
   for (uint32_t t = 0; t < policy::kDecisionTicks; ++t) {
     const sim::Before before = sim::beforeOf(player.world);
     sim::tick<kLoose>(player.world, loose, on.level, action);

@@ -1,0 +1,64 @@
+// A categorical distribution over kCount actions, some of which may be barred. Templates on the
+// number type; sums have one order everywhere.
+#pragma once
+
+#include "nn/exponential_double.h"
+
+namespace obby::nn {
+
+constexpr float kBarred = -1e6f;  // added to a logit: e^ of it is 0
+
+// Folds a number of each action: eight of them side by side, so that the compiler makes lanes of
+// it, then these, in the same order everywhere.
+template <int kCount, class S, class Fold>
+OBBY_DEVICE S folded(const S* x, Fold&& fold) {
+  constexpr int kAbreast = 8;
+  static_assert(kCount >= kAbreast);
+  S parts[kAbreast];
+  for (int i = 0; i < kAbreast; ++i) parts[i] = x[i];
+  for (int m = kAbreast; m + kAbreast <= kCount; m += kAbreast) {
+    for (int i = 0; i < kAbreast; ++i) parts[i] = fold(parts[i], x[m + i]);
+  }
+  constexpr int kRest = kCount % kAbreast;
+  for (int i = 0; i < kRest; ++i) parts[i] = fold(parts[i], x[kCount - kRest + i]);
+  for (int half = kAbreast / 2; half > 0; half /= 2) {
+    for (int i = 0; i < half; ++i) parts[i] = fold(parts[i], parts[i + half]);
+  }
+  return parts[0];
+}
+
+template <int kCount, class S>
+OBBY_DEVICE S sumOf(const S* x) {
+  return folded<kCount>(x, [](S a, S b) OBBY_INLINED { return a + b; });
+}
+
+// Probabilities of the actions; `penalty(m)` is added to a logit: 0, or kBarred. `p`: (kCount). No
+// branch in a loop, so that the compiler makes lanes of them.
+template <int kCount, class S, class Penalty>
+OBBY_DEVICE void softmax(const S* logits, Penalty&& penalty, S* p) {
+  for (int m = 0; m < kCount; ++m) p[m] = logits[m] + penalty(m);
+  const S max = folded<kCount>(p, [](S a, S b) OBBY_INLINED { return a < b ? b : a; });
+  for (int m = 0; m < kCount; ++m) p[m] = expNegative(p[m] - max);
+  const S sum = sumOf<kCount>(p);
+  for (int m = 0; m < kCount; ++m) p[m] /= sum;
+}
+
+// An action drawn, and the logarithm of its probability.
+struct Drawn {
+  int action;
+  float logProbability;
+};
+
+// The action at `draw`, in [0, 1), of the probabilities in their order.
+template <int kCount>
+OBBY_DEVICE Drawn drawAction(const float* p, float draw) {
+  int action = 0;
+  for (int m = 0; m < kCount && draw >= 0; ++m) {
+    if (!(p[m] > 0)) continue;
+    action = m;
+    draw -= p[m];
+  }
+  return {action, logOf(p[action])};
+}
+
+}  // namespace obby::nn

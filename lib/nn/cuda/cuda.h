@@ -1,0 +1,11 @@
+// What the CUDA build adds to networks.
+#pragma once
+
+#include "nn/device/kernels.h"
+
+namespace obby::nn::cuda {
+
+// Kernel::entry of its namesake; null without CUDA.
+const void* entry(Step step);
+
+}  // namespace obby::nn::cuda

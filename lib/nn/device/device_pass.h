@@ -1,0 +1,52 @@
+// A network's rows on a device: what Pass is on the CPU, with its bits or, for speed, rounded
+// otherwise, since sums run in another order. Host only.
+#pragma once
+
+#include "nn/device/kernels.h"
+#include "nn/network.h"
+#include "sim/device_table.h"
+
+namespace obby::nn {
+
+enum class Rounding { fused, asCpu };  // see Fused and AsCpu in nn/device/product.h
+
+class DevicePass {
+ public:
+  explicit DevicePass(Rounding rounding) : rounding_(rounding) {}
+
+  // Memory for so many rows at a time, of which up to `learned` go back. Comes first; what was
+  // there is lost.
+  Status reserve(sim::Device& device, const Network<float>& net, uint32_t rows, uint32_t learned);
+
+  // All pointers are to the device. `parameters`: laid out as Network has them. `inputs`: (rows,
+  // inputs).
+  Status forward(const float* parameters, const float* inputs, uint32_t rows);
+  const float* outputs() const { return units_.back().data(); }  // (rows, outputs)
+
+  // After forward(): from outputGradient(), (rows, outputs), which the caller fills, to
+  // `gradient` of the parameters, summed over the rows, and to `inputGradient`, (rows, inputs), or
+  // null.
+  Status backward(const float* parameters, const float* inputs, uint32_t rows, float* gradient,
+                  float* inputGradient = nullptr);
+  float* outputGradient() const { return gradients_.back().data(); }
+
+ private:
+  struct Layer {
+    uint32_t inner, columns;
+    size_t weights, biases;  // where they begin among the parameters
+  };
+  Status multiply(const float* a, const float* b, const float* bias, const float* unit, float* out,
+                  uint32_t rows, uint32_t inner, uint32_t columns, bool rectified);
+  Status fillGradient(const Layer& layer, const float* in, const float* outGradient, uint32_t rows,
+                      float* gradient);
+  Status fillBiasGradient(const float* outGradient, uint32_t rows, uint32_t columns, float* to);
+
+  Rounding rounding_;
+  sim::Device* device_ = nullptr;
+  std::vector<Layer> layers_;
+  std::vector<sim::DeviceTable<float>> units_, gradients_;  // of each layer, (rows, outputs)
+  sim::DeviceTable<float> transposed_, chunks_;
+  sim::DeviceTable<double> columns_;
+};
+
+}  // namespace obby::nn

@@ -1,0 +1,40 @@
+// A table in a device's memory.
+#pragma once
+
+#include <span>
+
+#include "sim/device.h"
+
+namespace obby::sim {
+
+template <class T>
+class DeviceTable {
+ public:
+  // Room for so many; what was there is lost.
+  Status make(Device& device, size_t count) {
+    device_ = &device;
+    count_ = count;
+    return makeRoom(device, memory_, data_, count);
+  }
+  // The same, and every byte 0.
+  Status makeZero(Device& device, size_t count) {
+    OBBY_RETURN_IF_ERROR(make(device, count));
+    return clear();
+  }
+  Status clear() { return device_->fill(data_, 0, count_ * sizeof(T)); }
+  Status put(std::span<const T> from) {
+    return device_->upload(data_, from.data(), from.size_bytes());
+  }
+  Result<std::vector<T>> get() const { return downloadTable(*device_, data_, count_); }
+
+  T* data() const { return data_; }
+  size_t size() const { return count_; }
+
+ private:
+  Device* device_ = nullptr;
+  Memory memory_;
+  T* data_ = nullptr;
+  size_t count_ = 0;
+};
+
+}  // namespace obby::sim
