@@ -24,7 +24,8 @@ bench::LearningRow without(const char* name, std::vector<Range> hidden) {
 
 // A policy that sees in another way.
 bench::LearningRow seeing(const char* name, policy::Observe observe) {
-  return {name, [observe](train::TrainerSettings& settings) { settings.crowd.observe = observe; }};
+  return {name,
+          [observe](train::TrainerSettings& settings) { settings.envGroup.observe = observe; }};
 }
 
 constexpr int mapAt(int map) { return policy::kMapsAt + map * policy::kPoints; }

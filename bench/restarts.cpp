@@ -8,7 +8,7 @@ using namespace obby;
 
 bench::LearningRow shares(const char* name, float unsolved, float solved) {
   return {name, [=](train::TrainerSettings& settings) {
-            settings.crowd.restarts = {unsolved, solved};
+            settings.envGroup.restarts = {unsolved, solved};
           }};
 }
 

@@ -95,7 +95,7 @@ void onCpu(bench::Report& report, ThreadPool& pool) {
 
 train::TrainerSettings settingsOnDevice(uint32_t passes, uint32_t worlds, uint32_t part) {
   train::TrainerSettings settings = settingsOf(passes);
-  settings.crowds = worlds / settings.crowd.size();
+  settings.envGroups = worlds / settings.envGroup.size();
   settings.ppo.minibatch = part;
   return settings;
 }

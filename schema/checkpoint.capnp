@@ -22,7 +22,7 @@ struct SavedTraining {
   hardest @10 :Float32;  # max difficulty of the next levels
   seen @11 :SavedSums;  # of observations
   learner @12 :SavedLearner;
-  crowds @13 :List(SavedCrowd);  # those of rank 0, then of rank 1, ...
+  envGroups @13 :List(SavedEnvGroup);  # those of rank 0, then of rank 1, ...
   history @14 :SavedHistory;     # for the learning curve only
 }
 
@@ -62,13 +62,13 @@ struct SavedLearner {
   returns @6 :SavedSums;
 }
 
-struct SavedCrowd {
+struct SavedEnvGroup {
   places @0 :List(SavedPlace);
 }
 
-struct SavedCrowds {
+struct SavedEnvGroups {
   # Sent by each rank to the first one, for the file.
-  crowds @0 :List(SavedCrowd);
+  envGroups @0 :List(SavedEnvGroup);
 }
 
 struct SavedPlace {

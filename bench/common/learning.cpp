@@ -71,7 +71,7 @@ Result<train::Evaluation> measure(const LearningRow& row, const gen::Recipe& rec
     (void)iteration;
   }
   train::EvaluationSettings how;
-  how.observe = settings.crowd.observe;
+  how.observe = settings.envGroup.observe;
   train::Evaluation found = train::evaluate(trainer->network(), *unseen, how, pool, false);
   OBBY_RETURN_IF_ERROR(std::move(found.missing));
   return found;

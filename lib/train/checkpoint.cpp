@@ -49,8 +49,8 @@ Status decode(schema::SavedTraining::Reader file, Checkpoint& out) {
     return makeError("it is damaged: a share or difficulty is not from 0 to 1");
   OBBY_RETURN_IF_ERROR(readSums(file.getSeen(), state.seen));
   OBBY_RETURN_IF_ERROR(readLearner(file.getLearner(), state.learner));
-  for (const auto crowd : file.getCrowds())
-    OBBY_RETURN_IF_ERROR(readCrowd(crowd, state.crowds.emplace_back()));
+  for (const auto envGroup : file.getEnvGroups())
+    OBBY_RETURN_IF_ERROR(readEnvGroup(envGroup, state.envGroups.emplace_back()));
   const auto history = file.getHistory();
   if (history.getEach() == 0 || history.getPoints().size() >= History::kMostPoints)
     return makeError("it is damaged: its history is not valid");
@@ -104,8 +104,8 @@ void encode(const Checkpoint& checkpoint, schema::SavedTraining::Builder file) {
   file.setHardest(state.hardest);
   writeSums(state.seen, file.initSeen());
   writeLearner(state.learner, file.initLearner());
-  auto crowds = file.initCrowds(uint32_t(state.crowds.size()));
-  for (uint32_t i = 0; i < crowds.size(); ++i) writeCrowd(state.crowds[i], crowds[i]);
+  auto envGroups = file.initEnvGroups(uint32_t(state.envGroups.size()));
+  for (uint32_t i = 0; i < envGroups.size(); ++i) writeEnvGroup(state.envGroups[i], envGroups[i]);
   writeHistory(checkpoint.history, file.initHistory());
 }
 

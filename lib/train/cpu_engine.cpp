@@ -1,4 +1,4 @@
-// Learning on the CPU: crowds play on the threads of a pool.
+// Learning on the CPU: env groups play on the threads of a pool.
 #include "train/engine.h"
 
 namespace obby::train {
@@ -11,7 +11,7 @@ class CpuEngine : public Engine {
             Ranks& ranks);
 
   Status begin(float hardest) override;
-  Status restore(const LearnerState& learner, std::span<CrowdState> crowds) override;
+  Status restore(const LearnerState& learner, std::span<EnvGroupState> envGroups) override;
   Status setLearner(const LearnerState& learner) override {
     ppo_.restore(learner);
     return {};
@@ -19,12 +19,12 @@ class CpuEngine : public Engine {
   Result<Played> play(const PlayOrder& order) override;
   Result<Progress> learn(float rate) override { return ppo_.learn(batch_, rate); }
   Result<LearnerState> learner() const override { return ppo_.state(); }
-  Result<std::vector<CrowdState>> crowds() const override;
+  Result<std::vector<EnvGroupState>> envGroups() const override;
 
  private:
-  struct Group {  // a crowd with its part of the batch
+  struct Group {  // an env group with its part of the batch
     Group(const LevelSource& source, const TrainerSettings& s, uint32_t number, const Ranks& ranks);
-    Crowd crowd;
+    EnvGroup envGroup;
     uint32_t first, worlds;      // of the batch's worlds: its own
     std::vector<uint32_t> rows;  // of the batch: its worlds' in a tick
     nn::Pass<float> pass;
@@ -54,12 +54,13 @@ class CpuEngine : public Engine {
   std::vector<float> void_;  // what the first layer makes of empty surroundings, in this iteration
 };
 
-// Crowds are numbered over all ranks.
+// Env groups are numbered over all ranks.
 CpuEngine::Group::Group(const LevelSource& source, const TrainerSettings& s, uint32_t number,
                         const Ranks& ranks)
-    : crowd(source, s.crowd, s.seed, ranks.number() * s.crowds + number, s.crowds * ranks.count()),
-      first(number * crowd.size()),
-      worlds(crowd.size()),
+    : envGroup(source, s.envGroup, s.seed, ranks.number() * s.envGroups + number,
+               s.envGroups * ranks.count()),
+      first(number * envGroup.size()),
+      worlds(envGroup.size()),
       rows(worlds),
       mayJump(worlds),
       moves(worlds),
@@ -73,30 +74,30 @@ CpuEngine::CpuEngine(const TrainerSettings& settings, const LevelSource& source,
       pool_(pool),
       ppo_(settings.ppo, settings.seed, pool, ranks),
       batch_(settings.ticks, settings.worlds()) {
-  for (uint32_t i = 0; i < settings.crowds; ++i)
+  for (uint32_t i = 0; i < settings.envGroups; ++i)
     groups_.push_back(std::make_unique<Group>(source, settings_, i, ranks));
 }
 
 Status CpuEngine::begin(float hardest) {
-  for (auto& group : groups_) OBBY_RETURN_IF_ERROR(group->crowd.begin(hardest));
+  for (auto& group : groups_) OBBY_RETURN_IF_ERROR(group->envGroup.begin(hardest));
   return {};
 }
 
-Status CpuEngine::restore(const LearnerState& learner, std::span<CrowdState> crowds) {
+Status CpuEngine::restore(const LearnerState& learner, std::span<EnvGroupState> envGroups) {
   // A stream is read from its beginning: what was played then need not be kept again.
   uint64_t first = ~uint64_t(0);
   for (size_t i = 0; i < groups_.size(); ++i)
-    first = std::min(first, groups_[i]->crowd.firstLevelOf(crowds[i]));
+    first = std::min(first, groups_[i]->envGroup.firstLevelOf(envGroups[i]));
   source_.past(first);
   for (size_t i = 0; i < groups_.size(); ++i)
-    OBBY_RETURN_IF_ERROR(groups_[i]->crowd.restore(std::move(crowds[i])));
+    OBBY_RETURN_IF_ERROR(groups_[i]->envGroup.restore(std::move(envGroups[i])));
   ppo_.restore(learner);
   return {};
 }
 
-Result<std::vector<CrowdState>> CpuEngine::crowds() const {
-  std::vector<CrowdState> out;
-  for (const auto& group : groups_) out.push_back(group->crowd.state());
+Result<std::vector<EnvGroupState>> CpuEngine::envGroups() const {
+  std::vector<EnvGroupState> out;
+  for (const auto& group : groups_) out.push_back(group->envGroup.state());
   return out;
 }
 
@@ -107,7 +108,7 @@ size_t CpuEngine::rowOf(const Group& g, uint32_t tick) const {
 
 // What the network says of it: (worlds, kPaddedOutputs).
 const float* CpuEngine::look(Group& g, uint32_t tick, bool count) {
-  g.crowd.observe(g.raw.data(), g.mayJump.data());
+  g.envGroup.observe(g.raw.data(), g.mayJump.data());
   for (uint32_t w = 0; w < g.worlds; ++w) {
     const float* const raw = g.raw.data() + size_t(w) * policy::kInputs;
     if (count) g.seen.add(raw);
@@ -123,7 +124,7 @@ void CpuEngine::decide(Group& g, const PlayOrder& order, uint32_t tick) {
   for (uint32_t w = 0; w < g.worlds; ++w, out += policy::kPaddedOutputs) {
     const bool mayJump = g.mayJump[w] != 0;
     const float draw =
-        drawsOf(settings_.seed, Draw::move, decisionOf(order, tick), g.crowd.firstWorld() + w)
+        drawsOf(settings_.seed, Draw::move, decisionOf(order, tick), g.envGroup.firstWorld() + w)
             .unit();
     const nn::Drawn drawn = policy::drawMove(out, mayJump, draw);
     g.moves[w] = drawn.action;
@@ -133,7 +134,7 @@ void CpuEngine::decide(Group& g, const PlayOrder& order, uint32_t tick) {
 }
 
 void CpuEngine::take(Group& g, uint32_t tick) {
-  g.crowd.step(g.moves, g.steps);
+  g.envGroup.step(g.moves, g.steps);
   const size_t first = rowOf(g, tick);
   for (uint32_t w = 0; w < g.worlds; ++w) {
     batch_.rewards[first + w] = g.steps[w].reward;
@@ -144,14 +145,14 @@ void CpuEngine::take(Group& g, uint32_t tick) {
 // The value of what is seen last stands for what would have come, also where a playthrough is cut.
 void CpuEngine::play(Group& g, const PlayOrder& order) {
   for (uint32_t t = 0; t < settings_.ticks; ++t) {
-    if (t > 0) g.crowd.settle(decisionOf(order, t - 1));
+    if (t > 0) g.envGroup.settle(decisionOf(order, t - 1));
     decide(g, order, t);
     take(g, t);
   }
   const float* const out = look(g, settings_.ticks, false) + policy::kMoves;
   for (uint32_t w = 0; w < g.worlds; ++w)
     batch_.last[g.first + w] = ppo_.valueOf(out[size_t(w) * policy::kPaddedOutputs]);
-  g.missing = g.crowd.settleIteration(decisionOf(order, settings_.ticks - 1), order.hardest);
+  g.missing = g.envGroup.settleIteration(decisionOf(order, settings_.ticks - 1), order.hardest);
 }
 
 Result<Played> CpuEngine::play(const PlayOrder& order) {
@@ -162,8 +163,8 @@ Result<Played> CpuEngine::play(const PlayOrder& order) {
   uint64_t first = ~uint64_t(0);  // level that is still played
   for (const auto& g : groups_) {
     if (out.missing) out.missing = std::move(g->missing);
-    first = std::min(first, g->crowd.firstLevel());
-    const Tally t = g->crowd.takeTally();
+    first = std::min(first, g->envGroup.firstLevel());
+    const Tally t = g->envGroup.takeTally();
     out.tally.played += t.played;
     out.tally.solved += t.solved;
     out.seen.add(g->seen);

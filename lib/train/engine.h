@@ -6,16 +6,16 @@
 #include <vector>
 
 #include "sim/device.h"
-#include "train/crowd.h"
+#include "train/env_group.h"
 #include "train/ppo.h"
 
 namespace obby::train {
 
 struct TrainerSettings {
   uint64_t seed = 1;
-  uint32_t crowds = 8;  // of each rank; tasks of the pool
-  CrowdSettings crowd;  // 8 x 32 worlds
-  uint32_t ticks = 32;  // decisions of each world an iteration
+  uint32_t envGroups = 8;     // of each rank; tasks of the pool
+  EnvGroupSettings envGroup;  // 8 x 32 worlds
+  uint32_t ticks = 32;        // decisions of each world an iteration
   PpoSettings ppo;
   uint64_t decisions = 100'000'000;  // after so many the rate is down to a tenth
   float easiest = 0.1f;              // difficulty that levels begin with
@@ -23,7 +23,7 @@ struct TrainerSettings {
   float lowerAt = 0.45f;    // below which easier
   std::vector<int> hidden;  // inputs that the policy does not see, to learn their worth
 
-  uint32_t worlds() const { return crowds * crowd.size(); }  // of each rank
+  uint32_t worlds() const { return envGroups * envGroup.size(); }  // of each rank
 };
 
 constexpr uint32_t kCountEvery = 4;  // ticks between those whose rows the normaliser counts
@@ -41,7 +41,7 @@ struct Played {
   Tally tally;
   Sums seen{policy::kInputs};  // raw inputs
   // What the source said instead of a level that comes next: this can be learned from, but nothing
-  // more be played. The places wait in crowds().
+  // more be played. The places wait in envGroups().
   Status missing;
 };
 
@@ -50,9 +50,9 @@ class Engine {
   virtual ~Engine() = default;
 
   // One of these comes first. Errors: the source's, the device's; a state that fits neither
-  // settings nor levels. `crowds`: of this rank.
+  // settings nor levels. `envGroups`: of this rank.
   virtual Status begin(float hardest) = 0;
-  virtual Status restore(const LearnerState& learner, std::span<CrowdState> crowds) = 0;
+  virtual Status restore(const LearnerState& learner, std::span<EnvGroupState> envGroups) = 0;
 
   // Between begin() and the first play(): to learn on from it, instead of from a fresh network.
   virtual Status setLearner(const LearnerState& learner) = 0;
@@ -62,7 +62,7 @@ class Engine {
   virtual Result<Progress> learn(float rate) = 0;
 
   virtual Result<LearnerState> learner() const = 0;
-  virtual Result<std::vector<CrowdState>> crowds() const = 0;
+  virtual Result<std::vector<EnvGroupState>> envGroups() const = 0;
 };
 
 // What it refers to must outlive it.

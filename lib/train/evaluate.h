@@ -18,11 +18,11 @@ struct EvaluationSettings {
   uint32_t levels = 1000;  // at most
   uint32_t tries = 8;      // playthroughs of each level: the first takes the likeliest moves
   float hardest = 1;       // difficulty
-  float patience = 3;      // as CrowdSettings::patience
+  float patience = 3;      // as EnvGroupSettings::patience
   // Of wall-clock time, after which no other level begins; what is played still is given up a
   // second later.
   double seconds = 1e30;
-  policy::Observe observe = policy::observe;  // as CrowdSettings::observe
+  policy::Observe observe = policy::observe;  // as EnvGroupSettings::observe
 };
 
 struct Solved {

@@ -37,7 +37,7 @@ struct Tally {
   }
 };
 
-struct CrowdState {
+struct EnvGroupState {
   std::vector<PlaceState> places;
 };
 
@@ -51,7 +51,7 @@ struct TrainerState {
   float hardest = 0;  // difficulty of the levels that come next, at most
   Sums seen{policy::kInputs};
   LearnerState learner;
-  std::vector<CrowdState> crowds;
+  std::vector<EnvGroupState> envGroups;
 };
 
 }  // namespace obby::train

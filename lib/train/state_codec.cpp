@@ -201,34 +201,34 @@ Status readLearner(schema::SavedLearner::Reader from, LearnerState& out) {
   return readSums(from.getReturns(), out.values.returns);
 }
 
-void writeCrowd(const CrowdState& state, schema::SavedCrowd::Builder to) {
+void writeEnvGroup(const EnvGroupState& state, schema::SavedEnvGroup::Builder to) {
   auto places = to.initPlaces(uint32_t(state.places.size()));
   for (uint32_t i = 0; i < places.size(); ++i) writePlace(state.places[i], places[i]);
 }
 
-Status readCrowd(schema::SavedCrowd::Reader from, CrowdState& out) {
+Status readEnvGroup(schema::SavedEnvGroup::Reader from, EnvGroupState& out) {
   for (const auto place : from.getPlaces())
     OBBY_RETURN_IF_ERROR(readPlace(place, out.places.emplace_back()));
   return {};
 }
 
-std::string packCrowds(const std::vector<CrowdState>& crowds) {
+std::string packEnvGroups(const std::vector<EnvGroupState>& envGroups) {
   capnp::MallocMessageBuilder message(1 << 18);
-  auto list = message.initRoot<schema::SavedCrowds>().initCrowds(uint32_t(crowds.size()));
-  for (uint32_t i = 0; i < list.size(); ++i) writeCrowd(crowds[i], list[i]);
+  auto list = message.initRoot<schema::SavedEnvGroups>().initEnvGroups(uint32_t(envGroups.size()));
+  for (uint32_t i = 0; i < list.size(); ++i) writeEnvGroup(envGroups[i], list[i]);
   const auto words = capnp::messageToFlatArray(message);
   const auto bytes = words.asBytes();
   return std::string(reinterpret_cast<const char*>(bytes.begin()), bytes.size());
 }
 
-void unpackCrowds(const std::string& bytes, std::vector<CrowdState>& crowds) {
+void unpackEnvGroups(const std::string& bytes, std::vector<EnvGroupState>& envGroups) {
   auto words = kj::heapArray<capnp::word>(bytes.size() / sizeof(capnp::word));
   std::memcpy(words.asBytes().begin(), bytes.data(), words.asBytes().size());
   capnp::ReaderOptions options;
   options.traversalLimitInWords = 2 * words.size() + 1024;
   capnp::FlatArrayMessageReader reader(words, options);
-  for (const auto crowd : reader.getRoot<schema::SavedCrowds>().getCrowds()) {
-    const Status read = readCrowd(crowd, crowds.emplace_back());
+  for (const auto envGroup : reader.getRoot<schema::SavedEnvGroups>().getEnvGroups()) {
+    const Status read = readEnvGroup(envGroup, envGroups.emplace_back());
     OBBY_CHECK_EQ(bool(read), true);
   }
 }

@@ -15,11 +15,11 @@ uint64_t stateLayout();
 
 void writeSums(const Sums& sums, schema::SavedSums::Builder to);
 void writeLearner(const LearnerState& state, schema::SavedLearner::Builder to);
-void writeCrowd(const CrowdState& state, schema::SavedCrowd::Builder to);
+void writeEnvGroup(const EnvGroupState& state, schema::SavedEnvGroup::Builder to);
 
-// Crowds as bytes, between processes of the same program; unpackCrowds() appends.
-std::string packCrowds(const std::vector<CrowdState>& crowds);
-void unpackCrowds(const std::string& bytes, std::vector<CrowdState>& crowds);
+// Env groups as bytes, between processes of the same program; unpackEnvGroups() appends.
+std::string packEnvGroups(const std::vector<EnvGroupState>& envGroups);
+void unpackEnvGroups(const std::string& bytes, std::vector<EnvGroupState>& envGroups);
 
 // From 0 to 1; not so of what is no number.
 bool isShare(double value);
@@ -31,6 +31,6 @@ bool isFinite(const LearnerState& state);
 // The error says which list has another length than it must. `out` says how wide sums are.
 Status readSums(schema::SavedSums::Reader from, Sums& out);
 Status readLearner(schema::SavedLearner::Reader from, LearnerState& out);
-Status readCrowd(schema::SavedCrowd::Reader from, CrowdState& out);
+Status readEnvGroup(schema::SavedEnvGroup::Reader from, EnvGroupState& out);
 
 }  // namespace obby::train

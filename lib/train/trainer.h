@@ -51,8 +51,8 @@ class Trainer {
   // and state() can be gone on from.
   const Status& more() const { return more_; }
 
-  // Between two iterations; resume() goes on from it with the same bits. All crowds are in that of
-  // the first rank. Error: the engine's.
+  // Between two iterations; resume() goes on from it with the same bits. All env groups are in that
+  // of the first rank. Error: the engine's.
   Result<TrainerState> state() const;
   // So far.
   uint64_t iterations() const { return iterations_; }

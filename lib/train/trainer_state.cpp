@@ -22,11 +22,11 @@ Result<std::unique_ptr<Trainer>> Trainer::resume(const TrainerSettings& settings
 }
 
 Status Trainer::restore(TrainerState state) {
-  const size_t each = settings_.crowds, all = each * ranks_.count();
-  if (state.crowds.size() != all)
-    return makeError(fmt::format("{} env groups, expected {}", state.crowds.size(), all));
+  const size_t each = settings_.envGroups, all = each * ranks_.count();
+  if (state.envGroups.size() != all)
+    return makeError(fmt::format("{} env groups, expected {}", state.envGroups.size(), all));
   OBBY_RETURN_IF_ERROR(engine_->restore(
-      state.learner, std::span(state.crowds).subspan(ranks_.number() * each, each)));
+      state.learner, std::span(state.envGroups).subspan(ranks_.number() * each, each)));
   iterations_ = state.iterations;
   decisions_ = state.decisions;
   solved_ = state.solved;
@@ -39,10 +39,10 @@ Status Trainer::restore(TrainerState state) {
 Result<TrainerState> Trainer::state() const {
   TrainerState out{iterations_, decisions_, solved_, hardest_, seen_, {}, {}};
   OBBY_ASSIGN(out.learner, ranks_.agree(engine_->learner()));
-  OBBY_ASSIGN(out.crowds, ranks_.agree(engine_->crowds()));
+  OBBY_ASSIGN(out.envGroups, ranks_.agree(engine_->envGroups()));
   if (ranks_.count() == 1) return out;
-  const std::vector<std::string> all = ranks_.collect(packCrowds(out.crowds));
-  for (size_t rank = 1; rank < all.size(); ++rank) unpackCrowds(all[rank], out.crowds);
+  const std::vector<std::string> all = ranks_.collect(packEnvGroups(out.envGroups));
+  for (size_t rank = 1; rank < all.size(); ++rank) unpackEnvGroups(all[rank], out.envGroups);
   return out;
 }
 

@@ -26,7 +26,7 @@ class TrainingLevel {
   const sim::World& start() const { return start_; }
   const std::vector<sim::LooseBody>& startLoose() const { return startLoose_; }
   const Guide& guide() const { return guide_; }
-  // Valid while this object lives. `patience`: as CrowdSettings::patience.
+  // Valid while this object lives. `patience`: as EnvGroupSettings::patience.
   TrainingView view(float patience) const;
   uint64_t hash() const { return hash_; }  // of all that it was made from, whatever the encoding
 

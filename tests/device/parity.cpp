@@ -195,10 +195,10 @@ void compareResident(Parity& parity, const char* name, const level::Level& level
 
 // Learning: its kernels have the bits of their bodies on the CPU, what is learned included.
 void compareLearning(Parity& parity, const char* name, bool loose, sim::Device& device,
-                     ThreadPool& pool, uint32_t crowds) {
+                     ThreadPool& pool, uint32_t envGroups) {
   const train::Gaps gaps(loose);
   train::TrainerSettings settings = train::small();
-  settings.crowds = crowds;
+  settings.envGroups = envGroups;
   sim::HostDevice host(pool);
   std::vector<float> numbers[2];
   std::vector<uint64_t> worlds[2];
@@ -218,8 +218,8 @@ void compareLearning(Parity& parity, const char* name, bool loose, sim::Device& 
     status = state ? Status() : Status(state.error());
     if (!status) break;
     numbers[i] = (*made)->network().numbers();
-    for (const train::CrowdState& crowd : state->crowds) {
-      for (const train::PlaceState& place : crowd.places) {
+    for (const train::EnvGroupState& envGroup : state->envGroups) {
+      for (const train::PlaceState& place : envGroup.places) {
         for (const train::Player& p : place.players) worlds[i].push_back(stateHash(p.world));
       }
     }
@@ -265,8 +265,8 @@ int main(int argc, char** argv) {
   compareLearned<Cflge, CflgeSettings>(parity, "cflge", moving, device, pool, 2 * rounds);
   compareLearned<Pbge, PbgeSettings>(parity, "pbge, loose bodies", loose, device, pool, 2);
   compareLearned<Cflge, CflgeSettings>(parity, "cflge, loose bodies", loose, device, pool, 2);
-  const uint32_t crowds = option.empty() ? 16 : 1;
-  compareLearning(parity, "learning", false, device, pool, crowds);
-  compareLearning(parity, "learning, loose bodies", true, device, pool, crowds);
+  const uint32_t envGroups = option.empty() ? 16 : 1;
+  compareLearning(parity, "learning", false, device, pool, envGroups);
+  compareLearning(parity, "learning, loose bodies", true, device, pool, envGroups);
   return parity.passed() ? 0 : 1;
 }

@@ -106,7 +106,7 @@ std::string sample() {
   ThreadPool pool(1);
   const Gaps gaps(true);
   TrainerSettings settings = small();
-  settings.crowds = 1;
+  settings.envGroups = 1;
   const auto trainer = Trainer::make(settings, gaps, pool, alone());
   for (int i = 0; i < 3; ++i) EXPECT_TRUE((*trainer)->iterate());
   return writeCheckpoint({"1", settingsOf(settings), 3, *(*trainer)->state(), {}});
@@ -118,15 +118,15 @@ TEST(Checkpoint, KnowsWhichLevelsHaveBeenSolved) {
   const auto trainer = Trainer::make(small(), gaps, pool, alone());
   ASSERT_TRUE((*trainer)->iterate());
   TrainerState state = *(*trainer)->state();
-  state.crowds[0].places[0].counts.solvedOnce = 1;
-  state.crowds[0].places[1].counts.solvedOnce = 0;
+  state.envGroups[0].places[0].counts.solvedOnce = 1;
+  state.envGroups[0].places[1].counts.solvedOnce = 0;
   auto read = readCheckpoint(writeCheckpoint({"1", {}, 0, std::move(state), {}}), "test");
   ASSERT_TRUE(read) << read.error().text();
   const auto resumed = Trainer::resume(small(), gaps, pool, alone(), std::move(read->state));
   ASSERT_TRUE(resumed) << resumed.error().text();
   const TrainerState again = *(*resumed)->state();
-  EXPECT_EQ(again.crowds[0].places[0].counts.solvedOnce, 1u);
-  EXPECT_EQ(again.crowds[0].places[1].counts.solvedOnce, 0u);
+  EXPECT_EQ(again.envGroups[0].places[0].counts.solvedOnce, 1u);
+  EXPECT_EQ(again.envGroups[0].places[1].counts.solvedOnce, 0u);
 }
 
 TEST(Checkpoint, IsRefusedWhenCutShort) {
@@ -193,11 +193,11 @@ TEST(Checkpoint, IsRefusedWithFiguresThatCannotBe) {
   EXPECT_TRUE(refused([](TrainerState& s) { s.seen.rows = -1; }));
   EXPECT_TRUE(refused([](TrainerState& s) { s.learner.values.deviation = 0; }));
   EXPECT_TRUE(refused([](TrainerState& s) { s.learner.values.mean = INFINITY; }));
-  EXPECT_TRUE(refused([](TrainerState& s) { s.crowds[0].places[0].hardest = 1e9f; }));
-  EXPECT_TRUE(refused([](TrainerState& s) { s.crowds[0].places[0].nextHardest = -1; }));
+  EXPECT_TRUE(refused([](TrainerState& s) { s.envGroups[0].places[0].hardest = 1e9f; }));
+  EXPECT_TRUE(refused([](TrainerState& s) { s.envGroups[0].places[0].nextHardest = -1; }));
 }
 
-// What no crowd of these levels could have must not be played on.
+// What no env group of these levels could have must not be played on.
 TEST(Checkpoint, IsRefusedWithWorldsThatCannotBe) {
   ThreadPool pool(1);
   const Gaps gaps(true);
@@ -205,7 +205,7 @@ TEST(Checkpoint, IsRefusedWithWorldsThatCannotBe) {
   ASSERT_TRUE((*trainer)->iterate());
   const auto refused = [&](auto&& spoil) {
     TrainerState state = *(*trainer)->state();
-    spoil(state.crowds[1].places[2]);
+    spoil(state.envGroups[1].places[2]);
     return !Trainer::resume(small(), gaps, pool, alone(), std::move(state));
   };
   EXPECT_FALSE(refused([](PlaceState&) {}));

@@ -45,9 +45,9 @@ struct Difference {
 
 Difference differenceOf(const TrainerState& a, const TrainerState& b) {
   Difference out;
-  for (size_t c = 0; c < a.crowds.size(); ++c) {
-    for (size_t p = 0; p < a.crowds[c].places.size(); ++p) {
-      const PlaceState &one = a.crowds[c].places[p], &other = b.crowds[c].places[p];
+  for (size_t c = 0; c < a.envGroups.size(); ++c) {
+    for (size_t p = 0; p < a.envGroups[c].places.size(); ++p) {
+      const PlaceState &one = a.envGroups[c].places[p], &other = b.envGroups[c].places[p];
       for (size_t i = 0; i < one.players.size(); ++i) {
         const Player &x = one.players[i], &y = other.players[i];
         const bool same = stateHash(x.world) == stateHash(y.world) && x.least == y.least &&
@@ -62,11 +62,11 @@ Difference differenceOf(const TrainerState& a, const TrainerState& b) {
 
 // Everything of two places that does not round.
 void expectSamePlaces(const TrainerState& a, const TrainerState& b) {
-  ASSERT_EQ(a.crowds.size(), b.crowds.size());
-  for (size_t c = 0; c < a.crowds.size(); ++c) {
-    ASSERT_EQ(a.crowds[c].places.size(), b.crowds[c].places.size());
-    for (size_t p = 0; p < a.crowds[c].places.size(); ++p) {
-      const PlaceState &x = a.crowds[c].places[p], &y = b.crowds[c].places[p];
+  ASSERT_EQ(a.envGroups.size(), b.envGroups.size());
+  for (size_t c = 0; c < a.envGroups.size(); ++c) {
+    ASSERT_EQ(a.envGroups[c].places.size(), b.envGroups[c].places.size());
+    for (size_t p = 0; p < a.envGroups[c].places.size(); ++p) {
+      const PlaceState &x = a.envGroups[c].places[p], &y = b.envGroups[c].places[p];
       EXPECT_EQ(x.taken, y.taken);
       EXPECT_EQ(x.hardest, y.hardest);
       EXPECT_EQ(x.nextHardest, y.nextHardest);
@@ -146,8 +146,8 @@ TEST_P(Parity, OfPlayThroughManyLevels) {
   const Gaps gaps(GetParam());
   TrainerSettings settings = small();
   settings.ppo.learningRate = 0;
-  settings.crowd.playthroughs = 24;
-  settings.crowd.patience = -5;  // cut after some four seconds
+  settings.envGroup.playthroughs = 24;
+  settings.envGroup.patience = -5;  // cut after some four seconds
   ThreadPool pool(1);
   const auto cpu = Trainer::make(settings, gaps, pool, alone());
   Machine machine;
@@ -165,8 +165,8 @@ TEST_P(Parity, OfPlayThroughManyLevels) {
   expectSamePlaces(a, b);
   EXPECT_EQ(a.seen.sum, b.seen.sum);
   EXPECT_GT(played, 2u * settings.worlds());
-  for (const CrowdState& crowd : a.crowds) {
-    for (const PlaceState& place : crowd.places) EXPECT_GT(place.taken, 2u);
+  for (const EnvGroupState& envGroup : a.envGroups) {
+    for (const PlaceState& place : envGroup.places) EXPECT_GT(place.taken, 2u);
   }
 }
 
@@ -263,7 +263,7 @@ TEST(DeviceEngine, GoesOnWhereLevelsWereStillToComeAsIfNothingHadBeen) {
     const Gaps gaps(loose);
     const GapsTo stopped(12, loose, !loose);  // eight places
     TrainerSettings settings = tiny();
-    settings.crowd.playthroughs = 16;  // for a quarter of the worlds
+    settings.envGroup.playthroughs = 16;  // for a quarter of the worlds
     Machine machine, other, third;
     const auto whole = machine.make(gaps, settings), part = other.make(stopped, settings);
     ASSERT_TRUE(whole && part);
@@ -290,7 +290,7 @@ TEST(DeviceEngine, RefusesAStateOfOtherLevels) {
   EXPECT_TRUE(machine.resume(gaps, *(*trainer)->state(), tiny()));
   EXPECT_FALSE(machine.resume(others, *(*trainer)->state(), tiny()));
   TrainerState spoilt = *(*trainer)->state();
-  spoilt.crowds[1].places[2].players[3].world.position.x = NAN;
+  spoilt.envGroups[1].places[2].players[3].world.position.x = NAN;
   EXPECT_FALSE(machine.resume(gaps, std::move(spoilt), tiny()));
 }
 
@@ -335,8 +335,8 @@ TEST(DeviceEngine, RefusesToSeeInAnotherWay) {
   const Gaps gaps;
   Machine machine;
   TrainerSettings settings = tiny();
-  settings.crowd.observe = [](const policy::Scene&, const sim::World&, const sim::LooseBody*,
-                              float*) { return Turns(0); };
+  settings.envGroup.observe = [](const policy::Scene&, const sim::World&, const sim::LooseBody*,
+                                 float*) { return Turns(0); };
   const auto trainer = machine.make(gaps, settings);
   ASSERT_FALSE(trainer);
   EXPECT_EQ(trainer.error().message,
@@ -362,7 +362,7 @@ TEST(DeviceEngine, SaysWhatTheSourceSaysOnceALevelIsPlayed) {
   const OneBad first(5), second(8 + 5);  // of eight places
   EXPECT_EQ(machine.make(first, tiny()).error().text(), "this level is bad");
   TrainerSettings settings = tiny();
-  settings.crowd.playthroughs = 32;  // of 8 worlds: no level is over after an iteration
+  settings.envGroup.playthroughs = 32;  // of 8 worlds: no level is over after an iteration
   const auto trainer = machine.make(second, settings);
   ASSERT_TRUE(trainer) << trainer.error().text();
   ASSERT_TRUE((*trainer)->iterate());
@@ -388,7 +388,7 @@ class OneTooLarge : public Gaps {
 TEST(DeviceEngine, ThrowsWhatMakingLevelsThrew) {
   const OneTooLarge gaps;
   TrainerSettings settings = tiny();
-  settings.crowd.playthroughs = 16;
+  settings.envGroup.playthroughs = 16;
   for (const int threads : {1, 2}) {
     Machine machine(threads);
     const auto trainer = machine.make(gaps, settings);

@@ -59,8 +59,8 @@ class GapsTo : public Gaps {
 // Places that wait for their level.
 inline uint32_t waitingIn(const TrainerState& state) {
   uint32_t waiting = 0;
-  for (const CrowdState& crowd : state.crowds) {
-    for (const PlaceState& place : crowd.places) waiting += place.waits();
+  for (const EnvGroupState& envGroup : state.envGroups) {
+    for (const PlaceState& place : envGroup.places) waiting += place.waits();
   }
   return waiting;
 }
@@ -74,9 +74,9 @@ inline Ranks& alone() {
 // some twenty learns to stand still first.
 inline TrainerSettings small() {
   TrainerSettings s;
-  s.crowds = 2;
-  s.crowd.levels = 4;
-  s.crowd.worlds = 32;
+  s.envGroups = 2;
+  s.envGroup.levels = 4;
+  s.envGroup.worlds = 32;
   s.ppo.minibatch = 1024;
   s.ppo.learningRate = 1e-3f;
   s.decisions = 2'000'000;
@@ -86,7 +86,7 @@ inline TrainerSettings small() {
 // A quarter of the worlds, for what does not need to learn.
 inline TrainerSettings tiny() {
   TrainerSettings s = small();
-  s.crowd.worlds /= 4;
+  s.envGroup.worlds /= 4;
   s.ppo.minibatch /= 4;
   return s;
 }

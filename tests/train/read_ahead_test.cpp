@@ -15,7 +15,7 @@ namespace {
 TEST(ReadAhead, OfAStreamThatStandsStillEndsWithTheEngine) {
   const TrainerSettings settings = tiny();
   std::string text = kHeaderLine;
-  for (uint64_t i = 0; i < settings.crowds * settings.crowd.levels; ++i) text += lineOf(i);
+  for (uint64_t i = 0; i < settings.envGroups * settings.envGroup.levels; ++i) text += lineOf(i);
   const Standing standing(text);
   const std::atomic<bool> interrupted{false};
   WaitLimit waiting(interrupted, WaitLimit::kNone);

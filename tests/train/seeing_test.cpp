@@ -86,19 +86,19 @@ TEST(Seeing, OfAJudgedPolicyLeadsToItsMoves) {
   EXPECT_EQ(seeingJudged(policy::Network(), watched<blind>), straight);
 }
 
-TEST(Seeing, OfACrowdIsAsItsSettingsSay) {
+TEST(Seeing, OfAnEnvGroupIsAsItsSettingsSay) {
   const Gaps gaps;
-  CrowdSettings settings;
+  EnvGroupSettings settings;
   settings.levels = 2;
   settings.worlds = 4;
   settings.observe = blind;
-  Crowd crowd(gaps, settings, 1, 0, 1);
-  ASSERT_TRUE(crowd.begin(1));
-  std::vector<float> rows(size_t(crowd.size()) * policy::kInputs);
-  std::vector<uint8_t> mayJump(crowd.size());
-  crowd.observe(rows.data(), mayJump.data());
+  EnvGroup envGroup(gaps, settings, 1, 0, 1);
+  ASSERT_TRUE(envGroup.begin(1));
+  std::vector<float> rows(size_t(envGroup.size()) * policy::kInputs);
+  std::vector<uint8_t> mayJump(envGroup.size());
+  envGroup.observe(rows.data(), mayJump.data());
   EXPECT_TRUE(std::all_of(rows.begin(), rows.end(), [](float v) { return v == 0.25f; }));
-  const CrowdState state = crowd.state();
+  const EnvGroupState state = envGroup.state();
   for (const PlaceState& place : state.places) {
     for (const Player& p : place.players) EXPECT_EQ(p.ahead, kOwnWay);
   }
@@ -108,14 +108,14 @@ TEST(Seeing, DecidesWhatIsLearned) {
   const Gaps gaps;
   const auto learned = [&](policy::Observe how) {
     TrainerSettings settings = tiny();
-    settings.crowd.observe = how;
+    settings.envGroup.observe = how;
     ThreadPool pool(2);
     const auto trainer = Trainer::make(settings, gaps, pool, alone());
     EXPECT_TRUE(trainer);
     for (int i = 0; i < 2; ++i) EXPECT_TRUE((*trainer)->iterate());
     return (*trainer)->network().numbers();
   };
-  const std::vector<float> expected = learned(CrowdSettings().observe);
+  const std::vector<float> expected = learned(EnvGroupSettings().observe);
   EXPECT_EQ(learned(asEver), expected);
   EXPECT_NE(learned(blind), expected);
 }

@@ -68,10 +68,10 @@ TEST(Trainer, LearnsFirstFromThePolicyThatPlayed) {
 // Neither plays nor learns, but keeps at which rates it was to.
 class Rated : public Engine {
  public:
-  Rated(std::vector<float>& rates, size_t crowds) : rates_(rates), crowds_(crowds) {}
+  Rated(std::vector<float>& rates, size_t envGroups) : rates_(rates), envGroups_(envGroups) {}
 
   Status begin(float) override { return {}; }
-  Status restore(const LearnerState&, std::span<CrowdState>) override { return {}; }
+  Status restore(const LearnerState&, std::span<EnvGroupState>) override { return {}; }
   Status setLearner(const LearnerState&) override { return {}; }
   Result<Played> play(const PlayOrder&) override { return Played{}; }
   Result<Progress> learn(float rate) override {
@@ -79,13 +79,13 @@ class Rated : public Engine {
     return Progress{};
   }
   Result<LearnerState> learner() const override { return LearnerState{}; }
-  Result<std::vector<CrowdState>> crowds() const override {
-    return std::vector<CrowdState>(crowds_);
+  Result<std::vector<EnvGroupState>> envGroups() const override {
+    return std::vector<EnvGroupState>(envGroups_);
   }
 
  private:
   std::vector<float>& rates_;
-  size_t crowds_;
+  size_t envGroups_;
 };
 
 // To a tenth at --decisions, and no further; learning that goes on does so at the rate of then.
@@ -93,11 +93,12 @@ TEST(Trainer, LearnsAtARateThatFallsAlongTheDecisions) {
   TrainerSettings settings = small();
   settings.decisions = 4 * uint64_t(settings.worlds()) * settings.ticks;
   std::vector<float> rates;
-  auto trainer = Trainer::make(settings, std::make_unique<Rated>(rates, settings.crowds), alone());
+  auto trainer =
+      Trainer::make(settings, std::make_unique<Rated>(rates, settings.envGroups), alone());
   ASSERT_TRUE(trainer);
   for (int i = 0; i < 2; ++i) ASSERT_TRUE((*trainer)->iterate());
   TrainerState state = *(*trainer)->state();
-  trainer = Trainer::resume(settings, std::make_unique<Rated>(rates, settings.crowds), alone(),
+  trainer = Trainer::resume(settings, std::make_unique<Rated>(rates, settings.envGroups), alone(),
                             std::move(state));
   ASSERT_TRUE(trainer) << trainer.error().text();
   for (int i = 0; i < 4; ++i) ASSERT_TRUE((*trainer)->iterate());
@@ -136,7 +137,7 @@ TEST(Curriculum, LevelsBecomeHarderWhileMostAreSolved) {
   const Asked gaps;
   ThreadPool pool(1);
   TrainerSettings settings = from(0.3f, -1, -1);
-  settings.crowd.playthroughs = 8;
+  settings.envGroup.playthroughs = 8;
   const auto trainer = Trainer::make(settings, gaps, pool, alone());
   ASSERT_TRUE(trainer);
   EXPECT_EQ(gaps.hardest(), 0.3f);
@@ -174,7 +175,7 @@ TEST(Curriculum, OfFewWorldsMoves) {
   const Gaps gaps;
   ThreadPool pool(1);
   TrainerSettings settings = tiny();
-  settings.crowds = 1;
+  settings.envGroups = 1;
   settings.raiseAt = settings.lowerAt = -1;
   const auto trainer = Trainer::make(settings, gaps, pool, alone());
   float hardest = settings.easiest;

@@ -19,7 +19,7 @@ using cli::rare;
 using cli::row;
 using cli::ValueType;
 
-constexpr int kCrowd = int(train::CrowdSettings{}.levels * train::CrowdSettings{}.worlds);
+constexpr int kEnvGroup = int(train::EnvGroupSettings{}.levels * train::EnvGroupSettings{}.worlds);
 constexpr const char* kLevelGroup = "Levels to train on";
 constexpr const char* kDifficulty = "the recipe's, or trivial..limit without --recipe";
 constexpr const char* kLearnGroup = "Training";
@@ -94,8 +94,8 @@ std::vector<OptionRow> learnRows() {
       cli::commonRow(cli::Common::threads),
       seedRow(),
       rare(multipleOf(learnRow("worlds", ValueType::integer, "N", s.worlds(),
-                               "worlds that play at a time; a multiple of 256", kCrowd, 1 << 20),
-                      kCrowd)),
+                               "worlds that play at a time; a multiple of 256", kEnvGroup, 1 << 20),
+                      kEnvGroup)),
       rare(learnRow("rate", ValueType::number, "R", s.ppo.learningRate,
                     "initial learning rate; it falls to a tenth of this", 1e-7, 1)),
       rare(learnRow("passes", ValueType::integer, "N", s.ppo.epochs,
@@ -248,7 +248,7 @@ train::TrainerSettings trainerSettings(const cli::Context& context) {
   const cli::Arguments& a = context.arguments();
   train::TrainerSettings s;
   s.seed = a.seed();
-  s.crowds = uint32_t(a.integer("worlds")) / (s.crowd.levels * s.crowd.worlds);
+  s.envGroups = uint32_t(a.integer("worlds")) / (s.envGroup.levels * s.envGroup.worlds);
   s.decisions = uint64_t(a.integer("decisions"));
   s.ppo.learningRate = float(a.number("rate"));
   s.ppo.epochs = uint32_t(a.integer("passes"));

@@ -17,8 +17,8 @@ struct Delivery {
   std::vector<DevicePlace> places;            // one a level; with room for their worlds' bodies
 };
 
-// Beside what the device does. `patience`: as CrowdSettings::patience; `worlds`: on each level. The
-// error is the device's.
+// Beside what the device does. `patience`: as EnvGroupSettings::patience; `worlds`: on each level.
+// The error is the device's.
 Result<Delivery> deliver(sim::Device& device, std::span<const TrainingLevel* const> levels,
                          float patience, uint32_t worlds, ThreadPool& pool);
 

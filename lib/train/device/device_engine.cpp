@@ -22,16 +22,16 @@ class DeviceEngine : public Engine {
     OBBY_RETURN_IF_ERROR(make());
     return places_.begin(hardest);
   }
-  Status restore(const LearnerState& learner, std::span<CrowdState> crowds) override {
+  Status restore(const LearnerState& learner, std::span<EnvGroupState> envGroups) override {
     OBBY_RETURN_IF_ERROR(make());
     OBBY_RETURN_IF_ERROR(learner_.restore(learner));
-    return places_.restore(crowds);
+    return places_.restore(envGroups);
   }
   Status setLearner(const LearnerState& learner) override { return learner_.restore(learner); }
   Result<Played> play(const PlayOrder& order) override;
   Result<Progress> learn(float rate) override { return learner_.learn(rate); }
   Result<LearnerState> learner() const override { return learner_.state(); }
-  Result<std::vector<CrowdState>> crowds() const override { return places_.state(); }
+  Result<std::vector<EnvGroupState>> envGroups() const override { return places_.state(); }
 
  private:
   Status make();
@@ -48,11 +48,11 @@ class DeviceEngine : public Engine {
   DeviceLearner learner_;
   DevicePlaces places_;
   sim::DeviceTable<float> means_, scales_, spare_;  // spare: (worlds, kInputs), what is seen last
-  sim::DeviceTable<double> sums_, squares_;         // (crowds, kInputs)
+  sim::DeviceTable<double> sums_, squares_;         // (env groups, kInputs)
 };
 
 Status DeviceEngine::make() {
-  if (settings_.crowd.observe != CrowdSettings().observe)
+  if (settings_.envGroup.observe != EnvGroupSettings().observe)
     return makeError(
         "the GPU supports only the standard observation, and the settings name another",
         "train on the CPU");
@@ -60,22 +60,22 @@ Status DeviceEngine::make() {
   OBBY_RETURN_IF_ERROR(means_.make(device_, policy::kInputs));
   OBBY_RETURN_IF_ERROR(scales_.make(device_, policy::kInputs));
   OBBY_RETURN_IF_ERROR(spare_.make(device_, size_t(settings_.worlds()) * policy::kInputs));
-  OBBY_RETURN_IF_ERROR(sums_.make(device_, size_t(settings_.crowds) * policy::kInputs));
-  return squares_.make(device_, size_t(settings_.crowds) * policy::kInputs);
+  OBBY_RETURN_IF_ERROR(sums_.make(device_, size_t(settings_.envGroups) * policy::kInputs));
+  return squares_.make(device_, size_t(settings_.envGroups) * policy::kInputs);
 }
 
 PlayArguments DeviceEngine::argumentsOf(const PlayOrder& order) const {
   PlayArguments a{};
   places_.describe(a);
-  a.reward = settings_.crowd.reward;
-  a.rules = {settings_.seed, settings_.crowd.restarts, order.iteration * settings_.ticks, false};
+  a.reward = settings_.envGroup.reward;
+  a.rules = {settings_.seed, settings_.envGroup.restarts, order.iteration * settings_.ticks, false};
   a.means = means_.data();
   a.scales = scales_.data();
   a.valueMean = learner_.values().mean;
   a.valueDeviation = learner_.values().deviation;
   a.sums = sums_.data();
   a.squares = squares_.data();
-  a.worldsOfCrowd = settings_.crowd.size();
+  a.worldsOfEnvGroup = settings_.envGroup.size();
   return a;
 }
 
@@ -110,7 +110,7 @@ Status DeviceEngine::act(const PlayArguments& a) {
 }
 
 Status DeviceEngine::playTicks(PlayArguments& a) {
-  const size_t places = size_t(settings_.crowds) * settings_.crowd.levels;
+  const size_t places = size_t(settings_.envGroups) * settings_.envGroup.levels;
   for (uint32_t t = 0; t < settings_.ticks; ++t) {
     pointTo(a, t);
     OBBY_RETURN_IF_ERROR(look(a, t % kCountEvery == 0));
@@ -143,7 +143,7 @@ Result<Played> DeviceEngine::play(const PlayOrder& order) {
   return out;
 }
 
-// Added up crowd by crowd, as on the CPU.
+// Added up env group by env group, as on the CPU.
 Result<Sums> DeviceEngine::seen() const {
   OBBY_ASSIGN(const std::vector<double> sums, sums_.get());
   OBBY_ASSIGN(const std::vector<double> squares, squares_.get());

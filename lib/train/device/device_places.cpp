@@ -24,9 +24,9 @@ DevicePlaces::DevicePlaces(const TrainerSettings& settings, const LevelSource& s
       device_(device),
       rank_(rank),
       ranks_(ranks),
-      places_(size_t(settings.crowds) * settings.crowd.levels),
+      places_(size_t(settings.envGroups) * settings.envGroup.levels),
       described_(places_.size()),
-      next_(source, settings.crowd, device, places_.size(), pool.size()) {}
+      next_(source, settings.envGroup, device, places_.size(), pool.size()) {}
 
 std::vector<size_t> DevicePlaces::allPlaces() const {
   std::vector<size_t> all(places_.size());
@@ -34,11 +34,12 @@ std::vector<size_t> DevicePlaces::allPlaces() const {
   return all;
 }
 
-// The crowds of all ranks share the levels, as they do on CPUs.
+// The env groups of all ranks share the levels, as they do on CPUs.
 uint64_t DevicePlaces::indexOf(size_t place, uint64_t taken) const {
-  const auto crowd = uint32_t(place / settings_.crowd.levels);
-  return levelIndex(settings_.crowd, rank_ * settings_.crowds + crowd, ranks_ * settings_.crowds,
-                    uint32_t(place % settings_.crowd.levels), taken);
+  const auto envGroup = uint32_t(place / settings_.envGroup.levels);
+  return levelIndex(settings_.envGroup, rank_ * settings_.envGroups + envGroup,
+                    ranks_ * settings_.envGroups, uint32_t(place % settings_.envGroup.levels),
+                    taken);
 }
 
 // A level that is played comes before all that its place will have.
@@ -57,7 +58,7 @@ void DevicePlaces::askForNext(std::span<const size_t> places) {
 
 Status DevicePlaces::make() {
   OBBY_RETURN_IF_ERROR(table_.make(device_, places_.size()));
-  OBBY_RETURN_IF_ERROR(players_.makeZero(device_, places_.size() * settings_.crowd.worlds));
+  OBBY_RETURN_IF_ERROR(players_.makeZero(device_, places_.size() * settings_.envGroup.worlds));
   OBBY_RETURN_IF_ERROR(reached_.makeZero(device_, places_.size() * kMostReached));
   return counts_.makeZero(device_, places_.size());
 }
@@ -67,7 +68,7 @@ void DevicePlaces::describe(PlayArguments& to) const {
   to.players = players_.data();
   to.reached = reached_.data();
   to.counts = counts_.data();
-  to.worldsOfPlace = settings_.crowd.worlds;
+  to.worldsOfPlace = settings_.envGroup.worlds;
   to.worlds = settings_.worlds();
   to.firstWorld = rank_ * settings_.worlds();
 }
@@ -130,7 +131,7 @@ Result<Tally> DevicePlaces::endIteration(float hardest, const PlayArguments& pla
   std::vector<size_t> over;
   for (size_t p = 0; p < counts.size(); ++p) {
     tally.add(counts[p]);
-    if (isOver(counts[p], settings_.crowd)) over.push_back(p);
+    if (isOver(counts[p], settings_.envGroup)) over.push_back(p);
   }
   OBBY_RETURN_IF_ERROR(counts_.put(counts));
   if (over.empty()) return tally;
@@ -142,7 +143,7 @@ Result<Tally> DevicePlaces::endIteration(float hardest, const PlayArguments& pla
 
 Result<PlaceState> DevicePlaces::stateOf(size_t p) const {
   const Place& place = places_[p];
-  const uint32_t worlds = settings_.crowd.worlds;
+  const uint32_t worlds = settings_.envGroup.worlds;
   PlaceState out;
   out.taken = place.taken;
   out.hardest = place.hardest;
@@ -159,22 +160,22 @@ Result<PlaceState> DevicePlaces::stateOf(size_t p) const {
   return out;
 }
 
-Result<std::vector<CrowdState>> DevicePlaces::state() const {
-  std::vector<CrowdState> out(settings_.crowds);
+Result<std::vector<EnvGroupState>> DevicePlaces::state() const {
+  std::vector<EnvGroupState> out(settings_.envGroups);
   for (size_t p = 0; p < places_.size(); ++p) {
     OBBY_ASSIGN(PlaceState state, stateOf(p));
-    out[p / settings_.crowd.levels].places.push_back(std::move(state));
+    out[p / settings_.envGroup.levels].places.push_back(std::move(state));
   }
   return out;
 }
 
-Status DevicePlaces::restore(std::span<CrowdState> crowds) {
+Status DevicePlaces::restore(std::span<EnvGroupState> envGroups) {
   std::vector<PlaceState*> states;
-  for (CrowdState& crowd : crowds) {
-    if (crowd.places.size() != settings_.crowd.levels)
-      return makeError(fmt::format("{} levels in an env group, expected {}", crowd.places.size(),
-                                   settings_.crowd.levels));
-    for (PlaceState& place : crowd.places) states.push_back(&place);
+  for (EnvGroupState& envGroup : envGroups) {
+    if (envGroup.places.size() != settings_.envGroup.levels)
+      return makeError(fmt::format("{} levels in an env group, expected {}", envGroup.places.size(),
+                                   settings_.envGroup.levels));
+    for (PlaceState& place : envGroup.places) states.push_back(&place);
   }
   OBBY_RETURN_IF_ERROR(make());
   // The levels that they are on first, then as ever those after them.
@@ -195,7 +196,7 @@ Status DevicePlaces::restore(std::span<CrowdState> crowds) {
 
 Status DevicePlaces::restorePlace(size_t p, const PlaceState& s) {
   OBBY_ASSIGN(NextLevel level, needed(p));
-  OBBY_RETURN_IF_ERROR(checkPlace(s, *level.level, settings_.crowd));
+  OBBY_RETURN_IF_ERROR(checkPlace(s, *level.level, settings_.envGroup));
   putIn(p, std::move(level));
   described_[p].isNew = s.waits();
   places_[p].taken = s.taken;
@@ -208,7 +209,7 @@ Status DevicePlaces::putState(size_t p, const PlaceState& s) {
   const auto put = [&](auto* to, const auto& from) {
     return from.empty() ? Status() : device_.upload(to, from.data(), from.size() * sizeof from[0]);
   };
-  OBBY_RETURN_IF_ERROR(put(players_.data() + p * settings_.crowd.worlds, s.players));
+  OBBY_RETURN_IF_ERROR(put(players_.data() + p * settings_.envGroup.worlds, s.players));
   OBBY_RETURN_IF_ERROR(put(reached_.data() + p * kMostReached, s.reached));
   OBBY_RETURN_IF_ERROR(put(described_[p].loose, s.loose));
   PlaceCounts counts = s.counts;

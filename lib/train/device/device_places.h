@@ -19,7 +19,7 @@ class DevicePlaces {
 
   // One of these comes first; see Engine.
   Status begin(float hardest);
-  Status restore(std::span<CrowdState> crowds);
+  Status restore(std::span<EnvGroupState> envGroups);
 
   // Fills in what is known of places and worlds.
   void describe(PlayArguments& to) const;
@@ -32,7 +32,7 @@ class DevicePlaces {
   // What the source said where it gave none, if it was not told to stop.
   const Status& missing() const { return missing_; }
 
-  Result<std::vector<CrowdState>> state() const;
+  Result<std::vector<EnvGroupState>> state() const;
 
  private:
   struct Place {

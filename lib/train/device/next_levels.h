@@ -5,8 +5,8 @@
 #include <thread>
 #include <vector>
 
-#include "train/crowd.h"
 #include "train/device/delivery.h"
+#include "train/env_group.h"
 
 namespace obby::train {
 
@@ -27,7 +27,7 @@ class NextLevels {
   };
 
   // Source and device must outlive it.
-  NextLevels(const LevelSource& source, const CrowdSettings& settings, sim::Device& device,
+  NextLevels(const LevelSource& source, const EnvGroupSettings& settings, sim::Device& device,
              size_t places, int threads)
       : source_(source), settings_(settings), device_(device), next_(places), pool_(threads) {}
   ~NextLevels() {
@@ -52,7 +52,7 @@ class NextLevels {
   Status bring();
 
   const LevelSource& source_;
-  CrowdSettings settings_;
+  EnvGroupSettings settings_;
   sim::Device& device_;
   std::vector<Wanted> wanted_;
   std::vector<NextLevel> next_;  // (places)

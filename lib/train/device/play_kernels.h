@@ -34,9 +34,9 @@ struct PlayArguments {
   policy::Decision* decisions;
   float *values, *rewards;
   uint8_t* done;
-  // Of inputs so far: (crowds, kInputs).
+  // Of inputs so far: (env groups, kInputs).
   double *sums, *squares;
-  uint32_t worldsOfCrowd;
+  uint32_t worldsOfEnvGroup;
 };
 
 OBBY_DEVICE PlaceView placeView(const PlayArguments& a, uint32_t place) {
@@ -63,11 +63,11 @@ OBBY_DEVICE void observeWorld(const PlayArguments& a, uint32_t i) {
   if (part == 0) player.ahead = ahead;
 }
 
-// Adds the raw inputs of a crowd's worlds, in the order of the CPU.
+// Adds the raw inputs of an env group's worlds, in the order of the CPU.
 OBBY_DEVICE void countInputs(const PlayArguments& a, uint32_t i) {
-  const uint32_t first = i / policy::kInputs * a.worldsOfCrowd, column = i % policy::kInputs;
+  const uint32_t first = i / policy::kInputs * a.worldsOfEnvGroup, column = i % policy::kInputs;
   double sum = a.sums[i], squares = a.squares[i];
-  for (uint32_t w = first; w < first + a.worldsOfCrowd; ++w) {
+  for (uint32_t w = first; w < first + a.worldsOfEnvGroup; ++w) {
     const double v = double(a.inputs[size_t(w) * policy::kInputs + column]);
     sum += v;
     squares += v * v;

@@ -1,5 +1,5 @@
 // Worlds that learn together on the CPU: some levels, on each of them a few worlds. What becomes of
-// a crowd follows from its seed, its levels and the moves alone.
+// an env group follows from its seed, its levels and the moves alone.
 #pragma once
 
 #include <algorithm>
@@ -15,7 +15,7 @@
 
 namespace obby::train {
 
-struct CrowdSettings {
+struct EnvGroupSettings {
   uint32_t levels = 8;         // at a time
   uint32_t worlds = 32;        // on each level
   uint32_t playthroughs = 64;  // on a level, before the next takes its place
@@ -28,40 +28,41 @@ struct CrowdSettings {
   uint32_t size() const { return levels * worlds; }
 };
 
-// The level that place `place` of crowd `crowd` among `crowds` takes as its `taken`th, from 1: they
-// share the levels of a source in turns.
-uint64_t levelIndex(const CrowdSettings& settings, uint32_t crowd, uint32_t crowds, uint32_t place,
-                    uint64_t taken);
+// The level that place `place` of env group `envGroup` among `envGroups` takes as its `taken`th,
+// from 1: they share the levels of a source in turns.
+uint64_t levelIndex(const EnvGroupSettings& settings, uint32_t envGroup, uint32_t envGroups,
+                    uint32_t place, uint64_t taken);
 
 // Error: a state that no place with this level could have, and that does not wait for it.
 Status checkPlace(const PlaceState& state, const TrainingLevel& level,
-                  const CrowdSettings& settings);
+                  const EnvGroupSettings& settings);
 
 // Has enough been played of its level? Then the next takes its place, at the end of an iteration.
-inline bool isOver(const PlaceCounts& counts, const CrowdSettings& settings) {
+inline bool isOver(const PlaceCounts& counts, const EnvGroupSettings& settings) {
   return counts.played >= settings.playthroughs;
 }
 
-class Crowd {
+class EnvGroup {
  public:
-  // `number`: of this crowd among `crowds`. The source must outlive it.
-  Crowd(const LevelSource& source, const CrowdSettings& settings, uint64_t seed, uint32_t number,
-        uint32_t crowds);
+  // `number`: of this env group among `envGroups`. The source must outlive it.
+  EnvGroup(const LevelSource& source, const EnvGroupSettings& settings, uint64_t seed,
+           uint32_t number, uint32_t envGroups);
 
   // Takes the first levels. Errors: the source's, or that it was told to stop. `hardest`:
   // difficulty of the first two of each place.
   Status begin(float hardest);
 
-  // What restore() goes on from, in another crowd of the same source, settings and number. Errors
-  // of restore(): those of begin(), and what does not fit settings and levels.
-  CrowdState state() const;
-  Status restore(CrowdState state);
+  // What restore() goes on from, in another env group of the same source, settings and number.
+  // Errors of restore(): those of begin(), and what does not fit settings and levels.
+  EnvGroupState state() const;
+  Status restore(EnvGroupState state);
   // No level of the source before this one is played, or will be.
   uint64_t firstLevel() const { return firstLevel(places_); }
-  uint64_t firstLevelOf(const CrowdState& state) const { return firstLevel(state.places); }
+  uint64_t firstLevelOf(const EnvGroupState& state) const { return firstLevel(state.places); }
 
   uint32_t size() const { return settings_.size(); }
-  uint32_t firstWorld() const { return number_ * size(); }  // its number among all crowds' worlds
+  // Its number among the worlds of all env groups.
+  uint32_t firstWorld() const { return number_ * size(); }
 
   // `rows`: (size, kInputs), raw; `mayJump`: (size).
   void observe(float* rows, uint8_t* mayJump);
@@ -104,9 +105,9 @@ class Crowd {
   sim::LooseBody* looseOf(Place& place, uint32_t player) const;
 
   const LevelSource& source_;
-  CrowdSettings settings_;
+  EnvGroupSettings settings_;
   uint64_t seed_;
-  uint32_t number_, crowds_;
+  uint32_t number_, envGroups_;
   std::vector<Place> places_;
   Tally tally_;
   // Of a tick.

@@ -1,23 +1,23 @@
-#include "train/crowd.h"
+#include "train/env_group.h"
 
 namespace obby::train {
 
-uint64_t levelIndex(const CrowdSettings& settings, uint32_t crowd, uint32_t crowds, uint32_t place,
-                    uint64_t taken) {
-  const uint64_t all = uint64_t(crowds) * settings.levels;
-  return (taken - 1) * all + uint64_t(crowd) * settings.levels + place;
+uint64_t levelIndex(const EnvGroupSettings& settings, uint32_t envGroup, uint32_t envGroups,
+                    uint32_t place, uint64_t taken) {
+  const uint64_t all = uint64_t(envGroups) * settings.levels;
+  return (taken - 1) * all + uint64_t(envGroup) * settings.levels + place;
 }
 
-Crowd::Crowd(const LevelSource& source, const CrowdSettings& settings, uint64_t seed,
-             uint32_t number, uint32_t crowds)
+EnvGroup::EnvGroup(const LevelSource& source, const EnvGroupSettings& settings, uint64_t seed,
+                   uint32_t number, uint32_t envGroups)
     : source_(source),
       settings_(settings),
       seed_(seed),
       number_(number),
-      crowds_(crowds),
+      envGroups_(envGroups),
       places_(settings.levels) {}
 
-Status Crowd::begin(float hardest) {
+Status EnvGroup::begin(float hardest) {
   for (uint32_t p = 0; p < places_.size(); ++p) {
     places_[p].nextHardest = hardest;
     OBBY_RETURN_IF_ERROR(takeLevel(p, hardest));
@@ -26,11 +26,11 @@ Status Crowd::begin(float hardest) {
   return {};
 }
 
-uint64_t Crowd::indexOf(uint32_t p, uint64_t taken) const {
-  return levelIndex(settings_, number_, crowds_, p, taken);
+uint64_t EnvGroup::indexOf(uint32_t p, uint64_t taken) const {
+  return levelIndex(settings_, number_, envGroups_, p, taken);
 }
 
-Status Crowd::findLevel(uint32_t p) {
+Status EnvGroup::findLevel(uint32_t p) {
   Place& place = places_[p];
   place.level = nullptr;
   OBBY_ASSIGN(place.level, source_.level(indexOf(p, place.taken), place.hardest));
@@ -38,11 +38,11 @@ Status Crowd::findLevel(uint32_t p) {
   return {};
 }
 
-Status Crowd::needLevel(uint32_t p) {
+Status EnvGroup::needLevel(uint32_t p) {
   return places_[p].level ? Status() : Status(makeError(kInterrupted));
 }
 
-Status Crowd::takeLevel(uint32_t p, float nextHardest) {
+Status EnvGroup::takeLevel(uint32_t p, float nextHardest) {
   Place& place = places_[p];
   ++place.taken;
   place.hardest = std::exchange(place.nextHardest, nextHardest);
@@ -51,7 +51,7 @@ Status Crowd::takeLevel(uint32_t p, float nextHardest) {
   return found;
 }
 
-void Crowd::beginPlace(Place& place) {
+void EnvGroup::beginPlace(Place& place) {
   place.counts = {};
   if (!place.level) {
     place.players.clear();
@@ -65,16 +65,16 @@ void Crowd::beginPlace(Place& place) {
   beginLevel(viewOf(place));
 }
 
-PlaceView Crowd::viewOf(Place& place) const {
+PlaceView EnvGroup::viewOf(Place& place) const {
   return {&place.view,   place.players.data(), place.loose.data(),         place.reached.data(),
           &place.counts, settings_.worlds,     place.view.level.looseCount};
 }
 
-sim::LooseBody* Crowd::looseOf(Place& place, uint32_t player) const {
+sim::LooseBody* EnvGroup::looseOf(Place& place, uint32_t player) const {
   return place.view.level.looseCount == 0 ? nullptr : viewOf(place).looseOf(player);
 }
 
-void Crowd::observe(float* rows, uint8_t* mayJump) {
+void EnvGroup::observe(float* rows, uint8_t* mayJump) {
   for (Place& place : places_) {
     const policy::Scene& scene = place.level->scene();
     for (uint32_t i = 0; i < settings_.worlds; ++i) {
@@ -86,7 +86,7 @@ void Crowd::observe(float* rows, uint8_t* mayJump) {
   }
 }
 
-void Crowd::advance(Place& place, std::span<const int> moves) {
+void EnvGroup::advance(Place& place, std::span<const int> moves) {
   worlds_.clear();
   loose_.clear();
   actions_.clear();
@@ -100,7 +100,7 @@ void Crowd::advance(Place& place, std::span<const int> moves) {
   }
 }
 
-void Crowd::step(std::span<const int> moves, std::span<Step> steps) {
+void EnvGroup::step(std::span<const int> moves, std::span<Step> steps) {
   for (uint32_t p = 0; p < places_.size(); ++p) {
     Place& place = places_[p];
     const uint32_t first = p * settings_.worlds;
@@ -110,15 +110,15 @@ void Crowd::step(std::span<const int> moves, std::span<Step> steps) {
   }
 }
 
-void Crowd::settle(uint64_t decision, bool endOfIteration) {
+void EnvGroup::settle(uint64_t decision, bool endOfIteration) {
   const SettleRules rules{seed_, settings_.restarts, decision, endOfIteration};
   for (uint32_t p = 0; p < places_.size(); ++p)
     train::settle(viewOf(places_[p]), rules, firstWorld() + p * settings_.worlds);
 }
 
-void Crowd::settle(uint64_t decision) { settle(decision, false); }
+void EnvGroup::settle(uint64_t decision) { settle(decision, false); }
 
-Status Crowd::settleIteration(uint64_t decision, float hardest) {
+Status EnvGroup::settleIteration(uint64_t decision, float hardest) {
   settle(decision, true);
   Status said;  // first; all places end the iteration, so that learning can go on from there
   for (uint32_t p = 0; p < places_.size(); ++p) {
@@ -130,7 +130,7 @@ Status Crowd::settleIteration(uint64_t decision, float hardest) {
   return said;
 }
 
-Tally Crowd::takeTally() {
+Tally EnvGroup::takeTally() {
   for (Place& place : places_) tally_.add(place.counts);
   return std::exchange(tally_, {});
 }

@@ -1,10 +1,10 @@
-// What a crowd keeps of itself, and how it goes on from there. A state that no crowd of these
-// levels could have is refused: it would index what is not there.
+// What an env group keeps of itself, and how it goes on from there. A state that no env group of
+// these levels could have is refused: it would index what is not there.
 #include <fmt/format.h>
 
 #include <cmath>
 
-#include "train/crowd.h"
+#include "train/env_group.h"
 
 namespace obby::train {
 
@@ -31,7 +31,8 @@ bool isSound(const sim::LooseBody& b) {
 
 }  // namespace
 
-Status checkPlace(const PlaceState& s, const TrainingLevel& level, const CrowdSettings& settings) {
+Status checkPlace(const PlaceState& s, const TrainingLevel& level,
+                  const EnvGroupSettings& settings) {
   if (s.waits() && s.loose.empty() && s.reached.empty()) return {};
   if (s.levelHash != level.hash())
     return makeError("one of its levels has changed", "give the same levels as before");
@@ -46,8 +47,8 @@ Status checkPlace(const PlaceState& s, const TrainingLevel& level, const CrowdSe
   return sound ? Status() : makeError("its worlds do not fit its levels");
 }
 
-CrowdState Crowd::state() const {
-  CrowdState out;
+EnvGroupState EnvGroup::state() const {
+  EnvGroupState out;
   for (const Place& place : places_) {
     PlaceState& state = out.places.emplace_back(place);
     state.levelHash = place.level ? place.level->hash() : 0;
@@ -56,7 +57,7 @@ CrowdState Crowd::state() const {
   return out;
 }
 
-Status Crowd::restore(CrowdState state) {
+Status EnvGroup::restore(EnvGroupState state) {
   if (state.places.size() != places_.size())
     return makeError(
         fmt::format("{} levels in an env group, expected {}", state.places.size(), places_.size()));
