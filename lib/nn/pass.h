@@ -9,25 +9,22 @@
 
 namespace obby::nn {
 
-// out = in W + b of layer l. `in`: (rows, inputs of the layer); `out`: (rows, outputs).
+// Layer l: out = in W + b, rectified unless it is the last. `in`: (rows, inputs of the layer);
+// `out`: (rows, outputs).
 template <class S>
-void linear(const Network<S>& net, size_t l, const S* in, size_t rows, S* out) {
-  const size_t width = net.outputs(l), inner = net.inputs(l);
-  for (size_t r = 0; r < rows; ++r) std::copy_n(net.biases(l), width, out + r * width);
-  addProduct<S>({in, inner, 1}, rows, inner, net.weights(l), width, out);
+void fillLayer(const Network<S>& net, size_t l, const S* in, size_t rows, S* out) {
+  multiply(Product<S>{in, net.weights(l), net.biases(l), nullptr, out, rows, net.inputs(l),
+                      net.outputs(l), l + 1 < net.layers()});
 }
 
 // Adds the gradient of layer l's parameters to `sums`, laid out as they are. `gradient`: (rows,
-// outputs), of the loss by the layer's outputs.
+// outputs), of the loss by the layer's sums.
 template <class S>
-void addLinearGradient(const Network<S>& net, size_t l, const S* in, size_t rows, const S* gradient,
-                       std::vector<S>& sums) {
-  const size_t width = net.outputs(l), inner = net.inputs(l);
-  addProduct<S>({in, 1, inner}, inner, rows, gradient, width, sums.data() + net.at(l));
-  S* const biases = sums.data() + net.biasesAt(l);
-  for (size_t r = 0; r < rows; ++r) {
-    for (size_t o = 0; o < width; ++o) biases[o] += gradient[r * width + o];
-  }
+void addLayerGradient(const Network<S>& net, size_t l, const S* in, size_t rows, const S* gradient,
+                      std::vector<S>& sums) {
+  addGradient(GradientProduct<S>{in, gradient, sums.data() + net.at(l),
+                                 sums.data() + net.biasesAt(l), rows, net.inputs(l),
+                                 net.outputs(l)});
 }
 
 // Inputs of a Pass as they lie. Another type may keep them otherwise (train/seen_rows.h).
@@ -37,10 +34,9 @@ struct DenseRows {
   size_t count;
 
   size_t rows() const { return count; }
-  // The first layer's outputs, before they are rectified.
-  void firstLayer(const Network<S>& net, S* out) const { linear(net, 0, at, count, out); }
+  void fillFirstLayer(const Network<S>& net, S* out) const { fillLayer(net, 0, at, count, out); }
   void addFirstGradient(const Network<S>& net, const S* gradient, std::vector<S>& sums) const {
-    addLinearGradient(net, 0, at, count, gradient, sums);
+    addLayerGradient(net, 0, at, count, gradient, sums);
   }
 };
 
@@ -58,12 +54,10 @@ class Pass {
       std::vector<S>& out = units_[l];
       if (out.size() < count) out.resize(count);
       if (l == 0) {
-        inputs.firstLayer(net, out.data());
+        inputs.fillFirstLayer(net, out.data());
       } else {
-        linear(net, l, units_[l - 1].data(), rows, out.data());
+        fillLayer(net, l, units_[l - 1].data(), rows, out.data());
       }
-      if (l + 1 == net.layers()) break;
-      for (size_t i = 0; i < count; ++i) out[i] = out[i] > S(0) ? out[i] : S(0);
     }
     return units_.back().data();
   }
@@ -77,21 +71,20 @@ class Pass {
     const size_t rows = inputs.rows();
     for (size_t l = net.layers() - 1; l > 0; --l) {
       const S* const in = units_[l - 1].data();
-      addLinearGradient(net, l, in, rows, gradient, sums);
-      const size_t count = rows * net.inputs(l);
+      addLayerGradient(net, l, in, rows, gradient, sums);
       std::vector<S>& below = below_[l % 2];
-      if (below.size() < count) below.resize(count);
-      fillBack(net, l, gradient, rows, below.data());
-      for (size_t i = 0; i < count; ++i) below[i] = in[i] > S(0) ? below[i] : S(0);
+      if (below.size() < rows * net.inputs(l)) below.resize(rows * net.inputs(l));
+      fillBack(net, l, gradient, rows, in, below.data());
       gradient = below.data();
     }
     inputs.addFirstGradient(net, gradient, sums);
-    if (inputGradient != nullptr) fillBack(net, 0, gradient, rows, inputGradient);
+    if (inputGradient != nullptr) fillBack(net, 0, gradient, rows, nullptr, inputGradient);
   }
 
  private:
-  // to = gradient W^T.
-  void fillBack(const Network<S>& net, size_t l, const S* gradient, size_t rows, S* to) {
+  // to = gradient W^T, where `units`, if any, are on.
+  void fillBack(const Network<S>& net, size_t l, const S* gradient, size_t rows, const S* units,
+                S* to) {
     const size_t inner = net.inputs(l), width = net.outputs(l);
     if (transposed_.size() < inner * width) transposed_.resize(inner * width);
     const S* const w = net.weights(l);
@@ -101,8 +94,8 @@ class Pass {
           transposed_[o * inner + i] = w[i * width + o];
       }
     }
-    std::fill_n(to, rows * inner, S(0));
-    addProduct<S>({gradient, width, 1}, rows, width, transposed_.data(), inner, to);
+    multiply(
+        Product<S>{gradient, transposed_.data(), nullptr, units, to, rows, width, inner, false});
   }
 
   std::vector<std::vector<S>> units_;  // of each layer, (rows, outputs)

@@ -1,52 +1,60 @@
-// The product of matrices that learning on the CPU runs on. Each number is summed in the order
-// of the inner index, whatever the lanes, so that it has the same bits on every machine. Host only.
+// Products of matrices for learning on the CPU. Each number is summed in the order of the inner
+// index, unfused, whatever the lanes, so that it has the same bits on every machine. Numbers of the
+// left matrix that are zero are skipped: about half of the rectified units are. Host only.
 #pragma once
 
 #include <cstddef>
-#include <experimental/simd>
 
 namespace obby::nn {
 
 constexpr size_t kColumns = 16;  // the columns of every matrix are a multiple of this
 
-// A matrix or its transpose: the number at (row, inner) is at[row * rowStep + inner * step].
+// out = a x b + bias, after which what is below 0, or where `unit` is not above 0, becomes 0.
 template <class S>
-struct Factor {
-  const S* at;
-  size_t rowStep, step;
+struct Product {
+  const S* a;     // (rows, inner)
+  const S* b;     // (inner, columns)
+  const S* bias;  // (columns), or null
+  const S* unit;  // (rows, columns), or null
+  S* out;         // (rows, columns)
+  size_t rows, inner, columns;
+  bool rectified;
 };
+void multiply(const Product<float>& p);
 
-template <size_t kRows, class S>
-void addRows(const Factor<S>& a, size_t inner, const S* b, size_t columns, S* c) {
-  using Lanes = std::experimental::native_simd<S>;
-  constexpr auto kAnywhere = std::experimental::element_aligned;
-  static_assert(kColumns % Lanes::size() == 0);
-  for (size_t first = 0; first < columns; first += Lanes::size()) {
-    Lanes sums[kRows];
-    for (size_t r = 0; r < kRows; ++r) sums[r].copy_from(c + r * columns + first, kAnywhere);
-    for (size_t k = 0; k < inner; ++k) {
-      const Lanes row(b + k * columns + first, kAnywhere);
-#pragma GCC unroll 8
-      for (size_t r = 0; r < kRows; ++r)
-        sums[r] = sums[r] + Lanes(a.at[r * a.rowStep + k * a.step]) * row;
+// sums += transposed(a) x b, and biases += the sum of b's rows.
+template <class S>
+struct GradientProduct {
+  const S* a;  // (rows, inner)
+  const S* b;  // (rows, columns)
+  S* sums;     // (inner, columns)
+  S* biases;   // (columns)
+  size_t rows, inner, columns;
+};
+void addGradient(const GradientProduct<float>& g);
+
+// As formulas, for tests in double precision.
+template <class S>
+void multiply(const Product<S>& p) {
+  for (size_t r = 0; r < p.rows; ++r) {
+    for (size_t c = 0; c < p.columns; ++c) {
+      S sum = p.bias != nullptr ? p.bias[c] : S(0);
+      for (size_t k = 0; k < p.inner; ++k) sum += p.a[r * p.inner + k] * p.b[k * p.columns + c];
+      const size_t at = r * p.columns + c;
+      const bool off = (p.rectified && !(sum > 0)) || (p.unit != nullptr && !(p.unit[at] > 0));
+      p.out[at] = off ? S(0) : sum;
     }
-    for (size_t r = 0; r < kRows; ++r) sums[r].copy_to(c + r * columns + first, kAnywhere);
   }
 }
 
-// c += a b, with `a` (rows, inner), `b` (inner, columns), `c` (rows, columns).
 template <class S>
-void addProduct(Factor<S> a, size_t rows, size_t inner, const S* b, size_t columns, S* c) {
-  constexpr size_t kSome = 8;
-  for (; rows >= kSome; rows -= kSome) {
-    addRows<kSome>(a, inner, b, columns, c);
-    a.at += kSome * a.rowStep;
-    c += kSome * columns;
-  }
-  for (; rows > 0; --rows) {
-    addRows<1>(a, inner, b, columns, c);
-    a.at += a.rowStep;
-    c += columns;
+void addGradient(const GradientProduct<S>& g) {
+  for (size_t r = 0; r < g.rows; ++r) {
+    for (size_t c = 0; c < g.columns; ++c) {
+      const S b = g.b[r * g.columns + c];
+      for (size_t k = 0; k < g.inner; ++k) g.sums[k * g.columns + c] += g.a[r * g.inner + k] * b;
+      g.biases[c] += b;
+    }
   }
 }
 

@@ -1,19 +1,22 @@
 #include "train/seen_rows.h"
 
 #include <algorithm>
+#include <type_traits>
 
-#include "train/unit_sums.h"
+#include "policy/network.h"
 
 namespace obby::train {
 
 namespace {
 
 constexpr int kUnits = policy::kHidden;
+constexpr std::integral_constant<size_t, kUnits> kWidth{};
+constexpr std::integral_constant<size_t, policy::kInputs> kInputs{};
 constexpr uint32_t kAllLanes = (uint64_t(1) << kLanes) - 1;
 constexpr int kAskedLines = 8;  // of cache: what is likely to be read of a row
 static_assert(policy::kInputs % kLanes == 0);
 
-using Units = UnitSums<kUnits>;
+using Units = nn::UnitSums<kUnits>;
 
 }  // namespace
 
@@ -61,64 +64,57 @@ void addVoidGradients(const SeenRows& rows, const nn::Network<float>& net,
   }
 }
 
-void SeenPart::ask(size_t i) const {
-  const char* const begin = reinterpret_cast<const char*>(&row(i));
-  for (int line = 0; line < kAskedLines; ++line) __builtin_prefetch(begin + 64 * line);
-}
+// For the functions of nn/unit_sums.h.
+class SeenPart::Block {
+ public:
+  struct Cursor {
+    const float* at;
+    OBBY_LANES float operator()(int) { return *at++; }
+  };
 
-void SeenPart::firstLayer(const nn::Network<float>& net, float* out) const {
-  for (size_t first = 0; first < which_.size(); first += kBlock) {
-    const size_t count = std::min(kBlock, which_.size() - first);
-    blockLayer(first, count, net.weights(0), out + first * kUnits);
+  Block(const SeenPart& part, size_t first)
+      : part_(part), first_(first), count_(std::min(nn::kRowBlock, part.rows() - first)) {
+    for (size_t r = 0; r < count_; ++r) values_[r] = part_.row(first_ + r).values;
   }
-}
 
-// A word of inputs after the other: its weights stay in a core's nearest cache while all rows pass.
-void SeenPart::blockLayer(size_t first, size_t count, const float* weights, float* out) const {
-  const float* values[kBlock];
-  for (size_t i = 0; i < count; ++i) values[i] = row(first + i).values;
-  for (int w = 0; w < SeenRows::kWords; ++w, weights += SeenRows::kBits * kUnits) {
-    for (size_t i = 0; i < count; ++i) {
-      if (w == 0 && first + i + kRowsAhead < which_.size()) ask(first + i + kRowsAhead);
-      Units sums(w == 0 ? voidSums_.data() : out + i * kUnits);
-      const float* value = values[i];
-      forBits(row(first + i).seen[w],
-              [&](int bit) OBBY_INLINED { sums.add(weights + bit * kUnits, *value++); });
-      values[i] = value;
-      sums.put(out + i * kUnits);
-    }
+  size_t count() const { return count_; }
+  OBBY_LANES uint64_t bits(size_t r, size_t w) const {
+    if (w == 0 && first_ + r + kRowsAhead < part_.rows()) ask(first_ + r + kRowsAhead);
+    return part_.row(first_ + r).seen[w];
+  }
+  OBBY_LANES auto cursor(size_t r, size_t) const { return Cursor{values_[r]}; }
+  OBBY_LANES void end(size_t r, const Cursor& cursor) { values_[r] = cursor.at; }
+  OBBY_LANES float value(size_t r, size_t, int) { return *values_[r]++; }
+
+ private:
+  void ask(size_t i) const {
+    const char* const begin = reinterpret_cast<const char*>(&part_.row(i));
+    for (int line = 0; line < kAskedLines; ++line) __builtin_prefetch(begin + 64 * line);
+  }
+
+  const SeenPart& part_;
+  size_t first_, count_;
+  const float* values_[nn::kRowBlock];  // the next of each row
+};
+
+void SeenPart::fillFirstLayer(const nn::Network<float>& net, float* out) const {
+  for (size_t first = 0; first < rows(); first += nn::kRowBlock) {
+    Block block(*this, first);
+    nn::multiplyUnits<kUnits>(block, block.count(), kInputs, net.weights(0), kWidth,
+                              voidSums_.data(), out + first * kUnits,
+                              [](size_t, Units& sums) OBBY_INLINED { sums.rectify(); });
   }
 }
 
 void SeenPart::addFirstGradient(const nn::Network<float>& net, const float* gradient,
                                 std::vector<float>& sums) const {
   Units biases(sums.data() + net.biasesAt(0));
-  for (size_t r = 0; r < which_.size(); ++r) biases.add(gradient + r * kUnits);
+  for (size_t r = 0; r < rows(); ++r) biases.add(gradient + r * kUnits);
   biases.put(sums.data() + net.biasesAt(0));
-  for (size_t first = 0; first < which_.size(); first += kBlock) {
-    const size_t count = std::min(kBlock, which_.size() - first);
-    addBlockGradient(first, count, gradient + first * kUnits, sums.data() + net.at(0));
-  }
-}
-
-// An input after the other: the gradient of its weights is summed in registers over all rows that
-// see it.
-void SeenPart::addBlockGradient(size_t first, size_t count, const float* gradient,
-                                float* sums) const {
-  const float* values[kBlock];
-  for (size_t i = 0; i < count; ++i) values[i] = row(first + i).values;
-  for (int w = 0; w < SeenRows::kWords; ++w) {
-    uint64_t seenBy[kBlock] = {};
-    for (size_t i = 0; i < count; ++i) seenBy[i] = row(first + i).seen[w];
-    transpose(seenBy);
-    const int inputs = std::min(SeenRows::kBits, policy::kInputs - w * SeenRows::kBits);
-    for (int input = 0; input < inputs; ++input, sums += kUnits) {
-      if (seenBy[input] == 0) continue;
-      Units sum(sums);
-      forBits(seenBy[input],
-              [&](int i) OBBY_INLINED { sum.add(gradient + i * kUnits, *values[i]++); });
-      sum.put(sums);
-    }
+  for (size_t first = 0; first < rows(); first += nn::kRowBlock) {
+    Block block(*this, first);
+    nn::addGradientUnits<kUnits>(block, block.count(), kInputs, gradient + first * kUnits, kWidth,
+                                 sums.data() + net.at(0));
   }
 }
 

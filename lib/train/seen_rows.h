@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/huge_pages.h"
+#include "nn/unit_sums.h"
 #include "policy/trainable.h"
 
 namespace obby::train {
@@ -33,7 +34,7 @@ class SeenRows {
  private:
   friend class SeenPart;
 
-  static constexpr int kBits = 64;
+  static constexpr int kBits = int(nn::kWord);
   static constexpr int kWords = (policy::kInputs + kBits - 1) / kBits;
 
   struct alignas(64) Row {
@@ -64,17 +65,14 @@ class SeenPart {
       : rows_(rows), which_(which), voidSums_(voidSums) {}
 
   size_t rows() const { return which_.size(); }
-  void firstLayer(const nn::Network<float>& net, float* out) const;
+  void fillFirstLayer(const nn::Network<float>& net, float* out) const;
   void addFirstGradient(const nn::Network<float>& net, const float* gradient,
                         std::vector<float>& sums) const;
 
  private:
-  static constexpr size_t kBlock = 64;  // rows whose inputs are gone through together
+  class Block;  // of rows whose inputs are gone through together
 
   const SeenRows::Row& row(size_t i) const { return rows_.rows_[which_[i]]; }
-  void ask(size_t i) const;
-  void blockLayer(size_t first, size_t count, const float* weights, float* out) const;
-  void addBlockGradient(size_t first, size_t count, const float* gradient, float* sums) const;
 
   const SeenRows& rows_;
   std::span<const uint32_t> which_;

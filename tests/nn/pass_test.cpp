@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstring>
 #include <numeric>
+#include <tuple>
 
 #include "drawn.h"
 #include "nn/learner.h"
@@ -16,21 +17,39 @@
 namespace obby::nn {
 namespace {
 
-// Whatever the lanes: each number is summed as a loop would.
+std::vector<float> halfZeros(size_t count, Random& random) {
+  std::vector<float> v = drawn<float>(count, random);
+  for (float& x : v) x = x < 0 ? 0 : x;
+  return v;
+}
+
+// Whatever the lanes and the zeros: each number is summed as a loop would.
 TEST(Product, HasTheBitsOfALoop) {
   Random random(1, 1);
-  for (const size_t rows : {1u, 7u, 8u, 19u}) {
-    const size_t inner = 37, columns = 48;
-    const auto a = drawn<float>(rows * inner, random), b = drawn<float>(inner * columns, random);
-    auto c = drawn<float>(rows * columns, random), expected = c;
-    addProduct<float>({a.data(), inner, 1}, rows, inner, b.data(), columns, c.data());
-    for (size_t r = 0; r < rows; ++r) {
-      for (size_t o = 0; o < columns; ++o) {
-        for (size_t k = 0; k < inner; ++k)
-          expected[r * columns + o] += a[r * inner + k] * b[k * columns + o];
+  for (const size_t rows : {1u, 7u, 64u, 130u}) {
+    for (const size_t columns : {16u, 48u, 64u, 160u}) {
+      const size_t inner = columns == 16 ? 8 : 100;
+      const auto a = halfZeros(rows * inner, random), unit = halfZeros(rows * columns, random);
+      const auto b = drawn<float>(inner * columns, random), bias = drawn<float>(columns, random);
+      std::vector<float> c(rows * columns), expected = c;
+      for (const auto& [begin, on, rectified] :
+           {std::tuple(bias.data(), (const float*)nullptr, true),
+            std::tuple((const float*)nullptr, unit.data(), false)}) {
+        Product<float> p{a.data(), b.data(), begin, on, c.data(), rows, inner, columns, rectified};
+        multiply(p);
+        p.out = expected.data();
+        multiply<float>(p);
+        EXPECT_EQ(std::memcmp(c.data(), expected.data(), c.size() * sizeof(float)), 0) << columns;
       }
+      std::vector<float> sums = drawn<float>((inner + 1) * columns, random), others = sums;
+      const auto add = [&](std::vector<float>& to) {
+        return GradientProduct<float>{a.data(), c.data(), to.data(), to.data() + inner * columns,
+                                      rows,     inner,    columns};
+      };
+      addGradient(add(sums));
+      addGradient<float>(add(others));
+      EXPECT_EQ(sums, others) << rows << " x " << columns;
     }
-    EXPECT_EQ(std::memcmp(c.data(), expected.data(), c.size() * sizeof(float)), 0) << rows;
   }
 }
 
