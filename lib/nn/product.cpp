@@ -15,10 +15,9 @@ constexpr float kZeros[4 * kColumns] = {};
 static_assert(kColumns % kLanes == 0);
 
 // Rows as they lie, for the functions of unit_sums.h.
-template <class Inner>
 struct WholeRows {
   const float* a;
-  Inner inner;
+  size_t inner;
 
   OBBY_LANES uint64_t bits(size_t r, size_t w) const {
     return nonZero(a + r * inner + w * kWord, std::min<size_t>(kWord, inner - w * kWord));
@@ -36,18 +35,6 @@ struct WholeRows {
 template <size_t kCount>
 using Constant = std::integral_constant<size_t, kCount>;
 
-// Calls visit(count), as a constant where it is a usual width.
-template <class Visit>
-void withWidth(size_t count, Visit&& visit) {
-  if (count == 4 * kColumns) {
-    visit(Constant<4 * kColumns>());
-  } else if (count == 3 * kColumns) {
-    visit(Constant<3 * kColumns>());
-  } else {
-    visit(count);
-  }
-}
-
 // Calls block(first, how many as a constant) for all columns.
 template <class Block>
 void forBlocks(size_t columns, Block&& block) {
@@ -61,45 +48,31 @@ void forBlocks(size_t columns, Block&& block) {
   }
 }
 
-template <class Inner, class Columns>
-void multiplyAs(const Product<float>& p, Inner inner, Columns columns) {
-  WholeRows<Inner> rows{p.a, inner};
-  forBlocks(columns, [&](size_t first, auto units) {
+}  // namespace
+
+void multiply(const Product<float>& p) {
+  WholeRows rows{p.a, p.inner};
+  forBlocks(p.columns, [&](size_t first, auto units) {
     const float* const unit = p.unit == nullptr ? nullptr : p.unit + first;
-    multiplyUnits<int(units())>(rows, p.rows, inner, p.b + first, columns,
+    multiplyUnits<int(units())>(rows, p.rows, p.inner, p.b + first, p.columns,
                                 p.bias != nullptr ? p.bias + first : kZeros, p.out + first,
-                                [&, rectified = p.rectified](size_t r, auto& sums) OBBY_INLINED {
-                                  if (rectified) sums.rectify();
-                                  if (unit != nullptr) sums.stopWhereOff(unit + r * columns);
+                                [&](size_t r, auto& sums) OBBY_INLINED {
+                                  if (p.rectified) sums.rectify();
+                                  if (unit != nullptr) sums.stopWhereOff(unit + r * p.columns);
                                 });
   });
 }
 
-template <class Inner, class Columns>
-void addGradientAs(const GradientProduct<float>& g, Inner inner, Columns columns) {
-  forBlocks(columns, [&](size_t first, auto units) {
+void addGradient(const GradientProduct<float>& g) {
+  forBlocks(g.columns, [&](size_t first, auto units) {
     for (size_t row = 0; row < g.rows; row += kRowBlock) {
-      WholeRows<Inner> rows{g.a + row * inner, inner};
-      addGradientUnits<int(units())>(rows, std::min(kRowBlock, g.rows - row), inner,
-                                     g.b + row * columns + first, columns, g.sums + first);
+      WholeRows rows{g.a + row * g.inner, g.inner};
+      addGradientUnits<int(units())>(rows, std::min(kRowBlock, g.rows - row), g.inner,
+                                     g.b + row * g.columns + first, g.columns, g.sums + first);
     }
     UnitSums<int(units())> biases(g.biases + first);
-    for (size_t r = 0; r < g.rows; ++r) biases.add(g.b + r * columns + first);
+    for (size_t r = 0; r < g.rows; ++r) biases.add(g.b + r * g.columns + first);
     biases.put(g.biases + first);
-  });
-}
-
-}  // namespace
-
-void multiply(const Product<float>& p) {
-  withWidth(p.inner, [&](auto inner) {
-    withWidth(p.columns, [&](auto columns) { multiplyAs(p, inner, columns); });
-  });
-}
-
-void addGradient(const GradientProduct<float>& g) {
-  withWidth(g.inner, [&](auto inner) {
-    withWidth(g.columns, [&](auto columns) { addGradientAs(g, inner, columns); });
   });
 }
 
