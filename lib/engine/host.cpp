@@ -23,7 +23,7 @@ Host::Host(const Document& documentIn, const Settings& settingsIn)
     : document(documentIn),
       settings(settingsIn),
       vm(settingsIn.budget, this),
-      random(settingsIn.seed) {
+      random(settingsIn.seed, settingsIn.draws) {
   owners.push_back(kNoInstance);
   lua_State* const L = vm.state();
   luaL_openlibs(L);

@@ -79,7 +79,7 @@ std::vector<std::string> partTexts(schema::Level::Reader level, const Kinds& kin
     texts.push_back(fmt::format("{} ({})", partText(level, parts[i]),
                                 firstKind(kinds, level.getParts()[parts[i]])));
   }
-  if (parts.size() > kMost) texts.push_back(fmt::format("{} more parts", parts.size() - kMost));
+  if (parts.size() > kMost) texts.push_back(fmt::format("{} more", parts.size() - kMost));
   return texts;
 }
 
