@@ -22,6 +22,7 @@ InstanceId Host::scriptOf(const char* source) {
 Host::Host(const Document& documentIn, const Settings& settingsIn)
     : document(documentIn),
       settings(settingsIn),
+      classes(ClassTable::get()),
       vm(settingsIn.budget, this),
       random(settingsIn.seed, settingsIn.draws) {
   owners.push_back(kNoInstance);
