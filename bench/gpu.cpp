@@ -16,8 +16,8 @@
 #include "sim/host_device.h"
 #include "solve/learned/cflge.h"
 #include "solve/learned/pbge.h"
-#include "solve/resident/resident_explore.h"
-#include "solve/rollouts/device_rollouts.h"
+#include "solve/search/resident/resident_explore.h"
+#include "solve/search/rollouts/device_rollouts.h"
 #include "support/courses.h"
 
 namespace {

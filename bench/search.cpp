@@ -9,8 +9,8 @@
 #include "common/report.h"
 #include "sim/simulator.h"
 #include "sim/wide_tick.h"
-#include "solve/go_explore.h"
-#include "solve/rollouts/rollout.h"
+#include "solve/search/methods/go_explore.h"
+#include "solve/search/rollouts/rollout.h"
 #include "support/level_builder.h"
 #include "support/plain_problem.h"
 

@@ -10,7 +10,7 @@
 #include "common/machine.h"
 #include "common/report.h"
 #include "io/read_file.h"
-#include "solve/ablations.h"
+#include "solve/search/methods/ablations.h"
 #include "suite/curve.h"
 #include "suite/plan.h"
 #include "suite/table.h"

@@ -3,10 +3,13 @@
 set(OBBY_CUDA_ARCHITECTURES "80;89;90" CACHE STRING "Compute capabilities to build kernels for, as in sm_80")
 set(OBBY_CUDA_FLAGS "" CACHE STRING "More flags for nvcc: -Ofc=max compiles in seconds, for kernels that nobody runs")
 
-# obby_cuda(module): lib/<module>/cuda/*.cu and, beside them, *.cpp but absent.cpp; or, in a build without CUDA,
+# obby_cuda(module [folder]): *.cu of lib/<module>/<folder>, by default cuda, and its *.cpp but absent.cpp; or, without CUDA,
 # absent.cpp alone.
 function(obby_cuda module)
   set(folder ${CMAKE_CURRENT_SOURCE_DIR}/cuda)
+  if(ARGC GREATER 1)
+    set(folder ${CMAKE_CURRENT_SOURCE_DIR}/${ARGV1})
+  endif()
   if(NOT OBBY_CUDA)
     target_sources(obby_${module} PRIVATE ${folder}/absent.cpp)
     return()

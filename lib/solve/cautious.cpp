@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <set>
 
-#include "solve/query/posed_query.h"
+#include "solve/verify/posed_query.h"
 
 namespace obby::solve {
 

@@ -1,8 +1,8 @@
 // Solutions that do without the parts of which the import is not sure.
 #pragma once
 
-#include "solve/answers/doubts.h"
-#include "solve/query_solver.h"
+#include "solve/report/doubts.h"
+#include "solve/solver_options.h"
 
 namespace obby::solve {
 

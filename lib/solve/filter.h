@@ -14,11 +14,11 @@
 #include "io/physics.h"
 #include "io/pipeline.h"
 #include "policy/policy_file.h"
-#include "solve/answers/pass_filter.h"
 #include "solve/known_levels.h"
 #include "solve/known_queries.h"
+#include "solve/model/build_query.h"
+#include "solve/pass_filter.h"
 #include "solve/players/ask_players.h"
-#include "solve/query/build_query.h"
 #include "solve/query_solver.h"
 
 namespace obby::solve {

@@ -4,15 +4,7 @@
 
 #include <utility>
 
-#include "base/table_bytes.h"
-
 namespace obby::solve {
-
-uint64_t KnownLevels::bytesOf(const LoadedLevel& level) {
-  const uint64_t words = level.record.reader().totalSize().wordCount;
-  const uint64_t own = words * sizeof(capnp::word) + tableBytes(level.level.view());
-  return own + level.players->bytes();
-}
 
 void KnownLevels::weigh(const std::string& name) {
   const auto found = levels_.find(name);

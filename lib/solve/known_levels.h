@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "base/result.h"
-#include "solve/query_solver.h"
+#include "solve/loaded_level.h"
 
 namespace obby::solve {
 
@@ -22,9 +22,6 @@ class KnownLevels {
   // `mostBytes`: what the kept levels may take together, as records and compiled. The newest is
   // kept whatever it takes.
   explicit KnownLevels(uint64_t mostBytes) : mostBytes_(mostBytes) {}
-
-  // What keeping a level takes, in bytes, about.
-  static uint64_t bytesOf(const LoadedLevel& level);
 
   // Keeps a level as the newest, in place of an older one of its name. Gives the names of those
   // that are dropped for it, the oldest first.

@@ -16,7 +16,7 @@
 #include "io/stream.h"
 #include "policy/shipped_policy.h"
 #include "sim/simulator.h"
-#include "solve/methods.h"
+#include "solve/search/methods/methods.h"
 
 namespace obby::solve {
 namespace {

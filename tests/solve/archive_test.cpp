@@ -1,4 +1,4 @@
-#include "solve/archive/archive.h"
+#include "solve/search/archive/archive.h"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,11 @@
 // The part that took too much health is named, though the simulator does not name it.
-#include "solve/rollouts/blame.h"
+#include "solve/search/rollouts/blame.h"
 
 #include <gtest/gtest.h>
 
 #include "hand_played.h"
-#include "solve/go_explore.h"
-#include "solve/resident/resident_explore.h"
+#include "solve/search/methods/go_explore.h"
+#include "solve/search/resident/resident_explore.h"
 
 namespace obby::solve {
 namespace {

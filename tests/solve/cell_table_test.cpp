@@ -1,9 +1,9 @@
-#include "solve/archive/cell_table.h"
+#include "solve/search/archive/cell_table.h"
 
 #include <gtest/gtest.h>
 
-#include "solve/archive/archive_node.h"
-#include "solve/archive/cell.h"
+#include "solve/search/archive/archive_node.h"
+#include "solve/search/archive/cell.h"
 
 namespace obby::solve {
 namespace {

@@ -1,11 +1,11 @@
-#include "solve/archive/cell.h"
+#include "solve/search/archive/cell.h"
 
 #include <gtest/gtest.h>
 
 #include <set>
 
 #include "scenes.h"
-#include "solve/archive/binning.h"
+#include "solve/search/archive/binning.h"
 
 namespace obby::solve {
 namespace {

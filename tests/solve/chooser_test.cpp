@@ -1,15 +1,15 @@
 // Which cells the choosers of the rival methods pick from archives made by hand.
-#include "solve/choosers/chooser.h"
+#include "solve/search/selectors/chooser.h"
 
 #include <gtest/gtest.h>
 
 #include <map>
 
 #include "scenes.h"
-#include "solve/choosers/choose_beam.h"
-#include "solve/choosers/choose_mcts.h"
-#include "solve/choosers/choose_rrt.h"
-#include "solve/rollouts/surfaces.h"
+#include "solve/search/rollouts/surfaces.h"
+#include "solve/search/selectors/choose_beam.h"
+#include "solve/search/selectors/choose_mcts.h"
+#include "solve/search/selectors/choose_rrt.h"
 
 namespace obby::solve {
 namespace {

@@ -1,11 +1,11 @@
 // Players who press the same keys: whether they come along.
-#include "solve/rollouts/companions.h"
+#include "solve/search/rollouts/companions.h"
 
 #include <gtest/gtest.h>
 
 #include "level/player.h"
 #include "scenes.h"
-#include "solve/rollouts/explore_setup.h"
+#include "solve/search/rollouts/explore_setup.h"
 
 namespace obby::solve {
 namespace {

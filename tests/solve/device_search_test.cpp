@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "scenes.h"
-#include "solve/go_explore.h"
+#include "solve/search/methods/go_explore.h"
 #include "support/failing_device.h"
 #include "untimed.h"
 

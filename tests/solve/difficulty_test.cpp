@@ -1,12 +1,12 @@
-#include "solve/difficulty/difficulty.h"
+#include "solve/report/difficulty/difficulty.h"
 
 #include <gtest/gtest.h>
 
 #include "hand_played.h"
-#include "solve/difficulty/difficulty_records.h"
-#include "solve/difficulty/press_windows.h"
-#include "solve/difficulty/room.h"
-#include "solve/difficulty/trials.h"
+#include "solve/report/difficulty/difficulty_records.h"
+#include "solve/report/difficulty/press_windows.h"
+#include "solve/report/difficulty/room.h"
+#include "solve/report/difficulty/trials.h"
 
 namespace obby::solve {
 namespace {

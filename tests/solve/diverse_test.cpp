@@ -5,7 +5,7 @@
 
 #include "hand_played.h"
 #include "io/json_codec.h"
-#include "solve/answers/solutions.h"
+#include "solve/search/solutions.h"
 #include "untimed.h"
 
 namespace obby::solve {

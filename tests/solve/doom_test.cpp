@@ -1,11 +1,11 @@
 // Below everything there is a search stops; whoever it gave up has indeed no way back.
-#include "solve/rollouts/doom.h"
+#include "solve/search/rollouts/doom.h"
 
 #include <gtest/gtest.h>
 
 #include "scenes.h"
-#include "solve/go_explore.h"
-#include "solve/rollouts/rollout.h"
+#include "solve/search/methods/go_explore.h"
+#include "solve/search/rollouts/rollout.h"
 
 namespace obby::solve {
 namespace {

@@ -1,13 +1,13 @@
 // An earlier answer is tried first: what still works is found at once, what does not is searched on
 // from.
-#include "solve/answers/earlier_answers.h"
+#include "solve/earlier_answers.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "policy/shipped_policy.h"
 #include "scenes.h"
-#include "solve/methods.h"
+#include "solve/search/methods/methods.h"
 
 namespace obby::solve {
 namespace {

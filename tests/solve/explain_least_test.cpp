@@ -3,7 +3,7 @@
 
 #include "hand_played.h"
 #include "io/json_codec.h"
-#include "solve/relaxation/explain.h"
+#include "solve/report/relaxation/explain.h"
 
 namespace obby::solve {
 namespace {

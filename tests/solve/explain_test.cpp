@@ -1,6 +1,6 @@
 // What is said of queries that cannot be solved: the change that would make them solvable, no less
 // than is needed, and nothing where no single change does.
-#include "solve/relaxation/explain.h"
+#include "solve/report/relaxation/explain.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

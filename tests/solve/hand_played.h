@@ -4,7 +4,7 @@
 #include <functional>
 
 #include "scenes.h"
-#include "solve/answers/route.h"
+#include "solve/model/route.h"
 
 namespace obby::solve {
 

@@ -1,5 +1,5 @@
 // Where a search has been, coarsely: nothing is lost but where exactly.
-#include "solve/archive/heat_map.h"
+#include "solve/search/archive/heat_map.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include "base/random.h"
 #include "io/record.h"
 #include "scenes.h"
-#include "solve/go_explore.h"
+#include "solve/search/methods/go_explore.h"
 
 namespace obby::solve {
 namespace {

@@ -1,5 +1,5 @@
 // What each knob changes of a query or its level, and what it leaves alone; where the knobs look.
-#include "solve/relaxation/knobs.h"
+#include "solve/report/relaxation/knobs.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -7,8 +7,8 @@
 #include "io/json_codec.h"
 #include "level/resolve_places.h"
 #include "scenes.h"
-#include "solve/relaxation/explain.h"
-#include "solve/relaxation/frontier.h"
+#include "solve/report/relaxation/explain.h"
+#include "solve/report/relaxation/frontier.h"
 
 namespace obby::solve {
 namespace {

@@ -1,7 +1,7 @@
 // Every row of the table of methods: it solves what is easy, keeps to what is asked, and nothing
 // but its inputs decides what it finds.
-#include "solve/methods.h"
-#include "solve/ablations.h"
+#include "solve/search/methods/methods.h"
+#include "solve/search/methods/ablations.h"
 
 #include <gtest/gtest.h>
 

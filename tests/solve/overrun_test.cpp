@@ -3,8 +3,8 @@
 
 #include "sim/candidates.h"
 #include "sim/simulator.h"
-#include "solve/answers/reason.h"
-#include "solve/go_explore.h"
+#include "solve/report/reason.h"
+#include "solve/search/methods/go_explore.h"
 #include "support/level_builder.h"
 
 namespace obby::solve {

@@ -1,5 +1,5 @@
 // Parts in sentences for people.
-#include "solve/answers/part_text.h"
+#include "solve/report/part_text.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Which playthroughs pass a place: also between two ticks.
-#include "solve/answers/pass_filter.h"
+#include "solve/pass_filter.h"
 
 #include <fmt/format.h>
 

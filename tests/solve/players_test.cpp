@@ -5,8 +5,8 @@
 #include <sstream>
 
 #include "scenes.h"
+#include "solve/model/retimed.h"
 #include "solve/players/player_text.h"
-#include "solve/players/retimed.h"
 
 namespace obby::solve {
 namespace {

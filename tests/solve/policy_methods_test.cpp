@@ -6,9 +6,9 @@
 #include "policy/shipped_policy.h"
 #include "scenes.h"
 #include "sim/host_device.h"
-#include "solve/choosers/choose_policy.h"
-#include "solve/go_explore_method.h"
-#include "solve/rollouts/explorer.h"
+#include "solve/search/methods/go_explore_method.h"
+#include "solve/search/rollouts/explorer.h"
+#include "solve/search/selectors/choose_policy.h"
 #include "untimed.h"
 
 namespace obby::solve {

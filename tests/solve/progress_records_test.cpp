@@ -3,8 +3,8 @@
 
 #include "io/json_codec.h"
 #include "scenes.h"
-#include "solve/answers/answer_records.h"
-#include "solve/go_explore.h"
+#include "solve/report/answer_records.h"
+#include "solve/search/methods/go_explore.h"
 
 namespace obby::solve {
 namespace {

@@ -10,7 +10,7 @@
 
 #include "golden/hashes.h"
 #include "scenes.h"
-#include "solve/go_explore.h"
+#include "solve/search/methods/go_explore.h"
 
 namespace obby::solve {
 namespace {

@@ -9,7 +9,7 @@
 #include "io/stream.h"
 #include "scenes.h"
 #include "solve/proof/unreachable.h"
-#include "solve/query/posed_query.h"
+#include "solve/verify/posed_query.h"
 
 namespace obby::solve {
 namespace {

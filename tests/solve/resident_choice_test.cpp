@@ -3,7 +3,7 @@
 #include <map>
 
 #include "resident_scenes.h"
-#include "solve/resident/kernels.h"
+#include "solve/search/resident/kernels.h"
 
 namespace obby::solve {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "golden/loose_scenes.h"
 #include "scenes.h"
-#include "solve/resident/resident_explore.h"
+#include "solve/search/resident/resident_explore.h"
 
 namespace obby::solve {
 

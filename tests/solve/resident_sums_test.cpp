@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "base/random.h"
-#include "solve/resident/sum_tree.h"
+#include "solve/search/resident/sum_tree.h"
 
 namespace obby::solve {
 namespace {

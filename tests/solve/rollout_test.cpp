@@ -1,5 +1,5 @@
-#include "solve/rollouts/rollout.h"
-#include "solve/rollouts/doom.h"
+#include "solve/search/rollouts/rollout.h"
+#include "solve/search/rollouts/doom.h"
 
 #include <gtest/gtest.h>
 
@@ -7,8 +7,8 @@
 #include <set>
 
 #include "scenes.h"
-#include "solve/go_explore.h"
-#include "solve/rollouts/surfaces.h"
+#include "solve/search/methods/go_explore.h"
+#include "solve/search/rollouts/surfaces.h"
 
 namespace obby::solve {
 namespace {

@@ -1,4 +1,4 @@
-#include "solve/answers/route.h"
+#include "solve/model/route.h"
 
 #include <gtest/gtest.h>
 

@@ -10,7 +10,7 @@
 #include "io/pipeline.h"
 #include "sim/simulator.h"
 #include "solve/filter.h"
-#include "solve/query/problem.h"
+#include "solve/model/problem.h"
 #include "support/level_builder.h"
 #include "support/plain_problem.h"
 

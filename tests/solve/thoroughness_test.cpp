@@ -1,5 +1,5 @@
 // What a search that found nothing says of itself.
-#include "solve/archive/thoroughness.h"
+#include "solve/search/thoroughness.h"
 
 #include <gtest/gtest.h>
 

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "solve/go_explore.h"
+#include "solve/search/methods/go_explore.h"
 #include "support/level_builder.h"
 #include "support/plain_problem.h"
 

@@ -3,7 +3,7 @@
 
 #include "level/level.h"
 #include "sim/simulator.h"
-#include "solve/query/problem.h"
+#include "solve/model/problem.h"
 
 namespace obby::support {
 

@@ -1,7 +1,7 @@
 #include "solve/learned/device_steps.h"
 
-#include "solve/cuda/cuda.h"
 #include "solve/learned/device_kernels.h"
+#include "solve/search/cuda/cuda.h"
 
 namespace obby::solve::learned {
 

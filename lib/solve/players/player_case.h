@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "solve/query_solver.h"
+#include "solve/solver_options.h"
 
 namespace obby::solve {
 

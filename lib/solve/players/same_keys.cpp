@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "solve/players/retimed.h"
-#include "solve/rollouts/known_way.h"
+#include "solve/model/retimed.h"
+#include "solve/search/rollouts/known_way.h"
 
 namespace obby::solve {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "solve/players/player_case.h"
-#include "solve/query/posed_query.h"
+#include "solve/verify/posed_query.h"
 
 namespace obby::solve {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "base/result.h"
-#include "solve/query_solver.h"
+#include "solve/solver_options.h"
 
 namespace obby::solve {
 

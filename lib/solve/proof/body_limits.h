@@ -2,8 +2,8 @@
 // docs/proof.md, under the name that it has here.
 #pragma once
 
+#include "solve/model/problem.h"
 #include "solve/proof/part_motion.h"
-#include "solve/query/problem.h"
 
 namespace obby::solve {
 

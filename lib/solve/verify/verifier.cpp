@@ -10,7 +10,7 @@
 #include "level/tricks.h"
 #include "math/angle.h"
 #include "sim/simulator.h"
-#include "solve/answers/outcome_names.h"
+#include "solve/model/outcome_names.h"
 #include "solve/verify/judge.h"
 
 namespace obby::solve {

@@ -1,0 +1,18 @@
+// What the CUDA build adds to the search.
+#pragma once
+
+namespace obby::solve {
+enum class ResidentStep;
+namespace learned {
+enum class LearnedStep;
+}
+}  // namespace obby::solve
+
+namespace obby::solve::cuda {
+
+// Kernel::entry of their namesakes; null without CUDA.
+const void* rolloutEntry(bool loose);
+const void* residentEntry(ResidentStep step);
+const void* learnedEntry(learned::LearnedStep step);
+
+}  // namespace obby::solve::cuda
