@@ -13,6 +13,7 @@
 
 #include "base/thread_pool.h"
 #include "calibrate/fidelity.h"
+#include "calibrate/mass_centre_fit.h"
 #include "calibrate/takes.h"
 #include "common/need.h"
 #include "common/report.h"

@@ -3,12 +3,13 @@
 // body).
 #pragma once
 
-#include <span>
-
-#include "calibrate/track.h"
 #include "math/angle.h"
+#include "math/vec.h"
 
 namespace obby::calibrate {
+
+// A quarter turn to the right of a horizontal direction.
+inline Vec3 rightOf(Vec3 ahead) { return {-ahead.z, 0, ahead.x}; }
 
 struct MassCentre {
   float ahead = 0, right = 0;  // of the root's centre, studs
@@ -17,11 +18,5 @@ struct MassCentre {
   // From the root's centre, world axes, of an avatar that faces `yaw`.
   Vec3 at(Turns yaw) const;
 };
-
-// By least squares over frames in free fall: there the centre of mass moves by the recorded
-// velocity, and the root turns about it. Frames that `without` has too do not count. At the root's
-// centre if the tracks turn too little in the air to tell. `tracks`: of one avatar.
-MassCentre massCentreOf(std::span<const Track* const> tracks, const Track& without,
-                        const Params& params);
 
 }  // namespace obby::calibrate

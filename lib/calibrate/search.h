@@ -1,7 +1,7 @@
 // The searches of a fit: CMA-ES over all parameters that show, from places of their own.
 #pragma once
 
-#include "calibrate/fit.h"
+#include "calibrate/fit_settings.h"
 #include "calibrate/found.h"
 
 namespace obby::calibrate {

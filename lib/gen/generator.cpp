@@ -1,4 +1,5 @@
 #include "gen/generator.h"
+#include "gen/recipe_check.h"
 
 #include <algorithm>
 
@@ -25,7 +26,7 @@ Generator::Generator(Recipe recipe, const Params& params, bool unsolvable)
       courseStyles_(choices(recipe_.courseStyles, true)) {}
 
 Result<Generator> Generator::make(const Recipe& recipe, bool unsolvable) {
-  OBBY_RETURN_IF_ERROR(recipe.check());
+  OBBY_RETURN_IF_ERROR(checkRecipe(recipe));
   OBBY_ASSIGN(const Params params, paramsOf(recipe.physics));
   if (unsolvable && Reach(params).cut()) {
     return makeError("with these physics players jump too far for an unsolvable level",

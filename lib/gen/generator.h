@@ -32,7 +32,7 @@ struct Generated {
 class Generator {
  public:
   // `unsolvable`: of every level the twin in which one crossing is beyond reach. Errors as of
-  // Recipe::check, and those of physics parameters.
+  // checkRecipe(), and those of physics parameters.
   static Result<Generator> make(const Recipe& recipe, bool unsolvable);
 
   // Pure, and safe to call from several threads.

@@ -1,5 +1,6 @@
 // What levels to make: styles with weights, difficulty, lengths, shares of queries with limits.
-// From a small JSON file (docs/generator.md) or set in code. Generator::make checks it.
+// From a small JSON file (docs/generator.md) or set in code. Generator::make checks it
+// (recipe_check.h).
 #pragma once
 
 #include <cstdint>
@@ -55,8 +56,6 @@ struct Recipe {
 
   // A JSON object. Errors name the path, what was expected, and what there is instead.
   static Result<Recipe> fromJson(std::string_view text);
-  // Errors likewise: names that nobody knows, ranges that are upside down or out of bounds.
-  Status check() const;
 };
 
 }  // namespace obby::gen

@@ -8,6 +8,7 @@
 
 #include "base/spelling.h"
 #include "gen/recipe.h"
+#include "gen/recipe_check.h"
 #include "gen/styles.h"
 #include "io/json_tree.h"
 #include "level/record_values.h"
@@ -211,7 +212,7 @@ Result<Recipe> Recipe::fromJson(std::string_view text) {
                                  {"excess", r.range(out.excess)},
                                  {"parameters", r.settings(out.parameters)},
                                  {"physics", r.numbers(out.physics)}}));
-  OBBY_RETURN_IF_ERROR(out.check());
+  OBBY_RETURN_IF_ERROR(checkRecipe(out));
   return out;
 }
 

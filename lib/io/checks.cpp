@@ -6,8 +6,6 @@
 #include <cmath>
 #include <cstdint>
 
-#include "io/example.h"
-
 namespace obby::io {
 
 std::string expectation(const TypePlan& type) {
@@ -26,7 +24,7 @@ std::string expectation(const TypePlan& type) {
     case ValueKind::name: return fmt::format("one of {}", fmt::join(enumerants(type.names), ", "));
     case ValueKind::record:
       if (type.record->tuple) return fmt::format("{} numbers", type.record->fields.size());
-      return "an object such as " + exampleOf(*type.record);
+      return "an object";
     case ValueKind::list: return "an array";
   }
   return {};

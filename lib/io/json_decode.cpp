@@ -13,6 +13,12 @@
 namespace obby::io {
 namespace {
 
+// What the field takes, with an example of an object.
+std::string expected(const TypePlan& type) {
+  const bool isObject = type.kind == ValueKind::record && !type.record->tuple;
+  return expectation(type) + (isObject ? " such as " + exampleOf(*type.record) : "");
+}
+
 using Type = JsonTree::Type;
 
 constexpr size_t kMaxFields = 256;
@@ -251,7 +257,7 @@ bool JsonDecoder::enumerant(const TypePlan& type, const Node& node, const Path& 
     }
   }
   const std::string near = nearestName(text, enumerants(type.names));
-  return fail(path, fmt::format("expected {}, found {}", expectation(type), tree_.describe(node)),
+  return fail(path, fmt::format("expected {}, found {}", expected(type), tree_.describe(node)),
               near.empty() ? "" : fmt::format("did you mean \"{}\"?", near));
 }
 
@@ -260,7 +266,7 @@ bool JsonDecoder::take(uint64_t words, const Path& path) {
 }
 
 bool JsonDecoder::unexpected(const TypePlan& type, const Node& node, const Path& path) {
-  return fail(path, fmt::format("expected {}, found {}", expectation(type), tree_.describe(node)));
+  return fail(path, fmt::format("expected {}, found {}", expected(type), tree_.describe(node)));
 }
 
 bool JsonDecoder::fail(const Path& path, std::string message, std::string hint) {

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "io/format.h"
 #include "io/record.h"
-#include "io/stream.h"
 
 namespace obby::io {
 

@@ -11,20 +11,13 @@
 #include <string>
 
 #include "base/result.h"
+#include "io/format.h"
 #include "io/record.h"
 #include "io/sink.h"
 
 namespace obby::io {
 
 class ByteSource;
-
-enum class Format { jsonl, capnp, capnpPacked };
-
-// "jsonl", "capnp", "packed". Error names the choices.
-Result<Format> parseFormat(const std::string& text);
-const char* nameOf(Format format);
-// By the ending of an output file name: .capnp, .capnpp (packed), anything else jsonl.
-Format formatForFile(const std::string& path);
 
 // Reads one stream after another from a file. A stream with a header must have its end, and every
 // line of it a newline; a hand-written one without a header needs neither. Blank lines are skipped.

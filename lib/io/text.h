@@ -5,13 +5,9 @@
 #include <string>
 #include <string_view>
 
+#include "io/utf8.h"
+
 namespace obby::io {
-
-// Bytes of the well-formed UTF-8 character at the start of `text`, 1 to 4; 0 if there is none.
-size_t utf8Length(std::string_view text);
-
-// Well-formed UTF-8: no overlong forms, no surrogates, at most U+10FFFF.
-bool isUtf8(std::string_view text);
 
 // What some editors put before a text in UTF-8, of which it is no part.
 inline constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";

@@ -7,6 +7,12 @@
 
 namespace obby::io {
 
+// Bytes of the well-formed UTF-8 character at the start of `text`, 1 to 4; 0 if there is none.
+size_t utf8Length(std::string_view text);
+
+// Well-formed UTF-8: no overlong forms, no surrogates, at most U+10FFFF.
+bool isUtf8(std::string_view text);
+
 struct Utf8Char {
   char32_t code;  // U+FFFD for a byte that is no UTF-8
   size_t bytes;   // at least 1

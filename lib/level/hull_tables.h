@@ -8,20 +8,10 @@
 #include <vector>
 
 #include "geom/shape.h"
+#include "level/hull_faces.h"
 #include "math/vec.h"
 
 namespace obby::level {
-
-struct HullTables {
-  std::vector<Vec3> vertices;  // without repetitions
-  std::vector<Vec3> normals;   // unit, outward, coplanar triangles merged
-  std::vector<float> offsets;
-  std::vector<Vec3> edges;  // unit, each direction once; empty beyond kMaxHullEdges, where the
-                            // faces alone describe a nearly round hull well enough
-};
-
-constexpr size_t kMaxHullVertices = 255;
-constexpr size_t kMaxHullEdges = 32;
 
 // Empty normals if the vertices do not span a volume, or one thinner than 0.01 studs that is 5000
 // times as wide. At least one vertex.

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/result.h"
+#include "level/compile_params.h"
 #include "level/query_view.h"
 #include "schema/obby.capnp.h"
 
@@ -47,13 +48,6 @@ class Level {
   explicit Level(std::unique_ptr<Impl> impl);
   std::unique_ptr<Impl> impl_;
 };
-
-// Physics parameters of a record, checked against the schema's ranges, with the derived fields
-// filled in.
-Result<Params> compileParams(schema::PhysicsParams::Reader record);
-
-// What the schema allows a parameter to be, by its name there.
-schema::Interval::Reader paramRange(const std::string& name);
 
 // A query over a level: owns its regions.
 class Query {

@@ -46,7 +46,7 @@ struct Params {
   OBBY_PHYSICS_PARAMS(OBBY_PARAM_FIELD)
 #undef OBBY_PARAM_FIELD
 
-  // Derived once per level by level/params.cpp.
+  // Derived once per level by level/compile_params.cpp.
   float tickSeconds;     // 1 / controlRate
   float substepSeconds;  // tickSeconds / substeps
   float slopeNormalY;    // cos(maxSlope): floors whose normal has a smaller Y are slid down

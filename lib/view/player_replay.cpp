@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "view/report.h"
+#include "view/entries.h"
 
 namespace obby::view {
 namespace {

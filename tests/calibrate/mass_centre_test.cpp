@@ -1,5 +1,5 @@
 // Avatars whose centre of mass is beside the root, and the own time of frames.
-#include "calibrate/mass_centre.h"
+#include "calibrate/mass_centre_fit.h"
 
 #include <gtest/gtest.h>
 

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "gen/made.h"
+#include "gen/recipe_check.h"
 #include "level/level.h"
 
 namespace obby::test {
@@ -60,7 +61,7 @@ TEST_P(Styles, TheLongestLevelsCompile) {
   for (const float difficulty : {0.0f, 1.0f}) {
     gen::Recipe recipe = recipeFor(GetParam(), difficulty);
     recipe.obstacles = recipe.courseObstacles = {200, 200};
-    ASSERT_TRUE(recipe.check());
+    ASSERT_TRUE(checkRecipe(recipe));
     const Made made = makeRecords(generatorOf(recipe), 1, 0);
     const auto level = level::Level::compile(made.level.reader().getLevel());
     EXPECT_TRUE(level) << level.error().text();

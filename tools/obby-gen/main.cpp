@@ -10,6 +10,7 @@
 #include "cli/tool.h"
 #include "emit.h"
 #include "gen/place/place_file.h"
+#include "gen/recipe_check.h"
 #include "io/pipeline.h"
 #include "options.h"
 #include "shared/recipe_options.h"
@@ -167,7 +168,7 @@ Result<cli::ExitCode> run(cli::Context& context) {
   OBBY_RETURN_IF_ERROR(nameFits(a));
   OBBY_ASSIGN(const gen::Recipe recipe, tools::recipeOf(a));
   if (a.flag("list")) {
-    OBBY_RETURN_IF_ERROR(recipe.check());
+    OBBY_RETURN_IF_ERROR(checkRecipe(recipe));
     OBBY_RETURN_IF_ERROR(writeList(context, recipe));
     return cli::ExitCode::ok;
   }

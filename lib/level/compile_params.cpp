@@ -1,6 +1,6 @@
 // Physics parameters: copied by name from the record, checked against the schema's ranges by
 // reflection.
-#include "level/params.h"
+#include "level/compile_params.h"
 
 #include <capnp/dynamic.h>
 #include <capnp/schema.h>
@@ -9,8 +9,6 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-
-#include "level/level.h"
 
 namespace obby::level {
 namespace {

@@ -1,5 +1,3 @@
-#include "io/record.h"
-
 #include "io/record_storage.h"
 
 namespace obby::io {
