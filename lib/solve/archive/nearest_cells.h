@@ -15,8 +15,8 @@ class NearestCells {
   // `layer`: progress along the query. Each cell is added once, in ascending order. O(1).
   void add(uint32_t layer, Vec3 position, uint32_t cell);
 
-  // Returns the cell of the layer that was added nearest to `to`. Of equally near ones it returns
-  // the lowest, and kNone if the layer is empty. Thread-safe between changes.
+  // Returns the cell of the layer whose position is nearest to `to`, the lowest of equally near
+  // ones; kNone if the layer is empty. Thread-safe between changes.
   uint32_t nearest(uint32_t layer, Vec3 to) const;
 
   uint32_t layers() const { return uint32_t(layers_.size()); }  // up to the last with a cell

@@ -1,4 +1,4 @@
-// Checks an answer as the player whose trajectory it is.
+// Checks an answer as the player of its trajectory.
 #pragma once
 
 #include "base/result.h"
@@ -6,8 +6,8 @@
 
 namespace obby::solve {
 
-// As verify() in the player's level. A solution of a query for the same keys must also solve it for
-// every other player that the query names, with the keys of its slowest player.
+// Calls verify() in the player's level. A slowest player's solution of a query for the same keys
+// must also solve the query for every other player that it names.
 Status verifyPlayer(const LoadedLevel& level, schema::Query::Reader query,
                     schema::Trajectory::Reader trajectory);
 
