@@ -37,8 +37,7 @@ struct FilterOptions {
   EarlierAnswers earlier;                            // answers of the same queries
   bool remember = false;                             // keep the answers for takeEarlier()
   int threads = 1;
-  sim::Device* device = nullptr;    // runs the rollouts and must outlive the filter; null: the
-                                    // threads
+  sim::Device* device = nullptr;    // runs the rollouts; must outlive the filter; null: threads
   std::vector<std::string> only;    // ids of the queries to answer; empty: all
   std::optional<QuickQuery> quick;  // asked of every level instead of the stream's queries
   bool each = false;                // `quick` changes the stream's queries instead
@@ -47,8 +46,7 @@ struct FilterOptions {
   uint64_t levelBytes = KnownLevels::kMostBytes;       // limit of KnownLevels
   uint64_t queryBytes = KnownQueries::kMostBytes;      // limit of KnownQueries
   std::function<void(const QueryProgress&)> progress;  // may be empty
-  std::function<void(const Error&)> deviceFailed;      // called when the CPU takes over; may be
-                                                       // empty
+  std::function<void(const Error&)> deviceFailed;      // called if the device fails; may be empty
   // Called after each answer; may be empty.
   std::function<void(const std::string& level, const std::string& query, schema::Verdict)> answered;
 };
@@ -81,7 +79,7 @@ class Filter {
   // The last level record.
   struct Last {
     LevelPointer level;
-    io::Record read;       // as it came: has the place that errors about it name
+    io::Record read;       // as read, with the place that errors about it name
     bool asked = false;    // true once `quick` or the default query was asked
     uint64_t queries = 0;  // queries of the level that followed
   };

@@ -165,7 +165,7 @@ void GoExplore::look(const RolloutGroup& group, std::span<Rollout> rollouts,
   }
 }
 
-// Counts a cell that a rollout passes through, once. Notes the state if the archive would keep it.
+// Counts a visit to a cell. Notes the state if the archive would keep it.
 void GoExplore::visit(Rollout& r, uint64_t key, uint32_t cell, const sim::World& world,
                       std::span<const sim::LooseBody> loose, uint32_t ticks) {
   if (cell != kNone) {

@@ -34,7 +34,8 @@ class KnownLevels {
   // Forgets the level of a name, if there is one.
   void forget(const std::string& name);
 
-  // Error, with path "level": no level of that name is kept. An empty name matches none.
+  // Returns the level of a name. Error, with path "level": no level of that name is kept. An empty
+  // name matches none.
   Result<LevelPointer> named(const std::string& name) const;
 
  private:

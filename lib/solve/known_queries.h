@@ -27,7 +27,8 @@ class KnownQueries {
   // Forgets all queries of a level.
   void forgetLevel(const std::string& level);
 
-  // Error, with path "query": no query of that id and level is kept.
+  // Returns the query of an id and level. Error, with path "query": none of that id and level is
+  // kept.
   Result<io::Record> named(const std::string& level, const std::string& id) const;
 
  private:

@@ -49,8 +49,7 @@ struct QueryProgress {
 struct SolverOutput {
   std::function<Status(schema::Record::Reader)> write;
   std::function<void(const QueryProgress&)> progress;  // may be empty
-  std::function<void(const Error&)> deviceFailed;      // called when the CPU takes over; may be
-                                                       // empty
+  std::function<void(const Error&)> deviceFailed;      // called if the device fails; may be empty
 };
 
 struct QueryAnswer {
@@ -63,7 +62,7 @@ struct PlayerQuestion {
   const LoadedLevel& level;
   schema::Query::Reader query;
   level::Player player;
-  uint32_t levelRate = 0;            // ticks per second of the original level; 0: those of `level`
+  uint32_t levelRate = 0;            // ticks per second of the original level; 0: that of `level`
   std::vector<KnownWay> hints = {};  // tried after earlier answers, and not reported as such
   std::vector<Companion> companions = {};               // other players who press the same keys
   std::function<bool(const Playthrough&)> accept = {};  // called for each solution; may be empty

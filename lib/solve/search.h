@@ -29,7 +29,8 @@ class Search {
  public:
   virtual ~Search() = default;
 
-  // Tries `count` trajectories of Problem::known from `first` on, before round() and with its
+  // Tries `count` trajectories of Problem::known from `first` on, like a round. Must precede
+  // round().
   // effects.
   virtual void tryKnown(size_t first, size_t count) = 0;
 

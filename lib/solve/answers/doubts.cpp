@@ -26,8 +26,7 @@ Kinds kindsOf(schema::Level::Reader level) {
   return kinds;
 }
 
-// Returns true if losses of this kind may make the game harder, or the level does not list the
-// kind.
+// Returns true if losses of this kind may make the game harder. An unlisted kind may, too.
 bool isHarder(const Kinds& kinds, std::string_view kind) {
   const auto known = kinds.find(kind);
   return known == kinds.end() || known->second != schema::Bearing::EASIER;

@@ -10,8 +10,8 @@
 
 namespace obby::solve {
 
-// Returns the indices of the parts that may be harder on a player in the game than in the level.
-// They ascend.
+// Returns the indices, ascending, of the parts that may be harder on a player in the game than in
+// the level.
 std::vector<uint32_t> doubtfulParts(schema::Level::Reader level);
 
 // Returns true if a loss could make the game easier. Then nothing can be proved unreachable.
@@ -32,7 +32,7 @@ void fillDoubtful(Record trajectory, const std::vector<uint32_t>& parts) {
 enum class Avoiding : uint8_t {
   notTried,
   notFound,
-  impossible,  // shown by the bound
+  impossible,  // proved by the bound on reach
 };
 
 // Fills in `holds` and `doubts` of a solved query and adds a sentence to its reason, if there is

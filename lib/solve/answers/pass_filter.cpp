@@ -25,7 +25,7 @@ Result<bool> PassFilter::keeps(const level::Level& level,
                                schema::Trajectory::Reader trajectory) const {
   OBBY_ASSIGN(const sim::Plan plan, sim::planFromRecord(trajectory));
   std::vector<Place> missing = pass_;
-  bool entered = false;  // true if a place of notPass_ is entered
+  bool entered = false;  // true once a place of notPass_ is entered
   sim::replay(level.view(), nullptr, plan, [&](const sim::Moment& now) {
     // Boxes are tested between ticks, too: a player may cross a thin one within a tick.
     const auto passes = [&](const Place& place) {

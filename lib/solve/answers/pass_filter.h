@@ -13,8 +13,8 @@ namespace obby::solve {
 
 // Selectors in the syntax of a QuickQuery. A #tag stands for all its parts.
 struct PassRule {
-  std::vector<std::string> pass;     // passes all of them, in any order
-  std::vector<std::string> notPass;  // passes none of them
+  std::vector<std::string> pass;     // all must be passed, in any order
+  std::vector<std::string> notPass;  // none may be passed
   bool empty() const { return pass.empty() && notPass.empty(); }
 };
 

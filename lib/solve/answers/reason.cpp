@@ -78,7 +78,7 @@ std::string endText(const EndCount& end, const Asked& asked) {
   return "got no further";
 }
 
-// Names the two most frequent ways in which attempts ended for good.
+// Names the two most frequent ends of failed attempts.
 std::string endsText(const SearchOutcome& outcome, const Asked& asked) {
   uint64_t all = 0;
   for (const EndCount& e : outcome.ends) all += e.count;

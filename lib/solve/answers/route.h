@@ -12,9 +12,9 @@
 
 namespace obby::solve {
 
-// A part carries the player if it does so for this many ticks in a row. A player who skids over a
-// corner, or walks along a seam with a toe beyond it, is not carried. A player who lands stays
-// longer than this, whatever the keys.
+// Min ticks in a row for a part to count as carrying the player. A player who skids over a corner,
+// or walks along a seam with a toe beyond it, is not carried. A player who lands stays longer than
+// this, whatever the keys.
 constexpr uint32_t kLeastStay = 3;
 
 // A trajectory, tick by tick.
@@ -43,8 +43,8 @@ std::vector<int32_t> directRouteOf(const Problem& problem, const Course& course)
 
 constexpr uint32_t kLandingTicks = 120;
 
-// The time from when one part starts to carry the player until the next one does. The state at its
-// start is course.at(start) with course.replay.looseAt(start), before course.actions[start].
+// The stretch from where one part starts to carry the player to where the next one does. The state
+// at its start is course.at(start) with course.replay.looseAt(start), before course.actions[start].
 struct Segment {
   uint32_t start = 0;  // tick of the course
   uint32_t ticks = 0;  // >= 1

@@ -30,7 +30,7 @@ class Solutions {
 
   size_t count() const { return ways_.size(); }
   std::vector<Playthrough> all() const;  // sorted by ticks, then jumps
-  // Returns all solutions by route: the most frequent first, then the shortest.
+  // Returns the solutions by route: the most frequent route first, ties by length.
   std::vector<RouteTally> routes() const;
 
  private:

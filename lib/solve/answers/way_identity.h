@@ -21,7 +21,7 @@ struct WayIdentity {
   // Prepares what `same` compares; null if the playthrough is enough.
   void (*prepare)(const Problem& problem, Way& way);
   bool (*same)(const Way& a, const Way& b);
-  // True if a second trajectory that is the same is another solution, false if it is a copy.
+  // True if a second trajectory that is the same counts as another solution, not as a copy.
   bool counts;
 };
 

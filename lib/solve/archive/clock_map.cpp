@@ -7,8 +7,7 @@ namespace obby::solve {
 
 namespace {
 
-constexpr uint64_t kLongestPeriod = 3600;  // ticks; for a longer period the clock's value is used
-                                           // as it is
+constexpr uint64_t kLongestPeriod = 3600;  // ticks; longer periods use the clock's value itself
 constexpr double kMaxClockCells = double(1 << 20);
 constexpr double kMaxMarks = 2e7;  // cells written in total, which bounds the time to build
 

@@ -14,8 +14,7 @@ constexpr uint32_t kNoClock = level::kNone;  // the clock does not matter here
 
 // Plain spans, for device code.
 struct ClockView {
-  const uint32_t* periods = nullptr;  // (nx * ny * nz), ticks; 0: the clock's value as it is; or
-                                      // kNoClock
+  const uint32_t* periods = nullptr;  // (nx * ny * nz), ticks; 0: no short period; or kNoClock
   Vec3 origin;
   float inverseCell = 1;
   int32_t nx = 0, ny = 0, nz = 0;

@@ -22,12 +22,12 @@ struct Thoroughness {
   std::vector<CoveragePoint> coverage;      // at step counts that double, then at the end
 };
 
-// Upper bounds (97.5 %) after Good and Turing. In n rollouts only their finder passed through f
-// cells, and two rollouts passed through g cells. The next rollout finds a new cell with a
-// probability of about f / n and a variance of (f + 2 g) / n^2. g is taken as f / 2, which is too
-// high where finds become rarer. The bound is (f + 1.96 sqrt(2 f)) / n, or 3.69 / n if f is 0. As
-// many rollouts again thus find about f new cells. The bounds assume that rollouts are drawn as
-// before. They do not cover trajectories that need finer cells or rarer actions.
+// Upper bounds (97.5 %) after Good and Turing. Of the cells that n rollouts found, f were visited
+// by one rollout only, and g by two. The next rollout finds a new cell with a probability of about
+// f / n and a variance of (f + 2 g) / n^2. g is taken as f / 2, which is too high where finds
+// become rarer. The bound is (f + 1.96 sqrt(2 f)) / n, or 3.69 / n if f is 0. As many rollouts
+// again thus find about f new cells. The bounds assume that rollouts are drawn as before. They do
+// not cover trajectories that need finer cells or rarer actions.
 float newCellChance(const Thoroughness& t);    // [0, 1]
 float newCellsIfTwice(const Thoroughness& t);  // new cells in as many rollouts again / cells found
 

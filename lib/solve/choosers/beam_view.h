@@ -7,15 +7,13 @@
 
 namespace obby::solve {
 
-constexpr uint32_t kBeamTries = 4;    // rollouts from a cell in a round
+constexpr uint32_t kBeamTries = 4;    // rollouts per cell and round
 constexpr float kBeamGreed = 5;       // above 1: finds a solution sooner, but not the shortest
-constexpr uint32_t kTriedTicks = 60;  // added to f by each round's tries, so that no cell waits
-                                      // forever
+constexpr uint32_t kTriedTicks = 60;  // added to f by each round's tries, so no cell starves
 
 // Plain spans, for device code.
 struct BeamView {
-  const float* legs = nullptr;  // (waypoints + 1), studs from a waypoint through the later ones to
-                                // the goal; the last is 0
+  const float* legs = nullptr;  // (waypoints + 1), studs from each waypoint to the goal
   const float* hops = nullptr;  // (visits), studs from a visit to the nearest other or to the goal
   uint32_t legCount = 0, hopCount = 0;
   float ticksPerStud = 0;

@@ -7,12 +7,9 @@ namespace obby::solve {
 namespace {
 
 constexpr float kGoalShare = 0.05f;     // share of targets in the next region: OMPL's default bias
-constexpr float kSurfaceShare = 0.7f;   // share of targets above a surface, as space is mostly
-                                        // empty air
-constexpr float kSpread = 2;            // max offset of a target from its surface point on each
-                                        // horizontal axis, studs
-constexpr uint32_t kClockTicks = 4096;  // range of ticks in which a moving surface is sampled: over
-                                        // a minute
+constexpr float kSurfaceShare = 0.7f;   // share of targets above a surface: space is mostly air
+constexpr float kSpread = 2;            // studs, max horizontal offset from a surface point
+constexpr uint32_t kClockTicks = 4096;  // ticks in which moving surfaces are sampled: over a minute
 constexpr uint32_t kShortest = 6;       // min ticks of a rollout: a turn shows in where it ends
 constexpr uint32_t kTaskTargets = 16;   // targets per task of the pool
 
@@ -74,9 +71,7 @@ Vec3 RrtChooser::nearSurface(Random& random) const {
 
 RrtChooser::Target RrtChooser::draw(Random& random) const {
   uint32_t layer = random.below(nearest_.layers());
-  while (nearest_.empty(layer))
-    ++layer;  // a layer is empty if several targets are reached in one
-              // tick
+  while (nearest_.empty(layer)) ++layer;  // several targets may be reached in one tick
   const float kind = random.unit();
   if (kind < kGoalShare) return {layer, pointInRegion(regionAfter(layer, random), random)};
   const bool air = surfaces_.pointCount == 0 || kind >= kGoalShare + kSurfaceShare;

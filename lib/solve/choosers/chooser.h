@@ -24,8 +24,8 @@ struct Choice {
 // The result of a rollout.
 struct Tried {
   uint32_t cell;       // where it started
-  uint32_t firstCell;  // the cells that it added to the archive: firstCell, firstCell + 1, ...
-  uint32_t cells;      // in the order in which it reached them
+  uint32_t firstCell;  // first of the cells that it added to the archive
+  uint32_t cells;      // number of added cells, which follow in the order of arrival
   float potential;     // best of the states that the archive kept; 0: it kept none
 };
 

@@ -8,7 +8,7 @@ namespace obby::solve {
 
 namespace {
 
-// Returns the spans of a query with one order: from each region to the next.
+// Returns the spans of a query with a fixed order of regions: from each region to the next.
 std::vector<float> spansInOrder(const level::QueryView& q, Vec3 from) {
   std::vector<float> spans;
   float size = 0;  // half diagonal of the region before, which may be left on its far side

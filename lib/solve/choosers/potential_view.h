@@ -7,7 +7,7 @@
 
 namespace obby::solve {
 
-// 1.5 d0 of each segment of a query. Plain span, for device code.
+// 1.5 d0 of each segment of a query, see potentialOf(). Plain span, for device code.
 struct PotentialView {
   const float* spans = nullptr;  // (segments)
   uint32_t legs = 0;             // the targets, and one for the goal

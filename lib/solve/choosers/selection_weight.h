@@ -10,8 +10,7 @@ namespace obby::solve {
 
 constexpr float kWeightScale = 1048576.0f;  // weight of an unseen cell with the best potential
 
-constexpr float kHedge = 0.1f;  // keeps a goal that is near but out of reach from stalling the
-                                // search
+constexpr float kHedge = 0.1f;  // keeps a near but unreachable goal from stalling the search
 constexpr uint64_t kSelectionStream = 1ull << 63;  // streams of rollouts count up from 0
 
 // Returns the weight of a cell seen `seen` times, at least 1. `hedge`: lower bound of the bias, as

@@ -21,7 +21,7 @@ struct Step {
   Leg leg;
   DifficultyStep found;
   std::vector<int32_t> shifts;   // ticks to the middle of each jump's press window
-  std::vector<uint32_t> passed;  // passed trials by task
+  std::vector<uint32_t> passed;  // passed trials, by task
 };
 
 // Measures windows, margin and clearance, which need no noise.

@@ -48,8 +48,7 @@ struct Difficulty {
   // Index of the hardest step by harder(); on a tie the first one.
   uint32_t hardest = 0;
   float success = 1;           // product over the steps
-  float expectedAttempts = 1;  // 1 / success, at most 1e6; a step that no trial passed counts as
-                               // half a trial
+  float expectedAttempts = 1;  // 1 / success, at most 1e6; 0 passed trials count as half of one
 };
 
 constexpr float kMostAttempts = 1e6f;

@@ -29,7 +29,7 @@ struct NoiseModel {
 std::string describe(const NoiseModel& model);
 
 // Returns a nearly normal number of mean 0 and standard deviation 1, without libm: the sum of
-// twelve uniform numbers. It is never beyond 6.
+// twelve uniform numbers. Its magnitude is at most 6.
 inline float gaussian(Random& random) {
   float sum = -6;
   for (int i = 0; i < 12; ++i) sum += random.unit();

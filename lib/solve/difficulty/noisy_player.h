@@ -14,15 +14,15 @@ namespace obby::solve {
 
 class NoisyPlayer {
  public:
-  // Presses and walks exactly. `shifts`: ticks by which each jump of the leg is pressed later than
-  // recorded; negative is earlier.
+  // Presses and walks exactly. `shifts`: ticks by which each jump is pressed later than recorded;
+  // negative is earlier.
   NoisyPlayer(const Leg& leg, const NoiseModel& model, std::span<const int32_t> shifts);
   // Adds the noise of the model, drawn from `random`.
   NoisyPlayer(const Leg& leg, const NoiseModel& model, std::span<const int32_t> shifts,
               const Random& random);
 
   // Returns the action for the next tick of a player whose world is `world`. Must be called once
-  // per tick, from the leg's start on.
+  // per tick, from the start of the segment on.
   sim::Action next(const sim::World& world);
 
  private:
@@ -40,7 +40,7 @@ class NoisyPlayer {
   NoiseModel model_;
   Random random_{0, 0};
   bool noisy_ = false;
-  std::vector<int32_t> presses_;  // ticks of the leg at which jumps are pressed
+  std::vector<int32_t> presses_;  // ticks of the segment at which jumps are pressed
   size_t pressed_ = 0;            // presses that are over
   int32_t holdTicks_, lookEvery_;
   uint32_t tick_ = 0;

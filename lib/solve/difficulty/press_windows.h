@@ -18,8 +18,8 @@ struct PressWindow {
   int32_t middle() const { return least > most ? 0 : (least + most) / 2; }
 };
 
-// Returns the window of each jump of the leg: the shifts around 0, without a gap, with which the
-// segment succeeds. Earlier jumps are pressed in the middle of their windows.
+// Returns the window of each jump of the segment: the shifts around 0, without a gap, with which
+// the segment succeeds. Earlier jumps are pressed in the middle of their windows.
 std::vector<PressWindow> pressWindows(const Leg& leg, const NoiseModel& model);
 
 }  // namespace obby::solve

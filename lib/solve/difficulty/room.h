@@ -13,9 +13,9 @@ constexpr float kLookForKills = 10;  // studs
 float landingMargin(const level::LevelView& level, const Course& course, uint32_t tick,
                     int32_t part);
 
-// Returns the min distance from the limbs that a kill part tests to that part, in all ticks of the
-// segment, in studs; -1 if no kill part is within kLookForKills. It is a lower bound for cylinders,
-// and exact for other shapes.
+// Returns the min distance in studs from a kill part to the limbs that it tests, over all ticks of
+// the segment; -1 if no kill part is within kLookForKills. It is a lower bound for cylinders, and
+// exact for other shapes.
 float killClearance(const level::LevelView& level, const Course& course, const Segment& segment);
 
 }  // namespace obby::solve

@@ -13,7 +13,7 @@ class Trials {
   explicit Trials(const Leg& leg) : leg_(leg) {}
 
   // Adds a trial from the recorded state at the start of the segment. The player is moved by
-  // `offset` (studs) if the same part carries it there.
+  // `offset` (studs) if the same part carries a player there.
   void add(NoisyPlayer player, Vec3 offset = {});
 
   // Plays all trials and returns which of them passed, in the order of add().

@@ -16,7 +16,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// Makes no search, for players that need only the bound.
+// Does not search, for players that need only the bound.
 SearchOutcome noSearch(const Problem&, const Budget&, const Watcher&, const Machine&) {
   SearchOutcome outcome;
   outcome.stopped = Stopped::outOfSteps;
@@ -146,7 +146,7 @@ class PlayersSolving {
     c.result = io::Record(std::move(record));
   }
 
-  // Replays the keys of every solution as each other player, and adds the trajectories.
+  // Replays the keys of every solution for each other player, and adds the trajectories.
   Status giveAll(const PlayerCase& first, const std::vector<KeyPlayer>& others) {
     size_t at = 0;
     for (PlayerCase& c : cases_) {

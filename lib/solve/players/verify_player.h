@@ -1,4 +1,4 @@
-// Checks an answer as the player of its trajectory.
+// Checks a trajectory in the level of its player.
 #pragma once
 
 #include "base/result.h"
@@ -6,8 +6,8 @@
 
 namespace obby::solve {
 
-// Calls verify() in the player's level. A slowest player's solution of a query for the same keys
-// must also solve the query for every other player that it names.
+// Calls verify() in the player's level. If the query asks for the same keys, a solution of the
+// slowest player must also solve it for every other player.
 Status verifyPlayer(const LoadedLevel& level, schema::Query::Reader query,
                     schema::Trajectory::Reader trajectory);
 

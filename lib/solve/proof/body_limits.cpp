@@ -11,11 +11,10 @@ namespace obby::solve {
 
 namespace {
 
-constexpr float kLeastSlope = 80;  // degrees; with a lower maxSlope the speed of sliding has no
-                                   // bound
+constexpr float kLeastSlope = 80;  // degrees; with a lower maxSlope slides have no speed bound
 
 // Returns r in 1/s: feet that are d below a floor rise at most at r d. Negative if the legs bounce.
-// From the eigenvalues of one step (docs/proof.md, Legs).
+// It is derived from the eigenvalues of one step (docs/proof.md, Legs).
 double slowRate(const Params& p) {
   const double dt = p.substepSeconds, c = p.hoverDamping, k = p.hoverStiffness;
   const double sum = 2 - c * dt - k * dt * dt, product = 1 - c * dt;
@@ -158,7 +157,7 @@ void BodyLimits::setTakeOff() {
   const uint32_t graced = std::max(p_.graceSteps, p_.coyoteSteps) + n;
   sunk = sim::rayHeight(p_) + fallOver(graced, heavy_);
   keptReach_ = std::max({reachAt(0, true), reachAt(heavy_ * dt_ * float(graced), false), 0.0f});
-  // A landing at this speed, on a floor that the rays acquire, takes off at height 0.
+  // A landing at this speed, on a floor that the rays acquire, leaves a take-off height of 0.
   const float seconds = float(waits) * dt_, fall = fallOver(waits, light_);
   const float speed = std::max(reachAt(0, false) - fall, 0.0f) / seconds;
   for (const float v : {speed, p_.maxFallSpeed}) {
@@ -193,8 +192,7 @@ float BodyLimits::thrown(float speed) const {
   if (!(p_.tricks & kLegThrow)) return 0;
   const float stiff = p_.hoverStiffness * dt_, damped = 1 - p_.hoverDamping * dt_;
   const float depth = sim::rayHeight(p_) + speed * tick_;
-  float deep[2] = {-1, 0}, fast[2] = {0, 1};  // gap and speed, for one stud below and for one
-                                              // stud/s
+  float deep[2] = {-1, 0}, fast[2] = {0, 1};  // gap and speed, per stud below and per stud/s
   float most = 0;
   for (uint32_t n = 0; n < p_.substeps; ++n) {
     for (float* s : {deep, fast}) {

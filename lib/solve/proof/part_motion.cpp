@@ -12,8 +12,7 @@ namespace {
 // Upper bounds on the motion of a mover in a tick.
 struct Steps {
   float up = 0, vertical = 0, sideways = 0;  // studs, of the centre
-  float turn = 0, spin = 0;                  // studs, of a point one stud from the centre or the
-                                             // pivot
+  float turn = 0, spin = 0;                  // studs, of a point one stud from centre or pivot
   float lo = 1e30f, hi = -1e30f;             // heights of the centre at the keys
 };
 
@@ -64,7 +63,7 @@ void move(PartMotion& motion, const level::LevelView& level, uint32_t collider, 
   }
   motion.vertical = (s.vertical + lifted) * rate;
   motion.step = s.vertical + lifted + s.sideways + turned;
-  if (m.trigger != level::kNone) {  // it jumps from anywhere to its first key when its clock ends
+  if (m.trigger != level::kNone) {  // it returns at once to its first key when its clock ends
     const Vec3 size = motion.swept.hi - motion.swept.lo;
     motion.step = std::max(motion.step, 2 * (size.y + length(Vec3{size.x, 0, size.z})));
   }

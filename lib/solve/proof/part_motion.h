@@ -9,7 +9,7 @@ namespace obby::solve {
 
 struct PartMotion {
   Box swept;           // bounds of all its places, tight in height for an upright part
-  float upward = 0;    // upward studs/s that it gives a player that it carries or launches
+  float upward = 0;    // upward studs/s given to a player that it carries or launches
   float sideways = 0;  // the same sideways, beyond walking
   float vertical = 0;  // max vertical studs/s of any of its points
   float step = 0;      // max studs that it moves in a tick

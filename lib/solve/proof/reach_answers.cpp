@@ -16,13 +16,13 @@ Box ReachBound::boxOf(const level::TargetView& target) const {
   return grow(all, {limits_.limb, 1.5f * p_.touchMargin, limits_.limb});
 }
 
-// Returns places of which a player at the target is in at least one.
+// Returns places. A player at the target is in at least one of them.
 std::vector<ReachBound::End> ReachBound::endsOf(const level::TargetView& target) const {
   const Box box = boxOf(target);
   if (target.stand) return holdersIn(box);
   std::vector<End> ends{{box, box.lo.y - p_.bodyTop}};
   if (target.touchCount != 0) return ends;
-  // Over a clear block that covers the region the torso is above its top.
+  // Over a clear block that covers the region, the torso is above its top.
   index_.any(flat(box, 0), [&](uint32_t i) {
     const Support& s = supports_[i];
     const bool holds = s.carries && !s.wild && s.pushes == 0 && s.beside == Beside::clear &&

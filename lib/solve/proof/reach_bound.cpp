@@ -11,8 +11,7 @@ namespace obby::solve {
 namespace {
 
 constexpr size_t kMostVisits = 60;  // per support on average; beyond them the bound gives up
-constexpr int kMostParts = 8;       // parts counted near a flight; with more, turns push as far as
-                                    // they can
+constexpr int kMostParts = 8;       // counted parts near a flight; more push as far as turns can
 
 constexpr float kRounding = 0.125f;  // studs
 constexpr int32_t kMostBlocks = 8;   // per axis; one box holds the places of a block
@@ -32,7 +31,7 @@ std::vector<Box> crowdedPlaces(const level::LevelView& level) {
   const Vec3 size{1 / g.inverseCell.x, 1 / g.inverseCell.y, 1 / g.inverseCell.z};
   const int32_t block = std::max({g.nx, g.ny, g.nz}) / kMostBlocks + 1;  // cells
   std::map<std::array<int32_t, 3>, Box> blocks;
-  std::vector<int8_t> known(g.listWords, -1);  // by start of a list
+  std::vector<int8_t> known(g.listWords, -1);  // (starts of lists): -1 unknown, 0 no, 1 yes
   for (int32_t i = 0; i < g.nx * g.ny * g.nz; ++i) {
     const uint32_t at = g.cells[i];
     if (known[at] < 0) known[at] = isCrowd(level, g.lists + at) ? 1 : 0;
@@ -144,7 +143,7 @@ Flight ReachBound::flight(uint32_t support, bool leaps) const {
   if (leaps) {
     up = limits_.jump + s.upward;
     height += limits_.apex(s.rising, false) + limits_.heldRise;
-  } else if (s.beside == Beside::deep) {  // a body leaves it as fast as it may come there
+  } else if (s.beside == Beside::deep) {  // a body leaves it as fast as anything may send it there
     up = std::max(up, tossed_);
     height += limits_.heldRise;
   } else if (s.beside == Beside::pinched && mayJump_) {

@@ -1,5 +1,5 @@
 // An upper bound on what a player can reach with any keys, derived from the laws of the simulator
-// in docs/proof.md. Only this bound makes a query unreachable.
+// in docs/proof.md. A query is reported as unreachable only by this bound.
 //
 // A trajectory is a sequence of flights from one support to the next. A flight begins as high and
 // as fast as its support allows. Walls, kill parts, avoid regions and timing are ignored. A moving
@@ -40,7 +40,7 @@ class ReachBound {
   // Returns true if the feet could be there at any time.
   bool holds(Vec3 feet) const;
 
-  // Returns the missing step to any of the targets.
+  // Returns the step that is missing to reach any of the targets.
   Missing missing(const std::vector<const level::TargetView*>& targets) const;
   Missing missing(const level::TargetView& target) const { return missing(std::vector{&target}); }
 

@@ -204,7 +204,8 @@ class Builder {
     return s;
   }
 
-  // Returns the max take-off where a ceiling stops a jump, or an edge holds the torso: a landing is
+  // Returns the max take-off where a ceiling stops a jump or an edge holds the torso. Landings
+  // there are slow.
   // slow.
   float heldOver(const Support& s) const {
     const float near = 2 * limits_.body + limits_.walk * 0.15f;

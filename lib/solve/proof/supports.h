@@ -27,7 +27,7 @@ struct Support {
   float upward = 0;     // studs/s that it adds to a jump
   float rising = 0;     // studs/s upward of a player in Running on it
   float toss = 0;       // studs/s upward that it gives without a jump
-  float vertical = 0;   // max studs/s up or down; huge: it jumps
+  float vertical = 0;   // max studs/s up or down; huge: it changes place at once
   float sideways = 0;   // studs/s that it gives beyond walking
   float pushes = 0;     // studs/s by which it moves players next to it
   Beside beside = Beside::clear;

@@ -87,7 +87,8 @@ bool isBounded(const Problem& problem) {
   constexpr float kFar = 16384;  // studs
   const Box all = allPlaces(problem);
   if (std::max(-all.lo.y, all.hi.y) > kFar) return false;
-  // When the level's clock wraps around, the parts that it moves jump and take players along.
+  // When the level's clock wraps around, the parts that it moves change place at once and take
+  // players along.
   constexpr uint64_t kLast = std::numeric_limits<uint32_t>::max();
   if (problem.hasClock && problem.start.tick + sim::kMaxReplayTicks > kLast) return false;
   return unboundedPart(problem.level) == nullptr;

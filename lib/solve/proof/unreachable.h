@@ -10,7 +10,7 @@
 
 namespace obby::solve {
 
-// The reason that a query is unreachable: a step is missing, or the jumps or the time are too few.
+// The reason that a query is unreachable: a missing step, too few jumps, or too little time.
 struct Cut {
   std::string target;             // for example "the goal" or "waypoint 2 'Bridge'"
   bool mayJump = true;            // the query admits jumps
@@ -21,7 +21,7 @@ struct Cut {
   float seconds = 0;              // lower bound of the time to the goal
   float mostSeconds = 0;          // seconds that are allowed
   bool withTricks = false;        // the proof holds for players who use every trick
-  uint16_t mayHelp = 0;           // otherwise the tricks that each break the proof
+  uint16_t mayHelp = 0;           // otherwise, tricks that each break the proof
 };
 
 // Returns nothing if the query may be solvable. `record` supplies the names of its regions.

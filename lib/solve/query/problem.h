@@ -47,8 +47,7 @@ struct Budget {
   double seconds = std::numeric_limits<double>::infinity();  // wall clock
   uint64_t maxSteps = std::numeric_limits<uint64_t>::max();  // simulated ticks
   uint32_t solutions = 1;                                    // distinct solutions to look for
-  bool diverse = false;                                      // solutions are distinct by route, not
-                                                             // by path
+  bool diverse = false;                                      // distinct by route, not by path
   uint32_t attempts = 24;                                    // failed trajectories to show
   const std::atomic<bool>* stop = nullptr;                   // set from outside to interrupt
 };

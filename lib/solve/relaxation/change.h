@@ -21,9 +21,8 @@ struct Change {
   int32_t part = -1;            // the part that changes; -1: none
   int32_t avoid = -1;           // index in the query's avoid list; -1: none
   std::string field;            // field of the query record; empty: the level is changed
-  double notch = 0;             // size of a notch, in the knob's unit
-  double scale = 1;             // typical amount, in the knob's unit, which makes all kinds
-                                // comparable
+  double notch = 0;             // size of a notch, in the relaxation's unit
+  double scale = 1;             // typical amount, in the relaxation's unit, to compare kinds
   std::vector<uint32_t> first;  // notches to try first, in this order, until one works
 
   // Applies the change to the records. The level is null if `field` is not empty.

@@ -11,8 +11,7 @@ namespace {
 
 constexpr float kFarthest = 16;       // studs sideways from what was reached
 constexpr float kHighest = 24;        // studs above what was reached
-constexpr float kGoalWeight = 0.25f;  // cost of a stud of distance to the target, relative to a
-                                      // stud of gap or rise
+constexpr float kGoalWeight = 0.25f;  // weight of a stud to the target, per stud of gap or rise
 
 class Frontier {
  public:

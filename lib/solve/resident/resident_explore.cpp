@@ -6,18 +6,16 @@ namespace obby::solve {
 
 namespace {
 
-constexpr uint64_t kStepsPerRollout = 1000;       // steps so far per rollout, above which rounds
-                                                  // double
-constexpr uint64_t kArchiveBytes = 4ull << 30;    // max
-constexpr uint64_t kCandidateBytes = 1ull << 30;  // max of a round
+constexpr uint64_t kStepsPerRollout = 1000;       // steps so far per rollout that double rounds
+constexpr uint64_t kArchiveBytes = 4ull << 30;    // budget of the archive
+constexpr uint64_t kCandidateBytes = 1ull << 30;  // budget of a round's candidates
 
 uint64_t stateBytes(const Problem& problem) {
   return sizeof(sim::World) + problem.level.looseCount * sizeof(sim::LooseBody);
 }
 
 uint32_t fittingCells(const Problem& problem, uint32_t most) {
-  constexpr uint64_t kBeside = 2 * sizeof(CellSlot) + 48;  // table, sums, and the other arrays of a
-                                                           // cell
+  constexpr uint64_t kBeside = 2 * sizeof(CellSlot) + 48;  // table, sums, other arrays of a cell
   return uint32_t(std::min<uint64_t>(most, kArchiveBytes / (stateBytes(problem) + kBeside)));
 }
 

@@ -58,7 +58,8 @@ OBBY_DEVICE void sumLevel(const SumTree& t, uint32_t level, uint32_t i) {
   t.sums[t.firsts[level] + i] = sum;
 }
 
-// Returns the leaf whose share of the weights holds `rest`, which must be below their total.
+// Returns the leaf at which the running sum of the weights exceeds `rest`, which must be below the
+// total.
 template <class Leaf>
 OBBY_DEVICE uint32_t leafAt(const SumTree& t, uint64_t rest, Leaf&& leaf) {
   uint32_t at = 0;

@@ -33,7 +33,7 @@ class Attempts {
     count(end.outcome, end.part, 1);
     return show(end);
   }
-  // The two halves of add(): counts `count` attempts with this end, and keeps one that may be
+  // add() in two halves: count() counts `count` attempts with this end, show() keeps one to show.
   // shown.
   void count(sim::Outcome outcome, uint32_t part, uint64_t count) {
     counts_[{outcome, part}] += count;

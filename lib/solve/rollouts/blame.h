@@ -12,9 +12,9 @@ OBBY_DEVICE bool hurts(const sim::World& w, const sim::LooseBody* loose,
          sim::touchesCollider(w, loose, level, collider, limbs);
 }
 
-// Returns the part that took too much health of a world that has just ended as hurt: the first kill
-// part that is touched. Returns level::kNone if none is touched, since the same tick has moved the
-// player. `loose`: null if unknown; parts of dynamic bodies are then ignored.
+// Returns the part that took too much health from a player who has just ended as hurt: the first
+// kill part that is touched. Returns level::kNone if none is touched, since the same tick has moved
+// the player. `loose`: null if unknown; parts of dynamic bodies are then ignored.
 OBBY_DEVICE uint32_t partThatHurts(const sim::World& w, const sim::LooseBody* loose,
                                    const level::LevelView& level) {
   const sim::Limbs limbs = sim::limbsOf(w, level.params);

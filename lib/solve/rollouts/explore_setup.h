@@ -23,8 +23,7 @@ struct GoExploreSettings {
   uint32_t leastPhase = 40;     // min ticks of a rollout
   float cellWidth = 2;          // studs at 16 studs/s; grows with walking speed
   bool groundedOnly = true;     // keep only states that stand or have long been in the air
-  uint32_t lookEvery = 3;  // ticks between states that may be kept; a walk takes seven to cross a
-                           // cell
+  uint32_t lookEvery = 3;       // ticks between looks at a state; a walk crosses a cell in seven
   ExploreSettings explore;
   bool byPolicy = false;  // some rollouts use the policy, if the problem has one
 };

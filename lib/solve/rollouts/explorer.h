@@ -33,8 +33,7 @@ class Explorer {
   // `loose`: (level.looseCount).
   OBBY_DEVICE sim::Action next(const ExploreContext& c, const sim::World& w,
                                const sim::LooseBody* loose) {
-    const bool plans = tick_ == 0;  // all rollouts plan at the same ticks, so lanes and groups
-                                    // agree
+    const bool plans = tick_ == 0;  // all rollouts plan at the same ticks: lanes and groups agree
     tick_ = tick_ + 1 == kSteerEvery ? 0 : tick_ + 1;
     if (plans && kind_ == Kind::policy) {
       held_.action = moveOfPolicy(c, w, loose, likeliest_ ? nullptr : &random_);

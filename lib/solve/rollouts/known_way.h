@@ -6,8 +6,7 @@
 
 namespace obby::solve {
 
-constexpr uint32_t kBeyondKnown =
-    60;  // ticks for which the last action is held, as a goal may have moved
+constexpr uint32_t kBeyondKnown = 60;  // ticks that the last action is held; a goal may have moved
 
 inline uint32_t ticksOf(const KnownWay& way) {
   uint32_t ticks = way.empty() ? 0 : kBeyondKnown;

@@ -21,7 +21,7 @@ class Judge {
   // the outcome at that moment, or RUNNING.
   schema::Outcome after(const sim::Moment& m);
 
-  // Writes the targets that were reached, with their times, and the region that should be avoided.
+  // Writes the targets that were reached, with their times, and the avoid region that was entered.
   void note(sim::World& world) const;
 
  private:
