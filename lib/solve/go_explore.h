@@ -1,6 +1,6 @@
-// Go-Explore in rounds. A selector picks cells, all threads roll out from them against a snapshot
-// of the archive, and the finds are merged in the order of the rollouts. The result follows from
-// (problem, seed, settings, selector); threads and time only decide when the search stops.
+// Go-Explore in rounds. A selector picks cells, and all threads roll out from them against a
+// snapshot of the archive. The finds are merged in the order of the rollouts. The result follows
+// from (problem, seed, settings, selector); threads and time only decide when the search stops.
 #pragma once
 
 #include <cstdint>

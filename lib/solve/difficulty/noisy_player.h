@@ -1,7 +1,7 @@
 // A player who repeats a segment of a solution as well as a person might. The player means to press
-// the recorded keys at the recorded places and to walk the recorded path, but presses early or late
-// and walks a little off. The player sees an error only after a reaction time, and then corrects
-// it.
+// the recorded keys at the recorded places and to walk the recorded path. Presses come early or
+// late, and walks are a little off. The player sees an error only after a reaction time, and then
+// corrects it.
 #pragma once
 
 #include <span>

@@ -53,8 +53,8 @@ class BodyLimits {
   // Returns the studs by which the entry is lower for feet that come without a jump.
   float entryOfFalls() const { return turned - overlap; }
 
-  // Returns the max height of the feet above the highest place of a floor, in Running, after a
-  // flight with an apex from `low` to `high` above it. A jump or fall begins there.
+  // Returns the max height of the feet above the highest place of a floor, in Running. A jump or
+  // fall begins there. The flight before had an apex from `low` to `high` above that place.
   float takeOff(float low, float high) const;
   // Returns the upward studs/s that legs give by a trick, on a floor that goes up or down at
   // `speed`.
