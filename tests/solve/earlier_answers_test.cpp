@@ -1,6 +1,6 @@
 // An earlier answer is tried first: what still works is found at once, what does not is searched on
 // from.
-#include "solve/earlier_answers.h"
+#include "solve/answer/earlier_answers.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

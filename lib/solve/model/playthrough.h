@@ -1,4 +1,4 @@
-// A playthrough that a search found, in plain form.
+// A trajectory found by the search, as plain actions.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,7 @@ constexpr uint32_t kPathStep = 6;  // ticks between the points of a path
 struct Playthrough {
   std::vector<sim::ActionRun> actions;
   std::vector<Vec3> path;           // feet every kPathStep ticks, the start first
-  std::vector<uint32_t> jumpTicks;  // since the start
+  std::vector<uint32_t> jumpTicks;  // ticks since the start
   sim::World end;
   std::vector<sim::LooseBody> endLoose;
   uint32_t ticks = 0;

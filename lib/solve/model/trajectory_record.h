@@ -1,4 +1,4 @@
-// A playthrough as a record of the stream.
+// Writes trajectories into records of the stream.
 #pragma once
 
 #include <string>
@@ -11,30 +11,30 @@
 
 namespace obby::solve {
 
-// What every record of one answer names.
+// The fields that all records of one answer share.
 struct AnswerIdentity {
   std::string query;
   std::string level;
   level::StartPose start;
-  std::string method;         // name of its row
+  std::string method;         // name in the table of methods
   uint16_t tricks = 0;        // Params::tricks of the query
-  level::Player player = {};  // of its trajectories
+  level::Player player = {};  // player of its trajectories
 };
 
 void fillTrajectory(schema::Trajectory::Builder record, const AnswerIdentity& identity,
                     const Playthrough& playthrough, uint32_t index);
 
-// For readers that cannot replay the actions.
+// Fills in the path, for readers that cannot replay the actions.
 void fillPath(schema::Trajectory::Builder record, const Playthrough& playthrough);
 
-// The parts of a route, in order; of a Trajectory or a RouteCount.
+// Fills in the parts of a route, in order. `Record` builds a Trajectory or a RouteCount.
 template <class Record>
 void fillRoute(Record record, const std::vector<int32_t>& route) {
   auto parts = record.initRoute(uint32_t(route.size()));
   for (uint32_t i = 0; i < parts.size(); ++i) parts.set(i, route[i]);
 }
 
-// World::part is an index into one of two lists.
+// World::part indexes the avoid list if the outcome is `avoided`, and the level's parts otherwise.
 template <class Record>
 void fillBlame(Record record, sim::Outcome outcome, uint32_t part) {
   if (part == kNone) return;

@@ -8,7 +8,7 @@ namespace obby::solve {
 
 namespace {
 
-constexpr size_t kProgressDeaths = 3;  // of a progress record
+constexpr size_t kProgressDeaths = 3;  // deaths in a progress record
 
 void fillEnds(schema::Result::Builder record, const std::vector<EndCount>& ends) {
   auto tallies = record.initEnds(uint32_t(ends.size()));

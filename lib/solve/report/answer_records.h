@@ -1,4 +1,4 @@
-// What the search found, as records of the stream.
+// Writes the results of a search into records of the stream.
 #pragma once
 
 #include <string>
@@ -10,13 +10,13 @@
 
 namespace obby::solve {
 
-// `paths`: with the path of each trajectory.
+// `paths`: fills in the path of each trajectory, too.
 void fillProgress(schema::Progress::Builder record, const AnswerIdentity& identity,
                   const SearchView& view, bool paths);
 
 schema::Verdict verdictOf(const SearchOutcome& outcome);
 
-// Everything but timing.compile, seed and heatMap, which the caller knows.
+// Fills in everything but timing.compile, seed and heatMap, which the caller knows.
 void fillResult(schema::Result::Builder record, const AnswerIdentity& identity,
                 const SearchOutcome& outcome, const level::Level& level,
                 schema::Level::Reader levelRecord, schema::Query::Reader query);

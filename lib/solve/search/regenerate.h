@@ -1,4 +1,4 @@
-// Playthroughs out of the archive: the chain of rollouts that led to a state is replayed.
+// Regenerates a trajectory from the archive by replaying the chain of rollouts that led to it.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,8 @@
 
 namespace obby::solve {
 
-// The playthrough that ends `end.ticks` ticks into rollout `end.rollout` from node `end.parent`.
+// Returns the trajectory that ends `end.ticks` ticks into rollout `end.rollout` from node
+// `end.parent`.
 Playthrough regenerate(const ExploreContext& context, uint64_t seed, const Problem& problem,
                        const ChunkedVector<Node>& nodes, const Node& end);
 

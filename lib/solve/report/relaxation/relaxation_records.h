@@ -8,7 +8,7 @@
 
 namespace obby::solve {
 
-// What was found to help, also as the end of the record's reason.
+// Fills in the relaxations that help. The reason ends with the first, or says that none helps.
 void fillRelaxations(schema::Result::Builder record, const std::vector<Relaxation>& found);
 
 }  // namespace obby::solve

@@ -1,4 +1,4 @@
-// Launch form of the rollout kernel.
+// CUDA entry point of the rollout kernel.
 #include "solve/search/cuda/cuda.h"
 #include "solve/search/rollouts/rollout_kernel.h"
 

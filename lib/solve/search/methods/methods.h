@@ -1,5 +1,5 @@
-// The table of search methods: one row each. A new method is a file with its settings and its
-// chooser, and a row here.
+// The table of search methods, one row each. A new method is a file with its settings and its
+// selector, and a row here.
 #pragma once
 
 #include <string>
@@ -19,7 +19,7 @@ struct Method {
 };
 
 const std::vector<Method>& methods();
-// Null if there is none of that name.
+// Returns null if there is no method of that name.
 const Method* findMethod(const std::string& name);
 
 }  // namespace obby::solve

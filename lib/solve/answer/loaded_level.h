@@ -1,5 +1,4 @@
-// A level of the stream, compiled: for its own player, and for others when they are first asked
-// for.
+// A level of the stream, compiled for its own player, and for others on first use.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +14,7 @@ namespace obby::solve {
 
 struct LoadedLevel;
 
-// The levels that a level is for other players: compiled when first asked for, kept with it.
+// A level as other players meet it: compiled on first use, and kept with the level.
 class PlayerLevels {
  public:
   PlayerLevels();
@@ -23,11 +22,12 @@ class PlayerLevels {
   PlayerLevels(const PlayerLevels&) = delete;
   PlayerLevels& operator=(const PlayerLevels&) = delete;
 
-  // `base` as the player meets it, `base` itself if its physics are the player's. Valid while both
-  // live. Error: no such player; a level that is none at the player's frame rate.
+  // Returns `base` as the player meets it, or `base` itself if its physics are the player's. The
+  // result is valid while both live. Error: the player is unknown, or the level is invalid at its
+  // frame rate.
   Result<const LoadedLevel*> of(const LoadedLevel& base, const level::Player& player);
 
-  // Approximate size of all compiled levels.
+  // Returns the approximate size of all compiled levels, in bytes.
   uint64_t bytes() const { return bytes_; }
 
  private:
@@ -40,12 +40,13 @@ struct LoadedLevel {
   io::Record record;
   level::Level level;
   double compileSeconds;
-  // For all queries that are asked of it.
+  // Levels of other players, shared by all queries of the level.
   std::unique_ptr<PlayerLevels> players = std::make_unique<PlayerLevels>();
 };
 
 Result<LoadedLevel> loadLevel(const io::Record& record);
-// What keeping a level takes, in bytes, about: its record, compiled, and for other players.
+// Returns the approximate memory of a kept level, in bytes: its record, compiled, and for other
+// players.
 uint64_t bytesOf(const LoadedLevel& level);
 
 }  // namespace obby::solve

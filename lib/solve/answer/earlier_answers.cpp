@@ -1,4 +1,4 @@
-#include "solve/earlier_answers.h"
+#include "solve/answer/earlier_answers.h"
 
 #include <optional>
 

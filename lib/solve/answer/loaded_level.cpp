@@ -1,4 +1,4 @@
-#include "solve/loaded_level.h"
+#include "solve/answer/loaded_level.h"
 
 #include <capnp/any.h>
 

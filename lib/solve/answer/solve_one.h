@@ -1,8 +1,8 @@
-// Answers a query for one player: searches, checks every solution with the verifier, and writes the
-// answer as records: progress while it works, then trajectories, then the result.
+// Answers one query for one player: compiles it, searches, checks every solution with the verifier,
+// and writes the answer as records. Progress comes first, then the trajectories, then the result.
 #pragma once
 
-#include "solve/solver_options.h"
+#include "solve/answer/solver_options.h"
 
 namespace obby::solve {
 
