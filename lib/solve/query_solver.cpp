@@ -1,7 +1,7 @@
 #include "solve/query_solver.h"
 
-#include "solve/players/solve_players.h"
 #include "solve/answer/solve_one.h"
+#include "solve/players/solve_players.h"
 
 namespace obby::solve {
 

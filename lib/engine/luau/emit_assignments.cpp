@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <set>
 
-#include "engine/luau/emitter_state.h"
+#include "engine/luau/statement_emitter.h"
 
 namespace obby::luau {
 namespace {
@@ -37,7 +37,7 @@ bool isConstant(const Expr& expr) {
 // 5.1 puts an assignment on the line where its value ends, Luau on that where it begins, and who
 // observes what a script sets wants that one: a value that only has its arguments on further lines
 // moves up.
-void Emitter::assignment(const Stat& stat) {
+void StatementEmitter::assignment(const Stat& stat) {
   const auto acts = [&](const ExprPtr& expr) { return actsBelow(*expr, stat.line); };
   const bool plain = std::none_of(stat.values.begin(), stat.values.end(), acts) &&
                      std::none_of(stat.targets.begin(), stat.targets.end(), acts);
@@ -49,7 +49,7 @@ void Emitter::assignment(const Stat& stat) {
   out_.stay(stayed);
 }
 
-void Emitter::assign(const Stat& stat) {
+void StatementEmitter::assign(const Stat& stat) {
   if (orderShows(stat)) return assignInOrder(stat);
   list(stat.targets);
   out_.symbol("=");
@@ -57,7 +57,7 @@ void Emitter::assign(const Stat& stat) {
 }
 
 // do local o1,k1,o2=OBJECT,KEY,OBJECT local v1,v2=VALUES o1[k1]=v1 o2.field=v2 end
-void Emitter::assignInOrder(const Stat& stat) {
+void StatementEmitter::assignInOrder(const Stat& stat) {
   keyword("do");
   bindTargets(stat);
   keyword("local");
@@ -89,7 +89,7 @@ void Emitter::assignInOrder(const Stat& stat) {
   keyword("end");
 }
 
-void Emitter::bindTargets(const Stat& stat) {
+void StatementEmitter::bindTargets(const Stat& stat) {
   for (size_t i = 0; i < stat.targets.size(); ++i) {
     const Expr& target = *stat.targets[i];
     if (target.kind == ExprKind::name) continue;
@@ -111,7 +111,7 @@ void Emitter::bindTargets(const Stat& stat) {
 }
 
 template <class Write>
-void Emitter::update(const Stat& stat, const Write& write) {
+void StatementEmitter::update(const Stat& stat, const Write& write) {
   const Expr& value = *stat.values[0];
   write();
   out_.symbol("=");
@@ -131,7 +131,7 @@ void Emitter::update(const Stat& stat, const Write& write) {
   }
 }
 
-void Emitter::compound(const Stat& stat) {
+void StatementEmitter::compound(const Stat& stat) {
   const Expr& target = *stat.targets[0];
   if (target.kind == ExprKind::name) return update(stat, [&] { bare(target); });
   const bool keyIsPlain = target.kind == ExprKind::field || isConstant(*target.kids[1]);
@@ -141,7 +141,7 @@ void Emitter::compound(const Stat& stat) {
 }
 
 // do local o,k=OBJECT,KEY o[k]=o[k]+VALUE end
-void Emitter::compoundField(const Stat& stat) {
+void StatementEmitter::compoundField(const Stat& stat) {
   const Expr& target = *stat.targets[0];
   const bool index = target.kind == ExprKind::index;
   keyword("do local");

@@ -4,7 +4,7 @@
 #include <cctype>
 #include <utility>
 
-#include "engine/luau/emitter_state.h"
+#include "engine/luau/expression_emitter.h"
 #include "engine/luau/literals.h"
 
 namespace obby::luau {
@@ -37,27 +37,27 @@ bool beginsOnItsLine(const Expr& expr) {
 
 }  // namespace
 
-void Emitter::expression(const Expr& expr) {
+void ExpressionEmitter::expression(const Expr& expr) {
   if (!expr.parenthesised) return bare(expr);
   out_.symbol("(");
   bare(expr);
   out_.symbol(")");
 }
 
-void Emitter::bracketed(const Expr& expr) {
+void ExpressionEmitter::bracketed(const Expr& expr) {
   out_.symbol("(");
   bare(expr);
   out_.symbol(")");
 }
 
-void Emitter::single(const Expr& expr) {
+void ExpressionEmitter::single(const Expr& expr) {
   if (isMulti(expr))
     bracketed(expr);
   else
     expression(expr);
 }
 
-void Emitter::bare(const Expr& expr) {
+void ExpressionEmitter::bare(const Expr& expr) {
   if (beginsOnItsLine(expr)) out_.at(expr.line);
   switch (expr.kind) {
     case ExprKind::nil: return keyword("nil");
@@ -91,14 +91,14 @@ void Emitter::bare(const Expr& expr) {
   }
 }
 
-void Emitter::list(const Exprs& exprs, size_t from) {
+void ExpressionEmitter::list(const Exprs& exprs, size_t from) {
   for (size_t i = from; i < exprs.size(); ++i) {
     if (i > from) out_.symbol(",");
     expression(*exprs[i]);
   }
 }
 
-void Emitter::name(const Expr& expr) {
+void ExpressionEmitter::name(const Expr& expr) {
   const Local* local = scopes_.find(expr);
   if (!local) return out_.word(expr.text);
   if (local->scope->table == 0) return out_.word(variable(expr.text));
@@ -108,7 +108,7 @@ void Emitter::name(const Expr& expr) {
 }
 
 // 5.1 wants the bracket on the line of what is called; only names stand before it on new lines.
-void Emitter::call(const Expr& expr) {
+void ExpressionEmitter::call(const Expr& expr) {
   expression(*expr.kids[0]);
   if (expr.kind == ExprKind::method) {
     out_.at(expr.line);
@@ -120,7 +120,7 @@ void Emitter::call(const Expr& expr) {
   out_.symbol(")");
 }
 
-void Emitter::functionBody(const Function& function) {
+void ExpressionEmitter::functionBody(const Function& function) {
   out_.symbol("(");
   variables(function.parameters);
   if (function.vararg) out_.symbol(function.parameters.empty() ? "..." : ",...");
@@ -128,16 +128,14 @@ void Emitter::functionBody(const Function& function) {
   // Without it, 5.1 puts the values in a table `arg`, which no script expects.
   if (function.vararg) keyword("do local _=... end;");
   Scope* const outer = scope_;
-  const bool flagged = std::exchange(flagsBreak_, false);
   openScope(function.body, function.parameters);
-  statements(function.body);
-  flagsBreak_ = flagged;
+  functionBlock(function.body);
   scope_ = outer;
   out_.at(function.endLine);
   keyword("end");
 }
 
-void Emitter::table(const Expr& expr) {
+void ExpressionEmitter::table(const Expr& expr) {
   out_.symbol("{");
   for (size_t i = 0; i < expr.kids.size(); ++i) {
     if (i > 0) out_.symbol(",");

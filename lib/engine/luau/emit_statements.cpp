@@ -1,14 +1,22 @@
 // Statements but assignments and loops. Simple ones end with `;`, so that a `(` behind them begins
 // a statement.
-#include "engine/luau/emitter_state.h"
+#include <utility>
+
+#include "engine/luau/statement_emitter.h"
 
 namespace obby::luau {
 
-void Emitter::statements(const Block& body) {
+void StatementEmitter::functionBlock(const Block& body) {
+  const bool flagged = std::exchange(flagsBreak_, false);
+  statements(body);
+  flagsBreak_ = flagged;
+}
+
+void StatementEmitter::statements(const Block& body) {
   for (const auto& stat : body) statement(*stat);
 }
 
-void Emitter::statement(const Stat& stat) {
+void StatementEmitter::statement(const Stat& stat) {
   if (stat.kind == StatKind::block && stat.blocks.empty()) return;  // a type
   out_.at(stat.line);
   switch (stat.kind) {
@@ -33,7 +41,7 @@ void Emitter::statement(const Stat& stat) {
   out_.symbol(";");
 }
 
-void Emitter::local(const Stat& stat) {
+void StatementEmitter::local(const Stat& stat) {
   const bool table = scope_->table != 0;
   if (!table) keyword("local");
   if (table && stat.values.empty()) {  // the table is new: they are nil
@@ -50,7 +58,7 @@ void Emitter::local(const Stat& stat) {
   list(stat.values);
 }
 
-void Emitter::branch(const Stat& stat) {
+void StatementEmitter::branch(const Stat& stat) {
   for (size_t i = 0; i < stat.blocks.size(); ++i) {
     if (i < stat.values.size()) {
       keyword(i == 0 ? "if" : "elseif");
@@ -64,7 +72,7 @@ void Emitter::branch(const Stat& stat) {
   end(stat);
 }
 
-void Emitter::function(const Stat& stat) {
+void StatementEmitter::function(const Stat& stat) {
   const bool isLocal = stat.targets.empty();
   if (isLocal && scope_->table == 0) keyword("local");
   keyword("function");
@@ -77,7 +85,7 @@ void Emitter::function(const Stat& stat) {
 
 // `return f()` would be a tail call, of which Luau has none: the function would be missing from
 // tracebacks and error positions.
-void Emitter::returns(const Stat& stat) {
+void StatementEmitter::returns(const Stat& stat) {
   keyword("return");
   if (stat.values.size() != 1) return list(stat.values);
   const Expr& value = *stat.values[0];
@@ -93,7 +101,7 @@ void Emitter::returns(const Stat& stat) {
   }
 }
 
-void Emitter::leaves(const Stat& stat) {
+void StatementEmitter::leaves(const Stat& stat) {
   if (flagsBreak_ && stat.text == "break") {
     out_.word(own("b"));
     out_.symbol("=true;");

@@ -1,8 +1,8 @@
 // Searches for solutions that avoid the parts of which the import is not sure.
 #pragma once
 
-#include "solve/report/doubts.h"
 #include "solve/answer/solver_options.h"
+#include "solve/report/doubts.h"
 
 namespace obby::solve {
 

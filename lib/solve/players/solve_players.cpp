@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <chrono>
 
+#include "solve/answer/solve_one.h"
 #include "solve/model/retimed.h"
 #include "solve/model/route.h"
 #include "solve/players/player_case.h"
 #include "solve/players/player_result.h"
 #include "solve/players/same_keys.h"
 #include "solve/report/answer_records.h"
-#include "solve/answer/solve_one.h"
 
 namespace obby::solve {
 

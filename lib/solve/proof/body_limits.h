@@ -20,11 +20,8 @@ struct Flight {
   float radius;      // it begins within this radius of the support's box
 };
 
-class BodyLimits {
- public:
-  BodyLimits(const Problem& problem, const std::vector<PartMotion>& motions);
-
-  // --- bodies
+// Lengths, in studs.
+struct BodySizes {
   float ray = 0;          // horizontal radius in which floors are sensed
   float body = 0;         // radius of the colliding body, or `ray` if that is larger
   float stand = 0;        // radius in which a jump begins: `body`, or `ray` if walks are fast
@@ -36,16 +33,24 @@ class BodyLimits {
   float mostTakeOff = 0;  // the same above the top
   float overlap = 0;      // with a part, by one step of travel and one tick of a turn in the air
   float turned = 0;       // the same with any turn
-  // --- speeds
+};
+
+// Speeds, in studs/s unless stated.
+struct BodySpeeds {
   float walk = 0;      // max speed by keys, studs/s, under all boosts of the level
   float jump = 0;      // max launch speed of a jump
   float slowJump = 0;  // min launch speed of a jump, under the worst boost
   float decay = 0;     // deceleration of excess speed by keys, studs/s^2
   float turning = 0;   // studs/s by which turns next to parts push the body on
   float late = 0;      // seconds from the last floor to the end of a jump's first tick
-  // --- held jumps, a trick; 0 without it
+  // Held jumps, a trick; 0 without it.
   float heldSeconds = 0;  // max time without gravity
   float heldRise = 0;     // max studs above the take-off where gravity begins to act, less a tick
+};
+
+class BodyLimits : public BodySizes, public BodySpeeds {
+ public:
+  BodyLimits(const Problem& problem, const std::vector<PartMotion>& motions);
 
   // Returns the min height of the feet from which a jump enters the top of a static upright block.
   // `pinched`: another part may hold the body next to it.

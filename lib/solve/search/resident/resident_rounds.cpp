@@ -58,7 +58,7 @@ Status ResidentRounds::openTables(const ExploreSetup& setup, const Problem& prob
   OBBY_RETURN_IF_ERROR(archive_.addStart(problem, key, potential, wait));
   arguments_.best = potential;
   Tables tables{arguments_.rules, arguments_.potential, arguments_.beam};
-  OBBY_ASSIGN(tables_, sim::uploadTables(*device_, tables));
+  OBBY_ASSIGN(memory_.tables, sim::uploadTables(*device_, tables));
   arguments_.rules = tables.rules;
   arguments_.potential = tables.potential;
   arguments_.beam = tables.beam;
@@ -82,21 +82,21 @@ Status ResidentRounds::sumUp(const SumTree& tree) const {
 Status ResidentRounds::makeRoundRoom(uint32_t rollouts, uint32_t visits) {
   ResidentArguments& a = arguments_;
   const size_t bodies = a.archive.looseCount, all = size_t(rollouts) * visits;
-  OBBY_RETURN_IF_ERROR(room(starts_, a.starts, rollouts));
-  OBBY_RETURN_IF_ERROR(room(loose_, a.loose, rollouts * bodies));
-  OBBY_RETURN_IF_ERROR(room(worlds_, a.candidates.worlds, all));
-  OBBY_RETURN_IF_ERROR(room(candidateLoose_, a.candidates.loose, all * bodies));
-  OBBY_RETURN_IF_ERROR(room(keys_, a.candidates.keys, all));
-  OBBY_RETURN_IF_ERROR(room(ticks_, a.candidates.ticks, all));
-  OBBY_RETURN_IF_ERROR(room(cells_, a.candidates.cells, all));
-  OBBY_RETURN_IF_ERROR(room(slots_, a.candidates.slots, all));
-  OBBY_RETURN_IF_ERROR(room(finds_, a.finds, rollouts));
-  OBBY_RETURN_IF_ERROR(room(ends_, a.ends, rollouts));
-  OBBY_RETURN_IF_ERROR(room(goals_, a.goals, rollouts));
-  OBBY_RETURN_IF_ERROR(room(endCounts_, a.endCounts, size_t(kOutcomes) * a.endParts));
-  OBBY_RETURN_IF_ERROR(room(report_, a.report, 1));
+  OBBY_RETURN_IF_ERROR(room(memory_.starts, a.starts, rollouts));
+  OBBY_RETURN_IF_ERROR(room(memory_.loose, a.loose, rollouts * bodies));
+  OBBY_RETURN_IF_ERROR(room(memory_.worlds, a.candidates.worlds, all));
+  OBBY_RETURN_IF_ERROR(room(memory_.candidateLoose, a.candidates.loose, all * bodies));
+  OBBY_RETURN_IF_ERROR(room(memory_.keys, a.candidates.keys, all));
+  OBBY_RETURN_IF_ERROR(room(memory_.ticks, a.candidates.ticks, all));
+  OBBY_RETURN_IF_ERROR(room(memory_.cells, a.candidates.cells, all));
+  OBBY_RETURN_IF_ERROR(room(memory_.slots, a.candidates.slots, all));
+  OBBY_RETURN_IF_ERROR(room(memory_.finds, a.finds, rollouts));
+  OBBY_RETURN_IF_ERROR(room(memory_.ends, a.ends, rollouts));
+  OBBY_RETURN_IF_ERROR(room(memory_.goals, a.goals, rollouts));
+  OBBY_RETURN_IF_ERROR(room(memory_.endCounts, a.endCounts, size_t(kOutcomes) * a.endParts));
+  OBBY_RETURN_IF_ERROR(room(memory_.report, a.report, 1));
   a.findSums = makeSumTree(nullptr, rollouts);
-  return room(findSums_, a.findSums.sums, a.findSums.firsts[a.findSums.levels]);
+  return room(memory_.findSums, a.findSums.sums, a.findSums.firsts[a.findSums.levels]);
 }
 
 Status ResidentRounds::begin(uint64_t firstRollout, uint32_t rollouts, uint32_t visits) {
@@ -105,7 +105,7 @@ Status ResidentRounds::begin(uint64_t firstRollout, uint32_t rollouts, uint32_t 
   a.room = visits;
   a.archive = archive_.view();
   OBBY_RETURN_IF_ERROR(makeRoundRoom(rollouts, visits));
-  OBBY_RETURN_IF_ERROR(device_->fill(a.endCounts, 0, endCounts_.bytes()));
+  OBBY_RETURN_IF_ERROR(device_->fill(a.endCounts, 0, memory_.endCounts.bytes()));
   RoundReport fresh{};
   fresh.closest = ~0ull;
   fresh.closestRollout = kNone;
@@ -120,9 +120,9 @@ Status ResidentRounds::rankCells(uint32_t rollouts) {
   a.beamWidth = std::max(1u, (rollouts - a.firstBeam) / kBeamTries);
   a.bestCells = archive_.bestCells();
   a.rankSums = makeSumTree(nullptr, kRanks);
-  OBBY_RETURN_IF_ERROR(room(rankCounts_, a.rankCounts, kRanks));
-  OBBY_RETURN_IF_ERROR(room(rankSums_, a.rankSums.sums, a.rankSums.firsts[a.rankSums.levels]));
-  OBBY_RETURN_IF_ERROR(device_->fill(a.rankCounts, 0, rankCounts_.bytes()));
+  OBBY_RETURN_IF_ERROR(room(memory_.rankCounts, a.rankCounts, kRanks));
+  OBBY_RETURN_IF_ERROR(room(memory_.rankSums, a.rankSums.sums, a.rankSums.firsts[a.rankSums.levels]));
+  OBBY_RETURN_IF_ERROR(device_->fill(a.rankCounts, 0, memory_.rankCounts.bytes()));
   OBBY_RETURN_IF_ERROR(launch(ResidentStep::countRanks, sumCount(a.bestCells, 0)));
   OBBY_RETURN_IF_ERROR(launch(ResidentStep::sumRanks, sumCount(a.rankSums, 0)));
   OBBY_RETURN_IF_ERROR(sumUp(a.rankSums));
@@ -150,12 +150,12 @@ Result<RoundFindings> ResidentRounds::run(uint64_t firstRollout, uint32_t rollou
 Result<RoundFindings> ResidentRounds::take(uint64_t firstRollout, const PlayedWays& played) {
   const uint32_t count = uint32_t(played.ways.size());
   OBBY_RETURN_IF_ERROR(begin(firstRollout, count, played.room));
-  OBBY_RETURN_IF_ERROR(sim::uploadTable<PlayedWay>(*device_, played_, played.ways));
-  OBBY_RETURN_IF_ERROR(sim::uploadTable<sim::World>(*device_, worlds_, played.worlds));
-  OBBY_RETURN_IF_ERROR(sim::uploadTable<sim::LooseBody>(*device_, candidateLoose_, played.loose));
-  OBBY_RETURN_IF_ERROR(sim::uploadTable<uint64_t>(*device_, keys_, played.keys));
-  OBBY_RETURN_IF_ERROR(sim::uploadTable<uint32_t>(*device_, ticks_, played.ticks));
-  arguments_.played = played_.as<PlayedWay>();
+  OBBY_RETURN_IF_ERROR(sim::uploadTable<PlayedWay>(*device_, memory_.played, played.ways));
+  OBBY_RETURN_IF_ERROR(sim::uploadTable<sim::World>(*device_, memory_.worlds, played.worlds));
+  OBBY_RETURN_IF_ERROR(sim::uploadTable<sim::LooseBody>(*device_, memory_.candidateLoose, played.loose));
+  OBBY_RETURN_IF_ERROR(sim::uploadTable<uint64_t>(*device_, memory_.keys, played.keys));
+  OBBY_RETURN_IF_ERROR(sim::uploadTable<uint32_t>(*device_, memory_.ticks, played.ticks));
+  arguments_.played = memory_.played.as<PlayedWay>();
   OBBY_RETURN_IF_ERROR(launch(ResidentStep::takePlayed, count));
   return merge(count);
 }
@@ -164,10 +164,10 @@ Result<RoundFindings> ResidentRounds::take(uint64_t firstRollout, const PlayedWa
 Status ResidentRounds::makeClaims(uint32_t candidates) {
   ClaimView& c = arguments_.claims;
   const uint32_t slots = std::max(kLeastSlots, std::bit_ceil(2 * candidates));
-  OBBY_RETURN_IF_ERROR(room(claimKeys_, c.keys, slots));
-  OBBY_RETURN_IF_ERROR(room(claimRanks_, c.ranks, slots));
-  OBBY_RETURN_IF_ERROR(room(claimants_, c.candidates, slots));
-  OBBY_RETURN_IF_ERROR(room(shared_, c.shared, slots));
+  OBBY_RETURN_IF_ERROR(room(memory_.claimKeys, c.keys, slots));
+  OBBY_RETURN_IF_ERROR(room(memory_.claimRanks, c.ranks, slots));
+  OBBY_RETURN_IF_ERROR(room(memory_.claimants, c.candidates, slots));
+  OBBY_RETURN_IF_ERROR(room(memory_.shared, c.shared, slots));
   c.slotMask = slots - 1;
   OBBY_RETURN_IF_ERROR(device_->fill(c.keys, 0, slots * sizeof(uint64_t)));
   OBBY_RETURN_IF_ERROR(device_->fill(c.ranks, 0xff, slots * sizeof(uint64_t)));
@@ -199,7 +199,7 @@ Status ResidentRounds::place(uint32_t rollouts, RoundFindings& findings) {
   const uint32_t nodes = added + uint32_t(finds);
   OBBY_RETURN_IF_ERROR(archive_.grow(cells + added));
   a.archive = archive_.view();
-  OBBY_RETURN_IF_ERROR(room(nodes_, a.nodes, nodes));
+  OBBY_RETURN_IF_ERROR(room(memory_.nodes, a.nodes, nodes));
   OBBY_RETURN_IF_ERROR(launch(ResidentStep::place, rollouts));
   OBBY_ASSIGN(findings.nodes, sim::downloadTable(*device_, a.nodes, nodes));
   findings.cells = cells + added;

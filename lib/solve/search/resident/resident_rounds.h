@@ -39,6 +39,13 @@ struct ArchivedCell {
   uint32_t node, seen;
 };
 
+// Memory of the device, one for each table of the arguments.
+struct RoundMemory {
+  sim::Memory tables, starts, loose, played, worlds, candidateLoose, keys, ticks, cells, slots,
+      finds, findSums, ends, goals, endCounts, nodes, report, claimKeys, claimRanks, claimants,
+      shared, rankCounts, rankSums;
+};
+
 class ResidentRounds {
  public:
   // The setup must outlive the rounds, the problem need not. Cells beyond `maxCells` are not kept.
@@ -77,9 +84,7 @@ class ResidentRounds {
   uint32_t maxCells_;
   ResidentArguments arguments_{};
   DeviceArchive archive_;
-  sim::Memory tables_, starts_, loose_, played_, worlds_, candidateLoose_, keys_, ticks_, cells_,
-      slots_, finds_, findSums_, ends_, goals_, endCounts_, nodes_, report_, claimKeys_,
-      claimRanks_, claimants_, shared_, rankCounts_, rankSums_;
+  RoundMemory memory_;
 };
 
 }  // namespace obby::solve

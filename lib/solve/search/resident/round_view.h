@@ -65,11 +65,8 @@ struct RoundReport {
   uint32_t sightings;      // cells that were marked as sighted
 };
 
-struct ResidentArguments {
-  RolloutRules rules;
-  PotentialView potential;
-  BeamView beam;
-  ArchiveView archive;
+// Which cells a round starts from.
+struct RoundSelection {
   SumTree weights;       // selection weights of the cells
   float best;            // potential that the weights are relative to
   uint32_t* rankCounts;  // (kRanks), number of cells of each beam rank
@@ -77,23 +74,34 @@ struct ResidentArguments {
   SumTree bestCells;     // 1 for the beam's cells
   uint32_t beamWidth;    // min cells of the beam, if there are so many
   uint32_t firstBeam;    // first rollout of the round that starts from the beam
-  uint64_t firstRollout;
-  uint32_t room;            // max candidates of a rollout
-  uint32_t freeCells;       // cells that the archive may still add
-  uint32_t firstNode;       // first new node of the round
-  uint32_t endParts;        // columns of endCounts; the last is for no part
-  uint32_t* starts;         // (rollouts), cells
-  sim::LooseBody* loose;    // (rollouts, looseCount)
-  const PlayedWay* played;  // (rollouts), or null
-  CandidateView candidates;
-  ClaimView claims;
+  uint32_t* starts;      // (rollouts), cells
+};
+
+// What comes of a round.
+struct RoundResults {
   uint64_t* finds;  // (rollouts), number of new cells << 32 | of improved cells
   SumTree findSums;
   ResidentEnd* ends;    // (rollouts)
   GoalReached* goals;   // (rollouts), in any order
   uint32_t* endCounts;  // (outcomes, endParts)
+  uint32_t endParts;    // columns of endCounts; the last is for no part
   Node* nodes;          // new nodes of the round
   RoundReport* report;
+};
+
+struct ResidentArguments : RoundSelection, RoundResults {
+  RolloutRules rules;
+  PotentialView potential;
+  BeamView beam;
+  ArchiveView archive;
+  uint64_t firstRollout;
+  uint32_t room;            // max candidates of a rollout
+  uint32_t freeCells;       // cells that the archive may still add
+  uint32_t firstNode;       // first new node of the round
+  sim::LooseBody* loose;    // (rollouts, looseCount)
+  const PlayedWay* played;  // (rollouts), or null
+  CandidateView candidates;
+  ClaimView claims;
 };
 
 struct SumArguments {

@@ -1,31 +1,31 @@
 // What the parser says about text that is no Luau.
 #include <fmt/format.h>
 
-#include "engine/luau/parser_state.h"
+#include "engine/luau/token_cursor.h"
 
 namespace obby::luau {
 
-bool Parser::Depth::tooDeep() const {
-  if (parser_.depth_ <= kMaxDepth) return false;
-  parser_.fail(parser_.peek().line, "nested too deeply");
-  parser_.next();
+bool TokenCursor::Depth::tooDeep() const {
+  if (cursor_.depth_ <= kMaxDepth) return false;
+  cursor_.fail(cursor_.peek().line, "nested too deeply");
+  cursor_.next();
   return true;
 }
 
-void Parser::fail(int line, std::string message) {
+void TokenCursor::fail(int line, std::string message) {
   if (broken_) return;
   broken_ = true;
   error_ = std::move(message);
   errorLine_ = line;
 }
 
-void Parser::failHere(std::string_view expected) {
+void TokenCursor::failHere(std::string_view expected) {
   if (broken_) return;
   if (peek().error) return fail(peek().line, peek().error);
   fail(peek().line, fmt::format("expected {}, found {}", expected, found()));
 }
 
-std::string Parser::found() const {
+std::string TokenCursor::found() const {
   switch (peek().kind) {
     case TokenKind::end: return "'<end of file>'";
     case TokenKind::string:
@@ -39,25 +39,25 @@ std::string Parser::found() const {
   return fmt::format("'{:.40}'", text);
 }
 
-void Parser::expectKeyword(std::string_view keyword) {
+void TokenCursor::expectKeyword(std::string_view keyword) {
   if (!acceptKeyword(keyword)) failHere(fmt::format("'{}'", keyword));
 }
 
-void Parser::expect(std::string_view symbol) {
+void TokenCursor::expect(std::string_view symbol) {
   if (!accept(symbol)) failHere(fmt::format("'{}'", symbol));
 }
 
-void Parser::close(std::string_view symbol, std::string_view opener, int line) {
+void TokenCursor::close(std::string_view symbol, std::string_view opener, int line) {
   if (accept(symbol) || broken_) return;
   failHere(fmt::format("'{}' to close '{}' of line {}", symbol, opener, line));
 }
 
-void Parser::closeKeyword(std::string_view keyword, std::string_view opener, int line) {
+void TokenCursor::closeKeyword(std::string_view keyword, std::string_view opener, int line) {
   if (acceptKeyword(keyword) || broken_) return;
   failHere(fmt::format("'{}' to close '{}' of line {}", keyword, opener, line));
 }
 
-std::string Parser::nameToken() {
+std::string TokenCursor::nameToken() {
   if (peek().kind == TokenKind::name) return next().text;
   failHere("a name");
   return {};

@@ -1,5 +1,5 @@
-// The emitter's state and its parts: statements, assignments, loops, expressions, operators and
-// literals have a file each.
+// Emits expressions (operators and literals have a file each), and the scopes in which variables
+// are found.
 #pragma once
 
 #include <string>
@@ -13,50 +13,20 @@
 
 namespace obby::luau {
 
-class Emitter {
+class ExpressionEmitter {
  public:
-  explicit Emitter(Scopes& scopes) : scopes_(scopes), prefix_(scopes.freePrefix()) {}
+  virtual ~ExpressionEmitter() = default;
 
-  std::string chunk(const Chunk& chunk);
-
- private:
+ protected:
   using Exprs = std::vector<ExprPtr>;
   static constexpr size_t kMostArguments = 100;  // of a helper: registers are scarce
 
-  // Statements.
-  void statements(const Block& body);
-  void statement(const Stat& stat);
-  void local(const Stat& stat);
-  void branch(const Stat& stat);
-  void function(const Stat& stat);
-  void returns(const Stat& stat);
-  void leaves(const Stat& stat);
-  void keyword(std::string_view word) { out_.word(word); }
-  // `end` of a block statement, on its line.
-  void end(const Stat& stat) {
-    out_.at(stat.endLine);
-    keyword("end");
-  }
+  explicit ExpressionEmitter(Scopes& scopes) : scopes_(scopes), prefix_(scopes.freePrefix()) {}
 
-  // Assignments.
-  void assignment(const Stat& stat);
-  void assign(const Stat& stat);
-  void assignInOrder(const Stat& stat);
-  void bindTargets(const Stat& stat);
-  void compound(const Stat& stat);
-  void compoundField(const Stat& stat);
-  // `target = target op value`, where the target is written by `write`.
-  template <class Write>
-  void update(const Stat& stat, const Write& write);
-
-  // Loops.
-  void whileLoop(const Stat& stat);
-  void repeatLoop(const Stat& stat);
-  void forLoop(const Stat& stat);
-  void loopBody(const Block& body, const std::vector<std::string>& names, int endLine);
+  // Emits the statements of a function that is a value.
+  virtual void functionBlock(const Block& body) = 0;
 
   // Scopes.
-  void body(const Block& block);  // with its scope
   void openScope(const Block& block, const std::vector<std::string>& names);
   // What a local variable is called. 5.1 has a hidden variable `arg` in functions with `...`.
   std::string variable(std::string_view name) const {
@@ -92,6 +62,7 @@ class Emitter {
   void interpolation(const Expr& expr);
   void interpolation(const std::vector<const Expr*>& parts, size_t from);
 
+  void keyword(std::string_view word) { out_.word(word); }
   void helper(std::string_view name) {  // L_.name(
     out_.word(prefix_);
     out_.symbol(".");
@@ -104,8 +75,9 @@ class Emitter {
   const std::string& prefix_;
   Writer out_;
   Scope* scope_ = nullptr;
+
+ private:
   std::unordered_map<const Scope*, int> declared_;  // variables so far, of a scope with a table
-  bool flagsBreak_ = false;  // the loop's body is a loop of its own: leaving it sets a flag
 };
 
 // A call or `...` that is not in parentheses: it may be any number of values.

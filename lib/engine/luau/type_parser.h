@@ -1,0 +1,32 @@
+// Parses types, which are read and forgotten: what only the type checker refuses passes.
+#pragma once
+
+#include "engine/luau/ast.h"
+#include "engine/luau/token_cursor.h"
+
+namespace obby::luau {
+
+class TypeParser : protected TokenCursor {
+ public:
+  virtual ~TypeParser() = default;
+
+ protected:
+  using TokenCursor::TokenCursor;
+
+  virtual ExprPtr expression(int least = 0) = 0;  // typeof(expression)
+
+  void type();
+  void typeAtom();
+  void namedType();
+  void tableType();
+  void functionType();
+  void typeOrPack();
+  void typeArguments();
+  void annotation() {
+    if (accept(":")) type();
+  }
+  void instantiation();
+  void generics();  // <T, U..., V = default>, if there is a list
+};
+
+}  // namespace obby::luau
