@@ -14,7 +14,7 @@ constexpr double kOffStep = 0.15;   // max rounding error of a frame's length, p
 constexpr int kOffCount = 2;        // max correction of a frame's steps by its motion
 constexpr float kOffPlace = 4e-3f;  // studs: a smaller error confirms a number of steps, one four
                                     // times larger excludes it
-constexpr size_t kAround = 16;   // frames before and after that define the frame rate
+constexpr size_t kAround = 16;      // frames before and after that define the frame rate
 constexpr double kUneven = 1.5;  // steps: a larger deviation from the fitted line means an unsteady
                                  // rate
 constexpr float kSlack = 0.2f;   // rounding error of a sum of mean frames, steps
