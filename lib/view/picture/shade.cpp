@@ -42,7 +42,7 @@ float lit(const Depths& sun, Vec3 point) {
   return asked == 0 ? 1 : float(seen) / float(asked);
 }
 
-// Returns true if the neighbour to the right or below is another solid or far behind.
+// Returns true if depth or normal changes abruptly to the neighbour on the right or below.
 bool edgeAt(const Depths& seen, int x, int y) {
   const uint32_t id = seen.id(x, y);
   const float depth = seen.depth(x, y);
