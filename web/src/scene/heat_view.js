@@ -55,13 +55,14 @@ export const heatShare = (count, most) => (most > 1 ? Math.log(count) / Math.log
 export class HeatView {
   constructor() {
     this.group = new Group();
-    this.most = 0; // of all tiles
-    // Kept: with its last material a program of the GPU goes, and the map is made anew at each filter.
+    this.most = 0; // maximum of all tiles
+    // Kept alive: with its last material a GPU program is dropped, and each filter recreates the
+    // map.
     this.material = new MeshBasicMaterial({
       transparent: true,
       opacity: 0.9,
       depthWrite: false,
-      fog: false, // the legend has its colours
+      fog: false, // must match the legend
     });
   }
 
@@ -75,7 +76,7 @@ export class HeatView {
       cells.length,
     );
     this.most = cells[0].count;
-    const colors = new Map(); // of counts, which are few
+    const colors = new Map(); // cached by count, since there are few distinct counts
     const place = new Matrix4();
     cells.forEach(({ x, y, z, count }, i) => {
       if (!colors.has(count))
