@@ -1,4 +1,4 @@
-// How well recordings determine the parameters at a point, from the residuals' gradients there.
+// Measures how well recordings determine the parameters at a point, from the residuals' gradients.
 #pragma once
 
 #include <Eigen/Core>

@@ -1,4 +1,4 @@
-// What recordings say about each parameter at the fitted point.
+// Estimates of the parameters from recordings, at the fitted point.
 #pragma once
 
 #include <string>

@@ -21,7 +21,7 @@ bool inFreeFall(const Frame& f) {
   return f.state == sim::State::freefall && (f.facing.x != 0 || f.facing.z != 0);
 }
 
-// How far the root moved beyond the centre of mass, which follows the recorded velocities.
+// The root's displacement relative to the centre of mass, which follows the recorded velocities.
 struct Swing {
   bool known = false;
   Vec3 root;

@@ -1,4 +1,4 @@
-// How much of a recording is measurement noise.
+// Estimates the measurement noise of recordings.
 #pragma once
 
 #include <span>

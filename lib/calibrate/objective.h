@@ -40,7 +40,7 @@ class Objective {
   Objective(std::span<const Take> takes, std::vector<Parameter> parameters,
             schema::PhysicsParams::Reader now, const ObjectiveSettings& settings);
 
-  // Copies with other takes or other parameters.
+  // Return a copy with other takes or other parameters.
   Objective of(std::span<const Take> takes) const;
   Objective of(std::vector<Parameter> parameters) const;
   // Returns a copy with other parameters, whose unfitted values come from `point`.

@@ -1,5 +1,5 @@
 // Calibration results as an HTML page: parameters with their intervals, and each recorded
-// trajectory beside the simulated one. It is one file without scripts, readable offline in light
+// trajectory next to the simulated one. It is one file without scripts, readable offline in light
 // and dark themes.
 #pragma once
 

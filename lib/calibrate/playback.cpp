@@ -35,7 +35,7 @@ constexpr double kLead = 0.4;  // seconds before a window
 
 bool showsFacing(const Frame& f) { return f.facing.x != 0 || f.facing.z != 0; }
 
-// Sets a player's state to a recorded frame.
+// Sets a player's state to that of a recorded frame.
 void hold(Player& player, uint32_t frame, const level::LevelView& level) {
   const Frame& f = player.track.frames[frame];
   player.world.position = feetOf(f, level.params);

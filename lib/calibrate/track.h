@@ -50,10 +50,10 @@ struct Track {
 // Rounds to the nearest; a negative time has 0 ticks.
 uint32_t wholeTicks(double seconds, const Params& params);
 
-// Converts a recording. Times count from the first frame, whatever their clock. Of frames at the
-// same time the first stays, with the last one's input and poses. Errors: fewer than two frames, a
-// time that decreases or jumps ahead, values that are not finite or out of range, and a wrong
-// number of poses.
+// Converts a recording. Times count from the first frame. If several frames have the same time, the
+// first stays, with the last one's input and poses. Errors: fewer than two frames, a time that
+// decreases or jumps ahead, values that are not finite or out of range, and a wrong number of
+// poses.
 Result<Track> trackOf(schema::Recording::Reader record);
 
 // Returns the state for an engine state's name. Other states are classified by the velocity.

@@ -9,7 +9,8 @@
 
 namespace obby::gen {
 
-// Errors: an unknown name or a value out of range, with the path "physics.NAME".
+// Apply a recipe's changes. Errors: an unknown name or a value out of range, with the path
+// "physics.NAME".
 Status setPhysics(schema::PhysicsParams::Builder to, const std::vector<NamedNumber>& changes);
 Result<Params> paramsOf(const std::vector<NamedNumber>& changes);
 

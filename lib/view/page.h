@@ -9,7 +9,7 @@
 namespace obby::view {
 
 struct PageOptions {
-  bool full = false;      // no thinning, whatever the size
+  bool full = false;      // no thinning at any size
   std::string generator;  // "obby-view 0.1.0"
 };
 

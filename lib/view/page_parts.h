@@ -7,7 +7,7 @@
 
 namespace obby::view {
 
-// Error for a page over kPageLimit. `full`: nothing was thinned.
+// Returns the error for a page over kPageLimit. `full`: nothing was thinned.
 Error pageTooLarge(size_t bytes, bool full);
 
 // Increased when a field changes its meaning.

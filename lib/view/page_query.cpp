@@ -98,8 +98,8 @@ void writeHeatMap(JsonText& json, schema::HeatMap::Reader map) {
   json.key("counts").array(counts).close();
 }
 
-// Writes an answer's findings besides its verdict: the proof's cut, relaxations, routes, and
-// coverage.
+// Writes an answer's findings besides its verdict: the proof's cut, relaxations, routes, and the
+// search's saturation.
 void writeFindings(JsonText& json, schema::Result::Reader result) {
   json.key("relaxations").open('[');
   for (const auto relaxation : result.getRelaxations()) {

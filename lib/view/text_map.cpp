@@ -97,7 +97,7 @@ std::vector<Drawn> partsOf(const LevelEntry& level, uint32_t tick, Frame frame, 
     simulated[part] = true;
     draw(roles[part], world.away[i], cornersAround(world.solids[i]));
   }
-  // Parts without collision or touch, such as a goal to walk into, are not simulated.
+  // Parts without a collider, such as a goal to walk into, are not in the simulator.
   for (uint32_t i = 0; i < roles.size(); ++i) {
     if (!simulated[i]) draw(roles[i], false, cornersOf(level.reader().getParts()[i]));
   }

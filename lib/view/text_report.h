@@ -24,7 +24,7 @@ struct TextOptions {
 // Lines end in newlines. It never fails; the text says what is missing.
 std::string textReport(const Report& report, const TextOptions& options);
 
-// The pieces of the report.
+// Return the pieces of the report.
 std::vector<table::Answer> answersOf(const Report& report);
 // Returns a map of one query from above: parts, regions and trajectories. Empty if the query's
 // level is not in the streams.

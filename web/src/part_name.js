@@ -1,8 +1,8 @@
 // Names of parts. Parts of hand-written levels need no name, and an answer of another version may
 // refer to parts that the level lacks. Such parts get a number.
 
-// The part's path in the place.
+// Returns the part's path in the place.
 export const fullName = (level, part) => level?.names[part] || `part ${part}`;
 
-// The last component of the path.
+// Returns the last component of the path.
 export const partName = (level, part) => fullName(level, part).split('/').pop() || `part ${part}`;

@@ -1,5 +1,5 @@
 // An answer's findings besides its verdict: the proof's cut, changes that would help, routes, and
-// coverage.
+// the search's saturation.
 import { partName } from '../part_name.js';
 import { routeNames } from '../route_names.js';
 import { routeText } from '../route_text.js';

@@ -84,7 +84,7 @@ export class PathList {
       );
   }
 
-  // In found order solutions come first as a group; sorted, there is one list.
+  // In the order of discovery, solutions form a group of their own; otherwise there is one list.
   groups(query, order, sort) {
     if (sort !== 'found') return [['', order]];
     const solution = (index) => query.paths[index].kind === 'solution';
