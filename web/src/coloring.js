@@ -13,7 +13,7 @@ export const COLORINGS = {
   difficulty: 'difficulty',
 };
 
-// From low to high. The lightness rises throughout, so that the order is visible without hue.
+// A ramp from low to high. Its lightness rises throughout, so that it works without hue.
 const kRamp = [
   [76, 99, 176],
   [33, 145, 140],

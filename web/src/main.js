@@ -87,7 +87,7 @@ class App {
     const path = this.path();
     if (!this.query()?.paths.length && !hasMotion(this.level())) return 0;
     if (path) return Math.max(path.ticks, this.ghost()?.ticks ?? 0);
-    // Not by spreading a list, which may have more elements than a call takes arguments.
+    // A spread call to Math.max would exceed the limit on arguments for long lists.
     const least = Math.max(1, 10 * (this.level()?.tickRate ?? 60));
     return (this.query()?.paths ?? []).reduce((most, { ticks }) => Math.max(most, ticks), least);
   }
