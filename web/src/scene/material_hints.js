@@ -32,7 +32,7 @@ export const grainOf = (material) => grains.get(material) ?? GRAIN.none;
 // Factors of a point's brightness; `uv` in studs on the face.
 export const GRAIN_SHADER = `
 float random(vec2 p) { return fract(sin(dot(p, vec2(12.9898, 78.233))) * 43758.5453); }
-// A dark line at integers of v with half width `thin`, faded out where finer than a pixel.
+// A dark line at integers of v with half width thin, faded out where finer than a pixel.
 float seam(float v, float thin) {
   float w = fwidth(v);
   float d = 0.5 - abs(fract(v) - 0.5);
