@@ -10,15 +10,15 @@ namespace obby::calibrate {
 
 struct FitSettings {
   uint64_t seed = 1;
-  uint32_t restarts = 3;       // searches, one after another, each from a place of its own
-  uint32_t population = 32;    // of each
-  uint32_t generations = 100;  // of each, at most
-  // The searches go by short windows, in which one early miss hides nothing; what they find is
-  // refined on longer ones, to which an error of a single sample matters less.
+  uint32_t restarts = 3;       // searches, each from its own start
+  uint32_t population = 32;    // of each search
+  uint32_t generations = 100;  // max of each search
+  // The searches use short windows, in which an early miss hides nothing. Their result is refined
+  // on longer windows, where the error of a single sample matters less.
   ObjectiveSettings objective;
   double longSeconds = 1.5;
-  // Studs. The search goes on no longer once takes that play to their ends are off by no more, on
-  // average: those held out, or all where none is. 0: it goes on to its end.
+  // Studs. The search ends once the mean error of complete playbacks is within it. Held-out takes
+  // decide, or all takes if none is held out. 0 disables this.
   double tolerance = 0;
   std::span<const Take> heldOut = {};
 };

@@ -1,6 +1,6 @@
-// An avatar's centre of mass beside the centre of its root part. A recorded velocity is of the
-// former, a recorded position of the latter. They are up to 0.3 studs apart (docs/physics.md,
-// body).
+// The offset of an avatar's centre of mass from the centre of its root part, up to 0.3 studs
+// (docs/physics.md, body). A recorded velocity belongs to the centre of mass, a recorded position
+// to the root.
 #pragma once
 
 #include "math/angle.h"
@@ -12,10 +12,10 @@ namespace obby::calibrate {
 inline Vec3 rightOf(Vec3 ahead) { return {-ahead.z, 0, ahead.x}; }
 
 struct MassCentre {
-  float ahead = 0, right = 0;  // of the root's centre, studs
+  float ahead = 0, right = 0;  // from the root's centre, studs
 
   bool isRoot() const { return ahead == 0 && right == 0; }
-  // From the root's centre, world axes, of an avatar that faces `yaw`.
+  // Returns the offset from the root's centre in world axes, for an avatar that faces `yaw`.
   Vec3 at(Turns yaw) const;
 };
 

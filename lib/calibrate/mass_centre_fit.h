@@ -8,9 +8,9 @@
 
 namespace obby::calibrate {
 
-// By least squares over frames in free fall: there the centre of mass moves by the recorded
-// velocity, and the root turns about it. Frames that `without` has too do not count. At the root's
-// centre if the tracks turn too little in the air to tell. `tracks`: of one avatar.
+// Fits the offset by least squares over frames in free fall. There the centre of mass moves at the
+// recorded velocity and the root turns about it. Frames that are also in `without` do not count.
+// Returns a zero offset if the tracks turn too little in the air. `tracks`: all of one avatar.
 MassCentre massCentreOf(std::span<const Track* const> tracks, const Track& without,
                         const Params& params);
 

@@ -9,10 +9,10 @@ namespace obby::io {
 
 enum class Format { jsonl, capnp, capnpPacked };
 
-// "jsonl", "capnp", "packed". Error names the choices.
+// Parses "jsonl", "capnp" or "packed". An error names the choices.
 Result<Format> parseFormat(const std::string& text);
 const char* nameOf(Format format);
-// By the ending of an output file name: .capnp, .capnpp (packed), anything else jsonl.
+// Returns the format for an output file's extension: .capnp, .capnpp (packed), anything else jsonl.
 Format formatForFile(const std::string& path);
 
 }  // namespace obby::io

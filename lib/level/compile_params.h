@@ -9,11 +9,11 @@
 
 namespace obby::level {
 
-// Physics parameters of a record, checked against the schema's ranges, with the derived fields
-// filled in.
+// Returns the physics parameters of a record with the derived fields filled in. A value outside the
+// schema's range is an error.
 Result<Params> compileParams(schema::PhysicsParams::Reader record);
 
-// What the schema allows a parameter to be, by its name there.
+// Returns the schema's range of a parameter, which must exist.
 schema::Interval::Reader paramRange(const std::string& name);
 
 }  // namespace obby::level

@@ -25,35 +25,36 @@ enum class PathKind { solution, attempt, closest, newest };
 
 struct PathEntry {
   PathKind kind;
-  io::Record record;  // a trajectory, or the progress that holds some
+  io::Record record;  // a trajectory, or the progress that contains it
   Playback playback;
-  uint32_t death = 0;    // of an attempt in a progress: which of them
-  uint64_t serial = 0;   // names this replay within a collector, from 1 on, whatever comes and goes
-  bool dropped = false;  // it has left for newer ones, and goes with the next update
+  uint32_t death = 0;    // index into a progress's deaths, for its attempts
+  uint64_t serial = 0;   // unique within a collector, from 1 on
+  bool dropped = false;  // evicted for newer ones; erased in the next update
 
-  // The trajectory in the level's ticks, of a player at another frame rate; none: the record is.
+  // The trajectory in the level's ticks, if the player's frame rate differs; else absent.
   std::optional<io::Record> retold = {};
 
   bool played() const { return !playback.feet.empty(); }
   bool ofProgress() const { return record.which() == io::Kind::PROGRESS; }
   schema::Trajectory::Reader reader() const;
-  // As it is shown: in the level's ticks.
+  // Returns the trajectory in the level's ticks.
   schema::Trajectory::Reader told() const {
     return retold ? retold->reader().getTrajectory() : reader();
   }
 };
 
-// A query that the streams name, be it by its own record or by an answer to it.
+// A query named by its own record or by an answer to it.
 struct QueryEntry {
   std::string id;
   int level = -1;  // index into Report::levels; -1: not in the streams
   std::optional<io::Record> query;
-  std::shared_ptr<const level::Query> compiled;  // set if `query` and the level are
+  std::shared_ptr<const level::Query> compiled;  // set if `query` and the level are known
   std::optional<io::Record> result;
-  std::optional<io::Record> progress;  // the last one
+  std::optional<io::Record> progress;  // the latest
   std::vector<PathEntry> paths;        // solutions first
-  size_t bytes = 0;                    // of the three records above, as the collector counts them
-  bool weighed = false;                // `bytes` is right
+  size_t bytes = 0;                    // size of the three records above, as the collector counts
+                                       // it
+  bool weighed = false;                // `bytes` is up to date
 
   schema::Query::Reader reader() const { return query->reader().getQuery(); }
   schema::Result::Reader answer() const { return result->reader().getResult(); }
@@ -63,7 +64,7 @@ struct QueryEntry {
 struct Report {
   std::vector<LevelEntry> levels;
   std::vector<QueryEntry> queries;
-  std::vector<std::string> notes;  // for people: what is missing and why
+  std::vector<std::string> notes;  // for users: what is missing and why
 
   std::string title() const;
   bool empty() const { return levels.empty() && queries.empty(); }
