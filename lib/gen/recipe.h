@@ -1,6 +1,6 @@
-// What levels to make: styles with weights, difficulty, lengths, shares of queries with limits.
-// From a small JSON file (docs/generator.md) or set in code. Generator::make checks it
-// (recipe_check.h).
+// Parameters of level generation: style weights, difficulty, lengths, and shares of queries with
+// limits. A recipe comes from a small JSON file (docs/generator.md) or from code. Generator::make
+// checks it.
 #pragma once
 
 #include <cstdint>
