@@ -7,9 +7,9 @@ namespace obby::gen {
 namespace {
 
 constexpr float kShareSpread = 0.05f;
-constexpr float kThick = 1;          // of floors, studs
-constexpr float kRoom = 6;           // height of a region above a floor, studs
-constexpr float kAskew = 7;          // studs added to an impossible gap on a diagonal route
+constexpr float kThick = 1;  // of floors, studs
+constexpr float kRoom = 6;   // height of a region above a floor, studs
+constexpr float kAskew = 7;  // studs added to an impossible gap on a diagonal route
 constexpr uint64_t kExcessStream = 0x9e3779b97f4a7c15u;
 
 // Two shades of the floors of each theme.
@@ -22,10 +22,7 @@ constexpr uint32_t kThemeCount = sizeof(kThemes) / sizeof(kThemes[0]);
 }  // namespace
 
 Sketch::Sketch(const Reach& reach, const Recipe& recipe, Random random, SketchPlan plan)
-    : Draws(recipe, random),
-      reach_(&reach),
-      excess_(random.next(), kExcessStream),
-      plan_(plan) {
+    : Draws(recipe, random), reach_(&reach), excess_(random.next(), kExcessStream), plan_(plan) {
   random_.next();
   parts_.reserve(24);
   theme_ = random_.below(kThemeCount);

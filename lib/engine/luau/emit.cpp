@@ -3,8 +3,8 @@
 
 #include <fmt/format.h>
 
-#include "engine/luau/statement_emitter.h"
 #include "engine/luau/parser.h"
+#include "engine/luau/statement_emitter.h"
 
 namespace obby::luau {
 

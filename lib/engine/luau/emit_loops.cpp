@@ -8,7 +8,8 @@
 namespace obby::luau {
 
 // `names` are the loop's own variables. The scope stays open: a condition may see it.
-void StatementEmitter::loopBody(const Block& body, const std::vector<std::string>& names, int endLine) {
+void StatementEmitter::loopBody(const Block& body, const std::vector<std::string>& names,
+                                int endLine) {
   openScope(body, names);
   const Leaves leaves = leavesOf(body);
   const bool flagged = std::exchange(flagsBreak_, leaves.continues);

@@ -37,7 +37,7 @@ void fillRoute(Record record, const std::vector<int32_t>& route) {
 // World::part indexes the avoid list if the outcome is `avoided`, and the level's parts otherwise.
 template <class Record>
 void fillBlame(Record record, sim::Outcome outcome, uint32_t part) {
-  if (part == kNone) return;
+  if (part == level::kNone) return;
   if (outcome == sim::Outcome::avoided) {
     record.setAvoid(int32_t(part));
   } else {

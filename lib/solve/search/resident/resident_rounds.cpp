@@ -121,7 +121,8 @@ Status ResidentRounds::rankCells(uint32_t rollouts) {
   a.bestCells = archive_.bestCells();
   a.rankSums = makeSumTree(nullptr, kRanks);
   OBBY_RETURN_IF_ERROR(room(memory_.rankCounts, a.rankCounts, kRanks));
-  OBBY_RETURN_IF_ERROR(room(memory_.rankSums, a.rankSums.sums, a.rankSums.firsts[a.rankSums.levels]));
+  OBBY_RETURN_IF_ERROR(
+      room(memory_.rankSums, a.rankSums.sums, a.rankSums.firsts[a.rankSums.levels]));
   OBBY_RETURN_IF_ERROR(device_->fill(a.rankCounts, 0, memory_.rankCounts.bytes()));
   OBBY_RETURN_IF_ERROR(launch(ResidentStep::countRanks, sumCount(a.bestCells, 0)));
   OBBY_RETURN_IF_ERROR(launch(ResidentStep::sumRanks, sumCount(a.rankSums, 0)));
@@ -152,7 +153,8 @@ Result<RoundFindings> ResidentRounds::take(uint64_t firstRollout, const PlayedWa
   OBBY_RETURN_IF_ERROR(begin(firstRollout, count, played.room));
   OBBY_RETURN_IF_ERROR(sim::uploadTable<PlayedWay>(*device_, memory_.played, played.ways));
   OBBY_RETURN_IF_ERROR(sim::uploadTable<sim::World>(*device_, memory_.worlds, played.worlds));
-  OBBY_RETURN_IF_ERROR(sim::uploadTable<sim::LooseBody>(*device_, memory_.candidateLoose, played.loose));
+  OBBY_RETURN_IF_ERROR(
+      sim::uploadTable<sim::LooseBody>(*device_, memory_.candidateLoose, played.loose));
   OBBY_RETURN_IF_ERROR(sim::uploadTable<uint64_t>(*device_, memory_.keys, played.keys));
   OBBY_RETURN_IF_ERROR(sim::uploadTable<uint32_t>(*device_, memory_.ticks, played.ticks));
   arguments_.played = memory_.played.as<PlayedWay>();
