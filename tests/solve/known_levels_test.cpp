@@ -26,7 +26,7 @@ KnownLevels::LevelPointer levelCalled(const std::string& name) {
 }
 
 // Of a level with a name of one letter.
-uint64_t bytesOfOne() { return KnownLevels::bytesOf(*levelCalled("a")); }
+uint64_t bytesOfOne() { return bytesOf(*levelCalled("a")); }
 
 std::string errorOf(const KnownLevels& known, const std::string& name) {
   const auto found = known.named(name);
@@ -54,7 +54,7 @@ TEST(KnownLevels, CountsWhatACompiledLevelTakes) {
   level.initSpawns(1);
   const auto loaded = loadLevel(io::Record(std::move(record)));
   ASSERT_TRUE(loaded) << loaded.error().text();
-  EXPECT_GT(KnownLevels::bytesOf(*loaded), 200000u);
+  EXPECT_GT(bytesOf(*loaded), 200000u);
   EXPECT_LT(bytesOfOne(), 20000u);
 }
 
