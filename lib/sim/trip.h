@@ -1,6 +1,6 @@
 // Falling down: who has tripped keeps the momentum, has no legs to hover on and no keys, and slides
 // until the trip's clock lets go. Like the engine's state of that name, in which limbs collide and
-// nothing but friction slows the body; the body stays upright here (docs/physics.md, trip).
+// nothing but friction slows the body; the body stays upright here (docs/parts.md, roles).
 #pragma once
 
 #include "sim/body.h"

@@ -1,5 +1,5 @@
 // Wedge: full rectangle at the bottom, vertical face at +Z, slope rising from -Z to +Z
-// (docs/physics.md, shapes).
+// (docs/parts.md, shapes).
 #pragma once
 
 #include "geom/shapes/block.h"
