@@ -593,7 +593,7 @@ enum Band {
 }
 
 struct Difficulty {
-  # How reliably a solution can be played, from trials with noise on the player's actions (docs/queries.md explains it).
+  # How reliably a solution can be played, from trials with noise on the player's actions (docs/answers.md explains it).
   band @0 :Band $always;          # of the hardest step
   success @1 :Float32;            # share of trials that pass all steps, each trial from its step's own start
   expectedAttempts @2 :Float32;   # 1 / success, at most 1e6; a step that no trial passes counts as half a trial
