@@ -25,7 +25,7 @@ class LiveData {
 
   // Rises with every change; 0: nothing is there.
   uint64_t revision() const { return revision_; }
-  // All that has changed behind that revision, as JSON (docs/viewer.md). One that is not known yet
+  // All that has changed behind that revision, as JSON (docs/page-data.md). One that is not known yet
   // is a page's of another time: it gets everything.
   std::string since(uint64_t revision) const;
 

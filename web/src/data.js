@@ -1,5 +1,5 @@
 // Reads the report inside the page: base64 blocks become typed arrays, and the record of what happened at a tick
-// becomes a function. docs/viewer.md describes the format.
+// becomes a function. docs/page-data.md describes the format.
 
 function bytesOf(text) {
   // Newer browsers can do it themselves, many times as fast.
