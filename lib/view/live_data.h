@@ -25,8 +25,8 @@ class LiveData {
 
   // Rises with every change; 0: nothing is there.
   uint64_t revision() const { return revision_; }
-  // All that has changed behind that revision, as JSON (docs/page-data.md). One that is not known yet
-  // is a page's of another time: it gets everything.
+  // Returns all changes since that revision as JSON (docs/page-data.md). An unknown revision belongs
+  // to a page of an earlier run, and gets everything.
   std::string since(uint64_t revision) const;
 
  private:
