@@ -25,7 +25,7 @@ struct Options {
 struct Reports {
   std::function<void(const std::string&)> say;  // address and pairing code
   std::function<void(const std::string&)> warn;
-  std::function<void(const std::string&)> note;  // for verbose output
+  std::function<void(const std::string&)> note;  // receives verbose output
 };
 
 // Serves over HTTP. Ends without an error when `stop` is set: jobs are interrupted and waited for.

@@ -20,7 +20,7 @@ const char* nameOf(JobState state);
 struct JobPlan {
   Command command;
   std::string input;
-  std::string answerPath;  // where the answer is kept for a warm start; empty if it is not
+  std::string answerPath;  // path at which the answer is kept for a warm start, or empty
   uint64_t warm = 0;       // number of the job whose answer it starts with; 0 for none
 };
 

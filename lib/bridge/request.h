@@ -30,7 +30,7 @@ enum class Content { none, json, records, bytes };
 // A request that passed all checks.
 struct Call {
   Endpoint endpoint = Endpoint::info;
-  std::string id;                  // of the level or job; well-formed, perhaps unknown
+  std::string id;                  // id of the level or job; well-formed, perhaps unknown
   std::optional<uint64_t> cursor;  // number of the last message that the client has
   std::string session;             // session of the cursor; empty if not given
   double wait = 0;                 // seconds

@@ -41,8 +41,8 @@ bool onNetwork(int fd) {
 }
 
 enum class Lock {
-  held,   // until the last descriptor of this opening is closed
-  taken,  // by another opening
+  held,   // locked until the last descriptor of this opening is closed
+  taken,  // another opening has the lock
   none,   // files cannot be locked here
 };
 

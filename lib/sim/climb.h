@@ -14,7 +14,7 @@ constexpr int kClimbRows = 5;
 struct Truss {
   bool sensed = false;
   Vec3 toward;    // unit, horizontal, from the player into the face
-  Vec3 velocity;  // of the truss, studs/s
+  Vec3 velocity;  // velocity of the truss, studs/s
 };
 
 struct TrussHit {
