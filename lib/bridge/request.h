@@ -18,7 +18,7 @@ namespace obby::bridge {
 struct RequestHead : loopback::Head {
   std::optional<std::string_view> authorization, contentType, encoding;
   bool upgrade = false;                              // has an Upgrade header
-  bool webSocket = false;                            // and it asks for a WebSocket
+  bool webSocket = false;                            // that header asks for a WebSocket
   std::optional<std::string_view> webSocketVersion;  // "13"
   std::optional<std::string_view> webSocketKey;
 };

@@ -56,7 +56,7 @@ class Ticker {
   const level::LevelView& level_;
   WideCounts& counts_;
 
-  // The index here is that of a world, and covers all worlds.
+  // These cover all worlds, by index.
   WideNear near_;
   WideParts parts_;
   World* const* worlds_ = nullptr;
@@ -65,8 +65,7 @@ class Ticker {
   WideLoose bodies_;
   World unused_{};  // lanes without a world write to it
 
-  // The index here is a slot: a world in lanes, in the order of work. Slots after the last repeat
-  // it.
+  // These cover the worlds in lanes, by slot, in the order of work. Slots after the last repeat it.
   int count_ = 0;
   int32_t order_[kWideSlots + kLanes];        // index
   alignas(64) int32_t footedOn_[kWideSlots];  // place in the tags of the world; -1 for none
