@@ -54,7 +54,7 @@ class PartCompiler {
   const uint32_t mostRows_;
   ClockTables clocks_;
   std::vector<Clock> own_;  // (roles)
-  SweptBounds swept_;       // of the last mover
+  SweptBounds swept_;       // bounds of the last mover
   size_t keyRows_ = 0;      // in all tables of keys
   bool overBudget_ = false;
 };
