@@ -1,4 +1,4 @@
-// Digests are the published XXH3: files and golden values made on one machine hold on another.
+// Digests are the published XXH3 ones: a hash computed on one machine holds on every other.
 #include "base/hash.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// A shuffle has everything once, and no order that shows.
+// A shuffle contains every index once, in an order without visible structure.
 #include "base/shuffle.h"
 
 #include <gtest/gtest.h>
@@ -32,7 +32,7 @@ TEST(Shuffle, OfAnotherStreamOrSeedIsAnother) {
   EXPECT_LT(likeC, 10);
 }
 
-// What comes in a part of it is spread evenly over all, and neighbours are no longer neighbours.
+// The first part of a shuffle spreads evenly over all indices, and neighbours do not stay close.
 TEST(Shuffle, ShowsNoOrder) {
   constexpr uint32_t kCount = 65'536, kPart = 4096, kBins = 16;
   double worst = 0;
@@ -48,7 +48,7 @@ TEST(Shuffle, ShowsNoOrder) {
     for (const int n : bins) worst = std::max(worst, std::abs(n - double(kPart) / kBins));
   }
   EXPECT_LT(worst, 80) << "five deviations of 15.5";
-  // Of 20 x 4096 pairs 32 in 65,536 by chance: 40.
+  // By chance 32 in 65,536 of the 20 x 4096 pairs are this close: 40.
   EXPECT_LT(close, 80);
   EXPECT_GT(close, 10);
 }

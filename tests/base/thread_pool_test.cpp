@@ -1,5 +1,5 @@
-// The thread pool: every task once, for any number of threads and tasks, run after run; what tasks
-// throw; too few threads.
+// The thread pool runs each task once, for any number of threads and tasks, run after run. Also
+// tests tasks that throw, and a system that refuses threads.
 #include "base/thread_pool.h"
 
 #include <gtest/gtest.h>
@@ -118,7 +118,7 @@ TEST(ThreadPool, RunThrowsOnlyWhenNoTaskIsAtWorkAndNoneBeginsAfterwards) {
   EXPECT_LT(begun, 1000);
 }
 
-// Where no thread can have the stack that it is to have, none starts.
+// Makes every new thread fail, by a default stack size that no machine can map.
 class NoMoreThreads {
  public:
   NoMoreThreads() {

@@ -1,4 +1,4 @@
-// Which runs a call of bench_solve makes, and how much effort it says that a query takes.
+// The runs that a call of bench_solve makes, and its estimate of a query's effort.
 #include "suite/plan.h"
 
 #include <gtest/gtest.h>
@@ -54,11 +54,12 @@ class SuiteFolder : public ::testing::Test {
 
 TEST_F(SuiteFolder, EffortIsWayHazardsTargetsAndLimits) {
   const std::vector<SuiteQuery> suite = plan().suite;
-  // 43 studs to the goal's near edge in jumps of 8.6, one of the two kill parts beside the way.
+  // The goal's near edge is 43 studs away, in jumps of 8.6. One of the two kill parts is near the
+  // line.
   EXPECT_NEAR(suite[0].effort, 5 + 0.5, 1e-4);
-  // And a waypoint, a limit and a region to avoid.
+  // This query adds a waypoint, a limit and a region to avoid.
   EXPECT_NEAR(suite[1].effort, 5 + 0.5 + 2 + 2 + 1, 1e-4);
-  // A stud up counts three. The column above the start has no kill part beside it.
+  // A stud upwards counts three times. The column above the start is far from every kill part.
   EXPECT_NEAR(suite[2].effort, 500 * 3 / 8.6, 1e-3);
 }
 
@@ -68,7 +69,7 @@ TEST_F(SuiteFolder, QueriesOfOneLevelDifferInContent) {
   EXPECT_EQ(suite[0].content, plan().suite[0].content);
 }
 
-// A run counts wherever the suite lies.
+// The content does not depend on where the suite is stored.
 TEST_F(SuiteFolder, ContentIsWhatCanChangeAPlaythrough) {
   const uint64_t content = plan().suite[0].content;
   const auto with = [&](const std::string& more) {
@@ -91,7 +92,7 @@ TEST_F(SuiteFolder, OnlyTheFirstMethodIsAskedWhatHasNoSolutionAndOnce) {
   EXPECT_EQ(p.capOf(p.suite[2]), 10);
 }
 
-// Times of two kinds of machine do not compare.
+// Times of different kinds of machine cannot be compared.
 TEST_F(SuiteFolder, AQueryWithASeedIsReportedOfOneKindOfMachine) {
   Plan p = plan();
   auto log = RunLog::open((folder_ / "runs.jsonl").string());

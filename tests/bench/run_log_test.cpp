@@ -1,4 +1,4 @@
-// The log of bench_solve: what was run is found again, what was cut off is run again.
+// The log of bench_solve finds finished runs again, and has cut-off runs repeated.
 #include "suite/run_log.h"
 
 #include <gtest/gtest.h>
@@ -109,7 +109,7 @@ TEST_F(RunLogFile, TheLastRunOfAKeyCounts) {
   EXPECT_EQ(log->find(run.key(), {})->timing.seconds, 2);
 }
 
-// All methods at a query with a seed are to be of one kind of machine.
+// For one query and seed, the runs of all methods must come from one kind of machine.
 TEST_F(RunLogFile, TellsWhichMachineHasMadeMost) {
   auto log = RunLog::open(path_);
   ASSERT_TRUE(log);

@@ -1,4 +1,4 @@
-// The figures of bench_solve, worked out by hand.
+// The statistics of bench_solve against values computed by hand.
 #include "suite/statistics.h"
 
 #include <gmock/gmock.h>

@@ -1,4 +1,4 @@
-// Randomness and its comparison.
+// Random secrets and their comparison.
 #include "loopback/secrets.h"
 
 #include <gtest/gtest.h>

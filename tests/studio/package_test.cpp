@@ -1,4 +1,4 @@
-// The plugin as one model file, read back by the importer's own reader.
+// The plugin as one model file, read back by the importer.
 #include "package/package.h"
 
 #include <gtest/gtest.h>
@@ -21,7 +21,7 @@ struct Source {
   std::string path, text;
 };
 
-// A folder of plugin sources that goes with the test.
+// A temporary folder of plugin sources.
 class Sources {
  public:
   explicit Sources(const std::vector<Source>& sources)
@@ -53,7 +53,7 @@ Document readBack(const std::string& folder) {
   return *std::move(document);
 }
 
-// The instance at a path below the roots, or null.
+// Returns the instance at a path below the roots, or null.
 const Instance* find(const Document& document, const fs::path& path) {
   const std::vector<InstanceId>* among = &document.roots;
   const Instance* found = nullptr;

@@ -1,4 +1,4 @@
-// The table, to the letter.
+// The exact text of the answer table.
 #include "table/answer_table.h"
 
 #include <gmock/gmock.h>

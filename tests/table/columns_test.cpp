@@ -1,4 +1,4 @@
-// How wide texts are on a terminal, and how they are cut.
+// The width of text on a terminal, and where it is cut.
 #include "table/columns.h"
 
 #include <gtest/gtest.h>

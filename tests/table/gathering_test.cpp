@@ -1,4 +1,4 @@
-// Which records of a stream make which rows.
+// The table rows that a stream of records produces.
 #include "table/gathering.h"
 
 #include <gmock/gmock.h>
