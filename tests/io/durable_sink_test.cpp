@@ -1,5 +1,5 @@
-// What has to outlast the machine is on the disk before it takes its name, and its name before it
-// is said to be written. fsync() is this file's: it looks what is there, and does as told.
+// A durable file is on the disk before it is renamed, and its name before close() returns. This
+// file replaces fsync(): it records what it finds, and fails on request.
 #include <errno.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
@@ -16,13 +16,13 @@ namespace {
 
 struct Sync {
   bool folder;
-  std::string named;  // what the file at `watched` held then
+  std::string named;  // the content of `watched` at that time
 };
 
 std::vector<Sync> syncs;
 std::string watched;
-int failingSync = -1;  // -1: none
-int failure = EIO;     // of that one
+int failingSync = -1;  // index of the call that fails; -1: none
+int failure = EIO;     // its errno
 
 }  // namespace
 
@@ -91,7 +91,7 @@ TEST(DurableSink, WhatTheDiskDoesNotTakeDoesNotTakeTheNameOfWhatItDid) {
 
 TEST(DurableSink, WhereAFileSystemDoesNotKnowHowItIsWrittenAllTheSame) {
   ScratchFolder folder;
-  for (const int call : {0, 1}) {  // of the file, of the folder
+  for (const int call : {0, 1}) {  // the call for the file, and for the folder
     const Status status = write(folder / "out", Durable::yes, call, EINVAL);
     EXPECT_TRUE(status) << status.error().text();
     EXPECT_EQ(syncs.size(), 2u);

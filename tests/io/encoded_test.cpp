@@ -1,4 +1,4 @@
-// Records that are encoded ahead of their writing.
+// Records that are encoded before they are written.
 #include <gtest/gtest.h>
 
 #include "io/stream.h"

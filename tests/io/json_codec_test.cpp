@@ -1,4 +1,4 @@
-// What JSON lines mean, what is refused, and in which words.
+// The meaning of JSON lines, and the errors for invalid ones.
 #include "io/json_codec.h"
 
 #include <gtest/gtest.h>
@@ -198,7 +198,7 @@ TEST(JsonMeaning, AnUnknownKindIsToldApartFromAnError) {
   EXPECT_FALSE(unknown->has_value());
 }
 
-// A slip of the pen, but neither a note of somebody's own nor what a later version may add.
+// Misspelt fields are reported. Private notes and fields of later versions are not.
 TEST(JsonMeaning, FieldsThatLookMisspeltAreTold) {
   std::vector<Error> slips;
   const auto record = recordFromJsonIfKnown(

@@ -1,4 +1,4 @@
-// What names no level is of the one before it, and is left out where that could not be read.
+// Records that name no level belong to the level before them, and are dropped if it was unreadable.
 #include "io/lost_level.h"
 
 #include <capnp/serialize.h>
@@ -20,8 +20,8 @@ std::string query(const std::string& id, const std::string& level = "") {
   return "{\"type\":\"query\",\"id\":\"" + id + "\"" + named + "}\n";
 }
 
-// What comes of inputs that are texts, of which an empty one cannot be opened: ids of the queries,
-// "+" for a level, and what is reported.
+// Reads inputs given as texts; an empty text stands for an input that cannot be opened. `came`
+// lists ids of queries, and "+" for a level.
 struct LostLevelRead {
   std::string came;
   std::vector<std::string> reports;
@@ -67,9 +67,9 @@ TEST(LostLevel, TakesTheQueriesWithItThatNameNone) {
 }
 
 TEST(LostLevel, TakesNothingThatIsOfAnother) {
-  // What could not be read was a query.
+  // The unreadable record was a query.
   EXPECT_EQ(LostLevelRead({kLevel + "{\"type\":\"query\",\"id\":7}\n" + query("b")}).came, "+b");
-  // A kind that later versions have.
+  // Later versions may define this kind.
   EXPECT_EQ(LostLevelRead({kLevel + "{\"type\":\"weather\"}\n" + query("b")}).came, "+b");
   EXPECT_EQ(LostLevelRead({kLost + kLevel + query("b")}).came, "+b");
 }
@@ -97,7 +97,7 @@ TEST(LostLevel, HoldsForTheInputsBehindIt) {
   }
 }
 
-// What an input ends with is no level for that.
+// An unreadable query at the end of an input does not count as a lost level.
 TEST(LostLevel, IsNoQueryThatAnInputEndsWith) {
   const std::string lostQuery = "{\"type\":\"query\",\"id\":7}\n";
   EXPECT_EQ(LostLevelRead({kLevel + lostQuery, query("b")}).came, "+b");

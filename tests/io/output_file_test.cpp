@@ -1,5 +1,5 @@
-// What killed writers leave is told from what is being written, and from other files. Of two who
-// want a file to themselves one gets it.
+// Leftovers of killed writers are told apart from files being written and from other files. Of two
+// processes that want one file, only one gets it.
 #include "io/output_file.h"
 
 #include <gtest/gtest.h>
@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 using test::contents;
 using test::ScratchFolder;
 
-// By a process that ends in the midst of it and clears nothing up.
+// Leaves half a file behind, by a process that exits without cleaning up.
 bool leaveHalf(const std::string& path) {
   const pid_t writer = fork();
   if (writer == 0) {
@@ -81,7 +81,7 @@ TEST(OutputFile, LeftoversOfAVeryLongNameAreNoneOfOneThatBeginsAlike) {
   EXPECT_EQ(folder.entries(), 0u);
 }
 
-// In UTF-8, of which some systems want file names to be.
+// Some systems require file names in UTF-8.
 TEST(OutputFile, VeryLongNamesAreCutBetweenCharacters) {
   ScratchFolder folder;
   for (const char* begin : {"", "x"}) {
@@ -131,7 +131,7 @@ TEST(OutputFile, OtherFilesStay) {
   fs::create_symlink("out", folder / "out.obby-unfinished-alink0");
   removeLeftovers(folder / "out");
   EXPECT_EQ(folder.entries(), 9u);
-  removeLeftovers(folder / "no/where");  // nothing to look at
+  removeLeftovers(folder / "no/where");  // there is no folder to search
 }
 
 TEST(OutputLocks, OneHoldsAFileWhateverLeadsToIt) {
@@ -166,7 +166,7 @@ TEST(OutputLocks, OutlastsThatTheFileIsWrittenAnewAndLeavesNothing) {
   EXPECT_EQ(folder.entries(), 1u);
 }
 
-// By a process that ends in the midst of it and clears nothing up.
+// Leaves a lock behind, by a process that exits without cleaning up.
 bool leaveLocked(const std::string& path) {
   const pid_t writer = fork();
   if (writer == 0) {
@@ -193,7 +193,7 @@ TEST(OutputLocks, WhatAKilledProcessLeftHindersNobodyAndIsALeftover) {
   EXPECT_EQ(folder.entries(), 0u);
 }
 
-// Who removed the file beside it, as by hand, has let another take it: that one's stays.
+// If the lock file is removed by hand, another process may take the lock. Its lock file must stay.
 TEST(OutputLocks, RemovesNoFileOfAnother) {
   ScratchFolder folder;
   OutputLocks second, third;
@@ -206,7 +206,7 @@ TEST(OutputLocks, RemovesNoFileOfAnother) {
   EXPECT_FALSE(third.take(folder / "out"));
 }
 
-// Names that leave no room for the mark are cut, and begin alike here.
+// Long names are cut to fit the lock's suffix, and these two share the part that is left.
 TEST(OutputLocks, VeryLongNamesThatBeginAlikeAreHeldByThemselves) {
   ScratchFolder folder;
   const std::string path = folder / std::string(240, 'a'), other = path + "b";

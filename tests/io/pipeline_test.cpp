@@ -1,4 +1,4 @@
-// The filter that every tool is.
+// The filter behind every tool.
 #include "io/pipeline.h"
 
 #include "pipeline_fixture.h"
@@ -21,7 +21,7 @@ TEST(Pipeline, TakesFramesOffAndPutsOneOn) {
                 "{\"type\":\"end\",\"status\":\"complete\",\"records\":\"4\",\"skipped\":\"2\"}\n");
 }
 
-// What is passed on is of the version that the next tool is told.
+// The output declares the schema version of the records that pass through.
 TEST(Pipeline, AStreamOfALaterSchemaStaysOne) {
   Fixture f;
   f.input(

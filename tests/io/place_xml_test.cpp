@@ -1,4 +1,4 @@
-// Names from anywhere in a place file.
+// Arbitrary names in a place file.
 #include "io/place_xml.h"
 
 #include <gtest/gtest.h>

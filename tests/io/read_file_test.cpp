@@ -1,4 +1,5 @@
-// Whole files: from folders, pipes and pipes without a writer; broken off by a stop or a signal.
+// Reads whole files, also from folders and pipes, with and without a writer. A stop or a signal
+// interrupts it.
 #include "io/read_file.h"
 
 #include <fcntl.h>
@@ -40,7 +41,8 @@ TEST(ReadFile, GivesEveryByteAndNamesWhatIsMissing) {
   EXPECT_EQ(readFile(folder / "").error().message, "cannot read: Is a directory");
 }
 
-// An input without end would take all memory; of what only says that it is large nothing is read.
+// An endless input would use up all memory. A file whose stated size is too large is not read at
+// all.
 TEST(ReadFile, RefusesMoreThanIsAskedFor) {
   ScratchFolder folder;
   std::ofstream(folder / "a") << std::string(2000, 'x');
@@ -65,8 +67,8 @@ double threadSeconds() {
   return double(used.tv_sec) + 1e-9 * double(used.tv_nsec);
 }
 
-// Who shares a terminal or a socket can tell it, for all of them, not to wait: to ask it again and
-// again would take a core.
+// Another process that shares a terminal or socket can make it non-blocking. Polling it in a loop
+// would use up a core.
 TEST(ReadFile, WaitsWhereTheInputItselfDoesNot) {
   int ends[2];
   ASSERT_EQ(pipe2(ends, O_CLOEXEC), 0);
@@ -141,7 +143,7 @@ TEST(ReadFile, WithoutAStopASignalEndsTheWait) {
       bytes = readFile(pipe.path);
       done = true;
     });
-    while (!done) {  // the first may come before it waits
+    while (!done) {  // the first signal may come before the wait
       pthread_kill(reader.native_handle(), SIGUSR1);
       std::this_thread::sleep_for(5ms);
     }

@@ -1,4 +1,4 @@
-// Output that fails is noticed, and a file is whole or not there.
+// Failed output is reported, and an output file is whole or absent.
 #include "io/sink.h"
 
 #include <fcntl.h>
@@ -105,7 +105,7 @@ TEST(Sink, ABrokenPipeIsToldApart) {
   EXPECT_TRUE(isBrokenPipe(status.error()));
 }
 
-// What standard output is where descriptor 1 is that one.
+// Returns the sink of standard output while descriptor 1 is `fd`.
 Result<Sink> standardOutputTo(int fd) {
   std::fflush(stdout);
   const int before = dup(STDOUT_FILENO);
@@ -116,7 +116,7 @@ Result<Sink> standardOutputTo(int fd) {
   return sink;
 }
 
-// Who shares a terminal or a socket can tell it, for all of them, not to wait.
+// Another process that shares a terminal or socket can make it non-blocking.
 TEST(Sink, WaitsForItsReaderWhereTheOutputItselfDoesNot) {
   int ends[2];
   ASSERT_EQ(pipe2(ends, O_CLOEXEC), 0);
@@ -192,7 +192,7 @@ TEST(Sink, WhoIsToldToStopWaitsASecondForWhoOpensThePipe) {
   close(reader);
 }
 
-// What is finished still comes, whatever a line's length.
+// A reader that keeps reading gets the whole record, however long it is.
 TEST(Sink, WhoIsToldToStopWaitsForAReaderWhoTakesMore) {
   ScratchFolder folder;
   const std::string path = folder / "pipe";
@@ -225,7 +225,7 @@ TEST(Sink, PlacesThatCannotBeWrittenAreNamed) {
   auto directory = Sink::open(folder / "");
   ASSERT_FALSE(directory);
   EXPECT_EQ(directory.error().message, "cannot write: Is a directory");
-  auto nameless = Sink::open("");  // found out now, not when all is done
+  auto nameless = Sink::open("");  // an error at once, not at the end of the run
   ASSERT_FALSE(nameless);
   EXPECT_EQ(nameless.error().message, "the name of the output file is empty");
 }

@@ -1,4 +1,4 @@
-// Texts of others inside of markup, and what editors put before them.
+// Untrusted text in markup, and the byte order mark that editors add.
 #include "io/text.h"
 
 #include <gtest/gtest.h>
@@ -29,7 +29,7 @@ TEST(ByteOrderMark, IsTakenOffOnceAndOnlyWhole) {
   for (const char* none : {"", "{}", "\xef\xbb"}) EXPECT_EQ(withoutByteOrderMark(none), none);
 }
 
-// Messages as JSON are read on terminals, too.
+// JSON messages also appear on terminals.
 TEST(Quoted, HoldsNothingThatMovesTheCursorOrTurnsTheLineRound) {
   EXPECT_EQ(quoted("a\x1b[31m\"\n\x7f"), "\"a\\u001b[31m\\\"\\n\\u007f\"");
   EXPECT_EQ(quoted("a\xc2\x9b"

@@ -1,4 +1,4 @@
-// Texts of strangers, character by character, and on a terminal.
+// Untrusted text, split into characters and shown on a terminal.
 #include "io/utf8.h"
 
 #include <gtest/gtest.h>

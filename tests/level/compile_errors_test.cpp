@@ -1,4 +1,4 @@
-// Levels that mean nothing are refused with the path of the field and what was expected there.
+// Errors of meaningless levels state the field's path and the expected value.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -16,7 +16,7 @@ using PartSetter = LevelBuilder::PartSetter;
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 constexpr float kInf = std::numeric_limits<float>::infinity();
 
-// Compiles a good part and then the part under test, so that the path has an index to get right.
+// Compiles a good part before the part under test, so that the path's index matters.
 void expectRefused(const PartSetter& setter, const std::string& path, const std::string& words) {
   LevelBuilder b;
   b.block({0, 0, 0}, {4, 1, 4}).part(setter);

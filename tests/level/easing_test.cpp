@@ -1,5 +1,5 @@
-// Every easing style in every direction, against its formula written out for that direction by
-// itself: Penner's, which public replicas of TweenService agree on.
+// Every easing style in every direction, against a separate formula for each direction: Penner's,
+// which public replicas of TweenService use.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Face and edge tables of convex hulls: the hulls of known solids are those solids.
+// Face and edge tables of convex hulls match those of known solids.
 #include "level/hull_tables.h"
 
 #include <gtest/gtest.h>
@@ -57,7 +57,7 @@ TEST(HullTables, OfABoxAreTheBlock) {
   expectSameSolid(t, ShapeKind::block, half);
 }
 
-// The corners of a box that `keep` keeps make the solid of that kind, with five faces.
+// Expects the box corners that `keep` selects to form the solid of that kind, with five faces.
 void expectSolidOf(ShapeKind kind, const std::function<bool(Vec3)>& keep) {
   const Vec3 half{2, 1, 1.5f};
   std::vector<Vec3> corners;
@@ -93,7 +93,7 @@ TEST(HullTables, OfFlatOrThinSetsAreEmpty) {
   EXPECT_TRUE(hullTables({{1, 1, 1}, {1, 1, 1}, {1, 1, 1}, {1, 1, 1}}).normals.empty());
 }
 
-// A floor 8000 times as wide as thick, a plank and a rope: all six faces, all eight corners.
+// A floor 8000 times as wide as thick, a plank and a rope have all six faces and all eight corners.
 TEST(HullTables, OfThinAndWideBoxesAreTheBlock) {
   for (const Vec3 half :
        {Vec3{200, 0.025f, 200}, Vec3{1000, 0.05f, 3}, Vec3{300, 0.025f, 0.025f}}) {
@@ -101,7 +101,7 @@ TEST(HullTables, OfThinAndWideBoxesAreTheBlock) {
     EXPECT_EQ(t.vertices.size(), 8u) << half.x;
     EXPECT_EQ(t.normals.size(), 6u) << half.x;
     EXPECT_EQ(t.edges.size(), 3u) << half.x;
-    Vec3 seen{};  // how often a face looks along each axis
+    Vec3 seen{};  // the number of faces along each axis
     for (size_t f = 0; f < t.normals.size(); ++f) {
       const Vec3 n = abs(t.normals[f]);
       seen += Vec3{n.x > 0.999f ? 1.f : 0.f, n.y > 0.999f ? 1.f : 0.f, n.z > 0.999f ? 1.f : 0.f};
@@ -111,7 +111,7 @@ TEST(HullTables, OfThinAndWideBoxesAreTheBlock) {
   }
 }
 
-// Nobody falls through it, and nobody stands beside it, however it lies.
+// At any rotation, rays hit the floor everywhere within its borders and nowhere outside.
 TEST(HullTables, OfAThinFloorHoldRaysAndEndAtItsBorders) {
   HullTablesDice dice{Random(12, 0)};
   for (int round = 0; round < 20; ++round) {
@@ -214,7 +214,7 @@ TEST(CompiledHulls, ThinAndWideOnesStay) {
   EXPECT_EQ(level.view().colliders[0].shape.half.x, 200);
 }
 
-// A mesh of no thickness is a floor all the same: nothing else of the part would be left.
+// A mesh without thickness is still a floor: the part has no other geometry.
 TEST(CompiledHulls, APartOfFlatOnesOnlyIsAsThickAsTheEngineMakesIt) {
   support::LevelBuilder b;
   b.part([](auto p) {

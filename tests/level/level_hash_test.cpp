@@ -1,4 +1,4 @@
-// The level's digest: changes with all that can change a trajectory, and with nothing else.
+// The level's digest changes with everything that can change a trajectory, and with nothing else.
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -114,7 +114,7 @@ TEST(LevelHash, ChangesWithEachFieldThatMatters) {
   }
 }
 
-// A part that stays at its only key is there alone, and a belt on it turns about that place.
+// A part with a single key is always at that key, and its conveyor turns about it.
 TEST(LevelHash, DoesNotChangeWithAPlaceThatAPartHasLeft) {
   const auto hashWith = [](float x, float key) {
     return hashOf([=](schema::Part::Builder p) {

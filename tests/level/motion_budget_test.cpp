@@ -1,4 +1,4 @@
-// Memory of motion tables: equal spins are stored once, and a level's tables have a bound.
+// The memory of motion tables: equal spins are stored once, and a level's tables are bounded.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -33,7 +33,7 @@ TEST(MotionBudget, parts_that_spin_differently_do_not) {
   EXPECT_NE(level.view().movers[0].spins, level.view().movers[1].spins);
 }
 
-// With tables as long as those of a part alone, these would have some 25 million rows.
+// With tables as long as for one part alone, these parts would need some 25 million rows.
 TEST(MotionBudget, five_hundred_parts_of_as_many_speeds_get_shorter_tables) {
   const float first = 0.03f, step = 0.0003f;
   const auto level = spinners(500, first, step).tryCompile();
@@ -53,7 +53,7 @@ TEST(MotionBudget, five_hundred_parts_of_as_many_speeds_get_shorter_tables) {
   EXPECT_LE(rows, 4000000u);
 }
 
-// What fits keeps the tables that it has alone: shorter ones are less exact.
+// Shorter tables are less exact, so that parts within the budget keep their full tables.
 TEST(MotionBudget, what_fits_is_as_exact_as_a_part_alone) {
   const auto alone = spinners(1, 0.1f, 0).compile(), many = spinners(40, 0.1f, 0.01f).compile();
   EXPECT_EQ(many.view().movers[0].spinCount, alone.view().movers[0].spinCount);
@@ -87,7 +87,7 @@ TEST(MotionBudget, a_level_with_too_many_different_motions_is_refused) {
       << level.error().text();
 }
 
-// Nobody meets it, wherever it is.
+// No player can touch these parts, wherever they move.
 TEST(MotionBudget, scenery_needs_no_tables) {
   support::LevelBuilder b;
   b.block({0, 0, 0}, {4, 1, 4});

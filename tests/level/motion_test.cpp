@@ -19,7 +19,7 @@ constexpr double kTwoPi = 6.283185307179586;
 constexpr EasingDirection kDirections[] = {EasingDirection::IN, EasingDirection::OUT,
                                            EasingDirection::IN_OUT};
 
-// As a mover has them.
+// The tables of one mover.
 struct Tables {
   std::vector<Pose> keys;
   std::vector<Mat3> spins;
@@ -37,7 +37,7 @@ Tables tablesOf(const MotionSetter& setter, uint32_t mostRows = kMaxRows) {
   return {keyTable(*plan, {{1, 2, 3}, {}}), spinTable(plan->spin), plan->pivot, plan->once};
 }
 
-// From x = 0 at time 0 to x = 10 at `seconds`.
+// A motion from x = 0 at time 0 to x = 10 at `seconds`.
 MotionSetter slide(float seconds, Repeat repeat, float offset = 0, Easing easing = Easing::LINEAR) {
   return [=](schema::Motion::Builder m) {
     auto keys = m.initKeys(2);
@@ -135,7 +135,8 @@ TEST(Motion, OffsetIsTimeAlreadyGone) {
   EXPECT_EQ(xAt(tablesOf(slide(2, Repeat::ONCE, 5)), 0), 10);
 }
 
-// As scripts that wait before they move a part for ever: it is at its first key after the wait.
+// Scripts that wait before a repeating motion import like this: after the wait, the part is at its
+// first key.
 TEST(Motion, WhatRepeatsWithANegativeOffsetComesRoundToItsStartAfterIt) {
   for (const float wait : {0.5f, 1.0f, 7.25f, 599.5f}) {
     const auto end = uint32_t(60 * wait);
@@ -158,7 +159,7 @@ TEST(Motion, OnceWithANegativeOffsetWaitsAndStillArrives) {
   EXPECT_EQ(xAt(t, 430), 10);
 }
 
-// Position in the period after 10 minutes, against the period itself.
+// Returns the error of the table's period after 10 minutes, in ticks.
 double driftInTicks(double periodTicks, const Tables& t) {
   const double tick = 36000;
   const double repetitions = std::max(1.0, std::round(double(t.keys.size()) / periodTicks));
@@ -184,7 +185,7 @@ TEST(Motion, AnyPeriodIsRightToATwoHundredthTickAndTablesStayBounded) {
   }
 }
 
-// For levels whose tables would have too many rows otherwise.
+// Levels whose tables would have too many rows use fewer.
 TEST(Motion, FewerRowsHoldAsManyRepetitionsAsFitOrOne) {
   Random random(41, 0);
   constexpr uint32_t kFew = 1000;

@@ -1,5 +1,5 @@
-// The schema's physics parameters and the struct that the simulator reads are one set with one set
-// of defaults, every field says its unit, range and source, and ranges are enforced.
+// The schema's physics parameters match the simulator's struct and its defaults. Every field states
+// its unit, range and source, and ranges are enforced.
 #include "level/params.h"
 
 #include <capnp/dynamic.h>
@@ -23,7 +23,7 @@ constexpr uint64_t kUnit = 0xb0f5e1a7d9c3a2e4, kRange = 0xd2a9f8e3b7c61a55,
 
 capnp::StructSchema schemaOf() { return capnp::Schema::from<schema::PhysicsParams>(); }
 
-// The struct's fields by name, as numbers.
+// Returns the struct's fields by name, as numbers.
 std::map<std::string, double> fieldsOf(const Params& p) {
   std::map<std::string, double> out;
 #define OBBY_PARAM_ENTRY(type, name) out[#name] = double(p.name);
@@ -67,7 +67,7 @@ TEST(Params, AreCopiedFieldByField) {
       const double value = std::floor(range.getMin() + share * (range.getMax() - range.getMin()));
       if (value < range.getMin()) continue;
       const auto params = compileWith(name, value);
-      if (!params) continue;  // heights that contradict one another
+      if (!params) continue;  // contradictory heights
       auto expected = fieldsOf(*compileWith("gravity", 196.2f));
       expected[name] = value;
       EXPECT_EQ(fieldsOf(*params), expected) << name;

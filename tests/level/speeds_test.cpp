@@ -1,5 +1,4 @@
-// How fast a level lets its player be sideways: half as fast again as walking and the fastest part
-// make it.
+// The horizontal speed that a level allows: one and a half times walking plus the fastest part.
 #include "level/speeds.h"
 
 #include <gtest/gtest.h>
@@ -15,7 +14,7 @@ using PartSetter = LevelBuilder::PartSetter;
 
 constexpr float kWalk = 16, kFarthest = 12.51f;  // of the part: half its diagonal
 
-// What the part below gives, studs/s.
+// Returns the speed that the part below adds, in studs/s.
 float given(const PartSetter& setter) {
   const Level level = LevelBuilder().block({50, 0, 0}, {24, 1, 7}, setter).compile();
   return level.view().maxSideSpeed / 1.5f - kWalk;
@@ -41,7 +40,7 @@ TEST(SideSpeed, CountsSeatsOnWhatTurns) {
   EXPECT_NEAR(given(seat), 3 * kFarthest, 0.1f);
 }
 
-// They push, and take nobody along: longer lists of the grid would be for nothing.
+// These parts push players but do not carry them, so that they need no longer grid lists.
 TEST(SideSpeed, LeavesOutWhatTurnsWithoutCarrying) {
   EXPECT_NEAR(given(speedsSpin(3, false)), 0, 1e-4f);
 }

@@ -1,4 +1,4 @@
-// Bounds of what moves are those of all its rows, to the bit, however rows share their rotation.
+// Bounds of moving parts equal those of all their rows bit for bit, however rows share rotations.
 #include "level/swept_bounds.h"
 
 #include <gtest/gtest.h>
@@ -53,7 +53,7 @@ TEST(SweptBounds, AreThoseOfAllKeys) {
   }
 }
 
-// Turns about a slanting axis, from one side to the other.
+// A rotation about a slanting axis, from one side to the other.
 std::vector<Pose> longTurn(uint32_t rows) {
   std::vector<Pose> keys;
   for (uint32_t k = 0; k < rows; ++k) {
@@ -72,7 +72,7 @@ TEST(SweptBounds, OfSeveralHundredHullsAreThoseOfAllKeys) {
   expectSame(SweptBounds(m, 500).of(half), boundsOfAll(keys, half));
 }
 
-// As of a scanned mesh that turns for twenty minutes: each row for each hull took minutes.
+// A scanned mesh that spins for twenty minutes: testing each row with each hull took minutes.
 TEST(SweptBounds, OfAHundredThousandHullsHoldThemInAMoment) {
   SweptBoundsDice dice{Random(53, 0)};
   const std::vector<Pose> keys = longTurn(72000);

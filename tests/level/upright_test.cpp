@@ -1,4 +1,4 @@
-// Blocks made to stand upright are the same blocks, and only blocks are treated as such.
+// Blocks rotated to stand upright stay the same blocks, and only blocks are treated this way.
 #include "level/upright.h"
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@ namespace {
 
 using support::LevelBuilder;
 
-// Extent of the collider's block in a world direction, from its centre.
+// Returns the extent of the collider's block from its centre, in a world direction.
 float extent(const Collider& c, Vec3 direction) {
   return geom::Block::support(c.shape, toLocal(c.pose.rotation, direction));
 }
@@ -28,7 +28,7 @@ Mat3 yawed(Turns yaw) {
   return {{a.cos, 0, -a.sin}, {0, 1, 0}, {a.sin, 0, a.cos}};
 }
 
-// The 24 ways to lie on a side.
+// The 24 axis-aligned orientations.
 std::vector<Mat3> sides() {
   std::vector<Mat3> out;
   for (int i = 0; i < 6; ++i) {
@@ -87,7 +87,7 @@ TEST(UprightFlag, IsForBlocksThatStandOnASide) {
   EXPECT_FALSE(level.view().bounds[2].flags & kUpright);
 }
 
-// The flag makes floor rays and contacts take the block's short cut.
+// The flag selects the fast path for blocks in floor rays and contacts.
 TEST(UprightFlag, IsNeverSetForOtherShapesMovingOrNot) {
   for (const auto shape : {schema::Shape::BALL, schema::Shape::CYLINDER, schema::Shape::WEDGE,
                            schema::Shape::CORNER_WEDGE, schema::Shape::HULL}) {
