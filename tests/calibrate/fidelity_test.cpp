@@ -1,4 +1,4 @@
-// Recordings against what the simulator makes of their inputs.
+// Recordings against the simulator's play of the same inputs.
 #include "calibrate/fidelity.h"
 
 #include <gtest/gtest.h>
@@ -31,7 +31,7 @@ TEST(Fidelity, OfOwnRecordingsIsExact) {
   }
 }
 
-// A jump that turns by a right angle, in an engine with these tricks.
+// A recording of a jump with a turn by a right angle, in an engine with these tricks.
 Take turningJump(uint16_t tricks) {
   io::RecordBuilder record;
   writeCourse(record.root().initLevel());
@@ -55,7 +55,7 @@ Take turningJump(uint16_t tricks) {
   return take;
 }
 
-// The same inputs in an engine that holds jumps.
+// The engine that recorded the jumps holds them.
 TEST(TrickEvidence, FindsTheTrickThatTheEngineDoes) {
   ThreadPool pool(availableThreads());
   std::vector<Take> takes;

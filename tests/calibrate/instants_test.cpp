@@ -1,4 +1,4 @@
-// How old recorded velocities are is found, and mended; recordings without such a fault stay.
+// The age of recorded velocities is found and corrected. Recordings without this fault stay.
 #include "calibrate/instants.h"
 
 #include <gtest/gtest.h>
@@ -44,7 +44,8 @@ TEST(Instants, NothingIsToldByWhoStandsStill) {
   EXPECT_EQ(velocityAgeOf(takes, defaults()), 0);
 }
 
-// Falls, where the velocities differ most, and take-offs and landings, where a leap is none's age.
+// Falls, where the velocities differ most, and take-offs and landings, whose leap is not due to
+// age.
 TEST(Instants, VelocitiesAreMended) {
   const std::vector<Take> takes = takesUnder(defaults(), 0, firstManoeuvres(2));
   const std::vector<Take> mended = withVelocitiesOfNow(late(takes, 0.25f), defaults());
@@ -52,7 +53,7 @@ TEST(Instants, VelocitiesAreMended) {
   const auto &now = mended[1].track.frames, &then = takes[1].track.frames;
   size_t falling = 0;
   for (size_t i = 3; i + 3 < now.size(); ++i) {
-    // Not where a take-off or a landing is in what was mixed.
+    // Skips frames whose interpolation includes a take-off or a landing.
     const auto falls = [&](size_t k) { return then[k].state == sim::State::freefall; };
     if (!falls(i - 1) || !falls(i) || !falls(i + 1)) continue;
     ++falling;

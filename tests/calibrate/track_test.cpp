@@ -1,5 +1,5 @@
-// Recordings as the real engine leaves them: late frames, doubled ones, frames missing, inputs of
-// other rates; and recordings that are none.
+// Recordings as the real engine produces them: late frames, duplicates, missing frames, inputs at
+// other rates. Also invalid recordings.
 #include "calibrate/track.h"
 
 #include <gtest/gtest.h>
@@ -46,8 +46,8 @@ TEST(Track, DropsFramesThatCameTwice) {
   EXPECT_EQ(read->frames.size(), 3u);
 }
 
-// Of no length is what the first of two at one time says; and frames without poses mean those of
-// the frame before, whichever that was.
+// The first of two frames at one time lasts zero seconds. Frames without poses repeat those of the
+// frame before, even a dropped one.
 TEST(Track, OfFramesThatCameTwiceTheLaterInputAndPosesCount) {
   io::RecordBuilder record;
   auto recording = trackRecordOf(record, 5);
@@ -70,7 +70,7 @@ TEST(Track, OfFramesThatCameTwiceTheLaterInputAndPosesCount) {
   for (const size_t i : {1, 2, 3}) EXPECT_EQ(read->pose(i, 0).position.y, 3) << i;
 }
 
-// As it would be in a simulator whose numbers overflow: losses of no number have no least one.
+// Overflowing numbers would make losses that cannot be compared.
 TEST(Track, NumbersOfNoWorldAreAnError) {
   using Builder = schema::RecordingFrame::Builder;
   for (const auto& spoil : std::vector<std::function<void(Builder)>>{
@@ -108,7 +108,7 @@ TEST(Track, TimesCountFromTheFirstFrameOn) {
   EXPECT_NEAR(read->frames[3].time, 0.05, 1e-6);
 }
 
-// Milliseconds, or a pause of minutes: it would be played as long as it says.
+// Times in milliseconds, or a pause of minutes, would be simulated in full.
 TEST(Track, NamesTheFrameWhoseTimeLeaps) {
   io::RecordBuilder record;
   auto recording = trackRecordOf(record, 4);
@@ -120,7 +120,7 @@ TEST(Track, NamesTheFrameWhoseTimeLeaps) {
 
 TEST(Track, PosesAndFacingReadBack) {
   const std::vector<Take> takes = takesUnder(defaults());
-  const Track& track = takes.back().track;  // a box is pushed
+  const Track& track = takes.back().track;  // of a box that is pushed
   io::RecordBuilder record;
   writeRecording(track, record.root().initRecording());
   const auto read = trackOf(record.reader().getRecording());
@@ -150,7 +150,7 @@ TEST(Track, NeedsTwoFrames) {
   EXPECT_FALSE(trackOf(trackRecordOf(record, 1)));
 }
 
-// With the parameters that made them, windows that begin anywhere follow the recording.
+// Returns the worst residual under the true parameters, over windows that begin anywhere.
 double worstOf(const std::vector<Take>& takes) {
   const std::vector<Parameter> none;
   const Objective objective(takes, none, defaults(), {});
@@ -160,7 +160,7 @@ double worstOf(const std::vector<Take>& takes) {
   return worst;
 }
 
-// Whatever is in a track, losses can be compared.
+// Losses can be compared, whatever is in a track.
 TEST(Playback, ALossIsANumber) {
   std::vector<Take> takes = takesUnder(defaults(), 0, firstManoeuvres(1));
   takes[0].track.frames.back().position.x = std::nanf("");
@@ -171,7 +171,7 @@ TEST(Playback, ALossIsANumber) {
 
 TEST(Playback, FollowsItsOwnRecordings) { EXPECT_LT(worstOf(takesUnder(defaults())), 0.03); }
 
-// A tenth of the frames is missing.
+// A tenth of the frames are missing.
 TEST(Playback, FollowsARecordingWithFramesMissing) {
   std::vector<Take> takes = takesUnder(defaults());
   Random random(5, 0);

@@ -1,4 +1,4 @@
-// Jumps in the air: so many between two floors, each for a key that is pressed anew.
+// Air jumps: a limited number between two floors, each for a new press of the key.
 #include <gtest/gtest.h>
 
 #include "level/params.h"
@@ -14,7 +14,7 @@ level::Level levelWith(int jumps) {
   return flatLevel([=](auto p) { p.setAirJumps(uint16_t(jumps)); });
 }
 
-// Presses jump for a tick every `every` ticks, `times` times.
+// Presses the jump key for one tick every `every` ticks, `times` times.
 Play& hop(Play& play, int times, int every = 16) {
   for (int i = 0; i < times; ++i) play.run(stand(true)).run(stand(), every - 1);
   return play;

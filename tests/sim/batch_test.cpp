@@ -1,4 +1,5 @@
-// Batches: of one level and of many, on lanes and by the kernel, however they are cut into steps.
+// Batches of one or many levels give the same worlds on lanes and by the kernel, in steps of any
+// length.
 #include "sim/batch.h"
 
 #include <gtest/gtest.h>
@@ -18,7 +19,7 @@
 namespace obby::sim {
 namespace {
 
-constexpr uint32_t kRuled = 600;  // enough that every rule ends some
+constexpr uint32_t kRuled = 600;  // enough for every rule to end some worlds
 constexpr uint32_t kWorlds = 90;
 
 std::vector<uint64_t> hashesOf(const Batch& batch) {
@@ -28,8 +29,8 @@ std::vector<uint64_t> hashesOf(const Batch& batch) {
   return hashes;
 }
 
-// What world `index` of `worlds` becomes on its own, by the scalar tick.
-// Gives the digest of it and its loose bodies.
+// Simulates world `index` alone, by the scalar tick. Returns the hash of the world and its loose
+// bodies.
 uint64_t alone(const Course& course, uint32_t index, uint32_t ticks, uint64_t seed) {
   const auto levelOf = [&](uint32_t episode) {
     return (index + size_t(episode) * kWorlds) % course.levels.size();
@@ -73,7 +74,7 @@ TEST(Batch, worlds_of_many_levels_go_as_they_would_alone) {
   EXPECT_GE(most, 3u);
 }
 
-// Every rule ends some playthroughs, and lanes, kernels and single worlds agree which.
+// Every rule ends some worlds. Lanes, kernels and single worlds agree on which.
 TEST(Batch, rules_are_the_same_in_lanes_and_on_kernels) {
   support::Levels many = support::everyKind();
   support::addRules(many);
@@ -140,7 +141,7 @@ TEST(Batch, ended_worlds_wait_unless_the_course_restarts) {
   EXPECT_EQ(hashesOf(*lanes), hashesOf(*kernel));
 }
 
-// The same play said in three ways.
+// The same play as a walker, as a table, and as plans.
 TEST(Batch, walker_table_and_plans_say_the_same) {
   const level::Level level = support::boxArena(20, 1).compile();
   const Course course = courseOf(level.view(), level.spawns()[0]);
@@ -206,7 +207,7 @@ TEST(Batch, wrong_actions_and_courses_are_errors) {
             "the queue names level 1, but there are 1 levels");
 }
 
-// The device has everything: the level is gone, and what it freed is poisoned.
+// The device holds a full copy: the level is freed and its memory overwritten.
 TEST(KernelBatch, needs_nothing_of_the_level_after_the_upload) {
   mallopt(M_PERTURB, 0x5a);
   ThreadPool pool(1);

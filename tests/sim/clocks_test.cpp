@@ -1,4 +1,4 @@
-// What touches start: buttons and the parts that respond, boosts, heals, and the limit of
+// Effects that touches start: buttons and the parts that respond, boosts, heals, and the limit of
 // clocks that run at once.
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@ using schema::Part;
 using sim::World;
 using support::LevelBuilder;
 
-// A plate to step on at z = -6.
+// Adds a plate at z = -6 that is a button.
 LevelBuilder& withButton(LevelBuilder& b, float seconds, bool restarts = false) {
   return b.block({0, 0.1f, -6}, {4, 0.2f, 2}, [=](Part::Builder p) {
     auto button = p.initButton();
@@ -30,7 +30,7 @@ void respond(Part::Builder p, float delay = 0, bool inverted = false) {
   vanish.setInverted(inverted);
 }
 
-// A wall across at z = -20 that the button opens.
+// A level with a wall across at z = -20, which the button opens.
 LevelBuilder doorLevel(float seconds) {
   LevelBuilder b = floorLevel();
   withButton(b, seconds);
@@ -51,7 +51,7 @@ TEST(Button, OpensADoorForItsTime) {
 
 TEST(Button, LeavesTheDoorClosedUntilItIsTouched) {
   const auto level = doorLevel(3).compile();
-  Play play(level, {20, 0, 0});  // passes beside the button
+  Play play(level, {20, 0, 0});  // passes next to the button
   play.settle().run(walk(kNorth), 200);
   EXPECT_GT(play.world.position.z, -20);
   EXPECT_EQ(play.world.clockCount, 0);

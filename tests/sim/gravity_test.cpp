@@ -1,4 +1,4 @@
-// Gravity that a touch changes: of the player alone, for as long as its boost.
+// Gravity that a touch changes: for the player alone, and only while the boost lasts.
 #include <gtest/gtest.h>
 
 #include "level/params.h"
@@ -11,7 +11,7 @@ using schema::Part;
 using sim::World;
 using support::LevelBuilder;
 
-// All of the floor is the boost.
+// A level whose whole floor is the boost.
 LevelBuilder boostFloor(const std::function<void(schema::Boost::Builder)>& setter) {
   return LevelBuilder().block({0, -1, 0}, {200, 2, 200},
                               [=](Part::Builder p) { setter(p.initBoost()); });

@@ -1,4 +1,4 @@
-// A torso on an edge that no floor ray finds.
+// A torso on an edge where no floor ray hits.
 #include <gtest/gtest.h>
 
 #include "sim/play.h"
@@ -25,7 +25,7 @@ TEST(Hang, NobodyWalksAlongAnEdgeByTheTorso) {
   EXPECT_LT(absf(play.world.position.z), 1.0f);
 }
 
-// From the first ticks on a player may pull itself in, and stands.
+// Within the first ticks a player can still walk in and stand up.
 TEST(Hang, APlayerThatWalksInGetsUp) {
   Play play(wall(), kOverTheEdge);
   constexpr Turns kWest = 0x4000;

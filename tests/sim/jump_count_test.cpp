@@ -1,5 +1,5 @@
-// A world counts jumps in 16 bits. Whoever has made more has made the most that fits: a count that
-// began anew at 0 would give back jumps that a limit has taken.
+// A world counts jumps in 16 bits, and the count saturates. A count that wrapped to 0 would grant
+// jumps that a limit has used up.
 #include <gtest/gtest.h>
 
 #include "sim/next_region.h"
@@ -13,7 +13,7 @@ using sim::State;
 
 constexpr uint16_t kMost = 0xffff;
 
-// One jump more, after the most but one and after the most.
+// Expects another jump to give the maximum, from one below it and from the maximum.
 void expectToStayAtTheMost(const Play& ready) {
   for (const uint16_t before : {uint16_t(kMost - 1), kMost}) {
     Play play = ready;

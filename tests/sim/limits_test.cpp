@@ -1,5 +1,5 @@
-// What no part may do to a player, however it is set: throw faster than anything may be, hurt once
-// for each of its hulls, fall out of the grid, or be there while it never should.
+// Limits on what any part can do to a player. No part throws faster than the speed limit, hurts
+// once per hull, shifts the grid, or is present when it never should be.
 #include <gtest/gtest.h>
 
 #include "sim/play.h"
@@ -24,7 +24,7 @@ TEST(Limits, APadThrowsNobodyThroughACeiling) {
   EXPECT_LT(play.highest() + 5, 23.1f);
 }
 
-// Two boxes of one part, one in the other, as unions have them.
+// Makes a part of two overlapping boxes, as unions do.
 void twoHulls(Part::Builder p) {
   p.setShape(schema::Shape::HULL);
   auto hulls = p.initHulls(2);

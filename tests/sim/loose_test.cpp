@@ -1,5 +1,5 @@
-// Loose bodies: they fall, rest, stack, slide, roll and sleep; the player pushes them, stands on
-// them and jumps from them.
+// Loose bodies fall, rest, stack, slide, roll and sleep. The player pushes them, stands on them and
+// jumps from them.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -73,7 +73,7 @@ TEST(LooseBodies, OfEveryShapeRestOnTheirLowestFace) {
   }
 }
 
-// As of a union: one hull, far from the part's centre, with its top at 0.
+// A union may look like this: one hull, far from the part's centre, with its top at 0.
 TEST(LooseBodies, RestOnAHullFarFromItsPartsCentre) {
   const auto slab = [](schema::Part::Builder p) {
     p.setShape(schema::Shape::HULL);
@@ -174,7 +174,7 @@ TEST(LooseBodies, BouncesAsElasticityHasIt) {
   EXPECT_NEAR(bounce(0.5f), 0.25f, 0.06f);
 }
 
-// A hard flat landing does not tilt a body, and throws it aside by 4 % of its speed at most.
+// A hard flat landing does not tilt a body, and throws it sideways by at most 4 % of its speed.
 TEST(LooseBodies, BounceStraightUp) {
   const auto springy = [](auto p) { p.setElasticity(1); };
   const auto level = LevelBuilder{}
@@ -233,7 +233,7 @@ TEST(LooseBodies, ArePushedByThePlayer) {
   play.settle().run(walk(kNorth), 240);
   EXPECT_LT(play.loose[0].position.z, 10);
   EXPECT_NEAR(play.loose[0].position.y, 2, 0.1);
-  // The player stays behind it.
+  // The player stays behind the box.
   EXPECT_GT(play.world.position.z, play.loose[0].position.z + 2.4f);
 }
 
@@ -281,9 +281,9 @@ TEST(LooseBodies, PushedToAWallMakeAStepThatIsNotThereOtherwise) {
     if (box) b.block({0, 2, 20}, {4, 4, 4}, unanchor);
     const auto level = b.compile();
     Play play = playOf(level);
-    play.settle().run(walk(kNorth), 300);  // to the wall, with the box before it
+    play.settle().run(walk(kNorth), 300);  // to the wall, pushing the box
     play.run(walk(kNorth ^ 0x8000), 20);   // back
-    // Onto it, and from it onto the wall.
+    // Jumps onto the box, and from it onto the wall.
     return play.until(walk(kNorth, true), [](const sim::World& w) {
       return w.position.y > 9.9f && (w.flags & sim::kFloorSensed);
     }) >= 0;
@@ -316,7 +316,7 @@ TEST(LooseBodies, MoreThanSixteenAreAnErrorThatNamesTheFirstTooMany) {
   EXPECT_EQ(level.error().path, "parts[17].anchored");
 }
 
-// As on a server that has run for a while.
+// Bodies have come to rest, as on a server that has run for a while.
 TEST(StartLoose, IsAtRestWhereBodiesComeToRest) {
   const auto level = looseRoom()
                          .block({0, 9, 0}, {4, 4, 4}, unanchor)

@@ -1,4 +1,4 @@
-// Parts that put, hold, or crush the player, or are solid from one side: teleporters, seats,
+// Parts that move, hold, or crush the player, or are solid from one side: teleporters, seats,
 // squeezing parts, one-way parts.
 #include <gtest/gtest.h>
 
@@ -93,7 +93,7 @@ TEST(Seat, HoldsUntilJumpAndDoesNotTakeAgainAtOnce) {
   EXPECT_TRUE(sits(play.world)) << "after the cooldown it takes again";
 }
 
-// Forty studs in four seconds, again and again.
+// A seat that moves forty studs in four seconds, repeatedly.
 level::Level movingSeat() {
   return LevelBuilder()
       .block({0, 0, 0}, {4, 1, 4},
@@ -115,7 +115,7 @@ TEST(Seat, RidesWithAMovingSeat) {
   EXPECT_NEAR(play.world.velocity.x, 10, 0.01f);
 }
 
-// Back to where it began is no speed that who jumps then takes along.
+// The leap back to the start is no speed that a player who jumps off keeps.
 TEST(Seat, WhereAMotionBeginsAnewThrowsNobody) {
   const auto level = movingSeat();
   Play play(level, {0, 1, 0});
@@ -139,7 +139,7 @@ Pose seatOf(const Play& play) { return poseOf(play.loose[0], play.level.view().l
 TEST(Seat, ThatIsLooseHoldsThePlayerWhereItLies) {
   const auto level = floorLevel().block({0, 3, -8}, {3, 1, 3}, looseSeat).compile();
   Play play(level);
-  play.run(stand(), 90);  // it falls
+  play.run(stand(), 90);  // the seat falls
   ASSERT_GE(play.until(walk(kNorth), isSeated), 0);
   play.run(walk(kNorth), 30);
   const Pose seat = seatOf(play);
@@ -177,7 +177,7 @@ TEST(Seat, ThatFallsTakesThePlayerAlongAndLetsGoWhereItIsGone) {
   EXPECT_LT(play.world.position.y, left - 1) << "falls on";
 }
 
-// A press that comes down to 1 stud above the floor.
+// A level with a press that comes down to `lowest` studs above the floor.
 LevelBuilder pressLevel(schema::Squeeze squeeze, float lowest = 1) {
   return floorLevel().block({0, 12, 0}, {20, 4, 20}, [=](Part::Builder p) {
     p.setSqueeze(squeeze);

@@ -64,7 +64,7 @@ TEST(Replay, gives_the_same_worlds_as_playing) {
   EXPECT_EQ(stateHash(worlds.back()), stateHash(play.world));
 }
 
-// A crate ahead, in the air at first.
+// A level with a crate ahead of the player, initially in the air.
 level::Level crateLevel() {
   return floorLevel()
       .block({0, 3, -6}, {4, 4, 4}, [](schema::Part::Builder p) { p.setAnchored(false); })
