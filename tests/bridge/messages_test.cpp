@@ -51,7 +51,7 @@ TEST(Ring, keeps_at_least_the_newest_however_long) {
   EXPECT_EQ(ring.after(1)->number, 2u);
 }
 
-// As of a WebSocket that is slower than the program.
+// A WebSocket that is slower than the program holds messages like this.
 TEST(Ring, what_is_held_stays_up_to_a_bound_and_goes_once_it_is_taken) {
   Ring ring(1000, 3000);
   const std::string members = "\"a\":\"" + std::string(80, 'x') + "\"";
@@ -72,7 +72,7 @@ TEST(Ring, what_is_held_stays_up_to_a_bound_and_goes_once_it_is_taken) {
   EXPECT_EQ(ring.after(74)->number, 75u);
 }
 
-// A carrier that takes messages whenever it is asked loses none, however many come at once.
+// A carrier that takes all messages when asked loses none, however many arrive at once.
 TEST(Client, asks_its_carrier_before_messages_are_lost) {
   Client client(1, 1000);
   uint64_t had = 0;
@@ -88,7 +88,7 @@ TEST(Client, asks_its_carrier_before_messages_are_lost) {
   EXPECT_GT(had, 40u);
 }
 
-// The text that the messages carry, put together as a client would.
+// Returns the text of the messages, joined as a client would join it.
 std::string joined(const std::vector<std::string>& messages) {
   std::string out;
   for (size_t i = 0; i < messages.size(); i++) {

@@ -1,4 +1,4 @@
-// What is left of a level where only what moves is asked for.
+// Levels reduced to their moving parts.
 #include "bridge/moving.h"
 
 #include <gtest/gtest.h>

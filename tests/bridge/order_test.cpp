@@ -1,4 +1,4 @@
-// What a client may ask of a job, and what reaches the command line.
+// The options that a client may set for a job, and the resulting command line.
 #include "bridge/order.h"
 
 #include <gmock/gmock.h>
@@ -39,7 +39,7 @@ TEST(Order, budget_becomes_arguments_of_one_table) {
 
 TEST(Order, budget_is_bounded_and_knows_its_names) {
   EXPECT_EQ(pathOf(parse("\"budget\":{\"timeLimit\":601}")), "budget.timeLimit");
-  EXPECT_EQ(pathOf(parse("\"budget\":{\"timeLimit\":1e999}")), "");  // no JSON number
+  EXPECT_EQ(pathOf(parse("\"budget\":{\"timeLimit\":1e999}")), "");  // invalid in JSON
   EXPECT_EQ(pathOf(parse("\"budget\":{\"solutions\":0}")), "budget.solutions");
   EXPECT_EQ(pathOf(parse("\"budget\":{\"solutions\":2.5}")), "budget.solutions");
   EXPECT_EQ(pathOf(parse("\"budget\":{\"solutions\":-1}")), "budget.solutions");
@@ -97,7 +97,7 @@ TEST(Order, members_that_exclude_each_other_are_refused) {
   EXPECT_EQ(pathOf(parseOrder("{}", Limits())), "level");
   EXPECT_EQ(pathOf(parseOrder("{\"level\":\"../../x\"}", Limits())), "level");
   EXPECT_EQ(pathOf(parse("\"warm\":\"/tmp/x\"")), "warm");
-  EXPECT_EQ(pathOf(parse(kLevel)), "");  // twice
+  EXPECT_EQ(pathOf(parse(kLevel)), "");  // given twice
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Programs that are started, and what is left of them.
+// Started programs, and what remains of them.
 #include "bridge/process.h"
 
 #include <gtest/gtest.h>
@@ -58,14 +58,15 @@ TEST(Process, signals_reach_the_whole_group) {
   ASSERT_EQ(read(process->output.get(), &first, 1), 1);
   process->signal(SIGKILL);
   EXPECT_EQ(waitFor(*process).signal, SIGKILL);
-  EXPECT_EQ(readAll(process->output.get()), "eady\n");  // nobody holds it open
+  EXPECT_EQ(readAll(process->output.get()), "eady\n");  // no descendant holds it open
 }
 
 TEST(Process, descendants_end_with_the_leader) {
   auto process = processShell("sleep 100 & exit 0");
   ASSERT_TRUE(process);
   EXPECT_EQ(waitFor(*process).code, 0);
-  EXPECT_EQ(readAll(process->output.get()), "");  // would wait for the sleep otherwise
+  EXPECT_EQ(readAll(process->output.get()),
+            "");  // a survivor would block this until the sleep ends
 }
 
 TEST(Process, its_processor_time_is_known_until_it_is_reaped) {

@@ -1,4 +1,4 @@
-// Which requests come in, and what they ask.
+// The requests that are accepted, and their meaning.
 #include "bridge/request.h"
 
 #include <gtest/gtest.h>
@@ -74,7 +74,7 @@ TEST(Request, strangers_may_see_info_and_pair_and_nothing_else) {
   RequestHead head = honest("GET", "/v1/info");
   head.authorization.reset();
   EXPECT_EQ(check(head), 0);
-  head.authorization = "Bearer wrong";  // a stale token is said to be one
+  head.authorization = "Bearer wrong";  // a stale token is reported as such
   EXPECT_EQ(check(head), 401);
 }
 

@@ -1,4 +1,4 @@
-// A program on the event loop, and those who take its lines.
+// A program on the event loop, and the callbacks that take its lines.
 #include "bridge/run.h"
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@
 namespace obby::bridge {
 namespace {
 
-// Nothing, or why it failed; "it hangs" after a while.
+// Returns why the run failed, an empty text if it did not, or "it hangs" after a minute.
 std::string endOf(const std::string& script, Run::OnLine onOutput, Run::OnLine onError) {
   kj::AsyncIoContext async = kj::setupAsyncIo();
   Loop loop{*async.lowLevelProvider, async.unixEventPort, async.provider->getTimer()};
@@ -46,7 +46,7 @@ TEST(Run, a_program_that_ends_before_its_input_comes_is_no_failure) {
   auto process = Process::start({"/bin/sh", {"-c", "exit 11"}, 0, 0});
   ASSERT_TRUE(process) << process.error().text();
   pollfd exited{process->exitFd(), POLLIN, 0};
-  ASSERT_EQ(poll(&exited, 1, 60000), 1);  // milliseconds
+  ASSERT_EQ(poll(&exited, 1, 60000), 1);  // timeout in milliseconds
   const auto ignored = [](std::string_view) {};
   bridge::Run run(loop, *std::move(process), "input", ignored, ignored);
   EXPECT_EQ(run.done().wait(async.waitScope).code, 11);

@@ -1,4 +1,4 @@
-// The private folder.
+// The bridge's private folder.
 #include "bridge/store.h"
 
 #include <gmock/gmock.h>
@@ -72,7 +72,7 @@ TEST(Store, reports_on_a_level_are_kept_beside_it) {
   EXPECT_EQ((*level)->reports, reports);
   EXPECT_EQ((*level)->queries.size(), 2u);
   EXPECT_EQ((*level)->levels.find("no start"), std::string::npos);
-  ASSERT_TRUE(store->put("b", kLines, {}));  // there is no room for both and the reports
+  ASSERT_TRUE(store->put("b", kLines, {}));  // the store cannot hold both and the reports
   EXPECT_FALSE(store->has("a"));
 }
 
@@ -87,7 +87,7 @@ TEST(Store, longest_unused_levels_go_first) {
     ASSERT_TRUE(store->put(id, kLines, {}));
     pause();
   }
-  ASSERT_TRUE(store->get("a"));  // used last
+  ASSERT_TRUE(store->get("a"));  // most recently used
   pause();
   ASSERT_TRUE(store->put("d", kLines, {}));
   EXPECT_TRUE(store->has("a"));

@@ -1,4 +1,4 @@
-// Help: what it shows in which width.
+// The help text and its width.
 #include "cli/help.h"
 
 #include <fmt/format.h>

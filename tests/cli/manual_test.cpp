@@ -1,4 +1,4 @@
-// Manual pages: what roff would take for its own, and what a page must have.
+// Manual pages: text that roff would interpret, and required sections.
 #include "cli/manual.h"
 
 #include <gtest/gtest.h>

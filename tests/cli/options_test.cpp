@@ -1,4 +1,4 @@
-// Values of options: what is taken, what is refused and how, and which source wins.
+// Values of options: accepted values, errors, and the precedence of sources.
 #include "cli/options.h"
 
 #include <gtest/gtest.h>
@@ -95,7 +95,7 @@ TEST(Arguments, TheCommandLineWinsOverTheEnvironmentOverTheDefault) {
   unsetenv("OBBY_TIME_LIMIT");
 }
 
-// What --print-config wrote is no wish.
+// A file from --print-config states defaults that the user did not choose.
 TEST(Arguments, AConfigurationFileThatStatesTheDefaultGivesNothing) {
   const std::string path = testing::TempDir() + "obby-states-the-default";
   const auto given = [&](const std::string& text) {

@@ -1,4 +1,4 @@
-// Signs of life: who gets which, and what they say.
+// Progress lines: their mode and their content.
 #include "cli/progress.h"
 
 #include <gtest/gtest.h>
@@ -40,7 +40,7 @@ TEST(Progress, TellsTheTimeLeftAsPeopleDo) {
             "{\"type\":\"progress\",\"task\":\"x\",\"seconds left\":12400.5}");
 }
 
-// Ids come from streams of strangers.
+// Ids come from untrusted streams.
 TEST(Progress, LinesMoveNoCursorAndEndWithAWholeCharacter) {
   EXPECT_EQ(progressLine({"query \x1b[2J\n\xe9", -1, {}}, 80), "query ?[2J?\xef\xbf\xbd");
   EXPECT_EQ(progressLine({"caf\xc3\xa9", -1, {}}, 5), "caf\xc3\xa9");

@@ -1,4 +1,4 @@
-// Variables that were meant to set an option and set none.
+// Environment variables that misspell an option.
 #include "cli/variables.h"
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@ std::string slips(std::vector<const char*> environment) {
   std::vector<OptionRow> rows = universalRows();
   rows.push_back(commonRow(Common::timeLimit));
   OptionRow own;
-  own.name = "juggle";  // an option that is not in the list of all
+  own.name = "juggle";  // an option of this tool only
   rows.push_back(own);
   std::string out;
   for (const MisspeltVariable& slip : misspeltVariables(rows, environment.data()))

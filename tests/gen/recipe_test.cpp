@@ -1,4 +1,4 @@
-// Recipes from JSON: what is accepted, and that errors name the place and the cure.
+// Recipes from JSON: the accepted ones, and errors that state the place and the remedy.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -119,7 +119,7 @@ TEST(Recipe, ErrorsNamePathAndCure) {
   }
 }
 
-// Each name was once held against all before it.
+// Comparing each name with all earlier ones would take minutes.
 TEST(Recipe, AMillionNamesTakeNoMinute) {
   std::string text = R"({"physics": {)";
   for (int i = 0; i < 1000000; ++i) text += "\"n" + std::to_string(1000000 + i) + "\":1,";
@@ -128,7 +128,7 @@ TEST(Recipe, AMillionNamesTakeNoMinute) {
   EXPECT_EQ(status.error().text(), "physics.n1000000: given twice (keep one of the two)");
 }
 
-// Every JSON block of the page is a recipe that works.
+// Every JSON block of the page is a working recipe.
 TEST(Recipe, ExamplesOfTheDocumentationWork) {
   std::ifstream file(OBBY_SOURCE_DIR "/docs/generator.md");
   std::string line, text;

@@ -10,12 +10,12 @@
 
 namespace obby::support {
 
-// Owns its levels. Playthroughs end at the latest by a time limit, a different one in every level,
-// and worlds then take their next level.
+// A course that owns its levels. Each level has a different time limit, after which a world takes
+// its next level.
 struct Levels {
   std::vector<level::Level> levels;
   sim::Course course;
-  // What the queries point to.
+  // Storage for the queries' pointers.
   std::vector<level::WaypointView> waypoints;
   std::vector<level::TargetView> visits, avoid, goals;
   std::vector<uint32_t> touched;

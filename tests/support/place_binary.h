@@ -1,4 +1,4 @@
-// Writes the binary format, whole or piece by piece (for files that are broken on purpose).
+// Writes the binary format, whole or chunk by chunk (for deliberately broken files).
 #pragma once
 
 #include <string>
