@@ -65,8 +65,7 @@ TEST(Process, descendants_end_with_the_leader) {
   auto process = processShell("sleep 100 & exit 0");
   ASSERT_TRUE(process);
   EXPECT_EQ(waitFor(*process).code, 0);
-  EXPECT_EQ(readAll(process->output.get()),
-            "");  // a survivor would block this until the sleep ends
+  EXPECT_EQ(readAll(process->output.get()), "");  // a survivor would block this
 }
 
 TEST(Process, its_processor_time_is_known_until_it_is_reaped) {

@@ -9,9 +9,8 @@ namespace {
 
 constexpr uint64_t kWaySeeds = 12;
 constexpr float kBeside = 3.25f;  // studs off the floors: hops lead to both sides
-constexpr float kAbove =
-    0.51f;                     // studs up or down from their tops: the line does not climb buttons
-constexpr float kStep = 0.5f;  // studs between the samples of a line
+constexpr float kAbove = 0.51f;   // studs up or down from their tops: lines do not climb buttons
+constexpr float kStep = 0.5f;     // studs between the samples of a line
 
 // A part, and the range of its centre.
 struct Ground {

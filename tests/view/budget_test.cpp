@@ -1,4 +1,4 @@
-// How much of a report goes into a page.
+// The share of a report that fits in a page.
 #include "view/budget.h"
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@
 namespace obby::view_test {
 namespace {
 
-// A level without a way is shown at its query's start.
+// A level without trajectories is shown at its query's start.
 TEST(Budget, MotionIsShownFromTheStartOfAQueryOn) {
   std::string late = kQuery;
   late.insert(late.find(R"("goal")"), R"("start":{"tick":9000},)");
@@ -40,7 +40,7 @@ TEST(Budget, EachLevelShowsTheMotionOfItsOwnQueriesAndWays) {
   EXPECT_EQ(view::ticksShown(*report), (std::vector<uint32_t>{3000 + ticks, 600 * 60, least}));
 }
 
-// The page cannot know where a part goes on to.
+// The page cannot know how a part moves after the cut.
 TEST(Budget, MotionThatIsCutIsTold) {
   const auto notes = [](const char* seconds, const char* tick) {
     std::string level = kLevel, late = kQuery;
@@ -69,7 +69,7 @@ TEST(Budget, ThinsAttemptsBeforeAnythingElse) {
   EXPECT_FALSE(tight.notes.empty());
 }
 
-// Or ways would be thinned out in a large level without need.
+// An overestimate would thin out trajectories of large levels without need.
 TEST(Budget, CountsALevelAsItIsWritten) {
   std::string level = R"({"type":"level","name":"large","parts":[{})";
   for (int i = 0; i < 500; ++i) {
@@ -86,7 +86,7 @@ TEST(Budget, CountsALevelAsItIsWritten) {
   EXPECT_LT(sizes.fixed, json.text().size() * 5 / 4);
 }
 
-// Of short ways names and numbers are most.
+// Names and numbers dominate the size of short trajectories.
 TEST(Budget, CountsMoreThanTheTicksOfAWay) {
   auto left = walk(kLeft, 5);
   auto report = collect({kLevel, kQuery, line(left)});
@@ -100,7 +100,7 @@ TEST(Budget, CountsMoreThanTheTicksOfAWay) {
   EXPECT_LT(sizes.attempts + sizes.whole, json.text().size() * 3 / 2);
 }
 
-// Of thousands of moving parts that never repeat. What nobody asks to be thinned out is not.
+// Thousands of moving parts that never repeat take this much. With --full nothing is thinned out.
 TEST(Budget, MotionThatNoBrowserOpensIsTakenMoreCoarsely) {
   view::PageSizes sizes;
   sizes.tracks = size_t(1500) << 20;
@@ -127,7 +127,7 @@ TEST(Budget, CountsWhatPartsDoOnAWay) {
   EXPECT_LT(sizes.attempts + sizes.whole, json.text().size() * 5 / 4);
 }
 
-// No stride of theirs makes the tracks of the loose bodies in them smaller.
+// A larger stride does not shrink the tracks of loose bodies.
 TEST(Budget, LeavesOutAttemptsWhoseLooseBodiesDoNotFit) {
   view::PageSizes sizes;
   sizes.attempts = 2u << 20;

@@ -1,4 +1,4 @@
-// A report that is looked at while it grows is in the end the one that is read at once.
+// A report that is read while it grows ends up equal to one that is read at once.
 #include <gmock/gmock.h>
 
 #include "collecting.h"
@@ -40,7 +40,7 @@ TEST(Collector, WaysKeepTheirSerialThroughProgress) {
     for (const auto& path : collector.report().queries[0].paths) out.push_back(path.serial);
     return out;
   };
-  ASSERT_EQ(serials(), (std::vector<uint64_t>{2, 1}));  // the death, the closest
+  ASSERT_EQ(serials(), (std::vector<uint64_t>{2, 1}));  // the death, then the closest
   addAll(collector, {progressLine(near, {&right, &left}, 9)});
   EXPECT_EQ(serials(), (std::vector<uint64_t>{3, 2, 1}));
   EXPECT_TRUE(collector.report().queries[0].paths[1].played());
@@ -52,7 +52,7 @@ TEST(Collector, QueryThatComesLateHasItsWaysPlayedAgain) {
   addAll(collector, {kLevel, line(ahead)});
   const auto& path = collector.report().queries[0].paths[0];
   const auto before = path.serial;
-  EXPECT_EQ(path.playback.outcome, schema::Outcome::RUNNING);  // no goal is known
+  EXPECT_EQ(path.playback.outcome, schema::Outcome::RUNNING);  // the goal is still unknown
   addAll(collector, {kQuery});
   EXPECT_EQ(path.playback.outcome, schema::Outcome::GOAL);
   EXPECT_NE(path.serial, before);
@@ -74,7 +74,7 @@ TEST(Collector, WhatCannotBePlayedLeavesTheRestThere) {
   addAll(collector, {kLevel, kQuery, line(ahead)});
   ASSERT_TRUE(collector.add(recordOf(line(lost))));
   EXPECT_FALSE(collector.update());
-  EXPECT_TRUE(collector.update());  // it is said once
+  EXPECT_TRUE(collector.update());  // an error is reported once
   ASSERT_EQ(collector.report().queries[0].paths.size(), 1u);
   EXPECT_TRUE(collector.report().queries[0].paths[0].played());
 }
@@ -90,7 +90,7 @@ TEST(Collector, RunningSearchTellsItsNumbers) {
   EXPECT_THAT(view::pageData(collector.report(), {}), ::testing::Not(HasSubstr("\"progress\"")));
 }
 
-// What cannot be played is left out: whoever draws the rest may rely on its being played.
+// Unplayable paths are dropped, so that a renderer may assume that the others were played.
 TEST(Collector, AfterAnErrorAllThatIsLeftWasPlayed) {
   auto ahead = walk(kAhead, 200), left = walk(kLeft, 300);
   std::string spawnless = kQuery;
@@ -122,7 +122,7 @@ TEST(Collector, OneQueryThatFailsDoesNotKeepOthersFromBeingPlayed) {
   EXPECT_TRUE(collector.report().queries[1].paths[0].played());
 }
 
-// A query that names parts is changed before it is compiled; its place in the stream is not.
+// A query that names parts is changed before it is compiled, but keeps its place in the stream.
 TEST(Collector, AQueryThatNamesPartsIsRefusedAtItsPlace) {
   const std::string query =
       R"({"type":"query","id":"q","start":{"spawn":5},"goal":{"part":"Rock"}})";

@@ -1,5 +1,5 @@
-// What a page is told of a report that grows: what is new to it, once, and thinner when it gets too
-// much.
+// Updates of a page about a growing report: each new item is sent once, and thinned out if the data
+// gets too large.
 #include "view/live_data.h"
 
 #include <gmock/gmock.h>
@@ -20,7 +20,7 @@ view::Collector strict(const std::vector<std::string>& only = {}) {
   return view::Collector([](const io::Record&, Error error) -> Status { return error; }, only);
 }
 
-// A collector, and the data of what it holds.
+// A collector, and the live data of its report.
 struct Growing {
   view::Collector collector = strict();
   view::LiveData data{view::PageOptions{false, "test"}};
@@ -67,7 +67,7 @@ TEST(LiveData, APageGetsWhatIsNewToItOnce) {
   EXPECT_EQ(news["queries"][0]["trajectories"][0]["data"]["kind"], "solution");
   const uint64_t second = growing.data.revision();
   EXPECT_TRUE(growing.since(second)["queries"].empty());
-  // One that comes late, or from another server, gets everything.
+  // A page that connects late, or that knew another server, gets everything.
   for (const uint64_t from : {uint64_t(0), second + 1}) {
     EXPECT_EQ(serials(growing.since(from)["queries"][0]), (std::vector<uint64_t>{1, 2}));
     EXPECT_EQ(growing.since(from)["levels"].size(), 1u);
@@ -105,7 +105,7 @@ TEST(LiveData, WaysThatAreReplacedGo) {
 }
 
 TEST(LiveData, LongerWaysBringMoreMotionSeldom) {
-  // A door that opens once, in a minute: its track is as long as what is shown.
+  // A door opens once, in a minute: its track lasts as long as the shown time.
   std::string level = kLevel;
   const std::string fan = R"("spin":{"speed":3})";
   level.replace(level.find(fan), fan.size(),
@@ -115,7 +115,7 @@ TEST(LiveData, LongerWaysBringMoreMotionSeldom) {
   EXPECT_EQ(growing.since(0)["levels"].size(), 1u);
   size_t sent = 0;
   for (uint32_t ticks = 200; ticks <= 2600; ticks += 200) {
-    auto way = walk(kAhead, 2);  // stands at the end of its walk
+    auto way = walk(kAhead, 2);  // stands still after its walk
     auto runs = way.root().getTrajectory().initActions(1);
     runs[0].setTicks(ticks);
     way.root().getTrajectory().setTicks(ticks);
@@ -161,7 +161,8 @@ TEST(GrowingReport, LooksWhileAnotherThreadReads) {
   std::thread reading([&] {
     EXPECT_TRUE(report.add(recordOf(kLevel)));
     EXPECT_TRUE(report.add(recordOf(kQuery)));
-    while (looks == 0) std::this_thread::yield();  // or all may be over before the other begins
+    while (looks == 0)
+      std::this_thread::yield();  // otherwise reading may end before the first look
     for (int i = 0; i < kWays; ++i) EXPECT_TRUE(report.add(recordOf(way)));
     EXPECT_TRUE(report.end(view::StreamState::ended, {"a note"}));
   });
@@ -183,7 +184,7 @@ TEST(GrowingReport, LooksWhileAnotherThreadReads) {
   reading.join();
   EXPECT_EQ(last, size_t(kWays));
   EXPECT_GT(looks.load(), 1u);
-  EXPECT_FALSE(report.look([](const view::Report&, view::StreamState) {}));  // nothing is new
+  EXPECT_FALSE(report.look([](const view::Report&, view::StreamState) {}));  // no change
 }
 
 TEST(GrowingReport, NobodyWaitsForOneThatLooksNoMore) {
@@ -195,7 +196,8 @@ TEST(GrowingReport, NobodyWaitsForOneThatLooksNoMore) {
       while (!asked) std::this_thread::yield();
       return {};
     }));
-    EXPECT_TRUE(report.add(recordOf(kLevel)));  // its turn to wait, were it not closed
+    EXPECT_TRUE(
+        report.add(recordOf(kLevel)));  // would wait for its turn if the report were not closed
   });
   while (!busy) std::this_thread::yield();
   EXPECT_FALSE(report.look([](const view::Report&, view::StreamState) {}));

@@ -1,4 +1,4 @@
-// Which requests the live page's server takes.
+// The requests that the live page's server accepts.
 #include "view/live_request.h"
 
 #include <gtest/gtest.h>
@@ -24,7 +24,7 @@ std::string with(const char* path, const std::string& token = kToken) {
   return std::string(path) + "?token=" + token;
 }
 
-// 0: it comes in.
+// Returns the status of the refusal, or 0 if the request is accepted.
 int statusOf(const LiveHead& head) {
   const auto checked = checkLiveRequest(head, kPort, kToken);
   const auto* reply = std::get_if<loopback::Reply>(&checked);

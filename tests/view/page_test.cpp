@@ -1,4 +1,4 @@
-// The page holds the data, whole and harmless.
+// The page contains all data, and escapes it safely.
 #include "view/page.h"
 
 #include <gmock/gmock.h>
@@ -69,7 +69,7 @@ TEST(Page, MaterialsAreNamedOnceAndNoMoreThanAByteTells) {
   EXPECT_THAT(data, HasSubstr(R"(AAAAAAAAAAB")")) << "plastic beyond, and Wood is found again";
 }
 
-// Seconds would drift away from what is simulated: a part is there for whole ticks.
+// Times in seconds would drift from the simulation, which counts whole ticks.
 TEST(Page, TimersAreInTheTicksThatAreSimulated) {
   auto report = collect({R"({"type":"level","name":"L","parts":[)"
                          R"({"vanish":{"trigger":"timer","delay":0.508,"away":0.508}},)"
@@ -111,14 +111,14 @@ TEST(Page, NamesTheHardestStep) {
   const std::string data = view::pageData(*report, {});
   EXPECT_THAT(data, HasSubstr(R"("difficulty":{"band":"hard")"));
   EXPECT_THAT(data, HasSubstr(R"("hardest":{"startTick":30,"ticks":0,"from":-1,"to":1)"));
-  // A record that names a step which it does not have.
+  // The record refers to a step that does not exist.
   difficulty.setHardest(2);
   report = collect({kLevel, kQuery, line(path), resultLine("solved", 80)});
   ASSERT_TRUE(report) << report.error().text();
   EXPECT_THAT(view::pageData(*report, {}), Not(HasSubstr("difficulty")));
 }
 
-// Cap'n Proto holds what a later version writes; the page has no colour for it.
+// Cap'n Proto keeps values of later schema versions, for which the page has no colour.
 TEST(Page, WhatALaterVersionNamesIsUnknown) {
   auto path = walk(kAhead, 200);
   auto difficulty = path.root().getTrajectory().initDifficulty();

@@ -1,5 +1,5 @@
-// A picture is drawn in pieces, so that a large one takes no more memory than a small one; nor do
-// long ways.
+// A picture is drawn in pieces, so that the memory does not grow with its size. Long trajectories
+// take no extra memory either.
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 
@@ -18,7 +18,7 @@
 namespace obby::view {
 namespace {
 
-// The most memory that this process has had, KiB.
+// Returns this process's peak memory, in KiB.
 long peak() {
   rusage used{};
   getrusage(RUSAGE_SELF, &used);

@@ -1,4 +1,4 @@
-// Which records come together, and what happens to those that cannot be shown.
+// How records are matched, and how those that cannot be shown are handled.
 #include "view/report.h"
 
 #include <gmock/gmock.h>
@@ -102,7 +102,7 @@ TEST(Report, SameLevelTwiceIsOneLevel) {
   EXPECT_THAT(report->queries, SizeIs(1));
 }
 
-// Versions of a level have its name.
+// Versions of a level share its name.
 TEST(Report, OfLevelsOfOneNameTheOneBeforeIsMeantOrElseTheLast) {
   std::string second = kLevel, other = kLevel;
   second.replace(second.find(R"("size":[10,1,30])"), 16, R"("size":[12,1,30])");
@@ -121,8 +121,7 @@ TEST(Report, OfLevelsOfOneNameTheOneBeforeIsMeantOrElseTheLast) {
   EXPECT_EQ(levelOf({kLevel, second, other, kLevel, other}), 1);
 }
 
-// Queries may leave out their level: it is the one before them in the stream then, be it new or
-// not.
+// A query may omit its level. It then means the level before it in the stream, even a repeated one.
 TEST(Report, QueriesOfALevelThatComesAgainAreIts) {
   const auto replaced = [](std::string text, const std::string& from, const std::string& to) {
     return text.replace(text.find(from), from.size(), to);

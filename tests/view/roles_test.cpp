@@ -1,4 +1,4 @@
-// What parts are to the player.
+// The roles of parts for the player.
 #include "view/roles.h"
 
 #include <gmock/gmock.h>
@@ -15,7 +15,7 @@ TEST(Roles, GravestRoleWinsAndTheStartIsFoundUnderTheSpawn) {
                                      view::Role::moving, view::Role::plain));
 }
 
-// A part that falls when it is touched is away for a while; one that nothing touches stays.
+// A part that falls when touched is away for a while. A part that nothing can touch stays.
 TEST(Roles, WhatHealsDoesNotKillAndWhatFallsGoesAway) {
   const io::Record level = recordOf(
       R"({"type":"level","name":"L","parts":[{"kill":{"damage":20}},{"kill":{"damage":-60}},)"

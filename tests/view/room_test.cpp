@@ -1,4 +1,4 @@
-// What a collector has no room for is left out, or drives out what came before.
+// A collector whose budget is used up drops records, or discards older ones.
 #include <gmock/gmock.h>
 
 #include "collecting.h"
@@ -8,7 +8,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
-// The same way with an action run for each of its ticks.
+// The same trajectory, with one action run for each tick.
 std::string inRunsOfATick(const io::RecordBuilder& way) {
   io::RecordBuilder out(way.reader());
   const auto held = way.reader().getTrajectory();
@@ -37,7 +37,7 @@ TEST(Collector, AttemptsBeyondTheRoomAreLeftOutAndSolutionsAreErrors) {
   EXPECT_THAT(updated.error().message, HasSubstr("too long"));
 }
 
-// Of a stream without an end the newest is shown.
+// An endless stream shows its newest trajectories.
 TEST(Collector, WhereWaysRollTheOldestLeaveAndAreCounted) {
   auto ahead = walk(kAhead, 200), left = walk(kLeft, 300);
   const size_t ticks = left.reader().getTrajectory().getTicks() + 1;
@@ -63,7 +63,7 @@ TEST(Collector, WhereWaysRollTheOldestLeaveAndAreCounted) {
               HasSubstr(" " + std::to_string(101 - paths.size()) + " of the oldest trajectories"));
 }
 
-// Of who changes keys at every tick the actions are as large as the way.
+// If the keys change at every tick, actions take as much memory as the trajectory.
 TEST(Collector, EachRunOfAWaysActionsTakesRoomWhereItCounts) {
   const auto left = walk(kLeft, 300);
   const std::string restless = inRunsOfATick(left);
@@ -112,7 +112,7 @@ TEST(Collector, WaysThatLeaveMayBeOfAnotherQuery) {
   EXPECT_TRUE(collector.report().queries[1].paths.empty());
 }
 
-// Nothing replaces what a search told on its way once it is over.
+// Progress of a finished search is no longer replaced.
 TEST(Collector, WhatASearchToldLeavesOnceItIsOver) {
   auto left = walk(kLeft, 300), other = walk(kLeft, 300);
   other.root().getTrajectory().setQuery("other");
@@ -162,7 +162,7 @@ TEST(Collector, WhereThereIsNoRoomForRecordsNothingMoreIsTakenIn) {
   EXPECT_THAT(collector.report().notes[0], HasSubstr("memory budget is full"));
 }
 
-// Answers that replace one another take the room of one.
+// Answers that replace one another take the memory of one.
 TEST(Collector, AnAnswerThatComesAgainTakesNoRoom) {
   view::Room room;
   room.bytes = 20'000;
@@ -173,7 +173,7 @@ TEST(Collector, AnAnswerThatComesAgainTakesNoRoom) {
   EXPECT_TRUE(collector.report().notes.empty());
 }
 
-// What came and went leaves its room to what comes.
+// Replaced progress frees its budget for new progress.
 TEST(Collector, ProgressThatIsReplacedTakesNoRoom) {
   auto left = walk(kLeft, 300);
   auto collector = withRoom({1000});

@@ -1,4 +1,4 @@
-// What Studio gets to open: parts along the ways that nothing meets.
+// The model for Studio: parts along the trajectories that nothing collides with.
 #include "view/ways_model.h"
 
 #include <gtest/gtest.h>
@@ -22,7 +22,7 @@ TEST(Thinning, KeepsWhatALineWouldMiss) {
   EXPECT_EQ(thinned(1, 0.1f, distance), (std::vector<size_t>{0}));
 }
 
-// As of somebody who stands on what spins.
+// A player who stands on a spinning part moves like this.
 TEST(Thinning, HoursInCirclesTakeNoTimeThatGrowsWithTheirSquare) {
   constexpr size_t kPoints = 100'000, kRound = 60;
   std::vector<Vec3> round;
@@ -84,7 +84,7 @@ TEST(WaysModel, HasEveryWayWithItsMarks) {
       << "a model a way";
 }
 
-// XML has no way to write them, not even escaped.
+// XML cannot represent control characters, not even escaped.
 TEST(WaysModel, ControlCharactersInNamesLeaveItXml) {
   const std::string id = R"("id":"ahead")";
   std::string query = view_test::kQuery;
