@@ -161,8 +161,7 @@ TEST(GrowingReport, LooksWhileAnotherThreadReads) {
   std::thread reading([&] {
     EXPECT_TRUE(report.add(recordOf(kLevel)));
     EXPECT_TRUE(report.add(recordOf(kQuery)));
-    while (looks == 0)
-      std::this_thread::yield();  // otherwise reading may end before the first look
+    while (looks == 0) std::this_thread::yield();  // or reading may end before the first look
     for (int i = 0; i < kWays; ++i) EXPECT_TRUE(report.add(recordOf(way)));
     EXPECT_TRUE(report.end(view::StreamState::ended, {"a note"}));
   });
@@ -196,8 +195,7 @@ TEST(GrowingReport, NobodyWaitsForOneThatLooksNoMore) {
       while (!asked) std::this_thread::yield();
       return {};
     }));
-    EXPECT_TRUE(
-        report.add(recordOf(kLevel)));  // would wait for its turn if the report were not closed
+    EXPECT_TRUE(report.add(recordOf(kLevel)));  // would wait for its turn if not closed
   });
   while (!busy) std::this_thread::yield();
   EXPECT_FALSE(report.look([](const view::Report&, view::StreamState) {}));
