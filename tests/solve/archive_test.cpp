@@ -65,8 +65,8 @@ TEST(Archive, AFullArchiveTakesNoNewCellsButBetterArrivals) {
   EXPECT_EQ(archive.cellCount(), 2u);
 }
 
-// Bodies that are where the first world's are take no memory of their own, and a state's bodies are
-// those it was offered with, whatever came before and after.
+// Bodies in the same places as the first world's share its memory. Every state keeps its own
+// bodies, whatever is offered before and after.
 TEST(Archive, KeepsTheBodiesOfEachState) {
   constexpr uint32_t kBodies = 3;
   Archive archive(kMaxCells, kBodies);
@@ -106,11 +106,11 @@ TEST(Archive, CountsVisitsFromManyThreads) {
 TEST(Archive, SingletonsAreCellsThatOnlyTheirFinderPassedThrough) {
   Archive archive;
   archive.offer(7, arrival(10), {1, 0, 10}, 1);
-  archive.offer(7, arrival(12), {1, 0, 12}, 1);  // it came by again itself
+  archive.offer(7, arrival(12), {1, 0, 12}, 1);  // the finder itself came by again
   archive.offer(8, arrival(10), {1, 0, 10}, 1);
   archive.offer(9, arrival(10), {1, 0, 10}, 1);
   EXPECT_EQ(archive.singletons(), 3u);
-  archive.offer(8, arrival(11), {2, 0, 11}, 1);  // another in the same round, though no better
+  archive.offer(8, arrival(11), {2, 0, 11}, 1);  // another rollout of the round, though no better
   EXPECT_EQ(archive.singletons(), 2u);
   archive.noteSighted(2);
   archive.noteSighted(2);

@@ -1,4 +1,4 @@
-// Which cells the choosers of the rival methods pick from archives made by hand.
+// The cells that the rival methods' selectors pick from archives made by hand.
 #include "solve/choosers/chooser.h"
 
 #include <gtest/gtest.h>
@@ -22,7 +22,7 @@ sim::World at(Vec3 position, uint32_t tick = 0, uint8_t waypoints = 0) {
   return w;
 }
 
-// The stepping stones, with all that a chooser is made from.
+// The stepping stones, with everything that a selector needs.
 struct Scene {
   Scene() : level(steppingStones().compile()), question(level), surfaces(level.view()) {}
   ExploreContext context() {
@@ -100,11 +100,11 @@ TEST(RrtChooser, StartsFromTheNearestOfTheSameProgress) {
   auto counts = tally(s.choose(chooser, 1000));
   EXPECT_EQ(counts[away], 0);
   EXPECT_GT(counts[start], 150);
-  EXPECT_GT(counts[middle], 500);  // it and what is beyond
+  EXPECT_GT(counts[middle], 500);  // its own targets and those beyond it
   const uint32_t further = s.add(at({0, 0, 900}, 0, 1));
   counts = tally(s.choose(chooser, 1000));
   EXPECT_EQ(counts[away], 0);
-  EXPECT_NEAR(counts[further], 500, 80);  // half of the targets are behind the waypoint
+  EXPECT_NEAR(counts[further], 500, 80);  // half of the targets are beyond the waypoint
 }
 
 TEST(RrtChooser, RolloutsAreShortAndOfAnyLength) {
@@ -160,7 +160,7 @@ TEST(MctsChooser, ARolloutsCellsHangBehindOneAnother) {
   s.choose(chooser, 1);
   for (int i = 0; i < 3; ++i) s.add(at({}));
   chooser.learn(s.archive, std::vector<Tried>{{0, 1, 3, 1}});
-  EXPECT_EQ(s.choose(chooser, 1)[0].cell, 3u);  // its end first
+  EXPECT_EQ(s.choose(chooser, 1)[0].cell, 3u);  // the end of the trajectory comes first
 }
 
 TEST(MctsChooser, WhatIsOutCountsAsALossUntilItIsLearnt) {
@@ -196,7 +196,7 @@ TEST(MctsChooser, EqualPayIsSharedEqually) {
   EXPECT_GT(counts[0], 150);
 }
 
-// 16 studs/s at 60 ticks/s.
+// At 16 studs/s and 60 ticks/s.
 TEST(BeamChooser, TicksLeftAreThoseOfAStraightWalkThroughTheWaypoints) {
   Scene s;
   EXPECT_FLOAT_EQ(BeamChooser(s.question.problem()).ticksLeft(at({0, 0, -12})), 12 * 60 / 16.0f);

@@ -1,4 +1,4 @@
-// Where the simulator has to leave parts out, the bound on reach says nothing.
+// The bound on reach makes no claim for places where the simulator ignores parts.
 #include <gtest/gtest.h>
 
 #include "scenes.h"
@@ -8,8 +8,8 @@
 namespace obby::solve {
 namespace {
 
-// Is nothing known of a player who starts on a floor with a row of small posts on it? `aside`:
-// studs from the start. `more`: of each post.
+// Returns true if the bound is unknown for a floor with a row of small posts. `aside` moves the
+// row, in studs; `more` sets up each post.
 bool isUnknownAmong(int posts, float aside, const LevelBuilder::PartSetter& more = {}) {
   LevelBuilder b;
   b.block({0, -0.5f, 0}, {40, 1, 40}).spawn({0, 0, 0});
@@ -35,7 +35,7 @@ TEST(Crowding, FewerMayMove) {
   EXPECT_FALSE(isUnknownAmong(sim::kMaxMovingCandidates + 1, 0)) << "standing still";
 }
 
-// However many the places are, a box holds all of a block.
+// Whatever the number of crowded places, one box covers each block of them.
 TEST(Crowding, ManyPlacesAreJoined) {
   LevelBuilder b;
   b.block({0, -0.5f, 0}, {8, 1, 8}).spawn({0, 0, 0});

@@ -1,5 +1,5 @@
-// A search whose rollouts run as a kernel gives the bytes of one on threads, also when the device
-// fails under way.
+// A search with rollouts as a kernel gives the same bytes as one on threads, even if the device
+// fails midway.
 #include <gtest/gtest.h>
 
 #include "scenes.h"

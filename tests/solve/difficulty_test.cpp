@@ -23,7 +23,7 @@ Difficulty ofGap(float gap, float pressAt) {
   return measured(scene.problem, scene.jumpAt(pressAt));
 }
 
-// A walk of 24 studs over a beam of that width, between two platforms.
+// The difficulty of a walk of 24 studs over a beam of this width, between two platforms.
 Difficulty ofBeam(float width, const std::function<void(LevelBuilder&)>& more = {}) {
   LevelBuilder b = GapScene::build(24, 8);
   b.block({0, -0.5f, -20}, {width, 1, 24});
@@ -72,7 +72,7 @@ TEST(NoisyPlayer, WithoutNoiseDoesWhatIsRecorded) {
 }
 
 TEST(NoisyPlayer, FindsBackToThePath) {
-  // Started beside the path, a player who errs in nothing else walks on it in the end.
+  // The player starts off the path and makes no other errors, and ends up on the path.
   LevelBuilder b;
   b.block({0, -0.5f, -50}, {20, 1, 100});
   b.spawn({0, 0, -2});
@@ -118,7 +118,8 @@ TEST(Difficulty, NarrowerBeamsAreHarder) {
   EXPECT_GT(narrow.success, edge.success + 0.02f);
 }
 
-// From the first place where a flight is long enough to the last where a jump is still accepted.
+// The window is from the first place with a long enough flight to the last where a jump is
+// accepted.
 TEST(PressWindow, IsTheRunUpDividedByTheSpeed) {
   for (const float gap : {8.0f, 9.5f}) {
     const GapScene scene(gap);
@@ -127,8 +128,8 @@ TEST(PressWindow, IsTheRunUpDividedByTheSpeed) {
     const std::vector<PressWindow> windows = pressWindows(Leg(scene.problem, course, segments), {});
     ASSERT_EQ(windows.size(), 1u);
     const Params& p = scene.problem.level.params;
-    // The floor is sensed this far beyond its edge; one whose feet are as far below it as the hips
-    // are high still comes up.
+    // The floor is sensed this far beyond its edge. A player whose feet are up to a hip height
+    // below the top still comes up.
     const float toe = p.bodyDepth * p.floorRaySpread;
     const float seconds =
         (p.jumpSpeed + sqrtf32(p.jumpSpeed * p.jumpSpeed + 2 * p.gravity * p.hipHeight)) /
@@ -142,7 +143,7 @@ TEST(PressWindow, IsTheRunUpDividedByTheSpeed) {
 
 TEST(PressWindow, TheRecordedPressIsInsideAndTheMiddleIsMeantInTrials) {
   const GapScene scene(8);
-  // Pressed at the last moment: most trials still pass, since players know when to press.
+  // The press comes at the last moment. Most trials still pass, since players know when to press.
   const Course late = scene.jumpAt(-9.8f);
   const std::vector<Segment> segments = segmentsOf(late);
   const PressWindow w = pressWindows(Leg(scene.problem, late, segments), {})[0];
@@ -177,7 +178,7 @@ TEST(Room, ClearanceIsTheWayToTheNearestKillPart) {
     b.block({-7, 3, -20}, {2, 2, 2},
             [](schema::Part::Builder p) { deadly(p).setShape(schema::Shape::BALL); });
   };
-  // An edge of it is nearest, to the arms.
+  // An edge of the part is nearest, to the arms.
   const auto corner = [](LevelBuilder& b) {
     b.block({6, 8, -20}, {2, 2, 2}, [](schema::Part::Builder p) { deadly(p); });
   };
@@ -233,7 +234,7 @@ TEST(Difficulty, TrialsKeepToTheQuery) {
   question.avoid.push_back(boxAt({5.3f, 4, -16}, {10, 20, 8}));
   EXPECT_LT(successOf(), free - 0.05f);
   question.avoid.clear();
-  // To be passed on the way to the second stone, and narrow.
+  // A narrow waypoint before the second stone.
   question.waypoints.push_back({boxAt({0, 4, -12}, {0.5f, 20, 1})});
   EXPECT_LT(successOf(), free - 0.05f);
 }
@@ -283,7 +284,7 @@ TEST(Difficulty, IsFiniteWhereNobodyPasses) {
   EXPECT_FLOAT_EQ(d.expectedAttempts, 40);
 }
 
-// A window of none is no jump, or one that nobody makes: the easiest or the tightest.
+// A window of zero means no jump, the easiest step, or an impossible one, the hardest.
 TEST(Difficulty, OfAsManyTrialsTheTightestJumpIsHardest) {
   const auto step = [](uint32_t jumps, float window, uint32_t passed = 50) {
     DifficultyStep out;
@@ -302,7 +303,7 @@ TEST(Difficulty, OfAsManyTrialsTheTightestJumpIsHardest) {
   EXPECT_FALSE(harder(lost, step(0, 0, 40)));
 }
 
-// In words for designers: parts by name, the time to press in seconds.
+// The text is for designers: parts by name, and the time to press in seconds.
 TEST(Difficulty, SaysWhichStepIsHardest) {
   LevelBuilder b = GapScene::build(5, 8);
   const level::Level level = b.compile();

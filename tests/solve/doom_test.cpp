@@ -1,4 +1,4 @@
-// Below everything there is a search stops; whoever it gave up has indeed no way back.
+// A search gives up players below all parts. Each one given up indeed cannot come back.
 #include "solve/rollouts/doom.h"
 
 #include <gtest/gtest.h>
@@ -38,7 +38,7 @@ TEST(Doom, CoversTheWholeWayOfAMover) {
               0.1f);
 }
 
-// Random rollouts that are given up are played on: all of them fall, and meet nothing.
+// Random rollouts that were given up are continued: all of them fall without touching anything.
 TEST(Doom, WhoeverIsGivenUpFalls) {
   LevelBuilder b = steppingStones();
   b.physics([](schema::PhysicsParams::Builder p) { p.setFallenPartsHeight(-60); });
@@ -63,7 +63,8 @@ TEST(Doom, WhoeverIsGivenUpFalls) {
   EXPECT_GT(doomedCount, 100);
 }
 
-// To a reader of the answer nothing has changed: attempts that were given up are shown falling.
+// The answer hides this optimisation: attempts that were given up are shown to the end of their
+// fall.
 TEST(Doom, AttemptsAreShownToTheEndOfTheirFall) {
   const LinesFile file(stonesText(R"(,"avoid":[{"position":[0,0,-10],"size":[200,200,1]}])"));
   FilterOptions o;

@@ -1,4 +1,4 @@
-// Solutions that depend on what the import is not sure of, and how they are told.
+// Solutions that depend on uncertain parts of the import, and how answers report them.
 #include <gtest/gtest.h>
 
 #include <optional>
@@ -32,7 +32,7 @@ class DoubtfulLevel : public LevelBuilder {
   void loss(const char* kind, schema::Bearing bearing, bool anywhere) {
     losses_.push_back({kind, bearing, anywhere});
   }
-  // To a box of 8 x 4 x 8 around `goal`.
+  // Solves the query for a goal of 8 x 4 x 8 around `goal`.
   Answered solve(Vec3 goal, std::vector<const char*> bodies = {}) {
     io::RecordBuilder level;
     level.root().setLevel(record());
@@ -82,7 +82,7 @@ class DoubtfulLevel : public LevelBuilder {
 
 constexpr Vec3 kBehindTheStone{0, 2, -28};
 
-// A start and a goal, with a stone between them that is in doubt.
+// A start and a goal, and between them a stone whose import is uncertain.
 DoubtfulLevel stoneInDoubt() {
   DoubtfulLevel level;
   level.block({0, -0.5f, 0}, {8, 1, 8});
@@ -166,7 +166,7 @@ TEST(Doubts, AnAnswerForSeveralBodiesHoldsIfEachDoes) {
   EXPECT_TRUE(unsolved.result().getHolds());
 }
 
-// A loss that may help somewhere else leaves open whether the part is needed.
+// A loss that may help elsewhere leaves open whether the part is needed.
 TEST(Doubts, NothingIsShownToBeNeededWhereAnotherLossMayHelp) {
   DoubtfulLevel level = stoneInDoubt();
   level.loss("water", schema::Bearing::EITHER, true);
@@ -176,7 +176,7 @@ TEST(Doubts, NothingIsShownToBeNeededWhereAnotherLossMayHelp) {
       << answered.reason();
 }
 
-// Nothing that a player lacks can make it worse.
+// A loss that only hinders the player cannot make the goal reachable.
 TEST(Doubts, UnreachableIsSaidWhereALossCanOnlyHinder) {
   for (const auto bearing :
        {schema::Bearing::EITHER, schema::Bearing::EASIER, schema::Bearing::HARDER}) {

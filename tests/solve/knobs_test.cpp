@@ -1,4 +1,4 @@
-// What each knob changes of a query or its level, and what it leaves alone; where the knobs look.
+// Each relaxation's changes to a query or its level, and the parts that relaxations consider.
 #include "solve/relaxation/knobs.h"
 
 #include <gmock/gmock.h>
@@ -32,7 +32,7 @@ constexpr const char* kKnobsLevel =
     R"({"name":"Crate","position":[3,2,-4],"size":[2,2,2],"anchored":false}],)"
     R"("spawns":[{"position":[0,0,-2]}]})";
 
-// A query over that level that failed in a way that the test makes up.
+// A query over the level, with a failure that the test makes up.
 struct KnobsScene {
   explicit KnobsScene(const std::string& fields)
       : levelRecord(knobsRecord(kKnobsLevel)),
@@ -166,14 +166,15 @@ TEST(Knobs, TheOtherAvoidRegionsStay) {
   EXPECT_EQ(std::string(rest[1].getName()), "c");
 }
 
-// On the floor and on the lift, never on the far platform; the lava and the crate do not count.
+// The search has been on the floor and on the lift, never on the far platform. Lava and crate do
+// not count.
 TEST(Knobs, PartsToLowerLieBeyondWhereTheSearchHasBeen) {
   KnobsScene s(kGoal);
   s.footprints.note({{0, 0, -2}, {0, 0, -6}, {0, 6, -14}});
   EXPECT_THAT(partsBeyond(s.failure(), 4), ElementsAre(3u));
 }
 
-// A method that finds the same wrong way whatever it is asked, and takes no for an answer.
+// A method that always finds the same wrong trajectory, and does not take no for an answer.
 SearchOutcome guess(const Problem& p, const Budget&, const Watcher& watcher, const Machine&) {
   Playthrough wrong;
   wrong.end = p.start;

@@ -1,4 +1,4 @@
-// Of a stream that does not end the newest queries are kept for its trajectories.
+// An endless stream keeps its newest queries for their trajectories.
 #include "solve/known_queries.h"
 
 #include <gmock/gmock.h>
@@ -20,7 +20,7 @@ io::Record queryCalled(const std::string& id, float timeLimit = 1) {
   return io::Record(std::move(record));
 }
 
-// Of a query whose id has one letter.
+// The size of a query whose id has one letter.
 uint64_t knownQueriesBytesOfOne() { return KnownQueries::bytesOf("l", queryCalled("a")); }
 
 std::string knownQueriesErrorOf(const KnownQueries& known, const std::string& level,

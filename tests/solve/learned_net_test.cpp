@@ -1,5 +1,5 @@
-// What learning within a search runs on: products in a fixed order, gradients held against finite
-// differences in double precision, losses, the latent space.
+// The basis of learning within a search: products in a fixed order, losses, and the latent space.
+// Gradients are compared with finite differences in double precision.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -26,7 +26,7 @@ std::vector<S> learnedNetDrawn(size_t count, Random& random) {
   return v;
 }
 
-// Whatever the lanes: each number is summed as a loop would.
+// For any number of lanes, each number is summed in the order of a loop.
 TEST(Product, HasTheBitsOfALoop) {
   Random random(1, 1);
   for (const size_t rows : {1u, 7u, 8u, 19u}) {
@@ -45,7 +45,7 @@ TEST(Product, HasTheBitsOfALoop) {
   }
 }
 
-// The sum of the outputs, each times a weight of its own: its slope by them is these.
+// The loss is the sum of the outputs times fixed weights, which are its gradient by the outputs.
 TEST(Net, GradientsAreThoseOfFiniteDifferences) {
   constexpr size_t kRows = 5;
   Random random(2, 2);
@@ -77,7 +77,7 @@ TEST(Net, GradientsAreThoseOfFiniteDifferences) {
   check(inputs, inputSlope);
 }
 
-// Holds the slope that loss(at, slope) fills against its differences.
+// Compares the gradient from loss(at, slope) with finite differences.
 template <class Loss>
 void checkSlope(std::vector<double> at, Loss&& loss, double within = 1e-6) {
   std::vector<double> slope(at.size()), unused(at.size());
@@ -98,7 +98,7 @@ TEST(ImitationLoss, SlopesAreThoseOfFiniteDifferences) {
   for (int n = 0; n < 20; ++n) {
     const auto at = learnedNetDrawn<double>(policy::kPaddedOutputs, random);
     const policy::Decision d{int(random.below(policy::kMoves)), true, 0, 0, 2};
-    // How much better it went is a constant to the likelihood's slope, not to the value's.
+    // The advantage counts as a constant in the likelihood's gradient, but not in the value's.
     const double better = double(d.target) - at[policy::kMoves];
     checkSlope(at, [&](const double* out, double* slope) {
       imitationLoss<double>(out, d, 0.1, 0.5, slope);
@@ -122,14 +122,14 @@ TEST(QuantileLoss, SlopesAreThoseOfFiniteDifferences) {
   for (int n = 0; n < 20; ++n) {
     const auto targets = learnedNetDrawn<double>(kQuantiles, random);
     auto at = learnedNetDrawn<double>(kQuantiles, random);
-    for (double& v : at) v *= 3;  // on both sides of where the loss becomes straight
+    for (double& v : at) v *= 3;  // both sides of the point where the loss becomes linear
     checkSlope(at, [&](const double* predicted, double* slope) {
       return quantileLoss(predicted, targets.data(), slope);
     });
   }
 }
 
-// Followed downhill, predictions come to the quantiles of the targets.
+// Gradient descent moves predictions to the quantiles of the targets.
 TEST(QuantileLoss, EndsAtTheQuantiles) {
   double targets[kQuantiles], predicted[kQuantiles] = {}, slope[kQuantiles];
   for (size_t i = 0; i < kQuantiles; ++i) targets[i] = 100 * double(i);
@@ -156,7 +156,7 @@ TEST(SoftWindow, PassesSubgoalsInOrderOrAheadWithinIt) {
   EXPECT_TRUE(passSubgoals(next, 30, at(kWindow)));  // the last of the window
   EXPECT_EQ(next, kWindow + 1);
   EXPECT_FALSE(passSubgoals(next, 30, at(next + kWindow)));  // the first beyond
-  EXPECT_FALSE(passSubgoals(next, 30, at(next - 1)));        // behind
+  EXPECT_FALSE(passSubgoals(next, 30, at(next - 1)));        // already passed
   EXPECT_EQ(next, kWindow + 1);
   EXPECT_TRUE(passSubgoals(next, 14, [](size_t) { return true; }));  // the farthest of several
   EXPECT_EQ(next, 14u);
@@ -214,7 +214,7 @@ TEST(Neighbours, DistancesAreThoseOfASort) {
   }
 }
 
-// Standing states only, by 1 / (1 + actions / 2); the start always.
+// Only standing states, with weight 1 / (1 + actions / 2); the start always counts.
 TEST(CellChoice, WeighsCellsByTheActionsTakenThere) {
   CellChoice choice;
   for (int n = 0; n < 6; ++n) choice.act(1);
@@ -225,7 +225,7 @@ TEST(CellChoice, WeighsCellsByTheActionsTakenThere) {
   EXPECT_NEAR(counts[0] / 50'000.0, 0.8, 0.01);  // 1 against 1/4
 }
 
-// Rows of a policy that is sure of itself, at one place; returned: how far learning moved it.
+// Returns how far learning moves a policy, from rows of confident decisions at one place.
 float movedBy(Maker maker) {
   GoalPolicy policy({}, 1);
   const std::vector<float> before = policy.net().numbers();
@@ -251,7 +251,7 @@ TEST(GoalPolicy, LearnsFromReturnsAndKeptWaysButNotFromExploring) {
   EXPECT_GT(movedBy(Maker::kept), 1e-4f);
 }
 
-// Two visits in opposite arms: who has been in the one is elsewhere than who has been in the other.
+// Two visits in opposite arms: having made the one is far from having made the other.
 TEST(InverseDynamics, TellsWhichVisitsAreBehind) {
   const level::Level level = steppingStones().compile();
   const Problem problem = support::endlessProblem(level);

@@ -1,4 +1,4 @@
-// Where the simulator has to leave parts out, the answer says so.
+// The answer reports if the simulator had to ignore parts.
 #include <gtest/gtest.h>
 
 #include "sim/candidates.h"
@@ -10,7 +10,7 @@
 namespace obby::solve {
 namespace {
 
-// `posts` thin posts around the spawn, over a floor.
+// A level with `posts` thin posts around the spawn, over a floor.
 level::Level crowded(int posts) {
   support::LevelBuilder b;
   b.block({0, -1, 0}, {40, 2, 40}).spawn({0, 3, 0});

@@ -1,4 +1,4 @@
-// Parts in sentences for people.
+// Names of parts in messages.
 #include "solve/answers/part_text.h"
 
 #include <gtest/gtest.h>

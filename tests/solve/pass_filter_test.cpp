@@ -1,4 +1,4 @@
-// Which playthroughs pass a place: also between two ticks.
+// Trajectories that pass a place, also between two ticks.
 #include "solve/answers/pass_filter.h"
 
 #include <fmt/format.h>
@@ -41,7 +41,7 @@ TEST_F(PassFilterTest, TheStartIsPassed) {
   EXPECT_TRUE(keeps({{"0,0,-2,0.1,1,0.1"}, {}}));
 }
 
-// What is still to come decides, too.
+// A trajectory is rejected for a place that it passes later, too.
 TEST_F(PassFilterTest, AForbiddenPlaceBehindAllOthersCounts) {
   makeTrajectory();
   const std::string early = "0,2,-6,8,4,2", late = "0,6,-22,8,16,2";

@@ -1,4 +1,4 @@
-// A query for several players: one answer for each, one result for all.
+// A query for several players gives one answer for each, and one result for all.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -30,7 +30,7 @@ std::string playersAnswer(const std::string& text, FilterOptions options = quick
   return out.output;
 }
 
-// The lines of a kind.
+// Returns the lines of records of this type.
 std::vector<std::string> lines(const std::string& text, const std::string& type) {
   std::vector<std::string> found;
   std::istringstream in(text);
@@ -53,7 +53,7 @@ Filtered checked(const std::string& text) {
   return runFilter(file.path(), std::move(o));
 }
 
-// The place's own body has short legs: it does not get onto a ledge that an R6 body gets onto.
+// The place's own body has short legs. It cannot climb the ledge, and an R6 body can.
 std::string ledge(const std::string& more) {
   return std::string(
              R"({"type":"level","name":"ledge","physics":{"fallenPartsHeight":-40,"hipHeight":0.5,)"
@@ -158,7 +158,8 @@ TEST(SameKeys, SolveItForEveryPlayer) {
 }
 
 TEST(SameKeys, AreAskedOfEveryPlayerWhenASolutionIsChecked) {
-  // Keys that solve it at 30 frames a second for the R6 body, offered as such for the place's, too.
+  // These keys solve it at 30 frames a second for the R6 body. They are then claimed for the
+  // place's body, too.
   std::string out = playersAnswer(ledge(R"(,"bodies":["r6"],"frameRates":[30])"));
   const std::string asked = R"("bodies":["r6"],"frameRates":[30])";
   ASSERT_NE(out.find(asked), std::string::npos);

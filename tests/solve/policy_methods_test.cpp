@@ -1,5 +1,5 @@
-// Methods that a trained policy guides: whose moves a rollout makes, and that nothing but the
-// inputs decides what is found.
+// Methods guided by a trained policy: the source of a rollout's moves, and results that only the
+// inputs decide.
 #include <gtest/gtest.h>
 
 #include "policy/policy.h"
@@ -66,7 +66,7 @@ TEST(PolicyMethods, GiveTheSameBytesOnAnyNumberOfThreadsAndOnADevice) {
   }
 }
 
-// Rollouts by a policy are kernels like the others: the device keeps all of them.
+// Rollouts by a policy are kernels like the others, so that the device runs all of them.
 TEST(PolicyMethods, RunOnTheDevice) {
   const level::Level stones = steppingStones().compile();
   Question q(stones);
@@ -93,7 +93,7 @@ TEST(PolicyMethods, DifferFromTheSameWithoutAPolicy) {
             withoutTiming(runFilter(file.path(), std::move(without)).output));
 }
 
-// A chooser that always takes the first cells in turn.
+// A selector that takes the first cells in turn.
 class InTurn : public Chooser {
  public:
   void choose(const Archive& archive, ThreadPool&, Random&, std::span<Choice> choices) override {
@@ -155,7 +155,7 @@ TEST(PolicyFirst, IsNotBeforeItsRound) {
   }
 }
 
-// What is held is what the policy says of the state, anew at each decision, to the last tick.
+// The policy decides anew from the state at each decision, up to the last tick.
 TEST(PolicyMethods, ARolloutIsThePolicysFromItsFirstTickToItsLast) {
   const level::Level stones = steppingStones().compile();
   Question q(stones);
@@ -184,7 +184,7 @@ TEST(PolicyMethods, ARolloutIsThePolicysFromItsFirstTickToItsLast) {
   }
 }
 
-// 8,192 in step, 120 ticks each, every state, cells of a stud, nothing aimed, no hedge.
+// 8,192 rollouts in step, 120 ticks each, every state, cells of a stud, no aims, no hedge.
 TEST(PlainGoExplore, IsAsTheDocsSay) {
   const GoExploreSettings s = plainSettings();
   EXPECT_EQ(s.rollouts, 8192u);

@@ -1,4 +1,4 @@
-// Queries from the command line and the stream's order.
+// Queries from the command line, and the order of the stream.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -151,7 +151,8 @@ TEST(Filter, ALevelThatNamesNoEndNeedsAQuery) {
                 "or put a query record after the level)"));
 }
 
-// Whoever types a limit may mean the stream's own queries: the error says how to ask those.
+// A limit on the command line may be meant for the stream's own queries. The error says how to
+// apply it.
 TEST(Filter, ALimitOfANewQueryNeedsAGoalAndTheErrorNamesEach) {
   const std::string level = R"({"type":"level","name":"bare","parts":[{"name":"A"}],"spawns":[{}]})"
                             "\n";

@@ -1,5 +1,5 @@
-// Nobody leaves the bound on reach: random levels, random physics, players who try. More with
-// OBBY_ATTACKS=COUNT, from seed OBBY_ATTACK_SEED on.
+// No player leaves the bound on reach: random levels, random physics, random players.
+// OBBY_ATTACKS=COUNT tests more of them, from seed OBBY_ATTACK_SEED on.
 #include <gtest/gtest.h>
 
 #include <cstdio>
@@ -33,7 +33,7 @@ void attackAll(bool features, uint16_t tricks = 0) {
 TEST(ReachAttack, NobodyLeavesTheBoundAmongBlocks) { attackAll(false); }
 TEST(ReachAttack, NobodyLeavesTheBoundAmongAllParts) { attackAll(true); }
 
-// Each trick has laws of its own that players could use to get out.
+// Each trick has its own physics, which players could use to leave the bound.
 TEST(ReachAttack, NobodyLeavesTheBoundByAHeldJump) { attackAll(false, kHeldJump); }
 TEST(ReachAttack, NobodyLeavesTheBoundByAHangingLanding) { attackAll(false, kHangingLanding); }
 TEST(ReachAttack, NobodyLeavesTheBoundByAWallHop) { attackAll(false, kWallHop); }

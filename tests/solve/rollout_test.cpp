@@ -34,7 +34,7 @@ TEST(Rollout, TheSameSeedAndStreamGiveTheSameActionsAndState) {
   for (uint64_t stream = 0; stream < 50; ++stream) {
     sim::World a = scene.question.problem().start, b = a;
     const uint32_t ticks = runRollout(c, 7, stream, a, nullptr, 100, [](auto, auto&) {});
-    // Half of it, then again in full: what was drawn depends on nothing outside.
+    // After half a rollout the test repeats it in full: the draws depend on nothing outside.
     runRollout(c, 7, stream, b, nullptr, ticks / 2, [](auto, auto&) {});
     b = scene.question.problem().start;
     EXPECT_EQ(runRollout(c, 7, stream, b, nullptr, 100, [](auto, auto&) {}), ticks);
@@ -128,7 +128,7 @@ TEST(Surfaces, AreWhereAPlayerCanStandAndNotOnKillParts) {
   EXPECT_TRUE(high);
 }
 
-// Aims that are no higher than a jump lead all the way up a truss.
+// Aims at most a jump apart lead all the way up a truss.
 TEST(Surfaces, OfATrussAreAlongItsWholeHeight) {
   LevelBuilder b = steppingStones();
   b.block({50, 20, 0}, {2, 40, 2},

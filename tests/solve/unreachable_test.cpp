@@ -1,5 +1,4 @@
-// The verdict `unreachable`: what it names, and that it is not said where something may be
-// possible.
+// The verdict `unreachable`: its reasons, and its absence where a solution may exist.
 #include "solve/proof/unreachable.h"
 
 #include <fmt/format.h>
@@ -16,7 +15,7 @@ namespace {
 
 using testing::HasSubstr;
 
-// What a short search makes of a stream.
+// Returns the answers of a short search.
 Filtered answered(const std::string& text) {
   const LinesFile file(text);
   FilterOptions o;
@@ -25,7 +24,7 @@ Filtered answered(const std::string& text) {
   return runFilter(file.path(), std::move(o));
 }
 
-// Stones with gaps of 12 and 11 studs, the third 3 studs up, and a ledge far above.
+// Stones with gaps of 12 and 11 studs, the third one 3 studs higher, and a ledge far above.
 Filtered unreachableAsk(const std::string& limits, const std::string& more = {}) {
   return answered(R"({"type":"level","name":"stones","parts":[)"
                   R"({"name":"A","position":[0,-0.5,-4],"size":[8,1,8]},)"
@@ -57,7 +56,7 @@ TEST(Unreachable, NamesTheStepThatIsMissing) {
   EXPECT_THAT(f.output, HasSubstr(R"("reached":[0,1,2],"from":2,"rise":)"));
 }
 
-// A goal `rise` studs above the last stone, which a jump of 7.3 does not reach.
+// A goal `rise` studs above the head of a player on the last stone. A jump gains 7.3 studs.
 std::string goalAbove(float rise) {
   return fmt::format(R"("goal":{{"name":"up","position":[0,{},-43],"size":[8,4,8]}})",
                      5 + 5 + rise);
@@ -71,7 +70,7 @@ TEST(Unreachable, SaysWhichTricksMightHelpAndWhetherItHoldsWithAll) {
   EXPECT_THAT(high.output, HasSubstr(R"("withTricks":true)"));
 }
 
-// Somebody else might.
+// The reason must say that jumping is forbidden, as a player who may jump is not excluded.
 TEST(Unreachable, NobodyWithoutJumpingIsSaidToBeSo) {
   const std::string words = "No player can reach the goal 'third' without jumping. From '";
   expectUnreachable(unreachableAsk(std::string(kThird) + R"(,"maxJumps":0)"), words);
@@ -133,8 +132,8 @@ TEST(Unreachable, SaysNothingOfTimeWhereAWallThatNobodyStandsOnPushes) {
   EXPECT_EQ(unreachableAsk(limit).counts.unreachable, 1u) << "without it";
 }
 
-// From 16,384 studs on a place's last bit is a 512th of a stud: a walk of 136.5 of them a tick is
-// one of 137.
+// From 16,384 studs on, positions have steps of a 512th of a stud. A tick of walking is 136.5 of
+// them, and rounds to 137.
 TEST(Unreachable, KnowsThatPlacesFarOutAreRounded) {
   LevelBuilder b;
   b.block({0, -0.5f, -17500}, {8, 1, 2040}).spawn({0, 0, -16500});
@@ -187,7 +186,7 @@ TEST(Unreachable, IsNotSaidWhereATeleporterLeadsSoHigh) {
   EXPECT_EQ(counted("10000"), 1u);
 }
 
-// The last tick of the level's clock is followed by its first, in which a lift may be elsewhere.
+// After the last tick of the level's clock comes its first one, at which a lift may be elsewhere.
 TEST(Unreachable, IsNotSaidWhereTheClockOfALiftBeginsAnew) {
   LevelBuilder b;
   b.block({0, -0.5f, -4}, {8, 1, 8}).block({0, -5, -4}, {2, 1, 2}, [](schema::Part::Builder p) {
@@ -245,7 +244,7 @@ TEST(Unreachable, IsNotSaidWhereLoosePartsCanBePiledUp) {
   EXPECT_EQ(f.counts.unknown, 1u);
 }
 
-// A row of small posts across the first stone, so many studs beside it.
+// A row of small posts on the first stone, moved by `aside` studs.
 std::string posts(int count, float aside) {
   std::string text;
   for (int i = 0; i < count; ++i) {
@@ -255,7 +254,7 @@ std::string posts(int count, float aside) {
   return text;
 }
 
-// Some of them are not there for whoever is among them.
+// The simulator ignores some of the posts for a player among them.
 TEST(Unreachable, IsNotSaidWhereMorePartsAreNearThanTheSimulatorLooksAt) {
   const std::string ledge = R"("goal":{"part":"Ledge"})";
   EXPECT_EQ(unreachableAsk(ledge, posts(60, 0)).counts.unreachable, 0u);
@@ -264,7 +263,7 @@ TEST(Unreachable, IsNotSaidWhereMorePartsAreNearThanTheSimulatorLooksAt) {
   EXPECT_EQ(unreachableAsk(ledge, posts(60, 500)).counts.unreachable, 1u) << "nobody comes there";
 }
 
-// What the importer left out may be the way.
+// Parts that the importer left out may lead to the goal.
 TEST(Unreachable, IsNotSaidOfALevelThatLacksPartOfItsPlace) {
   const auto answer = [](const std::string& text) { return answered(text).output; };
   std::string text = stonesText(R"(,"timeLimit":0.5)");
