@@ -118,8 +118,7 @@ TEST(Difficulty, NarrowerBeamsAreHarder) {
   EXPECT_GT(narrow.success, edge.success + 0.02f);
 }
 
-// The window is from the first place with a long enough flight to the last where a jump is
-// accepted.
+// The window is from the first position whose flight suffices to the last that allows a jump.
 TEST(PressWindow, IsTheRunUpDividedByTheSpeed) {
   for (const float gap : {8.0f, 9.5f}) {
     const GapScene scene(gap);
@@ -284,7 +283,7 @@ TEST(Difficulty, IsFiniteWhereNobodyPasses) {
   EXPECT_FLOAT_EQ(d.expectedAttempts, 40);
 }
 
-// A window of zero means no jump, the easiest step, or an impossible one, the hardest.
+// A window of zero is easiest for a step without a jump, and hardest for one with a jump.
 TEST(Difficulty, OfAsManyTrialsTheTightestJumpIsHardest) {
   const auto step = [](uint32_t jumps, float window, uint32_t passed = 50) {
     DifficultyStep out;

@@ -1,5 +1,5 @@
-// Explanations of unsolved queries: the change that makes them solvable, reduced to the necessary
-// amount. There is none if no single change suffices.
+// Explanations of unsolved queries state a single change that makes them solvable, reduced to the
+// necessary amount. There is none if no single change suffices.
 #include "solve/relaxation/explain.h"
 
 #include <gmock/gmock.h>
@@ -275,8 +275,7 @@ TEST(Explain, SaysNothingOfWhatIsSolved) {
   EXPECT_THAT(e.reason, Not(HasSubstr("single change")));
 }
 
-// The verdict of an unreachable goal stands. The reason does not mention changes that were not
-// tried.
+// The verdict `unreachable` stands, and the reason does not mention untried changes.
 TEST(Explain, StopsWhenToldTo) {
   const std::atomic<bool> stop{true};
   const LinesFile file(stepUp(40));
