@@ -1,4 +1,4 @@
-// Recordings that include moving parts, loose parts and the player's facing.
+// Recordings that include moving parts, dynamic parts and the player's facing.
 #include "calibrate/surroundings.h"
 
 #include <gtest/gtest.h>

@@ -105,7 +105,7 @@ void expectSame(schema::Part::Reader a, schema::Part::Reader b) {
   EXPECT_LT(length(level::vec(turning.getPivot()) - level::vec(back.getPivot())), 0.01f) << what;
   EXPECT_EQ(a.hasVanish(), b.hasVanish()) << what;
   if (b.hasVanish()) expectSame(a.getVanish(), b.getVanish(), what);
-  // Loose parts stay loose. Carriers are loose in the place, and recognised by their drive.
+  // Dynamic parts stay dynamic. Carriers are dynamic in the place, and recognised by their drive.
   if (!a.hasMotion()) {
     EXPECT_EQ(a.getAnchored(), b.getAnchored()) << what;
   }

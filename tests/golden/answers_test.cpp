@@ -2,7 +2,6 @@
 // tick and bit for bit. tests/golden/answers.tsv holds solutions of queries of levels/ by plain
 // search, by search guided by the shipped policy, and by the methods that learn while they search.
 // After a deliberate change of the simulator, the search, the shipped policy or these levels, run:
-// change answers:
 //   OBBY_WRITE_GOLDEN=1 test_golden --gtest_filter='Golden.Answers*' && git diff tests/golden
 #include <gtest/gtest.h>
 
@@ -37,7 +36,7 @@ constexpr Asked kAsked[] = {
 };
 
 // Observations, networks, sampled actions and learning decide these answers. The levels have still,
-// moving, climbed, vanishing and loose parts; some stay unsolved. Budgets are small: a round of
+// moving, climbed, vanishing and dynamic parts; some stay unsolved. Budgets are small: a round of
 // `ge-ps` has 8,192 rollouts, `rl` ends after one round or tens of rounds, and `pbge` and `cflge`
 // learn for about twenty.
 constexpr Asked kPlayedByNetworks[] = {

@@ -1,4 +1,4 @@
-// Golden scenes with loose bodies.
+// Golden scenes with dynamic bodies.
 #pragma once
 
 #include "golden/scenes.h"

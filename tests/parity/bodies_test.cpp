@@ -1,4 +1,4 @@
-// Loose bodies against formulas if there are any, and against Bullet's rigid bodies. Rounding
+// Dynamic bodies against formulas if there are any, and against Bullet's rigid bodies. Rounding
 // decides impacts on an edge. After those, the tests compare the height and the face on which a
 // body rests. If nothing tumbles, they compare the whole pose.
 #include <gtest/gtest.h>

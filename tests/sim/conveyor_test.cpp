@@ -54,7 +54,8 @@ TEST(Conveyor, that_turns_turns_about_where_its_part_is) {
   }
 }
 
-// A box 6 studs east of the middle moves north, and around it by a radian in one second.
+// A box 6 studs east of the middle is carried around it, first northwards, by a radian in one
+// second.
 TEST(Conveyor, that_turns_takes_loose_parts_round_where_it_is) {
   const auto level =
       LevelBuilder()

@@ -1,4 +1,4 @@
-// Forces between the player and loose bodies, against calculated values.
+// Forces between the player and dynamic bodies, against calculated values.
 #include <gtest/gtest.h>
 
 #include "play.h"

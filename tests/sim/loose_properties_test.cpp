@@ -1,4 +1,4 @@
-// Properties of loose bodies in any level, checked with random bodies (rapidcheck, as in
+// Properties of dynamic bodies in any level, checked with random bodies (rapidcheck, as in
 // properties_test.cpp).
 #include <gtest/gtest.h>
 

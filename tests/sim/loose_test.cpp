@@ -1,5 +1,5 @@
-// Loose bodies fall, rest, stack, slide, roll and sleep. The player pushes them, stands on them and
-// jumps from them.
+// Dynamic bodies fall, rest, stack, slide, roll and sleep. The player pushes them, stands on them
+// and jumps from them.
 #include <gtest/gtest.h>
 
 #include <cmath>

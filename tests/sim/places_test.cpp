@@ -115,7 +115,7 @@ TEST(Seat, RidesWithAMovingSeat) {
   EXPECT_NEAR(play.world.velocity.x, 10, 0.01f);
 }
 
-// The leap back to the start is no speed that a player who jumps off keeps.
+// A player who jumps off does not inherit the leap back to the start as a speed.
 TEST(Seat, WhereAMotionBeginsAnewThrowsNobody) {
   const auto level = movingSeat();
   Play play(level, {0, 1, 0});

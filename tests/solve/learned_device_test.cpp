@@ -118,7 +118,7 @@ void expectTheSameOnADevice(const Problem& problem, int rounds, const char* name
 TEST(LearnedDevice, SearchesAreTheSameCellByCell) {
   for (const auto& [name, scene] : residentScenes()) {
     const Problem problem = scene->question.problem();
-    const int rounds = problem.level.looseCount != 0 ? 3 : 6;  // loose bodies are slow
+    const int rounds = problem.level.looseCount != 0 ? 3 : 6;  // dynamic bodies are slow
     expectTheSameOnADevice<Pbge, PbgeSettings>(problem, rounds, name);
     expectTheSameOnADevice<Cflge, CflgeSettings>(problem, rounds, name);
   }

@@ -8,7 +8,7 @@
 namespace obby::solve {
 namespace {
 
-// A goal far out of reach, among loose parts, so that nothing can be proved.
+// A goal far out of reach, among dynamic parts, so that nothing can be proved.
 io::RecordBuilder hopelessLevel() {
   LevelBuilder b = steppingStones();
   b.block({3, 1, -4}, {1, 1, 1}, [](auto part) { part.setAnchored(false); });

@@ -27,7 +27,7 @@ struct ResidentScene {
   uint32_t replayed = 1;    // one cell in this many is replayed
 };
 
-// Levels whose cells differ in many ways: moving parts, jumps, waypoints, loose bodies.
+// Levels whose cells differ in many ways: moving parts, jumps, waypoints, dynamic bodies.
 inline std::vector<std::pair<const char*, std::unique_ptr<ResidentScene>>> residentScenes() {
   std::vector<std::pair<const char*, std::unique_ptr<ResidentScene>>> all;
   all.emplace_back("stones", std::make_unique<ResidentScene>(steppingStones()));
@@ -39,7 +39,7 @@ inline std::vector<std::pair<const char*, std::unique_ptr<ResidentScene>>> resid
   q.waypoints = {{boxAt({3, 2, -18}, {2, 4, 2})}, {boxAt({-3, 2, -1}, {2, 4, 2})}};
   q.query.goal = boxAt({0, 2, -28}, {8, 4, 8});
   all.emplace_back("loose", std::make_unique<ResidentScene>(golden::looseBodies()));
-  all.back().second->rollouts = 24;  // loose bodies are slow
+  all.back().second->rollouts = 24;  // dynamic bodies are slow
   all.back().second->replayed = 7;
   return all;
 }

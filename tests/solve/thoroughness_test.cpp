@@ -83,7 +83,7 @@ TEST(Thoroughness, CountsRolloutsAndCellsOfASearch) {
   }
 }
 
-// On a pedestal of a few cells, the search soon has nothing left to find. On a plain it has.
+// On a pedestal of a few cells, the search soon runs out of new cells. On a plain it does not.
 TEST(Thoroughness, ASmallPlaceIsSaturatedALargeOneGrows) {
   LevelBuilder small, large;
   small.block({0, -0.5f, 0}, {4, 1, 4}).spawn({0, 0, 0});

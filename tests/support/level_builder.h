@@ -148,7 +148,7 @@ inline LevelBuilder movingArena(uint32_t boxes, uint32_t movers, uint64_t seed) 
   return b;
 }
 
-// The arena with eight moving platforms and `boxes` loose boxes away from their motions. If
+// The arena with eight moving platforms and `boxes` dynamic boxes away from their motions. If
 // `restless`, the boxes never fall asleep.
 inline LevelBuilder looseArena(uint32_t boxes, bool restless, uint64_t seed) {
   LevelBuilder b = movingArena(100, 8, seed);

@@ -127,7 +127,7 @@ TEST(Budget, CountsWhatPartsDoOnAWay) {
   EXPECT_LT(sizes.attempts + sizes.whole, json.text().size() * 5 / 4);
 }
 
-// A larger stride does not shrink the tracks of loose bodies.
+// A larger stride does not shrink the tracks of dynamic bodies.
 TEST(Budget, LeavesOutAttemptsWhoseLooseBodiesDoNotFit) {
   view::PageSizes sizes;
   sizes.attempts = 2u << 20;
