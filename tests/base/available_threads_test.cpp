@@ -37,12 +37,12 @@ TEST(AvailableThreads, FollowsSlurm) {
   EXPECT_EQ(availableThreads(), 13);
 }
 
-TEST(AvailableThreads, IsTheAffinityElse) {
+TEST(AvailableThreads, FallsBackToTheAffinity) {
   const SlurmVariable variable(nullptr);
   EXPECT_EQ(availableThreads(), affinity());
 }
 
-TEST(AvailableThreads, IgnoresASlurmValueThatIsNoCount) {
+TEST(AvailableThreads, IgnoresAnInvalidSlurmValue) {
   for (const char* text : {"", "0", "-4", "many"}) {
     const SlurmVariable variable(text);
     EXPECT_EQ(availableThreads(), affinity()) << text;

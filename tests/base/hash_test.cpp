@@ -14,7 +14,7 @@ uint64_t hashText(const std::string& text, uint64_t seed = 0) {
   return hashBytes(text.data(), text.size(), seed);
 }
 
-TEST(Hash, GivesThePublishedDigests) {
+TEST(Hash, EqualsThePublishedDigests) {
   EXPECT_EQ(hashText(""), 0x2d06800538d394c2ull);
   EXPECT_EQ(hashText("a"), 0xe6c632b61e964e1full);
   EXPECT_EQ(hashText("abc"), 0x78af5f94892f3950ull);

@@ -9,7 +9,7 @@
 namespace obby {
 namespace {
 
-TEST(Shuffle, HasEverythingOnce) {
+TEST(Shuffle, ContainsEveryIndexOnce) {
   for (const uint32_t count : {1u, 2u, 3u, 4u, 5u, 17u, 64u, 65u, 1000u, 4096u, 70'001u}) {
     const Shuffle shuffle(7, count, count);
     std::vector<int> seen(count);
@@ -21,7 +21,7 @@ TEST(Shuffle, HasEverythingOnce) {
   }
 }
 
-TEST(Shuffle, OfAnotherStreamOrSeedIsAnother) {
+TEST(Shuffle, DiffersForAnotherStreamOrSeed) {
   const Shuffle a(1, 1, 1000), b(1, 2, 1000), c(2, 1, 1000);
   int likeB = 0, likeC = 0;
   for (uint32_t i = 0; i < 1000; ++i) {
@@ -33,7 +33,7 @@ TEST(Shuffle, OfAnotherStreamOrSeedIsAnother) {
 }
 
 // The first part of a shuffle spreads evenly over all indices, and neighbours do not stay close.
-TEST(Shuffle, ShowsNoOrder) {
+TEST(Shuffle, HasNoVisibleStructure) {
   constexpr uint32_t kCount = 65'536, kPart = 4096, kBins = 16;
   double worst = 0;
   int close = 0;

@@ -35,7 +35,7 @@ class StalledLog : public testing::Test {
   std::optional<Appender> log;
 };
 
-TEST_F(StalledLog, WhoIsToldToStopGivesUpAReaderWhoTakesNothing) {
+TEST_F(StalledLog, AStopAbandonsAReaderThatReadsNothing) {
   EXPECT_TRUE(log->append("a row\n"));
   stop = true;
   EXPECT_TRUE(log->append("what there is room for\n"));
@@ -46,7 +46,7 @@ TEST_F(StalledLog, WhoIsToldToStopGivesUpAReaderWhoTakesNothing) {
 }
 
 // A signal would interrupt a blocked write by itself, so that the flag alone is set here.
-TEST_F(StalledLog, MayBeToldToStopWhileItWaits) {
+TEST_F(StalledLog, AStopEndsAWaitingWrite) {
   std::thread other([&] {
     std::this_thread::sleep_for(std::chrono::milliseconds(100));
     stop = true;

@@ -57,7 +57,7 @@ Status write(const std::string& path, Durable durable, int failing = -1, int err
   return sink->close();
 }
 
-TEST(DurableSink, IsOnTheDiskBeforeItsNameAndThenItsName) {
+TEST(DurableSink, TheFileIsSyncedBeforeTheRenameAndTheFolderAfterIt) {
   ScratchFolder folder;
   ASSERT_TRUE(write(folder / "out", Durable::yes));
   ASSERT_EQ(syncs.size(), 2u);
@@ -67,7 +67,7 @@ TEST(DurableSink, IsOnTheDiskBeforeItsNameAndThenItsName) {
   EXPECT_EQ(syncs[1].named, "new");
 }
 
-TEST(DurableSink, OthersDoNotWaitForTheDisk) {
+TEST(DurableSink, OtherSinksDoNotSync) {
   ScratchFolder folder;
   ASSERT_TRUE(write(folder / "out", Durable::no));
   EXPECT_TRUE(syncs.empty());
@@ -78,7 +78,7 @@ TEST(DurableSink, OthersDoNotWaitForTheDisk) {
   EXPECT_TRUE(syncs.empty()) << "a device";
 }
 
-TEST(DurableSink, WhatTheDiskDoesNotTakeDoesNotTakeTheNameOfWhatItDid) {
+TEST(DurableSink, AFailedSyncKeepsTheOldFile) {
   ScratchFolder folder;
   const Status file = write(folder / "out", Durable::yes, 0);
   ASSERT_FALSE(file);
@@ -89,7 +89,7 @@ TEST(DurableSink, WhatTheDiskDoesNotTakeDoesNotTakeTheNameOfWhatItDid) {
   EXPECT_EQ(folder.entries(), 1u);
 }
 
-TEST(DurableSink, WhereAFileSystemDoesNotKnowHowItIsWrittenAllTheSame) {
+TEST(DurableSink, AFileSystemWithoutSyncIsNoError) {
   ScratchFolder folder;
   for (const int call : {0, 1}) {  // the call for the file, and for the folder
     const Status status = write(folder / "out", Durable::yes, call, EINVAL);
@@ -100,7 +100,7 @@ TEST(DurableSink, WhereAFileSystemDoesNotKnowHowItIsWrittenAllTheSame) {
   }
 }
 
-TEST(DurableSink, ASignalDoesNotEndTheWait) {
+TEST(DurableSink, ASignalDoesNotEndTheSync) {
   ScratchFolder folder;
   for (const int call : {0, 1}) {
     ASSERT_TRUE(write(folder / "out", Durable::yes, call, EINTR));

@@ -12,7 +12,7 @@ RecordBuilder level(const char* name) {
   return builder;
 }
 
-TEST(Encoded, GoesOutWithTheSameBytesAsWrite) {
+TEST(Encoded, GivesTheSameBytesAsWrite) {
   for (const Format made : {Format::jsonl, Format::capnp, Format::capnpPacked}) {
     for (const Format written : {Format::jsonl, Format::capnp, Format::capnpPacked}) {
       std::string ahead, plain;

@@ -158,7 +158,7 @@ TEST(Framing, Rules) {
   }
 }
 
-TEST(Framing, ReadingGoesOnBehindABadLineButNotBehindABrokenFrame) {
+TEST(Framing, ReadingContinuesAfterABadLineButNotAfterABrokenFrame) {
   StreamReader reader = StreamReader::overBytes(
       "{\"type\":\"header\"}\n{\"type\":3}\n{\"type\":\"level\"}\n"
       "{\"type\":\"end\",\"records\":\"3\"}\n{\"type\":\"end\"}\n{\"type\":\"header\"}\n",

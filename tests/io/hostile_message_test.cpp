@@ -111,7 +111,7 @@ TEST(HostileMessages, HugeClaimsCostNothing) {
   EXPECT_LT(after.ru_maxrss - before.ru_maxrss, 64 << 10);  // KiB
 }
 
-TEST(HostileMessages, AListThatClaimsMoreThanThereIsIsNamedUnsound) {
+TEST(HostileMessages, AListLargerThanTheMessageIsReported) {
   // One segment: a Record of one data word and one pointer to a Level, whose first pointer (name)
   // claims 2^28 bytes.
   const std::string bytes =
@@ -121,7 +121,7 @@ TEST(HostileMessages, AListThatClaimsMoreThanThereIsIsNamedUnsound) {
             "in:byte 0: invalid Cap'n Proto message: Message contained out-of-bounds text pointer");
 }
 
-TEST(HostileMessages, SharedAndCyclicPointersEndInAnErrorSoon) {
+TEST(HostileMessages, SharedAndCyclicPointersFailQuickly) {
   // A level whose list of parts holds 2^28 structs without any words, which take no bytes to claim.
   std::string bytes = little32({0, 10, 0, 0x00010001, 1, 0, 0, 0x00060000, 0, 0,          0,
                                 0, 0,  0, 9,          7, 0, 0, 0,          0, 0x3ffffffc, 0});
@@ -145,7 +145,7 @@ TEST(HostileMessages, BadValuesAreRefusedAsInJson) {
   EXPECT_EQ(errorOf(bytes), "in:byte 0: timeLimit: expected a finite number, found inf");
 }
 
-TEST(HostileMessages, AKindOfTheFuturePassesThrough) {
+TEST(HostileMessages, AnUnknownKindPassesThrough) {
   std::string bytes = message(3, Format::capnp, Kind::QUERY);
   const size_t discriminant = 16;  // after the segment table and the root pointer
   ASSERT_EQ(bytes[discriminant], char(uint16_t(Kind::QUERY)));

@@ -22,7 +22,7 @@ struct JsonCodecCase {
   std::string line, expected;
 };
 
-TEST(JsonErrors, NameThePathTheExpectationAndWhatWasThere) {
+TEST(JsonErrors, StateThePathTheExpectedAndTheFoundValue) {
   const JsonCodecCase cases[] = {
       {R"({"type":"level","parts":[{},{"size":[1,2]}]})",
        "parts[1].size: expected 3 numbers, found an array of 2"},
@@ -126,7 +126,7 @@ TEST(JsonLines, AQueryKeepsItsTitle) {
   EXPECT_EQ(normal(line), R"({"type":"query","id":"stage1","title":"Stage 1: 'A' to 'B'"})");
 }
 
-TEST(JsonErrors, NothingMayFollowBehindAZeroByte) {
+TEST(JsonErrors, NothingMayFollowAZeroByte) {
   const std::string line = R"({"type":"query"})";
   EXPECT_EQ(jsonCodecErrorOf(line), "no error");
   EXPECT_EQ(jsonCodecErrorOf(line + '\0'), "column 17: expected JSON, found a zero byte");
@@ -149,7 +149,7 @@ TEST(JsonErrors, ARecordOfBillionsOfBytesIsRefusedBeforeItIsBuilt) {
   EXPECT_EQ(jsonCodecErrorOf(line + "]}"), "parts: the record is larger than 256 MiB, the maximum");
 }
 
-TEST(JsonMeaning, GenerousInputHasOneNormalForm) {
+TEST(JsonMeaning, LenientInputHasOneNormalForm) {
   const JsonCodecCase cases[] = {
       {R"({"type":"query","goal":[]})", R"({"type":"query","goal":{}})"},
       {R"({"goal":{},"type":"query"})", R"({"type":"query","goal":{}})"},
@@ -199,7 +199,7 @@ TEST(JsonMeaning, AnUnknownKindIsToldApartFromAnError) {
 }
 
 // Misspelt fields are reported. Private notes and fields of later versions are not.
-TEST(JsonMeaning, FieldsThatLookMisspeltAreTold) {
+TEST(JsonMeaning, MisspeltFieldsAreReported) {
   std::vector<Error> slips;
   const auto record = recordFromJsonIfKnown(
       R"({"type":"query","id":"q","maxJump":2,"reviewedBy":"Ada","goal":{"positon":[1,2,3]}})",
@@ -210,7 +210,7 @@ TEST(JsonMeaning, FieldsThatLookMisspeltAreTold) {
   EXPECT_EQ(slips[1].path, "goal.positon");
 }
 
-TEST(JsonMeaning, LookingForSlipsIsBounded) {
+TEST(JsonMeaning, TheSearchForMisspeltFieldsIsBounded) {
   const auto told = [](const std::string& notes) {
     std::vector<Error> misspelt;
     EXPECT_TRUE(recordFromJsonIfKnown("{\"type\":\"level\"" + notes + ",\"part\":[]}", &misspelt));
@@ -225,7 +225,7 @@ TEST(JsonMeaning, LookingForSlipsIsBounded) {
   EXPECT_EQ(told(different), 0u);
 }
 
-TEST(JsonMeaning, KindsThatLookMisspeltAreRefused) {
+TEST(JsonMeaning, MisspeltKindsAreErrors) {
   std::vector<Error> slips;
   auto unknown = recordFromJsonIfKnown(R"({"type":"weather","id":"q"})", &slips);
   ASSERT_TRUE(unknown);

@@ -49,7 +49,7 @@ struct LostLevelRead {
   }
 };
 
-TEST(LostLevel, TakesTheQueriesWithItThatNameNone) {
+TEST(LostLevel, DropsQueriesThatNameNoLevel) {
   const std::string text =
       kLevel + query("a") + kLost + query("b") + query("c", "A") + query("d") + kLevel + query("e");
   for (const OnError onError : {OnError::skip, OnError::emit}) {
@@ -66,7 +66,7 @@ TEST(LostLevel, TakesTheQueriesWithItThatNameNone) {
   }
 }
 
-TEST(LostLevel, TakesNothingThatIsOfAnother) {
+TEST(LostLevel, KeepsRecordsOfOtherLevels) {
   // The unreadable record was a query.
   EXPECT_EQ(LostLevelRead({kLevel + "{\"type\":\"query\",\"id\":7}\n" + query("b")}).came, "+b");
   // Later versions may define this kind.
@@ -74,7 +74,7 @@ TEST(LostLevel, TakesNothingThatIsOfAnother) {
   EXPECT_EQ(LostLevelRead({kLost + kLevel + query("b")}).came, "+b");
 }
 
-TEST(LostLevel, IsAnythingThatDoesNotSayWhatItIs) {
+TEST(LostLevel, IsAnyRecordOfUnreadableKind) {
   for (const char* lost :
        {"{\"name\":\"B\",\"type\" : \"level\",\"parts\":[", "{\"type\":\"levle\"}", "{\"type\":3}",
         "B", "{\"type\":\"query\",\"type\":\"level\"}"}) {
@@ -82,12 +82,12 @@ TEST(LostLevel, IsAnythingThatDoesNotSayWhatItIs) {
   }
 }
 
-TEST(LostLevel, TakesTrajectoriesWithItToo) {
+TEST(LostLevel, DropsTrajectoriesToo) {
   const std::string way = "{\"type\":\"trajectory\",\"query\":\"b\",\"outcome\":\"goal\"}\n";
   EXPECT_EQ(LostLevelRead({kLevel + way + kLost + query("b") + way}).came, "+t");
 }
 
-TEST(LostLevel, HoldsForTheInputsBehindIt) {
+TEST(LostLevel, AppliesToLaterInputs) {
   const std::string end = "{\"type\":\"end\"}\n";
   for (const std::string& last : {kLost, kLost + end}) {
     const LostLevelRead read({kLevel + last, query("b") + query("c", "A"), kLevel + query("d")});
@@ -98,7 +98,7 @@ TEST(LostLevel, HoldsForTheInputsBehindIt) {
 }
 
 // An unreadable query at the end of an input does not count as a lost level.
-TEST(LostLevel, IsNoQueryThatAnInputEndsWith) {
+TEST(LostLevel, AnUnreadableLastQueryIsNoLostLevel) {
   const std::string lostQuery = "{\"type\":\"query\",\"id\":7}\n";
   EXPECT_EQ(LostLevelRead({kLevel + lostQuery, query("b")}).came, "+b");
   EXPECT_EQ(LostLevelRead({kLost + lostQuery, query("b")}).came, "");
@@ -111,7 +111,7 @@ TEST(LostLevel, MayBeInAnInputThatCannotBeOpened) {
   EXPECT_NE(read.reports[1].find(" at in1, "), std::string::npos) << read.reports[1];
 }
 
-TEST(LostLevel, IsKnownInMessages) {
+TEST(LostLevel, IsRecognisedInMessages) {
   std::string bytes;
   RecordBuilder level, bad, asked, lostQuery;
   level.root().initLevel();

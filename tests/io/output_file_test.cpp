@@ -32,7 +32,7 @@ bool leaveHalf(const std::string& path) {
   return waitpid(writer, &status, 0) == writer && status == 0;
 }
 
-TEST(OutputFile, WhatAKilledWriterLeftIsRemoved) {
+TEST(OutputFile, LeftoversOfAKilledWriterAreRemoved) {
   ScratchFolder folder;
   const std::string path = folder / "out";
   std::ofstream(path) << "old";
@@ -43,7 +43,7 @@ TEST(OutputFile, WhatAKilledWriterLeftIsRemoved) {
   EXPECT_EQ(contents(path), "old");
 }
 
-TEST(OutputFile, WhoWritesAFileRemovesWhatKilledOnesLeftOfIt) {
+TEST(OutputFile, AWriterRemovesLeftoversOfKilledWriters) {
   ScratchFolder folder;
   ASSERT_TRUE(leaveHalf(folder / "out"));
   ASSERT_TRUE(leaveHalf(folder / "other"));
@@ -59,7 +59,7 @@ TEST(OutputFile, WhoWritesAFileRemovesWhatKilledOnesLeftOfIt) {
   EXPECT_EQ(folder.entries(), 2u);
 }
 
-TEST(OutputFile, VeryLongNamesLeaveRoomForTheMark) {
+TEST(OutputFile, VeryLongNamesAreCutToFitTheSuffix) {
   ScratchFolder folder;
   const std::string path = folder / std::string(255, 'a');
   ASSERT_TRUE(leaveHalf(path));
@@ -71,7 +71,7 @@ TEST(OutputFile, VeryLongNamesLeaveRoomForTheMark) {
   EXPECT_EQ(contents(path), "whole");
 }
 
-TEST(OutputFile, LeftoversOfAVeryLongNameAreNoneOfOneThatBeginsAlike) {
+TEST(OutputFile, LongNamesWithACommonPrefixKeepTheirOwnLeftovers) {
   ScratchFolder folder;
   const std::string path = folder / std::string(240, 'a');
   ASSERT_TRUE(leaveHalf(path));
@@ -95,7 +95,7 @@ TEST(OutputFile, VeryLongNamesAreCutBetweenCharacters) {
   }
 }
 
-TEST(OutputFile, LeftoversLieWhereTheLinkLeads) {
+TEST(OutputFile, LeftoversAreInTheFolderOfTheLinksTarget) {
   ScratchFolder folder;
   fs::create_directory(folder / "runs");
   fs::create_symlink("runs/newest", folder / "link");
@@ -106,7 +106,7 @@ TEST(OutputFile, LeftoversLieWhereTheLinkLeads) {
   EXPECT_TRUE(fs::is_symlink(folder / "link"));
 }
 
-TEST(OutputFile, WhatIsBeingWrittenStays) {
+TEST(OutputFile, FilesBeingWrittenStay) {
   ScratchFolder folder;
   auto sink = Sink::open(folder / "out");
   ASSERT_TRUE(sink);
@@ -134,7 +134,7 @@ TEST(OutputFile, OtherFilesStay) {
   removeLeftovers(folder / "no/where");  // there is no folder to search
 }
 
-TEST(OutputLocks, OneHoldsAFileWhateverLeadsToIt) {
+TEST(OutputLocks, AFileHasOneLockUnderAllItsPaths) {
   ScratchFolder folder;
   fs::create_directory(folder / "runs");
   fs::create_directory_symlink("runs", folder / "newest");
@@ -151,7 +151,7 @@ TEST(OutputLocks, OneHoldsAFileWhateverLeadsToIt) {
   EXPECT_TRUE(second.take(folder / "link"));
 }
 
-TEST(OutputLocks, OutlastsThatTheFileIsWrittenAnewAndLeavesNothing) {
+TEST(OutputLocks, SurvivesARewriteOfTheFileAndLeavesNothing) {
   ScratchFolder folder;
   {
     OutputLocks first, second;
@@ -177,7 +177,7 @@ bool leaveLocked(const std::string& path) {
   return waitpid(writer, &status, 0) == writer && status == 0;
 }
 
-TEST(OutputLocks, WhatAKilledProcessLeftHindersNobodyAndIsALeftover) {
+TEST(OutputLocks, AKilledProcessLeavesNoLockButALeftover) {
   ScratchFolder folder;
   ASSERT_TRUE(leaveLocked(folder / "out"));
   ASSERT_EQ(folder.entries(), 1u);
@@ -194,7 +194,7 @@ TEST(OutputLocks, WhatAKilledProcessLeftHindersNobodyAndIsALeftover) {
 }
 
 // If the lock file is removed by hand, another process may take the lock. Its lock file must stay.
-TEST(OutputLocks, RemovesNoFileOfAnother) {
+TEST(OutputLocks, KeepsTheLockFileOfAnotherProcess) {
   ScratchFolder folder;
   OutputLocks second, third;
   {
@@ -207,7 +207,7 @@ TEST(OutputLocks, RemovesNoFileOfAnother) {
 }
 
 // Long names are cut to fit the lock's suffix, and these two share the part that is left.
-TEST(OutputLocks, VeryLongNamesThatBeginAlikeAreHeldByThemselves) {
+TEST(OutputLocks, LongNamesWithACommonPrefixHaveSeparateLocks) {
   ScratchFolder folder;
   const std::string path = folder / std::string(240, 'a'), other = path + "b";
   OutputLocks first, second;
@@ -219,7 +219,7 @@ TEST(OutputLocks, VeryLongNamesThatBeginAlikeAreHeldByThemselves) {
   EXPECT_EQ(folder.entries(), 2u);
 }
 
-TEST(OutputLocks, WhereNothingCanBeHeldNobodyIsRefused) {
+TEST(OutputLocks, WithoutLockingEveryWriterIsAllowed) {
   ScratchFolder folder;
   OutputLocks first, second;
   EXPECT_TRUE(first.take(folder / "no/where"));

@@ -154,7 +154,7 @@ TEST(Pipeline, ALateErrorNamesTheRecordThatItIsAbout) {
   }
 }
 
-TEST(Pipeline, AnErrorOfWorkAfterTheRunIsInTheEnd) {
+TEST(Pipeline, AnErrorAfterTheRunIsInTheEndRecord) {
   Fixture f;
   f.input("{\"type\":\"level\"}\n");
   Pipeline pipeline = f.pipeline();
@@ -166,7 +166,7 @@ TEST(Pipeline, AnErrorOfWorkAfterTheRunIsInTheEnd) {
             "{\"type\":\"end\",\"status\":\"failed\",\"records\":\"2\",\"errors\":\"1\"}\n");
 }
 
-TEST(RecordSource, WhatAnInputLacksIsLaidToTheErrorThatEndedIt) {
+TEST(RecordSource, AMissingRecordIsAttributedToTheErrorThatEndedTheInput) {
   const Error missing = makeError("no query of that name");
   const auto said = [&](const std::string& status) {
     Fixture f;
@@ -182,7 +182,7 @@ TEST(RecordSource, WhatAnInputLacksIsLaidToTheErrorThatEndedIt) {
   EXPECT_EQ(said("failed"), "2: the input ended with an error upstream");
 }
 
-TEST(Pipeline, AFailureUpstreamIsWarnedOfOnceAndPassedOn) {
+TEST(Pipeline, AnUpstreamFailureIsReportedOnceAndPassedOn) {
   Fixture f;
   std::vector<std::string> warnings;
   f.options.warn = [&](const Error& error) { warnings.push_back(error.message); };

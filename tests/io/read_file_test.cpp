@@ -28,7 +28,7 @@ struct Pipe {
   Pipe() { EXPECT_EQ(mkfifo(path.c_str(), 0600), 0); }
 };
 
-TEST(ReadFile, GivesEveryByteAndNamesWhatIsMissing) {
+TEST(ReadFile, ReturnsAllBytesAndNamesMissingFiles) {
   ScratchFolder folder;
   std::string bytes(3 << 20, 'x');
   for (size_t i = 0; i < bytes.size(); i += 7) bytes[i] = char(i / 7);
@@ -43,7 +43,7 @@ TEST(ReadFile, GivesEveryByteAndNamesWhatIsMissing) {
 
 // An endless input would use up all memory. A file whose stated size is too large is not read at
 // all.
-TEST(ReadFile, RefusesMoreThanIsAskedFor) {
+TEST(ReadFile, RefusesFilesAboveTheLimit) {
   ScratchFolder folder;
   std::ofstream(folder / "a") << std::string(2000, 'x');
   EXPECT_EQ(readFile(folder / "a", nullptr, 2000)->size(), 2000u);
@@ -69,7 +69,7 @@ double threadSeconds() {
 
 // Another process that shares a terminal or socket can make it non-blocking. Polling it in a loop
 // would use up a core.
-TEST(ReadFile, WaitsWhereTheInputItselfDoesNot) {
+TEST(ReadFile, WaitsOnANonBlockingInput) {
   int ends[2];
   ASSERT_EQ(pipe2(ends, O_CLOEXEC), 0);
   ASSERT_EQ(fcntl(ends[0], F_SETFL, O_NONBLOCK), 0);

@@ -89,7 +89,7 @@ TEST(RoundTrip, ValuesSpelledOutEqualValuesLeftOut) {
   EXPECT_EQ(written(full->reader(), Format::jsonl), "{\"type\":\"query\",\"goal\":{}}\n");
 }
 
-TEST(RoundTrip, TheWayABuilderWasFilledDoesNotShow) {
+TEST(RoundTrip, TheOrderOfFillingABuilderDoesNotMatter) {
   RecordBuilder a, b;
   auto levelA = a.root().initLevel();
   levelA.setName("x");

@@ -63,7 +63,7 @@ TEST(Sink, KeepsTheModeOfAFileAndTheLinkToIt) {
   EXPECT_EQ(info.st_mode & 0777, 0640u);
 }
 
-TEST(Sink, ALinkToWhatIsNotThereYetStaysALink) {
+TEST(Sink, ALinkToAMissingFileStaysALink) {
   ScratchFolder folder;
   std::filesystem::create_directory(folder / "runs");
   std::filesystem::create_symlink("runs/newest", folder / "link");
@@ -90,7 +90,7 @@ TEST(Sink, AFullDiskIsAnErrorThatStays) {
   EXPECT_FALSE(isBrokenPipe(first.error()));
 }
 
-TEST(Sink, ABrokenPipeIsToldApart) {
+TEST(Sink, ABrokenPipeIsRecognised) {
   ScratchFolder folder;
   const std::string path = folder / "pipe";
   ASSERT_EQ(mkfifo(path.c_str(), 0600), 0);
@@ -117,7 +117,7 @@ Result<Sink> standardOutputTo(int fd) {
 }
 
 // Another process that shares a terminal or socket can make it non-blocking.
-TEST(Sink, WaitsForItsReaderWhereTheOutputItselfDoesNot) {
+TEST(Sink, WaitsOnANonBlockingOutput) {
   int ends[2];
   ASSERT_EQ(pipe2(ends, O_CLOEXEC), 0);
   ASSERT_EQ(fcntl(ends[1], F_SETFL, O_NONBLOCK), 0);
@@ -155,7 +155,7 @@ TEST(Sink, PipesGetEveryPieceAtOnce) {
   close(reader);
 }
 
-TEST(Sink, WhoIsToldToStopGivesUpAReaderWhoTakesNothing) {
+TEST(Sink, AStopAbandonsAReaderThatReadsNothing) {
   ScratchFolder folder;
   const std::string path = folder / "pipe";
   ASSERT_EQ(mkfifo(path.c_str(), 0600), 0);
@@ -175,7 +175,7 @@ TEST(Sink, WhoIsToldToStopGivesUpAReaderWhoTakesNothing) {
   EXPECT_TRUE(sink->failed());
 }
 
-TEST(Sink, WhoIsToldToStopWaitsASecondForWhoOpensThePipe) {
+TEST(Sink, AStopAllowsASecondForAReaderToOpenThePipe) {
   ScratchFolder folder;
   const std::string path = folder / "pipe";
   ASSERT_EQ(mkfifo(path.c_str(), 0600), 0);
@@ -193,7 +193,7 @@ TEST(Sink, WhoIsToldToStopWaitsASecondForWhoOpensThePipe) {
 }
 
 // A reader that keeps reading gets the whole record, however long it is.
-TEST(Sink, WhoIsToldToStopWaitsForAReaderWhoTakesMore) {
+TEST(Sink, AStopWaitsForAReaderThatKeepsReading) {
   ScratchFolder folder;
   const std::string path = folder / "pipe";
   ASSERT_EQ(mkfifo(path.c_str(), 0600), 0);

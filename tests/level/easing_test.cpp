@@ -89,7 +89,7 @@ TEST(Easing, EveryStyleFollowsItsFormulaInEveryDirection) {
   }
 }
 
-TEST(Easing, BackGoesATenthOfTheWayWrongInBothDirections) {
+TEST(Easing, BackOvershootsByATenthInBothDirections) {
   double least = 1, leastIn = 1;
   for (int i = 0; i < 1000; ++i) {
     least = std::min(least, ease(Easing::BACK, EasingDirection::IN_OUT, i / 1000.0));

@@ -77,7 +77,7 @@ TEST(Grid, ListsEverythingThePlayerCanMeet) {
   }
 }
 
-TEST(Grid, ListsMovingPartsAlongTheirWholeWay) {
+TEST(Grid, ListsMovingPartsAlongTheirWholeMotion) {
   Dice dice{Random(51, 0)};
   LevelBuilder b = scattered(30, {60, 20, 60}, dice);
   for (int i = 0; i < 20; ++i) {

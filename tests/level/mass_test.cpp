@@ -38,7 +38,7 @@ TEST(Mass, BallIsTwoFifths) {
   EXPECT_NEAR(inertiaOf(m).x, 0.4f * m.mass * 4, 1e-3);
 }
 
-TEST(Mass, CylinderHasHalfAlongItsAxis) {
+TEST(Mass, CylinderHasOneHalfAlongItsAxis) {
   const MassProperties m = of(ShapeKind::cylinder, {6, 4, 4});
   EXPECT_NEAR(m.mass, 3.14159265 * 4 * 6, 1e-4);
   EXPECT_NEAR(inertiaOf(m).x, 0.5f * m.mass * 4, 1e-2);

@@ -114,7 +114,7 @@ TEST(Motion, LinearKeysMoveEvenlyAndLoopJumpsBack) {
   }
 }
 
-TEST(Motion, PingPongComesBackTheWayItWent) {
+TEST(Motion, PingPongReturnsAlongItsPath) {
   const Tables t = tablesOf(slide(2, Repeat::PING_PONG, 0, Easing::QUAD));
   ASSERT_EQ(t.keys.size(), 240u);
   EXPECT_NEAR(xAt(t, 120), 10, 1e-4f);
@@ -128,7 +128,7 @@ TEST(Motion, OnceStaysAtTheLastKey) {
   for (const uint32_t tick : {120u, 121u, 1000u, 4000000000u}) EXPECT_EQ(xAt(t, tick), 10);
 }
 
-TEST(Motion, OffsetIsTimeAlreadyGone) {
+TEST(Motion, OffsetIsTimeAlreadyElapsed) {
   EXPECT_NEAR(xAt(tablesOf(slide(2, Repeat::LOOP, 0.5f)), 0), 2.5f, 1e-4f);
   EXPECT_NEAR(xAt(tablesOf(slide(2, Repeat::LOOP, -0.5f)), 0), 7.5f, 1e-4f);
   EXPECT_NEAR(xAt(tablesOf(slide(2, Repeat::PING_PONG, 2.5f)), 0), 7.5f, 1e-4f);
@@ -137,7 +137,7 @@ TEST(Motion, OffsetIsTimeAlreadyGone) {
 
 // Scripts that wait before a repeating motion import like this: after the wait, the part is at its
 // first key.
-TEST(Motion, WhatRepeatsWithANegativeOffsetComesRoundToItsStartAfterIt) {
+TEST(Motion, RepeatsAreAtTheirStartAfterANegativeOffset) {
   for (const float wait : {0.5f, 1.0f, 7.25f, 599.5f}) {
     const auto end = uint32_t(60 * wait);
     for (const Repeat repeat : {Repeat::LOOP, Repeat::PING_PONG}) {
@@ -174,7 +174,7 @@ TEST(Motion, PeriodsOfWholeCentisecondsDriftLessThanAHundredthTickInTenMinutes) 
   }
 }
 
-TEST(Motion, AnyPeriodIsRightToATwoHundredthTickAndTablesStayBounded) {
+TEST(Motion, AnyPeriodIsExactToATwoHundredthTickInBoundedTables) {
   Random random(40, 0);
   for (int i = 0; i < 200; ++i) {
     const float seconds = 0.2f + 20 * random.unit();
@@ -186,7 +186,7 @@ TEST(Motion, AnyPeriodIsRightToATwoHundredthTickAndTablesStayBounded) {
 }
 
 // Levels whose tables would have too many rows use fewer.
-TEST(Motion, FewerRowsHoldAsManyRepetitionsAsFitOrOne) {
+TEST(Motion, ShorterTablesHoldAsManyPeriodsAsFit) {
   Random random(41, 0);
   constexpr uint32_t kFew = 1000;
   for (int i = 0; i < 200; ++i) {
@@ -255,7 +255,7 @@ TEST(Motion, KeysAtTheSameTimeJump) {
   EXPECT_EQ(xAt(t, 61), 5);
 }
 
-TEST(Motion, RotationsTakeTheShortWayRound) {
+TEST(Motion, RotationsTakeTheShorterArc) {
   const Tables t = tablesOf([](schema::Motion::Builder m) {
     auto keys = m.initKeys(2);
     keys[1].setTime(1);

@@ -75,7 +75,7 @@ TEST(Params, AreCopiedFieldByField) {
   }
 }
 
-TEST(Params, EveryFieldSaysItsUnitRangeAndSource) {
+TEST(Params, EveryFieldStatesItsUnitRangeAndSource) {
   for (auto field : schemaOf().getFields()) {
     std::map<uint64_t, std::string> texts;
     std::set<uint64_t> ids;
@@ -95,7 +95,7 @@ TEST(Params, EveryFieldSaysItsUnitRangeAndSource) {
   }
 }
 
-TEST(Params, MayBeAtTheEndsOfTheirRange) {
+TEST(Params, AreValidAtTheEndsOfTheirRange) {
   for (auto field : schemaOf().getFields()) {
     const std::string name = field.getProto().getName().cStr();
     for (const double value : {rangeOf(field).getMin(), rangeOf(field).getMax()}) {
@@ -146,7 +146,7 @@ TEST(Params, DerivedTimesAreWholePhysicsSteps) {
   EXPECT_NEAR(p->slopeNormalY, std::cos(1.5533431), 1e-6);
 }
 
-TEST(Params, WhatIsCountedUpToATimeTakesATickAtLeast) {
+TEST(Params, TimersTakeAtLeastOneTick) {
   EXPECT_EQ(compileWith("landedTime", 0)->landedSteps, 0);
   EXPECT_EQ(compileWith("coyoteTime", 0)->coyoteSteps, 1);
   EXPECT_EQ(compileWith("offFloorGrace", 0)->graceSteps, 1);
@@ -165,7 +165,7 @@ TEST(TicksFromSeconds, RoundsAndStaysInRange) {
   EXPECT_EQ(ticksFromSeconds(p, INFINITY), 1u << 24);
 }
 
-TEST(Params, StepsInWhichTheLegsWouldThrowThePlayerAreRefused) {
+TEST(Params, UnstableLegsAreRefused) {
   const auto at = [](uint16_t rate, uint8_t substeps) {
     capnp::MallocMessageBuilder message;
     auto record = message.initRoot<schema::PhysicsParams>();

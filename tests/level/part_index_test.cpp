@@ -60,7 +60,7 @@ class PartIndexTest : public testing::Test {
   io::RecordBuilder record;
 };
 
-TEST_F(PartIndexTest, GivesTheSameInPassesAndSorted) {
+TEST_F(PartIndexTest, FindsTheSameByScanAndWhenSorted) {
   PartIndex index(level());
   size_t found = 0;
   for (int round = 0; round < 4; ++round) {

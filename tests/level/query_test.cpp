@@ -37,7 +37,7 @@ void queryExpectRefused(const QuerySetter& setter, const std::string& path,
   EXPECT_NE(query.error().message.find(words), std::string::npos) << query.error().text();
 }
 
-TEST(QueryStart, IsTheFirstSpawnWhereNothingIsSaid) {
+TEST(QueryStart, DefaultsToTheFirstSpawn) {
   const Query q = *compile([](auto) {});
   EXPECT_TRUE(q.start().feet == (Vec3{1, 2, 3}));
   EXPECT_EQ(q.start().yaw, 0.5f);

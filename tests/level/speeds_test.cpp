@@ -29,21 +29,19 @@ PartSetter speedsSpin(float speed, bool carries, Vec3 pivot = {}) {
   };
 }
 
-TEST(SideSpeed, CountsWhatTurnsAndCarries) {
+TEST(SideSpeed, CountsSpinningCarriers) {
   EXPECT_NEAR(given(speedsSpin(3, true)), 3 * kFarthest, 0.1f);
   EXPECT_NEAR(given(speedsSpin(-3, true)), 3 * kFarthest, 0.1f);
   EXPECT_NEAR(given(speedsSpin(2, true, {0, 0, 30})), 2 * (30 + kFarthest), 0.1f);
 }
 
-TEST(SideSpeed, CountsSeatsOnWhatTurns) {
+TEST(SideSpeed, CountsSpinningSeats) {
   const auto seat = [](schema::Part::Builder p) { speedsSpin(3, false)(p), p.initSeat(); };
   EXPECT_NEAR(given(seat), 3 * kFarthest, 0.1f);
 }
 
 // These parts push players but do not carry them, so that they need no longer grid lists.
-TEST(SideSpeed, LeavesOutWhatTurnsWithoutCarrying) {
-  EXPECT_NEAR(given(speedsSpin(3, false)), 0, 1e-4f);
-}
+TEST(SideSpeed, IgnoresSpinsThatDoNotCarry) { EXPECT_NEAR(given(speedsSpin(3, false)), 0, 1e-4f); }
 
 TEST(SideSpeed, CountsTurnsBetweenKeys) {
   const auto turning = [](schema::Part::Builder p) {

@@ -43,7 +43,7 @@ Box boundsOfAll(const std::vector<Pose>& keys, Vec3 half) {
   return all;
 }
 
-TEST(SweptBounds, AreThoseOfAllKeys) {
+TEST(SweptBounds, EqualThoseOfAllKeys) {
   SweptBoundsDice dice{Random(50, 0)};
   for (int round = 0; round < 100; ++round) {
     const std::vector<Pose> keys = dice.keys();
@@ -64,7 +64,7 @@ std::vector<Pose> longTurn(uint32_t rows) {
   return keys;
 }
 
-TEST(SweptBounds, OfSeveralHundredHullsAreThoseOfAllKeys) {
+TEST(SweptBounds, OfSeveralHundredHullsEqualThoseOfAllKeys) {
   SweptBoundsDice dice{Random(52, 0)};
   const std::vector<Pose> keys = longTurn(30000);
   const Mover m{keys.data(), nullptr, uint32_t(keys.size()), 0, {}, false};
@@ -73,7 +73,7 @@ TEST(SweptBounds, OfSeveralHundredHullsAreThoseOfAllKeys) {
 }
 
 // A scanned mesh that spins for twenty minutes: testing each row with each hull took minutes.
-TEST(SweptBounds, OfAHundredThousandHullsHoldThemInAMoment) {
+TEST(SweptBounds, ContainAHundredThousandHullsInLittleTime) {
   SweptBoundsDice dice{Random(53, 0)};
   const std::vector<Pose> keys = longTurn(72000);
   const Mover m{keys.data(), nullptr, uint32_t(keys.size()), 0, {}, false};
@@ -89,7 +89,7 @@ TEST(SweptBounds, OfAHundredThousandHullsHoldThemInAMoment) {
   }
 }
 
-TEST(SweptBounds, OfWhatSpinsHoldItsLargestRadius) {
+TEST(SweptBounds, OfASpinContainItsLargestRadius) {
   SweptBoundsDice dice{Random(51, 0)};
   const Mat3 spin{};
   for (int round = 0; round < 100; ++round) {

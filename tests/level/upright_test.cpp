@@ -41,7 +41,7 @@ std::vector<Mat3> sides() {
   return out;
 }
 
-TEST(MakeUpright, KeepsTheBlockForEverySideItLiesOn) {
+TEST(MakeUpright, KeepsTheBlockInAllAxisAlignedOrientations) {
   Random random(7, 7);
   const auto number = [&] { return 2 * random.unit() - 1; };
   ASSERT_EQ(sides().size(), 24u);
@@ -62,7 +62,7 @@ TEST(MakeUpright, KeepsTheBlockForEverySideItLiesOn) {
   }
 }
 
-TEST(MakeUpright, RefusesATiltAndLeavesItAlone) {
+TEST(MakeUpright, LeavesTiltedBlocksUnchanged) {
   for (const float pitch : {0.001f, 0.4f, 1.2f}) {
     const SinCos a = sinCos(turnsFromRadians(pitch));
     const Mat3 tilt{{1, 0, 0}, {0, a.cos, a.sin}, {0, -a.sin, a.cos}};
@@ -76,7 +76,7 @@ TEST(MakeUpright, RefusesATiltAndLeavesItAlone) {
   }
 }
 
-TEST(UprightFlag, IsForBlocksThatStandOnASide) {
+TEST(UprightFlag, IsSetForBlocksThatStandOnAFace) {
   LevelBuilder b;
   b.block({0, 0, 0}, {1, 2, 3}, [](auto p) { support::setRotation(p.initRotation(), 0.3f); });
   b.block({0, 9, 0}, {1, 2, 3}, [](auto p) { support::setRotation(p.initRotation(), 0, kPi / 2); });

@@ -55,7 +55,7 @@ TEST(Vec3, NormalizeGivesLengthOneOrTheFallback) {
   EXPECT_TRUE(normalize(Vec3{}, {1, 0, 0}) == (Vec3{1, 0, 0}));
 }
 
-TEST(Quat, GivesAProperRotationMatrix) {
+TEST(Quat, YieldsAProperRotationMatrix) {
   Dice dice(3);
   for (int i = 0; i < kRounds; ++i) {
     const Mat3 m = toMat3(dice.quat());
@@ -81,7 +81,7 @@ TEST(Quat, TurnsRightHandedAboutItsAxis) {
   expectNear(toMat3(Quat{0, 0, h, h}) * Vec3{1, 0, 0}, {0, 1, 0}, 1e-6f);
 }
 
-TEST(Quat, NormalizeOfNothingIsNoRotation) {
+TEST(Quat, NormalizeOfZeroIsNoRotation) {
   const Quat q = normalize(Quat{0, 0, 0, 0});
   EXPECT_EQ(q.w, 1);
   EXPECT_EQ(q.x, 0);

@@ -64,7 +64,7 @@ TEST(BlockParity, UprightBlocksByBothForms) {
   tallies.expectGood(100000);
 }
 
-TEST(BlockParity, BlocksTurnedAnyWay) {
+TEST(BlockParity, BlocksAtAnyRotation) {
   PairDice dice(501);
   Tallies tallies;
   for (int i = 0; i < 400000; ++i) {
@@ -76,7 +76,7 @@ TEST(BlockParity, BlocksTurnedAnyWay) {
   tallies.expectGood(100000);
 }
 
-TEST(BlockParity, BlocksNearlyInLineWithTheBody) {
+TEST(BlockParity, BlocksNearlyAlignedWithTheBody) {
   PairDice dice(502);
   Tallies tallies;
   for (int i = 0; i < 100000; ++i) {

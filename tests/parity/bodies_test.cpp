@@ -51,7 +51,7 @@ void expectSamePose(const BodyState& a, const BodyState& b, double tolerance) {
   EXPECT_GT(dot(a.axes.y, b.axes.y), 0.999f);
 }
 
-TEST(BodiesParity, FallAsAllSubstepsOfTheFormula) {
+TEST(BodiesParity, FallByTheFormulaInSubsteps) {
   Both both({floorOf(), {.position = {0, 60, 0}, .size = {4, 4, 4}}});
   for (int tick = 1; tick <= 40; ++tick) {
     both.run(1);

@@ -200,7 +200,7 @@ TEST_P(RayParity, HitsWhereBulletHits) {
 // silhouette.
 class RoundRayParity : public RayParity {};
 
-TEST_P(RoundRayParity, IsExactNearbyWhereItDoesNotGraze) {
+TEST_P(RoundRayParity, IsExactAtCloseRangeAwayFromTheSilhouette) {
   int hits = 0;
   double worst = 0;
   for (int i = 0; i < 100000; ++i) {

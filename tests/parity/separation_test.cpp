@@ -59,7 +59,7 @@ double overlapAlong(const Polytope& a, const Polytope& b, const V3& n) {
   return most - least;
 }
 
-TEST(SeparationParity, OfPolytopesIsThatOfAllTheirAxes) {
+TEST(SeparationParity, OfPolytopesEqualsThatOfAllTheirAxes) {
   ConvexDice dice(700);
   Found found;
   int normals = 0;
@@ -87,7 +87,7 @@ TEST(SeparationParity, OfPolytopesIsThatOfAllTheirAxes) {
 
 // For separated polytopes the answer is at most Bullet's distance. It is seldom far less: the case
 // of corner to corner, which has no axis.
-TEST(SeparationParity, OfPolytopesThatAreApartIsNoMoreThanTheirDistance) {
+TEST(SeparationParity, OfSeparatedPolytopesIsAtMostTheirDistance) {
   ConvexDice dice(703);
   Found found;
   int referenceWrong = 0, half = 0;
@@ -113,7 +113,7 @@ TEST(SeparationParity, OfPolytopesThatAreApartIsNoMoreThanTheirDistance) {
   EXPECT_LT(half, found.apart / 25);
 }
 
-TEST(SeparationParity, OfABallAndAPolytopeIsTheDistanceOfItsCentre) {
+TEST(SeparationParity, OfABallAndAPolytopeFollowsTheCentre) {
   ConvexDice dice(701);
   Found found;
   for (int i = 0; i < 140000 && !HasFatalFailure(); ++i) {
@@ -129,7 +129,7 @@ TEST(SeparationParity, OfABallAndAPolytopeIsTheDistanceOfItsCentre) {
   EXPECT_LT(found.deeperThanPreferred, found.pairs / 500);
 }
 
-TEST(SeparationParity, OfABallAndARoundShapeIsTheDistanceOfItsCentre) {
+TEST(SeparationParity, OfABallAndARoundShapeFollowsTheCentre) {
   ConvexDice dice(702);
   Found found;
   for (int i = 0; i < 80000 && !HasFatalFailure(); ++i) {

@@ -21,7 +21,7 @@ BulletContact bullets(const Pair& p) { return BulletPair(p.kind, p.shape, p.pose
 
 class PolytopeParity : public testing::TestWithParam<ShapeKind> {};
 
-TEST_P(PolytopeParity, DepthAndNormalAreTheLeastThatPart) {
+TEST_P(PolytopeParity, DepthAndNormalAreTheMinimumThatSeparates) {
   PairDice dice(520 + uint64_t(GetParam()));
   Tally tally;
   for (int i = 0; i < 200000; ++i) {
@@ -137,7 +137,7 @@ TEST(CylinderParity, StandingUpItIsExact) {
 // If a rim of a tilted cylinder meets an edge or corner of the body, the pair has no axis. Contact
 // then comes up to 0.17 studs early, and one overlap in ten is too deep. Few exceed 0.3 studs. A
 // body well inside the rim of a wide disc reaches 1.13.
-TEST(CylinderParity, TurnedAnyWayItIsTooDeepOnlyAtRims) {
+TEST(CylinderParity, AtAnyRotationItIsTooDeepOnlyAtRims) {
   PairDice dice(541);
   Excess excess;
   for (int i = 0; i < 100000; ++i) {

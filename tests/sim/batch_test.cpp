@@ -50,7 +50,7 @@ uint64_t alone(const Course& course, uint32_t index, uint32_t ticks, uint64_t se
   return stateHash(w, loose);
 }
 
-TEST(Batch, worlds_of_many_levels_go_as_they_would_alone) {
+TEST(Batch, worlds_of_many_levels_equal_worlds_alone) {
   const support::Levels many = support::everyKind();
   ThreadPool pool(3);
   HostDevice device(pool);
@@ -95,7 +95,7 @@ TEST(Batch, rules_are_the_same_in_lanes_and_on_kernels) {
   }
 }
 
-TEST(Batch, how_ticks_are_cut_into_steps_does_not_show) {
+TEST(Batch, the_length_of_steps_does_not_matter) {
   const support::Levels many = support::everyKind();
   ThreadPool pool(2);
   HostDevice device(pool);
@@ -142,7 +142,7 @@ TEST(Batch, ended_worlds_wait_unless_the_course_restarts) {
 }
 
 // The same play as a walker, as a table, and as plans.
-TEST(Batch, walker_table_and_plans_say_the_same) {
+TEST(Batch, walker_table_and_plans_are_equivalent) {
   const level::Level level = support::boxArena(20, 1).compile();
   const Course course = courseOf(level.view(), level.spawns()[0]);
   constexpr uint32_t kTicks = 100, kSome = 20;

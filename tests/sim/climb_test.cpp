@@ -121,7 +121,7 @@ TEST(Climb, of_20_studs_ends_standing_on_top_by_holding_forward_only) {
   }
 }
 
-TEST(Climb, past_the_top_leads_onto_what_is_behind) {
+TEST(Climb, past_the_top_leads_onto_the_floor_beyond) {
   const auto level = tower(20).block({0, 19, kFace - 10}, {16, 2, 16}).compile();
   Play play(level);
   play.settle();

@@ -70,7 +70,7 @@ TEST(Button, ClosesAnInvertedPartForItsTime) {
   EXPECT_LT(beside.world.position.z, -22) << "away otherwise";
 }
 
-TEST(Button, RunsOnFromTheFirstTouchOrFromTheLastAsItSays) {
+TEST(Button, CountsFromTheFirstOrTheLastTouch) {
   const auto ticksOpen = [](bool restarts) {
     LevelBuilder b = floorLevel();
     withButton(b, 1, restarts);
@@ -120,7 +120,7 @@ TEST(Boost, WithoutSecondsLastsWhileThePartIsTouched) {
   EXPECT_NEAR(beside.highest(), 53 * 53 / (2 * 196.2f), 0.3f);
 }
 
-TEST(Boost, ForeverLastsAndTheOneTouchedLastCounts) {
+TEST(Boost, ForeverLastsAndTheLastTouchedCounts) {
   LevelBuilder b = boostLevel([](auto boost) { boost.setWalkSpeed(2), boost.setForever(true); });
   b.block({0, 0.1f, -30}, {4, 0.2f, 4}, [](Part::Builder p) {
     p.initBoost().setWalkSpeed(0.5f);
@@ -136,7 +136,7 @@ TEST(Boost, ForeverLastsAndTheOneTouchedLastCounts) {
   EXPECT_EQ(play.world.clockCount, 2);
 }
 
-TEST(Boost, EqualOnesShareAClock) {
+TEST(Boost, EqualBoostsShareAClock) {
   LevelBuilder b = floorLevel();
   for (int i = 0; i < 12; ++i) {
     b.block({0, 0.1f, -6 - 4 * float(i)}, {4, 0.2f, 2}, [](Part::Builder p) {
@@ -171,7 +171,7 @@ TEST(Heal, GivesHealthBackUpToTheFullAndOnceACooldown) {
   EXPECT_EQ(healed(-10, 0, 90), 100);
 }
 
-TEST(Clocks, MoreThanAWorldRemembersAreNotedAndDoNothing) {
+TEST(Clocks, BeyondTheLimitAreReportedAndIgnored) {
   LevelBuilder b;
   for (int i = 0; i < 10; ++i) {
     b.block({0.2f * float(i) - 1, -1, 0}, {0.2f, 2, 8},

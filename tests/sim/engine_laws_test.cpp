@@ -133,7 +133,7 @@ TEST(EngineLaws, RunningTurnsToFreefall28StepsAfterTheFloor) {
 }
 
 // The depth depends on when in a step the feet pass their rest height. The test takes the mean.
-TEST(EngineLaws, TheLegsDipAndAreLevelAfter0_2Seconds) {
+TEST(EngineLaws, TheLegsDipAndRecoverIn0_2Seconds) {
   struct Case {
     float height, speed, from, to;
   };

@@ -16,7 +16,7 @@ const level::Level& wall() {
 }
 constexpr Vec3 kOverTheEdge = {2 + 1 - 0.1f, 20.5f, 0};
 
-TEST(Hang, NobodyWalksAlongAnEdgeByTheTorso) {
+TEST(Hang, APlayerCannotWalkAlongAnEdgeOnTheTorso) {
   Play play(wall(), kOverTheEdge);
   play.run(stand(), 60);
   ASSERT_EQ(play.world.state, sim::State::freefall);

@@ -24,13 +24,13 @@ void expectToStayAtTheMost(const Play& ready) {
   }
 }
 
-TEST(JumpCount, StaysAtTheMostOnAFloor) {
+TEST(JumpCount, SaturatesOnAFloor) {
   const auto level = flatLevel();
   Play play(level);
   expectToStayAtTheMost(play.settle());
 }
 
-TEST(JumpCount, StaysAtTheMostOnATruss) {
+TEST(JumpCount, SaturatesOnATruss) {
   const auto level =
       floorLevel()
           .block({0, 20, -5}, {2, 40, 2}, [](Part::Builder p) { p.setShape(schema::Shape::TRUSS); })
@@ -44,7 +44,7 @@ TEST(JumpCount, StaysAtTheMostOnATruss) {
   expectToStayAtTheMost(play);
 }
 
-TEST(JumpCount, StaysAtTheMostOnASeat) {
+TEST(JumpCount, SaturatesOnASeat) {
   const auto level =
       floorLevel().block({0, 0.5f, -8}, {3, 1, 3}, [](Part::Builder p) { p.initSeat(); }).compile();
   Play play(level);
@@ -54,7 +54,7 @@ TEST(JumpCount, StaysAtTheMostOnASeat) {
   expectToStayAtTheMost(play);
 }
 
-TEST(JumpCount, LeavesJumpsAtTheMostWhereThereIsNoLimit) {
+TEST(JumpCount, LeavesJumpsWhenSaturatedWithoutALimit) {
   level::QueryView query{};
   sim::World w{};
   w.jumps = kMost;

@@ -10,7 +10,7 @@ namespace {
 using schema::Part;
 using support::LevelBuilder;
 
-TEST(Limits, APadThrowsNobodyThroughACeiling) {
+TEST(Limits, APadNeverThrowsAPlayerThroughACeiling) {
   const auto level = floorLevel()
                          .block({0, 0.5f, 0}, {6, 1, 6},
                                 [](Part::Builder p) {
@@ -54,7 +54,7 @@ TEST(Limits, APartOfSeveralHullsHurtsOnce) {
   EXPECT_NEAR(healthAfterATick(true), 90, 0.1f);
 }
 
-TEST(Limits, APartThatFallsAtAnySpeedLeavesTheOthersWhereTheyAre) {
+TEST(Limits, AFallOfAnySpeedKeepsOtherPartsInPlace) {
   LevelBuilder b = floorLevel();
   b.block({20, 5, 20}, {4, 1, 4}, [](Part::Builder p) {
     p.initFall().setSeconds(1);
@@ -66,7 +66,7 @@ TEST(Limits, APartThatFallsAtAnySpeedLeavesTheOthersWhereTheyAre) {
   EXPECT_NEAR(play.world.position.y, 0, 0.1f);
 }
 
-TEST(Limits, WhatIsOnlyThereAfterATouchAndCannotBeTouchedIsNeverThere) {
+TEST(Limits, APartThatNeedsAnImpossibleTouchNeverAppears) {
   for (const bool inverted : {false, true}) {
     LevelBuilder b = floorLevel();
     b.block({0, 9.5f, 0}, {6, 1, 6}, [=](Part::Builder p) {
@@ -82,7 +82,7 @@ TEST(Limits, WhatIsOnlyThereAfterATouchAndCannotBeTouchedIsNeverThere) {
   }
 }
 
-TEST(Limits, ATripOfNoTimeStartsNothingElse) {
+TEST(Limits, ATripOfZeroSecondsStartsNothing) {
   LevelBuilder b = floorLevel();
   b.block({20, 1, 0}, {2, 2, 2}, [](Part::Builder p) {
     p.initButton().setSignal("door");

@@ -144,7 +144,7 @@ RC_GTEST_PROP(LooseProperties, EveryStateIsFiniteAndWideTicksGiveTheSame, ()) {
   }
 }
 
-RC_GTEST_PROP(LooseProperties, WithAllFrictionThatThereIsEveryStateIsFinite, ()) {
+RC_GTEST_PROP(LooseProperties, AtMaximumFrictionEveryStateIsFinite, ()) {
   const auto rough = [](schema::Part::Builder p) { p.setFriction(100); };
   const auto bodies = *rc::gen::container<std::vector<Thrown>>(
       3, thrown(rc::gen::build<Vec3>(rc::gen::set(&Vec3::x, between(-5, 5)),
@@ -270,7 +270,7 @@ RC_GTEST_PROP(LooseProperties, NothingSinksIntoAThinFloor, ()) { dropOnFloors(0.
 // its other end may pass a floor of 0.05 studs in the same tick.
 RC_GTEST_PROP(LooseProperties, NothingSinksIntoAFloorOfTwoStuds, ()) { dropOnFloors(2, 478); }
 
-RC_GTEST_PROP(LooseProperties, WhatSleepsStaysUntilItIsTouched, ()) {
+RC_GTEST_PROP(LooseProperties, SleepingBodiesStayUntilTouched, ()) {
   auto bodies = *rc::gen::container<std::vector<Thrown>>(
       3, thrown(rc::gen::build<Vec3>(rc::gen::set(&Vec3::x, between(-4, 4)),
                                      rc::gen::set(&Vec3::y, between(4, 10)),

@@ -73,7 +73,7 @@ TEST(Kill, by_the_root_counts_its_centre_and_no_limb) {
   EXPECT_TRUE(killedByRoot(12.1f, schema::Shape::BALL));
 }
 
-TEST(Kill, by_the_root_a_floor_that_kills_is_none) {
+TEST(Kill, by_the_root_ignores_a_floor_that_kills) {
   const auto level = LevelBuilder()
                          .block({0, -1, 0}, {20, 2, 20},
                                 [](schema::Part::Builder p) { p.initKill(), p.setByRoot(true); })

@@ -42,7 +42,7 @@ TEST(Teleport, PutsThePlayerThereAtRestInTheAir) {
   EXPECT_FALSE(isArrived(play.world));
 }
 
-TEST(Teleport, KeepsTheVelocityAndTurnsWhereItSaysSo) {
+TEST(Teleport, KeepsTheVelocityAndTurnsIfSet) {
   LevelBuilder b = floorLevel();
   teleporter(b, {0, 2, -8}, {60, 4, 60}, [](auto t) {
     t.setKeepVelocity(true);
@@ -57,7 +57,7 @@ TEST(Teleport, KeepsTheVelocityAndTurnsWhereItSaysSo) {
   EXPECT_NEAR(radiansFromTurns(play.world.yaw), 1, 0.001f);
 }
 
-TEST(Teleport, APairDoesNotThrowThePlayerToAndFro) {
+TEST(Teleport, APairDoesNotBounceThePlayerBack) {
   LevelBuilder b = floorLevel();
   teleporter(b, {0, 2, -8}, {60, 0, 60});
   teleporter(b, {60, 2, 60}, {0, 0, -8});
@@ -73,7 +73,7 @@ TEST(Teleport, APairDoesNotThrowThePlayerToAndFro) {
   EXPECT_LT(play.world.position.x, 10);
 }
 
-TEST(Seat, HoldsUntilJumpAndDoesNotTakeAgainAtOnce) {
+TEST(Seat, HoldsUntilAJumpAndThenHasACooldown) {
   const auto level =
       floorLevel().block({0, 0.5f, -8}, {3, 1, 3}, [](Part::Builder p) { p.initSeat(); }).compile();
   Play play(level);
@@ -116,7 +116,7 @@ TEST(Seat, RidesWithAMovingSeat) {
 }
 
 // A player who jumps off does not inherit the leap back to the start as a speed.
-TEST(Seat, WhereAMotionBeginsAnewThrowsNobody) {
+TEST(Seat, TheRestartOfAMotionAddsNoSpeed) {
   const auto level = movingSeat();
   Play play(level, {0, 1, 0});
   play.run(stand(), 239);
@@ -136,7 +136,7 @@ void looseSeat(Part::Builder p) {
 
 Pose seatOf(const Play& play) { return poseOf(play.loose[0], play.level.view().loose[0]); }
 
-TEST(Seat, ThatIsLooseHoldsThePlayerWhereItLies) {
+TEST(Seat, ThatIsDynamicHoldsThePlayer) {
   const auto level = floorLevel().block({0, 3, -8}, {3, 1, 3}, looseSeat).compile();
   Play play(level);
   play.run(stand(), 90);  // the seat falls
@@ -152,7 +152,7 @@ TEST(Seat, ThatIsLooseHoldsThePlayerWhereItLies) {
   EXPECT_NEAR(play.world.velocity.y, 53, 0.1f);
 }
 
-TEST(Seat, ThatFallsTakesThePlayerAlongAndLetsGoWhereItIsGone) {
+TEST(Seat, ThatFallsCarriesThePlayerUntilItIsGone) {
   LevelBuilder b;
   b.block({0, 0, 0}, {3, 1, 3}, looseSeat).physics([](auto p) {
     p.setSeatHeight(10);
@@ -190,7 +190,7 @@ LevelBuilder pressLevel(schema::Squeeze squeeze, float lowest = 1) {
   });
 }
 
-TEST(Squeeze, KillsUnderAPressThatSaysSoAndNamesIt) {
+TEST(Squeeze, KillsUnderAPressThatKillsAndNamesIt) {
   const auto level = pressLevel(schema::Squeeze::KILL).compile();
   Play play(level);
   play.run(stand(), 200);
@@ -198,14 +198,14 @@ TEST(Squeeze, KillsUnderAPressThatSaysSoAndNamesIt) {
   EXPECT_EQ(play.world.part, 1u);
 }
 
-TEST(Squeeze, OnlyPushesWithoutThat) {
+TEST(Squeeze, OtherwiseOnlyPushes) {
   const auto level = pressLevel(schema::Squeeze::PUSH).compile();
   Play play(level);
   play.run(stand(), 200);
   EXPECT_EQ(play.world.outcome, Outcome::running);
 }
 
-TEST(Squeeze, SparesAPlayerWithRoomToStand) {
+TEST(Squeeze, SparesAPlayerWithSpaceToStand) {
   const auto level = pressLevel(schema::Squeeze::KILL, 5.5f).compile();
   Play play(level);
   play.settle().run(stand(true), 200);
@@ -227,7 +227,7 @@ TEST(OneWay, IsJumpedThroughFromBelowAndStoodOnFromAbove) {
   EXPECT_EQ(play.world.state, State::running);
 }
 
-TEST(OneWay, StopsFromItsSolidSideHoweverFast) {
+TEST(OneWay, StopsAnySpeedFromItsSolidSide) {
   const auto level = shelf({0, 1, 0}).compile();
   Play play(level, {0, 100, 0});
   play.world.velocity.y = -400;

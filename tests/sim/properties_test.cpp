@@ -173,7 +173,7 @@ RC_GTEST_PROP(Properties, TheKernelGivesTheBitsOfTheLanes, ()) {
   RC_ASSERT(*lanes->hash() == *kernel->hash());
 }
 
-RC_GTEST_PROP(Properties, TheOrderOfWorldsDoesNotShow, ()) {
+RC_GTEST_PROP(Properties, TheOrderOfWorldsDoesNotMatter, ()) {
   const level::Level level = randomLevel();
   const uint64_t seed = *rc::gen::inRange<uint64_t>(0, 100000);
   constexpr uint32_t kWorlds = 37;

@@ -94,7 +94,7 @@ TEST_F(RulesTest, AThinRegionIsReachedAtATickOnly) {
   EXPECT_LT(reached, 30);
 }
 
-TEST_F(RulesTest, NothingIsBetweenTheEndsOfATeleport) {
+TEST_F(RulesTest, ATeleportPassesNothingInBetween) {
   LevelBuilder b = LevelBuilder().block({0, -1, 0}, {400, 2, 400});
   b.block({0, 2, -10}, {4, 4, 1}, [](schema::Part::Builder p) {
     p.setSolid(false);
@@ -109,7 +109,7 @@ TEST_F(RulesTest, NothingIsBetweenTheEndsOfATeleport) {
   EXPECT_EQ(play(), Outcome::avoided) << "and goes on from there";
 }
 
-TEST_F(RulesTest, LanesStepOverNothingEither) {
+TEST_F(RulesTest, LanesDoNotSkipRegionsEither) {
   avoid = {boxAt(-20, {3, 3, 0.001f})};
   query.avoid = avoid.data(), query.avoidCount = 1;
   constexpr size_t kWorlds = 1100;  // several blocks
@@ -299,7 +299,7 @@ TEST_F(RulesTest, AMovingPartIsTouchedWhereItIs) {
   EXPECT_EQ(last.visited, 1u);
 }
 
-TEST_F(RulesTest, HealthLostInAllIsLimited) {
+TEST_F(RulesTest, TotalLostHealthIsLimited) {
   LevelBuilder b = LevelBuilder().block({0, -1, 0}, {400, 2, 400});
   for (const float z : {-10.0f, -20.0f}) {
     b.block({0, 1, z}, {8, 2, 0.5f}, [](schema::Part::Builder p) {

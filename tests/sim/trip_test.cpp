@@ -11,7 +11,7 @@ using sim::State;
 using sim::World;
 using support::LevelBuilder;
 
-TEST(Trip, TakesControlForItsTimeAndThenLetsGo) {
+TEST(Trip, TakesControlForItsTimeOnly) {
   const auto level = floorLevel()
                          .block({0, 1, -10}, {10, 2, 1},
                                 [](Part::Builder p) {

@@ -86,7 +86,7 @@ std::vector<World> startsOver(const level::Level& level, uint32_t count) {
 class WideTick : public testing::TestWithParam<Scene> {};
 
 // 100 worlds fill some lanes only. 700 ticks cover walks, falls, pushes and deaths.
-TEST_P(WideTick, GivesTheBitsOfTheScalarTick) {
+TEST_P(WideTick, EqualsTheScalarTickBitForBit) {
   const level::Level level = GetParam().build();
   level::LevelView view = level.view();
   view.params.tricks = GetParam().tricks;
@@ -139,7 +139,7 @@ TEST(WideTick, LeavesEndedWorldsAlone) {
 
 // With a sleep time of 0, a slow body sleeps at once, but not in the air: neither when it begins to
 // fall nor at the apex of a throw.
-TEST(WideTick, LetsLooseBodiesSleepOnlyWhereTheyLie) {
+TEST(WideTick, LetsDynamicBodiesSleepOnlyAtRest) {
   const level::Level level = LevelBuilder()
                                  .block({0, -1, 0}, {200, 2, 200})
                                  .block({0, 20, 0}, {4, 4, 4}, [](auto p) { p.setAnchored(false); })
@@ -181,7 +181,7 @@ World expectAlike(const level::Level& level, World wide, uint32_t single, Action
 
 // Lanes do not support the Climbing state: a climber takes the scalar tick even if its truss is out
 // of reach.
-TEST(WideTick, TakesClimbersSingly) {
+TEST(WideTick, LeavesClimbersToTheScalarTick) {
   const level::Level level = arena();
   World wide = makeWorld(level.view(), level.spawns()[0]);
   wide.state = State::climbing;
@@ -214,7 +214,7 @@ TEST(WideTick, StandsOnBeltsAsTheScalarTickDoes) {
   }
 }
 
-TEST(WideTick, CountsNoMoreJumpsThanFit) {
+TEST(WideTick, SaturatesTheJumpCount) {
   const level::Level level =
       LevelBuilder().block({0, -1, 0}, {20, 2, 20}).spawn({0, 0, 0}).compile();
   World w = makeWorld(level.view(), level.spawns()[0]);
@@ -228,7 +228,7 @@ TEST(WideTick, CountsNoMoreJumpsThanFit) {
 
 // The scalar tick first checks for any floor below, and must find floors at the very end of the
 // rays.
-TEST(WideTick, SensesWhatIsAtTheEndOfTheRays) {
+TEST(WideTick, SensesFloorsAtTheEndOfTheRays) {
   const level::Level edge = LevelBuilder()
                                 .block({0, 2.7817647457f, 0}, {20, 2, 20})
                                 .spawn({0, 4.781764984f, 0})

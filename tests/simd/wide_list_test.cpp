@@ -22,7 +22,7 @@ Vec3 laneOf(const Item& item, int lane) {
 }
 
 // Each lane adds with a probability of its own, so that lists of all lengths occur.
-TEST(WideList, AddsGivesAndFollowsAsOneListALane) {
+TEST(WideList, EqualsAScalarListInEachLane) {
   Random random(5, 0);
   for (int round = 0; round < 200; ++round) {
     std::array<One, size_t(kLanes)> one;

@@ -115,7 +115,7 @@ TEST_F(Wide, ArithmeticIsTheScalarOne) {
 }
 
 // Compares every ordered pair of special values.
-TEST_F(Wide, LesserAndGreaterAreTheScalarOnesOfOddNumbers) {
+TEST_F(Wide, MinAndMaxAreTheScalarOnesForSpecialValues) {
   constexpr float kInfinity = std::numeric_limits<float>::infinity();
   constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
   const float odd[] = {kNaN, kInfinity, -kInfinity, 0.0f, -0.0f, 1e-40f, 1.0f};
@@ -162,7 +162,7 @@ TEST_F(Wide, Gathers) {
   expect(gather(a.data(), reversed.data()), [&](size_t k) { return a[mirror(k)]; });
 }
 
-TEST_F(Wide, ChosenLanesAreStoredSideBySide) {
+TEST_F(Wide, SelectedLanesAreStoredContiguously) {
   draw();
   for (uint32_t chosen : {0u, 1u, 0x9au, 0x5e31u, 0xffffu}) {
     chosen &= (uint64_t(1) << kLanes) - 1;
