@@ -78,7 +78,7 @@ TEST(Rays, MeetFloorsBelowAndWallsAhead) {
   }
 }
 
-TEST(Rays, ShowDangersAsWideAsTheMapsDoAndNotBehindFloors) {
+TEST(Rays, ShowDangersAsWideAsInTheMapsExceptBehindFloors) {
   LevelBuilder b = start();
   b.block({-5.5f, 3, 0}, {1, 6, 4}, kills);
   b.block({0, 3, -6.5f}, {4, 6, 1});
@@ -103,7 +103,7 @@ LevelBuilder coming(bool isDanger) {
   return b;
 }
 
-TEST(Rays, ShowHowWhatMovesWillChange) {
+TEST(Rays, IncludeTheChangeFromMovingParts) {
   const int ahead = rayAt(kLevelRay, kAhead);
   const Ray floor = raysOf(coming(false)), danger = raysOf(coming(true));
   EXPECT_NEAR(floor(kNow, kFloor, ahead), closeness(7.5f), 1e-3f);
@@ -165,7 +165,7 @@ TEST(Rays, MeetShapesWhereTheSimulatorsRaysDo) {
 
 float told(float studs, float half) { return policy::squashed(studs, half); }
 
-TEST(NearestParts, AreToldInTheFrameTheNearestFirst) {
+TEST(NearestParts, AreListedInThePlayersFrameNearestFirst) {
   LevelBuilder b;
   b.block({0, 2.5f, -9}, {4, 4, 2}, kills);  // ahead, its face 8 studs away
   b.block({6, 4.5f, 0}, {2, 2, 2});          // to the right and up, 5.1 studs away
@@ -190,7 +190,7 @@ TEST(NearestParts, AreToldInTheFrameTheNearestFirst) {
   EXPECT_NEAR(list(2, kPartNearest, 0), told(8, kNearPart), 1e-5f);
 }
 
-TEST(NearestParts, TellHowTheyWillHaveMoved) {
+TEST(NearestParts, IncludeTheirFutureMotion) {
   const List list = listOf(coming(true));
   ASSERT_EQ(list.count(), 2) << "what moves is listed once";
   EXPECT_NEAR(list(1, kPartMoved, 0), told(-4 * 0.4f, kFastPart), 2e-2f);
@@ -199,7 +199,7 @@ TEST(NearestParts, TellHowTheyWillHaveMoved) {
 }
 
 // Two tiles of one size take turns: when one vanishes, the other appears.
-TEST(NearestParts, DoNotTakeOneThatGoesForOneThatComes) {
+TEST(NearestParts, TellVanishingPartsFromAppearingOnes) {
   LevelBuilder b = start();
   for (const bool comes : {false, true}) {
     b.block({0, -0.5f, comes ? -12.0f : -6.0f}, {4, 1, 4}, [=](schema::Part::Builder p) {
@@ -243,7 +243,7 @@ TEST(OtherViews, DoNotDependOnTheOrderOfParts) {
     EXPECT_EQ(Onlooker(one).inputs(how), Onlooker(two).inputs(how));
 }
 
-TEST(OtherViews, AreOfOrderOneAndShowWhatIsAround) {
+TEST(OtherViews, AreOfOrderOneAndShowTheSurroundings) {
   const level::Level level = scattered(40, false);
   for (const policy::Observe how : {rays, nearestParts, partSet}) {
     const std::vector<float> in = Onlooker(level).inputs(how);
@@ -270,7 +270,7 @@ TEST(NearestParts, AreSorted) {
 }
 
 // Inputs outside the maps stay the policy's own, and the view of an empty neighbourhood is zero.
-TEST(OtherViews, TellTheRestAsThePolicySeesIt) {
+TEST(OtherViews, KeepThePolicysOtherInputs) {
   LevelBuilder far;
   far.block({200, -0.5f, 0}, {3, 1, 3});
   const level::Level level = far.compile();

@@ -52,7 +52,7 @@ class SuiteFolder : public ::testing::Test {
       ::testing::UnitTest::GetInstance()->current_test_info()->name();
 };
 
-TEST_F(SuiteFolder, EffortIsWayHazardsTargetsAndLimits) {
+TEST_F(SuiteFolder, EffortSumsDistanceHazardsTargetsAndLimits) {
   const std::vector<SuiteQuery> suite = plan().suite;
   // The goal's near edge is 43 studs away, in jumps of 8.6. One of the two kill parts is near the
   // line.
@@ -70,7 +70,7 @@ TEST_F(SuiteFolder, QueriesOfOneLevelDifferInContent) {
 }
 
 // The content does not depend on where the suite is stored.
-TEST_F(SuiteFolder, ContentIsWhatCanChangeAPlaythrough) {
+TEST_F(SuiteFolder, ContentIsEverythingThatCanChangeATrajectory) {
   const uint64_t content = plan().suite[0].content;
   const auto with = [&](const std::string& more) {
     std::string level = kLevel;
@@ -82,7 +82,7 @@ TEST_F(SuiteFolder, ContentIsWhatCanChangeAPlaythrough) {
   EXPECT_NE(with(R"("physics":{"gravity":100},)"), content);
 }
 
-TEST_F(SuiteFolder, OnlyTheFirstMethodIsAskedWhatHasNoSolutionAndOnce) {
+TEST_F(SuiteFolder, UnsolvableQueriesRunOnceByTheFirstMethodOnly) {
   const Plan p = plan();
   EXPECT_EQ(p.questions().size(), 2u * 2 * 2 + 1);
   EXPECT_TRUE(p.asks(0, 2, 1));
@@ -93,7 +93,7 @@ TEST_F(SuiteFolder, OnlyTheFirstMethodIsAskedWhatHasNoSolutionAndOnce) {
 }
 
 // Times of different kinds of machine cannot be compared.
-TEST_F(SuiteFolder, AQueryWithASeedIsReportedOfOneKindOfMachine) {
+TEST_F(SuiteFolder, EachQueryAndSeedIsReportedFromOneKindOfMachine) {
   Plan p = plan();
   auto log = RunLog::open((folder_ / "runs.jsonl").string());
   ASSERT_TRUE(log);
@@ -116,7 +116,7 @@ TEST_F(SuiteFolder, AQueryWithASeedIsReportedOfOneKindOfMachine) {
   EXPECT_EQ(resultsOf(p, *log, {}).runs[1][0].at(0).timing.seconds, 1) << "unless any counts";
 }
 
-TEST_F(SuiteFolder, NamesChooseQueriesAndUnknownNamesAreErrors) {
+TEST_F(SuiteFolder, NamesSelectQueriesAndUnknownNamesAreErrors) {
   const auto one = loadSuite(folder_.string(), {"deeper/flat.jsonl:up"});
   ASSERT_TRUE(one);
   EXPECT_EQ(one->size(), 1u);
@@ -138,7 +138,7 @@ TEST_F(SuiteFolder, ARunIsAnswered) {
   EXPECT_EQ((*run)->key(), plannedRun(question, 6).key());
 }
 
-TEST_F(SuiteFolder, ARunThatIsInterruptedIsNone) {
+TEST_F(SuiteFolder, AnInterruptedRunDoesNotCount) {
   const Plan p = plan();
   ThreadPool pool(1);
   const std::atomic<bool> stop{true};

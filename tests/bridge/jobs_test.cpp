@@ -17,7 +17,7 @@ JobPlan shell(const std::string& script) {
   return plan;
 }
 
-TEST(Jobs, those_that_ended_first_are_forgotten_first) {
+TEST(Jobs, the_first_to_end_are_forgotten_first) {
   kj::AsyncIoContext async = kj::setupAsyncIo();
   Loop loop{*async.lowLevelProvider, async.unixEventPort, async.provider->getTimer()};
   Limits limits;
@@ -41,7 +41,7 @@ TEST(Jobs, those_that_ended_first_are_forgotten_first) {
   EXPECT_EQ(jobs.find(*client, slow)->state(), JobState::cancelled);
 }
 
-TEST(Jobs, an_answer_that_another_job_is_yet_to_read_is_not_forgotten) {
+TEST(Jobs, answers_that_another_job_still_needs_are_kept) {
   kj::AsyncIoContext async = kj::setupAsyncIo();
   Loop loop{*async.lowLevelProvider, async.unixEventPort, async.provider->getTimer()};
   Limits limits;

@@ -27,7 +27,7 @@ std::string endOf(const std::string& script, Run::OnLine onOutput, Run::OnLine o
   return ended.exclusiveJoin(kj::mv(late)).wait(async.waitScope);
 }
 
-TEST(Run, a_program_whose_lines_cannot_be_taken_is_ended) {
+TEST(Run, a_program_is_ended_if_a_callback_throws) {
   const Run::OnLine fails = [](std::string_view) { throw std::bad_alloc(); };
   std::string taken;
   const Run::OnLine takes = [&taken](std::string_view line) { taken += line; };
@@ -40,7 +40,7 @@ TEST(Run, a_program_whose_lines_cannot_be_taken_is_ended) {
   EXPECT_EQ(taken, "ab");
 }
 
-TEST(Run, a_program_that_ends_before_its_input_comes_is_no_failure) {
+TEST(Run, a_program_may_end_before_its_input) {
   kj::AsyncIoContext async = kj::setupAsyncIo();
   Loop loop{*async.lowLevelProvider, async.unixEventPort, async.provider->getTimer()};
   auto process = Process::start({"/bin/sh", {"-c", "exit 11"}, 0, 0});

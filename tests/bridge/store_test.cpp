@@ -29,7 +29,7 @@ TEST(Store, folder_is_closed_to_others) {
   }
 }
 
-TEST(Store, folder_that_cannot_be_made_is_an_error_with_its_cure) {
+TEST(Store, a_failure_to_create_the_folder_states_the_remedy) {
   const test::ScratchFolder folder;
   std::ofstream(folder / "file") << "x";
   const auto store = Store::open(folder / "file", Limits());
@@ -38,7 +38,7 @@ TEST(Store, folder_that_cannot_be_made_is_an_error_with_its_cure) {
   EXPECT_FALSE(Store::open(folder / "file/below", Limits()));
 }
 
-TEST(Store, levels_come_back_in_their_parts) {
+TEST(Store, levels_are_restored_in_parts) {
   const test::ScratchFolder folder;
   const auto store = Store::open(folder / "state", Limits());
   ASSERT_TRUE(store);
@@ -58,7 +58,7 @@ TEST(Store, levels_come_back_in_their_parts) {
   EXPECT_EQ(queryIdOfLine((*level)->queries[1]), "");
 }
 
-TEST(Store, reports_on_a_level_are_kept_beside_it) {
+TEST(Store, reports_on_a_level_are_kept_with_it) {
   const std::vector<std::string> reports = {"{\"type\":\"warning\",\"message\":\"no start\"}",
                                             "{\"message\":\"odd\"}"};
   const test::ScratchFolder folder;
@@ -76,7 +76,7 @@ TEST(Store, reports_on_a_level_are_kept_beside_it) {
   EXPECT_FALSE(store->has("a"));
 }
 
-TEST(Store, longest_unused_levels_go_first) {
+TEST(Store, least_recently_used_levels_go_first) {
   const test::ScratchFolder folder;
   Limits limits;
   limits.storeBytes = 3 * kLines.size();
@@ -96,7 +96,7 @@ TEST(Store, longest_unused_levels_go_first) {
   EXPECT_TRUE(store->has("d"));
 }
 
-TEST(Store, record_lines_tell_their_type) {
+TEST(Store, record_lines_have_a_type) {
   EXPECT_EQ(typeOfLine("{\"type\":\"level\",\"name\":\"x\"}"), "level");
   EXPECT_EQ(typeOfLine("{\"type\":\"level"), "");
   EXPECT_EQ(typeOfLine("{\"name\":\"x\",\"type\":\"level\"}"), "");

@@ -51,7 +51,7 @@ std::vector<double> halfWidths(const std::vector<Take>& takes,
   return evidenceOf(*slopes).half;
 }
 
-TEST(Evidence, FramesInBetweenMakeNothingKnownBetter) {
+TEST(Evidence, InterpolatedFramesAddNoCertainty) {
   const std::vector<std::string> names = {"walkSpeed", "gravity"};
   const std::vector<Take> takes = plainTakes();
   const std::vector<double> once = halfWidths(takes, names);
@@ -64,7 +64,7 @@ TEST(Evidence, FramesInBetweenMakeNothingKnownBetter) {
 }
 
 // A stiffer body would be unstable at these steps, so that its level does not compile.
-TEST(Evidence, ASlopeBesideABodyThatCannotBeIsThatOfTheOtherSide) {
+TEST(Evidence, TheGradientNextToAnInvalidBodyIsOneSided) {
   io::RecordBuilder stiff;
   auto now = stiff.root().initParams();
   setValue(now, "hoverDamping", 200);

@@ -56,7 +56,7 @@ Take turningJump(uint16_t tricks) {
 }
 
 // The engine that recorded the jumps holds them.
-TEST(TrickEvidence, FindsTheTrickThatTheEngineDoes) {
+TEST(TrickEvidence, FindsTheTrickThatTheEngineHas) {
   ThreadPool pool(availableThreads());
   std::vector<Take> takes;
   for (int i = 0; i < 4; ++i) takes.push_back(turningJump(kHeldJump));
@@ -71,7 +71,7 @@ TEST(TrickEvidence, FindsTheTrickThatTheEngineDoes) {
   EXPECT_EQ(textOf(*none), "");
 }
 
-TEST(Fidelity, TellsTheApexUnderOtherGravity) {
+TEST(Fidelity, MeasuresTheApexUnderOtherGravity) {
   const io::RecordBuilder weak = paramsWith("gravity", 180);
   const std::vector<Take> takes = jumps(weak.reader().getParams());
   ASSERT_EQ(takes.size(), 1u);
@@ -93,7 +93,7 @@ TEST(Fidelity, CountsEventsThatTheSimulatorMisses) {
   EXPECT_LT(without->matched, whole->matched);
 }
 
-TEST(Fidelity, PlaysFramesThatAreNoWholeStepsByTheLevelsTicks) {
+TEST(Fidelity, PlaysFramesOfFractionalStepsInTheLevelsTicks) {
   std::vector<Take> takes = jumps(defaults());
   ASSERT_EQ(takes.size(), 1u);
   auto& frames = takes[0].track.frames;

@@ -73,7 +73,7 @@ TEST_P(Drawn, ParametersAreFoundAgain) {
 
 INSTANTIATE_TEST_SUITE_P(Sets, Drawn, testing::Values(1, 2));
 
-TEST(Fit, SaysWhatNoRecordingShows) {
+TEST(Fit, ReportsUndeterminedParameters) {
   io::RecordBuilder truth;
   setValue(truth.root().initParams(), "walkSpeed", 18);
   std::vector<Take> takes = takesUnder(truth.reader().getParams());
@@ -88,7 +88,7 @@ TEST(Fit, SaysWhatNoRecordingShows) {
 }
 
 // A place that states its own walk speed keeps it, and reveals nothing of the game's.
-TEST(Fit, LeavesWhatTheLevelStates) {
+TEST(Fit, KeepsParametersThatTheLevelStates) {
   io::RecordBuilder truth;
   setValue(truth.root().initParams(), "walkSpeed", 24);
   setValue(truth.root().getParams(), "gravity", 180);
@@ -145,7 +145,7 @@ TEST(Fit, CopesWithABadRecorder) {
 // An engine that integrates with the velocity at a step's end records velocities half a step older
 // than the path. Here they are a quarter of a frame old. Gravity and jump speed must not absorb
 // this.
-TEST(Fit, TakesVelocitiesForAsOldAsTheyAre) {
+TEST(Fit, CorrectsForOldVelocities) {
   io::RecordBuilder truth;
   setValue(truth.root().initParams(), "gravity", 180);
   setValue(truth.root().getParams(), "jumpSpeed", 48);
@@ -171,7 +171,7 @@ TEST(Fit, FindsThatTheRulesRunInEachStep) {
 
 // At that rate, a step of a level with its own rate would last a whole tick, so that it does not
 // compile.
-TEST(Fit, GoesOnWhereALevelCannotBePlayedInEachStep) {
+TEST(Fit, ContinuesIfALevelDoesNotCompileWithRulesInEachStep) {
   std::vector<Take> takes = takesUnder(
       defaults(), 0, manoeuvresNamed({"jump on the spot", "jump and turn back in the air"}));
   io::RecordBuilder slow(takes[0].level.reader());
@@ -184,7 +184,7 @@ TEST(Fit, GoesOnWhereALevelCannotBePlayedInEachStep) {
 }
 
 // The recording's level states its own physics and does not compile with the result.
-TEST(Fit, GoesOnWhereALevelThatIsHeldOutCannotBePlayed) {
+TEST(Fit, ContinuesIfAHeldOutLevelDoesNotCompile) {
   const std::vector<Take> takes = takesUnder(defaults(), 0, manoeuvresNamed({"jump on the spot"}));
   io::RecordBuilder slow(takes[0].level.reader());
   slow.root().getLevel().getPhysics().setControlRate(50);
@@ -196,7 +196,7 @@ TEST(Fit, GoesOnWhereALevelThatIsHeldOutCannotBePlayed) {
 }
 
 // By default the acceleration is zero, which has no logarithm.
-TEST(Fit, FindsWhatKeysDoWhileJumping) {
+TEST(Fit, FindsTheEffectOfKeysWhileJumping) {
   const auto played = manoeuvresNamed({"jump and turn back in the air", "hold jump"});
   for (const double accel : {0.0, 110.0}) {
     io::RecordBuilder truth;
@@ -209,7 +209,7 @@ TEST(Fit, FindsWhatKeysDoWhileJumping) {
   }
 }
 
-TEST(Parameters, BeyondABoundHaveItsShare) {
+TEST(Parameters, AreClampedToTheirBounds) {
   for (const Parameter& p : parametersAround(defaults())) {
     EXPECT_EQ(shareOf(p, 0), 0) << p.name;
     EXPECT_EQ(shareOf(p, 2 * p.highest), 1) << p.name;

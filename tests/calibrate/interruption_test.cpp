@@ -67,7 +67,7 @@ Stopped stoppedAt(const When& when) {
 
 class Interruption : public testing::TestWithParam<When> {};
 
-TEST_P(Interruption, EndsAFitSoonAtTheBestSoFar) {
+TEST_P(Interruption, EndsAFitSoonWithTheBestSoFar) {
   const Stopped at = stoppedAt(GetParam());
   EXPECT_TRUE(at.fit.stopped);
   EXPECT_LT(at.fit.evaluations - at.progress.evaluations, 100u);
@@ -86,7 +86,7 @@ INSTANTIATE_TEST_SUITE_P(Tasks, Interruption,
                          });
 
 // All values are found by then. An interval from half the trials must not be reported.
-TEST(Fit, LeavesUnknownWhatWasNotWeighed) {
+TEST(Fit, LeavesUntriedIntervalsUnknown) {
   const Stopped at = stoppedAt({"weighing", 0, 40});
   EXPECT_TRUE(at.fit.stopped);
   EXPECT_LT(at.fit.evaluations - at.progress.evaluations, 100u);
@@ -99,7 +99,7 @@ TEST(Fit, LeavesUnknownWhatWasNotWeighed) {
 
 // One thread reports after each of its tasks. With more threads, the number of evaluations in
 // between varies.
-TEST(Fit, IsHeardOfAllTheTime) {
+TEST(Fit, ReportsProgressContinuously) {
   const std::atomic<bool> stop{false};
   std::vector<FitProgress> told;
   const Fit whole = interruptionFitted(

@@ -64,13 +64,13 @@ TEST(MassCentre, IsFoundInAFallThatTurns) {
   EXPECT_NEAR(found.right, kCentre.right, 0.003);
 }
 
-TEST(MassCentre, DoesNotComeFromTheFramesThatAreLeftOut) {
+TEST(MassCentre, IgnoresTheExcludedFrames) {
   const Fall a = turningFall(60, 1, 40), same = turningFall(60, 3, 30);
   const std::vector<const Track*> tracks{&a.take.track, &same.take.track};
   EXPECT_TRUE(massCentreOf(tracks, a.take.track, a.params).isRoot());
 }
 
-TEST(MassCentre, IsTheRootWhereNobodyTurns) {
+TEST(MassCentre, IsTheRootWithoutATurn) {
   Fall a = turningFall(60, 1, 40);
   for (Frame& f : a.take.track.frames) f.facing = {0, 0, -1};
   const std::vector<const Track*> tracks{&a.take.track};

@@ -36,7 +36,7 @@ double meanMissOf(const std::vector<Take>& takes, schema::PhysicsParams::Reader 
 
 // A player may hit parts from the side, from below and at corners. Parts stop and turn the player,
 // but never throw it.
-TEST(OtherEngine, NobodyIsThrown) {
+TEST(OtherEngine, NoPlayerIsThrown) {
   for (const uint64_t seed : {1, 2, 3, 4, 5, 6}) {
     const auto game = test::drawnGame(test::BulletGame::Body::kinematic, seed, 0.25f);
     std::vector<Manoeuvre> shown = test::bulletManoeuvres();

@@ -27,7 +27,7 @@ Fit fitOf() {
   return fit;
 }
 
-TEST(Miss, MeasuresHowFarAPathIsOff) {
+TEST(Miss, IsTheDistanceOfAPathFromTheRecording) {
   const Miss near = missOf(outcome("near", 0.25f).path), far = missOf(outcome("far", 2).path);
   EXPECT_NEAR(near.mean, 0.25, 1e-5);
   EXPECT_NEAR(near.most, 0.25, 1e-5);
@@ -64,7 +64,7 @@ TEST(Report, ARangeWhoseEndsPrintAlikeIsOneNumber) {
 }
 
 // A time of no ticks has no logarithm.
-TEST(Page, NoTicksAreDrawnAtTheEndOfTheBar) {
+TEST(Page, ZeroTicksAreDrawnAtTheEndOfTheBar) {
   Fit fit = fitOf();
   const Parameter landed{"landedTime",          "s", 0.002, 0.2, "hold jump for several jumps",
                          Parameter::Kind::ticks};
@@ -83,7 +83,7 @@ TEST(Page, SaysThatTheFitWasInterrupted) {
 }
 
 // The page has no script, no external resources, and curves with few points.
-TEST(Page, IsOneFileThatNeedsNothing) {
+TEST(Page, IsOneFileWithoutExternalResources) {
   const std::string page = pageOf(fitOf(), {outcome("near", 0.01f)}, 0.1, {});
   for (const char* reference : {"<script", "src=", "href=", "url(", "@import"})
     EXPECT_EQ(page.find(reference), std::string::npos) << reference;

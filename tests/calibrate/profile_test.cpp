@@ -13,7 +13,7 @@
 namespace obby::calibrate {
 namespace {
 
-TEST(Profile, LeavesPossibleWhatIsWithinTheSlack) {
+TEST(Profile, KeepsValuesWithinTheSlack) {
   const Profile profile{0, {0.1, 0.2, 0.3, 0.4}, {5, 1.2, 1, 3}};
   const Possible some = possibleOf(profile, 0.3), one = possibleOf(profile, 0.1);
   EXPECT_EQ(some.least, 0.2);
@@ -51,7 +51,7 @@ std::vector<Profile> scanned(const std::vector<Take>& takes, const std::vector<s
 }
 
 // One tick and two are equivalent: the tick that lands and the one that runs again both count.
-TEST(Ticks, OfLandingAreCounted) {
+TEST(Ticks, OfLandingAreFound) {
   for (const int ticks : {0, 2, 6}) {
     const io::RecordBuilder truth = with({{"landedTime", ticks / 60.0}});
     const Manoeuvre jumps{"jumps", {0, 0.1f, 0}, {{0.5f, 0, 0}, {2.5f, 0, 0, true}}};
@@ -62,7 +62,7 @@ TEST(Ticks, OfLandingAreCounted) {
 }
 
 // The jump needs both times, so that neither shows without the other.
-TEST(Ticks, OfTwoTimesThatHideOneAnotherAreFound) {
+TEST(Ticks, OfTwoTimesThatMaskEachOtherAreFound) {
   const io::RecordBuilder truth = with({{"coyoteTime", 0.25}, {"offFloorGrace", 0.25}});
   const auto takes = lateJumps(truth.reader().getParams());
   std::vector<uint32_t> best;
@@ -79,7 +79,7 @@ TEST(Ticks, OfTwoTimesThatHideOneAnotherAreFound) {
   }
 }
 
-TEST(Ticks, ThatNothingShowsStayAsTheyWere) {
+TEST(Ticks, WithoutAnEffectStayUnchanged) {
   const Manoeuvre stands{"stands", {0, 0.1f, 0}, {{1, 0, 0}}};
   std::vector<uint32_t> best;
   const auto profiles =
@@ -90,7 +90,7 @@ TEST(Ticks, ThatNothingShowsStayAsTheyWere) {
 
 // A held jump follows each landing, at which the floor is sensed. Nothing else depends on the
 // parameter.
-TEST(Crossing, FindsFromHowHighAFloorIsSensed) {
+TEST(Crossing, FindsTheHeightAtWhichAFloorIsSensed) {
   const io::RecordBuilder truth = with({{"floorAcquire", 1.02}});
   std::vector<Manoeuvre> falls;
   for (int i = 0; i < 12; ++i)

@@ -30,7 +30,7 @@ TEST(Shortfall, NoiseOfThePositionsIsMeasured) {
 }
 
 // The recorded player is faster: the walk differs for any gravity.
-TEST(Shortfall, NamesWhatNoParameterExplains) {
+TEST(Shortfall, NamesRecordingsThatNoParameterExplains) {
   io::RecordBuilder truth;
   setValue(truth.root().initParams(), "walkSpeed", 24);
   const auto takes = takesUnder(truth.reader().getParams(), 0, firstManoeuvres(2));
@@ -43,7 +43,7 @@ TEST(Shortfall, NamesWhatNoParameterExplains) {
 }
 
 // Held-out recordings can depend on a parameter that no fitted recording determines.
-TEST(Shortfall, NamesWhatTheFittedRecordingsDoNotTell) {
+TEST(Shortfall, NamesParametersThatTheFittedRecordingsDoNotDetermine) {
   io::RecordBuilder truth;
   setValue(truth.root().initParams(), "landedTime", 0.1);
   const auto all = takesUnder(truth.reader().getParams(), 0, firstManoeuvres(4));
@@ -65,7 +65,7 @@ TEST(Shortfall, NamesParametersAtAnEnd) {
 }
 
 // A time of zero ticks and a zero acceleration are valid results, not ends of a range.
-TEST(Shortfall, NoneIsNoEnd) {
+TEST(Shortfall, ZeroIsNotTheEndOfARange) {
   const auto takes = takesUnder(defaults(), 0, firstManoeuvres(2));
   Fit none = shortfallFitOf("landedTime");
   Fitted& f = none.parameters[0];
@@ -78,7 +78,7 @@ TEST(Shortfall, NoneIsNoEnd) {
 }
 
 // The first take of that name is followed under any parameters.
-TEST(Shortfall, TakesOfOneNameAreToldApart) {
+TEST(Shortfall, RecordingsWithTheSameNameAreDistinguished) {
   io::RecordBuilder fast;
   setValue(fast.root().initParams(), "walkSpeed", 24);
   auto takes = takesUnder(defaults(), 0, firstManoeuvres(1));
@@ -91,7 +91,7 @@ TEST(Shortfall, TakesOfOneNameAreToldApart) {
 }
 
 // An interrupted fit may not have tried a parameter, so that no recording is to blame.
-TEST(Shortfall, OfAnInterruptedFitIsTheInterruption) {
+TEST(Shortfall, OfAnInterruptedFitNamesTheInterruption) {
   io::RecordBuilder truth;
   setValue(truth.root().initParams(), "walkSpeed", 24);
   const auto takes = takesUnder(truth.reader().getParams(), 0, firstManoeuvres(2));

@@ -66,7 +66,7 @@ TEST(Surroundings, TheClockOfARecordingIsFoundFromItsMovingParts) {
 }
 
 // A clock found in frames is the same time if the rules run in each step.
-TEST(Surroundings, TheClockIsATimeWhateverTheRate) {
+TEST(Surroundings, TheClockIsATimeAtAnyRate) {
   const Course course;
   Track track = course.lateRide();
   ASSERT_TRUE(place(track, course.reader(), course.level));
@@ -81,7 +81,7 @@ TEST(Surroundings, TheClockIsATimeWhateverTheRate) {
 }
 
 // The recorder dropped frames at the start of the window, yet the ferry's position is right.
-TEST(Surroundings, TheClockGoesOnWhereFramesAreMissing) {
+TEST(Surroundings, TheClockContinuesOverMissingFrames) {
   const Course course;
   Track track = course.rehearsed("ride the ferry");
   ASSERT_TRUE(place(track, course.reader(), course.level));
@@ -91,7 +91,7 @@ TEST(Surroundings, TheClockGoesOnWhereFramesAreMissing) {
   EXPECT_LT(mostOff(track, {{first - 5, first + 20}}, course.level.view()), 0.02f);
 }
 
-TEST(Surroundings, APartThatMovesOtherwiseIsNamed) {
+TEST(Surroundings, APartWithAnotherMotionIsNamed) {
   const Course course;
   Track track = course.rehearsed("ride the ferry");
   const size_t ferry = shown(track, partNamed(course, "Ferry"));
@@ -104,7 +104,7 @@ TEST(Surroundings, APartThatMovesOtherwiseIsNamed) {
   EXPECT_GT(strays[0].studs, 2);
 }
 
-TEST(Surroundings, APartThatTheLevelHasNotIsAnError) {
+TEST(Surroundings, AnUnknownPartIsAnError) {
   const Course course;
   Track track = course.rehearsed("push the box");
   track.shown[0] = "Bxo";
@@ -114,7 +114,7 @@ TEST(Surroundings, APartThatTheLevelHasNotIsAnError) {
 }
 
 // Windows that begin during the push start with the box's recorded position and velocity.
-TEST(Surroundings, ABoxIsPushedFromTheMiddleOn) {
+TEST(Surroundings, WindowsMayBeginDuringAPush) {
   const Course course;
   const Track track = course.rehearsed("push the box");
   ASSERT_TRUE(showsLoose(track, course.level.view()));
@@ -123,7 +123,7 @@ TEST(Surroundings, ABoxIsPushedFromTheMiddleOn) {
   EXPECT_LT(mostOff(track, windows, course.level.view()), 0.05f);
 }
 
-TEST(Surroundings, WithoutTheBoxARecordingBesideItIsOnePiece) {
+TEST(Surroundings, WithoutTheBoxARecordingNextToItIsOneWindow) {
   const Course course;
   Track pushed = course.rehearsed("push the box"), other = course.rehearsed("jump over gaps");
   for (Track* t : {&pushed, &other}) {

@@ -33,7 +33,7 @@ Read read(const io::Record& level, const std::vector<Track>& tracks) {
   return out;
 }
 
-TEST(Takes, OfOneNameAreNumbered) {
+TEST(Takes, WithTheSameNameAreNumbered) {
   const std::vector<Take> once = takesUnder(defaults(), 0, firstManoeuvres(1));
   Track track = once[0].track;
   track.name = "run";
@@ -49,7 +49,7 @@ TEST(Takes, OfOneNameAreNumbered) {
 }
 
 // No shift of the clock corrects this: a rider would be simulated at the wrong place.
-TEST(Takes, APartThatMovesOtherwiseIsAWarning) {
+TEST(Takes, APartWithAnotherMotionIsAWarning) {
   const std::vector<Take> all = takesUnder(defaults());
   io::RecordBuilder other(all[0].level.reader());
   for (auto part : other.root().getLevel().getParts()) {

@@ -37,7 +37,7 @@ TEST(Track, ReadsBackWhatWasWritten) {
   }
 }
 
-TEST(Track, DropsFramesThatCameTwice) {
+TEST(Track, DropsDuplicateFrames) {
   io::RecordBuilder record;
   auto recording = trackRecordOf(record, 4);
   recording.getFrames()[2].setTime(1 / 60.0);
@@ -48,7 +48,7 @@ TEST(Track, DropsFramesThatCameTwice) {
 
 // The first of two frames at one time lasts zero seconds. Frames without poses repeat those of the
 // frame before, even a dropped one.
-TEST(Track, OfFramesThatCameTwiceTheLaterInputAndPosesCount) {
+TEST(Track, OfDuplicateFramesTheLaterInputAndPosesCount) {
   io::RecordBuilder record;
   auto recording = trackRecordOf(record, 5);
   recording.initParts(1).set(0, "Box");
@@ -71,7 +71,7 @@ TEST(Track, OfFramesThatCameTwiceTheLaterInputAndPosesCount) {
 }
 
 // Overflowing numbers would make losses that cannot be compared.
-TEST(Track, NumbersOfNoWorldAreAnError) {
+TEST(Track, ImpossibleNumbersAreAnError) {
   using Builder = schema::RecordingFrame::Builder;
   for (const auto& spoil : std::vector<std::function<void(Builder)>>{
            [](Builder f) { f.initPosition().setX(2e6f); },
@@ -134,7 +134,7 @@ TEST(Track, PosesAndFacingReadBack) {
   EXPECT_EQ(read->frames[40].facing, track.frames[40].facing);
 }
 
-TEST(Track, PosesOfOtherPartsThanItNamesAreAnError) {
+TEST(Track, AWrongNumberOfPosesIsAnError) {
   io::RecordBuilder record;
   auto recording = trackRecordOf(record, 4);
   recording.initParts(1).set(0, "Box");
@@ -161,7 +161,7 @@ double worstOf(const std::vector<Take>& takes) {
 }
 
 // Losses can be compared, whatever is in a track.
-TEST(Playback, ALossIsANumber) {
+TEST(Playback, ALossIsNeverNaN) {
   std::vector<Take> takes = takesUnder(defaults(), 0, firstManoeuvres(1));
   takes[0].track.frames.back().position.x = std::nanf("");
   const std::vector<Parameter> none;

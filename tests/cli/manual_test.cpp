@@ -18,7 +18,7 @@ TEST(Roff, TextIsNeitherARequestNorAnEscape) {
   EXPECT_EQ(roff::bold("-o"), "\\fB\\-o\\fR");
 }
 
-TEST(Manual, HasWhatHelpLeavesOutAndNothingHidden) {
+TEST(Manual, HasDetailsThatHelpOmitsButNoHiddenOptions) {
   ToolSpec spec;
   spec.name = "obby-view";
   spec.summary = "show it";

@@ -26,7 +26,7 @@ TEST(Progress, LinesAreShortAndNumbersBrief) {
   EXPECT_EQ(progressLine({"x", -1, {}}, 80), "x");
 }
 
-TEST(Progress, TellsTheTimeLeftAsPeopleDo) {
+TEST(Progress, ShowsTheTimeLeftInWords) {
   const auto lineOf = [](double seconds) { return progressLine({"x", -1, {}, seconds}, 80); };
   EXPECT_EQ(lineOf(0), "x  0 s left");
   EXPECT_EQ(lineOf(59.9), "x  59 s left");
@@ -47,7 +47,7 @@ TEST(Progress, LinesMoveNoCursorAndEndWithAWholeCharacter) {
   EXPECT_EQ(progressLine({"caf\xc3\xa9", -1, {}}, 4), "caf");
 }
 
-TEST(Progress, JsonHasEveryNumberInFullButNoneThatJsonLacks) {
+TEST(Progress, JsonHasExactNumbersButNoNaNOrInfinity) {
   const ProgressState state{"say \"hi\"\n", 0.5, {{"steps", 1234567890}, {"bad", NAN}}};
   EXPECT_EQ(progressJson(state),
             "{\"type\":\"progress\",\"task\":\"say \\\"hi\\\"\\n\",\"fraction\":0.5,"

@@ -24,7 +24,7 @@ void sentTwice(int number, milliseconds later) {
 }
 
 // timeout(1) sends a signal twice.
-TEST(Stop, OneSignalThatIsSentTwiceAsksForAnEnd) {
+TEST(Stop, ASignalRepeatedAtOnceCountsOnce) {
   EXPECT_EXIT(sentTwice(SIGINT, milliseconds(0)), testing::ExitedWithCode(0), "");
   EXPECT_EXIT(sentTwice(SIGTERM, milliseconds(0)), testing::ExitedWithCode(0), "");
 }

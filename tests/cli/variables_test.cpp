@@ -25,12 +25,12 @@ TEST(Variables, AMisspeltOneNamesTheNearestOption) {
   EXPECT_EQ(slips({"OBBY_JUGLE=1"}), "OBBY_JUGLE OBBY_JUGGLE; ");
 }
 
-TEST(Variables, OneOfThisToolOrAnotherIsNoSlip) {
+TEST(Variables, VariablesOfAnyToolAreNotMisspelt) {
   EXPECT_EQ(slips({"OBBY_TIME_LIMIT=3", "OBBY_JUGGLE=1", "OBBY_QUIET=1"}), "");
   EXPECT_EQ(slips({"OBBY_MAX_TIME=3", "OBBY_TRIALS=1", "OBBY_CONFIG=c"}), "");
 }
 
-TEST(Variables, OneThatIsNearNothingIsSomeoneElses) {
+TEST(Variables, VariablesUnlikeAnyOptionAreIgnored) {
   EXPECT_EQ(slips({"OBBY_PRESET=ci", "OBBY_WRITE_GOLDEN=1", "OBBY=1", "OBBY_", "OBBY_=1",
                    "OBBY_VERBOS="}),
             "");

@@ -55,7 +55,7 @@ class WrittenFiles : public testing::Test {
   fs::path before_, folder_;
 };
 
-TEST_F(WrittenFiles, AnInputIsKnownByWhateverName) {
+TEST_F(WrittenFiles, AnInputIsRecognisedUnderAnyName) {
   make("in");
   fs::create_symlink("in", "link");
   fs::create_hard_link("in", "other");
@@ -72,7 +72,7 @@ TEST_F(WrittenFiles, AnInputIsKnownByWhateverName) {
   EXPECT_EQ(refused({{"output", "in"}}), "");
 }
 
-TEST_F(WrittenFiles, WhatOptionsNameStaysButWhatIsRenewed) {
+TEST_F(WrittenFiles, FilesNamedByOptionsAreKeptUnlessRenewed) {
   make("policy");
   give("policy", "policy");
   EXPECT_EQ(refused({{"output", "./policy"}}),
@@ -86,7 +86,7 @@ TEST_F(WrittenFiles, WhatOptionsNameStaysButWhatIsRenewed) {
   EXPECT_EQ(refused({{"output", "policy"}}), "");
 }
 
-TEST_F(WrittenFiles, TwoThatAreWrittenDiffer) {
+TEST_F(WrittenFiles, TwoOutputsMustDiffer) {
   EXPECT_EQ(refused({{"output", "new"}, {"log", "log"}, {"curve", "./new"}}),
             "--curve: './new' is also where --output goes (name another file)");
   EXPECT_EQ(refused({{"output", "new"}, {"log", ""}, {"curve", ""}}), "");
@@ -97,7 +97,7 @@ TEST_F(WrittenFiles, TwoThatAreWrittenDiffer) {
   EXPECT_EQ(refused({{"output", "old"}, {"log", "new"}}), "");
 }
 
-TEST_F(WrittenFiles, ALinkToWhatIsNotThereYetIsWhatItNames) {
+TEST_F(WrittenFiles, ALinkToAMissingFileCountsAsItsTarget) {
   fs::create_directory("runs");
   fs::create_symlink("runs/new", "link");
   fs::create_symlink("link", "link to it");

@@ -19,7 +19,7 @@ TEST(Generator, ALevelDependsOnSeedAndIndexAlone) {
   EXPECT_NE(bytesOf(makeRecords(other, 7, 11)), tenth);
 }
 
-TEST(Generator, StylesComeByTheirWeights) {
+TEST(Generator, StylesFollowTheirWeights) {
   gen::Recipe recipe;
   recipe.styles = {{"gaps", 3}, {"wall", 1}, {"beam", 0}};
   const gen::Generator generator = generatorOf(recipe);
@@ -58,7 +58,7 @@ TEST(Generator, ATwinLacksOneCrossingAndNamesIt) {
 }
 
 // The line guides learners. A twin has no solution, so that its query has no line.
-TEST(Generator, QueriesNameAWayAndHowHardItIs) {
+TEST(Generator, QueriesStateALineAndTheirDifficulty) {
   gen::Recipe recipe;
   recipe.difficulty = {0.2f, 0.7f};
   const gen::Generator generator = generatorOf(recipe), twins = generatorOf(recipe, true);
@@ -77,7 +77,7 @@ TEST(Generator, QueriesNameAWayAndHowHardItIs) {
 }
 
 // Readers refuse a line with more points than the schema allows.
-TEST(Generator, TheWayOfALongLevelHasRoomInTheSchema) {
+TEST(Generator, TheLineOfALongLevelFitsTheSchema) {
   const gen::Style& spiral = *gen::findStyle("spiral");
   gen::Recipe recipe = recipeFor("spiral", 0.5f);
   recipe.obstacles = {200, 200};
@@ -95,7 +95,7 @@ TEST(Generator, TheWayOfALongLevelHasRoomInTheSchema) {
 }
 
 // After a wide floor, a turn would bring the next floor within a jump of an earlier one.
-TEST(Generator, TheWayDoesNotTurnBesideWhatARecipeMakesLarger) {
+TEST(Generator, TheLineDoesNotTurnNextToEnlargedFloors) {
   const gen::Style& gaps = *gen::findStyle("gaps");
   const gen::Parameter& size = **gen::parameterNamed(gaps, "size", "");
   gen::Recipe recipe = recipeFor("gaps", 0.25f);
@@ -113,7 +113,7 @@ TEST(Generator, TheWayDoesNotTurnBesideWhatARecipeMakesLarger) {
   EXPECT_FALSE(turns(30));
 }
 
-TEST(Generator, DropsThatARecipeMayAskForAreWithinWhatWorldsAreRefusedBy) {
+TEST(Generator, DropsCountInTheCheckOfThePhysics) {
   gen::Recipe recipe = recipeFor("stairs-down", 0.5f);
   recipe.physics = {{"gravity", 4}, {"jumpSpeed", 2}, {"walkSpeed", 60}};
   EXPECT_FALSE(gen::Generator::make(recipe, true));
@@ -190,7 +190,7 @@ MeanGaps meanGapsOfCourses(float courseFirst) {
 
 // A gap is 0.25 to 0.93 of the reach, by difficulty. From a difficulty of 0.2, the first third has
 // a mean of 0.33 and a share of 0.47. The last third has 0.88 and 0.84: 1.8 times that.
-TEST(Generator, CoursesGetHarderFromTheShareThatTheyBeginWith) {
+TEST(Generator, CoursesGetHarderFromTheirFirstDifficulty) {
   const MeanGaps growing = meanGapsOfCourses(0.2f);
   EXPECT_GT(growing.last, 1.5 * growing.first);
   EXPECT_LT(growing.last, 2.1 * growing.first);

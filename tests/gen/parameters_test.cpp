@@ -21,7 +21,7 @@ std::string bytesWith(const std::string& style, std::vector<gen::Setting> settin
   return bytesOf(makeRecords(generatorOf(recipe), seed, 0));
 }
 
-TEST_P(Parameters, SayWhatTheyAreOnce) {
+TEST_P(Parameters, HaveUniqueNamesAndDescriptions) {
   std::set<std::string> names;
   for (const gen::Parameter& p : styleOf(GetParam()).parameters) {
     EXPECT_TRUE(names.insert(p.name).second) << p.name;
@@ -45,7 +45,7 @@ TEST_P(Parameters, EachOneChangesLevels) {
   }
 }
 
-TEST_P(Parameters, SetToWhatTheyAreAnywayChangeNothing) {
+TEST_P(Parameters, SetToTheirDefaultsChangeNothing) {
   std::vector<gen::Setting> settings;
   for (const gen::Parameter& p : styleOf(GetParam()).parameters) {
     settings.push_back({&p, p.easy, p.hard});
@@ -110,7 +110,7 @@ TEST(ParameterOfGaps, IsTheSizeOfStones) {
 }
 
 // A short hop has no space for as many stones as the parameter asks for.
-TEST(ParameterOfForks, LeavesStonesApart) {
+TEST(ParameterOfForks, KeepsStonesApart) {
   const auto parameter = gen::parameterNamed(*gen::findStyle("fork"), "stone", "");
   ASSERT_TRUE(parameter);
   gen::Recipe recipe = recipeFor("fork", 0);
@@ -150,7 +150,7 @@ TEST(ParameterOfSpinners, IsTheSpeedOfBars) {
 }
 
 // A course consists of other styles' obstacles, to which their parameters apply.
-TEST(ParameterOfGaps, CountsInCourses) {
+TEST(ParameterOfGaps, AppliesInCourses) {
   const auto parameter = gen::parameterNamed(*gen::findStyle("gaps"), "stones", "");
   ASSERT_TRUE(parameter);
   gen::Recipe recipe = recipeFor("course", 0.5f);

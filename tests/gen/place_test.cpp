@@ -113,7 +113,7 @@ void expectSame(schema::Part::Reader a, schema::Part::Reader b) {
 
 class Places : public ::testing::TestWithParam<std::string> {};
 
-TEST_P(Places, ComeBackFromTheImporterAsTheyWere) {
+TEST_P(Places, RoundTripThroughTheImporter) {
   const gen::Generator generator = generatorOf(recipeFor(GetParam(), 0.5f));
   for (uint64_t i = 0; i < 5; ++i) {
     gen::PlaceFile place(generator);
@@ -138,7 +138,7 @@ INSTANTIATE_TEST_SUITE_P(All, Places, ::testing::ValuesIn(styleNames()), testNam
 
 // A round checkpoint is a cylinder on its side, whose rotation would make a respawned player lie
 // down. Its look direction is still level.
-TEST(PlaceFile, WhoComesBackAtACheckpointStands) {
+TEST(PlaceFile, ARespawnedPlayerStands) {
   gen::Recipe recipe = recipeFor("gaps", 0.5f);
   recipe.obstacles = {3, 3};
   recipe.turns = 1;
@@ -207,7 +207,7 @@ Status filled(gen::PlaceFile& place, const gen::Generated& level, uint32_t& leve
 }
 
 // A level may not extend beyond this distance, where floats are too coarse for a gap.
-TEST(PlaceFile, HasRoomForSoManyLevelsOnly) {
+TEST(PlaceFile, HoldsALimitedNumberOfLevels) {
   const gen::Generator generator = generatorOf(recipeFor("walkway", 0));
   const gen::Generated level = generator.generate(1, 0);
   gen::PlaceFile place(generator);
@@ -220,7 +220,7 @@ TEST(PlaceFile, HasRoomForSoManyLevelsOnly) {
   EXPECT_FALSE(place.add(level));
 }
 
-TEST(PlaceFile, GrowsNoLargerThanAnybodyReads) {
+TEST(PlaceFile, StaysBelowTheImportersSizeLimit) {
   constexpr uint64_t kMost = 100000;
   const gen::Generator generator = generatorOf(recipeFor("walkway", 0));
   const gen::Generated level = generator.generate(1, 0);

@@ -57,7 +57,7 @@ struct Bad {
   const char* error;
 };
 
-TEST(Recipe, ErrorsNamePathAndCure) {
+TEST(Recipe, ErrorsStatePathAndRemedy) {
   const Bad cases[] = {
       {"{", "column 2: the text ends in the middle of a value"},
       {"{\n \"turns\": 1,\n}", "line 3 column 1: expected a string in double quotes, found '}'"},
@@ -120,7 +120,7 @@ TEST(Recipe, ErrorsNamePathAndCure) {
 }
 
 // Comparing each name with all earlier ones would take minutes.
-TEST(Recipe, AMillionNamesTakeNoMinute) {
+TEST(Recipe, AMillionNamesTakeLessThanAMinute) {
   std::string text = R"({"physics": {)";
   for (int i = 0; i < 1000000; ++i) text += "\"n" + std::to_string(1000000 + i) + "\":1,";
   const Status status = tried(text + R"("n1000000":1}})");

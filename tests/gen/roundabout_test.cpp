@@ -31,7 +31,7 @@ float besideFloors(const gen::Sketch& sketch) {
   return outermost - half;
 }
 
-TEST(Roundabout, OfAPlantedWallIsBeyondAJump) {
+TEST(Roundabout, AroundAnImpassableWallIsBeyondAJump) {
   for (const Planted& planted : kPlanted) {
     const gen::Generator twins = generatorOf(recipeOf(planted, "gravity", 20), true);
     int walls = 0;
@@ -48,7 +48,7 @@ TEST(Roundabout, OfAPlantedWallIsBeyondAJump) {
 }
 
 // The planks of a decoy extend far to a side.
-TEST(Roundabout, IsBeyondAJumpFromWhatLiesAsideBeforeIt) {
+TEST(Roundabout, IsBeyondAJumpFromEarlierPartsAtTheSide) {
   gen::Recipe recipe = recipeOf({"course", ""}, "gravity", 20);
   recipe.courseStyles = {{"decoy", 1}, {"wall", 1}};
   const gen::Generator twins = generatorOf(recipe, true);
@@ -73,7 +73,7 @@ TEST(Roundabout, IsBeyondAJumpFromWhatLiesAsideBeforeIt) {
   EXPECT_GT(walls, 0);
 }
 
-TEST(Roundabout, IsWhatTheStyleSaysWhereJumpsAreShort) {
+TEST(Roundabout, IsTheStylesOwnIfJumpsAreShort) {
   const gen::Generator generator = generatorOf({});
   const gen::Recipe recipe;
   const gen::Sketch sketch(generator.reach(), recipe, Random(1, 0), {});
@@ -82,7 +82,7 @@ TEST(Roundabout, IsWhatTheStyleSaysWhereJumpsAreShort) {
 }
 
 // These values are close to the physics for which twins are refused.
-TEST(Roundabout, OfTheFarthestJumpsCompiles) {
+TEST(Roundabout, ForTheLongestJumpsCompiles) {
   for (const Planted& planted : kPlanted) {
     for (const auto& [physics, value] :
          {std::pair("gravity", 12.0f), std::pair("walkSpeed", 210.0f)}) {

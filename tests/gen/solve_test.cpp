@@ -80,7 +80,7 @@ TEST_P(Solved, TwinsOfAnyParametersNever) {
 }
 
 // The physics are those of real games, one of them with hardly any jump.
-TEST_P(Solved, LevelsOfOtherWorldsTooAndTheirTwinsNever) {
+TEST_P(Solved, LevelsWithOtherPhysicsTooAndTheirTwinsNever) {
   for (const std::vector<gen::NamedNumber>& physics :
        std::vector<std::vector<gen::NamedNumber>>{{{"gravity", 80}, {"walkSpeed", 54}},
                                                   {{"gravity", 160}, {"walkSpeed", 22}},

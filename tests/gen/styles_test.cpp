@@ -50,7 +50,7 @@ TEST_P(Styles, AreInTheNamesOfLevels) {
   }
 }
 
-TEST(StyleOfLevel, IsNoneOfOtherNames) {
+TEST(StyleOfLevel, IsNullForOtherNames) {
   for (const char* name : {"", "Tower", "gaps", "gaps-7-12", "gaps-and-more-hard-7-12", "-hard-7"})
     EXPECT_EQ(gen::styleOfLevel(name), nullptr) << name;
 }
@@ -83,7 +83,7 @@ size_t partsThatDiffer(const gen::Sketch& a, const gen::Sketch& b) {
 }
 
 // A twin leaves out or raises a few parts. The random draws after them must stay the same.
-TEST_P(Styles, TwinsAreAlikeBeforeAndBehindOneCrossing) {
+TEST_P(Styles, TwinsDifferInOneCrossingOnly) {
   constexpr size_t kOfACrossing = 3;
   const gen::Recipe recipe = recipeFor(GetParam(), 0.5f);
   const gen::Generator solvable = generatorOf(recipe), twins = generatorOf(recipe, true);
@@ -93,7 +93,7 @@ TEST_P(Styles, TwinsAreAlikeBeforeAndBehindOneCrossing) {
   }
 }
 
-TEST_P(Styles, LevelsOfOtherWorldsCompileToo) {
+TEST_P(Styles, LevelsWithOtherPhysicsCompileToo) {
   gen::Recipe recipe = recipeFor(GetParam(), 1);
   for (const auto& physics : std::vector<std::vector<gen::NamedNumber>>{
            {{"gravity", 0}},
@@ -152,7 +152,7 @@ TEST_P(Styles, TheLineGoesFromTheStartThroughAllStopsToTheGoal) {
 
 INSTANTIATE_TEST_SUITE_P(All, Styles, ::testing::ValuesIn(styleNames()), testName);
 
-TEST(StyleTable, NamesAndDescriptionsAreThereOnce) {
+TEST(StyleTable, HasUniqueNamesAndDescriptions) {
   std::set<std::string> names;
   for (const gen::Style& s : gen::styles()) {
     EXPECT_TRUE(names.insert(s.name).second) << s.name;
@@ -183,7 +183,7 @@ TEST(Measures, GapsAndRisesGrowWithTheDifficulty) {
 }
 
 // A straight line would cut through the core.
-TEST(Spiral, TheLineKeepsRoundTheCore) {
+TEST(Spiral, TheLineGoesAroundTheCore) {
   const gen::Generator generator = generatorOf(recipeFor("spiral", 0.5f));
   for (uint64_t seed = 0; seed < kStylesSeeds; ++seed) {
     const gen::Generated made = generator.generate(seed, 0);

@@ -108,7 +108,7 @@ TEST_P(Way, StandsOnTheCourseInItsOrder) {
 }
 
 // A line that cuts a corner, or runs between two routes, would lead learners off the floor.
-TEST_P(Way, LeadsOverNothingNoFartherThanAJump) {
+TEST_P(Way, CrossesNoGapWiderThanAJump) {
   const float widest = generatorOf({}).reach().gap(0);
   forLevels([&](const gen::Generated& made) {
     const float most = widest - kBeside;  // the margin of the floors at both ends does not count
@@ -119,7 +119,7 @@ TEST_P(Way, LeadsOverNothingNoFartherThanAJump) {
 INSTANTIATE_TEST_SUITE_P(All, Way, ::testing::ValuesIn(styleNames()), testName);
 
 // A straight line would cut through the tower.
-TEST(Truss, TheWayGoesUpIt) {
+TEST(Truss, TheLineGoesUpTheTruss) {
   const gen::Generator generator = generatorOf(recipeFor("truss", 0.75f));
   for (uint64_t seed = 0; seed < kWaySeeds; ++seed) {
     const gen::Generated made = generator.generate(seed, 0);

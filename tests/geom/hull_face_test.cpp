@@ -55,7 +55,7 @@ TEST(HullFace, IsTouchedInItsPlane) {
   }
 }
 
-TEST(HullFace, ThatNoCornerLiesOnGivesNoPoints) {
+TEST(HullFace, WithoutACornerHasNoPoints) {
   BoxHull box = slab();
   box.offsets[2] += 100;
   const Hull hull = box.hull();

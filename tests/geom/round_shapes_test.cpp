@@ -57,7 +57,7 @@ TEST(RoundShapes, ACylinderIsApartWithinAHalfStudOfItsRim) {
   EXPECT_LT(worstFalseContact(ShapeKind::cylinder, 401), 0.5f);
 }
 
-TEST(RoundShapes, ABallBesideTheBodyIsAsDeepAsItsCentreIsNear) {
+TEST(RoundShapes, TheDepthOfABallFollowsTheDistanceOfItsCentre) {
   const ShapeData s{{1, 1, 1}, nullptr};
   const UprightBox box{{0, 0, 0}, {1, 1, 0.5f}, sinCos(0)};
   const Contact side = penetration(ShapeKind::ball, s, {{1.9f, 0, 0}, {}}, box);

@@ -14,7 +14,7 @@ sim::World arrival(uint32_t tick, uint16_t jumps = 0) {
   return w;
 }
 
-TEST(Archive, FindsWhatWasOfferedAndNothingElse) {
+TEST(Archive, FindsOfferedCellsAndNothingElse) {
   Archive archive;
   EXPECT_EQ(archive.find(7), kNone);
   EXPECT_TRUE(archive.offer(7, arrival(10), {1, 0, 10}, 1));
@@ -23,7 +23,7 @@ TEST(Archive, FindsWhatWasOfferedAndNothingElse) {
   EXPECT_EQ(archive.world(0).tick, 10u);
 }
 
-TEST(Archive, AShorterWayTakesTheCellOverALongerDoesNot) {
+TEST(Archive, AShorterTrajectoryReplacesTheCellALongerDoesNot) {
   Archive archive;
   archive.offer(7, arrival(10, 2), {1, 0, 10}, 1);
   EXPECT_FALSE(archive.offer(7, arrival(11, 0), {2, 0, 11}, 1));
@@ -103,7 +103,7 @@ TEST(Archive, CountsVisitsFromManyThreads) {
   EXPECT_EQ(archive.seen()[1], 32000u);
 }
 
-TEST(Archive, SingletonsAreCellsThatOnlyTheirFinderPassedThrough) {
+TEST(Archive, SingletonsAreCellsSeenByTheirFinderOnly) {
   Archive archive;
   archive.offer(7, arrival(10), {1, 0, 10}, 1);
   archive.offer(7, arrival(12), {1, 0, 12}, 1);  // the finder itself came by again

@@ -42,7 +42,7 @@ TEST(Blame, NamesThePartThatTookTooMuchHealth) {
   EXPECT_EQ(blamedPart(end, nullptr, hot.level.view()), kCurtain);
 }
 
-TEST(Blame, OfOtherEndsThePartStays) {
+TEST(Blame, KeepsThePartOfOtherEnds) {
   const Hot hot(50);
   const sim::World end = hot.walked();
   ASSERT_EQ(end.outcome, sim::Outcome::fell);

@@ -38,7 +38,7 @@ TEST(Cell, PositionsOfOneCellShareAKeyAndNeighboursDoNot) {
   EXPECT_EQ(keys.count(0), 0u);
 }
 
-TEST(Cell, DimensionsCountOnlyWhereTheProblemNeedsThem) {
+TEST(Cell, DimensionsCountOnlyIfTheProblemNeedsThem) {
   sim::World a = worldAt({1, 1, 1}), b = a;
   b.tick = 500;
   b.jumps = 3;

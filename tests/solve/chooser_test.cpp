@@ -54,7 +54,7 @@ std::map<uint32_t, int> tally(const std::vector<Choice>& choices) {
   return counts;
 }
 
-TEST(NearestCells, FindsTheNearestOfTheLayerAndTheLowestOfEquals) {
+TEST(NearestCells, FindsTheNearestOfTheLayerAndTheLowestOfTies) {
   NearestCells cells;
   cells.add(0, {10, 0, 0}, 0);
   cells.add(0, {-10, 0, 0}, 1);  // another block
@@ -91,7 +91,7 @@ TEST(NearestCells, FindsWhatAScanFinds) {
   }
 }
 
-TEST(RrtChooser, StartsFromTheNearestOfTheSameProgress) {
+TEST(RrtChooser, StartsFromTheNearestCellOfEqualProgress) {
   Scene s;
   s.question.waypoints.push_back({boxAt({0, 2, -16}, {8, 4, 8}), -1});
   RrtChooser chooser(s.question.problem(), s.context());
@@ -147,13 +147,13 @@ struct Fork : Scene {
   MctsChooser chooser;
 };
 
-TEST(MctsChooser, TriesWhatWasNeverTriedFirst) {
+TEST(MctsChooser, TriesUntriedCellsFirst) {
   Fork f;
   const auto counts = tally(f.choose(f.chooser, 2));
   EXPECT_EQ(counts, (std::map<uint32_t, int>{{1, 1}, {2, 1}}));
 }
 
-TEST(MctsChooser, ARolloutsCellsHangBehindOneAnother) {
+TEST(MctsChooser, ARolloutsCellsFormAChain) {
   Scene s;
   MctsChooser chooser;
   s.add(at({}));
@@ -163,13 +163,13 @@ TEST(MctsChooser, ARolloutsCellsHangBehindOneAnother) {
   EXPECT_EQ(s.choose(chooser, 1)[0].cell, 3u);  // the end of the trajectory comes first
 }
 
-TEST(MctsChooser, WhatIsOutCountsAsALossUntilItIsLearnt) {
+TEST(MctsChooser, PendingRolloutsCountAsALoss) {
   Fork f;
   const auto counts = tally(f.choose(f.chooser, 300));
   EXPECT_NEAR(counts.at(1), counts.at(2), 1);
 }
 
-TEST(MctsChooser, PrefersWhatPaysAndStillTriesTheRest) {
+TEST(MctsChooser, PrefersRewardsAndStillTriesTheRest) {
   Fork f;
   std::map<uint32_t, int> counts;
   for (int i = 0; i < 600; ++i) {
@@ -183,7 +183,7 @@ TEST(MctsChooser, PrefersWhatPaysAndStillTriesTheRest) {
   EXPECT_LT(counts[1], 100);
 }
 
-TEST(MctsChooser, EqualPayIsSharedEqually) {
+TEST(MctsChooser, EqualRewardsAreSharedEqually) {
   Fork f;
   std::map<uint32_t, int> counts;
   for (int i = 0; i < 600; ++i) {
@@ -197,7 +197,7 @@ TEST(MctsChooser, EqualPayIsSharedEqually) {
 }
 
 // At 16 studs/s and 60 ticks/s.
-TEST(BeamChooser, TicksLeftAreThoseOfAStraightWalkThroughTheWaypoints) {
+TEST(BeamChooser, TicksLeftAssumeAStraightWalkThroughTheWaypoints) {
   Scene s;
   EXPECT_FLOAT_EQ(BeamChooser(s.question.problem()).ticksLeft(at({0, 0, -12})), 12 * 60 / 16.0f);
   s.question.waypoints.push_back({boxAt({0, 2, -4}, {2, 4, 2}), -1});
@@ -208,7 +208,7 @@ TEST(BeamChooser, TicksLeftAreThoseOfAStraightWalkThroughTheWaypoints) {
   EXPECT_FLOAT_EQ(chooser.ticksLeft(at({0, 0, -12})), (back + there) * 60 / 16);
 }
 
-TEST(BeamChooser, TakesTheLeastTicksSoFarAndLeft) {
+TEST(BeamChooser, MinimisesTicksSoFarPlusTicksLeft) {
   Scene s;
   BeamChooser chooser(s.question.problem());
   s.add(at({0, 0, -2}, 0));
@@ -219,7 +219,7 @@ TEST(BeamChooser, TakesTheLeastTicksSoFarAndLeft) {
   EXPECT_EQ(counts.count(late), 0u);
 }
 
-TEST(BeamChooser, WaypointsBehindCount) {
+TEST(BeamChooser, PassedWaypointsCount) {
   Scene s;
   s.question.waypoints.push_back({boxAt({0, 2, -2}, {4, 4, 2}), -1});
   BeamChooser chooser(s.question.problem());

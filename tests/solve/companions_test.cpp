@@ -49,7 +49,7 @@ struct Pair {
   Problem problem;
 };
 
-TEST(Companions, ComeAlongWhereTheSameKeysDo) {
+TEST(Companions, ComeAlongIfTheSameKeysDo) {
   const Pair pair(true);
   const ExploreSetup setup(pair.problem, 1, {});
   const Companions all(pair.problem, setup.rules.context, 1);
@@ -58,7 +58,7 @@ TEST(Companions, ComeAlongWhereTheSameKeysDo) {
   EXPECT_TRUE(walk.follow(50)) << "both stand on the second stone";
 }
 
-TEST(Companions, WhoFallIsNotThere) {
+TEST(Companions, AFallenCompanionIsNotThere) {
   const Pair pair(false);
   const ExploreSetup setup(pair.problem, 1, {});
   const Companions all(pair.problem, setup.rules.context, 1);
@@ -67,7 +67,7 @@ TEST(Companions, WhoFallIsNotThere) {
   EXPECT_FALSE(walk.follow(50));
 }
 
-TEST(Companions, GoOnFromWhereAWalkWasKept) {
+TEST(Companions, ContinueFromAKeptWalk) {
   const Pair pair(true);
   const ExploreSetup setup(pair.problem, 1, {});
   Companions all(pair.problem, setup.rules.context, 1);

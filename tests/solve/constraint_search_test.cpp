@@ -44,7 +44,7 @@ Filtered ask(const Case& c, int threads) {
 class Constraint : public testing::TestWithParam<Case> {};
 
 // Solutions are verified before they count, so that `solved` implies a kept constraint.
-TEST_P(Constraint, IsKeptOrCannotBe) {
+TEST_P(Constraint, IsKeptOrUnsolvable) {
   const Filtered f = ask(GetParam(), 2);
   ASSERT_TRUE(f.status) << f.status.error().text();
   EXPECT_EQ(f.counts.solved, GetParam().solvable ? 1u : 0u) << f.output;

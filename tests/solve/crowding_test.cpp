@@ -21,14 +21,14 @@ bool isUnknownAmong(int posts, float aside, const LevelBuilder::PartSetter& more
   return ReachBound(problem, true).holds({30000, 15000, 0});
 }
 
-TEST(Crowding, IsWhereMorePartsAreNearThanATickHolds) {
+TEST(Crowding, BeginsAboveATicksLimitOfParts) {
   EXPECT_FALSE(isUnknownAmong(0, 0));
   EXPECT_FALSE(isUnknownAmong(sim::kMaxCandidates - 1, 0)) << "with the floor as many as it holds";
   EXPECT_TRUE(isUnknownAmong(sim::kMaxCandidates, 0));
   EXPECT_FALSE(isUnknownAmong(sim::kMaxCandidates + 1, 500)) << "nobody comes there";
 }
 
-TEST(Crowding, FewerMayMove) {
+TEST(Crowding, HasALowerLimitForMovingParts) {
   const auto turns = [](schema::Part::Builder p) { p.initMotion().initSpin().setSpeed(1); };
   EXPECT_FALSE(isUnknownAmong(sim::kMaxMovingCandidates, 0, turns));
   EXPECT_TRUE(isUnknownAmong(sim::kMaxMovingCandidates + 1, 0, turns));
@@ -36,7 +36,7 @@ TEST(Crowding, FewerMayMove) {
 }
 
 // Whatever the number of crowded places, one box covers each block of them.
-TEST(Crowding, ManyPlacesAreJoined) {
+TEST(Crowding, MergesManyPlaces) {
   LevelBuilder b;
   b.block({0, -0.5f, 0}, {8, 1, 8}).spawn({0, 0, 0});
   for (int x = 0; x < 8; ++x) {

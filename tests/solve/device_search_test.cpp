@@ -26,7 +26,7 @@ std::string answers(const char* level, FilterOptions options) {
   return withoutTiming(f.output);
 }
 
-TEST(DeviceSearch, AnswersAreThoseOfThreads) {
+TEST(DeviceSearch, AnswersEqualThoseOfThreads) {
   for (const char* level : {"kill-checkerboard", "vanishing-run", "sliding-planks", "truss-tower",
                             "several-routes", "spinner-trio"}) {
     ThreadPool pool(2);

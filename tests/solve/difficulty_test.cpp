@@ -51,14 +51,14 @@ TEST(Noise, IsNearlyNormal) {
   EXPECT_NEAR(double(beyond) / kDraws, 0.317, 0.02);
 }
 
-TEST(Noise, IsNamedWithItsNumbers) {
+TEST(Noise, TextStatesItsNumbers) {
   const std::string text = describe({});
   for (const char* part : {"average player", "30 ms", "6 degrees", "250 ms", "0.2 studs"}) {
     EXPECT_NE(text.find(part), std::string::npos) << text;
   }
 }
 
-TEST(NoisyPlayer, WithoutNoiseDoesWhatIsRecorded) {
+TEST(NoisyPlayer, WithoutNoiseRepeatsTheRecording) {
   const GapScene scene(7);
   const Course course = scene.jumpAt(-7);
   const std::vector<Segment> segments = segmentsOf(course);
@@ -71,7 +71,7 @@ TEST(NoisyPlayer, WithoutNoiseDoesWhatIsRecorded) {
   }
 }
 
-TEST(NoisyPlayer, FindsBackToThePath) {
+TEST(NoisyPlayer, ReturnsToThePath) {
   // The player starts off the path and makes no other errors, and ends up on the path.
   LevelBuilder b;
   b.block({0, -0.5f, -50}, {20, 1, 100});
@@ -140,7 +140,7 @@ TEST(PressWindow, IsTheRunUpDividedByTheSpeed) {
   }
 }
 
-TEST(PressWindow, TheRecordedPressIsInsideAndTheMiddleIsMeantInTrials) {
+TEST(PressWindow, ContainsTheRecordedPressAndTrialsAimAtItsMiddle) {
   const GapScene scene(8);
   // The press comes at the last moment. Most trials still pass, since players know when to press.
   const Course late = scene.jumpAt(-9.8f);
@@ -151,7 +151,7 @@ TEST(PressWindow, TheRecordedPressIsInsideAndTheMiddleIsMeantInTrials) {
   EXPECT_GT(measured(scene.problem, late).success, 0.95f);
 }
 
-TEST(Room, MarginIsTheWayToTheNearestEdge) {
+TEST(Room, MarginIsTheDistanceToTheNearestEdge) {
   GapScene scene(5, 6);
   const Course course = scene.jumpAt(-7);
   const Segment s = segmentsOf(course)[0];
@@ -169,7 +169,7 @@ schema::Part::Builder deadly(schema::Part::Builder p) {
   return p;
 }
 
-TEST(Room, ClearanceIsTheWayToTheNearestKillPart) {
+TEST(Room, ClearanceIsTheDistanceToTheNearestKillPart) {
   const auto wall = [](LevelBuilder& b) {
     b.block({6, 3, -20}, {2, 6, 24}, [](schema::Part::Builder p) { deadly(p); });
   };
@@ -191,7 +191,7 @@ TEST(Room, ClearanceIsTheWayToTheNearestKillPart) {
   EXPECT_EQ(ofBeam(8).steps[1].clearance, -1);
 }
 
-TEST(Difficulty, KillPartsBesideTheWayMakeItHarder) {
+TEST(Difficulty, KillPartsNextToThePathMakeItHarder) {
   const auto lava = [](float x) {
     return [x](LevelBuilder& b) {
       b.block({x, 3, -20}, {1, 6, 24}, [](schema::Part::Builder p) { deadly(p); });
@@ -238,7 +238,7 @@ TEST(Difficulty, TrialsKeepToTheQuery) {
   EXPECT_LT(successOf(), free - 0.05f);
 }
 
-TEST(Difficulty, OfAWayOverAMovingPlatform) {
+TEST(Difficulty, IncludesMovingPlatforms) {
   LevelBuilder b = steppingStones();
   constexpr float kSpeed = 3;  // studs/s along X, from the start on
   b.block({-3, -0.5f, -40}, {6, 1, 8}, [](schema::Part::Builder p) {
@@ -271,7 +271,7 @@ TEST(Difficulty, OfAWayOverAMovingPlatform) {
   EXPECT_NEAR(onto.margin, std::min(3 - std::abs(feet.x - center), -36 - feet.z), 0.01f);
 }
 
-TEST(Difficulty, IsFiniteWhereNobodyPasses) {
+TEST(Difficulty, IsFiniteIfNoTrialPasses) {
   const GapScene scene(9.5f);
   const Course course = scene.jumpAt(-9);
   ThreadPool pool(1);
@@ -284,7 +284,7 @@ TEST(Difficulty, IsFiniteWhereNobodyPasses) {
 }
 
 // A window of zero is easiest for a step without a jump, and hardest for one with a jump.
-TEST(Difficulty, OfAsManyTrialsTheTightestJumpIsHardest) {
+TEST(Difficulty, AmongEqualTrialsTheTightestJumpIsHardest) {
   const auto step = [](uint32_t jumps, float window, uint32_t passed = 50) {
     DifficultyStep out;
     out.segment.jumps = jumps;

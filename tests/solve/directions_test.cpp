@@ -54,7 +54,7 @@ TEST(Directions, KeyboardSolutionsWalkInEightOnly) {
   for (const io::Record& s : solutions) EXPECT_TRUE(isByKeys(s.reader().getTrajectory()));
 }
 
-TEST(Directions, AnyOtherwise) {
+TEST(Directions, AreFreeOtherwise) {
   const auto solutions = solutionsOf(schema::Directions::ANY);
   ASSERT_FALSE(solutions.empty());
   EXPECT_FALSE(isByKeys(solutions.front().reader().getTrajectory()));

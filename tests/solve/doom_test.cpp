@@ -23,7 +23,7 @@ TEST(Doom, LiesBelowThePartsTheRegionsAndTheStart) {
   EXPECT_NEAR(doomHeight(q.problem()), alone - 29, 1e-4f);
 }
 
-TEST(Doom, CoversTheWholeWayOfAMover) {
+TEST(Doom, CoversTheWholeMotionOfAMover) {
   LevelBuilder b = steppingStones();
   const level::Level still = b.compile();
   b.block({0, -0.5f, -40}, {4, 1, 4}, [](schema::Part::Builder p) {
@@ -39,7 +39,7 @@ TEST(Doom, CoversTheWholeWayOfAMover) {
 }
 
 // Random rollouts that were given up are continued: all of them fall without touching anything.
-TEST(Doom, WhoeverIsGivenUpFalls) {
+TEST(Doom, PlayersThatAreGivenUpFall) {
   LevelBuilder b = steppingStones();
   b.physics([](schema::PhysicsParams::Builder p) { p.setFallenPartsHeight(-60); });
   const level::Level stones = b.compile();

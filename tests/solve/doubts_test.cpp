@@ -119,7 +119,7 @@ TEST(Doubts, ALongerRouteWithoutThePartIsPreferred) {
   EXPECT_EQ(std::ranges::count(answered.route, 2), 0);
 }
 
-TEST(Doubts, APartThatIsOnlyNearMakesNone) {
+TEST(Doubts, NearbyPartsCauseNone) {
   DoubtfulLevel level;
   level.block({0, -0.5f, -14}, {8, 1, 36});
   level.block({20, -0.5f, -14}, {8, 1, 36}, {kDoubtKind});
@@ -136,14 +136,14 @@ TEST(Doubts, ThePartThatThePlayerStartsOnIsNamed) {
   EXPECT_EQ(answered.doubtful, std::vector<int32_t>{0});
 }
 
-TEST(Doubts, WhatCanOnlyHelpIsNone) {
+TEST(Doubts, LossesThatCanOnlyHelpCauseNone) {
   DoubtfulLevel level;
   level.block({0, -0.5f, -14}, {8, 1, 36}, {"tool"});
   level.loss("tool", schema::Bearing::EASIER, true);
   EXPECT_TRUE(level.solve(kBehindTheStone).result().getHolds());
 }
 
-TEST(Doubts, WhatConcernsNoSinglePartConcernsAll) {
+TEST(Doubts, LossesWithoutAPartConcernAllAnswers) {
   DoubtfulLevel level;
   level.block({0, -0.5f, -14}, {8, 1, 36});
   level.loss("script that fails", schema::Bearing::EITHER, true);
@@ -167,7 +167,7 @@ TEST(Doubts, AnAnswerForSeveralBodiesHoldsIfEachDoes) {
 }
 
 // A loss that may help elsewhere leaves open whether the part is needed.
-TEST(Doubts, NothingIsShownToBeNeededWhereAnotherLossMayHelp) {
+TEST(Doubts, NoPartIsProvedNecessaryIfAnotherLossMayHelp) {
   DoubtfulLevel level = stoneInDoubt();
   level.loss("water", schema::Bearing::EITHER, true);
   const Answered answered = level.solve(kBehindTheStone);
@@ -177,7 +177,7 @@ TEST(Doubts, NothingIsShownToBeNeededWhereAnotherLossMayHelp) {
 }
 
 // A loss that only hinders the player cannot make the goal reachable.
-TEST(Doubts, UnreachableIsSaidWhereALossCanOnlyHinder) {
+TEST(Doubts, UnreachableHoldsIfALossCanOnlyHinder) {
   for (const auto bearing :
        {schema::Bearing::EITHER, schema::Bearing::EASIER, schema::Bearing::HARDER}) {
     DoubtfulLevel level;

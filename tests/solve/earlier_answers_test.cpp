@@ -85,7 +85,7 @@ TEST(EarlierAnswer, StillWorksOnTheSameLevelAtOnce) {
 }
 
 // A field with straight trajectories that fan out. The ends of any two are five studs apart.
-TEST(EarlierAnswer, KeepsAsManyWaysAsAreAskedFor) {
+TEST(EarlierAnswer, KeepsAsManySolutionsAsRequested) {
   constexpr int kWays = 20;
   const std::string field =
       R"({"type":"level","name":"field","parts":[{"name":"Field","position":[0,-0.5,-50],)"
@@ -108,7 +108,7 @@ TEST(EarlierAnswer, KeepsAsManyWaysAsAreAskedFor) {
   EXPECT_EQ(roundsOf(output), 0u) << "all were known";
 }
 
-TEST(EarlierAnswer, IsSearchedOnFromWhereItFails) {
+TEST(EarlierAnswer, IsContinuedWhereItFails) {
   const std::string before = answer(stonesText(), stepsOnly());
   const std::string cold = answer(fourStones(), stepsOnly());
   const std::string warm = answerAfter(before, fourStones());
@@ -153,7 +153,7 @@ TEST(EarlierAnswer, IsOfUseToEveryMethod) {
   }
 }
 
-TEST(EarlierAnswer, OfASearchThatFoundNothingLeadsFurther) {
+TEST(EarlierAnswer, OfAFailedSearchLeadsFurther) {
   // The search was cut off after its first round. The cells that its attempts reached are kept.
   const std::string before = answer(fourStones(), stepsOnly(1));
   ASSERT_THAT(before, HasSubstr("\"verdict\":\"unknown\""));
@@ -161,7 +161,7 @@ TEST(EarlierAnswer, OfASearchThatFoundNothingLeadsFurther) {
             roundsOf(answer(fourStones(), stepsOnly())));
 }
 
-TEST(EarlierAnswer, IsRememberedByAFilterThatIsAskedTo) {
+TEST(EarlierAnswer, IsRememberedOnRequest) {
   FilterOptions o = stepsOnly();
   o.remember = true;
   o.solver.method = findMethod("auto");

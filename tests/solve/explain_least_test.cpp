@@ -47,7 +47,7 @@ SearchOutcome missing(const Problem& problem, const Budget&, const Watcher& watc
   return outcome;
 }
 
-TEST(Explain, StopsAtLessThanASearchHasMissed) {
+TEST(Explain, ReducesAChangeDespiteMissedSolutions) {
   const io::RecordBuilder levelRecord = record(kLevel), queryRecord = record(kQuery);
   const auto level = level::Level::compile(levelRecord.reader().getLevel());
   ASSERT_TRUE(level);

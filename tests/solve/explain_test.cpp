@@ -268,7 +268,7 @@ TEST(Explain, SaysNothingUnlessAsked) {
   EXPECT_THAT(e.reason, Not(HasSubstr("single change")));
 }
 
-TEST(Explain, SaysNothingOfWhatIsSolved) {
+TEST(Explain, SaysNothingOfSolvedQueries) {
   const Explained e = explainAsk(kFourStones + query(kFourth));
   EXPECT_EQ(e.verdict, schema::Verdict::SOLVED);
   EXPECT_THAT(e.all, IsEmpty());

@@ -57,7 +57,7 @@ TEST(HeatMap, GrowsCoarserAndLosesNoCell) {
 }
 
 // The answer must not depend on how often the search is inspected.
-TEST(HeatMap, IsTheSameHoweverItIsNoted) {
+TEST(HeatMap, DoesNotDependOnTheOrderOfUpdates) {
   const std::vector<Vec3> places = spread(20000, 100);
   HeatMap atOnce, bitByBit;
   atOnce.note(places);

@@ -64,11 +64,11 @@ struct KnobsScene {
 
 const std::string kGoal = R"("goal":{"position":[0,12,-26],"size":[6,4,6]})";
 
-TEST(Knobs, LimitsThatAQueryDoesNotHaveAreNotTurned) {
+TEST(Knobs, MissingLimitsAreNotRelaxed) {
   EXPECT_THAT(limitChanges(KnobsScene(kGoal).failure()), IsEmpty());
 }
 
-TEST(Knobs, EveryLimitIsTurnedByItself) {
+TEST(Knobs, EveryLimitIsRelaxedSeparately) {
   const KnobsScene s(
       kGoal + R"(,"maxJumps":2,"timeLimit":3,"segmentJumps":1,"segmentTime":2,"maxDamage":0,)"
               R"("waypoints":[{"region":{"part":"Lift"},"maxJumps":1,"segmentTime":1.5}])");
@@ -94,7 +94,7 @@ TEST(Knobs, EveryLimitIsTurnedByItself) {
                           "waypoints[0].maxJumps", "waypoints[0].segmentTime"));
 }
 
-TEST(Knobs, APlaythroughShowsHowMuchOfALimitIsEnough) {
+TEST(Knobs, ATrajectoryShowsTheSufficientLimit) {
   const KnobsScene s(kGoal + R"(,"maxJumps":2,"timeLimit":3)");
   Playthrough p;
   p.end.jumps = 5;
@@ -119,13 +119,13 @@ TEST(Knobs, HigherJumpsAreHigherByThatShare) {
   EXPECT_NEAR(changes[0].amount(5), double(after - before), 1e-3);
 }
 
-TEST(Knobs, WhereNobodyMayJumpHigherJumpsAreNotTried) {
+TEST(Knobs, WithoutJumpingHigherJumpsAreNotTried) {
   EXPECT_THAT(jumpHeightChanges(KnobsScene(kGoal + R"(,"maxJumps":0)").failure()), IsEmpty());
   EXPECT_THAT(jumpHeightChanges(KnobsScene(kGoal + R"(,"forbid":["jumping"])").failure()),
               IsEmpty());
 }
 
-TEST(Knobs, APartIsLoweredWithItsMotionAndWhatStandsOnIt) {
+TEST(Knobs, APartIsLoweredWithItsMotionAndTheGoalOnIt) {
   KnobsScene s(R"("goal":{"position":[0,8,-14],"size":[4,4,4]},"avoid":[{"position":[0,12,-26]}])");
   s.outcome.cut.emplace();
   s.outcome.cut->missing.to = 1;
@@ -168,7 +168,7 @@ TEST(Knobs, TheOtherAvoidRegionsStay) {
 
 // The search has been on the floor and on the lift, never on the far platform. Lava and crate do
 // not count.
-TEST(Knobs, PartsToLowerLieBeyondWhereTheSearchHasBeen) {
+TEST(Knobs, PartsToLowerAreOutsideTheVisitedPlaces) {
   KnobsScene s(kGoal);
   s.footprints.note({{0, 0, -2}, {0, 0, -6}, {0, 6, -14}});
   EXPECT_THAT(partsBeyond(s.failure(), 4), ElementsAre(3u));
@@ -188,7 +188,7 @@ SearchOutcome guess(const Problem& p, const Budget&, const Watcher& watcher, con
   return outcome;
 }
 
-TEST(Knobs, NothingHelpsThatTheVerifierDoesNotAccept) {
+TEST(Knobs, OnlyVerifiedSolutionsCount) {
   const KnobsScene s(kGoal + R"(,"maxJumps":2,"forbid":["climbing"])");
   const Method method{"guess", "", guess};
   ThreadPool pool(1);

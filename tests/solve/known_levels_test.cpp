@@ -58,7 +58,7 @@ TEST(KnownLevels, CountsWhatACompiledLevelTakes) {
   EXPECT_LT(bytesOfOne(), 20000u);
 }
 
-TEST(KnownLevels, KeepsTheNewestWhateverItTakes) {
+TEST(KnownLevels, KeepsTheNewestOfAnySize) {
   KnownLevels known(1);
   EXPECT_THAT(known.add(levelCalled("a")), IsEmpty());
   EXPECT_EQ(errorOf(known, "a"), "found");
@@ -66,7 +66,7 @@ TEST(KnownLevels, KeepsTheNewestWhateverItTakes) {
   EXPECT_EQ(errorOf(known, "b"), "found");
 }
 
-TEST(KnownLevels, OneOfAKnownNameIsTheNewestAndTakesThePlaceOfTheOther) {
+TEST(KnownLevels, ARepeatedNameReplacesTheLevel) {
   KnownLevels known(2 * bytesOfOne());
   EXPECT_THAT(known.add(levelCalled("a")), IsEmpty());
   EXPECT_THAT(known.add(levelCalled("b")), IsEmpty());
@@ -76,7 +76,7 @@ TEST(KnownLevels, OneOfAKnownNameIsTheNewestAndTakesThePlaceOfTheOther) {
   EXPECT_THAT(known.add(levelCalled("c")), ElementsAre("b"));
 }
 
-TEST(KnownLevels, OneThatIsForgottenWasNotDropped) {
+TEST(KnownLevels, AForgottenLevelDoesNotCountAsDropped) {
   KnownLevels known(bytesOfOne());
   EXPECT_THAT(known.add(levelCalled("a")), IsEmpty());
   known.forget("a");
@@ -100,7 +100,7 @@ const std::string kOther =
     R"({"type":"level","name":"other","parts":[{"size":[8,1,8]}],"spawns":[{}]})"
     "\n";
 
-TEST(EndlessStream, AQueryOfADroppedLevelIsToldSo) {
+TEST(EndlessStream, TheErrorMentionsADroppedLevel) {
   const std::string text =
       stonesText() + kOther +
       R"({"type":"query","id":"late","level":"stones","goal":{"position":[0,2,-28]}})"

@@ -50,7 +50,7 @@ DeviceWork workOn(sim::Device& device, const Problem& problem) {
   return {device, problem, nothing, 4};
 }
 
-TEST(NetPass, HasTheBitsOfTheCpuOnADevice) {
+TEST(NetPass, OnADeviceEqualsTheCpuBitForBit) {
   const level::Level level = steppingStones().compile();
   const Problem problem = support::endlessProblem(level);
   ThreadPool pool(2);
@@ -66,7 +66,7 @@ TEST(NetPass, HasTheBitsOfTheCpuOnADevice) {
   EXPECT_TRUE(work.works());
 }
 
-TEST(NetPass, GoesOnAloneWhereverTheDeviceFails) {
+TEST(NetPass, ContinuesOnTheCpuIfTheDeviceFails) {
   const level::Level level = steppingStones().compile();
   const Problem problem = support::endlessProblem(level);
   ThreadPool pool(2);

@@ -52,7 +52,7 @@ struct OnePlace {
   Decisions d;
 };
 
-TEST(GoalPolicy, MakesLikelierWhatWentBetter) {
+TEST(GoalPolicy, MakesBetterMovesLikelier) {
   ThreadPool pool(1);
   for (const Maker maker : {Maker::policy, Maker::kept}) {
     OnePlace place;
@@ -66,7 +66,7 @@ TEST(GoalPolicy, MakesLikelierWhatWentBetter) {
 
 // A flatter choice comes from another policy than the network's own. With the network's probability
 // the ratio would be clipped, and nothing learned.
-TEST(GoalPolicy, LearnsFromAChoiceAsSharpAsItWasMade) {
+TEST(GoalPolicy, LearnsWithTheSharpnessOfTheChoice) {
   constexpr float kSharpness = 0.25f;
   ThreadPool pool(1);
   GoalPolicySettings settings;
@@ -90,7 +90,7 @@ TEST(GoalPolicy, LearnsFromAChoiceAsSharpAsItWasMade) {
 }
 
 // Nine of ten places lie in one corner, the others far from everything. The last one is in the air.
-TEST(GoalPool, DrawsWhereItIsSparseAndSomebodyStands) {
+TEST(GoalPool, DrawsSparsePlacesWithAStandingPlayer) {
   constexpr uint32_t kPlaces = 1000;
   Random random(11, 11);
   const auto path = std::make_shared<Path>();
@@ -165,7 +165,7 @@ struct OneDecision {
   Memory memory{100};
 };
 
-TEST(QuantilePolicy, PrefersWhatComesToTheGoal) {
+TEST(QuantilePolicy, PrefersMovesThatComeToTheGoal) {
   OneDecision one;
   one.play(2, OneDecision::kGoal, false);
   one.play(4, 0, false);
@@ -173,7 +173,7 @@ TEST(QuantilePolicy, PrefersWhatComesToTheGoal) {
   EXPECT_GT(means[2], means[4] + 0.5f);
 }
 
-TEST(QuantilePolicy, FearsDeathMoreThanNotToArrive) {
+TEST(QuantilePolicy, FearsDeathMoreThanNotArriving) {
   OneDecision one;
   one.play(4, 0, false);
   one.play(6, 0, true);

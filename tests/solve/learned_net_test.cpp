@@ -27,7 +27,7 @@ std::vector<S> learnedNetDrawn(size_t count, Random& random) {
 }
 
 // For any number of lanes, each number is summed in the order of a loop.
-TEST(Product, HasTheBitsOfALoop) {
+TEST(Product, EqualsALoopBitForBit) {
   Random random(1, 1);
   for (const size_t rows : {1u, 7u, 8u, 19u}) {
     const size_t inner = 37, columns = 48;
@@ -46,7 +46,7 @@ TEST(Product, HasTheBitsOfALoop) {
 }
 
 // The loss is the sum of the outputs times fixed weights, which are its gradient by the outputs.
-TEST(Net, GradientsAreThoseOfFiniteDifferences) {
+TEST(Net, GradientsMatchFiniteDifferences) {
   constexpr size_t kRows = 5;
   Random random(2, 2);
   Net<double> net({16, 32, 32, 16});
@@ -93,7 +93,7 @@ void checkSlope(std::vector<double> at, Loss&& loss, double within = 1e-6) {
   }
 }
 
-TEST(ImitationLoss, SlopesAreThoseOfFiniteDifferences) {
+TEST(ImitationLoss, GradientsMatchFiniteDifferences) {
   Random random(3, 3);
   for (int n = 0; n < 20; ++n) {
     const auto at = learnedNetDrawn<double>(policy::kPaddedOutputs, random);
@@ -110,14 +110,14 @@ TEST(ImitationLoss, SlopesAreThoseOfFiniteDifferences) {
   }
 }
 
-TEST(ImitationLoss, LearnsNothingFromWhatWentWorseThanExpected) {
+TEST(ImitationLoss, IgnoresResultsBelowTheExpectation) {
   float outputs[policy::kPaddedOutputs] = {}, slope[policy::kPaddedOutputs];
   outputs[policy::kMoves] = 1;
   EXPECT_EQ(imitationLoss(outputs, {3, true, 0, 0, 0.5f}, 0.1f, 0.5f, slope), 0);
   for (const float s : slope) EXPECT_EQ(s, 0);
 }
 
-TEST(QuantileLoss, SlopesAreThoseOfFiniteDifferences) {
+TEST(QuantileLoss, GradientsMatchFiniteDifferences) {
   Random random(4, 4);
   for (int n = 0; n < 20; ++n) {
     const auto targets = learnedNetDrawn<double>(kQuantiles, random);
@@ -130,7 +130,7 @@ TEST(QuantileLoss, SlopesAreThoseOfFiniteDifferences) {
 }
 
 // Gradient descent moves predictions to the quantiles of the targets.
-TEST(QuantileLoss, EndsAtTheQuantiles) {
+TEST(QuantileLoss, ConvergesToTheQuantiles) {
   double targets[kQuantiles], predicted[kQuantiles] = {}, slope[kQuantiles];
   for (size_t i = 0; i < kQuantiles; ++i) targets[i] = 100 * double(i);
   for (int n = 0; n < 20000; ++n) {
@@ -140,7 +140,7 @@ TEST(QuantileLoss, EndsAtTheQuantiles) {
   for (size_t i = 0; i < kQuantiles; ++i) EXPECT_NEAR(predicted[i], targets[i], 5) << i;
 }
 
-TEST(CrossEntropy, SlopesAreThoseOfFiniteDifferences) {
+TEST(CrossEntropy, GradientsMatchFiniteDifferences) {
   Random random(5, 5);
   const uint8_t moves[] = {4, 33};
   checkSlope(
@@ -172,14 +172,14 @@ std::vector<float> line(std::initializer_list<float> places) {
   return points;
 }
 
-TEST(Thinning, KeepsTheGoalAndWhatIsFarEnoughGoingBack) {
+TEST(Thinning, KeepsTheGoalAndPointsFarEnoughApartBackwards) {
   const auto points = line({0, 0.5f, 1.2f, 1.3f, 2.4f, 2.5f, 3});
   EXPECT_EQ(thinned(points.data(), 7, 1), (std::vector<uint32_t>{0, 3, 6}));
   EXPECT_EQ(thinned(points.data(), 7, 0.05f).size(), 7u);
   EXPECT_EQ(thinned(points.data(), 7, 100), (std::vector<uint32_t>{6}));
 }
 
-TEST(Geometric, RanksAreDrawnAsTheirChancesSay) {
+TEST(Geometric, RanksFollowTheirProbabilities) {
   constexpr uint32_t kCount = 12, kDraws = 200'000;
   constexpr float kP = 0.2f;
   Random random(6, 6);
@@ -193,7 +193,7 @@ TEST(Geometric, RanksAreDrawnAsTheirChancesSay) {
   for (int n = 0; n < 100; ++n) EXPECT_EQ(drawGeometric(random, 0.005f, 1), 0u);
 }
 
-TEST(Neighbours, DistancesAreThoseOfASort) {
+TEST(Neighbours, DistancesEqualThoseOfASort) {
   EXPECT_EQ(neighbourFor(1), 2u);
   EXPECT_EQ(neighbourFor(1u << 16), 4u);
   constexpr size_t kCount = 150;
@@ -245,14 +245,14 @@ float movedBy(Maker maker) {
   return moved;
 }
 
-TEST(GoalPolicy, LearnsFromReturnsAndKeptWaysButNotFromExploring) {
+TEST(GoalPolicy, LearnsFromReturnsAndKeptTrajectoriesButNotFromExploring) {
   EXPECT_EQ(movedBy(Maker::explorer), 0);
   EXPECT_GT(movedBy(Maker::policy), 1e-4f);
   EXPECT_GT(movedBy(Maker::kept), 1e-4f);
 }
 
 // Two visits in opposite arms: having made the one is far from having made the other.
-TEST(InverseDynamics, TellsWhichVisitsAreBehind) {
+TEST(InverseDynamics, DistinguishesTheVisitsMade) {
   const level::Level level = steppingStones().compile();
   const Problem problem = support::endlessProblem(level);
   const InverseDynamics module(1);
@@ -272,7 +272,7 @@ TEST(InverseDynamics, TellsWhichVisitsAreBehind) {
   }
 }
 
-TEST(BestMove, IsTheOneOfTheHighestMeanThatIsAllowed) {
+TEST(BestMove, IsTheAllowedMoveOfTheHighestMean) {
   std::vector<float> quantiles(size_t(policy::kMoves) * kQuantiles, -1.0f);
   quantiles[6 * kQuantiles] = 0;
   quantiles[9 * kQuantiles] = quantiles[9 * kQuantiles + 1] = 0;

@@ -56,7 +56,7 @@ void expectTruthfulStatistics(S& search, uint64_t rollouts) {
   }
 }
 
-TEST(Pbge, KeepsWaysThatReplayAndCountsWhatItDid) {
+TEST(Pbge, KeepsTrajectoriesThatReplayAndCountsItsWork) {
   const level::Level level = learnedSearchCorridor();
   const Problem problem = support::endlessProblem(level);
   ThreadPool pool(2);
@@ -69,7 +69,7 @@ TEST(Pbge, KeepsWaysThatReplayAndCountsWhatItDid) {
   EXPECT_LE(search.statistics().steps, 20u * 32 * 32 * policy::kDecisionTicks);
 }
 
-TEST(Cflge, KeepsWaysThatReplayAndCountsWhatItDid) {
+TEST(Cflge, KeepsTrajectoriesThatReplayAndCountsItsWork) {
   const level::Level level = learnedSearchCorridor();
   const Problem problem = support::endlessProblem(level);
   ThreadPool pool(2);
@@ -108,7 +108,7 @@ void expectForgettingToShowNowhere(const Problem& problem) {
   expectTruthfulStatistics(forgets, 50);
 }
 
-TEST(LearnedSearches, ForgetWaysThatNothingLeadsAlong) {
+TEST(LearnedSearches, ForgetUnusedTrajectories) {
   const level::Level level = learnedSearchCorridor();
   const Problem problem = support::endlessProblem(level);
   expectForgettingToShowNowhere<Pbge, PbgeSettings>(problem);
@@ -116,7 +116,7 @@ TEST(LearnedSearches, ForgetWaysThatNothingLeadsAlong) {
 }
 
 // Its play depends only on its start, its seed and its memory.
-TEST(Cflge, RemembersWhatAnEarlierAnswerCameThrough) {
+TEST(Cflge, RemembersThePlacesOfAnEarlierAnswer) {
   const level::Level level = learnedSearchCorridor();
   Problem problem = support::endlessProblem(level);
   ThreadPool pool(2);
@@ -253,7 +253,7 @@ std::vector<Vec3> placesUnder(const Settings& settings, int rounds) {
 }
 
 // If leaving out a part changes the result, it had an effect.
-TEST(Pbge, EachOfItsPartsShows) {
+TEST(Pbge, EachOfItsPartsHasAnEffect) {
   const auto under = [](auto&& change) {
     PbgeSettings settings;
     change(settings);
@@ -268,7 +268,7 @@ TEST(Pbge, EachOfItsPartsShows) {
   EXPECT_FALSE(under([](PbgeSettings& s) { s.aimFor = 1'000'000; }) == whole) << "other places";
 }
 
-TEST(Cflge, EachOfItsPartsShows) {
+TEST(Cflge, EachOfItsPartsHasAnEffect) {
   const auto under = [](auto&& change) {
     CflgeSettings settings;
     change(settings);

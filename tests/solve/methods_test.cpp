@@ -44,7 +44,7 @@ TEST_P(MethodTest, SolvesTheSteppingStones) {
 }
 
 // The second waypoint is in the corner of the first stone, away from the goal.
-TEST_P(MethodTest, PassesWaypointsThatLieBehind) {
+TEST_P(MethodTest, PassesWaypointsAwayFromTheGoal) {
   if (learnsMeanwhile(GetParam())) GTEST_SKIP() << "takes minutes";
   const char* more = R"(,"waypoints":[{"region":{"position":[3,2,-18],"size":[2,4,2]}},)"
                      R"({"region":{"position":[-3,2,-1],"size":[2,4,2]}}])";
@@ -59,7 +59,7 @@ TEST_P(MethodTest, VisitsInAnyOrderWithinTheJumps) {
   EXPECT_EQ(ask(more, options(6'000'000)).counts.solved, 1u);
 }
 
-TEST_P(MethodTest, SpendsItsStepsWhereThereIsNoWay) {
+TEST_P(MethodTest, SpendsItsStepsIfThereIsNoSolution) {
   const char* wall = R"(,"avoid":[{"position":[0,0,-10],"size":[200,200,1]}])";
   const Filtered f = ask(wall, options(50'000));
   EXPECT_EQ(f.counts.unknown, 1u) << f.output;

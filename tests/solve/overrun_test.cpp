@@ -33,7 +33,7 @@ Statistics search(const level::Level& level) {
   return explore.statistics();
 }
 
-TEST(Overrun, IsNotedWhereMorePartsAreNearThanAWorldLooksAt) {
+TEST(Overrun, IsReportedAboveTheLimitOfParts) {
   EXPECT_EQ(search(crowded(sim::kMaxCandidates - 8)).overruns, 0);
   EXPECT_EQ(search(crowded(sim::kMaxCandidates + 8)).overruns, sim::kCandidateOverrun);
 }

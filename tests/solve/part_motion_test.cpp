@@ -12,7 +12,7 @@ namespace {
 
 // Keys rotate a block about its centre, and a slow spin rotates it about a point ten studs away.
 // After half a turn of the spin, the block is twenty studs from the keys' centre.
-TEST(PartMotion, NoCornerIsFasterWhereKeysAndSpinTurn) {
+TEST(PartMotion, BoundsCornersUnderKeysAndSpin) {
   LevelBuilder b;
   b.block({0, 0, 0}, {2, 2, 2}, [](schema::Part::Builder p) {
     auto motion = p.initMotion();

@@ -33,7 +33,7 @@ FilterOptions guided(const char* method, int threads) {
   return o;
 }
 
-TEST(ShippedPolicy, IsOneAndCameToSomething) {
+TEST(ShippedPolicy, WasTrainedSuccessfully) {
   const policy::PolicyFile& file = policy::shippedPolicy();
   EXPECT_GT(file.training.decisions, 0u);
   EXPECT_NE(file.training.command.find("obby-train"), std::string::npos);
@@ -85,7 +85,7 @@ TEST(PolicyMethods, RunOnTheDevice) {
   }
 }
 
-TEST(PolicyMethods, DifferFromTheSameWithoutAPolicy) {
+TEST(PolicyMethods, DifferFromSearchWithoutAPolicy) {
   const LinesFile file(stonesText(R"(,"maxJumps":0)"));
   FilterOptions without = guided("ge-ps", 1), with = guided("ge-ps", 1);
   without.solver.policy = nullptr;
@@ -101,7 +101,7 @@ class InTurn : public Chooser {
   }
 };
 
-TEST(PolicyFirst, IsOncePerStateUntilItIsImproved) {
+TEST(PolicyFirst, RunsOncePerStateUntilAnImprovement) {
   Archive archive;
   sim::World world{};
   world.tick = 10;
@@ -124,7 +124,7 @@ TEST(PolicyFirst, IsOncePerStateUntilItIsImproved) {
   EXPECT_EQ(policies(), (std::vector<bool>{false, true, false, false}));
 }
 
-TEST(PolicyAlone, BeginsWithTheLikeliestMovesAndPlaysLongerLater) {
+TEST(PolicyAlone, BeginsWithTheLikeliestMovesAndLengthensRolloutsLater) {
   const Archive archive;
   PolicyAloneChooser chooser;
   ThreadPool pool(1);
@@ -141,7 +141,7 @@ TEST(PolicyAlone, BeginsWithTheLikeliestMovesAndPlaysLongerLater) {
   }
 }
 
-TEST(PolicyFirst, IsNotBeforeItsRound) {
+TEST(PolicyFirst, StartsAtItsRound) {
   Archive archive;
   archive.offer(7, sim::World{}, {0, kNone, 0}, 1);
   PolicyFirstChooser chooser(std::make_unique<InTurn>(), 3);
@@ -156,7 +156,7 @@ TEST(PolicyFirst, IsNotBeforeItsRound) {
 }
 
 // The policy decides anew from the state at each decision, up to the last tick.
-TEST(PolicyMethods, ARolloutIsThePolicysFromItsFirstTickToItsLast) {
+TEST(PolicyMethods, ThePolicyPlaysEveryTickOfARollout) {
   const level::Level stones = steppingStones().compile();
   Question q(stones);
   Problem problem = q.problem();
@@ -185,7 +185,7 @@ TEST(PolicyMethods, ARolloutIsThePolicysFromItsFirstTickToItsLast) {
 }
 
 // 8,192 rollouts in step, 120 ticks each, every state, cells of a stud, no aims, no hedge.
-TEST(PlainGoExplore, IsAsTheDocsSay) {
+TEST(PlainGoExplore, MatchesTheDocumentation) {
   const GoExploreSettings s = plainSettings();
   EXPECT_EQ(s.rollouts, 8192u);
   EXPECT_EQ(s.mostRollouts, 8192u);

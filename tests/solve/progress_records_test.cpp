@@ -75,7 +75,7 @@ void expectPathOfReplay(schema::Trajectory::Reader trajectory) {
   }
 }
 
-TEST(ProgressRecord, PathsAreThoseOfTheReplayAndOnlyThereWhenAskedFor) {
+TEST(ProgressRecord, PathsEqualTheReplayAndAreOptional) {
   const Searched s = searched(60, true);
   expectPathOfReplay(s.progress.getBest());
   expectPathOfReplay(s.progress.getNewest());

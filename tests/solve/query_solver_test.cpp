@@ -17,7 +17,7 @@ io::RecordBuilder hopelessLevel() {
   return record;
 }
 
-TEST(QuerySolver, ASearchWhoseAnswerNobodyTakesIsGivenUp) {
+TEST(QuerySolver, ASearchEndsIfItsOutputFails) {
   const auto level = loadLevel(io::Record(hopelessLevel()));
   ASSERT_TRUE(level) << level.error().text();
   io::RecordBuilder query;

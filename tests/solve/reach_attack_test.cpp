@@ -30,16 +30,16 @@ void attackAll(bool features, uint16_t tricks = 0) {
               (unsigned long long)counts.wild, (unsigned long long)counts.ticks);
 }
 
-TEST(ReachAttack, NobodyLeavesTheBoundAmongBlocks) { attackAll(false); }
-TEST(ReachAttack, NobodyLeavesTheBoundAmongAllParts) { attackAll(true); }
+TEST(ReachAttack, NoPlayerLeavesTheBoundAmongBlocks) { attackAll(false); }
+TEST(ReachAttack, NoPlayerLeavesTheBoundAmongAllParts) { attackAll(true); }
 
 // Each trick has its own physics, which players could use to leave the bound.
-TEST(ReachAttack, NobodyLeavesTheBoundByAHeldJump) { attackAll(false, kHeldJump); }
-TEST(ReachAttack, NobodyLeavesTheBoundByAHangingLanding) { attackAll(false, kHangingLanding); }
-TEST(ReachAttack, NobodyLeavesTheBoundByAWallHop) { attackAll(false, kWallHop); }
-TEST(ReachAttack, NobodyLeavesTheBoundByALadderFlick) { attackAll(true, kLadderFlick); }
-TEST(ReachAttack, NobodyLeavesTheBoundByALegThrow) { attackAll(false, kLegThrow); }
-TEST(ReachAttack, NobodyLeavesTheBoundByAllTricks) { attackAll(true, kAllTricks); }
+TEST(ReachAttack, NoPlayerLeavesTheBoundByAHeldJump) { attackAll(false, kHeldJump); }
+TEST(ReachAttack, NoPlayerLeavesTheBoundByAHangingLanding) { attackAll(false, kHangingLanding); }
+TEST(ReachAttack, NoPlayerLeavesTheBoundByAWallHop) { attackAll(false, kWallHop); }
+TEST(ReachAttack, NoPlayerLeavesTheBoundByALadderFlick) { attackAll(true, kLadderFlick); }
+TEST(ReachAttack, NoPlayerLeavesTheBoundByALegThrow) { attackAll(false, kLegThrow); }
+TEST(ReachAttack, NoPlayerLeavesTheBoundByAllTricks) { attackAll(true, kAllTricks); }
 
 }  // namespace
 }  // namespace obby::solve

@@ -123,7 +123,7 @@ TEST(ReachBound, BoostsPadsAndBeltsReachFurther) {
   EXPECT_EQ(jumpsAcross(platforms(60, 55, gate)), 0u);
 }
 
-TEST(ReachBound, MovingPartsAreEverywhereOnTheirWay) {
+TEST(ReachBound, MovingPartsCountAlongTheirWholeMotion) {
   LevelBuilder b;
   b.block({0, -0.5f, 0}, {8, 1, 8}).spawn({0, 0, 0});
   b.block({0, 39.5f, -20}, {8, 1, 8});
@@ -163,7 +163,7 @@ void expectRunHeld(float degrees, float walkSpeed, uint32_t jumpAt) {
   }
 }
 
-TEST(ReachBound, HoldsWhoeverIsFastOnARamp) {
+TEST(ReachBound, HoldsForFastPlayersOnARamp) {
   for (const float degrees : {20.0f, 30.0f, 40.0f, 45.0f, 50.0f, 60.0f, 70.0f, 80.0f}) {
     for (const float speed : {16.0f, 32.0f, 64.0f, 100.0f, 200.0f, 400.0f}) {
       expectRunHeld(degrees, speed, ReachBound::kNever);
@@ -174,7 +174,7 @@ TEST(ReachBound, HoldsWhoeverIsFastOnARamp) {
 
 // A slab slides away while the button's signal lasts, and then returns at once. A player who took
 // its place is inside it.
-TEST(ReachBound, HoldsWhomASlabThatComesBackLiftsOut) {
+TEST(ReachBound, HoldsForDepenetrationByAReturningSlab) {
   LevelBuilder b;
   b.block({0, -0.5f, 0}, {60, 1, 60}).spawn({0, 0, 20});
   b.block({0, 0.1f, 20}, {4, 0.2f, 4}, [](schema::Part::Builder p) {
@@ -207,7 +207,7 @@ TEST(ReachBound, HoldsWhomASlabThatComesBackLiftsOut) {
 }
 
 // A player tripped at the top slides down the slope, without legs to hold on.
-TEST(ReachBound, HoldsWhoSlidesHelpless) {
+TEST(ReachBound, HoldsForATrippedSlide) {
   constexpr float kYaw = kPi / 4;  // diagonal, as speed is bounded along each axis
   const Vec3 ahead{-std::sin(kYaw), 0, -std::cos(kYaw)};
   const auto turned = [](schema::Part::Builder p) { support::setRotation(p.initRotation(), kYaw); };
@@ -267,7 +267,7 @@ TEST(ReachBound, CountsTheFewestJumpsAmongMany) {
   }
 }
 
-TEST(ReachBound, NamesTheLeastStepThatIsMissing) {
+TEST(ReachBound, NamesTheSmallestMissingStep) {
   const level::Level level = platforms(1, 16);
   const Problem problem = problemOf(level);
   const Missing m = ReachBound(problem, true).missing(boxAt({0, 30, -9}, {4, 4, 4}));
@@ -278,7 +278,7 @@ TEST(ReachBound, NamesTheLeastStepThatIsMissing) {
   EXPECT_EQ(m.gap, 0);
 }
 
-TEST(ReachBound, KnowsWhatItCannotBound) {
+TEST(ReachBound, ReportsUnboundedParts) {
   EXPECT_EQ(unboundedPart(platforms(1, 1).view()), nullptr);
   EXPECT_NE(unboundedPart(platforms(1, 1, [](auto p) { p.setAnchored(false); }).view()), nullptr);
   const auto pad = [](schema::Part::Builder p) {

@@ -43,14 +43,14 @@ void slideTo(schema::Part::Builder p, Vec3 from, Vec3 to, float seconds) {
 }
 
 // The body leaves the block sideways, since the top is farther than the side.
-TEST(ReachChain, HoldsWhoBeginsInABlockBesideWalls) {
+TEST(ReachChain, HoldsForAStartInABlockNextToWalls) {
   LevelBuilder b;
   b.block({-3.75f, -7, 0}, {12.5f, 26, 40}).spawn({0, 0, 0});
   addWalls(b);
   EXPECT_GT(farthestHeld(b.compile(), 40), 32) << "nobody was put out";
 }
 
-TEST(ReachChain, HoldsWhomASlidingBlockPressesIntoWalls) {
+TEST(ReachChain, HoldsForABlockThatPressesIntoWalls) {
   LevelBuilder b;
   b.block({-8.8f, -0.5f, 0}, {22.4f, 1, 40}).spawn({0, 0, 0});
   b.block({-7, 5.1f, 0}, {4, 10, 10}, [](schema::Part::Builder p) {

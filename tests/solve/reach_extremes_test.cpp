@@ -13,7 +13,7 @@ namespace {
 // A fast rising floor lies on a truss. When the climb passes the truss, the floor's top is still
 // higher. The climb continues onto the floor at the speed of both, and a tick later the floor is
 // far below.
-TEST(ReachExtremes, HoldsWhoClimbsOnOntoAFloorThatLifts) {
+TEST(ReachExtremes, HoldsForAClimbOntoARisingFloor) {
   float most = 0;
   for (int i = 0; i < 10; ++i) {
     const float high = 8.1f + 0.2f * float(i), over = 1.7f;
@@ -41,7 +41,7 @@ TEST(ReachExtremes, HoldsWhoClimbsOnOntoAFloorThatLifts) {
 
 // With strong dampers and no springs, a player resting on the floor reaches the floor's speed
 // within a tick, and never exceeds it.
-TEST(ReachExtremes, HoldsWhomAFastFloorLiftsOffAtOnce) {
+TEST(ReachExtremes, HoldsForALaunchByAFastFloor) {
   LevelBuilder b;
   b.block({0, -0.5f, 0}, {8, 1, 8}, [](schema::Part::Builder p) {
     support::set(p.initConveyor().initVelocity(), {0, 200, 0});
@@ -75,7 +75,7 @@ TEST(ReachExtremes, HoldsWhomAFastFloorLiftsOffAtOnce) {
 }
 
 // A small player who cannot walk touches a part with a corner of the rotated body.
-TEST(ReachExtremes, WhatACornerTouchesIsReached) {
+TEST(ReachExtremes, APartTouchedByACornerIsReached) {
   LevelBuilder b;
   b.spawn({0, 0, 0}, kPi / 4);
   b.block({2.47f, 0, 0}, {2, 4, 2});

@@ -11,7 +11,7 @@ namespace {
 
 // The torso meets the edge of the block 229 studs down, where no leg ray hits. Of 300 studs/s, 126
 // are deflected sideways. Then the player walks on in that direction, or back.
-TEST(ReachFalls, HoldsWhoGlancesOffAnEdge) {
+TEST(ReachFalls, HoldsForAFallDeflectedByAnEdge) {
   LevelBuilder b;
   b.spawn({2.9f, 240, 0});
   b.block({0, 10, 0}, {4, 4, 4},

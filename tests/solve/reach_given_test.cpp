@@ -32,7 +32,7 @@ void addWall(LevelBuilder& b, float from, float to, float seconds) {
 }
 
 // The wall pushes a jumping player in its path, farther than any jump.
-TEST(ReachBound, HoldsWhomAWallPushesInTheAir) {
+TEST(ReachBound, HoldsForAWallThatPushesInTheAir) {
   LevelBuilder b;
   b.block({0, -0.5f, 0}, {32, 1, 8}).spawn({12, 0, 0});
   addWall(b, 60, -60, 2.4f);
@@ -52,7 +52,7 @@ TEST(ReachBound, HoldsWhomAWallPushesInTheAir) {
 }
 
 // A wall pushes only players that it can meet.
-TEST(ReachBound, AWallFarOffPushesNobody) {
+TEST(ReachBound, ADistantWallPushesNoPlayer) {
   LevelBuilder b;
   b.block({0, -0.5f, 0}, {8, 1, 8}).spawn({0, 0, 0});
   b.block({0, -0.5f, -120}, {8, 1, 8});
@@ -63,7 +63,7 @@ TEST(ReachBound, AWallFarOffPushesNobody) {
 }
 
 // Feet next to a small spinning carrier are faster than any point of the part.
-TEST(ReachBound, HoldsWhomASmallSpinnerThrows) {
+TEST(ReachBound, HoldsForAThrowByASmallSpinner) {
   LevelBuilder b;
   b.block({0, -0.5f, 0}, {16, 1, 8}).spawn({4, 0, -0.8f}, kPi / 2);
   b.block({0, 0, 0}, {0.2f, 0.2f, 0.2f}, [](schema::Part::Builder p) {
@@ -91,7 +91,7 @@ TEST(ReachBound, HoldsWhomASmallSpinnerThrows) {
 }
 
 // With these physics a part counts as touched a stud away, so that a pad throws from above its top.
-TEST(ReachBound, HoldsWhomAPadThrowsBeforeItIsMet) {
+TEST(ReachBound, HoldsForAPadThatThrowsFromADistance) {
   float highest = 0;
   for (int i = 0; i < 20; ++i) {
     LevelBuilder b;
@@ -115,7 +115,7 @@ TEST(ReachBound, HoldsWhomAPadThrowsBeforeItIsMet) {
 }
 
 // With these physics the root sits far above a seat.
-TEST(ReachBound, HoldsWhoSitsHighUp) {
+TEST(ReachBound, HoldsForASeatHighAboveItsPart) {
   LevelBuilder b;
   b.block({0, -0.5f, 0}, {8, 1, 8}).spawn({0, 0, 3});
   b.block({0, 0.5f, -1}, {2, 1, 2}, [](schema::Part::Builder p) { p.initSeat(); });
@@ -134,7 +134,7 @@ TEST(ReachBound, HoldsWhoSitsHighUp) {
 }
 
 // The query checks the state after each tick. A teleporter can end a jump within its first tick.
-TEST(ReachBound, AForbiddenJumpIntoATeleporterIsUnseen) {
+TEST(ReachBound, AForbiddenJumpIntoATeleporterIsNotDetected) {
   LevelBuilder b;
   b.block({0, -0.5f, 0}, {8, 1, 8}).spawn({0, 0, 0});
   b.block({0, 9.2f, 0}, {4, 2, 4}, [](schema::Part::Builder p) {
@@ -158,7 +158,7 @@ TEST(ReachBound, AForbiddenJumpIntoATeleporterIsUnseen) {
 }
 
 // A player who comes off a fast ramp may rise faster than any jump.
-TEST(ReachBound, HoldsWhoIsTeleportedOffARamp) {
+TEST(ReachBound, HoldsForATeleportOffARamp) {
   LevelBuilder b;
   b.block({0, -0.5f, 0}, {8, 1, 200}).spawn({0, 0, 90});
   b.part([](schema::Part::Builder p) {

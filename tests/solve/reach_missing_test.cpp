@@ -26,14 +26,14 @@ void expectToActOn(float easy, const support::Build& build) {
   EXPECT_GE(support::hardestSolved(build, easy, nearer, 1'500'000), nearer);
 }
 
-TEST(ReachMissing, OfGapsLedgesAndDropsIsToActOn) {
+TEST(ReachMissing, IsSufficientForGapsLedgesAndDrops) {
   expectToActOn(8, [](float x) { return support::platforms(x, 0); });
   expectToActOn(6, [](float x) { return support::platforms(0, x); });
   expectToActOn(8, [](float x) { return support::platforms(x, 4); });
   expectToActOn(8, [](float x) { return support::platforms(x, -8); });
 }
 
-TEST(ReachMissing, OfMovingPlatformsIsToActOn) {
+TEST(ReachMissing, IsSufficientForMovingPlatforms) {
   expectToActOn(6, [](float x) { return support::off({8, 0, 0}, x); });
   expectToActOn(6, [](float x) { return support::off({0, 0, -8}, x); });
   expectToActOn(6, [](float x) { return support::off({0, 0, -8}, x, false); });
@@ -44,7 +44,7 @@ TEST(ReachMissing, OfMovingPlatformsIsToActOn) {
 }
 
 // A near part that leads nowhere is not named.
-TEST(ReachMissing, IsOfTheStepOnTheWay) {
+TEST(ReachMissing, IsTheStepTowardTheGoal) {
   support::Scene scene = support::platforms(15, 0);
   scene.level.block({20, 0, 0}, {2, 1, 2});
   const level::Level level = scene.level.compile();
@@ -54,7 +54,7 @@ TEST(ReachMissing, IsOfTheStepOnTheWay) {
   EXPECT_FALSE(m.more);
 }
 
-TEST(ReachMissing, SaysThatOneStepIsNotAll) {
+TEST(ReachMissing, ReportsThatMoreStepsAreMissing) {
   support::Scene scene = support::platforms(15, 0);
   scene.level.block({0, -4, -50}, {8, 8, 8});
   scene.goal = {{-4, 0, -54}, {4, 4, -46}};

@@ -41,7 +41,7 @@ float reachPassFarthestHeld(const Problem& problem, const ReachBound& bound, flo
   return farthest;
 }
 
-TEST(ReachPass, HoldsWhoJumpsIntoALowBlockBeforeThinWalls) {
+TEST(ReachPass, HoldsForAJumpIntoALowBlockBeforeThinWalls) {
   const level::Level level = blockAndWalls(0.9f).compile();
   const Problem problem = support::plainProblem(level, {});
   const ReachBound bound(problem, true);

@@ -25,14 +25,14 @@ level::Level underASlope(const Physics& physics, const LevelBuilder::PartSetter&
   return b.compile();
 }
 
-TEST(ReachPhysics, NoBoundIsKnownOfLegsThatBounce) {
+TEST(ReachPhysics, BouncingLegsAreUnbounded) {
   EXPECT_EQ(unboundedPart(underASlope({}).view()), nullptr);
   EXPECT_NE(unboundedPart(underASlope([](auto p) { p.setHoverDamping(20); }).view()), nullptr);
   EXPECT_NE(unboundedPart(underASlope([](auto p) { p.setSubsteps(1); }).view()), nullptr);
 }
 
 // One tick of a fast climb, 7.7 studs, leads far past the top of the truss.
-TEST(ReachPhysics, HoldsWhoClimbsFast) {
+TEST(ReachPhysics, HoldsForAFastClimb) {
   float most = 0;
   for (int i = 0; i < 9; ++i) {
     const float high = 19.1f + 0.2f * float(i);  // after two ticks the torso is still below the top

@@ -48,7 +48,7 @@ LevelBuilder press(float beyond) {
 }
 
 // Players deeper in the wall than below its top come out at the top.
-TEST(ReachPressed, HoldsWhomASlidingBlockPressesIntoAWall) {
+TEST(ReachPressed, HoldsForABlockThatPressesIntoAWall) {
   const level::Level level = press(15).compile();
   const Turns aside = turnsFromRadians(kPi / 2);  // toward -X
   const float highest = highestHeld(level, false, 400, [=](uint32_t t) {
@@ -59,7 +59,7 @@ TEST(ReachPressed, HoldsWhomASlidingBlockPressesIntoAWall) {
 
 // A lift presses the player up into a thick ceiling, by less than a thousandth of a stud a tick.
 // From the ceiling's upper half the player exits at its top, much higher than the lift goes.
-TEST(ReachPressed, HoldsWhomASlowLiftPressesThroughACeiling) {
+TEST(ReachPressed, HoldsForALiftThatPressesThroughACeiling) {
   LevelBuilder b;
   b.block({0, 14, 0}, {60, 16, 60}).spawn({0, 0, 34});
   b.block({0, -0.5f, 30}, {8, 1, 20});
@@ -78,7 +78,7 @@ TEST(ReachPressed, HoldsWhomASlowLiftPressesThroughACeiling) {
 }
 
 // A long seat extends from a wall, and holds its player deep inside.
-TEST(ReachPressed, HoldsWhoSitsInAWall) {
+TEST(ReachPressed, HoldsForASeatInsideAWall) {
   LevelBuilder b;
   b.block({0, -0.5f, 0}, {60, 1, 30}).spawn({0, 0, 0});
   b.block({0, -3, -35}, {60, 34, 50});
@@ -91,7 +91,7 @@ TEST(ReachPressed, HoldsWhoSitsInAWall) {
 }
 
 // The first tick of a jump has the full jump speed, even if that exceeds the maximum fall speed.
-TEST(ReachPressed, HoldsWhoJumpsFasterThanAnybodyFalls) {
+TEST(ReachPressed, HoldsForAJumpFasterThanTheFallLimit) {
   LevelBuilder b;
   b.block({0, -0.5f, 0}, {8, 1, 8}).spawn({0, 0, 0});
   b.physics([](schema::PhysicsParams::Builder p) { p.setJumpSpeed(1000); });

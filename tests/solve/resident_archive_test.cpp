@@ -11,7 +11,7 @@ void rounds(ResidentExplore& search, int count) {
   for (int i = 0; i < count; ++i) search.round();
 }
 
-TEST(ResidentArchive, TheSameCellByCellForAnyNumberOfThreads) {
+TEST(ResidentArchive, IsTheSameForAnyNumberOfThreads) {
   for (const auto& [name, scene] : residentScenes()) {
     ThreadPool one(1);
     ResidentExplore expected(scene->question.problem(), 4, smallRounds(scene->rollouts), {one});
@@ -26,7 +26,7 @@ TEST(ResidentArchive, TheSameCellByCellForAnyNumberOfThreads) {
   }
 }
 
-TEST(ResidentArchive, EveryStateIsRegeneratedFromItsWay) {
+TEST(ResidentArchive, EveryStateIsRegeneratedFromItsTrajectory) {
   for (const auto& [name, scene] : residentScenes()) {
     ThreadPool pool(2);
     ResidentExplore search(scene->question.problem(), 9, smallRounds(scene->rollouts), {pool});
@@ -83,7 +83,7 @@ TEST(ResidentArchive, AFullArchiveKeepsTheSameCellsForAnyNumberOfThreads) {
 }
 
 // The search finds far more cells than fit in its initial memory.
-TEST(ResidentArchive, GrowsWithWhatItHolds) {
+TEST(ResidentArchive, GrowsWithItsContent) {
   ResidentScene scene(support::movingArena(60, 12, 3));
   ResidentSettings settings = smallRounds(1024);
   settings.explore.groundedOnly = false;

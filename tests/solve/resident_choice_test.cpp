@@ -71,7 +71,7 @@ class ResidentChoice : public testing::Test {
   ResidentArguments a_{};
 };
 
-TEST_F(ResidentChoice, TheBeamIsTheCellsOfLeastF) {
+TEST_F(ResidentChoice, TheBeamHasTheCellsOfLowestF) {
   std::vector<uint32_t> sorted;
   for (uint32_t c = 0; c < a_.archive.cellCount; ++c) sorted.push_back(ticksOf(c));
   std::sort(sorted.begin(), sorted.end());
@@ -90,7 +90,7 @@ TEST_F(ResidentChoice, ABeamWiderThanTheArchiveIsAllOfIt) {
   EXPECT_EQ(choose(4096, 0, 1000).size(), 70u);
 }
 
-TEST_F(ResidentChoice, TheOthersGoByWeight) {
+TEST_F(ResidentChoice, TheOtherHalfFollowsTheWeights) {
   const uint32_t draws = 400'000;
   const auto times = choose(draws, draws, 1);
   double total = 0, apart = 0;

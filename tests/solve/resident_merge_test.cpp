@@ -73,7 +73,7 @@ TEST_F(ResidentMerge, FewerTicksThenFewerJumpsThenTheEarlierCandidate) {
   EXPECT_EQ(f.report.sightings, 3u);  // each was found by several rollouts
 }
 
-TEST_F(ResidentMerge, AnIncumbentGivesWayToTheBetterOnly) {
+TEST_F(ResidentMerge, AnIncumbentIsReplacedByABetterOneOnly) {
   merge({{{7, 20, 1, 1}}});
   EXPECT_EQ(merge({{{7, 20, 1, 2}, {7, 21, 0, 3}}}).nodes.size(), 0u);
   EXPECT_EQ(markOf(1), 1);
@@ -95,7 +95,7 @@ TEST_F(ResidentMerge, ARolloutThatComesBackDoesNotShareItsCell) {
 
 // A cell dropped for lack of capacity is new again in the next round, and better trajectories still
 // count.
-TEST_F(ResidentMerge, BeyondTheRoomCellsAreDroppedInTheirOrder) {
+TEST_F(ResidentMerge, BeyondTheCapacityCellsAreDroppedInOrder) {
   maxCells_ = 3;
   const RoundFindings f =
       merge({{{7, 20, 0, 1}}, {{8, 20, 0, 2}, {9, 20, 0, 3}}, {{10, 20, 0, 4}}});

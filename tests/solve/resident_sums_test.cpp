@@ -35,7 +35,7 @@ std::vector<uint64_t> randomWeights(uint32_t count, uint32_t most) {
   return weights;
 }
 
-TEST(SumTree, SumsBeforeALeafAreThoseOfAPlainLoop) {
+TEST(SumTree, SumsBeforeALeafEqualAPlainLoop) {
   for (const uint32_t count : {1u, 2u, 63u, 64u, 65u, 4095u, 4096u, 4097u, 270'000u}) {
     const Sums s(randomWeights(count, 1u << 20));
     uint64_t sum = 0;
@@ -51,7 +51,7 @@ TEST(SumTree, SumsBeforeALeafAreThoseOfAPlainLoop) {
 
 // Every value below the total leads to the leaf of a plain loop. No value leads to a leaf of weight
 // 0.
-TEST(SumTree, ADescentEndsAtThePlainLoopsLeaf) {
+TEST(SumTree, ADescentEndsAtTheLeafOfAPlainLoop) {
   for (const uint32_t count : {1u, 64u, 65u, 4097u, 9000u}) {
     const Sums s(randomWeights(count, 3));
     uint64_t rest = 0;

@@ -54,7 +54,7 @@ TEST(Rollout, StreamsDiffer) {
   EXPECT_GT(ends.size(), 45u);
 }
 
-TEST(Rollout, StopsWhereThePlaythroughEnds) {
+TEST(Rollout, StopsAtTheEndOfTheTrajectory) {
   RolloutScene scene;
   scene.question.avoid.push_back(boxAt({0, 2, -8}, {100, 40, 1}));
   const ExploreContext c = scene.context();
@@ -110,7 +110,7 @@ TEST(RandomMacro, HoldsForTwentyTicksOnAverage) {
   EXPECT_NEAR(sum / 20000, 20, 0.6);
 }
 
-TEST(Surfaces, AreWhereAPlayerCanStandAndNotOnKillParts) {
+TEST(Surfaces, AreStandablePlacesExceptOnKillParts) {
   LevelBuilder b = steppingStones();
   b.block({30, 0, 0}, {6, 1, 6}, [](schema::Part::Builder p) { p.initKill(); });
   b.block({60, 0, 0}, {6, 1, 6}, [](schema::Part::Builder p) { p.setSolid(false); });
@@ -129,7 +129,7 @@ TEST(Surfaces, AreWhereAPlayerCanStandAndNotOnKillParts) {
 }
 
 // Aims at most a jump apart lead all the way up a truss.
-TEST(Surfaces, OfATrussAreAlongItsWholeHeight) {
+TEST(Surfaces, OfATrussCoverItsWholeHeight) {
   LevelBuilder b = steppingStones();
   b.block({50, 20, 0}, {2, 40, 2},
           [](schema::Part::Builder p) { p.setShape(schema::Shape::TRUSS); });

@@ -9,7 +9,7 @@ namespace {
 
 using Route = std::vector<int32_t>;
 
-TEST(Route, NamesThePartsThatCarryInOrder) {
+TEST(Route, ListsSupportingPartsInOrder) {
   const level::Level level = steppingStones().compile();
   Question question(level);
   const Problem problem = question.problem();
@@ -45,7 +45,7 @@ TEST(Route, SegmentsCoverTheCourseWithoutGaps) {
   EXPECT_LT(course.at(segments[1].start).position.z, -12.5f);
 }
 
-TEST(Route, StartInTheAirIsCarriedByNothing) {
+TEST(Route, AStartInTheAirHasNoSupport) {
   LevelBuilder b = GapScene::build(5, 8);
   b.block({0, 9.5f, -2}, {2, 1, 2}, [](schema::Part::Builder p) { p.setSolid(false); });
   const level::Level level = b.compile();
@@ -93,7 +93,7 @@ TEST(Route, TrussesAndMovingPlatformsCarry) {
   EXPECT_EQ(route.back(), 2);
 }
 
-TEST(Route, SeatsAndLoosePartsCarry) {
+TEST(Route, SeatsAndDynamicPartsCarry) {
   LevelBuilder b;
   b.block({0, -0.5f, -10}, {8, 1, 20});
   b.block({0, 0.5f, -6}, {2, 1, 2}, [](schema::Part::Builder p) { p.initSeat(); });
@@ -115,7 +115,7 @@ TEST(Route, SeatsAndLoosePartsCarry) {
   EXPECT_EQ(route.back(), 2);
 }
 
-TEST(Route, AToeBeyondTheSeamIsNoOtherSupport) {
+TEST(Route, AToeBeyondTheSeamIsNotAnotherSupport) {
   LevelBuilder b;
   // Two adjacent floors, and a pebble that the player brushes.
   b.block({-4, -0.5f, -20}, {8, 1, 40}).block({4, -0.5f, -20}, {8, 1, 40});

@@ -68,7 +68,7 @@ TEST(Search, SolvesTheSteppingStonesAndEveryTrajectoryReplays) {
   EXPECT_EQ(checked.counts.verified, a.trajectories.size());
 }
 
-TEST(Search, AVerifiedStreamThatWasTamperedWithIsRefused) {
+TEST(Search, ATamperedStreamFailsVerification) {
   Filtered f = solve(stonesText(), searchStepsOnly());
   const size_t at = f.output.find("\"heading\":");
   ASSERT_NE(at, std::string::npos);

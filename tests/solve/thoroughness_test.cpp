@@ -22,7 +22,7 @@ TEST(NewCellChance, IsTheBoundOfGoodAndTuring) {
   EXPECT_EQ(newCellChance(Thoroughness{}), 1.0f);
 }
 
-TEST(NewCellChance, HoldsForDrawsWhoseChancesAreKnown) {
+TEST(NewCellChance, HoldsForKnownProbabilities) {
   // A thousand cells, with probabilities in proportion to 1 / (i + 1)^2. Each draw is a rollout.
   constexpr int kCells = 1000, kDraws = 2000;
   std::vector<double> chance;
@@ -49,7 +49,7 @@ TEST(NewCellChance, HoldsForDrawsWhoseChancesAreKnown) {
   EXPECT_GE(held, 190);  // of 200; 97.5 % would be 195
 }
 
-TEST(Saturation, MeansThatAsLongAgainWouldFindNextToNothing) {
+TEST(Saturation, MeansThatDoublingTheTimeFindsAlmostNothing) {
   EXPECT_TRUE(saturated(after(100'000, 10, 1000)));    // at most 16 more
   EXPECT_FALSE(saturated(after(100'000, 100, 1000)));  // 120 more
   EXPECT_FALSE(saturated(after(100, 0, 1000)));        // too early to say

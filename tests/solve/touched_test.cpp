@@ -37,7 +37,7 @@ TEST(TouchedSearch, ALightPlayerCrossesAWiderGap) {
 }
 
 // An air jump crosses a gap of 17 studs, and the verdict is never `unreachable`.
-TEST(TouchedSearch, AJumpInTheAirCrossesAWiderGap) {
+TEST(TouchedSearch, AnAirJumpCrossesAWiderGap) {
   const auto with = [](const char* more) {
     std::string lines = gapBehind("");
     const std::string physics = "\"fallenPartsHeight\":-40";
@@ -61,7 +61,7 @@ std::string betweenKills(bool byRoot) {
          "\n";
 }
 
-TEST(TouchedSearch, ThePlayerPassesWhereLimbsAreInAPartTouchedByTheRoot) {
+TEST(TouchedSearch, LimbsMayPassThroughPartsTouchedByTheRoot) {
   EXPECT_EQ(ask(betweenKills(true)).solved, 1u);
   EXPECT_EQ(ask(betweenKills(false), 200'000).solved, 0u);
 }

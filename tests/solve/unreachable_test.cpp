@@ -71,20 +71,20 @@ TEST(Unreachable, SaysWhichTricksMightHelpAndWhetherItHoldsWithAll) {
 }
 
 // The reason must say that jumping is forbidden, as a player who may jump is not excluded.
-TEST(Unreachable, NobodyWithoutJumpingIsSaidToBeSo) {
+TEST(Unreachable, TheReasonMentionsForbiddenJumping) {
   const std::string words = "No player can reach the goal 'third' without jumping. From '";
   expectUnreachable(unreachableAsk(std::string(kThird) + R"(,"maxJumps":0)"), words);
   expectUnreachable(unreachableAsk(std::string(kThird) + R"(,"forbid":["jumping"])"), words);
 }
 
-TEST(Unreachable, LimitsOnTheWayToAWaypointEndThere) {
+TEST(Unreachable, LimitsOfAWaypointEndThere) {
   const Filtered f = unreachableAsk(
       std::string(kThird) +
       R"(,"waypoints":[{"region":{"position":[0,2,-6],"size":[8,4,2]},"maxJumps":0,"segmentJumps":0}])");
   EXPECT_EQ(f.counts.unreachable, 0u) << "the jumps come after it";
 }
 
-TEST(Unreachable, CountsTheJumpsThatEveryWayTakes) {
+TEST(Unreachable, CountsTheJumpsOfEveryRoute) {
   expectUnreachable(
       unreachableAsk(std::string(kThird) + R"(,"maxJumps":1)"),
       "Every route to the goal 'third' takes at least 2 jumps, but only 1 is allowed.");
@@ -99,7 +99,7 @@ TEST(Unreachable, CountsTheJumpsToAWaypoint) {
       "Every route to waypoint 1 'second' takes at least 1 jump, but none is allowed.");
 }
 
-TEST(Unreachable, KnowsHowLongTheWayIs) {
+TEST(Unreachable, KnowsTheLengthOfTheRoute) {
   expectUnreachable(unreachableAsk(std::string(kThird) + R"(,"timeLimit":1.6)"),
                     "but only 1.60 s is allowed");
   EXPECT_EQ(unreachableAsk(std::string(kThird) + R"(,"timeLimit":2.8)").counts.unreachable, 0u);
@@ -109,7 +109,7 @@ TEST(Unreachable, KnowsHowLongTheWayIs) {
                     "but only 3.50 s is allowed");
 }
 
-TEST(Unreachable, SaysNothingOfTimeWhereSomethingMovesPlayersAtOnce) {
+TEST(Unreachable, MakesNoTimeClaimIfPlayersCanBeMovedAtOnce) {
   const std::string limit = std::string(kThird) + R"(,"timeLimit":1.6)";
   for (const char* more :
        {R"(,{"name":"Seat","position":[0,0.5,-6],"size":[2,1,2],"seat":{}})",
@@ -123,7 +123,7 @@ TEST(Unreachable, SaysNothingOfTimeWhereSomethingMovesPlayersAtOnce) {
   EXPECT_EQ(unreachableAsk(limit, pusher).counts.unreachable, 0u);
 }
 
-TEST(Unreachable, SaysNothingOfTimeWhereAWallThatNobodyStandsOnPushes) {
+TEST(Unreachable, MakesNoTimeClaimIfATallWallPushes) {
   const char* wall =
       R"(,{"name":"Wall","position":[3.75,11,4],"size":[1.5,20,1],"motion":{"repeat":"pingPong",)"
       R"("keys":[{"position":[3.75,11,4]},{"time":1,"position":[3.75,11,-48]}]}})";
@@ -134,7 +134,7 @@ TEST(Unreachable, SaysNothingOfTimeWhereAWallThatNobodyStandsOnPushes) {
 
 // From 16,384 studs on, positions have steps of a 512th of a stud. A tick of walking is 136.5 of
 // them, and rounds to 137.
-TEST(Unreachable, KnowsThatPlacesFarOutAreRounded) {
+TEST(Unreachable, AllowsForRoundingFarOut) {
   LevelBuilder b;
   b.block({0, -0.5f, -17500}, {8, 1, 2040}).spawn({0, 0, -16500});
   const level::Level level = b.compile();
@@ -156,7 +156,7 @@ TEST(Unreachable, KnowsThatPlacesFarOutAreRounded) {
   expectUnreachable(run("90"), "but only 90.00 s is allowed");
 }
 
-TEST(Unreachable, IsNotSaidWherePartsAreSoHighThatJumpsAreRounded) {
+TEST(Unreachable, IsNotClaimedWherePartsAreSoHighThatJumpsAreRounded) {
   const auto counted = [](const std::string& height) {
     return unreachableAsk(R"("goal":{"part":"Ledge"})",
                           R"(,{"name":"High","position":[0,)" + height + R"(,0],"size":[4,1,4]})")
@@ -174,7 +174,7 @@ TEST(Unreachable, IsNotSaidWherePartsAreSoHighThatJumpsAreRounded) {
   EXPECT_EQ(fallen("10000"), 1u);
 }
 
-TEST(Unreachable, IsNotSaidWhereATeleporterLeadsSoHigh) {
+TEST(Unreachable, IsNotClaimedWhereATeleporterLeadsSoHigh) {
   const auto counted = [](const std::string& height) {
     return unreachableAsk(R"("goal":{"part":"Ledge"})",
                           R"(,{"name":"Gate","position":[0,5000,0],"size":[4,4,4],"solid":false,)"
@@ -187,7 +187,7 @@ TEST(Unreachable, IsNotSaidWhereATeleporterLeadsSoHigh) {
 }
 
 // After the last tick of the level's clock comes its first one, at which a lift may be elsewhere.
-TEST(Unreachable, IsNotSaidWhereTheClockOfALiftBeginsAnew) {
+TEST(Unreachable, IsNotClaimedWhereTheClockOfALiftWraps) {
   LevelBuilder b;
   b.block({0, -0.5f, -4}, {8, 1, 8}).block({0, -5, -4}, {2, 1, 2}, [](schema::Part::Builder p) {
     auto motion = p.initMotion();
@@ -218,13 +218,13 @@ TEST(Unreachable, OneVisitOutOfReachIsEnough) {
                     "No player can reach 'Ledge'. From '");
 }
 
-TEST(Unreachable, AnyGoalWithinReachWillDo) {
+TEST(Unreachable, OneReachableGoalIsEnough) {
   EXPECT_EQ(
       unreachableAsk(std::string(kThird) + R"(,"goals":[{"part":"Ledge"}])").counts.unreachable,
       0u);
 }
 
-TEST(Unreachable, OfSeveralGoalsTheOneThatLacksLeastIsNamed) {
+TEST(Unreachable, NamesTheGoalWithTheSmallestMissingStep) {
   const std::string far = R"("goal":{"position":[0,900,-4]},"goals":[{"part":"Ledge"}])";
   const Filtered both = unreachableAsk(far), one = unreachableAsk(R"("goal":{"part":"Ledge"})");
   const auto cutOf = [](const Filtered& f) {
@@ -235,7 +235,7 @@ TEST(Unreachable, OfSeveralGoalsTheOneThatLacksLeastIsNamed) {
   EXPECT_EQ(cutOf(both), cutOf(one));
 }
 
-TEST(Unreachable, IsNotSaidWhereLoosePartsCanBePiledUp) {
+TEST(Unreachable, IsNotClaimedWithDynamicParts) {
   const Filtered f =
       unreachableAsk(R"("goal":{"part":"Ledge"})",
                      R"(,{"name":"Box","position":[0,3,-4],"size":[2,2,2],"anchored":false})");
@@ -255,7 +255,7 @@ std::string posts(int count, float aside) {
 }
 
 // The simulator ignores some of the posts for a player among them.
-TEST(Unreachable, IsNotSaidWhereMorePartsAreNearThanTheSimulatorLooksAt) {
+TEST(Unreachable, IsNotClaimedWhereTheSimulatorIgnoresParts) {
   const std::string ledge = R"("goal":{"part":"Ledge"})";
   EXPECT_EQ(unreachableAsk(ledge, posts(60, 0)).counts.unreachable, 0u);
   EXPECT_EQ(unreachableAsk(ledge, posts(40, 0)).counts.unreachable, 1u)
@@ -264,7 +264,7 @@ TEST(Unreachable, IsNotSaidWhereMorePartsAreNearThanTheSimulatorLooksAt) {
 }
 
 // Parts that the importer left out may lead to the goal.
-TEST(Unreachable, IsNotSaidOfALevelThatLacksPartOfItsPlace) {
+TEST(Unreachable, IsNotClaimedForAnIncompleteImport) {
   const auto answer = [](const std::string& text) { return answered(text).output; };
   std::string text = stonesText(R"(,"timeLimit":0.5)");
   EXPECT_NE(answer(text).find("\"verdict\":\"unreachable\""), std::string::npos);

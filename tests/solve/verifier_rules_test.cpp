@@ -51,7 +51,7 @@ TEST_F(Rules, AThinRegionToAvoidIsPassedBetweenTicks) {
   }
 }
 
-TEST_F(Rules, AtLeastSoManyJumps) {
+TEST_F(Rules, MinimumJumps) {
   q().setMinJumps(2);
   ASSERT_EQ(makeTrajectory().getOutcome(), Outcome::GOAL);
   EXPECT_TRUE(check()) << check().error().text();
@@ -149,7 +149,7 @@ TEST_F(PostRules, PartsNotToTouch) {
   EXPECT_TRUE(check()) << check().error().text();
 }
 
-TEST_F(PostRules, APartThatIsMissedWasNotTouched) {
+TEST_F(PostRules, AMissedPartWasNotTouched) {
   makeTrajectory();
   name(q().initVisits(1)[0], 3);
   expectWrong("visited");
@@ -172,7 +172,7 @@ class HotRules : public VerifierTest {
   }
 };
 
-TEST_F(HotRules, HealthThatMayBeLost) {
+TEST_F(HotRules, MaximumDamage) {
   ASSERT_EQ(makeTrajectory().getOutcome(), Outcome::GOAL);
   q().setMaxDamage(20);
   EXPECT_TRUE(check()) << check().error().text();

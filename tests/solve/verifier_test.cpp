@@ -114,7 +114,7 @@ TEST_F(VerifierTest, RefusesALateArrival) {
   expectWrong("outcome");
 }
 
-TEST_F(VerifierTest, RefusesADeathSoldAsAGoal) {
+TEST_F(VerifierTest, RefusesADeathDeclaredAsAGoal) {
   makeTrajectory(false).setOutcome(schema::Outcome::GOAL);
   expectWrong("outcome");
 }
@@ -139,7 +139,7 @@ TEST_F(VerifierTest, RefusesWrongTotalsAndHashes) {
 }
 
 // These fields serve readers that cannot replay.
-TEST_F(VerifierTest, RefusesAnotherWayThanThatOfItsActions) {
+TEST_F(VerifierTest, RefusesAPathThatItsActionsDoNotTake) {
   auto t = makeTrajectory();
   const auto plan = sim::planFromRecord(t.asReader());
   ASSERT_TRUE(plan);
@@ -179,7 +179,7 @@ TEST_F(VerifierTest, RefusesAnotherWayThanThatOfItsActions) {
 }
 
 // The path ends at the trajectory's end, however long the last key is held.
-TEST_F(VerifierTest, AcceptsActionsThatGoOnBehindTheEnd) {
+TEST_F(VerifierTest, AcceptsActionsBeyondTheEnd) {
   auto t = makeTrajectory();
   const uint32_t ticks = t.getTicks();
   t.getActions()[ticks - 1].setTicks(500);

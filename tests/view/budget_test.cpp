@@ -24,7 +24,7 @@ TEST(Budget, MotionIsShownFromTheStartOfAQueryOn) {
   EXPECT_EQ(view::ticksShown(*report), (std::vector<uint32_t>{9000 + least}));
 }
 
-TEST(Budget, EachLevelShowsTheMotionOfItsOwnQueriesAndWays) {
+TEST(Budget, EachLevelShowsTheMotionOfItsOwnTrajectories) {
   auto left = walk(kLeft, 300);
   left.root().getTrajectory().setStartTick(3000);
   const uint32_t ticks = left.reader().getTrajectory().getTicks();
@@ -41,7 +41,7 @@ TEST(Budget, EachLevelShowsTheMotionOfItsOwnQueriesAndWays) {
 }
 
 // The page cannot know how a part moves after the cut.
-TEST(Budget, MotionThatIsCutIsTold) {
+TEST(Budget, CutMotionIsReported) {
   const auto notes = [](const char* seconds, const char* tick) {
     std::string level = kLevel, late = kQuery;
     const std::string fan = R"("spin":{"speed":3})";
@@ -87,7 +87,7 @@ TEST(Budget, CountsALevelAsItIsWritten) {
 }
 
 // Names and numbers dominate the size of short trajectories.
-TEST(Budget, CountsMoreThanTheTicksOfAWay) {
+TEST(Budget, CountsMoreThanTheTicksOfATrajectory) {
   auto left = walk(kLeft, 5);
   auto report = collect({kLevel, kQuery, line(left)});
   ASSERT_TRUE(report) << report.error().text();
@@ -101,7 +101,7 @@ TEST(Budget, CountsMoreThanTheTicksOfAWay) {
 }
 
 // Thousands of moving parts that never repeat take this much. With --full nothing is thinned out.
-TEST(Budget, MotionThatNoBrowserOpensIsTakenMoreCoarsely) {
+TEST(Budget, TooMuchMotionIsSampledMoreCoarsely) {
   view::PageSizes sizes;
   sizes.tracks = size_t(1500) << 20;
   EXPECT_EQ(view::budgetFor(sizes, view::kPageTarget).trackStride, 8u);
@@ -111,7 +111,7 @@ TEST(Budget, MotionThatNoBrowserOpensIsTakenMoreCoarsely) {
   EXPECT_EQ(view::budgetFor(sizes, SIZE_MAX).trackStride, 1u);
 }
 
-TEST(Budget, CountsWhatPartsDoOnAWay) {
+TEST(Budget, CountsEventsOfPartsInATrajectory) {
   auto left = walk(kLeft, 5);
   auto report = collect({kLevel, kQuery, line(left)});
   ASSERT_TRUE(report) << report.error().text();
@@ -128,7 +128,7 @@ TEST(Budget, CountsWhatPartsDoOnAWay) {
 }
 
 // A larger stride does not shrink the tracks of dynamic bodies.
-TEST(Budget, LeavesOutAttemptsWhoseLooseBodiesDoNotFit) {
+TEST(Budget, LeavesOutAttemptsWhoseDynamicBodiesDoNotFit) {
   view::PageSizes sizes;
   sizes.attempts = 2u << 20;
   sizes.whole = 30u << 20;

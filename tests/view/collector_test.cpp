@@ -9,7 +9,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
-TEST(Collector, LookedAtAfterEachRecordItGivesTheSameReport) {
+TEST(Collector, ReadingItAfterEachRecordKeepsTheReport) {
   auto ahead = walk(kAhead, 200), left = walk(kLeft, 300), right = walk(kRight, 300, true);
   auto near = walk(kAhead, 40), nearer = walk(kAhead, 60);
   const std::vector<std::string> stream = {kLevel,
@@ -31,7 +31,7 @@ TEST(Collector, LookedAtAfterEachRecordItGivesTheSameReport) {
   }
 }
 
-TEST(Collector, WaysKeepTheirSerialThroughProgress) {
+TEST(Collector, TrajectoriesKeepTheirSerialThroughProgress) {
   auto left = walk(kLeft, 300), right = walk(kRight, 300, true), near = walk(kAhead, 40);
   auto collector = strict();
   addAll(collector, {kLevel, kQuery, progressLine(near, {&left}, 9)});
@@ -46,7 +46,7 @@ TEST(Collector, WaysKeepTheirSerialThroughProgress) {
   EXPECT_TRUE(collector.report().queries[0].paths[1].played());
 }
 
-TEST(Collector, QueryThatComesLateHasItsWaysPlayedAgain) {
+TEST(Collector, ALateQueryReplaysItsTrajectories) {
   auto ahead = walk(kAhead, 200);
   auto collector = strict();
   addAll(collector, {kLevel, line(ahead)});
@@ -67,7 +67,7 @@ TEST(Collector, OtherQueriesAreLeftOutFromTheStart) {
   EXPECT_THAT(missing.error().message, HasSubstr("later"));
 }
 
-TEST(Collector, WhatCannotBePlayedLeavesTheRestThere) {
+TEST(Collector, AnUnplayableTrajectoryKeepsTheOthers) {
   auto ahead = walk(kAhead, 200), lost = walk(kAhead, 20);
   lost.root().getTrajectory().setLevel("elsewhere");
   auto collector = strict();
@@ -79,7 +79,7 @@ TEST(Collector, WhatCannotBePlayedLeavesTheRestThere) {
   EXPECT_TRUE(collector.report().queries[0].paths[0].played());
 }
 
-TEST(Collector, RunningSearchTellsItsNumbers) {
+TEST(Collector, ARunningSearchShowsItsNumbers) {
   auto near = walk(kAhead, 40);
   auto collector = strict();
   addAll(collector, {kLevel, kQuery, progressLine(near, {}, 9.5f)});
@@ -91,7 +91,7 @@ TEST(Collector, RunningSearchTellsItsNumbers) {
 }
 
 // Unplayable paths are dropped, so that a renderer may assume that the others were played.
-TEST(Collector, AfterAnErrorAllThatIsLeftWasPlayed) {
+TEST(Collector, AfterAnErrorAllRemainingPathsWerePlayed) {
   auto ahead = walk(kAhead, 200), left = walk(kLeft, 300);
   std::string spawnless = kQuery;
   spawnless.insert(spawnless.find(R"("goal")"), R"("start":{"spawn":5},)");
@@ -108,7 +108,7 @@ TEST(Collector, AfterAnErrorAllThatIsLeftWasPlayed) {
   for (const auto& path : collector.report().queries[0].paths) EXPECT_TRUE(path.played());
 }
 
-TEST(Collector, OneQueryThatFailsDoesNotKeepOthersFromBeingPlayed) {
+TEST(Collector, AFailingQueryDoesNotStopOthersFromBeingPlayed) {
   auto ahead = walk(kAhead, 200);
   std::string elsewhere = kQuery;
   elsewhere.replace(elsewhere.find("Course"), 6, "Nowhere");

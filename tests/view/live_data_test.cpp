@@ -51,7 +51,7 @@ TEST(LiveData, NothingIsThereAtFirst) {
   EXPECT_TRUE(all["queries"].empty());
 }
 
-TEST(LiveData, APageGetsWhatIsNewToItOnce) {
+TEST(LiveData, APageGetsNewItemsOnce) {
   auto ahead = walk(kAhead, 200), left = walk(kLeft, 300);
   Growing growing;
   growing.add({kLevel, kQuery, line(left)});
@@ -74,7 +74,7 @@ TEST(LiveData, APageGetsWhatIsNewToItOnce) {
   }
 }
 
-TEST(LiveData, NothingNewIsNoRevision) {
+TEST(LiveData, WithoutChangesTheRevisionStays) {
   Growing growing;
   growing.add({kLevel, kQuery});
   const uint64_t before = growing.data.revision();
@@ -86,7 +86,7 @@ TEST(LiveData, NothingNewIsNoRevision) {
   EXPECT_TRUE(growing.since(before)["queries"].empty());
 }
 
-TEST(LiveData, WaysThatAreReplacedGo) {
+TEST(LiveData, ReplacedTrajectoriesAreRemoved) {
   auto near = walk(kAhead, 40), ahead = walk(kAhead, 200), nearer = walk(kAhead, 60);
   const auto progress = [](io::RecordBuilder& best) {
     io::RecordBuilder builder;
@@ -104,7 +104,7 @@ TEST(LiveData, WaysThatAreReplacedGo) {
   EXPECT_EQ(news["queries"][0]["serials"], json::parse("[[3,3]]"));
 }
 
-TEST(LiveData, LongerWaysBringMoreMotionSeldom) {
+TEST(LiveData, LongerTrajectoriesRarelyResendMotion) {
   // A door opens once, in a minute: its track lasts as long as the shown time.
   std::string level = kLevel;
   const std::string fan = R"("spin":{"speed":3})";
@@ -126,7 +126,7 @@ TEST(LiveData, LongerWaysBringMoreMotionSeldom) {
   EXPECT_EQ(sent, 2u);  // at 20 and at 40 seconds
 }
 
-TEST(LiveData, BeyondThePagesSizeAttemptsAreSentAnewAndThinner) {
+TEST(LiveData, BeyondThePagesSizeAttemptsAreResentThinnedOut) {
   const auto longest = [] {
     auto way = walk(kAhead, 2);
     auto path = way.root().getTrajectory();
@@ -152,7 +152,7 @@ TEST(LiveData, BeyondThePagesSizeAttemptsAreSentAnewAndThinner) {
   EXPECT_LT(growing.data.since(0).size(), view::kPageTarget);
 }
 
-TEST(GrowingReport, LooksWhileAnotherThreadReads) {
+TEST(GrowingReport, CanBeReadWhileAnotherThreadAdds) {
   constexpr int kWays = 200;
   auto left = walk(kLeft, 60);
   const std::string way = line(left);
@@ -186,7 +186,7 @@ TEST(GrowingReport, LooksWhileAnotherThreadReads) {
   EXPECT_FALSE(report.look([](const view::Report&, view::StreamState) {}));  // no change
 }
 
-TEST(GrowingReport, NobodyWaitsForOneThatLooksNoMore) {
+TEST(GrowingReport, ClosingReleasesWaitingThreads) {
   view::GrowingReport report(strict());
   std::atomic<bool> busy{false}, asked{false};
   std::thread reading([&] {
@@ -204,7 +204,7 @@ TEST(GrowingReport, NobodyWaitsForOneThatLooksNoMore) {
   reading.join();
 }
 
-TEST(GrowingReport, AQueryThatDidNotComeIsAnError) {
+TEST(GrowingReport, AMissingQueryIsAnError) {
   view::GrowingReport report(strict({"never"}));
   EXPECT_TRUE(report.add(recordOf(kLevel)));
   EXPECT_FALSE(report.end(view::StreamState::ended, {}));

@@ -25,7 +25,7 @@ long peak() {
   return used.ru_maxrss;
 }
 
-TEST(Picture, IsTheSameInHoweverManyPieces) {
+TEST(Picture, IsTheSameInAnyNumberOfPieces) {
   const Report shown = view_test::solvedReport();
   const auto drawn = [&](size_t atOnce) {
     return pictureOf(shown.levels[0], &shown.queries[0], {160, 90, atOnce}).pixels;
@@ -49,7 +49,7 @@ TEST(Picture, ALargeOneTakesLittleMemory) {
   EXPECT_LT(peakOf(4096, 1024) - before, 350 << 10) << "all of its samples would take 600 MB";
 }
 
-TEST(Extent, OfALongWayTakesNoMemoryOfItsOwn) {
+TEST(Extent, OfALongTrajectoryTakesNoExtraMemory) {
   Report shown = view_test::solvedReport();
   QueryEntry& query = shown.queries[0];
   query.paths[0].playback.feet.assign(4'000'000, Vec3{0, 0, -5});

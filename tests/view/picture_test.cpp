@@ -74,7 +74,7 @@ TEST(Depths, TheNearerSolidIsSeen) {
 }
 
 // In a long course, most parts lie behind a camera that looks at one stage.
-TEST(Depths, WhatLiesBehindIsNotLookedFor) {
+TEST(Depths, SolidsBehindTheCameraAreSkipped) {
   Camera camera = sideways(60, 60);
   const Vec3 behind = camera.eye - camera.forward * 20;
   Depths seen(camera, 60, 60);
@@ -105,7 +105,7 @@ TEST(Depths, ABallIsRoundAndATranslucentSolidHasHoles) {
   EXPECT_EQ(count, 100) << "a quarter of 400";
 }
 
-TEST(Depths, AWindowSeesWhatThePictureHasThere) {
+TEST(Depths, AWindowEqualsItsPartOfThePicture) {
   const Samples window{20, 31, 57, 48};
   Solid veil = block({2, -3, 5}, {3, 3, 1});
   veil.coverage = 0.5f;
@@ -120,7 +120,7 @@ TEST(Depths, AWindowSeesWhatThePictureHasThere) {
   EXPECT_TRUE(part.samplesOf(block({-8, 8, 0}, {1, 1, 1})).empty()) << "above it";
 }
 
-TEST(Shade, WhatIsUnderAnotherLiesInShadow) {
+TEST(Shade, ASolidBelowAnotherIsInItsShadow) {
   const std::vector<Solid> solids = {block({0, 0, 0}, {10, 0.5f, 10}),
                                      block({0, 6, 0}, {3, 0.5f, 3})};
   const std::vector<Surface> surfaces = {{{0.5f, 0.5f, 0.5f}}, {{0.5f, 0.5f, 0.5f}}};
@@ -221,7 +221,7 @@ TEST(World, SaysWhichPartsAreAwayAtATick) {
   EXPECT_EQ(awayAt(60), (std::vector<uint32_t>{1, 2}));
 }
 
-TEST(Picture, WhatIsAwayAtTheStartIsHardlyThere) {
+TEST(Picture, PartsAwayAtTheStartAreFaint) {
   const auto shownOf = [](const char* inverted) {
     return view_test::collect(
         {std::string(R"({"type":"level","name":"tile","parts":[{"size":[20,1,20],)") +

@@ -44,7 +44,7 @@ PlayerReplays::Told told(uint32_t rate) {
   return *std::move(result);
 }
 
-TEST(PlayerReplay, IsToldInTheLevelsTicks) {
+TEST(PlayerReplay, IsReportedInTheLevelsTicks) {
   for (const uint32_t rate : {30u, 144u, 240u}) {
     const PlayerReplays::Told t = told(rate);
     EXPECT_EQ(t.playback.ticks(), 60u) << rate;
@@ -60,7 +60,7 @@ TEST(PlayerReplay, IsToldInTheLevelsTicks) {
   }
 }
 
-TEST(PlayerReplay, OfTheLevelsOwnRateIsAsItWasRecorded) {
+TEST(PlayerReplay, AtTheLevelsOwnRateEqualsTheRecord) {
   const PlayerReplays::Told t = told(60);
   EXPECT_FALSE(t.record);
   EXPECT_EQ(t.playback.ticks(), 60u);

@@ -52,7 +52,7 @@ Playback standing(const level::Level& level, uint32_t ticks) {
   return *std::move(playback);
 }
 
-TEST(Replay, TellsWhenSignalsOpenCloseAndMoveParts) {
+TEST(Replay, ReportsWhenSignalsOpenCloseAndMoveParts) {
   const level::Level level = buttonLevel();
   const Playback p = standing(level, 100);
   ASSERT_EQ(p.events.size(), 3u) << "a signal that starts anew goes on";
@@ -82,7 +82,7 @@ PartEvents eventsOf(const std::vector<sim::World>& worlds, const level::LevelVie
 }
 
 // For hours, one button removes and restores thousands of parts.
-TEST(Replay, OfThousandsOfPartsOnlyThoseWhoseClockRunsAreLookedAt) {
+TEST(Replay, VisitsOnlyPartsWhoseClockRuns) {
   constexpr uint32_t kOfEach = 1000, kTicks = 200'000;
   support::LevelBuilder b;
   b.block({0, -0.5f, 0}, {8, 1, 8}, [](Part::Builder p) {
@@ -174,7 +174,7 @@ Vec3 cornerAt(const LooseTrack& track, uint32_t tick, Vec3 corner) {
   return Vec3{mixed(p, 3, 0), mixed(p, 3, 1), mixed(p, 3, 2)} + toMat3(turn) * corner;
 }
 
-TEST(Replay, LoosePartsAreWhereTheSimulatorPushedThem) {
+TEST(Replay, DynamicPartsFollowTheSimulator) {
   const Pushed pushed;
   const level::LevelView& view = pushed.level.view();
   ASSERT_EQ(view.looseCount, 3u);
@@ -214,7 +214,7 @@ TEST(Replay, APartThatRestsMovesAndRestsHasFourSamples) {
   EXPECT_NEAR(tracks[0].positions[9], 22.5, 1e-4);
 }
 
-TEST(Replay, OnlyLoosePartsThatMoveHaveTracks) {
+TEST(Replay, OnlyDynamicPartsThatMoveHaveTracks) {
   const Pushed pushed;
   EXPECT_EQ(pushed.trackOf(3), nullptr) << "it has fallen before play begins";
   const LooseTrack* rests = pushed.trackOf(2);

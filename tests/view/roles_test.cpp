@@ -8,7 +8,7 @@
 namespace obby::view_test {
 namespace {
 
-TEST(Roles, GravestRoleWinsAndTheStartIsFoundUnderTheSpawn) {
+TEST(Roles, TheMostSevereRoleWinsAndTheStartIsUnderTheSpawn) {
   const io::Record level = recordOf(kLevel);
   EXPECT_THAT(view::rolesOf(level.reader().getLevel()),
               ::testing::ElementsAre(view::Role::start, view::Role::kill, view::Role::moving,
@@ -16,7 +16,7 @@ TEST(Roles, GravestRoleWinsAndTheStartIsFoundUnderTheSpawn) {
 }
 
 // A part that falls when touched is away for a while. A part that nothing can touch stays.
-TEST(Roles, WhatHealsDoesNotKillAndWhatFallsGoesAway) {
+TEST(Roles, HealingPartsDoNotKillAndFallingPartsVanish) {
   const io::Record level = recordOf(
       R"({"type":"level","name":"L","parts":[{"kill":{"damage":20}},{"kill":{"damage":-60}},)"
       R"({"solid":false,"kill":{"damage":-60}},{"fall":{}},{"touch":false,"fall":{}}]})");

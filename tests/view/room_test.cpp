@@ -21,7 +21,7 @@ std::string inRunsOfATick(const io::RecordBuilder& way) {
 }
 
 // A stream of a few lines may ask for hours of play.
-TEST(Collector, AttemptsBeyondTheRoomAreLeftOutAndSolutionsAreErrors) {
+TEST(Collector, BeyondTheBudgetAttemptsAreDroppedAndSolutionsAreErrors) {
   auto ahead = walk(kAhead, 200), left = walk(kLeft, 300);
   const size_t ticks = left.reader().getTrajectory().getTicks() + 1;
   auto collector = withRoom({2 * ticks});
@@ -38,7 +38,7 @@ TEST(Collector, AttemptsBeyondTheRoomAreLeftOutAndSolutionsAreErrors) {
 }
 
 // An endless stream shows its newest trajectories.
-TEST(Collector, WhereWaysRollTheOldestLeaveAndAreCounted) {
+TEST(Collector, ARollingBudgetDropsAndCountsTheOldestTrajectories) {
   auto ahead = walk(kAhead, 200), left = walk(kLeft, 300);
   const size_t ticks = left.reader().getTrajectory().getTicks() + 1;
   view::Room room;
@@ -64,7 +64,7 @@ TEST(Collector, WhereWaysRollTheOldestLeaveAndAreCounted) {
 }
 
 // If the keys change at every tick, actions take as much memory as the trajectory.
-TEST(Collector, EachRunOfAWaysActionsTakesRoomWhereItCounts) {
+TEST(Collector, ActionRunsCountTowardsTheBudget) {
   const auto left = walk(kLeft, 300);
   const std::string restless = inRunsOfATick(left);
   const size_t ticks = left.reader().getTrajectory().getTicks() + 1;
@@ -80,7 +80,7 @@ TEST(Collector, EachRunOfAWaysActionsTakesRoomWhereItCounts) {
   EXPECT_THAT(collector.report().notes[0], HasSubstr("left out"));
 }
 
-TEST(Collector, ActionRunsOfWaysThatLeaveGiveTheirRoomBack) {
+TEST(Collector, ActionRunsOfDroppedTrajectoriesFreeTheirBudget) {
   const auto left = walk(kLeft, 300);
   const std::string restless = inRunsOfATick(left);
   view::Room room;
@@ -96,7 +96,7 @@ TEST(Collector, ActionRunsOfWaysThatLeaveGiveTheirRoomBack) {
   EXPECT_THAT(collector.report().notes[0], HasSubstr("of the oldest trajectories"));
 }
 
-TEST(Collector, WaysThatLeaveMayBeOfAnotherQuery) {
+TEST(Collector, DroppedTrajectoriesMayBeOfAnotherQuery) {
   auto left = walk(kLeft, 300), other = walk(kLeft, 300);
   other.root().getTrajectory().setQuery("other");
   const size_t ticks = left.reader().getTrajectory().getTicks() + 1;
@@ -113,7 +113,7 @@ TEST(Collector, WaysThatLeaveMayBeOfAnotherQuery) {
 }
 
 // Progress of a finished search is no longer replaced.
-TEST(Collector, WhatASearchToldLeavesOnceItIsOver) {
+TEST(Collector, ProgressOfAFinishedSearchCanBeDropped) {
   auto left = walk(kLeft, 300), other = walk(kLeft, 300);
   other.root().getTrajectory().setQuery("other");
   const size_t ticks = left.reader().getTrajectory().getTicks() + 1;
@@ -133,7 +133,7 @@ TEST(Collector, WhatASearchToldLeavesOnceItIsOver) {
   EXPECT_EQ(collector.report().notes.size(), 1u);
 }
 
-TEST(Collector, AWayThatIsLongerThanAllOfTheRoomDrivesOutNone) {
+TEST(Collector, ATrajectoryAboveTheWholeBudgetDropsNoOthers) {
   auto near = walk(kAhead, 20), left = walk(kLeft, 300);
   view::Room room;
   room.ticks = left.reader().getTrajectory().getTicks();
@@ -146,7 +146,7 @@ TEST(Collector, AWayThatIsLongerThanAllOfTheRoomDrivesOutNone) {
   EXPECT_THAT(collector.report().notes[0], HasSubstr("left out"));
 }
 
-TEST(Collector, WhereThereIsNoRoomForRecordsNothingMoreIsTakenIn) {
+TEST(Collector, WithoutABudgetForRecordsAllFurtherOnesAreDropped) {
   std::string second = kLevel;
   second.replace(second.find("Course"), 6, "Second");
   view::Room room;
@@ -163,7 +163,7 @@ TEST(Collector, WhereThereIsNoRoomForRecordsNothingMoreIsTakenIn) {
 }
 
 // Answers that replace one another take the memory of one.
-TEST(Collector, AnAnswerThatComesAgainTakesNoRoom) {
+TEST(Collector, ARepeatedAnswerTakesNoBudget) {
   view::Room room;
   room.bytes = 20'000;
   auto collector = withRoom(room);
@@ -174,7 +174,7 @@ TEST(Collector, AnAnswerThatComesAgainTakesNoRoom) {
 }
 
 // Replaced progress frees its budget for new progress.
-TEST(Collector, ProgressThatIsReplacedTakesNoRoom) {
+TEST(Collector, ReplacedProgressTakesNoBudget) {
   auto left = walk(kLeft, 300);
   auto collector = withRoom({1000});
   addAll(collector, {kLevel, kQuery});

@@ -47,7 +47,7 @@ TEST(Text, MismatchTakesTheVerdictsPlace) {
 }
 
 // The answer is still valid.
-TEST(Text, MismatchOfAnAttemptIsToldBesideTheReason) {
+TEST(Text, AMismatchOfAnAttemptIsShownAfterTheReason) {
   auto ahead = walk(kAhead, 200), left = walk(kLeft, 300);
   left.root().getTrajectory().setStateHash(1);
   const uint32_t ticks = ahead.reader().getTrajectory().getTicks();
@@ -65,7 +65,7 @@ TEST(Text, NarrowTerminalsGetReasonsOnLinesOfTheirOwn) {
   EXPECT_THAT(table, HasSubstr("0.25 s\n  Straight on.\n"));
 }
 
-TEST(Text, QueriesOfOneIdAreToldApartByTheirLevel) {
+TEST(Text, QueriesWithOneIdShowTheirLevels) {
   std::string level = kLevel, query = kQuery;
   level.replace(level.find("Course </script><b>"), 19, "Another");
   query.replace(query.find("Course </script><b>"), 19, "Another");
@@ -77,7 +77,7 @@ TEST(Text, QueriesOfOneIdAreToldApartByTheirLevel) {
 }
 
 // The causes of failed attempts come last.
-TEST(Text, LongReasonsAreToldToTheirEnd) {
+TEST(Text, LongReasonsAreShownInFull) {
   const std::string reason =
       "no way found in 12 M steps: the closest came within 3.2 studs of the goal; 71 % of the "
       "attempts fell, 20 % of the attempts were killed by part 7 'Lava'; this does not show that "
@@ -165,7 +165,7 @@ TEST(Text, MapsAreOfTheQueriesThatWereAsked) {
   EXPECT_THAT(text, Not(HasSubstr("\nstage 1")));
 }
 
-TEST(Text, WaysWithoutAResultAreNoQueryThatWasNotAsked) {
+TEST(Text, TrajectoriesWithoutAResultStillCountAsAsked) {
   auto left = walk(kLeft, 300);
   const auto report = collect({kLevel, kQuery, line(left)});
   ASSERT_TRUE(report) << report.error().text();
@@ -204,7 +204,7 @@ TEST(Text, MapShowsMovingPartsWhereTheyAreAtTheStart) {
 }
 
 // The simulator has no collider for it.
-TEST(Text, MapShowsAGoalThatNobodyCollidesWith) {
+TEST(Text, MapShowsAGoalWithoutACollider) {
   const auto goals = [](const char* role) {
     const auto report =
         collect({fmt::format(R"({{"type":"level","name":"L","spawns":[{{}}],"parts":[)"
@@ -220,7 +220,7 @@ TEST(Text, MapShowsAGoalThatNobodyCollidesWith) {
 }
 
 // A tile that blinks next to the floor.
-TEST(Text, MapMarksWhatIsAwayAtTheStart) {
+TEST(Text, MapMarksPartsAwayAtTheStart) {
   const auto mapOf = [](const char* inverted) {
     const auto report =
         collect({fmt::format(R"({{"type":"level","name":"L","spawns":[{{}}],"parts":[)"
@@ -261,7 +261,7 @@ TEST(Text, ColoursOnlyWhereAllowed) {
 }
 
 // Other terminals read the numbers of 24-bit colours as bold, blinking, and colours of their own.
-TEST(Text, TerminalsOf256ColoursGetThose) {
+TEST(Text, TerminalsWith256ColoursGetThose) {
   const table::TerminalTraits few{80, true, true, true};
   const std::string text = view::textReport(solvedReport(), {few, view::Maps::few});
   EXPECT_THAT(text, HasSubstr("\x1b[38;5;"));
@@ -273,7 +273,7 @@ TEST(Text, TerminalsOf256ColoursGetThose) {
   EXPECT_EQ(table::colored("x", {0, 0, 0}, few), "\x1b[38;5;16mx\x1b[0m");
 }
 
-TEST(Terminal, SaysWhetherItKnowsColoursOf24Bits) {
+TEST(Terminal, KnowsWhetherItSupports24BitColours) {
   setenv("TERM", "xterm-256color", 1);
   unsetenv("COLORTERM");
   EXPECT_FALSE(table::terminalHasRgb());
@@ -286,7 +286,7 @@ TEST(Terminal, SaysWhetherItKnowsColoursOf24Bits) {
 }
 
 // 40 columns are the minimum of terminalWidth().
-TEST(Text, TheMapKeepsToANarrowTerminal) {
+TEST(Text, TheMapFitsANarrowTerminal) {
   const auto mapOf = [](const std::string& id) {
     std::string query = kQuery;
     query.replace(query.find("ahead"), 5, id);
@@ -306,7 +306,7 @@ TEST(Text, TheMapKeepsToANarrowTerminal) {
   EXPECT_THAT(mapOf("q"), ::testing::StartsWith("q, from above, "));
 }
 
-TEST(Text, LinesKeepToTheWidth) {
+TEST(Text, LinesStayWithinTheWidth) {
   const std::string text = view::textReport(solvedReport(), {{60, false, true}, view::Maps::few});
   size_t start = 0;
   for (size_t end = text.find('\n'); end != text.npos; end = text.find('\n', start)) {
@@ -320,7 +320,7 @@ TEST(Text, LinesKeepToTheWidth) {
 }
 
 // Names in places use any script, and emoji.
-TEST(Text, ColumnsStandBelowOneAnotherWhateverTheNames) {
+TEST(Text, ColumnsAlignForAnyNames) {
   std::string first = kQuery, second = kQuery;
   first.replace(first.find("ahead"), 5, "\u706b\u5c71\U0001f525");
   second.replace(second.find("ahead"), 5, "plain");

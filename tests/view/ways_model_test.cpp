@@ -12,7 +12,7 @@
 namespace obby::view {
 namespace {
 
-TEST(Thinning, KeepsWhatALineWouldMiss) {
+TEST(Thinning, KeepsPointsOffTheLine) {
   const std::vector<float> heights = {0, 0.01f, 0, 5, 0, 0, 0};
   const auto distance = [&](size_t a, size_t b, size_t p) {
     const float t = float(p - a) / float(b - a);
@@ -23,7 +23,7 @@ TEST(Thinning, KeepsWhatALineWouldMiss) {
 }
 
 // A player who stands on a spinning part moves like this.
-TEST(Thinning, HoursInCirclesTakeNoTimeThatGrowsWithTheirSquare) {
+TEST(Thinning, CirclesOfHoursTakeLessThanQuadraticTime) {
   constexpr size_t kPoints = 100'000, kRound = 60;
   std::vector<Vec3> round;
   for (size_t i = 0; i < kRound; ++i) {
@@ -68,7 +68,7 @@ void count(pugi::xml_node item, Counts& counts) {
   }
 }
 
-TEST(WaysModel, HasEveryWayWithItsMarks) {
+TEST(WaysModel, HasEveryTrajectoryWithItsMarkers) {
   const Report report = view_test::solvedReport();
   pugi::xml_document document;
   ASSERT_TRUE(document.load_string(waysModel(report).c_str()));
