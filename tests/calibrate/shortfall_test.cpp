@@ -77,7 +77,7 @@ TEST(Shortfall, ZeroIsNotTheEndOfARange) {
   EXPECT_TRUE(shortfall(takes, none, 0.1).ends.empty());
 }
 
-// The first take of that name is followed under any parameters.
+// The simulator follows the first take of that name under any parameters.
 TEST(Shortfall, RecordingsWithTheSameNameAreDistinguished) {
   io::RecordBuilder fast;
   setValue(fast.root().initParams(), "walkSpeed", 24);

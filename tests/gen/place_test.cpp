@@ -56,12 +56,12 @@ float roundOf(schema::Motion::Reader motion) {
   return motion.getRepeat() == schema::Repeat::PING_PONG ? 2 * way : way;
 }
 
-// Positions and times of tweens are written with all digits, and lose what poses do in single
-// precision some hundred studs out. The script of a carrier waits at both ends. A wait ends with a
-// frame of the engine, so that each may take one frame longer.
+// Positions and times of tweens are written with all digits, but poses some hundred studs out lose
+// some in single precision. The script of a carrier waits at both ends. A wait ends with a frame of
+// the engine, so that each may take one frame longer.
 void expectSameWay(schema::Part::Reader a, schema::Part::Reader b, const std::string& what) {
-  // In seconds; and in studs and seconds: motions are sampled once a frame, and keys lie on
-  // samples.
+  // kFrame is in seconds, kRounding in studs and in seconds. Motions are sampled once a frame, with
+  // keys on samples.
   constexpr float kFrame = 1.0f / 60, kRounding = 0.02f;
   const Box before = wayOf(a), after = wayOf(b);
   EXPECT_LT(length(before.lo - after.lo), kRounding) << what;

@@ -1,5 +1,5 @@
-// Faces of convex hulls whose part centre lies outside them, as in unions, and contacts with other
-// shapes.
+// Faces of convex hulls that do not contain their part's centre, as in unions, and contacts with
+// other shapes.
 #include "geom/hull_face.h"
 
 #include <gtest/gtest.h>

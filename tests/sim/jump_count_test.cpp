@@ -13,7 +13,7 @@ using sim::State;
 
 constexpr uint16_t kMost = 0xffff;
 
-// Expects another jump to give the maximum, from one below it and from the maximum.
+// Expects another jump to give the maximum count, both from one below it and from the maximum.
 void expectToStayAtTheMost(const Play& ready) {
   for (const uint16_t before : {uint16_t(kMost - 1), kMost}) {
     Play play = ready;

@@ -9,7 +9,7 @@ namespace obby::test {
 // Parameters of the game, which the fit does not know. Studs and seconds.
 struct BulletGame {
   // `kinematic`: Bullet's own character controller, given the distance of each step. The game
-  // changes that distance by a constant acceleration. `dynamic`: a rigid body, under a force in
+  // changes its velocity by a constant acceleration. `dynamic`: a rigid body, under a force in
   // proportion to the missing velocity.
   enum class Body { kinematic, dynamic };
   Body body = Body::kinematic;

@@ -26,7 +26,7 @@ inline void set(schema::Vec3::Builder to, Vec3 v) {
   to.setZ(v.z);
 }
 
-// Rotation about X, then about Y.
+// Sets a rotation about X, then about Y.
 inline void setRotation(schema::Quat::Builder to, float yaw, float pitch = 0) {
   const SinCos y = sinCos(turnsFromRadians(yaw * 0.5f)), p = sinCos(turnsFromRadians(pitch * 0.5f));
   const Quat q = Quat{0, y.sin, 0, y.cos} * Quat{p.sin, 0, 0, p.cos};
