@@ -1,4 +1,4 @@
-// The horizontal speed that a level allows: one and a half times walking plus the fastest part.
+// The horizontal speed that a level allows: 1.5 times the sum of walking and the fastest part.
 #include "level/speeds.h"
 
 #include <gtest/gtest.h>
