@@ -45,6 +45,7 @@ class Watcher {
     stage_.revive();
     report_.probedAt = plan_.probeAt;
     report_.made = stage_.made();
+    report_.collisionGroups = stage_.groups();
     report_.arrived = stage_.observation().player;
     probeAll();
     if (stage_.hearsJumps()) jumpInAir();

@@ -63,9 +63,10 @@ struct Report {
   std::vector<Probe> probes;
   std::vector<SameListeners> sameListeners;
   std::vector<Revisit> revisits;
-  double probedAt = 0;         // seconds, when the probes began
-  std::vector<MadePart> made;  // in the world by then
-  PlayerState arrived;         // the player by then
+  double probedAt = 0;                       // seconds, when the probes began
+  std::vector<MadePart> made;                // in the world by then
+  std::vector<std::string> collisionGroups;  // that there are by then
+  PlayerState arrived;                       // the player by then
   AirJumps airJumps;
   bool complete = false;             // the undisturbed run got to its end
   bool over = false;                 // and nothing goes on any more

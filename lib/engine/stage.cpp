@@ -227,6 +227,19 @@ void Stage::readMade(lua_State* L, std::vector<MadePart>& all) {
   }
 }
 
+std::vector<std::string> Stage::groups() {
+  std::vector<std::string> all;
+  read("groups", [&](lua_State* L) {
+    call("probe", "groups", 0, 1);
+    for (int i = 1; lua_istable(L, -1) && i <= int(lua_objlen(L, -1)); ++i) {
+      lua_rawgeti(L, -1, i);
+      if (const char* const name = lua_tostring(L, -1)) all.emplace_back(name);
+      lua_pop(L, 1);
+    }
+  });
+  return all;
+}
+
 void Stage::use(InstanceId target) {
   lua_pushnumber(host_->vm.state(), target);
   call("probe", "use", 1);

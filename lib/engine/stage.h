@@ -54,6 +54,8 @@ class Stage {
   std::vector<Probe> probes();
   // Parts and what joins or moves them, in the world, that scripts have made.
   std::vector<MadePart> made();
+  // Names of the collision groups that there are by now.
+  std::vector<std::string> groups();
   // Grows with everything that happens.
   size_t activity() const { return host_->recorder.activity(); }
   // Something waits that did not when restart() was called.

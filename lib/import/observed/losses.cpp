@@ -21,7 +21,6 @@ constexpr LossRow kLosses[] = {
     {"JumpHeight", "speed that scripts change", "the player's jump stays as it is at the start"},
     {"Size", "size that scripts change", "stays as it is at the start"},
     {"CanTouch", "touch that scripts switch", "stays as it is at the start"},
-    {"CollisionGroup", "collision group that scripts change", "stays as it is at the start"},
     {"Anchored", "part that scripts let loose", "stays as it is at the start"},
 };
 
@@ -32,6 +31,14 @@ bool isPush(const engine::Change& change) {
   const bool isSet = property == "CFrame" || property == "Velocity";
   return change.line.script != kNoInstance &&
          (isForce || (isSet && change.target == engine::kPlayer));
+}
+
+void noteLimbs(RoleContext& context, const engine::Report& report) {
+  for (const engine::Change& change : report.undisturbed.changes)
+    if (change.property == "note meets some limbs")
+      context.level.noteUnmodelled(
+          "collision group of some limbs", context.tree, change.target,
+          "taken to collide with all of the body; " + lineReason(context.tree, change.line));
 }
 
 void noteLooks(RoleContext& context, const engine::Report& report) {
@@ -112,6 +119,7 @@ void noteObservedLosses(RoleContext& context, const ObservedPlace& place) {
   noteChanges(context, report);
   notePushes(context, report);
   noteLooks(context, report);
+  noteLimbs(context, report);
   for (const auto& [what, count] : report.undisturbed.counts) {
     (void)count;
     context.level.noteIgnored("not in the twin of the engine", what, "does nothing");
