@@ -26,6 +26,8 @@ constexpr double kStuck = 2;  // seconds of CPU without a beat
 constexpr uint32_t kMaxSameListeners = 100;
 // Those of them whose player may die: each death takes RespawnTime, 300 frames by default.
 constexpr uint32_t kMaxComebacks = 40;
+// Second looks at parts that harm, of parts with the same listeners.
+constexpr uint32_t kMaxSecondLooks = 20;
 // Shares of the whole time limit. One copy of the place that hangs must leave time for the others;
 // revisits run once, during the rest of the undisturbed run.
 constexpr double kCopyShare = 0.25, kRevisitShare = 0.75;
@@ -79,6 +81,7 @@ class Watcher {
     report_.probes.resize(wanted.size());
     runAll(wanted);
     children_.finish();
+    lookAgainAtHarm(wanted);
     for (size_t i = 0; i < wanted.size(); ++i)
       if (wanted[i].byPlace && happens(report_.probes[i])) {
         lookAllOver(wanted[i], i);
@@ -123,6 +126,22 @@ class Watcher {
 
   static bool happensAgain(const Probe& first, const Probe& again) {
     return harms(first) ? harms(again) : happens(again);
+  }
+
+  void lookAgainAtHarm(const std::vector<Probe>& wanted) {
+    std::map<uint64_t, uint32_t> looks;  // by listenerHash
+    for (size_t i = 0; i < wanted.size(); ++i) {
+      const auto stay = secondLookAt(report_.probes[i]);
+      if (!stay || looks[wanted[i].listenerHash]++ >= kMaxSecondLooks) continue;
+      children_.start(
+          plan_.timeLimit * kCopyShare,
+          [&, i, stay] { return toBytes(lookAgain(stage_, plan_, wanted[i], *stay)); },
+          [this, i, stay](const std::string& bytes) {
+            SecondLook& look = secondLookOf(report_.probes[i], *stay);
+            if (!fromBytes(bytes, look)) look = {};
+          });
+    }
+    children_.finish();
   }
 
   void lookAllOver(const Probe& wanted, size_t index) {

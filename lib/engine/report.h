@@ -11,17 +11,25 @@ namespace obby::engine {
 
 enum class Approach : uint8_t { stand, inside, use };
 
+// The harm that a part does in another copy of the place.
+struct SecondLook {
+  std::vector<Harm> harms;
+  double left = 0;  // when the player went away; 0: it stayed to the end
+};
+
 // A player was brought to a part, in a copy of the running place.
 struct Probe {
   InstanceId target = kNoInstance;  // the part, ClickDetector, prompt or tool
   Approach approach = Approach::stand;
-  double at = 0;              // when the player arrived
-  double left = 0;            // and went away; 0: stayed to the end
-  Observation seen;           // from the arrival on
-  bool lost = false;          // the copy died or ran out of time
-  bool byPlace = false;       // no script listens to the part: what happens follows from the place
-  bool allOver = true;        // it happens towards two opposite corners of the part, too
-  bool byRoot = false;        // it does not happen where limbs alone are in the part
+  double at = 0;         // when the player arrived
+  double left = 0;       // and went away; 0: stayed to the end
+  Observation seen;      // from the arrival on
+  SecondLook brief;      // of a part that harms again and again: the player leaves at once
+  SecondLook still;      // of a part that harms once: the player stays and does not touch again
+  bool lost = false;     // the copy died or ran out of time
+  bool byPlace = false;  // no script listens to the part: what happens follows from the place
+  bool allOver = true;   // it happens towards two opposite corners of the part, too
+  bool byRoot = false;   // it does not happen where limbs alone are in the part
   uint64_t listenerHash = 0;  // of the functions that listen to the part; 0: none do
   // The player died of the touch, or after one without effects, and lives again.
   bool sleeps = false;  // something that the touch began still waits at the end

@@ -42,7 +42,12 @@ void fields(A& a, Observation& o) {
   a(o.frames);
 }
 template <class A>
+void fields(A& a, SecondLook& l) {
+  a(l.harms), a(l.left);
+}
+template <class A>
 void fields(A& a, Probe& p) {
+  a(p.brief), a(p.still);
   a(p.target), a(p.approach), a(p.at), a(p.left), a(p.seen), a(p.lost), a(p.byPlace), a(p.allOver),
       a(p.byRoot), a(p.listenerHash), a(p.sleeps), a(p.reborn), a(p.rebornAt);
 }

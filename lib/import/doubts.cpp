@@ -10,6 +10,7 @@ namespace {
 // Losses that only give players more than the level does: players may ignore them.
 constexpr std::string_view kEasier[] = {"ability of the player",
                                         "button on the screen",
+                                        "harm that goes on after a touch",
                                         "keys that a script listens to",
                                         "listener without a visible effect",
                                         "script that still waits",

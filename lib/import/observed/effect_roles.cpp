@@ -24,6 +24,8 @@ void EffectRoles::takePlayer(PartDraft& part, const ProbeEffects& effects) {
     part.kill = {float(effects.harm->damage), float(effects.harm->cooldown)};
     std::erase_if(part.evidence, [](const Evidence& e) { return e.role == "kill"; });
     prove(part, "kill", reason(effects.harm->line));
+    if (effects.harm->lasts)
+      note("harm that goes on after a touch", part.id, "dealt all at once; ", effects.harm->line);
   }
   if (effects.push) takePush(part, *effects.push);
   if (effects.teleport && !effects.harm) takeTeleport(part, *effects.teleport);

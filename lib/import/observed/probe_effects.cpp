@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <set>
 #include <string>
@@ -64,46 +65,60 @@ class Difference {
 
   // Limbs that are hit in one frame are each hit for itself: what one of them takes is the damage.
   void findHarm() {
-    const std::vector<engine::Harm> harms = ownHarms();
-    if (harms.empty()) return;
+    const Hits hits = ownHits(probe_.seen.harms);
+    if (hits.empty()) return;
     Harmful found;
-    found.damage = harms[0].from - harms[0].to;
-    found.line = harms[0].line;
-    if (const auto total = lastingHarm(harms)) {
-      found.damage = *total;
-      effects_.harm = found;
-      return;
-    }
-    const double first = harms[0].time;
-    std::optional<double> second;
-    for (const engine::Harm& harm : harms)
-      if (!second && harm.time > first) second = harm.time;
-    const double between = second.value_or(probe_.left) - first;
-    if (between >= kNoCooldown && (second || probe_.seen.player.alive)) found.cooldown = between;
+    found.damage = hits[0].from - hits[0].to;
+    found.line = hits[0].line;
+    const auto second = secondHit(hits), again = secondHit(ownHits(probe_.still.harms));
+    const double between = std::min(second.value_or(probe_.left - hits[0].time),
+                                    again.value_or(std::numeric_limits<double>::max()));
+    const bool ends = second || again || probe_.seen.player.alive;
+    if (between >= kNoCooldown && ends) found.cooldown = between;
+    if (probe_.brief.harms.empty())
+      findLasting(found, hits, probe_.left, second);
+    else
+      findLasting(found, ownHits(probe_.brief.harms), probe_.brief.left, second);
     effects_.harm = found;
   }
 
-  // Hits of the probe without those that came in the undisturbed run in the same frame.
-  std::vector<engine::Harm> ownHarms() const {
+  // Hits without those that came in the undisturbed run in the same frame.
+  using Hits = std::vector<engine::Harm>;
+  Hits ownHits(const Hits& seen) const {
     std::set<int64_t> usual;
     for (const engine::Harm& harm : report_.undisturbed.harms)
       if (harm.hurts()) usual.insert(std::llround(harm.time / kFrame));
-    std::vector<engine::Harm> own;
-    for (const engine::Harm& harm : probe_.seen.harms)
+    Hits own;
+    for (const engine::Harm& harm : seen)
       if (harm.hurts() && !usual.contains(std::llround(harm.time / kFrame))) own.push_back(harm);
     return own;
   }
 
-  // Total damage of one touch, if harm goes on after the player has left; else nullopt.
-  std::optional<double> lastingHarm(const std::vector<engine::Harm>& harms) const {
+  // Seconds from the first hit to the next one in another frame.
+  static std::optional<double> secondHit(const Hits& hits) {
+    for (const engine::Harm& harm : hits)
+      if (harm.time > hits[0].time) return harm.time - hits[0].time;
+    return std::nullopt;
+  }
+
+  // Harm that goes on after the player has left is that of one touch. `second`: of a player who
+  // touches the part again and again. If that hastens no hit, a touch starts nothing until all hits
+  // of the one before are over.
+  static void findLasting(Harmful& found, const Hits& hits, double left,
+                          std::optional<double> second) {
     double total = 0;
     int later = 0;
-    for (const engine::Harm& harm : harms) {
+    for (const engine::Harm& harm : hits) {
       total += harm.from - harm.to;
-      later += probe_.left > 0 && harm.time > probe_.left + 2 * kFrame;
+      later += left > 0 && harm.time > left + 2 * kFrame;
     }
-    const bool dies = later == 1 && !probe_.seen.player.alive;
-    return later > 1 || dies ? std::optional(total) : std::nullopt;
+    const bool dies = later == 1 && hits.back().to <= 0;
+    if (later <= 1 && !dies) return;
+    const auto own = secondHit(hits);
+    const bool waits = second && own && *second > *own - kFrame;
+    found.damage = total;
+    found.cooldown = waits ? hits.back().time - hits[0].time : 0;
+    found.lasts = true;
   }
 
   void take(const Change& change) {

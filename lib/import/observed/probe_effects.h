@@ -12,6 +12,7 @@ namespace obby::importer {
 
 struct Harmful {
   double damage = 0, cooldown = 0;
+  bool lasts = false;  // it goes on once the player has left: the damage is that of one touch
   engine::Line line;
 };
 struct Push {
