@@ -34,7 +34,7 @@ class Host {
 
   const Document& document;
   const Settings settings;
-  const ClassTable classes;
+  const ClassTable& classes;
   Vm vm;
   Scenery scenery;
   Recorder recorder;

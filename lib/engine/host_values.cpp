@@ -87,9 +87,23 @@ int material(lua_State* L) {
   return 5;
 }
 
-int random(lua_State* L) { return pushNumber(L, Host::of(L).random.share()); }
+int random(lua_State* L) {
+  Host::of(L).recorder.noteDraw();
+  return pushNumber(L, Host::of(L).random.share());
+}
+// A seed larger than anybody types, or with a fraction, comes from a clock. Numbers by any other
+// seed are the same in each game.
+Random seededRandom(lua_State* L) {
+  constexpr double kMaxTyped = 1e8;
+  const double seed = luaL_checknumber(L, 1);
+  const auto whole = uint64_t(integerOf<int64_t>(seed));
+  if (std::abs(seed) <= kMaxTyped && seed == std::floor(seed)) return Random(whole);
+  Host& host = Host::of(L);
+  host.recorder.noteDraw();
+  return Random(whole + host.settings.seed, host.settings.draws);
+}
 int randomSeed(lua_State* L) {
-  Host::of(L).random = Random(uint64_t(integerOf<int64_t>(luaL_checknumber(L, 1))));
+  Host::of(L).random = seededRandom(L);
   return 0;
 }
 Random& randomAt(lua_State* L) {
@@ -99,8 +113,7 @@ Random& randomAt(lua_State* L) {
   return *static_cast<Random*>(lua_touserdata(L, 1));
 }
 int newRandom(lua_State* L) {
-  new (lua_newuserdata(L, sizeof(Random)))
-      Random(uint64_t(integerOf<int64_t>(luaL_checknumber(L, 1))));
+  new (lua_newuserdata(L, sizeof(Random))) Random(seededRandom(L));
   return 1;
 }
 int nextRandom(lua_State* L) { return pushNumber(L, randomAt(L).share()); }

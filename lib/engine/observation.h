@@ -118,6 +118,7 @@ struct Observation {
   std::vector<Harm> harms;
   std::vector<Problem> problems;
   std::map<std::string, int> counts;  // "method BasePart:X": what the twin does not do, how often
+  bool random = false;                // scripts have drawn random numbers since the start
   PlayerState player;                 // at the end
   uint32_t frames = 0;
 };

@@ -51,7 +51,9 @@ void Recorder::problem(InstanceId script, Failure failure, std::string_view text
 
 void Recorder::restart() {
   const uint32_t frame = frame_;
+  const bool random = seen_.random;
   seen_ = {};
+  seen_.random = random;
   changes_ = placed_ = text_ = 0;
   setTime(frame);
 }

@@ -29,6 +29,8 @@ class Recorder {
   void harm(double from, double to, Line line) { seen_.harms.push_back({time(), from, to, line}); }
   void problem(InstanceId script, Failure failure, std::string_view text);
   void count(const std::string& what);
+  // A script draws a number that differs from game to game.
+  void noteDraw() { seen_.random = true; }
   // As much of a problem's text as is kept.
   static std::string_view shortened(std::string_view text) {
     return text.substr(0, kMostProblemText);

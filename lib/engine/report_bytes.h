@@ -39,7 +39,7 @@ void fields(A& a, MadePart& m) {
 template <class A>
 void fields(A& a, Observation& o) {
   a(o.changes), a(o.tracks), a(o.tweens), a(o.harms), a(o.problems), a(o.counts), a(o.player);
-  a(o.frames);
+  a(o.frames), a(o.random);
 }
 template <class A>
 void fields(A& a, SecondLook& l) {

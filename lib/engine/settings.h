@@ -16,10 +16,15 @@ struct Budget {
   uint64_t stretch = 20'000'000;        // between two yields
 };
 
+// Distribution of the random numbers that scripts draw. Nearly all low or nearly all high ones show
+// what a script does by chance; the few others end loops that wait for another number.
+enum class Draws : uint8_t { even, low, high };
+
 struct Settings {
   Budget budget;
-  std::string rig = "r15";              // body of the players: r6 or r15
-  uint64_t seed = 1;                    // of math.random and its like
+  std::string rig = "r15";  // body of the players: r6 or r15
+  uint64_t seed = 1;        // of math.random and its like
+  Draws draws = Draws::even;
   size_t instances = 60'000;            // that scripts may make
   std::vector<InstanceId> skipped;      // scripts that are left out
   InstanceId* runningScript = nullptr;  // kept up to date, if not null

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "import/assemblies.h"
+#include "import/chance.h"
 #include "import/checkpoints.h"
 #include "import/classes.h"
 #include "import/collision_groups.h"
@@ -108,6 +109,8 @@ LevelDraft buildLevel(const Tree& tree, const ObservedPlace& place, const std::s
   orderStages(tree, level, arrivedAt(place));
   noteUnmodelled(context);
   addTerrain(tree, level);
+  for (const ObservedPlace& other : place.others)
+    noteChance(level, tree, place.fromFile, buildLevel(Tree(other.document), other, name));
   markDoubts(context);
   return level;
 }

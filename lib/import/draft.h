@@ -44,14 +44,17 @@ struct Evidence {
 struct Kill {
   float damage = 100;
   float cooldown = 0;
+  bool operator==(const Kill&) const = default;
 };
 struct Conveyor {
   Vec3 velocity;
   Vec3 angular;
+  bool operator==(const Conveyor&) const = default;
 };
 struct JumpPad {
   Vec3 velocity;
   bool keepSideways = true;
+  bool operator==(const JumpPad&) const = default;
 };
 constexpr float kGone = 3600;  // seconds: away as good as for ever
 struct Vanish {
@@ -61,26 +64,31 @@ struct Vanish {
   float delay = 0;
   float away = 3;
   float phase = 0;
+  bool operator==(const Vanish&) const = default;
 };
 struct Teleport {
   Vec3 position;  // feet
   float yaw = 0;
   bool turns = false;
+  bool operator==(const Teleport&) const = default;
 };
 struct Boost {
   float walkSpeed = 1, jumpSpeed = 1, gravity = 1;  // times the player's
   float seconds = 0;                                // after the last touch; 0: while touched
   bool forever = false;
   bool resets = false;  // what it leaves at 1 goes back to the level's
+  bool operator==(const Boost&) const = default;
 };
 struct Trip {
   float seconds = 3;
+  bool operator==(const Trip&) const = default;
 };
 struct Button {
   std::string signal;
   float seconds = 5;
   bool forever = false;
   bool restarts = false;  // a touch while the signal lasts restarts it
+  bool operator==(const Button&) const = default;
 };
 enum class MotionTrigger : uint16_t { always, touch, signal };
 struct MotionKey {
@@ -88,11 +96,13 @@ struct MotionKey {
   Pose pose;
   Easing easing = Easing::linear;
   EasingDirection direction = EasingDirection::out;
+  bool operator==(const MotionKey& other) const;
 };
 struct Spin {
   Vec3 axis = {0, 1, 0};
   float speed = 0;
   Vec3 pivot;
+  bool operator==(const Spin&) const = default;
 };
 struct Motion {
   std::vector<MotionKey> keys;
@@ -102,6 +112,7 @@ struct Motion {
   bool carries = false;
   MotionTrigger trigger = MotionTrigger::always;
   std::string signal;
+  bool operator==(const Motion&) const = default;
 };
 
 // Sources of a checkpoint's number, strongest first.

@@ -71,4 +71,11 @@ float yawOf(Vec3 look) {
   return float(std::atan2(-double(look.x), -double(look.z))) + 0.0f;
 }
 
+bool isSame(const Pose& a, const Pose& b) {
+  constexpr float kUnmoved = 1e-4f;
+  return length(a.position - b.position) < kUnmoved &&
+         length(a.rotation.x - b.rotation.x) < kUnmoved &&
+         length(a.rotation.y - b.rotation.y) < kUnmoved;
+}
+
 }  // namespace obby::importer

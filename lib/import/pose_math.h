@@ -22,6 +22,8 @@ Vec3 toOrientation(const Mat3& rotation);
 float yawOf(Vec3 look);
 
 bool isFinite(Vec3 v);
+// Returns true if the poses differ by no more than rounding.
+bool isSame(const Pose& a, const Pose& b);
 // As the engine takes the size of a part, and the level's record has it.
 Vec3 boundedSize(Vec3 size);
 

@@ -1,4 +1,4 @@
-// Mass, centre and inertia of a loose part, from its shapes and its density.
+// Mass, centre and inertia of a dynamic part, from its shapes and its density.
 #pragma once
 
 #include <span>
@@ -19,7 +19,7 @@ struct MassProperties {
   Mat3 inverseInertia;  // about the centre, in the part's frame
 };
 
-// Shapes of one part may not overlap. Mass 0 where they have no volume.
+// The shapes of one part must not overlap. The mass is 0 if they have no volume.
 MassProperties massOf(std::span<const SolidShape> shapes, float density);
 
 }  // namespace obby::level

@@ -9,7 +9,7 @@ namespace obby::solve {
 
 namespace {
 
-// The defaults with one of them changed: to what `ge` has, or to nothing.
+// Returns the guided settings with one member replaced.
 template <auto member, auto value>
 GoExploreSettings with() {
   GoExploreSettings s = guidedSettings();

@@ -1,5 +1,5 @@
-// The method `auto` with one of its ideas left out at a time: what each is worth, for benches. Rows
-// like those of methods.h; users are not offered them.
+// Variants of the method `auto`, each with one of its ideas removed. Benchmarks use them to measure
+// what each idea is worth. The rows are like those of methods.h, but users are not offered them.
 #pragma once
 
 #include "solve/methods.h"

@@ -1,5 +1,5 @@
-// What searches have in common that keep their states in an archive on the host, and each state's
-// way as a chain of its nodes: what they tell of themselves, and how ends are tallied. Host only.
+// Base of the searches that keep their states in an archive on the host, each with its trajectory
+// as a chain of nodes. It reports on the search and tallies how attempts ended. Host only.
 #pragma once
 
 #include <cstdint>
@@ -29,15 +29,15 @@ class ArchiveSearch : public Search {
   }
 
  protected:
-  // The archive begins with the start.
+  // Adds the start to the archive.
   ArchiveSearch(const Problem& problem, uint64_t seed, const GoExploreSettings& settings);
 
-  // To be called in a fixed order. countEnd(): what `way` ended as, in `world` among the bodies
-  // `loose` (level.looseCount); countApproach(): how near to the goal it was. True:
-  // playthrough(way) may be asked for.
+  // Both must be called in a fixed order. countEnd() notes how `way` ended, in `world` with the
+  // bodies `loose` (level.looseCount). countApproach() notes how near to the goal it came. They
+  // return true if playthrough(way) may be asked for later.
   bool countEnd(const sim::World& world, const sim::LooseBody* loose, const Node& way);
   bool countApproach(const Approach& approach, const Node& way);
-  // Those of countEnd() that arrived, since the last time, are the goals.
+  // Sets the goals to the arrivals noted by countEnd() since the last call, best first.
   void takeGoals();
 
   Problem problem_;
@@ -49,7 +49,7 @@ class ArchiveSearch : public Search {
 
  private:
   Attempts attempts_;
-  std::vector<std::pair<uint64_t, Node>> reached_;  // rank and way
+  std::vector<std::pair<uint64_t, Node>> reached_;  // arrival rank and end of the trajectory
   std::vector<Node> goals_;
 };
 

@@ -10,10 +10,10 @@ namespace obby::solve {
 namespace {
 
 constexpr uint64_t kMinSteps = 500'000;
-constexpr uint64_t kTimesSteps = 8;  // those of the first search
-constexpr float kDeadly = 1e6f;      // damage: more than any health
+constexpr uint64_t kTimesSteps = 8;  // times the steps of the first search
+constexpr float kDeadly = 1e6f;      // damage above any health
 
-// Parts that a solution touches whatever its route.
+// Returns the parts that every solution touches because the query names them.
 std::set<uint32_t> namedParts(schema::Query::Reader query) {
   std::set<uint32_t> parts;
   const auto add = [&](schema::Region::Reader region) {
@@ -26,7 +26,8 @@ std::set<uint32_t> namedParts(schema::Query::Reader query) {
   return parts;
 }
 
-// Players fall through these parts: the simulator senses a floor before the feet touch it.
+// Returns the level with these parts deadly. They are not solid: the simulator senses a floor
+// before the feet touch it.
 Result<LoadedLevel> withDeadly(const io::Record& level, const std::vector<uint32_t>& parts) {
   io::RecordBuilder copy(level.reader());
   auto all = copy.root().getLevel().getParts();
@@ -39,7 +40,7 @@ Result<LoadedLevel> withDeadly(const io::Record& level, const std::vector<uint32
   return loadLevel(io::Record(std::move(copy)));
 }
 
-// Could the game be easier because of a loss that does not concern deadly parts alone?
+// Returns true if a loss that concerns more than the deadly parts could make the game easier.
 bool mayBeEasierElsewhere(schema::Level::Reader level, const std::vector<uint32_t>& deadly) {
   for (const auto loss : level.getUnmodelled()) {
     if (loss.getAnywhere() && loss.getBearing() != schema::Bearing::HARDER) return true;
@@ -52,7 +53,7 @@ bool mayBeEasierElsewhere(schema::Level::Reader level, const std::vector<uint32_
   return false;
 }
 
-// What is left of the budget, as far as it is worth while.
+// Returns the rest of the budget, limited to what is worth spending.
 Budget budgetAfter(Budget budget, const SearchOutcome& first) {
   const uint64_t steps = first.statistics.steps;
   budget.maxSteps -= std::min(budget.maxSteps, steps);

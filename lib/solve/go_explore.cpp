@@ -6,9 +6,9 @@ namespace obby::solve {
 
 namespace {
 
-// Rollouts a task of the pool: together they fill the lanes of the wide tick.
+// Rollouts per task of the pool. Together they fill the lanes of the wide tick.
 constexpr size_t kLeastTaskRollouts = 16, kTaskRollouts = 256;
-constexpr uint64_t kStepsPerRollout = 8000;  // of the search so far: when rounds double
+constexpr uint64_t kStepsPerRollout = 8000;  // steps so far per rollout, above which rounds double
 
 }  // namespace
 
@@ -48,7 +48,7 @@ Status GoExplore::openDevice() {
   return {};
 }
 
-// Nothing is noted before the device has done all of its part: a round that failed is taken anew.
+// Nothing is noted before the device is done: a round that fails is repeated on the threads.
 Status GoExplore::exploreOnDevice() {
   OBBY_RETURN_IF_ERROR(openDevice());
   std::vector<RolloutStart> starts;
@@ -79,7 +79,7 @@ Status GoExplore::exploreOnDevice() {
   return {};
 }
 
-// Grows with the steps done, which are the same for any number of threads.
+// The size of a round grows with the steps done, which do not depend on the number of threads.
 uint32_t GoExplore::roundSize() const {
   uint32_t size = settings_.rollouts;
   while (size < settings_.mostRollouts && statistics_.steps > size * kStepsPerRollout) size *= 2;
@@ -129,9 +129,8 @@ void GoExplore::explore(std::span<Rollout> rollouts) {
       });
 }
 
-// Those in a cell that they were not in at the last look, or whose cell may have become worth
-// keeping. The archive is far larger than the caches: what they will ask of it is fetched from here
-// on.
+// Lists the rollouts in a cell other than at the last look, or whose state may be worth keeping
+// now. The archive is far larger than the caches, so its entries are prefetched here.
 void GoExplore::listLooks(const RolloutGroup& group, std::span<const Trail> trails,
                           std::vector<Look>& looks) const {
   looks.clear();
@@ -166,7 +165,7 @@ void GoExplore::look(const RolloutGroup& group, std::span<Rollout> rollouts,
   }
 }
 
-// Once for each cell that a rollout passes through. Counts, and passes on what the archive lacks.
+// Counts a visit to a cell. Notes the state if the archive would keep it.
 void GoExplore::visit(Rollout& r, uint64_t key, uint32_t cell, const sim::World& world,
                       std::span<const sim::LooseBody> loose, uint32_t ticks) {
   if (cell != kNone) {
@@ -217,7 +216,7 @@ Tried GoExplore::keep(const Rollout& r) {
   return tried;
 }
 
-// With companions, only if they have come along.
+// Offers a candidate to the archive. With companions it is kept only if they can follow.
 bool GoExplore::offer(const Rollout& r, const Candidate& c, Companions::Walk* walk) {
   if (walk != nullptr) {
     const uint32_t cell = archive_.find(c.key);

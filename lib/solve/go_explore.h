@@ -1,6 +1,6 @@
-// Go-Explore in rounds: a chooser picks cells, all threads roll out from each against a snapshot of
-// the archive, and what was found is merged in the order of the rollouts. Everything follows from
-// (problem, seed, settings, chooser): threads and time only decide when it stops.
+// Go-Explore in rounds. A selector picks cells, and all threads roll out from them against a
+// snapshot of the archive. The finds are merged in the order of the rollouts. The result follows
+// from (problem, seed, settings, selector); threads and time only decide when the search stops.
 #pragma once
 
 #include <cstdint>
@@ -21,8 +21,8 @@ namespace obby::solve {
 
 class GoExplore final : public ArchiveSearch {
  public:
-  // `machine` is used by round() only. A device that fails is not asked again: the pool goes on,
-  // with the same results.
+  // Only tryKnown() and round() use `machine`. A device that fails is not used again; the pool goes
+  // on with the same results.
   GoExplore(const Problem& problem, uint64_t seed, const GoExploreSettings& settings,
             const Machine& machine, MakeChooser makeChooser = hedgedSelector);
 
@@ -51,9 +51,9 @@ class GoExplore final : public ArchiveSearch {
 
   uint32_t roundSize() const;
   void chooseCells();
-  struct Look {  // at where a rollout is after a tick
+  struct Look {  // the cell of a rollout after a tick
     uint64_t key;
-    uint32_t member;  // of the group
+    uint32_t member;  // index in the group
     bool isNew;       // see Trail
   };
 

@@ -1,5 +1,5 @@
-// The ways of an earlier answer, tried before the first round: what still works is found at once,
-// and the states along the rest are kept like those of any rollout.
+// Replays the trajectories of an earlier answer before the first round. Solutions that still work
+// are found at once. The states along the others are kept like those of any rollout.
 #include "solve/go_explore.h"
 #include "solve/rollouts/known_way.h"
 

@@ -1,4 +1,4 @@
-// A row of a method table that is Go-Explore in rounds: its settings and its chooser.
+// Makes rows of a method table for Go-Explore in rounds, from settings and a selector.
 #pragma once
 
 #include "solve/go_explore.h"
@@ -12,18 +12,18 @@ SearchOutcome runGoExplore(const Problem& p, const Budget& b, const Watcher& w, 
       p, b, w, [&] { return std::make_unique<GoExplore>(p, b.seed, settings(), m, makeChooser); });
 }
 
-// Short generations that keep standing states only, most macros aimed at surfaces.
+// Short rollouts that keep standing states only. Most macros are aimed at surfaces.
 inline GoExploreSettings aimedSettings() { return {}; }
 
-// The same with a policy that explores from what is new, where there is one.
+// The same, with a policy that explores from new states, if there is one.
 inline GoExploreSettings guidedSettings() {
   GoExploreSettings s;
   s.byPolicy = true;
   return s;
 }
 
-// As published: 8,192 worlds in step, every visited state is looked at, actions are held at random.
-// Rollouts of 120 ticks: what a policy is worth shows only after a jump or two (docs/methods.md).
+// As published: 8,192 worlds in lockstep, every visited state is examined, and actions are random.
+// Rollouts last 120 ticks: a policy's worth shows only after a jump or two (docs/methods.md).
 inline GoExploreSettings plainSettings() {
   GoExploreSettings s;
   s.rollouts = s.mostRollouts = 8192;

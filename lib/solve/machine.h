@@ -1,4 +1,4 @@
-// What a search runs on.
+// The hardware that a search runs on.
 #pragma once
 
 #include "base/thread_pool.h"
@@ -12,7 +12,7 @@ struct Machine {
       : pool(threads), device(gpu) {}
 
   ThreadPool& pool;
-  sim::Device* device;  // takes the rollouts; null: the pool does
+  sim::Device* device;  // runs the rollouts; null: the pool does
 };
 
 }  // namespace obby::solve

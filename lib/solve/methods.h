@@ -1,5 +1,5 @@
-// The table of search methods: one row each. A new method is a file with its settings and its
-// chooser, and a row here.
+// The table of search methods, one row each. A new method is a file with its settings and its
+// selector, and a row here.
 #pragma once
 
 #include <functional>
@@ -15,39 +15,39 @@
 
 namespace obby::solve {
 
-// Why a search stopped.
+// The reason for which a search stopped.
 enum class Stopped { solved, shown, outOfTime, outOfSteps, interrupted };
 
-// A search at work, as its watcher sees it between rounds.
+// A running search, as its watcher sees it between rounds.
 struct SearchView {
   const Search& search;
   double seconds;
 };
 
 struct Watcher {
-  // Is this playthrough really a solution? Asked before it is counted.
+  // Returns true if the trajectory is really a solution. Called before it is counted.
   std::function<bool(const Playthrough&)> accept;
-  // Between rounds, often. Whether to go on: false, and the search is interrupted. May be empty.
+  // Called between rounds, often. Returns false to interrupt the search. May be empty.
   std::function<bool(const SearchView&)> look;
 };
 
 struct SearchOutcome {
   Stopped stopped = Stopped::outOfTime;
   std::vector<Playthrough> solutions;  // accepted, distinct, shortest first
-  std::vector<RouteTally> routes;      // of the solutions, where several were asked for
+  std::vector<RouteTally> routes;      // of the solutions, if several were asked for
   bool diverse = false;                // the solutions differ in route
-  std::vector<Playthrough> attempts;   // of those that failed; the closest first
+  std::vector<Playthrough> attempts;   // failed trajectories, the closest first
   std::vector<EndCount> ends;
   Statistics statistics;
   Thoroughness thoroughness;
   uint64_t cells = 0;
   uint32_t targetCount = 0;     // waypoints and visits of the query
-  uint32_t knownSolutions = 0;  // that an earlier answer had
-  uint32_t refused = 0;         // playthroughs that the watcher did not accept
+  uint32_t knownSolutions = 0;  // solutions that an earlier answer had
+  uint32_t refused = 0;         // trajectories that the watcher did not accept
   double seconds = 0;           // wall clock
   double firstSolution = 0;     // seconds to the first accepted solution; 0: none
-  std::optional<Cut> cut;       // shown to be unreachable, without a search
-  Status device;                // why the machine's device was given up, if it was
+  std::optional<Cut> cut;       // proof that the query is unreachable, without a search
+  Status device;                // the error for which the machine's device was given up
 };
 
 using RunMethod = SearchOutcome (*)(const Problem&, const Budget&, const Watcher&, const Machine&);
@@ -59,7 +59,7 @@ struct Method {
 };
 
 const std::vector<Method>& methods();
-// Null if there is none of that name.
+// Returns null if there is no method of that name.
 const Method* findMethod(const std::string& name);
 
 }  // namespace obby::solve

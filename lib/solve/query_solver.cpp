@@ -24,7 +24,7 @@ double secondsNow() {
   return std::chrono::duration<double>(Clock::now().time_since_epoch()).count();
 }
 
-// One query while it is being answered.
+// Answers one query for one player.
 class Solving {
  public:
   Solving(const PlayerQuestion& question, const SolverOptions& options, const SolverOutput& output,
@@ -71,7 +71,8 @@ class Solving {
 
   schema::Level::Reader levelRecord() const { return level_.record.reader().getLevel(); }
 
-  // Which doubtful parts the shortest solution touches; others are preferred that touch none.
+  // Finds the doubtful parts that the shortest solution touches, and prefers solutions that touch
+  // none.
   Status weighDoubts(const Problem& problem, const Machine& machine, SearchOutcome& outcome) {
     if (outcome.solutions.empty() || doubtful_.empty()) return {};
     const Course course = courseOf(problem, outcome.solutions.front());
@@ -85,8 +86,8 @@ class Solving {
     return {};
   }
 
-  // What is shown to be impossible is not searched for. Nothing is shown of a place by a level that
-  // lacks what might carry a player.
+  // Skips the search if the query is proved unreachable. No proof holds in a level that lacks parts
+  // of the place that might carry a player.
   SearchOutcome answer(const Problem& problem, const Watcher& watcher, const Machine& machine) {
     const double start = secondsNow();
     auto cut = mayBeEasier(levelRecord()) ? std::nullopt : cutOf(problem, query_);
@@ -101,7 +102,7 @@ class Solving {
     return options_.method->run(problem, options_.budget, watcher, machine);
   }
 
-  // Nothing: not asked for, not needed, or there is no time.
+  // Returns nothing if an explanation is not asked for or not needed, or if there is no time.
   std::optional<std::vector<Relaxation>> explanation(const SearchOutcome& outcome,
                                                      const Machine& machine) const {
     const bool wanted = options_.explain && outcome.solutions.empty();
@@ -113,7 +114,7 @@ class Solving {
     return found;
   }
 
-  // False: an output that takes no progress will take no answer.
+  // Returns false to end the search. An output that takes no progress will take no answer.
   bool look(const SearchView& view) {
     if (question_.goOn && !question_.goOn()) return false;
     if (options_.explain || options_.heatMap) noteNewCells(view.search);
@@ -143,7 +144,7 @@ class Solving {
   Status writeAnswer(const Problem& problem, const SearchOutcome& outcome,
                      const std::optional<std::vector<Relaxation>>& relaxations, ThreadPool& pool) {
     uint32_t index = 0;
-    std::string hardest;  // of the shortest solution
+    std::string hardest;  // text about the shortest solution
     for (const Playthrough& p : outcome.solutions) {
       io::RecordBuilder record;
       auto trajectory = record.root().initTrajectory();
@@ -202,7 +203,7 @@ class Solving {
   const std::vector<uint32_t> doubtful_ = doubtfulParts(levelRecord());
   std::vector<uint32_t> touched_;  // doubtful parts of the shortest solution
   Avoiding avoiding_ = Avoiding::notTried;
-  uint32_t noted_ = 0;  // cells of the search
+  uint32_t noted_ = 0;  // cells of the search noted so far
   Footprints footprints_;
   HeatMap heatMap_;
   double nextProgress_ = kFirstProgress;

@@ -1,5 +1,5 @@
 // Answers one query: compiles it, searches, checks every solution with the verifier, and writes the
-// answer as records: progress while it works, then trajectories, then the result.
+// answer as records. Progress comes first, then the trajectories, then the result.
 #pragma once
 
 #include <functional>
@@ -20,7 +20,7 @@ struct LoadedLevel {
   io::Record record;
   level::Level level;
   double compileSeconds;
-  // For all queries that are asked of it.
+  // Levels of other players, shared by all queries of the level.
   std::unique_ptr<PlayerLevels> players = std::make_unique<PlayerLevels>();
 };
 
@@ -29,16 +29,16 @@ Result<LoadedLevel> loadLevel(const io::Record& record);
 struct SolverOptions {
   Budget budget;
   const Method* method = nullptr;
-  const policy::Network* policy = nullptr;  // for methods that use one; null: they do without
+  const policy::Network* policy = nullptr;  // for methods that use one; may be null
   bool progressRecords = true;
-  bool paths = false;    // trajectories say where the player is, for readers that cannot replay
-  bool heatMap = false;  // results have a map of where the search went
-  const EarlierAnswers* earlier = nullptr;  // to be tried first; may be null
-  bool explain = false;  // say what change would make a query solvable; up to as long again
-  uint32_t difficultyTrials = 0;  // a segment of a solution; 0: not asked how hard it is
+  bool paths = false;    // trajectories include positions, for readers that cannot replay
+  bool heatMap = false;  // results include a map of where the search went
+  const EarlierAnswers* earlier = nullptr;  // tried first; may be null
+  bool explain = false;  // find a change that makes a query solvable; takes up to as long again
+  uint32_t difficultyTrials = 0;  // per segment of a solution; 0: difficulty is not asked for
 };
 
-// For the eyes of a person while a query is worked on.
+// Progress of a query, to show to a person.
 struct QueryProgress {
   std::string query;
   double fraction;  // of the budget
@@ -49,7 +49,7 @@ struct QueryProgress {
 struct SolverOutput {
   std::function<Status(schema::Record::Reader)> write;
   std::function<void(const QueryProgress&)> progress;  // may be empty
-  std::function<void(const Error&)> deviceFailed;      // the CPU went on; may be empty
+  std::function<void(const Error&)> deviceFailed;      // called if the device fails; may be empty
 };
 
 struct QueryAnswer {
@@ -62,10 +62,10 @@ struct PlayerQuestion {
   const LoadedLevel& level;
   schema::Query::Reader query;
   level::Player player;
-  uint32_t levelRate = 0;            // ticks per second of the level as it is; 0: those of `level`
-  std::vector<KnownWay> hints = {};  // tried after earlier answers, and not told as such
-  std::vector<Companion> companions = {};               // who press the same keys
-  std::function<bool(const Playthrough&)> accept = {};  // asked of each solution; may be empty
+  uint32_t levelRate = 0;            // ticks per second of the original level; 0: that of `level`
+  std::vector<KnownWay> hints = {};  // tried after earlier answers, and not reported as such
+  std::vector<Companion> companions = {};               // other players who press the same keys
+  std::function<bool(const Playthrough&)> accept = {};  // called for each solution; may be empty
   std::function<bool()> goOn = {};                      // false ends the search; may be empty
 };
 
@@ -73,7 +73,7 @@ Result<QueryAnswer> solveFor(const PlayerQuestion& question, const SolverOptions
                              const Machine& machine, const SolverOutput& output);
 
 // Answers for every player that the query names, or for the level's own. An error is about the
-// query record (path is set), or of `write`.
+// query record (path is set), or comes from `write`.
 Result<QueryAnswer> solveQuery(const LoadedLevel& level, schema::Query::Reader query,
                                const SolverOptions& options, const Machine& machine,
                                const SolverOutput& output);

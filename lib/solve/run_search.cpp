@@ -8,7 +8,7 @@ namespace obby::solve {
 
 namespace {
 
-constexpr size_t kChecksPerRound = 16;  // ways to the goal that are regenerated in one round
+constexpr size_t kChecksPerRound = 16;  // trajectories to the goal that a round regenerates
 
 class Clock {
  public:
@@ -20,7 +20,7 @@ class Clock {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-// Of the ways to the goal that the search has just found, the first `most`.
+// Offers the first `most` of the goals that the search has just found.
 void takeGoals(const Search& search, size_t most, size_t wanted, const Watcher& watcher,
                const Clock& clock, Solutions& solutions, SearchOutcome& outcome) {
   for (size_t i = 0; i < std::min(search.goals().size(), most); ++i) {
@@ -42,7 +42,7 @@ std::optional<Stopped> whyStop(const Budget& budget, const Search& search, const
   return std::nullopt;
 }
 
-// The closest approach first, then ends that are far apart.
+// Returns the closest approach, then trajectories whose ends are far apart.
 std::vector<Playthrough> showAttempts(const Search& search, size_t count) {
   std::vector<Playthrough> result;
   const Closest& closest = search.statistics().closest;
@@ -65,12 +65,12 @@ SearchOutcome runSearch(const Problem& problem, const Budget& budget, const Watc
   Solutions solutions(problem, budget.diverse ? byRoute() : byPath());
   SearchOutcome outcome;
   std::optional<Stopped> stopped;
-  // Solutions come first in an answer: mostly the first still works.
+  // An earlier answer lists its solutions first, and mostly the first still works.
   const size_t all = problem.known.size();
   for (size_t first = 0, next = budget.solutions; first < all && !stopped;
        first = next, next = all) {
     search.tryKnown(first, std::min(next, all) - first);
-    // All of them: nobody tries them again.
+    // All of them are taken, since they are not tried again.
     takeGoals(search, all, budget.solutions, watcher, clock, solutions, outcome);
     outcome.knownSolutions = uint32_t(solutions.count());
     if (outcome.knownSolutions >= budget.solutions) stopped = Stopped::solved;

@@ -1,4 +1,4 @@
-// A search at work, as the loop that drives it, its watchers and its records see it. Host only.
+// A running search, as its driver, its watchers and its records see it. Host only.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@
 
 namespace obby::solve {
 
-// How far the search has come, and the way there.
+// The closest approach of the search, and the trajectory to it.
 struct Closest : Approach {
   Node way{0, kNone, 0};
 };
@@ -20,7 +20,7 @@ struct Statistics {
   uint64_t steps = 0;  // simulated ticks
   uint64_t rounds = 0;
   uint64_t rollouts = 0;
-  uint64_t idleRollouts = 0;  // since the last that found a new cell
+  uint64_t idleRollouts = 0;  // since the last one that found a new cell
   uint8_t overruns = 0;       // sim::Flag bits of any attempt
   Closest closest;
 };
@@ -29,25 +29,27 @@ class Search {
  public:
   virtual ~Search() = default;
 
-  // Tries `count` ways of Problem::known from `first` on; to be called before round(), and like it.
+  // Tries `count` trajectories of Problem::known from `first` on, like a round. Must precede
+  // round().
+  // effects.
   virtual void tryKnown(size_t first, size_t count) = 0;
 
-  // One round.
+  // Runs one round.
   virtual void round() = 0;
 
   virtual const Statistics& statistics() const = 0;
   virtual const Attempts& attempts() const = 0;
   virtual uint32_t cellCount() const = 0;
-  // The way to the newest cell.
+  // Returns the end of the trajectory to the newest cell.
   virtual Node newest() const = 0;
-  // Cells that only their finder passed through.
+  // Returns the number of cells that only their finder passed through.
   virtual uint64_t singletons() const = 0;
-  // Feet in the cells from `first` on.
+  // Returns the positions of the feet in the cells from `first` on.
   virtual std::vector<Vec3> places(uint32_t first) const = 0;
-  // Why the machine's device was given up, if it was.
+  // Returns the error for which the machine's device was given up, if it was.
   virtual const Status& deviceStatus() const = 0;
 
-  // Ways to the goal of the last round, fewest ticks, then jumps, first.
+  // Returns the trajectories to the goal of the last round, sorted by ticks, then jumps.
   virtual const std::vector<Node>& goals() const = 0;
   virtual Playthrough playthrough(const Node& end) const = 0;
 };

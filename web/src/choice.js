@@ -1,7 +1,7 @@
-// Which trajectories of a query are listed and drawn, and in which order.
+// Selects and sorts the trajectories of a query to list and draw.
 import { bandRank, OUTCOME_STYLE } from './palette.js';
 
-// Filters that let everything pass. `killer`: part, -1 for any; `boxes`: of `boxOf` below.
+// Filters that accept everything. `killer`: a part, or -1 for any; `boxes`: from `boxOf` below.
 export const UNFILTERED = {
   outcome: '',
   route: '',
@@ -20,7 +20,8 @@ export const SORTS = {
   route: 'route',
 };
 
-// A box in the axes of the world, in studs. `keep`: what passes it stays; else what passes it goes.
+// Returns an axis-aligned box, in studs. `keep`: keeps only trajectories through it, or else drops
+// them.
 export function boxOf(a, b, keep = true) {
   return {
     min: a.map((value, k) => Math.min(value, b[k])),
@@ -29,7 +30,7 @@ export function boxOf(a, b, keep = true) {
   };
 }
 
-// Whether the feet are in the box somewhere between two samples.
+// Returns true if the feet are in the box at some point between two samples.
 export function segmentMeets({ min, max }, points, i, j) {
   let enter = 0;
   let leave = 1;
@@ -48,7 +49,7 @@ export function segmentMeets({ min, max }, points, i, j) {
   return true;
 }
 
-// The lowest and the highest of all samples, by axis; looked for once.
+// Returns the minimum and maximum of all samples on each axis, cached in the path.
 function boundsOf(path) {
   if (path.bounds) return path.bounds;
   const min = [Infinity, Infinity, Infinity];
@@ -62,7 +63,7 @@ function boundsOf(path) {
   return path.bounds;
 }
 
-// While a box is drawn all ways are asked at each move of the pointer, and most are far from it.
+// A drag tests all trajectories at each pointer move, and most are far from the box.
 function farFrom(path, box) {
   const { min, max } = boundsOf(path);
   return min.some((low, k) => low > box.max[k] || max[k] < box.min[k]);
@@ -76,8 +77,8 @@ export function meets(path, box) {
   return false;
 }
 
-// Box -> query -> indices of the paths that meet it; boxes are never changed, only replaced. Neither is kept by it: a
-// stream that goes on replaces queries several times a second.
+// Box -> query -> indices of the paths through it. Boxes are immutable. The cache keeps neither
+// alive, since a live stream replaces queries several times a second.
 const passed = new WeakMap();
 
 export function pathsThrough(query, box) {
@@ -114,7 +115,8 @@ const kRanks = {
   difficulty: bandRank,
 };
 
-// Indices of the paths that pass all filters, sorted; equals keep the stream's order.
+// Returns the indices of the paths that pass all filters, sorted. Equal ones keep the stream's
+// order.
 export function listed(query, state, rate) {
   const order = query.paths
     .map((_, i) => i)

@@ -1,8 +1,8 @@
-// Reads the report inside the page: base64 blocks become typed arrays, and the record of what happened at a tick
-// becomes a function. docs/viewer.md describes the format.
+// Parses the report inside the page. Base64 blocks become typed arrays, and runs of actions are
+// looked up by tick. docs/viewer.md describes the format.
 
 function bytesOf(text) {
-  // Newer browsers can do it themselves, many times as fast.
+  // Newer browsers have a much faster native function.
   if (Uint8Array.fromBase64) return Uint8Array.fromBase64(text || '');
   const binary = atob(text || '');
   const bytes = new Uint8Array(binary.length);
@@ -29,20 +29,21 @@ export const ROLES = [
   'loose',
 ];
 
-// Poses of one moving part, one sample every `stride` ticks. The samples are for ticks 0, stride, ...; from
-// `loopFrom` on they repeat (-1: the last one stays).
+// Poses of a moving part, one sample every `stride` ticks from tick 0 on. From `loopFrom` on they
+// repeat (-1: the last one stays).
 class Track {
   constructor(raw) {
     this.part = raw.part;
     this.stride = raw.stride;
     this.count = raw.count;
     this.loopFrom = raw.loopFrom;
-    this.triggered = Boolean(raw.triggered); // ticks count from its start, which a path's motions tell
+    this.triggered = Boolean(raw.triggered); // ticks count from its start, which a path's motion
+                                             // events tell
     this.position = raw.position ? floats(raw.position) : null;
     this.rotation = raw.rotation ? shorts(raw.rotation) : null;
   }
 
-  // The two samples around a tick and the share of the second.
+  // Returns the two samples around a tick, and the weight of the second.
   at(tick) {
     const s = Math.max(0, tick / this.stride);
     let i = Math.floor(s);
@@ -54,7 +55,7 @@ class Track {
     };
     const next = wrap(i + 1);
     i = wrap(i);
-    // A jump back to the first key is a jump, not a slide across the level.
+    // A jump back to the first key must not be interpolated across the level.
     return { i, next: this.jumps(i, next) ? i : next, share };
   }
 
@@ -71,7 +72,7 @@ class Track {
   }
 }
 
-// Poses of one loose part at some ticks of a playthrough; even motion between them.
+// Poses of a dynamic part at some ticks of a trajectory, interpolated linearly.
 class LooseTrack {
   constructor(raw) {
     this.part = raw.part;
@@ -80,7 +81,7 @@ class LooseTrack {
     this.rotation = shorts(raw.rotation);
   }
 
-  // As Track's.
+  // Like Track.at().
   at(tick) {
     const { ticks } = this;
     let [i, end] = [0, ticks.length - 1];
@@ -94,7 +95,7 @@ class LooseTrack {
   }
 }
 
-// Of this and what follows no base64 is kept where an array stands for it.
+// Here and below, base64 texts are dropped once typed arrays replace them.
 export function levelOf({ parts, tracks, hulls, ...rest }) {
   return {
     ...rest,
@@ -113,11 +114,11 @@ export function levelOf({ parts, tracks, hulls, ...rest }) {
   };
 }
 
-// Whether parts of a level do something by the clock.
+// Returns true if parts of the level act by the level clock.
 export const hasMotion = (level) =>
   Boolean(level?.tracks.length || level?.vanish.length || level?.conveyors.length);
 
-// What the player held during a tick; nothing before the first.
+// Returns the player's input during a tick, or nothing before the first.
 function actionAt(runs, tick) {
   let end = 0;
   for (let i = 0; tick >= 0 && i + 2 < runs.length; i += 3) {
@@ -156,8 +157,8 @@ export class Path {
     return this.read('loose', looseTracks);
   }
 
-  // Lines want the points of all ways; the rest is read when it is first asked for, for of a thousand ways a reader looks at
-  // few.
+  // The points are needed to draw all trajectories. The rest is decoded on demand, since a user
+  // opens only a few of thousands.
   read(name, as) {
     const { known, unread } = this;
     if (!known[name]) {
@@ -167,12 +168,12 @@ export class Path {
     return known[name];
   }
 
-  // Tick of a sample: every `stride`-th, and the last whatever its distance from the one before.
+  // Returns the tick of a sample: every `stride`-th, and the last one at any distance.
   tickOf(sample) {
     return Math.min(sample * this.stride, this.ticks);
   }
 
-  // The two samples around a tick, and the share of the second.
+  // Returns the two samples around a tick, and the weight of the second.
   at(tick) {
     const last = this.samples - 1;
     const now = Math.min(Math.max(0, tick), this.ticks);
@@ -182,7 +183,7 @@ export class Path {
     return { i, j, share: (now - this.tickOf(i)) / gap };
   }
 
-  // Studs a tick, by axis, on the way to a sample; none at the start.
+  // Returns the velocity before a sample, studs a tick on each axis; zero at the start.
   speedBefore(sample) {
     const from = Math.max(0, sample - 1);
     const gap = this.tickOf(sample) - this.tickOf(from) || 1;
@@ -190,7 +191,7 @@ export class Path {
     return [0, 1, 2].map((k) => (p[3 * sample + k] - p[3 * from + k]) / gap);
   }
 
-  // The pose at a tick, between samples where playback is.
+  // Returns the interpolated pose at a tick.
   poseAt(tick) {
     const { i, j, share } = this.at(tick);
     const p = this.points;
@@ -203,12 +204,12 @@ export class Path {
     return { x: mix(0), y: mix(1), z: mix(2), yaw, state: this.state[i], perTick: speed };
   }
 
-  // What was held in the tick that ends at `tick`, or in which it lies; nothing at the start.
+  // Returns the input of the tick that ends at or contains `tick`, or nothing at the start.
   actionBefore(tick) {
     return actionAt(this.runs, Math.ceil(tick - 1e-6) - 1);
   }
 
-  // Studs walked so far, on the level; sums once.
+  // Returns the horizontal distance walked so far, studs; sums are cached.
   travelled(tick) {
     if (!this.sums) {
       this.sums = new Float32Array(this.samples);
@@ -234,7 +235,7 @@ function resultOf(raw) {
   return { ...raw, heatMap: { size, feet: floats(feet), counts: longs(counts) } };
 }
 
-// A query but for its trajectories.
+// A query without its trajectories.
 export const queryOf = (facts, index) => ({ ...facts, index, result: resultOf(facts.result) });
 
 export function readReport(raw) {

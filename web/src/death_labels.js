@@ -1,15 +1,15 @@
-// Names for the places where the shown ways were killed.
+// Labels for the places where the shown trajectories were killed.
 import { OUTCOME_STYLE } from './palette.js';
 import { partName } from './part_name.js';
 
-// The one of these places that is nearest to their middle.
+// Returns the place nearest to the centroid of all.
 function middlemost(places) {
   const sum = [0, 1, 2].map((k) => places.reduce((all, place) => all + place[k], 0));
   const far = (place) => Math.hypot(...place.map((value, k) => value - sum[k] / places.length));
   return places.reduce((best, place) => (far(place) < far(best) ? place : best));
 }
 
-// [{text, at, color}], the most frequent killers first.
+// Returns [{text, at, color}], the most frequent killers first.
 export function deathLabels(paths, level, most) {
   const killers = new Map();
   for (const path of paths) {

@@ -1,11 +1,11 @@
-// The page of obby-view --live: starts the app when the first level is there, and takes in what comes after, so that
-// selection, filters, camera and playback stay as they are.
+// The page of obby-view --live. It starts the app with the first level and merges later changes.
+// Selection, filters, camera and playback stay.
 import { LiveFeed } from './live_feed.js';
 import { LiveReport } from './live_report.js';
 import { keepingPlace } from './ui/dom.js';
 import { LiveMark } from './ui/live_mark.js';
 
-// A search that runs tells its numbers often; what is drawn need not be made anew for those.
+// A running search updates its numbers often, which need no new drawing.
 function onlyNumbers(before, now) {
   if (before?.paths.length !== now.paths.length || before.result || now.result) return false;
   const rest = ({ paths, progress, running, ...facts }) => JSON.stringify(facts);
@@ -13,11 +13,11 @@ function onlyNumbers(before, now) {
 }
 
 export class Live {
-  // `begin`: report -> app. `fail`: says why there is nothing to see.
+  // `begin`: report -> app. `fail`: reports why there is nothing to show.
   constructor(side, begin, fail) {
     Object.assign(this, { side, begin });
     this.live = new LiveReport();
-    this.connected = undefined; // it is not known yet
+    this.connected = undefined; // unknown
     this.mark = new LiveMark();
     side.append(this.mark.root);
     this.feed = new LiveFeed({
@@ -30,7 +30,7 @@ export class Live {
     this.feed.open();
   }
 
-  // Where the stream has ended, a server that goes takes nothing along.
+  // After the stream has ended, a lost server does not matter.
   tell(connected) {
     this.connected = connected;
     if (!connected && this.live.state !== 'live') this.feed.close();
@@ -73,9 +73,9 @@ export class Live {
   refreshQuery(chosen, ghost) {
     const { app } = this;
     const { store, stage } = app;
-    if (stage.level !== app.level()) app.glowing = -1; // of the parts that are taken away
+    if (stage.level !== app.level()) app.glowing = -1; // it refers to a part of the removed level
     app.openQuery();
-    // The same ways may stand elsewhere; one may have come again, thinner.
+    // Indices may have changed, and a trajectory may have come again with fewer samples.
     const indexOf = (path) =>
       path ? app.query().paths.findIndex(({ serial }) => serial === path.serial) : -1;
     store.set({ path: indexOf(chosen), ghost: indexOf(ghost), hoverPath: -1 });

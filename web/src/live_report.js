@@ -1,9 +1,11 @@
-// A report that comes in pieces: what the server says is new is put in its place, and what is there keeps its identity.
+// A report that arrives in pieces. New data replaces the old, and unchanged objects keep their
+// identity.
 import { levelOf, Path, queryOf } from './data.js';
 
-const kFormat = 3; // of the data, as of a page in a file
+const kFormat = 3; // data format, as in a page file
 
-// Whether one of the ranges, [first, last] and ascending, holds the number. There may be one for each attempt.
+// Returns true if one of the ranges [first, last], ascending, contains the number. There may be one
+// for each attempt.
 function isIn(ranges, number) {
   let [low, high] = [0, ranges.length];
   while (low < high) {
@@ -21,8 +23,9 @@ export class LiveReport {
     this.state = 'live';
   }
 
-  // `raw`: an answer of /data. `kept`: trajectories that stay even if the stream has replaced them, for somebody looks at
-  // them. Gives {levels, queries}: the indices of those that changed, and `fresh`: the trajectories that are new.
+  // `raw`: an answer of /data. `kept`: trajectories in view, which stay even if the stream has
+  // replaced them. Returns {levels, queries}, the indices of the changed ones, and `fresh`, the new
+  // trajectories.
   take(raw, kept = []) {
     if (raw.format !== kFormat)
       throw new Error(`its data has format ${raw.format}, expected ${kFormat}; reload the page`);
@@ -47,10 +50,10 @@ export class LiveReport {
     return changed;
   }
 
-  // New trajectories are put behind those in `fresh`.
+  // Appends new trajectories to `fresh`.
   takeQuery({ index, facts, serials, trajectories }, kept, fresh) {
     const { queries } = this.report;
-    // A new object: what was worked out of the old one does not hold any more.
+    // A new object, so that values cached by the old one are dropped.
     const own = queryOf(facts, index);
     const bySerial = new Map((queries[index]?.paths ?? []).map((path) => [path.serial, path]));
     for (const { serial, data } of trajectories) {

@@ -1,5 +1,5 @@
-// What every colour of the page means. The accents keep apart for colour-blind eyes by lightness as well as hue, and
-// roles have a pattern of their own on top (scene/part_material.js).
+// The meaning of the page's colours. Accents differ in lightness as well as hue, for colour-blind
+// readers, and some roles also have a pattern (scene/part_material.js).
 import { fullName } from './part_name.js';
 
 export const ROLE_STYLE = {
@@ -39,17 +39,17 @@ export const VERDICT_STYLE = {
   none: { label: 'Not asked in this run', short: 'Not asked', color: '#8190a8', mark: '–' },
 };
 
-// How hard a step is, in the order of the stream's bands.
+// The difficulty of a step, in the order of the schema's bands.
 export const BAND_STYLE = {
   trivial: { label: 'Trivial', color: '#7fe3b5' },
   easy: { label: 'Easy', color: '#9ad85f' },
   medium: { label: 'Medium', color: '#f2c14e' },
   hard: { label: 'Hard', color: '#f58b45' },
   extreme: { label: 'Extreme', color: '#f0484e' },
-  unknown: { label: 'Unknown', color: '#8190a8' }, // of a stream by a later version
+  unknown: { label: 'Unknown', color: '#8190a8' }, // from a stream of a later version
 };
 
-// Its place in that order; what was not measured comes last.
+// Returns the rank of the band; unmeasured paths come last.
 export function bandRank(path) {
   const bands = Object.keys(BAND_STYLE);
   return path.difficulty ? bands.indexOf(path.difficulty.band) : bands.length;
@@ -57,11 +57,11 @@ export function bandRank(path) {
 
 export const SOLUTION_COLOR = '#ffd166';
 export const SELECTED_COLOR = '#fff3c4';
-export const CUT_COLOR = '#ff8f6b'; // the step that nobody can take
+export const CUT_COLOR = '#ff8f6b'; // the step that is impossible
 export const REACHED_COLOR = '#8fe3c4'; // parts that can be reached
-export const GHOST_COLOR = '#7fd4ff'; // the other one of a comparison
+export const GHOST_COLOR = '#7fd4ff'; // the ghost in a comparison
 
-// The colour of a path in lists and in the scene.
+// Returns a path's colour in lists and in the scene.
 export function pathColor(path) {
   if (path.mismatch) return VERDICT_STYLE.mismatch.color;
   return path.outcome === 'goal' ? SOLUTION_COLOR : OUTCOME_STYLE[path.outcome].color;
@@ -78,7 +78,8 @@ export function verdictOf(query) {
   return 'none';
 }
 
-// Why a path ended, in words. `nameOf`: level, part -> what the part is called; `length`: label or short.
+// Returns why a path ended, as text. `nameOf`: level, part -> the part's name; `length`: label or
+// short.
 export function causeOf(path, level, nameOf = fullName, length = 'label') {
   const words = OUTCOME_STYLE[path.outcome][length];
   if (path.part >= 0 && level && path.part < level.count)
@@ -86,7 +87,7 @@ export function causeOf(path, level, nameOf = fullName, length = 'label') {
   return words;
 }
 
-// The hardest step of a solution, in words; nothing where the report does not say.
+// Describes the hardest step of a solution, or returns nothing if it was not measured.
 export function hardestOf(path, level) {
   if (!path.difficulty) return '';
   const { hardest, noise } = path.difficulty;

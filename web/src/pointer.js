@@ -1,28 +1,28 @@
-// The pointer over the picture: what lies under it, what a click chooses, and a box that a drag draws.
+// The pointer over the picture: hover notes, selection by clicks, and boxes drawn by a drag.
 import { boxOf } from './choice.js';
 import { ROLES } from './data.js';
 import { causeOf, ROLE_STYLE } from './palette.js';
 import { el, seconds } from './ui/dom.js';
 
-const kBoxBelow = 1; // studs under the floor that a drawn box reaches
+const kBoxBelow = 1; // studs that a drawn box extends below the floor
 const kBoxAbove = 12;
-const kRest = 200; // ms until a part under the pointer is told
+const kRest = 200; // ms until a part under the pointer gets a note
 const kMostNotes = 3;
-const kBeside = 14; // pixels from the pointer to what is told
+const kBeside = 14; // pixels from the pointer to the note
 
 export class Pointer {
   constructor(app, canvas, tip) {
     Object.assign(this, { app, canvas, tip, store: app.store, stage: app.stage });
     this.moved = null;
-    this.rest = null; // where the pointer stays, and since when
+    this.rest = null; // rest position and its time
     this.down = null;
-    this.corner = null; // first corner of the box that is being drawn
+    this.corner = null; // first corner of the box in progress
     canvas.addEventListener('pointerdown', (event) => this.press(event));
     canvas.addEventListener('pointerup', (event) => this.release(event));
     canvas.addEventListener('blur', () => canvas.classList.remove('pressed'));
     canvas.addEventListener('pointermove', (event) => {
       this.moved = event.buttons ? null : event;
-      if (this.corner && event.buttons & 1) this.drawTo(event); // a click is no drag
+      if (this.corner && event.buttons & 1) this.drawTo(event); // a click is not a drag
     });
     canvas.addEventListener('pointerleave', () => {
       this.moved = null;
@@ -38,12 +38,12 @@ export class Pointer {
   }
 
   press(event) {
-    this.canvas.classList.add('pressed'); // browsers take a focus by script for one by keyboard
+    this.canvas.classList.add('pressed'); // browsers show the focus ring for focus by script
     this.canvas.focus({ preventScroll: true });
-    if (this.corner) this.store.set({ boxes: this.before }); // its drag has no end
+    if (this.corner) this.store.set({ boxes: this.before }); // the previous drag did not end
     this.down = null;
     this.corner = null;
-    // With a second finger the camera is meant.
+    // A second finger controls the camera.
     if (!this.app.level() || !event.isPrimary) return;
     this.down = { x: event.clientX, y: event.clientY };
     if (!this.store.state.drawing || event.button !== 0) return;
@@ -56,12 +56,12 @@ export class Pointer {
     const still = down && Math.hypot(event.clientX - down.x, event.clientY - down.y) < 4;
     this.down = null;
     this.corner = null;
-    if (!down || event.button !== 0) return; // the camera's
+    if (!down || event.button !== 0) return; // for the camera
     if (this.store.state.drawing) this.store.set({ drawing: Boolean(still) });
     else if (still) this.click(event);
   }
 
-  // The box from the first corner to the pointer, at the height of that corner.
+  // Draws the box from the first corner to the pointer, at the height of that corner.
   drawTo(event) {
     const { corner } = this;
     const to = this.stage.pointAtHeight(...this.inCanvas(event), corner.y);
@@ -97,7 +97,7 @@ export class Pointer {
     return [event.clientX - box.left, event.clientY - box.top];
   }
 
-  // Once a frame: a line is told at once, a part where the pointer rests.
+  // Runs once a frame. A trajectory gets its note at once, a part once the pointer rests.
   hover(now) {
     const event = this.moved;
     this.moved = null;
@@ -125,7 +125,7 @@ export class Pointer {
     return true;
   }
 
-  // Name and role, and the importer's reason for the role.
+  // Shows name and role, with the importer's reason for the role.
   hoverPart(event) {
     const level = this.app.level();
     const part = this.stage.pickPart(...this.inCanvas(event));
@@ -141,7 +141,7 @@ export class Pointer {
       ...lines.map((text) => el('span', { text })),
     );
     this.tip.hidden = false;
-    // Beside the pointer, as far as the window goes.
+    // Next to the pointer, within the window.
     const { width, height } = this.tip.getBoundingClientRect();
     const x = Math.max(0, Math.min(event.clientX + kBeside, innerWidth - width));
     const y = Math.max(0, Math.min(event.clientY + kBeside, innerHeight - height));

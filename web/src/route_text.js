@@ -1,7 +1,7 @@
-// Routes in words: the last words of the parts' names, those alike in a row told once.
+// Routes as text: the last components of the parts' names, with repetitions merged.
 import { partName } from './part_name.js';
 
-// `most`: so many names; of more the first and last two are told.
+// `most`: max number of names; of longer routes the first and last two are shown.
 export function routeText(route, level, most = Infinity) {
   const steps = [];
   for (const name of route.map((part) => partName(level, part))) {

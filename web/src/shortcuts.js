@@ -1,8 +1,8 @@
-// The keyboard. No shortcut fires while something is typed, or with Ctrl, Alt or Meta held; Space ticks the box that the
-// keyboard is on.
+// Keyboard shortcuts. They are disabled while the user types, and with Ctrl, Alt or Meta. Space
+// toggles a focused check box.
 import { nextTheme } from './theme.js';
 
-const kWithAlt = /^[[\]]$/; // on some keyboards it takes Alt to type these
+const kWithAlt = /^[[\]]$/; // some keyboards require Alt for these
 
 function typing(target) {
   return (
@@ -21,7 +21,7 @@ function move(app, name, by, most) {
   app.store.set({ [name]: (Math.max(0, at + (at < 0 ? Math.max(by, 0) : by)) + most) % most });
 }
 
-// In the order of the list.
+// In the list's order.
 function neighbour(app, by) {
   const { order, path } = app.store.state;
   if (!order.length) return;
@@ -30,14 +30,14 @@ function neighbour(app, by) {
   app.store.set({ path: order[next], tick: 0 });
 }
 
-// Keeps the chosen one as the ghost that others are compared with.
+// Pins the selected trajectory as the ghost for comparisons.
 function pin({ store }) {
   const { path, ghost } = store.state;
   store.set({ ghost: ghost >= 0 ? -1 : path });
 }
 
-// Begins or ends the drawing of a box. One that no way could pass would only be in the way: there is no filter then that
-// takes it away again.
+// Starts or ends the drawing of a box. Without trajectories it is disabled, because the filter that
+// removes boxes is hidden then.
 function draw(app) {
   const drawing = !app.store.state.drawing && Boolean(app.query()?.paths.length);
   app.store.set({ drawing });
@@ -56,7 +56,7 @@ const kToggles = [
   'cut',
 ];
 
-// By what is printed on the key, for those whose place differs between keyboards.
+// By the printed character, for keys whose position differs between keyboards.
 const kByKey = {
   '?': (app) => app.help.toggle(),
   '[': (app) => move(app, 'query', -1, app.report.queries.length),
@@ -106,7 +106,7 @@ export function bindKeys(app) {
   window.addEventListener('keyup', (event) => {
     app.shift = event.shiftKey;
     app.stage.rig.key(event.code, false);
-    // A focused button would take Space for a click, which is right in the help alone.
+    // A focused button would treat Space as a click, which is correct only in the help.
     if (event.key === ' ' && event.target instanceof HTMLButtonElement && !app.help.dialog.open)
       event.preventDefault();
   });

@@ -1,20 +1,20 @@
-// Names by which the solutions of a query can be told apart: the player, time and jumps, the part that only their route
-// touches, and a number where all of that is the same.
+// Names that distinguish the solutions of a query: player, time and jumps, a part that only their
+// route touches, and a number if all of these are equal.
 import { routeKey } from './choice.js';
 import { routeNames } from './route_names.js';
 import { plural, seconds } from './ui/dom.js';
 
-const known = new WeakMap(); // by query: a query that has changed is another object
+const known = new WeakMap(); // by query; a changed query is another object
 
 const BODY_NAMES = { r6: 'R6', r15: 'R15' };
 
-// "R15, 30 fps: ", of a player that the query names.
+// Returns a prefix such as "R15, 30 fps: " for a player that the query names.
 function playerOf({ body, frameRate }) {
   const words = [BODY_NAMES[body] ?? body, frameRate && `${frameRate} fps`].filter(Boolean);
   return words.length > 0 ? `${words.join(', ')}: ` : '';
 }
 
-// Index of a solution -> {name, route}; the route is empty where all solutions take one.
+// Returns the index of a solution -> {name, route}. The route is empty if all solutions share it.
 export function solutionNames(query, level) {
   if (known.has(query)) return known.get(query);
   const rate = level?.tickRate ?? 60;

@@ -1,4 +1,5 @@
-// The page's state: one flat object. `set` tells listeners which names changed; nothing else holds state.
+// The page's state, one flat object. `set` notifies listeners of the changed names. No other object
+// holds state.
 import { UNFILTERED } from './choice.js';
 
 export class Store {
@@ -18,7 +19,7 @@ export class Store {
     if (changed.size) for (const listener of this.listeners) listener(this.state, changed);
   }
 
-  // `names`: the listener runs when one of them changed.
+  // Calls the listener when one of `names` has changed.
   on(names, listener) {
     this.listeners.push((state, changed) => {
       if (names.some((name) => changed.has(name))) listener(state, changed);
@@ -32,14 +33,14 @@ export const INITIAL = {
   descending: false,
   order: [], // indices of the listed trajectories, set by main.js from filters and sorting
   colorBy: 'outcome',
-  isolate: false, // draw the chosen one only
-  ghost: -1, // trajectory that runs beside the chosen one
-  frame: -1, // part that the camera is to look at; main.js sets it back
+  isolate: false, // draw only the selected one
+  ghost: -1, // trajectory that runs next to the selected one
+  frame: -1, // part for the camera to frame; main.js resets it
   drawing: false, // the next drag draws a box
   theme: 'auto', // or 'light', 'dark'
   heat: false,
-  heatMost: 0, // count of its fullest tile
-  heatWays: false, // the heat map is of the listed ways, even where the search's own is known
+  heatMost: 0, // count of the fullest tile
+  heatWays: false, // show the listed trajectories even if the search's own heat map is known
   cut: true,
   query: 0,
   path: -1,
@@ -48,7 +49,7 @@ export const INITIAL = {
   speed: 1,
   loop: true,
   follow: false,
-  followNewest: false, // live: choose each new solution
+  followNewest: false, // live: select each new solution
   hoverPath: -1,
   part: -1,
   colors: 'roles',

@@ -1,4 +1,4 @@
-// Light or dark panels: as the reader's system has it, or as they chose here.
+// Light or dark panels, as the system or the user chooses.
 
 const system = matchMedia('(prefers-color-scheme: light)');
 
@@ -15,7 +15,7 @@ export function bindTheme(store) {
   show();
 }
 
-// To the other one of what is seen. The system's own is followed again where it changes.
+// Switches to the other theme. If that is the system's, it follows the system again.
 export function nextTheme(store) {
   const theme = shown(store.state) === 'light' ? 'dark' : 'light';
   store.set({ theme: theme === systems() ? 'auto' : theme });

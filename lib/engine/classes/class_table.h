@@ -1,5 +1,4 @@
-// Members of the engine's classes and items of its enums, from api/classes.txt.
-// Private to lib/engine.
+// The engine's classes, their members and the items of its enums, from api/classes.txt.
 #pragma once
 
 #include <string>
@@ -10,7 +9,8 @@ namespace obby::engine {
 
 class ClassTable {
  public:
-  ClassTable();
+  // Reads the table at the first call.
+  static const ClassTable& get();
 
   // The base class, empty for the root; null: there is no such class.
   const std::string_view* baseOf(std::string_view className) const;
@@ -21,6 +21,7 @@ class ClassTable {
   std::string_view enumItems(std::string_view name) const;
 
  private:
+  ClassTable();
   struct Class {
     std::string_view base;
     std::unordered_map<std::string_view, std::string_view> members;

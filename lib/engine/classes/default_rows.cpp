@@ -2,7 +2,7 @@
 // button sets).
 #include <limits>
 
-#include "engine/classes/class_tables.h"
+#include "engine/classes/default_rows.h"
 
 namespace obby {
 namespace {

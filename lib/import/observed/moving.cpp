@@ -31,13 +31,6 @@ namespace {
 
 constexpr size_t kSmoothSteps = 9, kRareSteps = 60;  // frames between steps of a steady turn
 
-bool isSame(const Pose& a, const Pose& b) {
-  constexpr float kUnmoved = 1e-4f;
-  return length(a.position - b.position) < kUnmoved &&
-         length(a.rotation.x - b.rotation.x) < kUnmoved &&
-         length(a.rotation.y - b.rotation.y) < kUnmoved;
-}
-
 std::vector<PoseSample> samplesOf(const std::vector<Pose>& poses, size_t from, size_t count) {
   std::vector<PoseSample> samples;
   for (size_t i = 1; i <= count; ++i) samples.push_back({double(i) * kFrame, poses[from + i]});

@@ -63,19 +63,43 @@ class Renumbering {
   std::map<InstanceId, InstanceId> ids_;
 };
 
-}  // namespace
+bool drawsRandomNumbers(const engine::Report& report) {
+  return report.undisturbed.random ||
+         std::any_of(report.probes.begin(), report.probes.end(),
+                     [](const engine::Probe& probe) { return probe.seen.random; }) ||
+         std::any_of(report.revisits.begin(), report.revisits.end(),
+                     [](const engine::Revisit& revisit) { return revisit.probe.seen.random; });
+}
 
-ObservedPlace observePlace(const Document& document) {
+ObservedPlace runPlace(const Document& document, const engine::Plan& plan) {
   ObservedPlace place;
   place.document = document;
-  if (std::none_of(document.instances.begin(), document.instances.end(), isScript)) return place;
-  engine::Plan plan;
-  plan.settings.rig = rigOf(document);
+  place.fromFile = document.instances.size();
   place.report = engine::observe(document, plan);
   place.ran = place.report.undisturbed.frames > 0;
   Renumbering(addMadeParts(place.document, place.report)).apply(place.report);
   settle(place.document, place.report);
   place.settled = settledIn(document, place.document, place.report);
+  return place;
+}
+
+}  // namespace
+
+ObservedPlace observePlace(const Document& document) {
+  if (std::none_of(document.instances.begin(), document.instances.end(), isScript))
+    return {document, {}, false};
+  engine::Plan plan;
+  plan.settings.rig = rigOf(document);
+  ObservedPlace place = runPlace(document, plan);
+  if (!drawsRandomNumbers(place.report)) return place;
+  using engine::Draws;
+  for (const Draws draws : {Draws::even, Draws::low, Draws::high}) {
+    ++plan.settings.seed;
+    plan.settings.draws = draws;
+    ObservedPlace other = runPlace(document, plan);
+    // Where the run breaks off it says nothing about chance.
+    if (other.report.failure.empty()) place.others.push_back(std::move(other));
+  }
   return place;
 }
 

@@ -15,6 +15,9 @@ struct ObservedPlace {
   engine::Report report;  // its ids are the document's; what scripts made later has others
   bool ran = false;       // there were scripts, and they ran
   std::vector<Settled> settled = {};
+  size_t fromFile = 0;  // instances of the document that its file has; those that follow were made
+  // The place as it runs with other random numbers; empty if its scripts draw none.
+  std::vector<ObservedPlace> others = {};
 };
 
 // A document without scripts comes back as it is.

@@ -11,9 +11,9 @@ namespace obby::solve {
 
 namespace {
 
-constexpr size_t kProgressDeaths = 3;  // of a progress record
+constexpr size_t kProgressDeaths = 3;  // deaths in a progress record
 
-// World::part is an index into one of two lists.
+// World::part indexes the avoid list if the outcome is `avoided`, and the level's parts otherwise.
 template <class Record>
 void fillBlame(Record record, sim::Outcome outcome, uint32_t part) {
   if (part == kNone) return;

@@ -26,7 +26,7 @@ Kinds kindsOf(schema::Level::Reader level) {
   return kinds;
 }
 
-// A kind that the level does not list may be either.
+// Returns true if losses of this kind may make the game harder. An unlisted kind may, too.
 bool isHarder(const Kinds& kinds, std::string_view kind) {
   const auto known = kinds.find(kind);
   return known == kinds.end() || known->second != schema::Bearing::EASIER;
@@ -39,9 +39,9 @@ std::string_view firstKind(const Kinds& kinds, schema::Part::Reader part) {
   return {};
 }
 
-// Where the player is during the course, with all limbs.
+// Returns a box that encloses the player with all limbs during the course.
 Box spaceOf(const level::LevelView& level, const Course& course) {
-  constexpr float kBeside = 8;  // studs: more than the arms reach
+  constexpr float kBeside = 8;  // studs, farther than the arms reach
   Box space{course.at(0).position, course.at(0).position};
   for (const sim::World& world : course.replay.worlds) {
     space.lo = min(space.lo, world.position);
@@ -70,7 +70,7 @@ std::vector<DoubtfulCollider> collidersNear(const std::vector<uint32_t>& parts,
   return near;
 }
 
-// "'Belt' (conveyor that a script changes)"
+// Returns texts like "'Belt' (conveyor that a script changes)".
 std::vector<std::string> partTexts(schema::Level::Reader level, const Kinds& kinds,
                                    const std::vector<uint32_t>& parts) {
   constexpr size_t kMost = 3;
@@ -79,7 +79,7 @@ std::vector<std::string> partTexts(schema::Level::Reader level, const Kinds& kin
     texts.push_back(fmt::format("{} ({})", partText(level, parts[i]),
                                 firstKind(kinds, level.getParts()[parts[i]])));
   }
-  if (parts.size() > kMost) texts.push_back(fmt::format("{} more parts", parts.size() - kMost));
+  if (parts.size() > kMost) texts.push_back(fmt::format("{} more", parts.size() - kMost));
   return texts;
 }
 

@@ -1,4 +1,4 @@
-// The import's doubts that an answer depends on.
+// Finds the import's doubts that an answer depends on, and reports them in the result.
 #pragma once
 
 #include <cstdint>
@@ -10,15 +10,15 @@
 
 namespace obby::solve {
 
-// Indices of the level's parts that may be harder on a player in the game than in the level,
-// ascending.
+// Returns the indices, ascending, of the parts that may be harder on a player in the game than in
+// the level.
 std::vector<uint32_t> doubtfulParts(schema::Level::Reader level);
 
-// Could a loss make the game easier? Then nothing is shown to be unreachable.
+// Returns true if a loss could make the game easier. Then nothing can be proved unreachable.
 bool mayBeEasier(schema::Level::Reader level);
 
-// Those of `parts` that a player stands on or touches until that tick of the course, in the order
-// of the first touch.
+// Returns those of `parts` that the player stands on or touches up to `lastTick`, in the order of
+// the first touch.
 std::vector<uint32_t> touchedOf(const std::vector<uint32_t>& parts, const level::LevelView& level,
                                 const Course& course, uint32_t lastTick = 0xffffffff);
 
@@ -28,15 +28,15 @@ void fillDoubtful(Record trajectory, const std::vector<uint32_t>& parts) {
   for (uint32_t i = 0; i < parts.size(); ++i) list.set(i, int32_t(parts[i]));
 }
 
-// How the search for a solution without doubtful parts has ended.
+// Outcome of the search for a solution without doubtful parts.
 enum class Avoiding : uint8_t {
   notTried,
   notFound,
-  impossible,  // shown by the bound
+  impossible,  // proved by the bound on reach
 };
 
 // Fills in `holds` and `doubts` of a solved query and adds a sentence to its reason, if there is
-// any doubt. `touched`: of the shortest solution.
+// any doubt. `touched`: doubtful parts that the shortest solution touches.
 void fillDoubts(schema::Result::Builder result, schema::Level::Reader level,
                 const std::vector<uint32_t>& touched, Avoiding avoiding);
 

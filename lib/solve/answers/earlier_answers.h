@@ -1,5 +1,5 @@
-// Playthroughs of an earlier answer stream, to be tried again before a search: after most edits of
-// a level an old solution still works, or its greater part leads to a new one.
+// Trajectories of an earlier answer stream, which are tried again before a search. After most edits
+// of a level an old solution still works, or most of it leads to a new one.
 #pragma once
 
 #include <map>
@@ -16,8 +16,8 @@ namespace obby::solve {
 
 class EarlierAnswers {
  public:
-  // Reads the trajectories of a stream; everything else in it is skipped. Error: it cannot be read,
-  // or a trajectory has no sense.
+  // Reads the trajectories of a stream and skips everything else. Error: the stream cannot be read,
+  // or a trajectory is invalid.
   static Result<EarlierAnswers> read(io::SourceOptions source);
 
   Status note(schema::Trajectory::Reader trajectory);
@@ -25,14 +25,15 @@ class EarlierAnswers {
   // The player that the trajectories are for, and rates in ticks per second.
   struct For {
     level::Player player;
-    uint32_t rate, levelRate;  // the player's, and the level's own
+    uint32_t rate, levelRate;  // of the player, and of the level
   };
 
-  // Those of this player come first, then those of others, at this rate; both in the order of the
-  // stream: solutions first. Empty: none.
+  // Returns the trajectories of this player, then those of others, all retimed to the player's
+  // rate. Both keep the order of the stream: solutions first. Returns an empty list if there are
+  // none.
   std::vector<KnownWay> waysOf(const std::string& level, const std::string& query,
                                const For& who) const;
-  // Forgets those of a query: new ones are about to come.
+  // Forgets the trajectories of a query, before new ones are noted.
   void forget(const std::string& level, const std::string& query);
 
  private:

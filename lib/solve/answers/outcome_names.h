@@ -1,4 +1,4 @@
-// Outcomes in words, for messages.
+// Names outcomes in messages.
 #pragma once
 
 #include "schema/obby.capnp.h"

@@ -1,4 +1,4 @@
-// Parts in sentences for people.
+// Names parts in sentences for people.
 #pragma once
 
 #include <cstdint>
@@ -8,9 +8,9 @@
 
 namespace obby::solve {
 
-// "'Plank'"; where other parts have that name the end of the path that is its own, "'Stage
-// 2/Plank'"; where nothing tells them apart "'Plank' (part 12)". A part without a name is "part
-// 12".
+// Returns a name like "'Plank'". If other parts share it, returns the end of the path that is
+// unique: "'Stage 2/Plank'". If no path is unique, returns "'Plank' (part 12)". A part without a
+// name is "part 12".
 std::string partText(schema::Level::Reader level, uint32_t part);
 
 }  // namespace obby::solve

@@ -25,9 +25,9 @@ Result<bool> PassFilter::keeps(const level::Level& level,
                                schema::Trajectory::Reader trajectory) const {
   OBBY_ASSIGN(const sim::Plan plan, sim::planFromRecord(trajectory));
   std::vector<Place> missing = pass_;
-  bool entered = false;  // a place of notPass_
+  bool entered = false;  // true once a place of notPass_ is entered
   sim::replay(level.view(), nullptr, plan, [&](const sim::Moment& now) {
-    // Between two ticks, too: a box may be thinner than a player walks in one.
+    // Boxes are tested between ticks, too: a player may cross a thin one within a tick.
     const auto passes = [&](const Place& place) {
       if (now.tick == 0) return place.holds(level.view(), now.world, now.loose);
       return place.isEntered(level.view(), now.before, now.world, now.loose);

@@ -1,4 +1,4 @@
-// Choosing among playthroughs that are already there, by where they pass.
+// Filters existing trajectories by the places that they pass.
 #pragma once
 
 #include <string>
@@ -11,23 +11,24 @@
 
 namespace obby::solve {
 
-// Selectors as of a QuickQuery; a #tag stands for all its parts.
+// Selectors in the syntax of a QuickQuery. A #tag stands for all its parts.
 struct PassRule {
-  std::vector<std::string> pass;     // all of them, in any order
-  std::vector<std::string> notPass;  // none of them
+  std::vector<std::string> pass;     // all must be passed, in any order
+  std::vector<std::string> notPass;  // none may be passed
   bool empty() const { return pass.empty() && notPass.empty(); }
 };
 
-// A rule in the places of one level. A box is passed between two ticks, too; a part is touched at
-// the end of one.
+// A rule resolved to the places of one level. Boxes are tested between ticks, too, and parts at the
+// end of each tick.
 class PassFilter {
  public:
-  // `level` is compiled from `record`. Error: a selector that fits no part, or several; its path is
-  // the option.
+  // `level` is compiled from `record`. Error: a selector matches no part, or several; its path
+  // names the option.
   static Result<PassFilter> make(schema::Level::Reader record, const level::Level& level,
                                  const PassRule& rule);
 
-  // Replays the trajectory. Error: its actions are no plan.
+  // Replays the trajectory and returns true if it obeys the rule. Error: its actions are not a
+  // plan.
   Result<bool> keeps(const level::Level& level, schema::Trajectory::Reader trajectory) const;
 
  private:

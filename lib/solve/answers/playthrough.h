@@ -1,5 +1,5 @@
-// A playthrough that the search found, in plain form: regenerated from the archive by replaying the
-// chain of rollouts that led to it.
+// A trajectory found by the search, as plain actions. It is regenerated from the archive by
+// replaying the chain of rollouts that led to it.
 #pragma once
 
 #include <cstdint>
@@ -17,13 +17,14 @@ constexpr uint32_t kPathStep = 6;  // ticks between the points of a path
 struct Playthrough {
   std::vector<sim::ActionRun> actions;
   std::vector<Vec3> path;           // feet every kPathStep ticks, the start first
-  std::vector<uint32_t> jumpTicks;  // since the start
+  std::vector<uint32_t> jumpTicks;  // ticks since the start
   sim::World end;
   std::vector<sim::LooseBody> endLoose;
   uint32_t ticks = 0;
 };
 
-// The playthrough that ends `end.ticks` ticks into rollout `end.rollout` from node `end.parent`.
+// Returns the trajectory that ends `end.ticks` ticks into rollout `end.rollout` from node
+// `end.parent`.
 Playthrough regenerate(const ExploreContext& context, uint64_t seed, const Problem& problem,
                        const ChunkedVector<Node>& nodes, const Node& end);
 

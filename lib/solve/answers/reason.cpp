@@ -12,7 +12,7 @@ namespace obby::solve {
 
 namespace {
 
-// The subject of a reason's sentences.
+// The level and query that the sentences are about.
 struct Asked {
   const level::Level& level;
   schema::Level::Reader levelRecord;
@@ -23,7 +23,7 @@ std::string plural(uint64_t n, const char* word) {
   return fmt::format("{} {}{}", n, word, n == 1 ? "" : "s");
 }
 
-// The time that so many simulated ticks are in the game.
+// Returns the time in the game that corresponds to a number of simulated ticks.
 std::string playText(uint64_t ticks, float rate) {
   const double seconds = double(ticks) / double(rate);
   if (seconds < 120) return fmt::format("{:.0f} s", seconds);
@@ -47,7 +47,7 @@ std::string solvedText(const SearchOutcome& outcome, const level::Level& level) 
   return text;
 }
 
-// A region or part of the query's avoid list.
+// Describes how an attempt violated an entry of the query's avoid list.
 std::string avoidText(const Asked& asked, uint32_t index) {
   if (index >= asked.query.getAvoid().size()) return "entered an avoid region";
   const auto region = asked.query.getAvoid()[index];
@@ -78,7 +78,7 @@ std::string endText(const EndCount& end, const Asked& asked) {
   return "got no further";
 }
 
-// The most frequent ends of those attempts that failed for good.
+// Names the two most frequent ends of failed attempts.
 std::string endsText(const SearchOutcome& outcome, const Asked& asked) {
   uint64_t all = 0;
   for (const EndCount& e : outcome.ends) all += e.count;
@@ -108,7 +108,7 @@ std::string placeText(const SearchOutcome& outcome, const Asked& asked) {
   return text + ".";
 }
 
-// Is there hope in searching on?
+// Tells if a longer search is likely to help.
 std::string hopeText(const Thoroughness& t) {
   const float more = 100 * newCellsIfTwice(t);
   if (!saturated(t)) return " The search was still finding new places, so more time may help.";
@@ -119,7 +119,7 @@ std::string hopeText(const Thoroughness& t) {
                      more < 1 ? 1 : 0);
 }
 
-// What the simulator had to leave out.
+// Tells which limits of the simulator were exceeded.
 std::string overrunText(uint8_t overruns) {
   std::string text;
   if (overruns & sim::kCandidateOverrun) {
@@ -142,7 +142,7 @@ std::string overrunText(uint8_t overruns) {
   return text;
 }
 
-// The parts of the place that the level lacks; a solution may need them.
+// Lists the kinds of things that the level lacks and a solution may need.
 std::string unmodelledText(schema::Level::Reader level) {
   std::string kinds;
   for (const auto& u : level.getUnmodelled()) {
@@ -167,13 +167,13 @@ std::string stepText(const Cut& cut, const level::Level& level, schema::Level::R
                      lacks, m.more ? ", and there are more such steps behind it" : "");
 }
 
-// "none is", "only 1 is", "only 2 are"
+// Returns "none is", "only 1 is" or "only 2 are".
 std::string allowedText(uint32_t n) {
   if (n == 0) return "none is";
   return fmt::format("only {} {}", n, n == 1 ? "is" : "are");
 }
 
-// For whom the cut holds.
+// Tells for which tricks the cut holds.
 std::string tricksText(const Cut& cut) {
   if (cut.withTricks) return " That holds with every trick, too.";
   if (cut.mayHelp == 0) return " With several tricks together somebody might.";

@@ -1,4 +1,4 @@
-// Some sentences for people: what was found, or how the attempts failed.
+// Composes sentences for people: the solution that was found, or how the attempts failed.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace obby::solve {
 
-// Says nothing that depends on the clock. `levelRecord`: for names, and what the importer left out.
+// The text does not depend on the clock. `levelRecord` supplies names and the importer's losses.
 std::string reasonFor(const SearchOutcome& outcome, const level::Level& level,
                       schema::Level::Reader levelRecord, schema::Query::Reader query);
 

@@ -15,7 +15,7 @@ int32_t carrierAt(const Problem& problem, const sim::Replay& replay, size_t tick
   return collider == level::kNone ? -1 : int32_t(problem.level.colliders[collider].part);
 }
 
-// Forgets the parts that carry for too short.
+// Removes parts that carry the player for fewer than kLeastStay ticks.
 void dropTouches(std::vector<int32_t>& carriers) {
   for (size_t from = 0; from < carriers.size();) {
     size_t to = from;
@@ -29,10 +29,11 @@ void dropTouches(std::vector<int32_t>& carriers) {
 
 struct Stay {
   int32_t part;
-  uint32_t reached;  // waypoints and visits, when it was left
+  uint32_t reached;  // waypoints and visits reached when the player left the part
 };
 
-// For a tick of being carried by `part`; -1: by none.
+// Notes a tick of being carried by `part`; -1: by none. A return to the previous part without
+// progress removes the detour.
 void noteStay(std::vector<Stay>& stays, int32_t part, uint32_t reached) {
   if (part < 0) return;
   const size_t n = stays.size();
@@ -45,12 +46,13 @@ void noteStay(std::vector<Stay>& stays, int32_t part, uint32_t reached) {
   }
 }
 
-// The part that carries the player at the end, or first after it; -1: none.
+// Returns the part that carries the player at the end, or the next within kLandingTicks; -1 if
+// none.
 int32_t landingPart(const Problem& problem, const Course& course) {
   sim::World world = course.replay.worlds.back();
   const auto left = course.replay.looseAt(course.ticks());
   std::vector<sim::LooseBody> loose(left.begin(), left.end());
-  world.outcome = sim::Outcome::running;  // the goal ended it
+  world.outcome = sim::Outcome::running;  // the goal had ended the simulation
   for (uint32_t t = 0; t <= kLandingTicks; ++t) {
     const uint32_t collider = sim::carrierOf(world, loose.data(), problem.level);
     if (collider != level::kNone) return int32_t(problem.level.colliders[collider].part);
@@ -78,7 +80,7 @@ Course courseOf(const Problem& problem, const Playthrough& playthrough) {
   for (size_t t = 0; t <= ticks; ++t) {
     course.carriers.push_back(carrierAt(problem, course.replay, t));
   }
-  // What the player starts on is sensed in the first tick.
+  // The simulator senses the floor under the start only in the first tick.
   if (ticks > 0 && course.carriers[0] < 0) course.carriers[0] = course.carriers[1];
   dropTouches(course.carriers);
   return course;

@@ -1,5 +1,5 @@
-// The solutions of a query that differ, shortest first: of those that are the same by `identity`
-// the shortest is kept.
+// The distinct solutions of a query, shortest first. Of solutions that are the same by `identity`
+// only the shortest is kept.
 #pragma once
 
 #include <functional>
@@ -13,7 +13,7 @@ namespace obby::solve {
 struct RouteTally {
   std::vector<int32_t> route;  // directRouteOf()
   uint64_t count = 0;
-  uint32_t ticks = 0;  // of the shortest
+  uint32_t ticks = 0;  // length of the shortest
 };
 
 class Solutions {
@@ -24,13 +24,13 @@ class Solutions {
   Solutions(const Problem& problem, const WayIdentity& identity)
       : problem_(problem), identity_(identity) {}
 
-  // Keeps a way that is distinct from all, or better than all that it is the same as and whose
-  // place it takes; those only are put to `accept`, which may be empty.
+  // Keeps a solution that is distinct from all others, or shorter than those that it is the same
+  // as, which it replaces. Only these solutions are passed to `accept`, which may be empty.
   Offer offer(Playthrough p, const std::function<bool(const Playthrough&)>& accept);
 
   size_t count() const { return ways_.size(); }
-  std::vector<Playthrough> all() const;  // fewest ticks, then jumps, first
-  // All solutions by route: most frequent, then shortest, first.
+  std::vector<Playthrough> all() const;  // sorted by ticks, then jumps
+  // Returns the solutions by route: the most frequent route first, ties by length.
   std::vector<RouteTally> routes() const;
 
  private:

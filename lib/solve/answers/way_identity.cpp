@@ -21,7 +21,7 @@ bool samePath(const Way& a, const Way& b) {
   return !pathsDiffer(a.playthrough.path, b.playthrough.path, kDistinct);
 }
 
-// Is `longer` the same as `shorter` but for one more part?
+// Returns true if removing one part of `longer` makes it equal to `shorter`.
 bool oneMore(const std::vector<int32_t>& longer, const std::vector<int32_t>& shorter) {
   if (longer.size() != shorter.size() + 1) return false;
   const auto [l, s] = std::mismatch(longer.begin(), longer.end(), shorter.begin(), shorter.end());

@@ -1,4 +1,4 @@
-// When two ways to the goal count as one.
+// Decides when two trajectories to the goal count as the same solution.
 #pragma once
 
 #include <cstdint>
@@ -13,28 +13,28 @@ constexpr float kDistinct = 4;  // studs
 
 struct Way {
   Playthrough playthrough;
-  std::vector<int32_t> route;  // directRouteOf(); empty until somebody asks
-  uint64_t found = 1;          // ways that count as this one, with it
+  std::vector<int32_t> route;  // directRouteOf(); empty until noteRoute() is called
+  uint64_t found = 1;          // trajectories that count as this one, including itself
 };
 
 struct WayIdentity {
-  // Works out what `same` looks at; null: the playthrough is enough.
+  // Prepares what `same` compares; null if the playthrough is enough.
   void (*prepare)(const Problem& problem, Way& way);
   bool (*same)(const Way& a, const Way& b);
-  // Is a second way that is the same a solution in its own right, or a copy of the first?
+  // True if a second trajectory that is the same counts as another solution, not as a copy.
   bool counts;
 };
 
-// Nowhere are they farther than kDistinct apart.
+// Trajectories are the same if their paths are nowhere farther than kDistinct apart.
 const WayIdentity& byPath();
-// The same parts carry the player, in the same order, trivial detours aside and but for at most one
-// part more or less: who touches a second part in passing has taken no other route.
+// Trajectories are the same if the same parts carry the player in the same order, apart from
+// trivial detours. One extra part is allowed: touching a second part in passing is no other route.
 const WayIdentity& byRoute();
 
-// Is some point of either path farther than `distance` from every point of the other?
+// Returns true if a point of either path is farther than `distance` from every point of the other.
 bool pathsDiffer(const std::vector<Vec3>& a, const std::vector<Vec3>& b, float distance);
 
-// Of the way's playthrough; costs a replay the first time.
+// Fills in the route of the trajectory. The first call costs a replay.
 void noteRoute(const Problem& problem, Way& way);
 
 }  // namespace obby::solve

@@ -31,7 +31,7 @@ bool Archive::offer(uint64_t key, const sim::World& world, const Node& node, flo
     cell = cellCount();
     addCell(key);
   } else {
-    // Found twice in one round, by two rollouts.
+    // Another rollout found the cell in the same round.
     if (nodes_[cellNodes_[cell]].rollout != node.rollout) sighted_[cell] = 1;
     if (!better(cell, world)) return false;
   }
@@ -52,7 +52,7 @@ bool Archive::isFirstLoose(const sim::LooseBody* loose) const {
          std::memcmp(loose, loose_.at(0), looseCount_ * sizeof(sim::LooseBody)) == 0;
 }
 
-// The first set may be several cells', each other one is one cell's.
+// Several cells may share the first set; every other set belongs to one cell.
 void Archive::putLoose(uint32_t cell, const sim::LooseBody* loose) {
   uint32_t& set = looseSets_[cell];
   if (isFirstLoose(loose)) {

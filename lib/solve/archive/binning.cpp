@@ -9,7 +9,7 @@ namespace obby::solve {
 namespace {
 
 constexpr float kUsualSpeed = 16;      // studs/s
-constexpr float kClockSeconds = 0.5f;  // a bin of the clock
+constexpr float kClockSeconds = 0.5f;  // width of a bin of the clock
 constexpr uint32_t kHealthBins = 4;
 
 bool anyCollider(const level::LevelView& level, auto&& test) {
@@ -19,7 +19,7 @@ bool anyCollider(const level::LevelView& level, auto&& test) {
   return false;
 }
 
-// Parts that hurt without killing at once: then health matters.
+// Returns true if a part hurts without killing at once, so that health matters.
 bool hurts(const level::LevelView& level) {
   return anyCollider(level, [&](uint32_t i) {
     return (level.bounds[i].flags & level::kKill) &&
@@ -27,10 +27,10 @@ bool hurts(const level::LevelView& level) {
   });
 }
 
-constexpr uint32_t kSegmentBins = 8;  // of the time that a segment may take
-constexpr float kDamageBins = 8;      // of the health that may be lost
+constexpr uint32_t kSegmentBins = 8;  // bins of the shortest time limit of a segment
+constexpr float kDamageBins = 8;      // bins of the health that may be lost
 
-// The shortest time that a segment may take, in ticks; 0: any.
+// Returns the shortest time limit of a segment, in ticks; 0 if there is none.
 uint32_t leastSegment(const level::QueryView& q) {
   uint32_t least = q.last.ticks;
   for (uint32_t i = 0; i < q.waypointCount; ++i) {

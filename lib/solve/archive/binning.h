@@ -7,8 +7,8 @@
 
 namespace obby::solve {
 
-// `width` in studs at the usual 16 studs/s: a faster player gets wider cells, up to twice. `clock`
-// must outlive the binning.
+// `width`: studs at the usual speed of 16 studs/s; a faster player gets cells up to twice as wide.
+// `clock` must outlive the binning.
 Binning makeBinning(const Problem& problem, float width, const ClockMap& clock);
 
 }  // namespace obby::solve

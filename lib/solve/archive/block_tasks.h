@@ -1,5 +1,5 @@
-// What choosers keep of the archive's blocks is brought up to date in groups of blocks, shared by
-// the pool's threads. Host only.
+// Refreshes what selectors keep of the archive's blocks, in groups of blocks on the pool's threads.
+// Host only.
 #pragma once
 
 #include <cstdint>
@@ -9,14 +9,14 @@
 
 namespace obby::solve {
 
-constexpr uint32_t kGroupBlocks = 64;  // blocks a group
-constexpr uint32_t kTaskGroups = 4;    // groups a task of the pool
+constexpr uint32_t kGroupBlocks = 64;  // blocks per group
+constexpr uint32_t kTaskGroups = 4;    // groups per task of the pool
 
 inline uint32_t groupCount(const Archive& archive) {
   return (archive.blockCount() + kGroupBlocks - 1) / kGroupBlocks;
 }
 
-// refresh(group, firstBlock, endBlock) for every group of the archive's blocks.
+// Calls refresh(group, firstBlock, endBlock) for every group of the archive's blocks.
 template <class Refresh>
 void forGroups(const Archive& archive, ThreadPool& pool, Refresh&& refresh) {
   const uint32_t blocks = archive.blockCount(), groups = groupCount(archive);

@@ -1,5 +1,5 @@
-// Which states count as the same: the cell of the archive that a world falls into. Dimensions
-// beside position exist only where the level or the query makes them matter.
+// Decides which states count as the same: maps a world to its cell of the archive. Dimensions other
+// than position exist only if they matter in the level or the query.
 #pragma once
 
 #include <stdint.h>
@@ -11,40 +11,40 @@
 namespace obby::solve {
 
 struct Binning {
-  float inverseWidth = 1;       // 1 / cell width, studs, both sideways axes
+  float inverseWidth = 1;       // 1 / cell width in studs, both horizontal axes
   float inverseHeight = 0.5f;   // 1 / cell height
-  ClockView clock;              // where the level's clock matters
-  uint32_t clockBin = 0;        // ticks a bin; 0: no clock dimension
-  uint32_t healthBins = 0;      // of full health; 0: no health dimension
+  ClockView clock;              // tells where the level's clock matters
+  uint32_t clockBin = 0;        // ticks per bin; 0: no clock dimension
+  uint32_t healthBins = 0;      // bins of full health; 0: no health dimension
   float inverseHealth = 0.01f;  // 1 / full health
   bool jumps = false;           // the query limits jumps, or asks for some
-  uint32_t mostJumps = 0xffff;  // more than these make no difference
+  uint32_t mostJumps = 0xffff;  // jumps beyond this number make no difference
   bool waypoints = false;       // the query has waypoints
   bool clocks = false;          // parts start clocks when touched
   bool vanishing = false;       // parts vanish when touched
-  uint32_t looseCount = 0;      // loose bodies: where each of them is
+  uint32_t looseCount = 0;      // dynamic bodies, whose positions matter
   bool visits = false;          // the query has visits, in any order
   bool segmentJumps = false;    // the query limits the jumps of a segment
-  uint32_t segmentBin = 0;      // ticks a bin of the time in a segment; 0: the query has no limit
-  float inverseDamage = 0;      // bins a unit of health lost; 0: the query has no limit
+  uint32_t segmentBin = 0;      // ticks per bin of the time in a segment; 0: the query has no limit
+  float inverseDamage = 0;      // bins per unit of health lost; 0: the query has no limit
 };
 
-constexpr uint32_t kMostRunningBins = 16;  // after that a clock that goes on tells no more
+constexpr uint32_t kMostRunningBins = 16;  // a clock that runs longer stays in this bin
 
 OBBY_DEVICE int32_t floorToInt(float v) {
   const int32_t i = int32_t(v);
   return i - (float(i) > v ? 1 : 0);
 }
 
-// Spreads every bit over the whole word; one to one (the finaliser of SplitMix64).
+// Spreads every bit over the whole word, one to one (the finaliser of SplitMix64).
 OBBY_DEVICE uint64_t mixBits(uint64_t v) {
   v = (v ^ (v >> 30)) * 0xbf58476d1ce4e5b9ull;
   v = (v ^ (v >> 27)) * 0x94d049bb133111ebull;
   return v ^ (v >> 31);
 }
 
-// The clock's bin where the clock matters, counted from 1; 0 elsewhere. At least eight bins a
-// period.
+// Returns the clock's bin, counted from 1; 0 where the clock does not matter. A period has about
+// eight bins or more.
 OBBY_DEVICE uint32_t clockBinOf(const Binning& b, const sim::World& w) {
   const uint32_t period = clockPeriodAt(b.clock, w.position);
   if (period == kNoClock) return 0;
@@ -53,7 +53,7 @@ OBBY_DEVICE uint32_t clockBinOf(const Binning& b, const sim::World& w) {
   return 1 + (w.tick % period) / (eighth < b.clockBin ? eighth : b.clockBin);
 }
 
-// Which clocks run of those that open or close ways, and about for how long; 0: none of them.
+// Returns a key of the running clocks that open or close routes, and of their age; 0 if none runs.
 OBBY_DEVICE uint64_t runningKey(const Binning& b, const sim::World& w) {
   uint64_t key = 0;
   for (int i = 0; i < w.clockCount; ++i) {
@@ -66,8 +66,8 @@ OBBY_DEVICE uint64_t runningKey(const Binning& b, const sim::World& w) {
   return key;
 }
 
-// The cell of a position in units of cells; exact for 8 million cells each way (sideways), 32,000
-// (up).
+// Packs the cell of a position in units of cells. Exact for 8 million cells each way horizontally,
+// and 32,000 vertically.
 OBBY_DEVICE uint64_t packedCell(Vec3 at) {
   const uint64_t x = uint32_t(floorToInt(at.x)) & 0xffffffu;
   const uint64_t y = uint32_t(floorToInt(at.y)) & 0xffffu;
@@ -75,8 +75,8 @@ OBBY_DEVICE uint64_t packedCell(Vec3 at) {
   return x | z << 24 | y << 48;
 }
 
-// Where the loose bodies are, in cells twice as wide as the player's: every cell of a body is one
-// more of each cell of the player.
+// Returns a key of the bodies' positions, in cells twice as wide as the player's. The cells of each
+// body multiply the player's cells, so they are coarse.
 OBBY_DEVICE uint64_t looseKey(const Binning& b, const sim::LooseBody* loose) {
   uint64_t key = 0;
   for (uint32_t i = 0; i < b.looseCount; ++i) {
@@ -86,7 +86,7 @@ OBBY_DEVICE uint64_t looseKey(const Binning& b, const sim::LooseBody* loose) {
   return key;
 }
 
-// What the limits and visits of a query make of a state; 0 where it has none.
+// Returns a key of what the query's limits and visits make of a state; 0 if it has none.
 OBBY_DEVICE uint64_t progressKey(const Binning& b, const sim::World& w) {
   uint64_t key = 0;
   if (b.visits) key = mixBits(w.visited);
@@ -96,8 +96,9 @@ OBBY_DEVICE uint64_t progressKey(const Binning& b, const sim::World& w) {
   return key;
 }
 
-// Never 0. Positions are exact for 8 million cells each way, the other dimensions for 2^24 clock
-// bins and 2^16 jumps; two cells share a key with probability 2^-64.
+// Returns the key of a world's cell, never 0. Positions are exact for 8 million cells each way, the
+// other dimensions for 2^24 clock bins and 2^16 jumps. Two cells share a key with probability
+// 2^-64.
 OBBY_DEVICE uint64_t cellKey(const Binning& b, const sim::World& w,
                              const sim::LooseBody* loose = nullptr) {
   const Vec3 inCells = mul(w.position, {b.inverseWidth, b.inverseHeight, b.inverseWidth});

@@ -36,10 +36,10 @@ void CellTable::add(uint64_t key) {
   }
 }
 
-// The keys say all that the slots do: nothing of the old table is needed for the new.
+// The keys determine the slots: the new table needs nothing of the old one.
 void CellTable::grow() {
   const size_t slots = 2 * slots_.size();
-  slots_ = {};  // first, so that both are never there
+  slots_ = {};  // frees the old table before the new one is allocated
   slots_.resize(slots);
   uint32_t cell = 0;
   for (size_t c = 0; c < keys_.chunkCount(); ++c) {

@@ -1,5 +1,5 @@
-// Keys to cells: open addressing with slots of 8 bytes, so that ten million cells take 134 MB of
-// table beside their keys. Host only.
+// Maps keys to cells by open addressing with slots of 8 bytes. Ten million cells take 134 MB of
+// table plus their keys. Host only.
 #pragma once
 
 #include <cstddef>
@@ -15,23 +15,23 @@ class CellTable {
  public:
   CellTable() : slots_(kFirstSlots) {}
 
-  // The cell of a key, or level::kNone. Safe to call from several threads between changes.
+  // Returns the cell of a key, or level::kNone. Thread-safe between changes.
   uint32_t find(uint64_t key) const;
 
-  // Adds a key that is not there; cells are numbered as they come, from 0.
+  // Adds a key that is not in the table. Cells are numbered from 0 as they come.
   void add(uint64_t key);
 
   uint32_t size() const { return uint32_t(keys_.size()); }
 
-  // Ask the memory for what likely(key) will read.
+  // Prefetches what likely(key) reads.
   void prefetch(uint64_t key) const { __builtin_prefetch(&slots_[home(key)]); }
-  // The cell that find(key) will look at first, or level::kNone. Its key has been asked for.
+  // Returns the first cell that find(key) will compare, or level::kNone, and prefetches its key.
   uint32_t likely(uint64_t key) const;
 
  private:
   struct Slot {
-    uint32_t tag = 0;              // the key's upper half; the lower says where to look
-    uint32_t cell = level::kNone;  // free
+    uint32_t tag = 0;              // upper half of the key; the lower half selects the slot
+    uint32_t cell = level::kNone;  // kNone: the slot is free
   };
   static constexpr size_t kFirstSlots = 4096;
 
@@ -41,7 +41,7 @@ class CellTable {
   void place(uint64_t key, uint32_t cell);
   void grow();
 
-  std::vector<Slot> slots_;       // at most three quarters full, a power of two
+  std::vector<Slot> slots_;       // at most three quarters full; the size is a power of two
   ChunkedVector<uint64_t> keys_;  // (cells)
 };
 

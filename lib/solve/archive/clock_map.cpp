@@ -7,11 +7,12 @@ namespace obby::solve {
 
 namespace {
 
-constexpr uint64_t kLongestPeriod = 3600;  // ticks: clocks that take longer are taken as they are
+constexpr uint64_t kLongestPeriod = 3600;  // ticks; longer periods use the clock's value itself
 constexpr double kMaxClockCells = double(1 << 20);
-constexpr double kMaxMarks = 2e7;  // cells written in all: bounds the time to build
+constexpr double kMaxMarks = 2e7;  // cells written in total, which bounds the time to build
 
-// Ticks after which the collider is back where and as it was; kNoClock: it never changes.
+// Returns the ticks after which the collider's state repeats; 0: it never does; kNoClock: it never
+// changes.
 uint32_t periodOf(const level::LevelView& level, uint32_t collider) {
   const level::Collider& c = level.colliders[collider];
   uint32_t period = kNoClock;
@@ -27,7 +28,7 @@ uint32_t periodOf(const level::LevelView& level, uint32_t collider) {
   return period;
 }
 
-// Ticks a bin of a running clock: an eighth of its length, half a second at least.
+// Ticks per bin of a running clock: an eighth of its length, but at least half a second.
 constexpr uint32_t kLeastBin = 30;
 uint32_t binOf(uint32_t length) { return std::max(kLeastBin, length / 8); }
 
@@ -94,7 +95,7 @@ void ClockMap::mark(const Clocked& part) {
 }
 
 // Signals, boosts and motions that touches start decide where a player can go. Parts that vanish or
-// fall by themselves are many, and only counted (cell.h).
+// fall when they are touched are many, so their clocks are only counted (cell.h).
 void ClockMap::findBins(const level::LevelView& level) {
   bins_.assign(level.clockCount, 0);
   const auto count = [&](uint32_t clock) {

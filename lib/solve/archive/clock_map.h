@@ -1,4 +1,4 @@
-// Makes the map of where the level's clock matters, and which of the others. Host only.
+// Builds the map of where the level's clock matters, and the bins of the other clocks. Host only.
 #pragma once
 
 #include <vector>
@@ -9,7 +9,7 @@ namespace obby::solve {
 
 class ClockMap {
  public:
-  // `reach`: studs around the parts in which they matter.
+  // `reach`: studs around a part within which its clock matters.
   ClockMap(const level::LevelView& level, float reach);
   ClockView view() const;  // valid while this object lives
 
@@ -29,7 +29,7 @@ class ClockMap {
   int32_t nx_ = 0, ny_ = 0, nz_ = 0;
 };
 
-// Ticks after which clocks of both periods are back together; 0 where that is too long to wait for.
+// Returns the ticks after which clocks of both periods coincide again; 0 if that is too long.
 uint32_t jointPeriod(uint32_t a, uint32_t b);
 
 }  // namespace obby::solve

@@ -1,6 +1,6 @@
-// Where the level's clock matters, and which of the clocks that touches start: near moving and
-// timed parts, and there only modulo the time after which they are all back where they were.
-// Elsewhere a state is as good at any time.
+// Tells where the level's clock matters, and which of the clocks that touches start. The level's
+// clock matters near moving and timed parts, modulo the time after which they all repeat. Elsewhere
+// a state is as good at any time.
 #pragma once
 
 #include <stddef.h>
@@ -14,12 +14,12 @@ constexpr uint32_t kNoClock = level::kNone;  // the clock does not matter here
 
 // Plain spans, for device code.
 struct ClockView {
-  const uint32_t* periods = nullptr;  // (nx * ny * nz), ticks; 0: the clock as it is; or kNoClock
+  const uint32_t* periods = nullptr;  // (nx * ny * nz), ticks; 0: no short period; or kNoClock
   Vec3 origin;
   float inverseCell = 1;
   int32_t nx = 0, ny = 0, nz = 0;
-  // (LevelView::clockCount), ticks a bin of each clock that touches start; 0: it does not tell
-  // states apart.
+  // (LevelView::clockCount), ticks per bin of each clock that touches start; 0: the clock does not
+  // tell states apart.
   const uint32_t* bins = nullptr;
   uint32_t binCount = 0;
 };
@@ -30,7 +30,8 @@ OBBY_DEVICE void forTables(ClockView& c, Table&& table) {
   table(c.bins, c.binCount);
 }
 
-// Outside the map the clock does not matter.
+// Returns the period of the clock at a place (ClockView::periods). Outside the map it does not
+// matter.
 OBBY_DEVICE uint32_t clockPeriodAt(const ClockView& view, Vec3 p) {
   const float x = (p.x - view.origin.x) * view.inverseCell;
   const float y = (p.y - view.origin.y) * view.inverseCell;

@@ -28,7 +28,7 @@ void HeatMap::add(Vec3 feet, uint32_t cells) {
   cube.cells += cells;
 }
 
-// Of eight cubes one; of lowest feet the lowest stay.
+// Merges eight cubes into one, which keeps the lowest feet.
 void HeatMap::coarsen() {
   size_ *= 2;
   for (const auto& [key, cube] : std::exchange(cubes_, {})) add(cube.feet, cube.cells);

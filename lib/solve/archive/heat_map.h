@@ -1,4 +1,4 @@
-// Where a search has been, coarsely, for people to look at: cubes of studs, however far it went.
+// A coarse map of where a search has been, for people to look at. Its cubes grow with the search.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,7 @@ namespace obby::solve {
 
 class HeatMap {
  public:
-  // Of further cells of a search: Search::places.
+  // Adds the positions of further cells of a search (Search::places).
   void note(const std::vector<Vec3>& places);
   bool empty() const { return cubes_.empty(); }
   void fill(schema::HeatMap::Builder record) const;  // in order of x, y, z

@@ -8,7 +8,7 @@ namespace obby::solve {
 
 namespace {
 
-// Studs: about as many blocks as a level has surfaces, with some dozens of cells each.
+// Studs. A level has about as many blocks as surfaces, with some dozens of cells each.
 constexpr float kBlock = 8;
 
 float square(float v) { return v * v; }
@@ -39,7 +39,8 @@ void NearestCells::add(uint32_t layer, Vec3 position, uint32_t cell) {
   l.entries[slot->second].push_back({position, cell});
 }
 
-// Never more than the distance of an entry: each operation is monotonic, rounding included.
+// Returns the squared distances to the blocks' bounds. They never exceed the distance of an entry:
+// each operation is monotonic, rounding included.
 std::vector<float> NearestCells::distances2(const Bounds& b, Vec3 to) {
   std::vector<float> result(b.lowX.size());
   float* const out = result.data();

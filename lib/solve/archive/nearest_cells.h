@@ -1,4 +1,4 @@
-// The nearest of the archive's cells to a place, among those as far along a query. Host only.
+// Finds the archive's cell nearest to a place, among those equally far along a query. Host only.
 #pragma once
 
 #include <cstddef>
@@ -12,14 +12,14 @@ namespace obby::solve {
 
 class NearestCells {
  public:
-  // `layer`: how far along. Cells are added once each, in rising order. O(1).
+  // `layer`: progress along the query. Each cell is added once, in ascending order. O(1).
   void add(uint32_t layer, Vec3 position, uint32_t cell);
 
-  // The cell of that layer that was added nearest to `to`, of equally near ones the lowest; kNone
-  // if the layer is empty. Safe to call from several threads between changes.
+  // Returns the cell of the layer whose position is nearest to `to`, the lowest of equally near
+  // ones; kNone if the layer is empty. Thread-safe between changes.
   uint32_t nearest(uint32_t layer, Vec3 to) const;
 
-  uint32_t layers() const { return uint32_t(layers_.size()); }  // up to the last that has a cell
+  uint32_t layers() const { return uint32_t(layers_.size()); }  // up to the last with a cell
   bool empty(uint32_t layer) const { return layers_[layer].entries.empty(); }
 
  private:
@@ -27,7 +27,7 @@ class NearestCells {
     Vec3 position;
     uint32_t cell;
   };
-  struct Bounds {  // of blocks' entries, an array for each coordinate: scanned in SIMD lanes
+  struct Bounds {  // bounds of the blocks' entries, an array for each coordinate, for SIMD
     std::vector<float> lowX, lowY, lowZ, highX, highY, highZ;
   };
   struct Found {

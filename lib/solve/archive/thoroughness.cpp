@@ -9,7 +9,7 @@ namespace {
 
 constexpr uint64_t kFirstPoint = 16384;  // steps
 constexpr double kQuantile = 1.96;       // 97.5 % of a normal distribution
-constexpr double kNoneSeen = 3.69;  // -ln(0.025): none in n trials bounds the chance by this / n
+constexpr double kNoneSeen = 3.69;       // -ln(0.025): upper bound of n p if n trials all fail
 
 double mostNew(const Thoroughness& t) {
   const double f = double(t.singletons);

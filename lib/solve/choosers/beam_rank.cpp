@@ -15,7 +15,7 @@ BeamWay::BeamWay(const Problem& problem)
   for (uint32_t i = query.waypointCount; i-- > 0; to = &query.waypoints[i].target.region) {
     const geom::Region& from = query.waypoints[i].target.region;
     const float leg = geom::distance(*to, from.pose.position) - length(from.half);
-    // With a choice of goals the leg to the first would not be the least.
+    // With several goals the distance to the first is no lower bound.
     const bool known = i + 1 < query.waypointCount || query.otherGoalCount == 0;
     legs_[i] = legs_[i + 1] + (known ? std::max(leg, 0.0f) : 0.0f);
   }

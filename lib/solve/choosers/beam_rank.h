@@ -1,4 +1,4 @@
-// What the beam's rank needs to know of a query. Host only.
+// Computes the distances that the beam's rank needs to know of a query. Host only.
 #pragma once
 
 #include <vector>

@@ -1,5 +1,5 @@
-// What the beam ranks states by: f = ticks so far + kBeamGreed * ticks that are left at best + what
-// the cell has been tried already. For host and device.
+// The beam's rank of a state, lower is better: f = ticks so far + kBeamGreed * ticks left at best +
+// a penalty for earlier tries from the cell. For host and device.
 #pragma once
 
 #include "sim/next_region.h"
@@ -7,13 +7,13 @@
 
 namespace obby::solve {
 
-constexpr uint32_t kBeamTries = 4;    // rollouts from a cell in a round
-constexpr float kBeamGreed = 5;       // more than 1: finds some way sooner, not the shortest
-constexpr uint32_t kTriedTicks = 60;  // what a round's tries add to f: no cell waits for ever
+constexpr uint32_t kBeamTries = 4;    // rollouts per cell and round
+constexpr float kBeamGreed = 5;       // above 1: finds a solution sooner, but not the shortest
+constexpr uint32_t kTriedTicks = 60;  // added to f by each round's tries, so no cell starves
 
 // Plain spans, for device code.
 struct BeamView {
-  const float* legs = nullptr;  // (waypoints + 1), studs from a waypoint to the end; 0 for the goal
+  const float* legs = nullptr;  // (waypoints + 1), studs from each waypoint to the goal
   const float* hops = nullptr;  // (visits), studs from a visit to the nearest other or to the goal
   uint32_t legCount = 0, hopCount = 0;
   float ticksPerStud = 0;
@@ -25,8 +25,8 @@ OBBY_DEVICE void forTables(BeamView& b, Table&& table) {
   table(b.hops, b.hopCount);
 }
 
-// Ticks to the goal in a straight line through the waypoints ahead, walking. Visits ahead count as
-// the way to the nearest, and from each to what is nearest to it.
+// Returns the ticks of a straight walk to the goal through the waypoints ahead. The walk over
+// visits counts the distance to the nearest one, and from each visit to its nearest neighbour.
 OBBY_DEVICE float ticksLeft(const BeamView& b, const level::QueryView& query,
                             const sim::World& world) {
   float studs = nextRegion(query, world).distance + b.legs[world.waypoints];
@@ -36,7 +36,7 @@ OBBY_DEVICE float ticksLeft(const BeamView& b, const level::QueryView& query,
   return b.ticksPerStud * studs;
 }
 
-// f of a cell that has not been tried, less the ticks so far.
+// Returns f of a cell that has not been tried, less the ticks so far.
 OBBY_DEVICE uint32_t greedyTicks(const BeamView& b, const level::QueryView& query,
                                  const sim::World& world) {
   return uint32_t(kBeamGreed * ticksLeft(b, query, world));

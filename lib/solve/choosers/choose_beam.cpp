@@ -23,7 +23,7 @@ void BeamChooser::addCells(const Archive& archive) {
   groups_.resize(groupCount(archive));
 }
 
-// A rank is f, then the cell: of equal f the older is the best.
+// A rank is f, then the cell: of two cells with equal f the older one is better.
 uint64_t BeamChooser::blockBest(const Archive& archive, uint32_t block) const {
   const uint32_t first = block * Archive::kBlock;
   const uint32_t count = std::min(Archive::kBlock, archive.cellCount() - first);
@@ -63,7 +63,7 @@ void BeamChooser::rerank(const Archive& archive, uint32_t cell, uint32_t extra) 
   groups_[block / kGroupBlocks] = groupBest(block / kGroupBlocks);
 }
 
-// Takes the best cell so often, then gives all of them back, tried once more.
+// Takes the best cell `width` times, then puts all of them back with the penalty for one more try.
 void BeamChooser::rank(const Archive& archive, size_t width) {
   ranked_.clear();
   std::vector<uint32_t> extras;

@@ -1,4 +1,4 @@
-// Beam search over cells, A*-like: every round goes on from the cells with the least f
+// Beam search over cells, similar to A*: every round continues from the cells with the lowest f
 // (beam_rank.h).
 #pragma once
 
@@ -33,8 +33,8 @@ class BeamChooser : public Chooser {
   ChunkedVector<uint32_t> extra_;  // (cells), f less the ticks so far; kTaken: not to be ranked
   std::vector<uint64_t> blocks_;   // best rank of each block of cells
   std::vector<uint64_t> groups_;   // best rank of each group of blocks
-  uint32_t epoch_ = 0;             // of the archive, in which they were found
-  std::vector<uint64_t> ranked_;   // best ranks of all, the best first
+  uint32_t epoch_ = 0;             // archive epoch of the last update
+  std::vector<uint64_t> ranked_;   // this round's ranks, best first
 };
 
 std::unique_ptr<Chooser> makeBeamChooser(const Problem& problem, const ExploreContext& context);

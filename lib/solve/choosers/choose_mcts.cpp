@@ -7,11 +7,12 @@ namespace obby::solve {
 
 namespace {
 
-// Of UCB1, with rewards of 0 to 1. Of 1/8, 1/4, 1/2, 1 and 1.4 the smaller did better on levels/.
+// Exploration constant of UCB1, with rewards of 0 to 1. Of 1/8, 1/4, 1/2, 1 and 1.4 the smaller
+// ones did better on levels/.
 constexpr double kExploration = 0.125;
-constexpr float kRewardScale = 1024;  // integer rewards: their sums are exact
+constexpr float kRewardScale = 1024;  // integer rewards, so that their sums are exact
 
-// log2 of n > 0 up to 0.09, without the library, whose last bits differ between machines.
+// Returns log2 of n > 0 with an error below 0.09. The library's last bits differ between machines.
 double roughLog2(uint32_t n) {
   const int whole = std::bit_width(n | 1) - 1;
   return whole + (double(n) / double(1u << whole) - 1);
@@ -29,15 +30,15 @@ void MctsChooser::addNode(uint32_t parent) {
   nodes_[parent].firstChild = cell;
 }
 
-// An arm never tried comes first.
+// An arm that was never tried comes first.
 double MctsChooser::score(const Arm& arm, double logVisits) const {
   if (arm.visits == 0) return 1e9;
   const double n = arm.visits;
   return double(arm.reward) / (n * best_) + kExploration * sqrtf32(float(logVisits / n));
 }
 
-// Of equal ones the newest child, and the node itself last: a rollout's end before its beginning.
-// kNone: the node itself.
+// Returns kNone for the node itself. Of equal scores the newest child wins and the node itself
+// loses, so the end of a rollout comes before its beginning.
 uint32_t MctsChooser::bestChild(const TreeNode& node) const {
   const double logVisits = 0.6931471805599453 * roughLog2(node.below.visits);
   uint32_t best = kNone;
@@ -70,7 +71,7 @@ void MctsChooser::choose(const Archive& archive, ThreadPool&, Random&, std::span
   for (Choice& c : choices) c.cell = descend();
 }
 
-// New cells hang one behind the other, as the rollout came to them.
+// New cells form a chain, in the order in which the rollout reached them.
 void MctsChooser::learn(const Archive&, std::span<const Tried> tried) {
   for (const Tried& t : tried) {
     const uint64_t reward = uint64_t(t.potential * kRewardScale);

@@ -1,6 +1,6 @@
-// Monte-Carlo tree search (UCT) whose moves are rollouts: a tree of the archive's cells, each the
-// child of the one it was found from. A rollout starts where a descent by UCB1 ends, and pays what
-// the best of the states that it brought is worth. Host only.
+// Monte-Carlo tree search (UCT) whose moves are rollouts. The tree consists of the archive's cells,
+// each a child of the cell it was found from. A rollout starts where a descent by UCB1 ends. Its
+// reward is the potential of the best state that it found. Host only.
 #pragma once
 
 #include "solve/go_explore.h"
@@ -18,14 +18,14 @@ class MctsChooser : public Chooser {
   void learn(const Archive& archive, std::span<const Tried> tried) override;
 
  private:
-  // A way on from a node: a rollout from it, or a child.
+  // An option at a node: a rollout from it, or a child.
   struct Arm {
     uint64_t reward = 0;  // sum, potential * kRewardScale
-    uint32_t visits = 0;  // counted when chosen: those still out are a virtual loss
+    uint32_t visits = 0;  // counted when chosen, so pending ones are a virtual loss
   };
   struct TreeNode {
     uint32_t parent, firstChild, nextSibling;  // cells, or kNone
-    Arm below;                                 // all visits, this node's own included
+    Arm below;                                 // all visits of the subtree, including own
     Arm own;                                   // rollouts from here
   };
   void addNode(uint32_t parent);
@@ -34,7 +34,7 @@ class MctsChooser : public Chooser {
   double score(const Arm& arm, double logVisits) const;
 
   ChunkedVector<TreeNode> nodes_;  // (cells)
-  double best_ = 1;                // potential of all cells ever, * kRewardScale
+  double best_ = 1;                // best potential of all cells ever, * kRewardScale
 };
 
 std::unique_ptr<Chooser> makeMctsChooser(const Problem& problem, const ExploreContext& context);

@@ -1,5 +1,5 @@
-// Two choosers over one archive, each with half of every round: what one finds the other goes on
-// from, and a level that misleads one of them costs at most about twice what the other needs.
+// Two selectors over one archive, each with half of every round. Each continues from what the other
+// finds. A level that misleads one costs at most about twice what the other needs.
 #pragma once
 
 #include "solve/go_explore.h"
@@ -19,10 +19,11 @@ class MixedChooser : public Chooser {
   std::unique_ptr<Chooser> first_, second_;
 };
 
-// The round from which on the policy plays: what is solved before is solved sooner without.
+// The policy plays from this round on. Levels solved before it are solved sooner without the
+// policy.
 constexpr uint32_t kPolicyFrom = 8;
 
-// The hedged selector, with the policy first where there is one, and the beam.
+// Combines the hedged selector, with the policy first if there is one, and the beam.
 std::unique_ptr<Chooser> makeMixedChooser(const Problem& problem, const ExploreContext& context);
 
 }  // namespace obby::solve

@@ -1,14 +1,13 @@
-// Rollouts by a trained policy: once from each state that is new (GE-PS), or from the start only.
+// Rollouts by a trained policy: once from each new state (GE-PS), or from the start only.
 #pragma once
 
 #include "solve/go_explore.h"
 
 namespace obby::solve {
 
-// Chooses as another does. The first time that a cell is chosen since it was found or improved the
-// policy explores from it: as it plays nearly alike each time, once is enough. Later, and wherever
-// there is no policy, exploration is random. So it is before round `fromRound`,
-// counted from 1.
+// Selects cells as the inner selector does. The policy explores from a cell when it is first chosen
+// since it was found or improved. Once is enough, as the policy plays nearly the same each time.
+// Later rollouts are random, and so are all those before round `fromRound`, counted from 1.
 class PolicyFirstChooser : public Chooser {
  public:
   explicit PolicyFirstChooser(std::unique_ptr<Chooser> inner, uint32_t fromRound = 0)
@@ -23,11 +22,11 @@ class PolicyFirstChooser : public Chooser {
  private:
   std::unique_ptr<Chooser> inner_;
   uint32_t fromRound_;
-  ChunkedVector<uint32_t> explored_;  // (cells), node of the state that the policy explored from
+  ChunkedVector<uint32_t> explored_;  // (cells), node of the state from which the policy explored
 };
 
-// Always the start: first the policy's likeliest moves, then drawn ones. Rollouts last half of what
-// they may at first, all of it once some rounds have not solved it.
+// Always selects the start: first with the policy's likeliest moves, then with drawn ones. In the
+// first kPatience rounds rollouts last half of their max length.
 class PolicyAloneChooser : public Chooser {
  public:
   static constexpr uint32_t kPatience = 16;  // rounds
@@ -39,17 +38,17 @@ class PolicyAloneChooser : public Chooser {
   uint32_t rounds_ = 0;
 };
 
-// `inner` with the context's policy first, or as it is where there is none.
+// Returns `inner` with the context's policy first, or `inner` itself if there is no policy.
 std::unique_ptr<Chooser> policyFirst(std::unique_ptr<Chooser> inner, const ExploreContext& context,
                                      uint32_t fromRound = 0);
 
-// GE-PS of the paper: its Go-Explore, with the policy first.
+// Makes GE-PS of the paper: its Go-Explore, with the policy first.
 std::unique_ptr<Chooser> makePolicyFirstChooser(const Problem& problem,
                                                 const ExploreContext& context);
 std::unique_ptr<Chooser> makePolicyAloneChooser(const Problem& problem,
                                                 const ExploreContext& context);
 
-// Rollouts of two minutes.
+// Settings for rollouts of two minutes.
 GoExploreSettings aloneSettings();
 
 }  // namespace obby::solve

@@ -6,14 +6,14 @@ namespace obby::solve {
 
 namespace {
 
-constexpr float kGoalShare = 0.05f;     // of places in the next region: OMPL's default bias
-constexpr float kSurfaceShare = 0.7f;   // of places above a surface: the rest is mostly empty air
-constexpr float kSpread = 2;            // studs sideways of such a place from its surface point
-constexpr uint32_t kClockTicks = 4096;  // when a moving surface is looked at: over a minute
-constexpr uint32_t kShortest = 6;       // ticks of a rollout: a turn is seen in where it ends
-constexpr uint32_t kTaskTargets = 16;   // targets a task of the pool
+constexpr float kGoalShare = 0.05f;     // share of targets in the next region: OMPL's default bias
+constexpr float kSurfaceShare = 0.7f;   // share of targets above a surface: space is mostly air
+constexpr float kSpread = 2;            // studs, max horizontal offset from a surface point
+constexpr uint32_t kClockTicks = 4096;  // ticks in which moving surfaces are sampled: over a minute
+constexpr uint32_t kShortest = 6;       // min ticks of a rollout: a turn shows in where it ends
+constexpr uint32_t kTaskTargets = 16;   // targets per task of the pool
 
-// Uniform between two corners.
+// Draws a point uniformly from a box.
 Vec3 pointIn(const Box& box, Random& random) {
   const Vec3 size = box.hi - box.lo;
   const float x = random.unit(), y = random.unit(), z = random.unit();
@@ -40,7 +40,7 @@ RrtChooser::RrtChooser(const Problem& problem, const ExploreContext& context)
   space_.hi.y += jumpHeight_;
 }
 
-// Where a cell is filed is where it was first reached: what replaces that is in the same cell.
+// A cell is filed at the position where it was first reached; a replacement lies in the same cell.
 void RrtChooser::addCells(const Archive& archive) {
   for (; known_ < archive.cellCount(); ++known_) {
     const sim::World& w = archive.world(known_);
@@ -48,7 +48,7 @@ void RrtChooser::addCells(const Archive& archive) {
   }
 }
 
-// What a player that far along wants next; visits have no order.
+// Returns a next region for a player with this progress. Visits have no order, so it is drawn.
 const geom::Region& RrtChooser::regionAfter(uint32_t layer, Random& random) const {
   if (layer >= targetCount(query_)) {
     const uint32_t i = random.below(1 + query_.otherGoalCount);
@@ -71,7 +71,7 @@ Vec3 RrtChooser::nearSurface(Random& random) const {
 
 RrtChooser::Target RrtChooser::draw(Random& random) const {
   uint32_t layer = random.below(nearest_.layers());
-  while (nearest_.empty(layer)) ++layer;  // several targets can be reached in one tick
+  while (nearest_.empty(layer)) ++layer;  // several targets may be reached in one tick
   const float kind = random.unit();
   if (kind < kGoalShare) return {layer, pointInRegion(regionAfter(layer, random), random)};
   const bool air = surfaces_.pointCount == 0 || kind >= kGoalShare + kSurfaceShare;

@@ -1,6 +1,6 @@
-// Kinodynamic RRT: draw a place, start from the state nearest to it, hold random keys for a random
-// short time. As in SST, a shorter way to a cell replaces a longer. What is nearest is asked only
-// among states equally far along the query, and how far along is drawn, too.
+// Kinodynamic RRT: draws a place, starts from the state nearest to it, and holds random keys for a
+// random short time. As in SST, a shorter trajectory to a cell replaces a longer one. The nearest
+// state is sought only among states equally far along the query, and that progress is drawn, too.
 #pragma once
 
 #include "solve/archive/nearest_cells.h"
@@ -19,7 +19,7 @@ class RrtChooser : public Chooser {
 
  private:
   struct Target {
-    uint32_t layer;  // waypoints and visits behind
+    uint32_t layer;  // waypoints and visits reached
     Vec3 position;
   };
   void addCells(const Archive& archive);
@@ -35,7 +35,7 @@ class RrtChooser : public Chooser {
   float jumpHeight_;    // studs
   uint32_t known_ = 0;  // cells of the archive in nearest_
   NearestCells nearest_;
-  std::vector<Target> targets_;  // of this round
+  std::vector<Target> targets_;  // targets of this round
 };
 
 std::unique_ptr<Chooser> makeRrtChooser(const Problem& problem, const ExploreContext& context);

@@ -1,5 +1,5 @@
-// Which cells of the archive a round of the search starts from, and how long its rollouts are: what
-// the search methods differ in. Host only.
+// A selector chooses the cells of the archive that a round of the search starts from, and how long
+// its rollouts are. The search methods differ in their selectors. Host only.
 #pragma once
 
 #include <cstdint>
@@ -14,37 +14,38 @@
 
 namespace obby::solve {
 
-// Where a rollout starts.
+// The start of a rollout, its length, and the source of its moves.
 struct Choice {
   uint32_t cell;    // of the archive
-  uint32_t ticks;   // its length at most; at least 1
-  uint64_t by = 0;  // kByPolicy, with kLikeliest or without: whose moves; 0: random
+  uint32_t ticks;   // max length, at least 1
+  uint64_t by = 0;  // kByPolicy, optionally with kLikeliest; 0: random moves
 };
 
-// What came of a rollout.
+// The result of a rollout.
 struct Tried {
   uint32_t cell;       // where it started
-  uint32_t firstCell;  // the cells that it added to the archive: firstCell, firstCell + 1, ... in
-  uint32_t cells;      //   the order in which it came to them
-  float potential;     // the best of what the archive kept of it; 0: it kept nothing
+  uint32_t firstCell;  // first of the cells that it added to the archive
+  uint32_t cells;      // number of added cells, which follow in the order of arrival
+  float potential;     // best of the states that the archive kept; 0: it kept none
 };
 
-// A search asks for each round's choices, then tells what came of them. Both must follow from the
-// arguments alone, never from the number of threads.
+// A search asks for each round's choices, then reports their results. Both calls must depend on
+// their arguments alone, never on the number of threads.
 class Chooser {
  public:
   virtual ~Chooser() = default;
 
-  // Sets the cell of every choice: one for each rollout of the round. Their ticks are set to the
-  // longest that a rollout may be, and may be lowered.
+  // Sets the cell of every choice, one for each rollout of the round. Their ticks are preset to the
+  // max length of a rollout, and may be lowered.
   virtual void choose(const Archive& archive, ThreadPool& pool, Random& random,
                       std::span<Choice> choices) = 0;
 
-  // (choices), in their order, once the archive has taken what they found.
+  // Learns the results of the choices, in their order, after the archive has taken what they found.
   virtual void learn(const Archive&, std::span<const Tried>) {}
 };
 
-// Makes the chooser of one search. The context's tables outlive it, the other arguments need not.
+// Makes the selector of one search. The context's tables must outlive it, the other arguments need
+// not.
 using MakeChooser = std::unique_ptr<Chooser> (*)(const Problem&, const ExploreContext&);
 
 }  // namespace obby::solve

@@ -8,10 +8,10 @@ namespace obby::solve {
 
 namespace {
 
-// With one way through: legs from each region to the next.
+// Returns the spans of a query with a fixed order of regions: from each region to the next.
 std::vector<float> spansInOrder(const level::QueryView& q, Vec3 from) {
   std::vector<float> spans;
-  float size = 0;  // of the region before: it may be left on its far side
+  float size = 0;  // half diagonal of the region before, which may be left on its far side
   for (uint32_t leg = 0; leg <= q.waypointCount; ++leg) {
     const geom::Region& to = leg < q.waypointCount ? q.waypoints[leg].target.region : q.goal.region;
     spans.push_back(1.5f * std::max(1.0f, geom::distance(to, from) + size));
@@ -21,7 +21,7 @@ std::vector<float> spansInOrder(const level::QueryView& q, Vec3 from) {
   return spans;
 }
 
-// With a choice: from wherever the leg may begin to the farthest region.
+// Returns the spans of a query with a choice: from any start of a segment to the farthest region.
 std::vector<float> spansInAnyOrder(const level::QueryView& q, Vec3 start) {
   std::vector<const geom::Region*> all{&q.goal.region};
   for (uint32_t i = 0; i < q.otherGoalCount; ++i) all.push_back(&q.otherGoals[i].region);

@@ -1,4 +1,4 @@
-// How promising states are under a query. Host only.
+// Computes how promising states are under a query. Host only.
 #pragma once
 
 #include <vector>
@@ -16,7 +16,7 @@ class Potential {
 
  private:
   level::QueryView query_;
-  std::vector<float> spans_;  // (targets + 1), 1.5 d0 of each leg
+  std::vector<float> spans_;  // (targets + 1), 1.5 d0 of each segment
 };
 
 }  // namespace obby::solve

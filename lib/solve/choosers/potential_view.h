@@ -1,5 +1,5 @@
-// How promising a state is for the search, apart from how often its like was seen. For host and
-// device.
+// Scores how promising a state is for the search, apart from how often its cell was seen. For host
+// and device.
 #pragma once
 
 #include "sim/next_region.h"
@@ -7,10 +7,10 @@
 
 namespace obby::solve {
 
-// Of each leg of a query, 1.5 d0. Plain span, for device code.
+// 1.5 d0 of each segment of a query, see potentialOf(). Plain span, for device code.
 struct PotentialView {
-  const float* spans = nullptr;  // (legs)
-  uint32_t legs = 0;             // targets and the goal
+  const float* spans = nullptr;  // (segments)
+  uint32_t legs = 0;             // the targets, and one for the goal
 };
 
 template <class Table>
@@ -18,9 +18,9 @@ OBBY_DEVICE void forTables(PotentialView& p, Table&& table) {
   table(p.spans, p.legs);
 }
 
-// How promising a state is, whatever its count: (1 + 4 max(0, 1 - d / (1.5 d0))) (1 + 3 targets),
-// targets the waypoints and visits behind, d the distance to the next region, d0 what it was when
-// that became the next; with a choice of regions, the farthest that it can have been.
+// Returns (1 + 4 max(0, 1 - d / (1.5 d0))) (1 + 3 targets). `targets` counts the waypoints and
+// visits reached, and d is the distance to the next region. d0 is that distance when the region
+// became the next; with a choice of regions it is the farthest possible.
 OBBY_DEVICE float potentialOf(const PotentialView& p, const level::QueryView& query,
                               const sim::World& world) {
   const uint32_t targets = targetsReached(world);

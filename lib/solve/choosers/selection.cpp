@@ -7,7 +7,7 @@
 
 namespace obby::solve {
 
-// Fits: a block has at most 2^6 cells, and a cell at most weight 2^20 + 1.
+// The sum does not overflow: a block has at most 2^6 cells of weight 2^20 + 1 at most.
 uint32_t Selector::blockSum(const Archive& archive, uint32_t block) {
   const uint32_t first = block * Archive::kBlock;
   const uint32_t count = std::min(Archive::kBlock, archive.cellCount() - first);

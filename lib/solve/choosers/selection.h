@@ -1,6 +1,6 @@
-// Choice by weight: least seen cells first, leaning toward the goal, hedged so that no cell's lean
-// is below a share of the best cell's. Integer weights, so that sums are exact and the choice is
-// the same on every machine.
+// Selects cells at random by weight: rarely seen cells first, with a bias toward the goal. The
+// hedge keeps the bias of each cell above a share of the best cell's. Weights are integers, so that
+// sums are exact and the choice is the same on every machine.
 #pragma once
 
 #include <cstdint>
@@ -18,10 +18,10 @@ class Selector : public Chooser {
   void choose(const Archive& archive, ThreadPool& pool, Random& random,
               std::span<Choice> choices) override;
 
-  // Reads the weights of all blocks anew that have changed since the last time, shared by the
-  // pool's threads; all of them if there is a new best potential.
+  // Recomputes the weights of blocks that have changed since the last call, on the pool's threads.
+  // A new best potential changes all blocks.
   void update(const Archive& archive, ThreadPool& pool);
-  // A cell with probability in proportion to its weight.
+  // Draws a cell with a probability proportional to its weight.
   uint32_t pick(Random& random) const;
 
  private:
@@ -29,15 +29,15 @@ class Selector : public Chooser {
 
   float hedge_;
   float best_ = 0;                   // potential that the weights are relative to
-  uint32_t epoch_ = 0;               // of the archive, in which they were read
+  uint32_t epoch_ = 0;               // archive epoch of the last update
   ChunkedVector<uint32_t> weights_;  // (cells)
   std::vector<uint32_t> sums_;       // (blocks)
-  std::vector<uint64_t> running_;    // (groups of blocks), sum up to and including each
+  std::vector<uint64_t> running_;    // (groups of blocks), inclusive prefix sums
 };
 
-// With kHedge.
+// Makes a selector with kHedge.
 std::unique_ptr<Chooser> hedgedSelector(const Problem& problem, const ExploreContext& context);
-// None, as published.
+// Makes a selector without a hedge, as published.
 std::unique_ptr<Chooser> plainSelector(const Problem& problem, const ExploreContext& context);
 
 }  // namespace obby::solve

@@ -1,4 +1,4 @@
-// A build without CUDA.
+// Entry points in a build without CUDA.
 #include "solve/cuda/cuda.h"
 
 namespace obby::solve::cuda {

@@ -1,4 +1,4 @@
-// What the CUDA build adds to the search.
+// Entry points that the CUDA build adds to the search.
 #pragma once
 
 #include "solve/learned/device_steps.h"
@@ -6,7 +6,7 @@
 
 namespace obby::solve::cuda {
 
-// Kernel::entry of their namesakes; null without CUDA.
+// Return Kernel::entry of the kernels of the same names; null without CUDA.
 const void* rolloutEntry(bool loose);
 const void* residentEntry(ResidentStep step);
 const void* learnedEntry(learned::LearnedStep step);

@@ -1,4 +1,4 @@
-// Launch forms of the kernels of methods that learn while they search.
+// CUDA entry points of the kernels of methods that learn while they search.
 #include "sim/cuda/launch.h"
 #include "solve/cuda/cuda.h"
 #include "solve/learned/device_kernels.h"

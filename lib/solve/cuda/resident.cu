@@ -1,4 +1,4 @@
-// Launch forms of the kernels of a resident search.
+// CUDA entry points of the kernels of a resident search.
 #include "sim/cuda/launch.h"
 #include "solve/cuda/cuda.h"
 #include "solve/resident/kernels.h"

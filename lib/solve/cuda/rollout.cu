@@ -1,4 +1,4 @@
-// Launch form of the rollout kernel.
+// CUDA entry point of the rollout kernel.
 #include "solve/cuda/cuda.h"
 #include "solve/rollouts/rollout_kernel.h"
 

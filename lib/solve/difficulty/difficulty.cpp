@@ -14,17 +14,17 @@ static_assert(int(Band::extreme) == int(schema::Band::EXTREME), "the order of sc
 
 namespace {
 
-constexpr uint32_t kTogether = 128;  // trials a task
+constexpr uint32_t kTogether = 128;  // trials per task
 
-// One segment and what is known of it.
+// A segment and its measurements.
 struct Step {
   Leg leg;
   DifficultyStep found;
-  std::vector<int32_t> shifts;   // to the middle of the windows of its jumps
-  std::vector<uint32_t> passed;  // by task
+  std::vector<int32_t> shifts;   // ticks to the middle of each jump's press window
+  std::vector<uint32_t> passed;  // passed trials, by task
 };
 
-// Measures what needs no noise.
+// Measures windows, margin and clearance, which need no noise.
 void measure(const Problem& problem, const NoiseModel& model, Step& step) {
   const Segment& s = step.leg.segment;
   const Course& course = step.leg.course;
@@ -40,7 +40,7 @@ void measure(const Problem& problem, const NoiseModel& model, Step& step) {
   step.found.clearance = killClearance(problem.level, course, s);
 }
 
-// Trials [first, last) of a step; gives how many passed.
+// Plays trials [first, last) of a step and returns how many passed.
 uint32_t playTrials(const Step& step, size_t index, uint32_t first, uint32_t last,
                     const DifficultyOptions& options) {
   Trials trials(step.leg);

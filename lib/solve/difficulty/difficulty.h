@@ -1,5 +1,5 @@
-// How hard a solution is to play: each of its segments is tried many times by a player with noise
-// (noisy_player.h), each time from where the recorded one begins it.
+// Estimates how hard a solution is to play. A player with noise (noisy_player.h) tries each of its
+// segments many times, each time from the recorded state at its start.
 #pragma once
 
 #include <atomic>
@@ -14,48 +14,47 @@
 namespace obby::solve {
 
 struct DifficultyOptions {
-  uint32_t trials = 1000;  // a segment, >= 1
+  uint32_t trials = 1000;  // per segment, >= 1
   uint64_t seed = 1;
   NoiseModel noise;
-  const std::atomic<bool>* stop = nullptr;  // set from outside: give it up
+  const std::atomic<bool>* stop = nullptr;  // set from outside to cancel
 };
 
-// In the order of the schema.
+// Ordered like schema::Band.
 enum class Band : uint8_t { trivial, easy, medium, hard, extreme };
 
-// Of a share of trials. trivial: at least 99 in 100 pass; easy: 9 in 10; medium: 6 in 10; hard: 2
-// in 10; extreme: fewer.
+// Returns the band of a share of trials. trivial: at least 99 in 100 pass; easy: 9 in 10; medium: 6
+// in 10; hard: 2 in 10; extreme: fewer.
 Band bandOf(float success);
 
 struct DifficultyStep {
   Segment segment;
-  uint32_t passed = 0;  // of the trials
+  uint32_t passed = 0;  // number of passed trials
   float success = 0;    // share of the trials
-  // ms in which its tightest jump must be pressed; 0: no jump, or, where segment.jumps says that
-  // there are some, one that fails even as recorded.
+  // Press window of the tightest jump, ms. 0: the segment has no jump, or, if segment.jumps > 0, a
+  // jump that fails even as recorded.
   float window = 0;
-  float margin = 0;      // landingMargin(); 0: does not land on a part out of the air
+  float margin = 0;      // landingMargin(); 0: the segment does not end with a landing
   float clearance = -1;  // killClearance()
 };
 
-// Fewer trials passed it; of as many, its tightest jump leaves less time (a way without jumps all
-// of it).
+// Returns true if fewer trials passed `a`. On a tie the tighter window is harder, and any jump is
+// harder than none.
 bool harder(const DifficultyStep& a, const DifficultyStep& b);
 
 struct Difficulty {
   std::vector<DifficultyStep> steps;
   uint32_t trials = 0;
-  // The fewest trials passed it; of several the one with the tightest window, then the first.
+  // Index of the hardest step by harder(); on a tie the first one.
   uint32_t hardest = 0;
   float success = 1;           // product over the steps
-  float expectedAttempts = 1;  // 1 / success, at most 1e6; a step that no trial passed counts half
-                               // a trial
+  float expectedAttempts = 1;  // 1 / success, at most 1e6; 0 passed trials count as half of one
 };
 
 constexpr float kMostAttempts = 1e6f;
 
-// Of a solution with at least one tick. The same for any number of threads; of no use once
-// `options.stop` is set.
+// Estimates the difficulty of a solution with at least one tick. The result does not depend on the
+// number of threads. It is invalid once `options.stop` is set.
 Difficulty difficultyOf(const Problem& problem, const Course& course,
                         const DifficultyOptions& options, ThreadPool& pool);
 

@@ -8,7 +8,7 @@ namespace obby::solve {
 
 namespace {
 
-constexpr float kStandsBelow = 1;  // studs/s
+constexpr float kStandsBelow = 1;  // studs/s; a slower player stands
 
 std::vector<int32_t> jumpsOf(const Course& course, const Segment& segment) {
   std::vector<int32_t> jumps;
@@ -56,7 +56,7 @@ const sim::World& Leg::at(int32_t tick) const {
 sim::Action Leg::actionAt(int32_t tick) const {
   if (tick < 0) return {};
   if (tick < int32_t(last)) return course.actions[segment.start + uint32_t(tick)];
-  // The goal may be a little farther on for one who comes another way.
+  // A player off the recorded path may have a little farther to go to the goal.
   return toGoal() ? course.actions[segment.end() - 1] : sim::Action{};
 }
 

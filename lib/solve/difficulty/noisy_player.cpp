@@ -8,8 +8,8 @@ namespace obby::solve {
 
 namespace {
 
-constexpr float kSteadily = 0.75f;   // of walkSpeed: from that on, places are times
-constexpr float kNearEnough = 0.3f;  // studs: not worth a step
+constexpr float kSteadily = 0.75f;   // share of walkSpeed from which a place error is a time lag
+constexpr float kNearEnough = 0.3f;  // studs; a player this close takes no step
 constexpr float kTurnsPerDegree = 65536.0f / 360;
 
 int32_t nearest(float v) { return int32_t(v + (v < 0 ? -0.5f : 0.5f)); }
@@ -38,13 +38,13 @@ NoisyPlayer::NoisyPlayer(const Leg& leg, const NoiseModel& model, std::span<cons
 
 int32_t NoisyPlayer::late() { return nearest(gaussian(random_) * ticksOf(model_.press)); }
 
-// Decides about the time until the next look. A player who walks and is ahead or behind need do
-// nothing: the way is the same, only the keys of its places are pressed later. Beside the way, or
-// at rest, the player walks.
+// Decides what to do until the next look. A walking player who is ahead or behind only shifts the
+// times of the keys, since the path stays the same. A player off the path, or at rest, walks back
+// to it.
 void NoisyPlayer::look(const sim::World& world) {
   const sim::World& recorded = leg_->at(place());
   const Vec3 off = flat(world.position - recorded.position);
-  // At the start there was time to look.
+  // At the start the player had time to look, so the first correction is immediate.
   decided_ = tick_ == 0 ? -off : -(seen_ + decided_);
   seen_ = off;
   sideways_ = decided_;
@@ -76,8 +76,8 @@ sim::Action NoisyPlayer::walk(const sim::World& world) const {
   return action;
 }
 
-// Where the recorded player lets go of the keys, the noisy one walks to where that one is, if it is
-// more than a step, and not where momentum goes there anyway.
+// The recorded player releases the keys here, and the noisy one walks to that player's position.
+// Two cases need no walk: it is less than a step away, or momentum leads there anyway.
 sim::Action NoisyPlayer::hold(const sim::World& world) const {
   const Vec3 to = flat(leg_->at(place()).position - world.position);
   const float speed2 = dot(flat(world.velocity), flat(world.velocity));
@@ -94,7 +94,7 @@ bool NoisyPlayer::jumps(const sim::World& world) {
     jumped_ = world.jumps;
     if (tick_ == 0) held_ = since;  // pressed before the segment began
   }
-  // Let go of once it has worked, or it might be two jumps.
+  // The key is released once it has worked, or it might cause two jumps.
   const bool over = world.jumps != jumped_ || held_ >= holdTicks_;
   held_ = over ? 0 : held_ + 1;
   pressed_ += over ? 1 : 0;

@@ -1,7 +1,7 @@
-// A player who repeats a segment of a solution as well as a person might: who means to press the
-// recorded keys at the recorded places and walk the recorded path, but presses early or late and
-// walks a little aside, sees that only after the time that a reaction takes, and then sets it
-// right.
+// A player who repeats a segment of a solution as well as a person might. The player means to press
+// the recorded keys at the recorded places and to walk the recorded path. Presses come early or
+// late, and walks are a little off. The player sees an error only after a reaction time, and then
+// corrects it.
 #pragma once
 
 #include <span>
@@ -14,15 +14,15 @@ namespace obby::solve {
 
 class NoisyPlayer {
  public:
-  // Presses exactly and walks exactly; `shifts`: ticks by which each jump of the leg is pressed
-  // later (or earlier) than recorded.
+  // Presses and walks exactly. `shifts`: ticks by which each jump is pressed later than recorded;
+  // negative is earlier.
   NoisyPlayer(const Leg& leg, const NoiseModel& model, std::span<const int32_t> shifts);
-  // The same with the noise of the model, drawn from `random`.
+  // Adds the noise of the model, drawn from `random`.
   NoisyPlayer(const Leg& leg, const NoiseModel& model, std::span<const int32_t> shifts,
               const Random& random);
 
-  // What is held in the next tick by a player whose world is `world`. To be called once a tick,
-  // from the leg's start on.
+  // Returns the action for the next tick of a player whose world is `world`. Must be called once
+  // per tick, from the start of the segment on.
   sim::Action next(const sim::World& world);
 
  private:
@@ -40,18 +40,18 @@ class NoisyPlayer {
   NoiseModel model_;
   Random random_{0, 0};
   bool noisy_ = false;
-  std::vector<int32_t> presses_;  // ticks of the leg
-  size_t pressed_ = 0;            // of them, that are over
+  std::vector<int32_t> presses_;  // ticks of the segment at which jumps are pressed
+  size_t pressed_ = 0;            // presses that are over
   int32_t holdTicks_, lookEvery_;
   uint32_t tick_ = 0;
   int32_t lag_ = 0;     // ticks behind the recorded player
   int32_t held_ = 0;    // ticks for which the jump key has been held
-  int32_t jumped_ = 0;  // jumps made when it went down
-  Turns aside_ = 0;     // error of aim until the next look
-  // At the last look: how far the player was from the recorded place, and what was decided. It
-  // takes a reaction until that shows, so the next decision is about this.
+  int32_t jumped_ = 0;  // jumps made when the key went down
+  Turns aside_ = 0;     // aim error until the next look
+  // The offset from the recorded place at the last look, and the correction decided then. The
+  // correction takes a reaction time to show, so the next decision is based on these.
   Vec3 seen_, decided_;
-  Vec3 sideways_;  // studs to walk beside the recorded way until the next look
+  Vec3 sideways_;  // correction to walk until the next look, studs
 };
 
 }  // namespace obby::solve

@@ -1,4 +1,4 @@
-// When a jump can be pressed so that the segment is still done, everything else as recorded.
+// Finds when a jump can be pressed so that the segment still succeeds, with all else as recorded.
 #pragma once
 
 #include <vector>
@@ -8,9 +8,9 @@
 
 namespace obby::solve {
 
-constexpr int32_t kMostShift = 20;  // ticks, both ways: beyond, a press is not timed
+constexpr int32_t kMostShift = 20;  // ticks in each direction; beyond them a press is not timed
 
-// Ticks against the recorded press; empty (least > most) where even that one fails.
+// Ticks relative to the recorded press. Empty (least > most) if even the recorded press fails.
 struct PressWindow {
   int32_t least = 1, most = 0;
 
@@ -18,8 +18,8 @@ struct PressWindow {
   int32_t middle() const { return least > most ? 0 : (least + most) / 2; }
 };
 
-// One for each jump of the leg: the row of shifts without a gap around 0 that do the segment. The
-// jumps before it are pressed in the middle of theirs.
+// Returns the window of each jump of the segment: the shifts around 0, without a gap, with which
+// the segment succeeds. Earlier jumps are pressed in the middle of their windows.
 std::vector<PressWindow> pressWindows(const Leg& leg, const NoiseModel& model);
 
 }  // namespace obby::solve

@@ -12,7 +12,8 @@ namespace {
 using geom::Convex;
 using geom::ShapeKind;
 
-// Inside of the box's face that looks up most: least distance to its four sides.
+// Returns the distance from the feet to the nearest side of the box's most upward face; negative
+// outside.
 float marginOn(const Pose& pose, Vec3 half, Vec3 feet) {
   const Vec3 up = abs(Vec3{pose.rotation.x.y, pose.rotation.y.y, pose.rotation.z.y});
   const Vec3 room = half - abs(toLocal(pose, feet));
@@ -26,14 +27,14 @@ Convex convexOf(const geom::UprightBox& box) {
 
 float apart(Convex body, Convex kill) {
   if (kill.kind == ShapeKind::cylinder) return geom::separation(body, kill, kLookForKills).distance;
-  // Seen from the body: far from the world's origin floats are coarser than what is measured.
+  // Positions are relative to the body: far from the world's origin floats are too coarse.
   kill.pose.position -= body.pose.position;
   body.pose.position = {};
   const float core = length(geom::closestApproach(body, kill, 0));
   return kill.kind == ShapeKind::ball ? core - geom::Ball::radius(kill.shape) : core;
 }
 
-// Distance to one kill part, or kLookForKills.
+// Returns the distance to one kill part, at most kLookForKills.
 float clearanceTo(const level::LevelView& level, const sim::World& w,
                   std::span<const sim::LooseBody> loose, uint32_t id) {
   const level::Collider& c = level.colliders[id];

@@ -37,8 +37,7 @@ void Trials::tick() {
                   actions_.data());
 }
 
-// A player who has come to the end of the segment must be there for as long as a part must carry to
-// count.
+// A player who arrives at the end of the segment must stay for kLeastStay ticks to pass.
 void Trials::judge(Member& m, sim::LooseBody* loose) const {
   if (m.world.outcome != sim::Outcome::running) {
     m.fate = m.world.outcome == sim::Outcome::goal ? Fate::passed : Fate::failed;

@@ -12,11 +12,11 @@ class Trials {
   // The leg must outlive the trials.
   explicit Trials(const Leg& leg) : leg_(leg) {}
 
-  // One more, from the state in which the recorded player begins the segment, moved by `offset`
-  // (studs) where the player is carried by the same part there.
+  // Adds a trial from the recorded state at the start of the segment. The player is moved by
+  // `offset` (studs) if the same part carries a player there.
   void add(NoisyPlayer player, Vec3 offset = {});
 
-  // Plays all of them; which of them did the segment, in the order of add().
+  // Plays all trials and returns which of them passed, in the order of add().
   std::vector<bool> run();
 
  private:
@@ -25,7 +25,7 @@ class Trials {
     NoisyPlayer player;
     sim::World world;
     Fate fate = Fate::playing;
-    uint32_t stays = 0;  // ticks for which it has been where the segment ends
+    uint32_t stays = 0;  // ticks in a row at the end of the segment
   };
 
   sim::LooseBody* looseOf(size_t member);
@@ -36,7 +36,7 @@ class Trials {
   std::vector<Member> members_;
   std::vector<sim::LooseBody> loose_;  // (members x level.looseCount)
   std::vector<size_t> playing_;
-  // Of those, for the simulator.
+  // Arguments for the simulator, of the trials in playing_.
   std::vector<sim::World*> worlds_;
   std::vector<sim::LooseBody*> bodies_;
   std::vector<sim::Action> actions_;

@@ -1,4 +1,4 @@
-// The levels that a level is for other players: compiled when first asked for, kept with it.
+// A level as other players meet it: compiled on first use, and kept with the level.
 #pragma once
 
 #include <cstdint>
@@ -19,11 +19,12 @@ class PlayerLevels {
   PlayerLevels(const PlayerLevels&) = delete;
   PlayerLevels& operator=(const PlayerLevels&) = delete;
 
-  // `base` as the player meets it, `base` itself if its physics are the player's. Valid while both
-  // live. Error: no such player; a level that is none at the player's frame rate.
+  // Returns `base` as the player meets it, or `base` itself if its physics are the player's. The
+  // result is valid while both live. Error: the player is unknown, or the level is invalid at its
+  // frame rate.
   Result<const LoadedLevel*> of(const LoadedLevel& base, const level::Player& player);
 
-  // Approximate size of all compiled levels.
+  // Returns the approximate size of all compiled levels, in bytes.
   uint64_t bytes() const { return bytes_; }
 
  private:

@@ -1,5 +1,5 @@
-// The same keys at another frame rate: held by time, each change rounded up to the player's next
-// tick, for a controller reads the keys once a frame.
+// Keys at another frame rate. They are held by time, and each change is rounded up to the player's
+// next tick, since a controller reads the keys once per frame.
 #pragma once
 
 #include <cstdint>

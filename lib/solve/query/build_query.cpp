@@ -16,13 +16,13 @@ namespace {
 
 constexpr std::string_view kTouch = "touch:";
 
-// The option that a bad selector belongs to.
+// Returns the error with the option of the bad selector as its path.
 Error inOption(Error error, const char* option) {
   error.path = option;
   return error;
 }
 
-// Which options the fields of the query come from.
+// Maps fields of the query to the options that set them.
 struct FieldOption {
   const char *field, *option;
 };
@@ -84,7 +84,8 @@ Status fillStart(schema::Level::Reader level, const std::string& selector,
   return fillPlace(start.initRegion(), selector, "--start");
 }
 
-// The part where the level ends: a goal of stage 0, any goal, or the last checkpoint; -1: none.
+// Returns the part where the level ends: a goal of stage 0, or any goal, or the last checkpoint; -1
+// if there is none.
 int64_t lastPart(schema::Level::Reader level) {
   int64_t goal = -1, checkpoint = -1;
   bool final = false;
@@ -172,7 +173,7 @@ Status fillTricks(const std::vector<std::string>& names, schema::Query::Builder 
   return {};
 }
 
-// The first option that asks for something.
+// Returns the first option that asks for something.
 const char* firstOption(const QuickQuery& q) {
   const std::pair<bool, const char*> options[] = {
       {!q.start.empty(), "--start"},          {!q.goals.empty(), "--goal"},
@@ -188,9 +189,9 @@ const char* firstOption(const QuickQuery& q) {
   return "";
 }
 
-// What is asked for takes the place of what the query has.
+// Replaces what the query has by what is asked for.
 Status fill(schema::Level::Reader level, const QuickQuery& quick, schema::Query::Builder query) {
-  // A title says from where to where.
+  // A title names the start and the goal, so the old one no longer fits.
   if (!quick.start.empty() || !quick.goals.empty()) query.disownTitle();
   if (!quick.start.empty()) OBBY_RETURN_IF_ERROR(fillStart(level, quick.start, query));
   if (!quick.goals.empty()) {

@@ -1,5 +1,5 @@
-// A query together with the level that it is asked of, as records and compiled: what a search and
-// the verifier need of the two.
+// A query with the level that it is asked of, as records and compiled. Searches and the verifier
+// need both.
 #pragma once
 
 #include "level/level.h"
@@ -9,7 +9,7 @@
 
 namespace obby::solve {
 
-// Everything in it must outlive it.
+// All that it refers to must outlive it.
 struct PosedQuery {
   const level::Level& level;
   schema::Level::Reader levelRecord;
@@ -18,10 +18,10 @@ struct PosedQuery {
   const policy::Network* policy = nullptr;  // for methods that use one
 };
 
-// Valid while what it was made of lives.
+// Returns a problem that is valid while all that `posed` refers to lives.
 Problem problemOf(const PosedQuery& posed);
 
-// Does the verifier agree that this playthrough solves it?
+// Returns true if the verifier agrees that the trajectory solves the query.
 bool solves(const Playthrough& playthrough, const PosedQuery& posed);
 
 }  // namespace obby::solve

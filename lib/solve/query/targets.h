@@ -1,16 +1,16 @@
-// What a search needs to know of a query as such: how much there is of it, and what it limits.
+// Facts about a query that a search needs: the number of its targets, and its limits.
 #pragma once
 
 #include "sim/next_region.h"
 
 namespace obby::solve {
 
-// How many waypoints and visits there are.
+// Returns the number of waypoints and visits.
 OBBY_DEVICE uint32_t targetCount(const level::QueryView& query) {
   return query.waypointCount + query.visitCount;
 }
 
-// Does any limit on the jumps of a segment apply? On the time in one?
+// Return true if any segment has a limit on its jumps, or on its time.
 OBBY_DEVICE bool limitsSegmentJumps(const level::QueryView& query) {
   bool limited = query.last.jumps >= 0;
   for (uint32_t i = 0; i < query.waypointCount; ++i) {
@@ -26,7 +26,7 @@ OBBY_DEVICE bool limitsSegmentTime(const level::QueryView& query) {
   return limited;
 }
 
-// Does any limit on the jumps since the start apply?
+// Returns true if any limit on the jumps since the start applies.
 OBBY_DEVICE bool limitsTotalJumps(const level::QueryView& query) {
   bool limited = query.maxJumps >= 0;
   for (uint32_t i = 0; i < query.waypointCount; ++i) {
@@ -35,7 +35,7 @@ OBBY_DEVICE bool limitsTotalJumps(const level::QueryView& query) {
   return limited;
 }
 
-// Does any limit on jumps apply?
+// Returns true if any limit on jumps applies.
 OBBY_DEVICE bool limitsJumps(const level::QueryView& query) {
   return limitsTotalJumps(query) || limitsSegmentJumps(query) || sim::forbidsJumping(query);
 }

@@ -1,5 +1,5 @@
-// One way to make a query easier: which knob, on what, and how far it can be turned. Amounts are
-// counted in notches, the resolution to which the least amount is looked for.
+// A relaxation of a query: its kind, what it changes, and how far. Amounts are counted in notches,
+// the resolution of the search for the smallest amount.
 #pragma once
 
 #include <cstdint>
@@ -13,38 +13,40 @@
 
 namespace obby::solve {
 
-// As many notches as take away what the knob limits.
+// Enough notches to remove what the relaxation limits.
 constexpr uint32_t kOff = 0xffffffffu;
 
 struct Change {
   schema::Knob knob = schema::Knob::JUMPS;
-  int32_t part = -1;            // that it is about
-  int32_t avoid = -1;           // of the query's avoid list
-  std::string field;            // of the query record; empty: the level is changed
-  double notch = 0;             // in the knob's unit
-  double scale = 1;             // of the knob's unit, against which the amount is small or large
-  std::vector<uint32_t> first;  // notches to try first, in this order; the least that works counts
+  int32_t part = -1;            // the part that changes; -1: none
+  int32_t avoid = -1;           // index in the query's avoid list; -1: none
+  std::string field;            // field of the query record; empty: the level is changed
+  double notch = 0;             // size of a notch, in the relaxation's unit
+  double scale = 1;             // typical amount, in the relaxation's unit, to compare kinds
+  std::vector<uint32_t> first;  // notches to try first, in this order, until one works
 
-  // Turns the knob of the records. The level is null where `field` is not empty.
+  // Applies the change to the records. The level is null if `field` is not empty.
   std::function<void(schema::Level::Builder, schema::Query::Builder, uint32_t notches)> apply;
-  // Notches that are enough for this playthrough, at least 1; empty: not known.
+  // Returns the notches that suffice for this trajectory, at least 1. Empty: not known.
   std::function<uint32_t(const Playthrough&)> enough;
-  // For people, without a full stop.
+  // Describes the change for people, without a full stop.
   std::function<std::string(uint32_t notches)> text;
 
   double amount(uint32_t notches) const { return notches == kOff ? 0 : notches * notch; }
-  // Small changes first. What takes a limit away altogether is as large as a quarter of the scale.
+  // Ranks changes, small ones first. Removing a limit counts as a quarter of the scale.
   double size(uint32_t notches) const { return notches == kOff ? 0.25 : amount(notches) / scale; }
 };
 
 // A query, or its level, with one change made to it.
 class RelaxedQuery {
  public:
-  // Nothing: the change makes no sense there, such as a part to touch that touches no more.
+  // Returns nothing if the changed query is invalid, for example if its goal can no longer be
+  // touched.
   static std::optional<RelaxedQuery> make(const PosedQuery& base, const Change& change,
                                           uint32_t notches);
 
-  // Valid while this object lives and is not moved, and what `base` was made of lives.
+  // Returns a query that is valid while this object lives and is not moved, and all that `base`
+  // refers to lives.
   PosedQuery posed() const;
 
  private:

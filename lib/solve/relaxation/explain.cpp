@@ -12,20 +12,20 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// Some seconds of search: who asks what blocks waits for the answer.
+// Some seconds of search, since a person waits for the answer.
 constexpr uint64_t kMostSteps = 32'000'000;
-constexpr uint64_t kFirstSteps = 128 << 10;  // of a search whether a change helps, at first
+constexpr uint64_t kFirstSteps = 128 << 10;  // budget of the first search with a change
 constexpr uint64_t kStepsGrow = 4;
-// Searches for the least amount may take longer than the one that found any: less is harder.
+// Searches for the smallest amount may take longer than the first solution: less is harder.
 constexpr uint64_t kHarder = 32;
 constexpr uint64_t kLeastRefineSteps = 1 << 20;
 
-// A change, and how far it was turned so far.
+// A change, and what its searches have shown so far.
 struct Trial {
   Change change;
-  bool hopeless = false;  // shown by the bound on reach, or makes no sense
-  uint32_t helps = 0;     // notches with which it is solvable; 0: not known to be
-  uint64_t steps = 0;     // to the solution with those
+  bool hopeless = false;  // excluded by the bound on reach, or invalid
+  uint32_t helps = 0;     // notches with which it is solvable; 0: none known
+  uint64_t steps = 0;     // to the solution with those notches
 };
 
 enum class Answer { solved, failed, impossible };
@@ -57,12 +57,12 @@ class Explanation {
     return stopped || left_ == 0 || !(secondsLeft() > 0);
   }
 
-  // Which changes help at all? Short searches of all of them before longer ones of any, with at
-  // most half of the steps.
+  // Finds out which changes help at all. Short searches of all changes come before longer ones.
+  // They use at most half of the steps.
   void screen() {
     const uint64_t kept = left_ / 2;
     for (uint64_t steps = kFirstSteps;; steps *= kStepsGrow) {
-      uint64_t ahead = 0;  // searches of this turn
+      uint64_t ahead = 0;  // searches left in this turn
       for (const Trial& t : trials_) ahead += t.hopeless ? 0 : t.change.first.size();
       if (ahead == 0) return;
       for (Trial& t : trials_) {
@@ -87,7 +87,7 @@ class Explanation {
     t.hopeless = !possible;
   }
 
-  // The easy ones first: what they leave of the steps is for the others.
+  // The easy ones come first, and leave their remaining steps to the others.
   void refineAll() {
     std::vector<Trial*> some;
     for (Trial& t : trials_) {
@@ -98,10 +98,10 @@ class Explanation {
     for (size_t i = 0; i < some.size() && !over(); ++i) refine(*some[i], left_ / (some.size() - i));
   }
 
-  // Halves the amount between what does not help and what does.
+  // Bisects between an amount that does not help and one that does.
   void refine(Trial& t, uint64_t share) {
     uint32_t low = 0;
-    // What was found to help may be less than what a search in between did not find to.
+    // The amount that tighten() finds may be below one whose search failed.
     while (t.helps > low + 1 && !over()) {
       const uint64_t searches = uint64_t(std::bit_width(t.helps - low - 1));
       const uint64_t steps =
@@ -113,7 +113,7 @@ class Explanation {
     }
   }
 
-  // On success the trial knows.
+  // Searches with the change. On success it updates the trial.
   Answer search(Trial& t, uint32_t notches, uint64_t steps) {
     const auto relaxed = RelaxedQuery::make(posed_, t.change, notches);
     if (!relaxed) return Answer::impossible;
@@ -135,7 +135,7 @@ class Explanation {
     return Answer::solved;
   }
 
-  // The playthrough may need less than it was given.
+  // The trajectory may need less than the change allows.
   void tighten(Trial& t, const Playthrough& p) const {
     if (!t.change.enough) return;
     const uint32_t enough = t.change.enough(p);
@@ -166,7 +166,7 @@ class Explanation {
   const Method& method_;
   const Budget budget_;
   const Machine machine_;
-  uint64_t left_;  // steps
+  uint64_t left_;  // steps left
   std::vector<Trial> trials_;
 };
 

@@ -1,4 +1,4 @@
-// What is known of a query that was not solved: where to look for what blocks it.
+// Results of a query that was not solved. They show where to look for what blocks it.
 #pragma once
 
 #include <set>
@@ -10,10 +10,10 @@
 
 namespace obby::solve {
 
-// Where a search has been, to a stud.
+// The places where a search has been, to a stud sideways and a quarter of a stud in height.
 class Footprints {
  public:
-  // Of further cells of the search: Search::places.
+  // Adds the positions of further cells of the search (Search::places).
   void note(const std::vector<Vec3>& places);
   std::vector<Vec3> places() const;
 
@@ -24,7 +24,7 @@ class Footprints {
 struct Failure {
   const PosedQuery& posed;
   const SearchOutcome& outcome;
-  const Footprints& footprints;  // empty where nothing was searched
+  const Footprints& footprints;  // empty if there was no search
 };
 
 }  // namespace obby::solve

@@ -10,9 +10,8 @@ namespace obby::solve {
 namespace {
 
 constexpr float kFarthest = 16;       // studs sideways from what was reached
-constexpr float kHighest = 24;        // studs above it
-constexpr float kGoalWeight = 0.25f;  // a part that is a stud nearer to the target against a stud
-                                      // that a step lacks
+constexpr float kHighest = 24;        // studs above what was reached
+constexpr float kGoalWeight = 0.25f;  // weight of a stud to the target, per stud of gap or rise
 
 class Frontier {
  public:
@@ -40,7 +39,7 @@ class Frontier {
  private:
   uint32_t partOf(uint32_t collider) const { return problem_.level.colliders[collider].part; }
 
-  // Parts that kill are for another knob; loose ones would fall.
+  // Parts that kill have another relaxation, and dynamic parts would fall.
   bool movable(uint32_t part) const {
     const auto record = failure_.posed.levelRecord.getParts()[part];
     return !record.hasKill() && record.getAnchored();
@@ -63,7 +62,7 @@ class Frontier {
 
   bool wasOn(const Support& s, const std::vector<Vec3>& places) const {
     if (!s.carries) return false;
-    // The support counts feet that only begin to be lifted: these stand.
+    // The entry of a support is for feet that only begin to be lifted; these feet stand.
     const float lowest = s.entry + problem_.level.params.hipHeight;
     const Box feet = grow(s.box, {s.side, s.lift, s.side});
     auto at = std::lower_bound(places.begin(), places.end(), feet.lo.x,
@@ -75,7 +74,7 @@ class Frontier {
     return false;
   }
 
-  // Studs from the part's middle to the nearest place that the query names.
+  // Returns the studs from the box's middle to the nearest place that the query names.
   float toTarget(const Box& box) const {
     const Vec3 middle = (box.lo + box.hi) * 0.5f;
     const level::QueryView& q = problem_.query;
@@ -89,7 +88,8 @@ class Frontier {
     return least;
   }
 
-  // Least studs of way and height from anything reached; infinite if it is out of the question.
+  // Returns the min sum of gap and rise from a reached support, in studs; 1e30 if it is out of
+  // reach.
   float stepTo(const Support& to) const {
     float least = 1e30f;
     for (size_t i = 0; i < supports_.size(); ++i) {
@@ -103,7 +103,7 @@ class Frontier {
     return least;
   }
 
-  // Supports that were not reached, most promising first.
+  // Returns the supports that were not reached, most promising first.
   std::vector<uint32_t> nearest() const {
     std::vector<std::pair<float, uint32_t>> ranked;
     for (uint32_t i = 1; i < supports_.size(); ++i) {

@@ -1,5 +1,4 @@
-// Parts that a search never stood on, the nearest beyond where it has been first: the ones that may
-// be too high or too far.
+// Finds parts that a search never stood on, nearest first: they may be too high or too far.
 #pragma once
 
 #include <cstdint>
@@ -9,8 +8,9 @@
 
 namespace obby::solve {
 
-// At most `count` parts that could be lowered, most promising first: of an unreachable query the
-// one that the missing step leads to, what the query's places stand on, then the nearest beyond.
+// Returns at most `count` parts that could be lowered, most promising first. For an unreachable
+// query the part of the missing step comes first. The others are near what was reached and near a
+// target.
 std::vector<uint32_t> partsBeyond(const Failure& failure, size_t count);
 
 }  // namespace obby::solve

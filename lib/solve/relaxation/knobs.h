@@ -1,5 +1,5 @@
-// The table of knobs: one row for each kind of change that may make a query solvable. A new knob is
-// a file with its function and a row here, and an enumerant of the schema's Knob.
+// The table of relaxations: one row for each kind of change that may make a query solvable. A new
+// kind is a file with its function, a row here, and an enumerant of the schema's Knob.
 #pragma once
 
 #include <vector>
@@ -10,16 +10,17 @@
 namespace obby::solve {
 
 struct Knob {
-  // What is worth trying, most promising first; the failure says where to look.
+  // Returns the changes that are worth trying, most promising first.
   std::vector<Change> (*changes)(const Failure& failure);
 };
 
 const std::vector<Knob>& knobs();
 
-// The changes of all knobs, in the order of the table.
+// Returns the changes of all rows, in the order of the table.
 std::vector<Change> changesFor(const Failure& failure);
 
-// The rows. Limits of the query: jumps, time and damage, in all, of a segment or up to a waypoint.
+// The functions of the rows. limitChanges() relaxes limits on jumps, time and damage, in total, of
+// a segment or up to a waypoint.
 std::vector<Change> limitChanges(const Failure& failure);
 std::vector<Change> jumpHeightChanges(const Failure& failure);
 std::vector<Change> loweredChanges(const Failure& failure);

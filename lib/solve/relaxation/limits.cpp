@@ -1,4 +1,4 @@
-// Knobs for the limits of a query: some jumps, seconds or health more, or no limit.
+// Relaxes the limits of a query: allows more jumps, time or damage, or removes the limit.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,13 +10,13 @@ namespace obby::solve {
 
 namespace {
 
-// What a kind of limit counts.
+// A kind of limit.
 struct Measure {
   schema::Knob knob;
   double notch;
   double none;                                     // the value that means no limit
-  double (*used)(const Playthrough&, float rate);  // in all, by a playthrough
-  const char* within;                              // before the limit in a sentence
+  double (*used)(const Playthrough&, float rate);  // total use by a trajectory
+  const char* within;                              // the preposition before the limit
   std::string (*text)(double limit);
 };
 
@@ -53,7 +53,7 @@ Change changeOf(const Limit& limit, float rate) {
   const auto turned = [&m, now](uint32_t n) { return n == kOff ? m.none : now + n * m.notch; };
   c.apply = [set = limit.set, turned](schema::Level::Builder, schema::Query::Builder query,
                                       uint32_t n) { set(query, turned(n)); };
-  // Of a segment this may be more than enough, never less.
+  // For a segment this may be more than enough, never less.
   c.enough = [&m, now, rate](const Playthrough& p) {
     return uint32_t(std::max(std::ceil((m.used(p, rate) - now) / m.notch - 1e-4), 1.0));
   };

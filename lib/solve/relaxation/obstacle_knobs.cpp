@@ -1,4 +1,4 @@
-// Knobs that take something out of the way: a part that kills, an avoid region, a forbidden state.
+// Relaxations that remove an obstacle: a part that kills, an avoid region, a forbidden state.
 #include <fmt/format.h>
 
 #include "solve/answers/part_text.h"
@@ -8,7 +8,7 @@ namespace obby::solve {
 
 namespace {
 
-constexpr size_t kMostEach = 4;  // of those that ended attempts, most frequent first
+constexpr size_t kMostEach = 4;  // changes of each kind, for the most frequent ends of attempts
 
 Change without(schema::Knob knob, const std::string& text) {
   Change c;

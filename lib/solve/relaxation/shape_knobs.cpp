@@ -1,4 +1,4 @@
-// Knobs that change the level's measures: higher jumps, a part lowered.
+// Relaxations that change the level's dimensions: higher jumps, or a lower part.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -14,21 +14,21 @@ namespace obby::solve {
 
 namespace {
 
-constexpr double kHigherNotch = 0.02;  // of the jump height
+constexpr double kHigherNotch = 0.02;  // share of the jump height
 constexpr uint32_t kMostHigher = 25;   // notches
 constexpr double kLowerNotch = 0.1;    // studs
 constexpr size_t kPartsToLower = 4;
-constexpr float kStandsOn = 1;  // studs between a part's top and the floor of a region on it
+constexpr float kStandsOn = 1;  // max studs between a part's top and the floor of a region on it
 
 double jumpHeight(const Params& p) { return double(riseOfLaunch(p, p.gravity, p.jumpSpeed)); }
 
-// Launch speed of a jump of that height: the inverse of riseOfLaunch().
+// Returns the launch speed of a jump of that height: the inverse of riseOfLaunch().
 double launchFor(const Params& p, double height) {
   const double half = 0.5 * double(p.gravity) * double(p.substepSeconds);
   return std::sqrt(half * half + 2 * double(p.gravity) * height) - half;
 }
 
-// Does the region belong to the part: named by it, or standing on it? `box`: wherever it moves.
+// Returns true if the region names the part or stands on it. `box`: bounds of all its places.
 bool belongsTo(schema::Region::Reader region, uint32_t part, const Box& box) {
   if (region.getPart().size() > 0) return region.getPartIndex() == int32_t(part);
   const auto at = region.getPosition();
@@ -68,8 +68,8 @@ Box boxOf(const level::LevelView& level, uint32_t part) {
   return box;
 }
 
-// Lower is not always easier: the way may go on upwards from there. Where the bound on reach says
-// that height is missing, it also tells at once which amounts are too small.
+// Lower is not always easier, since the route may lead upward from there. If the bound on reach
+// says that height is missing, it also tells at once which amounts are too small.
 std::vector<uint32_t> amountsToTry(const SearchOutcome& outcome) {
   if (outcome.cut && outcome.cut->missing.rise > 0) return {10, 20, 40, 80, 160};
   return {10, 20, 40, 80};

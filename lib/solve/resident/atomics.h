@@ -1,5 +1,5 @@
-// Atomic integers for kernels, on host and device. They order nothing, and what is made of them
-// must not depend on who came first: sums, minima, maxima, unions.
+// Atomic integers for kernels, on host and device. They are relaxed, so results must not depend on
+// the order of the threads: sums, minima, maxima, unions.
 #pragma once
 
 #include <stdint.h>
@@ -32,7 +32,7 @@ OBBY_DEVICE uint32_t fetchOr(uint32_t* at, uint32_t bits) {
 #endif
 }
 
-// Gives what was there; `value` is there now if that was `expected`.
+// Returns the old value. Stores `value` if the old value was `expected`.
 OBBY_DEVICE uint64_t compareExchange(uint64_t* at, uint64_t expected, uint64_t value) {
 #if defined(__CUDA_ARCH__)
   return atomicCAS(reinterpret_cast<unsigned long long*>(at), expected, value);
@@ -43,7 +43,7 @@ OBBY_DEVICE uint64_t compareExchange(uint64_t* at, uint64_t expected, uint64_t v
 }
 
 #if !defined(__CUDA_ARCH__)
-// Puts `value` there while it goes before what is there.
+// Stores `value` if before(value, old value) is true, atomically.
 template <class T, class Before>
 OBBY_DEVICE void replaceWhile(T* at, T value, Before&& before) {
   T seen = __atomic_load_n(at, __ATOMIC_RELAXED);

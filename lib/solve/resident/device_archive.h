@@ -1,5 +1,5 @@
-// Memory of the archive of a resident search. It doubles when it is full: what it holds, and where
-// the table has it, says nothing of when.
+// Memory of the archive of a resident search. It doubles when it is full, and its contents do not
+// depend on when it does.
 #pragma once
 
 #include "sim/device.h"
@@ -16,13 +16,13 @@ class DeviceArchive {
   // Makes the start of the problem the first cell, node 0.
   Status addStart(const Problem& problem, uint64_t key, float potential, uint32_t wait);
 
-  // Makes room for that many cells.
+  // Grows to a capacity of at least `cells` cells.
   Status grow(uint32_t cells);
-  // Says how many cells the kernels have made of it.
+  // Sets the number of cells that the kernels have made.
   void setCellCount(uint32_t cells) { view_.cellCount = cells; }
 
   const ArchiveView& view() const { return view_; }
-  // Trees over the cells: their weights, and which of them are the beam's.
+  // Sum trees over the cells: of their weights, and of those that the beam takes.
   SumTree weights() const { return makeSumTree(sums_.as<uint64_t>(), view_.cellCount); }
   SumTree bestCells() const { return makeSumTree(bestSums_.as<uint64_t>(), view_.cellCount); }
 

@@ -1,6 +1,6 @@
-// The kernels of a resident search, each for one index: choose, explore, claim, place. What one of
-// them writes is read by later ones only, but for atomic integers whose order does not show, so
-// that a round's outcome is the same on every machine.
+// The kernels of a resident search, each for one index: choose, explore, claim, place. A kernel
+// reads only what earlier kernels wrote, apart from atomic integers whose order does not show. So a
+// round's result is the same on every machine.
 #pragma once
 
 #include "solve/choosers/selection_weight.h"
@@ -13,7 +13,7 @@ OBBY_DEVICE uint32_t cellWeight(const ResidentArguments& a, uint32_t cell) {
   return selectionWeight(a.archive.potentials[cell], a.best, a.archive.seen[cell], kHedge);
 }
 
-// One of the lowest sums of the cells' weights.
+// Computes sum i of the lowest level of the cells' weights.
 OBBY_DEVICE void weighCells(const ResidentArguments& a, uint32_t i) {
   sumLeaves(a.weights, i, [&](uint32_t cell) { return cellWeight(a, cell); });
 }
@@ -36,20 +36,21 @@ OBBY_DEVICE void sumRanks(const ResidentArguments& a, uint32_t i) {
   sumLeaves(a.rankSums, i, [&](uint32_t rank) { return a.rankCounts[rank]; });
 }
 
-// The beam takes the cells up to this rank: all of it, so that their order does not matter.
+// Returns the last rank of the beam. The beam takes all cells up to it, so their order does not
+// matter.
 OBBY_DEVICE uint32_t lastRank(const ResidentArguments& a) {
   const uint32_t cells = a.archive.cellCount;
   const uint32_t width = a.beamWidth < cells ? a.beamWidth : cells;
   return leafAt(a.rankSums, width - 1, [&](uint32_t rank) { return a.rankCounts[rank]; });
 }
 
-// One of the lowest sums of the beam's cells.
+// Computes sum i of the lowest level of the beam's cells.
 OBBY_DEVICE void markBest(const ResidentArguments& a, uint32_t i) {
   const uint32_t last = lastRank(a);
   sumLeaves(a.bestCells, i, [&](uint32_t cell) { return beamRank(a, cell) <= last ? 1u : 0u; });
 }
 
-// Where rollout i starts.
+// Chooses the cell from which rollout i starts.
 OBBY_DEVICE void chooseStart(const ResidentArguments& a, uint32_t i) {
   Random random(a.rules.seed, kSelectionStream | (a.firstRollout + i));
   if (i >= a.firstBeam) {
@@ -62,7 +63,7 @@ OBBY_DEVICE void chooseStart(const ResidentArguments& a, uint32_t i) {
   a.starts[i] = leafAt(a.weights, rest, [&](uint32_t cell) { return cellWeight(a, cell); });
 }
 
-// Counts a visit. Gives whether the archive, as it was before the round, would take the state.
+// Counts a visit. Returns true if the archive, as it was before the round, would keep the state.
 OBBY_DEVICE bool wouldKeep(const ArchiveView& archive, uint32_t start, uint32_t cell,
                            const sim::World& w, RoundReport& report) {
   if (cell == kNone) return true;
@@ -76,7 +77,7 @@ OBBY_DEVICE void noteGoal(const ResidentArguments& a, uint32_t i, const sim::Wor
   a.goals[fetchAdd(&a.report->goals, 1u)] = {arrivalRank(w), i, end.parent, end.ticks};
 }
 
-// `loose`: as for partThatHurts().
+// `loose`: see partThatHurts().
 OBBY_DEVICE void noteEnd(const ResidentArguments& a, uint32_t i, const sim::World& w,
                          const sim::LooseBody* loose, const RolloutPath& path, uint32_t parent,
                          uint32_t candidates) {
@@ -99,7 +100,7 @@ OBBY_DEVICE void noteEnd(const ResidentArguments& a, uint32_t i, const sim::Worl
   if (overruns != 0) fetchOr(&a.report->overruns, overruns);
 }
 
-// `kLoose`: as for sim::tick.
+// `kLoose`: see sim::tick.
 template <bool kLoose>
 OBBY_DEVICE void exploreFrom(const ResidentArguments& a, uint32_t i) {
   const uint32_t start = a.starts[i], bodies = a.archive.looseCount;
@@ -125,8 +126,8 @@ OBBY_DEVICE void exploreFrom(const ResidentArguments& a, uint32_t i) {
   noteEnd(a, i, world, loose, path, a.archive.nodes[start], count);
 }
 
-// The same of a way that the host has played from the start: of its visits those stay that the
-// archive would take.
+// Does the same for a trajectory that the host has played from the start. It keeps those visits
+// that the archive would keep.
 OBBY_DEVICE void takePlayed(const ResidentArguments& a, uint32_t i) {
   const PlayedWay& way = a.played[i];
   const CandidateView& c = a.candidates;
@@ -146,7 +147,7 @@ OBBY_DEVICE void takePlayed(const ResidentArguments& a, uint32_t i) {
   noteEnd(a, i, way.end, nullptr, way.path, 0, count);
 }
 
-// Enters the candidates of rollout i for their cells.
+// Enters the candidates of rollout i into the claims for their cells.
 OBBY_DEVICE void claimCells(const ResidentArguments& a, uint32_t i) {
   const ClaimView& claims = a.claims;
   for (uint32_t n = 0; n < a.ends[i].candidates; ++n) {
@@ -175,7 +176,7 @@ OBBY_DEVICE bool wins(const ResidentArguments& a, uint32_t candidate) {
   return a.claims.candidates[a.candidates.slots[candidate]] == candidate;
 }
 
-// What rollout i adds to the archive.
+// Counts what rollout i adds to the archive.
 OBBY_DEVICE void countFinds(const ResidentArguments& a, uint32_t i) {
   uint64_t finds = 0;
   for (uint32_t n = 0; n < a.ends[i].candidates; ++n) {
@@ -190,12 +191,12 @@ OBBY_DEVICE void countFinds(const ResidentArguments& a, uint32_t i) {
   if (closestRank(a.ends[i].closest) == a.report->closest) lower(&a.report->closestRollout, i);
 }
 
-// One of the lowest sums of the finds.
+// Computes sum i of the lowest level of the finds.
 OBBY_DEVICE void sumFinds(const ResidentArguments& a, uint32_t i) {
   sumLeaves(a.findSums, i, [&](uint32_t rollout) { return a.finds[rollout]; });
 }
 
-// A state takes its cell.
+// Stores the state of a candidate in a cell.
 OBBY_DEVICE void placeState(const ResidentArguments& a, uint32_t candidate, uint32_t cell,
                             uint32_t node) {
   const ArchiveView& archive = a.archive;
@@ -222,8 +223,8 @@ OBBY_DEVICE void addCell(const ResidentArguments& a, uint32_t candidate, uint32_
   }
 }
 
-// Puts what rollout i adds in its place: new cells and nodes are numbered in the order of the
-// rollouts and their candidates. Cells beyond the room of the archive are not kept.
+// Stores what rollout i adds. New cells and nodes are numbered in the order of the rollouts and
+// their candidates. Cells beyond the capacity of the archive are not kept.
 OBBY_DEVICE void placeFinds(const ResidentArguments& a, uint32_t i) {
   const uint64_t before = sumBefore(a.findSums, i, [&](uint32_t r) { return a.finds[r]; });
   const uint32_t cellsBefore = uint32_t(before >> 32);
@@ -245,10 +246,10 @@ OBBY_DEVICE void placeFinds(const ResidentArguments& a, uint32_t i) {
   if (added != addedBefore) raise(&a.report->lastFinder, i + 1);
 }
 
-// One sum of a level that is not the lowest.
+// Computes one sum of a level above the lowest.
 OBBY_DEVICE void sumOne(const SumArguments& a, uint32_t i) { sumLevel(a.tree, a.level, i); }
 
-// Enters what slot i of a smaller table holds into `archive`'s.
+// Copies slot i of a smaller table into the table of `archive`.
 OBBY_DEVICE void rehash(const RehashArguments& a, uint32_t i) {
   if (a.slots[i].key != 0) addKey(a.archive, a.slots[i].key, a.slots[i].cell);
 }

@@ -6,16 +6,16 @@ namespace obby::solve {
 
 namespace {
 
-constexpr uint64_t kStepsPerRollout = 1000;       // of the search so far: when rounds double
-constexpr uint64_t kArchiveBytes = 4ull << 30;    // at most
-constexpr uint64_t kCandidateBytes = 1ull << 30;  // of a round, at most
+constexpr uint64_t kStepsPerRollout = 1000;       // steps so far per rollout that double rounds
+constexpr uint64_t kArchiveBytes = 4ull << 30;    // budget of the archive
+constexpr uint64_t kCandidateBytes = 1ull << 30;  // budget of a round's candidates
 
 uint64_t stateBytes(const Problem& problem) {
   return sizeof(sim::World) + problem.level.looseCount * sizeof(sim::LooseBody);
 }
 
 uint32_t fittingCells(const Problem& problem, uint32_t most) {
-  constexpr uint64_t kBeside = 2 * sizeof(CellSlot) + 48;  // table, sums, what else a cell has
+  constexpr uint64_t kBeside = 2 * sizeof(CellSlot) + 48;  // table, sums, other arrays of a cell
   return uint32_t(std::min<uint64_t>(most, kArchiveBytes / (stateBytes(problem) + kBeside)));
 }
 
@@ -75,7 +75,7 @@ Status ResidentExplore::doRound() {
   return {};
 }
 
-// Grows with the steps done, which are the same on every machine.
+// The size of a round grows with the steps done, which are the same on every machine.
 uint32_t ResidentExplore::roundSize() const {
   uint32_t size = std::min(settings_.explore.rollouts, mostRollouts_);
   while (size < mostRollouts_ && statistics_.steps > size * kStepsPerRollout) size *= 2;
@@ -119,14 +119,14 @@ void ResidentExplore::takeEnds(const RoundFindings& found, uint64_t firstRollout
   }
 }
 
-// A device that cannot be asked any more leaves the start.
+// Returns the start if the device cannot be read any more.
 Node ResidentExplore::newest() const {
   if (!rounds_) return nodes_[0];
   const auto cells = rounds_->cells(cells_ - 1);
   return nodes_[cells && !cells->empty() ? cells->front().node : 0];
 }
 
-// The cells that the device cannot be asked for are asked for again with the next.
+// Returns nothing if the device cannot be read. The next call then asks for these cells, too.
 std::vector<Vec3> ResidentExplore::places(uint32_t first) const {
   std::vector<Vec3> result;
   if (!rounds_) return result;

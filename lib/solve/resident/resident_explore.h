@@ -1,7 +1,6 @@
-// Go-Explore that lives on a device: archive, choice, rollouts and merge are kernels over flat
-// arrays, so that rounds of tens of thousands of rollouts keep a GPU busy and little is copied.
-// Where there is no GPU the CPU runs the same kernels in its place. Everything follows from
-// (problem, seed, settings).
+// Go-Explore that lives on a device. Archive, selection, rollouts and merge are kernels over flat
+// arrays, so rounds of tens of thousands of rollouts keep a GPU busy and little is copied. Without
+// a GPU the CPU runs the same kernels. The result follows from (problem, seed, settings).
 #pragma once
 
 #include <memory>
@@ -28,8 +27,8 @@ struct ResidentSettings {
 
 class ResidentExplore final : public Search {
  public:
-  // `machine` is used from the first round on. A device that fails is given up: the search begins
-  // anew on the CPU in its place, and finds the same.
+  // `machine` is used from the first round on. If its device fails, the search starts over on the
+  // CPU and finds the same.
   ResidentExplore(const Problem& problem, uint64_t seed, const ResidentSettings& settings,
                   const Machine& machine);
 
@@ -49,11 +48,11 @@ class ResidentExplore final : public Search {
   }
 
   const ChunkedVector<Node>& nodes() const { return nodes_; }
-  // Every cell of the archive, copied from the device.
+  // Returns every cell of the archive, copied from the device.
   std::vector<ArchivedCell> cells() const;
 
  private:
-  // Does `work`, on the CPU in the device's place if the device fails.
+  // Does `work`. If the device fails, does it again on the CPU.
   template <class Work>
   void onDevice(Work&& work);
   void restart();
@@ -75,7 +74,7 @@ class ResidentExplore final : public Search {
   Status deviceStatus_;
   ChunkedVector<Node> nodes_;  // of the archive; the device keeps those of a round only
   uint32_t cells_ = 1, sightings_ = 0;
-  std::vector<std::pair<size_t, size_t>> known_;  // ways that were tried: first, count
+  std::vector<std::pair<size_t, size_t>> known_;  // trajectories that were tried: first, count
   uint64_t nextRollout_ = 0;
   std::vector<Node> goals_;
   Attempts attempts_;
@@ -91,7 +90,7 @@ void ResidentExplore::onDevice(Work&& work) {
     restart();
     done = work();
   }
-  // Nothing else can fail on the CPU.
+  // On the CPU only an allocation can fail.
   if (!done) throw std::bad_alloc();
 }
 

@@ -1,5 +1,5 @@
-// The ways of an earlier answer: the host plays them, as it does for GoExplore, and the device
-// takes their visits like those of a rollout.
+// Tries the trajectories of an earlier answer. The host plays them, as it does for GoExplore, and
+// the device takes their visits like those of a rollout.
 #include "solve/resident/resident_explore.h"
 #include "solve/rollouts/known_way.h"
 

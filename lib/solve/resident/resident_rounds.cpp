@@ -7,10 +7,10 @@ namespace obby::solve {
 
 namespace {
 
-constexpr uint32_t kShownEnds = 1024;  // of a round, that attempts are shown of
-constexpr uint32_t kLeastSlots = 64;   // of the claims
+constexpr uint32_t kShownEnds = 1024;  // rollouts of a round whose ends may be shown
+constexpr uint32_t kLeastSlots = 64;   // of the table of claims
 
-// What World::part counts: parts of the level, or the query's avoids; and none.
+// Returns the number of values of World::part: the level's parts or the query's avoids, and none.
 uint32_t endPartsOf(const ExploreContext& c) {
   uint32_t parts = c.query.avoidCount;
   for (uint32_t i = 0; i < c.level.colliderCount; ++i) {
@@ -69,7 +69,7 @@ Status ResidentRounds::launch(ResidentStep step, uint32_t count) const {
   return device_->launch(residentKernel(step), &arguments_, count);
 }
 
-// All levels above the lowest.
+// Computes all levels above the lowest.
 Status ResidentRounds::sumUp(const SumTree& tree) const {
   SumArguments arguments{tree, 1};
   for (; arguments.level < tree.levels; ++arguments.level) {
@@ -113,7 +113,7 @@ Status ResidentRounds::begin(uint64_t firstRollout, uint32_t rollouts, uint32_t 
   return device_->upload(a.report, &fresh, sizeof fresh);
 }
 
-// For the second half of the rollouts.
+// Ranks the cells for the second half of the rollouts, which start from the beam.
 Status ResidentRounds::rankCells(uint32_t rollouts) {
   ResidentArguments& a = arguments_;
   a.firstBeam = (rollouts + 1) / 2;
@@ -160,7 +160,7 @@ Result<RoundFindings> ResidentRounds::take(uint64_t firstRollout, const PlayedWa
   return merge(count);
 }
 
-// At most half of the slots are taken.
+// Makes a table of claims that is at most half full.
 Status ResidentRounds::makeClaims(uint32_t candidates) {
   ClaimView& c = arguments_.claims;
   const uint32_t slots = std::max(kLeastSlots, std::bit_ceil(2 * candidates));
@@ -186,7 +186,7 @@ Status ResidentRounds::claim(uint32_t rollouts) {
   return sumUp(arguments_.findSums);
 }
 
-// The archive grows by what is known to come.
+// Grows the archive by the number of finds, then stores them.
 Status ResidentRounds::place(uint32_t rollouts, RoundFindings& findings) {
   ResidentArguments& a = arguments_;
   const SumTree& sums = a.findSums;

@@ -1,5 +1,5 @@
-// Rounds of a search whose archive, choice, rollouts and merge are kernels on one device; only what
-// a round came to is copied to the host.
+// Rounds of a search whose archive, selection, rollouts and merge are kernels on one device. Only
+// the results of a round are copied to the host.
 #pragma once
 
 #include <vector>
@@ -11,18 +11,18 @@
 
 namespace obby::solve {
 
-// What a round came to.
+// The results of a round.
 struct RoundFindings {
   RoundReport report{};
-  uint32_t cells = 0;               // of the archive now
-  std::vector<Node> nodes;          // that it added
+  uint32_t cells = 0;               // in the archive after the round
+  std::vector<Node> nodes;          // nodes that the round added
   std::vector<GoalReached> goals;   // best first
-  std::vector<ResidentEnd> ends;    // of the first rollouts: what attempts are shown of
+  std::vector<ResidentEnd> ends;    // of the first rollouts, to show attempts
   ResidentEnd closest{};            // of rollout report.closestRollout
   std::vector<uint32_t> endCounts;  // (kOutcomes, endParts), of all rollouts
 };
 
-// Ways that the host has played from the start: visits of each lie at (way, room).
+// Trajectories that the host has played from the start. The visits of each lie at (way, room).
 struct PlayedWays {
   uint32_t room = 0;
   std::vector<PlayedWay> ways;
@@ -41,14 +41,13 @@ struct ArchivedCell {
 
 class ResidentRounds {
  public:
-  // The setup must outlive the rounds, the problem need not. `maxCells`: further cells are not
-  // kept.
+  // The setup must outlive the rounds, the problem need not. Cells beyond `maxCells` are not kept.
   static Result<ResidentRounds> open(sim::Device& device, const ExploreSetup& setup,
                                      const Problem& problem, uint32_t maxCells);
 
-  // One round of rollouts firstRollout, firstRollout + 1, ...
+  // Runs one round of rollouts firstRollout, firstRollout + 1, ...
   Result<RoundFindings> run(uint64_t firstRollout, uint32_t rollouts);
-  // The same of ways that are played already.
+  // Runs one round of trajectories that the host has played.
   Result<RoundFindings> take(uint64_t firstRollout, const PlayedWays& played);
 
   uint32_t endParts() const { return arguments_.endParts; }

@@ -1,4 +1,4 @@
-// What the kernels of a resident search read and write: plain data, one struct for all of them.
+// Plain data that the kernels of a resident search read and write. One struct serves all of them.
 #pragma once
 
 #include "solve/archive/archive_node.h"
@@ -10,29 +10,29 @@
 
 namespace obby::solve {
 
-// What rollouts bring that the archive lacks, (rollouts, room) each.
+// States of rollouts that the archive would keep, (rollouts, room) each.
 struct CandidateView {
   sim::World* worlds;
   sim::LooseBody* loose;  // (rollouts, room, looseCount)
   uint64_t* keys;
-  uint32_t* ticks;  // into the rollout
-  uint32_t* cells;  // of the archive, or kNone: a new one
-  uint32_t* slots;  // of the claims
+  uint32_t* ticks;  // ticks into the rollout
+  uint32_t* cells;  // cells of the archive; kNone: a new one
+  uint32_t* slots;  // slots of the claims
 };
 
-// Who of a round's candidates gets a cell. A table of keys, as the archive's.
+// Decides which of a round's candidates gets a cell. A hash table of keys, like the archive's.
 struct ClaimView {
   uint64_t* keys;        // 0: free
-  uint64_t* ranks;       // the least arrival rank
-  uint32_t* candidates;  // the first of those with that rank
-  uint32_t* shared;      // not 0: candidates of several rollouts
+  uint64_t* ranks;       // lowest arrival rank
+  uint32_t* candidates;  // first candidate with that rank
+  uint32_t* shared;      // not 0: several rollouts have candidates
   uint32_t slotMask;
 };
 
 struct ResidentEnd {
   Approach closest;
   Vec3 position;          // feet
-  uint32_t closestTicks;  // into the rollout, as those below
+  uint32_t closestTicks;  // into the rollout, like ticks and wayTicks
   uint32_t ticks;
   uint32_t wayTicks;  // to the end of the attempt: a fall goes on after the rollout
   uint32_t parent;    // node of the start
@@ -42,27 +42,27 @@ struct ResidentEnd {
 };
 
 struct GoalReached {
-  uint64_t rank;  // of the arrival
+  uint64_t rank;  // arrival rank
   uint32_t rollout, parent, ticks;
 };
 
-// A way that the host has played: the visits are its candidates.
+// A trajectory that the host has played. Its visits are its candidates.
 struct PlayedWay {
   sim::World end;
   RolloutPath path;
   uint32_t visits;
 };
 
-// What a round comes to, in numbers.
+// Counts and best values of a round.
 struct RoundReport {
   uint64_t steps;
-  uint64_t closest;         // closestRank
-  uint32_t closestRollout;  // the first of those
+  uint64_t closest;         // closestRank()
+  uint32_t closestRollout;  // the first with that rank
   uint32_t candidates, goals;
   uint32_t lastFinder;     // 1 + the last rollout with a new cell; 0: none
   uint32_t overruns;       // sim::Flag bits
-  uint32_t bestPotential;  // bits of the best that the archive ever kept
-  uint32_t sightings;      // cells that were found to be passed through by others
+  uint32_t bestPotential;  // bits of the best potential ever kept
+  uint32_t sightings;      // cells that were marked as sighted
 };
 
 struct ResidentArguments {
@@ -70,29 +70,29 @@ struct ResidentArguments {
   PotentialView potential;
   BeamView beam;
   ArchiveView archive;
-  SumTree weights;       // of the cells
+  SumTree weights;       // selection weights of the cells
   float best;            // potential that the weights are relative to
-  uint32_t* rankCounts;  // (kRanks), cells of each rank of the beam
-  SumTree rankSums;      // of those
+  uint32_t* rankCounts;  // (kRanks), number of cells of each beam rank
+  SumTree rankSums;      // of rankCounts
   SumTree bestCells;     // 1 for the beam's cells
-  uint32_t beamWidth;    // cells that it has at least, if there are so many
-  uint32_t firstBeam;    // the first rollout of the round that starts from one of them
+  uint32_t beamWidth;    // min cells of the beam, if there are so many
+  uint32_t firstBeam;    // first rollout of the round that starts from the beam
   uint64_t firstRollout;
-  uint32_t room;            // candidates of a rollout, at most
-  uint32_t freeCells;       // that the archive may still get
-  uint32_t firstNode;       // of the round
-  uint32_t endParts;        // (outcomes, endParts) counts; the last for no part
+  uint32_t room;            // max candidates of a rollout
+  uint32_t freeCells;       // cells that the archive may still add
+  uint32_t firstNode;       // first new node of the round
+  uint32_t endParts;        // columns of endCounts; the last is for no part
   uint32_t* starts;         // (rollouts), cells
   sim::LooseBody* loose;    // (rollouts, looseCount)
   const PlayedWay* played;  // (rollouts), or null
   CandidateView candidates;
   ClaimView claims;
-  uint64_t* finds;  // (rollouts), cells that are new << 32 | cells reached better
+  uint64_t* finds;  // (rollouts), number of new cells << 32 | of improved cells
   SumTree findSums;
   ResidentEnd* ends;    // (rollouts)
   GoalReached* goals;   // (rollouts), in any order
   uint32_t* endCounts;  // (outcomes, endParts)
-  Node* nodes;          // of the round
+  Node* nodes;          // new nodes of the round
   RoundReport* report;
 };
 
@@ -107,7 +107,7 @@ struct RehashArguments {
 };
 
 constexpr uint32_t kOutcomes = 9;
-constexpr uint32_t kRanks = 65536, kRankTicks = 8;  // f of the beam, in ranks
+constexpr uint32_t kRanks = 65536, kRankTicks = 8;  // ranks of the beam, and ticks of f per rank
 
 OBBY_DEVICE uint32_t floatBits(float v) {
   uint32_t bits = 0;
@@ -120,8 +120,8 @@ OBBY_DEVICE float floatOf(uint32_t bits) {
   return v;
 }
 
-// The closer, the less: more targets, then less distance. Bits of floats that are not negative are
-// in their order.
+// Returns a rank that is lower for a closer approach: more targets, then less distance. The bits of
+// floats that are not negative sort like the floats.
 OBBY_DEVICE uint64_t closestRank(const Approach& a) {
   return uint64_t(~a.targets) << 32 | floatBits(a.distance + 0.0f);
 }

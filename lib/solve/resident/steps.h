@@ -1,4 +1,4 @@
-// The kernels of a resident search by name.
+// Names the kernels of a resident search.
 #pragma once
 
 #include "sim/kernel.h"
@@ -12,15 +12,15 @@ enum class ResidentStep {
   markBest,
   choose,
   explore,
-  exploreLoose,  // for levels with loose bodies
+  exploreLoose,  // for levels with dynamic bodies
   takePlayed,
   claim,
   settle,
   count,
   sumFinds,
   place,
-  sum,     // of SumArguments, all others of ResidentArguments,
-  rehash,  // but this of RehashArguments
+  sum,     // takes SumArguments; all above take ResidentArguments
+  rehash,  // takes RehashArguments
 };
 
 const sim::Kernel& residentKernel(ResidentStep step);

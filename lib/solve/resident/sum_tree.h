@@ -1,5 +1,5 @@
-// Integer sums of 64, and of 64 of those, up to one: a draw by weight is a way down, the sum before
-// a leaf a way up. The leaves themselves stay with their owner. For host and device.
+// A tree of integer sums with a fan-out of 64. A draw by weight descends it; the sum before a leaf
+// ascends it. The leaves stay with their owner. For host and device.
 #pragma once
 
 #include <stdint.h>
@@ -12,13 +12,13 @@ constexpr uint32_t kFan = 64;
 constexpr uint32_t kMostLevels = 5;  // for 2^30 leaves
 
 struct SumTree {
-  uint64_t* sums = nullptr;               // level after level, those of leaves first
+  uint64_t* sums = nullptr;               // level by level, sums of leaves first
   uint32_t leaves = 0;                    // at least 1
   uint32_t levels = 0;                    // the last has one sum
-  uint32_t firsts[kMostLevels + 1] = {};  // of each level, index into sums
+  uint32_t firsts[kMostLevels + 1] = {};  // index into sums of each level's first
 };
 
-// `sums` has room for the tree's last entry of `firsts`.
+// `sums` must have the capacity of the tree's last entry of `firsts`.
 OBBY_DEVICE SumTree makeSumTree(uint64_t* sums, uint32_t leaves) {
   SumTree t;
   t.sums = sums;
@@ -38,7 +38,7 @@ OBBY_DEVICE uint32_t sumCount(const SumTree& t, uint32_t level) {
 
 OBBY_DEVICE uint64_t totalOf(const SumTree& t) { return t.sums[t.firsts[t.levels - 1]]; }
 
-// Sum i of the lowest level. leaf(n) is the weight of leaf n.
+// Computes sum i of the lowest level. leaf(n) is the weight of leaf n.
 template <class Leaf>
 OBBY_DEVICE void sumLeaves(const SumTree& t, uint32_t i, Leaf&& leaf) {
   const uint32_t first = i * kFan;
@@ -48,7 +48,7 @@ OBBY_DEVICE void sumLeaves(const SumTree& t, uint32_t i, Leaf&& leaf) {
   t.sums[i] = sum;
 }
 
-// Sum i of a level above; the one below is done.
+// Computes sum i of a higher level. The level below must be done.
 OBBY_DEVICE void sumLevel(const SumTree& t, uint32_t level, uint32_t i) {
   const uint64_t* const below = t.sums + t.firsts[level - 1];
   const uint32_t first = i * kFan, count = sumCount(t, level - 1);
@@ -58,7 +58,8 @@ OBBY_DEVICE void sumLevel(const SumTree& t, uint32_t level, uint32_t i) {
   t.sums[t.firsts[level] + i] = sum;
 }
 
-// The leaf in whose part of all the weights `rest` lies, which is below their total.
+// Returns the leaf at which the running sum of the weights exceeds `rest`, which must be below the
+// total.
 template <class Leaf>
 OBBY_DEVICE uint32_t leafAt(const SumTree& t, uint64_t rest, Leaf&& leaf) {
   uint32_t at = 0;
@@ -74,7 +75,7 @@ OBBY_DEVICE uint32_t leafAt(const SumTree& t, uint64_t rest, Leaf&& leaf) {
   }
 }
 
-// The weights before a leaf.
+// Returns the sum of the weights before a leaf.
 template <class Leaf>
 OBBY_DEVICE uint64_t sumBefore(const SumTree& t, uint32_t at, Leaf&& leaf) {
   uint64_t sum = 0;

@@ -1,4 +1,4 @@
-// How attempts ended: counts by outcome and part, and a varied sample of them to show.
+// Records how attempts ended: counts by outcome and part, and a varied sample of them to show.
 #pragma once
 
 #include <cstdint>
@@ -11,12 +11,12 @@
 
 namespace obby::solve {
 
-// Where and how one attempt ended.
+// The place and outcome of an attempt's end.
 struct AttemptEnd {
   Node way;
   Vec3 position;  // feet
   sim::Outcome outcome;
-  uint32_t part;  // what killed or hurt the player, of avoided: the query's avoid; or kNone
+  uint32_t part;  // part that killed or hurt the player; if avoided, the query's avoid; or kNone
 };
 
 struct EndCount {
@@ -27,26 +27,27 @@ struct EndCount {
 
 class Attempts {
  public:
-  // To be called in a fixed order: of two attempts with the same kind of end the first is kept.
-  // True: this one may be shown.
+  // Counts an attempt. Must be called in a fixed order, since of two ends of the same kind the
+  // first is kept. Returns true if this one may be shown.
   bool add(const AttemptEnd& end) {
     count(end.outcome, end.part, 1);
     return show(end);
   }
-  // The two halves of that: `count` attempts that ended so, and one that may be shown.
+  // add() in two halves: count() counts `count` attempts with this end, show() keeps one to show.
+  // shown.
   void count(sim::Outcome outcome, uint32_t part, uint64_t count) {
     counts_[{outcome, part}] += count;
   }
   bool show(const AttemptEnd& end);
 
-  // Most frequent first; ties by outcome, then part.
+  // Returns the counts, most frequent first; ties by outcome, then part.
   std::vector<EndCount> counts() const;
 
-  // The last `count` that failed in a way or at a place that none had before, the newest first.
+  // Returns the last `count` failures of a new place or outcome, newest first.
   std::vector<AttemptEnd> newestFailures(size_t count) const;
 
-  // At most `count` attempts that differ in place and outcome, chosen to be far apart; the one
-  // nearest to `near` first.
+  // Returns at most `count` attempts that differ in place and outcome, chosen to be far apart. The
+  // first is the one nearest to `near`.
   std::vector<AttemptEnd> sample(size_t count, Vec3 near) const;
 
  private:

@@ -1,5 +1,5 @@
-// Which part an attempt failed by, also where the simulator names none. For records: no search
-// depends on it.
+// Finds the part by which an attempt failed, even if the simulator names none. This is for records:
+// no search depends on it.
 #pragma once
 
 #include "sim/targets.h"
@@ -12,13 +12,13 @@ OBBY_DEVICE bool hurts(const sim::World& w, const sim::LooseBody* loose,
          sim::touchesCollider(w, loose, level, collider, limbs);
 }
 
-// The part that took the health which was too much, of a world that has just ended as hurt: the
-// first that is touched there. level::kNone: none is, as the same tick has taken the player
-// elsewhere. `loose`: null where it is not known; its parts are not looked at then.
+// Returns the part that took too much health from a player who has just ended as hurt: the first
+// kill part that is touched. Returns level::kNone if none is touched, since the same tick has moved
+// the player. `loose`: null if unknown; parts of dynamic bodies are then ignored.
 OBBY_DEVICE uint32_t partThatHurts(const sim::World& w, const sim::LooseBody* loose,
                                    const level::LevelView& level) {
   const sim::Limbs limbs = sim::limbsOf(w, level.params);
-  // In the order of a tick's touches. Loose bodies are in no grid.
+  // The order is that of a tick's touches. Dynamic bodies are in no grid.
   for (uint32_t b = 0; loose != nullptr && b < level.looseCount; ++b) {
     const level::Loose& body = level.loose[b];
     for (uint32_t i = 0; i < body.colliderCount; ++i) {
@@ -35,7 +35,7 @@ OBBY_DEVICE uint32_t partThatHurts(const sim::World& w, const sim::LooseBody* lo
   return level::kNone;
 }
 
-// World::part, and of those who were hurt the part that did it.
+// Returns World::part, or the part that hurt the player if that ended the attempt.
 OBBY_DEVICE uint32_t blamedPart(const sim::World& w, const sim::LooseBody* loose,
                                 const level::LevelView& level) {
   return w.outcome == sim::Outcome::hurt ? partThatHurts(w, loose, level) : w.part;

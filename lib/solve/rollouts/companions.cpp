@@ -9,7 +9,7 @@ namespace obby::solve {
 
 namespace {
 
-constexpr float kNear = 1;  // studs that a companion may be from the search's player
+constexpr float kNear = 1;  // max studs between a companion and the search's player
 
 }  // namespace
 
@@ -38,12 +38,12 @@ sim::Action Companions::Walk::next() {
   return explorer_.next(all_.context_, own.world, own.loose.data());
 }
 
-// Each of them holds the keys to its tick that is not before the end of the player's.
+// Each companion holds the keys to its first tick that is not before the end of the player's tick.
 void Companions::Walk::press(const sim::Action& action) {
   const Problem& p = all_.problem_;
   Body& own = party_.front();
   const uint32_t rate = p.level.params.controlRate;
-  const uint32_t end = own.world.tick - p.start.tick + 1;  // since the start
+  const uint32_t end = own.world.tick - p.start.tick + 1;  // ticks since the start
   sim::advance(own.world, own.loose.data(), p.level, &p.query, action);
   for (size_t i = 0; i < p.companions.size(); ++i) {
     const Companion& c = p.companions[i];

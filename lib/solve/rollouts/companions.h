@@ -1,5 +1,5 @@
-// Other players who press the same keys as the search's own: a search for keys that do for all
-// keeps a state only if all of them have come along. Host only.
+// Other players who press the same keys as the search's own player. A search for keys that serve
+// all players keeps a state only if all of them have followed. Host only.
 #pragma once
 
 #include <cstdint>
@@ -15,12 +15,13 @@ class Companions {
  public:
   class Walk;
 
-  // The problem, whose companions they are, and the context must outlive it.
+  // The problem, which lists the companions, and the context must outlive it.
   Companions(const Problem& problem, const ExploreContext& context, uint64_t seed);
 
   bool empty() const { return problem_.companions.empty(); }
 
-  // Keeps where a walk has come to as that of a new node: all of them that a walk may start from.
+  // Keeps the bodies of a walk for a new node. A later walk may start only from a node that was
+  // kept.
   void keep(uint32_t node, const Walk& walk);
 
  private:
@@ -28,7 +29,7 @@ class Companions {
     sim::World world;
     std::vector<sim::LooseBody> loose;
   };
-  // At one moment: the search's player, then the companions.
+  // All bodies at one moment: the search's player, then the companions.
   using Party = std::vector<Body>;
 
   const Problem& problem_;
@@ -37,13 +38,13 @@ class Companions {
   std::vector<Party> parties_;  // (nodes)
 };
 
-// A rollout as all of them play it, from a node that was kept.
+// A rollout as all players play it, from a node that was kept.
 class Companions::Walk {
  public:
   Walk(const Companions& all, uint32_t parent, uint64_t rollout);
 
-  // Plays on to `ticks` ticks of the rollout, in ascending order. True if every companion is near
-  // the player, has passed the same places, and stands if the player does.
+  // Plays on to `ticks` ticks of the rollout, in ascending order. Returns true if every companion
+  // is near the player, has passed the same places, and stands if the player does.
   bool follow(uint32_t ticks);
   const sim::World& player() const { return party_.front().world; }
 

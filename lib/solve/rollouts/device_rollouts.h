@@ -1,4 +1,4 @@
-// A round's rollouts on a device that runs kernels.
+// Runs the rollouts of a round on a device that runs kernels.
 #pragma once
 
 #include <span>
@@ -13,8 +13,8 @@ class DeviceRollouts {
  public:
   static Result<DeviceRollouts> open(sim::Device& device, const RolloutRules& rules);
 
-  // Runs them all from `starts` with the bodies `loose`, (rollouts, level.looseCount); ends() and
-  // visits() are then theirs, in that order.
+  // Runs rollouts from `starts` with the bodies `loose`, (rollouts, level.looseCount). ends() and
+  // visits() then return their results, in that order.
   Status run(std::span<const RolloutStart> starts, std::span<const sim::LooseBody> loose);
 
   const std::vector<RolloutEnd>& ends() const { return ends_; }
@@ -44,7 +44,7 @@ class DeviceRollouts {
   std::vector<sim::LooseBody> endLoose_, visitLoose_;
 };
 
-// `loose`: for levels with loose bodies.
+// `loose`: for levels with dynamic bodies.
 const sim::Kernel& rolloutKernel(bool loose);
 
 }  // namespace obby::solve

@@ -6,7 +6,7 @@ namespace obby::solve {
 
 namespace {
 
-constexpr float kMargin = 2;  // studs: below the body, and what is fallen in a late jump's time
+constexpr float kMargin = 2;  // studs; more than the fall before a late jump
 
 float lowestOf(const geom::Region& region) { return boundsOf(region.pose, region.half).lo.y; }
 

@@ -1,12 +1,12 @@
-// Where nothing but falling is left of a playthrough: a search need not go on there.
+// Finds the height below which a player can only fall, so that a search need not go on.
 #pragma once
 
 #include "solve/query/problem.h"
 
 namespace obby::solve {
 
-// Feet lower than this, off any floor for longer than the coyote time, meet no part and no region
-// any more. -1e30 where loose parts may fall along.
+// Returns a height. Feet that are lower, and off any floor for longer than the coyote time, meet no
+// part and no region any more. Returns -1e30 if dynamic parts may fall along.
 float doomHeight(const Problem& problem);
 
 }  // namespace obby::solve

@@ -1,5 +1,5 @@
-// What random exploration reads beside the world: the problem, the surfaces to aim at, and how far
-// this level's player can jump. Plain data, for device code.
+// The data that random exploration reads besides the world: the problem, the surfaces to aim at,
+// and how far this level's player can jump. Plain data, for device code.
 #pragma once
 
 #include <stdint.h>
@@ -10,10 +10,10 @@
 
 namespace obby::solve {
 
-// How far one jump on level ground takes a player.
+// The reach of one jump on level ground.
 struct JumpReach {
   float airTicks;  // from launch to landing at the same height
-  float distance;  // studs sideways meanwhile, at walking speed
+  float distance;  // studs sideways in that time, at walking speed
   float height;    // studs, of the feet
 };
 
@@ -24,10 +24,10 @@ OBBY_DEVICE JumpReach jumpReach(const Params& p) {
           riseOfLaunch(p, gravity, p.jumpSpeed)};
 }
 
-// How rollouts explore: the numbers of a method's row.
+// Settings of how rollouts explore, from a method's row.
 struct ExploreSettings {
-  float aimShare = 0.8f;     // of macros that aim at a surface or the next region
-  float regionShare = 0.3f;  // of aimed macros: at the next region
+  float aimShare = 0.8f;     // share of macros that aim at a surface or the next region
+  float regionShare = 0.3f;  // share of aimed macros that aim at the next region
 };
 
 struct ExploreContext {
@@ -37,8 +37,8 @@ struct ExploreContext {
   JumpReach reach;
   ExploreSettings settings;
   bool jumpsLimited;
-  float doomHeight;           // studs: who is off the floor with the feet below can only fall
-  policy::PilotView pilot{};  // makes the moves of rollouts by the policy, if there are any
+  float doomHeight;           // studs; a player off the floor with lower feet can only fall
+  policy::PilotView pilot{};  // makes the policy's moves, if there is a policy
 };
 
 template <class Table>
@@ -49,25 +49,25 @@ OBBY_DEVICE void forTables(ExploreContext& c, Table&& table) {
   forTables(c.pilot, table);
 }
 
-// The same for a player as boosts have it now.
+// Returns the reach under the boosts that the player has now.
 OBBY_DEVICE JumpReach reachIn(const ExploreContext& c, const sim::World& w) {
   return w.clockCount == 0 ? c.reach : jumpReach(sim::boosted(w, c.level));
 }
 
-// Below everything there is: nothing more can come of this playthrough than that the player fell.
+// Returns true if the player is below everything and can only fall.
 OBBY_DEVICE bool doomed(const ExploreContext& c, const sim::World& w) {
   return w.position.y < c.doomHeight && w.floorlessSteps > c.level.params.coyoteSteps;
 }
 
-// Does a rollout that stopped here end as a fall?
+// Returns true if a rollout that stopped here ends as a fall.
 OBBY_DEVICE bool fallsOn(const ExploreContext& c, const sim::World& w) {
   return w.outcome == sim::Outcome::running && doomed(c, w);
 }
 
 constexpr uint32_t kFallTicks = 60 * 3600;  // longer than any fall
 
-// Standing on something, hanging on a truss or sitting, free to jump soon. No branches: searches
-// ask this of every world at every tick.
+// Returns true if the player stands on something, hangs on a truss or sits, and is free to jump
+// soon. It has no branches, since searches call it for every world at every tick.
 OBBY_DEVICE bool grounded(const sim::World& w) {
   using sim::State;
   const auto in = [&](State s) { return uint32_t(w.state == s); };

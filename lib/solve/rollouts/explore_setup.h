@@ -1,4 +1,4 @@
-// What the rollouts of a search read, made from its problem and settings once.
+// The data that the rollouts of a search read, made once from its problem and settings.
 #pragma once
 
 #include <memory>
@@ -17,15 +17,15 @@ namespace obby::solve {
 
 // The defaults were measured over levels/ (ticks to the first solution).
 struct GoExploreSettings {
-  uint32_t rollouts = 8;        // a round, at first: short generations answer easy queries soon
-  uint32_t mostRollouts = 512;  // a round, once the search is long: keeps all threads busy
-  float phaseJumps = 4;         // length of a rollout, in flat jumps' air time
-  uint32_t leastPhase = 40;     // ticks
+  uint32_t rollouts = 8;        // of a round at first: small rounds answer easy queries soon
+  uint32_t mostRollouts = 512;  // of a round in a long search: keeps all threads busy
+  float phaseJumps = 4;         // length of a rollout, in air times of a flat jump
+  uint32_t leastPhase = 40;     // min ticks of a rollout
   float cellWidth = 2;          // studs at 16 studs/s; grows with walking speed
-  bool groundedOnly = true;     // keep states that stand, or have been in the air for long
-  uint32_t lookEvery = 3;  // ticks between states that may be kept; walking, a cell takes seven
+  bool groundedOnly = true;     // keep only states that stand or have long been in the air
+  uint32_t lookEvery = 3;       // ticks between looks at a state; a walk crosses a cell in seven
   ExploreSettings explore;
-  bool byPolicy = false;  // some rollouts are the policy's, if the problem has one
+  bool byPolicy = false;  // some rollouts use the policy, if the problem has one
 };
 
 class ExploreSetup {

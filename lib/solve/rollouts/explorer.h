@@ -1,4 +1,4 @@
-// What a rollout does next: a sequence of macros, each aimed or random, drawn from the rollout's
+// The actions of a rollout: a sequence of macros, each aimed or random, drawn from the rollout's
 // own stream of random numbers. The same (seed, stream, start) gives the same actions.
 #pragma once
 
@@ -18,7 +18,7 @@ OBBY_DEVICE sim::Action moveOfPolicy(const ExploreContext& c, const sim::World& 
   return policy::decide<float>(scene, c.pilot.network, w, loose, random);
 }
 #else
-// What the policy holds for the next kSteerEvery ticks: as above, in SIMD lanes.
+// Returns the policy's action for the next kSteerEvery ticks, as above, in SIMD lanes.
 sim::Action moveOfPolicy(const ExploreContext& c, const sim::World& w, const sim::LooseBody* loose,
                          Random* random);
 #endif
@@ -33,14 +33,14 @@ class Explorer {
   // `loose`: (level.looseCount).
   OBBY_DEVICE sim::Action next(const ExploreContext& c, const sim::World& w,
                                const sim::LooseBody* loose) {
-    const bool plans = tick_ == 0;  // all rollouts at the same ticks: lanes and groups agree
+    const bool plans = tick_ == 0;  // all rollouts plan at the same ticks: lanes and groups agree
     tick_ = tick_ + 1 == kSteerEvery ? 0 : tick_ + 1;
     if (plans && kind_ == Kind::policy) {
       held_.action = moveOfPolicy(c, w, loose, likeliest_ ? nullptr : &random_);
     }
     if (plans && kind_ == Kind::aim && !planAimMacro(c, w, aim_)) kind_ = Kind::none;
     if (kind_ == Kind::none) draw(c, w);
-    // All kinds are gone through, without a branch: which it is is as good as random.
+    // All kinds are computed without a branch, since the kind is unpredictable.
     const bool aims = kind_ == Kind::aim;
     sim::Action action = aims ? aim_.action : held_.action;
     action.jump = aims ? jumpsNow(w, aim_) : held_.action.jump;
@@ -65,11 +65,11 @@ class Explorer {
     kind_ = Kind::held;
   }
 
-  // What every tick reads comes first.
+  // Members that every tick reads come first.
   Kind kind_;
-  uint8_t tick_ = 0;  // since the last at which it planned
+  uint8_t tick_ = 0;  // ticks since the last plan
   bool likeliest_;
-  RandomMacro held_{};  // of a policy: without end
+  RandomMacro held_{};  // for a policy it does not end
   AimMacro aim_{};
   Random random_;
 };

@@ -1,4 +1,4 @@
-// Plays a way of an earlier answer: its actions, tick by tick. Host only.
+// Plays a trajectory of an earlier answer: its actions, tick by tick. Host only.
 #pragma once
 
 #include "solve/query/problem.h"
@@ -6,8 +6,7 @@
 
 namespace obby::solve {
 
-constexpr uint32_t kBeyondKnown =
-    60;  // ticks that the last action is held on: a goal may have moved
+constexpr uint32_t kBeyondKnown = 60;  // ticks that the last action is held; a goal may have moved
 
 inline uint32_t ticksOf(const KnownWay& way) {
   uint32_t ticks = way.empty() ? 0 : kBeyondKnown;
@@ -15,7 +14,7 @@ inline uint32_t ticksOf(const KnownWay& way) {
   return ticks;
 }
 
-// Holds `action` for one tick more.
+// Appends one tick of `action`.
 inline void hold(KnownWay& way, const sim::Action& action) {
   const auto same = [&](const sim::Action& a) {
     return a.heading == action.heading && a.walk == action.walk && a.jump == action.jump;
@@ -24,7 +23,7 @@ inline void hold(KnownWay& way, const sim::Action& action) {
   way.back().ticks++;
 }
 
-// Gives the actions of a way tick by tick, the last without end.
+// Returns the actions of a trajectory tick by tick, the last one without end.
 class WayCursor {
  public:
   sim::Action next(const KnownWay& way) {
@@ -41,7 +40,7 @@ class WayCursor {
   uint32_t held_ = 0;  // ticks
 };
 
-// As runRollout, with the actions of `way`; `ticks` at most ticksOf(way).
+// Like runRollout(), with the actions of `way`. `ticks` is at most ticksOf(way).
 template <class Visit>
 uint32_t runKnown(const ExploreContext& c, const KnownWay& way, sim::World& world,
                   sim::LooseBody* loose, uint32_t ticks, Visit&& visit) {

@@ -1,5 +1,5 @@
-// A surface-aimed macro: pick a place to stand within a jump or so, walk straight to it, jump when
-// the support ends, at some distance before, or not at all, and steer in the air.
+// A macro aimed at a surface: picks a place to stand within about a jump, walks straight to it, and
+// steers in the air. It jumps when the support ends, at some distance before, or not at all.
 #pragma once
 
 #include "base/random.h"
@@ -8,13 +8,13 @@
 namespace obby::solve {
 
 struct AimMacro {
-  // What every tick reads comes first.
-  sim::Action action;  // held until its heading is off by kHeadingSlack: actions come in runs
-  bool jumpAtEdge;     // jump once no floor is sensed any more (within the coyote time)
+  // Members that every tick reads come first.
+  sim::Action action;  // held until its heading is off by kHeadingSlack, so that actions form runs
+  bool jumpAtEdge;     // jump once no floor is sensed (within the coyote time)
   bool jumped;
-  float distance;      // studs to the target when last looked at
-  float jumpDistance;  // jump at this distance to the target; negative: not for distance
-  uint32_t ticks;      // left before giving up
+  float distance;      // studs to the target at the last look
+  float jumpDistance;  // jump at this distance to the target; negative: never by distance
+  uint32_t ticks;      // left before the macro gives up
   SurfacePoint target;
   Vec3 error;  // studs off the target, so that repeated aims differ
 };
@@ -24,7 +24,7 @@ constexpr int kHeadingSlack = 512;   // turns / 65536: 2.8 degrees
 
 OBBY_DEVICE float within(Random& random, float most) { return most * (2 * random.unit() - 1); }
 
-// Draws when to jump, and some error of aim. `rise`: studs from the feet up to the target.
+// Draws when to jump, and an aim error. `rise`: studs from the feet up to the target.
 OBBY_DEVICE void drawAimDetails(const JumpReach& reach, Random& random, float rise, AimMacro& m) {
   m.error = {within(random, 0.7f), 0, within(random, 0.7f)};
   const float u = random.unit();
@@ -39,14 +39,14 @@ OBBY_DEVICE void drawAimDetails(const JumpReach& reach, Random& random, float ri
   m.ticks = (uint32_t(reach.airTicks) / kSteerEvery + 2 + random.below(12)) * kSteerEvery;
 }
 
-// A point inside the next region, at its foot.
+// Returns a random point inside the region, at its foot.
 OBBY_DEVICE Vec3 pointInRegion(const geom::Region& region, Random& random) {
   const Vec3 local{within(random, 0.8f * region.half.x), -region.half.y,
                    within(random, 0.8f * region.half.z)};
   return toWorld(region.pose, local);
 }
 
-// False: nothing near to aim at.
+// Returns false if there is nothing near to aim at.
 OBBY_CALLED bool drawAimMacro(const ExploreContext& c, const sim::World& w, Random& random,
                               AimMacro& m) {
   const JumpReach reach = reachIn(c, w);
@@ -72,8 +72,8 @@ OBBY_CALLED bool drawAimMacro(const ExploreContext& c, const sim::World& w, Rand
   return false;
 }
 
-// Turns toward the target, and stops walking where the speed will carry the player the rest of the
-// way.
+// Turns toward the target. Stops walking once the speed carries the player the rest of the
+// distance.
 OBBY_CALLED void steer(const ExploreContext& c, const sim::World& w, bool onGround, AimMacro& m) {
   const Vec3 to = positionIn(c.level, m.target, w) + m.error - w.position;
   const float speed2 = w.velocity.x * w.velocity.x + w.velocity.z * w.velocity.z;
@@ -88,7 +88,7 @@ OBBY_CALLED void steer(const ExploreContext& c, const sim::World& w, bool onGrou
   }
 }
 
-// Before the ticks at which a rollout plans. False: the macro has served.
+// Must be called before the ticks at which a rollout plans. Returns false if the macro is over.
 OBBY_DEVICE bool planAimMacro(const ExploreContext& c, const sim::World& w, AimMacro& m) {
   const bool onGround = grounded(w);
   steer(c, w, onGround, m);
@@ -97,7 +97,7 @@ OBBY_DEVICE bool planAimMacro(const ExploreContext& c, const sim::World& w, AimM
   return true;
 }
 
-// Is it time to jump? No branches: what this asks is as good as random.
+// Returns true if it is time to jump. It has no branches, since the conditions are unpredictable.
 OBBY_DEVICE bool jumpsNow(const sim::World& w, AimMacro& m) {
   const bool edge = m.jumpAtEdge & (w.state == sim::State::running) & (w.floorlessSteps > 0);
   const bool early = grounded(w) & (m.distance <= m.jumpDistance);

@@ -1,4 +1,4 @@
-// Random exploration as in the paper: one action is held, and let go with a chance of one in twenty
+// Random exploration as in the paper: an action is held, and released with a probability of 1/20 at
 // each tick. The length is drawn at once.
 #pragma once
 
@@ -12,7 +12,7 @@ struct RandomMacro {
   uint32_t ticks;
 };
 
-// Length of a run that goes on with probability 95 %: mean 20, at most 120.
+// Draws the length of a run that goes on with probability 95 %: mean 20, at most 120.
 OBBY_DEVICE uint32_t drawHoldTicks(Random& random) {
   const float u = random.unit();
   float rest = 0.95f;
@@ -24,7 +24,7 @@ OBBY_DEVICE uint32_t drawHoldTicks(Random& random) {
   return ticks;
 }
 
-// 16 headings or standing, with or without jump.
+// Draws one of 16 headings or standing, with or without a jump.
 OBBY_DEVICE RandomMacro drawRandomMacro(Random& random) {
   const uint32_t draw = random.below(34);
   const uint32_t direction = draw >> 1;

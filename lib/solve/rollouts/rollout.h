@@ -1,5 +1,5 @@
 // One rollout: random exploration from a state under the query's rules. Searching and replaying a
-// rollout run this same function, so that they cannot differ.
+// rollout run this same function, so they cannot differ.
 #pragma once
 
 #include "sim/rules.h"
@@ -8,8 +8,8 @@
 
 namespace obby::solve {
 
-// Advances `world` and its loose bodies by at most `ticks` ticks, fewer if the playthrough ends or
-// is doomed; gives the ticks done. next(world) is the action of each, visit(action, world) is
+// Advances `world` and its bodies by at most `ticks` ticks, fewer if the attempt ends or is doomed.
+// Returns the ticks done. next(world) returns the action of each tick, and visit(action, world) is
 // called after it.
 template <bool kLoose, bool kToTheEnd, class Next, class Visit>
 OBBY_DEVICE uint32_t runTicks(const ExploreContext& c, sim::World& world, sim::LooseBody* loose,
@@ -26,8 +26,7 @@ OBBY_DEVICE uint32_t runTicks(const ExploreContext& c, sim::World& world, sim::L
   return ticks;
 }
 
-// The same with the random actions of a rollout. kToTheEnd: also while there is no hope left, for
-// those who want to see it end.
+// Does the same with the actions of a rollout. kToTheEnd: plays a doomed attempt to its end, too.
 template <bool kLoose = true, bool kToTheEnd = false, class Visit>
 OBBY_DEVICE uint32_t runRollout(const ExploreContext& c, uint64_t seed, uint64_t rollout,
                                 sim::World& world, sim::LooseBody* loose, uint32_t ticks,

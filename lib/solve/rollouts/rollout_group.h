@@ -1,5 +1,5 @@
-// Rollouts in step: the same as runRollout for each of them, with their ticks taken together in
-// SIMD lanes. Host only.
+// Rollouts in lockstep: runRollout() for each of them, with their ticks taken together in SIMD
+// lanes. Host only.
 #pragma once
 
 #include <cstddef>
@@ -12,13 +12,13 @@
 
 namespace obby::solve {
 
-// The worlds of those that still run lie side by side: the group goes over them several times a
-// tick. Their order says nothing.
+// The worlds of running rollouts are contiguous, since the group passes over them several times a
+// tick. Their order has no meaning.
 class RolloutGroup {
  public:
   explicit RolloutGroup(const ExploreContext& context) : context_(context) {}
 
-  // A rollout of at most `ticks` ticks. `loose`: (level.looseCount), advanced in place.
+  // Adds a rollout of at most `ticks` ticks. `loose`: (level.looseCount), advanced in place.
   void add(uint64_t seed, uint64_t rollout, const sim::World& start, sim::LooseBody* loose,
            uint32_t ticks) {
     members_.push_back({Explorer(seed, rollout), members_.size(), ticks});
@@ -26,14 +26,14 @@ class RolloutGroup {
     loose_.push_back(loose);
   }
 
-  // Of those that run; they are numbered anew at every tick.
+  // The running rollouts, which are renumbered at every tick.
   size_t size() const { return members_.size(); }
   size_t index(size_t i) const { return members_[i].index; }  // in the order of add()
   const sim::World& world(size_t i) const { return worlds_[i]; }
   const sim::LooseBody* loose(size_t i) const { return loose_[i]; }
 
-  // Advances every world to its end. look(t) is called after tick t = 1, 2, ... of all that run,
-  // end(t, i) for those that took their last.
+  // Advances every world to its end. look(t) is called after tick t = 1, 2, ... of all running
+  // rollouts, and end(t, i) for those that took their last tick.
   template <class Look, class End>
   void run(Look&& look, End&& end) {
     for (sim::World& w : worlds_) pointers_.push_back(&w);

@@ -1,5 +1,5 @@
-// The kernel of a search: one rollout a thread, with what the search notes of it. Launched on a GPU
-// by cuda/rollout.cu. The archive stays with the host, which takes the visits in rollout order.
+// The kernel of a search: one rollout per thread, with what the search notes of it. cuda/rollout.cu
+// launches it on a GPU. The archive stays on the host, which takes the visits in rollout order.
 #pragma once
 
 #include "solve/rollouts/rollout.h"
@@ -10,10 +10,10 @@ namespace obby::solve {
 struct RolloutStart {
   sim::World world;
   uint64_t id;     // its stream of random numbers
-  uint32_t ticks;  // at most
+  uint32_t ticks;  // max length
 };
 
-// A state in a cell that the rollout had not just been kept in.
+// A state in a cell other than the one that the rollout was last kept in.
 struct RolloutVisit {
   sim::World world;
   uint64_t key;
@@ -26,13 +26,13 @@ struct RolloutEnd {
   uint32_t closestTicks, ticks, visits;
 };
 
-// What all rollouts of a search read.
+// The data that all rollouts of a search read.
 struct RolloutRules {
   ExploreContext context;
   Binning binning;
   KeepRule rule;
   uint64_t seed;
-  uint32_t ticks;  // of any rollout, at most
+  uint32_t ticks;  // max length of a rollout
 };
 
 template <class Table>
@@ -41,32 +41,32 @@ OBBY_DEVICE void forTables(RolloutRules& r, Table&& table) {
   forTables(r.binning.clock, table);
 }
 
-// Visits that a rollout can have.
+// Returns the max number of visits of a rollout.
 OBBY_DEVICE uint32_t visitRoom(const RolloutRules& r) { return r.ticks / r.rule.lookEvery; }
 
 struct RolloutArguments {
   RolloutRules rules;
-  uint32_t room;               // visits of a rollout, at most
+  uint32_t room;               // max visits of a rollout
   const RolloutStart* starts;  // (rollouts)
   RolloutVisit* visits;        // (rollouts, room)
-  sim::LooseBody* loose;       // (rollouts, level.looseCount), from the start to the end
+  sim::LooseBody* loose;       // (rollouts, level.looseCount), at the start, then at the end
   sim::LooseBody* visitLoose;  // (rollouts, room, level.looseCount)
   RolloutEnd* ends;            // (rollouts)
 };
 
-// What a rollout came to, apart from its visits.
+// The results of a rollout, apart from its visits.
 struct RolloutPath {
   Approach closest;
   uint32_t closestTicks, ticks;
 };
 
-// Looks at where a rollout is after each tick.
+// Examines the state of a rollout after each tick.
 template <class Visit>
 struct RolloutWatch {
   const RolloutRules& rules;
   const sim::LooseBody* loose;
   Trail trail;
-  Visit visit;  // (key, world, ticks) of every state in a cell that it had not just been kept in
+  Visit visit;  // (key, world, ticks) of every state in a cell other than the last kept one
   Approach closest{};
   uint32_t closestTicks = 0, tick = 0;
 
@@ -86,7 +86,7 @@ struct RolloutWatch {
   }
 };
 
-// Takes `world` and its bodies to the end of rollout `id`. `kLoose`: as for sim::tick.
+// Takes `world` and its bodies to the end of rollout `id`. `kLoose`: see sim::tick.
 template <bool kLoose, class Visit>
 OBBY_DEVICE RolloutPath explore(const RolloutRules& rules, uint64_t id, uint32_t ticks,
                                 sim::World& world, sim::LooseBody* loose, Visit&& visit) {

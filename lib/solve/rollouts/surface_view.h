@@ -1,4 +1,4 @@
-// Where a player could stand, as rollouts look it up. For host and device.
+// The places where a player could stand, as rollouts look them up. For host and device.
 #pragma once
 
 #include <stdint.h>
@@ -9,11 +9,11 @@
 namespace obby::solve {
 
 struct SurfacePoint {
-  Vec3 position;   // world; in the frame of a moving part
+  Vec3 position;   // in the world, or in the frame of the mover
   uint32_t mover;  // index into LevelView::movers, or level::kNone
 };
 
-// Where the point is in a world.
+// Returns the position of the point at the time of a world.
 OBBY_DEVICE Vec3 positionIn(const level::LevelView& level, const SurfacePoint& p,
                             const sim::World& w) {
   return p.mover == level::kNone ? p.position
@@ -40,8 +40,9 @@ OBBY_DEVICE void forTables(SurfaceView& s, Table&& table) {
   table(s.starts, cells + 1);
 }
 
-// A point near `from`, uniform over those whose grid cells are within `radius` studs sideways and
-// between `drop` below and `rise` above; its index into points, or level::kNone if there is none.
+// Draws a point near `from`, uniformly from the grid cells within `radius` studs sideways and
+// between `drop` below and `rise` above. Returns its index into points, or level::kNone if there is
+// none.
 OBBY_DEVICE uint32_t pickPoint(const SurfaceView& s, Vec3 from, float radius, float drop,
                                float rise, Random& random) {
   const auto cell = [](float v, float origin, float inverse, int32_t n) {

@@ -10,11 +10,11 @@ namespace obby::solve {
 namespace {
 
 constexpr float kSpacing = 3;       // studs between the points of one part
-constexpr int kMaxPerSide = 48;     // points a part and axis; larger parts get a wider spacing
+constexpr int kMaxPerSide = 48;     // points per part and axis; larger parts get a wider spacing
 constexpr float kClimbSpacing = 6;  // studs between the points along a truss: below a jump's height
 constexpr float kWaist = 2.5f;      // studs above the feet
 constexpr size_t kMaxSurfaceCells = 1u << 20;
-constexpr size_t kMaxEntriesPerPoint = 256;  // of moving points: a longer way is thinned out
+constexpr size_t kMaxEntriesPerPoint = 256;  // for a moving point; a longer track is thinned out
 
 int sampleCount(float extent) {
   return std::clamp(int(std::lround(extent / kSpacing)), 1, kMaxPerSide);
@@ -24,7 +24,7 @@ Pose poseAtStart(const level::LevelView& level, const level::Collider& c) {
   return c.mover == level::kNone ? c.pose : moverPose(level.movers[c.mover], 0);
 }
 
-// First point of the collider below `top`, if a player can stand there.
+// Finds the first point of the collider below `top`. Returns true if a player can stand there.
 bool standingPoint(const level::Collider& c, const Pose& pose, Vec3 top, float depth,
                    float minNormalY, Vec3& point) {
   const Vec3 origin = toLocal(pose, top), direction = toLocal(pose.rotation, Vec3{0, -1, 0});
@@ -36,7 +36,7 @@ bool standingPoint(const level::Collider& c, const Pose& pose, Vec3 top, float d
   return true;
 }
 
-// Without collision, but worth going to.
+// Returns true for a part without collision that is worth going to.
 bool isTouchTarget(uint32_t flags) {
   return (flags & (level::kStarts | level::kTeleport | level::kSeat)) != 0 &&
          (flags & (level::kSolid | level::kKill)) == 0;

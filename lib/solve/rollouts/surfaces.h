@@ -1,7 +1,7 @@
-// Finds where a player could stand: points on the upward faces of the level's solid parts, found by
-// casting rays down on a grid over each part, points inside trusses, which can be hung on at any
-// height, parts without collision that do something when touched, and a uniform grid over them to
-// look up near ones. Host only.
+// Finds the places where a player could stand, and puts them into a uniform grid. Rays cast down on
+// a grid over each solid part find points on its upward faces. Points inside trusses count, too,
+// since players climb these at any height, and so do parts without collision that act when touched.
+// Host only.
 #pragma once
 
 #include <vector>
@@ -24,7 +24,7 @@ class Surfaces {
   void buildGrid();
 
   std::vector<SurfacePoint> points_;
-  std::vector<Box> reach_;  // (points), where each can be
+  std::vector<Box> reach_;  // (points), bounds of each point's positions
   std::vector<uint32_t> entries_, starts_;
   Vec3 origin_;
   float width_ = 4, height_ = 8;

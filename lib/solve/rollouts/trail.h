@@ -1,5 +1,5 @@
-// What a search notes of a rollout: the cells it passes through that are worth keeping, and how
-// close it comes to where it should go. The same on CPU and GPU.
+// Notes of a rollout: the cells it passes through that are worth keeping, and its closest approach
+// to the goal. The same on CPU and GPU.
 #pragma once
 
 #include "solve/archive/cell.h"
@@ -7,10 +7,10 @@
 
 namespace obby::solve {
 
-// How close a state is to the goal, and how much of the way there is behind.
+// The progress of a state toward the goal.
 struct Approach {
-  uint32_t targets = 0;    // waypoints and visits behind
-  float distance = 1e30f;  // studs from the next region
+  uint32_t targets = 0;    // waypoints and visits reached
+  float distance = 1e30f;  // studs to the next region
   Vec3 position;           // feet
 };
 
@@ -18,7 +18,7 @@ OBBY_DEVICE bool closer(const Approach& a, const Approach& b) {
   return a.targets > b.targets || (a.targets == b.targets && a.distance < b.distance);
 }
 
-// Studs to the next region.
+// Returns the studs to the next region.
 OBBY_DEVICE float distanceLeft(const level::QueryView& query, const sim::World& w) {
   return nextRegion(query, w).distance;
 }
@@ -27,18 +27,18 @@ OBBY_DEVICE Approach approachOf(const level::QueryView& query, const sim::World&
   return {targetsReached(w), distanceLeft(query, w), w.position};
 }
 
-// Which states are worth keeping.
+// Decides which states are worth keeping.
 struct KeepRule {
-  bool groundedOnly;   // those that stand, or have been in the air for long
-  uint32_t airSteps;   // that many physics steps
-  uint32_t lookEvery;  // ticks: states between are passed over
+  bool groundedOnly;   // only those that stand, or have long been in the air
+  uint32_t airSteps;   // physics steps in the air that count as long
+  uint32_t lookEvery;  // ticks; states in between are ignored
 };
 
 OBBY_DEVICE bool keeps(const KeepRule& rule, const sim::World& w) {
   return !rule.groundedOnly || grounded(w) || w.floorlessSteps >= rule.airSteps;
 }
 
-// The cells that a rollout was in and was kept in last.
+// The cell of a rollout at the last look, and the one that it was last kept in.
 struct Trail {
   uint64_t last, kept;
 

@@ -1,4 +1,4 @@
-// Marks along the chosen way: a dot where the player jumped, a small ring where they came down.
+// Marks along the selected trajectory: a dot at each jump, a small ring at each landing.
 import { Group, Points, PointsMaterial, BufferGeometry, Float32BufferAttribute } from 'three';
 import { glyphTexture } from './markers.js';
 import { kLift } from './thin_lines.js';
@@ -27,7 +27,7 @@ function marks(path, ticks, glyph, color, size) {
   return cloud;
 }
 
-// Ticks at which the player touches down.
+// Returns the ticks of landings.
 export function landings(path) {
   const ticks = [];
   const { state } = path;

@@ -1,5 +1,5 @@
-// The player: torso, head, arms and legs of the body that the simulator moves, with a simple walk so that facing and
-// pace can be read at a glance.
+// The player: torso, head, arms and legs of the simulated body, with a simple walk that shows
+// facing and pace.
 import {
   BoxGeometry,
   BufferGeometry,
@@ -14,14 +14,14 @@ import { GHOST_COLOR } from '../palette.js';
 import { glyphTexture } from './markers.js';
 
 function limb(width, height, depth, material, x, y) {
-  // The pivot is the limb's top, so that it swings from the hip or the shoulder.
+  // The pivot is the limb's top, so that it swings at the hip or shoulder.
   const geometry = new BoxGeometry(width, height, depth).translate(0, -height / 2, 0);
   const mesh = new Mesh(geometry, material);
   mesh.position.set(x, y, 0);
   return mesh;
 }
 
-// Of the one that the chosen is compared with: of one colour, and parts shine through.
+// For the ghost of a comparison: one colour, translucent.
 const kGhost = { color: GHOST_COLOR, emissive: '#16384a', transparent: true, opacity: 0.5 };
 
 export class Avatar {
@@ -53,7 +53,7 @@ export class Avatar {
     this.stride = Math.max(2, hip * 2.4);
   }
 
-  // A sign over the head, seen through everything: where is the player?
+  // Adds a marker above the head that is visible through solids.
   pointer(height, color) {
     const geometry = new BufferGeometry();
     geometry.setAttribute('position', new Float32BufferAttribute([0, height, 0], 3));

@@ -1,5 +1,6 @@
-// The camera as in the level editor: left-drag orbits, right-drag looks, middle-drag pans, the wheel moves in and out,
-// WASD and QE fly. Two fingers move in and out and pan. It can follow the player and glides to whatever is framed.
+// The camera, as in Studio: left-drag orbits, right-drag looks, middle-drag pans, the wheel zooms,
+// WASD and QE fly. Two fingers zoom and pan. It can follow the player, and glides to whatever is
+// framed.
 import { MathUtils, PerspectiveCamera, Vector3 } from 'three';
 
 const kKeys = {
@@ -11,7 +12,7 @@ const kKeys = {
   KeyQ: [0, -1, 0],
 };
 
-const kFarthest = 8000; // studs that the wheel moves out, or twice as far as all of a larger course takes
+const kFarthest = 8000; // max distance in studs, or twice the distance that frames a larger level
 
 export class CameraRig {
   constructor(canvas) {
@@ -19,13 +20,13 @@ export class CameraRig {
     this.target = new Vector3(); // pivot of orbiting
     this.goal = { target: new Vector3(), yaw: 0.7, pitch: -0.5, distance: 60 };
     this.now = { target: new Vector3(), yaw: 0.7, pitch: -0.5, distance: 60 };
-    this.framed = 0; // distance from which all that was framed last is seen
+    this.framed = 0; // distance that frames the last target
     this.keys = new Set();
     this.flySpeed = 40;
     this.drag = null;
-    this.fingers = new Map(); // pointer of a touch -> where it is
-    this.locked = false; // the left button is for something else
-    this.free = 1; // share of the width that no panel covers
+    this.fingers = new Map(); // pointer id of a touch -> position
+    this.locked = false; // the left button has another function
+    this.free = 1; // share of the width not covered by panels
     this.onUserMove = () => {};
     this.listen(canvas);
   }
@@ -35,7 +36,7 @@ export class CameraRig {
     canvas.addEventListener('pointerdown', (event) => {
       canvas.setPointerCapture(event.pointerId);
       if (event.pointerType === 'touch') {
-        if (event.isPrimary) this.fingers.clear(); // the end of one before was not told
+        if (event.isPrimary) this.fingers.clear(); // the end of a previous touch was not reported
         this.fingers.set(event.pointerId, { x: event.clientX, y: event.clientY });
       }
       this.drag = null;
@@ -69,13 +70,13 @@ export class CameraRig {
     window.addEventListener('blur', () => this.keys.clear());
   }
 
-  // So many times as far from what the camera turns about.
+  // Multiplies the distance to the target.
   approach(times) {
     const farthest = Math.max(kFarthest, 2 * this.framed);
     this.goal.distance = MathUtils.clamp(this.goal.distance * times, 1, farthest);
   }
 
-  // One of two fingers, or more, has moved: of these the first two count.
+  // One of two or more fingers has moved; only the first two count.
   pinch({ pointerId, clientX, clientY }) {
     const finger = this.fingers.get(pointerId);
     if (!finger) return;
@@ -149,7 +150,7 @@ export class CameraRig {
     this.goal.target.y += move.y * step;
   }
 
-  // Puts a sphere in view. `view` may set yaw and pitch too.
+  // Frames a sphere. `view` may also set yaw and pitch.
   frame(centre, radius, view = {}, atOnce = false) {
     const fit = Math.tan(MathUtils.degToRad(this.camera.fov / 2)) * Math.min(1, this.camera.aspect);
     Object.assign(this.goal, view);
@@ -158,7 +159,7 @@ export class CameraRig {
     if (atOnce) this.settle();
   }
 
-  // Puts a box in view, as near as its corners allow.
+  // Frames a box as closely as its corners allow.
   frameBox(box, { yaw, pitch }, atOnce = false) {
     const centre = box.getCenter(new Vector3());
     const forward = this.forwardOf({ yaw, pitch });

@@ -1,5 +1,5 @@
-// Why a query is unreachable, in the picture: a frame around every part that can be reached, and an arrow over the least
-// step beyond them.
+// Shows why a query is unreachable: a frame around every reachable part, and an arrow over the
+// smallest impossible step.
 import {
   ArrowHelper,
   BoxGeometry,
@@ -16,13 +16,13 @@ import { CUT_COLOR, REACHED_COLOR } from '../palette.js';
 import { lackOf } from '../ui/findings.js';
 import { dispose } from './dispose.js';
 
-const kAbove = 1.2; // studs over the parts that the arrow joins
-const kHead = 1.6; // studs of the arrow's head
+const kAbove = 1.2; // studs above the parts that the arrow connects
+const kHead = 1.6; // length of the arrow's head, studs
 
 function centreOf(level, part) {
   const { position, rotation, size } = level;
   const turn = new Quaternion().fromArray(rotation, 4 * part).normalize();
-  // Half the height of the turned box.
+  // Half the height of the rotated box.
   const up = [0, 1, 2].reduce((sum, k) => {
     const axis = new Vector3().setComponent(k, size[3 * part + k] / 2).applyQuaternion(turn);
     return sum + Math.abs(axis.y);
@@ -30,7 +30,7 @@ function centreOf(level, part) {
   return new Vector3().fromArray(position, 3 * part).add(new Vector3(0, up + kAbove, 0));
 }
 
-// The edges of all reached parts in one buffer.
+// Merges the edges of all reached parts into one buffer.
 function frames(level, parts) {
   const edges = new EdgesGeometry(new BoxGeometry(1, 1, 1)).attributes.position;
   const points = [];
@@ -56,7 +56,7 @@ function frames(level, parts) {
 export class CutView {
   constructor(query, level) {
     this.group = new Group();
-    this.labels = []; // as those of the regions
+    this.labels = []; // like those of the regions
     const cut = query.result?.cut;
     if (!cut || !level) return;
     this.group.add(frames(level, cut.reached));
@@ -75,7 +75,7 @@ export class CutView {
     });
   }
 
-  // A part's top, or else a place that the query names.
+  // Returns the top of a part, or else a place of the query.
   place(level, part, otherwise) {
     if (part >= 0 && part < level.count) return centreOf(level, part);
     return otherwise ? new Vector3(...otherwise).add(new Vector3(0, kAbove, 0)) : null;

@@ -1,17 +1,18 @@
-// Where the search has been, or where the listed ways go: a tile for each cube, the brighter the more of the search's
-// cells are in it, or the more ways pass it. Of ways each counts once a cube.
+// Shows where the search has been, or where the listed trajectories go. Each cube has a tile whose
+// brightness grows with the search's cells in it, or with the trajectories through it. A trajectory
+// counts once per cube.
 import { Color, Group, InstancedMesh, Matrix4, MeshBasicMaterial, PlaneGeometry } from 'three';
 import { heatColor } from '../coloring.js';
 
-const kCell = 2; // studs, of ways
+const kCell = 2; // studs, for trajectories
 const kMostTiles = 20000; // the most visited are kept
 const kLift = 0.12; // studs above the lowest feet of the cell
 
-// One number for a cell, whole up to 65,536 studs from the middle of the world; farther ones fall together.
+// Returns a cell's key, unique up to 65,536 studs from the origin; farther cells collide.
 const keyOf = (x, y, z) =>
   (((x + 32768) & 65535) * 65536 + ((y + 32768) & 65535)) * 65536 + ((z + 32768) & 65535);
 
-// {size, cells: [{x, y, z, count}]} in studs: the cube's middle, and the lowest feet in it.
+// Returns {size, cells: [{x, y, z, count}]} in studs: the cube's centre, with the lowest feet as y.
 export function visits(paths) {
   const cells = new Map();
   for (const path of paths) {
@@ -21,14 +22,14 @@ export function visits(paths) {
       const x = Math.floor(path.points[i] / kCell);
       const z = Math.floor(path.points[i + 2] / kCell);
       const key = keyOf(x, Math.floor(feet / kCell), z);
-      if (key !== here) cell = cells.get(key); // mostly it is that of the sample before
+      if (key !== here) cell = cells.get(key); // usually the cell of the sample before
       here = key;
       if (!cell) {
         cell = { x: (x + 0.5) * kCell, y: feet, z: (z + 0.5) * kCell, count: 0, last: null };
         cells.set(key, cell);
       }
       if (feet < cell.y) cell.y = feet;
-      // Ways come one after another, so that the last visitor tells whether this one was here.
+      // Trajectories are processed in turn, so the last visitor tells whether this one was here.
       if (cell.last !== path) cell.count += 1;
       cell.last = path;
     }
@@ -36,7 +37,7 @@ export function visits(paths) {
   return { size: kCell, cells: [...cells.values()] };
 }
 
-// The same of a result's heat map.
+// The same for a result's heat map.
 export function searched({ size, feet, counts }) {
   const middle = (v) => (Math.floor(v / size) + 0.5) * size;
   const cells = Array.from(counts, (count, i) => ({
@@ -48,19 +49,20 @@ export function searched({ size, feet, counts }) {
   return { size, cells };
 }
 
-// Counts spread over orders of magnitude: 0 of a single one, 1 of the most.
+// Counts span orders of magnitude: 0 for a single one, 1 for the maximum.
 export const heatShare = (count, most) => (most > 1 ? Math.log(count) / Math.log(most) : 0);
 
 export class HeatView {
   constructor() {
     this.group = new Group();
-    this.most = 0; // of all tiles
-    // Kept: with its last material a program of the GPU goes, and the map is made anew at each filter.
+    this.most = 0; // maximum of all tiles
+    // Kept alive: with its last material a GPU program is dropped, and each filter recreates the
+    // map.
     this.material = new MeshBasicMaterial({
       transparent: true,
       opacity: 0.9,
       depthWrite: false,
-      fog: false, // the legend has its colours
+      fog: false, // must match the legend
     });
   }
 
@@ -74,7 +76,7 @@ export class HeatView {
       cells.length,
     );
     this.most = cells[0].count;
-    const colors = new Map(); // of counts, which are few
+    const colors = new Map(); // cached by count, since there are few distinct counts
     const place = new Matrix4();
     cells.forEach(({ x, y, z, count }, i) => {
       if (!colors.has(count))

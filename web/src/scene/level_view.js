@@ -1,5 +1,5 @@
-// The level in 3D: one InstancedMesh for each shape, translucency and mobility; moving and vanishing parts follow the
-// level clock.
+// The level in 3D, with an InstancedMesh for each shape, translucency and mobility. Moving and
+// vanishing parts follow the level clock.
 import {
   Color,
   DynamicDrawUsage,
@@ -18,10 +18,10 @@ import { partMaterial, ROLE_PATTERN } from './part_material.js';
 import { hullGeometry, scaleOf, unitGeometry } from './shapes.js';
 
 const kNeutral = new Color('#808998');
-const kFaint = 0.1; // opacity of a part while it has vanished
+const kFaint = 0.1; // opacity of a vanished part
 
 export class LevelView {
-  // `colors`: 'roles', or 'level' for the parts' own.
+  // `colors`: 'roles', or 'level' for the parts' own colours.
   constructor(level, colors) {
     this.level = level;
     this.group = new Group();
@@ -30,7 +30,7 @@ export class LevelView {
     this.trackOf = new Map(level.tracks.map((track) => [track.part, track]));
     this.vanishOf = new Map(level.vanish.map((rule) => [rule.part, rule]));
     this.loose = new Set(level.loose);
-    this.displaced = []; // loose parts that are not where the level has them
+    this.displaced = []; // dynamic parts away from their place in the level
     this.flowOf = new Map(level.conveyors.map((belt) => [belt.part, belt.velocity]));
     this.build();
     this.setColors(colors);
@@ -44,7 +44,7 @@ export class LevelView {
     return ROLES[this.level.role[part]];
   }
 
-  // Parts that share a mesh share this key.
+  // Parts with equal keys share a mesh.
   keyOf(part) {
     const alpha = this.level.look[4 * part + 3];
     const translucent = alpha < 250 || this.vanishOf.has(part) || this.roleOf(part) === 'ghost';
@@ -54,7 +54,7 @@ export class LevelView {
 
   build() {
     const groups = new Map();
-    const alike = new Map(); // pieces of hulls: a place has many copies of one mesh
+    const alike = new Map(); // pieces of hulls, since a place has many copies of one mesh
     const hullsOf = new Map(this.level.hulls.map((hull) => [hull.part, hull.pieces]));
     for (let part = 0; part < this.level.count; part++) {
       if (this.shapeOf(part) === 'hull' && hullsOf.get(part)?.length) {
@@ -126,7 +126,7 @@ export class LevelView {
 
   alphaOf(part) {
     const alpha = this.level.look[4 * part + 3] / 255;
-    // An invisible part still matters to the player: it is shown faintly.
+    // An invisible part still affects the player, so it is shown faintly.
     return Math.max(alpha, this.roleOf(part) === 'plain' ? 0.12 : 0.3);
   }
 
@@ -147,8 +147,8 @@ export class LevelView {
     for (const mesh of this.group.children) mesh.instanceColor.needsUpdate = true;
   }
 
-  // `tick`: of the level clock. `gone`: parts without collision now, by the trajectory's own events. `moved`: ticks since
-  // the start of the triggered parts that move now.
+  // `tick`: of the level clock. `gone`: parts that the trajectory's events have made vanish.
+  // `moved`: ticks since the start of each triggered part in motion.
   update(tick, gone, moved) {
     this.uniforms.uTime.value = tick / this.level.tickRate;
     for (const [part, track] of this.trackOf) {
@@ -160,7 +160,7 @@ export class LevelView {
     }
   }
 
-  // `tracks`: of the loose parts that the trajectory moves; `tick`: since its start.
+  // `tracks`: of the dynamic parts that the trajectory moves; `tick`: since its start.
   updateLoose(tracks, tick) {
     for (const part of this.displaced)
       this.pose(part, { i: part, next: part, share: 0 }, this.level);
@@ -168,13 +168,13 @@ export class LevelView {
     this.displaced = tracks.map((track) => track.part);
   }
 
-  // Between two ticks nothing comes or goes.
+  // Timers act on whole ticks.
   timedAway(rule, tick) {
     const away = (Math.floor(tick) + rule.phase) % (rule.delay + rule.away) >= rule.delay;
     return away !== Boolean(rule.inverted);
   }
 
-  // Parts that are away until something happens.
+  // Returns parts that are away until they are triggered.
   goneAtRest() {
     const waits = (rule) => rule.trigger !== 'timer' && rule.inverted;
     return new Set(this.level.vanish.filter(waits).map((rule) => rule.part));
@@ -201,7 +201,7 @@ export class LevelView {
       }
       mesh.setMatrixAt(at, matrix.compose(position, rotation, scale));
       mesh.instanceMatrix.needsUpdate = true;
-      mesh.boundingSphere = null; // of the parts as they were: rays would pass by those that moved
+      mesh.boundingSphere = null; // outdated: rays would miss parts that moved
     }
   }
 
@@ -219,7 +219,7 @@ export class LevelView {
     if (part >= 0) this.setAttribute(part, 'aGlow', on ? 1 : 0);
   }
 
-  // Centre of a part as it is drawn now.
+  // Returns the centre of a part as currently drawn.
   centreOf(part) {
     const { mesh, at } = this.slots[part][0];
     const matrix = new Matrix4();

@@ -1,4 +1,5 @@
-// Where attempts ended, one glyph an outcome, and the runners: a dot for every trajectory at the clock's tick.
+// Marks the ends of attempts, one glyph per outcome, and the runners: a dot for each trajectory at
+// the current tick.
 import {
   BufferAttribute,
   BufferGeometry,
@@ -49,7 +50,7 @@ const kDraw = {
   },
 };
 
-// A glyph with a dark rim, readable on any part.
+// Draws a glyph with a dark rim, readable on any part.
 export function glyphTexture(glyph, color) {
   const canvas = document.createElement('canvas');
   canvas.width = 64;
@@ -84,7 +85,7 @@ export class Markers {
   constructor(query, pixelRatio) {
     this.paths = query.paths;
     this.ends = new Group();
-    this.clouds = []; // {cloud, indices}: what a filter thins
+    this.clouds = []; // {cloud, indices}, for filters
     for (const [outcome, style] of Object.entries(OUTCOME_STYLE)) {
       const indices = [];
       const at = [];
@@ -136,7 +137,7 @@ export class Markers {
     return cloud;
   }
 
-  // `tint`: path -> colour, of the runners; ends keep the colour of their outcome.
+  // `tint`: path -> colour, for the runners. Ends keep the colour of their outcome.
   setColors(tint) {
     const { color } = this.runners.geometry.attributes;
     const mixed = new Color();

@@ -1,12 +1,12 @@
-// Where the browser has no WebGL: a message in place of the picture. All else of the page goes on, and what it tells the
-// renderer is told nobody.
+// Shows a message instead of the picture if the browser has no WebGL. The rest of the page works,
+// and calls of the renderer do nothing.
 import { el } from '../ui/dom.js';
 
 const kMessage =
   'No 3D picture: this browser has no WebGL. Hardware acceleration may be off in its settings. ' +
   'The rest of the report works. obby-view -o FILE.png draws a picture without a browser.';
 
-// What the stage asks of a renderer.
+// The renderer methods that the stage calls.
 class NoRenderer {
   constructor() {
     this.shadowMap = {};
@@ -27,7 +27,7 @@ class NoRenderer {
   render() {}
 }
 
-// The message takes the pointer, and the keyboard passes by.
+// The message takes pointer events, and the canvas leaves the tab order.
 export function noPicture(canvas) {
   canvas.hidden = true;
   canvas.parentElement.append(

@@ -1,5 +1,5 @@
-// Trajectories of a query as lines: attempts thin and faint in one buffer, solutions bright, the selected one thick,
-// with the part already played brighter than what is to come.
+// Trajectories of a query as lines. Attempts are thin and faint in one buffer, solutions bright,
+// and the selected one thick. Its played part is brighter than the rest.
 import { AdditiveBlending, Group } from 'three';
 import { LineMaterial } from 'three/addons/lines/LineMaterial.js';
 import { LineSegments2 } from 'three/addons/lines/LineSegments2.js';
@@ -7,9 +7,10 @@ import { LineSegmentsGeometry } from 'three/addons/lines/LineSegmentsGeometry.js
 import { BAND_STYLE, GHOST_COLOR, pathColor, SELECTED_COLOR } from '../palette.js';
 import { kLift, skipOf, ThinLines } from './thin_lines.js';
 
-const kMostThick = 12; // solutions; more are thin lines, for thick ones take a draw call and many pixels each
+const kMostThick = 12; // max thick solutions; more are thin lines, because a thick one costs a draw
+                       // call and many pixels
 
-// Pairs of points, as line segments want them, from one sample to another.
+// Returns pairs of points for line segments, from one sample to another.
 function segmentsOf(path, first = 0, last = path.samples - 1) {
   const out = new Float32Array(Math.max(0, last - first) * 6);
   for (let i = 0; first + i < last; i++) {
@@ -54,9 +55,9 @@ export class PathView {
     for (const i of solutions.slice(0, kMostThick)) this.addSolution(i);
     this.solutions.add(this.further.lines);
     this.selection = new Group();
-    this.rival = new Group(); // the other one of a comparison
+    this.rival = new Group(); // the ghost of a comparison
     this.hovered = new Group();
-    this.left = []; // lines that are not drawn any more
+    this.left = []; // removed lines, not yet freed
     this.group.add(this.attempts, this.solutions, this.rival, this.hovered, this.selection);
   }
 
@@ -97,7 +98,7 @@ export class PathView {
     }
   }
 
-  // Frees what was taken away: behind the next picture, for the reason that Leaving has.
+  // Frees removed lines after the next picture, for the reason given at Leaving.
   sweep() {
     for (const { geometry, material } of this.left.splice(0)) {
       geometry.dispose();
@@ -110,7 +111,7 @@ export class PathView {
     this.played = null;
     if (!path) return;
     const tint = this.tint(path);
-    // What lies behind parts shines through faintly.
+    // Hidden stretches shine through the parts faintly.
     this.selection.add(
       thickLine(path, tint, 2.5, 0.3, { depthTest: false, blending: AdditiveBlending }),
       thickLine(path, '#0b0e14', 7.5, 0.45),
@@ -124,7 +125,7 @@ export class PathView {
     this.markHardest(path);
   }
 
-  // The hardest step stands out from the rest of the selected line.
+  // Highlights the hardest step of the selected line.
   markHardest(path) {
     this.hardest = null;
     if (!path.difficulty) return;
@@ -136,11 +137,11 @@ export class PathView {
     const range = [sample(startTick), sample(startTick + ticks)];
     if (range[1] <= range[0]) return;
     this.hardest = thickLine(path, BAND_STYLE[band].color, 9, 0.85, {}, range);
-    this.hardest.renderOrder = 8; // over the dark border, below the line itself
+    this.hardest.renderOrder = 8; // above the dark border, below the line itself
     this.selection.add(this.hardest);
   }
 
-  // The one that the selected is compared with: dashed.
+  // Draws the ghost of a comparison, dashed.
   compare(path) {
     this.empty(this.rival);
     if (!path) return;
@@ -155,7 +156,7 @@ export class PathView {
     if (path) this.hovered.add(thickLine(path, '#ffffff', 3, 0.9));
   }
 
-  // How much of the selected line has been played.
+  // Sets how much of the selected line has been played.
   play(path, tick) {
     if (!path || !this.played) return;
     const { i, j, share } = path.at(tick);

@@ -1,9 +1,10 @@
-// What is under the pointer: trajectories by distance on the screen (lines are thin, a hand is not), then parts.
+// Picks what is under the pointer: trajectories by screen distance, since lines are thin, then
+// parts.
 import { Matrix4, Plane, Raycaster, Vector2, Vector3 } from 'three';
 import { kLift } from './thin_lines.js';
 
 const kReach = 9; // pixels
-const kMostPoints = 150000; // tested a pick; beyond it, every k-th sample
+const kMostPoints = 150000; // tested per pick; beyond it only every k-th sample
 
 function distanceToSegment(px, py, ax, ay, bx, by) {
   const dx = bx - ax;
@@ -16,7 +17,7 @@ function distanceToSegment(px, py, ax, ay, bx, by) {
   return Math.hypot(px - ax - t * dx, py - ay - t * dy);
 }
 
-// Nearest approach of one path to a point on the screen.
+// Returns the nearest approach of a path to a screen point.
 function approach(path, matrix, width, height, x, y, skip) {
   const m = matrix.elements;
   let best = Infinity;
@@ -47,7 +48,7 @@ function approach(path, matrix, width, height, x, y, skip) {
   return { distance: best, tick };
 }
 
-// {path: index, tick} or null. Solutions win over attempts that are as near.
+// Returns {path: index, tick} or null. Solutions win over attempts at equal distance.
 export function pickPath(paths, camera, width, height, x, y, visible) {
   const matrix = new Matrix4().multiplyMatrices(camera.projectionMatrix, camera.matrixWorldInverse);
   const total = paths.reduce((sum, path) => sum + path.samples, 0);
@@ -69,13 +70,13 @@ function rayThrough(camera, width, height, x, y) {
   return ray;
 }
 
-// Where the ray through a point of the screen meets the height `y`; null where it does not.
+// Returns the point where the ray through a screen point meets the height `y`, or null.
 export function pointAtHeight(camera, width, height, at, y) {
   const { ray } = rayThrough(camera, width, height, ...at);
   return ray.intersectPlane(new Plane(new Vector3(0, 1, 0), -y), new Vector3());
 }
 
-// Where it meets a part, or else that height.
+// Returns the point where the ray meets a part, or else that height.
 export function pointOnParts(group, camera, width, height, at, y) {
   const hit = rayThrough(camera, width, height, ...at).intersectObject(group, true)[0];
   return hit ? hit.point : pointAtHeight(camera, width, height, at, y);

@@ -1,4 +1,5 @@
-// The 3D stage: level, regions, trajectories, player, light and ground, redrawn when something changed.
+// The 3D stage with level, regions, trajectories, player, light and ground. It is redrawn on
+// changes only.
 import {
   Box3,
   DirectionalLight,
@@ -27,12 +28,12 @@ import { pickPart, pickPath, pointAtHeight, pointOnParts } from './picking.js';
 import { RegionView } from './regions.js';
 
 const kHaze = '#141821';
-const kPanelWidth = 210; // pixels that the legend covers on the right
+const kPanelWidth = 210; // pixels on the right that the legend covers
 const kAirborne = 1; // bit of a sample's state
-const kMostShadowed = 4000; // parts; larger levels do without shadows
+const kMostShadowed = 4000; // parts; larger levels have no shadows
 const kSun = new Vector3(0.42, 1, 0.28);
 
-// It says on the console by itself what it lacks.
+// The renderer logs missing features to the console itself.
 function rendererOf(canvas) {
   try {
     return new WebGLRenderer({
@@ -52,10 +53,10 @@ export class Stage {
     this.renderer = rendererOf(canvas);
     this.renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
     this.scene = new Scene();
-    this.renderer.setClearAlpha(0); // the page's own gradient lies behind
+    this.renderer.setClearAlpha(0); // the page's gradient shows through
     this.rig = new CameraRig(canvas);
     this.renderer.shadowMap.type = PCFShadowMap;
-    this.renderer.shadowMap.autoUpdate = false; // a turn of the camera moves no shadow
+    this.renderer.shadowMap.autoUpdate = false; // a camera move does not change shadows
     this.sun = new DirectionalLight('#fff4e0', 2.2);
     this.sun.castShadow = true;
     this.sun.shadow.mapSize.set(2048, 2048);
@@ -64,7 +65,7 @@ export class Stage {
     const rim = new DirectionalLight('#8fb0ff', 0.7);
     rim.position.set(-0.6, 0.35, -0.7);
     this.scene.add(new HemisphereLight('#dfe8ff', '#2a2c36', 1.15), this.sun, this.sun.target, rim);
-    // Of the level; until there is one, of nothing: an empty box would put the camera nowhere, for good.
+    // Bounds of the level. The initial box is not empty, or the camera's position would become NaN.
     this.bounds = new Box3(new Vector3(-4, -4, -4), new Vector3(4, 4, 4));
     this.filterBoxes = new FilterBoxes();
     this.heat = new HeatView();
@@ -75,13 +76,13 @@ export class Stage {
     this.leaving = new Leaving(this.scene);
   }
 
-  // What comes and goes with the level.
+  // The nodes that are replaced with the level.
   ofLevel() {
     const { levelView, avatar, ghost, grid, motionPaths } = this;
     return levelView ? [levelView.group, avatar.group, ghost.group, grid, motionPaths] : [];
   }
 
-  // `colors`: as LevelView's.
+  // `colors`: as in LevelView.
   setLevel(level, colors) {
     for (const node of this.ofLevel()) this.leaving.take(node, () => dispose(node));
     this.level = level;
@@ -103,7 +104,7 @@ export class Stage {
     this.scene.add(...this.ofLevel());
   }
 
-  // A sphere around the level that a few strays cannot blow up.
+  // Returns a sphere around the level that ignores a few outliers.
   measure(level) {
     const axis = (k) =>
       Float32Array.from({ length: level.count }, (_, i) => level.position[3 * i + k]).sort();
@@ -122,7 +123,7 @@ export class Stage {
     for (const view of [this.regionView, this.cutView, this.pathView, this.markers])
       if (view) this.leaving.take(view.group, () => view.dispose());
     this.query = query;
-    this.tint = null; // of new lines
+    this.tint = null; // for new lines
     this.regionView = new RegionView(query);
     this.cutView = new CutView(query, this.level);
     this.pathView = new PathView(query);
@@ -131,7 +132,7 @@ export class Stage {
       this.scene.add(view.group);
   }
 
-  // Where play of this query happens: its regions and trajectories, or else the level.
+  // Returns the box of the query's regions and solutions, or else of the level.
   queryBox() {
     const box = new Box3();
     if (this.regionView) box.expandByObject(this.regionView.group);
@@ -147,7 +148,7 @@ export class Stage {
     const box = this.queryBox();
     this.light(box);
     const size = box.getSize(new Vector3());
-    // Look along the shorter side, so that the course runs across the screen, away from the player.
+    // Looks along the shorter side, so that the level runs across the screen.
     const yaw = size.x >= size.z ? 0.55 : Math.PI / 2 - 0.55;
     this.rig.frameBox(box, { yaw, pitch: -0.52 }, atOnce);
   }
@@ -158,7 +159,7 @@ export class Stage {
     this.rig.frameBox(box, { yaw: size.x >= size.z ? 0 : Math.PI / 2, pitch: -1.549 });
   }
 
-  // The shadow map covers the course, not the whole level, so that it stays sharp.
+  // The shadow map covers the query's box instead of the whole level, so that it stays sharp.
   light(box) {
     const centre = box.getCenter(new Vector3());
     const reach = Math.max(20, (box.getSize(new Vector3()).length() / 2) * 1.25);
@@ -181,7 +182,7 @@ export class Stage {
     this.shown = shown;
     const views = [this.pathView, this.markers].filter(Boolean);
     for (const view of views) {
-      if (tint !== this.tint) view.setColors(tint); // or they have it
+      if (tint !== this.tint) view.setColors(tint); // otherwise already set
       view.setShown(shown);
     }
     this.tint = tint;
@@ -194,7 +195,7 @@ export class Stage {
       (this.shown.has(index) && (path.kind === 'solution' ? state.solutions : state.attempts));
   }
 
-  // What the pointer is over: a point of a part, or of the height that the camera turns about.
+  // Returns the point under the pointer, on a part or at the height of the camera's target.
   pointAt(x, y) {
     const { camera, goal } = this.rig;
     const size = [this.width, this.height];
@@ -223,13 +224,14 @@ export class Stage {
 
   resize() {
     const { clientWidth, clientHeight } = this.canvas.parentElement;
-    // Of a page that is not shown yet, as in a frame that opens later: whatever is framed in that lies nowhere.
+    // The size is 0 while the page is hidden, as in a frame that opens later. Framing would fail
+    // then.
     if (!clientWidth || !clientHeight) return;
     if (this.width === clientWidth && this.height === clientHeight) return;
     [this.width, this.height] = [clientWidth, clientHeight];
     this.renderer.setSize(clientWidth, clientHeight, false);
     this.rig.camera.aspect = clientWidth / Math.max(1, clientHeight);
-    // The middle of the picture is the middle of what the legend leaves free.
+    // The picture is centred in the area that the legend leaves free.
     const covered = clientWidth > 900 ? kPanelWidth : 0;
     this.rig.free = 1 - covered / clientWidth;
     this.rig.camera.setViewOffset(
@@ -242,14 +244,14 @@ export class Stage {
     );
   }
 
-  // Whether what throws shadows may have moved since the last picture.
+  // Updates the shadows if anything that casts them may have moved.
   castShadows(...posed) {
     if (this.cast?.every((value, i) => value === posed[i])) return;
     this.cast = posed;
     this.renderer.shadowMap.needsUpdate = true;
   }
 
-  // `other`: of a comparison; it runs from its own start, and stays at its end.
+  // `other`: the ghost of a comparison. It runs from its own start and stays at its end.
   showTick(path, tick, other) {
     this.castShadows(path, tick, other, this.level, this.query);
     const clock = (path?.startTick ?? this.query?.startTick ?? 0) + tick;

@@ -1,5 +1,5 @@
-// Many trajectories in one buffer and one draw call. Which are drawn is a list of indices, so that a filter does not
-// touch the points.
+// Many trajectories in one buffer and one draw call. An index list selects those to draw, so that
+// filters leave the points unchanged.
 import {
   BufferAttribute,
   BufferGeometry,
@@ -9,20 +9,20 @@ import {
   LineSegments,
 } from 'three';
 
-const kMostPoints = 120000; // in a picture; a browser without a GPU draws about 400 segments a ms
+const kMostPoints = 120000; // per picture; a browser without a GPU draws about 400 segments a ms
 export const kLift = 0.35; // studs above the feet, so that lines do not sink into the floor
 
-// Which samples are drawn of all thin lines of a picture together: every one, or every k-th.
+// Returns the stride of samples for all thin lines of a picture: 1, or k for every k-th.
 export function skipOf(paths, indices) {
   const total = indices.reduce((sum, i) => sum + paths[i].samples, 0);
   return Math.max(1, Math.ceil(total / kMostPoints));
 }
 
 export class ThinLines {
-  // `indices`: which of the query's paths; `skip`: as of skipOf.
+  // `indices`: into the query's paths; `skip`: from skipOf.
   constructor(paths, indices, skip) {
     Object.assign(this, { paths, indices, skip });
-    this.spans = []; // [first vertex, vertices] of each
+    this.spans = []; // [first vertex, number of vertices] of each
     this.build();
     this.lines = new LineSegments(
       this.geometry,
@@ -83,7 +83,7 @@ export class ThinLines {
     });
     this.geometry.index.needsUpdate = true;
     this.geometry.setDrawRange(0, at);
-    // Many add up to a cloud, few stay readable.
+    // Many lines form a translucent cloud, and few stay readable.
     this.lines.material.opacity = Math.min(0.6, Math.max(0.16, 6 / Math.sqrt(count * 4 + 1)));
   }
 

@@ -1,11 +1,12 @@
-// Two trajectories side by side: their numbers, when they passed what the query names, and how far apart they are now.
+// Compares two trajectories: their numbers, when they passed the query's places, and their current
+// distance.
 import { Quaternion, Vector3 } from 'three';
 import { segmentMeets } from '../choice.js';
 import { causeOf, GHOST_COLOR } from '../palette.js';
 import { partName } from '../part_name.js';
 import { el, keepingFocus, seconds } from './dom.js';
 
-// Studs walked, flown and fallen.
+// Returns the length of the trajectory in studs, including flight and falls.
 function lengthOf({ points, samples }) {
   let sum = 0;
   for (let i = 3; i < 3 * samples; i += 3)
@@ -17,8 +18,8 @@ function lengthOf({ points, samples }) {
   return sum;
 }
 
-// First sample from `from` on in which the player, a line from its feet up, meets an oriented box: as the simulator
-// has it. -1 for never.
+// Returns the first sample from `from` on in which the player, a vertical line from the feet up,
+// meets an oriented box, as in the simulator; -1 for never.
 function sampleIn(path, region, height, from) {
   const turn = new Quaternion().fromArray(region.rotation).normalize().invert();
   const middle = new Vector3().fromArray(region.position);
@@ -32,12 +33,12 @@ function sampleIn(path, region, height, from) {
   return -1;
 }
 
-// [name, ticks of each of `paths`, -1 for never] of the places that a query wants passed: waypoints one after the other,
-// visits whenever.
+// Returns [name, ticks of each of `paths` (-1 for never)] for the places that a query requires:
+// waypoints in order, visits in any order.
 function passings(query, paths, height) {
   const rows = (query?.waypoints ?? []).map(({ region }) => ({ region, inOrder: true }));
   rows.push(...(query?.visits ?? []).map((region) => ({ region, inOrder: false })));
-  const reached = paths.map(() => 0); // the sample in which the waypoint before was
+  const reached = paths.map(() => 0); // sample of the previous waypoint
   return rows.map(({ region, inOrder }, row) => {
     const ticks = paths.map((path, i) => {
       const from = inOrder ? reached[i] : 0;
@@ -50,7 +51,8 @@ function passings(query, paths, height) {
 }
 
 export class Comparison {
-  // `pairOf`: [chosen, the other] or null; `sourceOf`: {query, level} of now; `tintOf`: path -> colour.
+  // `pairOf`: returns [selected, ghost] or null; `sourceOf`: returns the current {query, level};
+  // `tintOf`: path -> colour.
   constructor(root, store, pairOf, sourceOf, tintOf) {
     Object.assign(this, { root, store, pairOf, sourceOf, tintOf });
     store.on(['path', 'ghost', 'colorBy', 'order'], () => keepingFocus(root, () => this.fill()));
@@ -102,7 +104,7 @@ export class Comparison {
         const tick = ticks[pair.indexOf(path)];
         return tick < 0 ? 'never' : `${seconds(tick / rate)} s`;
       });
-    this.gap = el('output', { class: 'quiet', 'aria-live': 'off' }); // as the clock
+    this.gap = el('output', { class: 'quiet', 'aria-live': 'off' }); // as for the clock
     this.root.append(
       el(
         'header',

@@ -1,4 +1,4 @@
-// Small helpers to build and update elements; no markup is ever parsed from data.
+// Helpers that build and update elements. Markup is never parsed from data.
 
 export function el(tag, options = {}, ...children) {
   const node = document.createElement(tag);
@@ -43,7 +43,7 @@ export function icon(name) {
 
 export const seconds = (value) => (value >= 100 ? value.toFixed(0) : value.toFixed(2));
 
-// 1234567 as 1.23 M.
+// Formats 1234567 as 1.23 M.
 export function count(value) {
   const number = Number(value);
   if (number < 10000) return String(number);
@@ -53,13 +53,13 @@ export function count(value) {
     [1e6, 'M'],
     [1e3, 'k'],
   ]) {
-    // What would be rounded to a thousand of the unit below is one of this.
+    // Values that round up to a thousand of the unit below use this unit.
     if (number >= 0.9995 * unit) return `${(number / unit).toPrecision(3)} ${name}`;
   }
   return String(number);
 }
 
-// So many digits behind the point, and never "-0.0".
+// Formats with a fixed number of decimals, and never as "-0.0".
 export const decimal = (value, digits = 1) =>
   Number(value.toFixed(digits) || 0).toFixed(digits);
 
@@ -67,7 +67,8 @@ export const trajectories = (n) => `${n} ${n === 1 ? 'trajectory' : 'trajectorie
 
 export const plural = (n, word) => `${n} ${word}${n === 1 ? '' : 's'}`;
 
-// Runs `refill`, which replaces what is in `root`; the keyboard stays on what has the same data-key as what it was on.
+// Calls `refill`, which replaces the contents of `root`. The focus moves to the element with the
+// same data-key.
 export function keepingFocus(root, refill) {
   const focused = document.activeElement;
   const key = root.contains(focused) ? focused.dataset.key : undefined;
@@ -76,7 +77,7 @@ export function keepingFocus(root, refill) {
   root.querySelector(`[data-key="${CSS.escape(key)}"]`)?.focus({ preventScroll: true });
 }
 
-// Scrolls a list as far as it takes to see its chosen row.
+// Scrolls a list just far enough to show its selected row.
 export function reveal(rows) {
   const row = rows.querySelector('[aria-selected=true]');
   if (!row || row.hidden) return;
@@ -86,14 +87,15 @@ export function reveal(rows) {
   else if (top + height > scrollTop + clientHeight) rows.scrollTop = top + height - clientHeight;
 }
 
-// Scroll stays where it was, too; to ask for that takes a layout of the page.
+// Also keeps the scroll position, which forces a layout of the page.
 export function keepingPlace(root, refill) {
   const top = root.scrollTop;
   keepingFocus(root, refill);
   root.scrollTop = top;
 }
 
-// A box to tick; `set` is told whether it is. The mouse leaves no focus on it, so that Space plays again.
+// Returns a check box; `set` gets its state. A mouse click does not leave it focused, so that Space
+// still plays.
 export function checkbox(set) {
   const input = el('input', {
     type: 'checkbox',
@@ -107,8 +109,8 @@ export function checkbox(set) {
   return input;
 }
 
-// A labelled list of choices that is bound to one name of the store. `options`: [value, text] in their order, which
-// an object would change where a value is a number.
+// Returns a labelled list of choices, bound to a name of the store. `options`: [value, text] in
+// order; an object would reorder numeric values.
 export function choice(store, name, label, options) {
   const select = el('select', {
     on: {
@@ -132,7 +134,7 @@ export function choice(store, name, label, options) {
   return field;
 }
 
-// A number that is bound to one name of the store; an empty field means `none`.
+// Returns a number field, bound to a name of the store. An empty field means `none`.
 export function numberField(store, name, label, none, limits) {
   const input = el('input', {
     type: 'number',

@@ -1,4 +1,5 @@
-// What may be listed and drawn: outcome, route, killer, jumps, time, and boxes that a way must or must not pass.
+// The filters: outcome, route, killer, jumps, time, and boxes that a trajectory must or must not
+// pass.
 import { filtered, routeKey, UNFILTERED } from '../choice.js';
 import { OUTCOME_STYLE } from '../palette.js';
 import { partName } from '../part_name.js';
@@ -9,7 +10,7 @@ import { choice, el, numberField } from './dom.js';
 const kMostRoutes = 50;
 
 export class FilterPanel {
-  // `sourceOf`: {query, level} of now; `addBox`: puts one where the reader looks.
+  // `sourceOf`: returns the current {query, level}; `addBox`: adds a box in view.
   constructor(store, sourceOf, addBox) {
     Object.assign(this, { store, sourceOf });
     this.outcome = choice(store, 'outcome', 'Outcome', []);
@@ -58,13 +59,13 @@ export class FilterPanel {
     this.fold.setAttribute('aria-expanded', String(wanted));
   }
 
-  // The query has changed; a list of choices under somebody's hands stays as it is until they let go.
+  // Called when the query has changed. A focused panel is updated only after it loses the focus.
   refresh() {
     this.stale = this.root.contains(document.activeElement);
     if (!this.stale) this.fill();
   }
 
-  // The choices that a query offers.
+  // Fills in the choices of the query.
   fill() {
     this.stale = false;
     const { query, level } = this.sourceOf();
@@ -92,7 +93,7 @@ export class FilterPanel {
   }
 }
 
-// [value, how often], most frequent first.
+// Returns [value, count], most frequent first.
 function tally(values) {
   const counts = new Map();
   for (const value of values) counts.set(value, (counts.get(value) ?? 0) + 1);

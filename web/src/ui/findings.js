@@ -1,4 +1,5 @@
-// What an answer says beyond its verdict: why there is no way, what would have to change, by which routes it goes, how far to trust it.
+// An answer's findings besides its verdict: the proof's cut, changes that would help, routes, and
+// the search's saturation.
 import { partName } from '../part_name.js';
 import { routeNames } from '../route_names.js';
 import { routeText } from '../route_text.js';
@@ -11,7 +12,7 @@ const SATURATION = {
   growing: 'The search was still reaching new places. More time may solve it.',
 };
 
-// A line that shows its part in the picture, where it has one and the level has it.
+// Returns a line. If it has a part of the level, a click shows that part.
 function line(text, part, level, store) {
   if (!(part >= 0 && part < (level?.count ?? 0))) return el('li', { text });
   const show = { click: () => store.set({ part, frame: part }) };
@@ -32,7 +33,7 @@ function help(result, level, store) {
 
 const reachable = (n) => `At most ${n} ${n === 1 ? 'part is' : 'parts are'} reachable`;
 
-// What the least step beyond everything that can be reached lacks.
+// Describes what the smallest impossible step lacks.
 export function lackOf({ rise, gap, jumps, seconds: time }) {
   const lacks = [];
   if (rise > 0) lacks.push(`at least ${rise.toFixed(1)} studs of height`);
@@ -60,7 +61,7 @@ function proof(result, level, store) {
   ];
 }
 
-// Each shows its own ways only, and all again.
+// Lists the routes. A click filters a route's trajectories, and another click shows all again.
 function routes(query, level, store) {
   const { result } = query;
   if (!(result.routes?.length > 1)) return [];
@@ -94,7 +95,7 @@ function trust(result) {
   return [el('p', { class: 'quiet', text })];
 }
 
-// Nothing where the stream says nothing of the kind.
+// Empty if the stream has no findings.
 export function findings(query, level, store) {
   const result = query.result;
   if (!result) return el('div', { hidden: true });

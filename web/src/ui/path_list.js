@@ -1,4 +1,4 @@
-// The trajectories of the chosen query that pass the filters: how many, sorted how, coloured by what, and a row each.
+// The filtered trajectories of the query: their number, sorting, colouring, and a row each.
 import { SORTS } from '../choice.js';
 import { COLORINGS } from '../coloring.js';
 import { BAND_STYLE, causeOf, hardestOf } from '../palette.js';
@@ -11,7 +11,7 @@ const kMostRows = 400;
 const KIND_NAMES = { closest: 'Closest', newest: 'Newest' };
 
 export class PathList {
-  // `sourceOf`: {query, level} of now; `tintOf`: path -> colour.
+  // `sourceOf`: returns the current {query, level}; `tintOf`: path -> colour.
   constructor(store, sourceOf, tintOf) {
     Object.assign(this, { store, sourceOf, tintOf });
     this.count = el('output', { class: 'count' });
@@ -53,7 +53,7 @@ export class PathList {
     const { query } = this.sourceOf();
     this.rows.replaceChildren();
     this.count.textContent = '';
-    this.root.hidden = !query; // a level alone has no ways to sort
+    this.root.hidden = !query; // a level without a query has no trajectories
     if (!query) return;
     const { order, sort } = this.store.state;
     const all = query.paths.length;
@@ -84,7 +84,7 @@ export class PathList {
       );
   }
 
-  // As found, solutions stand apart; sorted, it is one list.
+  // In the order of discovery, solutions form a group of their own; otherwise there is one list.
   groups(query, order, sort) {
     if (sort !== 'found') return [['', order]];
     const solution = (index) => query.paths[index].kind === 'solution';
@@ -122,7 +122,7 @@ export class PathList {
     );
   }
 
-  // A solution is told from others by its time, jumps and route, an attempt by how it ended.
+  // Describes a solution by time, jumps and route, an attempt by its end.
   words(path, index) {
     const { query, level } = this.sourceOf();
     const fact = (text, more = '') => el('span', { class: `fact${more}`, text });
@@ -135,7 +135,7 @@ export class PathList {
     };
   }
 
-  // What is listed stays as it is.
+  // Updates the colours; the list is unchanged.
   color() {
     const { query } = this.sourceOf();
     for (const row of this.rows.querySelectorAll('.path')) {

@@ -1,11 +1,12 @@
-// The floating panel on the right: legend of the roles that this level has, what is shown, and the chosen part.
+// The floating panel on the right: legend of the level's roles, display options, and the selected
+// part.
 import { ROLES } from '../data.js';
 import { ROLE_STYLE } from '../palette.js';
 import { checkbox, decimal, el } from './dom.js';
 import { heatLegend } from './heat_legend.js';
 
 export class ScenePanel {
-  // `coloringOf`: how trajectories are coloured now.
+  // `coloringOf`: returns the current colouring.
   constructor(root, store, { queryOf, levelOf, coloringOf }) {
     Object.assign(this, { root, store, queryOf, levelOf, coloringOf });
     this.legend = el('div', { class: 'legend' });
@@ -20,7 +21,7 @@ export class ScenePanel {
     this.fillLegend();
   }
 
-  // A card whose body folds away under its title.
+  // Adds a card whose body folds under its title.
   card(title, content, open) {
     const body = el('div', { class: 'panel-body', hidden: !open }, content);
     const fold = el('button', {
@@ -88,7 +89,7 @@ export class ScenePanel {
       const show = () => {
         row.hidden = !isShown();
       };
-      this.store.on(['query', 'heat', 'order'], show); // an answer may come to the query
+      this.store.on(['query', 'heat', 'order'], show); // an answer may arrive for the query
       show();
       box.append(row);
     };
@@ -126,7 +127,7 @@ export class ScenePanel {
   inspect() {
     const level = this.levelOf();
     const { part } = this.store.state;
-    // Another query may have come with a level that has fewer parts, before the choice is taken back.
+    // Another query's level may have fewer parts, before the selection is reset.
     this.inspector.hidden = !(part >= 0 && part < (level?.count ?? 0));
     this.inspector.replaceChildren();
     if (this.inspector.hidden) return;

@@ -1,4 +1,4 @@
-// The left column: the queries with their verdicts, and the numbers of the chosen one.
+// The left column: the queries with their verdicts, and the details of the selected one.
 import { VERDICT_STYLE, verdictOf } from '../palette.js';
 import { kMostAlike } from '../scene/regions.js';
 import { deaths } from './deaths.js';
@@ -6,13 +6,13 @@ import { count, el, keepingPlace, plural, reveal, seconds } from './dom.js';
 import { findings } from './findings.js';
 import { OneStop } from './one_stop.js';
 
-const kMostUnsearched = 8; // queries that need no field to find one
+const kMostUnsearched = 8; // number of queries that needs no search field
 
 function badge(verdict) {
   const style = VERDICT_STYLE[verdict];
   return el('span', {
     class: 'badge',
-    role: 'img', // a screen reader would leave the sign out, or spell it
+    role: 'img', // screen readers would skip the sign or spell it
     'aria-label': style.label,
     text: style.mark,
     style: { '--tint': style.color },
@@ -36,17 +36,17 @@ function numberGrid(facts) {
   return grid;
 }
 
-// Ids that queries of several levels have.
+// Returns ids that occur in several levels.
 function sharedIds(queries) {
   const levels = new Map(queries.map(({ id, level }) => [id, level]));
   return new Set(queries.filter(({ id, level }) => levels.get(id) !== level).map(({ id }) => id));
 }
 
-// fallingDown: falling down
+// Converts fallingDown to falling down.
 const stateName = (state) => state.replace(/[A-Z]/g, (c) => ` ${c.toLowerCase()}`);
 
 export class Sidebar {
-  // `lists`: what stands below the query.
+  // `lists`: elements below the query.
   constructor(root, report, store, lists) {
     Object.assign(this, { root, report, store });
     this.queries = el('div', { class: 'queries', role: 'listbox', 'aria-label': 'Queries' });
@@ -75,7 +75,7 @@ export class Sidebar {
     this.fillQuery();
   }
 
-  // The report has changed.
+  // Called when the report has changed.
   refresh() {
     keepingPlace(this.queries, () => keepingPlace(this.detail, () => this.fill()));
     this.markKillers();
@@ -191,7 +191,7 @@ export class Sidebar {
     ];
   }
 
-  // From where to where, in the names of the level's places.
+  // Describes start and goal by the names of their places.
   course({ start, goal }) {
     const ends = [start?.name && `from ${start.name}`, goal?.name && `to ${goal.name}`];
     const text = ends.filter(Boolean).join(' ');
@@ -219,7 +219,7 @@ export class Sidebar {
   }
 
   numbers(query) {
-    const r = query.result ?? query.progress ?? {}; // of a search that runs, how far it is
+    const r = query.result ?? query.progress ?? {}; // progress of a running search
     const rate = this.report.levels[query.level]?.tickRate ?? 60;
     const facts = [];
     const add = (...fact) => facts.push(fact);
@@ -234,7 +234,7 @@ export class Sidebar {
     return numberGrid(facts);
   }
 
-  // How much the search did, for those who open it.
+  // Adds the search's effort, folded by default.
   effort(query) {
     const r = query.result ?? query.progress ?? {};
     const facts = [];
@@ -247,7 +247,7 @@ export class Sidebar {
       el('summary', {
         text: 'Search effort',
         data: { key: 'effort' },
-        // A toggle event would come too late for a refresh in between.
+        // A toggle event would come too late for a refresh before it.
         on: { click: (event) => (this.isEffortOpen = !event.currentTarget.parentNode.open) },
       }),
       numberGrid(facts),

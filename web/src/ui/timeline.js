@@ -4,11 +4,11 @@ import { landings } from '../scene/action_marks.js';
 import { el, icon, seconds, svg } from './dom.js';
 
 const kSpeeds = [0.1, 0.25, 0.5, 1, 2, 4, 10];
-const kWide = 1000; // of the plot, in its own units
-const kMostMarks = 2000; // of a kind
+const kWide = 1000; // width of the plot in its own units
+const kMostMarks = 2000; // of each kind
 const kSliderKeys = /^(Arrow|Page|Home$|End$)/;
 
-// A short line at the profile's lower or upper edge.
+// Returns a short line at the profile's lower or upper edge.
 const tickMark = (kind, x, from, to) =>
   svg('path', {
     class: `mark ${kind}`,
@@ -16,9 +16,9 @@ const tickMark = (kind, x, from, to) =>
     'vector-effect': 'non-scaling-stroke',
   });
 
-// Below, `x` is where a tick stands in the plot.
+// Below, `x` maps a tick to a position in the plot.
 
-// The hardest step in the colour of its band.
+// Marks the hardest step in the colour of its band.
 function hardestStep(path, x) {
   const hardest = path.difficulty?.hardest;
   if (!hardest) return [];
@@ -68,14 +68,14 @@ function heights(path, x) {
   ];
 }
 
-// One of those that would be drawn in one place: of hours of play there are more than one sees, or a call takes.
+// Keeps one tick per position. Hours of play have more than are visible, or than a call can take.
 function apart(ticks, x) {
   if (ticks.length <= kMostMarks) return ticks;
   const place = (tick) => Math.round((kMostMarks * x(tick)) / kWide);
   return [...new Map(ticks.map((tick) => [place(tick), tick])).values()];
 }
 
-// Jumps and landings, and what the player set off.
+// Marks jumps, landings and triggered parts.
 function marksOf(path, x) {
   const marks = (kind, ticks, from, to) =>
     apart(ticks, x).map((tick) => tickMark(kind, x(tick), from, to));
@@ -117,7 +117,7 @@ export class Timeline {
           store.set({ playing: false });
           playback.seek(Number(this.slider.value));
         },
-        // The keys that would move it are the page's; all others stay the browser's.
+        // Keys that move the slider belong to the page, all others to the browser.
         keydown: (event) => kSliderKeys.test(event.key) && event.preventDefault(),
       },
     });
@@ -126,7 +126,8 @@ export class Timeline {
       preserveAspectRatio: 'none',
       viewBox: '0 0 1000 100',
     });
-    // A screen reader would read out each tick that is played; the slider tells the time to who asks it.
+    // A screen reader would announce each tick during playback. The slider tells the time on
+    // request.
     this.time = el('output', { class: 'time', 'aria-live': 'off' });
     this.tick = el('output', { class: 'tick quiet', 'aria-live': 'off' });
     this.speed = el(
@@ -165,7 +166,7 @@ export class Timeline {
     );
     this.nothing = el('p', { class: 'quiet nothing', text: 'Nothing to play.' });
     root.append(this.player, this.nothing, el('div', { class: 'buttons' }));
-    // A ghost may be longer than the chosen one.
+    // A ghost may be longer than the selected one.
     store.on(['query', 'path', 'ghost'], () => this.draw());
     store.on(['tick', 'path', 'query', 'ghost'], () => this.showTime());
     store.on(['playing', 'speed', 'loop'], () => this.showState());
@@ -201,7 +202,7 @@ export class Timeline {
     this.root.lastElementChild.append(button);
   }
 
-  // The profile of the chosen way over the clock's whole length, which a longer ghost stretches.
+  // Draws the selected trajectory's profile over the whole timeline, which a longer ghost extends.
   draw() {
     const path = this.selected();
     const length = Math.max(1, this.playback.lengthOf());
@@ -222,7 +223,7 @@ export class Timeline {
     this.slider.value = String(tick);
     this.slider.style.setProperty('--share', `${(100 * tick) / Math.max(1, length)}%`);
     const [now, all] = [seconds(tick / rate), seconds(length / rate)];
-    this.slider.setAttribute('aria-valuetext', `${now} of ${all} s`); // its value are ticks
+    this.slider.setAttribute('aria-valuetext', `${now} of ${all} s`); // its value is in ticks
     this.time.textContent = `${now} / ${all} s`;
     this.tick.textContent = `tick ${Math.floor(tick + 1e-6)}`;
   }

@@ -1,4 +1,4 @@
-// The data behind class_defaults.h: one row a class, one row a default.
+// The defaults behind class_defaults.h, one row each.
 #pragma once
 
 #include <span>
@@ -8,16 +8,11 @@
 
 namespace obby {
 
-struct ClassRow {
-  std::string_view name, parent;  // parent empty: the root class
-};
-
 struct DefaultRow {
   std::string_view className, property;
   Value value;
 };
 
-std::span<const ClassRow> classRows();
 std::span<const DefaultRow> defaultRows();
 
 }  // namespace obby
