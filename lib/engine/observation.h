@@ -109,6 +109,7 @@ struct PlayerState {
   double health = 100, maxHealth = 100, walkSpeed = 16, jumpPower = 50, jumpHeight = 7.2;
   double gravity = 196.2, lift = 0;  // studs/s^2: of Workspace; what forces take from it
   bool usesJumpPower = true, alive = false;
+  bool stuck = false;  // cannot walk
 };
 
 struct Observation {

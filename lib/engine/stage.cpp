@@ -249,7 +249,7 @@ const Observation& Stage::observation() {
   lua_State* const L = host_->vm.state();
   PlayerState& player = host_->recorder.seen().player;
   player = {};
-  constexpr int kValues = 10;
+  constexpr int kValues = 11;
   call("probe", "look", 0, kValues);
   const int first = lua_gettop(L) - kValues + 1;
   if (const Vec3* const feet = toVector3(L, first)) {
@@ -263,6 +263,7 @@ const Observation& Stage::observation() {
     player.usesJumpPower = lua_toboolean(L, first + 7) != 0;
     player.gravity = lua_tonumber(L, first + 8);
     player.lift = lua_tonumber(L, first + 9);
+    player.stuck = lua_toboolean(L, first + 10) != 0;
     player.alive = player.health > 0;
   }
   lua_pop(L, kValues);

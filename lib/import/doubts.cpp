@@ -20,8 +20,11 @@ constexpr std::string_view kEasier[] = {"ability of the player",
                                         "tag zipline",
                                         "tool",
                                         "use that acts on the player"};
-constexpr std::string_view kHarder[] = {"harm by itself", "part that stops the player",
-                                        "tag trippart"};
+// What moves so may come to a player anywhere, if it kills.
+constexpr std::string_view kNoPeriod = "motion without a period";
+constexpr std::string_view kHarder[] = {
+    "harm by itself", "part that stops the player", "player that cannot walk",
+    "state of the player that scripts switch off", "tag trippart"};
 
 template <size_t n>
 bool listed(const std::string_view (&kinds)[n], std::string_view kind) {
@@ -78,7 +81,8 @@ void markDoubts(RoleContext& context) {
   Concerned concerned(context);
   for (const Loss& loss : context.level.losses) {
     const auto parts = concerned.by(loss.at);
-    if (parts.empty()) context.level.unmodelled.at(loss.kind).anywhere = true;
+    const bool chases = loss.kind == kNoPeriod && !parts.empty() && parts.front()->kill;
+    if (parts.empty() || chases) context.level.unmodelled.at(loss.kind).anywhere = true;
     for (PartDraft* part : parts) part->doubts.push_back(loss.kind);
   }
   for (PartDraft& part : context.level.parts) {

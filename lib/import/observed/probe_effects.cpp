@@ -6,6 +6,7 @@
 #include <map>
 #include <set>
 #include <string>
+#include <string_view>
 #include <tuple>
 
 #include "import/frame_time.h"
@@ -25,6 +26,12 @@ constexpr double kNoCooldown = 0.1;          // seconds: hits that follow sooner
 constexpr float kYaw = 0.3f;                 // as a probe stands (probe.luau)
 constexpr Vec3 kArriving = {1.5f, 0, 2.5f};  // and its velocity
 constexpr float kKept = 1e-3f;
+
+// Scripts switch off what a player does with its keys.
+bool isStateOff(const std::string& property) {
+  return property == "note state off Jumping" || property == "note state off Climbing" ||
+         property == "note state off Running";
+}
 
 // The probe's changes without those that came in the undisturbed run at the same time.
 std::vector<const Change*> ownChanges(const engine::Report& report, const engine::Probe& probe) {
@@ -53,6 +60,7 @@ class Difference {
   ProbeEffects effects() {
     findHarm();
     for (const Change* change : own_) take(*change);
+    findEnd();
     findAways();
     findMoved();
     effects_.boost = boosterOf(report_, probe_, speeds_);
@@ -135,13 +143,29 @@ class Difference {
       return;
     else if (property == "note sit" || property == "note state")
       takeState(change);
+    else if (property == "note ends")
+      effects_.ends = effects_.ends.value_or(change.line);
+    else if (isStateOff(property))
+      effects_.stateOff = effects_.stateOff.value_or(change.line);
     else if (property == "note walk")
       effects_.force = effects_.force.value_or(change.line);
     else if (property == "Velocity" && change.target < engine::kMade)
-      effects_.belts.emplace_back(change.target, change.line);
+      effects_.belts.push_back({change.target, change.line});
     else if (property == "Size" && change.target < engine::kMade &&
-             (effects_.sizes.empty() || effects_.sizes.back().first != change.target))
-      effects_.sizes.emplace_back(change.target, change.line);
+             (effects_.sizes.empty() || effects_.sizes.back().part != change.target))
+      effects_.sizes.push_back({change.target, change.line});
+  }
+
+  // A player who cannot walk at the end stays where it is, if no script still waits.
+  void findEnd() {
+    const bool isStuck = probe_.seen.player.stuck && !report_.undisturbed.player.stuck;
+    if (!isStuck || !probe_.seen.player.alive || probe_.sleeps) return;
+    constexpr std::string_view kStopping[] = {"Anchored",  "PlatformStand", "note sit",
+                                              "WalkSpeed", "note controls", "note state"};
+    for (const Change* change : own_)
+      if (std::find(std::begin(kStopping), std::end(kStopping), change->property) !=
+          std::end(kStopping))
+        effects_.ends = change->line;
   }
 
   void takePlayer(const Change& change) {
@@ -211,8 +235,7 @@ class Difference {
                                  *state == "Physics" || *state == "PlatformStanding");
     if (state && *state == "Jumping" && !effects_.push) effects_.jumps = change.line;
     if (!(flag && *flag) && !falls) return;
-    effects_.trips = true;
-    effects_.tripLine = change.line;
+    effects_.trips = change.line;
   }
 
   // At once when the player has left: it lasts as long as the touch.
