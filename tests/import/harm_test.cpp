@@ -60,6 +60,22 @@ TEST(Harm, ADebounceIsThePauseBetweenTwoHits) {
   EXPECT_EQ(scene.unmodelled(kLasting), 0u);
 }
 
+TEST(Harm, ATrapThatALeverArmsIsWorthItsTotal) {
+  Scene scene;
+  const auto lever = scene.part("Lever", {-20, 0, 0});
+  scene.script(
+      "script.Parent.Touched:Connect(function() workspace.Lever:SetAttribute('On', true) end)",
+      lever);
+  const auto* const kill =
+      killBy(scene,
+             " if busy or not workspace.Lever:GetAttribute('On') then return end\n"
+             " busy = true\n"
+             " for i = 1, 6 do human:TakeDamage(25) task.wait(0.1) end\n"
+             " busy = false\nend)");
+  ASSERT_TRUE(kill);
+  EXPECT_FLOAT_EQ(kill->damage, 100);
+}
+
 // Touches again would end the presence that this script counts.
 TEST(Harm, PresenceThatTouchesCountHurtsWhileThePlayerStays) {
   Scene scene;
