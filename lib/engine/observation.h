@@ -76,6 +76,7 @@ struct Harm {
   double time = 0;
   double from = 0, to = 0;  // the player's health before and after
   Line line;
+  bool stoppable = false;  // a force field stops it
 
   bool hurts() const { return to < from; }  // else it heals
 };

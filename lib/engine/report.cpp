@@ -45,6 +45,7 @@ class Watcher {
     stage_.run(framesOf(plan_.probeAt));
     if (stage_.greedyScript() != kNoInstance) return given(stage_.greedyScript());
     stage_.revive();
+    stage_.unshield();
     report_.probedAt = plan_.probeAt;
     report_.made = stage_.made();
     report_.collisionGroups = stage_.groups();

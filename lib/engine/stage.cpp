@@ -141,6 +141,8 @@ void Stage::leave() { call("probe", "leave", 0); }
 
 void Stage::revive() { call("probe", "revive", 0); }
 
+void Stage::unshield() { call("probe", "unshield", 0); }
+
 void Stage::die() { call("probe", "die", 0); }
 
 double Stage::numberOf(const char* name) {

@@ -50,6 +50,8 @@ class Stage {
   double respawnTime() { return numberOf("respawnTime"); }  // seconds, of the Players service
   // A player that has died where it spawns lives again, away from everything.
   void revive();
+  // Ends the player's force fields.
+  void unshield();
   // What a player can touch or use with effect, as far as listeners tell.
   std::vector<Probe> probes();
   // Parts and what joins or moves them, in the world, that scripts have made.

@@ -11,6 +11,7 @@ namespace {
 constexpr std::string_view kEasier[] = {"ability of the player",
                                         "button on the screen",
                                         "harm that goes on after a touch",
+                                        "harm that a force field stops",
                                         "keys that a script listens to",
                                         "listener without a visible effect",
                                         "script that still waits",

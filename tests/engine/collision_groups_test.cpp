@@ -85,6 +85,13 @@ TEST(CollisionGroupsApi, PlayersPassThroughWhereAllOfTheirLimbsDo) {
       solidWith(all + "wall.CollisionGroup = 'Ghosts'\n"
                       "task.wait(1.5) s:CollisionGroupSetCollidable('Players', 'Ghosts', true)"),
       "solid");
+  EXPECT_EQ(solidWith(all + "wall.CollisionGroup = 'Ghosts'\n"
+                            "task.wait(1.5) s:UnregisterCollisionGroup('Ghosts')"),
+            "solid");
+  EXPECT_EQ(solidWith("wall.CollisionGroup = 'Late'\n"
+                      "s:CollisionGroupSetCollidable('Late', 'Default', false)\n"
+                      "task.wait(1) s:RegisterCollisionGroup('Late')"),
+            "passed");
 }
 
 TEST(CollisionGroupsApi, ANewBodyCountsOnceScriptsHaveSetItsGroups) {

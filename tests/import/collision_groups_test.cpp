@@ -189,6 +189,26 @@ TEST(CollisionGroups, AGroupInARhythmIsATimer) {
   EXPECT_NEAR(scene[ghost].vanish->away, 2, 0.1);
 }
 
+TEST(CollisionGroups, WhatPlayersPassThroughIsTouchedUnlessThePlaceSaysSo) {
+  for (const bool touchesUseGroups : {false, true}) {
+    Scene scene;
+    scene.set(scene.workspace, "CollisionGroupData", kMatrix);
+    scene.set(scene.workspace, "TouchesUseCollisionGroups", touchesUseGroups);
+    const auto ghost = scene.part("Ghost", {20, 0, 0});
+    scene.set(ghost, "CollisionGroup", std::string("Ghosts"));
+    scene.script(
+        "script.Parent.Touched:Connect(function(hit)\n"
+        "  local human = hit.Parent:FindFirstChild('Humanoid')\n"
+        "  if human then human.Health = 0 end\n"
+        "end)",
+        ghost);
+    scene.level();
+    EXPECT_FALSE(scene[ghost].solid);
+    EXPECT_EQ(scene[ghost].touch, !touchesUseGroups);
+    EXPECT_EQ(bool(scene[ghost].kill), !touchesUseGroups);
+  }
+}
+
 TEST(CollisionGroups, APlayerIsInsideOfWhatItPassesThrough) {
   Scene scene;
   const auto ghost = scene.part("Ghost");

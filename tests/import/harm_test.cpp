@@ -60,6 +60,22 @@ TEST(Harm, ADebounceIsThePauseBetweenTwoHits) {
   EXPECT_EQ(scene.unmodelled(kLasting), 0u);
 }
 
+TEST(Harm, ATrapThatALeverArmsIsWorthItsTotal) {
+  Scene scene;
+  const auto lever = scene.part("Lever", {-20, 0, 0});
+  scene.script(
+      "script.Parent.Touched:Connect(function() workspace.Lever:SetAttribute('On', true) end)",
+      lever);
+  const auto* const kill =
+      killBy(scene,
+             " if busy or not workspace.Lever:GetAttribute('On') then return end\n"
+             " busy = true\n"
+             " for i = 1, 6 do human:TakeDamage(25) task.wait(0.1) end\n"
+             " busy = false\nend)");
+  ASSERT_TRUE(kill);
+  EXPECT_FLOAT_EQ(kill->damage, 100);
+}
+
 // Touches again would end the presence that this script counts.
 TEST(Harm, PresenceThatTouchesCountHurtsWhileThePlayerStays) {
   Scene scene;
@@ -75,6 +91,44 @@ TEST(Harm, PresenceThatTouchesCountHurtsWhileThePlayerStays) {
   EXPECT_FLOAT_EQ(kill->damage, 20);
   EXPECT_NEAR(kill->cooldown, 0.3, 0.05);
   EXPECT_EQ(scene.unmodelled(kLasting), 0u);
+}
+
+constexpr const char* kShielded = "harm that a force field stops";
+
+TEST(Harm, WhatAForceFieldStopsIsNamed) {
+  const std::string hurt = " human:TakeDamage(100)\nend)", kill = " human.Health = 0\nend)";
+  Scene without;
+  ASSERT_TRUE(killBy(without, hurt));
+  EXPECT_EQ(without.unmodelled(kShielded), 0u);
+  const auto atSpawn = [](const std::string& act, int64_t seconds) {
+    Scene scene;
+    const auto spawn = scene.part("Spawn", {0, -4, 0}, scene.workspace, "SpawnLocation");
+    scene.set(spawn, "Duration", seconds);
+    EXPECT_TRUE(killBy(scene, act));
+    return scene.unmodelled(kShielded);
+  };
+  EXPECT_EQ(atSpawn(hurt, 10), 1u);
+  EXPECT_EQ(atSpawn(hurt, 0), 0u);
+  EXPECT_EQ(atSpawn(kill, 10), 0u);
+}
+
+TEST(Harm, AForceFieldThatAScriptGivesHidesNoHarm) {
+  const std::string give = " local field = Instance.new('ForceField') field.Parent = body\nend)";
+  const std::string onBody =
+      "game.Players.PlayerAdded:Connect(function(player)\n"
+      " player.CharacterAdded:Wait() local body = player.Character\n";
+  const std::string onPad =
+      "workspace.Pad.Touched:Connect(function(hit)\n local body = hit.Parent\n"
+      " if body:FindFirstChild('ForceField') then return end\n";
+  for (const std::string& text : {onBody + give, onPad + give}) {
+    Scene scene;
+    scene.part("Pad", {-20, 0, 0});
+    scene.script(text, scene.scripts);
+    const auto* const kill = killBy(scene, " human:TakeDamage(100)\nend)");
+    ASSERT_TRUE(kill) << text;
+    EXPECT_FLOAT_EQ(kill->damage, 100) << text;
+    EXPECT_EQ(scene.unmodelled(kShielded), 1u) << text;
+  }
 }
 
 }  // namespace

@@ -29,6 +29,9 @@ void EffectRoles::takePlayer(PartDraft& part, const ProbeEffects& effects) {
     part.kill = {float(effects.harm->damage), float(effects.harm->cooldown)};
     std::erase_if(part.evidence, [](const Evidence& e) { return e.role == "kill"; });
     prove(part, "kill", reason(effects.harm->line));
+    if (effects.harm->stoppable && !shield_.empty())
+      context_.level.noteUnmodelled("harm that a force field stops", context_.tree, part.id,
+                                    "players are taken to have none; " + shield_);
     if (effects.harm->lasts)
       note("harm that goes on after a touch", part.id, "dealt all at once; ", effects.harm->line);
   }

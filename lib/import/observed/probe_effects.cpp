@@ -77,6 +77,7 @@ class Difference {
     if (hits.empty()) return;
     Harmful found;
     found.damage = hits[0].from - hits[0].to;
+    found.stoppable = hits[0].stoppable;
     found.line = hits[0].line;
     const auto second = secondHit(hits), again = secondHit(ownHits(probe_.still.harms));
     const double between = std::min(second.value_or(probe_.left - hits[0].time),

@@ -12,7 +12,8 @@ namespace obby::importer {
 
 struct Harmful {
   double damage = 0, cooldown = 0;
-  bool lasts = false;  // it goes on once the player has left: the damage is that of one touch
+  bool lasts = false;      // it goes on once the player has left: the damage is that of one touch
+  bool stoppable = false;  // a force field stops it
   engine::Line line;
 };
 struct Push {
