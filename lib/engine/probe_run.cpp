@@ -86,7 +86,9 @@ Probe runProbe(Stage& stage, const Plan& plan, Probe probe, Manner manner) {
     const bool insists = stands && manner.patient && frame < hold && frame % kTouchEvery == 0 &&
                          stage.harms().empty();
     if (awaits) hold = std::max(hold, frame + 1);
-    if (stands && frame < hold)
+    if (probe.approach == Approach::away && frame < hold)
+      stage.standAway();
+    else if (stands && frame < hold)
       stage.standAt(probe.target, probe.approach == Approach::inside, manner.share, manner.face);
     else if (stands && frame == hold)
       stage.leave();

@@ -81,6 +81,7 @@ class Watcher {
     for (Probe& probe : wanted) probe.at = plan_.probeAt;
     report_.probes.resize(wanted.size());
     runAll(wanted);
+    if (stage_.looksAtPlayer()) lookAway();
     children_.finish();
     lookAgainAtHarm(wanted);
     for (size_t i = 0; i < wanted.size(); ++i)
@@ -88,6 +89,19 @@ class Watcher {
         lookAllOver(wanted[i], i);
         if (wanted[i].approach == Approach::inside) lookFromOutside(wanted[i], i);
       }
+  }
+
+  void lookAway() {
+    Probe wanted;
+    wanted.approach = Approach::away;
+    wanted.at = plan_.probeAt;
+    children_.start(
+        plan_.timeLimit * kCopyShare,
+        [this, wanted] { return toBytes(runProbe(stage_, plan_, wanted)); },
+        [this](const std::string& bytes) {
+          Probe away;
+          if (fromBytes(bytes, away)) report_.away = std::move(away);
+        });
   }
 
   // Keeps the first part of each set of listeners, then the second of each, and so on, in order.

@@ -1,6 +1,7 @@
 // What a place's scripts do: by themselves, and to each part that a player touches or uses.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -9,7 +10,8 @@
 
 namespace obby::engine {
 
-enum class Approach : uint8_t { stand, inside, use };
+// `away`: to no part, in the air far from all that is around the spawn.
+enum class Approach : uint8_t { stand, inside, use, away };
 
 // The harm that a part does in another copy of the place.
 struct SecondLook {
@@ -68,6 +70,9 @@ constexpr uint16_t kNoLimit = 0xffff;
 
 struct Report {
   Observation undisturbed;
+  // A player who is far from every part, if scripts look at where players are. What happens there
+  // is no part's doing.
+  std::optional<Probe> away;
   std::vector<Probe> probes;
   std::vector<SameListeners> sameListeners;
   std::vector<Revisit> revisits;

@@ -61,8 +61,8 @@ void fields(A& a, Revisit& r) {
 }
 template <class A>
 void fields(A& a, Report& r) {
-  a(r.undisturbed), a(r.probes), a(r.sameListeners), a(r.revisits), a(r.made), a(r.collisionGroups),
-      a(r.arrived);
+  a(r.undisturbed), a(r.away), a(r.probes), a(r.sameListeners), a(r.revisits), a(r.made),
+      a(r.collisionGroups), a(r.arrived);
   a(r.airJumps), a(r.probedAt), a(r.complete), a(r.over), a(r.sleeps), a(r.failure), a(r.culprit);
 }
 

@@ -135,6 +135,8 @@ void Stage::standAt(InstanceId part, bool inside, float share, int face) {
   call("probe", "standAt", 4);
 }
 
+void Stage::standAway() { call("probe", "standAway", 0); }
+
 void Stage::touchAgain() { call("touch", "again", 0); }
 
 void Stage::leave() { call("probe", "leave", 0); }

@@ -30,6 +30,7 @@ class Stage {
   // middle just outside of the part instead, before its face toward X, Y, Z: then limbs alone are
   // in the part.
   void standAt(InstanceId part, bool inside, float share, int face = 0);
+  void standAway();
   // All that touches the player's body ends and begins again in the next frame, as where it walks.
   void touchAgain();
   const std::vector<Harm>& harms() { return host_->recorder.seen().harms; }
@@ -44,6 +45,8 @@ class Stage {
   void pressJump();
   bool hearsJumps();
   bool playerLives();
+  // Returns true if scripts look at where the player is.
+  bool looksAtPlayer() { return numberOf("looksAtPlayer") > 0; }
   // Returns true if scripts listen for new bodies of the player. Only then can they place them.
   bool hearsNewBodies() { return numberOf("hearsNewBodies") > 0; }
   void die();

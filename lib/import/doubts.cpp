@@ -23,9 +23,12 @@ constexpr std::string_view kEasier[] = {"ability of the player",
                                         "use that acts on the player"};
 // What moves so may come to a player anywhere, if it kills.
 constexpr std::string_view kNoPeriod = "motion without a period";
-constexpr std::string_view kHarder[] = {
-    "harm by itself", "part that stops the player", "player that cannot walk",
-    "state of the player that scripts switch off", "tag trippart"};
+constexpr std::string_view kHarder[] = {"harm by itself",
+                                        "part that stops the player",
+                                        "player that cannot walk",
+                                        "script that acts on players away from parts",
+                                        "state of the player that scripts switch off",
+                                        "tag trippart"};
 
 template <size_t n>
 bool listed(const std::string_view (&kinds)[n], std::string_view kind) {

@@ -33,6 +33,21 @@ bool isStateOff(const std::string& property) {
          property == "note state off Running";
 }
 
+// Returns true if the same line does so to a player who is at no part.
+bool happensAway(const engine::Report& report, const engine::Probe& probe, const Change& change) {
+  if (!report.away || probe.approach == engine::Approach::away) return false;
+  const auto& changes = report.away->seen.changes;
+  return change.target == kPlayer &&
+         std::any_of(changes.begin(), changes.end(), [&](const Change& c) {
+           return c.target == kPlayer && c.property == change.property && c.line == change.line;
+         });
+}
+bool harmsAway(const engine::Report& report, const engine::Harm& harm) {
+  return report.away &&
+         std::any_of(report.away->seen.harms.begin(), report.away->seen.harms.end(),
+                     [&](const engine::Harm& other) { return other.line == harm.line; });
+}
+
 // The probe's changes without those that came in the undisturbed run at the same time.
 std::vector<const Change*> ownChanges(const engine::Report& report, const engine::Probe& probe) {
   std::multiset<std::tuple<int64_t, InstanceId, std::string>> usual;
@@ -46,7 +61,7 @@ std::vector<const Change*> ownChanges(const engine::Report& report, const engine
     const auto same = usual.find(key(change));
     if (same != usual.end())
       usual.erase(same);
-    else
+    else if (!happensAway(report, probe, change))
       own.push_back(&change);
   }
   return own;
@@ -99,7 +114,9 @@ class Difference {
       if (harm.hurts()) usual.insert(std::llround(harm.time / kFrame));
     Hits own;
     for (const engine::Harm& harm : seen)
-      if (harm.hurts() && !usual.contains(std::llround(harm.time / kFrame))) own.push_back(harm);
+      if (harm.hurts() && !usual.contains(std::llround(harm.time / kFrame)) &&
+          (probe_.approach == engine::Approach::away || !harmsAway(report_, harm)))
+        own.push_back(harm);
     return own;
   }
 
