@@ -1,20 +1,39 @@
 // The connection to obby-view --live: events say that there is something new, and then it is fetched.
 
+/** @import {LivePiece} from './types/page_data.js' */
+
 const kAgain = 1000; // ms until a lost connection is tried again
 const kIdle = 2; // so many times as long as a piece took to show, the page is left to its reader
 
+/** @param {number} ms */
 const pause = (ms) => new Promise((done) => setTimeout(done, ms));
 
 export class LiveFeed {
-  // `revisionOf`: that the page has; `take`: takes an answer of /data; `tell`: whether there is a connection; `fail`: told
-  // the error where `take` cannot go on.
+  /**
+   * `revisionOf`: that the page has; `take`: takes an answer of /data; `tell`: whether there is a connection; `fail`: told
+   * the error where `take` cannot go on.
+   * @param {object} page
+   * @param {() => number} page.revisionOf revision that the page has
+   * @param {(raw: LivePiece) => void} page.take takes an answer of /data
+   * @param {(connected: boolean) => void} page.tell
+   * @param {(error: unknown) => void} page.fail told the error where `take` cannot go on
+   */
   constructor({ revisionOf, take, tell, fail }) {
-    Object.assign(this, { revisionOf, take, tell, fail });
+    this.revisionOf = revisionOf;
+    this.take = take;
+    this.tell = tell;
+    this.fail = fail;
     this.token = new URLSearchParams(location.search).get('token') ?? '';
     this.newest = 0; // revision that the server has
     this.closed = false;
+    this.busy = false;
+    /** @type {EventSource | undefined} */
+    this.events = undefined;
+    /** @type {number | undefined} */
+    this.again = undefined; // timer of the next try
   }
 
+  /** @param {string} path */
   address(path, more = '') {
     return `${path}?token=${encodeURIComponent(this.token)}${more}`;
   }
@@ -33,21 +52,24 @@ export class LiveFeed {
   lost() {
     if (this.closed) return;
     this.tell(false);
-    if (this.closed || this.events.readyState !== EventSource.CLOSED) return;
+    if (this.closed || this.events?.readyState !== EventSource.CLOSED) return;
     clearTimeout(this.again);
-    this.again = setTimeout(() => this.closed || this.open(), kAgain);
+    this.again = setTimeout(() => {
+      if (!this.closed) this.open();
+    }, kAgain);
   }
 
   // Nothing more will come: the browser need not try again.
   close() {
     this.closed = true;
-    this.events.close();
+    this.events?.close();
   }
 
   async fetchNews() {
     if (this.busy) return;
     this.busy = true;
     while (this.newest > this.revisionOf() && !this.closed) {
+      /** @type {LivePiece | null} */
       let raw = null;
       try {
         const answer = await fetch(this.address('data', `&from=${this.revisionOf()}`));
@@ -68,7 +90,10 @@ export class LiveFeed {
     this.busy = false;
   }
 
-  // What cannot be shown once cannot be shown again: nobody is to wait for more.
+  /**
+   * What cannot be shown once cannot be shown again: nobody is to wait for more.
+   * @param {LivePiece} raw
+   */
   show(raw) {
     try {
       this.take(raw);

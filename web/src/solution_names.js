@@ -4,19 +4,33 @@ import { routeKey } from './choice.js';
 import { routeNames } from './route_names.js';
 import { plural, seconds } from './ui/dom.js';
 
-const known = new WeakMap(); // by query: a query that has changed is another object
+/** @import {Path} from './path.js' */
+/** @import {Level, Query} from './types/report.js' */
 
+/** @type {WeakMap<Query, Map<number, {name: string, route: string}>>} by query: a query that has changed is another object */
+const known = new WeakMap();
+
+/** @type {Record<string, string | undefined>} */
 const BODY_NAMES = { r6: 'R6', r15: 'R15' };
 
-// "R15, 30 fps: ", of a player that the query names.
+/**
+ * "R15, 30 fps: ", of a player that the query names.
+ * @param {Path} path
+ */
 function playerOf({ body, frameRate }) {
-  const words = [BODY_NAMES[body] ?? body, frameRate && `${frameRate} fps`].filter(Boolean);
+  const words = [body && (BODY_NAMES[body] ?? body), frameRate && `${frameRate} fps`].filter(Boolean);
   return words.length > 0 ? `${words.join(', ')}: ` : '';
 }
 
-// Index of a solution -> {name, route}; the route is empty where all solutions take one.
+/**
+ * Index of a solution -> {name, route}; the route is empty where all solutions take one.
+ * @param {Query} query
+ * @param {Level | undefined} level
+ * @returns {Map<number, {name: string, route: string}>}
+ */
 export function solutionNames(query, level) {
-  if (known.has(query)) return known.get(query);
+  const before = known.get(query);
+  if (before) return before;
   const rate = level?.tickRate ?? 60;
   const routes = routeNames(query, level);
   const taken = new Map();

@@ -1,12 +1,28 @@
 // What events have made of parts up to a tick. They are read on from where they were: of hours of play there are many.
+
+/** @import {PartEvent} from '../types/page_data.js' */
+
 export class Latest {
-  // `ends`: whether a value of an event ends what one before it began.
+  /**
+   * `ends`: whether a value of an event ends what one before it began.
+   * @param {(value: number) => boolean} ends
+   */
   constructor(ends) {
     this.ends = ends;
+    /** @type {PartEvent[] | null} */
     this.events = null;
+    this.tick = 0;
+    this.read = 0; // events up to that tick
+    /** @type {Map<number, number>} */
+    this.values = new Map();
   }
 
-  // Part -> value. `events`: [tick, part, value], in the order of ticks.
+  /**
+   * Part -> value. `events`: [tick, part, value], in the order of ticks.
+   * @param {PartEvent[]} events
+   * @param {number} tick
+   * @returns {Map<number, number>}
+   */
   at(events, tick) {
     if (events !== this.events || tick < this.tick)
       Object.assign(this, { events, read: 0, values: new Map() });

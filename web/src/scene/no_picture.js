@@ -1,37 +1,38 @@
 // Where the browser has no WebGL: a message in place of the picture. All else of the page goes on, and what it tells the
 // renderer is told nobody.
+import { PCFShadowMap } from 'three';
 import { el } from '../ui/dom.js';
+
+/** @import {WebGLRenderer} from 'three' */
 
 const kMessage =
   'No 3D picture: this browser has no WebGL. Hardware acceleration may be off in its settings. ' +
   'The rest of the report works. obby-view -o FILE.png draws a picture without a browser.';
 
 // What the stage asks of a renderer.
-class NoRenderer {
-  constructor() {
-    this.shadowMap = {};
-  }
+/** @typedef {Pick<WebGLRenderer, 'setPixelRatio' | 'getPixelRatio' | 'setClearAlpha' | 'setSize' | 'clear' | 'render'>} Drawing */
+/** @typedef {Pick<WebGLRenderer['shadowMap'], 'type' | 'enabled' | 'autoUpdate' | 'needsUpdate'>} Shadows */
+/** @typedef {Drawing & {shadowMap: Shadows}} Renderer */
 
-  setPixelRatio() {}
+/** @returns {Renderer} */
+const noRenderer = () => ({
+  shadowMap: { type: PCFShadowMap, enabled: false, autoUpdate: false, needsUpdate: false },
+  setPixelRatio() {},
+  getPixelRatio: () => 1,
+  setClearAlpha() {},
+  setSize() {},
+  clear() {},
+  render() {},
+});
 
-  getPixelRatio() {
-    return 1;
-  }
-
-  setClearAlpha() {}
-
-  setSize() {}
-
-  clear() {}
-
-  render() {}
-}
-
-// The message takes the pointer, and the keyboard passes by.
+/**
+ * The message takes the pointer, and the keyboard passes by.
+ * @param {HTMLCanvasElement} canvas
+ */
 export function noPicture(canvas) {
   canvas.hidden = true;
-  canvas.parentElement.append(
+  canvas.parentElement?.append(
     el('div', { class: 'no-picture', role: 'status' }, el('p', { text: kMessage })),
   );
-  return new NoRenderer();
+  return noRenderer();
 }
