@@ -150,7 +150,6 @@ function fits(query, path, index, filters, rate) {
   return boxes.every((box) => pathsThrough(query, box).has(index) === box.keep);
 }
 
-
 /** @type {Record<Exclude<Sort, 'route'>, (path: Path) => number>} */
 const kRanks = {
   found: () => 0,

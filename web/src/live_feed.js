@@ -41,8 +41,10 @@ export class LiveFeed {
   open() {
     this.events = new EventSource(this.address('events'));
     this.events.onopen = () => this.tell(true);
-    this.events.onmessage = ({ data }) => {
-      this.newest = JSON.parse(data).revision;
+    this.events.onmessage = (/** @type {MessageEvent<string>} */ { data }) => {
+      /** @type {{revision: number}} */
+      const { revision } = JSON.parse(data);
+      this.newest = revision;
       this.fetchNews();
     };
     this.events.onerror = () => this.lost();

@@ -33,6 +33,7 @@ export function solutionNames(query, level) {
   if (before) return before;
   const rate = level?.tickRate ?? 60;
   const routes = routeNames(query, level);
+  /** @type {Map<string, number>} */
   const taken = new Map();
   const names = new Map();
   query.paths.forEach((path, index) => {

@@ -7,8 +7,9 @@ import { InstancedMesh, Line, Mesh, Points, PointsMaterial } from 'three';
 export function dispose(root) {
   root.traverse((node) => {
     if (!(node instanceof Mesh || node instanceof Line || node instanceof Points)) return;
-    node.geometry.dispose();
-    for (const material of [node.material].flat()) {
+    const { geometry, material: own } = /** @type {Mesh | Line | Points} */ (node);
+    geometry.dispose();
+    for (const material of [own].flat()) {
       if (material instanceof PointsMaterial) material.map?.dispose();
       material.dispose();
     }

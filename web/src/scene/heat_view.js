@@ -21,7 +21,6 @@ const kLift = 0.12; // studs above the lowest feet of the cell
 const keyOf = (x, y, z) =>
   (((x + 32768) & 65535) * 65536 + ((y + 32768) & 65535)) * 65536 + ((z + 32768) & 65535);
 
-
 /**
  * @param {Path[]} paths
  * @returns {{size: number, cells: Cell[]}}

@@ -13,7 +13,6 @@ import {
 import { OUTCOME_STYLE } from '../palette.js';
 import { dispose } from './dispose.js';
 
-
 /** @import {Query, Tint} from '../types/report.js' */
 
 /** @typedef {'ring' | 'dot' | 'cross' | 'down' | 'up' | 'bar' | 'clock'} Glyph */

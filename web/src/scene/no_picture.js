@@ -10,9 +10,10 @@ const kMessage =
   'The rest of the report works. obby-view -o FILE.png draws a picture without a browser.';
 
 // What the stage asks of a renderer.
-/** @typedef {Pick<WebGLRenderer, 'setPixelRatio' | 'getPixelRatio' | 'setClearAlpha' | 'setSize' | 'clear' | 'render'>} Drawing */
-/** @typedef {Pick<WebGLRenderer['shadowMap'], 'type' | 'enabled' | 'autoUpdate' | 'needsUpdate'>} Shadows */
-/** @typedef {Drawing & {shadowMap: Shadows}} Renderer */
+/** @typedef {'setPixelRatio' | 'getPixelRatio' | 'setClearAlpha' | 'setSize' | 'clear' | 'render'} Methods */
+/** @typedef {'type' | 'enabled' | 'autoUpdate' | 'needsUpdate'} Settings */
+/** @typedef {Pick<WebGLRenderer['shadowMap'], Settings>} Shadows */
+/** @typedef {Pick<WebGLRenderer, Methods> & {shadowMap: Shadows}} Renderer */
 
 /** @returns {Renderer} */
 const noRenderer = () => ({

@@ -121,7 +121,6 @@ export class Sidebar {
     );
   }
 
-
   /** @param {string} text */
   filter(text) {
     const wanted = text.toLowerCase();

@@ -28,7 +28,6 @@ const tickMark = (kind, x, from, to) =>
     'vector-effect': 'non-scaling-stroke',
   });
 
-
 /**
  * The hardest step in the colour of its band.
  * @param {Path} path
