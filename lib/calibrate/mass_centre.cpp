@@ -10,10 +10,10 @@ namespace obby::calibrate {
 
 namespace {
 
-constexpr float kLeastTurning = 0.02f;  // sum of squared changes of the facing's vector
-constexpr float kOffSpeed = 0.01f;      // studs/s that speeds are rounded by
-constexpr float kOffLimit = 0.02f;      // studs/s a step
-constexpr float kLeastTurn2 = 1e-6f;    // of one frame, squared
+constexpr float kLeastTurning = 0.02f;  // min sum of squared changes of the facing vector
+constexpr float kOffSpeed = 0.01f;      // rounding of speeds, studs/s
+constexpr float kOffLimit = 0.02f;      // studs/s per step
+constexpr float kLeastTurn2 = 1e-6f;    // min squared change of the facing vector in one frame
 
 Vec3 rightOf(Vec3 ahead) { return {-ahead.z, 0, ahead.x}; }
 
@@ -21,13 +21,13 @@ bool inFreeFall(const Frame& f) {
   return f.state == sim::State::freefall && (f.facing.x != 0 || f.facing.z != 0);
 }
 
-// By how much the root moved more than the centre of mass, which moved by the recorded speeds.
+// The root's displacement relative to the centre of mass, which follows the recorded velocities.
 struct Swing {
   bool known = false;
   Vec3 root;
 };
 
-// Known where the acceleration is constant: gravity, and none sideways or the most.
+// Known only under constant acceleration: gravity, and sideways either none or the maximum.
 Swing swingOf(const Frame& a, const Frame& b, const Params& p) {
   if (!inFreeFall(a) || !inFreeFall(b)) return {};
   const float dt = p.substepSeconds;

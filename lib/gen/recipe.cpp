@@ -14,7 +14,7 @@ namespace {
 
 using level::pathError;
 
-constexpr uint32_t kMostObstacles = 200;  // of one level
+constexpr uint32_t kMostObstacles = 200;  // per level
 constexpr float kMostExcess = 100;        // studs
 
 Status checkStyles(const std::vector<NamedNumber>& weights, const std::string& path,

@@ -8,13 +8,13 @@ namespace {
 
 // Shares of the widest gap and the highest ledge, from trivial to limit.
 constexpr float kLeastShare = 0.25f, kMostShare = 0.93f, kShareSpread = 0.05f;
-constexpr float kMixSpread = 0.08f;  // of the difficulty
-constexpr float kThick = 1;          // of floors
-constexpr float kRoom = 6;           // of a region above a floor
-constexpr float kAskew = 7;          // studs likewise, where the way is turned by an eighth
+constexpr float kMixSpread = 0.08f;  // noise added to the difficulty
+constexpr float kThick = 1;          // of floors, studs
+constexpr float kRoom = 6;           // height of a region above a floor, studs
+constexpr float kAskew = 7;          // studs added to an impossible gap on a diagonal route
 constexpr uint64_t kExcessStream = 0x9e3779b97f4a7c15u;
 
-// Two shades of floor for each theme.
+// Two shades of the floors of each theme.
 constexpr Color kThemes[][2] = {
     {{196, 199, 206}, {168, 173, 184}}, {{214, 190, 150}, {190, 164, 122}},
     {{160, 190, 140}, {134, 166, 116}}, {{186, 170, 210}, {160, 142, 190}},
@@ -98,7 +98,7 @@ float Sketch::gap(float rise, float share) {
               mine = rounded(most * this->share(kShareSpread) * share, 0.125f);
   ++jumps_;
   if (!broken("gap")) return mine;
-  // A proof sees a part that is turned as the upright box around it.
+  // A proof bounds a rotated part by an axis-aligned box.
   const bool askew = heading_ % 0x4000 != 0;
   const float more = plan_.fastest * reach_->flight() + (askew ? kAskew : 0);
   return rounded(kProof * most + beyond() + more, 0.125f);
@@ -153,7 +153,7 @@ void Sketch::advance(float forward, float up, float right) {
   way_ += absf(forward) + absf(right) + (up > 0 ? up : 0);
 }
 
-// To another of the headings straight on, half aside, and aside; never back.
+// Turns to another of three headings: ahead, diagonal or sideways, but never back.
 void Sketch::bend(float diameter) {
   const Vec3 middle = at({0, 0, -diameter / 2});
   constexpr uint32_t kHeadings = 3;
@@ -229,7 +229,7 @@ PartSketch& Sketch::deadly(PartSketch& part) {
 
 // ------------------------------------------------------------------------------------ the frame
 
-// On the floor that ends at the edge.
+// Adds a stop in the middle of the floor that ends at the edge.
 void Sketch::stop(uint32_t part, float length, Vec3 room) {
   via({0, 0, -length / 2});
   stops_.push_back({part, line_.back(), room, heading_});
@@ -246,7 +246,7 @@ void Sketch::start() {
 
 void Sketch::begin(float difficulty) { difficulty_ = clampf(difficulty, 0.0f, 1.0f); }
 
-// Close enough to walk on to, so that an obstacle is what it is named for and nothing else.
+// The gap can be crossed by walking, so that only the obstacle decides the difficulty.
 void Sketch::rest(bool last, bool mayTurn) {
   const float near = reach_->walkedGap() * (0.4f + 0.5f * difficulty_);
   const float mine = gap();

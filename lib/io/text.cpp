@@ -96,7 +96,7 @@ std::string quoted(std::string_view text, size_t limit) {
   }
   if (i < text.size()) whole += "...";
   appendJsonString(json, whole);
-  // JSON leaves those beyond ASCII as they are.
+  // JSON does not escape control characters beyond ASCII.
   for (size_t at = 0; at < json.size();) {
     const Utf8Char c = nextChar(json, at);
     if (c.code >= 0x80 && isControl(c.code)) {
@@ -110,7 +110,7 @@ std::string quoted(std::string_view text, size_t limit) {
 }
 
 std::string described(std::string_view bytes) {
-  constexpr size_t kLongest = 4;  // bytes of a character
+  constexpr size_t kLongest = 4;  // max bytes of a character
   for (size_t at = 0; at < bytes.size();) {
     const size_t n = utf8Length(bytes.substr(at, kLongest));
     if (n == 0 && at + kLongest > bytes.size() && at > 0) break;

@@ -1,4 +1,4 @@
-// Characters as utf8Length() tells them apart: every malformed form counts as one broken byte.
+// Splits text into characters as utf8Length() does. A malformed form counts as one broken byte.
 #include "io/utf8.h"
 
 #include "io/text.h"

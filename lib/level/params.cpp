@@ -1,4 +1,4 @@
-// Physics parameters: copied by name from the record, checked against the schema's ranges by
+// Physics parameters are copied from the record by name, and checked against the schema's ranges by
 // reflection.
 #include "level/params.h"
 
@@ -33,7 +33,7 @@ Status checkRanges(schema::PhysicsParams::Reader record) {
     const auto range = rangeOf(field);
     if (!range) continue;
     const double value = dynamic.get(field).as<double>();
-    // Bounds as the field can hold them: the float next to 0.2 is a little more.
+    // The bounds are rounded as the field is: the float nearest to 0.2 is a little larger.
     if (value >= double(float(range->getMin())) && value <= double(float(range->getMax())))
       continue;
     return Error{{},
@@ -57,7 +57,7 @@ void derive(Params& p) {
     return uint32_t(std::min(seconds / p.substepSeconds + 0.5f, 65535.0f));
   };
   p.landedSteps = uint16_t(std::min(steps(p.landedTime), 255u));
-  // What is counted up to these starts at 0 while nothing is amiss: none of them may be over then.
+  // Counters for these limits start at 0, and a limit of 0 would be reached at once.
   const auto atLeastOne = [&p](float seconds) {
     return uint16_t(std::max(1u, ticksFromSeconds(p, seconds)));
   };
@@ -71,7 +71,7 @@ void derive(Params& p) {
 
 schema::Interval::Reader paramRange(const std::string& name) {
   const auto field = capnp::Schema::from<schema::PhysicsParams>().getFieldByName(name.c_str());
-  return rangeOf(field).value();  // tests/level/params_test.cpp: every field has one
+  return rangeOf(field).value();  // tests/level/params_test.cpp checks that every field has one
 }
 
 Result<Params> compileParams(schema::PhysicsParams::Reader record) {
@@ -90,7 +90,7 @@ Result<Params> compileParams(schema::PhysicsParams::Reader record) {
                  {}};
   }
   derive(p);
-  // The legs are a damped spring that is taken in steps.
+  // The legs are a damped spring, which steps that are too long make unstable.
   if (!(p.hoverDamping * p.substepSeconds < 2)) {
     return Error{{},
                  {},

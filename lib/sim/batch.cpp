@@ -1,4 +1,4 @@
-// What batches on every machine have in common.
+// Code that batches on every machine share.
 #include "sim/batch.h"
 
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-// The page: wires the state to the stage and the panels, and runs the frame loop.
+// The page: connects state, stage and panels, and runs the frame loop.
 import { Vector3 } from 'three';
 import { hasMotion } from './data.js';
 import { followAddress, readFragment, tickAt, writeFragment } from './fragment.js';
@@ -39,7 +39,7 @@ export class App {
     /** @type {number | undefined} */
     this.saving = undefined; // timer
     /** @type {number | undefined} */
-    this.firstDrawn = undefined; // ms since the page was asked for
+    this.firstDrawn = undefined; // ms since navigation
     /** @type {Live | undefined} */
     this.live = undefined;
     const found = readFragment(report, location.hash);
@@ -70,7 +70,7 @@ export class App {
     this.stage.resize();
     this.stage.frameQuery(true);
     if (found.camera) this.stage.rig.restore(found.camera);
-    this.moved = Boolean(found.camera); // the reader has chosen where to look from
+    this.moved = Boolean(found.camera); // the user has chosen a view
     this.lastFrame = performance.now();
     requestAnimationFrame((now) => this.frame(now));
   }
@@ -91,7 +91,7 @@ export class App {
   }
 
   /**
-   * The one that the chosen is compared with.
+   * The ghost of a comparison.
    * @returns {Path | undefined}
    */
   ghost() {
@@ -99,17 +99,17 @@ export class App {
     return path >= 0 && ghost !== path ? this.query()?.paths[ghost] : undefined;
   }
 
-  // 0 where nothing can be played.
+  // Returns the timeline's length in ticks, or 0 if nothing can be played.
   length() {
     const path = this.path();
     if (!this.query()?.paths.length && !hasMotion(this.level())) return 0;
     if (path) return Math.max(path.ticks, this.ghost()?.ticks ?? 0);
-    // One by one: of a list of all ways there may be more than a call takes arguments.
+    // A spread call to Math.max would exceed the limit on arguments for long lists.
     const least = Math.max(1, 10 * (this.level()?.tickRate ?? 60));
     return (this.query()?.paths ?? []).reduce((most, { ticks }) => Math.max(most, ticks), least);
   }
 
-  // What a reader wants to see first: a solution, or else the attempt that came closest.
+  // The initial selection: a solution, or else the closest attempt.
   firstPath() {
     const paths = this.query()?.paths ?? [];
     const solution = paths.findIndex((path) => path.kind === 'solution');
@@ -151,7 +151,7 @@ export class App {
     store.on(/** @type {(keyof State)[]} */ (Object.keys(INITIAL)), () => {
       this.dirty = true;
     });
-    // The browser took the GPU away for a while: all of the picture is gone, shadows too.
+    // Once the GPU context is restored, the whole picture is redrawn with its shadows.
     this.stage.canvas.addEventListener('webglcontextrestored', () => {
       this.stage.cast = undefined;
       this.dirty = true;
@@ -177,7 +177,7 @@ export class App {
 
   showPart() {
     const { part } = this.store.state;
-    const view = this.stage.levelView; // none where the stream holds no level
+    const view = this.stage.levelView; // null if the stream has no level
     if (this.glowing >= 0) view?.glow(this.glowing, false);
     this.glowing = part;
     view?.glow(part, true);
@@ -186,7 +186,7 @@ export class App {
   applyToggles() {
     const state = this.store.state;
     this.stage.pathView?.show(state, state.path >= 0);
-    // Where no way could pass them there is no filter that takes them away.
+    // Without trajectories the filter that removes boxes is hidden, so they are hidden, too.
     this.stage.filterBoxes.group.visible = Boolean(this.query()?.paths.length);
     if (this.stage.markers) {
       this.stage.markers.ends.visible = state.markers && state.attempts;
@@ -210,7 +210,7 @@ export class App {
 
   /** @param {number} now */
   frame(now) {
-    if (!this.stage.canvas.isConnected) return; // the page says why it shows nothing
+    if (!this.stage.canvas.isConnected) return; // the page has shown an error
     const passed = Math.min((now - this.lastFrame) / 1000, 0.25);
     this.lastFrame = now;
     this.playback.advance(passed);
@@ -236,7 +236,7 @@ export class App {
       .join();
   }
 
-  // A query whose level is not there: what the one before it showed must not pass for its own.
+  // Clears the picture of a query whose level is missing, so that the previous one does not remain.
   blank() {
     this.stage.blank();
     this.labels.hide();

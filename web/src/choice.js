@@ -1,11 +1,11 @@
-// Which trajectories of a query are listed and drawn, and in which order.
+// Selects and sorts the trajectories of a query to list and draw.
 import { bandRank, OUTCOMES } from './palette.js';
 
 /** @import {Box, FilterBox, Filters, Query, Sort, State} from './types/report.js' */
 /** @import {Path} from './path.js' */
 
 /**
- * Filters that let everything pass. `killer`: part, -1 for any; `boxes`: of `boxOf` below.
+ * Filters that accept everything. `killer`: a part, or -1 for any; `boxes`: from `boxOf` below.
  * @type {Readonly<Filters>}
  */
 export const UNFILTERED = {
@@ -28,7 +28,8 @@ export const SORTS = {
 };
 
 /**
- * A box in the axes of the world, in studs. `keep`: what passes it stays; else what passes it goes.
+ * Returns an axis-aligned box, in studs. `keep`: keeps only trajectories through it, or else drops
+ * them.
  * @param {number[]} a
  * @param {number[]} b
  * @returns {FilterBox}
@@ -42,7 +43,7 @@ export function boxOf(a, b, keep = true) {
 }
 
 /**
- * Whether the feet are in the box somewhere between two samples.
+ * Returns true if the feet are in the box at some point between two samples.
  * @param {Box} box
  * @param {ArrayLike<number>} points
  * @param {number} i
@@ -67,7 +68,7 @@ export function segmentMeets({ min, max }, points, i, j) {
 }
 
 /**
- * The lowest and the highest of all samples, by axis; looked for once.
+ * Returns the minimum and maximum of all samples on each axis, cached in the path.
  * @param {Path} path
  */
 function boundsOf(path) {
@@ -84,7 +85,7 @@ function boundsOf(path) {
 }
 
 /**
- * While a box is drawn all ways are asked at each move of the pointer, and most are far from it.
+ * A drag tests all trajectories at each pointer move, and most are far from the box.
  * @param {Path} path
  * @param {Box} box
  */
@@ -106,8 +107,8 @@ export function meets(path, box) {
 }
 
 /**
- * Box -> query -> indices of the paths that meet it; boxes are never changed, only replaced. Neither is kept by it: a
- * stream that goes on replaces queries several times a second.
+ * Box -> query -> indices of the paths through it. Boxes are immutable. The cache keeps neither
+ * alive, since a live stream replaces queries several times a second.
  * @type {WeakMap<Box, WeakMap<Query, Set<number>>>}
  */
 const passed = new WeakMap();
@@ -160,7 +161,8 @@ const kRanks = {
 };
 
 /**
- * Indices of the paths that pass all filters, sorted; equals keep the stream's order.
+ * Returns the indices of the paths that pass all filters, sorted. Equal ones keep the stream's
+ * order.
  * @param {Query} query
  * @param {State} state
  * @param {number} rate

@@ -1,4 +1,4 @@
-// Colours of trajectories by outcome, route, method, time, jumps or difficulty, and what they mean.
+// Colours of trajectories by outcome, route, method, time, jumps or difficulty, with legends.
 import { routeKey } from './choice.js';
 import {
   BAND_STYLE,
@@ -26,14 +26,14 @@ export const COLORINGS = {
   difficulty: 'difficulty',
 };
 
-// From little to much: lightness rises throughout, so that the order is seen without hue.
+// A ramp from low to high. Its lightness rises throughout, so that it works without hue.
 const kRamp = [
   [76, 99, 176],
   [33, 145, 140],
   [94, 201, 98],
   [253, 231, 37],
 ];
-// The map "inferno" of matplotlib (CC0), without its near-black beginning.
+// The colour map "inferno" of matplotlib (CC0), without its near-black beginning.
 const kHeat = [
   [66, 10, 104],
   [106, 23, 110],
@@ -45,7 +45,8 @@ const kHeat = [
   [246, 215, 70],
   [252, 255, 164],
 ];
-// Okabe and Ito's palette, made for colour-blind eyes (https://jfly.uni-koeln.de/color/), without its black.
+// The palette of Okabe and Ito for colour-blind readers (https://jfly.uni-koeln.de/color/), without
+// black.
 const kDistinct = ['#e69f00', '#56b4e9', '#009e73', '#f0e442', '#0072b2', '#d55e00', '#cc79a7'];
 const kNone = '#8190a8';
 
@@ -64,7 +65,7 @@ function mixed(ramp, share) {
 export const rampColor = (share) => mixed(kRamp, share);
 
 /**
- * The heat map's own: it lies on parts of all colours.
+ * The heat map has its own ramp, since it lies on parts of all colours.
  * @param {number} share
  */
 export const heatColor = (share) => mixed(kHeat, share);
@@ -132,7 +133,7 @@ function byRoute(query, level) {
 }
 
 /**
- * Of answers by several methods to the same query.
+ * For answers by several methods to one query.
  * @param {Query} query
  * @returns {Coloring}
  */

@@ -1,5 +1,5 @@
-// Reads the report inside the page: base64 blocks become typed arrays, and the record of what happened at a tick
-// becomes a function. docs/viewer.md describes the format.
+// Parses the report inside the page. Base64 blocks become typed arrays, and runs of actions are
+// looked up by tick. docs/page-data.md describes the format.
 import { bytes, floats, longs } from './bytes.js';
 import { Path } from './path.js';
 import { Track } from './tracks.js';
@@ -25,7 +25,7 @@ export const ROLES = [
 ];
 
 /**
- * Of this and what follows no base64 is kept where an array stands for it.
+ * Here and below, base64 texts are dropped once typed arrays replace them.
  * @param {LevelData} raw
  * @returns {Level}
  */
@@ -48,7 +48,7 @@ export function levelOf({ parts, tracks, hulls, ...rest }) {
 }
 
 /**
- * Whether parts of a level do something by the clock.
+ * Returns true if parts of the level act by the level clock.
  * @param {Level | undefined} level
  */
 export const hasMotion = (level) =>
@@ -67,7 +67,7 @@ function resultOf(raw) {
 }
 
 /**
- * A query whose trajectories are still to come.
+ * A query without its trajectories.
  * @param {QueryFacts} facts
  * @param {number} index
  * @returns {Query}

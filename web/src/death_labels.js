@@ -1,4 +1,4 @@
-// Names for the places where the shown ways were killed.
+// Labels for the places where the shown trajectories were killed.
 import { OUTCOME_STYLE } from './palette.js';
 import { partName } from './part_name.js';
 
@@ -7,7 +7,7 @@ import { partName } from './part_name.js';
 /** @import {Level} from './types/report.js' */
 
 /**
- * The one of these places that is nearest to their middle.
+ * Returns the place nearest to the centroid of all.
  * @param {Triple[]} places
  */
 function middlemost(places) {
@@ -18,7 +18,7 @@ function middlemost(places) {
 }
 
 /**
- * [{text, at, color}], the most frequent killers first.
+ * Returns [{text, at, color}], the most frequent killers first.
  * @param {Path[]} paths
  * @param {Level | undefined} level
  * @param {number} most

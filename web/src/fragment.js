@@ -4,7 +4,7 @@
 /** @import {Camera, Report, State} from './types/report.js' */
 
 /**
- * Ids may repeat from level to level: `n` tells which of those of one id, from 0, and is left out for the first.
+ * Ids may repeat between levels. `n` is the index among equal ids, and is omitted for the first.
  * @param {Report} report
  * @param {string | null} id
  * @param {string | null} n
@@ -15,13 +15,13 @@ function queryAt(report, id, n) {
 }
 
 /**
- * What a reader wants to see first: the first query that has an answer.
+ * The initial query is the first one with an answer.
  * @param {Report} report
  */
 const firstAnswered = ({ queries }) => Math.max(0, queries.findIndex(({ result }) => result));
 
 /**
- * `hash`: of an address, with its `#`; `shown`: the query that is shown where it names none.
+ * `hash`: an address's fragment with its `#`; `shown`: the query to show if it names none.
  * @param {Report} report
  * @param {string} hash
  */
@@ -43,8 +43,8 @@ export function readFragment(report, hash, shown = firstAnswered(report)) {
 }
 
 /**
- * The tick that a time of an address means: there it is in milliseconds, rounded, and what a tick shows must not be what the
- * one before shows.
+ * Returns the tick of an address's time. Times are rounded to milliseconds, so they are snapped to
+ * whole ticks and never show the tick before.
  * @param {number} time
  * @param {number} rate
  */
@@ -55,7 +55,8 @@ export function tickAt(time, rate) {
 }
 
 /**
- * A link that is followed, or pasted, while the page is open, only changes what is behind `#`: it is shown, too.
+ * Following or pasting a link in the open page changes only the fragment, so it must be applied,
+ * too.
  * @param {App} app
  */
 export function followAddress(app) {
@@ -68,7 +69,7 @@ export function followAddress(app) {
     store.set({ tick: Math.min(tickAt(found.time ?? 0, playback.rateOf()), app.length()) });
     if (!found.camera) return;
     stage.rig.restore(found.camera);
-    app.moved = true; // the reader has chosen where to look from
+    app.moved = true; // the user has chosen a view
   });
 }
 

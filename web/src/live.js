@@ -1,5 +1,5 @@
-// The page of obby-view --live: starts the app when the first level is there, and takes in what comes after, so that
-// selection, filters, camera and playback stay as they are.
+// The page of obby-view --live. It starts the app with the first level and merges later changes.
+// Selection, filters, camera and playback stay.
 import { LiveFeed } from './live_feed.js';
 import { LiveReport } from './live_report.js';
 import { keepingPlace } from './ui/dom.js';
@@ -11,7 +11,7 @@ import { LiveMark } from './ui/live_mark.js';
 /** @import {Query, Report} from './types/report.js' */
 
 /**
- * A search that runs tells its numbers often; what is drawn need not be made anew for those.
+ * A running search updates its numbers often, which need no new drawing.
  * @param {Query | undefined} before
  * @param {Query | undefined} now
  */
@@ -25,7 +25,7 @@ function onlyNumbers(before, now) {
 
 export class Live {
   /**
-   * `begin`: report -> app. `fail`: says why there is nothing to see.
+   * `begin`: report -> app. `fail`: reports why there is nothing to show.
    * @param {HTMLElement} side
    * @param {(report: Report) => App} begin
    * @param {(error: unknown) => void} fail
@@ -37,7 +37,7 @@ export class Live {
     this.app = undefined;
     this.live = new LiveReport();
     /** @type {boolean | undefined} */
-    this.connected = undefined; // it is not known yet
+    this.connected = undefined; // unknown
     this.mark = new LiveMark();
     side.append(this.mark.root);
     this.feed = new LiveFeed({
@@ -51,7 +51,7 @@ export class Live {
   }
 
   /**
-   * Where the stream has ended, a server that goes takes nothing along.
+   * After the stream has ended, a lost server does not matter.
    * @param {boolean} connected
    */
   tell(connected) {
@@ -105,9 +105,9 @@ export class Live {
    */
   refreshQuery(app, [chosen, ghost]) {
     const { store, stage } = app;
-    if (stage.level !== app.level()) app.glowing = -1; // of the parts that are taken away
+    if (stage.level !== app.level()) app.glowing = -1; // it refers to a part of the removed level
     app.openQuery();
-    // The same ways may stand elsewhere; one may have come again, thinner.
+    // Indices may have changed, and a trajectory may have come again with fewer samples.
     const paths = app.query()?.paths ?? [];
     const indexOf = (/** @type {Path | undefined} */ path) =>
       path ? paths.findIndex(({ serial }) => serial === path.serial) : -1;

@@ -1,14 +1,16 @@
-// A report that comes in pieces: what the server says is new is put in its place, and what is there keeps its identity.
+// A report that arrives in pieces. New data replaces the old, and unchanged objects keep their
+// identity.
 import { levelOf, queryOf } from './data.js';
 import { Path } from './path.js';
 
 /** @import {LivePiece, LiveQuery, StreamState} from './types/page_data.js' */
 /** @import {Report} from './types/report.js' */
 
-const kFormat = 3; // of the data, as of a page in a file
+const kFormat = 3; // data format, as in a page file
 
 /**
- * Whether one of the ranges, [first, last] and ascending, holds the number. There may be one for each attempt.
+ * Returns true if one of the ranges [first, last], ascending, contains the number. There may be one
+ * for each attempt.
  * @param {[number, number][]} ranges
  * @param {number} number
  */
@@ -32,8 +34,9 @@ export class LiveReport {
   }
 
   /**
-   * `raw`: an answer of /data. `kept`: trajectories that stay even if the stream has replaced them, for somebody looks at
-   * them. Gives {levels, queries}: the indices of those that changed, and `fresh`: the trajectories that are new.
+   * `raw`: an answer of /data. `kept`: trajectories in view, which stay even if the stream has
+   * replaced them. Returns {levels, queries}, the indices of the changed ones, and `fresh`, the new
+   * trajectories.
    * @param {LivePiece} raw
    * @param {(Path | undefined)[]} kept
    */
@@ -63,14 +66,14 @@ export class LiveReport {
   }
 
   /**
-   * New trajectories are put behind those in `fresh`.
+   * Appends new trajectories to `fresh`.
    * @param {LiveQuery} piece
    * @param {(Path | undefined)[]} kept
    * @param {Path[]} fresh
    */
   takeQuery({ index, facts, serials, trajectories }, kept, fresh) {
     const { queries } = this.report;
-    // A new object: what was worked out of the old one does not hold any more.
+    // A new object, so that values cached by the old one are dropped.
     const own = queryOf(facts, index);
     const before = queries[index]?.paths ?? [];
     const bySerial = new Map(before.map((path) => [path.serial ?? -1, path]));

@@ -9,7 +9,7 @@ import { el } from './ui/dom.js';
 /** @import {Report} from './types/report.js' */
 
 /**
- * In place of everything: half of a report would mislead.
+ * Replaces the whole page, because half of a report would mislead.
  * @param {unknown} error
  */
 function fail(error) {
@@ -17,14 +17,14 @@ function fail(error) {
   document.body.replaceChildren(
     el('p', { class: 'fatal', text: `This report cannot be shown: ${reason}` }),
   );
-  reportError(error); // to the console
+  reportError(error); // also logs to the console
 }
 
 function start() {
   try {
     const begin = (/** @type {Report} */ report) => {
       const app = new App(report);
-      window.obby = app; // for tests and for people at the console
+      window.obby = app; // for tests and debugging
       return app;
     };
     /** @type {PageData | LiveData} */

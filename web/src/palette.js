@@ -1,5 +1,5 @@
-// What every colour of the page means. The accents keep apart for colour-blind eyes by lightness as well as hue, and
-// roles have a pattern of their own on top (scene/part_material.js).
+// The meaning of the page's colours. Accents differ in lightness as well as hue, for colour-blind
+// readers, and some roles also have a pattern (scene/part_material.js).
 import { fullName } from './part_name.js';
 
 /** @import {Path} from './path.js' */
@@ -38,7 +38,7 @@ export const OUTCOME_STYLE = {
 export const OUTCOMES = /** @type {Outcome[]} */ (Object.keys(OUTCOME_STYLE));
 
 /**
- * What a query shows: its verdict, or why it has none to show.
+ * The verdict that a query shows, or its state without one.
  * @typedef {Verdict | 'doubtful' | 'mismatch' | 'running' | 'waiting' | 'none'} ShownVerdict
  */
 
@@ -55,7 +55,7 @@ export const VERDICT_STYLE = {
 };
 
 /**
- * How hard a step is, in the order of the stream's bands.
+ * The difficulty of a step, in the order of the schema's bands.
  * @type {Record<Band, {label: string, color: string}>}
  */
 export const BAND_STYLE = {
@@ -64,13 +64,13 @@ export const BAND_STYLE = {
   medium: { label: 'Medium', color: '#f2c14e' },
   hard: { label: 'Hard', color: '#f58b45' },
   extreme: { label: 'Extreme', color: '#f0484e' },
-  unknown: { label: 'Unknown', color: '#8190a8' }, // of a stream by a later version
+  unknown: { label: 'Unknown', color: '#8190a8' }, // from a stream of a later version
 };
 
 export const BANDS = /** @type {Band[]} */ (Object.keys(BAND_STYLE));
 
 /**
- * Its place in that order; what was not measured comes last.
+ * Returns the rank of the band; unmeasured paths come last.
  * @param {Path} path
  */
 export function bandRank(path) {
@@ -79,12 +79,12 @@ export function bandRank(path) {
 
 export const SOLUTION_COLOR = '#ffd166';
 export const SELECTED_COLOR = '#fff3c4';
-export const CUT_COLOR = '#ff8f6b'; // the step that nobody can take
+export const CUT_COLOR = '#ff8f6b'; // the step that is impossible
 export const REACHED_COLOR = '#8fe3c4'; // parts that can be reached
-export const GHOST_COLOR = '#7fd4ff'; // the other one of a comparison
+export const GHOST_COLOR = '#7fd4ff'; // the ghost in a comparison
 
 /**
- * The colour of a path in lists and in the scene.
+ * Returns a path's colour in lists and in the scene.
  * @param {Path} path
  */
 export function pathColor(path) {
@@ -109,7 +109,8 @@ export function verdictOf(query) {
 }
 
 /**
- * Why a path ended, in words. `nameOf`: level, part -> what the part is called; `length`: label or short.
+ * Returns why a path ended, as text. `nameOf`: level, part -> the part's name; `length`: label or
+ * short.
  * @param {Path} path
  * @param {Level | undefined} level
  * @param {'label' | 'short'} [length]
@@ -122,7 +123,7 @@ export function causeOf(path, level, nameOf = fullName, length = 'label') {
 }
 
 /**
- * The hardest step of a solution, in words; nothing where the report does not say.
+ * Describes the hardest step of a solution, or returns nothing if it was not measured.
  * @param {Path} path
  * @param {Level | undefined} level
  */

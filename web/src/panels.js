@@ -15,7 +15,7 @@ import { Timeline } from './ui/timeline.js';
 /** @import {Source, Tint} from './types/report.js' */
 
 /**
- * The selected trajectory and the ghost, where there is one.
+ * Returns the selected trajectory and the ghost, or null without a ghost.
  * @param {App} app
  * @returns {[Path, Path] | null}
  */

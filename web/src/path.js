@@ -1,4 +1,4 @@
-// One trajectory: its samples, and what the player did between them.
+// A trajectory: its samples, and the player's input between them.
 import { bytes, floats, words } from './bytes.js';
 import { LooseTrack } from './tracks.js';
 
@@ -6,7 +6,7 @@ import { LooseTrack } from './tracks.js';
 /** @import {Box, Pose, Query} from './types/report.js' */
 
 /**
- * What the player held during a tick; nothing before the first.
+ * Returns the player's input during a tick, or nothing before the first.
  * @param {Uint16Array} runs
  * @param {number} tick
  */
@@ -21,8 +21,8 @@ function actionAt(runs, tick) {
 }
 
 /**
- * Lines want the points of all ways; the rest is read when it is first asked for, for of a thousand ways a reader looks at
- * few.
+ * The points are needed to draw all trajectories. The rest is decoded on demand, since a user
+ * opens only a few of thousands.
  * @template T, V
  * @param {T} text
  * @param {(text: T) => V} as
@@ -96,7 +96,7 @@ export class Path {
   }
 
   /**
-   * Tick of a sample: every `stride`-th, and the last whatever its distance from the one before.
+   * Returns the tick of a sample: every `stride`-th, and the last one at any distance.
    * @param {number} sample
    */
   tickOf(sample) {
@@ -104,7 +104,7 @@ export class Path {
   }
 
   /**
-   * The two samples around a tick, and the share of the second.
+   * Returns the two samples around a tick, and the weight of the second.
    * @param {number} tick
    */
   at(tick) {
@@ -117,7 +117,7 @@ export class Path {
   }
 
   /**
-   * Studs a tick, by axis, on the way to a sample; none at the start.
+   * Returns the velocity before a sample, studs a tick on each axis; zero at the start.
    * @param {number} sample
    * @returns {Pose['perTick']}
    */
@@ -130,7 +130,7 @@ export class Path {
   }
 
   /**
-   * The pose at a tick, between samples where playback is.
+   * Returns the interpolated pose at a tick.
    * @param {number} tick
    * @returns {Pose}
    */
@@ -147,7 +147,7 @@ export class Path {
   }
 
   /**
-   * What was held in the tick that ends at `tick`, or in which it lies; nothing at the start.
+   * Returns the input of the tick that ends at or contains `tick`, or nothing at the start.
    * @param {number} tick
    */
   actionBefore(tick) {
@@ -163,7 +163,7 @@ export class Path {
   }
 
   /**
-   * Studs walked so far, on the level; sums once.
+   * Returns the horizontal distance walked so far, studs; sums are cached.
    * @param {number} tick
    */
   travelled(tick) {

@@ -1,4 +1,4 @@
-// The clock: turns wall time into ticks of the selected trajectory.
+// The playback clock, which converts wall time to ticks of the selected trajectory.
 
 /** @import {Store} from './store.js' */
 
@@ -21,7 +21,7 @@ export class Playback {
     const length = this.lengthOf();
     let next = tick + Math.min(seconds, 0.25) * speed * this.rateOf();
     if (next >= length) {
-      // Stay on the last frame for a moment before the next round, so that the end can be seen.
+      // Pauses on the last frame before looping, so that the end is visible.
       const pause = 0.7 * this.rateOf() * speed;
       if (loop && length > 0) next = next >= length + pause ? 0 : next;
       else next = length;

@@ -1,4 +1,4 @@
-// The pointer over the picture: what lies under it, what a click chooses, and a box that a drag draws.
+// The pointer over the picture: hover notes, selection by clicks, and boxes drawn by a drag.
 import { boxOf } from './choice.js';
 import { ROLES } from './data.js';
 import { causeOf, ROLE_STYLE } from './palette.js';
@@ -10,11 +10,11 @@ import { el, seconds } from './ui/dom.js';
 /** @import {At} from './scene/picking.js' */
 /** @import {FilterBox} from './types/report.js' */
 
-const kBoxBelow = 1; // studs under the floor that a drawn box reaches
+const kBoxBelow = 1; // studs that a drawn box extends below the floor
 const kBoxAbove = 12;
-const kRest = 200; // ms until a part under the pointer is told
+const kRest = 200; // ms until a part under the pointer gets a note
 const kMostNotes = 3;
-const kBeside = 14; // pixels from the pointer to what is told
+const kBeside = 14; // pixels from the pointer to the note
 
 export class Pointer {
   /**
@@ -31,11 +31,11 @@ export class Pointer {
     /** @type {PointerEvent | null} */
     this.moved = null;
     /** @type {{event: PointerEvent, since: number} | null} */
-    this.rest = null; // where the pointer stays, and since when
+    this.rest = null; // rest position and its time
     /** @type {{x: number, y: number} | null} */
     this.down = null;
     /** @type {Vector3 | null} */
-    this.corner = null; // first corner of the box that is being drawn
+    this.corner = null; // first corner of the box in progress
     /** @type {readonly FilterBox[]} */
     this.before = []; // the boxes without that one
     canvas.addEventListener('pointerdown', (event) => this.press(event));
@@ -43,7 +43,7 @@ export class Pointer {
     canvas.addEventListener('blur', () => canvas.classList.remove('pressed'));
     canvas.addEventListener('pointermove', (event) => {
       this.moved = event.buttons ? null : event;
-      if (this.corner && event.buttons & 1) this.drawTo(event, this.corner); // a click is no drag
+      if (this.corner && event.buttons & 1) this.drawTo(event, this.corner); // a click is not a drag
     });
     canvas.addEventListener('pointerleave', () => {
       this.moved = null;
@@ -60,12 +60,12 @@ export class Pointer {
 
   /** @param {PointerEvent} event */
   press(event) {
-    this.canvas.classList.add('pressed'); // browsers take a focus by script for one by keyboard
+    this.canvas.classList.add('pressed'); // browsers show the focus ring for focus by script
     this.canvas.focus({ preventScroll: true });
-    if (this.corner) this.store.set({ boxes: this.before }); // its drag has no end
+    if (this.corner) this.store.set({ boxes: this.before }); // the previous drag did not end
     this.down = null;
     this.corner = null;
-    // With a second finger the camera is meant.
+    // A second finger controls the camera.
     if (!this.app.level() || !event.isPrimary) return;
     this.down = { x: event.clientX, y: event.clientY };
     if (!this.store.state.drawing || event.button !== 0) return;
@@ -79,13 +79,13 @@ export class Pointer {
     const still = down && Math.hypot(event.clientX - down.x, event.clientY - down.y) < 4;
     this.down = null;
     this.corner = null;
-    if (!down || event.button !== 0) return; // the camera's
+    if (!down || event.button !== 0) return; // for the camera
     if (this.store.state.drawing) this.store.set({ drawing: Boolean(still) });
     else if (still) this.click(event);
   }
 
   /**
-   * The box from the first corner to the pointer, at the height of that corner.
+   * Draws the box from the first corner to the pointer, at the height of that corner.
    * @param {PointerEvent} event
    * @param {Vector3} corner
    */
@@ -129,7 +129,7 @@ export class Pointer {
   }
 
   /**
-   * Once a frame: a line is told at once, a part where the pointer rests.
+   * Runs once a frame. A trajectory gets its note at once, a part once the pointer rests.
    * @param {number} now
    */
   hover(now) {
@@ -162,7 +162,7 @@ export class Pointer {
   }
 
   /**
-   * Name and role, and the importer's reason for the role.
+   * Shows name and role, with the importer's reason for the role.
    * @param {PointerEvent} event
    */
   hoverPart(event) {
@@ -185,7 +185,7 @@ export class Pointer {
       ...lines.map((text) => el('span', { text })),
     );
     this.tip.hidden = false;
-    // Beside the pointer, as far as the window goes.
+    // Next to the pointer, within the window.
     const { width, height } = this.tip.getBoundingClientRect();
     const x = Math.max(0, Math.min(event.clientX + kBeside, innerWidth - width));
     const y = Math.max(0, Math.min(event.clientY + kBeside, innerHeight - height));

@@ -1,15 +1,15 @@
-// Names by which the routes of one query can be told apart: the parts that a route touches and others do not.
+// Names that distinguish the routes of a query, from parts that only some routes touch.
 import { partName } from './part_name.js';
 import { routeText } from './route_text.js';
 
 /** @import {Level, Query} from './types/report.js' */
 
-const kMostNames = 5; // of a route that is written out
-const kMostMarks = 3; // parts that tell a route from the others
-const kMostRoutes = 50; // compared with one another
+const kMostNames = 5; // in a route's text
+const kMostMarks = 3; // parts that distinguish a route
+const kMostRoutes = 50; // max routes compared with one another
 
 /**
- * Part -> its name; parts of one name are numbered.
+ * Returns part -> name. Parts with equal names are numbered.
  * @param {number[][]} routes
  * @param {Level | undefined} level
  * @returns {Map<number, string>}
@@ -28,7 +28,7 @@ function namesOf(routes, level) {
 }
 
 /**
- * The part whose presence in the route, or else absence from it, excludes most of `others`.
+ * Returns the part whose presence in the route, or else absence, excludes most of `others`.
  * @param {Set<number>} own
  * @param {Set<number>[]} others
  * @param {number[]} parts
@@ -46,7 +46,8 @@ function bestMark(own, others, parts) {
 }
 
 /**
- * What tells a route from all others: "via Plank", "without Lift"; its number where parts do not.
+ * Returns text that distinguishes a route, such as "via Plank" or "without Lift", or its number if
+ * parts do not.
  * @param {number} index
  * @param {Set<number>[]} sets
  * @param {number[]} parts
@@ -65,12 +66,12 @@ function markOf(index, sets, parts, names) {
   return marks.join(', ');
 }
 
-/** @type {WeakMap<Query, Map<string, {mark: string, text: string}>>} by query: a query that has changed is another object */
+/** @type {WeakMap<Query, Map<string, {mark: string, text: string}>>} by query; a changed query is another object */
 const known = new WeakMap();
 
 /**
- * Key of a route (choice.js) -> {mark, text}: `text` is its course, with the mark where another reads the same. With one
- * route the mark is empty.
+ * Returns the key of a route (choice.js) -> {mark, text}. `text` is the route, with the mark if
+ * another route reads the same. With a single route the mark is empty.
  * @param {Query} query
  * @param {Level | undefined} level
  * @returns {Map<string, {mark: string, text: string}>}

@@ -1,10 +1,10 @@
-// Routes in words: the last words of the parts' names, those alike in a row told once.
+// Routes as text: the last components of the parts' names, with repetitions merged.
 import { partName } from './part_name.js';
 
 /** @import {Level} from './types/report.js' */
 
 /**
- * `most`: so many names; of more the first and last two are told.
+ * `most`: max number of names; of longer routes the first and last two are shown.
  * @param {number[]} route
  * @param {Level | undefined} level
  */

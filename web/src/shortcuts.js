@@ -1,11 +1,11 @@
-// The keyboard. No shortcut fires while something is typed, or with Ctrl, Alt or Meta held; Space ticks the box that the
-// keyboard is on.
+// Keyboard shortcuts. They are disabled while the user types, and with Ctrl, Alt or Meta. Space
+// toggles a focused check box.
 import { nextTheme } from './theme.js';
 
 /** @import {App} from './app.js' */
 /** @import {NamesOf} from './types/report.js' */
 
-const kWithAlt = /^[[\]]$/; // on some keyboards it takes Alt to type these
+const kWithAlt = /^[[\]]$/; // some keyboards require Alt for these
 
 /** @param {EventTarget | null} target */
 function typing(target) {
@@ -32,7 +32,7 @@ function moveQuery(app, by) {
 }
 
 /**
- * In the order of the list.
+ * In the list's order.
  * @param {App} app
  * @param {number} by
  */
@@ -45,7 +45,7 @@ function neighbour(app, by) {
 }
 
 /**
- * Keeps the chosen one as the ghost that others are compared with.
+ * Pins the selected trajectory as the ghost for comparisons.
  * @param {App} app
  */
 function pin({ store }) {
@@ -54,8 +54,8 @@ function pin({ store }) {
 }
 
 /**
- * Begins or ends the drawing of a box. One that no way could pass would only be in the way: there is no filter then that
- * takes it away again.
+ * Starts or ends the drawing of a box. Without trajectories it is disabled, because the filter that
+ * removes boxes is hidden then.
  * @param {App} app
  */
 function draw(app) {
@@ -78,7 +78,7 @@ const kToggles = [
 ];
 
 /**
- * By what is printed on the key, for those whose place differs between keyboards.
+ * By the printed character, for keys whose position differs between keyboards.
  * @type {Record<string, ((app: App, event: KeyboardEvent) => void) | undefined>}
  */
 const kByKey = {
@@ -131,7 +131,7 @@ export function bindKeys(app) {
   window.addEventListener('keyup', (event) => {
     app.shift = event.shiftKey;
     app.stage.rig.key(event.code, false);
-    // A focused button would take Space for a click, which is right in the help alone.
+    // A focused button would treat Space as a click, which is correct only in the help.
     if (event.key === ' ' && event.target instanceof HTMLButtonElement && !app.help.dialog.open)
       event.preventDefault();
   });

@@ -1,5 +1,5 @@
-// Names by which the solutions of a query can be told apart: the player, time and jumps, the part that only their route
-// touches, and a number where all of that is the same.
+// Names that distinguish the solutions of a query: player, time and jumps, a part that only their
+// route touches, and a number if all of these are equal.
 import { routeKey } from './choice.js';
 import { routeNames } from './route_names.js';
 import { plural, seconds } from './ui/dom.js';
@@ -7,14 +7,14 @@ import { plural, seconds } from './ui/dom.js';
 /** @import {Path} from './path.js' */
 /** @import {Level, Query} from './types/report.js' */
 
-/** @type {WeakMap<Query, Map<number, {name: string, route: string}>>} by query: a query that has changed is another object */
+/** @type {WeakMap<Query, Map<number, {name: string, route: string}>>} by query; a changed query is another object */
 const known = new WeakMap();
 
 /** @type {Record<string, string | undefined>} */
 const BODY_NAMES = { r6: 'R6', r15: 'R15' };
 
 /**
- * "R15, 30 fps: ", of a player that the query names.
+ * Returns a prefix such as "R15, 30 fps: " for a player that the query names.
  * @param {Path} path
  */
 function playerOf({ body, frameRate }) {
@@ -23,7 +23,7 @@ function playerOf({ body, frameRate }) {
 }
 
 /**
- * Index of a solution -> {name, route}; the route is empty where all solutions take one.
+ * Returns the index of a solution -> {name, route}. The route is empty if all solutions share it.
  * @param {Query} query
  * @param {Level | undefined} level
  * @returns {Map<number, {name: string, route: string}>}

@@ -1,4 +1,5 @@
-// The page's state: one flat object. `set` tells listeners which names changed; nothing else holds state.
+// The page's state, one flat object. `set` notifies listeners of the changed names. No other object
+// holds state.
 import { UNFILTERED } from './choice.js';
 
 /** @import {State} from './types/report.js' */
@@ -30,7 +31,7 @@ export class Store {
   }
 
   /**
-   * `names`: the listener runs when one of them changed.
+   * Calls the listener when one of `names` has changed.
    * @param {readonly (keyof State)[]} names
    * @param {(state: State) => void} listener
    */

@@ -1,7 +1,7 @@
-// How often each value occurs.
+// Counts of values.
 
 /**
- * [value, how often], most frequent first.
+ * Returns [value, count], most frequent first.
  * @template T
  * @param {T[]} values
  * @returns {[T, number][]}

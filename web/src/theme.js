@@ -1,4 +1,4 @@
-// Light or dark panels: as the reader's system has it, or as they chose here.
+// Light or dark panels, as the system or the user chooses.
 
 /** @import {Store} from './store.js' */
 /** @import {State} from './types/report.js' */
@@ -21,7 +21,7 @@ export function bindTheme(store) {
 }
 
 /**
- * To the other one of what is seen. The system's own is followed again where it changes.
+ * Switches to the other theme. If that is the system's, it follows the system again.
  * @param {Store} store
  */
 export function nextTheme(store) {

@@ -1,11 +1,11 @@
-// Poses of parts over time: of those that follow the level's clock, and of those that a playthrough moves.
+// Poses over time of parts that follow the level clock, and of dynamic parts in a trajectory.
 import { floats, longs, shorts } from './bytes.js';
 
 /** @import {LooseTrackData, TrackData} from './types/page_data.js' */
 /** @import {Between} from './types/report.js' */
 
-// Poses of one moving part, one sample every `stride` ticks. The samples are for ticks 0, stride, ...; from
-// `loopFrom` on they repeat (-1: the last one stays).
+// Poses of a moving part, one sample every `stride` ticks from tick 0 on. From `loopFrom` on they
+// repeat (-1: the last one stays).
 export class Track {
   /** @param {TrackData} raw */
   constructor(raw) {
@@ -13,13 +13,14 @@ export class Track {
     this.stride = raw.stride;
     this.count = raw.count;
     this.loopFrom = raw.loopFrom;
-    this.triggered = Boolean(raw.triggered); // ticks count from its start, which a path's motions tell
+    this.triggered = Boolean(raw.triggered); // ticks count from its start, which a path's motion
+                                             // events tell
     this.position = raw.position ? floats(raw.position) : null;
     this.rotation = raw.rotation ? shorts(raw.rotation) : null;
   }
 
   /**
-   * The two samples around a tick and the share of the second.
+   * Returns the two samples around a tick, and the weight of the second.
    * @param {number} tick
    * @returns {Between}
    */
@@ -34,7 +35,7 @@ export class Track {
     };
     const next = wrap(i + 1);
     i = wrap(i);
-    // A jump back to the first key is a jump, not a slide across the level.
+    // A jump back to the first key must not be interpolated across the level.
     return { i, next: this.jumps(i, next) ? i : next, share };
   }
 
@@ -55,7 +56,7 @@ export class Track {
   }
 }
 
-// Poses of one loose part at some ticks of a playthrough; even motion between them.
+// Poses of a dynamic part at some ticks of a trajectory, interpolated linearly.
 export class LooseTrack {
   /** @param {LooseTrackData} raw */
   constructor(raw) {
@@ -66,7 +67,7 @@ export class LooseTrack {
   }
 
   /**
-   * As Track's.
+   * Like Track.at().
    * @param {number} tick
    * @returns {Between}
    */

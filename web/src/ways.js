@@ -1,4 +1,4 @@
-// Which trajectories are listed and drawn, in which colours: keeps list and picture as filters and sorting say.
+// Applies filters, sorting and colours to the list and the picture of trajectories.
 import { Vector3 } from 'three';
 import { boxOf, listed, UNFILTERED } from './choice.js';
 import { coloring } from './coloring.js';
@@ -9,7 +9,7 @@ import { searched, visits } from './scene/heat_view.js';
 /** @import {Coloring, Filters} from './types/report.js' */
 
 const kMostDeaths = 6; // labels
-const kBox = [10, 10, 10]; // studs, of a box that is not drawn
+const kBox = [10, 10, 10]; // studs; default size of a box
 /** @type {Coloring} */
 const kNoColoring = { of: () => '', legend: [] };
 
@@ -40,7 +40,7 @@ export class Ways {
     this.app.stage.showPaths(new Set(isolate ? [] : order), this.coloring.of);
   }
 
-  // Regions, the proof's step, and what killed the shown ways.
+  // Sets the labels: regions, the proof's step, and the killers of the shown trajectories.
   label() {
     const { stage, labels } = this.app;
     const query = this.app.query();
@@ -58,7 +58,7 @@ export class Ways {
     labels.set([...(regionView?.labels ?? []), ...ofCut, ...deaths]);
   }
 
-  // Counting takes a while, so only for those who look.
+  // Counting takes a while, so it runs only while the heat map is shown.
   warm() {
     const { heat, heatWays, order } = this.store.state;
     const query = this.app.query();
@@ -71,7 +71,7 @@ export class Ways {
     this.store.set({ heatMost: view.most });
   }
 
-  // Around the player, or where the camera turns about.
+  // Around the player, or around the camera's target.
   addBox() {
     const path = this.app.path();
     const { target } = this.app.stage.rig.goal;

@@ -1,4 +1,4 @@
-// Marks along the chosen way: a dot where the player jumped, a small ring where they came down.
+// Marks along the selected trajectory: a dot at each jump, a small ring at each landing.
 import { Group, Points, PointsMaterial, BufferGeometry, Float32BufferAttribute } from 'three';
 import { dispose } from './dispose.js';
 import { glyphTexture } from './markers.js';
@@ -39,7 +39,7 @@ function marks(path, ticks, glyph, color, size) {
 }
 
 /**
- * Ticks at which the player touches down.
+ * Returns the ticks of landings.
  * @param {Path} path
  */
 export function landings(path) {

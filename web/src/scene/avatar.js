@@ -1,5 +1,5 @@
-// The player: torso, head, arms and legs of the body that the simulator moves, with a simple walk so that facing and
-// pace can be read at a glance.
+// The player: torso, head, arms and legs of the simulated body, with a simple walk that shows
+// facing and pace.
 import {
   BoxGeometry,
   BufferGeometry,
@@ -26,14 +26,14 @@ import { glyphTexture } from './markers.js';
  * @param {number} y
  */
 function limb(width, height, depth, material, x, y) {
-  // The pivot is the limb's top, so that it swings from the hip or the shoulder.
+  // The pivot is the limb's top, so that it swings at the hip or shoulder.
   const geometry = new BoxGeometry(width, height, depth).translate(0, -height / 2, 0);
   const mesh = new Mesh(geometry, material);
   mesh.position.set(x, y, 0);
   return mesh;
 }
 
-// Of the one that the chosen is compared with: of one colour, and parts shine through.
+// For the ghost of a comparison: one colour, translucent.
 const kGhost = { color: GHOST_COLOR, emissive: '#16384a', transparent: true, opacity: 0.5 };
 
 export class Avatar {
@@ -68,7 +68,7 @@ export class Avatar {
   }
 
   /**
-   * A sign over the head, seen through everything: where is the player?
+   * Adds a marker above the head that is visible through solids.
    * @param {number} height
    * @param {string} color
    */

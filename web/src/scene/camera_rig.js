@@ -1,5 +1,6 @@
-// The camera as in the level editor: left-drag orbits, right-drag looks, middle-drag pans, the wheel moves in and out,
-// WASD and QE fly. Two fingers move in and out and pan. It can follow the player and glides to whatever is framed.
+// The camera, as in Studio: left-drag orbits, right-drag looks, middle-drag pans, the wheel zooms,
+// WASD and QE fly. Two fingers zoom and pan. It can follow the player, and glides to whatever is
+// framed.
 import { MathUtils, PerspectiveCamera, Vector3 } from 'three';
 
 /** @import {Box3} from 'three' */
@@ -19,7 +20,7 @@ const kKeys = {
 /** @typedef {{yaw: number, pitch: number}} Direction radians */
 /** @typedef {Direction & {target: Vector3, distance: number}} View */
 
-const kFarthest = 8000; // studs that the wheel moves out, or twice as far as all of a larger course takes
+const kFarthest = 8000; // max distance in studs, or twice the distance that frames a larger level
 
 export class CameraRig {
   /** @param {HTMLElement} canvas */
@@ -30,16 +31,16 @@ export class CameraRig {
     this.goal = { target: new Vector3(), yaw: 0.7, pitch: -0.5, distance: 60 };
     /** @type {View} */
     this.now = { target: new Vector3(), yaw: 0.7, pitch: -0.5, distance: 60 };
-    this.framed = 0; // distance from which all that was framed last is seen
+    this.framed = 0; // distance that frames the last target
     /** @type {Set<string>} */
     this.keys = new Set();
     this.flySpeed = 40;
     /** @type {{button: number, x: number, y: number} | null} */
     this.drag = null;
     /** @type {Map<number, {x: number, y: number}>} */
-    this.fingers = new Map(); // pointer of a touch -> where it is
-    this.locked = false; // the left button is for something else
-    this.free = 1; // share of the width that no panel covers
+    this.fingers = new Map(); // pointer id of a touch -> position
+    this.locked = false; // the left button has another function
+    this.free = 1; // share of the width not covered by panels
     this.onUserMove = () => {};
     this.listen(canvas);
   }
@@ -50,7 +51,7 @@ export class CameraRig {
     canvas.addEventListener('pointerdown', (event) => {
       canvas.setPointerCapture(event.pointerId);
       if (event.pointerType === 'touch') {
-        if (event.isPrimary) this.fingers.clear(); // the end of one before was not told
+        if (event.isPrimary) this.fingers.clear(); // the end of a previous touch was not reported
         this.fingers.set(event.pointerId, { x: event.clientX, y: event.clientY });
       }
       this.drag = null;
@@ -86,7 +87,7 @@ export class CameraRig {
   }
 
   /**
-   * So many times as far from what the camera turns about.
+   * Multiplies the distance to the target.
    * @param {number} times
    */
   approach(times) {
@@ -95,7 +96,7 @@ export class CameraRig {
   }
 
   /**
-   * One of two fingers, or more, has moved: of these the first two count.
+   * One of two or more fingers has moved; only the first two count.
    * @param {PointerEvent} event
    */
   pinch({ pointerId, clientX, clientY }) {
@@ -192,7 +193,7 @@ export class CameraRig {
   }
 
   /**
-   * Puts a sphere in view. `view` may set yaw and pitch too.
+   * Frames a sphere. `view` may also set yaw and pitch.
    * @param {Vector3} centre
    * @param {number} radius
    * @param {Partial<Direction>} view
@@ -206,7 +207,7 @@ export class CameraRig {
   }
 
   /**
-   * Puts a box in view, as near as its corners allow.
+   * Frames a box as closely as its corners allow.
    * @param {Box3} box
    * @param {Direction} direction
    */

@@ -1,5 +1,5 @@
-// Why a query is unreachable, in the picture: a frame around every part that can be reached, and an arrow over the least
-// step beyond them.
+// Shows why a query is unreachable: a frame around every reachable part, and an arrow over the
+// smallest impossible step.
 import {
   ArrowHelper,
   BoxGeometry,
@@ -19,8 +19,8 @@ import { dispose } from './dispose.js';
 /** @import {Triple} from '../types/page_data.js' */
 /** @import {Label, Level, Query} from '../types/report.js' */
 
-const kAbove = 1.2; // studs over the parts that the arrow joins
-const kHead = 1.6; // studs of the arrow's head
+const kAbove = 1.2; // studs above the parts that the arrow connects
+const kHead = 1.6; // length of the arrow's head, studs
 
 /**
  * @param {Level} level
@@ -29,7 +29,7 @@ const kHead = 1.6; // studs of the arrow's head
 function centreOf(level, part) {
   const { position, rotation, size } = level;
   const turn = new Quaternion().fromArray(rotation, 4 * part).normalize();
-  // Half the height of the turned box.
+  // Half the height of the rotated box.
   const up = [0, 1, 2].reduce((sum, k) => {
     const axis = new Vector3().setComponent(k, size[3 * part + k] / 2).applyQuaternion(turn);
     return sum + Math.abs(axis.y);
@@ -38,7 +38,7 @@ function centreOf(level, part) {
 }
 
 /**
- * The edges of all reached parts in one buffer.
+ * Merges the edges of all reached parts into one buffer.
  * @param {Level} level
  * @param {number[]} parts
  */
@@ -90,7 +90,7 @@ export class CutView {
   }
 
   /**
-   * A part's top, or else a place that the query names.
+   * Returns the top of a part, or else a place of the query.
    * @param {Level} level
    * @param {number} part
    * @param {Triple | null | undefined} otherwise

@@ -1,4 +1,4 @@
-// How far a level reaches: a few strays cannot blow it up.
+// The extent of a level, ignoring a few outliers.
 import { Box3, Vector3 } from 'three';
 
 /** @import {Level} from '../types/report.js' */

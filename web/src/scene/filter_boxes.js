@@ -1,4 +1,4 @@
-// The boxes of the filter in the picture: what must be passed is solid, what must not be is dashed.
+// The filter's boxes in the picture: solid if trajectories must pass them, dashed if they must not.
 import {
   Box3,
   Box3Helper,
@@ -33,7 +33,8 @@ export class FilterBoxes {
     this.group = new Group();
     /** @type {BufferGeometry[]} */
     this.geometries = []; // of the boxes that are shown
-    // Kept: with its last material a program of the GPU goes, and boxes are made anew at each move of a drag.
+    // Kept alive: with its last material a GPU program is dropped, and a drag recreates boxes at
+    // each move.
     const dashes = { dashSize: 0.06, gapSize: 0.06 };
     this.kept = { line: new LineBasicMaterial({ color: kKeep }), fill: fillOf(kKeep) };
     this.dropped = {

@@ -1,19 +1,20 @@
-// Where the search has been, or where the listed ways go: a tile for each cube, the brighter the more of the search's
-// cells are in it, or the more ways pass it. Of ways each counts once a cube.
+// Shows where the search has been, or where the listed trajectories go. Each cube has a tile whose
+// brightness grows with the search's cells in it, or with the trajectories through it. A trajectory
+// counts once per cube.
 import { Color, Group, InstancedMesh, Matrix4, MeshBasicMaterial, PlaneGeometry } from 'three';
 import { heatColor } from '../coloring.js';
 
 /** @import {Path} from '../path.js' */
 /** @import {HeatMap} from '../types/report.js' */
 
-const kCell = 2; // studs, of ways
+const kCell = 2; // studs, for trajectories
 const kMostTiles = 20000; // the most visited are kept
 const kLift = 0.12; // studs above the lowest feet of the cell
 
-/** @typedef {{x: number, y: number, z: number, count: number}} Cell the cube's middle in studs, and the lowest feet in it */
+/** @typedef {{x: number, y: number, z: number, count: number}} Cell the cube's centre in studs, with the lowest feet as y */
 
 /**
- * One number for a cell, whole up to 65,536 studs from the middle of the world; farther ones fall together.
+ * Returns a cell's key, unique up to 65,536 studs from the origin; farther cells collide.
  * @param {number} x
  * @param {number} y
  * @param {number} z
@@ -37,14 +38,14 @@ export function visits(paths) {
       const x = Math.floor(path.points[i] / kCell);
       const z = Math.floor(path.points[i + 2] / kCell);
       const key = keyOf(x, Math.floor(feet / kCell), z);
-      if (key !== here) cell = cells.get(key); // mostly it is that of the sample before
+      if (key !== here) cell = cells.get(key); // usually the cell of the sample before
       here = key;
       if (!cell) {
         cell = { x: (x + 0.5) * kCell, y: feet, z: (z + 0.5) * kCell, count: 0, last: null };
         cells.set(key, cell);
       }
       if (feet < cell.y) cell.y = feet;
-      // Ways come one after another, so that the last visitor tells whether this one was here.
+      // Trajectories are processed in turn, so the last visitor tells whether this one was here.
       if (cell.last !== path) cell.count += 1;
       cell.last = path;
     }
@@ -53,7 +54,7 @@ export function visits(paths) {
 }
 
 /**
- * The same of a result's heat map.
+ * The same for a result's heat map.
  * @param {HeatMap} map
  * @returns {{size: number, cells: Cell[]}}
  */
@@ -69,7 +70,7 @@ export function searched({ size, feet, counts }) {
 }
 
 /**
- * Counts spread over orders of magnitude: 0 of a single one, 1 of the most.
+ * Counts span orders of magnitude: 0 for a single one, 1 for the maximum.
  * @param {number} count
  * @param {number} most
  */
@@ -80,13 +81,14 @@ export class HeatView {
     this.group = new Group();
     /** @type {InstancedMesh | null} */
     this.mesh = null;
-    this.most = 0; // of all tiles
-    // Kept: with its last material a program of the GPU goes, and the map is made anew at each filter.
+    this.most = 0; // maximum of all tiles
+    // Kept alive: with its last material a GPU program is dropped, and each filter recreates the
+    // map.
     this.material = new MeshBasicMaterial({
       transparent: true,
       opacity: 0.9,
       depthWrite: false,
-      fog: false, // the legend has its colours
+      fog: false, // must match the legend
     });
   }
 
@@ -102,7 +104,7 @@ export class HeatView {
     );
     this.most = cells[0].count;
     /** @type {Map<number, Color>} */
-    const colors = new Map(); // of counts, which are few
+    const colors = new Map(); // cached by count, since there are few distinct counts
     const place = new Matrix4();
     cells.forEach(({ x, y, z, count }, i) => {
       const color = colors.get(count) ?? new Color(heatColor(heatShare(count, this.most)));

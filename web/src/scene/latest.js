@@ -1,10 +1,11 @@
-// What events have made of parts up to a tick. They are read on from where they were: of hours of play there are many.
+// The current state of parts by the events up to a tick. It continues from the last tick, since
+// hours of play have many events.
 
 /** @import {PartEvent} from '../types/page_data.js' */
 
 export class Latest {
   /**
-   * `ends`: whether a value of an event ends what one before it began.
+   * `ends`: returns true if an event's value ends the state that an earlier one began.
    * @param {(value: number) => boolean} ends
    */
   constructor(ends) {
@@ -18,7 +19,7 @@ export class Latest {
   }
 
   /**
-   * Part -> value. `events`: [tick, part, value], in the order of ticks.
+   * Returns part -> value. `events`: [tick, part, value], sorted by tick.
    * @param {PartEvent[]} events
    * @param {number} tick
    * @returns {Map<number, number>}

@@ -1,5 +1,5 @@
-// The level in 3D: one InstancedMesh for each shape, translucency and mobility; moving and vanishing parts follow the
-// level clock.
+// The level in 3D, with an InstancedMesh for each shape, translucency and mobility. Moving and
+// vanishing parts follow the level clock.
 import {
   Color,
   DynamicDrawUsage,
@@ -23,13 +23,13 @@ import { timedAway } from './vanishing.js';
 /** @import {Between, ColorMode, Level} from '../types/report.js' */
 
 const kNeutral = new Color('#808998');
-const kFaint = 0.1; // opacity of a part while it has vanished
+const kFaint = 0.1; // opacity of a vanished part
 
 /** @typedef {'aPattern' | 'aAlpha' | 'aGlow' | 'aGrain' | 'aFlow'} Name of an attribute that the shader reads */
 /** @typedef {InstancedMesh & {own: Record<Name, InstancedBufferAttribute>}} PartMesh */
 
 /**
- * Which parts a mesh stands for, by instance.
+ * Returns the parts of a mesh, by instance.
  * @param {Object3D} mesh
  * @returns {number[]}
  */
@@ -37,7 +37,7 @@ export const partsOf = (mesh) => mesh.userData.parts;
 
 export class LevelView {
   /**
-   * `colors`: 'roles', or 'level' for the parts' own.
+   * `colors`: 'roles', or 'level' for the parts' own colours.
    * @param {Level} level
    * @param {ColorMode} colors
    */
@@ -48,12 +48,12 @@ export class LevelView {
     /** @type {PartMesh[]} */
     this.meshes = [];
     /** @type {{mesh: PartMesh, at: number}[][]} */
-    this.slots = Array.from({ length: level.count }, () => []); // where a part is drawn
+    this.slots = Array.from({ length: level.count }, () => []); // instances of each part
     this.trackOf = new Map(level.tracks.map((track) => [track.part, track]));
     this.vanishOf = new Map(level.vanish.map((rule) => [rule.part, rule]));
     this.loose = new Set(level.loose);
     /** @type {number[]} */
-    this.displaced = []; // loose parts that are not where the level has them
+    this.displaced = []; // dynamic parts away from their place in the level
     this.flowOf = new Map(level.conveyors.map((belt) => [belt.part, belt.velocity]));
     this.build();
     this.setColors(colors);
@@ -70,7 +70,7 @@ export class LevelView {
   }
 
   /**
-   * Parts that share a mesh share this key.
+   * Parts with equal keys share a mesh.
    * @param {number} part
    */
   keyOf(part) {
@@ -84,7 +84,7 @@ export class LevelView {
     /** @type {Map<string, number[]>} */
     const groups = new Map();
     /** @type {Map<string, {piece: Float32Array, key: string, parts: number[]}>} */
-    const alike = new Map(); // pieces of hulls: a place has many copies of one mesh
+    const alike = new Map(); // pieces of hulls, since a place has many copies of one mesh
     const hullsOf = new Map(this.level.hulls.map((hull) => [hull.part, hull.pieces]));
     for (let part = 0; part < this.level.count; part++) {
       const key = this.keyOf(part);
@@ -171,7 +171,7 @@ export class LevelView {
   /** @param {number} part */
   alphaOf(part) {
     const alpha = this.level.look[4 * part + 3] / 255;
-    // An invisible part still matters to the player: it is shown faintly.
+    // An invisible part still affects the player, so it is shown faintly.
     return Math.max(alpha, this.roleOf(part) === 'plain' ? 0.12 : 0.3);
   }
 
@@ -194,8 +194,8 @@ export class LevelView {
   }
 
   /**
-   * `tick`: of the level clock. `gone`: parts without collision now, by the trajectory's own events. `moved`: ticks since
-   * the start of the triggered parts that move now.
+   * `tick`: of the level clock. `gone`: parts that the trajectory's events have made vanish.
+   * `moved`: ticks since the start of each triggered part in motion.
    * @param {number} tick
    * @param {{has: (part: number) => boolean}} gone
    * @param {Map<number, number>} moved
@@ -212,7 +212,7 @@ export class LevelView {
   }
 
   /**
-   * `tracks`: of the loose parts that the trajectory moves; `tick`: since its start.
+   * `tracks`: of the dynamic parts that the trajectory moves; `tick`: since its start.
    * @param {LooseTrack[]} tracks
    * @param {number} tick
    */
@@ -249,7 +249,7 @@ export class LevelView {
       }
       mesh.setMatrixAt(at, matrix.compose(position, rotation, scale));
       mesh.instanceMatrix.needsUpdate = true;
-      mesh.boundingSphere = null; // of the parts as they were: rays would pass by those that moved
+      mesh.boundingSphere = null; // outdated: rays would miss parts that moved
     }
   }
 
@@ -277,7 +277,7 @@ export class LevelView {
   }
 
   /**
-   * Centre of a part as it is drawn now.
+   * Returns the centre of a part as currently drawn.
    * @param {number} part
    */
   centreOf(part) {

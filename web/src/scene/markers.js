@@ -1,4 +1,5 @@
-// Where attempts ended, one glyph an outcome, and the runners: a dot for every trajectory at the clock's tick.
+// Marks the ends of attempts, one glyph per outcome, and the runners: a dot for each trajectory at
+// the current tick.
 import {
   BufferAttribute,
   BufferGeometry,
@@ -55,7 +56,7 @@ const kDraw = {
 };
 
 /**
- * A glyph with a dark rim, readable on any part.
+ * Draws a glyph with a dark rim, readable on any part.
  * @param {Glyph} glyph
  * @param {string} color
  */
@@ -105,7 +106,7 @@ export class Markers {
     this.paths = query.paths;
     this.ends = new Group();
     /** @type {{cloud: Points, index: BufferAttribute, indices: number[]}[]} */
-    this.clouds = []; // what a filter thins
+    this.clouds = []; // for filters
     for (const [outcome, style] of Object.entries(OUTCOME_STYLE)) {
       /** @type {number[]} */
       const indices = [];
@@ -158,7 +159,7 @@ export class Markers {
   }
 
   /**
-   * `tint`: path -> colour, of the runners; ends keep the colour of their outcome.
+   * `tint`: path -> colour, for the runners. Ends keep the colour of their outcome.
    * @param {Tint} tint
    */
   setColors(tint) {

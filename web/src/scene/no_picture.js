@@ -1,5 +1,5 @@
-// Where the browser has no WebGL: a message in place of the picture. All else of the page goes on, and what it tells the
-// renderer is told nobody.
+// Shows a message instead of the picture if the browser has no WebGL. The rest of the page works,
+// and calls of the renderer do nothing.
 import { PCFShadowMap } from 'three';
 import { el } from '../ui/dom.js';
 
@@ -9,7 +9,7 @@ const kMessage =
   'No 3D picture: this browser has no WebGL. Hardware acceleration may be off in its settings. ' +
   'The rest of the report works. obby-view -o FILE.png draws a picture without a browser.';
 
-// What the stage asks of a renderer.
+// The renderer methods that the stage calls.
 /** @typedef {'setPixelRatio' | 'getPixelRatio' | 'setClearAlpha' | 'setSize' | 'clear' | 'render'} Methods */
 /** @typedef {'type' | 'enabled' | 'autoUpdate' | 'needsUpdate'} Settings */
 /** @typedef {Pick<WebGLRenderer['shadowMap'], Settings>} Shadows */
@@ -27,7 +27,7 @@ const noRenderer = () => ({
 });
 
 /**
- * The message takes the pointer, and the keyboard passes by.
+ * The message takes pointer events, and the canvas leaves the tab order.
  * @param {HTMLCanvasElement} canvas
  */
 export function noPicture(canvas) {

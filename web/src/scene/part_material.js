@@ -1,5 +1,6 @@
-// How parts look: soft light, fine edges, and a pattern per role in studs (stripes kill, chevrons carry, rings throw,
-// checks are the goal, dots vanish), so that a role is told without its colour too.
+// The material of parts: soft light, fine edges, and a pattern per role in studs, so that roles are
+// distinguishable without colour. Stripes kill, chevrons carry, rings throw, checks are the goal,
+// and dots vanish.
 import { DoubleSide, FrontSide, MeshLambertMaterial } from 'three';
 import { GRAIN_SHADER } from './material_hints.js';
 
@@ -36,7 +37,7 @@ vec2 faceUv(vec3 p) {
   return n.y > n.x && n.y > n.z ? p.xz : n.x > n.z ? p.zy : p.xy;
 }
 ${GRAIN_SHADER}
-// 0 to 1 across an edge at 0.5, smooth at any distance, and its mean where it is finer than a pixel.
+// 0 to 1 across an edge at 0.5, smooth at any distance, and its mean where finer than a pixel.
 float band(float v) {
   float w = fwidth(v);
   float s = abs(fract(v) - 0.5) * 2.0;
@@ -89,8 +90,8 @@ if (vGrain > 0.5 && vGrain < 1.5) totalEmissiveRadiance += uGrain * 0.5 * diffus
 `;
 
 /**
- * `uniforms` is shared by all materials: uTime in seconds of play; uPatterns, of the roles, and uGrain, of what parts are
- * made of, from 0 to 1.
+ * All materials share `uniforms`: uTime in seconds of play; uPatterns (roles) and uGrain
+ * (materials) from 0 to 1.
  * @param {string} shape
  * @param {boolean} translucent
  * @param {Record<string, IUniform<number>>} uniforms

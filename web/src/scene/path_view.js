@@ -1,5 +1,5 @@
-// Trajectories of a query as lines: attempts thin and faint in one buffer, solutions bright, the selected one thick,
-// with the part already played brighter than what is to come.
+// Trajectories of a query as lines. Attempts are thin and faint in one buffer, solutions bright,
+// and the selected one thick. Its played part is brighter than the rest.
 import { AdditiveBlending, Group } from 'three';
 import { LineMaterial } from 'three/addons/lines/LineMaterial.js';
 import { LineSegments2 } from 'three/addons/lines/LineSegments2.js';
@@ -13,10 +13,11 @@ import { kLift, skipOf, ThinLines } from './thin_lines.js';
 /** @import {Path} from '../path.js' */
 /** @import {Query, State, Tint} from '../types/report.js' */
 
-const kMostThick = 12; // solutions; more are thin lines, for thick ones take a draw call and many pixels each
+const kMostThick = 12; // max thick solutions; more are thin lines, because a thick one costs a draw
+                       // call and many pixels
 
 /**
- * Pairs of points, as line segments want them, from one sample to another.
+ * Returns pairs of points for line segments, from one sample to another.
  * @param {Path} path
  */
 function segmentsOf(path, first = 0, last = path.samples - 1) {
@@ -74,10 +75,10 @@ export class PathView {
     for (const i of solutions.slice(0, kMostThick)) this.addSolution(i);
     this.solutions.add(this.further.lines);
     this.selection = new Group();
-    this.rival = new Group(); // the other one of a comparison
+    this.rival = new Group(); // the ghost of a comparison
     this.hovered = new Group();
     /** @type {Object3D[]} */
-    this.left = []; // lines that are not drawn any more
+    this.left = []; // removed lines, not yet freed
     /** @type {LineSegments2 | null} */
     this.played = null; // of the selection, the part before the current moment
     /** @type {LineSegments2 | null} */
@@ -134,7 +135,7 @@ export class PathView {
     }
   }
 
-  // Frees what was taken away: behind the next picture, for the reason that Leaving has.
+  // Frees removed lines after the next picture, for the reason given at Leaving.
   sweep() {
     for (const line of this.left.splice(0)) dispose(line);
   }
@@ -145,7 +146,7 @@ export class PathView {
     this.played = null;
     if (!path) return;
     const tint = this.tint(path);
-    // What lies behind parts shines through faintly.
+    // Hidden stretches shine through the parts faintly.
     this.played = thickLine(path, path.outcome === 'goal' ? SELECTED_COLOR : '#ffffff', 4.2, 1);
     this.selection.add(
       thickLine(path, tint, 2.5, 0.3, { depthTest: false, blending: AdditiveBlending }),
@@ -160,7 +161,7 @@ export class PathView {
   }
 
   /**
-   * The hardest step stands out from the rest of the selected line.
+   * Highlights the hardest step of the selected line.
    * @param {Path} path
    */
   markHardest(path) {
@@ -174,12 +175,12 @@ export class PathView {
     const [first, last] = [sample(startTick), sample(startTick + ticks)];
     if (last <= first) return;
     this.hardest = thickLine(path, BAND_STYLE[band].color, 9, 0.85, {}, [first, last]);
-    this.hardest.renderOrder = 8; // over the dark border, below the line itself
+    this.hardest.renderOrder = 8; // above the dark border, below the line itself
     this.selection.add(this.hardest);
   }
 
   /**
-   * The one that the selected is compared with: dashed.
+   * Draws the ghost of a comparison, dashed.
    * @param {Path | undefined} path
    */
   compare(path) {
@@ -198,7 +199,7 @@ export class PathView {
   }
 
   /**
-   * How much of the selected line has been played.
+   * Sets how much of the selected line has been played.
    * @param {Path} path
    * @param {number} tick
    */

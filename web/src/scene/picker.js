@@ -1,4 +1,4 @@
-// What of a stage the pointer is over: trajectories that are drawn, parts, and places.
+// Finds the trajectory, part or point of the stage under the pointer.
 import { pickPart, pickPath, pointAtHeight, pointOnParts } from './picking.js';
 
 /** @import {Path} from '../path.js' */
@@ -19,7 +19,7 @@ export class Picker {
   }
 
   /**
-   * A point of a part, or of the height that the camera turns about.
+   * Returns the point on a part or at the height of the camera's target.
    * @param {At} at
    */
   point(at) {
@@ -50,7 +50,7 @@ export class Picker {
   }
 
   /**
-   * -1 for none.
+   * Returns the part, or -1 for none.
    * @param {At} at
    */
   part(at) {

@@ -1,4 +1,5 @@
-// What is under the pointer: trajectories by distance on the screen (lines are thin, a hand is not), then parts.
+// Picks what is under the pointer: trajectories by screen distance, since lines are thin, then
+// parts.
 import { Matrix4, Plane, Raycaster, Vector2, Vector3 } from 'three';
 import { partsOf } from './level_view.js';
 import { kLift } from './thin_lines.js';
@@ -10,7 +11,7 @@ import { kLift } from './thin_lines.js';
 /** @typedef {[x: number, y: number]} At pixels */
 
 const kReach = 9; // pixels
-const kMostPoints = 150000; // tested a pick; beyond it, every k-th sample
+const kMostPoints = 150000; // tested per pick; beyond it only every k-th sample
 
 /**
  * @param {number} px
@@ -32,7 +33,7 @@ function distanceToSegment(px, py, ax, ay, bx, by) {
 }
 
 /**
- * Nearest approach of one path to a point on the screen.
+ * Returns the nearest approach of a path to a screen point.
  * @param {Path} path
  * @param {Matrix4} matrix
  * @param {Screen} screen
@@ -70,7 +71,7 @@ function approach(path, matrix, { width, height }, [x, y], skip) {
 }
 
 /**
- * {path: index, tick} or null. Solutions win over attempts that are as near.
+ * Returns {path: index, tick} or null. Solutions win over attempts at equal distance.
  * @param {Path[]} paths
  * @param {Screen} screen
  * @param {At} at
@@ -105,7 +106,7 @@ function rayThrough({ camera, width, height }, [x, y]) {
 }
 
 /**
- * Where the ray through a point of the screen meets the height `y`; null where it does not.
+ * Returns the point where the ray through a screen point meets the height `y`, or null.
  * @param {Screen} screen
  * @param {At} at
  * @param {number} y
@@ -116,7 +117,7 @@ export function pointAtHeight(screen, at, y) {
 }
 
 /**
- * Where it meets a part, or else that height.
+ * Returns the point where the ray meets a part, or else that height.
  * @param {Group} group
  * @param {Screen} screen
  * @param {At} at

@@ -22,13 +22,14 @@ import { dispose } from './dispose.js';
 
 const kAvoid = '#d873c4';
 const kWaypoint = '#ffd166';
-export const kMostAlike = 500; // regions of one list that are drawn: a tag may stand for thousands of parts
-const kMostNamed = 40; // of them
+export const kMostAlike = 500; // max regions drawn of one list, since a tag may mark thousands of
+                               // parts
+const kMostNamed = 40; // max labels of them
 
 /** @typedef {{solid: BoxGeometry, edges: EdgesGeometry, fill: ShaderMaterial, line: LineBasicMaterial}} Look */
 
 /**
- * Fades upward, so that a tall box does not hide what stands in it.
+ * Fades upward, so that a tall box does not hide its contents.
  * @param {string} color
  */
 function fillMaterial(color) {
@@ -44,7 +45,7 @@ function fillMaterial(color) {
   });
 }
 
-// Color -> what boxes of that colour share: there may be hundreds.
+// Color -> shared geometry and materials, since there may be hundreds of boxes.
 function sharedLooks() {
   const solid = new BoxGeometry(1, 1, 1);
   const edges = new EdgesGeometry(solid);

@@ -1,4 +1,5 @@
-// Unit geometries of the part shapes (extent 1 on each axis, scaled per part) and the scale that a shape gives a part.
+// Unit geometries of the part shapes (extent 1 on each axis, scaled per part), and each shape's
+// scale.
 import {
   BoxGeometry,
   BufferGeometry,
@@ -12,7 +13,7 @@ import { ConvexGeometry } from 'three/addons/geometries/ConvexGeometry.js';
 /** @import {Shape, Triple} from '../types/page_data.js' */
 
 /**
- * Triangles given by corner letters, with flat normals.
+ * Builds triangles with flat normals from corner letters.
  * @param {Record<string, Triple>} corners
  * @param {string[][]} triangles
  */
@@ -84,19 +85,20 @@ export function unitGeometry(shape) {
 }
 
 /**
- * Whether points span no plane, so that nothing lies between them.
+ * Returns true if the points are collinear.
  * @param {Vector3[]} points
  */
 function inLine(points) {
   const from = (/** @type {Vector3} */ point) => point.clone().sub(points[0]);
   let way = new Vector3();
   for (const point of points) if (from(point).lengthSq() > way.lengthSq()) way = from(point);
-  const least = 1e-14 * way.lengthSq() ** 2; // rounding; what is but thin is seen
+  const least = 1e-14 * way.lengthSq() ** 2; // rounding tolerance; thin shapes are still visible
   return points.every((point) => from(point).cross(way).lengthSq() <= least);
 }
 
 /**
- * Vertices of a hull are in studs from the part's centre. Of one that is a point or a line nothing is seen.
+ * Vertices of a hull are in studs from the part's centre. A hull that is a point or a line is
+ * invisible.
  * @param {Float32Array} vertices
  */
 export function hullGeometry(vertices) {

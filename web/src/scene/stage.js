@@ -1,4 +1,5 @@
-// The 3D stage: level, regions, trajectories, player, light and ground, redrawn when something changed.
+// The 3D stage with level, regions, trajectories, player, light and ground. It is redrawn on
+// changes only.
 import { Box3, Fog, GridHelper, PCFShadowMap, Scene, Vector3, WebGLRenderer } from 'three';
 import { ActionMarks } from './action_marks.js';
 import { Avatar } from './avatar.js';
@@ -24,12 +25,12 @@ import { goneAtRest } from './vanishing.js';
 /** @import {Renderer} from './no_picture.js' */
 
 const kHaze = '#141821';
-const kPanelWidth = 210; // pixels that the legend covers on the right
+const kPanelWidth = 210; // pixels on the right that the legend covers
 const kAirborne = 1; // bit of a sample's state
-const kMostShadowed = 4000; // parts; larger levels do without shadows
+const kMostShadowed = 4000; // parts; larger levels have no shadows
 
 /**
- * It says on the console by itself what it lacks.
+ * The renderer logs missing features to the console itself.
  * @param {HTMLCanvasElement} canvas
  * @returns {WebGLRenderer | Renderer}
  */
@@ -53,12 +54,12 @@ export class Stage {
     this.renderer = rendererOf(canvas);
     this.renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
     this.scene = new Scene();
-    this.renderer.setClearAlpha(0); // the page's own gradient lies behind
+    this.renderer.setClearAlpha(0); // the page's gradient shows through
     this.rig = new CameraRig(canvas);
     this.renderer.shadowMap.type = PCFShadowMap;
-    this.renderer.shadowMap.autoUpdate = false; // a turn of the camera moves no shadow
+    this.renderer.shadowMap.autoUpdate = false; // a camera move does not change shadows
     this.sun = new Sun(this.scene);
-    // Of the level; until there is one, of nothing: an empty box would put the camera nowhere, for good.
+    // Bounds of the level. The initial box is not empty, or the camera's position would become NaN.
     this.bounds = new Box3(new Vector3(-4, -4, -4), new Vector3(4, 4, 4));
     this.filterBoxes = new FilterBoxes();
     this.heat = new HeatView();
@@ -70,7 +71,7 @@ export class Stage {
     this.width = 0; // pixels
     this.height = 0;
     /** @type {Set<number>} */
-    this.shown = new Set(); // indices of the paths that are drawn
+    this.shown = new Set(); // indices of the drawn trajectories
     /** @type {Level | undefined} */
     this.level = undefined;
     /** @type {LevelView | undefined} */
@@ -96,10 +97,10 @@ export class Stage {
     /** @type {Markers | undefined} */
     this.markers = undefined;
     /** @type {unknown[] | undefined} */
-    this.cast = undefined; // what the shadows were cast of
+    this.cast = undefined; // the state that the shadows show
   }
 
-  // What comes and goes with the level.
+  // The nodes that are replaced with the level.
   ofLevel() {
     const { levelView, avatar, ghost, grid, motionPaths } = this;
     return [levelView?.group, avatar?.group, ghost?.group, grid, motionPaths].filter(
@@ -107,14 +108,14 @@ export class Stage {
     );
   }
 
-  // What comes and goes with the query.
+  // The views that are replaced with the query.
   ofQuery() {
     const { regionView, cutView, pathView, markers } = this;
     return [regionView, cutView, pathView, markers].filter((view) => view !== undefined);
   }
 
   /**
-   * `colors`: as LevelView's.
+   * `colors`: as in LevelView.
    * @param {Level} level
    * @param {ColorMode} colors
    */
@@ -144,7 +145,7 @@ export class Stage {
   setQuery(query) {
     for (const view of this.ofQuery()) this.leaving.take(view.group, () => view.dispose());
     this.query = query;
-    this.tint = undefined; // of new lines
+    this.tint = undefined; // for new lines
     this.regionView = new RegionView(query);
     this.cutView = new CutView(query, this.level);
     this.pathView = new PathView(query);
@@ -152,7 +153,7 @@ export class Stage {
     for (const view of this.ofQuery()) this.scene.add(view.group);
   }
 
-  // Where play of this query happens: its regions and trajectories, or else the level.
+  // Returns the box of the query's regions and solutions, or else of the level.
   queryBox() {
     const box = new Box3();
     if (this.regionView) box.expandByObject(this.regionView.group);
@@ -169,13 +170,13 @@ export class Stage {
     const box = this.queryBox();
     this.sun.cover(box);
     const size = box.getSize(new Vector3());
-    // Look along the shorter side, so that the course runs across the screen, away from the player.
+    // Looks along the shorter side, so that the level runs across the screen.
     const yaw = size.x >= size.z ? 0.55 : Math.PI / 2 - 0.55;
     this.rig.frameBox(box, { yaw, pitch: -0.52 }, atOnce);
   }
 
   /**
-   * Puts a part in view, as it stands now.
+   * Frames a part at its current pose.
    * @param {number} part
    */
   framePart(part) {
@@ -196,7 +197,7 @@ export class Stage {
   showPaths(shown, tint) {
     this.shown = shown;
     for (const view of [this.pathView, this.markers]) {
-      if (tint !== this.tint) view?.setColors(tint); // or they have it
+      if (tint !== this.tint) view?.setColors(tint); // otherwise already set
       view?.setShown(shown);
     }
     this.tint = tint;
@@ -204,13 +205,14 @@ export class Stage {
 
   resize() {
     const { clientWidth, clientHeight } = this.canvas.parentElement ?? this.canvas;
-    // Of a page that is not shown yet, as in a frame that opens later: whatever is framed in that lies nowhere.
+    // The size is 0 while the page is hidden, as in a frame that opens later. Framing would fail
+    // then.
     if (!clientWidth || !clientHeight) return;
     if (this.width === clientWidth && this.height === clientHeight) return;
     [this.width, this.height] = [clientWidth, clientHeight];
     this.renderer.setSize(clientWidth, clientHeight, false);
     this.rig.camera.aspect = clientWidth / Math.max(1, clientHeight);
-    // The middle of the picture is the middle of what the legend leaves free.
+    // The picture is centred in the area that the legend leaves free.
     const covered = clientWidth > 900 ? kPanelWidth : 0;
     this.rig.free = 1 - covered / clientWidth;
     const size = /** @type {const} */ ([clientWidth, clientHeight]);
@@ -218,7 +220,7 @@ export class Stage {
   }
 
   /**
-   * Whether what throws shadows may have moved since the last picture.
+   * Updates the shadows if anything that casts them may have moved.
    * @param {unknown[]} posed
    */
   castShadows(...posed) {
@@ -228,7 +230,7 @@ export class Stage {
   }
 
   /**
-   * `other`: of a comparison; it runs from its own start, and stays at its end.
+   * `other`: the ghost of a comparison. It runs from its own start and stays at its end.
    * @param {Path | undefined} path
    * @param {number} tick
    * @param {Path | undefined} other

@@ -1,4 +1,4 @@
-// The light of the picture, and the sun's shadows over the course.
+// The light of the picture, and the sun's shadows over the query's box.
 import { DirectionalLight, HemisphereLight, Vector3 } from 'three';
 
 /** @import {Box3, Scene} from 'three' */
@@ -19,7 +19,7 @@ export class Sun {
   }
 
   /**
-   * The shadow map covers the course, not the whole level, so that it stays sharp.
+   * The shadow map covers the query's box instead of the whole level, so that it stays sharp.
    * @param {Box3} course
    */
   cover(course) {

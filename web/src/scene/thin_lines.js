@@ -1,5 +1,5 @@
-// Many trajectories in one buffer and one draw call. Which are drawn is a list of indices, so that a filter does not
-// touch the points.
+// Many trajectories in one buffer and one draw call. An index list selects those to draw, so that
+// filters leave the points unchanged.
 import {
   BufferAttribute,
   BufferGeometry,
@@ -12,11 +12,11 @@ import {
 /** @import {Path} from '../path.js' */
 /** @import {Tint} from '../types/report.js' */
 
-const kMostPoints = 120000; // in a picture; a browser without a GPU draws about 400 segments a ms
+const kMostPoints = 120000; // per picture; a browser without a GPU draws about 400 segments a ms
 export const kLift = 0.35; // studs above the feet, so that lines do not sink into the floor
 
 /**
- * Which samples are drawn of all thin lines of a picture together: every one, or every k-th.
+ * Returns the stride of samples for all thin lines of a picture: 1, or k for every k-th.
  * @param {Path[]} paths
  * @param {number[]} indices
  */
@@ -27,7 +27,7 @@ export function skipOf(paths, indices) {
 
 export class ThinLines {
   /**
-   * `indices`: which of the query's paths; `skip`: as of skipOf.
+   * `indices`: into the query's paths; `skip`: from skipOf.
    * @param {Path[]} paths
    * @param {number[]} indices
    * @param {number} skip
@@ -110,7 +110,7 @@ export class ThinLines {
     });
     this.drawn.needsUpdate = true;
     this.geometry.setDrawRange(0, at);
-    // Many add up to a cloud, few stay readable.
+    // Many lines form a translucent cloud, and few stay readable.
     this.lines.material.opacity = Math.min(0.6, Math.max(0.16, 6 / Math.sqrt(count * 4 + 1)));
   }
 

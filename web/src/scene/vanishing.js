@@ -1,10 +1,10 @@
-// Which parts are away: by the clock, or until something happens.
+// The absence of vanishing parts: by the level clock, or until they are triggered.
 
 /** @import {TimedVanish, Vanish} from '../types/page_data.js' */
 /** @import {Level} from '../types/report.js' */
 
 /**
- * Between two ticks nothing comes or goes.
+ * Timers act on whole ticks.
  * @param {TimedVanish} rule
  * @param {number} tick
  */
@@ -14,7 +14,7 @@ export function timedAway(rule, tick) {
 }
 
 /**
- * Parts that are away until something happens.
+ * Returns parts that are away until they are triggered.
  * @param {Level} level
  */
 export function goneAtRest(level) {

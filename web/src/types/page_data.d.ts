@@ -1,5 +1,5 @@
 // The JSON of the page and of the live page's answers, as obby-view writes it (lib/view/page_*.cpp, live_data.cpp).
-// docs/viewer.md says what each field means. `Base64<T>`: the values of a T, little-endian.
+// docs/page-data.md says what each field means. `Base64<T>`: the values of a T, little-endian.
 
 export type Base64<T> = string & { readonly of?: T };
 export type Triple = [number, number, number];
@@ -147,7 +147,7 @@ export interface ResultRoute {
   ticks: number;
 }
 
-// How much a search has done.
+// The effort of a search.
 export interface Effort {
   seconds: number;
   steps: Count;
@@ -229,7 +229,7 @@ export interface Difficulty {
   hardest: HardestStep;
 }
 
-// [tick, part, what it became]
+// [tick, part, new value]
 export type PartEvent = Triple;
 
 export interface PathFacts {
@@ -270,7 +270,7 @@ export interface PageData {
   queries: QueryData[];
 }
 
-// In place of the data, where it comes from the live page's server.
+// Stands for the data in a live page, which gets it from the server.
 export interface LiveData {
   format: number;
   live: true;
@@ -278,7 +278,7 @@ export interface LiveData {
 
 export type StreamState = 'live' | 'ended' | 'broken';
 
-// Trajectories of one query that are new; `serials`: first and last of each range of those that it has now.
+// New trajectories of a query. `serials`: first and last number of each range of its current trajectories.
 export interface LiveQuery {
   index: number;
   facts: QueryFacts;

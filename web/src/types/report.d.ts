@@ -1,5 +1,5 @@
-// The report as the page works with it: typed arrays in place of base64 (data.js makes it), the page's state, and shapes of
-// data that several files hand to one another.
+// The report as the page uses it, with typed arrays in place of base64 (data.js makes it), the page's state, and types that
+// several files share.
 import type { Vector3 } from 'three';
 import type { Path } from '../path.js';
 import type { Track } from '../tracks.js';
@@ -34,29 +34,29 @@ export interface Query extends QueryBase {
   index: number;
   result: Result | null;
   paths: Path[];
-  running?: boolean; // live: the stream goes on
+  running?: boolean; // live: the stream is still open
 }
 
 export interface Report {
   title: string;
   notes: string[];
-  levels: Level[]; // live: holes where one has not come yet
+  levels: Level[]; // live: with holes for levels that have not arrived
   queries: Query[];
 }
 
-// What panels show: of now.
+// The current query and level, for panels.
 export interface Source {
   query: Query | undefined;
   level: Level | undefined;
 }
 
-// A box of the filter, or any other in the axes of the world, in studs.
+// An axis-aligned box, studs.
 export interface Box {
   min: number[];
   max: number[];
 }
 export interface FilterBox extends Box {
-  keep: boolean; // what passes it stays; else what passes it goes
+  keep: boolean; // show only trajectories that pass through the box; false: hide them
 }
 
 export interface Filters {
@@ -77,14 +77,14 @@ export interface State extends Filters {
   descending: boolean;
   order: number[]; // indices of the listed trajectories, set by ways.js from filters and sorting
   colorBy: ColorBy;
-  isolate: boolean; // draw the chosen one only
-  ghost: number; // trajectory that runs beside the chosen one
-  frame: number; // part that the camera is to look at; ways.js sets it back
+  isolate: boolean; // draw only the selected one
+  ghost: number; // trajectory that runs next to the selected one
+  frame: number; // part for the camera to frame; ways.js resets it
   drawing: boolean; // the next drag draws a box
   theme: 'auto' | 'light' | 'dark';
   heat: boolean;
-  heatMost: number; // count of its fullest tile
-  heatWays: boolean; // the heat map is of the listed ways, even where the search's own is known
+  heatMost: number; // count of the fullest tile
+  heatWays: boolean; // show the listed trajectories even if the search's own heat map is known
   cut: boolean;
   query: number;
   path: number;
@@ -93,7 +93,7 @@ export interface State extends Filters {
   speed: number;
   loop: boolean;
   follow: boolean;
-  followNewest: boolean; // live: choose each new solution
+  followNewest: boolean; // live: select each new solution
   hoverPath: number;
   part: number;
   colors: ColorMode;

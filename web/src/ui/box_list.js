@@ -1,4 +1,4 @@
-// The boxes of the filter: each with its place, whether what passes it stays or goes, and how many pass it.
+// The filter's boxes: position, whether paths through them are kept or dropped, and how many pass.
 import { boxOf, pathsThrough } from '../choice.js';
 import { el, keepingFocus, trajectories } from './dom.js';
 
@@ -46,7 +46,7 @@ export class BoxList {
       el('div', { class: 'box-bar' }, this.draw, add),
       this.items,
     );
-    // The field that is being typed into must outlive the change that it makes.
+    // The focused field must survive the change that it causes.
     store.on(['boxes', 'query'], () => keepingFocus(this.items, () => this.fill()));
     store.on(['order'], () => this.count());
     store.on(['drawing'], ({ drawing }) => {
@@ -70,7 +70,7 @@ export class BoxList {
     );
   }
 
-  // There may be more ways than before; what is half typed stays.
+  // Updates the counts, because trajectories may have been added. Unfinished input stays.
   count() {
     const { query } = this.sourceOf();
     this.items.querySelectorAll('output').forEach((output, index) => {

@@ -1,4 +1,5 @@
-// Two trajectories side by side: their numbers, when they passed what the query names, and how far apart they are now.
+// Compares two trajectories: their numbers, when they passed the query's places, and their current
+// distance.
 import { Quaternion, Vector3 } from 'three';
 import { segmentMeets } from '../choice.js';
 import { causeOf, GHOST_COLOR } from '../palette.js';
@@ -11,7 +12,7 @@ import { el, keepingFocus, seconds } from './dom.js';
 /** @import {Query, Source, Tint} from '../types/report.js' */
 
 /**
- * Studs walked, flown and fallen.
+ * Returns the length of the trajectory in studs, including flight and falls.
  * @param {Path} path
  */
 function lengthOf({ points, samples }) {
@@ -26,8 +27,8 @@ function lengthOf({ points, samples }) {
 }
 
 /**
- * First sample from `from` on in which the player, a line from its feet up, meets an oriented box: as the simulator
- * has it. -1 for never.
+ * Returns the first sample from `from` on in which the player, a vertical line from the feet up,
+ * meets an oriented box, as in the simulator; -1 for never.
  * @param {Path} path
  * @param {Region} region
  * @param {number} height
@@ -48,8 +49,8 @@ function sampleIn(path, region, height, from) {
 }
 
 /**
- * [name, ticks of each of `paths`, -1 for never] of the places that a query wants passed: waypoints one after the other,
- * visits whenever.
+ * Returns [name, ticks of each of `paths` (-1 for never)] for the places that a query requires:
+ * waypoints in order, visits in any order.
  * @param {Query | undefined} query
  * @param {Path[]} paths
  * @param {number} height
@@ -58,7 +59,7 @@ function sampleIn(path, region, height, from) {
 function passings(query, paths, height) {
   const rows = (query?.waypoints ?? []).map(({ region }) => ({ region, inOrder: true }));
   rows.push(...(query?.visits ?? []).map((region) => ({ region, inOrder: false })));
-  const reached = paths.map(() => 0); // the sample in which the waypoint before was
+  const reached = paths.map(() => 0); // sample of the previous waypoint
   return rows.map(({ region, inOrder }, row) => {
     const ticks = paths.map((path, i) => {
       const from = inOrder ? reached[i] : 0;
@@ -72,7 +73,8 @@ function passings(query, paths, height) {
 
 export class Comparison {
   /**
-   * `pairOf`: [chosen, the other] or null; `sourceOf`: {query, level} of now; `tintOf`: path -> colour.
+   * `pairOf`: returns [selected, ghost] or null; `sourceOf`: returns the current {query, level};
+   * `tintOf`: path -> colour.
    * @param {HTMLElement} root
    * @param {Store} store
    * @param {() => [Path, Path] | null} pairOf
@@ -85,7 +87,7 @@ export class Comparison {
     this.pairOf = pairOf;
     this.sourceOf = sourceOf;
     this.tintOf = tintOf;
-    this.gap = el('output', { class: 'quiet', 'aria-live': 'off' }); // as the clock
+    this.gap = el('output', { class: 'quiet', 'aria-live': 'off' }); // as for the clock
     store.on(['path', 'ghost', 'colorBy', 'order'], () => keepingFocus(root, () => this.fill()));
     this.fill();
   }

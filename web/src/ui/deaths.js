@@ -1,4 +1,5 @@
-// How attempts ended, as one bar, and what killed them: a click shows the ways that ended there.
+// Shows how attempts ended, as one bar, and what killed them. A click filters the trajectories of
+// that end.
 import { OUTCOME_STYLE } from '../palette.js';
 import { fullName, partName } from '../part_name.js';
 import { count, el, plural } from './dom.js';
@@ -12,7 +13,8 @@ const kMostKillers = 8;
 /** @typedef {{outcome: Outcome, part: number, avoid: number, count: Count | number}} End */
 
 /**
- * [{outcome, part, avoid, count}] of the whole search, or of the trajectories where the result has none.
+ * Returns [{outcome, part, avoid, count}] of the whole search, or of the trajectories if the result
+ * has none.
  * @param {Query} query
  * @returns {End[]}
  */
@@ -89,7 +91,7 @@ function killers(query, level, store, ends) {
         on: {
           click: () => {
             const again = store.state.killer === part;
-            const known = part < (level?.count ?? 0); // a part of another version is not
+            const known = part < (level?.count ?? 0); // a part of another version may be unknown
             store.set({ killer: again ? -1 : part, part: again || !known ? -1 : part });
           },
         },

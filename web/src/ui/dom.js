@@ -1,4 +1,4 @@
-// Small helpers to build and update elements; no markup is ever parsed from data.
+// Helpers that build and update elements. Markup is never parsed from data.
 
 /** @import {Child, ElementOptions} from '../types/dom.js' */
 /** @import {NamesOf, State} from '../types/report.js' */
@@ -73,21 +73,21 @@ const kUnits = [
 ];
 
 /**
- * 1234567 as 1.23 M.
+ * Formats 1234567 as 1.23 M.
  * @param {number | string} value
  */
 export function count(value) {
   const number = Number(value);
   if (number < 10000) return String(number);
   for (const [unit, name] of kUnits) {
-    // What would be rounded to a thousand of the unit below is one of this.
+    // Values that round up to a thousand of the unit below use this unit.
     if (number >= 0.9995 * unit) return `${(number / unit).toPrecision(3)} ${name}`;
   }
   return String(number);
 }
 
 /**
- * So many digits behind the point, and never "-0.0".
+ * Formats with a fixed number of decimals, and never as "-0.0".
  * @param {number} value
  */
 export const decimal = (value, digits = 1) =>
@@ -103,7 +103,8 @@ export const trajectories = (n) => `${n} ${n === 1 ? 'trajectory' : 'trajectorie
 export const plural = (n, word) => `${n} ${word}${n === 1 ? '' : 's'}`;
 
 /**
- * Runs `refill`, which replaces what is in `root`; the keyboard stays on what has the same data-key as what it was on.
+ * Calls `refill`, which replaces the contents of `root`. The focus moves to the element with the
+ * same data-key.
  * @param {HTMLElement} root
  * @param {() => void} refill
  */
@@ -119,7 +120,7 @@ export function keepingFocus(root, refill) {
 }
 
 /**
- * Scrolls a list as far as it takes to see its chosen row.
+ * Scrolls a list just far enough to show its selected row.
  * @param {HTMLElement} rows
  */
 export function reveal(rows) {
@@ -133,7 +134,7 @@ export function reveal(rows) {
 }
 
 /**
- * Scroll stays where it was, too; to ask for that takes a layout of the page.
+ * Also keeps the scroll position, which forces a layout of the page.
  * @param {HTMLElement} root
  * @param {() => void} refill
  */
@@ -144,7 +145,8 @@ export function keepingPlace(root, refill) {
 }
 
 /**
- * A box to tick; `set` is told whether it is. The mouse leaves no focus on it, so that Space plays again.
+ * Returns a check box; `set` gets its state. A mouse click does not leave it focused, so that Space
+ * still plays.
  * @param {(checked: boolean) => void} set
  */
 export function checkbox(set) {
@@ -161,8 +163,8 @@ export function checkbox(set) {
 }
 
 /**
- * A labelled list of choices that is bound to one name of the store. `options`: [value, text] in their order, which
- * an object would change where a value is a number.
+ * Returns a labelled list of choices, bound to a name of the store. `options`: [value, text] in
+ * order; an object would reorder numeric values.
  * @template {NamesOf<string | number>} K
  * @param {Store} store
  * @param {K} name
@@ -190,7 +192,7 @@ export function choice(store, name, label, options) {
 }
 
 /**
- * A number that is bound to one name of the store; an empty field means `none`.
+ * Returns a number field, bound to a name of the store. An empty field means `none`.
  * @param {Store} store
  * @param {NamesOf<number>} name
  * @param {string} label

@@ -1,4 +1,5 @@
-// What may be listed and drawn: outcome, route, killer, jumps, time, and boxes that a way must or must not pass.
+// The filters: outcome, route, killer, jumps, time, and boxes that a trajectory must or must not
+// pass.
 import { filtered, routeKey, UNFILTERED } from '../choice.js';
 import { OUTCOME_STYLE } from '../palette.js';
 import { partName } from '../part_name.js';
@@ -14,7 +15,7 @@ const kMostRoutes = 50;
 
 export class FilterPanel {
   /**
-   * `sourceOf`: {query, level} of now; `addBox`: puts one where the reader looks.
+   * `sourceOf`: returns the current {query, level}; `addBox`: adds a box in view.
    * @param {Store} store
    * @param {() => Source} sourceOf
    * @param {() => void} addBox
@@ -72,13 +73,13 @@ export class FilterPanel {
     this.fold.setAttribute('aria-expanded', String(wanted));
   }
 
-  // The query has changed; a list of choices under somebody's hands stays as it is until they let go.
+  // Called when the query has changed. A focused panel is updated only after it loses the focus.
   refresh() {
     this.stale = this.root.contains(document.activeElement);
     if (!this.stale) this.fill();
   }
 
-  // The choices that a query offers.
+  // Fills in the choices of the query.
   fill() {
     this.stale = false;
     const { query, level } = this.sourceOf();
@@ -103,7 +104,7 @@ export class FilterPanel {
 }
 
 /**
- * The choices of a field: any, and each value with how often it occurs.
+ * Offers in a field: any, and each value with its count.
  * @template {string | number} N
  * @template {string | number} V
  * @param {HTMLElement & {offer: (options: [N | V, string][]) => void}} field

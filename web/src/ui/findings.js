@@ -1,4 +1,5 @@
-// What an answer says beyond its verdict: why there is no way, what would have to change, by which routes it goes, how far to trust it.
+// An answer's findings besides its verdict: the proof's cut, changes that would help, routes, and
+// the search's saturation.
 import { partName } from '../part_name.js';
 import { routeNames } from '../route_names.js';
 import { routeText } from '../route_text.js';
@@ -17,7 +18,7 @@ const SATURATION = {
 };
 
 /**
- * A line that shows its part in the picture, where it has one and the level has it.
+ * Returns a line. If it has a part of the level, a click shows that part.
  * @param {string} text
  * @param {number} part
  * @param {Level | undefined} level
@@ -50,7 +51,7 @@ function help(result, level, store) {
 const reachable = (n) => `At most ${n} ${n === 1 ? 'part is' : 'parts are'} reachable`;
 
 /**
- * What the least step beyond everything that can be reached lacks.
+ * Describes what the smallest impossible step lacks.
  * @param {Cut} cut
  */
 export function lackOf({ rise, gap, jumps, seconds: time }) {
@@ -86,7 +87,7 @@ function proof(result, level, store) {
 }
 
 /**
- * Each shows its own ways only, and all again.
+ * Lists the routes. A click filters a route's trajectories, and another click shows all again.
  * @param {Query} query
  * @param {Result} result
  * @param {Level | undefined} level
@@ -130,7 +131,7 @@ function trust(result) {
 }
 
 /**
- * Nothing where the stream says nothing of the kind.
+ * Empty if the stream has no findings.
  * @param {Query} query
  * @param {Level | undefined} level
  * @param {Store} store

@@ -1,4 +1,4 @@
-// What the colours of the heat map mean: a scale from a single count to the fullest tile's, by logarithm.
+// The legend of the heat map: a logarithmic scale from a single count to the fullest tile's.
 import { heatColor } from '../coloring.js';
 import { count, el } from './dom.js';
 
@@ -7,7 +7,7 @@ import { count, el } from './dom.js';
 const kStops = 9;
 
 /**
- * Nothing where no heat map is shown. `query`: of now.
+ * Returns nothing if no heat map is shown. `query`: the current one.
  * @param {State} state
  * @param {Query | undefined} query
  */

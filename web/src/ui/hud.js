@@ -1,5 +1,5 @@
-// How the player came to where it is: keys of the tick that led here, as seen from the camera, speed and height. At the
-// start it stands, and no key is held yet.
+// Shows the input of the current tick relative to the camera, with speed and height. At the start
+// the player stands and no key is pressed.
 import { decimal, el } from './dom.js';
 
 /** @import {Path} from '../path.js' */
@@ -57,7 +57,7 @@ export class Hud {
     const action = path.actionBefore(tick);
     const pressed = new Set(action.jump ? ['jump'] : []);
     if (action.walk) {
-      // Angle of the move direction to the left of where the camera looks, in eighths of a turn.
+      // Angle of the move direction, left of the camera's direction, in eighths of a turn.
       const turns = action.heading / 65536 - cameraYaw / (2 * Math.PI);
       const eighth = ((Math.round(turns * 8) % 8) + 8) % 8;
       for (const name of [

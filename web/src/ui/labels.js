@@ -1,4 +1,4 @@
-// Names of regions and places, kept over them as the camera moves; those that would cover one another are stacked.
+// Labels of regions and places that follow the camera. Overlapping ones are stacked.
 import { el } from './dom.js';
 
 /** @import {PerspectiveCamera, Vector3} from 'three' */
@@ -55,7 +55,7 @@ export class Labels {
   }
 
   /**
-   * Above the labels that are already there.
+   * Returns a height above the labels already placed.
    * @param {Placed[]} placed
    * @param {number} x
    * @param {number} wanted

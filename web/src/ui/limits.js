@@ -1,4 +1,4 @@
-// What a query demands beyond its goal, in words.
+// The limits of a query in words.
 import { kMostAlike } from '../scene/regions.js';
 import { el, plural, seconds } from './dom.js';
 
@@ -15,7 +15,7 @@ function jumpLimits({ minJumps, maxJumps }) {
 }
 
 /**
- * fallingDown: falling down
+ * Converts fallingDown to falling down.
  * @param {string} state
  */
 const stateName = (state) => state.replace(/[A-Z]/g, (c) => ` ${c.toLowerCase()}`);

@@ -1,4 +1,4 @@
-// Whether the stream behind the page still runs, and whether the newest solution is chosen as it comes.
+// Shows the state of the live stream, and the option to select the newest solution.
 import { checkbox, el } from './dom.js';
 
 /** @import {Store} from '../store.js' */
@@ -42,7 +42,7 @@ export class LiveMark {
   }
 
   /**
-   * `connected`: undefined until it is known; `started`: there is something to look at.
+   * `connected`: undefined until known; `started`: there is something to show.
    * @param {StreamState} state
    * @param {boolean | undefined} connected
    * @param {Report} report

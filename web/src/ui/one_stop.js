@@ -1,19 +1,20 @@
-// A list as one stop of Tab. With the keyboard in it the arrow keys, Home, End, Page Up and Page Down go from row to
-// row, Enter and Space choose; what the mouse has clicked leaves all keys to the page.
+// A list with a single tab stop. With keyboard focus, the arrow keys, Home, End, Page Up and Page
+// Down move between rows, and Enter and Space select. After a mouse click all keys stay with the
+// page.
 import { keepingFocus } from './dom.js';
 
 const kRow = '[role=option]:not([hidden])';
 
 export class OneStop {
   /**
-   * `list`: its rows have the role option, and no place in the order of Tab.
+   * `list`: its rows have the role option and are not in the tab order.
    * @param {HTMLElement} list
    */
   constructor(list) {
     this.list = list;
     /** @type {HTMLElement | null} */
-    this.stop = null; // the row that Tab reaches
-    list.tabIndex = -1; // some browsers make what scrolls a stop of its own
+    this.stop = null; // the row in the tab order
+    list.tabIndex = -1; // some browsers make scrolling elements tab stops
     list.addEventListener('focusin', () => this.settle());
     list.addEventListener('keydown', (event) => this.press(event));
     list.addEventListener('click', ({ detail }) => {
@@ -35,13 +36,13 @@ export class OneStop {
     return isRow ? row : null;
   }
 
-  // The keyboard is on no row, nor on the list, which takes it where the mouse meets no row.
+  // Removes the focus from the rows and the list, which gets it when the mouse hits no row.
   leave() {
     const focused = document.activeElement;
     if (focused instanceof HTMLElement && this.list.contains(focused)) focused.blur();
   }
 
-  // What Tab reaches: where the keyboard is, else the chosen row, else where it was.
+  // Updates the tab stop: the focused row, else the selected row, else the previous one.
   settle() {
     const { list, stop } = this;
     /** @type {HTMLElement | null} */
@@ -56,7 +57,7 @@ export class OneStop {
   }
 
   /**
-   * Runs `fill`, which makes the rows anew. The keyboard stays on its row; where that is gone, on the one in its
+   * Calls `fill`, which recreates the rows. The focus stays on its row, or moves to the row in its
    * place.
    * @param {() => void} fill
    */
@@ -90,7 +91,7 @@ export class OneStop {
     };
     const to = places[key];
     if (to !== undefined) rows[Math.max(0, Math.min(to, rows.length - 1))].focus();
-    // On the chosen row Space plays, as elsewhere.
+    // On the selected row Space plays, as elsewhere.
     else if (key === 'Enter' || (key === ' ' && row.getAttribute('aria-selected') !== 'true'))
       row.dispatchEvent(new MouseEvent('click', { bubbles: true, shiftKey }));
     else return;

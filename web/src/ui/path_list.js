@@ -1,4 +1,4 @@
-// The trajectories of the chosen query that pass the filters: how many, sorted how, coloured by what, and a row each.
+// The filtered trajectories of the query: their number, sorting, colouring, and a row each.
 import { SORTS } from '../choice.js';
 import { COLORINGS } from '../coloring.js';
 import { BAND_STYLE, causeOf, hardestOf } from '../palette.js';
@@ -23,7 +23,7 @@ const entries = (names) => /** @type {[K, string][]} */ (Object.entries(names));
 
 export class PathList {
   /**
-   * `sourceOf`: {query, level} of now; `tintOf`: path -> colour.
+   * `sourceOf`: returns the current {query, level}; `tintOf`: path -> colour.
    * @param {Store} store
    * @param {() => Source} sourceOf
    * @param {Tint} tintOf
@@ -71,7 +71,7 @@ export class PathList {
     const { query } = this.sourceOf();
     this.rows.replaceChildren();
     this.count.textContent = '';
-    this.root.hidden = !query; // a level alone has no ways to sort
+    this.root.hidden = !query; // a level without a query has no trajectories
     if (!query) return;
     const { order, sort } = this.store.state;
     const all = query.paths.length;
@@ -103,7 +103,7 @@ export class PathList {
   }
 
   /**
-   * As found, solutions stand apart; sorted, it is one list.
+   * In the order of discovery, solutions form a group of their own; otherwise there is one list.
    * @param {Query} query
    * @param {number[]} order
    * @param {Sort} sort
@@ -152,7 +152,7 @@ export class PathList {
   }
 
   /**
-   * A solution is told from others by its time, jumps and route, an attempt by how it ended.
+   * Describes a solution by time, jumps and route, an attempt by its end.
    * @param {Path} path
    * @param {number} index
    */
@@ -174,7 +174,7 @@ export class PathList {
     return this.rows.querySelectorAll('.path');
   }
 
-  // What is listed stays as it is.
+  // Updates the colours; the list is unchanged.
   color() {
     const { query } = this.sourceOf();
     if (!query) return;

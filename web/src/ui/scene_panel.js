@@ -1,4 +1,5 @@
-// The floating panel on the right: legend of the roles that this level has, what is shown, and the chosen part.
+// The floating panel on the right: legend of the level's roles, display options, and the selected
+// part.
 import { ROLES } from '../data.js';
 import { ROLE_STYLE } from '../palette.js';
 import { checkbox, decimal, el } from './dom.js';
@@ -9,7 +10,7 @@ import { heatLegend } from './heat_legend.js';
 
 export class ScenePanel {
   /**
-   * `coloringOf`: how trajectories are coloured now.
+   * `coloringOf`: returns the current colouring.
    * @param {HTMLElement} root
    * @param {Store} store
    * @param {object} now what is shown now
@@ -36,7 +37,7 @@ export class ScenePanel {
   }
 
   /**
-   * A card whose body folds away under its title.
+   * Adds a card whose body folds under its title.
    * @param {string} title
    * @param {HTMLElement} content
    * @param {boolean} open
@@ -114,7 +115,7 @@ export class ScenePanel {
       const show = () => {
         row.hidden = !isShown();
       };
-      this.store.on(['query', 'heat', 'order'], show); // an answer may come to the query
+      this.store.on(['query', 'heat', 'order'], show); // an answer may arrive for the query
       show();
       box.append(row);
     };
@@ -152,7 +153,7 @@ export class ScenePanel {
   inspect() {
     const level = this.levelOf();
     const { part } = this.store.state;
-    // Another query may have come with a level that has fewer parts, before the choice is taken back.
+    // Another query's level may have fewer parts, before the selection is reset.
     const isKnown = level !== undefined && part >= 0 && part < level.count;
     this.inspector.hidden = !isKnown;
     this.inspector.replaceChildren();

@@ -1,4 +1,4 @@
-// The left column: the queries with their verdicts, and the numbers of the chosen one.
+// The left column: the queries with their verdicts, and the details of the selected one.
 import { VERDICT_STYLE, verdictOf } from '../palette.js';
 import { deaths } from './deaths.js';
 import { count, el, keepingPlace, reveal, seconds } from './dom.js';
@@ -11,14 +11,14 @@ import { OneStop } from './one_stop.js';
 /** @import {Progress} from '../types/page_data.js' */
 /** @import {Query, Report, Result} from '../types/report.js' */
 
-const kMostUnsearched = 8; // queries that need no field to find one
+const kMostUnsearched = 8; // number of queries that needs no search field
 
 /** @param {ShownVerdict} verdict */
 function badge(verdict) {
   const style = VERDICT_STYLE[verdict];
   return el('span', {
     class: 'badge',
-    role: 'img', // a screen reader would leave the sign out, or spell it
+    role: 'img', // screen readers would skip the sign or spell it
     'aria-label': style.label,
     text: style.mark,
     style: { '--tint': style.color },
@@ -35,7 +35,7 @@ function numberGrid(facts) {
 }
 
 /**
- * Ids that queries of several levels have.
+ * Returns ids that occur in several levels.
  * @param {Query[]} queries
  */
 function sharedIds(queries) {
@@ -44,7 +44,7 @@ function sharedIds(queries) {
 }
 
 /**
- * Of a search that runs, how far it is.
+ * The numbers of the answer, or the progress of a running search.
  * @param {Query} query
  * @returns {Partial<Result & Progress>}
  */
@@ -58,7 +58,7 @@ const rowsOf = (list) => /** @type {HTMLElement[]} */ ([...list.children]);
 
 export class Sidebar {
   /**
-   * `lists`: what stands below the query.
+   * `lists`: elements below the query.
    * @param {HTMLElement} root
    * @param {Report} report
    * @param {Store} store
@@ -103,7 +103,7 @@ export class Sidebar {
     this.fillQuery();
   }
 
-  // The report has changed.
+  // Called when the report has changed.
   refresh() {
     keepingPlace(this.queries, () => keepingPlace(this.detail, () => this.fill()));
     this.markKillers();
@@ -212,7 +212,7 @@ export class Sidebar {
   }
 
   /**
-   * From where to where, in the names of the level's places.
+   * Describes start and goal by the names of their places.
    * @param {Query} query
    */
   course({ start, goal }) {
@@ -241,7 +241,7 @@ export class Sidebar {
   }
 
   /**
-   * How much the search did, for those who open it.
+   * Adds the search's effort, folded by default.
    * @param {Query} query
    */
   effort(query) {
@@ -257,7 +257,7 @@ export class Sidebar {
       el('summary', {
         text: 'Search effort',
         data: { key: 'effort' },
-        // A toggle event would come too late for a refresh in between.
+        // A toggle event would come too late for a refresh before it.
         on: {
           click: () => {
             this.isEffortOpen = !details.open;

@@ -8,14 +8,14 @@ import { el, icon, seconds, svg } from './dom.js';
 /** @import {Store} from '../store.js' */
 
 const kSpeeds = [0.1, 0.25, 0.5, 1, 2, 4, 10];
-const kWide = 1000; // of the plot, in its own units
-const kMostMarks = 2000; // of a kind
+const kWide = 1000; // width of the plot in its own units
+const kMostMarks = 2000; // of each kind
 const kSliderKeys = /^(Arrow|Page|Home$|End$)/;
 
-/** @typedef {(tick: number) => number} Place Where a tick stands in the plot. */
+/** @typedef {(tick: number) => number} Place maps a tick to a position in the plot */
 
 /**
- * A short line at the profile's lower or upper edge.
+ * Returns a short line at the profile's lower or upper edge.
  * @param {string} kind
  * @param {number} x
  * @param {number} from
@@ -29,7 +29,7 @@ const tickMark = (kind, x, from, to) =>
   });
 
 /**
- * The hardest step in the colour of its band.
+ * Marks the hardest step in the colour of its band.
  * @param {Path} path
  * @param {Place} x
  */
@@ -87,7 +87,7 @@ function heights(path, x) {
 }
 
 /**
- * One of those that would be drawn in one place: of hours of play there are more than one sees, or a call takes.
+ * Keeps one tick per position. Hours of play have more than are visible, or than a call can take.
  * @param {number[]} ticks
  * @param {Place} x
  */
@@ -98,7 +98,7 @@ function apart(ticks, x) {
 }
 
 /**
- * Jumps and landings, and what the player set off.
+ * Marks jumps, landings and triggered parts.
  * @param {Path} path
  * @param {Place} x
  */
@@ -157,7 +157,7 @@ export class Timeline {
           store.set({ playing: false });
           playback.seek(Number(this.slider.value));
         },
-        // The keys that would move it are the page's; all others stay the browser's.
+        // Keys that move the slider belong to the page, all others to the browser.
         keydown: (event) => {
           if (kSliderKeys.test(event.key)) event.preventDefault();
         },
@@ -168,7 +168,8 @@ export class Timeline {
       preserveAspectRatio: 'none',
       viewBox: '0 0 1000 100',
     });
-    // A screen reader would read out each tick that is played; the slider tells the time to who asks it.
+    // A screen reader would announce each tick during playback. The slider tells the time on
+    // request.
     this.time = el('output', { class: 'time', 'aria-live': 'off' });
     this.tick = el('output', { class: 'tick quiet', 'aria-live': 'off' });
     this.speed = el(
@@ -208,7 +209,7 @@ export class Timeline {
     this.nothing = el('p', { class: 'quiet nothing', text: 'Nothing to play.' });
     this.extras = el('div', { class: 'buttons' });
     root.append(this.player, this.nothing, this.extras);
-    // A ghost may be longer than the chosen one.
+    // A ghost may be longer than the selected one.
     store.on(['query', 'path', 'ghost'], () => this.draw());
     store.on(['tick', 'path', 'query', 'ghost'], () => this.showTime());
     store.on(['playing', 'speed', 'loop'], () => this.showState());
@@ -253,7 +254,7 @@ export class Timeline {
     this.extras.append(button);
   }
 
-  // The profile of the chosen way over the clock's whole length, which a longer ghost stretches.
+  // Draws the selected trajectory's profile over the whole timeline, which a longer ghost extends.
   draw() {
     const path = this.selected();
     const length = Math.max(1, this.playback.lengthOf());
@@ -274,7 +275,7 @@ export class Timeline {
     this.slider.value = String(tick);
     this.slider.style.setProperty('--share', `${(100 * tick) / Math.max(1, length)}%`);
     const [now, all] = [seconds(tick / rate), seconds(length / rate)];
-    this.slider.setAttribute('aria-valuetext', `${now} of ${all} s`); // its value are ticks
+    this.slider.setAttribute('aria-valuetext', `${now} of ${all} s`); // its value is in ticks
     this.time.textContent = `${now} / ${all} s`;
     this.tick.textContent = `tick ${Math.floor(tick + 1e-6)}`;
   }
