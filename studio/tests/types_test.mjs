@@ -1,12 +1,12 @@
-// The plugin's types, as far as they can be checked without a Luau type checker, which no package
-// has: types of other modules exist, constructors give every field that must be there, and
-// whatever is asked of `self` and of parameters whose type is the plugin's own is a member of it.
+// Checks the declarations of the plugin's types: types of other modules exist, constructors set all
+// required fields, and members of `self` and of typed parameters are declared. It does not infer
+// types; no npm package has a Luau type checker.
 // node types_test.mjs; exits 1 on a mismatch.
 import { readFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import { built, luauFiles, src } from './harness/luau.mjs';
 
-// Splits at commas that are in no bracket; "->" closes none.
+// Splits at commas outside brackets. The ">" of "->" is not a bracket.
 function atCommas(text) {
   const pieces = [''];
   let depth = 0;
@@ -19,7 +19,7 @@ function atCommas(text) {
   return pieces.map((piece) => piece.trim()).filter(Boolean);
 }
 
-// Name -> the rest, of "name: rest" or "name = rest"; nothing of a list or a map.
+// Returns name -> rest for each entry "name: rest" or "name = rest"; other entries are ignored.
 function entriesOf(text) {
   const entries = new Map();
   for (const piece of atCommas(text)) {
@@ -29,7 +29,7 @@ function entriesOf(text) {
   return entries;
 }
 
-// What stands between the brace at `open` and its own.
+// Returns the text between the brace at `open` and its counterpart.
 function braced(text, open) {
   let depth = 0;
   for (let i = open; i < text.length; i++) {
@@ -74,7 +74,7 @@ function check(ok, module, what) {
   console.log(`${module.file}: ${what}`);
 }
 
-// The plugin's own type that a text names, and its members; null: it is another's, or no name.
+// Returns the plugin's type that a text names, with its members, or null for all other types.
 function typeNamed(module, text) {
   const [, alias, name] = /^(?:(\w+)\.)?(\w+)(?:<.*>)?\??$/.exec(text?.trim() ?? '') ?? [];
   if (!name) return null;
@@ -84,12 +84,13 @@ function typeNamed(module, text) {
   if (type.of) return typeNamed(home, type.of);
   if (type.fields) return { name, home, members: type.fields };
   const members = new Map(home.types.get(type.data).fields);
-  for (const [, method] of home.text.matchAll(new RegExp(`^function ${type.table}\\.(\\w+)\\(`, 'gm')))
+  const methods = new RegExp(`^function ${type.table}\\.(\\w+)\\(`, 'gm');
+  for (const [, method] of home.text.matchAll(methods))
     members.set(method, 'a method');
   return { name, home, members };
 }
 
-// Follows "a.b:c" from a value of the type, as far as types are the plugin's own.
+// Checks the members of a chain "a.b:c", as far as they have types of the plugin.
 function follow(module, text, steps, where) {
   let type = typeNamed(module, text);
   for (const step of steps) {
@@ -99,33 +100,35 @@ function follow(module, text, steps, where) {
   }
 }
 
-// Parameters, and what is asked of them in the function's body. One whose name is given to something
-// else in there is left out.
+// Checks the members of a function's typed parameters. A parameter that the body shadows is ignored.
 function checkFunction(module, name, parameters, body) {
   for (const [parameter, type] of entriesOf(parameters)) {
     const declared = `(?:local|for) (?:(?!\\bin\\b)[\\w, ])*\\b${parameter}\\b`;
     const again = new RegExp(`${declared}|function\\([^)]*\\b${parameter}\\b`);
     if (parameter !== 'self' && again.test(body)) continue;
-    for (const [, chain] of body.matchAll(new RegExp(`(?<![\\w.:])${parameter}((?:[.:]\\w+)+)`, 'g')))
+    const uses = new RegExp(`(?<![\\w.:])${parameter}((?:[.:]\\w+)+)`, 'g');
+    for (const [, chain] of body.matchAll(uses))
       follow(module, type, chain.split(/[.:]/).slice(1), `${name}: ${parameter}${chain}`);
   }
 }
 
+const constructors =
+  /local data: Data = \{|setmetatable\((\{[^{}]*(?:\{\}[^{}]*)*\}) :: Data,/g;
 for (const module of modules.values()) {
   const { text, requires, types } = module;
-  check(!/\bself: any\b/.test(text), module, 'self is of no type');
+  check(!/\bself: any\b/.test(text), module, 'self has the type any');
   for (const [, alias, name] of text.matchAll(/(?<![\w.])(\w+)\.([A-Z]\w*[a-z]\w*)\b/g)) {
     const home = modules.get(requires.get(alias));
     if (home) check(home.exported.has(name), module, `${alias} exports no type ${name}`);
   }
-  for (const found of text.matchAll(/local data: Data = \{|setmetatable\((\{[^{}]*(?:\{\}[^{}]*)*\}) :: Data,/g)) {
+  for (const found of text.matchAll(constructors)) {
     if (found[1] === '{}') continue; // the type itself
     const given = entriesOf(braced(text, text.indexOf('{', found.index)));
     const { fields } = types.get('Data');
     for (const name of given.keys()) check(fields.has(name), module, `Data has no ${name}`);
     for (const [name, type] of fields) {
       const isFree = type.endsWith('?') || type === 'any';
-      check(isFree || given.has(name), module, `the constructor gives no ${name}`);
+      check(isFree || given.has(name), module, `the constructor does not set ${name}`);
     }
   }
   const functions = /^(?:local )?function ([\w.]+)\(([\s\S]*?)\)(?:: [^\n]*)?\n([\s\S]*?)\nend$/gm;

@@ -99,7 +99,8 @@ function byNumber(query, valueOf, label) {
   if (!values.length) return { of: () => kNone, legend: [] };
   const least = values.reduce((a, b) => Math.min(a, b), Infinity);
   const most = values.reduce((a, b) => Math.max(a, b), -Infinity);
-  const share = (/** @type {number} */ value) => (most > least ? (value - least) / (most - least) : 0);
+  const share = (/** @type {number} */ value) =>
+    (most > least ? (value - least) / (most - least) : 0);
   /** @type {Coloring['legend']} */
   const legend = [0, 0.5, 1].map((s) => [
     label(least + s * (most - least)),

@@ -130,7 +130,8 @@ export function causeOf(path, level, nameOf = fullName, length = 'label') {
 export function hardestOf(path, level) {
   if (!path.difficulty) return '';
   const { hardest, noise } = path.difficulty;
-  const name = (/** @type {number} */ part, /** @type {string} */ none) => (part < 0 ? none : fullName(level, part));
+  const name = (/** @type {number} */ part, /** @type {string} */ none) =>
+    (part < 0 ? none : fullName(level, part));
   const from = name(hardest.from, 'the start');
   const to = name(hardest.to, 'the goal');
   const what = `Hardest step: ${from} to ${to}, ${hardest.band}`;

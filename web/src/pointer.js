@@ -43,7 +43,8 @@ export class Pointer {
     canvas.addEventListener('blur', () => canvas.classList.remove('pressed'));
     canvas.addEventListener('pointermove', (event) => {
       this.moved = event.buttons ? null : event;
-      if (this.corner && event.buttons & 1) this.drawTo(event, this.corner); // a click is not a drag
+      // A click is not a drag.
+      if (this.corner && event.buttons & 1) this.drawTo(event, this.corner);
     });
     canvas.addEventListener('pointerleave', () => {
       this.moved = null;

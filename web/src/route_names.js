@@ -66,7 +66,10 @@ function markOf(index, sets, parts, names) {
   return marks.join(', ');
 }
 
-/** @type {WeakMap<Query, Map<string, {mark: string, text: string}>>} by query; a changed query is another object */
+/**
+ * By query; a changed query is another object.
+ * @type {WeakMap<Query, Map<string, {mark: string, text: string}>>}
+ */
 const known = new WeakMap();
 
 /**

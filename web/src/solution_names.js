@@ -7,7 +7,10 @@ import { plural, seconds } from './ui/dom.js';
 /** @import {Path} from './path.js' */
 /** @import {Level, Query} from './types/report.js' */
 
-/** @type {WeakMap<Query, Map<number, {name: string, route: string}>>} by query; a changed query is another object */
+/**
+ * By query; a changed query is another object.
+ * @type {WeakMap<Query, Map<number, {name: string, route: string}>>}
+ */
 const known = new WeakMap();
 
 /** @type {Record<string, string | undefined>} */
@@ -18,7 +21,8 @@ const BODY_NAMES = { r6: 'R6', r15: 'R15' };
  * @param {Path} path
  */
 function playerOf({ body, frameRate }) {
-  const words = [body && (BODY_NAMES[body] ?? body), frameRate && `${frameRate} fps`].filter(Boolean);
+  const rig = body && (BODY_NAMES[body] ?? body);
+  const words = [rig, frameRate && `${frameRate} fps`].filter(Boolean);
   return words.length > 0 ? `${words.join(', ')}: ` : '';
 }
 

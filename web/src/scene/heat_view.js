@@ -11,7 +11,10 @@ const kCell = 2; // studs, for trajectories
 const kMostTiles = 20000; // the most visited are kept
 const kLift = 0.12; // studs above the lowest feet of the cell
 
-/** @typedef {{x: number, y: number, z: number, count: number}} Cell the cube's centre in studs, with the lowest feet as y */
+/**
+ * The cube's centre in studs, with the lowest feet as y.
+ * @typedef {{x: number, y: number, z: number, count: number}} Cell
+ */
 
 /**
  * Returns a cell's key, unique up to 65,536 studs from the origin; farther cells collide.

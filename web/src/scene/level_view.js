@@ -25,7 +25,10 @@ import { timedAway } from './vanishing.js';
 const kNeutral = new Color('#808998');
 const kFaint = 0.1; // opacity of a vanished part
 
-/** @typedef {'aPattern' | 'aAlpha' | 'aGlow' | 'aGrain' | 'aFlow'} Name of an attribute that the shader reads */
+/**
+ * An attribute of the shader.
+ * @typedef {'aPattern' | 'aAlpha' | 'aGlow' | 'aGrain' | 'aFlow'} Name
+ */
 /** @typedef {InstancedMesh & {own: Record<Name, InstancedBufferAttribute>}} PartMesh */
 
 /**
@@ -190,7 +193,8 @@ export class LevelView {
       else color.set(ROLE_STYLE[role].color);
       for (const { mesh, at } of this.slots[part]) mesh.setColorAt(at, color);
     }
-    for (const { instanceColor } of this.meshes) if (instanceColor) instanceColor.needsUpdate = true;
+    for (const { instanceColor } of this.meshes)
+      if (instanceColor) instanceColor.needsUpdate = true;
   }
 
   /**

@@ -10,7 +10,8 @@ const kMessage =
   'The rest of the report works. obby-view -o FILE.png draws a picture without a browser.';
 
 // The renderer methods that the stage calls.
-/** @typedef {'setPixelRatio' | 'getPixelRatio' | 'setClearAlpha' | 'setSize' | 'clear' | 'render'} Methods */
+/** @typedef {'setPixelRatio' | 'getPixelRatio' | 'setClearAlpha' | 'setSize'} Setters */
+/** @typedef {Setters | 'clear' | 'render'} Methods */
 /** @typedef {'type' | 'enabled' | 'autoUpdate' | 'needsUpdate'} Settings */
 /** @typedef {Pick<WebGLRenderer['shadowMap'], Settings>} Shadows */
 /** @typedef {Pick<WebGLRenderer, Methods> & {shadowMap: Shadows}} Renderer */

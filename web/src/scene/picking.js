@@ -7,7 +7,10 @@ import { kLift } from './thin_lines.js';
 /** @import {Group, PerspectiveCamera} from 'three' */
 /** @import {Path} from '../path.js' */
 
-/** @typedef {{camera: PerspectiveCamera, width: number, height: number}} Screen of the picture, in pixels */
+/**
+ * The picture's camera and size in pixels.
+ * @typedef {{camera: PerspectiveCamera, width: number, height: number}} Screen
+ */
 /** @typedef {[x: number, y: number]} At pixels */
 
 const kReach = 9; // pixels

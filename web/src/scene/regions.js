@@ -26,7 +26,8 @@ export const kMostAlike = 500; // max regions drawn of one list, since a tag may
                                // parts
 const kMostNamed = 40; // max labels of them
 
-/** @typedef {{solid: BoxGeometry, edges: EdgesGeometry, fill: ShaderMaterial, line: LineBasicMaterial}} Look */
+/** @typedef {{fill: ShaderMaterial, line: LineBasicMaterial}} Materials */
+/** @typedef {Materials & {solid: BoxGeometry, edges: EdgesGeometry}} Look */
 
 /**
  * Fades upward, so that a tall box does not hide its contents.

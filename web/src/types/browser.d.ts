@@ -1,4 +1,4 @@
-// What newer browsers have and TypeScript does not know yet, and the page's own name for the console.
+// Functions of newer browsers that TypeScript does not know yet, and the page's global variable.
 import type { App } from '../app.js';
 
 declare global {

@@ -1,5 +1,5 @@
-// The JSON of the page and of the live page's answers, as obby-view writes it (lib/view/page_*.cpp, live_data.cpp).
-// docs/page-data.md says what each field means. `Base64<T>`: the values of a T, little-endian.
+// The JSON of the page and of the live page's responses (lib/view/page_*.cpp, live_data.cpp).
+// docs/page-data.md describes each field. `Base64<T>`: the values of a T, little-endian.
 
 export type Base64<T> = string & { readonly of?: T };
 export type Triple = [number, number, number];
@@ -278,7 +278,7 @@ export interface LiveData {
 
 export type StreamState = 'live' | 'ended' | 'broken';
 
-// New trajectories of a query. `serials`: first and last number of each range of its current trajectories.
+// New trajectories of a query. `serials`: ranges, first and last, of its current trajectories.
 export interface LiveQuery {
   index: number;
   facts: QueryFacts;

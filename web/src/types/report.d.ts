@@ -1,5 +1,5 @@
-// The report as the page uses it, with typed arrays in place of base64 (data.js makes it), the page's state, and types that
-// several files share.
+// The report as the page uses it, with typed arrays in place of base64 (data.js makes it), the
+// page's state, and types that several files share.
 import type { Vector3 } from 'three';
 import type { Path } from '../path.js';
 import type { Track } from '../tracks.js';

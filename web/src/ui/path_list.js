@@ -81,7 +81,8 @@ export class PathList {
       const group = el('div', { role: 'group', 'aria-label': title || undefined });
       const count = el('small', { text: ` ${indices.length}` });
       if (title) group.append(el('h3', { role: 'presentation' }, title, count));
-      for (const index of indices.slice(0, kMostRows)) group.append(this.row(query.paths[index], index));
+      for (const index of indices.slice(0, kMostRows))
+        group.append(this.row(query.paths[index], index));
       if (indices.length > kMostRows)
         group.append(
           el('p', {
