@@ -11,10 +11,10 @@
 namespace obby::cli {
 
 struct ConfigValue {
-  std::string line;  // where it was last given
+  std::string line;  // the line that gave it last
   std::vector<std::string> texts;
 };
-using Config = std::map<std::string, ConfigValue>;  // by the option's name
+using Config = std::map<std::string, ConfigValue>;  // keys are the options' names
 
 // Returns the file's values of the tool's options. A name alone is a flag. A value is one word,
 // 'literal text', "text with \" \\ \n \r \t", or several of these in [brackets]. Only the section

@@ -39,7 +39,7 @@ struct OptionRow {
   // file: read completely before anything is written, so that an output may replace it.
   bool renewed = false;
   bool rare = false;    // few users need it: in --help-all and the manual page, not in --help
-  bool hidden = false;  // for the build: in no help and no completion
+  bool hidden = false;  // an option for the build: in no help and no completion
 };
 
 // Headings in help. kHelpGroup comes last.

@@ -46,7 +46,8 @@ struct ToolSpec {
   std::vector<ManualEntry> files;           // that it uses without an option
 };
 
-// See design.md section 5. An interrupted tool exits with 130 or 143, unless it failed.
+// Exit codes. `noSolution` and `unknown` tell the verdicts if the user asks for that. An
+// interrupted tool exits with 130 or 143, unless it failed.
 enum class ExitCode { ok = 0, noSolution = 1, failed = 2, unknown = 3 };
 
 using RunFunction = std::function<Result<ExitCode>(Context&)>;

@@ -19,7 +19,7 @@ struct Place {
   bool there = true, regular = false;
   dev_t device = 0;
   ino_t number = 0;
-  std::filesystem::path path;  // of a file that does not exist, with links resolved
+  std::filesystem::path path;  // path of a file that does not exist, with links resolved
 
   bool operator==(const Place& other) const {
     if (there != other.there) return false;

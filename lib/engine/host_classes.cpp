@@ -121,6 +121,7 @@ int isWatched(lua_State* L) {
                                                   "FallenPartsDestroyHeight",
                                                   "PlatformStand",
                                                   "HipHeight",
+                                                  "MaxSlopeAngle",
                                                   "CharacterWalkSpeed",
                                                   "CharacterJumpPower",
                                                   "CharacterJumpHeight"};

@@ -125,12 +125,12 @@ int tween(lua_State* L) {
   return 0;
 }
 
-// (humanoid, before, after, ofPlayer)
+// (humanoid, before, after, ofPlayer, stoppable)
 int health(lua_State* L) {
   Host& host = Host::of(L);
   const double from = luaL_checknumber(L, 2), to = luaL_checknumber(L, 3);
   if (lua_toboolean(L, 4) != 0 && host.recorder.isRecording() && from != to)
-    host.recorder.harm(from, to, host.where(L));
+    host.recorder.harm(from, to, host.where(L), lua_toboolean(L, 5) != 0);
   return 0;
 }
 

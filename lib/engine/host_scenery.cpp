@@ -1,4 +1,5 @@
 // host: where parts are, what overlaps, what a ray meets.
+#include "engine/collision_matrix.h"
 #include "engine/host.h"
 #include "engine/values/values.h"
 
@@ -128,7 +129,30 @@ int listened(lua_State* L) {
   return 0;
 }
 
+// Rows of name, id and mask: the collision groups that the place saves; none if they are damaged.
+int savedGroups(lua_State* L) {
+  lua_newtable(L);
+  for (const Instance& instance : Host::of(L).document.instances) {
+    const std::string_view bytes = groupBytes(instance);
+    if (bytes.empty()) continue;
+    const auto matrix = decodeGroups(bytes);
+    if (!matrix) continue;
+    for (const auto& [name, id] : matrix->ids) {
+      lua_createtable(L, 0, 3);
+      lua_pushlstring(L, name.data(), name.size());
+      lua_setfield(L, -2, "name");
+      lua_pushnumber(L, id);
+      lua_setfield(L, -2, "id");
+      lua_pushnumber(L, matrix->masks[id]);
+      lua_setfield(L, -2, "mask");
+      lua_rawseti(L, -2, int(lua_objlen(L, -2)) + 1);
+    }
+  }
+  return 1;
+}
+
 constexpr luaL_Reg kFunctions[] = {{"shapeOf", shapeOf},
+                                   {"savedGroups", savedGroups},
                                    {"partEnters", partEnters},
                                    {"partLeaves", partLeaves},
                                    {"overlapsOfPart", overlapsOfPart},

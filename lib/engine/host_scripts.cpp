@@ -7,6 +7,7 @@
 #include "engine/host.h"
 #include "engine/luau/emit.h"
 #include "engine/luau/helpers.h"
+#include "engine/luau/parser.h"
 
 namespace obby::engine {
 namespace script_functions {
@@ -99,16 +100,18 @@ int newOwner(lua_State* L) {
   return 1;
 }
 
-// (script, source): the chunk, or nil and the problem.
+// (script, source): the chunk; or nil, the problem, and whether the text is no Luau.
 int load(lua_State* L) {
   size_t size = 0;
   const char* const text = luaL_checklstring(L, 2, &size);
   const std::string id = std::to_string(uint32_t(luaL_checknumber(L, 1)));
-  const Result<std::string> lua = luau::toLua({text, size});
+  const luau::Chunk chunk = luau::parse({text, size});
+  const Result<std::string> lua = luau::emit(chunk);
   lua_pushnil(L);
   if (!lua) {
     lua_pushstring(L, ("#" + id + ":" + lua.error().place + ": " + lua.error().message).c_str());
-    return 2;
+    lua_pushboolean(L, chunk.broken);
+    return 3;
   }
   if (luaL_loadbuffer(L, lua->data(), lua->size(), ("=#" + id).c_str()) == 0) return 1;
   return 2;

@@ -76,6 +76,7 @@ struct Harm {
   double time = 0;
   double from = 0, to = 0;  // the player's health before and after
   Line line;
+  bool stoppable = false;  // a force field stops it
 
   bool hurts() const { return to < from; }  // else it heals
 };
@@ -109,6 +110,7 @@ struct PlayerState {
   double health = 100, maxHealth = 100, walkSpeed = 16, jumpPower = 50, jumpHeight = 7.2;
   double gravity = 196.2, lift = 0;  // studs/s^2: of Workspace; what forces take from it
   bool usesJumpPower = true, alive = false;
+  bool stuck = false;  // cannot walk
 };
 
 struct Observation {

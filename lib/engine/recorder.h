@@ -26,7 +26,9 @@ class Recorder {
   void drive(InstanceId part, InstanceId driver) { drivers_[part] = driver; }
   void change(Change change);
   void tween(Tween tween) { seen_.tweens.push_back(std::move(tween)); }
-  void harm(double from, double to, Line line) { seen_.harms.push_back({time(), from, to, line}); }
+  void harm(double from, double to, Line line, bool stoppable) {
+    seen_.harms.push_back({time(), from, to, line, stoppable});
+  }
   void problem(InstanceId script, Failure failure, std::string_view text);
   void count(const std::string& what);
   // A script draws a number that differs from game to game.

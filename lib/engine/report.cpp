@@ -26,6 +26,8 @@ constexpr double kStuck = 2;  // seconds of CPU without a beat
 constexpr uint32_t kMaxSameListeners = 100;
 // Those of them whose player may die: each death takes RespawnTime, 300 frames by default.
 constexpr uint32_t kMaxComebacks = 40;
+// Second looks at parts that harm, of parts with the same listeners.
+constexpr uint32_t kMaxSecondLooks = 20;
 // Shares of the whole time limit. One copy of the place that hangs must leave time for the others;
 // revisits run once, during the rest of the undisturbed run.
 constexpr double kCopyShare = 0.25, kRevisitShare = 0.75;
@@ -43,8 +45,10 @@ class Watcher {
     stage_.run(framesOf(plan_.probeAt));
     if (stage_.greedyScript() != kNoInstance) return given(stage_.greedyScript());
     stage_.revive();
+    stage_.unshield();
     report_.probedAt = plan_.probeAt;
     report_.made = stage_.made();
+    report_.collisionGroups = stage_.groups();
     report_.arrived = stage_.observation().player;
     probeAll();
     if (stage_.hearsJumps()) jumpInAir();
@@ -77,12 +81,27 @@ class Watcher {
     for (Probe& probe : wanted) probe.at = plan_.probeAt;
     report_.probes.resize(wanted.size());
     runAll(wanted);
+    if (stage_.looksAtPlayer()) lookAway();
     children_.finish();
+    lookAgainAtHarm(wanted);
     for (size_t i = 0; i < wanted.size(); ++i)
       if (wanted[i].byPlace && happens(report_.probes[i])) {
         lookAllOver(wanted[i], i);
         if (wanted[i].approach == Approach::inside) lookFromOutside(wanted[i], i);
       }
+  }
+
+  void lookAway() {
+    Probe wanted;
+    wanted.approach = Approach::away;
+    wanted.at = plan_.probeAt;
+    children_.start(
+        plan_.timeLimit * kCopyShare,
+        [this, wanted] { return toBytes(runProbe(stage_, plan_, wanted)); },
+        [this](const std::string& bytes) {
+          Probe away;
+          if (fromBytes(bytes, away)) report_.away = std::move(away);
+        });
   }
 
   // Keeps the first part of each set of listeners, then the second of each, and so on, in order.
@@ -122,6 +141,22 @@ class Watcher {
 
   static bool happensAgain(const Probe& first, const Probe& again) {
     return harms(first) ? harms(again) : happens(again);
+  }
+
+  void lookAgainAtHarm(const std::vector<Probe>& wanted) {
+    std::map<uint64_t, uint32_t> looks;  // by listenerHash
+    for (size_t i = 0; i < wanted.size(); ++i) {
+      const auto stay = secondLookAt(report_.probes[i]);
+      if (!stay || looks[wanted[i].listenerHash]++ >= kMaxSecondLooks) continue;
+      children_.start(
+          plan_.timeLimit * kCopyShare,
+          [&, i, stay] { return toBytes(lookAgain(stage_, plan_, wanted[i], *stay)); },
+          [this, i, stay](const std::string& bytes) {
+            SecondLook& look = secondLookOf(report_.probes[i], *stay);
+            if (!fromBytes(bytes, look)) look = {};
+          });
+    }
+    children_.finish();
   }
 
   void lookAllOver(const Probe& wanted, size_t index) {

@@ -1,6 +1,7 @@
 // What a place's scripts do: by themselves, and to each part that a player touches or uses.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -9,19 +10,28 @@
 
 namespace obby::engine {
 
-enum class Approach : uint8_t { stand, inside, use };
+// `away`: to no part, in the air far from all that is around the spawn.
+enum class Approach : uint8_t { stand, inside, use, away };
+
+// The harm that a part does in another copy of the place.
+struct SecondLook {
+  std::vector<Harm> harms;
+  double left = 0;  // when the player went away; 0: it stayed to the end
+};
 
 // A player was brought to a part, in a copy of the running place.
 struct Probe {
   InstanceId target = kNoInstance;  // the part, ClickDetector, prompt or tool
   Approach approach = Approach::stand;
-  double at = 0;              // when the player arrived
-  double left = 0;            // and went away; 0: stayed to the end
-  Observation seen;           // from the arrival on
-  bool lost = false;          // the copy died or ran out of time
-  bool byPlace = false;       // no script listens to the part: what happens follows from the place
-  bool allOver = true;        // it happens towards two opposite corners of the part, too
-  bool byRoot = false;        // it does not happen where limbs alone are in the part
+  double at = 0;         // when the player arrived
+  double left = 0;       // and went away; 0: stayed to the end
+  Observation seen;      // from the arrival on
+  SecondLook brief;      // of a part that harms again and again: the player leaves at once
+  SecondLook still;      // of a part that harms once: the player stays and does not touch again
+  bool lost = false;     // the copy died or ran out of time
+  bool byPlace = false;  // no script listens to the part: what happens follows from the place
+  bool allOver = true;   // it happens towards two opposite corners of the part, too
+  bool byRoot = false;   // it does not happen where limbs alone are in the part
   uint64_t listenerHash = 0;  // of the functions that listen to the part; 0: none do
   // The player died of the touch, or after one without effects, and lives again.
   bool sleeps = false;  // something that the touch began still waits at the end
@@ -60,12 +70,16 @@ constexpr uint16_t kNoLimit = 0xffff;
 
 struct Report {
   Observation undisturbed;
+  // A player who is far from every part, if scripts look at where players are. What happens there
+  // is no part's doing.
+  std::optional<Probe> away;
   std::vector<Probe> probes;
   std::vector<SameListeners> sameListeners;
   std::vector<Revisit> revisits;
-  double probedAt = 0;         // seconds, when the probes began
-  std::vector<MadePart> made;  // in the world by then
-  PlayerState arrived;         // the player by then
+  double probedAt = 0;                       // seconds, when the probes began
+  std::vector<MadePart> made;                // in the world by then
+  std::vector<std::string> collisionGroups;  // that there are by then
+  PlayerState arrived;                       // the player by then
   AirJumps airJumps;
   bool complete = false;             // the undisturbed run got to its end
   bool over = false;                 // and nothing goes on any more

@@ -42,7 +42,12 @@ void fields(A& a, Observation& o) {
   a(o.frames), a(o.random);
 }
 template <class A>
+void fields(A& a, SecondLook& l) {
+  a(l.harms), a(l.left);
+}
+template <class A>
 void fields(A& a, Probe& p) {
+  a(p.brief), a(p.still);
   a(p.target), a(p.approach), a(p.at), a(p.left), a(p.seen), a(p.lost), a(p.byPlace), a(p.allOver),
       a(p.byRoot), a(p.listenerHash), a(p.sleeps), a(p.reborn), a(p.rebornAt);
 }
@@ -56,7 +61,8 @@ void fields(A& a, Revisit& r) {
 }
 template <class A>
 void fields(A& a, Report& r) {
-  a(r.undisturbed), a(r.probes), a(r.sameListeners), a(r.revisits), a(r.made), a(r.arrived);
+  a(r.undisturbed), a(r.away), a(r.probes), a(r.sameListeners), a(r.revisits), a(r.made),
+      a(r.collisionGroups), a(r.arrived);
   a(r.airJumps), a(r.probedAt), a(r.complete), a(r.over), a(r.sleeps), a(r.failure), a(r.culprit);
 }
 

@@ -186,18 +186,34 @@ class Tour {
           plan_.timeLimit / 8, [&, i] { return toBytes(probeAgain(probed[i], patiently)); },
           [&, i](const std::string& bytes) { probes[i].lost = !fromBytes(bytes, probes[i]); });
     children.finish();
+    for (size_t i = 0; i < probed.size(); ++i)
+      if (const auto stay = secondLookAt(probes[i]))
+        children.start(
+            plan_.timeLimit / 8,
+            [&, i, stay] { return toBytes(lookAgain(stage_, plan_, prepared(probed[i]), *stay)); },
+            [&, i, stay](const std::string& bytes) {
+              SecondLook& look = secondLookOf(probes[i], *stay);
+              if (!fromBytes(bytes, look)) look = {};
+            });
+    children.finish();
     return probes;
   }
 
   // Of a part that kills: what it does to the next body.
-  Probe probeAgain(size_t i, bool patiently) {
+  Probe prepared(size_t i) {
     Probe probe = first_[i];
     if (kills(probe)) {
       touch(i, false);
       stage_.run(framesOf(1));
     }
     probe.seen = {};
+    probe.brief = probe.still = {};
     probe.at = stage_.frames() / 60.0;
+    return probe;
+  }
+
+  Probe probeAgain(size_t i, bool patiently) {
+    Probe probe = prepared(i);
     probe =
         runProbe(stage_, plan_, std::move(probe), {.patient = patiently && patient_.contains(i)});
     probe.lost = stage_.isExhausted();

@@ -135,11 +135,15 @@ void Stage::standAt(InstanceId part, bool inside, float share, int face) {
   call("probe", "standAt", 4);
 }
 
+void Stage::standAway() { call("probe", "standAway", 0); }
+
 void Stage::touchAgain() { call("touch", "again", 0); }
 
 void Stage::leave() { call("probe", "leave", 0); }
 
 void Stage::revive() { call("probe", "revive", 0); }
+
+void Stage::unshield() { call("probe", "unshield", 0); }
 
 void Stage::die() { call("probe", "die", 0); }
 
@@ -227,6 +231,19 @@ void Stage::readMade(lua_State* L, std::vector<MadePart>& all) {
   }
 }
 
+std::vector<std::string> Stage::groups() {
+  std::vector<std::string> all;
+  read("groups", [&](lua_State* L) {
+    call("probe", "groups", 0, 1);
+    for (int i = 1; lua_istable(L, -1) && i <= int(lua_objlen(L, -1)); ++i) {
+      lua_rawgeti(L, -1, i);
+      if (const char* const name = lua_tostring(L, -1)) all.emplace_back(name);
+      lua_pop(L, 1);
+    }
+  });
+  return all;
+}
+
 void Stage::use(InstanceId target) {
   lua_pushnumber(host_->vm.state(), target);
   call("probe", "use", 1);
@@ -236,7 +253,7 @@ const Observation& Stage::observation() {
   lua_State* const L = host_->vm.state();
   PlayerState& player = host_->recorder.seen().player;
   player = {};
-  constexpr int kValues = 10;
+  constexpr int kValues = 11;
   call("probe", "look", 0, kValues);
   const int first = lua_gettop(L) - kValues + 1;
   if (const Vec3* const feet = toVector3(L, first)) {
@@ -250,6 +267,7 @@ const Observation& Stage::observation() {
     player.usesJumpPower = lua_toboolean(L, first + 7) != 0;
     player.gravity = lua_tonumber(L, first + 8);
     player.lift = lua_tonumber(L, first + 9);
+    player.stuck = lua_toboolean(L, first + 10) != 0;
     player.alive = player.health > 0;
   }
   lua_pop(L, kValues);

@@ -30,6 +30,7 @@ class Stage {
   // middle just outside of the part instead, before its face toward X, Y, Z: then limbs alone are
   // in the part.
   void standAt(InstanceId part, bool inside, float share, int face = 0);
+  void standAway();
   // All that touches the player's body ends and begins again in the next frame, as where it walks.
   void touchAgain();
   const std::vector<Harm>& harms() { return host_->recorder.seen().harms; }
@@ -44,16 +45,22 @@ class Stage {
   void pressJump();
   bool hearsJumps();
   bool playerLives();
+  // Returns true if scripts look at where the player is.
+  bool looksAtPlayer() { return numberOf("looksAtPlayer") > 0; }
   // Returns true if scripts listen for new bodies of the player. Only then can they place them.
   bool hearsNewBodies() { return numberOf("hearsNewBodies") > 0; }
   void die();
   double respawnTime() { return numberOf("respawnTime"); }  // seconds, of the Players service
   // A player that has died where it spawns lives again, away from everything.
   void revive();
+  // Ends the player's force fields.
+  void unshield();
   // What a player can touch or use with effect, as far as listeners tell.
   std::vector<Probe> probes();
   // Parts and what joins or moves them, in the world, that scripts have made.
   std::vector<MadePart> made();
+  // Names of the collision groups that there are by now.
+  std::vector<std::string> groups();
   // Grows with everything that happens.
   size_t activity() const { return host_->recorder.activity(); }
   // Something waits that did not when restart() was called.

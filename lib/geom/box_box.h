@@ -100,7 +100,7 @@ OBBY_DEVICE ContactT<F> boxBlock(Vec3T<F> half, const LocalBoxT<F>& box) {
   return {scaled.contact.depth * inverse, scaled.contact.normal * inverse};
 }
 
-// For two upright boxes five axes suffice. `block` and the normal are in world space.
+// Tests two upright boxes, for which five axes suffice. `block` and the normal are in world space.
 template <class F>
 OBBY_DEVICE ContactT<F> boxUprightBlock(const BlockT<F>& block, const UprightBoxT<F>& box) {
   using internal::keepLeast;

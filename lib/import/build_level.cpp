@@ -31,9 +31,9 @@ std::string worldPath(const Tree& tree) {
   return roots.size() == 1 ? tree.path(roots[0]) : "";
 }
 
-void readParts(const Tree& tree, const Assemblies& assemblies, LevelDraft& level) {
+void readParts(const Tree& tree, const Assemblies& assemblies, const CollisionGroups& groups,
+               LevelDraft& level) {
   LevelHulls hulls;
-  const CollisionGroups groups(tree, level);
   for (InstanceId id : sceneParts(tree, level)) {
     ++level.partsRead;
     auto part = partFrom(tree, id, hulls, level);
@@ -70,7 +70,6 @@ bool scriptsTell(const Tree& tree, const ObservedPlace& place) {
 }
 
 void findRolesOf(RoleContext& context, const ObservedPlace& place) {
-  context.scriptsTell = scriptsTell(context.tree, place);
   noteSettled(context, place);
   applyPlayerState(context, place);
   movingFromRecordings(context);  // the designer's own samples count before ours
@@ -99,9 +98,11 @@ LevelDraft buildLevel(const Tree& tree, const ObservedPlace& place, const std::s
   level.path = worldPath(tree);
   readWorld(tree, level);
   const Assemblies assemblies(tree);
-  readParts(tree, assemblies, level);
+  const bool tells = scriptsTell(tree, place);
+  readParts(tree, assemblies, CollisionGroups(tree, place, tells, level), level);
   cullStrays(level, tree);
   RoleContext context(tree, assemblies, level);
+  context.scriptsTell = tells;
   findRolesOf(context, place);
   settleMotions(context);
   looseParts(tree, assemblies, level);

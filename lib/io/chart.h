@@ -26,7 +26,7 @@ struct ChartBar {
 struct ChartCurve {
   std::string name;
   ChartPoints points;
-  ChartPoints above, below;         // of a band around the curve; may be empty
+  ChartPoints above, below;         // edges of a band around the curve; may be empty
   std::vector<ChartBar> bars = {};  // instead of points, or in addition to them
 };
 

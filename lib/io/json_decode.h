@@ -19,7 +19,7 @@ namespace obby::io {
 // `error` then holds.
 class JsonDecoder {
  public:
-  // For `misspelt` see recordFromJsonIfKnown().
+  // recordFromJsonIfKnown() explains `misspelt`.
   JsonDecoder(const JsonTree& tree, std::vector<Error>* misspelt)
       : tree_(tree), misspelt_(misspelt) {}
 

@@ -41,8 +41,8 @@ bool onNetwork(int fd) {
 }
 
 enum class Lock {
-  held,   // until the last descriptor of this opening is closed
-  taken,  // by another opening
+  held,   // locked until the last descriptor of this opening is closed
+  taken,  // another opening has the lock
   none,   // files cannot be locked here
 };
 
@@ -150,9 +150,7 @@ void removeLeftovers(const std::string& path) {
 
 OutputLocks::~OutputLocks() {
   for (const Held& held : held_) {
-    if (isNameOf(held.path, held.fd))
-      ::unlink(held.path.c_str());  // before another process can
-                                    // lock it
+    if (isNameOf(held.path, held.fd)) ::unlink(held.path.c_str());  // while it is still locked
     ::close(held.fd);
   }
 }
@@ -160,8 +158,7 @@ OutputLocks::~OutputLocks() {
 bool OutputLocks::take(const std::string& path) {
   constexpr int kFlags = O_RDONLY | O_CREAT | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK | O_NOCTTY;
   constexpr mode_t kMode = 0666;   // other users must see that it is held
-  constexpr int kMostTries = 100;  // limits the wait for a file that others lock and release again
-                                   // and again
+  constexpr int kMostTries = 100;  // in case others keep locking and releasing it
   const fs::path file = linkTarget(path);
   const std::string name = (file.parent_path() / beginOf(file)).string().append(kLocked);
   for (int tries = 0; tries < kMostTries; tries++) {

@@ -47,7 +47,7 @@ class OutputLocks {
  private:
   struct Held {
     int fd;
-    std::string path;  // of the locked file
+    std::string path;  // path of the locked file
   };
   std::vector<Held> held_;
 };

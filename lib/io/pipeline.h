@@ -80,14 +80,14 @@ class RecordSource {
   SourceSummary summary() const;
   // Returns true if it was told to stop.
   bool stopped() const;
-  // For callers that require the whole input, after the last record. Returns an error if an end
-  // record says `interrupted` or `failed`, with its input and place. Unless under OnError::stop, it
-  // only warns.
+  // Callers that require the whole input call this after the last record. Returns an error if an
+  // end record says `interrupted` or `failed`, with its input and place. Only warns unless
+  // OnError::stop is set.
   Status checkWhole() const;
   // Warns if an end record says `failed`.
   void warnIfFailed() const;
-  // For an error after the last record about something that the input lacks. If an end record says
-  // `interrupted` or `failed`, that is the cause, and is the error to report instead.
+  // Takes an error after the last record about something that the input lacks. Returns the error to
+  // report: if an end record says `interrupted` or `failed`, that is the cause.
   Error lacking(Error error) const;
   OnError onError() const;
   // Returns the latest minor version of the headers so far, which records to pass on may have.

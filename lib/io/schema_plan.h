@@ -52,14 +52,14 @@ struct FieldPlan {
 struct StructPlan {
   capnp::StructSchema schema;
   bool tuple = false;  // in JSON an array of its numbers
-  std::string hint;    // how its value is written, for errors; may be empty
+  std::string hint;    // the form of its value, shown in errors; may be empty
   uint32_t dataWords = 0, pointers = 0;
   std::vector<FieldPlan> fields;
   std::unordered_map<std::string_view, size_t> byName;
 
   uint32_t words() const { return dataWords + pointers; }
   const FieldPlan* find(std::string_view name) const;
-  std::vector<std::string> names() const;  // of the fields
+  std::vector<std::string> names() const;  // names of the fields
 };
 
 // Returns the plan of schema::Record, whose fields are the kinds.

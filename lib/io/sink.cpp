@@ -50,8 +50,8 @@ struct Sink::Impl {
   int fd = -1;
   std::string* memory = nullptr;
   const std::atomic<bool>* stop = nullptr;
-  std::string finalPath, temporaryPath;  // of a regular file until it is closed
-  int lock = -1;                         // on its temporary name
+  std::string finalPath, temporaryPath;  // paths of a regular file until it is closed
+  int lock = -1;                         // lock on its temporary name
   bool durable = false;                  // wait until that file is on the disk
   bool block = false;                    // collect pieces into blocks
   std::string buffer;

@@ -60,7 +60,7 @@ class StreamReader {
 };
 
 // Returns a record made here with its bytes in `format`, so that StreamWriter::pass has nothing
-// left to do. Several threads can then encode records that one thread writes. Errors are as of
+// left to do. Several threads can then encode records that one thread writes. Errors are those of
 // write().
 Result<Record> encoded(RecordBuilder builder, Format format);
 
@@ -68,7 +68,7 @@ Result<Record> encoded(RecordBuilder builder, Format format);
 // temporary name and renamed by close(); destroying an unclosed writer removes it.
 class StreamWriter {
  public:
-  // For `stop` see Sink::open.
+  // Sink::open explains `stop`.
   static Result<StreamWriter> open(const std::string& path, Format format,
                                    const std::atomic<bool>* stop = nullptr);
   // Writes to memory, for tests and for embedding. Take the bytes after close().

@@ -54,13 +54,16 @@ class PartCompiler {
   const uint32_t mostRows_;
   ClockTables clocks_;
   std::vector<Clock> own_;  // (roles)
-  SweptBounds swept_;       // of the last mover
+  SweptBounds swept_;       // bounds of the last mover
   size_t keyRows_ = 0;      // in all tables of keys
   bool overBudget_ = false;
 };
 
-// Returns true if the part cannot affect a player.
-bool isScenery(const PartContext& c) { return (c.flags & (kSolid | kTouchRoles)) == 0; }
+// Returns true if the part cannot affect a player. A part in doubt may do so in the game: answers
+// tell who touches it.
+bool isScenery(const PartContext& c) {
+  return (c.flags & (kSolid | kTouchRoles)) == 0 && c.part.getDoubts().size() == 0;
+}
 
 // Returns the clock that moves a part, or kNone for the level's clock.
 Result<uint32_t> PartCompiler::trigger(PartContext& c, const MotionPlan& plan) {

@@ -16,7 +16,7 @@ constexpr float kTolerance = 1e-4f;  // share of the hull's size
 // Thinner hulls are dropped, including flat ones: slivers that rounding leaves in a union are no
 // floor.
 constexpr float kThinnest = 0.01f;       // studs
-constexpr float kThinnestShare = 2e-6f;  // of the hull's size; the precision of its vertices
+constexpr float kThinnestShare = 2e-6f;  // share of the hull's size: the precision of its vertices
 
 std::vector<Vec3> distinct(const std::vector<Vec3>& points, float tolerance) {
   std::vector<Vec3> out;

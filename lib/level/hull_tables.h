@@ -31,7 +31,7 @@ class HullStore {
   const geom::Hull* hullOf(const std::vector<Vec3>& vertices);
 
  private:
-  std::unordered_map<std::string, const geom::Hull*> known_;  // by the bytes of the vertices
+  std::unordered_map<std::string, const geom::Hull*> known_;  // keys are the bytes of the vertices
   std::deque<HullTables> tables_;                             // a deque keeps addresses
   std::deque<geom::Hull> views_;
 };

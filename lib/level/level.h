@@ -41,7 +41,7 @@ class Level {
   size_t partCount() const;
   const std::string& partName(uint32_t part) const;
   const std::vector<StartPose>& spawns() const;
-  Box bounds() const;  // of all colliders
+  Box bounds() const;  // bounds of all colliders
 
  private:
   struct Impl;

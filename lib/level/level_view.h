@@ -42,7 +42,7 @@ constexpr uint32_t kTouchRoles = kKill | kPad | kStarts | kTeleport | kHeal | kS
 // One convex shape. A part has one, or one for each of its hulls. Pose and half extents share a
 // cache line, which the wide tick loads as a row.
 struct alignas(64) Collider {
-  Pose pose;  // of a part without a mover
+  Pose pose;  // pose of a part without a mover
   geom::ShapeData shape;
   uint32_t part;   // index into the level's parts
   uint32_t mover;  // index into movers, or kNone
@@ -60,7 +60,7 @@ OBBY_DEVICE void forTables(Collider& c, Table&& table) {
   table(c.shape.hull, 1);
 }
 
-// What a search for parts near a player reads of each. The upper corner is negated, so that one
+// The data that a search for nearby parts reads of each. The upper corner is negated, so that one
 // comparison of eight numbers tests for an overlap; flags and tag read as tiny floats.
 struct alignas(32) Bounds {
   Vec3 lo, minusHi;
@@ -172,9 +172,9 @@ OBBY_DEVICE Pose moverPose(const Mover& m, uint32_t tick) {
 // A dynamic body: an unanchored part that physics moves. Each world has its state, a
 // sim::LooseBody. Its colliders are in the table of colliders, but in no grid.
 struct Loose {
-  Vec3 position;  // of the part at the start
+  Vec3 position;  // position of the part at the start
   Quat rotation;
-  Vec3 center;          // of mass, studs, in the part's frame
+  Vec3 center;          // centre of mass, studs, in the part's frame
   Mat3 inverseInertia;  // about the centre, in the part's frame
   float inverseMass;
   float radius;  // studs around the centre that contain all of it

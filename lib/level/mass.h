@@ -15,7 +15,7 @@ struct SolidShape {
 
 struct MassProperties {
   float mass = 0;       // density x cubic studs
-  Vec3 center;          // of mass, studs, in the part's frame
+  Vec3 center;          // centre of mass, studs, in the part's frame
   Mat3 inverseInertia;  // about the centre, in the part's frame
 };
 

@@ -24,7 +24,7 @@ inline double mostTicks(const Params& p) {
   return std::max(double(kMaxRows), 1200.0 * p.controlRate);
 }
 
-std::string longerThanMost(const Params& params);  // for errors: "longer than 20 minutes"
+std::string longerThanMost(const Params& params);  // text of errors: "longer than 20 minutes"
 
 // A checked key of a motion record.
 struct MotionKey {
@@ -40,7 +40,7 @@ struct SpinPlan {
   Vec3 axis{0, 1, 0};  // unit, in the part's frame
   double speed = 0;    // rad/s
   double offset = 0;   // seconds elapsed at the first row
-  uint32_t rows = 0;   // of its table; 0 if it does not turn
+  uint32_t rows = 0;   // rows of its table; 0 if it does not turn
   double turns = 1;    // in all rows
 };
 
@@ -49,12 +49,12 @@ struct MotionPlan {
   std::vector<MotionKey> keys;  // empty: the part stays at its pose
   bool once = false, pingPong = false;
   double offset = 0;         // seconds elapsed at the first row
-  double seconds = 0;        // of one round through the keys
-  double secondsPerRow = 0;  // of the table of keys
-  uint32_t rows = 0;         // of the table of keys; 0 for one row, the last key
+  double seconds = 0;        // duration of one round through the keys
+  double secondsPerRow = 0;  // time between rows of the table of keys
+  uint32_t rows = 0;         // rows of the table of keys; 0 for one row, the last key
   uint32_t period = 0;       // ticks of one repetition; all rows if it runs once
   SpinPlan spin;
-  Vec3 pivot;  // of the spin, studs from the part's centre, in the part's frame
+  Vec3 pivot;  // pivot of the spin, studs from the part's centre, in its frame
 };
 
 // Checks a motion and plans its tables. They have at most `mostRows` rows, or as many as one

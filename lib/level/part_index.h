@@ -26,7 +26,7 @@ class PartIndex {
   std::vector<uint32_t> withGuid(std::string_view guid);
   std::vector<uint32_t> withPath(std::string_view path);  // the whole path
   std::vector<uint32_t> withName(std::string_view name);
-  std::vector<uint32_t> withPathEnd(std::string_view end);  // what follows a slash in the path
+  std::vector<uint32_t> withPathEnd(std::string_view end);  // the path after any of its slashes
   std::vector<uint32_t> withTag(std::string_view tag);
 
  private:

@@ -7,7 +7,7 @@
 
 namespace obby::level {
 
-// The smallest extent that the engine's physics uses (docs/physics.md, parts).
+// The smallest extent that the engine's physics uses (docs/parts.md, shapes).
 constexpr float kMinSize = 0.05f;
 constexpr float kMaxSize = 2048;
 constexpr float kMaxFriction = 100, kMaxFrictionWeight = 100;

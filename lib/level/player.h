@@ -15,7 +15,7 @@ namespace obby::level {
 
 struct Player {
   std::string body;        // name of a row of bodies(); empty for the level's physics
-  uint16_t frameRate = 0;  // of a row of frameRates(); 0 for the level's controlRate
+  uint16_t frameRate = 0;  // rate of a row of frameRates(); 0 for the level's controlRate
 
   bool isLevels() const { return body.empty() && frameRate == 0; }
   auto operator<=>(const Player&) const = default;

@@ -38,8 +38,7 @@ class QueryTargets {
   const LevelView& level_;
   size_t parts_;
   ColliderRuns runs_;
-  std::vector<uint32_t> listed_;  // (parts) index of each in touched_, or kNone; empty until the
-                                  // first is listed
+  std::vector<uint32_t> listed_;  // (parts), index into touched_, or kNone; may be empty
   std::vector<uint32_t>& touched_;
 };
 

@@ -14,9 +14,8 @@ constexpr uint32_t kHeldElsewhere = kTruss | kSeat | kMoving | kTriggered | kLoo
 
 // A target of a query: a region, or a part that has to be touched.
 struct TargetView {
-  geom::Region region;                      // for a part to touch, the space around it
-  uint32_t firstTouch = 0, touchCount = 0;  // its colliders in QueryView::touched; count 0 for a
-                                            // region
+  geom::Region region;                      // the region, or the space around a part to touch
+  uint32_t firstTouch = 0, touchCount = 0;  // colliders in QueryView::touched; 0 for a region
   bool stand = false;                       // the feet have to come to rest in the region
 };
 
@@ -47,7 +46,7 @@ struct QueryView {
   int32_t maxJumps = -1;        // -1 for any number
   uint32_t timeLimitTicks = 0;  // 0 for no limit
   uint32_t startTick = 0;       // level clock at the start of the trajectory
-  SegmentLimits last{};         // of the segment that ends at the goal
+  SegmentLimits last{};         // limits of the segment that ends at the goal
   float maxDamage = -1;         // health; -1 for any amount
   uint32_t forbidden = 0;       // sim::State values, one bit each
   uint16_t tricks = 0;          // as Params::tricks: those that the player may use

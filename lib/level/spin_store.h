@@ -30,7 +30,7 @@ class SpinStore {
  private:
   std::span<const Mat3> kept(std::vector<Mat3> rows);
 
-  std::unordered_map<std::string, SpinTurns> known_;  // by the bytes of their plans
+  std::unordered_map<std::string, SpinTurns> known_;  // keys are the bytes of the plans
   std::unordered_multimap<uint64_t, std::span<const Mat3>> tablesByDigest_;
   std::deque<std::vector<Mat3>> tables_;
   size_t rows_ = 0;

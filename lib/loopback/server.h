@@ -15,8 +15,9 @@
 namespace obby::loopback {
 
 struct ServerLimits {
-  uint32_t connections = 64;   // max open at a time; further ones are closed
-  double requestSeconds = 60;  // max until a request's head has arrived, and until a reply is sent
+  uint32_t connections = 64;  // max open at a time; further ones are closed
+  double requestSeconds =
+      60;  // max time for a request's head to arrive, and for a reply to be sent
   // Max bytes and seconds of a request's body that are read and dropped after an early reply.
   // Otherwise a client that is still sending would see a reset instead of the reply.
   size_t refusedBytes = 16 << 20;

@@ -1,5 +1,5 @@
 // Short lists that are as long as each lane needs. For one world a list is an array and a count.
-// For many worlds (simd/wide_list.h) it is an array with a count for each lane.
+// Many worlds (simd/wide_list.h) use an array with a count for each lane.
 #pragma once
 
 #include "math/vec.h"

@@ -85,7 +85,7 @@ struct Sight {
   Solid solid;
   Kind kind;
   Moments moments;          // moments in which it is there
-  uint32_t collider = ~0u;  // of the level; ~0 for a region
+  uint32_t collider = ~0u;  // index of a collider; ~0 for a region
 };
 
 // Dangers are widened to where they harm a player's centre.

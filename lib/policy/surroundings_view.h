@@ -14,8 +14,7 @@ struct SurroundingsView {
   float inverseCell = 1;
   int32_t nx = 0, nz = 0;
   const uint32_t* starts = nullptr;   // (nx * nz + 1), into entries
-  const uint32_t* entries = nullptr;  // colliders; those of a square sorted by the bottom of their
-                                      // bounds
+  const uint32_t* entries = nullptr;  // colliders; those of a square by their lowest point
   uint32_t entryCount = 0;
 };
 

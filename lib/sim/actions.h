@@ -13,9 +13,9 @@ enum class ActionKind : uint8_t { walker, table, plans };
 
 struct ActionView {
   ActionKind kind = ActionKind::walker;
-  uint64_t seed = 0;                 // of the walker
+  uint64_t seed = 0;                 // seed of the walker
   const Action* table = nullptr;     // (ticks, worlds)
-  const ActionRun* runs = nullptr;   // of the plans, world by world
+  const ActionRun* runs = nullptr;   // runs of the plans, world by world
   const uint32_t* firsts = nullptr;  // (worlds + 1), into runs
 };
 

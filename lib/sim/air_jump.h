@@ -26,7 +26,7 @@ OBBY_DEVICE void keepAirJumps(World& w, const level::LevelView& level, uint32_t 
   if (i >= 0) w.clocks[i].ticks = ticks;
 }
 
-// Comes after updateState(). `p` includes the player's boosts.
+// Runs after updateState(). `p` includes the player's boosts.
 OBBY_DEVICE void jumpInAir(World& w, Player& player, const level::LevelView& level, const Params& p,
                            const ControlT<float>& control) {
   if (level.airClock == level::kNone) return;

@@ -22,7 +22,7 @@ class Backend {
 
   bool onDevice() const { return device_ != nullptr; }
   Device* device() const { return device_.get(); }   // null for the CPU's lanes
-  const std::string& note() const { return note_; }  // for display; never empty
+  const std::string& note() const { return note_; }  // a text to display; never empty
 
   // The batch must not outlive the backend or the pool.
   Result<std::unique_ptr<Batch>> makeBatch(Course course, uint32_t worlds, ThreadPool& pool) const;

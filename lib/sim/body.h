@@ -11,7 +11,7 @@ namespace obby::sim {
 // The moving state during a tick, and its targets.
 template <class F>
 struct MotionT {
-  Vec3T<F> position, velocity;  // of the feet
+  Vec3T<F> position, velocity;  // position and velocity of the feet
   SinCosT<F> yaw;
   F bottom;  // bottom of the colliding body above the feet; the torso does not collide while
              // jumping

@@ -26,7 +26,7 @@ struct Candidates {
     Pose moving[kMaxMovingCandidates];
   };
   union {
-    Pose loose[level::kMaxLoose];  // by body, valid for bodies near the player
+    Pose loose[level::kMaxLoose];  // poses of the bodies, valid for those near the player
   };
   int count = 0;
   int movingCount = 0;

@@ -14,7 +14,7 @@ constexpr int kClimbRows = 5;
 struct Truss {
   bool sensed = false;
   Vec3 toward;    // unit, horizontal, from the player into the face
-  Vec3 velocity;  // of the truss, studs/s
+  Vec3 velocity;  // velocity of the truss, studs/s
 };
 
 struct TrussHit {
@@ -142,7 +142,7 @@ OBBY_DEVICE void passTruss(Player& w, const Params& p, const Floor& floor, Truss
   if (floor.sensed) w.velocity.y = minf(w.velocity.y, floor.velocity.y);
 }
 
-// Enters and leaves the Climbing state. Comes after updateState(). `p` includes the player's
+// Enters and leaves the Climbing state. Runs after updateState(). `p` includes the player's
 // boosts. Returns the truss that is climbed.
 OBBY_DEVICE Truss updateClimbing(const World& w, const LooseBody* loose, Player& player,
                                  const level::LevelView& level, const Params& p,

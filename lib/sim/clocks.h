@@ -68,7 +68,8 @@ OBBY_DEVICE Pose poseOf(const level::Mover& m, const World& w, uint32_t later) {
   return moverPose(m, i < 0 ? 0 : w.clocks[i].ticks + later);
 }
 
-// Returns the physics of a player under the running boosts. The one started last counts.
+// Returns the physics of a player under the running boosts. If several change the same
+// value, the one started last counts.
 OBBY_DEVICE Params boosted(const World& w, const level::LevelView& level) {
   Params p = level.params;
   for (int i = 0; i < w.clockCount; ++i) {

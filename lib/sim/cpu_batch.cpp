@@ -36,7 +36,7 @@ class CpuBatch : public Batch {
   Result<std::vector<Episode>> episodes() const override { return episodes_; }
 
  private:
-  struct Turn {  // of a world in this step
+  struct Turn {  // the progress of a world in this step
     ActionCursor cursor;
     uint32_t left;  // ticks
   };

@@ -16,7 +16,7 @@ struct FloorT {
   MaskOf<F> sensed = false;
   F gap = 0;  // studs from the feet down to the floor; negative if the floor is higher
   Vec3T<F> normal{0, 1, 0};          // average, not normalised
-  Vec3T<F> velocity;                 // of the surface under the player, studs/s
+  Vec3T<F> velocity;                 // velocity of the surface under the player, studs/s
   F turning = 0;                     // rad/s of a carrying floor about Y
   F grip = 0;                        // friction with the nearest floor
   IntOf<F> nearest = -1;             // candidate of the shortest ray; -1 for none

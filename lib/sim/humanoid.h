@@ -15,7 +15,7 @@ struct DriveT {
   MaskOf<F> hover = false;  // the legs hold the body above the floor
   MaskOf<F> hangs = false;  // above the floor the body slows down to a stop (a trick)
   F freeSteps = 0;          // first steps of the tick that are without gravity
-  float gravity = 0;        // of the player, studs/s^2
+  float gravity = 0;        // gravity of the player, studs/s^2
 };
 
 using Drive = DriveT<float>;

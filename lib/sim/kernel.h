@@ -11,14 +11,14 @@ namespace obby::sim {
 enum class StepKind {
   oneLevel,    // without dynamic bodies
   manyLevels,  // without dynamic bodies
-  loose        // any course
+  loose        // levels with or without dynamic bodies
 };
 
 struct Kernel {
   const char* name;
   // Runs one index on the CPU.
   void (*body)(const void* arguments, uint32_t index);
-  // For cudaLaunchKernel: __global__ void(Arguments, uint32_t count); null without CUDA.
+  // A __global__ void(Arguments, uint32_t count) for cudaLaunchKernel; null without CUDA.
   const void* entry;
   size_t argumentBytes;
 };

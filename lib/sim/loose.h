@@ -14,8 +14,8 @@ enum class LooseState : uint8_t {
 
 // Has no padding, so that a body hashes as its bytes.
 struct LooseBody {
-  Vec3 position;        // of the centre of mass, studs
-  Quat rotation;        // of the part
+  Vec3 position;        // position of the centre of mass, studs
+  Quat rotation;        // rotation of the part
   Vec3 velocity;        // studs/s
   Vec3 spin;            // rad/s, world
   uint16_t stillTicks;  // ticks that it has been slow

@@ -12,7 +12,7 @@ template <class F>
 struct RigidT {
   Vec3T<F> position, velocity, spin;
   QuatT<F> rotation;
-  Mat3T<F> axes;            // of the part
+  Mat3T<F> axes;            // axes of the part
   Mat3T<F> inverseInertia;  // world
   F inverseMass;
 };
@@ -36,7 +36,7 @@ struct PushT {
   Vec3T<F> turn[kBodies];    // speed along the line per unit of spin
   Vec3T<F> answer[kBodies];  // spin per unit of impulse
   F mass;                    // effective mass
-  F impulse;                 // of the last substep
+  F impulse;                 // impulse of the last substep
 };
 
 template <class F, int kBodies>
@@ -66,7 +66,7 @@ struct LooseContactT {
 // Velocities of a contact's bodies while it is solved. These are copies, which stay in registers.
 template <class F>
 struct PairT {
-  Vec3T<F> velocity[2], spin[2];  // for a part, its surface's velocity and zero
+  Vec3T<F> velocity[2], spin[2];  // a part has its surface's velocity, and no spin
   F inverseMass[2];
 };
 
@@ -130,7 +130,7 @@ OBBY_DEVICE void prepare(LooseContactT<F, kBodies>& c, const RigidT<F>* const (&
     Vec3T<F> turns[kBodies];
     for (int i = 0; i < kBodies; ++i) turns[i] = turnOf(*bodies[i]);
     if constexpr (kBodies == 2) {
-      if (!(pair.inverseMass[1] > 0)) turns[1] = {};  // a part; the bits of one body alone
+      if (!(pair.inverseMass[1] > 0)) turns[1] = {};  // a part does not turn
     }
     return pushAlong<F, kBodies>(bodies, turns, mass);
   };

@@ -9,7 +9,7 @@
 
 namespace obby::sim {
 
-constexpr int kMaxLooseContacts = 64;  // of a world; more set kContactOverrun
+constexpr int kMaxLooseContacts = 64;  // max contacts of a world; more set kContactOverrun
 
 struct Rigid : RigidT<float> {
   uint32_t linked;  // bodies that it touches, itself included, one bit each

@@ -33,7 +33,7 @@ OBBY_DEVICE bool sitDown(World& w, const level::LevelView& level, uint32_t clock
   return true;
 }
 
-// Advances a seated player by a tick; the seat may move. Comes after the motion of dynamic bodies.
+// Advances a seated player by a tick; the seat may move. Runs after the motion of dynamic bodies.
 // `loose` is null if the level has none. `p` includes the player's boosts.
 OBBY_DEVICE void sit(World& w, const LooseBody* loose, const level::LevelView& level,
                      const Params& p, bool jump) {

@@ -27,7 +27,7 @@ World makeWorld(const level::LevelView& level, const level::StartPose& start) {
   w.part = level::kNone;
   w.yaw = turnsFromRadians(start.yaw);
   w.floorlessSteps = 0xffff;
-  w.state = State::freefall;  // stands after a tick if there is a floor; no jump out of thin air
+  w.state = State::freefall;  // a floor is sensed in the first tick, so no jump in the air
   if (level.looseCount != 0) w.flags |= kLooseAwake;
   return w;
 }

@@ -30,7 +30,7 @@ OBBY_DEVICE Squeeze findSqueeze(const World& w, const level::LevelView& level,
   return s;
 }
 
-// Comes after the tick's motion. The level's crush clock counts the ticks.
+// Runs after the tick's motion. The level's crush clock counts the ticks.
 OBBY_DEVICE void squeeze(World& w, const level::LevelView& level, const Candidates& near) {
   if (level.crushClock == level::kNone) return;
   Squeeze s;

@@ -67,7 +67,7 @@ OBBY_DEVICE void move(World& w, LooseBody* loose, const level::LevelView& level,
   putPlayer(w, player);
 }
 
-// `p` includes the player's boosts. For `apart` see tick().
+// `p` includes the player's boosts. tick() explains `apart`.
 template <bool kLoose>
 OBBY_DEVICE void tickWith(World& w, LooseBody* loose, const level::LevelView& level,
                           const Params& p, ControlT<float> control, uint32_t apart) {

@@ -1,6 +1,6 @@
 // Falling down: a player who has tripped keeps the momentum, does not hover, has no keys, and
 // slides until the trip's clock is over. The engine has the same state: limbs collide, and only
-// friction slows the body. Here the body stays upright (docs/physics.md, trip).
+// friction slows the body. Here the body stays upright (docs/parts.md, roles).
 #pragma once
 
 #include "sim/body.h"

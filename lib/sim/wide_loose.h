@@ -41,12 +41,12 @@ class WideLoose {
   struct alignas(64) BlockRow {
     Pose pose;
     Vec3 half;
-    float margin;  // of a body: max distance of a part that it meets
+    float margin;  // max distance at which a body meets a part
   };
   static_assert(sizeof(BodyRow) == 4 * kRowWords && sizeof(MassRow) == 4 * kRowWords &&
                 sizeof(BlockRow) == 4 * kRowWords);
 
-  struct Place {  // of a body
+  struct Place {  // one body of a world
     LooseBody* target;
     uint32_t collider;
     uint32_t number;  // in its world
@@ -55,7 +55,7 @@ class WideLoose {
   struct Pair {  // a body and a part
     int body;
     uint32_t collider, flags;
-    const void* row;     // of the part, as BlockRow
+    const void* row;     // BlockRow of the part
     const Pose* before;  // pose of a moving part a tick ago
   };
   struct MovedPart {
@@ -124,7 +124,7 @@ class WideLoose {
   union {
     MovedPart moved_[kMoved];
   };
-  // By pair; then the pairs that touch.
+  // Distance and normal of each pair, then the pairs that touch.
   alignas(64) float distance_[kPairs + kLanes], normal_[3][kPairs + kLanes];
   alignas(64) int32_t touching_[kPairs + kLanes];
   union {

@@ -93,8 +93,8 @@ WideNear::Turn WideNear::list(int i, const uint32_t* list) {
   return plain ? listPlain(i, list) : listAll(i, list);
 }
 
-// For lists of blocks that no limb can meet. The loop does not branch for each part: a mispredicted
-// branch costs more than the rest.
+// Handles lists of blocks that no limb can meet. The loop does not branch for each part: a
+// mispredicted branch costs more than the rest.
 WideNear::Turn WideNear::listPlain(int i, const uint32_t* list) {
   const Reach body = Reach(looks_[i].reach) - limbs_;
   const uint32_t count = list[0];

@@ -36,10 +36,10 @@ class WideNear {
   void look(World* const* worlds, const LooseBody* const* loose, int count);
 
   // The following are about the i-th world of the last look().
-  Box reach(int i) const { return looks_[i].box(); }  // where its player can be
+  Box reach(int i) const { return looks_[i].box(); }  // the space that its player can reach
   Turn turn(int i) const { return turn_[i]; }
-  // For worlds that go to the lanes. A part counts if the body or the floor rays can meet it, or if
-  // the limbs can and a touch has an effect.
+  // These apply to worlds that go to the lanes. A part counts if the body or the floor rays can
+  // meet it, or if the limbs can and a touch has an effect.
   int count(int i) const { return count_[i]; }
   uint32_t anyFlags(int i) const { return anyFlags_[i]; }  // ColliderFlag bits of all in reach
   // (count), level::Bounds::tag. With kMovingTag, the index is that of a moved part.
@@ -62,7 +62,7 @@ class WideNear {
   struct alignas(64) Look {
     float reach[8];  // corners in the layout of level::Bounds, and two numbers that are never
                      // exceeded
-    int32_t cell;    // of the grid; -1 for none
+    int32_t cell;    // cell of the grid; -1 for none
     int32_t outcome;
     int32_t single;  // not 0 if it climbs or sits, a clock runs, or it was just teleported
     uint32_t tick;

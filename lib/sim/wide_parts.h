@@ -22,11 +22,11 @@ class WideParts {
   // one with the most parts last. It must stay valid until the next call.
   void look(const int32_t* index);
 
-  // For the worlds last looked at. `worlds` are all worlds of the block.
+  // These apply to the worlds last looked at. `worlds` are all worlds of the block.
   FloorT<WideFloat> floorUnder(const WidePlayer& player, World* const* worlds) const;
   void findSolids(const WideMotion& motion, LaneSolids* solids) const;  // (kLanes)
 
-  // For any worlds of near's last look. `solids` has kLanes entries.
+  // Accepts any worlds of near's last look. `solids` has kLanes entries.
   Obstacles obstacles(const LaneSolids* const* solids) const;
 
  private:

@@ -56,7 +56,7 @@ class Ticker {
   const level::LevelView& level_;
   WideCounts& counts_;
 
-  // By index, for all worlds.
+  // These cover all worlds, by index.
   WideNear near_;
   WideParts parts_;
   World* const* worlds_ = nullptr;
@@ -65,7 +65,7 @@ class Ticker {
   WideLoose bodies_;
   World unused_{};  // lanes without a world write to it
 
-  // By slot, for the worlds in lanes, in the order of work. The slots after the last repeat it.
+  // These cover the worlds in lanes, by slot, in the order of work. Slots after the last repeat it.
   int count_ = 0;
   int32_t order_[kWideSlots + kLanes];        // index
   alignas(64) int32_t footedOn_[kWideSlots];  // place in the tags of the world; -1 for none
@@ -74,7 +74,7 @@ class Ticker {
   int32_t lists_[kKinds][kWideSlots + kLanes];  // slots
   // Unions keep the arrays from being zeroed for every call.
   union {
-    MotionRow motions_[kWideSlots];  // of players that are not free
+    MotionRow motions_[kWideSlots];  // rows of players that are not free
   };
 };
 

@@ -16,9 +16,9 @@ namespace obby::sim {
 
 // Counts of the kinds of ticks, which show the cost of a level; sums over calls.
 struct WideCounts {
-  uint64_t ticks = 0;         // of all worlds
-  uint64_t single = 0;        // of these, by tick()
-  uint64_t contact = 0;       // of these, with a solid part in the body's reach
+  uint64_t ticks = 0;         // ticks of all worlds
+  uint64_t single = 0;        // those that tick() moved
+  uint64_t contact = 0;       // those with a solid part in the body's reach
   uint64_t looseInLanes = 0;  // dynamic bodies that lanes moved
 };
 

@@ -25,8 +25,8 @@ class LiveData {
 
   // Increases with every change; 0: empty.
   uint64_t revision() const { return revision_; }
-  // Returns all changes after `revision` as JSON (docs/viewer.md). An unknown revision belongs to
-  // another server process; such a page receives everything.
+  // Returns all changes after `revision` as JSON (docs/page-data.md). An unknown revision belongs
+  // to another server process; such a page receives everything.
   std::string since(uint64_t revision) const;
 
  private:

@@ -1,4 +1,4 @@
-// The report as one self-contained HTML file. docs/viewer.md describes its data.
+// The report as one self-contained HTML file. docs/page-data.md describes its data.
 #pragma once
 
 #include <string>

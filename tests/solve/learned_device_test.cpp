@@ -1,5 +1,5 @@
-// Methods that learn while they search give the bytes of the CPU on a device, also when it fails
-// under way: networks forward and back, what players see, whole searches.
+// Methods that learn while they search give the same bytes on the CPU and on a device, even if it
+// fails midway. Tests networks forward and backward, observations, and whole searches.
 #include <gtest/gtest.h>
 
 #include "resident_scenes.h"
@@ -18,17 +18,17 @@ std::vector<float> drawn(size_t count, Random& random) {
   return v;
 }
 
-// A network, what goes through it, and the slopes that are to go back.
+// A network with inputs, and gradients to propagate back.
 struct Rows {
   explicit Rows(size_t count) : rows(count), random(5, count), net({16, 64, 32, 48}) {
     net.numbers() = drawn(net.numbers().size(), random);
     inputs = drawn(rows * 16, random);
     slope = drawn(rows * 48, random);
-    // What is added to.
+    // The backward pass adds to these.
     gradient = drawn(net.numbers().size(), random);
     inputSlope = drawn(inputs.size(), random);
   }
-  // The outputs, the gradient and the slope by the inputs, one after the other.
+  // Returns the outputs, the network's gradient and the inputs' gradient, concatenated.
   std::vector<float> through(NetPass& pass) const {
     const float* const out = pass.forward(net, inputs.data(), rows);
     std::vector<float> result(out, out + rows * 48);
@@ -50,7 +50,7 @@ DeviceWork workOn(sim::Device& device, const Problem& problem) {
   return {device, problem, nothing, 4};
 }
 
-TEST(NetPass, HasTheBitsOfTheCpuOnADevice) {
+TEST(NetPass, OnADeviceEqualsTheCpuBitForBit) {
   const level::Level level = steppingStones().compile();
   const Problem problem = support::endlessProblem(level);
   ThreadPool pool(2);
@@ -58,19 +58,19 @@ TEST(NetPass, HasTheBitsOfTheCpuOnADevice) {
   DeviceWork work = workOn(device, problem);
   NetPass here, there(&work);
   Rows none(0), one(1), many(64), some(7);
-  for (Rows* r : {&none, &one, &many, &some}) {  // memory that is there is used again
+  for (Rows* r : {&none, &one, &many, &some}) {  // later ones reuse the memory
     EXPECT_TRUE(r->through(there) == r->through(here)) << r->rows;
-    r->net.numbers()[3] += 1;  // the device is told
+    r->net.numbers()[3] += 1;  // the device must get the change
     EXPECT_TRUE(r->through(there) == r->through(here)) << r->rows;
   }
   EXPECT_TRUE(work.works());
 }
 
-TEST(NetPass, GoesOnAloneWhereverTheDeviceFails) {
+TEST(NetPass, ContinuesOnTheCpuIfTheDeviceFails) {
   const level::Level level = steppingStones().compile();
   const Problem problem = support::endlessProblem(level);
   ThreadPool pool(2);
-  for (int launches = 0; launches <= 9; ++launches) {  // three forward, six back
+  for (int launches = 0; launches <= 9; ++launches) {  // three forward, six backward
     support::FailingDevice device(pool, launches);
     DeviceWork work = workOn(device, problem);
     NetPass here, there(&work);
@@ -110,22 +110,22 @@ void expectTheSameOnADevice(const Problem& problem, int rounds, const char* name
   }
   EXPECT_TRUE(there.deviceStatus());
   EXPECT_GT(here.cellCount(), 5u);
-  EXPECT_GT(here.returns().tried, 0u);  // by what was learned
+  EXPECT_GT(here.returns().tried, 0u);  // the learned policy played
   expectSameSearch(here, there);
 }
 
-// A bit more here or there, and players part.
+// The smallest difference would make trajectories diverge.
 TEST(LearnedDevice, SearchesAreTheSameCellByCell) {
   for (const auto& [name, scene] : residentScenes()) {
     const Problem problem = scene->question.problem();
-    const int rounds = problem.level.looseCount != 0 ? 3 : 6;  // they take long
+    const int rounds = problem.level.looseCount != 0 ? 3 : 6;  // dynamic bodies are slow
     expectTheSameOnADevice<Pbge, PbgeSettings>(problem, rounds, name);
     expectTheSameOnADevice<Cflge, CflgeSettings>(problem, rounds, name);
   }
 }
 
-// In what players see, in a layer, in two of a decision's ticks, while it learns, and in later
-// rounds. To play is 228 launches a round of PBGE and 160 of CFLGE, which takes hundreds more to
+// The failures hit the observation, a layer, two of a decision's ticks, the learning, and later
+// rounds. Playing takes 228 launches a round in PBGE and 160 in CFLGE. CFLGE takes hundreds more to
 // learn from the first round on.
 template <class S, class Settings>
 void expectTheSameWhereverItFails() {

@@ -1,5 +1,5 @@
-// What learning within a search runs on: products in a fixed order, gradients held against finite
-// differences in double precision, losses, the latent space.
+// The basis of learning within a search: products in a fixed order, losses, and the latent space.
+// Gradients are compared with finite differences in double precision.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -26,8 +26,8 @@ std::vector<S> learnedNetDrawn(size_t count, Random& random) {
   return v;
 }
 
-// Whatever the lanes: each number is summed as a loop would.
-TEST(Product, HasTheBitsOfALoop) {
+// For any number of lanes, each number is summed in the order of a loop.
+TEST(Product, EqualsALoopBitForBit) {
   Random random(1, 1);
   for (const size_t rows : {1u, 7u, 8u, 19u}) {
     const size_t inner = 37, columns = 48;
@@ -45,8 +45,8 @@ TEST(Product, HasTheBitsOfALoop) {
   }
 }
 
-// The sum of the outputs, each times a weight of its own: its slope by them is these.
-TEST(Net, GradientsAreThoseOfFiniteDifferences) {
+// The loss is the sum of the outputs times fixed weights, which are its gradient by the outputs.
+TEST(Net, GradientsMatchFiniteDifferences) {
   constexpr size_t kRows = 5;
   Random random(2, 2);
   Net<double> net({16, 32, 32, 16});
@@ -77,7 +77,7 @@ TEST(Net, GradientsAreThoseOfFiniteDifferences) {
   check(inputs, inputSlope);
 }
 
-// Holds the slope that loss(at, slope) fills against its differences.
+// Compares the gradient from loss(at, slope) with finite differences.
 template <class Loss>
 void checkSlope(std::vector<double> at, Loss&& loss, double within = 1e-6) {
   std::vector<double> slope(at.size()), unused(at.size());
@@ -93,12 +93,12 @@ void checkSlope(std::vector<double> at, Loss&& loss, double within = 1e-6) {
   }
 }
 
-TEST(ImitationLoss, SlopesAreThoseOfFiniteDifferences) {
+TEST(ImitationLoss, GradientsMatchFiniteDifferences) {
   Random random(3, 3);
   for (int n = 0; n < 20; ++n) {
     const auto at = learnedNetDrawn<double>(policy::kPaddedOutputs, random);
     const policy::Decision d{int(random.below(policy::kMoves)), true, 0, 0, 2};
-    // How much better it went is a constant to the likelihood's slope, not to the value's.
+    // The advantage counts as a constant in the likelihood's gradient, but not in the value's.
     const double better = double(d.target) - at[policy::kMoves];
     checkSlope(at, [&](const double* out, double* slope) {
       imitationLoss<double>(out, d, 0.1, 0.5, slope);
@@ -110,27 +110,27 @@ TEST(ImitationLoss, SlopesAreThoseOfFiniteDifferences) {
   }
 }
 
-TEST(ImitationLoss, LearnsNothingFromWhatWentWorseThanExpected) {
+TEST(ImitationLoss, IgnoresResultsBelowTheExpectation) {
   float outputs[policy::kPaddedOutputs] = {}, slope[policy::kPaddedOutputs];
   outputs[policy::kMoves] = 1;
   EXPECT_EQ(imitationLoss(outputs, {3, true, 0, 0, 0.5f}, 0.1f, 0.5f, slope), 0);
   for (const float s : slope) EXPECT_EQ(s, 0);
 }
 
-TEST(QuantileLoss, SlopesAreThoseOfFiniteDifferences) {
+TEST(QuantileLoss, GradientsMatchFiniteDifferences) {
   Random random(4, 4);
   for (int n = 0; n < 20; ++n) {
     const auto targets = learnedNetDrawn<double>(kQuantiles, random);
     auto at = learnedNetDrawn<double>(kQuantiles, random);
-    for (double& v : at) v *= 3;  // on both sides of where the loss becomes straight
+    for (double& v : at) v *= 3;  // both sides of the point where the loss becomes linear
     checkSlope(at, [&](const double* predicted, double* slope) {
       return quantileLoss(predicted, targets.data(), slope);
     });
   }
 }
 
-// Followed downhill, predictions come to the quantiles of the targets.
-TEST(QuantileLoss, EndsAtTheQuantiles) {
+// Gradient descent moves predictions to the quantiles of the targets.
+TEST(QuantileLoss, ConvergesToTheQuantiles) {
   double targets[kQuantiles], predicted[kQuantiles] = {}, slope[kQuantiles];
   for (size_t i = 0; i < kQuantiles; ++i) targets[i] = 100 * double(i);
   for (int n = 0; n < 20000; ++n) {
@@ -140,7 +140,7 @@ TEST(QuantileLoss, EndsAtTheQuantiles) {
   for (size_t i = 0; i < kQuantiles; ++i) EXPECT_NEAR(predicted[i], targets[i], 5) << i;
 }
 
-TEST(CrossEntropy, SlopesAreThoseOfFiniteDifferences) {
+TEST(CrossEntropy, GradientsMatchFiniteDifferences) {
   Random random(5, 5);
   const uint8_t moves[] = {4, 33};
   checkSlope(
@@ -156,7 +156,7 @@ TEST(SoftWindow, PassesSubgoalsInOrderOrAheadWithinIt) {
   EXPECT_TRUE(passSubgoals(next, 30, at(kWindow)));  // the last of the window
   EXPECT_EQ(next, kWindow + 1);
   EXPECT_FALSE(passSubgoals(next, 30, at(next + kWindow)));  // the first beyond
-  EXPECT_FALSE(passSubgoals(next, 30, at(next - 1)));        // behind
+  EXPECT_FALSE(passSubgoals(next, 30, at(next - 1)));        // already passed
   EXPECT_EQ(next, kWindow + 1);
   EXPECT_TRUE(passSubgoals(next, 14, [](size_t) { return true; }));  // the farthest of several
   EXPECT_EQ(next, 14u);
@@ -172,14 +172,14 @@ std::vector<float> line(std::initializer_list<float> places) {
   return points;
 }
 
-TEST(Thinning, KeepsTheGoalAndWhatIsFarEnoughGoingBack) {
+TEST(Thinning, KeepsTheGoalAndPointsFarEnoughApartBackwards) {
   const auto points = line({0, 0.5f, 1.2f, 1.3f, 2.4f, 2.5f, 3});
   EXPECT_EQ(thinned(points.data(), 7, 1), (std::vector<uint32_t>{0, 3, 6}));
   EXPECT_EQ(thinned(points.data(), 7, 0.05f).size(), 7u);
   EXPECT_EQ(thinned(points.data(), 7, 100), (std::vector<uint32_t>{6}));
 }
 
-TEST(Geometric, RanksAreDrawnAsTheirChancesSay) {
+TEST(Geometric, RanksFollowTheirProbabilities) {
   constexpr uint32_t kCount = 12, kDraws = 200'000;
   constexpr float kP = 0.2f;
   Random random(6, 6);
@@ -193,7 +193,7 @@ TEST(Geometric, RanksAreDrawnAsTheirChancesSay) {
   for (int n = 0; n < 100; ++n) EXPECT_EQ(drawGeometric(random, 0.005f, 1), 0u);
 }
 
-TEST(Neighbours, DistancesAreThoseOfASort) {
+TEST(Neighbours, DistancesEqualThoseOfASort) {
   EXPECT_EQ(neighbourFor(1), 2u);
   EXPECT_EQ(neighbourFor(1u << 16), 4u);
   constexpr size_t kCount = 150;
@@ -214,7 +214,7 @@ TEST(Neighbours, DistancesAreThoseOfASort) {
   }
 }
 
-// Standing states only, by 1 / (1 + actions / 2); the start always.
+// Only standing states, with weight 1 / (1 + actions / 2); the start always counts.
 TEST(CellChoice, WeighsCellsByTheActionsTakenThere) {
   CellChoice choice;
   for (int n = 0; n < 6; ++n) choice.act(1);
@@ -225,7 +225,7 @@ TEST(CellChoice, WeighsCellsByTheActionsTakenThere) {
   EXPECT_NEAR(counts[0] / 50'000.0, 0.8, 0.01);  // 1 against 1/4
 }
 
-// Rows of a policy that is sure of itself, at one place; returned: how far learning moved it.
+// Returns how far learning moves a policy, from rows of confident decisions at one place.
 float movedBy(Maker maker) {
   GoalPolicy policy({}, 1);
   const std::vector<float> before = policy.net().numbers();
@@ -245,14 +245,14 @@ float movedBy(Maker maker) {
   return moved;
 }
 
-TEST(GoalPolicy, LearnsFromReturnsAndKeptWaysButNotFromExploring) {
+TEST(GoalPolicy, LearnsFromReturnsAndKeptTrajectoriesButNotFromExploring) {
   EXPECT_EQ(movedBy(Maker::explorer), 0);
   EXPECT_GT(movedBy(Maker::policy), 1e-4f);
   EXPECT_GT(movedBy(Maker::kept), 1e-4f);
 }
 
-// Two visits in opposite arms: who has been in the one is elsewhere than who has been in the other.
-TEST(InverseDynamics, TellsWhichVisitsAreBehind) {
+// Two visits in opposite arms: having made the one is far from having made the other.
+TEST(InverseDynamics, DistinguishesTheVisitsMade) {
   const level::Level level = steppingStones().compile();
   const Problem problem = support::endlessProblem(level);
   const InverseDynamics module(1);
@@ -272,7 +272,7 @@ TEST(InverseDynamics, TellsWhichVisitsAreBehind) {
   }
 }
 
-TEST(BestMove, IsTheOneOfTheHighestMeanThatIsAllowed) {
+TEST(BestMove, IsTheAllowedMoveOfTheHighestMean) {
   std::vector<float> quantiles(size_t(policy::kMoves) * kQuantiles, -1.0f);
   quantiles[6 * kQuantiles] = 0;
   quantiles[9 * kQuantiles] = quantiles[9 * kQuantiles + 1] = 0;

@@ -1,21 +1,40 @@
 // The connection to obby-view --live. Events announce new revisions, which are then fetched.
 
+/** @import {LivePiece} from './types/page_data.js' */
+
 const kAgain = 1000; // ms until a lost connection is retried
 const kIdle = 2; // pauses for so many times a piece's processing time, so that the page stays
                  // responsive
 
+/** @param {number} ms */
 const pause = (ms) => new Promise((done) => setTimeout(done, ms));
 
 export class LiveFeed {
-  // `revisionOf`: returns the page's revision; `take`: processes an answer of /data; `tell`:
-  // reports whether the connection is up; `fail`: gets the error if `take` throws.
+  /**
+   * `revisionOf`: returns the page's revision; `take`: processes an answer of /data; `tell`:
+   * reports whether the connection is up; `fail`: gets the error if `take` throws.
+   * @param {object} page
+   * @param {() => number} page.revisionOf revision that the page has
+   * @param {(raw: LivePiece) => void} page.take takes an answer of /data
+   * @param {(connected: boolean) => void} page.tell
+   * @param {(error: unknown) => void} page.fail told the error where `take` cannot go on
+   */
   constructor({ revisionOf, take, tell, fail }) {
-    Object.assign(this, { revisionOf, take, tell, fail });
+    this.revisionOf = revisionOf;
+    this.take = take;
+    this.tell = tell;
+    this.fail = fail;
     this.token = new URLSearchParams(location.search).get('token') ?? '';
     this.newest = 0; // the server's revision
     this.closed = false;
+    this.busy = false;
+    /** @type {EventSource | undefined} */
+    this.events = undefined;
+    /** @type {number | undefined} */
+    this.again = undefined; // timer of the next try
   }
 
+  /** @param {string} path */
   address(path, more = '') {
     return `${path}?token=${encodeURIComponent(this.token)}${more}`;
   }
@@ -23,8 +42,10 @@ export class LiveFeed {
   open() {
     this.events = new EventSource(this.address('events'));
     this.events.onopen = () => this.tell(true);
-    this.events.onmessage = ({ data }) => {
-      this.newest = JSON.parse(data).revision;
+    this.events.onmessage = (/** @type {MessageEvent<string>} */ { data }) => {
+      /** @type {{revision: number}} */
+      const { revision } = JSON.parse(data);
+      this.newest = revision;
       this.fetchNews();
     };
     this.events.onerror = () => this.lost();
@@ -34,21 +55,24 @@ export class LiveFeed {
   lost() {
     if (this.closed) return;
     this.tell(false);
-    if (this.closed || this.events.readyState !== EventSource.CLOSED) return;
+    if (this.closed || this.events?.readyState !== EventSource.CLOSED) return;
     clearTimeout(this.again);
-    this.again = setTimeout(() => this.closed || this.open(), kAgain);
+    this.again = setTimeout(() => {
+      if (!this.closed) this.open();
+    }, kAgain);
   }
 
   // Closes the connection after the last data, so that the browser does not reconnect.
   close() {
     this.closed = true;
-    this.events.close();
+    this.events?.close();
   }
 
   async fetchNews() {
     if (this.busy) return;
     this.busy = true;
     while (this.newest > this.revisionOf() && !this.closed) {
+      /** @type {LivePiece | null} */
       let raw = null;
       try {
         const answer = await fetch(this.address('data', `&from=${this.revisionOf()}`));
@@ -69,7 +93,10 @@ export class LiveFeed {
     this.busy = false;
   }
 
-  // Data that cannot be shown will fail again, so the connection is closed.
+  /**
+   * Data that cannot be shown will fail again, so the connection is closed.
+   * @param {LivePiece} raw
+   */
   show(raw) {
     try {
       this.take(raw);

@@ -1,11 +1,19 @@
 // A report that arrives in pieces. New data replaces the old, and unchanged objects keep their
 // identity.
-import { levelOf, Path, queryOf } from './data.js';
+import { levelOf, queryOf } from './data.js';
+import { Path } from './path.js';
+
+/** @import {LivePiece, LiveQuery, StreamState} from './types/page_data.js' */
+/** @import {Report} from './types/report.js' */
 
 const kFormat = 3; // data format, as in a page file
 
-// Returns true if one of the ranges [first, last], ascending, contains the number. There may be one
-// for each attempt.
+/**
+ * Returns true if one of the ranges [first, last], ascending, contains the number. There may be one
+ * for each attempt.
+ * @param {[number, number][]} ranges
+ * @param {number} number
+ */
 function isIn(ranges, number) {
   let [low, high] = [0, ranges.length];
   while (low < high) {
@@ -18,18 +26,25 @@ function isIn(ranges, number) {
 
 export class LiveReport {
   constructor() {
+    /** @type {Report} */
     this.report = { title: '', notes: [], levels: [], queries: [] };
     this.revision = 0; // of the last piece
+    /** @type {StreamState} */
     this.state = 'live';
   }
 
-  // `raw`: an answer of /data. `kept`: trajectories in view, which stay even if the stream has
-  // replaced them. Returns {levels, queries}, the indices of the changed ones, and `fresh`, the new
-  // trajectories.
+  /**
+   * `raw`: an answer of /data. `kept`: trajectories in view, which stay even if the stream has
+   * replaced them. Returns {levels, queries}, the indices of the changed ones, and `fresh`, the new
+   * trajectories.
+   * @param {LivePiece} raw
+   * @param {(Path | undefined)[]} kept
+   */
   take(raw, kept = []) {
     if (raw.format !== kFormat)
       throw new Error(`its data has format ${raw.format}, expected ${kFormat}; reload the page`);
     const { report } = this;
+    /** @type {{levels: Set<number>, queries: Set<number>, fresh: Path[]}} */
     const changed = { levels: new Set(), queries: new Set(), fresh: [] };
     const was = this.state;
     this.revision = raw.revision;
@@ -50,21 +65,27 @@ export class LiveReport {
     return changed;
   }
 
-  // Appends new trajectories to `fresh`.
+  /**
+   * Appends new trajectories to `fresh`.
+   * @param {LiveQuery} piece
+   * @param {(Path | undefined)[]} kept
+   * @param {Path[]} fresh
+   */
   takeQuery({ index, facts, serials, trajectories }, kept, fresh) {
     const { queries } = this.report;
     // A new object, so that values cached by the old one are dropped.
     const own = queryOf(facts, index);
-    const bySerial = new Map((queries[index]?.paths ?? []).map((path) => [path.serial, path]));
+    const before = queries[index]?.paths ?? [];
+    const bySerial = new Map(before.map((path) => [path.serial ?? -1, path]));
     for (const { serial, data } of trajectories) {
       const path = new Path(data, own);
       path.serial = serial;
       if (!bySerial.has(serial)) fresh.push(path);
       bySerial.set(serial, path);
     }
-    own.paths = [...bySerial.values()].filter(
-      (path) => isIn(serials, path.serial) || kept.includes(path),
-    );
+    own.paths = [...bySerial]
+      .filter(([serial, path]) => isIn(serials, serial) || kept.includes(path))
+      .map(([, path]) => path);
     for (const path of own.paths) path.query = own;
     queries[index] = own;
   }

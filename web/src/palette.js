@@ -2,6 +2,12 @@
 // readers, and some roles also have a pattern (scene/part_material.js).
 import { fullName } from './part_name.js';
 
+/** @import {Path} from './path.js' */
+/** @import {Band, Outcome, Role, Verdict} from './types/page_data.js' */
+/** @import {Level, Query, Result} from './types/report.js' */
+/** @import {Glyph} from './scene/markers.js' */
+
+/** @type {Record<Role, {label: string, color: string}>} */
 export const ROLE_STYLE = {
   plain: { label: 'Part', color: '#77808f' },
   start: { label: 'Start', color: '#35c48d' },
@@ -16,6 +22,7 @@ export const ROLE_STYLE = {
   loose: { label: 'Dynamic', color: '#b98f6f' },
 };
 
+/** @type {Record<Outcome, {label: string, short: string, color: string, glyph: Glyph}>} */
 export const OUTCOME_STYLE = {
   goal: { label: 'Reached the goal', short: 'Goal', color: '#7fe3b5', glyph: 'ring' },
   killed: { label: 'Killed', short: 'Killed', color: '#f0484e', glyph: 'cross' },
@@ -28,6 +35,14 @@ export const OUTCOME_STYLE = {
   running: { label: 'Unfinished', short: 'Unfinished', color: '#8190a8', glyph: 'dot' },
 };
 
+export const OUTCOMES = /** @type {Outcome[]} */ (Object.keys(OUTCOME_STYLE));
+
+/**
+ * The verdict that a query shows, or its state without one.
+ * @typedef {Verdict | 'doubtful' | 'mismatch' | 'running' | 'waiting' | 'none'} ShownVerdict
+ */
+
+/** @type {Record<ShownVerdict, {label: string, short?: string, color: string, mark: string}>} */
 export const VERDICT_STYLE = {
   solved: { label: 'Solved', color: '#5fd6a2', mark: '✓' },
   doubtful: { label: 'Solved, in doubt', color: '#c9d66a', mark: '✓' },
@@ -39,7 +54,10 @@ export const VERDICT_STYLE = {
   none: { label: 'Not asked in this run', short: 'Not asked', color: '#8190a8', mark: '–' },
 };
 
-// The difficulty of a step, in the order of the schema's bands.
+/**
+ * The difficulty of a step, in the order of the schema's bands.
+ * @type {Record<Band, {label: string, color: string}>}
+ */
 export const BAND_STYLE = {
   trivial: { label: 'Trivial', color: '#7fe3b5' },
   easy: { label: 'Easy', color: '#9ad85f' },
@@ -49,10 +67,14 @@ export const BAND_STYLE = {
   unknown: { label: 'Unknown', color: '#8190a8' }, // from a stream of a later version
 };
 
-// Returns the rank of the band; unmeasured paths come last.
+export const BANDS = /** @type {Band[]} */ (Object.keys(BAND_STYLE));
+
+/**
+ * Returns the rank of the band; unmeasured paths come last.
+ * @param {Path} path
+ */
 export function bandRank(path) {
-  const bands = Object.keys(BAND_STYLE);
-  return path.difficulty ? bands.indexOf(path.difficulty.band) : bands.length;
+  return path.difficulty ? BANDS.indexOf(path.difficulty.band) : BANDS.length;
 }
 
 export const SOLUTION_COLOR = '#ffd166';
@@ -61,16 +83,24 @@ export const CUT_COLOR = '#ff8f6b'; // the step that is impossible
 export const REACHED_COLOR = '#8fe3c4'; // parts that can be reached
 export const GHOST_COLOR = '#7fd4ff'; // the ghost in a comparison
 
-// Returns a path's colour in lists and in the scene.
+/**
+ * Returns a path's colour in lists and in the scene.
+ * @param {Path} path
+ */
 export function pathColor(path) {
   if (path.mismatch) return VERDICT_STYLE.mismatch.color;
   return path.outcome === 'goal' ? SOLUTION_COLOR : OUTCOME_STYLE[path.outcome].color;
 }
 
+/** @param {Result} result */
 function isDoubtful(result) {
   return result.verdict === 'solved' && result.holds === false;
 }
 
+/**
+ * @param {Query} query
+ * @returns {ShownVerdict}
+ */
 export function verdictOf(query) {
   if (query.paths.some((path) => path.mismatch && path.kind === 'solution')) return 'mismatch';
   if (query.result) return isDoubtful(query.result) ? 'doubtful' : query.result.verdict;
@@ -78,8 +108,13 @@ export function verdictOf(query) {
   return 'none';
 }
 
-// Returns why a path ended, as text. `nameOf`: level, part -> the part's name; `length`: label or
-// short.
+/**
+ * Returns why a path ended, as text. `nameOf`: level, part -> the part's name; `length`: label or
+ * short.
+ * @param {Path} path
+ * @param {Level | undefined} level
+ * @param {'label' | 'short'} [length]
+ */
 export function causeOf(path, level, nameOf = fullName, length = 'label') {
   const words = OUTCOME_STYLE[path.outcome][length];
   if (path.part >= 0 && level && path.part < level.count)
@@ -87,11 +122,16 @@ export function causeOf(path, level, nameOf = fullName, length = 'label') {
   return words;
 }
 
-// Describes the hardest step of a solution, or returns nothing if it was not measured.
+/**
+ * Describes the hardest step of a solution, or returns nothing if it was not measured.
+ * @param {Path} path
+ * @param {Level | undefined} level
+ */
 export function hardestOf(path, level) {
   if (!path.difficulty) return '';
   const { hardest, noise } = path.difficulty;
-  const name = (part, none) => (part < 0 ? none : fullName(level, part));
+  const name = (/** @type {number} */ part, /** @type {string} */ none) =>
+    (part < 0 ? none : fullName(level, part));
   const from = name(hardest.from, 'the start');
   const to = name(hardest.to, 'the goal');
   const what = `Hardest step: ${from} to ${to}, ${hardest.band}`;

@@ -1,5 +1,5 @@
 // A wedge: a full rectangle at the bottom, a vertical face at +Z, and a slope that rises from -Z to
-// +Z (docs/physics.md, shapes).
+// +Z (docs/parts.md, shapes).
 #pragma once
 
 #include "geom/shapes/block.h"

@@ -27,10 +27,10 @@ void EffectRoles::takeParts(PartDraft& part, bool used, const ProbeEffects& effe
     else if (other->motion->trigger == MotionTrigger::always)
       note(kStarted, moved.part, "keeps the motion of its own; ", moved.line);
   }
-  for (const auto& [id, line] : effects.sizes)
-    note("size that scripts change", id, "stays as it is at the start; ", line);
-  for (const auto& [id, line] : effects.belts)
-    if (context_.part(id)) note("conveyor that a touch changes", id, "", line);
+  for (const Changed& size : effects.sizes)
+    note("size that scripts change", size.part, "stays as it is at the start; ", size.line);
+  for (const Changed& belt : effects.belts)
+    if (context_.part(belt.part)) note("conveyor that a touch changes", belt.part, "", belt.line);
 }
 
 void EffectRoles::takeDrives(PartDraft& part, const engine::Probe& probe,

@@ -4,13 +4,15 @@
 #include <string>
 
 #include "import/observed/probe_effects.h"
+#include "import/observed/shields.h"
 #include "import/roles/role.h"
 
 namespace obby::importer {
 
 class EffectRoles {
  public:
-  explicit EffectRoles(RoleContext& context) : context_(context), base_(context.level.world) {}
+  EffectRoles(RoleContext& context, const engine::Report& report)
+      : context_(context), base_(context.level.world), shield_(shieldIn(context, report)) {}
 
   // Evidence that follows is a guess.
   void setGuessed(bool guessed) { guessed_ = guessed; }
@@ -48,6 +50,7 @@ class EffectRoles {
 
   RoleContext& context_;
   const World base_;
+  const std::string shield_;  // what gives players a force field; empty: nothing does
   bool guessed_ = false;
 };
 

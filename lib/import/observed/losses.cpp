@@ -21,7 +21,6 @@ constexpr LossRow kLosses[] = {
     {"JumpHeight", "speed that scripts change", "the player's jump stays as it is at the start"},
     {"Size", "size that scripts change", "stays as it is at the start"},
     {"CanTouch", "touch that scripts switch", "stays as it is at the start"},
-    {"CollisionGroup", "collision group that scripts change", "stays as it is at the start"},
     {"Anchored", "part that scripts let loose", "stays as it is at the start"},
 };
 
@@ -32,6 +31,14 @@ bool isPush(const engine::Change& change) {
   const bool isSet = property == "CFrame" || property == "Velocity";
   return change.line.script != kNoInstance &&
          (isForce || (isSet && change.target == engine::kPlayer));
+}
+
+void noteLimbs(RoleContext& context, const engine::Report& report) {
+  for (const engine::Change& change : report.undisturbed.changes)
+    if (change.property == "note meets some limbs")
+      context.level.noteUnmodelled(
+          "collision group of some limbs", context.tree, change.target,
+          "taken to collide with all of the body; " + lineReason(context.tree, change.line));
 }
 
 void noteLooks(RoleContext& context, const engine::Report& report) {
@@ -52,6 +59,15 @@ void notePushes(RoleContext& context, const engine::Report& report) {
     context.level.noteUnmodelled(
         "push without a touch", context.tree, kNoInstance,
         "the player stays where it is; " + lineReason(context.tree, push->line));
+}
+
+void noteAway(RoleContext& context, const engine::Report& report) {
+  if (!report.away) return;
+  const ProbeEffects effects = effectsOf(report, *report.away);
+  if (effects.touchesPlayer())
+    context.level.noteUnmodelled("script that acts on players away from parts", context.tree,
+                                 kNoInstance,
+                                 "it does nothing; " + lineReason(context.tree, effects.line()));
 }
 
 // Each new body gets the same speeds again.
@@ -112,6 +128,8 @@ void noteObservedLosses(RoleContext& context, const ObservedPlace& place) {
   noteChanges(context, report);
   notePushes(context, report);
   noteLooks(context, report);
+  noteAway(context, report);
+  noteLimbs(context, report);
   for (const auto& [what, count] : report.undisturbed.counts) {
     (void)count;
     context.level.noteIgnored("not in the twin of the engine", what, "does nothing");

@@ -1,10 +1,38 @@
 // Speeds and weight that scripts give each new player.
+#include <algorithm>
 #include <cmath>
 
 #include "import/observed/roles.h"
 #include "import/world.h"
 
 namespace obby::importer {
+
+namespace {
+
+// What scripts change of each new body, and the level has no field for.
+void noteBody(RoleContext& context, const engine::Report& report) {
+  World& world = context.level.world;
+  for (const engine::Change& change : report.undisturbed.changes) {
+    if (change.time > report.probedAt) return;
+    const auto note = [&](const char* kind) {
+      context.level.noteUnmodelled(kind, context.tree, kNoInstance,
+                                   "stays as it is; " + lineReason(context.tree, change.line));
+    };
+    const double* const number = std::get_if<double>(&change.value);
+    if (change.property.rfind("note state off ", 0) == 0)
+      note("state of the player that scripts switch off");
+    else if (change.target == engine::kPlayer && change.property == "HipHeight")
+      note("size of the player's body");
+    else if (change.target == engine::kPlayer && change.property == "MaxSlopeAngle" && number)
+      world.maxSlope = std::min(World{}.maxSlope, float(*number * 3.14159265358979323846 / 180));
+  }
+  if (report.arrived.stuck) {
+    context.level.noteUnmodelled("player that cannot walk", context.tree, kNoInstance,
+                                 "scripts hold it until something that was not seen");
+  }
+}
+
+}  // namespace
 
 void applyPlayerState(RoleContext& context, const ObservedPlace& place) {
   const engine::PlayerState& player = place.report.arrived;
@@ -21,6 +49,7 @@ void applyPlayerState(RoleContext& context, const ObservedPlace& place) {
     context.level.noteUnmodelled("force on the player", context.tree, kNoInstance,
                                  "it floats up; the force does not act");
   world.maxHealth = float(player.maxHealth);
+  noteBody(context, place.report);
 }
 
 }  // namespace obby::importer

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <set>
 #include <string>
+#include <string_view>
 #include <tuple>
 
 #include "import/frame_time.h"
@@ -25,6 +27,27 @@ constexpr float kYaw = 0.3f;                 // as a probe stands (probe.luau)
 constexpr Vec3 kArriving = {1.5f, 0, 2.5f};  // and its velocity
 constexpr float kKept = 1e-3f;
 
+// Scripts switch off what a player does with its keys.
+bool isStateOff(const std::string& property) {
+  return property == "note state off Jumping" || property == "note state off Climbing" ||
+         property == "note state off Running";
+}
+
+// Returns true if the same line does so to a player who is at no part.
+bool happensAway(const engine::Report& report, const engine::Probe& probe, const Change& change) {
+  if (!report.away || probe.approach == engine::Approach::away) return false;
+  const auto& changes = report.away->seen.changes;
+  return change.target == kPlayer &&
+         std::any_of(changes.begin(), changes.end(), [&](const Change& c) {
+           return c.target == kPlayer && c.property == change.property && c.line == change.line;
+         });
+}
+bool harmsAway(const engine::Report& report, const engine::Harm& harm) {
+  return report.away &&
+         std::any_of(report.away->seen.harms.begin(), report.away->seen.harms.end(),
+                     [&](const engine::Harm& other) { return other.line == harm.line; });
+}
+
 // The probe's changes without those that came in the undisturbed run at the same time.
 std::vector<const Change*> ownChanges(const engine::Report& report, const engine::Probe& probe) {
   std::multiset<std::tuple<int64_t, InstanceId, std::string>> usual;
@@ -38,7 +61,7 @@ std::vector<const Change*> ownChanges(const engine::Report& report, const engine
     const auto same = usual.find(key(change));
     if (same != usual.end())
       usual.erase(same);
-    else
+    else if (!happensAway(report, probe, change))
       own.push_back(&change);
   }
   return own;
@@ -52,6 +75,7 @@ class Difference {
   ProbeEffects effects() {
     findHarm();
     for (const Change* change : own_) take(*change);
+    findEnd();
     findAways();
     findMoved();
     effects_.boost = boosterOf(report_, probe_, speeds_);
@@ -64,46 +88,63 @@ class Difference {
 
   // Limbs that are hit in one frame are each hit for itself: what one of them takes is the damage.
   void findHarm() {
-    const std::vector<engine::Harm> harms = ownHarms();
-    if (harms.empty()) return;
+    const Hits hits = ownHits(probe_.seen.harms);
+    if (hits.empty()) return;
     Harmful found;
-    found.damage = harms[0].from - harms[0].to;
-    found.line = harms[0].line;
-    if (const auto total = lastingHarm(harms)) {
-      found.damage = *total;
-      effects_.harm = found;
-      return;
-    }
-    const double first = harms[0].time;
-    std::optional<double> second;
-    for (const engine::Harm& harm : harms)
-      if (!second && harm.time > first) second = harm.time;
-    const double between = second.value_or(probe_.left) - first;
-    if (between >= kNoCooldown && (second || probe_.seen.player.alive)) found.cooldown = between;
+    found.damage = hits[0].from - hits[0].to;
+    found.stoppable = hits[0].stoppable;
+    found.line = hits[0].line;
+    const auto second = secondHit(hits), again = secondHit(ownHits(probe_.still.harms));
+    const double between = std::min(second.value_or(probe_.left - hits[0].time),
+                                    again.value_or(std::numeric_limits<double>::max()));
+    const bool ends = second || again || probe_.seen.player.alive;
+    if (between >= kNoCooldown && ends) found.cooldown = between;
+    if (probe_.brief.harms.empty())
+      findLasting(found, hits, probe_.left, second);
+    else
+      findLasting(found, ownHits(probe_.brief.harms), probe_.brief.left, second);
     effects_.harm = found;
   }
 
-  // Hits of the probe without those that came in the undisturbed run in the same frame.
-  std::vector<engine::Harm> ownHarms() const {
+  // Hits without those that came in the undisturbed run in the same frame.
+  using Hits = std::vector<engine::Harm>;
+  Hits ownHits(const Hits& seen) const {
     std::set<int64_t> usual;
     for (const engine::Harm& harm : report_.undisturbed.harms)
       if (harm.hurts()) usual.insert(std::llround(harm.time / kFrame));
-    std::vector<engine::Harm> own;
-    for (const engine::Harm& harm : probe_.seen.harms)
-      if (harm.hurts() && !usual.contains(std::llround(harm.time / kFrame))) own.push_back(harm);
+    Hits own;
+    for (const engine::Harm& harm : seen)
+      if (harm.hurts() && !usual.contains(std::llround(harm.time / kFrame)) &&
+          (probe_.approach == engine::Approach::away || !harmsAway(report_, harm)))
+        own.push_back(harm);
     return own;
   }
 
-  // Total damage of one touch, if harm goes on after the player has left; else nullopt.
-  std::optional<double> lastingHarm(const std::vector<engine::Harm>& harms) const {
+  // Seconds from the first hit to the next one in another frame.
+  static std::optional<double> secondHit(const Hits& hits) {
+    for (const engine::Harm& harm : hits)
+      if (harm.time > hits[0].time) return harm.time - hits[0].time;
+    return std::nullopt;
+  }
+
+  // Harm that goes on after the player has left is that of one touch. `second`: of a player who
+  // touches the part again and again. If that hastens no hit, a touch starts nothing until all hits
+  // of the one before are over.
+  static void findLasting(Harmful& found, const Hits& hits, double left,
+                          std::optional<double> second) {
     double total = 0;
     int later = 0;
-    for (const engine::Harm& harm : harms) {
+    for (const engine::Harm& harm : hits) {
       total += harm.from - harm.to;
-      later += probe_.left > 0 && harm.time > probe_.left + 2 * kFrame;
+      later += left > 0 && harm.time > left + 2 * kFrame;
     }
-    const bool dies = later == 1 && !probe_.seen.player.alive;
-    return later > 1 || dies ? std::optional(total) : std::nullopt;
+    const bool dies = later == 1 && hits.back().to <= 0;
+    if (later <= 1 && !dies) return;
+    const auto own = secondHit(hits);
+    const bool waits = second && own && *second > *own - kFrame;
+    found.damage = total;
+    found.cooldown = waits ? hits.back().time - hits[0].time : 0;
+    found.lasts = true;
   }
 
   void take(const Change& change) {
@@ -120,13 +161,29 @@ class Difference {
       return;
     else if (property == "note sit" || property == "note state")
       takeState(change);
+    else if (property == "note ends")
+      effects_.ends = effects_.ends.value_or(change.line);
+    else if (isStateOff(property))
+      effects_.stateOff = effects_.stateOff.value_or(change.line);
     else if (property == "note walk")
       effects_.force = effects_.force.value_or(change.line);
     else if (property == "Velocity" && change.target < engine::kMade)
-      effects_.belts.emplace_back(change.target, change.line);
+      effects_.belts.push_back({change.target, change.line});
     else if (property == "Size" && change.target < engine::kMade &&
-             (effects_.sizes.empty() || effects_.sizes.back().first != change.target))
-      effects_.sizes.emplace_back(change.target, change.line);
+             (effects_.sizes.empty() || effects_.sizes.back().part != change.target))
+      effects_.sizes.push_back({change.target, change.line});
+  }
+
+  // A player who cannot walk at the end stays where it is, if no script still waits.
+  void findEnd() {
+    const bool isStuck = probe_.seen.player.stuck && !report_.undisturbed.player.stuck;
+    if (!isStuck || !probe_.seen.player.alive || probe_.sleeps) return;
+    constexpr std::string_view kStopping[] = {"Anchored",  "PlatformStand", "note sit",
+                                              "WalkSpeed", "note controls", "note state"};
+    for (const Change* change : own_)
+      if (std::find(std::begin(kStopping), std::end(kStopping), change->property) !=
+          std::end(kStopping))
+        effects_.ends = change->line;
   }
 
   void takePlayer(const Change& change) {
@@ -196,8 +253,7 @@ class Difference {
                                  *state == "Physics" || *state == "PlatformStanding");
     if (state && *state == "Jumping" && !effects_.push) effects_.jumps = change.line;
     if (!(flag && *flag) && !falls) return;
-    effects_.trips = true;
-    effects_.tripLine = change.line;
+    effects_.trips = change.line;
   }
 
   // At once when the player has left: it lasts as long as the touch.

@@ -3,7 +3,7 @@
 
 #include <map>
 #include <optional>
-#include <utility>
+#include <tuple>
 #include <vector>
 
 #include "engine/report.h"
@@ -12,6 +12,8 @@ namespace obby::importer {
 
 struct Harmful {
   double damage = 0, cooldown = 0;
+  bool lasts = false;      // it goes on once the player has left: the damage is that of one touch
+  bool stoppable = false;  // a force field stops it
   engine::Line line;
 };
 struct Push {
@@ -59,6 +61,12 @@ struct Moved {
   engine::Line line;
 };
 
+// A part that changes, and the line that changes it.
+struct Changed {
+  InstanceId part = kNoInstance;
+  engine::Line line;
+};
+
 struct ProbeEffects {
   std::optional<Harmful> harm;
   std::optional<Push> push;
@@ -66,28 +74,39 @@ struct ProbeEffects {
   std::optional<Booster> boost;
   std::optional<StageSet> stage;
   std::optional<engine::Line> won;
-  std::vector<UnnamedStat> unnamed;
-  bool trips = false;
-  engine::Line tripLine;
-  std::optional<engine::Line> force, jumps;  // jumps: in the air, too
-  std::vector<Away> aways, backs;            // that go; that come, and go again
+  // The player falls down; can never go on; is pushed by a force; jumps, in the air, too; loses a
+  // state such as Jumping.
+  std::optional<engine::Line> trips, ends, force, jumps, stateOff;
+  std::vector<Away> aways, backs;  // parts that go; that come, and go again
   std::vector<Moved> moved;
-  std::vector<std::pair<InstanceId, engine::Line>> belts, sizes;
+  std::vector<Changed> belts, sizes;
+  std::vector<UnnamedStat> unnamed;
   std::map<InstanceId, engine::Line> others;  // things whose other properties are set
 
-  bool empty() const {
-    return !harm && !push && !teleport && !boost && !stage && !won && !force && !jumps && !trips &&
-           aways.empty() && backs.empty() && moved.empty() && belts.empty() && sizes.empty();
+  // The effects on the player, and those on parts.
+  auto onPlayer() {
+    return std::tie(harm, push, teleport, boost, trips, ends, force, jumps, stateOff, won, stage);
   }
+  auto onPlayer() const {
+    return std::tie(harm, push, teleport, boost, trips, ends, force, jumps, stateOff, won, stage);
+  }
+  auto onParts() { return std::tie(aways, backs, moved, belts, sizes); }
+  auto onParts() const { return std::tie(aways, backs, moved, belts, sizes); }
+
   bool touchesPlayer() const {
-    return harm || push || teleport || boost || stage || won || force || jumps || trips;
+    return std::apply([](const auto&... effect) { return (effect.has_value() || ...); },
+                      onPlayer());
   }
-  // Nothing but progress.
+  bool touchesParts() const {
+    return std::apply([](const auto&... parts) { return (!parts.empty() || ...); }, onParts());
+  }
+  bool empty() const { return !touchesPlayer() && !touchesParts(); }
+  // Returns true if there is progress and nothing else.
   bool onlyStage() const;
-  // The effects that a touch of `from` has, for `to`, to which the same functions listen. Nothing
-  // if they depend on where the parts are, or concern other parts.
+  // Returns the effects that a touch of `from` has, for `to`, to which the same functions listen.
+  // Nothing if they depend on where the parts are, or concern other parts.
   std::optional<ProbeEffects> asOf(InstanceId from, InstanceId to) const;
-  // Of one of the effects; of none: {}.
+  // Returns the line of one of the effects; of none: {}.
   engine::Line line() const;
 };
 

@@ -170,7 +170,7 @@ namespace {
 using Key = std::pair<InstanceId, std::string>;
 
 // The change of each property that counts: the last one before the probes. Where more follow, the
-// last one of the start, but for parts that come and go: timers.cpp looks at those.
+// last one of the start, but for parts that come and go by scripts: timers.cpp looks at those.
 std::map<Key, const Change*> settledChanges(const engine::Report& report) {
   constexpr double kStart = 0.1;  // seconds
   std::map<Key, const Change*> start, settled;
@@ -179,9 +179,10 @@ std::map<Key, const Change*> settledChanges(const engine::Report& report) {
     if (change.time <= kStart) start[key] = &change;
     if (change.time <= report.probedAt) settled[key] = &change;
     if (change.time <= report.probedAt || !settled.contains(key)) continue;
-    const bool goes = change.property == "Parent" || change.property == "CanCollide";
     const auto first = start.find(key);
-    if (goes || first == start.end())
+    const bool goes = change.property == "Parent" || change.property == "CanCollide";
+    const bool byFile = first != start.end() && first->second->line.script == kNoInstance;
+    if (first == start.end() || (goes && !byFile))
       settled.erase(key);
     else
       settled[key] = first->second;

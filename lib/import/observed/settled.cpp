@@ -8,6 +8,7 @@
 
 #include "engine/classes/class_defaults.h"
 #include "import/classes.h"
+#include "import/collision_groups.h"
 #include "import/motion.h"
 #include "import/observed/roles.h"
 #include "import/observed/settle.h"
@@ -81,7 +82,11 @@ void noteSettled(RoleContext& context, const ObservedPlace& place) {
     const std::string reason = lineReason(context.tree, settled.line);
     if (settled.what.empty())
       context.level.noteIgnored("part that a script destroys at start", settled.path, reason);
-    else if (PartDraft* const part = context.part(settled.id))
+    else if (PartDraft* const part = context.part(settled.id); !part)
+      continue;
+    else if (settled.line.script == kNoInstance && !part->solid)
+      part->evidence.push_back(passedEvidence(context.tree.at(settled.id)));
+    else
       part->evidence.push_back({"scripted", settled.what + "; " + reason, false});
   }
 }

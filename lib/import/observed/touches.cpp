@@ -16,7 +16,7 @@ constexpr const char* kPosition = "nothing happens while limbs alone are in it";
 class Touches {
  public:
   Touches(RoleContext& context, const engine::Report& report)
-      : context_(context), report_(report), roles_(context) {}
+      : context_(context), report_(report), roles_(context, report) {}
 
   void take(const engine::Probe& probe) {
     PartDraft* const part = partOf(probe);

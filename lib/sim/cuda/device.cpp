@@ -137,7 +137,7 @@ class Gpu : public Device {
 
   cudaDeviceProp properties_{};
   int number_ = 0;
-  cudaStream_t aside_ = nullptr, beside_ = nullptr;  // for copies, for kernels
+  cudaStream_t aside_ = nullptr, beside_ = nullptr;  // streams of copies and of kernels
   cudaEvent_t asked_ = nullptr, done_ = nullptr;     // events of enqueueTogether()
 };
 

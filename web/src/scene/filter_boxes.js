@@ -12,9 +12,13 @@ import {
   Vector3,
 } from 'three';
 
+/** @import {BufferGeometry} from 'three' */
+/** @import {FilterBox} from '../types/report.js' */
+
 const kKeep = '#7fd4ff';
 const kDrop = '#ff9e64';
 
+/** @param {string} color */
 const fillOf = (color) =>
   new MeshBasicMaterial({
     color,
@@ -27,6 +31,8 @@ const fillOf = (color) =>
 export class FilterBoxes {
   constructor() {
     this.group = new Group();
+    /** @type {BufferGeometry[]} */
+    this.geometries = []; // of the boxes that are shown
     // Kept alive: with its last material a GPU program is dropped, and a drag recreates boxes at
     // each move.
     const dashes = { dashSize: 0.06, gapSize: 0.06 };
@@ -37,16 +43,18 @@ export class FilterBoxes {
     };
   }
 
+  /** @param {readonly FilterBox[]} boxes */
   set(boxes) {
     this.clear();
     for (const box of boxes) this.add(box);
   }
 
+  /** @param {FilterBox} box */
   add({ min, max, keep }) {
     const look = keep ? this.kept : this.dropped;
-    const bounds = new Box3(new Vector3(...min), new Vector3(...max));
+    const bounds = new Box3(new Vector3().fromArray(min), new Vector3().fromArray(max));
     const edges = new Box3Helper(bounds);
-    edges.material.dispose();
+    for (const material of [edges.material].flat()) material.dispose();
     edges.material = look.line;
     if (!keep) {
       edges.geometry = edges.geometry.toNonIndexed();
@@ -58,12 +66,11 @@ export class FilterBoxes {
     bounds.getSize(fill.scale);
     fill.renderOrder = 3;
     this.group.add(edges, fill);
+    this.geometries.push(edges.geometry, fill.geometry);
   }
 
   clear() {
-    for (const node of [...this.group.children]) {
-      node.geometry.dispose();
-      this.group.remove(node);
-    }
+    for (const geometry of this.geometries.splice(0)) geometry.dispose();
+    this.group.clear();
   }
 }

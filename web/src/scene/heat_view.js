@@ -4,19 +4,38 @@
 import { Color, Group, InstancedMesh, Matrix4, MeshBasicMaterial, PlaneGeometry } from 'three';
 import { heatColor } from '../coloring.js';
 
+/** @import {Path} from '../path.js' */
+/** @import {HeatMap} from '../types/report.js' */
+
 const kCell = 2; // studs, for trajectories
 const kMostTiles = 20000; // the most visited are kept
 const kLift = 0.12; // studs above the lowest feet of the cell
 
-// Returns a cell's key, unique up to 65,536 studs from the origin; farther cells collide.
+/**
+ * The cube's centre in studs, with the lowest feet as y.
+ * @typedef {{x: number, y: number, z: number, count: number}} Cell
+ */
+
+/**
+ * Returns a cell's key, unique up to 65,536 studs from the origin; farther cells collide.
+ * @param {number} x
+ * @param {number} y
+ * @param {number} z
+ */
 const keyOf = (x, y, z) =>
   (((x + 32768) & 65535) * 65536 + ((y + 32768) & 65535)) * 65536 + ((z + 32768) & 65535);
 
-// Returns {size, cells: [{x, y, z, count}]} in studs: the cube's centre, with the lowest feet as y.
+/**
+ * @param {Path[]} paths
+ * @returns {{size: number, cells: Cell[]}}
+ */
 export function visits(paths) {
+  /** @type {Map<number, Cell & {last: Path | null}>} */
   const cells = new Map();
   for (const path of paths) {
-    let [here, cell] = [NaN, null];
+    let here = NaN;
+    /** @type {Cell & {last: Path | null} | undefined} */
+    let cell;
     for (let i = 0; i < 3 * path.samples; i += 3) {
       const feet = path.points[i + 1];
       const x = Math.floor(path.points[i] / kCell);
@@ -37,9 +56,13 @@ export function visits(paths) {
   return { size: kCell, cells: [...cells.values()] };
 }
 
-// The same for a result's heat map.
+/**
+ * The same for a result's heat map.
+ * @param {HeatMap} map
+ * @returns {{size: number, cells: Cell[]}}
+ */
 export function searched({ size, feet, counts }) {
-  const middle = (v) => (Math.floor(v / size) + 0.5) * size;
+  const middle = (/** @type {number} */ v) => (Math.floor(v / size) + 0.5) * size;
   const cells = Array.from(counts, (count, i) => ({
     x: middle(feet[3 * i]),
     y: feet[3 * i + 1],
@@ -49,12 +72,18 @@ export function searched({ size, feet, counts }) {
   return { size, cells };
 }
 
-// Counts span orders of magnitude: 0 for a single one, 1 for the maximum.
+/**
+ * Counts span orders of magnitude: 0 for a single one, 1 for the maximum.
+ * @param {number} count
+ * @param {number} most
+ */
 export const heatShare = (count, most) => (most > 1 ? Math.log(count) / Math.log(most) : 0);
 
 export class HeatView {
   constructor() {
     this.group = new Group();
+    /** @type {InstancedMesh | null} */
+    this.mesh = null;
     this.most = 0; // maximum of all tiles
     // Kept alive: with its last material a GPU program is dropped, and each filter recreates the
     // map.
@@ -66,6 +95,7 @@ export class HeatView {
     });
   }
 
+  /** @param {{size: number, cells: Cell[]}} map */
   set({ size, cells: all }) {
     this.clear();
     const cells = all.sort((a, b) => b.count - a.count).slice(0, kMostTiles);
@@ -76,25 +106,26 @@ export class HeatView {
       cells.length,
     );
     this.most = cells[0].count;
+    /** @type {Map<number, Color>} */
     const colors = new Map(); // cached by count, since there are few distinct counts
     const place = new Matrix4();
     cells.forEach(({ x, y, z, count }, i) => {
-      if (!colors.has(count))
-        colors.set(count, new Color(heatColor(heatShare(count, this.most))));
+      const color = colors.get(count) ?? new Color(heatColor(heatShare(count, this.most)));
+      colors.set(count, color);
       mesh.setMatrixAt(i, place.makeTranslation(x, y + kLift, z));
-      mesh.setColorAt(i, colors.get(count));
+      mesh.setColorAt(i, color);
     });
     mesh.renderOrder = 4;
     mesh.frustumCulled = false;
+    this.mesh = mesh;
     this.group.add(mesh);
   }
 
   clear() {
     this.most = 0;
-    for (const mesh of [...this.group.children]) {
-      mesh.geometry.dispose();
-      mesh.dispose();
-      this.group.remove(mesh);
-    }
+    this.mesh?.geometry.dispose();
+    this.mesh?.dispose();
+    this.mesh = null;
+    this.group.clear();
   }
 }

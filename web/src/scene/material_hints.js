@@ -10,6 +10,7 @@ export const GRAIN = {
   weave: 7, // crossing threads
 };
 
+/** @type {Partial<Record<keyof typeof GRAIN, string>>} */
 const kGrainOf = {
   glow: 'Neon CrackedLava',
   sheen: 'Ice Glacier Glass ForceField Foil Marble',
@@ -21,12 +22,12 @@ const kGrainOf = {
   weave: 'Fabric Carpet Leather Cardboard Rubber',
 };
 
-const grains = new Map(
-  Object.entries(kGrainOf).flatMap(([grain, names]) =>
-    names.split(' ').map((name) => [name, GRAIN[grain]]),
-  ),
-);
+/** @type {Map<string, number>} */
+const grains = new Map();
+for (const grain of /** @type {(keyof typeof GRAIN)[]} */ (Object.keys(GRAIN)))
+  for (const name of kGrainOf[grain]?.split(' ') ?? []) grains.set(name, GRAIN[grain]);
 
+/** @param {string} material */
 export const grainOf = (material) => grains.get(material) ?? GRAIN.none;
 
 // Factors of a point's brightness; `uv` in studs on the face.

@@ -3,6 +3,9 @@ import { BufferGeometry, Float32BufferAttribute, Group, Line, LineDashedMaterial
 import { ROLE_STYLE } from '../palette.js';
 import { corners } from './straight.js';
 
+/** @import {Level} from '../types/report.js' */
+
+/** @param {Level} level */
 export function pathsOfMotion(level) {
   const group = new Group();
   const material = new LineDashedMaterial({

@@ -4,7 +4,11 @@
 import { DoubleSide, FrontSide, MeshLambertMaterial } from 'three';
 import { GRAIN_SHADER } from './material_hints.js';
 
+/** @import {IUniform} from 'three' */
+/** @import {Role} from '../types/page_data.js' */
+
 export const PATTERN = { none: 0, stripes: 1, chevrons: 2, rings: 3, checks: 4, dots: 5 };
+/** @type {Partial<Record<Role, number>>} */
 export const ROLE_PATTERN = {
   kill: PATTERN.stripes,
   conveyor: PATTERN.chevrons,
@@ -85,8 +89,13 @@ const SHINE = `
 if (vGrain > 0.5 && vGrain < 1.5) totalEmissiveRadiance += uGrain * 0.5 * diffuseColor.rgb;
 `;
 
-// All materials share `uniforms`: uTime in seconds of play; uPatterns (roles) and uGrain
-// (materials) from 0 to 1.
+/**
+ * All materials share `uniforms`: uTime in seconds of play; uPatterns (roles) and uGrain
+ * (materials) from 0 to 1.
+ * @param {string} shape
+ * @param {boolean} translucent
+ * @param {Record<string, IUniform<number>>} uniforms
+ */
 export function partMaterial(shape, translucent, uniforms) {
   const lattice = shape === 'truss';
   const material = new MeshLambertMaterial({
@@ -94,9 +103,11 @@ export function partMaterial(shape, translucent, uniforms) {
     depthWrite: !translucent,
     side: lattice ? DoubleSide : FrontSide,
   });
-  material.defines = {};
-  if (lattice) material.defines.OBBY_LATTICE = '';
-  if (['block', 'wedge', 'cornerWedge', 'truss'].includes(shape)) material.defines.OBBY_EDGES = '';
+  const edges = ['block', 'wedge', 'cornerWedge', 'truss'].includes(shape);
+  material.defines = {
+    ...(lattice && { OBBY_LATTICE: '' }),
+    ...(edges && { OBBY_EDGES: '' }),
+  };
   material.onBeforeCompile = (shader) => {
     Object.assign(shader.uniforms, uniforms);
     shader.vertexShader =
@@ -116,6 +127,6 @@ export function partMaterial(shape, translucent, uniforms) {
       `#include <emissivemap_fragment>\n${SHINE}`,
     );
   };
-  material.customProgramCacheKey = () => `${lattice} ${'OBBY_EDGES' in material.defines}`;
+  material.customProgramCacheKey = () => `${lattice} ${edges}`;
   return material;
 }

@@ -2,9 +2,15 @@
 import { heatColor } from '../coloring.js';
 import { count, el } from './dom.js';
 
+/** @import {Query, State} from '../types/report.js' */
+
 const kStops = 9;
 
-// Returns nothing if no heat map is shown. `query`: the current one.
+/**
+ * Returns nothing if no heat map is shown. `query`: the current one.
+ * @param {State} state
+ * @param {Query | undefined} query
+ */
 export function heatLegend({ heat, heatWays, heatMost }, query) {
   if (!heat || !heatMost) return [];
   const ofSearch = !heatWays && query?.result?.heatMap;

@@ -2,11 +2,15 @@
 // the player stands and no key is pressed.
 import { decimal, el } from './dom.js';
 
+/** @import {Path} from '../path.js' */
+
 export class Hud {
+  /** @param {HTMLElement} root */
   constructor(root) {
     this.root = root;
+    /** @type {Record<string, HTMLElement>} */
     this.keys = {};
-    const key = (name, label) => {
+    const key = (/** @type {string} */ name, /** @type {string} */ label) => {
       this.keys[name] = el('span', { class: `cap ${name}`, text: label });
       return this.keys[name];
     };
@@ -41,6 +45,12 @@ export class Hud {
     this.root.hidden = true;
   }
 
+  /**
+   * @param {Path | undefined} path
+   * @param {number} tick
+   * @param {number} tickRate
+   * @param {number} cameraYaw
+   */
   show(path, tick, tickRate, cameraYaw) {
     this.root.hidden = !path;
     if (!path) return;

@@ -3,12 +3,24 @@ import { BAND_STYLE, pathColor } from '../palette.js';
 import { landings } from '../scene/action_marks.js';
 import { el, icon, seconds, svg } from './dom.js';
 
+/** @import {Path} from '../path.js' */
+/** @import {Playback} from '../playback.js' */
+/** @import {Store} from '../store.js' */
+
 const kSpeeds = [0.1, 0.25, 0.5, 1, 2, 4, 10];
 const kWide = 1000; // width of the plot in its own units
 const kMostMarks = 2000; // of each kind
 const kSliderKeys = /^(Arrow|Page|Home$|End$)/;
 
-// Returns a short line at the profile's lower or upper edge.
+/** @typedef {(tick: number) => number} Place maps a tick to a position in the plot */
+
+/**
+ * Returns a short line at the profile's lower or upper edge.
+ * @param {string} kind
+ * @param {number} x
+ * @param {number} from
+ * @param {number} to
+ */
 const tickMark = (kind, x, from, to) =>
   svg('path', {
     class: `mark ${kind}`,
@@ -16,9 +28,11 @@ const tickMark = (kind, x, from, to) =>
     'vector-effect': 'non-scaling-stroke',
   });
 
-// Below, `x` maps a tick to a position in the plot.
-
-// Marks the hardest step in the colour of its band.
+/**
+ * Marks the hardest step in the colour of its band.
+ * @param {Path} path
+ * @param {Place} x
+ */
 function hardestStep(path, x) {
   const hardest = path.difficulty?.hardest;
   if (!hardest) return [];
@@ -35,7 +49,11 @@ function hardestStep(path, x) {
   ];
 }
 
-// Height over time.
+/**
+ * Height over time.
+ * @param {Path} path
+ * @param {Place} x
+ */
 function heights(path, x) {
   let low = Infinity;
   let high = -Infinity;
@@ -44,7 +62,7 @@ function heights(path, x) {
     high = Math.max(high, path.points[3 * i + 1]);
   }
   const range = Math.max(high - low, 6);
-  const point = (i) => {
+  const point = (/** @type {number} */ i) => {
     const y = 92 - (78 * (path.points[3 * i + 1] - low)) / range;
     return `L${x(path.tickOf(i)).toFixed(1)} ${y.toFixed(1)}`;
   };
@@ -68,15 +86,29 @@ function heights(path, x) {
   ];
 }
 
-// Keeps one tick per position. Hours of play have more than are visible, or than a call can take.
+/**
+ * Keeps one tick per position. Hours of play have more than are visible, or than a call can take.
+ * @param {number[]} ticks
+ * @param {Place} x
+ */
 function apart(ticks, x) {
   if (ticks.length <= kMostMarks) return ticks;
-  const place = (tick) => Math.round((kMostMarks * x(tick)) / kWide);
+  const place = (/** @type {number} */ tick) => Math.round((kMostMarks * x(tick)) / kWide);
   return [...new Map(ticks.map((tick) => [place(tick), tick])).values()];
 }
 
-// Marks jumps, landings and triggered parts.
+/**
+ * Marks jumps, landings and triggered parts.
+ * @param {Path} path
+ * @param {Place} x
+ */
 function marksOf(path, x) {
+  /**
+   * @param {string} kind
+   * @param {number[]} ticks
+   * @param {number} from
+   * @param {number} to
+   */
   const marks = (kind, ticks, from, to) =>
     apart(ticks, x).map((tick) => tickMark(kind, x(tick), from, to));
   return [
@@ -92,8 +124,16 @@ function marksOf(path, x) {
 }
 
 export class Timeline {
+  /**
+   * @param {HTMLElement} root
+   * @param {Store} store
+   * @param {Playback} playback
+   * @param {() => Path | undefined} selected
+   */
   constructor(root, store, playback, selected) {
-    Object.assign(this, { root, store, playback, selected });
+    this.store = store;
+    this.playback = playback;
+    this.selected = selected;
     this.button = el(
       'button',
       {
@@ -118,7 +158,9 @@ export class Timeline {
           playback.seek(Number(this.slider.value));
         },
         // Keys that move the slider belong to the page, all others to the browser.
-        keydown: (event) => kSliderKeys.test(event.key) && event.preventDefault(),
+        keydown: (event) => {
+          if (kSliderKeys.test(event.key)) event.preventDefault();
+        },
       },
     });
     this.plot = svg('svg', {
@@ -165,7 +207,8 @@ export class Timeline {
       el('div', { class: 'buttons' }, this.speed, this.loop),
     );
     this.nothing = el('p', { class: 'quiet nothing', text: 'Nothing to play.' });
-    root.append(this.player, this.nothing, el('div', { class: 'buttons' }));
+    this.extras = el('div', { class: 'buttons' });
+    root.append(this.player, this.nothing, this.extras);
     // A ghost may be longer than the selected one.
     store.on(['query', 'path', 'ghost'], () => this.draw());
     store.on(['tick', 'path', 'query', 'ghost'], () => this.showTime());
@@ -175,6 +218,10 @@ export class Timeline {
     this.showState();
   }
 
+  /**
+   * @param {'back' | 'forward'} name
+   * @param {number} by
+   */
   stepButton(name, by) {
     const label = by > 0 ? 'Next tick' : 'Previous tick';
     return el(
@@ -190,6 +237,11 @@ export class Timeline {
     );
   }
 
+  /**
+   * @param {string} text
+   * @param {string} title
+   * @param {() => void} action
+   */
   addButton(text, title, action) {
     const button = el('button', {
       class: 'plain',
@@ -199,7 +251,7 @@ export class Timeline {
       'aria-label': title,
       on: { click: action },
     });
-    this.root.lastElementChild.append(button);
+    this.extras.append(button);
   }
 
   // Draws the selected trajectory's profile over the whole timeline, which a longer ghost extends.
@@ -212,7 +264,7 @@ export class Timeline {
     this.slider.max = String(length);
     this.plot.replaceChildren();
     if (!path || path.samples < 2) return;
-    const x = (tick) => (kWide * tick) / length;
+    const x = (/** @type {number} */ tick) => (kWide * tick) / length;
     this.plot.append(...hardestStep(path, x), ...heights(path, x), ...marksOf(path, x));
   }
 
