@@ -4,7 +4,7 @@
 #include <string>
 
 #include "import/draft.h"
-#include "import/observed/run.h"
+#include "import/observed/place.h"
 #include "import/tree.h"
 
 namespace obby::importer {

@@ -6,7 +6,7 @@
 
 #include "engine/collision_matrix.h"
 #include "import/draft.h"
-#include "import/observed/run.h"
+#include "import/observed/place.h"
 #include "import/tree.h"
 
 namespace obby::importer {

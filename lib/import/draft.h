@@ -140,20 +140,22 @@ struct StageSigns {
   int operator[](NumberFrom from) const { return numbers[size_t(from)]; }
 };
 
-struct PartDraft {
-  InstanceId id = kNoInstance;
+struct PartShape {
   Shape shape = Shape::block;
   Pose pose;
   Vec3 size = {4, 1.2f, 2};
   std::vector<std::vector<Vec3>> hulls;
-  bool solid = true, touch = true, anchored = true;
-  bool byRoot = false;     // touched by the centre of the root
-  bool heardOnly = false;  // scripts listen to it, and a probe saw no effect
+};
+
+struct PartSurface {
   float friction = 0.3f, frictionWeight = 1, elasticity = 0.5f, density = 0.7f;
   ColorRgb color = {163, 162, 165};
   float transparency = 0;
   std::string_view material;  // as in the record
+};
 
+// What a part does to players.
+struct PartRoles {
   std::optional<Kill> kill;
   std::optional<Conveyor> conveyor;
   std::optional<JumpPad> jumpPad;
@@ -166,9 +168,16 @@ struct PartDraft {
   bool oneWay = false;  // solid for players above it only
   bool climbable = false;
   std::optional<int> checkpoint;  // stage
-  StageSigns stageSigns;
-  std::optional<int> goal;  // stage
+  std::optional<int> goal;        // stage
   std::optional<Motion> motion;
+};
+
+struct PartDraft : PartShape, PartSurface, PartRoles {
+  InstanceId id = kNoInstance;
+  bool solid = true, touch = true, anchored = true;
+  bool byRoot = false;     // touched by the centre of the root
+  bool heardOnly = false;  // scripts listen to it, and a probe saw no effect
+  StageSigns stageSigns;
   std::vector<Evidence> evidence;
   std::vector<std::string> doubts;  // kinds of losses that concern the part (doubts.h)
 };

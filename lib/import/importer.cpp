@@ -7,6 +7,7 @@
 #include "import/designer_queries.h"
 #include "import/explain.h"
 #include "import/level_record.h"
+#include "import/observed/run.h"
 #include "import/queries.h"
 #include "import/read_document.h"
 #include "io/physics.h"

@@ -1,7 +1,7 @@
 // Guesses from the texts of scripts that did not run.
 #pragma once
 
-#include "import/observed/run.h"
+#include "import/observed/place.h"
 #include "import/roles/role.h"
 
 namespace obby::importer {

@@ -8,6 +8,7 @@
 
 #include "engine/document.h"
 #include "import/build_level.h"
+#include "import/observed/run.h"
 
 namespace obby::test {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "import/observed/run.h"
+#include "import/observed/place.h"
 #include "import/stages/numbers.h"
 #include "level/params.h"
 

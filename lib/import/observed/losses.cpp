@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <set>
 
-#include "import/observed/probe_effects.h"
+#include "import/observed/effects_of.h"
 #include "import/observed/roles.h"
 
 namespace obby::importer {

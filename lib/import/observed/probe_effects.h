@@ -1,4 +1,4 @@
-// What one probe changed: the difference between it and the undisturbed run.
+// The effects of one touch or use, on the player and on parts.
 #pragma once
 
 #include <map>
@@ -109,7 +109,5 @@ struct ProbeEffects {
   // Returns the line of one of the effects; of none: {}.
   engine::Line line() const;
 };
-
-ProbeEffects effectsOf(const engine::Report& report, const engine::Probe& probe);
 
 }  // namespace obby::importer

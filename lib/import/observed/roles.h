@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "import/observed/run.h"
+#include "import/observed/place.h"
 #include "import/roles/role.h"
 
 namespace obby::importer {

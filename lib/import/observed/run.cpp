@@ -4,8 +4,8 @@
 #include <map>
 
 #include "engine/classes/class_defaults.h"
-#include "import/line_index.h"
 #include "import/observed/settle.h"
+#include "import/observed/settled.h"
 
 namespace obby::importer {
 namespace {
@@ -101,18 +101,6 @@ ObservedPlace observePlace(const Document& document) {
     if (other.report.failure.empty()) place.others.push_back(std::move(other));
   }
   return place;
-}
-
-std::string lineReason(const Tree& tree, engine::Line line) {
-  if (line.script >= tree.size()) return "a script";
-  const Instance& script = tree.at(line.script);
-  std::string reason = "script " + script.name;
-  if (line.line <= 0) return reason;
-  reason += " line " + std::to_string(line.line);
-  const auto* source = property<std::string>(script, "Source");
-  const auto text = source ? LineIndex(*source).line(size_t(line.line)) : std::nullopt;
-  if (!text) return reason;
-  return reason + ": " + quoteOf(*text);
 }
 
 }  // namespace obby::importer

@@ -1,7 +1,7 @@
 #include "import/observed/shields.h"
 
 #include "engine/classes/class_defaults.h"
-#include "import/observed/run.h"
+#include "import/observed/place.h"
 
 namespace obby::importer {
 namespace {

@@ -2,7 +2,7 @@
 #include <algorithm>
 
 #include "import/observed/effect_roles.h"
-#include "import/observed/probe_effects.h"
+#include "import/observed/effects_of.h"
 #include "import/observed/progress.h"
 #include "import/observed/revisits.h"
 #include "import/observed/roles.h"

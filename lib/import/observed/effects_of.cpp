@@ -1,4 +1,4 @@
-#include "import/observed/probe_effects.h"
+#include "import/observed/effects_of.h"
 
 #include <algorithm>
 #include <cmath>
