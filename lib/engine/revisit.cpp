@@ -33,9 +33,10 @@ void fields(A& a, Seen& s) {
   a(s.touches), a(s.probes), a(s.end), a(s.used);
 }
 
-// `touches`: false lets the time of the touches pass without them.
+// `touches`: false lets the time of the touches pass without them. `settles`: false probes at once
+// after them, while what lasts for seconds only goes on.
 struct TourMode {
-  bool patiently = true, touches = true;
+  bool patiently = true, touches = true, settles = true;
 };
 
 class Tour {
@@ -58,8 +59,11 @@ class Tour {
       const Names effects = effectsIn(seen.touches[k], usual_);
       if (!adds(effectsIn(first_[touched_[k]], usual_), effects)) continue;
       const std::vector<size_t> before(touched_.begin(), touched_.begin() + std::ptrdiff_t(k));
-      const std::vector<Probe> again = tour(before, {touched_[k]}).probes;
-      if (!again.empty()) take(touched_[k], again[0], before, found);
+      for (const TourMode mode : {TourMode{}, TourMode{.settles = false}}) {
+        if (isKnown(touched_[k], found)) break;
+        const std::vector<Probe> again = tour(before, {touched_[k]}, mode).probes;
+        if (!again.empty()) take(touched_[k], again[0], before, found, mode);
+      }
     }
     for (size_t i = 0; i < seen.probes.size(); ++i)
       take(probed_[i], seen.probes[i], touched_, found);
@@ -89,17 +93,23 @@ class Tour {
       touched_.insert(touched_.end(), once.begin(), once.end());
   }
 
+  bool isKnown(size_t i, const std::vector<Revisit>& found) const {
+    return std::any_of(found.begin(), found.end(), [&](const Revisit& other) {
+      return other.probe.target == first_[i].target;
+    });
+  }
+
   // A probe of part `i` after touches of `touched`.
   void take(size_t i, const Probe& probe, const std::vector<size_t>& touched,
-            std::vector<Revisit>& found) {
+            std::vector<Revisit>& found, TourMode mode = {}) {
     const Names effects = effectsIn(probe, usual_);
-    const bool isKnown = std::any_of(found.begin(), found.end(), [&](const Revisit& other) {
-      return other.probe.target == probe.target;
-    });
-    if (isKnown || probe.lost || !differ(effectsIn(first_[i], usual_), effects)) return;
+    const Names before = effectsIn(first_[i], usual_);
+    // Without time to settle, an effect that lacks may be on its way back.
+    const bool isOther = mode.settles ? differ(before, effects) : adds(before, effects);
+    if (isKnown(i, found) || probe.lost || !isOther) return;
     Revisit revisit;
     revisit.probe = probe;
-    explain(i, effects, touched, revisit);
+    explain(i, effects, touched, mode, revisit);
     found.push_back(std::move(revisit));
   }
 
@@ -130,7 +140,7 @@ class Tour {
                   else
                     stage_.run(kTouch + kBetween);
                 }
-                settle();
+                if (mode.settles) settle();
                 if (!seen.touches.empty()) seen.touches.back().seen = stage_.observation();
                 seen.used = left - stage_.left();
                 seen.probes = probeAll(affordable(probed, seen.used), mode.patiently);
@@ -242,29 +252,30 @@ class Tour {
     return !differ(effects, now) && !differ(now, effects);
   }
 
-  void explain(size_t i, const Names& effects, const std::vector<size_t>& touched,
+  void explain(size_t i, const Names& effects, const std::vector<size_t>& touched, TourMode mode,
                Revisit& revisit) {
     // Patience touches it again, too.
-    const TourMode once = {.patiently = false}, idle = {.patiently = false, .touches = false};
-    if (kills(first_[i]) ? sameAfter(i, effects, {})
+    TourMode once = mode, idle = mode;
+    once.patiently = idle.patiently = idle.touches = false;
+    if (kills(first_[i]) ? sameAfter(i, effects, {}, mode)
                          : sameAfter(i, effects, {i}, once) && !sameAfter(i, effects, {i}, idle))
       revisit.cause = Cause::again;
-    else if (sameAfter(i, effects, {}))
+    else if (sameAfter(i, effects, {}, mode))
       revisit.cause = Cause::time;
     else
-      revisit.lever = leverOf(i, effects, touched);
+      revisit.lever = leverOf(i, effects, touched, mode);
     if (revisit.lever != kNoInstance) revisit.cause = Cause::lever;
   }
 
   // By halves; kNoInstance if it takes several.
-  InstanceId leverOf(size_t i, const Names& effects, std::vector<size_t> touched) {
-    if (lastLever_ && sameAfter(i, effects, {*lastLever_})) return first_[*lastLever_].target;
+  InstanceId leverOf(size_t i, const Names& effects, std::vector<size_t> touched, TourMode mode) {
+    if (lastLever_ && sameAfter(i, effects, {*lastLever_}, mode)) return first_[*lastLever_].target;
     while (touched.size() > 1) {
       const auto middle = touched.begin() + std::ptrdiff_t(touched.size() / 2);
       std::vector<size_t> low(touched.begin(), middle), high(middle, touched.end());
-      if (sameAfter(i, effects, low))
+      if (sameAfter(i, effects, low, mode))
         touched = std::move(low);
-      else if (sameAfter(i, effects, high))
+      else if (sameAfter(i, effects, high, mode))
         touched = std::move(high);
       else
         return kNoInstance;

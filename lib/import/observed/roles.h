@@ -9,8 +9,13 @@
 
 namespace obby::importer {
 
+// A loss: a part that is not there at the start.
+constexpr const char* kComesLater = "part that comes later";
+
 // What scripts changed of parts before play began.
 void noteSettled(RoleContext& context, const ObservedPlace& place);
+// The player once scripts change its speeds no more; where they go on, as at the first probes.
+const engine::PlayerState& settledPlayer(const engine::Report& report);
 // Speeds that scripts give each new player.
 void applyPlayerState(RoleContext& context, const ObservedPlace& place);
 // Motions of what moves by itself.

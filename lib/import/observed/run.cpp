@@ -31,6 +31,8 @@ class Renumbering {
 
   void apply(engine::Report& report) const {
     apply(report.undisturbed);
+    for (engine::MadePart& made : report.made) apply(made.id);
+    for (engine::SameListeners& same : report.sameListeners) apply(same.target);
     for (engine::Probe& probe : report.probes) {
       apply(probe.target);
       apply(probe.seen);

@@ -154,10 +154,21 @@ std::map<InstanceId, InstanceId> addMadeParts(Document& document, const engine::
   return ids;
 }
 
+bool isMadeLater(const engine::Report& report, InstanceId part) {
+  if (report.made.empty() || part < report.made.front().id) return false;
+  const size_t index = part - report.made.front().id;  // they are numbered in their order
+  return index < report.made.size() && report.made[index].later;
+}
+
 bool movesByItself(const engine::Report& report, InstanceId part) {
-  const auto track = report.undisturbed.tracks.find(part);
-  return track != report.undisturbed.tracks.end() &&
-         (lastChange(track->second) / 60.0 > report.probedAt || isWay(track->second));
+  constexpr double kPlacing = 0.1;  // seconds in which scripts put a new part in its place
+  const auto found = report.undisturbed.tracks.find(part);
+  if (found == report.undisturbed.tracks.end()) return false;
+  const engine::Track& track = found->second;
+  const double settled = isMadeLater(report, part)
+                             ? track.poses.front().frame * engine::kFrame + kPlacing
+                             : report.probedAt;
+  return lastChange(track) * engine::kFrame > settled || isWay(track);
 }
 
 Pose poseAtStart(const engine::Track& track, bool isMade) {
@@ -193,7 +204,17 @@ std::map<Key, const Change*> settledChanges(const engine::Report& report) {
 }  // namespace
 
 void settle(Document& document, const engine::Report& report) {
-  for (const auto& [key, change] : settledChanges(report)) {
+  const auto settled = settledChanges(report);
+  // Parts that come and go belong to the world.
+  for (const Change& change : report.undisturbed.changes) {
+    const bool* const there = std::get_if<bool>(&change.value);
+    const bool comes = change.property == "Parent" && there && *there;
+    if (comes && change.target < document.instances.size() &&
+        !settled.contains({change.target, change.property}) &&
+        isPartClass(document.instances[change.target].className))
+      joinWorld(document, change.target);
+  }
+  for (const auto& [key, change] : settled) {
     if (key.first >= document.instances.size()) continue;
     if (key.second != "Parent")
       set(document, key.first, key.second, change->value);

@@ -15,6 +15,9 @@ std::map<InstanceId, InstanceId> addMadeParts(Document& document, const engine::
 // which parts stay or begin to move. Parts that are out of the world by then leave the tree.
 void settle(Document& document, const engine::Report& report);
 
+// Whether scripts have made the part after the first probes; its id is that of the document.
+bool isMadeLater(const engine::Report& report, InstanceId part);
+
 // Whether the part moves by itself, other than to be put in its place at the start.
 bool movesByItself(const engine::Report& report, InstanceId part);
 
