@@ -56,6 +56,14 @@ Names namesIn(const Observation& seen, double from, double to) {
   return names;
 }
 
+void drop(Observation& seen, const Names& names) {
+  std::erase_if(seen.changes, [&](const Change& change) { return names.contains(nameOf(change)); });
+  std::erase_if(seen.tracks,
+                [&](const auto& track) { return names.contains(std::to_string(track.first)); });
+  if (names.contains("harm"))
+    std::erase_if(seen.harms, [](const Harm& harm) { return harm.hurts(); });
+}
+
 Names effectsIn(const Probe& probe, const Names& usual) {
   static const char* const kCounted[] = {"CanCollide", "Parent",    "WalkSpeed",     "JumpPower",
                                          "JumpHeight", "Gravity",   "PlatformStand", "note sit",

@@ -1,5 +1,6 @@
 // Parts, listeners and speeds that come some time after the start.
 #include "import/lever_scene.h"
+#include "import/queries.h"
 
 namespace obby::test {
 namespace {
@@ -90,6 +91,19 @@ TEST(LaterParts, AModelThatGoesTakesItsJointsAlong) {
   scene.set(weld, "Part1", Ref{bar});
   scene.script("wait(6) workspace.Gate:Destroy()", scene.scripts);
   EXPECT_TRUE(scene.level().unmodelled.empty());
+}
+
+TEST(LaterParts, LaterStagesBeginOnceTheyAreThere) {
+  Scene scene;
+  const auto first = scene.part("Checkpoint1"), second = scene.part("Checkpoint2", {0, 0, 20});
+  for (const auto id : {first, second}) scene.tag(id, "Checkpoint");
+  scene.script("wait(8) " + kWall + "w.Parent = workspace", scene.scripts);
+  const importer::ObservedPlace place = importer::observePlace(scene.document);
+  const importer::Tree tree(place.document);
+  const auto queries = importer::stageQueries(importer::buildLevel(tree, place, "test"), tree);
+  ASSERT_GE(queries.size(), 2u);
+  EXPECT_EQ(queries.front().reader().getQuery().getStart().getTick(), 0u);
+  EXPECT_NEAR(queries.back().reader().getQuery().getStart().getTick(), 480, 6);
 }
 
 TEST(LaterParts, SpeedsThatSettleCountAsInTheEnd) {

@@ -108,6 +108,24 @@ TEST(Removal, WhatAButtonPutsBackIsThereThen) {
   EXPECT_FALSE(scene[button].vanish);
 }
 
+TEST(Removal, WhatAButtonBringsFromStorageIsThereThen) {
+  for (const char* condition : {"true", "open"}) {
+    Scene scene;
+    const auto storage = scene.add("ServerStorage", "ServerStorage", kNoInstance);
+    const auto button = scene.part("Button"), bridge = scene.part("Bridge", {9, 0, 0}, storage);
+    scene.script(std::string("local open = false script.Parent.Touched:Connect(function() if ") +
+                     condition +
+                     " then\ngame.ServerStorage.Bridge.Parent = workspace end end)\n"
+                     "for i = 1, 20 do wait(1) end open = true",
+                 button);
+    scene.level();
+    ASSERT_TRUE(scene[button].button && scene[bridge].vanish) << condition;
+    EXPECT_TRUE(scene[bridge].vanish->inverted);
+    EXPECT_EQ(scene[bridge].vanish->signal, scene[button].button->signal);
+    EXPECT_TRUE(scene[button].button->forever);
+  }
+}
+
 TEST(Removal, WhatIsPutBackAtOnceStays) {
   Scene scene;
   const auto part = scene.part("Part");

@@ -12,6 +12,11 @@ namespace obby::importer {
 namespace {
 
 constexpr double kForever = 3600;  // seconds
+// As broughtFromObservation() has set it.
+bool isNeverThere(const Vanish& vanish) {
+  return vanish.inverted && !vanish.timer && vanish.signal.empty();
+}
+
 constexpr const char* kStarted = "motion that a touch or click starts";
 
 }  // namespace
@@ -72,7 +77,7 @@ void EffectRoles::press(PartDraft& part, double seconds, bool held) {
 
 void EffectRoles::takeAway(PartDraft& part, bool used, const Away& away, bool inverted) {
   PartDraft* const other = context_.part(away.part);
-  if (!other || other->vanish) return;
+  if (!other || (other->vanish && !isNeverThere(*other->vanish))) return;
   Vanish vanish;
   vanish.delay = float(away.delay);
   vanish.inverted = inverted;

@@ -22,6 +22,8 @@ void applyPlayerState(RoleContext& context, const ObservedPlace& place);
 void movingFromObservation(RoleContext& context, const engine::Report& report);
 // Parts that come and go, belts that change: what happens by itself in a rhythm.
 void timersFromObservation(RoleContext& context, const engine::Report& report);
+// Parts that are not there until a touch or use brings them.
+void broughtFromObservation(RoleContext& context, const ObservedPlace& place);
 // What a touch or use does, to the player and to other parts.
 void touchesFromObservation(RoleContext& context, const engine::Report& report);
 // What it does once other parts have been touched: guesses, after those by names.

@@ -80,7 +80,7 @@ ObservedPlace runPlace(const Document& document, const engine::Plan& plan) {
   place.report = engine::observe(document, plan);
   place.ran = place.report.undisturbed.frames > 0;
   Renumbering(addMadeParts(place.document, place.report)).apply(place.report);
-  settle(place.document, place.report);
+  place.brought = settle(place.document, place.report);
   place.settled = settledIn(document, place.document, place.report);
   return place;
 }

@@ -125,4 +125,13 @@ void timersFromObservation(RoleContext& context, const engine::Report& report) {
             "keeps its velocity at the start of play; " + lineReason(context.tree, change.line));
 }
 
+void broughtFromObservation(RoleContext& context, const ObservedPlace& place) {
+  for (const InstanceId id : place.brought) {
+    PartDraft* const part = context.part(id);
+    if (!part || part->vanish) continue;
+    part->vanish = Vanish{};  // nothing starts it
+    part->vanish->inverted = true;
+  }
+}
+
 }  // namespace obby::importer
