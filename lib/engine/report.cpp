@@ -47,7 +47,7 @@ class Watcher {
     if (stage_.hearsJumps()) jumpInAir();
     revisitAll();
     stage_.run(framesOf(plan_.probeSeconds));
-    runUntil(plan_.seconds - plan_.probeSeconds);
+    runUntil(std::max(0.0, plan_.seconds - plan_.probeSeconds));
     LaterRound later(stage_, plan_, children_, report_);
     if (!isOver && !stage_.isExhausted()) later.look();
     runUntil(std::max(plan_.seconds, report_.lookedAgainAt + plan_.probeSeconds));

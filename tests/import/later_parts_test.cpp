@@ -95,8 +95,9 @@ TEST(LaterParts, AModelThatGoesTakesItsJointsAlong) {
 
 TEST(LaterParts, LaterStagesBeginOnceTheyAreThere) {
   Scene scene;
-  const auto first = scene.part("Checkpoint1"), second = scene.part("Checkpoint2", {0, 0, 20});
-  for (const auto id : {first, second}) scene.tag(id, "Checkpoint");
+  for (const int stage : {1, 2, 3})
+    scene.tag(scene.part("Checkpoint" + std::to_string(stage), {0, 0, 20 * float(stage)}),
+              "Checkpoint");
   scene.script("wait(8) " + kWall + "w.Parent = workspace", scene.scripts);
   const importer::ObservedPlace place = importer::observePlace(scene.document);
   const importer::Tree tree(place.document);
