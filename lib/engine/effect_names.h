@@ -16,6 +16,10 @@ bool kills(const Probe& probe);
 
 // The changes in a run without touches: "target.property", and "target" for each part that moves.
 Names namesIn(const Observation& seen);
+// Those between two times.
+Names namesIn(const Observation& seen, double from, double to);
+// Takes out of `seen` what has one of these names.
+void drop(Observation& seen, const Names& names);
 // The probe's effects beyond `usual`. A leading ~ marks an effect that ends by itself and may come
 // again.
 Names effectsIn(const Probe& probe, const Names& usual);

@@ -102,6 +102,7 @@ struct MadePart {
   std::string className, name;
   std::map<std::string, Plain> properties;  // those that differ from the class's defaults
   std::map<std::string, InstanceId> references;
+  bool later = false;  // made after the first probes
 };
 
 // Where the player is and what it can do.

@@ -76,8 +76,9 @@ struct Report {
   std::vector<Probe> probes;
   std::vector<SameListeners> sameListeners;
   std::vector<Revisit> revisits;
-  double probedAt = 0;                       // seconds, when the probes began
-  std::vector<MadePart> made;                // in the world by then
+  double probedAt = 0;                       // seconds, when the first probes began
+  double lookedAgainAt = 0;                  // and those of the second round; 0: there was none
+  std::vector<MadePart> made;                // in the world by probedAt; then those made later
   std::vector<std::string> collisionGroups;  // that there are by then
   PlayerState arrived;                       // the player by then
   AirJumps airJumps;

@@ -35,6 +35,7 @@ void fields(A& a, Problem& p) {
 template <class A>
 void fields(A& a, MadePart& m) {
   a(m.id), a(m.origin), a(m.parent), a(m.className), a(m.name), a(m.properties), a(m.references);
+  a(m.later);
 }
 template <class A>
 void fields(A& a, Observation& o) {
@@ -63,7 +64,8 @@ template <class A>
 void fields(A& a, Report& r) {
   a(r.undisturbed), a(r.away), a(r.probes), a(r.sameListeners), a(r.revisits), a(r.made),
       a(r.collisionGroups), a(r.arrived);
-  a(r.airJumps), a(r.probedAt), a(r.complete), a(r.over), a(r.sleeps), a(r.failure), a(r.culprit);
+  a(r.airJumps), a(r.probedAt), a(r.lookedAgainAt), a(r.complete), a(r.over), a(r.sleeps),
+      a(r.failure), a(r.culprit);
 }
 
 template <class T>

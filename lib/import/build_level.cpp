@@ -75,6 +75,7 @@ void findRolesOf(RoleContext& context, const ObservedPlace& place) {
   movingFromRecordings(context);  // the designer's own samples count before ours
   movingFromObservation(context, place.report);
   timersFromObservation(context, place.report);
+  broughtFromObservation(context, place);
   // A pad that is said to be a checkpoint may kill, to bring the player to the next stage.
   checkpointFromTags(context);
   goalFromTags(context);

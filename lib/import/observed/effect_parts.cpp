@@ -12,6 +12,11 @@ namespace obby::importer {
 namespace {
 
 constexpr double kForever = 3600;  // seconds
+// As broughtFromObservation() has set it.
+bool isNeverThere(const Vanish& vanish) {
+  return vanish.inverted && !vanish.timer && vanish.signal.empty();
+}
+
 constexpr const char* kStarted = "motion that a touch or click starts";
 
 }  // namespace
@@ -72,7 +77,7 @@ void EffectRoles::press(PartDraft& part, double seconds, bool held) {
 
 void EffectRoles::takeAway(PartDraft& part, bool used, const Away& away, bool inverted) {
   PartDraft* const other = context_.part(away.part);
-  if (!other || other->vanish) return;
+  if (!other || (other->vanish && !isNeverThere(*other->vanish))) return;
   Vanish vanish;
   vanish.delay = float(away.delay);
   vanish.inverted = inverted;
@@ -89,6 +94,14 @@ void EffectRoles::takeAway(PartDraft& part, bool used, const Away& away, bool in
 void EffectRoles::takeMotion(PartDraft& part, PartDraft& other, const Moved& moved, bool used) {
   constexpr size_t kRest = 30;  // frames
   auto motion = motionOf(moved.poses, kRest);
+  bool returns = samePose(moved.poses.front(), moved.poses.back());
+  double seconds = double(moved.poses.size()) / 60;
+  if (!motion && moved.outlasting) {
+    motion = moved.outlasting;
+    returns = motion->repeat == Repeat::once &&
+              samePose(motion->keys.front().pose, motion->keys.back().pose);
+    seconds = double(motion->keys.back().time);
+  }
   if (!motion) return note(kStarted, moved.part, "stays where it is; ", moved.line);
   const bool own = &other == &part && !used;
   motion->trigger = own ? MotionTrigger::touch : MotionTrigger::signal;
@@ -96,8 +109,7 @@ void EffectRoles::takeMotion(PartDraft& part, PartDraft& other, const Moved& mov
   motion->carries = moved.driver != kNoInstance;
   if (!own) {
     motion->signal = signalOf(part);
-    const bool returns = samePose(moved.poses.front(), moved.poses.back());
-    press(part, returns ? double(moved.poses.size()) / 60 : kForever);
+    press(part, returns ? seconds : kForever);
   }
   other.motion = motion;
   other.anchored = true;

@@ -13,6 +13,7 @@
 #include "import/observed/boost_effect.h"
 #include "import/observed/progress.h"
 #include "import/observed/roles.h"
+#include "import/observed/tween_law.h"
 #include "import/pose_math.h"
 #include "import/world.h"
 
@@ -291,6 +292,7 @@ class Difference {
   void findMoved() {
     const auto first = uint32_t(std::llround(probe_.at / kFrame)) + 1;
     const uint32_t frames = probe_.seen.frames >= first ? probe_.seen.frames - first + 1 : 0;
+    const TweenLaws laws(probe_.seen, (first - 1) * kFrame);
     for (const auto& [id, track] : probe_.seen.tracks) {
       if (id >= engine::kMade || frames == 0) continue;
       const auto usual = report_.undisturbed.tracks.find(id);
@@ -300,8 +302,9 @@ class Difference {
       const Pose start = startOf(id, track);
       auto poses = posesOf(start, track, first, frames);
       poses.insert(poses.begin(), start);
-      effects_.moved.push_back(
-          {id, std::move(poses), track.driver, moverOf(probe_.seen, id, track)});
+      auto outlasting = laws.outlasting(poses, id);
+      effects_.moved.push_back({id, std::move(poses), track.driver, moverOf(probe_.seen, id, track),
+                                std::move(outlasting)});
     }
   }
 

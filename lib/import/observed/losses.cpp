@@ -2,11 +2,18 @@
 #include <algorithm>
 #include <set>
 
+#include "engine/classes/class_defaults.h"
+#include "import/assemblies.h"
+#include "import/classes.h"
 #include "import/observed/effects_of.h"
 #include "import/observed/roles.h"
+#include "import/observed/settle.h"
 
 namespace obby::importer {
 namespace {
+
+constexpr const char* kLetLoose = "part that scripts let loose";
+constexpr const char* kStays = "stays as it is at the start";
 
 // Properties whose changes in play the level has no room for.
 struct LossRow {
@@ -16,13 +23,16 @@ struct LossRow {
 };
 constexpr LossRow kLosses[] = {
     {"Gravity", "gravity that scripts change", "gravity stays as it is at the start"},
-    {"WalkSpeed", "speed that scripts change", "the player's speed stays as it is at the start"},
-    {"JumpPower", "speed that scripts change", "the player's jump stays as it is at the start"},
-    {"JumpHeight", "speed that scripts change", "the player's jump stays as it is at the start"},
-    {"Size", "size that scripts change", "stays as it is at the start"},
-    {"CanTouch", "touch that scripts switch", "stays as it is at the start"},
-    {"Anchored", "part that scripts let loose", "stays as it is at the start"},
+    {"WalkSpeed", "speed that scripts change", "the player's speed stays the same"},
+    {"JumpPower", "speed that scripts change", "the player's jump stays the same"},
+    {"JumpHeight", "speed that scripts change", "the player's jump stays the same"},
+    {"Size", "size that scripts change", kStays},
+    {"CanTouch", "touch that scripts switch", kStays},
+    {"Anchored", kLetLoose, kStays},
 };
+
+// Scripts have made it, and it is not in the document.
+bool isMadePart(InstanceId id) { return id >= engine::kMade && id < engine::kPlayer; }
 
 // Moves a player who stands at the spawn.
 bool isPush(const engine::Change& change) {
@@ -88,15 +98,53 @@ std::set<engine::Line> linesThatHarm(const engine::Report& report) {
   return lines;
 }
 
+// What scripts make and take away again between two rounds of probes is in no list.
+void noteComing(RoleContext& context, const engine::Report& report) {
+  for (const engine::Change& change : report.undisturbed.changes) {
+    const bool* const there = std::get_if<bool>(&change.value);
+    const bool comes = change.property == "Parent" && there && *there;
+    if (comes && change.time > report.probedAt && isMadePart(change.target))
+      return context.level.noteUnmodelled(
+          kComesLater, context.tree, kNoInstance,
+          "it does not stay, and is left out; " + lineReason(context.tree, change.line));
+  }
+}
+
+// A joint that goes while the parts at its ends stay lets those fall that are not anchored.
+bool letsFall(const RoleContext& context, const engine::Report& report,
+              const engine::Change& change) {
+  const bool* const there = std::get_if<bool>(&change.value);
+  const Tree& tree = context.tree;
+  if (!there || *there || change.target >= tree.size()) return false;
+  if (change.property != "Parent" && change.property != "Enabled") return false;
+  if (!isRigidJointClass(tree.at(change.target).className)) return false;
+  const auto leaves = [&](InstanceId part) {
+    const auto& changes = report.undisturbed.changes;
+    return std::any_of(changes.begin(), changes.end(), [&](const engine::Change& other) {
+      return other.target == part && other.property == "Parent" && other.time == change.time;
+    });
+  };
+  const JointEnds ends = jointEnds(tree, change.target);
+  for (const InstanceId end : {ends.first, ends.second})
+    if (end < tree.size() && !get<bool>(tree.at(end), "Anchored") && !leaves(end)) return true;
+  return false;
+}
+
 void noteChanges(RoleContext& context, const engine::Report& report) {
   std::set<std::pair<InstanceId, std::string>> named;
+  const auto note = [&](const char* kind, const char* text, const engine::Change& change) {
+    if (named.insert({change.target, change.property}).second)
+      context.level.noteUnmodelled(
+          kind, context.tree, change.target,
+          std::string(text) + "; " + lineReason(context.tree, change.line));
+  };
   for (const engine::Change& change : report.undisturbed.changes) {
     if (change.time <= report.probedAt || isUsual(report.arrived, change)) continue;
+    if (isMadePart(change.target)) continue;  // noteComing() names it
+    if (change.time <= report.lookedAgainAt && isMadeLater(report, change.target)) continue;
     for (const LossRow& row : kLosses)
-      if (change.property == row.property && named.insert({change.target, change.property}).second)
-        context.level.noteUnmodelled(
-            row.kind, context.tree, change.target,
-            std::string(row.note) + "; " + lineReason(context.tree, change.line));
+      if (change.property == row.property) note(row.kind, row.note, change);
+    if (letsFall(context, report, change)) note(kLetLoose, kStays, change);
   }
   const std::set<engine::Line> known = linesThatHarm(report);
   for (const engine::Harm& harm : report.undisturbed.harms)
@@ -126,6 +174,7 @@ void noteObservedLosses(RoleContext& context, const ObservedPlace& place) {
     context.level.noteUnmodelled("script that still waits", tree, kNoInstance,
                                  "what comes later is not seen");
   noteChanges(context, report);
+  noteComing(context, report);
   notePushes(context, report);
   noteLooks(context, report);
   noteAway(context, report);

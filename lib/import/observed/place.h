@@ -1,6 +1,7 @@
 // A place after its scripts ran: the document as they leave it, and what was seen.
 #pragma once
 
+#include <set>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,7 @@ struct ObservedPlace {
   engine::Report report;  // its ids are the document's; what scripts made later has others
   bool ran = false;       // there were scripts, and they ran
   std::vector<Settled> settled = {};
+  std::set<InstanceId> brought = {};  // not in the world until a touch or use brings it
   size_t fromFile = 0;  // instances of the document that its file has; those that follow were made
   // The place as it runs with other random numbers; empty if its scripts draw none.
   std::vector<ObservedPlace> others = {};

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "engine/report.h"
+#include "import/draft.h"
 
 namespace obby::importer {
 
@@ -59,6 +60,7 @@ struct Moved {
   std::vector<Pose> poses;          // a frame each, from the touch on
   InstanceId driver = kNoInstance;  // the constraint or mover that moves it
   engine::Line line;
+  std::optional<Motion> outlasting;  // by tweens that play at the probe's end
 };
 
 // A part that changes, and the line that changes it.

@@ -9,14 +9,21 @@
 
 namespace obby::importer {
 
+// A loss: a part that is not there at the start.
+constexpr const char* kComesLater = "part that comes later";
+
 // What scripts changed of parts before play began.
 void noteSettled(RoleContext& context, const ObservedPlace& place);
+// The player once scripts change its speeds no more; where they go on, as at the first probes.
+const engine::PlayerState& settledPlayer(const engine::Report& report);
 // Speeds that scripts give each new player.
 void applyPlayerState(RoleContext& context, const ObservedPlace& place);
 // Motions of what moves by itself.
 void movingFromObservation(RoleContext& context, const engine::Report& report);
 // Parts that come and go, belts that change: what happens by itself in a rhythm.
 void timersFromObservation(RoleContext& context, const engine::Report& report);
+// Parts that are not there until a touch or use brings them.
+void broughtFromObservation(RoleContext& context, const ObservedPlace& place);
 // What a touch or use does, to the player and to other parts.
 void touchesFromObservation(RoleContext& context, const engine::Report& report);
 // What it does once other parts have been touched: guesses, after those by names.

@@ -25,25 +25,44 @@ bool near(const Pose& a, const Pose& b, Slack slack = {}) {
   return length(a.position - b.position) < slack.place && turnBetween(a, b) < slack.turn;
 }
 
-// Most parts move little in a frame: a jump says nothing about the speed.
-Slack slackOf(const std::vector<Pose>& poses) {
+// Of each frame, by the fastest one close to it. Most parts move little in a frame: a jump says
+// nothing about the speed.
+std::vector<Slack> slacksOf(const std::vector<Pose>& poses) {
   constexpr float kShare = 0.6f, kJump = 2;  // studs
-  Slack slack;
+  constexpr size_t kAround = 4;              // frames: scripts may set poses now and then only
+  std::vector<Slack> slacks(poses.size());
   for (size_t i = 1; i < poses.size(); ++i) {
     const float way = length(poses[i].position - poses[i - 1].position);
     const float turn = turnBetween(poses[i], poses[i - 1]);
     if (way > kJump || turn > 0.5f) continue;
-    slack.place = std::max(slack.place, kShare * way);
-    slack.turn = std::max(slack.turn, kShare * turn);
+    const size_t last = std::min(poses.size() - 1, i + kAround);
+    for (size_t k = i > kAround ? i - kAround : 0; k <= last; ++k) {
+      slacks[k].place = std::max(slacks[k].place, kShare * way);
+      slacks[k].turn = std::max(slacks[k].turn, kShare * turn);
+    }
   }
-  return slack;
+  return slacks;
 }
 
-bool repeats(const std::vector<Pose>& poses, size_t period, Slack slack) {
+bool isNear(const std::vector<Pose>& poses, const std::vector<Slack>& slacks, size_t i, size_t j) {
+  const Slack &a = slacks[i], &b = slacks[j];
+  return near(poses[i], poses[j], {std::max(a.place, b.place), std::max(a.turn, b.turn)});
+}
+
+bool repeats(const std::vector<Pose>& poses, const std::vector<Slack>& slacks, size_t period) {
   // The last two rounds: far from the start, where scripts still wait.
   for (size_t i = poses.size() - period; i-- > poses.size() - 2 * period;)
-    if (!near(poses[i], poses[i + period], slack)) return false;
+    if (!isNear(poses, slacks, i, i + period)) return false;
   return true;
+}
+
+// How far the last `count` poses are off the last one.
+float extent(const std::vector<Pose>& poses, size_t count) {
+  float most = 0;
+  for (size_t i = poses.size() - count; i < poses.size(); ++i)
+    most = std::max(most, length(poses[i].position - poses.back().position) +
+                              turnBetween(poses[i], poses.back()));
+  return most;
 }
 
 double worst(const std::vector<Pose>& poses, size_t period) {
@@ -75,11 +94,14 @@ bool isStill(const std::vector<Pose>& poses, size_t period) {
 }  // namespace
 
 Round roundIn(const std::vector<Pose>& poses) {
-  const Slack slack = slackOf(poses);
+  const std::vector<Slack> slacks = slacksOf(poses);
+  // A motion that settles resembles a round at its end, but a small one.
+  const float least = extent(poses, poses.size() / 2) / 2;
   Round round;
   for (size_t period = 2; 2 * period < poses.size() && round.frames == 0; ++period)
-    if (repeats(poses, period, slack) && !isStill(poses, period) &&
-        (period > 30 || worst(poses, period) < double(kSamePlace)))
+    if (repeats(poses, slacks, period) && !isStill(poses, period) &&
+        (period > 30 || worst(poses, period) < double(kSamePlace)) &&
+        extent(poses, period) >= least)
       round.frames = period;
   if (round.frames == 0) return round;
   // A slow motion resembles itself after a few frames: the period is where it resembles itself
@@ -91,8 +113,7 @@ Round roundIn(const std::vector<Pose>& poses) {
   round.frames = best;
   round.seconds = exactPeriod(poses, round.frames) * kFrame;
   round.begin = poses.size() - round.frames;
-  while (round.begin > 0 &&
-         near(poses[round.begin - 1], poses[round.begin - 1 + round.frames], slack))
+  while (round.begin > 0 && isNear(poses, slacks, round.begin - 1, round.begin - 1 + round.frames))
     --round.begin;
   return round;
 }

@@ -31,6 +31,8 @@ class Renumbering {
 
   void apply(engine::Report& report) const {
     apply(report.undisturbed);
+    for (engine::MadePart& made : report.made) apply(made.id);
+    for (engine::SameListeners& same : report.sameListeners) apply(same.target);
     for (engine::Probe& probe : report.probes) {
       apply(probe.target);
       apply(probe.seen);
@@ -78,7 +80,7 @@ ObservedPlace runPlace(const Document& document, const engine::Plan& plan) {
   place.report = engine::observe(document, plan);
   place.ran = place.report.undisturbed.frames > 0;
   Renumbering(addMadeParts(place.document, place.report)).apply(place.report);
-  settle(place.document, place.report);
+  place.brought = settle(place.document, place.report);
   place.settled = settledIn(document, place.document, place.report);
   return place;
 }

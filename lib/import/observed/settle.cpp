@@ -1,6 +1,7 @@
 #include "import/observed/settle.h"
 
 #include <algorithm>
+#include <set>
 #include <string>
 #include <utility>
 
@@ -73,25 +74,36 @@ void joinWorld(Document& document, InstanceId id) {
   document.instances[workspace].children.push_back(id);
 }
 
-// Whether a touch or a use puts the part back into the world.
-bool comesBack(const engine::Report& report, InstanceId part) {
-  const auto brings = [&](const Change& change) {
-    const bool* const there = std::get_if<bool>(&change.value);
-    return change.target == part && change.property == "Parent" && there && *there;
-  };
-  return std::any_of(report.probes.begin(), report.probes.end(), [&](const engine::Probe& probe) {
-    return std::any_of(probe.seen.changes.begin(), probe.seen.changes.end(), brings);
-  });
+bool isBringing(const Change& change) {
+  const bool* const there = std::get_if<bool>(&change.value);
+  return change.property == "Parent" && there && *there;
+}
+
+void addBrought(const engine::Observation& seen, std::set<InstanceId>& brought) {
+  std::set<InstanceId> changed;  // what goes first was there
+  for (const Change& change : seen.changes)
+    if (change.property == "Parent" && changed.insert(change.target).second && isBringing(change))
+      brought.insert(change.target);
+}
+
+// What is not in the world until a touch or a use brings it; without what comes by itself.
+std::set<InstanceId> broughtByTouches(const engine::Report& report) {
+  std::set<InstanceId> brought;
+  for (const engine::Probe& probe : report.probes) addBrought(probe.seen, brought);
+  for (const engine::Revisit& revisit : report.revisits) addBrought(revisit.probe.seen, brought);
+  for (const Change& change : report.undisturbed.changes)
+    if (change.property == "Parent" && change.time > report.probedAt) brought.erase(change.target);
+  return brought;
 }
 
 // At the start a script has put the part into the world or taken it out.
-void settleParent(Document& document, const engine::Report& report, InstanceId id, bool stays) {
+void settleParent(Document& document, InstanceId id, bool stays) {
   const bool isPart = isPartClass(document.instances[id].className);
   if (stays && isPart)
     joinWorld(document, id);
-  else if (!stays && !comesBack(report, id) && isPart)
+  else if (!stays && isPart)
     leaveTree(document, id);
-  else if (!stays && !comesBack(report, id))
+  else if (!stays)
     document.instances[id].properties["Enabled"] = false;  // a joint
 }
 
@@ -154,10 +166,21 @@ std::map<InstanceId, InstanceId> addMadeParts(Document& document, const engine::
   return ids;
 }
 
+bool isMadeLater(const engine::Report& report, InstanceId part) {
+  if (report.made.empty() || part < report.made.front().id) return false;
+  const size_t index = part - report.made.front().id;  // they are numbered in their order
+  return index < report.made.size() && report.made[index].later;
+}
+
 bool movesByItself(const engine::Report& report, InstanceId part) {
-  const auto track = report.undisturbed.tracks.find(part);
-  return track != report.undisturbed.tracks.end() &&
-         (lastChange(track->second) / 60.0 > report.probedAt || isWay(track->second));
+  constexpr double kPlacing = 0.1;  // seconds in which scripts put a new part in its place
+  const auto found = report.undisturbed.tracks.find(part);
+  if (found == report.undisturbed.tracks.end()) return false;
+  const engine::Track& track = found->second;
+  const double settled = isMadeLater(report, part)
+                             ? track.poses.front().frame * engine::kFrame + kPlacing
+                             : report.probedAt;
+  return lastChange(track) * engine::kFrame > settled || isWay(track);
 }
 
 Pose poseAtStart(const engine::Track& track, bool isMade) {
@@ -192,19 +215,32 @@ std::map<Key, const Change*> settledChanges(const engine::Report& report) {
 
 }  // namespace
 
-void settle(Document& document, const engine::Report& report) {
-  for (const auto& [key, change] : settledChanges(report)) {
+std::set<InstanceId> settle(Document& document, const engine::Report& report) {
+  const auto settled = settledChanges(report);
+  std::set<InstanceId> brought = broughtByTouches(report);
+  std::erase_if(brought, [&](InstanceId id) { return id >= document.instances.size(); });
+  for (const auto& [key, change] : settled) {
     if (key.first >= document.instances.size()) continue;
+    const bool* const stays = std::get_if<bool>(&change->value);
     if (key.second != "Parent")
       set(document, key.first, key.second, change->value);
-    else if (const bool* const stays = std::get_if<bool>(&change->value))
-      settleParent(document, report, key.first, *stays);
+    else if (stays && (*stays || !brought.contains(key.first)))
+      settleParent(document, key.first, *stays);
   }
+  // Parts that come and go belong to the world.
+  std::set<InstanceId> coming = brought;
+  for (const Change& change : report.undisturbed.changes)
+    if (isBringing(change) && change.target < document.instances.size() &&
+        !settled.contains({change.target, change.property}))
+      coming.insert(change.target);
+  for (const InstanceId id : coming)
+    if (isPartClass(document.instances[id].className)) joinWorld(document, id);
   const size_t own = document.instances.size() - report.made.size();
   for (const auto& [id, track] : report.undisturbed.tracks)
     if (id < document.instances.size())
       document.instances[id].properties["CFrame"] =
           movesByItself(report, id) ? poseAtStart(track, id >= own) : track.poses.back().pose;
+  return brought;
 }
 
 }  // namespace obby::importer

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <set>
 
 #include "engine/report.h"
 
@@ -12,8 +13,12 @@ namespace obby::importer {
 std::map<InstanceId, InstanceId> addMadeParts(Document& document, const engine::Report& report);
 
 // Sets properties that scripts changed before the probes and never afterwards, and the poses at
-// which parts stay or begin to move. Parts that are out of the world by then leave the tree.
-void settle(Document& document, const engine::Report& report);
+// which parts stay or begin to move. Parts that are out of the world by then leave the tree, but
+// for those that a touch or use brings, which are returned.
+std::set<InstanceId> settle(Document& document, const engine::Report& report);
+
+// Whether scripts have made the part after the first probes; its id is that of the document.
+bool isMadeLater(const engine::Report& report, InstanceId part);
 
 // Whether the part moves by itself, other than to be put in its place at the start.
 bool movesByItself(const engine::Report& report, InstanceId part);

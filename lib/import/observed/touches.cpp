@@ -6,6 +6,7 @@
 #include "import/observed/progress.h"
 #include "import/observed/revisits.h"
 #include "import/observed/roles.h"
+#include "import/observed/settle.h"
 #include "import/stages/numbers.h"
 
 namespace obby::importer {
@@ -36,7 +37,10 @@ class Touches {
     if (probe.byPlace) part->touch = true;  // the script looks; it does not wait for a touch
     part->byRoot = probe.byRoot && part->shape == Shape::block && effects.touchesPlayer();
     if (part->byRoot) part->evidence.push_back({"byRoot", kPosition, false});
+    roles_.setGuessed(comesLater(probe, effects));
     give(*part, probe, effects);
+    noteLater(*part, probe, effects);
+    roles_.setGuessed(false);
   }
 
   // Gives the unprobed part the effects of the probed one, as a guess.
@@ -55,6 +59,7 @@ class Touches {
     roles_.setGuessed(true);
     roles_.takePlayer(*part, *own);
     roles_.takeParts(*part, false, *own);
+    noteLater(*part, probe, *own);
     roles_.setGuessed(false);
   }
 
@@ -79,9 +84,7 @@ class Touches {
       give(*part, revisit.probe, added);
       if (roles_.setsJoints(revisit.probe)) roles_.takeDrives(*part, revisit.probe, added);
       roles_.setGuessed(false);
-      if (!added.onlyStage())
-        note("touch that does more later", part->id,
-             when + ", taken as if from the start; " + roles_.reason(added.line()));
+      if (!added.onlyStage()) noteMore(*part, when, added);
     }
     if (const ProbeEffects ended = endedIn(before, now); !ended.empty())
       note("touch that does less later", part->id,
@@ -159,6 +162,19 @@ class Touches {
       note("use that acts on the player", part.id,
            "the player stays as it is; " + roles_.reason(effects.line()));
     roles_.takeParts(part, used, effects);
+  }
+
+  // The second round found it, at a part that was there before.
+  bool comesLater(const engine::Probe& probe, const ProbeEffects& effects) const {
+    return probe.at > report_.probedAt && !effects.onlyStage() &&
+           !isMadeLater(report_, probe.target);
+  }
+  void noteLater(PartDraft& part, const engine::Probe& probe, const ProbeEffects& effects) {
+    if (comesLater(probe, effects)) noteMore(part, "some time after the start", effects);
+  }
+  void noteMore(PartDraft& part, const std::string& when, const ProbeEffects& more) {
+    note("touch that does more later", part.id,
+         when + ", taken as if from the start; " + roles_.reason(more.line()));
   }
 
   void note(const char* kind, InstanceId id, const std::string& text) {

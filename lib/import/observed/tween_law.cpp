@@ -168,8 +168,11 @@ double endOf(const std::vector<Law>& laws) {
 
 }  // namespace
 
-TweenLaws::TweenLaws(const engine::Observation& seen) {
-  for (const engine::Tween& tween : seen.tweens) byTarget_[tween.target].push_back(&tween);
+TweenLaws::TweenLaws(const engine::Observation& seen, double origin) : tweens_(seen.tweens) {
+  for (engine::Tween& tween : tweens_) {
+    tween.time -= origin;
+    byTarget_[tween.target].push_back(&tween);
+  }
 }
 
 std::optional<Motion> TweenLaws::outlasting(const std::vector<Pose>& poses, InstanceId part) const {

@@ -12,7 +12,8 @@ namespace obby::importer {
 
 class TweenLaws {
  public:
-  explicit TweenLaws(const engine::Observation& seen);
+  // `origin`: the time of the first of the poses below, in seconds.
+  explicit TweenLaws(const engine::Observation& seen, double origin = 0);
 
   // The motion of a part, at `poses` a frame each, whose tweens are not over at the last frame.
   // Nothing where there are none, where it is not where they would have it, or where they have no
@@ -24,6 +25,7 @@ class TweenLaws {
   std::optional<double> end(const std::vector<Pose>& poses, InstanceId part) const;
 
  private:
+  std::vector<engine::Tween> tweens_;  // since the origin
   std::map<InstanceId, std::vector<const engine::Tween*>> byTarget_;
 };
 
