@@ -1,4 +1,4 @@
-// What depends on random numbers that scripts draw.
+// Finds parts that depend on random numbers drawn by scripts.
 #pragma once
 
 #include "import/draft.h"
@@ -6,9 +6,9 @@
 
 namespace obby::importer {
 
-// Names each part of `level` that is another one in `other`: the level of the same place when its
-// scripts drew other random numbers. Instances below `fromFile` are those of the file; parts that
-// scripts made are compared by what they are.
+// Notes each part of `level` that differs in `other`, the level of the same place under other
+// random numbers. Instances below `fromFile` are those of the file. Parts that scripts made are
+// compared by their content.
 void noteChance(LevelDraft& level, const Tree& tree, size_t fromFile, const LevelDraft& other);
 
 }  // namespace obby::importer

@@ -1,4 +1,4 @@
-// Collision groups: which parts players pass through because the place says so by groups.
+// Finds the parts that players pass through because of their collision groups.
 #pragma once
 
 #include <cstdint>
@@ -13,17 +13,17 @@ namespace obby::importer {
 
 class CollisionGroups {
  public:
-  // Notes a damaged matrix. `scriptsTell`: the place's scripts ran well, so what they do to groups
-  // is known.
+  // Notes a damaged matrix. `scriptsTell` is true if the place's scripts ran without errors, so
+  // that their changes to groups are known.
   CollisionGroups(const Tree& tree, const ObservedPlace& place, bool scriptsTell,
                   LevelDraft& level);
 
-  // Takes the solidity of a part whose group does not collide with the players'. Where scripts ran
-  // the document has it already, with what they did.
+  // Makes a part passable if its group does not collide with the players' group. Where scripts ran,
+  // the document already has it, with the scripts' changes.
   void apply(PartDraft& part) const;
 
-  // Whether it is known whether players collide with the part. Else nothing lists its group, or
-  // scripts that did not run well set groups.
+  // Returns true if it is known whether players collide with the part. It is unknown if nothing
+  // lists its group, or if scripts that failed set groups.
   bool isSettled(const Instance& part) const;
 
  private:
@@ -31,18 +31,19 @@ class CollisionGroups {
 
   const Tree& tree_;
   engine::GroupMatrix matrix_;
-  bool isSaved_ = false;    // the file has a matrix
-  bool byScripts_ = false;  // a script speaks of collision groups
+  bool isSaved_ = false;    // The file has a matrix.
+  bool byScripts_ = false;  // A script mentions collision groups.
   bool ran_ = false;
-  std::vector<std::string> told_;  // groups of the twin, if the scripts ran well
+  std::vector<std::string> told_;  // groups of the twin, if the scripts ran without errors
   bool touchesUseGroups_ = false;
   uint8_t players_ = 0;
 };
 
-// Why the part is not solid.
+// Returns why the part is not solid.
 Evidence passedEvidence(const Instance& part);
 
-// The group of a part as files have it: a name, in older ones a number. "Default" for none.
+// Returns the group of a part as files have it: a name, or a number in older files. "Default" if
+// there is none.
 std::string groupNameOf(const Instance& part);
 
 }  // namespace obby::importer

@@ -1,4 +1,4 @@
-// The chunks of the binary format: where they are, and their content decompressed.
+// Lists the chunks of the binary format and decompresses their content.
 #pragma once
 
 #include <cstdint>
@@ -19,20 +19,21 @@ struct Chunk {
   uint32_t rawLength = 0;
 };
 
-// Decompressed bytes; they own their memory only if something had to be decompressed.
+// Decompressed bytes. They own memory only if decompression was necessary.
 struct ChunkData {
   std::string_view bytes;
   std::unique_ptr<char[]> owned;
 };
 
-// The chunks from `firstOffset` to the END chunk, which is the last one. Nothing is decompressed.
+// Lists the chunks from `firstOffset` to the END chunk, which is the last one, without
+// decompressing.
 Result<std::vector<Chunk>> listChunks(std::string_view file, size_t firstOffset);
 
-// `fileSize` bounds what a chunk may grow to: at most 256 MiB, and not much more than the file; and
-// what all may: `total`, 0 before the first, counts their bytes.
+// Decompresses one chunk. A chunk may grow to 256 MiB, and not much beyond `fileSize`. `total`, 0
+// before the first chunk, sums the bytes of all chunks and is bounded, too.
 Result<ChunkData> decompress(const Chunk& chunk, size_t fileSize, size_t& total);
 
-// An Error at the chunk's place: "byte 4711: PROP".
+// Returns an Error at the chunk's place: "byte 4711: PROP".
 Error chunkError(const Chunk& chunk, std::string message);
 
 }  // namespace obby::importer

@@ -1,4 +1,4 @@
-// A place after its scripts ran: the document as they leave it, and what was seen.
+// A place after its scripts ran: the document as they leave it, and the observations.
 #pragma once
 
 #include <set>
@@ -10,7 +10,7 @@
 
 namespace obby::importer {
 
-// What scripts had made of a part of the file when play began.
+// A change that scripts had made to a part of the file when play began.
 struct Settled {
   InstanceId id = kNoInstance;
   std::string path;  // in the file
@@ -19,17 +19,18 @@ struct Settled {
 };
 
 struct ObservedPlace {
-  Document document;      // with the parts that scripts made, and all that they changed for good
-  engine::Report report;  // its ids are the document's; what scripts made later has others
-  bool ran = false;       // there were scripts, and they ran
+  Document document;      // with parts that scripts made and all lasting changes
+  engine::Report report;  // Its ids are the document's, except for parts that scripts made later.
+  bool ran = false;       // There were scripts, and they ran.
   std::vector<Settled> settled = {};
-  std::set<InstanceId> brought = {};  // not in the world until a touch or use brings it
-  size_t fromFile = 0;  // instances of the document that its file has; those that follow were made
-  // The place as it runs with other random numbers; empty if its scripts draw none.
+  std::set<InstanceId> brought = {};  // parts outside the world until a touch or use brings them
+  size_t fromFile = 0;  // Number of instances from the file. Those after it were made by scripts.
+  // The same place under other random numbers; empty if its scripts draw none.
   std::vector<ObservedPlace> others = {};
 };
 
-// "script Trap line 3: hit.Parent.Humanoid.Health = 0"; "a script" where nobody is known.
+// Returns "script Trap line 3: hit.Parent.Humanoid.Health = 0", or "a script" if the script is
+// unknown.
 std::string lineReason(const Tree& tree, engine::Line line);
 
 }  // namespace obby::importer

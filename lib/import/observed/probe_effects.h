@@ -13,15 +13,15 @@ namespace obby::importer {
 
 struct Harmful {
   double damage = 0, cooldown = 0;
-  bool lasts = false;      // it goes on once the player has left: the damage is that of one touch
-  bool stoppable = false;  // a force field stops it
+  bool lasts = false;      // It goes on after the player has left; the damage is that of one touch.
+  bool stoppable = false;  // A force field stops it.
   engine::Line line;
 };
 struct Push {
   Vec3 velocity;
   bool keepsSideways = false;
   engine::Line line;
-  double seconds = 0;  // that a mover holds the velocity; 0: it is set once
+  double seconds = 0;  // duration of a mover's velocity; 0: set once
 };
 struct Teleported {
   Vec3 feet;
@@ -30,20 +30,21 @@ struct Teleported {
   engine::Line line;
 };
 struct Booster {
-  float walk = 1, jump = 1, gravity = 1;  // times what it was; below 0: the player floats up
+  float walk = 1, jump = 1, gravity = 1;  // factors of the former values; below 0 the player floats
+                                          // up
   double seconds = 0;                     // after the player has left; 0: at once
   bool forever = false;
-  bool resets = false;  // sets what it was, and nothing else
+  bool resets = false;  // restores the former values and does nothing else
   engine::Line line;
 };
-// Progress that scripts keep of the player.
+// Progress of the player that scripts store.
 struct StageSet {
-  std::optional<int> number;         // in leaderstats or the like
-  std::optional<int64_t> team;       // the colour of the player's new team
-  InstanceId respawn = kNoInstance;  // the SpawnLocation where the player comes back from now on
+  std::optional<int> number;         // from leaderstats or the like
+  std::optional<int64_t> team;       // colour of the player's new team
+  InstanceId respawn = kNoInstance;  // SpawnLocation where the player respawns from now on
   engine::Line line;
 };
-// A number of the player that scripts keep under a name that does not tell its meaning.
+// A number of the player that scripts store under an uninformative name.
 struct UnnamedStat {
   int number = 0;
   engine::Line line;
@@ -51,19 +52,19 @@ struct UnnamedStat {
 struct Away {
   InstanceId part = kNoInstance;
   double delay = 0;
-  std::optional<double> seconds;  // nothing: it did not come back
+  std::optional<double> seconds;  // nullopt: it did not come back
   engine::Line line;
-  bool held = false;  // it came back as the player left: `seconds` after that
+  bool held = false;  // It came back as the player left; `seconds` counts from then.
 };
 struct Moved {
   InstanceId part = kNoInstance;
-  std::vector<Pose> poses;          // a frame each, from the touch on
-  InstanceId driver = kNoInstance;  // the constraint or mover that moves it
+  std::vector<Pose> poses;          // one pose per frame, from the touch on
+  InstanceId driver = kNoInstance;  // constraint or mover that moves it
   engine::Line line;
-  std::optional<Motion> outlasting;  // by tweens that play at the probe's end
+  std::optional<Motion> outlasting;  // motion of tweens that still play at the probe's end
 };
 
-// A part that changes, and the line that changes it.
+// A part that changes, and the script line that changes it.
 struct Changed {
   InstanceId part = kNoInstance;
   engine::Line line;
@@ -76,16 +77,16 @@ struct ProbeEffects {
   std::optional<Booster> boost;
   std::optional<StageSet> stage;
   std::optional<engine::Line> won;
-  // The player falls down; can never go on; is pushed by a force; jumps, in the air, too; loses a
+  // The player falls down; can never go on; is pushed by a force; jumps, also in the air; loses a
   // state such as Jumping.
   std::optional<engine::Line> trips, ends, force, jumps, stateOff;
-  std::vector<Away> aways, backs;  // parts that go; that come, and go again
+  std::vector<Away> aways, backs;  // Parts that vanish; parts that appear and vanish again.
   std::vector<Moved> moved;
   std::vector<Changed> belts, sizes;
   std::vector<UnnamedStat> unnamed;
-  std::map<InstanceId, engine::Line> others;  // things whose other properties are set
+  std::map<InstanceId, engine::Line> others;  // parts whose other properties are set
 
-  // The effects on the player, and those on parts.
+  // Returns the effects on the player, or those on parts.
   auto onPlayer() {
     return std::tie(harm, push, teleport, boost, trips, ends, force, jumps, stateOff, won, stage);
   }
@@ -103,12 +104,12 @@ struct ProbeEffects {
     return std::apply([](const auto&... parts) { return (!parts.empty() || ...); }, onParts());
   }
   bool empty() const { return !touchesPlayer() && !touchesParts(); }
-  // Returns true if there is progress and nothing else.
+  // Returns true if progress is the only effect.
   bool onlyStage() const;
-  // Returns the effects that a touch of `from` has, for `to`, to which the same functions listen.
-  // Nothing if they depend on where the parts are, or concern other parts.
+  // Returns the effects that a touch of `from` has, applied to `to`, to which the same functions
+  // listen. Returns nullopt if they depend on the parts' positions or concern other parts.
   std::optional<ProbeEffects> asOf(InstanceId from, InstanceId to) const;
-  // Returns the line of one of the effects; of none: {}.
+  // Returns the line of one of the effects, or {} if there is none.
   engine::Line line() const;
 };
 

@@ -1,11 +1,11 @@
-// Runs a place's scripts and brings the document to the state in which they leave it.
+// Runs a place's scripts and returns the document in the state after them.
 #pragma once
 
 #include "import/observed/place.h"
 
 namespace obby::importer {
 
-// A document without scripts comes back as it is.
+// Returns a document without scripts unchanged.
 ObservedPlace observePlace(const Document& document);
 
 }  // namespace obby::importer

@@ -1,4 +1,4 @@
-// What scripts had made of the file's parts when play began, for the evidence.
+// Lists script changes to the file's parts before play began, for the evidence.
 #pragma once
 
 #include <vector>
@@ -7,7 +7,7 @@
 
 namespace obby::importer {
 
-// Parts that differ between the file and the document that `settle` has made of it.
+// Returns the parts that differ between the file and the document that `settle` made from it.
 std::vector<Settled> settledIn(const Document& file, const Document& document,
                                const engine::Report& report);
 

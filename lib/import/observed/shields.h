@@ -1,4 +1,4 @@
-// Force fields, which keep harm by TakeDamage and explosions from players.
+// Finds force fields, which protect players from TakeDamage and explosions.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace obby::importer {
 
-// What gives players a force field for a time: a script's line, or a spawn. Empty: nothing does.
+// Returns the script line or spawn that gives players a temporary force field, or "" if none does.
 std::string shieldIn(RoleContext& context, const engine::Report& report);
 
 }  // namespace obby::importer
