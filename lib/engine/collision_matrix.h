@@ -1,4 +1,4 @@
-// The collision groups that a place saves: CollisionGroupData of Workspace or PhysicsService.
+// Reads the collision groups that a place saves: CollisionGroupData of Workspace or PhysicsService.
 #pragma once
 
 #include <array>
@@ -12,16 +12,16 @@
 
 namespace obby::engine {
 
-// Names, and a bit for each group that a group collides with.
+// The names of the groups, and a bit for each group that a group collides with.
 struct GroupMatrix {
   std::map<std::string, uint8_t, std::less<>> ids;
   std::array<uint32_t, 32> masks;
 };
 
-// Fails on damage.
+// Decodes the groups. Fails on damage.
 Result<GroupMatrix> decodeGroups(std::string_view blob);
 
-// The bytes that an instance holds; empty if it holds none.
+// Returns the bytes that an instance holds, or nothing if it holds none.
 std::string_view groupBytes(const Instance& instance);
 
 }  // namespace obby::engine

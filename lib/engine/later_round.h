@@ -1,5 +1,5 @@
-// A second round of probes, late in the undisturbed run: parts and listeners that come later than
-// the first round, and what waits for a time. Private to lib/engine.
+// Runs a second round of probes, late in the undisturbed run. It finds parts and listeners that
+// appear after the first round, and effects that wait for a time. Private to lib/engine.
 #pragma once
 
 #include <map>
@@ -16,10 +16,11 @@ class LaterRound {
  public:
   LaterRound(Stage& stage, const Plan& plan, Children& children, Report& report);
 
-  // Parts made since the first round join report.made. Targets that are new join report.probes;
-  // some of the others are probed once more, and what differs joins report.revisits.
+  // Adds parts made since the first round to report.made, and probes of new targets to
+  // report.probes. Probes some of the other targets once more and adds differences to
+  // report.revisits.
   void look();
-  // At the end of the run: drops the made parts that have gone since look().
+  // Drops the made parts that have vanished since look(). Call it at the end of the run.
   void dropGone();
 
  private:
@@ -34,7 +35,7 @@ class LaterRound {
   Children& children_;
   Report& report_;
   std::map<InstanceId, size_t> first_;       // index into report.probes, by target
-  std::vector<Probe> fresh_, again_, rest_;  // rest_: of the first round, beyond again_
+  std::vector<Probe> fresh_, again_, rest_;  // rest_: targets of the first round not in again_
   std::set<std::string> usualFirst_, usualNow_;
 };
 

@@ -1,4 +1,4 @@
-// Which parts are probed where there are too many for all. Private to lib/engine.
+// Decides which parts are probed if there are too many for all. Private to lib/engine.
 #pragma once
 
 #include <vector>
@@ -11,8 +11,8 @@ constexpr const char* kTooManyParts = "too many parts to touch";
 
 struct Choice {
   std::vector<Probe> probes;
-  std::vector<SameListeners> same;  // the others; their indices are those of `probes`
-  bool isAll = true;                // false: some parts are in neither list
+  std::vector<SameListeners> same;  // the others; their indices refer to `probes`
+  bool isAll = true;                // false if some parts are in neither list
 };
 
 // Keeps the first part of each set of listeners, then the second of each, and so on, in order.

@@ -1,4 +1,4 @@
-// All probes of one moment, and second looks at parts that harm. Private to lib/engine.
+// Runs all probes of one moment, and second probes of harmful parts. Private to lib/engine.
 #pragma once
 
 #include <vector>
@@ -9,7 +9,8 @@
 
 namespace obby::engine {
 
-// Share of the whole time limit: one copy of the place that hangs must leave time for the others.
+// Max share of the whole time limit for one copy of the place. One that hangs must leave time for
+// the others.
 constexpr double kCopyShare = 0.25;
 
 class ProbeRound {
@@ -17,7 +18,7 @@ class ProbeRound {
   ProbeRound(Stage& stage, const Plan& plan, Children& children)
       : stage_(stage), plan_(plan), children_(children), limit_(plan.timeLimit * kCopyShare) {}
 
-  // Each probe runs in a copy of the place as it is now.
+  // Runs each probe in a copy of the place in its current state.
   std::vector<Probe> run(std::vector<Probe> wanted);
 
  private:
@@ -29,7 +30,7 @@ class ProbeRound {
   Stage& stage_;
   const Plan& plan_;
   Children& children_;
-  double limit_;  // seconds of the wall clock, for one copy
+  double limit_;  // seconds of wall time for one copy
   std::vector<Probe> probes_;
 };
 

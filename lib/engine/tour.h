@@ -1,4 +1,4 @@
-// One tour of touches: how it goes, and what is seen. Private to lib/engine.
+// Options and observations of one tour of touches. Private to lib/engine.
 #pragma once
 
 #include <vector>
@@ -9,9 +9,9 @@ namespace obby::engine {
 
 struct TourSeen {
   std::vector<Probe> touches, probes;
-  Observation after;  // what goes on after a tour that does not settle
-  double end = 0;     // of the tour, in seconds
-  uint64_t used = 0;  // instructions
+  Observation after;  // continuing changes after a tour that does not settle
+  double end = 0;     // end of the tour, in seconds
+  uint64_t used = 0;  // instructions used
 };
 
 template <class A>
@@ -19,8 +19,8 @@ void fields(A& a, TourSeen& s) {
   a(s.touches), a(s.probes), a(s.end), a(s.used), a(s.after);
 }
 
-// `touches`: false lets the time of the touches pass without them. `settles`: false probes at once
-// after them, while what lasts for seconds only goes on.
+// If `touches` is false, the time of the touches passes without them. If `settles` is false, the
+// probes start right after the touches, during their lasting effects.
 struct TourMode {
   bool patiently = true, touches = true, settles = true;
 };

@@ -1,4 +1,4 @@
-// The engine's classes, their members and the items of its enums, from api/classes.txt.
+// Reads the engine's classes, their members and the items of its enums from api/classes.txt.
 #pragma once
 
 #include <string>
@@ -12,12 +12,12 @@ class ClassTable {
   // Reads the table at the first call.
   static const ClassTable& get();
 
-  // The base class, empty for the root; null: there is no such class.
+  // Returns the base class, empty for the root, or null if there is no such class.
   const std::string_view* baseOf(std::string_view className) const;
-  // The member's code, inherited ones included: ":", ".", "!" for a method, event, callback, else
-  // the property's type (classes.txt). Empty: the class has none of that name.
+  // Returns the member's code, inherited ones included: ":", ".", "!" for a method, event,
+  // callback, else the property's type (classes.txt). Returns "" if the class has no such member.
   std::string_view member(std::string_view className, std::string_view name) const;
-  // "Plastic=256 Neon=288 ..."; empty: there is no such enum.
+  // Returns "Plastic=256 Neon=288 ...", or "" if there is no such enum.
   std::string_view enumItems(std::string_view name) const;
 
  private:

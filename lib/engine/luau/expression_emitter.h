@@ -1,5 +1,5 @@
-// Emits expressions (operators and literals have a file each), and the scopes in which variables
-// are found.
+// Emits expressions (operators and literals have a file each), and keeps the scopes that resolve
+// variables.
 #pragma once
 
 #include <string>
@@ -19,29 +19,31 @@ class ExpressionEmitter {
 
  protected:
   using Exprs = std::vector<ExprPtr>;
-  static constexpr size_t kMostArguments = 100;  // of a helper: registers are scarce
+  static constexpr size_t kMostArguments = 100;  // per helper call: registers are scarce
 
   explicit ExpressionEmitter(Scopes& scopes) : scopes_(scopes), prefix_(scopes.freePrefix()) {}
 
-  // Emits the statements of a function that is a value.
+  // Emits the statements of a function expression.
   virtual void functionBlock(const Block& body) = 0;
 
   // Scopes.
   void openScope(const Block& block, const std::vector<std::string>& names);
-  // What a local variable is called. 5.1 has a hidden variable `arg` in functions with `...`.
+  // Returns the emitted name of a local variable. 5.1 has a hidden variable `arg` in functions with
+  // `...`.
   std::string variable(std::string_view name) const {
     return name == "arg" ? own(name) : std::string(name);
   }
   void variables(const std::vector<std::string>& names);
-  // The name of a variable that is declared here, or the field that holds it.
+  // Returns the name of a variable that is declared here, or the field that holds it.
   std::string declared(std::string_view name);
-  bool isOwnLocal(const Expr& expr) const;  // a local variable of this very function
+  bool isOwnLocal(const Expr& expr) const;  // Returns true for a local variable of this very
+                                            // function.
 
   // Expressions.
   void expression(const Expr& expr);
-  void bare(const Expr& expr);       // without its own parentheses
-  void single(const Expr& expr);     // adjusted to one value wherever it stands
-  void bracketed(const Expr& expr);  // (expr), once
+  void bare(const Expr& expr);       // Emits it without its own parentheses.
+  void single(const Expr& expr);     // Emits it adjusted to one value in any position.
+  void bracketed(const Expr& expr);  // Emits (expr), with one pair of parentheses.
   void list(const Exprs& exprs, size_t from = 0);
   void name(const Expr& expr);
   void call(const Expr& expr);
@@ -63,7 +65,7 @@ class ExpressionEmitter {
   void interpolation(const std::vector<const Expr*>& parts, size_t from);
 
   void keyword(std::string_view word) { out_.word(word); }
-  void helper(std::string_view name) {  // L_.name(
+  void helper(std::string_view name) {  // Emits L_.name(
     out_.word(prefix_);
     out_.symbol(".");
     out_.word(name);
@@ -77,16 +79,17 @@ class ExpressionEmitter {
   Scope* scope_ = nullptr;
 
  private:
-  std::unordered_map<const Scope*, int> declared_;  // variables so far, of a scope with a table
+  std::unordered_map<const Scope*, int> declared_;  // number of variables so far, of a scope with a
+                                                    // table
 };
 
-// A call or `...` that is not in parentheses: it may be any number of values.
+// Returns true for a call or `...` that is not in parentheses: it may be any number of values.
 inline bool isMulti(const Expr& expr) {
   return !expr.parenthesised && (expr.kind == ExprKind::call || expr.kind == ExprKind::method ||
                                  expr.kind == ExprKind::vararg);
 }
 
-// The operands of a chain of `..`, from left to right.
+// Returns the operands of a chain of `..`, from left to right.
 std::vector<const Expr*> concatenated(const Expr& expr);
 
 }  // namespace obby::luau

@@ -1,5 +1,5 @@
-// Parses expressions: operators and functions in expression_parser.cpp, what begins with a name or
-// a bracket in suffix_parser.cpp.
+// Parses expressions. Operators and functions are in expression_parser.cpp; expressions that begin
+// with a name or a bracket are in suffix_parser.cpp.
 #pragma once
 
 #include <string>
@@ -13,14 +13,14 @@ class ExpressionParser : protected TypeParser {
  protected:
   using TypeParser::TypeParser;
 
-  static constexpr int kMaxHeight = 1000;  // of one expression
-  // What `...`, `break` and `continue` may refer to.
+  static constexpr int kMaxHeight = 1000;  // height of one expression
+  // The targets that `...`, `break` and `continue` may refer to.
   struct Surroundings {
     bool vararg = true;
     int loops = 0;
   };
 
-  virtual Block block() = 0;  // the statements of a function
+  virtual Block block() = 0;  // parses the statements of a function
 
   ExprPtr expression(int least = 0) override;
   ExprPtr concatenation(ExprPtr first);
@@ -42,7 +42,7 @@ class ExpressionParser : protected TypeParser {
   void attributes();
   std::vector<ExprPtr> expressionList();
   static ExprPtr make(ExprKind kind, int line, std::string text = {});
-  // Adds a kid; one that would make the expression too high becomes unknown.
+  // Adds a kid. If the expression would become too high, the kid becomes unknown.
   void adopt(Expr& parent, ExprPtr kid);
 
   Surroundings around_;

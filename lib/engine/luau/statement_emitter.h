@@ -1,4 +1,4 @@
-// Emits statements: assignments and loops have a file each.
+// Emits statements. Assignments and loops have a file each.
 #pragma once
 
 #include <string>
@@ -23,12 +23,12 @@ class StatementEmitter final : private ExpressionEmitter {
   void function(const Stat& stat);
   void returns(const Stat& stat);
   void leaves(const Stat& stat);
-  // `end` of a block statement, on its line.
+  // Emits the `end` of a block statement, on its line.
   void end(const Stat& stat) {
     out_.at(stat.endLine);
     keyword("end");
   }
-  void body(const Block& block);  // with its scope
+  void body(const Block& block);  // Emits a block with its scope.
 
   // Assignments.
   void assignment(const Stat& stat);
@@ -37,7 +37,7 @@ class StatementEmitter final : private ExpressionEmitter {
   void bindTargets(const Stat& stat);
   void compound(const Stat& stat);
   void compoundField(const Stat& stat);
-  // `target = target op value`, where the target is written by `write`.
+  // Emits `target = target op value`; `write` writes the target.
   template <class Write>
   void update(const Stat& stat, const Write& write);
 
@@ -47,7 +47,7 @@ class StatementEmitter final : private ExpressionEmitter {
   void forLoop(const Stat& stat);
   void loopBody(const Block& body, const std::vector<std::string>& names, int endLine);
 
-  bool flagsBreak_ = false;  // the loop's body is a loop of its own: leaving it sets a flag
+  bool flagsBreak_ = false;  // The loop's body is a loop of its own, so leaving it sets a flag.
 };
 
 }  // namespace obby::luau

@@ -1,4 +1,4 @@
-// Parses statements: loops are in loop_parser.cpp.
+// Parses statements. Loops are in loop_parser.cpp.
 #pragma once
 
 #include "engine/luau/expression_parser.h"
@@ -34,7 +34,7 @@ class StatementParser final : private ExpressionParser {
   StatPtr callOrAssignment(int line);
   StatPtr assignment(int line, ExprPtr first);
   void checkTarget(const Expr& target);
-  bool continuesName() const;  // whether what follows a name makes it an expression
+  bool continuesName() const;  // true if the tokens after a name make it an expression
 };
 
 inline StatPtr makeStat(StatKind kind, int line) {

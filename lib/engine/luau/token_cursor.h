@@ -1,4 +1,4 @@
-// The place of a parser in the tokens of a script, and the first error that it finds.
+// The position of a parser in the tokens of a script, and the first error that it finds.
 #pragma once
 
 #include <string>
@@ -16,31 +16,31 @@ class TokenCursor {
   }
 
  protected:
-  static constexpr int kMaxDepth = 150;  // nested blocks and brackets
+  static constexpr int kMaxDepth = 150;  // max nested blocks and brackets
 
-  // One more level of nesting while it lives.
+  // Adds one level of nesting while it exists.
   class Depth {
    public:
     explicit Depth(TokenCursor& cursor) : cursor_(cursor) { ++cursor_.depth_; }
     ~Depth() { --cursor_.depth_; }
     Depth(const Depth&) = delete;
     Depth& operator=(const Depth&) = delete;
-    // An error if so; skips a token, so that whoever repeats gets on.
+    // Returns true at too deep nesting. Reports it and skips a token, so that a caller's loop makes
+    // progress.
     bool tooDeep() const;
 
    private:
     TokenCursor& cursor_;
   };
 
-  // Errors: the first one counts.
+  // Errors. The first one counts.
   void fail(int line, std::string message);
   void failHere(std::string_view expected);  // "expected X, found Y"
   std::string found() const;
 
-  // Tokens.
-  // Of three tokens: the one before, the current one and the one ahead.
+  // Tokens. Three are kept: the one before, the current one and the next one.
   const Token& peek(size_t ahead = 0) const { return tokens_[(current_ + ahead) % 3]; }
-  // Lasts until the next call.
+  // The reference is valid until the next call.
   const Token& next() {
     const Token& token = peek();
     if (token.error) fail(token.line, token.error);
@@ -51,7 +51,7 @@ class TokenCursor {
     return token;
   }
   bool atEnd() const { return peek().kind == TokenKind::end; }
-  int lineBefore() const { return peek(2).line; }  // only behind a token
+  int lineBefore() const { return peek(2).line; }  // valid only after a first token
   static bool isSymbol(const Token& token, std::string_view text) {
     return token.kind == TokenKind::symbol && token.text == text;
   }
@@ -74,12 +74,12 @@ class TokenCursor {
   }
   void expectKeyword(std::string_view keyword);
   void expect(std::string_view symbol);
-  // The counterpart of what was opened: the error tells where that was.
+  // Expects the counterpart of an opening symbol. The error names the opener's line.
   void close(std::string_view symbol, std::string_view opener, int line);
   void closeKeyword(std::string_view keyword, std::string_view opener, int line);
   std::string nameToken();
 
-  size_t position() const { return position_; }  // tokens so far
+  size_t position() const { return position_; }  // tokens read so far
   bool isBroken() const { return broken_; }
   const std::string& error() const { return error_; }
   int errorLine() const { return errorLine_; }

@@ -1,4 +1,4 @@
-// Parses types, which are read and forgotten: what only the type checker refuses passes.
+// Parses types and discards them. Errors that only the type checker reports pass.
 #pragma once
 
 #include "engine/luau/ast.h"
@@ -26,7 +26,7 @@ class TypeParser : protected TokenCursor {
     if (accept(":")) type();
   }
   void instantiation();
-  void generics();  // <T, U..., V = default>, if there is a list
+  void generics();  // parses <T, U..., V = default>, if there is a list
 };
 
 }  // namespace obby::luau

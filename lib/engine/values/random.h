@@ -1,5 +1,5 @@
-// Luau's random numbers: PCG32 (O'Neill, "PCG: A Family of Simple Fast Space-Efficient
-// Statistically Good Algorithms", 2014), by seed. Private to lib/engine.
+// Luau's seeded random numbers: PCG32 (O'Neill, "PCG: A Family of Simple Fast Space-Efficient
+// Statistically Good Algorithms", 2014). Private to lib/engine.
 #pragma once
 
 #include <algorithm>
