@@ -13,14 +13,14 @@ namespace {
 constexpr const char* kByChance = "part that differs by chance";
 constexpr const char* kChanceNote = "taken as it is for one set of random numbers";
 
-// A player who waits meets each phase.
+// Clears the phase: a player who waits meets every phase.
 template <class T>
 std::optional<T> withoutPhase(std::optional<T> value, float T::*phase) {
   if (value) (*value).*phase = 0;
   return value;
 }
 
-// Returns the first property in which two drafts of a part differ for a player; else null.
+// Returns the first property in which two drafts of a part differ for a player, else null.
 const char* differenceOf(const PartDraft& a, const PartDraft& b) {
   if (!isSame(a.pose, b.pose)) return "its place";
   if (!(a.size == b.size) || a.shape != b.shape || a.hulls.size() != b.hulls.size())
@@ -42,14 +42,14 @@ const char* differenceOf(const PartDraft& a, const PartDraft& b) {
   return nullptr;
 }
 
-// Parts that scripts made, by their heights: one run's ids say nothing about another's.
+// Parts that scripts made, by their heights: ids of different runs are unrelated.
 class MadeParts {
  public:
   MadeParts(const LevelDraft& level, size_t fromFile) {
     for (const PartDraft& part : level.parts)
       if (part.id >= fromFile) byHeight_.emplace(part.pose.position.y, &part);
   }
-  // Returns true if a part like this one was left, and takes it.
+  // Removes an equal part. Returns false if none is left.
   bool take(const PartDraft& part) {
     const auto [begin, end] = byHeight_.equal_range(part.pose.position.y);
     const auto found = std::find_if(

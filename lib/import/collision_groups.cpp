@@ -19,7 +19,7 @@ bool scriptsSetGroups(const Tree& tree) {
   return false;
 }
 
-// The part of a place's own character model that stands for all of it; kNoInstance: it has none.
+// Returns the part that represents the place's own character model, or kNoInstance if it has none.
 InstanceId characterPart(const Tree& tree) {
   const InstanceId player = tree.service("StarterPlayer");
   if (player == kNoInstance) return kNoInstance;

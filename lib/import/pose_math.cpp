@@ -1,4 +1,4 @@
-// Rotation helpers; double precision inside so that repeated use does not drift.
+// Computes rotations in double precision, so that repeated use does not drift.
 #include "import/pose_math.h"
 
 #include <algorithm>

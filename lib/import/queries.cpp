@@ -1,4 +1,4 @@
-// One query a stage, with the checkpoint's or goal's part as goal region.
+// Writes one query for each stage, with the checkpoint's or goal's part as goal region.
 #include "import/queries.h"
 
 #include <algorithm>
@@ -14,7 +14,7 @@ namespace {
 
 constexpr float kAbove = 0.5f;   // studs above the part
 constexpr float kBeside = 1;     // studs on each side
-constexpr float kLeast = 0.05f;  // studs: thinner parts are simulated as this thick
+constexpr float kLeast = 0.05f;  // studs; the simulator makes thinner parts this thick
 
 struct Target {
   int part;
@@ -34,8 +34,8 @@ std::vector<Target> targets(const LevelDraft& level) {
   return list;
 }
 
-// The level's clock once all that happens only once has happened: players who are past the first
-// stage have been there for a while.
+// Returns the level's clock after all single events. Players past the first stage have been there
+// for a while.
 uint32_t laterTick(const LevelDraft& level) {
   double last = 0;
   for (const PartDraft& part : level.parts) {
