@@ -1,5 +1,5 @@
-// A byte 1, the number of groups, and for each its id, the size of its mask (4), the mask, the
-// length of its name, the name.
+// Decodes a byte 1, the number of groups, and for each group its id, the size of its mask (4), the
+// mask, the length of its name, the name.
 #include "engine/collision_matrix.h"
 
 namespace obby::engine {
@@ -7,7 +7,7 @@ namespace {
 
 constexpr uint8_t kGroupsVersion = 1, kMaskBytes = 4;
 
-// Takes bytes from the front; zeros, and `ended`, where they are missing.
+// Reads bytes from the front. Past the end it returns zeros and sets `ended`.
 struct GroupReader {
   std::string_view left;
   bool ended = false;

@@ -1,4 +1,4 @@
-// host: where parts are, what overlaps, what a ray meets.
+// Functions of host for positions of parts, overlaps and rays.
 #include "engine/collision_matrix.h"
 #include "engine/host.h"
 #include "engine/values/values.h"
@@ -18,7 +18,7 @@ int pushIds(lua_State* L, const std::vector<uint32_t>& ids) {
   return 1;
 }
 
-// Part of that class with its Shape: the geometry's shape.
+// Returns the geometry's shape for a Part of that class and its Shape.
 int shapeOf(lua_State* L) {
   const std::string name = luaL_checkstring(L, 1);
   geom::ShapeKind kind = geom::ShapeKind::block;
@@ -93,8 +93,7 @@ int castRay(lua_State* L) {
   return 1;
 }
 
-// Whether a box meets anything that collides; a little slack, so that what it stands on does not
-// count.
+// Returns true if a box meets a part that collides. A little slack excludes the floor below it.
 int isBlocked(lua_State* L) {
   constexpr float kSlack = 0.05f;
   Scenery& scenery = Host::of(L).scenery;
@@ -129,7 +128,8 @@ int listened(lua_State* L) {
   return 0;
 }
 
-// Rows of name, id and mask: the collision groups that the place saves; none if they are damaged.
+// Returns rows of name, id and mask: the collision groups that the place saves. Returns none if
+// they are damaged.
 int savedGroups(lua_State* L) {
   lua_newtable(L);
   for (const Instance& instance : Host::of(L).document.instances) {

@@ -9,8 +9,8 @@
 namespace obby::engine {
 namespace {
 
-// Parts of the first round that are probed again: of the same listeners, and without any. If one of
-// them differs, up to kMaxRest others with its listeners follow.
+// Max parts of the first round that are probed again, by listeners, and of parts without any. If
+// one of them differs, up to kMaxRest others with its listeners follow.
 constexpr uint32_t kSameAgain = 3, kByPlaceAgain = 20;
 constexpr size_t kMaxAgain = 100, kMaxRest = 300;
 
@@ -49,12 +49,12 @@ void LaterRound::dropGone() {
                 [&](const MadePart& made) { return made.later && !there.contains(made.id); });
 }
 
-// A target with other listeners than at the first round is probed again in any case.
+// Chooses the targets to probe again. Targets with changed listeners are always among them.
 void LaterRound::split() {
   std::set<InstanceId> untried;
   for (const SameListeners& same : report_.sameListeners) untried.insert(same.target);
   for (size_t i = 0; i < report_.probes.size(); ++i) first_[report_.probes[i].target] = i;
-  std::map<uint64_t, uint32_t> counts;  // by listenerHash
+  std::map<uint64_t, uint32_t> counts;  // number by listenerHash
   for (Probe& probe : stage_.probes()) {
     const auto first = first_.find(probe.target);
     if (first == first_.end()) {
@@ -79,7 +79,7 @@ void LaterRound::probeNew() {
 }
 
 void LaterRound::probeAgain() {
-  std::set<uint64_t> differing;  // listeners
+  std::set<uint64_t> differing;  // hashes of listeners
   const auto run = [&](const std::vector<Probe>& wanted) {
     for (const Probe& probe : ProbeRound(stage_, plan_, children_).run(wanted))
       if (compare(probe) && probe.listenerHash != 0) differing.insert(probe.listenerHash);
@@ -91,7 +91,7 @@ void LaterRound::probeAgain() {
   run(rest_);
 }
 
-// Returns true if the probe differs from the first one. It is kept unless a revisit shows the same.
+// Returns true if the probe differs from the first one. Keeps it unless a revisit shows the same.
 bool LaterRound::compare(const Probe& again) {
   const Probe& first = report_.probes[first_.at(again.target)];
   if (again.lost || first.lost) return false;

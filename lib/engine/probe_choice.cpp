@@ -6,8 +6,8 @@
 namespace obby::engine {
 namespace {
 
-// Probes of parts with the same listeners, if there are too many parts for all: more of them rarely
-// show anything new.
+// Max probes of parts with the same listeners, if there are too many parts for all. More of them
+// rarely show anything new.
 constexpr uint32_t kMaxSameListeners = 100;
 
 std::vector<bool> takenOf(const std::vector<Probe>& wanted, size_t most) {

@@ -9,10 +9,10 @@
 namespace obby::engine {
 namespace {
 
-// Probes whose player may die, of parts with the same listeners: each death takes RespawnTime, 300
-// frames by default.
+// Max probes of parts with the same listeners in which the player may die. Each death takes
+// RespawnTime, 300 frames by default.
 constexpr uint32_t kMaxComebacks = 40;
-// Second looks at parts that harm, of parts with the same listeners.
+// Max second probes of harmful parts with the same listeners.
 constexpr uint32_t kMaxSecondLooks = 20;
 
 bool happens(const Probe& probe) {
@@ -41,7 +41,7 @@ std::vector<Probe> ProbeRound::run(std::vector<Probe> wanted) {
 }
 
 void ProbeRound::lookAgainAtHarm(const std::vector<Probe>& wanted) {
-  std::map<uint64_t, uint32_t> looks;  // by listenerHash
+  std::map<uint64_t, uint32_t> looks;  // number by listenerHash
   for (size_t i = 0; i < wanted.size(); ++i) {
     const auto stay = secondLookAt(probes_[i]);
     if (!stay || looks[wanted[i].listenerHash]++ >= kMaxSecondLooks) continue;
@@ -67,7 +67,8 @@ void ProbeRound::lookAllOver(const Probe& wanted, size_t index) {
         });
 }
 
-// Before three faces: a script that looks at the middle of the body does not see it in the part.
+// Probes in front of three faces, where the middle of the body is outside the part. Scripts that
+// check the middle then do not see it in the part.
 void ProbeRound::lookFromOutside(const Probe& wanted, size_t index) {
   probes_[index].byRoot = true;
   for (const int face : {1, 2, 3})

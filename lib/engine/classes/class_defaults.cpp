@@ -1,4 +1,4 @@
-// Lookups along the chain of base classes.
+// Looks up defaults along the chain of base classes.
 #include "engine/classes/class_defaults.h"
 
 #include <map>
@@ -22,7 +22,7 @@ const std::map<std::string_view, Defaults>& allDefaults() {
 
 constexpr std::string_view kRoot = "Instance";
 
-// Returns the class from which `className` derives; empty for the root and what is beyond it.
+// Returns the class from which `className` derives, or "" for the root and unknown classes.
 std::string_view baseOf(std::string_view className) {
   if (className == kRoot) return {};
   const std::string_view* const base = engine::ClassTable::get().baseOf(className);
@@ -32,7 +32,7 @@ std::string_view baseOf(std::string_view className) {
 template <class Number>
 Value numberLike(Number number, const Value& like) {
   if (std::holds_alternative<double>(like)) return static_cast<double>(number);
-  const bool whole = number >= Number(-9.0e18) && number <= Number(9.0e18);  // false for NaN, too
+  const bool whole = number >= Number(-9.0e18) && number <= Number(9.0e18);  // rejects NaN, too
   if (!whole) return number;
   if (std::holds_alternative<int64_t>(like)) return static_cast<int64_t>(number);
   if (std::holds_alternative<bool>(like)) return number != Number(0);

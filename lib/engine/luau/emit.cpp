@@ -1,4 +1,4 @@
-// The emitter's entry, and its scopes.
+// The entry point of the emitter, and its scopes.
 #include "engine/luau/emit.h"
 
 #include <fmt/format.h>

@@ -1,5 +1,5 @@
-// Assignments. Luau assigns from left to right, Lua 5.1 from right to left: where the order shows,
-// objects, keys and values go to temporary variables first.
+// Emits assignments. Luau assigns from left to right, Lua 5.1 from right to left. If the order is
+// observable, objects, keys and values go to temporary variables first.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -18,7 +18,7 @@ bool orderShows(const Stat& stat) {
   return false;
 }
 
-// Whether something below the line is called or is a function: its own line matters.
+// Returns true if a call or a function starts below the line: its own line matters.
 bool actsBelow(const Expr& expr, int line) {
   const bool acts = expr.kind == ExprKind::call || expr.kind == ExprKind::method || expr.body;
   if (acts && expr.line > line) return true;
@@ -34,9 +34,9 @@ bool isConstant(const Expr& expr) {
 
 }  // namespace
 
-// 5.1 puts an assignment on the line where its value ends, Luau on that where it begins, and who
-// observes what a script sets wants that one: a value that only has its arguments on further lines
-// moves up.
+// Emits an assignment. 5.1 puts it on the line where its value ends, Luau on the line where it
+// begins. Observed changes must name Luau's line. So a value moves up if only its arguments are on
+// further lines.
 void StatementEmitter::assignment(const Stat& stat) {
   const auto acts = [&](const ExprPtr& expr) { return actsBelow(*expr, stat.line); };
   const bool plain = std::none_of(stat.values.begin(), stat.values.end(), acts) &&
@@ -135,7 +135,7 @@ void StatementEmitter::compound(const Stat& stat) {
   const Expr& target = *stat.targets[0];
   if (target.kind == ExprKind::name) return update(stat, [&] { bare(target); });
   const bool keyIsPlain = target.kind == ExprKind::field || isConstant(*target.kids[1]);
-  // Luau, too, copies no local variable: what the value does to it through a closure shows.
+  // Luau does not copy local variables either: a closure in the value may change them.
   if (isOwnLocal(*target.kids[0]) && keyIsPlain) return update(stat, [&] { bare(target); });
   compoundField(stat);
 }

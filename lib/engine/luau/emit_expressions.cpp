@@ -1,4 +1,4 @@
-// Names, fields, calls, functions and tables.
+// Emits names, fields, calls, functions and tables.
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -23,7 +23,7 @@ bool isPlainName(std::string_view text) {
   return std::find(kReserved.begin(), kReserved.end(), text) == kReserved.end();
 }
 
-// Others begin with a part of theirs.
+// Returns true if the expression begins with its own token. Others begin with a subexpression.
 bool beginsOnItsLine(const Expr& expr) {
   switch (expr.kind) {
     case ExprKind::field:
@@ -107,7 +107,7 @@ void ExpressionEmitter::name(const Expr& expr) {
   out_.word(expr.text + "_" + std::to_string(local->index));
 }
 
-// 5.1 wants the bracket on the line of what is called; only names stand before it on new lines.
+// 5.1 wants the bracket on the line of the called expression. Only names go before it on new lines.
 void ExpressionEmitter::call(const Expr& expr) {
   expression(*expr.kids[0]);
   if (expr.kind == ExprKind::method) {
@@ -125,7 +125,7 @@ void ExpressionEmitter::functionBody(const Function& function) {
   variables(function.parameters);
   if (function.vararg) out_.symbol(function.parameters.empty() ? "..." : ",...");
   out_.symbol(")");
-  // Without it, 5.1 puts the values in a table `arg`, which no script expects.
+  // Without this, 5.1 puts the values in a table `arg`, which Luau lacks.
   if (function.vararg) keyword("do local _=... end;");
   Scope* const outer = scope_;
   openScope(function.body, function.parameters);

@@ -1,4 +1,4 @@
-// Numbers and strings.
+// Emits numbers and strings.
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -14,7 +14,7 @@ void ExpressionEmitter::number(double value) {
   out_.word({text, size_t(result.ptr - text)});
 }
 
-// The shortest decimal escapes would run into digits behind them: all have three.
+// Writes escapes with three digits: shorter ones would merge with digits after them.
 void ExpressionEmitter::string(std::string_view value) {
   std::string text = "\"";
   for (const char c : value) {
@@ -47,7 +47,7 @@ void ExpressionEmitter::interpolation(const Expr& expr) {
   if (groups > 1) out_.symbol(")");
 }
 
-// One group of parts.
+// Emits one group of parts.
 void ExpressionEmitter::interpolation(const std::vector<const Expr*>& parts, size_t from) {
   helper("interp");
   for (size_t i = from; i < std::min(parts.size(), from + kMostArguments); ++i) {

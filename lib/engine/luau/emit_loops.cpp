@@ -1,5 +1,5 @@
-// Loops. A body that uses `continue` becomes a loop of its own, which runs once: `continue` leaves
-// that one, and `break` sets a flag for the outer one before.
+// Emits loops. A body that uses `continue` becomes a loop of its own that runs once. `continue`
+// leaves that loop, and `break` first sets a flag for the outer one.
 //   while c do local b; repeat BODY until true; if b then break end end
 #include <utility>
 
@@ -7,7 +7,8 @@
 
 namespace obby::luau {
 
-// `names` are the loop's own variables. The scope stays open: a condition may see it.
+// Emits a body; `names` are the loop's own variables. The scope stays open, since a condition may
+// see it.
 void StatementEmitter::loopBody(const Block& body, const std::vector<std::string>& names,
                                 int endLine) {
   openScope(body, names);

@@ -1,4 +1,5 @@
-// Operators and if-expressions. What 5.1 lacks, or does otherwise, are calls of helpers.
+// Emits operators and if-expressions. Operators that 5.1 lacks, or handles differently, are calls
+// of helpers.
 #include "engine/luau/expression_emitter.h"
 
 namespace obby::luau {
@@ -85,8 +86,8 @@ void ExpressionEmitter::condition(const Expr& expr) {
     expression(expr);
 }
 
-// (c and a or b), where a is certainly true; otherwise (c and {a} or {b})[1]: a table is true
-// whatever it holds, and unlike a function it needs no upvalues, no `...` and no level of calls.
+// Emits (c and a or b) if a is certainly true; otherwise (c and {a} or {b})[1]. A table is true
+// whatever it holds. Unlike a function it needs no upvalues, no `...` and no level of calls.
 void ExpressionEmitter::choice(const Expr& expr) {
   bool plain = true;
   for (const Expr* at = &expr; at->kind == ExprKind::choice; at = at->kids[2].get())

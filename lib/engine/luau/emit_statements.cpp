@@ -1,5 +1,5 @@
-// Statements but assignments and loops. Simple ones end with `;`, so that a `(` behind them begins
-// a statement.
+// Emits statements except assignments and loops. Simple ones end with `;`, so that a `(` after them
+// begins a statement.
 #include <utility>
 
 #include "engine/luau/statement_emitter.h"
@@ -17,7 +17,7 @@ void StatementEmitter::statements(const Block& body) {
 }
 
 void StatementEmitter::statement(const Stat& stat) {
-  if (stat.kind == StatKind::block && stat.blocks.empty()) return;  // a type
+  if (stat.kind == StatKind::block && stat.blocks.empty()) return;  // a type declaration
   out_.at(stat.line);
   switch (stat.kind) {
     case StatKind::local: local(stat); break;
@@ -44,11 +44,11 @@ void StatementEmitter::statement(const Stat& stat) {
 void StatementEmitter::local(const Stat& stat) {
   const bool table = scope_->table != 0;
   if (!table) keyword("local");
-  if (table && stat.values.empty()) {  // the table is new: they are nil
+  if (table && stat.values.empty()) {  // the table is new, so the fields are nil
     for (const auto& name : stat.names) declared(name);
     return keyword("do end");
   }
-  // The values do not see the variables: names of table fields are found only behind them.
+  // The values do not see the variables: table fields are declared after them.
   for (size_t i = 0; i < stat.names.size(); ++i) {
     if (i > 0) out_.symbol(",");
     out_.word(declared(stat.names[i]));
@@ -83,8 +83,8 @@ void StatementEmitter::function(const Stat& stat) {
   functionBody(*stat.values[0]->body);
 }
 
-// `return f()` would be a tail call, of which Luau has none: the function would be missing from
-// tracebacks and error positions.
+// Emits a return. `return f()` would be a tail call, which Luau does not have: tracebacks and error
+// positions would lack the function.
 void StatementEmitter::returns(const Stat& stat) {
   keyword("return");
   if (stat.values.size() != 1) return list(stat.values);

@@ -1,4 +1,4 @@
-// Expressions of the Luau parser: precedence climbing, literals, functions.
+// Parses expressions: precedence climbing, literals, functions.
 #include <algorithm>
 #include <utility>
 
@@ -7,7 +7,7 @@
 namespace obby::luau {
 namespace {
 
-// How tightly a binary operator binds, left and right; 0: no operator.
+// The left and right precedence of a binary operator; 0: no operator.
 struct Binding {
   int left, right;
 };
@@ -75,7 +75,7 @@ ExprPtr ExpressionParser::expression(int least) {
   }
 }
 
-// `..` is the right associative operator that occurs in long chains: they need no depth.
+// Parses a chain of the right associative operator `..`. Chains may be long, so they add no depth.
 ExprPtr ExpressionParser::concatenation(ExprPtr first) {
   std::vector<ExprPtr> operands;
   std::vector<int> lines;

@@ -1,4 +1,4 @@
-// The parser's loops.
+// Parses loops.
 #include "engine/luau/statement_parser.h"
 
 namespace obby::luau {

@@ -1,4 +1,4 @@
-// Recursive descent over statements; loops are in loop_parser.cpp, expressions in
+// Parses statements by recursive descent. Loops are in loop_parser.cpp, expressions in
 // expression_parser.cpp.
 #include "engine/luau/parser.h"
 
@@ -252,7 +252,7 @@ void StatementParser::checkTarget(const Expr& target) {
 
 Chunk StatementParser::chunk() {
   Chunk chunk;
-  while (!atEnd()) {  // a stray `end` ends a block early: go on behind it
+  while (!atEnd()) {  // a stray `end` ends a block early; continue after it
     Block more = block();
     for (auto& stat : more) chunk.body.push_back(std::move(stat));
     if (atEnd()) break;

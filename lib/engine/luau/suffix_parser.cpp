@@ -1,4 +1,4 @@
-// What begins with a name or a bracket: fields, calls and tables; strings.
+// Parses expressions that begin with a name or a bracket (fields, calls and tables), and strings.
 #include <utility>
 
 #include "engine/luau/expression_parser.h"
@@ -103,7 +103,7 @@ ExprPtr ExpressionParser::table() {
     expr->keys.push_back(tableKey());
     adopt(*expr, expression());
     if (!accept(",") && !accept(";") && !isSymbol("}")) {
-      close("}", "{", line);  // an error
+      close("}", "{", line);  // reports an error
       if (position() == before) next();
     }
   }

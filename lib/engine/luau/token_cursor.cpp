@@ -1,4 +1,4 @@
-// What the parser says about text that is no Luau.
+// Writes the parser's errors for text that is not Luau.
 #include <fmt/format.h>
 
 #include "engine/luau/token_cursor.h"

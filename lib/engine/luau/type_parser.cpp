@@ -1,4 +1,4 @@
-// Types of the Luau parser. They are erased, so what only the type checker refuses passes.
+// Parses types and discards them. Errors that only the type checker reports pass.
 #include "engine/luau/type_parser.h"
 
 namespace obby::luau {
@@ -57,7 +57,7 @@ void TypeParser::tableType() {
   close("}", "{", line);
 }
 
-// (T), (T, U) as a pack, (name: T, ...U) -> V.
+// Parses (T), (T, U) as a pack, (name: T, ...U) -> V.
 void TypeParser::functionType() {
   generics();
   const int line = peek().line;
@@ -74,7 +74,7 @@ void TypeParser::functionType() {
   if (accept("->")) typeOrPack();
 }
 
-// T, T..., ...T, (T, U).
+// Parses T, T..., ...T, (T, U).
 void TypeParser::typeOrPack() {
   if (accept("...")) return type();
   type();
@@ -89,7 +89,7 @@ void TypeParser::typeArguments() {
   close(">", "<", line);
 }
 
-// f<<T, U>>(x)
+// Parses f<<T, U>>(x).
 void TypeParser::instantiation() {
   if (!isSymbol("<")) return;
   const int line = next().line;

@@ -1,4 +1,4 @@
-// What a touch or use does to parts: they come, go and move.
+// Gives parts the effects of a touch or use: they appear, vanish and move.
 #include <algorithm>
 #include <set>
 
@@ -12,7 +12,7 @@ namespace obby::importer {
 namespace {
 
 constexpr double kForever = 3600;  // seconds
-// As broughtFromObservation() has set it.
+// Returns true for the state that broughtFromObservation() has set.
 bool isNeverThere(const Vanish& vanish) {
   return vanish.inverted && !vanish.timer && vanish.signal.empty();
 }
@@ -92,7 +92,7 @@ void EffectRoles::takeAway(PartDraft& part, bool used, const Away& away, bool in
 }
 
 void EffectRoles::takeMotion(PartDraft& part, PartDraft& other, const Moved& moved, bool used) {
-  constexpr size_t kRest = 30;  // frames
+  constexpr size_t kRest = 30;  // frames of rest
   auto motion = motionOf(moved.poses, kRest);
   bool returns = samePose(moved.poses.front(), moved.poses.back());
   double seconds = double(moved.poses.size()) / 60;
@@ -105,7 +105,7 @@ void EffectRoles::takeMotion(PartDraft& part, PartDraft& other, const Moved& mov
   if (!motion) return note(kStarted, moved.part, "stays where it is; ", moved.line);
   const bool own = &other == &part && !used;
   motion->trigger = own ? MotionTrigger::touch : MotionTrigger::signal;
-  if (motion->repeat != Repeat::once) motion->offset = 0;  // it rests where its keys begin
+  if (motion->repeat != Repeat::once) motion->offset = 0;  // It rests where its keys begin.
   motion->carries = moved.driver != kNoInstance;
   if (!own) {
     motion->signal = signalOf(part);

@@ -23,18 +23,19 @@ namespace {
 using engine::Change;
 using engine::kPlayer;
 
-constexpr double kNoCooldown = 0.1;          // seconds: hits that follow sooner have no cooldown
-constexpr float kYaw = 0.3f;                 // as a probe stands (probe.luau)
-constexpr Vec3 kArriving = {1.5f, 0, 2.5f};  // and its velocity
+constexpr double kNoCooldown = 0.1;          // seconds; hits with a shorter interval have no
+                                             // cooldown
+constexpr float kYaw = 0.3f;                 // yaw of a probe's player (probe.luau)
+constexpr Vec3 kArriving = {1.5f, 0, 2.5f};  // velocity of a probe's player
 constexpr float kKept = 1e-3f;
 
-// Scripts switch off what a player does with its keys.
+// Returns true for settings that scripts use to disable a player's controls.
 bool isStateOff(const std::string& property) {
   return property == "note state off Jumping" || property == "note state off Climbing" ||
          property == "note state off Running";
 }
 
-// Returns true if the same line does so to a player who is at no part.
+// Returns true if the same line changes the property of a player away from all parts.
 bool happensAway(const engine::Report& report, const engine::Probe& probe, const Change& change) {
   if (!report.away || probe.approach == engine::Approach::away) return false;
   const auto& changes = report.away->seen.changes;
@@ -49,7 +50,7 @@ bool harmsAway(const engine::Report& report, const engine::Harm& harm) {
                      [&](const engine::Harm& other) { return other.line == harm.line; });
 }
 
-// The probe's changes without those that came in the undisturbed run at the same time.
+// Returns the probe's changes without those that the undisturbed run had at the same time.
 std::vector<const Change*> ownChanges(const engine::Report& report, const engine::Probe& probe) {
   std::multiset<std::tuple<int64_t, InstanceId, std::string>> usual;
   const auto key = [](const Change& change) {
@@ -84,10 +85,11 @@ class Difference {
   }
 
  private:
-  // Seconds after the first frame at which a touch can be noticed.
+  // Returns the seconds after the first frame at which a touch can be noticed.
   double after(double time) const { return std::max(0.0, time - probe_.at - kFrame); }
 
-  // Limbs that are hit in one frame are each hit for itself: what one of them takes is the damage.
+  // Finds damage. Limbs that are hit in one frame are hit separately, so the damage is that of one
+  // limb.
   void findHarm() {
     const Hits hits = ownHits(probe_.seen.harms);
     if (hits.empty()) return;
@@ -107,7 +109,7 @@ class Difference {
     effects_.harm = found;
   }
 
-  // Hits without those that came in the undisturbed run in the same frame.
+  // Hits without those that the undisturbed run had in the same frame.
   using Hits = std::vector<engine::Harm>;
   Hits ownHits(const Hits& seen) const {
     std::set<int64_t> usual;
@@ -121,16 +123,16 @@ class Difference {
     return own;
   }
 
-  // Seconds from the first hit to the next one in another frame.
+  // Returns the seconds from the first hit to the next one in another frame.
   static std::optional<double> secondHit(const Hits& hits) {
     for (const engine::Harm& harm : hits)
       if (harm.time > hits[0].time) return harm.time - hits[0].time;
     return std::nullopt;
   }
 
-  // Harm that goes on after the player has left is that of one touch. `second`: of a player who
-  // touches the part again and again. If that hastens no hit, a touch starts nothing until all hits
-  // of the one before are over.
+  // Finds harm that goes on after the player has left. All of it is the damage of one touch.
+  // `second` is the second hit of a player who touches the part repeatedly. If repeated touches
+  // hasten no hit, a touch has no effect until all hits of the previous one are over.
   static void findLasting(Harmful& found, const Hits& hits, double left,
                           std::optional<double> second) {
     double total = 0;
@@ -175,7 +177,7 @@ class Difference {
       effects_.sizes.push_back({change.target, change.line});
   }
 
-  // A player who cannot walk at the end stays where it is, if no script still waits.
+  // Finds the end of the player's run: it cannot walk, and no script still waits.
   void findEnd() {
     const bool isStuck = probe_.seen.player.stuck && !report_.undisturbed.player.stuck;
     if (!isStuck || !probe_.seen.player.alive || probe_.sleeps) return;
@@ -212,7 +214,7 @@ class Difference {
   }
 
   void setTeleport(const Pose& root, double time, engine::Line line) {
-    // Once the player has left, what moves it belongs to where it is then.
+    // Once the player has left, a teleport is due to its new place.
     const bool left = probe_.left > 0 && time > probe_.left;
     if (effects_.teleport || left) return;
     constexpr float kRootHeight = 3;
@@ -224,7 +226,7 @@ class Difference {
     effects_.teleport = to;
   }
 
-  // A script that makes the player jump: with the power that it has by then.
+  // Reads a jump that a script causes, with the jump power at that time.
   void takeJump(const Change& change) {
     const double* const power = std::get_if<double>(&change.value);
     if (!power || effects_.push) return;
@@ -257,9 +259,9 @@ class Difference {
     effects_.trips = change.line;
   }
 
-  // At once when the player has left: it lasts as long as the touch.
+  // Marks a part that comes back right after the player has left: it is away as long as the touch.
   void comeBack(Away& away, double time) const {
-    constexpr double kAtOnce = 0.35;  // seconds: polls look a few times a second
+    constexpr double kAtOnce = 0.35;  // seconds; polling scripts check a few times a second
     const double late = time - probe_.left;
     away.held = probe_.left > 0 && late >= -kFrame && late < kAtOnce;
     away.seconds = away.held ? std::max(late, kFrame) : after(time) - away.delay;
@@ -268,7 +270,7 @@ class Difference {
   void findAways() {
     std::map<InstanceId, Away> found, came;
     for (const Change* change : own_) {
-      // What falls carries nobody any more.
+      // A falling part carries no players any more.
       if (change->property != "CanCollide" && change->property != "Parent" &&
           change->property != "Anchored")
         continue;
@@ -298,7 +300,7 @@ class Difference {
       const auto usual = report_.undisturbed.tracks.find(id);
       const bool moves =
           usual != report_.undisturbed.tracks.end() && usual->second.poses.back().frame >= first;
-      if (moves) continue;  // it moves anyway
+      if (moves) continue;  // It moves anyway.
       const Pose start = startOf(id, track);
       auto poses = posesOf(start, track, first, frames);
       poses.insert(poses.begin(), start);
@@ -308,7 +310,7 @@ class Difference {
     }
   }
 
-  // Before the touch: where the undisturbed run has left it, else as in the file.
+  // Returns the pose before the touch: that of the undisturbed run, else that of the file.
   Pose startOf(InstanceId id, const engine::Track& track) const {
     const auto usual = report_.undisturbed.tracks.find(id);
     if (usual != report_.undisturbed.tracks.end()) return usual->second.poses.back().pose;
@@ -320,8 +322,8 @@ class Difference {
   std::vector<const Change*> own_;
   std::vector<const Change*> speeds_;
   ProbeEffects effects_;
-  InstanceId mover_ = kNoInstance;  // that gives the push
-  double moved_ = 0;                // since when
+  InstanceId mover_ = kNoInstance;  // mover that gives the push
+  double moved_ = 0;                // time of the mover's start
 };
 
 }  // namespace

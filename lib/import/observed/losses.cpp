@@ -1,4 +1,4 @@
-// What was seen and is not in the level, and scripts that did not run to the end.
+// Notes observations that the level lacks, and scripts that did not run to the end.
 #include <algorithm>
 #include <set>
 
@@ -15,7 +15,7 @@ namespace {
 constexpr const char* kLetLoose = "part that scripts let loose";
 constexpr const char* kStays = "stays as it is at the start";
 
-// Properties whose changes in play the level has no room for.
+// Properties whose changes in play have no field in the level.
 struct LossRow {
   const char* property;
   const char* kind;
@@ -31,10 +31,10 @@ constexpr LossRow kLosses[] = {
     {"Anchored", kLetLoose, kStays},
 };
 
-// Scripts have made it, and it is not in the document.
+// Returns true for a part that scripts made and the document lacks.
 bool isMadePart(InstanceId id) { return id >= engine::kMade && id < engine::kPlayer; }
 
-// Moves a player who stands at the spawn.
+// Returns true for a change that moves a player who stands at the spawn.
 bool isPush(const engine::Change& change) {
   const std::string& property = change.property;
   const bool isForce = property == "note lift" || property.rfind("note mover ", 0) == 0;
@@ -59,7 +59,7 @@ void noteLooks(RoleContext& context, const engine::Report& report) {
                                    "no part is there; " + lineReason(context.tree, change.line));
 }
 
-// A player who has died may be put anywhere.
+// Notes pushes of a living player. A dead one may be put anywhere.
 void notePushes(RoleContext& context, const engine::Report& report) {
   const auto& changes = report.undisturbed.changes;
   const auto push = std::find_if(changes.begin(), changes.end(), [&](const engine::Change& change) {
@@ -80,7 +80,7 @@ void noteAway(RoleContext& context, const engine::Report& report) {
                                  "it does nothing; " + lineReason(context.tree, effects.line()));
 }
 
-// Each new body gets the same speeds again.
+// Returns true for speeds that each new body gets again.
 bool isUsual(const engine::PlayerState& player, const engine::Change& change) {
   const double* const value = std::get_if<double>(&change.value);
   if (change.target != engine::kPlayer || !value) return false;
@@ -89,7 +89,8 @@ bool isUsual(const engine::PlayerState& player, const engine::Change& change) {
                                                      : player.jumpHeight);
 }
 
-// Harm by these lines comes from parts, also where one of them moves into the player.
+// Returns the lines that harm. Their harm comes from parts, even if one of them moves into the
+// player.
 std::set<engine::Line> linesThatHarm(const engine::Report& report) {
   std::set<engine::Line> lines;
   for (const engine::Probe& probe : report.probes)
@@ -98,7 +99,7 @@ std::set<engine::Line> linesThatHarm(const engine::Report& report) {
   return lines;
 }
 
-// What scripts make and take away again between two rounds of probes is in no list.
+// Notes parts that scripts make and remove again between two rounds of probes: no list has them.
 void noteComing(RoleContext& context, const engine::Report& report) {
   for (const engine::Change& change : report.undisturbed.changes) {
     const bool* const there = std::get_if<bool>(&change.value);
@@ -110,7 +111,7 @@ void noteComing(RoleContext& context, const engine::Report& report) {
   }
 }
 
-// A joint that goes while the parts at its ends stay lets those fall that are not anchored.
+// Returns true if unanchored parts fall because a joint vanishes while the parts at its ends stay.
 bool letsFall(const RoleContext& context, const engine::Report& report,
               const engine::Change& change) {
   const bool* const there = std::get_if<bool>(&change.value);
@@ -140,7 +141,7 @@ void noteChanges(RoleContext& context, const engine::Report& report) {
   };
   for (const engine::Change& change : report.undisturbed.changes) {
     if (change.time <= report.probedAt || isUsual(report.arrived, change)) continue;
-    if (isMadePart(change.target)) continue;  // noteComing() names it
+    if (isMadePart(change.target)) continue;  // noteComing() notes it
     if (change.time <= report.lookedAgainAt && isMadeLater(report, change.target)) continue;
     for (const LossRow& row : kLosses)
       if (change.property == row.property) note(row.kind, row.note, change);

@@ -1,4 +1,4 @@
-// Speeds and weight that scripts give each new player.
+// Reads the speeds and weight that scripts give to each new player.
 #include <algorithm>
 #include <cmath>
 
@@ -10,7 +10,7 @@ namespace obby::importer {
 
 namespace {
 
-// What scripts change of each new body, and the level has no field for.
+// Notes script changes to each new body that the level has no field for.
 void noteBody(RoleContext& context, const engine::Report& report) {
   World& world = context.level.world;
   for (const engine::Change& change : report.undisturbed.changes) {
@@ -56,7 +56,7 @@ void applyPlayerState(RoleContext& context, const ObservedPlace& place) {
   world.jumpSpeed = settled.usesJumpPower
                         ? float(kJumpPowerGain * settled.jumpPower)
                         : float(std::sqrt(2 * double(world.gravity) * settled.jumpHeight));
-  // A force that each new body is given.
+  // Each new body gets this force.
   if (player.lift < double(world.gravity))
     world.gravity -= float(player.lift);
   else if (player.lift > 0)

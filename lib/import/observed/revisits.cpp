@@ -23,7 +23,7 @@ engine::Line lineOf(const Effect& effect) {
   return effect.line;
 }
 
-// Calls `each` with the members of both tuples at each place.
+// Calls `each` with the members of both tuples, pairwise.
 template <class... A, class... B, class Each>
 void zip(std::tuple<A&...> a, std::tuple<B&...> b, const Each& each) {
   const auto at = [&]<size_t... i>(std::index_sequence<i...>) {
@@ -32,7 +32,7 @@ void zip(std::tuple<A&...> a, std::tuple<B&...> b, const Each& each) {
   at(std::index_sequence_for<A...>{});
 }
 
-// A click detector or a prompt goes by the name of its part.
+// Returns the name of the part. A click detector or a prompt has the name of its part.
 const std::string& partNear(const Tree& tree, InstanceId lever) {
   const InstanceId parent = tree.at(lever).parent;
   const bool hasParent = !tree.isPart(lever) && parent < tree.size();
@@ -80,7 +80,7 @@ ProbeEffects addedIn(const ProbeEffects& before, const ProbeEffects& now) {
   });
   zip(added.onParts(), before.onParts(),
       [](auto& parts, const auto& old) { parts = partsWithout(parts, old); });
-  // A toggle: what went away comes back.
+  // A toggle brings back parts that were away.
   added.backs = partsWithout(added.backs, before.aways);
   added.aways = partsWithout(added.aways, before.backs);
   return added;

@@ -33,7 +33,7 @@ struct ToValue {
   }
 };
 
-// In the names that documents use.
+// Returns the property's name in documents.
 std::string documentName(const std::string& property) {
   if (property == "AssemblyLinearVelocity") return "Velocity";
   if (property == "AssemblyAngularVelocity") return "RotVelocity";
@@ -65,7 +65,7 @@ bool isBelow(const Document& document, InstanceId id, InstanceId ancestor) {
   return id == ancestor;
 }
 
-// Of a part from a storage: its model stays there.
+// Puts a part from a storage into the world. Its model stays in the storage.
 void joinWorld(Document& document, InstanceId id) {
   const InstanceId workspace = workspaceOf(document);
   if (workspace == kNoInstance || workspace > id || isBelow(document, id, workspace)) return;
@@ -80,13 +80,13 @@ bool isBringing(const Change& change) {
 }
 
 void addBrought(const engine::Observation& seen, std::set<InstanceId>& brought) {
-  std::set<InstanceId> changed;  // what goes first was there
+  std::set<InstanceId> changed;  // a part that vanishes first existed before
   for (const Change& change : seen.changes)
     if (change.property == "Parent" && changed.insert(change.target).second && isBringing(change))
       brought.insert(change.target);
 }
 
-// What is not in the world until a touch or a use brings it; without what comes by itself.
+// Returns the parts that only a touch or a use brings into the world.
 std::set<InstanceId> broughtByTouches(const engine::Report& report) {
   std::set<InstanceId> brought;
   for (const engine::Probe& probe : report.probes) addBrought(probe.seen, brought);
@@ -96,7 +96,7 @@ std::set<InstanceId> broughtByTouches(const engine::Report& report) {
   return brought;
 }
 
-// At the start a script has put the part into the world or taken it out.
+// Applies that a script put the part into the world or took it out at the start.
 void settleParent(Document& document, InstanceId id, bool stays) {
   const bool isPart = isPartClass(document.instances[id].className);
   if (stays && isPart)
@@ -104,23 +104,23 @@ void settleParent(Document& document, InstanceId id, bool stays) {
   else if (!stays && isPart)
     leaveTree(document, id);
   else if (!stays)
-    document.instances[id].properties["Enabled"] = false;  // a joint
+    document.instances[id].properties["Enabled"] = false;  // disables a joint
 }
 
 bool samePlace(const Pose& a, const Pose& b) {
   return a.position == b.position && a.rotation.x == b.rotation.x && a.rotation.y == b.rotation.y;
 }
 
-// The last frame that has changed the pose.
+// Returns the last frame that changed the pose.
 uint32_t lastChange(const engine::Track& track) {
   size_t last = track.poses.size() - 1;
   while (last > 0 && samePlace(track.poses[last - 1].pose, track.poses[last].pose)) --last;
   return track.poses[last].frame;
 }
 
-// Whether it goes somewhere step by step; else scripts put it in its place.
+// Returns true if it moves somewhere step by step; otherwise scripts placed it.
 bool isWay(const engine::Track& track) {
-  constexpr uint32_t kLongestGap = 30, kShortest = 15, kFewest = 3;  // frames; steps
+  constexpr uint32_t kLongestGap = 30, kShortest = 15, kFewest = 3;  // frames, frames, steps
   const Pose* last = &track.start;
   uint32_t first = 0, before = 0, steps = 0;
   for (const auto& [frame, pose] : track.poses) {
@@ -138,7 +138,7 @@ bool isWay(const engine::Track& track) {
 std::map<InstanceId, InstanceId> addMadeParts(Document& document, const engine::Report& report) {
   std::map<InstanceId, InstanceId> ids;
   const InstanceId workspace = workspaceOf(document);
-  // The id in the document; `unknown` for what was not added.
+  // Returns the id in the document, or `unknown` for an instance that was not added.
   const auto known = [&](InstanceId id, InstanceId unknown) {
     const auto added = ids.find(id);
     return added != ids.end() ? added->second : id < engine::kMade ? id : unknown;
@@ -168,12 +168,12 @@ std::map<InstanceId, InstanceId> addMadeParts(Document& document, const engine::
 
 bool isMadeLater(const engine::Report& report, InstanceId part) {
   if (report.made.empty() || part < report.made.front().id) return false;
-  const size_t index = part - report.made.front().id;  // they are numbered in their order
+  const size_t index = part - report.made.front().id;  // ids follow the order of the list
   return index < report.made.size() && report.made[index].later;
 }
 
 bool movesByItself(const engine::Report& report, InstanceId part) {
-  constexpr double kPlacing = 0.1;  // seconds in which scripts put a new part in its place
+  constexpr double kPlacing = 0.1;  // seconds for scripts to place a new part
   const auto found = report.undisturbed.tracks.find(part);
   if (found == report.undisturbed.tracks.end()) return false;
   const engine::Track& track = found->second;
@@ -192,8 +192,8 @@ namespace {
 
 using Key = std::pair<InstanceId, std::string>;
 
-// The change of each property that counts: the last one before the probes. Where more follow, the
-// last one of the start, but for parts that come and go by scripts: timers.cpp looks at those.
+// Returns the change of each property that counts: the last one before the probes. If more follow,
+// the last one of the start counts. Parts that scripts show and hide are left to timers.cpp.
 std::map<Key, const Change*> settledChanges(const engine::Report& report) {
   constexpr double kStart = 0.1;  // seconds
   std::map<Key, const Change*> start, settled;

@@ -1,4 +1,4 @@
-// Compares the document with the file, part by part, where scripts have changed something.
+// Compares the document with the file, for each part that scripts have changed.
 #include "import/observed/settled.h"
 
 #include <fmt/format.h>
@@ -25,7 +25,7 @@ constexpr SwitchWords kSwitchWords[] = {{"CanCollide", "solid", "not solid"},
                                         {"CanTouch", "can be touched", "cannot be touched"},
                                         {"Anchored", "anchored", "not anchored"}};
 
-// What a property has become; nothing: what it was.
+// Returns words for a property's new value, or nullopt if it is unchanged.
 std::optional<std::string> wordsFor(const std::string& property, const Instance& before,
                                     const Instance& after) {
   for (const SwitchWords& words : kSwitchWords)
@@ -47,7 +47,7 @@ std::optional<std::string> wordsFor(const std::string& property, const Instance&
   return std::nullopt;
 }
 
-// The last line that changed each property, before the probes.
+// Returns the last line that changed each property before the probes.
 std::map<std::pair<InstanceId, std::string>, engine::Line> settlingLines(
     const engine::Report& report) {
   std::map<std::pair<InstanceId, std::string>, engine::Line> lines;

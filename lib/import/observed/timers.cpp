@@ -1,4 +1,4 @@
-// Collision and belts that change in a rhythm.
+// Finds collision and conveyors that change periodically.
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -12,23 +12,23 @@ constexpr double kSame = 0.05;  // seconds
 
 using engine::Change;
 
-// A part comes or goes.
+// A part appears or vanishes.
 struct Turn {
   double time = 0;
   bool back = false, byCollision = false;
   engine::Line line;
 };
 
-// The times at which a part comes and goes.
+// The times at which a part appears and vanishes.
 struct Turns {
   std::vector<double> gone, back;
-  std::vector<Turn> later;  // since the first probes, where they change whether it is there
+  std::vector<Turn> later;  // turns since the first probes that change its presence
   double last = 0;
   engine::Line line;
-  bool collides = true, stands = true;  // by now
+  bool collides = true, stands = true;  // current state
 };
 
-// Whether the change takes the part out of the way or brings it back; nothing: neither.
+// Returns true if the change brings the part back, false if it takes it away, nullopt otherwise.
 std::optional<bool> solidAfter(const Change& change) {
   if (change.property != "CanCollide" && change.property != "Parent") return std::nullopt;
   const bool* value = std::get_if<bool>(&change.value);
@@ -36,7 +36,7 @@ std::optional<bool> solidAfter(const Change& change) {
 }
 
 void addLater(Turns& turns, const Change& change, bool solid) {
-  constexpr double kPlacing = 0.1;  // seconds in which scripts set up what comes
+  constexpr double kPlacing = 0.1;  // seconds for scripts to set up the place
   const bool byCollision = change.property == "CanCollide";
   if (byCollision && !turns.later.empty() && change.time < turns.later[0].time + kPlacing) return;
   bool& flag = byCollision ? turns.collides : turns.stands;
@@ -61,7 +61,7 @@ std::map<InstanceId, Turns> turnsOf(const engine::Report& report) {
   return all;
 }
 
-// The regular distance of the last times; nothing if they are not regular.
+// Returns the regular interval of the last times, or nullopt if they are not regular.
 std::optional<double> rhythmOf(const std::vector<double>& times) {
   if (times.size() < 3) return std::nullopt;
   const size_t last = times.size() - 1;
@@ -70,7 +70,7 @@ std::optional<double> rhythmOf(const std::vector<double>& times) {
   return period;
 }
 
-// A part that comes or goes once stays as it is then.
+// Gives a part that appears or vanishes once that state for good.
 void giveOnce(RoleContext& context, PartDraft& part, const Turn& turn) {
   Vanish vanish;
   vanish.timer = true;
@@ -129,7 +129,7 @@ void broughtFromObservation(RoleContext& context, const ObservedPlace& place) {
   for (const InstanceId id : place.brought) {
     PartDraft* const part = context.part(id);
     if (!part || part->vanish) continue;
-    part->vanish = Vanish{};  // nothing starts it
+    part->vanish = Vanish{};  // It has no trigger.
     part->vanish->inverted = true;
   }
 }
