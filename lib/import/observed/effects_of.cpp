@@ -23,8 +23,7 @@ namespace {
 using engine::Change;
 using engine::kPlayer;
 
-constexpr double kNoCooldown = 0.1;          // seconds; hits with a shorter interval have no
-                                             // cooldown
+constexpr double kNoCooldown = 0.1;          // seconds; a shorter interval is no cooldown
 constexpr float kYaw = 0.3f;                 // yaw of a probe's player (probe.luau)
 constexpr Vec3 kArriving = {1.5f, 0, 2.5f};  // velocity of a probe's player
 constexpr float kKept = 1e-3f;
@@ -88,8 +87,7 @@ class Difference {
   // Returns the seconds after the first frame at which a touch can be noticed.
   double after(double time) const { return std::max(0.0, time - probe_.at - kFrame); }
 
-  // Finds damage. Limbs that are hit in one frame are hit separately, so the damage is that of one
-  // limb.
+  // Finds damage. Limbs that are hit in one frame count separately: the damage is that of one limb.
   void findHarm() {
     const Hits hits = ownHits(probe_.seen.harms);
     if (hits.empty()) return;
@@ -177,7 +175,7 @@ class Difference {
       effects_.sizes.push_back({change.target, change.line});
   }
 
-  // Finds the end of the player's run: it cannot walk, and no script still waits.
+  // A touch ends the run of a player who cannot walk at the end while no script waits.
   void findEnd() {
     const bool isStuck = probe_.seen.player.stuck && !report_.undisturbed.player.stuck;
     if (!isStuck || !probe_.seen.player.alive || probe_.sleeps) return;

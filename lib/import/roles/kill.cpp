@@ -41,7 +41,8 @@ constexpr float kGuessedDamage = 10;  // a damage part that does not state its d
 constexpr std::string_view kFriends[] = {"remover", "anti",  "no",    "safe",    "skill", "tool",
                                          "sign",    "label", "light", "counter", "script"};
 
-// Compares whole words: "Bob's Kill Brick" has s and kill, yet is no skill.
+// Returns true for a name with one of these whole words: "Bob's Kill Brick" has s and kill, yet is
+// no skill.
 bool isFriend(std::string_view name) {
   const auto words = wordsOf(name);
   return std::any_of(words.begin(), words.end(), [](const std::string& word) {

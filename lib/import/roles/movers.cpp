@@ -130,7 +130,7 @@ bool fromFollower(RoleContext& context, const ConstraintSettings& settings, Inst
     return !samePose({{}, key.pose.rotation}, {{}, way.keys.front().pose.rotation});
   });
   const Pose own = attachmentFrame(context.tree, context.tree.at(id), "Attachment0", drive->moving);
-  constexpr float kNear = 1;  // studs; no farther than this
+  constexpr float kNear = 1;  // max studs between the attachments
   if (way.spin || turns || !(length(own.position - drive->frame.position) <= kNear)) return false;
   return giveDriven(context, *drive, Motion{}, "follows a moving part", true);
 }
