@@ -1,4 +1,4 @@
-// What the second round of probes finds: parts, listeners and effects that come with time.
+// The second round of probes finds parts, listeners and effects that appear later.
 #include <gtest/gtest.h>
 
 #include <algorithm>

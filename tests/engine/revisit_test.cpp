@@ -1,4 +1,4 @@
-// What parts do once other parts have been touched, and why it differs.
+// Effects of parts after other parts have been touched, and the reasons for differences.
 #include <gtest/gtest.h>
 
 #include "engine/place.h"

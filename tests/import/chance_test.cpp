@@ -1,4 +1,4 @@
-// Parts that random numbers decide about: they are in doubt, and nothing else is.
+// Parts that depend on random numbers are in doubt, and no others are.
 #include "import/scene.h"
 #include "import/spawns.h"
 

@@ -98,7 +98,7 @@ TEST(CollisionGroups, WhatScriptsSetOrNoMatrixNamesIsNotSettled) {
   EXPECT_EQ(scene.unmodelled("collision group Ghosts"), 1u) << "a script failed";
 }
 
-// Puts each new body into the group Players, which Ghosts pass through.
+// Puts each new body into the group Players, which does not collide with Ghosts.
 constexpr const char* kGhosts =
     "local service = game:GetService('PhysicsService')\n"
     "service:RegisterCollisionGroup('Players') service:RegisterCollisionGroup('Ghosts')\n"

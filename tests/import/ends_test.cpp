@@ -1,4 +1,4 @@
-// Touches after which a player can go on no more, and doubts about what the player can do.
+// Touches after which a player can no longer go on, and doubts about the player's abilities.
 #include "import/scene.h"
 
 namespace obby::test {

@@ -4,7 +4,7 @@
 namespace obby::test {
 namespace {
 
-// `act` runs for each touch by a player, with its `human`; each part has its own script.
+// Runs `act` for each touch by a player, with its `human`; each part has its own script.
 const importer::Kill* killBy(Scene& scene, const std::string& act) {
   const auto part = scene.part("Part", {20, 0, 0});
   scene.script(
@@ -76,7 +76,7 @@ TEST(Harm, ATrapThatALeverArmsIsWorthItsTotal) {
   EXPECT_FLOAT_EQ(kill->damage, 100);
 }
 
-// Touches again would end the presence that this script counts.
+// Repeated touches would end the presence that this script counts.
 TEST(Harm, PresenceThatTouchesCountHurtsWhileThePlayerStays) {
   Scene scene;
   const auto* const kill = killBy(scene,

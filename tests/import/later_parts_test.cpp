@@ -1,4 +1,4 @@
-// Parts, listeners and speeds that come some time after the start.
+// Parts, listeners and speeds that appear some time after the start.
 #include "import/lever_scene.h"
 #include "import/queries.h"
 
@@ -10,7 +10,7 @@ const std::string kWall =
     "local w = Instance.new('Part') w.Name = 'Wall' w.Anchored = true w.CanCollide = false\n"
     "w.Size = Vector3.new(8, 8, 1) w.Position = Vector3.new(0, 4, 30) ";
 
-// The part that scripts have put there.
+// Returns the part that scripts have made.
 const PartDraft* made(const LevelDraft& level) {
   for (const PartDraft& part : level.parts)
     if (part.pose.position == Vec3{0, 4, 30}) return &part;

@@ -1,4 +1,4 @@
-// The Luau parser and reader: what they understand, and that nothing makes them crash or hang.
+// The Luau parser and reader: what they accept, and that no input makes them crash or hang.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -79,7 +79,7 @@ TEST(Luau, EndlessAndRecursiveScriptsAreReadWithinABudget) {
   }
 }
 
-// The script asks for Workspace again and again, which a model file has none of.
+// The script asks for Workspace repeatedly, which a model file does not have.
 TEST(Luau, ManyRootsAreNotLookedThroughEachTime) {
   Scene scene = Scene::model();
   for (int i = 0; i < 50000; ++i) scene.add("Folder", "Folder", kNoInstance);
@@ -87,7 +87,7 @@ TEST(Luau, ManyRootsAreNotLookedThroughEachTime) {
   scene.level();
 }
 
-// What is switched on at the time at which it is switched off is no timer.
+// A switch that turns on and off at the same time is no timer.
 TEST(Luau, ManySwitchesOfATimerEndSoon) {
   Scene scene;
   const auto part = scene.part("Part");
@@ -144,11 +144,11 @@ TEST(Luau, WhatFollowsAnEndlessLoopDoesNotHappen) {
                  part);
     scene.level();
     const bool isGuess = scene.evidence(part, "kill").rfind("guessed: ", 0) == 0;
-    EXPECT_TRUE(!scene[part].kill || isGuess) << loop;  // a script that is stopped leaves its text
+    EXPECT_TRUE(!scene[part].kill || isGuess) << loop;  // the text of a stopped script is used
   }
 }
 
-// The text takes the memory that the list of two connections leaves as it grows.
+// The text reuses the memory that the list of two connections frees as it grows.
 TEST(Luau, TheEndOfATweenMayConnectMoreToIt) {
   Scene scene;
   const auto part = scene.part("Part");
@@ -203,7 +203,7 @@ TEST(Luau, NumbersOfAnyBaseHaveTheirValue) {
   }
 }
 
-// Each variable keeps its own.
+// Each variable keeps its own name.
 TEST(Luau, VeryLongNamesAreCut) {
   const auto tokens = luau::tokenize("local " + std::string(900000, 'x') + " = 1");
   ASSERT_EQ(tokens.size(), 5u);

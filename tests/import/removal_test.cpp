@@ -1,4 +1,4 @@
-// Parts that scripts take out of the world, put back, or put elsewhere.
+// Parts that scripts remove from the world, put back, or put elsewhere.
 #include "import/scene.h"
 
 namespace obby::test {
@@ -6,7 +6,7 @@ namespace {
 
 const char* const kComesOrGoes = "part that comes and goes without a rhythm";
 
-// The part comes, or goes, at that second for good, and nothing is named.
+// Expects that the part appears or vanishes for good at that second, and that no loss is noted.
 void expectOnce(Scene& scene, InstanceId part, float seconds, bool comes) {
   const auto& level = scene.level();
   ASSERT_EQ(level.parts.size(), 1u);

@@ -1,4 +1,4 @@
-// What scripts change of parts after the start, or for one player alone, is named.
+// Script changes to parts after the start, or for one player alone, are noted.
 #include <utility>
 
 #include "import/scene.h"
@@ -27,7 +27,7 @@ TEST(ScriptedChanges, WhatComesLaterIsNamedNotDone) {
   }
 }
 
-// Within its first three seconds.
+// The change is within the first three seconds.
 TEST(ScriptedChanges, WhatComesSoonIsDone) {
   Scene scene;
   const auto barrier = scene.part("Barrier");

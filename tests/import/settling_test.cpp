@@ -19,7 +19,7 @@ std::string lerpEach(int seconds) {
          wait + "goal = Vector3.zero " + wait + "end";
 }
 
-// From one end to the other and back, in a round of that many seconds.
+// Expects a motion from one end to the other and back, in a round of `seconds`.
 void expectThereAndBack(const ScriptedPart& scene, double seconds, const std::string& what) {
   const PartDraft& pad = scene[scene.self];
   ASSERT_TRUE(pad.motion) << what;

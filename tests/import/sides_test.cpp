@@ -1,4 +1,4 @@
-// What scripts do to players away from parts, from afar, and on one side only.
+// Effects of scripts on players away from parts, from afar, and on one side only.
 #include "import/scene.h"
 
 namespace obby::test {
