@@ -19,7 +19,7 @@ class Scenery {
     Vec3 half;
     geom::ShapeKind shape = geom::ShapeKind::block;
     bool collides = true;
-    bool listened = false;  // A script listens to its touches.
+    bool listened = false;  // a script listens to its touches
     bool limb = false;
   };
   struct RayHit {

@@ -31,8 +31,8 @@ class CollisionGroups {
 
   const Tree& tree_;
   engine::GroupMatrix matrix_;
-  bool isSaved_ = false;    // The file has a matrix.
-  bool byScripts_ = false;  // A script mentions collision groups.
+  bool isSaved_ = false;    // the file has a matrix
+  bool byScripts_ = false;  // a script mentions collision groups
   bool ran_ = false;
   std::vector<std::string> told_;  // groups of the twin, if the scripts ran without errors
   bool touchesUseGroups_ = false;

@@ -7,9 +7,9 @@ namespace obby::importer {
 
 // How the game can differ from the level because of a loss.
 enum class Bearing : uint8_t {
-  either,  // Easier or harder for the player.
-  easier,  // Easier only: a solution still holds.
-  harder,  // Harder only: an unreachable goal stays unreachable.
+  either,  // easier or harder for the player
+  easier,  // easier only: a solution still holds
+  harder,  // harder only: an unreachable goal stays unreachable
 };
 Bearing bearingOf(const std::string& kind);
 

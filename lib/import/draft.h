@@ -76,7 +76,7 @@ struct Boost {
   float walkSpeed = 1, jumpSpeed = 1, gravity = 1;  // factors of the player's own values
   float seconds = 0;                                // after the last touch; 0: while touched
   bool forever = false;
-  bool resets = false;  // A value of 1 restores the level's own.
+  bool resets = false;  // a value of 1 restores the level's own
   bool operator==(const Boost&) const = default;
 };
 struct Trip {
@@ -87,7 +87,7 @@ struct Button {
   std::string signal;
   float seconds = 5;
   bool forever = false;
-  bool restarts = false;  // A touch while the signal lasts restarts it.
+  bool restarts = false;  // a touch while the signal lasts restarts it
   bool operator==(const Button&) const = default;
 };
 enum class MotionTrigger : uint16_t { always, touch, signal };
@@ -117,8 +117,8 @@ struct Motion {
 
 // Sources of a checkpoint's number, strongest first.
 enum class NumberFrom : uint8_t {
-  seen,    // A touch sets it.
-  asked,   // The part has no effect before others have been touched.
+  seen,    // a touch sets it
+  asked,   // the part has no effect before others have been touched
   tag,     // "Checkpoint_3"
   value,   // an attribute or a value object
   name,    // its own, or that of its model
@@ -176,7 +176,7 @@ struct PartDraft : PartShape, PartSurface, PartRoles {
   InstanceId id = kNoInstance;
   bool solid = true, touch = true, anchored = true;
   bool byRoot = false;     // touched by the centre of the root part only
-  bool heardOnly = false;  // Scripts listen to it, and a probe saw no effect.
+  bool heardOnly = false;  // scripts listen to it, and a probe saw no effect
   StageSigns stageSigns;
   std::vector<Evidence> evidence;
   std::vector<std::string> doubts;  // kinds of losses that concern the part (doubts.h)
@@ -194,7 +194,7 @@ struct UnmodelledDraft {
   uint32_t count = 0;
   std::string example;
   std::string note;
-  bool anywhere = false;  // Some of them concern no single part (doubts.h).
+  bool anywhere = false;  // some of them concern no single part (doubts.h)
 };
 
 // An instance that the level models incompletely.
@@ -223,7 +223,7 @@ struct Avatar {
   std::string body;              // body of all players; empty: the default body
   float height = 1, width = 1;   // factors of the body's own size
   std::optional<Vec3> collider;  // size of the single box that collides, instead of torso and head
-  bool colliderTouches = false;  // Only the collider touches parts.
+  bool colliderTouches = false;  // only the collider touches parts
 };
 
 struct LevelDraft {
@@ -235,8 +235,7 @@ struct LevelDraft {
   std::vector<PartDraft> parts;
   std::vector<SpawnDraft> spawns;
   std::map<std::string, UnmodelledDraft> unmodelled;  // by kind
-  std::map<std::string, UnmodelledDraft> ignored;     // left out on purpose; only --explain shows
-                                                      // them
+  std::map<std::string, UnmodelledDraft> ignored;     // left out on purpose, for --explain
 
   std::set<Loss> losses;  // every instance that `unmodelled` counts
 

@@ -37,8 +37,7 @@ class InputOpener {
   std::function<void(const std::string&)> say_, explain_;
   const std::atomic<bool>* stop_;
   std::unordered_set<std::string> names_;
-  std::unordered_map<std::string, int> lastNumbers_;  // Last number by wanted name, from 2. The
-                                                      // first level gets no number.
+  std::unordered_map<std::string, int> lastNumbers_;  // by wanted name; the first has none
 };
 
 }  // namespace obby::importer

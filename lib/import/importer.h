@@ -14,11 +14,10 @@
 namespace obby::importer {
 
 struct ImportOptions {
-  std::string name;        // Name of the level; empty: the file's name without folder and
-                           // extension.
-  bool queries = true;     // Emit a query for each stage.
-  bool explain = false;    // Fill Import::explanation.
-  bool runScripts = true;  // If false, script effects are only guessed from the scripts' texts.
+  std::string name;        // level name; empty: the file's name without extension
+  bool queries = true;     // emit a query for each stage
+  bool explain = false;    // fill Import::explanation
+  bool runScripts = true;  // if false, script effects are only guessed from the scripts' texts
 };
 
 struct Import {

@@ -198,8 +198,7 @@ std::string validUtf8(std::string_view text) {
   for (size_t at = 0; at < text.size();) {
     const io::Utf8Char c = io::nextChar(text, at);
     at += c.bytes;
-    io::appendUtf8(out, c.code == 0 ? U'\xfffd' : c.code);  // a text of a record ends at a zero
-                                                            // byte
+    io::appendUtf8(out, c.code == 0 ? U'\xfffd' : c.code);  // a record's text ends at a zero
   }
   return out;
 }

@@ -12,7 +12,7 @@ namespace obby::importer {
 
 class LineIndex {
  public:
-  LineIndex() = default;  // An empty index.
+  LineIndex() = default;  // an empty index
   // The text must outlive the index and have less than 4 GiB.
   explicit LineIndex(std::string_view text);
 

@@ -23,7 +23,7 @@ struct TerrainShape {
   std::vector<TerrainBlock> blocks;
   size_t water = 0;    // number of cells
   size_t slopes = 0;   // pairs of neighbouring columns whose tops differ by less than two cells
-  bool isCut = false;  // There were more blocks than the limit.
+  bool isCut = false;  // there were more blocks than the limit
 };
 
 // Adds the blocks of a stack of chunks with one x and z, ascending by y. Stops after the chunk that

@@ -18,7 +18,7 @@ struct Function {
   Block body;
   int line = 0;
   int endLine = 0;      // line of its `end`
-  bool vararg = false;  // The parameters end with `...`.
+  bool vararg = false;  // the parameters end with `...`
 };
 
 enum class ExprKind {
@@ -84,7 +84,7 @@ struct Stat {
 
 struct Chunk {
   Block body;
-  bool broken = false;  // A statement could not be parsed and was skipped.
+  bool broken = false;  // a statement could not be parsed and was skipped
   std::string error;    // the first error of a broken chunk, in plain words
   int errorLine = 0;
 };

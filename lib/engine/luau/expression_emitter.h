@@ -36,14 +36,13 @@ class ExpressionEmitter {
   void variables(const std::vector<std::string>& names);
   // Returns the name of a variable that is declared here, or the field that holds it.
   std::string declared(std::string_view name);
-  bool isOwnLocal(const Expr& expr) const;  // Returns true for a local variable of this very
-                                            // function.
+  bool isOwnLocal(const Expr& expr) const;  // local variable of this very function
 
   // Expressions.
   void expression(const Expr& expr);
-  void bare(const Expr& expr);       // Emits it without its own parentheses.
-  void single(const Expr& expr);     // Emits it adjusted to one value in any position.
-  void bracketed(const Expr& expr);  // Emits (expr), with one pair of parentheses.
+  void bare(const Expr& expr);       // emits it without its own parentheses
+  void single(const Expr& expr);     // emits it adjusted to one value in any position
+  void bracketed(const Expr& expr);  // emits (expr), with one pair of parentheses
   void list(const Exprs& exprs, size_t from = 0);
   void name(const Expr& expr);
   void call(const Expr& expr);
@@ -79,8 +78,7 @@ class ExpressionEmitter {
   Scope* scope_ = nullptr;
 
  private:
-  std::unordered_map<const Scope*, int> declared_;  // number of variables so far, of a scope with a
-                                                    // table
+  std::unordered_map<const Scope*, int> declared_;  // variables so far, in scopes with tables
 };
 
 // Returns true for a call or `...` that is not in parentheses: it may be any number of values.

@@ -24,7 +24,7 @@ struct Token {
   std::string text;             // value of a string
   double number = 0;            // value of a number
   int line = 0;                 // line of its first byte, from 1
-  bool opens = false;           // An interpolated string continues with an expression.
+  bool opens = false;           // an interpolated string continues with an expression
   const char* error = nullptr;  // the error of a malformed token, in plain words
 };
 
@@ -41,7 +41,7 @@ class Lexer {
   }
   Token& push(TokenKind kind, std::string_view text);
   void advanceTo(size_t end);
-  void step();  // Skips a blank or a comment, or reads one token.
+  void step();  // skips a blank or a comment, or reads one token
   void symbol(char c);
   void comment();
   void word();

@@ -28,7 +28,7 @@ class StatementEmitter final : private ExpressionEmitter {
     out_.at(stat.endLine);
     keyword("end");
   }
-  void body(const Block& block);  // Emits a block with its scope.
+  void body(const Block& block);  // emits a block with its scope
 
   // Assignments.
   void assignment(const Stat& stat);
@@ -47,7 +47,7 @@ class StatementEmitter final : private ExpressionEmitter {
   void forLoop(const Stat& stat);
   void loopBody(const Block& body, const std::vector<std::string>& names, int endLine);
 
-  bool flagsBreak_ = false;  // The loop's body is a loop of its own, so leaving it sets a flag.
+  bool flagsBreak_ = false;  // the loop's body is a loop of its own, so leaving it sets a flag
 };
 
 }  // namespace obby::luau

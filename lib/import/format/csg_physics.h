@@ -12,10 +12,10 @@
 namespace obby::importer {
 
 enum class CollisionKind {
-  Absent,       // The file has no collision data.
-  Box,          // The part's bounding box is the exact shape.
+  Absent,       // the file has no collision data
+  Box,          // the part's bounding box is the exact shape
   Hulls,        // convex hulls
-  Unsupported,  // Damaged or of an unknown version: callers use the box and say so.
+  Unsupported,  // damaged or of an unknown version: callers use the box and say so
 };
 
 struct Collision {
@@ -32,7 +32,7 @@ Result<Collision> decodeCollision(std::string_view blob);
 struct CollisionBlob {
   const char* property = "";
   std::string_view bytes;  // empty if there are none
-  bool shared = false;     // Other parts may share these bytes at this address.
+  bool shared = false;     // other parts may share these bytes at this address
 };
 CollisionBlob collisionBlobOf(const Instance& part);
 

@@ -21,8 +21,7 @@ constexpr size_t kBudgetPerByte = 64;
 constexpr size_t kMaxWarnings = 100;
 constexpr size_t kMaxName = 100;  // characters; the engine's own limit
 constexpr size_t kMaxNameBytes = 4 * kMaxName;
-constexpr size_t kMaxProperties = 1000;  // of one instance; the engine's classes have fewer than
-                                         // 200
+constexpr size_t kMaxProperties = 1000;  // of one instance; engine classes have < 200
 constexpr std::string_view kServices[] = {
     "Workspace",     "Lighting",   "Players",     "StarterPlayer",      "ReplicatedStorage",
     "ServerStorage", "StarterGui", "StarterPack", "ServerScriptService"};

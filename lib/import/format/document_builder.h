@@ -22,7 +22,7 @@ inline constexpr size_t kMaxInstanceDepth = 512;
 struct PropertyPlan {
   PropertySpelling spelling;
   const Value* standard = nullptr;  // the class default; null if there is none
-  bool dropStandard = false;        // Leave out a value that equals the default.
+  bool dropStandard = false;        // leave out a value that equals the default
 };
 
 class DocumentBuilder {

@@ -14,8 +14,7 @@ namespace obby::importer {
 struct Format {
   std::string_view name;
   bool (*looksLike)(
-      std::string_view bytes);  // Checks the content. The first format that returns true reads the
-                                // file.
+      std::string_view bytes);  // by content; the first format that accepts reads the file
   Result<Document> (*read)(std::string_view bytes, const std::string& file);
 };
 

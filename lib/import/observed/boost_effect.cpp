@@ -95,7 +95,7 @@ std::optional<Booster> boosterOf(const engine::Report& report, const engine::Pro
     changed |= differs(speeds.walk()) || differs(speeds.jump()) || differs(speeds.gravity());
   }
   if (!changed && !restored) return std::nullopt;
-  boost.resets = !changed;  // It undoes other boosts.
+  boost.resets = !changed;  // it undoes other boosts
   boost.forever =
       boost.resets || differs(speeds.walk()) || differs(speeds.jump()) || differs(speeds.gravity());
   if (boost.forever) return boost;

@@ -105,7 +105,7 @@ void EffectRoles::takeMotion(PartDraft& part, PartDraft& other, const Moved& mov
   if (!motion) return note(kStarted, moved.part, "stays where it is; ", moved.line);
   const bool own = &other == &part && !used;
   motion->trigger = own ? MotionTrigger::touch : MotionTrigger::signal;
-  if (motion->repeat != Repeat::once) motion->offset = 0;  // It rests where its keys begin.
+  if (motion->repeat != Repeat::once) motion->offset = 0;  // it rests where its keys begin
   motion->carries = moved.driver != kNoInstance;
   if (!own) {
     motion->signal = signalOf(part);

@@ -298,7 +298,7 @@ class Difference {
       const auto usual = report_.undisturbed.tracks.find(id);
       const bool moves =
           usual != report_.undisturbed.tracks.end() && usual->second.poses.back().frame >= first;
-      if (moves) continue;  // It moves anyway.
+      if (moves) continue;  // it moves anyway
       const Pose start = startOf(id, track);
       auto poses = posesOf(start, track, first, frames);
       poses.insert(poses.begin(), start);

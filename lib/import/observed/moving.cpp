@@ -113,7 +113,7 @@ std::optional<Motion> motionOf(const std::vector<Pose>& poses, size_t rest) {
   if (end == 0) return std::nullopt;
   if (auto turning = turningMotion(poses, kSmoothSteps, rest)) return turning;
   if (const Round round = roundIn(poses); round.frames > 0) return roundMotion(poses, round);
-  if (poses.size() - end < rest) return turningMotion(poses, kRareSteps, rest);  // It still moves.
+  if (poses.size() - end < rest) return turningMotion(poses, kRareSteps, rest);  // it still moves
   size_t begin = 0;
   while (begin < end && isSame(poses[begin + 1], poses[begin])) ++begin;
   return onceOf(poses, begin, end);

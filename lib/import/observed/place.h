@@ -20,8 +20,8 @@ struct Settled {
 
 struct ObservedPlace {
   Document document;      // with parts that scripts made and all lasting changes
-  engine::Report report;  // Its ids are the document's, except for parts that scripts made later.
-  bool ran = false;       // There were scripts, and they ran.
+  engine::Report report;  // its ids are the document's, except for parts that scripts made later
+  bool ran = false;       // there were scripts, and they ran
   std::vector<Settled> settled = {};
   std::set<InstanceId> brought = {};  // parts outside the world until a touch or use brings them
   size_t fromFile = 0;  // Number of instances from the file. Those after it were made by scripts.

@@ -13,8 +13,8 @@ namespace obby::importer {
 
 struct Harmful {
   double damage = 0, cooldown = 0;
-  bool lasts = false;      // It goes on after the player has left; the damage is that of one touch.
-  bool stoppable = false;  // A force field stops it.
+  bool lasts = false;      // it goes on after the player has left; the damage is that of one touch
+  bool stoppable = false;  // a force field stops it
   engine::Line line;
 };
 struct Push {
@@ -30,8 +30,7 @@ struct Teleported {
   engine::Line line;
 };
 struct Booster {
-  float walk = 1, jump = 1, gravity = 1;  // factors of the former values; below 0 the player floats
-                                          // up
+  float walk = 1, jump = 1, gravity = 1;  // factors of the former values; < 0: floats up
   double seconds = 0;                     // after the player has left; 0: at once
   bool forever = false;
   bool resets = false;  // restores the former values and does nothing else
@@ -54,7 +53,7 @@ struct Away {
   double delay = 0;
   std::optional<double> seconds;  // nullopt: it did not come back
   engine::Line line;
-  bool held = false;  // It came back as the player left; `seconds` counts from then.
+  bool held = false;  // it came back as the player left; `seconds` counts from then
 };
 struct Moved {
   InstanceId part = kNoInstance;
@@ -80,7 +79,7 @@ struct ProbeEffects {
   // The player falls down; can never go on; is pushed by a force; jumps, also in the air; loses a
   // state such as Jumping.
   std::optional<engine::Line> trips, ends, force, jumps, stateOff;
-  std::vector<Away> aways, backs;  // Parts that vanish; parts that appear and vanish again.
+  std::vector<Away> aways, backs;  // parts that vanish; parts that appear and vanish again
   std::vector<Moved> moved;
   std::vector<Changed> belts, sizes;
   std::vector<UnnamedStat> unnamed;

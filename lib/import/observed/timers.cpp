@@ -129,7 +129,7 @@ void broughtFromObservation(RoleContext& context, const ObservedPlace& place) {
   for (const InstanceId id : place.brought) {
     PartDraft* const part = context.part(id);
     if (!part || part->vanish) continue;
-    part->vanish = Vanish{};  // It has no trigger.
+    part->vanish = Vanish{};  // it has no trigger
     part->vanish->inverted = true;
   }
 }

@@ -18,7 +18,7 @@ constexpr double kArrived = 0.05;
 struct Drive {
   InstanceId constraint = kNoInstance;
   InstanceId base = kNoInstance, moving = kNoInstance;  // the part that is held, and the other one
-  bool reversed = false;                                // The moving part is the first end.
+  bool reversed = false;                                // the moving part is the first end
   Pose frame;                                           // world frame of the fixed attachment
 };
 

@@ -11,8 +11,7 @@
 namespace obby::importer {
 namespace {
 
-constexpr float kThickest = 2, kDeepest = 2;     // studs, of a rung: vertical, and the shorter
-                                                 // horizontal side
+constexpr float kThickest = 2, kDeepest = 2;     // studs: rung height, shorter side
 constexpr float kNarrowest = 1, kWidest = 12;    // the longer horizontal side
 constexpr float kLeastGap = 0.3f, kMostGap = 3;  // vertical gap between rungs
 constexpr float kAside = 0.75f;                  // max horizontal studs from one rung to the next

@@ -14,7 +14,7 @@ namespace obby::importer {
 struct Team {
   int64_t color = 0;
   std::string name;
-  bool autoAssigned = true;  // New players may get it.
+  bool autoAssigned = true;  // new players may get it
 };
 
 struct Course {
@@ -22,17 +22,14 @@ struct Course {
   LevelDraft& level;
   std::vector<Team> teams = {};
   int start = -1;                                   // part index
-  std::optional<Vec3> arrived = {};                 // position on the start; nullopt: the middle of
-                                                    // its top
-  std::vector<int> checkpoints = {};                // part indices, in play order after
-                                                    // orderCheckpoints
+  std::optional<Vec3> arrived = {};                 // on the start; nullopt: the middle of its top
+  std::vector<int> checkpoints = {};                // part indices, sorted by orderCheckpoints
   std::vector<std::pair<Vec3, Vec3>> portals = {};  // pairs of entry and exit
 
   PartDraft& part(int index) const { return level.parts[size_t(index)]; }
   const Instance& instance(int index) const { return tree.at(part(index).id); }
-  bool is(int index, const char* flag) const;  // Returns a flag of the part's instance.
-  const Team* teamOf(int spawn) const;         // Returns the team of a SpawnLocation, or null if it
-                                               // is for all.
+  bool is(int index, const char* flag) const;  // returns a flag of the part's instance
+  const Team* teamOf(int spawn) const;         // team of a SpawnLocation; null: for all
   // Returns the studs from one part to another: directly, or through the portal that makes it
   // shortest.
   float distance(int from, int to) const;

@@ -16,7 +16,7 @@ constexpr float kOnTop = 8;  // max studs between a pad and a player placed by s
 
 // Suitability of a SpawnLocation as the start, best first.
 enum class StartRank {
-  ofFirstTeam,  // The engine puts new players there.
+  ofFirstTeam,  // the engine puts new players there
   named,        // "Start"
   open,         // for all teams, and it does not change the player's team
   other,
