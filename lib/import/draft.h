@@ -218,10 +218,9 @@ struct World {
 
 // The bodies that a place gives to its players.
 struct Avatar {
-  std::vector<std::string>
-      bodies;                    // allowed names of level/bodies.h; empty: unspecified
-  std::string body;              // body of all players; empty: the default body
-  float height = 1, width = 1;   // factors of the body's own size
+  std::vector<std::string> bodies;  // allowed names of level/bodies.h; empty: unspecified
+  std::string body;                 // body of all players; empty: the default body
+  float height = 1, width = 1;      // factors of the body's own size
   std::optional<Vec3> collider;  // size of the single box that collides, instead of torso and head
   bool colliderTouches = false;  // only the collider touches parts
 };

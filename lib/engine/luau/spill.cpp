@@ -12,7 +12,7 @@ namespace obby::luau {
 namespace {
 
 constexpr int kMostUpvalues = 55;  // of 60; one is the helpers' table
-constexpr int kMostLocals = 160;  // of 200; the rest is for the emitter and temporaries
+constexpr int kMostLocals = 160;   // of 200; the rest is for the emitter and temporaries
 
 // Moves the scopes with the largest counts until `total` is within the limit.
 void moveLargest(std::vector<std::pair<int, Scope*>> counts, int total, int limit) {
