@@ -5,7 +5,7 @@
 
 namespace obby::importer {
 
-// How the game can differ from the level because of a loss.
+// The direction in which the game can differ from the level because of a loss.
 enum class Bearing : uint8_t {
   either,  // easier or harder for the player
   easier,  // easier only: a solution still holds

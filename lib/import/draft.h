@@ -154,7 +154,7 @@ struct PartSurface {
   std::string_view material;  // as in the record
 };
 
-// What a part does to players.
+// The effects of a part on players.
 struct PartRoles {
   std::optional<Kill> kill;
   std::optional<Conveyor> conveyor;

@@ -24,7 +24,7 @@ MotionKey keyAt(double time, const Pose& pose) {
   return {float(time), pose, Easing::linear, EasingDirection::out};
 }
 
-// How far omitted keys may be off the straight line.
+// Max deviation of omitted keys from the straight line.
 struct Straight {
   float place = kStraight, turn = kStraightTurn;
 };

@@ -9,7 +9,7 @@ namespace obby::importer {
 // Launch speed for each unit of JumpPower (measured).
 constexpr double kJumpPowerGain = 1.06;
 
-// How high a player jumps: by power, or by height, as UseJumpPower says.
+// The jump of a player, by power or by height, as UseJumpPower says.
 struct Jump {
   bool usesPower = true;
   double power = 50;

@@ -113,9 +113,7 @@ TEST(Levers, WhatNoLeverTurnsStaysHarmless) {
 TEST(Levers, ServersAndClientsSeeEachOthersChanges) {
   for (const bool lever : {false, true})
     for (const bool trap : {false, true}) {
-      if (lever && !trap)
-        continue;  // the engine keeps it on the client, but the twin has one
-                   // world
+      if (lever && !trap) continue;  // the engine keeps it on the client; the twin has one world
       LeverScene scene;
       scene.pulls("p.On.Value = true", lever);
       scene.asks("p.On.Value", trap);

@@ -18,7 +18,7 @@ namespace obby::importer {
 
 inline constexpr size_t kMaxInstanceDepth = 512;
 
-// How to store a property of a class.
+// The storage of a property of a class.
 struct PropertyPlan {
   PropertySpelling spelling;
   const Value* standard = nullptr;  // the class default; null if there is none
