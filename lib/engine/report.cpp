@@ -11,6 +11,7 @@
 #include "engine/air_jumps.h"
 #include "engine/child.h"
 #include "engine/effect_names.h"
+#include "engine/move_run.h"
 #include "engine/probe_run.h"
 #include "engine/report_bytes.h"
 #include "engine/revisit.h"
@@ -31,6 +32,7 @@ constexpr uint32_t kMaxSecondLooks = 20;
 // Shares of the whole time limit. One copy of the place that hangs must leave time for the others;
 // revisits run once, during the rest of the undisturbed run.
 constexpr double kCopyShare = 0.25, kRevisitShare = 0.75;
+constexpr const char* kVelocity = "Limb.Velocity";
 constexpr size_t kProcessMemory = size_t(2) << 30;
 
 // In the caged child: everything but the probes themselves.
@@ -51,6 +53,7 @@ class Watcher {
     report_.arrived = stage_.observation().player;
     probeAll();
     if (stage_.hearsJumps()) jumpInAir();
+    if (stage_.heedsMoves()) moveAll();
     revisitAll();
     stage_.run(framesOf(plan_.probeSeconds));
     while (stage_.frames() < framesOf(plan_.seconds) && !stage_.isExhausted() && !stage_.isIdle())
@@ -82,6 +85,7 @@ class Watcher {
     runAll(wanted);
     children_.finish();
     lookAgainAtHarm(wanted);
+    lookAtSpeed(wanted);
     for (size_t i = 0; i < wanted.size(); ++i)
       if (wanted[i].byPlace && happens(report_.probes[i])) {
         lookAllOver(wanted[i], i);
@@ -144,6 +148,28 @@ class Watcher {
     children_.finish();
   }
 
+  // Parts whose scripts read how fast the player is.
+  void lookAtSpeed(const std::vector<Probe>& wanted) {
+    const Names none;
+    std::map<uint64_t, uint32_t> looks;  // by listenerHash
+    for (size_t i = 0; i < wanted.size(); ++i) {
+      const Probe& first = report_.probes[i];
+      if (!isTouch(first.approach) || first.lost || !first.seen.heeded.contains(kVelocity) ||
+          looks[wanted[i].listenerHash]++ >= kMaxSecondLooks)
+        continue;
+      children_.start(
+          plan_.timeLimit * kCopyShare,
+          [&, i] { return toBytes(runProbe(stage_, plan_, wanted[i], {.falls = true})); },
+          [this, none, i](const std::string& bytes) {
+            Probe fast;
+            Probe& slow = report_.probes[i];
+            slow.bySpeed = fromBytes(bytes, fast) &&
+                           differ(effectsIn(slow, none), effectsIn(fast, none));
+          });
+    }
+    children_.finish();
+  }
+
   void lookAllOver(const Probe& wanted, size_t index) {
     constexpr float kTowardsCorner = 0.8f;
     for (const float share : {kTowardsCorner, -kTowardsCorner})
@@ -196,6 +222,23 @@ class Watcher {
         [this](const std::string& bytes) {
           if (!fromBytes(bytes, report_.airJumps)) report_.airJumps = {};
         });
+  }
+
+  void moveAll() {
+    for (const Approach approach :
+         {Approach::walk, Approach::jump, Approach::jump, Approach::fall, Approach::exert}) {
+      const bool again = !report_.moves.empty() && report_.moves.back().approach == approach;
+      const size_t i = report_.moves.size();
+      Probe& move = report_.moves.emplace_back();
+      move.approach = approach;
+      move.at = plan_.probeAt;
+      children_.start(
+          plan_.timeLimit * kCopyShare,
+          [&, approach, again] { return toBytes(runMove(stage_, approach, again)); },
+          [this, i](const std::string& bytes) {
+            report_.moves[i].lost = !fromBytes(bytes, report_.moves[i]);
+          });
+    }
   }
 
   // While the undisturbed run goes on.

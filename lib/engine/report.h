@@ -9,7 +9,19 @@
 
 namespace obby::engine {
 
-enum class Approach : uint8_t { stand, inside, use };
+enum class Approach : uint8_t {
+  stand,
+  inside,
+  use,
+  keys,  // all keys and mouse buttons are held and let go
+  chat,  // the player says what scripts may wait for
+  // The player moves without touching a part (Report::moves).
+  walk,
+  jump,
+  fall,
+  exert  // climbs, swims, sits and the like
+};
+constexpr bool isTouch(Approach approach) { return approach <= Approach::inside; }
 
 // The harm that a part does in another copy of the place.
 struct SecondLook {
@@ -30,6 +42,7 @@ struct Probe {
   bool byPlace = false;  // no script listens to the part: what happens follows from the place
   bool allOver = true;   // it happens towards two opposite corners of the part, too
   bool byRoot = false;   // it does not happen where limbs alone are in the part
+  bool bySpeed = false;  // it does something else to a player that falls on it from high above
   uint64_t listenerHash = 0;  // of the functions that listen to the part; 0: none do
   // The player died of the touch, or after one without effects, and lives again.
   bool sleeps = false;  // something that the touch began still waits at the end
@@ -71,6 +84,7 @@ struct Report {
   std::vector<Probe> probes;
   std::vector<SameListeners> sameListeners;
   std::vector<Revisit> revisits;
+  std::vector<Probe> moves;  // of the player away from all parts, if scripts look at moves
   double probedAt = 0;                       // seconds, when the probes began
   std::vector<MadePart> made;                // in the world by then
   std::vector<std::string> collisionGroups;  // that there are by then

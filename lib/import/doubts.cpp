@@ -10,9 +10,11 @@ namespace {
 // Losses that only give players more than the level does: players may ignore them.
 constexpr std::string_view kEasier[] = {"ability of the player",
                                         "button on the screen",
+                                        "chat that scripts listen to",
                                         "harm that goes on after a touch",
                                         "keys that a script listens to",
                                         "listener without a visible effect",
+                                        "part that players drag",
                                         "script that still waits",
                                         "tag balloon",
                                         "tag swing",
@@ -20,7 +22,13 @@ constexpr std::string_view kEasier[] = {"ability of the player",
                                         "tag zipline",
                                         "tool",
                                         "use that acts on the player"};
-constexpr std::string_view kHarder[] = {"harm by itself", "part that stops the player",
+constexpr std::string_view kHarder[] = {"harm by climbing, swimming or sitting",
+                                        "harm by falling",
+                                        "harm by itself",
+                                        "harm by jumping",
+                                        "harm by walking",
+                                        "keys that scripts take away",
+                                        "part that stops the player",
                                         "tag trippart"};
 
 template <size_t n>

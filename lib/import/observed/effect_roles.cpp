@@ -98,9 +98,10 @@ void EffectRoles::takeStage(PartDraft& part, const StageSet& stage) {
         isLine ? reason(stage.line) : "players who die after a touch come back to it");
 }
 
-void EffectRoles::takeAbility(bool keys, const engine::AirJumps& inAir,
+void EffectRoles::takeAbility(engine::Approach approach, const engine::AirJumps& inAir,
                               const ProbeEffects& effects) {
   LevelDraft& level = context_.level;
+  const bool keys = approach == engine::Approach::keys, chat = approach == engine::Approach::chat;
   const bool leaps = keys && inAir.count > 0;
   if (leaps) {
     level.world.airJumps = std::min(inAir.count, kAnyAirJumps);
@@ -109,6 +110,9 @@ void EffectRoles::takeAbility(bool keys, const engine::AirJumps& inAir,
   if (effects.empty() && keys && !leaps)
     level.noteUnmodelled("keys that a script listens to", context_.tree, kNoInstance,
                          "what they do is not known: the player walks and jumps only");
+  if (effects.empty() && chat)
+    level.noteUnmodelled("chat that scripts listen to", context_.tree, kNoInstance,
+                         "what it does is not known: the player says nothing");
   const bool falls = effects.boost && effects.boost->gravity == 1;
   if (falls && effects.boost->walk > 0 && effects.boost->jump > 0 && !effects.boost->resets) {
     World& world = level.world;
@@ -121,7 +125,7 @@ void EffectRoles::takeAbility(bool keys, const engine::AirJumps& inAir,
     if (PartDraft* const other = context_.part(back.part);
         other && !back.seconds && !other->vanish) {
       other->solid = true;  // players use what helps them
-      prove(*other, "solid", "once a button on the screen is used; " + reason(back.line));
+      prove(*other, "solid", "once keys, chat or a button on the screen are used; " + reason(back.line));
     }
   if (!effects.aways.empty() || !effects.moved.empty())
     level.noteUnmodelled("button on the screen", context_.tree, kNoInstance,

@@ -45,10 +45,32 @@ std::vector<const Change*> ownChanges(const engine::Report& report, const engine
   return own;
 }
 
+// Whoever comes to a part walks, as scripts see it: what they do about any walk. Null: nothing.
+const engine::Probe* walkBefore(const engine::Report& report, const engine::Probe& probe) {
+  if (!engine::isTouch(probe.approach)) return nullptr;
+  for (const engine::Probe& move : report.moves)
+    if (move.approach == engine::Approach::walk && !move.lost) return &move;
+  return nullptr;
+}
+
+std::vector<const Change*> changesByTouch(const engine::Report& report,
+                                          const engine::Probe& probe) {
+  std::vector<const Change*> own = ownChanges(report, probe);
+  const engine::Probe* const walk = walkBefore(report, probe);
+  if (!walk) return own;
+  std::set<std::tuple<InstanceId, std::string, engine::Line>> walked;
+  for (const Change* change : ownChanges(report, *walk))
+    walked.insert({change->target, change->property, change->line});
+  std::erase_if(own, [&](const Change* change) {
+    return walked.contains({change->target, change->property, change->line});
+  });
+  return own;
+}
+
 class Difference {
  public:
   Difference(const engine::Report& report, const engine::Probe& probe)
-      : report_(report), probe_(probe), own_(ownChanges(report, probe)) {}
+      : report_(report), probe_(probe), own_(changesByTouch(report, probe)) {}
 
   ProbeEffects effects() {
     findHarm();
@@ -88,9 +110,14 @@ class Difference {
     std::set<int64_t> usual;
     for (const engine::Harm& harm : report_.undisturbed.harms)
       if (harm.hurts()) usual.insert(std::llround(harm.time / kFrame));
+    std::set<engine::Line> walked;
+    if (const engine::Probe* const walk = walkBefore(report_, probe_))
+      for (const engine::Harm& harm : walk->seen.harms) walked.insert(harm.line);
     Hits own;
     for (const engine::Harm& harm : seen)
-      if (harm.hurts() && !usual.contains(std::llround(harm.time / kFrame))) own.push_back(harm);
+      if (harm.hurts() && !usual.contains(std::llround(harm.time / kFrame)) &&
+          !walked.contains(harm.line))
+        own.push_back(harm);
     return own;
   }
 

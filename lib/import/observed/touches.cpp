@@ -21,7 +21,10 @@ class Touches {
   void take(const engine::Probe& probe) {
     PartDraft* const part = partOf(probe);
     const ProbeEffects effects = effectsAt(part, probe);
-    if (!part) return roles_.takeAbility(isKeys(probe.target), report_.airJumps, effects);
+    if (!part) return roles_.takeAbility(probe.approach, report_.airJumps, effects);
+    noteFailure(*part, probe, effects.empty());
+    if (probe.bySpeed)
+      note("touch that depends on speed", part->id, "taken as of a player who walks");
     if (probe.lost) return note("touch that broke down", part->id, "treated as a plain part");
     if (probe.sleeps)
       note("script that still waits", part->id, "what comes later after a touch is not seen");
@@ -140,10 +143,6 @@ class Touches {
     takeComeback(effects, report_, probe, *part);
     return effects;
   }
-  bool isKeys(InstanceId target) const {
-    return target >= context_.tree.size() ||
-           context_.tree.at(target).className == "UserInputService";
-  }
   const engine::Probe* firstOf(const engine::Probe& again) const {
     const auto first =
         std::find_if(report_.probes.begin(), report_.probes.end(),
@@ -159,6 +158,20 @@ class Touches {
       note("use that acts on the player", part.id,
            "the player stays as it is; " + roles_.reason(effects.line()));
     roles_.takeParts(part, used, effects);
+  }
+
+  // A script that fails in the game, too, tells what a touch does. Where it has used what the twin
+  // lacks, or nothing came of the touch, it may go on in the game.
+  void noteFailure(const PartDraft& part, const engine::Probe& probe, bool isEmpty) {
+    const auto& usual = report_.undisturbed.problems;
+    for (const engine::Problem& problem : probe.seen.problems) {
+      const bool always = std::any_of(usual.begin(), usual.end(), [&](const engine::Problem& known) {
+        return known.script == problem.script && known.text == problem.text;
+      });
+      const bool tells = problem.failure == engine::Failure::refused ||
+                         (problem.failure == engine::Failure::usual && !isEmpty);
+      if (!always && !tells) return note("touch handler that fails", part.id, problem.text);
+    }
   }
 
   void note(const char* kind, InstanceId id, const std::string& text) {

@@ -1,0 +1,13 @@
+// The player's moves away from all parts, where scripts look at them. Private to lib/engine.
+#pragma once
+
+#include "engine/report.h"
+#include "engine/stage.h"
+
+namespace obby::engine {
+
+// Walks, jumps, falls or exerts itself in this copy of the place, from now on. `again`: does so once
+// before.
+Probe runMove(Stage& stage, Approach approach, bool again);
+
+}  // namespace obby::engine
