@@ -1,5 +1,7 @@
 #include "engine/move_run.h"
 
+#include <utility>
+
 #include "engine/probe_run.h"
 
 namespace obby::engine {
@@ -37,7 +39,7 @@ void move(Stage& stage, Approach approach) {
 
 }  // namespace
 
-Probe runMove(Stage& stage, Approach approach, bool again) {
+Move runMove(Stage& stage, Approach approach, bool again) {
   if (again) move(stage, approach);
   stage.restart();
   Probe probe;
@@ -46,7 +48,7 @@ Probe runMove(Stage& stage, Approach approach, bool again) {
   move(stage, approach);
   probe.left = stage.frames() * kFrame;
   probe.seen = stage.observation();
-  return probe;
+  return {std::move(probe), stage.probes()};
 }
 
 }  // namespace obby::engine

@@ -6,8 +6,13 @@
 
 namespace obby::engine {
 
+struct Move {
+  Probe probe;
+  std::vector<Probe> targets;  // what a probe may go to, by then
+};
+
 // Walks, jumps, falls or exerts itself in this copy of the place, from now on. `again`: does so once
 // before.
-Probe runMove(Stage& stage, Approach approach, bool again);
+Move runMove(Stage& stage, Approach approach, bool again);
 
 }  // namespace obby::engine

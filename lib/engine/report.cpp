@@ -32,7 +32,8 @@ constexpr uint32_t kMaxSecondLooks = 20;
 // Shares of the whole time limit. One copy of the place that hangs must leave time for the others;
 // revisits run once, during the rest of the undisturbed run.
 constexpr double kCopyShare = 0.25, kRevisitShare = 0.75;
-constexpr const char* kVelocity = "Limb.Velocity";
+// What differs in a fall.
+constexpr const char* kOfFalls[] = {"Limb.Velocity", "Humanoid.FloorMaterial", "Humanoid.GetState"};
 constexpr size_t kProcessMemory = size_t(2) << 30;
 
 // In the caged child: everything but the probes themselves.
@@ -51,9 +52,9 @@ class Watcher {
     report_.made = stage_.made();
     report_.collisionGroups = stage_.groups();
     report_.arrived = stage_.observation().player;
+    if (stage_.heedsMoves()) moveAll();
     probeAll();
     if (stage_.hearsJumps()) jumpInAir();
-    if (stage_.heedsMoves()) moveAll();
     revisitAll();
     stage_.run(framesOf(plan_.probeSeconds));
     while (stage_.frames() < framesOf(plan_.seconds) && !stage_.isExhausted() && !stage_.isIdle())
@@ -79,13 +80,14 @@ class Watcher {
 
   void probeAll() {
     std::vector<Probe> wanted = stage_.probes();
+    addTargets(wanted);
     if (wanted.size() > plan_.mostProbes) choose(wanted);
     for (Probe& probe : wanted) probe.at = plan_.probeAt;
     report_.probes.resize(wanted.size());
     runAll(wanted);
     children_.finish();
     lookAgainAtHarm(wanted);
-    lookAtSpeed(wanted);
+    lookAtFalls(wanted);
     for (size_t i = 0; i < wanted.size(); ++i)
       if (wanted[i].byPlace && happens(report_.probes[i])) {
         lookAllOver(wanted[i], i);
@@ -124,6 +126,11 @@ class Watcher {
     wanted = std::move(probes);
   }
 
+  static bool heedsFalls(const Observation& seen) {
+    return std::any_of(std::begin(kOfFalls), std::end(kOfFalls),
+                       [&](const char* name) { return seen.heeded.contains(name); });
+  }
+
   static bool happens(const Probe& probe) {
     return !probe.seen.changes.empty() || !probe.seen.harms.empty();
   }
@@ -148,13 +155,13 @@ class Watcher {
     children_.finish();
   }
 
-  // Parts whose scripts read how fast the player is.
-  void lookAtSpeed(const std::vector<Probe>& wanted) {
+  // At parts whose scripts read how the player moves.
+  void lookAtFalls(const std::vector<Probe>& wanted) {
     const Names none;
     std::map<uint64_t, uint32_t> looks;  // by listenerHash
     for (size_t i = 0; i < wanted.size(); ++i) {
       const Probe& first = report_.probes[i];
-      if (!isTouch(first.approach) || first.lost || !first.seen.heeded.contains(kVelocity) ||
+      if (!isTouch(first.approach) || first.lost || !heedsFalls(first.seen) ||
           looks[wanted[i].listenerHash]++ >= kMaxSecondLooks)
         continue;
       children_.start(
@@ -163,7 +170,7 @@ class Watcher {
           [this, none, i](const std::string& bytes) {
             Probe fast;
             Probe& slow = report_.probes[i];
-            slow.bySpeed = fromBytes(bytes, fast) &&
+            slow.byFall = fromBytes(bytes, fast) &&
                            differ(effectsIn(slow, none), effectsIn(fast, none));
           });
     }
@@ -236,9 +243,22 @@ class Watcher {
           plan_.timeLimit * kCopyShare,
           [&, approach, again] { return toBytes(runMove(stage_, approach, again)); },
           [this, i](const std::string& bytes) {
-            report_.moves[i].lost = !fromBytes(bytes, report_.moves[i]);
+            Move move;
+            report_.moves[i].lost = !fromBytes(bytes, move);
+            if (!report_.moves[i].lost) report_.moves[i] = std::move(move.probe);
+            found_.insert(found_.end(), move.targets.begin(), move.targets.end());
           });
     }
+    children_.finish();
+  }
+
+  // Parts that scripts looked at only once the player moved.
+  void addTargets(std::vector<Probe>& wanted) const {
+    for (const Probe& found : found_)
+      if (isTouch(found.approach) && found.target < kMade &&
+          std::none_of(wanted.begin(), wanted.end(),
+                       [&](const Probe& known) { return known.target == found.target; }))
+        wanted.push_back(found);
   }
 
   // While the undisturbed run goes on.
@@ -256,6 +276,7 @@ class Watcher {
   Stage stage_;
   Children children_;
   Report report_;
+  std::vector<Probe> found_;  // targets of the moves
 };
 
 Report observeOnce(const Document& document, const Plan& plan) {

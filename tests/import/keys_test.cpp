@@ -13,7 +13,6 @@ void playerScript(Scene& scene, const std::string& source) {
             "local player = game.Players.LocalPlayer\n"
             "local function human() return player.Character:WaitForChild('Humanoid') end\n" +
                 source);
-
 }
 
 float walkSpeedWith(const std::string& source) {

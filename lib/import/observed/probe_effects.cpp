@@ -223,6 +223,8 @@ class Difference {
     if (change.property == "note mover end") {
       if (change.target == mover_ && effects_.push) effects_.push->seconds = change.time - moved_;
     } else if (velocity && sets) {
+      // A script may set the velocity once the mover is there.
+      if (mover_ == change.target && moved_ == change.time) effects_.push.reset();
       if (!effects_.push) mover_ = change.target, moved_ = change.time;
       setPush(*velocity, change.line);
       if (mover_ == change.target) effects_.push->seconds = probe_.seen.frames * kFrame - moved_;

@@ -23,8 +23,8 @@ class Touches {
     const ProbeEffects effects = effectsAt(part, probe);
     if (!part) return roles_.takeAbility(probe.approach, report_.airJumps, effects);
     noteFailure(*part, probe, effects.empty());
-    if (probe.bySpeed)
-      note("touch that depends on speed", part->id, "taken as of a player who walks");
+    if (probe.byFall)
+      note("touch that differs in a fall", part->id, "taken as of a player who walks");
     if (probe.lost) return note("touch that broke down", part->id, "treated as a plain part");
     if (probe.sleeps)
       note("script that still waits", part->id, "what comes later after a touch is not seen");
@@ -97,7 +97,7 @@ class Touches {
     for (const engine::Probe& probe : report_.probes) {
       PartDraft* const part = partOf(probe);
       if (!part || part->checkpoint || part->goal) continue;
-      if (probe.lost || probe.byPlace || !effectsAt(part, probe).empty()) continue;
+      if (probe.lost || probe.byPlace || probe.byFall || !effectsAt(part, probe).empty()) continue;
       const bool isKnown = std::any_of(
           report_.revisits.begin(), report_.revisits.end(), [&](const engine::Revisit& revisit) {
             return revisit.lever == probe.target || revisit.probe.target == probe.target;
