@@ -178,7 +178,8 @@ int problem(lua_State* L) {
 
 constexpr luaL_Reg kFunctions[] = {{"watched", watched}, {"tween", tween},   {"health", health},
                                    {"note", note},       {"driven", driven}, {"count", count},
-                                   {"problem", problem}, {"heeded", heeded}, {"happened", happened}, {nullptr, nullptr}};
+                                   {"problem", problem}, {"heeded", heeded}, {"happened", happened},
+                                   {nullptr, nullptr}};
 
 }  // namespace
 }  // namespace record_functions

@@ -9,8 +9,8 @@ namespace {
 
 constexpr double kWalk = 1, kState = 0.5, kAfter = 1, kMaxFlight = 4;  // seconds
 constexpr float kHigh = 60;                                            // studs
-constexpr const char* kStates[] = {"Climbing", "Swimming",   "Seated",           "FallingDown",
-                                   "Ragdoll",  "GettingUp",  "PlatformStanding", "Running"};
+constexpr const char* kStates[] = {"Climbing", "Swimming",  "Seated",           "FallingDown",
+                                   "Ragdoll",  "GettingUp", "PlatformStanding", "Running"};
 
 void land(Stage& stage) {
   for (uint32_t frame = 0; frame < framesOf(kMaxFlight) && stage.fly(); ++frame) stage.run(1);

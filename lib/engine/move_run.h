@@ -11,8 +11,8 @@ struct Move {
   std::vector<Probe> targets;  // what a probe may go to, by then
 };
 
-// Walks, jumps, falls or exerts itself in this copy of the place, from now on. `again`: does so once
-// before.
+// Walks, jumps, falls or exerts itself in this copy of the place, from now on. `again`: does so
+// once before.
 Move runMove(Stage& stage, Approach approach, bool again);
 
 }  // namespace obby::engine

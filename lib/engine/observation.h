@@ -124,12 +124,12 @@ struct Observation {
   std::vector<Harm> harms;
   std::vector<Problem> problems;
   std::map<std::string, int> counts;  // "method BasePart:X": what the twin does not do, how often
-  // Events and values of the engine, like "Humanoid.Jumping", since the run began: those that scripts
-  // heed, and those that have happened or varied.
+  // Events and values of the engine, like "Humanoid.Jumping", since the run began: those that
+  // scripts heed, and those that have happened or varied.
   std::map<std::string, std::vector<Heed>> heeded;
   std::map<std::string, bool> happened;
-  bool random = false;                // scripts have drawn random numbers since the start
-  PlayerState player;                 // at the end
+  bool random = false;  // scripts have drawn random numbers since the start
+  PlayerState player;   // at the end
   uint32_t frames = 0;
 };
 

@@ -170,8 +170,9 @@ class Watcher {
           [this, none, i](const std::string& bytes) {
             Probe fast;
             Probe& slow = report_.probes[i];
-            slow.byFall = fromBytes(bytes, fast) &&
-                           differ(effectsIn(slow, none), effectsIn(fast, none));
+            if (!fromBytes(bytes, fast)) return;
+            slow.byFall = differ(effectsIn(slow, none), effectsIn(fast, none));
+            slow.seen.happened.insert(fast.seen.happened.begin(), fast.seen.happened.end());
           });
     }
     children_.finish();

@@ -42,7 +42,7 @@ struct Probe {
   bool byPlace = false;  // no script listens to the part: what happens follows from the place
   bool allOver = true;   // it happens towards two opposite corners of the part, too
   bool byRoot = false;   // it does not happen where limbs alone are in the part
-  bool byFall = false;  // it does something else to a player that falls on it from high above
+  bool byFall = false;   // it does something else to a player that falls on it from high above
   uint64_t listenerHash = 0;  // of the functions that listen to the part; 0: none do
   // The player died of the touch, or after one without effects, and lives again.
   bool sleeps = false;  // something that the touch began still waits at the end
@@ -84,9 +84,9 @@ struct Report {
   std::vector<Probe> probes;
   std::vector<SameListeners> sameListeners;
   std::vector<Revisit> revisits;
-  std::vector<Probe> moves;  // of the player away from all parts, if scripts look at moves
-  double probedAt = 0;                       // seconds, when the probes began
-  std::vector<MadePart> made;                // in the world by then
+  std::vector<Probe> moves;    // of the player away from all parts, if scripts look at moves
+  double probedAt = 0;         // seconds, when the probes began
+  std::vector<MadePart> made;  // in the world by then
   std::vector<std::string> collisionGroups;  // that there are by then
   PlayerState arrived;                       // the player by then
   AirJumps airJumps;

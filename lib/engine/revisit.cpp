@@ -74,8 +74,7 @@ class Tour {
     if (probe.lost || (silent && probe.byPlace)) return;
     touched_.push_back(i);
     if (probed_.size() < kMostProbed) probed_.push_back(i);
-    if (silent && isTouch(probe.approach) && patient_.size() < kMostPatient)
-      patient_.insert(i);
+    if (silent && isTouch(probe.approach) && patient_.size() < kMostPatient) patient_.insert(i);
   }
 
   // Several passes find what has to be touched in an order, or several times. Odd: a switch that is

@@ -78,7 +78,8 @@ TEST(Keys, AScreenButtonThatIsHeldIsAnAbility) {
   const auto gui = scene.add("ScreenGui", "ScreenGui", starter);
   const auto button = scene.add("TextButton", "Sprint", gui);
   const auto script = scene.add("LocalScript", "LocalScript", button);
-  scene.set(script, "Source", std::string(R"(local human = game.Players.LocalPlayer.Character.Humanoid
+  scene.set(script, "Source",
+            std::string(R"(local human = game.Players.LocalPlayer.Character.Humanoid
 script.Parent.MouseButton1Down:Connect(function() human.WalkSpeed = 40 end)
 script.Parent.MouseButton1Up:Connect(function() human.WalkSpeed = 16 end))"));
   EXPECT_FLOAT_EQ(scene.level().world.walkSpeed, 40);
@@ -113,9 +114,10 @@ TEST(Keys, ATextCommandIsUsed) {
   scene.set(bridge, "CanCollide", false);
   const auto chat = scene.add("TextChatService", "TextChatService", kNoInstance);
   scene.add("TextChatCommand", "Build", chat);
-  scene.script("game:GetService('TextChatService').Build.Triggered:Connect(function() "
-               "workspace.Bridge.CanCollide = true end)",
-               scene.scripts);
+  scene.script(
+      "game:GetService('TextChatService').Build.Triggered:Connect(function() "
+      "workspace.Bridge.CanCollide = true end)",
+      scene.scripts);
   scene.level();
   EXPECT_TRUE(scene[bridge].solid);
 }
@@ -124,9 +126,10 @@ TEST(Keys, ADragThatStartsIsAUseOfThePart) {
   Scene scene;
   const auto lever = scene.part("Lever"), wall = scene.part("Wall", {20, 0, 0});
   scene.add("DragDetector", "DragDetector", lever);
-  scene.script("script.Parent.DragDetector.DragStart:Connect(function() "
-               "workspace.Wall:Destroy() end)",
-               lever);
+  scene.script(
+      "script.Parent.DragDetector.DragStart:Connect(function() "
+      "workspace.Wall:Destroy() end)",
+      lever);
   scene.level();
   EXPECT_TRUE(scene[lever].button);
   EXPECT_TRUE(scene[wall].vanish);

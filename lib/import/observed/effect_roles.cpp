@@ -125,7 +125,8 @@ void EffectRoles::takeAbility(engine::Approach approach, const engine::AirJumps&
     if (PartDraft* const other = context_.part(back.part);
         other && !back.seconds && !other->vanish) {
       other->solid = true;  // players use what helps them
-      prove(*other, "solid", "once keys, chat or a button on the screen are used; " + reason(back.line));
+      prove(*other, "solid",
+            "once keys, chat or a button on the screen are used; " + reason(back.line));
     }
   if (!effects.aways.empty() || !effects.moved.empty())
     level.noteUnmodelled("button on the screen", context_.tree, kNoInstance,

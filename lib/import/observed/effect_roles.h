@@ -25,7 +25,8 @@ class EffectRoles {
   void takeDrives(PartDraft& part, const engine::Probe& probe, const ProbeEffects& effects);
   // What a tool, a key (`keys`) or a button on the screen gives the player, wherever it is.
   // `inAir`: the jumps in the air that keys give.
-  void takeAbility(engine::Approach approach, const engine::AirJumps& inAir, const ProbeEffects& effects);
+  void takeAbility(engine::Approach approach, const engine::AirJumps& inAir,
+                   const ProbeEffects& effects);
 
   std::string path(InstanceId id) const { return context_.tree.path(id); }
   std::string reason(engine::Line line) const;

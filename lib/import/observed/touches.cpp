@@ -165,9 +165,10 @@ class Touches {
   void noteFailure(const PartDraft& part, const engine::Probe& probe, bool isEmpty) {
     const auto& usual = report_.undisturbed.problems;
     for (const engine::Problem& problem : probe.seen.problems) {
-      const bool always = std::any_of(usual.begin(), usual.end(), [&](const engine::Problem& known) {
-        return known.script == problem.script && known.text == problem.text;
-      });
+      const bool always =
+          std::any_of(usual.begin(), usual.end(), [&](const engine::Problem& known) {
+            return known.script == problem.script && known.text == problem.text;
+          });
       const bool tells = problem.failure == engine::Failure::refused ||
                          (problem.failure == engine::Failure::usual && !isEmpty);
       if (!always && !tells) return note("touch handler that fails", part.id, problem.text);

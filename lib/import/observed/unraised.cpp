@@ -14,15 +14,34 @@ using Heeds = std::map<std::string, std::vector<engine::Heed>>;
 
 // Values that the engine changes in play. Scripts alone change others, which the twin sees.
 constexpr std::string_view kVaried[] = {
-    "Occupant",   "SeatPart",      "Sit",           "Steer",         "SteerFloat", "Throttle",
-    "ThrottleFloat", "FloorMaterial", "MoveDirection", "Jump"};
+    "Occupant", "SeatPart",      "Sit",           "Steer",         "SteerFloat",
+    "Throttle", "ThrottleFloat", "FloorMaterial", "MoveDirection", "Jump"};
 // Classes whose events say nothing of a course, or are raised by scripts.
-constexpr std::string_view kClasses[] = {
-    "BindableEvent",  "RemoteEvent",     "UnreliableRemoteEvent", "RunService",    "Tween",
-    "Sound",          "SoundService",    "MarketplaceService",    "BadgeService",  "LogService",
-    "ScriptContext",  "GuiService",      "Lighting",              "Camera",        "Players",
-    "DataModel",      "TeleportService", "ContentProvider",       "SocialService", "StarterGui",
-    "VoiceChatService", "LocalizationService", "VRService", "HapticService", "TweenBase"};
+constexpr std::string_view kClasses[] = {"BindableEvent",
+                                         "RemoteEvent",
+                                         "UnreliableRemoteEvent",
+                                         "RunService",
+                                         "Tween",
+                                         "Sound",
+                                         "SoundService",
+                                         "MarketplaceService",
+                                         "BadgeService",
+                                         "LogService",
+                                         "ScriptContext",
+                                         "GuiService",
+                                         "Lighting",
+                                         "Camera",
+                                         "Players",
+                                         "DataModel",
+                                         "TeleportService",
+                                         "ContentProvider",
+                                         "SocialService",
+                                         "StarterGui",
+                                         "VoiceChatService",
+                                         "LocalizationService",
+                                         "VRService",
+                                         "HapticService",
+                                         "TweenBase"};
 // Events that the twin raises whenever they happen, or that happen to the looks alone.
 constexpr std::string_view kEvents[] = {"Changed",
                                         "AncestryChanged",
