@@ -1,13 +1,16 @@
 #include "engine/move_run.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "engine/probe_run.h"
+#include "engine/report_bytes.h"
 
 namespace obby::engine {
 namespace {
 
 constexpr double kWalk = 1, kState = 0.5, kAfter = 1, kMaxFlight = 4;  // seconds
+constexpr double kMoveShare = 0.25;                                    // of the time limit
 constexpr float kHigh = 60;                                            // studs
 constexpr const char* kStates[] = {"Climbing", "Swimming",  "Seated",           "FallingDown",
                                    "Ragdoll",  "GettingUp", "PlatformStanding", "Running"};
@@ -37,8 +40,7 @@ void move(Stage& stage, Approach approach) {
   stage.run(framesOf(kAfter));
 }
 
-}  // namespace
-
+// In this copy of the place, from now on. `again`: does so once before.
 Move runMove(Stage& stage, Approach approach, bool again) {
   if (again) move(stage, approach);
   stage.restart();
@@ -49,6 +51,37 @@ Move runMove(Stage& stage, Approach approach, bool again) {
   probe.left = stage.frames() * kFrame;
   probe.seen = stage.observation();
   return {std::move(probe), stage.probes()};
+}
+
+}  // namespace
+
+void Moves::run(std::vector<Probe>& moves) {
+  if (!stage_.heedsMoves()) return;
+  constexpr Approach kMoves[] = {Approach::walk, Approach::jump, Approach::jump, Approach::fall,
+                                 Approach::exert};
+  moves.resize(std::size(kMoves));
+  for (size_t i = 0; i < std::size(kMoves); ++i) {
+    const bool again = i > 0 && kMoves[i] == kMoves[i - 1];
+    moves[i].approach = kMoves[i];
+    children_.start(
+        plan_.timeLimit * kMoveShare,
+        [&, i, again] { return toBytes(runMove(stage_, kMoves[i], again)); },
+        [&, i](const std::string& bytes) {
+          Move move;
+          moves[i].lost = !fromBytes(bytes, move);
+          if (!moves[i].lost) moves[i] = std::move(move.probe);
+          found_.insert(found_.end(), move.targets.begin(), move.targets.end());
+        });
+  }
+  children_.finish();
+}
+
+void Moves::addTargets(std::vector<Probe>& wanted) const {
+  for (const Probe& found : found_)
+    if (isTouch(found.approach) && found.target < kMade &&
+        std::none_of(wanted.begin(), wanted.end(),
+                     [&](const Probe& known) { return known.target == found.target; }))
+      wanted.push_back(found);
 }
 
 }  // namespace obby::engine

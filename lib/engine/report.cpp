@@ -11,6 +11,7 @@
 #include "engine/air_jumps.h"
 #include "engine/child.h"
 #include "engine/effect_names.h"
+#include "engine/fall_looks.h"
 #include "engine/move_run.h"
 #include "engine/probe_run.h"
 #include "engine/report_bytes.h"
@@ -32,15 +33,16 @@ constexpr uint32_t kMaxSecondLooks = 20;
 // Shares of the whole time limit. One copy of the place that hangs must leave time for the others;
 // revisits run once, during the rest of the undisturbed run.
 constexpr double kCopyShare = 0.25, kRevisitShare = 0.75;
-// What differs in a fall.
-constexpr const char* kOfFalls[] = {"Limb.Velocity", "Humanoid.FloorMaterial", "Humanoid.GetState"};
 constexpr size_t kProcessMemory = size_t(2) << 30;
 
 // In the caged child: everything but the probes themselves.
 class Watcher {
  public:
   Watcher(const Document& document, const Plan& plan)
-      : plan_(plan), stage_(document, plan.settings), children_(plan.processes) {}
+      : plan_(plan),
+        stage_(document, plan.settings),
+        children_(plan.processes),
+        moves_(stage_, plan, children_) {}
 
   Report watch() {
     watchBeat(stage_.beat(), kStuck);
@@ -52,7 +54,7 @@ class Watcher {
     report_.made = stage_.made();
     report_.collisionGroups = stage_.groups();
     report_.arrived = stage_.observation().player;
-    if (stage_.heedsMoves()) moveAll();
+    moves_.run(report_.moves);
     probeAll();
     if (stage_.hearsJumps()) jumpInAir();
     revisitAll();
@@ -80,14 +82,14 @@ class Watcher {
 
   void probeAll() {
     std::vector<Probe> wanted = stage_.probes();
-    addTargets(wanted);
+    moves_.addTargets(wanted);
     if (wanted.size() > plan_.mostProbes) choose(wanted);
     for (Probe& probe : wanted) probe.at = plan_.probeAt;
     report_.probes.resize(wanted.size());
     runAll(wanted);
     children_.finish();
     lookAgainAtHarm(wanted);
-    lookAtFalls(wanted);
+    lookAtFalls(stage_, plan_, children_, wanted, report_.probes);
     for (size_t i = 0; i < wanted.size(); ++i)
       if (wanted[i].byPlace && happens(report_.probes[i])) {
         lookAllOver(wanted[i], i);
@@ -126,11 +128,6 @@ class Watcher {
     wanted = std::move(probes);
   }
 
-  static bool heedsFalls(const Observation& seen) {
-    return std::any_of(std::begin(kOfFalls), std::end(kOfFalls),
-                       [&](const char* name) { return seen.heeded.contains(name); });
-  }
-
   static bool happens(const Probe& probe) {
     return !probe.seen.changes.empty() || !probe.seen.harms.empty();
   }
@@ -150,29 +147,6 @@ class Watcher {
           [this, i, stay](const std::string& bytes) {
             SecondLook& look = secondLookOf(report_.probes[i], *stay);
             if (!fromBytes(bytes, look)) look = {};
-          });
-    }
-    children_.finish();
-  }
-
-  // At parts whose scripts read how the player moves.
-  void lookAtFalls(const std::vector<Probe>& wanted) {
-    const Names none;
-    std::map<uint64_t, uint32_t> looks;  // by listenerHash
-    for (size_t i = 0; i < wanted.size(); ++i) {
-      const Probe& first = report_.probes[i];
-      if (!isTouch(first.approach) || first.lost || !heedsFalls(first.seen) ||
-          looks[wanted[i].listenerHash]++ >= kMaxSecondLooks)
-        continue;
-      children_.start(
-          plan_.timeLimit * kCopyShare,
-          [&, i] { return toBytes(runProbe(stage_, plan_, wanted[i], {.falls = true})); },
-          [this, none, i](const std::string& bytes) {
-            Probe fast;
-            Probe& slow = report_.probes[i];
-            if (!fromBytes(bytes, fast)) return;
-            slow.byFall = differ(effectsIn(slow, none), effectsIn(fast, none));
-            slow.seen.happened.insert(fast.seen.happened.begin(), fast.seen.happened.end());
           });
     }
     children_.finish();
@@ -232,36 +206,6 @@ class Watcher {
         });
   }
 
-  void moveAll() {
-    for (const Approach approach :
-         {Approach::walk, Approach::jump, Approach::jump, Approach::fall, Approach::exert}) {
-      const bool again = !report_.moves.empty() && report_.moves.back().approach == approach;
-      const size_t i = report_.moves.size();
-      Probe& move = report_.moves.emplace_back();
-      move.approach = approach;
-      move.at = plan_.probeAt;
-      children_.start(
-          plan_.timeLimit * kCopyShare,
-          [&, approach, again] { return toBytes(runMove(stage_, approach, again)); },
-          [this, i](const std::string& bytes) {
-            Move move;
-            report_.moves[i].lost = !fromBytes(bytes, move);
-            if (!report_.moves[i].lost) report_.moves[i] = std::move(move.probe);
-            found_.insert(found_.end(), move.targets.begin(), move.targets.end());
-          });
-    }
-    children_.finish();
-  }
-
-  // Parts that scripts looked at only once the player moved.
-  void addTargets(std::vector<Probe>& wanted) const {
-    for (const Probe& found : found_)
-      if (isTouch(found.approach) && found.target < kMade &&
-          std::none_of(wanted.begin(), wanted.end(),
-                       [&](const Probe& known) { return known.target == found.target; }))
-        wanted.push_back(found);
-  }
-
   // While the undisturbed run goes on.
   void revisitAll() {
     children_.start(
@@ -276,8 +220,8 @@ class Watcher {
   const Plan& plan_;
   Stage stage_;
   Children children_;
+  Moves moves_;
   Report report_;
-  std::vector<Probe> found_;  // targets of the moves
 };
 
 Report observeOnce(const Document& document, const Plan& plan) {

@@ -10,6 +10,7 @@
 
 #include "import/frame_time.h"
 #include "import/observed/boost_effect.h"
+#include "import/observed/own_changes.h"
 #include "import/observed/progress.h"
 #include "import/observed/roles.h"
 #include "import/pose_math.h"
@@ -25,47 +26,6 @@ constexpr double kNoCooldown = 0.1;          // seconds: hits that follow sooner
 constexpr float kYaw = 0.3f;                 // as a probe stands (probe.luau)
 constexpr Vec3 kArriving = {1.5f, 0, 2.5f};  // and its velocity
 constexpr float kKept = 1e-3f;
-
-// The probe's changes without those that came in the undisturbed run at the same time.
-std::vector<const Change*> ownChanges(const engine::Report& report, const engine::Probe& probe) {
-  std::multiset<std::tuple<int64_t, InstanceId, std::string>> usual;
-  const auto key = [](const Change& change) {
-    return std::tuple(int64_t(std::llround(change.time / kFrame)), change.target, change.property);
-  };
-  for (const Change& change : report.undisturbed.changes)
-    if (change.time >= probe.at) usual.insert(key(change));
-  std::vector<const Change*> own;
-  for (const Change& change : probe.seen.changes) {
-    const auto same = usual.find(key(change));
-    if (same != usual.end())
-      usual.erase(same);
-    else
-      own.push_back(&change);
-  }
-  return own;
-}
-
-// Whoever comes to a part walks, as scripts see it: what they do about any walk. Null: nothing.
-const engine::Probe* walkBefore(const engine::Report& report, const engine::Probe& probe) {
-  if (!engine::isTouch(probe.approach)) return nullptr;
-  for (const engine::Probe& move : report.moves)
-    if (move.approach == engine::Approach::walk && !move.lost) return &move;
-  return nullptr;
-}
-
-std::vector<const Change*> changesByTouch(const engine::Report& report,
-                                          const engine::Probe& probe) {
-  std::vector<const Change*> own = ownChanges(report, probe);
-  const engine::Probe* const walk = walkBefore(report, probe);
-  if (!walk) return own;
-  std::set<std::tuple<InstanceId, std::string, engine::Line>> walked;
-  for (const Change* change : ownChanges(report, *walk))
-    walked.insert({change->target, change->property, change->line});
-  std::erase_if(own, [&](const Change* change) {
-    return walked.contains({change->target, change->property, change->line});
-  });
-  return own;
-}
 
 class Difference {
  public:
