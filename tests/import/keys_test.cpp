@@ -85,6 +85,19 @@ script.Parent.MouseButton1Up:Connect(function() human.WalkSpeed = 16 end))"));
   EXPECT_FLOAT_EQ(scene.level().world.walkSpeed, 40);
 }
 
+TEST(Keys, AScreenButtonWithoutAVisibleEffectIsNamed) {
+  Scene scene;
+  scene.part("SpawnLocation", {}, scene.workspace, "SpawnLocation");
+  const auto starter = scene.add("StarterGui", "StarterGui", kNoInstance);
+  const auto gui = scene.add("ScreenGui", "ScreenGui", starter);
+  const auto button = scene.add("TextButton", "Buy", gui);
+  const auto script = scene.add("LocalScript", "LocalScript", button);
+  scene.set(script, "Source", std::string("script.Parent.Activated:Connect(function() end)"));
+  scene.level();
+  EXPECT_EQ(scene.unmodelled("listener without a visible effect"), 1u);
+  EXPECT_EQ(scene.unmodelled("keys that a script listens to"), 0u);
+}
+
 TEST(Keys, ChatThatScriptsNameIsSaid) {
   Scene scene;
   const auto bridge = scene.part("Bridge");

@@ -98,21 +98,25 @@ void EffectRoles::takeStage(PartDraft& part, const StageSet& stage) {
         isLine ? reason(stage.line) : "players who die after a touch come back to it");
 }
 
+void EffectRoles::noteUnknown(engine::Approach approach) {
+  const bool keys = approach == engine::Approach::keys, chat = approach == engine::Approach::chat;
+  const char* const kind = keys   ? "keys that a script listens to"
+                           : chat ? "chat that scripts listen to"
+                                  : "listener without a visible effect";
+  context_.level.noteUnmodelled(kind, context_.tree, kNoInstance,
+                                "what a use does is not known: the player walks and jumps only");
+}
+
 void EffectRoles::takeAbility(engine::Approach approach, const engine::AirJumps& inAir,
                               const ProbeEffects& effects) {
   LevelDraft& level = context_.level;
-  const bool keys = approach == engine::Approach::keys, chat = approach == engine::Approach::chat;
+  const bool keys = approach == engine::Approach::keys;
   const bool leaps = keys && inAir.count > 0;
   if (leaps) {
     level.world.airJumps = std::min(inAir.count, kAnyAirJumps);
     level.noteIgnored("ability of the player", "", "jumps in the air; " + reason(inAir.line));
   }
-  if (effects.empty() && keys && !leaps)
-    level.noteUnmodelled("keys that a script listens to", context_.tree, kNoInstance,
-                         "what they do is not known: the player walks and jumps only");
-  if (effects.empty() && chat)
-    level.noteUnmodelled("chat that scripts listen to", context_.tree, kNoInstance,
-                         "what it does is not known: the player says nothing");
+  if (effects.empty() && !leaps) noteUnknown(approach);
   const bool falls = effects.boost && effects.boost->gravity == 1;
   if (falls && effects.boost->walk > 0 && effects.boost->jump > 0 && !effects.boost->resets) {
     World& world = level.world;

@@ -32,6 +32,8 @@ class EffectRoles {
   std::string reason(engine::Line line) const;
 
  private:
+  // A use of what is in no part has shown no effect.
+  void noteUnknown(engine::Approach approach);
   void prove(PartDraft& part, const char* role, const std::string& why) const;
   void takePush(PartDraft& part, const Push& push);
   void takeTeleport(PartDraft& part, const Teleported& to);
