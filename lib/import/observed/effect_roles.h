@@ -23,7 +23,7 @@ class EffectRoles {
   // What moves by constraints and movers that the touch sets. What it sets to no effect that the
   // level has is named.
   void takeDrives(PartDraft& part, const engine::Probe& probe, const ProbeEffects& effects);
-  // What a tool, a key (`keys`) or a button on the screen gives the player, wherever it is.
+  // What a tool, keys, chat or a button on the screen give the player, wherever it is.
   // `inAir`: the jumps in the air that keys give.
   void takeAbility(engine::Approach approach, const engine::AirJumps& inAir,
                    const ProbeEffects& effects);
