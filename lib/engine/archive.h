@@ -5,7 +5,6 @@
 
 #include <cstring>
 #include <map>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -52,12 +51,6 @@ class BytesOut {
     std::visit([this](auto& held) { (*this)(held); }, value);
   }
   template <class T>
-  requires(!PlainBytes<std::optional<T>>) void operator()(std::optional<T>& value) {
-    bool has = value.has_value();
-    (*this)(has);
-    if (has) (*this)(*value);
-  }
-  template <class T>
   requires(!PlainBytes<T>) void operator()(T& value) { fields(*this, value); }
 
   std::string bytes;
@@ -91,12 +84,6 @@ class BytesIn {
   template <class... T>
   void operator()(std::variant<T...>& value) {
     hold<0, T...>(value, size());
-  }
-  template <class T>
-  requires(!PlainBytes<std::optional<T>>) void operator()(std::optional<T>& value) {
-    bool has = false;
-    (*this)(has);
-    if (has && good) (*this)(value.emplace());
   }
   template <class T>
   requires(!PlainBytes<T>) void operator()(T& value) { fields(*this, value); }

@@ -38,6 +38,7 @@ Host::Host(const Document& documentIn, const Settings& settingsIn)
   registerRecordFunctions(L);
   registerScriptFunctions(L);
   registerValueFunctions(L);
+  registerByteFunctions(L);
   lua_setglobal(L, "host");
   lua_pushcfunction(L, useFunction);
   lua_setglobal(L, "use");

@@ -142,6 +142,19 @@ int note(lua_State* L) {
   return 0;
 }
 
+// (what, id): a script listens to an event of the engine, or reads a value that players change.
+int heeded(lua_State* L) {
+  Host& host = Host::of(L);
+  host.recorder.heed(luaL_checkstring(L, 1), idAt(L, 2), host.where(L));
+  return 0;
+}
+
+// (what): it has happened.
+int happened(lua_State* L) {
+  Host::of(L).recorder.happen(luaL_checkstring(L, 1));
+  return 0;
+}
+
 int count(lua_State* L) {
   Host& host = Host::of(L);
   host.limited.insert(host.owners[host.running]);
@@ -165,7 +178,8 @@ int problem(lua_State* L) {
 
 constexpr luaL_Reg kFunctions[] = {{"watched", watched}, {"tween", tween},   {"health", health},
                                    {"note", note},       {"driven", driven}, {"count", count},
-                                   {"problem", problem}, {nullptr, nullptr}};
+                                   {"problem", problem}, {"heeded", heeded}, {"happened", happened},
+                                   {nullptr, nullptr}};
 
 }  // namespace
 }  // namespace record_functions

@@ -95,6 +95,12 @@ struct Problem {
   Failure failure = Failure::usual;
 };
 
+// A script listens to an event of an instance, or looks at a value.
+struct Heed {
+  InstanceId target = kNoInstance;
+  Line line;
+};
+
 // A part that scripts have made or copied; or a joint, constraint, mover or attachment.
 struct MadePart {
   InstanceId id = kNoInstance, origin = kNoInstance;  // `origin`: what it is a copy of, if anything
@@ -121,8 +127,12 @@ struct Observation {
   std::vector<Harm> harms;
   std::vector<Problem> problems;
   std::map<std::string, int> counts;  // "method BasePart:X": what the twin does not do, how often
-  bool random = false;                // scripts have drawn random numbers since the start
-  PlayerState player;                 // at the end
+  // Events and values of the engine, like "Humanoid.Jumping", since the run began: those that
+  // scripts heed, and those that have happened or varied.
+  std::map<std::string, std::vector<Heed>> heeded;
+  std::map<std::string, bool> happened;
+  bool random = false;  // scripts have drawn random numbers since the start
+  PlayerState player;   // at the end
   uint32_t frames = 0;
 };
 

@@ -3,6 +3,7 @@
 #include <map>
 
 #include "engine/effect_names.h"
+#include "engine/fall_looks.h"
 #include "engine/probe_run.h"
 #include "engine/report_bytes.h"
 
@@ -31,6 +32,7 @@ std::vector<Probe> ProbeRound::run(std::vector<Probe> wanted) {
   runAll(wanted);
   children_.finish();
   lookAgainAtHarm(wanted);
+  lookAtFalls(stage_, plan_, children_, wanted, probes_);
   for (size_t i = 0; i < wanted.size(); ++i)
     if (wanted[i].byPlace && happens(probes_[i])) {
       lookAllOver(wanted[i], i);

@@ -11,6 +11,9 @@ constexpr double kHold = 1.1;        // seconds that a probe stays: longer than 
 constexpr double kPatientHold = 4;   // seconds
 constexpr uint32_t kTouchEvery = 5;  // frames between the touches of a patient probe
 constexpr double kSecondHit = 5;     // seconds that it waits to be harmed again
+constexpr double kPress = 2;         // seconds that keys and buttons are held
+constexpr float kFallSpeed = 140;    // studs/s, after some 50 studs
+constexpr uint32_t kFastFrames = 3;  // in which a falling player still has its speed
 constexpr double kQuiet = 1.0;       // seconds without a change end a probe
 constexpr double kAtLeast = 1.5;
 // Seconds from death to life: the place's RespawnTime, and what scripts that load the body wait.
@@ -74,10 +77,10 @@ uint32_t framesOf(double seconds) { return uint32_t(std::lround(seconds / kFrame
 Probe runProbe(Stage& stage, const Plan& plan, Probe probe, Manner manner) {
   stage.restart();
   const uint32_t most = framesOf(plan.probeSeconds);
-  const bool stands = probe.approach != Approach::use;
+  const bool stands = isTouch(probe.approach);
   uint32_t hold = framesOf(manner.patient ? kPatientHold : kHold), frame = 0, quiet = 0;
-  const uint32_t least = manner.patient ? hold : framesOf(kAtLeast);
-  if (!stands) stage.use(probe.target);
+  const bool lasts = !stands && stage.use(probe.target);
+  const uint32_t least = manner.patient ? hold : framesOf(lasts ? kPress + kQuiet : kAtLeast);
   while (frame < most && (frame < least || quiet < framesOf(kQuiet))) {
     const bool leaves = manner.stay == Stay::brief && hurtIn(stage.harms());
     if (leaves) hold = std::min(hold, frame);
@@ -86,12 +89,12 @@ Probe runProbe(Stage& stage, const Plan& plan, Probe probe, Manner manner) {
     const bool insists = stands && manner.patient && frame < hold && frame % kTouchEvery == 0 &&
                          stage.harms().empty();
     if (awaits) hold = std::max(hold, frame + 1);
-    if (probe.approach == Approach::away && frame < hold)
-      stage.standAway();
-    else if (stands && frame < hold)
-      stage.standAt(probe.target, probe.approach == Approach::inside, manner.share, manner.face);
+    if (stands && frame < hold)
+      stage.standAt(probe.target, probe.approach == Approach::inside, manner.share, manner.face,
+                    manner.falls && frame < kFastFrames ? kFallSpeed : 0);
     else if (stands && frame == hold)
       stage.leave();
+    if (lasts && frame == framesOf(kPress)) stage.release(probe.target);
     // A part next to the spawn may have been touched all the time.
     const bool arrives = stands && frame == 0;
     const bool renews = awaits && manner.stay == Stay::renewing;
@@ -114,7 +117,7 @@ Probe runProbe(Stage& stage, const Plan& plan, Probe probe, Manner manner) {
 
 std::optional<Stay> secondLookAt(const Probe& probe) {
   const auto span = hurtIn(probe.seen.harms);
-  if (!span || probe.lost || probe.approach == Approach::use) return std::nullopt;
+  if (!span || probe.lost || !isTouch(probe.approach)) return std::nullopt;
   if (span->first < span->second) return Stay::brief;
   return probe.seen.player.alive ? std::optional(Stay::still) : std::nullopt;
 }

@@ -18,6 +18,7 @@ struct Manner {
   Stay stay = Stay::renewing;
   float share = 0;       // see Stage::standAt
   int face = 0;          // the same
+  bool falls = false;    // arrives at the speed of a fall
   bool patient = false;  // stays for seconds and touches the part again and again
   // Is watched until it lives again if it dies with progress, and dies if nothing has happened.
   bool comesBack = false;

@@ -31,6 +31,10 @@ class Recorder {
   }
   void problem(InstanceId script, Failure failure, std::string_view text);
   void count(const std::string& what);
+  void heed(const std::string& what, InstanceId target, Line line) {
+    seen_.heeded[what].push_back({target, line});
+  }
+  void happen(const std::string& what) { seen_.happened[what] = true; }
   // A script draws a number that differs from game to game.
   void noteDraw() { seen_.random = true; }
   // As much of a problem's text as is kept.

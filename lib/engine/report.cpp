@@ -10,6 +10,7 @@
 #include "engine/air_jumps.h"
 #include "engine/child.h"
 #include "engine/later_round.h"
+#include "engine/move_run.h"
 #include "engine/probe_choice.h"
 #include "engine/probe_round.h"
 #include "engine/probe_run.h"
@@ -30,7 +31,10 @@ constexpr size_t kProcessMemory = size_t(2) << 30;
 class Watcher {
  public:
   Watcher(const Document& document, const Plan& plan)
-      : plan_(plan), stage_(document, plan.settings), children_(plan.processes) {}
+      : plan_(plan),
+        stage_(document, plan.settings),
+        children_(plan.processes),
+        moves_(stage_, plan, children_) {}
 
   Report watch() {
     watchBeat(stage_.beat(), kStuck);
@@ -44,6 +48,7 @@ class Watcher {
     report_.collisionGroups = stage_.groups();
     report_.arrived = stage_.observation().player;
     const bool isOver = stage_.isIdle();
+    moves_.run(report_.moves);
     probeAll();
     if (stage_.hearsJumps()) jumpInAir();
     revisitAll();
@@ -79,24 +84,12 @@ class Watcher {
   }
 
   void probeAll() {
-    Choice chosen = choose(stage_.probes(), plan_.mostProbes);
+    std::vector<Probe> wanted = stage_.probes();
+    moves_.addTargets(wanted);
+    Choice chosen = choose(std::move(wanted), plan_.mostProbes);
     if (!chosen.isAll) report_.failure = kTooManyParts;
     report_.sameListeners = std::move(chosen.same);
-    if (stage_.looksAtPlayer()) lookAway();
     report_.probes = ProbeRound(stage_, plan_, children_).run(chosen.probes);
-  }
-
-  void lookAway() {
-    Probe wanted;
-    wanted.approach = Approach::away;
-    wanted.at = plan_.probeAt;
-    children_.start(
-        plan_.timeLimit * kCopyShare,
-        [this, wanted] { return toBytes(runProbe(stage_, plan_, wanted)); },
-        [this](const std::string& bytes) {
-          Probe away;
-          if (fromBytes(bytes, away)) report_.away = std::move(away);
-        });
   }
 
   void jumpInAir() {
@@ -121,6 +114,7 @@ class Watcher {
   const Plan& plan_;
   Stage stage_;
   Children children_;
+  Moves moves_;
   Report report_;
 };
 

@@ -1,7 +1,6 @@
 // What a place's scripts do: by themselves, and to each part that a player touches or uses.
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,8 +9,20 @@
 
 namespace obby::engine {
 
-// `away`: to no part, in the air far from all that is around the spawn.
-enum class Approach : uint8_t { stand, inside, use, away };
+enum class Approach : uint8_t {
+  stand,
+  inside,
+  use,
+  keys,  // all keys and mouse buttons are held and let go
+  chat,  // the player says what scripts may wait for
+  // The player moves without touching a part (Report::moves).
+  walk,
+  jump,
+  fall,
+  exert,  // climbs, swims, sits and the like
+  away    // stands in the air far from all that is around the spawn
+};
+constexpr bool isTouch(Approach approach) { return approach <= Approach::inside; }
 
 // The harm that a part does in another copy of the place.
 struct SecondLook {
@@ -32,6 +43,7 @@ struct Probe {
   bool byPlace = false;  // no script listens to the part: what happens follows from the place
   bool allOver = true;   // it happens towards two opposite corners of the part, too
   bool byRoot = false;   // it does not happen where limbs alone are in the part
+  bool byFall = false;   // it does something else to a player that falls on it from high above
   uint64_t listenerHash = 0;  // of the functions that listen to the part; 0: none do
   // The player died of the touch, or after one without effects, and lives again.
   bool sleeps = false;  // something that the touch began still waits at the end
@@ -70,12 +82,10 @@ constexpr uint16_t kNoLimit = 0xffff;
 
 struct Report {
   Observation undisturbed;
-  // A player who is far from every part, if scripts look at where players are. What happens there
-  // is no part's doing.
-  std::optional<Probe> away;
   std::vector<Probe> probes;
   std::vector<SameListeners> sameListeners;
   std::vector<Revisit> revisits;
+  std::vector<Probe> moves;    // of the player away from all parts, if scripts look at it
   double probedAt = 0;                       // seconds, when the first probes began
   double lookedAgainAt = 0;                  // and those of the second round; 0: there was none
   std::vector<MadePart> made;                // in the world by probedAt; then those made later

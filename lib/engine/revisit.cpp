@@ -63,8 +63,7 @@ class Tour {
     if (probe.lost || (silent && probe.byPlace)) return;
     touched_.push_back(i);
     if (probed_.size() < kMostProbed) probed_.push_back(i);
-    if (silent && probe.approach != Approach::use && patient_.size() < kMostPatient)
-      patient_.insert(i);
+    if (silent && isTouch(probe.approach) && patient_.size() < kMostPatient) patient_.insert(i);
   }
 
   // Several passes find what has to be touched in an order, or several times. Odd: a switch that is
@@ -151,9 +150,10 @@ class Tour {
   void touch(size_t i, bool isShort) {
     const Probe& probe = first_[i];
     stage_.forget();  // what came before
-    if (probe.approach == Approach::use) {
-      stage_.use(probe.target);
+    if (!isTouch(probe.approach)) {
+      const bool lasts = stage_.use(probe.target);
       stage_.run(kBetween);
+      if (lasts) stage_.release(probe.target);
       return;
     }
     for (uint32_t frame = 0; frame < (isShort ? kShortTouch : kTouch); ++frame) {

@@ -126,16 +126,17 @@ void Stage::stand(Vec3 feet, float yaw) {
   call("probe", "stand", 4);
 }
 
-void Stage::standAt(InstanceId part, bool inside, float share, int face) {
+void Stage::standAt(InstanceId part, bool inside, float share, int face, float speed) {
   lua_State* const L = host_->vm.state();
   lua_pushnumber(L, part);
   lua_pushboolean(L, inside);
   lua_pushnumber(L, lua_Number(share));
   lua_pushnumber(L, face);
-  call("probe", "standAt", 4);
+  lua_pushnumber(L, lua_Number(speed));
+  call("probe", "standAt", 5);
 }
 
-void Stage::standAway() { call("probe", "standAway", 0); }
+void Stage::standAway() { call("moves", "standAway", 0); }
 
 void Stage::touchAgain() { call("touch", "again", 0); }
 
@@ -147,8 +148,8 @@ void Stage::unshield() { call("probe", "unshield", 0); }
 
 void Stage::die() { call("probe", "die", 0); }
 
-double Stage::numberOf(const char* name) {
-  call("probe", name, 0, 1);
+double Stage::numberOf(const char* name, const char* module, int arguments) {
+  call(module, name, arguments, 1);
   const double value = lua_tonumber(host_->vm.state(), -1);
   lua_pop(host_->vm.state(), 1);
   return value;
@@ -244,9 +245,31 @@ std::vector<std::string> Stage::groups() {
   return all;
 }
 
-void Stage::use(InstanceId target) {
+bool Stage::use(InstanceId target) {
   lua_pushnumber(host_->vm.state(), target);
-  call("probe", "use", 1);
+  return numberOf("use", "probe", 1) > 0;
+}
+
+void Stage::release(InstanceId target) {
+  lua_pushnumber(host_->vm.state(), target);
+  call("probe", "release", 1);
+}
+
+void Stage::drop(float height) {
+  lua_pushnumber(host_->vm.state(), lua_Number(height));
+  call("moves", "drop", 1);
+}
+
+bool Stage::fly() { return numberOf("fly", "moves") > 0; }
+
+void Stage::walk(bool on) {
+  lua_pushboolean(host_->vm.state(), on);
+  call("moves", "walk", 1);
+}
+
+void Stage::enter(const char* state) {
+  lua_pushstring(host_->vm.state(), state);
+  call("moves", "enter", 1);
 }
 
 const Observation& Stage::observation() {

@@ -86,7 +86,9 @@ void findRolesOf(RoleContext& context, const ObservedPlace& place) {
   laterTouchesFromObservation(context, place.report);
   checkpointFromSiblings(context);
   hintsFromScripts(context, place);
+  movesFromObservation(context, place.report);
   noteObservedLosses(context, place);
+  noteUnraised(context, place.report);
 }
 
 }  // namespace

@@ -10,10 +10,12 @@ namespace {
 // Losses that only give players more than the level does: players may ignore them.
 constexpr std::string_view kEasier[] = {"ability of the player",
                                         "button on the screen",
+                                        "chat that scripts listen to",
                                         "harm that goes on after a touch",
                                         "harm that a force field stops",
                                         "keys that a script listens to",
                                         "listener without a visible effect",
+                                        "part that players drag",
                                         "script that still waits",
                                         "tag balloon",
                                         "tag swing",
@@ -23,7 +25,12 @@ constexpr std::string_view kEasier[] = {"ability of the player",
                                         "use that acts on the player"};
 // What moves so may come to a player anywhere, if it kills.
 constexpr std::string_view kNoPeriod = "motion without a period";
-constexpr std::string_view kHarder[] = {"harm by itself",
+constexpr std::string_view kHarder[] = {"harm by climbing, swimming or sitting",
+                                        "harm by falling",
+                                        "harm by itself",
+                                        "harm by jumping",
+                                        "harm by walking",
+                                        "keys that scripts take away",
                                         "part that stops the player",
                                         "player that cannot walk",
                                         "script that acts on players away from parts",

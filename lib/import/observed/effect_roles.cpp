@@ -112,17 +112,25 @@ void EffectRoles::takeStage(PartDraft& part, const StageSet& stage) {
         isLine ? reason(stage.line) : "players who die after a touch come back to it");
 }
 
-void EffectRoles::takeAbility(bool keys, const engine::AirJumps& inAir,
+void EffectRoles::noteUnknown(engine::Approach approach) {
+  const bool keys = approach == engine::Approach::keys, chat = approach == engine::Approach::chat;
+  const char* const kind = keys   ? "keys that a script listens to"
+                           : chat ? "chat that scripts listen to"
+                                  : "listener without a visible effect";
+  context_.level.noteUnmodelled(kind, context_.tree, kNoInstance,
+                                "what a use does is not known: the player walks and jumps only");
+}
+
+void EffectRoles::takeAbility(engine::Approach approach, const engine::AirJumps& inAir,
                               const ProbeEffects& effects) {
   LevelDraft& level = context_.level;
+  const bool keys = approach == engine::Approach::keys;
   const bool leaps = keys && inAir.count > 0;
   if (leaps) {
     level.world.airJumps = std::min(inAir.count, kAnyAirJumps);
     level.noteIgnored("ability of the player", "", "jumps in the air; " + reason(inAir.line));
   }
-  if (effects.empty() && keys && !leaps)
-    level.noteUnmodelled("keys that a script listens to", context_.tree, kNoInstance,
-                         "what they do is not known: the player walks and jumps only");
+  if (effects.empty() && !leaps) noteUnknown(approach);
   constexpr double kMinSeconds = 1;  // of an ability that is worth a jump
   const bool isTaken =
       effects.boost && !effects.boost->forever && effects.boost->seconds < kMinSeconds;
@@ -141,7 +149,8 @@ void EffectRoles::takeAbility(bool keys, const engine::AirJumps& inAir,
     if (PartDraft* const other = context_.part(back.part);
         other && !back.seconds && !other->vanish) {
       other->solid = true;  // players use what helps them
-      prove(*other, "solid", "once a button on the screen is used; " + reason(back.line));
+      prove(*other, "solid",
+            "once keys, chat or a button on the screen are used; " + reason(back.line));
     }
   if (!effects.aways.empty() || !effects.moved.empty())
     level.noteUnmodelled("button on the screen", context_.tree, kNoInstance,

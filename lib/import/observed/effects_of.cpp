@@ -11,6 +11,7 @@
 
 #include "import/frame_time.h"
 #include "import/observed/boost_effect.h"
+#include "import/observed/own_changes.h"
 #include "import/observed/progress.h"
 #include "import/observed/roles.h"
 #include "import/observed/tween_law.h"
@@ -34,44 +35,10 @@ bool isStateOff(const std::string& property) {
          property == "note state off Running";
 }
 
-// Returns true if the same line changes the property of a player away from all parts.
-bool happensAway(const engine::Report& report, const engine::Probe& probe, const Change& change) {
-  if (!report.away || probe.approach == engine::Approach::away) return false;
-  const auto& changes = report.away->seen.changes;
-  return change.target == kPlayer &&
-         std::any_of(changes.begin(), changes.end(), [&](const Change& c) {
-           return c.target == kPlayer && c.property == change.property && c.line == change.line;
-         });
-}
-bool harmsAway(const engine::Report& report, const engine::Harm& harm) {
-  return report.away &&
-         std::any_of(report.away->seen.harms.begin(), report.away->seen.harms.end(),
-                     [&](const engine::Harm& other) { return other.line == harm.line; });
-}
-
-// Returns the probe's changes without those that the undisturbed run had at the same time.
-std::vector<const Change*> ownChanges(const engine::Report& report, const engine::Probe& probe) {
-  std::multiset<std::tuple<int64_t, InstanceId, std::string>> usual;
-  const auto key = [](const Change& change) {
-    return std::tuple(int64_t(std::llround(change.time / kFrame)), change.target, change.property);
-  };
-  for (const Change& change : report.undisturbed.changes)
-    if (change.time >= probe.at) usual.insert(key(change));
-  std::vector<const Change*> own;
-  for (const Change& change : probe.seen.changes) {
-    const auto same = usual.find(key(change));
-    if (same != usual.end())
-      usual.erase(same);
-    else if (!happensAway(report, probe, change))
-      own.push_back(&change);
-  }
-  return own;
-}
-
 class Difference {
  public:
   Difference(const engine::Report& report, const engine::Probe& probe)
-      : report_(report), probe_(probe), own_(ownChanges(report, probe)) {}
+      : report_(report), probe_(probe), own_(changesByTouch(report, probe)) {}
 
   ProbeEffects effects() {
     findHarm();
@@ -113,10 +80,13 @@ class Difference {
     std::set<int64_t> usual;
     for (const engine::Harm& harm : report_.undisturbed.harms)
       if (harm.hurts()) usual.insert(std::llround(harm.time / kFrame));
+    std::set<engine::Line> walked;
+    for (const engine::Probe* const move : movesBefore(report_, probe_))
+      for (const engine::Harm& harm : move->seen.harms) walked.insert(harm.line);
     Hits own;
     for (const engine::Harm& harm : seen)
       if (harm.hurts() && !usual.contains(std::llround(harm.time / kFrame)) &&
-          (probe_.approach == engine::Approach::away || !harmsAway(report_, harm)))
+          !walked.contains(harm.line))
         own.push_back(harm);
     return own;
   }
@@ -239,6 +209,8 @@ class Difference {
     if (change.property == "note mover end") {
       if (change.target == mover_ && effects_.push) effects_.push->seconds = change.time - moved_;
     } else if (velocity && sets) {
+      // A script may set the velocity once the mover is there.
+      if (mover_ == change.target && moved_ == change.time) effects_.push.reset();
       if (!effects_.push) mover_ = change.target, moved_ = change.time;
       setPush(*velocity, change.line);
       if (mover_ == change.target) effects_.push->seconds = probe_.seen.frames * kFrame - moved_;

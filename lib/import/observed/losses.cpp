@@ -71,15 +71,6 @@ void notePushes(RoleContext& context, const engine::Report& report) {
         "the player stays where it is; " + lineReason(context.tree, push->line));
 }
 
-void noteAway(RoleContext& context, const engine::Report& report) {
-  if (!report.away) return;
-  const ProbeEffects effects = effectsOf(report, *report.away);
-  if (effects.touchesPlayer())
-    context.level.noteUnmodelled("script that acts on players away from parts", context.tree,
-                                 kNoInstance,
-                                 "it does nothing; " + lineReason(context.tree, effects.line()));
-}
-
 // Returns true for speeds that each new body gets again.
 bool isUsual(const engine::PlayerState& player, const engine::Change& change) {
   const double* const value = std::get_if<double>(&change.value);
@@ -178,7 +169,6 @@ void noteObservedLosses(RoleContext& context, const ObservedPlace& place) {
   noteComing(context, report);
   notePushes(context, report);
   noteLooks(context, report);
-  noteAway(context, report);
   noteLimbs(context, report);
   for (const auto& [what, count] : report.undisturbed.counts) {
     (void)count;

@@ -30,6 +30,10 @@ void touchesFromObservation(RoleContext& context, const engine::Report& report);
 void laterTouchesFromObservation(RoleContext& context, const engine::Report& report);
 // What a touch or use does to constraints and movers, once it is known what they do by themselves.
 void touchedDrivesFromObservation(RoleContext& context, const engine::Report& report);
+// What scripts do about the player's own moves.
+void movesFromObservation(RoleContext& context, const engine::Report& report);
+// Names the events and values that scripts wait for and that nothing raised or varied.
+void noteUnraised(RoleContext& context, const engine::Report& report);
 // Names what was seen and is not in the level, and scripts that failed.
 void noteObservedLosses(RoleContext& context, const ObservedPlace& place);
 

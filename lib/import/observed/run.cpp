@@ -37,6 +37,7 @@ class Renumbering {
       apply(probe.target);
       apply(probe.seen);
     }
+    for (engine::Probe& move : report.moves) apply(move.seen);
     for (engine::Revisit& revisit : report.revisits) {
       apply(revisit.probe.target);
       apply(revisit.probe.seen);
@@ -66,9 +67,10 @@ class Renumbering {
 };
 
 bool drawsRandomNumbers(const engine::Report& report) {
+  const auto draws = [](const engine::Probe& probe) { return probe.seen.random; };
   return report.undisturbed.random ||
-         std::any_of(report.probes.begin(), report.probes.end(),
-                     [](const engine::Probe& probe) { return probe.seen.random; }) ||
+         std::any_of(report.probes.begin(), report.probes.end(), draws) ||
+         std::any_of(report.moves.begin(), report.moves.end(), draws) ||
          std::any_of(report.revisits.begin(), report.revisits.end(),
                      [](const engine::Revisit& revisit) { return revisit.probe.seen.random; });
 }

@@ -22,7 +22,10 @@ class Touches {
   void take(const engine::Probe& probe) {
     PartDraft* const part = partOf(probe);
     const ProbeEffects effects = effectsAt(part, probe);
-    if (!part) return roles_.takeAbility(isKeys(probe.target), report_.airJumps, effects);
+    if (!part) return roles_.takeAbility(probe.approach, report_.airJumps, effects);
+    noteFailure(*part, probe, effects.empty());
+    if (probe.byFall)
+      note("touch that differs in a fall", part->id, "taken as of a player who walks");
     if (probe.lost) return note("touch that broke down", part->id, "treated as a plain part");
     if (probe.sleeps)
       note("script that still waits", part->id, "what comes later after a touch is not seen");
@@ -97,7 +100,7 @@ class Touches {
     for (const engine::Probe& probe : report_.probes) {
       PartDraft* const part = partOf(probe);
       if (!part || part->checkpoint || part->goal) continue;
-      if (probe.lost || probe.byPlace || !effectsAt(part, probe).empty()) continue;
+      if (probe.lost || probe.byPlace || probe.byFall || !effectsAt(part, probe).empty()) continue;
       const bool isKnown = std::any_of(
           report_.revisits.begin(), report_.revisits.end(), [&](const engine::Revisit& revisit) {
             return revisit.lever == probe.target || revisit.probe.target == probe.target;
@@ -143,10 +146,6 @@ class Touches {
     takeComeback(effects, report_, probe, *part);
     return effects;
   }
-  bool isKeys(InstanceId target) const {
-    return target >= context_.tree.size() ||
-           context_.tree.at(target).className == "UserInputService";
-  }
   const engine::Probe* firstOf(const engine::Probe& again) const {
     const auto first =
         std::find_if(report_.probes.begin(), report_.probes.end(),
@@ -175,6 +174,20 @@ class Touches {
   void noteMore(PartDraft& part, const std::string& when, const ProbeEffects& more) {
     note("touch that does more later", part.id,
          when + ", taken as if from the start; " + roles_.reason(more.line()));
+  }
+  // A script that fails in the game, too, tells what a touch does. Where it has used what the twin
+  // lacks, or nothing came of the touch, it may go on in the game.
+  void noteFailure(const PartDraft& part, const engine::Probe& probe, bool isEmpty) {
+    const auto& usual = report_.undisturbed.problems;
+    for (const engine::Problem& problem : probe.seen.problems) {
+      const bool always =
+          std::any_of(usual.begin(), usual.end(), [&](const engine::Problem& known) {
+            return known.script == problem.script && known.text == problem.text;
+          });
+      const bool tells = problem.failure == engine::Failure::refused ||
+                         (problem.failure == engine::Failure::usual && !isEmpty);
+      if (!always && !tells) return note("touch handler that fails", part.id, problem.text);
+    }
   }
 
   void note(const char* kind, InstanceId id, const std::string& text) {
