@@ -1,10 +1,10 @@
-// What scripts do about the player's own moves.
+// Effects of scripts on the player's own moves.
 #include "import/scene.h"
 
 namespace obby::test {
 namespace {
 
-// Adds a script that each new body gets, with the names `human` and `root`.
+// Adds a script to each new body, with the names `human` and `root`.
 void perBody(Scene& scene, const std::string& source) {
   scene.part("SpawnLocation", {}, scene.workspace, "SpawnLocation");
   const auto player = scene.add("StarterPlayer", "StarterPlayer", kNoInstance);

@@ -1,4 +1,4 @@
-// Events that nobody raises, and handlers that fail: named, for what would follow is unknown.
+// Events that are never raised, and handlers that fail, are noted: their effects are unknown.
 #include "import/scene.h"
 
 namespace obby::test {
