@@ -9,8 +9,8 @@
 namespace obby::engine {
 namespace {
 
-// Max parts of the first round that are probed again, by listeners, and of parts without any. If
-// one of them differs, up to kMaxRest others with its listeners follow.
+// Max parts that are probed again from the first round: for each set of listeners, and without
+// listeners. If one of them differs, up to kMaxRest others with its listeners follow.
 constexpr uint32_t kSameAgain = 3, kByPlaceAgain = 20;
 constexpr size_t kMaxAgain = 100, kMaxRest = 300;
 

@@ -9,7 +9,7 @@
 
 namespace obby::engine {
 
-// Returns only differences from the first probes. The place must be in its state at those.
+// Returns only differences from the first probes. The place must be in the same state as then.
 std::vector<Revisit> revisit(Stage& stage, const Plan& plan, const std::vector<Probe>& first);
 
 }  // namespace obby::engine

@@ -19,7 +19,7 @@ bool overlap(const Scenery::Part& part, const Pose& frame, Vec3 half) {
   return geom::penetration(part.shape, {part.half}, box).depth >= 0;
 }
 
-// Names overlaps() of boxes, which Scenery::overlaps hides.
+// Forwards to overlaps() of boxes, which Scenery::overlaps hides.
 bool boxesMeet(const Box& a, const Box& b) { return overlaps(a, b); }
 
 }  // namespace

@@ -18,8 +18,8 @@ class CollisionGroups {
   CollisionGroups(const Tree& tree, const ObservedPlace& place, bool scriptsTell,
                   LevelDraft& level);
 
-  // Makes a part passable if its group does not collide with the players' group. Where scripts ran,
-  // the document already has it, with the scripts' changes.
+  // Makes a part passable if its group does not collide with the players' group. If scripts ran,
+  // the document already contains this, with the scripts' changes.
   void apply(PartDraft& part) const;
 
   // Returns true if it is known whether players collide with the part. It is unknown if nothing

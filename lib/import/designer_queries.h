@@ -22,7 +22,8 @@
 namespace obby::importer {
 
 // Returns the queries in the order of the file. An unusable item is left out, with a warning that
-// names it. A query without a goal is left out, too. `rate` is the level's ticks a second.
+// names it. A query without a goal is left out, too. `rate` is the level's rate in ticks per
+// second.
 std::vector<io::RecordBuilder> designerQueries(const LevelDraft& level, const Tree& tree,
                                                uint16_t rate, std::vector<std::string>& warnings);
 

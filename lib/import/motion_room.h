@@ -15,7 +15,7 @@ constexpr size_t kMaxLevelKeys = 1000000;
 // Max seconds of a round, a turn or a wait in the simulator (level::mostTicks).
 constexpr float kLongestMotion = 1200;
 
-// Returns true if the budget covers those of the parts that a player can meet. A model's parts that
+// Returns true if the budget covers all of the parts that a player can meet. A model's parts that
 // can be met move together or not at all. Parts that stay still are noted.
 bool haveRoom(RoleContext& context, const std::vector<PartDraft*>& parts, const Motion& motion,
               const std::string& reason);

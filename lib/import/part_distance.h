@@ -15,7 +15,7 @@ struct GroundArea {
 
 class PartDistance {
  public:
-  // Answers for places in `whole`. A part outside counts as at its border.
+  // Answers queries in `whole`. A part outside counts as at its border.
   PartDistance(const std::vector<PartDraft>& parts, GroundArea whole);
 
   // Returns the studs from the nearest point of the area to the nearest part, ignoring height. The

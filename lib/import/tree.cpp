@@ -18,7 +18,7 @@ bool equalNoCase(std::string_view a, std::string_view b) {
          });
 }
 
-constexpr size_t kLongestPath = 1000;  // max bytes, not counting a few more
+constexpr size_t kLongestPath = 1000;  // approximate max bytes
 constexpr size_t kKeptOfPath = 400;    // bytes kept of its beginning
 
 std::string_view trimmed(std::string_view text) {

@@ -59,7 +59,8 @@ class Tree {
   const Document* document_;
   std::vector<uint32_t> siblingIndex_;
   std::unordered_map<std::string, std::vector<InstanceId>> byTag_;
-  std::map<std::string, InstanceId, std::less<>> services_, roots_;  // by class, by name: the first
+  // first instance by class, by name
+  std::map<std::string, InstanceId, std::less<>> services_, roots_;
 };
 
 // Returns true if `text` contains `word`; both are lower case.

@@ -61,7 +61,7 @@ InstanceId controllerLibrary(const Tree& tree, InstanceId player) {
   return kNoInstance;
 }
 
-// Notes settings of Workspace for the place and rate of the simulation of characters.
+// Notes settings of Workspace that affect where and how often characters are simulated.
 void noteSimulation(const Tree& tree, InstanceId workspace, LevelDraft& level) {
   if (get<EnumItem>(tree.at(workspace), "AuthorityMode").value == kServerAuthority)
     level.noteUnmodelled("server authority", tree, workspace,

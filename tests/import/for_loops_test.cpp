@@ -1,4 +1,4 @@
-// For loops that count for ever, and loops that end by a model's position.
+// For loops that count for ever, and loops whose end depends on a model's position.
 #include <algorithm>
 
 #include "import/motion_checks.h"

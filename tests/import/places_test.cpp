@@ -1,5 +1,5 @@
 // Real place files next to the checkout (not part of the project): plausible counts, and the same
-// level from the binary and the XML form. Skipped if the files are absent.
+// level from the binary and the XML form. The tests are skipped without the files.
 #include <gtest/gtest.h>
 
 #include <algorithm>

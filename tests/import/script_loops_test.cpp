@@ -155,7 +155,7 @@ TEST(ScriptLoops, VelocitiesThatChangeAreNamed) {
   }
 }
 
-// A handler skips its work for half a second, as in `if passed < 0.5 then return end`.
+// A handler works each half second, as with `if passed < 0.5 then return end`.
 TEST(ScriptLoops, AHandlerThatReturnsEarlyIsCalledAgain) {
   Scene scene;
   const auto part = scene.part("Part");

@@ -1,6 +1,6 @@
 // A Lua state in an arena, with budgets of instructions: one for each stretch between two yields,
 // one for all stretches together. A stretch that exceeds its own budget ends with an error that
-// scripts cannot catch. Once the total budget is used up, every stretch ends so. Private to
+// scripts cannot catch. Once the total budget is used up, every stretch ends that way. Private to
 // lib/engine.
 #pragma once
 

@@ -104,7 +104,7 @@ class XmlReader {
     const std::string& className = builder_.classOf(id);
     const PropertyPlan& plan = builder_.planOf(className, name);
     if (plan.spelling.name.empty()) return {};
-    // An older spelling may have another kind, which the element's name tells.
+    // An older spelling may have another kind, which the element's name states.
     const Value* standard = plan.spelling.legacy ? nullptr : plan.standard;
     Result<Value> value = readXmlValue(element, standard, context_);
     if (!value) {

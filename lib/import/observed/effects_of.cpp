@@ -145,7 +145,7 @@ class Difference {
       effects_.sizes.push_back({change.target, change.line});
   }
 
-  // A touch ends the run of a player who cannot walk at the end while no script waits.
+  // Finds a touch after which the player cannot walk and no script waits.
   void findEnd() {
     const bool isStuck = probe_.seen.player.stuck && !report_.undisturbed.player.stuck;
     if (!isStuck || !probe_.seen.player.alive || probe_.sleeps) return;
@@ -182,7 +182,7 @@ class Difference {
   }
 
   void setTeleport(const Pose& root, double time, engine::Line line) {
-    // Once the player has left, a teleport is due to its new place.
+    // A move after the player has left belongs to its new place, not to this part.
     const bool left = probe_.left > 0 && time > probe_.left;
     if (effects_.teleport || left) return;
     constexpr float kRootHeight = 3;

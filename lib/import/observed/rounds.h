@@ -14,7 +14,7 @@ struct Round {
   size_t begin = 0;    // first frame of the repetition
 };
 
-// Returns the smallest period that was seen twice.
+// Returns the smallest period with two complete rounds in the poses.
 Round roundIn(const std::vector<Pose>& poses);
 
 }  // namespace obby::importer

@@ -80,7 +80,7 @@ bool isBringing(const Change& change) {
 }
 
 void addBrought(const engine::Observation& seen, std::set<InstanceId>& brought) {
-  std::set<InstanceId> changed;  // a part that vanishes first existed before
+  std::set<InstanceId> changed;  // a part whose first change removes it was there
   for (const Change& change : seen.changes)
     if (change.property == "Parent" && changed.insert(change.target).second && isBringing(change))
       brought.insert(change.target);
@@ -96,7 +96,7 @@ std::set<InstanceId> broughtByTouches(const engine::Report& report) {
   return brought;
 }
 
-// Applies that a script put the part into the world or took it out at the start.
+// Puts the part into the world or takes it out, as a script did at the start.
 void settleParent(Document& document, InstanceId id, bool stays) {
   const bool isPart = isPartClass(document.instances[id].className);
   if (stays && isPart)

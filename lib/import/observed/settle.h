@@ -9,7 +9,7 @@
 namespace obby::importer {
 
 // Appends the parts below Workspace that scripts made, and joints, constraints and movers at their
-// places. Returns their ids by those of the report.
+// places. Returns a map from report ids to document ids.
 std::map<InstanceId, InstanceId> addMadeParts(Document& document, const engine::Report& report);
 
 // Applies properties that scripts changed before the probes and never afterwards. Applies the poses

@@ -70,7 +70,7 @@ std::optional<double> rhythmOf(const std::vector<double>& times) {
   return period;
 }
 
-// Gives a part that appears or vanishes once that state for good.
+// Gives a part its final state if it appears or vanishes only once.
 void giveOnce(RoleContext& context, PartDraft& part, const Turn& turn) {
   Vanish vanish;
   vanish.timer = true;

@@ -44,8 +44,7 @@ class ProjectFiles {
   size_t filesLeft_ = 100000;
 };
 
-// Returns the text of a script as Rojo stores it, with
-// as line breaks.
+// Returns the text of a script as Rojo stores it, with \n as line breaks.
 std::string withUnixLines(std::string text);
 
 }  // namespace obby::importer::rojo

@@ -118,7 +118,7 @@ void checkpointFromTags(RoleContext& context) {
   for (InstanceId id = 0; id < context.tree.size(); ++id)
     for (const std::string& tag : context.tree.at(id).tags) {
       const std::string kind = checkpointTag(tag);
-      // "Stage3" on everything in a stage is a group.
+      // A tag such as "Stage3" on several instances marks a whole stage.
       const bool isGroup =
           kind == "stage" && firstNumber(tag) && context.tree.tagged(tag).size() > 1;
       if (kind.empty() || isGroup) continue;

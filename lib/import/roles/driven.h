@@ -1,5 +1,5 @@
-// Decides which parts constraints drive: the part that one moves against another, which is at rest
-// or moves by itself, and the line on which a slider moves it.
+// Decides which parts constraints drive. A constraint moves one part against its base, which is at
+// rest or moves by itself. A slider moves its part along a line.
 #pragma once
 
 #include <optional>
@@ -53,8 +53,8 @@ bool giveDriven(RoleContext& context, const Drive& drive, Motion motion, const s
 // unanchored.
 bool hold(RoleContext& context, InstanceId part, const std::string& why);
 
-// Holds a part whose destination the file does not tell at its place in the file. The level notes
-// the constraint. Returns false if none was unanchored.
+// Holds a part at its place in the file because the file does not state its destination. The level
+// notes the constraint. Returns false if none was unanchored.
 bool leaveDriven(RoleContext& context, const char* kind, InstanceId part, InstanceId constraint,
                  const std::string& why);
 
@@ -78,7 +78,7 @@ bool standStill(RoleContext& context, const Drive& drive, const std::optional<Sp
 // `spin` for ever.
 Motion slideTo(const Track& track, double position, double speed, const std::optional<Spin>& spin);
 
-// Moves a slider with a motor to its limit, where it stays. If the file does not tell the
+// Moves a slider with a motor to its limit, where it stays. If the file does not state the
 // direction, the part is held, and the level notes it. Returns false if the motor drives nothing.
 bool fromSliderMotor(RoleContext& context, const ConstraintSettings& settings, const Drive& drive,
                      const std::optional<Spin>& spin);

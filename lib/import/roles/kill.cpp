@@ -26,7 +26,7 @@ const std::vector<std::string_view> kKillTags = {
     "spike",     "spikes",    "laser",    "obstaclekill", "killblocks", "killbricks", "killparts"};
 const std::vector<std::string_view> kDamageTags = {"damage", "damagebrick", "damagepart",
                                                    "damageblock", "hurt"};
-// A designer's tags against wrong guesses from a script or a name.
+// Tags by which a designer overrides wrong guesses from a script or a name.
 const std::vector<std::string_view> kHarmlessTags = {"harmless", "nokill", "nodamage"};
 const std::vector<std::string_view> kHarmTags = {"kills", "double", "ouch", "instakills",
                                                  "instakill"};

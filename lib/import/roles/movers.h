@@ -13,7 +13,7 @@ namespace obby::importer {
 using Pulls = std::map<InstanceId, int>;
 Pulls pullsOf(RoleContext& context, const ConstraintSettings& settings);
 
-// Gives a motion to the part of an enabled mover, or holds it in place. If the file does not tell
+// Gives a motion to the part of an enabled mover, or holds it in place. If the file does not state
 // the direction, it is held, and the level notes it. Returns false without effect if the mover
 // drives nothing unanchored, is too weak, or is of another class.
 bool fromMover(RoleContext& context, const ConstraintSettings& settings, const Pulls& pulls,

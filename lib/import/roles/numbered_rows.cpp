@@ -81,7 +81,7 @@ class NumberedRows {
       if (PartDraft* const pad = padOf(child, nullptr)) members.push_back({child, pad});
   }
 
-  // Returns the pad, or null if a SpawnLocation or another checkpoint tells the stage.
+  // Returns the pad, or null if a SpawnLocation or another checkpoint represents the stage.
   PartDraft* padOf(InstanceId owner, const PartDraft* before) {
     std::vector<PartDraft*> parts;
     for (PartDraft* part : context_.partsOf(owner)) {

@@ -29,7 +29,8 @@ void fill(int& number, int found) {
   if (number == kUnnumbered) number = found;
 }
 
-// Returns true for names written for players: a number in free text ("4 Way Jump") is not an order.
+// Returns true for sources written for players: a number in free text ("4 Way Jump") is not an
+// order.
 bool isFreeText(NumberFrom from) { return from == NumberFrom::name || from == NumberFrom::team; }
 
 // Returns true if a source tells checkpoints apart. A source with one number for all does not. Free
