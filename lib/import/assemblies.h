@@ -25,7 +25,7 @@ class Assemblies {
   void join(InstanceId a, InstanceId b);
 
   mutable std::vector<InstanceId> parent_;
-  std::vector<char> anchored_;  // by representative
+  std::vector<char> anchored_;  // indexed by representative
   std::unordered_map<InstanceId, std::vector<InstanceId>> members_;
 };
 

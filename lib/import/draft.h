@@ -233,7 +233,7 @@ struct LevelDraft {
   Avatar avatar;
   std::vector<PartDraft> parts;
   std::vector<SpawnDraft> spawns;
-  std::map<std::string, UnmodelledDraft> unmodelled;  // by kind
+  std::map<std::string, UnmodelledDraft> unmodelled;  // unmodelled instances by kind
   std::map<std::string, UnmodelledDraft> ignored;     // left out on purpose, for --explain
 
   std::set<Loss> losses;  // every instance that `unmodelled` counts

@@ -35,8 +35,8 @@ class LevelHulls {
   Known decoded(const CollisionBlob& blob) const;
   const Known& knownOf(const Instance& part);
 
-  std::unordered_map<const char*, Known> shared_;  // by the address of their bytes
-  Known own_;                                      // of the last part with unshared bytes
+  std::unordered_map<const char*, Known> shared_;  // hulls by the address of their bytes
+  Known own_;                                      // hulls of the last part with unshared bytes
   size_t left_ = kMaxLevelCorners;
 };
 

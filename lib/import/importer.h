@@ -23,7 +23,7 @@ struct ImportOptions {
 struct Import {
   io::RecordBuilder level;
   std::vector<io::RecordBuilder> queries;
-  std::vector<std::string> warnings;  // one line each, for people
+  std::vector<std::string> warnings;  // one line each
   std::string explanation;            // a table of at most 100 columns
 };
 

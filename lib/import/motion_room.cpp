@@ -72,7 +72,7 @@ bool haveRoom(RoleContext& context, const std::vector<PartDraft*>& parts, const 
 
 bool hasRoom(RoleContext& context, const PartDraft& part, const Motion& motion,
              const std::string& reason) {
-  // haveRoom has checked met parts
+  // haveRoom has checked the met parts.
   if (isMet(part) || fits(context.unmetRoom, 1, motion)) return true;
   context.unmetStill.try_emplace(part.id, reason);
   return false;
@@ -96,7 +96,7 @@ void settleMotions(RoleContext& context) {
     }
   for (const auto& [id, reason] : context.unmetStill) {
     const PartDraft* part = context.part(id);
-    if (!part || part->motion) continue;  // another motion fitted
+    if (!part || part->motion) continue;  // another motion fits the budget
     if (isMet(*part))
       noteTooMany(context, id, reason);
     else

@@ -21,7 +21,7 @@ constexpr size_t kHeaderSize = 32;
 
 struct ClassGroup {
   std::string name;
-  std::vector<InstanceId> members;  // in the order of the columns
+  std::vector<InstanceId> members;  // instances in column order
 };
 
 class BinaryReader {

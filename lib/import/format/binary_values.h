@@ -16,7 +16,7 @@ namespace obby::importer {
 // The tables that columns refer to.
 struct ColumnContext {
   std::vector<std::shared_ptr<const std::string>> sharedStrings;
-  std::unordered_map<int32_t, InstanceId> instances;  // by referent
+  std::unordered_map<int32_t, InstanceId> instances;  // instances by referent
 
   Ref resolve(int32_t referent) const;
 };

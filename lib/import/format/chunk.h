@@ -13,8 +13,8 @@ namespace obby::importer {
 
 struct Chunk {
   std::string name;       // up to 4 letters, without padding
-  size_t offset = 0;      // of the chunk's header in the file
-  std::string_view body;  // as in the file: stored, LZ4 or zstd
+  size_t offset = 0;      // offset of the chunk's header in the file
+  std::string_view body;  // bytes in the file: stored, LZ4 or zstd
   bool compressed = false;
   uint32_t rawLength = 0;
 };

@@ -21,7 +21,7 @@ constexpr size_t kBudgetPerByte = 64;
 constexpr size_t kMaxWarnings = 100;
 constexpr size_t kMaxName = 100;  // characters; the engine's own limit
 constexpr size_t kMaxNameBytes = 4 * kMaxName;
-constexpr size_t kMaxProperties = 1000;  // of one instance; engine classes have < 200
+constexpr size_t kMaxProperties = 1000;  // per instance; engine classes have < 200
 constexpr std::string_view kServices[] = {
     "Workspace",     "Lighting",   "Players",     "StarterPlayer",      "ReplicatedStorage",
     "ServerStorage", "StarterGui", "StarterPack", "ServerScriptService"};
@@ -71,7 +71,7 @@ size_t nameSize(std::string_view name) {
 // Returns the memory of a blob of tags after decoding: each tag is a string of its own, however
 // short.
 size_t costOfTags(const std::string& blob) {
-  constexpr size_t kEach = 3 * sizeof(std::string);  // in the instance, and in the index over tags
+  constexpr size_t kEach = 3 * sizeof(std::string);  // for the instance and the tag index
   const auto breaks = static_cast<size_t>(std::count(blob.begin(), blob.end(), '\0'));
   return 2 * blob.size() + kEach * (blob.empty() ? 0 : breaks + 1);
 }

@@ -69,7 +69,7 @@ class DocumentBuilder {
   Status checkDepth(const std::vector<InstanceId>& order) const;
 
   Document document_;
-  std::unordered_map<std::string, PropertyPlan> plans_;  // by class and name
+  std::unordered_map<std::string, PropertyPlan> plans_;  // plans by class and name
   // Warnings kept until the names of the instances are known: files have names after attributes.
   std::vector<std::pair<InstanceId, std::string>> attributeWarnings_;
   size_t droppedWarnings_ = 0, cutNames_ = 0;

@@ -13,8 +13,7 @@ namespace obby::importer {
 
 struct Format {
   std::string_view name;
-  bool (*looksLike)(
-      std::string_view bytes);  // by content; the first format that accepts reads the file
+  bool (*looksLike)(std::string_view bytes);  // tests the content; the first match reads the file
   Result<Document> (*read)(std::string_view bytes, const std::string& file);
 };
 

@@ -28,10 +28,10 @@ constexpr size_t kCornerBytes = 3 * 4;
 Error broken(std::string message) { return Error{{}, {}, "hulls", std::move(message), {}}; }
 
 struct PackedHead {
-  uint32_t hulls, corners, faces;    // of the Edgebreaker hulls together
+  uint32_t hulls, corners, faces;    // totals of the Edgebreaker hulls
   uint32_t mostCorners, mostFaces;   // max of one of them
-  uint32_t plainBytes;               // of the block of plain hulls
-  uint32_t symbolBits, symbolBytes;  // of the Edgebreaker hulls
+  uint32_t plainBytes;               // size of the block of plain hulls
+  uint32_t symbolBits, symbolBytes;  // sizes of the Edgebreaker symbols
   uint32_t cornerBytes;
 };
 

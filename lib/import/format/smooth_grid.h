@@ -12,7 +12,7 @@ namespace obby::importer {
 
 constexpr int kChunkSide = 32;        // cells
 constexpr float kCellSide = 4;        // studs
-constexpr int kFarthestCell = 32000;  // from the origin, on each axis
+constexpr int kFarthestCell = 32000;  // cells from the origin, on each axis
 
 // Materials that are not solid; all others are.
 constexpr uint8_t kTerrainAir = 0, kTerrainWater = 1;

@@ -15,7 +15,7 @@ namespace obby::importer {
 // The tables that elements refer to.
 struct XmlContext {
   std::unordered_map<std::string_view, std::shared_ptr<const std::string>> sharedStrings;
-  std::unordered_map<std::string_view, InstanceId> instances;  // by referent
+  std::unordered_map<std::string_view, InstanceId> instances;  // instances by referent
 };
 
 // Returns all text and CDATA inside the element.

@@ -132,7 +132,7 @@ void noteChanges(RoleContext& context, const engine::Report& report) {
   };
   for (const engine::Change& change : report.undisturbed.changes) {
     if (change.time <= report.probedAt || isUsual(report.arrived, change)) continue;
-    if (isMadePart(change.target)) continue;  // noteComing() notes it
+    if (isMadePart(change.target)) continue;  // noteComing() reports it
     if (change.time <= report.lookedAgainAt && isMadeLater(report, change.target)) continue;
     for (const LossRow& row : kLosses)
       if (change.property == row.property) note(row.kind, row.note, change);

@@ -13,13 +13,13 @@ namespace obby::importer {
 // A change that scripts had made to a part of the file when play began.
 struct Settled {
   InstanceId id = kNoInstance;
-  std::string path;  // in the file
+  std::string path;  // path in the file
   std::string what;  // "not solid"; empty: the part is gone
   engine::Line line;
 };
 
 struct ObservedPlace {
-  Document document;      // with parts that scripts made and all lasting changes
+  Document document;      // includes parts that scripts made and lasting changes
   engine::Report report;  // its ids are the document's, except for parts that scripts made later
   bool ran = false;       // there were scripts, and they ran
   std::vector<Settled> settled = {};

@@ -38,7 +38,7 @@ struct Booster {
 };
 // Progress of the player that scripts store.
 struct StageSet {
-  std::optional<int> number;         // from leaderstats or the like
+  std::optional<int> number;         // a number in leaderstats or the like
   std::optional<int64_t> team;       // colour of the player's new team
   InstanceId respawn = kNoInstance;  // SpawnLocation where the player respawns from now on
   engine::Line line;

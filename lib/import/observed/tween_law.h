@@ -26,7 +26,7 @@ class TweenLaws {
   std::optional<double> end(const std::vector<Pose>& poses, InstanceId part) const;
 
  private:
-  std::vector<engine::Tween> tweens_;  // since the origin
+  std::vector<engine::Tween> tweens_;  // times count from the origin
   std::map<InstanceId, std::vector<const engine::Tween*>> byTarget_;
 };
 

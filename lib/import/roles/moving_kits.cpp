@@ -23,7 +23,7 @@ constexpr double kDefaultSpin = 90;  // degrees/s
 
 struct WayPoints {
   InstanceId folder = kNoInstance, platform = kNoInstance;
-  std::vector<InstanceId> points;  // in order
+  std::vector<InstanceId> points;  // waypoints in order
 };
 
 WayPoints wayPointsOf(const Tree& tree, InstanceId model) {
