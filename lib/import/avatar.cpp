@@ -14,7 +14,7 @@ namespace {
 constexpr uint32_t kR6 = 0, kR15 = 1;      // GameSettingsAvatar
 constexpr uint32_t kOuterBox = 0;          // GameSettingsR15Collision
 constexpr uint32_t kSingleCollider = 1;    // CollisionMode
-constexpr uint32_t kUseParts = 0;          // values of the touch detection modes
+constexpr uint32_t kUseParts = 0;          // value of the touch detection modes
 constexpr Vec3 kColliderSize = {2, 3, 1};  // the engine's default
 constexpr float kLeastScale = 0.25f, kMostScale = 4, kLeastCollider = 0.1f, kMostCollider = 20;
 

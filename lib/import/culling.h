@@ -7,8 +7,8 @@ namespace obby::importer {
 
 class Tree;
 
-// Removes parts that are wholly below the fall height. Removes parts that are farther from the rest
-// than the rest is wide, by a wide margin. Counts both in level.partsCulled and level.ignored.
+// Removes parts wholly below the fall height, and parts farther from the rest than ten times its
+// extent. Counts them in level.partsCulled and level.ignored.
 void cullStrays(LevelDraft& level, const Tree& tree);
 
 }  // namespace obby::importer
