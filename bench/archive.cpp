@@ -1,6 +1,6 @@
-// How large the archive of ten million cells is, how fast it takes and finds cells, and what
-// choosing a round's cells from it costs. Keys and worlds are made up; visits and better arrivals
-// are spread over all cells, as a search spreads them.
+// Measures an archive of ten million cells: its size, the rate of inserting and finding cells, and
+// the time to select a round's cells. Keys and worlds are synthetic. Visits and improvements are
+// spread over all cells, as in a search.
 #include <sys/resource.h>
 #include <unistd.h>
 
@@ -11,10 +11,10 @@
 #include "base/thread_pool.h"
 #include "common/report.h"
 #include "sim/simulator.h"
-#include "solve/archive/archive.h"
-#include "solve/archive/cell.h"
-#include "solve/choosers/choose_beam.h"
-#include "solve/choosers/selection.h"
+#include "solve/search/archive/archive.h"
+#include "solve/search/archive/cell.h"
+#include "solve/search/selectors/choose_beam.h"
+#include "solve/search/selectors/selection.h"
 #include "support/level_builder.h"
 #include "support/plain_problem.h"
 
@@ -22,12 +22,13 @@ namespace {
 
 using namespace obby;
 
-constexpr uint32_t kBetterEvery = 3;  // cells to one that is reached again by a shorter way
+constexpr uint32_t kBetterEvery = 3;  // one cell in so many is reached again by a shorter
+                                      // trajectory
 constexpr uint32_t kFinds = 2'000'000;
 constexpr uint32_t kRounds = 30, kRollouts = 512;
-constexpr uint32_t kVisits = 6000, kArrivals = 300;  // of a round
+constexpr uint32_t kVisits = 6000, kArrivals = 300;  // per round
 
-// The resident set, bytes.
+// Returns the resident set in bytes.
 double residentBytes() {
   long all = 0, resident = 0;
   FILE* const file = std::fopen("/proc/self/statm", "r");
@@ -71,7 +72,7 @@ void fill(solve::Archive& archive, uint32_t cells) {
   }
 }
 
-// Half of them are there.
+// Half of the keys are in the archive.
 double findsPerSecond(const solve::Archive& archive) {
   Random random(2, archive.cellCount());
   std::vector<uint64_t> keys(kFinds);
@@ -84,7 +85,7 @@ double findsPerSecond(const solve::Archive& archive) {
   return kFinds / seconds;
 }
 
-// What a round does to the archive.
+// Applies a round's visits and improvements.
 void visit(solve::Archive& archive, Random& random) {
   for (uint32_t i = 0; i < kVisits; ++i) archive.countSeen(random.below(archive.cellCount()));
   for (uint32_t i = 0; i < kArrivals; ++i) offerBetter(archive, random.below(archive.cellCount()));
@@ -111,7 +112,7 @@ class Bench {
   }
 
  private:
-  // A round's choices, half of all as under `auto`.
+  // Selects half of a round's cells, as under `auto`.
   double chooseMilliseconds(solve::Chooser& chooser) {
     std::vector<solve::Choice> choices(kRollouts / 2, {0, 40});
     double seconds = 0;
@@ -119,7 +120,7 @@ class Bench {
       Random random(3, round);
       const double taken =
           bench::secondsOf([&] { chooser.choose(archive_, pool_, random, choices); });
-      if (round > 0) seconds += taken;  // the first reads everything
+      if (round > 0) seconds += taken;  // the first round reads everything
       visit(archive_, random);
     }
     return 1000 * seconds / kRounds;

@@ -1,5 +1,5 @@
-// How wide the undecided band is: between the hardest step that a search solves and the easiest
-// that the bound on reach shows to be impossible. One row a kind of step, in studs:
+// Measures the undecided band between the hardest step that a search solves and the easiest one
+// that the reach bound proves impossible. One row for each kind of step, in studs:
 //   {"name":"gap","solvedTo":11.4,"unreachableFrom":11.9,"band":0.5}
 //   bench_band [--json] [--steps N]     N: simulated ticks for each attempt of the search
 #include <fmt/format.h>
@@ -17,7 +17,7 @@ using namespace obby::support;
 
 struct Case {
   const char* name;
-  float solved, wide;  // studs: surely solved, surely not
+  float solved, wide;  // certainly solved, certainly not
   Build build;
 };
 
@@ -31,7 +31,7 @@ bool isShown(const Case& c, float studs) {
   return true;
 }
 
-// The last value for which `holds`, which does for `lo` and not for `hi`.
+// Returns the last value for which `holds`, given that it does for `lo` and not for `hi`.
 template <class Holds>
 float bisect(float lo, float hi, float resolution, Holds&& holds) {
   while (hi - lo > resolution) {

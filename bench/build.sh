@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
-# CPU seconds from a clean clone of the last commit, without a compiler cache, until scripts/demo has its page and until
-# scripts/test has its verdict. Aims, in minutes of CPU: demo 6, tests 50.
-#   bench/build.sh [--json] [demo] [tests]     by scripts/bench build
+# Measures CPU seconds from a clean clone of the last commit, without a compiler cache, until
+# scripts/demo has its page and until scripts/test has its verdict. Targets, in minutes of CPU: demo
+# 6, tests 50.
+#   bench/build.sh [--json] [demo] [tests]     run by scripts/bench build
 set -euo pipefail
 json=no cases=()
 for word in "$@"; do

@@ -1,7 +1,7 @@
-// How well calibration finds parameters that nobody told it: of recordings by our own simulator
-// under twelve sets drawn at random, as they are and as recorders spoil them, and of recordings by
-// Bullet, an engine with other rules. A fit takes three to five minutes on two
-// cores, so that all cases with twelve sets take hours: name some.
+// Measures how well calibration finds unknown parameters. The recordings come from our simulator
+// under twelve random sets, with and without recorder errors, and from Bullet, an engine with other
+// rules. A fit takes three to five minutes on two cores, so all cases with twelve sets take hours:
+// select some.
 //   bench_calibrate [--json] [--each] [--from SET] [--sets N] [CASE...]     --each: every parameter
 //   of every set
 #include <fmt/format.h>
@@ -53,11 +53,11 @@ struct Options {
   std::vector<std::string> wanted;
 };
 
-// What all sets of a case add up to.
+// Totals over the sets of a case.
 struct Tally {
   struct Of {
     int known = 0, sharp = 0, near = 0;
-    double worst = 0;  // of those that are sharp
+    double worst = 0;  // of the sharp ones
   };
   std::map<std::string, Of> parameters;
   int outside = 0;
@@ -65,12 +65,12 @@ struct Tally {
   double seconds = 0;
 };
 
-// What an error is a share of: the truth, or the most that was tried where that may be none.
+// Returns the reference of a relative error: the truth, or the upper bound if the value may be 0.
 double sizeOf(const Fitted& f, double truth) {
   return f.parameter.lowest > 0 ? truth : f.parameter.highest;
 }
 
-// What counts in whole ticks is right if it comes to as many.
+// Values in whole ticks are compared after rounding.
 double errorOf(const Fitted& f, double truth) {
   const auto counted = [&](double value) {
     return f.tick > 0 ? std::round(value / f.tick) : value;
@@ -98,7 +98,7 @@ io::RecordBuilder paramsOf(const calibrate::Fit& fit) {
   return params;
 }
 
-// Where the simulator does something else than the recordings that were fitted.
+// Returns how the simulator deviates from the fitted recordings.
 std::vector<std::string> reasonsAgainst(const std::vector<Take>& takes, const calibrate::Fit& fit) {
   constexpr double kTolerance = 0.01;
   const io::RecordBuilder params = paramsOf(fit);
@@ -115,14 +115,14 @@ double meanMissOf(const std::vector<Take>& takes, const calibrate::Fit& fit) {
   return sum / double(takes.size());
 }
 
-// What is fitted, what tells the fit that it is near enough, what it is held against in the end,
-// and the truth where there is one.
+// One fit: the fitted recordings, the held-out ones, those for the final comparison, and the true
+// parameters if known.
 struct Trial {
   std::string name;
   uint64_t seed;
   std::vector<Take> takes, heldOut;
   std::vector<Take> again,
-      elsewhere;  // the same done once more; other ways through the same places
+      elsewhere;  // the same manoeuvres repeated; other trajectories in the same places
   const schema::PhysicsParams::Reader* hidden = nullptr;
   std::vector<calibrate::Parameter> parameters = calibrate::parametersAround(calibrate::defaults());
 };
@@ -137,7 +137,7 @@ void count(const Trial& trial, const Fitted& f, Tally& tally, bool each) {
   Tally::Of& of = tally.parameters[name];
   ++of.known;
   tally.outside += !holds(f, truth);
-  // By its own interval it is told to a percent, or to the very tick.
+  // Its own interval is within one percent, or within one tick.
   if (std::max(f.high - f.value, f.value - f.low) > 0.01 * sizeOf(f, f.value)) return;
   const double error = errorOf(f, truth);
   ++of.sharp;
@@ -148,7 +148,7 @@ void count(const Trial& trial, const Fitted& f, Tally& tally, bool each) {
 void measure(const Trial& trial, bool each, ThreadPool& pool, Tally& tally) {
   calibrate::FitSettings settings;
   settings.seed = trial.seed;
-  settings.tolerance = 0.1;  // as the tool's default
+  settings.tolerance = 0.1;  // the tool's default
   settings.restarts = 1;
   settings.heldOut = trial.heldOut;
   const std::atomic<bool> stop{false};
@@ -216,7 +216,7 @@ void measureBullet(const char* name, test::BulletGame::Body body, uint64_t seed,
                    ThreadPool& pool, Tally& tally) {
   const test::BulletGame game = test::drawnGame(body, seed, 0.25f);
   const auto manoeuvres = test::bulletManoeuvres();
-  // Each three times, never quite alike, as somebody would who records.
+  // Repeats each three times with variations, as a person recording would.
   std::vector<calibrate::Manoeuvre> session = manoeuvres;
   for (const uint64_t again : {10, 20}) {
     for (calibrate::Manoeuvre& m : others(manoeuvres, 100 * seed + again)) {

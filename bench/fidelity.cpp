@@ -1,7 +1,7 @@
-// How near the simulator comes to the real engine: recordings of it, played by their inputs alone
-// (lib/calibrate/fidelity.h). A case is a category of recordings, a file each. The recordings are
+// Measures how closely the simulator reproduces the real engine from the inputs of recordings
+// (lib/calibrate/fidelity.h). A case is a category of recordings in one file. The recordings are
 // not part of the project; without them the bench says so and measures nothing.
-//   bench_fidelity [--json] [--from FOLDER] [CASE...]     default: shared/recordings beside the
+//   bench_fidelity [--json] [--from FOLDER] [CASE...]     default: shared/recordings next to the
 //   checkout; files are CASE.jsonl.zst. Categories of a trick are played again with it.
 #include <fmt/format.h>
 #include <zstd.h>
@@ -13,6 +13,7 @@
 
 #include "base/thread_pool.h"
 #include "calibrate/fidelity.h"
+#include "calibrate/mass_centre_fit.h"
 #include "calibrate/takes.h"
 #include "common/need.h"
 #include "common/report.h"
@@ -75,13 +76,13 @@ Result<std::vector<calibrate::Take>> takesIn(const fs::path& path) {
   }
 }
 
-// Totals of one category.
+// A category of recordings.
 struct Category {
   std::string name;
   std::vector<calibrate::Take> takes;
 };
 
-// All of a folder, by name.
+// Returns all categories of a folder, sorted by name.
 std::vector<Category> categoriesIn(const fs::path& folder) {
   std::vector<fs::path> files;
   for (const auto& entry : fs::directory_iterator(folder)) {
@@ -96,7 +97,7 @@ std::vector<Category> categoriesIn(const fs::path& folder) {
   return out;
 }
 
-// Recordings of one source show one avatar: "R-026-jump_up-001" is of R-026.
+// Returns the source in a name: "R-026-jump_up-001" is from R-026. Each source has one avatar.
 std::string sourceOf(const std::string& recording) {
   return recording.substr(0, recording.find('-', recording.find('-') + 1));
 }
@@ -112,8 +113,8 @@ Sources sourcesOf(const std::vector<Category>& all) {
   return out;
 }
 
-// The avatar's centre of mass, by the other recordings of it; at the root's where it is not asked
-// for.
+// Returns the avatar's centre of mass from its other recordings, or the root's centre if not
+// requested.
 calibrate::MassCentre centreOf(const calibrate::Take& take, const Sources& sources) {
   const auto level = bench::need(level::Level::compile(take.level.reader().getLevel()));
   const auto& tracks = sources.at(sourceOf(take.track.name));
@@ -133,7 +134,7 @@ calibrate::FidelitySummary play(const std::vector<calibrate::Take>& takes, uint1
   return calibrate::summaryOf(all);
 }
 
-// The trick that a category is of; 0: none.
+// Returns the trick of a category, or 0.
 uint16_t trickOf(const std::string& category) {
   if (category == "held_jump") return kHeldJump;
   return category == "hang_landing" ? kHangingLanding : 0;
@@ -167,7 +168,7 @@ int main(int argc, char** argv) {
     const bool wanted = asked.empty() || std::find(asked.begin(), asked.end(), name) != asked.end();
     if (takes.empty() || !wanted) continue;
     report(to, name, takes.size(), play(takes, 0, &sources, pool));
-    // As if all avatars had their centre of mass in the root's.
+    // Assumes that every avatar's centre of mass is at the root's centre.
     to.add(name, "medianMeanOfRootStuds", play(takes, 0, nullptr, pool).medianMean, "studs");
     const uint16_t trick = trickOf(name);
     if (trick == 0) continue;

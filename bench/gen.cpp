@@ -1,5 +1,5 @@
-// How fast one core makes levels: level and query, built and encoded to the bytes of a Cap'n Proto
-// stream; of each style alone, of all styles, and as obby-train takes them, without bytes.
+// Measures how fast one core generates levels. Level and query are built and encoded as Cap'n Proto
+// bytes, for each style and for all styles, and without encoding as in obby-train.
 #include <cstdio>
 #include <cstdlib>
 #include <string>

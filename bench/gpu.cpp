@@ -1,8 +1,7 @@
-// How fast a GPU steps worlds: random walkers in the arena of 100 boxes, and in 64 such arenas with
-// a new one at every end, as in training; and searches that live on the GPU, or learn there while
-// they search, with everything that a round needs, in the same arena. Ends with 77 where there is
-// no GPU. With --emulate the CPU takes the GPU's place, in small: a test of this program, not a
-// measurement.
+// Measures a GPU's simulation rates. Random walkers run in an arena of 100 boxes, and in 64 such
+// arenas with a new one at every episode end, as in training. Searches on the GPU, with and without
+// learning, run with all the work of a round. Exits with 77 without a GPU. With --emulate the CPU
+// replaces the GPU at a small scale, which only tests this program.
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
@@ -16,8 +15,8 @@
 #include "sim/host_device.h"
 #include "solve/learned/cflge.h"
 #include "solve/learned/pbge.h"
-#include "solve/resident/resident_explore.h"
-#include "solve/rollouts/device_rollouts.h"
+#include "solve/search/resident/resident_explore.h"
+#include "solve/search/rollouts/device_rollouts.h"
 #include "support/courses.h"
 
 namespace {
@@ -26,15 +25,15 @@ using namespace obby;
 using bench::need;
 
 constexpr int kSkipped = 77;
-constexpr uint32_t kStep = 32;              // ticks a launch
-constexpr uint32_t kMostResident = 131072;  // rollouts a round that a search has memory for
+constexpr uint32_t kStep = 32;              // ticks per launch
+constexpr uint32_t kMostResident = 131072;  // max rollouts per round that fit a search's memory
 constexpr uint32_t kWarmTicks = 96;         // until worlds have left the start
 
 void stepOrFail(sim::Batch& batch, uint32_t ticks) {
   need(batch.step(ticks, sim::Actions::walker(1)));
 }
 
-// Median of five turns of about `ticks` ticks each.
+// Returns the median of five runs of about `ticks` ticks each.
 double stepsPerSecond(sim::Device& device, const sim::Course& course, uint32_t worlds,
                       uint32_t ticks, uint32_t step) {
   const auto batch = need(sim::makeKernelBatch(course, worlds, device));
@@ -50,7 +49,7 @@ double stepsPerSecond(sim::Device& device, const sim::Course& course, uint32_t w
   return rates[2];
 }
 
-// Median of five turns of a few rounds each, once the archive has begun to fill.
+// Returns the median of five runs of several rounds each, after the archive has begun to fill.
 double searchStepsPerSecond(solve::Search& search, int rounds) {
   std::vector<double> rates;
   for (int turn = -1; turn < 5; ++turn) {
@@ -80,7 +79,7 @@ double residentStepsPerSecond(sim::Device& device, const support::Levels& arena,
   return searchStepsPerSecond(search, small ? 1 : 8);
 }
 
-// A method that learns while it searches, on the device and without, in one run.
+// Measures a method that learns during the search, with and without the device.
 template <class Search, class Settings>
 void measureLearned(bench::Report& report, const char* name, sim::Device& device,
                     const support::Levels& arena, bool small) {

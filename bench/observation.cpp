@@ -1,5 +1,5 @@
-// What each part of the policy's observation is worth: a policy learns without it. And what other
-// ways to see are worth.
+// Measures the value of each part of the policy's observation by training without it, and the value
+// of other observations.
 #include <utility>
 
 #include "common/learning.h"
@@ -10,10 +10,10 @@ namespace {
 using namespace obby;
 
 struct Range {
-  int first, count;  // inputs
+  int first, count;  // input indices
 };
 
-// A policy that does not see these.
+// Trains a policy without these inputs.
 bench::LearningRow without(const char* name, std::vector<Range> hidden) {
   return {name, [hidden = std::move(hidden)](train::TrainerSettings& settings) {
             for (const Range& range : hidden) {
@@ -22,7 +22,7 @@ bench::LearningRow without(const char* name, std::vector<Range> hidden) {
           }};
 }
 
-// A policy that sees in another way.
+// Trains a policy with another observation.
 bench::LearningRow seeing(const char* name, policy::Observe observe) {
   return {name,
           [observe](train::TrainerSettings& settings) { settings.envGroup.observe = observe; }};
@@ -30,7 +30,7 @@ bench::LearningRow seeing(const char* name, policy::Observe observe) {
 
 constexpr int mapAt(int map) { return policy::kMapsAt + map * policy::kPoints; }
 
-// A ring of all maps.
+// Returns one ring of all maps.
 std::vector<Range> ring(int number) {
   std::vector<Range> out;
   for (int map = 0; map < policy::kMaps; ++map)
@@ -38,7 +38,7 @@ std::vector<Range> ring(int number) {
   return out;
 }
 
-// Every other direction of all maps.
+// Returns every other direction of all maps.
 std::vector<Range> halfOfDirections() {
   std::vector<Range> out;
   for (int map = 0; map < policy::kMaps; ++map) {
@@ -48,7 +48,7 @@ std::vector<Range> halfOfDirections() {
   return out;
 }
 
-// Inputs are numbered in lib/policy/observation.h.
+// lib/policy/observation.h numbers the inputs.
 std::vector<bench::LearningRow> rows() {
   const Range floors{mapAt(0), policy::kPoints}, dangers{mapAt(1), policy::kPoints};
   const Range floorsSoon{mapAt(2), policy::kPoints}, dangersSoon{mapAt(3), policy::kPoints};

@@ -1,7 +1,8 @@
-// How long the viewer page takes with reports of several sizes, in milliseconds: from navigation until the first picture is
-// shown, and from each change until the next picture is drawn. The least of three; a headless browser without a GPU draws
-// it. Aims, for 2,000 parts and 1,000 ways of ten seconds: 3,000 ms to open, 1,000 ms for a change.
-//   bench/page.mjs [--json]     by scripts/bench page, which builds the page
+// Measures the viewer page with reports of several sizes, in milliseconds: from navigation until
+// the first picture is shown, and from each change until the next picture is drawn. Each is the
+// minimum of three, in a headless browser without a GPU. Targets for 2,000 parts and 1,000
+// trajectories of ten seconds: 3,000 ms to open, 1,000 ms for a change.
+//   bench/page.mjs [--json]     run by scripts/bench page, which builds the page
 import { spawnSync } from 'node:child_process';
 import { existsSync, mkdirSync, readFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
@@ -15,7 +16,7 @@ const kSizes = [
   [4000, 2000],
 ];
 const kAttempts = 3;
-const kWhole = { density: 1 }; // pictures as a reader has them
+const kWhole = { density: 1 }; // full pictures, as a user sees them
 const kBrowsers = ['chromium', 'chromium-browser', 'google-chrome'];
 
 const repository = dirname(dirname(fileURLToPath(import.meta.url)));
@@ -41,9 +42,10 @@ async function best(body) {
   return least;
 }
 
-// Runs in the page before all else. `firstShown`: ms from navigation until the first picture is on the screen. When the page
-// has drawn, it has handed the picture to the GPU only, which may take longer than all before: so the picture is waited for
-// (to read a pixel takes all of it), and then for the frame behind the one that shows it.
+// Runs in the page before everything else. `firstShown`: ms from navigation until the first picture
+// is on the screen. After drawing, the page has only handed the picture to the GPU, which may take
+// longer than all before. So it waits for the picture by reading a pixel, and then for the frame
+// after it.
 function noteFirstShown() {
   const look = () => {
     const { obby } = window;
@@ -77,7 +79,7 @@ async function measure(browser, empty, [parts, ways]) {
   await page.context().close();
 }
 
-// Ends with what scripts/bench takes for: what is to be measured is not there.
+// Ends with the exit code that scripts/bench takes for: the subject of the measurement is missing.
 function leave(why) {
   console.error(`bench_page: ${why}`);
   return process.exit(77);

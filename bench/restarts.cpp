@@ -1,5 +1,5 @@
-// What it is worth to learn from playthroughs that begin where another had come to: of no level, of
-// those that nobody has solved from the start yet, or of all.
+// Measures the value of training on episodes that begin at restart states: in no level, in levels
+// not yet solved from the start, or in all.
 #include "common/learning.h"
 
 namespace {

@@ -1,6 +1,6 @@
-// How fast all cores search: Go-Explore rounds in box arenas with a goal out of reach, and the
-// share of what the bare simulator does with such rollouts on the same threads. The two take
-// turns in short slices, so that what else the machine does hits both alike.
+// Measures the search rate of all cores: Go-Explore rounds in box arenas with an unreachable goal.
+// It also measures the ratio to the bare simulator with the same rollouts and threads. Both
+// alternate in short slices, so that other load affects them equally.
 #include <atomic>
 #include <ctime>
 #include <vector>
@@ -9,8 +9,8 @@
 #include "common/report.h"
 #include "sim/simulator.h"
 #include "sim/wide_tick.h"
-#include "solve/go_explore.h"
-#include "solve/rollouts/rollout.h"
+#include "solve/search/methods/go_explore.h"
+#include "solve/search/rollouts/rollout.h"
 #include "support/level_builder.h"
 #include "support/plain_problem.h"
 
@@ -28,13 +28,13 @@ double processSeconds() {
   return double(t.tv_sec) + 1e-9 * double(t.tv_nsec);
 }
 
-// A rollout of the search, to be stepped again by the bare simulator.
+// A rollout of the search, to be simulated again without the search.
 struct Recorded {
   sim::World start;
   std::vector<sim::Action> actions;
 };
 
-// Rollouts from states that the search has kept, drawn as the search draws them.
+// Samples rollouts from kept states, as the search does.
 std::vector<Recorded> record(const solve::GoExplore& search, uint64_t slice) {
   std::vector<Recorded> rollouts(kRollouts);
   Random random(2, slice);
@@ -48,7 +48,7 @@ std::vector<Recorded> record(const solve::GoExplore& search, uint64_t slice) {
   return rollouts;
 }
 
-// The same ticks and nothing else; gives their number.
+// Simulates the same ticks and nothing else. Returns their number.
 double runRaw(const level::LevelView& level, const std::vector<Recorded>& rollouts,
               ThreadPool& pool) {
   std::atomic<uint64_t> steps{0};

@@ -1,5 +1,5 @@
-// How fast one core steps worlds: random walkers in box arenas of equal density, full character
-// rules, 60 Hz control and 240 Hz physics.
+// Measures how fast one core steps worlds: random walkers in box arenas of equal density, with full
+// character rules, 60 Hz control and 240 Hz physics.
 #include <algorithm>
 #include <cstdlib>
 #include <vector>
@@ -23,17 +23,17 @@ using namespace obby;
 using support::Walker;
 
 constexpr uint32_t kWorlds = 256, kTicks = 1000, kSeeds = 5;
-constexpr uint32_t kSettling = 240;  // ticks until loose bodies have come to rest
+constexpr uint32_t kSettling = 240;  // ticks until dynamic bodies rest
 
 struct Outcome {
   double stepsPerSecond, singlyPerSecond;  // in lanes; by the scalar tick
   double grounded;                         // share of ticks with a floor
-  double awake;                            // with a loose body that is awake
-  double instructions;                     // a step in lanes; 0: no counter
+  double awake;                            // share of ticks with an awake dynamic body
+  double instructions;                     // per step in lanes; 0: no counter
   sim::WideCounts counts;
 };
 
-// Worlds and their walkers; actions are drawn outside the time taken.
+// Worlds and their walkers. The actions are drawn outside the measured time.
 struct Crowd {
   std::vector<sim::World> worlds;
   std::vector<sim::World*> pointers;
@@ -56,7 +56,7 @@ struct Crowd {
   }
 };
 
-// Both ways take turns, so that what else the machine does hits them alike.
+// Both variants alternate, so that other load affects them equally.
 Outcome run(const level::Level& level, uint64_t seed) {
   Crowd wide(level, seed), single(level, seed);
   for (uint32_t t = 0; t < kSettling && level.view().looseCount != 0; ++t) {
@@ -99,7 +99,7 @@ Outcome run(const level::Level& level, uint64_t seed) {
 #if defined(OBBY_HAS_BULLET)
 constexpr uint32_t kBulletWorlds = 64, kBulletTicks = 200;
 
-// Bullet's steps a second in the same scene, with the same walkers.
+// Returns Bullet's steps a second in the same scene with the same walkers.
 double bulletPerSecond(const level::Level& level, uint64_t seed) {
   std::vector<bench::BulletWorld> worlds;
   std::vector<Walker> walkers;
@@ -128,7 +128,7 @@ double medianOf(std::vector<double> values) {
   return values[values.size() / 2];
 }
 
-// Median over five random scenes; gives the steps a second.
+// Measures the median over five random scenes. Returns the steps a second.
 double measure(bench::Report& report, const Scene& scene) {
   std::vector<double> rates, singly, bullet;
   double grounded = 0, contact = 0, fallback = 0, awake = 0, instructions = 0;
@@ -161,8 +161,8 @@ double measure(bench::Report& report, const Scene& scene) {
   return rate;
 }
 
-// Batches of worlds that play one level, and 64 different ones, with a new level at every end: as
-// in training. Both take turns; the single levels are some of the many.
+// Measures batches of worlds in one level, and in 64 levels with a new one at every episode end, as
+// in training. Both alternate; the single levels are among the 64.
 void levels(bench::Report& report) {
   constexpr uint32_t kLevels = 64, kCrowd = 4096, kStep = 64, kRounds = 12;
   ThreadPool pool(1);
@@ -189,7 +189,7 @@ void levels(bench::Report& report) {
   report.add("manyLevels", "ratioToOneLevel", oneSeconds / manySeconds, "");
 }
 
-// A snapshot is a plain copy: of worlds to an archive in another order, and back.
+// A snapshot is a plain copy: worlds are copied to an archive in another order and back.
 void snapshots(bench::Report& report) {
   constexpr uint32_t kKept = 4096, kRounds = 200;
   const level::Level level = support::boxArena(20, 1).compile();
@@ -214,7 +214,7 @@ int main(int argc, char** argv) {
   const double hundred = measure(report, {"static100", 100, boxArena, true});
   measure(report, {"static300", 300, boxArena, false});
   const double many = measure(report, {"static3000", 3000, boxArena, false});
-  // Cost of a step against that with 20 parts, at equal density.
+  // Cost of a step relative to 20 parts, at equal density.
   report.add("growth", "cost100Over20", few / hundred, "");
   report.add("growth", "cost3000Over20", few / many, "");
   measure(report,

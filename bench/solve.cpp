@@ -1,5 +1,5 @@
-// How fast and how surely the search methods answer the query suite of levels/: methods x queries x
-// seeds, each run logged as it ends. bench/results/README.md says how to read the report.
+// Measures how fast and how reliably the search methods answer the query suite of levels/: methods
+// x queries x seeds. Each run is logged when it ends. bench/results/README.md explains the report.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 #include "common/machine.h"
 #include "common/report.h"
 #include "io/read_file.h"
-#include "solve/ablations.h"
+#include "solve/search/methods/ablations.h"
 #include "suite/curve.h"
 #include "suite/plan.h"
 #include "suite/table.h"
@@ -133,13 +133,13 @@ Result<bench::Plan> planOf(const cli::Arguments& a) {
   return plan;
 }
 
-// Another build may search otherwise, so its runs are not taken for this one's.
+// Another build may search differently, so its runs do not count.
 Result<uint64_t> programDigest() {
   OBBY_ASSIGN(const std::string bytes, io::readFile("/proc/self/exe"));
   return hashBytes(bytes.data(), bytes.size());
 }
 
-// `known`: whose runs are done. Asks what one query and seed lack.
+// Makes the missing runs of one query and seed. `known`: the makers whose runs count.
 Status runMissing(cli::Context& context, const std::vector<bench::Question>& questions,
                   uint64_t program, const bench::Maker& known, ThreadPool& pool,
                   bench::RunLog& log) {

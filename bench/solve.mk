@@ -1,11 +1,12 @@
-# The query suite in shards, a query a job: for machines with a queue, or to leave and take up again.
+# The query suite in shards, one query a job, for machines with a queue or to pause and resume.
 #   make -f bench/solve.mk                                     one after another, each on all cores
 #   make -f bench/solve.mk -j 999 LAUNCHER="srun -n 1 -c 16"   Slurm: a job with 16 cores each
 #   make -f bench/solve.mk -j 4 LAUNCHER="sem --fg -j 1"       GNU parallel's semaphore
-#   make -f bench/solve.mk report ARGS="--quick"               what is there
-# Variables: BENCH the program, OUT the folder of the shards, ARGS what bench_solve is told (see its --help),
-# LAUNCHER what stands before each job. Give every job the same cores and nothing else to do: times are compared.
-# Each shard logs its runs as they end; a second make goes on from there, and a newer program starts anew.
+#   make -f bench/solve.mk report ARGS="--quick"               a report of the completed runs
+# Variables: BENCH is the program, OUT the folder of the shards, ARGS the options of bench_solve
+# (see its --help), LAUNCHER a prefix for each job. Times are compared, so give every job the same
+# cores and no other load. Each shard logs its runs when they end. Another make continues, and a
+# newer program starts again.
 BENCH    ?= build/release/bin/bench_solve
 OUT      ?= build/bench/shards
 LAUNCHER ?=

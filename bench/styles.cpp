@@ -1,6 +1,6 @@
-// How hard generated levels are, style by style (docs/generator.md): the share that `auto` solves
-// with the shipped policy, its median steps, and the share of twins that are shown to be
-// unreachable. All but the time it takes is the same on every machine.
+// Measures the difficulty of generated levels by style (docs/generator.md): the share that `auto`
+// solves with the shipped policy, its median steps, and the share of unsolvable twins proven
+// unreachable. All but the times are the same on every machine.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -26,7 +26,7 @@ constexpr uint64_t kLevels = 40, kLevelSeed = 5, kSearchSeed = 1;
 struct Difficulty {
   const char* name;
   float value;
-  uint64_t steps;  // at most, for each level
+  uint64_t steps;  // max for each level
 };
 constexpr Difficulty kDifficulties[] = {{"Trivial", 0, 1'000'000},
                                         {"Easy", 0.25f, 1'000'000},
@@ -71,7 +71,7 @@ Answer ask(const gen::Generator& generator, uint64_t index, uint64_t steps) {
   return answer;
 }
 
-// Of all levels of the generator, side by side.
+// Answers all levels of the generator in parallel.
 std::vector<Answer> askAll(const gen::Generator& generator, uint64_t steps, ThreadPool& pool) {
   std::vector<Answer> answers(kLevels);
   pool.run(int(kLevels), [&](int i) { answers[size_t(i)] = ask(generator, uint64_t(i), steps); });
@@ -84,7 +84,7 @@ double shareOf(const std::vector<Answer>& answers, schema::Verdict verdict) {
          double(answers.size());
 }
 
-// Of those that were solved; 0: none was.
+// Returns the median over the solved levels, or 0 if none was solved.
 double medianSteps(const std::vector<Answer>& answers) {
   std::vector<uint64_t> steps;
   for (const Answer& a : answers) {

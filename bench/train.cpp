@@ -1,8 +1,7 @@
-// How fast learning is: the whole loop of obby-train, levels made anew included; on all threads,
-// and, where there is one, on a GPU. With --gpu on the GPU only: ends with 77 where there is none.
-// With --emulate the CPU takes the GPU's place, in small: a test of this program, not a
-// measurement. With --kernels, in place of the device's rates, how much of its time each kernel
-// takes.
+// Measures the training rate: the whole loop of obby-train with newly generated levels, on all
+// threads and on a GPU if present. With --gpu it runs on the GPU only and exits with 77 without
+// one. With --emulate the CPU replaces the GPU at a small scale, which only tests this program.
+// With --kernels it reports each kernel's share of the time instead of the device's rates.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -32,7 +31,7 @@ struct Turns {
   int warmUp = 10, measured = 60;  // iterations
 };
 
-// A loop of obby-train. `device` null: on the CPU.
+// A loop of obby-train, on the CPU if `device` is null.
 class Loop {
  public:
   struct Took {
@@ -100,7 +99,7 @@ train::TrainerSettings settingsOnDevice(uint32_t passes, uint32_t worlds, uint32
   return settings;
 }
 
-// What each kernel takes of a second, where each is waited for.
+// Reports each kernel's share of the time when every kernel is waited for.
 void kernels(bench::Report& report, ThreadPool& pool, sim::Device& device, bool small) {
   bench::TimedDevice timed(device);
   const auto settings = small ? settingsOnDevice(1, 256, 1024) : settingsOnDevice(1, 65536, 65536);
@@ -135,7 +134,7 @@ void onDevice(bench::Report& report, ThreadPool& pool, sim::Device& device, bool
   }
 }
 
-// Takes the word out of the arguments.
+// Removes a word from the arguments. Returns true if it was there.
 bool given(int& argc, char** argv, std::string_view word) {
   char** const end = std::remove_if(argv + 1, argv + argc,
                                     [&](const char* a) { return std::string_view(a) == word; });

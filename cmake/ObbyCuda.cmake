@@ -1,12 +1,15 @@
-# The CUDA part of a module. CMake 3.25 does not know the C++20 of nvcc 13, so nvcc is run by a command of its own;
-# there is no device code across files, so that the host's linker is all that is needed.
+# The CUDA part of a module. CMake 3.25 does not support C++20 with nvcc 13, so a custom command
+# runs nvcc. Device code never spans files, so the host's linker is sufficient.
 set(OBBY_CUDA_ARCHITECTURES "80;89;90" CACHE STRING "Compute capabilities to build kernels for, as in sm_80")
 set(OBBY_CUDA_FLAGS "" CACHE STRING "More flags for nvcc: -Ofc=max compiles in seconds, for kernels that nobody runs")
 
-# obby_cuda(module): lib/<module>/cuda/*.cu and, beside them, *.cpp but absent.cpp; or, in a build without CUDA,
+# obby_cuda(module [folder]): *.cu of lib/<module>/<folder>, by default cuda, and its *.cpp but absent.cpp; or, without CUDA,
 # absent.cpp alone.
 function(obby_cuda module)
   set(folder ${CMAKE_CURRENT_SOURCE_DIR}/cuda)
+  if(ARGC GREATER 1)
+    set(folder ${CMAKE_CURRENT_SOURCE_DIR}/${ARGV1})
+  endif()
   if(NOT OBBY_CUDA)
     target_sources(obby_${module} PRIVATE ${folder}/absent.cpp)
     return()
@@ -16,7 +19,7 @@ function(obby_cuda module)
   target_sources(obby_${module} PRIVATE ${sources})
   file(GLOB kernels CONFIGURE_DEPENDS ${folder}/*.cu)
   list(TRANSFORM OBBY_CUDA_ARCHITECTURES REPLACE "(.+)" "-gencode=arch=compute_\\1,code=sm_\\1" OUTPUT_VARIABLE targets)
-  # And as PTX for GPUs to come; --fmad=false is in it, too.
+  # PTX for future GPUs. --fmad=false applies to it, too.
   list(GET OBBY_CUDA_ARCHITECTURES -1 last)
   list(APPEND targets -gencode=arch=compute_${last},code=compute_${last})
   foreach(kernel ${kernels})

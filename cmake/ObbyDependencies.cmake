@@ -1,4 +1,5 @@
-# Everything from outside, each used by the one module that names it. scripts/setup installs the Debian packages.
+# All external libraries, with the modules that use them. scripts/setup installs the Debian
+# packages.
 find_package(Threads REQUIRED)
 find_package(CapnProto REQUIRED)       # schema, io
 find_package(nlohmann_json REQUIRED)   # io
@@ -7,7 +8,7 @@ find_package(CLI11 REQUIRED)           # cli
 find_package(Eigen3 REQUIRED)          # import, nn, calibrate
 find_package(pugixml REQUIRED)         # import
 set(ZLIB_USE_STATIC_LIBS ${OBBY_PORTABLE})
-find_package(ZLIB REQUIRED)            # bridge: under Cap'n Proto's gzip streams
+find_package(ZLIB REQUIRED)            # bridge: for Cap'n Proto's gzip streams
 find_package(PNG REQUIRED)             # view: pictures
 find_package(PkgConfig REQUIRED)
 pkg_check_modules(lz4 REQUIRED IMPORTED_TARGET liblz4)     # import
@@ -15,11 +16,11 @@ pkg_check_modules(zstd REQUIRED IMPORTED_TARGET libzstd)   # import
 pkg_check_modules(xxhash REQUIRED IMPORTED_TARGET libxxhash)  # base: digests
 pkg_check_modules(lua REQUIRED lua5.1-c++)                 # engine: runs a place's scripts
 find_library(OBBY_LUA NAMES liblua5.1-c++.a lua5.1-c++ REQUIRED)
-pkg_check_modules(seccomp REQUIRED libseccomp)             # engine: the cage that they run in
+pkg_check_modules(seccomp REQUIRED libseccomp)             # engine: the sandbox of these scripts
 find_library(OBBY_SECCOMP NAMES libseccomp.a seccomp REQUIRED)
 find_path(RANDOM123_INCLUDE Random123/philox.h REQUIRED)   # base: counter-based random numbers
 if(NOT OBBY_PORTABLE)
-  find_package(MPI QUIET COMPONENTS C)  # tools/obby-train: wanted, not needed
+  find_package(MPI QUIET COMPONENTS C)  # tools/obby-train: optional
 endif()
 if(OBBY_BUILD_TESTS)
   find_package(GTest REQUIRED)
@@ -30,7 +31,7 @@ endif()
 if(OBBY_CUDA)
   find_package(CUDAToolkit REQUIRED)
   if(NOT OBBY_PORTABLE)
-    # tools/obby-train: wanted, not needed
+    # tools/obby-train: optional
     find_path(OBBY_NCCL_INCLUDE nccl.h HINTS ${CUDAToolkit_INCLUDE_DIRS})
     find_library(OBBY_NCCL_LIBRARY nccl HINTS ${CUDAToolkit_LIBRARY_DIR})
   endif()

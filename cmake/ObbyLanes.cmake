@@ -1,10 +1,11 @@
-# The code that a build compiles for several x86-64 levels (OBBY_DISPATCH), so that one package serves every CPU.
+# Compiles code for several x86-64 levels (OBBY_DISPATCH), so that one package serves every CPU.
 #
-# The one-definition rule is the danger: an inline function or a template that is compiled for AVX-512 in one file must
-# not serve baseline code of another. So the objects of one level are linked into one, and all its symbols are made
-# local but for a table of functions. Nothing else can be linked to, by accident or otherwise; the build checks that.
-# Inline functions come in section groups that the linker merges by name, which the first step dissolves.
-set(OBBY_LEVELS v1 v2 v3 v4)  # of lib/base/cpu_level.h, in its order
+# The danger is the one-definition rule: an inline function or template that one file compiles for
+# AVX-512 must not serve baseline code of another. So the objects of one level are linked into one
+# object, whose symbols are made local except for a table of functions. The build checks that
+# nothing else can be linked to. Inline functions come in section groups that the linker merges by
+# name; the first step dissolves them.
+set(OBBY_LEVELS v1 v2 v3 v4)  # as in lib/base/cpu_level.h
 
 if(OBBY_DISPATCH)
   if(NOT CMAKE_CXX_COMPILER_ID STREQUAL "GNU" OR NOT CMAKE_SYSTEM_PROCESSOR STREQUAL "x86_64")
@@ -15,12 +16,13 @@ if(OBBY_DISPATCH)
   endif()
 endif()
 
-# obby_lane_code(module SOURCES sources...): adds them to the module at -O3, compiled once, or with OBBY_DISPATCH for
-# each level.
-# lib/<module>/lane_table.cpp then lists their functions, and lane_dispatch.cpp calls those of the CPU's level.
+# obby_lane_code(module SOURCES sources...): adds them to the module at -O3, compiled once, or with
+# OBBY_DISPATCH for each level. lib/<module>/lane_table.cpp then lists their functions, and
+# lane_dispatch.cpp calls those of the CPU's level.
 function(obby_lane_code module)
   cmake_parse_arguments(L "" "" "SOURCES" ${ARGN})
-  # At -O2 the batch simulator is a fifth slower. In one unit with others, tick.cpp takes GCC 12 twice as long.
+  # At -O2 the batch simulator is a fifth slower. In a unity build, tick.cpp takes GCC 12 twice as
+  # long.
   set_source_files_properties(${L_SOURCES} PROPERTIES
     COMPILE_OPTIONS $<$<CONFIG:Release>:-O3> SKIP_UNITY_BUILD_INCLUSION ON)
   if(NOT OBBY_DISPATCH)

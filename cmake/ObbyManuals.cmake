@@ -1,5 +1,6 @@
-# obby_manual(tool): the tool's manual page and completion scripts, which it prints itself from its option table. They are
-# part of ALL, lie in the build folder under man/ and completions/, and are installed where man and the shells look.
+# obby_manual(tool): builds the tool's manual page and completion scripts, which the tool prints
+# from its option table. They are part of ALL, lie in the build folder under man/ and completions/,
+# and are installed where man and the shells search.
 function(obby_manual tool)
   set(page ${PROJECT_BINARY_DIR}/man/${tool}.1)
   set(folder ${PROJECT_BINARY_DIR}/completions)

@@ -2,8 +2,8 @@
 find_program(OBBY_NODE NAMES node nodejs)
 find_program(OBBY_NPM npm)
 
-# obby_node_packages(reason): puts the locked packages of the current folder into its node_modules, and sets `reason` to
-# why that cannot be, or to nothing.
+# obby_node_packages(reason): installs the locked packages of the current folder into its
+# node_modules. Sets `reason` to the cause of a failure, or to an empty text.
 function(obby_node_packages reason)
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS package-lock.json)
   set(${reason} "" PARENT_SCOPE)

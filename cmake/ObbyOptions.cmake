@@ -1,4 +1,4 @@
-# Build switches. Few on purpose: each one doubles what must be tested.
+# Build switches. They are few, since each one doubles the configurations to test.
 option(OBBY_BUILD_TESTS "Build the tests" ON)
 option(OBBY_BUILD_BENCH "Build the benches" OFF)
 option(OBBY_BUILD_FUZZ "Build the libFuzzer targets (needs clang)" OFF)
@@ -19,7 +19,8 @@ set(CMAKE_UNITY_BUILD_BATCH_SIZE 40)
 if(NOT CMAKE_BUILD_TYPE)
   set(CMAKE_BUILD_TYPE Release CACHE STRING "Build type" FORCE)
 endif()
-# CMake's default is -O3. Only the lanes' code gains from it (ObbyLanes.cmake); the rest compiles in two thirds of the time.
+# CMake's default is -O3. Only the lanes' code gains from it (ObbyLanes.cmake). The rest compiles in
+# two thirds of the time.
 if(CMAKE_CXX_FLAGS_RELEASE STREQUAL "-O3 -DNDEBUG")
   set(CMAKE_CXX_FLAGS_RELEASE "-O2 -DNDEBUG")
 endif()
@@ -29,19 +30,19 @@ if(CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
   set(CMAKE_CXX_COMPILER_LAUNCHER ${CCACHE})
 endif()
 
-# What every target of ours is compiled with; linked as obby::build.
+# The compile options of all our targets, linked as obby::build.
 add_library(obby_build INTERFACE)
 add_library(obby::build ALIAS obby_build)
-# GCC 12 reports a false -Wrestrict inside std::string at -O3 (its bug 105651), and below that uninitialized variables in
-# its own AVX-512 intrinsics (105593).
+# GCC 12 reports a false -Wrestrict inside std::string at -O3 (its bug 105651), and at lower levels
+# uninitialized variables in its own AVX-512 intrinsics (105593).
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
   target_compile_options(obby_build INTERFACE $<$<COMPILE_LANGUAGE:CXX>:-Wno-restrict;-Wno-uninitialized>)
 endif()
 target_compile_options(obby_build INTERFACE
   $<$<COMPILE_LANGUAGE:CXX>:-Wall;-Wextra;-Wpedantic;-Wshadow;-Wconversion;-Wno-sign-conversion>
-  # & and | of truth values are meant: they stand for a world alone and for SIMD lanes.
+  # & and | of truth values are intended: they serve both a scalar world and SIMD lanes.
   $<$<COMPILE_LANG_AND_ID:CXX,Clang,AppleClang>:-Wno-bitwise-instead-of-logical>
-  # In a group of sources a local name may hide one that another source has for itself.
+  # In a unity build a local name may hide one that belongs to another source.
   $<$<AND:$<COMPILE_LANGUAGE:CXX>,$<BOOL:${OBBY_UNITY}>>:-Wno-shadow>
   $<$<AND:$<COMPILE_LANGUAGE:CXX>,$<BOOL:${OBBY_WARNINGS_AS_ERRORS}>>:-Werror>
   $<$<AND:$<COMPILE_LANGUAGE:CXX>,$<BOOL:${OBBY_ARCH}>>:-march=${OBBY_ARCH}>)

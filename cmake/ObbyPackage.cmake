@@ -12,5 +12,6 @@ set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION games)
-set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)  # shared libraries of the distribution, as dpkg-shlibdeps finds them
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)  # the distribution's shared libraries, found by
+                                        # dpkg-shlibdeps
 include(CPack)

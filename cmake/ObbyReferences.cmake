@@ -1,5 +1,5 @@
-# Libraries that tests compare ours with or draw random input from. Wanted, not needed: ctest shows what is left out
-# as skipped.
+# Optional libraries for tests, as references or as sources of random input. Without them ctest
+# shows the tests as skipped.
 find_package(rapidcheck QUIET)  # tests/sim: property tests
 find_package(fcl QUIET)         # tests/parity
 find_path(BULLET_INCLUDE btBulletCollisionCommon.h PATH_SUFFIXES bullet)  # tests/parity, in double precision
@@ -12,13 +12,13 @@ if(BULLET_INCLUDE AND BULLET_COLLISION AND BULLET_DYNAMICS AND BULLET_MATH)
   target_compile_definitions(bullet INTERFACE BT_USE_DOUBLE_PRECISION)
   target_link_libraries(bullet INTERFACE ${BULLET_DYNAMICS} ${BULLET_COLLISION} ${BULLET_MATH})
 endif()
-# The single-precision build, as games have it: a player of another engine in tests/calibrate, and in benches. Not of one
-# program with the target above.
+# The single-precision build, as in games: the other engine in tests/calibrate and in benches. It
+# must not be linked together with the target above.
 if(NOT OBBY_PORTABLE)
   pkg_check_modules(bullet IMPORTED_TARGET bullet)
 endif()
 
-# obby_absent_test(name packages...): a ctest entry that is skipped, with the packages it wants.
+# obby_absent_test(name packages...): adds a ctest entry that is skipped, with the missing packages.
 function(obby_absent_test name)
   list(JOIN ARGN ", " packages)
   message(STATUS "Left out: tests of ${name}, which want ${packages} (scripts/setup test reference)")

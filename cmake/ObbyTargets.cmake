@@ -1,8 +1,8 @@
 # One function each for adding a library module, a tool and a test.
 
 # obby_module(name SOURCES ... USES modules... LIBS imported targets...)
-# A folder of lib/. `USES` may only name modules before it in the order of lib/CMakeLists.txt. A module without
-# sources is headers only.
+# A folder of lib/. `USES` may only name modules before it in the order of lib/CMakeLists.txt. A
+# module without sources has only headers.
 function(obby_module name)
   cmake_parse_arguments(M "" "" "SOURCES;USES;LIBS" ${ARGN})
   list(TRANSFORM M_USES PREPEND obby::)
@@ -18,12 +18,14 @@ function(obby_module name)
   add_library(obby::${name} ALIAS obby_${name})
 endfunction()
 
-# obby_cold(target): code whose speed nobody notices, such as options, tables and tests, compiles at -O1 in half the time.
+# obby_cold(target): compiles code that is not performance-critical, such as options, tables and
+# tests, at -O1 in half the time.
 function(obby_cold target)
   target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
 endfunction()
 
-# obby_tool(name USES modules...): tools/<name>/main.cpp and options.cpp become the program <name>.
+# obby_tool(name USES modules...): builds the program <name> from tools/<name>/main.cpp and
+# options.cpp.
 function(obby_tool name)
   cmake_parse_arguments(T "" "" "USES;LIBS" ${ARGN})
   list(TRANSFORM T_USES PREPEND obby::)
@@ -39,7 +41,8 @@ function(obby_tool name)
   obby_manual(${name})
 endfunction()
 
-# obby_test(module USES modules...): every tests/<module>/*_test.cpp into one program, each test its own ctest entry.
+# obby_test(module USES modules...): builds one program from tests/<module>/*_test.cpp. Each test is
+# a ctest entry.
 function(obby_test module)
   cmake_parse_arguments(T "" "" "USES;LIBS" ${ARGN})
   list(TRANSFORM T_USES PREPEND obby::)
@@ -54,7 +57,7 @@ function(obby_test module)
   target_compile_definitions(test_${module} PRIVATE
     OBBY_SOURCE_DIR="${PROJECT_SOURCE_DIR}" OBBY_BIN_DIR="${PROJECT_BINARY_DIR}/bin")
   include(GoogleTest)
-  # Some take 40 s on a fast machine with another test beside them; the limits are for those that hang.
+  # Some take 40 s on a fast machine next to another test. The limits are for tests that hang.
   gtest_discover_tests(test_${module} TEST_PREFIX ${module}/ DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 60
     PROPERTIES TIMEOUT 600)
 endfunction()

@@ -1,10 +1,11 @@
-# The commit that programs name under --version, in a library of one generated file, obby_commit. Each build asks git and
-# writes the file only when the answer is another one; then this file alone is compiled, and the programs are linked.
-# Run as a script (cmake -D SOURCE_DIR=... -D OUTPUT=... -D COMMIT=... -P ObbyVersion.cmake) it writes the file.
+# The commit that programs print for --version, in obby_commit, a library of one generated file.
+# Each build asks git and writes the file only if the commit has changed. Then only this file is
+# compiled and the programs are linked again. As a script (cmake -D SOURCE_DIR=... -D OUTPUT=... -D
+# COMMIT=... -P ObbyVersion.cmake) it writes the file.
 if(CMAKE_SCRIPT_MODE_FILE)
   cmake_minimum_required(VERSION 3.25)
   if(COMMIT STREQUAL "")
-    # Only of a checkout of obby itself: the folder may lie in one of something else.
+    # Only if the checkout is obby's own; the folder may lie inside another repository.
     execute_process(COMMAND git -C ${SOURCE_DIR} rev-parse --show-toplevel --short=10 HEAD
       OUTPUT_VARIABLE answer OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET RESULT_VARIABLE failed)
     if(failed STREQUAL "0" AND answer MATCHES "^(.*)\n([0-9a-f]+)$")

@@ -1,6 +1,6 @@
 #!/bin/sh
-# localize.sh LINKER OBJCOPY NM SYMBOL OUTPUT OBJECT...: links objects into one that defines SYMBOL for others and nothing
-# else (ObbyLanes.cmake says why).
+# localize.sh LINKER OBJCOPY NM SYMBOL OUTPUT OBJECT...: links objects into one whose only global
+# symbol is SYMBOL (ObbyLanes.cmake gives the reason).
 set -eu
 linker=$1 objcopy=$2 nm=$3 symbol=$4 output=$5
 shift 5

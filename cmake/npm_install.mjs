@@ -1,6 +1,6 @@
-// npm_install.mjs FOLDER: puts the folder's locked packages into its node_modules, and does
-// nothing (needs no network) when they are there already. Install scripts are never run: programs
-// come as optional packages of their own.
+// npm_install.mjs FOLDER: installs the folder's locked packages into its node_modules, or does
+// nothing, without network access, if they are there already. Install scripts never run, since
+// programs come as separate optional packages.
 import { execFileSync } from 'node:child_process';
 import { createHash } from 'node:crypto';
 import { existsSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
@@ -14,8 +14,8 @@ const wanted = createHash('sha256')
   .digest('hex');
 const inPlace = () => existsSync(stamp) && readFileSync(stamp, 'utf8') === wanted;
 
-// Two build folders may configure at once: the first one installs, the other waits until it is
-// done or gone.
+// Two build folders may configure at once. The first one installs, and the other waits until it has
+// finished or ended.
 const guard = join(here, '.installing');
 
 function alive(pid) {

@@ -1,9 +1,9 @@
-# The stream schema: the one definition of every record that the tools read and write.
+# The stream schema, which defines every record that the tools read and write.
 #
-# JSON is derived from this file by reflection (lib/io/json_codec). A record is one object on one line. `type` names
-# its kind (a field of the union in Record), and the other members are the fields of that kind, spelled as here.
-# JSON omits fields at their default, unless they are marked $always, and empty lists and texts. Structs marked $tuple
-# are arrays of their fields in order, 64-bit integers are decimal strings, and enumerants are written by name.
+# JSON is derived from this file by reflection (lib/io/json_codec). A record is one object on one line. Its `type` names
+# its kind, a field of the union in Record. Its other members are the fields of that kind, spelled as here. JSON omits
+# empty lists and texts, and fields at their default unless they are marked $always. Structs marked $tuple are arrays of
+# their fields in order. 64-bit integers are decimal strings, and enumerants are names.
 #
 # Rules for changes: a new field (last, with a default that means "as before"), a new enumerant (last) or a new kind of
 # record raises `kSchemaMinor` in lib/io/version.h. Any other change raises `kSchemaMajor`.
@@ -25,16 +25,16 @@ annotation unit @0xb0f5e1a7d9c3a2e4 (field) :Text;
 # The unit of a number, also shown in obby-calibrate's reports.
 
 annotation range @0xd2a9f8e3b7c61a55 (field) :Interval;
-# Values outside are rejected on input; calibration searches inside.
+# Input outside this interval is rejected, and calibration searches inside it.
 
 annotation source @0xa6e4d3c2b1f09876 (field) :Text;
-# Where a number comes from and how far to trust it: H is official or tested, M credible, L weak.
+# The source of a number and its reliability: H is official or tested, M credible, L weak.
 
 annotation example @0xb3d58e17c20f6a94 (field) :Text;
-# A typical value in JSON. Errors show an object of the struct with these fields, or else its first field at its default.
+# A typical value in JSON. Errors show an object with these fields, or with the struct's first field at its default.
 
 annotation hint @0xde2f70a9164bc835 (struct) :Text;
-# How to write a value, for errors about it.
+# The way to write a value, shown in errors about it.
 
 struct Interval {
   min @0 :Float64;
@@ -85,12 +85,11 @@ struct Region {
   position @1 :Vec3;        # centre
   rotation @2 :Quat;
   size @3 :Vec3 = (x = 4, y = 4, z = 4);  # full extents, each > 0
-  # In a query: a part instead of the box, by name, path or end of a path, GUID, #tag or part:INDEX,
-  # as on the command line. In lists a #tag means every part with that tag, and in avoid a name
-  # means every part that it fits; all lists together may have at most 100,000 places. The tools
-  # fill in partIndex and the box, which is the space around the part.
+  # A query can name a part instead of the box: by name, path or end of a path, GUID, #tag or part:INDEX. In lists, a
+  # #tag means every part with that tag. In avoid, a name means every part that it fits. All lists together may have at
+  # most 100,000 places. The tools fill in partIndex and the box, which is the space around the part.
   part @4 :Text $example("\"Finish\"");
-  touch @5 :Bool;            # only touching the part itself counts
+  touch @5 :Bool;            # if true, only touching the part itself counts
   partIndex @6 :Int32 = -1;  # index into the level's parts
 }
 
@@ -109,10 +108,10 @@ enum PlayerState {
 enum Trick {
   # Moves that the engine allows and designers do not plan with (docs/physics.md, tricks).
   heldJump @0;        # a jump made while turning rises without gravity until no floor is sensed
-  hangingLanding @1;  # a landing with a key held hangs up to 1.1 studs above the floor, and a jump starts there
-  wallHop @2;         # faces any way at once in the air, so that a foot meets the seam or corner of a wall
-  ladderFlick @3;     # grips a truss again while still rising from a jump off it
-  legThrow @4;        # legs that a floor is under suddenly throw the body up
+  hangingLanding @1;  # a key held on landing leaves the player up to 1.1 studs above the floor, where a jump can start
+  wallHop @2;         # a turn in the air to any direction at once, so that a foot meets the seam or corner of a wall
+  ladderFlick @3;     # a second grip on a truss while still rising from a jump off it
+  legThrow @4;        # a throw of the body upward by a floor that suddenly comes under the legs
 }
 
 # ---------------------------------------------------------------------------------------------- stream framing
@@ -124,12 +123,12 @@ struct Header {
   tool @2 :Text;               # "obby-solve"
   version @3 :Text;            # "0.1.0"
   seed @4 :UInt64;
-  floatPolicy @5 :Text;        # "ieee754-nofma": the arithmetic that replays exactly
+  floatPolicy @5 :Text;        # "ieee754-nofma" is the arithmetic that replays exactly
 }
 
 enum EndStatus {
   complete @0;
-  interrupted @1;  # by a signal
+  interrupted @1;  # a signal ended the work
   budget @2;       # a time or step budget ended the work before every query had its verdict
   failed @3;       # an error ended the work
 }
@@ -147,11 +146,11 @@ struct End {
 struct Level {
   name @0 :Text;
   source @1 :LevelSource;
-  physics @2 :PhysicsParams;   # absent: the defaults below
+  physics @2 :PhysicsParams;   # if absent, the defaults below
   parts @3 :List(Part);
   spawns @4 :List(Spawn);      # stages in order; play starts at the first
   unmodelled @5 :List(Unmodelled);
-  bodies @6 :List(Text);       # that the place admits; empty: not known
+  bodies @6 :List(Text);       # bodies that the place admits; empty if unknown
 }
 
 struct LevelSource {
@@ -160,31 +159,31 @@ struct LevelSource {
   path @2 :Text;          # path in the place; "Workspace" for a whole place
   partsRead @3 :UInt32;
   partsKept @4 :UInt32;
-  partsCulled @5 :UInt32; # parts far from all others or below the fall height, and parts that scripts destroy as play starts
+  partsCulled @5 :UInt32; # parts far from all others or below the fall height, and parts that scripts destroy when play starts
 }
 
 enum Bearing {
-  # How the game can differ from the level because of a loss of the import.
+  # The way in which the game can differ from the level because the import lost something.
   either @0;  # easier or harder for the player
-  easier @1;  # easier only: a solution holds all the same
-  harder @2;  # harder only: what is unreachable stays unreachable
+  easier @1;  # easier only, so a solution still holds
+  harder @2;  # harder only, so unreachable goals stay unreachable
 }
 
 struct Unmodelled {
-  # Something that the importer found and the simulator does not model.
+  # A feature that the importer found and the simulator does not model.
   kind @0 :Text;     # "terrain", "constraint PrismaticConstraint", "script that fails"
   count @1 :UInt32;
   example @2 :Text;  # path of one instance
-  note @3 :Text;     # what is lost
+  note @3 :Text;     # the effect of the loss
   bearing @4 :Bearing;
-  anywhere @5 :Bool;  # some of them concern no single part; the others are in the parts' `doubts`
+  anywhere @5 :Bool;  # true if some of them concern no single part; the others are in the parts' `doubts`
 }
 
 struct Spawn {
   # A place where a player can start: a spawn or a checkpoint.
   name @0 :Text;
   stage @1 :Int32;        # 0 is the start of play; checkpoints count up from there
-  position @2 :Vec3;      # where the feet are
+  position @2 :Vec3;      # position of the feet
   yaw @3 :Float32;        # radians
   part @4 :Int32 = -1;    # index into parts
 }
@@ -208,10 +207,10 @@ struct Part {
   hulls @5 :List(Hull);   # only for shape hull
   solid @6 :Bool = true;  # CanCollide
   touch @7 :Bool = true;  # CanTouch: kill, pad and checkpoint tests include the part
-  anchored @8 :Bool = true;  # false: a dynamic body
+  anchored @8 :Bool = true;  # false for a dynamic body
   friction @9 :Float32 = 0.3;     # 0 to 100
-  elasticity @10 :Float32 = 0.5;  # of a dynamic body's contacts, 0 to 1
-  density @11 :Float32 = 0.7;     # of a dynamic body, 0.0001 to 100
+  elasticity @10 :Float32 = 0.5;  # elasticity of a dynamic body's contacts, 0 to 1
+  density @11 :Float32 = 0.7;     # density of a dynamic body, 0.0001 to 100
   color @12 :Color;
   transparency @13 :Float32;
   source @14 :PartSource;
@@ -232,35 +231,35 @@ struct Part {
   squeeze @29 :Squeeze;
   seat @30 :Seat;
   trip @31 :Trip;
-  climbable @32 :Bool;    # a rung of a ladder built from parts, climbed like a truss
-  material @33 :Text;     # appearance only, by the engine's name ("WoodPlanks"); empty: plastic
-  frictionWeight @34 :Float32 = 1;  # of `friction` in the mean with a player's or a dynamic body's, 0 to 100
-  byRoot @35 :Bool;       # true: touched only while the centre of the root is inside, as by scripts that compare positions
-  doubts @36 :List(Text);  # kinds of `unmodelled` that concern this part: the game may treat it otherwise
+  climbable @32 :Bool;    # true for a rung of a ladder built from parts, which is climbed like a truss
+  material @33 :Text;     # appearance only, by the engine's name ("WoodPlanks"); empty for plastic
+  frictionWeight @34 :Float32 = 1;  # weight of `friction` in the mean with that of a player or dynamic body, 0 to 100
+  byRoot @35 :Bool;       # if true, touched only while the root's centre is inside, as by scripts that compare positions
+  doubts @36 :List(Text);  # kinds of `unmodelled` that concern this part, so the game may treat it differently
 }
 
 struct PartSource {
-  path @0 :Text;          # "Workspace/Stage 1/Lava", for display: names may repeat
+  path @0 :Text;          # "Workspace/Stage 1/Lava", for display, because names may repeat
   indices @1 :List(UInt32);  # sibling indices from the root, unique within the file
-  guid @2 :Text;          # UniqueId or GUID attribute where the file has one
+  guid @2 :Text;          # UniqueId or GUID attribute, if the file has one
   className @3 :Text;
 }
 
 struct Hull {
   # One convex hull in the part's own frame, scaled to the part's size.
-  vertices @0 :List(Vec3);   # 4 to 255, in studs from the part's centre
+  vertices @0 :List(Vec3);   # 4 to 255 vertices, in studs from the part's centre
 }
 
 struct Evidence {
   # The reason why the importer gave a part a role.
   role @0 :Text;     # "kill", "conveyor", ...
   reason @1 :Text;   # "tag KillBrick", "script KillScript line 3: Health = 0"
-  guessed @2 :Bool;  # inferred from a name or a default, not stated by the file
+  guessed @2 :Bool;  # true if inferred from a name or a default, not stated by the file
 }
 
 struct Kill {
-  damage @0 :Float32 = 100;     # health lost per touch; 100 kills a player of full health; negative: heals, up to maxHealth
-  cooldown @1 :Float32;         # seconds between two touches that hurt (or that heal, if damage is negative)
+  damage @0 :Float32 = 100;     # health lost per touch; 100 kills a player of full health; negative numbers heal, up to maxHealth
+  cooldown @1 :Float32;         # min seconds between two touches that take effect
 }
 
 struct Conveyor {
@@ -270,7 +269,7 @@ struct Conveyor {
 
 struct JumpPad {
   velocity @0 :Vec3 $example("[0,80,0]");  # studs/s, world frame, given to a player who touches it
-  keepSideways @1 :Bool = true;  # true: sets only the component along `velocity`
+  keepSideways @1 :Bool = true;  # if true, only the component along `velocity` is set
 }
 
 enum VanishTrigger {
@@ -282,50 +281,50 @@ enum VanishTrigger {
 struct Vanish {
   trigger @0 :VanishTrigger;
   delay @1 :Float32;        # touch, signal: seconds that it stays solid after the start; timer: seconds solid in each period
-  away @2 :Float32 = 3;     # touch, timer: seconds without collision; signal: it is away while the signal lasts
+  away @2 :Float32 = 3;     # touch, timer: seconds without collision; signal: it has none while the signal lasts
   phase @3 :Float32;        # timer: seconds into the period at tick 0
-  signal @4 :Text;          # signal: the name given by its buttons
-  inverted @5 :Bool;        # true: the opposite, solid only while it would be away
+  signal @4 :Text;          # signal: name given by its buttons
+  inverted @5 :Bool;        # if true, the part is solid only when it would otherwise be away
 }
 
 struct Button {
   # A touch starts its signal, and parts that name the signal (vanish.signal, motion.signal) respond.
   signal @0 :Text $example("\"door\"");  # any name; buttons with the same name start the same signal
-  seconds @1 :Float32 = 5;  # how long the signal lasts; the same for all buttons of a signal
-  forever @2 :Bool;         # true: until the playthrough ends
-  restarts @3 :Bool;        # true: a touch while the signal lasts restarts it
+  seconds @1 :Float32 = 5;  # duration of the signal; the same for all buttons of a signal
+  forever @2 :Bool;         # if true, the signal lasts until the attempt ends
+  restarts @3 :Bool;        # if true, a touch while the signal lasts restarts it
 }
 
 struct Fall {
   # After a touch the part waits, falls with anything that stands on it, is away, and comes back.
   delay @0 :Float32 = 0.5;  # seconds at rest after the touch
   seconds @1 :Float32 = 1;  # duration of the fall
-  speed @2 :Float32;        # studs/s, constant; 0: free fall under gravity
+  speed @2 :Float32;        # constant, studs/s; 0 for free fall under gravity
   away @3 :Float32 = 3;     # seconds without collision after the fall
-  solid @4 :Bool = true;    # false: no collision while falling
+  solid @4 :Bool = true;    # if false, it has no collision while falling
 }
 
 struct Teleport {
-  position @0 :Vec3 $example("[0,5,-20]");  # where the player's feet arrive
+  position @0 :Vec3 $example("[0,5,-20]");  # position of the player's feet on arrival
   yaw @1 :Float32;             # radians, used if `turns` is true
-  turns @2 :Bool;              # true: the player faces `yaw` afterwards
-  keepVelocity @3 :Bool;       # false: the player arrives at rest
+  turns @2 :Bool;              # if true, the player faces `yaw` afterwards
+  keepVelocity @3 :Bool;       # if false, the player arrives at rest
 }
 
 struct Boost {
-  # The player walks and jumps faster (or slower), or falls under another gravity, for a time. Of several boosts the
-  # one touched last applies.
-  walkSpeed @0 :Float32 = 1 $example("2");  # x PhysicsParams.walkSpeed; above 0, at most 100
-  jumpSpeed @1 :Float32 = 1;  # x PhysicsParams.jumpSpeed; above 0, at most 100
-  jumpMore @2 :Float32;       # studs/s added to that, -1000 to 1000
-  seconds @3 :Float32;        # after the last touch; 0: only while the part is touched
-  forever @4 :Bool;           # true: until the playthrough ends
-  gravity @5 :Float32 = 1;    # x PhysicsParams.gravity, for the player only; 0 to 100, the product at most 2000
-  resets @6 :Bool;            # true: what it leaves at 1 goes back to the level's own value, whatever was touched before
+  # Changes the player's speed of walking or jumping, or the player's gravity, for a time. If several boosts change the
+  # same value, the one touched last applies.
+  walkSpeed @0 :Float32 = 1 $example("2");  # factor of PhysicsParams.walkSpeed; above 0, at most 100
+  jumpSpeed @1 :Float32 = 1;  # factor of PhysicsParams.jumpSpeed; above 0, at most 100
+  jumpMore @2 :Float32;       # studs/s added to the jump speed, -1000 to 1000
+  seconds @3 :Float32;        # duration after the last touch; 0 for only while the part is touched
+  forever @4 :Bool;           # if true, it lasts until the attempt ends
+  gravity @5 :Float32 = 1;    # factor of PhysicsParams.gravity, for the player only; 0 to 100, and the product at most 2000
+  resets @6 :Bool;            # if true, values left at 1 return to the level's own, even after another boost
 }
 
 struct OneWay {
-  # Solid only for players on the side that `direction` points to.
+  # The part is solid only for players on the side that `direction` points to.
   direction @0 :Vec3 = (x = 0, y = 1, z = 0);  # in the part's frame
 }
 
@@ -340,8 +339,8 @@ struct Seat {
 }
 
 struct Trip {
-  seconds @0 :Float32 = 3;  # without control after the touch
-  after @1 :Float32 = 1;    # seconds after that before it can trip the player again
+  seconds @0 :Float32 = 3;  # seconds without control after the touch
+  after @1 :Float32 = 1;    # seconds after that until it can trip the player again
 }
 
 struct Checkpoint {
@@ -349,7 +348,7 @@ struct Checkpoint {
 }
 
 struct Goal {
-  stage @0 :Int32;    # 0: the end of the level
+  stage @0 :Int32;    # 0 for the end of the level
 }
 
 enum Easing {
@@ -374,9 +373,9 @@ enum MotionTrigger {
 
 struct MotionKey {
   # The part has this pose at `time`. The movement from the key before follows the easing.
-  time @0 :Float32;       # seconds, not decreasing; the motion starts at the first key, whatever its time
-  position @1 :Vec3;      # world
-  rotation @2 :Quat;      # world
+  time @0 :Float32;       # seconds, not decreasing; the motion starts at the first key, even if its time is not 0
+  position @1 :Vec3;      # world frame
+  rotation @2 :Quat;      # world frame
   easing @3 :Easing;
   direction @4 :EasingDirection = out;
 }
@@ -384,26 +383,26 @@ struct MotionKey {
 struct Spin {
   axis @0 :Vec3 = (x = 0, y = 1, z = 0);  # in the part's frame
   speed @1 :Float32;                      # rad/s, right-handed about the axis
-  pivot @2 :Vec3;                         # the point that stays in place, relative to the part's centre, in the part's frame
+  pivot @2 :Vec3;                         # fixed point, relative to the part's centre and in its frame
 }
 
 struct Motion {
-  # One pass through the keys (there and back for pingPong) and one turn of the spin take at most 20 minutes each.
-  keys @0 :List(MotionKey);   # empty: the part stays at its pose
+  # One pass through the keys takes at most 20 minutes (there and back for pingPong), and so does one turn of the spin.
+  keys @0 :List(MotionKey);   # if empty, the part stays at its pose
   repeat @1 :Repeat = loop;
   spin @2 :Spin;              # added to the keys
-  offset @3 :Float32;         # seconds into the motion at tick 0; negative: `once` waits that long, others count back
-  carries @4 :Bool;           # true: driven by physics, carries a standing player; false: a tween or CFrame loop
+  offset @3 :Float32;         # seconds into the motion at tick 0; if negative, `once` waits that long, others count back
+  carries @4 :Bool;           # true if driven by physics, which carries a standing player; false for a tween or CFrame loop
   trigger @5 :MotionTrigger;
-  signal @6 :Text;            # signal: the name given by its buttons
-  seconds @7 :Float32;        # touch: duration until it rests again; 0: `once` stays at its last key, others do one repetition
+  signal @6 :Text;            # signal: name given by its buttons
+  seconds @7 :Float32;        # touch: seconds until it rests again; at 0, `once` stays at its last key, others do one repetition
 }
 
 # ---------------------------------------------------------------------------------------------- physics parameters
 
 struct PhysicsParams {
-  # Every number in which a real engine may differ. lib/level/params.h mirrors the fields by name, and a test checks
-  # that they agree. docs/physics.md explains each field.
+  # All numbers in which a real engine may differ. lib/level/params.h has the same fields, and a test checks that they
+  # agree. docs/physics.md explains each field.
   gravity @0 :Float32 = 196.2 $unit("studs/s^2") $range((min = 0, max = 2000)) $source("measured, n > 300,000; Workspace.Gravity");
   walkSpeed @1 :Float32 = 16 $unit("studs/s") $range((min = 0, max = 500)) $source("H Humanoid.WalkSpeed");
   jumpSpeed @2 :Float32 = 53 $unit("studs/s") $range((min = 0, max = 1000))
@@ -472,58 +471,58 @@ struct Start {
   # The player starts with the feet at the centre of the region's floor. Without a region, the player starts at one of
   # the level's spawns and faces as that spawn does.
   region @0 :Region;
-  spawn @1 :Int32 = -1;     # without a region: index into the level's spawns, from 0; -1: the first
-  yaw @2 :Float32;          # radians, with a region
-  tick @3 :UInt32;          # level clock at the start, which sets where moving parts are
+  spawn @1 :Int32 = -1;     # index into the level's spawns, if there is no region; -1 for the first
+  yaw @2 :Float32;          # radians, if there is a region
+  tick @3 :UInt32;          # level clock at the start, which determines the positions of moving parts
 }
 
 struct Waypoint {
   region @0 :Region;
-  maxJumps @1 :Int32 = -1;      # max jumps from the start until arrival; -1: any
-  segmentJumps @2 :Int32 = -1;  # max jumps since the previous waypoint, or the start; -1: any
-  timeLimit @3 :Float32;        # max seconds of game time from the start until arrival; 0: none
-  segmentTime @4 :Float32;      # max seconds since the previous waypoint, or the start; 0: none
+  maxJumps @1 :Int32 = -1;      # max jumps from the start until arrival; -1 for any
+  segmentJumps @2 :Int32 = -1;  # max jumps since the previous waypoint, or the start; -1 for any
+  timeLimit @3 :Float32;        # max seconds of game time from the start until arrival; 0 for any
+  segmentTime @4 :Float32;      # max seconds since the previous waypoint, or the start; 0 for any
 }
 
 enum Arrive {
-  # What reaching a solid part means. A box, and a part that is not solid, are reached by entering.
-  stand @0;  # standing on it, sitting on it or holding on to it
-  touch @1;  # the body being in the space around it; grazing its side while falling past counts
+  # The way to reach a solid part. A box, or a part that is not solid, is reached by entering it.
+  stand @0;  # stand on it, sit on it or hold on to it
+  touch @1;  # have the body in the space around it; grazing its side while falling past it counts
 }
 
 enum Directions {
-  # In which the player can walk, seen from above.
-  any @0;       # as with a thumbstick, or a camera that turns
-  keyboard @1;  # eight, counted from the facing at the start: keys, and a camera that stays behind it
+  # Directions in which the player can walk, seen from above.
+  any @0;       # all directions, as with a thumbstick, or a camera that turns
+  keyboard @1;  # eight directions relative to the facing at the start, as with keys and a camera that stays behind
 }
 
 struct Query {
   id @0 :Text;
-  title @23 :Text;          # from where to where, for display: no answer depends on it
-  level @1 :Text;           # name of the level record; empty: the last level before the query
-  start @2 :Start;          # absent: the level's first spawn
+  title @23 :Text;          # start and goal in words, for display; no answer depends on it
+  level @1 :Text;           # name of the level record; empty for the last level before the query
+  start @2 :Start;          # if absent, the level's first spawn
   goal @3 :Region;
   waypoints @4 :List(Waypoint);  # in this order; at most 255
   avoid @5 :List(Region);
-  maxJumps @6 :Int32 = -1;  # -1: any
-  timeLimit @7 :Float32;    # max seconds of game time; 0: none
-  goals @8 :List(Region);   # reaching any of these, or goal, ends the playthrough
-  visits @9 :List(Region);  # before the goal, in any order; at most 32
+  maxJumps @6 :Int32 = -1;  # -1 for any
+  timeLimit @7 :Float32;    # max seconds of game time; 0 for any
+  goals @8 :List(Region);   # reaching any of these, or goal, ends the attempt
+  visits @9 :List(Region);  # regions to visit before the goal, in any order; at most 32
   minJumps @10 :Int32;      # min jumps before the goal counts, up to 65535
-  segmentJumps @11 :Int32 = -1;      # max jumps since the last waypoint; -1: any
-  segmentTime @12 :Float32;          # max seconds since the last waypoint; 0: none
-  maxDamage @13 :Float32 = -1;       # max health lost in total; -1: any
+  segmentJumps @11 :Int32 = -1;      # max jumps since the last waypoint; -1 for any
+  segmentTime @12 :Float32;          # max seconds since the last waypoint; 0 for any
+  maxDamage @13 :Float32 = -1;       # max health lost in total; -1 for any
   forbid @14 :List(PlayerState);     # any of jumping, climbing, seated, fallingDown
-  arrive @17 :Arrive;                # of the goals, waypoints and visits that name a solid part
-  tricks @18 :List(Trick);           # that the player may use
-  bodies @19 :List(Text);            # each must have a solution: r6, r15 or place; empty: the level's physics
-  frameRates @20 :List(UInt16);      # each must have a solution: frames per second; empty: the level's controlRate
+  arrive @17 :Arrive;                # applies to goals, waypoints and visits that name a solid part
+  tricks @18 :List(Trick);           # tricks that the player may use
+  bodies @19 :List(Text);            # r6, r15 or place; each must have a solution; empty for the level's physics
+  frameRates @20 :List(UInt16);      # frames per second; each must have a solution; empty for the level's controlRate
   directions @22 :Directions;        # in which the player can walk
-  sameKeys @21 :Bool;                # one solution's keys, held by time, must do for every body and frame rate
+  sameKeys @21 :Bool;                # if true, one solution's keys, held by time, must work for every body and frame rate
 
-  # Known to the maker of the level. No answer depends on these fields; obby-train learns from them.
+  # Information from the maker of the level. No answer depends on these fields, but obby-train learns from them.
   way @15 :List(Vec3);               # feet positions along a known route, from the start to the goal; 2 to 4096
-  difficulty @16 :Float32 = -1;      # 0 is trivial, 1 a jump at the limit; -1: not given
+  difficulty @16 :Float32 = -1;      # 0 is trivial, 1 a jump at the limit; -1 if not given
 }
 
 # ---------------------------------------------------------------------------------------------- answers
@@ -537,15 +536,15 @@ struct ActionRun {
 }
 
 enum Outcome {
-  running @0;     # cut off: the attempt's budget was spent
+  running @0;     # the attempt's budget was spent first
   goal @1;
-  killed @2;      # by a part
-  fell @3;        # below fallenPartsHeight
-  avoided @4;     # entered an avoid region
-  jumps @5;       # broke a jump limit
-  timeout @6;     # broke the time limit
-  hurt @7;        # lost more health than allowed
-  forbidden @8;   # was in a forbidden state
+  killed @2;      # a part killed the player
+  fell @3;        # the player fell below fallenPartsHeight
+  avoided @4;     # the player entered an avoid region
+  jumps @5;       # a limit on jumps was exceeded
+  timeout @6;     # a time limit was exceeded
+  hurt @7;        # the player lost more health than allowed
+  forbidden @8;   # the player was in a forbidden state
 }
 
 struct Trajectory {
@@ -561,30 +560,30 @@ struct Trajectory {
   jumps @9 :UInt32 $always;
   waypoints @10 :UInt32;     # waypoints reached, in order
   part @11 :Int32 = -1;      # index of the part that killed the player
-  stateHash @12 :UInt64;     # of the final state; a replay must reproduce it
+  stateHash @12 :UInt64;     # hash of the final state, which a replay must reproduce
   endPosition @13 :Vec3;     # feet at the end
-  avoid @14 :Int32 = -1;     # index into the query's avoid list: the region entered or part touched
-  visited @15 :UInt32;       # a bit for each of the query's visits
+  avoid @14 :Int32 = -1;     # index into the query's avoid list of the region entered or part touched
+  visited @15 :UInt32;       # one bit for each of the query's visits
   route @16 :List(Int32);    # parts that carried the player, in order, without repeats in a row
-  difficulty @17 :Difficulty;  # of a solution, on request
+  difficulty @17 :Difficulty;  # difficulty of a solution, on request
   path @18 :Path;            # on request, for readers that cannot replay
   method @19 :Text;          # the search method that found it
-  tricks @20 :List(Trick);   # that the player may use; a replay allows the same
-  body @21 :Text;            # of the player; empty: the level's physics
-  frameRate @22 :UInt16;     # ticks per second; 0: the level's controlRate
-  doubtful @23 :List(Int32); # parts with doubts that a solution stands on or touches, in order of their first touch
+  tricks @20 :List(Trick);   # tricks that the player may use, also in a replay
+  body @21 :Text;            # body of the player; empty for the level's physics
+  frameRate @22 :UInt16;     # ticks per second; 0 for the level's controlRate
+  doubtful @23 :List(Int32); # parts with doubts that a solution stands on or touches, in order of first touch
 }
 
 struct Path {
   # The positions along a trajectory.
-  step @0 :UInt32 $always;      # ticks between two points: 6, or 0.1 s at 60 ticks/s
+  step @0 :UInt32 $always;      # ticks between two points; 6 are 0.1 s at 60 ticks/s
   points @1 :List(Vec3);        # positions of the feet, from the start to the end
   jumpTicks @2 :List(UInt32);   # ticks since the start, one for each jump
-  ticks @3 :UInt32;             # since the start, at the last point, which is at most a step after the one before
+  ticks @3 :UInt32;             # ticks since the start at the last point, at most a step after the previous point
 }
 
 enum Band {
-  # How hard a step of a solution is for a player of the noise model. It ranks steps; it is not a share of players.
+  # The difficulty of a step for a player of the noise model. It ranks steps, but is not a share of players.
   trivial @0;
   easy @1;
   medium @2;
@@ -593,32 +592,32 @@ enum Band {
 }
 
 struct Difficulty {
-  # How reliably a solution can be played, from trials with noise on the player's actions (docs/queries.md explains it).
-  band @0 :Band $always;          # of the hardest step
+  # The reliability of a solution, from trials with noise on the player's actions (docs/answers.md explains it).
+  band @0 :Band $always;          # band of the hardest step
   success @1 :Float32;            # share of trials that pass all steps, each trial from its step's own start
   expectedAttempts @2 :Float32;   # 1 / success, at most 1e6; a step that no trial passes counts as half a trial
   hardest @3 :UInt32;             # index into steps
   steps @4 :List(DifficultyStep);
-  trials @5 :UInt32;              # per step
+  trials @5 :UInt32;              # number of trials per step
   noise @6 :Text;                 # the player model and its numbers
 }
 
 struct DifficultyStep {
-  # From one support to the next.
-  startTick @0 :UInt32 $always;   # of the trajectory
+  # A step from one support to the next.
+  startTick @0 :UInt32 $always;   # ticks since the start of the trajectory
   ticks @1 :UInt32 $always;
-  from @2 :Int32 = -1;            # the part that carries the player at the start; -1: none
-  to @3 :Int32 = -1;              # the part that carries the player at the end; -1: the goal
+  from @2 :Int32 = -1;            # the part that carries the player at the start; -1 for none
+  to @3 :Int32 = -1;              # the part that carries the player at the end; -1 for the goal
   jumps @4 :UInt32;
   band @5 :Band $always;
   success @6 :Float32;            # share of trials that come to rest on `to`, or reach the goal
-  window @7 :Float32;             # milliseconds to press the tightest jump, at most 41 ticks; 0: no jump, or (with `jumps`) one that fails even as recorded
-  margin @8 :Float32;             # studs from the landing point of the feet to the nearest edge of `to`, negative beyond it; 0: no landing
-  clearance @9 :Float32 = -1;     # min distance to a kill part, studs; -1: none within 10
+  window @7 :Float32;             # milliseconds in which the tightest jump can be pressed, at most 41 ticks; 0 without a jump, or if it fails even as recorded
+  margin @8 :Float32;             # studs from the landing point of the feet to the nearest edge of `to`; negative beyond it; 0 without a landing
+  clearance @9 :Float32 = -1;     # min distance to a kill part, studs; -1 for none within 10
 }
 
 struct Progress {
-  # Written while a search runs. Apart from Result.timing, the only record that depends on the machine.
+  # Written while a search runs. This record and Result.timing are the only data that depend on the machine.
   query @0 :Text;
   seconds @1 :Float32;
   steps @2 :UInt64;
@@ -639,7 +638,7 @@ enum Verdict {
 
 struct Timing {
   seconds @0 :Float32;        # wall-clock time of this query
-  firstSolution @1 :Float32;  # seconds to the first verified solution; 0: none
+  firstSolution @1 :Float32;  # seconds to the first verified solution; 0 if there is none
   stepsPerSecond @2 :Float64;
   compile @3 :Float32;        # seconds to compile the level
 }
@@ -652,21 +651,22 @@ struct Tally {
 }
 
 struct Cut {
-  # Why a query is unreachable: an upper bound on what a player can reach, and the first step that is missing on the route that lacks least.
+  # The reason why a query is unreachable: an upper bound on the parts within reach, and the first missing step on the
+  # route that lacks the least.
   reached @0 :List(Int32);   # indices of the parts that may carry the player
-  from @1 :Int32 = -1;       # the part where the step begins; -1: the start
-  to @2 :Int32 = -1;         # the part where it ends; -1: the goal, a waypoint or a visit
+  from @1 :Int32 = -1;       # the part where the step begins; -1 for the start
+  to @2 :Int32 = -1;         # the part where it ends; -1 for the goal, a waypoint or a visit
   rise @3 :Float32;          # height that a plain jump lacks, studs
   gap @4 :Float32;           # distance that a plain jump lacks, studs
-  jumps @5 :UInt32;          # lower bound on the jumps needed; 0: the limit on jumps is not the cause
-  seconds @6 :Float32;       # lower bound on the game time needed; 0: the time limit is not the cause
-  withTricks @7 :Bool;       # it holds for players who use every trick, too
-  mayHelp @8 :List(Trick);   # if not: tricks with which, each by itself, it is not shown
+  jumps @5 :UInt32;          # lower bound on the jumps needed; 0 if the limit on jumps is not the cause
+  seconds @6 :Float32;       # lower bound on the game time needed; 0 if the time limit is not the cause
+  withTricks @7 :Bool;       # true if this also holds for players who use every trick
+  mayHelp @8 :List(Trick);   # otherwise, tricks that, each by itself, prevent the proof
 }
 
 enum Saturation {
-  growing @0;    # the search still finds new cells: more time may solve the query
-  saturated @1;  # twice the rollouts would find next to nothing new, at this resolution
+  growing @0;    # the search still finds new cells, so more time may solve the query
+  saturated @1;  # twice the rollouts would hardly find a new cell, at this resolution
 }
 
 struct SearchEvidence {
@@ -676,7 +676,7 @@ struct SearchEvidence {
   idleRollouts @2 :UInt64;      # rollouts since the last new cell
   singletons @3 :UInt64;        # cells seen exactly once
   newCellChance @4 :Float32;    # upper bound on the chance that the next rollout finds a new cell (Good-Turing, 97.5 %)
-  coverage @5 :List(Coverage);  # during the search, each time the number of steps doubled
+  coverage @5 :List(Coverage);  # coverage during the search, each time the number of steps doubled
 }
 
 struct Coverage {
@@ -686,7 +686,7 @@ struct Coverage {
 }
 
 struct HeatMap {
-  # Where a search has been, in a grid of cubes.
+  # The places that a search has explored, in a grid of cubes.
   size @0 :Float32;          # edge of a cube, studs: 2, doubled until there are at most 4,096 cubes
   cubes @1 :List(HeatCube);
 }
@@ -697,32 +697,32 @@ struct HeatCube {
 }
 
 enum Knob {
-  jumps @0;       # the jump limit
-  time @1;        # the time limit, seconds
-  jumpHeight @2;  # studs
+  jumps @0;       # the limit on jumps is raised
+  time @1;        # the time limit is raised, seconds
+  jumpHeight @2;  # the player jumps higher, studs
   lowered @3;     # a part is lowered, studs
   killPart @4;    # a part that kills or hurts is removed
   avoid @5;       # an avoid region is removed
-  damage @6;      # the damage budget, health
+  damage @6;      # the limit on damage is raised, health
   forbidden @7;   # a forbidden state is allowed
 }
 
 struct Relaxation {
-  # A change that makes a query solvable: the smallest one found, of one kind at a time.
+  # A change that makes a query solvable, the smallest one found of its kind.
   knob @0 :Knob $always;
-  amount @1 :Float32;           # the size of the change in the unit of its kind; 0: the limit, part or region is removed
+  amount @1 :Float32;           # size of the change in the unit of its kind; 0 if the limit, part or region is removed
   part @2 :Int32 = -1;
   avoid @3 :Int32 = -1;         # index into the query's avoid list
   steps @4 :UInt64;             # simulated ticks to the solution of the changed query
   text @5 :Text;                # the change in words
-  field @6 :Text;               # the changed field of the query record, "waypoints[1].segmentJumps"; empty: the level changes
+  field @6 :Text;               # changed field of the query record, "waypoints[1].segmentJumps"; empty if the level changes
 }
 
 struct RouteCount {
   # Solutions with the same route.
   route @0 :List(Int32);        # as in Trajectory
   count @1 :UInt64 $always;
-  ticks @2 :UInt32 $always;     # of the shortest one
+  ticks @2 :UInt32 $always;     # ticks of the shortest one
 }
 
 struct Result {
@@ -730,49 +730,49 @@ struct Result {
   level @1 :Text;
   verdict @2 :Verdict $always;
   solutions @3 :UInt32 $always;
-  ticks @4 :UInt32 $always;          # of the shortest solution
-  jumps @5 :UInt32 $always;          # of that solution
+  ticks @4 :UInt32 $always;          # ticks of the shortest solution
+  jumps @5 :UInt32 $always;          # jumps of that solution
   steps @6 :UInt64;
   cells @7 :UInt64;
   rounds @8 :UInt64;
-  closest @9 :Float32;       # studs, 0 when solved
+  closest @9 :Float32;       # min distance to the goal, studs; 0 if solved
   reason @10 :Text;          # the answer in one sentence
-  ends @11 :List(Tally);     # how the attempts ended, most frequent first
+  ends @11 :List(Tally);     # outcomes of the attempts, most frequent first
   timing @12 :Timing;
   method @13 :Text;
   seed @14 :UInt64;
-  cut @15 :Cut;              # if unreachable
-  evidence @16 :SearchEvidence;    # if unknown
-  relaxations @17 :List(Relaxation);  # if there is no solution, on request
+  cut @15 :Cut;              # only if unreachable
+  evidence @16 :SearchEvidence;    # only if unknown
+  relaxations @17 :List(Relaxation);  # only if there is no solution, on request
   routes @18 :List(RouteCount);       # routes of the solutions, most frequent first
-  heatMap @19 :HeatMap;      # of a search, on request
-  tricks @20 :List(Trick);   # that the query allows
-  players @21 :List(PlayerAnswer);  # if the query names bodies or frame rates
-  holds @22 :Bool = true;    # false: the shortest solution depends on something that the import is not sure of
-  doubts @23 :List(Doubt);   # what that is
+  heatMap @19 :HeatMap;      # heat map of a search, on request
+  tricks @20 :List(Trick);   # tricks that the query allows
+  players @21 :List(PlayerAnswer);  # only if the query names bodies or frame rates
+  holds @22 :Bool = true;    # false if the shortest solution depends on a loss of the import
+  doubts @23 :List(Doubt);   # the reasons why `holds` is false
 }
 
 struct Doubt {
   # A loss of the import that a solution depends on.
   kind @0 :Text;         # as in Unmodelled
-  part @1 :Int32 = -1;   # that the solution stands on or touches; -1: the loss concerns no single part
+  part @1 :Int32 = -1;   # part that the solution stands on or touches; -1 if the loss concerns no single part
 }
 
 struct PlayerAnswer {
   # The answer for one body at one frame rate.
-  body @0 :Text;             # empty: the level's physics
+  body @0 :Text;             # empty for the level's physics
   frameRate @1 :UInt16 $always;     # frames per second
   verdict @2 :Verdict $always;
-  ticks @3 :UInt32;          # of the shortest solution, at this frame rate
-  jumps @4 :UInt32;          # of that solution
+  ticks @3 :UInt32;          # ticks of the shortest solution, at this frame rate
+  jumps @4 :UInt32;          # jumps of that solution
   reason @5 :Text;           # the answer in one sentence
 }
 
 # ---------------------------------------------------------------------------------------------- recordings, metrics
 
 struct RecordedPose {
-  position @0 :Vec3;     # centre of the part, world
-  rotation @1 :Quat;     # world
+  position @0 :Vec3;     # centre of the part, world frame
+  rotation @1 :Quat;     # world frame
 }
 
 struct RecordingFrame {
@@ -782,8 +782,8 @@ struct RecordingFrame {
   position @3 :Vec3;     # centre of the root part
   velocity @4 :Vec3;
   state @5 :Text;        # HumanoidStateType name
-  facing @6 :Vec3;       # look vector of the root part, world frame; zero: not recorded
-  poses @7 :List(RecordedPose);  # poses of the recording's parts, in the same order; empty: unchanged since the frame before
+  facing @6 :Vec3;       # look vector of the root part, world frame; zero if not recorded
+  poses @7 :List(RecordedPose);  # poses of the recording's parts, in the same order; empty if unchanged since the previous frame
 }
 
 struct Recording {

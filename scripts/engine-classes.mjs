@@ -1,5 +1,6 @@
-// Writes lib/engine/api/classes.txt, the members of the engine's classes and the items of its enums, from the
-// type definitions of @rbxts/types (MIT), which studio/ installs:  node scripts/engine-classes.mjs
+// Writes lib/engine/api/classes.txt, the members of the engine's classes and the items of its
+// enums, from the type definitions of @rbxts/types (MIT), which studio/ installs:
+//   node scripts/engine-classes.mjs
 //   BasePart PVInstance           class and base class
 //    Anchored b  Size Vector3     properties, with their type: b boolean, n number, s string, @X enum X, = instance
 //    .Touched  :ApplyImpulse  !OnInvoke   events, methods, callbacks

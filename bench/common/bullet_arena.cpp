@@ -44,7 +44,7 @@ struct BulletWorld::Impl {
 BulletWorld::BulletWorld(const level::LevelView& level, Vec3 feet)
     : impl_(std::make_unique<Impl>()) {
   impl_->params = level.params;
-  impl_->world.setForceUpdateAllAabbs(false);  // static parts stand still: twice as fast
+  impl_->world.setForceUpdateAllAabbs(false);  // static parts do not move: twice as fast
   impl_->world.setGravity({0, -level.params.gravity, 0});
   for (uint32_t i = 0; i < level.colliderCount; ++i) {
     const level::Collider& c = level.colliders[i];

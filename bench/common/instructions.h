@@ -1,5 +1,4 @@
-// How many instructions the CPU retires: a figure that does not drift with what else the machine
-// does.
+// Counts retired CPU instructions, a measure that does not vary with other load.
 #pragma once
 
 #include <linux/perf_event.h>
@@ -29,7 +28,7 @@ class InstructionCounter {
   InstructionCounter(const InstructionCounter&) = delete;
   InstructionCounter& operator=(const InstructionCounter&) = delete;
 
-  // Since this object was made; none without a counter.
+  // Returns the count since construction, or nothing without a counter.
   std::optional<uint64_t> count() const {
     uint64_t value = 0;
     if (file_ < 0 || read(file_, &value, sizeof value) != sizeof value) return std::nullopt;

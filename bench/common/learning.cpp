@@ -18,13 +18,13 @@ namespace obby::bench {
 
 namespace {
 
-constexpr uint64_t kUnseen = 0x68656c64;  // seed of the levels that nobody learned from
+constexpr uint64_t kUnseen = 0x68656c64;  // seed of the levels not used in training
 
 struct Asked {
   uint64_t decisions = 30'000'000, seeds = 3;
   Report::Form form = Report::Form::table;
   const char* recipe = nullptr;
-  std::vector<std::string> rows;  // none: all
+  std::vector<std::string> rows;  // empty: all
 };
 
 Asked read(int argc, char** argv) {
@@ -77,7 +77,7 @@ Result<train::Evaluation> measure(const LearningRow& row, const gen::Recipe& rec
   return found;
 }
 
-// Mean, least and most of the seeds.
+// Reports the mean, minimum and maximum over the seeds.
 void add(Report& report, const LearningRow& row, const char* metric, std::vector<double> values) {
   std::sort(values.begin(), values.end());
   const double sum = std::accumulate(values.begin(), values.end(), 0.0);

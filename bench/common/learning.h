@@ -1,6 +1,6 @@
-// What a change of how a policy learns is worth: it learns with the change, from the same levels
-// for as many decisions, and then plays levels that none was trained on. The mean of some seeds,
-// with the least and the most. Takes about a minute a row and seed for each 30 million decisions.
+// Measures the value of a change to training. The policy trains with the change on the same levels
+// for the same number of decisions, then plays unseen levels. Reports the mean, minimum and maximum
+// over several seeds. A row takes about a minute per seed and 30 million decisions.
 #pragma once
 
 #include <functional>
@@ -12,11 +12,11 @@ namespace obby::bench {
 
 struct LearningRow {
   const char* name;
-  std::function<void(train::TrainerSettings&)> change;  // of the defaults
+  std::function<void(train::TrainerSettings&)> change;  // to the default settings
 };
 
 // A bench's main(): bench_NAME [--json] [--decisions N] [--seeds N] [--recipe FILE] [ROW...].
-// Without a recipe levels are of all styles, trivial to limit.
+// Without a recipe the levels are of all styles, trivial to limit.
 int learningBench(int argc, char** argv, const char* bench, const std::vector<LearningRow>& rows);
 
 }  // namespace obby::bench

@@ -1,4 +1,4 @@
-// What kind of machine this is: times compare only between machines of a kind.
+// The kind of this machine. Times are comparable only between machines of one kind.
 #pragma once
 
 #include <fmt/format.h>
@@ -10,8 +10,8 @@
 
 namespace obby::bench {
 
-// As "AMD EPYC, 8 lanes": the CPU's name, and how many floats a SIMD register of this build holds.
-// Virtual machines often hide all but the family, and the lanes then tell generations apart.
+// Returns the CPU's name and the floats in a SIMD register of this build, such as "AMD EPYC, 8
+// lanes". Virtual machines often hide all but the family; then the lanes distinguish generations.
 inline std::string machineKind() {
   std::ifstream cpus("/proc/cpuinfo");
   std::string line, name = "unknown CPU";

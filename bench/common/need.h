@@ -1,4 +1,4 @@
-// What a bench cannot do without.
+// Error handling of benches: an error ends the program.
 #pragma once
 
 #include <cstdio>
@@ -9,14 +9,14 @@
 
 namespace obby::bench {
 
-// An error ends the bench.
+// Exits with the error's message if there is one.
 inline void need(const Status& status) {
   if (status) return;
   std::fprintf(stderr, "bench: %s\n", status.error().text().c_str());
   std::exit(1);
 }
 
-// What came of it.
+// Returns the value, or exits.
 template <class T>
 T need(Result<T> result) {
   need(result ? Status() : Status(result.error()));

@@ -33,7 +33,7 @@ std::string quoted(std::string_view text) {
   return out + '"';
 }
 
-// Three or four significant digits with a decimal prefix: 5123456 is "5.123 M".
+// Formats three or four significant digits with a decimal prefix: 5123456 is "5.123 M".
 std::string forPeople(double value) {
   const double size = std::fabs(value);
   if (size >= 1e9) return fmt::format("{:.4g} G", value / 1e9);
@@ -62,7 +62,7 @@ Report::Report(std::string bench, Form form)
 void Report::add(std::string_view caseName, std::string_view metric, double value,
                  std::string_view unit) {
   if (json_) {
-    // JSON has no infinity or NaN; such a measurement is a failed one and is written as null.
+    // JSON has no infinity or NaN. Such a measurement has failed and is written as null.
     const std::string number = std::isfinite(value) ? fmt::format("{}", value) : "null";
     writeLine(fmt::format(R"({{"bench":{},"case":{},"metric":{},"value":{},"unit":{}}})",
                           quoted(bench_), quoted(caseName), quoted(metric), number, quoted(unit)));

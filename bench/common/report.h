@@ -1,6 +1,6 @@
-// How every bench says what it measured: aligned rows for people, or with --json one object a line:
+// Output of all benches: aligned rows, or with --json one object a line:
 //   {"bench":"search","case":"parts100","metric":"stepsPerSecond","value":5.1e6,"unit":"1/s"}
-// Rows are written as they come, so that a long bench shows its progress.
+// Rows are written at once, so that a long bench shows its progress.
 #pragma once
 
 #include <chrono>
@@ -11,15 +11,15 @@ namespace obby::bench {
 
 class Report {
  public:
-  // `bench` is the program's name without its prefix. The only option is --json; any other argument
+  // `bench` is the program's name without its prefix. The only option is --json. Any other argument
   // prints the usage and exits with 2.
   Report(int argc, char** argv, std::string bench);
 
   enum class Form { table, json };
-  // For a bench that reads its own options.
+  // For a bench with its own options.
   Report(std::string bench, Form form);
 
-  // One measurement. `metric` in camelCase, `unit` as printed ("1/s", "ns", "" for a plain ratio).
+  // Adds a measurement. `metric` in camelCase, `unit` as printed ("1/s", "ns", "" for a ratio).
   void add(std::string_view caseName, std::string_view metric, double value, std::string_view unit);
 
  private:
@@ -28,7 +28,7 @@ class Report {
   bool headed_ = false;
 };
 
-// Wall-clock seconds that `work()` takes.
+// Returns the wall-clock seconds of `work()`.
 template <class Work>
 double secondsOf(Work&& work) {
   const auto start = std::chrono::steady_clock::now();
@@ -36,8 +36,7 @@ double secondsOf(Work&& work) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-// CPU seconds of the calling thread: what one core needs, also on a machine that is busy with other
-// things.
+// CPU seconds of the calling thread, which do not depend on other load.
 double threadSeconds();
 
 template <class Work>

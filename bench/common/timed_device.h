@@ -1,6 +1,6 @@
-// A device that waits for each kernel and keeps how long it took: for where a loop's time goes. It
-// is slower by the waiting, so rates are measured without it; and a kernel that is waited for while
-// another thread copies to the device has that copy's time, too.
+// A device that waits for each kernel and records its time, to profile a loop. Waiting slows the
+// loop, so rates are measured without it. A kernel's time includes a copy that another thread runs
+// during it.
 #pragma once
 
 #include <algorithm>
@@ -24,7 +24,7 @@ class TimedDevice : public sim::Device {
   // `device` must outlive it.
   explicit TimedDevice(sim::Device& device) : device_(device) {}
 
-  // By the kernel's name; the longest first.
+  // Returns the times by kernel name, longest first.
   std::vector<std::pair<std::string, Time>> times() const {
     std::vector<std::pair<std::string, Time>> all(times_.begin(), times_.end());
     std::sort(all.begin(), all.end(),
@@ -65,7 +65,7 @@ class TimedDevice : public sim::Device {
 
  private:
   sim::Device& device_;
-  std::map<std::string, Time> times_;  // by whoever launches: one thread
+  std::map<std::string, Time> times_;  // accessed by the launching thread only
 };
 
 }  // namespace obby::bench

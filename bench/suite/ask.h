@@ -1,11 +1,11 @@
-// Asks one query once, as a user would who opens a level and waits for the answer.
+// Answers one query once, like a user who opens a level and waits for the answer.
 #pragma once
 
 #include <atomic>
 #include <optional>
 
 #include "base/thread_pool.h"
-#include "solve/methods.h"
+#include "solve/search/methods/methods.h"
 #include "suite/run_log.h"
 #include "suite/suite.h"
 
@@ -18,11 +18,11 @@ struct Question {
   double cap;  // seconds
 };
 
-// The run that a question stands for, not yet made.
+// Returns the run of a question before it is made.
 Run plannedRun(const Question& question, uint64_t program);
 
-// Makes the run: compiles the level, searches on all threads, checks the solution by a replay; all
-// of that is in its seconds. Nothing if `stop` was set meanwhile.
+// Makes the run: compiles the level, searches on all threads, and verifies the solution by a
+// replay. Its seconds include all of these. Returns nothing if `stop` was set meanwhile.
 Result<std::optional<Run>> ask(const Question& question, Run planned, ThreadPool& pool,
                                const std::atomic<bool>& stop);
 

@@ -10,7 +10,7 @@
 namespace obby::bench {
 namespace {
 
-constexpr double kFirst = 0.001;  // seconds, at the left
+constexpr double kFirst = 0.001;  // left end of the time axis, seconds
 constexpr int kPoints = 160;      // of a curve
 
 io::ChartCurve curveOf(const Results& results, size_t method) {
@@ -21,8 +21,7 @@ io::ChartCurve curveOf(const Results& results, size_t method) {
   const std::vector<Share> shares = solvedShares(results, method, limits);
   io::ChartCurve curve{results.methods[method], {}, {}, {}, {}};
   for (size_t i = 0; i < limits.size(); ++i) {
-    if (std::isnan(shares[i].value))
-      return {results.methods[method], {}, {}, {}, {}};  // it has no runs
+    if (std::isnan(shares[i].value)) return {results.methods[method], {}, {}, {}, {}};  // no runs
     curve.points.emplace_back(limits[i], shares[i].value);
     curve.above.emplace_back(limits[i], shares[i].interval.high);
     curve.below.emplace_back(limits[i], shares[i].interval.low);
@@ -69,7 +68,7 @@ io::ChartPlot thirdsPlot(const Results& results, const std::vector<Measure>& mea
       };
       const double from = t - kGroup / 2 + width * double(m);
       const double mean = read("Mean");
-      if (std::isnan(mean)) continue;  // it has no runs
+      if (std::isnan(mean)) continue;  // no runs
       bars.bars.push_back(
           {from, from + 0.9 * width, mean, read("LowerQuartile"), read("UpperQuartile")});
     }

@@ -1,4 +1,4 @@
-// What the suite shows, as a picture.
+// The suite's results as a picture.
 #pragma once
 
 #include <string>
@@ -7,11 +7,11 @@
 
 namespace obby::bench {
 
-// An SVG of one plot, or of two where `ge` is among the methods:
-// - for each method the share of the runs of solvable queries that were solved, against the seconds
-//   on a logarithmic axis up to the cap, with its 95 % band;
-// - the paper's figure: mean seconds to the first solution, with quartiles, of the thirds by the
-//   time of `ge`; a run without a solution took the cap. `measures`: of these results.
+// Returns an SVG with one plot, or with two if `ge` is among the methods:
+// - For each method, the share of solved runs of solvable queries over the seconds, with its 95 %
+//   band. The time axis is logarithmic and ends at the cap.
+// - The paper's figure: mean seconds to the first solution, with quartiles, for the thirds by the
+//   time of `ge`. A run without a solution counts as the cap. `measures`: of these results.
 std::string suiteSvg(const Results& results, const std::vector<Measure>& measures);
 
 }  // namespace obby::bench

@@ -11,14 +11,14 @@ namespace obby::bench {
 namespace {
 
 constexpr float kJump = 8.6f;     // studs, on the flat
-constexpr float kRise = 3;        // studs of way that a stud up counts
-constexpr float kBeside = 12;     // studs from the straight way: about a jump
-constexpr float kMostParts = 40;  // beyond that a level is a field of alike parts
+constexpr float kRise = 3;        // studs of distance that a stud up counts as
+constexpr float kBeside = 12;     // studs from the straight line: about a jump
+constexpr float kMostParts = 40;  // a larger number means a field of equal parts
 constexpr uint32_t kHazard = level::kKill | level::kPad | level::kConveyor | level::kClocked |
                              level::kVanishTimer | level::kMoving | level::kTeleport |
                              level::kLoose;
 
-// The point of the region's box nearest to `from`, taken along the axes of the world.
+// Returns the point nearest to `from` in the region's box.
 Vec3 nearest(const geom::Region& region, Vec3 from) {
   const Vec3 local = toLocal(region.pose, from);
   return toWorld(region.pose, max(-region.half, min(local, region.half)));
@@ -29,7 +29,7 @@ float wayBetween(Vec3 from, Vec3 to) {
   return std::hypot(to.x - from.x, to.z - from.z) + kRise * rise;
 }
 
-// Goes on to the nearest of the targets and gives its index.
+// Appends the nearest of the targets. Returns its index.
 size_t goToNearest(const std::vector<geom::Region>& targets, std::vector<Vec3>& way) {
   size_t best = 0;
   for (size_t i = 1; i < targets.size(); ++i) {

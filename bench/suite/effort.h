@@ -1,6 +1,6 @@
-// How much a query asks for, told from the level and the query alone. It sorts the suite into easy
-// and hard thirds: thirds by the time of one method would flatter every other one, since what was
-// slow by bad luck is not slow again.
+// Estimates a query's difficulty from the level and the query alone. It sorts the suite into easy
+// and hard thirds. Thirds by the time of one method would favour all others, since its slowest
+// queries are partly bad luck.
 #pragma once
 
 #include "base/result.h"
@@ -8,12 +8,11 @@
 
 namespace obby::bench {
 
-// The sum of
-//   1    for every 8.6 studs (a jump on the flat) of the straight way from the start over the
-//        waypoints to the nearest goal, visits by the nearest first; a stud up counts three
-//   1/2  for every part beside that way (within 12 studs) that kills, moves, comes and goes,
-//   throws,
-//        conveys or can be pushed
+// Returns the sum of
+//   1    for every 8.6 studs (a jump on the flat) of the straight line from the start over the
+//        waypoints to the nearest goal, visits nearest first; a stud up counts as three
+//   1/2  for every part within 12 studs of that line that kills, moves, appears and disappears,
+//        throws, conveys or can be pushed
 //   2    for every waypoint and visit
 //   2    for every limit (of jumps, time, damage, states, of a segment, parts to be touched)
 //   1    for every region to avoid

@@ -1,4 +1,4 @@
-// What a call of the bench is to run: methods x queries x seeds, each within its cap.
+// The runs of a call of the bench: methods x queries x seeds, each with a cap.
 #pragma once
 
 #include <string>
@@ -14,30 +14,30 @@ struct Plan {
   std::vector<const solve::Method*> methods;
   std::vector<SuiteQuery> suite;
   uint64_t seeds = 5;
-  double cap = 90;            // seconds, of queries that have a solution
-  double unsolvableCap = 10;  // of the others
+  double cap = 90;            // seconds, for solvable queries
+  double unsolvableCap = 10;  // seconds, for the others
   bool sampled = false;       // methods after the first run every third solvable query only
-  // Methods at a query may be of different kinds of machine: what is told of them then holds only
-  // where they are far apart.
+  // If true, the methods' runs of a query may come from different kinds of machine. Then only large
+  // differences are meaningful.
   bool anyMachine = false;
 
-  // Is the method asked this query with this seed? A query without a solution costs its whole cap
-  // whatever the method, so only the first method is asked, and once.
+  // Returns true if the method answers this query with this seed. An unsolvable query always takes
+  // its whole cap, so only the first method answers it, and only once.
   bool asks(size_t method, size_t query, uint64_t seed) const;
   double capOf(const SuiteQuery& query) const;
 
-  // One query with one seed to each method that is asked.
+  // Returns one query with one seed for each method that answers it.
   std::vector<Question> questionsAt(size_t query, uint64_t seed) const;
-  // Query by query within a seed, so that what an interruption leaves is balanced.
+  // Returns all questions, query by query within a seed, so that an interrupted series is balanced.
   std::vector<Question> questions() const;
 };
 
-// The kind of machine that has come farthest with a query and a seed. All methods at them are to be
-// of one kind, for times compare only within it.
+// Returns the kind of machine with the most runs of a query and a seed. All methods must use one
+// kind, because times are comparable only within it.
 Made machineOf(const std::vector<Question>& questions, const RunLog& log, const Maker& maker);
 
-// The planned runs that the log has, at each query and seed of the kind of machine that has made
-// most of them, unless any machine counts; `program` 0: of whatever program.
+// Returns the planned runs in the log. For each query and seed they are of the kind of machine with
+// the most runs, unless any machine counts. `program` 0 stands for any program.
 Results resultsOf(const Plan& plan, const RunLog& log, const Maker& maker);
 
 }  // namespace obby::bench

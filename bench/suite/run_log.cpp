@@ -24,7 +24,7 @@ std::string quoted(const std::string& text) {
   return out;
 }
 
-// The members of one flat object.
+// Reads the members of a flat object.
 class Members {
  public:
   explicit Members(const io::JsonTree& tree) : tree_(tree) {}
@@ -42,7 +42,7 @@ class Members {
     complete_ = false;
     return 0;
   }
-  // 64 bits are written as text, as in the streams.
+  // 64-bit values are written as text, as in the streams.
   uint64_t digest(std::string_view name) { return std::strtoull(text(name).c_str(), nullptr, 10); }
   bool complete() const { return complete_; }
 
@@ -175,7 +175,7 @@ Made RunLog::mostlyBy(const std::vector<std::string>& keys, const Maker& maker) 
 Status RunLog::append(const Run& run) {
   if (!file_) {
     const auto folder = std::filesystem::path(path_).parent_path();
-    std::error_code ignored;  // opening says what is wrong
+    std::error_code ignored;  // opening the file reports the error
     if (!folder.empty()) std::filesystem::create_directories(folder, ignored);
     file_.reset(std::fopen(path_.c_str(), "ab"));
     if (!file_) return fileError(path_, "cannot open");

@@ -1,5 +1,5 @@
-// The runs that were made, one JSON object a line, appended as each ends: what was done is never
-// done again, and what is interrupted goes on from there.
+// The completed runs, one JSON object a line, appended when each ends. Logged runs are not
+// repeated, so an interrupted series can be continued.
 #pragma once
 
 #include <cstdint>
@@ -15,47 +15,48 @@
 
 namespace obby::bench {
 
-// One method once at one query.
+// One run of a method on a query.
 struct Run {
   std::string method, file, query, verdict, expected;
   uint64_t seed = 1;
   double cap = 0;        // seconds
   uint64_t content = 0;  // digest of the level and the query
-  uint64_t program = 0;  // digest of the program: another one may search otherwise
+  uint64_t program = 0;  // digest of the program, since another one may search differently
   int threads = 0;
-  std::string machine;  // what kind it was made on (common/machine.h); empty: not noted
+  std::string machine;  // kind of machine (common/machine.h); empty: unknown
   Timing timing;
 
-  // Which run this is, whatever came of it and whoever made it.
+  // Identifies the run, whatever its result and maker.
   std::string key() const;
 };
 
-// Whose runs count as made. 0, none: any.
+// The makers whose runs count. 0 or none: any.
 struct Maker {
   uint64_t program = 0;
   int threads = 0;
   std::optional<std::string> machine = {};
 };
 
-// How many of some runs one kind of machine has made.
+// The number of some runs made by one kind of machine.
 struct Made {
   std::string machine;
   size_t runs = 0;
 };
 
-// One line, with its newline.
+// Returns one line with its newline.
 std::string runLine(const Run& run);
 Result<Run> parseRun(const std::string& line);
 
 class RunLog {
  public:
-  // Reads what is there. Lines that are no runs, as a cut-off write leaves them, are counted only.
+  // Reads the existing runs. Lines that are not runs, such as an incomplete write, are only
+  // counted.
   static Result<RunLog> open(const std::string& path);
 
-  // The last run of that key; null if there is none.
+  // Returns the latest run with the key, or null.
   const Run* find(const std::string& key, const Maker& maker) const;
-  // The kind of machine that has made most of the runs of these keys; of two that have made as many
-  // the one whose last run is later.
+  // Returns the kind of machine with the most runs of these keys. A tie goes to the one with the
+  // latest run.
   Made mostlyBy(const std::vector<std::string>& keys, const Maker& maker) const;
   Status append(const Run& run);
   size_t unreadable() const { return unreadable_; }
@@ -69,7 +70,7 @@ class RunLog {
 
   std::string path_;
   std::unique_ptr<std::FILE, Close> file_;  // opened by the first append
-  bool cutOff_ = false;                     // the last line lacks its newline
+  bool cutOff_ = false;                     // the last line has no newline
   size_t unreadable_ = 0;
   std::vector<Run> runs_;
   std::map<std::string, std::vector<size_t>> byKey_;

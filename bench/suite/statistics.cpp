@@ -12,7 +12,7 @@ namespace obby::bench {
 namespace {
 
 constexpr int kResamples = 1000;
-constexpr uint64_t kBootstrapSeed = 20;  // any: fixed, so that a report is the same every time
+constexpr uint64_t kBootstrapSeed = 20;  // arbitrary but fixed, for reproducible reports
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 }  // namespace

@@ -1,4 +1,4 @@
-// The figures that sum up many timed runs, as plain functions of numbers.
+// Statistics of timed runs, as plain functions of numbers.
 #pragma once
 
 #include <cstddef>
@@ -8,36 +8,36 @@
 
 namespace obby::bench {
 
-// How one run of a solver went.
+// The result of one run of a solver.
 struct Timing {
   double seconds = 0;
   bool solved = false;
   double steps = 0, rounds = 0;
 };
 
-// NaN for none.
+// Returns NaN for no values.
 double mean(const std::vector<double>& values);
 
-// Seconds to the first solution as the paper counts them: a run without one took `cap`.
+// Returns the seconds to the first solution as in the paper: `cap` for a run without one.
 double cappedSeconds(const Timing& run, double cap);
 
-// Penalised seconds of a run: one without a solution counts twice the cap.
+// Returns the penalised seconds of a run: twice the cap if it has no solution.
 double par2(const Timing& run, double cap);
 
-// 0, 1 or 2 for each key: in which third of the keys in ascending order it is. Equal keys keep
-// their order, so that thirds are equally large.
+// Returns 0, 1 or 2 for each key: its third in ascending order. Equal keys keep their order, so
+// that the thirds are equally large.
 std::vector<int> thirds(const std::vector<double>& keys);
 
 struct Interval {
   double low, high;
 };
 
-// A statistic of picked groups of runs, by their indices; a group may be picked several times.
+// A statistic of sampled groups of runs, by index; a group may occur several times.
 using GroupStatistic = std::function<double(const std::vector<size_t>&)>;
 
-// The 95 % percentile interval of `statistic` over 1000 resamples of the groups 0 ... groups - 1.
-// Groups (queries) are resampled and not runs, since runs of one query are alike. The same every
-// time.
+// Returns the 95 % percentile interval of `statistic` over 1000 resamples of groups 0 to groups -
+// 1. Groups (queries) are resampled instead of runs, since the runs of one query are correlated.
+// The result is deterministic.
 Interval bootstrap(size_t groups, const GroupStatistic& statistic);
 
 }  // namespace obby::bench

@@ -51,11 +51,11 @@ Status keepOnly(std::vector<Row>& rows, const std::vector<std::string>& only) {
   return {};
 }
 
-// A level file's queries by id, each with the level before it.
+// The queries of a level file by id, each with the level before it.
 struct FileContent {
   struct Asked {
     io::Record level;
-    uint64_t levelHash;  // of what can change a playthrough
+    uint64_t levelHash;  // of all that can change a trajectory
     io::Record query;
   };
   std::map<std::string, Asked> queries;
@@ -85,8 +85,8 @@ Result<FileContent> readFile(const std::string& path) {
   }
 }
 
-// Of what can change a playthrough, and of what the query says: not of where a place file lies, nor
-// of how the importer words its reasons.
+// Digests the query and all that can change a trajectory. The path of a place file and the
+// importer's texts are excluded.
 Result<uint64_t> digest(const FileContent::Asked& asked) {
   std::string bytes;
   auto writer = io::StreamWriter::toBytes(io::Format::jsonl, &bytes);

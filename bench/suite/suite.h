@@ -1,5 +1,4 @@
-// The query suite: what levels/expected.tsv lists, with the level and query records, ready to be
-// asked.
+// The query suite of levels/expected.tsv with its level and query records.
 #pragma once
 
 #include <cstdint>
@@ -13,19 +12,18 @@
 namespace obby::bench {
 
 struct SuiteQuery {
-  std::string file, id;  // file: below the folder of levels
-  std::string expected;  // solved, unreachable, unsolved: either way of having no solution
+  std::string file, id;  // file: path below the folder of levels
+  std::string expected;  // solved, unreachable or unsolved; the latter two have no solution
   io::Record level, query;
-  uint64_t content;  // digest of both, as far as they can change a playthrough
+  uint64_t content;  // digest of all that can change a trajectory
   double effort;     // effort.h
 
   bool solvable() const { return expected == "solved"; }
   std::string name() const { return file + ":" + id; }
 };
 
-// The suite of the folder `levels`, in the order of its table: all, or those named FILE:ID in
-// `only`. Errors: a row without its query, a name that is in no row, a level that does
-// not compile.
+// Loads the suite of the folder `levels` in the table's order: all rows, or those named FILE:ID in
+// `only`. Errors: a row without its query, an unknown name, a level that does not compile.
 Result<std::vector<SuiteQuery>> loadSuite(const std::string& levels,
                                           const std::vector<std::string>& only);
 

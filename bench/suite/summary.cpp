@@ -17,7 +17,7 @@ constexpr double kUnmeasured = std::numeric_limits<double>::quiet_NaN();
 using Picks = std::vector<size_t>;
 using RunsFigure = std::function<double(const std::vector<Timing>&)>;
 
-// One method's runs of some solvable queries, query by query.
+// The runs of one method for some solvable queries, query by query.
 class Sample {
  public:
   Sample(const Results& results, size_t method, const std::function<bool(size_t)>& wanted) {
@@ -31,8 +31,8 @@ class Sample {
 
   size_t size() const { return queries_.size(); }
 
-  // The mean over queries of the mean over their runs: every query weighs the same, however many
-  // seeds it had.
+  // Returns the mean over queries of the mean over their runs. Every query has the same weight,
+  // whatever its number of seeds.
   double mean(const Picks& picks, const std::function<double(const Timing&)>& figure) const {
     std::vector<double> means;
     for (const size_t q : picks) {
@@ -64,7 +64,7 @@ class Sample {
 
 bool any(size_t) { return true; }
 
-// The figures of one method.
+// Computes the measures of one method.
 class Summary {
  public:
   Summary(const Results& results, size_t method, std::vector<Measure>& out)
@@ -88,7 +88,7 @@ class Summary {
     out_.push_back({results_.methods[method_], std::move(metric), value, interval, unit});
   }
 
-  // A statistic of the picked queries, over all of them and with its interval.
+  // Adds a statistic over all queries, with its interval.
   void addWithInterval(const char* metric, const char* unit, size_t queries,
                        const GroupStatistic& statistic) {
     Picks all(queries);
@@ -138,7 +138,7 @@ class Summary {
     add("medianRounds", median([](const Timing& run) { return run.rounds; }), "");
   }
 
-  // Which third each solvable query is in by `key`; -1: none. A key that is not a number has none.
+  // Returns each solvable query's third by `key`, or -1 if the key is NaN.
   std::vector<int> thirdsBy(const std::function<double(size_t)>& key) const {
     std::vector<double> keys;
     Picks queries;

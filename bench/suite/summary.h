@@ -1,4 +1,4 @@
-// From runs to the figures of the report.
+// Computes the report's figures from runs.
 #pragma once
 
 #include <optional>
@@ -10,7 +10,7 @@
 
 namespace obby::bench {
 
-// What the report knows of a query beside its runs.
+// The report's facts about a query besides its runs.
 struct Asked {
   std::string name;      // FILE:ID
   std::string expected;  // verdict
@@ -19,12 +19,12 @@ struct Asked {
   bool solvable() const { return expected == "solved"; }
 };
 
-// All runs that a report is about: runs[method][query] has one for each seed.
+// All runs of a report: runs[method][query] has one for each seed.
 struct Results {
   std::vector<std::string> methods;
   std::vector<Asked> queries;
   std::vector<std::vector<std::vector<Run>>> runs;
-  double cap = 0;  // seconds, of queries that have a solution
+  double cap = 0;  // seconds, for solvable queries
 };
 
 struct Measure {
@@ -34,33 +34,33 @@ struct Measure {
   std::string unit;
 };
 
-// For each method in turn. Every query weighs the same; those without a solution count in
-// falseVerdicts and provedShare only.
-//   solvedShare1, 3, 10, 30, 90   within so many seconds; solvedShare90 of a shorter cap: within it
-//   par2Seconds, medianSeconds    with an interval; a median run that was not solved has the cap
-//   meanSeconds, lowerQuartileSeconds, upperQuartileSeconds   unsolved = cap, as the paper has it
+// Returns the measures of each method. Every query has the same weight. Unsolvable ones count only
+// in falseVerdicts and provedShare.
+//   solvedShare1, 3, 10, 30, 90   within these seconds, or within a shorter cap
+//   par2Seconds, medianSeconds    with an interval; an unsolved median run counts as the cap
+//   meanSeconds, lowerQuartileSeconds, upperQuartileSeconds   unsolved = cap, as in the paper
 //   medianSteps, medianRounds     simulated ticks and generations, solved or not
 //   ge{Short,Medium,Long}MeanSeconds, ...LowerQuartile, ...UpperQuartile   of the thirds of the
-//                                 queries by ge's own mean time, as the paper has it;
+//                                 queries by ge's own mean time, as in the paper;
 //                                 geLongPar2Seconds with an interval
 //   {easy,middle,hard}ThirdMeanSeconds, hardThirdPar2Seconds, hardThirdSolvedShare   of the thirds
 //                                 by effort (effort.h)
-//   par2RatioToGe                 par2Seconds of ge by that of the method, over the queries that
-//                                 both were asked: 5 is five times better than ge
-//   falseVerdicts                 solved where the suite says that there is no solution, and
-//                                 unreachable where it says that there is one: runs
-//   provedShare                   of the queries that the suite says can be shown to be unreachable
+//   par2RatioToGe                 par2Seconds of ge divided by the method's, over the queries that
+//                                 both answered: 5 is five times better than ge
+//   falseVerdicts                 number of runs: solved although the suite has no solution, or
+//                                 unreachable although it has one
+//   provedShare                   share of the queries that can be proven unreachable
 std::vector<Measure> summarise(const Results& results);
 
-// Null where the method has no such figure.
+// Returns null if the method has no such measure.
 const Measure* findMeasure(const std::vector<Measure>& measures, const std::string& method,
                            const std::string& metric);
 
-// The queries that took the method longest, or that it did not solve, as lines for people.
+// Returns the queries that took the method longest or that it did not solve, as lines of text.
 std::string slowest(const Results& results, size_t method, size_t count);
 
-// Share of the runs of solvable queries that were solved within each of `limits`, every query
-// weighing the same, with its interval.
+// Returns the share of solved runs of solvable queries within each of `limits`, with its interval.
+// Every query has the same weight.
 struct Share {
   double value;
   Interval interval;

@@ -1,4 +1,4 @@
-// The report for people: figures as rows, methods as columns.
+// The report as text: measures as rows, methods as columns.
 #pragma once
 
 #include <string>

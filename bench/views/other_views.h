@@ -1,8 +1,8 @@
-// Other ways to see than policy::observe(), to learn what they are worth (bench_observation). Each
-// fills the same kInputs in the same frame: the player's state and the nearest loose body as there,
-// and in the place of the maps something else, which is policy::kEmptyInput where nothing is in
-// sight. All are of what policy::lookAround() shows, now and 0.4 s later. For the CPU alone; no
-// policy file is of these.
+// Other observations than policy::observe(), for a comparison (bench_observation). Each fills the
+// same kInputs in the same frame. The player's state and the nearest dynamic body are the same.
+// Other features replace the maps, with policy::kEmptyInput where nothing is visible. All are
+// derived from policy::lookAround(), now and 0.4 s later. They run on the CPU only, and no policy
+// file uses them.
 #pragma once
 
 #include "policy/policy.h"
@@ -10,11 +10,10 @@
 
 namespace obby::bench {
 
-constexpr int kViewInputs = policy::kMaps * policy::kPoints;  // in the place of the maps
+constexpr int kViewInputs = policy::kMaps * policy::kPoints;  // these replace the maps
 
-// Rays from the player's eye: straight down, then for each elevation one in each direction of the
-// maps' points. Those that look down meet the ground that the feet are on 1.5, 4.3 and 9.2 studs
-// away.
+// Rays from the player's eye: one straight down, then for each elevation one in each direction of
+// the maps' points. Those that look down meet level ground 1.5, 4.3 and 9.2 studs away.
 constexpr float kRayDegrees[] = {-63, -35, -18, 0, 25};  // elevations
 constexpr int kElevations = int(sizeof kRayDegrees / sizeof kRayDegrees[0]);
 constexpr int kRays = 1 + kElevations * policy::kDirections;
@@ -28,9 +27,9 @@ constexpr int rayInput(int moment, policy::Kind kind, int ray) {
   return policy::kMapsAt + (moment * policy::kKinds + kind) * kRays + ray;
 }
 
-// Of each ray how close the nearest floor is, and how close the nearest danger: from 1 at the eye
-// down to 0 at kRayReach and beyond; and by how much either will have changed. Dangers are as wide
-// as in the maps, and not shown behind a floor.
+// Each ray has the closeness of the nearest floor and of the nearest danger, from 1 at the eye to 0
+// at kRayReach and beyond, and their changes a moment later. Dangers are as wide as in the maps. A
+// danger behind a floor is hidden.
 Turns rays(const policy::Scene& scene, const sim::World& world, const sim::LooseBody* loose,
            float* inputs);
 
@@ -39,14 +38,13 @@ constexpr int partInput(int place, PartNumber number) {
   return policy::kMapsAt + place * kPartNumbers + number;
 }
 
-// The nearest parts, the nearest first, as parts_in_sight.h tells them.
+// The features of the nearest parts (parts_in_sight.h), nearest first.
 Turns nearestParts(const policy::Scene& scene, const sim::World& world, const sim::LooseBody* loose,
                    float* inputs);
 
-// All parts, as a set: of each, kViewInputs random features of how parts_in_sight.h tells it, less
-// the farther away it is; and of each feature the most that any part has of it. So their order does
-// not show. An encoder whose features are learned, as the networks for sets and attention have it,
-// would need a network of another form.
+// All parts as an unordered set. Each part has kViewInputs random features of its numbers
+// (parts_in_sight.h), scaled down with distance. Each input is a feature's maximum over the parts.
+// An encoder with learned features, as in set networks and attention, would need another network.
 Turns partSet(const policy::Scene& scene, const sim::World& world, const sim::LooseBody* loose,
               float* inputs);
 

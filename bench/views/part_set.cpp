@@ -10,8 +10,8 @@ namespace obby::bench {
 namespace {
 
 constexpr uint64_t kSeed = 0x736574;
-// Weights and biases are drawn from 0 to this, of either sign: some four of a part's numbers are of
-// order 1, so that features are, too.
+// Max magnitudes of the random weights and biases. About four of a part's numbers are of order 1,
+// so the features are, too.
 constexpr float kMostWeight = 0.9f, kMostBias = 0.5f;
 constexpr float kFade = 8;  // studs at which a part counts half
 
@@ -26,7 +26,7 @@ class Features {
     for (float& b : biases_) b = upTo(kMostBias);
   }
 
-  // Raises `pooled` (kViewInputs), which is not below 0, to the features of the part.
+  // Raises `pooled` (kViewInputs, at least 0) to the part's features.
   void pool(const PartInSight& part, float* pooled) const {
     float sums[kViewInputs];
     std::copy(std::begin(biases_), std::end(biases_), sums);

@@ -17,7 +17,7 @@ void put(PartInSight& part, PartNumber at, Vec3 v, float half) {
   part.told[size_t(at) + 2] = policy::squashed(v.z, half);
 }
 
-// Parts as they are seen, one after the other.
+// Collects parts in the order in which they are seen.
 class Gatherer {
  public:
   Gatherer(const Params& params, const policy::Frame& frame)
@@ -25,7 +25,7 @@ class Gatherer {
     parts_.reserve(64);
   }
 
-  // What changes comes once for each moment in which it is there, one directly after the other.
+  // A part that changes is seen once for each moment, in direct succession.
   void see(const policy::Sight& sight) {
     if (sight.moments == kThen && sight.collider == last_.collider) {
       PartInSight& part = parts_.back();
@@ -58,7 +58,7 @@ class Gatherer {
   }
 
   const Mat3 axes_;
-  const Vec3 middle_;  // of the body, from the feet
+  const Vec3 middle_;  // of the body, relative to the feet
   policy::Sight last_{};
   std::vector<PartInSight> parts_;
 };

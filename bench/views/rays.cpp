@@ -10,20 +10,19 @@ namespace {
 
 static_assert(policy::kMoments * policy::kKinds * kRays == kViewInputs);
 
-constexpr Vec3 kEye{0, kEyeHeight, 0};  // from the feet
-// Studs along a ray that a danger may be behind a floor and be shown: it is flush with it, and cut
-// with another rounding.
+constexpr Vec3 kEye{0, kEyeHeight, 0};  // relative to the feet
+// Studs by which a visible danger may lie behind a floor, since flush surfaces differ by rounding.
 constexpr float kFlush = 0.01f;
 
-// Axes of which y is a ray: so many degrees up from the level direction `flat`.
+// Returns axes whose y is a ray `degrees` above the level direction `flat`.
 Mat3 axesOfRay(Vec3 flat, float degrees) {
   const SinCos up = sinCos(turnsFromRadians(degrees * (kPi / 180)));
   const Vec3 side{-flat.z, 0, flat.x}, ray = flat * up.cos + Vec3{0, up.sin, 0};
   return {side, ray, cross(side, ray)};
 }
 
-// How far along the y axis of `axes` the solid is met, at most kRayReach. `radius`: all of it is
-// within, about its centre.
+// Returns the distance to the solid along the y axis of `axes`, at most kRayReach. `radius`: the
+// solid's bounding radius.
 float distanceAlong(const Mat3& axes, const policy::Solid& solid, float radius) {
   const Vec3 c = toLocal(axes, solid.center - kEye);
   if (c.x * c.x + c.z * c.z > radius * radius || c.y < -radius || c.y > kRayReach + radius)
@@ -33,10 +32,10 @@ float distanceAlong(const Mat3& axes, const policy::Solid& solid, float radius) 
   return clampf(in.bottom, 0.0f, kRayReach);
 }
 
-// 0 at the end of a ray.
+// Returns 0 at the end of a ray.
 float closeness(float distance) { return 1 - distance / kRayReach; }
 
-// How far along each ray the nearest of each kind is.
+// The distance along each ray to the nearest solid of each kind.
 class Bundle {
  public:
   explicit Bundle(Turns ahead) {
@@ -63,7 +62,7 @@ class Bundle {
     }
   }
 
-  // As the maps are told: of each moment but the first, how it differs from the one before.
+  // As in the maps, each moment but the first is a difference from the one before.
   void tell(float* inputs) const {
     for (int r = 0; r < kRays; ++r) {
       float floorBefore = 0, dangerBefore = 0;

@@ -1,5 +1,6 @@
-// Invariants. A failed check is a mistake in this program, never in its input: it says both values
-// and aborts. Kept in builds with OBBY_CHECKS; elsewhere the condition is not evaluated.
+// Checks of invariants. A failed check is a bug in this program, never bad input. It prints both
+// values and aborts. Checks run in builds with OBBY_CHECKS; in others the condition is not
+// evaluated.
 #pragma once
 
 #if defined(OBBY_CHECKS)

@@ -1,5 +1,5 @@
-// A vector for tens of millions of elements: it grows by whole chunks that stay where they are, so
-// that growing never holds everything twice. Host only.
+// A vector for tens of millions of elements. It grows by whole chunks that never move, so that
+// growing never holds two copies of everything. Host only.
 #pragma once
 
 #include <algorithm>
@@ -28,7 +28,7 @@ class ChunkedVector {
   T& operator[](size_t i) { return *at(i); }
   const T& operator[](size_t i) const { return *at(i); }
 
-  // The address of element i; those up to the next multiple of kChunk follow it.
+  // Returns the address of element i. The elements up to the next multiple of kChunk follow it.
   T* at(size_t i) { return chunks_[i / kChunk].get() + i % kChunk; }
   const T* at(size_t i) const { return chunks_[i / kChunk].get() + i % kChunk; }
 
@@ -37,10 +37,10 @@ class ChunkedVector {
     return {chunks_[c].get(), std::min(kChunk, size_ - c * kChunk)};
   }
 
-  // As of a vector, up to kChunk elements may move as it grows; from then on none does.
+  // Growth moves the elements while there are fewer than kChunk. Later growth moves none.
   void push_back(const T& value) {
     if (size_ == capacity_) {
-      const T kept = value;  // may be one of those that move
+      const T kept = value;  // `value` may be an element that moves
       grow();
       *at(size_++) = kept;
       return;
@@ -48,7 +48,7 @@ class ChunkedVector {
     *at(size_++) = value;
   }
 
-  // Appends copies of `value`; never shorter than it is.
+  // Appends copies of `value`. `size` must not be below the present size.
   void resize(size_t size, const T& value = T{}) {
     OBBY_CHECK_LE(size_, size);
     const T kept = value;
@@ -64,7 +64,8 @@ class ChunkedVector {
   }
 
  private:
-  static constexpr size_t kFirst = 256;  // elements; a short search must not touch fresh pages
+  static constexpr size_t kFirst = 256;  // elements; small, so that a short search touches few
+                                         // fresh pages
 
   struct Free {
     void operator()(T* chunk) const { ::operator delete(chunk, std::align_val_t(alignof(T))); }

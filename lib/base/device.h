@@ -1,16 +1,16 @@
-// The one macro that marks code for host and device, and the one for SIMD lanes (host only).
-// Headers of modules marked [device] in CONTRIBUTING.md use it on every function and keep to: no
-// exceptions, no allocation, no virtual calls, no statics, no standard containers.
+// Macros that mark code for host and device, and for SIMD lanes (host only). Headers of modules
+// marked [device] in CONTRIBUTING.md use them on every function. Those modules use no exceptions,
+// allocation, virtual calls, statics or standard containers.
 #pragma once
 
-// Code for the CPU's lanes, which is worth nothing unless it is inlined.
+// Marks code for the CPU's SIMD lanes, which is slow unless it is inlined.
 #define OBBY_LANES inline __attribute__((always_inline))
 
-// OBBY_APART is for what is large and runs rarely: a function of its own, which leaves the caches
-// and the compiler's time to the rest.
-// OBBY_CALLED is for what is large and called from many places: on the CPU a function of its own,
-// for the compiler's time; on a GPU, where a call forces registers out to memory, inlined.
-// OBBY_INLINED follows the parameters of a lambda that must not become a function of its own.
+// OBBY_APART marks a large function that runs rarely. It is not inlined, which saves instruction
+// cache and compile time.
+// OBBY_CALLED marks a large function with many callers. On the CPU it is not inlined, to save
+// compile time. On a GPU it is inlined, because a call there spills registers to memory.
+// OBBY_INLINED follows the parameters of a lambda that must be inlined.
 #if defined(__CUDACC__)
 #define OBBY_INLINED
 #define OBBY_DEVICE __host__ __device__ __forceinline__

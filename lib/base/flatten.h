@@ -1,6 +1,6 @@
-// Copies a struct of tables, and the tables that those point to, into one block of bytes that works
-// at an address of your choice: how a level goes to the memory of a GPU in one piece. Structs name
-// their tables in a forTables() beside their definition (level/level_view.h).
+// Copies a struct of tables, and the tables that those point to, into one block of bytes for a
+// chosen address. A level is copied to the memory of a GPU in one piece this way. Structs name
+// their tables in a forTables() next to their definition (level/level_view.h).
 #pragma once
 
 #include <cstddef>
@@ -15,11 +15,11 @@ namespace obby {
 
 class Flattener {
  public:
-  // `base` is where the bytes will be.
+  // `base` is the address at which the bytes will be placed.
   explicit Flattener(uintptr_t base) : base_(base) {}
 
-  // Appends a table, unless it is known, and points `table` to where it will be. An empty table
-  // becomes null.
+  // Appends a table unless it was appended before, and points `table` to its future address. An
+  // empty table becomes null.
   template <class T>
   void operator()(const T*& table, size_t count) {
     if (table == nullptr || count == 0) {
@@ -35,7 +35,7 @@ class Flattener {
   std::vector<std::byte> take() { return std::move(bytes_); }
 
  private:
-  // Tables start on their own cache line of a GPU.
+  // Bytes. Each table starts on its own cache line of a GPU.
   static constexpr size_t kAlignment = 128;
 
   template <class T>
@@ -53,11 +53,12 @@ class Flattener {
 
   const uintptr_t base_;
   std::vector<std::byte> bytes_;
-  std::map<std::pair<const void*, size_t>, size_t> offsets_;  // of the tables so far
+  std::map<std::pair<const void*, size_t>, size_t> offsets_;  // byte offsets of the tables appended
+                                                              // so far
 };
 
-// The root's tables as bytes for the address `base`, which must be a multiple of 128; `root` then
-// points into them.
+// Returns the root's tables as bytes for the address `base`, which must be a multiple of 128.
+// Afterwards `root` points to tables at that address.
 template <class Root>
 std::vector<std::byte> flatten(Root& root, uintptr_t base) {
   Flattener flattener(base);

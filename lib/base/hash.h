@@ -7,7 +7,7 @@
 
 namespace obby {
 
-// Digest of `size` bytes, continued from `seed`: hash(b, hash(a)) digests a then b.
+// Returns the digest of `size` bytes, continued from `seed`: hash(b, hash(a)) digests a then b.
 uint64_t hashBytes(const void* data, size_t size, uint64_t seed = 0);
 
 }  // namespace obby

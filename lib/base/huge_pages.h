@@ -1,5 +1,5 @@
-// An allocator for large tables that are read in no order: on pages of 2 MiB where the system has
-// them, so that finding a page costs less than reading it. The same table elsewhere.
+// An allocator for large tables that are read in random order. On Linux it asks for 2 MiB pages, so
+// that address translation costs less than the read. Elsewhere it only aligns to 2 MiB.
 #pragma once
 
 #include <cstddef>
@@ -22,7 +22,7 @@ struct HugePages {
   T* allocate(size_t count) {
     void* const memory = ::operator new(count * sizeof(T), kPage);
 #if defined(__linux__)
-    madvise(memory, count * sizeof(T), MADV_HUGEPAGE);  // a hint: it may be refused
+    madvise(memory, count * sizeof(T), MADV_HUGEPAGE);  // a hint, which the system may refuse
 #endif
     return static_cast<T*>(memory);
   }

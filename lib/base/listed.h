@@ -1,4 +1,4 @@
-// Words as a list in a sentence.
+// Joins words into a list for a sentence.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace obby {
 
-// "30, 60 or 144", with `last` for "or". Empty for no words.
+// Returns "30, 60 or 144" for three words, with `last` for "or". Returns "" for no words.
 std::string listed(const std::vector<std::string>& words, std::string_view last);
 
 }  // namespace obby

@@ -8,8 +8,8 @@
 
 namespace obby {
 
-// The value below which `share` (0 to 1) of the values lie, between neighbours in proportion; NaN
-// if there are none.
+// Returns the value below which `share` (0 to 1) of the values lie, interpolated linearly between
+// neighbours. Returns NaN for no values.
 inline double quantile(std::vector<double> values, double share) {
   if (values.empty()) return std::numeric_limits<double>::quiet_NaN();
   std::sort(values.begin(), values.end());

@@ -11,16 +11,15 @@
 
 namespace obby {
 
-// One stream of 32-bit numbers. 12 bytes of identity, a small buffer; copying it forks the
-// sequence.
+// One stream of 32-bit random numbers. A copy draws the same numbers as the original from then on.
 class Random {
  public:
-  // `stream` tells the user of the numbers (a rollout, a level), `seed` the run.
+  // `seed` identifies the run, `stream` the consumer of the numbers (a rollout, a level).
   OBBY_DEVICE Random(uint64_t seed, uint64_t stream)
       : key_{{uint32_t(seed), uint32_t(seed >> 32)}},
         counter_{{0, 0, uint32_t(stream), uint32_t(stream >> 32)}} {}
 
-  // Uniform over all 32-bit numbers.
+  // Returns a uniform number of 32 bits.
   OBBY_DEVICE uint32_t next() {
     if (used_ == 4) {
       block_ = r123::Philox4x32()(counter_, key_);
@@ -30,10 +29,10 @@ class Random {
     return block_.v[used_++];
   }
 
-  // Uniform over [0, n), n > 0; the bias is below n / 2^32.
+  // Returns a uniform number in [0, n) for n > 0. The bias is below n / 2^32.
   OBBY_DEVICE uint32_t below(uint32_t n) { return uint32_t((uint64_t(next()) * n) >> 32); }
 
-  // Uniform over [0, 1): 24 bits, every value exact.
+  // Returns a uniform number in [0, 1) with 24 random bits, exactly represented.
   OBBY_DEVICE float unit() { return float(next() >> 8) * 0x1p-24f; }
 
  private:

@@ -1,6 +1,6 @@
-// How the library reports bad input: a value or an error that names the place and the cure. Broken
-// invariants are OBBY_CHECK's (check.h); overruns inside a batch are flag bits of the world. The
-// library never prints or exits.
+// Results of functions that read input: a value, or an error that names the place and the remedy.
+// Broken invariants are caught by OBBY_CHECK (check.h). Overflows inside a batch set flag bits of
+// the world. The library never prints or exits.
 #pragma once
 
 #include <optional>
@@ -10,15 +10,15 @@
 
 namespace obby {
 
-// What went wrong with an input, from the outside in. Any part may be empty.
+// An error in an input, from the outermost place to the innermost. Any field may be empty.
 struct Error {
   std::string input;    // file name, "stdin", or ""
   std::string place;    // "12" (line) or "byte 4711"
   std::string path;     // place inside the record: "parts[88].size"
-  std::string message;  // what was expected and what was there; one line, no full stop
-  std::string hint;     // what to do about it; may be empty
+  std::string message;  // expected and found value; one line, no full stop
+  std::string hint;     // a way to mend it; may be empty
 
-  // "level.jsonl:12: parts[88].size: expected 3 numbers (hint)"
+  // Returns one line: "level.jsonl:12: parts[88].size: expected 3 numbers (hint)".
   std::string text() const;
 };
 
@@ -67,8 +67,7 @@ class [[nodiscard]] Result<void> {
 
 using Status = Result<void>;
 
-// `auto x = OBBY_TRY(f());` is not possible without extensions; these two cover what the code
-// needs.
+// Standard C++ has no expression that returns early, so these two macros are statements.
 #define OBBY_RETURN_IF_ERROR(expr)                                                   \
   do {                                                                               \
     if (auto obbyStatus = (expr); !obbyStatus) return std::move(obbyStatus).error(); \
@@ -76,7 +75,7 @@ using Status = Result<void>;
 
 #define OBBY_CONCAT_INNER(a, b) a##b
 #define OBBY_CONCAT(a, b) OBBY_CONCAT_INNER(a, b)
-// OBBY_ASSIGN(auto x, f()): x is the value, or the function returns the error.
+// OBBY_ASSIGN(auto x, f()) sets x to the value, or returns the error from the enclosing function.
 #define OBBY_ASSIGN(declaration, expr)                           \
   auto OBBY_CONCAT(obbyResult, __LINE__) = (expr);               \
   if (!OBBY_CONCAT(obbyResult, __LINE__))                        \

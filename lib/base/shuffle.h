@@ -1,6 +1,6 @@
-// A shuffle as a function: which of `count` things comes at a place, without a table of them all,
-// so that any thread can ask for any place. A Feistel network over the next power of four, walked
-// until it comes to one of them. For the order of learning, not for secrets.
+// A random permutation that is computed without a table, so that any thread can look up any place.
+// It is a Feistel network over the next power of four, applied until the result is in range. It
+// serves the order of training, not cryptography.
 #pragma once
 
 #include "base/random.h"
@@ -9,14 +9,14 @@ namespace obby {
 
 class Shuffle {
  public:
-  // `count` > 0, at most 2^31. Another stream is another shuffle.
+  // `count` is above 0 and at most 2^31. Each stream is another permutation.
   OBBY_DEVICE Shuffle(uint64_t seed, uint64_t stream, uint32_t count) : count_(count) {
     Random random(seed, stream);
     for (uint32_t& key : keys_) key = random.next();
     while (uint64_t(1) << 2 * halfBits_ < count) ++halfBits_;
   }
 
-  // `place` < count.
+  // Returns the item at `place`, which must be below count.
   OBBY_DEVICE uint32_t operator()(uint32_t place) const {
     do {
       place = scrambled(place);
@@ -35,7 +35,7 @@ class Shuffle {
     }
     return left << halfBits_ | right;
   }
-  // The end of MurmurHash3 (Appleby, public domain).
+  // The finalizer of MurmurHash3 (Appleby, public domain).
   OBBY_DEVICE static uint32_t mix(uint32_t h) {
     h = (h ^ h >> 16) * 0x85ebca6bu;
     h = (h ^ h >> 13) * 0xc2b2ae35u;

@@ -6,9 +6,9 @@
 namespace obby {
 namespace {
 
-constexpr size_t kLongest = 100;  // bytes; who types more has not mistyped
+constexpr size_t kLongest = 100;  // bytes; longer text is not a mistyped name
 
-// Bytes inserted, deleted or replaced, and neighbours swapped, each counting as one edit.
+// Returns the number of edits: bytes inserted, deleted or replaced, and neighbours swapped.
 size_t editDistance(std::string_view a, std::string_view b) {
   std::vector<size_t> before(b.size() + 1), above(b.size() + 1), row(b.size() + 1);
   std::iota(row.begin(), row.end(), size_t(0));
@@ -40,7 +40,7 @@ std::string nearestName(std::string_view text, const std::vector<std::string>& n
   size_t least = std::max<size_t>(1, text.size() / 3) + 1;
   if (text.size() > kLongest) return best;
   for (const std::string& name : names) {
-    if (name.size() >= text.size() + least) continue;  // however long it is
+    if (name.size() >= text.size() + least) continue;  // needs at least `least` insertions
     const size_t distance = editDistance(text, name);
     if (distance < least) {
       least = distance;

@@ -1,4 +1,4 @@
-// Names as people type them: their case, and the name that a mistyped one was meant to be.
+// Case folding of names, and correction of mistyped ones.
 #pragma once
 
 #include <string>
@@ -7,12 +7,12 @@
 
 namespace obby {
 
-// Lower case of ASCII letters; other bytes unchanged.
+// Returns `text` with ASCII letters in lower case. Other bytes are unchanged.
 std::string lower(std::string_view text);
 
-// The name nearest to `text`, of equally near ones the first, if it is near enough to be meant: the
-// edits (a byte inserted, deleted or replaced, two neighbours swapped) are at most a third of its
-// bytes. Otherwise empty.
+// Returns the name nearest to `text`, or the first of equally near ones. An edit inserts, deletes
+// or replaces a byte or swaps two neighbours. Returns "" if no name is within one edit for every
+// three bytes of `text` (at least one edit).
 std::string nearestName(std::string_view text, const std::vector<std::string>& names);
 
 }  // namespace obby

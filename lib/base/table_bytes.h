@@ -1,4 +1,4 @@
-// How much memory the tables take that a struct points to; flatten.h copies them.
+// Counts the memory of the tables that a struct points to. flatten.h copies the same tables.
 #pragma once
 
 #include <cstddef>
@@ -27,7 +27,8 @@ class TableBytes {
   size_t bytes_ = 0;
 };
 
-// Of the root's tables and of those that they point to; what is shared counts once.
+// Returns the bytes of the root's tables and of the tables they point to. A shared table counts
+// once.
 template <class Root>
 size_t tableBytes(Root root) {
   TableBytes bytes;

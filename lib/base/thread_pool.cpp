@@ -23,7 +23,8 @@ ThreadPool::ThreadPool(int threads) {
   try {
     for (int i = 1; i < threads; ++i) workers_.emplace_back([this] { work(); });
   } catch (const std::exception&) {
-    // No thread or no memory left. Those that run could not be destroyed here, but can do the work.
+    // The system has no thread or memory left. The threads that run cannot be destroyed here, but
+    // they can do the work.
   }
 }
 
@@ -61,7 +62,7 @@ void ThreadPool::drain() {
   try {
     for (int i; (i = next_.fetch_add(1, std::memory_order_relaxed)) < count_;) (*task_)(i);
   } catch (...) {
-    next_.store(count_, std::memory_order_relaxed);  // nobody begins another
+    next_.store(count_, std::memory_order_relaxed);  // no thread begins another task
     std::lock_guard lock(mutex_);
     if (!failure_) failure_ = std::current_exception();
   }

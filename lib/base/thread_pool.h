@@ -1,6 +1,5 @@
-// A fixed set of threads that run numbered tasks. What a task computes must depend on its number
-// only, never on the thread or the order: that is how every result is the same for any thread
-// count.
+// A fixed set of threads that run numbered tasks. The result of a task must depend on its number
+// only, never on the thread or the order. Every result is then the same for any thread count.
 #pragma once
 
 #include <atomic>
@@ -14,14 +13,14 @@
 
 namespace obby {
 
-// Threads this process may use: its CPU affinity, or SLURM_CPUS_PER_TASK where that is set. At
-// least 1.
+// Returns the number of threads this process may use: SLURM_CPUS_PER_TASK if it is set, otherwise
+// the CPUs of its affinity. At least 1.
 int availableThreads();
 
 class ThreadPool {
  public:
-  // threads >= 1; the caller of run() is one of them. Fewer where the system gives no more: the
-  // results are the same.
+  // `threads` >= 1 includes the caller of run(). If the system grants fewer, the results are the
+  // same.
   explicit ThreadPool(int threads);
   ~ThreadPool();
   ThreadPool(const ThreadPool&) = delete;
@@ -29,9 +28,9 @@ class ThreadPool {
 
   int size() const { return int(workers_.size()) + 1; }
 
-  // Runs task(0) ... task(count - 1), each once, and returns when all are done. After a task that
-  // throws no other begins; what the first one threw is thrown here once all threads are idle, and
-  // the pool can be used again. Not reentrant.
+  // Runs task(0) ... task(count - 1), each once, and returns when all are done. Once a task throws,
+  // no other task begins. The first exception is rethrown when all threads are idle, and the pool
+  // stays usable. Not reentrant.
   void run(int count, const std::function<void(int)>& task);
 
  private:
@@ -45,7 +44,7 @@ class ThreadPool {
   int count_ = 0;
   std::atomic<int> next_{0};
   int busy_ = 0;
-  std::exception_ptr failure_;  // the first of a run
+  std::exception_ptr failure_;  // first exception of the current run
   uint64_t generation_ = 0;
   bool stop_ = false;
 };

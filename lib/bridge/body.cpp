@@ -12,12 +12,12 @@ using Body = std::variant<std::string, Reply>;
 
 struct Bounds {
   uint64_t sent;      // bytes
-  uint64_t inflated;  // the same where it comes plain
+  uint64_t inflated;  // equal to `sent` for a plain body
   const char* cure;
 };
 
 Bounds boundsOf(const Call& call, const Limits& limits) {
-  // Anybody may send that: it must not cost memory.
+  // No token is needed to send this, so it must not cost memory.
   if (call.endpoint == Endpoint::pair) {
     return {limits.pairBytes, limits.pairBytes, "send only the code"};
   }
@@ -33,7 +33,7 @@ Reply tooLarge(uint64_t limit, const char* what, const char* cure) {
                 cure);
 }
 
-// Counts what passes: a gzip stream can be long without giving anything.
+// Counts the bytes that pass: a gzip stream can be long and inflate to nothing.
 class Counting final : public kj::AsyncInputStream {
  public:
   Counting(kj::AsyncInputStream& from, uint64_t limit) : from_(from), limit_(limit) {}
@@ -44,7 +44,7 @@ class Counting final : public kj::AsyncInputStream {
     return from_.tryRead(buffer, minBytes, maxBytes).then([this](size_t n) -> size_t {
       bytes_ += n;
       ended_ = n == 0;
-      return over() ? 0 : n;  // ends here; whoever asked looks at over()
+      return over() ? 0 : n;  // ends here; the caller checks over()
     });
   }
 
@@ -95,7 +95,7 @@ kj::Promise<Body> readBody(kj::AsyncInputStream& body, const Call& call, const L
   if (call.gzip) {
     Reader* r = reader.get();
     read = read.catch_([r](kj::Exception&& e) -> Body {
-      // The library says DISCONNECTED of a stream that is cut, too.
+      // The library also reports DISCONNECTED for a stream that is cut.
       const bool gone = e.getType() == kj::Exception::Type::DISCONNECTED && !r->sent_.ended();
       if (gone) kj::throwFatalException(kj::mv(e));
       if (r->sent_.over()) return r->sentTooMuch();

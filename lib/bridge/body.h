@@ -1,4 +1,4 @@
-// The body of a request, read as far as the limits allow.
+// Reads the body of a request within the limits.
 #pragma once
 
 #include <kj/async-io.h>
@@ -12,8 +12,8 @@
 
 namespace obby::bridge {
 
-// The bytes, inflated if they came as gzip; or why they are refused: too many for what is asked,
-// too slow, no gzip. A client that goes away is a kj exception.
+// Returns the bytes, inflated if they were sent as gzip, or a reply that refuses them: too many for
+// this endpoint, too slow, or not gzip. A client that goes away is a kj exception.
 kj::Promise<std::variant<std::string, Reply>> readBody(kj::AsyncInputStream& body, const Call& call,
                                                        const Limits& limits, kj::Timer& timer);
 

@@ -11,7 +11,7 @@ namespace obby::bridge {
 namespace {
 
 constexpr auto kSweep = 1 * kj::SECONDS;
-constexpr auto kFarewell = 1 * kj::SECONDS;  // for what clients have yet to take at the end
+constexpr auto kFarewell = 1 * kj::SECONDS;  // time for clients to read what is left at the end
 
 // The event loop and the service on it.
 class Host {
@@ -22,7 +22,7 @@ class Host {
               events_.io.provider->getTimer()},
         options_(options),
         stop_(stop) {
-    signal(SIGCHLD, SIG_DFL);  // a parent may have left it ignored: then exits would be lost
+    signal(SIGCHLD, SIG_DFL);  // a parent may have left it ignored, and exits would be lost
   }
 
   Status open(bool needToken) {
@@ -39,8 +39,8 @@ class Host {
 
   Service& service() { return *service_; }
 
-  // Runs the event loop until `work` ends, `stop` is set, or nobody has been there for too long;
-  // then until all jobs and `farewell`, which clients need to hear of that, have ended.
+  // Runs the event loop until `work` ends, `stop` is set, or no client was there for too long. Then
+  // runs it until all jobs, and `farewell`, which informs the clients, have ended.
   Status serve(kj::Promise<void> work, kj::Function<kj::Promise<void>()> farewell) {
     try {
       work.exclusiveJoin(events_.untilSet(stop_))

@@ -1,4 +1,4 @@
-// The bridge as a whole: serves until it is told to end.
+// The bridge as a whole. It serves until it is told to end.
 #pragma once
 
 #include <atomic>
@@ -13,26 +13,26 @@ namespace obby::bridge {
 
 struct Options {
   Limits limits;
-  uint16_t port = 0;       // 0: any free one
-  bool pair = false;       // offer a code
-  bool needToken = true;   // false: whoever runs a program on this machine may ask
-  double idleSeconds = 0;  // ends when nobody was there for so long; 0: never
-  std::string stateDir;    // folder of its own, made if need be
-  std::string solve;       // obby-solve; empty: the one beside this program
+  uint16_t port = 0;       // 0 for any free port
+  bool pair = false;       // offer a pairing code
+  bool needToken = true;   // if false, any program on this machine may use the bridge
+  double idleSeconds = 0;  // ends after this time without a client; 0 for never
+  std::string stateDir;    // its own folder, made if needed
+  std::string solve;       // path of obby-solve; empty for the one next to this program
 };
 
-// What is said to people; each a line without its newline.
+// Reports to users, each a line without its newline.
 struct Reports {
-  std::function<void(const std::string&)> say;  // where it listens, the code
+  std::function<void(const std::string&)> say;  // address and pairing code
   std::function<void(const std::string&)> warn;
-  std::function<void(const std::string&)> note;  // for those who want to know everything
+  std::function<void(const std::string&)> note;  // receives verbose output
 };
 
-// Over HTTP. Ends well when `stop` is set: jobs are interrupted and waited for. Errors: the port,
-// the folder, the programs.
+// Serves over HTTP. Ends without an error when `stop` is set: jobs are interrupted and waited for.
+// Errors are about the port, the folder or the programs.
 Status serveHttp(const Options& options, const std::atomic<bool>& stop, const Reports& reports);
 
-// Over standard input and `output`; ends with the input, too.
+// Serves over standard input and `output`. Also ends when the input ends.
 Status serveStdio(const Options& options, const std::atomic<bool>& stop, const Reports& reports,
                   io::Sink output);
 

@@ -1,4 +1,4 @@
-// One client: what it is told, and when it last spoke.
+// One client: the messages to it, and the time of its last request.
 #pragma once
 
 #include <kj/async.h>
@@ -19,18 +19,18 @@ class Client {
   int number() const { return number_; }
   const Ring& ring() const { return ring_; }
 
-  // A message to the client; whoever waits for one is woken.
+  // Adds a message for the client, and wakes its waiters.
   void tell(uint64_t job, const std::string& members) {
     if (beforeLoss && ring_.halfFull()) beforeLoss();
     ring_.push(job, members);
     wake();
   }
-  // Those up to `cursor` have gone to a carrier that takes all in their order: what it has yet to
-  // take is kept longer.
+  // Notes that the messages up to `cursor` have gone to a carrier that takes all in order. Messages
+  // that it has not taken yet are kept longer.
   void hold(uint64_t cursor) { ring_.hold(cursor); }
-  // It takes no more.
+  // Notes that the carrier takes no more.
   void release() { ring_.release(); }
-  // When the next message is there, or something else is to be looked at.
+  // Resolves when the next message is there, or another state has changed.
   kj::Promise<void> whenWoken() {
     auto waiting = kj::newPromiseAndFulfiller<void>();
     waiters_.add(kj::mv(waiting.fulfiller));
@@ -43,13 +43,13 @@ class Client {
   }
 
   double lastSeen = 0;       // seconds of Loop::now()
-  bool mayBeSilent = false;  // its carrier tells when it has gone: silence means nothing
+  bool mayBeSilent = false;  // its carrier reports when it has gone, so silence means nothing
   bool socketOpen = false;   // one WebSocket at a time
   bool dropSocket = false;   // asks that WebSocket to close
   bool ending = false;       // asks it to close once all messages have gone
 
-  // Takes all messages that there are: of a carrier that can, whenever it is asked. One record can
-  // be more of them than are kept.
+  // Called before messages are lost, for a carrier that can take all of them at any time. One
+  // record can be more messages than are kept.
   std::function<void()> beforeLoss;
 
  private:

@@ -5,7 +5,7 @@
 namespace obby::bridge {
 namespace {
 
-constexpr size_t kMaxIncoming = 4096;  // clients have nothing to say but that they are there
+constexpr size_t kMaxIncoming = 4096;  // clients only need to show that they are there
 
 class Relay {
  public:
@@ -68,18 +68,18 @@ class Relay {
                 [this] { return socket_->close(kReload, "reload"); });
   }
 
-  // Whatever the client says, it is there.
+  // Any message from the client shows that it is there.
   kj::Promise<void> receive() {
     return socket_->receive(kMaxIncoming).then([this](kj::WebSocket::Message&& message) {
       client_->lastSeen = loop_.now();
       if (!message.is<kj::WebSocket::Close>()) return receive();
       closing_ = true;
       client_->wake();
-      return kj::Promise<void>(kj::NEVER_DONE);  // sendMore answers and ends
+      return kj::Promise<void>(kj::NEVER_DONE);  // sendMore replies and ends
     });
   }
 
-  // A client that reads no more keeps a message on its way for ever: then this ends it.
+  // A client that stops reading would block a message forever. This then ends the relay.
   kj::Promise<void> watch() {
     if (client_->dropSocket || closing_) return loop_.timer.afterDelay(1 * kj::SECONDS);
     return client_->whenWoken().then([this] { return watch(); });
@@ -92,7 +92,7 @@ class Relay {
   uint64_t cursor_;
   double nextPing_;
   bool closing_ = false;
-  std::string text_;  // of the message on its way
+  std::string text_;  // text of the message being sent
 };
 
 }  // namespace

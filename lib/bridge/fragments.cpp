@@ -6,10 +6,10 @@
 namespace obby::bridge {
 namespace {
 
-constexpr uint64_t kFrame = 200;  // what a message holds beside its text, at most
+constexpr uint64_t kFrame = 200;  // max bytes of a message in addition to its text
 
-// Pieces of whole characters, each at most `limit` bytes as a JSON string. A control character
-// takes six bytes there, a quote or backslash two.
+// Splits text into pieces of whole characters, each at most `limit` bytes as a JSON string. There a
+// control character takes six bytes, and a quote or backslash two.
 std::vector<std::string_view> pieces(std::string_view text, uint64_t limit) {
   std::vector<std::string_view> out;
   size_t begin = 0, at = 0;

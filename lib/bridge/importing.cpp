@@ -14,14 +14,14 @@ namespace {
 
 constexpr size_t kMaxWarnings = 100;
 
-// What is collected while obby-import runs.
+// Collects the output of obby-import while it runs.
 struct Collector {
   Imported out;
   std::optional<Error> error;
   std::unique_ptr<Run> run;
 
-  // Records that were sent pass through obby-import as somebody wrote them: they are kept as
-  // lib/io writes them, which is what the rest of the bridge reads.
+  // obby-import passes records through as they were written. They are stored as lib/io writes them,
+  // which is the form that the rest of the bridge reads.
   void onRecord(std::string_view line) {
     if (!typeOfLine(line).empty()) return keep(line);
     const auto record = io::recordFromJsonIfKnown(line);
@@ -37,7 +37,7 @@ struct Collector {
     out.lines.append(line).append("\n");
   }
 
-  // `{"type":"error","tool":...,"place":"1","path":...,"message":...}`, see --json-errors.
+  // Handles `{"type":"error","tool":...,"place":"1","path":...,"message":...}` (--json-errors).
   void onReport(std::string_view line) {
     const auto tree = io::JsonTree::parse(line);
     if (!tree) {
@@ -100,7 +100,7 @@ kj::Promise<Imported> importLevel(Loop& loop, const std::string& program, std::s
   });
   return c->run->done()
       .then([c](Exit how) { return c->finish(how); },
-            [c](kj::Exception&& e) {  // for want of memory
+            [c](kj::Exception&& e) {  // memory ran out
               c->out.refusal = refuse(
                   500, "the level could not be read: " + io::validUtf8(e.getDescription().cStr()),
                   "send a smaller place");

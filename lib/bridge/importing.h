@@ -1,5 +1,5 @@
-// Reading what a client placed by obby-import, in a process of its own: a hostile file costs that
-// process, not the bridge.
+// Reads a client's level with obby-import, in a separate process. A hostile file can harm that
+// process, but not the bridge.
 #pragma once
 
 #include <memory>
@@ -17,10 +17,10 @@ struct Imported {
   size_t levels = 0;
   std::vector<std::string> queries;   // their ids
   std::vector<std::string> warnings;  // JSON of obby-import's reports
-  Reply refusal;                      // where status is not 200: nothing was read
+  Reply refusal;                      // if its status is not 200, nothing was read
 };
 
-// `bytes` are a place file or records in JSON or Cap'n Proto: told by content, as ever.
+// `bytes` are a place file, or records in JSON or Cap'n Proto. The content decides which.
 kj::Promise<Imported> importLevel(Loop& loop, const std::string& program, std::string bytes,
                                   const Limits& limits);
 

@@ -14,12 +14,12 @@
 namespace obby::bridge {
 namespace {
 
-constexpr size_t kMaxReport = 64 << 10;  // bytes of a line of stderr that are handed on
-constexpr int kInterrupted = 130;        // what our tools give after SIGINT
+constexpr size_t kMaxReport = 64 << 10;  // max bytes of a line of stderr that are passed on
+constexpr int kInterrupted = 130;        // exit code of our tools after SIGINT
 constexpr const char* kTimeIsUp =
     "the program exceeded its processor time; start obby-bridge with a larger --cpu-time";
 
-// What the client itself sent, or what only frames the stream.
+// Returns false for records that the client itself sent, or that only frame the stream.
 bool worthTelling(std::string_view type) {
   return type != "header" && type != "level" && type != "query";
 }
@@ -87,7 +87,7 @@ kj::Promise<void> Job::start(Loop& loop) {
       [this](std::string_view line) { onReport(line); });
   return run_->done().then([this](Exit how) { ending(how); },
                            [this](kj::Exception&& e) {
-                             answer_.reset();  // half an answer is none
+                             answer_.reset();  // an incomplete answer is useless
                              fail(makeError(io::validUtf8(e.getDescription().cStr())));
                              run_ = nullptr;
                            });
@@ -95,7 +95,7 @@ kj::Promise<void> Job::start(Loop& loop) {
 
 void Job::onRecord(std::string_view line) {
   const std::string_view type = typeOfLine(line);
-  if (type.empty()) return;  // our programs write nothing else; another's noise is not passed on
+  if (type.empty()) return;  // our programs write only records; other output is not passed on
   keep(line);
   if (type == "end") complete_ = true;
   if (!worthTelling(type)) return;
@@ -104,7 +104,7 @@ void Job::onRecord(std::string_view line) {
   }
 }
 
-// A line of stderr: progress and errors are objects, see --progress=json and --json-errors.
+// Handles a line of stderr. Progress and errors are objects (--progress=json, --json-errors).
 void Job::onReport(std::string_view line) {
   if (line.size() > kMaxReport) line = line.substr(0, kMaxReport);
   const auto tree = io::JsonTree::parse(line);
@@ -132,7 +132,7 @@ void Job::keep(std::string_view line) {
 }
 
 void Job::keepNothing() {
-  answer_.reset();  // takes the file away: half an answer is none
+  answer_.reset();  // removes the file: an incomplete answer is useless
   tell("report", "report",
        JsonObject().text("message", "this answer is not kept for a warm start").whole());
 }
@@ -140,7 +140,7 @@ void Job::keepNothing() {
 void Job::closeAnswer() {
   if (!answer_) return;
   kept_ = complete_ && answer_->close();
-  if (complete_ && !kept_) keepNothing();  // a disk can say only now that it is full
+  if (complete_ && !kept_) keepNothing();  // a full disk may show only now
   answer_.reset();
 }
 
@@ -169,7 +169,7 @@ void Job::cancel(const char* why) {
               .eagerlyEvaluate(nullptr);
 }
 
-// The system's own bound would end it at once, and an hour's work with it.
+// The system's own limit would end the program at once, and lose up to an hour of work.
 void Job::boundTime() {
   if (run_ && run_->cpuSeconds() > double(limits_.cpuSeconds)) cancel(kTimeIsUp);
 }

@@ -1,4 +1,4 @@
-// One job of a client, from its order to its end, and what the client hears of it.
+// One job of a client, from its order to its end, and its messages to the client.
 #pragma once
 
 #include <cstdint>
@@ -16,12 +16,12 @@ namespace obby::bridge {
 enum class JobState { waiting, running, done, cancelled, failed };
 const char* nameOf(JobState state);
 
-// What a job runs, decided before it waits for its turn.
+// The program and input of a job, decided before it waits for its turn.
 struct JobPlan {
   Command command;
   std::string input;
-  std::string answerPath;  // where the answer is kept for a warm start; empty: it is not
-  uint64_t warm = 0;       // number of the job whose answer it begins with; 0: none
+  std::string answerPath;  // path at which the answer is kept for a warm start, or empty
+  uint64_t warm = 0;       // number of the job whose answer it starts with; 0 for none
 };
 
 class Job {
@@ -37,16 +37,16 @@ class Job {
   uint64_t warm() const { return plan_.warm; }
   Client& client() { return *client_; }
   uint64_t firstCursor() const { return firstCursor_; }  // messages of this job come after it
-  uint64_t lastCursor() const { return lastCursor_; }    // number of its last; 0: it has not ended
+  uint64_t lastCursor() const { return lastCursor_; }    // its last message; 0 if it has not ended
 
-  // Long polls so far: an older one ends when a newer one comes.
+  // Number of long polls so far. An older one ends when a newer one comes.
   uint64_t polls = 0;
 
-  // Starts the program; the promise is fulfilled when the job has ended, whatever came of it.
+  // Starts the program. The promise is fulfilled when the job has ended, with any result.
   kj::Promise<void> start(Loop& loop);
-  // SIGINT, so that what is finished still comes; SIGKILL if that does not help in time.
+  // Sends SIGINT, so that finished results still come, and SIGKILL if it does not end in time.
   void cancel(const char* why);
-  // Cancels it if it has used up its processor time. To be called each second.
+  // Cancels the job if it has used up its processor time. Must be called every second.
   void boundTime();
 
  private:
@@ -66,10 +66,10 @@ class Job {
   const Limits& limits_;
   JobState state_ = JobState::waiting;
   uint64_t firstCursor_, lastCursor_ = 0;
-  std::string cancelled_;   // why; empty: it is not
-  std::string firstError_;  // the program's: later ones may follow from it
-  std::string lastReport_;  // the program's
-  bool complete_ = false;   // its end record has come
+  std::string cancelled_;   // the reason; empty if it was not cancelled
+  std::string firstError_;  // from the program; later ones may follow from it
+  std::string lastReport_;  // from the program
+  bool complete_ = false;   // its end record has arrived
   bool kept_ = false;
   uint64_t answerBytes_ = 0;
   std::optional<io::Sink> answer_;

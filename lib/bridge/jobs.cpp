@@ -58,8 +58,8 @@ void Jobs::startMore() {
   for (auto& waiter : waiters) waiter->fulfill();
 }
 
-// Those that ended first go first: a job that ran for long is asked about when it ends, however
-// many began after it. Not those whose answer another one is yet to read.
+// Forgets the jobs that ended first: clients ask about a long job when it ends, however many began
+// after it. Keeps those whose answer another job has yet to read.
 void Jobs::forgetOld(const Client& client) {
   std::vector<Job*> ended = of(client);
   std::set<uint64_t> read;
@@ -108,7 +108,7 @@ kj::Promise<void> Jobs::whenIdle() {
   return kj::mv(waiting.promise);
 }
 
-// Jobs report their own failures; what comes here would be a mistake in this program.
+// Jobs report their own failures, so an exception here is a bug in the bridge.
 void Jobs::taskFailed(kj::Exception&& exception) { kj::throwFatalException(kj::mv(exception)); }
 
 }  // namespace obby::bridge

@@ -1,4 +1,4 @@
-// The jobs of all clients: who waits, who runs, who can still be asked about.
+// The jobs of all clients: waiting, running, and ended ones that are still kept.
 #pragma once
 
 #include <cstdint>
@@ -15,23 +15,23 @@ class Jobs : private kj::TaskSet::ErrorHandler {
  public:
   Jobs(Loop& loop, const Limits& limits, std::function<void(const Job&)> forgotten);
 
-  // Nothing: as many of this client's jobs wait as may.
+  // Adds a job. Returns null if the client has the max number of waiting jobs.
   Job* submit(std::shared_ptr<Client> client, JobPlan plan, uint64_t number);
-  // The number that the next job has.
+  // Returns the number of the next job.
   uint64_t nextNumber() { return ++last_; }
 
-  // A job of this client; null: it has none of that id.
+  // Returns a job of this client, or null if it has none with that id.
   Job* find(const Client& client, const std::string& id);
   std::vector<Job*> of(const Client& client);
 
   void cancel(Job& job, const char* why);
-  void cancelAll(const Client* client, const char* why);  // null: everybody's
-  // Cancels those that have used up their processor time. To be called each second.
+  void cancelAll(const Client* client, const char* why);  // null for all clients
+  // Cancels the jobs that have used up their processor time. Must be called every second.
   void boundTime();
-  // Ends all at once: for the end of the bridge.
+  // Ends all jobs at once, for the end of the bridge.
   void forgetAll();
   bool idle() const { return running_ == 0 && waiting_.empty(); }
-  // Once nothing runs or waits.
+  // Resolves once no job runs or waits.
   kj::Promise<void> whenIdle();
 
  private:

@@ -1,5 +1,5 @@
-// The little JSON that the bridge itself speaks: objects written member by member, and members read
-// from a tree. Records are lib/io's.
+// The bridge's own JSON: objects that are written member by member, and members that are read from
+// a tree. lib/io handles records.
 #pragma once
 
 #include <cstdint>
@@ -13,15 +13,15 @@
 
 namespace obby::bridge {
 
-// `{"a":1,"b":"x"}`, members in the order of the calls.
+// Writes `{"a":1,"b":"x"}`, with members in the order of the calls.
 class JsonObject {
  public:
   JsonObject& text(std::string_view name, std::string_view value);
   JsonObject& number(std::string_view name, uint64_t value);
-  JsonObject& real(std::string_view name, double value);  // finite
+  JsonObject& real(std::string_view name, double value);  // null if not finite
   JsonObject& truth(std::string_view name, bool value);
-  JsonObject& json(std::string_view name, std::string_view value);  // a JSON value as it is
-  // The members without braces, and the whole.
+  JsonObject& json(std::string_view name, std::string_view value);  // a JSON value, unchanged
+  // Return the members without braces, and the whole object.
   const std::string& members() const { return out_; }
   std::string whole() const { return "{" + out_ + "}"; }
 
@@ -30,15 +30,15 @@ class JsonObject {
   std::string out_;
 };
 
-// `["a","b"]` of JSON values.
+// Returns `["a","b"]` for JSON values.
 std::string jsonArray(const std::vector<std::string>& values);
 
-// A value of a tree as JSON text again; numbers keep their spelling. Nesting is that of the tree,
+// Returns a value of a tree as JSON text. Numbers keep their spelling. Nesting is that of the tree,
 // at most 64.
 std::string jsonText(const io::JsonTree& tree, const io::JsonTree::Node& node);
 
-// Calls `member` with the name and value of each member. Errors: `node` is no object, or names one
-// twice; `[]` is the empty object, as Luau writes it.
+// Calls `member` with the name and value of each member that is not null. It is an error if `node`
+// is not an object, or names a member twice. `[]` is the empty object, as Luau writes it.
 using Member = std::function<Status(std::string_view name, const io::JsonTree::Node& value)>;
 Status forMembers(const io::JsonTree& tree, const io::JsonTree::Node& node, const std::string& path,
                   const Member& member);
@@ -48,11 +48,11 @@ using Element = std::function<Status(uint32_t index, const io::JsonTree::Node& v
 Status forElements(const io::JsonTree& tree, const io::JsonTree::Node& node,
                    const std::string& path, const Element& element);
 
-// The text of a node. Error: it is none.
+// Returns the text of a node. A node of another type is an error.
 Result<std::string> jsonString(const io::JsonTree& tree, const io::JsonTree::Node& node,
                                const std::string& path);
 
-// "options.speed: unknown (did you mean ...)"
+// Returns "options.speed: unknown (did you mean ...)".
 Error unknownMember(const std::string& path, std::string_view name,
                     const std::vector<std::string>& known);
 

@@ -1,5 +1,5 @@
-// What the bridge grants its clients. Every number that bounds something stands here; the sources
-// are docs/bridge.md and, where a client is a Studio plugin, the engine's own limits.
+// Limits of the bridge for its clients. All numbers that limit something are here. Their sources
+// are docs/bridge.md and, for a Studio plugin, the engine's own limits.
 #pragma once
 
 #include <algorithm>
@@ -8,52 +8,53 @@
 
 namespace obby::bridge {
 
-inline constexpr uint32_t kProtocol = 1;  // raised when older clients would go wrong
+inline constexpr uint32_t kProtocol = 1;  // raised when older clients would break
 
 inline constexpr uint64_t kMiB = uint64_t(1) << 20;
 
 struct Limits {
   // requests
-  uint64_t bodyBytes = 64 * kMiB;       // of a request as it is sent
-  uint64_t inflatedBytes = 256 * kMiB;  // of a gzip body, inflated
-  uint64_t pairBytes = 4 << 10;         // of a request to pair, which needs no token
-  double requestSeconds = 60;           // until a request's head, and then its body, has come
-  double maxWaitSeconds = 20;           // a long poll
-  uint32_t connections = 64;            // open at a time
-  uint32_t clients = 16;                // paired at a time; the oldest token goes first
+  uint64_t bodyBytes = 64 * kMiB;       // max size of a request as sent
+  uint64_t inflatedBytes = 256 * kMiB;  // max size of a gzip body, inflated
+  uint64_t pairBytes = 4 << 10;         // max size of a request to pair, which needs no token
+  double requestSeconds = 60;           // max time for a request's head, and then for its body
+  double maxWaitSeconds = 20;           // max wait of a long poll
+  uint32_t connections = 64;            // max open at a time
+  uint32_t clients = 16;                // max paired at a time; the oldest token is dropped first
 
   // messages
-  uint64_t messageBytes = 256 << 10;  // of one message; longer records go out in fragments
-  uint64_t ringBytes = 4 * kMiB;      // kept for each client, to resume from a cursor
-  uint64_t unsentBytes = 64 * kMiB;   // kept of what its WebSocket has yet to take
-  double pingSeconds = 20;            // between pings on a WebSocket
-  double silenceSeconds = 60;         // without a word from the client: its WebSocket is closed
-  double graceSeconds = 30;           // after that: its jobs are cancelled
+  uint64_t messageBytes = 256 << 10;  // longer records are sent in fragments
+  uint64_t ringBytes = 4 * kMiB;      // messages kept for each client, to resume from a cursor
+  uint64_t unsentBytes = 64 * kMiB;   // messages kept that its WebSocket has not taken
+  double pingSeconds = 20;            // time between pings on a WebSocket
+  double silenceSeconds = 60;         // a client without a message for longer loses its WebSocket
+  double graceSeconds = 30;           // time after that until its jobs are cancelled
 
   // jobs
-  uint32_t jobs = 2;          // programs of jobs that run at a time
+  uint32_t jobs = 2;          // max programs of jobs that run at a time
   uint32_t waiting = 16;      // jobs of a client that wait for their turn
-  uint32_t keptJobs = 64;     // ended jobs of a client that can still be asked about
-  uint32_t queries = 1000;    // of a job
-  double stopSeconds = 3;     // from SIGINT to SIGKILL
-  double importSeconds = 60;  // for reading a level
+  uint32_t keptJobs = 64;     // ended jobs of a client that are kept for its requests
+  uint32_t queries = 1000;    // max number of a job
+  double stopSeconds = 3;     // time from SIGINT to SIGKILL
+  double importSeconds = 60;  // max time to read a level
 #if defined(OBBY_BRIDGE_SANITIZED)
   uint64_t memoryBytes = 0;  // sanitizers reserve more than any bound
 #else
-  uint64_t memoryBytes = 8192 * kMiB;  // address space of a program; 0: not bounded
+  uint64_t memoryBytes = 8192 * kMiB;  // address space of a program; 0 for no limit
 #endif
-  uint64_t cpuSeconds = 3600;  // processor time of a program: then it is interrupted
-  // Then the system ends it, and what it has is lost. `processors`, all of which its threads may
-  // use up while the bridge gets to see that, and while the program writes what it has.
+  uint64_t cpuSeconds = 3600;  // processor time after which a program is interrupted
+  // Returns the processor time after which the system ends a program and its results are lost. The
+  // threads may use all `processors` until the bridge notices the limit above, and while the
+  // program writes its results.
   uint64_t mostCpuSeconds(uint32_t processors) const {
-    constexpr uint64_t kSeenAfter = 4;  // seconds: asked each second, by a bridge that may be busy
+    constexpr uint64_t kSeenAfter = 4;  // seconds; the bridge may be busy
     const uint64_t late = processors * (kSeenAfter + uint64_t(std::ceil(stopSeconds)));
     return cpuSeconds + std::max({uint64_t(10), cpuSeconds / 10, late});
   }
 
   // the private folder
-  uint64_t storeBytes = 512 * kMiB;  // levels kept; the longest unused go first
-  uint64_t answerBytes = 64 * kMiB;  // of an answer kept for a warm start
+  uint64_t storeBytes = 512 * kMiB;  // max size of kept levels; the least recently used go first
+  uint64_t answerBytes = 64 * kMiB;  // max size of an answer kept for a warm start
 };
 
 }  // namespace obby::bridge

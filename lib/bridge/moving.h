@@ -1,4 +1,4 @@
-// What of a level may not be where, or as, the level has it at rest: a small part of a large place.
+// The parts of a level that may move or change, usually few of a large place.
 #pragma once
 
 #include <string>
@@ -8,8 +8,8 @@
 
 namespace obby::bridge {
 
-// Level records, a line each, with `{}` for every part that is anchored and neither moves nor
-// vanishes, so that all parts keep their places in the list. Error: a line is no JSON.
+// Returns level records, one a line, with `{}` for every part that is anchored and neither moves
+// nor vanishes. All parts thus keep their places in the list. A line that is not JSON is an error.
 Result<std::string> movingParts(std::string_view lines);
 
 }  // namespace obby::bridge

@@ -17,15 +17,15 @@ using io::JsonTree;
 using Node = JsonTree::Node;
 using Type = JsonTree::Type;
 
-// The budget: its members and the options of our programs that they are. Bounds are those of its
-// option table, but for the time, which a bridge that others share must bound.
+// The members of the budget, and the options of our programs that they set. Bounds are those of the
+// option tables, except for the time, which a shared bridge must limit.
 enum class Shape { number, whole, seed, truth };
 struct Knob {
   const char* name;
   const char* option;
   Shape shape;
   double min = 0, max = 0;
-  bool solves = true, calibrates = false;  // which programs have it
+  bool solves = true, calibrates = false;  // programs that have the option
 };
 constexpr Knob kKnobs[] = {
     {"timeLimit", "--time-limit", Shape::number, 0.01, 600},
@@ -112,7 +112,7 @@ class OrderReader {
     });
   }
 
-  // The record through lib/io and back: whatever its fields say, they are the schema's.
+  // Converts the record by lib/io and back, so that all of its fields are the schema's.
   Result<std::string> lineOf(const Node& value, const std::string& path, const char* type,
                              io::Kind kind) const {
     JsonObject out;
@@ -176,7 +176,7 @@ class OrderReader {
     return {};
   }
 
-  // The value as an argument; empty: it is none.
+  // Returns the value as an argument, or "" if it is invalid.
   std::string number(const Knob& knob, const Node& value) const {
     double found = NAN;
     if (value.type == Type::whole) found = double(value.value);
@@ -242,7 +242,7 @@ class OrderReader {
   const Limits& limits_;
   Order order_;
   const char* recordsName_ = nullptr;
-  std::vector<const Knob*> knobs_;  // those given
+  std::vector<const Knob*> knobs_;  // the options given
 };
 
 }  // namespace

@@ -1,4 +1,4 @@
-// From an order to a command line and its input.
+// Turns an order into a command line and its input.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -17,7 +17,7 @@ namespace {
 
 constexpr const char* kNoCalibrate = "there is no obby-calibrate next to obby-bridge";
 
-// The level's own queries that are asked for, in the order of `ask`; all of them if it is empty.
+// Adds the level's own queries in the order of `ask`, or all of them if it is empty.
 std::optional<Reply> addOwnQueries(const StoredLevel& level, const std::vector<std::string>& ask,
                                    std::string& out) {
   std::vector<std::string> ids;
@@ -75,9 +75,9 @@ std::variant<JobPlan, Reply> Service::plan(const Order& order, Client& client, u
   arguments.insert(arguments.end(), order.arguments.begin(), order.arguments.end());
   if (!order.physics.empty()) out.input = order.physics + "\n";
   out.input += (*level)->levels;
-  if (!solve) arguments.emplace_back("--verbose");  // what it found, in words, is a note
+  if (!solve) arguments.emplace_back("--verbose");  // its result, in words, is a note
   if (solve) {
-    arguments.emplace_back("--on-error=skip");  // a question that cannot be asked stops no other
+    arguments.emplace_back("--on-error=skip");  // a bad query does not stop the others
     out.answerPath = store_.answerPath(session_, fmt::format("j{}", number));
     if (auto wrong = addWarmStart(order, client, out)) return *std::move(wrong);
     if (order.records.empty()) {
@@ -92,7 +92,7 @@ std::variant<JobPlan, Reply> Service::plan(const Order& order, Client& client, u
 std::optional<Reply> Service::addWarmStart(const Order& order, Client& client, JobPlan& to) {
   if (order.warm.empty()) return {};
   const Job* earlier = jobs_.find(client, order.warm);
-  std::error_code ignored;  // a bridge that was started since takes old answers away
+  std::error_code ignored;  // a bridge that was started since removes old answers
   if (!earlier || !earlier->answerKept() ||
       !std::filesystem::exists(earlier->answerPath(), ignored)) {
     return refuse(409, "no answer of " + order.warm + " is kept", "leave out warm");

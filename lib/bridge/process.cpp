@@ -30,7 +30,7 @@ Result<Pipe> makePipe() {
   return Pipe{OwnedFd(fds[0]), OwnedFd(fds[1])};
 }
 
-// `slack` beyond `most` the kernel does what no program can catch.
+// Sets a soft limit of `most`, and a hard one `slack` above it, which a program cannot catch.
 void limit(decltype(RLIMIT_AS) what, uint64_t most, uint64_t slack = 0) {
   rlimit now{};
   if (most == 0 || getrlimit(what, &now) != 0) return;
@@ -57,12 +57,12 @@ struct Launch {
   const Command& command;
   std::vector<std::string> environment;
   std::vector<char*> argv, envp;
-  std::array<int, 3> streams{};  // become 0, 1, 2
+  std::array<int, 3> streams{};  // become descriptors 0, 1, 2
   int failure = -1;              // errno is written here if exec fails
   pid_t parent = getpid();
 };
 
-// Only what a program needs to run; nothing that changes what our tools do (OBBY_*).
+// Returns only the variables that a program needs to run, and none that change our tools (OBBY_*).
 std::vector<std::string> environment() {
   std::vector<std::string> out;
   for (const char* name : {"PATH", "HOME", "LANG", "LC_ALL", "TMPDIR", "XDG_STATE_HOME"}) {
@@ -74,7 +74,7 @@ std::vector<std::string> environment() {
 [[noreturn]] void runChild(const Launch& launch) {
   setpgid(0, 0);
   prctl(PR_SET_PDEATHSIG, SIGKILL);
-  // The parent may have died before prctl: then nobody would ever send that signal.
+  // The parent may have died before prctl. Then that signal would never be sent.
   if (getppid() != launch.parent) _Exit(127);
   for (const int number : {SIGPIPE, SIGINT, SIGTERM, SIGHUP, SIGCHLD, SIGXFSZ}) {
     ::signal(number, SIG_DFL);
@@ -93,7 +93,7 @@ std::vector<std::string> environment() {
   _Exit(127);
 }
 
-// A descriptor that is not 0, 1 or 2: dup2 onto those would lose it.
+// Moves a descriptor that is 0, 1 or 2, because dup2 onto those would lose it.
 Status aboveStandard(OwnedFd& fd) {
   if (fd.get() > 2) return {};
   OwnedFd higher(fcntl(fd.get(), F_DUPFD_CLOEXEC, 3));
@@ -103,7 +103,7 @@ Status aboveStandard(OwnedFd& fd) {
   return {};
 }
 
-// By its number: the C library of Debian 12 declares the call without extern "C".
+// Calls by number: the C library of Debian 12 declares the call without extern "C".
 int openPid(pid_t pid) { return int(syscall(SYS_pidfd_open, pid, 0)); }
 
 void reapNow(pid_t pid) {
@@ -145,7 +145,7 @@ Result<Process> Process::start(const Command& command) {
     process.pid_ = 0;
     return makeError(command.path + ": cannot start: " + strerror(errno));
   }
-  setpgid(process.pid_, process.pid_);  // here as well: a signal may come before the child's own
+  setpgid(process.pid_, process.pid_);  // here, too: a signal may come before the child's own call
   failure.write = OwnedFd();
   int reason = 0;
   ssize_t n = 0;

@@ -1,5 +1,5 @@
-// A program started for a client: by absolute path and argument array, never through a shell, in a
-// process group of its own, with bounded memory and processor time; it does not outlive the bridge.
+// A program started for a client, by absolute path and argument array, never through a shell. It
+// has its own process group and limited memory and processor time, and does not outlive the bridge.
 #pragma once
 
 #include <sys/types.h>
@@ -18,38 +18,37 @@ using loopback::OwnedFd;
 struct Command {
   std::string path;                    // absolute
   std::vector<std::string> arguments;  // without the program's name
-  uint64_t memoryBytes = 0;            // RLIMIT_AS; 0: as the bridge
-  uint64_t cpuSeconds = 0;             // RLIMIT_CPU; 0: as the bridge
+  uint64_t memoryBytes = 0;            // RLIMIT_AS; 0 for the bridge's own
+  uint64_t cpuSeconds = 0;             // RLIMIT_CPU; 0 for the bridge's own
 };
 
 struct Exit {
   int code = 0;    // if signal is 0
-  int signal = 0;  // that ended it; 0: it ended by itself
+  int signal = 0;  // signal that ended it; 0 if it ended by itself
 };
 
 class Process {
  public:
-  // Error: it cannot be started, with the system's reason. The caller's thread must live as long
-  // as the process: the kernel ends it with that thread.
+  // Starts a program. If it cannot be started, the error has the system's reason. The caller's
+  // thread must live as long as the process, because the kernel ends it with that thread.
   static Result<Process> start(const Command& command);
 
   Process(Process&& other) noexcept;
   Process& operator=(Process&&) = delete;
-  // Kills what still runs, and waits for it: nothing stays behind.
+  // Kills what still runs and waits for it, so that no process is left.
   ~Process();
 
-  // The near ends of its standard streams, each to be taken by one owner; reading and writing do
-  // not block.
+  // The bridge's ends of its standard streams, each for one owner.
   OwnedFd input, output, errors;
   // Becomes readable when the program has ended.
   int exitFd() const { return exitFd_.get(); }
   pid_t id() const { return pid_; }
-  // Processor time that it has used, its children not; 0 once it has been reaped.
+  // Returns the processor time that it has used, without its children; 0 once it has been reaped.
   double cpuSeconds() const;
 
-  // To its whole group, if it has not been reaped.
+  // Sends a signal to its whole group, if it has not been reaped.
   void signal(int number) const;
-  // Only once it has ended: kills what is left of its group, and takes its exit.
+  // Kills what is left of its group and returns its exit. Call it only after the program has ended.
   Exit reap();
 
  private:

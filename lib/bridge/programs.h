@@ -9,12 +9,12 @@ namespace obby::bridge {
 
 struct Programs {
   std::string solve;      // obby-solve
-  std::string import;     // obby-import; empty: there is none
-  std::string calibrate;  // obby-calibrate; empty: there is none
+  std::string import;     // obby-import; empty if there is none
+  std::string calibrate;  // obby-calibrate; empty if there is none
 };
 
-// Those beside this program; `solve` instead of the one there if it is not empty. Error: it is not
-// a program.
+// Returns the programs next to this one, with `solve` as obby-solve if it is not empty. It is an
+// error if that is not a program, or if there is no obby-solve.
 Result<Programs> findPrograms(const std::string& solve);
 
 }  // namespace obby::bridge

@@ -1,4 +1,4 @@
-// What the bridge answers, whatever carries it: HTTP or lines on standard output.
+// Replies of the bridge, independent of the carrier: HTTP or lines on standard output.
 #pragma once
 
 #include <string>
@@ -10,8 +10,8 @@ namespace obby::bridge {
 
 using loopback::Reply;
 
-// `{"error":"what is wrong","cure":"what to do"}`, with the input's place and path where the error
-// has them.
+// Returns `{"error":"what is wrong","cure":"what to do"}`, with the input's place and path if the
+// error has them.
 Reply refuse(int status, const Error& error);
 inline Reply refuse(int status, std::string message, std::string cure) {
   return refuse(status, makeError(std::move(message), std::move(cure)));

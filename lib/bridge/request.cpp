@@ -14,29 +14,29 @@
 namespace obby::bridge {
 namespace {
 
-constexpr uint64_t kMaxCursor = (uint64_t(1) << 53) - 1;  // what a JSON number can say
-constexpr uint64_t kMaxWait = 3600;                       // the service waits less: limits.h
+constexpr uint64_t kMaxCursor = (uint64_t(1) << 53) - 1;  // the largest exact whole number in JSON
+constexpr uint64_t kMaxWait = 3600;                       // the service waits less (limits.h)
 constexpr size_t kMaxTarget = 512;
 
 bool allOf(std::string_view text, std::string_view allowed) {
   return text.find_first_not_of(allowed) == std::string_view::npos;
 }
 
-// --- who asks
+// --- sender
 
 std::optional<Reply> checkSender(const RequestHead& head, const Access& access) {
   if (!head.host || !loopback::hostAllowed(*head.host, access.port)) {
     return refuse(421, "the Host header does not name this bridge",
                   fmt::format("use http://127.0.0.1:{}", access.port));
   }
-  // Programs send neither; a page in a browser cannot leave them out.
+  // Programs send neither header; a page in a browser cannot leave them out.
   if (head.origin || head.fetchSite) {
     return refuse(403, "web pages may not use the bridge", "connect from a plugin or a program");
   }
   return {};
 }
 
-// The token of "Bearer TOKEN"; nothing if the header has another form.
+// Returns the token of "Bearer TOKEN", or nothing if the header has another form.
 std::optional<std::string_view> bearer(std::string_view header) {
   constexpr std::string_view kScheme = "bearer ";
   if (lower(header.substr(0, kScheme.size())) != kScheme) return {};
@@ -57,13 +57,13 @@ std::optional<Reply> checkToken(const RequestHead& head, const Access& access, C
                 "pair: start obby-bridge --pair and send its code to /v1/pair");
 }
 
-// --- what is asked
+// --- route
 
 struct Route {
   const char* method;
   const char* path;  // a trailing * stands for an id
   Endpoint endpoint;
-  std::array<std::string_view, 3> parameters;  // those there are; the rest is empty
+  std::array<std::string_view, 3> parameters;  // unused ones are empty
 };
 
 constexpr Route kRoutes[] = {
@@ -122,7 +122,7 @@ std::optional<Reply> readParameters(const std::vector<loopback::Parameter>& give
   return {};
 }
 
-// --- how it is sent
+// --- handshake and content
 
 std::optional<Reply> checkHandshake(const RequestHead& head, const Call& call) {
   if (call.endpoint != Endpoint::events) {
@@ -155,7 +155,7 @@ std::optional<Reply> checkContent(const RequestHead& head, Call& call) {
   }
   call.content = *content;
   const std::string encoding = lower(head.encoding.value_or("identity"));
-  const bool stranger = call.endpoint == Endpoint::pair;  // nothing is inflated for them
+  const bool stranger = call.endpoint == Endpoint::pair;  // nothing is inflated without a token
   call.gzip = encoding == "gzip" && !stranger;
   if (call.gzip || encoding == "identity") return {};
   return refuse(415, "this content encoding is not accepted",
@@ -195,7 +195,7 @@ std::variant<Call, Reply> route(std::string_view method, std::string_view target
 std::variant<Call, Reply> checkRequest(const RequestHead& head, const Access& access) {
   if (auto wrong = checkSender(head, access)) return *std::move(wrong);
   std::variant<Call, Reply> routed = route(head.method, head.target);
-  Call stranger;  // asks for what needs a token: strangers do not learn what is here
+  Call stranger;  // needs a token, so that clients without one learn nothing
   stranger.endpoint = Endpoint::events;
   Call* call = std::get_if<Call>(&routed);
   if (auto wrong = checkToken(head, access, call ? *call : stranger)) return *std::move(wrong);

@@ -1,4 +1,4 @@
-// The last messages to a client, numbered, so that it can go on from where it was.
+// The last messages to a client, numbered, so that the client can resume.
 #pragma once
 
 #include <algorithm>
@@ -16,22 +16,25 @@ struct Message {
 
 class Ring {
  public:
-  // Keeps so many bytes of messages; of held ones (below) up to `unsent`, if that is more.
+  // Keeps this many bytes of messages, and up to `unsent` bytes of held ones (below) if that is
+  // more.
   explicit Ring(uint64_t bytes, uint64_t unsent = 0)
       : limit_(bytes), most_(std::max(bytes, unsent)) {}
 
-  // Keeps `{"number":N,<members>}` about that job; the oldest messages go when the ring is full.
+  // Adds `{"number":N,<members>}` about that job. The oldest messages are dropped when the ring is
+  // full.
   void push(uint64_t job, const std::string& members);
 
-  // Somebody takes all messages in their order, and has those up to `cursor`: the others are held
-  // until the next call, or until release().
+  // A carrier takes all messages in order, and has those up to `cursor`. The others are held until
+  // the next call, or until release().
   void hold(uint64_t cursor);
   void release() { hold(kNobody); }
 
-  uint64_t last() const { return next_ - 1; }  // number of the newest message ever; 0: none
-  // Whether all messages after `cursor` are still here.
+  uint64_t last() const { return next_ - 1; }  // number of the newest message so far; 0 for none
+  // Returns true if all messages after `cursor` are still here.
   bool reaches(uint64_t cursor) const { return cursor + 1 >= next_ - messages_.size(); }
-  // The first message after `cursor`; null: there is none yet. Only if reaches(cursor).
+  // Returns the first message after `cursor`, or null if there is none yet. Requires
+  // reaches(cursor).
   const Message* after(uint64_t cursor) const;
   uint64_t bytes() const { return bytes_; }
   bool halfFull() const { return bytes_ > limit_ / 2; }
@@ -42,7 +45,7 @@ class Ring {
   void forgetOld();
 
   uint64_t limit_, most_, bytes_ = 0, next_ = 1;
-  uint64_t taken_ = kNobody;  // held are those after it
+  uint64_t taken_ = kNobody;  // messages after it are held
   std::deque<Message> messages_;
 };
 

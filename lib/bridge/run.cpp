@@ -8,7 +8,7 @@ namespace {
 constexpr uint kFdFlags =
     kj::LowLevelAsyncIoProvider::TAKE_OWNERSHIP | kj::LowLevelAsyncIoProvider::ALREADY_CLOEXEC;
 
-// Hands on the whole lines of `rest`.
+// Passes on the whole lines of `rest`.
 void takeLines(std::string& rest, size_t searchFrom, const Run::OnLine& onLine) {
   size_t begin = 0;
   for (size_t end = rest.find('\n', searchFrom); end != std::string::npos;
@@ -36,8 +36,8 @@ Run::Run(Loop& loop, Process process, std::string input, OnLine onOutput, OnLine
       exited_(loop.events, process_.exitFd(), kj::UnixEventPort::FdObserver::OBSERVE_READ) {}
 
 kj::Promise<void> Run::feed() {
-  // A program that ends before it has read everything is no error here: its exit says what was.
-  // Of one that has ended already, write throws at once.
+  // A program that ends before it has read everything is not an error here, because its exit tells.
+  // write() throws at once if the program has already ended.
   return kj::evalNow([this] { return input_->write(text_.data(), text_.size()); })
       .catch_([](kj::Exception&&) {})
       .then([this] {
@@ -54,7 +54,7 @@ kj::Promise<void> Run::lines(kj::AsyncInputStream& from, std::string& rest, cons
   return from.tryRead(buffer, 1, size)
       .then([this, &from, &rest, &onLine, buffer, out](size_t n) -> kj::Promise<void> {
         if (n == 0) {
-          // A record without its newline is torn: its program was killed while it wrote.
+          // A record without its newline is incomplete: its program was killed while writing.
           if (!out && !rest.empty()) onLine(rest);
           return kj::READY_NOW;
         }
@@ -66,8 +66,8 @@ kj::Promise<void> Run::lines(kj::AsyncInputStream& from, std::string& rest, cons
       });
 }
 
-// A handler may fail, for want of memory; with nobody to take its output the program would wait for
-// ever.
+// A handler may fail when memory runs out. Without a reader for its output, the program would wait
+// forever.
 kj::Promise<void> Run::endingIt(kj::Promise<void> reading) {
   return reading
       .catch_([this](kj::Exception&& failure) {
@@ -78,8 +78,8 @@ kj::Promise<void> Run::endingIt(kj::Promise<void> reading) {
 }
 
 kj::Promise<Exit> Run::done() {
-  // Who ends first does not matter; but once the program has ended, what is left of its group must
-  // not hold its streams open.
+  // The order in which they end does not matter. But once the program has ended, the rest of its
+  // group must not hold its streams open.
   auto exit = exited_.whenBecomesReadable().then([this] { return process_.reap(); });
   auto streams = kj::heapArrayBuilder<kj::Promise<void>>(3);
   streams.add(feed());

@@ -1,5 +1,5 @@
-// A started program on the event loop: its input fed, its output handed on line by line, its end
-// awaited.
+// Runs a started program on the event loop: feeds its input, passes on its output line by line, and
+// waits for its end.
 #pragma once
 
 #include <kj/async-io.h>
@@ -14,7 +14,7 @@
 
 namespace obby::bridge {
 
-// What the parts of the bridge share of the event loop.
+// The event loop, as the parts of the bridge share it.
 struct Loop {
   kj::LowLevelAsyncIoProvider& io;
   kj::UnixEventPort& events;
@@ -29,13 +29,14 @@ class Run {
   // Longer lines end the program. A record of 256 MiB in memory is shorter than that as JSON.
   static constexpr size_t kMaxLine = size_t(512) << 20;
 
-  // `onOutput` gets whole lines only, `onError` also a last one that has no newline.
+  // `onOutput` receives whole lines only; `onError` also receives a last line without a newline.
   Run(Loop& loop, Process process, std::string input, OnLine onOutput, OnLine onError);
 
-  // When the program has ended and all that it wrote has been handed on. Call once; dropping the
-  // promise, or this, kills the program. Fails with what a handler throws, which ends the program.
+  // Resolves when the program has ended and all its output was passed on. Call it once. Dropping
+  // the promise, or this object, kills the program. Fails with the exception of a handler, which
+  // also ends the program.
   kj::Promise<Exit> done();
-  // To the whole group: SIGINT lets our tools finish what they have.
+  // Signals the whole group. SIGINT lets our tools complete their results.
   void signal(int number) { process_.signal(number); }
   pid_t id() const { return process_.id(); }
   double cpuSeconds() const { return process_.cpuSeconds(); }

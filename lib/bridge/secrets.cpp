@@ -23,7 +23,7 @@ using loopback::randomHex;
 constexpr std::string_view kLetters = "ABCDEFGHJKLMNPQRSTUVWXYZ23456789";
 static_assert(kLetters.size() == 32, "five bits a letter, all alike");
 
-// What somebody typed, as the code is kept.
+// Returns a typed code in the form in which it is stored.
 std::string plain(std::string_view typed) {
   std::string out;
   for (const char c : typed) {
@@ -92,7 +92,7 @@ Result<Tokens> Tokens::open(std::string path, size_t most) {
 
 int Tokens::clientOf(std::string_view token) const {
   int found = -1;
-  for (const Entry& entry : entries_) {  // all of them: the time tells nothing
+  for (const Entry& entry : entries_) {  // all of them, so that the time reveals nothing
     if (equalInConstantTime(entry.token, token)) found = entry.client;
   }
   return found;
@@ -115,7 +115,7 @@ Result<std::string> Tokens::add() {
   return entries_.back().token;
 }
 
-// A whole new file under a temporary name: a full disk loses no token.
+// Writes a whole new file under a temporary name, so that a full disk loses no token.
 Status Tokens::write(const std::vector<Entry>& entries) const {
   if (path_.empty()) return {};
   std::string text;

@@ -1,4 +1,4 @@
-// Pairing codes and tokens: who may ask the bridge, after few tries.
+// Pairing codes and tokens, which authorize clients. Codes allow few tries.
 #pragma once
 
 #include <cstdint>
@@ -12,20 +12,20 @@ namespace obby::bridge {
 
 inline constexpr size_t kCodeLetters = 8;
 
-// The code that a person carries from the terminal to the plugin. One token for one code.
+// The code that a user copies from the terminal to the plugin. Each code is good for one token.
 class Pairing {
  public:
   static constexpr double kSeconds = 300;
   static constexpr int kTries = 5;
 
-  // A new code from `now` on, in seconds of any steady clock. The letters are without 0, O, 1 and
-  // I.
+  // Makes a code that is valid from `now` on, in seconds of any steady clock. Its letters exclude
+  // 0, O, 1 and I.
   explicit Pairing(double now);
-  // "ABCD-EFGH"
+  // Returns "ABCD-EFGH".
   std::string shown() const;
-  // Why the code can no longer be used; empty: it can.
+  // Returns why the code can no longer be used, or "" if it can.
   const char* closed(double now) const;
-  // Case and dashes do not matter. A right answer, or the last try, closes it.
+  // Checks a code; case and dashes do not matter. A right answer, or the last try, closes it.
   bool answer(std::string_view code, double now);
   int triesLeft() const { return tries_; }
 
@@ -36,17 +36,18 @@ class Pairing {
   bool used_ = false;
 };
 
-// The tokens of the paired clients, in a file that only this user may read. Position is the client.
+// The tokens of the paired clients, in a file that only this user may read.
 class Tokens {
  public:
-  // Reads `path`; no file means no tokens. Error: others may read it, or it holds anything else.
+  // Reads `path`; no file means no tokens. It is an error if others may read it, or if it holds
+  // anything else.
   static Result<Tokens> open(std::string path, size_t most);
-  // Those of no file, for tests and where none are needed.
+  // Makes tokens without a file, for tests and for a bridge that needs none.
   Tokens() = default;
 
-  // A new token, written to the file; the oldest one goes when there are too many.
+  // Makes a token and writes it to the file. The oldest is dropped if there are too many.
   Result<std::string> add();
-  // The token's client: a number that stays the client's while this object lives; -1: nobody.
+  // Returns the token's client, a number that is stable while this object lives, or -1 for none.
   int clientOf(std::string_view token) const;
   bool empty() const { return entries_.empty(); }
 

@@ -12,7 +12,7 @@ namespace obby::bridge {
 namespace {
 
 constexpr size_t kSessionBytes = 8;
-constexpr uint32_t kImports = 2;  // at a time
+constexpr uint32_t kImports = 2;  // max number at a time
 constexpr const char* kAskAgain = "reload: get session and cursor from /v1/info, then ask again";
 
 Reply noSuchJob() {
@@ -24,7 +24,7 @@ Reply levelReply(int status, const std::string& id, const std::vector<std::strin
   std::vector<std::string> ids;
   for (const std::string& query : queries) {
     const std::string text = JsonObject().text("", query).members();
-    ids.push_back(text.substr(3));  // the value alone: behind `"":`
+    ids.push_back(text.substr(3));  // only the value, after `"":`
   }
   return {status, JsonObject()
                       .text("level", id)
@@ -75,7 +75,7 @@ kj::Promise<Reply> Service::handle(const Call& call, std::string body) {
   }
   Job* job = jobs_.find(*who, call.id);
   const uint64_t poll = job ? ++job->polls : 0;
-  who->wake();  // an older long poll of that job ends now: it would only hold a connection
+  who->wake();  // ends an older long poll of that job, which would only hold a connection
   const double wait = std::min(call.wait, limits_.maxWaitSeconds);
   return getJob(std::move(who), call, loop_.now() + wait, poll);
 }
@@ -185,7 +185,7 @@ Reply Service::cancelJob(Client& client, const std::string& id) {
   Job* job = jobs_.find(client, id);
   if (!job) return noSuchJob();
   jobs_.cancel(*job, "the client cancelled it");
-  job = jobs_.find(client, id);  // it may have been the one too many that is remembered
+  job = jobs_.find(client, id);  // the limit of kept jobs may have removed it
   const JobState state = job ? job->state() : JobState::cancelled;
   return {202, JsonObject().text("job", id).text("state", nameOf(state)).whole()};
 }
@@ -206,7 +206,7 @@ std::optional<Reply> Service::checkCursor(const Call& call, const Client& client
 
 kj::Promise<Reply> Service::getJob(std::shared_ptr<Client> client, Call call, double until,
                                    uint64_t poll) {
-  // First: jobs of a bridge before this one are unknown, or others by now.
+  // Checked first: jobs of an earlier bridge are unknown, or different by now.
   if (auto wrong = checkSession(call)) return *std::move(wrong);
   const Job* job = jobs_.find(*client, call.id);
   if (!job) return noSuchJob();
@@ -272,7 +272,7 @@ std::string Service::hello(const Client& client, uint64_t cursor) const {
 void Service::sweep() {
   const double now = loop_.now();
   for (const auto& [number, who] : clients_) {
-    if (who->socketOpen) lastSeen_ = now;  // it is there, whether or not it asks
+    if (who->socketOpen) lastSeen_ = now;  // it is there, whether or not it sends requests
     if (who->mayBeSilent) continue;
     const double silent = now - who->lastSeen;
     if (silent > limits_.silenceSeconds && who->socketOpen) {
@@ -284,7 +284,7 @@ void Service::sweep() {
     }
   }
   jobs_.boundTime();
-  if (!jobs_.idle() || imports_ > 0) lastSeen_ = now;  // who waits for a level says nothing
+  if (!jobs_.idle() || imports_ > 0) lastSeen_ = now;  // a client that waits for a level is silent
 }
 
 void Service::endEvents() {

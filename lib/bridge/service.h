@@ -1,5 +1,5 @@
-// The bridge's protocol, whatever carries it: what each call does and answers. docs/bridge.md has
-// it for those who write clients.
+// The bridge's protocol, independent of the carrier: the effect and the reply of each call.
+// docs/bridge.md describes it for authors of clients.
 #pragma once
 
 #include <kj/async.h>
@@ -25,33 +25,34 @@ class Service {
  public:
   Service(Loop& loop, const Limits& limits, Programs programs, Store store, Tokens tokens,
           bool needToken);
-  ~Service();  // takes away the answers that were kept
+  ~Service();  // removes the answers that were kept
 
-  // A new code for /v1/pair; it replaces the one before.
+  // Makes a code for /v1/pair, which replaces the one before.
   const Pairing& offerPairing();
 
-  // Before a body is read: why there is no use in it.
+  // Returns a reply if reading the body would be pointless.
   std::optional<Reply> closedTo(const Call& call) const;
 
-  // Everything but events, which is the carrier's. `body` is inflated. The promise may be dropped
-  // at any time.
+  // Handles every call except events, which the carrier sends. `body` is inflated. The promise may
+  // be dropped at any time.
   kj::Promise<Reply> handle(const Call& call, std::string body);
 
-  // Before events are sent: the client, or why there are none.
+  // Returns the client whose events are to be sent, or a refusal.
   std::variant<std::shared_ptr<Client>, Reply> events(const Call& call);
-  // The first message of events, without number: session, and the cursor from which it goes on.
+  // Returns the first message of events, without a number: the session, and the cursor from which
+  // it continues.
   std::string hello(const Client& client, uint64_t cursor) const;
 
   std::shared_ptr<Client> client(int number);
   int clientOf(std::string_view token) const { return tokens_.clientOf(token); }
 
-  // To be called each second: silent clients lose their WebSocket, then their jobs, and jobs that
-  // have used up their processor time end.
+  // Must be called every second. Silent clients lose their WebSocket and then their jobs, and jobs
+  // that have used up their processor time end.
   void sweep();
-  // To be called when all jobs have ended, and no more come: WebSockets close once all messages
+  // Must be called when all jobs have ended and no more come. WebSockets close once all messages
   // have gone.
   void endEvents();
-  // Seconds since anybody was here or a job ran.
+  // Returns the seconds since a client was here or a job ran.
   double quietFor() const;
   Jobs& jobs() { return jobs_; }
   Loop& loop() { return loop_; }

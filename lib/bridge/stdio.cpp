@@ -27,7 +27,7 @@ StdioFront::StdioFront(Service& service, io::Sink output)
       output_(std::move(output)),
       client_(service.client(0)),
       flags_(fcntl(STDIN_FILENO, F_GETFL)) {
-  // Who waits for a quiet program says nothing, and owes no pong.
+  // A client that waits for a quiet program sends nothing, and owes no pong.
   client_->mayBeSilent = true;
   client_->beforeLoss = [this] { writeEvents(); };
   if (canWait(STDIN_FILENO)) input_ = service.loop().io.wrapInputFd(STDIN_FILENO);
@@ -55,7 +55,8 @@ kj::Promise<size_t> StdioFront::readSome() {
   return size_t(std::max<ssize_t>(n, 0));
 }
 
-// The line up to its newline at `end`, or up to the end of the input; empty: it was too long.
+// Returns the line up to its newline at `end`, or up to the end of the input; "" if it was too
+// long.
 std::string StdioFront::takeLine(size_t end) {
   std::string line = tooLong_ ? std::string() : rest_.substr(0, end);
   rest_.erase(0, end == std::string::npos ? end : end + 1);
@@ -64,7 +65,7 @@ std::string StdioFront::takeLine(size_t end) {
   return line;
 }
 
-// Refuses a line once, and passes over the rest of it: what comes behind is still answered.
+// Refuses a line once and skips the rest of it. Later lines are still answered.
 void StdioFront::boundLine() {
   // A place of the largest size takes a third more in base64.
   if (!tooLong_ && rest_.size() > 2 * service_.limits().bodyBytes) {
@@ -119,7 +120,7 @@ void StdioFront::writeEvents() {
   }
 }
 
-// A program may have nothing to write for long: that it would be for nobody is known before.
+// A program may write nothing for long. This detects early that the reader has gone.
 kj::Promise<void> StdioFront::readerGone() {
   if (reader_.get() == nullptr) return kj::NEVER_DONE;
   return reader_->whenWriteDisconnected();

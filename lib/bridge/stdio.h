@@ -1,4 +1,5 @@
-// The service over standard input and output: a request a line in, answers and messages a line out.
+// The service over standard input and output: one request a line in, one reply or message a line
+// out.
 #pragma once
 
 #include <kj/async-io.h>
@@ -14,13 +15,13 @@ namespace obby::bridge {
 
 class StdioFront {
  public:
-  // Neither may be used by anybody else from here on.
+  // Neither argument may be used elsewhere from here on.
   StdioFront(Service& service, io::Sink output);
   ~StdioFront();
 
-  // Until the input has ended and every job with it, or the output can no longer be written.
+  // Runs until the input and all its jobs have ended, or the output can no longer be written.
   kj::Promise<void> run();
-  // Writes what is left, and closes. Error: of the output, also an earlier one.
+  // Writes what is left, and closes. Returns the error of the output, also an earlier one.
   Status finish();
 
  private:
@@ -39,12 +40,12 @@ class StdioFront {
   Status outputStatus_;
   std::shared_ptr<Client> client_;
   uint64_t cursor_ = 0;
-  int flags_;                                      // of standard input, to be put back
-  kj::Own<kj::AsyncInputStream> input_;            // null: a file, which is always ready
-  kj::Own<kj::UnixEventPort::FdObserver> reader_;  // of the output; null: a file has none
+  int flags_;                                      // flags of standard input that are restored
+  kj::Own<kj::AsyncInputStream> input_;            // null for a file, which is always ready
+  kj::Own<kj::UnixEventPort::FdObserver> reader_;  // watches the output; null for a file
   std::string rest_;
-  size_t searched_ = 0;   // of `rest_`: no newline is in that
-  bool tooLong_ = false;  // the line that is coming: passed over
+  size_t searched_ = 0;   // bytes of `rest_` that have no newline
+  bool tooLong_ = false;  // the line being read is skipped
   bool inputEnded_ = false;
   char buffer_[65536];
 };

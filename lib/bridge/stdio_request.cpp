@@ -73,7 +73,7 @@ StdioRequest parseStdioRequest(std::string_view line) {
   out.call = route(reader.method, reader.path);
   if (Call* call = std::get_if<Call>(&out.call)) {
     call->client = 0;
-    call->wait = 0;  // events come by themselves
+    call->wait = 0;  // events are sent without polling
   }
   return out;
 }

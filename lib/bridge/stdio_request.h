@@ -10,16 +10,16 @@
 namespace obby::bridge {
 
 struct StdioRequest {
-  std::string id = "null";                   // JSON, given back with the answer
-  std::variant<Call, Reply> call = Reply{};  // or why it is refused
+  std::string id = "null";                   // JSON, returned with the reply
+  std::variant<Call, Reply> call = Reply{};  // or the reply that refuses it
   std::string body;
 };
 
-// `{"id":1,"method":"POST","path":"/v1/jobs","body":{...}}`; instead of `body`, `text` holds
+// Parses `{"id":1,"method":"POST","path":"/v1/jobs","body":{...}}`. Instead of `body`, `text` holds
 // records as they are, and `base64` any bytes.
 StdioRequest parseStdioRequest(std::string_view line);
 
-// `{"id":1,"status":200,"body":{...}}`; records come as `text`.
+// Returns `{"id":1,"status":200,"body":{...}}`, with records as `text`.
 std::string stdioReply(const std::string& id, const Reply& reply);
 
 }  // namespace obby::bridge

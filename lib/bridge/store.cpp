@@ -20,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::chrono::hours kAnswerAge{24};  // answers of sessions that did not end properly
+constexpr std::chrono::hours kAnswerAge{24};         // max age of answers that a crash left behind
 constexpr uint64_t kOtherHalf = 0x6f62627931323821;  // seeds the other 64 bits of an id
 
 Error folderError(const std::string& path, const std::string& what) {
@@ -69,7 +69,7 @@ Result<Store> Store::open(const std::string& folder, const Limits& limits) {
 }
 
 std::string Store::idOf(std::string_view bytes) {
-  // What another version would make of the bytes may differ.
+  // Another version of our tools may read the same bytes differently.
   const std::string_view version = io::toolVersion();
   const auto half = [&](uint64_t seed) {
     return hashBytes(bytes.data(), bytes.size(), hashBytes(version.data(), version.size(), seed));
@@ -122,7 +122,7 @@ Result<std::optional<StoredLevel>> Store::get(const std::string& id) const {
   if (!has(id)) return std::optional<StoredLevel>();
   OBBY_ASSIGN(const std::string text, io::readFile(path));
   std::error_code ignored;
-  fs::last_write_time(path, fs::file_time_type::clock::now(), ignored);  // used: makeRoom
+  fs::last_write_time(path, fs::file_time_type::clock::now(), ignored);  // makeRoom() needs it
   StoredLevel out;
   for (size_t at = 0; at < text.size();) {
     const size_t end = std::min(text.find('\n', at), text.size() - 1) + 1;

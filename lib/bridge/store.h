@@ -1,5 +1,5 @@
-// The bridge's private folder: tokens, levels by the hash of what they came from, answers for warm
-// starts. Nothing in it has a name that a client chose.
+// The bridge's private folder: tokens, levels by the hash of their source, and answers for warm
+// starts. No name in it is chosen by a client.
 #pragma once
 
 #include <cstdint>
@@ -13,32 +13,33 @@
 
 namespace obby::bridge {
 
-// A level as it is kept: JSON lines without header and end.
+// A stored level: JSON lines without header and end.
 struct StoredLevel {
   std::string levels;                // its level records
   std::vector<std::string> queries;  // a line each
-  std::vector<std::string> reports;  // what was said when it was read, a line each
+  std::vector<std::string> reports;  // reports from reading it, one a line
 };
 
 class Store {
  public:
-  // Makes the folder, for this user only. Error: it cannot be made or written, or belongs to
-  // somebody else.
+  // Makes the folder, for this user only. It is an error if it cannot be made or written, or
+  // belongs to another user.
   static Result<Store> open(const std::string& folder, const Limits& limits);
 
   std::string tokensPath() const { return folder_ + "/tokens"; }
 
-  // The id that those bytes have: the same bytes and version of our tools, the same id.
+  // Returns the id of these bytes. The same bytes and version of our tools have the same id.
   static std::string idOf(std::string_view bytes);
   bool has(const std::string& id) const;
-  // Keeps the lines of a level, and the reports on it: JSON objects that are no level and no query.
-  // The longest unused levels go when there is too much. Error: the disk.
+  // Stores the lines of a level and the reports on it, which are JSON objects that are neither a
+  // level nor a query. The least recently used levels are dropped if there is too much. Errors are
+  // the disk's.
   Status put(const std::string& id, std::string_view lines,
              const std::vector<std::string>& reports) const;
-  // Nothing: not here, or no longer.
+  // Returns nothing if the level is not here, or no longer.
   Result<std::optional<StoredLevel>> get(const std::string& id) const;
 
-  // Where the answer of a job of this session is kept.
+  // Returns the path at which the answer of a job of this session is stored.
   std::string answerPath(const std::string& session, const std::string& job) const;
   void removeAnswer(const std::string& path) const;
 
@@ -50,9 +51,9 @@ class Store {
   uint64_t mostBytes_ = 0;
 };
 
-// The `"type"` of a record line that one of our tools wrote; empty: it is none.
+// Returns the `"type"` of a record line that one of our tools wrote, or "" if it is none.
 std::string_view typeOfLine(std::string_view line);
-// The `"id"` of a query line of theirs; empty: it has none.
+// Returns the `"id"` of a query line of our tools, or "" if it has none.
 std::string queryIdOfLine(std::string_view line);
 
 }  // namespace obby::bridge

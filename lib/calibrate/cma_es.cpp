@@ -7,7 +7,7 @@
 
 namespace obby::calibrate {
 
-// Names and defaults as in the tutorial, table 1.
+// Names and defaults follow table 1 of the tutorial.
 CmaEs::CmaEs(const std::vector<double>& mean, double deviation, uint32_t population, uint64_t seed,
              uint64_t stream)
     : n_(Eigen::Index(mean.size())),
@@ -36,7 +36,7 @@ CmaEs::CmaEs(const std::vector<double>& mean, double deviation, uint32_t populat
   expected_ = std::sqrt(n) * (1 - 1 / (4 * n) + 1 / (21 * n * n));
 }
 
-// Box and Muller's, from two draws that are never 0.
+// Box-Muller transform of two uniform draws that are never 0.
 double CmaEs::normal() {
   const double u = (double(random_.next()) + 0.5) * 0x1p-32;
   const double v = (double(random_.next()) + 0.5) * 0x1p-32;
@@ -48,7 +48,7 @@ const std::vector<std::vector<double>>& CmaEs::ask() {
   for (uint32_t k = 0; k < population_; ++k) {
     for (Eigen::Index i = 0; i < n_; ++i) z(i) = normal();
     drawn_.col(k) = mean_ + deviation_ * (axes_ * lengths_.cwiseProduct(z));
-    // Beyond a wall of the cube as far as in front of it: the optimum may lie on the wall.
+    // Reflects the point at the cube's walls, since the optimum may lie on a wall.
     for (Eigen::Index i = 0; i < n_; ++i) {
       double v = drawn_(i, k);
       if (v < 0) v = std::min(-v, 1.0);

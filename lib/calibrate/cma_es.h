@@ -1,6 +1,6 @@
-// CMA-ES (Hansen, The CMA Evolution Strategy: A Tutorial, arXiv 1604.00772) in the unit cube: ask
-// for a generation, tell what came of it. Written here because the packaged libraries hand Eigen
-// objects over a border across which vector widths, and with them allocators, differ.
+// CMA-ES in the unit cube, with an ask-and-tell interface (Hansen, The CMA Evolution Strategy: A
+// Tutorial, arXiv 1604.00772). It is written here because the packaged libraries pass Eigen objects
+// across their ABI. Our vector width, and with it Eigen's allocator, differs from theirs.
 #pragma once
 
 #include <Eigen/Core>
@@ -12,16 +12,16 @@ namespace obby::calibrate {
 
 class CmaEs {
  public:
-  // `mean`, `deviation`: of the first generation. `population`: at least 4.
+  // `mean` and `deviation` describe the first generation. `population` is at least 4.
   CmaEs(const std::vector<double>& mean, double deviation, uint32_t population, uint64_t seed,
         uint64_t stream);
 
-  // (population) points, each coordinate in [0, 1].
+  // Returns (population) points, each coordinate in [0, 1].
   const std::vector<std::vector<double>>& ask();
-  // `losses`: of the points that ask() gave, in their order.
+  // `losses` belong to the points of the last ask(), in the same order.
   void tell(const std::vector<double>& losses);
 
-  // Of the next generation: its widest deviation. Small: it has come to rest.
+  // Returns the largest standard deviation of the next generation. A small one means convergence.
   double spread() const;
 
  private:
@@ -33,9 +33,9 @@ class CmaEs {
   Eigen::VectorXd weights_;
   double best_, cc_, cs_, c1_, cmu_, damping_, expected_;  // best_: effective number of parents
   double deviation_;
-  Eigen::VectorXd mean_, pathC_, pathS_, lengths_;  // lengths_: of the axes
+  Eigen::VectorXd mean_, pathC_, pathS_, lengths_;  // lengths_: of the principal axes
   Eigen::MatrixXd covariance_, axes_;
-  Eigen::MatrixXd drawn_;  // (n, population), before they were brought back into the cube
+  Eigen::MatrixXd drawn_;  // (n, population), before reflection into the cube
   std::vector<std::vector<double>> points_;
   uint64_t generation_ = 0;
 };

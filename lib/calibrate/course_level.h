@@ -1,5 +1,5 @@
 // The calibration course: ground, ice of two frictions, ledges, a wall, a truss, gaps, steps,
-// ramps, a belt, a ferry and a box to push. Below what can be fallen from is a floor: nobody dies.
+// ramps, a belt, a ferry and a box to push. A floor lies below every drop, so that no player dies.
 #pragma once
 
 #include "schema/obby.capnp.h"

@@ -9,9 +9,9 @@ namespace obby::calibrate {
 
 namespace {
 
-constexpr size_t kValues = 16;  // that are tried
+constexpr size_t kValues = 16;  // number of values tried
 
-// Where it cannot be refined the point stays as it is.
+// Refines all coordinates but one. Returns `point` if that fails.
 std::vector<double> refinedWithout(const Objective& objective, std::vector<double> point,
                                    size_t coordinate, int rounds, const Work& work) {
   const auto at = std::ptrdiff_t(coordinate);
@@ -30,7 +30,7 @@ std::vector<double> refinedWithout(const Objective& objective, std::vector<doubl
   return *std::move(found);
 }
 
-// The first value of each run between two leaps: it stands for all of its run.
+// Returns the index of the first value of each run of equal losses. It stands for its run.
 std::vector<size_t> runsOf(const std::vector<double>& losses) {
   std::vector<size_t> out;
   for (size_t i = 0; i < losses.size(); ++i) {
@@ -94,7 +94,7 @@ Crossing crossingOf(const Objective& objective, const std::vector<double>& point
     for (size_t i = first; i < end; ++i) losses[i] = losses[first];
     if (alike(out.loss, losses[first])) continue;
     out.loss = losses[first];
-    // The middle of what cannot be told apart.
+    // Takes the middle of the values that have the same loss.
     out.best = points[first];
     out.best[coordinate] = shares[(first + end - 1) / 2];
   }

@@ -1,6 +1,7 @@
-// Parameters that decide when something happens, such as from how high a floor is sensed. Errors
-// leap by these, and do not change between two leaps; and before it leaps, other parameters bend to
-// make up for what happens a tick too late. So values all over the bounds are tried.
+// Parameters that decide when an event happens, such as the height from which a floor is sensed.
+// The error is piecewise constant in them, so they have no gradient. Near a discontinuity the other
+// parameters compensate for an event that happens one tick late. So values across the whole range
+// are tried.
 #pragma once
 
 #include "calibrate/objective.h"
@@ -11,23 +12,23 @@ namespace obby::calibrate {
 
 struct Crossing {
   Profile profile;           // with the other parameters refined at each value
-  std::vector<double> best;  // the whole point
-  double loss = 0;           // there
+  std::vector<double> best;  // point of the least loss
+  double loss = 0;           // at `best`
 };
 
-// `shares`: the values that are tried, ascending. `rounds`: of Gauss-Newton at each, at most.
-// `point` stays the best where none is better. The coordinate behind the parameters' is the delay:
-// errors hardly have a slope by it within a tick, so that it may be refined with the others. After
-// a stop the best is that of the values that were refined before, and the profile of no use.
+// Tries `shares` (ascending) for one coordinate, and refines the others at each in up to `rounds`
+// rounds of Gauss-Newton. `best` is `point` if no value is better. The coordinate after the
+// parameters is the delay. Within a tick it has almost no gradient, so it may be refined with the
+// others. After a stop, `best` covers the values refined until then and the profile is meaningless.
 Crossing crossingOf(const Objective& objective, const std::vector<double>& point, size_t coordinate,
                     const std::vector<double>& shares, int rounds, const Work& work);
 
-// All over the bounds; and finer, up to halfway to the next of those.
+// Returns values over the whole range, and finer ones up to halfway to those neighbours.
 std::vector<double> sharesAllOver();
 std::vector<double> sharesAround(double share);
 
-// Delays one and two ticks beside that: a wrong one is made up for by accelerations and jumps, and
-// shows only once these are refined with it.
+// Returns the delays one and two ticks away. Accelerations and jumps compensate for a wrong delay,
+// which shows only after they are refined with it.
 std::vector<double> delaysAround(const Objective& objective, double share);
 
 }  // namespace obby::calibrate

@@ -11,29 +11,30 @@ namespace obby::calibrate {
 
 namespace {
 
-// Wide enough that an event which moves by a tick does not look like a slope, narrow beside what a
-// parameter is known to.
+// Step of the finite differences. It is large enough that an event which moves by a tick does not
+// look like a gradient, and small against a parameter's interval.
 constexpr double kStep = 0.004;
-// Samples that follow each other are not independent: those of so many seconds count as one.
+// Seconds of consecutive samples that count as one, since they are not independent.
 constexpr double kAlike = 0.5;
-// Seconds whose errors share a cause: those of a window share its first sample.
+// Seconds whose errors share a cause, since a window's errors share its first sample.
 constexpr double kStretch = 1.5;
-constexpr double kLeastEigenvalue = 1e-9;  // of an eigenvalue, beside the largest: less is nothing
-// Studs: no recorder is better. Between two frames a fall bends by more.
+constexpr double kLeastEigenvalue = 1e-9;  // relative to the largest eigenvalue; smaller ones count
+                                           // as zero
+// Studs. No recorder is more precise: a fall deviates by more between two frames.
 constexpr double kLeastNoise = 1e-3;
-constexpr float kShows = 1e-3f;  // studs that some frame must move by
+constexpr float kShows = 1e-3f;  // studs by which at least one frame must change
 
 std::vector<double> moved(std::vector<double> point, size_t at, double by) {
   point[at] = std::clamp(point[at] + by, 0.0, 1.0);
   return point;
 }
 
-// Of the mean of what counts as one sample, as if each of its members had it.
+// Variance of one independent sample, as if its frames were fully correlated.
 double varianceOf(const Slopes& s) {
   return std::max(s.noise * s.noise, kLeastNoise * kLeastNoise) * s.alike;
 }
 
-// Frames that the recordings have in so many seconds, on average: one at least.
+// Returns the mean number of recorded frames in `seconds`, at least 1.
 double framesIn(double seconds, const Objective& objective) {
   double all = 0;
   for (const Take& take : objective.takes())
@@ -46,8 +47,8 @@ double weightOf(float residual, double near) {
   return 1 / (1 + size * size);
 }
 
-// `here`: the residuals at the point. Where a step aside leads to a body that cannot be, the other
-// one tells.
+// `here`: the residuals at the point. If the point on one side is infeasible, only the other side
+// counts.
 void writeSlope(const Objective& objective, const std::vector<double>& point,
                 const std::vector<float>& here, int i, Eigen::MatrixXf& slopes) {
   const auto up = moved(point, size_t(i), kStep), down = moved(point, size_t(i), -kStep);
@@ -98,15 +99,15 @@ Result<Slopes> slopesAt(const Objective& objective, const std::vector<double>& p
   return out;
 }
 
-// A direction that the recordings do not see has no information; one unit of the bounds stands for
-// what was known before. Errors are not alike: positions are read less well than facings, and some
-// stretches fit worse than others. So the larger counts of what all errors' size would give and of
-// how much the stretches disagree.
+// The prior stands in for directions that the recordings do not determine: a deviation of half the
+// range. Errors differ in size: positions are less precise than facings, and some stretches fit
+// worse than others. So the variance is the larger of the one from the mean residual and the one
+// from the disagreement between stretches.
 Evidence evidenceOf(const Slopes& s) {
   const Eigen::Index n = s.normal.rows();
   const double variance = varianceOf(s);
   const Eigen::MatrixXd information =
-      s.normal / variance + Eigen::MatrixXd::Identity(n, n) * 4;  // before: half a unit
+      s.normal / variance + Eigen::MatrixXd::Identity(n, n) * 4;  // prior: half the range
   const Eigen::MatrixXd covariance = information.ldlt().solve(Eigen::MatrixXd::Identity(n, n));
   const Eigen::MatrixXd inverse = (s.normal + Eigen::MatrixXd::Identity(n, n) * (4 * variance))
                                       .ldlt()
@@ -128,7 +129,7 @@ bool shows(const Objective& objective, const std::vector<double>& point, size_t 
     std::vector<double> moved = point;
     moved[coordinate] = share;
     const auto there = objective.residuals(moved);
-    if (!there) continue;  // a body that cannot be
+    if (!there) continue;  // infeasible body
     for (size_t k = 0; k < here.size(); ++k) {
       if (std::fabs((*there)[k] - here[k]) > kShows) return true;
     }

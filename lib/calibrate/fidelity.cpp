@@ -12,8 +12,8 @@ namespace obby::calibrate {
 
 namespace {
 
-// Steps of a tick that is no shorter than the longest frame, with a whole number of ticks a second;
-// 0: there is none.
+// Returns the steps of a tick that covers the longest frame and divides a second evenly, or 0 if
+// there is none.
 uint32_t longestTick(const std::vector<uint32_t>& steps, uint32_t stepsPerSecond) {
   if (steps.empty()) return 0;
   for (uint32_t n = *std::max_element(steps.begin(), steps.end()); n <= kMaxSteps; ++n) {
@@ -22,7 +22,7 @@ uint32_t longestTick(const std::vector<uint32_t>& steps, uint32_t stepsPerSecond
   return 0;
 }
 
-// The level with the longest ticks: it finds parts as far away as one reaches.
+// The level is compiled with the longest ticks, so that broad-phase searches cover every frame.
 Result<level::Level> levelOfFrames(const Take& take, schema::PhysicsParams::Reader params,
                                    uint32_t stepsPerSecond, uint32_t longest) {
   io::RecordBuilder record(take.level.reader());
@@ -75,9 +75,9 @@ void countEvents(const Track& track, const std::vector<Played>& played, Fidelity
   }
 }
 
-constexpr float kLeap = 1;  // studs that an apex is above one of the recording's ends at least
+constexpr float kLeap = 1;  // min studs of an apex above both ends of the recording
 
-// Absent: the recording is highest at one of its ends, or hardly higher than there.
+// Returns nothing if the recording is highest at one of its ends, or barely higher than there.
 std::optional<double> apexError(const Track& track, const std::vector<Played>& played) {
   const auto& frames = track.frames;
   const auto recorded =

@@ -11,13 +11,14 @@ namespace obby::calibrate {
 
 namespace {
 
-// Of the value, or of the upper bound where it may be none: an interval within this much of it is
-// of use.
+// An interval is useful if its half width is within this share of the value, or of the upper bound
+// if the value may be 0.
 constexpr double kKnown = 0.1;
-constexpr int kRefiningRounds = 3;  // of refining the others beside what decides an event
-constexpr double kTied = 0.95;      // correlation
+constexpr int kRefiningRounds = 3;  // rounds that refine the other parameters at each value of an
+                                    // event parameter
+constexpr double kTied = 0.95;      // min absolute correlation
 
-// By how wide its interval is: as above, or to one tick.
+// A parameter is known if its interval is narrow enough: as above, or within one tick.
 Fitted judged(Fitted f) {
   const double half = std::max(f.high - f.value, f.value - f.low);
   const double size = f.parameter.lowest > 0 ? f.value : f.parameter.highest;
@@ -32,7 +33,7 @@ Fitted bySlope(Fitted f, double share, double half) {
   return judged(f);
 }
 
-// `between`: a value as far from one that was tried may be possible, too.
+// `between`: half a step of the profile. Values that close to a tried one may be possible too.
 Fitted byProfile(Fitted f, const Profile& profile, double slack, double between) {
   const Possible possible = possibleOf(profile, slack);
   if (possible.all) return f;
@@ -41,7 +42,7 @@ Fitted byProfile(Fitted f, const Profile& profile, double slack, double between)
   return judged(f);
 }
 
-// No ticks are what is rounded to none.
+// Rounds to whole ticks.
 Fitted byCount(Fitted f, const Profile& profile, double slack, double tick) {
   if (possibleOf(profile, slack).all) return f;
   f.tick = tick;
@@ -50,7 +51,7 @@ Fitted byCount(Fitted f, const Profile& profile, double slack, double tick) {
   return f;
 }
 
-// An objective at a point, and what is made of it.
+// An objective at a point, with the methods that derive intervals from it.
 struct Weighing {
   const Objective& objective;
   const std::vector<double>& point;
@@ -75,7 +76,7 @@ struct Weighing {
   }
 };
 
-// Of the objective's parameters, in its order.
+// Returns the entries of the objective's parameters, in its order.
 std::vector<Fitted*> shownOf(const Objective& objective, std::vector<Fitted>& all) {
   std::vector<Fitted*> out;
   for (const Parameter& p : objective.parameters())

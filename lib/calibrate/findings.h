@@ -1,4 +1,4 @@
-// What recordings tell of each parameter, at the point that a fit has found.
+// Estimates of the parameters from recordings, at the fitted point.
 #pragma once
 
 #include <string>
@@ -9,17 +9,18 @@
 
 namespace obby::calibrate {
 
-// What the recordings say of a parameter.
+// Estimate of one parameter.
 struct Fitted {
   Parameter parameter;
   double value = 0;
-  double low = 0, high = 0;  // 95 % interval, within the bounds; the bounds: nothing is known
-  bool known = false;        // the interval is narrow enough to be of use
-  double before = 0;         // what it was
-  double tick = 0;  // seconds, where it counts in whole ticks and something is known; else 0
+  double low = 0, high = 0;  // 95 % interval within the bounds; equal to the bounds if nothing is
+                             // known
+  bool known = false;        // the interval is narrow enough to be useful
+  double before = 0;         // value before the fit
+  double tick = 0;           // seconds, for a known parameter that counts in whole ticks; else 0
 };
 
-// Two parameters of which the recordings know a combination only.
+// Two parameters of which only a combination is identifiable.
 struct Tied {
   std::string one, other;
   double correlation = 0;
@@ -30,15 +31,15 @@ struct Findings {
   std::vector<Tied> tied;
 };
 
-// `asked`: those of the objective and others, which show nowhere. `before`, `found`: all parameters
-// as they were, and at the point. After a stop nothing more is tried of those without a slope, and
-// nothing is said of them. Errors as of Level::compile.
+// `asked` holds the objective's parameters and others that have no effect. `before` and `found`
+// hold all parameters before the fit and at the point. After a stop, parameters without a gradient
+// are not examined and nothing is reported about them. Errors: those of Level::compile.
 Result<Findings> findingsOf(const Objective& objective, const std::vector<double>& point,
                             const std::vector<Parameter>& asked,
                             schema::PhysicsParams::Reader before,
                             schema::PhysicsParams::Reader found, const Work& work);
 
-// Half of an interval, in shares of the bounds, that is all that was known before.
+// Half width of an interval that covers the bounds, in shares of them.
 constexpr double kNothing = 0.5;
 
 }  // namespace obby::calibrate

@@ -14,25 +14,25 @@ namespace obby::calibrate {
 
 namespace {
 
-constexpr double kGain = 0.02;       // share of the loss that makes another worth its time
-constexpr int kFocusRounds = 4;      // of focus()
-constexpr int kPasses = 6;           // searches at most, the first with its restarts counted once
-constexpr double kOutside = 4;       // deviations that noise does not explain
+constexpr double kGain = 0.02;       // relative loss reduction that justifies another search
+constexpr int kFocusRounds = 4;      // max rounds of focus()
+constexpr int kPasses = 6;           // max passes; the restarts belong to the first
+constexpr double kOutside = 4;       // standard deviations beyond which noise explains nothing
 constexpr double kFinest = 0.01;     // studs
-constexpr uint32_t kMostRate = 480;  // rules a second: the most that levels admit
+constexpr uint32_t kMostRate = 480;  // control steps a second, the limit for levels
 
-// About what share of the time each takes.
+// Estimated share of the time of each phase.
 constexpr Stretch kApproach{0, 0.5}, kFocus{0.5, 0.7}, kQuicken{0.7, 0.85}, kLengthen{0.85, 0.95},
     kWeigh{0.95, 1};
 
-// The first pass takes as long as all others.
+// The first pass takes as long as all others together.
 Stretch passOf(int pass) {
   if (pass == 0) return kApproach.of(0, 0.5);
   const double each = 0.5 / (kPasses - 1);
   return kApproach.of(0.5 + each * (pass - 1), 0.5 + each * pass);
 }
 
-// Everything that one fit needs, from its beginning to its end.
+// The state of one fit.
 class Fitter {
  public:
   Fitter(std::span<const Take> takes, std::vector<Parameter> parameters,
@@ -79,7 +79,7 @@ class Fitter {
     return objective.loss(found_.in(objective));
   }
 
-  // Of all that was found on the way, what comes nearest: an interrupted fit ends at it.
+  // Keeps the best result so far. An interrupted fit returns it.
   void keep() {
     const double now = lossNow();
     if (!(now < nearest_)) return;
@@ -88,7 +88,7 @@ class Fitter {
     account_.found(now);
   }
 
-  // Steps that a stop ended in their midst may have gone the wrong way.
+  // Restores the best result if an interrupted step has made it worse.
   Status fallBack() {
     if (!work_.stopped() || !(nearest_ < lossNow())) return {};
     found_ = std::move(kept_);
@@ -100,9 +100,9 @@ class Fitter {
     return calibrate::polish(plain.of(seen_), found_, work_, stretch);
   }
 
-  // By short windows, in searches each of which goes on from the one before: a parameter may show
-  // only where others have been found, and another place in a crossing gives a search new ways.
-  // Within the tolerance nothing is searched any more, only refined.
+  // Searches on short windows, each pass from the result of the one before. A parameter may have an
+  // effect only once others are found, and a new value of an event parameter opens new directions.
+  // Within the tolerance it only refines.
   Status approach() {
     bool reached = false;
     double before = std::numeric_limits<double>::max();
@@ -125,9 +125,8 @@ class Fitter {
     return {};
   }
 
-  // By the same windows, but so that those count most in which the simulator does what was
-  // recorded: others pull at slopes that they know nothing of, until what happens in them is right,
-  // too.
+  // Uses the same windows, but weights those most in which the simulator reproduces the recording.
+  // The gradients of other windows mean nothing until the same events happen in them.
   Status focus() {
     for (int round = 0; round < kFocusRounds && !work_.stopped(); ++round) {
       const double before = lossNow();
@@ -140,9 +139,9 @@ class Fitter {
     return {};
   }
 
-  // Some engines run the character's rules in each step of their physics, not once a frame: then
-  // who holds jump leaves at a step. Kept if it comes nearer; not tried where noise explains what
-  // is left (it leaves half of its square), since it takes as long as all that came before.
+  // Some engines run the character's rules in each physics step instead of once a frame. Then a
+  // jump begins at a step. That rate is kept if it fits better. It is not tried where noise
+  // explains the loss, since it takes as long as all phases before.
   Status quicken() {
     const uint32_t substeps = now_.getSubsteps(), rate = now_.getControlRate() * substeps;
     const double before = lossNow(), noise = noiseOf(brief_.takes());
@@ -152,7 +151,8 @@ class Fitter {
     Found slower = found_.copy();
     found_.setRate(rate, 1);
     begin();
-    // An error: a level that cannot be played so, as where tables of long motions become too long.
+    // Fails if the level cannot be compiled at this rate, for example if motion tables get too
+    // long.
     if (sharpen(settings_.objective.windowSeconds)) {
       OBBY_RETURN_IF_ERROR(polish(sharp_, kQuicken));
       if (lossNow() < (1 - kGain) * before) {
@@ -165,20 +165,20 @@ class Fitter {
     return {};
   }
 
-  // By windows to which an error of a single sample matters less.
+  // Refines on long windows, where the error of a single sample matters less.
   Status lengthen() {
     OBBY_RETURN_IF_ERROR(sharpen(settings_.longSeconds));
     OBBY_RETURN_IF_ERROR(polish(sharp_, kLengthen));
     return forget();
   }
 
-  // Objectives at the rate that is found.
+  // Rebuilds the objectives at the rate found.
   void begin() {
     brief_ = Objective(brief_.takes(), {}, found_.params(), settings_.objective);
     sharp_ = brief_.of(std::vector<Parameter>());
   }
 
-  // Whoever misses a ledge by the noise in one sample tells nothing of slopes.
+  // Limits the weight of windows that miss an event because of noise in one sample.
   Status sharpen(double windowSeconds) {
     const Objective objective = brief_.of(seen_);
     OBBY_ASSIGN(const double noise, noiseAt(objective, found_.in(objective)));
@@ -189,7 +189,7 @@ class Fitter {
     return {};
   }
 
-  // Adds the parameters that show beside what is found.
+  // Adds the parameters that have an effect at the point found.
   Status look() {
     const Objective all = brief_.of(parameters_);
     const std::vector<double> point = found_.in(all);
@@ -203,7 +203,7 @@ class Fitter {
     return {};
   }
 
-  // What the recordings do not tell goes back to where it was, if the others can make up for it.
+  // Resets parameters that the recordings do not determine, if the others can compensate.
   Status forget() {
     const Objective objective = sharp_.of(seen_);
     const std::vector<double> point = found_.in(objective);
@@ -234,11 +234,11 @@ class Fitter {
   const FitSettings& settings_;
   Account& account_;
   const Work& work_;
-  Objective brief_;              // of no parameters, and so is the next
-  Objective sharp_;              // of longer windows
-  std::vector<Parameter> seen_;  // those that show
+  Objective brief_;              // has no parameters, like the next
+  Objective sharp_;              // on longer windows
+  std::vector<Parameter> seen_;  // those with an effect
   Found found_, kept_;
-  double nearest_ = std::numeric_limits<double>::max();  // loss of what is kept
+  double nearest_ = std::numeric_limits<double>::max();  // loss of kept_
 };
 
 }  // namespace

@@ -1,44 +1,31 @@
-// Finds the parameters under which the simulator does what the recordings show, and says what is
-// known of each.
+// Fits the parameters under which the simulator reproduces the recordings, and reports how well
+// each is known.
 #pragma once
 
 #include <span>
 #include <vector>
 
 #include "calibrate/findings.h"
+#include "calibrate/fit_settings.h"
 #include "calibrate/work.h"
 
 namespace obby::calibrate {
 
-struct FitSettings {
-  uint64_t seed = 1;
-  uint32_t restarts = 3;       // searches, one after another, each from a place of its own
-  uint32_t population = 32;    // of each
-  uint32_t generations = 100;  // of each, at most
-  // The searches go by short windows, in which one early miss hides nothing; what they find is
-  // refined on longer ones, to which an error of a single sample matters less.
-  ObjectiveSettings objective;
-  double longSeconds = 1.5;
-  // Studs. The search goes on no longer once takes that play to their ends are off by no more, on
-  // average: those held out, or all where none is. 0: it goes on to its end.
-  double tolerance = 0;
-  std::span<const Take> heldOut = {};
-};
-
 struct Fit {
   std::vector<Fitted> parameters;
   std::vector<Tied> tied;
-  double delay = 0;  // seconds from an input to what comes of it
-  // As they were, or a run of the rules for every physics step, if that came nearer.
+  double delay = 0;  // seconds from an input to its effect
+  // The original rates, or one control step per physics step if that fits better.
   uint32_t controlRate = 0, substeps = 0;
   double lossBefore = 0, loss = 0;
   uint64_t evaluations = 0;
-  bool stopped = false;  // from outside: it is the best so far, and not all of it was judged
+  bool stopped = false;  // interrupted: the fit is the best so far, and some parameters were not
+                         // examined
 };
 
-// `takes` must not be empty. `progress` is called from this thread, in all that takes long. A stop
-// is heeded within some evaluations; what it costs, beside what was still to be done, is the
-// intervals of what has no slope. Errors: what does not compile, and what the optimiser says.
+// `takes` must not be empty. `progress` is called on this thread. A stop takes effect within a few
+// evaluations. It skips the remaining work and the intervals of parameters without a gradient.
+// Errors: those of Level::compile and of the optimiser.
 Result<Fit> fit(std::span<const Take> takes, std::vector<Parameter> parameters,
                 schema::PhysicsParams::Reader now, const FitSettings& settings, ThreadPool& pool,
                 const std::atomic<bool>& stop,

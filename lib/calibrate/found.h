@@ -1,4 +1,4 @@
-// What a fit has found on its way.
+// The current result of a fit.
 #pragma once
 
 #include <vector>
@@ -7,7 +7,7 @@
 
 namespace obby::calibrate {
 
-// A value of each parameter, and the delay.
+// A value for each parameter, and the delay.
 struct Found {
   io::RecordBuilder values;
   double delay = 0;
@@ -21,7 +21,7 @@ struct Found {
     objective.apply(point, values.root().getParams());
     delay = objective.delayAt(point);
   }
-  // Runs of the character's rules a second, and physics steps in each.
+  // Control steps a second, and physics steps in each.
   void setRate(uint32_t controlRate, uint32_t substeps) {
     values.root().getParams().setControlRate(uint16_t(controlRate));
     values.root().getParams().setSubsteps(uint16_t(substeps));

@@ -10,16 +10,17 @@ namespace obby::calibrate {
 
 namespace {
 
-constexpr double kOffStep = 0.15;  // physics steps that a frame's length may be rounded by
-constexpr int kOffCount = 2;       // steps that a frame's time may be off, if it moves otherwise
-constexpr float kOffPlace =
-    4e-3f;                      // studs: less tells a number of steps, four times as much denies it
-constexpr size_t kAround = 16;  // frames before and after, by which their rate is told
-constexpr double kUneven = 1.5;  // steps: frames that are off their line by more are unsteady
-constexpr float kSlack = 0.2f;   // steps that a sum of mean frames may be off
+constexpr double kOffStep = 0.15;   // max rounding error of a frame's length, physics steps
+constexpr int kOffCount = 2;        // max correction of a frame's steps by its motion
+constexpr float kOffPlace = 4e-3f;  // studs: a smaller error confirms a number of steps, one four
+                                    // times larger excludes it
+constexpr size_t kAround = 16;      // frames before and after that define the frame rate
+constexpr double kUneven = 1.5;  // steps: a larger deviation from the fitted line means an unsteady
+                                 // rate
+constexpr float kSlack = 0.2f;   // rounding error of a sum of mean frames, steps
 
-// The steps that a frame on the floor moved by, told by places and speeds under constant
-// acceleration, as far as these tell; else `steps`, those of its time.
+// Returns the steps that fit a frame's motion on the floor under constant acceleration, or `steps`
+// if the motion does not decide.
 uint32_t stepsByMotion(const Frame& a, const Frame& b, uint32_t steps, float dt) {
   if (a.state != sim::State::running || b.state != sim::State::running) return steps;
   const auto offAt = [&](int n) {
@@ -35,7 +36,7 @@ uint32_t stepsByMotion(const Frame& a, const Frame& b, uint32_t steps, float dt)
   return offAt(best) < kOffPlace && offAt(int(steps)) > 4 * kOffPlace ? uint32_t(best) : steps;
 }
 
-// Steps a frame of steady frames; 0: they are not. By the line through their times.
+// Returns the steps per frame by linear regression, or 0 if the frames are not steady.
 double steadyRate(const uint32_t* steps, size_t count) {
   const size_t n = count + 1;
   std::vector<double> time(n, 0);
@@ -52,8 +53,7 @@ double steadyRate(const uint32_t* steps, size_t count) {
   return *most - *least <= kUneven ? rate : 0;
 }
 
-// How long the player is Landed: by the frames' own time, and by their steps where that leaves it
-// open.
+// Counts the time in Landed by the frames' own time, and by their steps where that is ambiguous.
 class LandedClock {
  public:
   explicit LandedClock(const sim::World& w) : left_(w.landedSteps), stepsLeft_(w.landedSteps) {}
@@ -65,7 +65,7 @@ class LandedClock {
     const bool over = left_ <= -kSlack || (left_ <= kSlack && stepsLeft_ <= 0);
     w.landedSteps = uint8_t(over ? steps : steps + 1);
   }
-  // The frame that lands counts.
+  // The landing frame counts.
   void afterTick(const sim::World& w, const Params& p, uint32_t steps, float own) {
     if (landed_ || w.state != sim::State::landed) return;
     left_ = float(p.landedSteps);
@@ -89,9 +89,9 @@ bool onFloor(const sim::World& w) {
          (w.flags & sim::kFloorSensed);
 }
 
-// A player whose centre of mass may be beside the root. On a floor the legs drive the root: the
-// centre of mass swings about it. In the air it is the other way round. A World holds the velocity
-// of what is driven.
+// A player whose centre of mass may differ from the root's centre. On a floor the legs drive the
+// root and the centre of mass swings about it. In the air the root swings about the centre of mass.
+// World::velocity belongs to the driven point.
 class Walker {
  public:
   Walker(const level::LevelView& level, const sim::World& world, const MassCentre& centre,
@@ -99,7 +99,7 @@ class Walker {
       : world_(world), loose_(sim::startLoose(level)), centre_(centre) {
     if (centre_.isRoot() || !onFloor(world_)) return;
     rate_ = turnRate(ticked(world_, level, first), level);
-    world_.velocity -= rate_;  // was of the centre of mass
+    world_.velocity -= rate_;  // it was of the centre of mass
   }
 
   sim::World& world() { return world_; }
@@ -122,13 +122,13 @@ class Walker {
   }
 
  private:
-  // Bodies that a player pushes do not move: recordings of real places show none.
+  // Pushed bodies do not move, since recordings of real places have none.
   sim::World ticked(sim::World w, const level::LevelView& level, sim::Action action) {
     std::vector<sim::LooseBody> loose = loose_;
     sim::tick(w, loose.data(), level, action);
     return w;
   }
-  // Velocity of the centre of mass about the root in a tick that ends as `next`.
+  // Returns the velocity of the centre of mass about the root in a tick that ends as `next`.
   Vec3 turnRate(const sim::World& next, const level::LevelView& level) const {
     return (centre_.at(next.yaw) - centre_.at(world_.yaw)) * (1 / level.params.tickSeconds);
   }

@@ -1,4 +1,4 @@
-// Recorded frames played as ticks of their own numbers of physics steps, as the engine does it.
+// Plays recorded frames as ticks with their own numbers of physics steps, as the engine does.
 #pragma once
 
 #include <vector>
@@ -8,19 +8,19 @@
 
 namespace obby::calibrate {
 
-constexpr uint32_t kMaxSteps = 16;  // of a tick
+constexpr uint32_t kMaxSteps = 16;  // max of a tick
 
-// Physics steps between two frames; 0: no whole number of them.
+// Returns the physics steps between two frames, or 0 if their number is not whole.
 uint32_t stepsBetween(const Frame& a, const Frame& b, double stepsPerSecond);
 
-// Physics steps of each frame but the last; empty: a frame is no whole number of them, or too long.
-// A frame on the floor whose place and speed fit only another number than its time has that one:
-// the clock of a recording is that of the rendering, not of the physics.
+// Returns the physics steps of each frame but the last. Empty if a frame is not a whole number of
+// steps, or too long. A frame on the floor gets the number that fits its motion if the one of its
+// time does not, because recordings use the clock of the renderer and not of the physics.
 std::vector<uint32_t> stepsOf(const Track& track, double stepsPerSecond);
 
-// The frames' own times, in physics steps. Times of a recording are whole steps, but the engine
-// counts some clocks by the time of its frames. Where the frames around come as steadily as a
-// display's, that is their mean; elsewhere what the recording says.
+// Returns each frame's own time in physics steps. Recorded times are whole steps, but the engine
+// counts some clocks by frame time. Within a steady frame rate it is the mean of the frames around,
+// elsewhere the recorded time.
 std::vector<float> ownSteps(const std::vector<uint32_t>& steps);
 
 struct Played {
@@ -28,7 +28,7 @@ struct Played {
   sim::State state;
 };
 
-// (frames), the first as recorded. `view`: with ticks as long as the longest frame at least.
+// Returns (frames), the first as recorded. The ticks of `view` must cover the longest frame.
 std::vector<Played> playFrames(level::LevelView view, const Track& track,
                                const std::vector<uint32_t>& steps, const MassCentre& centre);
 

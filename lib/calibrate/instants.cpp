@@ -9,14 +9,14 @@ namespace obby::calibrate {
 
 namespace {
 
-constexpr double kSteady = 0.1;  // share by which a steady acceleration may change between frames
-constexpr double kLeastChange = 0.1;    // studs/s that the velocity must change by
-constexpr double kLongestDelay = 0.05;  // seconds: no engine is later
+constexpr double kSteady = 0.1;       // max relative change of a steady acceleration between frames
+constexpr double kLeastChange = 0.1;  // min change of the velocity, studs/s
+constexpr double kLongestDelay = 0.05;  // seconds: no engine has a longer one
 constexpr double kSure = 4;             // standard errors
-constexpr double kNoTime = 1e-5;        // seconds that no recording tells apart
+constexpr double kNoTime = 1e-5;        // seconds: too short to be measured
 
-// Between two frames, along one axis: how far the path is from what the velocities say, and by how
-// much these change. One is the age times the other.
+// Motion between two frames along one axis: the position error under the recorded velocities, and
+// the change of velocity. Their ratio is the age.
 struct Stride {
   double off, change;
   double age() const { return off / change; }
@@ -24,13 +24,13 @@ struct Stride {
 
 double along(Vec3 v, int axis) { return double(axis == 0 ? v.x : axis == 1 ? v.y : v.z); }
 
-// A second of it, from a frame to the next.
+// Returns the acceleration along an axis from a frame to the next, studs/s^2.
 double slopeAt(const std::vector<Frame>& f, size_t i, int axis) {
   return (along(f[i + 1].velocity, axis) - along(f[i].velocity, axis)) /
          (f[i + 1].time - f[i].time);
 }
 
-// `own`: the age that a simulator's velocities have.
+// `own`: the age of the simulator's velocities.
 void addStrides(const std::vector<Frame>& f, int axis, double own, std::vector<Stride>& to) {
   for (size_t i = 1; i + 2 < f.size(); ++i) {
     const double slope = slopeAt(f, i, axis), slack = kSteady * std::fabs(slope);
@@ -45,7 +45,7 @@ void addStrides(const std::vector<Frame>& f, int axis, double own, std::vector<S
   }
 }
 
-// The one that the weights of those before and after hold in balance.
+// Returns the median age, weighted by the change of velocity.
 double balanceOf(std::vector<Stride>& strides) {
   std::sort(strides.begin(), strides.end(),
             [](const Stride& a, const Stride& b) { return a.age() < b.age(); });
@@ -70,7 +70,7 @@ double standardError(const std::vector<Stride>& strides, double age) {
   return kDeviationOfMedian * *middle / std::sqrt(squares);
 }
 
-// The acceleration there. Where it leaps, as in a landing, the steadier side's: the lesser one.
+// Returns the acceleration at a frame. At a jump, as in a landing, it is the smaller side's.
 Vec3 accelerationAt(const std::vector<Frame>& f, size_t i) {
   const auto at = [&](int axis) {
     const double before = i > 0 ? slopeAt(f, i - 1, axis) : 0;

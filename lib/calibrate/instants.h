@@ -1,7 +1,7 @@
-// How old the velocities of recordings are. A recorder writes a frame's position and velocity, and
-// need not mean the same instant by both. A simulator begun with an older velocity goes astray, and
-// gravity and jumps bend to make up for it. An age of half a physics step is none: a semi-implicit
-// step, the engine's and the simulator's, moves by the velocity at its end.
+// Estimates the age of recorded velocities. A recorder writes a frame's position and velocity,
+// which may belong to different instants. Playback from an outdated velocity drifts, and the fit
+// compensates with gravity and jumps. Half a physics step is no age: a semi-implicit step, here as
+// in the engine, moves by the velocity at its end.
 #pragma once
 
 #include <span>
@@ -11,12 +11,12 @@
 
 namespace obby::calibrate {
 
-// Seconds by which velocities are older than a simulator's of `now` at the same positions;
-// negative: younger. From frames between which the acceleration stays what it is, such as a fall's.
-// 0 where the recordings tell no other.
+// Returns the seconds by which recorded velocities are older than the simulator's at the same
+// positions; negative if they are newer. It uses frames of constant acceleration, such as falls.
+// Returns 0 where no difference is significant.
 double velocityAgeOf(std::span<const Take> takes, schema::PhysicsParams::Reader now);
 
-// The same recordings with the velocities that such a simulator has at these positions.
+// Returns the recordings with the velocities that the simulator has at these positions.
 std::vector<Take> withVelocitiesOfNow(std::span<const Take> takes,
                                       schema::PhysicsParams::Reader now);
 

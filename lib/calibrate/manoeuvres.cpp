@@ -21,7 +21,7 @@ std::vector<sim::ActionRun> actionsOf(const Manoeuvre& manoeuvre, const Params& 
   return out;
 }
 
-// Parts that move or are loose, each once.
+// Lists each moving or dynamic part once.
 void showMoving(const level::Level& level, Track& track) {
   for (uint32_t i = 0; i < level.view().colliderCount; ++i) {
     const level::Collider& c = level.view().colliders[i];
@@ -44,7 +44,7 @@ PartPose poseOf(const level::LevelView& level, uint32_t part, uint32_t tick,
   return {pose.position, toQuat(pose.rotation)};
 }
 
-// None where they are as in the frame before.
+// Writes no poses if they are those of the frame before.
 void writePoses(const Track& track, uint32_t frame, schema::RecordingFrame::Builder to) {
   const auto moved = [&](size_t i) {
     const PartPose &now = track.pose(frame, i), &before = track.pose(frame - 1, i);

@@ -1,5 +1,4 @@
-// What to record: what a player does on the calibration course, so that each parameter shows in one
-// manoeuvre at least.
+// The manoeuvres to record on the calibration course. Each parameter affects at least one of them.
 #pragma once
 
 #include <string>
@@ -10,7 +9,7 @@
 
 namespace obby::calibrate {
 
-// The stick toward (x, z), or left alone, and jump or not, for so long.
+// Holds the stick toward (x, z), or released at (0, 0), for some seconds, with or without jump.
 struct Hold {
   float seconds, x, z;
   bool jump = false;
@@ -18,20 +17,19 @@ struct Hold {
 
 struct Manoeuvre {
   std::string name;
-  Vec3 feet;  // where it begins, standing
+  Vec3 feet;  // start, standing
   std::vector<Hold> holds;
 };
 
-// On the course (course_level.h). Each shows some of the parameters: parameters.cpp says which.
+// Manoeuvres on the course (course_level.h). parameters.cpp lists which parameters each one shows.
 std::vector<Manoeuvre> manoeuvres();
 
-// What the simulator makes of it, a frame a tick, with the poses of all that moves or is loose: to
-// see what can be learned of a recording before it is made. `noise`: studs that a position may be
-// off, each axis.
+// Simulates a manoeuvre with one frame a tick, including the poses of moving and dynamic parts. It
+// predicts what a recording can tell before it is made. `noise`: error of a position along each
+// axis, studs.
 Track rehearse(const level::Level& level, const Manoeuvre& manoeuvre, float noise, uint64_t seed);
 
-// Its inputs, to be played and recorded in Studio: start, actions, and where they lead in the
-// simulator.
+// Writes the manoeuvre's start, actions and simulated trajectory, for Studio to play and record.
 void writePlan(const level::Level& level, const Manoeuvre& manoeuvre,
                schema::Trajectory::Builder to);
 

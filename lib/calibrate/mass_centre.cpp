@@ -1,77 +1,10 @@
 #include "calibrate/mass_centre.h"
 
-#include <array>
-#include <cmath>
-#include <set>
-
-#include "calibrate/frame_play.h"
-
 namespace obby::calibrate {
-
-namespace {
-
-constexpr float kLeastTurning = 0.02f;  // sum of squared changes of the facing's vector
-constexpr float kOffSpeed = 0.01f;      // studs/s that speeds are rounded by
-constexpr float kOffLimit = 0.02f;      // studs/s a step
-constexpr float kLeastTurn2 = 1e-6f;    // of one frame, squared
-
-Vec3 rightOf(Vec3 ahead) { return {-ahead.z, 0, ahead.x}; }
-
-bool inFreeFall(const Frame& f) {
-  return f.state == sim::State::freefall && (f.facing.x != 0 || f.facing.z != 0);
-}
-
-// By how much the root moved more than the centre of mass, which moved by the recorded speeds.
-struct Swing {
-  bool known = false;
-  Vec3 root;
-};
-
-// Known where the acceleration is constant: gravity, and none sideways or the most.
-Swing swingOf(const Frame& a, const Frame& b, const Params& p) {
-  if (!inFreeFall(a) || !inFreeFall(b)) return {};
-  const float dt = p.substepSeconds;
-  const uint32_t steps = stepsBetween(a, b, 1 / double(dt));
-  if (steps == 0) return {};
-  const float n = float(steps);
-  const Vec3 gain = b.velocity - a.velocity;
-  if (std::abs(gain.y + p.gravity * dt * n) > kOffSpeed) return {};
-  const float side = std::hypot(gain.x, gain.z), most = p.airAccel * dt * n;
-  if (side > kOffSpeed && std::abs(side - most) > kOffLimit * n) return {};
-  Vec3 out = b.position - a.position - (a.velocity * n + gain * (0.5f * (n + 1))) * dt;
-  out.y = 0;
-  return {true, out};
-}
-
-}  // namespace
 
 Vec3 MassCentre::at(Turns yaw) const {
   const Vec3 front = directionOf(sinCos(yaw));
   return front * ahead + rightOf(front) * right;
-}
-
-MassCentre massCentreOf(std::span<const Track* const> tracks, const Track& without,
-                        const Params& params) {
-  using Key = std::array<float, 3>;
-  const auto keyOf = [](const Frame& f) { return Key{f.velocity.x, f.velocity.y, f.velocity.z}; };
-  std::set<Key> own;
-  for (const Frame& f : without.frames) own.insert(keyOf(f));
-  double turning = 0, ahead = 0, right = 0;
-  for (const Track* track : tracks) {
-    if (track == &without) continue;
-    for (size_t i = 1; i < track->frames.size(); ++i) {
-      const Frame &a = track->frames[i - 1], &b = track->frames[i];
-      const Vec3 turn = b.facing - a.facing;
-      if (dot(turn, turn) < kLeastTurn2) continue;
-      const Swing swing = swingOf(a, b, params);
-      if (!swing.known || own.count(keyOf(a)) + own.count(keyOf(b)) > 0) continue;
-      turning += double(dot(turn, turn));
-      ahead -= double(dot(turn, swing.root));
-      right -= double(dot(rightOf(turn), swing.root));
-    }
-  }
-  if (turning < double(kLeastTurning)) return {};
-  return {float(ahead / turning), float(right / turning)};
 }
 
 }  // namespace obby::calibrate

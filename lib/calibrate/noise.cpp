@@ -5,8 +5,8 @@
 
 namespace obby::calibrate {
 
-// Positions between their neighbours, off by more than any motion explains: the middle one of all
-// sizes is hardly moved by landings and turns.
+// Measures how far positions are from the mean of their neighbours. Landings and turns hardly move
+// the median of all.
 double noiseOf(std::span<const Take> takes) {
   std::vector<double> sizes;
   for (const Take& take : takes) {
@@ -20,7 +20,7 @@ double noiseOf(std::span<const Take> takes) {
   if (sizes.empty()) return 0;
   const auto middle = sizes.begin() + std::ptrdiff_t(sizes.size() / 2);
   std::nth_element(sizes.begin(), middle, sizes.end());
-  // The difference from a mean of two has one and a half times the variance of each.
+  // A difference from the mean of two has one and a half times the variance of one value.
   return *middle / std::sqrt(1.5);
 }
 

@@ -1,4 +1,4 @@
-// How much of what a recording shows is its recorder's.
+// Estimates the measurement noise of recordings.
 #pragma once
 
 #include <span>
@@ -10,7 +10,7 @@ namespace obby::calibrate {
 // A normal distribution's standard deviation, as a multiple of the median of its absolute values.
 inline constexpr double kDeviationOfMedian = 1.4826;
 
-// Studs by which recorded positions are off by themselves, in the middle; 0 without frames.
+// Returns the typical error of recorded positions in studs, or 0 without frames.
 double noiseOf(std::span<const Take> takes);
 
 }  // namespace obby::calibrate

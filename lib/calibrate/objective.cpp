@@ -11,10 +11,10 @@ namespace obby::calibrate {
 
 namespace {
 
-constexpr double kEarliest = -0.05, kLatest = 0.15;  // seconds of delay that are tried
+constexpr double kEarliest = -0.05, kLatest = 0.15;  // range of the delay, seconds
 constexpr double kParted = 0.5;                      // studs
 
-// Cauchy's: half the square of a small error, and ever less of a large one.
+// Cauchy's loss: half the square of a small error, and logarithmic for large ones.
 double costOf(double error, double near) {
   return 0.5 * near * near * std::log1p((error / near) * (error / near));
 }
@@ -94,7 +94,7 @@ Result<std::vector<float>> Objective::residuals(std::span<const double> point) c
   std::optional<level::Level> level;
   const Take* before = nullptr;
   for (const Take& take : takes_) {
-    // Compiling a level takes longer than playing in it.
+    // Compiling a level takes longer than simulating in it.
     if (!before || &before->level.storage() != &take.level.storage()) {
       OBBY_ASSIGN(level, levelAt(point, take));
     }
@@ -124,7 +124,7 @@ double Objective::loss(std::span<const double> point) const {
   if (all->empty()) return 0;
   double sum = 0;
   for (const float r : *all) sum += costOf(double(r), settings_.near);
-  // A least one is looked for among losses, which what is no number can never be.
+  // A NaN compares false with every loss, so it must not become the minimum.
   if (!std::isfinite(sum)) return std::numeric_limits<double>::max();
   return sum / double(all->size() / kResiduals);
 }

@@ -1,4 +1,4 @@
-// How far the simulator is from the recordings under given parameters.
+// The distance between the simulator and the recordings under given parameters.
 #pragma once
 
 #include <span>
@@ -11,61 +11,64 @@
 
 namespace obby::calibrate {
 
-// A recording and the level that it was made in.
+// A recording with its level.
 struct Take {
   Track track;
   io::Record level;
 };
 
-// Its level under other parameters, but for what the level states itself (io/physics.h).
+// Compiles the take's level under other parameters, except for what the level defines
+// (io/physics.h).
 Result<level::Level> levelWith(const Take& take, schema::PhysicsParams::Reader params);
 
 struct ObjectiveSettings {
-  double windowSeconds = 0.5;  // the simulator goes on by itself for so long; 0: to the end
-  double near = 0.25;  // studs: of errors above only the order counts: another thing happened there
-  double speedSeconds = 0.1;  // an error in speed counts as what it comes to in so long
-  double reach = 0.5;         // studs: an error in facing counts as what it comes to so far ahead
+  double windowSeconds = 0.5;  // length of a free-running window; 0: to the end
+  double near = 0.25;  // studs: scale of the loss; larger errors, as from a different event, count
+                       // logarithmically
+  double speedSeconds = 0.1;  // converts an error in speed to studs
+  double reach = 0.5;         // studs: converts an error in facing to studs
 };
 
-// Per frame, in studs: how far off the position is, the velocity (three axes each), and the facing
-// (two; 0 where it is not recorded).
+// Residuals per frame, in studs: position and velocity (three axes each) and facing (two; 0 if not
+// recorded).
 constexpr uint32_t kResiduals = 8;
 
 class Objective {
  public:
-  // The takes must outlive it. `now`: what the parameters that are not fitted are. The last of what
-  // is fitted is the delay from an input to what comes of it, in seconds.
+  // The takes must outlive it. `now`: values of the parameters that are not fitted. The last
+  // coordinate is the delay from an input to its effect, in seconds.
   Objective(std::span<const Take> takes, std::vector<Parameter> parameters,
             schema::PhysicsParams::Reader now, const ObjectiveSettings& settings);
 
-  // The same of other takes, of other parameters.
+  // Return a copy with other takes or other parameters.
   Objective of(std::span<const Take> takes) const;
   Objective of(std::vector<Parameter> parameters) const;
-  // The same of other parameters, begun at a point of these.
+  // Returns a copy with other parameters, whose unfitted values come from `point`.
   Objective from(std::span<const double> point, std::vector<Parameter> parameters) const;
 
   std::span<const Take> takes() const { return takes_; }
   const std::vector<Parameter>& parameters() const { return parameters_; }
   const ObjectiveSettings& settings() const { return settings_; }
   size_t dimensions() const { return parameters_.size() + 1; }
-  size_t frames() const;       // that are held against the recordings
+  size_t frames() const;       // compared ones
   double controlRate() const;  // ticks a second
 
-  // `point`: (dimensions), shares of the bounds. Cauchy's loss, a mean over frames, in studs^2; the
-  // largest number there is where a level does not compile with these parameters, or where the
-  // simulator's numbers overflow.
+  // `point`: (dimensions), shares of the bounds. Returns Cauchy's loss, a mean over frames, in
+  // studs^2. Returns the max double if a level does not compile with these parameters or the
+  // simulation overflows.
   double loss(std::span<const double> point) const;
-  // (frames, kResiduals), of each take's windows in order. Errors as of Level::compile.
+  // Returns (frames, kResiduals), for the windows of each take in order. Errors: those of
+  // Level::compile.
   Result<std::vector<float>> residuals(std::span<const double> point) const;
 
-  // What a point stands for.
+  // Convert a point to parameter values and a delay.
   void apply(std::span<const double> point, schema::PhysicsParams::Builder to) const;
   double delayAt(std::span<const double> point) const;
-  // The parameters as they are now, and no delay.
+  // Returns the point of the current parameters and no delay.
   std::vector<double> start() const;
-  // The point that stands for these.
+  // Returns the point of these values.
   std::vector<double> pointAt(schema::PhysicsParams::Reader params, double delay) const;
-  // Shares of delays so many seconds apart, over all that are tried.
+  // Returns delays `step` seconds apart, over the whole range, as shares.
   std::vector<double> delayShares(double step) const;
 
  private:
@@ -77,16 +80,16 @@ class Objective {
   ObjectiveSettings settings_;
 };
 
-// How far off a take that plays to its end is.
+// Errors of a complete playback.
 struct Miss {
   double mean = 0, last = 0, most = 0;  // studs
-  double parted = -1;                   // seconds until half a stud off; negative: never
+  double parted = -1;                   // seconds until half a stud off; -1: never
 };
 
-// A take and what the simulator makes of its inputs, from its start to its end.
+// A take and its complete playback in the simulator.
 struct Path {
   std::vector<double> seconds;
-  std::vector<Vec3> recorded, simulated;  // of the root part's centre
+  std::vector<Vec3> recorded, simulated;  // of the root part's centre, studs
 };
 Result<Path> pathOf(const Take& take, schema::PhysicsParams::Reader params, double delay);
 Miss missOf(const Path& path);

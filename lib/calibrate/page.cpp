@@ -13,11 +13,12 @@ namespace obby::calibrate {
 
 namespace {
 
-constexpr double kBar = 220;        // pixels of an interval's bar
-constexpr double kPlotWidth = 640;  // pixels, as io::chartSvg draws
+constexpr double kBar = 220;        // width of an interval's bar, pixels
+constexpr double kPlotWidth = 640;  // pixels, as in io::chartSvg
 constexpr double kLow = 150, kHigh = 460;
-constexpr double kLeastMap = 4;      // studs across: less would show the noise only
-constexpr size_t kMostPoints = 600;  // of a curve: more are not seen
+constexpr double kLeastMap = 4;      // min width of a map, studs; smaller ones would show only
+                                     // noise
+constexpr size_t kMostPoints = 600;  // max points of a curve; more are not visible
 
 constexpr const char* kHead = R"(<!doctype html>
 <html lang="en"><head><meta charset="utf-8">
@@ -43,7 +44,7 @@ std::string number(double value) { return fmt::format("{:.5g}", value); }
 
 double placeOf(const Parameter& p, double value) { return kBar * shareOf(p, value); }
 
-// The interval within the bounds, the value before as a line.
+// Draws the interval within the bounds, and the value before the fit as a line.
 std::string barOf(const Fitted& f) {
   const Parameter& p = f.parameter;
   const double low = placeOf(p, f.low), high = placeOf(p, f.high);
@@ -97,7 +98,7 @@ std::string parametersOf(const Fit& fit) {
   return out + "</ul>\n";
 }
 
-// Every so many-th point, and the last.
+// Samples every n-th point, and the last.
 template <class Point>
 io::ChartCurve curveOf(const std::string& name, size_t count, const Point& point) {
   io::ChartCurve curve{name, {}, {}, {}};
@@ -134,7 +135,7 @@ Range widened(Range range, double size) {
   return {range.from - more, range.to + more};
 }
 
-// A map: a stud is as long on both axes.
+// A map has the same scale on both axes.
 io::ChartPlot mapOf(const std::string& across, const std::string& up,
                     std::vector<io::ChartCurve> curves) {
   Range x = rangeOf(curves, false), y = rangeOf(curves, true);

@@ -1,6 +1,6 @@
-// What a calibration found, as a page to look at: parameters with their intervals, and for each
-// recording its way beside the simulator's. One file without scripts, readable offline, on light
-// and on dark.
+// Calibration results as an HTML page: parameters with their intervals, and each recorded
+// trajectory next to the simulated one. It is one file without scripts, readable offline in light
+// and dark themes.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@
 
 namespace obby::calibrate {
 
-// `why`: as textOf() in report.h has it.
+// `why`: as for textOf() in report.h.
 std::string pageOf(const Fit& fit, const std::vector<Outcome>& outcomes, double tolerance,
                    const std::vector<std::string>& why);
 

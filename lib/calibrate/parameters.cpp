@@ -19,14 +19,14 @@ constexpr uint64_t kUnitAnnotation = 0xb0f5e1a7d9c3a2e4;
 
 struct Row {
   const char* name;
-  double factor;  // the upper bound is the value of now times this
+  double factor;  // upper bound = current value * factor
   const char* manoeuvre;
   Parameter::Kind kind = Parameter::Kind::smooth;
-  double divisor = factor;  // the lower bound is the value of now by this
-  double most = 0;          // where it may be 0: that and this are the bounds
+  double divisor = factor;  // lower bound = current value / divisor
+  double most = 0;          // for a value that may be 0: the range is [0, most]
 };
 
-// What a walking, jumping body shows of itself, each with the manoeuvre that shows it best.
+// Parameters of a walking, jumping body, each with the manoeuvre that shows it best.
 constexpr Row kRows[] = {
     {"walkSpeed", 2, "run straight on for two seconds"},
     {"traction", 4, "start running, stop, turn back on the flat"},
@@ -42,7 +42,7 @@ constexpr Row kRows[] = {
     {"floorKeep", 1.3, "walk off a ledge", Parameter::Kind::event},
     {"floorAcquire", 1.3, "land from a jump", Parameter::Kind::event},
     {"floorRaySpread", 2, "walk off ledges, forward and sideways", Parameter::Kind::event},
-    // Down to what is none at 240 ticks a second, too.
+    // The range reaches down to 0 ticks at 240 ticks a second.
     {"landedTime", 4, "hold jump for several jumps", Parameter::Kind::ticks, 30},
     {"coyoteTime", 3, "walk off a ledge and jump at once, later each time", Parameter::Kind::ticks,
      8},

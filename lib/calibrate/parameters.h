@@ -1,4 +1,4 @@
-// The physics parameters that a recording can tell something about.
+// The physics parameters that recordings can determine.
 #pragma once
 
 #include <string>
@@ -11,15 +11,15 @@
 namespace obby::calibrate {
 
 struct Parameter {
-  std::string name;        // of PhysicsParams
-  std::string unit;        // of the schema
-  double lowest, highest;  // that are tried; from a lowest of 0 on shares are no logarithms
-  std::string manoeuvre;   // what to record to learn of it
+  std::string name;        // as in PhysicsParams
+  std::string unit;        // from the schema
+  double lowest, highest;  // range searched; shares are linear if `lowest` is 0
+  std::string manoeuvre;   // a recording that determines it
   enum class Kind {
-    smooth,  // errors have a slope by it
+    smooth,  // errors have a gradient with respect to it
     ticks,   // a time that the simulator counts in whole ticks
-    event,   // decides when something happens, and nothing else
-    touch,   // errors have a slope by it, and leap where it decides what is touched
+    event,   // decides only when something happens
+    touch,   // errors have a gradient, and jump where it decides what is touched
   };
   Kind kind = Kind::smooth;
 };
@@ -28,21 +28,22 @@ constexpr bool hasSlope(Parameter::Kind kind) {
   return kind == Parameter::Kind::smooth || kind == Parameter::Kind::touch;
 }
 
-// All that can be fitted, with bounds around `now` within the schema's ranges.
+// Returns all parameters that can be fitted, with bounds around `now` within the schema's ranges.
 std::vector<Parameter> parametersAround(schema::PhysicsParams::Reader now);
 
-// In their order, each once. The error names those there are.
+// Returns the named parameters in the order of the list above, each once. The error lists the valid
+// names.
 Result<std::vector<Parameter>> parametersNamed(const std::vector<std::string>& names,
                                                schema::PhysicsParams::Reader now);
 
 double valueOf(schema::PhysicsParams::Reader params, std::string_view name);
 void setValue(schema::PhysicsParams::Builder params, std::string_view name, double value);
 
-// The same of a name and a value that somebody typed. Errors: no such parameter, out of range.
+// Sets a value from user input. Errors: no such parameter, out of range.
 Status setNamed(schema::PhysicsParams::Builder params, const std::string& name, double value);
 
-// A parameter's share is what the optimiser sees: its bounds are 0 and 1, and what is between them
-// goes by logarithms, which 0 has none of. What is beyond a bound has the share of the bound.
+// The share is the optimiser's coordinate: 0 and 1 are the bounds. The scale between them is
+// logarithmic, or linear if the lower bound is 0. Values beyond a bound are clamped to it.
 double shareOf(const Parameter& parameter, double value);
 double valueAt(const Parameter& parameter, double share);
 

@@ -9,8 +9,8 @@ namespace obby::calibrate {
 
 namespace {
 
-// One window on its way. It begins a little earlier, held to the track tick by tick, to come by
-// what no frame shows: where the player faces, how long ago a floor was sensed.
+// A window in progress. It begins earlier and follows the track tick by tick, which yields state
+// that no frame records: the facing, and the time since a floor was sensed.
 struct Player {
   const Track& track;
   Window window;
@@ -18,8 +18,8 @@ struct Player {
   int tick;       // negative: before the window
   sim::World world;
   std::vector<sim::LooseBody> loose;
-  uint32_t held = 0;  // frame whose input is in force
-  uint32_t next = 0;  // frame that is met next
+  uint32_t held = 0;  // frame whose input is active
+  uint32_t next = 0;  // next frame to compare
   Moment before = {};
 
   bool over() const { return next > window.last; }
@@ -35,7 +35,7 @@ constexpr double kLead = 0.4;  // seconds before a window
 
 bool showsFacing(const Frame& f) { return f.facing.x != 0 || f.facing.z != 0; }
 
-// Holds a player to what a frame shows.
+// Sets a player's state to that of a recorded frame.
 void hold(Player& player, uint32_t frame, const level::LevelView& level) {
   const Frame& f = player.track.frames[frame];
   player.world.position = feetOf(f, level.params);
@@ -79,8 +79,8 @@ std::vector<Window> windowsOf(const Track& track, double seconds, const level::L
 
 namespace {
 
-// Who stands still faces where they went, and who climbs where they went when they came to the
-// truss.
+// A standing player faces the last move direction. A climbing one faces the move direction on
+// arrival at the truss.
 Turns facingAt(const Track& track, uint32_t index) {
   const Vec3 facing = track.frames[index].facing;
   if (showsFacing(track.frames[index])) return headingOf(facing.x, facing.z);
@@ -111,7 +111,7 @@ sim::World worldAt(const Track& track, uint32_t index, const level::LevelView& l
   if (f.state != sim::State::landed) return w;
   uint32_t landed = index;
   while (landed > 0 && track.frames[landed - 1].state == sim::State::landed) --landed;
-  // The tick that lands counts.
+  // The landing tick counts.
   const int64_t ticks = 1 + int64_t(wholeTicks(f.time - track.frames[landed].time, p));
   w.landedSteps = uint8_t(std::max<int64_t>(p.landedSteps - ticks * p.substeps, 0));
   return w;
@@ -125,12 +125,12 @@ Player playerOf(const Track& track, const Window& window, const level::LevelView
   const double begin = origin - lead * double(level.params.tickSeconds);
   const uint32_t first = nearestFrame(track, window.first, begin);
   sim::World world = worldAt(track, first, level);
-  // Its frame may be some ticks away from there; what moves by the clock is not.
+  // The frame may be some ticks off, but moving parts follow the exact time.
   world.tick = track.tickAt(begin, level.params);
   return {track, window, origin, -lead, world, sim::startLoose(level), first, window.first + 1};
 }
 
-// Visits the frames that the last tick went past.
+// Visits the frames passed in the last tick.
 void meetFrames(Player& player, const Params& p, uint32_t number, const Visit& visit) {
   const Moment after = momentOf(player.world, p);
   for (; !player.over(); ++player.next) {
@@ -162,7 +162,7 @@ void playBack(const level::LevelView& level, const Track& track, const std::vect
       player.before = momentOf(player.world, p);
       worlds.push_back(&player.world);
       loose.push_back(player.loose.data());
-      // An input counts for a tick if it is there for most of it.
+      // An input counts for a tick if it is active at its middle.
       actions.push_back(player.actionAt(now - delay + 0.5 * double(p.tickSeconds)));
       whose.push_back(i);
     }

@@ -1,4 +1,4 @@
-// A recording's inputs, played by the simulator under given parameters, from any of its frames on.
+// Playback of a recording's inputs in the simulator under given parameters, from any frame on.
 #pragma once
 
 #include <functional>
@@ -10,29 +10,29 @@
 
 namespace obby::calibrate {
 
-// Frames first ... last of a track: the simulator starts as the first one is, and is held against
+// Frames first to last of a track. The simulation starts from the first one and is compared with
 // the others.
 struct Window {
   uint32_t first, last;
 };
 
-// Side by side, of about so many seconds each; with loose bodies in the level that the track does
-// not show, one from the start to the end.
+// Returns consecutive windows of about `seconds` each. If the track does not show dynamic bodies of
+// the level, returns one window from start to end.
 std::vector<Window> windowsOf(const Track& track, double seconds, const level::LevelView& level);
 
-// The state that a frame shows, as far as it shows it.
+// Returns the state of a frame, as far as it was recorded.
 sim::World worldAt(const Track& track, uint32_t frame, const level::LevelView& level);
 
-// The simulator's player at the time of a frame, between the two nearest ticks.
+// The simulated player at a frame's time, interpolated between the two nearest ticks.
 struct Moment {
   Vec3 position;  // of the root part's centre
   Vec3 velocity;
-  Vec3 facing;                             // level, about unit
+  Vec3 facing;                             // level, approximately unit length
   sim::State state = sim::State::running;  // after the later of the two ticks
 };
 
-// `delay`: seconds from an input to what comes of it. Calls visit(window, frame, moment) for every
-// frame but the first of each window, frames ascending within a window.
+// `delay`: seconds from an input to its effect. Calls visit(window, frame, moment) for every frame
+// but the first of each window, in ascending order within a window.
 using Visit = std::function<void(uint32_t window, uint32_t frame, const Moment& moment)>;
 void playBack(const level::LevelView& level, const Track& track, const std::vector<Window>& windows,
               double delay, const Visit& visit);

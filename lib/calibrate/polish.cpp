@@ -9,10 +9,10 @@ namespace obby::calibrate {
 namespace {
 
 constexpr int kEventRounds = 3;
-constexpr int kDelayRounds = 6;   // accelerations have far to go
-constexpr int kPolishRounds = 4;  // of refining what has slopes and what counts in ticks
+constexpr int kDelayRounds = 6;   // accelerations change far
+constexpr int kPolishRounds = 4;  // max rounds of gradient steps and tick counts
 
-// In turn as long as it helps.
+// Alternates gradient steps and tick counts while that helps.
 Status refine(const Objective& objective, Found& found, const Work& work) {
   std::vector<double> point = found.in(objective);
   settle(objective, point, Tried::singly, work);

@@ -1,4 +1,4 @@
-// What comes after a search: from near to as near as the parameters go.
+// Local refinement after a search.
 #pragma once
 
 #include "calibrate/found.h"
@@ -6,11 +6,10 @@
 
 namespace obby::calibrate {
 
-constexpr int kSlopeRounds = 12;  // of Gauss-Newton, at most
+constexpr int kSlopeRounds = 12;  // max rounds of Gauss-Newton
 
-// By slopes, and by whole ticks where there are none; then over the leaps of what decides events,
-// and of pairs of times. A stop ends it early, at what is found until then. Errors as of
-// Level::compile.
+// Takes gradient steps, then searches tick-valued parameters, then discontinuous ones and pairs of
+// tick counts. A stop ends it early with the best so far. Errors: those of Level::compile.
 Status polish(const Objective& objective, Found& found, const Work& work, Stretch stretch);
 
 }  // namespace obby::calibrate

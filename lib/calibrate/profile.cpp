@@ -6,7 +6,7 @@ namespace obby::calibrate {
 
 namespace {
 
-constexpr double kSameLoss = 1e-9;  // of a loss
+constexpr double kSameLoss = 1e-9;  // relative
 
 }  // namespace
 

@@ -1,4 +1,4 @@
-// How far off the recordings are by one parameter that their errors have no slope by.
+// The loss along one parameter without a gradient.
 #pragma once
 
 #include <cstddef>
@@ -9,10 +9,10 @@ namespace obby::calibrate {
 struct Profile {
   size_t coordinate;           // of an objective's point
   std::vector<double> shares;  // of the bounds, ascending
-  std::vector<double> losses;  // Objective::loss of each
+  std::vector<double> losses;  // Objective::loss at each
 };
 
-// The shares that a profile leaves possible: their losses exceed the least one by no more than
+// The shares that a profile does not rule out: their losses exceed the minimum by no more than
 // `slack` (slackOf() in evidence.h).
 struct Possible {
   double least, most;
@@ -20,7 +20,7 @@ struct Possible {
 };
 Possible possibleOf(const Profile& profile, double slack);
 
-// Losses that differ by rounding only; `least` is the smaller.
+// Returns true if the losses differ only by rounding; `least` is the smaller one.
 bool alike(double loss, double least);
 
 }  // namespace obby::calibrate

@@ -1,4 +1,4 @@
-// How a report writes a range.
+// Formats a range for reports.
 #pragma once
 
 #include <fmt/format.h>
@@ -7,7 +7,7 @@
 
 namespace obby::calibrate {
 
-// The ends as they print; one number if both print alike.
+// Joins the printed ends, or returns one if both print the same.
 inline std::string rangeText(const std::string& low, const std::string& high) {
   return low == high ? low : fmt::format("{} to {}", low, high);
 }

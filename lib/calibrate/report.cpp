@@ -11,7 +11,7 @@ namespace obby::calibrate {
 
 namespace {
 
-// A time that the simulator counts in whole ticks.
+// Formats a time that counts in whole ticks.
 std::string ticksOf(const Fitted& f) {
   const long least = std::lround(f.low / f.tick), most = std::lround(f.high / f.tick);
   return fmt::format("{} tick{}", rangeText(fmt::format("{}", least), fmt::format("{}", most)),

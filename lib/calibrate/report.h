@@ -1,4 +1,4 @@
-// What a calibration found, as a text for people.
+// Calibration results as text.
 #pragma once
 
 #include <string>
@@ -8,21 +8,22 @@
 
 namespace obby::calibrate {
 
-// How far off a recording is, played to its end with the fitted parameters.
+// Error of a recording's complete playback with the fitted parameters.
 struct Outcome {
   std::string name;
-  bool heldOut = false;  // the fit has not seen it
+  bool heldOut = false;  // not used by the fit
   Path path;
   Miss miss;
 };
 
-// That a fit was interrupted, and what this means; nothing of one that was not.
+// Returns a note that the fit was interrupted, or an empty text.
 std::string interruptionOf(const Fit& fit);
 
-// Mean over those that are held out, or over all where none is.
+// Returns the mean error of the held-out recordings, or of all if none is held out.
 double meanMiss(const std::vector<Outcome>& outcomes);
 
-// `why`: it is not nearer, a reason each (reasonsOf() in shortfall.h); none within the tolerance.
+// `why`: reasons why the fit is not within the tolerance (reasonsOf() in shortfall.h); empty if it
+// is.
 std::string textOf(const Fit& fit, const std::vector<Outcome>& outcomes, double tolerance,
                    const std::vector<std::string>& why);
 

@@ -6,13 +6,13 @@ namespace obby::calibrate {
 
 namespace {
 
-constexpr double kWide = 0.25;             // deviation of a search's first generation, in shares
-constexpr double kNarrow[] = {0.1, 0.03};  // of those that go on from what another found, in turn
-constexpr double kResting = 1e-5;          // of a search that goes nowhere any more
-constexpr uint32_t kLooks = 10;            // generations after which the tolerance is looked at
-constexpr double kUnfit = 1e300;           // loss of what was not tried
+constexpr double kWide = 0.25;             // deviation of a first generation in pass 0, in shares
+constexpr double kNarrow[] = {0.1, 0.03};  // in later passes, which start from a result
+constexpr double kResting = 1e-5;          // deviation at which a search has converged
+constexpr uint32_t kLooks = 10;            // generations between checks of the tolerance
+constexpr double kUnfit = 1e300;           // loss of points that were not evaluated
 
-// All searches of a pass, one after another.
+// The searches of one pass, one after another.
 class Searcher {
  public:
   Searcher(const Objective& objective, Found& found, const FitSettings& settings, const Work& work)
@@ -25,7 +25,8 @@ class Searcher {
 
   const std::vector<double>& best() const { return best_; }
 
-  // `before`: generations of those before, of `all`. True: within the tolerance.
+  // `before`: generations of the searches before, out of `all`. Returns true if within the
+  // tolerance.
   bool descend(CmaEs method, size_t before, size_t all) {
     for (uint32_t g = 0; g < settings_.generations; ++g) {
       if (method.spread() < kResting || loss_ < kNoLoss) break;

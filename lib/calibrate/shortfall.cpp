@@ -12,26 +12,27 @@ namespace obby::calibrate {
 
 namespace {
 
-constexpr double kSeconds = 0.5;  // of a window
-constexpr double kEnd = 0.005;    // share of the bounds that counts as their end
+constexpr double kSeconds = 0.5;  // length of a window
+constexpr double kEnd = 0.005;    // distance from a bound that counts as at the bound, in shares
 constexpr size_t kMostNamed = 3;
-constexpr double kLittle = 0.01;  // studs: no window that is off by less is worth a word
+constexpr double kLittle = 0.01;  // studs: smaller errors are not reported
 constexpr double kElsewhere[] = {0.1, 0.3, 0.5, 0.7, 0.9};  // shares that are tried
-constexpr double kNearer = 0.7;  // of the distance: another value explains some of it
+constexpr double kNearer = 0.7;  // relative distance below which another value explains part of the
+                                 // error
 
 std::vector<std::string> endsOf(const Fit& fit) {
   std::vector<std::string> out;
   for (const Fitted& f : fit.parameters) {
     const double share = shareOf(f.parameter, f.value);
     const bool shown = f.low > f.parameter.lowest || f.high < f.parameter.highest;
-    // Nothing is below none.
+    // A value of 0 is not at a lower end, since nothing lies below it.
     const bool none = f.parameter.lowest <= 0 || f.value <= 0;
     if (shown && ((share < kEnd && !none) || share > 1 - kEnd)) out.push_back(f.parameter.name);
   }
   return out;
 }
 
-// Of one recording, window by window.
+// Measures the windows of one recording.
 std::vector<Strange> windowsOff(std::span<const Take> takes, size_t index,
                                 const std::vector<Window>& windows, const level::LevelView& level,
                                 double delay) {
@@ -53,7 +54,7 @@ std::vector<Strange> windowsOff(std::span<const Take> takes, size_t index,
   return out;
 }
 
-// The same window under other parameters.
+// Returns the distance of the same window under other parameters.
 Result<double> offUnder(std::span<const Take> takes, const Strange& strange, double delay,
                         schema::PhysicsParams::Reader params) {
   const Track& track = takes[strange.take].track;
@@ -74,7 +75,7 @@ void addUntold(std::span<const Take> takes, const Fit& fit, schema::PhysicsParam
       other.root().setParams(params);
       setValue(other.root().getParams(), f.parameter.name, valueAt(f.parameter, share));
       const auto off = offUnder(takes, strange, fit.delay, other.reader().getParams());
-      if (!off || *off > kNearer * strange.off) continue;  // an error: a body that cannot be
+      if (!off || *off > kNearer * strange.off) continue;  // an infeasible body
       strange.untold.push_back(f.parameter.name);
       break;
     }

@@ -13,12 +13,12 @@ namespace obby::calibrate {
 
 namespace {
 
-constexpr uint32_t kSamples = 48;       // frames that tell the clock
-constexpr float kStray = 0.5f;          // studs off: no noise, but another motion
-constexpr float kRestingSpeed = 0.05f;  // studs/s: slower than this a body rests
-constexpr float kFar = 10;              // studs from a body that are no contact
+constexpr uint32_t kSamples = 48;       // max frames compared to find the clock
+constexpr float kStray = 0.5f;          // studs: a larger distance is not noise but another motion
+constexpr float kRestingSpeed = 0.05f;  // studs/s: slower bodies are at rest
+constexpr float kFar = 10;              // studs from a body at which there is no contact
 
-// Nothing where the part is none that moves, or loose.
+// Returns null if the part neither moves nor is dynamic.
 const level::Collider* colliderOf(const level::LevelView& level, uint32_t part) {
   for (uint32_t i = 0; i < level.colliderCount; ++i) {
     const level::Collider& c = level.colliders[i];
@@ -27,7 +27,7 @@ const level::Collider* colliderOf(const level::LevelView& level, uint32_t part) 
   return nullptr;
 }
 
-// By the level's clock, not by a touch.
+// Returns the part's mover if the level clock drives it, not a touch.
 const level::Mover* clockworkOf(const level::LevelView& level, uint32_t part) {
   const level::Collider* c = colliderOf(level, part);
   if (!c || c->mover == level::kNone) return nullptr;
@@ -35,7 +35,7 @@ const level::Mover* clockworkOf(const level::LevelView& level, uint32_t part) {
   return m.trigger == level::kNone ? &m : nullptr;
 }
 
-// A part's centre and a point beside it, so that turning counts as well.
+// Sums over the centre and two axes, so that rotation counts as well.
 float squaredOff(const PartPose& shown, const Pose& pose) {
   const Mat3 axes = toMat3(shown.rotation);
   const Vec3 moved = shown.position - pose.position;
@@ -43,7 +43,7 @@ float squaredOff(const PartPose& shown, const Pose& pose) {
   return dot(moved, moved) + dot(one, one) + dot(two, two);
 }
 
-// Mean square over some frames; past `enough` it is not counted to its end.
+// Returns the mean square over samples, or the max float early once it exceeds `enough`.
 float squaredOff(const Track& track, size_t part, const level::Mover& mover, const Params& params,
                  double phase, float enough) {
   const size_t step = std::max<size_t>(1, track.frames.size() / kSamples);
@@ -70,7 +70,7 @@ std::vector<Shown> clockworks(const Track& track, const level::LevelView& level)
   return out;
 }
 
-// Seconds; `period`: ticks.
+// `period` in ticks. Returns seconds.
 double phaseOf(const Track& track, const level::LevelView& level, uint32_t period) {
   const std::vector<Shown> moving = clockworks(track, level);
   if (moving.empty()) return 0;
@@ -92,8 +92,8 @@ double phaseOf(const Track& track, const level::LevelView& level, uint32_t perio
   return best;
 }
 
-// The body of a recorded part, or kNotLoose. By the few bodies: it is asked for each recorded part
-// at each tick before a window, and a place has many thousand colliders.
+// Returns the body of a recorded part, or kNotLoose. It searches the few bodies, because it runs
+// for each recorded part at each lead tick and a place has thousands of colliders.
 uint8_t bodyOf(const level::LevelView& level, uint32_t part) {
   for (uint32_t i = 0; i < level.looseCount; ++i) {
     if (level.colliders[level.loose[i].firstCollider].part == part) return uint8_t(i);
@@ -101,7 +101,7 @@ uint8_t bodyOf(const level::LevelView& level, uint32_t part) {
   return level::kNotLoose;
 }
 
-// The turn from one rotation to another, radians about the world's axes.
+// Returns the turn from one rotation to another, in radians about the world axes.
 Vec3 turnBetween(Quat from, Quat to) { return rotationVector(toMat3(to) * inverse(toMat3(from))); }
 
 }  // namespace

@@ -1,5 +1,5 @@
-// What a recording shows beside its player: which tick of the level's clock it begins at, and where
-// loose bodies are.
+// The surroundings of a recorded player: the level clock at the start, and the poses of dynamic
+// bodies.
 #pragma once
 
 #include <string>
@@ -11,27 +11,26 @@
 
 namespace obby::calibrate {
 
-constexpr uint32_t kLongestClock = 120;  // seconds of the level's clock that are tried
+constexpr uint32_t kLongestClock = 120;  // max level clock that is tried, seconds
 
-// Finds the recorded parts in the level, and the level clock at the first frame: the tick from
-// which moving parts of the level come nearest to where the recording has them. Errors: a part that
-// the level has not, or has more than once.
+// Finds the recorded parts in the level, and the level clock at the first frame. That is the tick
+// from which the level's moving parts match the recorded ones best. Errors: a part that is not in
+// the level, or more than once.
 Status place(Track& track, schema::Level::Reader record, const level::Level& level);
 
-// A moving part that does not move as the level says.
+// A moving part that does not follow the level's motion.
 struct Stray {
-  std::string part;  // as the recording names it
-  uint32_t number;   // in the level
-  float studs;       // off, the root of the mean square
+  std::string part;  // name in the recording
+  uint32_t number;   // index in the level
+  float studs;       // distance, root mean square
 };
 std::vector<Stray> straysOf(const Track& track, const level::LevelView& level);
 
-// Each loose body is recorded, or the player stays far from it: the simulator can begin at any
-// frame.
+// Returns true if each dynamic body is recorded or stays far from the player. Then the simulation
+// can start at any frame.
 bool showsLoose(const Track& track, const level::LevelView& level);
 
-// Puts the recorded loose bodies where the frame has them, as fast as they are then. True if one
-// moves.
+// Sets the recorded dynamic bodies to a frame's poses and velocities. Returns true if one moves.
 bool showLoose(const Track& track, uint32_t frame, const level::LevelView& level,
                std::vector<sim::LooseBody>& bodies);
 

@@ -39,7 +39,7 @@ Status Takes::add(schema::Recording::Reader recording) {
   return {};
 }
 
-// A manoeuvre is done several times: "hold jump", "hold jump (2)".
+// Numbers repeated manoeuvres: "hold jump", "hold jump (2)".
 std::string Takes::unlike(const std::string& name) {
   uint32_t& number = numbers_[name];
   for (;;) {

@@ -1,4 +1,4 @@
-// Recordings with their levels, out of a stream.
+// Collects recordings and their levels from a stream.
 #pragma once
 
 #include <map>
@@ -14,16 +14,15 @@ namespace obby::calibrate {
 
 class Takes {
  public:
-  // The pipeline's handler: keeps levels and recordings, passes the rest. Errors: a recording
-  // whose level did not come before it, those of trackOf() and of Level::compile.
+  // Handles a record of the pipeline: keeps levels and recordings and passes on the rest. Errors: a
+  // recording whose level has not come before it, and those of trackOf() and Level::compile.
   Result<io::Then> handle(const io::Record& record);
 
-  // In the order in which they came. No two have one name: what is said of a recording is said of
-  // one.
+  // Returns the takes in the order of arrival. Names are unique, so that reports are unambiguous.
   std::vector<Take> take() { return std::move(takes_); }
 
-  // Moving parts that do not move as their level says: whoever rides one is played beside where
-  // they were, and parameters bend to make up for it.
+  // Returns a warning for each moving part that does not follow its level's motion. A player on one
+  // is compared with a wrong floor, which biases the parameters.
   std::vector<std::string> warnings() const;
 
  private:
@@ -31,7 +30,7 @@ class Takes {
   std::string unlike(const std::string& name);
   void lookForStrays(const Track& track, const level::Level& level);
 
-  // A part in all recordings of its level, and the worst of these.
+  // A part's deviations in all recordings of its level, and the largest of them.
   struct Astray {
     uint32_t recordings = 0;
     float studs = 0;
@@ -39,12 +38,12 @@ class Takes {
   };
   std::map<std::pair<std::string, uint32_t>, Astray> astray_;  // by level and number
   std::set<std::string> names_;
-  std::map<std::string, uint32_t> numbers_;  // of recordings that were given a name
+  std::map<std::string, uint32_t> numbers_;  // recordings per original name
   std::map<std::string, io::Record> levels_;
   std::vector<Take> takes_;
 };
 
-// Every n-th, beginning with the n-th, goes to `heldOut`.
+// Moves every n-th take, beginning with the n-th, out of `takes`.
 std::vector<Take> holdOut(std::vector<Take>& takes, uint32_t n);
 
 }  // namespace obby::calibrate

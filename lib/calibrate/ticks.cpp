@@ -10,7 +10,7 @@ namespace obby::calibrate {
 namespace {
 
 constexpr int kTickRounds = 3;
-constexpr size_t kForPairs = 150;  // counts in all: pairs of more take too long
+constexpr size_t kForPairs = 150;  // max number of counts for which pairs are tried
 
 uint32_t countAt(const Objective& objective, const std::vector<double>& point, size_t i) {
   return uint32_t(
@@ -21,7 +21,7 @@ double shareOfCount(const Objective& objective, size_t i, uint32_t count) {
   return shareOf(objective.parameters()[i], count / objective.controlRate());
 }
 
-// Without losses yet.
+// Profiles without losses.
 std::vector<Profile> profilesOf(const Objective& objective) {
   std::vector<Profile> out;
   const double rate = objective.controlRate();
@@ -44,7 +44,7 @@ bool differ(const Result<std::vector<float>>& a, const Result<std::vector<float>
   return bool(a) != bool(b) || (a && *a != *b);
 }
 
-// Recordings in which any of these times shows, at the shortest or longest that they can be.
+// Returns the recordings in which a time has an effect, at its shortest or longest.
 std::vector<Take> telling(const Objective& objective, const std::vector<double>& point,
                           const std::vector<Profile>& profiles, const Work& work) {
   std::vector<Take> out;
@@ -66,7 +66,7 @@ std::vector<Take> telling(const Objective& objective, const std::vector<double>&
   return out;
 }
 
-// Two of the profiles, each with one of its counts; or the same one twice.
+// Two profiles, each with one of its counts; or one profile twice.
 struct Choice {
   std::array<size_t, 2> profile, count;
 };
@@ -97,7 +97,7 @@ std::vector<double> pointOf(const Choice& choice, const std::vector<Profile>& pr
   return point;
 }
 
-// How far a choice goes from where the fit began.
+// Returns the distance of a choice from the fit's start.
 double wayOf(const Choice& choice, const std::vector<Profile>& profiles,
              const std::vector<double>& start) {
   double way = 0;
@@ -108,7 +108,7 @@ double wayOf(const Choice& choice, const std::vector<Profile>& profiles,
   return way;
 }
 
-// Of each point; the largest number there is of those that a stop left out.
+// Returns the loss of each point, or the max double for those skipped after a stop.
 std::vector<double> lossesOf(const Objective& objective,
                              const std::vector<std::vector<double>>& points, const Work& work) {
   std::vector<double> losses(points.size(), std::numeric_limits<double>::max());
@@ -119,7 +119,7 @@ std::vector<double> lossesOf(const Objective& objective,
   return losses;
 }
 
-// The delay by quarters of a tick; of alike ones the middle.
+// Sets the delay to the best quarter of a tick, or to the middle of equally good ones.
 bool settleDelay(const Objective& objective, std::vector<double>& point, const Work& work) {
   const size_t at = objective.parameters().size();
   const std::vector<double> shares = objective.delayShares(0.25 / objective.controlRate());

@@ -1,4 +1,4 @@
-// Times that the simulator counts in whole ticks: each count between their bounds is tried.
+// Search over times that the simulator counts in whole ticks: tries each count within the bounds.
 #pragma once
 
 #include "calibrate/objective.h"
@@ -7,30 +7,30 @@
 
 namespace obby::calibrate {
 
-// Of all such times that can be a whole number of ticks within their bounds.
+// Results for all tick-valued times whose bounds allow a whole number of ticks.
 struct Scan {
-  std::vector<Profile> profiles;  // each by the best counts of every other one
-  std::vector<double> best;       // the point with the counts of the least loss; of alike ones
-                                  // those nearest to where the fit began
-  bool better = false;            // that loss is less than the point's
-  size_t frames = 0;  // that the losses are means over: of recordings in which any such time shows
+  std::vector<Profile> profiles;  // each minimised over the other counts
+  std::vector<double> best;       // point with the counts of the least loss; ties go to the counts
+                                  // nearest to the fit's start
+  bool better = false;            // true if that loss is less than the point's
+  size_t frames = 0;  // frames of the losses: those of recordings in which a time has an effect
 };
 
-// Two of these times can hide one another: a jump after the edge takes that neither of two has run
-// out. So the counts can be tried in pairs, which takes a while; of very many they are not.
+// Two times can hide each other: a jump after an edge needs both of two to be unexpired. So counts
+// can be tried in pairs, which takes longer. Beyond a limit on counts, pairs are skipped.
 enum class Tried { singly, inPairs };
 
-// All other coordinates stay. After a stop all do, and the profiles are of no use.
+// All other coordinates stay. After a stop all do, and the profiles are meaningless.
 Scan scanOf(const Objective& objective, const std::vector<double>& point, Tried tried,
             const Work& work);
 
-// Of one such time: the counts up to two beside that of the point.
+// Returns the counts of one time up to two ticks away from the point's.
 std::vector<double> countsAround(const Objective& objective, const std::vector<double>& point,
                                  size_t coordinate);
 
-// Goes to the best counts, and to the best delay by quarters of a tick, as long as the loss falls:
-// an input counts for a whole tick or not at all, so that the delay may show no slope either. True:
-// it fell.
+// Moves to the best counts and the best delay in quarters of a tick, while the loss falls. An input
+// counts for a whole tick or not at all, so the delay may have no gradient either. Returns true if
+// the loss fell.
 bool settle(const Objective& objective, std::vector<double>& point, Tried tried, const Work& work);
 
 }  // namespace obby::calibrate

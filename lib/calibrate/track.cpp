@@ -12,16 +12,16 @@ namespace obby::calibrate {
 namespace {
 
 constexpr float kLeastMove = 0.1f;
-constexpr float kRising = 5;  // studs/s: faster than this upward is no walk
-// Seconds between two frames: nobody knows what happened in a longer pause, and playing it takes
-// as long as it does.
+constexpr float kRising = 5;  // studs/s: faster upward motion is not walking
+// Max seconds between two frames. The events of a longer pause are unknown, and playing it takes
+// that long.
 constexpr double kLongestGap = 10;
-constexpr double kApart = 1e-6;   // seconds: frames closer to each other are of one time
-constexpr float kFastest = 1e5f;  // studs/s: the simulator's numbers must not overflow
+constexpr double kApart = 1e-6;   // seconds: closer frames count as simultaneous
+constexpr float kFastest = 1e5f;  // studs/s: the simulation must not overflow
 
 using level::vec;
 
-// NaN is not.
+// Returns false for NaN.
 bool within(Vec3 v, float most) {
   return absf(v.x) <= most && absf(v.y) <= most && absf(v.z) <= most;
 }
@@ -91,7 +91,7 @@ Frame frameOf(schema::RecordingFrame::Reader f) {
           facing};
 }
 
-// No number that is none, or so large that the simulator could not go on from it.
+// Rejects values that are not finite, or too large for the simulator.
 Status checkNumbers(const Frame& f, uint32_t number) {
   constexpr float kLongestMove = 1e3f;
   const bool sound = std::isfinite(f.time) && within(f.move, kLongestMove) &&
@@ -102,7 +102,7 @@ Status checkNumbers(const Frame& f, uint32_t number) {
                  "use studs and studs/s; leave out bad frames");
 }
 
-// Of the frame's time against the one before.
+// Checks the frame's time against the frame before.
 Status checkTime(const Frame& frame, uint32_t number, const Track& track) {
   if (track.frames.empty()) return {};
   const double before = track.frames.back().time;
@@ -116,7 +116,7 @@ Status checkTime(const Frame& frame, uint32_t number, const Track& track) {
   return {};
 }
 
-// A frame without poses has those of the one before.
+// A frame without poses repeats those of the frame before.
 Status addPoses(schema::RecordingFrame::Reader frame, uint32_t number, Track& track) {
   const auto poses = frame.getPoses();
   const size_t count = track.shown.size();
@@ -139,8 +139,8 @@ Status addPoses(schema::RecordingFrame::Reader frame, uint32_t number, Track& tr
   return {};
 }
 
-// A frame at the time of the one before. The later input is the one in force until the next frame,
-// which may also refer to the later poses.
+// Merges a frame with the previous one at the same time. Its input is active until the next frame,
+// and its poses are later.
 Status addAgain(const Frame& frame, schema::RecordingFrame::Reader record, uint32_t number,
                 Track& track) {
   track.frames.back().move = frame.move;
@@ -173,7 +173,7 @@ Result<Track> trackOf(schema::Recording::Reader record) {
   const auto frames = record.getFrames();
   for (uint32_t i = 0; i < frames.size(); ++i) {
     Frame frame = frameOf(frames[i]);
-    frame.time -= frames[0].getTime();  // some recorders tell the time of their own clock
+    frame.time -= frames[0].getTime();  // some recorders use their own clock
     OBBY_RETURN_IF_ERROR(checkNumbers(frame, i));
     OBBY_RETURN_IF_ERROR(checkTime(frame, i, track));
     if (!track.frames.empty() && frame.time - track.frames.back().time < kApart) {

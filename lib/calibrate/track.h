@@ -1,4 +1,4 @@
-// A recording in plain form: what a player of the real engine did, and where it took them.
+// A recording in plain form: a player's inputs in the real engine and the resulting trajectory.
 #pragma once
 
 #include <string>
@@ -12,7 +12,7 @@
 
 namespace obby::calibrate {
 
-// A sample. Its input is in force from here to the next one.
+// A sample. Its input is active until the next one.
 struct Frame {
   double time = 0;  // seconds since the first frame
   Vec3 move;        // move direction, world axes, length 0 to 1
@@ -20,10 +20,10 @@ struct Frame {
   Vec3 position;  // of the root part's centre, studs
   Vec3 velocity;  // studs/s
   sim::State state = sim::State::freefall;
-  Vec3 facing = {};  // level look vector of the root part, unit; all 0: not recorded
+  Vec3 facing = {};  // level look vector of the root part, unit; all 0 if not recorded
 };
 
-// Where a part is.
+// A part's pose.
 struct PartPose {
   Vec3 position;  // of its centre, studs
   Quat rotation;
@@ -34,37 +34,37 @@ struct Track {
   std::vector<Frame> frames = {};       // at least two, times ascending
   std::vector<std::string> shown = {};  // parts whose poses are recorded
   std::vector<PartPose> poses = {};     // (frames, shown)
-  std::vector<uint32_t> parts = {};     // of `shown`, in the level (surroundings.h)
+  std::vector<uint32_t> parts = {};     // level index of each in `shown` (surroundings.h)
   double phase = 0;                     // level clock at the first frame, seconds (surroundings.h)
 
-  // Without a frame, as a recorder that was too late leaves it.
+  // Removes a frame, as a recorder that missed it would.
   void drop(size_t frame);
 
   const PartPose& pose(size_t frame, size_t part) const {
     return poses[frame * shown.size() + part];
   }
-  // The level clock at a time of the track, in ticks of the level that is played.
+  // Returns the level clock at a time of the track, in ticks of the level.
   uint32_t tickAt(double time, const Params& params) const;
 };
 
-// To the nearest; of a negative time none.
+// Rounds to the nearest; a negative time has 0 ticks.
 uint32_t wholeTicks(double seconds, const Params& params);
 
-// Times count from the first frame on, whatever clock they are of. Of frames of one time the first
-// stays, with the input and the poses of the last. Errors: fewer than two frames, a time that goes
-// back or leaps ahead, what is not finite or far beyond any game, poses of other parts than the
-// recording names.
+// Converts a recording. Times count from the first frame. If several frames have the same time, the
+// first stays, with the last one's input and poses. Errors: fewer than two frames, a time that
+// decreases or jumps ahead, values that are not finite or out of range, and a wrong number of
+// poses.
 Result<Track> trackOf(schema::Recording::Reader record);
 
-// Of an engine's name for it; whoever is in none that a course needs is taken by how they move.
+// Returns the state for an engine state's name. Other states are classified by the velocity.
 sim::State stateOf(const std::string& name, Vec3 velocity);
-const char* nameOf(sim::State state);  // the engine's
+const char* nameOf(sim::State state);  // the engine's name
 
-// The root part's centre above the feet, and back.
+// Convert between the feet and the root part's centre.
 Vec3 rootOf(Vec3 feet, const Params& params);
 Vec3 feetOf(const Frame& frame, const Params& params);
 
-// What is held at `frame`: below a tenth of the full stick nothing.
+// Returns the action of a frame. A stick below a tenth of its range counts as released.
 sim::Action actionOf(const Frame& frame);
 
 }  // namespace obby::calibrate

@@ -11,7 +11,7 @@ namespace obby::calibrate {
 
 namespace {
 
-constexpr double kChange = 0.05;  // studs of a recording's mean distance that count
+constexpr double kChange = 0.05;  // min change of a recording's mean distance, studs
 
 Result<std::vector<double>> distances(std::span<const Take> takes,
                                       schema::PhysicsParams::Reader params, uint16_t tricks,

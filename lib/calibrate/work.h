@@ -1,4 +1,4 @@
-// What a fit works with: its threads, whether it is to stop, and whom it tells how far it has come.
+// The execution context of a fit: threads, the stop flag and progress reports.
 #pragma once
 
 #include <atomic>
@@ -9,29 +9,29 @@
 
 namespace obby::calibrate {
 
-// How far a fit has come.
+// Progress of a fit.
 struct FitProgress {
-  const char* task = "";  // what it is at
-  double share = 0;       // of all that may be to do; never less than before
+  const char* task = "";                             // current phase
+  double share = 0;                                  // share of the whole; never decreases
   double loss = std::numeric_limits<double>::max();  // the least so far
-  uint64_t evaluations = 0;                          // of the recordings, so far
+  uint64_t evaluations = 0;                          // number so far
 };
 
-// A stretch of all that is to do, in shares of it.
+// An interval of the whole progress, in shares.
 struct Stretch {
   double from = 0, to = 1;
 
   Stretch of(double a, double b) const { return {from + (to - from) * a, from + (to - from) * b}; }
 };
 
-// What has been done. Counted from any thread; all else is for the one that fits.
+// Progress counters. Any thread may count; all other members belong to the fitting thread.
 class Account {
  public:
   using Tell = std::function<void(const FitProgress&)>;
   explicit Account(Tell tell) : tell_(std::move(tell)) {}
 
   void enter(const char* task, Stretch stretch);
-  void step(size_t done, size_t all);  // of the stretch that was entered
+  void step(size_t done, size_t all);  // within the current stretch
   void found(double loss);
   void tell() const;
   void count(uint64_t evaluations) { evaluations_ += evaluations; }
@@ -46,21 +46,21 @@ class Account {
   std::atomic<uint64_t> evaluations_{0};
 };
 
-// A view of these; cheap to copy.
+// A cheap view of the context.
 class Work {
  public:
   Work(ThreadPool& pool, const std::atomic<bool>& stop, Account& account)
       : pool_(&pool), stop_(&stop), account_(&account) {}
 
-  // The same inside a task: by the thread that runs the task.
+  // Returns a copy for use inside a task, which runs on the task's thread.
   Work inTask() const { return {nullptr, stop_, account_}; }
-  // The same, of what is needed even after a stop.
+  // Returns a copy without the stop flag, for work that must complete.
   Work toItsEnd() const { return {pool_, nullptr, account_}; }
 
-  // From outside. Once true it stays so.
+  // Returns true once a stop was requested. It never resets.
   bool stopped() const { return stop_ != nullptr && *stop_; }
-  // task(0) ... task(count - 1), each once; after a stop none is begun any more, so that what they
-  // were to write may be missing. Tells after each that the calling thread has done.
+  // Runs task(0) ... task(count - 1), each once. After a stop no further task starts, so outputs
+  // may be missing. Reports progress after each task of the calling thread.
   void run(int count, const std::function<void(int)>& task) const;
   Account& account() const { return *account_; }
 
@@ -68,8 +68,8 @@ class Work {
   Work(ThreadPool* pool, const std::atomic<bool>* stop, Account* account)
       : pool_(pool), stop_(stop), account_(account) {}
 
-  ThreadPool* pool_;               // null: in a task
-  const std::atomic<bool>* stop_;  // null: to its end
+  ThreadPool* pool_;               // null: inside a task
+  const std::atomic<bool>* stop_;  // null: never stops
   Account* account_;
 };
 

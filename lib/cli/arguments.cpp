@@ -6,7 +6,7 @@
 namespace obby::cli {
 
 const Arguments::Value& Arguments::at(const std::string& name) const {
-  return values.at(name);  // a missing row is a mistake in the tool's table
+  return values.at(name);  // a missing row is a bug in the tool's table
 }
 
 const std::string& Arguments::only(const std::string& name) const {

@@ -23,7 +23,7 @@ bool contains(const std::vector<std::string>& choices, const std::string& text) 
   return std::find(choices.begin(), choices.end(), text) != choices.end();
 }
 
-// "from 0 to 16", "of at least 0", "", ...
+// Returns " from 0 to 16", " of at least 0", "", ...
 std::string bounds(const OptionRow& row) {
   const bool low = row.min > std::numeric_limits<double>::lowest();
   const bool high = row.max < std::numeric_limits<double>::max();

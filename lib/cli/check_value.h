@@ -1,4 +1,4 @@
-// Whether a text may be the value of an option.
+// Checks a text as the value of an option.
 #pragma once
 
 #include <optional>
@@ -8,11 +8,11 @@
 
 namespace obby::cli {
 
-// Nothing, or "expected a whole number from 0 to 16, found \"x\"". `text` becomes the value's
-// normal spelling: "true" for "yes".
+// Returns nothing if `text` is valid, otherwise "expected a whole number from 0 to 16, found
+// \"x\"". Changes `text` to the value's normal spelling: "true" for "yes".
 std::optional<std::string> checkValue(const OptionRow& row, std::string& text);
 
-// What help calls the value: its name, or the choices.
+// Returns the value's name in help, or its choices.
 std::string valueLabel(const OptionRow& row);
 
 }  // namespace obby::cli

@@ -12,14 +12,14 @@ std::string identifier(const ToolSpec& spec) {
   return out;
 }
 
-// Inside single quotes of any shell.
+// Escapes text for single quotes of any shell.
 std::string quotedHelp(const std::string& text) {
   std::string out;
   for (const char c : text) out += c == '\'' ? "'\\''" : std::string(1, c);
   return out;
 }
 
-// A line each, so that names may have blanks.
+// Reads one name a line, so that names may contain blanks.
 constexpr const char* kBashFiles = "mapfile -t COMPREPLY < <(compgen -f -- \"$word\")";
 
 bool takesWord(const OptionRow& row) {
@@ -54,7 +54,7 @@ std::string bash(const ToolSpec& spec, const std::vector<OptionRow>& rows) {
       identifier(spec), cases, words.substr(1), spec.name, kBashFiles);
 }
 
-// Brackets and colons have a meaning in zsh's specifications.
+// Escapes brackets and colons, which have a meaning in zsh's specifications.
 std::string zshHelp(const std::string& text) {
   std::string out;
   for (const char c : quotedHelp(text)) {

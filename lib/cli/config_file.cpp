@@ -19,7 +19,7 @@ struct Item {
   std::string section, name;
   ConfigValue value;
   bool alone = false;  // no `=`
-  bool blank = false;  // nothing behind the `=`
+  bool blank = false;  // nothing after the `=`
 };
 
 std::string trimmed(std::string_view text) {
@@ -32,7 +32,7 @@ class Reader {
  public:
   explicit Reader(std::string_view text) : text_(io::withoutByteOrderMark(text)) {}
 
-  // The next option; nothing at the end.
+  // Returns the next option, or nothing at the end.
   Result<std::optional<Item>> next() {
     for (name_.clear();;) {
       skipBlankLines();
@@ -59,7 +59,7 @@ class Reader {
     return Error{{}, fmt::format("{}", line_), name_, std::move(message), std::move(hint)};
   }
 
-  // `begin`: where in this line the wrong text begins.
+  // `begin` is the place in this line where the wrong text begins.
   Error unexpected(const char* expected, size_t begin, std::string hint = {}) {
     at_ = begin;
     const std::string found = io::quoted(trimmed(take("\n")));
@@ -76,7 +76,8 @@ class Reader {
     return true;
   }
 
-  // Up to the first of `ends`, the end of the line among them, or the end of the file.
+  // Takes text up to the first of `ends`, which include the end of the line, or to the end of the
+  // file.
   std::string_view take(const char* ends) {
     const size_t begin = at_, end = text_.find_first_of(ends, begin);
     at_ = end == std::string_view::npos ? text_.size() : end;
@@ -88,7 +89,7 @@ class Reader {
     }
   }
 
-  // And comments.
+  // Skips comments, too.
   void skipBlankLines() {
     do {
       skipBlanks();
@@ -103,7 +104,7 @@ class Reader {
     return unexpected("the end of the line", at_, kQuotesHint);
   }
 
-  // Behind its `[`.
+  // Reads the name of a section, after its `[`.
   Status readSection() {
     const size_t begin = at_ - 1;
     section_ = trimmed(take("]\n"));
@@ -129,7 +130,7 @@ class Reader {
     }
   }
 
-  // `ends`: where one without quotes ends.
+  // Reads one value. Without quotes it ends at one of `ends`.
   Result<std::string> value(const char* ends) {
     if (accept('\'')) {
       std::string text(take("'\n"));
@@ -163,7 +164,7 @@ class Reader {
   std::string_view text_;
   size_t at_ = 0;
   uint64_t line_ = 1;
-  std::string section_, name_;  // where it is
+  std::string section_, name_;  // the current place
 };
 
 const OptionRow* findRow(const std::vector<OptionRow>& rows, const std::string& name) {

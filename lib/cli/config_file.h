@@ -1,4 +1,4 @@
-// The file of --config: lines `name = value`, a form of TOML that leaves nothing to be guessed.
+// The file of --config: lines of `name = value`, a form of TOML without ambiguities.
 #pragma once
 
 #include <map>
@@ -11,18 +11,18 @@
 namespace obby::cli {
 
 struct ConfigValue {
-  std::string line;  // where it was given, last
+  std::string line;  // the line that gave it last
   std::vector<std::string> texts;
 };
-using Config = std::map<std::string, ConfigValue>;  // by the option's name
+using Config = std::map<std::string, ConfigValue>;  // keys are the options' names
 
-// What the file gives to the tool's options. A name alone is a flag. A value is one word, 'text as
-// it is', "text with \" \\ \n \r \t", or several such in [brackets]. Of the sections only [TOOL]
-// is read, and goes over what stands before all sections. Errors: those of the file, with the line.
+// Returns the file's values of the tool's options. A name alone is a flag. A value is one word,
+// 'literal text', "text with \" \\ \n \r \t", or several of these in [brackets]. Only the section
+// [TOOL] is read; it overrides the lines before all sections. Errors have the file and the line.
 Result<Config> readConfig(const std::string& path, const ToolSpec& spec,
                           const std::vector<OptionRow>& rows);
 
-// A text as a value of the file.
+// Returns a text in the form of a value of the file.
 std::string configValue(const std::string& text);
 
 }  // namespace obby::cli

@@ -22,12 +22,12 @@ namespace {
 constexpr const char* kClearLine = "\r\x1b[K";
 constexpr int kStopCheckMilliseconds = 50;
 
-// Nothing in a message may move the cursor, forge another line or turn this one round; that
-// something was there is to be seen.
+// Replaces characters of a message that could move the cursor, forge a line or reverse this one.
+// The replacement stays visible.
 std::string harmless(std::string_view text) { return io::tamed(text, false, '?'); }
 
-// While it lives, to write to a pipe that nobody reads fails and does not end the process: the
-// output may go elsewhere.
+// While this object lives, writing to a pipe without a reader fails instead of ending the process,
+// because the output may go elsewhere.
 class PipeSignalHeld {
  public:
   PipeSignalHeld() {
@@ -57,7 +57,8 @@ void member(std::string& out, const char* name, const std::string& value) {
   out += std::string(",\"") + name + "\":" + io::quoted(value, SIZE_MAX);
 }
 
-// An error about an option has its name, or its variable's, where others have a path in a record.
+// An error about an option has the option's name, or its variable's, in place of a path in a
+// record.
 bool namesOption(std::string_view path) {
   return path.starts_with('-') || path.starts_with("OBBY_");
 }
@@ -134,10 +135,10 @@ void Console::put(std::string_view text) {
     const ssize_t sent = ::write(STDERR_FILENO, text.data(), most);
     if (sent >= 0) {
       text.remove_prefix(size_t(sent));
-    } else if (errno == EAGAIN) {  // somebody else has told it not to wait for its reader
+    } else if (errno == EAGAIN) {  // another program has made it non-blocking
       io::takesMore(STDERR_FILENO, kStopCheckMilliseconds);
     } else if (errno != EINTR) {
-      return;  // nowhere left to complain
+      return;  // there is nowhere left to report this
     }
   }
 }

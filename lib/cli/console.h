@@ -1,5 +1,5 @@
-// The tool's mouth: everything on stderr goes through here, so that messages and the progress line
-// do not run into each other. Safe to use from several threads.
+// The tool's output to stderr. All of it goes through here, so that messages and the progress line
+// do not mix. Thread-safe.
 #pragma once
 
 #include <mutex>
@@ -10,10 +10,10 @@
 
 namespace obby::cli {
 
-// Colours are wanted on that descriptor: a terminal, and neither NO_COLOR nor TERM=dumb.
+// Returns true if the descriptor is a terminal, and neither NO_COLOR nor TERM=dumb is set.
 bool colorsOn(int descriptor);
 
-// Columns of the terminal there; 80 where it is none or does not say.
+// Returns the columns of the terminal; 80 if there is none or it does not say.
 size_t terminalWidth(int descriptor);
 
 class Console {
@@ -22,15 +22,15 @@ class Console {
 
   bool jsonErrors = false, quiet = false, verbose = false, color = false;
 
-  // "obby-solve: level.jsonl:12: parts[88].size: expected 3 numbers", or a JSON object.
+  // Prints "obby-solve: level.jsonl:12: parts[88].size: expected 3 numbers", or a JSON object.
   void error(const Error& error);
   void warn(const std::string& message);
   void note(const std::string& message);
-  // "obby-solve: 3 solved", or a note object; unless quiet.
+  // Prints "obby-solve: 3 solved", or a note object. Silent if quiet.
   void tell(const std::string& message);
-  // A line of its own, as it is.
+  // Prints a line unchanged.
   void line(std::string_view text);
-  // A line that the next call overwrites; empty: takes it away. Only for terminals.
+  // Shows a line that the next call overwrites; empty text removes it. Only for terminals.
   void status(const std::string& text);
 
  private:
@@ -40,7 +40,7 @@ class Console {
   std::string tool_;
   std::mutex mutex_;
   bool drawn_ = false;
-  bool unheard_ = false;  // its reader takes nothing, and the tool has been told to stop
+  bool unheard_ = false;  // the reader takes nothing, and the tool was told to stop
 };
 
 }  // namespace obby::cli

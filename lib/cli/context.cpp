@@ -32,7 +32,7 @@ bool tableAsked(const ToolSpec& spec, const Arguments& arguments) {
   return !given(arguments, "output") && !given(arguments, "format");
 }
 
-// A line that is drawn over and over would be torn by records on the same terminal.
+// Records on the same terminal would break a line that is drawn repeatedly.
 bool canDraw(const ToolSpec& spec, const Arguments& arguments) {
   if (isatty(STDERR_FILENO) != 1) return false;
   return !toStandardOutput(spec, arguments) || isatty(STDOUT_FILENO) != 1 ||

@@ -1,5 +1,5 @@
-// What a running tool has: its arguments, its output, and the one place through which it speaks to
-// people. All of it is safe to call from several threads.
+// The environment of a running tool: its arguments, its output, and the only place through which it
+// reports to users. Thread-safe.
 #pragma once
 
 #include <atomic>
@@ -29,46 +29,48 @@ class Context {
   const Arguments& arguments() const { return arguments_; }
   const std::vector<std::string>& inputs() const { return arguments_.inputs; }
 
-  // Set once by SIGINT or SIGTERM: finish what is done, write the end record, return.
+  // Set once by SIGINT or SIGTERM. The tool then completes its results, writes the end record and
+  // returns.
   const std::atomic<bool>& stop() const;
 
-  // Threads to use: --threads, or all that this process may use.
+  // Returns the threads to use: --threads, or all that this process may use.
   int threads() const;
 
-  // Error: the file of -o is read, too (written_files.h). The two below begin with it.
+  // Returns an error if the file of -o is also read (written_files.h). The next two call it first.
   Status checkOutput() const;
-  // The stream that -o and --format ask for (standard output, JSON lines).
+  // Opens the stream that -o and --format ask for (standard output, JSON lines).
   Result<io::StreamWriter> openOutput() const;
-  // The bytes that -o asks for, for output that is no stream of records.
+  // Opens the bytes that -o asks for, for output that is not a stream of records.
   Result<io::Sink> openSink() const;
 
-  // True if a table replaces the records: ToolSpec::tableAtTerminal.
+  // Returns true if a table replaces the records: ToolSpec::tableAtTerminal.
   bool showsTable() const;
-  // Writes a text for people to standard output, once the progress line is gone.
+  // Writes a text for users to standard output, after the progress line is removed.
   Status show(const std::string& text);
 
-  // The inputs, --on-error, the stop flag and this context's reports, for io::RecordSource.
+  // Returns the inputs, --on-error, the stop flag and this context's reports, for io::RecordSource.
   io::SourceOptions sourceOptions();
-  // Tool, version and --seed, for the header record.
+  // Returns tool, version and --seed, for the header record.
   io::StreamIdentity identity() const;
 
-  // `obby-solve: level.jsonl:12: ...` on stderr (JSON with --json-errors). The exit code will be 2.
+  // Prints `obby-solve: level.jsonl:12: ...` on stderr (JSON with --json-errors). The exit code
+  // will be 2.
   void error(const Error& error);
-  // Likewise, but the exit code stays; silent with --quiet.
+  // Prints a warning, which does not change the exit code. Silent with --quiet.
   void warn(const std::string& message);
-  // Only with --verbose.
+  // Prints a note. Only with --verbose.
   void note(const std::string& message);
-  // The outcome of the run: a line on stderr, or a note object with --json-errors; silent with
-  // --quiet.
+  // Prints the outcome of the run: a line on stderr, or a note object with --json-errors. Silent
+  // with --quiet.
   void tell(const std::string& message);
-  // What the user has to know to go on, on stderr, even with --quiet.
+  // Prints what the user has to know to continue, on stderr, even with --quiet.
   void say(const std::string& message);
-  // Drawn, printed or dropped as --progress says; call it as often as you like.
+  // Draws, prints or drops the progress, as --progress says. May be called at any rate.
   void progress(const ProgressState& state);
 
-  // Errors reported so far.
+  // Returns the number of errors reported so far.
   uint64_t errors() const { return errors_; }
-  // Whether to colour text written to -o: a terminal, and nobody said no.
+  // Returns true if text written to -o gets colours: it is a terminal, and they are not turned off.
   bool colorOutput() const;
 
  private:

@@ -26,7 +26,7 @@ constexpr std::string_view kTools[] = {"obby-import", "obby-solve",     "obby-vi
 
 std::string section(const char* name) { return fmt::format(".SH {}\n", name); }
 
-// Paragraphs, which a blank line parts in `text`.
+// Formats paragraphs, which are separated by a blank line in `text`.
 std::string paragraphs(std::string_view text) {
   std::string out;
   while (!text.empty()) {
@@ -37,7 +37,7 @@ std::string paragraphs(std::string_view text) {
   return out;
 }
 
-// `tag` is roff already.
+// `tag` must already be roff.
 std::string tagged(const std::string& tag, const std::string& text) {
   return ".TP\n" + tag + "\n" + text;
 }
@@ -57,7 +57,7 @@ std::string optionTag(const OptionRow& row) {
   return row.repeatable ? out + "..." : out;
 }
 
-// Each line of the details stays a line.
+// Keeps each line of the details as a line.
 std::string optionEntry(const OptionRow& row) {
   std::string text = escaped(sentence(row.help)) + "\n";
   if (row.repeatable) text += "May be given more than once.\n";
@@ -136,7 +136,7 @@ std::string manualPage(const ToolSpec& spec, const std::vector<OptionRow>& rows)
   std::string out = fmt::format(".TH {} 1 \"\" {} {}\n", escaped(title),
                                 roff::argument(std::string("obby ") + io::toolVersion()),
                                 roff::argument("User commands"));
-  out += ".nh\n.ad l\n";  // option names are not broken, nor words drawn apart
+  out += ".nh\n.ad l\n";  // no hyphenation and no justification
   out += section("NAME") + escaped(spec.name) + " \\- " + escaped(spec.summary) + "\n";
   out += section("SYNOPSIS") + bold(spec.name) + " " + escaped(usageWords(spec)) + "\n";
   out += section("DESCRIPTION");

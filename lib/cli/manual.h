@@ -8,7 +8,7 @@
 
 namespace obby::cli {
 
-// In roff with the macros of man(7).
+// Returns the page in roff with the macros of man(7).
 std::string manualPage(const ToolSpec& spec, const std::vector<OptionRow>& rows);
 
 }  // namespace obby::cli

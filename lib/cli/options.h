@@ -1,5 +1,5 @@
-// The option table: one row an option. Help, manual pages, checks, completions, OBBY_* variables,
-// --config and --print-config all come from these rows, so an option is described in one place
+// The option table, with one row for each option. Help, manual pages, checks, completions, OBBY_*
+// variables, --config and --print-config all use these rows, so an option is described in one place
 // only.
 #pragma once
 
@@ -23,26 +23,26 @@ enum class ValueType {
 
 struct OptionRow {
   std::string name;  // "time-limit": --time-limit, OBBY_TIME_LIMIT, time-limit = in a file
-  char letter = 0;   // 't' for -t; 0: none
+  char letter = 0;   // 't' for -t; 0 for none
   ValueType type = ValueType::flag;
-  std::string value;              // what help calls the value: "SECONDS"
-  std::string defaultText;        // as it would be typed; empty: no default
+  std::string value;              // name of the value in help: "SECONDS"
+  std::string defaultText;        // as it would be typed; empty for no default
   std::string help;               // one sentence, no full stop
   std::string details;            // more sentences or lines, for --help-all and the manual page
   std::string group = "Options";  // heading in help
   double min = std::numeric_limits<double>::lowest();
   double max = std::numeric_limits<double>::max();
-  int64_t multiple = 1;  // integer: of which it must be one
+  int64_t multiple = 1;  // integer: it must be a multiple of this
   std::vector<std::string> choices;
   bool repeatable = false;  // may be given more than once: Arguments::list()
-  std::string bare;         // mode: the value when none is given
-  // file: read whole before anything is written, so that an output may be that file anew.
+  std::string bare;         // mode: the value if none is given
+  // file: read completely before anything is written, so that an output may replace it.
   bool renewed = false;
-  bool rare = false;    // few need it: in --help-all and the manual page, not in --help
-  bool hidden = false;  // for the build: in no help and no completion
+  bool rare = false;    // few users need it: in --help-all and the manual page, not in --help
+  bool hidden = false;  // an option for the build: in no help and no completion
 };
 
-// Headings in help. That of help and messages comes last.
+// Headings in help. kHelpGroup comes last.
 inline constexpr const char* kFilesGroup = "Input and output";
 inline constexpr const char* kRunGroup = "Threads and random numbers";
 inline constexpr const char* kHelpGroup = "Help and messages";
@@ -52,20 +52,21 @@ enum class Common {
   output,     // -o, --output FILE
   format,     // --format jsonl|capnp|packed
   seed,       // --seed N
-  threads,    // --threads N, 0: all this process may use
+  threads,    // --threads N; 0 for all that this process may use
   backend,    // --backend auto|cpu|cuda
   timeLimit,  // --time-limit SECONDS
   progress,   // --progress[=auto|line|json|none]
   onError,    // --on-error stop|skip|emit
 };
 
-// The row of a common option; change its help or default before putting it into a table:
+// Returns the row of a common option. Its help or default may change before it is put into a table:
 //   options = {commonRow(Common::output), withDefault(commonRow(Common::timeLimit), "10"), ...}
 OptionRow commonRow(Common option);
 OptionRow withDefault(OptionRow row, std::string defaultText);
 
-// Rows that every tool has: --help, --help-all, --version, --quiet, --verbose, --no-color,
-// --json-errors, --schema, --config, --print-config, --completion, --man. runTool adds them.
+// Returns the rows that every tool has: --help, --help-all, --version, --quiet, --verbose,
+// --no-color, --json-errors, --schema, --config, --print-config, --completion, --man. runTool adds
+// them.
 const std::vector<OptionRow>& universalRows();
 
 }  // namespace obby::cli

@@ -11,11 +11,11 @@
 namespace obby::cli {
 namespace {
 
-// CLI11 takes a value in brackets apart, and where one behind "=" is empty, the next word in its
-// place, a file perhaps; a mark before the value keeps it as it is.
+// CLI11 splits a value in brackets, and replaces an empty value after "=" by the next word, perhaps
+// a file. A mark before the value prevents both.
 constexpr char kMark = '\x01';
 
-// Where the value begins in "--name=value"; other words are values from their start.
+// Returns where the value begins in "--name=value". Other words are values from their start.
 size_t valueBegin(const std::string& word) {
   const size_t equals = word.starts_with("--") ? word.find('=') : std::string::npos;
   return equals == std::string::npos ? 0 : equals + 1;
@@ -28,7 +28,7 @@ std::string marked(std::string word) {
   return word;
 }
 
-// Of a word, or of the value in it.
+// Removes the mark from a word, or from the value in it.
 std::string unmarked(std::string word) {
   const size_t begin = valueBegin(word);
   if (begin < word.size() && word[begin] == kMark) word.erase(begin, 1);
@@ -65,7 +65,7 @@ Error unknownArgument(const std::string& text, const std::vector<OptionRow>& row
                      near.empty() ? "see " + spec.name + " --help" : "did you mean " + near + "?");
 }
 
-// CLI11 says "--seed: 1 required TEXT missing"; only the option's name is of use.
+// CLI11 says "--seed: 1 required TEXT missing", of which only the option's name is useful.
 Error parseError(const CLI::ParseError& e, const std::vector<OptionRow>& rows) {
   const std::string what = e.what();
   for (const OptionRow& row : rows) {

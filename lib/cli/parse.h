@@ -1,4 +1,4 @@
-// From argv, the environment and a configuration file to Arguments. parse.cpp alone sees CLI11.
+// Makes Arguments from argv, the environment and a configuration file. Only parse.cpp uses CLI11.
 #pragma once
 
 #include <string>
@@ -10,20 +10,20 @@
 
 namespace obby::cli {
 
-// The tool's rows and the universal ones.
+// Returns the tool's rows and the universal ones.
 std::vector<OptionRow> allRows(const ToolSpec& spec);
 
-// Options that only make sense when typed: --help, --config and their like.
+// Returns true for options that only make sense when typed, such as --help and --config.
 bool onlyTyped(const OptionRow& row);
 
-// "OBBY_TIME_LIMIT" for "time-limit".
+// Returns "OBBY_TIME_LIMIT" for "time-limit".
 std::string environmentName(const std::string& option);
 
-// What argv says, checked for shape only: no default, no variable, no file.
+// The contents of argv, checked for shape only, without defaults, variables and files.
 struct CommandLine {
   std::map<std::string, std::vector<std::string>> texts;
   std::vector<std::string> inputs;
-  Status wrong;  // an unknown option, a missing value; --help is honoured all the same
+  Status wrong;  // an unknown option or a missing value; --help still works
 
   bool flag(const std::string& name) const {
     const auto found = texts.find(name);
@@ -34,11 +34,12 @@ struct CommandLine {
 CommandLine parseCommandLine(const ToolSpec& spec, const std::vector<OptionRow>& rows, int argc,
                              char** argv);
 
-// Command line over environment over configuration file over defaults, every value checked.
+// Combines command line, environment, configuration file and defaults, in this order of precedence.
+// Every value is checked.
 Result<Arguments> resolveArguments(const ToolSpec& spec, const std::vector<OptionRow>& rows,
                                    const CommandLine& line);
 
-// The arguments as a configuration file.
+// Returns the arguments as a configuration file.
 std::string configText(const ToolSpec& spec, const std::vector<OptionRow>& rows,
                        const Arguments& arguments);
 

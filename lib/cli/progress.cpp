@@ -25,7 +25,7 @@ std::chrono::steady_clock::duration interval(ProgressMode mode) {
   return 24h;
 }
 
-// 1234567 as 1.23M.
+// Formats 1234567 as 1.23M.
 std::string brief(double value) {
   const char* units[] = {"", "k", "M", "G", "T", "P"};
   size_t unit = 0;
@@ -37,7 +37,7 @@ std::string brief(double value) {
                    : fmt::format("{:.3g}{}", value, units[unit]);
 }
 
-// 12400 s as 3 h 26 min.
+// Formats 12400 s as 3 h 26 min.
 std::string briefTime(double seconds) {
   constexpr double kMinute = 60, kHour = 60 * kMinute, kDay = 24 * kHour;
   if (seconds >= 2 * kDay) return brief(seconds / kDay) + " days";
@@ -97,7 +97,7 @@ void Progress::update(const ProgressState& state) {
     last_ = now;
     shown_ = true;
   }
-  if (!io::takesMore(STDERR_FILENO, 0)) return;  // no work waits for who does not look
+  if (!io::takesMore(STDERR_FILENO, 0)) return;  // work never waits for a slow reader
   if (mode_ == ProgressMode::bar) {
     console_.status(progressLine(state, terminalWidth(STDERR_FILENO) - 1));
   } else if (mode_ == ProgressMode::json) {

@@ -1,4 +1,4 @@
-// Signs of life on stderr while a tool works: one line redrawn on a terminal, a line each ten
+// Progress on stderr while a tool works: one line that is redrawn on a terminal, a line every ten
 // seconds, or JSON for programs.
 #pragma once
 
@@ -15,30 +15,30 @@ class Console;
 
 struct ProgressState {
   std::string task;                                     // "query stage3"
-  double fraction = -1;                                 // 0 to 1; negative: unknown
+  double fraction = -1;                                 // 0 to 1; negative if unknown
   std::vector<std::pair<std::string, double>> numbers;  // {"steps", 1.2e9}, {"cells", 4711}
-  double secondsLeft = -1;                              // negative: unknown
+  double secondsLeft = -1;                              // negative if unknown
 };
 
 enum class ProgressMode { none, bar, line, json };
 
-// `canDraw`: stderr is a terminal on which nothing else is written. There "auto" is bar, elsewhere
-// none; quiet silences all but json.
+// `canDraw` is true if stderr is a terminal on which nothing else is written. "auto" is then bar,
+// otherwise none. `quiet` silences all modes except json.
 ProgressMode progressMode(const std::string& text, bool canDraw, bool quiet);
 
-// `query stage3  43 %  steps 1.2G  cells 4711  3 h 26 min left`, harmless on a terminal and at most
-// `width` columns.
+// Returns `query stage3  43 %  steps 1.2G  cells 4711  3 h 26 min left`, safe for a terminal and at
+// most `width` columns.
 std::string progressLine(const ProgressState& state, size_t width);
-// One JSON object without newline; the time is its number "seconds left".
+// Returns one JSON object without newline. The time is its number "seconds left".
 std::string progressJson(const ProgressState& state);
 
 class Progress {
  public:
   Progress(ProgressMode mode, Console& console);
   ~Progress();
-  // Shows it where it is time to, unless the reader of stderr takes nothing.
+  // Shows the state if it is time to, unless the reader of stderr takes nothing.
   void update(const ProgressState& state);
-  // Takes away the line that is drawn, until the next update.
+  // Removes the line that is drawn, until the next update.
   void hide();
 
  private:

@@ -1,4 +1,4 @@
-// Where each option's value comes from: command line, environment, configuration file, default.
+// Resolves each option's value, from command line, environment, configuration file or default.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -39,7 +39,7 @@ class Resolver {
   }
 
  private:
-  // As --print-config does of what nobody has given.
+  // Returns true for lines that --print-config writes for options that were not set.
   static bool statesDefault(const OptionRow& row, const std::vector<std::string>& texts) {
     return !row.defaultText.empty() && texts.size() == 1 && texts[0] == row.defaultText;
   }

@@ -1,4 +1,4 @@
-// Texts as roff takes them.
+// Formats text for roff.
 #pragma once
 
 #include <string>
@@ -6,10 +6,10 @@
 
 namespace obby::cli::roff {
 
-// `text` as it is to be read: nothing in it is a request, an escape or a quote that is turned.
+// Escapes `text` so that nothing in it is a request, an escape or a quote that changes its shape.
 std::string escaped(std::string_view text);
 
-// As an argument of a request: in quotes.
+// Formats an argument of a request, in quotes.
 std::string argument(std::string_view text);
 
 std::string bold(std::string_view text);

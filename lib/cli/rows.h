@@ -1,4 +1,4 @@
-// Rows of an option table in a line each.
+// Short functions that make the rows of an option table.
 #pragma once
 
 #include <utility>
@@ -40,13 +40,13 @@ inline OptionRow renewed(OptionRow r) {
   return r;
 }
 
-// Few need it: not in --help.
+// Few users need it, so it is not in --help.
 inline OptionRow rare(OptionRow r) {
   r.rare = true;
   return r;
 }
 
-// More about it, for --help-all and the manual page.
+// Adds details for --help-all and the manual page.
 inline OptionRow detailed(OptionRow r, std::string details) {
   r.details = std::move(details);
   return r;

@@ -1,4 +1,4 @@
-// The life of a tool, from argv to the exit code.
+// Runs a tool, from argv to the exit code.
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <signal.h>
@@ -29,9 +29,9 @@ extern const char* const kText;  // the schema's source, from schema/CMakeLists.
 namespace obby::cli {
 namespace {
 
-// A file that is opened would take the number of a standard stream that is closed, and get what is
-// meant for that stream. What takes it here is open the wrong way round, so that using it stays an
-// error.
+// Occupies closed standard streams. Otherwise a file that is opened could take such a stream's
+// number and receive its data. The placeholder is opened in the wrong direction, so that using the
+// stream remains an error.
 void occupyStandardStreams() {
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
     if (fcntl(stream, F_GETFD) < 0 && errno == EBADF)
@@ -39,8 +39,7 @@ void occupyStandardStreams() {
   }
 }
 
-// Reports an error that ends the tool. A reader that went away, or a signal, is no error to speak
-// of.
+// Reports an error that ends the tool. A reader that went away, or a signal, is not reported.
 int fail(Console& console, const Error& error) {
   if (io::isBrokenPipe(error)) return kSignalExit + SIGPIPE;
   if (io::isInterrupted(error) && stopSignal() != 0) return kSignalExit + stopSignal();
@@ -62,7 +61,7 @@ int finalCode(const Context& context, ExitCode code) {
   return int(code);
 }
 
-// Answers to --help and its like; a negative number if there is nothing to answer.
+// Answers --help and similar options. Returns a negative number if there is none.
 int answer(const ToolSpec& spec, const std::vector<OptionRow>& rows, const CommandLine& line,
            Console& console) {
   if (line.flag("help") || line.flag("help-all"))
@@ -106,13 +105,13 @@ int run(const ToolSpec& spec, int argc, char** argv, const RunFunction& body, Co
   return finalCode(context, *code);
 }
 
-// Needed before the arguments are understood.
+// Needed before the arguments are parsed.
 bool wantsJsonErrors(int argc, char** argv) {
   for (int i = 1; i < argc; i++)
     if (std::strcmp(argv[i], "--json-errors") == 0) return true;
   const char* variable = std::getenv(environmentName("json-errors").c_str());
   std::string text = variable ? variable : "";
-  return !checkValue(OptionRow{}, text) && text == "true";  // a row is a flag, if nothing else
+  return !checkValue(OptionRow{}, text) && text == "true";  // a default row is a flag
 }
 
 }  // namespace

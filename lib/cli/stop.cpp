@@ -15,11 +15,11 @@ std::atomic<int64_t> stoppedAt{0};  // milliseconds
 static_assert(std::atomic<bool>::is_always_lock_free && std::atomic<int>::is_always_lock_free &&
               std::atomic<int64_t>::is_always_lock_free);
 
-// timeout(1) and other launchers send one signal twice, to a process and to its group. Nobody
-// presses Ctrl-C again so soon.
+// timeout(1) and other launchers send one signal twice, to a process and to its group. A user does
+// not press Ctrl-C again this soon.
 constexpr int64_t kMoment = 300;  // milliseconds
 
-// Of a clock that a handler may ask.
+// Reads a clock that is safe in a signal handler.
 int64_t milliseconds() {
   timespec now{};
   clock_gettime(CLOCK_MONOTONIC, &now);
@@ -41,7 +41,7 @@ void install(int number) {
   struct sigaction action {};
   if (sigaction(number, nullptr, &action) != 0 || action.sa_handler == SIG_IGN) return;
   action = {};
-  action.sa_handler = onSignal;  // no SA_RESTART: a waiting read comes back
+  action.sa_handler = onSignal;  // no SA_RESTART, so that a waiting read returns
   sigaction(number, &action, nullptr);
 }
 

@@ -1,5 +1,5 @@
-// SIGINT and SIGTERM: the first asks the tool to finish what is done, a SIGINT some time after it
-// ends it. One that comes at once is the same signal, sent twice.
+// SIGINT and SIGTERM: the first asks the tool to complete its results, and a later SIGINT ends it.
+// One that follows at once is the same signal, sent twice.
 #pragma once
 
 #include <atomic>
@@ -9,11 +9,11 @@ namespace obby::cli {
 // The exit code of a process that a signal ended is this plus the signal's number.
 inline constexpr int kSignalExit = 128;
 
-// Set by the handler. Lives as long as the process.
+// Returns the flag that the handler sets. It lives as long as the process.
 const std::atomic<bool>& stopFlag();
-// The signal that set it; 0: none.
+// Returns the signal that set it, or 0 for none.
 int stopSignal();
-// A signal that the parent had ignored stays ignored.
+// Installs the handlers. A signal that the parent has ignored stays ignored.
 void installStopHandlers();
 
 }  // namespace obby::cli

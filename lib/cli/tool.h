@@ -1,4 +1,4 @@
-// What a tool is to its user, and the one way to run it:
+// The description of a tool, and the one way to run it:
 //   int main(int argc, char** argv) { return obby::cli::runTool(spec(), argc, argv, run); }
 #pragma once
 
@@ -14,14 +14,14 @@ namespace obby::cli {
 
 class Context;
 
-// A command line that works as it stands; help shows the first five, --help-all and the manual page
-// all of them. A test runs each in a folder that holds copies of levels/.
+// A command line that works as written. Help shows the first five, --help-all and the manual page
+// show all. A test runs each in a folder with copies of levels/.
 struct Example {
   std::string text;     // "Answer all queries of a level"
   std::string command;  // a shell line: "obby-import tower.rbxlx | obby-solve | obby-view"
 };
 
-// A row of a list in the manual page: an exit code or a file, and what it means.
+// A row of a list in the manual page: an exit code or a file, and its meaning.
 struct ManualEntry {
   std::string name, text;
 };
@@ -31,28 +31,29 @@ struct ToolSpec {
   std::string summary;  // one line, no full stop
   std::vector<Example> examples;
   std::vector<OptionRow> options;
-  bool takesInputs = true;  // positional files; standard input when none
-  // Do these options leave anything to be read? Where they do not, a file is refused and a terminal
-  // is not waited for. Null: they always do.
+  bool takesInputs = true;  // positional files; standard input if there are none
+  // Returns true if these options leave anything to read. Otherwise a file is an error, and the
+  // tool does not wait for a terminal. Null means that they always do.
   std::function<bool(const Arguments&)> readsInputs;
-  // Records go to standard output whatever --output says.
+  // Records go to standard output, whatever --output says.
   bool alwaysToStandardOutput = false;
-  // At a terminal it shows a table, and records only where --output or --format asks for them.
+  // A terminal gets a table, and records only if --output or --format asks for them.
   bool tableAtTerminal = false;
-  std::string inputHelp = "input streams";  // what the positional files are
+  std::string inputHelp = "input streams";  // description of the positional files
   std::string notes;                        // paragraphs at the end of help; may be empty
-  std::string details;                      // more of them, for --help-all and the manual page
-  std::vector<ManualEntry> exitCodes;       // besides those that all tools have
-  std::vector<ManualEntry> files;           // that it uses unasked
+  std::string details;                      // more paragraphs, for --help-all and the manual page
+  std::vector<ManualEntry> exitCodes;       // in addition to those of all tools
+  std::vector<ManualEntry> files;           // that it uses without an option
 };
 
-// design.md section 5. An interrupted tool ends with 130 or 143, whatever it returned below 2.
+// Exit codes. `noSolution` and `unknown` tell the verdicts if the user asks for that. An
+// interrupted tool exits with 130 or 143, unless it failed.
 enum class ExitCode { ok = 0, noSolution = 1, failed = 2, unknown = 3 };
 
 using RunFunction = std::function<Result<ExitCode>(Context&)>;
 
-// Reads the arguments, answers --help and its like, runs, reports an error that `run` returns, and
-// gives the process's exit code. Never throws.
+// Reads the arguments, answers --help and similar options, runs the tool, reports the error that
+// `run` returns, and returns the process's exit code. Never throws.
 int runTool(const ToolSpec& spec, int argc, char** argv, const RunFunction& run);
 
 }  // namespace obby::cli

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::string_view kPrefix = "OBBY_";
 
-// Every option of every tool, in order. tests/cli/obby-echo/option-names compares.
+// Every option of every tool, in order. tests/cli/obby-echo/option-names checks the list.
 constexpr std::string_view kAllOptions[] = {"arrive",       "ascii",       "attempts",
                                             "avoid",        "backend",     "body",
                                             "check",        "check-steps", "checkpoint",
@@ -54,7 +54,7 @@ constexpr std::string_view kAllOptions[] = {"arrive",       "ascii",       "atte
                                             "visit",        "warm",        "watch",
                                             "waypoint",     "width",       "worlds"};
 
-// "time-limit" for "OBBY_TIME_LIMIT".
+// Returns "time-limit" for "OBBY_TIME_LIMIT".
 std::string optionNameOf(std::string_view variable) {
   std::string out = lower(variable.substr(kPrefix.size()));
   std::replace(out.begin(), out.end(), '_', '-');
@@ -77,7 +77,7 @@ std::vector<MisspeltVariable> misspeltVariables(const std::vector<OptionRow>& ro
     const std::string_view entry = *environment;
     const size_t equals = entry.find('=');
     if (!entry.starts_with(kPrefix) || equals == std::string_view::npos) continue;
-    if (equals + 1 == entry.size()) continue;  // an empty one sets nothing, however it is spelt
+    if (equals + 1 == entry.size()) continue;  // an empty variable sets nothing, whatever its name
     const std::string_view variable = entry.substr(0, equals);
     const std::string name = optionNameOf(variable);
     if (isOption(name) || std::find(names.begin(), names.end(), name) != names.end()) continue;

@@ -1,4 +1,4 @@
-// Variables that were meant to set an option and set none: OBBY_TIME_LIMT.
+// Finds misspelt variables, such as OBBY_TIME_LIMT, which set no option.
 #pragma once
 
 #include <string>
@@ -12,8 +12,9 @@ struct MisspeltVariable {
   std::string name, meant;  // "OBBY_TIME_LIMT", "OBBY_TIME_LIMIT"
 };
 
-// The variables of `environment` that are near one of `rows`, and the name of no tool's option: a
-// variable may be for another tool of a pipeline. `environment` is a list as of environ.
+// Returns the variables of `environment` that are close to one of `rows` and are not the name of
+// any tool's option: a variable may be for another tool of a pipeline. `environment` has the form
+// of environ.
 std::vector<MisspeltVariable> misspeltVariables(const std::vector<OptionRow>& rows,
                                                 const char* const* environment);
 

@@ -10,7 +10,7 @@ namespace {
 constexpr size_t kContinued = 4;     // columns by which a command's second line is indented
 constexpr size_t kContinuation = 2;  // columns of " \"
 
-// The parts of a pipeline or list, each but the last with the operator behind it.
+// Returns the stages of a pipeline or list, each except the last with the operator after it.
 std::vector<std::string> stages(const std::string& command) {
   std::vector<std::string> out;
   size_t begin = 0;
@@ -36,7 +36,7 @@ std::string sentence(std::string text) {
 std::string wrapped(const std::string& text, size_t at, size_t indent, size_t width) {
   std::string out;
   size_t column = at;
-  bool blank = false;  // due before the next piece
+  bool blank = false;  // a blank is due before the next piece
   for (size_t i = 0; i < text.size();) {
     const size_t end = std::min(text.find_first_of(" |", i), text.size());
     const bool bar = end < text.size() && text[end] == '|';

@@ -14,12 +14,12 @@
 namespace obby::cli {
 namespace {
 
-// A file as the system knows it.
+// The identity of a file.
 struct Place {
   bool there = true, regular = false;
   dev_t device = 0;
   ino_t number = 0;
-  std::filesystem::path path;  // of one that is not there, links on the way to it followed
+  std::filesystem::path path;  // path of a file that does not exist, with links resolved
 
   bool operator==(const Place& other) const {
     if (there != other.there) return false;
@@ -28,7 +28,7 @@ struct Place {
   }
 };
 
-// `standard`: the stream that "-" means.
+// `standard` is the stream that "-" means.
 Place placeOf(const std::string& path, int standard) {
   Place out;
   struct stat info {};
@@ -41,14 +41,14 @@ Place placeOf(const std::string& path, int standard) {
     out.there = false;
     std::error_code unseen;
     const auto here = std::filesystem::current_path(unseen);
-    const std::string file = io::linkTarget(path);  // a link to what is not there is not there
+    const std::string file = io::linkTarget(path);  // a link to a missing file stands for that file
     out.path = std::filesystem::weakly_canonical(here / file, unseen);
     if (unseen) out.path = std::filesystem::path(file).lexically_normal();
   }
   return out;
 }
 
-// A file that is to stay, and how an error goes on after "the file is also".
+// A file that must stay, and the rest of an error after "the file is also".
 struct Kept {
   std::string said;
   Place place;

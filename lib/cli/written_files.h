@@ -1,5 +1,5 @@
-// What a tool writes must take the place of nothing that it reads, or writes elsewhere: a mistyped
-// name would cost a place file, recordings, or an hour of learning.
+// Keeps a tool's output from replacing anything that the tool reads, or writes elsewhere. A
+// mistyped name would cost a place file, recordings, or an hour of training.
 #pragma once
 
 #include <span>
@@ -11,14 +11,14 @@
 namespace obby::cli {
 
 struct WrittenFile {
-  std::string option;  // without dashes, that it goes by; empty: standard output
-  std::string path;    // "-": standard output; empty: nothing is written
+  std::string option;  // the option that names it, without dashes; empty for standard output
+  std::string path;    // "-" for standard output; empty if nothing is written
 };
 
-// Error: one of `written` is an input, the file of another option that is given, or what one before
-// it is; it names the option and the file. Files are the same by device and number on the disk,
-// under whatever names; those that are not there yet by where they would be. Devices, pipes and
-// folders may be shared, and the file of an option that is `renewed` be written.
+// Returns an error if one of `written` is an input, the file of another option that is given, or an
+// earlier one. The error names the option and the file. Existing files are compared by device and
+// inode, whatever their names; missing ones by their path. Devices, pipes and folders may be
+// shared, and the file of a `renewed` option may be written.
 Status refuseOverwriting(const Arguments& arguments, std::span<const WrittenFile> written);
 
 }  // namespace obby::cli

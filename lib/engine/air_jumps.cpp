@@ -7,11 +7,12 @@
 namespace obby::engine {
 namespace {
 
-// Seconds, longer than scripts wait: from the take-off to the first press, and between two.
+// Seconds from the take-off to the first press, and between presses. Both are longer than scripts
+// wait.
 constexpr double kUntilPress = 0.5, kPause = 0.5;
 constexpr uint16_t kPresses = 5;  // more jumps than any game counts
 
-// The change by which a script made the player jump; null if no script did.
+// Returns the change by which a script made the player jump, or null if there is none.
 const Change* jumpIn(const Observation& seen) {
   const auto made =
       std::find_if(seen.changes.begin(), seen.changes.end(), [](const Change& change) {

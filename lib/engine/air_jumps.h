@@ -1,4 +1,4 @@
-// How often the player may jump again before it lands. Private to lib/engine.
+// Finds how often the player may jump again before it lands. Private to lib/engine.
 #pragma once
 
 #include <cstdint>
@@ -8,8 +8,8 @@
 
 namespace obby::engine {
 
-// In this copy of the place: the player takes off, falls, and presses jump again and again; then it
-// lands and does so once more. Only what works in both flights counts.
+// Tests jumps in this copy of the place. The player takes off, falls, and presses jump again and
+// again; then it lands and does so once more. Only effects of both flights count.
 AirJumps findAirJumps(Stage& stage);
 
 }  // namespace obby::engine

@@ -1,6 +1,6 @@
-// Plain structs to bytes and back, between a process and the child that it has forked: same
-// program, same machine. A struct says its fields once: fields(archive, value) calls archive(field)
-// for each. Private to lib/engine.
+// Serialises plain structs between a process and the child that it has forked: same program, same
+// machine. A struct lists its fields once: fields(archive, value) calls archive(field) for each.
+// Private to lib/engine.
 #pragma once
 
 #include <cstring>
@@ -56,7 +56,7 @@ class BytesOut {
   std::string bytes;
 };
 
-// Reads what BytesOut has written. `good` turns false where bytes are missing.
+// Reads the output of BytesOut. `good` turns false if bytes are missing.
 class BytesIn {
  public:
   explicit BytesIn(std::string_view bytes) : left_(bytes) {}

@@ -1,4 +1,4 @@
-// The cage of a child that runs strangers' scripts.
+// Cages a child that runs untrusted scripts.
 #include <fcntl.h>
 #include <seccomp.h>
 #include <sys/resource.h>
@@ -19,7 +19,7 @@ void limit(int resource, rlim_t most) {
   setrlimit(resource, &both);
 }
 
-// All that a child needs: memory, its pipes, and children of its own.
+// The system calls that a child needs, for memory, pipes and its own children.
 constexpr int kAllowed[] = {SCMP_SYS(read),
                             SCMP_SYS(write),
                             SCMP_SYS(close),
@@ -72,7 +72,7 @@ bool allowOnly() {
 
 namespace {
 
-constexpr int kLooks = 4;  // within the time that a beat may take
+constexpr int kLooks = 4;  // checks within the time that a beat may take
 const volatile unsigned* watched = nullptr;
 unsigned lastBeat = 0;
 int sameLooks = 0;

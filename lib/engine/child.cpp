@@ -24,16 +24,16 @@ bool sendAll(int pipe, const std::string& bytes) {
   return true;
 }
 
-// The child's life.
+// Runs the body in the child and ends the process.
 void live(int pipe, const Children::Body& body) {
   const std::string bytes = body();
-  const uint64_t size = bytes.size();  // first, so that a child that dies midway is noticed
+  const uint64_t size = bytes.size();  // first, so that the parent notices a child that dies midway
   const bool sent = sendAll(pipe, std::string(reinterpret_cast<const char*>(&size), sizeof size)) &&
                     sendAll(pipe, bytes);
   _exit(sent ? 0 : 1);
 }
 
-// The bytes after the leading size; empty if some are missing.
+// Returns the bytes after the leading size, or nothing if some are missing.
 std::string contents(const std::string& bytes) {
   uint64_t size = 0;
   if (bytes.size() < sizeof size) return {};

@@ -1,5 +1,5 @@
-// Forked children that write bytes and end: work that may die, hang or be hostile.
-// Private to lib/engine.
+// Runs work that may crash, hang or be hostile in forked children that write bytes and end. Private
+// to lib/engine.
 #pragma once
 
 #include <chrono>
@@ -10,8 +10,8 @@
 
 namespace obby::engine {
 
-// In a child, for good: no files, no network, no new programs, and limits on memory and time.
-// False where the system has no such cage.
+// Cages this process permanently: no files, no network, no new programs, and limits on memory and
+// time. Call it in a child. Returns false if the system has no such cage.
 bool enterCage(double seconds, size_t memory);
 
 // Ends this process once `*beat` has stayed the same for `seconds` of its CPU time.
@@ -20,18 +20,19 @@ void watchBeat(const volatile unsigned* beat, double seconds);
 class Children {
  public:
   using Clock = std::chrono::steady_clock;
-  // Calls of the body come in the child; those of `done` here. It gets the bytes that the body
-  // returned; none if the child died or overran.
+  // The body runs in the child, `done` in this process. `done` receives the bytes that the body
+  // returned, or none if the child died or overran.
   using Body = std::function<std::string()>;
   using Done = std::function<void(std::string bytes)>;
 
-  // At most `most` at a time.
+  // At most `most` children run at a time.
   explicit Children(size_t most) : most_(most) {}
   ~Children();
   Children(const Children&) = delete;
   Children& operator=(const Children&) = delete;
 
-  // Waits until one more may run, then forks. A child that takes longer than `seconds` is killed.
+  // Waits until one more child may run, then forks. A child that takes longer than `seconds` is
+  // killed.
   void start(double seconds, const Body& body, Done done);
   void finish();
 
@@ -43,7 +44,7 @@ class Children {
     Done done;
   };
 
-  // Until one has ended.
+  // Waits until one child has ended.
   void wait();
   void end(size_t index, bool killed);
 

@@ -1,6 +1,6 @@
-// A Roblox place or model file in memory: a tree of instances with properties, the same whatever
-// the file format. Readers (binary, XML) fill it; the level builder reads it. Nothing here knows
-// what a property means.
+// A Roblox place or model file in memory: a tree of instances with properties, independent of the
+// file format. Readers (binary, XML) fill it; the level builder reads it. Nothing here depends on
+// the meaning of a property.
 #pragma once
 
 #include <cstdint>
@@ -16,11 +16,11 @@
 
 namespace obby {
 
-// Index into Document::instances.
+// An index into Document::instances.
 using InstanceId = uint32_t;
 constexpr InstanceId kNoInstance = std::numeric_limits<InstanceId>::max();
 
-// Rotation as three columns (may be a reflection in broken files) and position.
+// Rotation as three columns (a reflection in damaged files) and position.
 using CFrame = Pose;
 
 struct Ref {
@@ -31,7 +31,7 @@ struct ColorRgb {
   uint8_t r = 0, g = 0, b = 0;
 };
 
-// CustomPhysicalProperties; `custom` false means "use the material's".
+// CustomPhysicalProperties; if `custom` is false, the material's are used.
 struct PhysicalProperties {
   bool custom = false;
   float density = 0.7f, friction = 0.3f, elasticity = 0.5f, frictionWeight = 1,
@@ -57,10 +57,10 @@ struct SharedBlob {
   std::shared_ptr<const std::string> bytes;  // never null
 };
 
-// The kinds that a level needs; a property of any other type is read exactly and kept as
+// The kinds that a level needs. A property of any other type is read exactly and kept as
 // std::monostate, so that its presence still shows. Strings hold bytes of any kind
 // (ProtectedString, BinaryString and asset addresses included). BrickColor numbers are int64_t
-// except where they are the part's colour. UniqueIds are 32 hexadecimal digits.
+// except for a part's colour. UniqueIds are 32 hexadecimal digits.
 using Value =
     std::variant<std::monostate, bool, int64_t, double, std::string, EnumItem, Vec3, CFrame,
                  ColorRgb, Ref, PhysicalProperties, UDim, SharedBlob, NumberRange>;
@@ -68,7 +68,7 @@ using Value =
 struct Instance {
   std::string className;
   std::string name;               // the Name property
-  PropertyMap<Value> properties;  // no Name, Tags, attributes; names: format/property_names.h
+  PropertyMap<Value> properties;  // without Name, Tags, attributes; names: format/property_names.h
   std::map<std::string, Value> attributes;  // decoded AttributesSerialize
   std::vector<std::string> tags;            // decoded Tags, in file order
   InstanceId parent = kNoInstance;
@@ -76,16 +76,15 @@ struct Instance {
 };
 
 struct Document {
-  std::string file;    // as given
-  std::string format;  // "rbxl", "rbxm" (binary), "rbxlx", "rbxmx" (XML); by content: a place has
+  std::string file;    // file name as given
+  std::string format;  // "rbxl", "rbxm" (binary), "rbxlx", "rbxmx" (XML), by content: a place has
                        // services as roots
   std::vector<Instance> instances;  // parents before children
   std::vector<InstanceId> roots;
-  std::vector<std::string> warnings;  // what was skipped while reading, for --verbose
+  std::vector<std::string> warnings;  // data skipped while reading, for --verbose
 };
 
-// Typed access. Each returns null (or the fallback) where the property is absent or of another
-// type.
+// Typed access. Each returns null (or the fallback) if the property is absent or of another type.
 template <class T>
 const T* property(const Instance& instance, const std::string& name) {
   const auto it = instance.properties.find(name);

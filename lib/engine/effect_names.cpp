@@ -1,6 +1,7 @@
 #include "engine/effect_names.h"
 
 #include <algorithm>
+#include <limits>
 #include <map>
 #include <vector>
 
@@ -38,12 +39,29 @@ bool harms(const Probe& probe) {
 bool kills(const Probe& probe) { return harms(probe) && !probe.seen.player.alive; }
 
 Names namesIn(const Observation& seen) {
+  return namesIn(seen, 0, std::numeric_limits<double>::infinity());
+}
+
+Names namesIn(const Observation& seen, double from, double to) {
+  const auto isIn = [&](double time) { return time >= from && time <= to; };
   Names names;
-  for (const Change& change : seen.changes) names.insert(nameOf(change));
-  for (const auto& [id, track] : seen.tracks) names.insert(std::to_string(id));
+  for (const Change& change : seen.changes)
+    if (isIn(change.time)) names.insert(nameOf(change));
+  for (const auto& [id, track] : seen.tracks)
+    if (std::any_of(track.poses.begin(), track.poses.end(),
+                    [&](const Placed& placed) { return isIn(placed.frame * kFrame); }))
+      names.insert(std::to_string(id));
   for (const Harm& harm : seen.harms)
-    if (harm.hurts()) names.insert("harm");
+    if (harm.hurts() && isIn(harm.time)) names.insert("harm");
   return names;
+}
+
+void drop(Observation& seen, const Names& names) {
+  std::erase_if(seen.changes, [&](const Change& change) { return names.contains(nameOf(change)); });
+  std::erase_if(seen.tracks,
+                [&](const auto& track) { return names.contains(std::to_string(track.first)); });
+  if (names.contains("harm"))
+    std::erase_if(seen.harms, [](const Harm& harm) { return harm.hurts(); });
 }
 
 Names effectsIn(const Probe& probe, const Names& usual) {

@@ -1,4 +1,4 @@
-// The effects of probes as sets of names, so that two probes can be compared. Private to
+// Turns the effects of probes into sets of names, so that two probes can be compared. Private to
 // lib/engine.
 #pragma once
 
@@ -14,14 +14,19 @@ using Names = std::set<std::string>;
 bool harms(const Probe& probe);
 bool kills(const Probe& probe);
 
-// The changes in a run without touches: "target.property", and "target" for each part that moves.
+// Returns the changes in a run without touches: "target.property", and "target" for each part that
+// moves.
 Names namesIn(const Observation& seen);
-// The probe's effects beyond `usual`. A leading ~ marks an effect that ends by itself and may come
-// again.
+// Returns the changes between two times.
+Names namesIn(const Observation& seen, double from, double to);
+// Removes the changes with one of these names from `seen`.
+void drop(Observation& seen, const Names& names);
+// Returns the probe's effects beyond `usual`. A leading ~ marks an effect that ends by itself and
+// may come again.
 Names effectsIn(const Probe& probe, const Names& usual);
-// Whether `now` has an effect that `before` lacks.
+// Returns true if `now` has an effect that `before` lacks.
 bool adds(const Names& before, const Names& now);
-// True if `now` adds an effect, or lacks one of `before` that may come again.
+// Returns true if `now` adds an effect, or lacks one of `before` that may come again.
 bool differ(const Names& before, const Names& now);
 
 }  // namespace obby::engine

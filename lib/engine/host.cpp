@@ -22,8 +22,9 @@ InstanceId Host::scriptOf(const char* source) {
 Host::Host(const Document& documentIn, const Settings& settingsIn)
     : document(documentIn),
       settings(settingsIn),
+      classes(ClassTable::get()),
       vm(settingsIn.budget, this),
-      random(settingsIn.seed) {
+      random(settingsIn.seed, settingsIn.draws) {
   owners.push_back(kNoInstance);
   lua_State* const L = vm.state();
   luaL_openlibs(L);
@@ -37,6 +38,7 @@ Host::Host(const Document& documentIn, const Settings& settingsIn)
   registerRecordFunctions(L);
   registerScriptFunctions(L);
   registerValueFunctions(L);
+  registerByteFunctions(L);
   lua_setglobal(L, "host");
   lua_pushcfunction(L, useFunction);
   lua_setglobal(L, "use");

@@ -34,7 +34,7 @@ class Host {
 
   const Document& document;
   const Settings settings;
-  const ClassTable classes;
+  const ClassTable& classes;
   Vm vm;
   Scenery scenery;
   Recorder recorder;
@@ -60,6 +60,7 @@ void registerSceneryFunctions(lua_State* L);
 void registerRecordFunctions(lua_State* L);
 void registerScriptFunctions(lua_State* L);
 void registerValueFunctions(lua_State* L);
+void registerByteFunctions(lua_State* L);
 
 // A property's value, as scripts have it, on the stack; an enum's item as its number, a reference
 // as nil.

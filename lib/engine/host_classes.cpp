@@ -72,7 +72,8 @@ int isService(lua_State* L) {
       "Workspace",     "Players",    "Lighting",        "ReplicatedStorage", "ReplicatedFirst",
       "ServerStorage", "StarterGui", "StarterPack",     "StarterPlayer",     "Teams",
       "Chat",          "Debris",     "MaterialService", "ContentProvider",   "CoreGui",
-      "Stats",         "Selection",  "NetworkClient",   "NetworkServer",     "Geometry"};
+      "Stats",         "Selection",  "NetworkClient",   "NetworkServer",     "Geometry",
+      "ScriptContext"};
   const std::string_view name = textAt(L, 1);
   if (name.size() <= 7 || !name.ends_with("Service")) return isOneOf(L, kPlain);
   lua_pushboolean(L, 1);
@@ -121,6 +122,7 @@ int isWatched(lua_State* L) {
                                                   "FallenPartsDestroyHeight",
                                                   "PlatformStand",
                                                   "HipHeight",
+                                                  "MaxSlopeAngle",
                                                   "CharacterWalkSpeed",
                                                   "CharacterJumpPower",
                                                   "CharacterJumpHeight"};

@@ -125,12 +125,12 @@ int tween(lua_State* L) {
   return 0;
 }
 
-// (humanoid, before, after, ofPlayer)
+// (humanoid, before, after, ofPlayer, stoppable)
 int health(lua_State* L) {
   Host& host = Host::of(L);
   const double from = luaL_checknumber(L, 2), to = luaL_checknumber(L, 3);
   if (lua_toboolean(L, 4) != 0 && host.recorder.isRecording() && from != to)
-    host.recorder.harm(from, to, host.where(L));
+    host.recorder.harm(from, to, host.where(L), lua_toboolean(L, 5) != 0);
   return 0;
 }
 
@@ -139,6 +139,19 @@ int note(lua_State* L) {
   Host& host = Host::of(L);
   host.recorder.change(
       {0, idAt(L, 1), std::string("note ") + luaL_checkstring(L, 2), plainAt(L, 3), host.where(L)});
+  return 0;
+}
+
+// (what, id): a script listens to an event of the engine, or reads a value that players change.
+int heeded(lua_State* L) {
+  Host& host = Host::of(L);
+  host.recorder.heed(luaL_checkstring(L, 1), idAt(L, 2), host.where(L));
+  return 0;
+}
+
+// (what): it has happened.
+int happened(lua_State* L) {
+  Host::of(L).recorder.happen(luaL_checkstring(L, 1));
   return 0;
 }
 
@@ -165,7 +178,8 @@ int problem(lua_State* L) {
 
 constexpr luaL_Reg kFunctions[] = {{"watched", watched}, {"tween", tween},   {"health", health},
                                    {"note", note},       {"driven", driven}, {"count", count},
-                                   {"problem", problem}, {nullptr, nullptr}};
+                                   {"problem", problem}, {"heeded", heeded}, {"happened", happened},
+                                   {nullptr, nullptr}};
 
 }  // namespace
 }  // namespace record_functions

@@ -1,4 +1,5 @@
-// host: where parts are, what overlaps, what a ray meets.
+// Functions of host for positions of parts, overlaps and rays.
+#include "engine/collision_matrix.h"
 #include "engine/host.h"
 #include "engine/values/values.h"
 
@@ -17,7 +18,7 @@ int pushIds(lua_State* L, const std::vector<uint32_t>& ids) {
   return 1;
 }
 
-// Part of that class with its Shape: the geometry's shape.
+// Returns the geometry's shape for a Part of that class and its Shape.
 int shapeOf(lua_State* L) {
   const std::string name = luaL_checkstring(L, 1);
   geom::ShapeKind kind = geom::ShapeKind::block;
@@ -92,8 +93,7 @@ int castRay(lua_State* L) {
   return 1;
 }
 
-// Whether a box meets anything that collides; a little slack, so that what it stands on does not
-// count.
+// Returns true if a box meets a part that collides. A little slack excludes the floor below it.
 int isBlocked(lua_State* L) {
   constexpr float kSlack = 0.05f;
   Scenery& scenery = Host::of(L).scenery;
@@ -128,7 +128,31 @@ int listened(lua_State* L) {
   return 0;
 }
 
+// Returns rows of name, id and mask: the collision groups that the place saves. Returns none if
+// they are damaged.
+int savedGroups(lua_State* L) {
+  lua_newtable(L);
+  for (const Instance& instance : Host::of(L).document.instances) {
+    const std::string_view bytes = groupBytes(instance);
+    if (bytes.empty()) continue;
+    const auto matrix = decodeGroups(bytes);
+    if (!matrix) continue;
+    for (const auto& [name, id] : matrix->ids) {
+      lua_createtable(L, 0, 3);
+      lua_pushlstring(L, name.data(), name.size());
+      lua_setfield(L, -2, "name");
+      lua_pushnumber(L, id);
+      lua_setfield(L, -2, "id");
+      lua_pushnumber(L, matrix->masks[id]);
+      lua_setfield(L, -2, "mask");
+      lua_rawseti(L, -2, int(lua_objlen(L, -2)) + 1);
+    }
+  }
+  return 1;
+}
+
 constexpr luaL_Reg kFunctions[] = {{"shapeOf", shapeOf},
+                                   {"savedGroups", savedGroups},
                                    {"partEnters", partEnters},
                                    {"partLeaves", partLeaves},
                                    {"overlapsOfPart", overlapsOfPart},

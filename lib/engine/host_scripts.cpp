@@ -1,4 +1,4 @@
-// host: threads, chunks of scripts, and what Luau's core does otherwise than Lua's.
+// Functions of host for threads, chunks of scripts, and differences between Luau's core and Lua's.
 #include <algorithm>
 #include <string>
 
@@ -7,6 +7,7 @@
 #include "engine/host.h"
 #include "engine/luau/emit.h"
 #include "engine/luau/helpers.h"
+#include "engine/luau/parser.h"
 
 namespace obby::engine {
 namespace script_functions {
@@ -20,7 +21,7 @@ int rawType(lua_State* L) {
 
 int metatableOf(lua_State* L) { return lua_getmetatable(L, 1); }
 
-// (function, arguments...): as Lua's pcall; the function does not yield.
+// (function, arguments...): like Lua's pcall, but the function must not yield.
 int tryCall(lua_State* L) {
   const bool good = lua_pcall(L, lua_gettop(L) - 1, LUA_MULTRET, 0) == 0;
   lua_pushboolean(L, good);
@@ -28,7 +29,7 @@ int tryCall(lua_State* L) {
   return lua_gettop(L);
 }
 
-// (kind, amount): takes from a budget; an error once it is used up.
+// (kind, amount): spends from a budget. Raises an error once it is used up.
 int spend(lua_State* L) {
   Host& host = Host::of(L);
   const std::string kind = luaL_checkstring(L, 1);
@@ -41,8 +42,8 @@ int spend(lua_State* L) {
   return 0;
 }
 
-// As coroutine.resume, which it has as its upvalue. A thread counts its own calls alone, so threads
-// in threads would use up the C stack.
+// Works as coroutine.resume, which is its upvalue. Lua counts the calls of each thread separately,
+// so nested threads could use up the C stack.
 int resume(lua_State* L) {
   constexpr size_t kMostStack = size_t(3) << 20;  // bytes; one thread takes up to 2 MB
   if (Vm::of(L).stackUsed() < kMostStack) return lua_tocfunction(L, lua_upvalueindex(1))(L);
@@ -51,9 +52,9 @@ int resume(lua_State* L) {
   return 2;
 }
 
-// (thread, arguments...): resumes a thread for the engine. Returns whether it is well, what it
-// yielded or its error, and whether its time was up: then what the engine does next has time of its
-// own, from the first instruction on.
+// (thread, arguments...): resumes a thread for the engine. Returns true if it succeeded, its
+// yielded value or error, and true if its time was up. Then a new stretch begins, so that the
+// engine can go on.
 int runThread(lua_State* L) {
   const int results = resume(L);
   const bool good = lua_toboolean(L, -results) != 0;
@@ -71,7 +72,8 @@ int newId(lua_State* L) {
   return 1;
 }
 
-// (owner, first): what runs now; `first`: a new stretch begins. Returns what ran before.
+// (owner, first): sets the running owner and returns the previous one. If `first`, a new stretch
+// begins.
 int enter(lua_State* L) {
   Host& host = Host::of(L);
   lua_pushnumber(L, lua_Number(host.running));
@@ -99,16 +101,18 @@ int newOwner(lua_State* L) {
   return 1;
 }
 
-// (script, source): the chunk, or nil and the problem.
+// (script, source): returns the chunk; or nil, the problem, and true if the text is not Luau.
 int load(lua_State* L) {
   size_t size = 0;
   const char* const text = luaL_checklstring(L, 2, &size);
   const std::string id = std::to_string(uint32_t(luaL_checknumber(L, 1)));
-  const Result<std::string> lua = luau::toLua({text, size});
+  const luau::Chunk chunk = luau::parse({text, size});
+  const Result<std::string> lua = luau::emit(chunk);
   lua_pushnil(L);
   if (!lua) {
     lua_pushstring(L, ("#" + id + ":" + lua.error().place + ": " + lua.error().message).c_str());
-    return 2;
+    lua_pushboolean(L, chunk.broken);
+    return 3;
   }
   if (luaL_loadbuffer(L, lua->data(), lua->size(), ("=#" + id).c_str()) == 0) return 1;
   return 2;
@@ -119,7 +123,7 @@ int where(lua_State* L) {
   return 1;
 }
 
-// (function): a hash of its line and of its script's text.
+// (function): returns a hash of its line and of its script's text.
 int functionHash(lua_State* L) {
   const Host& host = Host::of(L);
   lua_Debug at;
@@ -129,13 +133,13 @@ int functionHash(lua_State* L) {
   const bool known = script < host.document.instances.size();
   const std::string text =
       known ? get<std::string>(host.document.instances[script], "Source") : at.source;
-  constexpr int kBits = 53;  // of a number without a fraction
+  constexpr int kBits = 53;  // bits of an integer that a double represents exactly
   const uint64_t hash = hashBytes(text.data(), text.size(), uint64_t(at.linedefined));
   lua_pushnumber(L, lua_Number(hash >> (64 - kBits)));
   return 1;
 }
 
-// (text): the text of an error that the engine raises by a rule of its own. Returns it.
+// (text): records and returns the text of an error that the engine raises by a rule of its own.
 int refused(lua_State* L) {
   Host::of(L).refused = luaL_checkstring(L, 1);
   return 1;
@@ -146,7 +150,7 @@ int rawLength(lua_State* L) {
   return 1;
 }
 
-// A new list with the elements of a list of any length.
+// Returns a new list with the elements of a list of any length.
 int copyList(lua_State* L) {
   const int size = int(lua_objlen(L, 1));
   lua_createtable(L, size, 0);
@@ -157,7 +161,7 @@ int copyList(lua_State* L) {
   return 1;
 }
 
-// The methods of strings: ("x"):rep(2).
+// Sets the methods of strings: ("x"):rep(2).
 int setStringMethods(lua_State* L) {
   lua_pushliteral(L, "");
   lua_getmetatable(L, -1);
@@ -168,7 +172,7 @@ int setStringMethods(lua_State* L) {
   return 0;
 }
 
-// (script): whether it is left out.
+// (script): returns true if it is left out.
 int isSkipped(lua_State* L) {
   const auto& skipped = Host::of(L).settings.skipped;
   const auto script = InstanceId(luaL_checknumber(L, 1));

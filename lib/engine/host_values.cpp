@@ -1,4 +1,5 @@
-// host: numbers, colours, materials, easing and the libraries of bits and characters.
+// Functions of host for numbers, colours, materials, easing and the libraries of bits and
+// characters.
 #include <algorithm>
 #include <cmath>
 #include <ctime>
@@ -30,15 +31,15 @@ int noise(lua_State* L) {
                                      float(luaL_optnumber(L, 3, 0)))));
 }
 
-// (share, style, direction)
+// (share, style, direction): returns the eased share.
 int ease(lua_State* L) {
   const auto style = schema::Easing(luaL_checkint(L, 2));
   const auto direction = schema::EasingDirection(luaL_checkint(L, 3));
   return pushNumber(L, level::ease(style, direction, luaL_checknumber(L, 1)));
 }
 
-// (pose): with its rotation repaired, as parts take it: products of many rotations are off by and
-// by.
+// (pose): returns it with its rotation repaired, as parts take it. Products of many rotations
+// drift.
 int rigid(lua_State* L) {
   constexpr float kSlack = 1e-6f;
   const Pose pose = checkCFrame(L, 1);
@@ -51,7 +52,7 @@ int rigid(lua_State* L) {
   return 1;
 }
 
-// The number's red, green, blue (0 to 255) and name.
+// Returns the number's red, green, blue (0 to 255) and name.
 int brickColorOf(lua_State* L) {
   const auto number = integerOf<int64_t>(luaL_checknumber(L, 1));
   const ColorRgb color = brickColor(number);
@@ -87,20 +88,33 @@ int material(lua_State* L) {
   return 5;
 }
 
-int random(lua_State* L) { return pushNumber(L, Host::of(L).random.share()); }
+int random(lua_State* L) {
+  Host::of(L).recorder.noteDraw();
+  return pushNumber(L, Host::of(L).random.share());
+}
+// Seeds above what a developer types, or with a fraction, come from a clock. Any other seed gives
+// the same numbers in each game.
+Random seededRandom(lua_State* L) {
+  constexpr double kMaxTyped = 1e8;
+  const double seed = luaL_checknumber(L, 1);
+  const auto whole = uint64_t(integerOf<int64_t>(seed));
+  if (std::abs(seed) <= kMaxTyped && seed == std::floor(seed)) return Random(whole);
+  Host& host = Host::of(L);
+  host.recorder.noteDraw();
+  return Random(whole + host.settings.seed, host.settings.draws);
+}
 int randomSeed(lua_State* L) {
-  Host::of(L).random = Random(uint64_t(integerOf<int64_t>(luaL_checknumber(L, 1))));
+  Host::of(L).random = seededRandom(L);
   return 0;
 }
 Random& randomAt(lua_State* L) {
-  // Scripts have other values of this kind; none of this size.
+  // Scripts have other userdata, but none of this size.
   if (lua_type(L, 1) != LUA_TUSERDATA || lua_objlen(L, 1) != sizeof(Random))
     luaL_typerror(L, 1, "Random");
   return *static_cast<Random*>(lua_touserdata(L, 1));
 }
 int newRandom(lua_State* L) {
-  new (lua_newuserdata(L, sizeof(Random)))
-      Random(uint64_t(integerOf<int64_t>(luaL_checknumber(L, 1))));
+  new (lua_newuserdata(L, sizeof(Random))) Random(seededRandom(L));
   return 1;
 }
 int nextRandom(lua_State* L) { return pushNumber(L, randomAt(L).share()); }
@@ -110,7 +124,7 @@ int copyRandom(lua_State* L) {
   return 1;
 }
 
-// A clock that moves a little with every look, so that no loop waits for it for ever.
+// Returns a clock that advances a little with every call, so that no loop waits for it for ever.
 int tinySteps(lua_State* L) {
   constexpr double kStep = 1e-6;
   return pushNumber(L, Host::of(L).tinySteps += kStep);
@@ -145,7 +159,7 @@ int date(lua_State* L) {
   return 1;
 }
 
-// (table): seconds since 1970 of a date in UTC, as os.time takes it.
+// (table): returns the seconds since 1970 of a date in UTC, in the format of os.time.
 int timeOf(lua_State* L) {
   static constexpr double kMost = 1e9;
   luaL_checktype(L, 1, LUA_TTABLE);
@@ -219,7 +233,7 @@ struct ValuePusher {
     lua_pushnil(L);
   }
 
-  // datatypes.globals[library][maker](numbers...)
+  // Calls datatypes.globals[library][maker](numbers...).
   void call(const char* library, const char* maker, std::initializer_list<double> numbers) const {
     Host::of(L).use(L, "datatypes");
     lua_getfield(L, -1, "globals");

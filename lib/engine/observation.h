@@ -76,6 +76,7 @@ struct Harm {
   double time = 0;
   double from = 0, to = 0;  // the player's health before and after
   Line line;
+  bool stoppable = false;  // a force field stops it
 
   bool hurts() const { return to < from; }  // else it heals
 };
@@ -94,6 +95,12 @@ struct Problem {
   Failure failure = Failure::usual;
 };
 
+// A script listens to an event of an instance, or looks at a value.
+struct Heed {
+  InstanceId target = kNoInstance;
+  Line line;
+};
+
 // A part that scripts have made or copied; or a joint, constraint, mover or attachment.
 struct MadePart {
   InstanceId id = kNoInstance, origin = kNoInstance;  // `origin`: what it is a copy of, if anything
@@ -101,6 +108,7 @@ struct MadePart {
   std::string className, name;
   std::map<std::string, Plain> properties;  // those that differ from the class's defaults
   std::map<std::string, InstanceId> references;
+  bool later = false;  // made after the first probes
 };
 
 // Where the player is and what it can do.
@@ -109,6 +117,7 @@ struct PlayerState {
   double health = 100, maxHealth = 100, walkSpeed = 16, jumpPower = 50, jumpHeight = 7.2;
   double gravity = 196.2, lift = 0;  // studs/s^2: of Workspace; what forces take from it
   bool usesJumpPower = true, alive = false;
+  bool stuck = false;  // cannot walk
 };
 
 struct Observation {
@@ -118,7 +127,12 @@ struct Observation {
   std::vector<Harm> harms;
   std::vector<Problem> problems;
   std::map<std::string, int> counts;  // "method BasePart:X": what the twin does not do, how often
-  PlayerState player;                 // at the end
+  // Events and values of the engine, like "Humanoid.Jumping", since the run began: those that
+  // scripts heed, and those that have happened or varied.
+  std::map<std::string, std::vector<Heed>> heeded;
+  std::map<std::string, bool> happened;
+  bool random = false;  // scripts have drawn random numbers since the start
+  PlayerState player;   // at the end
   uint32_t frames = 0;
 };
 

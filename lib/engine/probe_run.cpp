@@ -11,6 +11,9 @@ constexpr double kHold = 1.1;        // seconds that a probe stays: longer than 
 constexpr double kPatientHold = 4;   // seconds
 constexpr uint32_t kTouchEvery = 5;  // frames between the touches of a patient probe
 constexpr double kSecondHit = 5;     // seconds that it waits to be harmed again
+constexpr double kPress = 2;         // seconds that keys and buttons are held
+constexpr float kFallSpeed = 140;    // studs/s, after some 50 studs
+constexpr uint32_t kFastFrames = 3;  // in which a falling player still has its speed
 constexpr double kQuiet = 1.0;       // seconds without a change end a probe
 constexpr double kAtLeast = 1.5;
 // Seconds from death to life: the place's RespawnTime, and what scripts that load the body wait.
@@ -18,15 +21,18 @@ constexpr double kLeastRespawn = 5, kLongestRespawn = 30, kScriptedWait = 6;
 constexpr uint32_t kBetweenLooks = 10;  // frames between two looks for the next body
 constexpr double kPlacing = 1;          // seconds that scripts take to place a new body
 
+// When the player was hurt first and last; nothing: it was not.
+std::optional<std::pair<double, double>> hurtIn(const std::vector<Harm>& harms) {
+  std::optional<std::pair<double, double>> span;
+  for (const Harm& harm : harms)
+    if (harm.hurts()) span = {span ? span->first : harm.time, harm.time};
+  return span;
+}
+
 // Returns true if a second hit is still to come after the first.
 bool awaitsHit(Stage& stage, double now) {
-  double first = -1, last = -1;
-  for (const Harm& harm : stage.harms())
-    if (harm.hurts()) {
-      if (first < 0) first = harm.time;
-      last = harm.time;
-    }
-  return first >= 0 && last == first && now < first + kSecondHit;
+  const auto span = hurtIn(stage.harms());
+  return span && span->first == span->second && now < span->first + kSecondHit;
 }
 
 // Returns true if scripts did no more than set numbers that they keep.
@@ -71,22 +77,28 @@ uint32_t framesOf(double seconds) { return uint32_t(std::lround(seconds / kFrame
 Probe runProbe(Stage& stage, const Plan& plan, Probe probe, Manner manner) {
   stage.restart();
   const uint32_t most = framesOf(plan.probeSeconds);
-  const bool stands = probe.approach != Approach::use;
+  const bool stands = isTouch(probe.approach);
   uint32_t hold = framesOf(manner.patient ? kPatientHold : kHold), frame = 0, quiet = 0;
-  const uint32_t least = manner.patient ? hold : framesOf(kAtLeast);
-  if (!stands) stage.use(probe.target);
+  const bool lasts = !stands && stage.use(probe.target);
+  const uint32_t least = manner.patient ? hold : framesOf(lasts ? kPress + kQuiet : kAtLeast);
   while (frame < most && (frame < least || quiet < framesOf(kQuiet))) {
-    const bool awaits = stands && frame <= hold && awaitsHit(stage, probe.at + frame * kFrame);
+    const bool leaves = manner.stay == Stay::brief && hurtIn(stage.harms());
+    if (leaves) hold = std::min(hold, frame);
+    const bool awaits =
+        !leaves && stands && frame <= hold && awaitsHit(stage, probe.at + frame * kFrame);
     const bool insists = stands && manner.patient && frame < hold && frame % kTouchEvery == 0 &&
                          stage.harms().empty();
     if (awaits) hold = std::max(hold, frame + 1);
     if (stands && frame < hold)
-      stage.standAt(probe.target, probe.approach == Approach::inside, manner.share, manner.face);
+      stage.standAt(probe.target, probe.approach == Approach::inside, manner.share, manner.face,
+                    manner.falls && frame < kFastFrames ? kFallSpeed : 0);
     else if (stands && frame == hold)
       stage.leave();
+    if (lasts && frame == framesOf(kPress)) stage.release(probe.target);
     // A part next to the spawn may have been touched all the time.
     const bool arrives = stands && frame == 0;
-    if (arrives || awaits || insists) stage.touchAgain();
+    const bool renews = awaits && manner.stay == Stay::renewing;
+    if (arrives || renews || insists) stage.touchAgain();
     const size_t before = stage.activity();
     stage.run(1);
     ++frame;
@@ -101,6 +113,22 @@ Probe runProbe(Stage& stage, const Plan& plan, Probe probe, Manner manner) {
   if (manner.comesBack && stands && !probe.byPlace && (isPortal || mayBeKept))
     comeBack(stage, probe);
   return probe;
+}
+
+std::optional<Stay> secondLookAt(const Probe& probe) {
+  const auto span = hurtIn(probe.seen.harms);
+  if (!span || probe.lost || !isTouch(probe.approach)) return std::nullopt;
+  if (span->first < span->second) return Stay::brief;
+  return probe.seen.player.alive ? std::optional(Stay::still) : std::nullopt;
+}
+
+SecondLook lookAgain(Stage& stage, const Plan& plan, const Probe& wanted, Stay stay) {
+  const Probe probe = runProbe(stage, plan, wanted, {.stay = stay});
+  return {probe.seen.harms, probe.left};
+}
+
+SecondLook& secondLookOf(Probe& probe, Stay stay) {
+  return stay == Stay::brief ? probe.brief : probe.still;
 }
 
 }  // namespace obby::engine

@@ -1,5 +1,5 @@
-// The properties of one instance: a small map kept as a sorted array, because places hold millions
-// of properties and a node each would cost more than the values.
+// The properties of one instance as a small map in a sorted array. Places hold millions of
+// properties, and a node each would cost more than the values.
 #pragma once
 
 #include <algorithm>
@@ -32,7 +32,7 @@ class PropertyMap {
   bool contains(std::string_view name) const { return find(name) != end(); }
   size_t count(std::string_view name) const { return contains(name) ? 1 : 0; }
 
-  // The value under `name`, added if it is not there.
+  // Returns the value under `name`, which is added if absent.
   Value& operator[](std::string_view name) {
     auto at = std::lower_bound(entries_.begin(), entries_.end(), name, before);
     if (at == entries_.end() || at->first != name) {
@@ -41,7 +41,7 @@ class PropertyMap {
     return at->second;
   }
 
-  // Gives back what growing has reserved.
+  // Releases unused capacity.
   void compact() { entries_.shrink_to_fit(); }
 
  private:

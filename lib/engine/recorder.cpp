@@ -1,6 +1,7 @@
 #include "engine/recorder.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace obby::engine {
 
@@ -51,7 +52,11 @@ void Recorder::problem(InstanceId script, Failure failure, std::string_view text
 
 void Recorder::restart() {
   const uint32_t frame = frame_;
-  seen_ = {};
+  Observation kept;
+  kept.random = seen_.random;
+  kept.heeded = std::move(seen_.heeded);
+  kept.happened = std::move(seen_.happened);
+  seen_ = std::move(kept);
   changes_ = placed_ = text_ = 0;
   setTime(frame);
 }

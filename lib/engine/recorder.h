@@ -26,9 +26,17 @@ class Recorder {
   void drive(InstanceId part, InstanceId driver) { drivers_[part] = driver; }
   void change(Change change);
   void tween(Tween tween) { seen_.tweens.push_back(std::move(tween)); }
-  void harm(double from, double to, Line line) { seen_.harms.push_back({time(), from, to, line}); }
+  void harm(double from, double to, Line line, bool stoppable) {
+    seen_.harms.push_back({time(), from, to, line, stoppable});
+  }
   void problem(InstanceId script, Failure failure, std::string_view text);
   void count(const std::string& what);
+  void heed(const std::string& what, InstanceId target, Line line) {
+    seen_.heeded[what].push_back({target, line});
+  }
+  void happen(const std::string& what) { seen_.happened[what] = true; }
+  // A script draws a number that differs from game to game.
+  void noteDraw() { seen_.random = true; }
   // As much of a problem's text as is kept.
   static std::string_view shortened(std::string_view text) {
     return text.substr(0, kMostProblemText);

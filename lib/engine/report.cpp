@@ -6,11 +6,13 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <map>
 
 #include "engine/air_jumps.h"
 #include "engine/child.h"
-#include "engine/effect_names.h"
+#include "engine/later_round.h"
+#include "engine/move_run.h"
+#include "engine/probe_choice.h"
+#include "engine/probe_round.h"
 #include "engine/probe_run.h"
 #include "engine/report_bytes.h"
 #include "engine/revisit.h"
@@ -21,21 +23,18 @@ namespace obby::engine {
 namespace {
 
 constexpr double kStuck = 2;  // seconds of CPU without a beat
-// Probes of parts with the same listeners, if there are too many parts for all: more of them rarely
-// show anything new.
-constexpr uint32_t kMaxSameListeners = 100;
-// Those of them whose player may die: each death takes RespawnTime, 300 frames by default.
-constexpr uint32_t kMaxComebacks = 40;
-// Shares of the whole time limit. One copy of the place that hangs must leave time for the others;
-// revisits run once, during the rest of the undisturbed run.
-constexpr double kCopyShare = 0.25, kRevisitShare = 0.75;
+// Share of the whole time limit: revisits run once, during the rest of the undisturbed run.
+constexpr double kRevisitShare = 0.75;
 constexpr size_t kProcessMemory = size_t(2) << 30;
 
 // In the caged child: everything but the probes themselves.
 class Watcher {
  public:
   Watcher(const Document& document, const Plan& plan)
-      : plan_(plan), stage_(document, plan.settings), children_(plan.processes) {}
+      : plan_(plan),
+        stage_(document, plan.settings),
+        children_(plan.processes),
+        moves_(stage_, plan, children_) {}
 
   Report watch() {
     watchBeat(stage_.beat(), kStuck);
@@ -43,16 +42,23 @@ class Watcher {
     stage_.run(framesOf(plan_.probeAt));
     if (stage_.greedyScript() != kNoInstance) return given(stage_.greedyScript());
     stage_.revive();
+    stage_.unshield();
     report_.probedAt = plan_.probeAt;
     report_.made = stage_.made();
+    report_.collisionGroups = stage_.groups();
     report_.arrived = stage_.observation().player;
+    const bool isOver = stage_.isIdle();
+    moves_.run(report_.moves);
     probeAll();
     if (stage_.hearsJumps()) jumpInAir();
     revisitAll();
     stage_.run(framesOf(plan_.probeSeconds));
-    while (stage_.frames() < framesOf(plan_.seconds) && !stage_.isExhausted() && !stage_.isIdle())
-      stage_.run(60);
+    runUntil(std::max(0.0, plan_.seconds - plan_.probeSeconds));
+    LaterRound later(stage_, plan_, children_, report_);
+    if (!isOver && !stage_.isExhausted()) later.look();
+    runUntil(std::max(plan_.seconds, report_.lookedAgainAt + plan_.probeSeconds));
     report_.undisturbed = stage_.observation();
+    later.dropGone();
     report_.complete = !stage_.isExhausted();
     report_.over = report_.complete && stage_.isIdle();
     report_.sleeps = stage_.sleeps();
@@ -63,6 +69,12 @@ class Watcher {
   }
 
  private:
+  // To that second, or until nothing goes on.
+  void runUntil(double seconds) {
+    while (stage_.frames() < framesOf(seconds) && !stage_.isExhausted() && !stage_.isIdle())
+      stage_.run(60);
+  }
+
   // Not worth while: it is done again without that script.
   Report given(InstanceId culprit) {
     report_.undisturbed = stage_.observation();
@@ -73,101 +85,11 @@ class Watcher {
 
   void probeAll() {
     std::vector<Probe> wanted = stage_.probes();
-    if (wanted.size() > plan_.mostProbes) choose(wanted);
-    for (Probe& probe : wanted) probe.at = plan_.probeAt;
-    report_.probes.resize(wanted.size());
-    runAll(wanted);
-    children_.finish();
-    for (size_t i = 0; i < wanted.size(); ++i)
-      if (wanted[i].byPlace && happens(report_.probes[i])) {
-        lookAllOver(wanted[i], i);
-        if (wanted[i].approach == Approach::inside) lookFromOutside(wanted[i], i);
-      }
-  }
-
-  // Keeps the first part of each set of listeners, then the second of each, and so on, in order.
-  void choose(std::vector<Probe>& wanted) {
-    std::map<uint64_t, uint32_t> seen;
-    std::vector<std::pair<uint32_t, size_t>> ranks;  // number of earlier parts with its listeners
-    for (size_t i = 0; i < wanted.size(); ++i)
-      ranks.emplace_back(seen[wanted[i].listenerHash]++, i);
-    std::sort(ranks.begin(), ranks.end());
-    std::vector<bool> taken(wanted.size());
-    for (size_t i = 0; i < plan_.mostProbes; ++i) {
-      const auto& [rank, index] = ranks[i];
-      taken[index] = rank < kMaxSameListeners || wanted[index].listenerHash == 0;
-    }
-    std::vector<Probe> probes;
-    std::map<uint64_t, uint32_t> first;  // probe by listenerHash
-    for (size_t i = 0; i < wanted.size(); ++i) {
-      if (!taken[i]) continue;
-      if (wanted[i].listenerHash != 0)
-        first.emplace(wanted[i].listenerHash, uint32_t(probes.size()));
-      probes.push_back(wanted[i]);
-    }
-    for (size_t i = 0; i < wanted.size(); ++i) {
-      if (taken[i]) continue;
-      const auto found = first.find(wanted[i].listenerHash);
-      if (found != first.end())
-        report_.sameListeners.push_back({wanted[i].target, found->second});
-      else
-        report_.failure = "too many parts to touch";
-    }
-    wanted = std::move(probes);
-  }
-
-  static bool happens(const Probe& probe) {
-    return !probe.seen.changes.empty() || !probe.seen.harms.empty();
-  }
-
-  static bool happensAgain(const Probe& first, const Probe& again) {
-    return harms(first) ? harms(again) : happens(again);
-  }
-
-  void lookAllOver(const Probe& wanted, size_t index) {
-    constexpr float kTowardsCorner = 0.8f;
-    for (const float share : {kTowardsCorner, -kTowardsCorner})
-      children_.start(
-          plan_.timeLimit * kCopyShare,
-          [&, share] { return toBytes(runProbe(stage_, plan_, wanted, {.share = share})); },
-          [this, index](const std::string& bytes) {
-            Probe probe;
-            Probe& first = report_.probes[index];
-            if (!fromBytes(bytes, probe) || !happensAgain(first, probe)) first.allOver = false;
-          });
-  }
-
-  // Before three faces: a script that looks at the middle of the body does not see it in the part.
-  void lookFromOutside(const Probe& wanted, size_t index) {
-    report_.probes[index].byRoot = true;
-    for (const int face : {1, 2, 3})
-      children_.start(
-          plan_.timeLimit * kCopyShare,
-          [&, face] { return toBytes(runProbe(stage_, plan_, wanted, {.face = face})); },
-          [this, index](const std::string& bytes) {
-            Probe probe;
-            Probe& first = report_.probes[index];
-            if (!fromBytes(bytes, probe) || happensAgain(first, probe)) first.byRoot = false;
-          });
-  }
-
-  void runAll(const std::vector<Probe>& wanted) {
-    std::map<uint64_t, uint32_t> seen;  // probes by listenerHash
-    for (size_t i = 0; i < wanted.size(); ++i) {
-      const bool comesBack =
-          wanted[i].listenerHash == 0 || seen[wanted[i].listenerHash]++ < kMaxComebacks;
-      report_.probes[i] = wanted[i];
-      stage_.noteWork();
-      children_.start(
-          plan_.timeLimit * kCopyShare,
-          [&, i, comesBack] {
-            return toBytes(runProbe(stage_, plan_, wanted[i], {.comesBack = comesBack}));
-          },
-          [this, i](const std::string& bytes) {
-            Probe& probe = report_.probes[i];
-            probe.lost = !fromBytes(bytes, probe);
-          });
-    }
+    moves_.addTargets(wanted);
+    Choice chosen = choose(std::move(wanted), plan_.mostProbes);
+    if (!chosen.isAll) report_.failure = kTooManyParts;
+    report_.sameListeners = std::move(chosen.same);
+    report_.probes = ProbeRound(stage_, plan_, children_).run(chosen.probes);
   }
 
   void jumpInAir() {
@@ -192,6 +114,7 @@ class Watcher {
   const Plan& plan_;
   Stage stage_;
   Children children_;
+  Moves moves_;
   Report report_;
 };
 

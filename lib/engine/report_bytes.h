@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "engine/archive.h"
+#include "engine/move_run.h"
 #include "engine/report.h"
 
 namespace obby::engine {
@@ -33,18 +34,32 @@ void fields(A& a, Problem& p) {
   a(p.script), a(p.text), a(p.count), a(p.failure);
 }
 template <class A>
+void fields(A& a, Heed& h) {
+  a(h.target), a(h.line);
+}
+template <class A>
 void fields(A& a, MadePart& m) {
   a(m.id), a(m.origin), a(m.parent), a(m.className), a(m.name), a(m.properties), a(m.references);
+  a(m.later);
 }
 template <class A>
 void fields(A& a, Observation& o) {
   a(o.changes), a(o.tracks), a(o.tweens), a(o.harms), a(o.problems), a(o.counts), a(o.player);
-  a(o.frames);
+  a(o.frames), a(o.random), a(o.heeded), a(o.happened);
+}
+template <class A>
+void fields(A& a, SecondLook& l) {
+  a(l.harms), a(l.left);
 }
 template <class A>
 void fields(A& a, Probe& p) {
+  a(p.brief), a(p.still);
   a(p.target), a(p.approach), a(p.at), a(p.left), a(p.seen), a(p.lost), a(p.byPlace), a(p.allOver),
-      a(p.byRoot), a(p.listenerHash), a(p.sleeps), a(p.reborn), a(p.rebornAt);
+      a(p.byRoot), a(p.byFall), a(p.listenerHash), a(p.sleeps), a(p.reborn), a(p.rebornAt);
+}
+template <class A>
+void fields(A& a, Move& m) {
+  a(m.probe), a(m.targets);
 }
 template <class A>
 void fields(A& a, SameListeners& l) {
@@ -56,8 +71,9 @@ void fields(A& a, Revisit& r) {
 }
 template <class A>
 void fields(A& a, Report& r) {
-  a(r.undisturbed), a(r.probes), a(r.sameListeners), a(r.revisits), a(r.made), a(r.arrived);
-  a(r.airJumps), a(r.probedAt), a(r.complete), a(r.over), a(r.sleeps), a(r.failure), a(r.culprit);
+  a(r.undisturbed), a(r.probes), a(r.sameListeners), a(r.revisits), a(r.made);
+  a(r.collisionGroups), a(r.arrived), a(r.moves), a(r.airJumps), a(r.probedAt);
+  a(r.lookedAgainAt), a(r.complete), a(r.over), a(r.sleeps), a(r.failure), a(r.culprit);
 }
 
 template <class T>

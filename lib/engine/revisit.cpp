@@ -11,6 +11,7 @@
 #include "engine/effect_names.h"
 #include "engine/probe_run.h"
 #include "engine/report_bytes.h"
+#include "engine/tour.h"
 
 namespace obby::engine {
 namespace {
@@ -21,22 +22,6 @@ constexpr double kSettleAtLeast = 1, kSettleAtMost = 20;           // seconds af
 constexpr size_t kMostPatient = 32;                                // parts that do nothing at first
 constexpr size_t kMostProbed = 100;                                // parts that harm come last
 constexpr uint64_t kOfOneTour = 20'000'000, kOfAll = 100'000'000;  // instructions
-
-struct Seen {
-  std::vector<Probe> touches, probes;
-  double end = 0;     // of the tour, in seconds
-  uint64_t used = 0;  // instructions
-};
-
-template <class A>
-void fields(A& a, Seen& s) {
-  a(s.touches), a(s.probes), a(s.end), a(s.used);
-}
-
-// `touches`: false lets the time of the touches pass without them.
-struct TourMode {
-  bool patiently = true, touches = true;
-};
 
 class Tour {
  public:
@@ -51,18 +36,22 @@ class Tour {
   std::vector<Revisit> revisits() {
     if (probed_.empty()) return {};
     repeatPasses();
-    const Seen seen = tour(touched_, probed_);
+    const TourSeen seen = tour(touched_, probed_);
     usual_ = usualUntil(seen.end + plan_.probeSeconds);
     std::vector<Revisit> found;
     for (size_t k = 1; k < seen.touches.size(); ++k) {
       const Names effects = effectsIn(seen.touches[k], usual_);
       if (!adds(effectsIn(first_[touched_[k]], usual_), effects)) continue;
       const std::vector<size_t> before(touched_.begin(), touched_.begin() + std::ptrdiff_t(k));
-      const std::vector<Probe> again = tour(before, {touched_[k]}).probes;
-      if (!again.empty()) take(touched_[k], again[0], before, found);
+      for (const TourMode mode : {TourMode{}, TourMode{.settles = false}}) {
+        if (isKnown(touched_[k], found)) break;
+        const TourSeen again = tour(before, {touched_[k]}, mode);
+        if (!again.probes.empty())
+          take(touched_[k], again.probes[0], namesIn(again.after), before, found, mode);
+      }
     }
     for (size_t i = 0; i < seen.probes.size(); ++i)
-      take(probed_[i], seen.probes[i], touched_, found);
+      take(probed_[i], seen.probes[i], {}, touched_, found);
     return found;
   }
 
@@ -74,8 +63,7 @@ class Tour {
     if (probe.lost || (silent && probe.byPlace)) return;
     touched_.push_back(i);
     if (probed_.size() < kMostProbed) probed_.push_back(i);
-    if (silent && probe.approach != Approach::use && patient_.size() < kMostPatient)
-      patient_.insert(i);
+    if (silent && isTouch(probe.approach) && patient_.size() < kMostPatient) patient_.insert(i);
   }
 
   // Several passes find what has to be touched in an order, or several times. Odd: a switch that is
@@ -89,17 +77,23 @@ class Tour {
       touched_.insert(touched_.end(), once.begin(), once.end());
   }
 
-  // A probe of part `i` after touches of `touched`.
-  void take(size_t i, const Probe& probe, const std::vector<size_t>& touched,
-            std::vector<Revisit>& found) {
-    const Names effects = effectsIn(probe, usual_);
-    const bool isKnown = std::any_of(found.begin(), found.end(), [&](const Revisit& other) {
-      return other.probe.target == probe.target;
+  bool isKnown(size_t i, const std::vector<Revisit>& found) const {
+    return std::any_of(found.begin(), found.end(), [&](const Revisit& other) {
+      return other.probe.target == first_[i].target;
     });
-    if (isKnown || probe.lost || !differ(effectsIn(first_[i], usual_), effects)) return;
+  }
+
+  // A probe of part `i` after touches of `touched`. `after`: what goes on then without it.
+  void take(size_t i, Probe probe, const Names& after, const std::vector<size_t>& touched,
+            std::vector<Revisit>& found, TourMode mode = {}) {
+    drop(probe.seen, after);
+    const Names before = effectsIn(first_[i], usual_), effects = effectsIn(probe, usual_);
+    // Without time to settle, an effect that lacks may be on its way back.
+    const bool isOther = mode.settles ? differ(before, effects) : adds(before, effects);
+    if (isKnown(i, found) || probe.lost || !isOther) return;
     Revisit revisit;
-    revisit.probe = probe;
-    explain(i, effects, touched, revisit);
+    revisit.probe = std::move(probe);
+    explain(i, effects, touched, mode, revisit);
     found.push_back(std::move(revisit));
   }
 
@@ -113,9 +107,9 @@ class Tour {
   }
 
   // What is seen at each touch of `touched`, and then by each probe of `probed`.
-  Seen tour(const std::vector<size_t>& touched, const std::vector<size_t>& probed,
-            TourMode mode = {}) {
-    Seen seen;
+  TourSeen tour(const std::vector<size_t>& touched, const std::vector<size_t>& probed,
+                TourMode mode = {}) {
+    TourSeen seen;
     const bool isShort = touched.size() > kLongTour;
     if (used_ >= kOfAll) return seen;
     fromBytes(inCopy([&] {
@@ -130,11 +124,12 @@ class Tour {
                   else
                     stage_.run(kTouch + kBetween);
                 }
-                settle();
+                if (mode.settles) settle();
                 if (!seen.touches.empty()) seen.touches.back().seen = stage_.observation();
                 seen.used = left - stage_.left();
                 seen.probes = probeAll(affordable(probed, seen.used), mode.patiently);
                 seen.end = stage_.frames() / 60.0;
+                if (!mode.settles) runOn(seen);
                 return toBytes(std::move(seen));
               }),
               seen);
@@ -155,9 +150,10 @@ class Tour {
   void touch(size_t i, bool isShort) {
     const Probe& probe = first_[i];
     stage_.forget();  // what came before
-    if (probe.approach == Approach::use) {
-      stage_.use(probe.target);
+    if (!isTouch(probe.approach)) {
+      const bool lasts = stage_.use(probe.target);
       stage_.run(kBetween);
+      if (lasts) stage_.release(probe.target);
       return;
     }
     for (uint32_t frame = 0; frame < (isShort ? kShortTouch : kTouch); ++frame) {
@@ -167,6 +163,13 @@ class Tour {
     stage_.leave();
     stage_.run(isShort ? 1 : kBetween);
     stage_.revive();
+  }
+
+  void runOn(TourSeen& seen) {
+    stage_.restart();
+    stage_.run(framesOf(plan_.probeSeconds));
+    seen.after = stage_.observation();
+    if (stage_.isExhausted()) seen.probes.clear();
   }
 
   void settle() {
@@ -186,18 +189,34 @@ class Tour {
           plan_.timeLimit / 8, [&, i] { return toBytes(probeAgain(probed[i], patiently)); },
           [&, i](const std::string& bytes) { probes[i].lost = !fromBytes(bytes, probes[i]); });
     children.finish();
+    for (size_t i = 0; i < probed.size(); ++i)
+      if (const auto stay = secondLookAt(probes[i]))
+        children.start(
+            plan_.timeLimit / 8,
+            [&, i, stay] { return toBytes(lookAgain(stage_, plan_, prepared(probed[i]), *stay)); },
+            [&, i, stay](const std::string& bytes) {
+              SecondLook& look = secondLookOf(probes[i], *stay);
+              if (!fromBytes(bytes, look)) look = {};
+            });
+    children.finish();
     return probes;
   }
 
   // Of a part that kills: what it does to the next body.
-  Probe probeAgain(size_t i, bool patiently) {
+  Probe prepared(size_t i) {
     Probe probe = first_[i];
     if (kills(probe)) {
       touch(i, false);
       stage_.run(framesOf(1));
     }
     probe.seen = {};
+    probe.brief = probe.still = {};
     probe.at = stage_.frames() / 60.0;
+    return probe;
+  }
+
+  Probe probeAgain(size_t i, bool patiently) {
+    Probe probe = prepared(i);
     probe =
         runProbe(stage_, plan_, std::move(probe), {.patient = patiently && patient_.contains(i)});
     probe.lost = stage_.isExhausted();
@@ -220,35 +239,37 @@ class Tour {
   // Whether the part does the same once those are touched.
   bool sameAfter(size_t i, const Names& effects, const std::vector<size_t>& touched,
                  TourMode mode = {}) {
-    const std::vector<Probe> probes = tour(touched, {i}, mode).probes;
-    if (probes.empty()) return false;
-    const Names now = effectsIn(probes[0], usual_);
+    TourSeen seen = tour(touched, {i}, mode);
+    if (seen.probes.empty()) return false;
+    drop(seen.probes[0].seen, namesIn(seen.after));
+    const Names now = effectsIn(seen.probes[0], usual_);
     return !differ(effects, now) && !differ(now, effects);
   }
 
-  void explain(size_t i, const Names& effects, const std::vector<size_t>& touched,
+  void explain(size_t i, const Names& effects, const std::vector<size_t>& touched, TourMode mode,
                Revisit& revisit) {
     // Patience touches it again, too.
-    const TourMode once = {.patiently = false}, idle = {.patiently = false, .touches = false};
-    if (kills(first_[i]) ? sameAfter(i, effects, {})
+    TourMode once = mode, idle = mode;
+    once.patiently = idle.patiently = idle.touches = false;
+    if (kills(first_[i]) ? sameAfter(i, effects, {}, mode)
                          : sameAfter(i, effects, {i}, once) && !sameAfter(i, effects, {i}, idle))
       revisit.cause = Cause::again;
-    else if (sameAfter(i, effects, {}))
+    else if (sameAfter(i, effects, {}, mode))
       revisit.cause = Cause::time;
     else
-      revisit.lever = leverOf(i, effects, touched);
+      revisit.lever = leverOf(i, effects, touched, mode);
     if (revisit.lever != kNoInstance) revisit.cause = Cause::lever;
   }
 
   // By halves; kNoInstance if it takes several.
-  InstanceId leverOf(size_t i, const Names& effects, std::vector<size_t> touched) {
-    if (lastLever_ && sameAfter(i, effects, {*lastLever_})) return first_[*lastLever_].target;
+  InstanceId leverOf(size_t i, const Names& effects, std::vector<size_t> touched, TourMode mode) {
+    if (lastLever_ && sameAfter(i, effects, {*lastLever_}, mode)) return first_[*lastLever_].target;
     while (touched.size() > 1) {
       const auto middle = touched.begin() + std::ptrdiff_t(touched.size() / 2);
       std::vector<size_t> low(touched.begin(), middle), high(middle, touched.end());
-      if (sameAfter(i, effects, low))
+      if (sameAfter(i, effects, low, mode))
         touched = std::move(low);
-      else if (sameAfter(i, effects, high))
+      else if (sameAfter(i, effects, high, mode))
         touched = std::move(high);
       else
         return kNoInstance;

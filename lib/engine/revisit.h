@@ -1,5 +1,5 @@
-// Probes once more after other parts have been touched: traps that a lever arms, doors that need
-// two buttons, what works only once. Private to lib/engine.
+// Repeats probes after other parts have been touched. This finds traps that a lever arms, doors
+// that need two buttons, and effects that work only once. Private to lib/engine.
 #pragma once
 
 #include <vector>
@@ -9,7 +9,7 @@
 
 namespace obby::engine {
 
-// The place is as it was at the first probes. Only what differs from them is returned.
+// Returns only differences from the first probes. The place must be in the same state as then.
 std::vector<Revisit> revisit(Stage& stage, const Plan& plan, const std::vector<Probe>& first);
 
 }  // namespace obby::engine

@@ -8,7 +8,7 @@
 namespace obby::engine {
 namespace {
 
-constexpr float kTouchSkin = 0.05f;  // studs; contacts are reported at a gap this small
+constexpr float kTouchSkin = 0.05f;  // studs; the engine reports contacts at gaps up to this size
 
 bool overlap(const Scenery::Part& part, const Pose& frame, Vec3 half) {
   const geom::LocalBox box{
@@ -19,7 +19,7 @@ bool overlap(const Scenery::Part& part, const Pose& frame, Vec3 half) {
   return geom::penetration(part.shape, {part.half}, box).depth >= 0;
 }
 
-// Scenery::overlaps hides the function of boxes.
+// Forwards to overlaps() of boxes, which Scenery::overlaps hides.
 bool boxesMeet(const Box& a, const Box& b) { return overlaps(a, b); }
 
 }  // namespace
@@ -74,7 +74,8 @@ std::vector<Scenery::RayHit> Scenery::castRay(Vec3 origin, Vec3 direction) const
     const Part& part = parts_.at(id);
     const Vec3 from = toLocal(part.pose, origin), along = toLocal(part.pose.rotation, direction);
     geom::RayHit hit{};
-    // Limbs meet in the middle of the body, where scripts like to look straight down.
+    // Limbs meet in the middle of the body, where scripts often cast rays straight down. The gap
+    // lets these pass.
     constexpr Vec3 kGap = {0.01f, 0.01f, 0.01f};
     const geom::ShapeData shape{part.limb ? part.half - kGap : part.half};
     const bool met =

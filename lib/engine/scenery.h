@@ -1,6 +1,5 @@
-// Where the parts of Workspace are, for scripts' spatial queries and for touches. Lists are in the
-// order of the ids.
-// Private to lib/engine.
+// Indexes the positions of the parts of Workspace, for scripts' spatial queries and for touches.
+// Lists are in the order of the ids. Private to lib/engine.
 #pragma once
 
 #include <cstdint>
@@ -20,31 +19,31 @@ class Scenery {
     Vec3 half;
     geom::ShapeKind shape = geom::ShapeKind::block;
     bool collides = true;
-    bool listened = false;  // some script listens to its touches
+    bool listened = false;  // a script listens to its touches
     bool limb = false;
   };
   struct RayHit {
     uint32_t id;
-    float share;  // of the ray
+    float share;  // fraction of the ray
     Vec3 normal;
   };
 
   void add(uint32_t id, const Part& part);
   void remove(uint32_t id);
   Part* find(uint32_t id);
-  // After its pose or size has changed.
+  // Records a change of the part's pose or size.
   void moved(uint32_t id);
 
   std::vector<uint32_t> overlaps(const Pose& frame, Vec3 half) const;
   std::vector<uint32_t> overlapsOfPart(uint32_t id) const;
   std::vector<RayHit> castRay(Vec3 origin, Vec3 direction) const;
-  // From a point to the part's box; 0 inside.
+  // Returns the distance from a point to the part's box; 0 inside.
   float distance(uint32_t id, Vec3 point) const;
-  // Parts that the limb touches and somebody listens to; `listens`: or all, as the limb's own
-  // listeners hear of each. False: neither the limb nor any such part has moved since the last
-  // call.
+  // Finds the parts with listeners that the limb touches. If `listens`, it finds all parts, as the
+  // limb's own listeners receive each. Returns false if neither the limb nor any of those parts has
+  // moved since the last call.
   bool contacts(uint32_t limb, std::vector<uint32_t>& out);
-  // Once a frame, after contacts() of every limb.
+  // Ends a frame. Call it after contacts() of every limb.
   void settle() { moved_.clear(); }
 
  private:

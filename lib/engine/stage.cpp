@@ -126,14 +126,17 @@ void Stage::stand(Vec3 feet, float yaw) {
   call("probe", "stand", 4);
 }
 
-void Stage::standAt(InstanceId part, bool inside, float share, int face) {
+void Stage::standAt(InstanceId part, bool inside, float share, int face, float speed) {
   lua_State* const L = host_->vm.state();
   lua_pushnumber(L, part);
   lua_pushboolean(L, inside);
   lua_pushnumber(L, lua_Number(share));
   lua_pushnumber(L, face);
-  call("probe", "standAt", 4);
+  lua_pushnumber(L, lua_Number(speed));
+  call("probe", "standAt", 5);
 }
+
+void Stage::standAway() { call("moves", "standAway", 0); }
 
 void Stage::touchAgain() { call("touch", "again", 0); }
 
@@ -141,10 +144,12 @@ void Stage::leave() { call("probe", "leave", 0); }
 
 void Stage::revive() { call("probe", "revive", 0); }
 
+void Stage::unshield() { call("probe", "unshield", 0); }
+
 void Stage::die() { call("probe", "die", 0); }
 
-double Stage::numberOf(const char* name) {
-  call("probe", name, 0, 1);
+double Stage::numberOf(const char* name, const char* module, int arguments) {
+  call(module, name, arguments, 1);
   const double value = lua_tonumber(host_->vm.state(), -1);
   lua_pop(host_->vm.state(), 1);
   return value;
@@ -227,16 +232,51 @@ void Stage::readMade(lua_State* L, std::vector<MadePart>& all) {
   }
 }
 
-void Stage::use(InstanceId target) {
+std::vector<std::string> Stage::groups() {
+  std::vector<std::string> all;
+  read("groups", [&](lua_State* L) {
+    call("probe", "groups", 0, 1);
+    for (int i = 1; lua_istable(L, -1) && i <= int(lua_objlen(L, -1)); ++i) {
+      lua_rawgeti(L, -1, i);
+      if (const char* const name = lua_tostring(L, -1)) all.emplace_back(name);
+      lua_pop(L, 1);
+    }
+  });
+  return all;
+}
+
+bool Stage::use(InstanceId target) {
   lua_pushnumber(host_->vm.state(), target);
-  call("probe", "use", 1);
+  return numberOf("use", "probe", 1) > 0;
+}
+
+void Stage::release(InstanceId target) {
+  lua_pushnumber(host_->vm.state(), target);
+  call("probe", "release", 1);
+}
+
+void Stage::drop(float height) {
+  lua_pushnumber(host_->vm.state(), lua_Number(height));
+  call("moves", "drop", 1);
+}
+
+bool Stage::fly() { return numberOf("fly", "moves") > 0; }
+
+void Stage::walk(bool on) {
+  lua_pushboolean(host_->vm.state(), on);
+  call("moves", "walk", 1);
+}
+
+void Stage::enter(const char* state) {
+  lua_pushstring(host_->vm.state(), state);
+  call("moves", "enter", 1);
 }
 
 const Observation& Stage::observation() {
   lua_State* const L = host_->vm.state();
   PlayerState& player = host_->recorder.seen().player;
   player = {};
-  constexpr int kValues = 10;
+  constexpr int kValues = 11;
   call("probe", "look", 0, kValues);
   const int first = lua_gettop(L) - kValues + 1;
   if (const Vec3* const feet = toVector3(L, first)) {
@@ -250,6 +290,7 @@ const Observation& Stage::observation() {
     player.usesJumpPower = lua_toboolean(L, first + 7) != 0;
     player.gravity = lua_tonumber(L, first + 8);
     player.lift = lua_tonumber(L, first + 9);
+    player.stuck = lua_toboolean(L, first + 10) != 0;
     player.alive = player.health > 0;
   }
   lua_pop(L, kValues);

@@ -29,14 +29,28 @@ class Stage {
   // `share`: how far off, as a share of the distance to a corner. `face`: 1, 2, 3 put the root's
   // middle just outside of the part instead, before its face toward X, Y, Z: then limbs alone are
   // in the part.
-  void standAt(InstanceId part, bool inside, float share, int face = 0);
+  // `speed`: of a fall, studs/s.
+  void standAt(InstanceId part, bool inside, float share, int face = 0, float speed = 0);
+  // In the air far above the spawn, where no part is.
+  void standAway();
   // All that touches the player's body ends and begins again in the next frame, as where it walks.
   void touchAgain();
   const std::vector<Harm>& harms() { return host_->recorder.seen().harms; }
   // Back to the spawn.
   void leave();
-  // Clicks a ClickDetector or a button, holds a ProximityPrompt, activates a tool.
-  void use(InstanceId target);
+  // Clicks a ClickDetector or a button, holds a ProximityPrompt, activates a tool, presses keys.
+  // Returns true if that goes on until release().
+  bool use(InstanceId target);
+  void release(InstanceId target);
+  // The player steps off an edge of that height, jumps, begins or ends to walk on the spot, or
+  // enters a HumanoidStateType. fly() before each frame; returns false once the player has landed.
+  void drop(float height);
+  void jump() { call("moves", "jump", 0); }
+  bool fly();
+  void walk(bool on);
+  void enter(const char* state);
+  // Scripts look at the player's moves.
+  bool heedsMoves() { return numberOf("heedsMoves") > 0; }
   // The states of a player in the air, without moving it; and the jump key.
   void takeOff();
   void fall();
@@ -44,16 +58,22 @@ class Stage {
   void pressJump();
   bool hearsJumps();
   bool playerLives();
+  // Returns true if scripts look at where the player is.
+  bool looksAtPlayer() { return numberOf("looksAtPlayer") > 0; }
   // Returns true if scripts listen for new bodies of the player. Only then can they place them.
   bool hearsNewBodies() { return numberOf("hearsNewBodies") > 0; }
   void die();
   double respawnTime() { return numberOf("respawnTime"); }  // seconds, of the Players service
   // A player that has died where it spawns lives again, away from everything.
   void revive();
+  // Ends the player's force fields.
+  void unshield();
   // What a player can touch or use with effect, as far as listeners tell.
   std::vector<Probe> probes();
   // Parts and what joins or moves them, in the world, that scripts have made.
   std::vector<MadePart> made();
+  // Names of the collision groups that there are by now.
+  std::vector<std::string> groups();
   // Grows with everything that happens.
   size_t activity() const { return host_->recorder.activity(); }
   // Something waits that did not when restart() was called.
@@ -85,7 +105,7 @@ class Stage {
   void loadReferences(InstanceId id);
   // Calls a function of a file of api/ with `arguments` values from the top of the stack.
   void call(const char* module, const char* name, int arguments, int results = 0);
-  double numberOf(const char* name);
+  double numberOf(const char* name, const char* module = "probe", int arguments = 0);
   // Runs `body` with the stack empty; an error, of used up memory as well, ends it and is noted.
   void read(const char* name, const std::function<void(lua_State*)>& body);
   void note(const std::string& what, const Error& error);

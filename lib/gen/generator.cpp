@@ -1,4 +1,5 @@
 #include "gen/generator.h"
+#include "gen/recipe_check.h"
 
 #include <algorithm>
 
@@ -9,9 +10,9 @@ namespace obby::gen {
 
 namespace {
 
-// Streams of random numbers beside that of the level itself, which is its index.
+// Random streams besides the level's own, which has its index as number.
 constexpr uint64_t kLimitStream = uint64_t(1) << 62, kPlantStream = uint64_t(2) << 62;
-// Room that limits leave over what a steady player takes.
+// Slack of the limits relative to a steady player.
 constexpr float kTimeRoom = 2.5f, kTimeExtra = 5;
 constexpr uint32_t kJumpRoom = 2, kJumpExtra = 3;
 
@@ -25,7 +26,7 @@ Generator::Generator(Recipe recipe, const Params& params, bool unsolvable)
       courseStyles_(choices(recipe_.courseStyles, true)) {}
 
 Result<Generator> Generator::make(const Recipe& recipe, bool unsolvable) {
-  OBBY_RETURN_IF_ERROR(recipe.check());
+  OBBY_RETURN_IF_ERROR(checkRecipe(recipe));
   OBBY_ASSIGN(const Params params, paramsOf(recipe.physics));
   if (unsolvable && Reach(params).cut()) {
     return makeError("with these physics players jump too far for an unsolvable level",
@@ -57,8 +58,7 @@ const Style& Generator::pick(const std::vector<Choice>& from, float unit) {
   return *from.back().style;
 }
 
-// As large as they are by default, obstacles leave what lies behind a turn beyond a jump from
-// beside them.
+// At most at their default sizes, obstacles leave the parts behind a turn out of jumping range.
 bool Generator::spreads(const Style& style) const {
   return style.wide || std::ranges::any_of(recipe_.parameters, [&](const Setting& s) {
            const bool own = s.parameter >= style.parameters.data() &&
@@ -118,11 +118,11 @@ Generated Generator::generate(uint64_t seed, uint64_t index) const {
   std::string name = std::string(style.name) + '-' + nameOfDifficulty(difficulty) + '-' +
                      std::to_string(seed) + '-' + std::to_string(index);
   std::string query = "to-the-goal";
-  // A twin has the limits of the level that it is made of.
+  // An unsolvable twin has the limits of its solvable level.
   Random limit(seed, index ^ kLimitStream);
   Limits limited = limits(sketch, limit);
   if (unsolvable_) {
-    // Of the crossings of its solvable twin one, made anew with all the same numbers.
+    // Draws the level again with the same random numbers and one impossible crossing.
     Random plant(seed, index ^ kPlantStream);
     const int which = int(plant.below(uint32_t(sketch.crossings())));
     sketch = draw(style, difficulty, random, {which, sketch.fastest()});

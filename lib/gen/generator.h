@@ -1,5 +1,5 @@
-// Levels with a query each, as many as anyone asks for. Level `index` of a seed is the same
-// whatever else is generated, on every machine and thread.
+// Generates levels with one query each. Level `index` of a seed does not depend on other levels,
+// the machine or the thread.
 #pragma once
 
 #include <memory>
@@ -13,29 +13,30 @@
 
 namespace obby::gen {
 
-// The constraints that a query of such a level has, beside start and goal.
+// The constraints of a level's query besides start and goal.
 struct Limits {
-  std::vector<uint32_t> waypoints;  // stops, in order
+  std::vector<uint32_t> waypoints;  // stop indices, in order
   uint32_t maxJumps = 0;            // 0: none
   float timeLimit = 0;              // seconds; 0: none
 };
 
-// One level and its query, not yet written as records. Its generator must outlive it.
+// A level and its query, before they are written as records. Its generator must outlive it.
 struct Generated {
-  std::string name;   // of the level: style, difficulty, seed, index; of a twin, what is planted
+  std::string name;   // style, difficulty, seed and index; for an unsolvable twin also its
+                      // impossible crossing
   std::string query;  // id of the query
-  float difficulty;   // 0 to 1, as drawn
+  float difficulty;   // 0 to 1
   Sketch sketch;
   Limits limits;
 };
 
 class Generator {
  public:
-  // `unsolvable`: of every level the twin in which one crossing is beyond reach. Errors as of
-  // Recipe::check, and those of physics parameters.
+  // `unsolvable`: generates the unsolvable twin of each level, in which one crossing is out of
+  // reach. Errors: those of checkRecipe() and setPhysics().
   static Result<Generator> make(const Recipe& recipe, bool unsolvable);
 
-  // Pure, and safe to call from several threads.
+  // Pure and thread-safe.
   Generated generate(uint64_t seed, uint64_t index) const;
 
   void writeLevel(const Generated& from, schema::Level::Builder to) const;
@@ -52,12 +53,13 @@ class Generator {
     float until;  // sum of the weights so far
   };
   static std::vector<Choice> choices(const std::vector<NamedNumber>& weights, bool inCourses);
-  // Does it spread to the sides, by its kind or by what the recipe makes of it? No turn beside it.
+  // Returns true if the style extends to the sides, by itself or by the recipe's parameters. The
+  // route does not turn next to it.
   bool spreads(const struct Style& style) const;
   static const struct Style& pick(const std::vector<Choice>& from, float unit);
   Sketch draw(const struct Style& style, float difficulty, const Random& random,
               const SketchPlan& plan) const;
-  // Of a course: which styles it is made of.
+  // Picks the styles of a course.
   void pickChain(Sketch& s, std::vector<const struct Style*>& chain) const;
   Limits limits(const Sketch& sketch, Random& random) const;
 

@@ -1,5 +1,4 @@
-// A part of a level as the generator has it: plain values, cheap to make, from which records and
-// place files are written.
+// A part of a generated level as plain values. Records and place files are written from it.
 #pragma once
 
 #include <cstdint>
@@ -32,7 +31,7 @@ struct MotionSketch {
     float time;  // seconds
     Vec3 position;
   };
-  std::vector<Key> keys;  // there and back; empty: stays
+  std::vector<Key> keys;  // there and back; empty: does not move
   bool smooth = true;     // sine in and out, else linear
   float offset = 0;       // seconds
   bool carries = false;
@@ -40,7 +39,7 @@ struct MotionSketch {
   float spin = 0;                     // rad/s; 0: none
 };
 
-// Fields are those of the schema's Part.
+// The fields are those of the schema's Part.
 struct PartSketch {
   std::string name;
   schema::Shape shape = schema::Shape::BLOCK;
@@ -50,14 +49,14 @@ struct PartSketch {
   Color color{};
   float transparency = 0;
   float friction = -1, density = -1;  // negative: the schema's default
-  float frictionWeight = 1;           // of `friction` in the mean with the player's
+  float frictionWeight = 1;           // weight of `friction` in the mean with the player's friction
   bool solid = true, anchored = true, kill = false, goal = false;
   int32_t checkpoint = 0;  // stage; 0: none
   Vec3 conveyor, pad;      // studs/s; zero: none
   std::optional<VanishSketch> vanish;
   std::optional<ButtonSketch> button;
   std::optional<MotionSketch> motion;
-  std::string signal;  // of its button or vanish
+  std::string signal;  // shared by a button and the parts it controls
 
   PartSketch& shaped(schema::Shape s) { return shape = s, *this; }
   PartSketch& colored(Color c) { return color = c, *this; }
@@ -66,10 +65,10 @@ struct PartSketch {
   PartSketch& vanishing(VanishSketch v) { return vanish = v, *this; }
 };
 
-// Turns about the part's own axes.
+// Rotations about the part's own axes.
 constexpr float kHalfRoot = 0.70710678f;
-constexpr Quat kUpright{0, 0, kHalfRoot, kHalfRoot};  // a cylinder's axis up
-constexpr Quat kAlong{0, kHalfRoot, 0, kHalfRoot};    // a cylinder's axis along the way
+constexpr Quat kUpright{0, 0, kHalfRoot, kHalfRoot};  // axis of a cylinder up
+constexpr Quat kAlong{0, kHalfRoot, 0, kHalfRoot};    // axis of a cylinder along the route
 constexpr Quat kAbout{0, 1, 0, 0};                    // front to back
 
 namespace colors {

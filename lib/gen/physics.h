@@ -1,4 +1,4 @@
-// The physics parameters of generated levels: the schema's defaults with what a recipe changes.
+// The physics parameters of generated levels: the schema's defaults with a recipe's changes.
 #pragma once
 
 #include <vector>
@@ -9,7 +9,8 @@
 
 namespace obby::gen {
 
-// Errors: a name that PhysicsParams does not have, a number outside its range; path "physics.NAME".
+// Apply a recipe's changes. Errors: an unknown name or a value out of range, with the path
+// "physics.NAME".
 Status setPhysics(schema::PhysicsParams::Builder to, const std::vector<NamedNumber>& changes);
 Result<Params> paramsOf(const std::vector<NamedNumber>& changes);
 

@@ -6,12 +6,12 @@ namespace obby::gen {
 
 namespace {
 
-// Worlds with next to no gravity would get levels of millions of studs.
+// Clamped, since levels with almost no gravity would be millions of studs long.
 constexpr float kLeastGravity = 4;
 constexpr float kMostRise = 120, kMostGap = 200;  // studs
-constexpr float kLegsUsed = 0.9f;  // of the hip height: a floor further up hits the torso
-constexpr int kDelays = 4;         // a jump may come late by any share of the coyote time
-constexpr float kDeepest = -20;    // studs down, that gaps of styles have at most
+constexpr float kLegsUsed = 0.9f;  // share of the hip height; higher floors hit the torso
+constexpr int kDelays = 4;         // samples of a jump's delay within the coyote time
+constexpr float kDeepest = -20;    // studs: the deepest drop of any style's gap
 
 }  // namespace
 

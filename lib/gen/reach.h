@@ -1,5 +1,5 @@
-// How far and how high a player can jump at most, from the physics parameters: what margins are
-// fractions of. Close to what practice allows (docs/generator.md), neither a proof nor a guarantee.
+// The max jump distance and height under the physics parameters, the basis of all margins. They are
+// close to what a player can do (docs/generator.md), but not proven.
 #pragma once
 
 #include "level/params.h"
@@ -10,24 +10,25 @@ class Reach {
  public:
   explicit Reach(const Params& params) : p_(params) {}
 
-  // Widest gap onto a floor `rise` studs higher (negative: lower); 0: too high for any. Studs.
+  // Returns the widest gap onto a floor `rise` studs higher (negative: lower), or 0 if it is too
+  // high. Studs.
   float gap(float rise) const;
-  // Widest gap down to the lowest floor that an obstacle has next to another. Studs.
+  // Returns the widest gap down to the lowest floor next to an obstacle. Studs.
   float widest() const;
-  // Highest ledge that a jump and the legs get onto. Studs.
+  // Returns the highest ledge that a jump can reach, with the legs' help. Studs.
   float rise() const { return riseFrom(p_.jumpSpeed); }
-  // Highest that the feet come in a jump. Studs, at least half a one.
+  // Returns the max height of the feet in a jump. Studs, at least 0.5.
   float apex() const;
-  // The same as rise() for a player who is thrown upward with that many studs/s.
+  // Returns the highest ledge after a launch at `upward` studs/s.
   float riseFrom(float upward) const;
-  // Widest gap that is crossed by walking off the edge.
+  // Returns the widest gap that can be crossed by walking off the edge. Studs.
   float walkedGap() const;
-  // Studs/s upward that bring the feet that high.
+  // Returns the upward speed that lifts the feet to a height, studs/s.
   float speedFor(float height) const;
-  // Are these measures cut, as those of such a world would make levels of thousands of studs? What
-  // is planted beyond them may then be within reach.
+  // Returns true if these measures are clamped, since levels would be thousands of studs long. A
+  // crossing made impossible may then be within reach.
   bool cut() const;
-  // Longest time in the air between floors of one height, seconds.
+  // Returns the longest time in the air between floors of equal height, seconds.
   float flight() const;
 
   const Params& params() const { return p_; }

@@ -1,67 +1,10 @@
 #include "gen/recipe.h"
 
-#include <fmt/format.h>
-
 #include <charconv>
 
-#include "gen/styles.h"
 #include "io/text.h"
-#include "level/record_values.h"
 
 namespace obby::gen {
-
-namespace {
-
-using level::pathError;
-
-constexpr uint32_t kMostObstacles = 200;  // of one level
-constexpr float kMostExcess = 100;        // studs
-
-Status checkStyles(const std::vector<NamedNumber>& weights, const std::string& path,
-                   bool inCourses) {
-  float sum = 0;
-  for (const NamedNumber& w : weights) {
-    const std::string here = path + "." + w.name;
-    OBBY_ASSIGN(const Style* style, styleNamed(w.name, here));
-    if (inCourses && style->chains) {
-      return pathError(here, "a course cannot be part of a course", "leave it out");
-    }
-    if (!(w.value >= 0 && w.value <= 1e6f)) {
-      return pathError(here, fmt::format("expected a weight from 0 to 1000000, found {}", w.value));
-    }
-    sum += w.value;
-  }
-  if (!weights.empty() && !(sum > 0)) {
-    return pathError(path, "all weights are 0", "give a style a weight above 0");
-  }
-  return {};
-}
-
-Status checkRange(Range r, float least, float most, const std::string& path) {
-  if (r.lo >= least && r.hi <= most && r.lo <= r.hi) return {};
-  return pathError(
-      path,
-      fmt::format("expected a range between {} and {}, found {} to {}", least, most, r.lo, r.hi),
-      r.lo > r.hi ? "give the smaller number first" : "");
-}
-
-Status checkSettings(const std::vector<Setting>& settings) {
-  for (const Setting& s : settings) {
-    const Parameter& p = *s.parameter;
-    for (const float value : {s.easy, s.hard}) {
-      if (value >= p.least && value <= p.most) continue;
-      return pathError("parameters." + fullName(p),
-                       fmt::format("expected {} to {}, found {}", p.least, p.most, value));
-    }
-  }
-  return {};
-}
-
-Status checkCount(Count c, const std::string& path) {
-  return checkRange({float(c.lo), float(c.hi)}, 1, kMostObstacles, path);
-}
-
-}  // namespace
 
 const std::vector<NamedNumber>& namedDifficulties() {
   static const std::vector<NamedNumber> table = {
@@ -88,21 +31,6 @@ Result<float> parseDifficulty(std::string_view text) {
   }
   return makeError("expected trivial, easy, medium, hard, limit or a number from 0 to 1, found " +
                    io::quoted(text));
-}
-
-Status Recipe::check() const {
-  OBBY_RETURN_IF_ERROR(checkStyles(styles, "styles", false));
-  OBBY_RETURN_IF_ERROR(checkStyles(courseStyles, "course.styles", true));
-  OBBY_RETURN_IF_ERROR(checkSettings(parameters));
-  OBBY_RETURN_IF_ERROR(checkRange(difficulty, 0, 1, "difficulty"));
-  OBBY_RETURN_IF_ERROR(checkCount(obstacles, "obstacles"));
-  OBBY_RETURN_IF_ERROR(checkCount(courseObstacles, "course.obstacles"));
-  OBBY_RETURN_IF_ERROR(checkRange({courseFirst, courseFirst}, 0, 1, "course.first"));
-  OBBY_RETURN_IF_ERROR(checkRange({turns, turns}, 0, 1, "turns"));
-  OBBY_RETURN_IF_ERROR(checkRange({waypoints, waypoints}, 0, 1, "limits.waypoints"));
-  OBBY_RETURN_IF_ERROR(checkRange({jumpLimits, jumpLimits}, 0, 1, "limits.jumps"));
-  OBBY_RETURN_IF_ERROR(checkRange({timeLimits, timeLimits}, 0, 1, "limits.time"));
-  return checkRange(excess, 0.5f, kMostExcess, "excess");
 }
 
 }  // namespace obby::gen

@@ -1,5 +1,6 @@
-// What levels to make: styles with weights, difficulty, lengths, shares of queries with limits.
-// From a small JSON file (docs/generator.md) or set in code. Generator::make checks it.
+// Parameters of level generation: style weights, difficulty, lengths, and shares of queries with
+// limits. A recipe comes from a small JSON file (docs/generator.md) or from code. Generator::make
+// checks it.
 #pragma once
 
 #include <cstdint>
@@ -25,38 +26,37 @@ struct NamedNumber {
   float value;
 };
 
-// Easiest first: trivial, easy, medium, hard, limit.
+// The named difficulties, easiest first: trivial, easy, medium, hard, limit.
 const std::vector<NamedNumber>& namedDifficulties();
-// The name that is nearest.
+// Returns the nearest name.
 const std::string& nameOfDifficulty(float value);
-// "hard", "0.6". Error: neither.
+// Parses "hard" or "0.6". Errors: any other text.
 Result<float> parseDifficulty(std::string_view text);
 
 struct Parameter;
 
-// Other ends for a parameter of a style (lib/gen/style.h): at difficulty 0 and 1.
+// New values of a style's parameter (lib/gen/style.h) at difficulty 0 and 1.
 struct Setting {
   const Parameter* parameter;  // of a style of the table
   float easy, hard;
 };
 
 struct Recipe {
-  std::vector<NamedNumber> styles;        // with weights; empty: every style alike
-  Range difficulty{0.25f, 0.75f};         // 0 to 1; drawn anew for each level
-  Count obstacles{1, 3};                  // of a level of one style
-  Count courseObstacles{3, 5};            // of a course
-  std::vector<NamedNumber> courseStyles;  // that courses are made of; empty: every style alike
-  float courseFirst = 0.4f;               // share of its difficulty that a course begins with
-  float turns = 0.5f;                     // share of landings behind which the way turns
-  float waypoints = 0, jumpLimits = 0, timeLimits = 0;  // shares of queries with such a constraint
-  Range excess{5, 8};                                   // studs beyond reach, of what is unsolvable
-  std::vector<Setting> parameters;                      // each at most once
-  std::vector<NamedNumber> physics;  // fields of PhysicsParams that differ from their defaults
+  std::vector<NamedNumber> styles;        // weights; empty: all styles equally
+  Range difficulty{0.25f, 0.75f};         // 0 to 1; drawn for each level
+  Count obstacles{1, 3};                  // in a level of one style
+  Count courseObstacles{3, 5};            // in a course
+  std::vector<NamedNumber> courseStyles;  // weights of the styles in courses; empty: all equally
+  float courseFirst = 0.4f;               // a course begins at this share of its difficulty
+  float turns = 0.5f;                     // share of landings after which the route turns
+  float waypoints = 0, jumpLimits = 0, timeLimits = 0;  // shares of queries with this constraint
+  Range excess{5, 8};                                   // studs by which an impossible crossing is
+                                                        // out of reach
+  std::vector<Setting> parameters;                      // each parameter at most once
+  std::vector<NamedNumber> physics;                     // changed fields of PhysicsParams
 
-  // A JSON object. Errors name the path, what was expected, and what there is instead.
+  // Parses a JSON object. Errors name the path, the expected value and the one found.
   static Result<Recipe> fromJson(std::string_view text);
-  // Errors likewise: names that nobody knows, ranges that are upside down or out of bounds.
-  Status check() const;
 };
 
 }  // namespace obby::gen

@@ -1,5 +1,5 @@
-// A recipe from its JSON file. Unlike records of a stream, which later versions may add to, a key
-// that is not known is an error: it is a slip of the pen that would be ignored in silence.
+// Parses a recipe from JSON. Records ignore unknown keys for later versions, but an unknown key in
+// a recipe is an error: it is probably a typo.
 #include <fmt/format.h>
 
 #include <charconv>
@@ -8,6 +8,7 @@
 
 #include "base/spelling.h"
 #include "gen/recipe.h"
+#include "gen/recipe_check.h"
 #include "gen/styles.h"
 #include "io/json_tree.h"
 #include "level/record_values.h"
@@ -25,7 +26,7 @@ class Reader {
  public:
   explicit Reader(const JsonTree& tree) : tree_(tree) {}
 
-  // What a key means: called with its value and its path.
+  // Handles the value of a key; called with the value and its path.
   using Take = std::function<Status(const Node&, const std::string&)>;
   struct Key {
     const char* name;
@@ -53,14 +54,14 @@ class Reader {
     };
   }
 
-  // A number, or two: at least and at most.
+  // One number, or a minimum and a maximum.
   Take range(Range& out) const {
     return [this, &out](const Node& n, const std::string& path) {
       return pair(n, path, oneNumber(), out);
     };
   }
 
-  // The same with names for numbers.
+  // Like range(), but also accepts names of difficulties.
   Take difficulty(Range& out) const {
     return [this, &out](const Node& n, const std::string& path) {
       return pair(
@@ -79,8 +80,8 @@ class Reader {
     };
   }
 
-  // An object of styles, each an object of parameters: a number, or two, at no difficulty and at
-  // all of it.
+  // An object of styles. Each is an object of parameters with one number, or two: at difficulty 0
+  // and 1.
   Take settings(std::vector<Setting>& out) const {
     return [this, &out](const Node& n, const std::string& path) {
       out.clear();
@@ -91,7 +92,7 @@ class Reader {
     };
   }
 
-  // An object of numbers with any names.
+  // An object of numbers with arbitrary names.
   Take numbers(std::vector<NamedNumber>& out) const {
     return [this, &out](const Node& n, const std::string& path) {
       out.clear();
@@ -134,7 +135,7 @@ class Reader {
     return [this](const Node& n, const std::string& path) { return numberOf(n, path); };
   }
 
-  // `both`: how two are written.
+  // `both`: the notation for two values, for errors.
   Status pair(const Node& node, const std::string& path, const One& one, Range& out,
               const std::string& both = "[min, max]") const {
     if (node.type != Type::array) {
@@ -211,7 +212,7 @@ Result<Recipe> Recipe::fromJson(std::string_view text) {
                                  {"excess", r.range(out.excess)},
                                  {"parameters", r.settings(out.parameters)},
                                  {"physics", r.numbers(out.physics)}}));
-  OBBY_RETURN_IF_ERROR(out.check());
+  OBBY_RETURN_IF_ERROR(checkRecipe(out));
   return out;
 }
 

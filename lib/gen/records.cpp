@@ -1,4 +1,4 @@
-// Sketches as records. Fields that have their default stay unset.
+// Writes sketches as records. Fields with default values stay unset.
 #include <algorithm>
 #include <cmath>
 
@@ -10,7 +10,7 @@ namespace obby::gen {
 
 namespace {
 
-constexpr float kRecordFallRoom = 24;  // studs below the lowest part, where a fall ends
+constexpr float kRecordFallRoom = 24;  // studs below the lowest part at which a fall ends
 
 using level::set;
 
@@ -98,11 +98,11 @@ Quat facingOf(const Stop& stop, const Sketch& sketch) {
              : Quat{};
 }
 
-// To eighths of a stud, which are short as text.
+// Rounds to eighths of a stud, which have short decimal texts.
 float inEighths(float studs) { return std::floor(studs * 8 + 0.5f) / 8; }
 
-// For those who learn from the level. Of more places than the schema has room for, as hundreds of
-// towers with small steps have, every so many-th and the goal.
+// Writes the intended route, a hint for learning. Long routes are thinned to the schema's limit and
+// keep the goal.
 void writeWay(const Generated& from, schema::Query::Builder to) {
   constexpr size_t kMostPlaces = 4096;
   const std::vector<Vec3>& line = from.sketch.line();
@@ -118,7 +118,7 @@ void writeWay(const Generated& from, schema::Query::Builder to) {
 float lowest(const Sketch& sketch) {
   float y = 0;
   for (const PartSketch& p : sketch.parts()) {
-    y = std::min(y, p.position.y - length(p.size * 0.5f));  // however it is turned
+    y = std::min(y, p.position.y - length(p.size * 0.5f));  // in any rotation
   }
   return y;
 }
@@ -129,7 +129,7 @@ void Generator::writeLevel(const Generated& from, schema::Level::Builder to) con
   const Sketch& sketch = from.sketch;
   to.setName(from.name);
   auto physics = to.initPhysics();
-  // The names were checked when the generator was made.
+  // Cannot fail: Generator::make checked the names.
   (void)setPhysics(physics, recipe_.physics);
   const auto saysWhereFallsEnd = [](const NamedNumber& n) { return n.name == "fallenPartsHeight"; };
   if (std::none_of(recipe_.physics.begin(), recipe_.physics.end(), saysWhereFallsEnd))

@@ -6,34 +6,23 @@ namespace obby::gen {
 
 namespace {
 
-// Shares of the widest gap and the highest ledge, from trivial to limit.
-constexpr float kLeastShare = 0.25f, kMostShare = 0.93f, kShareSpread = 0.05f;
-constexpr float kMixSpread = 0.08f;  // of the difficulty
-constexpr float kThick = 1;          // of floors
-constexpr float kRoom = 6;           // of a region above a floor
-constexpr float kAskew = 7;          // studs likewise, where the way is turned by an eighth
+constexpr float kShareSpread = 0.05f;
+constexpr float kThick = 1;  // of floors, studs
+constexpr float kRoom = 6;   // height of a region above a floor, studs
+constexpr float kAskew = 7;  // studs added to an impossible gap on a diagonal route
 constexpr uint64_t kExcessStream = 0x9e3779b97f4a7c15u;
 
-// Two shades of floor for each theme.
+// Two shades of the floors of each theme.
 constexpr Color kThemes[][2] = {
     {{196, 199, 206}, {168, 173, 184}}, {{214, 190, 150}, {190, 164, 122}},
     {{160, 190, 140}, {134, 166, 116}}, {{186, 170, 210}, {160, 142, 190}},
     {{230, 170, 160}, {206, 146, 138}}, {{140, 186, 196}, {114, 162, 174}}};
 constexpr uint32_t kThemeCount = sizeof(kThemes) / sizeof(kThemes[0]);
 
-float rounded(float v, float unit) {
-  const float n = v / unit;
-  return float(int32_t(n + (n < 0 ? -0.5f : 0.5f))) * unit;
-}
-
 }  // namespace
 
 Sketch::Sketch(const Reach& reach, const Recipe& recipe, Random random, SketchPlan plan)
-    : reach_(&reach),
-      recipe_(&recipe),
-      random_(random),
-      excess_(random.next(), kExcessStream),
-      plan_(plan) {
+    : Draws(recipe, random), reach_(&reach), excess_(random.next(), kExcessStream), plan_(plan) {
   random_.next();
   parts_.reserve(24);
   theme_ = random_.below(kThemeCount);
@@ -41,47 +30,6 @@ Sketch::Sketch(const Reach& reach, const Recipe& recipe, Random random, SketchPl
 }
 
 // ------------------------------------------------------------------------------------ measures
-
-Sketch::Ends Sketch::endsOf(const Parameter& p) const {
-  for (const Setting& s : recipe_->parameters) {
-    if (s.parameter == &p) return {s.easy, s.hard};
-  }
-  return {p.easy, p.hard};
-}
-
-float Sketch::mixed(Ends ends) {
-  const float t = clampf(difficulty_ + kMixSpread * (2 * unit() - 1), 0.0f, 1.0f);
-  return rounded(ends.easy + (ends.hard - ends.easy) * t, 0.25f);
-}
-
-float Sketch::mix(const Parameter& p) { return mixed(endsOf(p)); }
-
-float Sketch::eitherSign(Ends ends) {
-  const float far = mixed(ends);
-  return far * side();
-}
-
-float Sketch::mixSpin(const Parameter& p) {
-  constexpr float kTicksATurn = 2 * 3.14159265f * 60;  // at 1 rad/s
-  const float speed = mixEitherSign(p);
-  return kTicksATurn / rounded(kTicksATurn / speed, 1);
-}
-
-uint32_t Sketch::mixCount(const Parameter& p) {
-  const Ends ends = endsOf(p);
-  const float t = clampf(difficulty_ + 0.3f * (2 * unit() - 1), 0.0f, 1.0f);
-  return uint32_t(ends.easy + (ends.hard - ends.easy) * t + 0.5f);
-}
-
-float Sketch::steady(const Parameter& p) const {
-  const Ends ends = endsOf(p);
-  return ends.easy + (ends.hard - ends.easy) * difficulty_;
-}
-
-float Sketch::share(float spread) {
-  const float middle = kLeastShare + (kMostShare - kLeastShare) * difficulty_;
-  return minf(middle + spread * (2 * unit() - 1), kMostShare);
-}
 
 float Sketch::beyond() {
   return recipe_->excess.lo + (recipe_->excess.hi - recipe_->excess.lo) * excess_.unit();
@@ -98,7 +46,7 @@ float Sketch::gap(float rise, float share) {
               mine = rounded(most * this->share(kShareSpread) * share, 0.125f);
   ++jumps_;
   if (!broken("gap")) return mine;
-  // A proof sees a part that is turned as the upright box around it.
+  // A proof bounds a rotated part by an axis-aligned box.
   const bool askew = heading_ % 0x4000 != 0;
   const float more = plan_.fastest * reach_->flight() + (askew ? kAskew : 0);
   return rounded(kProof * most + beyond() + more, 0.125f);
@@ -133,37 +81,13 @@ float Sketch::highLedge(const Parameter& beyond) {
   return rounded(reach_->rise(), 0.5f) + mix(beyond);
 }
 
-// ------------------------------------------------------------------------------------ places
-
-Vec3 Sketch::direction(Vec3 local) const {
-  const SinCos a = sinCos(heading_);
-  const Vec3 forward = directionOf(a), right{a.cos, 0, -a.sin};
-  return right * local.x + Vec3{0, local.y, 0} + forward * local.z;
-}
-
-Vec3 Sketch::at(Vec3 from) const { return edge_ + direction(from); }
-
-Quat Sketch::facing() const {
-  const SinCos half = sinCos(Turns(int16_t(heading_) / 2));
-  return {0, half.sin, 0, half.cos};
-}
-
-void Sketch::advance(float forward, float up, float right) {
-  edge_ = at({right, up, forward});
-  way_ += absf(forward) + absf(right) + (up > 0 ? up : 0);
-}
-
-// To another of the headings straight on, half aside, and aside; never back.
+// Turns to another of three headings: ahead, diagonal or sideways, but never back.
 void Sketch::bend(float diameter) {
-  const Vec3 middle = at({0, 0, -diameter / 2});
   constexpr uint32_t kHeadings = 3;
   const int16_t step = int16_t(0x2000 * (bendSide_ < 0 ? -1 : 1));
   const uint32_t now = uint32_t(int16_t(heading_) / step);
   const uint32_t next = (now + 1 + below(kHeadings - 1)) % kHeadings;
-  heading_ = Turns(int16_t(next) * step);
-  turned_ = true;
-  edge_ = middle;
-  edge_ = at({0, 0, diameter / 2});
+  turnAbout(diameter, Turns(int16_t(next) * step));
 }
 
 // ------------------------------------------------------------------------------------ parts
@@ -229,7 +153,7 @@ PartSketch& Sketch::deadly(PartSketch& part) {
 
 // ------------------------------------------------------------------------------------ the frame
 
-// On the floor that ends at the edge.
+// Adds a stop in the middle of the floor that ends at the edge.
 void Sketch::stop(uint32_t part, float length, Vec3 room) {
   via({0, 0, -length / 2});
   stops_.push_back({part, line_.back(), room, heading_});
@@ -246,7 +170,7 @@ void Sketch::start() {
 
 void Sketch::begin(float difficulty) { difficulty_ = clampf(difficulty, 0.0f, 1.0f); }
 
-// Close enough to walk on to, so that an obstacle is what it is named for and nothing else.
+// The gap can be crossed by walking, so that only the obstacle decides the difficulty.
 void Sketch::rest(bool last, bool mayTurn) {
   const float near = reach_->walkedGap() * (0.4f + 0.5f * difficulty_);
   const float mine = gap();

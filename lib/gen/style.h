@@ -1,4 +1,4 @@
-// What a style of levels is: how one obstacle of it is built, and what of that a recipe may set.
+// A level style: how to build one obstacle, and which of its parameters a recipe may set.
 #pragma once
 
 #include <span>
@@ -7,17 +7,17 @@ namespace obby::gen {
 
 class Sketch;
 
-// Something that a style draws by the difficulty.
+// A value that a style draws by the difficulty.
 struct Parameter {
-  const char* name;         // in recipes, of its style
-  const char* unit;         // "studs"; "": a number of things, or a share
+  const char* name;         // name in recipes, within its style
+  const char* unit;         // "studs"; "" for a count or a share
   float easy, hard;         // at difficulty 0 and 1, unless the recipe gives others
-  float least, most;        // that a recipe may give for either
-  const char* description;  // for those who read lists
+  float least, most;        // range allowed in recipes
+  const char* description;  // for listings
 };
 
-// Appends one obstacle ahead of the sketch's edge, and leaves the edge behind it. What it draws
-// depends on the sketch alone.
+// Appends one obstacle ahead of the sketch's edge and moves the edge behind it. The result depends
+// only on the sketch.
 using BuildObstacle = void (*)(Sketch&);
 
 struct Style {
@@ -25,9 +25,10 @@ struct Style {
   const char* description;
   BuildObstacle build;
   std::span<const Parameter> parameters = {};
-  bool chains = false;  // made of obstacles of other styles; `build` is null
-  bool single = false;  // at most one such obstacle a level: loose parts are few, detours long
-  bool wide = false;    // spreads to the sides: no turn beside it, which would open short cuts
+  bool chains = false;  // consists of obstacles of other styles; `build` is null
+  bool single = false;  // at most one in a level, since dynamic parts are few and detours long
+  bool wide = false;    // extends to the sides; the route does not turn next to it, which would
+                        // open shortcuts
 };
 
 }  // namespace obby::gen

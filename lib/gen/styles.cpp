@@ -15,7 +15,7 @@ constexpr Style kCourse{.name = "course",
                         .build = nullptr,
                         .chains = true};
 
-// The one of that name, of styles or parameters.
+// Returns the style or parameter with a name, or null.
 template <class Rows>
 auto named(const Rows& rows, std::string_view name) -> decltype(&*rows.begin()) {
   for (const auto& row : rows) {
@@ -54,7 +54,7 @@ const std::vector<Style>& styles() {
 
 const Style* findStyle(std::string_view name) { return named(styles(), name); }
 
-// Behind the style stands the difficulty: names of styles may begin alike.
+// The difficulty must follow the style's name, since one name may be a prefix of another.
 const Style* styleOfLevel(std::string_view levelName) {
   for (const Style& style : styles()) {
     const std::string begin = std::string(style.name) + '-';

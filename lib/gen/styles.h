@@ -1,4 +1,4 @@
-// The table of level styles: one row each. A new style is a file in styles/ and a row in
+// The table of level styles, one row each. A new style is a file in styles/ and a row in
 // styles.cpp.
 #pragma once
 
@@ -13,19 +13,18 @@ namespace obby::gen {
 
 const std::vector<Style>& styles();
 
-// Null if there is none of that name.
+// Returns null for an unknown name.
 const Style* findStyle(std::string_view name);
 
-// The style that a generated level's name says, as of Generated::name; null: it says none.
+// Returns the style in a generated level's name (Generated::name), or null if there is none.
 const Style* styleOfLevel(std::string_view levelName);
 
-// `path`: where the name stands, for the error that there is none of that name, which names what
-// is near.
+// `path`: location of the name, for the error of an unknown name, which suggests similar ones.
 Result<const Style*> styleNamed(std::string_view name, const std::string& path);
 Result<const Parameter*> parameterNamed(const Style& style, std::string_view name,
                                         const std::string& path);
 
-// "gaps.size"; the parameter is one of a style of the table.
+// Returns a name such as "gaps.size". The parameter belongs to a style of the table.
 std::string fullName(const Parameter& parameter);
 
 }  // namespace obby::gen

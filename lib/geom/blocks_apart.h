@@ -1,5 +1,5 @@
-// How far apart two blocks are, or how deep in each other, and along which axis, for one pair or
-// lanes of them: separating axes over their faces and the cross products of their edges.
+// Distance or overlap of two blocks and its axis, for one pair or for lanes of pairs. The
+// separating axes are the face normals and the cross products of edges.
 #pragma once
 
 #include "geom/shape.h"
@@ -8,19 +8,19 @@ namespace obby::geom {
 
 template <class F>
 struct SeparationT {
-  F distance;       // studs; negative: they overlap by that much
-  Vec3T<F> normal;  // unit, from a to b: moving b by -distance along it makes them touch
+  F distance;       // studs; negative when they overlap
+  Vec3T<F> normal;  // unit, from a to b; moving b by -distance along it makes them touch
 };
 
 using Separation = SeparationT<float>;
 
 namespace internal {
 
-// Faces are preferred to edges and the first shape to the second where they are as good, so that a
-// resting contact does not change its mind from one tick to the next.
+// Studs by which an edge must beat a face, and the second shape the first. Without this preference
+// a resting contact would switch axes from tick to tick.
 constexpr float kPreference = 1e-3f;
-// Squared sine of an angle between edges below which the faces are as good. Long edges cross at
-// angles far smaller than those that can be seen.
+// Edges count as parallel if the squared sine of their angle is smaller: the faces then separate as
+// well. The bound is tight because long edges cross at very small angles.
 constexpr float kParallel = 1e-6f;
 
 template <class F>
@@ -43,7 +43,8 @@ OBBY_DEVICE void tryFaces(SeparationT<F>& best, Vec3T<F> distance, Vec3T<F> towa
   keepFarthest<F>(best, distance.z, outward(toward.z, axes.z), kPreference);
 }
 
-// The cross products of a's edges and `e`, an edge of b; all in a's frame. `r`: b's axes there.
+// Tries the cross products of a's edges and `e`, an edge of b. All vectors are in a's frame, as are
+// b's axes `r`.
 template <class F>
 OBBY_DEVICE void tryCrosses(SeparationT<F>& best, const BlockT<F>& a, Vec3T<F> halfB,
                             const Mat3T<F>& r, Vec3T<F> e, Vec3T<F> toward) {
@@ -65,7 +66,7 @@ OBBY_DEVICE void tryCrosses(SeparationT<F>& best, const BlockT<F>& a, Vec3T<F> h
 
 }  // namespace internal
 
-// Gives up early where all are more than `margin` apart: what it gives then is more than that.
+// Returns early once all lanes are more than `margin` apart. The distance is then a lower bound.
 template <class F>
 OBBY_DEVICE SeparationT<F> blocksApart(const BlockT<F>& a, const BlockT<F>& b, F margin) {
   const Mat3T<F>&ra = a.pose.rotation, &rb = b.pose.rotation;

@@ -1,6 +1,6 @@
-// Penetration of the player's box and a block: the separating axes of geom/penetration.h for the
-// pair that nearly all contacts are, with the products shared between axes. tests/geom holds both
-// forms together.
+// Penetration of the player's box and a block, the pair in nearly all contacts. It tests the
+// separating axes of geom/penetration.h and shares the products between axes. tests/geom compares
+// both forms.
 #pragma once
 
 #include "geom/contact.h"
@@ -9,14 +9,14 @@ namespace obby::geom {
 
 namespace internal {
 
-// The i-th component.
+// Returns the i-th component.
 template <class F>
 OBBY_DEVICE const F& at(const Vec3T<F>& v, int i) {
   return i == 0 ? v.x : i == 1 ? v.y : v.z;
 }
 
-// Overlap along a unit axis: `apart` is the signed distance of the centres along it, `radii` the
-// sum of both extents. False: separated, and what is kept from then on does not matter.
+// Tests a unit axis. `apart` is the signed distance of the centres along it, `radii` the sum of
+// both extents. Returns false for a separated lane; its contact is meaningless from then on.
 template <class F>
 OBBY_DEVICE MaskOf<F> keepLeast(ContactT<F>& best, F apart, F radii, Vec3T<F> axis) {
   const F depth = radii - absf(apart);
@@ -26,22 +26,22 @@ OBBY_DEVICE MaskOf<F> keepLeast(ContactT<F>& best, F apart, F radii, Vec3T<F> ax
   return best.depth >= 0.0f;
 }
 
-// A contact along an axis that is not a unit yet: depth and normal are length times too long.
+// A contact along an axis that is not normalized yet. Depth and normal are scaled by its length.
 template <class F>
 struct ScaledContact {
   ContactT<F> contact;
   F length2;
 };
 
-// The cross product of shape axis i, a unit axis of the local frame, and body axis j. It is normal
-// to both, so only the two other axes of either count. Depths are compared as fractions, so that
-// one division is enough for all axes.
+// Tests the cross product of shape axis i, a unit axis of the local frame, and body axis j. It is
+// perpendicular to both, so only the two other axes of each count. Depths are compared as
+// fractions, so that one division is enough for all axes.
 template <int i, int j, class F>
 OBBY_DEVICE void keepCross(ScaledContact<F>& best, const LocalBoxT<F>& box, Vec3T<F> half) {
   const Vec3T<F>* const axes[3] = {&box.axes.x, &box.axes.y, &box.axes.z};
   constexpr int u = i == 0 ? 1 : 0, v = i == 2 ? 1 : 2, k = j == 0 ? 1 : 0, l = j == 2 ? 1 : 2;
   const Vec3T<F>& r = *axes[j];
-  // (0, -z, y), (z, 0, -x) and (-y, x, 0).
+  // The cross product is (0, -z, y), (z, 0, -x) or (-y, x, 0).
   const F a = i == 1 ? at(r, v) : -at(r, v), b = i == 1 ? -at(r, u) : at(r, u);
   const F n2 = a * a + b * b;
   const auto along = [&](const Vec3T<F>& w) { return at(w, u) * a + at(w, v) * b; };
@@ -50,10 +50,10 @@ OBBY_DEVICE void keepCross(ScaledContact<F>& best, const LocalBoxT<F>& box, Vec3
       (absf(along(*axes[k])) * at(box.half, k) + absf(along(*axes[l])) * at(box.half, l));
   const F apart = along(box.center);
   const F depth = radii - absf(apart), least = best.contact.depth;
-  const MaskOf<F> counts = n2 >= 1e-6f;  // else parallel: covered by the faces
+  const MaskOf<F> counts = n2 >= 1e-6f;  // else parallel, which the faces cover
   const MaskOf<F> less =
       counts & ((depth < 0.0f) | (depth * depth * best.length2 < least * least * n2));
-  // Where a lane is separated already, its depth stays below 0.
+  // The depth of a lane that is already separated stays below 0.
   const MaskOf<F> take = less & (least >= 0.0f);
   best.contact.depth = select(take, depth, least);
   const F zero = 0.0f, x = select(apart < 0.0f, -a, a), y = select(apart < 0.0f, -b, b);
@@ -64,7 +64,7 @@ OBBY_DEVICE void keepCross(ScaledContact<F>& best, const LocalBoxT<F>& box, Vec3
   best.length2 = select(take, n2, best.length2);
 }
 
-// With all body axes. False: separated in every lane.
+// Tests shape axis i with all body axes. Returns false if every lane is separated.
 template <int i, class F>
 OBBY_DEVICE bool keepCrosses(ScaledContact<F>& best, const LocalBoxT<F>& box, Vec3T<F> half) {
   keepCross<i, 0>(best, box, half);
@@ -75,7 +75,7 @@ OBBY_DEVICE bool keepCrosses(ScaledContact<F>& best, const LocalBoxT<F>& box, Ve
 
 }  // namespace internal
 
-// `box` in the block's frame. The normal is local. Gives up early where every lane is separated.
+// `box` is in the block's frame, and so is the normal. Returns early once every lane is separated.
 template <class F>
 OBBY_DEVICE ContactT<F> boxBlock(Vec3T<F> half, const LocalBoxT<F>& box) {
   using internal::keepLeast;
@@ -96,11 +96,11 @@ OBBY_DEVICE ContactT<F> boxBlock(Vec3T<F> half, const LocalBoxT<F>& box) {
                     internal::keepCrosses<1>(scaled, box, half) &&
                     internal::keepCrosses<2>(scaled, box, half);
   if (!meet) return scaled.contact;
-  const F inverse = 1.0f / sqrtf32(scaled.length2);  // 1 for a face
+  const F inverse = 1.0f / sqrtf32(scaled.length2);  // 1 if a face is best
   return {scaled.contact.depth * inverse, scaled.contact.normal * inverse};
 }
 
-// Both upright: five axes are all there are. `block` in the world, and so the normal.
+// Tests two upright boxes, for which five axes suffice. `block` and the normal are in world space.
 template <class F>
 OBBY_DEVICE ContactT<F> boxUprightBlock(const BlockT<F>& block, const UprightBoxT<F>& box) {
   using internal::keepLeast;
@@ -119,7 +119,7 @@ OBBY_DEVICE ContactT<F> boxUprightBlock(const BlockT<F>& block, const UprightBox
   return best;
 }
 
-// A block turned any way. The normal is in the world.
+// Tests a block with any rotation. The normal is in world space.
 template <class F>
 OBBY_DEVICE ContactT<F> boxTiltedBlock(const BlockT<F>& block, const UprightBoxT<F>& box) {
   const Mat3T<F> axes = box.axes();

@@ -1,25 +1,25 @@
-// Which way it is from a shape to the core of a round one: the core of a ball is its centre, that
-// of a cylinder its axis, or a slightly smaller cylinder. Gilbert, Johnson and Keerthi's walk over
-// simplices of the difference of both.
+// Closest approach of the cores of two shapes, by the algorithm of Gilbert, Johnson and Keerthi.
+// The core of a ball is its centre. That of a cylinder is its axis, or a slightly smaller cylinder.
+// Other shapes are their own core.
 #pragma once
 
 #include "geom/convex.h"
 
 namespace obby::geom {
 
-// How much smaller, of its radius or half its length, whichever is less: the more, the deeper it
-// may overlap and the less exact the way out.
+// Inset of a cylinder's core, as a share of its radius or half length, whichever is smaller. A
+// larger inset allows deeper overlap but makes the separating direction less exact.
 constexpr float kRimInset = 0.125f;
 
 namespace internal {
 
-// Up to four corners of the difference, of which the first `count` are there.
+// Up to four corners of the Minkowski difference, of which the first `count` are valid.
 struct Simplex {
   Vec3 p[4];
   int count = 0;
 };
 
-// The point of the segment that is closest to the origin; `s` shrinks to the ends that matter.
+// Returns the point of the segment closest to the origin. Reduces `s` to the ends that define it.
 OBBY_DEVICE Vec3 closestOnSegment(Simplex& s) {
   const Vec3 a = s.p[0], b = s.p[1], ab = b - a;
   const float t = -dot(a, ab), size = dot(ab, ab);
@@ -35,7 +35,7 @@ OBBY_DEVICE Vec3 closestOnSegment(Simplex& s) {
   return a + ab * (t / size);
 }
 
-// Voronoi regions of the triangle (Ericson, Real-Time Collision Detection, 5.1.5).
+// Tests the Voronoi regions of the triangle (Ericson, Real-Time Collision Detection, 5.1.5).
 OBBY_DEVICE Vec3 closestOnTriangle(Simplex& s) {
   const Vec3 a = s.p[0], b = s.p[1], c = s.p[2], ab = b - a, ac = c - a;
   const Vec3 n = cross(ab, ac);
@@ -58,7 +58,7 @@ OBBY_DEVICE Vec3 closestOnTriangle(Simplex& s) {
   return best;
 }
 
-// Zero where the origin is inside.
+// Returns zero if the origin is inside.
 OBBY_DEVICE Vec3 closestOnTetrahedron(Simplex& s) {
   Vec3 best{};
   float least = 1e30f;
@@ -66,7 +66,7 @@ OBBY_DEVICE Vec3 closestOnTetrahedron(Simplex& s) {
   for (int i = 0; i < 4; ++i) {
     const Vec3 a = s.p[i], b = s.p[(i + 1) & 3], c = s.p[(i + 2) & 3], d = s.p[(i + 3) & 3];
     const Vec3 n = cross(b - a, c - a);
-    // Is the origin on the other side of the face than the fourth corner?
+    // The origin is not beyond this face if it lies on the side of the fourth corner.
     if (dot(n, -a) * dot(n, d - a) > 0) continue;
     Simplex face;
     face.p[0] = a, face.p[1] = b, face.p[2] = c, face.count = 3;
@@ -91,7 +91,7 @@ OBBY_DEVICE bool has(const Simplex& s, Vec3 w) {
   return false;
 }
 
-// A corner of the core of a round shape, of the shape itself otherwise.
+// Returns a corner of a round shape's core, or of the shape itself if it is not round.
 OBBY_DEVICE Vec3 coreCorner(const Convex& c, Vec3 d, float inset) {
   if (c.kind == ShapeKind::ball) return c.pose.position;
   if (c.kind != ShapeKind::cylinder) return corner(c, d);
@@ -107,21 +107,21 @@ OBBY_DEVICE Vec3 coreCorner(const Convex& c, Vec3 d, float inset) {
 
 }  // namespace internal
 
-// From the closest point of a cylinder to a point; zero inside.
+// Returns the vector from the closest point of a cylinder to a point, zero inside.
 OBBY_DEVICE Vec3 fromCylinder(const Convex& cylinder, Vec3 point) {
   const Vec3 local = toLocal(cylinder.pose, point);
   return cylinder.pose.rotation * (local - Cylinder::closestPointOf(cylinder.shape, local));
 }
 
-// From the closest point of a's core to that of b's; zero where the cores meet. `inset` 0: the core
-// of a cylinder is its axis.
+// Returns the vector from the closest point of a's core to that of b's, zero if the cores meet. If
+// `inset` is 0, the core of a cylinder is its axis.
 OBBY_APART Vec3 closestApproach(const Convex& a, const Convex& b, float inset) {
   internal::Simplex s;
   Vec3 v = b.pose.position - a.pose.position;
   for (int i = 0; i < 24; ++i) {
     const Vec3 w = internal::coreCorner(b, -v, inset) - internal::coreCorner(a, v, inset);
     const float gap = dot(v, v);
-    // No corner is closer than what is known by more than rounding.
+    // No corner is closer by more than rounding.
     if (i > 0 && (gap - dot(v, w) <= 1e-6f * gap || internal::has(s, w))) return v;
     s.p[s.count++] = w;
     const Vec3 next = internal::closestToOrigin(s);

@@ -1,4 +1,4 @@
-// The player's body as an upright box, and what a contact with it is.
+// The player's body as an upright box, and its contacts.
 #pragma once
 
 #include "geom/shape.h"
@@ -6,7 +6,7 @@
 
 namespace obby::geom {
 
-// A box that stands upright: turned about Y only.
+// A box that is rotated about Y only.
 template <class F>
 struct UprightBoxT {
   Vec3T<F> center;
@@ -27,9 +27,8 @@ using UprightBox = UprightBoxT<float>;
 
 template <class F>
 struct ContactT {
-  F depth;          // studs; negative: apart
-  Vec3T<F> normal;  // unit; moving the box by depth * normal separates them. Meaningless where they
-                    // are apart.
+  F depth;          // studs; negative when apart
+  Vec3T<F> normal;  // unit; moving the box by depth * normal separates them; meaningless when apart
 };
 
 using Contact = ContactT<float>;

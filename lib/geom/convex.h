@@ -1,4 +1,4 @@
-// Any convex shape in the world, whatever its kind: what tests between two shapes ask of each.
+// A convex shape of any kind in the world, with the queries for tests between two shapes.
 #pragma once
 
 #include "geom/shapes/table.h"
@@ -18,7 +18,7 @@ OBBY_DEVICE bool isBlock(ShapeKind kind) {
   return kind == ShapeKind::block || kind == ShapeKind::truss;
 }
 
-// Largest dot(d, p) over the points p of the shape.
+// Returns the largest dot(d, p) over the points p of the shape.
 OBBY_APART float support(const Convex& c, Vec3 d) {
   const Vec3 local = toLocal(c.pose.rotation, d);
   const float own =

@@ -7,16 +7,16 @@ namespace obby::geom {
 
 namespace internal {
 
-constexpr int kMaxRing = 32;  // corners of a face that are looked at
+constexpr int kMaxRing = 32;  // max corners of a face that are considered
 
-// Grows with the angle of (x, y) once around, without trigonometry: 0 to 4.
+// Returns a number from 0 to 4 that grows with the angle of (x, y), without trigonometry.
 OBBY_DEVICE float pseudoAngle(float x, float y) {
   const float size = absf(x) + absf(y);
   const float turn = size > 0 ? y / size : 0.0f;
   return x < 0 ? 2.0f - turn : (turn < 0 ? 4.0f + turn : turn);
 }
 
-// Insertion sort of the ring about its middle.
+// Sorts the ring around its middle by insertion.
 OBBY_DEVICE void sortRing(Vec3* ring, int count, Vec3 normal) {
   Vec3 middle{};
   for (int i = 0; i < count; ++i) middle += ring[i];
@@ -35,8 +35,8 @@ OBBY_DEVICE void sortRing(Vec3* ring, int count, Vec3 normal) {
 
 }  // namespace internal
 
-// The face that looks most along `d`. Of a face with more than kMaxFeature corners, evenly spread
-// ones.
+// Writes the corners of the face that looks most along `d`, and returns their number. If the face
+// has more than kMaxFeature corners, the ones kept are evenly spread.
 OBBY_DEVICE int hullFace(const Hull& hull, Vec3 d, Vec3* out) {
   uint32_t face = 0;
   for (uint32_t i = 1; i < hull.faceCount; ++i) {
@@ -48,7 +48,8 @@ OBBY_DEVICE int hullFace(const Hull& hull, Vec3 d, Vec3* out) {
   for (uint32_t i = 0; i < hull.vertexCount && count < internal::kMaxRing; ++i) {
     const Vec3 v = hull.vertices[i];
     const float below = hull.offsets[face] - dot(normal, v);
-    // Negative where the face looks toward the part's centre, which need not be in the hull.
+    // The offset is negative if the face looks toward the part's centre, which may be outside the
+    // hull.
     if (below < 1e-3f + 1e-5f * absf(hull.offsets[face])) ring[count++] = v;
   }
   if (count == 0) return 0;

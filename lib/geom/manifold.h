@@ -1,5 +1,6 @@
-// Where two convex shapes touch: the faces (or lines, or points) that look at each other are cut to
-// what lies over both, seen along the normal, and the points with the least gaps are kept.
+// Contact points of two convex shapes. The features that face each other (faces, lines or points)
+// are projected along the normal and clipped to their overlap. The points with the smallest gaps
+// are kept.
 #pragma once
 
 #include "geom/ring.h"
@@ -15,7 +16,7 @@ OBBY_DEVICE void see(Ring& ring, const Convex& c, Vec3 toward, const ViewT<float
   for (int i = 0; i < count; ++i) ring.add(true, view.see(corners[i]));
 }
 
-// Of a face, or of a line or point, which is as high as it is there.
+// Returns the plane of a face. The plane of a line is level across it; that of a point is level.
 OBBY_DEVICE PlaneT<float> planeOf(const Ring& r) {
   const Vec3 a = r.at(0);
   if (r.count == 1) return {a.z, 0, 0};
@@ -26,7 +27,8 @@ OBBY_DEVICE PlaneT<float> planeOf(const Ring& r) {
   return {a.z - rise * (e.x * a.x + e.y * a.y), rise * e.x, rise * e.y};
 }
 
-// Two lines: the part of `subject` beside the other where they are parallel, else where they cross.
+// Clips the line `subject` to the stretch next to `line` if they are parallel, else to their
+// crossing.
 OBBY_DEVICE const Ring& cutToLine(const Ring& subject, const Ring& line, Ring (&work)[2]) {
   if (subject.count != 2) return subject;
   const Vec3 a = line.at(0), b = line.at(1), d = b - a, p = subject.at(0), e = subject.at(1) - p;
@@ -45,8 +47,8 @@ OBBY_DEVICE const Ring& cutToLine(const Ring& subject, const Ring& line, Ring (&
   return work[1];
 }
 
-// The corner of a ring that lies farthest along the normal (`side` 1) or against it (-1), or the
-// ends of the edge that does.
+// Adds the corner of a ring that lies farthest along the normal (`side` 1) or against it (-1). Adds
+// a second corner if an edge from there is level.
 OBBY_DEVICE void farthest(const Ring& ring, float side, Ring& out) {
   int best = 0;
   for (int i = 1; i < ring.count; ++i) {
@@ -64,8 +66,8 @@ OBBY_DEVICE void farthest(const Ring& ring, float side, Ring& out) {
   out.add(slopes[flatter] < 1e-3f, beside[flatter]);
 }
 
-// Where they meet beside the faces that look at each other: edge to edge, or a corner. Seen along
-// the normal, half way between both.
+// Returns the meeting point of shapes whose facing features do not overlap: edge to edge, or at a
+// corner. It is in the coordinates of the view, half way between both surfaces.
 OBBY_DEVICE Vec3 meetingPoint(const Ring& ringA, const Ring& ringB, float distance) {
   Ring a, b, work[2];
   farthest(ringA, 1, a);
@@ -77,7 +79,7 @@ OBBY_DEVICE Vec3 meetingPoint(const Ring& ringA, const Ring& ringB, float distan
 
 }  // namespace internal
 
-// Points with gaps of at most `margin`. `s` is what separation(a, b) gave.
+// Returns the points with gaps of at most `margin`. `s` is the result of separation(a, b).
 OBBY_APART Manifold manifold(const Convex& a, const Convex& b, const Separation& s, float margin) {
   using namespace internal;
   Manifold out;
@@ -87,8 +89,9 @@ OBBY_APART Manifold manifold(const Convex& a, const Convex& b, const Separation&
   see(ringA, a, s.normal, view);
   see(ringB, b, -s.normal, view);
   if (ringA.count == 0 || ringB.count == 0) return out;  // a hull without a face on that side
-  // The second of two blocks is the frame: bodies lie on parts that are larger, and what lies
-  // within the frame is not cut. Of other shapes the first is: rims are cut best by themselves.
+  // The second of two blocks is the frame: bodies usually lie on larger parts, and a ring inside
+  // the frame is not cut. For other shapes the first is the frame, because rims are best cut by
+  // themselves.
   const bool aIsFrame = ringA.count >= 3 && !(isBlock(a.kind) && isBlock(b.kind));
   const Ring &whole = aIsFrame ? ringB : ringA, &frame = aIsFrame ? ringA : ringB;
   Ring work[2];
@@ -104,8 +107,8 @@ OBBY_APART Manifold manifold(const Convex& a, const Convex& b, const Separation&
   return out;
 }
 
-// The same for blocks, for one pair or lanes of them. No points where they meet edge to edge or by
-// a corner.
+// The same for blocks, for one pair or lanes of pairs. Finds no points if they meet edge to edge or
+// at a corner.
 template <class F>
 OBBY_DEVICE ManifoldT<F> blockManifold(const BlockT<F>& a, const BlockT<F>& b,
                                        const SeparationT<F>& s, F margin) {

@@ -1,6 +1,6 @@
-// How deep an upright box (the player's body) is inside a shape, and which way is out: separating
-// axes over the shape's faces, the box's faces, the cross products of their edges, and the closest
-// approach of curved faces.
+// Depth of an upright box (the player's body) in a shape, and the direction that separates them.
+// The separating axes are the face normals of both, the cross products of their edges, and the
+// closest approach of curved faces.
 #pragma once
 
 #include "geom/box_box.h"
@@ -11,8 +11,8 @@ namespace obby::geom {
 
 namespace internal {
 
-// One separating-axis test in the shape's frame; `n` unit. Keeps the least overlap in `best`.
-// False: separated.
+// Tests the unit vector `n` as a separating axis in the shape's frame. Keeps the smallest overlap
+// in `best`. Returns false if they are separated.
 template <class Shape>
 OBBY_DEVICE bool testAxis(const ShapeData& shape, const LocalBox& box, Vec3 n, Contact& best) {
   const float c = dot(box.center, n);
@@ -29,7 +29,7 @@ OBBY_DEVICE bool testCrossAxis(const ShapeData& shape, const LocalBox& box, Vec3
                                Contact& best) {
   const Vec3 n = cross(a, b);
   const float n2 = dot(n, n);
-  if (n2 < 1e-6f) return true;  // parallel: covered by the faces
+  if (n2 < 1e-6f) return true;  // parallel, which the faces cover
   return testAxis<Shape>(shape, box, n * (1.0f / sqrtf32(n2)), best);
 }
 
@@ -54,7 +54,7 @@ OBBY_DEVICE Contact penetration(const ShapeData& shape, const LocalBox& box) {
   return best;
 }
 
-// Blocks have a form of their own.
+// Blocks have a faster form (geom/box_box.h).
 template <class Shape>
 OBBY_DEVICE Contact dispatch(Shape, const ShapeData& shape, const LocalBox& box) {
   return penetration<Shape>(shape, box);
@@ -65,13 +65,13 @@ OBBY_DEVICE Contact dispatch(Block, const ShapeData& shape, const LocalBox& box)
 
 }  // namespace internal
 
-// A box turned any way, in the frame of the shape. depth >= 0: they overlap; otherwise the result
-// of the first separating axis found. The normal is in that frame, too.
+// Tests a box with any rotation, in the frame of the shape; the normal is in that frame, too. depth
+// >= 0 if they overlap; otherwise the result is that of the first separating axis found.
 OBBY_DEVICE Contact penetration(ShapeKind kind, const ShapeData& shape, const LocalBox& box) {
   return visitShape(kind, [&](auto s) { return internal::dispatch(s, shape, box); });
 }
 
-// The same with an upright box in the world.
+// Tests an upright box in world space.
 OBBY_DEVICE Contact penetration(ShapeKind kind, const ShapeData& shape, const Pose& pose,
                                 const UprightBox& box) {
   const Mat3 axes = box.axes();

@@ -1,5 +1,6 @@
-// Oriented boxes of a query. A player is inside a region when the vertical line from the feet to
-// the top of the head meets it: independent of facing, generous with height, exact sideways.
+// Oriented boxes of a query. A player is inside a region if the vertical line from the feet to the
+// top of the head meets it. The test ignores facing, is generous with height, and is exact
+// sideways.
 #pragma once
 
 #include "math/vec.h"
@@ -7,11 +8,11 @@
 namespace obby::geom {
 
 struct Region {
-  Pose pose;  // of its centre
+  Pose pose;  // centre and axes
   Vec3 half;  // half extents, studs
 };
 
-// Does the segment a..b meet the region?
+// Returns true if the segment a..b meets the region.
 OBBY_DEVICE bool meets(const Region& region, Vec3 a, Vec3 b) {
   const Vec3 o = toLocal(region.pose, a), d = toLocal(region.pose.rotation, b - a);
   float enter = 0, leave = 1;
@@ -28,9 +29,9 @@ OBBY_DEVICE bool meets(const Region& region, Vec3 a, Vec3 b) {
   return enter <= leave;
 }
 
-// Does the segment a..b meet the region anywhere on its way by `shift`? What it sweeps is a
-// parallelogram, which is apart from a box just where it is along one of ten directions: the box's
-// three, across the parallelogram, and across one edge of each.
+// Returns true if the segment a..b meets the region anywhere while it moves by `shift`. It sweeps a
+// parallelogram, which one of ten axes separates from a box unless they meet: the box's three, the
+// parallelogram's normal, and the cross products of edges.
 OBBY_DEVICE bool meetsOnTheWay(const Region& region, Vec3 a, Vec3 b, Vec3 shift) {
   const Vec3 u = toLocal(region.pose.rotation, (b - a) * 0.5f);
   const Vec3 v = toLocal(region.pose.rotation, shift * 0.5f);
@@ -46,7 +47,7 @@ OBBY_DEVICE bool meetsOnTheWay(const Region& region, Vec3 a, Vec3 b, Vec3 shift)
   return !apart(cross(u, v));
 }
 
-// Distance from a point to the region, 0 inside.
+// Returns the distance from a point to the region, 0 inside.
 OBBY_DEVICE float distance(const Region& region, Vec3 p) {
   const Vec3 d = abs(toLocal(region.pose, p)) - region.half;
   return length(max(d, Vec3{0, 0, 0}));

@@ -1,5 +1,5 @@
-// Faces that look at each other, seen along the normal of a contact: rings of corners, cut to what
-// lies over both, and the points with the least gaps between them. For one pair or lanes of them.
+// Clips facing polygons, projected along the normal of a contact, and finds the points with the
+// smallest gaps between them. For one pair or lanes of pairs.
 #pragma once
 
 #include "geom/shape.h"
@@ -12,7 +12,7 @@ constexpr int kMaxPoints = 4;
 template <class F>
 struct ManifoldPointT {
   Vec3T<F> position;  // half way between both surfaces, world
-  F distance;         // gap along the normal; negative: overlap
+  F distance;         // gap along the normal; negative when they overlap
 };
 
 template <class F>
@@ -25,7 +25,7 @@ struct ManifoldT {
 using ManifoldPoint = ManifoldPointT<float>;
 using Manifold = ManifoldT<float>;
 
-// Two unit vectors that span the plane across n.
+// Sets u and v to unit vectors that span the plane perpendicular to n.
 template <class F>
 OBBY_DEVICE void tangentsOf(Vec3T<F> n, Vec3T<F>& u, Vec3T<F>& v) {
   const F zero = 0.0f;
@@ -35,9 +35,9 @@ OBBY_DEVICE void tangentsOf(Vec3T<F> n, Vec3T<F>& u, Vec3T<F>& v) {
 
 namespace internal {
 
-constexpr int kMaxCut = 2 * kMaxFeature;  // corners of a ring that was cut by another
+constexpr int kMaxCut = 2 * kMaxFeature;  // max corners of a ring that another ring cut
 
-// (x, y) across the normal, z along it.
+// Corners with (x, y) across the normal and z along it.
 template <class F>
 using RingT = LaneList<Vec3T<F>, F, kMaxCut>;
 template <class F>
@@ -46,7 +46,7 @@ using GapsT = LaneList<ManifoldPointT<F>, F, kMaxCut>;
 using Ring = RingT<float>;
 using Gaps = GapsT<float>;
 
-// From where rings are seen: a point between both shapes, so that heights are small, and floats
+// Coordinates for rings. The origin is close to the contact, so that heights are small and floats
 // precise.
 template <class F>
 struct ViewT {
@@ -67,7 +67,7 @@ OBBY_DEVICE F area2(Vec3T<F> a, Vec3T<F> b, Vec3T<F> c) {
   return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 
-// What of `subject` lies to the left of the line from a to b, or to the right where `side` is -1
+// Keeps the part of `subject` to the left of the line from a to b, or to the right if `side` is -1
 // (Sutherland and Hodgman).
 template <class F>
 OBBY_DEVICE void cut(const RingT<F>& subject, Vec3T<F> a, Vec3T<F> b, F side, RingT<F>& out) {
@@ -88,7 +88,7 @@ OBBY_DEVICE void cut(const RingT<F>& subject, Vec3T<F> a, Vec3T<F> b, F side, Ri
   }
 }
 
-// Is all of the ring on that side?
+// Returns true if all of the ring is on that side.
 template <class F>
 OBBY_DEVICE bool isWithin(const RingT<F>& ring, Vec3T<F> a, Vec3T<F> b, F side) {
   MaskOf<F> within = true;
@@ -98,8 +98,8 @@ OBBY_DEVICE bool isWithin(const RingT<F>& ring, Vec3T<F> a, Vec3T<F> b, F side) 
   return all(within);
 }
 
-// What of `subject` lies within `frame`, a ring of three corners or more, in all lanes as many. The
-// frame is best the larger of both: what lies within it is not cut.
+// Clips `subject` to `frame`, a ring of at least three corners, as many in all lanes. The frame
+// should be the larger ring: a ring inside it is not cut.
 template <class F>
 OBBY_DEVICE const RingT<F>& cutToRing(const RingT<F>& subject, const RingT<F>& frame,
                                       RingT<F> (&work)[2]) {
@@ -116,23 +116,23 @@ OBBY_DEVICE const RingT<F>& cutToRing(const RingT<F>& subject, const RingT<F>& f
   return *left;
 }
 
-// Height at (x, y) of a plane.
+// A plane. at() returns its height at (x, y).
 template <class F>
 struct PlaneT {
   F height, x, y;
   OBBY_DEVICE F at(Vec3T<F> p) const { return height + x * p.x + y * p.y; }
 };
 
-// Through the first corners of a ring of three or more.
+// Returns the plane through the first three corners of a ring.
 template <class F>
 OBBY_DEVICE PlaneT<F> planeOfFace(const RingT<F>& r) {
   const Vec3T<F> a = r.at(0), n = cross(r.at(1) - a, r.at(2) - a);
-  const MaskOf<F> upright = absf(n.z) < 1e-6f;  // as good as any
+  const MaskOf<F> upright = absf(n.z) < 1e-6f;  // then any plane will do
   const F x = select(upright, F(0.0f), -n.x / n.z), y = select(upright, F(0.0f), -n.y / n.z);
   return {a.z - x * a.x - y * a.y, x, y};
 }
 
-// The corners of `subject` where the gap between both planes is at most `margin`.
+// Adds the corners of `subject` where the gap between both planes is at most `margin`.
 template <class F>
 OBBY_DEVICE void findGaps(const RingT<F>& subject, const PlaneT<F>& a, const PlaneT<F>& b,
                           const ViewT<F>& view, F margin, GapsT<F>& out) {
@@ -144,7 +144,8 @@ OBBY_DEVICE void findGaps(const RingT<F>& subject, const PlaneT<F>& a, const Pla
   }
 }
 
-// The four that hold best: the deepest, the one farthest from it, and the widest to both sides.
+// Keeps the four most stable points: the deepest, the farthest from it, and the widest to both
+// sides.
 template <class F>
 OBBY_DEVICE void reduce(const GapsT<F>& gaps, ManifoldT<F>& out) {
   using Int = IntOf<F>;

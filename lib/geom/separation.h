@@ -1,6 +1,5 @@
-// How far apart two convex shapes are, or how deep in each other, and along which axis: separating
-// axes over the faces of both, the cross products of their edges, and the closest approach of round
-// ones.
+// Distance or overlap of two convex shapes, and its axis. The separating axes are the face normals
+// of both, the cross products of their edges, and the closest approach of round shapes.
 #pragma once
 
 #include "geom/blocks_apart.h"
@@ -32,8 +31,9 @@ OBBY_APART void tryCrosses(Separation& best, const Convex& a, const Convex& b) {
   }
 }
 
-// Round parts: from core to core, and where a rim meets an edge, a corner or another rim from a
-// slightly smaller cylinder, which is apart from what does not overlap deeply.
+// Tries the axes of round shapes, from core to core. A rim against an edge, a corner or another rim
+// is also tried from a slightly smaller cylinder, which is apart from the other shape unless they
+// overlap deeply.
 OBBY_APART void tryRound(Separation& best, const Convex& a, const Convex& b) {
   const auto toward = [&](Vec3 v) {
     if (dot(v, v) > 0) tryAxis(best, a, b, normalize(v));
@@ -60,11 +60,12 @@ OBBY_APART Separation shapesApart(const Convex& a, const Convex& b, float margin
 
 }  // namespace internal
 
-// Exact where they overlap or faces or round parts are closest; a lower bound where they are apart
-// by corners or edges. Gives up early once they are more than `margin` apart.
+// The distance is exact if they overlap, or if faces or round parts are closest. It is a lower
+// bound if corners or edges are closest. Returns early once they are more than `margin` apart.
 OBBY_DEVICE Separation separation(const Convex& a, const Convex& b, float margin) {
   if (isBlock(a.kind) && isBlock(b.kind)) return internal::twoBlocksApart(a, b, margin);
-  // Seen from a: far from the world's origin floats are coarser than what is measured.
+  // Positions are relative to a: far from the world's origin, floats are coarser than these
+  // distances.
   Convex fromA = a, seen = b;
   fromA.pose.position = {};
   seen.pose.position = b.pose.position - a.pose.position;

@@ -1,15 +1,17 @@
-// What the shapes have in common: the kinds, the data a shape reads, and a convex hull's tables.
+// Common to all shapes: their kinds, their data, and the tables of a convex hull.
 //
 // A shape is one header in geom/shapes/ with these static functions over local coordinates (the
 // shape's own frame, centred, half extents `half`), and one row in geom/shapes/table.h:
-//   support(s, d)       largest dot(d, p) over the points p of the shape; d: any length
+//   support(s, d)       largest dot(d, p) over the points p of the shape; d has any length
 //   corner(s, d)        a point with that largest product
-//   feature(s, d, out)  the face that looks along the unit vector d, as a ring of corners: at most
-//                       kMaxFeature; a line or a point where the shape is curved; gives how many
-//   axes(s), axis(s,i)  unit normals of faces, each direction once for parallel faces
+//   feature(s, d, out)  the face that looks along the unit vector d, as a ring of at most
+//                       kMaxFeature corners; a line or a point where the shape is curved;
+//                       returns the number of corners
+//   axes(s), axis(s,i)  unit normals of faces, one for two parallel faces
 //   edges(s), edge(s,i) unit directions of edges
-//   roundAxis(s, body)  for shapes with curved faces: the direction of the closest approach, or
-//   zero castRay(s, o, d, tMax, hit)  first entry of the ray o + t d, 0 <= t <= tMax, from outside
+//   roundAxis(s, body)  direction of the closest approach of curved faces; zero if there are none
+//   castRay(s, o, d, tMax, hit)
+//                       first entry of the ray o + t d, 0 <= t <= tMax, from outside
 #pragma once
 
 #include <stdint.h>
@@ -18,12 +20,12 @@
 
 namespace obby::geom {
 
-// The order of schema Shape.
+// In the order of the schema's Shape.
 enum class ShapeKind : uint8_t { block, ball, cylinder, wedge, cornerWedge, truss, hull };
 
 constexpr int kMaxFeature = 8;
 
-// A convex polytope: spans into the level's tables.
+// A convex polytope, as spans of the level's tables.
 struct Hull {
   const Vec3* vertices = nullptr;  // (vertexCount), studs, local frame
   const Vec3* normals = nullptr;   // (faceCount), unit, outward
@@ -32,8 +34,8 @@ struct Hull {
   uint32_t vertexCount = 0, faceCount = 0, edgeCount = 0;
 };
 
-// forTables(holder, table) calls table(pointer, count) for every table that a struct points to: one
-// line a table. base/flatten.h copies levels to other memory by it.
+// Calls table(pointer, count) for every table that the struct points to, with one line for each
+// table. base/flatten.h uses this to copy levels to other memory.
 template <class Table>
 OBBY_DEVICE void forTables(Hull& h, Table&& table) {
   table(h.vertices, h.vertexCount);
@@ -59,7 +61,7 @@ struct BlockT {
   Vec3T<F> half;
 };
 
-// An oriented box in a shape's local frame: what the shape's curved faces are tested against.
+// An oriented box in a shape's local frame. The shape's curved faces are tested against it.
 template <class F>
 struct LocalBoxT {
   Vec3T<F> center;
@@ -69,21 +71,21 @@ struct LocalBoxT {
 
 using LocalBox = LocalBoxT<float>;
 
-// The point of the box that is closest to p.
+// Returns the point of the box that is closest to p.
 OBBY_DEVICE Vec3 closestPoint(const LocalBox& box, Vec3 p) {
   const Vec3 d = toLocal(box.axes, p - box.center);
   return box.center + box.axes * max(min(d, box.half), -box.half);
 }
 
-// A divisor that is never zero, so that slab tests need no branches: 1e-20 studs is far below any
-// float position.
+// Returns `v`, or a tiny divisor instead of zero, so that slab tests need no branches. 1e-20 studs
+// is far below any float position.
 template <class F>
 OBBY_DEVICE F awayFromZero(F v) {
   return select(absf(v) < 1e-20f, select(v < 0.0f, F(-1e-20f), F(1e-20f)), v);
 }
 
-// Clips the ray o + t d to the half space dot(n, p) <= offset. `enter`, `leave` and the entering
-// normal are updated.
+// Clips the ray o + t d to the half space dot(n, p) <= offset. Updates `enter`, `leave` and the
+// normal of the entry.
 OBBY_DEVICE void clipToPlane(Vec3 n, float offset, Vec3 o, Vec3 d, float& enter, float& leave,
                              Vec3& normal) {
   const float speed = dot(n, d);

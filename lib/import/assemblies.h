@@ -1,4 +1,4 @@
-// Parts that joints hold together: one anchored part anchors all of them.
+// Groups parts that joints hold together. One anchored part anchors its whole group.
 #pragma once
 
 #include <unordered_map>
@@ -11,13 +11,13 @@ namespace obby::importer {
 class Assemblies {
  public:
   // Reads every rigid joint of the document (Weld, Snap, ManualWeld, WeldConstraint, Glue, Motor6D,
-  // RigidConstraint). A joint that is switched off or misses a part joins nothing.
+  // RigidConstraint). A joint that is switched off or lacks a part joins nothing.
   explicit Assemblies(const Tree& tree);
 
-  // True if a joint chain leads from the part to an anchored one, itself included.
+  // Returns true if the part is anchored or a joint chain leads from it to an anchored part.
   bool anchored(InstanceId part) const;
   bool same(InstanceId a, InstanceId b) const { return find(a) == find(b); }
-  // Every part joined with this one, itself included, in file order.
+  // Returns every part joined with this one, itself included, in file order.
   std::vector<InstanceId> members(InstanceId part) const;
 
  private:
@@ -25,12 +25,12 @@ class Assemblies {
   void join(InstanceId a, InstanceId b);
 
   mutable std::vector<InstanceId> parent_;
-  std::vector<char> anchored_;  // by representative
+  std::vector<char> anchored_;  // indexed by representative
   std::unordered_map<InstanceId, std::vector<InstanceId>> members_;
 };
 
-// The two parts that a joint or constraint connects (through attachments where it has them);
-// kNoInstance where an end is missing.
+// The two parts that a joint or constraint connects (through attachments where it has them). An end
+// that is missing is kNoInstance.
 struct JointEnds {
   InstanceId first = kNoInstance, second = kNoInstance;
 };

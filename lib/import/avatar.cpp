@@ -14,18 +14,18 @@ namespace {
 constexpr uint32_t kR6 = 0, kR15 = 1;      // GameSettingsAvatar
 constexpr uint32_t kOuterBox = 0;          // GameSettingsR15Collision
 constexpr uint32_t kSingleCollider = 1;    // CollisionMode
-constexpr uint32_t kUseParts = 0;          // what touches, with one collider
+constexpr uint32_t kUseParts = 0;          // value of the touch detection modes
 constexpr Vec3 kColliderSize = {2, 3, 1};  // the engine's default
 constexpr float kLeastScale = 0.25f, kMostScale = 4, kLeastCollider = 0.1f, kMostCollider = 20;
 
-// The scale of the range that is nearest to that of the rig.
+// Returns the scale of the range that is nearest to the rig's own.
 float scaleOf(const Instance& starter, const std::string& setting) {
   const NumberRange* range = property<NumberRange>(starter, setting);
   if (range == nullptr || !(range->min <= range->max)) return 1;
   return std::clamp(std::clamp(1.0f, range->min, range->max), kLeastScale, kMostScale);
 }
 
-// Proportions that no scaled classic body has.
+// Returns true for proportions that no scaled classic body has.
 bool isTaller(const Instance& starter) {
   const NumberRange* type = property<NumberRange>(starter, "GameSettingsScaleRangeBodyType");
   return type != nullptr && type->min > 0;
@@ -60,7 +60,7 @@ void readCollider(const Tree& tree, LevelDraft& level) {
   const auto within = [](float v) { return v >= kLeastCollider && v <= kMostCollider; };
   if (!within(size.x) || !within(size.y) || !within(size.z)) return;
   level.avatar.collider = size;
-  // The setting has had two names.
+  // The engine has two names for the setting.
   level.avatar.colliderTouches =
       get<EnumItem>(from, "HitAndTouchDetectionMode").value != kUseParts ||
       get<EnumItem>(from, "TouchAndQueryDetectionMode").value != kUseParts;

@@ -1,4 +1,4 @@
-// Reads which bodies a place gives to its players, and how large they are.
+// Reads the bodies that a place gives to its players, and their sizes.
 #pragma once
 
 #include "import/draft.h"
@@ -7,10 +7,11 @@
 
 namespace obby::importer {
 
-// Fills level.avatar from StarterPlayer. What is simulated otherwise is noted in level.ignored.
+// Fills level.avatar from StarterPlayer. Settings that the simulator does differently are noted in
+// level.ignored.
 void readAvatar(const Tree& tree, LevelDraft& level);
 
-// The numbers that the avatar decides.
+// Writes the numbers that the avatar decides.
 void setAvatar(schema::PhysicsParams::Builder to, const Avatar& avatar);
 
 }  // namespace obby::importer

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "import/assemblies.h"
+#include "import/chance.h"
 #include "import/checkpoints.h"
 #include "import/classes.h"
 #include "import/collision_groups.h"
@@ -30,9 +31,9 @@ std::string worldPath(const Tree& tree) {
   return roots.size() == 1 ? tree.path(roots[0]) : "";
 }
 
-void readParts(const Tree& tree, const Assemblies& assemblies, LevelDraft& level) {
+void readParts(const Tree& tree, const Assemblies& assemblies, const CollisionGroups& groups,
+               LevelDraft& level) {
   LevelHulls hulls;
-  const CollisionGroups groups(tree, level);
   for (InstanceId id : sceneParts(tree, level)) {
     ++level.partsRead;
     auto part = partFrom(tree, id, hulls, level);
@@ -69,12 +70,12 @@ bool scriptsTell(const Tree& tree, const ObservedPlace& place) {
 }
 
 void findRolesOf(RoleContext& context, const ObservedPlace& place) {
-  context.scriptsTell = scriptsTell(context.tree, place);
   noteSettled(context, place);
   applyPlayerState(context, place);
   movingFromRecordings(context);  // the designer's own samples count before ours
   movingFromObservation(context, place.report);
   timersFromObservation(context, place.report);
+  broughtFromObservation(context, place);
   // A pad that is said to be a checkpoint may kill, to bring the player to the next stage.
   checkpointFromTags(context);
   goalFromTags(context);
@@ -85,7 +86,9 @@ void findRolesOf(RoleContext& context, const ObservedPlace& place) {
   laterTouchesFromObservation(context, place.report);
   checkpointFromSiblings(context);
   hintsFromScripts(context, place);
+  movesFromObservation(context, place.report);
   noteObservedLosses(context, place);
+  noteUnraised(context, place.report);
 }
 
 }  // namespace
@@ -98,15 +101,19 @@ LevelDraft buildLevel(const Tree& tree, const ObservedPlace& place, const std::s
   level.path = worldPath(tree);
   readWorld(tree, level);
   const Assemblies assemblies(tree);
-  readParts(tree, assemblies, level);
+  const bool tells = scriptsTell(tree, place);
+  readParts(tree, assemblies, CollisionGroups(tree, place, tells, level), level);
   cullStrays(level, tree);
   RoleContext context(tree, assemblies, level);
+  context.scriptsTell = tells;
   findRolesOf(context, place);
   settleMotions(context);
   looseParts(tree, assemblies, level);
   orderStages(tree, level, arrivedAt(place));
   noteUnmodelled(context);
   addTerrain(tree, level);
+  for (const ObservedPlace& other : place.others)
+    noteChance(level, tree, place.fromFile, buildLevel(Tree(other.document), other, name));
   markDoubts(context);
   return level;
 }

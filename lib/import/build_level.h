@@ -1,15 +1,15 @@
-// The steps from a document to a level, in order.
+// Builds a level from a document, step by step.
 #pragma once
 
 #include <string>
 
 #include "import/draft.h"
-#include "import/observed/run.h"
+#include "import/observed/place.h"
 #include "import/tree.h"
 
 namespace obby::importer {
 
-// `tree` is that of the place's document.
+// Returns the level of a place. `tree` must be the tree of the place's document.
 LevelDraft buildLevel(const Tree& tree, const ObservedPlace& place, const std::string& name);
 
 }  // namespace obby::importer

@@ -14,8 +14,8 @@ void takeMissing(StageSigns& to, const StageSigns& from) {
     if (to.numbers[i] == kUnnumbered) to.numbers[i] = from.numbers[i];
 }
 
-// A pad that sets a SpawnLocation elsewhere stands for it, and takes over its numbers. A
-// SpawnLocation next to the pad that is a checkpoint itself stands for both.
+// Joins a pad with the SpawnLocation elsewhere that it sets: the pad takes over its numbers. A
+// SpawnLocation that is a checkpoint next to the pad represents both.
 void joinRespawns(const Tree& tree, LevelDraft& level) {
   std::map<InstanceId, PartDraft*> spawns;
   for (PartDraft& part : level.parts)
@@ -36,7 +36,7 @@ void joinRespawns(const Tree& tree, LevelDraft& level) {
   }
 }
 
-// A team's number counts for the pads that set the team.
+// Gives a team's number to the pads that set the team.
 void joinTeams(const Tree& tree, LevelDraft& level) {
   const auto numbers = numbersOfTeams(tree);
   for (PartDraft& pad : level.parts) {

@@ -1,4 +1,4 @@
-// Start, checkpoints and end of a level in the order of play.
+// Finds start, checkpoints and end of a level in the order of play.
 #pragma once
 
 #include <optional>
@@ -8,11 +8,11 @@
 
 namespace obby::importer {
 
-// Fills level.spawns: stage 0 is the start, then the checkpoints; sets part.checkpoint to 1, 2, ...
-// `arrived`: feet of a new player after scripts ran; nullopt if unknown.
+// Fills level.spawns: stage 0 is the start, then the checkpoints. Sets part.checkpoint to 1, 2, ...
+// `arrived` is the feet of a new player after the scripts ran, or nullopt if unknown.
 void orderStages(const Tree& tree, LevelDraft& level, const std::optional<Vec3>& arrived);
 
-// Where the feet of a player stand who appears on the part, and the yaw of its front.
+// Returns the feet of a player who appears on the part, and the yaw of the part's front.
 SpawnDraft spawnOn(const Tree& tree, const PartDraft& part, int index, int stage);
 
 }  // namespace obby::importer

@@ -1,21 +1,22 @@
-// Which Roblox classes are parts, joints, scripts, values: the one place that names them in groups.
+// Groups the Roblox classes: parts, joints, scripts, values. No other file lists them.
 #pragma once
 
 #include <string_view>
 
 namespace obby::importer {
 
-// BasePart and everything that derives from it, but Terrain.
+// Returns true for BasePart and everything that derives from it, except Terrain.
 bool isPartClass(std::string_view className);
-// Holds two parts rigidly together (Motor6D too: nothing animates level parts).
+// Returns true if the class holds two parts rigidly together. Motor6D counts: nothing animates
+// level parts.
 bool isRigidJointClass(std::string_view className);
-// A constraint or mover that can move parts or limit them without being rigid.
+// Returns true for a constraint or mover that can move or limit parts without being rigid.
 bool isFreeConstraintClass(std::string_view className);
-// Script, LocalScript, ModuleScript.
+// Returns true for Script, LocalScript and ModuleScript.
 bool isScriptClass(std::string_view className);
-// IntValue, StringValue and the others whose `Value` is a setting.
+// Returns true for IntValue, StringValue and the others whose `Value` is a setting.
 bool isValueClass(std::string_view className);
-// What players carry or wear: never level geometry.
+// Returns true for things that players carry or wear. They are never level geometry.
 bool isGearClass(std::string_view className);
 
 }  // namespace obby::importer

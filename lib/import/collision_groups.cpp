@@ -1,23 +1,14 @@
-// CollisionGroupData of Workspace: a byte 1, the number of groups, and for each its id, the size of
-// its mask (4), the mask, the length of its name, the name. Scripts that set groups are not
-// followed here.
 #include "import/collision_groups.h"
+
+#include <algorithm>
 
 #include "engine/classes/class_defaults.h"
 #include "import/classes.h"
-#include "import/format/byte_reader.h"
 
 namespace obby::importer {
 namespace {
 
-constexpr uint8_t kGroupsVersion = 1, kMaskBytes = 4;
 constexpr const char* kDefaultGroup = "Default";
-
-std::string_view groupBytes(const Instance& instance) {
-  const auto* own = property<std::string>(instance, "CollisionGroupData");
-  const auto* shared = property<SharedBlob>(instance, "CollisionGroupData");
-  return own ? std::string_view(*own) : shared ? std::string_view(*shared->bytes) : "";
-}
 
 bool scriptsSetGroups(const Tree& tree) {
   for (InstanceId id = 0; id < tree.size(); ++id) {
@@ -28,7 +19,7 @@ bool scriptsSetGroups(const Tree& tree) {
   return false;
 }
 
-// The part of a place's own character model that stands for all of it; kNoInstance: it has none.
+// Returns the part that represents the place's own character model, or kNoInstance if it has none.
 InstanceId characterPart(const Tree& tree) {
   const InstanceId player = tree.service("StarterPlayer");
   if (player == kNoInstance) return kNoInstance;
@@ -41,25 +32,6 @@ InstanceId characterPart(const Tree& tree) {
 
 }  // namespace
 
-Result<GroupMatrix> decodeGroups(std::string_view blob) {
-  GroupMatrix matrix;
-  matrix.masks.fill(~0u);
-  ByteReader reader(blob);
-  const uint8_t version = reader.u8(), count = reader.u8();
-  if (version != kGroupsVersion) return makeError("collision groups of an unknown version");
-  for (int i = 0; i < count && reader.ok(); ++i) {
-    const uint8_t id = reader.u8(), bytes = reader.u8();
-    const uint32_t mask = reader.u32();
-    const std::string name(reader.bytes(reader.u8()));
-    if (bytes != kMaskBytes || id >= matrix.masks.size())
-      return makeError("a collision group that cannot be");
-    matrix.masks[id] = mask;
-    matrix.ids[name] = id;
-  }
-  if (!reader.ok()) return makeError("the collision groups end early");
-  return matrix;
-}
-
 std::string groupNameOf(const Instance& part) {
   const auto name = get<std::string>(part, "CollisionGroup");
   if (!name.empty() && name != kDefaultGroup) return name;
@@ -67,12 +39,15 @@ std::string groupNameOf(const Instance& part) {
   return id == 0 ? kDefaultGroup : "number " + std::to_string(id);
 }
 
-CollisionGroups::CollisionGroups(const Tree& tree, LevelDraft& level) : tree_(tree) {
+CollisionGroups::CollisionGroups(const Tree& tree, const ObservedPlace& place, bool scriptsTell,
+                                 LevelDraft& level)
+    : tree_(tree), ran_(place.ran) {
+  if (scriptsTell) told_ = place.report.collisionGroups;
   matrix_.masks.fill(~0u);
   for (const char* service : {"Workspace", "PhysicsService"}) {
     const InstanceId id = tree.service(service);
-    if (id == kNoInstance || groupBytes(tree.at(id)).empty()) continue;
-    auto matrix = decodeGroups(groupBytes(tree.at(id)));
+    if (id == kNoInstance || engine::groupBytes(tree.at(id)).empty()) continue;
+    auto matrix = engine::decodeGroups(engine::groupBytes(tree.at(id)));
     if (!matrix) {
       level.noteUnmodelled("collision groups", tree, id, matrix.error().text());
       continue;
@@ -98,19 +73,24 @@ uint8_t CollisionGroups::idOf(const Instance& part) const {
 }
 
 void CollisionGroups::apply(PartDraft& part) const {
+  if (ran_) return;
   const uint8_t group = idOf(tree_.at(part.id));
   const bool meets =
       (matrix_.masks[group] >> players_ & 1) != 0 && (matrix_.masks[players_] >> group & 1) != 0;
   if (meets || !part.solid) return;
   part.solid = false;
   if (touchesUseGroups_) part.touch = false;
-  part.evidence.push_back({"collision",
-                           "players pass through collision group " + groupNameOf(tree_.at(part.id)),
-                           false});
+  part.evidence.push_back(passedEvidence(tree_.at(part.id)));
+}
+
+Evidence passedEvidence(const Instance& part) {
+  return {"collision", "players pass through collision group " + groupNameOf(part), false};
 }
 
 bool CollisionGroups::isSettled(const Instance& part) const {
-  if (groupNameOf(part) == kDefaultGroup) return true;
+  const std::string group = groupNameOf(part);
+  if (group == kDefaultGroup) return true;
+  if (std::find(told_.begin(), told_.end(), group) != told_.end()) return true;
   const auto name = get<std::string>(part, "CollisionGroup");
   const bool isNamed = !name.empty() && name != kDefaultGroup;
   return isSaved_ && !byScripts_ && (!isNamed || matrix_.ids.count(name) > 0);

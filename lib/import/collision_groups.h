@@ -1,51 +1,49 @@
-// Collision groups: which parts players pass through because the place says so by groups.
+// Finds the parts that players pass through because of their collision groups.
 #pragma once
 
-#include <array>
 #include <cstdint>
-#include <map>
 #include <string>
-#include <string_view>
 
-#include "base/result.h"
+#include "engine/collision_matrix.h"
 #include "import/draft.h"
+#include "import/observed/place.h"
 #include "import/tree.h"
 
 namespace obby::importer {
 
-// The matrix that a place saves: names, and a bit for each group that a group collides with.
-struct GroupMatrix {
-  std::map<std::string, uint8_t, std::less<>> ids;
-  std::array<uint32_t, 32> masks;
-};
-
-// Fails on damage.
-Result<GroupMatrix> decodeGroups(std::string_view blob);
-
 class CollisionGroups {
  public:
-  // Notes a damaged matrix.
-  CollisionGroups(const Tree& tree, LevelDraft& level);
+  // Notes a damaged matrix. `scriptsTell` is true if the place's scripts ran without errors, so
+  // that their changes to groups are known.
+  CollisionGroups(const Tree& tree, const ObservedPlace& place, bool scriptsTell,
+                  LevelDraft& level);
 
-  // Takes the solidity of a part whose group does not collide with the players'.
+  // Makes a part passable if its group does not collide with the players' group. If scripts ran,
+  // the document already contains this, with the scripts' changes.
   void apply(PartDraft& part) const;
 
-  // Whether it is known whether players collide with the part. Else its group is in no matrix, or
-  // scripts set groups.
+  // Returns true if it is known whether players collide with the part. It is unknown if nothing
+  // lists its group, or if scripts that failed set groups.
   bool isSettled(const Instance& part) const;
 
  private:
   uint8_t idOf(const Instance& part) const;
 
   const Tree& tree_;
-  GroupMatrix matrix_;
+  engine::GroupMatrix matrix_;
   bool isSaved_ = false;    // the file has a matrix
-  bool byScripts_ = false;  // a script speaks of collision groups
+  bool byScripts_ = false;  // a script mentions collision groups
+  bool ran_ = false;
+  std::vector<std::string> told_;  // groups of the twin, if the scripts ran without errors
   bool touchesUseGroups_ = false;
   uint8_t players_ = 0;
 };
 
-// The group of a part as files have it: a name, in older ones a number. "Default" for none.
+// Returns why the part is not solid.
+Evidence passedEvidence(const Instance& part);
+
+// Returns the group of a part as files have it: a name, or a number in older files. "Default" if
+// there is none.
 std::string groupNameOf(const Instance& part);
 
 }  // namespace obby::importer

@@ -1,5 +1,5 @@
-// What counts as a stray: below the fall height, or beyond ten times the extent of the middle 90 %
-// of all parts.
+// Finds stray parts: below the fall height, or beyond ten times the extent of the middle 90 % of
+// all parts.
 #include "import/culling.h"
 
 #include <algorithm>
@@ -9,9 +9,9 @@
 namespace obby::importer {
 namespace {
 
-constexpr float kFar = 10;           // times the extent of the middle 90 %
+constexpr float kFar = 10;           // multiples of the extent of the middle 90 %
 constexpr float kLeastExtent = 500;  // studs; small levels may have distant pieces
-constexpr float kFarthest = 1e6f;    // studs; the engine's numbers are no good out there
+constexpr float kFarthest = 1e6f;    // studs; single precision is too coarse beyond
 constexpr double kLowQuantile = 0.05, kHighQuantile = 0.95;
 
 Box boundsOfPart(const PartDraft& part) { return boundsOf(part.pose, part.size * 0.5f); }

@@ -1,4 +1,4 @@
-// Strays: parts that no player can meet, which would only make the search space huge.
+// Removes stray parts. No player can meet them, and they would only make the search space huge.
 #pragma once
 
 #include "import/draft.h"
@@ -7,8 +7,8 @@ namespace obby::importer {
 
 class Tree;
 
-// Removes parts wholly below the fall height and parts much farther from the rest than the rest is
-// wide; counts them in level.partsCulled and level.ignored.
+// Removes parts wholly below the fall height, and parts farther from the rest than ten times its
+// extent. Counts them in level.partsCulled and level.ignored.
 void cullStrays(LevelDraft& level, const Tree& tree);
 
 }  // namespace obby::importer

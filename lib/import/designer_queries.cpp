@@ -21,13 +21,13 @@ constexpr const char* kFolder = "ObbyQueries";
 constexpr const char* kPhysics = "physics";
 constexpr const char* kForbid = "forbid";
 constexpr const char* kStartTick = "startTick";
-constexpr double kStartRate = 60;  // of them a second, whatever the level's own rate is
+constexpr double kStartRate = 60;  // start ticks a second, whatever the level's own rate is
 constexpr double kMostStart = 5e8;
 constexpr const char* kOwnOfQueries[] = {kForbid, kStartTick};
 constexpr std::string_view kKinds[] = {"goal", "start", "avoid", "visit", "waypoint"};
 constexpr const char* kOwnOfRegions[] = {"kind", "order", "cframe", "size", "part", "touch"};
 
-// The first Folder of that name: what else has it is nobody's.
+// Returns the first Folder of that name. Instances of other classes may have the name, too.
 InstanceId folderOf(const Tree& tree) {
   const InstanceId storage = tree.service("ServerStorage");
   const auto& among = storage == kNoInstance ? tree.document().roots : tree.at(storage).children;
@@ -90,7 +90,7 @@ class Reader {
     warnings_.push_back(level_.file + ": " + tree_.path(id) + " " + what);
   }
 
-  // What is of no kind is a condition that the answer would not keep.
+  // Warns of regions of an unknown kind: the answer would ignore their condition.
   void warnOfKinds(InstanceId query) {
     for (const InstanceId child : tree_.at(query).children) {
       if (tree_.at(child).className != "Configuration") continue;
@@ -101,7 +101,7 @@ class Reader {
     }
   }
 
-  // Those of a kind that say where they are, by their order.
+  // Returns the regions of a kind that state a place, by their order.
   std::vector<InstanceId> regions(InstanceId query, std::string_view kind) {
     std::vector<InstanceId> out;
     for (const InstanceId child : tree_.at(query).children) {
@@ -154,7 +154,7 @@ class Reader {
     }
   }
 
-  // A text of the schema's states, with commas or blanks between them.
+  // Fills the forbidden states from a text with commas or blanks between them.
   void fillForbidden(InstanceId id, schema::Query::Builder query) {
     if (!tree_.at(id).attributes.contains(kForbid)) return;
     if (!attribute<std::string>(tree_.at(id), kForbid)) {
@@ -178,8 +178,8 @@ class Reader {
     for (uint32_t i = 0; i < states.size(); ++i) list.set(i, states[i]);
   }
 
-  // Kept with the query: a start that is the level's spawn has no region to keep it. A calibration
-  // may change how many ticks a second has, but not when people want to start.
+  // Stores the start with the query, since a start at the level's spawn has no region to hold it. A
+  // calibration may change the ticks a second, but not the designer's start time.
   void fillStartTick(InstanceId id, schema::Query::Builder query) {
     if (!tree_.at(id).attributes.contains(kStartTick)) return;
     const double* tick = attribute<double>(tree_.at(id), kStartTick);
@@ -190,8 +190,8 @@ class Reader {
     }
   }
 
-  // Attributes that are named as number fields of the record; the values are checked where it is
-  // compiled, as those of any query.
+  // Fills number fields of the record from attributes with their names. The values are checked
+  // where queries are compiled.
   void fillNumbers(InstanceId id, capnp::DynamicStruct::Builder to,
                    std::span<const char* const> own) {
     for (const auto& [name, value] : tree_.at(id).attributes) {

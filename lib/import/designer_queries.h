@@ -1,6 +1,6 @@
-// The queries that a designer keeps in the place, as the Studio plugin writes them: a folder
-// ObbyQueries in ServerStorage (or a root of a model file), in it a Configuration for each query,
-// named by its id, and below that one for each region.
+// Reads the queries that a designer keeps in the place, as the Studio plugin writes them. The
+// folder ObbyQueries in ServerStorage (or a root of a model file) holds a Configuration for each
+// query, named by its id. Below each query is a Configuration for each region.
 //   query    attributes named as the number fields of the schema's Query: maxJumps, timeLimit, ...;
 //            forbid: its states as a text, "climbing, seated"; startTick: the level's clock at the
 //            start, in sixtieths of a second whatever the level's tick rate is
@@ -21,12 +21,13 @@
 
 namespace obby::importer {
 
-// In the order of the file. What cannot be used is left out, with a warning that names it; a query
-// without a goal likewise. `rate`: the level's ticks a second.
+// Returns the queries in the order of the file. An unusable item is left out, with a warning that
+// names it. A query without a goal is left out, too. `rate` is the level's rate in ticks per
+// second.
 std::vector<io::RecordBuilder> designerQueries(const LevelDraft& level, const Tree& tree,
                                                uint16_t rate, std::vector<std::string>& warnings);
 
-// Nothing where the place has none, or (with a warning) none that can be read.
+// Returns nullopt if the place has none, or (with a warning) none that can be read.
 std::optional<io::Record> designerPhysics(const Tree& tree, std::vector<std::string>& warnings);
 
 }  // namespace obby::importer

@@ -10,8 +10,12 @@ namespace {
 // Losses that only give players more than the level does: players may ignore them.
 constexpr std::string_view kEasier[] = {"ability of the player",
                                         "button on the screen",
+                                        "chat that scripts listen to",
+                                        "harm that goes on after a touch",
+                                        "harm that a force field stops",
                                         "keys that a script listens to",
                                         "listener without a visible effect",
+                                        "part that players drag",
                                         "script that still waits",
                                         "tag balloon",
                                         "tag swing",
@@ -19,7 +23,18 @@ constexpr std::string_view kEasier[] = {"ability of the player",
                                         "tag zipline",
                                         "tool",
                                         "use that acts on the player"};
-constexpr std::string_view kHarder[] = {"harm by itself", "part that stops the player",
+// What moves so may come to a player anywhere, if it kills.
+constexpr std::string_view kNoPeriod = "motion without a period";
+constexpr std::string_view kHarder[] = {"harm by climbing, swimming or sitting",
+                                        "harm by falling",
+                                        "harm by itself",
+                                        "harm by jumping",
+                                        "harm by walking",
+                                        "keys that scripts take away",
+                                        "part that stops the player",
+                                        "player that cannot walk",
+                                        "script that acts on players away from parts",
+                                        "state of the player that scripts switch off",
                                         "tag trippart"};
 
 template <size_t n>
@@ -77,7 +92,8 @@ void markDoubts(RoleContext& context) {
   Concerned concerned(context);
   for (const Loss& loss : context.level.losses) {
     const auto parts = concerned.by(loss.at);
-    if (parts.empty()) context.level.unmodelled.at(loss.kind).anywhere = true;
+    const bool chases = loss.kind == kNoPeriod && !parts.empty() && parts.front()->kill;
+    if (parts.empty() || chases) context.level.unmodelled.at(loss.kind).anywhere = true;
     for (PartDraft* part : parts) part->doubts.push_back(loss.kind);
   }
   for (PartDraft& part : context.level.parts) {

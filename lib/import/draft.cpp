@@ -1,8 +1,15 @@
 #include "import/draft.h"
 
+#include "import/pose_math.h"
+
 #include "import/tree.h"
 
 namespace obby::importer {
+
+bool MotionKey::operator==(const MotionKey& other) const {
+  return time == other.time && isSame(pose, other.pose) && easing == other.easing &&
+         direction == other.direction;
+}
 
 void LevelDraft::noteUnmodelled(const std::string& kind, const Tree& tree, InstanceId at,
                                 const std::string& note) {

@@ -1,4 +1,4 @@
-// Formats the explanation: world, roles, what was left out.
+// Formats the explanation: world, roles, omissions.
 #include "import/explain.h"
 
 #include <fmt/format.h>
@@ -14,10 +14,10 @@
 namespace obby::importer {
 namespace {
 
-constexpr float kDegrees = 180 / 3.14159265f;  // of a radian
+constexpr float kDegrees = 180 / 3.14159265f;  // degrees of a radian
 constexpr size_t kPartWidth = 34, kRoleWidth = 10, kWidth = 100, kNoteIndent = 8;
 
-// Characters, not bytes.
+// Counts characters, not bytes.
 size_t widthOf(std::string_view text) {
   size_t width = 0;
   for (char c : text) width += (static_cast<unsigned char>(c) & 0xc0) != 0x80;
@@ -26,7 +26,7 @@ size_t widthOf(std::string_view text) {
 
 std::string oneLine(std::string_view raw) { return io::tamed(raw, false); }
 
-// Where the `character`th character begins.
+// Returns the byte at which the `character`th character begins.
 size_t byteAt(std::string_view text, size_t character) {
   size_t at = 0;
   for (size_t seen = 0; at < text.size(); ++at)
@@ -34,7 +34,7 @@ size_t byteAt(std::string_view text, size_t character) {
   return at;
 }
 
-// At most `width` characters; of a longer text the beginning, or the end.
+// Returns at most `width` characters: the beginning of a longer text, or its end.
 std::string beginning(std::string_view raw, size_t width) {
   const std::string text = oneLine(raw);
   return widthOf(text) <= width ? text : text.substr(0, byteAt(text, width - 3)) + "...";
@@ -50,7 +50,7 @@ std::string padded(std::string text, size_t width) {
   return text;
 }
 
-// Broken at spaces into lines of at most kWidth, the second and later ones indented.
+// Breaks a text at spaces into lines of at most kWidth, with the second and later ones indented.
 std::string wrapped(std::string_view raw, size_t indent) {
   const std::string text = oneLine(raw);
   std::string out;
@@ -97,7 +97,7 @@ std::string row(const std::string& part, const std::string& role, const std::str
   return line + '\n';
 }
 
-// The path below the level's own.
+// Returns the path below the level's own.
 std::string shortPath(const LevelDraft& level, const std::string& path) {
   const std::string root = level.path + '/';
   return path.rfind(root, 0) == 0 ? path.substr(root.size()) : path;

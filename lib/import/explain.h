@@ -1,5 +1,4 @@
-// A table for people: what the importer made of each part and why, what it guessed, what it left
-// out.
+// A table for designers: each part's roles with their reasons, guesses and omissions.
 #pragma once
 
 #include <string>
@@ -9,7 +8,8 @@
 
 namespace obby::importer {
 
-// Lines of at most 100 columns; parts with the same name, folder, role and reason share a line.
+// Returns lines of at most 100 columns. Parts with the same name, folder, role and reason share a
+// line.
 std::string explain(const LevelDraft& level, const Tree& tree);
 
 }  // namespace obby::importer

@@ -12,7 +12,7 @@
 namespace obby::importer {
 namespace {
 
-// Waits for as much of the input as tells; false, too, where it was told to stop.
+// Waits for enough input to decide. Returns false also if it was told to stop.
 Result<bool> mayBePlace(io::ByteSource& source) {
   for (;;) {
     const std::optional<bool> known = mayBeRoblox(source.buffered());
@@ -74,7 +74,7 @@ Result<io::StreamReader> InputOpener::open(const std::string& path) {
   OBBY_ASSIGN(io::ByteSource source, io::ByteSource::open(path, stop_));
   const std::string name = source.name();
   OBBY_ASSIGN(const bool maybe, mayBePlace(source));
-  // Records are read as they come: of a stream there may be more than there is memory.
+  // Records are read as they arrive: a stream may exceed the memory.
   if (!maybe && !source.stopped()) return stream(std::move(source));
   OBBY_ASSIGN(std::string bytes, io::readRest(source));
   if (!looksLikeRoblox(bytes)) return stream(io::ByteSource::overBytes(std::move(bytes), name));

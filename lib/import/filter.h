@@ -1,4 +1,4 @@
-// obby-import as a filter: opens each input, whatever it is, as a stream of records.
+// obby-import as a filter: opens each input, of any kind, as a stream of records.
 #pragma once
 
 #include <atomic>
@@ -13,17 +13,18 @@
 
 namespace obby::importer {
 
-// Gives levels of several inputs different names and tells the user what to know about each.
+// Gives different names to the levels of several inputs, and reports warnings to the user.
 class InputOpener {
  public:
-  // `say` gets the warnings of an import; `explain` its table, if options.explain is set; `stop` as
-  // io::readFile has it.
+  // `say` receives the warnings of an import. `explain` receives its table if options.explain is
+  // set. `stop` is passed to io::readFile.
   InputOpener(ImportOptions options, std::function<void(const std::string&)> say,
               std::function<void(const std::string&)> explain,
               const std::atomic<bool>* stop = nullptr);
 
-  // A place or model file, or a Rojo project, becomes its level and queries; anything else is read
-  // as a stream of records, as they come. `path` "-" is standard input. Errors name the input.
+  // Opens one input. A place or model file, or a Rojo project, becomes its level and queries. Any
+  // other input is read as a stream of records as they arrive. `path` "-" is standard input. Errors
+  // name the input.
   Result<io::StreamReader> open(const std::string& path);
 
  private:
@@ -36,7 +37,7 @@ class InputOpener {
   std::function<void(const std::string&)> say_, explain_;
   const std::atomic<bool>* stop_;
   std::unordered_set<std::string> names_;
-  std::unordered_map<std::string, int> lastNumbers_;  // by the name wanted; from 2, 1 is without
+  std::unordered_map<std::string, int> lastNumbers_;  // keyed by wanted name; the first has none
 };
 
 }  // namespace obby::importer

@@ -1,4 +1,4 @@
-// Hulls from collision blobs, within the level's budget.
+// Decodes hulls from collision blobs, within the level's budget.
 #include "import/hulls.h"
 
 #include <fmt/format.h>
@@ -13,15 +13,16 @@ namespace obby::importer {
 namespace {
 
 constexpr size_t kLeastCorners = 4, kMostCorners = 255;
-constexpr const char* kKind = "shape of a mesh or union";  // in the level's list of what is lost
+constexpr const char* kKind = "shape of a mesh or union";  // kind in the level's list of losses
 
-// Whether a level may have the corner: of one beyond this it is refused as a whole.
+// Returns true if a level may have the corner. One corner beyond would get the whole level
+// rejected.
 bool isInBounds(Vec3 corner) {
   const Vec3 far = abs(corner);
   return isFinite(corner) && maxf(far.x, maxf(far.y, far.z)) <= level::kMaxCoordinate;
 }
 
-// Some hulls of the part are boxes.
+// Notes that some hulls of the part are boxes.
 void noteBoxed(const Tree& tree, PartDraft& part, size_t boxed, LevelDraft& level) {
   const std::string what = fmt::format(
       "{} of {} hulls have more than {} corners; each of these becomes its bounding box", boxed,
@@ -52,7 +53,7 @@ LevelHulls::Known LevelHulls::decoded(const CollisionBlob& blob) const {
     }
     known.corners += hull.size();
   }
-  // Packed hulls are many times their bytes in the file: the level's budget bounds them, too.
+  // Packed hulls are many times their size in the file, so the level's budget bounds them, too.
   if (known.corners > left_) hulls = {};
   return known;
 }

@@ -1,4 +1,4 @@
-// From bytes to records.
+// Turns the bytes of a place into records.
 #include "import/importer.h"
 
 #include <algorithm>
@@ -7,6 +7,7 @@
 #include "import/designer_queries.h"
 #include "import/explain.h"
 #include "import/level_record.h"
+#include "import/observed/run.h"
 #include "import/queries.h"
 #include "import/read_document.h"
 #include "io/physics.h"
@@ -33,7 +34,7 @@ void warn(const LevelDraft& level, const std::vector<io::RecordBuilder>& queries
 
 namespace {
 
-// The designer's, then one a stage.
+// Returns the designer's queries, then one for each stage.
 std::vector<io::RecordBuilder> queriesOf(const LevelDraft& level, const Tree& tree, uint16_t rate,
                                          std::vector<std::string>& warnings) {
   std::vector<io::RecordBuilder> queries = designerQueries(level, tree, rate, warnings);

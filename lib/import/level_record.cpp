@@ -89,7 +89,7 @@ void setRoles(schema::Part::Builder to, const PartDraft& part) {
     setVector(teleport.initPosition(), part.teleport->position);
     teleport.setYaw(part.teleport->yaw);
     teleport.setTurns(part.teleport->turns);
-    teleport.setKeepVelocity(true);  // a character keeps its velocity where its CFrame is set
+    teleport.setKeepVelocity(true);  // setting the CFrame of a character keeps its velocity
   }
   if (part.boost) {
     auto boost = to.initBoost();
@@ -198,7 +198,7 @@ std::string validUtf8(std::string_view text) {
   for (size_t at = 0; at < text.size();) {
     const io::Utf8Char c = io::nextChar(text, at);
     at += c.bytes;
-    io::appendUtf8(out, c.code == 0 ? U'\xfffd' : c.code);  // a text of a record ends at a zero
+    io::appendUtf8(out, c.code == 0 ? U'\xfffd' : c.code);  // a record's text ends at a zero
   }
   return out;
 }

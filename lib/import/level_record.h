@@ -1,4 +1,4 @@
-// From the importer's draft to the records of the stream.
+// Turns the importer's draft into the records of the stream.
 #pragma once
 
 #include "import/draft.h"
@@ -7,11 +7,11 @@
 
 namespace obby::importer {
 
-// The level record. Numbers are brought into the schema's ranges; texts that are no UTF-8 get
+// Returns the level record. Numbers are clamped to the schema's ranges. Invalid UTF-8 gets
 // replacement characters.
 io::RecordBuilder levelRecord(const LevelDraft& level, const Tree& tree);
 
-// Bytes of any encoding as valid UTF-8: bad bytes and zeros become U+FFFD.
+// Returns bytes of any encoding as valid UTF-8. Bad bytes and zeros become U+FFFD.
 std::string validUtf8(std::string_view text);
 
 }  // namespace obby::importer

@@ -3,7 +3,7 @@
 namespace obby::importer {
 namespace {
 
-constexpr size_t kStride = 16;  // lines
+constexpr size_t kStride = 16;  // lines per stored offset
 
 }  // namespace
 

@@ -1,5 +1,5 @@
-// The lines of a text by their numbers. Only the places of some are kept: a text of nothing but
-// line breaks would else take many times its size.
+// Finds the lines of a text by number. Only every kStride-th offset is stored: otherwise a text of
+// line breaks alone would take many times its size.
 #pragma once
 
 #include <cstdint>
@@ -12,22 +12,22 @@ namespace obby::importer {
 
 class LineIndex {
  public:
-  LineIndex() = default;  // of no line
-  // The text, of less than 4 GiB, must outlive the index.
+  LineIndex() = default;  // an empty index
+  // The text must outlive the index and have less than 4 GiB.
   explicit LineIndex(std::string_view text);
 
-  // Line `number`, counted from 1, without its line break; nothing where there is none. What
-  // follows the last line break is a line.
+  // Returns line `number`, counted from 1, without its line break, or nullopt past the end. Text
+  // after the last line break is a line.
   std::optional<std::string_view> line(size_t number) const;
-  // Bytes that it takes beside the text.
+  // Returns the bytes used besides the text.
   size_t memory() const { return starts_.capacity() * sizeof(uint32_t); }
 
  private:
   std::string_view text_;
-  std::vector<uint32_t> starts_;  // of every kStride-th line, from the first on
+  std::vector<uint32_t> starts_;  // offsets of every kStride-th line, from the first on
 };
 
-// A line of code as evidence quotes it: without the blanks around it, at most 70 bytes.
+// Returns a line of code as evidence quotes it: without surrounding blanks, at most 70 bytes.
 std::string quoteOf(std::string_view line);
 
 }  // namespace obby::importer

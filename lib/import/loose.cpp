@@ -9,7 +9,8 @@ namespace {
 
 bool isLoose(const PartDraft& part) { return !part.anchored && part.solid && !part.motion; }
 
-// A kit clones the part and unanchors the clone when its button is touched.
+// Returns true for a kit's pushbox. The kit clones the part and unanchors the clone when its button
+// is touched.
 bool isPushbox(const Tree& tree, const PartDraft& part) {
   return tree.at(part.id).name == "Pushbox" || tree.child(part.id, "IsBox") != kNoInstance;
 }
@@ -20,7 +21,7 @@ void anchor(const Tree& tree, LevelDraft& level, PartDraft& part, const std::str
   level.noteUnmodelled("unanchored part", tree, part.id, "treated as anchored: " + why);
 }
 
-// Sets free what can move on its own; gives how many parts do.
+// Unanchors the parts that can move on their own. Returns their number.
 int loosen(const Tree& tree, const Assemblies& assemblies, LevelDraft& level) {
   int count = 0;
   for (PartDraft& part : level.parts) {

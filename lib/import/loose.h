@@ -1,5 +1,5 @@
-// Which parts the player can push: pushboxes of tower kits, and unanchored parts as far as the
-// simulator has room for them.
+// Decides which parts the player can push: pushboxes of tower kits, and unanchored parts within the
+// simulator's capacity.
 #pragma once
 
 #include "import/assemblies.h"
@@ -8,10 +8,10 @@
 
 namespace obby::importer {
 
-// Loosens pushboxes, which kits save anchored. Parts that joints hold together with other loose
-// ones are anchored: the simulator has no bodies of several parts. So are those that vanish, which
-// bodies cannot. Where more are loose than a level may have, only pushboxes stay so; the rest is
-// scenery in most places. The level says what was done.
+// Unanchors pushboxes, which kits save anchored. Anchors unanchored parts that joints hold
+// together: a simulated body has one part only. Anchors parts that vanish, since bodies cannot. If
+// more parts are unanchored than a level may have, only pushboxes stay so, as the rest is usually
+// scenery. The level notes each change.
 void looseParts(const Tree& tree, const Assemblies& assemblies, LevelDraft& level);
 
 }  // namespace obby::importer

@@ -1,4 +1,4 @@
-// From sampled poses to keys; spreading a motion over the parts that move together.
+// Turns sampled poses into keys, and spreads a motion over the parts that move together.
 #include "import/motion.h"
 
 #include <algorithm>
@@ -14,17 +14,17 @@
 namespace obby::importer {
 namespace {
 
-constexpr float kStill = 0.01f;      // studs
-constexpr float kUnturned = 0.005f;  // radians
-constexpr double kJumpGap = 0.15;    // seconds between samples that are no smooth way any more
-constexpr float kStraight = 0.02f;   // studs off the straight way that are left out
+constexpr float kStill = 0.01f;      // studs; smaller moves count as rest
+constexpr float kUnturned = 0.005f;  // radians; smaller turns count as rest
+constexpr double kJumpGap = 0.15;    // max seconds between samples of a smooth motion
+constexpr float kStraight = 0.02f;   // max studs between an omitted key and the straight line
 constexpr float kStraightTurn = 0.01f;
 
 MotionKey keyAt(double time, const Pose& pose) {
   return {float(time), pose, Easing::linear, EasingDirection::out};
 }
 
-// How far keys on a straight way may be off it.
+// Max deviation of omitted keys from the straight line.
 struct Straight {
   float place = kStraight, turn = kStraightTurn;
 };
@@ -42,7 +42,7 @@ bool isStraight(const std::vector<MotionKey>& keys, size_t from, size_t to, Stra
 }
 
 std::vector<MotionKey> simplified(const std::vector<MotionKey>& keys, Straight slack) {
-  constexpr size_t kLongest = 64;  // keys replaced by one way: bounds the work
+  constexpr size_t kLongest = 64;  // keys replaced by one segment; bounds the work
   std::vector<MotionKey> out;
   for (size_t from = 0; from < keys.size();) {
     out.push_back(keys[from]);
@@ -54,17 +54,18 @@ std::vector<MotionKey> simplified(const std::vector<MotionKey>& keys, Straight s
   return out;
 }
 
-// A long straight way becomes one: what the first look left of it is looked at again, closely.
+// Simplifies twice, so that a long straight line becomes one segment. The second pass has a tighter
+// tolerance.
 std::vector<MotionKey> simplified(const std::vector<MotionKey>& keys) {
   constexpr float kClose = 0.1f;
   return simplified(simplified(keys, {}), {kClose * kStraight, kClose * kStraightTurn});
 }
 
-// Parts that move when `moved` does.
+// Returns the parts that move when `moved` does.
 std::vector<InstanceId> followers(RoleContext& context, InstanceId moved) {
   std::vector<InstanceId> all = context.tree.partsOf(moved);
   const size_t own = all.size();
-  std::unordered_set<InstanceId> hung;  // an assembly is looked at once, however many parts it has
+  std::unordered_set<InstanceId> hung;  // visits each assembly once, however many parts it has
   for (size_t i = 0; i < own; ++i) {
     if (hung.count(all[i]) > 0) continue;
     const auto members = context.assemblies.members(all[i]);
@@ -109,7 +110,8 @@ namespace {
 
 static_assert(kLongestMotion * 60 == float(level::kMaxRows));
 
-// What the simulator takes: no round, turn or wait that is too long, places within the world.
+// Returns true if the simulator accepts the motion: bounded rounds, turns and waits, and positions
+// within the world.
 bool isBounded(const Motion& motion) {
   constexpr float kFarthest = 1e6f;
   float before = 0;
@@ -127,10 +129,10 @@ bool isBounded(const Motion& motion) {
   if (!isFinite(motion.spin->axis) || length(motion.spin->axis) < 1e-6f) return false;
   const float speed = absf(motion.spin->speed);
   return std::isfinite(speed) && speed * kLongestMotion > 2 * 3.1416f &&
-         length(motion.spin->pivot) <= kFarthest;  // false for NaN, too
+         length(motion.spin->pivot) <= kFarthest;  // rejects NaN, too
 }
 
-// In how many pieces a part that is `reach` studs off what turns follows its arc.
+// Returns the number of pieces in which a part `reach` studs from the pivot follows its arc.
 int piecesOf(const MotionKey& from, const MotionKey& to, float reach) {
   constexpr double kTicks = 60, kMost = 600;
   const float turn = length(rotationVector(to.pose.rotation * inverse(from.pose.rotation)));
@@ -165,7 +167,7 @@ Motion withArcs(const Motion& motion, float reach) {
 
 namespace {
 
-// The parts of the level that a motion of `moved` is for.
+// Returns the parts of the level that get a motion of `moved`.
 std::vector<PartDraft*> takers(RoleContext& context, InstanceId moved) {
   std::vector<PartDraft*> parts;
   for (InstanceId id : followers(context, moved))
@@ -204,7 +206,7 @@ int giveMotion(RoleContext& context, InstanceId moved, const Motion& ofPivot,
     }
     takeRoom(context, *part, own);
     part->motion = std::move(own);
-    part->anchored = true;  // it goes its way, whatever pushes it
+    part->anchored = true;  // nothing pushes it off its trajectory
     part->evidence.push_back({"motion", reason, guessed});
     ++given;
   }

@@ -1,4 +1,4 @@
-// Building motions from sampled poses, and giving them to the parts that move.
+// Builds motions from sampled poses and gives them to the parts that move.
 #pragma once
 
 #include <string>
@@ -14,24 +14,24 @@ struct PoseSample {
   Pose pose;
 };
 
-// Keys through the samples of a loop of `period` seconds; poses on a straight way are left out.
-// Steps rarer than every 0.15 s are jumps, others a smooth way. `closed`: it leads
+// Returns keys through the samples of a loop of `period` seconds, without poses that lie on a
+// straight line. Steps rarer than every 0.15 s are jumps; others are smooth. A `closed` loop leads
 // back to `start` at `period`.
 std::vector<MotionKey> keysFrom(const Pose& start, const std::vector<PoseSample>& samples,
                                 double period, bool closed);
 
-// Keys straight through the samples; poses on a straight way are left out.
+// Returns keys straight through the samples, without poses that lie on a straight line.
 std::vector<MotionKey> keysThrough(const Pose& start, const std::vector<PoseSample>& samples);
 
-// The motion with keys on its turns: the simulator goes straight from key to key, and a part that
-// hangs `reach` studs off what turns does not.
+// Returns the motion with extra keys on its turns. The simulator interpolates linearly between
+// keys, but a part `reach` studs from the pivot moves on an arc.
 Motion withArcs(const Motion& motion, float reach);
 
-// Gives `motion`, whose poses are those of the pivot of `moved` (a part or model), to every part
-// that moves with it: parts below a model, parts welded to it that are not anchored themselves.
-// Parts that have a motion keep it. `reason` becomes evidence. Returns the number of parts that got
-// the motion: none, with a note, where those that a player can meet would need more keys or ticks
-// than a level may have. Others get it while there is room for them, too.
+// Gives `motion` to every part that moves with `moved`, a part or model whose pivot has the poses.
+// Those are the parts below a model, and unanchored parts welded to it. Parts that have a motion
+// keep it. `reason` becomes evidence. Returns the number of parts that got the motion. Returns 0,
+// with a note, if the parts that a player can meet would exceed the level's keys or ticks. Other
+// parts move while the budget lasts.
 int giveMotion(RoleContext& context, InstanceId moved, const Motion& motion,
                const std::string& reason, bool guessed);
 

@@ -1,4 +1,4 @@
-// Parts that a player can meet come first, then the others.
+// Budgets motions. Parts that a player can meet come first, then the others.
 #include "import/motion_room.h"
 
 #include <algorithm>
@@ -9,8 +9,8 @@
 namespace obby::importer {
 namespace {
 
-// Of one round through the keys, and of the wait before one that comes but once: as many rows, at
-// least, has the simulator's table of it.
+// Returns the ticks of one round through the keys, and of the wait before a single round. The
+// simulator's table has at least as many rows.
 size_t ticksOf(const Motion& motion) {
   constexpr float kRate = 60;  // ticks a second
   constexpr float kMost = 2 * kLongestMotion * kRate;
@@ -22,15 +22,14 @@ size_t ticksOf(const Motion& motion) {
   return ticks >= 1 ? size_t(std::min(ticks, kMost)) : 1;
 }
 
-// Whether a player can meet the part, as far as its roles are known: the simulator leaves others
-// out.
+// Returns true if a player can meet the part, by its roles so far. The simulator ignores the
+// others.
 bool isMet(const PartDraft& part) {
   const bool acts = part.kill || part.jumpPad || part.teleport || part.vanish || part.seat;
   return part.solid || (part.touch && acts) || part.checkpoint || part.goal;
 }
 
-// Each part has keys and a table of its own, and a level beyond these numbers would be refused as a
-// whole.
+// Each part has its own keys and table. A level beyond these limits would be rejected as a whole.
 bool fits(const MotionRoom& room, size_t parts, const Motion& motion) {
   return parts * motion.keys.size() <= kMaxLevelKeys - room.keys &&
          parts * ticksOf(motion) <= level::kMaxLevelRows - room.ticks;
@@ -73,7 +72,8 @@ bool haveRoom(RoleContext& context, const std::vector<PartDraft*>& parts, const 
 
 bool hasRoom(RoleContext& context, const PartDraft& part, const Motion& motion,
              const std::string& reason) {
-  if (isMet(part) || fits(context.unmetRoom, 1, motion)) return true;  // haveRoom was asked before
+  // haveRoom has checked the met parts.
+  if (isMet(part) || fits(context.unmetRoom, 1, motion)) return true;
   context.unmetStill.try_emplace(part.id, reason);
   return false;
 }
@@ -96,7 +96,7 @@ void settleMotions(RoleContext& context) {
     }
   for (const auto& [id, reason] : context.unmetStill) {
     const PartDraft* part = context.part(id);
-    if (!part || part->motion) continue;  // another motion found room
+    if (!part || part->motion) continue;  // another motion fits the budget
     if (isMet(*part))
       noteTooMany(context, id, reason);
     else

@@ -1,4 +1,4 @@
-// How many poses and ticks the motions of a level may have together.
+// Budgets the poses and ticks of all motions of a level.
 #pragma once
 
 #include <string>
@@ -8,26 +8,26 @@
 
 namespace obby::importer {
 
-// Keys of all motions of a level together: 56 MB, and as much in its record. Their rounds together
-// may have as many ticks as a level takes (kMaxLevelRows).
+// Max keys of all motions of a level together: 56 MB, and as much in its record. Their rounds
+// together may have as many ticks as a level takes (kMaxLevelRows).
 constexpr size_t kMaxLevelKeys = 1000000;
 
-// Seconds of a round, a turn or a wait: the simulator takes no longer ones (level::mostTicks).
+// Max seconds of a round, a turn or a wait in the simulator (level::mostTicks).
 constexpr float kLongestMotion = 1200;
 
-// Whether there is room for those of the parts that a player can meet: what of a model is met moves
-// as a whole or not at all. What is left still is named.
+// Returns true if the budget covers all of the parts that a player can meet. A model's parts that
+// can be met move together or not at all. Parts that stay still are noted.
 bool haveRoom(RoleContext& context, const std::vector<PartDraft*>& parts, const Motion& motion,
               const std::string& reason);
 
-// Whether there is room for that of one part. A part that nobody meets yet may still get a role:
-// those without room are kept in mind.
+// Returns true if the budget covers one part. A part that cannot be met yet may still get a role,
+// so parts beyond the budget are remembered.
 bool hasRoom(RoleContext& context, const PartDraft& part, const Motion& motion,
              const std::string& reason);
 void takeRoom(RoleContext& context, const PartDraft& part, const Motion& motion);
 
-// Once all roles are known: decoration, which nobody meets, moves as far as the other motions leave
-// room for it. Call it once.
+// Moves decoration, which players do not meet, as far as the remaining budget allows. Call it once,
+// after all roles are known.
 void settleMotions(RoleContext& context);
 
 }  // namespace obby::importer

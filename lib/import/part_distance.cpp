@@ -1,5 +1,5 @@
-// A grid whose squares that parts cover are 0; two sweeps carry the distances from square to square
-// (5 to the next one, 7 across a corner).
+// Computes distances in a grid. Squares covered by parts are 0; two sweeps carry the distances from
+// square to square (5 to the next one, 7 across a corner).
 #include "import/part_distance.h"
 
 #include <algorithm>
@@ -8,7 +8,7 @@
 namespace obby::importer {
 namespace {
 
-constexpr float kSquares = 256, kLeastSquare = 32;  // along the longer side; studs
+constexpr float kSquares = 256, kLeastSquare = 32;  // number along the longer side; studs
 constexpr int kToNextSquare = 5, kToCorner = 7, kUnknownDistance = 1 << 28;
 
 size_t squareOf(float at, float from, float step, size_t count) {

@@ -1,4 +1,4 @@
-// How far places on the ground are from the parts of a level, coarsely and fast.
+// Estimates how far places on the ground are from the parts of a level, coarsely and fast.
 #pragma once
 
 #include <cstddef>
@@ -15,11 +15,12 @@ struct GroundArea {
 
 class PartDistance {
  public:
-  // Answers for places in `whole`. A part outside counts as at its border.
+  // Answers queries in `whole`. A part outside counts as at its border.
   PartDistance(const std::vector<PartDraft>& parts, GroundArea whole);
 
-  // Studs to the nearest part, from the nearest point of the area; without regard to height. Off by
-  // a 256th of the longer side of `whole`. Of all places the same if there are no parts.
+  // Returns the studs from the nearest point of the area to the nearest part, ignoring height. The
+  // error is up to a 256th of the longer side of `whole`. Without parts, all places get the same
+  // distance.
   float of(const GroundArea& area) const;
 
  private:

@@ -1,4 +1,4 @@
-// From the properties of a part to its collision shape and surface.
+// Turns the properties of a part into its collision shape and surface.
 #include "import/parts.h"
 
 #include <algorithm>
@@ -19,7 +19,7 @@ constexpr ClassShape kClassShapes[] = {{"WedgePart", Shape::wedge},
                                        {"CornerWedgePart", Shape::cornerWedge},
                                        {"TrussPart", Shape::truss},
                                        {"TriangleMeshPart", Shape::hull}};
-// By the value of the PartType enum.
+// Shapes by the value of the PartType enum.
 constexpr Shape kPartTypes[] = {Shape::ball, Shape::block, Shape::cylinder, Shape::wedge,
                                 Shape::cornerWedge};
 
@@ -31,7 +31,7 @@ Shape shapeOf(const Instance& instance) {
   return type < std::size(kPartTypes) ? kPartTypes[type] : Shape::block;
 }
 
-// Files may hold anything: NaN becomes the fallback, other numbers are brought into range.
+// Clamps a number of a file. NaN becomes the fallback.
 float within(double value, float low, float high, float fallback) {
   return std::isnan(value) ? fallback : float(std::clamp(value, double(low), double(high)));
 }

@@ -1,4 +1,5 @@
-// The geometry of one part instance: shape, pose, size, surface, switches. No roles.
+// Reads the geometry of one part instance: shape, pose, size, surface, switches. It decides no
+// roles.
 #pragma once
 
 #include "import/draft.h"
@@ -7,9 +8,9 @@
 
 namespace obby::importer {
 
-// Notes a repaired reflection and a collision shape that had to be guessed in `level`; `hulls` are
-// those of its parts so far. Nothing is returned for a part whose numbers are not finite (noted as
-// well).
+// Returns the part, or nullopt if its numbers are not finite. Notes in `level` non-finite numbers,
+// a repaired reflection and a guessed collision shape. `hulls` holds the hulls of the level's parts
+// so far.
 std::optional<PartDraft> partFrom(const Tree& tree, InstanceId id, LevelHulls& hulls,
                                   LevelDraft& level);
 

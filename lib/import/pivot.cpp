@@ -1,4 +1,4 @@
-// Pivots of parts and models.
+// Reads pivots of parts and models.
 #include "import/pivot.h"
 
 #include "engine/classes/class_defaults.h"

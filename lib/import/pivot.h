@@ -1,16 +1,16 @@
-// The point about which a model turns when a script pivots it.
+// Finds the point about which a model turns when a script pivots it.
 #pragma once
 
 #include "import/tree.h"
 
 namespace obby::importer {
 
-// A part's own frame; of a model its primary part's, else its stored pivot, else the centre of its
-// parts. The identity for what has no place.
-// PivotOffset is not in it.
+// Returns a part's own frame. For a model, returns the frame of its primary part, else its stored
+// pivot, else the centre of its parts. Returns the identity if the instance has no position.
+// PivotOffset is not included.
 Pose pivotOf(const Tree& tree, InstanceId id);
 
-// The PrimaryPart of a model, if it is one of the parts below it; else kNoInstance.
+// Returns the PrimaryPart of a model if it is a part below it, else kNoInstance.
 InstanceId primaryPartOf(const Tree& tree, InstanceId id);
 
 }  // namespace obby::importer

@@ -8,7 +8,7 @@
 namespace obby::importer {
 namespace {
 
-// Names that Studio gives, and those of the part of a model that is touched.
+// Studio's default names, and usual names of the touched part of a model.
 constexpr std::string_view kEmptyNames[] = {"part",
                                             "spawnlocation",
                                             "spawn",

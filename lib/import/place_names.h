@@ -1,4 +1,4 @@
-// What the ends of stages are called in titles of queries.
+// Names the ends of stages in titles of queries.
 #pragma once
 
 #include <map>
@@ -13,15 +13,15 @@ class PlaceNames {
  public:
   PlaceNames(const LevelDraft& level, const Tree& tree);
 
-  // The part's name in quotes if it is the only one of those in question and means something, else
-  // that of its model or folder, else "checkpoint 2", "the start" or "the goal".
+  // Returns the part's name in quotes if it is meaningful and unique among the candidates. Else
+  // returns the name of its model or folder, else "checkpoint 2", "the start" or "the goal".
   std::string of(int part) const;
 
  private:
   const LevelDraft& level_;
   const Tree& tree_;
-  std::map<std::string, int> uses_;     // of each name by starts, checkpoints and goals
-  std::map<std::string, int> parents_;  // of those above them
+  std::map<std::string, int> uses_;     // counts of each name among starts, checkpoints and goals
+  std::map<std::string, int> parents_;  // counts of the names of their parents
 };
 
 }  // namespace obby::importer

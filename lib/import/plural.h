@@ -1,4 +1,4 @@
-// Numbers of things in texts.
+// Writes counts of things in texts.
 #pragma once
 
 #include <fmt/format.h>
@@ -8,7 +8,7 @@
 
 namespace obby::importer {
 
-// "1 part", "3 parts".
+// Returns "1 part", "3 parts".
 inline std::string plural(size_t n, const char* noun) {
   return fmt::format("{} {}{}", n, noun, n == 1 ? "" : "s");
 }

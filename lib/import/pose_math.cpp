@@ -1,4 +1,4 @@
-// Rotation helpers; double precision inside so that repeated use does not drift.
+// Computes rotations in double precision, so that repeated use does not drift.
 #include "import/pose_math.h"
 
 #include <algorithm>
@@ -69,6 +69,13 @@ Vec3 toOrientation(const Mat3& r) {
 float yawOf(Vec3 look) {
   if (absf(look.x) < 1e-6f && absf(look.z) < 1e-6f) return 0;
   return float(std::atan2(-double(look.x), -double(look.z))) + 0.0f;
+}
+
+bool isSame(const Pose& a, const Pose& b) {
+  constexpr float kUnmoved = 1e-4f;
+  return length(a.position - b.position) < kUnmoved &&
+         length(a.rotation.x - b.rotation.x) < kUnmoved &&
+         length(a.rotation.y - b.rotation.y) < kUnmoved;
 }
 
 }  // namespace obby::importer

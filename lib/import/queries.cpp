@@ -1,6 +1,10 @@
-// One query a stage, with the checkpoint's or goal's part as goal region.
+// Writes one query for each stage, with the checkpoint's or goal's part as goal region.
 #include "import/queries.h"
 
+#include <algorithm>
+#include <cmath>
+
+#include "import/frame_time.h"
 #include "import/level_record.h"
 #include "import/place_names.h"
 #include "import/record_values.h"
@@ -10,7 +14,7 @@ namespace {
 
 constexpr float kAbove = 0.5f;   // studs above the part
 constexpr float kBeside = 1;     // studs on each side
-constexpr float kLeast = 0.05f;  // studs: thinner parts are simulated as this thick
+constexpr float kLeast = 0.05f;  // studs; the simulator makes thinner parts this thick
 
 struct Target {
   int part;
@@ -28,6 +32,20 @@ std::vector<Target> targets(const LevelDraft& level) {
     if (part.goal && !part.checkpoint && !isLast) list.push_back({i, last});
   }
   return list;
+}
+
+// Returns the level's clock after all single events. Players past the first stage have been there
+// for a while.
+uint32_t laterTick(const LevelDraft& level) {
+  double last = 0;
+  for (const PartDraft& part : level.parts) {
+    if (part.vanish && part.vanish->timer && part.vanish->away >= kGone)
+      last = std::max(last, double(part.vanish->delay));
+    if (part.motion && part.motion->trigger == MotionTrigger::always &&
+        part.motion->repeat == Repeat::once && !part.motion->keys.empty())
+      last = std::max(last, double(part.motion->keys.back().time - part.motion->offset));
+  }
+  return uint32_t(std::ceil(last / kFrame));
 }
 
 }  // namespace
@@ -58,7 +76,9 @@ std::vector<io::RecordBuilder> stageQueries(const LevelDraft& level, const Tree&
                              names.of(level.spawns[size_t(target.from)].part) + " to " +
                              names.of(target.part)));
     query.setLevel(validUtf8(level.name));
-    query.initStart().setSpawn(target.from);
+    auto start = query.initStart();
+    start.setSpawn(target.from);
+    if (target.from > 0) start.setTick(laterTick(level));
     const GoalBox box = goalBox(part);
     auto goal = query.initGoal();
     goal.setName(validUtf8(tree.at(part.id).name));

@@ -1,4 +1,4 @@
-// Finds the format by content and hands over.
+// Finds the format by content and calls its reader.
 #include "import/read_document.h"
 
 #include "import/format/formats.h"
@@ -7,7 +7,7 @@
 namespace obby::importer {
 namespace {
 
-constexpr size_t kMostBlanks = size_t(64) << 10;  // that are looked at before it is read whole
+constexpr size_t kMostBlanks = size_t(64) << 10;  // blanks to skip before the input is read whole
 
 }  // namespace
 
@@ -18,7 +18,7 @@ bool looksLikeRoblox(std::string_view bytes) {
   return false;
 }
 
-// Every format begins with `<`, XML behind blanks and a byte order mark.
+// Every format begins with `<`; XML may have blanks and a byte order mark before it.
 std::optional<bool> mayBeRoblox(std::string_view begin) {
   if (begin.size() < io::kByteOrderMark.size() && io::kByteOrderMark.starts_with(begin)) return {};
   const std::string_view text = io::withoutByteOrderMark(begin);

@@ -1,4 +1,4 @@
-// The small values of the schema that several records share.
+// Writes the small values of the schema that several records share.
 #pragma once
 
 #include "import/pose_math.h"
@@ -8,7 +8,7 @@
 namespace obby::importer {
 
 inline void setVector(schema::Vec3::Builder to, Vec3 from) {
-  to.setX(from.x + 0.0f);  // no negative zero: it would print as -0
+  to.setX(from.x + 0.0f);  // avoids negative zero, which would print as -0
   to.setY(from.y + 0.0f);
   to.setZ(from.z + 0.0f);
 }

@@ -1,5 +1,5 @@
-// Walks the world and leaves out characters, gear and what only exists on screens; counts what lies
-// in storage.
+// Walks the world and leaves out characters, gear and screen-only instances. Counts parts in
+// storage.
 #include "import/scene.h"
 
 #include "engine/classes/class_defaults.h"
@@ -13,7 +13,7 @@ bool isRig(const Tree& tree, InstanceId id) {
   return tree.childOfClass(id, "Humanoid") != kNoInstance;
 }
 
-// Why everything below this instance is left out; null: it stays.
+// Returns why everything below this instance is left out, or null if it stays.
 const char* outsideReason(const Tree& tree, InstanceId id) {
   const std::string& className = tree.at(id).className;
   if (isGearClass(className)) return "tool or accessory";

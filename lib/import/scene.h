@@ -1,4 +1,4 @@
-// Which instances belong to the level: what a player meets in the world when play starts.
+// Decides which instances belong to the level: those that a player meets when play starts.
 #pragma once
 
 #include <vector>
@@ -8,8 +8,8 @@
 
 namespace obby::importer {
 
-// Parts of the level in file order. What is left out (storage, rigs, gear, negations) is counted in
-// `level`, by kind.
+// Returns the parts of the level in file order. Omitted ones (storage, rigs, gear, negations) are
+// counted in `level`, by kind.
 std::vector<InstanceId> sceneParts(const Tree& tree, LevelDraft& level);
 
 }  // namespace obby::importer

@@ -7,14 +7,14 @@
 namespace obby::importer {
 namespace {
 
-// Text that takes health.
+// Code that reduces health.
 constexpr std::string_view kHarmWords[] = {"Health = 0", "Health=0", "TakeDamage", "BreakJoints"};
 
 bool isRunnable(const Instance& instance) {
   return instance.className == "Script" || instance.className == "LocalScript";
 }
 
-// The first line that harms in a text that also listens to touches; 0: none.
+// Returns the first harmful line of a text that also listens to touches, or 0 if there is none.
 int harmLine(const std::string& source) {
   if (source.find("ouched") == std::string::npos) return 0;
   size_t first = std::string::npos;
@@ -23,7 +23,7 @@ int harmLine(const std::string& source) {
   return 1 + int(std::count(source.begin(), source.begin() + std::ptrdiff_t(first), '\n'));
 }
 
-// A script in a part that harms who touches something is taken to speak of that part.
+// Guesses that a script inside a part, which harms on touch, refers to that part.
 void hint(RoleContext& context, InstanceId script) {
   const Instance& instance = context.tree.at(script);
   PartDraft* const part = context.part(instance.parent);

@@ -1,14 +1,14 @@
-// Guesses from the texts of scripts that did not run.
+// Guesses roles from the texts of scripts that did not run.
 #pragma once
 
-#include "import/observed/run.h"
+#include "import/observed/place.h"
 #include "import/roles/role.h"
 
 namespace obby::importer {
 
-// Where no script ran, of all of them; else of those that failed after they had used what the twin
-// does not do: other errors end a script in the game, too. Names each script that did not run at
-// all.
+// Reads the texts of all scripts if none ran. Else reads those that failed after using a feature
+// that the twin lacks: other errors end a script in the game, too. Notes each script that did not
+// run at all.
 void hintsFromScripts(RoleContext& context, const ObservedPlace& place);
 
 }  // namespace obby::importer

@@ -1,4 +1,4 @@
-// Chunks near the parts first, until there are enough of them or of their blocks.
+// Adds chunks near the parts first, until a limit of chunks or blocks is reached.
 #include "import/terrain.h"
 
 #include <fmt/format.h>
@@ -17,16 +17,16 @@
 namespace obby::importer {
 namespace {
 
-constexpr size_t kEmptyTerrain = 64;   // bytes: voxels of this size hold nothing to stand on
+constexpr size_t kEmptyTerrain = 64;   // bytes; voxels of this size hold nothing to stand on
 constexpr size_t kMaxChunks = 4096;    // 8192 studs square
-constexpr size_t kMaxLooked = 200000;  // blocks, before equal ones are joined
-constexpr const char* kTerrainKind = "terrain";  // in the level's list of what is lost
+constexpr size_t kMaxLooked = 200000;  // max blocks before equal ones are joined
+constexpr const char* kTerrainKind = "terrain";  // kind in the level's list of losses
 
 struct TerrainMaterial {
-  uint32_t material;  // of a part
+  uint32_t material;  // material of a part
   ColorRgb color;
 };
-// By the number of a solid material, from 2.
+// Materials by the number of a solid material, from 2.
 constexpr TerrainMaterial kTerrainMaterials[] = {
     {1280, {106, 127, 63}},  {800, {63, 127, 107}},   {816, {127, 102, 63}},
     {848, {138, 86, 62}},    {1296, {143, 126, 95}},  {528, {139, 109, 79}},
@@ -37,7 +37,7 @@ constexpr TerrainMaterial kTerrainMaterials[] = {
     {1392, {198, 189, 181}}, {820, {206, 173, 148}},  {836, {148, 148, 140}}};
 constexpr uint8_t kFirstSolid = 2;
 
-// Files store voxels as a text of their own or as a shared one.
+// Returns the voxels, which files store as a string of their own or a shared one.
 std::string_view voxelBytes(const Instance& terrain, const char* name) {
   const auto* own = property<std::string>(terrain, name);
   const auto* shared = property<SharedBlob>(terrain, name);
@@ -45,7 +45,7 @@ std::string_view voxelBytes(const Instance& terrain, const char* name) {
 }
 
 struct Stack {
-  std::vector<VoxelChunk> chunks;  // of one x and z, ascending by y
+  std::vector<VoxelChunk> chunks;  // chunks of one x and z, ascending by y
   float distance = 0;
 };
 
@@ -63,7 +63,7 @@ GroundArea areaOf(const std::vector<VoxelChunk>& chunks) {
                 (z1->z + 1) * kChunkSide);
 }
 
-// The nearest first.
+// Returns the stacks, nearest first.
 std::vector<Stack> stacksOf(std::vector<VoxelChunk> chunks, const PartDistance& distance) {
   const auto place = [](const VoxelChunk& c) { return std::make_tuple(c.x, c.z, c.y); };
   std::stable_sort(chunks.begin(), chunks.end(),
@@ -86,7 +86,7 @@ std::vector<Stack> stacksOf(std::vector<VoxelChunk> chunks, const PartDistance& 
 struct Terrain {
   TerrainShape shape;
   size_t chunksLeft = 0, blocksLeft = 0;
-  float leftFrom = 0;  // studs from the parts: what is nearer is whole
+  float leftFrom = 0;  // studs from the parts; terrain nearer than this is complete
 };
 
 void leaveOut(Terrain& terrain, size_t& count, size_t more, float from) {
@@ -95,7 +95,7 @@ void leaveOut(Terrain& terrain, size_t& count, size_t more, float from) {
   count += more;
 }
 
-// Leaves the nearest kMaxTerrainBlocks, in the order of their places.
+// Keeps the nearest kMaxTerrainBlocks, in the order of their positions.
 void keepNearest(Terrain& terrain, const PartDistance& distance) {
   auto& blocks = terrain.shape.blocks;
   if (blocks.size() > kMaxTerrainBlocks) {

@@ -1,4 +1,4 @@
-// Terrain: its voxels become solid blocks.
+// Turns the voxels of terrain into solid blocks.
 #pragma once
 
 #include "import/draft.h"
@@ -6,11 +6,11 @@
 
 namespace obby::importer {
 
-// The most blocks of terrain that a level has. Those farthest from its parts are left out.
+// Max blocks of terrain in a level. Those farthest from its parts are left out.
 constexpr size_t kMaxTerrainBlocks = 20000;
 
-// Adds the blocks to the parts of the level. Notes what they lack: water, the surface of slopes,
-// what is damaged, what is too far away or too much.
+// Adds the blocks to the parts of the level. Notes omissions: water, the surface of slopes, damaged
+// voxels, terrain too far away or beyond the limit.
 void addTerrain(const Tree& tree, LevelDraft& level);
 
 }  // namespace obby::importer

@@ -1,4 +1,4 @@
-// Columns of solid cells, then rectangles of equal columns, then longer rectangles.
+// Builds columns of solid cells, then rectangles of equal columns, then longer rectangles.
 #include "import/terrain_blocks.h"
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 namespace obby::importer {
 namespace {
 
-constexpr int kHalfFull = kStepsPerCell / 2;  // a cell that holds less has no surface of its own
+constexpr int kHalfFull = kStepsPerCell / 2;  // a cell with less has no surface of its own
 constexpr int kLongestBlock = 512;            // cells: 2048 studs
 constexpr size_t kColumns = size_t(kChunkSide) * kChunkSide;
 
@@ -24,7 +24,7 @@ struct Piece {
 
 auto keyOf(const Piece& p) { return std::make_tuple(p.bottom, p.top, p.material, p.column); }
 
-// Of solid matter, in steps.
+// Returns the height of solid matter, in steps.
 int fillOf(uint8_t material, uint8_t occupancy) {
   if (material == kTerrainAir || material == kTerrainWater) return 0;
   return (int(occupancy) * kStepsPerCell + 127) / 255;
@@ -33,13 +33,13 @@ int fillOf(uint8_t material, uint8_t occupancy) {
 // Follows one column upwards, cell by cell.
 class Column {
  public:
-  // `floor` is that of the cell.
+  // Adds a cell; `floor` is the cell's bottom.
   void cell(int floor, int fill, uint8_t material, uint16_t column, std::vector<Piece>& out) {
     const bool hasSurface = fill >= kHalfFull;
     if (hasSurface && !open_)
       begin(floor, fill);
     else if (open_ && fill > 0)
-      floor_ = bottom_;  // more than one cell
+      floor_ = bottom_;  // the column has several cells
     if (open_ && fill > 0) {
       top_ = floor + fill;
       material_ = material;
@@ -57,7 +57,7 @@ class Column {
   void begin(int floor, int fill) {
     open_ = true;
     bottom_ = below_ > 0 ? floor - below_ : floor + kStepsPerCell - fill;
-    // One cell alone stands on its floor: what it lacks, it lacks above.
+    // A single cell stands on its floor. Its missing matter is missing at the top.
     floor_ = below_ > 0 ? bottom_ : floor;
   }
 
@@ -67,14 +67,14 @@ class Column {
   uint8_t material_ = 0;
 };
 
-// Rows of columns that have the same piece, a bit each.
+// The columns that have the same piece: a row of bits for each z.
 using Rows = std::array<uint32_t, kChunkSide>;
 
 constexpr uint32_t bitsFrom(int first, int count) {
   return (count == 32 ? ~0u : (1u << count) - 1) << first;
 }
 
-// Takes rectangles from the rows until nothing is left.
+// Cuts rectangles from the rows until nothing is left.
 void takeRectangles(Rows& rows, TerrainBlock like, int x, int z, std::vector<TerrainBlock>& out) {
   for (int row = 0; row < kChunkSide; ++row) {
     while (rows[size_t(row)] != 0) {
@@ -106,7 +106,7 @@ void addPieces(std::vector<Piece>& pieces, int x, int z, std::vector<TerrainBloc
   }
 }
 
-// Of the highest pieces of columns side by side.
+// Counts slopes among the highest pieces of adjacent columns.
 size_t slopesOf(const std::vector<Piece>& pieces) {
   constexpr int kNone = -(1 << 30), kSteep = 2 * kStepsPerCell;
   std::array<int, kColumns> tops;
@@ -124,7 +124,7 @@ size_t slopesOf(const std::vector<Piece>& pieces) {
   return count;
 }
 
-// Joins blocks that follow one another along an axis and are alike otherwise.
+// Joins blocks that follow one another along an axis and are equal otherwise.
 void joinAlong(std::vector<TerrainBlock>& blocks, int TerrainBlock::*lo, int TerrainBlock::*hi,
                int TerrainBlock::*side0, int TerrainBlock::*side1) {
   const auto alike = [&](const TerrainBlock& b) {

@@ -1,4 +1,4 @@
-// Navigation over a Document; no knowledge of levels here.
+// Navigates a Document. It has no knowledge of levels.
 #include "import/tree.h"
 
 #include <algorithm>
@@ -18,8 +18,8 @@ bool equalNoCase(std::string_view a, std::string_view b) {
          });
 }
 
-constexpr size_t kLongestPath = 1000;  // bytes, and a little more
-constexpr size_t kKeptOfPath = 400;    // of its beginning
+constexpr size_t kLongestPath = 1000;  // approximate max bytes
+constexpr size_t kKeptOfPath = 400;    // bytes kept of its beginning
 
 std::string_view trimmed(std::string_view text) {
   while (!text.empty() && std::isspace(static_cast<unsigned char>(text.front())))
@@ -144,7 +144,7 @@ std::string Tree::path(InstanceId id) const {
   for (InstanceId step : chain) size += at(step).name.size() + 1;
   std::string text;
   const size_t tooMuch = size > kLongestPath ? size - kLongestPath : 0;
-  size_t left = 0;  // bytes left out: of the names in the middle
+  size_t left = 0;  // bytes omitted: names in the middle
   for (size_t i = 0; i < chain.size(); ++i) {
     const std::string& name = at(chain[i]).name;
     const bool between = text.size() >= kKeptOfPath && i + 1 < chain.size();

@@ -1,4 +1,4 @@
-// Finding one's way in a Document: children by name, paths, tags, settings of an instance.
+// Looks up instances of a Document: children by name, paths, tags, settings.
 #pragma once
 
 #include <functional>
@@ -23,30 +23,31 @@ class Tree {
   const Instance& at(InstanceId id) const { return document_->instances[id]; }
   size_t size() const { return document_->instances.size(); }
 
-  // The root service of that class, or kNoInstance. A model file usually has none.
+  // Returns the root service of that class, or kNoInstance. A model file usually has none.
   InstanceId service(std::string_view className) const;
-  // The first root with that name, or kNoInstance.
+  // Returns the first root with that name, or kNoInstance.
   InstanceId rootNamed(std::string_view name) const;
-  // What is in the world: Workspace, or all roots of a model file.
+  // Returns the roots of the world: Workspace, or all roots of a model file.
   std::vector<InstanceId> worldRoots() const;
 
-  // First child with that name (case counts), or kNoInstance.
+  // Returns the first child with that name (case counts), or kNoInstance.
   InstanceId child(InstanceId parent, std::string_view name) const;
   InstanceId childOfClass(InstanceId parent, std::string_view className) const;
   bool isUnder(InstanceId id, InstanceId ancestor) const;  // true for itself
   bool isPart(InstanceId id) const;
-  // `visit` returns false to leave out what is below. Parents come before children, in file order.
+  // Visits every instance below `root`, parents before children, in file order. If `visit` returns
+  // false, the instance's children are skipped.
   void eachBelow(InstanceId root, const std::function<bool(InstanceId)>& visit) const;
-  // The part itself, or the parts below a model or folder.
+  // Returns the part itself, or the parts below a model or folder.
   std::vector<InstanceId> partsOf(InstanceId id) const;
   const std::vector<InstanceId>& tagged(const std::string& tag) const;
 
-  // "Workspace/Stage 1/Lava". Of more than 1000 bytes the middle becomes "...".
+  // Returns "Workspace/Stage 1/Lava". In a path of more than 1000 bytes, "..." replaces the middle.
   std::string path(InstanceId id) const;
   std::vector<uint32_t> indices(InstanceId id) const;  // sibling indices from the root
 
-  // A setting called `name` on the instance: an attribute, else a value object below it or in its
-  // Configuration. Names are compared without case. Texts that hold a number count as one.
+  // Returns the setting `name` of the instance: an attribute, else a value object below it or in
+  // its Configuration. Names are compared without case. A text that holds a number counts as one.
   std::optional<double> number(InstanceId id, std::string_view name) const;
   std::optional<std::string> text(InstanceId id, std::string_view name) const;
   std::optional<bool> flag(InstanceId id, std::string_view name) const;
@@ -58,14 +59,15 @@ class Tree {
   const Document* document_;
   std::vector<uint32_t> siblingIndex_;
   std::unordered_map<std::string, std::vector<InstanceId>> byTag_;
-  std::map<std::string, InstanceId, std::less<>> services_, roots_;  // by class, by name: the first
+  // first instance by class, by name
+  std::map<std::string, InstanceId, std::less<>> services_, roots_;
 };
 
-// True if `word` is in `text`, both lower case.
+// Returns true if `text` contains `word`; both are lower case.
 bool containsWord(std::string_view text, std::string_view word);
-// The first whole number in a text ("Checkpoint 12" is 12).
+// Returns the first whole number in a text ("Checkpoint 12" has 12).
 std::optional<int> firstNumber(std::string_view text);
-// The number that the whole text is ("0.6", " 12 "), else nothing.
+// Returns the number if the whole text is one ("0.6", " 12 "), else nullopt.
 std::optional<double> numberFrom(const Value& value);
 
 }  // namespace obby::importer

@@ -65,7 +65,9 @@ void noteInstances(RoleContext& context) {
         context.level.noteIgnored("tag " + tag, tree.path(part.id), "not a tag that gives a role");
   }
   for (InstanceId id = 0; id < tree.size(); ++id)
-    if (isA(tree.at(id).className, "BackpackItem"))
+    if (tree.at(id).className == "DragDetector")
+      context.level.noteUnmodelled("part that players drag", tree, id, "it stays where it is");
+    else if (isA(tree.at(id).className, "BackpackItem"))
       context.level.noteUnmodelled("tool", tree, id, "the simulated player has no tools");
 }
 

@@ -1,12 +1,12 @@
-// Names what the importer saw and the simulator does not do.
+// Notes what the importer saw and the simulator does not model.
 #pragma once
 
 #include "import/roles/role.h"
 
 namespace obby::importer {
 
-// Terrain, seats, tools, teleporters, buttons, parts that scripts change in play,
-// scripts that were not understood. Call it after findRoles and looseParts.
+// Notes terrain, seats, tools, teleporters, buttons, parts that scripts change in play, and scripts
+// that were not understood. Call it after findRoles and looseParts.
 void noteUnmodelled(RoleContext& context);
 
 }  // namespace obby::importer

@@ -1,4 +1,4 @@
-// Splits at changes of case and kind of character.
+// Splits names at changes of case and kind of character.
 #include "import/words.h"
 
 namespace obby::importer {

@@ -1,4 +1,4 @@
-// Names as people write them, split into lower-case words: "KillBrick 2" is kill, brick, 2.
+// Splits names into lower-case words: "KillBrick 2" is kill, brick, 2.
 #pragma once
 
 #include <algorithm>
@@ -11,8 +11,8 @@ namespace obby::importer {
 
 std::vector<std::string> wordsOf(std::string_view name);
 
-// The first word of `name`, or two of them together, that is in `list`, or nothing: "CheckPoint"
-// contains checkpoint, "Skill" does not contain kill.
+// Returns the first word of `name`, or pair of adjacent words, that is in `list`, or nothing.
+// "CheckPoint" contains checkpoint, "Skill" does not contain kill.
 template <class List>
 std::string firstWordIn(std::string_view name, const List& list) {
   const auto words = wordsOf(name);
@@ -27,7 +27,7 @@ std::string firstWordIn(std::string_view name, const List& list) {
   return {};
 }
 
-// Returns true if `text` contains any of the `list`, in the same case.
+// Returns true if `text` contains any entry of `list`, in the same case.
 template <class List>
 bool hasAny(std::string_view text, const List& list) {
   return std::any_of(std::begin(list), std::end(list), [&](std::string_view one) {

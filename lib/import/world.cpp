@@ -49,7 +49,8 @@ void readHealthScript(const Tree& tree, InstanceId player, LevelDraft& level) {
                        "health is assumed to regenerate by the default 1 % a second");
 }
 
-// Whether the player moves by the Character Controller Library, and where the place says so.
+// Returns the instance that enables the Character Controller Library for the player, or
+// kNoInstance.
 InstanceId controllerLibrary(const Tree& tree, InstanceId player) {
   const auto controller = get<EnumItem>(tree.at(player), "LuaCharacterController").value;
   if (controller != kControllerDefault && controller != kControllerLegacy) return player;
@@ -60,7 +61,7 @@ InstanceId controllerLibrary(const Tree& tree, InstanceId player) {
   return kNoInstance;
 }
 
-// Settings of Workspace that say where and how often characters are simulated.
+// Notes settings of Workspace that affect where and how often characters are simulated.
 void noteSimulation(const Tree& tree, InstanceId workspace, LevelDraft& level) {
   if (get<EnumItem>(tree.at(workspace), "AuthorityMode").value == kServerAuthority)
     level.noteUnmodelled("server authority", tree, workspace,

@@ -1,5 +1,5 @@
-// A file that grows while others read it, a log: whatever ends the process, what append() was given
-// is in the file, whole.
+// A file that grows while others read it, such as a log. However the process ends, the file has
+// every piece that was given to append(), whole.
 #pragma once
 
 #include <atomic>
@@ -12,15 +12,15 @@ namespace obby::io {
 
 class Appender {
  public:
-  // Adds to what is there. The error names the file and the reason. A named pipe waits for its
-  // reader; `stop` as of Sink::open.
+  // Opens a file to append to. An error names the file and the reason. A named pipe waits for its
+  // reader; for `stop` see Sink::open.
   static Result<Appender> open(const std::string& path, const std::atomic<bool>* stop = nullptr);
 
   Appender(Appender&& other) noexcept;
   Appender& operator=(Appender&& other) noexcept;
   ~Appender();
 
-  // Of a disk; no device or pipe.
+  // Returns true for a file on a disk, false for a device or pipe.
   bool isRegular() const;
 
   // After an error a regular file has nothing of the piece.

@@ -17,7 +17,7 @@ namespace {
 constexpr size_t kLargestChunk = size_t(16) << 20;
 constexpr int kStopCheckMilliseconds = 100;
 
-// To open a named pipe waits for a writer; where somebody may say stop, the first read does.
+// Opening a named pipe waits for a writer. If there is a `stop`, the first read waits instead.
 int openFile(const std::string& path, bool mayStop) {
   const int fd = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOCTTY | (mayStop ? O_NONBLOCK : 0));
   if (fd >= 0 && mayStop) fcntl(fd, F_SETFL, O_RDONLY);
@@ -103,19 +103,19 @@ bool ByteSource::waitReadable() const {
   pollfd waiting{fd_, POLLIN, 0};
   while (!stop_->load(std::memory_order_relaxed)) {
     const int ready = ::poll(&waiting, 1, kStopCheckMilliseconds);
-    if (ready > 0 || (ready < 0 && errno != EINTR)) return true;  // read() says what is wrong
+    if (ready > 0 || (ready < 0 && errno != EINTR)) return true;  // read() reports the error
   }
   return false;
 }
 
-// After a read that gave an error. An input that other programs share, as a terminal or a socket,
-// may have been told not to wait: then this waits.
+// Called after a read has failed. Returns true to try again. An input that other programs share,
+// such as a terminal or a socket, may be non-blocking; then this waits.
 bool ByteSource::readAgain() const {
   if (errno == EAGAIN && !stop_) {
     pollfd waiting{fd_, POLLIN, 0};
-    return ::poll(&waiting, 1, -1) >= 0;  // or a signal breaks it off, as it does a read
+    return ::poll(&waiting, 1, -1) >= 0;  // or a signal interrupts it, as it does a read
   }
-  return errno == EAGAIN || (errno == EINTR && stop_);  // to wait again, or to see `stop`
+  return errno == EAGAIN || (errno == EINTR && stop_);  // to wait again, or to check `stop`
 }
 
 Result<size_t> ByteSource::fill() {
@@ -130,14 +130,14 @@ Result<size_t> ByteSource::fill() {
   } while (got < 0 && readAgain());
   buffer_.resize(before + size_t(std::max<ssize_t>(got, 0)));
   if (got < 0) return fileError(name_, "cannot read");
-  // A file gives all that is asked for, a pipe what it holds: room for more would be cleared each
-  // time for nothing.
+  // A file returns all that is asked for, a pipe only what it holds. A larger buffer for a pipe
+  // would be cleared each time for nothing.
   most_ = size_t(got) == chunk ? std::min(2 * chunk, kLargestChunk) : kChunk;
   ended_ = got == 0;
   return size_t(got);
 }
 
-// Of a regular file: bytes that are not read yet.
+// Returns the bytes of a regular file that are not read yet.
 uint64_t ByteSource::leftInFile() const {
   struct stat info {};
   if (fd_ < 0 || !regular_ || fstat(fd_, &info) != 0) return 0;

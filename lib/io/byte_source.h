@@ -1,6 +1,6 @@
-// Bytes of a file, a pipe or memory, read as they come: a buffer grows only by what has arrived, so
-// that a claimed size costs nothing. For who must see how an input begins before it is known what
-// reads it; otherwise StreamReader and readFile() are enough.
+// Bytes of a file, a pipe or memory, read as they arrive. A buffer grows only by what has arrived,
+// so that a false size costs nothing. It is for callers that must see how an input begins before
+// they choose its reader; for others StreamReader and readFile() are enough.
 #pragma once
 
 #include <atomic>
@@ -15,18 +15,18 @@ namespace obby::io {
 // The name of standard input in errors.
 inline constexpr const char* kStandardInput = "stdin";
 
-// The message of isInterrupted().
+// The message of an error for which isInterrupted() is true.
 inline constexpr const char* kInterrupted = "interrupted";
 
-// What errno says of a file: the error names it and what was being done, "cannot read"; of EINTR
-// kInterrupted.
+// Returns an error from errno. It names the file and the failed action, "cannot read". For EINTR
+// the message is kInterrupted.
 Error fileError(const std::string& name, const char* doing);
 
 class ByteSource {
  public:
-  // "-" is standard input. Once `stop` is set a waiting read ends and stopped() is true; a named
-  // pipe need not have a writer yet. Without `stop` a signal whose handler lets calls come back
-  // breaks off a call that waits, with an error of isInterrupted().
+  // "-" is standard input. Once `stop` is set, a waiting read ends and stopped() is true; a named
+  // pipe need not have a writer yet. Without `stop`, a signal without SA_RESTART interrupts a
+  // waiting call, with an error of isInterrupted().
   static Result<ByteSource> open(const std::string& path, const std::atomic<bool>* stop);
   static ByteSource overBytes(std::string bytes, std::string name);
 
@@ -37,18 +37,18 @@ class ByteSource {
   const std::string& name() const { return name_; }
   bool stopped() const { return stopped_; }
 
-  // Not yet consumed; valid until the next fill() or consume().
+  // Returns the bytes not yet consumed. Valid until the next fill() or consume().
   std::string_view buffered() const { return std::string_view(buffer_).substr(begin_); }
-  // Offset in the input of the first buffered byte.
+  // Returns the offset in the input of the first buffered byte.
   uint64_t offset() const { return offset_; }
   void consume(size_t bytes);
 
-  // Waits for more; gives the number of bytes that came, 0 at the end (or when stopped).
+  // Waits for more. Returns the number of bytes that arrived, 0 at the end (or when stopped).
   Result<size_t> fill();
-  // fill() until `bytes` are buffered; false if the input ends before.
+  // Calls fill() until `bytes` are buffered. Returns false if the input ends before.
   Result<bool> need(size_t bytes);
-  // All that is not yet consumed, up to the end (or until stopped); consumes it. Error: more than
-  // `most` bytes, of a regular file before any of them is read.
+  // Returns and consumes all bytes up to the end (or until stopped). More than `most` bytes are an
+  // error; of a regular file none is read then.
   Result<std::string> rest(uint64_t most);
 
  private:
@@ -61,7 +61,7 @@ class ByteSource {
 
   std::string name_, buffer_;
   size_t begin_ = 0;
-  size_t most_ = kChunk;  // bytes that the next read asks for, at most
+  size_t most_ = kChunk;  // max bytes that the next read asks for
   uint64_t offset_ = 0;
   int fd_ = -1;
   bool regular_ = true, ended_ = false, stopped_ = false;

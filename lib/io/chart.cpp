@@ -11,7 +11,7 @@ namespace obby::io {
 namespace {
 
 constexpr double kLeft = 62, kTop = 48, kWidth = 640, kBetween = 88, kBottom = 56;  // pixels
-constexpr double kRight = 60, kLetter = 7.4;  // a legend's room, and of each letter
+constexpr double kRight = 60, kLetter = 7.4;  // width of the legend, and of each letter in it
 // Distinguishable without red and green, and dark (or light) enough for text.
 constexpr const char* kColors[] = {"#1b62b5", "#c2570c", "#5d3a9b",
                                    "#0e7c66", "#8a6d00", "#444444"};
@@ -45,7 +45,7 @@ std::string line(double x1, double y1, double x2, double y2, const std::string& 
       y2, kind);
 }
 
-// One plot whose upper edge lies at `top`. The place of a curve's name in `names` is its colour's.
+// One plot with its upper edge at `top`. A curve has the colour of its name's index in `names`.
 class Drawing {
  public:
   Drawing(const ChartPlot& plot, double top, const std::vector<std::string>& names)
@@ -130,7 +130,7 @@ class Drawing {
   const std::vector<std::string>& names_;
 };
 
-// Of all curves, each once.
+// Returns the names of all curves, each once.
 std::vector<std::string> namesOf(const std::vector<ChartPlot>& plots) {
   std::vector<std::string> names;
   for (const ChartPlot& plot : plots) {

@@ -6,8 +6,6 @@
 #include <cmath>
 #include <cstdint>
 
-#include "io/example.h"
-
 namespace obby::io {
 
 std::string expectation(const TypePlan& type) {
@@ -26,7 +24,7 @@ std::string expectation(const TypePlan& type) {
     case ValueKind::name: return fmt::format("one of {}", fmt::join(enumerants(type.names), ", "));
     case ValueKind::record:
       if (type.record->tuple) return fmt::format("{} numbers", type.record->fields.size());
-      return "an object such as " + exampleOf(*type.record);
+      return "an object";
     case ValueKind::list: return "an array";
   }
   return {};
@@ -34,7 +32,7 @@ std::string expectation(const TypePlan& type) {
 
 std::optional<std::string> refuseReal(const TypePlan& type, double value) {
   if (!std::isfinite(value)) return fmt::format("expected a finite number, found {}", value);
-  // Bounds as the field can hold them: the float next to 0.2 is a little more.
+  // The bounds are rounded as the field is: the float nearest to 0.2 is a little larger.
   const bool narrow = type.kind == ValueKind::real32;
   const double min = narrow ? double(float(type.min)) : type.min;
   const double max = narrow ? double(float(type.max)) : type.max;

@@ -1,4 +1,4 @@
-// What both codecs refuse, in the same words. Private to lib/io.
+// Checks that both codecs share, with the same messages. Private to lib/io.
 #pragma once
 
 #include <capnp/dynamic.h>
@@ -11,18 +11,18 @@
 
 namespace obby::io {
 
-// "a number from 0 to 2000", "a whole number from 0 to 255", "true or false", ...
+// Returns "a number from 0 to 2000", "a whole number from 0 to 255", "true or false", ...
 std::string expectation(const TypePlan& type);
 
-// Nothing if `value` may stand in a field of this type; else what is wrong. Real numbers must be
-// finite; all numbers must be in range.
+// Return nothing if `value` is valid for a field of this type, otherwise what is wrong. Real
+// numbers must be finite, and all numbers must be in range.
 std::optional<std::string> refuseReal(const TypePlan& type, double value);
 std::optional<std::string> refuseWhole(const TypePlan& type, double value);
 
-// Names of the enumerants, in order.
+// Returns the names of the enumerants, in order.
 std::vector<std::string> enumerants(const capnp::EnumSchema& names);
 
-// Counts the words that a record in memory takes, and refuses to go beyond kMaxMessageWords.
+// Counts the words of a record in memory, and refuses more than kMaxMessageWords.
 class WordBudget {
  public:
   bool take(uint64_t words) {

@@ -5,7 +5,7 @@
 namespace obby::io {
 namespace {
 
-// Words of a record's root, twice, and more: it is made before it is copied.
+// Words of a record's root, counted twice, and a margin: the root is made before it is copied.
 constexpr uint64_t kRoot = 16;
 
 uint64_t wordsOf(const Record& record) { return record.reader().totalSize().wordCount + kRoot; }

@@ -1,5 +1,5 @@
-// Records that are kept for long, in no more memory than they need. What was read has room to grow,
-// of which a small record has twenty times what it takes, and the text that it came from.
+// Long-lived records in no more memory than they need. A record that was read has spare capacity,
+// for a small one twenty times its size, and keeps its source text.
 #pragma once
 
 #include <cstdint>
@@ -8,11 +8,10 @@
 
 namespace obby::io {
 
-// Bytes of what a compact copy of the record holds, without the objects that hold it. `record` is
-// known().
+// Returns the bytes of a compact copy, without the objects that hold it. `record` must be known().
 uint64_t compactBytes(const Record& record);
 
-// A copy with as much memory and no place in an input. `record` is known().
+// Returns a copy of that size, without a place in an input. `record` must be known().
 Record compact(const Record& record);
 
 }  // namespace obby::io

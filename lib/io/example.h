@@ -1,4 +1,4 @@
-// How an object of the schema may be written, for errors where something else was found. Private to
+// Examples of the schema's objects, for errors about something else that was found. Private to
 // lib/io.
 #pragma once
 
@@ -8,8 +8,8 @@
 
 namespace obby::io {
 
-// `{"damage":100}`: the fields that carry $example, or else the first one with its default. Every
-// example can be read back.
+// Returns `{"damage":100}`: the fields with $example, or else the first field with its default.
+// Every example can be read back.
 std::string exampleOf(const StructPlan& plan);
 
 }  // namespace obby::io

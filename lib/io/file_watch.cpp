@@ -9,7 +9,7 @@ namespace obby::io {
 
 namespace {
 
-constexpr std::chrono::milliseconds kQuiet{60};  // an editor that saves in pieces is done by then
+constexpr std::chrono::milliseconds kQuiet{60};  // enough for an editor that saves in pieces
 
 }  // namespace
 

@@ -1,4 +1,4 @@
-// Notices that files have changed: by their size and time of writing, looked at when asked.
+// Detects changes of files by their size and modification time, which are read on request.
 #pragma once
 
 #include <atomic>
@@ -10,12 +10,12 @@ namespace obby::io {
 
 class FileWatch {
  public:
-  // Notes what the files are like now. One that is not there counts as empty.
+  // Records the present state of the files. A missing file counts as empty.
   explicit FileWatch(std::vector<std::string> paths);
 
-  // Is one of them other than when last noted?
+  // Returns true if a file differs from its recorded state.
   bool changed() const;
-  // Notes them again; waits until nothing has written to them for a moment, or `stop` is set.
+  // Records them again. Waits until they are unchanged for a moment, or `stop` is set.
   void settle(const std::atomic<bool>& stop);
 
  private:

@@ -1,5 +1,5 @@
-// Names of the encodings.
-#include "io/stream.h"
+#include "io/format.h"
+
 #include "io/text.h"
 
 namespace obby::io {

@@ -1,5 +1,5 @@
-// The rules of a stream's frame: a header begins it, an end with the right count closes it, streams
-// may follow one another, and a hand-written stream may do without. Private to lib/io.
+// The rules of a stream's frame. A header begins it, and an end record with the right count closes
+// it. Streams may follow one another, and a hand-written stream needs no frame. Private to lib/io.
 #pragma once
 
 #include <cstdint>
@@ -11,21 +11,21 @@
 
 namespace obby::io {
 
-// The cure for an input that is not whole.
+// The hint for an input that is incomplete.
 inline constexpr const char* kCutOffHint = "it was cut off: run the tool that wrote it again";
 
 class Framing {
  public:
-  // Every record in order; `record` is nothing where it was bad or of an unknown kind. Errors have
-  // no input and place.
-  // `oldestMajor`: of schema versions that the format can be read in.
+  // Accepts every record in order. `record` is nothing if it was bad or of an unknown kind.
+  // `oldestMajor` is the oldest schema version that the format can be read in. Errors have no input
+  // and place.
   Status accept(const std::optional<schema::Record::Reader>& record, const std::string& place,
                 uint32_t oldestMajor);
-  // The input is at its end.
+  // Returns an error if the input must not end here.
   Status atEnd() const;
-  // Inside a stream that has a header: a line without its newline is then a cut.
+  // True inside a stream with a header, where a line without its newline is a cut.
   bool inside() const { return inside_; }
-  // The stream's header is of a later minor version: it may have fields that the schema lacks.
+  // True if the stream's header has a later minor version, so that it may have unknown fields.
   bool later() const { return later_; }
 
  private:
@@ -35,7 +35,7 @@ class Framing {
 
   bool inside_ = false, later_ = false;
   std::string headerPlace_;
-  uint64_t inStream_ = 0;  // records since the header, it included
+  uint64_t inStream_ = 0;  // records since the header, including it
   uint64_t total_ = 0;
 };
 

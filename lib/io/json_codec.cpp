@@ -23,7 +23,7 @@ Error noType(std::string found, std::string hint = {}) {
       std::move(hint)};
 }
 
-// The text of the member `type`.
+// Returns the text of the member `type`.
 Result<std::string_view> typeOf(const JsonTree& tree) {
   if (tree.root().type != JsonTree::Type::object)
     return makeError(fmt::format("expected a record such as {{\"type\":\"level\"}}, found {}",
@@ -40,7 +40,7 @@ Result<std::string_view> typeOf(const JsonTree& tree) {
   return tree.text(*found);
 }
 
-// Empty: no kind is called nearly so.
+// Returns an empty hint if no kind has a similar name.
 std::string hintFor(std::string_view type) {
   const std::string near = nearestName(type, recordPlan().names());
   return near.empty() ? near : fmt::format("did you mean \"{}\"?", near);

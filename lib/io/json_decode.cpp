@@ -13,6 +13,12 @@
 namespace obby::io {
 namespace {
 
+// What the field takes, with an example of an object.
+std::string expected(const TypePlan& type) {
+  const bool isObject = type.kind == ValueKind::record && !type.record->tuple;
+  return expectation(type) + (isObject ? " such as " + exampleOf(*type.record) : "");
+}
+
 using Type = JsonTree::Type;
 
 constexpr size_t kMaxFields = 256;
@@ -22,7 +28,7 @@ void setTuple(const StructPlan& plan, capnp::DynamicStruct::Builder out,
   for (size_t i = 0; i < plan.fields.size(); i++) out.set(plan.fields[i].field, values[i]);
 }
 
-// Text numbers in full; nothing may follow.
+// Parses a number that must be the whole text.
 template <class T>
 bool parseAll(std::string_view text, T& out) {
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), out);
@@ -54,10 +60,10 @@ bool JsonDecoder::fill(const StructPlan& plan, capnp::DynamicStruct::Builder out
   return true;
 }
 
-// Later minor versions add fields, and people notes of their own; so only what looks like a slip
-// is told. To look takes as long as many values do: each name is looked at once, and not too many.
+// Ignores an unknown field: later minor versions add fields, and users add notes. Reports only
+// names that look misspelt. The check is slow, so each name is checked once, up to a limit.
 void JsonDecoder::passOver(const StructPlan& plan, const Path& path) {
-  constexpr size_t kMost = 4, kMostStrange = 1000;  // of a record
+  constexpr size_t kMost = 4, kMostStrange = 1000;  // max numbers in a record
   if (misspelt_ == nullptr || misspelt_->size() == kMost || strange_.size() == kMostStrange) return;
   std::pair<const StructPlan*, std::string> asked(&plan, path.name);
   if (strange_.contains(asked)) return;
@@ -226,7 +232,7 @@ bool JsonDecoder::real(const TypePlan& type, const Node& node, const Path& path,
     single = float(node.value);
   } else if (node.type == Type::real) {
     if (!parseAll(tree_.text(node), wide)) wide = 0;  // below the smallest number
-    // Not by way of the double: rounding twice can miss the nearest float.
+    // Not converted from the double, because rounding twice can miss the nearest float.
     if (narrow && !parseAll(tree_.text(node), single)) single = float(wide);
   } else {
     return unexpected(type, node, path);
@@ -251,7 +257,7 @@ bool JsonDecoder::enumerant(const TypePlan& type, const Node& node, const Path& 
     }
   }
   const std::string near = nearestName(text, enumerants(type.names));
-  return fail(path, fmt::format("expected {}, found {}", expectation(type), tree_.describe(node)),
+  return fail(path, fmt::format("expected {}, found {}", expected(type), tree_.describe(node)),
               near.empty() ? "" : fmt::format("did you mean \"{}\"?", near));
 }
 
@@ -260,7 +266,7 @@ bool JsonDecoder::take(uint64_t words, const Path& path) {
 }
 
 bool JsonDecoder::unexpected(const TypePlan& type, const Node& node, const Path& path) {
-  return fail(path, fmt::format("expected {}, found {}", expectation(type), tree_.describe(node)));
+  return fail(path, fmt::format("expected {}, found {}", expected(type), tree_.describe(node)));
 }
 
 bool JsonDecoder::fail(const Path& path, std::string message, std::string hint) {

@@ -15,18 +15,18 @@
 
 namespace obby::io {
 
-// Fills one message from one JSON tree. Every member gives false after an error, which `error`
-// then holds.
+// Fills one message from one JSON tree. Every member function returns false after an error, which
+// `error` then holds.
 class JsonDecoder {
  public:
-  // `misspelt`: as of recordFromJsonIfKnown().
+  // recordFromJsonIfKnown() explains `misspelt`.
   JsonDecoder(const JsonTree& tree, std::vector<Error>* misspelt)
       : tree_(tree), misspelt_(misspelt) {}
 
   using Node = JsonTree::Node;
   using Value = capnp::DynamicValue::Reader;
 
-  // The members of an object into the fields of `out`; `skip` names a member to leave alone.
+  // Sets the fields of `out` from the members of an object. `skip` names a member to ignore.
   bool fill(const StructPlan& plan, capnp::DynamicStruct::Builder out, const Node& node,
             const Path& path, std::string_view skip = {});
 
@@ -57,7 +57,7 @@ class JsonDecoder {
 
   const JsonTree& tree_;
   std::vector<Error>* misspelt_;
-  std::set<std::pair<const StructPlan*, std::string>> strange_;  // unknown, and like no field
+  std::set<std::pair<const StructPlan*, std::string>> strange_;  // unknown, and close to no field
   WordBudget budget_;
 };
 

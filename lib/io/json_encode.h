@@ -9,11 +9,11 @@
 
 namespace obby::io {
 
-// Appends JSON to a string. Every member gives false after an error, which `error` then holds:
-// a number that is not finite or out of range, text that is not UTF-8.
+// Appends JSON to a string. Every member function returns false after an error, which `error` then
+// holds: a number that is not finite or out of range, or text that is not UTF-8.
 class JsonEncoder {
  public:
-  // `{"type":"level",...}` for a record of a known kind.
+  // Appends `{"type":"level",...}` for a record of a known kind.
   bool record(capnp::DynamicStruct::Reader record);
 
   bool value(const TypePlan& type, const capnp::DynamicValue::Reader& in, const Path& path);

@@ -13,8 +13,8 @@ namespace {
 
 constexpr size_t kMaxValues = size_t(32) << 20;
 
-// "column 5"; of a text of several lines behind the first "line 2 column 5". `count`: characters up
-// to the place, with the one that is there.
+// Returns "column 5", or "line 2 column 5" after the first of several lines. `count` is the number
+// of characters up to the place, including it.
 std::string placeAt(std::string_view text, size_t count) {
   const std::string_view before = text.substr(0, count == 0 ? 0 : count - 1);
   const size_t feed = before.rfind('\n');
@@ -25,7 +25,7 @@ std::string placeAt(std::string_view text, size_t count) {
 
 constexpr std::string_view kUnexpected = "unexpected ", kExpected = "; expected ";
 
-// The parser's name of a token in plain words.
+// Returns the parser's name of a token in plain words.
 std::string plain(std::string_view token) {
   constexpr std::pair<std::string_view, std::string_view> kNames[] = {
       {"string literal", "a string in double quotes"},
@@ -38,18 +38,18 @@ std::string plain(std::string_view token) {
   return std::string(token);
 }
 
-// By the parser's message.
+// Returns what the parser expected, according to its message.
 std::string expectedBy(std::string_view message) {
   const size_t at = message.rfind(kExpected);
   if (at == std::string_view::npos) return "JSON";
   const std::string_view token = message.substr(at + kExpected.size());
-  const bool closes = token == "'}'" || token == "']'";  // or goes on
+  const bool closes = token == "'}'" || token == "']'";  // or another element follows
   return (closes ? "',' or " : "") + plain(token);
 }
 
 }  // namespace
 
-// Called by the parser; a false stops it.
+// The parser calls this. Returning false stops it.
 class JsonTreeBuilder {
  public:
   explicit JsonTreeBuilder(JsonTree& tree, std::string_view source)
@@ -84,7 +84,7 @@ class JsonTreeBuilder {
  private:
   struct Open {
     uint32_t node;
-    uint32_t last;  // its last element so far; 0: none
+    uint32_t last;  // its last element so far; 0 for none
   };
 
   bool add(JsonTree::Type type, uint64_t value, uint32_t length = 0) {
@@ -133,8 +133,8 @@ class JsonTreeBuilder {
     return true;
   }
 
-  // The parser's "syntax error while parsing PLACE - unexpected FOUND; last read: ...; expected
-  // TOKEN" in our form.
+  // Converts the parser's "syntax error while parsing PLACE - unexpected FOUND; last read: ...;
+  // expected TOKEN" to our form.
   std::string explain(size_t column, std::string_view what) const {
     const bool inText = what.find("invalid string") != std::string_view::npos;
     for (const char* word : {"NaN", "-nan", "nan", "-Infinity", "Infinity", "-inf", "inf"}) {
@@ -158,7 +158,7 @@ class JsonTreeBuilder {
 };
 
 Result<JsonTree> JsonTree::parse(std::string_view text) {
-  // The parser takes a zero byte for the end of the text, and would pass over what follows it.
+  // The parser treats a zero byte as the end of the text, and would ignore what follows it.
   if (const size_t zero = text.find('\0'); zero != std::string_view::npos) {
     return makeError(placeAt(text, zero + 1) + ": expected JSON, found a zero byte");
   }

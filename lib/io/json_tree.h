@@ -1,5 +1,5 @@
-// One JSON value read into flat arrays: numbers keep their text, so that each is converted once, to
-// the type of its field. Nesting and the number of values are bounded.
+// One JSON value in flat arrays. Numbers keep their text, so that each is converted once, to the
+// type of its field. Nesting and the number of values are limited.
 #pragma once
 
 #include <cstdint>
@@ -19,15 +19,15 @@ class JsonTree {
     uint64_t value = 0;   // whole; negative: bits of int64_t; text, real: offset in texts
     uint32_t length = 0;  // text, real: bytes; array, object: elements
     uint32_t child = 0;   // array, object: the first element
-    uint32_t next = 0;    // the element after this one; 0: none
+    uint32_t next = 0;    // the element after this one; 0 for none
     uint32_t name = 0;    // member of an object: offset in texts
     uint32_t nameLength = 0;
     Type type = Type::null;
   };
 
-  // Errors have the message only: what is wrong at which column.
+  // Errors have the message only: the column and what is wrong there.
   static Result<JsonTree> parse(std::string_view text);
-  // How the message ends where a value is not complete.
+  // The end of the message if a value is incomplete.
   static constexpr std::string_view kCutOff = "the text ends in the middle of a value";
 
   const Node& root() const { return nodes_[0]; }
@@ -39,7 +39,7 @@ class JsonTree {
     return std::string_view(texts_).substr(n.name, n.nameLength);
   }
 
-  // For errors: `text "abc"`, `an array of 2`, `1.5`.
+  // Returns `text "abc"`, `an array of 2` or `1.5`, for errors.
   std::string describe(const Node& n) const;
 
  private:

@@ -17,7 +17,7 @@ std::string_view behindBlanks(std::string_view text) {
 
 }  // namespace
 
-// By its text: a line that is cut off or no JSON begins as a level all the same.
+// Searches the text, because a line that is cut off or not JSON may still begin like a level.
 bool mayBeLevel(std::string_view line) {
   constexpr std::string_view kMember = "\"type\"", kLevel = "level";
   const std::vector<std::string> kinds = recordPlan().names();

@@ -1,5 +1,5 @@
-// Levels that could not be read: a query that names none is of the level before it, and where that
-// is lost it must not be taken for one of the level before that. Private to lib/io.
+// Detects levels that could not be read. A query that names no level belongs to the level before
+// it. If that level is lost, the query must not be used with an earlier one. Private to lib/io.
 #pragma once
 
 #include <cstdint>
@@ -10,12 +10,12 @@
 
 namespace obby::io {
 
-// True if a record that could not be read, a line or the words of a message, was a level, or may
-// have been one for all that it says of its kind.
+// Return true if a record that could not be read, a line or the words of a message, was a level or
+// may have been one.
 bool mayBeLevel(std::string_view line);
 bool mayBeLevel(const std::vector<uint64_t>& words);
 
-// Whether a record belongs to a level and does not say to which, so that it is of the one before.
+// Returns true if a record belongs to a level without naming it, and so to the level before it.
 bool namesNoLevel(const Record& record);
 
 }  // namespace obby::io

@@ -28,15 +28,15 @@ uint32_t half(const Words& words, size_t i) {
 
 Error cutOff() { return makeError("the input ends in the middle of a message", kCutOffHint); }
 
-// No packed message of one segment, as all of ours are, begins so: the pointer to its root has
-// bytes that are no characters.
+// Returns true if `begin` is text. No packed message of one segment, as all of ours are, begins
+// like text: the pointer to its root has control characters.
 bool isText(std::string_view begin) {
   return std::none_of(begin.begin(), begin.end(), [](char c) {
     return uint8_t(c) < 0x20 && c != '\t' && c != '\r' && c != '\n';
   });
 }
 
-// Words of the segment table, from its first word.
+// Returns the words of the segment table, given its first word.
 Result<size_t> tableWords(const Words& words) {
   const uint64_t segments = uint64_t(half(words, 0)) + 1;
   if (segments > kMaxSegments)
@@ -46,7 +46,7 @@ Result<size_t> tableWords(const Words& words) {
   return size_t(segments / 2 + 1);
 }
 
-// Words of all segments, from the whole table.
+// Returns the words of all segments, given the whole table.
 Result<size_t> bodyWords(const Words& words) {
   const uint64_t segments = uint64_t(half(words, 0)) + 1;
   uint64_t sum = 0;
@@ -146,9 +146,10 @@ Result<std::string> messageFromRecord(schema::Record::Reader record, bool packed
 }
 
 Looks looksLikeMessage(std::string_view begin) {
-  // Unpacked, a message starts with the little-endian count of its segments less one. Read so, the
-  // start of a packed message is a huge count: its first bytes are a tag, at most two bytes of the
-  // count, bytes of the first segment's size, and the tag of the next word, none of which is zero.
+  // An unpacked message starts with the little-endian count of its segments minus one. Read like
+  // this, a packed message starts with a huge count. Its first bytes are a tag, at most two bytes
+  // of the count, bytes of the first segment's size, and the tag of the next word. None of these is
+  // zero.
   if (begin.size() < 4) return Looks::neither;
   uint32_t segments = 0;
   std::memcpy(&segments, begin.data(), 4);

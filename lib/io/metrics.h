@@ -1,4 +1,4 @@
-// Metrics records, for every tool that writes them.
+// Fills metrics records for every tool that writes them.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,7 @@
 
 namespace obby::io {
 
-// `values`: a sized range whose elements have a name, a value and a unit ("" for a plain number).
+// `values` is a sized range whose elements have a name, a value and a unit ("" for a plain number).
 template <class Values>
 void setMetrics(schema::Metrics::Builder to, const std::string& source, uint64_t step,
                 const Values& values) {

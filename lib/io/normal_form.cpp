@@ -94,11 +94,11 @@ Result<RecordBuilder> normalForm(schema::Record::Reader in, uint64_t words) {
   const Reader record(in);
   const FieldPlan* kind = kindOf(record);
   if (!kind) return makeError("cannot convert a record of a kind that this program lacks");
-  // The copy has nothing that `in` lacks but the kind.
+  // The copy has no more than `in`, except the kind.
   RecordBuilder out(1 + words + kind->type.record->words());
   Copier copier;
   const Builder root(out.root());
-  // The kind itself counts as present even where its pointer is null.
+  // The kind counts as present even if its pointer is null.
   auto target = Builder(root).init(kind->field).as<capnp::DynamicStruct>();
   if (!copier.fields(*kind->type.record, record.get(kind->field).as<capnp::DynamicStruct>(), target,
                      Path{}))

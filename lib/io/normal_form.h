@@ -1,7 +1,7 @@
-// The one form in which a record has one sequence of words: fields that say nothing (values.h) are
-// null, structs have their full size, everything lies in one segment in the order of the schema.
-// Copying into it checks every value, so that nobody who reads the copy meets a broken pointer, a
-// NaN or bad text. Private to lib/io.
+// The normal form of a record, in which equal records have equal words. Fields that are not set
+// (values.h) are null, structs have their full size, and everything is in one segment in the order
+// of the schema. Copying checks every value, so that readers of the copy never meet a broken
+// pointer, a NaN or bad text. Private to lib/io.
 #pragma once
 
 #include <kj/exception.h>
@@ -16,12 +16,12 @@
 
 namespace obby::io {
 
-// The copy, in one segment if `in` was written by this version and has `words` words, or fewer. The
-// kind must be known. Errors name the path. May throw kj::Exception where `in` is an unsound
-// message.
+// Returns the copy. It is in one segment if `in` was written by this version and has at most
+// `words` words. The kind must be known. Errors name the path. May throw kj::Exception if `in` is
+// an unsound message.
 Result<RecordBuilder> normalForm(schema::Record::Reader in, uint64_t words);
 
-// What Cap'n Proto found wrong with a message, in its words without its source code.
+// Returns what Cap'n Proto found wrong with a message, without its source code.
 Error unsoundMessage(const kj::Exception& exception);
 
 }  // namespace obby::io

@@ -26,12 +26,12 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::string_view kMark = ".obby-unfinished-";
-constexpr std::string_view kPattern = "XXXXXX";  // mkostemp() makes letters and digits of it
-constexpr std::string_view kLocked = "locked";   // removeLeftovers() takes it for one of these
+constexpr std::string_view kPattern = "XXXXXX";  // mkostemp() replaces it with letters and digits
+constexpr std::string_view kLocked = "locked";   // looks like one of these to removeLeftovers()
 static_assert(kLocked.size() == kPattern.size());
 
-// By their numbers in statfs(2): NFS, SMB (three), Lustre, BeeGFS. There a lock may be known to one
-// machine only, or wait for a server that does not answer.
+// Returns true on NFS, SMB (three), Lustre and BeeGFS, by their numbers in statfs(2). There a lock
+// may be known to one machine only, or wait for a server that does not respond.
 bool onNetwork(int fd) {
   constexpr uint32_t kNetworks[] = {0x6969, 0x517B, 0xFF534D42, 0xFE534D42, 0x0BD00BD0, 0x19830326};
   struct statfs system {};
@@ -41,19 +41,20 @@ bool onNetwork(int fd) {
 }
 
 enum class Lock {
-  held,   // until the last descriptor of this opening is closed
-  taken,  // by somebody else
-  none,   // files are not locked here
+  held,   // locked until the last descriptor of this opening is closed
+  taken,  // another opening has the lock
+  none,   // files cannot be locked here
 };
 
-// Does not wait.
+// Tries to lock a file, without waiting.
 Lock lockOf(int fd) {
   if (onNetwork(fd)) return Lock::none;
   if (flock(fd, LOCK_EX | LOCK_NB) == 0) return Lock::held;
   return errno == EWOULDBLOCK ? Lock::taken : Lock::none;
 }
 
-// Is `path` still the name of what was opened by it? Only who holds the lock takes that name away.
+// Returns true if `path` still names the file that was opened by it. Only the holder of the lock
+// removes that name.
 bool isNameOf(const std::string& path, int fd) {
   struct stat named {};
   struct stat opened {};
@@ -61,23 +62,23 @@ bool isNameOf(const std::string& path, int fd) {
          named.st_dev == opened.st_dev && named.st_ino == opened.st_ino;
 }
 
-// False: who looked for leftovers was faster, and has removed it. Where files cannot be locked
-// nobody takes one for a leftover, and there is no `lock`.
+// Locks a new file. Returns false if a search for leftovers was faster and has removed it. Where
+// files cannot be locked, no search takes one for a leftover, and there is no `lock`.
 bool lockOwn(TemporaryFile& file) {
   const Lock lock = lockOf(file.fd);
   if (lock != Lock::held) return lock == Lock::none;
   if (::access(file.path.c_str(), F_OK) != 0) return false;
-  file.lock = fcntl(file.fd, F_DUPFD_CLOEXEC, 3);  // the same lock: it outlasts fd
+  file.lock = fcntl(file.fd, F_DUPFD_CLOEXEC, 3);  // the same lock, which outlasts fd
   return true;
 }
 
-// How names of its temporary files begin: of a name that leaves no room for more only a part, and a
-// hash of all of it, for names may begin alike.
+// Returns the beginning of the names of a file's temporary files. A name that is too long is cut
+// and gets a hash of all of it, because names may begin alike.
 std::string beginOf(const fs::path& file) {
   constexpr size_t kMost = NAME_MAX - kMark.size() - kPattern.size();  // bytes
   constexpr size_t kHash = 17;  // bytes: a dash and 64 bits in hexadecimal
   std::string name = file.filename().string();
-  if (name.size() > kMost && name.size() <= NAME_MAX) {  // longer ones are to be refused at once
+  if (name.size() > kMost && name.size() <= NAME_MAX) {  // longer names are errors anyway
     const uint64_t hash = hashBytes(name.data(), name.size());
     size_t end = kMost - kHash;
     while (end > 0 && (static_cast<unsigned char>(name[end]) & 0xC0) == 0x80) end--;  // UTF-8
@@ -93,7 +94,7 @@ bool isTemporaryOf(const std::string& begin, const std::string& name) {
          name.find_first_not_of(kLetters, begin.size()) == std::string::npos;
 }
 
-// If its writer is gone, and its lock with it.
+// Removes a file if its writer, and with it its lock, is gone.
 void removeIfLeft(const std::string& path) {
   const int fd = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK | O_NOCTTY);
   if (fd < 0) return;
@@ -107,7 +108,7 @@ void removeIfLeft(const std::string& path) {
 }  // namespace
 
 std::string linkTarget(const std::string& path) {
-  constexpr int kMostLinks = 40;  // as the system has it
+  constexpr int kMostLinks = 40;  // the system's limit
   fs::path file = path;
   std::error_code none;
   for (int links = 0; links < kMostLinks && fs::is_symlink(file, none); links++) {
@@ -149,15 +150,15 @@ void removeLeftovers(const std::string& path) {
 
 OutputLocks::~OutputLocks() {
   for (const Held& held : held_) {
-    if (isNameOf(held.path, held.fd)) ::unlink(held.path.c_str());  // before others can have it
+    if (isNameOf(held.path, held.fd)) ::unlink(held.path.c_str());  // while it is still locked
     ::close(held.fd);
   }
 }
 
 bool OutputLocks::take(const std::string& path) {
   constexpr int kFlags = O_RDONLY | O_CREAT | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK | O_NOCTTY;
-  constexpr mode_t kMode = 0666;   // other users are to see that it is held
-  constexpr int kMostTries = 100;  // of who always comes when another has just given it back
+  constexpr mode_t kMode = 0666;   // other users must see that it is held
+  constexpr int kMostTries = 100;  // in case others keep locking and releasing it
   const fs::path file = linkTarget(path);
   const std::string name = (file.parent_path() / beginOf(file)).string().append(kLocked);
   for (int tries = 0; tries < kMostTries; tries++) {

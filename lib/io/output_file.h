@@ -1,5 +1,5 @@
-// Files on their way to their name: which one a symbolic link stands for, how a file is called
-// until it is whole, what killed writers left under such names, and who alone may write a file.
+// Files before they get their final name: the target of a symbolic link, the name of an incomplete
+// file, leftovers of killed writers, and locks that allow a file only one writer.
 #pragma once
 
 #include <string>
@@ -7,31 +7,31 @@
 
 namespace obby::io {
 
-// The file that is written where `path` is asked for: the one that a symbolic link names, even if
-// it is not there yet, so that the link stays one.
+// Returns the file to write for `path`. It is the target of a symbolic link, even if that does not
+// exist yet, so that the link remains.
 std::string linkTarget(const std::string& path);
 
-// A new file of one writer. Both descriptors are the caller's to close: `lock` only once the file
-// has its lasting name or is removed, for until then it tells the file from a leftover.
+// A new file of one writer. The caller closes both descriptors. `lock` must stay open until the
+// file has its final name or is removed, because it tells the file from a leftover.
 struct TemporaryFile {
-  int fd = -1;    // to write; -1: it could not be made, and errno says why
-  int lock = -1;  // ends with the process, whatever ends that; -1: files are not locked here
+  int fd = -1;    // to write; -1 if the file could not be made, with the reason in errno
+  int lock = -1;  // ends with the process; -1 if files cannot be locked here
   std::string path;
 };
 
-// Beside `path`, which it is to become: with ".obby-unfinished-" and six letters or digits behind
-// its name, of which a very long one has a hash in the place of its end.
+// Makes a file next to `path`, which it is to become. It has ".obby-unfinished-" and six letters or
+// digits after its name; a hash replaces the end of a very long name.
 TemporaryFile makeTemporary(const std::string& path);
 
-// Removes what writers of `path` that were killed left beside it. What is still being written
-// stays, and so do all files of other names, of other users, and those that cannot be locked or
-// lie on a file system of a network, where locks do not tell.
+// Removes files next to `path` that killed writers of it have left. Files that are still being
+// written stay. So do files of other names and other users, files that cannot be locked, and files
+// on a network file system, where locks are not reliable.
 void removeLeftovers(const std::string& path);
 
-// Files that one process writes again and again, and that no other is to write meanwhile: each is
-// held by a locked file beside it, with ".obby-unfinished-locked" behind its name. It goes with
-// this object; what a killed process leaves of it is not locked, hinders nobody, and is a leftover
-// like others.
+// Files that one process writes repeatedly, and that no other may write meanwhile. A locked file
+// next to each holds it, with ".obby-unfinished-locked" after its name. It is removed with this
+// object. The lock file of a killed process is not locked; it blocks no other process, and is a
+// leftover like others.
 class OutputLocks {
  public:
   OutputLocks() = default;
@@ -39,15 +39,15 @@ class OutputLocks {
   OutputLocks(const OutputLocks&) = delete;
   OutputLocks& operator=(const OutputLocks&) = delete;
 
-  // Keeps the file of that name, which need not be there, whatever path leads to it. Does not wait.
-  // False: another object has it, of this process or of another. True as well where it cannot be
-  // told: the file beside it cannot be made, or locked, or lies on a file system of a network.
+  // Locks the file of that name, which need not exist, whatever path leads to it. Does not wait.
+  // Returns false if another object has it, of this process or of another. Also returns true if the
+  // lock file cannot be made or locked, or is on a network file system.
   [[nodiscard]] bool take(const std::string& path);
 
  private:
   struct Held {
     int fd;
-    std::string path;  // of the locked file
+    std::string path;  // path of the locked file
   };
   std::vector<Held> held_;
 };

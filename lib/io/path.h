@@ -1,5 +1,5 @@
-// Where in a record the codec stands, kept as a chain on the stack and spelled out only for an
-// error. Private to lib/io.
+// The codec's place in a record. It is a chain on the stack, and becomes text only for an error.
+// Private to lib/io.
 #pragma once
 
 #include <string>
@@ -12,7 +12,7 @@ struct Path {
   std::string_view name = {};  // a field, or
   int64_t index = -1;          // a list element
 
-  // "parts[88].size"
+  // Returns "parts[88].size".
   std::string text() const {
     std::string out = up ? up->text() : std::string();
     if (index >= 0) return out + "[" + std::to_string(index) + "]";

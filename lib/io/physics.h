@@ -1,5 +1,5 @@
-// Calibrated physics in a stream: a `params` record, as obby-calibrate writes it, holds for the
-// levels behind it.
+// Calibrated physics in a stream: a `params` record, as obby-calibrate writes it, applies to the
+// levels after it.
 #pragma once
 
 #include <optional>
@@ -8,17 +8,17 @@
 
 namespace obby::io {
 
-// Puts the parameters where the level leaves the simulator's defaults. A number that it states
-// otherwise (a place of its own walk speed) stays; so applying twice changes nothing.
+// Sets the parameters that the level leaves at the simulator's defaults. A number that the level
+// states otherwise (such as its own walk speed) stays, so applying twice changes nothing.
 void applyParams(schema::PhysicsParams::Reader params, schema::Level::Builder level);
 
 class Physics {
  public:
-  // The parameters of the record take the place of those that came before.
+  // Replaces the parameters with those of the record.
   void know(Record params) { params_ = std::move(params); }
   bool known() const { return params_.has_value(); }
 
-  // The level with the known parameters, as applyParams() has it.
+  // These apply the known parameters to a level, as applyParams() does.
   Record applied(const Record& level) const;
   void apply(schema::Level::Builder level) const;
 

@@ -1,11 +1,11 @@
-// The filter that every tool is: records of several inputs in order, framing taken off and put on
-// again, what the tool does not act on passed through unchanged.
+// The filter at the core of every tool. It reads the records of several inputs in order, removes
+// the framing and adds its own, and passes on unchanged what the tool does not handle.
 //
 //   io::Pipeline pipeline(context.sourceOptions(), context.identity(), std::move(output));
 //   return pipeline.runAndFinish([&](const io::Record& record) -> Result<io::Then> {
 //     if (record.which() != io::Kind::QUERY) return io::Then::pass;
 //     ... pipeline.write(answer.reader()) ...
-//     return io::Then::pass;  // the query itself goes out behind its answers; io::Then::drop: not
+//     return io::Then::pass;  // writes the query after its answers; io::Then::drop leaves it out
 //   });
 #pragma once
 
@@ -22,32 +22,32 @@
 
 namespace obby::io {
 
-// What to do about a record that cannot be read or acted on. A broken framing (a truncated stream,
+// The reaction to a record that cannot be read or handled. Broken framing (a truncated stream,
 // another schema version) and a failing output always stop.
 enum class OnError {
   stop,  // report it and end
   skip,  // report it, leave the record out, go on
-  emit,  // report it, pass the record on as it came, go on
+  emit,  // report it, pass the record on unchanged, go on
 };
 
 struct SourceOptions {
   std::vector<std::string> inputs = {"-"};
   OnError onError = OnError::stop;
-  const std::atomic<bool>* stop = nullptr;        // set from outside: end the input early
+  const std::atomic<bool>* stop = nullptr;        // set from outside to end the input early
   std::function<void(const Error&)> report = {};  // errors that did not stop the run
-  // Fields and kinds that look misspelt, the first few of a run.
+  // Receives fields and kinds that look misspelt, the first few of a run.
   std::function<void(const Error&)> warn = {};
-  // How an input becomes a stream of records; absent: StreamReader::open. A tool that reads other
-  // files than streams turns them into one here.
+  // Opens an input as a stream of records; StreamReader::open if absent. A tool that reads other
+  // files than streams converts them here.
   std::function<Result<StreamReader>(const std::string& path)> open = {};
 };
 
-// What an end record says of the records before it.
+// The contents of an end record about the records before it.
 struct SourceSummary {
   schema::EndStatus status = schema::EndStatus::COMPLETE;
   uint64_t skipped = 0, errors = 0;
 
-  // Together with what came before, or from elsewhere: the graver status.
+  // Adds what came before, or from elsewhere. The more severe status counts.
   void add(const SourceSummary& other);
 };
 
@@ -58,37 +58,39 @@ class RecordSource {
   RecordSource(RecordSource&&) noexcept;
   ~RecordSource();
 
-  // The next record; nothing at the end of the last input, or once `stop` is set. Errors that
-  // `onError` forgives are reported and counted instead of returned. Under OnError::emit a record
-  // that could not be read comes, too, to be passed on: it is not known(), and counts as skipped.
+  // Returns the next record, or nothing at the end of the last input or once `stop` is set. Errors
+  // that `onError` forgives are reported and counted instead of returned. Under OnError::emit a
+  // record that could not be read is returned, too, to be passed on: it is not known(), and counts
+  // as skipped.
   Result<std::optional<Record>> next();
 
-  // To be asked about a record that was read but cannot be acted on: reports and counts the error
-  // and gives success, or gives the error back under OnError::stop. Names the input and place.
+  // Handles an error about a record that was read but cannot be handled. Reports and counts it and
+  // returns success, or returns it under OnError::stop. Adds the input and place.
   Status forgive(const Record& record, Error error);
-  // For what does not count as an error; names the input and place.
+  // Reports what does not count as an error. Adds the input and place.
   void warn(const Record& record, Error error);
-  // From here on what cannot be read is left out without a word, where reading can go on at all.
+  // From now on, silently leaves out what cannot be read, if reading can continue at all.
   void ignoreErrors();
 
-  // Of the end records so far and of `stop`: the gravest status.
+  // Returns the most severe status of the end records so far and of `stop`.
   schema::EndStatus status() const;
   uint64_t skipped() const;  // here and, by their end records, upstream
-  uint64_t errors() const;   // likewise
-  // All three so far, but for `stop`.
+  uint64_t errors() const;   // in the same way
+  // Returns all three so far, without `stop`.
   SourceSummary summary() const;
-  // Told to stop.
+  // Returns true if it was told to stop.
   bool stopped() const;
-  // For callers that require the whole input, after the last record. Error: an end record says
-  // `interrupted` or `failed`; names its input and place. Not under OnError::stop it is warned of.
+  // Callers that require the whole input call this after the last record. Returns an error if an
+  // end record says `interrupted` or `failed`, with its input and place. Only warns unless
+  // OnError::stop is set.
   Status checkWhole() const;
-  // Warns where an end record says `failed`.
+  // Warns if an end record says `failed`.
   void warnIfFailed() const;
-  // For an error after the last record about something that the input lacks: where an end record
-  // says `interrupted` or `failed`, that is the cause, and is the error to report instead.
+  // Takes an error after the last record about something that the input lacks. Returns the error to
+  // report: if an end record says `interrupted` or `failed`, that is the cause.
   Error lacking(Error error) const;
   OnError onError() const;
-  // The latest minor version of the headers so far: what is passed on may be of it.
+  // Returns the latest minor version of the headers so far, which records to pass on may have.
   uint32_t schemaMinor() const;
 
  private:
@@ -96,14 +98,14 @@ class RecordSource {
   std::unique_ptr<Impl> impl_;
 };
 
-// What the header record says about the writer.
+// The identity of the writer in the header record.
 struct StreamIdentity {
   std::string tool;
   std::string version;
   uint64_t seed = 0;
 };
 
-// After a handler has seen a record.
+// A handler's decision about a record.
 enum class Then { pass, drop };
 
 class Pipeline {
@@ -114,31 +116,32 @@ class Pipeline {
   Pipeline(Pipeline&&) noexcept;
   ~Pipeline();
 
-  // Writes the header, then gives every record of a known kind to `handle` and passes the others.
-  // An error of `handle`, or of passing the record on, is about the record and falls under onError,
-  // unless the output failed.
+  // Writes the header, then gives every record of a known kind to `handle` and passes the others
+  // on. An error of `handle`, or of passing the record on, is about the record and is subject to
+  // onError, unless the output failed.
   Status run(const Handler& handle);
 
-  // To be asked about an error that shows only behind `record`, which went out: likewise, but it is
-  // not counted as left out. Names its input and place.
+  // Handles an error that shows only after `record` was written. It is subject to onError, but the
+  // record does not count as left out. Adds its input and place.
   Status forgiveLate(const Record& record, Error error);
 
-  // Records of the tool's own, between those passed through.
+  // Writes a record of the tool's own, between those passed on.
   Status write(schema::Record::Reader record);
 
-  // What came of a source of the tool's own: the end record says it with what came of this one.
+  // Adds the summary of another source, which the tool has read itself, to the end record.
   void readElsewhere(const SourceSummary& read);
 
-  // The work ended before every query had its verdict (a budget was spent).
+  // Notes that the work ended before every query had its verdict (a budget was spent).
   void outOfBudget();
 
-  // Writes the end record and closes the output. `work` is what came of the run, and of what was
-  // done since. After an error of either the end record says `failed` and counts it, so that what
-  // was finished is not lost; an error before the first record leaves no output at all. Without an
-  // error, an input that failed upstream is warned of. Returns the error of `work`, else its own.
+  // Writes the end record and closes the output. `work` is the status of the run and of what was
+  // done since. After an error of either, the end record says `failed` and counts it, so that
+  // finished results are not lost; an error before the first record leaves no output at all.
+  // Without an error, warns of an input that failed upstream. Returns the error of `work`, or else
+  // its own.
   Status finish(Status work = {});
 
-  // run() and finish(), also after an error.
+  // Calls run() and finish(), also after an error.
   Status runAndFinish(const Handler& handle);
 
   StreamWriter& output();

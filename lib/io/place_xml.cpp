@@ -84,7 +84,7 @@ void PlaceXml::color(const char* name, uint32_t rgb) {
 }
 
 void PlaceXml::source(std::string_view script) {
-  // What ends a CDATA section is cut in two, each half in a section of its own.
+  // The end of a CDATA section in the script is split, with each half in its own section.
   out_ += "<ProtectedString name=\"Source\"><![CDATA[";
   for (size_t end; (end = script.find("]]>")) != std::string_view::npos;) {
     out_ += script.substr(0, end + 2);

@@ -1,5 +1,5 @@
-// The XML of a place or model file: items that nest, one element a property. The items stand
-// between kXmlBegin and kXmlEnd.
+// Writes the XML of a place or model file: nested items, with one element for each property. The
+// items are between kXmlBegin and kXmlEnd.
 #pragma once
 
 #include <cstdint>
@@ -17,7 +17,8 @@ class PlaceXml {
  public:
   explicit PlaceXml(std::string& out) : out_(out) {}
 
-  // An item, its name, and then its properties, until endProperties(). Referents count up.
+  // Begins an item and writes its name. Its properties follow, until endProperties(). Referents
+  // count up.
   void begin(const char* className, std::string_view name);
   void endProperties() { out_ += "</Properties>\n"; }
   void end() { out_ += "</Item>\n"; }

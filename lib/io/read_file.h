@@ -1,4 +1,4 @@
-// A whole file in memory, for inputs that are no streams of records.
+// Reads a whole file into memory, for inputs that are not streams of records.
 #pragma once
 
 #include <atomic>
@@ -11,20 +11,21 @@ namespace obby::io {
 
 class ByteSource;
 
-// Bytes of a file that is read whole, at most: ten times the largest place that Roblox takes. An
-// input without end, as a device or a stream that was not meant, would take all memory.
+// Max bytes of a file that is read whole: ten times the largest place that Roblox accepts. Without
+// a limit, an endless input such as a device would take all memory.
 inline constexpr uint64_t kMostFileBytes = uint64_t(1) << 30;
 
-// `path` "-" is standard input. Errors name the file and the reason; one is that it has more than
-// `most` bytes. Once `stop` is set a call that waits ends with an error of isInterrupted(); without
-// `stop` a signal does that to it.
+// `path` "-" is standard input. Errors name the file and the reason; more than `most` bytes are an
+// error. Once `stop` is set, a waiting call ends with an error of isInterrupted(). Without `stop`,
+// a signal does the same.
 Result<std::string> readFile(const std::string& path, const std::atomic<bool>* stop = nullptr,
                              uint64_t most = kMostFileBytes);
 
-// The same of what is not yet consumed of an input that is open.
+// Reads the rest of an open input.
 Result<std::string> readRest(ByteSource& source, uint64_t most = kMostFileBytes);
 
-// True for the error of a read, or of an output, that was told to stop: end as the signal says.
+// Returns true for the error of a read, or of an output, that was told to stop. The tool should
+// then end as the signal asks.
 bool isInterrupted(const Error& error);
 
 }  // namespace obby::io

@@ -1,4 +1,5 @@
-// One record of a stream in memory. Owns its bytes; cheap to move and to share, not to copy.
+// One record of a stream in memory. It owns its bytes, and is cheap to move and to share, but not
+// to copy.
 #pragma once
 
 #include <cstdint>
@@ -13,17 +14,17 @@ namespace obby::io {
 
 using Kind = schema::Record::Which;
 
-// A record being built or changed: `auto level = builder.root().initLevel();`. std::bad_alloc where
-// there is no memory for it.
+// A record being built or changed: `auto level = builder.root().initLevel();`. Throws
+// std::bad_alloc if there is no memory for it.
 class RecordBuilder {
  public:
   RecordBuilder() : RecordBuilder(uint64_t(1024)) {}
-  // With room for so many words before memory is asked for again.
+  // Reserves memory for that many words.
   explicit RecordBuilder(uint64_t firstWords)
       : message_(std::make_unique<RecordMemory>(uint32_t(firstWords))) {
     message_->initRoot<schema::Record>();
   }
-  // A copy of an existing record, to change it.
+  // Copies an existing record, to change it.
   explicit RecordBuilder(schema::Record::Reader from) : message_(std::make_unique<RecordMemory>()) {
     message_->setRoot(from);
   }
@@ -43,13 +44,14 @@ class Record {
  public:
   struct Storage;  // the decoded message and, for pass-through, the bytes it came from
   explicit Record(std::shared_ptr<const Storage> storage);
-  // A record made here, as if it had been read.
+  // A record made by this program, as if it had been read.
   explicit Record(RecordBuilder builder);
 
   bool known() const;
   Kind which() const;                     // only if known()
   schema::Record::Reader reader() const;  // only if known(); valid while a copy of this lives
-  // For error messages: the input it was read from, and "12" or "byte 4711". Empty: made here.
+  // Used in error messages: the input it was read from, and "12" or "byte 4711". Empty if made
+  // here.
   const std::string& input() const;
   const std::string& place() const;
   const Storage& storage() const { return *storage_; }

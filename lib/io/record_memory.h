@@ -1,5 +1,5 @@
-// The memory of a record that is built: where there is none left, std::bad_alloc, as everywhere
-// else, instead of an exception of Cap'n Proto that names its source code.
+// The memory of a record that is being built. If none is left it throws std::bad_alloc, as other
+// code does, instead of an exception of Cap'n Proto that names its source code.
 #pragma once
 
 #include <capnp/message.h>

@@ -1,4 +1,4 @@
-// RecordSource: several inputs as one, with errors forgiven as the user wishes.
+// RecordSource: joins several inputs, and forgives errors as the user wishes.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -14,7 +14,7 @@ namespace {
 
 constexpr uint64_t kMostWarnings = 10;
 
-// How much an end status says against completeness.
+// Returns how severe an end status is.
 int gravity(schema::EndStatus status) {
   switch (status) {
     case schema::EndStatus::COMPLETE: return 0;
@@ -41,8 +41,8 @@ struct RecordSource::Impl {
   uint64_t warnings = 0;
   uint32_t schemaMinor = 0;
   bool toldToStop = false;
-  std::optional<Error> incomplete;  // by the first end record of the gravest status that says so
-  // Where a level is that could not be read, and behind it came none that could; empty: nowhere.
+  std::optional<Error> incomplete;  // from the first end record of the most severe status
+  // Place of a level that could not be read, until another level follows; empty for none.
   std::string lostLevel;
 
   bool stopped() const {
@@ -82,15 +82,14 @@ struct RecordSource::Impl {
     }
   }
 
-  // `lost`: a level is, or may be.
+  // `lost` is true if the record was a level, or may have been.
   void skip(const Error& error, bool lost) {
     if (lost) lostLevel = error.input + (error.place.empty() ? "" : ":" + error.place);
     report(error);
     summary.skipped++;
   }
 
-  // A record of a level that was lost. To be acted on without that level would take it for one of
-  // another.
+  // Skips a record of a level that was lost. Otherwise it would be used with another level.
   bool leaveOut(const Record& record) {
     if (lostLevel.empty() || !namesNoLevel(record)) return false;
     skip({reader->name(), record.place(), "level",
@@ -102,7 +101,7 @@ struct RecordSource::Impl {
     return true;
   }
 
-  // To be passed on, but not acted on.
+  // Returns a record to be passed on, but not handled.
   static Record bytesOf(const Record& record) {
     const Record::Storage& read = record.storage();
     auto storage = std::make_shared<Record::Storage>();
@@ -114,14 +113,14 @@ struct RecordSource::Impl {
     return Record(std::move(storage));
   }
 
-  // Opens the next input; false when there is none.
+  // Opens the next input. Returns false if there is none.
   Result<bool> advance() {
     if (nextInput == options.inputs.size()) return false;
     const std::string& path = options.inputs[nextInput++];
     auto opened = options.open ? options.open(path) : StreamReader::open(path, options.stop);
     if (opened) {
       reader = *std::move(opened);
-    } else if (!stopped() || !isInterrupted(opened.error())) {  // told to stop: no error
+    } else if (!stopped() || !isInterrupted(opened.error())) {  // told to stop, so no error
       if (!options.open || options.onError == OnError::stop) return opened.error();
       skip(opened.error(), true);
     }

@@ -1,22 +1,22 @@
-// What a Record holds. Private to lib/io.
+// The contents of a Record. Private to lib/io.
 #pragma once
 
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "io/format.h"
 #include "io/record.h"
-#include "io/stream.h"
 
 namespace obby::io {
 
 struct Record::Storage {
-  std::optional<RecordBuilder> decoded;  // nothing: an unknown kind, or unreadable
+  std::optional<RecordBuilder> decoded;  // nothing for an unknown kind or an unreadable record
   bool unreadable = false;               // its error has been reported
   Format format = Format::jsonl;
-  std::string raw;  // the line without its newline, or the message; empty: made here
+  std::string raw;  // the line without its newline, or the message; empty if made here
   std::string input, place;
-  std::vector<Error> misspelt;  // as of recordFromJsonIfKnown()
+  std::vector<Error> misspelt;  // as from recordFromJsonIfKnown()
 };
 
 }  // namespace obby::io

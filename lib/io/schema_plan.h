@@ -1,5 +1,5 @@
-// The schema turned into tables once, so that both codecs walk records without asking the schema
-// loader at every field. Private to lib/io.
+// The schema as tables, which are made once, so that both codecs process records without asking the
+// schema loader for every field. Private to lib/io.
 #pragma once
 
 #include <capnp/dynamic.h>
@@ -31,8 +31,8 @@ enum class ValueKind : uint8_t {
 struct TypePlan {
   ValueKind kind = ValueKind::boolean;
   bool isSigned = false;     // whole, whole64
-  double min = 0, max = 0;   // whole, real: what the type or $range allows
-  bool ranged = false;       // $range narrows it
+  double min = 0, max = 0;   // whole, real: limits of the type or of $range
+  bool ranged = false;       // $range narrows the type
   uint32_t elementBits = 0;  // size of one list element; 0 for records
   const StructPlan* record = nullptr;
   capnp::EnumSchema names;        // name
@@ -44,35 +44,35 @@ struct FieldPlan {
   std::string name;
   capnp::StructSchema::Field field;
   TypePlan type;
-  bool always = false;                 // written to JSON even where it has its default
+  bool always = false;                 // written to JSON even if it has its default
   std::string example;                 // a value in JSON; may be empty
-  std::vector<uint64_t> tupleDefault;  // field is a tuple: bits of each number
+  std::vector<uint64_t> tupleDefault;  // if the field is a tuple: bits of each number
 };
 
 struct StructPlan {
   capnp::StructSchema schema;
   bool tuple = false;  // in JSON an array of its numbers
-  std::string hint;    // how its value is written, for errors; may be empty
+  std::string hint;    // the form of its value, shown in errors; may be empty
   uint32_t dataWords = 0, pointers = 0;
   std::vector<FieldPlan> fields;
   std::unordered_map<std::string_view, size_t> byName;
 
   uint32_t words() const { return dataWords + pointers; }
   const FieldPlan* find(std::string_view name) const;
-  std::vector<std::string> names() const;  // of the fields
+  std::vector<std::string> names() const;  // names of the fields
 };
 
-// The plan of schema::Record; its fields are the kinds.
+// Returns the plan of schema::Record, whose fields are the kinds.
 const StructPlan& recordPlan();
 
-// The bits of one number of a tuple, for comparing values exactly (-0 is not 0).
+// Returns the bits of one number of a tuple, to compare values exactly (-0 is not 0).
 uint64_t numberBits(const TypePlan& type, const capnp::DynamicValue::Reader& value);
 
-// True if `value`, of a tuple type, has exactly the numbers `bits`.
+// Returns true if `value`, of a tuple type, has exactly the numbers `bits`.
 bool tupleEquals(const StructPlan& plan, capnp::DynamicStruct::Reader value,
                  const std::vector<uint64_t>& bits);
 
-// Largest size of one message; larger ones are neither read nor written.
+// Max size of one message; larger ones are neither read nor written.
 inline constexpr uint64_t kMaxMessageWords = (uint64_t(256) << 20) / 8;
 inline constexpr int kMaxNesting = 64;
 

@@ -27,14 +27,14 @@ Error outputError(const std::string& name, const char* doing) {
   return errno == EPIPE ? Error{name, {}, {}, kBrokenPipe, {}} : fileError(name, doing);
 }
 
-// Waits until a file or folder is on the disk, where its file system knows how. False: it is not,
-// and errno says why.
+// Waits until a file or folder is on the disk, if its file system supports that. Returns false on
+// failure, with the reason in errno.
 bool onDisk(int fd) {
   int result = 0;
   do {
     result = ::fsync(fd);
   } while (result != 0 && errno == EINTR);
-  return result == 0 || errno == EINVAL;  // it does not know how
+  return result == 0 || errno == EINVAL;  // not supported
 }
 
 mode_t newFileMode() {
@@ -50,10 +50,10 @@ struct Sink::Impl {
   int fd = -1;
   std::string* memory = nullptr;
   const std::atomic<bool>* stop = nullptr;
-  std::string finalPath, temporaryPath;  // of a regular file until it is closed
-  int lock = -1;                         // on its temporary name
-  bool durable = false;                  // that file
-  bool block = false;                    // collect pieces
+  std::string finalPath, temporaryPath;  // paths of a regular file until it is closed
+  int lock = -1;                         // lock on its temporary name
+  bool durable = false;                  // wait until that file is on the disk
+  bool block = false;                    // collect pieces into blocks
   std::string buffer;
   std::optional<Error> failed;
 
@@ -123,14 +123,15 @@ struct Sink::Impl {
     return sent;
   }
 
-  // Before the file is renamed: otherwise its name may be on the disk before what is in it.
+  // Must come before the file is renamed: otherwise its name may reach the disk before its
+  // contents.
   Status syncFile() {
     if (!durable || temporaryPath.empty() || onDisk(fd)) return {};
     return fail("cannot write");
   }
 
-  // The new name. Some folders cannot be opened: then the old file may be back after a failure,
-  // whole.
+  // Waits for the new name. Some folders cannot be opened; then the old file may be back after a
+  // failure, complete.
   Status syncFolder() {
     if (!durable) return {};
     const size_t slash = finalPath.rfind('/');
@@ -188,7 +189,7 @@ Status Sink::close() {
     return ::rename(impl_->temporaryPath.c_str(), impl_->finalPath.c_str()) == 0;
   };
   if (!renamed()) {
-    impl_->unlock();  // folders shared with a virtual machine rename no file that is open
+    impl_->unlock();  // folders shared with a virtual machine cannot rename an open file
     if (!renamed()) return impl_->fail("cannot rename the finished file");
   }
   impl_->temporaryPath.clear();
@@ -209,8 +210,8 @@ bool takesMore(int fd, int milliseconds) {
   return ready != 0;
 }
 
-// To open a named pipe waits for a reader; who may be told to stop asks again and again instead,
-// for a signal may come just before the call that would wait.
+// Opening a named pipe waits for a reader. With `stop` the pipe is polled instead, because a signal
+// may come just before the call that would wait.
 int openToWrite(const std::string& path, int flags, const std::atomic<bool>* stop) {
   constexpr mode_t kMode = 0666;
   flags |= O_CLOEXEC | O_NOCTTY;
@@ -227,8 +228,8 @@ int openToWrite(const std::string& path, int flags, const std::atomic<bool>* sto
   return -1;
 }
 
-// Once told to stop, pieces are so small that a reader who has taken something lets one in whole:
-// no write waits then, and a reader who takes nothing is given up.
+// Once told to stop, sends pieces so small that a pipe whose reader has taken something accepts one
+// whole. No write waits then, and a reader that takes nothing is given up.
 bool sendAll(int fd, std::string_view bytes, const std::atomic<bool>* stop) {
   while (!bytes.empty()) {
     const bool ends = stop && stop->load(std::memory_order_relaxed);
@@ -241,8 +242,8 @@ bool sendAll(int fd, std::string_view bytes, const std::atomic<bool>* stop) {
     if (sent >= 0) {
       bytes.remove_prefix(size_t(sent));
     } else if (errno == EAGAIN) {
-      // A terminal or socket that other programs write to, or that is standard input as well, may
-      // have been told not to wait for its reader.
+      // A terminal or socket that other programs write to, or that is also standard input, may be
+      // non-blocking.
       takesMore(fd, stop ? kWaitMilliseconds : -1);
     } else if (errno != EINTR) {
       return false;

@@ -1,5 +1,5 @@
-// Where output bytes go: a file, a pipe, a terminal, memory. Every failure down to close() is an
-// Error, and a file appears under its name only when it is whole.
+// The destination of output bytes: a file, a pipe, a terminal or memory. Every failure up to
+// close() is an Error, and a file appears under its name only when it is complete.
 #pragma once
 
 #include <atomic>
@@ -11,19 +11,19 @@
 
 namespace obby::io {
 
-// Does close() wait until a regular file is on the disk under its name, so that it stays whole if
-// the machine fails? That takes milliseconds.
+// With `yes`, close() waits until a regular file is on the disk under its name, so that it stays
+// complete if the machine fails. That takes milliseconds.
 enum class Durable { no, yes };
 
 class Sink {
  public:
-  // "-" is standard output. A regular file is written under a temporary name beside it
-  // (output_file.h), which only a writer that is killed leaves there, until the next one of the
-  // same file opens it; devices and named pipes are written directly; a named pipe waits for its
-  // reader. Once `stop` is set, a pipe or terminal whose reader takes nothing for a second, or that
-  // nobody opens for one, is given up with an error of isInterrupted(); without `stop` a signal
-  // does that only to opening. A named pipe heeds whoever sets `stop`, other outputs a signal that
-  // does.
+  // "-" is standard output. A regular file is written under a temporary name next to it
+  // (output_file.h). Only a killed writer leaves that behind, until the next writer of the same
+  // file. Devices and named pipes are written directly; a named pipe waits for its reader. Once
+  // `stop` is set, a pipe or terminal whose reader takes nothing for a second, or a pipe that no
+  // reader opens for a second, is given up with an error of isInterrupted(). Without `stop` a
+  // signal does that only while opening. Any thread may set `stop` for a named pipe; for other
+  // outputs a signal must interrupt the write.
   static Result<Sink> open(const std::string& path, Durable durable = Durable::no,
                            const std::atomic<bool>* stop = nullptr);
   // Appends to `bytes`, which must outlive the sink.
@@ -31,18 +31,18 @@ class Sink {
 
   Sink(Sink&&) noexcept;
   Sink& operator=(Sink&&) noexcept;
-  ~Sink();  // without close(): what was written to a file is removed
+  ~Sink();  // without close(), removes what was written to a file
 
-  // One whole piece (a line, a message, a page): goes out at once to pipes and terminals, in blocks
-  // to files. After an error every later call gives that error again.
+  // Writes one whole piece (a line, a message, a page), at once to pipes and terminals, in blocks
+  // to files. After an error every later call returns that error again.
   Status write(std::string_view piece);
   Status flush();
   // Flushes, checks, and gives the file its name. Call it once.
   Status close();
 
   bool terminal() const;
-  bool failed() const;              // an earlier call gave an error
-  const std::string& name() const;  // "stdout" or the path, as errors say it
+  bool failed() const;              // an earlier call returned an error
+  const std::string& name() const;  // "stdout" or the path, as in errors
 
  private:
   struct Impl;
@@ -50,23 +50,25 @@ class Sink {
   std::unique_ptr<Impl> impl_;
 };
 
-// With a reader who takes nothing, once a tool has been told to stop.
+// Time for a reader that takes nothing, once a tool was told to stop.
 inline constexpr int kPatienceMilliseconds = 1000;
 
-// Whether the reader of `fd` takes more within so long; negative: waits for it. True as well if
-// something else is the matter with `fd`: the next write says. A pipe then has room for PIPE_BUF
-// bytes.
+// Returns true if the reader of `fd` takes more within this time; a negative time waits for it.
+// Also returns true if `fd` has another problem, which the next write reports. A pipe then has
+// capacity for PIPE_BUF bytes.
 bool takesMore(int fd, int milliseconds);
 
-// As open(2), to write. A named pipe waits for its reader: where there is a `stop`, which may be
-// null, for so long once it is set (then -1, and errno is EINTR), and write(2) does not wait.
+// Opens a file to write, like open(2). A named pipe waits for its reader. With `stop`, which may be
+// null, write(2) to the pipe does not wait; once it is set and no reader comes within the time
+// above, returns -1 with EINTR.
 int openToWrite(const std::string& path, int flags, const std::atomic<bool>* stop);
 
-// Writes all of it, and waits for the reader. False: it failed, and errno says why; EINTR: `stop`,
-// which may be null, is set, and the reader takes nothing for so long.
+// Writes all bytes, and waits for the reader. Returns false on failure, with the reason in errno.
+// EINTR means that `stop`, which may be null, is set and the reader takes nothing within the time
+// above.
 bool sendAll(int fd, std::string_view bytes, const std::atomic<bool>* stop);
 
-// True for the error of writing to a pipe that nobody reads any more: stop quietly.
+// Returns true for the error of a pipe whose reader has gone. The tool should stop quietly.
 bool isBrokenPipe(const Error& error);
 
 }  // namespace obby::io

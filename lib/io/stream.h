@@ -1,5 +1,5 @@
-// Streams of records: files, pipes, "-". Readers sniff the encoding and check the framing (header
-// first, end last, concatenation allowed); writers are checked down to close(), so that a full disk
+// Streams of records: files, pipes, "-". Readers detect the encoding and check the framing (header
+// first, end last, concatenation allowed). Writers are checked up to close(), so that a full disk
 // is never a silent success.
 #pragma once
 
@@ -11,6 +11,7 @@
 #include <string>
 
 #include "base/result.h"
+#include "io/format.h"
 #include "io/record.h"
 #include "io/sink.h"
 
@@ -18,41 +19,34 @@ namespace obby::io {
 
 class ByteSource;
 
-enum class Format { jsonl, capnp, capnpPacked };
-
-// "jsonl", "capnp", "packed". Error names the choices.
-Result<Format> parseFormat(const std::string& text);
-const char* nameOf(Format format);
-// By the ending of an output file name: .capnp, .capnpp (packed), anything else jsonl.
-Format formatForFile(const std::string& path);
-
-// Reads one stream after another from a file. A stream with a header must have its end, and every
-// line of it a newline; a hand-written one without a header needs neither. Blank lines are skipped.
+// Reads one stream after another from a file. A stream with a header must have its end, and a
+// newline after every line; a hand-written one without a header needs neither. Blank lines are
+// skipped.
 class StreamReader {
  public:
-  // `path` "-" is standard input. The error names the file and the reason. Once `stop` is set, a
+  // `path` "-" is standard input. An error names the file and the reason. Once `stop` is set, a
   // waiting next() ends the input without the checks of a proper end; see stopped().
   static Result<StreamReader> open(const std::string& path,
                                    const std::atomic<bool>* stop = nullptr);
-  // Over bytes in memory; `name` is used in errors.
+  // Reads bytes in memory. `name` is used in errors.
   static StreamReader overBytes(std::string bytes, std::string name);
-  // Over an input of which nothing is consumed yet.
+  // Reads an input of which nothing is consumed yet.
   static StreamReader over(ByteSource source);
 
   StreamReader(StreamReader&&) noexcept;
   StreamReader& operator=(StreamReader&&) noexcept;
   ~StreamReader();
 
-  // The next record, headers and ends included; nothing at the proper end of the input. Errors name
-  // the input and the line or byte.
+  // Returns the next record, headers and ends included, or nothing at the proper end of the input.
+  // Errors name the input and the line or byte.
   Result<std::optional<Record>> next();
 
-  // After an error: it was about one record, and next() goes on behind it. Otherwise (broken
-  // framing, another schema version, a failing disk) next() gives the same error again.
+  // Returns true if an error was about one record, so that next() continues after it. Otherwise
+  // (broken framing, another schema version, a failing disk) next() returns the same error again.
   bool canContinue() const;
-  // After such an error: that record was a level, or may have been one for all it says of its kind.
+  // After such an error: true if that record was a level, or may have been one.
   bool lostLevel() const;
-  // After such an error: that record as it came, not known().
+  // After such an error: returns that record as read, not known().
   Record unread() const;
   bool stopped() const;
 
@@ -65,38 +59,39 @@ class StreamReader {
   std::unique_ptr<Impl> impl_;
 };
 
-// A record made here with its bytes in `format`, so that StreamWriter::pass has nothing left to do:
-// for records that are encoded by several threads and written by one. Errors as of write().
+// Returns a record made here with its bytes in `format`, so that StreamWriter::pass has nothing
+// left to do. Several threads can then encode records that one thread writes. Errors are those of
+// write().
 Result<Record> encoded(RecordBuilder builder, Format format);
 
 // Writes one stream. Every record goes out in whole lines (or messages). A file is written under a
 // temporary name and renamed by close(); destroying an unclosed writer removes it.
 class StreamWriter {
  public:
-  // `stop` is as in Sink::open.
+  // Sink::open explains `stop`.
   static Result<StreamWriter> open(const std::string& path, Format format,
                                    const std::atomic<bool>* stop = nullptr);
-  // Into memory, for tests and for embedding; take the bytes after close().
+  // Writes to memory, for tests and for embedding. Take the bytes after close().
   static StreamWriter toBytes(Format format, std::string* bytes);
-  // Encodes nothing: each record of a known kind goes to `take`, whose errors write() and pass()
-  // return.
+  // Encodes nothing. `take` receives each record of a known kind, and write() and pass() return its
+  // errors.
   static StreamWriter toFunction(std::function<Status(schema::Record::Reader)> take);
 
   StreamWriter(StreamWriter&&) noexcept;
   StreamWriter& operator=(StreamWriter&&) noexcept;
   ~StreamWriter();
 
-  // The same record gives the same bytes, however it was built: fields that say nothing are left
-  // out. Error: also a number that is not finite or out of range, text that is not UTF-8; nothing
-  // is written then.
+  // Writes a record. Equal records have equal bytes, however they were built: fields that are not
+  // set are left out. A number that is not finite or out of range, and text that is not UTF-8, are
+  // errors; nothing is written then.
   Status write(schema::Record::Reader record);
-  // Unchanged where the encodings agree, converted otherwise. A record that is not known() can only
-  // be passed between equal encodings.
+  // Passes a record on, unchanged if the encodings agree, otherwise converted. A record that is not
+  // known() can only be passed between equal encodings.
   Status pass(const Record& record);
   Status flush();
   Status close();
 
-  bool failed() const;  // the output itself: nothing more can be written
+  bool failed() const;  // the output itself failed, so nothing more can be written
   Format format() const;
   uint64_t recordsWritten() const;
 

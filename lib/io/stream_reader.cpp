@@ -1,4 +1,4 @@
-// StreamReader: sniffing, lines or messages, and the frame around them.
+// StreamReader: detects the encoding, reads lines or messages, and checks the frame around them.
 #include <fmt/format.h>
 
 #include <new>
@@ -17,13 +17,13 @@ namespace obby::io {
 namespace {
 
 constexpr size_t kMaxLine = size_t(1) << 30;
-constexpr size_t kSniff = 10;  // the longest that one packed word can be
+constexpr size_t kSniff = 10;  // max bytes of one packed word
 
 bool startsJson(char c) { return c == '{' || c == ' ' || c == '\t' || c == '\r' || c == '\n'; }
 
-constexpr std::string_view kZip = "PK\x03\x04";  // might be the tag and size of a packed message
+constexpr std::string_view kZip = "PK\x03\x04";  // could be the tag and size of a packed message
 
-// `name` of the input, for a command line; standard input needs none.
+// `name` is the input as a word of a command line; empty for standard input.
 Error strangeBytes(std::string_view begin, const std::string& name) {
   if (begin.substr(0, 8) == "<roblox!" || begin.substr(0, 7) == "<roblox")
     return makeError("expected a stream of records, found a Roblox file",
@@ -47,12 +47,12 @@ struct StreamReader::Impl {
   ByteSource source;
   Framing framing;
   std::optional<Format> format;
-  std::optional<Error> final;  // given again by every later call
+  std::optional<Error> final;  // returned again by every later call
   uint64_t line = 0;
-  uint64_t messageAt = 0;  // offset of the message that is read
+  uint64_t messageAt = 0;  // offset of the message being read
   bool atEnd = false;
-  bool lostLevel = false;  // by the last record, see StreamReader::lostLevel()
-  std::shared_ptr<const Record::Storage> unread;  // likewise
+  bool lostLevel = false;  // about the last record, see StreamReader::lostLevel()
+  std::shared_ptr<const Record::Storage> unread;  // the last record, if unreadable
 
   using Next = Result<std::optional<Record>>;
 
@@ -67,18 +67,18 @@ struct StreamReader::Impl {
     return *final;
   }
 
-  // Of the record that is read.
+  // Returns the place of the record being read.
   std::string recordPlace() const {
     if (!format) return {};
     return *format == Format::jsonl ? std::to_string(line) : fmt::format("byte {}", messageAt);
   }
 
-  // The input as a word of a command line, with the blank before it.
+  // Returns the input as a word of a command line, with the blank before it.
   std::string argument() const {
     return source.name() == kStandardInput ? std::string() : " " + source.name();
   }
 
-  // False at the end of the input.
+  // Detects the encoding. Returns false at the end of the input.
   Result<bool> sniff() {
     OBBY_ASSIGN(const bool any, source.need(1));
     if (!any) return false;
@@ -102,7 +102,7 @@ struct StreamReader::Impl {
     return true;
   }
 
-  // The next line that is not blank, without its newline; nothing at the end.
+  // Returns the next line that is not blank, without its newline, or nothing at the end.
   Result<std::optional<std::string>> readLine() {
     for (;;) {
       line++;
@@ -169,7 +169,7 @@ struct StreamReader::Impl {
     return deliver(std::move(storage), std::move(decoded));
   }
 
-  // Most often a record that is printed over several lines.
+  // The usual cause is a record that is printed over several lines.
   Error notOneLine(const Error& error) const {
     return makeError(error.message + "; expected one record a line",
                      "join the lines of a record: jq -c ." + argument());

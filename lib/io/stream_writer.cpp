@@ -1,4 +1,4 @@
-// StreamWriter: records encoded into a Sink.
+// StreamWriter: encodes records into a Sink.
 #include <fmt/format.h>
 
 #include "io/json_codec.h"
@@ -10,7 +10,7 @@ namespace obby::io {
 
 namespace {
 
-// A line with its newline, or a message.
+// Returns a line with its newline, or a message.
 Result<std::string> bytesOf(schema::Record::Reader record, Format format) {
   if (format != Format::jsonl) return messageFromRecord(record, format == Format::capnpPacked);
   OBBY_ASSIGN(std::string line, recordToJson(record));
@@ -32,7 +32,7 @@ Result<Record> encoded(RecordBuilder builder, Format format) {
 struct StreamWriter::Impl {
   Sink sink;
   Format format;
-  std::function<Status(schema::Record::Reader)> take = {};  // in place of the sink
+  std::function<Status(schema::Record::Reader)> take = {};  // replaces the sink
   uint64_t records = 0;
 
   Status hand(schema::Record::Reader record) {

@@ -4,37 +4,7 @@
 
 #include <algorithm>
 
-#include "io/utf8.h"
-
 namespace obby::io {
-
-size_t utf8Length(std::string_view s) {
-  const auto byte = [&](size_t i) { return i < s.size() ? uint8_t(s[i]) : uint8_t(0); };
-  const auto tail = [&](size_t i, uint8_t lo = 0x80, uint8_t hi = 0xbf) {
-    return byte(i) >= lo && byte(i) <= hi;
-  };
-  const uint8_t b = byte(0);
-  if (b < 0x80) return 1;
-  if (b >= 0xc2 && b <= 0xdf) return tail(1) ? 2 : 0;
-  if (b >= 0xe0 && b <= 0xef) {
-    const uint8_t lo = b == 0xe0 ? 0xa0 : 0x80, hi = b == 0xed ? 0x9f : 0xbf;
-    return tail(1, lo, hi) && tail(2) ? 3 : 0;
-  }
-  if (b >= 0xf0 && b <= 0xf4) {
-    const uint8_t lo = b == 0xf0 ? 0x90 : 0x80, hi = b == 0xf4 ? 0x8f : 0xbf;
-    return tail(1, lo, hi) && tail(2) && tail(3) ? 4 : 0;
-  }
-  return 0;
-}
-
-bool isUtf8(std::string_view text) {
-  for (size_t i = 0; i < text.size();) {
-    const size_t n = utf8Length(text.substr(i, 4));
-    if (n == 0) return false;
-    i += n;
-  }
-  return true;
-}
 
 std::string_view withoutByteOrderMark(std::string_view text) {
   return text.starts_with(kByteOrderMark) ? text.substr(kByteOrderMark.size()) : text;
@@ -96,7 +66,7 @@ std::string quoted(std::string_view text, size_t limit) {
   }
   if (i < text.size()) whole += "...";
   appendJsonString(json, whole);
-  // JSON leaves those beyond ASCII as they are.
+  // JSON does not escape control characters beyond ASCII.
   for (size_t at = 0; at < json.size();) {
     const Utf8Char c = nextChar(json, at);
     if (c.code >= 0x80 && isControl(c.code)) {
@@ -110,7 +80,7 @@ std::string quoted(std::string_view text, size_t limit) {
 }
 
 std::string described(std::string_view bytes) {
-  constexpr size_t kLongest = 4;  // bytes of a character
+  constexpr size_t kLongest = 4;  // max bytes of a character
   for (size_t at = 0; at < bytes.size();) {
     const size_t n = utf8Length(bytes.substr(at, kLongest));
     if (n == 0 && at + kLongest > bytes.size() && at > 0) break;

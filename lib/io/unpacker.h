@@ -1,4 +1,4 @@
-// Cap'n Proto's packing undone step by step, so that input may come in any pieces. Private to
+// Decodes Cap'n Proto's packing step by step, so that input may arrive in any pieces. Private to
 // lib/io.
 #pragma once
 
@@ -9,13 +9,14 @@
 
 namespace obby::io {
 
-// Each unit of packed bytes (a tag and what belongs to it) becomes one or more words.
+// Each unit of packed bytes (a tag and its data) becomes one or more words.
 class Unpacker {
  public:
   enum class State { more, done, overrun };
 
-  // Takes whole units from `in` until `want` words are in `out`. `used` counts the bytes taken.
-  // more: `in` ends inside a unit or after the last one; overrun: a run of words goes beyond.
+  // Takes whole units from `in` until `out` has `want` words. `used` counts the bytes taken.
+  // Returns `more` if `in` ends inside a unit or after the last one, and `overrun` if a run of
+  // words exceeds `want`.
   static State step(std::string_view in, size_t want, std::vector<uint64_t>& out, size_t& used) {
     used = 0;
     while (out.size() < want) {
@@ -33,7 +34,7 @@ class Unpacker {
   }
 
  private:
-  // Bytes of the first unit; 0 if it is not complete.
+  // Returns the bytes of the first unit, or 0 if it is incomplete.
   static size_t unitSize(std::string_view in) {
     if (in.empty()) return 0;
     const uint8_t tag = uint8_t(in[0]);

@@ -1,4 +1,4 @@
-// Texts from strangers' files, character by character, and made harmless for a terminal.
+// Reads untrusted text character by character, and makes it safe for a terminal.
 #pragma once
 
 #include <cstddef>
@@ -7,29 +7,36 @@
 
 namespace obby::io {
 
+// Returns the bytes of the well-formed UTF-8 character at the start of `text`, 1 to 4; 0 if there
+// is none.
+size_t utf8Length(std::string_view text);
+
+// Returns true for well-formed UTF-8: no overlong forms, no surrogates, at most U+10FFFF.
+bool isUtf8(std::string_view text);
+
 struct Utf8Char {
-  char32_t code;  // U+FFFD for a byte that is no UTF-8
+  char32_t code;  // U+FFFD for a byte that is not UTF-8
   size_t bytes;   // at least 1
 };
 
-// The character that starts at `at` (< text.size()).
+// Returns the character that starts at `at` (< text.size()).
 Utf8Char nextChar(std::string_view text, size_t at);
-// `code`: at most U+10FFFF.
+// Appends a character. `code` is at most U+10FFFF.
 void appendUtf8(std::string& text, char32_t code);
 
-// Moves what comes after it on a terminal, or turns it round, in place of being seen: a control
-// character, or one of the direction of writing.
+// Returns true for a character that is not shown on a terminal but moves or reverses what follows:
+// a control character, or one that changes the writing direction.
 bool isControl(char32_t code);
 
-// The beginning of `text` that ends with a whole character, `most` bytes or fewer.
+// Returns the beginning of `text` that ends with a whole character, at most `most` bytes.
 std::string_view cutAtChar(std::string_view text, size_t most);
 
-// `text` with U+FFFD for each byte that is no UTF-8.
+// Returns `text` with U+FFFD for each byte that is not UTF-8.
 std::string validUtf8(std::string_view text);
 
-// `text` for a terminal, as UTF-8: `instead` stands for each control character and each that turns
-// the direction of writing, U+FFFD for each byte that is no UTF-8. Where `ascii`, '?' stands for
-// all else beyond ASCII.
+// Returns `text` as UTF-8 that is safe for a terminal. `instead` replaces each character of
+// isControl(), and U+FFFD each byte that is not UTF-8. With `ascii`, '?' replaces all other
+// characters beyond ASCII.
 std::string tamed(std::string_view text, bool ascii, char instead = ' ');
 
 }  // namespace obby::io

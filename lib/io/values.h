@@ -1,4 +1,4 @@
-// What counts as set, and which values no record may hold. Private to lib/io.
+// Defines which fields count as set, and which values no record may hold. Private to lib/io.
 #pragma once
 
 #include <capnp/dynamic.h>
@@ -10,13 +10,13 @@
 
 namespace obby::io {
 
-// Whether a field says more than its absence: numbers, names and tuples that differ from their
-// default, texts and lists that are not empty, structs that are present (a `kill` is one even when
-// all its fields are defaults).
+// Returns true if a field says more than its absence: numbers, names and tuples that differ from
+// their default, texts and lists that are not empty, and structs that are present (a `kill` is one
+// even if all its fields are defaults).
 bool isSet(const FieldPlan& field, capnp::DynamicStruct::Reader in);
 
-// Nothing if the scalar or text may stand there; else what is wrong with it. Structs and lists
-// pass.
+// Returns nothing if the scalar or text is valid there, otherwise what is wrong with it. Structs
+// and lists are always valid.
 std::optional<std::string> refuseScalar(const TypePlan& type,
                                         const capnp::DynamicValue::Reader& value);
 

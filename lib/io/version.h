@@ -1,4 +1,4 @@
-// Versions that streams and tools name.
+// Versions that streams and tools state.
 #pragma once
 
 #include <cstdint>
@@ -7,11 +7,11 @@ namespace obby::io {
 
 inline constexpr uint32_t kSchemaMajor = 2;  // raised when old readers would misread a stream
 inline constexpr uint32_t kSchemaMinor = 0;  // raised when fields are added
-// JSON names its fields and leaves defaults out, so it is read from older versions on.
+// JSON names its fields and leaves defaults out, so older versions can be read.
 inline constexpr uint32_t kOldestJsonMajor = 1;
 inline constexpr const char* kFloatPolicy = "ieee754-nofma";
 
-// The program's version, "0.1.0".
+// Returns the program's version, "0.1.0".
 const char* toolVersion();
 
 }  // namespace obby::io

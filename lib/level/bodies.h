@@ -1,5 +1,5 @@
-// The named bodies that players come in: one row each. A body decides some of the physics
-// parameters, and leaves the others as they are.
+// The named bodies of players, one row each. A body sets some of the physics parameters and leaves
+// the others unchanged.
 #pragma once
 
 #include <span>
@@ -10,7 +10,7 @@
 
 namespace obby::level {
 
-// A number that the body decides: a field of PhysicsParams.
+// A field of PhysicsParams and the value that the body sets.
 struct BodyNumber {
   const char* field;
   float value;
@@ -24,9 +24,9 @@ struct Body {
 };
 
 std::span<const Body> bodies();
-// Null: no row has this name.
+// Returns null if no row has this name.
 const Body* findBody(std::string_view name);
-// "r6 or r15", for errors.
+// Returns "r6 or r15", for errors.
 std::string bodyNames();
 
 void setBody(const Body& body, schema::PhysicsParams::Builder physics);

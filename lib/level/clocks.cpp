@@ -7,10 +7,10 @@
 namespace obby::level {
 namespace {
 
-// Marks the number of a shared clock until it is known how many roles come before.
+// Marks the number of a shared clock until the number of roles is known.
 constexpr uint32_t kShared = 0x80000000u;
 
-// All that a clock does: clocks for which it is equal do the same.
+// Everything that a clock does. Clocks with equal effects are interchangeable.
 auto effectOf(const Clock& c) {
   return std::make_tuple(c.length, c.restarts, c.walkFactor, c.jumpFactor, c.jumpMore,
                          c.gravityFactor, c.resets, c.helpless, c.seat);

@@ -1,4 +1,4 @@
-// The clocks of a level while its parts are compiled: each part's own, and those that parts share,
+// The clocks of a level while its parts are compiled: each part's own, and shared ones, which are
 // found by the names of signals.
 #pragma once
 
@@ -13,34 +13,35 @@
 
 namespace obby::level {
 
-// Stands for a part's own clock until its role has a number.
+// Placeholder for a part's own clock until its role has a number.
 constexpr uint32_t kOwnClock = 0xfffffffeu;
 
 class ClockTables {
  public:
-  // The signals that buttons start; before any part asks for one.
+  // Adds the signals that buttons start. Must be called before any part asks for one.
   Status addSignals(schema::Level::Reader level, const Params& params);
 
-  // The clock of a signal, for a part that responds; the error has the path of the field that names
-  // it.
+  // Returns the clock of a signal for a part that responds. An error has the path of the field that
+  // names the signal.
   Result<uint32_t> signal(const std::string& name, const std::string& path);
 
-  uint32_t button(const std::string& name) const;  // the same, of a button that was added
+  uint32_t button(const std::string& name) const;  // the clock of a button that was added
 
-  uint32_t add(const Clock& clock);    // of its own
-  uint32_t share(const Clock& clock);  // the one that does the same, where there is one
+  uint32_t add(const Clock& clock);    // always a new clock
+  uint32_t share(const Clock& clock);  // the clock with the same effect, if there is one
 
-  // Every signal must be named by a part that responds to it.
+  // Returns an error unless every signal is named by a part that responds to it.
   Status checkSignals() const;
 
-  // The table: each role's clock, then the others. Names them so in roles and movers.
+  // Returns the table: each role's clock, then the others. Sets their final numbers in roles and
+  // movers.
   std::vector<Clock> finish(const std::vector<Clock>& own, const std::vector<Collider>& colliders,
                             std::vector<Roles>& roles, std::vector<Mover>& movers) const;
 
  private:
   struct Signal {
     uint32_t clock;
-    size_t part;  // of the first button
+    size_t part;  // the first one whose button starts it
     bool used = false;
   };
   Status addButton(schema::Part::Reader part, size_t index, const Params& params);
@@ -48,10 +49,10 @@ class ClockTables {
   std::map<std::string, Signal> signals_;
   std::vector<Clock> shared_;
   using Effect = std::tuple<uint32_t, bool, float, float, float, float, bool, uint32_t, uint32_t>;
-  std::map<Effect, uint32_t> given_;  // by share(): what does the same has one clock
+  std::map<Effect, uint32_t> given_;  // clocks from share(), one for each effect
 };
 
-// Ticks of a duration; refuses what is negative or no number.
+// Converts seconds to ticks. A negative number or NaN is an error at `path`.
 Result<uint32_t> ticksOf(const Params& params, float seconds, const std::string& path);
 
 }  // namespace obby::level

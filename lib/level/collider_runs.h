@@ -1,4 +1,4 @@
-// Which colliders a part has: they follow one another in the level's table.
+// The colliders of each part, which follow one another in the level's table.
 #pragma once
 
 #include <cstdint>
@@ -9,10 +9,10 @@
 namespace obby::level {
 
 struct ColliderRun {
-  uint32_t first = 0, count = 0;  // of LevelView::colliders; count 0: it has none
+  uint32_t first = 0, count = 0;  // indices into LevelView::colliders; count 0 for none
 };
 
-// Of all parts, found in one pass when the first is asked for.
+// The runs of all parts, found in one pass at the first request.
 class ColliderRuns {
  public:
   // The level must outlive this.
@@ -33,7 +33,7 @@ class ColliderRuns {
   }
 
   const LevelView& level_;
-  std::vector<ColliderRun> runs_;  // by part, up to the last one that has any
+  std::vector<ColliderRun> runs_;  // one for each part, up to the last that has colliders
 };
 
 }  // namespace obby::level

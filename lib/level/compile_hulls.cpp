@@ -11,7 +11,7 @@
 namespace obby::level {
 namespace {
 
-// Of more corners than this the box around them is taken: the work grows with their third power.
+// Hulls with more corners are replaced by the box around them: the work is cubic in the corners.
 constexpr size_t kMostThickened = 64;
 
 Result<std::vector<Vec3>> verticesOf(schema::Hull::Reader record, const std::string& path) {
@@ -27,8 +27,8 @@ Result<std::vector<Vec3>> verticesOf(schema::Hull::Reader record, const std::str
   return vertices;
 }
 
-// Copies of the vertices on both sides of the plane in which they lie across an axis; none where
-// they lie in no such plane, or make no floor or wall in it.
+// Returns copies of the vertices on both sides of the plane, across one axis, that contains them.
+// Returns none if they are flat along no axis or along several.
 std::vector<Vec3> thickened(const std::vector<Vec3>& vertices) {
   Vec3 lo = vertices[0], hi = lo;
   for (const Vec3 p : vertices) lo = min(lo, p), hi = max(hi, p);

@@ -9,9 +9,9 @@
 
 namespace obby::level {
 
-// Those that a player can meet; `store` owns them. Flat ones are left out, as rounding leaves them
-// of unions. Where a part has no others, those that are flat along an axis are as thick as the
-// engine makes thin parts. Errors have the path relative to the part.
+// Returns the hulls that a player can meet; `store` owns them. Flat hulls are dropped: rounding
+// leaves them in unions. If a part has only flat hulls, those that are flat along one axis get the
+// engine's minimum thickness. Errors have the path relative to the part.
 Result<std::vector<const geom::Hull*>> hullsOf(schema::Part::Reader part, HullStore& store);
 
 }  // namespace obby::level

@@ -1,4 +1,4 @@
-// Loose parts of a record: which they are, and the bodies that they make.
+// Dynamic parts of a record: the test for them, and the bodies that they make.
 #pragma once
 
 #include <vector>
@@ -9,11 +9,11 @@
 
 namespace obby::level {
 
-// Physics moves it: nothing holds it, and something can push it.
+// Returns true if physics moves the part: it is solid, not anchored, and has no motion and no fall.
 bool isLoose(schema::Part::Reader part);
 
-// The body of a part at `at` whose colliders are those from `first` on, at least one. Errors have
-// the path relative to the part.
+// Returns the body of a part at `at`. Its colliders are those from `first` on, at least one. Errors
+// have the path relative to the part.
 Result<Loose> looseFrom(schema::Part::Reader part, Vec3 at, const std::vector<Collider>& colliders,
                         size_t first);
 

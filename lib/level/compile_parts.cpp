@@ -19,26 +19,26 @@ namespace {
 
 using geom::ShapeKind;
 
-// What a part does that takes more than its flag to know.
+// Flags of parts that need a row of Roles.
 constexpr uint32_t kWithRole =
     kTouchRoles | kConveyor | kVanishTimer | kClocked | kOneWay | kTriggered;
 
-// Which way round they are matters: their axes are not exchanged to stand upright.
+// The orientation of these parts matters, so their axes are not exchanged to make them upright.
 constexpr uint32_t kKeepsAxes = kOneWay | kSeat;
 
 class PartCompiler {
  public:
-  // No table has more rows than `mostRows`, or than one repetition.
+  // A table has at most `mostRows` rows, or as many as one repetition needs.
   PartCompiler(PartTables& out, const Params& params, uint32_t mostRows)
       : out_(out), params_(params), mostRows_(mostRows) {}
 
   Status compile(schema::Level::Reader level);
 
-  // The error is that all tables together have too many rows.
+  // Returns true if the error is that all tables together have too many rows.
   bool isOverBudget() const { return overBudget_; }
 
  private:
-  // `index` of the part in the record; the error has the whole path.
+  // `index` is the part's in the record. An error has the whole path.
   Status addAt(schema::Part::Reader part, uint32_t index);
   Status add(schema::Part::Reader part, uint32_t index);
   Status finish();
@@ -54,15 +54,18 @@ class PartCompiler {
   const uint32_t mostRows_;
   ClockTables clocks_;
   std::vector<Clock> own_;  // (roles)
-  SweptBounds swept_;       // of the last mover
-  size_t keyRows_ = 0;      // of all tables of keys
+  SweptBounds swept_;       // bounds of the last mover
+  size_t keyRows_ = 0;      // in all tables of keys
   bool overBudget_ = false;
 };
 
-// No player meets it.
-bool isScenery(const PartContext& c) { return (c.flags & (kSolid | kTouchRoles)) == 0; }
+// Returns true if the part cannot affect a player. A part in doubt may do so in the game: answers
+// tell who touches it.
+bool isScenery(const PartContext& c) {
+  return (c.flags & (kSolid | kTouchRoles)) == 0 && c.part.getDoubts().size() == 0;
+}
 
-// The clock that moves a part; kNone: the level's.
+// Returns the clock that moves a part, or kNone for the level's clock.
 Result<uint32_t> PartCompiler::trigger(PartContext& c, const MotionPlan& plan) {
   if (c.part.hasFall()) return kOwnClock;
   const auto motion = c.part.getMotion();
@@ -75,7 +78,7 @@ Result<uint32_t> PartCompiler::trigger(PartContext& c, const MotionPlan& plan) {
   OBBY_ASSIGN(const uint32_t asked, ticksOf(params_, motion.getSeconds(), "motion.seconds"));
   if (motion.getTrigger() == schema::MotionTrigger::ALWAYS) return kNone;
   const uint32_t length = asked != 0 ? asked : plan.once ? kForever : plan.period;
-  // A part that nothing can touch rests for good: its clock never starts.
+  // A part that cannot be touched stays at rest: its clock never starts.
   if (c.part.getTouch()) OBBY_RETURN_IF_ERROR(startOwn(c, length, "motion.trigger"));
   return kOwnClock;
 }
@@ -100,7 +103,7 @@ Status PartCompiler::mover(PartContext& c, Collider& collider) {
   const SpinTurns turns = out_.spins.of(plan.spin, keysStand);
   if (turns.upright) {
     snapUpright(keys);
-    c.flags |= kUpright;  // push() drops it for shapes that are no blocks
+    c.flags |= kUpright;  // push() drops it for shapes that are not blocks
   }
   keyRows_ += keys.size();
   OBBY_RETURN_IF_ERROR(checkBudget(c));
@@ -130,7 +133,7 @@ Status PartCompiler::checkBudget(const PartContext& c) {
 
 void PartCompiler::push(Collider collider, uint32_t flags) {
   if (collider.kind != ShapeKind::block) {
-    flags &= ~uint32_t(kUpright);  // the short cuts are for blocks only
+    flags &= ~uint32_t(kUpright);  // only blocks have the short cuts
   } else {
     flags |= kBlock;
     const bool still = collider.mover == kNone && collider.loose == kNotLoose;
@@ -166,7 +169,7 @@ Status PartCompiler::shapes(schema::Part::Reader part, Collider collider, uint32
   if (collider.kind == ShapeKind::hull && part.getHulls().size() != 0)
     return hulls(part, collider, flags);
   if (collider.kind == ShapeKind::hull)
-    collider.kind = ShapeKind::block;  // its hulls are not known: the box
+    collider.kind = ShapeKind::block;  // without hulls the box is used
   push(collider, flags);
   return {};
 }
@@ -269,7 +272,7 @@ Result<PartTables> compileParts(schema::Level::Reader record, const Params& para
     return pathError("parts", fmt::format("expected at most {} parts, found {}", kMaxParts,
                                           record.getParts().size()));
   }
-  HullStore hulls;  // found once, however often the rest is tried
+  HullStore hulls;  // found once, even if the other tables are built several times
   for (size_t i = 0;; ++i) {
     PartTables out;
     out.hulls = std::move(hulls);

@@ -1,5 +1,5 @@
-// Parts of a record to colliders, roles, movers and clocks: the tables of LevelView before the grid
-// is laid over them.
+// Compiles parts of a record to colliders, roles, movers and clocks: all tables of LevelView except
+// the grid.
 #pragma once
 
 #include <deque>
@@ -20,21 +20,22 @@ struct PartTables {
   std::vector<Roles> roles;
   std::vector<Mover> movers;
   std::vector<Loose> loose;
-  size_t fixedColliders = 0;                      // those of loose parts come after them
-  std::vector<Clock> clocks;                      // each role's own, then those that parts share
-  uint32_t crushClock = kNone, airClock = kNone;  // those of LevelView
+  size_t fixedColliders = 0;                      // the colliders of dynamic parts follow them
+  std::vector<Clock> clocks;                      // each role's own, then the shared ones
+  uint32_t crushClock = kNone, airClock = kNone;  // as in LevelView
   std::vector<std::string> names;                 // (parts)
   std::deque<std::vector<Pose>> motions;          // tables of keys that movers point into
-  SpinStore spins;                                // and their turns
-  HullStore hulls;                                // what shapes point into
-  bool timed = false;                             // any part whose state depends on the clock
+  SpinStore spins;                                // tables of turns that movers point into
+  HullStore hulls;                                // hulls that shapes point into
+  bool timed = false;                             // true if any part's state depends on the level's
+                                                  // clock
 };
 
 constexpr uint32_t kMaxParts = 1000000;
-// Rows of all motion tables of a level together: 200 MB.
+// Max rows of all motion tables of a level together: 200 MB.
 constexpr size_t kMaxLevelRows = 4000000;
-// Rows of one table: the first number with which all tables fit. With fewer of them a period that
-// is no whole number of ticks is less exact, by at most half a tick a repetition.
+// Max rows of one table, tried in turn until all tables fit. With fewer rows, a period that is not
+// a whole number of ticks is less exact, by at most half a tick a repetition.
 constexpr uint32_t kMaxTableRows[] = {kMaxRows, kMaxRows / 4, kMaxRows / 16, kMaxRows / 64};
 
 Result<PartTables> compileParts(schema::Level::Reader record, const Params& params);

@@ -1,6 +1,6 @@
-// Easing curves by Penner's formulas, which TweenService follows. Runs once a level on the host, in
-// double precision; results are rounded to float far above the last bits in which mathematics
-// libraries differ.
+// Easing curves by Penner's formulas, which TweenService follows. They are computed once a level on
+// the host, in double precision. Rounding hides the last bits, in which mathematics libraries
+// differ.
 #include <cmath>
 
 #include "level/motion_tables.h"
@@ -18,8 +18,7 @@ double bounceOut(double t) {
   return t -= 2.625 / d, n * t * t + 0.984375;
 }
 
-// How far Back goes the wrong way, and the period of Elastic. Both are wider in the halves of
-// InOut.
+// Overshoot of Back and period of Elastic. Both are larger in the halves of InOut.
 struct Swing {
   double back, period;
 };

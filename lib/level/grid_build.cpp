@@ -10,9 +10,9 @@
 namespace obby::level {
 namespace {
 
-constexpr Vec3 kCell{4, 8, 4};          // studs: about the player's reach, so that lists stay short
+constexpr Vec3 kCell{4, 8, 4};          // studs; about the player's reach, so that lists stay short
 constexpr int64_t kMaxCells = 1 << 21;  // 8 MiB of list indices
-constexpr int64_t kMaxEntries = 1 << 24;  // of all cells' lists before equal lists are merged
+constexpr int64_t kMaxEntries = 1 << 24;  // in all cells' lists, before equal lists are merged
 
 struct Extent {
   int32_t lo[3], hi[3];
@@ -45,7 +45,7 @@ class Builder {
     divide();
   }
 
-  // Feet positions from which a collider can be met.
+  // Returns the positions of the feet from which a player can meet a collider.
   Box reachOf(const Box& b) const {
     return {b.lo - Vec3{reach_.side, reach_.up, reach_.side},
             b.hi + Vec3{reach_.side, reach_.down, reach_.side}};
@@ -69,7 +69,7 @@ class Builder {
     const int32_t n[3] = {grid_.nx, grid_.ny, grid_.nz};
     Extent e{};
     for (int a = 0; a < 3; ++a) {
-      // One cell of slack against rounding at the borders.
+      // A slack of 0.001 cells covers rounding at the borders.
       e.lo[a] = std::clamp(int32_t(lo[a] * inv[a] - 0.001f), 0, n[a] - 1);
       e.hi[a] = std::clamp(int32_t(hi[a] * inv[a] + 0.001f), 0, n[a] - 1);
     }
@@ -107,7 +107,7 @@ class Builder {
     merge(start, items);
   }
 
-  // Most cells share their list with their neighbours: keep each list once.
+  // Most cells have the same list as their neighbours, so each list is stored once.
   void merge(const std::vector<uint32_t>& start, const std::vector<uint32_t>& items) {
     std::unordered_multimap<uint64_t, uint32_t> known;
     grid_.cells.resize(start.size() - 1);

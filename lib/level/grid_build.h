@@ -1,4 +1,4 @@
-// Lays the uniform grid of LevelView over the colliders' bounds.
+// Builds the uniform grid of LevelView over the colliders' bounds.
 #pragma once
 
 #include <span>
@@ -15,13 +15,14 @@ struct GridTables {
   std::vector<uint32_t> lists;
 };
 
-// How far beyond the feet a player's rays and limbs reach, and how far a tick may carry the player.
+// Reach of a player's rays and limbs around the feet, plus the distance that a tick may carry the
+// player.
 struct Reach {
   float side, down, up;  // studs
 };
 
-// Lists are filled up with `filler`, the index of a collider that nothing meets. Cells grow until
-// at most 2^21 of them cover the bounds.
+// Pads lists with `filler`, the index of a collider that nothing meets. Grows the cells until at
+// most 2^21 of them cover the bounds.
 GridTables buildGrid(std::span<const Bounds> bounds, uint32_t filler, const Reach& reach);
 
 }  // namespace obby::level

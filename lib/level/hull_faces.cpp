@@ -1,8 +1,8 @@
-// Every triple of vertices with all others on one side is a face: cubic in the vertex count, at
-// most 255, and run once a level. Exactness matters more than speed here: no incremental structure
-// that could go wrong. What makes it cheap is to look at the triples in SIMD lanes, which compute
-// the same bits as one alone: nearly all have a vertex on either side among the outermost ones, or
-// lie on a face that is known. What is left goes the plain way.
+// Finds the faces of a convex hull. Every triple of vertices with all others on one side is a face.
+// This is cubic in the vertex count, which is at most 255, and runs once a level. Exactness matters
+// more than speed, so there is no incremental structure that could fail. SIMD lanes reject most
+// triples with the same bits as scalar code: some outermost vertex lies on either side, or the face
+// is known. The rest take the scalar path.
 #include "level/hull_faces.h"
 
 #include <algorithm>
@@ -18,11 +18,11 @@ namespace {
 
 using WideVec = Vec3T<WideFloat>;
 
-constexpr float kSame = 1 - 1e-5f;  // cosine: directions closer than this are one
+constexpr float kSame = 1 - 1e-5f;  // cosine above which two directions count as one
 
 OBBY_LANES WideVec inAllLanes(Vec3 p) { return {p.x, p.y, p.z}; }
 
-// Is dot(n, p) <= offset for all vertices?
+// Returns true if dot(n, p) <= offset + tolerance for all vertices.
 bool isFace(const std::vector<Vec3>& vertices, Vec3 n, float offset, float tolerance) {
   for (const Vec3 p : vertices) {
     if (dot(n, p) > offset + tolerance) return false;
@@ -52,7 +52,7 @@ class FaceFinder {
     }
   }
 
-  // Two vertices that lie on two common faces are joined by an edge.
+  // An edge joins two vertices that share two faces.
   void findEdges() {
     for (size_t a = 0; a < hull_.vertices.size(); ++a) {
       for (size_t b = a + 1; b < hull_.vertices.size(); ++b) {
@@ -71,7 +71,7 @@ class FaceFinder {
   }
 
  private:
-  // The farthest vertices along 26 directions, opposite ones next to each other.
+  // Finds the farthest vertices along 26 directions, with opposite ones next to each other.
   void findOutermost() {
     for (int i = 14; i < 27; ++i) {
       const Vec3 d{float(i % 3 - 1), float(i / 3 % 3 - 1), float(i / 9 - 1)};
@@ -88,14 +88,14 @@ class FaceFinder {
     return dot(hull_.normals[face], p) > hull_.offsets[face] - tolerance_;
   }
 
-  // The faces on which both vertices lie, into shared_.
+  // Sets shared_ to the faces that contain both vertices.
   void findShared(size_t a, size_t b) {
     shared_.clear();
     std::set_intersection(facesAt_[a].begin(), facesAt_[a].end(), facesAt_[b].begin(),
                           facesAt_[b].end(), std::back_inserter(shared_));
   }
 
-  // The triangles of a, b and each vertex of the lanes from `first` on, one after the other.
+  // Tries the triangles of a, b and each vertex of the lanes from `first` on.
   void tryCorners(size_t a, size_t b, size_t first) {
     const size_t known = hull_.normals.size();
     for (uint32_t left = undecided(a, b, first); left != 0; left &= left - 1) {
@@ -104,8 +104,8 @@ class FaceFinder {
     if (hull_.normals.size() != known) findShared(a, b);
   }
 
-  // A bit for each of these triangles that may add a face. tryTriangle() does nothing with the
-  // others: they are slivers, or either side has a vertex beyond it or is a known face.
+  // Returns a bit for each of these triangles that may add a face. tryTriangle() would reject the
+  // others: they are slivers, or each side has a vertex beyond it or is a known face.
   uint32_t undecided(size_t a, size_t b, size_t first) const {
     const WideVec from = inAllLanes(hull_.vertices[a]);
     const WideVec corner{load(&x_[first]), load(&y_[first]), load(&z_[first])};
@@ -142,7 +142,7 @@ class FaceFinder {
     if (isFace(v, -n, dot(-n, v[a]), tolerance_)) addFace(-n, corners);
   }
 
-  // A face through three corners, unless they lie on one that is known.
+  // Adds a face through three corners, unless they lie on a known one.
   void addFace(Vec3 n, const Vec3 (&corners)[3]) {
     for (size_t f = 0; f < hull_.normals.size(); ++f) {
       bool same = dot(hull_.normals[f], n) > kSame;
@@ -158,10 +158,10 @@ class FaceFinder {
   }
 
   HullTables& hull_;
-  const float tolerance_, sliver_;  // below `sliver_` an area is none
-  std::vector<float> x_, y_, z_;    // of the vertices, and what the last lanes read beyond them
+  const float tolerance_, sliver_;  // areas below `sliver_` count as zero
+  std::vector<float> x_, y_, z_;    // the vertices, padded for the last lanes
   std::vector<Vec3> outermost_;
-  std::vector<std::vector<uint32_t>> facesAt_;  // by vertex, ascending
+  std::vector<std::vector<uint32_t>> facesAt_;  // faces of each vertex, ascending
   std::vector<uint32_t> shared_;                // see findShared()
 };
 

@@ -1,4 +1,5 @@
-// Which vertices a hull keeps, and what becomes of those that are thin for their width.
+// Selects the vertices that a hull keeps, and finds the faces of hulls that are thin for their
+// width.
 #include "level/hull_tables.h"
 
 #include <algorithm>
@@ -12,9 +13,10 @@ namespace {
 
 constexpr float kTolerance = 1e-4f;  // share of the hull's size
 
-// Thinner hulls are left out, flat ones with them: what rounding leaves of a union is no floor.
+// Thinner hulls are dropped, including flat ones: slivers that rounding leaves in a union are no
+// floor.
 constexpr float kThinnest = 0.01f;       // studs
-constexpr float kThinnestShare = 2e-6f;  // of the hull's size: how exact its vertices are
+constexpr float kThinnestShare = 2e-6f;  // share of the hull's size: the precision of its vertices
 
 std::vector<Vec3> distinct(const std::vector<Vec3>& points, float tolerance) {
   std::vector<Vec3> out;
@@ -26,7 +28,7 @@ std::vector<Vec3> distinct(const std::vector<Vec3>& points, float tolerance) {
   return out;
 }
 
-// Of a hull that is not much wider than thick; empty normals else.
+// Returns the tables of a hull that is not much wider than thick, otherwise empty normals.
 HullTables solidTables(const std::vector<Vec3>& vertices) {
   float size = 0;
   for (const Vec3 p : vertices) size = maxf(size, length(p - vertices[0]));
@@ -37,7 +39,7 @@ HullTables solidTables(const std::vector<Vec3>& vertices) {
   return hull;
 }
 
-// An affine map that makes a thin hull as thick as it is wide: its faces are found there.
+// An affine map that makes a thin hull as thick as it is wide, so that its faces can be found.
 class Stretch {
  public:
   explicit Stretch(const std::vector<Vec3>& vertices) {
@@ -56,16 +58,16 @@ class Stretch {
     }
   }
 
-  // The least extent along one of its axes, studs.
+  // Returns the smallest extent along its axes, studs.
   double thickness() const { return 2 * std::min({half_[0], half_[1], half_[2]}); }
 
-  // To where the hull reaches from -1 to 1 along each axis.
+  // Maps the hull to the range -1 to 1 along each axis.
   Vec3 stretched(Vec3 p) const {
     const auto at = [&](size_t k) { return float((along(k, p) - middle_[k]) / half_[k]); };
     return {at(0), at(1), at(2)};
   }
 
-  // Back from there: the normal of a face, the direction of an edge.
+  // Map back the normal of a face and the direction of an edge.
   Vec3 normal(Vec3 n) const { return back(n, {1 / half_[0], 1 / half_[1], 1 / half_[2]}); }
   Vec3 edge(Vec3 e) const { return back(e, half_); }
 
@@ -78,7 +80,7 @@ class Stretch {
         for (size_t c = b + 1; c < v.size(); ++c) {
           const Vec3 across = cross(v[b] - v[a], v[c] - v[a]);
           const float square = dot(across, across);
-          if (square <= mostSquare) continue;  // nor is its root larger, which takes longer
+          if (square <= mostSquare) continue;  // saves the square root, which is slower
           mostSquare = square;
           const float area = length(across);
           if (area > most) most = area, largest = {v[a], v[b], v[c]};
@@ -88,7 +90,7 @@ class Stretch {
     return largest;
   }
 
-  // Exact: far away floats are coarser than a thin hull is thick.
+  // Uses doubles: far from the origin, floats are coarser than the thickness of a thin hull.
   double along(size_t k, Vec3 p) const {
     const Vec3 a = axes_[k];
     return double(a.x) * double(p.x) + double(a.y) * double(p.y) + double(a.z) * double(p.z);
@@ -104,14 +106,15 @@ class Stretch {
   std::array<double, 3> middle_{}, half_{};
 };
 
-// The lowest and the highest of the vertices along a direction, studs.
+// Returns the min and max of the vertices along a direction, studs.
 std::pair<float, float> reachAlong(Vec3 n, const std::vector<Vec3>& vertices) {
   float lo = dot(n, vertices[0]), hi = lo;
   for (const Vec3 p : vertices) lo = minf(lo, dot(n, p)), hi = maxf(hi, dot(n, p));
   return {lo, hi};
 }
 
-// Of a hull that is thin for its width, or a needle: a wide floor is not to be fallen through.
+// Returns the tables of a hull that is thin for its width, or a needle. Players must not fall
+// through wide floors.
 HullTables thinTables(const std::vector<Vec3>& vertices) {
   const Stretch map(vertices);
   float size = 0;
@@ -137,8 +140,8 @@ HullTables thinTables(const std::vector<Vec3>& vertices) {
   return hull;
 }
 
-// Do the faces leave a way out to infinity? So they do where the ends of a long beam are too small
-// for faces of their own: rays would meet it beyond its ends.
+// Returns true if the faces leave a way out to infinity. This happens if the ends of a long beam
+// are too small for faces of their own. Rays would then meet it beyond its ends.
 bool isOpen(const HullTables& hull) {
   const auto leadsOut = [&](Vec3 d) {
     return std::all_of(hull.normals.begin(), hull.normals.end(),

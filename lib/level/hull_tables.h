@@ -8,39 +8,30 @@
 #include <vector>
 
 #include "geom/shape.h"
+#include "level/hull_faces.h"
 #include "math/vec.h"
 
 namespace obby::level {
 
-struct HullTables {
-  std::vector<Vec3> vertices;  // without repetitions
-  std::vector<Vec3> normals;   // unit, outward, coplanar triangles merged
-  std::vector<float> offsets;
-  std::vector<Vec3> edges;  // unit, each direction once; empty beyond kMaxHullEdges, where the
-                            // faces alone describe a nearly round hull well enough
-};
-
-constexpr size_t kMaxHullVertices = 255;
-constexpr size_t kMaxHullEdges = 32;
-
-// Empty normals if the vertices do not span a volume, or one thinner than 0.01 studs that is 5000
-// times as wide. At least one vertex.
+// Takes at least one vertex. Returns empty normals if the vertices span no volume, or one that is
+// thinner than 0.01 studs and 5000 times as wide.
 HullTables hullTables(const std::vector<Vec3>& vertices);
 
-// The eight corners of the box around points, at least one.
+// Returns the eight corners of the box around points, of which there must be at least one.
 std::vector<Vec3> boxAround(const std::vector<Vec3>& points);
 
-// The tables as shapes read them; valid while they live.
+// Returns the tables as shapes read them. Valid while the tables live.
 geom::Hull viewOf(const HullTables& tables);
 
-// The hulls of a level, each of them once: a place has many copies of one mesh.
+// The hulls of a level, each stored once: a place has many copies of one mesh.
 class HullStore {
  public:
-  // Null if the vertices do not span a volume. Valid while this, or what it was moved to, lives.
+  // Returns null if the vertices span no volume. Valid while this store, or the one it was moved
+  // to, lives.
   const geom::Hull* hullOf(const std::vector<Vec3>& vertices);
 
  private:
-  std::unordered_map<std::string, const geom::Hull*> known_;  // by the bytes of the vertices
+  std::unordered_map<std::string, const geom::Hull*> known_;  // keys are the bytes of the vertices
   std::deque<HullTables> tables_;                             // a deque keeps addresses
   std::deque<geom::Hull> views_;
 };

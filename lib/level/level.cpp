@@ -1,4 +1,4 @@
-// Puts the tables together and owns them.
+// Assembles the tables of a level and owns them.
 #include "level/level.h"
 
 #include <fmt/format.h>
@@ -27,11 +27,12 @@ struct Level::Impl {
 
 namespace {
 
-// A player may be this much faster sideways than walking and parts together make it.
+// Factor by which a player may exceed the sideways speed of walking and parts together.
 constexpr float kSpeedMargin = 1.5f;
 
-// Covers what a player looks at during a tick, at any speed, so that one grid look-up serves a tick
-// (tickBounds in sim/candidates.h; tests/level/grid_test.cpp holds the two together).
+// Returns a reach that covers everything a player tests during a tick, at any speed. One grid
+// look-up then serves a tick (tickBounds in sim/candidates.h; tests/level/grid_test.cpp compares
+// the two).
 Reach reachOf(const Params& p, float sideways, float jump) {
   const float limbs = maxf((p.armSpan + p.bodyDepth) * 0.5f + p.touchMargin,
                            p.climbReach + p.bodyWidth * p.floorRaySpread);
@@ -42,7 +43,7 @@ Reach reachOf(const Params& p, float sideways, float jump) {
   return {limbs + step, below + fall, p.bodyTop + fall};
 }
 
-// Covers what a loose body can meet during a tick.
+// Returns a reach that covers everything a dynamic body can meet during a tick.
 Reach looseReach(const PartTables& tables, const Params& p) {
   float radius = 0;
   for (const Loose& l : tables.loose) radius = maxf(radius, l.radius);
@@ -68,7 +69,7 @@ Status compileSpawns(schema::Level::Reader record, std::vector<StartPose>& spawn
   return {};
 }
 
-// Ticks after which every moving and timed part is where it was; 0: never, or longer than 2^20.
+// Returns the ticks after which all moving and timed parts repeat; 0 if never, or more than 2^20.
 uint32_t commonPeriod(const PartTables& t) {
   uint64_t period = 1;
   const auto include = [&](uint64_t ticks) {
@@ -89,7 +90,7 @@ uint32_t commonPeriod(const PartTables& t) {
   return uint32_t(period);
 }
 
-// Digest of the tables, field by field: structs have padding.
+// Digests the tables field by field, because structs have padding.
 uint64_t digest(const LevelView& v, const PartTables& t) {
   uint64_t h = 1;
   const auto add = [&h](const auto& value) { h = hashBytes(&value, sizeof value, h); };

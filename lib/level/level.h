@@ -1,6 +1,6 @@
-// Compiles a level record into the immutable form that the simulator reads, and a query record
-// likewise. All validation of meaning happens here (io checks form only): errors name the path in
-// the record and the cure.
+// Compiles a level record into the immutable form that the simulator reads, and query records, too.
+// All validation of meaning happens here; io checks only form. Errors name the path in the record
+// and the remedy.
 #pragma once
 
 #include <memory>
@@ -8,12 +8,13 @@
 #include <vector>
 
 #include "base/result.h"
+#include "level/compile_params.h"
 #include "level/query_view.h"
 #include "schema/obby.capnp.h"
 
 namespace obby::level {
 
-// Where play can start.
+// A pose and a time at which play can start.
 struct StartPose {
   Vec3 feet;          // studs
   float yaw = 0;      // radians
@@ -23,8 +24,8 @@ struct StartPose {
 // Immutable; safe to share between threads.
 class Level {
  public:
-  // Errors have `path` set, e.g. "parts[88].size". Too many parts (> 1 million) or a motion whose
-  // round takes longer than 20 minutes are errors, too.
+  // Errors have `path` set, e.g. "parts[88].size". More than 1 million parts are an error, and so
+  // is a motion whose repetition takes longer than 20 minutes.
   static Result<Level> compile(schema::Level::Reader record);
 
   Level(Level&&) noexcept;
@@ -34,13 +35,13 @@ class Level {
   const LevelView& view() const;
   const std::string& name() const;
   uint64_t hash() const;   // digest of everything that can change a trajectory
-  bool hasMotion() const;  // moving or timed parts: the outcome depends on the clock
+  bool hasMotion() const;  // true if moving or timed parts make the outcome depend on the clock
   uint32_t motionPeriod()
-      const;  // ticks after which all motion repeats; 0: longer than 2^20, or never (once)
+      const;  // ticks after which all motion repeats; 0 for no motion, or none within 2^20
   size_t partCount() const;
   const std::string& partName(uint32_t part) const;
   const std::vector<StartPose>& spawns() const;
-  Box bounds() const;  // of everything
+  Box bounds() const;  // bounds of all colliders
 
  private:
   struct Impl;
@@ -48,18 +49,11 @@ class Level {
   std::unique_ptr<Impl> impl_;
 };
 
-// Physics parameters of a record, checked against the schema's ranges, with the derived fields
-// filled in.
-Result<Params> compileParams(schema::PhysicsParams::Reader record);
-
-// What the schema allows a parameter to be, by its name there.
-schema::Interval::Reader paramRange(const std::string& name);
-
-// A query over a level: owns its regions.
+// A query over a level. Owns its regions.
 class Query {
  public:
-  // The places that it names must be resolved (resolve_places.h). Errors have `path` set, from the
-  // query's fields on.
+  // The places that it names must be resolved (resolve_places.h). Errors have `path` set, relative
+  // to the query.
   static Result<Query> compile(schema::Query::Reader record, const Level& level);
 
   QueryView view() const;  // valid while this object lives

@@ -1,5 +1,5 @@
 // The compiled level as the simulator reads it: plain spans, shared by all worlds, valid on host
-// and device. Owned by level::Level, which says how each table is made.
+// and device. level::Level owns the tables.
 #pragma once
 
 #include <stddef.h>
@@ -13,42 +13,42 @@ namespace obby::level {
 
 constexpr uint32_t kNone = 0xffffffffu;
 
-// What a collider does to a player; a bit set.
+// Bits for what a collider does to a player.
 enum ColliderFlag : uint32_t {
   kSolid = 1,
   kKill = 2,
   kPad = 4,
   kConveyor = 8,
-  kClocked = 16,      // solid or not by a running clock
-  kVanishTimer = 32,  // solid or not by the level's clock
+  kClocked = 16,      // solidity depends on a running clock
+  kVanishTimer = 32,  // solidity depends on the level's clock
   kMoving = 64,
-  kCarries = 128,     // a moving part driven by physics: takes a standing player along
+  kCarries = 128,     // a moving part that carries a player who stands on it
   kUpright = 256,     // a block whose local Y is the world's Y: fewer axes to test
-  kBlock = 512,       // a block, or a truss: what has the form that lanes know
+  kBlock = 512,       // a block or a truss, the shape that lanes can test
   kTruss = 1024,      // can be climbed
-  kStarts = 2048,     // touched, it starts clocks
+  kStarts = 2048,     // starts clocks when touched
   kTriggered = 4096,  // a moving part that a clock moves
   kTeleport = 8192,
   kHeal = 16384,
   kOneWay = 32768,  // solid from one side only
-  kCrush = 65536,   // kills whom it squeezes
+  kCrush = 65536,   // kills players whom it squeezes
   kSeat = 131072,
-  kRung = 524288,     // with kTruss: thin, so that the sensor must look for it
-  kLoose = 262144,    // part of a loose body
+  kRung = 524288,     // with kTruss: thin, so that the sensor must search for it
+  kLoose = 262144,    // part of a dynamic body
   kByRoot = 1048576,  // touched by the centre of the root, not by limbs
 };
 constexpr uint32_t kTouchRoles = kKill | kPad | kStarts | kTeleport | kHeal | kSeat;
 
-// One convex shape. A part has one, or one for each of its hulls.
-// Pose and half extents are one cache line: the wide tick loads them as a row.
+// One convex shape. A part has one, or one for each of its hulls. Pose and half extents share a
+// cache line, which the wide tick loads as a row.
 struct alignas(64) Collider {
-  Pose pose;  // of a part that does not move
+  Pose pose;  // pose of a part without a mover
   geom::ShapeData shape;
   uint32_t part;   // index into the level's parts
   uint32_t mover;  // index into movers, or kNone
-  uint32_t role;   // index into the table of its role (kills, pads, ...), see below
+  uint32_t role;   // index into roles, or kNone
   float friction;
-  float grip;  // pair friction with the player: the mean of both by their weights
+  float grip;  // friction with the player: the mean of both, weighted
   float elasticity;
   geom::ShapeKind kind;
   uint8_t loose;  // index into LevelView::loose, or kNotLoose
@@ -60,17 +60,17 @@ OBBY_DEVICE void forTables(Collider& c, Table&& table) {
   table(c.shape.hull, 1);
 }
 
-// What a look at the parts near a player reads of each. The upper corner is negated, so that one
-// comparison of eight numbers tells whether a box is met: flags and tag read as tiny floats.
+// The data that a search for nearby parts reads of each. The upper corner is negated, so that one
+// comparison of eight numbers tests for an overlap; flags and tag read as tiny floats.
 struct alignas(32) Bounds {
   Vec3 lo, minusHi;
   uint32_t flags;  // ColliderFlag bits
-  uint32_t tag;    // index << kTagShift, and the bits that lanes ask for
+  uint32_t tag;    // index << kTagShift, and the tag bits below
 
   OBBY_DEVICE Box box() const { return {lo, -minusHi}; }
 };
 constexpr uint32_t kSolidTag = 1, kUprightTag = 2, kMovingTag = 4;
-constexpr uint32_t kSurfaceTag = 8;  // carries, conveys or is slippery: more than a place to stand
+constexpr uint32_t kSurfaceTag = 8;  // carries, conveys or is slippery
 constexpr int kTagShift = 4;
 
 OBBY_DEVICE Bounds makeBounds(const Box& box, uint32_t flags, uint32_t index, bool slippery) {
@@ -82,23 +82,23 @@ OBBY_DEVICE Bounds makeBounds(const Box& box, uint32_t flags, uint32_t index, bo
   return {box.lo, -box.hi, flags, tag};
 }
 
-// A clock that a touch starts. A part with a role may start the clock of its role's number; those
-// after them are shared by several parts: signals and boosts.
+// A clock that a touch starts. A part with a role may start the clock with its role's number. The
+// clocks after those are shared by several parts: signals and boosts.
 struct Clock {
-  uint32_t length = 0;    // ticks, kForever
-  bool restarts = false;  // touched while it runs, it starts anew
-  // What it does to the player meanwhile.
+  uint32_t length = 0;    // ticks, or kForever
+  bool restarts = false;  // a touch while it runs starts it again
+  // Effects on the player while it runs.
   float walkFactor = 1;     // x walkSpeed
   float jumpFactor = 1;     // x jumpSpeed
-  float jumpMore = 0;       // studs/s on top
+  float jumpMore = 0;       // studs/s that are added
   float gravityFactor = 1;  // x gravity
-  bool resets = false;      // what it leaves as it is goes back to the level's
-  uint32_t helpless = 0;    // ticks from its start in which keys do nothing
-  uint32_t seat = kNone;    // collider on which the player sits while it is held at 0
+  bool resets = false;      // values that it leaves alone return to the level's
+  uint32_t helpless = 0;    // ticks from its start during which keys do nothing
+  uint32_t seat = kNone;    // collider on which the player sits while the clock is held at 0
 };
 constexpr uint32_t kForever = 0xffffffffu;
 
-// Launch speed of a jump while the clock runs, studs/s.
+// Returns the launch speed of a jump while the clock runs, studs/s.
 OBBY_DEVICE float jumpSpeedUnder(const Clock& c, const Params& p) {
   return maxf(p.jumpSpeed * c.jumpFactor + c.jumpMore, 0.0f);
 }
@@ -110,39 +110,38 @@ OBBY_DEVICE bool changesGravity(const Clock& c) { return c.resets || c.gravityFa
 
 constexpr int kMostStarts = 4;
 
-// Roles: one record for each part that has any, shared by its colliders.
+// One record for each part that has a role, shared by its colliders.
 struct Roles {
-  float damage;            // kill: health per touch; negative: heals
-  uint16_t cooldownTicks;  // kill
+  float damage;            // health that a touch takes; negative if it heals
+  uint16_t cooldownTicks;  // between two hits
   bool padKeepsSideways;
   Vec3 padVelocity;       // studs/s
   Vec3 conveyorVelocity;  // studs/s
-  Vec3 conveyorAngular;   // rad/s about the part's centre, wherever that is
-  uint32_t vanishDelay;   // ticks; timer: solid ticks of each period
+  Vec3 conveyorAngular;   // rad/s about the part's present centre
+  uint32_t vanishDelay;   // ticks; for a timer the solid ticks of each period
   uint32_t vanishAway;    // ticks
   uint32_t vanishPhase;   // ticks, timer only
-  bool vanishInverted;    // solid only while it would be away
-  // Away while this clock runs, from `awayFrom` ticks after its start.
+  bool vanishInverted;    // solid only while it would otherwise be away
+  // The part is away while this clock runs, from `awayFrom` ticks after its start.
   uint32_t awayClock;
   uint32_t awayFrom;
-  uint32_t starts[kMostStarts];  // clocks; kNone: none
-  uint32_t healClock;            // does not heal while it runs; kNone: heals at every touch
-  Vec3 teleportTo;               // of the feet
+  uint32_t starts[kMostStarts];  // clocks that a touch starts; kNone if unused
+  uint32_t healClock;            // no healing while it runs; kNone heals at every touch
+  Vec3 teleportTo;               // position of the feet
   Turns teleportYaw;
   bool teleportTurns, teleportKeepsVelocity;
-  Vec3 oneWay;  // unit, in the part's frame: the side from which it is solid
+  Vec3 oneWay;  // unit, in the part's frame, toward the side that is solid
   uint32_t seatClock;
 };
 
-// Of a conveyor's surface at a point; `center`: of the part now.
+// Returns the velocity of a conveyor's surface at a point. `center` is the part's present centre.
 OBBY_DEVICE Vec3 conveyorVelocityAt(const Roles& r, Vec3 center, Vec3 point) {
   return r.conveyorVelocity + cross(r.conveyorAngular, point - center);
 }
 
-// A moving part. Its pose at tick t, of the level's clock or of the clock that triggers it, is
-// keys[wrap(t, keyCount)] turned by spins[t % spinCount] about
-// the pivot. Tables hold whole repetitions, so that a period that is no whole number of ticks does
-// not drift (motion_tables.h).
+// A moving part. Its pose at tick t, of the level's clock or of its trigger, is keys[wrap(t,
+// keyCount)] turned by spins[t % spinCount] about the pivot. Tables hold whole repetitions, so that
+// a period that is not a whole number of ticks does not drift (motion_tables.h).
 struct Mover {
   const Pose* keys;   // (keyCount), at least 1
   const Mat3* spins;  // (spinCount), may be null
@@ -150,7 +149,7 @@ struct Mover {
   uint32_t spinCount;
   Vec3 pivot;                // studs from the part's centre, in the part's frame
   bool once;                 // stays at the last key instead of starting over
-  uint32_t trigger = kNone;  // clock that moves it; it rests at tick 0 while that does not run
+  uint32_t trigger = kNone;  // clock that moves it; while it does not run, the part rests at tick 0
 };
 
 template <class Table>
@@ -170,50 +169,49 @@ OBBY_DEVICE Pose moverPose(const Mover& m, uint32_t tick) {
   return pose;
 }
 
-// A loose body: an unanchored part that physics moves. Its state is a sim::LooseBody of each world.
-// Its colliders are in the table of all, but in no grid.
+// A dynamic body: an unanchored part that physics moves. Each world has its state, a
+// sim::LooseBody. Its colliders are in the table of colliders, but in no grid.
 struct Loose {
-  Vec3 position;  // of the part, as the level has it
+  Vec3 position;  // position of the part at the start
   Quat rotation;
-  Vec3 center;          // of mass, studs, in the part's frame
+  Vec3 center;          // centre of mass, studs, in the part's frame
   Mat3 inverseInertia;  // about the centre, in the part's frame
   float inverseMass;
-  float radius;  // studs, about the centre: all of it is within
+  float radius;  // studs around the centre that contain all of it
   uint32_t firstCollider, colliderCount;
 };
 constexpr int kMaxLoose = 16;
 
 constexpr uint32_t kListStep = 4;
 
-// Uniform grid over root positions: the list of a cell names every collider that a player whose
-// feet are in the cell can meet within one substep or tick, so that one look-up is enough
-// (grid_build.h).
+// Uniform grid over positions of the feet. The list of a cell names every collider that a player
+// with the feet in the cell can meet within one tick, so that one look-up is enough (grid_build.h).
 struct Grid {
   Vec3 origin;
   Vec3 inverseCell;  // 1 / cell extent
   int32_t nx, ny, nz;
-  const uint32_t* cells;  // (nx * ny * nz), index into lists: where the cell's list starts
-  const uint32_t* lists;  // each list: count, then collider indices in ascending order, filled up
-                          // with colliderCount to a multiple of kListStep; before it, at -2 and
-                          // -1: flags of any and of every collider in it
-  uint32_t listWords;     // of all lists together
+  const uint32_t* cells;  // (nx * ny * nz), where each cell's list starts in `lists`
+  const uint32_t* lists;  // each list: count, then collider indices in ascending order, padded with
+                          // colliderCount to a multiple of kListStep; before it, at -2 and -1, the
+                          // flags of any and of every collider in it
+  uint32_t listWords;     // in all lists together
 };
 
 struct LevelView {
   Params params;
   const Collider* colliders;
-  const Bounds* bounds;  // (colliderCount + 1), of static colliders; swept bounds of moving ones;
-                         // the last is met by nothing
+  const Bounds* bounds;  // (colliderCount + 1), swept bounds for moving colliders; the last one
+                         // meets nothing
   const Roles* roles;
   const Mover* movers;
   const Clock* clocks;
   const Loose* loose;  // (looseCount)
   uint32_t colliderCount, roleCount, moverCount, clockCount, looseCount;
-  uint32_t crushClock;  // counts the ticks of being squeezed; kNone: no part kills so
-  uint32_t airClock;    // counts jumps in the air (sim/air_jump.h); kNone: there are none
+  uint32_t crushClock;  // counts the ticks of a squeeze; kNone if no part kills by it
+  uint32_t airClock;    // counts jumps in the air (sim/air_jump.h); kNone if not allowed
   Grid grid;
-  Grid looseGrid;      // the same over centres of loose bodies; empty where there are none
-  float maxSideSpeed;  // studs/s; the grid lists reach as far as this carries a player in a tick
+  Grid looseGrid;      // the same over centres of dynamic bodies; empty if there are none
+  float maxSideSpeed;  // studs/s; the grid's lists cover how far this carries a player in a tick
 };
 
 template <class Table>

@@ -1,5 +1,5 @@
-// Volume integrals over tetrahedra from the origin to the faces, in double precision: rounding to
-// float at the end hides what little the order of work could show.
+// Volume integrals over tetrahedra from the origin to the faces, in double precision. Rounding to
+// float hides differences that come from the order of summation.
 #include "level/mass.h"
 
 #include <algorithm>
@@ -33,7 +33,8 @@ Moments diagonal(double volume, double xx, double yy, double zz) {
   return m;
 }
 
-// The tetrahedron of the origin and three corners; negative where they turn the other way.
+// Returns the moments of the tetrahedron of the origin and three corners, negative if they turn the
+// other way.
 Moments tetrahedron(Vec3 a, Vec3 b, Vec3 c) {
   const double p[3][3] = {{a.x, a.y, a.z}, {b.x, b.y, b.z}, {c.x, c.y, c.z}};
   const double det = p[0][0] * (p[1][1] * p[2][2] - p[1][2] * p[2][1]) -
@@ -54,7 +55,7 @@ Moments tetrahedron(Vec3 a, Vec3 b, Vec3 c) {
   return m;
 }
 
-// How far below a face its corners may be: less than a thin hull is thick.
+// Returns how far below a face its corners may be, which is less than the thickness of a thin hull.
 float slackOf(const geom::Hull& hull) {
   float size = 0;
   for (uint32_t i = 0; i < hull.vertexCount; ++i) size = maxf(size, length(hull.vertices[i]));
@@ -69,7 +70,7 @@ float slackOf(const geom::Hull& hull) {
   return slack;
 }
 
-// The corners of a face, around it as seen from outside.
+// Returns the corners of a face, counter-clockwise as seen from outside.
 std::vector<Vec3> ringOf(const geom::Hull& hull, uint32_t face, float slack) {
   const Vec3 n = hull.normals[face];
   std::vector<Vec3> ring;
@@ -128,7 +129,7 @@ Moments momentsOf(const SolidShape& s) {
   return diagonal(8 * x * y * z, x * x / 3, y * y / 3, z * z / 3);
 }
 
-// Of a symmetric matrix.
+// Returns the inverse of a symmetric matrix.
 Mat3 inverse(const double (&m)[3][3]) {
   const auto minor = [&](int i, int j) {
     const int a = (i + 1) % 3, b = (i + 2) % 3, c = (j + 1) % 3, d = (j + 2) % 3;

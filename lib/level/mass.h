@@ -1,4 +1,4 @@
-// Mass, centre and inertia of a loose part, from its shapes and its density.
+// Mass, centre and inertia of a dynamic part, from its shapes and its density.
 #pragma once
 
 #include <span>
@@ -15,11 +15,11 @@ struct SolidShape {
 
 struct MassProperties {
   float mass = 0;       // density x cubic studs
-  Vec3 center;          // of mass, studs, in the part's frame
+  Vec3 center;          // centre of mass, studs, in the part's frame
   Mat3 inverseInertia;  // about the centre, in the part's frame
 };
 
-// Shapes of one part may not overlap. Mass 0 where they have no volume.
+// The shapes of one part must not overlap. The mass is 0 if they have no volume.
 MassProperties massOf(std::span<const SolidShape> shapes, float density);
 
 }  // namespace obby::level

@@ -12,9 +12,8 @@ namespace {
 
 constexpr double kTurn = 2 * 3.14159265358979323846;  // radians
 
-// Shorter way round between two rotations; the angle between neighbouring rows is small, so that
-// normalised linear interpolation after a spherical step would add nothing: keys may be far apart,
-// hence spherical.
+// Interpolates along the shorter arc between two rotations. Keys may be far apart, so the
+// interpolation is spherical.
 Quat slerp(Quat a, Quat b, double t) {
   double d = double(a.x) * b.x + double(a.y) * b.y + double(a.z) * b.z + double(a.w) * b.w;
   const double sign = d < 0 ? -1 : 1;
@@ -61,7 +60,7 @@ Pose poseAt(const std::vector<MotionKey>& keys, double time) {
           toMat3(slerp(a.rotation, b.rotation, t))};
 }
 
-// Rows that hold whole repetitions of a period with the least drift.
+// Returns the number of rows that hold whole repetitions of a period with the smallest drift.
 uint32_t rowsFor(double periodTicks, uint32_t mostRows) {
   uint32_t best = 0;
   double bestError = 1e9;
@@ -84,14 +83,16 @@ Status planKeys(schema::Motion::Reader motion, const Params& params, uint32_t mo
   if (ticks > mostTicks(params)) {
     return pathError("motion.keys", "one pass through the keys takes " + longerThanMost(params));
   }
-  // A negative offset is a wait before the motion; one that comes but once must still arrive.
+  // A negative offset is a wait before the motion. A motion that runs once must still reach its
+  // end.
   const double wait = plan.once ? std::max(0.0, -plan.offset) * params.controlRate : 0;
   if (wait > mostTicks(params)) {
     return pathError("motion.offset", "the wait is " + longerThanMost(params));
   }
   const uint32_t rows = plan.once ? uint32_t(ticks + wait) + 2 : rowsFor(ticks, mostRows);
   if (length <= 0 || rows == 0) return {};
-  // Whole repetitions in the table: stretch time by the rounding, far below anything visible.
+  // The table holds whole repetitions. Stretching time by the rounding is far below anything
+  // visible.
   const double repetitions = plan.once ? 1 : std::max(1.0, std::round(rows / ticks));
   plan.secondsPerRow = plan.once ? 1.0 / params.controlRate : repetitions * plan.seconds / rows;
   plan.rows = rows;

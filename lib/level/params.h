@@ -1,6 +1,6 @@
 // The physics parameters as the simulator reads them. Units, ranges, defaults and sources are in
-// struct PhysicsParams of schema/obby.capnp; the names here are the same, and
-// tests/level/params_test.cpp holds the two together.
+// struct PhysicsParams of schema/obby.capnp. The names here are the same;
+// tests/level/params_test.cpp compares the two.
 #pragma once
 
 #include <stdint.h>
@@ -26,12 +26,12 @@ namespace obby {
   X(float, seatCooldown) \
   X(float, climbLowest) X(float, climbWill) X(float, playerMass) X(float, pushForce) X(float, sleepSpeed) X(float, sleepTime) \
   X(float, playerFriction) X(float, jumpAccel)
-// Those that came later count in a level's digest only where they are not 0.
+// A later parameter counts in a level's digest only if it is not 0, so that old digests stay valid.
 #define OBBY_LATER_PARAMS(X) X(uint16_t, airJumps)
 #define OBBY_PHYSICS_PARAMS(X) OBBY_FIRST_PARAMS(X) OBBY_LATER_PARAMS(X)
 // clang-format on
 
-// Bits of Params::tricks, in the order of schema Trick (docs/physics.md, tricks).
+// Bits of Params::tricks, in the order of the schema's Trick (docs/physics.md, tricks).
 enum Trick : uint16_t {
   kHeldJump = 1,
   kHangingLanding = 2,
@@ -46,50 +46,51 @@ struct Params {
   OBBY_PHYSICS_PARAMS(OBBY_PARAM_FIELD)
 #undef OBBY_PARAM_FIELD
 
-  // Derived once per level by level/params.cpp.
+  // Derived once per level by level/compile_params.cpp.
   float tickSeconds;     // 1 / controlRate
   float substepSeconds;  // tickSeconds / substeps
-  float slopeNormalY;    // cos(maxSlope): floors whose normal has a smaller Y are slid down
-  float plainGrip;       // pair friction of the player and a part that states none
+  float slopeNormalY;    // cos(maxSlope); players slide down floors whose normal has a smaller Y
+  float plainGrip;       // friction of the player on a part with default friction
   uint16_t landedSteps;  // times above, rounded to whole physics steps; at most 255
-  uint16_t coyoteSteps;  // this and those below: at least 1
+  uint16_t coyoteSteps;  // this and the following ones are at least 1
   uint16_t graceSteps;
   uint16_t squeezeTicks;
   uint16_t sleepTicks;
 
   // Set by the query or the trajectory, never by the level.
-  uint16_t tricks;         // that the player may use
-  uint16_t directionStep;  // between two headings that the player can walk in, turns / 65536: a
-                           // power of two; 0: any heading
+  uint16_t tricks;         // bits of the tricks that the player may use
+  uint16_t directionStep;  // turns / 65536 between two headings that the player can walk in, a
+                           // power of two; 0 for any heading
   uint16_t directionFrom;  // one of these headings
 };
 
-// Ticks of a duration, to the nearest. Negative or not finite: 0. At most 2^24.
+// Returns the ticks of a duration, to the nearest and at most 2^24. Returns 0 for a negative one or
+// NaN.
 OBBY_DEVICE uint32_t ticksFromSeconds(const Params& p, float seconds) {
   const float t = seconds * float(p.controlRate) + 0.5f;
   return t >= 1 ? (t < 16777216.0f ? uint32_t(t) : 16777216u) : 0u;
 }
 
-// Friction of the player on a floor of `friction`.
+// Returns the friction of the player on a floor with this friction and weight.
 OBBY_DEVICE float pairFriction(const Params& p, float friction, float weight) {
   const float sum = weight + p.playerFrictionWeight;
   if (!(sum > 0)) return 0.5f * (friction + p.playerFriction);
   return (friction * weight + p.playerFriction * p.playerFrictionWeight) / sum;
 }
 
-// Studs that a launch at this speed raises the feet: its first step is free of gravity.
+// Returns the studs that a launch at this speed raises the feet. Its first step is free of gravity.
 OBBY_DEVICE float riseOfLaunch(const Params& p, float gravity, float speed) {
   return 0.5f * speed * (speed / gravity + p.substepSeconds);
 }
 
-// Limits of levels: studs/s^2 of gravity, and times the player's speed or gravity in a boost. More
-// is a mistake, and would make the grid's lists long.
+// Limits of levels: gravity in studs/s^2, and the factors of a boost. Larger numbers are mistakes,
+// and would make the grid's lists long.
 constexpr float kMaxGravity = 2000, kMaxBoostFactor = 100;
 
-// Params::airJumps for any number of them.
+// Value of Params::airJumps for an unlimited number.
 constexpr uint16_t kAnyAirJumps = 100;
 
-// Times hipHeight: how far the floor rays reach, in whatever state the player is.
+// Returns the max reach of the floor rays in any state, as a multiple of hipHeight.
 OBBY_DEVICE float farthestFloor(const Params& p) {
   return p.floorKeep > p.floorAcquire ? p.floorKeep : p.floorAcquire;
 }

@@ -6,12 +6,12 @@
 namespace obby::level {
 namespace {
 
-// As many passes over all parts take about as long as sorting them.
+// This many passes over all parts take about as long as sorting them.
 constexpr size_t kMostPasses = 16;
 
 std::string_view view(capnp::Text::Reader text) { return {text.cStr(), text.size()}; }
 
-// In the order of the texts read backwards, those with the same end lie side by side.
+// Compares texts backwards, so that texts with the same end become neighbours.
 bool isBefore(std::string_view a, std::string_view b) {
   return std::lexicographical_compare(a.rbegin(), a.rend(), b.rbegin(), b.rend());
 }
@@ -51,9 +51,9 @@ std::vector<uint32_t> PartIndex::find(Table& table, std::string_view text, bool 
         std::lower_bound(table.entries.begin(), table.entries.end(), text,
                          [](const Entry& e, std::string_view t) { return isBefore(e.text, t); });
     for (; it != table.entries.end() && fits(it->text); ++it) found.push_back(it->part);
-    std::sort(found.begin(), found.end());  // several texts may have one end
+    std::sort(found.begin(), found.end());  // different texts may have the same end
   }
-  found.erase(std::unique(found.begin(), found.end()), found.end());  // a tag that is given twice
+  found.erase(std::unique(found.begin(), found.end()), found.end());  // a tag may be given twice
   return found;
 }
 

@@ -1,5 +1,5 @@
-// The parts of a level by the texts that name them. A query may list as many names as the level has
-// parts: a pass over all parts for each would take minutes.
+// Finds the parts of a level by the texts that name them. A query may list as many names as the
+// level has parts; a pass over all parts for each name would take minutes.
 #pragma once
 
 #include <cstddef>
@@ -11,12 +11,11 @@
 
 namespace obby::level {
 
-// A part's path, or its name where it has none. Lives as long as the record.
+// Returns a part's path, or its name if it has none. Valid while the record lives.
 std::string_view pathOf(schema::Part::Reader part);
 
-// What it gives is in the level's order, each part once; nothing where no part fits. A few texts
-// are looked up in passes over all parts; for more of them they are sorted, once. One thread at a
-// time.
+// Results are in the level's order, each part once, and empty if no part fits. The first few texts
+// are looked up in passes over all parts; after that the texts are sorted once. Not thread-safe.
 class PartIndex {
  public:
   // The record must outlive this.
@@ -25,9 +24,9 @@ class PartIndex {
   schema::Level::Reader level() const { return level_; }
 
   std::vector<uint32_t> withGuid(std::string_view guid);
-  std::vector<uint32_t> withPath(std::string_view path);  // the whole of it
+  std::vector<uint32_t> withPath(std::string_view path);  // the whole path
   std::vector<uint32_t> withName(std::string_view name);
-  std::vector<uint32_t> withPathEnd(std::string_view end);  // what follows a slash
+  std::vector<uint32_t> withPathEnd(std::string_view end);  // the path after any of its slashes
   std::vector<uint32_t> withTag(std::string_view tag);
 
  private:
@@ -37,10 +36,11 @@ class PartIndex {
   };
   struct Table {
     size_t asked = 0;
-    std::vector<Entry> entries;  // sorted by what their texts end with; empty until worth it
+    std::vector<Entry> entries;  // sorted by the ends of their texts; empty until sorting pays off
   };
 
-  // Of all parts, by the texts that `texts` calls its second argument with.
+  // Returns the parts with a text that fits. `texts` calls its second argument with each text of a
+  // part.
   template <class Texts>
   std::vector<uint32_t> find(Table& table, std::string_view text, bool atEnd, const Texts& texts);
 

@@ -7,15 +7,16 @@
 
 namespace obby::level {
 
-// Smallest extent that the engine's physics uses (docs/physics.md, parts).
+// The smallest extent that the engine's physics uses (docs/parts.md, shapes).
 constexpr float kMinSize = 0.05f;
 constexpr float kMaxSize = 2048;
 constexpr float kMaxFriction = 100, kMaxFrictionWeight = 100;
 
-// Half of the size; extents below kMinSize count as kMinSize.
+// Returns half of the size. Extents below kMinSize count as kMinSize. Sizes outside (0, kMaxSize]
+// are errors.
 Result<Vec3> halfExtents(schema::Part::Reader part);
 
-// An error if friction or elasticity is out of range.
+// Returns an error if friction, its weight or elasticity is out of range.
 Status checkSurface(schema::Part::Reader part);
 
 }  // namespace obby::level

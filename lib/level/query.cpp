@@ -1,4 +1,4 @@
-// A query record to regions and limits.
+// Compiles a query record to regions and limits.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -21,8 +21,8 @@ Result<StartPose> startPose(schema::Query::Reader record, const Level& level) {
     OBBY_RETURN_IF_ERROR(checkLookedUp(start.getRegion(), "start.region"));
     OBBY_ASSIGN(const geom::Region box, region(start.getRegion(), "start.region"));
     OBBY_ASSIGN(const float yaw, angle(start.getYaw(), "start.yaw"));
-    // Feet at the centre of the floor: the lowest face for an upright box, the lowest point below
-    // the centre else.
+    // The feet are at the centre of the floor: the lowest face of an upright box, otherwise at the
+    // height of the lowest point.
     const Vec3 up{box.pose.rotation.x.y, box.pose.rotation.y.y, box.pose.rotation.z.y};
     const float drop = absf(up.y) > 0.999f ? box.half.y : dot(abs(up), box.half);
     const Vec3 feet = box.pose.position - Vec3{0, drop, 0};
@@ -50,14 +50,14 @@ Result<StartPose> startPose(schema::Query::Reader record, const Level& level) {
   return pose;
 }
 
-// Seconds to ticks; 0: none.
+// Converts seconds to ticks. 0 means no limit.
 Result<uint32_t> ticksWithin(float limit, const Params& params, const std::string& path) {
   if (!std::isfinite(limit) || limit < 0) {
     return pathError(path, "expected 0 or more seconds (0: no limit), found " + shown(limit));
   }
   if (limit == 0) return 0u;
-  // A whole number of ticks must not be lost to the rounding of the record's float. Beyond the
-  // largest clock there is no difference any more.
+  // A whole number of ticks must survive the rounding of the record's float. Limits beyond the
+  // largest clock are all the same.
   const double exact = double(limit) * params.controlRate;
   const double whole = std::floor(exact + 1e-4 + exact * 0x1p-23);
   const uint32_t ticks = uint32_t(std::min(whole, 4294967295.0));
@@ -65,7 +65,7 @@ Result<uint32_t> ticksWithin(float limit, const Params& params, const std::strin
   return ticks;
 }
 
-// -1: any.
+// Checks a limit of jumps. -1 means any number.
 Result<int32_t> jumpsWithin(int32_t jumps, const std::string& path) {
   if (jumps < -1) {
     return pathError(path, fmt::format("expected 0 or more jumps (-1: any), found {}", jumps));
@@ -95,7 +95,7 @@ Result<WaypointView> compileWaypoint(schema::Waypoint::Reader record, schema::Ar
   return waypoint;
 }
 
-// A bit for each state that ends the playthrough.
+// Returns a bit for each state that ends the trajectory.
 Result<uint32_t> forbiddenStates(schema::Query::Reader record) {
   using State = schema::PlayerState;
   uint32_t bits = 0, i = 0;
@@ -111,7 +111,7 @@ Result<uint32_t> forbiddenStates(schema::Query::Reader record) {
   return bits;
 }
 
-// Limits of the whole playthrough and of its last segment.
+// Compiles the limits of the whole trajectory and of its last segment.
 Result<QueryView> compileLimits(schema::Query::Reader record, const Params& params) {
   QueryView q;
   OBBY_ASSIGN(q.maxJumps, jumpsWithin(record.getMaxJumps(), "maxJumps"));

@@ -47,7 +47,8 @@ Result<TargetView> QueryTargets::boxOrPart(schema::Region::Reader record, const 
   }
   listTouched(uint32_t(part), target);
   if (target.touchCount == 0) {
-    // The path may name a place that is not in the record: a name or a tag stands for many parts.
+    // The path may be of an entry that a name or a tag was expanded to, so the message names the
+    // part.
     const std::string name = record.getPart().size() > 0 ? std::string(record.getPart().cStr())
                                                          : fmt::format("part:{}", part);
     return pathError(
@@ -66,8 +67,8 @@ bool QueryTargets::isSolid(uint32_t part) {
   return run.count > 0;
 }
 
-// Takes the foot of a part with a level top off the region around it: who stands beside the part
-// is not on it.
+// Removes the lower part of the region around a part with a level top: a player next to the part is
+// not on it.
 void QueryTargets::leaveFoot(uint32_t part, geom::Region& region) {
   const ColliderRun run = runs_.of(part);
   const Bounds& bounds = level_.bounds[run.first];
@@ -79,7 +80,7 @@ void QueryTargets::leaveFoot(uint32_t part, geom::Region& region) {
   region.half.y = 0.5f * (high - low);
 }
 
-// A part's colliders go into touched_ once: lists may name it again, and a tag thousands.
+// Adds a part's colliders to touched_ once, because lists may name it again, and a tag thousands.
 void QueryTargets::listTouched(uint32_t part, TargetView& target) {
   const ColliderRun run = runs_.of(part);
   listed_.resize(parts_, kNone);

@@ -10,20 +10,20 @@
 
 namespace obby::level {
 
-// Error about `path`: the region names a part whose box is not filled in. Names are not looked up
-// here.
+// Returns an error at `path` if the region names a part whose box is not filled in. Names are not
+// looked up here.
 Status checkLookedUp(schema::Region::Reader record, const std::string& path);
 
-// Parts to touch are looked up among the level's colliders.
+// Compiles targets, and looks up parts to touch among the level's colliders.
 class QueryTargets {
  public:
-  // `parts`: of the level. `touched`: filled with the colliders of parts to touch. All must outlive
-  // it.
+  // `parts` is the number of the level's parts. `touched` receives the colliders of parts to touch.
+  // All arguments must outlive this object.
   QueryTargets(const LevelView& level, size_t parts, std::vector<uint32_t>& touched)
       : level_(level), parts_(parts), runs_(level), touched_(touched) {}
 
-  // A solid part is stood on if `arrive` says so, and entered otherwise, as a box is. Errors: about
-  // `path`.
+  // A solid part is to be stood on if `arrive` is STAND. Otherwise it is to be entered, as a box
+  // is. Errors are at `path`.
   Result<TargetView> compile(schema::Region::Reader record, const std::string& path,
                              schema::Arrive arrive);
   Result<std::vector<TargetView>> compile(capnp::List<schema::Region>::Reader list,
@@ -38,7 +38,7 @@ class QueryTargets {
   const LevelView& level_;
   size_t parts_;
   ColliderRuns runs_;
-  std::vector<uint32_t> listed_;  // (parts) where each is in touched_; empty until one is
+  std::vector<uint32_t> listed_;  // (parts), index into touched_, or kNone; may be empty
   std::vector<uint32_t>& touched_;
 };
 

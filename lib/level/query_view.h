@@ -7,28 +7,28 @@
 
 namespace obby::level {
 
-// Studs below a level top at which feet still stand on it: as far as a landing dips, and more.
+// Studs below a level top at which feet still count as standing on it. A landing dips less.
 constexpr float kStandDepth = 0.5f;
-// Parts that hold a player elsewhere than on their top, or whose top is elsewhere later.
+// Parts that hold a player elsewhere than on their top, or whose top can move.
 constexpr uint32_t kHeldElsewhere = kTruss | kSeat | kMoving | kTriggered | kLoose;
 
-// What a query names: a region, or a part that has to be touched.
+// A target of a query: a region, or a part that has to be touched.
 struct TargetView {
-  geom::Region region;                      // of a part to touch: the room around it
-  uint32_t firstTouch = 0, touchCount = 0;  // its colliders in QueryView::touched; 0: the region
+  geom::Region region;                      // the region, or the space around a part to touch
+  uint32_t firstTouch = 0, touchCount = 0;  // colliders in QueryView::touched; 0 for a region
   bool stand = false;                       // the feet have to come to rest in the region
 };
 
-// Limits of a segment: what lies between a waypoint, or the start, and the next or the goal.
+// Limits of a segment, which leads from the start or a waypoint to the next waypoint or the goal.
 struct SegmentLimits {
-  int32_t jumps = -1;  // -1: any
-  uint32_t ticks = 0;  // 0: none
+  int32_t jumps = -1;  // -1 for any number
+  uint32_t ticks = 0;  // 0 for no limit
 };
 
 struct WaypointView {
   TargetView target;
-  int32_t maxJumps = -1;  // since the start, on arrival; -1: any
-  uint32_t ticks = 0;     // since the start, on arrival; 0: none
+  int32_t maxJumps = -1;  // since the start, on arrival; -1 for any number
+  uint32_t ticks = 0;     // since the start, on arrival; 0 for no limit
   SegmentLimits segment{};
 };
 
@@ -37,19 +37,19 @@ constexpr uint32_t kMaxVisits = 32;  // World::visited has a bit for each
 struct QueryView {
   TargetView goal;
   const TargetView* otherGoals = nullptr;
-  const WaypointView* waypoints = nullptr;  // in this order
-  const TargetView* visits = nullptr;       // in any order
+  const WaypointView* waypoints = nullptr;  // to be reached in this order
+  const TargetView* visits = nullptr;       // to be reached in any order
   const TargetView* avoid = nullptr;
-  const uint32_t* touched = nullptr;  // colliders of the parts to touch or not to touch
+  const uint32_t* touched = nullptr;  // colliders of the parts to touch or to avoid
   uint32_t otherGoalCount = 0, waypointCount = 0, visitCount = 0, avoidCount = 0, touchedCount = 0;
   int32_t minJumps = 0;
-  int32_t maxJumps = -1;        // -1: any
-  uint32_t timeLimitTicks = 0;  // 0: none
-  uint32_t startTick = 0;       // level clock at the start of the playthrough
-  SegmentLimits last{};         // of the segment that ends at the goal
-  float maxDamage = -1;         // health; -1: any
-  uint32_t forbidden = 0;       // sim::State values, a bit each
-  uint16_t tricks = 0;          // that the player may use: Params::tricks
+  int32_t maxJumps = -1;        // -1 for any number
+  uint32_t timeLimitTicks = 0;  // 0 for no limit
+  uint32_t startTick = 0;       // level clock at the start of the trajectory
+  SegmentLimits last{};         // limits of the segment that ends at the goal
+  float maxDamage = -1;         // health; -1 for any amount
+  uint32_t forbidden = 0;       // sim::State values, one bit each
+  uint16_t tricks = 0;          // as Params::tricks: those that the player may use
   uint16_t directionStep = 0;   // Params::directionStep
 };
 

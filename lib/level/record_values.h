@@ -1,4 +1,4 @@
-// Values of the schema as math types, with the checks every one of them needs.
+// Converts values of the schema to math types, with the checks that every one of them needs.
 #pragma once
 
 #include <cmath>
@@ -37,11 +37,12 @@ inline bool isFinite(Vec3 v) {
   return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
-// "[1,2.5,3]", as an error shows what it found.
+// Returns "[1,2.5,3]", the form in which errors show a value.
 std::string shown(Vec3 v);
 std::string shown(float number);
 
-// Here and below: the value, or an error about `path`. Studs, each within kMaxCoordinate.
+// This and the following return the value, or an error at `path`. Studs, each within
+// kMaxCoordinate.
 inline Result<Vec3> position(schema::Vec3::Reader record, const std::string& path) {
   const Vec3 v = vec(record);
   if (!isFinite(v) || maxf(absf(v.x), maxf(absf(v.y), absf(v.z))) > kMaxCoordinate) {
@@ -50,7 +51,7 @@ inline Result<Vec3> position(schema::Vec3::Reader record, const std::string& pat
   return v;
 }
 
-// The unit vector along a direction in a part's frame, which may have any length.
+// Returns the unit vector along a direction in a part's frame, which may have any length.
 inline Result<Vec3> direction(schema::Vec3::Reader record, const std::string& path,
                               const std::string& hint = {}) {
   Vec3 v = vec(record);
@@ -71,7 +72,7 @@ inline Result<float> angle(float radians, const std::string& path) {
   return radians;
 }
 
-// Made a unit quaternion, of any with a length between 0.001 and 1000.
+// Returns a unit quaternion. The length in the record must be between 0.001 and 1000.
 inline Result<Quat> quaternion(schema::Quat::Reader record, const std::string& path) {
   const Quat q{record.getX(), record.getY(), record.getZ(), record.getW()};
   const float n2 = q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w;
@@ -86,7 +87,7 @@ inline Result<Mat3> rotation(schema::Quat::Reader record, const std::string& pat
   return toMat3(q);
 }
 
-// The box, which must have a size above 0 each way; not the part that it may name.
+// Returns the box, whose sizes must be above 0. Ignores the part that it may name.
 inline Result<geom::Region> region(schema::Region::Reader record, const std::string& path) {
   OBBY_ASSIGN(const Vec3 center, position(record.getPosition(), path + ".position"));
   OBBY_ASSIGN(const Mat3 axes, rotation(record.getRotation(), path + ".rotation"));

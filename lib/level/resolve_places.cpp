@@ -35,7 +35,8 @@ Status resolve(PartIndex& index, schema::Region::Builder region, const std::stri
   return {};
 }
 
-// Any part that the goal's tag fits is a goal: the first, and the others as further ones.
+// Makes every part with the goal's tag a goal: the first one here, the others among the further
+// goals.
 Status spreadGoal(PartIndex& index, schema::Query::Builder query) {
   const std::string selector = query.getGoal().getPart().cStr();
   if (!selector.starts_with("#")) return {};
@@ -56,18 +57,18 @@ Status spreadGoal(PartIndex& index, schema::Query::Builder query) {
 
 // Parts that a selector in a list may stand for.
 enum class Fits {
-  one,  // of a tag all parts that have it, else the only part of that name
-  all,  // all parts that it fits
+  one,  // all parts with a tag, or the only part with a name
+  all,  // all parts that fit
 };
 
-// One entry of a list after its parts have been found.
+// One entry of a list after its parts were found.
 struct Entry {
-  uint32_t from;  // entry of the list as it was
-  int64_t part;   // -1: a box
-  bool shared;    // its selector fits other parts, too
+  uint32_t from;  // index in the original list
+  int64_t part;   // -1 for a box
+  bool shared;    // true if its selector fits other parts, too
 };
 
-// Finds the parts of a query's lists: each selector once, however often it is listed.
+// Finds the parts of a query's lists. Each selector is looked up once, however often it is listed.
 class ListedParts {
  public:
   explicit ListedParts(PartIndex& index) : index_(index) {}
@@ -109,10 +110,10 @@ class ListedParts {
 
   PartIndex& index_;
   std::unordered_map<std::string, std::vector<uint32_t>> known_;
-  size_t places_ = 0;  // that parts stand for, in all lists
+  size_t places_ = 0;  // entries that stand for parts, in all lists
 };
 
-// `disown` and `init` take a list out of the query, and make a new one in its place.
+// `disown` takes a list out of the query, and `init` makes a new one in its place.
 template <class Disown, class Init>
 Status resolveList(schema::Level::Reader level, ListedParts& listed, const char* name, Fits fits,
                    Disown&& disown, Init&& init) {

@@ -1,5 +1,5 @@
-// Regions of a query that name parts: the tools fill in the boxes before anything else reads the
-// query, so that nothing else needs to know names.
+// Fills in the boxes of a query's regions that name parts. The tools do this before anything else
+// reads the query, so that no other code needs to know names.
 #pragma once
 
 #include <cstddef>
@@ -9,18 +9,18 @@
 
 namespace obby::level {
 
-// Does any region of the query name a part?
+// Returns true if any region of the query names a part.
 bool namesParts(schema::Query::Reader query);
 
-// Most entries of a query's lists together that stand for parts, after each #tag or name has become
-// all its parts. Each is looked at after every tick.
+// Max entries of a query's lists together that stand for parts, after each #tag or name was
+// expanded to all its parts. Each is tested after every tick.
 constexpr size_t kMaxPlaces = 100000;
 
-// Gives every region of the query with a `part` its box, its name and its partIndex; an entry of a
-// list whose #tag fits several parts becomes one entry for each, and in the avoid list one whose
-// name does; a goal's #tag becomes the first of its parts, with the others among the goals.
-// Resolving twice changes nothing. Errors: a selector that fits no part, or several where one is
-// meant; its path is the region's. More than kMaxPlaces places.
+// Sets the box, name and partIndex of every region of the query that has a `part`. A list entry
+// whose #tag fits several parts becomes one entry for each; in the avoid list a name does, too. A
+// goal's #tag becomes the first of its parts, and the others join the goals. Resolving twice
+// changes nothing. A selector that fits no part, or several where one is needed, is an error with
+// the region's path. More than kMaxPlaces places are an error.
 Status resolvePlaces(schema::Level::Reader level, schema::Query::Builder query);
 
 }  // namespace obby::level

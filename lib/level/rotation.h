@@ -1,5 +1,4 @@
-// Rotations in other forms, for the host: by libm, so not for what must be the same bits
-// everywhere.
+// Conversions of rotations for the host. They use libm, so their bits may differ between machines.
 #pragma once
 
 #include <algorithm>
@@ -9,7 +8,7 @@
 
 namespace obby {
 
-// Unit quaternion with w >= 0 of an orthonormal matrix.
+// Returns the unit quaternion with w >= 0 of an orthonormal matrix.
 inline Quat toQuat(const Mat3& m) {
   // Shepperd's method: divide by the largest component.
   const double xx = m.x.x, yy = m.y.y, zz = m.z.z;
@@ -31,7 +30,7 @@ inline Quat toQuat(const Mat3& m) {
   return {part(q[0]), part(q[1]), part(q[2]), part(q[3])};
 }
 
-// Axis (unit) times angle (0 to pi) of a rotation.
+// Returns the axis (unit) times the angle (0 to pi) of a rotation.
 inline Vec3 rotationVector(const Mat3& rotation) {
   const Quat q = toQuat(rotation);
   const double sine = std::sqrt(double(q.x) * q.x + double(q.y) * q.y + double(q.z) * q.z);
@@ -40,12 +39,12 @@ inline Vec3 rotationVector(const Mat3& rotation) {
   return Vec3{q.x, q.y, q.z} * float(angle / sine);
 }
 
-// Transpose, which is the inverse of a rotation.
+// Returns the transpose, which is the inverse of a rotation.
 inline Mat3 inverse(const Mat3& m) {
   return {{m.x.x, m.y.x, m.z.x}, {m.x.y, m.y.y, m.z.y}, {m.x.z, m.y.z, m.z.z}};
 }
 
-// Rotation by `angle` radians about a unit axis.
+// Returns the rotation by `angle` radians about a unit axis.
 inline Mat3 rotationAbout(Vec3 axis, double angle) {
   const double c = std::cos(angle), s = std::sin(angle), k = 1 - c;
   const double x = axis.x, y = axis.y, z = axis.z;

@@ -16,12 +16,12 @@ namespace obby::level {
 namespace {
 
 constexpr size_t kShown = 5;        // candidates in a hint
-constexpr int kLongestEnd = 8;      // parts of a path that are tried as its end
+constexpr int kLongestEnd = 8;      // path components that are tried as its end
 constexpr float kGrowUp = 0.5f;     // studs
 constexpr float kGrowSide = 1;      // studs
 constexpr float kStandingRoom = 5;  // studs
 
-// As they can be typed.
+// Lists parts by selectors that can be typed.
 std::string listParts(PartIndex& index, const std::vector<uint32_t>& parts) {
   std::string text;
   for (size_t i = 0; i < std::min(parts.size(), kShown); ++i) {
@@ -30,7 +30,7 @@ std::string listParts(PartIndex& index, const std::vector<uint32_t>& parts) {
   return parts.size() > kShown ? fmt::format("{}, and {} more", text, parts.size() - kShown) : text;
 }
 
-// Which of the names have `wanted` in them; none has nothing. All in lower case.
+// Returns the names that contain `wanted`, or none if it is empty. All are in lower case.
 std::vector<uint32_t> having(const std::vector<std::string>& names, const std::string& wanted) {
   std::vector<uint32_t> out;
   for (uint32_t i = 0; !wanted.empty() && i < names.size(); ++i) {
@@ -39,7 +39,7 @@ std::vector<uint32_t> having(const std::vector<std::string>& names, const std::s
   return out;
 }
 
-// Which of them are the one that is spelled most like it; likewise.
+// Returns the names that equal the one spelled most like `wanted`. All are in lower case.
 std::vector<uint32_t> spelledLike(const std::vector<std::string>& names,
                                   const std::string& wanted) {
   std::vector<uint32_t> out;
@@ -50,7 +50,7 @@ std::vector<uint32_t> spelledLike(const std::vector<std::string>& names,
   return out;
 }
 
-// Parts that may be meant, for a hint: by their paths, or else by how their names are spelled.
+// Lists similar parts for a hint, by their paths or else by the spelling of their names.
 std::string similarParts(PartIndex& parts, const std::string& wanted) {
   std::vector<std::string> names, paths;
   for (const auto part : parts.level().getParts()) {
@@ -61,7 +61,7 @@ std::string similarParts(PartIndex& parts, const std::string& wanted) {
   return listParts(parts, similar.empty() ? spelledLike(names, wanted) : similar);
 }
 
-// Tags that may be meant, for a hint.
+// Lists similar tags for a hint.
 std::string similarTags(schema::Level::Reader level, const std::string& wanted) {
   std::vector<std::string> tags, lowered;
   std::unordered_set<std::string> seen;
@@ -102,7 +102,7 @@ std::vector<uint32_t> matchName(PartIndex& parts, const std::string& name) {
   return found;
 }
 
-// -1: not of the form part:N.
+// Returns -1 if the selector is not of the form part:N.
 int64_t indexFromText(const std::string& selector) {
   if (!selector.starts_with("part:")) return -1;
   int64_t index = -1;
@@ -111,7 +111,7 @@ int64_t indexFromText(const std::string& selector) {
   return error == std::errc() && at == end ? index : -1;
 }
 
-// Is it a name on the command line, and of no other part?
+// Returns true if the name means this part on the command line, and no other.
 bool meansOnly(PartIndex& parts, const std::string& name, uint32_t part) {
   for (const char* other : {"#", "part:", "touch:"}) {
     if (name.starts_with(other)) return false;
@@ -127,7 +127,7 @@ Quat rotationOf(schema::Part::Reader part) {
   return normalize(Quat{q.getX(), q.getY(), q.getZ(), q.getW()});
 }
 
-// Half the part's height in the world.
+// Returns half the part's height in the world.
 float halfHeight(schema::Part::Reader part) {
   return boundsOf(Pose{{}, toMat3(rotationOf(part))}, vec(part.getSize()) * 0.5f).hi.y;
 }
@@ -189,7 +189,7 @@ Result<uint32_t> matchPart(schema::Level::Reader level, const std::string& selec
 
 Result<std::optional<PlainRegion>> boxFromText(const std::string& text) {
   std::array<float, 6> v{};
-  bool fits = true;  // into floats
+  bool fits = true;  // true if they fit into floats
   const char *at = text.data(), *end = text.data() + text.size();
   for (size_t i = 0; i < v.size(); ++i) {
     const auto [next, error] = std::from_chars(at, end, v[i]);
@@ -224,7 +224,7 @@ PlainRegion regionAround(schema::Part::Reader part) {
   const Quat q = rotationOf(part);
   const Mat3 axes = toMat3(q);
   const Vec3 size = vec(part.getSize());
-  const Vec3 up{absf(axes.x.y), absf(axes.y.y), absf(axes.z.y)};  // of each axis
+  const Vec3 up{absf(axes.x.y), absf(axes.y.y), absf(axes.z.y)};  // upward component of each axis
   Vec3 grow{2 * kGrowSide, 2 * kGrowSide, 2 * kGrowSide}, lift;
   if (up.y >= up.x && up.y >= up.z) {
     grow.y = kGrowUp;

@@ -7,13 +7,14 @@ constexpr float kMostGiven = 500;  // studs/s
 
 float sideways(Vec3 v) { return length(Vec3{v.x, 0, v.z}); }
 
-// How far the one rotation is from the other: the way of a point a stud from the axis, straight.
+// Returns how far a point one stud from the axis moves between two rotations, in a straight line.
 float turnBetween(const Mat3& a, const Mat3& b) {
   const Vec3 x = b.x - a.x, y = b.y - a.y, z = b.z - a.z;
   return sqrtf32(0.5f * (dot(x, x) + dot(y, y) + dot(z, z)));
 }
 
-// By mover: how far from what they turn about its parts take a player along, studs. 0: nowhere.
+// Returns for each mover the max distance from its centre at which its parts carry a player, studs.
+// 0 if they carry none.
 std::vector<float> reachOfMovers(const PartTables& t) {
   std::vector<float> reach(t.movers.size(), 0.0f);
   for (size_t i = 0; i < t.colliders.size(); ++i) {
@@ -24,9 +25,12 @@ std::vector<float> reachOfMovers(const PartTables& t) {
   return reach;
 }
 
-// Of what is as far as `reach` from where the mover turns, studs/s.
+// Returns the max sideways speed of a point at `reach` studs from the mover's centre, studs/s.
 float speedOf(const Mover& m, float reach, const Params& params) {
-  const float spin = m.spinCount > 1 ? turnBetween(m.spins[0], m.spins[1]) * reach : 0;  // even
+  const float spin = m.spinCount > 1 ? turnBetween(m.spins[0], m.spins[1]) * reach : 0;  // all
+                                                                                         // steps
+                                                                                         // are
+                                                                                         // equal
   float most = spin;
   for (uint32_t k = 0; k + 1 < m.keyCount; ++k) {
     const Pose &from = m.keys[k], &to = m.keys[k + 1];
@@ -36,7 +40,8 @@ float speedOf(const Mover& m, float reach, const Params& params) {
   return most * float(params.controlRate);
 }
 
-// Of a conveyor's surface, studs/s; `box`: the part's bounds. One that moves may lie any way round.
+// Returns the max sideways speed of a conveyor's surface, studs/s. `box` is the part's bounds. A
+// moving part may have any orientation.
 float speedOf(const Roles& r, const Collider& c, const Box& box) {
   const Vec3 turning = abs(r.conveyorAngular);
   const Vec3 far = max(abs(box.lo - c.pose.position), abs(box.hi - c.pose.position));

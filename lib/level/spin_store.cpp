@@ -10,8 +10,8 @@
 namespace obby::level {
 namespace {
 
-// All that spinTable() looks at, which is not how fast a turn is but for its rows: equal for plans
-// that make equal tables, to the sign of a zero.
+// Returns everything that spinTable() reads, with the speed only through its rows. Plans that make
+// equal tables have equal bytes, except for the sign of a zero.
 std::string bytesOf(const SpinPlan& plan, bool upright) {
   const std::array<double, 8> parts{double(plan.axis.x),      double(plan.axis.y),
                                     double(plan.axis.z),      plan.turns,
@@ -34,7 +34,7 @@ SpinTurns SpinStore::of(const SpinPlan& plan, bool upright) {
   return known->second;
 }
 
-// The table that is there already with these rows, or these.
+// Returns the stored table with these rows. Adds them if there is none.
 std::span<const Mat3> SpinStore::kept(std::vector<Mat3> rows) {
   const size_t bytes = rows.size() * sizeof(Mat3);
   const uint64_t digest = hashBytes(rows.data(), bytes);

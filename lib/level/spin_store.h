@@ -1,4 +1,4 @@
-// The tables of turns of a level, each of them once: whole courses spin at one rate.
+// The tables of turns of a level, each stored once: all parts of a course may spin at one rate.
 #pragma once
 
 #include <cstddef>
@@ -15,22 +15,22 @@ namespace obby::level {
 
 // A table of turns. Valid while the store, or what it was moved to, lives.
 struct SpinTurns {
-  std::span<const Mat3> rows;  // none: it does not turn
-  bool upright = false;        // local Y stays where it is in all rows, exactly
+  std::span<const Mat3> rows;  // empty if it does not turn
+  bool upright = false;        // true if all rows leave local Y exactly unchanged
 };
 
 class SpinStore {
  public:
-  // `upright`: where the turns leave local Y where it is but for rounding, they are to do so
-  // exactly.
+  // With `upright`, turns that change local Y only by rounding are made to leave it exactly
+  // unchanged.
   SpinTurns of(const SpinPlan& plan, bool upright);
 
-  size_t rows() const { return rows_; }  // of all tables together
+  size_t rows() const { return rows_; }  // in all tables together
 
  private:
   std::span<const Mat3> kept(std::vector<Mat3> rows);
 
-  std::unordered_map<std::string, SpinTurns> known_;  // by the bytes of what they are made from
+  std::unordered_map<std::string, SpinTurns> known_;  // keys are the bytes of the plans
   std::unordered_multimap<uint64_t, std::span<const Mat3>> tablesByDigest_;
   std::deque<std::vector<Mat3>> tables_;
   size_t rows_ = 0;

@@ -1,4 +1,4 @@
-// The box around all places where a moving part comes, for each of its colliders.
+// The box around all positions of a moving part, for each of its colliders.
 #pragma once
 
 #include <cstddef>
@@ -9,20 +9,21 @@
 namespace obby::level {
 
 // Reads a mover's tables once: a part can have thousands of hulls, and its keys tens of thousands
-// of rows. Where both together are too many (2^24), neighbouring rows are taken as one that reaches
-// wherever one of them does: bounds are a little larger then.
+// of rows. If the product of both exceeds 2^24, neighbouring rows are merged, and the bounds become
+// a little larger.
 class SweptBounds {
  public:
   SweptBounds() = default;
-  // `colliders`: how many the part may have.
+  // `colliders` is the max number of the part's colliders.
   explicit SweptBounds(const Mover& mover, size_t colliders = 1);
 
-  // Of a collider with these half extents; where it spins, with the largest radius about the pivot.
+  // Returns the box of a collider with these half extents. If it spins, uses the max radius about
+  // the pivot.
   Box of(Vec3 half) const;
 
  private:
-  // Where rows with one rotation, one after the other, have what stays in place under the spin.
-  // Of rows that were joined it is no rotation, but the largest of all their numbers.
+  // Successive rows with one rotation, and the places of the point that the spin leaves fixed.
+  // Merged rows have the largest of all their numbers instead of a rotation.
   struct Run {
     Mat3 rotation;
     Box places;

@@ -25,7 +25,7 @@ Result<uint16_t> tricksOf(capnp::List<schema::Trick>::Reader list, const std::st
 
 namespace {
 
-// The words of heldJump with `between` between them.
+// Returns the words of a name such as heldJump, joined by `between`.
 std::string wordsOf(std::string_view name, char between) {
   std::string words;
   for (const char c : name) {

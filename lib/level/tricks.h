@@ -1,4 +1,4 @@
-// Tricks as records name them and as Params::tricks holds them.
+// Converts tricks between records, options and Params::tricks.
 #pragma once
 
 #include <cstdint>
@@ -11,23 +11,23 @@
 
 namespace obby::level {
 
-// Bits of Params::tricks. Those of a later schema are an error at `path`.
+// Returns bits of Params::tricks. A trick of a later schema is an error at `path`.
 Result<uint16_t> tricksOf(capnp::List<schema::Trick>::Reader list, const std::string& path);
 
-// "none", then the tricks in the order of the schema as options spell them, as in "held-jump", then
+// Returns "none", then the tricks in the schema's order as options spell them ("held-jump"), then
 // "all".
 std::vector<std::string> trickOptions();
 
-// Bits of those. Error: a name that is none of them.
+// Returns the bits of these options. An unknown name is an error.
 Result<uint16_t> tricksNamed(const std::vector<std::string>& options);
 
-// "held jump".
+// Returns the name as words: "held jump".
 std::string trickName(schema::Trick trick);
 
-// The tricks of some bits, in the order of the schema.
+// Returns the tricks of some bits, in the schema's order.
 std::vector<schema::Trick> tricksIn(uint16_t bits);
 
-// Record: one with a field `tricks`. Leaves an absent field for no tricks.
+// Sets the field `tricks` of a record. Leaves it absent for no tricks.
 template <class Record>
 void setTricks(Record record, uint16_t bits) {
   if (bits == 0) return;

@@ -9,7 +9,7 @@ constexpr float kSnap = 1e-6f;
 
 bool isUp(Vec3 axis) { return axis.y > 0 && absf(axis.x) < kSnap && absf(axis.z) < kSnap; }
 
-// Exactly upright with the same facing.
+// Returns the exactly upright rotation with the same facing.
 Mat3 snapped(const Mat3& m) {
   const Vec3 x = normalize(Vec3{m.x.x, 0, m.x.z});
   return {x, {0, 1, 0}, {-x.z, 0, x.x}};

@@ -1,6 +1,6 @@
-// Makes blocks stand upright where they can: a block lying on its side is another block standing.
-// Floor rays against upright blocks need two comparisons, and most parts of a level are such
-// blocks. Rotations within 1e-6 of upright are snapped to it.
+// Makes blocks upright if possible: a block on its side equals another block that stands. Floor
+// rays against upright blocks need two comparisons, and most parts of a level are upright blocks.
+// Rotations within 1e-6 of upright are snapped to it.
 #pragma once
 
 #include <vector>
@@ -9,17 +9,17 @@
 
 namespace obby::level {
 
-// True, and pose and half extents changed to an equal block whose local Y is the world's, where one
-// axis is vertical.
+// Changes pose and half extents to an equal block whose local Y is the world's, if one axis is
+// vertical. Returns true if it did.
 bool makeUpright(Collider& collider);
 
-// Is local Y the world's Y in all rows?
+// Returns true if local Y is the world's Y in all rows.
 bool isUpright(const std::vector<Pose>& keys);
 
-// Makes rows that are upright exactly so.
+// Makes rows that are upright except for rounding exactly upright.
 void snapUpright(std::vector<Pose>& keys);
 
-// True, and rows snapped, if the turns leave local Y where it is.
+// Snaps the rows and returns true if all turns leave local Y unchanged.
 bool makeUpright(std::vector<Mat3>& turns);
 
 }  // namespace obby::level

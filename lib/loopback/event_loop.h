@@ -1,4 +1,4 @@
-// The event loop of a server: one thread, which ends when a flag is set.
+// The event loop of a server. It runs on one thread and ends when a flag is set.
 #pragma once
 
 #include <kj/async-io.h>
@@ -10,12 +10,12 @@
 
 namespace obby::loopback {
 
-// Says something to those who want to know everything; a line without its newline.
+// Receives a line for verbose output, without its newline.
 using Note = std::function<void(const std::string&)>;
 
-// On the stack, one a thread.
+// Must be on the stack, one per thread.
 class EventLoop {
-  // What the loop's library would print, said as a note, as long as there is anything of the loop.
+  // Turns what the loop's library would print into notes, while any part of the loop exists.
   class Quiet final : public kj::ExceptionCallback {
    public:
     explicit Quiet(Note note) : note_(std::move(note)) {}
@@ -33,7 +33,8 @@ class EventLoop {
 
   kj::AsyncIoContext io;
 
-  // When `stop` is set: looked at some 20 times a second, for a signal cannot wake the loop.
+  // Resolves when `stop` is set. Polls some 20 times a second, because a signal cannot wake the
+  // loop.
   kj::Promise<void> untilSet(const std::atomic<bool>& stop);
 };
 

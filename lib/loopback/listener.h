@@ -1,4 +1,4 @@
-// A socket that this machine alone can reach.
+// A socket that only this machine can reach.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,7 @@ struct Listener {
   uint16_t port = 0;
 };
 
-// Port 0 takes any free one; no other one is tried where `port` is taken. The error names --port.
+// Port 0 takes any free port. If `port` is taken, no other is tried. An error names --port.
 Result<Listener> listenOn(uint16_t port);
 
 }  // namespace obby::loopback

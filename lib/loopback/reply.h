@@ -1,4 +1,4 @@
-// What a server answers to one request.
+// The reply of a server to one request.
 #pragma once
 
 #include <string>
@@ -6,12 +6,12 @@
 namespace obby::loopback {
 
 struct Reply {
-  int status = 200;                       // as of HTTP
-  std::string body;                       // JSON, unless `type` says otherwise
+  int status = 200;                       // HTTP status
+  std::string body;                       // JSON, unless `type` differs
   std::string type = "application/json";  // content type
 };
 
-// "Not Found"; an unknown status gives "Error".
+// Returns the reason phrase of a status, such as "Not Found", or "Error" for an unknown one.
 const char* reason(int status);
 
 }  // namespace obby::loopback

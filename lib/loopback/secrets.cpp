@@ -14,7 +14,7 @@ std::string randomBytes(size_t bytes) {
   while (done < bytes) {
     const ssize_t n = getrandom(out.data() + done, bytes - done, 0);
     if (n > 0) done += size_t(n);
-    // Without randomness there is no secret: nothing that goes on from here would be right.
+    // Without randomness there is no secret, so the server must not continue.
     if (n < 0 && errno != EINTR) throw std::runtime_error("the system provides no random numbers");
   }
   return out;
@@ -28,7 +28,7 @@ std::string randomHex(size_t bytes) {
 
 bool equalInConstantTime(std::string_view a, std::string_view b) {
   if (a.size() != b.size()) return false;
-  volatile uint8_t differences = 0;  // volatile: no early way out for the compiler either
+  volatile uint8_t differences = 0;  // volatile keeps the compiler from returning early
   for (size_t i = 0; i < a.size(); i++) differences = differences | uint8_t(a[i] ^ b[i]);
   return differences == 0;
 }

@@ -1,4 +1,4 @@
-// Secrets by which a server knows who may ask: random, compared in constant time.
+// Secrets that authorize requests to a server: random, and compared in constant time.
 #pragma once
 
 #include <cstddef>
@@ -7,15 +7,15 @@
 
 namespace obby::loopback {
 
-// Of a token: as many bits as nobody can guess.
+// Length of a token, which makes it impossible to guess.
 inline constexpr size_t kTokenBytes = 32;
 
-// So many bytes of the system's randomness. Throws where the system has none.
+// Returns that many random bytes from the system. Throws if the system has none.
 std::string randomBytes(size_t bytes);
-// Likewise as twice as many hexadecimal digits.
+// Returns random bytes as twice as many hexadecimal digits.
 std::string randomHex(size_t bytes);
 
-// Takes as long whatever the difference is. The lengths are no secret.
+// Compares texts in a time that does not depend on where they differ. The lengths are not secret.
 bool equalInConstantTime(std::string_view a, std::string_view b);
 
 }  // namespace obby::loopback

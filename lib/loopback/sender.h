@@ -1,5 +1,5 @@
-// Who sends a request, as far as its head tells: pages of other sites, and names that a site has
-// pointed at this machine, give themselves away here.
+// Checks of a request's sender by its head. They detect pages of other sites, and host names that a
+// site has pointed at this machine.
 #pragma once
 
 #include <cstdint>
@@ -8,16 +8,16 @@
 
 namespace obby::loopback {
 
-// What the head of every request tells, as it came; texts belong to the caller.
+// The head of a request as received. The caller owns the texts.
 struct Head {
   std::string_view method, target;  // "GET", "/path?name=value"
   std::optional<std::string_view> host, origin, fetchSite;
 };
 
-// Whether a Host header names this machine's loopback with the port that is listened on.
+// Returns true if a Host header names this machine's loopback with the server's port.
 bool hostAllowed(std::string_view host, uint16_t port);
 
-// Whether an Origin header is that of a page which this server itself has sent.
+// Returns true if an Origin header is that of a page which this server has sent.
 bool originIsOwn(std::string_view origin, uint16_t port);
 
 }  // namespace obby::loopback

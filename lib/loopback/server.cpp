@@ -27,7 +27,7 @@ std::optional<std::string_view> Server::valueOf(const kj::HttpHeaders& headers, 
 
 void Server::readHead(kj::HttpMethod method, kj::StringPtr url, const kj::HttpHeaders& headers,
                       Head& out) {
-  const kj::StringPtr name = kj::toCharSequence(method);  // of the library, for good
+  const kj::StringPtr name = kj::toCharSequence(method);  // static text of the library
   out.method = std::string_view(name.begin(), name.size());
   out.target = std::string_view(url.begin(), url.size());
   out.host = valueOf(headers, kj::HttpHeaderId::HOST);
@@ -69,7 +69,7 @@ kj::Promise<void> Server::run() {
   });
 }
 
-// A client that went away, or sent no HTTP: its connection is closed, nobody else need know.
+// The client went away or sent no HTTP. Its connection is closed, and nothing else is affected.
 void Server::taskFailed(kj::Exception&& exception) {
   note_(std::string("a connection ended: ") + exception.getDescription().cStr());
 }

@@ -1,5 +1,5 @@
-// What any HTTP server on the loopback interface does: takes connections, not too many, answers in
-// bounded time, and outlives clients that go away or send no HTTP.
+// The common part of HTTP servers on the loopback interface. It limits the number of connections,
+// replies in bounded time, and survives clients that go away or send no HTTP.
 #pragma once
 
 #include <kj/compat/http.h>
@@ -15,23 +15,24 @@
 namespace obby::loopback {
 
 struct ServerLimits {
-  uint32_t connections = 64;   // open at a time; further ones are closed
-  double requestSeconds = 60;  // until a request's head has come, and until an answer is taken
-  // Of the body of a request that was answered before all of it had come, read (for so long at
-  // most) and dropped: a client that is still sending would see a reset instead of the answer.
+  uint32_t connections = 64;  // max open at a time; further ones are closed
+  double requestSeconds =
+      60;  // max time for a request's head to arrive, and for a reply to be sent
+  // Max bytes and seconds of a request's body that are read and dropped after an early reply.
+  // Otherwise a client that is still sending would see a reset instead of the reply.
   size_t refusedBytes = 16 << 20;
   double refusedSeconds = 10;
 };
 
-// A service derives from it, and serves request().
+// A service derives from this class and implements request().
 class Server : protected kj::HttpService,
                private kj::HttpServerErrorHandler,
                private kj::TaskSet::ErrorHandler {
  public:
-  // Accepts and serves connections; ends only with an exception. Once.
+  // Accepts and serves connections. Ends only with an exception. Call it once.
   kj::Promise<void> run();
-  // To be called once run() was dropped: until requests that are being answered, WebSockets among
-  // them, have ended. Connections that ask nothing are closed.
+  // Resolves when the requests in progress, including WebSockets, have ended. Call it after run()
+  // was dropped. Idle connections are closed.
   kj::Promise<void> drain() { return server_->drain(); }
   uint16_t port() const { return port_; }
 
@@ -39,20 +40,20 @@ class Server : protected kj::HttpService,
   Server(kj::LowLevelAsyncIoProvider& io, kj::Timer& timer, Listener listener, ServerLimits limits,
          Note note);
 
-  // How the service says that a request failed before or behind it.
+  // Returns the service's reply for a request that failed outside the service.
   virtual Reply failure(int status, const char* message, const char* cure) const = 0;
 
   kj::Promise<void> send(Reply reply, Response& response);
   kj::Promise<void> send(Reply reply, const kj::HttpHeaders& headers, Response& response);
-  // Those of every answer: its type, no cache, no guessing at the type. More may be set.
+  // Returns the headers of every reply: its type, no caching, no sniffing. More may be set.
   kj::HttpHeaders answerHeaders(const std::string& type) const;
-  // As a kj exception of type OVERLOADED if it takes too long.
+  // Fails with a kj exception of type OVERLOADED if it takes too long.
   kj::Promise<void> inTime(kj::Promise<void> written);
   void note(const std::string& text) const { note_(text); }
   const kj::HttpHeaderTable& headerTable() const { return *table_; }
 
-  // Of a request. The library takes an empty header with an id for an absent one; by its name it is
-  // found.
+  // Return a header of a request. The library treats an empty header with an id as absent, but
+  // finds it by its name.
   static std::optional<std::string_view> valueOf(const kj::HttpHeaders& headers,
                                                  kj::HttpHeaderId id);
   static std::optional<std::string_view> valueOf(const kj::HttpHeaders& headers, const char* name);

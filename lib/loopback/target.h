@@ -1,5 +1,5 @@
-// The target of a request in its pieces. Nothing is decoded: what our servers take needs no
-// escapes.
+// The target of a request, split into its parts. Nothing is decoded, because the servers accept
+// nothing that needs escapes.
 #pragma once
 
 #include <cstdint>
@@ -10,19 +10,19 @@
 namespace obby::loopback {
 
 struct Parameter {
-  std::string_view name, value;  // empty where there is none
-  std::string_view text;         // "name=value" as it came
+  std::string_view name, value;  // empty if there is none
+  std::string_view text;         // "name=value" as received
 };
 
 struct Target {
   std::string_view path;
-  std::vector<Parameter> parameters;  // in order, whatever they are
+  std::vector<Parameter> parameters;  // in order, unchecked
 };
 
-// Of "/path?name=value&...". Texts belong to the caller.
+// Splits "/path?name=value&...". The caller owns the texts.
 Target targetOf(std::string_view text);
 
-// Decimal digits and nothing else, up to `most`.
+// Parses a number of only decimal digits, up to `most`. Returns nothing for any other text.
 std::optional<uint64_t> wholeNumber(std::string_view text, uint64_t most);
 
 }  // namespace obby::loopback

@@ -1,5 +1,5 @@
 // Angles as 16-bit fractions of a turn, and their sine and cosine without libm. Wrap-around is
-// exact, and a heading costs two bytes in an action. 65536 units = one turn, counter-clockwise seen
+// exact, and a heading costs two bytes in an action. A turn has 65536 units, counter-clockwise seen
 // from above; 0 looks along -Z.
 #pragma once
 
@@ -22,7 +22,8 @@ struct SinCosT {
 
 using SinCos = SinCosT<float>;
 
-// Of an angle in [0, 65536). Accurate to 1e-7 everywhere; exact at multiples of a quarter turn.
+// Returns the sine and cosine of an angle in [0, 65536). Accurate to 1e-7, and exact at multiples
+// of a quarter turn.
 template <class F>
 OBBY_DEVICE SinCosT<F> sinCosOf(IntOf<F> angle) {
   // Nearest quarter turn, and the rest in [-1/8, 1/8) of a turn.
@@ -43,20 +44,21 @@ OBBY_DEVICE SinCosT<F> sinCosOf(IntOf<F> angle) {
 
 OBBY_DEVICE SinCos sinCos(Turns angle) { return sinCosOf<float>(angle); }
 
-// Radians to the nearest unit, any magnitude below 2^20 turns.
+// Rounds radians to the nearest unit, for magnitudes below 2^20 turns.
 OBBY_DEVICE Turns turnsFromRadians(float radians) {
   const float t = radians * kTurnsPerRadian;
   return Turns(int64_t(t + (t < 0 ? -0.5f : 0.5f)));
 }
 OBBY_DEVICE float radiansFromTurns(Turns t) { return float(int16_t(t)) * kRadiansPerTurn; }
 
-// Walking direction of a heading: -Z at 0, -X after a quarter turn.
+// Returns the walking direction of a heading: -Z at 0, -X after a quarter turn.
 template <class F>
 OBBY_DEVICE Vec3T<F> directionOf(SinCosT<F> a) {
   return {-a.sin, 0, -a.cos};
 }
 
-// Angle whose direction is (x, z), without libm: 1 unit accurate. (0, 0) gives 0.
+// Returns the angle whose direction is (x, z), accurate to 1 unit, without libm. Returns 0 for (0,
+// 0).
 OBBY_DEVICE Turns headingOf(float x, float z) {
   const float ax = absf(x), az = absf(z);
   const float big = maxf(ax, az), small = minf(ax, az);

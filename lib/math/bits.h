@@ -7,7 +7,7 @@
 
 namespace obby {
 
-// Index of the lowest bit that is set; `bits` must not be 0.
+// Returns the index of the lowest bit that is set. `bits` must not be 0.
 OBBY_DEVICE int lowestBit(uint64_t bits) {
 #if defined(__CUDA_ARCH__)
   return __ffsll(static_cast<long long>(bits)) - 1;
@@ -16,7 +16,7 @@ OBBY_DEVICE int lowestBit(uint64_t bits) {
 #endif
 }
 
-// How many bits are set.
+// Returns the number of bits that are set.
 OBBY_DEVICE uint32_t bitCount(uint32_t bits) {
 #if defined(__CUDA_ARCH__)
   return uint32_t(__popc(bits));

@@ -1,5 +1,5 @@
-// The exponential function and the logarithm without libm: fixed sequences of IEEE operations, the
-// same bits on every machine.
+// The exponential function and the logarithm without libm. They are fixed sequences of IEEE
+// operations, so that they return the same bits on every machine.
 #pragma once
 
 #include <stdint.h>
@@ -8,11 +8,12 @@
 
 namespace obby {
 
-// e^x for x <= 0: relative error below 3e-7; 0 below -80. Of one number, or of one a lane.
+// Returns e^x for x <= 0 with a relative error below 3e-7, and 0 below -80. F is one number or
+// lanes of numbers.
 template <class F>
 OBBY_DEVICE F expOfNegative(F x) {
   using Int = IntOf<F>;
-  const MaskOf<F> some = x > F(-80.0f);  // no branch by it, so that loops over this become lanes
+  const MaskOf<F> some = x > F(-80.0f);  // no branch, so that the compiler can vectorize
   const F y = select(some, x, F(-80.0f));
   const F t = y * F(1.44269504f);
   const Int whole = toInt(t - F(0.5f));  // nearest, as t <= 0
@@ -25,12 +26,13 @@ OBBY_DEVICE F expOfNegative(F x) {
 }
 OBBY_DEVICE float expNegative(float x) { return expOfNegative<float>(x); }
 
-// e^x: relative error below 4e-7; 0 below -80, and e^80 above 80.
+// Returns e^x with a relative error below 4e-7; 0 below -80, and e^80 above 80.
 OBBY_DEVICE float expOf(float x) {
   return x > 0 ? 1.0f / expNegative(x < 80.0f ? -x : -79.99999f) : expNegative(x);
 }
 
-// The natural logarithm of a normal number above 0: error below 2e-7 of the larger of it and 1.
+// Returns the natural logarithm of a normal number above 0. The error is below 2e-7 of the larger
+// of it and 1.
 OBBY_DEVICE float logOf(float x) {
   const uint32_t bits = __builtin_bit_cast(uint32_t, x);
   // x = m 2^e with m in [sqrt(1/2), sqrt(2)).

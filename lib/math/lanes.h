@@ -1,8 +1,8 @@
 // One source for one world and for many at once. Functions that matter for speed are templates on
-// the number type F: float is one world (the scalar tick, and a GPU thread), WideFloat of
-// simd/wide.h as many worlds as the CPU has SIMD lanes. Every lane runs the same IEEE operations as
-// a world alone, so that both give the same bits; choices are made by select() instead of branches,
-// and a branch only skips work that no lane needs.
+// the number type F. float is one world (the scalar tick, and a GPU thread); WideFloat of
+// simd/wide.h is as many worlds as the CPU has SIMD lanes. Every lane runs the same IEEE operations
+// as a single world, so that both return the same bits. select() replaces branches, and a branch
+// only skips work that no lane needs.
 #pragma once
 
 #include <stdint.h>
@@ -11,7 +11,7 @@
 
 namespace obby {
 
-// What goes with a number type: its integers (32 bits), its truth values, its width.
+// The integers (32 bits), truth values and width of a number type.
 template <class F>
 struct Lanes;
 

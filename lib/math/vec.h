@@ -33,7 +33,7 @@ struct Vec3T {
   }
   friend OBBY_DEVICE Vec3T abs(Vec3T a) { return {absf(a.x), absf(a.y), absf(a.z)}; }
   friend OBBY_DEVICE F length(Vec3T a) { return sqrtf32(dot(a, a)); }
-  // `fallback` where `a` is too short to have a direction.
+  // Returns `fallback` if `a` is too short to have a direction.
   friend OBBY_DEVICE Vec3T normalize(Vec3T a, Vec3T fallback) {
     const F n = length(a);
     return select(n > 1e-12f, a * (1.0f / n), fallback);
@@ -93,7 +93,7 @@ struct QuatT {
             {2 * (xy - wz), 1 - 2 * (xx + zz), 2 * (yz + wx)},
             {2 * (xz + wy), 2 * (yz - wx), 1 - 2 * (xx + yy)}};
   }
-  // A turn by `angle`, a vector of radians: exact to its second order, and a unit again.
+  // Returns q turned by `angle`, a vector of radians. Exact to second order, and normalized.
   friend OBBY_DEVICE QuatT turned(QuatT q, Vec3T<F> angle) {
     const Vec3T<F> h = angle * F(0.5f);
     const QuatT d = QuatT{h.x, h.y, h.z, 1.0f - 0.5f * dot(h, h)} * q;
@@ -103,7 +103,7 @@ struct QuatT {
 
 using Quat = QuatT<float>;
 
-// Where a body is: world = rotation * local + position.
+// Position and rotation of a body: world = rotation * local + position.
 template <class F>
 struct PoseT {
   Vec3T<F> position;
@@ -119,7 +119,7 @@ struct PoseT {
 
 using Pose = PoseT<float>;
 
-// Axis-aligned box, corners included.
+// An axis-aligned box that includes its corners.
 template <class F>
 struct BoxT {
   Vec3T<F> lo, hi;
@@ -136,7 +136,7 @@ struct BoxT {
 
 using Box = BoxT<float>;
 
-// World box of an oriented box with half extents `half`.
+// Returns the world box of an oriented box with half extents `half`.
 template <class F>
 OBBY_DEVICE BoxT<F> boundsOf(const PoseT<F>& p, Vec3T<F> half) {
   const Vec3T<F> e =

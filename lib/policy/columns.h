@@ -1,6 +1,6 @@
-// The view of the ground: on a rosette of points around the player, how high the highest floor in
-// reach is, and how high what kills. A maximum over parts, so that their order does not show.
-// Templates on the number type (math/lanes.h): a point a lane.
+// The view of the ground. On a rosette of points around the player it has the height of the highest
+// floor in reach, and of the highest danger. Each is a maximum over parts, so their order has no
+// effect. The templates take a number type (math/lanes.h), with a point in each lane.
 #pragma once
 
 #include "math/angle.h"
@@ -12,25 +12,26 @@ constexpr int kDirections = 12, kRings = 5;
 constexpr int kPoints = 1 + kDirections * kRings;  // the first is under the feet
 constexpr int kPaddedPoints = 64;
 
-// Studs from the feet: close where a step counts, wide where a jump ends.
+// Returns the radius of a ring, studs from the feet. Rings are dense where steps count, and sparse
+// where jumps end.
 OBBY_DEVICE float ringRadius(int ring) {
   return 1.5f + 1.5f * float(ring) + 0.35f * float(ring * ring);
 }
-constexpr float kSight = 14.2f;  // studs sideways: a little more than the last ring and kClearance
+constexpr float kSight = 14.2f;  // studs sideways; a little more than the last ring and kClearance
 
-// Heights are studs from the feet, and end here.
+// Limits of heights, studs from the feet.
 constexpr float kDeepest = -16, kHighest = 10;
-// What begins higher than this above the feet is passed under.
+// A player passes under parts that begin higher than this above the feet.
 constexpr float kHeadroom = 7;
 
-// Points of the ground, studs from the feet in the world's axes.
+// Points of the ground, studs from the feet along the world's axes.
 template <int kCount>
 struct Points {
   float x[kCount], z[kCount];
 };
 using Rosette = Points<kPaddedPoints>;
 
-// Direction `d` of the rosette; `ahead`: the first one, of each ring.
+// Returns direction `d` of the rosette. `ahead` is the first direction of each ring.
 OBBY_DEVICE Vec3 rosetteDirection(Turns ahead, int d) {
   return directionOf(sinCos(Turns(ahead + d * 65536 / kDirections)));
 }
@@ -48,7 +49,7 @@ OBBY_DEVICE void placePoints(Turns ahead, Rosette& r) {
   for (int i = kPoints; i < kPaddedPoints; ++i) r.x[i] = r.z[i] = 1e9f;
 }
 
-// One of them alone, with the same bits.
+// Places a single point, with the same bits.
 OBBY_DEVICE Points<1> placePoint(Turns ahead, int point) {
   if (point == 0) return {{0}, {0}};
   const Vec3 way = rosetteDirection(ahead, (point - 1) % kDirections);
@@ -56,8 +57,8 @@ OBBY_DEVICE Points<1> placePoint(Turns ahead, int point) {
   return {{way.x * radius}, {way.z * radius}};
 }
 
-// Height of the solid's top where it is in the way of somebody who walks or jumps there, elsewhere
-// kDeepest.
+// Returns the height of the solid's top where it obstructs a player who walks or jumps there,
+// otherwise kDeepest.
 template <class F>
 OBBY_DEVICE F heightAt(const Solid& solid, F x, F z) {
   const Stretch<F> in = cut<F>(solid, x, z);
@@ -65,24 +66,24 @@ OBBY_DEVICE F heightAt(const Solid& solid, F x, F z) {
   return select(met, minf(in.top, F(kHighest)), F(kDeepest));
 }
 
-// What stands at a point: two heights, of the highest floor and of the highest danger.
+// A point has two heights, that of the highest floor and that of the highest danger.
 enum Kind : int { kFloor, kDanger, kKinds };
 
-// When: now, and a moment later.
+// The moments that a view shows: now, and shortly after.
 constexpr int kMoments = 2;
-constexpr float kSoon = 0.4f;  // seconds: about when a jump that begins now is at its end
-using Moments = uint32_t;      // a bit each, the first is now
+constexpr float kSoon = 0.4f;  // seconds; about the length of a jump
+using Moments = uint32_t;      // one bit each, the first is now
 constexpr Moments kAlways = (1u << kMoments) - 1;
 
-// What somebody who looks around sees.
+// A solid that a player can see.
 struct Sight {
   Solid solid;
   Kind kind;
-  Moments moments;          // in which it is there
-  uint32_t collider = ~0u;  // of the level; ~0: none, it is a region
+  Moments moments;          // moments in which it is there
+  uint32_t collider = ~0u;  // index of a collider; ~0 for a region
 };
 
-// Dangers are shown as wide as where a player's middle comes to harm by them.
+// Dangers are widened to where they harm a player's centre.
 constexpr float kClearance = 1;  // studs
 OBBY_DEVICE Solid widened(Solid s) {
   const auto wide = [](Vec3 axis, float half) {
@@ -93,24 +94,24 @@ OBBY_DEVICE Solid widened(Solid s) {
   return s;
 }
 
-constexpr int kMaps = kMoments * kKinds;  // all kinds of a moment, then those of the next
+constexpr int kMaps = kMoments * kKinds;  // all kinds of one moment, then those of the next
 
-// A danger below a floor is not shown: the floor is what feet meet there.
+// Hides a danger below a floor, because feet meet the floor first.
 template <class F>
 OBBY_DEVICE F uncovered(F danger, F floor) {
   return select(danger < floor, F(kDeepest), danger);
 }
 
-// What a map shows: how far the height is above that of the moment before, which is zero wherever
-// nothing moves; of the first moment, how far it is above the deepest one, which is zero wherever
-// nothing is.
+// Returns the input for a height. It is the height above that of the moment before, which is zero
+// if nothing moves. For the first moment it is the height above kDeepest, which is zero if nothing
+// is there.
 constexpr float kEmptyInput = 0;
 template <class F>
 OBBY_DEVICE F shown(F height, F before) {
   return (height - before) * 0.125f;
 }
 
-// Heights of some points.
+// The maps of some points.
 template <class F, int kCount>
 struct Maps {
   static_assert(kCount % Lanes<F>::kCount == 0);
@@ -124,8 +125,8 @@ struct Maps {
     }
   }
 
-  // Raises the heights of these moments to the solid's top where it is in the way of somebody who
-  // walks or jumps there.
+  // Raises the heights of these moments to the solid's top where it obstructs a player who walks or
+  // jumps there.
   OBBY_DEVICE void see(const Points<kCount>& points, const Sight& sight) {
     const Solid solid = sight.kind == kDanger ? widened(sight.solid) : sight.solid;
     for (int i = 0; i < kCount; i += Lanes<F>::kCount) {
@@ -139,7 +140,7 @@ struct Maps {
     }
   }
 
-  // Once everything has been seen: heights become what is shown of them.
+  // Turns heights into inputs. Call it after everything was seen.
   OBBY_DEVICE void finish() {
     for (int i = 0; i < kCount; i += Lanes<F>::kCount) {
       F floorBefore(kDeepest), dangerBefore(kDeepest);

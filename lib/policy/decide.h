@@ -1,5 +1,5 @@
-// A policy at the controls: looks, thinks, picks a move. Templates on the number type; every number
-// of lanes gives the same bits.
+// A policy at the controls: observes, evaluates the network and picks a move. The templates take a
+// number type; the bits are the same for every number of lanes.
 #pragma once
 
 #include "policy/moves.h"
@@ -7,8 +7,9 @@
 
 namespace obby::policy {
 
-// What to hold for the next kDecisionTicks ticks, by what was seen: a move drawn with `random`, or
-// the likeliest where that is null. `inputs`: (kInputs), in a frame that looks `ahead`.
+// Returns the action to hold for the next kDecisionTicks ticks: a move drawn with `random`, or the
+// likeliest move if that is null. `inputs` (kInputs) are an observation in a frame that looks
+// `ahead`.
 template <class F>
 OBBY_DEVICE sim::Action decideOn(const Scene& scene, const NetworkView& network,
                                  const sim::World& world, const float* inputs, Turns ahead,
@@ -21,7 +22,7 @@ OBBY_DEVICE sim::Action decideOn(const Scene& scene, const NetworkView& network,
   return actionOf(move, ahead);
 }
 
-// The same, looking first. `loose`: (level.looseCount).
+// The same after a new observation. `loose` has level.looseCount bodies.
 template <class F>
 OBBY_DEVICE sim::Action decide(const Scene& scene, const NetworkView& network,
                                const sim::World& world, const sim::LooseBody* loose,

@@ -1,4 +1,4 @@
-// What all numbers of an observation are told in.
+// The frame of reference of an observation.
 #pragma once
 
 #include "math/angle.h"
@@ -6,7 +6,7 @@
 
 namespace obby::policy {
 
-// The direction that an observation looks in, and its axes.
+// The direction of an observation, and its axes.
 struct Frame {
   Turns ahead;
   Vec3 forward, right;
@@ -17,7 +17,7 @@ struct Frame {
         right{-forward.z, 0, forward.x} {}
 };
 
-// Odd, and between -1 and 1; +-0.5 at +-half.
+// Maps v to (-1, 1). The function is odd, and +-0.5 at +-half.
 OBBY_DEVICE float squashed(float v, float half) { return v / (absf(v) + half); }
 
 }  // namespace obby::policy

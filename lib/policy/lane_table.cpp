@@ -1,4 +1,4 @@
-// Compiled once for each level, with OBBY_LANE_TABLE as the name of that level's table.
+// Compiled once for each CPU level, with OBBY_LANE_TABLE as the name of that level's table.
 #include "policy/lane_table.h"
 
 extern "C" const obby::policy::LaneTable OBBY_LANE_TABLE;

@@ -1,4 +1,4 @@
-// What there is to see around a player: every solid in sight, now and a moment later.
+// Finds every solid in sight of a player, now and shortly after.
 #pragma once
 
 #include "policy/columns.h"
@@ -16,12 +16,12 @@ struct Scene {
 
 OBBY_DEVICE Kind kindOf(uint32_t flags) { return flags & level::kKill ? kDanger : kFloor; }
 
-// A collider as a column cuts it, in this pose.
+// Returns a collider in this pose as a solid.
 OBBY_DEVICE Solid solidOf(const level::Collider& c, const Pose& pose, Vec3 feet) {
   return {pose.position - feet, pose.rotation, c.shape, c.kind};
 }
 
-// Too high for whoever stands there: passed under.
+// Returns true if a player at `feet` passes under the box.
 OBBY_DEVICE bool isOverhead(const Box& box, Vec3 feet) { return box.lo.y >= feet.y + kHeadroom; }
 
 OBBY_DEVICE bool inSight(const Box& box, Vec3 feet) {
@@ -29,7 +29,7 @@ OBBY_DEVICE bool inSight(const Box& box, Vec3 feet) {
          box.hi.x > feet.x - kSight && box.lo.z < feet.z + kSight && box.hi.z > feet.z - kSight;
 }
 
-// The world at each moment, as far as parts depend on it.
+// The state of the world at each moment, as far as parts depend on it.
 struct Foresight {
   const sim::World& now;
   sim::World later[kMoments - 1];
@@ -48,8 +48,7 @@ struct Foresight {
   }
 };
 
-// Calls see(sight) for everything that can stand or lie in view; for a part that changes once for
-// each moment.
+// Calls see(sight) for every solid in view. A part that changes is reported once for each moment.
 template <class See>
 OBBY_DEVICE void lookAround(const Scene& s, const sim::World& w, const sim::LooseBody* loose,
                             See&& see) {
@@ -62,7 +61,7 @@ OBBY_DEVICE void lookAround(const Scene& s, const sim::World& w, const sim::Loos
     for (uint32_t e = around.starts[cell]; e < around.starts[cell + 1]; ++e) {
       const uint32_t id = around.entries[e];
       const level::Bounds& b = s.level.bounds[id];
-      if (isOverhead(b.box(), w.position)) break;  // and all that are listed after it
+      if (isOverhead(b.box(), w.position)) break;  // all later entries begin even higher
       if (!inSight(b.box(), w.position)) continue;
       const level::Collider& c = s.level.colliders[id];
       const Kind kind = kindOf(b.flags);

@@ -1,5 +1,5 @@
-// What is told of the nearest loose body, which may have to be pushed: in the maps it looks like
-// any floor, and it may be far outside them.
+// Inputs about the nearest dynamic body, which the player may have to push. In the maps it looks
+// like any floor, and it may be far outside them.
 #pragma once
 
 #include "level/level_view.h"
@@ -8,9 +8,9 @@
 
 namespace obby::policy {
 
-constexpr float kNear = 8;  // studs, and studs/s, at which half of an input's range is used up
+constexpr float kNear = 8;  // studs, or studs/s, at which an input reaches half its range
 
-// Where it is, and which way it goes. Zero where there is none.
+// Position and velocity of the body, all zero if there is none.
 constexpr int kLooseInputs = 6;
 OBBY_DEVICE void tellLoose(const level::LevelView& level, const sim::World& w,
                            const sim::LooseBody* loose, const Frame& frame, float* out) {

@@ -1,4 +1,4 @@
-// What the policy can do at each decision: 16 directions or standing, each with and without jump.
+// The policy's choices at each decision: 16 directions or standing, each with and without a jump.
 #pragma once
 
 #include "base/random.h"
@@ -9,25 +9,25 @@ namespace obby::policy {
 
 constexpr int kHeadings = 16;
 constexpr int kMoves = 2 * (kHeadings + 1);  // 34; odd ones jump
-constexpr uint32_t kDecisionTicks = 3;       // a move is held so long: 20 a second at 60 ticks
+constexpr uint32_t kDecisionTicks = 3;       // a move is held this long, 20 a second at 60 ticks/s
 
 OBBY_DEVICE bool jumps(int move) { return (move & 1) != 0; }
-// No branch, so that loops over the moves become lanes.
+// No branch, so that the compiler can vectorize loops over the moves.
 OBBY_DEVICE bool isAllowed(int move, bool mayJump) { return !jumps(move) | mayJump; }
 
-// `ahead`: of the observation that led to the move.
+// `ahead` is the direction of the observation that led to the move.
 OBBY_DEVICE sim::Action actionOf(int move, Turns ahead) {
   const int direction = move >> 1;
   const bool walk = direction < kHeadings;
   return {walk ? Turns(ahead + direction * (65536 / kHeadings)) : Turns(0), walk, jumps(move)};
 }
 
-// Is jumping of any use, and within the query's limits?
+// Returns true if jumping can have an effect and the query's limits allow it.
 OBBY_DEVICE bool jumpAllowed(const Scene& s, const sim::World& w) {
   return mayJump(s.level, w) && sim::jumpsLeft(s.query, w) > 0;
 }
 
-// The likeliest of the moves that are allowed; the first of several.
+// Returns the likeliest allowed move, the first of equals.
 OBBY_DEVICE int likeliest(const float* logits, bool mayJump) {
   int best = 0;
   for (int m = 1; m < kMoves; ++m) {
@@ -37,26 +37,26 @@ OBBY_DEVICE int likeliest(const float* logits, bool mayJump) {
   return best;
 }
 
-// A move with the probability that the logits, (kMoves), give it among those that are allowed. The
-// same bits in every number of lanes.
+// Draws a move among the allowed ones, with the probabilities of the logits (kMoves). The bits are
+// the same for every number of lanes.
 template <class F>
 OBBY_DEVICE int draw(const float* logits, bool mayJump, Random& random) {
   constexpr int kStep = Lanes<F>::kCount, kPadded = (kMoves + kStep - 1) / kStep * kStep;
-  constexpr float kBarred = -0x1.fffffep127f;  // as far below all others as can be
+  constexpr float kBarred = -0x1.fffffep127f;  // far below all others
   alignas(64) float odds[kPadded];
   for (int m = 0; m < kPadded; ++m) odds[m] = m < kMoves ? logits[m] : kBarred;
   for (int m = 1; m < kMoves && !mayJump; m += 2) odds[m] = kBarred;
   F rows(kBarred), row;
   for (int m = 0; m < kPadded; m += kStep) {
     loadRow(odds + m, row);
-    rows = maxf(row, rows);  // of NaN the latter
+    rows = maxf(row, rows);  // maxf() returns the second argument for NaN
   }
   const F most(greatestOf(rows));
   for (int m = 0; m < kPadded; m += kStep) {
     loadRow(odds + m, row);
     storeRow(expOfNegative<F>(row - most), odds + m);
   }
-  const int every = mayJump ? 1 : 2;  // those between have no odds
+  const int every = mayJump ? 1 : 2;  // the moves in between have no odds
   float sum = 0;
   for (int m = 0; m < kMoves; m += every) sum += odds[m];
   float rest = random.unit() * sum;

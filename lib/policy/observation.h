@@ -1,6 +1,6 @@
-// What the policy sees: the player's state, where it has to go, and the ground around it
-// (columns.h) now and a moment later, in a frame that looks toward the next region.
-// kObservationVersion changes whenever a number here means something else.
+// The policy's observation: the player's state, its next target, and the ground around it
+// (columns.h) now and shortly after. The frame looks toward the next region. kObservationVersion
+// changes whenever the meaning of a number here changes.
 #pragma once
 
 #include "policy/look_around.h"
@@ -10,34 +10,34 @@ namespace obby::policy {
 
 constexpr uint32_t kObservationVersion = 2;
 
-// In this order: the player's state; the nearest loose body (loose_view.h); the maps (columns.h);
-// zeros, so that a row is a whole number of the widest lanes. All but the state is kEmptyInput
-// where nothing is in sight.
+// The order of inputs: the player's state, the nearest dynamic body (loose_view.h), the maps
+// (columns.h), and zeros that pad a row to the widest lanes. All except the state are kEmptyInput
+// if nothing is in sight.
 constexpr int kStateInputs = 27;
 constexpr int kMapsAt = kStateInputs + kLooseInputs;
 constexpr int kSpareInputs = 11;
 constexpr int kInputs = kMapsAt + kMaps * kPoints + kSpareInputs;  // 288
 
-// Where the frame looks: toward the centre of the next region; from right above or below it, where
-// the player looks.
+// Returns the direction of the frame, toward the centre of the next region. Right above or below
+// the region it is the player's facing.
 OBBY_DEVICE Turns aheadOf(const geom::Region& next, const sim::World& w) {
   const float x = next.pose.position.x - w.position.x, z = next.pose.position.z - w.position.z;
   return x * x + z * z < 0.25f ? w.yaw : headingOf(x, z);
 }
 
-// Can a jump begin at the next tick, or soon after landing?
+// Returns true if a jump can begin at the next tick, or soon after landing.
 OBBY_DEVICE bool mayJump(const level::LevelView& level, const sim::World& w) {
   if (w.state == sim::State::climbing || w.state == sim::State::seated) return true;
   return (w.state == sim::State::running || w.state == sim::State::landed) &&
          w.floorlessSteps < level.params.coyoteSteps;
 }
 
-// Times are told in ticks of 1/60 s, whatever the level's are: a tick of its in those.
+// Times in inputs are in ticks of 1/60 s. Returns the length of a tick of the level in that unit.
 OBBY_DEVICE float ticksOfSixty(const level::LevelView& level) {
   return 60.0f / float(level.params.controlRate);
 }
 
-// The player's state: kStateInputs numbers of order 1.
+// Writes the player's state: kStateInputs numbers of order 1.
 OBBY_DEVICE void observeState(const Scene& s, const sim::World& w, const sim::NextRegion& next,
                               const Frame& frame, float* out) {
   const Params p = w.clockCount == 0 ? s.level.params : sim::boosted(w, s.level);
@@ -82,7 +82,7 @@ OBBY_DEVICE void observeState(const Scene& s, const sim::World& w, const sim::Ne
   out[i++] = w.waypoints < s.query.waypointCount ? 1.0f : 0.0f;
 }
 
-// All that is not in the maps.
+// Writes all inputs except the maps.
 OBBY_DEVICE void observeOthers(const Scene& s, const sim::World& w, const sim::LooseBody* loose,
                                const sim::NextRegion& next, Turns ahead, float* inputs) {
   const Frame frame(ahead);
@@ -91,8 +91,8 @@ OBBY_DEVICE void observeOthers(const Scene& s, const sim::World& w, const sim::L
   for (int i = kInputs - kSpareInputs; i < kInputs; ++i) inputs[i] = kEmptyInput;
 }
 
-// Fills `inputs` (kInputs) with what the policy sees of a player who is to reach `next`, in a frame
-// that looks `ahead`. `loose`: (level.looseCount).
+// Fills `inputs` (kInputs) with the observation of a player who is to reach `next`, in a frame that
+// looks `ahead`. `loose` has level.looseCount bodies.
 template <class F>
 OBBY_DEVICE void observe(const Scene& scene, const sim::World& world, const sim::LooseBody* loose,
                          const sim::NextRegion& next, Turns ahead, float* inputs) {
@@ -110,14 +110,16 @@ OBBY_DEVICE void observe(const Scene& scene, const sim::World& world, const sim:
   }
 }
 
-// Parts of an observation that can be filled in by themselves: the points, then all others.
+// Parts of an observation that can be computed separately: one for each point, and one for the
+// rest.
 constexpr int kViewParts = kPoints + 1;
-// Their number rounded up, so that a warp has those of one world only: all its threads go through
-// the same colliders.
+// The number of parts rounded up, so that a warp works on one world only. All its threads then
+// visit the same colliders.
 constexpr uint32_t kViewThreads = 64;
 static_assert(kViewParts <= int(kViewThreads));
 
-// One part of it. All together have the bits of observe(): for devices that have a thread for each.
+// Computes one part, for devices with a thread for each. All parts together have the bits of
+// observe().
 OBBY_DEVICE void observePart(const Scene& scene, const sim::World& world,
                              const sim::LooseBody* loose, const sim::NextRegion& next, Turns ahead,
                              int part, float* inputs) {
@@ -138,8 +140,8 @@ OBBY_DEVICE void observePart(const Scene& scene, const sim::World& world,
   }
 }
 
-// Fills `inputs` with what is seen of the query's next region, looking toward it; gives that
-// direction.
+// Fills `inputs` with the observation toward the query's next region. Returns the direction of its
+// frame.
 template <class F>
 OBBY_DEVICE Turns observe(const Scene& scene, const sim::World& world, const sim::LooseBody* loose,
                           float* inputs) {

@@ -1,4 +1,4 @@
-// The policy at work on the CPU: looks, thinks, in SIMD lanes. The same bits as the kernels' one
+// The policy on the CPU: observes and evaluates in SIMD lanes, with the bits of the kernels' single
 // lane. Host only.
 #pragma once
 
@@ -24,7 +24,7 @@ class Network {
                                      size_t(kHidden) * kHidden + kHidden +
                                      size_t(kHidden) * kPaddedOutputs + kPaddedOutputs;
 
-  Network() : numbers_(kNumbers, 0.0f) {}  // all zero: every allowed move alike
+  Network() : numbers_(kNumbers, 0.0f) {}  // all zero, so that all allowed moves are equally likely
 
   std::vector<float>& numbers() { return numbers_; }  // in the order of kSizes
   const std::vector<float>& numbers() const { return numbers_; }
@@ -33,7 +33,7 @@ class Network {
   std::vector<float> numbers_;
 };
 
-// A network as it thinks. `network` must outlive it, and keep its numbers.
+// A network prepared for evaluation. `network` must outlive it and must not change.
 class Thinker {
  public:
   explicit Thinker(const Network& network);
@@ -47,39 +47,40 @@ class Thinker {
   std::vector<float> voids_, biases_;  // (kInputs), (kHidden), see NetworkView
 };
 
-// Fills `inputs` (kInputs) with what the policy sees; gives the direction that its frame looks in.
-// `loose`: (level.looseCount).
+// Fills `inputs` (kInputs) with the policy's observation. Returns the direction of its frame.
+// `loose` has level.looseCount bodies.
 Turns observe(const Scene& scene, const sim::World& world, const sim::LooseBody* loose,
               float* inputs);
 
-// The same of a player who is to reach `next`, in a frame that looks `ahead`.
+// The same for a player who is to reach `next`, in a frame that looks `ahead`.
 void observe(const Scene& scene, const sim::World& world, const sim::LooseBody* loose,
              const sim::NextRegion& next, Turns ahead, float* inputs);
 
-// The first of them, or another way to see, to be tried: all inputs but the first kStateInputs are
-// kEmptyInput where nothing is in sight.
+// The type of the first of them, for other observations to try. All inputs after the first
+// kStateInputs must be kEmptyInput if nothing is in sight.
 using Observe = Turns (*)(const Scene& scene, const sim::World& world, const sim::LooseBody* loose,
                           float* inputs);
 
-// `outputs`: (kPaddedOutputs), logits and value, of raw inputs.
+// Evaluates raw inputs. `outputs` (kPaddedOutputs) receives the logits and the value.
 void think(const NetworkView& network, const float* inputs, float* outputs);
 
-// What to hold for the next kDecisionTicks ticks, as decide.h has it.
+// Returns the action to hold for the next kDecisionTicks ticks (decide.h).
 sim::Action decide(const Scene& scene, const NetworkView& network, const sim::World& world,
                    const sim::LooseBody* loose, Random* random);
 
-// What decide() does once it has seen `inputs` (kInputs) in a frame that looks `ahead`.
+// Does the part of decide() after the observation `inputs` (kInputs), in a frame that looks
+// `ahead`.
 sim::Action decideOn(const Scene& scene, const NetworkView& network, const sim::World& world,
                      const float* inputs, Turns ahead, Random* random);
 
-// A policy made ready for one level: what decide() needs beside it and a query. The level's tables
+// A policy prepared for one level, which decide() needs in addition to a query. The level's tables
 // and the network must outlive it.
 class Pilot {
  public:
   Pilot(const level::LevelView& level, const Network& network)
       : surroundings_(level, kSight), thinker_(network) {}
 
-  // Valid while this object lives and stays where it is.
+  // Valid while this object lives at its address.
   PilotView view() const { return {surroundings_.view(), thinker_.view()}; }
 
  private:

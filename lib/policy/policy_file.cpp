@@ -40,7 +40,7 @@ Error refused(const std::string& name, const std::string& what) {
                "train a new one with this version's obby-train"};
 }
 
-// Numbers of a list into `to`, which moves on.
+// Copies the numbers of a list to `to`, which advances.
 Status take(capnp::List<float>::Reader from, size_t expected, const std::string& what, float*& to) {
   if (from.size() != expected)
     return makeError(fmt::format("it has {} {}, expected {}", from.size(), what, expected));
@@ -147,7 +147,7 @@ Result<PolicyFile> readPolicy(std::string_view bytes, const std::string& name) {
   std::memcpy(words.asBytes().begin(), bytes.data(), bytes.size());
   PolicyFile out;
   Status status;
-  // Cap'n Proto says by exceptions what a message lacks.
+  // Cap'n Proto reports defects of a message by exceptions.
   const auto failure = kj::runCatchingExceptions([&] {
     capnp::FlatArrayMessageReader reader(words);
     status = reader.getEnd() == words.end() ? decode(reader.getRoot<schema::PolicyFile>(), out)

@@ -1,5 +1,5 @@
-// Policy files (schema/policy.capnp). Reading checks everything: a file is refused, or what it
-// holds can be used. Host only.
+// Policy files (schema/policy.capnp). Reading checks everything: a file is either rejected or
+// usable. Host only.
 #pragma once
 
 #include <string>
@@ -10,7 +10,8 @@
 
 namespace obby::policy {
 
-// How a policy came to be, for people: PolicyTraining of schema/policy.capnp has the units.
+// Information about a policy's training, for display. PolicyTraining of schema/policy.capnp has the
+// units.
 struct Training {
   std::string command, version;
   uint64_t seed = 0, decisions = 0;
@@ -19,7 +20,7 @@ struct Training {
   std::string start;
 };
 
-// What the value's output means: a reward of mean + deviation x output. Deviation 0: not known.
+// Units of the value output: a reward is mean + deviation x output. Deviation 0 means unknown.
 struct ValueUnits {
   float mean = 0, deviation = 0;
 };
@@ -32,7 +33,7 @@ struct PolicyFile {
 
 std::string writePolicy(const PolicyFile& policy);
 
-// The error says what of the file is wrong; its input is `name`.
+// Reads a policy. An error says what is wrong with the file, and has `name` as its input.
 Result<PolicyFile> readPolicy(std::string_view bytes, const std::string& name);
 
 }  // namespace obby::policy

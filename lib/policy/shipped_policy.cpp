@@ -12,7 +12,7 @@ namespace {
 PolicyFile read() {
   const std::string_view bytes(reinterpret_cast<const char*>(kShippedPolicy), kShippedPolicySize);
   auto file = readPolicy(bytes, "the built-in policy");
-  OBBY_CHECK_EQ(bool(file), true);  // a test has read it
+  OBBY_CHECK_EQ(bool(file), true);  // a test has read the file
   return *std::move(file);
 }
 

@@ -1,11 +1,11 @@
-// The policy that the programs come with (policies/README.md says how it was made).
+// The policy that is built into the programs (policies/README.md says how it was made).
 #pragma once
 
 #include "policy/policy_file.h"
 
 namespace obby::policy {
 
-// Read and checked at the first call; safe to call from several threads.
+// Returns the policy, which is read and checked at the first call. Thread-safe.
 const PolicyFile& shippedPolicy();
 
 }  // namespace obby::policy

@@ -1,5 +1,5 @@
-// Parts as vertical lines cut them: where the policy sees what height.
-// Templates on the number type (math/lanes.h): a line a lane.
+// Intersections of parts with vertical lines, from which the policy sees heights. The templates
+// take a number type (math/lanes.h), with a line in each lane.
 #pragma once
 
 #include "geom/shapes/ball.h"
@@ -8,15 +8,15 @@
 
 namespace obby::policy {
 
-// What is not a wedge, cylinder or ball is cut as the box around it.
+// A part as lines cut it. Shapes other than wedges, cylinders and balls are cut as their box.
 struct Solid {
-  Vec3 center;  // from the feet
+  Vec3 center;  // relative to the feet
   Mat3 axes;
   geom::ShapeData shape;
   geom::ShapeKind kind = geom::ShapeKind::block;
 };
 
-// The stretch of a vertical line that is in a solid, heights from the feet; none: bottom > top.
+// The interval of a vertical line that is in a solid, heights from the feet; empty if bottom > top.
 template <class F>
 struct Stretch {
   F bottom = F(-1e9f), top = F(1e9f);
@@ -27,11 +27,11 @@ struct Stretch {
   }
 };
 
-// Clips to -half <= dot(axis, o + (0, y, 0)) <= half. `oy`: o.y, which is that of every lane.
+// Clips to -half <= dot(axis, o + (0, y, 0)) <= half. `oy` is o.y, which is equal in every lane.
 template <class F>
 OBBY_DEVICE void clipToSlab(const Vec3T<F>& o, float oy, Vec3 axis, float half, Stretch<F>& s) {
   const float inverse = 1.0f / geom::awayFromZero(axis.y);
-  if (axis.x == 0 && axis.z == 0) {  // most parts stand upright: one answer for all lanes
+  if (axis.x == 0 && axis.z == 0) {  // most parts are upright, with one result for all lanes
     const float at = oy * axis.y;
     const float a = (-half - at) * inverse, b = (half - at) * inverse;
     s.clip(F(minf(a, b)), F(maxf(a, b)));
@@ -42,13 +42,13 @@ OBBY_DEVICE void clipToSlab(const Vec3T<F>& o, float oy, Vec3 axis, float half, 
   s.clip(minf(a, b), maxf(a, b));
 }
 
-// Clips to what is no farther than `radius` from the line through the origin along the unit vector
-// `axis`; from the origin, where axis is zero.
+// Clips to the points within `radius` of the line through the origin along the unit vector `axis`,
+// or of the origin if the axis is zero.
 template <class F>
 OBBY_DEVICE void clipToRound(const Vec3T<F>& o, Vec3 axis, float radius, Stretch<F>& s) {
   const F along = (o.x * axis.x + o.y * axis.y) + o.z * axis.z;
   const F x = o.x - along * axis.x, y = o.y - along * axis.y, z = o.z - along * axis.z;
-  // a h^2 + 2 y h + c <= 0
+  // Solves a h^2 + 2 y h + c <= 0.
   const float a = maxf(1 - axis.y * axis.y, 1e-6f), inverse = 1.0f / a;
   const F c = ((x * x + y * y) + z * z) - radius * radius;
   const F square = y * y - a * c;
@@ -70,7 +70,7 @@ OBBY_DEVICE void clipToSlope(const Vec3T<F>& o, const Solid& solid, Stretch<F>& 
   }
 }
 
-// What of the vertical line through (x, z) is in the solid.
+// Returns the interval of the vertical line through (x, z) that is in the solid.
 template <class F>
 OBBY_DEVICE Stretch<F> cut(const Solid& solid, F x, F z) {
   const float oy = -solid.center.y;

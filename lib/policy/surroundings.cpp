@@ -8,17 +8,17 @@ namespace obby::policy {
 namespace {
 
 constexpr float kLeastCell = 8;             // studs
-constexpr float kMostCells = 256;           // each way: huge levels get wider cells
-constexpr float kFarthest = 1.0e5f;         // studs: what is farther out is nobody's ground
-constexpr uint64_t kMostEntries = 1 << 24;  // of all cells, 64 MiB: many huge parts get wider ones
-constexpr float kBorder = 0.05f;  // studs that those list more: rounding there hides nothing
+constexpr float kMostCells = 256;           // per axis; huge levels get wider cells
+constexpr float kFarthest = 1.0e5f;         // studs; parts farther out are never under a player
+constexpr uint64_t kMostEntries = 1 << 24;  // in all cells, 64 MiB; with more, cells get wider
+constexpr float kBorder = 0.05f;            // studs; extra reach in those levels, against rounding
 
 Box within(const Box& box) {
   const Vec3 far{kFarthest, kFarthest, kFarthest};
   return {max(min(box.lo, far), -far), max(min(box.hi, far), -far)};
 }
 
-// Calls visit(collider, bounds) for all that can be seen and stay where they are.
+// Calls visit(collider, bounds) for all visible colliders that are not dynamic.
 template <class Visit>
 void forSeen(const level::LevelView& level, Visit&& visit) {
   for (uint32_t i = 0; i < level.colliderCount; ++i) {
@@ -28,7 +28,7 @@ void forSeen(const level::LevelView& level, Visit&& visit) {
   }
 }
 
-// All of them, the one that begins lowest first.
+// Returns all of these, sorted by the bottom of their bounds.
 std::vector<uint32_t> lowestFirst(const level::LevelView& level) {
   std::vector<uint32_t> seen;
   forSeen(level, [&](uint32_t i, const Box&) { seen.push_back(i); });
@@ -65,7 +65,7 @@ void Surroundings::divide(Vec3 extent, float cell) {
   nz_ = int32_t(extent.z / cell_) + 1;
 }
 
-// Of 66 thousand parts as large as can be there are more than 32 bits can count.
+// 66 thousand parts of the max size have more entries than 32 bits can count.
 uint64_t Surroundings::entriesOf(const level::LevelView& level, float reach) const {
   uint64_t entries = 0;
   forSeen(level, [&](uint32_t, const Box& box) {

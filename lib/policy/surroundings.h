@@ -1,4 +1,4 @@
-// Makes the table of which parts are near a place. Once a level, shared by all worlds. Host only.
+// Builds the table of the parts near a place, once a level and shared by all worlds. Host only.
 #pragma once
 
 #include <vector>
@@ -9,11 +9,11 @@ namespace obby::policy {
 
 class Surroundings {
  public:
-  // `reach`: studs sideways to which parts are listed. Parts that neither bear nor harm are left
-  // out, and loose ones: they may be anywhere. Squares are of 8 studs; in huge levels, and where
-  // their lists would have more than 2^24 entries together, of more.
+  // Parts are listed up to `reach` studs sideways. Parts that neither support nor harm are left
+  // out, and so are dynamic ones, which may be anywhere. Squares are 8 studs wide. They are wider
+  // in huge levels, and where the lists would have more than 2^24 entries together.
   Surroundings(const level::LevelView& level, float reach);
-  SurroundingsView view() const;  // valid while this object lives and stays where it is
+  SurroundingsView view() const;  // valid while this object lives at its address
 
  private:
   struct Square {

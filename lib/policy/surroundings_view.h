@@ -1,5 +1,5 @@
-// Which parts are near a place, as the policy reads it: for each square of ground the colliders
-// that a player there can see.
+// The parts near a place, as the policy reads them: for each square of ground, the colliders that a
+// player there can see.
 #pragma once
 
 #include <stdint.h>
@@ -10,11 +10,11 @@ namespace obby::policy {
 
 // Plain spans, for device code.
 struct SurroundingsView {
-  Vec3 origin;  // y does not matter
+  Vec3 origin;  // y is not used
   float inverseCell = 1;
   int32_t nx = 0, nz = 0;
   const uint32_t* starts = nullptr;   // (nx * nz + 1), into entries
-  const uint32_t* entries = nullptr;  // colliders; of a square the one that begins lowest first
+  const uint32_t* entries = nullptr;  // colliders; those of a square by their lowest point
   uint32_t entryCount = 0;
 };
 

@@ -1,5 +1,5 @@
-// Where the actions of many worlds come from during a launch of several ticks: a table, a plan for
-// each world, or a walker that draws them. One source for CPU and GPU.
+// Sources of the actions of many worlds during a launch of several ticks: a table, a plan for each
+// world, or a walker that draws them. One source for CPU and GPU.
 #pragma once
 
 #include <stddef.h>
@@ -13,15 +13,15 @@ enum class ActionKind : uint8_t { walker, table, plans };
 
 struct ActionView {
   ActionKind kind = ActionKind::walker;
-  uint64_t seed = 0;                 // walker
+  uint64_t seed = 0;                 // seed of the walker
   const Action* table = nullptr;     // (ticks, worlds)
-  const ActionRun* runs = nullptr;   // plans, one world's after another's
+  const ActionRun* runs = nullptr;   // runs of the plans, world by world
   const uint32_t* firsts = nullptr;  // (worlds + 1), into runs
 };
 
 constexpr uint32_t kWalkerHold = 15;  // ticks that a walker holds an action
 
-// Random play as a function of place and time alone: worlds keep no state for it.
+// Random play as a function of world, episode and tick alone, so that worlds keep no state for it.
 OBBY_DEVICE Action walkerAction(uint64_t seed, uint32_t world, uint32_t episode, uint32_t tick) {
   const uint64_t stream = (uint64_t(episode) << 44) + world * 1000000ull + tick / kWalkerHold;
   Random random(seed, stream);
@@ -30,13 +30,13 @@ OBBY_DEVICE Action walkerAction(uint64_t seed, uint32_t world, uint32_t episode,
   return {heading, walk, random.below(3) == 0};
 }
 
-// Who asks for an action: world `world` of `worlds`, in its `episode`, with `tick` ticks of this
-// step behind it.
+// A request for an action: world `world` of `worlds`, in its `episode`, after `tick` ticks of this
+// step.
 struct Asking {
   uint32_t world, worlds, episode, tick;
 };
 
-// How far a world is in its source.
+// Position of a world in its source of actions.
 class ActionCursor {
  public:
   OBBY_DEVICE Action next(const ActionView& view, const Asking& who, uint32_t clock) {
@@ -48,7 +48,7 @@ class ActionCursor {
     return held_;
   }
 
-  // The world starts over: a walker draws anew, plans and tables go on.
+  // Called when the world starts over: a walker draws a new action, plans and tables continue.
   OBBY_DEVICE void startOver(const ActionView& view) {
     if (view.kind == ActionKind::walker) left_ = 0;
   }
@@ -72,7 +72,7 @@ class ActionCursor {
 
   Action held_;
   uint32_t left_ = 0;
-  uint32_t run_ = 0;  // of the plan, the next
+  uint32_t run_ = 0;  // index of the plan's next run
 };
 
 }  // namespace obby::sim

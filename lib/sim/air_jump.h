@@ -7,11 +7,11 @@
 
 namespace obby::sim {
 
-// The clock's ticks hold the number of jumps, and the bit kJumpHeld if the key was held in the last
-// tick. Ticks that pass count in the bits below.
+// The clock's ticks hold the number of jumps in units of kAirJump, and the bit kJumpHeld if the key
+// was held in the last tick. Elapsed ticks count in the bits below.
 constexpr uint32_t kAirJump = 1u << 25, kJumpHeld = 1u << 24;
 
-// Air jumps since the last floor.
+// Returns the air jumps since the last floor.
 OBBY_DEVICE uint32_t airJumpsMade(const World& w, const level::LevelView& level) {
   const int i = findClock(w, level.airClock);
   return i < 0 ? 0 : w.clocks[i].ticks / kAirJump;
@@ -26,7 +26,7 @@ OBBY_DEVICE void keepAirJumps(World& w, const level::LevelView& level, uint32_t 
   if (i >= 0) w.clocks[i].ticks = ticks;
 }
 
-// After updateState(). `p`: with the player's boosts.
+// Runs after updateState(). `p` includes the player's boosts.
 OBBY_DEVICE void jumpInAir(World& w, Player& player, const level::LevelView& level, const Params& p,
                            const ControlT<float>& control) {
   if (level.airClock == level::kNone) return;

@@ -1,4 +1,4 @@
-// Where worlds are simulated: on the CPU's lanes, or on a GPU. The results do not depend on it.
+// Selects where worlds are simulated: on the CPU's lanes or on a GPU. The results are the same.
 #pragma once
 
 #include <memory>
@@ -9,21 +9,20 @@
 
 namespace obby::sim {
 
-// The order of --backend's choices.
+// In the order of --backend's choices.
 enum class BackendKind { automatic, cpu, cuda };
 
 Result<BackendKind> backendKind(const std::string& name);  // "auto", "cpu", "cuda"
 
 class Backend {
  public:
-  // `cuda` without a GPU that runs this build's kernels is an error; `automatic` then takes the CPU
-  // and says why in note().
-  // `which`: of several GPUs, counted round.
+  // Without a GPU that runs this build's kernels, `cuda` is an error, and `automatic` takes the CPU
+  // and says why in note(). `which` selects one of several GPUs, modulo their number.
   static Result<Backend> open(BackendKind kind, uint32_t which = 0);
 
   bool onDevice() const { return device_ != nullptr; }
-  Device* device() const { return device_.get(); }   // null: the CPU's lanes
-  const std::string& note() const { return note_; }  // for people; never empty
+  Device* device() const { return device_.get(); }   // null for the CPU's lanes
+  const std::string& note() const { return note_; }  // a text to display; never empty
 
   // The batch must not outlive the backend or the pool.
   Result<std::unique_ptr<Batch>> makeBatch(Course course, uint32_t worlds, ThreadPool& pool) const;

@@ -1,6 +1,6 @@
-// Many worlds, of one level or of many, stepped together. What a world becomes depends on its own
-// state, episode and actions only: the machine, the number of threads, the order of worlds and how
-// ticks are cut into steps never show.
+// Many worlds, of one level or of many, stepped together. The result of a world depends only on its
+// own state, episode and actions. The machine, the number of threads, the order of worlds and the
+// division of ticks into steps have no effect.
 #pragma once
 
 #include <span>
@@ -16,25 +16,25 @@
 
 namespace obby::sim {
 
-// What worlds play, with tables of its own.
+// The levels, queries and starts that the worlds of a batch play.
 struct Course {
-  std::vector<level::LevelView> levels;   // at least one; what they point to must outlive the batch
-  std::vector<level::QueryView> queries;  // one a level, or none: no rules
+  std::vector<level::LevelView> levels;   // at least one; their tables must outlive the batch
+  std::vector<level::QueryView> queries;  // one a level, or empty for no rules
   std::vector<World> starts;              // one a level
-  std::vector<uint32_t> queue;            // of levels, as handed out; empty: in their order
-  bool restarts = false;  // a world whose playthrough has ended takes its next level
+  std::vector<uint32_t> queue;            // levels in the order of play; empty for their own order
+  bool restarts = false;                  // a world whose trajectory has ended takes its next level
 
-  // Loose bodies at the starts, filled in by makeBatch: (levels, looseStride).
+  // Dynamic bodies at the starts, filled in when a batch is made: (levels, looseStride).
   std::vector<LooseBody> startLoose;
-  uint32_t looseStride = 0;  // most loose bodies of any level
+  uint32_t looseStride = 0;  // max bodies of any level
 
-  LevelSet set() const;  // valid while this object lives and stays as it is
+  LevelSet set() const;  // valid while this object lives unchanged
 };
 
-// A course of one level, every world at `start`.
+// Returns a course of one level, with every world at `start`.
 Course courseOf(const level::LevelView& level, const level::StartPose& start);
 
-// Where a step's actions come from; the spans must live as long as the step.
+// The source of a step's actions. The spans must outlive the step.
 struct Actions {
   ActionKind kind = ActionKind::walker;
   uint64_t seed = 0;
@@ -43,12 +43,12 @@ struct Actions {
   std::span<const uint32_t> firsts;
 
   static Actions walker(uint64_t seed) { return {ActionKind::walker, seed, {}, {}, {}}; }
-  // Row by row, a row a tick: (ticks, worlds).
+  // One row a tick: (ticks, worlds).
   static Actions tabulated(std::span<const Action> table) {
     return {ActionKind::table, 0, table, {}, {}};
   }
-  // World i holds runs[firsts[i]] ... runs[firsts[i + 1] - 1], counted from the step's first tick,
-  // then stands still.
+  // World i plays runs[firsts[i]] ... runs[firsts[i + 1] - 1] from the step's first tick on, then
+  // stands still.
   static Actions plans(std::span<const ActionRun> runs, std::span<const uint32_t> firsts) {
     return {ActionKind::plans, 0, {}, runs, firsts};
   }
@@ -60,19 +60,19 @@ class Batch {
 
   uint32_t size() const { return size_; }
 
-  // Advances every world by `ticks`; one whose playthrough has ended waits, or starts its next
-  // level if the course restarts. An error says what is wrong with the actions, or is the device's.
+  // Advances every world by `ticks`. A world whose trajectory has ended waits, or starts its next
+  // level if the course restarts. Invalid actions and errors of the device are errors.
   Status step(uint32_t ticks, const Actions& actions);
 
-  // Worlds `first` and on, and what they play. Snapshots are plain copies of the worlds and of
-  // their loose bodies: (worlds, looseStride), none where no level has any.
+  // restore() replaces the worlds from `first` on. Snapshots are plain copies of the worlds and of
+  // their dynamic bodies: (worlds, looseStride), none if no level has any.
   virtual Status restore(uint32_t first, std::span<const World> worlds,
                          std::span<const LooseBody> loose = {}) = 0;
   virtual Result<std::vector<World>> worlds() const = 0;
   virtual Result<std::vector<LooseBody>> loose() const = 0;
   virtual Result<std::vector<Episode>> episodes() const = 0;
 
-  // Digest of all states in order.
+  // Returns a digest of all states in order.
   Result<uint64_t> hash() const;
 
  protected:
@@ -83,15 +83,16 @@ class Batch {
   const uint32_t size_, looseStride_;
 };
 
-// On the CPU's lanes, a task of the pool for every few hundred worlds of one level. The pool must
-// outlive the batch.
+// Makes a batch on the CPU's lanes, with one task of the pool for every few hundred worlds of one
+// level. The pool must outlive the batch.
 Result<std::unique_ptr<Batch>> makeCpuBatch(Course course, uint32_t worlds, ThreadPool& pool);
 
-// By the step kernel. The device must outlive the batch, which keeps its own copy of the course.
+// Makes a batch that runs the step kernel. The device must outlive the batch, which keeps its own
+// copy of the course.
 Result<std::unique_ptr<Batch>> makeKernelBatch(const Course& course, uint32_t worlds,
                                                Device& device);
 
-// The kernels of makeKernelBatch.
+// Returns the kernels of makeKernelBatch.
 const Kernel& stepKernel(StepKind kind);
 
 }  // namespace obby::sim

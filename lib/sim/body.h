@@ -1,5 +1,5 @@
-// The physics of one tick: substeps of gravity, drive and hover spring, and the torso and head
-// pushed out of parts.
+// The physics of one tick: substeps of gravity, drive and hover spring, and depenetration of the
+// torso and head.
 #pragma once
 
 #include "geom/penetration.h"
@@ -8,21 +8,21 @@
 
 namespace obby::sim {
 
-// What moves during a tick, and what it works toward.
+// The moving state during a tick, and its targets.
 template <class F>
 struct MotionT {
-  Vec3T<F> position, velocity;  // of the feet
+  Vec3T<F> position, velocity;  // position and velocity of the feet
   SinCosT<F> yaw;
-  F bottom;  // of the colliding body above the feet: the torso does not collide while jumping
+  F bottom;  // bottom of the colliding body above the feet; the torso does not collide while
+             // jumping
   DriveT<F> drive;
   F floorY, floorSpeed;  // height and vertical velocity of the floor
 };
 
 using Motion = MotionT<float>;
 
-// Differences below these are taken as none, so that a player who stands, walks or falls freely is
-// at rest in the terms of the equations, and a tick is one step of constant acceleration instead of
-// several.
+// Smaller differences count as zero. A player who stands, walks or falls freely then has a constant
+// acceleration, and a tick is one step instead of several.
 constexpr float kSettledGap = 1e-3f;    // studs
 constexpr float kSettledSpeed = 1e-2f;  // studs/s
 
@@ -43,7 +43,7 @@ OBBY_DEVICE MotionT<F> motionOf(const PlayerT<F>& w, const Params& p, const Floo
   return m;
 }
 
-// Torso and head as one upright box.
+// Returns torso and head as one upright box.
 template <class F>
 OBBY_DEVICE geom::UprightBoxT<F> bodyBox(const MotionT<F>& m, const Params& p) {
   const F half = (p.bodyTop - m.bottom) * 0.5f;
@@ -52,16 +52,16 @@ OBBY_DEVICE geom::UprightBoxT<F> bodyBox(const MotionT<F>& m, const Params& p) {
           m.yaw};
 }
 
-// Do legs that hold a body at a moving floor make it rise faster than the floor?
+// Returns true if legs that hold a body at a moving floor make it rise faster than the floor.
 template <class F>
 OBBY_DEVICE MaskOf<F> legsLift(MaskOf<F> hover, F upward, F floorSpeed) {
   return hover & (upward > floorSpeed + kSettledSpeed);
 }
 
-// 1/s: the speed of a hanging landing falls to 0.375 of itself in a step of 1/240 s (measured).
+// 1/s. The speed of a hanging landing falls to 0.375 of itself in a step of 1/240 s (measured).
 constexpr float kHangGain = 150;
 
-// Acceleration of a substep.
+// Returns the acceleration of a substep.
 template <class F>
 OBBY_DEVICE Vec3T<F> acceleration(const MotionT<F>& m, const Params& p) {
   const DriveT<F>& d = m.drive;
@@ -71,7 +71,7 @@ OBBY_DEVICE Vec3T<F> acceleration(const MotionT<F>& m, const Params& p) {
   const MaskOf<F> over = size2 > d.limit * d.limit;
   if (any(over)) a = select(over, a * (d.limit / sqrtf32(select(over, size2, F(1.0f)))), a);
   a += d.slide;
-  // The legs push below their length, and let fall above it.
+  // The legs push while they are compressed, and let the body fall otherwise.
   const F gap = m.position.y - m.floorY;
   const F lift = -p.hoverStiffness * gap - p.hoverDamping * (m.velocity.y - m.floorSpeed);
   a.y = select(d.hover & (gap <= 0.0f), minf(lift, F(p.hoverLimit)), F(-d.gravity));
@@ -82,28 +82,28 @@ OBBY_DEVICE Vec3T<F> acceleration(const MotionT<F>& m, const Params& p) {
   return a;
 }
 
-// Will the acceleration stay what it is for the whole tick?
+// Returns true if the acceleration is constant during the whole tick.
 template <class F>
 OBBY_DEVICE MaskOf<F> isConstant(const MotionT<F>& m, const Params& p) {
   const DriveT<F>& d = m.drive;
-  // On the legs only at rest, and on a floor that goes neither up nor down.
+  // On the legs it is constant only at rest, and on a floor without vertical motion.
   const MaskOf<F> bounces =
       d.hover & ((m.position.y != m.floorY) | (m.velocity.y != 0.0f) | (m.floorSpeed != 0.0f));
   const F dx = d.velocity.x - m.velocity.x, dz = d.velocity.z - m.velocity.z;
   const F left = dx * dx + dz * dz;
-  // At the limit until the tick's end: the speed difference stays above limit / moveGain.
+  // It stays at the limit while the speed difference exceeds limit / moveGain.
   const F needed = d.limit * (1.0f / p.moveGain + p.tickSeconds);
   return ((left == 0.0f) | (left > needed * needed)) & !bounces;
 }
 
-// No faster than anything in the level may be: the grid's lists reach no farther.
+// Limits a velocity to the speeds that the grid's lists cover.
 template <class F>
 OBBY_DEVICE Vec3T<F> bounded(const Vec3T<F>& v, const level::LevelView& level) {
   const F most = level.params.maxFallSpeed, side = level.maxSideSpeed;
   return {clampf<F>(v.x, -side, side), clampf<F>(v.y, -most, most), clampf<F>(v.z, -side, side)};
 }
 
-// The first half of a semi-implicit step: v += a dt. The step then moves by that velocity.
+// Does the first half of a semi-implicit step: v += a dt. The step then moves by that velocity.
 template <class F>
 OBBY_DEVICE void accelerate(MotionT<F>& m, const level::LevelView& level, float dt) {
   Vec3T<F> a = acceleration(m, level.params);
@@ -112,7 +112,7 @@ OBBY_DEVICE void accelerate(MotionT<F>& m, const level::LevelView& level, float 
   m.drive.freeSteps -= F(1.0f);
 }
 
-// All steps of a tick at once, where the acceleration is constant through it.
+// Takes all steps of a tick at once, for an acceleration that is constant through it.
 template <class F>
 OBBY_DEVICE void integrate(MotionT<F>& m, const level::LevelView& level, float dt, int steps) {
   const Vec3T<F> a = acceleration(m, level.params);
@@ -125,12 +125,12 @@ OBBY_DEVICE void integrate(MotionT<F>& m, const level::LevelView& level, float d
   m.velocity = bounded(m.velocity, level);
 }
 
-// Where the body can be during this tick.
+// Returns the box in which the body can be during this tick.
 template <class F>
 OBBY_DEVICE BoxT<F> bodyReach(const MotionT<F>& m, const Params& p) {
   const float dt = p.tickSeconds;
-  // Sideways no faster than now or than wanted; up and down what gravity can add in a tick. The
-  // legs add more upward only where the floor is above the feet, and then no more than that.
+  // Sideways the body is no faster than now or than wanted. Vertically gravity adds speed. The legs
+  // lift it only if the floor is above the feet, and no higher than the floor.
   const float more = m.drive.gravity * dt * dt + p.contactSkin;
   const F lift = select(m.drive.hover, maxf(m.floorY - m.position.y, F(0.0f)), F(0.0f));
   const Vec3T<F> fastest = max(abs(m.velocity), abs(m.drive.velocity));
@@ -140,8 +140,8 @@ OBBY_DEVICE BoxT<F> bodyReach(const MotionT<F>& m, const Params& p) {
   return box;
 }
 
-// Could a body within `reach` meet a block? Along the block's own axes: a tilted part's bounds are
-// mostly air.
+// Returns true if a body within `reach` can meet a block. Tests the block's own axes, because the
+// bounds of a tilted part are mostly empty.
 template <class F>
 OBBY_DEVICE MaskOf<F> meetsBlock(const BoxT<F>& reach, const geom::BlockT<F>& block) {
   const Vec3T<F> center = (reach.lo + reach.hi) * F(0.5f), half = (reach.hi - reach.lo) * F(0.5f);
@@ -152,7 +152,7 @@ OBBY_DEVICE MaskOf<F> meetsBlock(const BoxT<F>& reach, const geom::BlockT<F>& bl
          (absf(dot(d, r.z)) <= block.half.z + dot(abs(r.z), half));
 }
 
-// Moves the body out of a part that it is inside of by more than the skin.
+// Moves the body out of a part that it penetrates by more than the skin.
 template <class F>
 OBBY_DEVICE MaskOf<F> pushOut(MotionT<F>& m, const Params& p, const geom::ContactT<F>& contact,
                               MaskOf<F> asked) {
@@ -175,15 +175,15 @@ OBBY_DEVICE geom::Contact contactWith(const level::Collider& collider, const Can
   return geom::penetration(collider.kind, collider.shape, *c.pose, box);
 }
 
-// A set of candidates: bit k stands for items[k].
+// A set of candidates. Bit k stands for items[k].
 using CandidateSet = uint64_t;
 static_assert(kMaxCandidates <= 64, "one bit a candidate");
 
-// Rounds of push-out: corners between parts need the second.
+// Returns the rounds of depenetration. Corners between parts need the second.
 OBBY_DEVICE int contactRounds(int parts) { return parts > 1 ? 2 : 1; }
 
-// Depth that push-out may leave; a body that is deeper does not fit between the parts.
-constexpr float kTight = 0.02f;  // studs, beyond the skin
+// Depth that depenetration may leave. A body that is deeper does not fit between the parts.
+constexpr float kTight = 0.02f;  // studs beyond the skin
 
 OBBY_DEVICE bool isInside(const Motion& m, const level::LevelView& level, const Candidates& near,
                           CandidateSet solids) {
@@ -198,7 +198,7 @@ OBBY_DEVICE bool isInside(const Motion& m, const level::LevelView& level, const 
   return false;
 }
 
-// Moves the body out of the parts near it, in their order. False: it does not fit between them.
+// Moves the body out of the parts near it, in their order. Returns false if it does not fit.
 OBBY_DEVICE bool collide(Motion& m, const level::LevelView& level, const Candidates& near,
                          CandidateSet solids) {
   const int rounds = contactRounds((solids & (solids - 1)) != 0 ? 2 : 1);
@@ -237,21 +237,21 @@ OBBY_DEVICE void moveAmong(Motion& m, const level::LevelView& level, const Candi
   endMove(m, from, level, near, solids);
 }
 
-// How far the body may go in one substep near a solid part: less than half of it, so that it is
-// always pushed out on the side that it came from, however thin the part is.
+// Returns the max distance of a move near a solid part. It is less than half the body, so that even
+// a thin part pushes it back to the side that it came from.
 template <class F>
 OBBY_DEVICE F safeTravel(const MotionT<F>& m, const Params& p) {
   return 0.45f * minf(F(minf(p.bodyWidth, p.bodyDepth)), p.bodyTop - m.bottom);
 }
 
-// How far it goes at most, with what gravity and drive can add in a tick.
+// Returns the max distance of a substep, with the speed that gravity and drive can add in a tick.
 template <class F>
 OBBY_DEVICE F substepTravel(const MotionT<F>& m, const Params& p) {
   const Vec3T<F> v = max(abs(m.velocity), abs(m.drive.velocity));
   return (maxf(maxf(v.x, v.z), v.y) + m.drive.gravity * p.tickSeconds) * p.substepSeconds;
 }
 
-// Moves of a substep near solid parts: several for the very fast.
+// Moves of a substep near solid parts. Very fast players need several.
 constexpr int kMostSplits = 32;
 OBBY_DEVICE int contactSplits(const Motion& m, const Params& p) {
   const float travel = substepTravel(m, p), most = safeTravel(m, p);
@@ -260,7 +260,7 @@ OBBY_DEVICE int contactSplits(const Motion& m, const Params& p) {
   return splits;
 }
 
-// Solid parts that the body can meet during this tick.
+// Returns the solid parts that the body can meet during this tick.
 OBBY_DEVICE CandidateSet solidsInReach(const Motion& m, const level::LevelView& level,
                                        const Candidates& near) {
   if (!(near.anyFlags & level::kSolid)) return 0;

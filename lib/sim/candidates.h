@@ -1,6 +1,5 @@
-// The parts near a player during one tick, from one grid look-up: their poses now, their bounds,
-// and what they do now (a vanished part is not solid). Everything later in the tick looks at these
-// only.
+// The parts near a player during one tick, from one grid look-up: their present poses, bounds and
+// flags (a vanished part is not solid). The rest of the tick tests only these.
 #pragma once
 
 #include "sim/loose.h"
@@ -21,38 +20,39 @@ struct Candidate {
 struct Candidates {
   // Unions keep the arrays from being zeroed for every tick of every world.
   union {
-    Candidate items[kMaxCandidates];  // the first `count` are there
+    Candidate items[kMaxCandidates];  // the first `count` are valid
   };
   union {
     Pose moving[kMaxMovingCandidates];
   };
   union {
-    Pose loose[level::kMaxLoose];  // by body: where those near the player are
+    Pose loose[level::kMaxLoose];  // poses of the bodies, valid for those near the player
   };
   int count = 0;
   int movingCount = 0;
   uint32_t anyFlags = 0;
-  uint32_t looseNear = 0;   // bodies among the items, a bit each
-  int footedOn = -1;        // item that the feet hold the player on; -1: none
-  uint32_t looseApart = 0;  // bodies that are moved elsewhere in this tick (wide_loose.h)
+  uint32_t looseNear = 0;   // bodies among the items, one bit each
+  int footedOn = -1;        // item that the feet hold the player on; -1 for none
+  uint32_t looseApart = 0;  // bodies that are moved elsewhere in this tick, one bit each
+                            // (wide_loose.h)
 
   OBBY_DEVICE Candidates() {}
 };
 
-// Where a collider is, `later` ticks after the state `w` where a mover moves it; where its body is
-// now if that is loose. `loose`: null where the level has none.
+// Returns the pose of a collider: `later` ticks after the state `w` if a mover moves it, now if it
+// is part of a dynamic body. `loose` is null if the level has no bodies.
 OBBY_DEVICE Pose poseOf(const level::Collider& c, const World& w, const LooseBody* loose,
                         const level::LevelView& level, uint32_t later) {
   if (loose && c.loose != level::kNotLoose) return poseOf(loose[c.loose], level.loose[c.loose]);
   return c.mover == level::kNone ? c.pose : poseOf(level.movers[c.mover], w, later);
 }
 
-// Has it fallen out of the world?
+// Returns true if its body has fallen out of the world.
 OBBY_DEVICE bool isGone(const level::Collider& c, const LooseBody* loose) {
   return loose && c.loose != level::kNotLoose && loose[c.loose].state == LooseState::gone;
 }
 
-// The grid cell that holds `feet`; -1 outside the grid, where nothing is near.
+// Returns the grid cell that holds `feet`, or -1 outside the grid, where nothing is near.
 template <class F>
 OBBY_DEVICE IntOf<F> cellOf(const level::Grid& g, Vec3T<F> feet) {
   const Vec3T<F> origin{g.origin.x, g.origin.y, g.origin.z};
@@ -65,13 +65,13 @@ OBBY_DEVICE IntOf<F> cellOf(const level::Grid& g, Vec3T<F> feet) {
   return select(within, cell, IntOf<F>(-1));
 }
 
-// Where the player's limbs and rays can be during this tick.
+// Returns the box in which the player's limbs and rays can be during this tick.
 template <class F>
 OBBY_DEVICE BoxT<F> tickBounds(Vec3T<F> position, Vec3T<F> velocity, const Params& p) {
   const float limbs =
       p.armSpan * 0.5f + p.bodyDepth * 0.5f + p.touchMargin;  // at least the diagonal
   const float arms = maxf(limbs, p.climbReach + p.bodyWidth * p.floorRaySpread);
-  // Half a stud more than the present speed carries: a tick of acceleration, and being pushed.
+  // Half a stud beyond the present speed covers a tick of acceleration, and pushes.
   const F side = arms + 0.5f + p.tickSeconds * maxf(absf(velocity.x), absf(velocity.z));
   const F move = 0.5f + p.tickSeconds * absf(velocity.y) + p.tickSeconds * p.jumpSpeed;
   const float below = p.floorReachBase * p.rootHeight + (farthestFloor(p) - 1.0f) * p.hipHeight;
@@ -79,26 +79,26 @@ OBBY_DEVICE BoxT<F> tickBounds(Vec3T<F> position, Vec3T<F> velocity, const Param
           position + Vec3T<F>{side, p.bodyTop + move, side}};
 }
 
-// Flags of parts that are away at times, as isAway() tells.
+// Flags of parts that may be away (isAway()).
 constexpr uint32_t kLeaves = level::kVanishTimer | level::kClocked;
 
-// Flags of parts that are not the same in every tick.
+// Flags of parts that can change from tick to tick.
 constexpr uint32_t kChanging = level::kMoving | kLeaves | level::kOneWay;
 
-// Is a part away now?
+// Returns true if a part is away now.
 OBBY_DEVICE bool hasLeft(const World& w, const level::LevelView& level, const level::Collider& c,
                          uint32_t flags) {
   return (flags & kLeaves) && isAway(w, level, c.role, flags);
 }
 
-// Is a solid part not solid for this player now?
+// Returns true if a solid part does not collide with this player now.
 OBBY_DEVICE bool lacksCollision(const World& w, const level::LevelView& level,
                                 const level::Collider& c, const Pose& pose, uint32_t flags) {
   if (hasLeft(w, level, c, flags)) return true;
   return (flags & level::kOneWay) && !isOutside(w, level, c, pose);
 }
 
-// Loose bodies near the player.
+// Adds the dynamic bodies near the player.
 OBBY_DEVICE void gatherLoose(World& w, const LooseBody* loose, const level::LevelView& level,
                              const Box& near, Candidates& out) {
   for (uint32_t b = 0; b < level.looseCount; ++b) {
@@ -120,7 +120,7 @@ OBBY_DEVICE void gatherLoose(World& w, const LooseBody* loose, const level::Leve
   }
 }
 
-// `p`: with the player's boosts.
+// `p` includes the player's boosts.
 OBBY_DEVICE void gather(World& w, const LooseBody* loose, const level::LevelView& level,
                         const Params& p, Candidates& out) {
   const Box near = tickBounds<float>(w.position, w.velocity, p);
@@ -138,7 +138,7 @@ OBBY_DEVICE void gather(World& w, const LooseBody* loose, const level::LevelView
     const Pose* pose = &c.pose;
     if (flags & kChanging) {
       if ((flags & level::kMoving) && out.movingCount < kMaxMovingCandidates) {
-        // Parts move first, then the player: the pose at the end of the tick.
+        // Parts move before the player, so this is the pose at the end of the tick.
         out.moving[out.movingCount] = poseOf(level.movers[c.mover], w, 1);
         bounds = boundsOf(out.moving[out.movingCount], c.shape.half);
         if (!overlaps(bounds, near)) continue;

@@ -1,5 +1,5 @@
-// What carries the player: the floor that is stood on, the truss that is climbed, the seat. Asked
-// of a state between two ticks; no tick needs it.
+// Finds what carries the player: a floor, a truss or a seat. It serves callers between two ticks;
+// no tick needs it.
 #pragma once
 
 #include "sim/climb.h"
@@ -7,15 +7,16 @@
 
 namespace obby::sim {
 
-// Can anything carry in this state? False for all who jump, fall or are dead.
+// Returns true if something can carry the player in this state. A player who jumps, falls or is
+// dead is not carried.
 OBBY_DEVICE bool mayBeCarried(const World& w) {
   if (w.state == State::climbing || w.state == State::seated) return true;
   const bool onLegs = w.state == State::running || w.state == State::landed;
   return (onLegs || w.state == State::fallingDown) && (w.flags & kFloorSensed) != 0;
 }
 
-// The collider that carries, as the tick after `w` will find it; level::kNone: none does. `loose`:
-// (level.looseCount), null where that is 0.
+// Returns the collider that carries the player, as the tick after `w` will find it, or
+// level::kNone. `loose` has level.looseCount bodies, or is null if there are none.
 OBBY_DEVICE uint32_t carrierOf(const World& w, const LooseBody* loose,
                                const level::LevelView& level) {
   if (!mayBeCarried(w)) return level::kNone;
@@ -23,7 +24,7 @@ OBBY_DEVICE uint32_t carrierOf(const World& w, const LooseBody* loose,
     const int seat = heldSeat(w, level);
     return seat < 0 ? level::kNone : level.clocks[w.clocks[seat].clock].seat;
   }
-  World noted = w;  // overruns are noted in a world
+  World noted = w;  // gather() notes overruns in a world
   Candidates near;
   gather(noted, loose, level, level.params, near);
   const Player player = playerOf(w);

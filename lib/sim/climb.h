@@ -1,5 +1,5 @@
-// Climbing of trusses: what the player senses ahead, the Climbing state, and how it moves
-// (docs/physics.md, climbing). For one world: worlds near a truss are taken singly.
+// Climbing of trusses: rays that sense a truss ahead, the Climbing state, and its motion
+// (docs/physics.md, climbing). It handles one world; no world near a truss is in lanes.
 #pragma once
 
 #include "sim/body.h"
@@ -7,23 +7,23 @@
 namespace obby::sim {
 
 // Rays straight ahead from the player's axis, in rows from the legs to the top of the torso. The
-// middle column is what catches a truss; a climber keeps it with the outer two as well.
+// middle column starts a climb; a climber keeps it with the two outer columns as well.
 constexpr int kClimbRows = 5;
 
-// The face ahead.
+// The truss face ahead.
 struct Truss {
   bool sensed = false;
-  Vec3 toward;    // unit, horizontal: from the player into the face
-  Vec3 velocity;  // of the truss, studs/s
+  Vec3 toward;    // unit, horizontal, from the player into the face
+  Vec3 velocity;  // velocity of the truss, studs/s
 };
 
 struct TrussHit {
   float distance;
-  int candidate;  // -1: none
+  int candidate;  // -1 for none
   Vec3 normal;    // world
 };
 
-// Is a truss the first solid part along the ray, or flush with the first? Keeps the nearest.
+// Tests whether a truss is the first solid part along the ray, or flush with it. Keeps the nearest.
 OBBY_DEVICE void castForTruss(const level::LevelView& level, const Candidates& near,
                               CandidateSet asked, Vec3 from, Vec3 ahead, TrussHit& best) {
   const float reach = level.params.climbReach;
@@ -49,7 +49,7 @@ OBBY_DEVICE void castForTruss(const level::LevelView& level, const Candidates& n
   if (first && truss.distance < best.distance) best = truss;
 }
 
-// Solid parts that rays ahead can meet.
+// Returns the solid parts that rays ahead can meet.
 OBBY_DEVICE CandidateSet solidsAhead(const Candidates& near, Vec3 feet, const Params& p) {
   const float side = p.climbReach + p.bodyWidth * p.floorRaySpread;
   const Box box{feet + Vec3{-side, 0, -side}, feet + Vec3{side, p.headBottom, side}};
@@ -61,7 +61,7 @@ OBBY_DEVICE CandidateSet solidsAhead(const Candidates& near, Vec3 feet, const Pa
   return solids;
 }
 
-// The nearest truss that a column of rays meets.
+// Returns the nearest truss that a column of rays meets.
 OBBY_DEVICE TrussHit castColumn(const level::LevelView& level, const Candidates& near,
                                 CandidateSet solids, Vec3 feet, Vec3 ahead) {
   const Params& p = level.params;
@@ -73,7 +73,7 @@ OBBY_DEVICE TrussHit castColumn(const level::LevelView& level, const Candidates&
     castForTruss(level, near, solids, from, ahead, best);
   }
   if (!(near.anyFlags & level::kRung)) return best;
-  // Rungs are thinner than the rows are apart.
+  // Rungs are thinner than the spacing of the rows.
   for (CandidateSet left = solids; left != 0; left &= left - 1) {
     const Candidate& c = near.items[lowestBit(left)];
     const float height = c.pose->position.y - feet.y;
@@ -83,7 +83,7 @@ OBBY_DEVICE TrussHit castColumn(const level::LevelView& level, const Candidates&
   return best;
 }
 
-// The truss face ahead of a player.
+// Returns the truss face ahead of a player.
 OBBY_DEVICE TrussHit findTruss(const Player& player, const level::LevelView& level,
                                const Candidates& near) {
   const Params& p = level.params;
@@ -93,7 +93,7 @@ OBBY_DEVICE TrussHit findTruss(const Player& player, const level::LevelView& lev
   const CandidateSet solids = solidsAhead(near, player.position, p);
   TrussHit best = castColumn(level, near, solids, player.position, ahead);
   if (player.is(State::climbing)) {
-    // At a corner the outer columns can meet another face than the one that is climbed.
+    // At a corner the outer columns can meet a face other than the climbed one.
     for (int side = -1; side <= 1 && best.candidate < 0; side += 2) {
       best = castColumn(level, near, solids, player.position + aside * float(side), ahead);
     }
@@ -108,12 +108,12 @@ OBBY_DEVICE Truss senseTruss(const World& w, const LooseBody* loose, const Playe
   if (best.candidate < 0) return {};
   const Vec3 flat{-best.normal.x, 0, -best.normal.z};
   const float size = length(flat);
-  Floor surface;  // conveyors and carrying parts take a climber along as they take a walker
+  Floor surface;  // conveyors and carrying parts move a climber as they move a walker
   surfaceMotion(w, loose, level, near.items[best.candidate], surface);
   return {true, size > level.params.climbWill ? flat * (1.0f / size) : ahead, surface.velocity};
 }
 
-// 1: the move direction points into the truss, -1: away from it, 0: neither.
+// Returns 1 if the move direction points into the truss, -1 if it points away, otherwise 0.
 OBBY_DEVICE float climbWill(const Params& p, const Truss& truss, const ControlT<float>& control) {
   if (!control.walk) return 0;
   const float into = dot(directionOf(sinCosOf<float>(control.heading)), truss.toward);
@@ -126,24 +126,24 @@ OBBY_DEVICE void leaveTruss(Player& w, const Params& p, const Truss& truss) {
   w.freeSteps = 1;
   w.leftTruss = true;
   w.jumps = countedOn(w.jumps, 1);
-  w.floorlessSteps = int32_t(p.coyoteSteps);  // one jump a take-off
+  w.floorlessSteps = int32_t(p.coyoteSteps);  // one jump per take-off
 }
 
-// Past the truss the climb goes on as long as it leads onto a floor that is still above the feet;
-// then the player stands on it, without a leap.
+// Beyond the truss the climb continues while it leads onto a floor that is still above the feet.
+// Then the player stands on the floor, without a leap.
 OBBY_DEVICE void passTruss(Player& w, const Params& p, const Floor& floor, Truss& truss,
                            const ControlT<float>& control) {
   truss.toward = directionOf(sinCosOf<float>(w.yaw));
   truss.velocity = floor.velocity;
   const float step = climbSpeedOf(p) * p.tickSeconds;
   if (floor.sensed && floor.gap < -step && climbWill(p, truss, control) > 0) return;
-  // Running without a floor, its grace over, is Freefall.
+  // Without a floor, and with its grace over, running would become Freefall.
   w.state = int32_t(floor.sensed ? State::running : State::freefall);
   if (floor.sensed) w.velocity.y = minf(w.velocity.y, floor.velocity.y);
 }
 
-// Enters and leaves the Climbing state; comes after updateState(). `p`: with the
-// player's boosts. Gives what is climbed.
+// Enters and leaves the Climbing state. Runs after updateState(). `p` includes the player's
+// boosts. Returns the truss that is climbed.
 OBBY_DEVICE Truss updateClimbing(const World& w, const LooseBody* loose, Player& player,
                                  const level::LevelView& level, const Params& p,
                                  const Candidates& near, const Floor& floor,
@@ -156,7 +156,7 @@ OBBY_DEVICE Truss updateClimbing(const World& w, const LooseBody* loose, Player&
   }
   const float will = climbWill(p, truss, control);
   if (!climbs) {
-    // Also while rising, but for one who has just jumped off a truss: a flick.
+    // This works while rising, too, but not right after a jump off a truss: that is a flick.
     const bool flicks = player.leftTruss && !(p.tricks & kLadderFlick);
     if (truss.sensed && will > 0 && !flicks) player.state = int32_t(State::climbing);
   } else if (!truss.sensed) {
@@ -169,14 +169,13 @@ OBBY_DEVICE Truss updateClimbing(const World& w, const LooseBody* loose, Player&
   return truss;
 }
 
-// A climber's facing: toward the truss, whatever the keys say.
+// Returns a climber's control, which faces the truss whatever the keys say.
 OBBY_DEVICE ControlT<float> facing(const Truss& truss, const ControlT<float>& control) {
   return {headingOf(truss.toward.x, truss.toward.z), true, control.jump};
 }
 
-// Moves a climber by one tick: toward the speed of the climb, without gravity. On the way up the
-// body is also pressed to the truss, which is what takes it over the top once the hips are clear
-// of it.
+// Moves a climber by one tick, toward the speed of the climb and without gravity. On the way up the
+// body is also pressed to the truss, which takes it over the top once the hips are clear.
 OBBY_DEVICE void moveClimber(Motion& m, const Truss& truss, const ControlT<float>& control,
                              const level::LevelView& level, const Params& p,
                              const Candidates& near) {

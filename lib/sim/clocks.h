@@ -1,5 +1,5 @@
-// Clocks that touches start, and what depends on them: whether a part is there, where a triggered
-// part is, how fast and heavy the player is. A clock that does not run has no effect.
+// Clocks that touches start, and their effects: on a part's presence, on the pose of a triggered
+// part, on the player's speed and gravity. A clock that does not run has no effect.
 #pragma once
 
 #include "level/level_view.h"
@@ -7,7 +7,7 @@
 
 namespace obby::sim {
 
-// Its place among the running clocks; -1: it does not run.
+// Returns the clock's index among the running clocks, or -1 if it does not run.
 OBBY_DEVICE int findClock(const World& w, uint32_t clock) {
   for (int i = 0; i < w.clockCount; ++i) {
     if (w.clocks[i].clock == clock) return i;
@@ -15,7 +15,7 @@ OBBY_DEVICE int findClock(const World& w, uint32_t clock) {
   return -1;
 }
 
-// Order is kept.
+// Stops a clock. The order of the others is kept.
 OBBY_DEVICE void stopClock(World& w, uint32_t clock) {
   int kept = 0;
   for (int i = 0; i < w.clockCount; ++i) {
@@ -36,7 +36,7 @@ OBBY_DEVICE void startClock(World& w, const level::LevelView& level, uint32_t cl
   w.clocks[w.clockCount++] = {clock, 0};
 }
 
-// Lets a tick pass; clocks that are over are forgotten. Order is kept.
+// Lets a tick pass, and removes clocks that are over. The order is kept.
 OBBY_DEVICE void runClocks(World& w, const level::LevelView& level) {
   int kept = 0;
   for (int i = 0; i < w.clockCount; ++i) {
@@ -46,7 +46,7 @@ OBBY_DEVICE void runClocks(World& w, const level::LevelView& level) {
   w.clockCount = uint8_t(kept);
 }
 
-// Is a part without its collision in this tick?
+// Returns true if a part has no collision in this tick.
 OBBY_DEVICE bool isAway(const World& w, const level::LevelView& level, uint32_t role,
                         uint32_t flags) {
   const level::Roles& r = level.roles[role];
@@ -60,14 +60,16 @@ OBBY_DEVICE bool isAway(const World& w, const level::LevelView& level, uint32_t 
   return away != r.vanishInverted;
 }
 
-// Where a moving part is, `later` ticks after the state `w`: 0 or 1, while no clock starts or ends.
+// Returns the pose of a moving part `later` ticks (0 or 1) after the state `w`, while no clock
+// starts or ends.
 OBBY_DEVICE Pose poseOf(const level::Mover& m, const World& w, uint32_t later) {
   if (m.trigger == level::kNone) return moverPose(m, w.tick + later);
   const int i = findClock(w, m.trigger);
   return moverPose(m, i < 0 ? 0 : w.clocks[i].ticks + later);
 }
 
-// The physics of a player under the boosts that run: of several, the one started last counts.
+// Returns the physics of a player under the running boosts. If several change the same
+// value, the one started last counts.
 OBBY_DEVICE Params boosted(const World& w, const level::LevelView& level) {
   Params p = level.params;
   for (int i = 0; i < w.clockCount; ++i) {
@@ -79,7 +81,7 @@ OBBY_DEVICE Params boosted(const World& w, const level::LevelView& level) {
   return p;
 }
 
-// Has the player lost control?
+// Returns true if the player has lost control.
 OBBY_DEVICE bool isHelpless(const World& w, const level::LevelView& level) {
   for (int i = 0; i < w.clockCount; ++i) {
     if (w.clocks[i].ticks < level.clocks[w.clocks[i].clock].helpless) return true;

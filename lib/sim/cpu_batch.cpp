@@ -1,6 +1,6 @@
 // A batch on the CPU's lanes. Worlds of one level share a block, so that the lanes are full and the
-// level stays in the cache. A world that changes its level in between waits until the worlds are
-// put in order again: it takes the ticks that it has missed with its new neighbours.
+// level stays in the cache. A world that changes its level waits until the worlds are sorted again.
+// It then takes the ticks that it has missed with its new neighbours.
 #include <algorithm>
 
 #include "sim/first_worlds.h"
@@ -9,9 +9,10 @@
 namespace obby::sim {
 namespace {
 
-constexpr uint32_t kBlock = 256;  // worlds a task: what the wide tick takes at once
-// Ticks until worlds that changed their level are put in order: more leave more of them behind at
-// the end of a step, where they fill no lanes; fewer cost more turns of all threads.
+constexpr uint32_t kBlock = 256;  // worlds a task, as many as the wide tick takes at once
+// Ticks until worlds that changed their level are sorted again. More ticks leave more of them
+// behind at the end of a step, where they fill no lanes; fewer ticks cost more runs of the thread
+// pool.
 constexpr uint32_t kPassTicks = 32;
 
 class CpuBatch : public Batch {
@@ -35,11 +36,11 @@ class CpuBatch : public Batch {
   Result<std::vector<Episode>> episodes() const override { return episodes_; }
 
  private:
-  struct Turn {  // of a world in this step
+  struct Turn {  // the progress of a world in this step
     ActionCursor cursor;
     uint32_t left;  // ticks
   };
-  struct Block {  // of order_
+  struct Block {  // a range of order_
     uint32_t first, count;
   };
 
@@ -62,7 +63,7 @@ class CpuBatch : public Batch {
   std::vector<Episode> episodes_;
   ThreadPool& pool_;
 
-  // Of the step.
+  // State of the current step.
   ActionView actions_;
   uint32_t ticks_ = 0;
   std::vector<Turn> turns_;
@@ -89,7 +90,7 @@ void CpuBatch::startOver(uint32_t world) {
   turns_[world].cursor.startOver(actions_);
 }
 
-// Puts the worlds with ticks left in the order of their levels.
+// Sorts the worlds with ticks left by their levels.
 void CpuBatch::admit() {
   std::vector<uint32_t> starts(course_.levels.size() + 1, 0);
   for (uint32_t i = 0; i < size(); ++i) {
@@ -117,7 +118,8 @@ void CpuBatch::cut() {
   }
 }
 
-// Can the world take a tick in this level? Starts its next playthrough if that is here, too.
+// Returns true if the world can take a tick in this level. Starts its next trajectory if that is in
+// this level, too.
 bool CpuBatch::readyIn(uint32_t level, uint32_t world) {
   if (!waits(world)) return false;
   if (worlds_[world].outcome == Outcome::running) return true;

@@ -1,5 +1,5 @@
-// Memory and launches of a machine that runs kernels: a GPU, or the CPU in its place for tests.
-// Errors of the driver come back as Results.
+// Memory and launches of a device that runs kernels: a GPU, or the CPU in its place for tests.
+// Errors of the driver are returned as Results.
 #pragma once
 
 #include <memory>
@@ -14,11 +14,11 @@
 
 namespace obby::sim {
 
-// What the compiler and the driver say of a kernel.
+// Facts about a kernel from the compiler and the driver.
 struct KernelFacts {
-  int registers = 0;    // a thread
-  int localBytes = 0;   // a thread: stack and spills
-  int threads = 0;      // a block
+  int registers = 0;    // per thread
+  int localBytes = 0;   // per thread: stack and spills
+  int threads = 0;      // per block
   int blocksPerSm = 0;  // resident at once
   int smCount = 0;
 };
@@ -29,27 +29,26 @@ class Device {
 
   virtual std::string name() const = 0;
 
-  // Aligned to at least 128 bytes. From any thread.
+  // The memory is aligned to at least 128 bytes. Any thread may call this.
   virtual Result<void*> allocate(size_t bytes) = 0;
   virtual void release(void* memory) = 0;
   virtual Status upload(void* to, const void* from, size_t bytes) = 0;
-  // The same beside kernels that are running, from any thread: done when it returns. No kernel that
-  // was asked for before may use that memory.
+  // Uploads while kernels run, from any thread, and returns when it is done. No kernel enqueued
+  // earlier may use that memory.
   virtual Status uploadAside(void* to, const void* from, size_t bytes) = 0;
   virtual Status download(void* to, const void* from, size_t bytes) const = 0;
-  // Both on the device.
+  // These work on memory of the device.
   virtual Status copy(void* to, const void* from, size_t bytes) = 0;
   virtual Status fill(void* to, uint8_t value, size_t bytes) = 0;
 
   // Runs the kernel for 0 ... count - 1 and waits until it is done.
   virtual Status launch(const Kernel& kernel, const void* arguments, uint32_t count) = 0;
-  // The same, but may return before it is done. What is asked of the device later comes after it,
-  // and may say what went wrong with it.
+  // Launches a kernel, but may return before it is done. Later calls run after it, and may return
+  // its errors.
   virtual Status enqueue(const Kernel& kernel, const void* arguments, uint32_t count) {
     return launch(kernel, arguments, count);
   }
-  // The same for two kernels of which neither needs what the other does: at the same time, where
-  // the device can.
+  // Launches two kernels that do not depend on each other, at the same time if the device can.
   virtual Status enqueueTogether(const Kernel& a, const Kernel& b, const void* arguments,
                                  uint32_t count) {
     OBBY_RETURN_IF_ERROR(enqueue(a, arguments, count));
@@ -101,11 +100,11 @@ class Memory {
   size_t bytes_ = 0;
 };
 
-// Makes room for `count` of them where there is less; what was there may be lost.
+// Makes `memory` hold at least `count` items. Its contents may be lost.
 template <class T>
 Status makeRoom(Device& device, Memory& memory, T*& table, size_t count) {
   if (memory.bytes() < count * sizeof(T)) {
-    memory = {};  // first, so that both are never there
+    memory = {};  // first, so that both never exist at once
     OBBY_ASSIGN(memory, Memory::of(device, count * sizeof(T)));
   }
   table = memory.as<T>();
@@ -119,7 +118,7 @@ Result<std::vector<T>> downloadTable(const Device& device, const T* table, size_
   return copy;
 }
 
-// Uploads a table; `memory` grows where it is too small.
+// Uploads a table. `memory` grows if it is too small.
 template <class T>
 Status uploadTable(Device& device, Memory& memory, std::span<const T> table) {
   if (memory.bytes() < table.size_bytes()) {
@@ -129,7 +128,7 @@ Status uploadTable(Device& device, Memory& memory, std::span<const T> table) {
                        : device.upload(memory.address(), table.data(), table.size_bytes());
 }
 
-// Uploads all tables of `root` in one piece and points `root` to them there.
+// Uploads all tables of `root` in one piece, and points `root` to them.
 template <class Root>
 Result<Memory> uploadTables(Device& device, Root& root) {
   Root sized = root;  // the address is known only after the size

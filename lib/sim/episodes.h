@@ -1,6 +1,5 @@
-// What worlds play: a set of levels, and the order in which they are handed out. Which level a
-// world takes next depends on its number and its episode only, never on who finishes first, so that
-// CPU and GPU agree.
+// A set of levels, and the order in which worlds play them. A world's next level depends only on
+// its number and its episode, never on which world finishes first, so that CPU and GPU agree.
 #pragma once
 
 #include "level/query_view.h"
@@ -11,13 +10,13 @@ namespace obby::sim {
 
 struct LevelSet {
   const level::LevelView* levels = nullptr;   // (levelCount)
-  const level::QueryView* queries = nullptr;  // (levelCount), or null: no rules
-  const World* starts = nullptr;              // (levelCount), where playthroughs begin
+  const level::QueryView* queries = nullptr;  // (levelCount), or null for no rules
+  const World* starts = nullptr;              // (levelCount), where trajectories begin
   const LooseBody* startLoose = nullptr;      // (levelCount, looseStride)
   const uint32_t* queue = nullptr;            // (queueLength), indices of levels
   uint32_t levelCount = 0, queueLength = 0;
-  uint32_t looseStride = 0;  // bodies that each world has room for
-  bool restarts = false;     // a world whose playthrough has ended takes its next level
+  uint32_t looseStride = 0;  // bodies reserved for each world
+  bool restarts = false;     // a world whose trajectory has ended takes its next level
 };
 
 template <class Table>
@@ -29,13 +28,13 @@ OBBY_DEVICE void forTables(LevelSet& s, Table&& table) {
   table(s.queue, s.queueLength);
 }
 
-// What a world plays now.
+// The trajectory that a world plays now.
 struct Episode {
   uint32_t level = 0;   // index into LevelSet::levels
-  uint32_t number = 0;  // playthroughs before this one
+  uint32_t number = 0;  // trajectories before this one
 };
 
-// The level of a world's episode: the worlds take turns at the queue.
+// Returns the level of a world's episode. The worlds take turns at the queue.
 OBBY_DEVICE uint32_t levelOf(const LevelSet& s, uint32_t world, uint32_t worlds, uint32_t episode) {
   return s.queue[(world + uint64_t(episode) * worlds) % s.queueLength];
 }
@@ -44,7 +43,7 @@ OBBY_DEVICE const level::QueryView* queryOf(const LevelSet& s, uint32_t level) {
   return s.queries != nullptr ? s.queries + level : nullptr;
 }
 
-// Puts a world and its loose bodies at the start of its next level.
+// Puts a world and its dynamic bodies at the start of its next level.
 OBBY_DEVICE void startNext(const LevelSet& s, uint32_t index, uint32_t worlds, Episode& episode,
                            World& world, LooseBody* loose) {
   ++episode.number;

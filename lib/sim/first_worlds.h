@@ -1,4 +1,4 @@
-// How every batch begins: what its worlds play first. Private to lib/sim.
+// The worlds with which every batch begins. Private to lib/sim.
 #pragma once
 
 #include "sim/batch.h"
@@ -11,7 +11,7 @@ struct FirstWorlds {
   std::vector<LooseBody> loose;  // (worlds, Course::looseStride)
 };
 
-// Checks the course, fills an empty queue and the loose bodies of the starts.
+// Checks the course, and fills in an empty queue and the dynamic bodies of the starts.
 Result<FirstWorlds> firstWorlds(Course& course, uint32_t count);
 
 }  // namespace obby::sim

@@ -1,5 +1,5 @@
-// What the player stands on: seven rays straight down around the root, three on the centre line and
-// four at the corners, averaged over those that hit (docs/physics.md, floor).
+// Senses the floor under the player with seven rays straight down around the root, three on the
+// centre line and four at the corners. Averages those that hit (docs/physics.md, floor).
 #pragma once
 
 #include "geom/box_box.h"
@@ -14,12 +14,12 @@ constexpr int kFloorRays = 7;
 template <class F>
 struct FloorT {
   MaskOf<F> sensed = false;
-  F gap = 0;  // studs from the feet down to the floor; negative: the floor is above the feet
+  F gap = 0;  // studs from the feet down to the floor; negative if the floor is higher
   Vec3T<F> normal{0, 1, 0};          // average, not normalised
-  Vec3T<F> velocity;                 // of the surface where the player stands, studs/s
+  Vec3T<F> velocity;                 // velocity of the surface under the player, studs/s
   F turning = 0;                     // rad/s of a carrying floor about Y
-  F grip = 0;                        // pair friction with the nearest floor
-  IntOf<F> nearest = -1;             // candidate of the shortest ray; -1: none
+  F grip = 0;                        // friction with the nearest floor
+  IntOf<F> nearest = -1;             // candidate of the shortest ray; -1 for none
   uint8_t loose = level::kNotLoose;  // body that the player stands on; one world only
 };
 
@@ -32,8 +32,8 @@ struct FloorRaysT {
   F reach;               // studs below the origin line
   F distance[kFloorRays];
   Vec3T<F> normal[kFloorRays];
-  bool tilted = false;  // a normal may be another than up
-  IntOf<F> nearest;     // candidate of the shortest ray; -1: none
+  bool tilted = false;  // true if a normal may differ from up
+  IntOf<F> nearest;     // candidate of the shortest ray; -1 for none
   F nearestDistance;
 };
 
@@ -41,7 +41,7 @@ struct FloorRaysT {
 OBBY_DEVICE float rayRight(int i) { return i < 3 ? float(i - 1) : (i & 1) ? -1.0f : 1.0f; }
 OBBY_DEVICE float rayBack(int i) { return i < 3 ? 0.0f : i < 5 ? -1.0f : 1.0f; }
 
-// Height of the rays' origins above the feet.
+// Returns the height of the rays' origins above the feet.
 OBBY_DEVICE float rayHeight(const Params& p) {
   return p.hipHeight + p.rootHeight * 0.5f - p.floorRayStart * p.rootHeight;
 }
@@ -56,8 +56,8 @@ OBBY_DEVICE FloorRaysT<F> makeRays(const PlayerT<F>& w, const Params& p) {
   rays.back = {yaw.sin * z, 0, yaw.cos * z};
   const F hysteresis = select(w.sensed, F(p.floorKeep), F(p.floorAcquire));
   rays.reach = p.floorReachBase * p.rootHeight + hysteresis * p.hipHeight;
-  // A fall that crosses the rays' length in one tick looks as far ahead, so that no thin floor
-  // slips between two ticks.
+  // A fall that crosses the rays' length in one tick looks as far ahead, so that it misses no thin
+  // floor between two ticks.
   const F fall = -w.velocity.y * p.tickSeconds;
   rays.reach = select(fall > rays.reach, fall, rays.reach);
   rays.reach = select(w.velocity.y < -p.fastFall, rays.reach + (-w.velocity.y - p.fastFall) * 0.01f,
@@ -77,7 +77,7 @@ OBBY_DEVICE BoxT<F> boundsOf(const FloorRaysT<F>& r) {
   return {r.origin - e - Vec3T<F>{0, r.reach, 0}, r.origin + e};
 }
 
-// Notes that a ray hits something at `t`; true where nothing before was closer.
+// Records a hit of a ray at `t`. Returns true if no earlier hit was closer.
 template <class F>
 OBBY_DEVICE MaskOf<F> record(FloorRaysT<F>& rays, int ray, MaskOf<F> hit, F t) {
   const MaskOf<F> closer = hit & (t < rays.distance[ray]);
@@ -100,7 +100,7 @@ OBBY_DEVICE void recordTilted(FloorRaysT<F>& rays, int ray, MaskOf<F> hit, F t, 
   recordNearest(rays, hit, t, candidate);
 }
 
-// Rays against a block that stands upright: a hit is a top face below the origin, inside the
+// Casts the rays at an upright block. A hit is on its top face, below the origin and inside the
 // rectangle.
 template <class F>
 OBBY_DEVICE void castAtUpright(FloorRaysT<F>& rays, const geom::BlockT<F>& block, int index,
@@ -132,8 +132,8 @@ OBBY_DEVICE void castAtUpright(FloorRaysT<F>& rays, const geom::BlockT<F>& block
   recordNearest(rays, some, t, index);
 }
 
-// Rays against a block that is turned any way: the slabs of geom/shapes/block.h, with what the rays
-// share computed once.
+// Casts the rays at a block with any rotation. Uses the slabs of geom/shapes/block.h, and computes
+// once what the rays share.
 template <class F>
 OBBY_DEVICE void castAtTilted(FloorRaysT<F>& rays, const geom::BlockT<F>& block, int index,
                               MaskOf<F> asked) {
@@ -164,7 +164,7 @@ OBBY_DEVICE void castAtTilted(FloorRaysT<F>& rays, const geom::BlockT<F>& block,
   }
 }
 
-// Any shape, one world.
+// Casts the rays at any shape, for one world.
 OBBY_DEVICE void castAt(FloorRaysT<float>& rays, const Pose& pose, const level::Collider& collider,
                         int index) {
   const Vec3 down = toLocal(pose.rotation, Vec3{0, -1, 0});
@@ -180,7 +180,7 @@ OBBY_DEVICE void castAt(FloorRaysT<float>& rays, const Pose& pose, const level::
   });
 }
 
-// The average of the rays that hit; friction and motion of the surface are the caller's to add.
+// Returns the average of the rays that hit. The caller adds friction and motion of the surface.
 template <class F>
 OBBY_DEVICE FloorT<F> averageOf(const FloorRaysT<F>& rays, const Params& p) {
   FloorT<F> floor;
@@ -201,7 +201,7 @@ OBBY_DEVICE FloorT<F> averageOf(const FloorRaysT<F>& rays, const Params& p) {
   return floor;
 }
 
-// Velocity of what the player stands on, and its turning.
+// Adds the velocity and the turning of the surface under the player.
 OBBY_DEVICE void surfaceMotion(const World& w, const LooseBody* loose,
                                const level::LevelView& level, const Candidate& c, Floor& floor) {
   const level::Collider& collider = level.colliders[c.collider];
@@ -214,20 +214,21 @@ OBBY_DEVICE void surfaceMotion(const World& w, const LooseBody* loose,
     floor.velocity += conveyorVelocityAt(level.roles[collider.role], c.pose->position, w.position);
   }
   if (c.flags & level::kCarries) {
-    // From where the point under the player was a tick ago.
+    // The displacement of the part's point that was under the player a tick ago.
     const Pose before = poseOf(level.movers[collider.mover], w, 0);
     const Vec3 local = toLocal(before, w.position);
     const float rate = float(level.params.controlRate);
     floor.velocity += (toWorld(*c.pose, local) - w.position) * rate;
     const Vec3 turned = toLocal(before.rotation, Vec3{1, 0, 0});
-    floor.turning = -(c.pose->rotation * turned).z * rate;  // sine of the angle a tick turns
+    floor.turning = -(c.pose->rotation * turned).z * rate;  // sine of the angle turned in a tick
   }
 }
 
-// Where rays can go at any facing, before they are made: most ticks in the air end here. Lanes do
-// without this look, so it must leave nothing out that a ray can meet: it has room for rounding.
+// Returns the column that rays can reach at any facing, before they are made. Most ticks in the air
+// end with this test. Lanes skip it, so it must cover every hit of a ray, with a margin for
+// rounding.
 OBBY_DEVICE Box columnOf(const World& w, const Params& p) {
-  constexpr float kRoom = 0.25f;  // studs: more than any place is rounded by
+  constexpr float kRoom = 0.25f;  // studs; above the rounding of any position
   const float side = (p.bodyWidth + p.bodyDepth) * p.floorRaySpread + kRoom;
   const float fall = maxf(0.0f, -w.velocity.y) * (p.tickSeconds + 0.01f);
   const float reach = p.floorReachBase * p.rootHeight + farthestFloor(p) * p.hipHeight;
@@ -245,7 +246,7 @@ OBBY_DEVICE bool hasFloorBelow(const World& w, const Params& p, const Candidates
   return found;
 }
 
-// The rays at the solid parts below.
+// Casts the rays at the solid parts below.
 OBBY_DEVICE FloorRaysT<float> castFloor(const Player& player, const level::LevelView& level,
                                         const Candidates& near) {
   FloorRaysT<float> rays = makeRays(player, level.params);

@@ -6,14 +6,14 @@
 
 namespace obby::sim {
 namespace {
-constexpr std::align_val_t kAlignment{256};  // as cudaMalloc's
-constexpr uint32_t kRolloutsATask = 16;  // so few that a thousand rollouts keep all threads busy
+constexpr std::align_val_t kAlignment{256};  // as cudaMalloc aligns
+constexpr uint32_t kRolloutsATask = 16;  // few, so that a thousand rollouts keep all threads busy
 }  // namespace
 
 Result<void*> HostDevice::allocate(size_t bytes) {
   void* memory = ::operator new(bytes, kAlignment, std::nothrow);
   if (memory == nullptr) return makeError("not enough memory");
-  std::memset(memory, 0xa5, bytes);  // nobody may count on zeros
+  std::memset(memory, 0xa5, bytes);  // no caller may rely on zeros
   return memory;
 }
 

@@ -1,6 +1,5 @@
-// The CPU in a GPU's place: memory of its own and the same kernels, an index after the other, so
-// that uploads and kernels are tested where there is no GPU. Not for speed: the lanes of
-// makeCpuBatch are.
+// The CPU in place of a GPU, with separate memory and the same kernels, one index after another. It
+// tests uploads and kernels without a GPU. The lanes of makeCpuBatch are the fast way.
 #pragma once
 
 #include "base/thread_pool.h"

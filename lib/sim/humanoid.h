@@ -1,49 +1,49 @@
-// The character's state machine and its will: jumping, landing, coyote time, turning, the velocity
-// it wants. Runs once a tick, as the engine's runs once a frame.
+// The character's state machine and its control: jumping, landing, coyote time, turning, and the
+// wanted velocity. It runs once a tick, as the engine's runs once a frame.
 #pragma once
 
 #include "sim/floor.h"
 
 namespace obby::sim {
 
-// What the physics of this tick's substeps work toward.
+// Targets of the physics in this tick's substeps.
 template <class F>
 struct DriveT {
   Vec3T<F> velocity;        // wanted, horizontal, studs/s
-  F limit = 0;              // of horizontal acceleration, studs/s^2
+  F limit = 0;              // max horizontal acceleration, studs/s^2
   Vec3T<F> slide;           // acceleration down a floor that is too steep
   MaskOf<F> hover = false;  // the legs hold the body above the floor
   MaskOf<F> hangs = false;  // above the floor the body slows down to a stop (a trick)
-  F freeSteps = 0;          // of the tick, its first, without gravity
-  float gravity = 0;        // of the player, studs/s^2
+  F freeSteps = 0;          // first steps of the tick that are without gravity
+  float gravity = 0;        // gravity of the player, studs/s^2
 };
 
 using Drive = DriveT<float>;
 
-// Studs/s up and down a truss.
+// Returns the speed up and down a truss, studs/s.
 OBBY_DEVICE float climbSpeedOf(const Params& p) { return p.climbSpeed * p.walkSpeed; }
 
-// Radians by which a jump has to turn the body to be held: measured, at a turn rate of 1.15 rad/s.
+// Radians that the body must turn for a jump to be held (measured at a turn rate of 1.15 rad/s).
 constexpr float kHeldJumpTurn = 0.137f;
 
-// The signed angle from the facing to the heading, turns / 65536.
+// Returns the signed angle from the facing to the heading, turns / 65536.
 template <class F>
 OBBY_DEVICE F turnLeft(const PlayerT<F>& w, const ControlT<F>& control) {
   return toFloat(((control.heading - w.yaw) << 16) >> 16);
 }
 
-// Wall hops and corner flips: in the air the player faces any way at once, as with the camera
-// locked behind the body. The floor rays then look down inside the wall that the body is pushed out
-// of only afterwards, so a seam or a corner of it is a floor. Comes before the floor is sensed.
+// Wall hops and corner flips: in the air the player can face any heading at once, as with the
+// camera locked behind the body. The floor rays then start inside the wall, before the body is
+// pushed out, so that a seam or a corner of it is a floor. Comes before the floor is sensed.
 template <class F>
 OBBY_DEVICE void faceAtOnce(PlayerT<F>& w, const Params& p, const ControlT<F>& control) {
   if (!(p.tricks & kWallHop)) return;
   w.yaw = select(w.is(State::freefall) & control.walk, control.heading, w.yaw);
 }
 
-// Held jumps: one that begins while the body turns goes on without gravity as long as a floor is
-// sensed. landedSteps, which has no other use in this state, marks it. `jumping`: since an earlier
-// tick; `jumps`: from now on.
+// Held jumps: a jump that begins while the body turns continues without gravity while a floor is
+// sensed. landedSteps, which has no other use in this state, marks it. `jumping` is true since an
+// earlier tick, `jumps` from this tick on.
 template <class F>
 OBBY_DEVICE void holdJump(PlayerT<F>& w, const Params& p, const FloorT<F>& floor,
                           const ControlT<F>& control, MaskOf<F> jumping, MaskOf<F> jumps) {
@@ -57,12 +57,12 @@ OBBY_DEVICE void holdJump(PlayerT<F>& w, const Params& p, const FloorT<F>& floor
   w.freeSteps = select(held, F(float(p.substeps)), w.freeSteps);
 }
 
-// A torso that rests on an edge that no floor ray finds holds the body up. For kHangSteps the
-// player may pull itself in; then its legs hang in the air and it goes nowhere, so that nobody
-// walks along an edge, or against a belt by its side (a guess: no recording shows it). landedSteps,
-// which has no other use in this state, counts.
-constexpr int32_t kHangSteps = 24;     // of 1/240 s
-constexpr float kHangFriction = 0.3f;  // of plastic on plastic
+// A torso that rests on an edge supports the body even if no floor ray finds the edge. For
+// kHangSteps the player may pull itself up. After that the legs hang in the air and the player
+// cannot move, neither along the edge nor against a belt (a guess: no recording shows it).
+// landedSteps, which has no other use in this state, counts.
+constexpr int32_t kHangSteps = 24;     // steps of 1/240 s
+constexpr float kHangFriction = 0.3f;  // plastic on plastic
 
 template <class F>
 OBBY_DEVICE void countHanging(PlayerT<F>& w, const Params& p, const FloorT<F>& floor) {
@@ -88,7 +88,7 @@ OBBY_DEVICE void updateState(PlayerT<F>& w, const Params& p, const FloorT<F>& fl
   w.floorlessSteps = select(floor.sensed, Int(0), countedOn(w.floorlessSteps, p.substeps));
   const Mask running = w.is(State::running), landed = w.is(State::landed);
   const Mask falling = w.is(State::freefall), jumping = w.is(State::jumping);
-  // Legs lift the body to the floor's height and throw it no higher.
+  // The legs lift the body to the floor's height, but throw it no higher.
   if (!(p.tricks & kLegThrow)) {
     const Mask thrown = (landed | running) & w.lifted & ((!floor.sensed) | (floor.gap > 0.0f));
     const F risesWith = maxf(floor.velocity.y, F(0.0f));
@@ -102,10 +102,10 @@ OBBY_DEVICE void updateState(PlayerT<F>& w, const Params& p, const FloorT<F>& fl
   Int next = w.state;
   next = select(landed & (w.landedSteps == 0), to(State::running), next);
   next = select((landed | running) & floorLost, to(State::freefall), next);
-  // Never while rising: this is what prevents double jumps.
+  // A rising player never lands, which prevents double jumps.
   const Mask lands = falling & floor.sensed & (w.velocity.y <= floor.velocity.y);
   next = select(lands, to(p.landedSteps > 0 ? State::landed : State::running), next);
-  // The tick that lands counts.
+  // The tick of the landing counts.
   const Int after = Int(int32_t(p.landedSteps) - int32_t(p.substeps));
   w.landedSteps = select(lands, select(after > 0, after, Int(0)), w.landedSteps);
   next = select(jumping, to(State::freefall), next);
@@ -115,23 +115,23 @@ OBBY_DEVICE void updateState(PlayerT<F>& w, const Params& p, const FloorT<F>& fl
   w.velocity.y = select(jumps, p.jumpSpeed + floor.velocity.y, w.velocity.y);
   w.jumps = select(jumps, countedOn(w.jumps, 1), w.jumps);
   if (p.tricks & kHeldJump) holdJump(w, p, floor, control, jumping, jumps);
-  // One jump a take-off.
+  // One jump per take-off.
   w.floorlessSteps = select(jumps, Int(int32_t(p.coyoteSteps)), w.floorlessSteps);
   countHanging(w, p, floor);
   w.sensed = floor.sensed;
 }
 
-// Turns toward the heading: proportional to the angle left, bounded by turnSpeed. A carrying floor
-// turns the player too.
+// Turns toward the heading, in proportion to the angle left and at most at turnSpeed. A carrying
+// floor turns the player, too.
 template <class F>
 OBBY_DEVICE void turn(PlayerT<F>& w, const Params& p, const FloorT<F>& floor,
                       const ControlT<F>& control) {
   const F error = turnLeft(w, control);
-  // Only in the air is there a limit.
+  // The turn speed is limited only in the air.
   const F most =
       select(w.is(State::freefall), F(p.turnSpeed * p.tickSeconds * kTurnsPerRadian), F(65536.0f));
   const F step = clampf<F>(error * minf(p.turnGain * p.tickSeconds, 1.0f), -most, most);
-  // The last quarter degree at once, so that the facing settles.
+  // The last quarter degree is turned at once, so that the facing settles.
   const IntOf<F> toward =
       select(absf(error) < 46.0f, control.heading, (w.yaw + toInt(step)) & 0xffff);
   w.yaw = select(control.walk & !w.is(State::jumping), toward, w.yaw);
@@ -147,7 +147,7 @@ OBBY_DEVICE DriveT<F> drive(const PlayerT<F>& w, const Params& p, const FloorT<F
   const Mask standing = (w.is(State::running) | w.is(State::landed)) & floor.sensed;
   const Mask jumping = w.is(State::jumping);
   const Mask steep = standing & (floor.normal.y < p.slopeNormalY);
-  // On a slope the speed along it is the walk speed.
+  // On a slope, the speed along the slope is the walk speed.
   const Vec3T<F> along = directionOf(sinCosOf<F>(control.heading));
   const F rise = (along.x * floor.normal.x + along.z * floor.normal.z) / floor.normal.y;
   const F level = select(standing, 1.0f / sqrtf32(1.0f + rise * rise), F(1.0f));
@@ -160,8 +160,8 @@ OBBY_DEVICE DriveT<F> drive(const PlayerT<F>& w, const Params& p, const FloorT<F
   d.freeSteps = w.freeSteps;
   d.velocity = select(control.walk, along * (p.walkSpeed * level), none);
   d.velocity += select(standing, Vec3T<F>{floor.velocity.x, 0, floor.velocity.z}, none);
-  // Where it is too steep the player slides; while jumping, move input is ignored, unless the
-  // engine is known to heed it.
+  // On a floor that is too steep the player slides. While jumping, move input is ignored, unless
+  // the engine is known to obey it.
   const Mask ignored = jumping & (F(p.jumpAccel) <= 0.0f);
   d.velocity = select(steep | ignored, own, d.velocity);
   d.limit = select(standing, p.traction * floor.grip, F(p.airAccel));

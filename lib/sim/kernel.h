@@ -1,4 +1,4 @@
-// A kernel: a function of an argument struct and an index, and the two ways to run it.
+// A kernel is a function of an argument struct and an index, with two ways to run it.
 #pragma once
 
 #include <cstddef>
@@ -6,24 +6,24 @@
 
 namespace obby::sim {
 
-// The kernels that step worlds: three, since code that is never run costs a GPU registers and stack
-// all the same.
+// The kernels that step worlds. There are three, because code that never runs still costs a GPU
+// registers and stack.
 enum class StepKind {
-  oneLevel,    // without loose bodies
-  manyLevels,  // without loose bodies
-  loose        // any course
+  oneLevel,    // without dynamic bodies
+  manyLevels,  // without dynamic bodies
+  loose        // levels with or without dynamic bodies
 };
 
 struct Kernel {
   const char* name;
-  // On the CPU, for one index.
+  // Runs one index on the CPU.
   void (*body)(const void* arguments, uint32_t index);
-  // For cudaLaunchKernel: __global__ void(Arguments, uint32_t count); null without CUDA.
+  // A __global__ void(Arguments, uint32_t count) for cudaLaunchKernel; null without CUDA.
   const void* entry;
   size_t argumentBytes;
 };
 
-// Kernel::body of a function that takes its arguments by their type.
+// The Kernel::body of a function with typed arguments.
 template <class Arguments, void (*kFunction)(const Arguments&, uint32_t)>
 void kernelBody(const void* arguments, uint32_t index) {
   kFunction(*static_cast<const Arguments*>(arguments), index);

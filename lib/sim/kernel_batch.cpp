@@ -1,5 +1,5 @@
-// A batch on a device that runs kernels. State stays there between steps; a step of several ticks
-// is one launch.
+// A batch on a device that runs kernels. The state stays on the device between steps, and a step of
+// several ticks is one launch.
 #include "sim/cuda/cuda.h"
 #include "sim/first_worlds.h"
 #include "sim/simulator.h"
@@ -16,7 +16,7 @@ class KernelBatch : public Batch {
   Status begin(const Course& course, const FirstWorlds& first) {
     args_.set = course.set();
     OBBY_ASSIGN(tables_, uploadTables(device_, args_.set));
-    // The one level of many launches is an argument; its tables lie with the others.
+    // A single level is an argument of the kernel; its tables are with the others.
     args_.count = size();
     if (course.levels.size() == 1) {
       OBBY_RETURN_IF_ERROR(device_.download(&args_.only, args_.set.levels, sizeof args_.only));

@@ -1,4 +1,4 @@
-// Calls the functions of the level that this CPU has.
+// Calls the functions that are compiled for this CPU's level.
 #include "base/cpu_level.h"
 #include "sim/lane_table.h"
 

@@ -1,5 +1,5 @@
-// A contact of a loose body, for one world or lanes of them: along which lines it pushes its
-// bodies, and what they answer.
+// A contact of a dynamic body, for one world or lanes of worlds: the lines along which it pushes
+// its bodies, and their response.
 #pragma once
 
 #include "geom/ring.h"
@@ -12,7 +12,7 @@ template <class F>
 struct RigidT {
   Vec3T<F> position, velocity, spin;
   QuatT<F> rotation;
-  Mat3T<F> axes;            // of the part
+  Mat3T<F> axes;            // axes of the part
   Mat3T<F> inverseInertia;  // world
   F inverseMass;
 };
@@ -21,7 +21,7 @@ template <class F>
 OBBY_DEVICE RigidT<F> rigidOf(Vec3T<F> position, Vec3T<F> velocity, Vec3T<F> spin,
                               QuatT<F> rotation, const Mat3T<F>& inverseInertia, F inverseMass) {
   const Mat3T<F> axes = toMat3(rotation), own = axes * inverseInertia;
-  // axes * inverse * transposed axes, by rows of the transposed.
+  // Computes axes * inverse * transpose(axes), by rows of the transpose.
   const Vec3T<F> rows[3] = {{axes.x.x, axes.y.x, axes.z.x},
                             {axes.x.y, axes.y.y, axes.z.y},
                             {axes.x.z, axes.y.z, axes.z.z}};
@@ -29,48 +29,49 @@ OBBY_DEVICE RigidT<F> rigidOf(Vec3T<F> position, Vec3T<F> velocity, Vec3T<F> spi
           inverseMass};
 }
 
-// One line along which a contact pushes its bodies apart: a direction through a point, or a turning
-// about a direction. `kBodies` 1: the other is a part, which nothing moves.
+// One line along which a contact pushes its bodies apart: a direction through a point, or a
+// rotation about a direction. With kBodies 1 the other side is a part, which nothing moves.
 template <class F, int kBodies>
 struct PushT {
-  Vec3T<F> turn[kBodies];    // speed along the line that a unit of spin makes
-  Vec3T<F> answer[kBodies];  // spin that a unit of impulse makes
-  F mass;                    // that resists
-  F impulse;                 // of the last substep
+  Vec3T<F> turn[kBodies];    // speed along the line per unit of spin
+  Vec3T<F> answer[kBodies];  // spin per unit of impulse
+  F mass;                    // effective mass
+  F impulse;                 // impulse of the last substep
 };
 
 template <class F, int kBodies>
 struct ContactPointT {
   PushT<F, kBodies> push;  // along the normal
   F distance;              // gap now
-  F most;                  // the largest impulse
-  F approach;              // speed at the start of the tick; negative: toward each other
+  F most;                  // max impulse so far
+  F approach;              // speed at the start of the tick; negative when approaching
 };
 
 // The normal points away from the first body.
 template <class F, int kBodies>
 struct LooseContactT {
-  Vec3T<F> surface;  // velocity of the part where it is met
-  F comes;           // how fast the part itself moves along the normal; negative: toward the body
+  Vec3T<F> surface;  // velocity of the part's surface at the contact
+  F comes;           // speed of the part itself along the normal; negative toward the body
   Vec3T<F> normal;
   F friction, bounce;
   IntOf<F> count;
   ContactPointT<F, kBodies> points[geom::kMaxPoints];
-  // Friction works in the middle of the points, along two tangents and about the normal.
+  // Friction acts at the middle of the points, along two tangents and about the normal.
   Vec3T<F> tangents[2];
   PushT<F, kBodies> slide[2], twist;
-  PushT<F, kBodies> press;  // all points at once: along the normal, in their middle
+  PushT<F, kBodies> press;  // all points at once, along the normal at their middle
   F twistRadius;
 };
 
-// What moves of the bodies of a contact while it is worked on: copies, which stay in registers.
+// Velocities of a contact's bodies while it is solved. These are copies, which stay in registers.
 template <class F>
 struct PairT {
-  Vec3T<F> velocity[2], spin[2];  // of a part: of its surface, and none
+  Vec3T<F> velocity[2], spin[2];  // a part has its surface's velocity, and no spin
   F inverseMass[2];
 };
 
-// Speed of the second surface away from the first along the line; `along` is zero for a turning.
+// Returns the speed of the second surface away from the first along the line. `along` is zero for a
+// rotation.
 template <class F, int kBodies>
 OBBY_DEVICE F speedOf(const PairT<F>& s, const PushT<F, kBodies>& p, Vec3T<F> along) {
   F turning = 0.0f;
@@ -78,8 +79,8 @@ OBBY_DEVICE F speedOf(const PairT<F>& s, const PushT<F, kBodies>& p, Vec3T<F> al
   return dot(along, s.velocity[1] - s.velocity[0]) + (turning - dot(p.turn[0], s.spin[0]));
 }
 
-// Gives an impulse along the line where `asked`. A part has no mass to answer with: it stays as it
-// is.
+// Applies an impulse along the line in the lanes of `asked`. A part has no mass and does not
+// respond.
 template <class F, int kBodies>
 OBBY_DEVICE void pushApart(PairT<F>& s, const PushT<F, kBodies>& p, Vec3T<F> along, F impulse,
                            MaskOf<F> asked) {
@@ -92,7 +93,7 @@ OBBY_DEVICE void pushApart(PairT<F>& s, const PushT<F, kBodies>& p, Vec3T<F> alo
   }
 }
 
-// `turns`: as PushT has them; `inverseMass` 0: nothing but a turning.
+// `turns` are those of PushT. `inverseMass` is 0 for a pure rotation.
 template <class F, int kBodies>
 OBBY_DEVICE PushT<F, kBodies> pushAlong(const RigidT<F>* const (&bodies)[kBodies],
                                         const Vec3T<F> (&turns)[kBodies], F inverseMass) {
@@ -108,7 +109,7 @@ OBBY_DEVICE PushT<F, kBodies> pushAlong(const RigidT<F>* const (&bodies)[kBodies
   return p;
 }
 
-// The mean of the points.
+// Returns the mean of the points.
 template <class F>
 OBBY_DEVICE Vec3T<F> middleOf(const geom::ManifoldT<F>& m) {
   Vec3T<F> sum{};
@@ -118,7 +119,7 @@ OBBY_DEVICE Vec3T<F> middleOf(const geom::ManifoldT<F>& m) {
   return sum * (1.0f / toFloat(m.count));
 }
 
-// Fills in what the solver needs of a contact that has its surface, normal and materials.
+// Computes the solver's data of a contact whose surface, normal and materials are set.
 template <class F, int kBodies>
 OBBY_DEVICE void prepare(LooseContactT<F, kBodies>& c, const RigidT<F>* const (&bodies)[kBodies],
                          const PairT<F>& pair, const geom::ManifoldT<F>& m, Vec3T<F> middle,
@@ -129,7 +130,7 @@ OBBY_DEVICE void prepare(LooseContactT<F, kBodies>& c, const RigidT<F>* const (&
     Vec3T<F> turns[kBodies];
     for (int i = 0; i < kBodies; ++i) turns[i] = turnOf(*bodies[i]);
     if constexpr (kBodies == 2) {
-      if (!(pair.inverseMass[1] > 0)) turns[1] = {};  // a part: the same bits as one body alone
+      if (!(pair.inverseMass[1] > 0)) turns[1] = {};  // a part does not turn
     }
     return pushAlong<F, kBodies>(bodies, turns, mass);
   };
@@ -142,7 +143,7 @@ OBBY_DEVICE void prepare(LooseContactT<F, kBodies>& c, const RigidT<F>* const (&
     ContactPointT<F, kBodies>& p = c.points[i];
     const Vec3T<F> at = m.points[i].position;
     p.push = through(at, c.normal);
-    // Moving parts are met where they will be at the tick's end.
+    // The manifold has moving parts at the tick's end; this is the gap at its start.
     p.distance = m.points[i].distance - c.comes * tickSeconds;
     p.most = 0.0f;
     p.approach = speedOf(pair, p.push, c.normal);

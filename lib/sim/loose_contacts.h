@@ -1,5 +1,5 @@
-// The contacts of a world's loose bodies for one tick: with parts and with each other. Found once,
-// at the start of the tick, with whatever is close enough to be met before its end.
+// The contacts of a world's dynamic bodies with parts and with each other. They are found once, at
+// the start of the tick, and include everything that can be met before its end.
 #pragma once
 
 #include "geom/manifold.h"
@@ -9,26 +9,26 @@
 
 namespace obby::sim {
 
-constexpr int kMaxLooseContacts = 64;  // of a world; beyond them it has kContactOverrun
+constexpr int kMaxLooseContacts = 64;  // max contacts of a world; more set kContactOverrun
 
 struct Rigid : RigidT<float> {
-  uint32_t linked;  // bodies that it touches, itself included: a bit each
+  uint32_t linked;  // bodies that it touches, itself included, one bit each
   bool moves;       // awake in this tick
-  bool restless;    // something near it moves or may vanish: must not fall asleep
+  bool restless;    // something near it moves or may vanish, so it must not fall asleep
   bool touches;     // has a contact
 };
 
 using Pair = PairT<float>;
 
 struct LooseContact : LooseContactT<float, 2> {
-  int a, b;  // bodies; b = kPart: a part
+  int a, b;  // bodies; b is kPart for a part
 };
 
-// Bodies that may meet each other, with the player or without.
+// Bodies that may meet each other, with or without the player.
 struct LooseScene {
   // Unions keep the arrays from being filled for every tick.
   union {
-    Rigid bodies[level::kMaxLoose + 1];  // the last stands for all parts: it does not move
+    Rigid bodies[level::kMaxLoose + 1];  // the last stands for all parts and does not move
   };
   union {
     LooseContact contacts[kMaxLooseContacts];
@@ -38,18 +38,18 @@ struct LooseScene {
   OBBY_DEVICE LooseScene() {}
 };
 
-// How close two shapes must be to be a contact of bodies this fast.
+// Returns the max distance of two shapes that are a contact at this speed.
 OBBY_DEVICE float contactMargin(const Params& p, float speed) {
   return 2 * p.contactSkin + speed * p.tickSeconds;
 }
 
-// Where a body can be during the tick, and what is as close as `margin`.
+// Returns the box around a body, extended by `margin`.
 OBBY_DEVICE Box reachOf(Vec3 position, const level::Loose& l, float margin) {
   const float reach = l.radius + margin;
   return {position - Vec3{reach, reach, reach}, position + Vec3{reach, reach, reach}};
 }
 
-// Could two bodies touch during the tick? `Body`: LooseBody or Rigid.
+// Returns true if two bodies could touch during the tick. Body is LooseBody or Rigid.
 template <class Body>
 OBBY_DEVICE bool mayMeet(const Body& a, const Body& b, const level::Loose& la,
                          const level::Loose& lb, const Params& p) {
@@ -58,7 +58,7 @@ OBBY_DEVICE bool mayMeet(const Body& a, const Body& b, const level::Loose& la,
   return dot(d, d) <= reach * reach;
 }
 
-// Does a part with these flags keep what lies on it from falling asleep?
+// Returns true if a part with these flags keeps bodies on it from falling asleep.
 OBBY_DEVICE bool isRestless(uint32_t flags) {
   return (flags & (kLeaves | level::kMoving | level::kConveyor)) != 0;
 }
@@ -69,7 +69,7 @@ OBBY_DEVICE Rigid rigidOf(const LooseBody& b, const level::Loose& l) {
       0, false, false, false};
 }
 
-// Of its part within the tick.
+// Returns the pose of the body's part within the tick.
 OBBY_DEVICE Pose poseOf(const Rigid& b, const level::Loose& l) {
   return partPose(l, b.position, b.axes);
 }
@@ -109,7 +109,7 @@ OBBY_APART void addContact(World& w, const level::LevelView& level, LooseScene& 
   prepare<float, 2>(c, bodies, pairOf(scene, c), m, middle, level.params.tickSeconds);
 }
 
-// Bodies that touch share their rest: one that sleeps wakes up.
+// Bodies that touch sleep together, so one that sleeps wakes up.
 OBBY_DEVICE void link(LooseScene& scene, LooseBody* loose, int a, int b) {
   scene.bodies[a].linked |= 1u << b;
   scene.bodies[b].linked |= 1u << a;
@@ -118,7 +118,7 @@ OBBY_DEVICE void link(LooseScene& scene, LooseBody* loose, int a, int b) {
   scene.bodies[b].moves = true;
 }
 
-// All colliders of body `a` against a partner.
+// Tests all colliders of body `a` against a partner.
 OBBY_APART void meet(World& w, LooseBody* loose, const level::LevelView& level, LooseScene& scene,
                      int a, const Partner& other, float margin) {
   const level::Loose& l = level.loose[a];
@@ -134,7 +134,7 @@ OBBY_APART void meet(World& w, LooseBody* loose, const level::LevelView& level, 
   }
 }
 
-// One-way parts are solid to a body from every side.
+// Tests the parts near body `a`. One-way parts are solid to a body from every side.
 OBBY_APART void meetParts(World& w, LooseBody* loose, const level::LevelView& level,
                           LooseScene& scene, int a) {
   Rigid& body = scene.bodies[a];
@@ -176,8 +176,8 @@ OBBY_APART void meetBodies(World& w, LooseBody* loose, const level::LevelView& l
   }
 }
 
-// Which bodies of a world are moved together: a bit each. `alone`: it is one that meets no other,
-// so that no other is looked at.
+// The bodies of a world that move together, one bit each. `alone` is true for one body that meets
+// no other; then no other is tested.
 struct LooseGroup {
   uint32_t bodies;
   bool alone;
@@ -196,13 +196,13 @@ OBBY_DEVICE void putRigids(const LooseBody* loose, const level::LevelView& level
   }
 }
 
-// Contacts of a group of bodies that are awake, and of those that they wake.
+// Finds the contacts of a group of awake bodies, and of those that they wake.
 OBBY_DEVICE void findContacts(World& w, LooseBody* loose, const level::LevelView& level,
                               const LooseGroup& group, LooseScene& scene) {
   const int count = int(level.looseCount);
   putRigids(loose, level, group, scene);
   uint32_t done = 0;
-  // A body that was woken by a later one has its turn in the next pass.
+  // A body that a later one woke has its turn in the next pass.
   for (bool more = true; more;) {
     more = false;
     for (int i = 0; i < count; ++i) {

@@ -1,5 +1,5 @@
-// The player and loose bodies in one tick: it pushes them with its torso, stands on them with its
-// weight, and is pushed by them.
+// The player and dynamic bodies in one tick. The player pushes them with its torso and stands on
+// them with its weight; they push the player.
 #pragma once
 
 #include "sim/body.h"
@@ -7,7 +7,7 @@
 
 namespace obby::sim {
 
-// What resists an impulse along `n` at `at` from the centre.
+// Returns the inverse effective mass for an impulse along `n`, at `at` from the centre.
 OBBY_DEVICE float yield(const Rigid& b, Vec3 at, Vec3 n) {
   const Vec3 turn = cross(at, n);
   return b.inverseMass + dot(turn, b.inverseInertia * turn);
@@ -20,7 +20,8 @@ OBBY_DEVICE void push(Rigid& b, Vec3 at, Vec3 impulse) {
 
 OBBY_DEVICE Vec3 velocityAt(const Rigid& b, Vec3 at) { return b.velocity + cross(b.spin, at); }
 
-// Wakes what the player touches. False: all loose bodies are asleep, and the player moves alone.
+// Wakes the bodies that the player touches. Returns false if all are asleep, so that the player
+// moves alone.
 OBBY_APART bool wakeTouched(World& w, LooseBody* loose, const Floor& floor, const Motion& m,
                             const level::LevelView& level, const Candidates& near) {
   if (level.looseCount == 0) return false;
@@ -39,7 +40,7 @@ OBBY_APART bool wakeTouched(World& w, LooseBody* loose, const Floor& floor, cons
   return awake;
 }
 
-// The weight of a player who stands on a body, and what its walking asks of it.
+// Applies the weight of a player who stands on a body, and the reaction to its walking.
 OBBY_DEVICE void loadFloor(LooseScene& scene, const Motion& m, const Floor& floor, const Params& p,
                            float dt) {
   Rigid& b = scene.bodies[floor.loose];
@@ -49,7 +50,7 @@ OBBY_DEVICE void loadFloor(LooseScene& scene, const Motion& m, const Floor& floo
   b.restless = true;
 }
 
-// Where the torso presses on a body, from the body's centre.
+// Returns where the torso presses on a body, relative to the body's centre.
 OBBY_DEVICE Vec3 pressedAt(const Rigid& b, const geom::Convex& shape, const geom::UprightBox& box,
                            const geom::Contact& contact) {
   const geom::Convex torso{geom::ShapeKind::block, {box.half, nullptr}, {box.center, box.axes()}};
@@ -60,7 +61,7 @@ OBBY_DEVICE Vec3 pressedAt(const Rigid& b, const geom::Convex& shape, const geom
   return where.count > 0 ? sum * (1.0f / float(where.count)) - b.position : box.center - b.position;
 }
 
-// Exchanges the impulse that ends the approach of the player and a body, and moves the player out.
+// Applies the impulse that ends the approach of the player and a body, and moves the player out.
 OBBY_DEVICE void bump(Motion& m, Rigid& b, const level::Collider& collider, const Pose& pose,
                       const level::LevelView& level, float dt) {
   const Params& p = level.params;
@@ -75,7 +76,7 @@ OBBY_DEVICE void bump(Motion& m, Rigid& b, const level::Collider& collider, cons
   if (speed < 0) {
     const float wanted = -speed / (1 / p.playerMass + yield(b, at, n));
     push(b, at, n * -minf(wanted, p.pushForce * dt));
-    // What the body does not yield stops the player.
+    // A body that yields too little stops the player.
     m.velocity += n * maxf(dot(velocityAt(b, at) - m.velocity, n), 0.0f);
   }
   m.position += n * (contact.depth - p.contactSkin);
@@ -85,14 +86,14 @@ struct Solids {
   CandidateSet fixed, loose;
 };
 
-// The speed of the floor's body within the tick: a player who stands on one that falls falls with
+// Sets the speed of the floor's body within the tick, so that a player on a falling body falls with
 // it.
 OBBY_DEVICE void followFloor(const LooseScene& scene, Motion& m, const Floor& floor) {
   const Rigid& b = scene.bodies[floor.loose];
   m.floorSpeed = velocityAt(b, Vec3{m.position.x, m.floorY, m.position.z} - b.position).y;
 }
 
-// One step of the player among the bodies, `dt` long.
+// Moves the player among the bodies for one step of `dt` seconds.
 OBBY_DEVICE void stepPlayer(LooseScene& scene, Motion& m, const Floor& floor,
                             const level::LevelView& level, const Candidates& near,
                             const Solids& solids, float dt) {
@@ -110,11 +111,11 @@ OBBY_DEVICE void stepPlayer(LooseScene& scene, Motion& m, const Floor& floor,
     Rigid& b = scene.bodies[c.loose];
     bump(m, b, c, poseOf(b, level.loose[c.loose]), level, dt);
   }
-  // Parts come last: nothing presses the player into them.
+  // Parts come last, so that nothing presses the player into them.
   endMove(m, from, level, near, solids.fixed);
 }
 
-// Bodies that have been slow for long fall asleep together with all that they touch.
+// Bodies that have been slow for long enough fall asleep, together with all that they touch.
 OBBY_DEVICE void settle(const LooseScene& scene, LooseBody* loose, const level::LevelView& level) {
   const Params& p = level.params;
   const int count = int(level.looseCount);
@@ -156,7 +157,7 @@ OBBY_DEVICE void putBodies(const LooseScene& scene, LooseBody* loose,
     const Rigid& b = scene.bodies[i];
     if (!b.moves) continue;
     loose[i].position = b.position, loose[i].rotation = b.rotation;
-    // Impulses since the last move may have made it faster than a body can be.
+    // Impulses since the last move may have exceeded the max speeds.
     loose[i].velocity = limited(b.velocity, level.params.maxFallSpeed);
     loose[i].spin = limited(b.spin, kMostSpin);
     if (b.position.y < level.params.fallenPartsHeight) loose[i].state = LooseState::gone;
@@ -164,7 +165,7 @@ OBBY_DEVICE void putBodies(const LooseScene& scene, LooseBody* loose,
   settle(scene, loose, level);
 }
 
-// Moves a group of bodies by one tick, and the player with it where it is not null.
+// Moves a group of bodies by one tick, and the player with it if it is not null.
 OBBY_APART void moveGroup(World& w, LooseBody* loose, const LooseGroup& group, Motion* player,
                           const Floor& floor, const level::LevelView& level, Candidates& near) {
   const Params& p = level.params;
@@ -181,7 +182,7 @@ OBBY_APART void moveGroup(World& w, LooseBody* loose, const LooseGroup& group, M
     }
     if (all) splits = contactSplits(*player, p);
   }
-  // Bodies first: what a falling one has gained in the substep, the player on it has as well.
+  // Bodies move first, so that a player on a falling body gains the same speed in the substep.
   for (int s = 0; s < p.substeps; ++s) {
     stepBodies(scene, int(level.looseCount), p, p.substepSeconds);
     for (int i = 0; player && i < splits; ++i) {
@@ -190,13 +191,13 @@ OBBY_APART void moveGroup(World& w, LooseBody* loose, const LooseGroup& group, M
   }
   bounce(scene);
   putBodies(scene, loose, level);
-  // What is touched at the tick's end is where it is then.
+  // Touches are tested with the poses at the tick's end.
   for (uint32_t i = 0; i < level.looseCount; ++i) {
     if (scene.bodies[i].moves) near.loose[i] = poseOf(scene.bodies[i], level.loose[i]);
   }
 }
 
-// Does the body meet no other in this tick?
+// Returns true if the body meets no other in this tick.
 OBBY_DEVICE bool isAlone(const LooseBody* loose, const level::LevelView& level, uint32_t body) {
   for (uint32_t i = 0; i < level.looseCount; ++i) {
     if (i == body || loose[i].state == LooseState::gone) continue;
@@ -206,8 +207,8 @@ OBBY_DEVICE bool isAlone(const LooseBody* loose, const level::LevelView& level, 
   return true;
 }
 
-// Moves all bodies that are awake by one tick, and with them the player, which is null where it has
-// moved already. Bodies that meet nothing but parts are moved one by one, as lanes do it.
+// Moves all awake bodies by one tick, and the player with them. The player is null if it has moved
+// already. Bodies that meet only parts are moved one by one, as in lanes.
 OBBY_APART void moveTogether(World& w, LooseBody* loose, Motion* player, const Floor& floor,
                              const level::LevelView& level, Candidates& near) {
   LooseGroup together{0, false};
@@ -223,7 +224,7 @@ OBBY_APART void moveTogether(World& w, LooseBody* loose, Motion* player, const F
     moveGroup(w, loose, {alone & (0 - alone), true}, nullptr, floor, level, near);
   }
   for (int k = 0; k < near.count && (near.items[k].flags & level::kLoose); ++k) {
-    Candidate& c = near.items[k];  // bodies are the first of them
+    Candidate& c = near.items[k];  // bodies are the first items
     c.bounds = boundsOf(*c.pose, level.colliders[c.collider].shape.half);
   }
   noteAwake(w, loose, level);

@@ -1,25 +1,27 @@
-// Impulses that keep loose bodies apart and hold them by friction: sequential impulses in substeps,
-// with soft contacts (Catto, Solver2D, 2024). What one contact and one body does in one substep,
-// for one world or lanes of them.
+// Impulses that separate dynamic bodies and hold them by friction: sequential impulses in substeps,
+// with soft contacts (Catto, Solver2D, 2024). This is the work of one contact and of one body in a
+// substep, for one world or lanes of worlds.
 #pragma once
 
 #include "sim/loose_contact.h"
 
 namespace obby::sim {
 
-// Contacts act as critically overdamped springs, so that what overlaps parts without being flung.
+// Contacts act as overdamped springs, so that overlapping bodies part without being flung.
 constexpr float kContactHertz = 60, kContactDamping = 10;
-constexpr float kMostPush = 12;    // studs/s: how fast overlapping bodies part
-constexpr float kBounceSpeed = 4;  // studs/s: below this nothing bounces
+constexpr float kMostPush = 12;    // studs/s at which overlapping bodies part
+constexpr float kBounceSpeed = 4;  // studs/s; slower contacts do not bounce
 constexpr float kMostSpin = 60;    // rad/s
-// Over all contacts in a substep. One is too few even for a body alone: it slides 4 % less far.
+// Rounds over all contacts in a substep. One is too few even for a body alone: it slides 4 % less
+// far.
 constexpr int kRounds = 2;
-// Over what bounces. Fewer give the points one after another different speeds: it spins.
+// Rounds over bouncing contacts. Fewer leave the points with different speeds, which makes a body
+// spin.
 constexpr int kBounceRounds = 4;
-// Contacts slower and closer than these are taken to be at rest.
+// Slower and closer contacts count as resting.
 constexpr float kRestSpeed = 2;    // studs/s
 constexpr float kRestGap = 0.05f;  // studs
-constexpr float kUpright = 0.5f;   // of a normal's height, where it carries
+constexpr float kUpright = 0.5f;   // min vertical component of a supporting normal
 
 struct Softness {
   float bias, mass, impulse;
@@ -31,13 +33,13 @@ OBBY_DEVICE Softness softnessOf(float dt) {
   return {omega / a1, a2 * a3, a3};
 }
 
-// Calls work(k, asked) for the contact's points; `asked`: the lanes that have them.
+// Calls work(k, asked) for the contact's points. `asked` are the lanes that have the point.
 template <class F, int kBodies, class Work>
 OBBY_DEVICE void forPoints(const LooseContactT<F, kBodies>& c, Work&& work) {
   for (int k = 0; k < geom::kMaxPoints && any(c.count > k); ++k) work(k, c.count > k);
 }
 
-// Gives the impulses of the last substep at once: they are nearly those of this one.
+// Applies the impulses of the last substep at once, which are nearly those of this one.
 template <class F, int kBodies>
 OBBY_DEVICE void warmStart(PairT<F>& s, const LooseContactT<F, kBodies>& c) {
   forPoints(c, [&](int k, MaskOf<F> asked) OBBY_INLINED {
@@ -48,7 +50,7 @@ OBBY_DEVICE void warmStart(PairT<F>& s, const LooseContactT<F, kBodies>& c) {
   pushApart(s, c.twist, {}, c.twist.impulse, touches);
 }
 
-// Raises or lowers the impulse of a point to `sum`.
+// Changes the impulse of a point to `sum`.
 template <class F, int kBodies>
 OBBY_DEVICE void pressTo(PairT<F>& s, ContactPointT<F, kBodies>& p, Vec3T<F> normal, F sum,
                          MaskOf<F> asked) {
@@ -57,8 +59,8 @@ OBBY_DEVICE void pressTo(PairT<F>& s, ContactPointT<F, kBodies>& p, Vec3T<F> nor
   p.most = select(asked, maxf(p.most, sum), p.most);
 }
 
-// Takes `speed`, which is negative, away from all points at once. One after another they would make
-// a body spin.
+// Removes `speed`, which is negative, at all points at once. One after another they would make a
+// body spin.
 template <class F, int kBodies>
 OBBY_DEVICE void pressAll(PairT<F>& s, LooseContactT<F, kBodies>& c, F speed, MaskOf<F> asked) {
   const F impulse = -c.press.mass * speed, share = impulse / toFloat(c.count);
@@ -159,8 +161,8 @@ OBBY_DEVICE void move(RigidT<F>& b, const Params& p, float dt) {
   b.axes = toMat3(b.rotation);
 }
 
-// For how many ticks it has been slow, this one included. `restless`: what it lies on may go, or it
-// lies on nothing, as at the top of a throw.
+// Returns the ticks that a body has been slow, this one included. `restless` is true if its support
+// may go away, or if it has none, as at the top of a throw.
 template <class F>
 OBBY_DEVICE IntOf<F> stillTicksOf(const RigidT<F>& b, F radius, MaskOf<F> restless, IntOf<F> before,
                                   const Params& p) {
@@ -170,7 +172,7 @@ OBBY_DEVICE IntOf<F> stillTicksOf(const RigidT<F>& b, F radius, MaskOf<F> restle
   return select(slow, more, IntOf<F>(0));
 }
 
-// The gaps after the bodies have moved.
+// Updates the gaps after the bodies have moved.
 template <class F, int kBodies>
 OBBY_DEVICE void follow(const PairT<F>& s, LooseContactT<F, kBodies>& c, float dt) {
   const F belt = dot(c.surface, c.normal) - c.comes;  // a conveyor moves, its part does not
@@ -179,7 +181,7 @@ OBBY_DEVICE void follow(const PairT<F>& s, LooseContactT<F, kBodies>& c, float d
   });
 }
 
-// Does the contact hold a body up, at rest? `isUpper`: by its normal, the body is above.
+// Returns true if the contact supports a resting body. `isUpper` is true if the body is above.
 template <class F, int kBodies>
 OBBY_DEVICE MaskOf<F> holdsUp(const LooseContactT<F, kBodies>& c, MaskOf<F> isUpper) {
   F slowest = 1e30f, nearest = 1e30f;
@@ -190,8 +192,8 @@ OBBY_DEVICE MaskOf<F> holdsUp(const LooseContactT<F, kBodies>& c, MaskOf<F> isUp
   return isUpper & (slowest < kRestSpeed) & (nearest < kRestGap);
 }
 
-// Hands a contact its share of the load that it will have to bear. Impulses are not kept between
-// ticks; this is what makes high stacks stand all the same.
+// Gives a contact its share of the load that it will bear. Impulses are not kept between ticks, and
+// high stacks stand because of this first estimate.
 template <class F, int kBodies>
 OBBY_DEVICE void bear(LooseContactT<F, kBodies>& c, F share, MaskOf<F> asked) {
   const F each = share / toFloat(c.count);

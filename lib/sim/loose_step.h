@@ -1,4 +1,4 @@
-// The bodies of a world in one substep: all contacts, in the order in which they were found.
+// Advances the bodies of a world by a substep: all contacts, in the order in which they were found.
 #pragma once
 
 #include "sim/loose_contacts.h"
@@ -6,15 +6,15 @@
 
 namespace obby::sim {
 
-// Does `c` hold body `i` up, at rest? `other` is what it stands on.
+// Returns true if `c` supports body `i` at rest. Sets `other` to what the body stands on.
 OBBY_DEVICE bool holdsUp(const LooseContact& c, int i, int& other) {
   other = c.a == i ? c.b : c.a;
   return holdsUp<float, 2>(
       c, (c.a == i && c.normal.y < -kUpright) || (c.b == i && c.normal.y > kUpright));
 }
 
-// What the contacts of a stack will have to bear: each body's weight and what stands on it, handed
-// down from the highest body to the lowest, in equal shares.
+// Estimates the loads that the contacts of a stack will bear. Each body's weight, and the load on
+// it, is handed down in equal shares, from the highest body to the lowest.
 OBBY_APART void estimateLoads(LooseScene& s, int count, const Params& p, float dt) {
   int order[level::kMaxLoose], moving = 0;
   float load[level::kMaxLoose];
@@ -56,7 +56,7 @@ OBBY_DEVICE void bounce(LooseScene& scene) {
   }
 }
 
-// One substep of all bodies that move.
+// Advances all moving bodies by one substep.
 OBBY_APART void stepBodies(LooseScene& s, int count, const Params& p, float dt) {
   for (int i = 0; i < count; ++i) {
     if (s.bodies[i].moves) s.bodies[i].velocity.y -= p.gravity * dt;
@@ -76,7 +76,7 @@ OBBY_APART void stepBodies(LooseScene& s, int count, const Params& p, float dt) 
   for (int i = 0; i < s.contactCount; ++i) {
     follow<float, 2>(pairOf(s, s.contacts[i]), s.contacts[i], dt);
   }
-  // Takes the speed back that only parted what overlapped.
+  // Removes the speed that only served to separate overlapping bodies.
   forContacts(s, [&](Pair& pair, LooseContact& c) {
     solveNormals<float, 2>(pair, c, {0, 1, 0}, dt, slop);
   });

@@ -1,16 +1,16 @@
-// Where a player has to go next in a query, and how many jumps are left for it.
+// The region that a player has to reach next in a query, and the jumps that are left for it.
 #pragma once
 
 #include "sim/rules.h"
 
 namespace obby::sim {
 
-// How many waypoints and visits are behind.
+// Returns the number of waypoints and visits reached so far.
 OBBY_DEVICE uint32_t targetsReached(const World& world) {
   return world.waypoints + bitCount(world.visited);
 }
 
-// A region that may be the next to reach, by its distance from the player.
+// Keeps the nearest of the regions that may be the next to reach.
 struct NextRegion {
   const geom::Region* region = nullptr;
   float distance = 1e30f;  // studs
@@ -23,8 +23,8 @@ struct NextRegion {
   }
 };
 
-// The nearest of what can be reached next: the next waypoint and the visits that are left, or when
-// there are none, the goals.
+// Returns the nearest region that can be reached next: the next waypoint or a visit that is left,
+// or a goal if there are none.
 OBBY_DEVICE NextRegion nextRegion(const level::QueryView& query, const World& world) {
   NextRegion next;
   if (world.waypoints < query.waypointCount) {
@@ -45,8 +45,8 @@ OBBY_DEVICE bool forbidsJumping(const level::QueryView& query) {
   return (query.forbidden >> uint32_t(State::jumping) & 1) != 0;
 }
 
-// Jumps that may still be made before some limit ahead is broken; a large number where there is
-// none. Waypoints behind do not count any more.
+// Returns the jumps left before a limit ahead is broken, or a large number without limits.
+// Waypoints already reached do not count any more.
 OBBY_DEVICE uint32_t jumpsLeft(const level::QueryView& query, const World& world) {
   if (forbidsJumping(query)) return 0;
   uint32_t limit = query.maxJumps < 0 ? 0xffffffffu : uint32_t(query.maxJumps);

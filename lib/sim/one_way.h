@@ -1,6 +1,6 @@
-// Parts that are solid from one side only. Stateless: what counts is where the player is at the
-// start of a tick. A body that was outside is pushed out in every substep, so that it is outside at
-// the next tick's start as well; one that came from the other side passes.
+// Parts that are solid from one side only. The test is stateless: it uses the player's position at
+// the start of a tick. A body that was outside is pushed out in every substep, so that it is
+// outside at the next tick's start as well. A body from the other side passes.
 #pragma once
 
 #include "geom/contact.h"
@@ -9,7 +9,7 @@
 
 namespace obby::sim {
 
-// Torso and head; the legs never collide.
+// Returns torso and head as a box; the legs never collide.
 OBBY_DEVICE geom::UprightBox torsoOf(const World& w, const Params& p) {
   const float half = (p.bodyTop - p.hipHeight) * 0.5f;
   return {w.position + Vec3{0, p.hipHeight + half, 0},
@@ -17,7 +17,7 @@ OBBY_DEVICE geom::UprightBox torsoOf(const World& w, const Params& p) {
           sinCos(w.yaw)};
 }
 
-// Is the whole torso beyond the part's surface, on the side from which it is solid?
+// Returns true if the whole torso is beyond the part's surface, on the side that is solid.
 OBBY_DEVICE bool isOutside(const World& w, const level::LevelView& level, const level::Collider& c,
                            const Pose& pose) {
   const Vec3 local = level.roles[c.role].oneWay, out = pose.rotation * local;

@@ -1,5 +1,5 @@
-// The player of a world, or of lanes of worlds, in the form that the phases of a tick work on.
-// World (world.h) is how it is kept between ticks.
+// The player of a world, or of lanes of worlds, in the form that the phases of a tick use. World
+// (world.h) is its form between ticks.
 #pragma once
 
 #include "level/params.h"
@@ -15,22 +15,22 @@ struct PlayerT {
   IntOf<F> state;
   IntOf<F> floorlessSteps, landedSteps, jumps;
   MaskOf<F> sensed;     // a floor was within reach in the last tick
-  MaskOf<F> lifted;     // at its end the legs alone made the body rise
+  MaskOf<F> lifted;     // at the end of the last tick the legs alone made the body rise
   MaskOf<F> leftTruss;  // rises from a jump off a truss
-  F freeSteps = 0;      // of this tick, its first, without gravity
+  F freeSteps = 0;      // first steps of this tick that are without gravity
 
   OBBY_DEVICE MaskOf<F> is(State s) const { return state == int32_t(s); }
 };
 
 using Player = PlayerT<float>;
 
-// Adds to a count that a World keeps in 16 bits. Saturates, so that no count ever falls.
+// Adds to a count that a World keeps in 16 bits. It saturates, so that no count ever falls.
 template <class Int>
 OBBY_DEVICE Int countedOn(Int n, int32_t more) {
   return select(n < 0xffff - more, n + more, Int(0xffff));
 }
 
-// What the player holds during the tick.
+// The keys that the player holds during the tick.
 template <class F>
 struct ControlT {
   IntOf<F> heading;  // [0, 65536)
@@ -62,7 +62,7 @@ OBBY_DEVICE void putPlayer(World& w, const Player& p) {
                     (p.lifted ? kLegsLift : 0) | (p.leftTruss ? kLeftTruss : 0));
 }
 
-// The nearest heading that the player can walk in.
+// Returns the nearest heading that the player can walk in.
 template <class Int>
 OBBY_DEVICE Int walkableHeading(Int wanted, const Params& p) {
   const int32_t between = p.directionStep > 0 ? p.directionStep - 1 : 0, from = p.directionFrom;

@@ -1,4 +1,4 @@
-// Does a box meet a part's bounds? In one comparison of eight numbers. Host only.
+// Tests a box against a part's bounds in one comparison of eight numbers. Host only.
 #pragma once
 
 #include <experimental/simd>
@@ -7,8 +7,7 @@
 
 namespace obby::sim {
 
-// The corners of a box as level::Bounds has those of a part, and two numbers that are never
-// exceeded.
+// The corners of a box in the layout of level::Bounds, and two numbers that are never exceeded.
 class Reach {
   using Eight = std::experimental::simd<float, std::experimental::simd_abi::deduce_t<float, 8>>;
 
@@ -22,7 +21,7 @@ class Reach {
     row_.copy_from(row, std::experimental::element_aligned);
   }
 
-  // Subtract it to move the four sides of a box in by `studs`.
+  // Subtracting the result moves the four sides of a box in by `studs`.
   static Reach sides(float studs) { return Reach(Box{{-studs, 0, -studs}, {studs, 0, studs}}, 0); }
   Reach operator-(const Reach& by) const {
     Reach out = *this;
@@ -30,7 +29,7 @@ class Reach {
     return out;
   }
 
-  // 1 or 0: what follows need not branch.
+  // Returns 1 or 0, so that callers need not branch.
   uint32_t meets(const level::Bounds& b) const {
     return all_of(Eight(&b.lo.x, std::experimental::element_aligned) <= row_) ? 1 : 0;
   }

@@ -1,12 +1,12 @@
 // The rules of a query, applied after each tick: waypoints in order, visits in any order, goals,
-// what to avoid, limits.
+// targets to avoid, limits.
 #pragma once
 
 #include "sim/targets.h"
 
 namespace obby::sim {
 
-// What the rules have to know of a world as it was before the tick.
+// The state before the tick that the rules need.
 struct Before {
   Vec3 feet;
   uint8_t flags;
@@ -14,7 +14,7 @@ struct Before {
 
 OBBY_DEVICE Before beforeOf(const World& w) { return {w.position, w.flags}; }
 
-// The rules' view of a world after a tick.
+// A world after a tick, as the rules see it.
 struct Judged {
   World& w;
   const Before& before;
@@ -26,8 +26,8 @@ struct Judged {
     return sim::reaches(w, loose, level, q, target);
   }
 
-  // Has the player been in a region on the way through the tick? Nothing is between the two ends
-  // of a teleport, and parts are touched at the end of a tick, as in the engine.
+  // Returns true if the player was in a region during the tick. A teleport passes through nothing,
+  // and parts are touched at the end of a tick, as in the engine.
   OBBY_DEVICE bool passes(const level::TargetView& target) const {
     const bool teleported = (w.flags & ~before.flags & kArrived) != 0;
     if (target.touchCount != 0 || teleported) return false;
@@ -37,12 +37,12 @@ struct Judged {
   }
 };
 
-// Limits of the segment that the player is in.
+// Returns the limits of the segment that the player is in.
 OBBY_DEVICE const level::SegmentLimits& segmentOf(const World& w, const level::QueryView& q) {
   return w.waypoints < q.waypointCount ? q.waypoints[w.waypoints].segment : q.last;
 }
 
-// Ticks since the start, and since the last waypoint.
+// Return the ticks since the start, and since the last waypoint.
 OBBY_DEVICE uint32_t ticksPlayed(const World& w, const level::QueryView& q) {
   return w.tick - q.startTick;
 }
@@ -50,7 +50,7 @@ OBBY_DEVICE uint32_t segmentTicks(const World& w, const level::QueryView& q) {
   return w.waypoints == 0 ? ticksPlayed(w, q) : w.tick - w.segmentTick;
 }
 
-// Jumps allowed now: in total, on arrival at the waypoint that is next, and in this segment.
+// Returns true if a jump limit is exceeded: in total, for the next waypoint, or in this segment.
 OBBY_DEVICE bool breaksJumpLimit(const World& w, const level::QueryView& q) {
   if (q.maxJumps >= 0 && int32_t(w.jumps) > q.maxJumps) return true;
   const int32_t most = segmentOf(w, q).jumps;
@@ -60,8 +60,8 @@ OBBY_DEVICE bool breaksJumpLimit(const World& w, const level::QueryView& q) {
   return limit >= 0 && int32_t(w.jumps) > limit;
 }
 
-// Is some time over that was left for this segment, or for arrival at the next waypoint? Arrival on
-// the last tick counts.
+// Returns true if a time limit has passed: of the query, of this segment, or for the next waypoint.
+// Arrival on the last tick counts.
 OBBY_DEVICE bool isLate(const World& w, const level::QueryView& q) {
   const uint32_t played = ticksPlayed(w, q), most = segmentOf(w, q).ticks;
   if (q.timeLimitTicks != 0 && played >= q.timeLimitTicks) return true;
@@ -71,8 +71,8 @@ OBBY_DEVICE bool isLate(const World& w, const level::QueryView& q) {
   return limit != 0 && played >= limit;
 }
 
-// What must not be. `running`: nothing of it is. What is to be reached must be so at the end of a
-// tick; what is to be avoided, in between too, or a thin region would be stepped over.
+// Returns the violated rule, or `running` if there is none. Targets must be reached at the end of a
+// tick. Targets to avoid are also tested within it, or a player could step over a thin region.
 OBBY_DEVICE Outcome violation(const Judged& j) {
   for (uint32_t i = 0; i < j.q.avoidCount; ++i) {
     if (!j.reaches(j.q.avoid[i]) && !j.passes(j.q.avoid[i])) continue;
@@ -84,7 +84,7 @@ OBBY_DEVICE Outcome violation(const Judged& j) {
   return breaksJumpLimit(j.w, j.q) ? Outcome::jumps : Outcome::running;
 }
 
-// Notes waypoints and visits. False: a jump limit of what comes next is broken already.
+// Records waypoints and visits. Returns false if the next jump limit is already broken.
 OBBY_DEVICE bool noteProgress(const Judged& j) {
   World& w = j.w;
   while (w.waypoints < j.q.waypointCount && j.reaches(j.q.waypoints[w.waypoints].target)) {
@@ -112,8 +112,8 @@ OBBY_DEVICE bool atGoal(const Judged& j) {
   return reached;
 }
 
-// Ends the playthrough or notes progress. A world that died in this tick stays dead. `before`: the
-// tick. `loose`: (level.looseCount), null where that is 0.
+// Ends the trajectory or records progress. A world that died in this tick stays dead. `before` is
+// its state before the tick. `loose` has level.looseCount bodies, or is null if there are none.
 OBBY_DEVICE void applyRules(World& w, const Before& before, const LooseBody* loose,
                             const level::LevelView& level, const level::QueryView& q) {
   if (w.outcome != Outcome::running) return;

@@ -27,7 +27,7 @@ World makeWorld(const level::LevelView& level, const level::StartPose& start) {
   w.part = level::kNone;
   w.yaw = turnsFromRadians(start.yaw);
   w.floorlessSteps = 0xffff;
-  w.state = State::freefall;  // stands after a tick where there is a floor; no jump out of thin air
+  w.state = State::freefall;  // a floor is sensed in the first tick, so no jump in the air
   if (level.looseCount != 0) w.flags |= kLooseAwake;
   return w;
 }
@@ -112,7 +112,7 @@ void advance(World& world, LooseBody* loose, const level::LevelView& level,
 
 void advanceAll(const level::LevelView& level, const level::QueryView* query,
                 std::span<World* const> worlds, LooseBody* const* loose, const Action* actions) {
-  thread_local std::vector<Before> before;  // kept, so that a tick asks for no memory
+  thread_local std::vector<Before> before;  // kept, so that a tick allocates no memory
   before.clear();
   if (query != nullptr) {
     for (const World* world : worlds) before.push_back(beforeOf(*world));

@@ -1,6 +1,6 @@
-// The simulator's host interface: make a world, advance it, hash it, replay a trajectory record.
-// The rules themselves are the device headers beside this one (tick_phases.h and what it includes);
-// search kernels include those directly.
+// The simulator's host interface: makes a world, advances it, hashes it, and replays a trajectory
+// record. The rules themselves are in the device headers next to this one (tick_phases.h and its
+// includes), which search kernels include directly.
 #pragma once
 
 #include <cstdint>
@@ -16,21 +16,22 @@
 
 namespace obby::sim {
 
-// A player standing (or falling) at the start, in full health.
+// Returns a world with a player standing (or falling) at the start, in full health.
 World makeWorld(const level::LevelView& level, const level::StartPose& start);
 
-// Its loose bodies: where the level has them, awake. Empty for levels without.
+// Returns the level's dynamic bodies at their first positions, awake. Empty if there are none.
 std::vector<LooseBody> makeLoose(const level::LevelView& level);
 
-// The same as play begins. Where all of them come to rest by themselves within ten seconds they
-// have done so: a server has run for longer before anybody plays. Else they are where the level has
-// them.
+// Returns the dynamic bodies as play begins. If all come to rest by themselves within ten seconds,
+// they are at rest: a server has run for longer before the first player joins. Otherwise they are
+// at their first positions.
 std::vector<LooseBody> startLoose(const level::LevelView& level);
 
-// Digest of every field of the state; equal on every machine for the same playthrough.
+// Returns a digest of every field of the state. It is equal on every machine for the same
+// trajectory.
 uint64_t stateHash(const World& world, std::span<const LooseBody> loose = {});
 
-// Everything a trajectory record says about what to do, in plain form.
+// The contents of a trajectory record in plain form.
 struct Plan {
   level::StartPose start;
   Turns yaw = 0;  // exact facing at the start
@@ -38,24 +39,24 @@ struct Plan {
   uint16_t tricks = 0;  // Params::tricks
 };
 
-// Longest plan that is replayed: 4 hours of play.
+// Max length of a plan that is replayed: 4 hours of play.
 constexpr uint64_t kMaxReplayTicks = 4ull * 3600 * 60;
 
-// Errors: a start beyond the coordinates that mean anything; more than kMaxReplayTicks.
+// A start beyond the valid coordinates, an unknown trick, and more than kMaxReplayTicks are errors.
 Result<Plan> planFromRecord(schema::Trajectory::Reader record);
 void writePlan(const Plan& plan, schema::Trajectory::Builder to);
 
-// Advances one tick under the query's rules; does nothing once the playthrough has ended. `loose`:
-// (level.looseCount), null where that is 0. `query` may be null.
+// Advances one tick under the query's rules. Does nothing once the trajectory has ended. `loose`
+// has level.looseCount bodies, or is null if there are none. `query` may be null.
 void advance(World& world, LooseBody* loose, const level::LevelView& level,
              const level::QueryView* query, Action action);
 
-// The same for many worlds, world i with the bodies loose[i] under actions[i], in SIMD lanes
-// (wide_tick.h). `loose` may be null where the level has no loose bodies.
+// Advances many worlds in SIMD lanes (wide_tick.h), world i with the bodies loose[i] under
+// actions[i]. `loose` may be null if the level has no dynamic bodies.
 void advanceAll(const level::LevelView& level, const level::QueryView* query,
                 std::span<World* const> worlds, LooseBody* const* loose, const Action* actions);
 
-// A state of a playthrough as a visit is shown it: valid until the visit returns.
+// A state of a replayed trajectory, valid until the visit returns.
 struct Moment {
   uint32_t tick;                     // since the start, which is 0
   const World& before;               // one tick earlier; at the start the same as `world`
@@ -63,24 +64,24 @@ struct Moment {
   std::span<const LooseBody> loose;  // now: (level.looseCount)
 };
 
-// Whether to go on.
+// Returns true to continue.
 using Visit = std::function<bool(const Moment&)>;
 
-// The last state that a replay came to.
+// The last state of a replay.
 struct ReplayEnd {
   World world;
   std::vector<LooseBody> loose;
   uint32_t ticks = 0;  // since the start
 };
 
-// Shows every state of a playthrough, the start first, and keeps none. Stops where the playthrough
-// or its plan ends, or `visit` says so.
+// Visits every state of a trajectory, the start first, and keeps none. Stops at the end of the
+// trajectory or its plan, or if `visit` returns false.
 ReplayEnd replay(const level::LevelView& level, const level::QueryView* query, const Plan& plan,
                  const Visit& visit);
 
-// Every state of a playthrough, the start first: (ticks + 1) worlds, and as many times
-// level.looseCount bodies. Four hours with 16 bodies are 900 MB: for short playthroughs, or for
-// whoever asks for states in any order.
+// Every state of a trajectory, the start first: (ticks + 1) worlds, with level.looseCount bodies
+// each. Four hours with 16 bodies take 900 MB, so this is for short trajectories, or for access in
+// any order.
 struct Replay {
   std::vector<World> worlds;
   std::vector<LooseBody> loose;
@@ -91,7 +92,7 @@ struct Replay {
   }
 };
 
-// All that the other shows to a visit that never stops.
+// Returns all states that the other overload visits.
 Replay replay(const level::LevelView& level, const level::QueryView* query, const Plan& plan);
 
 }  // namespace obby::sim

@@ -1,5 +1,5 @@
-// Death between parts: where push-out leaves the body deep inside some part, and one that crushes
-// touches it, for long enough.
+// Death between parts. It needs a body that depenetration leaves deep inside some part, and a
+// crushing part that touches it, for long enough.
 #pragma once
 
 #include "sim/trip.h"
@@ -7,7 +7,7 @@
 namespace obby::sim {
 
 struct Squeeze {
-  float depth = 0;                  // deepest overlap that is left
+  float depth = 0;                  // deepest overlap that remains
   uint32_t crusher = level::kNone;  // part that crushes and touches the body
 };
 
@@ -30,7 +30,7 @@ OBBY_DEVICE Squeeze findSqueeze(const World& w, const level::LevelView& level,
   return s;
 }
 
-// After the tick's motion. The level's crush clock counts the ticks.
+// Runs after the tick's motion. The level's crush clock counts the ticks.
 OBBY_DEVICE void squeeze(World& w, const level::LevelView& level, const Candidates& near) {
   if (level.crushClock == level::kNone) return;
   Squeeze s;

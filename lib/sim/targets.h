@@ -1,4 +1,4 @@
-// What a query names, as the world is after a tick: has the player reached it, does it touch it?
+// Tests after a tick whether the player reaches or touches a target of a query.
 #pragma once
 
 #include "level/query_view.h"
@@ -6,13 +6,13 @@
 
 namespace obby::sim {
 
-// Where a collider is after the tick that led to `w`.
+// Returns the pose of a collider after the tick that led to `w`.
 OBBY_DEVICE Pose poseAfter(const level::LevelView& level, const World& w, const LooseBody* loose,
                            const level::Collider& c) {
   return poseOf(c, w, loose, level, 0);
 }
 
-// Does the player touch the collider? The same test that roles are touched by, away or not.
+// Returns true if the player touches the collider, away or not. Roles use the same test.
 OBBY_CALLED bool touchesCollider(const World& w, const LooseBody* loose,
                                  const level::LevelView& level, uint32_t id, const Limbs& limbs) {
   const level::Collider& c = level.colliders[id];
@@ -22,16 +22,16 @@ OBBY_CALLED bool touchesCollider(const World& w, const LooseBody* loose,
   return touches(c, candidate, limbs);
 }
 
-// Does something hold the player: a floor, a truss or a seat?
+// Returns true if a floor, a truss or a seat holds the player.
 OBBY_DEVICE bool isHeld(const World& w) {
   const bool onFeet = w.state == State::running || w.state == State::landed;
   return onFeet ? (w.flags & kFloorSensed) != 0
                 : w.state == State::climbing || w.state == State::seated;
 }
 
-// Is the player in the region, or, of a target that is to be touched, do the limbs touch its part?
-// If the target is to be stood on: does something hold the player, with the feet in the region?
-// `loose`: (level.looseCount), null where that is 0.
+// Returns true if the player is in the region, or if the limbs touch a part that is to be touched.
+// If the target is to be stood on, something must hold the player, with the feet in the region.
+// `loose` has level.looseCount bodies, or is null if there are none.
 OBBY_DEVICE bool reaches(const World& w, const LooseBody* loose, const level::LevelView& level,
                          const level::QueryView& q, const level::TargetView& target) {
   const Vec3 feet = w.position;

@@ -1,5 +1,5 @@
-// One tick for one world. Deterministic: equal state, level and action in, equal bits out on every
-// backend (docs/determinism.md).
+// Advances one world by one tick. Deterministic: equal state, level and action result in equal bits
+// on every backend (docs/determinism.md).
 #pragma once
 
 #if defined(__CUDACC__)
@@ -13,11 +13,11 @@
 
 namespace obby::sim {
 
-// Advances `w` and the loose bodies beside it (null where the level has none) by one tick. Nothing
-// happens to a world whose playthrough has ended. Never allocates; overruns set bits in w.flags.
-// `apart`: bodies that the caller moves, a bit each; they meet neither the player nor another body.
-// On the CPU it is a function of its own (tick.cpp): its call is nothing beside its work, and
-// compiling it takes as long as a hundred small sources.
+// Advances `w` and its dynamic bodies (null if the level has none) by one tick. Does nothing to a
+// world whose trajectory has ended. Never allocates; overruns set bits in w.flags. `apart` has a
+// bit for each body that the caller moves; those meet neither the player nor another body. On the
+// CPU this is a separate function (tick.cpp): the call costs little, and compiling it takes as long
+// as a hundred small sources.
 #if defined(__CUDACC__)
 template <bool kLoose = true>
 OBBY_DEVICE void tick(World& w, LooseBody* loose, const level::LevelView& level, Action action,

@@ -1,5 +1,5 @@
-// What a tick consists of: decides the order of phases; each phase is a header of its own. Large:
-// for kernels and the few sources of lib/sim that need the phases themselves. All others include
+// Decides the order of a tick's phases. Each phase is a header of its own. This header is large: it
+// is for kernels and the few sources of lib/sim that need the phases themselves. All others include
 // tick.h.
 #pragma once
 
@@ -12,14 +12,14 @@
 
 namespace obby::sim {
 
-// Health after a tick without harm.
+// Returns the health after a tick without harm.
 template <class F>
 OBBY_DEVICE F regenerated(F health, const Params& p) {
   const F more = minf(F(p.maxHealth), health + p.healthRegeneration * p.maxHealth * p.tickSeconds);
   return select(health < p.maxHealth, more, health);
 }
 
-// What comes of where the player is now.
+// Applies the effects of the player's position at the end of a tick.
 OBBY_DEVICE void endTick(World& w, const level::LevelView& level, const Candidates& near) {
   runClocks(w, level);
   touchParts(w, level, near);
@@ -32,11 +32,10 @@ OBBY_DEVICE void endTick(World& w, const level::LevelView& level, const Candidat
   }
 }
 
-// The phases with and without loose bodies: `kLoose` false is for levels that have none, on GPUs,
-// where code that is never run costs registers all the same.
+// The phases with and without dynamic bodies. kLoose false is for levels without them, on GPUs,
+// where code that never runs still costs registers.
 
-// A tick of one who stands, walks, jumps, falls, climbs or has fallen down; `p`: with the player's
-// boosts.
+// Advances a player who is not seated by a tick. `p` includes the player's boosts.
 template <bool kLoose>
 OBBY_DEVICE void move(World& w, LooseBody* loose, const level::LevelView& level, const Params& p,
                       Candidates& near, const ControlT<float>& control) {
@@ -54,7 +53,7 @@ OBBY_DEVICE void move(World& w, LooseBody* loose, const level::LevelView& level,
   motion.bottom = bodyBottom(State(player.state), p);
   near.footedOn = footedOn<float>(motion.drive.hover, floor);
   if (climbs) moveClimber(motion, truss, control, level, p, near);
-  // A player among no bodies moves as if there were none.
+  // A player near no body moves as if there were none.
   const bool among = (near.anyFlags & level::kLoose) != 0;
   if (kLoose && wakeTouched(w, loose, floor, motion, level, near)) {
     moveTogether(w, loose, among && !climbs ? &motion : nullptr, floor, level, near);
@@ -68,7 +67,7 @@ OBBY_DEVICE void move(World& w, LooseBody* loose, const level::LevelView& level,
   putPlayer(w, player);
 }
 
-// `p`: with the player's boosts; `apart`: see tick().
+// `p` includes the player's boosts. tick() explains `apart`.
 template <bool kLoose>
 OBBY_DEVICE void tickWith(World& w, LooseBody* loose, const level::LevelView& level,
                           const Params& p, ControlT<float> control, uint32_t apart) {
@@ -90,7 +89,7 @@ OBBY_DEVICE void tickWith(World& w, LooseBody* loose, const level::LevelView& le
   }
 }
 
-// tick() (tick.h), in place.
+// Implements tick() (tick.h) in place.
 template <bool kLoose>
 OBBY_DEVICE void tickInPlace(World& w, LooseBody* loose, const level::LevelView& level,
                              Action action, uint32_t apart) {

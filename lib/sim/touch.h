@@ -1,6 +1,6 @@
-// What happens on touch: limbs against parts with a role. Limbs are a still pose, arms at the
-// sides: a box as wide as the arms at torso height, and one as wide as the torso from the feet to
-// the head.
+// Effects of touches: limbs against parts with a role. The limbs are a fixed pose with the arms at
+// the sides: a box as wide as the arms at torso height, and one as wide as the torso from the feet
+// to the head.
 #pragma once
 
 #include "sim/seat.h"
@@ -9,7 +9,7 @@ namespace obby::sim {
 
 struct Limbs {
   geom::UprightBox arms, column;
-  geom::UprightBox root;  // its centre alone
+  geom::UprightBox root;  // only its centre
 };
 
 OBBY_DEVICE Limbs limbsOf(const World& w, const Params& p) {
@@ -30,7 +30,7 @@ OBBY_DEVICE bool touches(const level::Collider& collider, const Candidate& c,
   return overlaps(box.bounds(), c.bounds) && contactWith(collider, c, box).depth >= 0;
 }
 
-// Does the player touch it: with a limb, or where it asks for that with the centre of the root?
+// Returns true if a limb touches the part, or the centre of the root if the part asks for that.
 OBBY_DEVICE bool touches(const level::Collider& collider, const Candidate& c, const Limbs& limbs) {
   const bool byRoot = (c.flags & level::kByRoot) != 0;
   return touches(collider, c, byRoot ? limbs.root : limbs.column) ||
@@ -57,17 +57,17 @@ OBBY_DEVICE void touchHeal(World& w, const level::LevelView& level, const level:
   w.health = minf(w.health - r.damage, maxf(w.health, level.params.maxHealth));
 }
 
-// A floor that holds the player is touched by its feet as long as it is no farther below them than
-// a landing dips: 0.28 studs from a jump on the flat.
+// Feet touch a floor that holds the player if it is at most this far below them. A landing from a
+// jump on flat ground dips 0.28 studs.
 constexpr float kFootReach = 0.3f;
 
-// The candidate that does; -1: none.
+// Returns the candidate that the feet touch, or -1 for none.
 template <class F>
 OBBY_DEVICE IntOf<F> footedOn(MaskOf<F> hover, const FloorT<F>& floor) {
   return select(hover & (floor.gap <= kFootReach), floor.nearest, IntOf<F>(-1));
 }
 
-// The player is in the air from now on, without a jump left.
+// Puts the player into the air, without a jump left.
 OBBY_DEVICE void leaveFloor(World& w) {
   w.state = State::freefall;
   w.floorlessSteps = 0xffff;
@@ -93,11 +93,11 @@ OBBY_DEVICE void teleport(World& w, const level::Roles& r) {
   w.flags |= kArrived;
 }
 
-// What came of touching one part, for those after it.
+// The result of touching one part, for the parts after it.
 enum class Touched : uint8_t { stays, inTeleporter, elsewhere };
 
-// A player who has arrived must be clear of all teleporters for a tick before one works again: no
-// pair of them can throw a player to and fro.
+// A player who was teleported must be clear of all teleporters for a tick before one works again.
+// Thus no pair of them can throw a player back and forth.
 OBBY_DEVICE Touched touchPart(World& w, const level::LevelView& level, const Candidate& c) {
   const level::Collider& collider = level.colliders[c.collider];
   const level::Roles& r = level.roles[collider.role];
@@ -123,7 +123,7 @@ OBBY_DEVICE void touchParts(World& w, const level::LevelView& level, const Candi
   bool inTeleporter = false;
   if (near.anyFlags & level::kTouchRoles) {
     const Limbs limbs = limbsOf(w, level.params);
-    uint32_t done = level::kNone;  // a part of many hulls, which follow each other, is touched once
+    uint32_t done = level::kNone;  // adjacent hulls of one part are touched once
     for (int k = 0; k < near.count; ++k) {
       const Candidate& c = near.items[k];
       if (!(c.flags & level::kTouchRoles)) continue;

@@ -1,27 +1,27 @@
-// Falling down: who has tripped keeps the momentum, has no legs to hover on and no keys, and slides
-// until the trip's clock lets go. Like the engine's state of that name, in which limbs collide and
-// nothing but friction slows the body; the body stays upright here (docs/physics.md, trip).
+// Falling down: a player who has tripped keeps the momentum, does not hover, has no keys, and
+// slides until the trip's clock is over. The engine has the same state: limbs collide, and only
+// friction slows the body. Here the body stays upright (docs/parts.md, roles).
 #pragma once
 
 #include "sim/body.h"
 
 namespace obby::sim {
 
-// Enters and leaves the FallingDown state, before the tick's phases. A seat holds whom it holds.
+// Enters and leaves the FallingDown state, before the tick's phases. A seated player stays seated.
 OBBY_DEVICE void updateFallingDown(World& w, bool helpless) {
   if (helpless && w.state != State::seated) {
     w.state = State::fallingDown;
   } else if (!helpless && w.state == State::fallingDown) {
-    w.state = State::freefall;  // gets up where a floor is: lands at once
+    w.state = State::freefall;  // gets up on a floor: lands at once
   }
 }
 
-// Lowest point of the colliding body above the feet.
+// Returns the lowest point of the colliding body above the feet.
 OBBY_DEVICE float bodyBottom(State state, const Params& p) {
   return state == State::fallingDown ? 0 : state == State::jumping ? p.headBottom : p.hipHeight;
 }
 
-// Friction with the floor that the body lies on, and nothing in the air.
+// Returns the drive of a lying body: friction with the floor, and nothing in the air.
 OBBY_DEVICE Drive slideDown(const Player& w, const Params& p, const Floor& floor) {
   Drive d;
   d.gravity = p.gravity;

@@ -15,8 +15,8 @@ struct Obstacles {
   WideBlock block[kLaneSolids];
   BoxT<WideFloat> bounds[kLaneSolids];
   WideMask upright[kLaneSolids];
-  WideInt count;  // of each lane
-  int most = 0;   // of any lane
+  WideInt count;  // parts of each lane
+  int most = 0;   // max of all lanes
 };
 
 namespace internal {
@@ -50,7 +50,7 @@ OBBY_LANES WideMask isInside(const WideMotion& m, const Params& p, const Obstacl
   return inside;
 }
 
-// Lanes whose body does not fit between its parts.
+// Returns the lanes whose body does not fit between its parts.
 OBBY_LANES WideMask collide(WideMotion& m, const Params& p, const Obstacles& o) {
   WideMask busy(true);
   for (int round = 0; round < contactRounds(o.most); ++round) {
@@ -73,7 +73,7 @@ OBBY_LANES WideMask collide(WideMotion& m, const Params& p, const Obstacles& o) 
   return isInside(m, p, o, busy);
 }
 
-// moveAmong() of body.h.
+// Does moveAmong() of body.h for lanes.
 OBBY_LANES void moveAmong(WideMotion& m, const Params& p, const Obstacles& o, float dt) {
   const Vec3T<WideFloat> from = m.position;
   m.position += m.velocity * WideFloat(dt);

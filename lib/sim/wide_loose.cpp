@@ -11,7 +11,7 @@ namespace {
 
 using F = WideFloat;
 
-// Word by word as the rows have them.
+// These read and write the words of rows.
 QuatT<F> quatAt(const Rows& rows, int word) {
   return {floatOfBits(rows.word[word]), floatOfBits(rows.word[word + 1]),
           floatOfBits(rows.word[word + 2]), floatOfBits(rows.word[word + 3])};
@@ -34,14 +34,14 @@ enum BodyWord {
   kRadius,
   kInverseMass
 };
-constexpr int kCenter = 9, kRestless = 12, kTouches = 13;  // of a mass's
-constexpr int kMargin = 15;                                // of a block's
+constexpr int kCenter = 9, kRestless = 12, kTouches = 13;  // words of a mass's row
+constexpr int kMargin = 15;                                // word of a block's row
 static_assert(offsetof(LooseBody, rotation) == 4 * kRotation &&
               offsetof(LooseBody, velocity) == 4 * kSpeed &&
               offsetof(LooseBody, spin) == 4 * kSpin &&
               offsetof(LooseBody, stillTicks) == 4 * kRest);
 
-// Rows of `count` items from `first` on; past the end the last is repeated.
+// Loads rows of `count` items from `first` on. Past the end the last is repeated.
 template <class RowOf>
 Rows loadFrom(int first, int count, RowOf&& rowOf) {
   const void* rows[kLanes];
@@ -73,8 +73,8 @@ uint32_t WideLoose::add(World& w, LooseBody* loose, const Box& near) {
   return taken;
 }
 
-// Bodies that are too far from all others to meet them, and how fast all are. It may miss some that
-// isAlone() finds: that takes more roots.
+// Returns the bodies that are too far from all others to meet them, and the speeds of all. It may
+// miss some that isAlone() finds, because that takes more square roots.
 uint32_t WideLoose::findApart(const LooseBody* loose, float* speeds) const {
   constexpr float kRounding = 0.01f;  // studs
   uint32_t meets = 0;
@@ -91,7 +91,7 @@ uint32_t WideLoose::findApart(const LooseBody* loose, float* speeds) const {
   return ~meets;
 }
 
-// Notes a body and the parts that it may meet. False: it is not for the lanes.
+// Adds a body and the parts that it may meet. Returns false if it is not for the lanes.
 bool WideLoose::take(const World& w, LooseBody& b, uint32_t i, float speed) {
   const level::Loose& l = level_.loose[i];
   const level::Collider& own = level_.colliders[l.firstCollider];
@@ -117,8 +117,8 @@ bool WideLoose::take(const World& w, LooseBody& b, uint32_t i, float speed) {
   return true;
 }
 
-// Parts whose bounds meet the box, at most kMostNear and some: more count as that. Without a branch
-// for each, which would be mispredicted.
+// Returns how many parts' bounds meet the box; a result above kMostNear means too many. There is no
+// branch for each part, because it would be mispredicted.
 int WideLoose::partsNear(Vec3 center, const Box& near, uint32_t* ids) const {
   const int32_t cell = cellOf<float>(level_.looseGrid, center);
   if (cell < 0) return 0;
@@ -170,7 +170,7 @@ void WideLoose::flush() {
   counts_ = {};
 }
 
-// Where the bodies' blocks are.
+// Computes the poses of the bodies' blocks.
 void WideLoose::placeBlocks() {
   for (int i = 0; i < counts_.bodies; i += kLanes) {
     const Rows body = loadFrom(i, counts_.bodies, [this](int k) { return &bodies_[k]; });
@@ -187,8 +187,8 @@ void WideLoose::placeBlocks() {
   }
 }
 
-// The same body of all worlds goes together: it is likely to be in the same place in many, and then
-// lanes do the same. Pairs of a body stay together, in their order.
+// Sorts pairs by the number of the body. The same body is likely to be in the same place in many
+// worlds, and then lanes do the same. Pairs of a body stay together, in their order.
 void WideLoose::sortPairs() {
   int start[level::kMaxLoose + 1] = {};
   const auto numberOf = [this](int pair) { return places_[added_[pair].body].number; };
@@ -197,7 +197,7 @@ void WideLoose::sortPairs() {
   for (int k = 0; k < counts_.pairs; ++k) pairs_[start[numberOf(k)]++] = added_[k];
 }
 
-// Which pairs are close enough to touch within the tick.
+// Finds the pairs that are close enough to touch within the tick.
 void WideLoose::findHits() {
   hits_ = 0;
   for (int i = 0; i < counts_.pairs; i += kLanes) {
@@ -217,7 +217,7 @@ void WideLoose::findHits() {
   std::fill_n(touching_ + hits_, kLanes, hits_ > 0 ? touching_[hits_ - 1] : 0);
 }
 
-// The points where they touch, a row a pair.
+// Finds the points where they touch, one row a pair.
 void WideLoose::findContacts() {
   for (int i = 0; i < hits_; i += kLanes) {
     const int32_t* pairs = touching_ + i;
@@ -247,7 +247,7 @@ void WideLoose::findContacts() {
   }
 }
 
-// What the lanes leave to each: edges that meet, materials, and how the part moves.
+// Completes a contact outside the lanes: edge contacts, materials, and the part's motion.
 void WideLoose::finishContact(int hit) {
   ContactRow& row = rows_[hit];
   const int at = touching_[hit];
@@ -284,7 +284,7 @@ void WideLoose::addMotion(ContactRow& row, const Pair& pair) {
   row.comes = dot(moved, row.normal);
 }
 
-// Bodies with as many contacts go together, and of those again the same body of all worlds.
+// Groups bodies with the same number of contacts, and among those the same body of all worlds.
 void WideLoose::solve() {
   constexpr int kKeys = (kMostContacts + 1) * level::kMaxLoose;
   int start[kKeys + 1] = {};
@@ -301,7 +301,7 @@ void WideLoose::solve() {
   }
 }
 
-// The k-th contacts of bodies. Those that have fewer get one without points.
+// Returns the k-th contacts of bodies. A body that has fewer gets one without points.
 WideContact WideLoose::contactOf(const int32_t* bodies, int k, const RigidT<F>& body) const {
   static constexpr ContactRow kNone{};
   const void* rows[2][kLanes];
@@ -331,7 +331,7 @@ WideContact WideLoose::contactOf(const int32_t* bodies, int k, const RigidT<F>& 
   return c;
 }
 
-// One tick of kLanes bodies, with at most `contacts` each.
+// Advances kLanes bodies by one tick, with at most `contacts` each.
 void WideLoose::solve(const int32_t* bodies, int contacts) {
   const Params& p = level_.params;
   Rows row = loadFrom(0, kLanes, [&](int k) { return &bodies_[bodies[k]]; });

@@ -1,7 +1,7 @@
-// Loose bodies of many worlds at once: a lane is a body that is awake and meets nothing but parts.
-// Such a body does not depend on the others, so that any of all worlds' go together. Bodies
-// that may meet each other or the player, and shapes that are no blocks, are left to moveTogether()
-// (loose_player.h). Part of the wide tick (wide_tick.h); host only.
+// Dynamic bodies of many worlds at once. A lane is a body that is awake and meets only parts. It
+// does not depend on other bodies, so bodies of all worlds can share lanes. moveTogether()
+// (loose_player.h) moves bodies that may meet each other or the player, and shapes that are not
+// blocks. Part of the wide tick (wide_tick.h); host only.
 #pragma once
 
 #include "sim/loose_player.h"
@@ -12,11 +12,11 @@ namespace obby::sim {
 
 class WideLoose {
  public:
-  // `taken`: all bodies that were taken on are added to it.
+  // `taken` is increased by the number of bodies that add() takes.
   WideLoose(const level::LevelView& level, uint64_t& taken) : level_(level), taken_(taken) {}
 
-  // Takes bodies of a world on, none of those that overlap `near`: where the player can be. Gives
-  // which, a bit each: they are moved by one tick in the next flush(). The caller moves the others
+  // Takes bodies of a world, except those that overlap `near`, where the player can be. Returns
+  // which ones, one bit each. The next flush() moves them by one tick. The caller moves the others
   // first.
   uint32_t add(World& w, LooseBody* loose, const Box& near);
   void flush();
@@ -24,9 +24,9 @@ class WideLoose {
  private:
   static constexpr int kBodies = 256, kPairs = 1024, kMoved = 256;
   static constexpr int kMostContacts = LooseLanes::kMostContacts;
-  static constexpr uint32_t kMostNear = 16;  // parts near a body
+  static constexpr uint32_t kMostNear = 16;  // max parts near a body
 
-  // What a body is: rows.
+  // The state of a body, as rows.
   struct alignas(64) BodyRow {
     LooseBody body;
     float radius, inverseMass;
@@ -35,18 +35,18 @@ class WideLoose {
     Mat3 inverseInertia;
     Vec3 center;
     int32_t restless;
-    int32_t touches;  // not 0: it has a contact
+    int32_t touches;  // not 0 if it has a contact
     int32_t unused[2];
   };
   struct alignas(64) BlockRow {
     Pose pose;
     Vec3 half;
-    float margin;  // of a body: how close a part must be to be met
+    float margin;  // max distance at which a body meets a part
   };
   static_assert(sizeof(BodyRow) == 4 * kRowWords && sizeof(MassRow) == 4 * kRowWords &&
                 sizeof(BlockRow) == 4 * kRowWords);
 
-  struct Place {  // of a body
+  struct Place {  // one body of a world
     LooseBody* target;
     uint32_t collider;
     uint32_t number;  // in its world
@@ -55,14 +55,14 @@ class WideLoose {
   struct Pair {  // a body and a part
     int body;
     uint32_t collider, flags;
-    const void* row;     // of the part, as BlockRow
-    const Pose* before;  // of one that moves: a tick ago
+    const void* row;     // BlockRow of the part
+    const Pose* before;  // pose of a moving part a tick ago
   };
   struct MovedPart {
     BlockRow now;
     Pose before;
   };
-  // What geom::ManifoldT holds, and the materials: two rows.
+  // The contents of geom::ManifoldT, and the materials, in two rows.
   struct alignas(64) ContactRow {
     Vec3 normal;
     int32_t count;
@@ -101,7 +101,7 @@ class WideLoose {
   int hits_ = 0;
   // Unions keep the arrays from being filled.
   union {
-    Owner owners_[kBodies];  // worlds
+    Owner owners_[kBodies];  // one for each world
   };
   union {
     BodyRow bodies_[kBodies + kLanes];
@@ -124,7 +124,7 @@ class WideLoose {
   union {
     MovedPart moved_[kMoved];
   };
-  // Of pairs; then which of them touch.
+  // Distance and normal of each pair, then the pairs that touch.
   alignas(64) float distance_[kPairs + kLanes], normal_[3][kPairs + kLanes];
   alignas(64) int32_t touching_[kPairs + kLanes];
   union {

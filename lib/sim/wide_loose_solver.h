@@ -1,5 +1,5 @@
-// One tick of loose bodies that meet nothing but parts, a body a lane: what loose_step.h does for
-// the bodies of a world. Part of the wide tick (wide_tick.h); host only.
+// Advances dynamic bodies that meet only parts by one tick, with a body in each lane. loose_step.h
+// does the same for the bodies of a world. Part of the wide tick (wide_tick.h); host only.
 #pragma once
 
 #include "sim/loose_solver.h"
@@ -15,11 +15,11 @@ OBBY_LANES PairT<WideFloat> pairOf(const RigidT<WideFloat>& body, const WideCont
 
 class LooseLanes {
  public:
-  static constexpr int kMostContacts = 8;  // of a body
+  static constexpr int kMostContacts = 8;  // per body
 
   LooseLanes(const Params& params, const RigidT<WideFloat>& body) : p_(params), body_(body) {}
 
-  // In the order of the parts; at most kMostContacts.
+  // Adds a contact, in the order of the parts; at most kMostContacts.
   void add(const WideContact& c) { contacts_[count_++] = c; }
   void run() {
     estimateLoads();

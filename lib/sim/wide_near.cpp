@@ -7,18 +7,18 @@
 namespace obby::sim {
 namespace {
 
-// Of a part that only tick() knows to handle.
+// Flags of parts that only tick() handles.
 constexpr uint32_t kSingly = level::kVanishTimer | level::kClocked | level::kTruss |
                              level::kTriggered | level::kOneWay | level::kCrush;
 
-// Flags of parts that the limbs alone may meet.
+// Flags of parts that matter even if only the limbs can meet them.
 constexpr uint32_t kByLimbs = level::kTouchRoles | kSingly;
 
 constexpr uint32_t kNoParts[3] = {0, ~0u, 0};  // an empty list
 
 }  // namespace
 
-// tickBounds() less what bodyReach() and the rays need at most.
+// Returns the width of tickBounds() beyond the max of bodyReach() and the rays.
 float WideNear::limbsWidthOf(const level::LevelView& level) {
   const Params& p = level.params;
   const Vec3 still{};
@@ -30,7 +30,7 @@ float WideNear::limbsWidthOf(const level::LevelView& level) {
   return maxf(all - body - move - p.contactSkin - kRounding, 0.0f);
 }
 
-// Where each world is in the grid and how far it reaches, kLanes worlds at a time.
+// Computes each world's grid cell and reach, kLanes worlds at a time.
 void WideNear::findReach(World* const* worlds, int count) {
   for (int i = 0; i < count; i += kLanes) {
     const void* rows[kLanes];
@@ -58,7 +58,8 @@ void WideNear::findReach(World* const* worlds, int count) {
   }
 }
 
-// As long as its player is elsewhere, loose bodies move apart from it (wide_loose.h).
+// Returns true if a dynamic body is near the player. Otherwise the bodies move apart from it
+// (wide_loose.h).
 bool WideNear::nearLoose(int i, const LooseBody* loose) const {
   const Box near = looks_[i].box();
   bool found = false;
@@ -69,7 +70,7 @@ bool WideNear::nearLoose(int i, const LooseBody* loose) const {
 void WideNear::look(World* const* worlds, const LooseBody* const* loose, int count) {
   findReach(worlds, count);
   movedCount_ = 0;
-  // All lists are asked for before the first is read: many loads are under way at a time.
+  // All lists are prefetched before the first is read, so that many loads are under way at a time.
   const uint32_t* lists[kWideSlots];
   for (int i = 0; i < count; ++i) {
     const int32_t cell = looks_[i].cell;
@@ -77,7 +78,7 @@ void WideNear::look(World* const* worlds, const LooseBody* const* loose, int cou
     __builtin_prefetch(lists[i]);
   }
   for (int i = 0; i < count; ++i) {
-    // Lanes know no jumps in the air.
+    // Lanes do not support jumps in the air.
     turn_[i] = looks_[i].outcome != 0            ? Turn::ended
                : level_.airClock != level::kNone ? Turn::single
                                                  : list(i, lists[i]);
@@ -92,7 +93,7 @@ WideNear::Turn WideNear::list(int i, const uint32_t* list) {
   return plain ? listPlain(i, list) : listAll(i, list);
 }
 
-// For lists of blocks that no limb can meet. The loop does not branch on which parts are met: a
+// Handles lists of blocks that no limb can meet. The loop does not branch for each part: a
 // mispredicted branch costs more than the rest.
 WideNear::Turn WideNear::listPlain(int i, const uint32_t* list) {
   const Reach body = Reach(looks_[i].reach) - limbs_;
@@ -131,14 +132,14 @@ WideNear::Turn WideNear::listAll(int i, const uint32_t* list) {
   count_[i] = uint8_t(found);
   anyFlags_[i] = some;
   const bool common = (some & kSingly) == 0 && (every & level::kBlock) != 0;
-  // tick() looks at no more, and says so.
+  // tick() tests no more moving parts, and sets an overrun flag.
   const bool crowded = all > kMaxMovingCandidates;
   if (!common || crowded || looks_[i].single != 0) return Turn::single;
   return (some & level::kMoving) == 0 || moveParts(i) ? Turn::lanes : Turn::single;
 }
 
-// Puts the moving parts near a world where they are now, and forgets those that are not near after
-// all; false if there are too many.
+// Moves the moving parts near a world to their present poses, and drops those that are not near
+// after all. Returns false if there are too many.
 bool WideNear::moveParts(int i) {
   const Box limbs = looks_[i].box(), body = grow(limbs, {-limbsWidth_, 0, -limbsWidth_});
   uint32_t kept = 0;

@@ -1,4 +1,4 @@
-// The parts near many worlds, and which of the worlds SIMD lanes can take. Part of the wide tick
+// Finds the parts near many worlds, and the worlds that SIMD lanes can take. Part of the wide tick
 // (wide_tick.h); host only.
 #pragma once
 
@@ -11,8 +11,8 @@ namespace obby::sim {
 constexpr int kWideSlots = 256;  // worlds a block
 static_assert(kWideSlots % kLanes == 0 && kRowWords <= kMaxCandidates);
 
-// Where a moving part is for a world: a row as level::Collider starts with, and as far from the
-// next, so that finding a row takes no branch.
+// Pose of a moving part for a world. The row has the layout and the size of a level::Collider, so
+// that finding a row takes no branch.
 struct alignas(sizeof(level::Collider)) MovedPart {
   Pose pose;  // at the end of the tick
   Vec3 half;
@@ -29,28 +29,28 @@ class WideNear {
         rows_{reinterpret_cast<const char*>(level.colliders),
               reinterpret_cast<const char*>(moved_)} {}
 
-  // Who takes a world's tick.
-  enum class Turn : uint8_t { ended, single, lanes };  // no one; tick(); SIMD lanes
+  // The code that takes a world's tick.
+  enum class Turn : uint8_t { ended, single, lanes };  // none; tick(); SIMD lanes
 
-  // Looks around each of at most kWideSlots worlds. `loose` may be null.
+  // Finds the parts around at most kWideSlots worlds. `loose` may be null.
   void look(World* const* worlds, const LooseBody* const* loose, int count);
 
-  // Of the i-th world of the last look().
-  Box reach(int i) const { return looks_[i].box(); }  // where its player can be
+  // The following are about the i-th world of the last look().
+  Box reach(int i) const { return looks_[i].box(); }  // the space that its player can reach
   Turn turn(int i) const { return turn_[i]; }
-  // For worlds that go to the lanes. A part counts if the body or the floor rays can meet it, or
-  // the limbs can and a touch does something.
+  // These apply to worlds that go to the lanes. A part counts if the body or the floor rays can
+  // meet it, or if the limbs can and a touch has an effect.
   int count(int i) const { return count_[i]; }
   uint32_t anyFlags(int i) const { return anyFlags_[i]; }  // ColliderFlag bits of all in reach
-  // (count), level::Bounds::tag; where it has kMovingTag, the index is that of a moved part.
+  // (count), level::Bounds::tag. With kMovingTag, the index is that of a moved part.
   const uint32_t* tags(int i) const { return tags_[i]; }
 
-  // What a tag stands for.
+  // Returns the collider of a tag.
   uint32_t colliderOf(uint32_t tag) const {
     const uint32_t index = tag >> level::kTagShift;
     return tag & level::kMovingTag ? moved_[index].collider : index;
   }
-  // Pose and half extents, a row.
+  // Returns pose and half extents as a row.
   const void* rowOf(uint32_t tag) const {
     return (tag & level::kMovingTag ? rows_[1] : rows_[0]) +
            size_t(tag >> level::kTagShift) * sizeof(MovedPart);
@@ -58,12 +58,13 @@ class WideNear {
   const Pose& poseOf(uint32_t tag) const { return *static_cast<const Pose*>(rowOf(tag)); }
 
  private:
-  // What a world is after: a row.
+  // The result for a world, as a row.
   struct alignas(64) Look {
-    float reach[8];  // corners as level::Bounds has them, and two numbers that are never exceeded
-    int32_t cell;    // of the grid; -1: none
+    float reach[8];  // corners in the layout of level::Bounds, and two numbers that are never
+                     // exceeded
+    int32_t cell;    // cell of the grid; -1 for none
     int32_t outcome;
-    int32_t single;  // not 0: it climbs or sits, a clock runs, or it has just been teleported
+    int32_t single;  // not 0 if it climbs or sits, a clock runs, or it was just teleported
     uint32_t tick;
     int32_t unused[4];
 
@@ -75,7 +76,7 @@ class WideNear {
 
   static float limbsWidthOf(const level::LevelView& level);
   void findReach(World* const* worlds, int count);
-  // Notes the parts near a world.
+  // These list the parts near a world.
   Turn list(int i, const uint32_t* list);
   Turn listPlain(int i, const uint32_t* list);
   Turn listAll(int i, const uint32_t* list);
@@ -84,14 +85,14 @@ class WideNear {
 
   const level::LevelView& level_;
   const float limbsWidth_;     // studs sideways that limbs reach beyond body and floor rays
-  const Reach limbs_;          // the same
-  const char* const rows_[2];  // of parts that stand still, and that move
+  const Reach limbs_;          // the same, to subtract from a reach
+  const char* const rows_[2];  // tables of still and of moving parts
   Look looks_[kWideSlots];
   Turn turn_[kWideSlots];
   uint8_t count_[kWideSlots];
   uint32_t anyFlags_[kWideSlots];
   alignas(64) uint32_t tags_[kWideSlots][kRowWords];
-  static constexpr int kMovedParts = 2 * kWideSlots;  // a block; worlds beyond them take tick()
+  static constexpr int kMovedParts = 2 * kWideSlots;  // per block; worlds beyond them take tick()
   int movedCount_ = 0;
   union {  // keeps the array from being filled for every call
     MovedPart moved_[kMovedParts];

@@ -41,7 +41,7 @@ FloorT<F> WideParts::floorUnder(const WidePlayer& player, World* const* worlds) 
   return floor;
 }
 
-// Friction and motion of what the players stand on.
+// Adds friction and motion of the surfaces under the players.
 void WideParts::addSurface(WideInt nearest, World* const* worlds, FloorT<F>& floor) const {
   floor.grip = level_.params.plainGrip;
   WideMask special;
@@ -81,7 +81,7 @@ void WideParts::findSolids(const WideMotion& motion, LaneSolids* solids) const {
       if (n < kLaneSolids) solids[lane].tags[n] = near_.tags(index_[lane])[k];
     }
   }
-  // The very fast take smaller steps: tick() knows how.
+  // Very fast players need smaller steps, which only tick() takes.
   const WideMask fast = substepTravel(motion, level_.params) > safeTravel(motion, level_.params);
   for (uint32_t left = bitsOf(fast); left != 0; left &= left - 1) {
     int32_t& n = solids[lowestBit(left)].count;

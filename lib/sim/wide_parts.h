@@ -1,5 +1,5 @@
-// The parts near kLanes worlds: what the players stand on, and what their bodies can meet. Part of
-// the wide tick (wide_tick.h); host only.
+// The parts near kLanes worlds: floors under the players, and parts that their bodies can meet.
+// Part of the wide tick (wide_tick.h); host only.
 #pragma once
 
 #include "sim/wide_contact.h"
@@ -7,7 +7,8 @@
 
 namespace obby::sim {
 
-// Solid parts that one body can meet during a tick. More than kLaneSolids: not for the lanes.
+// Solid parts that one body can meet during a tick. With more than kLaneSolids it is not for the
+// lanes.
 struct LaneSolids {
   int32_t count;
   uint32_t tags[kLaneSolids];
@@ -17,15 +18,15 @@ class WideParts {
  public:
   WideParts(const level::LevelView& level, const WideNear& near) : level_(level), near_(near) {}
 
-  // Looks at the parts of worlds of near's last look. `index`: (kLanes), which; the last has as
-  // many parts as any. It must stay until the next call.
+  // Loads the parts of kLanes worlds of near's last look. `index` (kLanes) selects the worlds, the
+  // one with the most parts last. It must stay valid until the next call.
   void look(const int32_t* index);
 
-  // For the worlds last looked at. `worlds`: all worlds of the block.
+  // These apply to the worlds last looked at. `worlds` are all worlds of the block.
   FloorT<WideFloat> floorUnder(const WidePlayer& player, World* const* worlds) const;
   void findSolids(const WideMotion& motion, LaneSolids* solids) const;  // (kLanes)
 
-  // For any worlds of near's last look. `solids`: (kLanes).
+  // Accepts any worlds of near's last look. `solids` has kLanes entries.
   Obstacles obstacles(const LaneSolids* const* solids) const;
 
  private:

@@ -1,5 +1,5 @@
-// Worlds as lanes: the player's part of kLanes worlds from and to their rows, and the motions of a
-// block of worlds as arrays, so that any of them can be put into lanes together.
+// Converts the players of kLanes worlds from and to rows, and the motions of a block of worlds from
+// and to arrays, so that any of them can share lanes.
 #pragma once
 
 #include <stddef.h>
@@ -65,7 +65,7 @@ OBBY_LANES WidePlayer playerOf(const Rows& rows) {
   return p;
 }
 
-// The controls of kLanes worlds. `index`: (kLanes), into `actions`.
+// Returns the controls of kLanes worlds. `index` has kLanes indices into `actions`.
 OBBY_LANES ControlT<WideFloat> controlsOf(const Action* actions, const int32_t* index,
                                           const Params& p) {
   alignas(64) int32_t heading[kLanes], walk[kLanes], jump[kLanes];
@@ -92,7 +92,7 @@ OBBY_LANES void putPlayer(Rows& rows, const WidePlayer& p) {
                           select(p.leftTruss, WideInt(kLeftTruss), WideInt(0));
 }
 
-// The block of a collider's row.
+// Returns the block of a collider's row.
 OBBY_LANES geom::BlockT<WideFloat> blockOf(const Rows& rows) {
   static_assert(offsetof(level::Collider, pose) == 0 && offsetof(level::Collider, shape) == 48);
   return {{vectorAt(rows, 0), {vectorAt(rows, 3), vectorAt(rows, 6), vectorAt(rows, 9)}},
@@ -104,9 +104,9 @@ struct alignas(64) MotionRow {
   float words[kRowWords];
 };
 
-// `yaw`: of the player.
+// `yaw` is the player's.
 OBBY_LANES Rows rowsOf(const WideMotion& m, WideInt yaw) {
-  // Legs that hold the body leave no step free.
+  // A body that the legs hold has no free steps, so that word encodes the legs.
   const WideFloat legs = select(m.drive.hangs, WideFloat(-2.0f), WideFloat(-1.0f));
   Rows r;
   putVector(r, 0, m.position);
@@ -118,7 +118,7 @@ OBBY_LANES Rows rowsOf(const WideMotion& m, WideInt yaw) {
   return r;
 }
 
-// `gravity`: the level's, as worlds with a running clock are in no lane.
+// `gravity` is the level's, because worlds with a running clock are in no lane.
 OBBY_LANES WideMotion motionAt(const Rows& r, float gravity) {
   const Vec3T<WideFloat> wanted = vectorAt(r, 6), slide = vectorAt(r, 9), legs = vectorAt(r, 12);
   DriveT<WideFloat> d;
@@ -133,7 +133,7 @@ OBBY_LANES WideMotion motionAt(const Rows& r, float gravity) {
           legs.y,         legs.z};
 }
 
-// Gives the player the result of a tick's motion.
+// Stores the result of a tick's motion in the player.
 OBBY_LANES void putMoved(WidePlayer& player, const WideMotion& m) {
   player.position = m.position;
   player.velocity = m.velocity;

@@ -12,7 +12,7 @@ namespace {
 
 using F = WideFloat;
 
-// Fewer worlds than these would leave more lanes empty in lists of their own than they save there.
+// With fewer worlds, separate lists would leave more lanes empty than they save.
 constexpr int kFewWorlds = 100;
 constexpr uint32_t kAllLanes = (1u << kLanes) - 1;
 
@@ -25,7 +25,7 @@ class Ticker {
         parts_(level, near_),
         bodies_(level, counts.looseInLanes) {}
 
-  // At most kWideSlots worlds.
+  // Takes at most kWideSlots worlds.
   void run(World* const* worlds, LooseBody* const* loose, const Action* actions, int count) {
     counts_.ticks += uint64_t(count);
     worlds_ = worlds;
@@ -38,7 +38,7 @@ class Ticker {
   }
 
  private:
-  // By what the player can meet: one upright or one tilted block, or several.
+  // Sorts worlds by what the player can meet: one upright or one tilted block, or several.
   enum Kind { kOneUpright, kOneTilted, kSolids, kKinds };
 
   void admit(int count);
@@ -56,7 +56,7 @@ class Ticker {
   const level::LevelView& level_;
   WideCounts& counts_;
 
-  // Of all worlds: by index.
+  // These cover all worlds, by index.
   WideNear near_;
   WideParts parts_;
   World* const* worlds_ = nullptr;
@@ -65,21 +65,21 @@ class Ticker {
   WideLoose bodies_;
   World unused_{};  // lanes without a world write to it
 
-  // Of the worlds in lanes, in the order of work: by slot. The slots after the last repeat it.
+  // These cover the worlds in lanes, by slot, in the order of work. Slots after the last repeat it.
   int count_ = 0;
   int32_t order_[kWideSlots + kLanes];        // index
-  alignas(64) int32_t footedOn_[kWideSlots];  // place in the tags of the world; -1: none
+  alignas(64) int32_t footedOn_[kWideSlots];  // place in the tags of the world; -1 for none
   LaneSolids solids_[kWideSlots];
   int listed_[kKinds];
   int32_t lists_[kKinds][kWideSlots + kLanes];  // slots
   // Unions keep the arrays from being zeroed for every call.
   union {
-    MotionRow motions_[kWideSlots];  // of those that are not free
+    MotionRow motions_[kWideSlots];  // rows of players that are not free
   };
 };
 
-// Puts the worlds for the lanes in order: those with as many parts near them go together, so that
-// lanes idle less. The others take their tick at once.
+// Sorts the worlds for the lanes by the number of parts near them, so that lanes idle less. The
+// others take their tick at once.
 void Ticker::admit(int count) {
   near_.look(worlds_, loose_, count);
   int start[kRowWords + 2] = {};
@@ -96,7 +96,7 @@ void Ticker::admit(int count) {
   std::fill_n(order_ + count_, kLanes, count_ > 0 ? order_[count_ - 1] : 0);
 }
 
-// Plays the tick of the players in kLanes slots. Moves among solid parts are left to bumpAll().
+// Advances the players in kLanes slots. bumpAll() does the moves among solid parts.
 void Ticker::play(int slot) {
   const int32_t* index = order_ + slot;
   const void* worlds[kLanes];
@@ -121,7 +121,7 @@ void Ticker::play(int slot) {
     for (int lane = 0; lane < kLanes; ++lane) motions[lane] = motions_ + slot + lane;
     storeRows(rowsOf(motion, player.yaw), motions);
   }
-  if (level_.looseCount != 0) rows = loadRows(worlds);  // bodies that fell asleep are noted there
+  if (level_.looseCount != 0) rows = loadRows(worlds);  // bodies that fell asleep changed its flags
   glide(motion);
   putMoved(player, motion);
   putPlayer(rows, player);
@@ -130,8 +130,8 @@ void Ticker::play(int slot) {
   put(rows, slots, lanes, free);
 }
 
-// Lists worlds by what their motion needs. Moves those that are not for the lanes and the bodies of
-// the others, which it returns, a bit each. Adds to `free` those whose player meets nothing.
+// Sorts worlds by the motion that they need. Moves those that are not for the lanes, and the bodies
+// of the others, which it returns, one bit each. Adds players who meet nothing to `free`.
 uint32_t Ticker::sortLanes(int slot, uint32_t& free) {
   uint32_t lanes = 0;
   for (int at = slot; at < std::min(slot + kLanes, count_); ++at) {
@@ -170,7 +170,7 @@ void Ticker::bumpAll() {
   }
 }
 
-// The bodies of a world whose player moves in lanes.
+// Moves the bodies of a world whose player moves in lanes.
 void Ticker::moveLoose(int index) {
   World& w = *worlds_[index];
   if (!(w.flags & kLooseAwake)) return;
@@ -184,14 +184,14 @@ void Ticker::singly(int index) {
   World& w = *worlds_[index];
   LooseBody* loose = loose_ ? loose_[index] : nullptr;
   uint32_t apart = 0;
-  // Boosts make a player faster than the lanes know.
+  // Boosts make a player faster than the lanes assume.
   if ((w.flags & kLooseAwake) && w.clockCount == 0) {
     apart = bodies_.add(w, loose, near_.reach(index));
   }
   tick(w, loose, level_, actions_[index], apart);
 }
 
-// Moves bodies that meet nothing by a tick.
+// Moves players who meet nothing by a tick.
 void Ticker::glide(WideMotion& m) const {
   const Params& p = level_.params;
   const WideMask constant = isConstant(m, p);
@@ -227,8 +227,8 @@ void Ticker::bump(const int32_t* slots, uint32_t lanes) {
   put(rows, slots, lanes, lanes);
 }
 
-// Stores the worlds of `lanes`, and ends the tick of those that have `moved`: endTick() of
-// tick_phases.h, in lanes where nothing can be touched.
+// Stores the worlds of `lanes`, and ends the tick of those in `moved`. Worlds where nothing can be
+// touched do endTick() of tick_phases.h in lanes.
 void Ticker::put(Rows& rows, const int32_t* slots, uint32_t lanes, uint32_t moved) {
   void* targets[kLanes];
   alignas(64) int32_t skip[kLanes];

@@ -1,5 +1,5 @@
-// The state of one running copy of the game: a player in a level. Declared once in
-// OBBY_WORLD_FIELDS; snapshot (plain copy), hash and comparison follow from it. 128 bytes.
+// The state of one running copy of the game: a player in a level. OBBY_WORLD_FIELDS declares it
+// once; snapshot (plain copy), hash and comparison follow from it. 128 bytes.
 #pragma once
 
 #include <stdint.h>
@@ -20,7 +20,7 @@ enum class State : uint8_t {
   fallingDown
 };
 
-// How a playthrough ended. The order of schema Outcome.
+// The end of a trajectory, in the order of the schema's Outcome.
 enum class Outcome : uint8_t {
   running,
   goal,
@@ -33,19 +33,18 @@ enum class Outcome : uint8_t {
   forbidden
 };
 
-// Conditions that a batch must not die of. Part of the state and its hash; an answer's reason names
-// the overruns.
+// Conditions that do not stop a batch. They are part of the state and its hash. An answer's reason
+// names the overruns.
 enum Flag : uint8_t {
   kFloorSensed = 1,  // a floor was within reach in the last tick (hysteresis of the floor rays)
-  kCandidateOverrun =
-      2,              // more parts near the player than a world can look at: raise kMaxCandidates
-  kClockOverrun = 4,  // more clocks running at once than a world can remember: raise kMaxClocks
-  kArrived = 8,       // was teleported, and has touched a teleporter in every tick since
-  kLooseAwake = 16,   // a loose body is awake
-  kContactOverrun = 32,  // more contacts of loose bodies than a tick can hold: raise
-                         // kMaxLooseContacts
-  kLegsLift = 64,        // the legs alone make the body rise
-  kLeftTruss = 128,      // rises from a jump off a truss
+  kCandidateOverrun = 2,  // more parts near the player than a world can hold: raise kMaxCandidates
+  kClockOverrun = 4,      // more running clocks than a world can hold: raise kMaxClocks
+  kArrived = 8,           // was teleported, and has touched a teleporter in every tick since
+  kLooseAwake = 16,       // a dynamic body is awake
+  kContactOverrun = 32,   // more contacts of dynamic bodies than a tick can hold: raise
+                          // kMaxLooseContacts
+  kLegsLift = 64,         // the legs alone make the body rise
+  kLeftTruss = 128,       // rises from a jump off a truss
 };
 
 // Flags that a PlayerT (player.h) holds as masks.
@@ -67,8 +66,8 @@ struct RunningClock {
   X(Vec3, velocity) /* studs/s */                                                           \
   X(float, health)                                                                          \
   X(uint32_t, tick)           /* level clock */                                             \
-  X(uint32_t, part)           /* that killed the player; of avoided: the */                 \
-                              /* query's avoid; or level::kNone */                          \
+  X(uint32_t, part)           /* that killed the player; if outcome is */                   \
+                              /* avoided, an index into avoid; or level::kNone */           \
   X(uint16_t, yaw)            /* facing, turns / 65536 */                                   \
   X(uint16_t, jumps)          /* made so far, saturating */                                 \
   X(uint16_t, floorlessSteps) /* physics steps since a floor was last sensed, saturating */ \
@@ -80,24 +79,24 @@ struct RunningClock {
   X(uint8_t, flags)                                                                         \
   X(uint8_t, clockCount)
 
-// How far a playthrough has come in a query, and what it has cost. Part of the hash where any of it
-// is not 0.
+// Progress of a trajectory in a query, and its cost. Part of the hash unless all fields are 0.
 #define OBBY_PROGRESS_FIELDS(X)                                              \
   X(uint16_t, segmentJumps) /* jumps made on arrival at the last waypoint */ \
   X(uint32_t, segmentTick)  /* level clock then */                           \
   X(uint32_t, visited)      /* of the query's visits, a bit each */          \
   X(float, damage)          /* health lost to parts so far */
 
-// What every tick reads and writes is the first cache line: the wide tick loads it as a row.
+// The first cache line holds what every tick reads and writes, so that the wide tick loads it as a
+// row.
 struct alignas(64) World {
 #define OBBY_WORLD_FIELD(type, name) type name;
   OBBY_WORLD_FIELDS(OBBY_WORLD_FIELD)
   OBBY_PROGRESS_FIELDS(OBBY_WORLD_FIELD)
 #undef OBBY_WORLD_FIELD
-  RunningClock clocks[kMaxClocks];  // the first clockCount run, the last started last
+  RunningClock clocks[kMaxClocks];  // the first clockCount run, in the order of their start
 };
 
-// What the player holds during one tick.
+// The keys that the player holds during one tick.
 struct Action {
   Turns heading = 0;  // direction of the move keys
   bool walk = false;  // a move key is held

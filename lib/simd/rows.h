@@ -1,5 +1,5 @@
-// Rows to lanes and back: kLanes structs, each of which starts with 16 words of 32 bits, become 16
-// wide words. One row is one cache line, which is why this beats gathering word by word.
+// Converts rows to lanes and back. kLanes structs, each of which starts with 16 words of 32 bits,
+// become 16 wide words. A row is one cache line, so this is faster than gathering word by word.
 #pragma once
 
 #include <string.h>
@@ -18,11 +18,11 @@ struct Rows {
 
 namespace internal {
 
-// The forms with a mask, of all lanes: g++ 12 warns of the others' undefined operands (its bug
+// A mask of all lanes. Intrinsics without a mask make g++ 12 warn of undefined operands (its bug
 // 105593).
 constexpr __mmask16 kAll = 0xffff;
 
-// Its own inverse.
+// Transposes 16 rows of 16 words. It is its own inverse.
 OBBY_LANES void transpose(__m512i r[16]) {
   __m512i t[16];
   for (int i = 0; i < 16; i += 2) {

@@ -1,7 +1,7 @@
-// WideFloat: as many floats as the CPU has SIMD lanes, for the templates of math/lanes.h. Host
-// only. Built on std::experimental::simd; what that lacks (loads of rows, gathers) is below. The
-// width follows the compiler's target (16 with AVX-512, 8 with AVX, 4 otherwise) and never shows in
-// a result.
+// WideFloat holds as many floats as the CPU has SIMD lanes, for the templates of math/lanes.h. Host
+// only. It is built on std::experimental::simd; the gathers and packed stores that this lacks are
+// below. The width follows the compiler's target (16 with AVX-512, 8 with AVX, 4 otherwise) and
+// never affects a result.
 #pragma once
 
 #include <stdint.h>
@@ -25,7 +25,7 @@ static_assert(IntLanes::size() == FloatLanes::size(), "one integer a float");
 static_assert(sizeof(IntMask) == sizeof(FloatMask), "masks of both are the same bits");
 
 #if defined(__AVX512F__)
-// where() of libstdc++ 12 is wrong with clang 14 here.
+// where() of libstdc++ 12 is wrong here when clang 14 compiles it.
 OBBY_LANES FloatLanes blend(FloatMask choose, FloatLanes yes, FloatLanes no) {
   const auto bits = __builtin_bit_cast(__mmask16, choose);
   return FloatLanes(_mm512_mask_blend_ps(bits, static_cast<__m512>(no), static_cast<__m512>(yes)));
@@ -47,7 +47,7 @@ OBBY_LANES Value blend(Mask choose, Value yes, Value no) {
 }
 #endif
 
-// a < b ? a : b and a > b ? a : b, which for NaN and zeros, too, is what one instruction does.
+// a < b ? a : b and a > b ? a : b. One instruction does exactly this, for NaN and zeros, too.
 #if defined(__AVX512F__)
 OBBY_LANES FloatLanes lesser(FloatLanes a, FloatLanes b) {
   return FloatLanes(_mm512_maskz_min_ps(0xffff, static_cast<__m512>(a), static_cast<__m512>(b)));
@@ -170,11 +170,11 @@ OBBY_LANES WideInt toInt(WideFloat a) {  // toward zero
   return WideInt(internal::stdx::static_simd_cast<internal::IntLanes>(a.v));
 }
 
-// The same 32 bits read as the other type.
+// Reinterprets the same 32 bits as the other type.
 OBBY_LANES WideInt bitsOf(WideFloat a) { return __builtin_bit_cast(WideInt, a); }
 OBBY_LANES WideFloat floatOfBits(WideInt a) { return __builtin_bit_cast(WideFloat, a); }
 
-// kLanes values in a row; no alignment asked.
+// Loads or stores kLanes consecutive values without any alignment.
 OBBY_LANES WideFloat load(const float* from) {
   return WideFloat(internal::FloatLanes(from, internal::stdx::element_aligned));
 }
@@ -184,7 +184,7 @@ OBBY_LANES WideInt load(const int32_t* from) {
 OBBY_LANES void store(WideFloat a, float* to) { a.v.copy_to(to, internal::stdx::element_aligned); }
 OBBY_LANES void store(WideInt a, int32_t* to) { a.v.copy_to(to, internal::stdx::element_aligned); }
 
-// Lane k from base[index[k]].
+// Loads lane k from base[index[k]].
 OBBY_LANES WideFloat gather(const float* base, const int32_t* index) {
 #if defined(__AVX512F__)
   const __m512i at = _mm512_loadu_si512(index);
@@ -195,12 +195,12 @@ OBBY_LANES WideFloat gather(const float* base, const int32_t* index) {
 #endif
 }
 
-// 0, 1, ...: the number of each lane.
+// Returns the number of each lane: 0, 1, ...
 OBBY_LANES WideInt laneNumbers() {
   return WideInt(internal::IntLanes([](auto k) { return int32_t(k); }));
 }
 
-// Bit k: lane k.
+// Returns a mask whose bit k is lane k.
 OBBY_LANES uint32_t bitsOf(WideMask m) {
   uint32_t bits = 0;
 #if defined(__AVX512F__)
@@ -211,8 +211,8 @@ OBBY_LANES uint32_t bitsOf(WideMask m) {
   return bits;
 }
 
-// Writes the lanes of `chosen` side by side, and numbers that mean nothing after them: kLanes in
-// all.
+// Packs the lanes of `chosen` into `to`, which must hold kLanes values. The values after them are
+// unspecified.
 OBBY_LANES void storeChosen(WideFloat a, uint32_t chosen, float* to) {
 #if defined(__AVX512F__)
   const auto lanes = _mm512_maskz_compress_ps(__mmask16(chosen), static_cast<__m512>(a.v));

@@ -1,4 +1,4 @@
-// Lists of math/lane_list.h for lanes of worlds. Host only.
+// The lists of math/lane_list.h for lanes of worlds. Host only.
 #pragma once
 
 #include "math/lane_list.h"
@@ -33,8 +33,8 @@ struct LaneList<T, WideFloat, kMost> {
     const T first = at(0);
     return i + 1 < kMost ? select(count > i + 1, at(i + 1), first) : first;
   }
-  // Lanes that are as long as each other store together; this beats scattering where lists are
-  // short.
+  // Lanes whose lists have the same length store together. This is faster than scattering while
+  // lists are short.
   OBBY_LANES void add(WideMask asked, const T& item) {
     const WideMask fits = asked & (count < kMost);
     if (!any(fits)) return;
@@ -50,7 +50,7 @@ struct LaneList<T, WideFloat, kMost> {
   }
 
  private:
-  int longest_ = 0;  // no lane has more
+  int longest_ = 0;  // upper bound on the length of every lane
   static constexpr int kWords = int(sizeof(T) / sizeof(WideFloat));
   struct Words {
     WideFloat word[kWords];

@@ -18,7 +18,8 @@ std::string joined(const std::vector<std::string>& words) {
   return text;
 }
 
-// Compiled, too: what makes no sense falls under --on-error before anything goes out.
+// Builds and compiles a query, so that --on-error applies to an invalid one before anything goes
+// out.
 Result<io::Record> queryOf(const LoadedLevel& level, const QuickQuery& quick, const char* id) {
   OBBY_ASSIGN(io::Record query, buildQuery(level.record.reader().getLevel(), quick, id));
   OBBY_RETURN_IF_ERROR(level::Query::compile(query.reader().getQuery(), level.level));
@@ -46,11 +47,11 @@ Result<io::Then> Filter::handle(const io::Record& record) {
   }
 }
 
-// It goes out as it is played: what comes behind must replay the same.
+// The level goes out as it is played, so that later tools replay the same.
 Result<io::Then> Filter::handleLevel(const io::Record& read) {
   OBBY_RETURN_IF_ERROR(finishLevel());
   last_.reset();
-  // Where it makes no sense its queries are not to be asked of an older level of its name.
+  // If the new level is invalid, its queries must not go to an older level of its name.
   levels_.forget(read.reader().getLevel().getName());
   if (!physics_.known()) return take(read, read);
   const io::Record calibrated = physics_.applied(read);
@@ -61,7 +62,7 @@ Result<io::Then> Filter::handleLevel(const io::Record& read) {
 
 Result<io::Then> Filter::take(const io::Record& played, const io::Record& read) {
   OBBY_ASSIGN(LoadedLevel loaded, loadLevel(played));
-  // First: a level without the places is none that trajectories can be judged by.
+  // This comes first: a level that lacks the places cannot judge trajectories.
   if (options_.task == Task::filter) {
     OBBY_ASSIGN(PassFilter filter,
                 PassFilter::make(played.reader().getLevel(), loaded.level, options_.passes));
@@ -85,10 +86,10 @@ Result<io::Then> Filter::handleQuery(const io::Record& record) {
   if (options_.task == Task::filter) return io::Then::pass;
   OBBY_ASSIGN(const LevelPointer level, levelNamed(query.getLevel()));
   if (last_ && level == last_->level) ++last_->queries;
-  if (asksQuick()) return io::Then::pass;  // in place of the stream's queries
+  if (asksQuick()) return io::Then::pass;  // it replaces the stream's queries
   OBBY_ASSIGN(const io::Record full, resolved(*level, record));
   if (options_.task == Task::verify) {
-    // Compiled, too: the verifier relies on it that the record makes sense.
+    // The verifier relies on a valid record.
     if (wanted(query.getId())) {
       OBBY_RETURN_IF_ERROR(level::Query::compile(full.reader().getQuery(), level->level));
     }
@@ -97,13 +98,13 @@ Result<io::Then> Filter::handleQuery(const io::Record& record) {
   }
   note(query.getId());
   if (!wanted(query.getId())) return io::Then::pass;
-  // Compiled first: a query that makes no sense falls under --on-error before it goes out.
+  // --on-error applies to an invalid query before it goes out.
   OBBY_RETURN_IF_ERROR(level::Query::compile(full.reader().getQuery(), level->level));
   OBBY_RETURN_IF_ERROR(ask(*level, full));
   return io::Then::drop;
 }
 
-// A query of the command line's own.
+// Returns true if the command line's query replaces those of the stream.
 bool Filter::asksQuick() const {
   return options_.quick && !options_.each && options_.task == Task::answer;
 }
@@ -113,7 +114,7 @@ Result<Filter::LevelPointer> Filter::levelNamed(const std::string& name) const {
   return levels_.named(name);
 }
 
-// What belongs to a level is dropped with it.
+// Adds a level, and drops all that belongs to the levels dropped for it.
 void Filter::know(const LevelPointer& level) {
   for (const std::string& dropped : levels_.add(level)) {
     passFilters_.erase(dropped);
@@ -137,7 +138,7 @@ bool Filter::wanted(const std::string& id) const {
   return only.empty() || std::find(only.begin(), only.end(), id) != only.end();
 }
 
-// Each id once, and of the others as many as an error names: a stream need not end.
+// Notes each id once, and only as many other ids as an error names, since a stream need not end.
 void Filter::note(const std::string& id) {
   constexpr size_t kMostOthers = 5;
   if (options_.only.empty()) return;
@@ -169,7 +170,7 @@ Status Filter::answer(const LoadedLevel& level, schema::Query::Reader query) {
   return {};
 }
 
-// The first trajectory of an answer takes the place of those of the answer before.
+// The first trajectory of an answer replaces those of the previous answer.
 Status Filter::remember(schema::Trajectory::Reader trajectory, bool first) {
   if (first) options_.earlier.forget(trajectory.getLevel(), trajectory.getQuery());
   return options_.earlier.note(trajectory);
@@ -183,7 +184,7 @@ Status Filter::ask(const LoadedLevel& level, const io::Record& query) {
   return answered;
 }
 
-// What cannot be asked of a level is found out behind it, and is not about what comes there.
+// An error of the level's default query shows only after its records, but belongs to the level.
 Status Filter::finishLevel() {
   Status asked = askDefault();
   return asked ? asked : pipeline_.forgiveLate(last_->read, std::move(asked).error());

@@ -1,5 +1,5 @@
-// The solver as a filter over a stream: remembers levels and queries, answers queries behind their
-// records, checks trajectories where only that is asked.
+// The solver as a filter over a stream. It remembers levels and queries and answers queries after
+// their records, or it checks or filters trajectories.
 #pragma once
 
 #include <cstdint>
@@ -14,18 +14,18 @@
 #include "io/physics.h"
 #include "io/pipeline.h"
 #include "policy/policy_file.h"
-#include "solve/answers/pass_filter.h"
 #include "solve/known_levels.h"
 #include "solve/known_queries.h"
+#include "solve/model/build_query.h"
+#include "solve/pass_filter.h"
 #include "solve/players/ask_players.h"
-#include "solve/query/build_query.h"
 #include "solve/query_solver.h"
 
 namespace obby::solve {
 
-// What is done with a stream's queries and trajectories.
+// The task to do with a stream's queries and trajectories.
 enum class Task {
-  answer,  // the queries
+  answer,  // answer the queries
   verify,  // check the trajectories
   filter,  // drop trajectories that `passes` does not keep
 };
@@ -33,55 +33,55 @@ enum class Task {
 struct FilterOptions {
   Task task = Task::answer;
   SolverOptions solver;
-  std::shared_ptr<const policy::PolicyFile> policy;  // what `solver` points to, if it was read
-  EarlierAnswers earlier;                            // of the same queries
-  bool remember = false;                             // keep the answers, for takeEarlier()
+  std::shared_ptr<const policy::PolicyFile> policy;  // owner of solver.policy, if it was read
+  EarlierAnswers earlier;                            // answers of the same queries
+  bool remember = false;                             // keep the answers for takeEarlier()
   int threads = 1;
-  sim::Device* device = nullptr;    // for the rollouts; must outlive the filter; null: the threads
+  sim::Device* device = nullptr;    // runs the rollouts; must outlive the filter; null: threads
   std::vector<std::string> only;    // ids of the queries to answer; empty: all
   std::optional<QuickQuery> quick;  // asked of every level instead of the stream's queries
   bool each = false;                // `quick` changes the stream's queries instead
-  AskedPlayers players;             // in place of every query's own, whoever asks it
+  AskedPlayers players;             // replace the players of every query
   PassRule passes;
-  uint64_t levelBytes = KnownLevels::kMostBytes;   // of the levels that are kept, as of KnownLevels
-  uint64_t queryBytes = KnownQueries::kMostBytes;  // of the queries that are kept, where they are
+  uint64_t levelBytes = KnownLevels::kMostBytes;       // limit of KnownLevels
+  uint64_t queryBytes = KnownQueries::kMostBytes;      // limit of KnownQueries
   std::function<void(const QueryProgress&)> progress;  // may be empty
-  std::function<void(const Error&)> deviceFailed;      // the CPU went on; may be empty
-  // After each answer; may be empty.
+  std::function<void(const Error&)> deviceFailed;      // called if the device fails; may be empty
+  // Called after each answer; may be empty.
   std::function<void(const std::string& level, const std::string& query, schema::Verdict)> answered;
 };
 
 struct FilterCounts {
   uint64_t solved = 0, unreachable = 0, unknown = 0;
-  uint64_t verified = 0;  // trajectories that were right
+  uint64_t verified = 0;  // trajectories that passed the check
   uint64_t kept = 0, dropped = 0;
 };
 
 class Filter {
  public:
-  // Records go out through `pipeline`.
+  // Writes records to `pipeline`.
   Filter(FilterOptions options, io::Pipeline& pipeline);
 
-  // The pipeline's handler.
+  // Handles a record of the pipeline.
   Result<io::Then> handle(const io::Record& record);
-  // After the last record, unless the input was stopped before: a level without queries is asked
-  // for the way from its spawn to its end; one that `quick` cannot be asked of for lack of a goal
-  // and an id of `only` that was not met are errors.
+  // Must be called after the last record, unless the input was stopped before. Asks a level without
+  // queries for a solution from its spawn to its end. Error: `quick` lacks a goal in the level, or
+  // an id of `only` was not met.
   Status finishInput();
 
   const FilterCounts& counts() const { return counts_; }
-  // What a next run can begin with: of each query the new answer, else the one before.
+  // Returns what a next run can begin with: each query's new answer, or its earlier one.
   EarlierAnswers takeEarlier() { return std::move(options_.earlier); }
 
  private:
   using LevelPointer = KnownLevels::LevelPointer;
 
-  // The level record before.
+  // The last level record.
   struct Last {
     LevelPointer level;
-    io::Record read;       // as it came: has the place that errors about it name
-    bool asked = false;    // by `quick`, or for the way to its end
-    uint64_t queries = 0;  // of it that followed
+    io::Record read;       // as read, with the place that errors about it name
+    bool asked = false;    // true once `quick` or the default query was asked
+    uint64_t queries = 0;  // queries of the level that followed
   };
 
   Result<io::Then> handleLevel(const io::Record& read);
@@ -96,11 +96,11 @@ class Filter {
   Status answer(const LoadedLevel& level, schema::Query::Reader query);
   Result<LevelPointer> levelNamed(const std::string& name) const;
   void know(const LevelPointer& level);
-  // With the boxes of the parts that it names, and the changes of `quick`.
+  // Returns the query with the boxes of the parts that it names, and the changes of `quick`.
   Result<io::Record> resolved(const LoadedLevel& level, const io::Record& query) const;
   bool asksQuick() const;
   bool wanted(const std::string& id) const;
-  void note(const std::string& id);  // that the stream has a query of that name
+  void note(const std::string& id);  // notes that the stream has a query of this id
   Status remember(schema::Trajectory::Reader trajectory, bool first);
 
   FilterOptions options_;
@@ -108,10 +108,10 @@ class Filter {
   ThreadPool pool_;
   io::Physics physics_;
   KnownLevels levels_;
-  std::map<std::string, PassFilter> passFilters_;  // by level
+  std::map<std::string, PassFilter> passFilters_;  // by name of the level
   std::optional<Last> last_;
-  KnownQueries queries_;                   // of the levels that are kept, under Task::verify
-  std::vector<std::string> met_, others_;  // ids of `only` that came by; the first other ids
+  KnownQueries queries_;                   // of the levels in levels_, for Task::verify
+  std::vector<std::string> met_, others_;  // ids of `only` that were met; the first other ids
   FilterCounts counts_;
 };
 

@@ -4,15 +4,7 @@
 
 #include <utility>
 
-#include "base/table_bytes.h"
-
 namespace obby::solve {
-
-uint64_t KnownLevels::bytesOf(const LoadedLevel& level) {
-  const uint64_t words = level.record.reader().totalSize().wordCount;
-  const uint64_t own = words * sizeof(capnp::word) + tableBytes(level.level.view());
-  return own + level.players->bytes();
-}
 
 void KnownLevels::weigh(const std::string& name) {
   const auto found = levels_.find(name);
@@ -57,7 +49,7 @@ Result<KnownLevels::LevelPointer> KnownLevels::named(const std::string& name) co
   if (!name.empty()) error.message = fmt::format("no level '{}' before this record", name);
   error.hint = "put a level record before its queries in the stream";
   if (name.empty() || dropped_ == 0) return error;
-  // Their names are not kept, for they too would come without end.
+  // The names of dropped levels are not kept, since they would grow without bound.
   error.message += fmt::format(" is still in memory: the oldest {} were dropped", dropped_);
   error.hint = fmt::format(
       "put queries and trajectories right after their level; only the newest levels are kept, up "

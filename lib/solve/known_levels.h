@@ -1,5 +1,5 @@
-// The levels of a stream that its queries and trajectories may name. A stream need not end, so the
-// newest are kept, as many as fit.
+// The levels of a stream that its queries and trajectories may name. A stream need not end, so only
+// the newest levels that fit are kept.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "base/result.h"
-#include "solve/query_solver.h"
+#include "solve/answer/loaded_level.h"
 
 namespace obby::solve {
 
@@ -19,22 +19,20 @@ class KnownLevels {
 
   static constexpr uint64_t kMostBytes = uint64_t(1) << 30;
 
-  // `mostBytes`: what the kept levels may take together, as records and compiled. The newest is
-  // kept whatever it takes.
+  // `mostBytes`: budget of the kept levels, as records and compiled. The newest is kept whatever
+  // its size.
   explicit KnownLevels(uint64_t mostBytes) : mostBytes_(mostBytes) {}
 
-  // What keeping a level takes, in bytes, about.
-  static uint64_t bytesOf(const LoadedLevel& level);
-
-  // Keeps a level as the newest, in place of an older one of its name. Gives the names of those
-  // that are dropped for it, the oldest first.
+  // Keeps a level as the newest, in place of an older one of its name. Returns the names of the
+  // levels that are dropped for it, oldest first.
   std::vector<std::string> add(LevelPointer level);
-  // Counts again what a level takes: it has been compiled for more players.
+  // Updates the memory of a level after it was compiled for more players.
   void weigh(const std::string& name);
-  // As if none of that name had come.
+  // Forgets the level of a name, if there is one.
   void forget(const std::string& name);
 
-  // Error, with path "level": none of that name is kept. An empty name names none.
+  // Returns the level of a name. Error, with path "level": no level of that name is kept. An empty
+  // name matches none.
   Result<LevelPointer> named(const std::string& name) const;
 
  private:
@@ -47,8 +45,8 @@ class KnownLevels {
 
   const uint64_t mostBytes_;
   std::map<std::string, Kept> levels_;     // by name
-  std::map<uint64_t, std::string> byAge_;  // their names, the oldest first
-  uint64_t bytes_ = 0;                     // of all that are kept
+  std::map<uint64_t, std::string> byAge_;  // names, oldest first
+  uint64_t bytes_ = 0;                     // of all kept levels
   uint64_t added_ = 0, dropped_ = 0;       // so far
 };
 

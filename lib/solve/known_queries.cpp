@@ -9,7 +9,7 @@
 namespace obby::solve {
 namespace {
 
-constexpr uint64_t kBookkeeping = 512;  // bytes of maps and allocations for each
+constexpr uint64_t kBookkeeping = 512;  // bytes of maps and allocations per query
 
 }  // namespace
 
@@ -56,7 +56,7 @@ Result<io::Record> KnownQueries::named(const std::string& level, const std::stri
               fmt::format("no query '{}' before this record", id),
               "put the query record before its trajectories in the stream"};
   if (dropped_ == 0) return error;
-  // Their ids are not kept, for they too would come without end.
+  // The ids of dropped queries are not kept, since they would grow without bound.
   error.message += fmt::format(" is still in memory: the oldest {} were dropped", dropped_);
   error.hint = fmt::format(
       "put trajectories right after their query; only the newest queries are kept, up to {} MiB",

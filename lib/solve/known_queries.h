@@ -1,5 +1,5 @@
-// The queries of a stream that the trajectories behind them may name, where these are checked. A
-// stream need not end, so the newest are kept, as many as fit.
+// The queries of a stream that later trajectories may name, for checking these. A stream need not
+// end, so only the newest queries that fit are kept.
 #pragma once
 
 #include <cstdint>
@@ -16,18 +16,19 @@ class KnownQueries {
  public:
   static constexpr uint64_t kMostBytes = uint64_t(256) << 20;
 
-  // `mostBytes`: what the kept queries may take together. The newest is kept whatever it takes.
+  // `mostBytes`: budget of the kept queries. The newest is kept whatever its size.
   explicit KnownQueries(uint64_t mostBytes) : mostBytes_(mostBytes) {}
 
-  // What keeping a query of a level of that name takes, in bytes, about.
+  // Returns the approximate memory of a kept query and the name of its level, in bytes.
   static uint64_t bytesOf(const std::string& level, const io::Record& query);
 
   // Keeps a copy of a query as the newest, in place of an older one of its id and level.
   void add(const std::string& level, const io::Record& query);
-  // As if none of that level had come.
+  // Forgets all queries of a level.
   void forgetLevel(const std::string& level);
 
-  // Error, with path "query": none of that id and level is kept.
+  // Returns the query of an id and level. Error, with path "query": none of that id and level is
+  // kept.
   Result<io::Record> named(const std::string& level, const std::string& id) const;
 
  private:
@@ -42,8 +43,8 @@ class KnownQueries {
 
   const uint64_t mostBytes_;
   Queries queries_;
-  std::map<uint64_t, Key> byAge_;     // the oldest first
-  uint64_t bytes_ = 0;                // of all that are kept
+  std::map<uint64_t, Key> byAge_;     // oldest first
+  uint64_t bytes_ = 0;                // of all kept queries
   uint64_t added_ = 0, dropped_ = 0;  // so far
 };
 

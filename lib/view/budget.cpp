@@ -1,5 +1,5 @@
-// Sizes are estimates of the base64 text; the order of thinning is attempts' ticks, moving parts'
-// ticks, whole attempts. Solutions are never touched.
+// Sizes are estimates of the base64 text. Thinning reduces the attempts' ticks first, then moving
+// parts' ticks, then whole attempts. It never touches solutions.
 #include "view/budget.h"
 
 #include <fmt/format.h>
@@ -12,16 +12,17 @@ namespace obby::view {
 namespace {
 
 constexpr uint32_t kMaxStride = 8;
-constexpr uint32_t kCoarsest = 64;  // of moving parts, where no browser would open the page else
-constexpr uint32_t kLeastSeconds = 20;  // of motion to show where no trajectory is longer
-constexpr uint32_t kMostSeconds = 600;  // of motion that a page shows
+constexpr uint32_t kCoarsest = 64;  // stride of moving parts in pages that no browser could open
+                                    // otherwise
+constexpr uint32_t kLeastSeconds = 20;  // min of motion, where no trajectory is longer
+constexpr uint32_t kMostSeconds = 600;  // max of motion in a page
 constexpr size_t kSampleBytes = 20;     // position, yaw, state in base64
-constexpr size_t kRunBytes = 8;         // of the same action
-constexpr size_t kEventBytes = 18;      // of a part that comes, goes or starts to move
+constexpr size_t kRunBytes = 8;         // for a run of the same action
+constexpr size_t kEventBytes = 18;      // for a part that appears, disappears or starts to move
 constexpr size_t kWayBytes = 300;       // names and numbers of a trajectory
-constexpr size_t kPartBytes = 70;       // of columns, and around the name
-constexpr size_t kVertexBytes = 16;     // of a hull
-constexpr size_t kEvidenceBytes = 16;   // around its words
+constexpr size_t kPartBytes = 70;       // in columns, and around the name
+constexpr size_t kVertexBytes = 16;     // per vertex of a hull
+constexpr size_t kEvidenceBytes = 16;   // around its text
 
 uint32_t mostTicksShown(const LevelEntry& level) {
   return kMostSeconds * level.level->view().params.controlRate;
@@ -59,7 +60,7 @@ std::vector<uint32_t> ticksShown(const Report& report) {
     if (query.level < 0) continue;
     const LevelEntry& level = report.levels[size_t(query.level)];
     uint64_t last = 0;
-    // Where no way is chosen the level is shown as it is when the query starts.
+    // Without a selected trajectory the page shows the level at the query's start.
     if (query.query) {
       last = uint64_t(query.reader().getStart().getTick()) + leastTicksShown(level);
     }
@@ -67,7 +68,7 @@ std::vector<uint32_t> ticksShown(const Report& report) {
       if (!path.played()) continue;
       last = std::max(last, uint64_t(path.told().getStartTick()) + path.playback.ticks());
     }
-    // Later starts wrap where the motion repeats.
+    // Later times wrap around where the motion repeats.
     uint32_t& shown = ticks[size_t(query.level)];
     shown = std::max(shown, uint32_t(std::min<uint64_t>(last, mostTicksShown(level))));
   }

@@ -1,4 +1,4 @@
-// How much of a report goes into a page: browsers grow slow beyond some 20 MB.
+// The size limits of a page. Browsers get slow beyond some 20 MB.
 #pragma once
 
 #include <cstdint>
@@ -10,32 +10,33 @@
 namespace obby::view {
 
 constexpr size_t kPageTarget = 20u << 20;  // bytes; beyond it data is thinned out
-constexpr size_t kPageLimit = 200u << 20;  // bytes; no larger page is written
+constexpr size_t kPageLimit = 200u << 20;  // bytes; larger pages are not written
 
 struct Budget {
-  uint32_t attemptStride = 1;      // every n-th tick of failed attempts; solutions keep all
-  uint32_t trackStride = 1;        // every n-th tick of moving parts
+  uint32_t attemptStride = 1;      // every n-th tick of failed attempts is kept; solutions keep all
+  uint32_t trackStride = 1;        // every n-th tick of moving parts is kept
   uint32_t attemptsOneOf = 1;      // every n-th failed attempt is kept
-  std::vector<std::string> notes;  // what was thinned out, for people
+  std::vector<std::string> notes;  // for users: what was thinned
 };
 
-// Ticks of each level's clock that the page has to show.
+// Returns the ticks of each level's clock that the page must cover.
 std::vector<uint32_t> ticksShown(const Report& report);
-// Of a level without trajectories.
+// Returns the ticks for a level without trajectories.
 uint32_t leastTicksShown(const LevelEntry& level);
 
-// How large the page's data is when nothing is thinned out, about, in bytes.
+// Estimated sizes of a page's data without thinning, bytes.
 struct PageSizes {
   size_t fixed = 0, attempts = 0, tracks = 0;
-  size_t whole = 0;         // of attempts, what no stride thins out: loose bodies, actions, numbers
-  bool longMotion = false;  // of some part there is more than a page shows
+  size_t whole = 0;         // share of attempts that no stride thins: dynamic bodies, actions,
+                            // numbers
+  bool longMotion = false;  // some part moves for longer than a page covers
 
-  // `ticks` of motion are shown.
+  // `ticks`: covered motion.
   void add(const LevelEntry& level, uint32_t ticks);
   void add(const QueryEntry& query);
 };
 
-// The least thinning, from `least` on, with which the page's data stays within `target` bytes.
+// Returns the least thinning, at least `least`, that keeps the page's data within `target` bytes.
 Budget budgetFor(const PageSizes& sizes, size_t target, Budget least = {});
 Budget budgetFor(const Report& report, size_t target);
 

@@ -1,4 +1,4 @@
-// The names that the schema gives to the values of its enumerations.
+// Names of enumeration values in the schema.
 #pragma once
 
 #include <capnp/schema.h>
@@ -8,7 +8,7 @@
 
 namespace obby::view {
 
-// As in JSON; `otherwise` for a value that this version's schema does not have. Valid for good.
+// Returns the name as in JSON, or `otherwise` for a value unknown to this schema. Always valid.
 template <class Enum>
 std::string_view enumName(Enum value, std::string_view otherwise = "running") {
   const auto names = capnp::Schema::from<Enum>().getEnumerants();

@@ -5,7 +5,7 @@
 namespace obby::view {
 namespace {
 
-constexpr float kAround = 6;  // studs of surroundings
+constexpr float kAround = 6;  // margin, studs
 
 template <class T>  // Part or Region
 Corners cornersFrom(T reader) {
@@ -46,7 +46,7 @@ Box extentOf(const LevelEntry& level, const QueryEntry& query) {
     if (query.compiled) take({query.compiled->start().feet, query.compiled->start().feet});
   }
   for (const PathEntry& path : query.paths) {
-    // Attempts may fall far away: their starts and the solutions count.
+    // Attempts may fall far away, so only their starts and the solutions count.
     const size_t last = path.kind == PathKind::attempt ? 1 : path.playback.feet.size();
     for (size_t i = 0; i < last; ++i) take({path.playback.feet[i], path.playback.feet[i]});
   }

@@ -1,4 +1,4 @@
-// What of the world a drawing of a query must show.
+// The region of the world that a drawing of a query shows.
 #pragma once
 
 #include <array>
@@ -16,7 +16,7 @@ Box boxOf(const Corners& corners);
 
 enum class RegionKind { avoid, visit, waypoint, goal };
 
-// Calls visit(region, kind) for the query's regions, what is to be avoided first.
+// Calls visit(region, kind) for the query's regions, those to avoid first.
 template <class Visit>
 void forRegions(schema::Query::Reader query, Visit&& visit) {
   for (const auto region : query.getAvoid()) visit(region, RegionKind::avoid);
@@ -26,14 +26,14 @@ void forRegions(schema::Query::Reader query, Visit&& visit) {
   if (query.hasGoal()) visit(query.getGoal(), RegionKind::goal);
 }
 
-// Regions and trajectories with some surroundings, or else the whole level.
+// Returns the bounds of regions and trajectories with a margin, or of the level if there are none.
 Box extentOf(const LevelEntry& level, const QueryEntry& query);
 
-// The horizontal axis of the world, or its opposite, along which the course runs: the longer side
-// of `extent`, from the query's start towards its goal (of several the first). `query` may be null.
+// Returns the horizontal axis along the longer side of `extent`, with the sign that points from the
+// query's start to its first goal. `query` may be null.
 Vec3 alongOf(const Box& extent, const QueryEntry* query);
 
-// For people: three digits, or all of those before the point.
+// Formats a length with three digits, or with all digits before the point.
 std::string lengthText(float studs);
 
 }  // namespace obby::view

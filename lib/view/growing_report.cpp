@@ -4,7 +4,7 @@ namespace obby::view {
 
 Status GrowingReport::add(const io::Record& record) {
   std::unique_lock lock(mutex_);
-  // A mutex alone would let a fast stream keep the other thread out for ever.
+  // With a mutex alone, a fast stream could starve the other thread.
   turn_.wait(lock, [this] { return !wanted_ || closed_; });
   OBBY_RETURN_IF_ERROR(collector_.add(record));
   changed_ = true;

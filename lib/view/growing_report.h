@@ -1,4 +1,4 @@
-// A report that one thread fills from a stream while another one shows it.
+// A report that one thread fills from a stream while another one reads it.
 #pragma once
 
 #include <atomic>
@@ -12,36 +12,35 @@
 
 namespace obby::view {
 
-// What is kept of a stream that may never end: of ways some 350 MB in the tool, which holds them as
-// played and as pages get them, and 200 MB in each browser; of levels, queries and answers 200 MB.
+// Limits for an endless stream. Trajectories take some 350 MB in the tool, both as replays and as
+// page data, and 200 MB in each browser. Levels, queries and answers take 200 MB.
 inline constexpr Room kLiveRoom = {10'000'000, 100, 2, size_t(200) << 20, true};
 
 enum class StreamState { open, ended, broken };
 
-// Its lock guards the collector; the reading thread changes the report, the showing one looks at
-// it.
+// A lock guards the collector. The reading thread changes the report, the showing thread reads it.
 class GrowingReport {
  public:
   explicit GrowingReport(Collector collector) : collector_(std::move(collector)) {}
 
-  // --- the reading thread
+  // --- The reading thread
 
-  // Folds a record in and replays what it brings. Waits while the other thread wants to look.
+  // Adds a record and replays its trajectories. Waits while the other thread requests a look.
   Status add(const io::Record& record);
-  // Nothing more comes. Error: a query that was asked for did not come; the state is broken then.
+  // Ends the stream. Error: a requested query did not come; the state is `broken` then.
   Status end(StreamState state, const std::vector<std::string>& notes);
-  // Runs `use` with the report, which stays as it is meanwhile.
+  // Calls `use` with the report under the lock.
   Status use(const std::function<Status(const Report&)>& use);
 
-  // --- the showing thread
+  // --- The showing thread
 
-  // Runs `look` if anything has changed since it last ran. Where the other thread is busy it does
-  // nothing but ask for a turn: call it again soon. Whether it ran.
+  // Calls `look` if anything has changed since its last call. If the other thread holds the lock,
+  // it only requests a turn, and the caller should retry soon. Returns true if `look` was called.
   bool look(const std::function<void(const Report&, StreamState)>& look);
-  // It will not look any more: nobody need wait for it.
+  // Declares that look() will not be called any more, so that no thread waits for it.
   void close();
 
-  // Of any thread.
+  // Callable from any thread.
   bool open() const { return state_ == StreamState::open; }
 
  private:
@@ -50,7 +49,7 @@ class GrowingReport {
   Collector collector_;
   std::atomic<StreamState> state_{StreamState::open};
   std::atomic<bool> changed_{false};
-  std::atomic<bool> wanted_{false};  // a turn to look
+  std::atomic<bool> wanted_{false};  // the showing thread requests a turn
   bool closed_ = false;
 };
 

@@ -1,4 +1,4 @@
-// Escaping, numbers and base64 of the page's data.
+// Escaping, numbers and base64 for the page's data.
 #include "view/json_text.h"
 
 #include <fmt/format.h>

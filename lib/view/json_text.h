@@ -1,5 +1,5 @@
-// Writes the page's data: JSON text that is safe inside an HTML script element, with numeric arrays
-// as base64 of their little-endian bytes.
+// Writes the page's data as JSON that is safe inside an HTML script element. Numeric arrays are
+// base64 of their little-endian bytes.
 #pragma once
 
 #include <concepts>
@@ -11,20 +11,19 @@
 
 namespace obby::view {
 
-// Appends to one string. Commas are set by the writer; the caller pairs open and close.
+// Appends to one string. The writer sets commas; the caller pairs open() and close().
 class JsonText {
  public:
   JsonText& open(char bracket);  // '{' or '['
   JsonText& close();
   JsonText& key(std::string_view name);
 
-  // `<` is written as \u003c, so that no text can end the script element; broken UTF-8 becomes
-  // U+FFFD.
+  // Writes `<` as \u003c, so that no text can end the script element. Invalid UTF-8 becomes U+FFFD.
   JsonText& value(std::string_view text);
   JsonText& value(const char* text) { return value(std::string_view(text)); }
   JsonText& value(bool flag);
-  JsonText& value(double number);  // finite, else null
-  JsonText& value(float number);   // shortest text that reads back to the same float
+  JsonText& value(double number);  // null if not finite
+  JsonText& value(float number);   // shortest text that parses to the same float
   template <std::integral T>
   requires(!std::same_as<T, bool>) JsonText& value(T number) { return raw(std::to_string(number)); }
   JsonText& null() { return raw("null"); }
@@ -41,7 +40,7 @@ class JsonText {
     return key(name).value(v);
   }
 
-  // What is JSON already.
+  // Appends text that is JSON already.
   JsonText& raw(std::string_view text);
 
   const std::string& text() const { return text_; }

@@ -10,16 +10,16 @@ namespace obby::view {
 namespace {
 
 constexpr auto kLook = 20 * kj::MILLISECONDS;
-constexpr auto kLeastBetween = 200 * kj::MILLISECONDS;  // revisions: five a second
-constexpr double kQuietSeconds = 2;  // after which a page that was there is taken to be gone
+constexpr auto kLeastBetween = 200 * kj::MILLISECONDS;  // between revisions
+constexpr double kQuietSeconds = 2;                     // after which a page counts as closed
 
-// Takes what has changed, as often as a reader's eye can use.
+// Copies changes into the data at a limited rate.
 class Taking {
  public:
   Taking(GrowingReport& report, LiveData& data, kj::Timer& timer)
       : report_(report), data_(data), timer_(timer), next_(timer.now()) {}
 
-  // Ends only with an exception.
+  // Ends only by an exception.
   kj::Promise<void> run() {
     const auto take = [this](const Report& report, StreamState state) {
       data_.take(report, state);
@@ -41,7 +41,7 @@ kj::Promise<void> untilLeft(const GrowingReport& report, const LiveServer& serve
   return timer.afterDelay(kLook).then([&] { return untilLeft(report, server, timer); });
 }
 
-// Reads as long as it lives.
+// Reads until it is destroyed.
 class ReadingThread {
  public:
   ReadingThread(GrowingReport& report, const LiveReader& read)

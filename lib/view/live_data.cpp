@@ -17,8 +17,8 @@ const char* nameOf(StreamState state) {
   return "broken";
 }
 
-// Ticks of motion for a level whose trajectories still get longer: in steps that double, so that it
-// is sent a few times only.
+// Returns the ticks of motion for a level whose trajectories still grow. They double each time, so
+// that the motion is sent only a few times.
 uint32_t ticksAhead(const LevelEntry& level, uint32_t needed) {
   uint32_t ticks = leastTicksShown(level);
   while (ticks < needed) ticks *= 2;
@@ -39,7 +39,7 @@ bool shown(const PathEntry& path, const Budget& budget) {
   return path.played() && !(attempt && path.serial % budget.attemptsOneOf != 0);
 }
 
-// 1 2 3 7 8 as [1, 3] [7, 8].
+// Compresses ascending serials to ranges: 1 2 3 7 8 to [1, 3] [7, 8].
 std::vector<std::pair<uint64_t, uint64_t>> rangesOf(const auto& bySerial) {
   std::vector<std::pair<uint64_t, uint64_t>> out;
   for (const auto& [serial, piece] : bySerial) {

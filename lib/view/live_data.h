@@ -1,5 +1,5 @@
-// What pages of a growing report are told: pieces of JSON, each with the revision in which it last
-// changed, so that a page gets what is new to it and nothing twice. Belongs to one thread.
+// The page data of a growing report, as pieces of JSON. Each has the revision of its last change,
+// so that a page receives only news. It belongs to one thread.
 #pragma once
 
 #include <cstdint>
@@ -19,14 +19,14 @@ class LiveData {
  public:
   explicit LiveData(PageOptions options) : options_(std::move(options)) {}
 
-  // Takes what has changed. Beyond the page's size ways and motion are thinned out as in a file,
-  // and what was sent before is sent anew, thinner.
+  // Copies the changes. Beyond the page's size limit, trajectories and motion are thinned as in a
+  // file, and the affected pieces are sent again.
   void take(const Report& report, StreamState state);
 
-  // Rises with every change; 0: nothing is there.
+  // Increases with every change; 0: empty.
   uint64_t revision() const { return revision_; }
-  // All that has changed behind that revision, as JSON (docs/viewer.md). One that is not known yet
-  // is a page's of another time: it gets everything.
+  // Returns all changes after `revision` as JSON (docs/page-data.md). An unknown revision belongs
+  // to another server process; such a page receives everything.
   std::string since(uint64_t revision) const;
 
  private:
@@ -36,11 +36,11 @@ class LiveData {
   };
   struct LevelPiece : Piece {
     PageSizes sizes;
-    uint32_t ticks = 0, stride = 0;  // of the motion in it; stride 0: it has other ticks
+    uint32_t ticks = 0, stride = 0;  // of its motion; stride 0: outdated
   };
   struct QueryPieces {
     Piece facts;
-    uint64_t changed = 0;                               // last revision of anything in it
+    uint64_t changed = 0;                               // last revision of any piece in it
     std::map<uint64_t, Piece> paths;                    // by serial
     std::vector<std::pair<uint64_t, uint64_t>> ranges;  // first and last serials, ascending
     uint32_t attemptStride = 1;
@@ -54,8 +54,8 @@ class LiveData {
 
   PageOptions options_;
   uint64_t revision_ = 0;
-  uint64_t next_ = 1;  // that what is taken now will have
-  Budget budget_;      // never less thinning than before: what is sent stays sent
+  uint64_t next_ = 1;  // revision of the changes being copied
+  Budget budget_;      // thinning never decreases, so that sent pieces stay valid
   Piece head_;
   std::vector<LevelPiece> levels_;
   std::vector<QueryPieces> queries_;

@@ -10,7 +10,8 @@ namespace {
 
 using loopback::Reply;
 
-constexpr uint64_t kMaxRevision = (uint64_t(1) << 53) - 1;  // what a JSON number can say
+constexpr uint64_t kMaxRevision = (uint64_t(1) << 53) - 1;  // largest exact integer of a JSON
+                                                            // number
 constexpr size_t kMaxTarget = 512;
 
 struct Route {
@@ -22,7 +23,7 @@ constexpr Route kRoutes[] = {
 
 Reply refuse(int status, const char* why) { return {status, why, "text/plain; charset=utf-8"}; }
 
-// A page of another site may lead here, as any link does, but neither read nor embed what is here.
+// Another site's page may link here, but may neither read nor embed anything.
 bool foreign(const LiveHead& head, std::string_view path, uint16_t port) {
   if (head.origin && !loopback::originIsOwn(*head.origin, port)) return true;
   if (!head.fetchSite || *head.fetchSite == "same-origin" || *head.fetchSite == "none") {
@@ -31,7 +32,7 @@ bool foreign(const LiveHead& head, std::string_view path, uint16_t port) {
   return path != "/" || head.fetchMode != "navigate";
 }
 
-// Of one parameter of that name; nothing where there is none, or more than one.
+// Returns a parameter's value, or nothing if it is missing or repeated.
 std::optional<std::string_view> valueOf(const loopback::Target& target, std::string_view name) {
   std::optional<std::string_view> found;
   for (const loopback::Parameter& parameter : target.parameters) {

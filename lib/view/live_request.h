@@ -1,4 +1,4 @@
-// Whether a request to the live page's server comes in, decided from its head alone.
+// Accepts or refuses requests to the live page's server, by their head alone.
 #pragma once
 
 #include <cstdint>
@@ -11,20 +11,20 @@
 
 namespace obby::view {
 
-// The head as it came; texts belong to the caller.
+// The request's head. Its texts belong to the caller.
 struct LiveHead : loopback::Head {
-  std::optional<std::string_view> fetchMode;  // as browsers say it
+  std::optional<std::string_view> fetchMode;  // Sec-Fetch-Mode
 };
 
 enum class LiveRoute { page, data, events };
 
 struct LiveCall {
   LiveRoute route = LiveRoute::page;
-  uint64_t from = 0;  // data: the revision that the page has
+  uint64_t from = 0;  // data: the revision of the page
 };
 
-// Host, sender, token, address, method, parameters, in this order. Strangers learn nothing beyond
-// that they are refused.
+// Checks host, sender, token, address, method and parameters, in this order. Unauthorised clients
+// learn only that they are refused.
 std::variant<LiveCall, loopback::Reply> checkLiveRequest(const LiveHead& head, uint16_t port,
                                                          std::string_view token);
 

@@ -10,12 +10,12 @@ namespace {
 
 using loopback::Reply;
 
-constexpr auto kNewsLook = 20 * kj::MILLISECONDS;  // how often a page's news are looked for
-// A line without meaning goes to each page so often: that it has gone is noticed only in writing.
+constexpr auto kNewsLook = 20 * kj::MILLISECONDS;  // interval between checks for a new revision
+// Interval of empty event lines. A closed connection is noticed only by writing.
 constexpr auto kPing = 1 * kj::SECONDS;
-constexpr loopback::ServerLimits kLimits = {32, 60};  // a browser opens six at most
+constexpr loopback::ServerLimits kLimits = {32, 60};  // a browser opens at most six
 
-// Tells one page of newer revisions, until it goes.
+// Notifies one page of new revisions until it disconnects.
 class Events {
  public:
   using InTime = kj::Function<kj::Promise<void>(kj::Promise<void>)>;
@@ -23,7 +23,7 @@ class Events {
          InTime inTime)
       : stream_(kj::mv(stream)), data_(data), timer_(timer), inTime_(kj::mv(inTime)) {}
 
-  // Ends only with an exception.
+  // Ends only by an exception.
   kj::Promise<void> run() { return write("retry: 1000\n\n"); }
 
  private:
@@ -33,7 +33,7 @@ class Events {
     return inTime_(stream_->write(text_.data(), text_.size())).then([this] { return go(); });
   }
 
-  // A page that reads slowly is told of the newest revision only, for the data of all go together.
+  // A slow page is told only the newest revision, because one request fetches all the data.
   kj::Promise<void> go() {
     if (told_ != data_.revision()) {
       told_ = data_.revision();
@@ -49,7 +49,7 @@ class Events {
   InTime inTime_;
   uint64_t told_ = 0;
   kj::TimePoint next_ = kj::origin<kj::TimePoint>();
-  std::string text_;  // on its way
+  std::string text_;  // being sent
 };
 
 }  // namespace
@@ -77,8 +77,7 @@ Reply LiveServer::failure(int status, const char* message, const char*) const {
   return {status, message, "text/plain; charset=utf-8"};
 }
 
-// What the page's own policy cannot say: nobody may frame it, no address it leads to learns the
-// token.
+// Headers beyond the page's own policy: no framing, and links do not leak the token.
 kj::HttpHeaders LiveServer::pageHeaders(const std::string& type) const {
   kj::HttpHeaders headers = answerHeaders(type);
   headers.add("Content-Security-Policy", "frame-ancestors 'none'");

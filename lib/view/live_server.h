@@ -1,5 +1,5 @@
-// Serves the live page, its data and its events over HTTP. Runs on the event loop's thread, which
-// the data belongs to, too.
+// Serves the live page, its data and its events over HTTP. It runs on the event loop's thread,
+// which also owns the data.
 #pragma once
 
 #include <string>
@@ -14,9 +14,10 @@ class LiveServer final : public loopback::Server {
   LiveServer(kj::AsyncIoContext& io, loopback::Listener listener, const LiveData& data,
              std::string page, loopback::Note note);
 
-  // That opens the page: with the token, which whoever asks must know.
+  // Returns the address of the page, including the token that requests must carry.
   std::string address() const;
-  // Seconds since a page was last there, or asked for something; 0: one is there.
+  // Returns the seconds since the last page was connected or sent a request; 0 while one is
+  // connected.
   double quietFor() const;
 
  private:
@@ -30,7 +31,7 @@ class LiveServer final : public loopback::Server {
   kj::Timer& timer_;
   const LiveData& data_;
   std::string page_, token_;
-  uint32_t open_ = 0;  // pages that listen
+  uint32_t open_ = 0;  // pages that receive events
   kj::TimePoint lastSeen_;
 };
 

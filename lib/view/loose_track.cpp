@@ -1,4 +1,4 @@
-// A body that rests, slides or turns evenly needs two samples; a tick apart only where it bounces.
+// A body that rests, slides or turns steadily needs two samples. Only a bounce needs every tick.
 #include "view/loose_track.h"
 
 #include <array>
@@ -18,7 +18,7 @@ Quat mixed(Quat a, Quat b, float share) {
                         a.w * rest + b.w * sign});
 }
 
-// About the angle between two turns, radians.
+// Returns approximately the angle between two rotations, radians.
 float turnBetween(Quat a, Quat b) {
   const float sign = a.x * b.x + a.y * b.y + a.z * b.z + a.w * b.w < 0 ? -1.0f : 1.0f;
   const float x = a.x - sign * b.x, y = a.y - sign * b.y, z = a.z - sign * b.z,
@@ -31,7 +31,7 @@ struct Sample {
   Quat rotation;
 };
 
-// Of every one of `count` ticks.
+// Returns a sample for each of `count` ticks.
 std::vector<Sample> samplesOf(const std::vector<LooseStay>& stays, const level::Loose& l,
                               size_t count) {
   std::vector<Sample> out;
@@ -45,7 +45,7 @@ std::vector<Sample> samplesOf(const std::vector<LooseStay>& stays, const level::
   return out;
 }
 
-// To the bit: 0 and -0 are two.
+// Compares bits, so 0 and -0 differ.
 bool isAt(const sim::LooseBody& b, const LooseStay& stay) {
   const auto bits = [](Vec3 p, Quat q) {
     return std::bit_cast<std::array<uint32_t, 7>>(std::array{p.x, p.y, p.z, q.x, q.y, q.z, q.w});
@@ -53,13 +53,13 @@ bool isAt(const sim::LooseBody& b, const LooseStay& stay) {
   return bits(b.position, b.rotation) == bits(stay.center, stay.rotation);
 }
 
-// How far apart a point of the part is in two poses, at most, if none is farther than `reach` from
+// Returns the max distance between a point's positions in two poses, for points within `reach` of
 // the part's centre.
 float missBetween(const Sample& a, const Sample& b, float reach) {
   return length(a.position - b.position) + reach * turnBetween(a.rotation, b.rotation);
 }
 
-// The same of a sample and where the part would be then on the way between two others.
+// Returns the same for a sample and the interpolation between two others.
 float missAt(const std::vector<Sample>& all, float reach, size_t from, size_t to, size_t at) {
   const float share = float(at - from) / float(to - from);
   const Sample &a = all[from], &b = all[to];
@@ -97,7 +97,7 @@ std::vector<LooseTrack> LooseWatch::tracks() const {
       track.add(all[tick].position, all[tick].rotation);
     }
     const bool straight = track.ticks.size() == 2;
-    if (straight && missBetween(all.front(), all.back(), reach) <= kLooseMiss) continue;  // rests
+    if (straight && missBetween(all.front(), all.back(), reach) <= kLooseMiss) continue;  // at rest
     out.push_back(std::move(track));
   }
   return out;

@@ -1,4 +1,4 @@
-// Where loose parts are during a playthrough: what the player pushes, and what falls by itself.
+// Tracks of dynamic parts in a replay: parts that the player pushes, and parts that fall.
 #pragma once
 
 #include <cstdint>
@@ -10,40 +10,40 @@
 
 namespace obby::view {
 
-// Poses of one part at some ticks. Between two of them, and all of the way, the part is where a
-// straight line and an even turn from one to the next would have it, to kLooseMiss.
+// Poses of one part at some ticks. Between them, linear interpolation of position and rotation is
+// accurate to kLooseMiss.
 struct LooseTrack : Poses {
   uint32_t part = 0;
-  std::vector<uint32_t> ticks;  // of the samples, since the start of the playthrough; ascending
+  std::vector<uint32_t> ticks;  // of the samples, since the trajectory's start; ascending
 
   size_t bytes() const { return Poses::bytes() + ticks.size() * 4; }
 };
-constexpr float kLooseMiss = 2.5e-4f;  // studs, of any point of the part
+constexpr float kLooseMiss = 2.5e-4f;  // studs, for any point of the part
 
-// Where a body is from a tick on, until it moves again.
+// A pose that a body keeps from a tick on.
 struct LooseStay {
-  uint32_t tick;  // since the start of the playthrough
-  Vec3 center;    // of mass
+  uint32_t tick;  // since the trajectory's start
+  Vec3 center;    // center of mass
   Quat rotation;
 };
 
-// Gathers tracks while a playthrough is replayed: of each body where it is whenever that changes,
-// for most of them rest most of the time.
+// Records tracks during a replay. Each body's pose is stored only when it changes, since most
+// bodies rest most of the time.
 class LooseWatch {
  public:
   // The level must outlive it.
   explicit LooseWatch(const level::LevelView& level) : level_(level), stays_(level.looseCount) {}
 
-  // Every moment of the playthrough, in order.
+  // Expects every moment of the trajectory, in order.
   void see(const sim::Moment& now);
 
-  // One for each part that moves by more than kLooseMiss.
+  // Returns one track for each part that moves by more than kLooseMiss.
   std::vector<LooseTrack> tracks() const;
 
  private:
   const level::LevelView& level_;
   std::vector<std::vector<LooseStay>> stays_;  // of each body
-  size_t count_ = 0;                           // moments
+  size_t count_ = 0;                           // number of moments
 };
 
 }  // namespace obby::view

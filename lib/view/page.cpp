@@ -1,4 +1,4 @@
-// Puts the data into the bundled page.
+// Inserts the data into the bundled page.
 #include "view/page.h"
 
 #include <fmt/format.h>
@@ -20,14 +20,14 @@ Error pageMissing() {
 
 namespace {
 
-// The page with its data. `connects`: it may ask the server that it came from, and nobody else.
+// `connects`: the page may connect to its own server, and to no other.
 std::string filled(std::string_view title, std::string_view data, bool connects) {
   std::string page;
   for (const std::string_view piece : pageTemplate()) page += piece;
   if (connects) {
     page.insert(page.find(kPolicyStart) + kPolicyStart.size(), "; connect-src 'self'");
   }
-  // The data last: its text must not be searched for markers.
+  // The data comes last, because its text must not be searched for markers.
   page.replace(page.find(kTitleMarker), kTitleMarker.size(), io::escapeMarkup(std::string(title)));
   page.replace(page.rfind(kDataMarker), kDataMarker.size(), data);
   return page;

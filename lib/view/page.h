@@ -1,4 +1,4 @@
-// The report as one self-contained HTML file. docs/viewer.md describes its data.
+// The report as one self-contained HTML file. docs/page-data.md describes its data.
 #pragma once
 
 #include <string>
@@ -9,25 +9,26 @@
 namespace obby::view {
 
 struct PageOptions {
-  bool full = false;      // thin nothing out, whatever the size
+  bool full = false;      // no thinning at any size
   std::string generator;  // "obby-view 0.1.0"
 };
 
-// True in a build with the page bundle; pageMissing() says what to do about one without.
+// True if the build has the page bundle. pageMissing() is the error for a build without it.
 bool pageAvailable();
 Error pageMissing();
 
-// Bytes from which on a page deserves a warning: the data is thinned to less, the rest is the
-// page's own.
+// Pages of at least this size in bytes deserve a warning. It covers the thinned data and the page
+// itself.
 inline constexpr size_t kPageWarning = 22u << 20;
 
-// The page's data as JSON, safe inside a script element.
+// Returns the page's data as JSON, safe inside a script element.
 std::string pageData(const Report& report, const PageOptions& options);
 
-// The whole page. Errors: a build without the bundle; a page over the limit of budget.h.
+// Returns the whole page. Errors: a build without the bundle, or a page beyond the limit of
+// budget.h.
 Result<std::string> htmlPage(const Report& report, const PageOptions& options);
 
-// The page without data: it asks the server that it came from for them. Error: a build without the
+// Returns the page without data, which it requests from its server. Error: a build without the
 // bundle.
 Result<std::string> livePage();
 

@@ -1,4 +1,4 @@
-// A level in the page's data: parts as columns, names, hulls, motion.
+// Writes a level into the page's data: parts as columns, names, hulls and motion.
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -16,10 +16,9 @@ void push(std::vector<float>& out, schema::Vec3::Reader v) {
   out.insert(out.end(), {v.getX(), v.getY(), v.getZ()});
 }
 
-// The names that parts have, the first empty, and for each part where its own is in them.
+// Writes the distinct material names, the first empty, and each part's index into them.
 void writeMaterials(JsonText& json, schema::Level::Reader level) {
-  constexpr size_t kMost =
-      256;  // what a column's byte can tell; what is beyond it looks like plastic
+  constexpr size_t kMost = 256;  // limit of a byte column; further materials look like plastic
   std::vector<std::string_view> names = {""};
   std::map<std::string_view, uint8_t> places = {{"", 0}};
   std::vector<uint8_t> column;
@@ -37,13 +36,13 @@ void writeMaterials(JsonText& json, schema::Level::Reader level) {
   json.close();
 }
 
-// As it is simulated: a hull of which no piece is known is its box.
+// Returns the simulated shape: a hull without pieces is a block.
 schema::Shape shapeOf(schema::Part::Reader part) {
   const bool unknown = part.getShape() == schema::Shape::HULL && part.getHulls().size() == 0;
   return unknown ? schema::Shape::BLOCK : part.getShape();
 }
 
-// Parts that the simulator has, and never moves.
+// Returns true for each part that the simulator contains and never moves.
 std::vector<bool> stillParts(const level::LevelView& view, size_t parts) {
   std::vector<bool> still(parts, false);
   for (uint32_t i = 0; i < view.colliderCount; ++i) {
@@ -59,7 +58,7 @@ void writeColumns(JsonText& json, schema::Level::Reader level, const level::Leve
   std::vector<uint8_t> shape, look, flags;
   for (uint32_t i = 0; i < level.getParts().size(); ++i) {
     const auto part = level.getParts()[i];
-    // Keys of one pose move nothing: the part is there, whatever its own pose is.
+    // Keys with a single pose move nothing, but they override the part's own pose.
     const auto keys = part.getMotion().getKeys();
     const bool placed = still[i] && keys.size() > 0;
     push(position, placed ? keys[keys.size() - 1].getPosition() : part.getPosition());
@@ -117,8 +116,7 @@ void writeHulls(JsonText& json, schema::Level::Reader level) {
   json.close();
 }
 
-// How parts come and go by the level's clock, in ticks, as they are simulated: null where a part
-// does not.
+// Returns the timer of each part that the level clock makes appear and disappear, else null.
 std::vector<const level::Roles*> timersOf(const level::LevelView& level, size_t parts) {
   std::vector<const level::Roles*> timers(parts, nullptr);
   for (uint32_t i = 0; i < level.colliderCount; ++i) {
@@ -168,7 +166,7 @@ void writeTrack(JsonText& json, const Track& track) {
   json.close();
 }
 
-// Parts that trajectories may move.
+// Writes the parts that a trajectory may move.
 void writeLoose(JsonText& json, const level::LevelView& level) {
   json.key("loose").open('[');
   for (uint32_t i = 0; i < level.looseCount; ++i) {

@@ -1,4 +1,4 @@
-// A query in the page's data: regions, result, trajectories.
+// Writes a query into the page's data: regions, result, trajectories.
 #include <string>
 
 #include "level/record_values.h"
@@ -77,7 +77,7 @@ void writeInts(JsonText& json, capnp::List<int32_t>::Reader values) {
   json.close();
 }
 
-// Why a query is unreachable: the parts within reach and the least step beyond them.
+// Writes the cut of a proof: the reachable parts and the smallest step beyond them.
 void writeCut(JsonText& json, schema::Cut::Reader cut) {
   json.key("cut").open('{').key("reached");
   writeInts(json, cut.getReached());
@@ -86,7 +86,7 @@ void writeCut(JsonText& json, schema::Cut::Reader cut) {
   json.field("seconds", cut.getSeconds()).close();
 }
 
-// Where the search has been.
+// Writes where the search has been.
 void writeHeatMap(JsonText& json, schema::HeatMap::Reader map) {
   std::vector<Vec3> feet;
   std::vector<uint32_t> counts;
@@ -98,8 +98,8 @@ void writeHeatMap(JsonText& json, schema::HeatMap::Reader map) {
   json.key("counts").array(counts).close();
 }
 
-// What an answer says beyond its verdict: the proof's cut, changes that would help, routes, how far
-// to trust it.
+// Writes an answer's findings besides its verdict: the proof's cut, relaxations, routes, and the
+// search's saturation.
 void writeFindings(JsonText& json, schema::Result::Reader result) {
   json.key("relaxations").open('[');
   for (const auto relaxation : result.getRelaxations()) {
@@ -150,7 +150,7 @@ void writeResult(JsonText& json, const QueryEntry& entry) {
   json.close();
 }
 
-// How far a search had come that has no answer yet.
+// Writes the progress of a search without an answer.
 void writeProgress(JsonText& json, const QueryEntry& entry) {
   if (entry.result || !entry.progress) return;
   const auto progress = entry.progress->reader().getProgress();
@@ -161,7 +161,7 @@ void writeProgress(JsonText& json, const QueryEntry& entry) {
   json.field("closest", progress.getClosest()).field("waypoints", progress.getWaypoints()).close();
 }
 
-// Every stride-th sample, and the last one.
+// Returns every stride-th sample and the last one.
 template <class T>
 std::vector<T> thinnedTo(const std::vector<T>& all, uint32_t stride) {
   if (stride == 1) return all;
@@ -171,7 +171,7 @@ std::vector<T> thinnedTo(const std::vector<T>& all, uint32_t stride) {
   return out;
 }
 
-// (ticks, bits: 1 walk, 2 jump, heading) for each run of the same action.
+// Returns (ticks, bits: 1 walk, 2 jump, heading) for each run of equal actions.
 std::vector<uint16_t> runsOf(schema::Trajectory::Reader path) {
   constexpr uint32_t kLongest = 65535;
   std::vector<uint16_t> runs;
@@ -186,7 +186,7 @@ std::vector<uint16_t> runsOf(schema::Trajectory::Reader path) {
   return runs;
 }
 
-// How hard a solution is, where the stream says so. Of its steps the page marks the hardest.
+// Writes a solution's difficulty, if recorded. The page marks the hardest step.
 void writeDifficulty(JsonText& json, schema::Trajectory::Reader path) {
   const auto difficulty = path.getDifficulty();
   if (difficulty.getHardest() >= difficulty.getSteps().size()) return;
@@ -217,7 +217,7 @@ void writePath(JsonText& json, const PathEntry& path, uint32_t stride) {
   constexpr const char* kKinds[] = {"solution", "attempt", "closest", "newest"};
   const auto record = path.told();
   const Playback& play = path.playback;
-  // A replay without its query cannot tell why the record ended; the record can.
+  // Without its query, a replay does not know why the trajectory ended. The record does.
   const bool told = play.outcome == schema::Outcome::RUNNING && play.mismatch.empty();
   json.open('{').field("kind", kKinds[size_t(path.kind)]).field("index", record.getIndex());
   json.field("method", std::string_view(record.getMethod().cStr()));

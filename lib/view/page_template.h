@@ -1,4 +1,4 @@
-// The viewer page that the build bundled: text with two markers that page.cpp fills in.
+// The bundled viewer page: text with two markers for page.cpp to replace.
 #pragma once
 
 #include <span>
@@ -8,11 +8,11 @@ namespace obby::view {
 
 inline constexpr std::string_view kTitleMarker = "@@OBBY_TITLE@@";
 inline constexpr std::string_view kDataMarker = "@@OBBY_DATA@@";
-// The content security policy begins so.
+// Start of the content security policy.
 inline constexpr std::string_view kPolicyStart = "default-src 'none'";
 
-// The page in pieces, to be put together; empty in a build without the page bundle. Each of
-// these occurs exactly once in the whole.
+// Returns the page in pieces to concatenate, or none in a build without the page bundle. Each of
+// the texts above occurs exactly once in the whole.
 std::span<const std::string_view> pageTemplate();
 
 }  // namespace obby::view

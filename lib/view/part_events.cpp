@@ -1,4 +1,4 @@
-// Parts that do the same at the same time are looked at together, and only when their clock runs.
+// Parts that change together form a group, and a group is examined only while its clock runs.
 #include "view/part_events.h"
 
 #include <algorithm>
@@ -8,8 +8,8 @@
 
 namespace obby::view {
 
-// The parts that have the flag, each once: hulls of one part share its role and mover. `first`:
-// what holds before the playthrough.
+// Returns groups of the parts with a flag, each part once: the hulls of one part share its role and
+// mover. `first`: value before the trajectory.
 template <class KeyOf>
 PartWatch::Groups PartWatch::groupsOf(uint32_t flag, int64_t first, const KeyOf& keyOf) const {
   Groups groups;
@@ -33,8 +33,8 @@ PartWatch::PartWatch(const level::LevelView& view, size_t most) : view_(view), m
   });
 }
 
-// Of each group of which `valueOf` (collider) is another than in the tick before: its parts, with
-// the new value.
+// Adds a change for each part of the groups whose value differs from the tick before. `valueOf`
+// takes a collider.
 template <class ValueOf>
 void PartWatch::note(Changes& changes, const sim::Moment& now, const ValueOf& valueOf) const {
   Groups& groups = changes.groups;
@@ -52,7 +52,7 @@ void PartWatch::note(Changes& changes, const sim::Moment& now, const ValueOf& va
   if (now.tick == 0) {
     for (auto& [key, group] : groups) look(group);
   } else {
-    // What no clock moves that runs in this tick or ran in the one before is as it was.
+    // A value can change only by a clock that runs in this tick or ran in the one before.
     for (const sim::World* w : {&now.before, &now.world}) {
       for (int i = 0; i < w->clockCount; ++i) lookAtClock(w->clocks[i].clock);
     }

@@ -1,4 +1,4 @@
-// What the clocks that touches start do to parts during a playthrough.
+// Changes of parts in a replay that touch-triggered clocks cause.
 #pragma once
 
 #include <cstddef>
@@ -12,59 +12,58 @@
 
 namespace obby::view {
 
-// A part that loses (or gets back) its collision during a playthrough.
+// A part loses or regains its collision.
 struct PartEvent {
-  uint32_t tick;  // since the start of the playthrough
+  uint32_t tick;  // since the trajectory's start
   uint32_t part;
   bool solid;
 };
 
-// A triggered part starts to move, starts anew, or rests again.
+// A triggered part starts to move, restarts, or comes to rest.
 struct MotionEvent {
-  uint32_t tick;  // since the start of the playthrough
+  uint32_t tick;  // since the trajectory's start
   uint32_t part;
-  int64_t start;  // tick at which its motion is at its beginning, or kRests
+  int64_t start;  // tick of its motion's beginning, or kRests
 };
 constexpr int64_t kRests = -1;
 
-// Of either kind, that are kept of a playthrough: one button may bring thousands of parts, for
+// Max events of each kind kept for a trajectory. A single button may affect thousands of parts, for
 // hours.
 constexpr size_t kMostPartEvents = 1'000'000;
 
-// In the order of ticks, those of a tick in the order of parts.
+// Sorted by tick, then by part.
 struct PartEvents {
   std::vector<PartEvent> events;
   std::vector<MotionEvent> motions;
-  bool cut = false;  // of one kind there are more, from some tick on, which are left out
+  bool cut = false;  // one kind exceeded its limit; its later events are missing
 };
 
-// Gathers them while a playthrough is replayed. Takes a time that grows with its ticks and with
-// what happens in it, not with the parts of the level.
+// Records events during a replay. The time depends on ticks and events, not on the level's number
+// of parts.
 class PartWatch {
  public:
-  // The level must outlive it. `most`: of either kind to be kept, whole ticks.
+  // The level must outlive it. `most`: limit of each kind; whole ticks are kept.
   explicit PartWatch(const level::LevelView& view, size_t most = kMostPartEvents);
 
-  // Every moment of the playthrough, in order.
+  // Expects every moment of the trajectory, in order.
   void see(const sim::Moment& now);
 
-  // What it has gathered. It is used up.
+  // Returns the events. The object is used up.
   PartEvents take();
 
  private:
-  // Parts that do the same at the same time.
+  // Parts that always change together.
   struct Group {
-    uint32_t collider;            // of the first of its parts
-    int64_t now;                  // what was told of them last
+    uint32_t collider;            // of its first part
+    int64_t now;                  // last recorded value
     std::vector<uint32_t> parts;  // ascending
   };
-  // By the clock, the tick of it from which on something is so, and whether it is the other way
-  // round.
+  // Clock, clock tick of the change, and whether it is inverted.
   using GroupKey = std::tuple<uint32_t, uint32_t, bool>;
   using Groups = std::map<GroupKey, Group>;
-  // What has changed of one kind, with what is so from then on.
+  // Changes of one kind, and the current values.
   struct Changes {
-    Groups groups;  // none once there are too many changes
+    Groups groups;  // empty once there are too many changes
     std::vector<MotionEvent> list;
     bool cut = false;
   };

@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <vector>
 
-#include "view/report.h"
+#include "view/entries.h"
 
 namespace obby::view {
 namespace {
 
-// TickSamples of the ticks of a playthrough at another rate, the last one last.
+// Samples of a trajectory at another tick rate, including the last tick.
 struct TickSamples {
   uint32_t ticks, from, to;
 
@@ -34,7 +34,7 @@ std::vector<Vec3> placesOf(const std::vector<Vec3>& feet, const TickSamples& sam
   return out;
 }
 
-// Of several samples in one tick the last is kept.
+// Keeps the last of several samples in one tick.
 LooseTrack retold(const LooseTrack& track, uint32_t from, uint32_t to) {
   LooseTrack out;
   out.part = track.part;

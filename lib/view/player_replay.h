@@ -1,5 +1,5 @@
-// Trajectories of other players than the level's own: played in the level as the player meets it,
-// and told in the level's ticks, as all that is shown.
+// Replays trajectories of other players than the level's own. They are played under the player's
+// physics and converted to the level's ticks, as all that is shown.
 #pragma once
 
 #include <map>
@@ -16,19 +16,19 @@ namespace obby::view {
 struct QueryEntry;
 struct LevelEntry;
 
-// A playthrough in `to` ticks per second instead of `from`: places between two ticks are on the
-// straight line, and what happens, happens at the next tick.
+// Converts a playback from `from` to `to` ticks a second. Positions are interpolated linearly, and
+// events move to the next tick.
 Playback retold(Playback playback, uint32_t from, uint32_t to);
 
 class PlayerReplays {
  public:
   struct Told {
     Playback playback;
-    // The trajectory in the level's ticks; none: the record is.
+    // The trajectory in the level's ticks; absent if the record has them already.
     std::optional<io::Record> record;
   };
 
-  // `query` is of this level, the `index`th.
+  // `query` belongs to this level, which has this index.
   Result<Told> play(const LevelEntry& level, int index, const QueryEntry& query,
                     schema::Trajectory::Reader record);
 

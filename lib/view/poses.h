@@ -1,4 +1,4 @@
-// Where a part is, sample by sample, as the page's data has it.
+// Poses of a part, sample by sample, in the page data's format.
 #pragma once
 
 #include <cmath>

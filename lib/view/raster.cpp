@@ -1,4 +1,4 @@
-// Fills by testing pixel centres; a shape smaller than a pixel still marks one.
+// Fills by testing pixel centres. A shape smaller than a pixel still marks one.
 #include "view/raster.h"
 
 #include <algorithm>
@@ -116,7 +116,7 @@ std::string Raster::coloredRow(size_t row) const {
 
 std::string Raster::plainRow(size_t row) const {
   std::string out;
-  size_t end = 0;  // behind the last glyph that is not empty
+  size_t end = 0;  // after the last glyph that is not empty
   for (size_t c = 0; c < columns_; ++c) {
     const Ink& ink = pixels_[row * columns_ + c];
     out += terminal_.utf8 ? std::string(ink.wide) : std::string(1, ink.glyph);

@@ -1,5 +1,5 @@
-// A small picture in terminal characters, drawn from above: each pixel has a glyph for terminals
-// without colours and a colour for those with.
+// A small picture of terminal characters, seen from above. Each pixel has a glyph for terminals
+// without colours and a colour for the others.
 #pragma once
 
 #include <string>
@@ -14,7 +14,7 @@ struct Vec2 {
   float x = 0, y = 0;
 };
 
-// Counter-clockwise convex hull; fewer than 3 points where they are all in line.
+// Returns the counter-clockwise convex hull, with fewer than 3 points if all are collinear.
 std::vector<Vec2> convexHull(std::vector<Vec2> points);
 
 struct Ink {
@@ -23,11 +23,11 @@ struct Ink {
   table::Rgb color;
 };
 
-// Pixels are square in the world: with colours and UTF-8 two of them share a character
-// (half blocks), elsewhere one character covers two pixels' height.
+// Pixels are square in world units. With colours and UTF-8, two pixels share a character (half
+// blocks). Otherwise a character is one pixel of double height.
 class Raster {
  public:
-  // `lo` to `hi`: the world rectangle to show, x across and y down; `width` in characters.
+  // `lo` to `hi`: the world rectangle shown, x to the right and y down. `width` is in characters.
   Raster(Vec2 lo, Vec2 hi, size_t width, size_t maxRows, const table::TerminalTraits& terminal);
 
   void fill(const std::vector<Vec2>& hull, const Ink& ink);
@@ -44,7 +44,7 @@ class Raster {
   std::string plainRow(size_t row) const;
 
   table::TerminalTraits terminal_;
-  bool halves_;  // two pixels a character
+  bool halves_;  // two pixels per character
   Vec2 lo_, pixel_;
   size_t columns_ = 0, rows_ = 0;  // pixels
   std::vector<Ink> pixels_;

@@ -1,4 +1,4 @@
-// Replay through sim, and the comparison with the record.
+// Replays trajectories and compares them with their records.
 #include "view/replay.h"
 
 #include <fmt/format.h>
@@ -13,7 +13,7 @@ namespace {
 
 std::string compare(const Playback& replay, uint64_t hash, schema::Trajectory::Reader record,
                     bool withQuery) {
-  // Without its query, an end that a region or a limit makes cannot come about.
+  // Without the query, the replay cannot end at a region or a limit.
   const bool comparable = withQuery || record.getOutcome() == schema::Outcome::KILLED ||
                           record.getOutcome() == schema::Outcome::FELL;
   if (comparable && replay.outcome != record.getOutcome()) {

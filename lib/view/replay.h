@@ -1,5 +1,5 @@
-// Trajectory records hold actions only: this plays them through the simulator and compares the end
-// with what the record says.
+// Replays trajectory records in the simulator, since they hold actions only, and compares the end
+// with the record.
 #pragma once
 
 #include <cstdint>
@@ -18,27 +18,27 @@ namespace obby::view {
 constexpr uint8_t kAirborne = 1;
 constexpr uint8_t kDead = 2;
 
-// A playthrough tick by tick, the start first; at least one sample.
+// A replayed trajectory, one sample a tick from the start; at least one sample.
 struct Playback {
   std::vector<Vec3> feet;  // studs
   std::vector<uint16_t> yaw;
   std::vector<uint8_t> state;
   std::vector<PartEvent> events;
   std::vector<MotionEvent> motions;
-  bool partsCut = false;  // there are more of these than are kept: PartEvents::cut
+  bool partsCut = false;  // events were omitted: PartEvents::cut
   std::vector<LooseTrack> loose;
-  std::vector<uint32_t> jumpTicks;  // at which a jump was made
+  std::vector<uint32_t> jumpTicks;  // ticks of jumps
   schema::Outcome outcome = schema::Outcome::RUNNING;
-  int32_t part = -1;  // that killed the player
-  // How the replay differs from the record; empty: it agrees in all that the record states.
+  int32_t part = -1;  // part that killed the player, or -1
+  // Difference between the replay and the record; empty if they agree.
   std::string mismatch;
 
   uint32_t jumps() const { return uint32_t(jumpTicks.size()); }
   uint32_t ticks() const { return uint32_t(feet.size()) - 1; }
 };
 
-// `query` may be null: no regions and limits then, and an outcome that only they can give is not
-// compared. Errors have `path` set.
+// `query` may be null: then there are no regions and limits, and outcomes that depend on them are
+// not compared. Errors have `path` set.
 Result<Playback> playBack(const level::Level& level, const level::Query* query,
                           schema::Trajectory::Reader record);
 

@@ -1,4 +1,4 @@
-// Which record belongs to which query and level.
+// Assigns records to queries and levels.
 #include "view/report.h"
 
 #include <capnp/any.h>
@@ -14,7 +14,7 @@ namespace obby::view {
 
 namespace {
 
-// The id of the query that a record is or belongs to.
+// Returns the id of the query that a record is or belongs to.
 std::string queryOf(const io::Record& record) {
   switch (record.which()) {
     case io::Kind::QUERY: return record.reader().getQuery().getId();
@@ -27,36 +27,12 @@ std::string queryOf(const io::Record& record) {
 
 }  // namespace
 
-schema::Trajectory::Reader PathEntry::reader() const {
-  if (!ofProgress()) return record.reader().getTrajectory();
-  const auto progress = record.reader().getProgress();
-  switch (kind) {
-    case PathKind::closest: return progress.getBest();
-    case PathKind::newest: return progress.getNewest();
-    default: return progress.getDeaths()[death];
-  }
-}
-
-bool QueryEntry::mismatch() const {
-  return std::any_of(paths.begin(), paths.end(), [](const PathEntry& path) {
-    return path.kind == PathKind::solution && !path.playback.mismatch.empty();
-  });
-}
-
-std::string Report::title() const {
-  if (levels.empty()) return "obby report";
-  std::string title = levels.front().level->name();
-  if (title.empty()) title = "Level";
-  if (levels.size() > 1) title += fmt::format(" and {} more", levels.size() - 1);
-  return title;
-}
-
 Status Collector::addLevel(const io::Record& record) {
   current_ = -1;
   auto compiled = level::Level::compile(record.reader().getLevel());
   if (!compiled) return forgive_(record, std::move(compiled).error());
   auto level = std::make_shared<const level::Level>(*std::move(compiled));
-  // The same level again, from a concatenated stream: its queries go together.
+  // The same level may come again in a concatenated stream; its queries are merged.
   const int next = int(report_.levels.size());
   const auto [at, fresh] = levels_.try_emplace({level->name(), level->hash()}, next);
   current_ = at->second;
@@ -101,7 +77,7 @@ Status Collector::add(const io::Record& record) {
       const auto result = record.reader().getResult();
       QueryEntry& entry = queryNamed(result.getQuery(), levelNamed(result.getLevel()));
       entry.result = record;
-      entry.progress.reset();  // it holds ways of a search that is over
+      entry.progress.reset();  // it holds trajectories of a finished search
       entry.weighed = false;
       return {};
     }
@@ -120,19 +96,19 @@ Status Collector::add(const io::Record& record) {
 void Collector::addQuery(const io::Record& record) {
   const auto query = record.reader().getQuery();
   QueryEntry& entry = queryNamed(query.getId(), levelNamed(query.getLevel()));
-  // The same again, from a concatenated stream.
+  // The same record may come again in a concatenated stream.
   if (entry.query && capnp::toAny(entry.reader()) == capnp::toAny(query)) return;
   entry.query = record;
   entry.weighed = false;
   entry.compiled.reset();
-  // What came before its query was played without its regions and limits.
+  // Trajectories that came before their query were played without its regions and limits.
   for (PathEntry& path : entry.paths) {
     forget(path);
     path.serial = ++serial_;
   }
 }
 
-// Only the last one of a query: it knows more than those before.
+// Keeps only the latest progress of a query, which supersedes the ones before.
 void Collector::addProgress(const io::Record& record) {
   const auto progress = record.reader().getProgress();
   if (!progress.hasBest()) return;
@@ -144,7 +120,7 @@ void Collector::addProgress(const io::Record& record) {
   std::vector<PathEntry> before(std::make_move_iterator(kept),
                                 std::make_move_iterator(entry.paths.end()));
   entry.paths.erase(kept, entry.paths.end());
-  // A way that the one before had told, too, is not played again.
+  // A trajectory that the previous progress contained is not replayed.
   const auto put = [&](PathKind kind, uint32_t death) {
     PathEntry path{kind, record, {}, death};
     const auto same = std::ranges::find_if(before, [&](const PathEntry& old) {
@@ -169,7 +145,7 @@ void Collector::addPath(QueryEntry& entry, PathEntry path) {
 
 Status Collector::compile(QueryEntry& entry) {
   if (!entry.query || entry.compiled) return {};
-  const io::Record asRead = *entry.query;  // what is made of it below has no place in the stream
+  const io::Record asRead = *entry.query;  // the original, because the record changes below
   const auto refuse = [&](Error error) {
     entry.query.reset();
     return forgive_(asRead, std::move(error));
@@ -195,7 +171,7 @@ Status Collector::compile(QueryEntry& entry) {
 }
 
 Status Collector::replay(QueryEntry& entry) {
-  // An answer says more than what was known on the way to it.
+  // An answer supersedes the trajectories of its search's progress.
   const auto any = [&](auto&& holds) { return std::ranges::any_of(entry.paths, holds); };
   const bool solved = any([](const PathEntry& p) { return p.kind == PathKind::solution; });
   const bool answered = any([](const PathEntry& p) { return !p.ofProgress(); });
@@ -206,7 +182,7 @@ Status Collector::replay(QueryEntry& entry) {
     if (outdated(path)) forget(path);
   }
   std::erase_if(entry.paths, outdated);
-  // To sort thousands takes a while, and a stream that is looked at asks for it after each record.
+  // Sorting thousands takes a while, and a live stream updates after each record.
   const auto before = [](const PathEntry& a, const PathEntry& b) { return a.kind < b.kind; };
   if (!std::is_sorted(entry.paths.begin(), entry.paths.end(), before)) {
     std::stable_sort(entry.paths.begin(), entry.paths.end(), before);
@@ -221,7 +197,7 @@ Status Collector::replay(QueryEntry& entry) {
   return first;
 }
 
-// What there is no room for stays unplayed, unless it is a solution.
+// Attempts over the budget stay unplayed.
 Status Collector::play(const QueryEntry& entry, PathEntry& path) {
   if (entry.level < 0) {
     return makeError("the level of this trajectory is not in the stream",

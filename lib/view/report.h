@@ -1,5 +1,5 @@
-// Everything that a report shows, gathered from streams: levels, queries, results, and trajectories
-// with their replay.
+// The contents of a report, collected from streams: levels, queries, results, and replayed
+// trajectories.
 #pragma once
 
 #include <cstddef>
@@ -16,102 +16,48 @@
 #include "base/result.h"
 #include "io/record.h"
 #include "level/level.h"
+#include "view/entries.h"
 #include "view/player_replay.h"
 #include "view/replay.h"
 
 namespace obby::view {
 
-struct LevelEntry {
-  io::Record record;
-  std::shared_ptr<const level::Level> level;
-
-  schema::Level::Reader reader() const { return record.reader().getLevel(); }
-};
-
-enum class PathKind { solution, attempt, closest, newest };
-
-struct PathEntry {
-  PathKind kind;
-  io::Record record;  // a trajectory, or the progress that holds some
-  Playback playback;
-  uint32_t death = 0;    // of an attempt in a progress: which of them
-  uint64_t serial = 0;   // names this replay within a collector, from 1 on, whatever comes and goes
-  bool dropped = false;  // it has left for newer ones, and goes with the next update
-
-  // The trajectory in the level's ticks, of a player at another frame rate; none: the record is.
-  std::optional<io::Record> retold = {};
-
-  bool played() const { return !playback.feet.empty(); }
-  bool ofProgress() const { return record.which() == io::Kind::PROGRESS; }
-  schema::Trajectory::Reader reader() const;
-  // As it is shown: in the level's ticks.
-  schema::Trajectory::Reader told() const {
-    return retold ? retold->reader().getTrajectory() : reader();
-  }
-};
-
-// A query that the streams name, be it by its own record or by an answer to it.
-struct QueryEntry {
-  std::string id;
-  int level = -1;  // index into Report::levels; -1: not in the streams
-  std::optional<io::Record> query;
-  std::shared_ptr<const level::Query> compiled;  // set if `query` and the level are
-  std::optional<io::Record> result;
-  std::optional<io::Record> progress;  // the last one
-  std::vector<PathEntry> paths;        // solutions first
-  size_t bytes = 0;                    // of the three records above, as the collector counts them
-  bool weighed = false;                // `bytes` is right
-
-  schema::Query::Reader reader() const { return query->reader().getQuery(); }
-  schema::Result::Reader answer() const { return result->reader().getResult(); }
-  bool mismatch() const;  // a recorded solution does not replay
-};
-
-struct Report {
-  std::vector<LevelEntry> levels;
-  std::vector<QueryEntry> queries;
-  std::vector<std::string> notes;  // for people: what is missing and why
-
-  std::string title() const;
-  bool empty() const { return levels.empty() && queries.empty(); }
-};
-
-// How much of a stream a collector keeps.
+// Limits on what a collector keeps of a stream.
 struct Room {
-  size_t ticks = 20'000'000;  // of replays, some 15 bytes each; what parts do counts, too
-  size_t wayTicks = 0;        // for which each way counts beyond its own: its record, its numbers
-  // Likewise each run of its actions: some 50 bytes of the line that it came as, 8 of its record, 8
-  // of a page.
+  size_t ticks = 20'000'000;  // of replays, some 15 bytes each; part events count as well
+  size_t wayTicks = 0;        // fixed cost of a trajectory in ticks, for its record and numbers
+  // Cost of each run of equal actions in ticks. It takes some 50 bytes of its line, 8 of the record
+  // and 8 of a page.
   size_t runTicks = 0;
-  // Of levels but the first, queries and answers. Once it is passed, nothing more is taken in.
+  // Budget for later levels, queries and answers; records beyond it are dropped.
   size_t bytes = SIZE_MAX;
-  // The oldest ways leave for newer ones, attempts before solutions. Else attempts for which there
-  // are no ticks are left out, and such solutions are errors.
+  // True if newer trajectories evict the oldest ones, attempts before solutions. Otherwise attempts
+  // over the budget are left out, and such solutions are errors.
   bool rolls = false;
 };
 
-// Takes the records of a stream in order, in one pass; answers may come before their query. What is
-// there may be looked at on the way.
+// Takes the records of a stream in order, in one pass. Answers may come before their query. The
+// report may be read between records.
 class Collector {
  public:
-  // Decides about a record that cannot be shown: success goes on without it.
+  // Decides about a record that cannot be shown. On success the collector continues without it.
   using Forgive = std::function<Status(const io::Record&, Error)>;
-  // Where `only` is not empty, other queries and what belongs to them are left out. What there is
-  // no room for is told in a note.
+  // If `only` is not empty, other queries and their records are left out. A note reports records
+  // over the limits.
   explicit Collector(Forgive forgive, std::vector<std::string> only = {}, Room room = {})
       : forgive_(std::move(forgive)), only_(std::move(only)), room_(room) {}
 
   Status add(const io::Record& record);
-  // Compiles queries and replays trajectories that came since the last time. What cannot be is left
-  // out, whatever `forgive` says; the error is the first that it did not forgive.
+  // Compiles queries and replays trajectories that came since the last call. Failures are left out,
+  // whatever `forgive` returns. Returns the first error that `forgive` did not accept.
   Status update();
-  // As of the last update().
+  // State of the last update().
   const Report& report() const { return report_; }
-  // A sentence for the report's readers.
+  // Adds a sentence for the report's users.
   void note(std::string text) { report_.notes.push_back(std::move(text)); }
-  // Error: no record named an id of `only`.
+  // Error: no record has an id of `only`.
   Status checkChosen() const;
-  // Hands it over, as of the last update(). The collector is used up.
+  // Moves the report out, in the state of the last update(). The collector is used up.
   Report take() { return std::move(report_); }
 
  private:
@@ -120,8 +66,9 @@ class Collector {
   void addProgress(const io::Record& record);
   void addPath(QueryEntry& entry, PathEntry path);
   bool wanted(const io::Record& record) const;
-  // The level of a query or an answer: by name, of several the one before it in the stream or else
-  // the last that was new; without a name the one before it. -1 where there is none.
+  // Returns the level that a query or an answer names. Among several of that name it prefers the
+  // current one, then the latest new one. Without a name it is the current one. Returns -1 if there
+  // is none.
   int levelNamed(const std::string& name) const;
   QueryEntry& queryNamed(const std::string& id, int level);
   Status compile(QueryEntry& entry);
@@ -145,17 +92,17 @@ class Collector {
   std::vector<std::string> only_;
   Room room_;
   size_t ticksKept_ = 0, bytesKept_ = 0;
-  // Noted: attempts were left out; records were; what parts do is cut.
+  // Notes given: omitted attempts, dropped records, and cut part events.
   bool attemptsNoted_ = false, fullNoted_ = false, cutNoted_ = false;
-  size_t dropped_ = 0;                 // ways
-  std::optional<size_t> droppedNote_;  // place among the notes of the one that tells how many
-  std::set<size_t> thinned_;           // queries that hold ways that were dropped
+  size_t dropped_ = 0;                 // number of trajectories
+  std::optional<size_t> droppedNote_;  // index of the note with their number
+  std::set<size_t> thinned_;           // queries with dropped trajectories
   Report report_;
-  int current_ = -1;  // index into its levels: of the last level record; -1: none that can be shown
+  int current_ = -1;  // index of the latest level record; -1: none that can be shown
   std::map<std::pair<std::string, uint64_t>, int> levels_;  // by name and hash
-  std::map<std::string, int> lastNamed_;                    // of the levels of a name the last
+  std::map<std::string, int> lastNamed_;                    // latest level of a name
   std::map<std::pair<int, std::string>, size_t> byName_;
-  std::set<size_t> touched_;  // queries that came or got something since the last update
+  std::set<size_t> touched_;  // queries changed since the last update
   uint64_t serial_ = 0;
 };
 

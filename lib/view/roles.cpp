@@ -1,4 +1,4 @@
-// The order in which roles win.
+// The precedence of roles.
 #include "view/roles.h"
 
 #include "math/vec.h"
@@ -7,7 +7,7 @@ namespace obby::view {
 namespace {
 
 Role roleOf(schema::Part::Reader part) {
-  if (part.hasKill() && part.getKill().getDamage() > 0) return Role::kill;  // or it heals
+  if (part.hasKill() && part.getKill().getDamage() > 0) return Role::kill;  // negative damage heals
   if (part.hasGoal()) return Role::goal;
   if (part.hasCheckpoint()) return Role::checkpoint;
   if (part.hasVanish() || (part.hasFall() && part.getTouch())) return Role::vanish;
@@ -18,9 +18,9 @@ Role roleOf(schema::Part::Reader part) {
   return part.getAnchored() ? Role::plain : Role::loose;
 }
 
-// The plain part that a spawn without a part of its own stands on, or -1.
+// Returns the plain part below a spawn without its own part, or -1.
 int32_t partUnder(schema::Level::Reader level, const std::vector<Role>& roles, Vec3 feet) {
-  constexpr float kReach = 1.5f;  // studs from the feet down to the part's top
+  constexpr float kReach = 1.5f;  // max distance from the feet down to the part's top, studs
   for (uint32_t i = 0; i < roles.size(); ++i) {
     if (roles[i] != Role::plain) continue;
     const auto part = level.getParts()[i];

@@ -1,4 +1,4 @@
-// What a part is to the player, for its colour: one role a part, the gravest first.
+// A part's role for the player, for its colour. Each part has one role, the most important.
 #pragma once
 
 #include <cstdint>
@@ -19,11 +19,11 @@ enum class Role : uint8_t {
   conveyor,
   pad,
   checkpoint,
-  ghost,  // not solid, and none of those above
-  loose,  // a body that can be pushed
+  ghost,  // not solid, and none of the above
+  loose,  // a dynamic body
 };
 
-// One for each part.
+// Returns one role for each part.
 std::vector<Role> rolesOf(schema::Level::Reader level);
 
 }  // namespace obby::view

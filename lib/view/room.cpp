@@ -1,4 +1,4 @@
-// What a collector has room for, and what leaves or is left out where there is none.
+// The collector's limits, and eviction of trajectories beyond them.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -12,9 +12,10 @@
 namespace obby::view {
 namespace {
 
-constexpr size_t kQueryBytes = 1024;  // of a query, whatever is known of it
-constexpr size_t kMotionShare = 8;  // of the motion of parts a large page keeps one tick in so many
-constexpr size_t kSlack = 8;        // where ways leave, so much of the room is freed: a share of it
+constexpr size_t kQueryBytes = 1024;  // fixed cost of a query
+constexpr size_t kMotionShare = 8;    // large pages keep about one tick in so many of the parts'
+                                      // motion
+constexpr size_t kSlack = 8;          // eviction frees this fraction (1 / kSlack) of the budget
 
 size_t bytesOf(const io::Record& record) {
   return size_t(record.reader().totalSize().wordCount) * 8;
@@ -46,15 +47,16 @@ void Collector::forget(PathEntry& path) {
   path.playback = {};
 }
 
-// An attempt drives out no solution, and what no room is enough for drives out nothing.
+// Attempts do not evict solutions, and a trajectory larger than the budget evicts nothing.
 void Collector::makeRoom(size_t cost, PathKind kind) {
   if (cost > room_.ticks) return;
   dropOldest(cost, PathKind::attempt);
   if (kind == PathKind::solution && !hasRoom(cost)) dropOldest(cost, kind);
 }
 
-// Some more leave than must, so that this is not done for each way that comes. What a search told
-// on its way counts as attempts: while it runs, which leave last, for it tells newer ones soon.
+// Frees more than required, so that this need not run for each trajectory. Trajectories of a
+// running search's progress count as attempts. They are evicted last, since the search will soon
+// send newer ones.
 void Collector::dropOldest(size_t cost, PathKind kind) {
   std::vector<std::tuple<bool, uint64_t, PathEntry*, size_t>> ways;  // last: index of their query
   for (size_t i = 0; i < report_.queries.size(); ++i) {
@@ -98,7 +100,7 @@ void Collector::weigh(QueryEntry& entry) {
   bytesKept_ += entry.bytes;
 }
 
-// As a record and as a page has it.
+// Counts the record and its page data.
 void Collector::weigh(const LevelEntry& entry) {
   if (room_.bytes == SIZE_MAX) return;
   PageSizes sizes;

@@ -1,4 +1,4 @@
-// The rows of the table: what the records say, corrected by how their trajectories replay.
+// The rows of the table: the recorded results, corrected by the replays of their trajectories.
 #include <utility>
 
 #include "view/text_report.h"
@@ -10,7 +10,7 @@ void addReplays(const QueryEntry& query, table::Answer& answer) {
   if (!query.paths.empty() && answer.state == table::State::notAsked) {
     answer.state = table::State::noResult;
   }
-  for (const PathEntry& path : query.paths) {  // solutions first: the verdict is theirs
+  for (const PathEntry& path : query.paths) {  // solutions come first and decide the verdict
     const std::string& mismatch = path.playback.mismatch;
     if (mismatch.empty()) continue;
     if (path.kind == PathKind::solution) {

@@ -1,5 +1,5 @@
-// A query's course from above. The longer side runs across; parts in order of height, so that the
-// highest is seen.
+// Draws a query from above, with the longer side across. Parts are drawn in order of height, so
+// that the highest is visible.
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -37,9 +37,9 @@ Ink inkOf(Role role) {
   }
 }
 
-// World to map: the course's longer side across, seen from above, never mirrored.
+// Maps the world seen from above, with the longer side across, never mirrored.
 struct Frame {
-  bool along;  // the course runs along Z: -Z points right
+  bool along;  // the longer side is Z: -Z points right
 
   Vec2 of(Vec3 v) const { return along ? Vec2{-v.z, v.x} : Vec2{v.x, v.z}; }
 };
@@ -77,8 +77,8 @@ struct Drawn {
   std::vector<Vec2> hull;
 };
 
-// What of the level is within the extent, in the order of drawing: what is away at that tick of the
-// level's clock, then what is there, the lowest first. Moving parts are where they are then.
+// Returns the parts within the extent in drawing order: those away at that tick of the level clock,
+// then the others, lowest first. Moving parts have their poses at that tick.
 std::vector<Drawn> partsOf(const LevelEntry& level, uint32_t tick, Frame frame, const Box& extent) {
   const World world = worldOf(level, tick);
   const std::vector<Role> roles = rolesOf(level.reader());
@@ -97,7 +97,7 @@ std::vector<Drawn> partsOf(const LevelEntry& level, uint32_t tick, Frame frame, 
     simulated[part] = true;
     draw(roles[part], world.away[i], cornersAround(world.solids[i]));
   }
-  // What nothing meets, as a goal to walk into, has no place in the simulator.
+  // Parts without a collider, such as a goal to walk into, are not in the simulator.
   for (uint32_t i = 0; i < roles.size(); ++i) {
     if (!simulated[i]) draw(roles[i], false, cornersOf(level.reader().getParts()[i]));
   }
@@ -118,7 +118,7 @@ void outline(Raster& raster, schema::Region::Reader region, Frame frame, const I
   for (size_t i = 0; i < hull.size(); ++i) raster.line(hull[i], hull[(i + 1) % hull.size()], ink);
 }
 
-// Attempts lie under the parts, or many of them would hide the course.
+// Attempts lie under the parts, since many of them would hide the level.
 void drawAttempts(Raster& raster, const QueryEntry& query, Frame frame) {
   for (const PathEntry& path : query.paths) {
     if (path.kind == PathKind::solution) continue;
@@ -139,7 +139,7 @@ void drawQuery(Raster& raster, const QueryEntry& query, Frame frame) {
   if (query.compiled) raster.dot(frame.of(query.compiled->start().feet), kStart);
 }
 
-// The marks that only some queries have.
+// Marks that only some queries have.
 struct Drawings {
   bool away = false, waypoint = false, avoid = false, solution = false, attempt = false;
 };
@@ -186,7 +186,7 @@ std::string legend(const table::TerminalTraits& terminal, const Drawings& has) {
   return lines.text();
 }
 
-// `studs`: that a column takes.
+// `studs`: width of a column.
 std::string heading(const table::TerminalTraits& terminal, const QueryEntry& query, float studs,
                     Frame frame) {
   const size_t room = std::min(kMostName, terminal.width - 1);

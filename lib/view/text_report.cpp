@@ -1,4 +1,4 @@
-// Order of the pieces, and which maps are drawn.
+// Orders the pieces and decides which maps to draw.
 #include "view/text_report.h"
 
 #include <fmt/format.h>
@@ -29,7 +29,7 @@ std::string levelLines(const Report& report, const table::TerminalTraits& termin
   return out;
 }
 
-// As a shell takes it.
+// Quotes a text for a shell.
 std::string quoted(const std::string& text) {
   const bool plain = !text.empty() && std::all_of(text.begin(), text.end(), [](unsigned char c) {
     return std::isalnum(c) || c == '-' || c == '_' || c == '.';

@@ -1,4 +1,4 @@
-// The report for a terminal: a table of queries, and maps from above.
+// The report for a terminal: a table of queries, and maps seen from above.
 #pragma once
 
 #include <string>
@@ -12,7 +12,7 @@ namespace obby::view {
 
 enum class Maps {
   none,
-  few,  // of all queries in the table, where these are few
+  few,  // of the queries in the table, if there are few
   all,
 };
 
@@ -21,12 +21,12 @@ struct TextOptions {
   Maps maps = Maps::few;
 };
 
-// Lines end in newlines. Never fails: the text names what is missing.
+// Lines end in newlines. It never fails; the text says what is missing.
 std::string textReport(const Report& report, const TextOptions& options);
 
-// Its pieces.
+// Return the pieces of the report.
 std::vector<table::Answer> answersOf(const Report& report);
-// The course of one query from above: parts, regions, and its trajectories. Empty where the query's
+// Returns a map of one query from above: parts, regions and trajectories. Empty if the query's
 // level is not in the streams.
 std::string queryMap(const Report& report, const QueryEntry& query,
                      const table::TerminalTraits& terminal);

@@ -1,4 +1,4 @@
-// Fewer points for the same way.
+// Simplification of polylines.
 #pragma once
 
 #include <cstddef>
@@ -9,9 +9,9 @@ namespace obby::view {
 
 constexpr size_t kLongStretch = 4096;  // points
 
-// Douglas and Peucker: indices, ascending, of the points that are needed so that none is farther
-// than `least` from the line through those kept. `distance(a, b, p)`: of point p from the stretch
-// from a to b, by index. Of a way longer than kLongStretch a few more may be kept.
+// Douglas-Peucker: returns ascending indices of points to keep, so that no point is farther than
+// `least` from the kept line. `distance(a, b, p)` returns the distance of point p from the segment
+// a to b, by index. Lines longer than kLongStretch may keep a few more.
 template <class Distance>
 std::vector<size_t> thinned(size_t count, float least, const Distance& distance) {
   std::vector<bool> kept(count, false);
@@ -29,8 +29,8 @@ std::vector<size_t> thinned(size_t count, float least, const Distance& distance)
       farthest = i;
     }
     if (farthest == first) continue;
-    // On a way in circles the farthest is in the first round: taken off round by round, hours of it
-    // would take a time that grows with their square. So a long stretch is halved.
+    // On a circular line the farthest point lies in the first round. Splitting off one round at a
+    // time takes quadratic time, so a long stretch is halved.
     const size_t cut = last - first > kLongStretch ? first + (last - first) / 2 : farthest;
     kept[cut] = true;
     open.push_back({first, cut});

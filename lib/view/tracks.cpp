@@ -9,10 +9,10 @@
 namespace obby::view {
 namespace {
 
-constexpr uint32_t kLeastOfRound = 12;  // samples; fewer might show a motion as none
+constexpr uint32_t kLeastOfRound = 12;  // samples; with fewer a motion might disappear
 
-// The coarsest that a round bears, of `stride` and its halves. Where the round repeats it must
-// divide it, or the seam would stutter.
+// Returns the largest stride that a period allows, by halving `stride`. If the motion repeats, the
+// stride must divide the period, or playback would stutter at the seam.
 uint32_t fitting(uint64_t period, bool repeats, uint32_t stride) {
   while (stride > 1 && (period / stride < kLeastOfRound || (repeats && period % stride != 0))) {
     stride /= 2;
@@ -20,7 +20,7 @@ uint32_t fitting(uint64_t period, bool repeats, uint32_t stride) {
   return stride;
 }
 
-// How many ticks to tabulate, and whether they repeat.
+// Sets how many ticks to tabulate, and whether they repeat.
 void setExtent(Track& track, const level::Mover& mover, uint32_t ticks, uint32_t stride) {
   const uint64_t spin = mover.spinCount == 0 ? 1 : mover.spinCount;
   const uint64_t period = mover.once ? (spin == 1 ? mover.keyCount : UINT64_MAX)
@@ -32,12 +32,12 @@ void setExtent(Track& track, const level::Mover& mover, uint32_t ticks, uint32_t
     if (mover.once) track.count += 1;
   } else {
     track.stride = stride;
-    track.count = (ticks + stride - 1) / stride + 1;  // up to the last tick, if not beyond
+    track.count = (ticks + stride - 1) / stride + 1;  // includes the last tick
     track.cut = true;
   }
 }
 
-constexpr float kSame = 1e-4f;  // studs, and of a unit vector: less is rounding
+constexpr float kSame = 1e-4f;  // studs, or units of a unit vector: rounding error
 
 bool samePlace(Vec3 a, Vec3 b) { return length(a - b) <= kSame; }
 
@@ -45,8 +45,7 @@ bool sameRotation(const Mat3& a, const Mat3& b) {
   return samePlace(a.x, b.x) && samePlace(a.y, b.y) && samePlace(a.z, b.z);
 }
 
-// What stays as it is may still differ from what the level has: the keys of a motion say where a
-// part is, whatever its own pose is.
+// A constant track may still differ from the level, since motion keys override a part's own pose.
 Track trackOf(const level::Collider& collider, const level::Mover& mover, uint32_t ticks,
               uint32_t stride) {
   Track track;

@@ -1,4 +1,4 @@
-// Where moving parts are at each tick, as tables for the page: it knows no physics.
+// Poses of moving parts at each tick, as tables for the page, which has no physics.
 #pragma once
 
 #include <cstdint>
@@ -9,20 +9,20 @@
 
 namespace obby::view {
 
-// Samples of one part for ticks 0, stride, 2 stride, ... Without positions it stays where the level
-// has it, without rotations it keeps its own.
+// Samples of one part at ticks 0, stride, 2 stride, ... Empty positions or rotations mean those of
+// the level.
 struct Track : Poses {
   uint32_t part = 0;
-  bool triggered = false;  // ticks count from its start; a playthrough's motions say when that is
+  bool triggered = false;  // ticks count from its start, which a trajectory's motion events tell
   uint32_t stride = 1;
   uint32_t count = 0;
-  int32_t loopFrom = -1;  // sample that follows the last one; -1: the last one stays
-  bool cut = false;       // its motion goes on behind the last sample
+  int32_t loopFrom = -1;  // index of the sample after the last one; -1: the last one stays
+  bool cut = false;       // the motion goes on after the last sample
 };
 
-// Calls visit(track) for one track a moving part, one by one: all of a large level's may not fit
-// into memory. Motion that repeats within `ticks` is stored once round; other motion is stored for
-// `ticks` ticks. `stride`, a power of 2: every stride-th sample is kept, of a short round more.
+// Calls visit(track) for each moving part, one by one, because all tracks of a large level may not
+// fit into memory. Motion that repeats within `ticks` is stored for one period, other motion for
+// `ticks` ticks. `stride`, a power of 2: every stride-th sample is kept, or more of a short period.
 void forTracks(const level::LevelView& level, uint32_t ticks, uint32_t stride,
                const std::function<void(const Track&)>& visit);
 

@@ -72,7 +72,7 @@ class Writer {
       mark("End", at(feet.size() - 1), kBlock, kDeathColor);
   }
 
-  // A bar whose Z axis runs from a to b.
+  // Adds a bar whose Z axis runs from a to b.
   void segment(Vec3 a, Vec3 b, const Look& look) {
     const float size = length(b - a);
     if (size < 1e-3f) return;

@@ -1,6 +1,6 @@
-// Trajectories as a model that Roblox Studio opens: a Model for each query, in it one for each way,
-// of thin glowing parts with a ball at each jump and a block where an attempt died. They are
-// anchored and nothing meets them.
+// Trajectories as a model for Roblox Studio: a Model for each query, and in it one for each
+// trajectory. It consists of thin glowing parts, with a ball at each jump and a block at the death
+// of an attempt. All parts are anchored and do not collide.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace obby::view {
 
-// The bytes of an rbxmx file. Queries without trajectories are left out.
+// Returns the bytes of an rbxmx file. Queries without trajectories are left out.
 std::string waysModel(const Report& report);
 
 }  // namespace obby::view

@@ -1,4 +1,4 @@
-// How many threads the process may use: Slurm's word, else the CPU affinity.
+// The number of threads that the process may use: Slurm's value, or else the CPU affinity.
 #include <gtest/gtest.h>
 #include <sched.h>
 
@@ -11,7 +11,7 @@
 namespace obby {
 namespace {
 
-// Sets SLURM_CPUS_PER_TASK for a test and puts it back.
+// Sets SLURM_CPUS_PER_TASK for a test and restores it afterwards.
 class SlurmVariable {
  public:
   explicit SlurmVariable(const char* value) {
@@ -37,12 +37,12 @@ TEST(AvailableThreads, FollowsSlurm) {
   EXPECT_EQ(availableThreads(), 13);
 }
 
-TEST(AvailableThreads, IsTheAffinityElse) {
+TEST(AvailableThreads, FallsBackToTheAffinity) {
   const SlurmVariable variable(nullptr);
   EXPECT_EQ(availableThreads(), affinity());
 }
 
-TEST(AvailableThreads, IgnoresASlurmValueThatIsNoCount) {
+TEST(AvailableThreads, IgnoresAnInvalidSlurmValue) {
   for (const char* text : {"", "0", "-4", "many"}) {
     const SlurmVariable variable(text);
     EXPECT_EQ(availableThreads(), affinity()) << text;

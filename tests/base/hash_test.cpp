@@ -1,4 +1,4 @@
-// Digests are the published XXH3: files and golden values made on one machine hold on another.
+// Digests are the published XXH3 ones: a hash computed on one machine holds on every other.
 #include "base/hash.h"
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@ uint64_t hashText(const std::string& text, uint64_t seed = 0) {
   return hashBytes(text.data(), text.size(), seed);
 }
 
-TEST(Hash, GivesThePublishedDigests) {
+TEST(Hash, EqualsThePublishedDigests) {
   EXPECT_EQ(hashText(""), 0x2d06800538d394c2ull);
   EXPECT_EQ(hashText("a"), 0xe6c632b61e964e1full);
   EXPECT_EQ(hashText("abc"), 0x78af5f94892f3950ull);

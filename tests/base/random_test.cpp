@@ -1,5 +1,5 @@
-// Counter-based random numbers: pure functions of (seed, stream, index), uniform, the same
-// everywhere.
+// Counter-based random numbers are uniform, pure functions of (seed, stream, index). They are the
+// same on every machine.
 #include "base/random.h"
 
 #include <gtest/gtest.h>

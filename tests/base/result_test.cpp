@@ -1,4 +1,4 @@
-// Errors as one line for people, and Result as value or error.
+// Errors print as one line, and a Result holds a value or an error.
 #include "base/result.h"
 
 #include <gtest/gtest.h>

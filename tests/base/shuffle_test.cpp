@@ -1,4 +1,4 @@
-// A shuffle has everything once, and no order that shows.
+// A shuffle contains every index once, in an order without visible structure.
 #include "base/shuffle.h"
 
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@
 namespace obby {
 namespace {
 
-TEST(Shuffle, HasEverythingOnce) {
+TEST(Shuffle, ContainsEveryIndexOnce) {
   for (const uint32_t count : {1u, 2u, 3u, 4u, 5u, 17u, 64u, 65u, 1000u, 4096u, 70'001u}) {
     const Shuffle shuffle(7, count, count);
     std::vector<int> seen(count);
@@ -21,7 +21,7 @@ TEST(Shuffle, HasEverythingOnce) {
   }
 }
 
-TEST(Shuffle, OfAnotherStreamOrSeedIsAnother) {
+TEST(Shuffle, DiffersForAnotherStreamOrSeed) {
   const Shuffle a(1, 1, 1000), b(1, 2, 1000), c(2, 1, 1000);
   int likeB = 0, likeC = 0;
   for (uint32_t i = 0; i < 1000; ++i) {
@@ -32,8 +32,8 @@ TEST(Shuffle, OfAnotherStreamOrSeedIsAnother) {
   EXPECT_LT(likeC, 10);
 }
 
-// What comes in a part of it is spread evenly over all, and neighbours are no longer neighbours.
-TEST(Shuffle, ShowsNoOrder) {
+// The first part of a shuffle spreads evenly over all indices, and neighbours do not stay close.
+TEST(Shuffle, HasNoVisibleStructure) {
   constexpr uint32_t kCount = 65'536, kPart = 4096, kBins = 16;
   double worst = 0;
   int close = 0;
@@ -48,7 +48,7 @@ TEST(Shuffle, ShowsNoOrder) {
     for (const int n : bins) worst = std::max(worst, std::abs(n - double(kPart) / kBins));
   }
   EXPECT_LT(worst, 80) << "five deviations of 15.5";
-  // Of 20 x 4096 pairs 32 in 65,536 by chance: 40.
+  // By chance 32 in 65,536 of the 20 x 4096 pairs are this close: 40.
   EXPECT_LT(close, 80);
   EXPECT_GT(close, 10);
 }

@@ -1,4 +1,4 @@
-// What a mistyped name was meant to be.
+// Suggestions for mistyped names.
 #include "base/spelling.h"
 
 #include <gtest/gtest.h>

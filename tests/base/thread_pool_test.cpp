@@ -1,5 +1,5 @@
-// The thread pool: every task once, for any number of threads and tasks, run after run; what tasks
-// throw; too few threads.
+// The thread pool runs each task once, for any number of threads and tasks, run after run. Also
+// tests tasks that throw, and a system that refuses threads.
 #include "base/thread_pool.h"
 
 #include <gtest/gtest.h>
@@ -35,7 +35,7 @@ TEST(ThreadPool, CanBeUsedManyTimesInARow) {
   EXPECT_EQ(sum, 2000 * (0 + 1 + 2 + 3 + 4));
 }
 
-TEST(ThreadPool, WhatTasksWroteIsThereWhenRunReturns) {
+TEST(ThreadPool, WritesOfTasksAreVisibleWhenRunReturns) {
   ThreadPool pool(3);
   std::vector<int> values(512);
   for (int round = 1; round <= 50; ++round) {
@@ -64,7 +64,7 @@ TEST(ThreadPool, OneThreadRunsTasksInOrderOnTheCaller) {
   EXPECT_EQ(order, (std::vector<int>{0, 1, 2, 3}));
 }
 
-TEST(ThreadPool, APoolThatWasNeverUsedEnds) {
+TEST(ThreadPool, AnUnusedPoolShutsDown) {
   for (int i = 0; i < 50; ++i) ThreadPool pool(6);
 }
 
@@ -74,7 +74,7 @@ int sumOfTasks(ThreadPool& pool, int count) {
   return sum;
 }
 
-TEST(ThreadPool, WhatATaskThrowsIsThrownByRunAndThePoolGoesOn) {
+TEST(ThreadPool, RunRethrowsATasksExceptionAndThePoolContinues) {
   for (const int threads : {1, 2, 8}) {
     ThreadPool pool(threads);
     for (int round = 0; round < 50; ++round) {
@@ -84,7 +84,7 @@ TEST(ThreadPool, WhatATaskThrowsIsThrownByRunAndThePoolGoesOn) {
   }
 }
 
-TEST(ThreadPool, WhatAWorkerThrowsReachesTheCaller) {
+TEST(ThreadPool, AWorkersExceptionReachesTheCaller) {
   ThreadPool pool(3);
   const auto caller = std::this_thread::get_id();
   std::atomic<bool> thrown = false;
@@ -99,7 +99,7 @@ TEST(ThreadPool, WhatAWorkerThrowsReachesTheCaller) {
   EXPECT_EQ(sumOfTasks(pool, 10), 45);
 }
 
-TEST(ThreadPool, RunThrowsOnlyWhenNoTaskIsAtWorkAndNoneBeginsAfterwards) {
+TEST(ThreadPool, RunThrowsOnlyAfterAllTasksHaveEnded) {
   ThreadPool pool(4);
   const auto caller = std::this_thread::get_id();
   std::atomic<int> begun = 0, inside = 0;
@@ -118,7 +118,7 @@ TEST(ThreadPool, RunThrowsOnlyWhenNoTaskIsAtWorkAndNoneBeginsAfterwards) {
   EXPECT_LT(begun, 1000);
 }
 
-// Where no thread can have the stack that it is to have, none starts.
+// Makes every new thread fail, by a default stack size that no machine can map.
 class NoMoreThreads {
  public:
   NoMoreThreads() {
@@ -140,7 +140,7 @@ class NoMoreThreads {
   pthread_attr_t usual_;
 };
 
-TEST(ThreadPool, GoesOnWithTheThreadsThatItGets) {
+TEST(ThreadPool, UsesTheThreadsThatItGets) {
   const NoMoreThreads limit;
   ThreadPool pool(4);
   EXPECT_EQ(pool.size(), 1);

@@ -1,4 +1,4 @@
-// Other ways to see: what they show is where it is, and does not depend on the level's order.
+// The alternative observations show parts where they are, whatever the level's order of parts.
 #include "views/other_views.h"
 
 #include <gtest/gtest.h>
@@ -17,12 +17,12 @@ namespace {
 using policy::kDanger, policy::kFloor;
 using support::LevelBuilder, support::Onlooker;
 
-constexpr int kLevelRay = 3;  // its elevation
+constexpr int kLevelRay = 3;  // index of the horizontal elevation
 constexpr int kNow = 0, kSoon = 1, kAhead = 0, kLeft = 3, kBehind = 6;
 
 float closeness(float distance) { return 1 - distance / kRayReach; }
 
-// What a ray says.
+// The inputs of the ray observation.
 struct Ray {
   std::vector<float> inputs;
   float operator()(int moment, policy::Kind kind, int ray) const {
@@ -30,7 +30,7 @@ struct Ray {
   }
 };
 
-// What a list says of its parts.
+// The inputs of an observation that lists parts.
 struct List {
   std::vector<float> inputs;
   float operator()(int place, PartNumber number, int axis = 0) const {
@@ -78,7 +78,7 @@ TEST(Rays, MeetFloorsBelowAndWallsAhead) {
   }
 }
 
-TEST(Rays, ShowDangersAsWideAsTheMapsDoAndNotBehindFloors) {
+TEST(Rays, ShowDangersAsWideAsInTheMapsExceptBehindFloors) {
   LevelBuilder b = start();
   b.block({-5.5f, 3, 0}, {1, 6, 4}, kills);
   b.block({0, 3, -6.5f}, {4, 6, 1});
@@ -90,7 +90,7 @@ TEST(Rays, ShowDangersAsWideAsTheMapsDoAndNotBehindFloors) {
   EXPECT_NEAR(ray(kNow, kFloor, rayAt(kLevelRay, kAhead)), closeness(6), 1e-5f);
 }
 
-// A wall of this kind that comes nearer by four studs a second, with its face 7.5 studs away.
+// A wall whose face is 7.5 studs away and approaches by four studs a second.
 LevelBuilder coming(bool isDanger) {
   LevelBuilder b = start();
   b.block({0, 3, -8}, {4, 6, 1}, [=](schema::Part::Builder p) {
@@ -103,7 +103,7 @@ LevelBuilder coming(bool isDanger) {
   return b;
 }
 
-TEST(Rays, ShowHowWhatMovesWillChange) {
+TEST(Rays, IncludeTheChangeFromMovingParts) {
   const int ahead = rayAt(kLevelRay, kAhead);
   const Ray floor = raysOf(coming(false)), danger = raysOf(coming(true));
   EXPECT_NEAR(floor(kNow, kFloor, ahead), closeness(7.5f), 1e-3f);
@@ -113,7 +113,7 @@ TEST(Rays, ShowHowWhatMovesWillChange) {
   EXPECT_NEAR(danger(kSoon, kDanger, ahead), 4 * 0.4f / kRayReach, 5e-3f);
 }
 
-// A part of this shape somewhere around, turned somehow.
+// A part of this shape at a random place near the eye, turned at random.
 LevelBuilder somewhere(schema::Shape shape, Random& random) {
   const auto uniform = [&random](float lo, float hi) { return lo + (hi - lo) * random.unit(); };
   const Vec3 center{uniform(-6, 6), uniform(-4, 7), uniform(-6, 6)};
@@ -127,7 +127,7 @@ LevelBuilder somewhere(schema::Shape shape, Random& random) {
   return b;
 }
 
-// As ray() has it, by the rays of the simulator's shapes.
+// The closeness that ray() returns, computed from the simulator's shapes.
 float castRay(const level::Collider& c, int elevation, int direction) {
   const Vec3 eye{0, kEyeHeight, 0}, flat = policy::rosetteDirection(0, direction);
   const float up = kRayDegrees[elevation] * kPi / 180;
@@ -139,7 +139,7 @@ float castRay(const level::Collider& c, int elevation, int direction) {
   return met ? closeness(hit.t) : 0;
 }
 
-// But for some that graze an edge.
+// Rays that graze an edge may differ.
 TEST(Rays, MeetShapesWhereTheSimulatorsRaysDo) {
   Random random(11, 0);
   for (const auto shape :
@@ -165,7 +165,7 @@ TEST(Rays, MeetShapesWhereTheSimulatorsRaysDo) {
 
 float told(float studs, float half) { return policy::squashed(studs, half); }
 
-TEST(NearestParts, AreToldInTheFrameTheNearestFirst) {
+TEST(NearestParts, AreListedInThePlayersFrameNearestFirst) {
   LevelBuilder b;
   b.block({0, 2.5f, -9}, {4, 4, 2}, kills);  // ahead, its face 8 studs away
   b.block({6, 4.5f, 0}, {2, 2, 2});          // to the right and up, 5.1 studs away
@@ -190,7 +190,7 @@ TEST(NearestParts, AreToldInTheFrameTheNearestFirst) {
   EXPECT_NEAR(list(2, kPartNearest, 0), told(8, kNearPart), 1e-5f);
 }
 
-TEST(NearestParts, TellHowTheyWillHaveMoved) {
+TEST(NearestParts, IncludeTheirFutureMotion) {
   const List list = listOf(coming(true));
   ASSERT_EQ(list.count(), 2) << "what moves is listed once";
   EXPECT_NEAR(list(1, kPartMoved, 0), told(-4 * 0.4f, kFastPart), 2e-2f);
@@ -198,8 +198,8 @@ TEST(NearestParts, TellHowTheyWillHaveMoved) {
   EXPECT_EQ(list(0, kPartMoved, 0), 0);
 }
 
-// Two tiles of one size take turns, one after the other in the level.
-TEST(NearestParts, DoNotTakeOneThatGoesForOneThatComes) {
+// Two tiles of one size take turns: when one vanishes, the other appears.
+TEST(NearestParts, TellVanishingPartsFromAppearingOnes) {
   LevelBuilder b = start();
   for (const bool comes : {false, true}) {
     b.block({0, -0.5f, comes ? -12.0f : -6.0f}, {4, 1, 4}, [=](schema::Part::Builder p) {
@@ -217,7 +217,7 @@ TEST(NearestParts, DoNotTakeOneThatGoesForOneThatComes) {
   for (int i = 0; i < 3; ++i) EXPECT_EQ(list(i, kPartMoved, 0), 0) << i;
 }
 
-// So many parts around, in the order of their numbers or in the other one.
+// A level of random parts, in the order of their numbers or in reverse.
 level::Level scattered(int parts, bool backwards) {
   LevelBuilder b;
   for (int i = 0; i < parts; ++i) {
@@ -236,14 +236,14 @@ level::Level scattered(int parts, bool backwards) {
   return b.compile();
 }
 
-// Some of them are around the body: equally near.
+// Some parts contain the eye, so that they are equally near.
 TEST(OtherViews, DoNotDependOnTheOrderOfParts) {
   const level::Level one = scattered(40, false), two = scattered(40, true);
   for (const policy::Observe how : {rays, nearestParts, partSet})
     EXPECT_EQ(Onlooker(one).inputs(how), Onlooker(two).inputs(how));
 }
 
-TEST(OtherViews, AreOfOrderOneAndShowWhatIsAround) {
+TEST(OtherViews, AreOfOrderOneAndShowTheSurroundings) {
   const level::Level level = scattered(40, false);
   for (const policy::Observe how : {rays, nearestParts, partSet}) {
     const std::vector<float> in = Onlooker(level).inputs(how);
@@ -269,8 +269,8 @@ TEST(NearestParts, AreSorted) {
   EXPECT_GT(before, 0);
 }
 
-// What is in no map is told as always; where nothing is, nothing is seen.
-TEST(OtherViews, TellTheRestAsThePolicySeesIt) {
+// Inputs outside the maps stay the policy's own, and the view of an empty neighbourhood is zero.
+TEST(OtherViews, KeepThePolicysOtherInputs) {
   LevelBuilder far;
   far.block({200, -0.5f, 0}, {3, 1, 3});
   const level::Level level = far.compile();

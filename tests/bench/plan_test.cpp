@@ -1,4 +1,4 @@
-// Which runs a call of bench_solve makes, and how much effort it says that a query takes.
+// The runs that a call of bench_solve makes, and its estimate of a query's effort.
 #include "suite/plan.h"
 
 #include <gtest/gtest.h>
@@ -52,13 +52,14 @@ class SuiteFolder : public ::testing::Test {
       ::testing::UnitTest::GetInstance()->current_test_info()->name();
 };
 
-TEST_F(SuiteFolder, EffortIsWayHazardsTargetsAndLimits) {
+TEST_F(SuiteFolder, EffortSumsDistanceHazardsTargetsAndLimits) {
   const std::vector<SuiteQuery> suite = plan().suite;
-  // 43 studs to the goal's near edge in jumps of 8.6, one of the two kill parts beside the way.
+  // The goal's near edge is 43 studs away, in jumps of 8.6. One of the two kill parts is near the
+  // line.
   EXPECT_NEAR(suite[0].effort, 5 + 0.5, 1e-4);
-  // And a waypoint, a limit and a region to avoid.
+  // This query adds a waypoint, a limit and a region to avoid.
   EXPECT_NEAR(suite[1].effort, 5 + 0.5 + 2 + 2 + 1, 1e-4);
-  // A stud up counts three. The column above the start has no kill part beside it.
+  // A stud upwards counts three times. The column above the start is far from every kill part.
   EXPECT_NEAR(suite[2].effort, 500 * 3 / 8.6, 1e-3);
 }
 
@@ -68,8 +69,8 @@ TEST_F(SuiteFolder, QueriesOfOneLevelDifferInContent) {
   EXPECT_EQ(suite[0].content, plan().suite[0].content);
 }
 
-// A run counts wherever the suite lies.
-TEST_F(SuiteFolder, ContentIsWhatCanChangeAPlaythrough) {
+// The content does not depend on where the suite is stored.
+TEST_F(SuiteFolder, ContentIsEverythingThatCanChangeATrajectory) {
   const uint64_t content = plan().suite[0].content;
   const auto with = [&](const std::string& more) {
     std::string level = kLevel;
@@ -81,7 +82,7 @@ TEST_F(SuiteFolder, ContentIsWhatCanChangeAPlaythrough) {
   EXPECT_NE(with(R"("physics":{"gravity":100},)"), content);
 }
 
-TEST_F(SuiteFolder, OnlyTheFirstMethodIsAskedWhatHasNoSolutionAndOnce) {
+TEST_F(SuiteFolder, UnsolvableQueriesRunOnceByTheFirstMethodOnly) {
   const Plan p = plan();
   EXPECT_EQ(p.questions().size(), 2u * 2 * 2 + 1);
   EXPECT_TRUE(p.asks(0, 2, 1));
@@ -91,8 +92,8 @@ TEST_F(SuiteFolder, OnlyTheFirstMethodIsAskedWhatHasNoSolutionAndOnce) {
   EXPECT_EQ(p.capOf(p.suite[2]), 10);
 }
 
-// Times of two kinds of machine do not compare.
-TEST_F(SuiteFolder, AQueryWithASeedIsReportedOfOneKindOfMachine) {
+// Times of different kinds of machine cannot be compared.
+TEST_F(SuiteFolder, EachQueryAndSeedIsReportedFromOneKindOfMachine) {
   Plan p = plan();
   auto log = RunLog::open((folder_ / "runs.jsonl").string());
   ASSERT_TRUE(log);
@@ -115,7 +116,7 @@ TEST_F(SuiteFolder, AQueryWithASeedIsReportedOfOneKindOfMachine) {
   EXPECT_EQ(resultsOf(p, *log, {}).runs[1][0].at(0).timing.seconds, 1) << "unless any counts";
 }
 
-TEST_F(SuiteFolder, NamesChooseQueriesAndUnknownNamesAreErrors) {
+TEST_F(SuiteFolder, NamesSelectQueriesAndUnknownNamesAreErrors) {
   const auto one = loadSuite(folder_.string(), {"deeper/flat.jsonl:up"});
   ASSERT_TRUE(one);
   EXPECT_EQ(one->size(), 1u);
@@ -137,7 +138,7 @@ TEST_F(SuiteFolder, ARunIsAnswered) {
   EXPECT_EQ((*run)->key(), plannedRun(question, 6).key());
 }
 
-TEST_F(SuiteFolder, ARunThatIsInterruptedIsNone) {
+TEST_F(SuiteFolder, AnInterruptedRunDoesNotCount) {
   const Plan p = plan();
   ThreadPool pool(1);
   const std::atomic<bool> stop{true};

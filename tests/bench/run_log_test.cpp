@@ -1,4 +1,4 @@
-// The log of bench_solve: what was run is found again, what was cut off is run again.
+// The log of bench_solve finds finished runs again, and has cut-off runs repeated.
 #include "suite/run_log.h"
 
 #include <gtest/gtest.h>
@@ -40,7 +40,7 @@ class RunLogFile : public ::testing::Test {
   std::string path_;
 };
 
-TEST(RunLine, ComesBackAsItWas) {
+TEST(RunLine, RoundTrips) {
   const bench::Run run = someRun();
   const auto back = parseRun(runLine(run));
   ASSERT_TRUE(back) << back.error().text();
@@ -50,7 +50,7 @@ TEST(RunLine, ComesBackAsItWas) {
   EXPECT_TRUE(back->timing.solved);
 }
 
-TEST(RunLine, NeedNotSayTheMachine) {
+TEST(RunLine, MayOmitTheMachine) {
   std::string line = runLine(someRun());
   const std::string field = "\"machine\":\"AMD EPYC, 8 lanes\",";
   const size_t at = line.find(field);
@@ -61,13 +61,13 @@ TEST(RunLine, NeedNotSayTheMachine) {
   EXPECT_EQ(back->machine, "");
 }
 
-TEST(RunLine, LinesThatLackAFieldAreNoRuns) {
+TEST(RunLine, LinesWithoutAFieldAreIgnored) {
   EXPECT_FALSE(parseRun("{\"method\":\"auto\"}"));
   EXPECT_FALSE(parseRun("[1,2]"));
   EXPECT_FALSE(parseRun(""));
 }
 
-TEST(RunKey, TellsApartMethodQuerySeedAndCapButNotHowItWent) {
+TEST(RunKey, HasMethodQuerySeedAndCapButNoResults) {
   const bench::Run run = someRun();
   bench::Run other = run;
   other.timing.seconds = 9;
@@ -83,7 +83,7 @@ TEST(RunKey, TellsApartMethodQuerySeedAndCapButNotHowItWent) {
   EXPECT_NE(other.key(), run.key());
 }
 
-TEST_F(RunLogFile, IsFoundAgainByTheSameProgramOnly) {
+TEST_F(RunLogFile, RunsAreFoundByTheSameProgramOnly) {
   const bench::Run run = someRun();
   {
     auto log = RunLog::open(path_);
@@ -109,8 +109,8 @@ TEST_F(RunLogFile, TheLastRunOfAKeyCounts) {
   EXPECT_EQ(log->find(run.key(), {})->timing.seconds, 2);
 }
 
-// All methods at a query with a seed are to be of one kind of machine.
-TEST_F(RunLogFile, TellsWhichMachineHasMadeMost) {
+// For one query and seed, the runs of all methods must come from one kind of machine.
+TEST_F(RunLogFile, FindsTheMachineWithTheMostRuns) {
   auto log = RunLog::open(path_);
   ASSERT_TRUE(log);
   bench::Run run = someRun();
@@ -137,7 +137,7 @@ TEST_F(RunLogFile, TellsWhichMachineHasMadeMost) {
   EXPECT_EQ(log->find(keys[2], {0, 0, "8 lanes"}), nullptr);
 }
 
-TEST_F(RunLogFile, GoesOnBehindALineThatWasCutOff) {
+TEST_F(RunLogFile, ContinuesAfterATruncatedLine) {
   bench::Run run = someRun();
   std::filesystem::create_directories(std::filesystem::path(path_).parent_path());
   std::ofstream(path_, std::ios::binary) << runLine(run) << runLine(run).substr(0, 40);

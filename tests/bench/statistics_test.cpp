@@ -1,4 +1,4 @@
-// The figures of bench_solve, worked out by hand.
+// The statistics of bench_solve against values computed by hand.
 #include "suite/statistics.h"
 
 #include <gmock/gmock.h>
@@ -14,7 +14,7 @@ using ::testing::ElementsAre;
 Timing solvedIn(double seconds) { return {seconds, true, 0, 0}; }
 const Timing kUnsolved{90, false, 0, 0};
 
-TEST(Statistics, OfNothingThereIsNoMean) { EXPECT_TRUE(std::isnan(mean({}))); }
+TEST(Statistics, OfNoRunsHaveNoMean) { EXPECT_TRUE(std::isnan(mean({}))); }
 
 TEST(Statistics, UnsolvedRunsCountTheCapForThePaperAndTwiceTheCapForPar2) {
   EXPECT_EQ(cappedSeconds(solvedIn(3), 90), 3);
@@ -23,7 +23,7 @@ TEST(Statistics, UnsolvedRunsCountTheCapForThePaperAndTwiceTheCapForPar2) {
   EXPECT_EQ(par2(kUnsolved, 90), 180);
 }
 
-TEST(Statistics, ASolutionAfterTheCapIsNone) {
+TEST(Statistics, ASolutionAfterTheCapDoesNotCount) {
   EXPECT_EQ(cappedSeconds(solvedIn(95), 90), 90);
   EXPECT_EQ(par2(solvedIn(95), 90), 180);
 }
@@ -50,7 +50,7 @@ TEST(Statistics, BootstrapIntervalHoldsTheValueAndIsTheSameEveryTime) {
   EXPECT_EQ(first.high, second.high);
 }
 
-TEST(Statistics, BootstrapOfNothingIsNoNumber) {
+TEST(Statistics, BootstrapOfNoRunsIsNaN) {
   EXPECT_TRUE(std::isnan(bootstrap(0, [](const std::vector<size_t>&) { return 1.0; }).low));
 }
 

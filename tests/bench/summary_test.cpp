@@ -60,7 +60,7 @@ TEST(Summary, RatioSaysHowManyTimesBetterThanGe) {
   EXPECT_DOUBLE_EQ(figure(example(), "ge", "par2RatioToGe"), 1);
 }
 
-TEST(Summary, RatioIsOverTheQueriesThatBothWereAsked) {
+TEST(Summary, RatioIsOverTheCommonQueries) {
   Results r = example();
   r.runs[1][1].clear();
   EXPECT_DOUBLE_EQ(figure(r, "auto", "par2RatioToGe"), (4.0 + 6) / (1 + 2));
@@ -74,7 +74,7 @@ TEST(Summary, ThirdsByEffortDoNotDependOnTheMethod) {
   EXPECT_DOUBLE_EQ(figure(r, "ge", "easyThirdMeanSeconds"), 4);
 }
 
-TEST(Summary, ThirdsByGeAreOfGesTime) {
+TEST(Summary, ThirdsByGeAreByItsTime) {
   const Results r = example();
   EXPECT_DOUBLE_EQ(figure(r, "auto", "geShortMeanSeconds"), 1);
   EXPECT_DOUBLE_EQ(figure(r, "auto", "geLongMeanSeconds"), 3);

@@ -1,4 +1,4 @@
-// What is said of a level that obby-import did not read to its end.
+// The replies if obby-import does not finish a level.
 #include "bridge/importing.h"
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@
 namespace obby::bridge {
 namespace {
 
-// By this shell script in its place.
+// Returns the refusal if this shell script replaces obby-import.
 Reply refusalOf(const std::string& script, const Limits& limits) {
   const test::ScratchFolder folder;
   const std::string program = folder / "obby-import";

@@ -1,4 +1,4 @@
-// Which of a client's jobs can still be asked about.
+// The jobs that a client can still ask about.
 #include "bridge/jobs.h"
 
 #include <gtest/gtest.h>
@@ -17,7 +17,7 @@ JobPlan shell(const std::string& script) {
   return plan;
 }
 
-TEST(Jobs, those_that_ended_first_are_forgotten_first) {
+TEST(Jobs, the_first_to_end_are_forgotten_first) {
   kj::AsyncIoContext async = kj::setupAsyncIo();
   Loop loop{*async.lowLevelProvider, async.unixEventPort, async.provider->getTimer()};
   Limits limits;
@@ -41,7 +41,7 @@ TEST(Jobs, those_that_ended_first_are_forgotten_first) {
   EXPECT_EQ(jobs.find(*client, slow)->state(), JobState::cancelled);
 }
 
-TEST(Jobs, an_answer_that_another_job_is_yet_to_read_is_not_forgotten) {
+TEST(Jobs, answers_that_another_job_still_needs_are_kept) {
   kj::AsyncIoContext async = kj::setupAsyncIo();
   Loop loop{*async.lowLevelProvider, async.unixEventPort, async.provider->getTimer()};
   Limits limits;
@@ -70,8 +70,8 @@ TEST(Jobs, an_answer_that_another_job_is_yet_to_read_is_not_forgotten) {
   EXPECT_EQ(forgotten, (std::vector<uint64_t>{second, answer, third, last}));
 }
 
-// However many processors it uses, a program has time to write what it has before the system ends
-// it: a second until it is looked at, and from SIGINT to SIGKILL.
+// Whatever the number of processors, a program has time to write its results before the system ends
+// it. It needs a second until the bridge checks it, and the time from SIGINT to SIGKILL.
 TEST(Limits, the_system_ends_a_program_only_after_the_bridge_could) {
   for (const uint64_t seconds : {uint64_t(1), uint64_t(60), uint64_t(3600)}) {
     for (const uint32_t processors : {1u, 2u, 64u, 256u}) {

@@ -12,7 +12,7 @@
 namespace obby::bridge {
 namespace {
 
-TEST(Ring, numbers_from_one_and_goes_on_from_any_cursor) {
+TEST(Ring, numbers_from_one_and_continues_from_any_cursor) {
   Ring ring(1000);
   EXPECT_EQ(ring.last(), 0u);
   EXPECT_TRUE(ring.reaches(0));
@@ -27,7 +27,7 @@ TEST(Ring, numbers_from_one_and_goes_on_from_any_cursor) {
   EXPECT_EQ(ring.after(99), nullptr);
 }
 
-TEST(Ring, forgets_the_oldest_and_knows_it) {
+TEST(Ring, forgets_the_oldest_and_reports_it) {
   Ring ring(1000);
   const std::string members = "\"a\":\"" + std::string(80, 'x') + "\"";
   for (int i = 0; i < 50; i++) {
@@ -43,7 +43,7 @@ TEST(Ring, forgets_the_oldest_and_knows_it) {
   for (uint64_t c = oldest; c < 50; c++) EXPECT_EQ(ring.after(c)->number, c + 1);
 }
 
-TEST(Ring, keeps_at_least_the_newest_however_long) {
+TEST(Ring, keeps_the_newest_of_any_length) {
   Ring ring(100);
   ring.push(1, "\"a\":1");
   ring.push(1, "\"a\":\"" + std::string(1000, 'x') + "\"");
@@ -51,8 +51,8 @@ TEST(Ring, keeps_at_least_the_newest_however_long) {
   EXPECT_EQ(ring.after(1)->number, 2u);
 }
 
-// As of a WebSocket that is slower than the program.
-TEST(Ring, what_is_held_stays_up_to_a_bound_and_goes_once_it_is_taken) {
+// A WebSocket that is slower than the program holds messages like this.
+TEST(Ring, held_messages_stay_within_a_bound_until_taken) {
   Ring ring(1000, 3000);
   const std::string members = "\"a\":\"" + std::string(80, 'x') + "\"";
   ring.hold(0);
@@ -72,7 +72,7 @@ TEST(Ring, what_is_held_stays_up_to_a_bound_and_goes_once_it_is_taken) {
   EXPECT_EQ(ring.after(74)->number, 75u);
 }
 
-// A carrier that takes messages whenever it is asked loses none, however many come at once.
+// A carrier that takes all messages when asked loses none, however many arrive at once.
 TEST(Client, asks_its_carrier_before_messages_are_lost) {
   Client client(1, 1000);
   uint64_t had = 0;
@@ -88,7 +88,7 @@ TEST(Client, asks_its_carrier_before_messages_are_lost) {
   EXPECT_GT(had, 40u);
 }
 
-// The text that the messages carry, put together as a client would.
+// Returns the text of the messages, joined as a client would join it.
 std::string joined(const std::vector<std::string>& messages) {
   std::string out;
   for (size_t i = 0; i < messages.size(); i++) {
@@ -116,7 +116,7 @@ TEST(Fragments, short_records_stay_whole) {
   EXPECT_EQ(messages[0], "\"job\":\"j1\",\"type\":\"record\",\"record\":{\"type\":\"end\"}");
 }
 
-TEST(Fragments, long_records_come_back_from_their_pieces) {
+TEST(Fragments, long_records_are_restored_from_their_pieces) {
   std::string record = "{\"type\":\"metrics\",\"name\":\"";
   for (int i = 0; i < 3000; i++)
     record += i % 3 == 0 ? "\\\"" : i % 3 == 1 ? "\xf0\x9f\x98\x80" : "a";
@@ -132,12 +132,12 @@ TEST(Fragments, long_records_come_back_from_their_pieces) {
   }
 }
 
-TEST(Json, what_is_no_utf8_is_replaced) {
+TEST(Json, invalid_utf8_is_replaced) {
   EXPECT_EQ(io::validUtf8("a\xff\xc3z"), "a\xef\xbf\xbd\xef\xbf\xbdz");
   EXPECT_EQ(JsonObject().text("a", "\xff").whole(), "{\"a\":\"\xef\xbf\xbd\"}");
 }
 
-TEST(Json, trees_become_text_again) {
+TEST(Json, trees_convert_back_to_text) {
   const std::string text = "{\"a\":[1,-2,0.1,1e300,\"x\\n\\\"\",null,true,false,{},[]]}";
   const auto tree = io::JsonTree::parse(text);
   ASSERT_TRUE(tree);

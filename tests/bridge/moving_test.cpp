@@ -1,4 +1,4 @@
-// What is left of a level where only what moves is asked for.
+// Levels reduced to their moving parts.
 #include "bridge/moving.h"
 
 #include <gtest/gtest.h>
@@ -6,7 +6,7 @@
 namespace obby::bridge {
 namespace {
 
-TEST(Moving, parts_that_stand_still_are_empty_and_the_others_keep_their_places) {
+TEST(Moving, static_parts_become_empty_and_indices_stay) {
   const auto some = movingParts(
       R"({"type":"level","name":"a","physics":{"gravity":60.5},"parts":[)"
       R"({"name":"Floor","position":[0,-0.5,1e3]},{"name":"Lift","motion":{"keys":[]}},)"
@@ -22,7 +22,7 @@ TEST(Moving, parts_that_stand_still_are_empty_and_the_others_keep_their_places) 
             "\n{\"type\":\"level\",\"name\":\"\u00e9\\\"\",\"parts\":[]}\n");
 }
 
-TEST(Moving, what_has_no_parts_stays_and_what_is_no_json_is_an_error) {
+TEST(Moving, records_without_parts_stay_and_invalid_json_is_an_error) {
   const auto bare = movingParts("{\"type\":\"level\"}");
   ASSERT_TRUE(bare);
   EXPECT_EQ(*bare, "{\"type\":\"level\"}\n");

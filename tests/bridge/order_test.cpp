@@ -1,4 +1,4 @@
-// What a client may ask of a job, and what reaches the command line.
+// The options that a client may set for a job, and the resulting command line.
 #include "bridge/order.h"
 
 #include <gmock/gmock.h>
@@ -18,7 +18,7 @@ Result<Order> parse(const std::string& members) {
 
 std::string pathOf(const Result<Order>& order) { return order ? "no error" : order.error().path; }
 
-TEST(Order, level_alone_asks_all_its_queries) {
+TEST(Order, a_level_alone_runs_all_its_queries) {
   const auto order = parse("");
   ASSERT_TRUE(order);
   EXPECT_EQ(order->task, Task::solve);
@@ -26,7 +26,7 @@ TEST(Order, level_alone_asks_all_its_queries) {
   EXPECT_THAT(order->arguments, IsEmpty());
 }
 
-TEST(Order, budget_becomes_arguments_of_one_table) {
+TEST(Order, budget_becomes_options_by_one_table) {
   const auto order = parse(
       "\"budget\":{\"timeLimit\":2.5,\"maxSteps\":9000000000000000,\"solutions\":3,\"diverse\":"
       "true,"
@@ -37,9 +37,9 @@ TEST(Order, budget_becomes_arguments_of_one_table) {
                           "--diverse", "--paths", "--heat-map", "--seed=18446744073709551615"));
 }
 
-TEST(Order, budget_is_bounded_and_knows_its_names) {
+TEST(Order, budget_is_bounded_and_unknown_names_are_errors) {
   EXPECT_EQ(pathOf(parse("\"budget\":{\"timeLimit\":601}")), "budget.timeLimit");
-  EXPECT_EQ(pathOf(parse("\"budget\":{\"timeLimit\":1e999}")), "");  // no JSON number
+  EXPECT_EQ(pathOf(parse("\"budget\":{\"timeLimit\":1e999}")), "");  // invalid in JSON
   EXPECT_EQ(pathOf(parse("\"budget\":{\"solutions\":0}")), "budget.solutions");
   EXPECT_EQ(pathOf(parse("\"budget\":{\"solutions\":2.5}")), "budget.solutions");
   EXPECT_EQ(pathOf(parse("\"budget\":{\"solutions\":-1}")), "budget.solutions");
@@ -50,7 +50,7 @@ TEST(Order, budget_is_bounded_and_knows_its_names) {
   EXPECT_TRUE(parse("\"budget\":[]"));  // as Luau writes an empty table
 }
 
-TEST(Order, queries_go_through_the_schema) {
+TEST(Order, queries_are_checked_by_the_schema) {
   const auto order = parse(
       "\"queries\":[{\"id\":\"a\",\"goal\":{\"position\":[0,1.50,0],\"size\":[5,4,4]},"
       "\"unheardOf\":7}]");
@@ -64,7 +64,7 @@ TEST(Order, queries_go_through_the_schema) {
   EXPECT_EQ(pathOf(parse("\"queries\":{\"a\":1}")), "queries");
 }
 
-TEST(Order, physics_are_a_params_record) {
+TEST(Order, physics_become_a_params_record) {
   const auto order = parse("\"physics\":{\"gravity\":190.50,\"unheardOf\":1}");
   ASSERT_TRUE(order) << order.error().text();
   EXPECT_EQ(order->physics, "{\"type\":\"params\",\"gravity\":190.5}");
@@ -73,13 +73,13 @@ TEST(Order, physics_are_a_params_record) {
   EXPECT_EQ(pathOf(parse("\"task\":\"calibrate\",\"recordings\":[{}],\"physics\":{}")), "physics");
 }
 
-TEST(Order, numbers_of_things_are_bounded) {
+TEST(Order, counts_are_bounded) {
   std::string many = "\"ask\":[\"q\"";
   for (int i = 0; i < 1000; i++) many += ",\"q\"";
   EXPECT_EQ(pathOf(parse(many + "]")), "ask");
 }
 
-TEST(Order, members_that_exclude_each_other_are_refused) {
+TEST(Order, conflicting_members_are_refused) {
   EXPECT_EQ(pathOf(parse("\"ask\":[\"a\"],\"queries\":[{}]")), "ask");
   EXPECT_EQ(pathOf(parse("\"budget\":{\"trials\":50}")), "budget.trials");
   EXPECT_EQ(pathOf(parse("\"budget\":{\"trials\":50,\"difficulty\":false}")), "budget.trials");
@@ -97,7 +97,7 @@ TEST(Order, members_that_exclude_each_other_are_refused) {
   EXPECT_EQ(pathOf(parseOrder("{}", Limits())), "level");
   EXPECT_EQ(pathOf(parseOrder("{\"level\":\"../../x\"}", Limits())), "level");
   EXPECT_EQ(pathOf(parse("\"warm\":\"/tmp/x\"")), "warm");
-  EXPECT_EQ(pathOf(parse(kLevel)), "");  // twice
+  EXPECT_EQ(pathOf(parse(kLevel)), "");  // given twice
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Programs that are started, and what is left of them.
+// Started programs, and what remains of them.
 #include "bridge/process.h"
 
 #include <gtest/gtest.h>
@@ -26,7 +26,7 @@ Exit waitFor(Process& process) {
   return process.reap();
 }
 
-TEST(Process, streams_and_exit_code_come_through) {
+TEST(Process, streams_and_exit_code_are_delivered) {
   auto process = processShell("cat; echo oh >&2; exit 3");
   ASSERT_TRUE(process);
   ASSERT_EQ(write(process->input.get(), "hello", 5), 5);
@@ -38,14 +38,14 @@ TEST(Process, streams_and_exit_code_come_through) {
   EXPECT_EQ(how.signal, 0);
 }
 
-TEST(Process, arguments_are_no_shell_text) {
+TEST(Process, arguments_are_not_interpreted_by_a_shell) {
   auto process = Process::start({"/bin/echo", {"$(id)", "a b", "; touch x", ""}, 0, 0});
   ASSERT_TRUE(process);
   EXPECT_EQ(readAll(process->output.get()), "$(id) a b ; touch x \n");
   waitFor(*process);
 }
 
-TEST(Process, what_cannot_be_started_says_why) {
+TEST(Process, a_failed_start_states_the_reason) {
   const auto process = Process::start({"/nowhere/obby-solve", {}, 0, 0});
   ASSERT_FALSE(process);
   EXPECT_NE(process.error().text().find("No such file"), std::string::npos);
@@ -58,14 +58,14 @@ TEST(Process, signals_reach_the_whole_group) {
   ASSERT_EQ(read(process->output.get(), &first, 1), 1);
   process->signal(SIGKILL);
   EXPECT_EQ(waitFor(*process).signal, SIGKILL);
-  EXPECT_EQ(readAll(process->output.get()), "eady\n");  // nobody holds it open
+  EXPECT_EQ(readAll(process->output.get()), "eady\n");  // no descendant holds it open
 }
 
 TEST(Process, descendants_end_with_the_leader) {
   auto process = processShell("sleep 100 & exit 0");
   ASSERT_TRUE(process);
   EXPECT_EQ(waitFor(*process).code, 0);
-  EXPECT_EQ(readAll(process->output.get()), "");  // would wait for the sleep otherwise
+  EXPECT_EQ(readAll(process->output.get()), "");  // a survivor would block this
 }
 
 TEST(Process, its_processor_time_is_known_until_it_is_reaped) {
@@ -78,7 +78,7 @@ TEST(Process, its_processor_time_is_known_until_it_is_reaped) {
   EXPECT_EQ(process->cpuSeconds(), 0);
 }
 
-TEST(Process, dropped_ones_are_gone) {
+TEST(Process, a_dropped_process_is_killed) {
   pid_t id = 0;
   {
     auto process = processShell("sleep 100");

@@ -1,4 +1,4 @@
-// Which requests come in, and what they ask.
+// The requests that are accepted, and their meaning.
 #include "bridge/request.h"
 
 #include <gtest/gtest.h>
@@ -27,7 +27,7 @@ int statusOf(const std::variant<Call, Reply>& checked) {
 
 int check(const RequestHead& head) { return statusOf(checkRequest(head, access())); }
 
-TEST(Request, honest_ones_come_in_with_their_client) {
+TEST(Request, valid_requests_are_accepted_with_their_client) {
   const auto checked = checkRequest(honest("GET", "/v1/jobs/j12?cursor=7&wait=20"), access());
   const Call& call = std::get<Call>(checked);
   EXPECT_EQ(call.endpoint, Endpoint::getJob);
@@ -37,7 +37,7 @@ TEST(Request, honest_ones_come_in_with_their_client) {
   EXPECT_EQ(call.client, 3);
 }
 
-TEST(Request, hosts_are_the_loopback_with_the_port) {
+TEST(Request, hosts_must_be_the_loopback_with_the_port) {
   for (const char* host :
        {"127.0.0.1:34990", "localhost:34990", "LocalHost:34990", "[::1]:34990"}) {
     RequestHead head = honest("GET", "/v1/info");
@@ -53,7 +53,7 @@ TEST(Request, hosts_are_the_loopback_with_the_port) {
   }
 }
 
-TEST(Request, any_origin_is_a_page_even_an_empty_one) {
+TEST(Request, any_origin_header_is_refused_even_if_empty) {
   for (const char* origin : {"", "null", "http://127.0.0.1:34990", "file://"}) {
     RequestHead head = honest("GET", "/v1/info");
     head.origin = origin;
@@ -64,7 +64,7 @@ TEST(Request, any_origin_is_a_page_even_an_empty_one) {
   EXPECT_EQ(check(head), 403);
 }
 
-TEST(Request, strangers_may_see_info_and_pair_and_nothing_else) {
+TEST(Request, unpaired_clients_may_only_get_info_and_pair) {
   for (const char* target : {"/v1/jobs/j1", "/v1/levels/00000000000000000000000000000000",
                              "/v1/events", "/v1/nothing", "/"}) {
     RequestHead head = honest("GET", target);
@@ -74,11 +74,11 @@ TEST(Request, strangers_may_see_info_and_pair_and_nothing_else) {
   RequestHead head = honest("GET", "/v1/info");
   head.authorization.reset();
   EXPECT_EQ(check(head), 0);
-  head.authorization = "Bearer wrong";  // a stale token is said to be one
+  head.authorization = "Bearer wrong";  // a stale token is reported as such
   EXPECT_EQ(check(head), 401);
 }
 
-TEST(Request, without_tokens_everybody_is_the_first_client) {
+TEST(Request, without_tokens_every_request_is_the_first_clients) {
   RequestHead head = honest("GET", "/v1/jobs/j1");
   head.authorization.reset();
   Access open = access();
@@ -106,7 +106,7 @@ TEST(Request, content_types_are_those_of_the_endpoint) {
   EXPECT_EQ(check(level), 415);
 }
 
-TEST(Request, a_code_comes_plain) {
+TEST(Request, a_code_is_plain_text) {
   RequestHead head = honest("POST", "/v1/pair");
   EXPECT_EQ(check(head), 0);
   head.encoding = "identity";
@@ -117,7 +117,7 @@ TEST(Request, a_code_comes_plain) {
   EXPECT_EQ(check(head), 415);
 }
 
-TEST(Request, events_are_a_websocket_and_nothing_else_is) {
+TEST(Request, only_events_use_a_websocket) {
   RequestHead head = honest("GET", "/v1/events");
   EXPECT_EQ(check(head), 426);
   head.upgrade = head.webSocket = true;

@@ -1,4 +1,4 @@
-// A program on the event loop, and those who take its lines.
+// A program on the event loop, and the callbacks that take its lines.
 #include "bridge/run.h"
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@
 namespace obby::bridge {
 namespace {
 
-// Nothing, or why it failed; "it hangs" after a while.
+// Returns why the run failed, an empty text if it did not, or "it hangs" after a minute.
 std::string endOf(const std::string& script, Run::OnLine onOutput, Run::OnLine onError) {
   kj::AsyncIoContext async = kj::setupAsyncIo();
   Loop loop{*async.lowLevelProvider, async.unixEventPort, async.provider->getTimer()};
@@ -27,7 +27,7 @@ std::string endOf(const std::string& script, Run::OnLine onOutput, Run::OnLine o
   return ended.exclusiveJoin(kj::mv(late)).wait(async.waitScope);
 }
 
-TEST(Run, a_program_whose_lines_cannot_be_taken_is_ended) {
+TEST(Run, a_program_is_ended_if_a_callback_throws) {
   const Run::OnLine fails = [](std::string_view) { throw std::bad_alloc(); };
   std::string taken;
   const Run::OnLine takes = [&taken](std::string_view line) { taken += line; };
@@ -40,13 +40,13 @@ TEST(Run, a_program_whose_lines_cannot_be_taken_is_ended) {
   EXPECT_EQ(taken, "ab");
 }
 
-TEST(Run, a_program_that_ends_before_its_input_comes_is_no_failure) {
+TEST(Run, a_program_may_end_before_its_input) {
   kj::AsyncIoContext async = kj::setupAsyncIo();
   Loop loop{*async.lowLevelProvider, async.unixEventPort, async.provider->getTimer()};
   auto process = Process::start({"/bin/sh", {"-c", "exit 11"}, 0, 0});
   ASSERT_TRUE(process) << process.error().text();
   pollfd exited{process->exitFd(), POLLIN, 0};
-  ASSERT_EQ(poll(&exited, 1, 60000), 1);  // milliseconds
+  ASSERT_EQ(poll(&exited, 1, 60000), 1);  // timeout in milliseconds
   const auto ignored = [](std::string_view) {};
   bridge::Run run(loop, *std::move(process), "input", ignored, ignored);
   EXPECT_EQ(run.done().wait(async.waitScope).code, 11);

@@ -29,7 +29,7 @@ TEST(Pairing, code_may_be_typed_carelessly) {
   EXPECT_TRUE(pairing.answer(typed, 1));
 }
 
-TEST(Pairing, few_tries_then_even_the_right_code_is_wrong) {
+TEST(Pairing, after_a_few_tries_even_the_right_code_is_refused) {
   Pairing pairing(0);
   for (int i = 0; i < Pairing::kTries; i++) EXPECT_FALSE(pairing.answer("0000-0000", 1));
   EXPECT_FALSE(pairing.answer(pairing.shown(), 1));
@@ -63,7 +63,7 @@ TEST(Tokens, survive_in_a_file_that_only_the_user_reads) {
   EXPECT_EQ(folder.entries(), 1u);  // no temporary file is left
 }
 
-TEST(Tokens, oldest_goes_and_the_others_stay_who_they_are) {
+TEST(Tokens, the_oldest_is_dropped_and_the_others_keep_their_clients) {
   const test::ScratchFolder folder;
   auto tokens = Tokens::open(folder / "tokens", 2);
   ASSERT_TRUE(tokens);
@@ -74,7 +74,7 @@ TEST(Tokens, oldest_goes_and_the_others_stay_who_they_are) {
   EXPECT_EQ(tokens->clientOf(*c), 2);
 }
 
-TEST(Tokens, two_bridges_with_one_file_lose_none) {
+TEST(Tokens, two_bridges_with_one_file_lose_no_token) {
   const test::ScratchFolder folder;
   auto one = Tokens::open(folder / "tokens", 16), other = Tokens::open(folder / "tokens", 16);
   ASSERT_TRUE(one && other);
@@ -87,7 +87,7 @@ TEST(Tokens, two_bridges_with_one_file_lose_none) {
   EXPECT_NE(one->clientOf(*b), one->clientOf(*c));
 }
 
-TEST(Tokens, files_that_others_may_read_or_that_hold_else_are_refused) {
+TEST(Tokens, files_that_others_can_read_or_with_other_content_are_refused) {
   const test::ScratchFolder folder;
   const std::string path = folder / "tokens";
   std::ofstream(path) << "hello\n";

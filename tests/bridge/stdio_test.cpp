@@ -6,7 +6,7 @@
 namespace obby::bridge {
 namespace {
 
-TEST(StdioRequest, bodies_come_as_json_text_or_base64) {
+TEST(StdioRequest, bodies_are_json_text_or_base64) {
   const auto json = parseStdioRequest(
       "{\"id\":7,\"method\":\"POST\",\"path\":\"/v1/jobs\",\"body\":{\"a\":[1.50]}}");
   EXPECT_EQ(json.id, "7");
@@ -21,7 +21,7 @@ TEST(StdioRequest, bodies_come_as_json_text_or_base64) {
   EXPECT_EQ(bytes.body, std::string("\0\1\xff", 3));
 }
 
-TEST(StdioRequest, what_is_wrong_is_answered_under_its_id) {
+TEST(StdioRequest, errors_are_answered_under_the_requests_id) {
   for (const char* line : {"{\"id\":\"x\",\"method\":\"GET\",\"path\":\"/nowhere\"}",
                            "{\"id\":\"x\",\"method\":\"GET\",\"path\":\"/v1/info\",\"speed\":1}",
                            "{\"id\":\"x\",\"path\":\"/v1/info\"}",

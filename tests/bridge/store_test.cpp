@@ -1,4 +1,4 @@
-// The private folder.
+// The bridge's private folder.
 #include "bridge/store.h"
 
 #include <gmock/gmock.h>
@@ -29,7 +29,7 @@ TEST(Store, folder_is_closed_to_others) {
   }
 }
 
-TEST(Store, folder_that_cannot_be_made_is_an_error_with_its_cure) {
+TEST(Store, a_failure_to_create_the_folder_states_the_remedy) {
   const test::ScratchFolder folder;
   std::ofstream(folder / "file") << "x";
   const auto store = Store::open(folder / "file", Limits());
@@ -38,7 +38,7 @@ TEST(Store, folder_that_cannot_be_made_is_an_error_with_its_cure) {
   EXPECT_FALSE(Store::open(folder / "file/below", Limits()));
 }
 
-TEST(Store, levels_come_back_in_their_parts) {
+TEST(Store, levels_are_restored_in_parts) {
   const test::ScratchFolder folder;
   const auto store = Store::open(folder / "state", Limits());
   ASSERT_TRUE(store);
@@ -58,7 +58,7 @@ TEST(Store, levels_come_back_in_their_parts) {
   EXPECT_EQ(queryIdOfLine((*level)->queries[1]), "");
 }
 
-TEST(Store, reports_on_a_level_are_kept_beside_it) {
+TEST(Store, reports_on_a_level_are_kept_with_it) {
   const std::vector<std::string> reports = {"{\"type\":\"warning\",\"message\":\"no start\"}",
                                             "{\"message\":\"odd\"}"};
   const test::ScratchFolder folder;
@@ -72,11 +72,11 @@ TEST(Store, reports_on_a_level_are_kept_beside_it) {
   EXPECT_EQ((*level)->reports, reports);
   EXPECT_EQ((*level)->queries.size(), 2u);
   EXPECT_EQ((*level)->levels.find("no start"), std::string::npos);
-  ASSERT_TRUE(store->put("b", kLines, {}));  // there is no room for both and the reports
+  ASSERT_TRUE(store->put("b", kLines, {}));  // the store cannot hold both and the reports
   EXPECT_FALSE(store->has("a"));
 }
 
-TEST(Store, longest_unused_levels_go_first) {
+TEST(Store, least_recently_used_levels_go_first) {
   const test::ScratchFolder folder;
   Limits limits;
   limits.storeBytes = 3 * kLines.size();
@@ -87,7 +87,7 @@ TEST(Store, longest_unused_levels_go_first) {
     ASSERT_TRUE(store->put(id, kLines, {}));
     pause();
   }
-  ASSERT_TRUE(store->get("a"));  // used last
+  ASSERT_TRUE(store->get("a"));  // most recently used
   pause();
   ASSERT_TRUE(store->put("d", kLines, {}));
   EXPECT_TRUE(store->has("a"));
@@ -96,7 +96,7 @@ TEST(Store, longest_unused_levels_go_first) {
   EXPECT_TRUE(store->has("d"));
 }
 
-TEST(Store, record_lines_tell_their_type) {
+TEST(Store, record_lines_have_a_type) {
   EXPECT_EQ(typeOfLine("{\"type\":\"level\",\"name\":\"x\"}"), "level");
   EXPECT_EQ(typeOfLine("{\"type\":\"level"), "");
   EXPECT_EQ(typeOfLine("{\"name\":\"x\",\"type\":\"level\"}"), "");

@@ -1,4 +1,4 @@
-// The optimiser on functions whose minimum is known.
+// The optimiser on functions with a known minimum.
 #include "calibrate/cma_es.h"
 
 #include <gtest/gtest.h>
@@ -34,7 +34,7 @@ Minimum minimise(const std::function<double(const Point&)>& f, size_t dimensions
   return run;
 }
 
-// A bent valley, whose floor leads to (0.75, ...).
+// A bent valley whose floor leads to (0.75, ...).
 double rosenbrock(const Point& p) {
   double sum = 0;
   for (size_t i = 0; i + 1 < p.size(); ++i) {

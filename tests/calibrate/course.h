@@ -1,5 +1,5 @@
-// Recordings of the calibration course by our own simulator, under parameters that the fit does not
-// know.
+// Recordings of the calibration course by our own simulator, under parameters that the fit must
+// find.
 #pragma once
 
 #include <algorithm>
@@ -19,8 +19,8 @@ inline schema::PhysicsParams::Reader defaults() {
   return record.root().initParams().asReader();
 }
 
-// Others than the defaults: every one that can be fitted, drawn within a share of it, but so that
-// the fit's bounds hold it well. What is none stays so.
+// Draws every parameter that can be fitted within a share of its default, well within the fit's
+// bounds. A parameter that is 0 stays 0.
 inline io::RecordBuilder drawnParams(uint64_t seed, double spread) {
   io::RecordBuilder out;
   auto params = out.root().initParams();
@@ -34,7 +34,7 @@ inline io::RecordBuilder drawnParams(uint64_t seed, double spread) {
   return out;
 }
 
-// Of nobody who stops it or looks on.
+// A context for fits that run to the end, without a progress display.
 struct Undisturbed {
   ThreadPool pool{availableThreads()};
   const std::atomic<bool> stop{false};
@@ -48,7 +48,8 @@ inline std::vector<Manoeuvre> firstManoeuvres(size_t count) {
   return out;
 }
 
-// A fit takes as long as what it is shown: so only what shows what a test is about.
+// The time of a fit grows with its recordings, so that each test plays only the manoeuvres it
+// needs.
 inline std::vector<Manoeuvre> manoeuvresNamed(const std::vector<std::string>& names) {
   std::vector<Manoeuvre> out;
   for (const Manoeuvre& m : manoeuvres()) {
@@ -57,7 +58,7 @@ inline std::vector<Manoeuvre> manoeuvresNamed(const std::vector<std::string>& na
   return out;
 }
 
-// The levels of the takes do not say the parameters.
+// Recordings under these parameters. The levels of the takes do not state them.
 inline std::vector<Take> takesUnder(schema::PhysicsParams::Reader params, float noise = 0,
                                     const std::vector<Manoeuvre>& played = manoeuvres()) {
   io::RecordBuilder plain, hidden;

@@ -1,4 +1,4 @@
-// How well a parameter is known, from recordings of any number of frames a second.
+// The certainty of a parameter, from recordings of any frame rate.
 #include "calibrate/evidence.h"
 
 #include <gtest/gtest.h>
@@ -8,7 +8,7 @@
 namespace obby::calibrate {
 namespace {
 
-// Noisy ones, far from the box, without what they show of parts.
+// Noisy recordings far from the box, without the poses of parts.
 std::vector<Take> plainTakes() {
   std::vector<Take> out =
       takesUnder(defaults(), 0.05f, manoeuvresNamed({"jump on the spot", "walk up a ramp of 21"}));
@@ -29,7 +29,7 @@ Frame amid(const Frame& a, const Frame& b) {
   return out;
 }
 
-// With a frame amid each two, which tells nothing that these do not.
+// Adds the mean of each two frames between them, which carries no information.
 std::vector<Take> ofTwiceTheRate(std::vector<Take> takes) {
   for (Take& take : takes) {
     const std::vector<Frame> before = take.track.frames;
@@ -51,7 +51,7 @@ std::vector<double> halfWidths(const std::vector<Take>& takes,
   return evidenceOf(*slopes).half;
 }
 
-TEST(Evidence, FramesInBetweenMakeNothingKnownBetter) {
+TEST(Evidence, InterpolatedFramesAddNoCertainty) {
   const std::vector<std::string> names = {"walkSpeed", "gravity"};
   const std::vector<Take> takes = plainTakes();
   const std::vector<double> once = halfWidths(takes, names);
@@ -63,8 +63,8 @@ TEST(Evidence, FramesInBetweenMakeNothingKnownBetter) {
   }
 }
 
-// The legs of a stiffer body would throw it at these steps: it does not compile.
-TEST(Evidence, ASlopeBesideABodyThatCannotBeIsThatOfTheOtherSide) {
+// A stiffer body would be unstable at these steps, so that its level does not compile.
+TEST(Evidence, TheGradientNextToAnInvalidBodyIsOneSided) {
   io::RecordBuilder stiff;
   auto now = stiff.root().initParams();
   setValue(now, "hoverDamping", 200);

@@ -1,4 +1,4 @@
-// Recordings against what the simulator makes of their inputs.
+// Recordings against the simulator's play of the same inputs.
 #include "calibrate/fidelity.h"
 
 #include <gtest/gtest.h>
@@ -31,7 +31,7 @@ TEST(Fidelity, OfOwnRecordingsIsExact) {
   }
 }
 
-// A jump that turns by a right angle, in an engine with these tricks.
+// A recording of a jump with a turn by a right angle, in an engine with these tricks.
 Take turningJump(uint16_t tricks) {
   io::RecordBuilder record;
   writeCourse(record.root().initLevel());
@@ -55,8 +55,8 @@ Take turningJump(uint16_t tricks) {
   return take;
 }
 
-// The same inputs in an engine that holds jumps.
-TEST(TrickEvidence, FindsTheTrickThatTheEngineDoes) {
+// The engine that recorded the jumps holds them.
+TEST(TrickEvidence, FindsTheTrickThatTheEngineHas) {
   ThreadPool pool(availableThreads());
   std::vector<Take> takes;
   for (int i = 0; i < 4; ++i) takes.push_back(turningJump(kHeldJump));
@@ -71,7 +71,7 @@ TEST(TrickEvidence, FindsTheTrickThatTheEngineDoes) {
   EXPECT_EQ(textOf(*none), "");
 }
 
-TEST(Fidelity, TellsTheApexUnderOtherGravity) {
+TEST(Fidelity, MeasuresTheApexUnderOtherGravity) {
   const io::RecordBuilder weak = paramsWith("gravity", 180);
   const std::vector<Take> takes = jumps(weak.reader().getParams());
   ASSERT_EQ(takes.size(), 1u);
@@ -93,7 +93,7 @@ TEST(Fidelity, CountsEventsThatTheSimulatorMisses) {
   EXPECT_LT(without->matched, whole->matched);
 }
 
-TEST(Fidelity, PlaysFramesThatAreNoWholeStepsByTheLevelsTicks) {
+TEST(Fidelity, PlaysFramesOfFractionalStepsInTheLevelsTicks) {
   std::vector<Take> takes = jumps(defaults());
   ASSERT_EQ(takes.size(), 1u);
   auto& frames = takes[0].track.frames;

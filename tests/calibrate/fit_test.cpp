@@ -1,4 +1,4 @@
-// Parameters that made a recording are found again from it, and what it cannot tell is said.
+// A fit finds the parameters of a recording again, and reports those that it cannot determine.
 #include "calibrate/fit.h"
 
 #include <gtest/gtest.h>
@@ -16,23 +16,22 @@ namespace {
 const std::vector<std::string> kFitted = {"walkSpeed", "traction",  "airAccel",       "gravity",
                                           "jumpSpeed", "hipHeight", "playerFriction", "climbSpeed"};
 
-// Of the manoeuvres those that show all of these.
+// The manoeuvres that together determine all of these.
 std::vector<Manoeuvre> enough() {
   return manoeuvresNamed({"run, stop, turn", "jump on the spot", "jump and turn back in the air",
                           "hold jump", "run and stop on ice", "climb up and down"});
 }
 
-// Those in which gravity and the speed of a jump show.
+// The manoeuvres that determine gravity and the speed of a jump.
 std::vector<Manoeuvre> jumps() {
   return manoeuvresNamed({"jump on the spot", "jump and turn back in the air", "hold jump"});
 }
 
-// Generations of a search, of two parameters or so and of more: what a search has come near to is
-// refined.
+// Generations of a search, for at most kFew parameters and for more. Refinement follows the search.
 constexpr size_t kFew = 3;
 constexpr uint32_t kForFew = 20, kForMany = 60;
 
-// Others than the simulator's own, drawn within a share of them.
+// Draws these parameters within a share of their defaults.
 io::RecordBuilder drawn(uint64_t seed) {
   io::RecordBuilder out;
   auto params = out.root().initParams();
@@ -74,11 +73,11 @@ TEST_P(Drawn, ParametersAreFoundAgain) {
 
 INSTANTIATE_TEST_SUITE_P(Sets, Drawn, testing::Values(1, 2));
 
-TEST(Fit, SaysWhatNoRecordingShows) {
+TEST(Fit, ReportsUndeterminedParameters) {
   io::RecordBuilder truth;
   setValue(truth.root().initParams(), "walkSpeed", 18);
   std::vector<Take> takes = takesUnder(truth.reader().getParams());
-  takes.erase(takes.begin() + 2, takes.end());  // nobody climbs, nobody meets a wall
+  takes.erase(takes.begin() + 2, takes.end());  // no climb, and no contact with a wall
   const Fit found = fitted(takes, {"walkSpeed", "climbSpeed", "bodyWidth"});
   for (const Fitted& f : found.parameters) {
     EXPECT_EQ(f.known, f.parameter.name == "walkSpeed") << f.parameter.name;
@@ -88,8 +87,8 @@ TEST(Fit, SaysWhatNoRecordingShows) {
   }
 }
 
-// A place of its own walk speed keeps it, and tells nothing of the game's.
-TEST(Fit, LeavesWhatTheLevelStates) {
+// A place that states its own walk speed keeps it, and reveals nothing of the game's.
+TEST(Fit, KeepsParametersThatTheLevelStates) {
   io::RecordBuilder truth;
   setValue(truth.root().initParams(), "walkSpeed", 24);
   setValue(truth.root().getParams(), "gravity", 180);
@@ -105,8 +104,8 @@ TEST(Fit, LeavesWhatTheLevelStates) {
   EXPECT_LT(found.loss, 1e-6);
 }
 
-// A standing jump's height alone does not tell gravity from launch speed; its time does. Both are
-// in the interval when positions are off by a fiftieth of a stud.
+// The height of a standing jump does not separate gravity from launch speed, but its duration does.
+// With positions off by a fiftieth of a stud, both intervals contain the truth.
 TEST(Fit, IntervalsHoldTheTruthUnderNoise) {
   const io::RecordBuilder truth = drawn(4);
   const Fit found =
@@ -118,14 +117,14 @@ TEST(Fit, IntervalsHoldTheTruthUnderNoise) {
     const bool shared = f.parameter.name == "traction" || f.parameter.name == "playerFriction";
     EXPECT_NEAR(f.value, value, (shared ? 0.05 : 0.002) * value) << f.parameter.name;
   }
-  // Noise biases by a thousandth: legs push feet that are below their rest height only.
+  // Noise causes a bias of a thousandth, as legs push feet only below their rest height.
   EXPECT_LE(outside, 3) << "of eight intervals of 95 %";
   EXPECT_EQ(found.controlRate, 60u);
   EXPECT_EQ(found.substeps, 4u);
 }
 
-// Frames missing and at uneven times, positions off, sixteen directions, and what comes of an input
-// shows two frames later.
+// The recorder drops frames, records at uneven times, adds noise, and rounds inputs to sixteen
+// directions. Effects of an input show two frames late.
 TEST(Fit, CopesWithABadRecorder) {
   const io::RecordBuilder truth = drawn(5);
   std::vector<Take> takes = takesUnder(truth.reader().getParams(), 0, firstManoeuvres(4));
@@ -143,9 +142,10 @@ TEST(Fit, CopesWithABadRecorder) {
   }
 }
 
-// An engine that integrates with the velocity at a step's end says one that is half a step older
-// than the path, here by a quarter of a frame: gravity and jumps do not make up for it.
-TEST(Fit, TakesVelocitiesForAsOldAsTheyAre) {
+// An engine that integrates with the velocity at a step's end records velocities half a step older
+// than the path. Here they are a quarter of a frame old. Gravity and jump speed must not absorb
+// this.
+TEST(Fit, CorrectsForOldVelocities) {
   io::RecordBuilder truth;
   setValue(truth.root().initParams(), "gravity", 180);
   setValue(truth.root().getParams(), "jumpSpeed", 48);
@@ -156,7 +156,7 @@ TEST(Fit, TakesVelocitiesForAsOldAsTheyAre) {
   EXPECT_NEAR(found.parameters[1].value, 48, 0.24);
 }
 
-// Jumps end between frames there, and who holds jump leaves again at once.
+// With rules in each step, jumps end between frames, and a held jump repeats at once.
 TEST(Fit, FindsThatTheRulesRunInEachStep) {
   io::RecordBuilder truth;
   setValue(truth.root().initParams(), "gravity", 185);
@@ -169,8 +169,9 @@ TEST(Fit, FindsThatTheRulesRunInEachStep) {
   EXPECT_NEAR(found.parameters[0].value, 185, 0.2);
 }
 
-// A level of its own rate, whose steps would last a whole tick then: it does not compile.
-TEST(Fit, GoesOnWhereALevelCannotBePlayedInEachStep) {
+// At that rate, a step of a level with its own rate would last a whole tick, so that it does not
+// compile.
+TEST(Fit, ContinuesIfALevelDoesNotCompileWithRulesInEachStep) {
   std::vector<Take> takes = takesUnder(
       defaults(), 0, manoeuvresNamed({"jump on the spot", "jump and turn back in the air"}));
   io::RecordBuilder slow(takes[0].level.reader());
@@ -182,8 +183,8 @@ TEST(Fit, GoesOnWhereALevelCannotBePlayedInEachStep) {
   EXPECT_EQ(found.substeps, 4u);
 }
 
-// One of a level of its own physics, which does not compile with what is found.
-TEST(Fit, GoesOnWhereALevelThatIsHeldOutCannotBePlayed) {
+// The recording's level states its own physics and does not compile with the result.
+TEST(Fit, ContinuesIfAHeldOutLevelDoesNotCompile) {
   const std::vector<Take> takes = takesUnder(defaults(), 0, manoeuvresNamed({"jump on the spot"}));
   io::RecordBuilder slow(takes[0].level.reader());
   slow.root().getLevel().getPhysics().setControlRate(50);
@@ -194,8 +195,8 @@ TEST(Fit, GoesOnWhereALevelThatIsHeldOutCannotBePlayed) {
   EXPECT_NEAR(found.parameters[0].value, 196.2, 0.2);
 }
 
-// By default it is none, which has no logarithm.
-TEST(Fit, FindsWhatKeysDoWhileJumping) {
+// By default the acceleration is zero, which has no logarithm.
+TEST(Fit, FindsTheEffectOfKeysWhileJumping) {
   const auto played = manoeuvresNamed({"jump and turn back in the air", "hold jump"});
   for (const double accel : {0.0, 110.0}) {
     io::RecordBuilder truth;
@@ -208,7 +209,7 @@ TEST(Fit, FindsWhatKeysDoWhileJumping) {
   }
 }
 
-TEST(Parameters, BeyondABoundHaveItsShare) {
+TEST(Parameters, AreClampedToTheirBounds) {
   for (const Parameter& p : parametersAround(defaults())) {
     EXPECT_EQ(shareOf(p, 0), 0) << p.name;
     EXPECT_EQ(shareOf(p, 2 * p.highest), 1) << p.name;

@@ -1,4 +1,4 @@
-// How old recorded velocities are is found, and mended; recordings without such a fault stay.
+// The age of recorded velocities is found and corrected. Recordings without this fault stay.
 #include "calibrate/instants.h"
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@ std::vector<Take> late(std::vector<Take> takes, float share) {
   return takes;
 }
 
-TEST(Instants, OurOwnVelocitiesAreOfNow) {
+TEST(Instants, OurOwnVelocitiesHaveAgeZero) {
   for (const float noise : {0.0f, 0.01f, 0.05f})
     EXPECT_EQ(velocityAgeOf(takesUnder(defaults(), noise), defaults()), 0) << noise;
 }
@@ -30,7 +30,7 @@ TEST(Instants, AgeIsFound) {
   }
 }
 
-TEST(Instants, AgeIsFoundOfABadRecorder) {
+TEST(Instants, AgeIsFoundForABadRecorder) {
   std::vector<Take> takes = late(takesUnder(defaults()), 0.5f);
   for (Take& take : takes)
     take.track = test::spoiled(take.track, {.noise = 0.01f, .dropped = 0.1f, .jitter = 0.004},
@@ -38,21 +38,22 @@ TEST(Instants, AgeIsFoundOfABadRecorder) {
   EXPECT_NEAR(velocityAgeOf(takes, defaults()), 0.5 / 60, 0.1 * 0.5 / 60);
 }
 
-TEST(Instants, NothingIsToldByWhoStandsStill) {
+TEST(Instants, AStandingPlayerDeterminesNoAge) {
   std::vector<Take> takes = takesUnder(defaults(), 0.01f, firstManoeuvres(1));
   takes[0].track.frames.resize(20);
   EXPECT_EQ(velocityAgeOf(takes, defaults()), 0);
 }
 
-// Falls, where the velocities differ most, and take-offs and landings, where a leap is none's age.
-TEST(Instants, VelocitiesAreMended) {
+// Falls, where the velocities differ most, and take-offs and landings, whose leap is not due to
+// age.
+TEST(Instants, OldVelocitiesAreCorrected) {
   const std::vector<Take> takes = takesUnder(defaults(), 0, firstManoeuvres(2));
   const std::vector<Take> mended = withVelocitiesOfNow(late(takes, 0.25f), defaults());
   ASSERT_EQ(mended.size(), takes.size());
   const auto &now = mended[1].track.frames, &then = takes[1].track.frames;
   size_t falling = 0;
   for (size_t i = 3; i + 3 < now.size(); ++i) {
-    // Not where a take-off or a landing is in what was mixed.
+    // Skips frames whose interpolation includes a take-off or a landing.
     const auto falls = [&](size_t k) { return then[k].state == sim::State::freefall; };
     if (!falls(i - 1) || !falls(i) || !falls(i + 1)) continue;
     ++falling;

@@ -1,5 +1,5 @@
-// A fit that is told to stop ends soon, at the best so far, and says so; and it is heard of all the
-// time.
+// A fit that is told to stop ends soon with the best result so far, and says so. It reports its
+// progress throughout.
 #include <gtest/gtest.h>
 
 #include <set>
@@ -12,7 +12,8 @@
 namespace obby::calibrate {
 namespace {
 
-// Of each kind: with slopes, in ticks, deciding events and touches.
+// Parameters of each kind: with gradients, counted in ticks, and those that decide events and
+// touches.
 const std::vector<std::string> kOfAllKinds = {
     "walkSpeed", "gravity", "jumpSpeed", "landedTime", "floorAcquire", "coyoteTime", "bodyWidth"};
 
@@ -21,7 +22,7 @@ std::vector<Take> takesOfAnother() {
   setValue(truth.root().initParams(), "walkSpeed", 18);
   setValue(truth.root().getParams(), "landedTime", 0.1);
   setValue(truth.root().getParams(), "floorAcquire", 1.05);
-  // It shows as many of them as all that are before it on the course.
+  // This manoeuvre determines as many of them as all manoeuvres before it on the course.
   return takesUnder(truth.reader().getParams(), 0.02f, manoeuvresNamed({"hold jump"}));
 }
 
@@ -37,7 +38,7 @@ Fit interruptionFitted(const std::atomic<bool>& stop,
   return *std::move(out);
 }
 
-// So many evaluations into a task, once a share of all is done.
+// A moment: this many evaluations into a task, once it has completed this share.
 struct When {
   std::string task;
   double share;
@@ -45,7 +46,7 @@ struct When {
 };
 
 struct Stopped {
-  FitProgress progress;  // in which it was stopped
+  FitProgress progress;  // at the stop
   Fit fit;
 };
 
@@ -66,7 +67,7 @@ Stopped stoppedAt(const When& when) {
 
 class Interruption : public testing::TestWithParam<When> {};
 
-TEST_P(Interruption, EndsAFitSoonAtTheBestSoFar) {
+TEST_P(Interruption, EndsAFitSoonWithTheBestSoFar) {
   const Stopped at = stoppedAt(GetParam());
   EXPECT_TRUE(at.fit.stopped);
   EXPECT_LT(at.fit.evaluations - at.progress.evaluations, 100u);
@@ -74,7 +75,7 @@ TEST_P(Interruption, EndsAFitSoonAtTheBestSoFar) {
   EXPECT_NE(textOf(at.fit, {}, 1, {}).find("interrupted"), std::string::npos);
 }
 
-// The last by long windows, which may go away from what comes nearest by short ones.
+// The last one stops among long windows, whose best may differ from that of short ones.
 INSTANTIATE_TEST_SUITE_P(Tasks, Interruption,
                          testing::Values(When{"searching", 0, 1}, When{"refining", 0, 100},
                                          When{"crossing", 0, 1}, When{"crossing", 0, 300},
@@ -84,8 +85,8 @@ INSTANTIATE_TEST_SUITE_P(Tasks, Interruption,
                                   "after" + std::to_string(named.param.evaluations);
                          });
 
-// All is found by then; but what a half tried value would say of an interval is not said.
-TEST(Fit, LeavesUnknownWhatWasNotWeighed) {
+// All values are found by then. An interval from half the trials must not be reported.
+TEST(Fit, LeavesUntriedIntervalsUnknown) {
   const Stopped at = stoppedAt({"weighing", 0, 40});
   EXPECT_TRUE(at.fit.stopped);
   EXPECT_LT(at.fit.evaluations - at.progress.evaluations, 100u);
@@ -96,8 +97,9 @@ TEST(Fit, LeavesUnknownWhatWasNotWeighed) {
   }
 }
 
-// By one thread: it tells after each of its tasks, and how many others do in between is up to them.
-TEST(Fit, IsHeardOfAllTheTime) {
+// One thread reports after each of its tasks. With more threads, the number of evaluations in
+// between varies.
+TEST(Fit, ReportsProgressContinuously) {
   const std::atomic<bool> stop{false};
   std::vector<FitProgress> told;
   const Fit whole = interruptionFitted(

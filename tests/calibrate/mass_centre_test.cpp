@@ -1,5 +1,5 @@
-// Avatars whose centre of mass is beside the root, and the own time of frames.
-#include "calibrate/mass_centre.h"
+// Avatars whose centre of mass is off the root, and the duration of frames.
+#include "calibrate/mass_centre_fit.h"
 
 #include <gtest/gtest.h>
 
@@ -19,8 +19,8 @@ struct Fall {
   Params params;
 };
 
-// Falls from `height` above the start of the course and turns twice, as an avatar with kCentre is
-// recorded; from the `first` tick on.
+// A recording, from the `first` tick on, of an avatar with kCentre. It falls from `height` above
+// the course's start and turns twice.
 Fall turningFall(float height, int first, int last) {
   io::RecordBuilder record;
   writeCourse(record.root().initLevel());
@@ -45,7 +45,7 @@ Fall turningFall(float height, int first, int last) {
   return out;
 }
 
-// The farthest that the simulator's player is off, played by frames.
+// Returns the largest error in position of the simulator's player, played by frames.
 float farthest(const Take& take, const MassCentre& centre) {
   const auto level = level::Level::compile(take.level.reader().getLevel());
   const Track& track = take.track;
@@ -64,13 +64,13 @@ TEST(MassCentre, IsFoundInAFallThatTurns) {
   EXPECT_NEAR(found.right, kCentre.right, 0.003);
 }
 
-TEST(MassCentre, DoesNotComeFromTheFramesThatAreLeftOut) {
+TEST(MassCentre, IgnoresTheExcludedFrames) {
   const Fall a = turningFall(60, 1, 40), same = turningFall(60, 3, 30);
   const std::vector<const Track*> tracks{&a.take.track, &same.take.track};
   EXPECT_TRUE(massCentreOf(tracks, a.take.track, a.params).isRoot());
 }
 
-TEST(MassCentre, IsTheRootWhereNobodyTurns) {
+TEST(MassCentre, IsTheRootWithoutATurn) {
   Fall a = turningFall(60, 1, 40);
   for (Frame& f : a.take.track.frames) f.facing = {0, 0, -1};
   const std::vector<const Track*> tracks{&a.take.track};
@@ -83,8 +83,8 @@ TEST(FramePlay, TurnsThePlayerAboutTheCentreOfMass) {
   EXPECT_GT(farthest(a.take, {}), 0.05f);
 }
 
-// A player on the floor walks with the root. Its centre of mass swings, which shows in the recorded
-// velocity only.
+// A player on the floor walks with the root. Only the recorded velocity shows that the centre of
+// mass swings.
 TEST(FramePlay, LegsDriveTheRoot) {
   io::RecordBuilder record;
   writeCourse(record.root().initLevel());
@@ -98,7 +98,7 @@ TEST(FramePlay, LegsDriveTheRoot) {
     const sim::Action action{Turns(tick < 64 ? 0 : 0x2000), tick >= 50, false};
     const sim::World before = w;
     sim::advance(w, loose.data(), view, nullptr, action);
-    if (tick < 65) continue;  // turning already
+    if (tick < 65) continue;  // the turn has begun
     const Vec3 swing = (kCentre.at(w.yaw) - kCentre.at(before.yaw)) * 60;
     take.track.frames.push_back({(tick - 65) / 60.0, directionOf(sinCosOf<float>(action.heading)),
                                  false, rootOf(w.position, view.params), w.velocity + swing,
@@ -107,16 +107,16 @@ TEST(FramePlay, LegsDriveTheRoot) {
   EXPECT_LT(farthest(take, kCentre), 0.5f * farthest(take, {}));
 }
 
-// A start from rest whose frame holds another number of steps than its time says.
+// A start from rest, whose frame holds another number of steps than its time suggests.
 TEST(FramePlay, MotionTellsAFramesSteps) {
   const auto frame = [](double time, float place, float speed) {
     return Frame{time, {1, 0, 0}, false, {place, 3, 0}, {speed, 0, 0}, sim::State::running};
   };
-  const float dt = 1 / 240.0f, gain = 618 * dt;  // a step
+  const float dt = 1 / 240.0f, gain = 618 * dt;  // per step
   const auto after = [&](int n) { return gain * dt * float(n * (n + 1)) * 0.5f; };
   Track track{"start", "course", {frame(0, 0, 0), frame(5 / 240.0, after(4), 4 * gain)}};
   EXPECT_EQ(stepsOf(track, 240), std::vector<uint32_t>{4});
-  track.frames[1].velocity.x = 3.5f * gain;  // as no number of steps of constant acceleration
+  track.frames[1].velocity.x = 3.5f * gain;  // fits no number of steps of constant acceleration
   EXPECT_EQ(stepsOf(track, 240), std::vector<uint32_t>{5});
 }
 
@@ -124,14 +124,14 @@ TEST(FramePlay, SteadyFramesHaveTheirMeanTime) {
   std::vector<uint32_t> steps;
   for (int i = 0; i < 60; ++i) steps.push_back(i % 3 == 0 ? 1 : 2);  // 144 frames a second
   for (const float own : ownSteps(steps)) EXPECT_NEAR(own, 5 / 3.0, 0.02);
-  steps[30] = 9;  // a frame that came late
+  steps[30] = 9;  // a late frame
   EXPECT_EQ(ownSteps(steps)[30], 9);
   EXPECT_EQ(ownSteps(steps)[20], 2);
   EXPECT_NEAR(ownSteps(steps)[5], 5 / 3.0, 0.02);
 }
 
-// At 144 frames a second seven frames last 0.0486 s and may hold twelve physics steps: not yet all
-// of the 0.05 s of Landed.
+// At 144 frames a second seven frames last 0.0486 s and may hold twelve physics steps. That is
+// still short of the 0.05 s of Landed.
 TEST(FramePlay, LandedLastsByTheFramesOwnTime) {
   io::RecordBuilder record;
   writeCourse(record.root().initLevel());

@@ -1,5 +1,5 @@
-// Recordings by an engine that nobody here wrote: a fit to them predicts others of the same player.
-// bench/calibrate.cpp asks more of it.
+// Recordings by an independent engine: a fit to them predicts other recordings of the same player.
+// bench/calibrate.cpp tests this more strictly.
 #include <gtest/gtest.h>
 
 #ifdef OBBY_HAS_BULLET_PLAYER
@@ -34,8 +34,9 @@ double meanMissOf(const std::vector<Take>& takes, schema::PhysicsParams::Reader 
   return sum / double(takes.size());
 }
 
-// Parts stop and turn who runs into them, under them and past their corners; none throws them.
-TEST(OtherEngine, NobodyIsThrown) {
+// A player may hit parts from the side, from below and at corners. Parts stop and turn the player,
+// but never throw it.
+TEST(OtherEngine, NoPlayerIsThrown) {
   for (const uint64_t seed : {1, 2, 3, 4, 5, 6}) {
     const auto game = test::drawnGame(test::BulletGame::Body::kinematic, seed, 0.25f);
     std::vector<Manoeuvre> shown = test::bulletManoeuvres();
@@ -52,7 +53,7 @@ TEST(OtherEngine, NobodyIsThrown) {
   }
 }
 
-// Who holds jump under a ceiling jumps off the floor only.
+// A player that holds jump under a ceiling jumps off the floor only.
 TEST(OtherEngine, ACeilingIsNoFloor) {
   support::LevelBuilder low;
   low.block({0, -0.5f, 0}, {40, 1, 40}).block({0, 7.5f, 0}, {40, 1, 40});

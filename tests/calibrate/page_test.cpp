@@ -1,4 +1,4 @@
-// The page says what was found, and draws the ways.
+// The page states the result of the fit, and draws the trajectories.
 #include "calibrate/page.h"
 
 #include <gtest/gtest.h>
@@ -27,7 +27,7 @@ Fit fitOf() {
   return fit;
 }
 
-TEST(Miss, MeasuresHowFarAPathIsOff) {
+TEST(Miss, IsTheDistanceOfAPathFromTheRecording) {
   const Miss near = missOf(outcome("near", 0.25f).path), far = missOf(outcome("far", 2).path);
   EXPECT_NEAR(near.mean, 0.25, 1e-5);
   EXPECT_NEAR(near.most, 0.25, 1e-5);
@@ -49,7 +49,7 @@ TEST(Page, ShowsParametersAndTheWorstRecordingFirst) {
   EXPECT_NE(page.find("half a stud off after 0.00 s"), std::string::npos);
 }
 
-// 16 to 16 would be no range.
+// The text must not print a range such as "16 to 16".
 TEST(Report, ARangeWhoseEndsPrintAlikeIsOneNumber) {
   Fit fit = fitOf();
   const Parameter speed{"walkSpeed", "studs/s", 8, 32, "run straight on"};
@@ -63,8 +63,8 @@ TEST(Report, ARangeWhoseEndsPrintAlikeIsOneNumber) {
   EXPECT_EQ(page.find("16 to 16"), std::string::npos);
 }
 
-// What takes no tick has no logarithm.
-TEST(Page, NoTicksAreDrawnAtTheEndOfTheBar) {
+// A time of no ticks has no logarithm.
+TEST(Page, ZeroTicksAreDrawnAtTheEndOfTheBar) {
   Fit fit = fitOf();
   const Parameter landed{"landedTime",          "s", 0.002, 0.2, "hold jump for several jumps",
                          Parameter::Kind::ticks};
@@ -82,8 +82,8 @@ TEST(Page, SaysThatTheFitWasInterrupted) {
   EXPECT_NE(pageOf(fit, {outcome("near", 0.01f)}, 0.1, {}).find("interrupted"), std::string::npos);
 }
 
-// No script, nothing from elsewhere, and curves of no more points than are seen.
-TEST(Page, IsOneFileThatNeedsNothing) {
+// The page has no script, no external resources, and curves with few points.
+TEST(Page, IsOneFileWithoutExternalResources) {
   const std::string page = pageOf(fitOf(), {outcome("near", 0.01f)}, 0.1, {});
   for (const char* reference : {"<script", "src=", "href=", "url(", "@import"})
     EXPECT_EQ(page.find(reference), std::string::npos) << reference;

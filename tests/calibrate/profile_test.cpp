@@ -1,5 +1,5 @@
-// What has no slope is found by trying: times in whole ticks, and what decides when something
-// happens.
+// Parameters without a gradient are found by trial: times in whole ticks, and parameters that
+// decide when events happen.
 #include "calibrate/profile.h"
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@
 namespace obby::calibrate {
 namespace {
 
-TEST(Profile, LeavesPossibleWhatIsWithinTheSlack) {
+TEST(Profile, KeepsValuesWithinTheSlack) {
   const Profile profile{0, {0.1, 0.2, 0.3, 0.4}, {5, 1.2, 1, 3}};
   const Possible some = possibleOf(profile, 0.3), one = possibleOf(profile, 0.1);
   EXPECT_EQ(some.least, 0.2);
@@ -30,7 +30,7 @@ io::RecordBuilder with(std::initializer_list<std::pair<const char*, double>> val
   return out;
 }
 
-// Somebody runs off the ledge and presses jump three times, later each time.
+// A player runs off the ledge and presses jump, three times, later each time.
 std::vector<Take> lateJumps(schema::PhysicsParams::Reader params) {
   std::vector<Manoeuvre> played;
   for (const float wait : {0.84f, 0.87f, 0.90f})
@@ -50,8 +50,8 @@ std::vector<Profile> scanned(const std::vector<Take>& takes, const std::vector<s
   return std::move(scan.profiles);
 }
 
-// One tick and two are the same: both the tick that lands and the one that runs again count.
-TEST(Ticks, OfLandingAreCounted) {
+// One tick and two are equivalent: the tick that lands and the one that runs again both count.
+TEST(Ticks, OfLandingAreFound) {
   for (const int ticks : {0, 2, 6}) {
     const io::RecordBuilder truth = with({{"landedTime", ticks / 60.0}});
     const Manoeuvre jumps{"jumps", {0, 0.1f, 0}, {{0.5f, 0, 0}, {2.5f, 0, 0, true}}};
@@ -61,8 +61,8 @@ TEST(Ticks, OfLandingAreCounted) {
   }
 }
 
-// Both must last for the jump: none of the two shows without the other.
-TEST(Ticks, OfTwoTimesThatHideOneAnotherAreFound) {
+// The jump needs both times, so that neither shows without the other.
+TEST(Ticks, OfTwoTimesThatMaskEachOtherAreFound) {
   const io::RecordBuilder truth = with({{"coyoteTime", 0.25}, {"offFloorGrace", 0.25}});
   const auto takes = lateJumps(truth.reader().getParams());
   std::vector<uint32_t> best;
@@ -79,7 +79,7 @@ TEST(Ticks, OfTwoTimesThatHideOneAnotherAreFound) {
   }
 }
 
-TEST(Ticks, ThatNothingShowsStayAsTheyWere) {
+TEST(Ticks, WithoutAnEffectStayUnchanged) {
   const Manoeuvre stands{"stands", {0, 0.1f, 0}, {{1, 0, 0}}};
   std::vector<uint32_t> best;
   const auto profiles =
@@ -88,8 +88,9 @@ TEST(Ticks, ThatNothingShowsStayAsTheyWere) {
   for (const Profile& p : profiles) EXPECT_TRUE(possibleOf(p, 0).all);
 }
 
-// A held jump follows a landing, which is when the floor is sensed: that is all that shows.
-TEST(Crossing, FindsFromHowHighAFloorIsSensed) {
+// A held jump follows each landing, at which the floor is sensed. Nothing else depends on the
+// parameter.
+TEST(Crossing, FindsTheHeightAtWhichAFloorIsSensed) {
   const io::RecordBuilder truth = with({{"floorAcquire", 1.02}});
   std::vector<Manoeuvre> falls;
   for (int i = 0; i < 12; ++i)

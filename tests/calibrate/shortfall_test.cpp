@@ -1,4 +1,4 @@
-// Why a fit cannot come near enough is said.
+// Reasons why a fit stays above the tolerance.
 #include "calibrate/shortfall.h"
 
 #include <gtest/gtest.h>
@@ -8,7 +8,7 @@
 namespace obby::calibrate {
 namespace {
 
-// Of one parameter of which nothing is known.
+// A fit of one parameter that is still unknown.
 Fit shortfallFitOf(const std::string& name) {
   Fit out;
   const Parameter p = parametersNamed({name}, defaults())->front();
@@ -29,8 +29,8 @@ TEST(Shortfall, NoiseOfThePositionsIsMeasured) {
   EXPECT_NE(shortOf(s, 0.01).find("jitter"), std::string::npos);
 }
 
-// The player of the recording is faster: the walk differs, whatever gravity is.
-TEST(Shortfall, NamesWhatNoParameterExplains) {
+// The recorded player is faster: the walk differs for any gravity.
+TEST(Shortfall, NamesRecordingsThatNoParameterExplains) {
   io::RecordBuilder truth;
   setValue(truth.root().initParams(), "walkSpeed", 24);
   const auto takes = takesUnder(truth.reader().getParams(), 0, firstManoeuvres(2));
@@ -42,8 +42,8 @@ TEST(Shortfall, NamesWhatNoParameterExplains) {
   EXPECT_NE(reasonsOf(s, 0.05).at(0).find("whatever the parameters"), std::string::npos);
 }
 
-// Held out, it can be seen to depend on a parameter that nothing else shows.
-TEST(Shortfall, NamesWhatTheFittedRecordingsDoNotTell) {
+// Held-out recordings can depend on a parameter that no fitted recording determines.
+TEST(Shortfall, NamesParametersThatTheFittedRecordingsDoNotDetermine) {
   io::RecordBuilder truth;
   setValue(truth.root().initParams(), "landedTime", 0.1);
   const auto all = takesUnder(truth.reader().getParams(), 0, firstManoeuvres(4));
@@ -64,8 +64,8 @@ TEST(Shortfall, NamesParametersAtAnEnd) {
   EXPECT_TRUE(s.strange.empty()) << "the recordings are followed";
 }
 
-// Below no ticks there is nothing that could have been tried, nor below keys that do nothing.
-TEST(Shortfall, NoneIsNoEnd) {
+// A time of zero ticks and a zero acceleration are valid results, not ends of a range.
+TEST(Shortfall, ZeroIsNotTheEndOfARange) {
   const auto takes = takesUnder(defaults(), 0, firstManoeuvres(2));
   Fit none = shortfallFitOf("landedTime");
   Fitted& f = none.parameters[0];
@@ -77,8 +77,8 @@ TEST(Shortfall, NoneIsNoEnd) {
   EXPECT_TRUE(shortfall(takes, none, 0.1).ends.empty());
 }
 
-// The first take of that name is followed whatever it is played with.
-TEST(Shortfall, TakesOfOneNameAreToldApart) {
+// The simulator follows the first take of that name under any parameters.
+TEST(Shortfall, RecordingsWithTheSameNameAreDistinguished) {
   io::RecordBuilder fast;
   setValue(fast.root().initParams(), "walkSpeed", 24);
   auto takes = takesUnder(defaults(), 0, firstManoeuvres(1));
@@ -90,8 +90,8 @@ TEST(Shortfall, TakesOfOneNameAreToldApart) {
   EXPECT_TRUE(s.strange[0].untold.empty());
 }
 
-// What is unknown then may not have been looked at: no recording is to blame.
-TEST(Shortfall, OfAnInterruptedFitIsTheInterruption) {
+// An interrupted fit may not have tried a parameter, so that no recording is to blame.
+TEST(Shortfall, OfAnInterruptedFitNamesTheInterruption) {
   io::RecordBuilder truth;
   setValue(truth.root().initParams(), "walkSpeed", 24);
   const auto takes = takesUnder(truth.reader().getParams(), 0, firstManoeuvres(2));

@@ -1,5 +1,4 @@
-// Recordings that show more than their player: where moving and loose parts are, where the player
-// faces.
+// Recordings that include moving parts, dynamic parts and the player's facing.
 #include "calibrate/surroundings.h"
 
 #include <gtest/gtest.h>
@@ -25,7 +24,7 @@ struct Course {
     ADD_FAILURE() << "no manoeuvre " << name;
     return {};
   }
-  // Of a recorder that came 50 ticks late.
+  // A ride whose recorder started 50 ticks late.
   Track lateRide() const {
     Track track = rehearsed("ride the ferry");
     for (int i = 0; i < 50; ++i) track.drop(0);
@@ -36,7 +35,7 @@ struct Course {
   schema::Level::Reader reader() const { return record.reader().getLevel(); }
 };
 
-// Studs, of the positions.
+// Returns the largest error of the positions, in studs.
 float mostOff(const Track& track, const std::vector<Window>& windows,
               const level::LevelView& level) {
   float most = 0;
@@ -66,8 +65,8 @@ TEST(Surroundings, TheClockOfARecordingIsFoundFromItsMovingParts) {
   EXPECT_TRUE(straysOf(track, course.level.view()).empty());
 }
 
-// A clock that was found in frames is the same time where the rules run in each step.
-TEST(Surroundings, TheClockIsATimeWhateverTheRate) {
+// A clock found in frames is the same time if the rules run in each step.
+TEST(Surroundings, TheClockIsATimeAtAnyRate) {
   const Course course;
   Track track = course.lateRide();
   ASSERT_TRUE(place(track, course.reader(), course.level));
@@ -81,18 +80,18 @@ TEST(Surroundings, TheClockIsATimeWhateverTheRate) {
   EXPECT_TRUE(straysOf(take.track, quick->view()).empty());
 }
 
-// Where the recorder left out what a window begins with, the ferry is where it was nevertheless.
-TEST(Surroundings, TheClockGoesOnWhereFramesAreMissing) {
+// The recorder dropped frames at the start of the window, yet the ferry's position is right.
+TEST(Surroundings, TheClockContinuesOverMissingFrames) {
   const Course course;
   Track track = course.rehearsed("ride the ferry");
   ASSERT_TRUE(place(track, course.reader(), course.level));
   const uint32_t first = 30;
-  const size_t begin = 6;  // 0.4 s before
+  const size_t begin = 6;  // 0.4 s earlier
   for (int i = 0; i < 5; ++i) track.drop(begin - 2);
   EXPECT_LT(mostOff(track, {{first - 5, first + 20}}, course.level.view()), 0.02f);
 }
 
-TEST(Surroundings, APartThatMovesOtherwiseIsNamed) {
+TEST(Surroundings, APartWithAnotherMotionIsNamed) {
   const Course course;
   Track track = course.rehearsed("ride the ferry");
   const size_t ferry = shown(track, partNamed(course, "Ferry"));
@@ -105,7 +104,7 @@ TEST(Surroundings, APartThatMovesOtherwiseIsNamed) {
   EXPECT_GT(strays[0].studs, 2);
 }
 
-TEST(Surroundings, APartThatTheLevelHasNotIsAnError) {
+TEST(Surroundings, AnUnknownPartIsAnError) {
   const Course course;
   Track track = course.rehearsed("push the box");
   track.shown[0] = "Bxo";
@@ -114,8 +113,8 @@ TEST(Surroundings, APartThatTheLevelHasNotIsAnError) {
   EXPECT_NE(wrong.error().text().find("parts[0]"), std::string::npos) << wrong.error().text();
 }
 
-// Windows that begin while the box is on its way see it there, and as fast.
-TEST(Surroundings, ABoxIsPushedFromTheMiddleOn) {
+// Windows that begin during the push start with the box's recorded position and velocity.
+TEST(Surroundings, WindowsMayBeginDuringAPush) {
   const Course course;
   const Track track = course.rehearsed("push the box");
   ASSERT_TRUE(showsLoose(track, course.level.view()));
@@ -124,7 +123,7 @@ TEST(Surroundings, ABoxIsPushedFromTheMiddleOn) {
   EXPECT_LT(mostOff(track, windows, course.level.view()), 0.05f);
 }
 
-TEST(Surroundings, WithoutTheBoxARecordingBesideItIsOnePiece) {
+TEST(Surroundings, WithoutTheBoxARecordingNextToItIsOneWindow) {
   const Course course;
   Track pushed = course.rehearsed("push the box"), other = course.rehearsed("jump over gaps");
   for (Track* t : {&pushed, &other}) {
@@ -134,7 +133,8 @@ TEST(Surroundings, WithoutTheBoxARecordingBesideItIsOnePiece) {
   EXPECT_GT(windowsOf(other, 0.5, course.level.view()).size(), 4u);
 }
 
-// A player who is shown facing away turns before a truss is met: no guess from where they walk.
+// The recorded facing is away from the truss. It must not be guessed from the direction of the
+// walk.
 TEST(Surroundings, FacingIsTakenFromTheRecording) {
   const Course course;
   const Track track = course.rehearsed("turn a little and about");

@@ -1,4 +1,4 @@
-// Recordings come out of a stream with their levels, each with a name of its own.
+// A stream's recordings are paired with their levels, and each gets a unique name.
 #include "calibrate/takes.h"
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@ io::Record recordOf(const Track& track) {
   return io::Record(std::move(out));
 }
 
-// What comes of the course's level and these.
+// The takes and warnings from reading the course's level and some recordings.
 struct Read {
   std::vector<Take> takes;
   std::vector<std::string> warnings;
@@ -33,7 +33,7 @@ Read read(const io::Record& level, const std::vector<Track>& tracks) {
   return out;
 }
 
-TEST(Takes, OfOneNameAreNumbered) {
+TEST(Takes, WithTheSameNameAreNumbered) {
   const std::vector<Take> once = takesUnder(defaults(), 0, firstManoeuvres(1));
   Track track = once[0].track;
   track.name = "run";
@@ -48,8 +48,8 @@ TEST(Takes, OfOneNameAreNumbered) {
   EXPECT_TRUE(got.warnings.empty());
 }
 
-// No clock makes up for it: whoever rides the part would be played beside it.
-TEST(Takes, APartThatMovesOtherwiseIsAWarning) {
+// No shift of the clock corrects this: a rider would be simulated at the wrong place.
+TEST(Takes, APartWithAnotherMotionIsAWarning) {
   const std::vector<Take> all = takesUnder(defaults());
   io::RecordBuilder other(all[0].level.reader());
   for (auto part : other.root().getLevel().getParts()) {

@@ -1,5 +1,5 @@
-// Recordings as the real engine leaves them: late frames, doubled ones, frames missing, inputs of
-// other rates; and recordings that are none.
+// Recordings as the real engine produces them: late frames, duplicates, missing frames, inputs at
+// other rates. Also invalid recordings.
 #include "calibrate/track.h"
 
 #include <gtest/gtest.h>
@@ -37,7 +37,7 @@ TEST(Track, ReadsBackWhatWasWritten) {
   }
 }
 
-TEST(Track, DropsFramesThatCameTwice) {
+TEST(Track, DropsDuplicateFrames) {
   io::RecordBuilder record;
   auto recording = trackRecordOf(record, 4);
   recording.getFrames()[2].setTime(1 / 60.0);
@@ -46,9 +46,9 @@ TEST(Track, DropsFramesThatCameTwice) {
   EXPECT_EQ(read->frames.size(), 3u);
 }
 
-// Of no length is what the first of two at one time says; and frames without poses mean those of
-// the frame before, whichever that was.
-TEST(Track, OfFramesThatCameTwiceTheLaterInputAndPosesCount) {
+// The first of two frames at one time lasts zero seconds. Frames without poses repeat those of the
+// frame before, even a dropped one.
+TEST(Track, OfDuplicateFramesTheLaterInputAndPosesCount) {
   io::RecordBuilder record;
   auto recording = trackRecordOf(record, 5);
   recording.initParts(1).set(0, "Box");
@@ -70,8 +70,8 @@ TEST(Track, OfFramesThatCameTwiceTheLaterInputAndPosesCount) {
   for (const size_t i : {1, 2, 3}) EXPECT_EQ(read->pose(i, 0).position.y, 3) << i;
 }
 
-// As it would be in a simulator whose numbers overflow: losses of no number have no least one.
-TEST(Track, NumbersOfNoWorldAreAnError) {
+// Overflowing numbers would make losses that cannot be compared.
+TEST(Track, ImpossibleNumbersAreAnError) {
   using Builder = schema::RecordingFrame::Builder;
   for (const auto& spoil : std::vector<std::function<void(Builder)>>{
            [](Builder f) { f.initPosition().setX(2e6f); },
@@ -108,7 +108,7 @@ TEST(Track, TimesCountFromTheFirstFrameOn) {
   EXPECT_NEAR(read->frames[3].time, 0.05, 1e-6);
 }
 
-// Milliseconds, or a pause of minutes: it would be played as long as it says.
+// Times in milliseconds, or a pause of minutes, would be simulated in full.
 TEST(Track, NamesTheFrameWhoseTimeLeaps) {
   io::RecordBuilder record;
   auto recording = trackRecordOf(record, 4);
@@ -120,7 +120,7 @@ TEST(Track, NamesTheFrameWhoseTimeLeaps) {
 
 TEST(Track, PosesAndFacingReadBack) {
   const std::vector<Take> takes = takesUnder(defaults());
-  const Track& track = takes.back().track;  // a box is pushed
+  const Track& track = takes.back().track;  // of a box that is pushed
   io::RecordBuilder record;
   writeRecording(track, record.root().initRecording());
   const auto read = trackOf(record.reader().getRecording());
@@ -134,7 +134,7 @@ TEST(Track, PosesAndFacingReadBack) {
   EXPECT_EQ(read->frames[40].facing, track.frames[40].facing);
 }
 
-TEST(Track, PosesOfOtherPartsThanItNamesAreAnError) {
+TEST(Track, AWrongNumberOfPosesIsAnError) {
   io::RecordBuilder record;
   auto recording = trackRecordOf(record, 4);
   recording.initParts(1).set(0, "Box");
@@ -150,7 +150,7 @@ TEST(Track, NeedsTwoFrames) {
   EXPECT_FALSE(trackOf(trackRecordOf(record, 1)));
 }
 
-// With the parameters that made them, windows that begin anywhere follow the recording.
+// Returns the worst residual under the true parameters, over windows that begin anywhere.
 double worstOf(const std::vector<Take>& takes) {
   const std::vector<Parameter> none;
   const Objective objective(takes, none, defaults(), {});
@@ -160,8 +160,8 @@ double worstOf(const std::vector<Take>& takes) {
   return worst;
 }
 
-// Whatever is in a track, losses can be compared.
-TEST(Playback, ALossIsANumber) {
+// Losses can be compared, whatever is in a track.
+TEST(Playback, ALossIsNeverNaN) {
   std::vector<Take> takes = takesUnder(defaults(), 0, firstManoeuvres(1));
   takes[0].track.frames.back().position.x = std::nanf("");
   const std::vector<Parameter> none;
@@ -171,7 +171,7 @@ TEST(Playback, ALossIsANumber) {
 
 TEST(Playback, FollowsItsOwnRecordings) { EXPECT_LT(worstOf(takesUnder(defaults())), 0.03); }
 
-// A tenth of the frames is missing.
+// A tenth of the frames are missing.
 TEST(Playback, FollowsARecordingWithFramesMissing) {
   std::vector<Take> takes = takesUnder(defaults());
   Random random(5, 0);

@@ -1,5 +1,5 @@
-// The smallest tool: passes records through. The command-line tests run it, so that what all tools
-// share is tested without any of them.
+// The smallest tool, which passes records through. The command-line tests use it to test features
+// that all tools share.
 #include <unistd.h>
 
 #include "cli/context.h"

@@ -1,4 +1,4 @@
-// Help: what it shows in which width.
+// The help text and its width.
 #include "cli/help.h"
 
 #include <fmt/format.h>
@@ -66,13 +66,13 @@ TEST(Help, HasOneColumnOnANarrowTerminalAndTwoElsewhere) {
   EXPECT_TRUE(has(helpOf(exampleTool(), 40), "\n      --seed N\n        random seed"));
 }
 
-TEST(Help, BreaksAListOfChoicesBehindABar) {
+TEST(Help, BreaksAListOfChoicesAfterABar) {
   EXPECT_TRUE(has(helpOf(exampleTool(), 40),
                   "\n      --method auto|quickly|thoroughly|\n          elegantly|"))
       << helpOf(exampleTool(), 40);
 }
 
-TEST(Help, ShowsFiveExamplesAndWhatManyNeed) {
+TEST(Help, ShowsFiveExamplesAndTheCommonOptions) {
   const std::string few = helpOf(exampleTool(), 80), all = helpOf(exampleTool(), 80, true);
   EXPECT_EQ(countOf(few, "\n  $ "), 5u);
   EXPECT_EQ(countOf(all, "\n  $ "), 7u);
@@ -93,7 +93,7 @@ TEST(Help, PutsMessagesLastAndEachGroupOnce) {
   EXPECT_GT(text.find("--progress"), text.find("\nHelp and messages:\n"));
 }
 
-TEST(Help, BreaksALongExampleBehindItsOperators) {
+TEST(Help, BreaksALongExampleAfterItsOperators) {
   ToolSpec spec = exampleTool();
   spec.examples = {{"Do much", "obby-gen --count 60 --style gaps && obby-solve x | obby-view"}};
   EXPECT_TRUE(has(helpOf(spec, 80),

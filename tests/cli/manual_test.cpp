@@ -1,4 +1,4 @@
-// Manual pages: what roff would take for its own, and what a page must have.
+// Manual pages: text that roff would interpret, and required sections.
 #include "cli/manual.h"
 
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@ TEST(Roff, TextIsNeitherARequestNorAnEscape) {
   EXPECT_EQ(roff::bold("-o"), "\\fB\\-o\\fR");
 }
 
-TEST(Manual, HasWhatHelpLeavesOutAndNothingHidden) {
+TEST(Manual, HasDetailsThatHelpOmitsButNoHiddenOptions) {
   ToolSpec spec;
   spec.name = "obby-view";
   spec.summary = "show it";

@@ -1,4 +1,4 @@
-// Values of options: what is taken, what is refused and how, and which source wins.
+// Values of options: accepted values, errors, and the precedence of sources.
 #include "cli/options.h"
 
 #include <gtest/gtest.h>
@@ -27,7 +27,7 @@ std::string verdict(const OptionRow& row, std::string text) {
   return wrong ? *wrong : "ok " + text;
 }
 
-TEST(CheckValue, NumbersAreWholeTextsInRange) {
+TEST(CheckValue, NumbersMustBeWholeTextsInRange) {
   const OptionRow row = integerRow(-3, 16);
   EXPECT_EQ(verdict(row, "16"), "ok 16");
   EXPECT_EQ(verdict(row, "-3"), "ok -3");
@@ -42,7 +42,7 @@ TEST(CheckValue, NumbersAreWholeTextsInRange) {
   EXPECT_EQ(verdict(open, "nan"), "expected a number of at least -3, found \"nan\"");
 }
 
-TEST(CheckValue, SeedsAreAllOf64Bits) {
+TEST(CheckValue, SeedsCoverAll64Bits) {
   const OptionRow row = commonRow(Common::seed);
   EXPECT_EQ(verdict(row, "18446744073709551615"), "ok 18446744073709551615");
   EXPECT_NE(verdict(row, "18446744073709551616").substr(0, 2), "ok");
@@ -95,8 +95,8 @@ TEST(Arguments, TheCommandLineWinsOverTheEnvironmentOverTheDefault) {
   unsetenv("OBBY_TIME_LIMIT");
 }
 
-// What --print-config wrote is no wish.
-TEST(Arguments, AConfigurationFileThatStatesTheDefaultGivesNothing) {
+// A file from --print-config states defaults that the user did not choose.
+TEST(Arguments, AConfigurationFileWithTheDefaultSetsNothing) {
   const std::string path = testing::TempDir() + "obby-states-the-default";
   const auto given = [&](const std::string& text) {
     std::ofstream(path) << text;
@@ -119,7 +119,7 @@ TEST(Arguments, OnlyTheCommandLineIsTypedAndAFlagOnlyAsOn) {
   unsetenv("OBBY_QUIET");
 }
 
-TEST(Arguments, WhatIsTypedAndIdleIsRefusedByName) {
+TEST(Arguments, AnOptionWithoutEffectIsRefusedByName) {
   const auto refused = [](std::vector<std::string> words) {
     const Status status = refuseTyped(*resolve(std::move(words)), {"seed", "quiet"}, "no", "why");
     return status ? "" : status.error().text();
@@ -141,7 +141,7 @@ TEST(Arguments, InputsKeepTheirOrderAmongOptions) {
             "- is given twice (standard input can be read only once)");
 }
 
-TEST(Arguments, AnEmptyValueTakesNoOtherWordInItsPlace) {
+TEST(Arguments, AnEmptyValueDoesNotTakeTheNextWord) {
   EXPECT_EQ(resolve({"--seed=", "5"}).error().text(),
             "--seed: expected a whole number from 0 to 2^64 - 1, found \"\"");
   EXPECT_EQ(resolve({"--quiet=", "5"}).error().text(),

@@ -1,4 +1,4 @@
-// Signs of life: who gets which, and what they say.
+// Progress lines: their mode and their content.
 #include "cli/progress.h"
 
 #include <gtest/gtest.h>
@@ -26,7 +26,7 @@ TEST(Progress, LinesAreShortAndNumbersBrief) {
   EXPECT_EQ(progressLine({"x", -1, {}}, 80), "x");
 }
 
-TEST(Progress, TellsTheTimeLeftAsPeopleDo) {
+TEST(Progress, ShowsTheTimeLeftInWords) {
   const auto lineOf = [](double seconds) { return progressLine({"x", -1, {}, seconds}, 80); };
   EXPECT_EQ(lineOf(0), "x  0 s left");
   EXPECT_EQ(lineOf(59.9), "x  59 s left");
@@ -40,14 +40,14 @@ TEST(Progress, TellsTheTimeLeftAsPeopleDo) {
             "{\"type\":\"progress\",\"task\":\"x\",\"seconds left\":12400.5}");
 }
 
-// Ids come from streams of strangers.
+// Ids come from untrusted streams.
 TEST(Progress, LinesMoveNoCursorAndEndWithAWholeCharacter) {
   EXPECT_EQ(progressLine({"query \x1b[2J\n\xe9", -1, {}}, 80), "query ?[2J?\xef\xbf\xbd");
   EXPECT_EQ(progressLine({"caf\xc3\xa9", -1, {}}, 5), "caf\xc3\xa9");
   EXPECT_EQ(progressLine({"caf\xc3\xa9", -1, {}}, 4), "caf");
 }
 
-TEST(Progress, JsonHasEveryNumberInFullButNoneThatJsonLacks) {
+TEST(Progress, JsonHasExactNumbersButNoNaNOrInfinity) {
   const ProgressState state{"say \"hi\"\n", 0.5, {{"steps", 1234567890}, {"bad", NAN}}};
   EXPECT_EQ(progressJson(state),
             "{\"type\":\"progress\",\"task\":\"say \\\"hi\\\"\\n\",\"fraction\":0.5,"

@@ -1,4 +1,4 @@
-// What signals do: each test sends them to a process of its own.
+// The effect of signals. Each test sends them to its own process.
 #include "cli/stop.h"
 
 #include <gtest/gtest.h>
@@ -13,9 +13,9 @@ namespace {
 
 using std::chrono::milliseconds;
 
-// Two of them, the second so much later; ends with 0 if they have asked for an end, as `number`.
+// Sends the signal twice, the second one later. Exits with 0 if the stop flag is set for `number`.
 void sentTwice(int number, milliseconds later) {
-  signal(number, SIG_DFL);  // it may have been ignored where the tests were started
+  signal(number, SIG_DFL);  // the tests' parent may have ignored it
   installStopHandlers();
   raise(number);
   std::this_thread::sleep_for(later);
@@ -23,8 +23,8 @@ void sentTwice(int number, milliseconds later) {
   _exit(stopFlag().load() && stopSignal() == number ? 0 : 1);
 }
 
-// As timeout(1) does.
-TEST(Stop, OneSignalThatIsSentTwiceAsksForAnEnd) {
+// timeout(1) sends a signal twice.
+TEST(Stop, ASignalRepeatedAtOnceCountsOnce) {
   EXPECT_EXIT(sentTwice(SIGINT, milliseconds(0)), testing::ExitedWithCode(0), "");
   EXPECT_EXIT(sentTwice(SIGTERM, milliseconds(0)), testing::ExitedWithCode(0), "");
 }

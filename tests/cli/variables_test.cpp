@@ -1,4 +1,4 @@
-// Variables that were meant to set an option and set none.
+// Environment variables that misspell an option.
 #include "cli/variables.h"
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@ std::string slips(std::vector<const char*> environment) {
   std::vector<OptionRow> rows = universalRows();
   rows.push_back(commonRow(Common::timeLimit));
   OptionRow own;
-  own.name = "juggle";  // an option that is not in the list of all
+  own.name = "juggle";  // an option of this tool only
   rows.push_back(own);
   std::string out;
   for (const MisspeltVariable& slip : misspeltVariables(rows, environment.data()))
@@ -25,12 +25,12 @@ TEST(Variables, AMisspeltOneNamesTheNearestOption) {
   EXPECT_EQ(slips({"OBBY_JUGLE=1"}), "OBBY_JUGLE OBBY_JUGGLE; ");
 }
 
-TEST(Variables, OneOfThisToolOrAnotherIsNoSlip) {
+TEST(Variables, VariablesOfAnyToolAreNotMisspelt) {
   EXPECT_EQ(slips({"OBBY_TIME_LIMIT=3", "OBBY_JUGGLE=1", "OBBY_QUIET=1"}), "");
   EXPECT_EQ(slips({"OBBY_MAX_TIME=3", "OBBY_TRIALS=1", "OBBY_CONFIG=c"}), "");
 }
 
-TEST(Variables, OneThatIsNearNothingIsSomeoneElses) {
+TEST(Variables, VariablesUnlikeAnyOptionAreIgnored) {
   EXPECT_EQ(slips({"OBBY_PRESET=ci", "OBBY_WRITE_GOLDEN=1", "OBBY=1", "OBBY_", "OBBY_=1",
                    "OBBY_VERBOS="}),
             "");

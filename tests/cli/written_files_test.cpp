@@ -1,4 +1,4 @@
-// Which files a tool refuses to write.
+// Files that a tool refuses to write.
 #include "cli/written_files.h"
 
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// In a folder of its own, which is empty at first.
+// Each test runs in an empty folder.
 class WrittenFiles : public testing::Test {
  protected:
   WrittenFiles() : before_(fs::current_path()), folder_(fs::path(testing::TempDir()) / name()) {
@@ -39,7 +39,7 @@ class WrittenFiles : public testing::Test {
     value.given = true;
   }
 
-  // Nothing, or what it says.
+  // Returns the error, or an empty text.
   std::string refused(const std::vector<WrittenFile>& written) const {
     const Status status = refuseOverwriting(arguments_, written);
     return status ? std::string() : status.error().text();
@@ -55,7 +55,7 @@ class WrittenFiles : public testing::Test {
   fs::path before_, folder_;
 };
 
-TEST_F(WrittenFiles, AnInputIsKnownByWhateverName) {
+TEST_F(WrittenFiles, AnInputIsRecognisedUnderAnyName) {
   make("in");
   fs::create_symlink("in", "link");
   fs::create_hard_link("in", "other");
@@ -72,21 +72,21 @@ TEST_F(WrittenFiles, AnInputIsKnownByWhateverName) {
   EXPECT_EQ(refused({{"output", "in"}}), "");
 }
 
-TEST_F(WrittenFiles, WhatOptionsNameStaysButWhatIsRenewed) {
+TEST_F(WrittenFiles, FilesNamedByOptionsAreKeptUnlessRenewed) {
   make("policy");
   give("policy", "policy");
   EXPECT_EQ(refused({{"output", "./policy"}}),
             "--output: './policy' is also named by --policy (name another file)");
   give("policy", "policy", true);
   EXPECT_EQ(refused({{"output", "policy"}}), "");
-  // An option that is written is what is asked about, not what is read.
+  // An option that names an output does not count as an input.
   give("policy", "policy");
   EXPECT_EQ(refused({{"policy", "policy"}}), "");
   arguments_.values["policy"].given = false;
   EXPECT_EQ(refused({{"output", "policy"}}), "");
 }
 
-TEST_F(WrittenFiles, TwoThatAreWrittenDiffer) {
+TEST_F(WrittenFiles, TwoOutputsMustDiffer) {
   EXPECT_EQ(refused({{"output", "new"}, {"log", "log"}, {"curve", "./new"}}),
             "--curve: './new' is also where --output goes (name another file)");
   EXPECT_EQ(refused({{"output", "new"}, {"log", ""}, {"curve", ""}}), "");
@@ -97,7 +97,7 @@ TEST_F(WrittenFiles, TwoThatAreWrittenDiffer) {
   EXPECT_EQ(refused({{"output", "old"}, {"log", "new"}}), "");
 }
 
-TEST_F(WrittenFiles, ALinkToWhatIsNotThereYetIsWhatItNames) {
+TEST_F(WrittenFiles, ALinkToAMissingFileCountsAsItsTarget) {
   fs::create_directory("runs");
   fs::create_symlink("runs/new", "link");
   fs::create_symlink("link", "link to it");
@@ -106,7 +106,7 @@ TEST_F(WrittenFiles, ALinkToWhatIsNotThereYetIsWhatItNames) {
   EXPECT_NE(refused({{"output", "link to it"}, {"checkpoint", "./runs/new"}}), "");
   EXPECT_NE(refused({{"output", "link"}, {"checkpoint", "link to it"}}), "");
   EXPECT_EQ(refused({{"output", "link"}, {"checkpoint", "runs/other"}}), "");
-  fs::create_symlink("round", "round");  // names nothing
+  fs::create_symlink("round", "round");  // a loop that names no file
   EXPECT_EQ(refused({{"output", "link"}, {"checkpoint", "round"}}), "");
 }
 

@@ -1,6 +1,6 @@
-// Does the GPU give the bits of the CPU? The golden scenes' committed hashes, and world by world
-// what batches of other kinds become. Ends with 77 where there is no GPU: skipped. With --emulate
-// the CPU takes the GPU's place, which tests this program and everything but the launches.
+// Compares the GPU with the CPU bit by bit: the golden scenes' committed hashes, and other batches
+// world by world. Exits with 77 (skipped) if there is no GPU. With --emulate the CPU stands in for
+// the GPU, which tests everything except the launches.
 #include <cstdio>
 #include <cstdlib>
 #include <string>
@@ -9,10 +9,10 @@
 #include "golden/hashes.h"
 #include "sim/backend.h"
 #include "sim/host_device.h"
-#include "solve/go_explore.h"
 #include "solve/learned/cflge.h"
 #include "solve/learned/pbge.h"
-#include "solve/resident/resident_explore.h"
+#include "solve/search/methods/go_explore.h"
+#include "solve/search/resident/resident_explore.h"
 #include "support/courses.h"
 #include "support/hasty.h"
 #include "support/plain_problem.h"
@@ -43,7 +43,7 @@ class Parity {
     }
   }
 
-  // Steps the course on both and compares every world.
+  // Steps the course on the CPU and the GPU, and compares every world.
   void compare(const char* name, const sim::Course& course, uint32_t worlds, uint32_t ticks,
                const sim::Actions& actions) {
     auto cpu = made(sim::makeCpuBatch(course, worlds, pool_), name);
@@ -87,7 +87,7 @@ class Parity {
   int failures_ = 0;
 };
 
-// A table of random actions, and one plan for each world.
+// Compares actions from a random table, and from one plan per world.
 void compareSources(Parity& parity, uint32_t worlds, uint32_t ticks) {
   const level::Level level = support::boxArena(100, 6).compile();
   const sim::Course course = sim::courseOf(level.view(), level.spawns()[0]);
@@ -132,7 +132,7 @@ bool sameCells(const solve::Archive& a, const solve::Archive& b) {
   return same;
 }
 
-// The same search with its rollouts on threads and on the device: every cell of the archive.
+// Compares every cell of one search whose rollouts run on threads and on the device.
 void compareSearch(Parity& parity, sim::Device& device, ThreadPool& pool, int rounds) {
   const level::Level level = support::movingArena(60, 10, 5).compile();
   const solve::Problem problem = support::endlessProblem(level);
@@ -149,7 +149,7 @@ void compareSearch(Parity& parity, sim::Device& device, ThreadPool& pool, int ro
              status ? cells.c_str() : status.error().text().c_str());
 }
 
-// A search whose players and networks are there.
+// Compares a search whose players and networks run on the device.
 template <class Search, class Settings>
 void compareLearned(Parity& parity, const char* name, const level::Level& level,
                     sim::Device& device, ThreadPool& pool, int rounds) {
@@ -168,7 +168,7 @@ void compareLearned(Parity& parity, const char* name, const level::Level& level,
   parity.say(bool(status) && same, name, status ? cells.c_str() : status.error().text().c_str());
 }
 
-// The search that lives on the device, there and on the CPU in its place.
+// Compares the search that lives on the device with the CPU in the device's place.
 void compareResident(Parity& parity, const char* name, const level::Level& level,
                      sim::Device& device, ThreadPool& pool, int rounds, uint32_t rollouts) {
   const solve::Problem problem = support::endlessProblem(level);
@@ -193,7 +193,7 @@ void compareResident(Parity& parity, const char* name, const level::Level& level
   parity.say(bool(status) && same, name, status ? cells.c_str() : status.error().text().c_str());
 }
 
-// Learning: its kernels have the bits of their bodies on the CPU, what is learned included.
+// Compares training: its kernels and the learned network must match the CPU bit by bit.
 void compareLearning(Parity& parity, const char* name, bool loose, sim::Device& device,
                      ThreadPool& pool, uint32_t envGroups) {
   const train::Gaps gaps(loose);
@@ -247,7 +247,7 @@ int main(int argc, char** argv) {
   sim::Device& device = option == "--emulate" ? host : *backend->device();
   std::printf("        %s against the CPU's lanes\n", device.name().c_str());
   Parity parity(device, pool);
-  // Few worlds under a tool that watches every access.
+  // A tool that watches every access needs a small run.
   const uint32_t worlds = option.empty() ? 20000 : 300;
   if (option != "--quick") parity.golden();
   compareWalkers(parity, worlds, 300);

@@ -1,5 +1,5 @@
-// Each construct of Luau's grammar, run as Lua 5.1. Longer programs are in luau/, which are also
-// compared with Luau's own VM (oracle.mjs).
+// Runs each construct of Luau's grammar as Lua 5.1. Longer programs are in luau/; oracle.mjs
+// compares them with Luau's own VM, too.
 #include "engine/luau/emit.h"
 
 #include <gtest/gtest.h>
@@ -125,7 +125,7 @@ const auto nameOf = [](const testing::TestParamInfo<Case>& info) {
 INSTANTIATE_TEST_SUITE_P(Statements, Construct, testing::ValuesIn(kStatements), nameOf);
 INSTANTIATE_TEST_SUITE_P(Expressions, Construct, testing::ValuesIn(kExpressions), nameOf);
 
-// Programs whose nesting, locals or upvalues Luau's own limits allow, and 5.1's do not.
+// Programs whose nesting, locals or upvalues are within Luau's limits but beyond those of 5.1.
 std::string repeated(int count, const char* text) {
   std::string all;
   for (int i = 0; i < count; ++i) {
@@ -182,7 +182,7 @@ TEST(Emit, IsTheSameEachTime) {
   for (int i = 0; i < 3; ++i) EXPECT_EQ(*luau::toLua(source), *first);
 }
 
-// The line of an error that the VM raises.
+// An error that the VM raises has the script's line.
 TEST(Emit, ErrorsHaveTheScriptsLine) {
   const std::pair<const char*, const char*> cases[] = {
       {"local a = 1\n\nerror('x')", "script:3: x"},
@@ -246,7 +246,7 @@ TEST(Emit, StatementsStandOnTheirLines) {
   EXPECT_EQ(*lua, "local L_=...;local a=1;\n\n\nprint(\na,\n2);\n\nlocal b;");
 }
 
-// The corpus runs without errors; that it prints what Luau prints is oracle.mjs' matter.
+// The corpus runs without errors. oracle.mjs checks that it prints what Luau prints.
 TEST(Emit, ProgramsRun) {
   size_t count = 0;
   for (const auto& entry :

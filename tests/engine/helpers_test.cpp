@@ -1,4 +1,4 @@
-// Numbers as text, and what the helpers do at their edges.
+// Numbers as text, and edge cases of the helpers.
 #include "engine/luau/helpers.h"
 
 #include <gtest/gtest.h>
@@ -52,7 +52,7 @@ TEST(Helpers, MetatablesNameTypes) {
             "false script:3: attempt to perform arithmetic (idiv) on Instance and number\n");
 }
 
-// A runtime may have its own order of tables and its own texts.
+// A runtime may define its own order of tables and its own texts.
 TEST(Helpers, TextAndOrderAreTheRuntimes) {
   lua_State* const state = luaL_newstate();
   luau::pushHelpers(state);

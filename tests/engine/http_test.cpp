@@ -1,4 +1,4 @@
-// Requests that nobody answers.
+// Requests that get no answer.
 #include <gtest/gtest.h>
 
 #include "engine/place.h"

@@ -1,4 +1,4 @@
-// Runs a Luau text: emitted as Lua 5.1, in a VM with few libraries. What it prints is kept.
+// Runs a Luau text, emitted as Lua 5.1, in a VM with few libraries. Its output is kept.
 #pragma once
 
 #include <lua.hpp>
@@ -12,7 +12,7 @@ namespace obby::test {
 
 struct RunOutcome {
   std::string printed;  // lines; values are separated by blanks
-  std::string error;    // of the parser, the VM's compiler or the script
+  std::string error;    // from the parser, the VM's compiler or the script
 };
 
 class LuaRunner {

@@ -1,5 +1,5 @@
-// luau_run FILE: prints what the Luau program prints; its error goes to stderr. With --lua, prints
-// the emitted Lua 5.1 instead.
+// luau_run FILE: runs a Luau program. Its output goes to stdout, its error to stderr. With --lua,
+// prints the emitted Lua 5.1 instead.
 #include <cstdio>
 #include <fstream>
 #include <iterator>

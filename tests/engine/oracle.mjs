@@ -1,5 +1,5 @@
-// Compares what Luau programs print in Luau's own VM and as emitted Lua 5.1:
-// node oracle.mjs LUAU_RUN [FILE...]. Without files, all of luau/. Exits 1 if one differs.
+// Compares the output of Luau programs in Luau's own VM and as emitted Lua 5.1: node oracle.mjs
+// LUAU_RUN [FILE...]. Without files, it runs all of luau/. Exits 1 if one differs.
 import { spawnSync } from 'node:child_process';
 import { readFileSync, readdirSync } from 'node:fs';
 import { dirname, join } from 'node:path';
@@ -11,7 +11,7 @@ const packages = join(here, '..', '..', 'studio', 'node_modules');
 const { LuauState } = await import(pathToFileURL(join(packages, 'luau-web', 'src', 'index.js')));
 const kBatch = 20;
 
-// Keeps what is printed. All on one line, so that errors name the program's lines.
+// Collects the printed lines. It is one line itself, so that errors name the program's lines.
 const before = `local lines = {} local function print(...)
   local values = { n = select("#", ...), ... }
   for i = 1, values.n do values[i] = tostring(values[i]) end
@@ -29,7 +29,7 @@ async function run(state, file) {
   }
 }
 
-// In processes of their own for some files each: a VM has 17 MB for good, and a process one VM.
+// Runs a few files in each process: a VM keeps 17 MB for good, and a process has one VM.
 function inLuau(files) {
   if (files.length > kBatch) return [...inLuau(files.slice(0, kBatch)), ...inLuau(files.slice(kBatch))];
   const { stdout } = spawnSync(process.execPath, [self, '--luau', ...files], { encoding: 'utf8' });

@@ -1,4 +1,4 @@
-// The Luau parser accepts the language's grammar, and says in plain words what is none of it.
+// The Luau parser accepts the language's grammar, and reports other text in plain words.
 #include "engine/luau/parser.h"
 
 #include <gtest/gtest.h>
@@ -132,7 +132,7 @@ TEST(Parser, NestingIsBounded) {
   EXPECT_EQ(nested("1 .. ", "", 20'000), "this expression is too long");
 }
 
-// Old users go on behind an error.
+// Statements after an error are kept.
 TEST(Parser, TheRestIsKept) {
   const auto chunk = luau::parse("x = 1\ny = = 2\nend\nz = 3");
   EXPECT_TRUE(chunk.broken);

@@ -49,15 +49,15 @@ class Place {
   InstanceId workspace, scripts;
 };
 
-// The problems of scripts, one a line.
+// Returns the problems of scripts, one on each line.
 inline std::string problems(const engine::Observation& seen) {
   std::string all;
   for (const engine::Problem& problem : seen.problems) all += problem.text + "\n";
   return all;
 }
 
-// What a server script has in `result` at the end of `text`, by way of an error: the stage keeps it
-// as a problem. Runs for half a second.
+// Returns the value of `result` at the end of a server script's `text`. The script raises it as an
+// error, which the stage keeps as a problem. Runs for half a second.
 inline std::string resultOf(const std::string& text) {
   Place place;
   place.script(text + "\nerror('result ' .. tostring(result), 0)", place.scripts);

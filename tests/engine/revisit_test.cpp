@@ -1,4 +1,4 @@
-// What parts do once other parts have been touched, and why it differs.
+// Effects of parts after other parts have been touched, and the reasons for differences.
 #include <gtest/gtest.h>
 
 #include "engine/place.h"
@@ -14,6 +14,7 @@ struct LeverPlace : Place {
   LeverPlace() {
     lever = part("Lever", {20, 0, 0});
     trap = part("Trap", {40, 0, 0});
+    part("Door", {0, 9, 60});
   }
   engine::Report observe(const std::string& text) {
     script("local lever, trap = workspace.Lever, workspace.Trap\n" + text, scripts);
@@ -87,6 +88,17 @@ TEST(Revisit, HarmThatComesAndGoesIsFoundByPatience) {
                     "while true do on = false task.wait(3.3) on = true task.wait(1) end");
   ASSERT_EQ(report.revisits.size(), 1u);
   EXPECT_EQ(report.revisits[0].cause, Cause::time);
+}
+
+TEST(Revisit, LeversThatWorkForSecondsOnlyAreFound) {
+  LeverPlace place;
+  const engine::Report report = place.observe(
+      "local lit = {} for _, p in {lever, trap} do p.Touched:Connect(function()\n"
+      "if lit[p] then return end lit[p] = true\n"
+      "if lit[lever] and lit[trap] then workspace.Door:Destroy() end\n"
+      "task.wait(3) lit[p] = false end) end");
+  ASSERT_EQ(report.revisits.size(), 1u);
+  EXPECT_EQ(report.revisits[0].cause, Cause::lever);
 }
 
 TEST(Revisit, RepeatableEffectsAreNoDifference) {

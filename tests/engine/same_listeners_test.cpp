@@ -1,4 +1,4 @@
-// More parts than probes: one probe stands for parts with the same listeners.
+// With more parts than probes, one probe represents parts with the same listeners.
 #include <gtest/gtest.h>
 
 #include "engine/place.h"
@@ -30,7 +30,7 @@ TEST(SameListeners, CopiesOfAScriptAreAlikeAndOthersAreNot) {
   }
   const engine::Report report = observeWith(3, place);
   EXPECT_EQ(report.failure, "");
-  ASSERT_EQ(report.probes.size(), 3u);  // the first two with one script, the first with the other
+  ASSERT_EQ(report.probes.size(), 3u);  // two with the first script, one with the second
   EXPECT_EQ(report.probes[0].target, parts[0]);
   EXPECT_EQ(report.probes[1].target, parts[1]);
   EXPECT_EQ(report.probes[2].target, parts[4]);

@@ -1,4 +1,4 @@
-// Scripts of small places run, and what they do is seen.
+// Scripts of small places run, and their effects are recorded.
 #include <gtest/gtest.h>
 
 #include "engine/place.h"

@@ -1,4 +1,4 @@
-// The blobs inside properties: attributes, tags, collision data, terrain, base64; JSON with
+// The blobs inside properties: attributes, tags, collision data, terrain and base64. Also JSON with
 // comments.
 #include <cstddef>
 #include <cstdint>
@@ -17,7 +17,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   const std::string_view blob(reinterpret_cast<const char*>(data), size);
   (void)decodeAttributes(blob);
   (void)decodeCollision(blob);
-  // Few inputs are a zstd frame: what is in one is read on its own, too.
+  // Few inputs are a zstd frame, so that the frame's content is also read directly.
   if (const auto hulls = decodePackedHulls(blob)) {
     size_t corners = 0;
     for (const auto& hull : *hulls) corners += hull.size();

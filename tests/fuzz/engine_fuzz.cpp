@@ -1,5 +1,5 @@
-// A place with scripts of any text. The first byte says what the script is and where it sits; a NUL
-// begins another one. It ends within its budgets, and running it twice shows the same.
+// A place with arbitrary scripts. The first byte selects a script's kind and place, and a NUL
+// begins another script. A run ends within its budgets, and two runs give the same observation.
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -27,7 +27,7 @@ engine::Settings settings() {
   return settings;
 }
 
-// Parts to touch, a value, a ClickDetector and a prompt, and a joint.
+// A place with parts to touch, a value, a ClickDetector, a prompt and a joint.
 struct Scene : test::Place {
   Scene() {
     lava = part("Lava", {20, 0, 0});
@@ -54,7 +54,8 @@ struct Scene : test::Place {
     }
   }
 
-  // Letters: l LocalScript, m ModuleScript, p the lava's own; else a Script in its service.
+  // The first letter selects l LocalScript, m ModuleScript, p a Script in the lava, or else a
+  // Script in its service.
   void addScript(std::string_view text) {
     if (text.empty()) return;
     const std::string source(text.substr(1));
@@ -75,7 +76,7 @@ void require(bool holds, const char* what) {
   std::abort();
 }
 
-// What is seen, as text that is the same if it is.
+// An observation as text, equal if and only if the observations are.
 class Summary {
  public:
   void add(double value) { text.append(reinterpret_cast<const char*>(&value), sizeof value); }
@@ -111,7 +112,7 @@ class Summary {
   }
 };
 
-// Everything that a run shows.
+// Returns the summary of a run.
 std::string run(const Document& document) {
   const engine::Settings budget = settings();
   engine::Stage stage(document, budget);

@@ -1,5 +1,5 @@
-// Requests to a live page's server: whatever comes, it is refused, or it has the token and comes
-// from no other page.
+// Requests to a live page's server: every one is either refused, or has the token and comes from no
+// other page.
 #include <cstdint>
 #include <cstdlib>
 #include <string>

@@ -1,5 +1,5 @@
-// Streams of Cap'n Proto messages: the first byte chooses whether the rest is one message's segment
-// (behind a right table) or a whole stream, packed or not.
+// Streams of Cap'n Proto messages. By the first byte, the rest is one message's segment (after a
+// valid table) or a whole stream, packed or not.
 #include <cstddef>
 #include <cstdint>
 #include <cstring>

@@ -1,6 +1,6 @@
-// Binary places. Plain mutation hardly ever keeps a chunk's length right, so inputs are taken as
+// Binary places. Plain mutation rarely keeps a chunk's length valid, so that inputs are parsed as
 // chunks: a letter for the name, two bytes of length, the content. Inputs that begin with '<' are
-// read as they are.
+// used unchanged.
 #include <cstddef>
 #include <cstdint>
 #include <string>

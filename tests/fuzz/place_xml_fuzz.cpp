@@ -13,7 +13,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
                              "</Properties></Item></roblox>";
   (void)readXml(input, "fuzz");
   (void)readXml(framed, "fuzz");
-  // Filtering what was filtered changes nothing.
+  // Filtering is idempotent.
   const FilteredXml once = filterXml(input);
   if (filterXml(once.text).text != once.text) __builtin_trap();
   if (sourceOffset(input, once.text.size()) != input.size()) __builtin_trap();

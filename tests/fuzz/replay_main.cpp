@@ -1,4 +1,4 @@
-// Runs a fuzz target over files and folders of files: the corpus as an ordinary test.
+// Runs a fuzz target over files and folders, so that the corpus serves as an ordinary test.
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>

@@ -1,5 +1,5 @@
-// What must hold for any bytes read as a stream of records: errors say something, and what is
-// accepted can be written in both encodings and read back to the same bytes.
+// Properties of any bytes read as a stream of records. Errors have a text, and accepted records can
+// be written in both encodings and read back to the same bytes.
 #pragma once
 
 #include <cstdlib>

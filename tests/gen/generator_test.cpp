@@ -1,4 +1,4 @@
-// Levels as functions of seed and index; twins; constraints of queries; margins from the physics.
+// Levels as functions of seed and index, twins, constraints of queries, and reach from the physics.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -19,7 +19,7 @@ TEST(Generator, ALevelDependsOnSeedAndIndexAlone) {
   EXPECT_NE(bytesOf(makeRecords(other, 7, 11)), tenth);
 }
 
-TEST(Generator, StylesComeByTheirWeights) {
+TEST(Generator, StylesFollowTheirWeights) {
   gen::Recipe recipe;
   recipe.styles = {{"gaps", 3}, {"wall", 1}, {"beam", 0}};
   const gen::Generator generator = generatorOf(recipe);
@@ -41,7 +41,7 @@ TEST(Generator, ATwinLacksOneCrossingAndNamesIt) {
     ASSERT_EQ(a.sketch.parts().size(), b.sketch.parts().size());
     EXPECT_EQ(b.name, a.name + "-without-" + b.sketch.plantedWhat());
     EXPECT_EQ(b.query, "beyond-" + b.sketch.plantedWhat());
-    // One step from part to part is longer, all others are as they were.
+    // One step between parts is longer, and all others are unchanged.
     int longer = 0;
     for (size_t i = 1; i < a.sketch.parts().size(); ++i) {
       const auto step = [&](const gen::Generated& g) {
@@ -57,8 +57,8 @@ TEST(Generator, ATwinLacksOneCrossingAndNamesIt) {
   }
 }
 
-// For who learns by them; where nobody gets through there is no way to name.
-TEST(Generator, QueriesNameAWayAndHowHardItIs) {
+// The line guides learners. A twin has no solution, so that its query has no line.
+TEST(Generator, QueriesStateALineAndTheirDifficulty) {
   gen::Recipe recipe;
   recipe.difficulty = {0.2f, 0.7f};
   const gen::Generator generator = generatorOf(recipe), twins = generatorOf(recipe, true);
@@ -76,8 +76,8 @@ TEST(Generator, QueriesNameAWayAndHowHardItIs) {
   }
 }
 
-// Readers refuse a way of more places than the schema says.
-TEST(Generator, TheWayOfALongLevelHasRoomInTheSchema) {
+// Readers refuse a line with more points than the schema allows.
+TEST(Generator, TheLineOfALongLevelFitsTheSchema) {
   const gen::Style& spiral = *gen::findStyle("spiral");
   gen::Recipe recipe = recipeFor("spiral", 0.5f);
   recipe.obstacles = {200, 200};
@@ -94,8 +94,8 @@ TEST(Generator, TheWayOfALongLevelHasRoomInTheSchema) {
   EXPECT_LT(length(level::vec(way[way.size() - 1]) - line.back()), 0.11f);
 }
 
-// From beside a wide floor a turn would bring the next one within a jump.
-TEST(Generator, TheWayDoesNotTurnBesideWhatARecipeMakesLarger) {
+// After a wide floor, a turn would bring the next floor within a jump of an earlier one.
+TEST(Generator, TheLineDoesNotTurnNextToEnlargedFloors) {
   const gen::Style& gaps = *gen::findStyle("gaps");
   const gen::Parameter& size = **gen::parameterNamed(gaps, "size", "");
   gen::Recipe recipe = recipeFor("gaps", 0.25f);
@@ -113,7 +113,7 @@ TEST(Generator, TheWayDoesNotTurnBesideWhatARecipeMakesLarger) {
   EXPECT_FALSE(turns(30));
 }
 
-TEST(Generator, DropsThatARecipeMayAskForAreWithinWhatWorldsAreRefusedBy) {
+TEST(Generator, DropsCountInTheCheckOfThePhysics) {
   gen::Recipe recipe = recipeFor("stairs-down", 0.5f);
   recipe.physics = {{"gravity", 4}, {"jumpSpeed", 2}, {"walkSpeed", 60}};
   EXPECT_FALSE(gen::Generator::make(recipe, true));
@@ -155,8 +155,8 @@ TEST(Generator, CoursesHaveEachSingleStyleAtMostOnce) {
   }
 }
 
-// Of courses of gaps alone, straight on: mean studs of the gaps in their first third, and in their
-// last.
+// The mean gap in the first and the last third, in studs, of straight courses that consist of gaps
+// only.
 struct MeanGaps {
   double first, last;
 };
@@ -174,7 +174,7 @@ MeanGaps meanGapsOfCourses(float courseFirst) {
   for (uint64_t seed = 0; seed < 8; ++seed) {
     const gen::Generated made = generator.generate(seed, 0);
     const std::vector<gen::PartSketch>& parts = made.sketch.parts();
-    uint32_t obstacle = 0;  // each ends with a checkpoint, the last with the goal
+    uint32_t obstacle = 0;  // each one ends with a checkpoint, the last with the goal
     for (size_t i = 1; i < parts.size(); ++i) {
       const gen::PartSketch &from = parts[i - 1], &to = parts[i];
       if (to.checkpoint > 0) ++obstacle;
@@ -188,9 +188,9 @@ MeanGaps meanGapsOfCourses(float courseFirst) {
   return {studs[0] / gaps[0], studs[2] / gaps[2]};
 }
 
-// A gap is 0.25 to 0.93 of the reach, by the difficulty. From a fifth of it on, the first third has
-// a mean difficulty of 0.33 and so a share of 0.47, the last one of 0.88 and 0.84: 1.8 times that.
-TEST(Generator, CoursesGetHarderFromTheShareThatTheyBeginWith) {
+// A gap is 0.25 to 0.93 of the reach, by difficulty. From a difficulty of 0.2, the first third has
+// a mean of 0.33 and a share of 0.47. The last third has 0.88 and 0.84: 1.8 times that.
+TEST(Generator, CoursesGetHarderFromTheirFirstDifficulty) {
   const MeanGaps growing = meanGapsOfCourses(0.2f);
   EXPECT_GT(growing.last, 1.5 * growing.first);
   EXPECT_LT(growing.last, 2.1 * growing.first);

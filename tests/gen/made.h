@@ -26,7 +26,7 @@ inline gen::Recipe recipeFor(const std::string& style, float difficulty) {
   return recipe;
 }
 
-// The same with every parameter of every style anywhere within what a recipe may set.
+// A recipe that sets every parameter of every style at random within its range.
 inline gen::Recipe anyParametersFor(const std::string& style, float difficulty, uint64_t seed) {
   gen::Recipe recipe = recipeFor(style, difficulty);
   Random random(seed, 0x706172616d);
@@ -40,7 +40,7 @@ inline gen::Recipe anyParametersFor(const std::string& style, float difficulty, 
   return recipe;
 }
 
-// Level and query as records.
+// A level and its query as records.
 struct Made {
   io::RecordBuilder level, query;
 };
@@ -68,7 +68,7 @@ inline std::vector<std::string> styleNames() {
   return names;
 }
 
-// Names of tests have no dashes.
+// Test names must not contain dashes.
 inline std::string testName(const ::testing::TestParamInfo<std::string>& info) {
   std::string name = info.param;
   for (char& c : name) c = c == '-' ? '_' : c;

@@ -1,5 +1,5 @@
-// What recipes set of styles: each parameter is heeded, none goes beyond what it says, and whatever
-// is set, levels compile.
+// Parameters of styles in recipes: each one has an effect, none leaves its range, and levels
+// compile for every value.
 #include <set>
 
 #include "gen/made.h"
@@ -21,7 +21,7 @@ std::string bytesWith(const std::string& style, std::vector<gen::Setting> settin
   return bytesOf(makeRecords(generatorOf(recipe), seed, 0));
 }
 
-TEST_P(Parameters, SayWhatTheyAreOnce) {
+TEST_P(Parameters, HaveUniqueNamesAndDescriptions) {
   std::set<std::string> names;
   for (const gen::Parameter& p : styleOf(GetParam()).parameters) {
     EXPECT_TRUE(names.insert(p.name).second) << p.name;
@@ -33,7 +33,7 @@ TEST_P(Parameters, SayWhatTheyAreOnce) {
   }
 }
 
-// One that no obstacle is built by, or that is taken for another, would pass unseen otherwise.
+// Otherwise a parameter that no obstacle uses, or one mistaken for another, would go unnoticed.
 TEST_P(Parameters, EachOneChangesLevels) {
   for (const gen::Parameter& p : styleOf(GetParam()).parameters) {
     int changed = 0;
@@ -45,7 +45,7 @@ TEST_P(Parameters, EachOneChangesLevels) {
   }
 }
 
-TEST_P(Parameters, SetToWhatTheyAreAnywayChangeNothing) {
+TEST_P(Parameters, SetToTheirDefaultsChangeNothing) {
   std::vector<gen::Setting> settings;
   for (const gen::Parameter& p : styleOf(GetParam()).parameters) {
     settings.push_back({&p, p.easy, p.hard});
@@ -70,7 +70,7 @@ TEST_P(Parameters, AnywhereWithinTheirRangesLevelsCompile) {
   }
 }
 
-// Where there is most of everything and it moves slowest, tables of motion are longest.
+// The largest counts and the slowest motion make the longest tables of motion.
 TEST_P(Parameters, TheLongestLevelsCompileAtTheirEnds) {
   for (const bool slow : {false, true}) {
     gen::Recipe recipe = recipeFor(GetParam(), 1);
@@ -90,7 +90,7 @@ TEST_P(Parameters, TheLongestLevelsCompileAtTheirEnds) {
 
 INSTANTIATE_TEST_SUITE_P(All, Parameters, ::testing::ValuesIn(styleNames()), testName);
 
-// In the unit that they say, from the one end to the other.
+// The parameter is in its stated unit, from one end of the range to the other.
 TEST(ParameterOfGaps, IsTheSizeOfStones) {
   const auto parameter = gen::parameterNamed(*gen::findStyle("gaps"), "size", "");
   ASSERT_TRUE(parameter);
@@ -109,8 +109,8 @@ TEST(ParameterOfGaps, IsTheSizeOfStones) {
   }
 }
 
-// Where hops are short, as many as a hop asks for would not have room.
-TEST(ParameterOfForks, LeavesStonesApart) {
+// A short hop has no space for as many stones as the parameter asks for.
+TEST(ParameterOfForks, KeepsStonesApart) {
   const auto parameter = gen::parameterNamed(*gen::findStyle("fork"), "stone", "");
   ASSERT_TRUE(parameter);
   gen::Recipe recipe = recipeFor("fork", 0);
@@ -149,8 +149,8 @@ TEST(ParameterOfSpinners, IsTheSpeedOfBars) {
   EXPECT_GT(bars, 10);
 }
 
-// A course is made of obstacles of other styles, whose parameters count there, too.
-TEST(ParameterOfGaps, CountsInCourses) {
+// A course consists of other styles' obstacles, to which their parameters apply.
+TEST(ParameterOfGaps, AppliesInCourses) {
   const auto parameter = gen::parameterNamed(*gen::findStyle("gaps"), "stones", "");
   ASSERT_TRUE(parameter);
   gen::Recipe recipe = recipeFor("course", 0.5f);

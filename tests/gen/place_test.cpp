@@ -1,4 +1,4 @@
-// Place files as the importer reads them back.
+// Place files come back unchanged from the importer.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -28,7 +28,7 @@ void expectNear(schema::Vec3::Reader a, schema::Vec3::Reader b, const std::strin
   EXPECT_NEAR(a.getZ(), b.getZ(), 1e-4) << what;
 }
 
-// Up to its sign.
+// The sign of a quaternion does not matter.
 void expectSame(schema::Quat::Reader a, schema::Quat::Reader b, const std::string& what) {
   const float same =
       a.getX() * b.getX() + a.getY() * b.getY() + a.getZ() * b.getZ() + a.getW() * b.getW();
@@ -37,7 +37,7 @@ void expectSame(schema::Quat::Reader a, schema::Quat::Reader b, const std::strin
 
 Vec3 turn(schema::Spin::Reader spin) { return level::vec(spin.getAxis()) * spin.getSpeed(); }
 
-// Where the part's middle comes to, by its place and its keys.
+// Returns the bounds of the part's centre, over its position and its keys.
 Box wayOf(schema::Part::Reader part) {
   const Vec3 home = level::vec(part.getPosition());
   Box box{home, home};
@@ -48,7 +48,7 @@ Box wayOf(schema::Part::Reader part) {
   return box;
 }
 
-// Seconds until a motion starts over; 0: it has no way.
+// Returns the seconds until a motion starts over, or 0 if there are no keys.
 float roundOf(schema::Motion::Reader motion) {
   const auto keys = motion.getKeys();
   if (keys.size() == 0) return 0;
@@ -56,11 +56,12 @@ float roundOf(schema::Motion::Reader motion) {
   return motion.getRepeat() == schema::Repeat::PING_PONG ? 2 * way : way;
 }
 
-// Places and the seconds of tweens are written to the last digit, and lose what poses do on their
-// way through a part's frame in single precision, some hundred studs out. The script of a carrier
-// waits at both ends, and waits end with a frame of the engine: each is up to one longer.
+// Positions and times of tweens are written with all digits, but poses some hundred studs out lose
+// some in single precision. The script of a carrier waits at both ends. A wait ends with a frame of
+// the engine, so that each may take one frame longer.
 void expectSameWay(schema::Part::Reader a, schema::Part::Reader b, const std::string& what) {
-  // Seconds; studs and seconds: motions are seen once a frame, and their keys lie on those poses.
+  // kFrame is in seconds, kRounding in studs and in seconds. Motions are sampled once a frame, with
+  // keys on samples.
   constexpr float kFrame = 1.0f / 60, kRounding = 0.02f;
   const Box before = wayOf(a), after = wayOf(b);
   EXPECT_LT(length(before.lo - after.lo), kRounding) << what;
@@ -70,11 +71,10 @@ void expectSameWay(schema::Part::Reader a, schema::Part::Reader b, const std::st
   EXPECT_LT(later, kRounding + (a.getMotion().getCarries() ? 2 * kFrame : 0)) << what;
 }
 
-// Styles draw these times in quarters of a second, which are whole frames: waits for them are
-// exact.
+// Styles draw these times in quarters of a second. Those are whole frames, so that waits are exact.
 void expectSame(schema::Vanish::Reader a, schema::Vanish::Reader b, const std::string& what) {
   EXPECT_EQ(int(a.getTrigger()), int(b.getTrigger())) << what;
-  if (a.getTrigger() == schema::VanishTrigger::SIGNAL) return;  // its button tells the times
+  if (a.getTrigger() == schema::VanishTrigger::SIGNAL) return;  // its button determines the times
   EXPECT_NEAR(a.getDelay(), b.getDelay(), 1e-4) << what;
   EXPECT_NEAR(a.getAway(), b.getAway(), 1e-4) << what;
   const float period = a.getDelay() + a.getAway();
@@ -105,7 +105,7 @@ void expectSame(schema::Part::Reader a, schema::Part::Reader b) {
   EXPECT_LT(length(level::vec(turning.getPivot()) - level::vec(back.getPivot())), 0.01f) << what;
   EXPECT_EQ(a.hasVanish(), b.hasVanish()) << what;
   if (b.hasVanish()) expectSame(a.getVanish(), b.getVanish(), what);
-  // Loose parts stay loose; carriers are loose in the place, and known by what drives them.
+  // Dynamic parts stay dynamic. Carriers are dynamic in the place, and recognised by their drive.
   if (!a.hasMotion()) {
     EXPECT_EQ(a.getAnchored(), b.getAnchored()) << what;
   }
@@ -113,7 +113,7 @@ void expectSame(schema::Part::Reader a, schema::Part::Reader b) {
 
 class Places : public ::testing::TestWithParam<std::string> {};
 
-TEST_P(Places, ComeBackFromTheImporterAsTheyWere) {
+TEST_P(Places, RoundTripThroughTheImporter) {
   const gen::Generator generator = generatorOf(recipeFor(GetParam(), 0.5f));
   for (uint64_t i = 0; i < 5; ++i) {
     gen::PlaceFile place(generator);
@@ -136,9 +136,9 @@ TEST_P(Places, ComeBackFromTheImporterAsTheyWere) {
 
 INSTANTIATE_TEST_SUITE_P(All, Places, ::testing::ValuesIn(styleNames()), testName);
 
-// A round checkpoint is a cylinder on its side: who comes back with its rotation lies down. Where
-// it looks is level all the same.
-TEST(PlaceFile, WhoComesBackAtACheckpointStands) {
+// A round checkpoint is a cylinder on its side, whose rotation would make a respawned player lie
+// down. Its look direction is still level.
+TEST(PlaceFile, ARespawnedPlayerStands) {
   gen::Recipe recipe = recipeFor("gaps", 0.5f);
   recipe.obstacles = {3, 3};
   recipe.turns = 1;
@@ -185,7 +185,7 @@ TEST(PlaceFile, SeveralLevelsStandApart) {
   const auto back = importer::importPlace(place.finish(), "made.rbxlx", {});
   ASSERT_TRUE(back) << back.error().text();
   EXPECT_EQ(back->level.reader().getLevel().getParts().size(), parts);
-  std::map<std::string, std::pair<float, float>> along;  // of each level, least and most X
+  std::map<std::string, std::pair<float, float>> along;  // minimum and maximum X of each level
   for (const auto part : back->level.reader().getLevel().getParts()) {
     const std::string path = part.getSource().getPath().cStr();
     const std::string level = path.substr(0, path.rfind('/'));
@@ -200,14 +200,14 @@ TEST(PlaceFile, SeveralLevelsStandApart) {
   for (size_t i = 1; i < spans.size(); ++i) EXPECT_GT(spans[i].first, spans[i - 1].second + 30);
 }
 
-// Adds a level again and again until there is no more room.
+// Adds the level repeatedly until the place is full.
 Status filled(gen::PlaceFile& place, const gen::Generated& level, uint32_t& levels) {
   for (levels = 0; levels < 100000; ++levels) OBBY_RETURN_IF_ERROR(place.add(level));
   return {};
 }
 
-// What is farther out no level may have, and floats are too coarse there for a gap.
-TEST(PlaceFile, HasRoomForSoManyLevelsOnly) {
+// A level may not extend beyond this distance, where floats are too coarse for a gap.
+TEST(PlaceFile, HoldsALimitedNumberOfLevels) {
   const gen::Generator generator = generatorOf(recipeFor("walkway", 0));
   const gen::Generated level = generator.generate(1, 0);
   gen::PlaceFile place(generator);
@@ -220,7 +220,7 @@ TEST(PlaceFile, HasRoomForSoManyLevelsOnly) {
   EXPECT_FALSE(place.add(level));
 }
 
-TEST(PlaceFile, GrowsNoLargerThanAnybodyReads) {
+TEST(PlaceFile, StaysBelowTheImportersSizeLimit) {
   constexpr uint64_t kMost = 100000;
   const gen::Generator generator = generatorOf(recipeFor("walkway", 0));
   const gen::Generated level = generator.generate(1, 0);

@@ -1,4 +1,4 @@
-// Recipes from JSON: what is accepted, and that errors name the place and the cure.
+// Recipes from JSON: the accepted ones, and errors that state the place and the remedy.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -57,7 +57,7 @@ struct Bad {
   const char* error;
 };
 
-TEST(Recipe, ErrorsNamePathAndCure) {
+TEST(Recipe, ErrorsStatePathAndRemedy) {
   const Bad cases[] = {
       {"{", "column 2: the text ends in the middle of a value"},
       {"{\n \"turns\": 1,\n}", "line 3 column 1: expected a string in double quotes, found '}'"},
@@ -119,8 +119,8 @@ TEST(Recipe, ErrorsNamePathAndCure) {
   }
 }
 
-// Each name was once held against all before it.
-TEST(Recipe, AMillionNamesTakeNoMinute) {
+// Comparing each name with all earlier ones would take minutes.
+TEST(Recipe, AMillionNamesTakeLessThanAMinute) {
   std::string text = R"({"physics": {)";
   for (int i = 0; i < 1000000; ++i) text += "\"n" + std::to_string(1000000 + i) + "\":1,";
   const Status status = tried(text + R"("n1000000":1}})");
@@ -128,7 +128,7 @@ TEST(Recipe, AMillionNamesTakeNoMinute) {
   EXPECT_EQ(status.error().text(), "physics.n1000000: given twice (keep one of the two)");
 }
 
-// Every JSON block of the page is a recipe that works.
+// Every JSON block of the page is a working recipe.
 TEST(Recipe, ExamplesOfTheDocumentationWork) {
   std::ifstream file(OBBY_SOURCE_DIR "/docs/generator.md");
   std::string line, text;

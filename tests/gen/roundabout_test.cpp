@@ -1,4 +1,4 @@
-// A wall that a twin has for good is not jumped round, however far players jump.
+// A twin's impassable wall cannot be jumped around, however far players jump.
 #include "gen/made.h"
 #include "level/level.h"
 
@@ -7,7 +7,7 @@ namespace {
 
 constexpr uint64_t kRoundaboutSeeds = 41;
 
-// A style whose walls can be planted, and how such a crossing is called.
+// A style whose walls may be made impassable, and the prefix of that crossing's name.
 struct Planted {
   const char *style, *what;
 };
@@ -16,11 +16,11 @@ constexpr Planted kPlanted[] = {{"wall", "rise-"}, {"doorway", "door-"}, {"butto
 gen::Recipe recipeOf(const Planted& planted, const char* physics, float value) {
   gen::Recipe recipe = recipeFor(planted.style, 0.5f);
   recipe.physics = {{physics, value}};
-  recipe.turns = 0;  // so that X is to the sides
+  recipe.turns = 0;  // sideways is along X
   return recipe;
 }
 
-// Studs that walls reach beyond the widest floor under one.
+// Returns the studs that walls extend beyond the widest floor.
 float besideFloors(const gen::Sketch& sketch) {
   float outermost = 0, half = 0;
   for (const gen::PartSketch& p : sketch.parts()) {
@@ -31,7 +31,7 @@ float besideFloors(const gen::Sketch& sketch) {
   return outermost - half;
 }
 
-TEST(Roundabout, OfAPlantedWallIsBeyondAJump) {
+TEST(Roundabout, AroundAnImpassableWallIsBeyondAJump) {
   for (const Planted& planted : kPlanted) {
     const gen::Generator twins = generatorOf(recipeOf(planted, "gravity", 20), true);
     int walls = 0;
@@ -47,8 +47,8 @@ TEST(Roundabout, OfAPlantedWallIsBeyondAJump) {
   }
 }
 
-// The planks of a decoy lead far to a side.
-TEST(Roundabout, IsBeyondAJumpFromWhatLiesAsideBeforeIt) {
+// The planks of a decoy extend far to a side.
+TEST(Roundabout, IsBeyondAJumpFromEarlierPartsAtTheSide) {
   gen::Recipe recipe = recipeOf({"course", ""}, "gravity", 20);
   recipe.courseStyles = {{"decoy", 1}, {"wall", 1}};
   const gen::Generator twins = generatorOf(recipe, true);
@@ -57,7 +57,7 @@ TEST(Roundabout, IsBeyondAJumpFromWhatLiesAsideBeforeIt) {
     const gen::Generated made = twins.generate(seed, 0);
     if (made.sketch.plantedWhat().rfind("rise-", 0) != 0) continue;
     const std::vector<gen::PartSketch>& parts = made.sketch.parts();
-    size_t planted = 0;  // the widest
+    size_t planted = 0;  // the widest wall
     for (size_t i = 0; i < parts.size(); ++i) {
       if (parts[i].name.rfind("Wall", 0) == 0 && parts[i].size.x > parts[planted].size.x)
         planted = i;
@@ -73,7 +73,7 @@ TEST(Roundabout, IsBeyondAJumpFromWhatLiesAsideBeforeIt) {
   EXPECT_GT(walls, 0);
 }
 
-TEST(Roundabout, IsWhatTheStyleSaysWhereJumpsAreShort) {
+TEST(Roundabout, IsTheStylesOwnIfJumpsAreShort) {
   const gen::Generator generator = generatorOf({});
   const gen::Recipe recipe;
   const gen::Sketch sketch(generator.reach(), recipe, Random(1, 0), {});
@@ -81,8 +81,8 @@ TEST(Roundabout, IsWhatTheStyleSaysWhereJumpsAreShort) {
   EXPECT_EQ(sketch.roundabout(20), 20.0f);
 }
 
-// Close to the physics under which twins are refused.
-TEST(Roundabout, OfTheFarthestJumpsCompiles) {
+// These values are close to the physics for which twins are refused.
+TEST(Roundabout, ForTheLongestJumpsCompiles) {
   for (const Planted& planted : kPlanted) {
     for (const auto& [physics, value] :
          {std::pair("gravity", 12.0f), std::pair("walkSpeed", 210.0f)}) {

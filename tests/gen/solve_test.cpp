@@ -1,5 +1,5 @@
-// Every style is solved about as often as its difficulty promises, its twins never, and needs what
-// it is named for. Budgets are steps, so that this is the same on every machine.
+// Each style is solved about as often as its difficulty promises, its twins never are, and it needs
+// its name-giving feature. Budgets are steps, so that results are the same on every machine.
 #include <gtest/gtest.h>
 
 #include "gen/made.h"
@@ -59,7 +59,7 @@ TEST_P(Solved, MediumLevelsMostly) {
   EXPECT_EQ(t.unreachable, 0);
 }
 
-// Jumps at the limit take the search long; a few levels show that they can be done.
+// The search is slow for jumps at the limit. A few levels show that they are possible.
 TEST_P(Solved, LimitLevelsByHalfAtLeast) {
   const Tally t = tally(recipeFor(GetParam(), 1), false, 8, 3'000'000);
   EXPECT_GE(t.solved, 4) << t.unknown << " unknown";
@@ -71,7 +71,7 @@ TEST_P(Solved, TwinsNever) {
   EXPECT_EQ(t.solved, 0);
 }
 
-// Whatever a recipe sets of the styles.
+// The parameters of the styles are random.
 TEST_P(Solved, TwinsOfAnyParametersNever) {
   for (uint64_t seed = 0; seed < 16; ++seed) {
     const gen::Recipe recipe = anyParametersFor(GetParam(), 0.25f, seed);
@@ -79,8 +79,8 @@ TEST_P(Solved, TwinsOfAnyParametersNever) {
   }
 }
 
-// Worlds as real ones are, one with hardly a jump among them.
-TEST_P(Solved, LevelsOfOtherWorldsTooAndTheirTwinsNever) {
+// The physics are those of real games, one of them with hardly any jump.
+TEST_P(Solved, LevelsWithOtherPhysicsTooAndTheirTwinsNever) {
   for (const std::vector<gen::NamedNumber>& physics :
        std::vector<std::vector<gen::NamedNumber>>{{{"gravity", 80}, {"walkSpeed", 54}},
                                                   {{"gravity", 160}, {"walkSpeed", 22}},
@@ -97,7 +97,7 @@ TEST_P(Solved, LevelsOfOtherWorldsTooAndTheirTwinsNever) {
 
 INSTANTIATE_TEST_SUITE_P(All, Solved, ::testing::ValuesIn(styleNames()), testName);
 
-// What a style needs: without it nobody gets through.
+// Returns the number of levels solved after `take` removes the feature that the style needs.
 int solvedWithout(const std::string& style, const std::function<void(Made&)>& take) {
   const gen::Generator generator = generatorOf(recipeFor(style, 0.5f));
   int solved = 0;
@@ -123,7 +123,7 @@ TEST(Needs, WalksNeedNone) {
   }
 }
 
-// Takes a role off all parts.
+// Applies `strip` to all parts.
 template <class Strip>
 std::function<void(Made&)> stripped(Strip strip) {
   return [strip](Made& m) {

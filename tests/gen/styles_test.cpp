@@ -1,11 +1,12 @@
-// What every style must be: valid levels, unlike part names, margins that follow the difficulty,
-// twins that differ in one crossing.
+// Requirements of every style: valid levels, distinct part names, margins that follow the
+// difficulty, and twins that differ in one crossing.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <set>
 
 #include "gen/made.h"
+#include "gen/recipe_check.h"
 #include "level/level.h"
 
 namespace obby::test {
@@ -50,24 +51,24 @@ TEST_P(Styles, AreInTheNamesOfLevels) {
   }
 }
 
-TEST(StyleOfLevel, IsNoneOfOtherNames) {
+TEST(StyleOfLevel, IsNullForOtherNames) {
   for (const char* name : {"", "Tower", "gaps", "gaps-7-12", "gaps-and-more-hard-7-12", "-hard-7"})
     EXPECT_EQ(gen::styleOfLevel(name), nullptr) << name;
 }
 
-// As many obstacles as a recipe may ask for are still a level that others can read.
+// A level with the maximum number of obstacles must still compile.
 TEST_P(Styles, TheLongestLevelsCompile) {
   for (const float difficulty : {0.0f, 1.0f}) {
     gen::Recipe recipe = recipeFor(GetParam(), difficulty);
     recipe.obstacles = recipe.courseObstacles = {200, 200};
-    ASSERT_TRUE(recipe.check());
+    ASSERT_TRUE(checkRecipe(recipe));
     const Made made = makeRecords(generatorOf(recipe), 1, 0);
     const auto level = level::Level::compile(made.level.reader().getLevel());
     EXPECT_TRUE(level) << level.error().text();
   }
 }
 
-// Seen from above: what is built up to a height follows what is before it.
+// Compares sizes from above, since heights follow those of earlier parts.
 size_t partsThatDiffer(const gen::Sketch& a, const gen::Sketch& b) {
   const auto alike = [](const gen::PartSketch& x, const gen::PartSketch& y) {
     return x.size.x == y.size.x && x.size.z == y.size.z;
@@ -82,8 +83,8 @@ size_t partsThatDiffer(const gen::Sketch& a, const gen::Sketch& b) {
   return std::max(one.size(), other.size()) - before - behind;
 }
 
-// What is left out or raised is a few parts; what is drawn after it must not be drawn anew.
-TEST_P(Styles, TwinsAreAlikeBeforeAndBehindOneCrossing) {
+// A twin leaves out or raises a few parts. The random draws after them must stay the same.
+TEST_P(Styles, TwinsDifferInOneCrossingOnly) {
   constexpr size_t kOfACrossing = 3;
   const gen::Recipe recipe = recipeFor(GetParam(), 0.5f);
   const gen::Generator solvable = generatorOf(recipe), twins = generatorOf(recipe, true);
@@ -93,7 +94,7 @@ TEST_P(Styles, TwinsAreAlikeBeforeAndBehindOneCrossing) {
   }
 }
 
-TEST_P(Styles, LevelsOfOtherWorldsCompileToo) {
+TEST_P(Styles, LevelsWithOtherPhysicsCompileToo) {
   gen::Recipe recipe = recipeFor(GetParam(), 1);
   for (const auto& physics : std::vector<std::vector<gen::NamedNumber>>{
            {{"gravity", 0}},
@@ -133,7 +134,7 @@ TEST_P(Styles, LevelsBeginAtTheStartAndEndAtTheGoal) {
   }
 }
 
-// Who learns is led along it.
+// The line guides learners.
 TEST_P(Styles, TheLineGoesFromTheStartThroughAllStopsToTheGoal) {
   const gen::Generator generator = generatorOf(recipeFor(GetParam(), 0.5f));
   for (uint64_t seed = 0; seed < kStylesSeeds; ++seed) {
@@ -152,7 +153,7 @@ TEST_P(Styles, TheLineGoesFromTheStartThroughAllStopsToTheGoal) {
 
 INSTANTIATE_TEST_SUITE_P(All, Styles, ::testing::ValuesIn(styleNames()), testName);
 
-TEST(StyleTable, NamesAndDescriptionsAreThereOnce) {
+TEST(StyleTable, HasUniqueNamesAndDescriptions) {
   std::set<std::string> names;
   for (const gen::Style& s : gen::styles()) {
     EXPECT_TRUE(names.insert(s.name).second) << s.name;
@@ -162,7 +163,7 @@ TEST(StyleTable, NamesAndDescriptionsAreThereOnce) {
   EXPECT_EQ(gen::findStyle("no-such-style"), nullptr);
 }
 
-// The widest and narrowest that a style's own measures come out, by the difficulty.
+// The range of a style's own measures, by difficulty.
 TEST(Measures, GapsAndRisesGrowWithTheDifficulty) {
   const gen::Generator generator = generatorOf({});
   const gen::Recipe recipe;
@@ -182,8 +183,8 @@ TEST(Measures, GapsAndRisesGrowWithTheDifficulty) {
   }
 }
 
-// A straight line would lead through the core.
-TEST(Spiral, TheLineKeepsRoundTheCore) {
+// A straight line would cut through the core.
+TEST(Spiral, TheLineGoesAroundTheCore) {
   const gen::Generator generator = generatorOf(recipeFor("spiral", 0.5f));
   for (uint64_t seed = 0; seed < kStylesSeeds; ++seed) {
     const gen::Generated made = generator.generate(seed, 0);

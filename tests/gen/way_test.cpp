@@ -1,5 +1,5 @@
-// The line along which a level is built, the `way` of its query: it stands on the course, follows
-// its order, and leads over nothing no farther than a jump.
+// The line along which a level is built is its query's `way`. It stays on the course, follows the
+// order of parts, and crosses no gap wider than a jump.
 #include <algorithm>
 
 #include "gen/made.h"
@@ -8,13 +8,13 @@ namespace obby::test {
 namespace {
 
 constexpr uint64_t kWaySeeds = 12;
-constexpr float kBeside = 3.25f;  // studs that it may be beside the floors: hops lead to both sides
-constexpr float kAbove = 0.51f;   // studs up or down from their tops: it does not climb buttons
-constexpr float kStep = 0.5f;     // studs between the places of a line that are looked at
+constexpr float kBeside = 3.25f;  // studs off the floors: hops lead to both sides
+constexpr float kAbove = 0.51f;   // studs up or down from their tops: lines do not climb buttons
+constexpr float kStep = 0.5f;     // studs between the samples of a line
 
-// A part, and where its middle goes.
+// A part, and the range of its centre.
 struct Ground {
-  Mat3 axes;  // each upright or level
+  Mat3 axes;  // each of them vertical or horizontal
   Vec3 half, from, to;
   bool carries;
 };
@@ -32,12 +32,12 @@ std::vector<Ground> groundsOf(const gen::Sketch& sketch) {
   return grounds;
 }
 
-// Of a place from a part: how far beside it, as seen from above, and how far above its top.
+// The distance of a point from a part, seen from above, and its height above the part's top.
 struct Off {
   float beside, above;
 };
 
-// `share`: of its motion, where the part is.
+// `share` is the progress of the part's motion.
 Off offAt(const Ground& g, Vec3 at, float share) {
   const Vec3 middle = g.from + (g.to - g.from) * share;
   const Vec3 out = max(abs(toLocal(g.axes, at - middle)) - g.half, Vec3{});
@@ -66,7 +66,7 @@ bool isOver(const std::vector<Ground>& grounds, Vec3 at) {
   });
 }
 
-// Studs of the line, at a stretch, that are over none of them.
+// Returns the longest stretch of the line, in studs, that is above none of the grounds.
 float longestOverNothing(const std::vector<Vec3>& line, const std::vector<Ground>& grounds) {
   float longest = 0, now = 0;
   for (size_t i = 0; i + 1 < line.size(); ++i) {
@@ -83,7 +83,7 @@ float longestOverNothing(const std::vector<Vec3>& line, const std::vector<Ground
 
 class Way : public ::testing::TestWithParam<std::string> {
  protected:
-  // Levels of every difficulty, as they are by default.
+  // Calls `look` with levels of every difficulty, with default parameters.
   template <class Look>
   void forLevels(const Look& look) const {
     for (const gen::NamedNumber& d : gen::namedDifficulties()) {
@@ -93,7 +93,7 @@ class Way : public ::testing::TestWithParam<std::string> {
   }
 };
 
-// Parts are in the order in which the course was built.
+// Parts are listed in the order of construction.
 TEST_P(Way, StandsOnTheCourseInItsOrder) {
   forLevels([](const gen::Generated& made) {
     const std::vector<Ground> grounds = groundsOf(made.sketch);
@@ -107,19 +107,19 @@ TEST_P(Way, StandsOnTheCourseInItsOrder) {
   });
 }
 
-// A line that cuts a corner, or runs between two routes, leads those who learn by it off the floor.
-TEST_P(Way, LeadsOverNothingNoFartherThanAJump) {
+// A line that cuts a corner, or runs between two routes, would lead learners off the floor.
+TEST_P(Way, CrossesNoGapWiderThanAJump) {
   const float widest = generatorOf({}).reach().gap(0);
   forLevels([&](const gen::Generated& made) {
-    const float most = widest - kBeside;  // what is near the floors at either end is not nothing
+    const float most = widest - kBeside;  // the margin of the floors at both ends does not count
     EXPECT_LE(longestOverNothing(made.sketch.line(), groundsOf(made.sketch)), most) << made.name;
   });
 }
 
 INSTANTIATE_TEST_SUITE_P(All, Way, ::testing::ValuesIn(styleNames()), testName);
 
-// Straight on it would lead through the tower.
-TEST(Truss, TheWayGoesUpIt) {
+// A straight line would cut through the tower.
+TEST(Truss, TheLineGoesUpTheTruss) {
   const gen::Generator generator = generatorOf(recipeFor("truss", 0.75f));
   for (uint64_t seed = 0; seed < kWaySeeds; ++seed) {
     const gen::Generated made = generator.generate(seed, 0);

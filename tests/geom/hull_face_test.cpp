@@ -1,5 +1,5 @@
-// Faces of convex hulls that do not hold their part's centre, as those of unions do, and where
-// other shapes touch them.
+// Faces of convex hulls that do not contain their part's centre, as in unions, and contacts with
+// other shapes.
 #include "geom/hull_face.h"
 
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@
 namespace obby::geom {
 namespace {
 
-// The tables of a box.
+// The hull tables of a box.
 struct BoxHull {
   Vec3 vertices[8];
   Vec3 normals[6] = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
@@ -26,7 +26,7 @@ struct BoxHull {
   Hull hull() const { return {vertices, normals, offsets, edges, 8, 6, 3}; }
 };
 
-// Its top looks at the centre of the part, which is 190 studs above it.
+// The part's centre is 190 studs above the slab's top face.
 BoxHull slab() { return {{0, -195, 0}, {200, 5, 200}}; }
 
 Convex restingOn(ShapeKind kind) { return {kind, {{1, 1, 1}, nullptr}, {{3, -189, 2}, {}}}; }
@@ -55,7 +55,7 @@ TEST(HullFace, IsTouchedInItsPlane) {
   }
 }
 
-TEST(HullFace, ThatNoCornerLiesOnGivesNoPoints) {
+TEST(HullFace, WithoutACornerHasNoPoints) {
   BoxHull box = slab();
   box.offsets[2] += 100;
   const Hull hull = box.hull();

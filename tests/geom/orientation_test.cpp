@@ -1,5 +1,5 @@
-// Which way round the shapes stand in their own frame: facts about the engine's parts that nothing
-// else in the code would notice if they were mirrored.
+// The orientation of each shape in its own frame. Nothing else in the code would notice a mirrored
+// shape.
 #include <gtest/gtest.h>
 
 #include "random_shapes.h"
@@ -11,7 +11,7 @@ using test::contains;
 
 const ShapeData kPart{{2, 1, 3}, nullptr};
 
-// Height of the surface above local (x, z) of the part, by a ray straight down; -9: none.
+// Returns the height of the surface above local (x, z) by a ray straight down, or -9 for none.
 template <class Shape>
 float heightAt(float x, float z) {
   RayHit hit{};

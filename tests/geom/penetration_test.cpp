@@ -1,5 +1,5 @@
-// How deep the body is in a shape: the special forms against the general one, and every answer
-// against what it promises: moved out by depth times normal, the two are apart.
+// Penetration depths: special forms agree with the general one, and moving the body out by depth
+// times normal separates the two.
 #include "geom/penetration.h"
 
 #include <gtest/gtest.h>
@@ -33,7 +33,7 @@ TEST(BoxBlock, EqualsTheSeparatingAxesOfTheGeneralForm) {
     const LocalBox local = localOf(pose, dice.body(3));
     const Contact fast = boxBlock<float>(s.half, local),
                   general = internal::penetration<Block>(s, local);
-    if (general.depth < 1e-4f && general.depth > -1e-4f) continue;  // touching: either may say so
+    if (general.depth < 1e-4f && general.depth > -1e-4f) continue;  // touching: either is right
     ASSERT_EQ(fast.depth >= 0, general.depth >= 0) << fast.depth << " " << general.depth;
     if (general.depth < 0) continue;
     ++overlapping;
@@ -82,7 +82,7 @@ class Penetration : public testing::TestWithParam<ShapeKind> {
   ShapeData shape() {
     return {GetParam() == ShapeKind::hull ? Vec3{1, 1, 1} : dice_.half(), &hull_};
   }
-  // Does any of many points of the box lie in the shape?
+  // Returns true if any of 400 random points of the box lies in the shape.
   bool anyPointInside(const ShapeData& s, const Pose& pose, const UprightBox& box, float slack) {
     const Mat3 axes = box.axes();
     for (int k = 0; k < 400; ++k) {

@@ -1,5 +1,5 @@
-// Random shapes, poses and boxes for the tests of geom, and the points of a shape by definition:
-// what the code under test is compared with.
+// Random shapes, poses and boxes for the tests of geom. The points of a shape by definition are the
+// reference for the code under test.
 #pragma once
 
 #include <cmath>
@@ -88,7 +88,7 @@ class Dice {
   Random random_;
 };
 
-// Is a local point inside, by the definition of the shape? `slack` studs larger on every side.
+// Returns true if the local point lies in the shape by definition, grown by `slack` studs.
 inline bool contains(ShapeKind kind, const ShapeData& s, Vec3 p, float slack = 0) {
   const Vec3 h = s.half + Vec3{slack, slack, slack};
   const bool inBox = absf(p.x) <= h.x && absf(p.y) <= h.y && absf(p.z) <= h.z;

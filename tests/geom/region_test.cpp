@@ -52,7 +52,7 @@ TEST(Region, ALineThroughWithBothEndsOutsideMeets) {
   EXPECT_TRUE(meets(r, {0, 1, 0}, {0, 5, 0}));  // faces belong to it
 }
 
-TEST(Region, ALineOnItsWayMeetsExactlyWhereItMeetsSomewhere) {
+TEST(Region, ASweptLineMeetsExactlyIfItMeetsAtSomePoint) {
   Dice dice(303);
   int swept = 0, between = 0;
   for (int i = 0; i < 12000; ++i) {
@@ -76,7 +76,7 @@ TEST(Region, ALineOnItsWayMeetsExactlyWhereItMeetsSomewhere) {
   EXPECT_GT(between, 100);
 }
 
-TEST(Region, OnNoWayIsWhereItIs) {
+TEST(Region, ASweepOfZeroLengthIsThePosition) {
   Dice dice(304);
   for (int i = 0; i < 2000; ++i) {
     const Region r{{dice.vec(3), dice.rotation()}, dice.half()};
@@ -87,7 +87,7 @@ TEST(Region, OnNoWayIsWhereItIs) {
   }
 }
 
-TEST(Region, DistanceIsTheLeastOverItsPoints) {
+TEST(Region, DistanceIsTheMinimumOverItsPoints) {
   Dice dice(302);
   for (int i = 0; i < 2000; ++i) {
     const Region r{{dice.vec(3), dice.rotation()}, dice.half()};

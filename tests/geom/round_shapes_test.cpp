@@ -1,5 +1,4 @@
-// Curved faces: the body's distance to a ball or a cylinder by projections run to convergence, and
-// what the separating axes make of it.
+// Curved faces: the separating axes against the body's exact distance to a ball or a cylinder.
 #include <gtest/gtest.h>
 
 #include "geom/penetration.h"
@@ -10,15 +9,15 @@ namespace {
 
 using test::Dice;
 
-// The point of the shape that is closest to p, in its frame.
+// Returns the point of the shape that is closest to p, in the shape's frame.
 Vec3 closestOf(ShapeKind kind, const ShapeData& s, Vec3 p) {
   if (kind == ShapeKind::ball) return p * minf(1.0f, Ball::radius(s) / maxf(length(p), 1e-9f));
   const float shrink = minf(1.0f, Cylinder::radius(s) / maxf(std::hypot(p.y, p.z), 1e-9f));
   return {clampf(p.x, -s.half.x, s.half.x), p.y * shrink, p.z * shrink};
 }
 
-// Distance between the box and the shape, by alternating projections run to the end: both are
-// convex, and both projections are exact.
+// Returns the distance between the box and the shape by converged alternating projections. Both
+// bodies are convex, and both projections are exact.
 float distanceBetween(ShapeKind kind, const ShapeData& s, const Pose& pose, const UprightBox& box) {
   const Mat3 axes = box.axes();
   const LocalBox local{toLocal(pose, box.center),
@@ -33,7 +32,7 @@ float distanceBetween(ShapeKind kind, const ShapeData& s, const Pose& pose, cons
   return length(onBox - onShape);
 }
 
-// Largest distance at which a pair was still called overlapping.
+// Returns the largest distance at which a pair was still reported as overlapping.
 float worstFalseContact(ShapeKind kind, uint64_t stream) {
   Dice dice(stream);
   float worst = 0;
@@ -53,12 +52,12 @@ TEST(RoundShapes, ABallIsApartExactlyWhereItsDistanceIsPositive) {
   EXPECT_LT(worstFalseContact(ShapeKind::ball, 400), 1e-3f);
 }
 
-// There is no axis for a rim against a corner or edge of the body: near one, contact may be early.
+// No axis separates a rim from a corner or edge of the body, so that contact may come early there.
 TEST(RoundShapes, ACylinderIsApartWithinAHalfStudOfItsRim) {
   EXPECT_LT(worstFalseContact(ShapeKind::cylinder, 401), 0.5f);
 }
 
-TEST(RoundShapes, ABallBesideTheBodyIsAsDeepAsItsCentreIsNear) {
+TEST(RoundShapes, TheDepthOfABallFollowsTheDistanceOfItsCentre) {
   const ShapeData s{{1, 1, 1}, nullptr};
   const UprightBox box{{0, 0, 0}, {1, 1, 0.5f}, sinCos(0)};
   const Contact side = penetration(ShapeKind::ball, s, {{1.9f, 0, 0}, {}}, box);
@@ -70,7 +69,7 @@ TEST(RoundShapes, ABallBesideTheBodyIsAsDeepAsItsCentreIsNear) {
 }
 
 TEST(RoundShapes, AStandingCylinderIsRoundFromTheSide) {
-  // Stood up: local X is the world's Y.
+  // The cylinder stands upright: its local X is the world's Y.
   const Pose upright{{0, 0, 0}, {{0, 1, 0}, {-1, 0, 0}, {0, 0, 1}}};
   const ShapeData s{{3, 1, 1}, nullptr};
   const float diagonal = std::sqrt(0.5f);

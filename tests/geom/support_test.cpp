@@ -66,8 +66,8 @@ TEST_P(Support, AxesAndEdgesAreUnitVectors) {
   }
 }
 
-// Every edge of the corner list is one of the table's directions: an edge between two corners runs
-// along the intersection of two faces, so that both face normals are perpendicular to it.
+// Every edge of the corner list must be one of the table's directions. An edge between two corners
+// runs along the intersection of two faces, so that both face normals are perpendicular to it.
 TEST_P(Support, EdgesCoverTheIntersectionsOfFaces) {
   if (GetParam() == ShapeKind::ball || GetParam() == ShapeKind::cylinder) GTEST_SKIP() << "round";
   const ShapeData s = shape();

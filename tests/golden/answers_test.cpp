@@ -1,8 +1,7 @@
-// The search's answers are the same on every machine, compiler and optimisation level: the
-// solutions of some queries of levels/, tick for tick and bit for bit, as tests/golden/answers.tsv
-// has them, by search alone, guided by the shipped policy, and by the methods that learn meanwhile.
-// After a change of the simulator, the search, the shipped policy or these levels that is meant to
-// change answers:
+// The search's answers are the same on every machine, compiler and optimisation level, tick for
+// tick and bit for bit. tests/golden/answers.tsv holds solutions of queries of levels/ by plain
+// search, by search guided by the shipped policy, and by the methods that learn while they search.
+// After a deliberate change of the simulator, the search, the shipped policy or these levels, run:
 //   OBBY_WRITE_GOLDEN=1 test_golden --gtest_filter='Golden.Answers*' && git diff tests/golden
 #include <gtest/gtest.h>
 
@@ -16,7 +15,7 @@
 #include "io/stream.h"
 #include "policy/shipped_policy.h"
 #include "sim/simulator.h"
-#include "solve/methods.h"
+#include "solve/search/methods/methods.h"
 
 namespace obby::solve {
 namespace {
@@ -27,7 +26,7 @@ struct Asked {
   const char* level;
   const char* query;
   const char* method = "auto";
-  bool guided = false;  // by the shipped policy
+  bool guided = false;  // uses the shipped policy
   uint64_t maxSteps = 1'000'000;
 };
 constexpr Asked kAsked[] = {
@@ -36,9 +35,10 @@ constexpr Asked kAsked[] = {
     {"timed-jumps", "posts"},       {"several-routes", "no-jumps"},
 };
 
-// Observations, networks, drawn moves and learning decide these: still, moving, climbed, vanishing
-// and loose parts, solved and not. Budgets are small: a round of `ge-ps` has 8,192 rollouts, `rl`
-// ends in the first round or tens of rounds later, `pbge` and `cflge` learn for some twenty.
+// Observations, networks, sampled actions and learning decide these answers. The levels have still,
+// moving, climbed, vanishing and dynamic parts; some stay unsolved. Budgets are small: a round of
+// `ge-ps` has 8,192 rollouts, `rl` ends after one round or tens of rounds, and `pbge` and `cflge`
+// learn for about twenty.
 constexpr Asked kPlayedByNetworks[] = {
     {"spiral-tower", "to-half", "auto", true, 1'000'000},
     {"suite/crates-and-walls", "first-wall", "auto", true, 300'000},
@@ -74,8 +74,8 @@ SearchOutcome searched(const Asked& asked, const level::Level& level, const leve
   return findMethod(asked.method)->run(problem, budget, {}, pool);
 }
 
-// One line: level, query, method and steps; then ticks, jumps and state hash of the solution, or
-// how many cells were found, and a hash over the states that the attempts shown ended in.
+// One line: level, query, method and steps, then the solution's ticks, jumps and state hash.
+// Without a solution the count of cells and a hash of the attempts' end states follow.
 std::string lineOf(const Asked& asked, const SearchOutcome& o) {
   std::ostringstream out;
   out << asked.level << '\t' << asked.query << '\t' << asked.method

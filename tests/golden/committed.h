@@ -1,4 +1,4 @@
-// Text that a test makes, as a file of the repository has it.
+// Compares text from a test with a committed file.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@
 
 namespace obby::golden {
 
-// With OBBY_WRITE_GOLDEN set writes the file instead, and skips the test.
+// Writes the file instead and skips the test if OBBY_WRITE_GOLDEN is set.
 inline void expectCommitted(const char* path, const std::string& now) {
   if (std::getenv("OBBY_WRITE_GOLDEN") != nullptr) {
     std::ofstream(path) << now;

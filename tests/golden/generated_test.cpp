@@ -1,6 +1,6 @@
-// Generated levels are the same bytes on every machine and by every compiler: the first ones of
-// each style, and their twins, as tests/golden/generated.tsv has their hashes. After a change that
-// is meant to change levels:
+// Generated levels are the same bytes on every machine and with every compiler.
+// tests/golden/generated.tsv holds hashes of each style's first levels and of their twins. After a
+// deliberate change of levels, run:
 //   OBBY_WRITE_GOLDEN=1 test_golden --gtest_filter='Generated*' && git diff tests/golden
 #include <fmt/format.h>
 

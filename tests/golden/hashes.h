@@ -1,6 +1,6 @@
 // Committed state hashes: every compiler, optimisation level, instruction set, thread count and
-// machine must give these bits (docs/determinism.md). A change of physics moves them on purpose:
-// then the change log says *hash*, and the table is replaced by what the failing test prints.
+// machine must produce these bits (docs/determinism.md). A deliberate change of physics changes
+// them. Then the change log says *hash*, and the output of the failing test replaces the table.
 #pragma once
 
 #include <cstdint>
@@ -72,7 +72,7 @@ inline const Scene kScenes[] = {
     {"loose seats", looseSeats, 0x1655dba95f530d3f},
 };
 
-// What is played in each: so many worlds for so many ticks, by walkers of this seed.
+// Each scene runs this many worlds and ticks, with walkers of this seed.
 constexpr uint32_t kWorlds = 64, kTicks = 600;
 constexpr uint64_t kSeed = 11;
 

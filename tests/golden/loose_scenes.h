@@ -1,11 +1,11 @@
-// Golden scenes with loose bodies.
+// Golden scenes with dynamic bodies.
 #pragma once
 
 #include "golden/scenes.h"
 
 namespace obby::golden {
 
-// One of every shape within a pen, beside a belt.
+// One body of each shape in a pen with a conveyor.
 inline LevelBuilder looseBodies() {
   LevelBuilder b = floorWith({});
   for (int side = 0; side < 4; ++side) {
@@ -45,7 +45,7 @@ inline LevelBuilder looseStack() {
   return b;
 }
 
-// Seats that a turning floor carries off, some of them over its edge.
+// Seats on a turning floor, which carries some of them over its edge.
 inline LevelBuilder looseSeats() {
   LevelBuilder b = floorWith([](Part::Builder p) {
     support::set(p.initConveyor().initAngular(), {0, 1.5f, 0});

@@ -1,4 +1,4 @@
-// The scenes whose state hashes are committed: between them they use every shape and behaviour.
+// The scenes with committed state hashes. Together they use every shape and behaviour.
 #pragma once
 
 #include <string>
@@ -73,7 +73,7 @@ inline LevelBuilder roles() {
   return b;
 }
 
-// Many parts of one kind over a floor, each made by `setter` with its index.
+// Many parts over a floor, each set up by `setter` with its index.
 template <class Setter>
 LevelBuilder crowd(int count, Setter setter) {
   LevelBuilder b = floorWith({});
@@ -105,7 +105,7 @@ inline LevelBuilder hulls() {
   });
 }
 
-// Beams that turn about a vertical or a level axis, through a pivot away from their centre.
+// Beams that spin about a vertical or a horizontal axis, through a pivot away from their centre.
 inline LevelBuilder spinners() {
   LevelBuilder b = floorWith({});
   for (int i = 0; i < 9; ++i) {
@@ -120,7 +120,7 @@ inline LevelBuilder spinners() {
   return b;
 }
 
-// Everything that a part can be in size: a sheet, a needle, a hill, a plain.
+// Extremes of size: a plain, a sheet, a needle, a hill.
 inline LevelBuilder extremes() {
   return LevelBuilder()
       .block({0, -1000, 0}, {2048, 2000, 2048})
@@ -131,7 +131,7 @@ inline LevelBuilder extremes() {
       .spawn({0, 6, 0});
 }
 
-// A flight of steps up to more than the legs can climb, under a ceiling that comes lower.
+// Steps of growing height, up to more than a player can climb, under a sloping ceiling.
 inline LevelBuilder stairs() {
   LevelBuilder b = floorWith({});
   for (int i = 0; i < 12; ++i) {
@@ -172,7 +172,7 @@ inline LevelBuilder vanishing() {
   });
 }
 
-// Boosts that change gravity, some for good, and parts that only the root touches.
+// Boosts that change gravity, some of them forever, and parts that only the root can touch.
 inline LevelBuilder weights() {
   return crowd(40, [](Part::Builder p, int i) {
     if (i % 4 == 3) {
@@ -190,7 +190,7 @@ inline LevelBuilder weights() {
   });
 }
 
-// Two jumps in the air, among trusses, seats and pads.
+// Two air jumps, among trusses, seats and pads.
 inline LevelBuilder airJumps() {
   return crowd(40,
                [](Part::Builder p, int i) {
@@ -209,7 +209,7 @@ inline LevelBuilder killers() {
   });
 }
 
-// Trusses to run into all over the place: upright, turned, tilted, hanging, riding, short-lived.
+// Trusses at random places: upright, turned, tilted, hanging, moving, vanishing.
 inline LevelBuilder trusses() {
   LevelBuilder b = floorWith({});
   Random random(12, 0);
@@ -234,7 +234,7 @@ inline LevelBuilder trusses() {
   return b;
 }
 
-// What a touch can start: doors by four buttons, falls, motions, boosts, trips.
+// Everything that a touch can start: doors by four buttons, falls, motions, boosts, trips.
 inline LevelBuilder clocks() {
   LevelBuilder b = crowd(48, [](Part::Builder p, int i) {
     const std::string signal = "signal " + std::to_string(i % 4);
@@ -275,7 +275,7 @@ inline LevelBuilder clocks() {
   return b;
 }
 
-// Teleporters, seats, one-way parts, healing parts, and presses over them.
+// Teleporters, seats, one-way parts, healing parts, and presses above them.
 inline LevelBuilder places() {
   LevelBuilder b = crowd(40, [](Part::Builder p, int i) {
     switch (i % 5) {

@@ -1,4 +1,4 @@
-// What hangs on a part that turns goes on an arc.
+// A part attached to a turning part moves on an arc.
 #include <cmath>
 #include <string>
 #include <utility>

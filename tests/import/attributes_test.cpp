@@ -109,7 +109,7 @@ TEST(Attributes, ThoseBeyondAThousandAreLost) {
   const auto blob = [](int count) {
     std::string all;
     for (int i = 0; i < count; ++i) all += attributeBytes("a" + std::to_string(i), 0x03, "\x01");
-    // A name that is known already needs no room.
+    // A known name adds no entry.
     return counted(static_cast<uint32_t>(count) + 1, all + attributeBytes("a0", 0x03, "\x01"));
   };
   const DecodedAttributes fits = decodeAttributes(blob(1000));

@@ -1,4 +1,4 @@
-// The bodies of a place: what StarterPlayer says of its players' avatars.
+// The bodies of a place: StarterPlayer's settings for its players' avatars.
 #include "import/avatar.h"
 
 #include <gmock/gmock.h>
@@ -48,7 +48,7 @@ TEST(Avatar, OfR6IsTheR6Body) {
 TEST(Avatar, OfR15IsTheR15Body) {
   AvatarPlace place;
   place.scene.set(place.player, "GameSettingsAvatar", EnumItem{1, {}});
-  // What a new place has: 1 is among them.
+  // The range of a new place contains 1.
   place.scene.set(place.player, "GameSettingsScaleRangeHeight", NumberRange{0.9f, 1.05f});
   place.scene.set(place.player, "GameSettingsScaleRangeWidth", NumberRange{0.7f, 1});
   EXPECT_THAT(place.level().avatar.bodies, ElementsAre("r15"));

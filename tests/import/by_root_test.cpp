@@ -1,10 +1,11 @@
-// Parts that scripts compare the player's position with: only the root touches them.
+// Parts whose scripts compare the player's position: only the root touches them.
 #include "import/scene.h"
 
 namespace obby::test {
 namespace {
 
-// Calls `test` of the box and the body's parts, frame by frame, and kills where it is true.
+// Returns a script that calls `test` with the box and the body's parts, frame by frame, and kills
+// if it is true.
 std::string pollOf(const std::string& test) {
   return R"(local box = workspace.Box
 local function inside(point)

@@ -1,4 +1,4 @@
-// Motions by physics, which carry who stands on them: kits and constraints.
+// Motions by physics, which carry players: kits and constraints.
 #include <string>
 #include <utility>
 #include <vector>
@@ -25,7 +25,7 @@ TEST(Carrying, TaggedPlatformFollowsItsWayPoints) {
   EXPECT_NEAR(scene[platform].motion->keys.back().time, 1 + 4 + 1 + 4, 1e-3);
   expectNear(at(scene[platform], 3), {20, 0, 0});
   EXPECT_FALSE(scene[first].solid);
-  EXPECT_FALSE(scene[first].checkpoint);  // a way point, not a respawn point
+  EXPECT_FALSE(scene[first].checkpoint);  // a waypoint, not a respawn point
 }
 
 TEST(Carrying, TowerKitPositions) {
@@ -60,11 +60,11 @@ TEST(Carrying, HingeMotorSpinsAndCarries) {
   expectNear(scene[c.arm].motion->spin->axis, {0, 1, 0});
 }
 
-// Its servo goes 10 studs/s.
+// Its servo moves 10 studs/s.
 TEST(Carrying, ASliderGoesWhereItsScriptSends) {
   struct Case {
     const char* text;
-    std::vector<std::pair<double, float>> heights;  // of the arm, at these times
+    std::vector<std::pair<double, float>> heights;  // times and heights of the arm
   };
   const Case cases[] = {
       {"while true do slider.TargetPosition = 20 task.wait(5)\n"
@@ -128,7 +128,7 @@ TEST(Carrying, TurnersNeedTorque) {
   Scene scene;
   const auto wheel = scene.part("Wheel"), drum = scene.part("Drum", {20, 0, 0});
   for (const auto id : {wheel, drum}) scene.set(id, "Anchored", false);
-  // Of the class's own speed and torque, as files leave them out.
+  // The file omits the class's default speed and torque.
   const auto legacy = scene.add("BodyAngularVelocity", "BodyAngularVelocity", wheel);
   const auto turner = scene.add("AngularVelocity", "AngularVelocity", drum);
   const auto attachment = scene.add("Attachment", "Attachment", drum);
@@ -221,7 +221,7 @@ TEST(Carrying, WhatASliderMotorMovesIsHeldWhereNoLimitStopsIt) {
   EXPECT_EQ(slider.scene.unmodelled("unanchored part"), 0u);
 }
 
-// From the lower limit, 0, to the upper one, 5, in a second.
+// It moves from the lower limit, 0, to the upper one, 5, in a second.
 TEST(Carrying, ASliderMotorThatAScriptTurnsRoundGoesBetweenItsLimits) {
   Decked slider(true);
   slider.scene.script(

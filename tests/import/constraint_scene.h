@@ -1,4 +1,4 @@
-// Parts on constraints, for the tests of what physics moves.
+// Parts on constraints, for the tests of motion by physics.
 #pragma once
 
 #include "import/scene.h"
@@ -42,7 +42,7 @@ inline Constraint servoed(Scene& scene) {
   return c;
 }
 
-// An arm that hangs on an anchored hub ten studs away, by a joint of a class that is called "Weld".
+// An arm attached to an anchored hub ten studs away, by a joint of any class, named "Weld".
 struct Joined {
   InstanceId hub, arm;
 };

@@ -67,7 +67,7 @@ TEST(CsgPhysics, EveryTruncationIsAnErrorOrHasFewerHulls) {
 
 TEST(CsgPhysics, WrongCountsIndicesAndNumbersAreErrors) {
   std::string bad = hull();
-  bad[40] = 13;  // floats that make no whole corners
+  bad[40] = 13;  // a number of floats that is no multiple of three
   EXPECT_FALSE(decodeCollision(csg(5, bad)));
   bad = hull();
   bad[43] = '\x7f';  // two billion floats
@@ -101,7 +101,7 @@ TEST(CsgPhysics, HullsThatAScaleTakesOutOfAllBoundsAreLeftOut) {
   const auto hulls = scaledHulls({wide, small}, {1e5f, 2, 1});
   ASSERT_EQ(hulls.size(), 1u);
   EXPECT_EQ(hulls[0][1], (Vec3{0, 2, 0}));
-  // Finite, but farther away than a level's corners may be: it would be refused as a whole.
+  // It is finite, but beyond the bounds of a level, which would be rejected as a whole.
   EXPECT_EQ(scaledHulls({small}, {1, 999999, 1}).size(), 1u);
   EXPECT_EQ(scaledHulls({small}, {1, 2e6f, 1}).size(), 0u);
 }

@@ -1,4 +1,4 @@
-// What the Studio plugin keeps in a place: queries, calibrated physics, recorded motion.
+// Data that the Studio plugin keeps in a place: queries, calibrated physics, recorded motion.
 #include "import/designer_queries.h"
 
 #include <map>
@@ -59,7 +59,7 @@ TEST(DesignerQueries, AreReadWithTheirRegionsAndLimits) {
   EXPECT_EQ(q.getGoal().getPart(), "Gate");
   EXPECT_TRUE(q.getGoal().getTouch());
   EXPECT_EQ(q.getAvoid()[0].getSize().getY(), 6);
-  // What goes out is a query that the level takes.
+  // The level accepts the resulting query.
   const auto level = level::Level::compile(import.level.reader().getLevel());
   ASSERT_TRUE(level);
   io::RecordBuilder copy(import.queries[0].reader());

@@ -1,10 +1,10 @@
-// Jumps in the air that scripts give the player: how many, and whether they come back on a floor.
+// Jumps in the air that scripts give the player: their number, and whether a floor restores them.
 #include "import/scene.h"
 
 namespace obby::test {
 namespace {
 
-// The script of each new body.
+// Returns the air jumps of a level whose script runs for each new body.
 uint16_t airJumpsOf(const std::string& source, Scene& scene) {
   scene.part("SpawnLocation", {}, scene.workspace, "SpawnLocation");
   const auto player = scene.add("StarterPlayer", "StarterPlayer", kNoInstance);

@@ -1,4 +1,4 @@
-// Conditions: scripts go the way that the engine's values give them.
+// Conditions: scripts take the branch that the engine's values select.
 #include "import/motion_checks.h"
 
 namespace obby::test {
@@ -217,7 +217,7 @@ TEST(Doubt, WaitsThatAreStatedAreNone) {
   }
 }
 
-// A poll by the second is slower than a step across the part.
+// A poll once a second is slower than a step across the part.
 TEST(Doubt, APollOfTheDistanceHarmsWhereItLooks) {
   Scene scene;
   const auto part = scene.part("Part", {20, 0, 0});

@@ -1,4 +1,4 @@
-// What --explain prints, for designers.
+// The output of --explain, for designers.
 #include <gmock/gmock.h>
 
 #include "import/explain.h"

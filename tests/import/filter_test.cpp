@@ -39,7 +39,7 @@ class Filter : public ::testing::Test {
             [this](const std::string& text) { explained_ += text; }};
   }
 
-  // Every record of an input as JSON lines.
+  // Returns every record of an input as JSON lines.
   std::string lines(importer::InputOpener& inputs, const std::string& path) {
     auto reader = inputs.open(path);
     EXPECT_TRUE(reader) << reader.error().text();
@@ -106,7 +106,7 @@ TEST_F(Filter, RecordsPassThroughUnchanged) {
   EXPECT_EQ(lines(inputs, file("hand.jsonl", text)), text);
 }
 
-// A stream may be longer than memory, and who writes it may wait for what comes of it.
+// A stream may exceed the memory, and its writer may wait for the reader's output.
 TEST_F(Filter, RecordsAreReadAsTheyCome) {
   const std::string path = (folder_ / "pipe").string();
   ASSERT_EQ(mkfifo(path.c_str(), 0600), 0);

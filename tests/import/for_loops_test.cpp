@@ -1,4 +1,4 @@
-// For loops that count for ever, and loops that end by where a model is.
+// For loops that count for ever, and loops whose end depends on a model's position.
 #include <algorithm>
 
 #include "import/motion_checks.h"
@@ -56,7 +56,7 @@ TEST(ForLoops, ThatOutlastAMotionAreEndless) {
   EXPECT_TRUE(turns[turns.self].motion->spin);
 }
 
-// The engine stops a script that does not wait for too long.
+// The engine stops a script that runs too long without a wait.
 TEST(ForLoops, OfManyRoundsWithoutAWaitAreNamed) {
   for (const bool many : {false, true}) {
     ScriptedPart scene("for i = 1, " + std::string(many ? "1e9" : "1e4") +
@@ -90,7 +90,7 @@ TEST(ForLoops, ThatCountForEverMayBeLeft) {
   EXPECT_TRUE(scene[last].kill);
 }
 
-// The model is asked by its part, and set by a method.
+// The script reads the model's position from its part, and sets it by a method.
 TEST(ForLoops, AWayOfAModelThatEndsByWhereItIs) {
   const std::string step = "m:PivotTo(m:GetPivot() * CFrame.new(0, 0.1, 0)) task.wait(0.05) ";
   const std::string texts[] = {"while m.PrimaryPart.Position.Y < 3.95 do " + step + "end",

@@ -1,4 +1,4 @@
-// The binary format piece by piece: rotations, chunks that lie, trees that are none.
+// The binary format piece by piece: rotations, chunks with false sizes, invalid trees.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -158,14 +158,14 @@ TEST(FormatBinary, SizesThatAreOnlyClaimedAllocateNothing) {
     return errorOf(fileHeader(1, 1) + chunkBytes + endChunk());
   };
   const std::string zero(4, '\0');
-  // Stored, then compressed (LZ4 and zstd) claims.
+  // Sizes of stored, then of compressed chunks (LZ4 and zstd).
   EXPECT_THAT(withChunk("INST" + zero + huge + zero + "x"), HasSubstr("but the file ends"));
   EXPECT_THAT(withChunk("INST" + huge + huge + zero + "x"), HasSubstr("but the file ends"));
   EXPECT_THAT(withChunk("INST" + std::string("\x04\0\0\0", 4) + huge + zero + "abcd"),
               HasSubstr("claims to hold 1073741823 bytes in 4"));
   EXPECT_THAT(withChunk("INST" + std::string("\x05\0\0\0", 4) + huge + zero + "\x28\xb5\x2f\xfd "),
               HasSubstr("claims to hold 1073741823 bytes in 5"));
-  // Counts inside of a chunk.
+  // Counts inside a chunk.
   std::string instances;
   append(instances, 0);
   appendString(instances, "Part");
@@ -241,7 +241,7 @@ TEST(FormatBinary, OtherVersionsAndSignaturesAreErrors) {
 }
 
 TEST(FormatBinary, ReferentsNeedNotAscend) {
-  // Referents of both signs of step: 5, 2, 9.
+  // The steps between referents have both signs: 5, 2, 9.
   const std::string bytes = fileHeader(1, 3) + instanceChunk(0, "Part", {5, 2, 9}) +
                             propertyChunk(0, "Name", 1,
                                           [] {

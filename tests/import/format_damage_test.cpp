@@ -1,5 +1,5 @@
-// Damaged files of both formats: an error that names a place, or a document; never a crash or a
-// hang.
+// Damaged files of both formats cause an error that names a place, or return a document. They never
+// cause a crash or a hang.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -78,7 +78,7 @@ TEST(DamagedXml, EveryFlippedBitGivesADocumentOrAnError) {
   EXPECT_GT(refused, whole.size());
 }
 
-// A name of a megabyte over many parts, as files have it that are made to exhaust memory.
+// Files made to exhaust memory have a name of a megabyte on many parts.
 TEST(LongNames, AreCutAtAHundredCharactersWithOneWarning) {
   PlaceWriter place;
   const auto workspace = place.add("Workspace", "Workspace");
@@ -118,7 +118,7 @@ TEST(LongNames, PathsOfDeepTreesKeepTheirEnds) {
   EXPECT_THAT(path, testing::EndsWith("f/Last"));
 }
 
-// Each of them may grow to 16 MiB; a file of a few kilobytes may not hold any number of them.
+// Each of them may grow to 16 MiB, so a file of a few kilobytes may hold only a few.
 TEST(HostileBinary, ManySmallChunksThatGrowAreRefused) {
   const std::string grown =
       propertyChunk(0, "Unknown", 0xee, std::string(16 << 20, 0), Packing::Zstd);

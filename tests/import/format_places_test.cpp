@@ -1,4 +1,4 @@
-// Real files, where they are at hand: binary and XML of the same content, and whole places.
+// Real files, if present: binary and XML of the same content, and whole places.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -30,7 +30,7 @@ Document readOrDie(const fs::path& path) {
   return document ? *std::move(document) : Document{};
 }
 
-// What the two files of a pair really differ in: they were saved at different moments.
+// Removes real differences between the two files of a pair, which were saved at different moments.
 std::string knownDifference(const std::string& line) {
   for (const char* part : {":FilteredSelection[", "/Part:Part[0].CFrame = "}) {
     if (line.find(part) != std::string::npos) return part;

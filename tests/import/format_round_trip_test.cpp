@@ -1,4 +1,4 @@
-// What is written in each format is read back, and alike from all of them.
+// Content written in each format is read back, the same from all of them.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -71,7 +71,7 @@ TEST(FormatRoundTrip, PhysicalPropertiesFollowTheirFlagBits) {
   EXPECT_TRUE(lava->custom);
   EXPECT_EQ(lava->friction, 0.02f);
   EXPECT_EQ(lava->frictionWeight, 3.0f);
-  EXPECT_FALSE(ice.custom);  // acoustics alone: nothing follows
+  EXPECT_FALSE(ice.custom);  // acoustics alone; no values follow
 }
 
 TEST(FormatRoundTrip, PartsLeaveOutWhatEqualsTheClassDefault) {

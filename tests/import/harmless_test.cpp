@@ -1,4 +1,4 @@
-// Parts of which a designer says that they hurt nobody.
+// Parts that a designer marks as harmless.
 #include "import/scene.h"
 
 namespace obby::test {

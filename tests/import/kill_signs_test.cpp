@@ -1,4 +1,4 @@
-// Kill parts by what the file says of them: tags, markers and names.
+// Kill parts by evidence in the file: tags, markers and names.
 #include "import/scene.h"
 
 namespace obby::test {

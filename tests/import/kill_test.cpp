@@ -1,4 +1,4 @@
-// Kill and damage parts, each way that real places make them.
+// Kill and damage parts, in each way that real places make them.
 #include <string>
 #include <utility>
 

@@ -1,4 +1,4 @@
-// What tower kits say by markers, where the kit's own modules are not in the file.
+// Markers of tower kits, if the kit's own modules are not in the file.
 #include "import/scene.h"
 
 namespace obby::test {

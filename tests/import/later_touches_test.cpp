@@ -1,4 +1,4 @@
-// What a part does at its second touch, and what comes only once.
+// Effects of a part at its second touch, and effects that occur only once.
 #include <string>
 
 #include "import/lever_scene.h"
@@ -15,7 +15,7 @@ void expectSecondTouchKills(const std::string& text) {
   EXPECT_EQ(scene.unmodelled(kMoreLater), 1u) << text;
 }
 
-// A touch has several limbs: a script tells touches apart by time.
+// A touch has several limbs, so the script tells touches apart by time.
 TEST(LaterTouches, HarmFromTheSecondTouchOnIsFound) {
   const std::string later = "task.delay(1, function() on = true end) ";
   const std::string touch = "local on = false p.Touched:Connect(function(hit) ";
@@ -94,7 +94,7 @@ TEST(LaterTouches, WhatIsGoneForGoodNeedsNoSecondTouch) {
   }
 }
 
-// Nobody knows what a handler without a visible effect counts.
+// It is unknown what a handler without a visible effect counts.
 TEST(LaterTouches, ListenersWithoutAVisibleEffectAreNamed) {
   const char* const kHidden = "listener without a visible effect";
   ScriptedPart counts("local n = 0 p.Touched:Connect(function() n += 1 end)");
@@ -105,7 +105,7 @@ TEST(LaterTouches, ListenersWithoutAVisibleEffectAreNamed) {
   EXPECT_EQ(silent.unmodelled(kHidden), 0u);
 }
 
-// Pads that have to be touched in an order that is not that of the file.
+// The pads must be touched in an order that is not that of the file.
 TEST(LaterTouches, PadsInAnOrderAreFound) {
   Scene scene;
   for (const char* name : {"C", "A", "B"}) scene.part(name, {20.0f * float(name[0] - '@'), 0, 0});
@@ -122,7 +122,7 @@ TEST(LaterTouches, PadsInAnOrderAreFound) {
   EXPECT_TRUE(scene[bridge].vanish->inverted);
 }
 
-// What comes after the longest probe, or after the run, may help a player.
+// Effects after the longest probe, or after the run, may help a player.
 TEST(LaterTouches, ScriptsThatStillWaitAreNamed) {
   const char* const kWaits = "script that still waits";
   ScriptedPart touched("p.Touched:Connect(function() task.wait(20) p.CanCollide = false end)");
@@ -148,7 +148,7 @@ TEST(LaterTouches, SeveralClicksAreFound) {
   EXPECT_TRUE(scene[door].vanish);
 }
 
-// A player's next body, or the next player, is not spared by a flag of the character.
+// A flag of the character does not protect a player's next body, or the next player.
 TEST(LaterTouches, AKillThatACharacterScriptDealsComesWithEachLife) {
   for (const bool ofCharacter : {false, true}) {
     Scene scene;
@@ -195,7 +195,7 @@ TEST(Touches, ATagKillsWhereNoScriptListens) {
   EXPECT_TRUE(scene[other].kill);
 }
 
-// Poison goes on when the player has left.
+// Poison goes on after the player has left.
 TEST(Touches, HarmThatGoesOnIsThatOfOneTouch) {
   Scene scene;
   const auto poison = scene.part("Poison", {20, 0, 0});
@@ -237,7 +237,7 @@ TEST(Touches, APromptOfTheServiceOpensADoor) {
   EXPECT_TRUE(scene[door].vanish);
 }
 
-// A plate holds a door open: it shuts when the player has left.
+// A plate holds a door open, which shuts when the player leaves.
 TEST(Touches, APlateThatIsHeldOpensADoorWhileItIsTouched) {
   Scene scene;
   const auto plate = scene.part("Plate", {20, 0, 0}), door = scene.part("Door", {40, 0, 0});
@@ -284,7 +284,7 @@ TEST(Touches, ABoxWithoutAPartIsNamed) {
   EXPECT_EQ(scene.unmodelled("place where scripts look for players"), 1u);
 }
 
-// A velocity that is held for a while reaches as high as one that is given at once.
+// A velocity held for a while reaches as high as one set once.
 TEST(Touches, APushThatLastsIsNamed) {
   Scene scene;
   const auto pad = scene.part("Pad", {20, 0, 0});

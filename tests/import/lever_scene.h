@@ -1,4 +1,4 @@
-// A lever and a trap for tests of what one touch changes about the next.
+// A lever and a trap, for tests of how one touch affects the next.
 #pragma once
 
 #include <string>
@@ -47,7 +47,7 @@ inline std::string noteOf(const LevelDraft& level, const char* kind) {
   return found == level.unmodelled.end() ? "" : found->second.note;
 }
 
-// The trap harms, and the level says when.
+// Expects that the trap harms, and that the level states the condition.
 inline void expectArmed(LeverScene& scene, const std::string& what,
                         const std::string& when = "once 'Lever' has been touched or used") {
   scene.level();

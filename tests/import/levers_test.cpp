@@ -21,7 +21,7 @@ TEST(Levers, WhateverALeverSetsArmsTheTrapThatAsksForIt) {
     for (const bool trapFirst : {false, true}) {
       LeverScene scene;
       if (trapFirst) scene.asks(condition);
-      // One touch, however many limbs it has.
+      // It counts as one touch, however many limbs it has.
       scene.run(
           "local last = -9 lever.Touched:Connect(function() if time() - last < 1 then\n"
           "return end last = time() " +

@@ -1,4 +1,4 @@
-// Lines of a text by their numbers.
+// Lines of a text by number.
 #include "import/line_index.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Which unanchored parts become loose bodies.
+// Unanchored parts that become bodies.
 #include "import/scene.h"
 
 namespace obby::test {

@@ -8,7 +8,7 @@ namespace {
 
 constexpr int kMany = 650;
 
-// `text` is called with each part of a row, named by its number.
+// Runs `text` with each part of a row; each has its number as name.
 struct Row : Scene {
   explicit Row(const std::string& text) {
     const InstanceId folder = add("Folder", "Row", workspace);

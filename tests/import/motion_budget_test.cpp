@@ -1,4 +1,4 @@
-// Motions of many parts with many keys, and other work that could grow with the square of a number.
+// Motions of many parts with many keys, and other work that could grow quadratically.
 #include <chrono>
 
 #include "import/motion.h"
@@ -8,7 +8,8 @@
 namespace obby::test {
 namespace {
 
-// Gives a motion to two models of `parts` parts, one after the other: the second finds no room.
+// Gives a motion to two models of `parts` parts, one after the other. The second exceeds the
+// budget.
 void expectRoomForOne(size_t parts, const importer::Motion& motion) {
   Scene scene;
   InstanceId models[2];
@@ -43,7 +44,7 @@ TEST(Motion, AllKeysOfALevelHaveABudget) {
 }
 
 TEST(Motion, AllTicksOfALevelHaveABudget) {
-  constexpr size_t kParts = 600, kSeconds = 80;  // 160 s there and back
+  constexpr size_t kParts = 600, kSeconds = 80;  // 160 s for a round
   static_assert(kParts * kSeconds * 2 * 60 > level::kMaxLevelRows);
   static_assert(kParts * kSeconds * 60 < level::kMaxLevelRows);
   importer::Motion motion;
@@ -53,7 +54,7 @@ TEST(Motion, AllTicksOfALevelHaveABudget) {
   expectRoomForOne(kParts / 2, motion);
 }
 
-// Much decoration hangs on what one can stand on; a leaf turns out to kill.
+// Much decoration is attached to a floor; a leaf turns out to kill.
 TEST(Motion, DecorationTakesNoRoomFromWhatAPlayerMeets) {
   constexpr size_t kSolid = 5, kLeaves = 1000, kKeys = 1500;
   static_assert(kLeaves * kKeys > importer::kMaxLevelKeys);
@@ -88,7 +89,7 @@ TEST(Motion, DecorationTakesNoRoomFromWhatAPlayerMeets) {
   EXPECT_EQ(level.ignored.at("moving decoration").count, kSolid + kLeaves - kRoom);
 }
 
-// Fails the test if the work takes as long as it would for all pairs of so many things.
+// Fails if the work takes as long as it would for all pairs of that many items.
 template <class Work>
 void expectQuick(Work work) {
   const auto start = std::chrono::steady_clock::now();

@@ -1,4 +1,4 @@
-// Where a moving part is, for the tests of motions.
+// Positions of a moving part, for the tests of motions.
 #pragma once
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 
 namespace obby::test {
 
-// A part, and a script on it that calls it `p`.
+// A part `p` with a script on it.
 struct ScriptedPart : Scene {
   explicit ScriptedPart(const std::string& text) {
     script("local p = script.Parent\n" + text, self);
@@ -24,7 +24,7 @@ inline void expectNear(Vec3 a, Vec3 b, float slack = 0.02f) {
   EXPECT_NEAR(a.z, b.z, slack);
 }
 
-// Where the part is `time` seconds after the start of its keys, on straight ways.
+// Returns the part's position `time` seconds after the start of its keys, on straight segments.
 inline Vec3 at(const PartDraft& part, float time) {
   const auto& keys = part.motion->keys;
   for (size_t i = 1; i < keys.size(); ++i) {
@@ -36,7 +36,7 @@ inline Vec3 at(const PartDraft& part, float time) {
   return keys.back().pose.position;
 }
 
-// The part's pose `time` seconds after the start of play, as the simulator has it.
+// Returns the part's pose `time` seconds after the start of play, as in the simulator.
 inline Pose poseAt(const PartDraft& part, double time) {
   if (!part.motion) return part.pose;
   const importer::Motion& motion = *part.motion;
@@ -63,7 +63,7 @@ inline Pose poseAt(const PartDraft& part, double time) {
   return pose * Pose{pivot - turn * pivot, turn};
 }
 
-// Degrees about Y, -180 to 180.
+// Returns degrees about Y, from -180 to 180.
 inline float yawAt(const PartDraft& part, double time) {
   const Vec3 ahead = poseAt(part, time).rotation.z;
   return std::atan2(ahead.x, ahead.z) * 57.29578f;

@@ -9,7 +9,7 @@ namespace {
 
 constexpr float kPi = 3.14159265f;
 
-// The marker parts that show where to go are parts as any others, if they can be seen.
+// The marker parts of the destinations are parts like any others, if they are visible.
 TEST(Motion, TweenBetweenMarkerPartsInALoop) {
   Scene scene;
   const auto model = scene.add("Model", "Lift", scene.workspace);
@@ -127,7 +127,7 @@ TEST(Motion, SpinRatesFollowTheWaits) {
        kPi / 180 * 60,
        {0, 1, 0}},
       {"while true do p.Orientation = p.Orientation + Vector3.new(0, 0, 2) wait(0.04) end",
-       kPi / 90 * 15,  // two of the 30 rounds a second
+       kPi / 90 * 15,  // wait(0.04) takes two frames of 1/30 s
        {0, 0, 1}},
       {"game:GetService('RunService').Heartbeat:Connect(function(dt) "
        "p.CFrame = p.CFrame * CFrame.Angles(0, math.rad(90) * dt, 0) end)",

@@ -11,7 +11,7 @@ namespace {
 
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
-// A loose part with a mover in it.
+// An unanchored part with a mover in it.
 struct Pushed {
   explicit Pushed(const char* className) {
     part = scene.part("Lift", {0, 8, 0});
@@ -90,7 +90,7 @@ TEST(Movers, AVelocityThatATouchTurnsRoundBeginsWithIt) {
   expectNear(at(lift.scene[lift.part], 2), {0, 28, 0}, 0.4f);
 }
 
-// A hinge with a servo: 90 degrees in a second, back after four.
+// A hinge with a servo opens 90 degrees in a second, and shuts after four.
 TEST(Movers, ADoorThatATouchOpensTurns) {
   Scene scene;
   const auto c = constrained(scene, "HingeConstraint");
@@ -211,7 +211,7 @@ TEST(Movers, ATurnMayBeInTheFrameOfTheAttachment) {
   drum.scene.set(drum.mover, "AngularVelocity", Vec3{3, 0, 0});
   drum.scene.set(drum.mover, "MaxTorque", 1000.0);
   drum.scene.set(drum.scene.document.instances[drum.part].children.back(), "CFrame",
-                 CFrame{{}, {{0, 1, 0}, {-1, 0, 0}, {0, 0, 1}}});  // its X is up
+                 CFrame{{}, {{0, 1, 0}, {-1, 0, 0}, {0, 0, 1}}});  // its X axis points up
   for (const uint32_t frame : {0u, 2u}) {
     drum.scene.set(drum.mover, "RelativeTo", EnumItem{frame, {}});
     drum.scene.level();

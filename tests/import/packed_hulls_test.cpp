@@ -24,7 +24,7 @@ struct Coded {
   std::string symbols;
 };
 
-// What a fan of triangles gives: a corner more than three is a C, and later an R.
+// Returns the symbols of a fan of triangles: each corner beyond three is a C, and later an R.
 Coded fan(const Hull& corners) {
   const size_t more = corners.size() - 3;
   return {corners, std::string(more, 'C') + std::string(more, 'R') + 'E'};
@@ -136,7 +136,7 @@ TEST(PackedHulls, AHullEndsWhereItsLastBranchDoes) {
   const auto hulls = decodePackedHulls(unpacked({}, {ended, fan(kTetrahedron), ended}));
   ASSERT_TRUE(hulls) << hulls.error().text();
   EXPECT_EQ(*hulls, (std::vector<Hull>{ended.corners, kTetrahedron, ended.corners}));
-  // A corner behind the end of a hull is one too many for the next.
+  // A corner past the end of a hull is one too many for the next.
   EXPECT_FALSE(decodePackedHulls(unpacked({}, {branched, fan(kTetrahedron)})));
 }
 
@@ -168,7 +168,7 @@ TEST(PackedHulls, CountsThatDisagreeAreErrors) {
   const std::string content = unpacked({kTetrahedron}, {fan(kTetrahedron)});
   ASSERT_TRUE(decodePackedHulls(content));
   for (size_t field = 0; field < 9; ++field) {
-    const bool isOnlyAHint = field == 3 || field == 4;  // the most of one hull
+    const bool isOnlyAHint = field == 3 || field == 4;  // max of one hull
     for (const char value : {'\0', '\x7f', '\xff'}) {
       std::string bad = content;
       bad.replace(4 * field, 4, 4, value);

@@ -1,4 +1,4 @@
-// Which parts a loss concerns.
+// The parts that a loss concerns.
 #include <gtest/gtest.h>
 
 #include "import/doubts.h"
@@ -55,7 +55,7 @@ TEST(PartDoubts, AScriptAtAServiceOrAroundMostOfTheLevelConcernsNoSinglePart) {
 const std::string kKillsLater =
     "\nscript.Parent.Touched:Connect(function(hit) hit.Parent.Humanoid.Health = 0 end)";
 
-// An error ends a script in the game, too; one at what the twin does not do might not.
+// An error ends a script in the game, too. An error at a feature that the twin lacks might not.
 TEST(PartDoubts, AScriptThatFailsBeforeItListensIsHarmless) {
   Doubted scene;
   const InstanceId wrong = scene.part("Wrong", {20, 0, 0}), limited = scene.part("Limited");
@@ -88,7 +88,7 @@ TEST(PartDoubts, APlayerThatIsMovedWithoutATouchIsNamed) {
   }
 }
 
-// Scripts that all run well tell what kills; a name alone does not.
+// Scripts that all run without errors decide what kills; a name alone does not.
 TEST(PartDoubts, ANameKillsOnlyWhereScriptsDoNotTell) {
   for (const std::string& text : {std::string(), std::string("print('x')"), kFails}) {
     Scene scene;
@@ -105,7 +105,7 @@ TEST(PartDoubts, WhatOnlyHelpsOrHindersIsToldApart) {
   EXPECT_EQ(importer::bearingOf("script that fails"), importer::Bearing::either);
 }
 
-// A kill part that moves into the player while it stands at the spawn is no harm without a cause.
+// A kill part that moves into the player at the spawn is harm with a known cause.
 TEST(PartDoubts, AMovingPartThatHarmsThePlayerAtTheSpawnIsNoLoss) {
   Scene scene;
   const InstanceId arm = scene.part("Arm", {12, 3, 0});

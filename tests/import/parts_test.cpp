@@ -1,9 +1,9 @@
-// Geometry of parts, what belongs to the level, joints and strays.
+// Geometry of parts, extent of the level, joints and strays.
 #include <cstring>
 #include <limits>
 #include <memory>
 
-// Ahead of what makes the importer's names this namespace's: one of them is a kind of value here.
+// Included before the importer's names enter this namespace: one of them is a kind of value here.
 #include "support/place_columns.h"
 
 #include "import/hulls.h"

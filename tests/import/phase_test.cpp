@@ -1,4 +1,4 @@
-// Parts that begin to move when their script has waited: the wait is their phase.
+// Parts that begin to move after their script has waited: the wait is their phase.
 #include <cmath>
 
 #include "import/motion_checks.h"
@@ -6,7 +6,7 @@
 namespace obby::test {
 namespace {
 
-// Of the part `p`, each in another way for ever.
+// Scripts for the part `p`, each with a different endless motion.
 const char* const kMotions[] = {
     "ts:Create(p, TweenInfo.new(2, Enum.EasingStyle.Linear, Enum.EasingDirection.InOut, -1, true), "
     "{Position = Vector3.new(0, 9, 0)}):Play()",
@@ -28,7 +28,7 @@ local there = ts:Create(p, TweenInfo.new(1), {Position = Vector3.new(0, 9, 0)})
 local back = ts:Create(p, TweenInfo.new(1), {Position = Vector3.new(0, 0, 0)})
 )";
 
-// The second is where the first was a second before, but for two frames.
+// The second follows the first by a second, except for two frames.
 TEST(Phase, TheWaitBeforeWhatRepeatsIsItsPhase) {
   for (const char* motion : kMotions) {
     Scene scene;
@@ -70,7 +70,7 @@ TEST(Phase, WhatComesButOnceWaitsWithItsKeys) {
     EXPECT_NEAR(poseAt(scene[part], time).position.y, y, 0.3) << time;
 }
 
-// As the simulator takes it.
+// The simulator accepts such a round.
 TEST(Phase, ARoundMayTakeTwentyMinutes) {
   for (const bool longer : {false, true}) {
     Scene scene;

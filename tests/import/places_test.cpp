@@ -1,5 +1,5 @@
-// Real place files beside the checkout (not part of the project): sensible counts, and the same
-// level from the binary and the XML form. Skipped where the files are not there.
+// Real place files next to the checkout (not part of the project): plausible counts, and the same
+// level from the binary and the XML form. The tests are skipped without the files.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -134,12 +134,12 @@ TEST(Places, ModelFiles) {
   auto blocks = import(kPlacesFolder / "hedreon-map.rbxmx");
   EXPECT_EQ(count(blocks.level.reader().getLevel()).kills, 2u);
   auto stress = import(kPlacesFolder / "rbxdom-parts-1000.rbxm");
-  // Loose all, and far more than a level can have.
+  // All are unanchored, and far more than a level can have.
   EXPECT_EQ(count(stress.level.reader().getLevel()).loose, 0u);
   EXPECT_EQ(stress.level.reader().getLevel().getUnmodelled()[0].getCount(), 1000u);
 }
 
-// The record as text, without what names the file itself.
+// Returns the record as text, without the name and format of the file.
 std::string content(importer::Import& result, bool positions) {
   io::RecordBuilder copy(result.level.reader());
   for (auto part : copy.root().getLevel().getParts())

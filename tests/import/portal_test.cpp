@@ -12,7 +12,7 @@ const std::string kPlayerOf =
     " local player = game.Players:GetPlayerFromCharacter(hit.Parent)\n if not player then return "
     "end\n";
 
-// A door that kills, and sets the RespawnLocation 300 studs away.
+// Expects a portal from a door that kills and sets the RespawnLocation 300 studs away.
 void expectLeadsToNext(Scene& scene) {
   spawn(scene, "Start", {});
   const InstanceId door = scene.part("Door", {20, 3, 0});
@@ -60,7 +60,7 @@ TEST(Portal, ALongRespawnTimeIsWaitedFor) {
   expectLeadsToNext(scene);
 }
 
-// Deaths are counted, too; the player comes back to where it was.
+// The script counts deaths, too; the player respawns where it was.
 TEST(Portal, AKillThatCountsDeathsIsAKill) {
   Scene scene;
   spawn(scene, "Start", {});

@@ -1,4 +1,4 @@
-// Parts that a script moves but once, step by step.
+// Parts that a script moves only once, step by step.
 #include <algorithm>
 #include <chrono>
 #include <string>
@@ -8,7 +8,7 @@
 namespace obby::test {
 namespace {
 
-// Steps of 0.1 studs, each 0.05 s.
+// Steps of 0.1 studs, each 0.05 s apart.
 TEST(PoseSteps, AWayThatALoopMakesIsAMotionThatComesOnce) {
   const char* const texts[] = {
       "for i = 1, 40 do p.CFrame = p.CFrame * CFrame.new(0, 0.1, 0) task.wait(0.05) end",
@@ -88,8 +88,8 @@ TEST(PoseSteps, OneLoopForthAndOneBackInAnEndlessOneGoOnForEver) {
   }
 }
 
-// What a script waits for in vain does not come; a door that a script opens and shuts at the start
-// is where it leaves it.
+// Motions after a wait that never ends do not occur. A door that a script opens and shuts at the
+// start stays where it was left.
 TEST(PoseSteps, WhatNeverComesMovesNothing) {
   const std::string steps =
       "for i = 1, 40 do p.CFrame = p.CFrame * CFrame.new(0, 0.1, 0) task.wait(0.05) end";
@@ -115,7 +115,7 @@ TEST(PoseSteps, ALongWayIsGoneToItsEnd) {
   EXPECT_LE(part.motion->keys.size(), 4u);
 }
 
-// The last way may be at its end, or not.
+// The run does not show whether the last step ends the motion.
 TEST(PoseSteps, WaysWithoutAnEndAreNamed) {
   ScriptedPart scene(
       "while true do p.Position += Vector3.new(0, 0.1, 0) task.wait(math.random()) end");
@@ -123,7 +123,7 @@ TEST(PoseSteps, WaysWithoutAnEndAreNamed) {
   EXPECT_EQ(scene.unmodelled("motion without a period"), 1u);
 }
 
-// Two scripts of one part: it rises once, and goes or turns for ever.
+// Two scripts move one part: it rises once, and moves or turns for ever.
 TEST(PoseSteps, GoOnBesideWhatMovesThePartForEver) {
   const std::string rises = "for i = 1, 40 do p.Position += Vector3.new(0, 1, 0) task.wait() end";
   const std::string before = "local p = workspace.Mover\n";

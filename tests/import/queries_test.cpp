@@ -1,4 +1,4 @@
-// Stage queries and the level record: what goes out.
+// Stage queries and the level record: the importer's output.
 #include "import/queries.h"
 
 #include <cmath>
@@ -19,7 +19,7 @@ PartDraft pad(Vec3 position, Vec3 size, Mat3 rotation = {}) {
   return part;
 }
 
-// True if the upright segment from the feet to 5 studs above meets the box.
+// Returns true if the upright segment from the feet to 5 studs above meets the box.
 bool standsIn(const importer::GoalBox& box, Vec3 feet) {
   for (float up = 0; up <= 5; up += 0.01f) {
     const Vec3 local = toLocal(box.pose, feet + Vec3{0, up, 0});
@@ -171,7 +171,7 @@ TEST(LevelRecord, WhateverTheFileHoldsCanBeWritten) {
   EXPECT_FLOAT_EQ(parts[1].getSize().getY(), 0.001f);
 }
 
-// Every number of every property set to something hostile, one value at a time.
+// Sets every number of every property to a hostile value, one at a time.
 TEST(LevelRecord, HostileNumbersGiveALevelThatCompiles) {
   const double kNaN = std::nan(""), kInfinity = HUGE_VAL;
   for (const double bad : {kNaN, kInfinity, -kInfinity, -1e38, 1e38, 1e-38, -1.0, 0.0}) {

@@ -1,10 +1,22 @@
-// Parts that scripts take out of the world, put back, or put elsewhere.
+// Parts that scripts remove from the world, put back, or put elsewhere.
 #include "import/scene.h"
 
 namespace obby::test {
 namespace {
 
 const char* const kComesOrGoes = "part that comes and goes without a rhythm";
+
+// Expects that the part appears or vanishes for good at that second, and that no loss is noted.
+void expectOnce(Scene& scene, InstanceId part, float seconds, bool comes) {
+  const auto& level = scene.level();
+  ASSERT_EQ(level.parts.size(), 1u);
+  const auto& vanish = scene[part].vanish;
+  ASSERT_TRUE(vanish && vanish->timer && vanish->signal.empty());
+  EXPECT_EQ(vanish->inverted, comes);
+  EXPECT_NEAR(vanish->delay, seconds, 0.1);
+  EXPECT_EQ(vanish->away, importer::kGone);
+  EXPECT_TRUE(level.unmodelled.empty());
+}
 
 TEST(Removal, WhatATouchTakesOutVanishes) {
   struct Case {
@@ -73,16 +85,12 @@ TEST(Removal, WhatAScriptTakesOutAtTheStartIsLeftOut) {
   }
 }
 
-TEST(Removal, WhatComesBackLaterIsNamed) {
+TEST(Removal, WhatComesBackLaterIsThereThen) {
   Scene scene;
-  scene.part("Bridge");
+  const auto bridge = scene.part("Bridge");
   scene.script("local b = workspace.Bridge\nb.Parent = nil\nwait(9)\nb.Parent = workspace",
                scene.scripts);
-  const auto& level = scene.level();
-  EXPECT_EQ(level.parts.size(), 1u);
-  ASSERT_EQ(scene.unmodelled(kComesOrGoes), 1u);
-  EXPECT_EQ(level.unmodelled.at(kComesOrGoes).example, "Workspace/Bridge");
-  EXPECT_NE(level.unmodelled.at(kComesOrGoes).note.find("line 2"), std::string::npos);
+  expectOnce(scene, bridge, 9, true);
 }
 
 TEST(Removal, WhatAButtonPutsBackIsThereThen) {
@@ -98,6 +106,24 @@ TEST(Removal, WhatAButtonPutsBackIsThereThen) {
   EXPECT_EQ(scene[bridge].vanish->signal, scene[button].button->signal);
   EXPECT_NEAR(scene[button].button->seconds, 5, 0.1);
   EXPECT_FALSE(scene[button].vanish);
+}
+
+TEST(Removal, WhatAButtonBringsFromStorageIsThereThen) {
+  for (const char* condition : {"true", "open"}) {
+    Scene scene;
+    const auto storage = scene.add("ServerStorage", "ServerStorage", kNoInstance);
+    const auto button = scene.part("Button"), bridge = scene.part("Bridge", {9, 0, 0}, storage);
+    scene.script(std::string("local open = false script.Parent.Touched:Connect(function() if ") +
+                     condition +
+                     " then\ngame.ServerStorage.Bridge.Parent = workspace end end)\n"
+                     "for i = 1, 20 do wait(1) end open = true",
+                 button);
+    scene.level();
+    ASSERT_TRUE(scene[button].button && scene[bridge].vanish) << condition;
+    EXPECT_TRUE(scene[bridge].vanish->inverted);
+    EXPECT_EQ(scene[bridge].vanish->signal, scene[button].button->signal);
+    EXPECT_TRUE(scene[button].button->forever);
+  }
 }
 
 TEST(Removal, WhatIsPutBackAtOnceStays) {
@@ -127,16 +153,32 @@ TEST(Removal, ATimerThatTakesOutAndPutsBackVanishes) {
   }
 }
 
-TEST(Removal, WhatLeavesInPlayIsNamed) {
+TEST(Removal, WhatLeavesInPlayLeavesOnce) {
   const char* const texts[] = {"wait(5) workspace.Folder.Part.Parent = nil",
                                "wait(5) workspace.Folder:ClearAllChildren()"};
   for (const char* text : texts) {
     Scene scene;
-    scene.part("Part", {}, scene.add("Folder", "Folder", scene.workspace));
+    const auto part = scene.part("Part", {}, scene.add("Folder", "Folder", scene.workspace));
     scene.script(text, scene.scripts);
-    EXPECT_EQ(scene.level().parts.size(), 1u) << text;
-    EXPECT_EQ(scene.unmodelled(kComesOrGoes), 1u) << text;
+    expectOnce(scene, part, 5, false);
   }
+}
+
+TEST(Removal, WhatComesOutOfStorageLaterIsThereThen) {
+  Scene scene;
+  const auto storage = scene.add("ServerStorage", "ServerStorage", kNoInstance);
+  const auto plank = scene.part("Plank", {}, scene.add("Model", "Stage1", storage));
+  scene.script("wait(6) game.ServerStorage.Stage1.Parent = workspace", scene.scripts);
+  expectOnce(scene, plank, 6, true);
+}
+
+TEST(Removal, WhatComesAndGoesWithoutARhythmIsNamed) {
+  Scene scene;
+  scene.part("Part");
+  scene.script("local p = workspace.Part wait(5) p.Parent = nil wait(5) p.Parent = workspace",
+               scene.scripts);
+  EXPECT_EQ(scene.level().parts.size(), 1u);
+  EXPECT_EQ(scene.unmodelled(kComesOrGoes), 1u);
 }
 
 TEST(Removal, WhatComesOutOfStorageIsBuilt) {

@@ -1,4 +1,4 @@
-// Rojo projects: folders of files as the place that Rojo builds of them.
+// Rojo projects: folders of files as the place that Rojo builds from them.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// A small place built by hand as a Document, and the level that the importer makes of it.
+// A small place built by hand as a Document, and the level that the importer makes from it.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -8,13 +8,14 @@
 
 #include "engine/document.h"
 #include "import/build_level.h"
+#include "import/observed/run.h"
 
 namespace obby::test {
 
 using importer::LevelDraft;
 using importer::PartDraft;
 
-// Starts with Workspace (0) and ServerScriptService (1); `model()` starts with nothing.
+// Starts with Workspace (0) and ServerScriptService (1); `model()` starts empty.
 class Scene {
  public:
   Scene() {
@@ -42,7 +43,7 @@ class Scene {
     (parent == kNoInstance ? document.roots : document.instances[parent].children).push_back(id);
     return id;
   }
-  // An anchored part of 4 x 1 x 4.
+  // Adds an anchored part of 4 x 1 x 4.
   InstanceId part(const std::string& name, Vec3 position, InstanceId parent,
                   const std::string& className = "Part") {
     const InstanceId id = add(className, name, parent);
@@ -80,7 +81,7 @@ class Scene {
     level_ = importer::buildLevel(tree, place, "test");
     return level_;
   }
-  // The part that an instance became; fails the test if it became none.
+  // Returns the part of an instance. Fails the test if there is none.
   const PartDraft& operator[](InstanceId id) const {
     static const PartDraft kNone;
     for (const auto& part : level_.parts)

@@ -1,5 +1,5 @@
-// Loops that end by what they do, functions that call themselves, lists and texts that scripts
-// make: what stands behind them is read.
+// Loops that end by their own effects, functions that call themselves, lists and texts that scripts
+// make. The code after them is read.
 #include "import/motion_checks.h"
 
 namespace obby::test {
@@ -155,7 +155,7 @@ TEST(ScriptLoops, VelocitiesThatChangeAreNamed) {
   }
 }
 
-// As `if passed < 0.5 then return end` keeps a handler from what it does each half second.
+// A handler works each half second, as with `if passed < 0.5 then return end`.
 TEST(ScriptLoops, AHandlerThatReturnsEarlyIsCalledAgain) {
   Scene scene;
   const auto part = scene.part("Part");
@@ -175,7 +175,7 @@ TEST(ScriptLoops, AHandlerThatReturnsEarlyIsCalledAgain) {
   EXPECT_NEAR(poseAt(scene[part], 0.8).position.y, 8, 0.1);
 }
 
-// Stepped gives its handlers the time, and how long the last frame took.
+// Stepped passes the time and the duration of the last frame to its handlers.
 TEST(ScriptLoops, AHandlerOfStepsKnowsTheClock) {
   Scene scene;
   const auto part = scene.part("Part");

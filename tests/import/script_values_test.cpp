@@ -1,4 +1,4 @@
-// Values that scripts compute: what is told is taken, what is not is named, not guessed.
+// Values that scripts compute: known ones are used, unknown ones are noted, not guessed.
 #include <string>
 #include <utility>
 
@@ -50,7 +50,7 @@ TEST(ScriptValues, HealthWithinBoundsIsHarm) {
   }
 }
 
-// A part that does something to a character's humanoid `h`.
+// Returns a script whose part changes a character's humanoid `h`.
 std::string touchThat(const std::string& way) {
   return "p.Touched:Connect(function(hit) local h = hit.Parent.Humanoid\n"
          "p.Transparency = 0.5 " +
@@ -110,7 +110,7 @@ TEST(ScriptValues, AttributesThatAScriptSetsAreSet) {
   }
 }
 
-// When a player first comes the part does not hurt.
+// When a player first arrives, the part does not hurt.
 TEST(ScriptValues, HarmThatComesAndGoesIsHarm) {
   const char* const texts[] = {
       "task.spawn(function() while true do p:SetAttribute('On', true) wait(2)\n"
@@ -141,7 +141,7 @@ TEST(ScriptValues, AFunctionThatIsPutOffIsGivenItsArguments) {
   }
 }
 
-// Of all parts those that a script asks for, with and without the service in the file.
+// Scripts select parts by properties and tags, with and without the service in the file.
 TEST(ScriptValues, WhatPartsAreMadeOfAndWhichTagsTheyHaveIsKnown) {
   const char* const asks[] = {"tags:HasTag(v, 'Ouchie')",
                               "v:HasTag('Ouchie')",
@@ -192,7 +192,7 @@ TEST(ScriptValues, AColourThatATweenBringsIsNotThereAtOnce) {
   EXPECT_FALSE(scene[scene.self].kill);
 }
 
-// As of a light that shows who may walk.
+// The script is that of a light that shows when players may walk.
 TEST(ScriptValues, TheColourOfALightIsAsItIsSet) {
   Scene scene;
   const auto pad = scene.part("Pad");
@@ -206,7 +206,7 @@ TEST(ScriptValues, TheColourOfALightIsAsItIsSet) {
   EXPECT_FALSE(scene[pad].kill);
 }
 
-// As of a door that kills all but its owners.
+// The script is that of a door that kills all but its owners.
 TEST(ScriptValues, APlayerIsOnNoList) {
   const std::pair<std::string, bool> asks[] = {
       {"local owners = {[1234] = true} ^ if owners[player.UserId] then return", true},

@@ -1,4 +1,4 @@
-// Loops that wait for the end of a tween or of a way, and what scripts ask tweens for.
+// Loops that wait for the end of a tween or a motion, and the tween data that scripts read.
 #include <utility>
 
 #include "import/tween_scene.h"
@@ -64,7 +64,7 @@ TEST(ScriptWaits, TimesOfATweenInfoAreKnown) {
   EXPECT_NEAR(tweened.z(3.5), 8, 0.1);
 }
 
-// The condition asks for a piece of the pose that the loop sets in another way.
+// The condition reads a component of the pose, which the loop sets by other means.
 TEST(ScriptWaits, AWayThatEndsByWhereThePartIs) {
   const char* const texts[] = {
       "while true do\n"
@@ -94,7 +94,7 @@ TEST(ScriptWaits, AnInnerLoopMayEndByChance) {
   EXPECT_TRUE(stepped.motion().spin);
 }
 
-// One that a condition ends may end by what the loop calls.
+// A loop with a condition may end by a function that it calls.
 TEST(ScriptWaits, AnInnerLoopEndsByWhatItCalls) {
   const Overlap stepped(
       {"local open = true\n"
@@ -106,7 +106,7 @@ TEST(ScriptWaits, AnInnerLoopEndsByWhatItCalls) {
   for (const auto& key : stepped.motion().keys) EXPECT_LE(key.pose.position.z, 2);
 }
 
-// Another part that a script moves once it has waited for the end of a tween.
+// A script moves another part after it has waited for the end of a tween.
 TEST(ScriptWaits, WhatWaitsForATweenComesWhenItIsOver) {
   Scene scene;
   scene.part("Mover");

@@ -159,7 +159,7 @@ TEST(ScriptedConstraint, ASliderBeginsWhereScriptsHavePlacedItsBase) {
   expectNear(at(scene[c.arm], 4), {50, 28, 0});
 }
 
-// A hinge hangs a blade on what a slider moves.
+// A hinge attaches a blade to the part of a slider.
 TEST(ScriptedConstraint, ConstraintsMakeChains) {
   Scene scene;
   const auto c = pushed(scene, "PrismaticConstraint");

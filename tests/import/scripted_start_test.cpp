@@ -1,4 +1,4 @@
-// What scripts do to parts as play starts: it is in the level, with their lines as evidence.
+// Script changes to parts at the start of play are in the level, with their lines as evidence.
 #include <chrono>
 
 #include "import/motion_checks.h"

@@ -20,7 +20,7 @@ TEST(Signals, TouchesOfAPartAreOfThatPart) {
   }
 }
 
-// Those that have the tag by then are known.
+// Parts that have the tag by then are known.
 TEST(Signals, OfPartsThatGetATagLaterHarmNobodyUnknown) {
   for (const bool asked : {false, true}) {
     Scene scene;
@@ -38,7 +38,7 @@ TEST(Signals, OfPartsThatGetATagLaterHarmNobodyUnknown) {
   }
 }
 
-// With and without the service in the file.
+// It holds with and without the service in the file.
 TEST(Signals, OfEachFrameMoveAndWait) {
   const char* const texts[] = {
       "local beat = run.Heartbeat beat:Connect(function(dt) turn() end)",

@@ -1,5 +1,5 @@
-// SpawnLocations that are no checkpoints: further starts, lobbies, winners' lounges; and where the
-// course begins and ends.
+// SpawnLocations that are no checkpoints (further starts, lobbies, winners' lounges), and both ends
+// of the course.
 #include "import/spawns.h"
 
 namespace obby::test {
@@ -95,7 +95,7 @@ TEST(SpawnRoles, WinnersAreNoStart) {
   ASSERT_EQ(level.spawns.size(), 2u);
   EXPECT_FLOAT_EQ(level.spawns[0].position.x, 0);
   EXPECT_FLOAT_EQ(level.spawns[1].position.x, 30);
-  EXPECT_TRUE(level.parts[0].goal);  // who walks onto it has won
+  EXPECT_TRUE(level.parts[0].goal);  // a player on it has won
 }
 
 TEST(SpawnRoles, WhatLeadsToTheWinnersIsTheGoal) {

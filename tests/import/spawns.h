@@ -1,4 +1,4 @@
-// SpawnLocations of a scene, and the spawns of the level that comes of it.
+// SpawnLocations of a scene, and the spawns of its level.
 #pragma once
 
 #include <string>
@@ -15,7 +15,7 @@ inline InstanceId spawn(Scene& scene, const std::string& name, Vec3 position) {
   return spawn(scene, name, position, scene.workspace);
 }
 
-// Names of the level's spawns in order.
+// Returns the names of the level's spawns in order.
 inline std::vector<std::string> order(const LevelDraft& level) {
   std::vector<std::string> names;
   for (const auto& s : level.spawns) names.push_back(s.name);
@@ -23,7 +23,7 @@ inline std::vector<std::string> order(const LevelDraft& level) {
 }
 using Names = std::vector<std::string>;
 
-// Names of the spawns behind the start.
+// Returns the names of the spawns after the start.
 inline Names checkpoints(const LevelDraft& level) {
   Names names = order(level);
   if (!names.empty()) names.erase(names.begin());

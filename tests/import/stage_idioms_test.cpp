@@ -1,5 +1,5 @@
-// Stages by what scripts were seen to do: the values that they set, what they ask for, where
-// players come back.
+// Stages by observed effects of scripts: the values that they set, their conditions, and where
+// players respawn.
 #include "import/spawns.h"
 
 namespace obby::test {
@@ -10,7 +10,7 @@ constexpr const char* kLeaderstats =
     " local stats = Instance.new('Folder') stats.Name = 'leaderstats' stats.Parent = player\n"
     " local stage = Instance.new('IntValue') stage.Name = 'Stage' stage.Parent = stats\nend)\n";
 
-// Pads called 1 to `count` in a folder, in the order of the list, which a script keeps.
+// Adds pads called 1 to `count` in a folder, in the order of the list, which a script stores.
 InstanceId pads(Scene& scene, const std::string& folder, const std::vector<int>& numbers) {
   const auto parent = scene.add("Folder", folder, scene.workspace);
   for (const int n : numbers)
@@ -63,7 +63,7 @@ TEST(StageIdioms, PadsThatAskForTheOneBeforeGoByThat) {
   Scene scene;
   spawn(scene, "Start", {});
   const auto folder = scene.add("Folder", "Discs", scene.workspace);
-  // By distance the order would be C, B, A.
+  // The order by distance would be C, B, A.
   for (const auto& [name, x] :
        {std::pair{"A", 90.0f}, std::pair{"B", 60.0f}, std::pair{"C", 30.0f}})
     scene.part(name, {x, 0, 0}, folder);
@@ -86,14 +86,15 @@ TEST(StageIdioms, PadsThatAskForTheOneBeforeGoByThat) {
 TEST(StageIdioms, PadsWhoseScriptsAskForMoreThanWasTriedFollowTheirRow) {
   Scene scene;
   spawn(scene, "Start", {});
-  pads(scene, "Pads", {5, 4, 3, 2, 1});  // the tour comes to the last one first
+  pads(scene, "Pads", {5, 4, 3, 2, 1});  // the tour touches the last one first
   scene.script(kLeaderstats + eachPad("local stage = player.leaderstats.Stage\n"
                                       "  if n == stage.Value + 1 then stage.Value = n end"),
                scene.scripts);
   EXPECT_EQ(checkpoints(scene.level()), (Names{"Pad1", "Pad2", "Pad3", "Pad4", "Pad5"}));
 }
 
-// A script of the body hears of all that the Humanoid touches, and knows the pads by their folder.
+// A script of the body receives each touch of the Humanoid, and recognises the pads by their
+// folder.
 TEST(StageIdioms, ABodyThatHearsWhatItTouches) {
   for (const char* hears :
        {"character:WaitForChild('Humanoid')", "character:WaitForChild('Left Leg')"}) {

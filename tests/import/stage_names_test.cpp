@@ -1,4 +1,4 @@
-// Stages by what the file says: tags, values in pads, names, folders.
+// Stages by evidence in the file: tags, values in pads, names, folders.
 #include "import/spawns.h"
 
 namespace obby::test {
@@ -65,7 +65,7 @@ TEST(StageNames, AFolderStagesWithModels) {
   const auto& level = scene.level();
   ASSERT_EQ(level.spawns.size(), 4u);
   EXPECT_EQ(level.spawns[2].name, "Checkpoint");
-  EXPECT_FLOAT_EQ(level.spawns[3].position.x, 120);  // where the third stage begins
+  EXPECT_FLOAT_EQ(level.spawns[3].position.x, 120);  // start of the third stage
 }
 
 TEST(StageNames, ACheckpointOfManyPartsIsNoRow) {

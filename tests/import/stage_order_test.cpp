@@ -1,4 +1,4 @@
-// The order of checkpoints: numbers of folders and teams, and what has none of its own.
+// The order of checkpoints: numbers of folders and teams, and checkpoints without a number.
 #include "import/spawns.h"
 
 namespace obby::test {
@@ -11,7 +11,7 @@ TEST(Stages, SpawnsInFoldersThatAreCalledStagesGoByTheirNumbers) {
     spawn(scene, "Pad" + std::string(1, char('a' + n)), {n == 2 ? 120.0f : 30.0f * float(n), 0, 0},
           stage);
   }
-  // The second stage lies behind the third.
+  // The second stage is farther away than the third.
   EXPECT_EQ(order(scene.level()), (Names{"Padb", "Padc", "Padd"}));
 }
 

@@ -1,4 +1,4 @@
-// Start, checkpoints in their order, goal.
+// Start, checkpoints in order, goal.
 #include <algorithm>
 #include <chrono>
 

@@ -1,4 +1,4 @@
-// What the Studio plugin sends, beside the place that it is of.
+// Compares a place that the Studio plugin sends with the original.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -30,12 +30,12 @@ void addWorld(PlaceWriter& writer, Id workspace) {
   writer.set(lava, "CFrame", cframe(30, 0, 0));
 }
 
-// The team that players begin in.
+// Adds the team that players begin in.
 void addTeams(PlaceWriter& writer, Id service) {
   writer.set(writer.add("Team", "Beginners", service), "TeamColor", brickNumber(21));
 }
 
-// Health that does not come back, and a jump.
+// Adds a script for health that does not regenerate, and a jump.
 void addCharacterScript(PlaceWriter& writer, Id folder) {
   writer.set(writer.add("Script", "Health", folder), "Source", source("-- none"));
   writer.set(writer.add("Script", "Jump", folder), "Source",
@@ -59,7 +59,8 @@ PlaceWriter wholePlace() {
   return writer;
 }
 
-// The same as the plugin sends it: a Folder stands for what scripts cannot make.
+// Returns the same place as the plugin sends it. A Folder replaces each instance that scripts
+// cannot make.
 PlaceWriter sentPlace() {
   PlaceWriter writer;
   const Id place = writer.add("Configuration", "ObbyPlace");

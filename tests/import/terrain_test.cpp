@@ -30,7 +30,7 @@ std::vector<PartDraft> blocksOf(const LevelDraft& level, InstanceId terrain) {
   return out;
 }
 
-// Whether a point is in one of the blocks.
+// Returns true if a point is in one of the blocks.
 bool isSolidAt(const std::vector<PartDraft>& blocks, Vec3 at) {
   return std::any_of(blocks.begin(), blocks.end(), [&](const PartDraft& part) {
     const Vec3 d = abs(at - part.pose.position) - part.size * 0.5f;
@@ -152,7 +152,7 @@ TEST(Terrain, OfTooMuchTheNearestIsKept) {
 }
 
 TEST(Terrain, WorstCasesEndSoon) {
-  VoxelWriter writer;  // alternating cells of alternating heights, as many pieces as there can be
+  VoxelWriter writer;  // alternating cells of alternating heights: the max number of pieces
   for (int x = 0; x < 8; ++x)
     for (int y = 0; y < 4; ++y)
       writer.chunk({x, y, 0}, [](int cx, int cy, int z) {
@@ -191,7 +191,8 @@ TEST(SmoothGrid, DamageIsAnError) {
 TEST(SmoothGrid, ShoresHoldWaterBesideMatter) {
   std::string voxels("\1\5", 2);
   voxels.append(12, '\0');
-  voxels += std::string("\xc2\x80\x00\x40", 4);  // grass of a half, one cell, water of a quarter
+  voxels += std::string("\xc2\x80\x00\x40", 4);  // grass with half occupancy, one cell, water with
+                                                 // a quarter
   voxels += std::string("\x80\xfe", 2);          // air
   for (int i = 0; i < 127; ++i) voxels += std::string("\x80\xff", 2);
   const auto chunks = voxelChunks(voxels);

@@ -1,5 +1,5 @@
-// Tweens of one part that do not come one after the other: those of one property end each other,
-// those of different ones go on side by side.
+// Tweens of one part that overlap in time. Those of one property end each other; those of different
+// properties run in parallel.
 #include <string>
 #include <utility>
 #include <vector>
@@ -9,12 +9,12 @@
 namespace obby::test {
 namespace {
 
-// A few frames of the way at 10 studs a second: a script goes on up to two frames late.
+// Studs of a few frames at 10 studs a second: a script resumes up to two frames late.
 constexpr float kTweenSlack = 0.5f;
 
 struct OverlapCase {
   const char* text;
-  std::vector<std::pair<double, float>> z;  // where the part is, and when
+  std::vector<std::pair<double, float>> z;  // times and positions of the part
 };
 
 TEST(TweenOverlap, TweensOfOnePropertyEndEachOther) {
@@ -84,7 +84,7 @@ TEST(TweenOverlap, SwingsOfCommonRoundsAreOneMotion) {
   }
 }
 
-// A platform that goes to and fro as it turns, by tweens or loops, of one script or two.
+// A platform moves to and fro as it turns, by tweens or loops, of one script or two.
 TEST(TweenOverlap, APlatformMayGoToAndFroAndTurn) {
   const std::string there = "tween(swing(2), to(20)):Play()\n";
   const std::string steps =
@@ -172,7 +172,7 @@ TEST(TweenOverlap, ALoopThatChangesMoreIsOneRoundLong) {
     EXPECT_NEAR(poseAt(scene[part], time).position.z, float(z), 1) << time;
 }
 
-// Each new tween takes its first small step only.
+// Each new tween takes only its first small step.
 TEST(TweenOverlap, WhatIsTweenedToOnePlaceEachFrameComesThere) {
   const Overlap there({"while true do tween(even(2), to(10)):Play() task.wait() end"});
   EXPECT_NEAR(there.z(2), 10 * (1 - std::exp(-1)), 0.3);
@@ -186,7 +186,7 @@ TEST(TweenOverlap, APoseMayBeSetBesideAnEndlessTween) {
   EXPECT_NEAR(both.z(5), 10, 0.2);
 }
 
-// A turn that comes once beside an endless swing is as it is in the end.
+// A single turn during an endless swing counts as done from the start.
 TEST(TweenOverlap, WhatComesOnceBesideASwingIsTakenAsDone) {
   const Overlap both(
       {"tween(swing(2), to(20)):Play()\n"
@@ -203,7 +203,7 @@ TEST(TweenOverlap, SwingsWithoutACommonRoundAreNamed) {
   EXPECT_EQ(both.scene.unmodelled("motion without a period"), 1u);
 }
 
-// As two tweens of one property do: the later one goes on alone.
+// The later script wins, as with two tweens of one property.
 TEST(TweenOverlap, OfTwoScriptsThatMoveAPartTheLastCounts) {
   const Overlap both({"tween(swing(2), to(20)):Play()", "tween(swing(2), to(-5)):Play()"});
   EXPECT_NEAR(both.z(2), -5, 0.1);

@@ -1,4 +1,4 @@
-// What a script finds where it reads what a tween drives.
+// Values that scripts read from properties driven by a tween.
 #include <string>
 
 #include "import/tween_scene.h"
@@ -6,7 +6,7 @@
 namespace obby::test {
 namespace {
 
-// Where the part comes to rest, by what its script read of it on the way. A frame's way is 1/6
+// The part comes to rest where its script read a property during the tween. A frame's motion is 1/6
 // stud.
 TEST(TweenReading, WhatATweenDrivesIsOnItsWay) {
   struct Case {
@@ -36,7 +36,7 @@ TEST(TweenReading, WhatATweenDrivesIsOnItsWay) {
   }
 }
 
-// What each frame follows a swing goes with it.
+// A part that follows a swing frame by frame gets its motion.
 TEST(TweenReading, APartMayFollowATweenFrameByFrame) {
   Scene scene;
   scene.part("Mover");

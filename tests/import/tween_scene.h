@@ -1,4 +1,4 @@
-// One part that scripts tween, for the tests of how tweens go.
+// One part that scripts tween, for the tests of tweens.
 #pragma once
 
 #include <initializer_list>
@@ -8,7 +8,7 @@
 
 namespace obby::test {
 
-// `ts`, the part `p`, and tween(info, goals) of it.
+// Defines `ts`, the part `p`, and tween(info, goals) for it.
 inline const std::string kBefore = R"(local ts, p = game:GetService("TweenService"), workspace.Mover
 local function tween(info, goals) return ts:Create(p, info, goals) end
 local line, way = Enum.EasingStyle.Linear, Enum.EasingDirection.In

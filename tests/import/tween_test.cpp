@@ -1,4 +1,4 @@
-// Tweens: how far they turn, what they reach together, and how they come back.
+// Tweens: their angles, their combined effect, and their reversal.
 #include <cmath>
 
 #include "import/motion_checks.h"
@@ -147,7 +147,7 @@ TEST(Tween, OfManyRoundsAllAreDone) {
   EXPECT_TRUE(over.scene.level().unmodelled.empty());
 }
 
-// Those that go on for longer than the scripts are run do so for ever.
+// Tweens that outlast the run count as endless.
 TEST(Tween, ManyRoundsThatOutlastTheRunAreEndless) {
   for (const char* repeats : {"500", "1e5", "1e9", "-1"}) {
     Tweened tweened("2, " + kLinear + ", " + repeats + ", true", "Position = Vector3.new(0, 8, 0)");
@@ -161,7 +161,7 @@ TEST(Tween, ManyRoundsThatOutlastTheRunAreEndless) {
   EXPECT_EQ(ends.scene.level().unmodelled.count("motion that ends"), 1u);
 }
 
-// A script that plays tweens of one way again and again does not end with the last one seen.
+// A script that plays tweens in an endless loop does not end with the last one observed.
 TEST(Tween, OfOneWayInALoopAreEndless) {
   Scene scene;
   const InstanceId slab = scene.part("Slab");
@@ -180,7 +180,7 @@ end)",
   EXPECT_TRUE(scene[slab].motion);
 }
 
-// Half a round, or not even one, is seen.
+// The run shows half a round or less.
 TEST(Tween, LongWaysGoOnAsTheTweenSays) {
   const Tweened swing("40, " + kLinear + ", -1, true", "Position = Vector3.new(0, 0, 80)");
   const Tweened once("100",

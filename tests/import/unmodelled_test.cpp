@@ -1,4 +1,4 @@
-// Whatever is not simulated is named, with counts.
+// Features that are not simulated are noted, with counts.
 #include <memory>
 #include <string>
 #include <utility>
@@ -9,7 +9,7 @@
 namespace obby::test {
 namespace {
 
-// A part whose script moves who touches it by `value`.
+// Adds a part whose script moves the touching player by `value`.
 InstanceId teleporter(Scene& scene, const std::string& value) {
   const auto from = scene.part("teleporter1a");
   scene.part("teleporter1b", {50, 0, 0});

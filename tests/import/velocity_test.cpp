@@ -1,4 +1,4 @@
-// Velocities that scripts give to parts, and that their text does not tell.
+// Velocities that scripts give to parts at run time.
 #include "import/motion_checks.h"
 
 namespace obby::test {

@@ -1,4 +1,4 @@
-// World constants: which property applies, and what changes the player.
+// World constants: which property applies, and which settings change the player.
 #include <cmath>
 
 #include "import/scene.h"
@@ -122,7 +122,7 @@ TEST(World, ScriptsInTheStarterCharacterGiveToEachCharacter) {
   EXPECT_FLOAT_EQ(scene.level().world.walkSpeed, 20);
 }
 
-// A new place, as Studio saves it, with a script for each new character.
+// Returns a new place, as Studio saves it, with a script for each new character.
 Scene withJumpHeight(const std::string& forCharacter, const std::string& atStart = {}) {
   Scene scene;
   const auto player = scene.add("StarterPlayer", "StarterPlayer", kNoInstance);

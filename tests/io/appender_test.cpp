@@ -1,4 +1,4 @@
-// Logs that go to a pipe: who is told to stop waits no longer for its reader.
+// Logs to a pipe stop waiting for their reader once told to stop.
 #include "io/appender.h"
 
 #include <fcntl.h>
@@ -16,7 +16,7 @@
 namespace obby::io {
 namespace {
 
-// A log to a pipe whose reader takes nothing.
+// A log to a pipe whose reader reads nothing.
 class StalledLog : public testing::Test {
  protected:
   void SetUp() override {
@@ -35,7 +35,7 @@ class StalledLog : public testing::Test {
   std::optional<Appender> log;
 };
 
-TEST_F(StalledLog, WhoIsToldToStopGivesUpAReaderWhoTakesNothing) {
+TEST_F(StalledLog, AStopAbandonsAReaderThatReadsNothing) {
   EXPECT_TRUE(log->append("a row\n"));
   stop = true;
   EXPECT_TRUE(log->append("what there is room for\n"));
@@ -45,8 +45,8 @@ TEST_F(StalledLog, WhoIsToldToStopGivesUpAReaderWhoTakesNothing) {
   EXPECT_EQ(status.error().input, path);
 }
 
-// Not by a signal, which would break off a write that waits.
-TEST_F(StalledLog, MayBeToldToStopWhileItWaits) {
+// A signal would interrupt a blocked write by itself, so that the flag alone is set here.
+TEST_F(StalledLog, AStopEndsAWaitingWrite) {
   std::thread other([&] {
     std::this_thread::sleep_for(std::chrono::milliseconds(100));
     stop = true;

@@ -1,5 +1,5 @@
-// What has to outlast the machine is on the disk before it takes its name, and its name before it
-// is said to be written. fsync() is this file's: it looks what is there, and does as told.
+// A durable file is on the disk before it is renamed, and its name before close() returns. This
+// file replaces fsync(): it records what it finds, and fails on request.
 #include <errno.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
@@ -16,13 +16,13 @@ namespace {
 
 struct Sync {
   bool folder;
-  std::string named;  // what the file at `watched` held then
+  std::string named;  // the content of `watched` at that time
 };
 
 std::vector<Sync> syncs;
 std::string watched;
-int failingSync = -1;  // -1: none
-int failure = EIO;     // of that one
+int failingSync = -1;  // index of the call that fails; -1: none
+int failure = EIO;     // its errno
 
 }  // namespace
 
@@ -57,7 +57,7 @@ Status write(const std::string& path, Durable durable, int failing = -1, int err
   return sink->close();
 }
 
-TEST(DurableSink, IsOnTheDiskBeforeItsNameAndThenItsName) {
+TEST(DurableSink, TheFileIsSyncedBeforeTheRenameAndTheFolderAfterIt) {
   ScratchFolder folder;
   ASSERT_TRUE(write(folder / "out", Durable::yes));
   ASSERT_EQ(syncs.size(), 2u);
@@ -67,7 +67,7 @@ TEST(DurableSink, IsOnTheDiskBeforeItsNameAndThenItsName) {
   EXPECT_EQ(syncs[1].named, "new");
 }
 
-TEST(DurableSink, OthersDoNotWaitForTheDisk) {
+TEST(DurableSink, OtherSinksDoNotSync) {
   ScratchFolder folder;
   ASSERT_TRUE(write(folder / "out", Durable::no));
   EXPECT_TRUE(syncs.empty());
@@ -78,7 +78,7 @@ TEST(DurableSink, OthersDoNotWaitForTheDisk) {
   EXPECT_TRUE(syncs.empty()) << "a device";
 }
 
-TEST(DurableSink, WhatTheDiskDoesNotTakeDoesNotTakeTheNameOfWhatItDid) {
+TEST(DurableSink, AFailedSyncKeepsTheOldFile) {
   ScratchFolder folder;
   const Status file = write(folder / "out", Durable::yes, 0);
   ASSERT_FALSE(file);
@@ -89,9 +89,9 @@ TEST(DurableSink, WhatTheDiskDoesNotTakeDoesNotTakeTheNameOfWhatItDid) {
   EXPECT_EQ(folder.entries(), 1u);
 }
 
-TEST(DurableSink, WhereAFileSystemDoesNotKnowHowItIsWrittenAllTheSame) {
+TEST(DurableSink, AFileSystemWithoutSyncIsNoError) {
   ScratchFolder folder;
-  for (const int call : {0, 1}) {  // of the file, of the folder
+  for (const int call : {0, 1}) {  // the call for the file, and for the folder
     const Status status = write(folder / "out", Durable::yes, call, EINVAL);
     EXPECT_TRUE(status) << status.error().text();
     EXPECT_EQ(syncs.size(), 2u);
@@ -100,7 +100,7 @@ TEST(DurableSink, WhereAFileSystemDoesNotKnowHowItIsWrittenAllTheSame) {
   }
 }
 
-TEST(DurableSink, ASignalDoesNotEndTheWait) {
+TEST(DurableSink, ASignalDoesNotEndTheSync) {
   ScratchFolder folder;
   for (const int call : {0, 1}) {
     ASSERT_TRUE(write(folder / "out", Durable::yes, call, EINTR));

@@ -1,4 +1,4 @@
-// Records that are encoded ahead of their writing.
+// Records that are encoded before they are written.
 #include <gtest/gtest.h>
 
 #include "io/stream.h"
@@ -12,7 +12,7 @@ RecordBuilder level(const char* name) {
   return builder;
 }
 
-TEST(Encoded, GoesOutWithTheSameBytesAsWrite) {
+TEST(Encoded, GivesTheSameBytesAsWrite) {
   for (const Format made : {Format::jsonl, Format::capnp, Format::capnpPacked}) {
     for (const Format written : {Format::jsonl, Format::capnp, Format::capnpPacked}) {
       std::string ahead, plain;

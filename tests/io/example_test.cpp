@@ -1,4 +1,4 @@
-// Examples of the schema in errors can be taken at their word.
+// The examples in error messages are valid input.
 #include "io/example.h"
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@
 namespace obby::io {
 namespace {
 
-// The plan and those of all objects in it.
+// Collects the plans of an object and of all objects in it.
 void collect(const StructPlan& plan, std::set<const StructPlan*>& out) {
   if (!out.insert(&plan).second) return;
   for (const FieldPlan& field : plan.fields) {

@@ -35,7 +35,7 @@ TEST_F(FileWatchTest, NoticesWritingReplacingAndRemoval) {
   EXPECT_TRUE(watch.changed());
 }
 
-TEST_F(FileWatchTest, NoticesTheSameBytesWrittenAnew) {
+TEST_F(FileWatchTest, NoticesTheSameBytesWrittenAgain) {
   FileWatch watch({path_});
   std::filesystem::last_write_time(
       path_, std::filesystem::last_write_time(path_) + std::chrono::seconds(1));

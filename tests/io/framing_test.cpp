@@ -1,4 +1,4 @@
-// The frame around a stream: every cut is noticed, every whole stream is read.
+// The frame of a stream: every truncation is an error, and every whole stream is read.
 #include <gtest/gtest.h>
 
 #include "io/stream.h"
@@ -27,7 +27,7 @@ Read readAll(const std::string& bytes) {
   }
 }
 
-// Header, one record of every other kind, end.
+// A stream of the header, one record of every other kind, and the end.
 std::string framedStream(Format format) {
   std::string bytes;
   StreamWriter writer = StreamWriter::toBytes(format, &bytes);
@@ -158,7 +158,7 @@ TEST(Framing, Rules) {
   }
 }
 
-TEST(Framing, ReadingGoesOnBehindABadLineButNotBehindABrokenFrame) {
+TEST(Framing, ReadingContinuesAfterABadLineButNotAfterABrokenFrame) {
   StreamReader reader = StreamReader::overBytes(
       "{\"type\":\"header\"}\n{\"type\":3}\n{\"type\":\"level\"}\n"
       "{\"type\":\"end\",\"records\":\"3\"}\n{\"type\":\"end\"}\n{\"type\":\"header\"}\n",
@@ -170,7 +170,7 @@ TEST(Framing, ReadingGoesOnBehindABadLineButNotBehindABrokenFrame) {
   ASSERT_TRUE(level && *level);
   EXPECT_EQ((*level)->which(), Kind::LEVEL);
   EXPECT_EQ((*level)->place(), "3");
-  EXPECT_TRUE(reader.next());  // the bad line was counted as a record
+  EXPECT_TRUE(reader.next());  // the bad line counts as a record
   EXPECT_TRUE(reader.next());
   EXPECT_TRUE(reader.next());
   EXPECT_FALSE(reader.next());

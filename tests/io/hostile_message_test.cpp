@@ -1,4 +1,4 @@
-// Cap'n Proto messages from an enemy: no crash, no exception, no large allocation, little time.
+// Hostile Cap'n Proto messages cause no crash, no exception, no large allocation and little work.
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 
@@ -21,7 +21,7 @@ std::string message(uint32_t seed, Format format, Kind kind = Kind::LEVEL) {
   return bytes;
 }
 
-// Reads everything; what was taken for a record must be writable, too.
+// Reads everything. A record that was accepted must also be writable.
 void digest(const std::string& bytes) {
   StreamReader reader = StreamReader::overBytes(bytes, "in");
   for (int i = 0; i < 100; i++) {
@@ -41,7 +41,7 @@ void digest(const std::string& bytes) {
 double longestSeconds = 0;
 
 void timedDigest(const std::string& bytes) {
-  const std::clock_t start = std::clock();  // work, not waiting: the machine may be busy
+  const std::clock_t start = std::clock();  // CPU time, since the machine may be busy
   digest(bytes);
   longestSeconds = std::max(longestSeconds, double(std::clock() - start) / CLOCKS_PER_SEC);
 }
@@ -103,7 +103,7 @@ TEST(HostileMessages, HugeClaimsCostNothing) {
   EXPECT_EQ(errorOf(little32({511, 0x2000000})),
             "in:byte 0: the input ends in the middle of a message (it was cut off: run the tool "
             "that wrote it again)");
-  // Within the cap, but the bytes are not there.
+  // The claimed size is within the cap, but the bytes are missing.
   EXPECT_EQ(errorOf(little32({0, 0x1fffffe})),
             "in:byte 0: the input ends in the middle of a message (it was cut off: run the tool "
             "that wrote it again)");
@@ -111,9 +111,9 @@ TEST(HostileMessages, HugeClaimsCostNothing) {
   EXPECT_LT(after.ru_maxrss - before.ru_maxrss, 64 << 10);  // KiB
 }
 
-TEST(HostileMessages, AListThatClaimsMoreThanThereIsIsNamedUnsound) {
-  // One segment: a Record of one data word and one pointer, which leads to a Level whose first
-  // pointer (name) claims 2^28 bytes.
+TEST(HostileMessages, AListLargerThanTheMessageIsReported) {
+  // One segment: a Record of one data word and one pointer to a Level, whose first pointer (name)
+  // claims 2^28 bytes.
   const std::string bytes =
       little32({0, 10, 0, 0x00010001, 1, 0, 0, 0x00060000, 21, 0x80000002, 0,
                 0, 0,  0, 0,          0, 0, 0, 0,          0,  0,          0});
@@ -121,9 +121,8 @@ TEST(HostileMessages, AListThatClaimsMoreThanThereIsIsNamedUnsound) {
             "in:byte 0: invalid Cap'n Proto message: Message contained out-of-bounds text pointer");
 }
 
-TEST(HostileMessages, SharedAndCyclicPointersEndInAnErrorSoon) {
-  // A level whose list of parts is a list of structs without any words: 2^28 of them cost nothing
-  // to claim.
+TEST(HostileMessages, SharedAndCyclicPointersFailQuickly) {
+  // A level whose list of parts holds 2^28 structs without any words, which take no bytes to claim.
   std::string bytes = little32({0, 10, 0, 0x00010001, 1, 0, 0, 0x00060000, 0, 0,          0,
                                 0, 0,  0, 9,          7, 0, 0, 0,          0, 0x3ffffffc, 0});
   const std::clock_t start = std::clock();
@@ -146,9 +145,9 @@ TEST(HostileMessages, BadValuesAreRefusedAsInJson) {
   EXPECT_EQ(errorOf(bytes), "in:byte 0: timeLimit: expected a finite number, found inf");
 }
 
-TEST(HostileMessages, AKindOfTheFuturePassesThrough) {
+TEST(HostileMessages, AnUnknownKindPassesThrough) {
   std::string bytes = message(3, Format::capnp, Kind::QUERY);
-  const size_t discriminant = 16;  // behind the segment table and the root pointer
+  const size_t discriminant = 16;  // after the segment table and the root pointer
   ASSERT_EQ(bytes[discriminant], char(uint16_t(Kind::QUERY)));
   bytes[discriminant] = 99;
   StreamReader reader = StreamReader::overBytes(bytes, "in");

@@ -1,4 +1,4 @@
-// What JSON lines mean, what is refused, and in which words.
+// The meaning of JSON lines, and the errors for invalid ones.
 #include "io/json_codec.h"
 
 #include <gtest/gtest.h>
@@ -22,7 +22,7 @@ struct JsonCodecCase {
   std::string line, expected;
 };
 
-TEST(JsonErrors, NameThePathTheExpectationAndWhatWasThere) {
+TEST(JsonErrors, StateThePathTheExpectedAndTheFoundValue) {
   const JsonCodecCase cases[] = {
       {R"({"type":"level","parts":[{},{"size":[1,2]}]})",
        "parts[1].size: expected 3 numbers, found an array of 2"},
@@ -126,7 +126,7 @@ TEST(JsonLines, AQueryKeepsItsTitle) {
   EXPECT_EQ(normal(line), R"({"type":"query","id":"stage1","title":"Stage 1: 'A' to 'B'"})");
 }
 
-TEST(JsonErrors, NothingMayFollowBehindAZeroByte) {
+TEST(JsonErrors, NothingMayFollowAZeroByte) {
   const std::string line = R"({"type":"query"})";
   EXPECT_EQ(jsonCodecErrorOf(line), "no error");
   EXPECT_EQ(jsonCodecErrorOf(line + '\0'), "column 17: expected JSON, found a zero byte");
@@ -149,7 +149,7 @@ TEST(JsonErrors, ARecordOfBillionsOfBytesIsRefusedBeforeItIsBuilt) {
   EXPECT_EQ(jsonCodecErrorOf(line + "]}"), "parts: the record is larger than 256 MiB, the maximum");
 }
 
-TEST(JsonMeaning, GenerousInputHasOneNormalForm) {
+TEST(JsonMeaning, LenientInputHasOneNormalForm) {
   const JsonCodecCase cases[] = {
       {R"({"type":"query","goal":[]})", R"({"type":"query","goal":{}})"},
       {R"({"goal":{},"type":"query"})", R"({"type":"query","goal":{}})"},
@@ -198,8 +198,8 @@ TEST(JsonMeaning, AnUnknownKindIsToldApartFromAnError) {
   EXPECT_FALSE(unknown->has_value());
 }
 
-// A slip of the pen, but neither a note of somebody's own nor what a later version may add.
-TEST(JsonMeaning, FieldsThatLookMisspeltAreTold) {
+// Misspelt fields are reported. Private notes and fields of later versions are not.
+TEST(JsonMeaning, MisspeltFieldsAreReported) {
   std::vector<Error> slips;
   const auto record = recordFromJsonIfKnown(
       R"({"type":"query","id":"q","maxJump":2,"reviewedBy":"Ada","goal":{"positon":[1,2,3]}})",
@@ -210,7 +210,7 @@ TEST(JsonMeaning, FieldsThatLookMisspeltAreTold) {
   EXPECT_EQ(slips[1].path, "goal.positon");
 }
 
-TEST(JsonMeaning, LookingForSlipsIsBounded) {
+TEST(JsonMeaning, TheSearchForMisspeltFieldsIsBounded) {
   const auto told = [](const std::string& notes) {
     std::vector<Error> misspelt;
     EXPECT_TRUE(recordFromJsonIfKnown("{\"type\":\"level\"" + notes + ",\"part\":[]}", &misspelt));
@@ -225,7 +225,7 @@ TEST(JsonMeaning, LookingForSlipsIsBounded) {
   EXPECT_EQ(told(different), 0u);
 }
 
-TEST(JsonMeaning, KindsThatLookMisspeltAreRefused) {
+TEST(JsonMeaning, MisspeltKindsAreErrors) {
   std::vector<Error> slips;
   auto unknown = recordFromJsonIfKnown(R"({"type":"weather","id":"q"})", &slips);
   ASSERT_TRUE(unknown);

@@ -1,4 +1,4 @@
-// What names no level is of the one before it, and is left out where that could not be read.
+// Records that name no level belong to the level before them, and are dropped if it was unreadable.
 #include "io/lost_level.h"
 
 #include <capnp/serialize.h>
@@ -20,8 +20,8 @@ std::string query(const std::string& id, const std::string& level = "") {
   return "{\"type\":\"query\",\"id\":\"" + id + "\"" + named + "}\n";
 }
 
-// What comes of inputs that are texts, of which an empty one cannot be opened: ids of the queries,
-// "+" for a level, and what is reported.
+// Reads inputs given as texts; an empty text stands for an input that cannot be opened. `came`
+// lists ids of queries, and "+" for a level.
 struct LostLevelRead {
   std::string came;
   std::vector<std::string> reports;
@@ -49,7 +49,7 @@ struct LostLevelRead {
   }
 };
 
-TEST(LostLevel, TakesTheQueriesWithItThatNameNone) {
+TEST(LostLevel, DropsQueriesThatNameNoLevel) {
   const std::string text =
       kLevel + query("a") + kLost + query("b") + query("c", "A") + query("d") + kLevel + query("e");
   for (const OnError onError : {OnError::skip, OnError::emit}) {
@@ -66,15 +66,15 @@ TEST(LostLevel, TakesTheQueriesWithItThatNameNone) {
   }
 }
 
-TEST(LostLevel, TakesNothingThatIsOfAnother) {
-  // What could not be read was a query.
+TEST(LostLevel, KeepsRecordsOfOtherLevels) {
+  // The unreadable record was a query.
   EXPECT_EQ(LostLevelRead({kLevel + "{\"type\":\"query\",\"id\":7}\n" + query("b")}).came, "+b");
-  // A kind that later versions have.
+  // Later versions may define this kind.
   EXPECT_EQ(LostLevelRead({kLevel + "{\"type\":\"weather\"}\n" + query("b")}).came, "+b");
   EXPECT_EQ(LostLevelRead({kLost + kLevel + query("b")}).came, "+b");
 }
 
-TEST(LostLevel, IsAnythingThatDoesNotSayWhatItIs) {
+TEST(LostLevel, IsAnyRecordOfUnreadableKind) {
   for (const char* lost :
        {"{\"name\":\"B\",\"type\" : \"level\",\"parts\":[", "{\"type\":\"levle\"}", "{\"type\":3}",
         "B", "{\"type\":\"query\",\"type\":\"level\"}"}) {
@@ -82,12 +82,12 @@ TEST(LostLevel, IsAnythingThatDoesNotSayWhatItIs) {
   }
 }
 
-TEST(LostLevel, TakesTrajectoriesWithItToo) {
+TEST(LostLevel, DropsTrajectoriesToo) {
   const std::string way = "{\"type\":\"trajectory\",\"query\":\"b\",\"outcome\":\"goal\"}\n";
   EXPECT_EQ(LostLevelRead({kLevel + way + kLost + query("b") + way}).came, "+t");
 }
 
-TEST(LostLevel, HoldsForTheInputsBehindIt) {
+TEST(LostLevel, AppliesToLaterInputs) {
   const std::string end = "{\"type\":\"end\"}\n";
   for (const std::string& last : {kLost, kLost + end}) {
     const LostLevelRead read({kLevel + last, query("b") + query("c", "A"), kLevel + query("d")});
@@ -97,8 +97,8 @@ TEST(LostLevel, HoldsForTheInputsBehindIt) {
   }
 }
 
-// What an input ends with is no level for that.
-TEST(LostLevel, IsNoQueryThatAnInputEndsWith) {
+// An unreadable query at the end of an input does not count as a lost level.
+TEST(LostLevel, AnUnreadableLastQueryIsNoLostLevel) {
   const std::string lostQuery = "{\"type\":\"query\",\"id\":7}\n";
   EXPECT_EQ(LostLevelRead({kLevel + lostQuery, query("b")}).came, "+b");
   EXPECT_EQ(LostLevelRead({kLost + lostQuery, query("b")}).came, "");
@@ -111,7 +111,7 @@ TEST(LostLevel, MayBeInAnInputThatCannotBeOpened) {
   EXPECT_NE(read.reports[1].find(" at in1, "), std::string::npos) << read.reports[1];
 }
 
-TEST(LostLevel, IsKnownInMessages) {
+TEST(LostLevel, IsRecognisedInMessages) {
   std::string bytes;
   RecordBuilder level, bad, asked, lostQuery;
   level.root().initLevel();

@@ -1,5 +1,5 @@
-// What killed writers leave is told from what is being written, and from other files. Of two who
-// want a file to themselves one gets it.
+// Leftovers of killed writers are told apart from files being written and from other files. Of two
+// processes that want one file, only one gets it.
 #include "io/output_file.h"
 
 #include <gtest/gtest.h>
@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 using test::contents;
 using test::ScratchFolder;
 
-// By a process that ends in the midst of it and clears nothing up.
+// Leaves half a file behind, by a process that exits without cleaning up.
 bool leaveHalf(const std::string& path) {
   const pid_t writer = fork();
   if (writer == 0) {
@@ -32,7 +32,7 @@ bool leaveHalf(const std::string& path) {
   return waitpid(writer, &status, 0) == writer && status == 0;
 }
 
-TEST(OutputFile, WhatAKilledWriterLeftIsRemoved) {
+TEST(OutputFile, LeftoversOfAKilledWriterAreRemoved) {
   ScratchFolder folder;
   const std::string path = folder / "out";
   std::ofstream(path) << "old";
@@ -43,7 +43,7 @@ TEST(OutputFile, WhatAKilledWriterLeftIsRemoved) {
   EXPECT_EQ(contents(path), "old");
 }
 
-TEST(OutputFile, WhoWritesAFileRemovesWhatKilledOnesLeftOfIt) {
+TEST(OutputFile, AWriterRemovesLeftoversOfKilledWriters) {
   ScratchFolder folder;
   ASSERT_TRUE(leaveHalf(folder / "out"));
   ASSERT_TRUE(leaveHalf(folder / "other"));
@@ -59,7 +59,7 @@ TEST(OutputFile, WhoWritesAFileRemovesWhatKilledOnesLeftOfIt) {
   EXPECT_EQ(folder.entries(), 2u);
 }
 
-TEST(OutputFile, VeryLongNamesLeaveRoomForTheMark) {
+TEST(OutputFile, VeryLongNamesAreCutToFitTheSuffix) {
   ScratchFolder folder;
   const std::string path = folder / std::string(255, 'a');
   ASSERT_TRUE(leaveHalf(path));
@@ -71,7 +71,7 @@ TEST(OutputFile, VeryLongNamesLeaveRoomForTheMark) {
   EXPECT_EQ(contents(path), "whole");
 }
 
-TEST(OutputFile, LeftoversOfAVeryLongNameAreNoneOfOneThatBeginsAlike) {
+TEST(OutputFile, LongNamesWithACommonPrefixKeepTheirOwnLeftovers) {
   ScratchFolder folder;
   const std::string path = folder / std::string(240, 'a');
   ASSERT_TRUE(leaveHalf(path));
@@ -81,7 +81,7 @@ TEST(OutputFile, LeftoversOfAVeryLongNameAreNoneOfOneThatBeginsAlike) {
   EXPECT_EQ(folder.entries(), 0u);
 }
 
-// In UTF-8, of which some systems want file names to be.
+// Some systems require file names in UTF-8.
 TEST(OutputFile, VeryLongNamesAreCutBetweenCharacters) {
   ScratchFolder folder;
   for (const char* begin : {"", "x"}) {
@@ -95,7 +95,7 @@ TEST(OutputFile, VeryLongNamesAreCutBetweenCharacters) {
   }
 }
 
-TEST(OutputFile, LeftoversLieWhereTheLinkLeads) {
+TEST(OutputFile, LeftoversAreInTheFolderOfTheLinksTarget) {
   ScratchFolder folder;
   fs::create_directory(folder / "runs");
   fs::create_symlink("runs/newest", folder / "link");
@@ -106,7 +106,7 @@ TEST(OutputFile, LeftoversLieWhereTheLinkLeads) {
   EXPECT_TRUE(fs::is_symlink(folder / "link"));
 }
 
-TEST(OutputFile, WhatIsBeingWrittenStays) {
+TEST(OutputFile, FilesBeingWrittenStay) {
   ScratchFolder folder;
   auto sink = Sink::open(folder / "out");
   ASSERT_TRUE(sink);
@@ -131,10 +131,10 @@ TEST(OutputFile, OtherFilesStay) {
   fs::create_symlink("out", folder / "out.obby-unfinished-alink0");
   removeLeftovers(folder / "out");
   EXPECT_EQ(folder.entries(), 9u);
-  removeLeftovers(folder / "no/where");  // nothing to look at
+  removeLeftovers(folder / "no/where");  // there is no folder to search
 }
 
-TEST(OutputLocks, OneHoldsAFileWhateverLeadsToIt) {
+TEST(OutputLocks, AFileHasOneLockUnderAllItsPaths) {
   ScratchFolder folder;
   fs::create_directory(folder / "runs");
   fs::create_directory_symlink("runs", folder / "newest");
@@ -151,7 +151,7 @@ TEST(OutputLocks, OneHoldsAFileWhateverLeadsToIt) {
   EXPECT_TRUE(second.take(folder / "link"));
 }
 
-TEST(OutputLocks, OutlastsThatTheFileIsWrittenAnewAndLeavesNothing) {
+TEST(OutputLocks, SurvivesARewriteOfTheFileAndLeavesNothing) {
   ScratchFolder folder;
   {
     OutputLocks first, second;
@@ -166,7 +166,7 @@ TEST(OutputLocks, OutlastsThatTheFileIsWrittenAnewAndLeavesNothing) {
   EXPECT_EQ(folder.entries(), 1u);
 }
 
-// By a process that ends in the midst of it and clears nothing up.
+// Leaves a lock behind, by a process that exits without cleaning up.
 bool leaveLocked(const std::string& path) {
   const pid_t writer = fork();
   if (writer == 0) {
@@ -177,7 +177,7 @@ bool leaveLocked(const std::string& path) {
   return waitpid(writer, &status, 0) == writer && status == 0;
 }
 
-TEST(OutputLocks, WhatAKilledProcessLeftHindersNobodyAndIsALeftover) {
+TEST(OutputLocks, AKilledProcessLeavesNoLockButALeftover) {
   ScratchFolder folder;
   ASSERT_TRUE(leaveLocked(folder / "out"));
   ASSERT_EQ(folder.entries(), 1u);
@@ -193,8 +193,8 @@ TEST(OutputLocks, WhatAKilledProcessLeftHindersNobodyAndIsALeftover) {
   EXPECT_EQ(folder.entries(), 0u);
 }
 
-// Who removed the file beside it, as by hand, has let another take it: that one's stays.
-TEST(OutputLocks, RemovesNoFileOfAnother) {
+// If the lock file is removed by hand, another process may take the lock. Its lock file must stay.
+TEST(OutputLocks, KeepsTheLockFileOfAnotherProcess) {
   ScratchFolder folder;
   OutputLocks second, third;
   {
@@ -206,8 +206,8 @@ TEST(OutputLocks, RemovesNoFileOfAnother) {
   EXPECT_FALSE(third.take(folder / "out"));
 }
 
-// Names that leave no room for the mark are cut, and begin alike here.
-TEST(OutputLocks, VeryLongNamesThatBeginAlikeAreHeldByThemselves) {
+// Long names are cut to fit the lock's suffix, and these two share the part that is left.
+TEST(OutputLocks, LongNamesWithACommonPrefixHaveSeparateLocks) {
   ScratchFolder folder;
   const std::string path = folder / std::string(240, 'a'), other = path + "b";
   OutputLocks first, second;
@@ -219,7 +219,7 @@ TEST(OutputLocks, VeryLongNamesThatBeginAlikeAreHeldByThemselves) {
   EXPECT_EQ(folder.entries(), 2u);
 }
 
-TEST(OutputLocks, WhereNothingCanBeHeldNobodyIsRefused) {
+TEST(OutputLocks, WithoutLockingEveryWriterIsAllowed) {
   ScratchFolder folder;
   OutputLocks first, second;
   EXPECT_TRUE(first.take(folder / "no/where"));

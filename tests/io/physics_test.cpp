@@ -1,4 +1,4 @@
-// Calibrated parameters and what a level states itself.
+// Calibrated parameters, and those that a level states itself.
 #include "io/physics.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// What a pipeline does about errors: its own, those of records, and those of the tool before it.
+// How a pipeline handles its own errors, errors of records, and errors of the tool before it.
 #include "io/pipeline.h"
 
 #include <capnp/serialize.h>
@@ -51,7 +51,8 @@ TEST(Pipeline, ForgivenErrorsAreReportedAndCounted) {
   }
 }
 
-// As it came, and so are queries of a level that could not be read; none of them is acted on.
+// Unreadable records pass through unchanged, and so do queries of an unreadable level. The handler
+// sees none of them.
 TEST(Pipeline, EmitPassesOnWhatCannotBeRead) {
   const std::string lines =
       "{oops\n {\"type\":\"level\",\"parts\":7}\r\n{\"type\":\"query\",\"id\":\"a\"}\n"
@@ -101,7 +102,7 @@ TEST(Pipeline, EmitWarnsOfWhatTheOutputCannotHold) {
             "\"errors\":\"1\"}\n");
 }
 
-// Under stop it ends the run, under emit it cannot be passed on all the same.
+// Under stop it ends the run. Under emit the output cannot hold it either, so that it is skipped.
 TEST(Pipeline, ARecordThatTheOutputCannotHoldIsAnErrorAboutThatRecord) {
   for (OnError policy : {OnError::stop, OnError::skip, OnError::emit}) {
     Fixture f;
@@ -124,7 +125,8 @@ TEST(Pipeline, ARecordThatTheOutputCannotHoldIsAnErrorAboutThatRecord) {
   }
 }
 
-// It has gone out: nothing is left out on its account. The next input is being read by then.
+// The record was already written, so that it does not count as skipped. The pipeline is reading the
+// next input by then.
 TEST(Pipeline, ALateErrorNamesTheRecordThatItIsAbout) {
   for (OnError policy : {OnError::stop, OnError::skip, OnError::emit}) {
     Fixture f;
@@ -152,7 +154,7 @@ TEST(Pipeline, ALateErrorNamesTheRecordThatItIsAbout) {
   }
 }
 
-TEST(Pipeline, AnErrorOfWorkAfterTheRunIsInTheEnd) {
+TEST(Pipeline, AnErrorAfterTheRunIsInTheEndRecord) {
   Fixture f;
   f.input("{\"type\":\"level\"}\n");
   Pipeline pipeline = f.pipeline();
@@ -164,7 +166,7 @@ TEST(Pipeline, AnErrorOfWorkAfterTheRunIsInTheEnd) {
             "{\"type\":\"end\",\"status\":\"failed\",\"records\":\"2\",\"errors\":\"1\"}\n");
 }
 
-TEST(RecordSource, WhatAnInputLacksIsLaidToTheErrorThatEndedIt) {
+TEST(RecordSource, AMissingRecordIsAttributedToTheErrorThatEndedTheInput) {
   const Error missing = makeError("no query of that name");
   const auto said = [&](const std::string& status) {
     Fixture f;
@@ -180,7 +182,7 @@ TEST(RecordSource, WhatAnInputLacksIsLaidToTheErrorThatEndedIt) {
   EXPECT_EQ(said("failed"), "2: the input ended with an error upstream");
 }
 
-TEST(Pipeline, AFailureUpstreamIsWarnedOfOnceAndPassedOn) {
+TEST(Pipeline, AnUpstreamFailureIsReportedOnceAndPassedOn) {
   Fixture f;
   std::vector<std::string> warnings;
   f.options.warn = [&](const Error& error) { warnings.push_back(error.message); };

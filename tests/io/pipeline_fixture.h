@@ -1,4 +1,4 @@
-// A pipeline from texts to a text, and what it reports.
+// A pipeline that reads texts, writes to a string, and collects its reports.
 #pragma once
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// The filter that every tool is.
+// The filter behind every tool.
 #include "io/pipeline.h"
 
 #include "pipeline_fixture.h"
@@ -10,7 +10,7 @@ using test::kHeader;
 using test::passAll;
 using Fixture = test::PipelineFixture;
 
-TEST(Pipeline, TakesFramesOffAndPutsOneOn) {
+TEST(Pipeline, ReplacesInputFramesByOneFrame) {
   Fixture f;
   f.input("{\"type\":\"header\"}\n{\"type\":\"level\"}\n{\"type\":\"end\",\"skipped\":\"2\"}\n");
   f.input("{\"type\":\"query\"}\n{\"type\":\"new\"}\n");
@@ -21,7 +21,7 @@ TEST(Pipeline, TakesFramesOffAndPutsOneOn) {
                 "{\"type\":\"end\",\"status\":\"complete\",\"records\":\"4\",\"skipped\":\"2\"}\n");
 }
 
-// What is passed on is of the version that the next tool is told.
+// The output declares the schema version of the records that pass through.
 TEST(Pipeline, AStreamOfALaterSchemaStaysOne) {
   Fixture f;
   f.input(
@@ -55,7 +55,7 @@ TEST(Pipeline, HandlersWriteBeforeTheRecordTheyPassOrDropIt) {
                           "{\"type\":\"end\",\"status\":\"complete\",\"records\":\"4\"}\n");
 }
 
-TEST(Pipeline, WhatCameOfOtherSourcesOfAToolIsInTheEnd) {
+TEST(Pipeline, TheEndRecordIncludesOtherSourcesOfTheTool) {
   Fixture f;
   f.options.onError = OnError::skip;
   f.input("{\"type\":\"level\"}\n{\"type\":3}\n");
@@ -73,7 +73,7 @@ TEST(Pipeline, WhatCameOfOtherSourcesOfAToolIsInTheEnd) {
   }
 }
 
-TEST(RecordSource, IsNotWholeWhereAnEndSaysItWasInterrupted) {
+TEST(RecordSource, IsIncompleteAfterAnInterruptedEnd) {
   const std::string interrupted =
       "{\"type\":\"level\"}\n{\"type\":\"end\",\"status\":\"interrupted\"}\n";
   for (const OnError onError : {OnError::stop, OnError::skip}) {
@@ -99,7 +99,7 @@ TEST(RecordSource, IsNotWholeWhereAnEndSaysItWasInterrupted) {
   }
 }
 
-TEST(RecordSource, IsWholeWhereItWasOnlyToldToStop) {
+TEST(RecordSource, IsCompleteAfterAStop) {
   Fixture f;
   const std::atomic<bool> stop{true};
   f.options.stop = &stop;
@@ -119,7 +119,7 @@ TEST(Pipeline, ABrokenFrameIsNeverForgiven) {
   EXPECT_FALSE(f.pipeline().runAndFinish(passAll));
 }
 
-TEST(Pipeline, TheGravestStatusWins) {
+TEST(Pipeline, TheMostSevereStatusWins) {
   const std::string budget = "{\"type\":\"end\",\"status\":\"budget\"}\n",
                     interrupted = "{\"type\":\"end\",\"status\":\"interrupted\"}\n",
                     failed = "{\"type\":\"end\",\"status\":\"failed\"}\n",

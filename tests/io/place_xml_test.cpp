@@ -1,4 +1,4 @@
-// Names from anywhere in a place file.
+// Arbitrary names in a place file.
 #include "io/place_xml.h"
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@ std::string begun(std::string_view name) {
   return out.substr(begin, end - begin);
 }
 
-TEST(PlaceXml, NamesAreEscapedAndHoldNothingThatXmlCannot) {
+TEST(PlaceXml, NamesAreEscapedWithoutInvalidCharacters) {
   EXPECT_EQ(begun("a<b>&\tc"), "a&#60;b&#62;&#38;\tc");
   EXPECT_EQ(begun("a\x01z"), "a z");
   EXPECT_EQ(begun("a\xef\xbf\xbez\xef\xbf\xbf"), "a z ") << "U+FFFE and U+FFFF";

@@ -1,4 +1,4 @@
-// Records filled by reflection, so that a new field of the schema is tested the day it is added.
+// Fills records by reflection, so that tests cover new fields of the schema automatically.
 #pragma once
 
 #include <capnp/dynamic.h>
@@ -14,7 +14,7 @@ namespace obby::test {
 
 class RecordFiller {
  public:
-  // `chance` that a field is set, `longest` list.
+  // `chance` is the probability that a field is set, `longest` the maximum length of lists.
   RecordFiller(uint64_t seed, float chance, uint32_t longest)
       : random_(seed, 7), chance_(chance), longest_(longest) {}
 
@@ -95,7 +95,7 @@ class RecordFiller {
     KJ_FAIL_ASSERT("a type that the generator does not know");
   }
 
-  // Any finite bit pattern half of the time, plain numbers otherwise, -0 now and then.
+  // Any finite bit pattern half of the time, otherwise plain numbers, sometimes -0.
   float real32() {
     if (range_.set)
       return float(range_.min + (range_.max - range_.min) * 0.998 * double(random_.unit()));
@@ -114,7 +114,7 @@ class RecordFiller {
     return std::isfinite(value) ? value : -0.0;
   }
 
-  // Letters, quotes, control characters, several bytes a letter, and a NUL.
+  // Letters, quotes, control characters, multibyte characters and a NUL.
   std::string text() {
     static const std::string kPieces[] = {"a",
                                           "Z",

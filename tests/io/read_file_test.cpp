@@ -1,4 +1,5 @@
-// Whole files: from folders, pipes and pipes without a writer; broken off by a stop or a signal.
+// Reads whole files, also from folders and pipes, with and without a writer. A stop or a signal
+// interrupts it.
 #include "io/read_file.h"
 
 #include <fcntl.h>
@@ -27,7 +28,7 @@ struct Pipe {
   Pipe() { EXPECT_EQ(mkfifo(path.c_str(), 0600), 0); }
 };
 
-TEST(ReadFile, GivesEveryByteAndNamesWhatIsMissing) {
+TEST(ReadFile, ReturnsAllBytesAndNamesMissingFiles) {
   ScratchFolder folder;
   std::string bytes(3 << 20, 'x');
   for (size_t i = 0; i < bytes.size(); i += 7) bytes[i] = char(i / 7);
@@ -40,8 +41,9 @@ TEST(ReadFile, GivesEveryByteAndNamesWhatIsMissing) {
   EXPECT_EQ(readFile(folder / "").error().message, "cannot read: Is a directory");
 }
 
-// An input without end would take all memory; of what only says that it is large nothing is read.
-TEST(ReadFile, RefusesMoreThanIsAskedFor) {
+// An endless input would use up all memory. A file whose stated size is too large is not read at
+// all.
+TEST(ReadFile, RefusesFilesAboveTheLimit) {
   ScratchFolder folder;
   std::ofstream(folder / "a") << std::string(2000, 'x');
   EXPECT_EQ(readFile(folder / "a", nullptr, 2000)->size(), 2000u);
@@ -65,9 +67,9 @@ double threadSeconds() {
   return double(used.tv_sec) + 1e-9 * double(used.tv_nsec);
 }
 
-// Who shares a terminal or a socket can tell it, for all of them, not to wait: to ask it again and
-// again would take a core.
-TEST(ReadFile, WaitsWhereTheInputItselfDoesNot) {
+// Another process that shares a terminal or socket can make it non-blocking. Polling it in a loop
+// would use up a core.
+TEST(ReadFile, WaitsOnANonBlockingInput) {
   int ends[2];
   ASSERT_EQ(pipe2(ends, O_CLOEXEC), 0);
   ASSERT_EQ(fcntl(ends[0], F_SETFL, O_NONBLOCK), 0);
@@ -141,7 +143,7 @@ TEST(ReadFile, WithoutAStopASignalEndsTheWait) {
       bytes = readFile(pipe.path);
       done = true;
     });
-    while (!done) {  // the first may come before it waits
+    while (!done) {  // the first signal may come before the wait
       pthread_kill(reader.native_handle(), SIGUSR1);
       std::this_thread::sleep_for(5ms);
     }

@@ -1,4 +1,4 @@
-// Every record kind survives both encodings: same content in, same bytes out, by whatever way.
+// Every record kind survives both encodings: equal content and equal bytes on every path.
 #include <gtest/gtest.h>
 
 #include "io/json_codec.h"
@@ -18,7 +18,7 @@ std::string written(schema::Record::Reader record, Format format) {
   return bytes;
 }
 
-// Reads the records of `bytes` and writes them anew.
+// Reads the records of `bytes` and writes them again.
 std::string rewritten(const std::string& bytes, Format format) {
   std::string out;
   StreamWriter writer = StreamWriter::toBytes(format, &out);
@@ -44,7 +44,7 @@ void expectAllWaysEqual(schema::Record::Reader record) {
   EXPECT_EQ(rewritten(packed, Format::capnp), capnp);
 }
 
-// Framing would refuse lone headers and ends; content is what counts here.
+// Framing would refuse a lone header or end, and these tests are about content.
 bool isFrame(uint32_t kind) { return Kind(kind) == Kind::HEADER || Kind(kind) == Kind::END; }
 
 TEST(RoundTrip, EveryKindWithEveryFieldSet) {
@@ -89,7 +89,7 @@ TEST(RoundTrip, ValuesSpelledOutEqualValuesLeftOut) {
   EXPECT_EQ(written(full->reader(), Format::jsonl), "{\"type\":\"query\",\"goal\":{}}\n");
 }
 
-TEST(RoundTrip, TheWayABuilderWasFilledDoesNotShow) {
+TEST(RoundTrip, TheOrderOfFillingABuilderDoesNotMatter) {
   RecordBuilder a, b;
   auto levelA = a.root().initLevel();
   levelA.setName("x");

@@ -1,4 +1,4 @@
-// Output that fails is noticed, and a file is whole or not there.
+// Failed output is reported, and an output file is whole or absent.
 #include "io/sink.h"
 
 #include <fcntl.h>
@@ -63,7 +63,7 @@ TEST(Sink, KeepsTheModeOfAFileAndTheLinkToIt) {
   EXPECT_EQ(info.st_mode & 0777, 0640u);
 }
 
-TEST(Sink, ALinkToWhatIsNotThereYetStaysALink) {
+TEST(Sink, ALinkToAMissingFileStaysALink) {
   ScratchFolder folder;
   std::filesystem::create_directory(folder / "runs");
   std::filesystem::create_symlink("runs/newest", folder / "link");
@@ -90,7 +90,7 @@ TEST(Sink, AFullDiskIsAnErrorThatStays) {
   EXPECT_FALSE(isBrokenPipe(first.error()));
 }
 
-TEST(Sink, ABrokenPipeIsToldApart) {
+TEST(Sink, ABrokenPipeIsRecognised) {
   ScratchFolder folder;
   const std::string path = folder / "pipe";
   ASSERT_EQ(mkfifo(path.c_str(), 0600), 0);
@@ -105,7 +105,7 @@ TEST(Sink, ABrokenPipeIsToldApart) {
   EXPECT_TRUE(isBrokenPipe(status.error()));
 }
 
-// What standard output is where descriptor 1 is that one.
+// Returns the sink of standard output while descriptor 1 is `fd`.
 Result<Sink> standardOutputTo(int fd) {
   std::fflush(stdout);
   const int before = dup(STDOUT_FILENO);
@@ -116,8 +116,8 @@ Result<Sink> standardOutputTo(int fd) {
   return sink;
 }
 
-// Who shares a terminal or a socket can tell it, for all of them, not to wait.
-TEST(Sink, WaitsForItsReaderWhereTheOutputItselfDoesNot) {
+// Another process that shares a terminal or socket can make it non-blocking.
+TEST(Sink, WaitsOnANonBlockingOutput) {
   int ends[2];
   ASSERT_EQ(pipe2(ends, O_CLOEXEC), 0);
   ASSERT_EQ(fcntl(ends[1], F_SETFL, O_NONBLOCK), 0);
@@ -155,7 +155,7 @@ TEST(Sink, PipesGetEveryPieceAtOnce) {
   close(reader);
 }
 
-TEST(Sink, WhoIsToldToStopGivesUpAReaderWhoTakesNothing) {
+TEST(Sink, AStopAbandonsAReaderThatReadsNothing) {
   ScratchFolder folder;
   const std::string path = folder / "pipe";
   ASSERT_EQ(mkfifo(path.c_str(), 0600), 0);
@@ -175,7 +175,7 @@ TEST(Sink, WhoIsToldToStopGivesUpAReaderWhoTakesNothing) {
   EXPECT_TRUE(sink->failed());
 }
 
-TEST(Sink, WhoIsToldToStopWaitsASecondForWhoOpensThePipe) {
+TEST(Sink, AStopAllowsASecondForAReaderToOpenThePipe) {
   ScratchFolder folder;
   const std::string path = folder / "pipe";
   ASSERT_EQ(mkfifo(path.c_str(), 0600), 0);
@@ -192,8 +192,8 @@ TEST(Sink, WhoIsToldToStopWaitsASecondForWhoOpensThePipe) {
   close(reader);
 }
 
-// What is finished still comes, whatever a line's length.
-TEST(Sink, WhoIsToldToStopWaitsForAReaderWhoTakesMore) {
+// A reader that keeps reading gets the whole record, however long it is.
+TEST(Sink, AStopWaitsForAReaderThatKeepsReading) {
   ScratchFolder folder;
   const std::string path = folder / "pipe";
   ASSERT_EQ(mkfifo(path.c_str(), 0600), 0);
@@ -225,7 +225,7 @@ TEST(Sink, PlacesThatCannotBeWrittenAreNamed) {
   auto directory = Sink::open(folder / "");
   ASSERT_FALSE(directory);
   EXPECT_EQ(directory.error().message, "cannot write: Is a directory");
-  auto nameless = Sink::open("");  // found out now, not when all is done
+  auto nameless = Sink::open("");  // an error at once, not at the end of the run
   ASSERT_FALSE(nameless);
   EXPECT_EQ(nameless.error().message, "the name of the output file is empty");
 }

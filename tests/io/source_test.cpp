@@ -1,4 +1,4 @@
-// Input as it comes: files, pipes byte by byte, signals, a stop from outside.
+// Input from files, from pipes byte by byte, among signals, and stopped from outside.
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <pthread.h>
@@ -59,7 +59,7 @@ TEST(Source, FilesAreReadAndMissingOnesNamed) {
 
 void sourceOnSignal(int) {}
 
-// One byte at a time, with a signal between any two.
+// Each byte arrives alone, with a signal between any two.
 TEST(Source, PipesMayDeliverSingleBytesAmongSignals) {
   struct sigaction action {};
   action.sa_handler = sourceOnSignal;

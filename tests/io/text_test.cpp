@@ -1,4 +1,4 @@
-// Texts of others inside of markup, and what editors put before them.
+// Untrusted text in markup, and the byte order mark that editors add.
 #include "io/text.h"
 
 #include <gtest/gtest.h>
@@ -6,13 +6,13 @@
 namespace obby::io {
 namespace {
 
-TEST(EscapeMarkup, LeavesNothingThatXmlCannotHold) {
+TEST(EscapeMarkup, RemovesCharactersThatXmlForbids) {
   EXPECT_EQ(escapeMarkup("<a & \"b\">\n"), "&lt;a &amp; &quot;b&quot;&gt; ");
   EXPECT_EQ(escapeMarkup("a\xef\xbf\xbe<\xef\xbf\xbf"), "a &lt; ") << "U+FFFE and U+FFFF";
   EXPECT_EQ(escapeMarkup("\xef\xbf\xbd\xef\xbf"), "\xef\xbf\xbd\xef\xbf");
 }
 
-TEST(NotInXml, TellsWhatNoEntityCanStandFor) {
+TEST(NotInXml, FindsCharactersThatNoEntityRepresents) {
   EXPECT_EQ(notInXml("\x01"
                      "a"),
             1u);
@@ -23,14 +23,14 @@ TEST(NotInXml, TellsWhatNoEntityCanStandFor) {
     EXPECT_EQ(notInXml(fine), 0u) << fine;
 }
 
-TEST(ByteOrderMark, IsTakenOffOnceAndOnlyWhole) {
+TEST(ByteOrderMark, IsRemovedOnceAndOnlyIfComplete) {
   EXPECT_EQ(withoutByteOrderMark("\xef\xbb\xbf{}"), "{}");
   EXPECT_EQ(withoutByteOrderMark("\xef\xbb\xbf\xef\xbb\xbf"), "\xef\xbb\xbf");
   for (const char* none : {"", "{}", "\xef\xbb"}) EXPECT_EQ(withoutByteOrderMark(none), none);
 }
 
-// Messages as JSON are read on terminals, too.
-TEST(Quoted, HoldsNothingThatMovesTheCursorOrTurnsTheLineRound) {
+// JSON messages also appear on terminals.
+TEST(Quoted, EscapesCursorMovesAndBidiControls) {
   EXPECT_EQ(quoted("a\x1b[31m\"\n\x7f"), "\"a\\u001b[31m\\\"\\n\\u007f\"");
   EXPECT_EQ(quoted("a\xc2\x9b"
                    "b\xe2\x80\xae"),

@@ -1,4 +1,4 @@
-// Texts of strangers, character by character, and on a terminal.
+// Untrusted text, split into characters and shown on a terminal.
 #include "io/utf8.h"
 
 #include <gtest/gtest.h>
@@ -6,7 +6,7 @@
 namespace obby::io {
 namespace {
 
-TEST(Utf8, CharactersAreToldApartAndPutTogether) {
+TEST(Utf8, CharactersAreSplitAndJoined) {
   const std::string text = "a\xc3\xa9\xe2\x82\xac\xf0\x9f\x94\xa5";
   std::string again;
   for (size_t at = 0; at < text.size();) {
@@ -18,7 +18,7 @@ TEST(Utf8, CharactersAreToldApartAndPutTogether) {
   EXPECT_EQ(nextChar(text, 6).code, U'\U0001f525');
 }
 
-TEST(Utf8, WhatIsMalformedIsOneBrokenByte) {
+TEST(Utf8, AMalformedByteIsOneBrokenCharacter) {
   for (const char* broken : {"\xed\xa0\x80", "\xc0\xaf", "\xe9", "\x9b", "\xf0\x9f\x94"}) {
     const Utf8Char c = nextChar(broken, 0);
     EXPECT_EQ(c.code, U'\ufffd') << broken;
@@ -26,14 +26,14 @@ TEST(Utf8, WhatIsMalformedIsOneBrokenByte) {
   }
 }
 
-TEST(Utf8, TextsAreCutBeforeACharacterThatWouldBeTorn) {
+TEST(Utf8, TextsAreCutBetweenCharacters) {
   EXPECT_EQ(cutAtChar("caf\xc3\xa9", 5), "caf\xc3\xa9");
   EXPECT_EQ(cutAtChar("caf\xc3\xa9", 4), "caf");
   EXPECT_EQ(cutAtChar("caf\xc3\xa9", 0), "");
   EXPECT_EQ(cutAtChar("\xe9\xe9", 1), "\xe9");
 }
 
-TEST(Tamed, NothingMovesTheCursorOrTurnsTheLineRound) {
+TEST(Tamed, RemovesCursorMovesAndBidiControls) {
   EXPECT_EQ(tamed("a\x1b[31m\nb\x7f", false), "a [31m b ");
   EXPECT_EQ(tamed("a\xc2\x9b"
                   "b\xc2\x85",
@@ -50,7 +50,7 @@ TEST(Tamed, NothingMovesTheCursorOrTurnsTheLineRound) {
   EXPECT_EQ(tamed("caf\xc3\xa9 \xf0\x9f\x94\xa5", false), "caf\xc3\xa9 \xf0\x9f\x94\xa5");
 }
 
-TEST(Tamed, ABrokenByteIsSeenAsOne) {
+TEST(Tamed, ABrokenByteIsVisible) {
   EXPECT_EQ(tamed("a\x9b\xe9", false, '?'), "a\xef\xbf\xbd\xef\xbf\xbd");
   EXPECT_EQ(tamed("a\x9b\xc3\xa9\n", true), "a?? ");
 }

@@ -1,4 +1,4 @@
-// Which parts share a clock: those whose touch does the same.
+// Parts share a clock if their touches have the same effect.
 #include <gtest/gtest.h>
 
 #include "support/level_builder.h"
@@ -6,7 +6,7 @@
 namespace obby::level {
 namespace {
 
-// Clocks besides those that each role has of its own.
+// The number of clocks besides the one that each role has.
 uint32_t sharedClocks(support::LevelBuilder& b) {
   const Level level = b.compile();
   return level.view().clockCount - level.view().roleCount;

@@ -1,4 +1,4 @@
-// Levels that mean nothing are refused with the path of the field and what was expected there.
+// Errors of meaningless levels state the field's path and the expected value.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -16,7 +16,7 @@ using PartSetter = LevelBuilder::PartSetter;
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 constexpr float kInf = std::numeric_limits<float>::infinity();
 
-// Compiles a good part and then the part under test, so that the path has an index to get right.
+// Compiles a good part before the part under test, so that the path's index matters.
 void expectRefused(const PartSetter& setter, const std::string& path, const std::string& words) {
   LevelBuilder b;
   b.block({0, 0, 0}, {4, 1, 4}).part(setter);
@@ -167,7 +167,7 @@ TEST(CompileErrors, FallsOfPartsThatNothingCanTouch) {
                 "cannot have motion or vanish");
 }
 
-TEST(CompileErrors, LoosePartsThatLoseTheirCollision) {
+TEST(CompileErrors, DynamicPartsThatLoseTheirCollision) {
   expectRefused([](auto p) { p.setAnchored(false), p.initVanish(); }, ".vanish", "always solid");
   expectRefused([](auto p) { p.setAnchored(false), p.initOneWay(); }, ".oneWay", "always solid");
 }
@@ -179,7 +179,7 @@ TEST(CompileErrors, OneWayWithoutADirection) {
   }
 }
 
-TEST(CompileErrors, OneTouchStartsOneThingThatTakesTime) {
+TEST(CompileErrors, OneTouchStartsOneTimedEffect) {
   expectRefused([](auto p) { p.initFall(), p.initVanish(); }, ".fall",
                 "cannot have motion or vanish");
   expectRefused([](auto p) { p.initFall(), p.initMotion(); }, ".fall",
@@ -207,7 +207,7 @@ PartSetter door(const char* signal) {
   };
 }
 
-TEST(CompileErrors, SignalsThatNothingStartsOrNothingHears) {
+TEST(CompileErrors, SignalsWithoutASourceOrAReceiver) {
   expectRefused(door("gate"), ".vanish.signal", "no button starts the signal 'gate'");
   expectRefused(door(""), ".vanish.signal", "the name of a button's signal, found none");
   expectRefused(button("gate"), ".button.signal", "no part responds to the signal 'gate'");
@@ -309,7 +309,7 @@ TEST(CompileErrors, PhysicsCarryTheirPath) {
   EXPECT_EQ(b.tryCompile().error().path, "physics.gravity");
 }
 
-TEST(Compile, AnEmptyLevelIsALevel) {
+TEST(Compile, AnEmptyLevelIsValid) {
   const Level level = LevelBuilder().compile();
   EXPECT_EQ(level.partCount(), 0u);
   EXPECT_EQ(level.view().colliderCount, 0u);

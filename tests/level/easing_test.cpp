@@ -1,5 +1,5 @@
-// Every easing style in every direction, against its formula written out for that direction by
-// itself: Penner's, which public replicas of TweenService agree on.
+// Every easing style in every direction, against a separate formula for each direction: Penner's,
+// which public replicas of TweenService use.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -89,7 +89,7 @@ TEST(Easing, EveryStyleFollowsItsFormulaInEveryDirection) {
   }
 }
 
-TEST(Easing, BackGoesATenthOfTheWayWrongInBothDirections) {
+TEST(Easing, BackOvershootsByATenthInBothDirections) {
   double least = 1, leastIn = 1;
   for (int i = 0; i < 1000; ++i) {
     least = std::min(least, ease(Easing::BACK, EasingDirection::IN_OUT, i / 1000.0));

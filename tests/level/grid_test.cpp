@@ -1,4 +1,4 @@
-// The grid names, for any place of the feet, every collider that the player can meet from there.
+// For any position of the feet, the grid lists every collider that the player can touch from there.
 #include "level/grid_build.h"
 
 #include <gtest/gtest.h>
@@ -29,8 +29,7 @@ std::vector<uint32_t> listAt(const Grid& grid, Vec3 feet) {
   return {list + 1, list + 1 + list[0]};
 }
 
-// Every collider that meets the player's reach is listed, wherever the feet are and whatever the
-// speed.
+// Expects every collider that meets the player's reach to be listed, at any position and speed.
 void expectComplete(const Level& level, Dice& dice, int rounds, const Params& player) {
   const LevelView& v = level.view();
   const Box all = grow(level.bounds(), {5, 5, 5});
@@ -39,7 +38,7 @@ void expectComplete(const Level& level, Dice& dice, int rounds, const Params& pl
     sim::World w{};
     w.position = {dice.between(all.lo.x, all.hi.x), dice.between(all.lo.y, all.hi.y),
                   dice.between(all.lo.z, all.hi.z)};
-    if (i % 2) {  // near a part, where there is something to miss
+    if (i % 2) {  // near a part, where colliders could be missed
       const Box b = v.bounds[dice.random.below(v.colliderCount)].box();
       w.position = (b.lo + b.hi) * 0.5f + dice.vec((b.hi - b.lo) * 0.5f + Vec3{8, 12, 8});
     }
@@ -78,7 +77,7 @@ TEST(Grid, ListsEverythingThePlayerCanMeet) {
   }
 }
 
-TEST(Grid, ListsMovingPartsAlongTheirWholeWay) {
+TEST(Grid, ListsMovingPartsAlongTheirWholeMotion) {
   Dice dice{Random(51, 0)};
   LevelBuilder b = scattered(30, {60, 20, 60}, dice);
   for (int i = 0; i < 20; ++i) {
@@ -121,7 +120,7 @@ TEST(Grid, HoldsForFastPlayersAndBigBodies) {
   expectComplete(b.compile(), dice, 1500);
 }
 
-// As a boosted player looks around: boosts and triggered movers make the lists longer.
+// A boosted player reaches farther: boosts and triggered movers make the grid's lists longer.
 TEST(Grid, HoldsForBoostedPlayers) {
   Dice dice{Random(54, 0)};
   LevelBuilder b = scattered(80, {60, 30, 60}, dice);

@@ -1,4 +1,4 @@
-// The faces of a hull are those that a look at every triple of its vertices gives, to the bit.
+// The faces of a hull equal, bit for bit, those found by testing every triple of its vertices.
 #include "level/hull_faces.h"
 
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@ namespace {
 
 constexpr float kTolerance = 1e-4f, kSame = 1 - 1e-5f;
 
-// Every triple against all vertices, and every face against all faces.
+// The reference: tests every triple against all vertices, and every face against all faces.
 class Plainly {
  public:
   Plainly(const std::vector<Vec3>& vertices, float size) : size_(size) {
@@ -100,7 +100,7 @@ class HullFaces : public testing::Test {
   float number(float size) { return (2 * random.unit() - 1) * size; }
   Vec3 vec(float size) { return {number(size), number(size), number(size)}; }
 
-  // Turned and moved anyhow, and in any order.
+  // Returns the vertices rotated and moved at random, in random order.
   std::vector<Vec3> placed(std::vector<Vec3> vertices, float away) {
     const Mat3 axes = toMat3(normalize(Quat{number(1), number(1), number(1), 0.3f}));
     const Vec3 at = vec(away);
@@ -114,7 +114,8 @@ class HullFaces : public testing::Test {
   Random random{15, 0};
 };
 
-// Two rings of `sides` vertices, `height` studs apart; of an upper one of radius 0 its middle.
+// Returns two rings of `sides` vertices, `height` studs apart. An upper ring of radius 0 is one
+// vertex.
 std::vector<Vec3> drum(int sides, float lower, float upper, float height) {
   std::vector<Vec3> out;
   for (int i = 0; i < sides; ++i) {
@@ -126,7 +127,7 @@ std::vector<Vec3> drum(int sides, float lower, float upper, float height) {
   return out;
 }
 
-TEST_F(HullFaces, OfRoundHullsAreThoseOfAllTriples) {
+TEST_F(HullFaces, OfRoundHullsEqualThoseOfAllTriples) {
   for (const size_t count : {4u, 5u, 9u, 33u, 90u}) {
     std::vector<Vec3> ball, cloud;
     for (size_t i = 0; i < count; ++i) {
@@ -141,7 +142,7 @@ TEST_F(HullFaces, OfRoundHullsAreThoseOfAllTriples) {
   }
 }
 
-TEST_F(HullFaces, OfFacesWithManyVerticesAreThoseOfAllTriples) {
+TEST_F(HullFaces, WithManyVerticesEqualThoseOfAllTriples) {
   for (const int sides : {3, 8, 40}) {
     expectPlain(placed(drum(sides, 2, 2, 1), 10), "prism");
     expectPlain(placed(drum(sides, 2, 1, 1), 900), "frustum");
@@ -154,7 +155,7 @@ TEST_F(HullFaces, OfFacesWithManyVerticesAreThoseOfAllTriples) {
   expectPlain(placed(grid, 100), "grid turned");
 }
 
-TEST_F(HullFaces, OfWhatHasNoVolumeAreThoseOfAllTriples) {
+TEST_F(HullFaces, WithoutVolumeEqualThoseOfAllTriples) {
   std::vector<Vec3> flat, line;
   for (int i = 0; i < 40; ++i) {
     flat.push_back({number(5), 0, number(5)});

@@ -1,4 +1,4 @@
-// Face and edge tables of convex hulls: the hulls of known solids are those solids.
+// Face and edge tables of convex hulls match those of known solids.
 #include "level/hull_tables.h"
 
 #include <gtest/gtest.h>
@@ -48,7 +48,7 @@ void expectSameSolid(const HullTables& tables, ShapeKind kind, Vec3 half) {
   }
 }
 
-TEST(HullTables, OfABoxAreTheBlock) {
+TEST(HullTables, OfABoxEqualTheBlock) {
   const Vec3 half{2, 1, 0.5f};
   const HullTables t = hullTables(boxCorners(half));
   EXPECT_EQ(t.vertices.size(), 8u);
@@ -57,7 +57,7 @@ TEST(HullTables, OfABoxAreTheBlock) {
   expectSameSolid(t, ShapeKind::block, half);
 }
 
-// The corners of a box that `keep` keeps make the solid of that kind, with five faces.
+// Expects the box corners that `keep` selects to form the solid of that kind, with five faces.
 void expectSolidOf(ShapeKind kind, const std::function<bool(Vec3)>& keep) {
   const Vec3 half{2, 1, 1.5f};
   std::vector<Vec3> corners;
@@ -69,11 +69,11 @@ void expectSolidOf(ShapeKind kind, const std::function<bool(Vec3)>& keep) {
   expectSameSolid(t, kind, half);
 }
 
-TEST(HullTables, OfAWedgesCornersAreTheWedge) {
+TEST(HullTables, OfAWedgesCornersEqualTheWedge) {
   expectSolidOf(ShapeKind::wedge, [](Vec3 p) { return p.y < 0 || p.z > 0; });
 }
 
-TEST(HullTables, OfACornerWedgesCornersAreTheCornerWedge) {
+TEST(HullTables, OfACornerWedgesCornersEqualTheCornerWedge) {
   expectSolidOf(ShapeKind::cornerWedge, [](Vec3 p) { return p.y < 0 || (p.x > 0 && p.z < 0); });
 }
 
@@ -93,15 +93,15 @@ TEST(HullTables, OfFlatOrThinSetsAreEmpty) {
   EXPECT_TRUE(hullTables({{1, 1, 1}, {1, 1, 1}, {1, 1, 1}, {1, 1, 1}}).normals.empty());
 }
 
-// A floor 8000 times as wide as thick, a plank and a rope: all six faces, all eight corners.
-TEST(HullTables, OfThinAndWideBoxesAreTheBlock) {
+// A floor 8000 times as wide as thick, a plank and a rope have all six faces and all eight corners.
+TEST(HullTables, OfThinAndWideBoxesEqualTheBlock) {
   for (const Vec3 half :
        {Vec3{200, 0.025f, 200}, Vec3{1000, 0.05f, 3}, Vec3{300, 0.025f, 0.025f}}) {
     const HullTables t = hullTables(boxCorners(half));
     EXPECT_EQ(t.vertices.size(), 8u) << half.x;
     EXPECT_EQ(t.normals.size(), 6u) << half.x;
     EXPECT_EQ(t.edges.size(), 3u) << half.x;
-    Vec3 seen{};  // how often a face looks along each axis
+    Vec3 seen{};  // the number of faces along each axis
     for (size_t f = 0; f < t.normals.size(); ++f) {
       const Vec3 n = abs(t.normals[f]);
       seen += Vec3{n.x > 0.999f ? 1.f : 0.f, n.y > 0.999f ? 1.f : 0.f, n.z > 0.999f ? 1.f : 0.f};
@@ -111,8 +111,8 @@ TEST(HullTables, OfThinAndWideBoxesAreTheBlock) {
   }
 }
 
-// Nobody falls through it, and nobody stands beside it, however it lies.
-TEST(HullTables, OfAThinFloorHoldRaysAndEndAtItsBorders) {
+// At any rotation, rays hit the floor everywhere within its borders and nowhere outside.
+TEST(HullTables, AThinFloorStopsRaysWithinItsBordersOnly) {
   HullTablesDice dice{Random(12, 0)};
   for (int round = 0; round < 20; ++round) {
     const Mat3 axes = dice.rotation();
@@ -139,7 +139,7 @@ TEST(HullTables, OfAThinFloorHoldRaysAndEndAtItsBorders) {
   }
 }
 
-TEST(HullTables, OfWhatRoundingLeavesOfAUnionAreEmpty) {
+TEST(HullTables, OfRoundingSliversOfAUnionAreEmpty) {
   EXPECT_TRUE(hullTables(boxCorners({200, 0.002f, 200})).normals.empty());
   EXPECT_TRUE(hullTables(boxCorners({1, 0.00004f, 1})).normals.empty());
   HullTablesDice dice{Random(13, 0)};
@@ -168,7 +168,7 @@ TEST(HullTables, FacesHoldAllVerticesAndTouchThree) {
   }
 }
 
-TEST(HullTables, OfManyVerticesOnASphereAreNearlyTheBall) {
+TEST(HullTables, OfManyVerticesOnASphereAreAlmostTheBall) {
   HullTablesDice dice{Random(11, 0)};
   std::vector<Vec3> points;
   for (size_t i = 0; i < 120; ++i) points.push_back(normalize(dice.vec(1)) * 2);
@@ -200,7 +200,7 @@ TEST(CompiledHulls, CopiesOfOneMeshShareItsTables) {
   EXPECT_EQ(v.colliders[2].shape.half.z, 4);
 }
 
-TEST(CompiledHulls, ThinAndWideOnesStay) {
+TEST(CompiledHulls, ThinAndWideHullsStay) {
   support::LevelBuilder b;
   b.part([](auto p) {
     p.setShape(schema::Shape::HULL);
@@ -214,8 +214,8 @@ TEST(CompiledHulls, ThinAndWideOnesStay) {
   EXPECT_EQ(level.view().colliders[0].shape.half.x, 200);
 }
 
-// A mesh of no thickness is a floor all the same: nothing else of the part would be left.
-TEST(CompiledHulls, APartOfFlatOnesOnlyIsAsThickAsTheEngineMakesIt) {
+// A mesh without thickness is still a floor: the part has no other geometry.
+TEST(CompiledHulls, APartOfFlatHullsGetsTheEnginesMinimumThickness) {
   support::LevelBuilder b;
   b.part([](auto p) {
     p.setShape(schema::Shape::HULL);
@@ -238,7 +238,7 @@ TEST(CompiledHulls, APartOfFlatOnesOnlyIsAsThickAsTheEngineMakesIt) {
   }
 }
 
-TEST(CompiledHulls, FlatOnesAreLeftOutAndBoundsHoldTheRest) {
+TEST(CompiledHulls, FlatHullsAreLeftOutOfTheBounds) {
   support::LevelBuilder b;
   b.part([](auto p) {
     p.setShape(schema::Shape::HULL);

@@ -1,4 +1,4 @@
-// The level's digest: changes with all that can change a trajectory, and with nothing else.
+// The level's digest changes with everything that can change a trajectory, and with nothing else.
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -114,8 +114,8 @@ TEST(LevelHash, ChangesWithEachFieldThatMatters) {
   }
 }
 
-// A part that stays at its only key is there alone, and a belt on it turns about that place.
-TEST(LevelHash, DoesNotChangeWithAPlaceThatAPartHasLeft) {
+// A part with a single key is always at that key, and its conveyor turns about it.
+TEST(LevelHash, IgnoresThePositionOfAPartWithKeys) {
   const auto hashWith = [](float x, float key) {
     return hashOf([=](schema::Part::Builder p) {
       set(p.initPosition(), {x, 5, 0});
@@ -160,7 +160,7 @@ TEST(LevelHash, ChangesWithTheNumbersOfAFallAndOfAButton) {
   EXPECT_EQ(seen.size(), 11u);
 }
 
-TEST(LevelHash, DoesNotChangeWithNamesAndLooks) {
+TEST(LevelHash, IgnoresNamesAndAppearance) {
   const uint64_t plain = hashOf([](auto) {});
   EXPECT_EQ(plain, hashOf([](schema::Part::Builder p) {
               p.setName("Lava");
@@ -174,7 +174,7 @@ TEST(LevelHash, DoesNotChangeWithNamesAndLooks) {
             }));
 }
 
-TEST(LevelHash, DoesNotChangeWithSpawnsAndChangesWithPhysics) {
+TEST(LevelHash, IgnoresSpawnsAndChangesWithPhysics) {
   support::LevelBuilder a, b, c;
   a.block({0, 0, 0}, {1, 1, 1});
   b.block({0, 0, 0}, {1, 1, 1}).spawn({1, 2, 3});

@@ -1,4 +1,4 @@
-// Mass, centre and inertia of loose parts, against the formulas of a textbook.
+// Mass, centre and inertia of dynamic parts, against textbook formulas.
 #include "level/mass.h"
 
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@ MassProperties of(ShapeKind kind, Vec3 size, float density = 1) {
   return massOf({&shape, 1}, density);
 }
 
-// The inertia tensor must be diagonal; gives the diagonal.
+// Checks that the inertia tensor is diagonal, and returns the diagonal.
 Vec3 inertiaOf(const MassProperties& m) {
   EXPECT_NEAR(m.inverseInertia.x.y, 0, 1e-6);
   EXPECT_NEAR(m.inverseInertia.x.z, 0, 1e-6);
@@ -38,7 +38,7 @@ TEST(Mass, BallIsTwoFifths) {
   EXPECT_NEAR(inertiaOf(m).x, 0.4f * m.mass * 4, 1e-3);
 }
 
-TEST(Mass, CylinderHasHalfAlongItsAxis) {
+TEST(Mass, CylinderHasOneHalfAlongItsAxis) {
   const MassProperties m = of(ShapeKind::cylinder, {6, 4, 4});
   EXPECT_NEAR(m.mass, 3.14159265 * 4 * 6, 1e-4);
   EXPECT_NEAR(inertiaOf(m).x, 0.5f * m.mass * 4, 1e-2);

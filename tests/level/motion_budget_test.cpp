@@ -1,4 +1,4 @@
-// Memory of motion tables: equal spins are stored once, and a level's tables have a bound.
+// The memory of motion tables: equal spins are stored once, and a level's tables are bounded.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -33,8 +33,8 @@ TEST(MotionBudget, parts_that_spin_differently_do_not) {
   EXPECT_NE(level.view().movers[0].spins, level.view().movers[1].spins);
 }
 
-// With tables as long as those of a part alone, these would have some 25 million rows.
-TEST(MotionBudget, five_hundred_parts_of_as_many_speeds_get_shorter_tables) {
+// With tables as long as for one part alone, these parts would need some 25 million rows.
+TEST(MotionBudget, five_hundred_different_spins_get_shorter_tables) {
   const float first = 0.03f, step = 0.0003f;
   const auto level = spinners(500, first, step).tryCompile();
   ASSERT_TRUE(level) << level.error().text();
@@ -53,14 +53,14 @@ TEST(MotionBudget, five_hundred_parts_of_as_many_speeds_get_shorter_tables) {
   EXPECT_LE(rows, 4000000u);
 }
 
-// What fits keeps the tables that it has alone: shorter ones are less exact.
-TEST(MotionBudget, what_fits_is_as_exact_as_a_part_alone) {
+// Shorter tables are less exact, so that parts within the budget keep their full tables.
+TEST(MotionBudget, parts_within_the_budget_keep_full_tables) {
   const auto alone = spinners(1, 0.1f, 0).compile(), many = spinners(40, 0.1f, 0.01f).compile();
   EXPECT_EQ(many.view().movers[0].spinCount, alone.view().movers[0].spinCount);
   EXPECT_GT(alone.view().movers[0].spinCount, 3770u) << "several turns";
 }
 
-TEST(MotionBudget, equal_turns_are_made_and_kept_once) {
+TEST(MotionBudget, equal_spins_are_stored_once) {
   level::SpinPlan plan;
   plan.speed = 1, plan.rows = 377;
   level::SpinStore store;
@@ -87,7 +87,7 @@ TEST(MotionBudget, a_level_with_too_many_different_motions_is_refused) {
       << level.error().text();
 }
 
-// Nobody meets it, wherever it is.
+// No player can touch these parts, wherever they move.
 TEST(MotionBudget, scenery_needs_no_tables) {
   support::LevelBuilder b;
   b.block({0, 0, 0}, {4, 1, 4});
@@ -102,7 +102,7 @@ TEST(MotionBudget, scenery_needs_no_tables) {
   EXPECT_EQ(level->view().moverCount, 0u);
 }
 
-TEST(MotionBudget, ten_minutes_are_ten_minutes_at_any_rate) {
+TEST(MotionBudget, ten_minutes_are_the_limit_at_any_rate) {
   const auto at = [](uint16_t rate, float speed) {
     support::LevelBuilder b = spinners(1, speed, 0);
     b.physics([=](schema::PhysicsParams::Builder p) { p.setControlRate(rate); });
@@ -115,7 +115,7 @@ TEST(MotionBudget, ten_minutes_are_ten_minutes_at_any_rate) {
   }
 }
 
-TEST(MotionBudget, what_falls_is_named_as_such) {
+TEST(MotionBudget, the_error_names_falls) {
   support::LevelBuilder b;
   for (int i = 0; i < 80; ++i) {
     b.block({float(i) * 10, 0, 0}, {4, 1, 4}, [](schema::Part::Builder p) {

@@ -19,7 +19,7 @@ constexpr double kTwoPi = 6.283185307179586;
 constexpr EasingDirection kDirections[] = {EasingDirection::IN, EasingDirection::OUT,
                                            EasingDirection::IN_OUT};
 
-// As a mover has them.
+// The tables of one mover.
 struct Tables {
   std::vector<Pose> keys;
   std::vector<Mat3> spins;
@@ -37,7 +37,7 @@ Tables tablesOf(const MotionSetter& setter, uint32_t mostRows = kMaxRows) {
   return {keyTable(*plan, {{1, 2, 3}, {}}), spinTable(plan->spin), plan->pivot, plan->once};
 }
 
-// From x = 0 at time 0 to x = 10 at `seconds`.
+// A motion from x = 0 at time 0 to x = 10 at `seconds`.
 MotionSetter slide(float seconds, Repeat repeat, float offset = 0, Easing easing = Easing::LINEAR) {
   return [=](schema::Motion::Builder m) {
     auto keys = m.initKeys(2);
@@ -114,7 +114,7 @@ TEST(Motion, LinearKeysMoveEvenlyAndLoopJumpsBack) {
   }
 }
 
-TEST(Motion, PingPongComesBackTheWayItWent) {
+TEST(Motion, PingPongReturnsAlongItsPath) {
   const Tables t = tablesOf(slide(2, Repeat::PING_PONG, 0, Easing::QUAD));
   ASSERT_EQ(t.keys.size(), 240u);
   EXPECT_NEAR(xAt(t, 120), 10, 1e-4f);
@@ -128,15 +128,16 @@ TEST(Motion, OnceStaysAtTheLastKey) {
   for (const uint32_t tick : {120u, 121u, 1000u, 4000000000u}) EXPECT_EQ(xAt(t, tick), 10);
 }
 
-TEST(Motion, OffsetIsTimeAlreadyGone) {
+TEST(Motion, OffsetIsTimeAlreadyElapsed) {
   EXPECT_NEAR(xAt(tablesOf(slide(2, Repeat::LOOP, 0.5f)), 0), 2.5f, 1e-4f);
   EXPECT_NEAR(xAt(tablesOf(slide(2, Repeat::LOOP, -0.5f)), 0), 7.5f, 1e-4f);
   EXPECT_NEAR(xAt(tablesOf(slide(2, Repeat::PING_PONG, 2.5f)), 0), 7.5f, 1e-4f);
   EXPECT_EQ(xAt(tablesOf(slide(2, Repeat::ONCE, 5)), 0), 10);
 }
 
-// As scripts that wait before they move a part for ever: it is at its first key after the wait.
-TEST(Motion, WhatRepeatsWithANegativeOffsetComesRoundToItsStartAfterIt) {
+// Scripts that wait before a repeating motion import like this: after the wait, the part is at its
+// first key.
+TEST(Motion, RepeatsAreAtTheirStartAfterANegativeOffset) {
   for (const float wait : {0.5f, 1.0f, 7.25f, 599.5f}) {
     const auto end = uint32_t(60 * wait);
     for (const Repeat repeat : {Repeat::LOOP, Repeat::PING_PONG}) {
@@ -158,7 +159,7 @@ TEST(Motion, OnceWithANegativeOffsetWaitsAndStillArrives) {
   EXPECT_EQ(xAt(t, 430), 10);
 }
 
-// Position in the period after 10 minutes, against the period itself.
+// Returns the error of the table's period after 10 minutes, in ticks.
 double driftInTicks(double periodTicks, const Tables& t) {
   const double tick = 36000;
   const double repetitions = std::max(1.0, std::round(double(t.keys.size()) / periodTicks));
@@ -173,7 +174,7 @@ TEST(Motion, PeriodsOfWholeCentisecondsDriftLessThanAHundredthTickInTenMinutes) 
   }
 }
 
-TEST(Motion, AnyPeriodIsRightToATwoHundredthTickAndTablesStayBounded) {
+TEST(Motion, AnyPeriodIsExactToATwoHundredthTickInBoundedTables) {
   Random random(40, 0);
   for (int i = 0; i < 200; ++i) {
     const float seconds = 0.2f + 20 * random.unit();
@@ -184,8 +185,8 @@ TEST(Motion, AnyPeriodIsRightToATwoHundredthTickAndTablesStayBounded) {
   }
 }
 
-// For levels whose tables would have too many rows otherwise.
-TEST(Motion, FewerRowsHoldAsManyRepetitionsAsFitOrOne) {
+// Levels whose tables would have too many rows use fewer.
+TEST(Motion, ShorterTablesHoldAsManyPeriodsAsFit) {
   Random random(41, 0);
   constexpr uint32_t kFew = 1000;
   for (int i = 0; i < 200; ++i) {
@@ -254,7 +255,7 @@ TEST(Motion, KeysAtTheSameTimeJump) {
   EXPECT_EQ(xAt(t, 61), 5);
 }
 
-TEST(Motion, RotationsTakeTheShortWayRound) {
+TEST(Motion, RotationsTakeTheShorterArc) {
   const Tables t = tablesOf([](schema::Motion::Builder m) {
     auto keys = m.initKeys(2);
     keys[1].setTime(1);

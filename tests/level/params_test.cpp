@@ -1,5 +1,5 @@
-// The schema's physics parameters and the struct that the simulator reads are one set with one set
-// of defaults, every field says its unit, range and source, and ranges are enforced.
+// The schema's physics parameters match the simulator's struct and its defaults. Every field states
+// its unit, range and source, and ranges are enforced.
 #include "level/params.h"
 
 #include <capnp/dynamic.h>
@@ -23,7 +23,7 @@ constexpr uint64_t kUnit = 0xb0f5e1a7d9c3a2e4, kRange = 0xd2a9f8e3b7c61a55,
 
 capnp::StructSchema schemaOf() { return capnp::Schema::from<schema::PhysicsParams>(); }
 
-// The struct's fields by name, as numbers.
+// Returns the struct's fields by name, as numbers.
 std::map<std::string, double> fieldsOf(const Params& p) {
   std::map<std::string, double> out;
 #define OBBY_PARAM_ENTRY(type, name) out[#name] = double(p.name);
@@ -67,7 +67,7 @@ TEST(Params, AreCopiedFieldByField) {
       const double value = std::floor(range.getMin() + share * (range.getMax() - range.getMin()));
       if (value < range.getMin()) continue;
       const auto params = compileWith(name, value);
-      if (!params) continue;  // heights that contradict one another
+      if (!params) continue;  // contradictory heights
       auto expected = fieldsOf(*compileWith("gravity", 196.2f));
       expected[name] = value;
       EXPECT_EQ(fieldsOf(*params), expected) << name;
@@ -75,7 +75,7 @@ TEST(Params, AreCopiedFieldByField) {
   }
 }
 
-TEST(Params, EveryFieldSaysItsUnitRangeAndSource) {
+TEST(Params, EveryFieldStatesItsUnitRangeAndSource) {
   for (auto field : schemaOf().getFields()) {
     std::map<uint64_t, std::string> texts;
     std::set<uint64_t> ids;
@@ -95,7 +95,7 @@ TEST(Params, EveryFieldSaysItsUnitRangeAndSource) {
   }
 }
 
-TEST(Params, MayBeAtTheEndsOfTheirRange) {
+TEST(Params, AreValidAtTheEndsOfTheirRange) {
   for (auto field : schemaOf().getFields()) {
     const std::string name = field.getProto().getName().cStr();
     for (const double value : {rangeOf(field).getMin(), rangeOf(field).getMax()}) {
@@ -146,7 +146,7 @@ TEST(Params, DerivedTimesAreWholePhysicsSteps) {
   EXPECT_NEAR(p->slopeNormalY, std::cos(1.5533431), 1e-6);
 }
 
-TEST(Params, WhatIsCountedUpToATimeTakesATickAtLeast) {
+TEST(Params, TimersTakeAtLeastOneTick) {
   EXPECT_EQ(compileWith("landedTime", 0)->landedSteps, 0);
   EXPECT_EQ(compileWith("coyoteTime", 0)->coyoteSteps, 1);
   EXPECT_EQ(compileWith("offFloorGrace", 0)->graceSteps, 1);
@@ -165,7 +165,7 @@ TEST(TicksFromSeconds, RoundsAndStaysInRange) {
   EXPECT_EQ(ticksFromSeconds(p, INFINITY), 1u << 24);
 }
 
-TEST(Params, StepsInWhichTheLegsWouldThrowThePlayerAreRefused) {
+TEST(Params, UnstableLegsAreRefused) {
   const auto at = [](uint16_t rate, uint8_t substeps) {
     capnp::MallocMessageBuilder message;
     auto record = message.initRoot<schema::PhysicsParams>();

@@ -1,4 +1,4 @@
-// The index gives what a look at every part gives, also once it has sorted them.
+// The index finds what a scan of all parts finds, also after it has sorted them.
 #include "level/part_index.h"
 
 #include <fmt/format.h>
@@ -60,7 +60,7 @@ class PartIndexTest : public testing::Test {
   io::RecordBuilder record;
 };
 
-TEST_F(PartIndexTest, GivesTheSameInPassesAndSorted) {
+TEST_F(PartIndexTest, FindsTheSameByScanAndWhenSorted) {
   PartIndex index(level());
   size_t found = 0;
   for (int round = 0; round < 4; ++round) {
@@ -98,7 +98,7 @@ TEST(PartIndex, OfALevelWithoutPartsHasNone) {
   }
 }
 
-// A pass over the parts for each name would take minutes.
+// One scan of the parts for each name would take minutes.
 TEST(PartIndex, FindsAsManyNamesAsALargeLevelHasParts) {
   io::RecordBuilder level, query;
   constexpr uint32_t kCount = uint32_t(kMaxPlaces);

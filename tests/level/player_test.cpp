@@ -1,4 +1,4 @@
-// Bodies and frame rates: rows of tables, and what they make of a level and of a query.
+// Bodies and frame rates: their tables, and their effect on a level and a query.
 #include "level/player.h"
 
 #include <capnp/dynamic.h>
@@ -60,7 +60,7 @@ TEST(Bodies, DifferFromThePhysicsDefaultsInTheirTractionOnly) {
   }
 }
 
-TEST(Bodies, ChangeWhatTheBodyDecidesAndNothingElse) {
+TEST(Bodies, ChangeOnlyParametersOfTheBody) {
   AnyLevel level;
   auto physics = level.root.getPhysics();
   physics.setHipHeight(1.2f);
@@ -83,7 +83,7 @@ TEST(FrameRates, AreWholeNumbersOfPhysicsSteps) {
   }
 }
 
-TEST(Players, OfAQueryThatNamesNoneAreTheLevelsOwn) {
+TEST(Players, DefaultToTheLevelsOwn) {
   AnyQuery query;
   EXPECT_FALSE(namesPlayers(query.root));
   EXPECT_THAT(*playersOf(query.root), ElementsAre(Player{}));
@@ -97,7 +97,7 @@ TEST(Players, AreEveryCombinationWithoutRepeats) {
               ElementsAre(Player{"r6", 30}, Player{"r6", 60}, Player{"", 30}, Player{"", 60}));
 }
 
-TEST(Players, UnknownOnesAreErrorsThatNameTheField) {
+TEST(Players, UnknownPlayersAreErrorsThatNameTheField) {
   AnyQuery query;
   query.bodies({"r6", "r7"});
   const auto body = playersOf(query.root);
@@ -120,7 +120,7 @@ TEST(Players, AQueryKeepsItsTimesAtAnotherFrameRate) {
   EXPECT_FALSE(namesPlayers(query.root));
 }
 
-TEST(Ticks, OfOtherFrameRatesAreTheNearestOrTheNext) {
+TEST(Ticks, AtOtherFrameRatesRoundToTheNearestOrTheNext) {
   EXPECT_EQ(tickAtRate(77, 60, 30), 39u);
   EXPECT_EQ(tickAtRate(76, 60, 144), 182u);
   EXPECT_EQ(nextTickAtRate(5, 30, 144), 24u);

@@ -1,4 +1,4 @@
-// Query records to regions and limits: where play starts, and what is refused.
+// Query records become regions and limits: the start, and the errors.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -37,7 +37,7 @@ void queryExpectRefused(const QuerySetter& setter, const std::string& path,
   EXPECT_NE(query.error().message.find(words), std::string::npos) << query.error().text();
 }
 
-TEST(QueryStart, IsTheFirstSpawnWhereNothingIsSaid) {
+TEST(QueryStart, DefaultsToTheFirstSpawn) {
   const Query q = *compile([](auto) {});
   EXPECT_TRUE(q.start().feet == (Vec3{1, 2, 3}));
   EXPECT_EQ(q.start().yaw, 0.5f);
@@ -153,7 +153,7 @@ TEST(QueryTouch, LooksUpThePartsColliders) {
   EXPECT_EQ(compile(touching(7), level).error().path, "goal.partIndex");
 }
 
-// Loose parts have their colliders behind all others, and a part with two hulls has two.
+// Dynamic parts have their colliders after all others, and a part with two hulls has two.
 TEST(QueryTouch, ListsEachPartsCollidersOnceAndInOrder) {
   support::LevelBuilder b;
   b.block({0, 9, 0}, {2, 2, 2}, [](auto p) { p.setAnchored(false); }).spawn({0, 1, 0});
@@ -264,7 +264,7 @@ TEST(QueryErrors, NameThePathAndTheExpectation) {
   }
 }
 
-// The search divides the place of the feet into cells, and a trajectory must be able to hold it.
+// The search divides positions into cells, and a trajectory must be able to store them.
 TEST(QueryErrors, AStartRegionWithoutAFloorInReach) {
   const auto refuse = [](float middle, float height) {
     queryExpectRefused(

@@ -70,7 +70,7 @@ TEST_F(ResolveTest, ATagInAListStandsForAllItsParts) {
   EXPECT_EQ(list[3].getPartIndex(), 3);
 }
 
-TEST_F(ResolveTest, ANameToAvoidStandsForAllPartsThatItFits) {
+TEST_F(ResolveTest, ANameToAvoidStandsForAllMatchingParts) {
   auto avoid = query().initAvoid(2);
   avoid[0].setPart("Lava");
   avoid[0].setTouch(true);
@@ -85,7 +85,7 @@ TEST_F(ResolveTest, ANameToAvoidStandsForAllPartsThatItFits) {
   EXPECT_FALSE(list[2].getTouch());
 }
 
-TEST_F(ResolveTest, ANameThatIsAvoidedMayStillBeTooVagueForAVisit) {
+TEST_F(ResolveTest, AnAvoidedNameMayBeTooAmbiguousForAVisit) {
   query().initAvoid(1)[0].setPart("Lava");
   query().initVisits(1)[0].setPart("Lava");
   const Status status = resolve();
@@ -109,7 +109,7 @@ TEST_F(ResolveTest, AGoalsTagMeansAnyOfItsParts) {
   EXPECT_TRUE(goals[1].getTouch());
 }
 
-TEST_F(ResolveTest, TwiceIsTheSameAsOnce) {
+TEST_F(ResolveTest, IsIdempotent) {
   query().initGoal().setPart("#Kill");
   query().initVisits(1)[0].setPart("#Kill");
   query().initWaypoints(1)[0].initRegion().setPart("Top");
@@ -127,7 +127,7 @@ TEST_F(ResolveTest, BoxesStayAsTheyAre) {
   EXPECT_EQ(query().getGoal().getPartIndex(), -1);
 }
 
-TEST_F(ResolveTest, ErrorsSayWhere) {
+TEST_F(ResolveTest, ErrorsStateThePath) {
   expectWrong([](auto q) { q.initGoal().setPart("Lava"); }, "goal.part");
   expectWrong([](auto q) { q.initGoal().setPart("#None"); }, "goal.part");
   expectWrong([](auto q) { q.initStart().initRegion().setPart("x"); }, "start.region.part");
@@ -152,7 +152,8 @@ TEST_F(ResolveTest, ATagThatIsListedAgainStandsForTheSameParts) {
   EXPECT_EQ(query().asReader().getAvoid().size(), 2u);
 }
 
-// A tag stands for two parts here; in a large place for so many that a short list fills the memory.
+// A tag stands for two parts here. In a large place it may stand for so many that a short list
+// fills the memory.
 TEST_F(ResolveTest, TagsStandForABoundedNumberOfPlaces) {
   const auto tags = [](auto list) {
     for (uint32_t i = 0; i < list.size(); ++i) list[i].setPart("#Kill");

@@ -44,7 +44,7 @@ TEST_F(SelectTest, SeveralMatchesAreListed) {
             "'Lava' names 2 parts of level 'tower' (give one of 'S1/Lava', 'S2/Lava')");
 }
 
-TEST_F(SelectTest, ListedPartsCanBeTypedBack) {
+TEST_F(SelectTest, ListedNamesAreValidSelectors) {
   PartIndex index(level());
   EXPECT_EQ(selectorOf(index, 0), "Base");
   EXPECT_EQ(selectorOf(index, 1), "S1/Lava");
@@ -54,7 +54,7 @@ TEST_F(SelectTest, ListedPartsCanBeTypedBack) {
   }
 }
 
-TEST_F(SelectTest, PartsThatNoNameTellsApartAreListedByIndex) {
+TEST_F(SelectTest, PartsWithoutAUniqueNameAreListedByIndex) {
   record = *io::recordFromJson(
       R"({"type":"level","name":"odd","parts":[{"name":"A"},{"name":"A"},{"name":"#B"},)"
       R"({"name":"1,2,3,4,5,6"},{"name":"touch:C"},{},{"name":"D","source":{"path":"/D"}},)"
@@ -81,7 +81,7 @@ TEST_F(SelectTest, NoMatchOfATagSuggestsSimilarTags) {
   EXPECT_THAT(error("#"), HasSubstr("part:INDEX"));
 }
 
-TEST_F(SelectTest, ALevelWithoutPartsIsSaidToHaveNone) {
+TEST_F(SelectTest, TheErrorMentionsALevelWithoutParts) {
   record = *io::recordFromJson(R"({"type":"level","name":"void"})");
   EXPECT_THAT(error("part:0"), HasSubstr("level 'void' has no parts"));
 }

@@ -1,5 +1,4 @@
-// How fast a level lets its player be sideways: half as fast again as walking and the fastest part
-// make it.
+// The horizontal speed that a level allows: 1.5 times the sum of walking and the fastest part.
 #include "level/speeds.h"
 
 #include <gtest/gtest.h>
@@ -15,7 +14,7 @@ using PartSetter = LevelBuilder::PartSetter;
 
 constexpr float kWalk = 16, kFarthest = 12.51f;  // of the part: half its diagonal
 
-// What the part below gives, studs/s.
+// Returns the speed that the part below adds, in studs/s.
 float given(const PartSetter& setter) {
   const Level level = LevelBuilder().block({50, 0, 0}, {24, 1, 7}, setter).compile();
   return level.view().maxSideSpeed / 1.5f - kWalk;
@@ -30,21 +29,19 @@ PartSetter speedsSpin(float speed, bool carries, Vec3 pivot = {}) {
   };
 }
 
-TEST(SideSpeed, CountsWhatTurnsAndCarries) {
+TEST(SideSpeed, CountsSpinningCarriers) {
   EXPECT_NEAR(given(speedsSpin(3, true)), 3 * kFarthest, 0.1f);
   EXPECT_NEAR(given(speedsSpin(-3, true)), 3 * kFarthest, 0.1f);
   EXPECT_NEAR(given(speedsSpin(2, true, {0, 0, 30})), 2 * (30 + kFarthest), 0.1f);
 }
 
-TEST(SideSpeed, CountsSeatsOnWhatTurns) {
+TEST(SideSpeed, CountsSpinningSeats) {
   const auto seat = [](schema::Part::Builder p) { speedsSpin(3, false)(p), p.initSeat(); };
   EXPECT_NEAR(given(seat), 3 * kFarthest, 0.1f);
 }
 
-// They push, and take nobody along: longer lists of the grid would be for nothing.
-TEST(SideSpeed, LeavesOutWhatTurnsWithoutCarrying) {
-  EXPECT_NEAR(given(speedsSpin(3, false)), 0, 1e-4f);
-}
+// These parts push players but do not carry them, so that they need no longer grid lists.
+TEST(SideSpeed, IgnoresSpinsThatDoNotCarry) { EXPECT_NEAR(given(speedsSpin(3, false)), 0, 1e-4f); }
 
 TEST(SideSpeed, CountsTurnsBetweenKeys) {
   const auto turning = [](schema::Part::Builder p) {

@@ -1,4 +1,4 @@
-// Bounds of what moves are those of all its rows, to the bit, however rows share their rotation.
+// Bounds of moving parts equal those of all their rows bit for bit, however rows share rotations.
 #include "level/swept_bounds.h"
 
 #include <gtest/gtest.h>
@@ -43,7 +43,7 @@ Box boundsOfAll(const std::vector<Pose>& keys, Vec3 half) {
   return all;
 }
 
-TEST(SweptBounds, AreThoseOfAllKeys) {
+TEST(SweptBounds, EqualThoseOfAllKeys) {
   SweptBoundsDice dice{Random(50, 0)};
   for (int round = 0; round < 100; ++round) {
     const std::vector<Pose> keys = dice.keys();
@@ -53,7 +53,7 @@ TEST(SweptBounds, AreThoseOfAllKeys) {
   }
 }
 
-// Turns about a slanting axis, from one side to the other.
+// A rotation about a slanting axis, from one side to the other.
 std::vector<Pose> longTurn(uint32_t rows) {
   std::vector<Pose> keys;
   for (uint32_t k = 0; k < rows; ++k) {
@@ -64,7 +64,7 @@ std::vector<Pose> longTurn(uint32_t rows) {
   return keys;
 }
 
-TEST(SweptBounds, OfSeveralHundredHullsAreThoseOfAllKeys) {
+TEST(SweptBounds, OfSeveralHundredHullsEqualThoseOfAllKeys) {
   SweptBoundsDice dice{Random(52, 0)};
   const std::vector<Pose> keys = longTurn(30000);
   const Mover m{keys.data(), nullptr, uint32_t(keys.size()), 0, {}, false};
@@ -72,8 +72,8 @@ TEST(SweptBounds, OfSeveralHundredHullsAreThoseOfAllKeys) {
   expectSame(SweptBounds(m, 500).of(half), boundsOfAll(keys, half));
 }
 
-// As of a scanned mesh that turns for twenty minutes: each row for each hull took minutes.
-TEST(SweptBounds, OfAHundredThousandHullsHoldThemInAMoment) {
+// A scanned mesh that spins for twenty minutes: testing each row with each hull took minutes.
+TEST(SweptBounds, ContainAHundredThousandHullsInLittleTime) {
   SweptBoundsDice dice{Random(53, 0)};
   const std::vector<Pose> keys = longTurn(72000);
   const Mover m{keys.data(), nullptr, uint32_t(keys.size()), 0, {}, false};
@@ -89,7 +89,7 @@ TEST(SweptBounds, OfAHundredThousandHullsHoldThemInAMoment) {
   }
 }
 
-TEST(SweptBounds, OfWhatSpinsHoldItsLargestRadius) {
+TEST(SweptBounds, OfASpinContainItsLargestRadius) {
   SweptBoundsDice dice{Random(51, 0)};
   const Mat3 spin{};
   for (int round = 0; round < 100; ++round) {

@@ -1,4 +1,4 @@
-// Blocks made to stand upright are the same blocks, and only blocks are treated as such.
+// Blocks rotated to stand upright stay the same blocks, and only blocks are treated this way.
 #include "level/upright.h"
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@ namespace {
 
 using support::LevelBuilder;
 
-// Extent of the collider's block in a world direction, from its centre.
+// Returns the extent of the collider's block from its centre, in a world direction.
 float extent(const Collider& c, Vec3 direction) {
   return geom::Block::support(c.shape, toLocal(c.pose.rotation, direction));
 }
@@ -28,7 +28,7 @@ Mat3 yawed(Turns yaw) {
   return {{a.cos, 0, -a.sin}, {0, 1, 0}, {a.sin, 0, a.cos}};
 }
 
-// The 24 ways to lie on a side.
+// The 24 axis-aligned orientations.
 std::vector<Mat3> sides() {
   std::vector<Mat3> out;
   for (int i = 0; i < 6; ++i) {
@@ -41,7 +41,7 @@ std::vector<Mat3> sides() {
   return out;
 }
 
-TEST(MakeUpright, KeepsTheBlockForEverySideItLiesOn) {
+TEST(MakeUpright, KeepsTheBlockInAllAxisAlignedOrientations) {
   Random random(7, 7);
   const auto number = [&] { return 2 * random.unit() - 1; };
   ASSERT_EQ(sides().size(), 24u);
@@ -62,7 +62,7 @@ TEST(MakeUpright, KeepsTheBlockForEverySideItLiesOn) {
   }
 }
 
-TEST(MakeUpright, RefusesATiltAndLeavesItAlone) {
+TEST(MakeUpright, LeavesTiltedBlocksUnchanged) {
   for (const float pitch : {0.001f, 0.4f, 1.2f}) {
     const SinCos a = sinCos(turnsFromRadians(pitch));
     const Mat3 tilt{{1, 0, 0}, {0, a.cos, a.sin}, {0, -a.sin, a.cos}};
@@ -76,7 +76,7 @@ TEST(MakeUpright, RefusesATiltAndLeavesItAlone) {
   }
 }
 
-TEST(UprightFlag, IsForBlocksThatStandOnASide) {
+TEST(UprightFlag, IsSetForBlocksThatStandOnAFace) {
   LevelBuilder b;
   b.block({0, 0, 0}, {1, 2, 3}, [](auto p) { support::setRotation(p.initRotation(), 0.3f); });
   b.block({0, 9, 0}, {1, 2, 3}, [](auto p) { support::setRotation(p.initRotation(), 0, kPi / 2); });
@@ -87,7 +87,7 @@ TEST(UprightFlag, IsForBlocksThatStandOnASide) {
   EXPECT_FALSE(level.view().bounds[2].flags & kUpright);
 }
 
-// The flag makes floor rays and contacts take the block's short cut.
+// The flag selects the fast path for blocks in floor rays and contacts.
 TEST(UprightFlag, IsNeverSetForOtherShapesMovingOrNot) {
   for (const auto shape : {schema::Shape::BALL, schema::Shape::CYLINDER, schema::Shape::WEDGE,
                            schema::Shape::CORNER_WEDGE, schema::Shape::HULL}) {

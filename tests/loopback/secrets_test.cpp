@@ -1,4 +1,4 @@
-// Randomness and its comparison.
+// Random secrets and their comparison.
 #include "loopback/secrets.h"
 
 #include <gtest/gtest.h>
@@ -8,7 +8,7 @@
 namespace obby::loopback {
 namespace {
 
-TEST(Secrets, random_digits_are_as_many_as_asked_and_differ) {
+TEST(Secrets, random_digits_have_the_requested_length_and_differ) {
   std::set<std::string> seen;
   for (int i = 0; i < 100; i++) {
     const std::string digits = randomHex(32);

@@ -1,4 +1,4 @@
-// Which Host and Origin headers are those of this machine.
+// The Host and Origin headers that belong to this machine.
 #include "loopback/sender.h"
 
 #include <gtest/gtest.h>

@@ -6,7 +6,7 @@
 namespace obby::loopback {
 namespace {
 
-TEST(Target, falls_into_path_and_parameters) {
+TEST(Target, is_split_into_path_and_parameters) {
   const Target target = targetOf("/a/b?x=1&y&=2&x==");
   EXPECT_EQ(target.path, "/a/b");
   ASSERT_EQ(target.parameters.size(), 4u);

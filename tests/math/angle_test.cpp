@@ -1,4 +1,4 @@
-// Angles in turns / 65536 against libm in double precision, over every angle there is.
+// Angles in turns / 65536 against libm in double precision, over all 65536 angles.
 #include "math/angle.h"
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@ constexpr double kTurn = 6.283185307179586476925;
 
 double radians(int units) { return kTurn * units / 65536; }
 
-// Units between two angles, the short way round.
+// Returns the shorter distance between two angles, in units.
 int apart(Turns a, Turns b) { return std::abs(int(int16_t(uint16_t(a - b)))); }
 
 TEST(SinCos, AgreesWithLibmForAllAngles) {

@@ -17,7 +17,7 @@ TEST(Exponential, AgreesWithLibm) {
   }
 }
 
-TEST(Exponential, EndsInsteadOfOverflowing) {
+TEST(Exponential, SaturatesInsteadOfOverflowing) {
   EXPECT_EQ(expNegative(-100), 0);
   EXPECT_EQ(expOf(-100), 0);
   EXPECT_EQ(expOf(0), 1);

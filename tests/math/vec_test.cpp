@@ -55,7 +55,7 @@ TEST(Vec3, NormalizeGivesLengthOneOrTheFallback) {
   EXPECT_TRUE(normalize(Vec3{}, {1, 0, 0}) == (Vec3{1, 0, 0}));
 }
 
-TEST(Quat, GivesAProperRotationMatrix) {
+TEST(Quat, YieldsAProperRotationMatrix) {
   Dice dice(3);
   for (int i = 0; i < kRounds; ++i) {
     const Mat3 m = toMat3(dice.quat());
@@ -81,7 +81,7 @@ TEST(Quat, TurnsRightHandedAboutItsAxis) {
   expectNear(toMat3(Quat{0, 0, h, h}) * Vec3{1, 0, 0}, {0, 1, 0}, 1e-6f);
 }
 
-TEST(Quat, NormalizeOfNothingIsNoRotation) {
+TEST(Quat, NormalizeOfZeroIsNoRotation) {
   const Quat q = normalize(Quat{0, 0, 0, 0});
   EXPECT_EQ(q.w, 1);
   EXPECT_EQ(q.x, 0);
@@ -92,7 +92,7 @@ TEST(Pose, ToLocalUndoesToWorld) {
   for (int i = 0; i < kRounds; ++i) {
     const Pose p = dice.pose(100);
     const Vec3 v = dice.vec(20);
-    // Rounding of the largest intermediate value, a few units in the last place.
+    // The largest intermediate value rounds by a few units in the last place.
     const float tolerance = 2e-6f * (length(p.position) + length(v));
     expectNear(toLocal(p, toWorld(p, v)), v, tolerance);
     expectNear(toWorld(p, toLocal(p, v)), v, tolerance);

@@ -1,5 +1,5 @@
-// The player's box against blocks: the general and the two short forms, a million pairs in all,
-// held against Bullet's GJK and EPA and FCL's closed form. Where one of these differs, the exact
+// The player's box against blocks: the general form and the two short ones, a million pairs in all.
+// The references are Bullet's GJK and EPA and FCL's closed form. If one of them differs, the exact
 // separating axes in double precision decide (exact.h).
 #include "geom/box_box.h"
 
@@ -25,7 +25,7 @@ struct Tallies {
     checkFcl(p, ours, exact, tolerance);
   }
 
-  // Overlap as FCL says; depth within its preference for faces.
+  // Checks overlap against FCL, and depth within FCL's preference for faces.
   void checkFcl(const Pair& p, const Contact& ours, const Exact& exact, double tolerance) {
     const FclContact f = fclBoxBox(p.pose, p.shape.half, p.box);
     const double depth = double(ours.depth);
@@ -44,7 +44,7 @@ struct Tallies {
     EXPECT_GT(bullet.overlapping, least);
     EXPECT_GT(bullet.normals, least / 2);
     EXPECT_EQ(fclWrong, 0);
-    // EPA gives up or stops at a worse face in some pairs of a thousand.
+    // EPA gives up or stops at a worse face for a few pairs in a thousand.
     EXPECT_LE(bullet.referenceWrong, bullet.pairs / 200);
   }
 };
@@ -64,7 +64,7 @@ TEST(BlockParity, UprightBlocksByBothForms) {
   tallies.expectGood(100000);
 }
 
-TEST(BlockParity, BlocksTurnedAnyWay) {
+TEST(BlockParity, BlocksAtAnyRotation) {
   PairDice dice(501);
   Tallies tallies;
   for (int i = 0; i < 400000; ++i) {
@@ -76,7 +76,7 @@ TEST(BlockParity, BlocksTurnedAnyWay) {
   tallies.expectGood(100000);
 }
 
-TEST(BlockParity, BlocksNearlyInLineWithTheBody) {
+TEST(BlockParity, BlocksNearlyAlignedWithTheBody) {
   PairDice dice(502);
   Tallies tallies;
   for (int i = 0; i < 100000; ++i) {
@@ -89,8 +89,8 @@ TEST(BlockParity, BlocksNearlyInLineWithTheBody) {
   tallies.expectGood(20000);
 }
 
-// The largest parts have 1024 studs of half extent: a float there is 1e-4 apart from the next, and
-// the axes of a rotation in single precision are square to each other within some 1e-6.
+// The largest parts have 1024 studs of half extent, where floats are 1e-4 apart. The axes of a
+// rotation in single precision are orthogonal within some 1e-6.
 TEST(BlockParity, BlocksOfUpTo2048StudsWithinTheirOwnRounding) {
   PairDice dice(503);
   Tallies tallies;

@@ -1,5 +1,5 @@
-// The same bodies in our simulator and in Bullet's (double precision, 240 steps a second): friction
-// is the mean of both surfaces' and nothing bounces, in either.
+// The same bodies in our simulator and in Bullet's (double precision, 240 steps a second). In both,
+// friction is the mean of the two surfaces, and nothing bounces.
 #pragma once
 
 #include <btBulletDynamicsCommon.h>
@@ -18,7 +18,7 @@ struct BodySpec {
   float yaw = 0, pitch = 0, friction = 0.5f;
   bool anchored = false;
   Vec3 velocity{}, spin{};
-  Vec3 travel{};  // of an anchored one, in four seconds: it carries
+  Vec3 travel{};  // motion of an anchored carrier in four seconds
 };
 
 struct BodyState {
@@ -49,7 +49,7 @@ class OurBodies {
   bool asleep() const { return !(play_.world.flags & sim::kLooseAwake); }
 
  private:
-  // A floor at 0 for the player far away, and for all who fall.
+  // Adds a far floor at 0 for the player, which also catches falling bodies.
   static level::Level levelOf(const std::vector<BodySpec>& specs) {
     support::LevelBuilder b;
     for (const BodySpec& s : specs) {
@@ -78,7 +78,7 @@ class OurBodies {
 
 class BulletBodies {
  public:
-  // Masses and centres are ours, which tests/level holds to formulas; inertia is Bullet's.
+  // Masses and centres are ours, which tests/level checks against formulas. Inertia is Bullet's.
   BulletBodies(const std::vector<BodySpec>& specs, const OurBodies& ours)
       : dispatcher_(&configuration_),
         world_(&dispatcher_, &broadPhase_, &solver_, &configuration_) {
@@ -134,7 +134,7 @@ class BulletBodies {
     return {btScalar(q.getX()), btScalar(q.getY()), btScalar(q.getZ()), btScalar(q.getW())};
   }
 
-  // Shapes are about the centre of mass.
+  // Bullet expects shapes relative to the centre of mass.
   void add(const BodySpec& s, const level::Loose* table) {
     btTransform part(turnOf(s), bulletVector(s.position));
     btTransform center = btTransform::getIdentity();
@@ -185,7 +185,7 @@ class BulletBodies {
   int steps_ = 0;
 };
 
-// Both of the same.
+// The same bodies in both simulators.
 struct Both {
   OurBodies ours;
   BulletBodies bullet;

@@ -1,6 +1,6 @@
-// Loose bodies against formulas where there are some, and against Bullet's rigid bodies. Impacts
-// at an edge are decided by rounding: after those the face on which a body rests and its height are
-// compared; where nothing tumbles, the whole pose.
+// Dynamic bodies against formulas if there are any, and against Bullet's rigid bodies. Rounding
+// decides impacts on an edge. After those, the tests compare the height and the face on which a
+// body rests. If nothing tumbles, they compare the whole pose.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -11,7 +11,7 @@ namespace obby::parity {
 namespace {
 
 constexpr double kGravity = 196.2;
-constexpr double kRest = 0.02;  // studs: contacts at rest are 0.005 deep, and Bullet's as much out
+constexpr double kRest = 0.02;  // studs: contacts rest 0.005 deep, and Bullet's are off by as much
 
 BodySpec floorOf(float friction = 0.5f) {
   return {.position = {0, -1, 0}, .size = {400, 2, 400}, .friction = friction, .anchored = true};
@@ -25,7 +25,7 @@ BodySpec slopeOf(float pitch, float friction) {
           .anchored = true};
 }
 
-// On top of the slope, `up` from its surface; +Z of the slope is downhill.
+// A body on the slope, its centre `up` above the surface. +Z of the slope is downhill.
 BodySpec onSlope(float pitch, float friction, float up, float along) {
   const double s = std::sin(double(pitch)), c = std::cos(double(pitch));
   const double y = 1 + double(up), z = double(along);
@@ -35,7 +35,7 @@ BodySpec onSlope(float pitch, float friction, float up, float along) {
           .friction = friction};
 }
 
-// The body's axis that points most upward: 1 to 3, negative where it points down.
+// Returns the body's axis that points most upward: 1 to 3, negative if it points down.
 int faceUp(const BodyState& s) {
   const float y[3] = {s.axes.x.y, s.axes.y.y, s.axes.z.y};
   int best = 0;
@@ -51,7 +51,7 @@ void expectSamePose(const BodyState& a, const BodyState& b, double tolerance) {
   EXPECT_GT(dot(a.axes.y, b.axes.y), 0.999f);
 }
 
-TEST(BodiesParity, FallAsAllSubstepsOfTheFormula) {
+TEST(BodiesParity, FallByTheFormulaInSubsteps) {
   Both both({floorOf(), {.position = {0, 60, 0}, .size = {4, 4, 4}}});
   for (int tick = 1; tick <= 40; ++tick) {
     both.run(1);
@@ -193,7 +193,7 @@ TEST(BodiesParity, ArePushedByAWallThatMoves) {
   EXPECT_GT(ours.axes.x.x, 0.999f);
 }
 
-// A platform that rises carries what lies on it, and does not throw it up.
+// A rising platform carries the body on it, and does not throw it up.
 TEST(BodiesParity, AreLiftedByAPlatform) {
   for (const float rise : {8.0f, 40.0f, 160.0f}) {
     const BodySpec lift{
@@ -211,7 +211,7 @@ TEST(BodiesParity, AreLiftedByAPlatform) {
   }
 }
 
-// Both fall flat, in as many ticks to within one in twenty.
+// Both fall flat, after numbers of ticks that differ by at most one in twenty.
 TEST(BodiesParity, DominoesFallOver) {
   Both both(
       {floorOf(1), {.position = {0, 4.03f, 0}, .size = {4, 8, 1}, .pitch = 0.16f, .friction = 1}});

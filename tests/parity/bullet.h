@@ -1,5 +1,5 @@
-// Bullet's answers (its double-precision build): penetration by GJK and EPA without margins, gaps
-// by GJK, rays by its convex cast.
+// Bullet's answers (double-precision build): penetration by GJK and EPA without margins, gaps by
+// GJK, rays by its convex cast.
 #pragma once
 
 #include <BulletCollision/NarrowPhaseCollision/btGjkEpa2.h>
@@ -15,7 +15,7 @@ namespace obby::parity {
 using test::bulletTransform;
 using test::bulletVector;
 
-// The same shape as Bullet has it; margin 0, but for the ball, whose margin is its radius.
+// Returns Bullet's version of the shape. Its margin is 0, or the radius for a ball.
 inline std::unique_ptr<btConvexShape> bulletShape(geom::ShapeKind kind,
                                                   const geom::ShapeData& shape) {
   using geom::ShapeKind;
@@ -43,8 +43,8 @@ inline std::unique_ptr<btConvexShape> bulletShape(geom::ShapeKind kind,
 
 struct BulletContact {
   bool overlap = false;
-  double depth = 0;  // studs; apart: minus the distance
-  Vec3 normal;       // moving the box along it parts the two; none where apart
+  double depth = 0;  // studs; negative distance if apart
+  Vec3 normal;       // moving the box along it separates the two; zero if apart
 };
 
 class BulletPair {
@@ -60,10 +60,10 @@ class BulletPair {
     const btVector3 guess = at.getOrigin() - pose_.getOrigin();
     if (btGjkEpaSolver2::Penetration(shape_.get(), pose_, &other, at, guess, results)) {
       return {true, -double(results.distance),
-              narrow(pose_.getBasis() * -results.normal)};  // local there
+              narrow(pose_.getBasis() * -results.normal)};  // local to the shape
     }
     const bool apart = btGjkEpaSolver2::Distance(shape_.get(), pose_, &other, at, guess, results);
-    return {false, apart ? -double(results.distance) : 0.0, {}};  // neither: they touch
+    return {false, apart ? -double(results.distance) : 0.0, {}};  // touching if neither applies
   }
 
  private:

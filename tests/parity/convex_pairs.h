@@ -1,5 +1,5 @@
-// Random pairs of any two convex shapes, set apart or into each other by a chosen amount along a
-// chosen direction, and the exact answer for those that need no iteration.
+// Random pairs of any two convex shapes, at a chosen gap or depth along a chosen direction. Also
+// the exact answer for pairs that need no iteration.
 #pragma once
 
 #include <memory>
@@ -12,7 +12,7 @@ namespace obby::parity {
 
 struct ConvexPair {
   geom::Convex a, b;
-  const Polytope* localA = nullptr;  // of hulls, whose faces take long to find
+  const Polytope* localA = nullptr;  // of hulls, whose faces are slow to find
   const Polytope* localB = nullptr;
 };
 
@@ -20,7 +20,7 @@ inline std::string describe(const geom::Convex& c) {
   return describe(Pair{c.kind, c.shape, c.pose, {}}).substr(0, 200);
 }
 
-// Hulls with all their edges, and no two faces or edges nearly the same way.
+// Hulls with complete edges, without nearly parallel faces or edges.
 class HullPool {
  public:
   HullPool(PairDice& dice, size_t count) {
@@ -63,15 +63,15 @@ class ConvexDice : public PairDice {
     return c;
   }
 
-  // `gap` apart along a face's normal and anywhere across it, or corner to corner along any
-  // direction.
+  // Places b at a distance of `gap` from a. Random offsets go across a face's normal, or corner
+  // meets corner along any direction.
   void place(ConvexPair& p, float gap) {
     Vec3 d = direction(), aside{};
     const uint32_t way = random().below(3);
     if (way == 0 && geom::axes(p.a) > 0) d = faceOf(p.a);
     if (way == 1 && geom::axes(p.b) > 0) d = faceOf(p.b);
     if (way < 2) aside = vec(0.7f * minf(least(p.a.shape.half), least(p.b.shape.half)));
-    // From a at the origin, so that nothing is lost far from it.
+    // This is computed with a at the origin, so that no precision is lost.
     const Vec3 at = p.a.pose.position;
     p.a.pose.position = p.b.pose.position = {};
     const Vec3 touching = geom::corner(p.a, d) - geom::corner(p.b, -d);
@@ -110,8 +110,8 @@ inline Polytope polytopeOf(const geom::Convex& c, const Polytope* local) {
   return local ? moved(*local, c.pose) : polytopeOf(c.kind, c.shape, c.pose);
 }
 
-// Signed distance of a point from a polytope: every axis is a lower bound, and the right one is a
-// face's normal, or points from an edge or a corner to the point.
+// Returns the signed distance of a point from a polytope. Every axis gives a lower bound. The exact
+// one is a face's normal, or points from an edge or a corner to the point.
 inline double pointApart(const Polytope& p, const V3& at) {
   double best = -1e300;
   const auto test = [&](const V3& n) {
@@ -129,7 +129,7 @@ inline double pointApart(const Polytope& p, const V3& at) {
   return best;
 }
 
-// The same from a cylinder, whatever its axis.
+// Returns the signed distance of a point from a cylinder with any axis.
 inline double pointApartOfCylinder(const geom::Convex& c, const V3& at) {
   const V3 d = at - wide(c.pose.position), axis = wide(c.pose.rotation.x).normalized();
   const double along = std::abs(d.dot(axis)) - double(c.shape.half.x);
@@ -139,7 +139,7 @@ inline double pointApartOfCylinder(const geom::Convex& c, const V3& at) {
   return std::hypot(along, across);
 }
 
-// Bullet's, of any two shapes: overlap or distance.
+// Returns Bullet's overlap or distance of any two shapes.
 inline BulletContact bulletApart(const geom::Convex& a, const geom::Convex& b) {
   const auto one = bulletShape(a.kind, a.shape), other = bulletShape(b.kind, b.shape);
   const Vec3 at = a.pose.position;

@@ -1,6 +1,6 @@
-// The exact answer for two polytopes, in double precision and from their corners alone: the judge
-// where an outside library and lib/geom differ. Faces and edges are found by brute force, so that
-// no table of lib/ is trusted.
+// The exact answer for two polytopes, in double precision and from their corners alone. It decides
+// if an outside library and lib/geom differ. Faces and edges are found by brute force, so that it
+// trusts no table of lib/.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -15,7 +15,7 @@ using V3 = Eigen::Vector3d;
 
 inline V3 wide(Vec3 v) { return {double(v.x), double(v.y), double(v.z)}; }
 
-// Corners in the world; unit normals of faces and unit directions of edges, each once or twice.
+// Corners in the world, unit normals of faces, and unit directions of edges. Directions may repeat.
 struct Polytope {
   std::vector<V3> points, faces, edges;
 };
@@ -27,8 +27,8 @@ inline void addDirection(std::vector<V3>& known, const V3& n) {
   known.push_back(n);
 }
 
-// Every triple of corners with all others on one side is a face; two corners that share two faces
-// are joined by an edge.
+// A triple of corners is a face if all other corners lie on one side. Two corners that share two
+// faces are joined by an edge.
 inline void findFacesAndEdges(Polytope& p) {
   double size = 0;
   for (const V3& a : p.points) size = std::max(size, (a - p.points[0]).norm());
@@ -92,11 +92,11 @@ inline Polytope moved(Polytope p, const Pose& pose) {
   return p;
 }
 
-// The least translation that parts the two, exact up to rounding of doubles.
+// The minimum translation that separates the two, exact up to rounding of doubles.
 struct Exact {
   double depth = 1e300;  // negative: apart, by at least this much
-  V3 normal;             // moving the second polytope along it parts them
-  double next = 1e300;   // depth along the best axis in quite another direction
+  V3 normal;             // moving the second polytope along it separates them
+  double next = 1e300;   // depth along the best axis in a clearly different direction
 };
 
 class SeparatingAxes {

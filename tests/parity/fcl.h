@@ -25,8 +25,8 @@ struct FclContact {
   V3 normal = V3::Zero();
 };
 
-// FCL prefers faces: it takes an axis between edges only where that is better by one in twenty, so
-// its depth is the least one, or up to 5 % more.
+// FCL prefers faces: it takes an axis between edges only if that is better by 5 %. Its depth is the
+// minimum, or up to 5 % more.
 constexpr double kFclPreference = 1.05;
 
 inline FclContact fclBoxBox(const Pose& pose, Vec3 half, const geom::UprightBox& box) {

@@ -1,5 +1,4 @@
-// A convex hull of points, with the tables that the level's compiler makes of it, and its exact
-// polytope.
+// A convex hull of points, with the tables of the level's compiler and its exact polytope.
 #pragma once
 
 #include "level/hull_tables.h"
@@ -13,7 +12,7 @@ struct TestHull {
   TestHull(const TestHull&) = delete;
   TestHull& operator=(const TestHull&) = delete;
 
-  // Do two faces, or two edges, lie within a third of a degree of each other?
+  // Returns true if two faces, or two edges, are within a third of a degree of each other.
   bool hasNearlyEqual(const Polytope& exact) const {
     return anyClose(exact.faces) || anyClose(exact.edges);
   }

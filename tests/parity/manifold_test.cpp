@@ -1,5 +1,5 @@
-// geom::manifold over random pairs of all kinds: its points lie on both shapes, the deepest is as
-// deep as the separation says, and it does not matter which shape comes first.
+// geom::manifold over random pairs of all kinds. Its points lie on both shapes, the deepest point
+// matches the separation, and the order of the shapes does not matter.
 #include "geom/manifold.h"
 
 #include <gtest/gtest.h>
@@ -23,7 +23,7 @@ float leastGap(const Manifold& m) {
   return least;
 }
 
-// Are both sides of every point on the shapes, or within them?
+// Returns true if both sides of every point lie on or in the shapes.
 bool isOnBoth(const ConvexPair& p, const Manifold& m) {
   bool on = true;
   for (int i = 0; i < m.count; ++i) {
@@ -35,7 +35,7 @@ bool isOnBoth(const ConvexPair& p, const Manifold& m) {
   return on;
 }
 
-// How many of the overlapping pairs of some kinds are not as they should be.
+// Counts faults among overlapping pairs.
 struct Faults {
   int pairs = 0, swapped = 0, deepest = 0, outside = 0, unlike = 0;
 
@@ -44,7 +44,7 @@ struct Faults {
     deepest += absf(leastGap(m) - s.distance) > 3e-3f;
     outside += !isOnBoth(p, m);
     const Separation t = geom::separation(p.b, p.a, kMargin);
-    if (dot(s.normal, t.normal) > -0.999f) return;  // it prefers the first shape
+    if (dot(s.normal, t.normal) > -0.999f) return;  // prefers the first shape
     ++swapped;
     unlike += absf(leastGap(m) - leastGap(geom::manifold(p.b, p.a, t, kMargin))) > 3e-3f;
   }
@@ -63,13 +63,13 @@ struct Faults {
 
 class ManifoldParity : public testing::TestWithParam<ShapeKind> {
  protected:
-  // Of the parameter's kind with each of the kinds in turn.
+  // Pairs the parameter's kind with each of the other kinds in turn.
   Faults faultsWith(const std::vector<ShapeKind>& others) {
     ConvexDice dice(720 + uint64_t(GetParam()));
     Faults faults;
     for (int i = 0; i < 30000; ++i) {
       const ConvexPair p = dice.pair(GetParam(), others[size_t(i) % others.size()]);
-      if (length(p.a.pose.position) > 100) continue;  // points are coarse there
+      if (length(p.a.pose.position) > 100) continue;  // points are imprecise there
       const Separation s = geom::separation(p.a, p.b, kMargin);
       if (s.distance > kMargin) continue;
       const Manifold m = geom::manifold(p.a, p.b, s, kMargin);
@@ -83,9 +83,9 @@ class ManifoldParity : public testing::TestWithParam<ShapeKind> {
   }
 };
 
-// The face that looks at the other shape most may not be the one that is met, and a corner may be
-// beside it: one pair in 200, of hulls one in twelve. A cylinder's cap is an octagon, its side a
-// line, and a rim is at neither: one pair in ten.
+// The face that points most towards the other shape may not be the one in contact, and a corner may
+// be off it. This affects one pair in 200, and one in twelve with hulls. A cylinder's cap is an
+// octagon and its side a line, both without the rim: one pair in ten.
 TEST_P(ManifoldParity, PointsAreOnBothShapesAndTheDeepestIsTheSeparation) {
   const double most = GetParam() == ShapeKind::cylinder ? 0.12
                       : GetParam() == ShapeKind::hull   ? 0.1
@@ -94,14 +94,14 @@ TEST_P(ManifoldParity, PointsAreOnBothShapesAndTheDeepestIsTheSeparation) {
       .expectBelow(most);
 }
 
-TEST_P(ManifoldParity, OfCylindersTheyAreSoButAtRims) {
+TEST_P(ManifoldParity, OfCylindersTheyAreExceptAtRims) {
   faultsWith({ShapeKind::cylinder}).expectBelow(GetParam() == ShapeKind::cylinder ? 0.2 : 0.13);
 }
 
 INSTANTIATE_TEST_SUITE_P(Kinds, ManifoldParity, testing::ValuesIn(kKinds));
 
-// Blocks that lie on each other touch in the corners of what they share.
-TEST(Manifolds, OfRestingBlocksSpanWhatTheyShare) {
+// Stacked blocks touch at the corners of their common area.
+TEST(Manifolds, OfStackedBlocksSpanTheCommonArea) {
   geom::Convex floor{ShapeKind::block, {{50, 1, 50}, nullptr}, {{0, -1, 0}, {}}};
   for (const float aside : {0.0f, 0.7f, -1.5f}) {
     const geom::Convex below{ShapeKind::block, {{2, 1, 3}, nullptr}, {{0, 1, 0}, {}}};

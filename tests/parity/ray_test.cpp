@@ -1,5 +1,5 @@
-// Rays at every shape: whether, where and on which side they hit, as Bullet's convex cast says in
-// double precision.
+// Rays at every shape, compared with Bullet's convex cast in double precision: hit or miss, the
+// distance, and the side.
 #include <gtest/gtest.h>
 
 #include "parity/hull.h"
@@ -18,7 +18,7 @@ struct BulletHit {
   V3 normal = V3::Zero();
 };
 
-// From `from` to `to` in the shape's frame.
+// Casts a ray from `from` to `to`, in the shape's frame.
 BulletHit castByBullet(btConvexShape* shape, Vec3 from, Vec3 to) {
   struct First : btCollisionWorld::RayResultCallback {
     V3 normal = V3::Zero();
@@ -36,7 +36,7 @@ BulletHit castByBullet(btConvexShape* shape, Vec3 from, Vec3 to) {
   return {first.hasHit(), double(first.m_closestHitFraction), first.normal};
 }
 
-// The judge in double precision: the stretch of the line inside the shape.
+// The reference in double precision: the interval of the line inside the shape.
 struct Stretch {
   double enter = -1e300, leave = 1e300;
 
@@ -138,15 +138,15 @@ class RayTally {
  private:
   bool isRound() const { return kind_ == ShapeKind::ball || kind_ == ShapeKind::cylinder; }
 
-  // A curved side solves a quadratic in single precision, whose rounding is that of the squared
-  // distance: small balls from far away, and rays that barely meet the side, are less exact.
+  // A curved side solves a quadratic in single precision, which rounds in proportion to the squared
+  // distance. Small balls from far away, and rays that barely touch the side, are less exact.
   double rounding(const Ray& ray, const Stretch& exact) const {
     if (!isRound()) return 0;
     const double far = double(dot(ray.from, ray.from));
     return std::min(0x1p-20 * far / std::max(exact.chord(), 1e-9), 0x1p-10 * std::sqrt(far));
   }
   bool isGrazing(const Ray& ray, const Stretch& exact) const {
-    if (exact.chord() < -1e200) return isRound();  // beside a curved side
+    if (exact.chord() < -1e200) return isRound();  // outside a curved side
     const double far = double(dot(ray.from, ray.from));
     return std::abs(exact.chord()) < (isRound() ? 0x1p-10 * std::sqrt(far) : kTolerance);
   }
@@ -163,14 +163,14 @@ class RayTally {
 
 class RayParity : public testing::TestWithParam<ShapeKind> {
  protected:
-  // Round shapes with one radius.
+  // A random shape; round ones have a single radius.
   ShapeData shape() {
     ShapeData s{dice_.extents(0.025f, 16), nullptr};
     if (GetParam() == ShapeKind::ball) s.half = {s.half.z, s.half.z, s.half.z};
     if (GetParam() == ShapeKind::cylinder) s.half.y = s.half.z;
     return s;
   }
-  // From up to 20 studs beyond the bounds at a point in or a little beside the shape.
+  // A ray from up to 20 studs beyond the bounds, towards a point in or just outside the shape.
   Ray rayAt(Vec3 half) {
     const Vec3 from = dice_.direction() * (length(half) + dice_.between(0.01f, 20));
     const Vec3 at = mul(half, dice_.vec(1.1f));
@@ -180,7 +180,7 @@ class RayParity : public testing::TestWithParam<ShapeKind> {
     tally.report();
     EXPECT_GT(tally.hits, tally.rays / 5);
     EXPECT_LE(tally.otherSide, tally.rays / 200);  // at edges, and on Bullet's small balls
-    // Bullet's cast takes some rays that pass within 1e-4 studs of an edge for hits.
+    // Bullet's cast counts some rays that pass within 1e-4 studs of an edge as hits.
     EXPECT_LE(tally.referenceWrong, tally.rays / 200);
   }
   PairDice dice_{600 + uint64_t(GetParam())};
@@ -196,11 +196,11 @@ TEST_P(RayParity, HitsWhereBulletHits) {
   expectGood(tally);
 }
 
-// As the floor rays of a player who walks or jumps: from within 4 studs, at a side that is met
-// well.
+// Like the floor rays of a walking or jumping player: from within 4 studs, well inside the
+// silhouette.
 class RoundRayParity : public RayParity {};
 
-TEST_P(RoundRayParity, IsExactNearbyWhereItDoesNotGraze) {
+TEST_P(RoundRayParity, IsExactAtCloseRangeAwayFromTheSilhouette) {
   int hits = 0;
   double worst = 0;
   for (int i = 0; i < 100000; ++i) {
@@ -209,7 +209,7 @@ TEST_P(RoundRayParity, IsExactNearbyWhereItDoesNotGraze) {
     const Ray ray{at - along * (3 * s.half.z + dice_.between(0, 4)), along, 100};
     const Stretch exact = exactStretch(GetParam(), s, {}, wide(ray.from), wide(ray.along));
     if (!exact.hit(double(ray.length)) || exact.chord() < double(s.half.z) * 0.5) continue;
-    if (GetParam() == ShapeKind::cylinder && absf(ray.along.x) > 0.7f) continue;  // along its side
+    if (GetParam() == ShapeKind::cylinder && absf(ray.along.x) > 0.7f) continue;  // along the axis
     RayHit hit{};
     ASSERT_TRUE(geom::visitShape(GetParam(), [&](auto shape) {
       return decltype(shape)::castRay(s, ray.from, ray.along, ray.length, hit);

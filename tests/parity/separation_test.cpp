@@ -1,6 +1,6 @@
-// geom::separation over all pairs of kinds, against exact separating axes where both are polytopes,
+// geom::separation over all pairs of kinds. The references are exact separating axes for polytopes,
 // exact distances of a ball's centre, and Bullet's GJK and EPA for cylinders. It prefers faces by
-// up to kPreference, so it may answer that much too deep, and never too little.
+// up to kPreference, so that it may be that much too deep, but never too shallow.
 #include <gtest/gtest.h>
 
 #include "parity/convex_pairs.h"
@@ -14,12 +14,13 @@ using geom::ShapeKind;
 constexpr float kSeparationMargin = 0.5f;
 constexpr double kDeeper = double(geom::internal::kPreference) + kTolerance;
 
-// Apart by corners or edges, the answer is a lower bound of the distance.
+// If corners or edges are closest, the answer is a lower bound of the distance.
 struct Found {
   int pairs = 0, overlapping = 0, apart = 0, deeperThanPreferred = 0;
   double deeper = 0, shallower = 0, early = 0;  // studs
 
-  // `exact`: signed distance; the least translation that parts them where they overlap.
+  // `exact` is the signed distance; for overlaps, minus the minimum translation that separates the
+  // two.
   void compare(const ConvexPair& p, const Separation& s, double exact, double mostDeeper,
                double mostEarly) {
     ++pairs;
@@ -50,7 +51,7 @@ struct Found {
 constexpr ShapeKind kPolytopes[] = {ShapeKind::block, ShapeKind::wedge, ShapeKind::cornerWedge,
                                     ShapeKind::hull};
 
-// What a and b overlap by along a unit vector, in double precision.
+// Returns the overlap of a and b along a unit vector, in double precision.
 double overlapAlong(const Polytope& a, const Polytope& b, const V3& n) {
   double most = -1e300, least = 1e300;
   for (const V3& q : a.points) most = std::max(most, n.dot(q));
@@ -58,7 +59,7 @@ double overlapAlong(const Polytope& a, const Polytope& b, const V3& n) {
   return most - least;
 }
 
-TEST(SeparationParity, OfPolytopesIsThatOfAllTheirAxes) {
+TEST(SeparationParity, OfPolytopesEqualsThatOfAllTheirAxes) {
   ConvexDice dice(700);
   Found found;
   int normals = 0;
@@ -67,9 +68,9 @@ TEST(SeparationParity, OfPolytopesIsThatOfAllTheirAxes) {
     const Separation s = geom::separation(p.a, p.b, kSeparationMargin);
     const Polytope a = polytopeOf(p.a, p.localA), b = polytopeOf(p.b, p.localB);
     const Exact exact = exactPenetration(a, b);
-    // Where edges are parallel the exact axes are a lower bound of any size.
+    // With parallel edges, the exact axes are an arbitrarily loose lower bound.
     if (exact.depth < 0) continue;
-    // The compiler's tables take edges of a hull that are nearly the same way as one.
+    // The compiler's tables merge nearly parallel edges of a hull.
     found.compare(p, s, -exact.depth, 5e-3, kDeeper);
     const std::string pair = describe(p.a) + "\n" + describe(p.b);
     ASSERT_NEAR(overlapAlong(a, b, wide(s.normal)), double(-s.distance), kTolerance) << pair;
@@ -84,9 +85,9 @@ TEST(SeparationParity, OfPolytopesIsThatOfAllTheirAxes) {
   EXPECT_LT(found.deeperThanPreferred, found.pairs / 10000);
 }
 
-// What is said of polytopes that are apart is no more than Bullet's distance, and seldom far less:
-// corner to corner, where there is no axis for the pair.
-TEST(SeparationParity, OfPolytopesThatAreApartIsNoMoreThanTheirDistance) {
+// For separated polytopes the answer is at most Bullet's distance. It is seldom far less: the case
+// of corner to corner, which has no axis.
+TEST(SeparationParity, OfSeparatedPolytopesIsAtMostTheirDistance) {
   ConvexDice dice(703);
   Found found;
   int referenceWrong = 0, half = 0;
@@ -96,7 +97,7 @@ TEST(SeparationParity, OfPolytopesThatAreApartIsNoMoreThanTheirDistance) {
     const BulletContact bullet = bulletApart(p.a, p.b);
     if (bullet.overlap || bullet.depth > -kTolerance) continue;
     if (double(s.distance) > -bullet.depth + kTolerance) {
-      // The axis that we name is proof.
+      // The axis of our answer proves it.
       const Polytope a = polytopeOf(p.a, p.localA), b = polytopeOf(p.b, p.localB);
       ASSERT_LT(overlapAlong(a, b, wide(s.normal)), bullet.depth) << describe(p.a);
       ++referenceWrong;
@@ -112,7 +113,7 @@ TEST(SeparationParity, OfPolytopesThatAreApartIsNoMoreThanTheirDistance) {
   EXPECT_LT(half, found.apart / 25);
 }
 
-TEST(SeparationParity, OfABallAndAPolytopeIsTheDistanceOfItsCentre) {
+TEST(SeparationParity, OfABallAndAPolytopeFollowsTheCentre) {
   ConvexDice dice(701);
   Found found;
   for (int i = 0; i < 140000 && !HasFatalFailure(); ++i) {
@@ -120,7 +121,7 @@ TEST(SeparationParity, OfABallAndAPolytopeIsTheDistanceOfItsCentre) {
     const double exact = pointApart(polytopeOf(p.b, p.localB), wide(p.a.pose.position)) -
                          double(geom::Ball::radius(p.a.shape));
     if (i / 4 % 2) std::swap(p.a, p.b);
-    // Beside shapes of 50 studs the way to the centre is less exact.
+    // Near shapes of 50 studs the direction to the centre is less exact.
     found.compare(p, geom::separation(p.a, p.b, kSeparationMargin), exact, 4e-3, 1e-2);
   }
   found.report();
@@ -128,7 +129,7 @@ TEST(SeparationParity, OfABallAndAPolytopeIsTheDistanceOfItsCentre) {
   EXPECT_LT(found.deeperThanPreferred, found.pairs / 500);
 }
 
-TEST(SeparationParity, OfABallAndARoundShapeIsTheDistanceOfItsCentre) {
+TEST(SeparationParity, OfABallAndARoundShapeFollowsTheCentre) {
   ConvexDice dice(702);
   Found found;
   for (int i = 0; i < 80000 && !HasFatalFailure(); ++i) {
@@ -147,9 +148,9 @@ TEST(SeparationParity, OfABallAndARoundShapeIsTheDistanceOfItsCentre) {
   EXPECT_LT(found.deeperThanPreferred, found.pairs / 1000);
 }
 
-// A rim at an angle that meets an edge, a corner or another rim has no axis of its own, but that
-// from a smaller cylinder: contact is up to a tenth of a stud early, and in one overlap of ten,
-// deep ones, the answer is too deep.
+// A tilted rim that meets an edge, a corner or another rim has no axis of its own, only that of a
+// smaller cylinder. Contact comes up to a tenth of a stud early. In one overlap of ten, a deep one,
+// the answer is too deep.
 TEST(SeparationParity, OfACylinderIsTooDeepOnlyAtRims) {
   ConvexDice dice(704);
   Found found;
@@ -162,8 +163,7 @@ TEST(SeparationParity, OfACylinderIsTooDeepOnlyAtRims) {
     const Separation s = geom::separation(p.a, p.b, kSeparationMargin);
     const double bullet = -bulletApart(p.a, p.b).depth;
     if (double(s.distance) > bullet + kTolerance) {
-      // EPA has not come to an end, or GJK: moved by what we say, they are apart for Bullet as
-      // well.
+      // EPA or GJK has not converged: moved by our answer, the two are apart for Bullet, too.
       ConvexPair out = p;
       out.b.pose.position += s.normal * (float(kTolerance) - s.distance);
       EXPECT_LE(bulletApart(out.a, out.b).depth, 2 * kTolerance) << describe(p.a);

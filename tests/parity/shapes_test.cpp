@@ -1,7 +1,7 @@
-// The player's box against every shape that is no block. The ball is held against FCL's closed
-// form, the others against Bullet's GJK and EPA; for polytopes the exact separating axes (exact.h)
-// decide where Bullet differs. What lib/geom is known to answer too deep is bounded here by what
-// was measured: rims of lying cylinders, and hulls with more edges than are tested.
+// The player's box against every shape except blocks. The reference is FCL's closed form for balls,
+// and Bullet's GJK and EPA for the others. For polytopes the exact separating axes (exact.h) decide
+// if Bullet differs. The known excess depths of lib/geom are bounded by measured values: at rims of
+// lying cylinders, and for hulls with more edges than are tested.
 #include <gtest/gtest.h>
 
 #include "parity/fcl.h"
@@ -21,7 +21,7 @@ BulletContact bullets(const Pair& p) { return BulletPair(p.kind, p.shape, p.pose
 
 class PolytopeParity : public testing::TestWithParam<ShapeKind> {};
 
-TEST_P(PolytopeParity, DepthAndNormalAreTheLeastThatPart) {
+TEST_P(PolytopeParity, DepthAndNormalAreTheMinimumThatSeparates) {
   PairDice dice(520 + uint64_t(GetParam()));
   Tally tally;
   for (int i = 0; i < 200000; ++i) {
@@ -58,8 +58,8 @@ TEST(BallParity, IsAsDeepAsFclSays) {
     ASSERT_TRUE(f.overlap && depth >= 0) << describe(p);
     ++overlapping;
     worst = std::max(worst, std::abs(depth - f.depth));
-    // Near the box's surface the centre gives no direction in single precision, and inside the box
-    // faces can be as near as each other.
+    // Near the box's surface the centre gives no direction in single precision. Inside the box two
+    // faces can be equally near.
     const V3 local = wide(toLocal(p.box.axes(), p.pose.position - p.box.center));
     const V3 beyond = local.cwiseAbs() - wide(p.box.half);
     if (beyond.cwiseMax(0).norm() < 0.2) continue;
@@ -70,7 +70,8 @@ TEST(BallParity, IsAsDeepAsFclSays) {
   EXPECT_GT(overlapping, 100000);
 }
 
-// What a shape without all its axes answers: never too little, and too much by no more than this.
+// The errors of a shape with incomplete axes: its depth is never too small, and too large by at
+// most this.
 struct Excess {
   int overlapping = 0, over = 0, early = 0, referenceWrong = 0;
   double deepest = 0, earliest = 0;  // studs
@@ -92,7 +93,8 @@ struct Excess {
       deepest = std::max(deepest, depth - b.depth);
       return;
     }
-    // Too little, or Bullet too much: then the box moved out by our depth is apart for it as well.
+    // Either our depth is too small, or Bullet's too large. In the latter case, moving the box out
+    // by our depth separates them for Bullet, too.
     Pair out = p;
     out.box.center += c.normal * (maxf(c.depth, 0) + float(kTolerance));
     const BulletContact after = bullets(out);
@@ -116,7 +118,7 @@ Pair cylinderPair(PairDice& dice, const Mat3& rotation) {
   return dice.around(ShapeKind::cylinder, shape, rotation);
 }
 
-// Pillars and discs: the player meets their side and their caps, never a rim at an angle.
+// Pillars and discs: the player touches their side and their caps, never a tilted rim.
 TEST(CylinderParity, StandingUpItIsExact) {
   PairDice dice(540);
   Excess excess;
@@ -128,14 +130,14 @@ TEST(CylinderParity, StandingUpItIsExact) {
   excess.report();
   EXPECT_GT(excess.overlapping, 50000);
   EXPECT_EQ(excess.early, 0);
-  EXPECT_LE(excess.over, 10);  // where EPA has not come to an end on the curved side
+  EXPECT_LE(excess.over, 10);  // EPA has not converged on the curved side
   EXPECT_LT(excess.deepest, 0.02);
 }
 
-// Any way: where a rim meets an edge or corner of the body there is no axis for the pair. Contact
-// is then up to 0.17 studs early, and one overlap in ten is too deep: few by more than 0.3 studs, a
-// body well inside the rim of a wide disc by up to 1.13.
-TEST(CylinderParity, TurnedAnyWayItIsTooDeepOnlyAtRims) {
+// If a rim of a tilted cylinder meets an edge or corner of the body, the pair has no axis. Contact
+// then comes up to 0.17 studs early, and one overlap in ten is too deep. Few exceed 0.3 studs. A
+// body well inside the rim of a wide disc reaches 1.13.
+TEST(CylinderParity, AtAnyRotationItIsTooDeepOnlyAtRims) {
   PairDice dice(541);
   Excess excess;
   for (int i = 0; i < 100000; ++i) {
@@ -147,10 +149,10 @@ TEST(CylinderParity, TurnedAnyWayItIsTooDeepOnlyAtRims) {
   EXPECT_LT(excess.earliest, 0.25);
   EXPECT_LT(excess.deepest, 1.3);
   EXPECT_LT(excess.over, excess.overlapping / 8);
-  EXPECT_GT(excess.over, 0);  // else there is such an axis now: say so here and in physics.md
+  EXPECT_GT(excess.over, 0);  // if this fails, such an axis exists now: update physics.md
 }
 
-// Hulls whose tables are complete: up to 32 edges, no two faces or edges nearly the same way.
+// Hulls with complete tables: up to 32 edges, without nearly parallel faces or edges.
 TEST(HullParity, WithAllItsEdgesItIsExact) {
   PairDice dice(550);
   Tally tally;
@@ -181,8 +183,8 @@ TEST(HullParity, WithAllItsEdgesItIsExact) {
   EXPECT_LE(tally.referenceWrong, tally.pairs / 200);
 }
 
-// More than 32 edge directions: faces alone, so that edges of the body meet a hull with sharper
-// corners than it has.
+// Above 32 edge directions only faces are tested, so that edges of the body meet a hull with
+// sharper corners than it has.
 TEST(HullParity, RoundHullsAreTooDeepOnlyAtEdges) {
   PairDice dice(551);
   Excess excess;
@@ -199,12 +201,13 @@ TEST(HullParity, RoundHullsAreTooDeepOnlyAtEdges) {
   }
   excess.report();
   EXPECT_GT(excess.overlapping, 10000);
-  EXPECT_LT(excess.earliest, 0.6);  // of a hull 4 studs across
+  EXPECT_LT(excess.earliest, 0.6);  // for a hull 4 studs across
   EXPECT_LT(excess.deepest, 0.6);
 }
 
-// Two faces of this hull are within a quarter degree of each other and yet apart: taken as one,
-// three of its 9 edges would be lost, and a body beside it pushed out by up to 0.4 studs too much.
+// Two faces of this hull are distinct but within a quarter degree of each other. If they were
+// merged, three of its 9 edges would be lost, and a body would be pushed out up to 0.4 studs too
+// far.
 TEST(HullParity, NearlyCoplanarFacesKeepTheirEdges) {
   const TestHull h({{1.46f, 1.22f, -1.46f},
                     {-1.53f, -1.11f, 1.48f},

@@ -1,4 +1,4 @@
-// Jumps in the air: so many between two floors, each for a key that is pressed anew.
+// Air jumps: a limited number between two floors, each for a new press of the key.
 #include <gtest/gtest.h>
 
 #include "level/params.h"
@@ -14,7 +14,7 @@ level::Level levelWith(int jumps) {
   return flatLevel([=](auto p) { p.setAirJumps(uint16_t(jumps)); });
 }
 
-// Presses jump for a tick every `every` ticks, `times` times.
+// Presses the jump key for one tick every `every` ticks, `times` times.
 Play& hop(Play& play, int times, int every = 16) {
   for (int i = 0; i < times; ++i) play.run(stand(true)).run(stand(), every - 1);
   return play;
@@ -25,7 +25,7 @@ float riseOf(const level::Level& level) {
   return riseOfLaunch(p, p.gravity, p.jumpSpeed);
 }
 
-TEST(AirJump, StartsAnewFromWhereThePlayerIs) {
+TEST(AirJump, StartsFromTheCurrentHeight) {
   const auto level = levelWith(1);
   Play play(level);
   hop(play.settle(), 1);
@@ -38,7 +38,7 @@ TEST(AirJump, StartsAnewFromWhereThePlayerIs) {
   EXPECT_NEAR(play.highest(), height + riseOf(level), 0.1f);
 }
 
-TEST(AirJump, AreSoManyBetweenTwoFloors) {
+TEST(AirJump, AreLimitedBetweenTwoFloors) {
   for (const int many : {0, 1, 3}) {
     const auto level = levelWith(many);
     Play play(level);
@@ -50,7 +50,7 @@ TEST(AirJump, AreSoManyBetweenTwoFloors) {
   }
 }
 
-TEST(AirJump, AHeldKeyMakesNone) {
+TEST(AirJump, AHeldKeyDoesNotRepeatThem) {
   const auto level = levelWith(1);
   Play play(level);
   play.settle().run(stand(true), 30);
@@ -59,7 +59,7 @@ TEST(AirJump, AHeldKeyMakesNone) {
   EXPECT_EQ(play.world.jumps, 2);
 }
 
-TEST(AirJump, AWalkOffAnEdgeLeavesThemToo) {
+TEST(AirJump, AWalkOffAnEdgeAllowsThemToo) {
   const auto level = support::LevelBuilder()
                          .block({0, -1, 0}, {8, 2, 8})
                          .physics([](auto p) { p.setAirJumps(1); })
@@ -73,14 +73,14 @@ TEST(AirJump, AWalkOffAnEdgeLeavesThemToo) {
   EXPECT_EQ(play.world.jumps, 1);
 }
 
-TEST(AirJump, OfAnyNumberNeverEnd) {
+TEST(AirJump, CanBeUnlimited) {
   const auto level = levelWith(kAnyAirJumps);
   Play play(level);
   hop(play.settle(), 150, 10);
   EXPECT_GT(play.world.position.y, 500);
 }
 
-TEST(AirJump, UnderABoostAreAsFastAsItsJumps) {
+TEST(AirJump, UnderABoostHaveTheBoostsSpeed) {
   const auto level = support::LevelBuilder()
                          .block({0, -1, 0}, {200, 2, 200},
                                 [](auto p) {

@@ -1,4 +1,4 @@
-// What reaching a solid part means, and what feet touch.
+// The rules for reaching a solid part, and the contacts of the feet.
 #include <gtest/gtest.h>
 
 #include "sim/play.h"
@@ -9,7 +9,7 @@ namespace {
 
 using sim::State;
 
-// A pad to reach: its top is 10 studs up, its near side at z = -10.
+// A level with a pad to reach: its top is 10 studs up, its near side at z = -10.
 level::Level withPad() {
   return support::LevelBuilder()
       .block({0, -1, 0}, {200, 2, 200})
@@ -17,7 +17,7 @@ level::Level withPad() {
       .compile();
 }
 
-// The pad as a goal that is to be reached so.
+// A query whose goal is the pad, with this arrival rule.
 level::Query queryOf(const level::Level& level, schema::Arrive arrive) {
   capnp::MallocMessageBuilder message;
   auto record = message.initRoot<schema::Query>();
@@ -83,7 +83,7 @@ TEST(Arrive, StandingAtItsFootIsNotStandingOnIt) {
   EXPECT_TRUE(reachesPad(top.settle(), q));
 }
 
-// A column of limbs misses the floor by the margin, and the feet stand on it all the same.
+// The box of the limbs ends above the floor by a margin, yet standing on a floor touches it.
 TEST(Feet, TouchTheFloorThatHoldsThem) {
   const auto kill = [](schema::Part::Builder p) { p.initKill(); };
   const auto level = support::LevelBuilder().block({0, -1, 0}, {20, 2, 20}, kill).compile();

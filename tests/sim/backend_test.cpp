@@ -1,4 +1,4 @@
-// Which machine simulates, and what is said where the wanted one is not there.
+// The choice of the backend, and the messages if the requested one is missing.
 #include "sim/backend.h"
 
 #include <gmock/gmock.h>
@@ -26,7 +26,8 @@ TEST(Backend, the_cpu_is_always_there) {
   EXPECT_EQ(backend->note(), "simulating on the CPU");
 }
 
-// Whatever keeps CUDA away, `cuda` says so and `auto` goes on with the same words as a note.
+// If CUDA is missing for any reason, `cuda` reports it. `auto` continues, with the same words as a
+// note.
 TEST(Backend, without_a_gpu_cuda_is_an_error_and_auto_takes_the_cpu) {
   const auto wanted = Backend::open(BackendKind::cuda);
   const auto either = Backend::open(BackendKind::automatic);

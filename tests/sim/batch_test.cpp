@@ -1,4 +1,5 @@
-// Batches: of one level and of many, on lanes and by the kernel, however they are cut into steps.
+// Batches of one or many levels give the same worlds on lanes and by the kernel, in steps of any
+// length.
 #include "sim/batch.h"
 
 #include <gtest/gtest.h>
@@ -18,7 +19,7 @@
 namespace obby::sim {
 namespace {
 
-constexpr uint32_t kRuled = 600;  // enough that every rule ends some
+constexpr uint32_t kRuled = 600;  // enough for every rule to end some worlds
 constexpr uint32_t kWorlds = 90;
 
 std::vector<uint64_t> hashesOf(const Batch& batch) {
@@ -28,8 +29,8 @@ std::vector<uint64_t> hashesOf(const Batch& batch) {
   return hashes;
 }
 
-// What world `index` of `worlds` becomes on its own, by the scalar tick.
-// Gives the digest of it and its loose bodies.
+// Simulates world `index` alone, by the scalar tick. Returns the hash of the world and its loose
+// bodies.
 uint64_t alone(const Course& course, uint32_t index, uint32_t ticks, uint64_t seed) {
   const auto levelOf = [&](uint32_t episode) {
     return (index + size_t(episode) * kWorlds) % course.levels.size();
@@ -49,7 +50,7 @@ uint64_t alone(const Course& course, uint32_t index, uint32_t ticks, uint64_t se
   return stateHash(w, loose);
 }
 
-TEST(Batch, worlds_of_many_levels_go_as_they_would_alone) {
+TEST(Batch, worlds_of_many_levels_equal_worlds_alone) {
   const support::Levels many = support::everyKind();
   ThreadPool pool(3);
   HostDevice device(pool);
@@ -73,7 +74,7 @@ TEST(Batch, worlds_of_many_levels_go_as_they_would_alone) {
   EXPECT_GE(most, 3u);
 }
 
-// Every rule ends some playthroughs, and lanes, kernels and single worlds agree which.
+// Every rule ends some worlds. Lanes, kernels and single worlds agree on which.
 TEST(Batch, rules_are_the_same_in_lanes_and_on_kernels) {
   support::Levels many = support::everyKind();
   support::addRules(many);
@@ -94,7 +95,7 @@ TEST(Batch, rules_are_the_same_in_lanes_and_on_kernels) {
   }
 }
 
-TEST(Batch, how_ticks_are_cut_into_steps_does_not_show) {
+TEST(Batch, the_length_of_steps_does_not_matter) {
   const support::Levels many = support::everyKind();
   ThreadPool pool(2);
   HostDevice device(pool);
@@ -140,8 +141,8 @@ TEST(Batch, ended_worlds_wait_unless_the_course_restarts) {
   EXPECT_EQ(hashesOf(*lanes), hashesOf(*kernel));
 }
 
-// The same play said in three ways.
-TEST(Batch, walker_table_and_plans_say_the_same) {
+// The same play as a walker, as a table, and as plans.
+TEST(Batch, walker_table_and_plans_are_equivalent) {
   const level::Level level = support::boxArena(20, 1).compile();
   const Course course = courseOf(level.view(), level.spawns()[0]);
   constexpr uint32_t kTicks = 100, kSome = 20;
@@ -206,7 +207,7 @@ TEST(Batch, wrong_actions_and_courses_are_errors) {
             "the queue names level 1, but there are 1 levels");
 }
 
-// The device has everything: the level is gone, and what it freed is poisoned.
+// The device holds a full copy: the level is freed and its memory overwritten.
 TEST(KernelBatch, needs_nothing_of_the_level_after_the_upload) {
   mallopt(M_PERTURB, 0x5a);
   ThreadPool pool(1);

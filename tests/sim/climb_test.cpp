@@ -13,7 +13,7 @@ using sim::State;
 using support::LevelBuilder;
 
 constexpr Turns kSouth = 0x8000;  // +Z
-constexpr float kFace = -4;       // of the trusses below, whose near face looks to +Z
+constexpr float kFace = -4;       // of the trusses below, on their +Z side
 constexpr float kClimb = 0.7f * 16;
 
 void asTruss(Part::Builder p) { p.setShape(schema::Shape::TRUSS); }
@@ -36,7 +36,7 @@ int entries(const Play& play) {
   return count;
 }
 
-// A climber some studs above the floor.
+// Lets the player climb to `height` studs.
 void hang(Play& play, float height = 10) {
   play.settle();
   const auto there = [&](const sim::World& w) { return climbs(w) && w.position.y > height; };
@@ -102,7 +102,7 @@ TEST(Climb, turns_the_player_to_the_face) {
   EXPECT_GT(play.world.position.y, 6);
 }
 
-// The walk forward goes on over the edge: no fall back, no second grip, no leap.
+// The forward key alone leads over the edge: no fall back, no second grip, no jump.
 TEST(Climb, of_20_studs_ends_standing_on_top_by_holding_forward_only) {
   for (const float speed : {4.0f, 10.0f, 16.0f, 20.0f}) {
     for (const float top : {3.0f, 6.0f, 20.0f, 20.3f, 20.6f}) {
@@ -121,7 +121,7 @@ TEST(Climb, of_20_studs_ends_standing_on_top_by_holding_forward_only) {
   }
 }
 
-TEST(Climb, past_the_top_leads_onto_what_is_behind) {
+TEST(Climb, past_the_top_leads_onto_the_floor_beyond) {
   const auto level = tower(20).block({0, 19, kFace - 10}, {16, 2, 16}).compile();
   Play play(level);
   play.settle();
@@ -145,7 +145,7 @@ TEST(Climb, jump_leaves_the_truss_and_counts_once) {
   EXPECT_GT(play.world.position.z, kFace + 6);
 }
 
-// A gain of 150/s: what is left of the difference after a step is 1 - 150 / 240 of it.
+// The gain is 150/s, so that each step leaves 1 - 150 / 240 of the difference in velocity.
 TEST(Climb, grips_a_falling_player_within_a_few_steps) {
   const auto level = tower(60).compile();
   Play falls(level, {0, 40, kFace + 1});
@@ -155,7 +155,7 @@ TEST(Climb, grips_a_falling_player_within_a_few_steps) {
   EXPECT_NEAR(falls.world.velocity.y - kClimb, (before - kClimb) * std::pow(0.375f, 4), 0.01f);
 }
 
-// From a floor the key that leads to the truss grips it on the way up, however fast.
+// The key towards the truss grips it even during the fast rise of a jump from the floor.
 TEST(Climb, grips_while_rising) {
   const auto level = tower(60).compile();
   Play play(level, {0, 0, kFace + 2});
@@ -270,7 +270,7 @@ TEST(Climb, a_floor_of_trusses_is_walked_and_landed_on) {
   EXPECT_GE(play.world.jumps, 2);
 }
 
-// Rungs 0.3 thick with `gap` studs of air between, up to 20 studs, before a wall with a floor on
+// Rungs 0.3 thick with `gap` studs between them, up to 20 studs, in front of a wall with a floor on
 // top.
 level::Level ladder(float gap, bool climbable) {
   LevelBuilder b;

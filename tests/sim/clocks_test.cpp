@@ -1,4 +1,4 @@
-// What touches start: buttons and the parts that respond, boosts, heals, and the limit of
+// Effects that touches start: buttons and the parts that respond, boosts, heals, and the limit of
 // clocks that run at once.
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@ using schema::Part;
 using sim::World;
 using support::LevelBuilder;
 
-// A plate to step on at z = -6.
+// Adds a plate at z = -6 that is a button.
 LevelBuilder& withButton(LevelBuilder& b, float seconds, bool restarts = false) {
   return b.block({0, 0.1f, -6}, {4, 0.2f, 2}, [=](Part::Builder p) {
     auto button = p.initButton();
@@ -30,7 +30,7 @@ void respond(Part::Builder p, float delay = 0, bool inverted = false) {
   vanish.setInverted(inverted);
 }
 
-// A wall across at z = -20 that the button opens.
+// A level with a wall across at z = -20, which the button opens.
 LevelBuilder doorLevel(float seconds) {
   LevelBuilder b = floorLevel();
   withButton(b, seconds);
@@ -51,7 +51,7 @@ TEST(Button, OpensADoorForItsTime) {
 
 TEST(Button, LeavesTheDoorClosedUntilItIsTouched) {
   const auto level = doorLevel(3).compile();
-  Play play(level, {20, 0, 0});  // passes beside the button
+  Play play(level, {20, 0, 0});  // passes next to the button
   play.settle().run(walk(kNorth), 200);
   EXPECT_GT(play.world.position.z, -20);
   EXPECT_EQ(play.world.clockCount, 0);
@@ -70,7 +70,7 @@ TEST(Button, ClosesAnInvertedPartForItsTime) {
   EXPECT_LT(beside.world.position.z, -22) << "away otherwise";
 }
 
-TEST(Button, RunsOnFromTheFirstTouchOrFromTheLastAsItSays) {
+TEST(Button, CountsFromTheFirstOrTheLastTouch) {
   const auto ticksOpen = [](bool restarts) {
     LevelBuilder b = floorLevel();
     withButton(b, 1, restarts);
@@ -120,7 +120,7 @@ TEST(Boost, WithoutSecondsLastsWhileThePartIsTouched) {
   EXPECT_NEAR(beside.highest(), 53 * 53 / (2 * 196.2f), 0.3f);
 }
 
-TEST(Boost, ForeverLastsAndTheOneTouchedLastCounts) {
+TEST(Boost, ForeverLastsAndTheLastTouchedCounts) {
   LevelBuilder b = boostLevel([](auto boost) { boost.setWalkSpeed(2), boost.setForever(true); });
   b.block({0, 0.1f, -30}, {4, 0.2f, 4}, [](Part::Builder p) {
     p.initBoost().setWalkSpeed(0.5f);
@@ -136,7 +136,7 @@ TEST(Boost, ForeverLastsAndTheOneTouchedLastCounts) {
   EXPECT_EQ(play.world.clockCount, 2);
 }
 
-TEST(Boost, EqualOnesShareAClock) {
+TEST(Boost, EqualBoostsShareAClock) {
   LevelBuilder b = floorLevel();
   for (int i = 0; i < 12; ++i) {
     b.block({0, 0.1f, -6 - 4 * float(i)}, {4, 0.2f, 2}, [](Part::Builder p) {
@@ -171,7 +171,7 @@ TEST(Heal, GivesHealthBackUpToTheFullAndOnceACooldown) {
   EXPECT_EQ(healed(-10, 0, 90), 100);
 }
 
-TEST(Clocks, MoreThanAWorldRemembersAreNotedAndDoNothing) {
+TEST(Clocks, BeyondTheLimitAreReportedAndIgnored) {
   LevelBuilder b;
   for (int i = 0; i < 10; ++i) {
     b.block({0.2f * float(i) - 1, -1, 0}, {0.2f, 2, 8},

@@ -1,4 +1,4 @@
-// Belts that lead up, and belts that turn where their part goes.
+// Conveyors that lead up, and conveyors that turn about the place that their part has moved to.
 #include <gtest/gtest.h>
 
 #include "sim/play.h"
@@ -9,8 +9,8 @@ namespace {
 using schema::Part;
 using support::LevelBuilder;
 
-// At each of these heights the feet are exactly on the floor as it begins to lift them.
-TEST(Conveyor, that_goes_up_makes_nobody_faster_than_it_is) {
+// At each of these heights the feet rest exactly on the floor when it begins to lift them.
+TEST(Conveyor, that_leads_up_never_exceeds_its_own_speed) {
   constexpr float kSpeed = 8;
   for (const float height : {0.0f, 1.0f, 10.0f, 100.0f, 1000.0f}) {
     const auto level = LevelBuilder()
@@ -28,9 +28,9 @@ TEST(Conveyor, that_goes_up_makes_nobody_faster_than_it_is) {
   }
 }
 
-// 12 studs beside its middle, which stays at the only key of its motion or goes from there at 6
-// studs/s, far from where the part would be without a motion.
-TEST(Conveyor, that_turns_turns_about_where_its_part_is) {
+// The player stands 12 studs from the middle. The middle stays at the motion's only key, or moves
+// from there at 6 studs/s, far from the part's own position.
+TEST(Conveyor, that_turns_does_so_about_its_moved_part) {
   constexpr float kTurn = 2;  // rad/s
   for (const uint32_t keyCount : {1u, 2u}) {
     const auto level = LevelBuilder()
@@ -54,8 +54,9 @@ TEST(Conveyor, that_turns_turns_about_where_its_part_is) {
   }
 }
 
-// A box 6 studs east of its middle goes north, and in a second round it by a radian.
-TEST(Conveyor, that_turns_takes_loose_parts_round_where_it_is) {
+// A box 6 studs east of the middle is carried around it, first northwards, by a radian in one
+// second.
+TEST(Conveyor, that_turns_carries_dynamic_parts_about_its_moved_part) {
   const auto level =
       LevelBuilder()
           .block({0, -1, 0}, {60, 2, 60},

@@ -1,5 +1,5 @@
-// The real engine's laws, each with its measured number (docs/physics.md). Rate 240: a tick is one
-// physics step.
+// Laws of the real engine with their measured numbers (docs/physics.md). At rate 240 one tick is
+// one physics step.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -31,7 +31,8 @@ TEST(EngineLaws, StepsAreSemiImplicit) {
   const auto level = byTheStep();
   Play play(level, {0, 100, 0});
   play.run(stand(), 96);
-  // v += a dt before x += v dt: a step's fall later than the parabola.
+  // Integration does v += a dt before x += v dt, so that the fall leads the parabola by half a
+  // step.
   EXPECT_NEAR(play.world.position.y, 100 - kGravity * kStep * kStep * 96 * 97 / 2, 1e-3f);
   EXPECT_NEAR(play.world.velocity.y, -kGravity * kStep * 96, 1e-3f);
 }
@@ -66,7 +67,7 @@ TEST(EngineLaws, TheLaunchStepIsFreeOfGravity) {
   EXPECT_NEAR(play.world.position.y, 53 * kStep, 1e-4f);
   play.run(stand(), 1);
   EXPECT_NEAR(play.world.velocity.y, 53 - kGravity * kStep, 1e-4f);
-  // The same in ticks of four steps.
+  // Repeats this with ticks of four steps.
   const auto coarse = flatLevel();
   Play four(coarse);
   four.settle().run(stand(true), 1);
@@ -131,8 +132,8 @@ TEST(EngineLaws, RunningTurnsToFreefall28StepsAfterTheFloor) {
   EXPECT_NEAR(play.world.velocity.y, -kGravity * kStep * 28, 1e-3f) << "falls from the edge on";
 }
 
-// The depth depends on where in a step the feet pass their rest height: the mean over such steps.
-TEST(EngineLaws, TheLegsDipAndAreLevelAfter0_2Seconds) {
+// The depth depends on when in a step the feet pass their rest height. The test takes the mean.
+TEST(EngineLaws, TheLegsDipAndRecoverIn0_2Seconds) {
   struct Case {
     float height, speed, from, to;
   };
@@ -183,7 +184,7 @@ TEST(EngineLaws, LandedLastsTwelveStepsThenATickOfRunningThenAHeldJump) {
   }
 }
 
-// Speed after one step from rest on a floor of some friction and weight.
+// Returns the speed after one step from rest on a floor of this friction and weight.
 float firstStep(float friction, float weight = 1) {
   const auto level = support::LevelBuilder()
                          .block({0, -1, 0}, {400, 2, 400},

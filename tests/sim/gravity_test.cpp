@@ -1,4 +1,4 @@
-// Gravity that a touch changes: of the player alone, for as long as its boost.
+// Gravity that a touch changes: for the player alone, and only while the boost lasts.
 #include <gtest/gtest.h>
 
 #include "level/params.h"
@@ -11,7 +11,7 @@ using schema::Part;
 using sim::World;
 using support::LevelBuilder;
 
-// All of the floor is the boost.
+// A level whose whole floor is the boost.
 LevelBuilder boostFloor(const std::function<void(schema::Boost::Builder)>& setter) {
   return LevelBuilder().block({0, -1, 0}, {200, 2, 200},
                               [=](Part::Builder p) { setter(p.initBoost()); });
@@ -44,7 +44,7 @@ TEST(BoostedGravity, EndsWithItsBoostInTheAir) {
   EXPECT_LT(play.highest(), apexUnder(196.2f * 0.25f) - 5);
 }
 
-TEST(BoostedGravity, MoreOfItMakesJumpsLow) {
+TEST(BoostedGravity, HighGravityMakesJumpsLow) {
   const auto level = boostFloor([](auto b) { b.setGravity(4), b.setForever(true); }).compile();
   Play play(level);
   play.settle().run(stand(true)).run(stand(), 120);
@@ -52,7 +52,7 @@ TEST(BoostedGravity, MoreOfItMakesJumpsLow) {
   EXPECT_NEAR(play.world.position.y, 0, 0.01f);
 }
 
-TEST(BoostedGravity, OfNoneAPlayerStandsAndAJumpNeverEnds) {
+TEST(BoostedGravity, AtZeroAPlayerStandsAndAJumpNeverEnds) {
   const auto level = boostFloor([](auto b) { b.setGravity(0), b.setForever(true); }).compile();
   Play play(level);
   play.settle().run(walk(kNorth), 60);
@@ -73,7 +73,7 @@ TEST(BoostedGravity, AHeavyFallStopsAtAThinFloor) {
   EXPECT_NEAR(play.world.position.y, 20.05f, 0.05f);
 }
 
-TEST(BoostedGravity, OneThatResetsGoesBackToTheLevels) {
+TEST(BoostedGravity, AResetRestoresTheLevels) {
   LevelBuilder b = boostFloor([](auto boost) { boost.setGravity(0.25f), boost.setForever(true); });
   b.block({0, 4, 0}, {8, 0.5f, 8},
           [](Part::Builder p) { p.initBoost().setResets(true), p.getBoost().setForever(true); });

@@ -1,4 +1,4 @@
-// A torso on an edge that no floor ray finds.
+// A torso on an edge where no floor ray hits.
 #include <gtest/gtest.h>
 
 #include "sim/play.h"
@@ -16,7 +16,7 @@ const level::Level& wall() {
 }
 constexpr Vec3 kOverTheEdge = {2 + 1 - 0.1f, 20.5f, 0};
 
-TEST(Hang, NobodyWalksAlongAnEdgeByTheTorso) {
+TEST(Hang, APlayerCannotWalkAlongAnEdgeOnTheTorso) {
   Play play(wall(), kOverTheEdge);
   play.run(stand(), 60);
   ASSERT_EQ(play.world.state, sim::State::freefall);
@@ -25,7 +25,7 @@ TEST(Hang, NobodyWalksAlongAnEdgeByTheTorso) {
   EXPECT_LT(absf(play.world.position.z), 1.0f);
 }
 
-// From the first ticks on a player may pull itself in, and stands.
+// Within the first ticks a player can still walk in and stand up.
 TEST(Hang, APlayerThatWalksInGetsUp) {
   Play play(wall(), kOverTheEdge);
   constexpr Turns kWest = 0x4000;

@@ -1,5 +1,5 @@
-// A world counts jumps in 16 bits. Whoever has made more has made the most that fits: a count that
-// began anew at 0 would give back jumps that a limit has taken.
+// A world counts jumps in 16 bits, and the count saturates. A count that wrapped to 0 would grant
+// jumps that a limit has used up.
 #include <gtest/gtest.h>
 
 #include "sim/next_region.h"
@@ -13,7 +13,7 @@ using sim::State;
 
 constexpr uint16_t kMost = 0xffff;
 
-// One jump more, after the most but one and after the most.
+// Expects another jump to give the maximum count, both from one below it and from the maximum.
 void expectToStayAtTheMost(const Play& ready) {
   for (const uint16_t before : {uint16_t(kMost - 1), kMost}) {
     Play play = ready;
@@ -24,13 +24,13 @@ void expectToStayAtTheMost(const Play& ready) {
   }
 }
 
-TEST(JumpCount, StaysAtTheMostOnAFloor) {
+TEST(JumpCount, SaturatesOnAFloor) {
   const auto level = flatLevel();
   Play play(level);
   expectToStayAtTheMost(play.settle());
 }
 
-TEST(JumpCount, StaysAtTheMostOnATruss) {
+TEST(JumpCount, SaturatesOnATruss) {
   const auto level =
       floorLevel()
           .block({0, 20, -5}, {2, 40, 2}, [](Part::Builder p) { p.setShape(schema::Shape::TRUSS); })
@@ -44,7 +44,7 @@ TEST(JumpCount, StaysAtTheMostOnATruss) {
   expectToStayAtTheMost(play);
 }
 
-TEST(JumpCount, StaysAtTheMostOnASeat) {
+TEST(JumpCount, SaturatesOnASeat) {
   const auto level =
       floorLevel().block({0, 0.5f, -8}, {3, 1, 3}, [](Part::Builder p) { p.initSeat(); }).compile();
   Play play(level);
@@ -54,7 +54,7 @@ TEST(JumpCount, StaysAtTheMostOnASeat) {
   expectToStayAtTheMost(play);
 }
 
-TEST(JumpCount, LeavesJumpsAtTheMostWhereThereIsNoLimit) {
+TEST(JumpCount, LeavesJumpsWhenSaturatedWithoutALimit) {
   level::QueryView query{};
   sim::World w{};
   w.jumps = kMost;

@@ -14,7 +14,7 @@ TEST(Jump, flat_air_time_is_0_54_seconds) {
   play.settle().run(stand(true), 1);
   const int ticks =
       play.until(stand(), [](const sim::World& w) { return w.state == State::landed; });
-  // The floor is sensed 1.1 studs above the feet's height, two ticks early at most.
+  // The floor is sensed 1.1 studs before the feet reach it, two ticks early at most.
   EXPECT_NEAR(float(ticks + 1) * kTick, 2 * 53.0f / 196.2f, 2.1f * kTick);
 }
 
@@ -29,7 +29,8 @@ TEST(Jump, walking_jump_covers_8_64_studs) {
   EXPECT_NEAR(from - play.world.position.z, 16 * 2 * 53.0f / 196.2f, 0.3f);
 }
 
-// Of one who starts to walk in the tick of the jump: after it, and four ticks later.
+// The player starts to walk in the tick of the jump. The test reads the speed after it and four
+// ticks later.
 TEST(Jump, keys_do_nothing_while_jumping_unless_the_engine_heeds_them) {
   for (const float accel : {0.0f, 120.0f}) {
     const auto level = flatLevel([&](auto p) { p.setJumpAccel(accel); });
@@ -89,7 +90,7 @@ TEST(Jump, coyote_jump_works_until_0_113_seconds_off_the_ledge) {
   EXPECT_EQ(jumpsAfter(6), 0);  // 7 ticks since the floor was last sensed = 0.117 s
 }
 
-// One who stands stays Running and jumps; the tick after the last floor is too late.
+// A standing player stays Running and jumps. The tick after the last floor contact is too late.
 TEST(Jump, coyote_and_grace_times_of_0_end_with_the_floor) {
   struct Times {
     float coyote, grace;
@@ -136,7 +137,7 @@ TEST(Jump, ceiling_stops_the_rise) {
                          .compile();
   Play play(level);
   play.settle().run(stand(true), 1).run(stand(), 60);
-  EXPECT_LE(play.highest() + 5, 8.1f);  // the head at most at the ceiling
+  EXPECT_LE(play.highest() + 5, 8.1f);  // the head stays below the ceiling
   EXPECT_EQ(play.world.state, State::running);
   EXPECT_NEAR(play.world.position.y, 0, 0.05f);
 }

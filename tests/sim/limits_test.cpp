@@ -1,5 +1,5 @@
-// What no part may do to a player, however it is set: throw faster than anything may be, hurt once
-// for each of its hulls, fall out of the grid, or be there while it never should.
+// Limits on what any part can do to a player. No part throws faster than the speed limit, hurts
+// once per hull, shifts the grid, or is present when it never should be.
 #include <gtest/gtest.h>
 
 #include "sim/play.h"
@@ -10,7 +10,7 @@ namespace {
 using schema::Part;
 using support::LevelBuilder;
 
-TEST(Limits, APadThrowsNobodyThroughACeiling) {
+TEST(Limits, APadNeverThrowsAPlayerThroughACeiling) {
   const auto level = floorLevel()
                          .block({0, 0.5f, 0}, {6, 1, 6},
                                 [](Part::Builder p) {
@@ -24,7 +24,7 @@ TEST(Limits, APadThrowsNobodyThroughACeiling) {
   EXPECT_LT(play.highest() + 5, 23.1f);
 }
 
-// Two boxes of one part, one in the other, as unions have them.
+// Makes a part of two overlapping boxes, as unions do.
 void twoHulls(Part::Builder p) {
   p.setShape(schema::Shape::HULL);
   auto hulls = p.initHulls(2);
@@ -54,7 +54,7 @@ TEST(Limits, APartOfSeveralHullsHurtsOnce) {
   EXPECT_NEAR(healthAfterATick(true), 90, 0.1f);
 }
 
-TEST(Limits, APartThatFallsAtAnySpeedLeavesTheOthersWhereTheyAre) {
+TEST(Limits, AFallOfAnySpeedKeepsOtherPartsInPlace) {
   LevelBuilder b = floorLevel();
   b.block({20, 5, 20}, {4, 1, 4}, [](Part::Builder p) {
     p.initFall().setSeconds(1);
@@ -66,7 +66,7 @@ TEST(Limits, APartThatFallsAtAnySpeedLeavesTheOthersWhereTheyAre) {
   EXPECT_NEAR(play.world.position.y, 0, 0.1f);
 }
 
-TEST(Limits, WhatIsOnlyThereAfterATouchAndCannotBeTouchedIsNeverThere) {
+TEST(Limits, APartThatNeedsAnImpossibleTouchNeverAppears) {
   for (const bool inverted : {false, true}) {
     LevelBuilder b = floorLevel();
     b.block({0, 9.5f, 0}, {6, 1, 6}, [=](Part::Builder p) {
@@ -82,7 +82,7 @@ TEST(Limits, WhatIsOnlyThereAfterATouchAndCannotBeTouchedIsNeverThere) {
   }
 }
 
-TEST(Limits, ATripOfNoTimeStartsNothingElse) {
+TEST(Limits, ATripOfZeroSecondsStartsNothing) {
   LevelBuilder b = floorLevel();
   b.block({20, 1, 0}, {2, 2, 2}, [](Part::Builder p) {
     p.initButton().setSignal("door");

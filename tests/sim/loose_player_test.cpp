@@ -1,4 +1,4 @@
-// What the player can do to loose bodies, and they to it, against what the forces say.
+// Forces between the player and dynamic bodies, against calculated values.
 #include <gtest/gtest.h>
 
 #include "play.h"
@@ -8,7 +8,7 @@ namespace {
 
 using support::LevelBuilder;
 
-// Far enough for a push of two seconds.
+// A floor long enough for a push of two seconds.
 LevelBuilder room() {
   return LevelBuilder{}.block({0, -1, 0}, {400, 2, 400}, [](auto p) { p.setFriction(0.5f); });
 }
@@ -19,7 +19,8 @@ void loosen(schema::Part::Builder p, float density) {
   p.setFriction(0.5f);
 }
 
-// How far two seconds of walking push a box of that mass, after the player's own momentum is spent.
+// Returns the studs that two seconds of walking push a box, after the player's initial momentum is
+// spent.
 float pushed(float mass, float pushForce) {
   LevelBuilder b = room();
   b.block({0, 2, 0}, {4, 4, 4}, [=](auto p) { loosen(p, mass / 64); });
@@ -32,7 +33,7 @@ float pushed(float mass, float pushForce) {
   return from - play.loose[0].position.z;
 }
 
-// Friction holds up to 0.5 x 196.2 for each unit of mass; the drive gives 12.6 x 2060 x pair
+// Friction holds up to 0.5 x 196.2 for each unit of mass. The drive pushes with 12.6 x 2060 x pair
 // friction.
 TEST(LoosePlayer, PushesWhatFrictionDoesNotHold) {
   const float most = 12.6f * 2060 * 0.4f / (0.5f * 196.2f);
@@ -47,7 +48,8 @@ TEST(LoosePlayer, PushesNoHarderThanPushForce) {
   EXPECT_LT(pushed(1.2f * most, force), 0.1f);
 }
 
-// A plank of mass 44.8 on a pillar two studs wide: 12.6 beyond the edge tip it from 3.6 studs on.
+// The plank has mass 44.8, on a pillar two studs wide. A load of 12.6 tips it from 3.6 studs beyond
+// the edge.
 TEST(LoosePlayer, TipsAPlankFarFromItsSupport) {
   const auto tilt = [](float x) {
     LevelBuilder b = room();
@@ -76,7 +78,7 @@ TEST(LoosePlayer, WalkingOnABallRollsItBack) {
   EXPECT_GT(play.loose[0].spin.x, 0.1f);  // rolls toward +Z
 }
 
-// In free fall there is no weight; the jump is the same from what falls along.
+// In free fall the player has no weight. A jump from a body in the same fall works as usual.
 TEST(LoosePlayer, JumpsFromABodyThatFalls) {
   LevelBuilder b = room();
   b.block({0, 200, 0}, {8, 4, 8}, [](auto p) { loosen(p, 4); });
@@ -90,7 +92,7 @@ TEST(LoosePlayer, JumpsFromABodyThatFalls) {
   EXPECT_GT(above(), gap + 5);
 }
 
-// What lies on a part that vanishes, or that the player lets fall, falls with it.
+// Bodies on a part that vanishes, by a timer or by a touch, fall with it.
 TEST(LoosePlayer, BodiesFallWhenTheirFloorLeaves) {
   LevelBuilder b = room();
   b.block({0, 10, 0}, {8, 2, 8}, [](auto p) {
@@ -111,7 +113,7 @@ TEST(LoosePlayer, BodiesFallWhenTheirFloorLeaves) {
   EXPECT_NEAR(play.loose[0].position.y, 2, 0.05);
 }
 
-// The part that is touched lies under a body that has long been asleep.
+// The player touches a part that carries a body which has been asleep for long.
 TEST(LoosePlayer, BodiesThatSleepFallWhenTheirFloorLeaves) {
   LevelBuilder b = room();
   b.block({0, 4, 0}, {30, 2, 8}, [](auto p) { p.initVanish().setDelay(0.2f); });
@@ -125,7 +127,7 @@ TEST(LoosePlayer, BodiesThatSleepFallWhenTheirFloorLeaves) {
   EXPECT_NEAR(play.loose[0].position.y, 2, 0.05);
 }
 
-// It is touched where it is at the tick's end, not where it was before.
+// The ball is touched at its position at the tick's end, not at its start.
 TEST(LoosePlayer, AFastBallThatKillsIsTouchedWhereItIs) {
   LevelBuilder b = room();
   b.block({-30, 0.25f, 0}, {0.5f, 0.5f, 0.5f}, [](auto p) {

@@ -1,4 +1,4 @@
-// What must hold of loose bodies in every level, by random bodies (rapidcheck; as
+// Properties of dynamic bodies in any level, checked with random bodies (rapidcheck, as in
 // properties_test.cpp).
 #include <gtest/gtest.h>
 
@@ -38,7 +38,7 @@ rc::Gen<Thrown> thrown(const rc::Gen<Vec3>& positions, float fastest, int shapes
                                 rc::gen::set(&Thrown::shape, rc::gen::inRange(0, shapes)));
 }
 
-// `more` sets what else it is.
+// Adds the thrown body; `more` sets further properties.
 void addThrown(LevelBuilder& b, const Thrown& t, const LevelBuilder::PartSetter& more = {}) {
   b.block(t.position, t.size, [t, more](auto p) {
     p.setAnchored(false);
@@ -67,14 +67,14 @@ World playerFarAway(const level::Level& level) {
   return makeWorld(level.view(), {{0, 0, 140}, 0, 0});
 }
 
-// Height of the only body's lowest point, or of its highest.
+// Returns the height of the only body's lowest point (side -1) or highest point (side 1).
 float heightOf(const LooseBody& b, const level::LevelView& level, float side) {
   const level::Loose& l = level.loose[0];
   const level::Collider& c = level.colliders[l.firstCollider];
   return side * geom::support(convexOf(c, poseOf(b, l)), {0, side, 0});
 }
 
-// The same worlds by tick() and by tickAll().
+// The same worlds simulated by tick() and by tickAll().
 struct Twins {
   const level::LevelView& level;
   std::vector<World> alone, wide;
@@ -144,7 +144,7 @@ RC_GTEST_PROP(LooseProperties, EveryStateIsFiniteAndWideTicksGiveTheSame, ()) {
   }
 }
 
-RC_GTEST_PROP(LooseProperties, WithAllFrictionThatThereIsEveryStateIsFinite, ()) {
+RC_GTEST_PROP(LooseProperties, AtMaximumFrictionEveryStateIsFinite, ()) {
   const auto rough = [](schema::Part::Builder p) { p.setFriction(100); };
   const auto bodies = *rc::gen::container<std::vector<Thrown>>(
       3, thrown(rc::gen::build<Vec3>(rc::gen::set(&Vec3::x, between(-5, 5)),
@@ -164,7 +164,7 @@ RC_GTEST_PROP(LooseProperties, WithAllFrictionThatThereIsEveryStateIsFinite, ())
   }
 }
 
-// Blocks that lie and tumble about in many worlds: lanes take most of them.
+// Blocks rest and tumble in many worlds, most of them in lanes.
 RC_GTEST_PROP(LooseProperties, BlocksInLanesMoveAsAlone, ()) {
   const auto bodies = *rc::gen::container<std::vector<Thrown>>(
       6, thrown(rc::gen::build<Vec3>(rc::gen::set(&Vec3::x, between(-50, 50)),
@@ -177,7 +177,7 @@ RC_GTEST_PROP(LooseProperties, BlocksInLanesMoveAsAlone, ()) {
   const level::Level level = b.compile();
   Twins twins{level.view(), {}, {}, {}, {}, {}};
   for (int i = 0; i < 40; ++i) {
-    auto thrownHere = bodies;  // not all lanes alike
+    auto thrownHere = bodies;  // different in each lane
     for (Thrown& t : thrownHere) t.velocity = t.velocity * (0.2f * float(i % 6));
     twins.add(level.spawns()[0], throwAll(level.view(), thrownHere));
   }
@@ -188,10 +188,10 @@ RC_GTEST_PROP(LooseProperties, BlocksInLanesMoveAsAlone, ()) {
   RC_ASSERT(twins.counts.looseInLanes > 0u);
 }
 
-// Cubes and balls: spin is kept in the air, not its momentum, so that others may gain energy from
-// turning. Measured against what a fall of a twentieth of a stud gives. Not yet so for every seed:
-// landings on corners gain more in one case of 300, up to 0.5 studs in one of 20,000. Contacts are
-// found once a tick, and a body turns meanwhile: with spins of at most 12 rad/s five times as rare.
+// Cubes and balls: a flight keeps spin, not angular momentum, so that other shapes may gain energy.
+// The bound is the energy of a fall of 0.05 studs. Not every seed passes yet: landings on corners
+// gain more in one case of 300, and up to 0.5 studs in one of 20,000. Contacts are found once a
+// tick, while a body turns. With spins of at most 12 rad/s this is five times as rare.
 RC_GTEST_PROP(LooseProperties, EnergyDoesNotGrow, ()) {
   auto bodies = *rc::gen::container<std::vector<Thrown>>(
       3, thrown(rc::gen::build<Vec3>(rc::gen::set(&Vec3::x, between(-6, 6)),
@@ -245,7 +245,7 @@ RC_GTEST_PROP(LooseProperties, NothingPassesAThinWall, ()) {
   }
 }
 
-// A corner that the impact turns downward sinks in for some ticks.
+// Drops a body on a floor. A corner that the impact turns downwards sinks in for some ticks.
 void dropOnFloors(float thinnest, float fastest) {
   const float thick = *extentBetween(thinnest, 4);
   Thrown t = *thrown(rc::gen::just(Vec3{}), 30);
@@ -266,11 +266,11 @@ void dropOnFloors(float thinnest, float fastest) {
 
 RC_GTEST_PROP(LooseProperties, NothingSinksIntoAThinFloor, ()) { dropOnFloors(0.05f, 60); }
 
-// Contacts are found once a tick: what lands on an end at 200 studs/s is whirled round, and its
-// other end may pass a floor of 0.05 studs in the same tick.
+// Contacts are found once a tick. A body that lands on one end at 200 studs/s is spun around, and
+// its other end may pass a floor of 0.05 studs in the same tick.
 RC_GTEST_PROP(LooseProperties, NothingSinksIntoAFloorOfTwoStuds, ()) { dropOnFloors(2, 478); }
 
-RC_GTEST_PROP(LooseProperties, WhatSleepsStaysUntilItIsTouched, ()) {
+RC_GTEST_PROP(LooseProperties, SleepingBodiesStayUntilTouched, ()) {
   auto bodies = *rc::gen::container<std::vector<Thrown>>(
       3, thrown(rc::gen::build<Vec3>(rc::gen::set(&Vec3::x, between(-4, 4)),
                                      rc::gen::set(&Vec3::y, between(4, 10)),
@@ -291,7 +291,7 @@ RC_GTEST_PROP(LooseProperties, WhatSleepsStaysUntilItIsTouched, ()) {
       RC_ASSERT(std::memcmp(&before[i], &loose[i], sizeof loose[i]) == 0);
     }
     if (t != 200) continue;
-    // Restored, it goes on as it would.
+    // A restored snapshot continues identically.
     std::vector<LooseBody> again = before;
     tick(copy, again.data(), level.view(), actionAt(seed, t));
     RC_ASSERT(stateHash(copy, again) == stateHash(w, loose));

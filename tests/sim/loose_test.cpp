@@ -1,5 +1,5 @@
-// Loose bodies: they fall, rest, stack, slide, roll and sleep; the player pushes them, stands on
-// them and jumps from them.
+// Dynamic bodies fall, rest, stack, slide, roll and sleep. The player pushes them, stands on them
+// and jumps from them.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -25,7 +25,7 @@ Play playOf(const level::Level& level) { return Play(level, {0, 0, 40}); }
 
 float speedOf(const sim::LooseBody& b) { return length(b.velocity) + length(b.spin); }
 
-TEST(LooseBodies, FallAsGravityHasIt) {
+TEST(LooseBodies, FallUnderGravity) {
   for (const float sleepTime : {0.5f, 0.0f}) {
     const auto level = looseRoom()
                            .block({0, 50, 0}, {4, 4, 4}, unanchor)
@@ -73,7 +73,7 @@ TEST(LooseBodies, OfEveryShapeRestOnTheirLowestFace) {
   }
 }
 
-// As of a union: one hull, far from the part's centre, with its top at 0.
+// A union may look like this: one hull, far from the part's centre, with its top at 0.
 TEST(LooseBodies, RestOnAHullFarFromItsPartsCentre) {
   const auto slab = [](schema::Part::Builder p) {
     p.setShape(schema::Shape::HULL);
@@ -148,7 +148,7 @@ TEST(LooseBodies, SlideDownASlopeThatIsSteeperThanTheirFriction) {
   EXPECT_LT(slide(0.6f, 0.4f), 0.05f);
 }
 
-TEST(LooseBodies, BouncesAsElasticityHasIt) {
+TEST(LooseBodies, BounceByTheirElasticity) {
   const auto bounce = [](float elasticity) {
     const auto springy = [=](auto p) { p.setElasticity(elasticity); };
     const auto level = LevelBuilder{}
@@ -174,7 +174,7 @@ TEST(LooseBodies, BouncesAsElasticityHasIt) {
   EXPECT_NEAR(bounce(0.5f), 0.25f, 0.06f);
 }
 
-// A hard flat landing does not tilt a body, and throws it aside by 4 % of its speed at most.
+// A hard flat landing does not tilt a body, and throws it sideways by at most 4 % of its speed.
 TEST(LooseBodies, BounceStraightUp) {
   const auto springy = [](auto p) { p.setElasticity(1); };
   const auto level = LevelBuilder{}
@@ -233,7 +233,7 @@ TEST(LooseBodies, ArePushedByThePlayer) {
   play.settle().run(walk(kNorth), 240);
   EXPECT_LT(play.loose[0].position.z, 10);
   EXPECT_NEAR(play.loose[0].position.y, 2, 0.1);
-  // The player stays behind it.
+  // The player stays behind the box.
   EXPECT_GT(play.world.position.z, play.loose[0].position.z + 2.4f);
 }
 
@@ -265,7 +265,7 @@ TEST(LooseBodies, CarryAPlayerWhoStandsOnThemAndJumps) {
   EXPECT_NEAR(play.loose[0].position.y, 2, 0.05);
 }
 
-TEST(LooseBodies, ThatFallTakeAPlayerWhoStandsOnThemAlong) {
+TEST(LooseBodies, CarryAPlayerAlongWhenTheyFall) {
   const auto level = looseRoom().block({0, 100, 0}, {8, 2, 8}, unanchor).compile();
   Play play(level, {0, 101, 0});
   play.run(stand(), 30);
@@ -274,16 +274,16 @@ TEST(LooseBodies, ThatFallTakeAPlayerWhoStandsOnThemAlong) {
   EXPECT_LT(play.loose[0].position.y, 80);
 }
 
-TEST(LooseBodies, PushedToAWallMakeAStepThatIsNotThereOtherwise) {
+TEST(LooseBodies, PushedToAWallBecomeAStep) {
   const auto climb = [](bool box) {
     LevelBuilder b = looseRoom();
     b.block({0, 5, -20}, {40, 10, 10});  // a wall 10 high: a jump reaches 7
     if (box) b.block({0, 2, 20}, {4, 4, 4}, unanchor);
     const auto level = b.compile();
     Play play = playOf(level);
-    play.settle().run(walk(kNorth), 300);  // to the wall, with the box before it
+    play.settle().run(walk(kNorth), 300);  // to the wall, pushing the box
     play.run(walk(kNorth ^ 0x8000), 20);   // back
-    // Onto it, and from it onto the wall.
+    // Jumps onto the box, and from it onto the wall.
     return play.until(walk(kNorth, true), [](const sim::World& w) {
       return w.position.y > 9.9f && (w.flags & sim::kFloorSensed);
     }) >= 0;
@@ -292,7 +292,7 @@ TEST(LooseBodies, PushedToAWallMakeAStepThatIsNotThereOtherwise) {
   EXPECT_FALSE(climb(false));
 }
 
-TEST(LooseBodies, RestoredContinueAsTheyWould) {
+TEST(LooseBodies, ContinueIdenticallyWhenRestored) {
   LevelBuilder b = looseRoom();
   for (int i = 0; i < 5; ++i) b.block({float(i), 4 + 5 * float(i), 20}, {4, 4, 4}, unanchor);
   const auto level = b.compile();
@@ -308,7 +308,7 @@ TEST(LooseBodies, RestoredContinueAsTheyWould) {
   EXPECT_EQ(stateHash(again.world, again.loose), stateHash(play.world, play.loose));
 }
 
-TEST(LooseBodies, MoreThanSixteenAreAnErrorThatNamesTheFirstTooMany) {
+TEST(LooseBodies, BeyondSixteenAreAnErrorThatNamesTheSeventeenth) {
   LevelBuilder b = looseRoom();
   for (int i = 0; i < 17; ++i) b.block({5 * float(i), 2, 0}, {4, 4, 4}, unanchor);
   const auto level = level::Level::compile(b.record());
@@ -316,8 +316,8 @@ TEST(LooseBodies, MoreThanSixteenAreAnErrorThatNamesTheFirstTooMany) {
   EXPECT_EQ(level.error().path, "parts[17].anchored");
 }
 
-// As on a server that has run for a while.
-TEST(StartLoose, IsAtRestWhereBodiesComeToRest) {
+// Bodies have come to rest, as on a server that has run for a while.
+TEST(StartLoose, IsAtRestIfAllBodiesComeToRest) {
   const auto level = looseRoom()
                          .block({0, 9, 0}, {4, 4, 4}, unanchor)
                          .block({2, 20, 0}, {4, 4, 4}, unanchor)
@@ -330,7 +330,7 @@ TEST(StartLoose, IsAtRestWhereBodiesComeToRest) {
   EXPECT_NEAR(loose[0].position.y, 2, 0.02f);
 }
 
-TEST(StartLoose, IsAsTheLevelHasItWhereOneStaysAwake) {
+TEST(StartLoose, EqualsTheLevelIfABodyStaysAwake) {
   const auto spins = [](schema::Part::Builder p) { p.initMotion().initSpin().setSpeed(1); };
   const auto level = looseRoom()
                          .block({0, 9, 0}, {4, 4, 4}, unanchor)

@@ -1,4 +1,4 @@
-// What parts do to a player: kill, damage, conveyors, pads, vanishing, moving and spinning parts.
+// Effects of parts on a player: kill, damage, conveyors, pads, vanishing, motion and spin.
 #include <gtest/gtest.h>
 
 #include "sim/play.h"
@@ -50,7 +50,7 @@ TEST(Kill, touch_only_parts_kill_without_stopping) {
   EXPECT_EQ(play.world.outcome, Outcome::killed);
 }
 
-// Whether a player who stands at `x` is killed by a box that begins at x = 10, of that shape.
+// Returns true if a part of this shape, which begins at x = 10, kills a player who stands at `x`.
 bool killedByRoot(float x, schema::Shape shape = schema::Shape::BLOCK, float height = 3) {
   const auto level = floorLevel()
                          .block({14, height, 0}, {8, 4, 8},
@@ -73,7 +73,7 @@ TEST(Kill, by_the_root_counts_its_centre_and_no_limb) {
   EXPECT_TRUE(killedByRoot(12.1f, schema::Shape::BALL));
 }
 
-TEST(Kill, by_the_root_a_floor_that_kills_is_none) {
+TEST(Kill, by_the_root_ignores_a_floor_that_kills) {
   const auto level = LevelBuilder()
                          .block({0, -1, 0}, {20, 2, 20},
                                 [](schema::Part::Builder p) { p.initKill(), p.setByRoot(true); })
@@ -265,8 +265,8 @@ TEST(Motion, spinning_carrier_turns_the_player_with_it) {
   EXPECT_LT(at.z, -3) << "counter-clockwise from above: +X goes toward -Z";
 }
 
-// One who stands on a floor that turns at `speed` rad/s about the origin is as fast as the floor
-// below, and goes once round with it.
+// Expects a player on a floor that turns at `speed` rad/s about the origin to keep the floor's
+// speed and go round once.
 void expectToTurnAlong(const level::Level& level, float radius, float speed, float drift) {
   Play play(level, {radius, 0, 0});
   play.world.velocity = {0, 0, -speed * radius};
@@ -275,7 +275,7 @@ void expectToTurnAlong(const level::Level& level, float radius, float speed, flo
     play.run(stand());
     const Vec3 v = play.world.velocity, at = play.world.position;
     ASSERT_EQ(play.world.floorlessSteps, 0) << "tick " << i;
-    if (i < 10) continue;  // lands
+    if (i < 10) continue;  // still landing
     ASSERT_GT(length(Vec3{v.x, 0, v.z}), 0.97f * speed * length(Vec3{at.x, 0, at.z})) << i;
   }
   EXPECT_NEAR(play.world.position.x, radius, drift);
@@ -288,7 +288,7 @@ void setSpin(Part::Builder p, float speed, Vec3 pivot = {}) {
   support::set(p.getMotion().getSpin().initPivot(), pivot);
 }
 
-// The drive follows a floor that turns with a lag, and so drifts outward by a stud or so a turn.
+// The drive follows a turning floor with a lag: the player drifts outwards by about a stud a turn.
 TEST(Motion, carriers_that_turn_fast_take_the_player_round) {
   const auto disc =
       LevelBuilder().block({0, -1, 0}, {40, 2, 40}, [](auto p) { setSpin(p, 3); }).compile();
@@ -305,7 +305,7 @@ TEST(Motion, carriers_about_a_far_pivot_take_the_player_round) {
   expectToTurnAlong(arm, 20, 2, 2);
 }
 
-// Its surface has a velocity, and does not lead round: each tick goes straight on.
+// A conveyor moves its surface but turns no player: each tick goes straight on.
 TEST(Conveyor, that_turns_fast_takes_the_player_round) {
   const auto disc = LevelBuilder()
                         .block({0, -1, 0}, {40, 2, 40},

@@ -1,4 +1,4 @@
-// Parts that put, hold, or crush the player, or are solid from one side: teleporters, seats,
+// Parts that move, hold, or crush the player, or are solid from one side: teleporters, seats,
 // squeezing parts, one-way parts.
 #include <gtest/gtest.h>
 
@@ -42,7 +42,7 @@ TEST(Teleport, PutsThePlayerThereAtRestInTheAir) {
   EXPECT_FALSE(isArrived(play.world));
 }
 
-TEST(Teleport, KeepsTheVelocityAndTurnsWhereItSaysSo) {
+TEST(Teleport, KeepsTheVelocityAndTurnsIfSet) {
   LevelBuilder b = floorLevel();
   teleporter(b, {0, 2, -8}, {60, 4, 60}, [](auto t) {
     t.setKeepVelocity(true);
@@ -57,7 +57,7 @@ TEST(Teleport, KeepsTheVelocityAndTurnsWhereItSaysSo) {
   EXPECT_NEAR(radiansFromTurns(play.world.yaw), 1, 0.001f);
 }
 
-TEST(Teleport, APairDoesNotThrowThePlayerToAndFro) {
+TEST(Teleport, APairDoesNotBounceThePlayerBack) {
   LevelBuilder b = floorLevel();
   teleporter(b, {0, 2, -8}, {60, 0, 60});
   teleporter(b, {60, 2, 60}, {0, 0, -8});
@@ -73,7 +73,7 @@ TEST(Teleport, APairDoesNotThrowThePlayerToAndFro) {
   EXPECT_LT(play.world.position.x, 10);
 }
 
-TEST(Seat, HoldsUntilJumpAndDoesNotTakeAgainAtOnce) {
+TEST(Seat, HoldsUntilAJumpAndThenHasACooldown) {
   const auto level =
       floorLevel().block({0, 0.5f, -8}, {3, 1, 3}, [](Part::Builder p) { p.initSeat(); }).compile();
   Play play(level);
@@ -93,7 +93,7 @@ TEST(Seat, HoldsUntilJumpAndDoesNotTakeAgainAtOnce) {
   EXPECT_TRUE(sits(play.world)) << "after the cooldown it takes again";
 }
 
-// Forty studs in four seconds, again and again.
+// A seat that moves forty studs in four seconds, repeatedly.
 level::Level movingSeat() {
   return LevelBuilder()
       .block({0, 0, 0}, {4, 1, 4},
@@ -115,8 +115,8 @@ TEST(Seat, RidesWithAMovingSeat) {
   EXPECT_NEAR(play.world.velocity.x, 10, 0.01f);
 }
 
-// Back to where it began is no speed that who jumps then takes along.
-TEST(Seat, WhereAMotionBeginsAnewThrowsNobody) {
+// A player who jumps off does not inherit the leap back to the start as a speed.
+TEST(Seat, TheRestartOfAMotionAddsNoSpeed) {
   const auto level = movingSeat();
   Play play(level, {0, 1, 0});
   play.run(stand(), 239);
@@ -136,10 +136,10 @@ void looseSeat(Part::Builder p) {
 
 Pose seatOf(const Play& play) { return poseOf(play.loose[0], play.level.view().loose[0]); }
 
-TEST(Seat, ThatIsLooseHoldsThePlayerWhereItLies) {
+TEST(Seat, ThatIsDynamicHoldsThePlayer) {
   const auto level = floorLevel().block({0, 3, -8}, {3, 1, 3}, looseSeat).compile();
   Play play(level);
-  play.run(stand(), 90);  // it falls
+  play.run(stand(), 90);  // the seat falls
   ASSERT_GE(play.until(walk(kNorth), isSeated), 0);
   play.run(walk(kNorth), 30);
   const Pose seat = seatOf(play);
@@ -152,7 +152,7 @@ TEST(Seat, ThatIsLooseHoldsThePlayerWhereItLies) {
   EXPECT_NEAR(play.world.velocity.y, 53, 0.1f);
 }
 
-TEST(Seat, ThatFallsTakesThePlayerAlongAndLetsGoWhereItIsGone) {
+TEST(Seat, ThatFallsCarriesThePlayerUntilItIsGone) {
   LevelBuilder b;
   b.block({0, 0, 0}, {3, 1, 3}, looseSeat).physics([](auto p) {
     p.setSeatHeight(10);
@@ -177,7 +177,7 @@ TEST(Seat, ThatFallsTakesThePlayerAlongAndLetsGoWhereItIsGone) {
   EXPECT_LT(play.world.position.y, left - 1) << "falls on";
 }
 
-// A press that comes down to 1 stud above the floor.
+// A level with a press that comes down to `lowest` studs above the floor.
 LevelBuilder pressLevel(schema::Squeeze squeeze, float lowest = 1) {
   return floorLevel().block({0, 12, 0}, {20, 4, 20}, [=](Part::Builder p) {
     p.setSqueeze(squeeze);
@@ -190,7 +190,7 @@ LevelBuilder pressLevel(schema::Squeeze squeeze, float lowest = 1) {
   });
 }
 
-TEST(Squeeze, KillsUnderAPressThatSaysSoAndNamesIt) {
+TEST(Squeeze, KillsUnderAPressThatKillsAndNamesIt) {
   const auto level = pressLevel(schema::Squeeze::KILL).compile();
   Play play(level);
   play.run(stand(), 200);
@@ -198,14 +198,14 @@ TEST(Squeeze, KillsUnderAPressThatSaysSoAndNamesIt) {
   EXPECT_EQ(play.world.part, 1u);
 }
 
-TEST(Squeeze, OnlyPushesWithoutThat) {
+TEST(Squeeze, OtherwiseOnlyPushes) {
   const auto level = pressLevel(schema::Squeeze::PUSH).compile();
   Play play(level);
   play.run(stand(), 200);
   EXPECT_EQ(play.world.outcome, Outcome::running);
 }
 
-TEST(Squeeze, SparesAPlayerWithRoomToStand) {
+TEST(Squeeze, SparesAPlayerWithSpaceToStand) {
   const auto level = pressLevel(schema::Squeeze::KILL, 5.5f).compile();
   Play play(level);
   play.settle().run(stand(true), 200);
@@ -227,7 +227,7 @@ TEST(OneWay, IsJumpedThroughFromBelowAndStoodOnFromAbove) {
   EXPECT_EQ(play.world.state, State::running);
 }
 
-TEST(OneWay, StopsFromItsSolidSideHoweverFast) {
+TEST(OneWay, StopsAnySpeedFromItsSolidSide) {
   const auto level = shelf({0, 1, 0}).compile();
   Play play(level, {0, 100, 0});
   play.world.velocity.y = -400;

@@ -1,4 +1,4 @@
-// Plays a world with scripted actions, for tests that state facts about the player.
+// Plays a world with scripted actions, for tests of facts about the player.
 #pragma once
 
 #include <functional>
@@ -29,7 +29,7 @@ struct Play {
     history.push_back(world);
   }
 
-  // The same action for a number of ticks.
+  // Repeats an action for a number of ticks.
   Play& run(sim::Action action, int ticks = 1) {
     level::LevelView view = level.view();
     view.params.tricks = tricks;
@@ -40,7 +40,8 @@ struct Play {
     return *this;
   }
 
-  // Until the predicate holds, at most `limit` ticks; the ticks it took, or -1.
+  // Repeats an action until the predicate holds, for at most `limit` ticks. Returns the ticks
+  // taken, or -1.
   int until(sim::Action action, const std::function<bool(const sim::World&)>& done,
             int limit = 600) {
     for (int i = 0; i < limit; ++i) {
@@ -50,7 +51,7 @@ struct Play {
     return done(world) ? limit : -1;
   }
 
-  // Stands still until Running.
+  // Stands still until the state is Running.
   Play& settle() {
     until(stand(), [](const sim::World& w) { return w.state == sim::State::running; });
     return run(stand(), 10);
@@ -63,7 +64,7 @@ struct Play {
   }
 };
 
-// A floor to put parts on; its top is at 0.
+// A floor to put parts on, with its top at 0.
 inline support::LevelBuilder floorLevel() {
   return support::LevelBuilder().block({0, -1, 0}, {200, 2, 200});
 }
@@ -72,7 +73,7 @@ inline level::Level flatLevel() {
   return support::LevelBuilder().block({0, -1, 0}, {400, 2, 400}).compile();
 }
 
-// `change`: sets parameters of the level.
+// A level with only a floor; `change` sets its parameters.
 template <class Change>
 level::Level flatLevel(const Change& change) {
   return support::LevelBuilder().block({0, -1, 0}, {400, 2, 400}).physics(change).compile();

@@ -1,5 +1,5 @@
-// What must hold in every level, by random levels and random play (rapidcheck). The seed is fixed;
-// RC_PARAMS="seed=7 max_success=100000" looks further.
+// Properties of any level, checked with random levels and random play (rapidcheck). The seed is
+// fixed. RC_PARAMS="seed=7 max_success=100000" searches further.
 #include <gtest/gtest.h>
 
 #if __has_include(<rapidcheck.h>)
@@ -20,13 +20,13 @@ namespace {
 using namespace obby::test;
 using support::LevelBuilder;
 
-// Before rapidcheck reads it, at the first property.
+// Set before the first property, at which rapidcheck reads it.
 const int kSeeded = setenv("RC_PARAMS", "seed=20 max_success=400", 0);
 
-constexpr int kThrows = 20;  // a level, whose compilation costs more
+constexpr int kThrows = 20;  // per level, which costs more to compile
 constexpr float kSide = 100;
 
-// A part far from the action, which makes the level admit sideways speeds of up to 774 studs/s.
+// Adds a far part that raises the level's limit of sideways speed to 774 studs/s.
 void admitSpeed(LevelBuilder& b) {
   b.block({45, 0.1f, 45}, {4, 0.2f, 4}, [](auto p) {
     support::set(p.initJumpPad().initVelocity(), {500, 0, 0});
@@ -39,7 +39,7 @@ struct Throw {
   uint64_t seed;
 };
 
-// Does the player stay where `holds` for two seconds of random play?
+// Fails unless `holds` is true for two seconds of random play.
 template <class Holds>
 void staysWhere(const level::LevelView& level, const Throw& thrown, const Holds& holds) {
   World w = makeWorld(level, {thrown.feet, thrown.yaw, 0});
@@ -59,7 +59,7 @@ rc::Gen<Vec3> velocityOf(const rc::Gen<float>& x, const rc::Gen<float>& y) {
                               rc::gen::set(&Vec3::z, between(-24, 24)));
 }
 
-// The root's centre; what of the player is above or beside a part.
+// Returns the root's centre, which tells the side of a part that the player is on.
 Vec3 rootOf(const World& w) { return w.position + Vec3{0, 3, 0}; }
 
 RC_GTEST_PROP(Properties, NoFallPassesAFloor, ()) {
@@ -80,7 +80,7 @@ RC_GTEST_PROP(Properties, NoFallPassesAFloor, ()) {
   }
 }
 
-// Up to `fastest` studs/s at a wall that the level's jump pads would allow 774 for.
+// Throws players at up to `fastest` studs/s at a wall. The level's jump pads would allow 774.
 void throwAtWalls(float fastest) {
   const float thick = *extentBetween(0.05f, 2);
   LevelBuilder b;
@@ -120,7 +120,7 @@ level::Level randomLevel() {
   return *std::move(level);
 }
 
-// Worlds all over the level, each with a seed of its own.
+// Worlds all over the level, each with its own seed.
 std::vector<World> startsIn(const level::Level& level, uint32_t count) {
   Random random(31, count);
   std::vector<World> worlds;
@@ -159,7 +159,7 @@ RC_GTEST_PROP(Properties, ARestoredSnapshotGoesOnAsBefore, ()) {
   RC_ASSERT(*batch->hash() == first);
 }
 
-// The kernel of a GPU, from tables in memory of its own.
+// The GPU's kernel reads tables in its own memory.
 RC_GTEST_PROP(Properties, TheKernelGivesTheBitsOfTheLanes, ()) {
   const level::Level level = randomLevel();
   const uint64_t seed = *rc::gen::inRange<uint64_t>(0, 100000);
@@ -173,7 +173,7 @@ RC_GTEST_PROP(Properties, TheKernelGivesTheBitsOfTheLanes, ()) {
   RC_ASSERT(*lanes->hash() == *kernel->hash());
 }
 
-RC_GTEST_PROP(Properties, TheOrderOfWorldsDoesNotShow, ()) {
+RC_GTEST_PROP(Properties, TheOrderOfWorldsDoesNotMatter, ()) {
   const level::Level level = randomLevel();
   const uint64_t seed = *rc::gen::inRange<uint64_t>(0, 100000);
   constexpr uint32_t kWorlds = 37;

@@ -1,5 +1,5 @@
-// Random small levels for property tests: any shape, any way round, any size, most roles; drawn by
-// rapidcheck, so that a failing level is shrunk to few parts.
+// Random small levels for property tests: any shape, rotation and size, and most roles. rapidcheck
+// draws them, so that a failing level is shrunk to few parts.
 #pragma once
 
 #include <rapidcheck.h>
@@ -13,7 +13,7 @@
 
 namespace obby {
 
-// What rapidcheck prints of a failing case; found by its name.
+// Prints a failing case for rapidcheck, which finds the function by its name.
 inline void showValue(const Vec3& v, std::ostream& out) {
   out << "{" << v.x << ", " << v.y << ", " << v.z << "}";
 }
@@ -26,7 +26,7 @@ inline rc::Gen<float> between(float lo, float hi) {
   return rc::gen::map(rc::gen::inRange(0, 10001),
                       [=](int k) { return lo + (hi - lo) * float(k) / 10000; });
 }
-// As often between 0.1 and 1 as between 1 and 10.
+// Samples uniformly in the logarithm: values from 0.1 to 1 are as likely as from 1 to 10.
 inline rc::Gen<float> extentBetween(float lo, float hi) {
   return rc::gen::map(between(0, 1), [=](float u) { return lo * std::pow(hi / lo, u); });
 }
@@ -37,7 +37,7 @@ inline rc::Gen<Vec3> vecOf(const rc::Gen<float>& of) {
 
 struct PartSpec {
   int shape;
-  Vec3 position, size, turn;  // `turn`: yaw, pitch; z chooses the role's numbers
+  Vec3 position, size, turn;  // `turn`: yaw, pitch; also numbers for the role
   int role;
 };
 
@@ -72,7 +72,7 @@ inline void setFall(schema::Fall::Builder fall, const PartSpec& spec) {
   fall.setSolid(spec.turn.y > 0);
 }
 
-// Moved by a touch, and deadly to whom it squeezes.
+// A part that a touch moves and that kills a player it squeezes.
 inline void setTriggered(schema::Part::Builder part, const PartSpec& spec) {
   auto motion = part.initMotion();
   motion.setTrigger(schema::MotionTrigger::TOUCH);
@@ -138,8 +138,8 @@ inline Result<level::Level> compile(const std::vector<PartSpec>& specs) {
   return b.tryCompile();
 }
 
-// Holds a random action for up to 40 ticks; a function of seed and tick alone, so that any tick of
-// any world can be played again.
+// Holds a random action for up to 40 ticks. It depends on seed and tick alone, so that any tick of
+// any world can be repeated.
 inline sim::Action actionAt(uint64_t seed, uint32_t tick) {
   Random random(seed, tick / (5 + seed % 36));
   return {Turns(random.next()), random.below(10) != 0, random.below(3) == 0};

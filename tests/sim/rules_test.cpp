@@ -1,4 +1,4 @@
-// The rules of a query in the simulator, one by one, on a player that walks along -Z at 16 studs/s.
+// The rules of a query in the simulator, one at a time. The player walks along -Z at 16 studs/s.
 #include "sim/rules.h"
 
 #include <gtest/gtest.h>
@@ -23,7 +23,7 @@ struct RulesTest : testing::Test {
   std::vector<uint32_t> touched;
   World last{};
 
-  // `jumps`: the key is held for so many jumps.
+  // `jumps` is the number of jumps for which the key is held.
   Outcome play(int ticks = 300, int jumps = 0) {
     query.waypoints = waypoints.data(), query.waypointCount = uint32_t(waypoints.size());
     query.visits = visits.data(), query.visitCount = uint32_t(visits.size());
@@ -71,14 +71,14 @@ TEST_F(RulesTest, AnAvoidRegionEndsIt) {
 }
 
 TEST_F(RulesTest, AThinAvoidRegionIsNotSteppedOver) {
-  for (int i = 0; i < 60; ++i) {  // a tick's walk is 0.27 studs
+  for (int i = 0; i < 60; ++i) {  // one tick of walking is 0.27 studs
     const float z = -20 - 0.01f * float(i);
     avoid = {boxAt(z, {3, 3, 0.001f})};
     ASSERT_EQ(play(), Outcome::avoided) << z;
     ASSERT_LT(last.position.z, z);
     ASSERT_GT(last.position.z, z - 0.28f);
     avoid = {boxAt(z, {3, 3, 0.001f}), boxAt(z, {3, 3, 1})};
-    avoid[0].region.pose.position.x = 3.01f;  // beside the way
+    avoid[0].region.pose.position.x = 3.01f;  // next to the path
     ASSERT_EQ(play(), Outcome::avoided);
     ASSERT_EQ(last.part, 1u);
   }
@@ -94,7 +94,7 @@ TEST_F(RulesTest, AThinRegionIsReachedAtATickOnly) {
   EXPECT_LT(reached, 30);
 }
 
-TEST_F(RulesTest, NothingIsBetweenTheEndsOfATeleport) {
+TEST_F(RulesTest, ATeleportPassesNothingInBetween) {
   LevelBuilder b = LevelBuilder().block({0, -1, 0}, {400, 2, 400});
   b.block({0, 2, -10}, {4, 4, 1}, [](schema::Part::Builder p) {
     p.setSolid(false);
@@ -109,14 +109,14 @@ TEST_F(RulesTest, NothingIsBetweenTheEndsOfATeleport) {
   EXPECT_EQ(play(), Outcome::avoided) << "and goes on from there";
 }
 
-TEST_F(RulesTest, LanesStepOverNothingEither) {
+TEST_F(RulesTest, LanesDoNotSkipRegionsEither) {
   avoid = {boxAt(-20, {3, 3, 0.001f})};
   query.avoid = avoid.data(), query.avoidCount = 1;
   constexpr size_t kWorlds = 1100;  // several blocks
   std::vector<World> worlds(kWorlds, sim::makeWorld(level.view(), {}));
   std::vector<World*> pointers;
   for (size_t i = 0; i < kWorlds; ++i) {
-    worlds[i].position.z -= 0.25f * float(i) / kWorlds;  // another step crosses it
+    worlds[i].position.z -= 0.25f * float(i) / kWorlds;  // each crosses it at a different tick
     pointers.push_back(&worlds[i]);
   }
   std::vector<World> alone = worlds;
@@ -240,7 +240,7 @@ TEST_F(RulesTest, ForbiddenStatesEndIt) {
   EXPECT_EQ(play(300, 0), Outcome::goal);
 }
 
-// Posts beside the way: the arms reach to 2.05.
+// Posts next to the path. The arms reach to 2.05.
 struct TouchTest : RulesTest {
   TouchTest() {
     LevelBuilder b = LevelBuilder().block({0, -1, 0}, {400, 2, 400});
@@ -299,7 +299,7 @@ TEST_F(RulesTest, AMovingPartIsTouchedWhereItIs) {
   EXPECT_EQ(last.visited, 1u);
 }
 
-TEST_F(RulesTest, HealthLostInAllIsLimited) {
+TEST_F(RulesTest, TotalLostHealthIsLimited) {
   LevelBuilder b = LevelBuilder().block({0, -1, 0}, {400, 2, 400});
   for (const float z : {-10.0f, -20.0f}) {
     b.block({0, 1, z}, {8, 2, 0.5f}, [](schema::Part::Builder p) {

@@ -27,7 +27,7 @@ TEST(Snapshot, restored_world_continues_identically) {
   EXPECT_NE(stateHash(again), stateHash(snapshot));
 }
 
-TEST(Batch, threads_and_order_do_not_show) {
+TEST(Batch, threads_and_order_do_not_matter) {
   const auto level = support::boxArena(100, 4).compile();
   uint64_t expected = 0;
   for (const int threads : {1, 2, 3, 8}) {
@@ -53,7 +53,7 @@ TEST(Batch, no_world_ever_holds_a_nan) {
   }
 }
 
-TEST(Replay, gives_the_same_worlds_as_playing) {
+TEST(Replay, equals_the_worlds_of_playing) {
   const auto level = support::boxArena(20, 6).compile();
   sim::Plan plan{
       level.spawns()[0], 0, {{{0x1234, true, false}, 100}, {{0x9876, true, true}, 150}, {{}, 30}}};
@@ -64,7 +64,7 @@ TEST(Replay, gives_the_same_worlds_as_playing) {
   EXPECT_EQ(stateHash(worlds.back()), stateHash(play.world));
 }
 
-// A crate ahead, in the air at first.
+// A level with a crate ahead of the player, initially in the air.
 level::Level crateLevel() {
   return floorLevel()
       .block({0, 3, -6}, {4, 4, 4}, [](schema::Part::Builder p) { p.setAnchored(false); })

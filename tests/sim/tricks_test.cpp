@@ -1,5 +1,4 @@
-// Tricks: what each does where it is allowed, and that without it the player does as ever
-// (docs/physics.md, tricks).
+// Each trick's effect if it is allowed, and the usual motion if not (docs/physics.md, tricks).
 #include <gtest/gtest.h>
 
 #include "sim/play.h"
@@ -13,7 +12,7 @@ using support::LevelBuilder;
 
 constexpr float kJumpRise = 7.269f;
 
-// A jump on the spot while the body turns toward `heading`.
+// Returns the apex of a jump on the spot while the body turns to `heading`.
 float apexOfTurningJump(uint16_t tricks, Turns heading) {
   const auto level = flatLevel();
   Play play(level);
@@ -55,7 +54,7 @@ TEST(Tricks, AHeldJumpEndsAtACeiling) {
   EXPECT_EQ(play.world.state, State::running);
 }
 
-// Lands from a height with a key held, then jumps as soon as it can; the highest after the landing.
+// Lands from a height with a key held and jumps at once. Returns the apex after the landing.
 float apexAfterLanding(uint16_t tricks, bool key) {
   const auto level = flatLevel();
   Play play(level, {0, 6, 0});
@@ -91,7 +90,7 @@ TEST(Tricks, AHangingLandingSlowsTo0_375OfItsSpeedInAStep) {
   EXPECT_NEAR(play.world.velocity.y, 0.375f * before, 1e-3f);
 }
 
-// A wall of two blocks, the lower one `seam` studs high.
+// A level with a wall of two blocks, the lower one `seam` studs high.
 level::Level seamedWall(float seam) {
   return LevelBuilder()
       .block({0, -1, 0}, {40, 2, 40})
@@ -100,7 +99,7 @@ level::Level seamedWall(float seam) {
       .compile();
 }
 
-// Jumps at the wall, turns its side to it past the apex and jumps as soon as it can.
+// Jumps at the wall, turns sideways after the apex and jumps again. Returns the number of jumps.
 int jumpsAtTheWall(uint16_t tricks) {
   const auto level = seamedWall(6);
   Play play(level, {0, 0, 0});
@@ -135,7 +134,8 @@ TEST(Tricks, ALadderFlickGripsTheTrussAgainWhileRising) {
   }
 }
 
-// The feet come to be 1.5 studs below a floor, and a tick later beyond its edge.
+// Puts the feet 1.5 studs below a floor, and a tick later beyond its edge. Returns the greatest
+// height.
 float thrownTo(uint16_t tricks) {
   const auto level = LevelBuilder().block({0, -1, 0}, {20, 2, 20}).compile();
   Play play(level);

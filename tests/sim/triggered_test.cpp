@@ -22,7 +22,7 @@ LevelBuilder fallLevel(float speed, bool solid) {
   });
 }
 
-TEST(Fall, WaitsFallsWithThePlayerAndComesBack) {
+TEST(Fall, WaitsThenFallsWithThePlayerAndReturns) {
   const auto level = fallLevel(10, true).compile();
   Play play(level);
   play.run(stand(), 20);
@@ -38,7 +38,7 @@ TEST(Fall, WaitsFallsWithThePlayerAndComesBack) {
   EXPECT_EQ(sim::poseOf(mover, play.world, 0).position.y, -1) << "back where it was";
 }
 
-TEST(Fall, FreelyUnderGravityAndLosesItsCollisionWhereItSaysSo) {
+TEST(Fall, IsFreeUnderGravityAndLosesCollisionIfSet) {
   const auto level = fallLevel(0, true).compile();
   Play play(level);
   play.run(stand(), 61);
@@ -51,7 +51,7 @@ TEST(Fall, FreelyUnderGravityAndLosesItsCollisionWhereItSaysSo) {
   EXPECT_LT(through.world.position.y, -3) << "through a part that sinks slowly";
 }
 
-TEST(Fall, StaysForGoodWhereNothingCanTouchIt) {
+TEST(Fall, NeverStartsIfNothingCanTouchIt) {
   const auto level = LevelBuilder()
                          .block({0, -1, 0}, {6, 2, 6},
                                 [](Part::Builder p) {
@@ -88,7 +88,7 @@ float restAt(const level::Level& level, const World& w) {
   return sim::poseOf(level.view().movers[0], w, 0).position.x;
 }
 
-TEST(TriggeredMotion, RestsUntilTouchedHoweverLateThatIs) {
+TEST(TriggeredMotion, RestsUntilTouchedAtAnyTime) {
   const auto level = liftLevel(schema::Repeat::ONCE, true).compile();
   EXPECT_FALSE(level.hasMotion()) << "nothing depends on the level's clock";
   Play play(level, {0, 60, 0});
@@ -113,7 +113,7 @@ TEST(TriggeredMotion, CarriesAtItsSpeedFromTheFirstTickOn) {
   EXPECT_NEAR(play.world.velocity.x, 10, 0.1f);
 }
 
-TEST(TriggeredMotion, GoesThereAndBackOnceThenRests) {
+TEST(TriggeredMotion, MovesThereAndBackOnceThenRests) {
   LevelBuilder b = liftLevel(schema::Repeat::PING_PONG, false);
   b.block({0, -30, 0}, {100, 2, 100});
   const auto level = b.compile();

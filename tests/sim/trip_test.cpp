@@ -11,7 +11,7 @@ using sim::State;
 using sim::World;
 using support::LevelBuilder;
 
-TEST(Trip, TakesControlForItsTimeAndThenLetsGo) {
+TEST(Trip, TakesControlForItsTimeOnly) {
   const auto level = floorLevel()
                          .block({0, 1, -10}, {10, 2, 1},
                                 [](Part::Builder p) {
@@ -30,7 +30,7 @@ TEST(Trip, TakesControlForItsTimeAndThenLetsGo) {
   EXPECT_LT(play.world.position.z, -14) << "walks on, out of the part that tripped it";
 }
 
-// A trip wire across at z = -10, nothing else of it solid.
+// Adds a trip wire across at z = -10, which is not solid.
 LevelBuilder& withWire(LevelBuilder& b, float seconds = 3, float after = 1) {
   return b.block({0, 1, -10}, {100, 40, 0.2f}, [=](Part::Builder p) {
     p.setSolid(false);
@@ -41,7 +41,7 @@ LevelBuilder& withWire(LevelBuilder& b, float seconds = 3, float after = 1) {
 
 bool isDown(const World& w) { return w.state == State::fallingDown; }
 
-// Studs that one who runs into the wire at walking speed slides on a floor of this friction.
+// Returns the studs that a player slides after walking into the wire, on a floor of this friction.
 float slideOn(float friction) {
   LevelBuilder b = LevelBuilder().block({0, -1, 0}, {200, 2, 200},
                                         [=](Part::Builder p) { p.setFriction(friction); });
@@ -55,22 +55,23 @@ float slideOn(float friction) {
   return from - play.world.position.z;
 }
 
-// Roblox: FallingDown has no control force; contact friction alone slows the body: v^2 / (2 mu g).
+// In Roblox, FallingDown has no control force. Contact friction alone slows the body: v^2 / (2 mu
+// g).
 TEST(FallingDown, SlidesAsFarAsFrictionLets) {
   const float speed = 16, gravity = 196.2f;
   for (const float friction : {0.3f, 0.1f, 1.0f}) {
     const float mean = (friction + 0.3f) / 2;
-    const float far = speed * speed / (2 * mean * gravity) - speed / 480;  // by whole steps
+    const float far = speed * speed / (2 * mean * gravity) - speed / 480;  // in whole steps
     EXPECT_NEAR(slideOn(friction), far, 0.02f) << friction;
   }
 }
 
-// Roblox: in FallingDown the limbs collide too.
+// In Roblox, the limbs also collide in FallingDown.
 TEST(FallingDown, LegsCollideSoThatAStepStopsTheBody) {
   const auto at = [](bool wire) {
     LevelBuilder b = floorLevel();
     if (wire) withWire(b);
-    b.block({0, 0.5f, -22}, {100, 1, 21.8f});  // a step of one stud right behind the wire
+    b.block({0, 0.5f, -22}, {100, 1, 21.8f});  // a step of one stud right after the wire
     const auto level = b.compile();
     Play play(level);
     play.settle().run(walk(kNorth), 120);

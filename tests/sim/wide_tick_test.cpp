@@ -1,4 +1,4 @@
-// The wide tick gives the bits of the scalar tick for every world, whatever is near it.
+// The wide tick equals the scalar tick bit for bit in every world, whatever is near the player.
 #include "sim/wide_tick.h"
 
 #include <gtest/gtest.h>
@@ -51,7 +51,7 @@ LevelBuilder everything() {
   });
   return b;
 }
-// Posts that limbs alone may touch, among walls, and a belt faster than any walk.
+// A level with posts that only limbs can touch, among walls, and a conveyor faster than any walk.
 level::Level hazards() {
   LevelBuilder b = support::boxArena(40, 11);
   for (int i = 0; i < 49; ++i) {
@@ -67,7 +67,7 @@ level::Level mixed() { return everything().compile(); }
 level::Level touched() { return golden::clocks().compile(); }
 level::Level held() { return golden::places().compile(); }
 
-// Starts all over the level, so that worlds fall out, land on edges and inside parts.
+// Start worlds all over the level, so that some fall out, land on edges or begin inside parts.
 std::vector<World> startsOver(const level::Level& level, uint32_t count) {
   Random random(3, count);
   std::vector<World> worlds;
@@ -85,8 +85,8 @@ std::vector<World> startsOver(const level::Level& level, uint32_t count) {
 
 class WideTick : public testing::TestWithParam<Scene> {};
 
-// 100 worlds fill some lanes and not others; 700 ticks cover walks, falls, pushes, deaths.
-TEST_P(WideTick, GivesTheBitsOfTheScalarTick) {
+// 100 worlds fill some lanes only. 700 ticks cover walks, falls, pushes and deaths.
+TEST_P(WideTick, EqualsTheScalarTickBitForBit) {
   const level::Level level = GetParam().build();
   level::LevelView view = level.view();
   view.params.tricks = GetParam().tricks;
@@ -137,16 +137,16 @@ TEST(WideTick, LeavesEndedWorldsAlone) {
   EXPECT_EQ(running.tick, 1u);
 }
 
-// A body that sleeps as soon as it is slow does not in the air: neither where its fall begins nor
-// at the top of a throw.
-TEST(WideTick, LetsLooseBodiesSleepOnlyWhereTheyLie) {
+// With a sleep time of 0, a slow body sleeps at once, but not in the air: neither when it begins to
+// fall nor at the apex of a throw.
+TEST(WideTick, LetsDynamicBodiesSleepOnlyAtRest) {
   const level::Level level = LevelBuilder()
                                  .block({0, -1, 0}, {200, 2, 200})
                                  .block({0, 20, 0}, {4, 4, 4}, [](auto p) { p.setAnchored(false); })
                                  .spawn({0, 0, 60})
                                  .physics([](auto p) { p.setSleepTime(0); })
                                  .compile();
-  for (const float up : {0.0f, 196.2f / 6}) {  // at rest after ten ticks
+  for (const float up : {0.0f, 196.2f / 6}) {  // the second is at rest after ten ticks
     World wide = makeWorld(level.view(), level.spawns()[0]), single = wide;
     std::vector<LooseBody> wideLoose = makeLoose(level.view());
     wideLoose[0].velocity.y = up;
@@ -166,7 +166,8 @@ TEST(WideTick, LetsLooseBodiesSleepOnlyWhereTheyLie) {
   }
 }
 
-// A tick, of standing still by default; `single`: worlds that lanes leave to the scalar tick.
+// Compares one tick by both functions. `single` is the number of worlds left to the scalar tick.
+// The default action stands still.
 World expectAlike(const level::Level& level, World wide, uint32_t single, Action action = {}) {
   World alone = wide;
   World* worlds[] = {&wide};
@@ -178,15 +179,16 @@ World expectAlike(const level::Level& level, World wide, uint32_t single, Action
   return wide;
 }
 
-// Lanes do not know the Climbing state: a climber goes singly even where its truss is out of reach.
-TEST(WideTick, TakesClimbersSingly) {
+// Lanes do not support the Climbing state: a climber takes the scalar tick even if its truss is out
+// of reach.
+TEST(WideTick, LeavesClimbersToTheScalarTick) {
   const level::Level level = arena();
   World wide = makeWorld(level.view(), level.spawns()[0]);
   wide.state = State::climbing;
   EXPECT_EQ(expectAlike(level, wide, 1).state, State::freefall);
 }
 
-// One that goes up, and one that turns on a part that moves.
+// One conveyor leads up, and one turns on a moving part.
 TEST(WideTick, StandsOnBeltsAsTheScalarTickDoes) {
   const level::Level up = LevelBuilder()
                               .block({0, 9, 0}, {40, 2, 40},
@@ -212,7 +214,7 @@ TEST(WideTick, StandsOnBeltsAsTheScalarTickDoes) {
   }
 }
 
-TEST(WideTick, CountsNoMoreJumpsThanFit) {
+TEST(WideTick, SaturatesTheJumpCount) {
   const level::Level level =
       LevelBuilder().block({0, -1, 0}, {20, 2, 20}).spawn({0, 0, 0}).compile();
   World w = makeWorld(level.view(), level.spawns()[0]);
@@ -224,8 +226,9 @@ TEST(WideTick, CountsNoMoreJumpsThanFit) {
   }
 }
 
-// The scalar tick looks first whether there is any floor below: it must find what rays just reach.
-TEST(WideTick, SensesWhatIsAtTheEndOfTheRays) {
+// The scalar tick first checks for any floor below, and must find floors at the very end of the
+// rays.
+TEST(WideTick, SensesFloorsAtTheEndOfTheRays) {
   const level::Level edge = LevelBuilder()
                                 .block({0, 2.7817647457f, 0}, {20, 2, 20})
                                 .spawn({0, 4.781764984f, 0})

@@ -1,4 +1,4 @@
-// A list of lanes is in each lane the list of one world under the same calls.
+// A list of lanes equals, in each lane, a scalar list after the same calls.
 #include "simd/wide_list.h"
 
 #include <gtest/gtest.h>
@@ -21,8 +21,8 @@ Vec3 laneOf(const Item& item, int lane) {
   return {x[lane], y[lane], z[lane]};
 }
 
-// Each lane is asked with a chance of its own, so that lists of all lengths come up.
-TEST(WideList, AddsGivesAndFollowsAsOneListALane) {
+// Each lane adds with a probability of its own, so that lists of all lengths occur.
+TEST(WideList, EqualsAScalarListInEachLane) {
   Random random(5, 0);
   for (int round = 0; round < 200; ++round) {
     std::array<One, size_t(kLanes)> one;

@@ -1,4 +1,5 @@
-// Every operation of WideFloat, WideInt and WideMask is the scalar one, lane by lane, bit by bit.
+// Every operation of WideFloat, WideInt and WideMask equals the scalar one, bit for bit in each
+// lane.
 #include "simd/wide.h"
 
 #include <gtest/gtest.h>
@@ -37,7 +38,7 @@ uint32_t bitsOfFloat(float v) {
 bool same(float a, float b) { return bitsOfFloat(a) == bitsOfFloat(b); }
 bool same(int32_t a, int32_t b) { return a == b; }
 
-// Two sets of operands a round: usual numbers, and now and then zeros, equal and huge ones.
+// Draws two sets of operands a round: usual numbers, and sometimes zeros, equal and huge ones.
 class Wide : public testing::Test {
  protected:
   float number() {
@@ -113,8 +114,8 @@ TEST_F(Wide, ArithmeticIsTheScalarOne) {
   }
 }
 
-// For each of two, in either order.
-TEST_F(Wide, LesserAndGreaterAreTheScalarOnesOfOddNumbers) {
+// Compares every ordered pair of special values.
+TEST_F(Wide, MinAndMaxAreTheScalarOnesForSpecialValues) {
   constexpr float kInfinity = std::numeric_limits<float>::infinity();
   constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
   const float odd[] = {kNaN, kInfinity, -kInfinity, 0.0f, -0.0f, 1e-40f, 1.0f};
@@ -161,7 +162,7 @@ TEST_F(Wide, Gathers) {
   expect(gather(a.data(), reversed.data()), [&](size_t k) { return a[mirror(k)]; });
 }
 
-TEST_F(Wide, ChosenLanesAreStoredSideBySide) {
+TEST_F(Wide, SelectedLanesAreStoredContiguously) {
   draw();
   for (uint32_t chosen : {0u, 1u, 0x9au, 0x5e31u, 0xffffu}) {
     chosen &= (uint64_t(1) << kLanes) - 1;

@@ -1,4 +1,4 @@
-#include "solve/archive/archive.h"
+#include "solve/search/archive/archive.h"
 
 #include <gtest/gtest.h>
 
@@ -14,7 +14,7 @@ sim::World arrival(uint32_t tick, uint16_t jumps = 0) {
   return w;
 }
 
-TEST(Archive, FindsWhatWasOfferedAndNothingElse) {
+TEST(Archive, FindsOfferedCellsAndNothingElse) {
   Archive archive;
   EXPECT_EQ(archive.find(7), kNone);
   EXPECT_TRUE(archive.offer(7, arrival(10), {1, 0, 10}, 1));
@@ -23,7 +23,7 @@ TEST(Archive, FindsWhatWasOfferedAndNothingElse) {
   EXPECT_EQ(archive.world(0).tick, 10u);
 }
 
-TEST(Archive, AShorterWayTakesTheCellOverALongerDoesNot) {
+TEST(Archive, AShorterTrajectoryReplacesTheCellALongerDoesNot) {
   Archive archive;
   archive.offer(7, arrival(10, 2), {1, 0, 10}, 1);
   EXPECT_FALSE(archive.offer(7, arrival(11, 0), {2, 0, 11}, 1));
@@ -65,8 +65,8 @@ TEST(Archive, AFullArchiveTakesNoNewCellsButBetterArrivals) {
   EXPECT_EQ(archive.cellCount(), 2u);
 }
 
-// Bodies that are where the first world's are take no memory of their own, and a state's bodies are
-// those it was offered with, whatever came before and after.
+// Bodies in the same places as the first world's share its memory. Every state keeps its own
+// bodies, whatever is offered before and after.
 TEST(Archive, KeepsTheBodiesOfEachState) {
   constexpr uint32_t kBodies = 3;
   Archive archive(kMaxCells, kBodies);
@@ -103,14 +103,14 @@ TEST(Archive, CountsVisitsFromManyThreads) {
   EXPECT_EQ(archive.seen()[1], 32000u);
 }
 
-TEST(Archive, SingletonsAreCellsThatOnlyTheirFinderPassedThrough) {
+TEST(Archive, SingletonsAreCellsSeenByTheirFinderOnly) {
   Archive archive;
   archive.offer(7, arrival(10), {1, 0, 10}, 1);
-  archive.offer(7, arrival(12), {1, 0, 12}, 1);  // it came by again itself
+  archive.offer(7, arrival(12), {1, 0, 12}, 1);  // the finder itself came by again
   archive.offer(8, arrival(10), {1, 0, 10}, 1);
   archive.offer(9, arrival(10), {1, 0, 10}, 1);
   EXPECT_EQ(archive.singletons(), 3u);
-  archive.offer(8, arrival(11), {2, 0, 11}, 1);  // another in the same round, though no better
+  archive.offer(8, arrival(11), {2, 0, 11}, 1);  // another rollout of the round, though no better
   EXPECT_EQ(archive.singletons(), 2u);
   archive.noteSighted(2);
   archive.noteSighted(2);

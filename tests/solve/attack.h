@@ -1,5 +1,5 @@
-// Attacks on the bound on reach: random levels under random physics, and players who look for a way
-// out of it. All is a function of the seed alone.
+// Attacks on the bound on reach: random levels under random physics, and players that try to leave
+// it. Everything is a function of the seed.
 #pragma once
 
 #include <fmt/format.h>
@@ -21,8 +21,8 @@ struct AttackCounts {
 
 class Attack {
  public:
-  // `features`: parts of all shapes that move, vanish, throw and lead elsewhere.
-  // `tricks`: that the players may use.
+  // `features` adds parts of all shapes that move, vanish, throw and teleport. `tricks` are the
+  // tricks that players may use.
   Attack(uint64_t seed, bool features, uint16_t tricks = 0) : random_(seed, 77), tricks_(tricks) {
     const uint32_t kind = features ? random_.below(5) : 9;
     platforms_ = kind == 4;
@@ -31,7 +31,7 @@ class Attack {
     build();
   }
 
-  // What is outside of the bound; nothing: no player was.
+  // Returns a description of a position outside the bound, or nothing if there was none.
   std::optional<std::string> run(AttackCounts& counts) {
     auto level = builder_.tryCompile();
     if (!level) return std::nullopt;
@@ -172,7 +172,7 @@ class Attack {
     });
   }
 
-  // Holds keys for a while: anywhere, toward a part, or turning fast.
+  // A player that holds keys for a while: at random, toward a part, or turning fast.
   struct Player {
     Random random;
     uint32_t style, hold, jumpOneIn;

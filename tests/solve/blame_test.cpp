@@ -1,16 +1,16 @@
-// The part that took too much health is named, though the simulator does not name it.
-#include "solve/rollouts/blame.h"
+// Names the part that took too much health, which the simulator does not report.
+#include "solve/search/rollouts/blame.h"
 
 #include <gtest/gtest.h>
 
 #include "hand_played.h"
-#include "solve/go_explore.h"
-#include "solve/resident/resident_explore.h"
+#include "solve/search/methods/go_explore.h"
+#include "solve/search/resident/resident_explore.h"
 
 namespace obby::solve {
 namespace {
 
-// The stones with a curtain over the first that hurts; beside it another, out of the way.
+// The stones with a curtain that hurts over the first one, and another curtain out of the way.
 LevelBuilder curtain() {
   const auto hot = [](schema::Part::Builder p) {
     p.setSolid(false);
@@ -42,7 +42,7 @@ TEST(Blame, NamesThePartThatTookTooMuchHealth) {
   EXPECT_EQ(blamedPart(end, nullptr, hot.level.view()), kCurtain);
 }
 
-TEST(Blame, OfOtherEndsThePartStays) {
+TEST(Blame, KeepsThePartOfOtherEnds) {
   const Hot hot(50);
   const sim::World end = hot.walked();
   ASSERT_EQ(end.outcome, sim::Outcome::fell);

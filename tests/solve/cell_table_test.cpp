@@ -1,9 +1,9 @@
-#include "solve/archive/cell_table.h"
+#include "solve/search/archive/cell_table.h"
 
 #include <gtest/gtest.h>
 
-#include "solve/archive/archive_node.h"
-#include "solve/archive/cell.h"
+#include "solve/search/archive/archive_node.h"
+#include "solve/search/archive/cell.h"
 
 namespace obby::solve {
 namespace {
@@ -28,12 +28,12 @@ TEST(CellTable, KeysWithOneTagAndOneHomeAreDifferentCells) {
   table.add(other);
   EXPECT_EQ(table.find(key), 0u);
   EXPECT_EQ(table.find(other), 1u);
-  EXPECT_EQ(table.likely(other), 0u);  // only likely
+  EXPECT_EQ(table.likely(other), 0u);  // likely only, not certain
 }
 
 TEST(CellTable, ZeroIsAKeyAndClustersWrapAround) {
   CellTable table;
-  for (uint64_t i = 0; i < 3000; ++i) table.add(i << 32 | 4095);  // one home, the last
+  for (uint64_t i = 0; i < 3000; ++i) table.add(i << 32 | 4095);  // all in the last home slot
   table.add(0);
   for (uint32_t i = 0; i < 3000; ++i) ASSERT_EQ(table.find(uint64_t(i) << 32 | 4095), i);
   EXPECT_EQ(table.find(0), 3000u);

@@ -1,11 +1,11 @@
-#include "solve/archive/cell.h"
+#include "solve/search/archive/cell.h"
 
 #include <gtest/gtest.h>
 
 #include <set>
 
 #include "scenes.h"
-#include "solve/archive/binning.h"
+#include "solve/search/archive/binning.h"
 
 namespace obby::solve {
 namespace {
@@ -38,7 +38,7 @@ TEST(Cell, PositionsOfOneCellShareAKeyAndNeighboursDoNot) {
   EXPECT_EQ(keys.count(0), 0u);
 }
 
-TEST(Cell, DimensionsCountOnlyWhereTheProblemNeedsThem) {
+TEST(Cell, DimensionsCountOnlyIfTheProblemNeedsThem) {
   sim::World a = worldAt({1, 1, 1}), b = a;
   b.tick = 500;
   b.jumps = 3;
@@ -52,13 +52,13 @@ TEST(Cell, DimensionsCountOnlyWhereTheProblemNeedsThem) {
   clock.clockBin = 30;
   const uint32_t always = 0;
   clock.clock = {&always, {0, 0, 0}, 0.1f, 1, 1, 1};
-  clocks.clock.bins = &always;  // of a clock that does not tell states apart: it only counts
+  clocks.clock.bins = &always;  // a clock that does not tell states apart, and is only counted
   for (const Binning& binning : {jumps, waypoints, clocks, health, clock}) {
     EXPECT_NE(cellKey(binning, a), cellKey(binning, b));
   }
 }
 
-// A block that moves up and down at x = 50 once in 4 seconds, beside the stepping stones.
+// The stepping stones, and a block at x = 50 that moves up and down once in 4 seconds.
 LevelBuilder stonesAndLift() {
   return steppingStones().block({50, 0, 0}, {4, 1, 4}, [](schema::Part::Builder p) {
     auto motion = p.initMotion();
@@ -135,7 +135,7 @@ TEST(Binning, MotionAndVanishingAndDamageAddDimensions) {
   EXPECT_GT(b.healthBins, 0u);
 }
 
-// A door is open or not, and for how long still; a part that vanishes by itself only counts.
+// A signal matters by its remaining time. A part that vanishes by itself only counts as running.
 TEST(Cell, RunningSignalsTellStatesApart) {
   const level::Level level =
       steppingStones()
@@ -166,7 +166,7 @@ TEST(Cell, RunningSignalsTellStatesApart) {
   EXPECT_NE(key(signalA, 0), key(signalB, 0));
   EXPECT_EQ(key(signalA, 0), key(signalA, 20));
   EXPECT_NE(key(signalA, 0), key(signalA, 200));
-  const uint32_t vanishing = signalA - 1;  // the last role's own
+  const uint32_t vanishing = signalA - 1;  // the last clock of a role
   EXPECT_EQ(key(vanishing, 0), key(vanishing, 200));
   EXPECT_NE(key(vanishing, 0), cellKey(b, worldAt({0, 1, 0})));
 }

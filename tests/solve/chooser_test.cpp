@@ -1,15 +1,15 @@
-// Which cells the choosers of the rival methods pick from archives made by hand.
-#include "solve/choosers/chooser.h"
+// The cells that the rival methods' selectors pick from archives made by hand.
+#include "solve/search/selectors/chooser.h"
 
 #include <gtest/gtest.h>
 
 #include <map>
 
 #include "scenes.h"
-#include "solve/choosers/choose_beam.h"
-#include "solve/choosers/choose_mcts.h"
-#include "solve/choosers/choose_rrt.h"
-#include "solve/rollouts/surfaces.h"
+#include "solve/search/selectors/choose_beam.h"
+#include "solve/search/selectors/choose_mcts.h"
+#include "solve/search/selectors/choose_rrt.h"
+#include "solve/search/rollouts/surfaces.h"
 
 namespace obby::solve {
 namespace {
@@ -22,7 +22,7 @@ sim::World at(Vec3 position, uint32_t tick = 0, uint8_t waypoints = 0) {
   return w;
 }
 
-// The stepping stones, with all that a chooser is made from.
+// The stepping stones, with everything that a selector needs.
 struct Scene {
   Scene() : level(steppingStones().compile()), question(level), surfaces(level.view()) {}
   ExploreContext context() {
@@ -54,7 +54,7 @@ std::map<uint32_t, int> tally(const std::vector<Choice>& choices) {
   return counts;
 }
 
-TEST(NearestCells, FindsTheNearestOfTheLayerAndTheLowestOfEquals) {
+TEST(NearestCells, FindsTheNearestOfTheLayerAndTheLowestOfTies) {
   NearestCells cells;
   cells.add(0, {10, 0, 0}, 0);
   cells.add(0, {-10, 0, 0}, 1);  // another block
@@ -91,7 +91,7 @@ TEST(NearestCells, FindsWhatAScanFinds) {
   }
 }
 
-TEST(RrtChooser, StartsFromTheNearestOfTheSameProgress) {
+TEST(RrtChooser, StartsFromTheNearestCellOfEqualProgress) {
   Scene s;
   s.question.waypoints.push_back({boxAt({0, 2, -16}, {8, 4, 8}), -1});
   RrtChooser chooser(s.question.problem(), s.context());
@@ -100,11 +100,11 @@ TEST(RrtChooser, StartsFromTheNearestOfTheSameProgress) {
   auto counts = tally(s.choose(chooser, 1000));
   EXPECT_EQ(counts[away], 0);
   EXPECT_GT(counts[start], 150);
-  EXPECT_GT(counts[middle], 500);  // it and what is beyond
+  EXPECT_GT(counts[middle], 500);  // its own targets and those beyond it
   const uint32_t further = s.add(at({0, 0, 900}, 0, 1));
   counts = tally(s.choose(chooser, 1000));
   EXPECT_EQ(counts[away], 0);
-  EXPECT_NEAR(counts[further], 500, 80);  // half of the targets are behind the waypoint
+  EXPECT_NEAR(counts[further], 500, 80);  // half of the targets are beyond the waypoint
 }
 
 TEST(RrtChooser, RolloutsAreShortAndOfAnyLength) {
@@ -147,29 +147,29 @@ struct Fork : Scene {
   MctsChooser chooser;
 };
 
-TEST(MctsChooser, TriesWhatWasNeverTriedFirst) {
+TEST(MctsChooser, TriesUntriedCellsFirst) {
   Fork f;
   const auto counts = tally(f.choose(f.chooser, 2));
   EXPECT_EQ(counts, (std::map<uint32_t, int>{{1, 1}, {2, 1}}));
 }
 
-TEST(MctsChooser, ARolloutsCellsHangBehindOneAnother) {
+TEST(MctsChooser, ARolloutsCellsFormAChain) {
   Scene s;
   MctsChooser chooser;
   s.add(at({}));
   s.choose(chooser, 1);
   for (int i = 0; i < 3; ++i) s.add(at({}));
   chooser.learn(s.archive, std::vector<Tried>{{0, 1, 3, 1}});
-  EXPECT_EQ(s.choose(chooser, 1)[0].cell, 3u);  // its end first
+  EXPECT_EQ(s.choose(chooser, 1)[0].cell, 3u);  // the end of the trajectory comes first
 }
 
-TEST(MctsChooser, WhatIsOutCountsAsALossUntilItIsLearnt) {
+TEST(MctsChooser, PendingRolloutsCountAsALoss) {
   Fork f;
   const auto counts = tally(f.choose(f.chooser, 300));
   EXPECT_NEAR(counts.at(1), counts.at(2), 1);
 }
 
-TEST(MctsChooser, PrefersWhatPaysAndStillTriesTheRest) {
+TEST(MctsChooser, PrefersRewardsAndStillTriesTheRest) {
   Fork f;
   std::map<uint32_t, int> counts;
   for (int i = 0; i < 600; ++i) {
@@ -183,7 +183,7 @@ TEST(MctsChooser, PrefersWhatPaysAndStillTriesTheRest) {
   EXPECT_LT(counts[1], 100);
 }
 
-TEST(MctsChooser, EqualPayIsSharedEqually) {
+TEST(MctsChooser, EqualRewardsAreSharedEqually) {
   Fork f;
   std::map<uint32_t, int> counts;
   for (int i = 0; i < 600; ++i) {
@@ -196,8 +196,8 @@ TEST(MctsChooser, EqualPayIsSharedEqually) {
   EXPECT_GT(counts[0], 150);
 }
 
-// 16 studs/s at 60 ticks/s.
-TEST(BeamChooser, TicksLeftAreThoseOfAStraightWalkThroughTheWaypoints) {
+// At 16 studs/s and 60 ticks/s.
+TEST(BeamChooser, TicksLeftAssumeAStraightWalkThroughTheWaypoints) {
   Scene s;
   EXPECT_FLOAT_EQ(BeamChooser(s.question.problem()).ticksLeft(at({0, 0, -12})), 12 * 60 / 16.0f);
   s.question.waypoints.push_back({boxAt({0, 2, -4}, {2, 4, 2}), -1});
@@ -208,7 +208,7 @@ TEST(BeamChooser, TicksLeftAreThoseOfAStraightWalkThroughTheWaypoints) {
   EXPECT_FLOAT_EQ(chooser.ticksLeft(at({0, 0, -12})), (back + there) * 60 / 16);
 }
 
-TEST(BeamChooser, TakesTheLeastTicksSoFarAndLeft) {
+TEST(BeamChooser, MinimisesTicksSoFarPlusTicksLeft) {
   Scene s;
   BeamChooser chooser(s.question.problem());
   s.add(at({0, 0, -2}, 0));
@@ -219,7 +219,7 @@ TEST(BeamChooser, TakesTheLeastTicksSoFarAndLeft) {
   EXPECT_EQ(counts.count(late), 0u);
 }
 
-TEST(BeamChooser, WaypointsBehindCount) {
+TEST(BeamChooser, PassedWaypointsCount) {
   Scene s;
   s.question.waypoints.push_back({boxAt({0, 2, -2}, {4, 4, 2}), -1});
   BeamChooser chooser(s.question.problem());

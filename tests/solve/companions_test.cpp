@@ -1,16 +1,16 @@
-// Players who press the same keys: whether they come along.
-#include "solve/rollouts/companions.h"
+// Players that press the same keys, and whether they come along.
+#include "solve/search/rollouts/companions.h"
 
 #include <gtest/gtest.h>
 
 #include "level/player.h"
 #include "scenes.h"
-#include "solve/rollouts/explore_setup.h"
+#include "solve/search/rollouts/explore_setup.h"
 
 namespace obby::solve {
 namespace {
 
-// A level as a player at this frame rate meets it.
+// The level for a player at this frame rate.
 level::Level atRate(LevelBuilder b, uint16_t rate) {
   io::RecordBuilder record;
   record.root().setLevel(b.record());
@@ -27,7 +27,7 @@ LevelBuilder twoStones(bool second) {
   return b;
 }
 
-// Runs up, and jumps across the gap of 4 studs: at 30 frames a second.
+// A run-up and a jump across the gap of 4 studs, at 30 frames a second.
 KnownWay jumpAcross() {
   const sim::Action walk{0, true, false}, jump{0, true, true}, rest{};
   return {{walk, 9}, {jump, 1}, {walk, 16}, {rest, 30}};
@@ -49,7 +49,7 @@ struct Pair {
   Problem problem;
 };
 
-TEST(Companions, ComeAlongWhereTheSameKeysDo) {
+TEST(Companions, ComeAlongIfTheSameKeysDo) {
   const Pair pair(true);
   const ExploreSetup setup(pair.problem, 1, {});
   const Companions all(pair.problem, setup.rules.context, 1);
@@ -58,7 +58,7 @@ TEST(Companions, ComeAlongWhereTheSameKeysDo) {
   EXPECT_TRUE(walk.follow(50)) << "both stand on the second stone";
 }
 
-TEST(Companions, WhoFallIsNotThere) {
+TEST(Companions, AFallenCompanionIsNotThere) {
   const Pair pair(false);
   const ExploreSetup setup(pair.problem, 1, {});
   const Companions all(pair.problem, setup.rules.context, 1);
@@ -67,7 +67,7 @@ TEST(Companions, WhoFallIsNotThere) {
   EXPECT_FALSE(walk.follow(50));
 }
 
-TEST(Companions, GoOnFromWhereAWalkWasKept) {
+TEST(Companions, ContinueFromAKeptWalk) {
   const Pair pair(true);
   const ExploreSetup setup(pair.problem, 1, {});
   Companions all(pair.problem, setup.rules.context, 1);

@@ -1,5 +1,5 @@
-// What the search makes of every kind of constraint: it finds what keeps it, and nothing where
-// nothing does.
+// For every kind of constraint, the search finds a solution that keeps it, and none if that is
+// impossible.
 #include <gtest/gtest.h>
 
 #include "io/json_codec.h"
@@ -17,8 +17,8 @@ struct Case {
 
 std::ostream& operator<<(std::ostream& out, const Case& c) { return out << c.what; }
 
-// Stones with gaps of 8 studs, which nobody crosses without a jump (6 can be crossed in a fall that
-// the legs still end): A, B, C at z = -4, -20, -36.
+// Stones A, B, C at z = -4, -20, -36, with gaps of 8 studs that require a jump. A gap of 6 can be
+// crossed in a fall that the legs still catch.
 std::string wideStones(const char* more) {
   return std::string(
              R"({"type":"level","name":"stones","physics":{"fallenPartsHeight":-40},"parts":[)"
@@ -43,8 +43,8 @@ Filtered ask(const Case& c, int threads) {
 
 class Constraint : public testing::TestWithParam<Case> {};
 
-// Solutions are verified before they count, so `solved` says that one was kept.
-TEST_P(Constraint, IsKeptOrCannotBe) {
+// Solutions are verified before they count, so that `solved` implies a kept constraint.
+TEST_P(Constraint, IsKeptOrUnsolvable) {
   const Filtered f = ask(GetParam(), 2);
   ASSERT_TRUE(f.status) << f.status.error().text();
   EXPECT_EQ(f.counts.solved, GetParam().solvable ? 1u : 0u) << f.output;
@@ -90,7 +90,7 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"without touching the second", R"(,"avoid":[{"part":"B","touch":true}])", false},
         Case{"the goal is a part", R"(,"goals":[{"part":"B","touch":true}],"maxJumps":1)", true}));
 
-// A floor that hurts, with a way around.
+// A floor with a hurting part across most of it, and a way around it.
 TEST(Damage, IsKeptWithinItsBudget) {
   const std::string level =
       R"({"type":"level","name":"hot","parts":[{"name":"Floor","position":[0,-0.5,-15],"size":[40,1,40]},)"

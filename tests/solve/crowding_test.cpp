@@ -1,4 +1,4 @@
-// Where the simulator has to leave parts out, the bound on reach says nothing.
+// The bound on reach makes no claim for places where the simulator ignores parts.
 #include <gtest/gtest.h>
 
 #include "scenes.h"
@@ -8,8 +8,8 @@
 namespace obby::solve {
 namespace {
 
-// Is nothing known of a player who starts on a floor with a row of small posts on it? `aside`:
-// studs from the start. `more`: of each post.
+// Returns true if the bound is unknown for a floor with a row of small posts. `aside` moves the
+// row, in studs; `more` sets up each post.
 bool isUnknownAmong(int posts, float aside, const LevelBuilder::PartSetter& more = {}) {
   LevelBuilder b;
   b.block({0, -0.5f, 0}, {40, 1, 40}).spawn({0, 0, 0});
@@ -21,22 +21,22 @@ bool isUnknownAmong(int posts, float aside, const LevelBuilder::PartSetter& more
   return ReachBound(problem, true).holds({30000, 15000, 0});
 }
 
-TEST(Crowding, IsWhereMorePartsAreNearThanATickHolds) {
+TEST(Crowding, BeginsAboveATicksLimitOfParts) {
   EXPECT_FALSE(isUnknownAmong(0, 0));
   EXPECT_FALSE(isUnknownAmong(sim::kMaxCandidates - 1, 0)) << "with the floor as many as it holds";
   EXPECT_TRUE(isUnknownAmong(sim::kMaxCandidates, 0));
   EXPECT_FALSE(isUnknownAmong(sim::kMaxCandidates + 1, 500)) << "nobody comes there";
 }
 
-TEST(Crowding, FewerMayMove) {
+TEST(Crowding, HasALowerLimitForMovingParts) {
   const auto turns = [](schema::Part::Builder p) { p.initMotion().initSpin().setSpeed(1); };
   EXPECT_FALSE(isUnknownAmong(sim::kMaxMovingCandidates, 0, turns));
   EXPECT_TRUE(isUnknownAmong(sim::kMaxMovingCandidates + 1, 0, turns));
   EXPECT_FALSE(isUnknownAmong(sim::kMaxMovingCandidates + 1, 0)) << "standing still";
 }
 
-// However many the places are, a box holds all of a block.
-TEST(Crowding, ManyPlacesAreJoined) {
+// Whatever the number of crowded places, one box covers each block of them.
+TEST(Crowding, MergesManyPlaces) {
   LevelBuilder b;
   b.block({0, -0.5f, 0}, {8, 1, 8}).spawn({0, 0, 0});
   for (int x = 0; x < 8; ++x) {

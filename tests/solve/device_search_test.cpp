@@ -1,9 +1,9 @@
-// A search whose rollouts run as a kernel gives the bytes of one on threads, also when the device
-// fails under way.
+// A search with rollouts as a kernel gives the same bytes as one on threads, even if the device
+// fails midway.
 #include <gtest/gtest.h>
 
 #include "scenes.h"
-#include "solve/go_explore.h"
+#include "solve/search/methods/go_explore.h"
 #include "support/failing_device.h"
 #include "untimed.h"
 
@@ -26,7 +26,7 @@ std::string answers(const char* level, FilterOptions options) {
   return withoutTiming(f.output);
 }
 
-TEST(DeviceSearch, AnswersAreThoseOfThreads) {
+TEST(DeviceSearch, AnswersEqualThoseOfThreads) {
   for (const char* level : {"kill-checkerboard", "vanishing-run", "sliding-planks", "truss-tower",
                             "several-routes", "spinner-trio"}) {
     ThreadPool pool(2);

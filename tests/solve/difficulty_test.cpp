@@ -1,12 +1,12 @@
-#include "solve/difficulty/difficulty.h"
+#include "solve/report/difficulty/difficulty.h"
 
 #include <gtest/gtest.h>
 
 #include "hand_played.h"
-#include "solve/difficulty/difficulty_records.h"
-#include "solve/difficulty/press_windows.h"
-#include "solve/difficulty/room.h"
-#include "solve/difficulty/trials.h"
+#include "solve/report/difficulty/difficulty_records.h"
+#include "solve/report/difficulty/press_windows.h"
+#include "solve/report/difficulty/room.h"
+#include "solve/report/difficulty/trials.h"
 
 namespace obby::solve {
 namespace {
@@ -23,7 +23,7 @@ Difficulty ofGap(float gap, float pressAt) {
   return measured(scene.problem, scene.jumpAt(pressAt));
 }
 
-// A walk of 24 studs over a beam of that width, between two platforms.
+// The difficulty of a walk of 24 studs over a beam of this width, between two platforms.
 Difficulty ofBeam(float width, const std::function<void(LevelBuilder&)>& more = {}) {
   LevelBuilder b = GapScene::build(24, 8);
   b.block({0, -0.5f, -20}, {width, 1, 24});
@@ -35,14 +35,14 @@ Difficulty ofBeam(float width, const std::function<void(LevelBuilder&)>& more = 
   return measured(problem, courseOf(problem, playByHand(problem, walkAndJump(1e3f, 1e3f))));
 }
 
-TEST(Noise, IsNamedWithItsNumbers) {
+TEST(Noise, TextStatesItsNumbers) {
   const std::string text = describe({});
   for (const char* part : {"average player", "30 ms", "6 degrees", "250 ms", "0.2 studs"}) {
     EXPECT_NE(text.find(part), std::string::npos) << text;
   }
 }
 
-TEST(NoisyPlayer, WithoutNoiseDoesWhatIsRecorded) {
+TEST(NoisyPlayer, WithoutNoiseRepeatsTheRecording) {
   const GapScene scene(7);
   const Course course = scene.jumpAt(-7);
   const std::vector<Segment> segments = segmentsOf(course);
@@ -55,8 +55,8 @@ TEST(NoisyPlayer, WithoutNoiseDoesWhatIsRecorded) {
   }
 }
 
-TEST(NoisyPlayer, FindsBackToThePath) {
-  // Started beside the path, a player who errs in nothing else walks on it in the end.
+TEST(NoisyPlayer, ReturnsToThePath) {
+  // The player starts off the path and makes no other errors, and ends up on the path.
   LevelBuilder b;
   b.block({0, -0.5f, -50}, {20, 1, 100});
   b.spawn({0, 0, -2});
@@ -102,7 +102,7 @@ TEST(Difficulty, NarrowerBeamsAreHarder) {
   EXPECT_GT(narrow.success, edge.success + 0.02f);
 }
 
-// From the first place where a flight is long enough to the last where a jump is still accepted.
+// The window is from the first position whose flight suffices to the last that allows a jump.
 TEST(PressWindow, IsTheRunUpDividedByTheSpeed) {
   for (const float gap : {8.0f, 9.5f}) {
     const GapScene scene(gap);
@@ -111,8 +111,8 @@ TEST(PressWindow, IsTheRunUpDividedByTheSpeed) {
     const std::vector<PressWindow> windows = pressWindows(Leg(scene.problem, course, segments), {});
     ASSERT_EQ(windows.size(), 1u);
     const Params& p = scene.problem.level.params;
-    // The floor is sensed this far beyond its edge; one whose feet are as far below it as the hips
-    // are high still comes up.
+    // The floor is sensed this far beyond its edge. A player whose feet are up to a hip height
+    // below the top still comes up.
     const float toe = p.bodyDepth * p.floorRaySpread;
     const float seconds =
         (p.jumpSpeed + sqrtf32(p.jumpSpeed * p.jumpSpeed + 2 * p.gravity * p.hipHeight)) /
@@ -124,9 +124,9 @@ TEST(PressWindow, IsTheRunUpDividedByTheSpeed) {
   }
 }
 
-TEST(PressWindow, TheRecordedPressIsInsideAndTheMiddleIsMeantInTrials) {
+TEST(PressWindow, ContainsTheRecordedPressAndTrialsAimAtItsMiddle) {
   const GapScene scene(8);
-  // Pressed at the last moment: most trials still pass, since players know when to press.
+  // The press comes at the last moment. Most trials still pass, since players know when to press.
   const Course late = scene.jumpAt(-9.8f);
   const std::vector<Segment> segments = segmentsOf(late);
   const PressWindow w = pressWindows(Leg(scene.problem, late, segments), {})[0];
@@ -135,7 +135,7 @@ TEST(PressWindow, TheRecordedPressIsInsideAndTheMiddleIsMeantInTrials) {
   EXPECT_GT(measured(scene.problem, late).success, 0.95f);
 }
 
-TEST(Room, MarginIsTheWayToTheNearestEdge) {
+TEST(Room, MarginIsTheDistanceToTheNearestEdge) {
   GapScene scene(5, 6);
   const Course course = scene.jumpAt(-7);
   const Segment s = segmentsOf(course)[0];
@@ -153,7 +153,7 @@ schema::Part::Builder deadly(schema::Part::Builder p) {
   return p;
 }
 
-TEST(Room, ClearanceIsTheWayToTheNearestKillPart) {
+TEST(Room, ClearanceIsTheDistanceToTheNearestKillPart) {
   const auto wall = [](LevelBuilder& b) {
     b.block({6, 3, -20}, {2, 6, 24}, [](schema::Part::Builder p) { deadly(p); });
   };
@@ -161,7 +161,7 @@ TEST(Room, ClearanceIsTheWayToTheNearestKillPart) {
     b.block({-7, 3, -20}, {2, 2, 2},
             [](schema::Part::Builder p) { deadly(p).setShape(schema::Shape::BALL); });
   };
-  // An edge of it is nearest, to the arms.
+  // An edge of the part is nearest, to the arms.
   const auto corner = [](LevelBuilder& b) {
     b.block({6, 8, -20}, {2, 2, 2}, [](schema::Part::Builder p) { deadly(p); });
   };
@@ -175,7 +175,7 @@ TEST(Room, ClearanceIsTheWayToTheNearestKillPart) {
   EXPECT_EQ(ofBeam(8).steps[1].clearance, -1);
 }
 
-TEST(Difficulty, KillPartsBesideTheWayMakeItHarder) {
+TEST(Difficulty, KillPartsNextToThePathMakeItHarder) {
   const auto lava = [](float x) {
     return [x](LevelBuilder& b) {
       b.block({x, 3, -20}, {1, 6, 24}, [](schema::Part::Builder p) { deadly(p); });
@@ -217,12 +217,12 @@ TEST(Difficulty, TrialsKeepToTheQuery) {
   question.avoid.push_back(boxAt({5.3f, 4, -16}, {10, 20, 8}));
   EXPECT_LT(successOf(), free - 0.05f);
   question.avoid.clear();
-  // To be passed on the way to the second stone, and narrow.
+  // A narrow waypoint before the second stone.
   question.waypoints.push_back({boxAt({0, 4, -12}, {0.5f, 20, 1})});
   EXPECT_LT(successOf(), free - 0.05f);
 }
 
-TEST(Difficulty, OfAWayOverAMovingPlatform) {
+TEST(Difficulty, IncludesMovingPlatforms) {
   LevelBuilder b = steppingStones();
   constexpr float kSpeed = 3;  // studs/s along X, from the start on
   b.block({-3, -0.5f, -40}, {6, 1, 8}, [](schema::Part::Builder p) {
@@ -255,7 +255,7 @@ TEST(Difficulty, OfAWayOverAMovingPlatform) {
   EXPECT_NEAR(onto.margin, std::min(3 - std::abs(feet.x - center), -36 - feet.z), 0.01f);
 }
 
-TEST(Difficulty, IsFiniteWhereNobodyPasses) {
+TEST(Difficulty, IsFiniteIfNoTrialPasses) {
   const GapScene scene(9.5f);
   const Course course = scene.jumpAt(-9);
   ThreadPool pool(1);
@@ -267,8 +267,8 @@ TEST(Difficulty, IsFiniteWhereNobodyPasses) {
   EXPECT_FLOAT_EQ(d.expectedAttempts, 40);
 }
 
-// A window of none is no jump, or one that nobody makes: the easiest or the tightest.
-TEST(Difficulty, OfAsManyTrialsTheTightestJumpIsHardest) {
+// A window of zero is easiest for a step without a jump, and hardest for one with a jump.
+TEST(Difficulty, AmongEqualTrialsTheTightestJumpIsHardest) {
   const auto step = [](uint32_t jumps, float window, uint32_t passed = 50) {
     DifficultyStep out;
     out.segment.jumps = jumps;
@@ -286,7 +286,7 @@ TEST(Difficulty, OfAsManyTrialsTheTightestJumpIsHardest) {
   EXPECT_FALSE(harder(lost, step(0, 0, 40)));
 }
 
-// In words for designers: parts by name, the time to press in seconds.
+// The text is for designers: parts by name, and the time to press in seconds.
 TEST(Difficulty, SaysWhichStepIsHardest) {
   LevelBuilder b = GapScene::build(5, 8);
   const level::Level level = b.compile();

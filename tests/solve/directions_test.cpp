@@ -1,4 +1,4 @@
-// Queries for players who walk in the keyboard's eight directions.
+// Queries for players that walk in the keyboard's eight directions.
 #include <gtest/gtest.h>
 
 #include "scenes.h"
@@ -9,7 +9,7 @@ namespace {
 
 constexpr int32_t kEighth = 65536 / 8;
 
-// Solves a gap that lies askew to the facing at the start, and returns the solutions.
+// Returns the solutions of a gap that is diagonal to the facing at the start.
 std::vector<io::Record> solutionsOf(schema::Directions directions) {
   LevelBuilder b;
   b.block({0, -0.5f, 0}, {8, 1, 8}).block({5, -0.5f, -14}, {6, 1, 8});
@@ -54,7 +54,7 @@ TEST(Directions, KeyboardSolutionsWalkInEightOnly) {
   for (const io::Record& s : solutions) EXPECT_TRUE(isByKeys(s.reader().getTrajectory()));
 }
 
-TEST(Directions, AnyOtherwise) {
+TEST(Directions, AreFreeOtherwise) {
   const auto solutions = solutionsOf(schema::Directions::ANY);
   ASSERT_FALSE(solutions.empty());
   EXPECT_FALSE(isByKeys(solutions.front().reader().getTrajectory()));

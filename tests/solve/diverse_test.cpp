@@ -1,11 +1,11 @@
-// Several solutions that differ in route.
+// Several solutions with different routes.
 #include <gtest/gtest.h>
 
 #include <set>
 
 #include "hand_played.h"
 #include "io/json_codec.h"
-#include "solve/answers/solutions.h"
+#include "solve/search/solutions.h"
 #include "untimed.h"
 
 namespace obby::solve {
@@ -13,8 +13,8 @@ namespace {
 
 using Route = std::vector<int32_t>;
 
-// A course over the stepping stones that is carried as listed, five ticks each, and ends on the
-// first of them at rest. `reached`: the waypoints by the start of each stay.
+// A course over the stepping stones, five ticks on each listed carrier. `reached` lists the
+// waypoints passed by the start of each stay.
 Course carriedBy(const Problem& problem, const Route& parts, std::vector<uint8_t> reached = {}) {
   Course course;
   reached.resize(parts.size());
@@ -36,7 +36,7 @@ struct Stones {
   Problem problem = question.problem();
 };
 
-TEST(DirectRoute, SteppingBackIsNoOtherRoute) {
+TEST(DirectRoute, SteppingBackIsNotAnotherRoute) {
   Stones s;
   const auto direct = [&](const Route& parts) {
     return directRouteOf(s.problem, carriedBy(s.problem, parts));
@@ -54,7 +54,7 @@ TEST(DirectRoute, SteppingAsideForAWaypointIsNoDetour) {
   EXPECT_EQ(directRouteOf(s.problem, course), (Route{2, 1, 2, 0}));
 }
 
-TEST(DirectRoute, EndsWhereThePlayerComesDown) {
+TEST(DirectRoute, EndsAtTheLanding) {
   GapScene scene(5);
   scene.problem.query.goal = boxAt({0, 4, -14}, {8, 4, 6});  // reached in the air
   const Course course = scene.jumpAt(-7);
@@ -70,7 +70,7 @@ Playthrough played(const Problem& problem, uint32_t waitTicks) {
   });
 }
 
-TEST(Solutions, OfOneRouteTheShortestIsKeptAndAllAreCounted) {
+TEST(Solutions, KeepTheShortestPerRouteAndCountAll) {
   Stones s;
   Solutions solutions(s.problem, byRoute());
   int asked = 0;
@@ -89,7 +89,7 @@ TEST(Solutions, OfOneRouteTheShortestIsKeptAndAllAreCounted) {
 
 Way routed(Route route) { return {Playthrough{}, std::move(route), 1}; }
 
-TEST(WayIdentity, ARouteIsTheSameWithOnePartMore) {
+TEST(WayIdentity, ARouteStaysTheSameWithOneMorePart) {
   const auto same = [](const Route& a, const Route& b) {
     EXPECT_EQ(byRoute().same(routed(a), routed(b)), byRoute().same(routed(b), routed(a)));
     return byRoute().same(routed(a), routed(b));
@@ -104,7 +104,7 @@ TEST(WayIdentity, ARouteIsTheSameWithOnePartMore) {
   EXPECT_FALSE(same({0, 1, 2, 3}, {0, 2, 1}));
 }
 
-TEST(Solutions, ARefusedWayCountsNowhere) {
+TEST(Solutions, ARefusedTrajectoryIsNotCounted) {
   Stones s;
   Solutions solutions(s.problem, byRoute());
   const auto refuse = [](const Playthrough&) { return false; };
@@ -113,7 +113,7 @@ TEST(Solutions, ARefusedWayCountsNowhere) {
   EXPECT_TRUE(solutions.routes().empty());
 }
 
-// Two ways over a gap, by a stone on the left or on the right of it.
+// Two routes over a gap, by a stone on the left or on the right.
 std::string forkText() {
   return R"({"type":"level","name":"fork","physics":{"fallenPartsHeight":-40},"parts":[)"
          R"({"name":"A","position":[0,-0.5,-4],"size":[20,1,8]},)"

@@ -1,11 +1,11 @@
-// Below everything there is a search stops; whoever it gave up has indeed no way back.
-#include "solve/rollouts/doom.h"
+// A search gives up players below all parts. Each one given up indeed cannot come back.
+#include "solve/search/rollouts/doom.h"
 
 #include <gtest/gtest.h>
 
 #include "scenes.h"
-#include "solve/go_explore.h"
-#include "solve/rollouts/rollout.h"
+#include "solve/search/methods/go_explore.h"
+#include "solve/search/rollouts/rollout.h"
 
 namespace obby::solve {
 namespace {
@@ -23,7 +23,7 @@ TEST(Doom, LiesBelowThePartsTheRegionsAndTheStart) {
   EXPECT_NEAR(doomHeight(q.problem()), alone - 29, 1e-4f);
 }
 
-TEST(Doom, CoversTheWholeWayOfAMover) {
+TEST(Doom, CoversTheWholeMotionOfAMover) {
   LevelBuilder b = steppingStones();
   const level::Level still = b.compile();
   b.block({0, -0.5f, -40}, {4, 1, 4}, [](schema::Part::Builder p) {
@@ -38,8 +38,8 @@ TEST(Doom, CoversTheWholeWayOfAMover) {
               0.1f);
 }
 
-// Random rollouts that are given up are played on: all of them fall, and meet nothing.
-TEST(Doom, WhoeverIsGivenUpFalls) {
+// Random rollouts that were given up are continued: all of them fall without touching anything.
+TEST(Doom, PlayersThatAreGivenUpFall) {
   LevelBuilder b = steppingStones();
   b.physics([](schema::PhysicsParams::Builder p) { p.setFallenPartsHeight(-60); });
   const level::Level stones = b.compile();
@@ -63,7 +63,8 @@ TEST(Doom, WhoeverIsGivenUpFalls) {
   EXPECT_GT(doomedCount, 100);
 }
 
-// To a reader of the answer nothing has changed: attempts that were given up are shown falling.
+// The answer hides this optimisation: attempts that were given up are shown to the end of their
+// fall.
 TEST(Doom, AttemptsAreShownToTheEndOfTheirFall) {
   const LinesFile file(stonesText(R"(,"avoid":[{"position":[0,0,-10],"size":[200,200,1]}])"));
   FilterOptions o;

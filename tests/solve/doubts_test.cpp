@@ -1,4 +1,4 @@
-// Solutions that depend on what the import is not sure of, and how they are told.
+// Solutions that depend on uncertain parts of the import, and how answers report them.
 #include <gtest/gtest.h>
 
 #include <optional>
@@ -32,7 +32,7 @@ class DoubtfulLevel : public LevelBuilder {
   void loss(const char* kind, schema::Bearing bearing, bool anywhere) {
     losses_.push_back({kind, bearing, anywhere});
   }
-  // To a box of 8 x 4 x 8 around `goal`.
+  // Solves the query for a goal of 8 x 4 x 8 around `goal`.
   Answered solve(Vec3 goal, std::vector<const char*> bodies = {}) {
     io::RecordBuilder level;
     level.root().setLevel(record());
@@ -82,7 +82,7 @@ class DoubtfulLevel : public LevelBuilder {
 
 constexpr Vec3 kBehindTheStone{0, 2, -28};
 
-// A start and a goal, with a stone between them that is in doubt.
+// A start and a goal, and between them a stone whose import is uncertain.
 DoubtfulLevel stoneInDoubt() {
   DoubtfulLevel level;
   level.block({0, -0.5f, 0}, {8, 1, 8});
@@ -119,7 +119,7 @@ TEST(Doubts, ALongerRouteWithoutThePartIsPreferred) {
   EXPECT_EQ(std::ranges::count(answered.route, 2), 0);
 }
 
-TEST(Doubts, APartThatIsOnlyNearMakesNone) {
+TEST(Doubts, NearbyPartsCauseNone) {
   DoubtfulLevel level;
   level.block({0, -0.5f, -14}, {8, 1, 36});
   level.block({20, -0.5f, -14}, {8, 1, 36}, {kDoubtKind});
@@ -136,14 +136,14 @@ TEST(Doubts, ThePartThatThePlayerStartsOnIsNamed) {
   EXPECT_EQ(answered.doubtful, std::vector<int32_t>{0});
 }
 
-TEST(Doubts, WhatCanOnlyHelpIsNone) {
+TEST(Doubts, LossesThatCanOnlyHelpCauseNone) {
   DoubtfulLevel level;
   level.block({0, -0.5f, -14}, {8, 1, 36}, {"tool"});
   level.loss("tool", schema::Bearing::EASIER, true);
   EXPECT_TRUE(level.solve(kBehindTheStone).result().getHolds());
 }
 
-TEST(Doubts, WhatConcernsNoSinglePartConcernsAll) {
+TEST(Doubts, LossesWithoutAPartConcernAllAnswers) {
   DoubtfulLevel level;
   level.block({0, -0.5f, -14}, {8, 1, 36});
   level.loss("script that fails", schema::Bearing::EITHER, true);
@@ -166,8 +166,8 @@ TEST(Doubts, AnAnswerForSeveralBodiesHoldsIfEachDoes) {
   EXPECT_TRUE(unsolved.result().getHolds());
 }
 
-// A loss that may help somewhere else leaves open whether the part is needed.
-TEST(Doubts, NothingIsShownToBeNeededWhereAnotherLossMayHelp) {
+// A loss that may help elsewhere leaves open whether the part is needed.
+TEST(Doubts, NoPartIsProvedNecessaryIfAnotherLossMayHelp) {
   DoubtfulLevel level = stoneInDoubt();
   level.loss("water", schema::Bearing::EITHER, true);
   const Answered answered = level.solve(kBehindTheStone);
@@ -176,8 +176,8 @@ TEST(Doubts, NothingIsShownToBeNeededWhereAnotherLossMayHelp) {
       << answered.reason();
 }
 
-// Nothing that a player lacks can make it worse.
-TEST(Doubts, UnreachableIsSaidWhereALossCanOnlyHinder) {
+// A loss that only hinders the player cannot make the goal reachable.
+TEST(Doubts, UnreachableHoldsIfALossCanOnlyHinder) {
   for (const auto bearing :
        {schema::Bearing::EITHER, schema::Bearing::EASIER, schema::Bearing::HARDER}) {
     DoubtfulLevel level;

@@ -1,13 +1,13 @@
-// An earlier answer is tried first: what still works is found at once, what does not is searched on
-// from.
-#include "solve/answers/earlier_answers.h"
+// An earlier answer is tried first. If it still works it is found at once, otherwise the search
+// continues from it.
+#include "solve/answer/earlier_answers.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "policy/shipped_policy.h"
 #include "scenes.h"
-#include "solve/methods.h"
+#include "solve/search/methods/methods.h"
 
 namespace obby::solve {
 namespace {
@@ -65,7 +65,7 @@ std::string replaced(std::string text, const std::string& from, const std::strin
   return text.replace(at, from.size(), to);
 }
 
-// With a fourth stone, and the goal on it.
+// The stones with a fourth one, which has the goal.
 std::string fourStones() {
   std::string text =
       replaced(stonesText(), "\"goal\":{}}]",
@@ -77,15 +77,15 @@ TEST(EarlierAnswer, StillWorksOnTheSameLevelAtOnce) {
   const std::string before = answer(stonesText(), stepsOnly());
   const std::string again = answerAfter(before, stonesText());
   EXPECT_THAT(again, HasSubstr("An earlier solution still works."));
-  EXPECT_LT(stepsOf(again), 400u);  // one playthrough, not a round of them
+  EXPECT_LT(stepsOf(again), 400u);  // one trajectory, not a round of them
   FilterOptions verify;
   verify.task = Task::verify;
   const LinesFile file(again);
   EXPECT_TRUE(runFilter(file.path(), verify).status);
 }
 
-// A field, and straight ways over it that fan out: the ends of any two are five studs apart.
-TEST(EarlierAnswer, KeepsAsManyWaysAsAreAskedFor) {
+// A field with straight trajectories that fan out. The ends of any two are five studs apart.
+TEST(EarlierAnswer, KeepsAsManySolutionsAsRequested) {
   constexpr int kWays = 20;
   const std::string field =
       R"({"type":"level","name":"field","parts":[{"name":"Field","position":[0,-0.5,-50],)"
@@ -108,7 +108,7 @@ TEST(EarlierAnswer, KeepsAsManyWaysAsAreAskedFor) {
   EXPECT_EQ(roundsOf(output), 0u) << "all were known";
 }
 
-TEST(EarlierAnswer, IsSearchedOnFromWhereItFails) {
+TEST(EarlierAnswer, IsContinuedWhereItFails) {
   const std::string before = answer(stonesText(), stepsOnly());
   const std::string cold = answer(fourStones(), stepsOnly());
   const std::string warm = answerAfter(before, fourStones());
@@ -153,15 +153,15 @@ TEST(EarlierAnswer, IsOfUseToEveryMethod) {
   }
 }
 
-TEST(EarlierAnswer, OfASearchThatFoundNothingLeadsFurther) {
-  // Attempts of a search that was cut off after its first round: what they reached is kept.
+TEST(EarlierAnswer, OfAFailedSearchLeadsFurther) {
+  // The search was cut off after its first round. The cells that its attempts reached are kept.
   const std::string before = answer(fourStones(), stepsOnly(1));
   ASSERT_THAT(before, HasSubstr("\"verdict\":\"unknown\""));
   EXPECT_LE(roundsOf(answerAfter(before, fourStones())),
             roundsOf(answer(fourStones(), stepsOnly())));
 }
 
-TEST(EarlierAnswer, IsRememberedByAFilterThatIsAskedTo) {
+TEST(EarlierAnswer, IsRememberedOnRequest) {
   FilterOptions o = stepsOnly();
   o.remember = true;
   o.solver.method = findMethod("auto");

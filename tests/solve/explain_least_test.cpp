@@ -1,9 +1,9 @@
-// How far a change is turned back by searches that miss some of what there is.
+// Reducing a change to the necessary amount, with searches that miss some solutions.
 #include <gtest/gtest.h>
 
 #include "hand_played.h"
 #include "io/json_codec.h"
-#include "solve/relaxation/explain.h"
+#include "solve/report/relaxation/explain.h"
 
 namespace obby::solve {
 namespace {
@@ -14,14 +14,14 @@ io::RecordBuilder record(const std::string& json) {
   return *std::move(decoded);
 }
 
-// A floor to walk along: no jump is needed.
+// A floor to walk along, without any need to jump.
 constexpr const char* kLevel =
     R"({"type":"level","name":"scene","parts":[{"name":"Floor","position":[0,-0.5,-15],)"
     R"("size":[8,1,38]}],"spawns":[{"position":[0,0,-2]}]})";
 constexpr const char* kQuery =
     R"({"type":"query","id":"q","maxJumps":1,"goal":{"position":[0,2,-30],"size":[8,4,4]}})";
 
-// Jumps on the spot so often, then walks to the goal.
+// A trajectory with this number of jumps on the spot, followed by a walk to the goal.
 Playthrough jumpedThenWalked(const Problem& problem, int jumps) {
   return playByHand(problem, [=](const sim::World& w) {
     if (int(w.jumps) < jumps) return sim::Action{0, false, true};
@@ -31,7 +31,8 @@ Playthrough jumpedThenWalked(const Problem& problem, int jumps) {
 
 int searches = 0;  // of the query with more jumps
 
-// With five jumps it finds nothing, with seven a way that takes three, else one that takes nine.
+// Finds nothing with five jumps allowed, a solution of three jumps with seven, and otherwise one of
+// nine.
 SearchOutcome missing(const Problem& problem, const Budget&, const Watcher& watcher,
                       const Machine&) {
   SearchOutcome outcome;
@@ -46,7 +47,7 @@ SearchOutcome missing(const Problem& problem, const Budget&, const Watcher& watc
   return outcome;
 }
 
-TEST(Explain, StopsAtLessThanASearchHasMissed) {
+TEST(Explain, ReducesAChangeDespiteMissedSolutions) {
   const io::RecordBuilder levelRecord = record(kLevel), queryRecord = record(kQuery);
   const auto level = level::Level::compile(levelRecord.reader().getLevel());
   ASSERT_TRUE(level);

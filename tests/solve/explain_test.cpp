@@ -1,6 +1,6 @@
-// What is said of queries that cannot be solved: the change that would make them solvable, no less
-// than is needed, and nothing where no single change does.
-#include "solve/relaxation/explain.h"
+// Explanations of unsolved queries state a single change that makes them solvable, reduced to the
+// necessary amount. There is none if no single change suffices.
+#include "solve/report/relaxation/explain.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -85,8 +85,8 @@ std::string query(const std::string& fields) {
   return R"({"type":"query","id":"q",)" + fields + "}\n";
 }
 
-// Three gaps of 8 studs, each of which takes a jump: one of 6 can be crossed in a fall that the
-// legs still end.
+// Three gaps of 8 studs, each of which requires a jump. A gap of 6 can be crossed in a fall that
+// the legs still catch.
 const std::string kFourStones = level(R"({"name":"A","position":[0,-0.5,-4],"size":[8,1,8]},)"
                                       R"({"name":"B","position":[0,-0.5,-20],"size":[8,1,8]},)"
                                       R"({"name":"C","position":[0,-0.5,-36],"size":[8,1,8]},)"
@@ -118,7 +118,7 @@ TEST(Explain, CountsTheJumpsOfASegment) {
   EXPECT_EQ(jumps->text, "solvable with 2 jumps from the last waypoint to the goal instead of 1");
 }
 
-// The straight way to the goal's box is 40 studs, at 16 studs/s.
+// The straight line to the goal's box is 40 studs, at 16 studs/s.
 TEST(Explain, SaysHowLongItTakes) {
   const Explained e = explainAsk(kFourStones + query(kFourth + R"(,"timeLimit":1.5)"));
   const Said* time = e.of(schema::Knob::TIME);
@@ -144,7 +144,7 @@ TEST(Explain, ALittleLessTimeThanItSaysIsNotEnough) {
   EXPECT_FALSE(solvedIn(2 + time->amount - 0.2));
 }
 
-// A step up from the floor, to be stood on.
+// A level and query with a step up from the floor, on which the player must stand.
 std::string stepUp(double top) {
   return level(R"({"name":"Floor","position":[0,-0.5,-4],"size":[8,1,8]},)"
                R"({"name":"Ledge","position":[0,)" +
@@ -188,7 +188,7 @@ TEST(Explain, SaysHowMuchHigherJumpsShouldBe) {
   EXPECT_THAT(higher->text, testing::EndsWith(" %) higher"));
 }
 
-// A curtain of lava across the only way.
+// A corridor of floor; kLava adds a curtain of lava across it.
 std::string corridor(const std::string& more) {
   return level(R"({"name":"Floor","position":[0,-0.5,-15],"size":[8,1,38]},)"
                R"({"name":"Lamp","position":[0,30,-30],"size":[1,1,1],"solid":false,"kill":{}})" +
@@ -268,14 +268,14 @@ TEST(Explain, SaysNothingUnlessAsked) {
   EXPECT_THAT(e.reason, Not(HasSubstr("single change")));
 }
 
-TEST(Explain, SaysNothingOfWhatIsSolved) {
+TEST(Explain, SaysNothingOfSolvedQueries) {
   const Explained e = explainAsk(kFourStones + query(kFourth));
   EXPECT_EQ(e.verdict, schema::Verdict::SOLVED);
   EXPECT_THAT(e.all, IsEmpty());
   EXPECT_THAT(e.reason, Not(HasSubstr("single change")));
 }
 
-// Of what is unreachable the verdict stands, and there is no word on changes that were not tried.
+// The verdict `unreachable` stands, and the reason does not mention untried changes.
 TEST(Explain, StopsWhenToldTo) {
   const std::atomic<bool> stop{true};
   const LinesFile file(stepUp(40));

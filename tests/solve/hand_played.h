@@ -1,14 +1,14 @@
-// Playthroughs made by hand: keys that depend on the state of the player.
+// Trajectories made by hand: keys depend on the player's state.
 #pragma once
 
 #include <functional>
 
 #include "scenes.h"
-#include "solve/answers/route.h"
+#include "solve/model/route.h"
 
 namespace obby::solve {
 
-// Plays until the playthrough ends, for at most `most` ticks.
+// Plays until the end of the trajectory, for at most `most` ticks.
 inline Playthrough playByHand(const Problem& problem,
                               const std::function<sim::Action(const sim::World&)>& keys,
                               uint32_t most = 1500) {
@@ -23,15 +23,15 @@ inline Playthrough playByHand(const Problem& problem,
   return p;
 }
 
-// Walks along -Z and presses jump where the feet are between two places.
+// Walks along -Z, and presses jump while the feet are between two positions.
 inline std::function<sim::Action(const sim::World&)> walkAndJump(float from, float to) {
   return [=](const sim::World& w) {
     return sim::Action{0, true, w.position.z <= from && w.position.z > to};
   };
 }
 
-// A platform from z = 0 to -8, a gap, and another of the same size; tops at 0, the goal over the
-// far half of the second.
+// A platform from z = 0 to -8, a gap, and another platform of the same size. Tops are at 0, and the
+// goal is over the far half of the second.
 struct GapScene {
   explicit GapScene(float gap, float width = 8)
       : level(build(gap, width).compile()), question(level), problem(question.problem()) {
@@ -44,7 +44,7 @@ struct GapScene {
     b.physics([](schema::PhysicsParams::Builder p) { p.setFallenPartsHeight(-40); });
     return b;
   }
-  // Presses for one tick at the first tick beyond `z`.
+  // Presses jump for one tick, at the first tick beyond `z`.
   Course jumpAt(float z) const {
     return courseOf(problem, playByHand(problem, walkAndJump(z, z - 0.26f)));
   }

@@ -1,5 +1,5 @@
-// Where a search has been, coarsely: nothing is lost but where exactly.
-#include "solve/archive/heat_map.h"
+// A coarse map of visited places keeps every cell, but not its exact position.
+#include "solve/search/archive/heat_map.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include "base/random.h"
 #include "io/record.h"
 #include "scenes.h"
-#include "solve/go_explore.h"
+#include "solve/search/methods/go_explore.h"
 
 namespace obby::solve {
 namespace {
@@ -56,8 +56,8 @@ TEST(HeatMap, GrowsCoarserAndLosesNoCell) {
   EXPECT_EQ(std::log2(out.getSize()), std::round(std::log2(out.getSize())));
 }
 
-// So that an answer does not depend on how often somebody looks at the search.
-TEST(HeatMap, IsTheSameHoweverItIsNoted) {
+// The answer must not depend on how often the search is inspected.
+TEST(HeatMap, DoesNotDependOnTheOrderOfUpdates) {
   const std::vector<Vec3> places = spread(20000, 100);
   HeatMap atOnce, bitByBit;
   atOnce.note(places);

@@ -1,5 +1,5 @@
-// What each knob changes of a query or its level, and what it leaves alone; where the knobs look.
-#include "solve/relaxation/knobs.h"
+// Each relaxation's changes to a query or its level, and the parts that relaxations consider.
+#include "solve/report/relaxation/knobs.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -7,8 +7,8 @@
 #include "io/json_codec.h"
 #include "level/resolve_places.h"
 #include "scenes.h"
-#include "solve/relaxation/explain.h"
-#include "solve/relaxation/frontier.h"
+#include "solve/report/relaxation/explain.h"
+#include "solve/report/relaxation/frontier.h"
 
 namespace obby::solve {
 namespace {
@@ -32,7 +32,7 @@ constexpr const char* kKnobsLevel =
     R"({"name":"Crate","position":[3,2,-4],"size":[2,2,2],"anchored":false}],)"
     R"("spawns":[{"position":[0,0,-2]}]})";
 
-// A query over that level that failed in a way that the test makes up.
+// A query over the level, with a failure that the test makes up.
 struct KnobsScene {
   explicit KnobsScene(const std::string& fields)
       : levelRecord(knobsRecord(kKnobsLevel)),
@@ -64,11 +64,11 @@ struct KnobsScene {
 
 const std::string kGoal = R"("goal":{"position":[0,12,-26],"size":[6,4,6]})";
 
-TEST(Knobs, LimitsThatAQueryDoesNotHaveAreNotTurned) {
+TEST(Knobs, MissingLimitsAreNotRelaxed) {
   EXPECT_THAT(limitChanges(KnobsScene(kGoal).failure()), IsEmpty());
 }
 
-TEST(Knobs, EveryLimitIsTurnedByItself) {
+TEST(Knobs, EveryLimitIsRelaxedSeparately) {
   const KnobsScene s(
       kGoal + R"(,"maxJumps":2,"timeLimit":3,"segmentJumps":1,"segmentTime":2,"maxDamage":0,)"
               R"("waypoints":[{"region":{"part":"Lift"},"maxJumps":1,"segmentTime":1.5}])");
@@ -94,7 +94,7 @@ TEST(Knobs, EveryLimitIsTurnedByItself) {
                           "waypoints[0].maxJumps", "waypoints[0].segmentTime"));
 }
 
-TEST(Knobs, APlaythroughShowsHowMuchOfALimitIsEnough) {
+TEST(Knobs, ATrajectoryShowsTheSufficientLimit) {
   const KnobsScene s(kGoal + R"(,"maxJumps":2,"timeLimit":3)");
   Playthrough p;
   p.end.jumps = 5;
@@ -119,13 +119,13 @@ TEST(Knobs, HigherJumpsAreHigherByThatShare) {
   EXPECT_NEAR(changes[0].amount(5), double(after - before), 1e-3);
 }
 
-TEST(Knobs, WhereNobodyMayJumpHigherJumpsAreNotTried) {
+TEST(Knobs, WithoutJumpingHigherJumpsAreNotTried) {
   EXPECT_THAT(jumpHeightChanges(KnobsScene(kGoal + R"(,"maxJumps":0)").failure()), IsEmpty());
   EXPECT_THAT(jumpHeightChanges(KnobsScene(kGoal + R"(,"forbid":["jumping"])").failure()),
               IsEmpty());
 }
 
-TEST(Knobs, APartIsLoweredWithItsMotionAndWhatStandsOnIt) {
+TEST(Knobs, APartIsLoweredWithItsMotionAndTheGoalOnIt) {
   KnobsScene s(R"("goal":{"position":[0,8,-14],"size":[4,4,4]},"avoid":[{"position":[0,12,-26]}])");
   s.outcome.cut.emplace();
   s.outcome.cut->missing.to = 1;
@@ -166,14 +166,15 @@ TEST(Knobs, TheOtherAvoidRegionsStay) {
   EXPECT_EQ(std::string(rest[1].getName()), "c");
 }
 
-// On the floor and on the lift, never on the far platform; the lava and the crate do not count.
-TEST(Knobs, PartsToLowerLieBeyondWhereTheSearchHasBeen) {
+// The search has been on the floor and on the lift, never on the far platform. Lava and crate do
+// not count.
+TEST(Knobs, PartsToLowerAreOutsideTheVisitedPlaces) {
   KnobsScene s(kGoal);
   s.footprints.note({{0, 0, -2}, {0, 0, -6}, {0, 6, -14}});
   EXPECT_THAT(partsBeyond(s.failure(), 4), ElementsAre(3u));
 }
 
-// A method that finds the same wrong way whatever it is asked, and takes no for an answer.
+// A method that always finds the same wrong trajectory, and does not take no for an answer.
 SearchOutcome guess(const Problem& p, const Budget&, const Watcher& watcher, const Machine&) {
   Playthrough wrong;
   wrong.end = p.start;
@@ -187,7 +188,7 @@ SearchOutcome guess(const Problem& p, const Budget&, const Watcher& watcher, con
   return outcome;
 }
 
-TEST(Knobs, NothingHelpsThatTheVerifierDoesNotAccept) {
+TEST(Knobs, OnlyVerifiedSolutionsCount) {
   const KnobsScene s(kGoal + R"(,"maxJumps":2,"forbid":["climbing"])");
   const Method method{"guess", "", guess};
   ThreadPool pool(1);

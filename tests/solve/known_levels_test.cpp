@@ -1,4 +1,4 @@
-// Of a stream that does not end the newest levels are kept. Older ones go, with what is theirs.
+// An endless stream keeps its newest levels. Older ones are dropped with their queries.
 #include "solve/known_levels.h"
 
 #include <gmock/gmock.h>
@@ -25,8 +25,8 @@ KnownLevels::LevelPointer levelCalled(const std::string& name) {
   return std::make_shared<const LoadedLevel>(*std::move(loaded));
 }
 
-// Of a level with a name of one letter.
-uint64_t bytesOfOne() { return KnownLevels::bytesOf(*levelCalled("a")); }
+// The size of a level with a name of one letter.
+uint64_t bytesOfOne() { return bytesOf(*levelCalled("a")); }
 
 std::string errorOf(const KnownLevels& known, const std::string& name) {
   const auto found = known.named(name);
@@ -44,7 +44,7 @@ TEST(KnownLevels, KeepsAsManyOfTheNewestAsFit) {
   EXPECT_EQ(errorOf(known, "c"), "found");
 }
 
-// Two parts far apart are a small record, and a large grid.
+// Two parts far apart make a small record and a large grid.
 TEST(KnownLevels, CountsWhatACompiledLevelTakes) {
   io::RecordBuilder record;
   auto level = record.root().initLevel();
@@ -54,11 +54,11 @@ TEST(KnownLevels, CountsWhatACompiledLevelTakes) {
   level.initSpawns(1);
   const auto loaded = loadLevel(io::Record(std::move(record)));
   ASSERT_TRUE(loaded) << loaded.error().text();
-  EXPECT_GT(KnownLevels::bytesOf(*loaded), 200000u);
+  EXPECT_GT(bytesOf(*loaded), 200000u);
   EXPECT_LT(bytesOfOne(), 20000u);
 }
 
-TEST(KnownLevels, KeepsTheNewestWhateverItTakes) {
+TEST(KnownLevels, KeepsTheNewestOfAnySize) {
   KnownLevels known(1);
   EXPECT_THAT(known.add(levelCalled("a")), IsEmpty());
   EXPECT_EQ(errorOf(known, "a"), "found");
@@ -66,7 +66,7 @@ TEST(KnownLevels, KeepsTheNewestWhateverItTakes) {
   EXPECT_EQ(errorOf(known, "b"), "found");
 }
 
-TEST(KnownLevels, OneOfAKnownNameIsTheNewestAndTakesThePlaceOfTheOther) {
+TEST(KnownLevels, ARepeatedNameReplacesTheLevel) {
   KnownLevels known(2 * bytesOfOne());
   EXPECT_THAT(known.add(levelCalled("a")), IsEmpty());
   EXPECT_THAT(known.add(levelCalled("b")), IsEmpty());
@@ -76,7 +76,7 @@ TEST(KnownLevels, OneOfAKnownNameIsTheNewestAndTakesThePlaceOfTheOther) {
   EXPECT_THAT(known.add(levelCalled("c")), ElementsAre("b"));
 }
 
-TEST(KnownLevels, OneThatIsForgottenWasNotDropped) {
+TEST(KnownLevels, AForgottenLevelDoesNotCountAsDropped) {
   KnownLevels known(bytesOfOne());
   EXPECT_THAT(known.add(levelCalled("a")), IsEmpty());
   known.forget("a");
@@ -86,7 +86,7 @@ TEST(KnownLevels, OneThatIsForgottenWasNotDropped) {
   EXPECT_THAT(known.add(levelCalled("b")), IsEmpty());
 }
 
-// Checks trajectories; `levelBytes`: of the levels that are kept.
+// Checks trajectories, with a budget of `levelBytes` for kept levels.
 std::string verdictOn(const std::string& text, uint64_t levelBytes) {
   FilterOptions o;
   o.task = Task::verify;
@@ -100,7 +100,7 @@ const std::string kOther =
     R"({"type":"level","name":"other","parts":[{"size":[8,1,8]}],"spawns":[{}]})"
     "\n";
 
-TEST(EndlessStream, AQueryOfADroppedLevelIsToldSo) {
+TEST(EndlessStream, TheErrorMentionsADroppedLevel) {
   const std::string text =
       stonesText() + kOther +
       R"({"type":"query","id":"late","level":"stones","goal":{"position":[0,2,-28]}})"

@@ -1,4 +1,4 @@
-// Of a stream that does not end the newest queries are kept for its trajectories.
+// An endless stream keeps its newest queries for their trajectories.
 #include "solve/known_queries.h"
 
 #include <gmock/gmock.h>
@@ -20,7 +20,7 @@ io::Record queryCalled(const std::string& id, float timeLimit = 1) {
   return io::Record(std::move(record));
 }
 
-// Of a query whose id has one letter.
+// The size of a query whose id has one letter.
 uint64_t knownQueriesBytesOfOne() { return KnownQueries::bytesOf("l", queryCalled("a")); }
 
 std::string knownQueriesErrorOf(const KnownQueries& known, const std::string& level,
@@ -41,14 +41,14 @@ TEST(KnownQueries, KeepsAsManyOfTheNewestAsFit) {
   EXPECT_NE(knownQueriesErrorOf(known, "other", "c"), "found");
 }
 
-TEST(KnownQueries, KeepsTheNewestWhateverItTakes) {
+TEST(KnownQueries, KeepsTheNewestOfAnySize) {
   KnownQueries known(1);
   for (const char* id : {"a", "b"}) known.add("l", queryCalled(id));
   EXPECT_NE(knownQueriesErrorOf(known, "l", "a"), "found");
   EXPECT_EQ(knownQueriesErrorOf(known, "l", "b"), "found");
 }
 
-TEST(KnownQueries, OneOfAKnownIdIsTheNewestAndTakesThePlaceOfTheOther) {
+TEST(KnownQueries, ARepeatedIdReplacesTheQuery) {
   KnownQueries known(2 * knownQueriesBytesOfOne());
   for (const char* id : {"a", "b"}) known.add("l", queryCalled(id));
   known.add("l", queryCalled("a", 7));
@@ -60,7 +60,7 @@ TEST(KnownQueries, OneOfAKnownIdIsTheNewestAndTakesThePlaceOfTheOther) {
   EXPECT_EQ(knownQueriesErrorOf(known, "l", "a"), "found");
 }
 
-TEST(KnownQueries, GoWithTheirLevelAndAreNotDroppedThen) {
+TEST(KnownQueries, LeaveWithTheirLevelWithoutCountingAsDropped) {
   KnownQueries known(knownQueriesBytesOfOne() * 3);
   known.add("k", queryCalled("a"));
   for (const char* id : {"a", "b"}) known.add("l", queryCalled(id));
@@ -73,7 +73,7 @@ TEST(KnownQueries, GoWithTheirLevelAndAreNotDroppedThen) {
   EXPECT_EQ(knownQueriesErrorOf(known, "k", "a"), "found") << "what was forgotten takes no room";
 }
 
-TEST(EndlessStream, ATrajectoryOfADroppedQueryIsToldSo) {
+TEST(EndlessStream, TheErrorMentionsADroppedQuery) {
   const std::string text =
       stonesText() +
       R"({"type":"query","id":"r","level":"stones","goal":{"position":[0,2,-28]}})"

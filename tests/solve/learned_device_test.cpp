@@ -1,5 +1,5 @@
-// Methods that learn while they search give the bytes of the CPU on a device, also when it fails
-// under way: networks forward and back, what players see, whole searches.
+// Methods that learn while they search give the same bytes on the CPU and on a device, even if it
+// fails midway. Tests networks forward and backward, observations, and whole searches.
 #include <gtest/gtest.h>
 
 #include "resident_scenes.h"
@@ -47,7 +47,7 @@ DeviceWork workOn(sim::Device& device, const Problem& problem) {
   return {device, problem, nothing, 4};
 }
 
-TEST(NetPass, HasTheBitsOfTheCpuOnADevice) {
+TEST(NetPass, OnADeviceEqualsTheCpuBitForBit) {
   const level::Level level = steppingStones().compile();
   const Problem problem = support::endlessProblem(level);
   ThreadPool pool(2);
@@ -55,7 +55,7 @@ TEST(NetPass, HasTheBitsOfTheCpuOnADevice) {
   DeviceWork work = workOn(device, problem);
   NetPass here, there(&work);
   Rows none(0), one(1), many(64), some(7);
-  for (Rows* r : {&none, &one, &many, &some}) {  // memory that is there is used again
+  for (Rows* r : {&none, &one, &many, &some}) {  // later ones reuse the memory
     EXPECT_TRUE(r->through(there) == r->through(here)) << r->rows;
     r->net.parameters()[3] += 1;  // the device is told
     EXPECT_TRUE(r->through(there) == r->through(here)) << r->rows;
@@ -63,7 +63,7 @@ TEST(NetPass, HasTheBitsOfTheCpuOnADevice) {
   EXPECT_TRUE(work.works());
 }
 
-TEST(NetPass, GoesOnAloneWhereverTheDeviceFails) {
+TEST(NetPass, ContinuesOnTheCpuIfTheDeviceFails) {
   const level::Level level = steppingStones().compile();
   const Problem problem = support::endlessProblem(level);
   ThreadPool pool(2);
@@ -107,22 +107,22 @@ void expectTheSameOnADevice(const Problem& problem, int rounds, const char* name
   }
   EXPECT_TRUE(there.deviceStatus());
   EXPECT_GT(here.cellCount(), 5u);
-  EXPECT_GT(here.returns().tried, 0u);  // by what was learned
+  EXPECT_GT(here.returns().tried, 0u);  // the learned policy played
   expectSameSearch(here, there);
 }
 
-// A bit more here or there, and players part.
+// The smallest difference would make trajectories diverge.
 TEST(LearnedDevice, SearchesAreTheSameCellByCell) {
   for (const auto& [name, scene] : residentScenes()) {
     const Problem problem = scene->question.problem();
-    const int rounds = problem.level.looseCount != 0 ? 3 : 6;  // they take long
+    const int rounds = problem.level.looseCount != 0 ? 3 : 6;  // dynamic bodies are slow
     expectTheSameOnADevice<Pbge, PbgeSettings>(problem, rounds, name);
     expectTheSameOnADevice<Cflge, CflgeSettings>(problem, rounds, name);
   }
 }
 
-// In what players see, in a layer, in two of a decision's ticks, while it learns, and in later
-// rounds. To play is 228 launches a round of PBGE and 160 of CFLGE, which takes hundreds more to
+// The failures hit the observation, a layer, two of a decision's ticks, the learning, and later
+// rounds. Playing takes 228 launches a round in PBGE and 160 in CFLGE. CFLGE takes hundreds more to
 // learn from the first round on.
 template <class S, class Settings>
 void expectTheSameWhereverItFails() {

@@ -1,5 +1,5 @@
-// Which way learning within a search goes: what went better becomes likelier, sparse places become
-// goals, what comes to a goal is preferred and death feared.
+// The direction of learning within a search. Better moves become likelier, and sparse places become
+// goals. Moves that come to a goal are preferred, and death is feared.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -16,7 +16,7 @@
 namespace obby::solve::learned {
 namespace {
 
-// Decisions at one place, moves 4 and 9 in turn.
+// Decisions at one place, with moves 4 and 9 in turn.
 struct OnePlace {
   OnePlace() : d(16, 4) {
     Random random(10, 10);
@@ -35,7 +35,8 @@ struct OnePlace {
     policy::probabilitiesOf(logits, true, p.data());
     return p;
   }
-  // As `maker` made them under the policy as it is; move 4 was worth `worth` more than 9.
+  // Learns from decisions that `maker` made under the current policy. Move 4 is worth `worth` more
+  // than move 9.
   void teach(GoalPolicy& pupil, ThreadPool& pool, Maker maker, float worth, float sharpness = 1) {
     const std::vector<float> p = chances(pupil, sharpness);
     for (size_t r = 0; r < d.rows(); ++r) {
@@ -51,7 +52,7 @@ struct OnePlace {
   Decisions d;
 };
 
-TEST(GoalPolicy, MakesLikelierWhatWentBetter) {
+TEST(GoalPolicy, MakesBetterMovesLikelier) {
   ThreadPool pool(1);
   for (const Maker maker : {Maker::policy, Maker::kept}) {
     OnePlace place;
@@ -63,9 +64,9 @@ TEST(GoalPolicy, MakesLikelierWhatWentBetter) {
   }
 }
 
-// A choice that was left more to chance was another policy's than the network's own: by that the
-// ratio would be cut off, and nothing be learned.
-TEST(GoalPolicy, LearnsFromAChoiceAsSharpAsItWasMade) {
+// A flatter choice comes from another policy than the network's own. With the network's probability
+// the ratio would be clipped, and nothing learned.
+TEST(GoalPolicy, LearnsWithTheSharpnessOfTheChoice) {
   constexpr float kSharpness = 0.25f;
   ThreadPool pool(1);
   GoalPolicySettings settings;
@@ -75,7 +76,7 @@ TEST(GoalPolicy, LearnsFromAChoiceAsSharpAsItWasMade) {
   OnePlace place;
   for (int n = 0; n < 40 && place.chances(pupil)[4] < 0.2f; ++n)
     place.teach(pupil, pool, Maker::policy, 1);
-  for (int n = 0; n < 100; ++n) place.teach(pupil, pool, Maker::policy, 0);  // Adam comes to rest
+  for (int n = 0; n < 100; ++n) place.teach(pupil, pool, Maker::policy, 0);  // lets Adam settle
   const std::vector<float> own = place.chances(pupil), made = place.chances(pupil, kSharpness);
   ASSERT_GT(own[4], 1.3f * made[4]);
   ASSERT_LT(own[9], 0.7f * made[9]);
@@ -88,8 +89,8 @@ TEST(GoalPolicy, LearnsFromAChoiceAsSharpAsItWasMade) {
   EXPECT_GT(place.chances(pupil)[4], own[4]);
 }
 
-// Nine of ten places lie in one corner, the others far from everything; the last is in the air.
-TEST(GoalPool, DrawsWhereItIsSparseAndSomebodyStands) {
+// Nine of ten places lie in one corner, the others far from everything. The last one is in the air.
+TEST(GoalPool, DrawsSparsePlacesWithAStandingPlayer) {
   constexpr uint32_t kPlaces = 1000;
   Random random(11, 11);
   const auto path = std::make_shared<Path>();
@@ -99,7 +100,7 @@ TEST(GoalPool, DrawsWhereItIsSparseAndSomebodyStands) {
     path->places.insert(path->places.end(), place, place + kPlace);
     path->stands.push_back(uint8_t(stands));
   };
-  add(0, true);  // the start is no goal
+  add(0, true);  // the start is never a goal
   for (uint32_t i = 1; i <= kPlaces; ++i) add(i % 10 == 0 ? 100.0f : 0.01f, true);
   add(10'000, false);
   GoalPool goals;
@@ -121,7 +122,7 @@ TEST(GoalPool, DrawsWhereItIsSparseAndSomebodyStands) {
   EXPECT_NEAR(sparse / double(kDraws), 0.397, 0.03);  // the first 100 ranks of 1,000
 }
 
-// What was made of playthroughs of one decision each, all from one place toward a goal.
+// Trajectories of one decision each, all from one place toward a goal.
 struct OneDecision {
   static constexpr float kGoal = 40;
 
@@ -140,7 +141,7 @@ struct OneDecision {
     track->ended = died;
     memory.add(track);
   }
-  // Of each move, what it is thought to cost after so many steps.
+  // Returns the predicted cost of each move after this number of learning steps.
   std::vector<float> learned(float rate, int steps) const {
     QuantileSettings settings;
     settings.hindsight = 0;
@@ -164,7 +165,7 @@ struct OneDecision {
   Memory memory{100};
 };
 
-TEST(QuantilePolicy, PrefersWhatComesToTheGoal) {
+TEST(QuantilePolicy, PrefersMovesThatComeToTheGoal) {
   OneDecision one;
   one.play(2, OneDecision::kGoal, false);
   one.play(4, 0, false);
@@ -172,7 +173,7 @@ TEST(QuantilePolicy, PrefersWhatComesToTheGoal) {
   EXPECT_GT(means[2], means[4] + 0.5f);
 }
 
-TEST(QuantilePolicy, FearsDeathMoreThanNotToArrive) {
+TEST(QuantilePolicy, FearsDeathMoreThanNotArriving) {
   OneDecision one;
   one.play(4, 0, false);
   one.play(6, 0, true);

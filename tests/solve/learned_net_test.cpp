@@ -30,7 +30,7 @@ TEST(SoftWindow, PassesSubgoalsInOrderOrAheadWithinIt) {
   EXPECT_TRUE(passSubgoals(next, 30, at(kWindow)));  // the last of the window
   EXPECT_EQ(next, kWindow + 1);
   EXPECT_FALSE(passSubgoals(next, 30, at(next + kWindow)));  // the first beyond
-  EXPECT_FALSE(passSubgoals(next, 30, at(next - 1)));        // behind
+  EXPECT_FALSE(passSubgoals(next, 30, at(next - 1)));        // already passed
   EXPECT_EQ(next, kWindow + 1);
   EXPECT_TRUE(passSubgoals(next, 14, [](size_t) { return true; }));  // the farthest of several
   EXPECT_EQ(next, 14u);
@@ -46,14 +46,14 @@ std::vector<float> line(std::initializer_list<float> places) {
   return points;
 }
 
-TEST(Thinning, KeepsTheGoalAndWhatIsFarEnoughGoingBack) {
+TEST(Thinning, KeepsTheGoalAndPointsFarEnoughApartBackwards) {
   const auto points = line({0, 0.5f, 1.2f, 1.3f, 2.4f, 2.5f, 3});
   EXPECT_EQ(thinned(points.data(), 7, 1), (std::vector<uint32_t>{0, 3, 6}));
   EXPECT_EQ(thinned(points.data(), 7, 0.05f).size(), 7u);
   EXPECT_EQ(thinned(points.data(), 7, 100), (std::vector<uint32_t>{6}));
 }
 
-TEST(Geometric, RanksAreDrawnAsTheirChancesSay) {
+TEST(Geometric, RanksFollowTheirProbabilities) {
   constexpr uint32_t kCount = 12, kDraws = 200'000;
   constexpr float kP = 0.2f;
   Random random(6, 6);
@@ -67,7 +67,7 @@ TEST(Geometric, RanksAreDrawnAsTheirChancesSay) {
   for (int n = 0; n < 100; ++n) EXPECT_EQ(drawGeometric(random, 0.005f, 1), 0u);
 }
 
-TEST(Neighbours, DistancesAreThoseOfASort) {
+TEST(Neighbours, DistancesEqualThoseOfASort) {
   EXPECT_EQ(neighbourFor(1), 2u);
   EXPECT_EQ(neighbourFor(1u << 16), 4u);
   constexpr size_t kCount = 150;
@@ -88,7 +88,7 @@ TEST(Neighbours, DistancesAreThoseOfASort) {
   }
 }
 
-// Standing states only, by 1 / (1 + actions / 2); the start always.
+// Only standing states, with weight 1 / (1 + actions / 2); the start always counts.
 TEST(CellChoice, WeighsCellsByTheActionsTakenThere) {
   CellChoice choice;
   for (int n = 0; n < 6; ++n) choice.act(1);
@@ -99,7 +99,7 @@ TEST(CellChoice, WeighsCellsByTheActionsTakenThere) {
   EXPECT_NEAR(counts[0] / 50'000.0, 0.8, 0.01);  // 1 against 1/4
 }
 
-// Rows of a policy that is sure of itself, at one place; returned: how far learning moved it.
+// Returns how far learning moves a policy, from rows of confident decisions at one place.
 float movedBy(Maker maker) {
   GoalPolicy policy({}, 1);
   const std::vector<float> before = policy.net().parameters();
@@ -119,14 +119,14 @@ float movedBy(Maker maker) {
   return moved;
 }
 
-TEST(GoalPolicy, LearnsFromReturnsAndKeptWaysButNotFromExploring) {
+TEST(GoalPolicy, LearnsFromReturnsAndKeptTrajectoriesButNotFromExploring) {
   EXPECT_EQ(movedBy(Maker::explorer), 0);
   EXPECT_GT(movedBy(Maker::policy), 1e-4f);
   EXPECT_GT(movedBy(Maker::kept), 1e-4f);
 }
 
-// Two visits in opposite arms: who has been in the one is elsewhere than who has been in the other.
-TEST(InverseDynamics, TellsWhichVisitsAreBehind) {
+// Two visits in opposite arms: having made the one is far from having made the other.
+TEST(InverseDynamics, DistinguishesTheVisitsMade) {
   const level::Level level = steppingStones().compile();
   const Problem problem = support::endlessProblem(level);
   const InverseDynamics module(1);
@@ -146,7 +146,7 @@ TEST(InverseDynamics, TellsWhichVisitsAreBehind) {
   }
 }
 
-TEST(BestMove, IsTheOneOfTheHighestMeanThatIsAllowed) {
+TEST(BestMove, IsTheAllowedMoveOfTheHighestMean) {
   std::vector<float> quantiles(size_t(policy::kMoves) * kQuantiles, -1.0f);
   quantiles[6 * kQuantiles] = 0;
   quantiles[9 * kQuantiles] = quantiles[9 * kQuantiles + 1] = 0;

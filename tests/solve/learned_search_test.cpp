@@ -1,5 +1,5 @@
-// The methods `pbge` and `cflge` as searches: what they keep replays, they learn, and nothing but
-// problem and seed decides what they find.
+// The methods `pbge` and `cflge` as searches. Kept trajectories replay, they learn, and only the
+// problem and the seed decide their results.
 #include <gtest/gtest.h>
 
 #include "scenes.h"
@@ -9,7 +9,7 @@
 namespace obby::solve::learned {
 namespace {
 
-// Six studs wide, 124 long, with nothing beside it; the goal is out of reach.
+// A corridor six studs wide and 124 long, in empty space. The goal is out of reach.
 level::Level learnedSearchCorridor() {
   LevelBuilder b;
   b.block({0, -0.5f, -60}, {6, 1, 124});
@@ -18,7 +18,7 @@ level::Level learnedSearchCorridor() {
   return b.compile();
 }
 
-// Of the rounds from `first` to `last`.
+// The share of successful returns in the rounds from `first` to `last`.
 template <class S>
 double returnRate(S& search, int first, int last) {
   for (int r = 0; r < first; ++r) search.round();
@@ -56,7 +56,7 @@ void expectTruthfulStatistics(S& search, uint64_t rollouts) {
   }
 }
 
-TEST(Pbge, KeepsWaysThatReplayAndCountsWhatItDid) {
+TEST(Pbge, KeepsTrajectoriesThatReplayAndCountsItsWork) {
   const level::Level level = learnedSearchCorridor();
   const Problem problem = support::endlessProblem(level);
   ThreadPool pool(2);
@@ -69,7 +69,7 @@ TEST(Pbge, KeepsWaysThatReplayAndCountsWhatItDid) {
   EXPECT_LE(search.statistics().steps, 20u * 32 * 32 * policy::kDecisionTicks);
 }
 
-TEST(Cflge, KeepsWaysThatReplayAndCountsWhatItDid) {
+TEST(Cflge, KeepsTrajectoriesThatReplayAndCountsItsWork) {
   const level::Level level = learnedSearchCorridor();
   const Problem problem = support::endlessProblem(level);
   ThreadPool pool(2);
@@ -79,7 +79,7 @@ TEST(Cflge, KeepsWaysThatReplayAndCountsWhatItDid) {
   expectTruthfulStatistics(search, 50);
 }
 
-// Nobody can be told to go to where players only fly by.
+// A place that players only fly through cannot be a goal.
 TEST(LearnedSearches, KeepCellsInWhichThePlayerStands) {
   const level::Level stones = steppingStones().compile();
   Question question(stones);
@@ -91,7 +91,7 @@ TEST(LearnedSearches, KeepCellsInWhichThePlayerStands) {
     EXPECT_TRUE(grounded(search.archive().world(c))) << c;
 }
 
-// Forgetting changes nothing but the memory: what is left is all that is asked for.
+// Forgetting changes only the memory: everything that is still needed stays.
 template <class S, class Settings>
 void expectForgettingToShowNowhere(const Problem& problem) {
   ThreadPool pool(2);
@@ -108,15 +108,15 @@ void expectForgettingToShowNowhere(const Problem& problem) {
   expectTruthfulStatistics(forgets, 50);
 }
 
-TEST(LearnedSearches, ForgetWaysThatNothingLeadsAlong) {
+TEST(LearnedSearches, ForgetUnusedTrajectories) {
   const level::Level level = learnedSearchCorridor();
   const Problem problem = support::endlessProblem(level);
   expectForgettingToShowNowhere<Pbge, PbgeSettings>(problem);
   expectForgettingToShowNowhere<Cflge, CflgeSettings>(problem);
 }
 
-// What it plays depends on nothing but its start, its seed and what it remembers.
-TEST(Cflge, RemembersWhatAnEarlierAnswerCameThrough) {
+// Its play depends only on its start, its seed and its memory.
+TEST(Cflge, RemembersThePlacesOfAnEarlierAnswer) {
   const level::Level level = learnedSearchCorridor();
   Problem problem = support::endlessProblem(level);
   ThreadPool pool(2);
@@ -132,7 +132,7 @@ TEST(Cflge, RemembersWhatAnEarlierAnswerCameThrough) {
   EXPECT_NE(stepsPlayed(375), stepsPlayed(1));
 }
 
-// Without learning hardly anybody comes back to where the player before fell off the edges.
+// Without learning, players rarely return to the places where earlier ones fell off the edges.
 TEST(Pbge, LearnsToReturn) {
   const level::Level level = learnedSearchCorridor();
   const Problem problem = support::endlessProblem(level);
@@ -175,7 +175,7 @@ std::vector<Vec3> placesOf(const Problem& problem, int threads, int rounds) {
   return places;
 }
 
-// Long enough to have learned: weights decide what is played.
+// The rounds suffice to learn, so that the weights decide the play.
 TEST(LearnedSearches, AreTheSameOnAnyNumberOfThreads) {
   const level::Level level = learnedSearchCorridor();
   const Problem problem = support::endlessProblem(level);
@@ -187,7 +187,7 @@ TEST(LearnedSearches, AreTheSameOnAnyNumberOfThreads) {
   }
 }
 
-// What worked is found again before any round, and led on from.
+// A known solution is found again before any round, and the search continues from it.
 TEST(LearnedSearches, TryEarlierAnswersFirst) {
   const level::Level stones = steppingStones().compile();
   Question question(stones);
@@ -218,7 +218,7 @@ TEST(LearnedSearches, TryEarlierAnswersFirst) {
   again(cflge);
 }
 
-// With waypoints, movers and parts to touch; each way is checked by the verifier before it counts.
+// Levels with waypoints, movers and parts to touch. The verifier checks each trajectory.
 TEST(LearnedSearches, SolveLevels) {
   const std::tuple<const char*, const char*, const char*> queries[] = {
       {"pbge", "kill-checkerboard", "left-file"},
@@ -252,8 +252,8 @@ std::vector<Vec3> placesUnder(const Settings& settings, int rounds) {
   return search.places(0);
 }
 
-// What shows when it is left out was at work.
-TEST(Pbge, EachOfItsPartsShows) {
+// If leaving out a part changes the result, it had an effect.
+TEST(Pbge, EachOfItsPartsHasAnEffect) {
   const auto under = [](auto&& change) {
     PbgeSettings settings;
     change(settings);
@@ -268,7 +268,7 @@ TEST(Pbge, EachOfItsPartsShows) {
   EXPECT_FALSE(under([](PbgeSettings& s) { s.aimFor = 1'000'000; }) == whole) << "other places";
 }
 
-TEST(Cflge, EachOfItsPartsShows) {
+TEST(Cflge, EachOfItsPartsHasAnEffect) {
   const auto under = [](auto&& change) {
     CflgeSettings settings;
     change(settings);

@@ -1,7 +1,7 @@
-// Every row of the table of methods: it solves what is easy, keeps to what is asked, and nothing
-// but its inputs decides what it finds.
-#include "solve/methods.h"
-#include "solve/ablations.h"
+// Every row of the table of methods: it solves easy queries and keeps constraints, and only its
+// inputs decide its results.
+#include "solve/search/methods/methods.h"
+#include "solve/search/methods/ablations.h"
 
 #include <gtest/gtest.h>
 
@@ -33,8 +33,8 @@ class MethodTest : public testing::TestWithParam<Method> {
   }
 };
 
-// Methods that learn in the search take minutes for what follows;
-// tests/solve/learned_search_test.cpp asks them for less.
+// Methods that learn while they search take minutes for these tests.
+// tests/solve/learned_search_test.cpp gives them smaller ones.
 bool learnsMeanwhile(const Method& m) {
   return m.name == std::string("pbge") || m.name == std::string("cflge");
 }
@@ -43,8 +43,8 @@ TEST_P(MethodTest, SolvesTheSteppingStones) {
   EXPECT_EQ(ask("", options(3'000'000)).counts.solved, 1u);
 }
 
-// To the corner of the first stone and back before the jumps: the goal alone leads away from it.
-TEST_P(MethodTest, PassesWaypointsThatLieBehind) {
+// The second waypoint is in the corner of the first stone, away from the goal.
+TEST_P(MethodTest, PassesWaypointsAwayFromTheGoal) {
   if (learnsMeanwhile(GetParam())) GTEST_SKIP() << "takes minutes";
   const char* more = R"(,"waypoints":[{"region":{"position":[3,2,-18],"size":[2,4,2]}},)"
                      R"({"region":{"position":[-3,2,-1],"size":[2,4,2]}}])";
@@ -59,7 +59,7 @@ TEST_P(MethodTest, VisitsInAnyOrderWithinTheJumps) {
   EXPECT_EQ(ask(more, options(6'000'000)).counts.solved, 1u);
 }
 
-TEST_P(MethodTest, SpendsItsStepsWhereThereIsNoWay) {
+TEST_P(MethodTest, SpendsItsStepsIfThereIsNoSolution) {
   const char* wall = R"(,"avoid":[{"position":[0,0,-10],"size":[200,200,1]}])";
   const Filtered f = ask(wall, options(50'000));
   EXPECT_EQ(f.counts.unknown, 1u) << f.output;
@@ -81,17 +81,17 @@ TEST_P(MethodTest, SameBytesForAnyNumberOfThreadsAndAKernel) {
 
 INSTANTIATE_TEST_SUITE_P(Rows, MethodTest, testing::ValuesIn(methods()), [](const auto& row) {
   std::string name = row.param.name;
-  std::erase(name, '-');  // not allowed in the names of tests
+  std::erase(name, '-');  // not allowed in test names
   return name;
 });
 
-// What a bench leaves out changes the search, and leaves it one that solves.
+// Each ablation changes the search, and still solves.
 TEST(Ablations, SolveAndDifferFromAutoAndFromEachOther) {
   const level::Level stones = steppingStones().compile();
   Question easy(stones);
   const level::Level arena = support::boxArena(30, 1).compile();
   Problem endless = support::endlessProblem(arena);
-  level::WaypointView waypoints[5];  // a hedge makes a difference where some cells have passed many
+  level::WaypointView waypoints[5];  // a hedge matters if some cells have passed many
   for (level::WaypointView& w : waypoints) w.target = boxAt({8, 2, 0}, {4, 4, 4});
   endless.query.waypoints = waypoints;
   endless.query.waypointCount = 5;

@@ -1,16 +1,16 @@
-// Where the simulator has to leave parts out, the answer says so.
+// The answer reports if the simulator had to ignore parts.
 #include <gtest/gtest.h>
 
 #include "sim/candidates.h"
 #include "sim/simulator.h"
-#include "solve/answers/reason.h"
-#include "solve/go_explore.h"
+#include "solve/report/reason.h"
+#include "solve/search/methods/go_explore.h"
 #include "support/level_builder.h"
 
 namespace obby::solve {
 namespace {
 
-// `posts` thin posts around the spawn, over a floor.
+// A level with `posts` thin posts around the spawn, over a floor.
 level::Level crowded(int posts) {
   support::LevelBuilder b;
   b.block({0, -1, 0}, {40, 2, 40}).spawn({0, 3, 0});
@@ -33,7 +33,7 @@ Statistics search(const level::Level& level) {
   return explore.statistics();
 }
 
-TEST(Overrun, IsNotedWhereMorePartsAreNearThanAWorldLooksAt) {
+TEST(Overrun, IsReportedAboveTheLimitOfParts) {
   EXPECT_EQ(search(crowded(sim::kMaxCandidates - 8)).overruns, 0);
   EXPECT_EQ(search(crowded(sim::kMaxCandidates + 8)).overruns, sim::kCandidateOverrun);
 }

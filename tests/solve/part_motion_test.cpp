@@ -1,4 +1,4 @@
-// What moving parts do to those around them.
+// The effect of moving parts on players around them.
 #include "solve/proof/part_motion.h"
 
 #include <gtest/gtest.h>
@@ -10,9 +10,9 @@
 namespace obby::solve {
 namespace {
 
-// Keys turn a block about its centre, and a slow spin about a point ten studs from that: after half
-// a turn of the spin the block is twenty studs from what the keys turn it about.
-TEST(PartMotion, NoCornerIsFasterWhereKeysAndSpinTurn) {
+// Keys rotate a block about its centre, and a slow spin rotates it about a point ten studs away.
+// After half a turn of the spin, the block is twenty studs from the keys' centre.
+TEST(PartMotion, BoundsCornersUnderKeysAndSpin) {
   LevelBuilder b;
   b.block({0, 0, 0}, {2, 2, 2}, [](schema::Part::Builder p) {
     auto motion = p.initMotion();

@@ -1,5 +1,5 @@
-// Parts in sentences for people.
-#include "solve/answers/part_text.h"
+// Names of parts in messages.
+#include "solve/report/part_text.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 namespace obby::solve {
 namespace {
 
-TEST(PartText, IsTheShortestNameOfThatPartAlone) {
+TEST(PartText, IsTheShortestUniqueName) {
   const io::RecordBuilder tower = support::tower();
   const auto level = tower.reader().getLevel();
   EXPECT_EQ(partText(level, 0), "'Base'");
@@ -17,7 +17,7 @@ TEST(PartText, IsTheShortestNameOfThatPartAlone) {
   EXPECT_EQ(partText(level, 2), "'S2/Lava'");
 }
 
-TEST(PartText, SaysTheNumberWhereNamesAreNotEnough) {
+TEST(PartText, AddsTheNumberIfNamesAreAmbiguous) {
   const auto record = io::recordFromJson(
       R"({"type":"level","name":"twins","parts":[{"name":"A"},{"name":"A"},{}]})");
   ASSERT_TRUE(record);

@@ -1,5 +1,5 @@
-// Which playthroughs pass a place: also between two ticks.
-#include "solve/answers/pass_filter.h"
+// Trajectories that pass a place, also between two ticks.
+#include "solve/pass_filter.h"
 
 #include <fmt/format.h>
 
@@ -41,8 +41,8 @@ TEST_F(PassFilterTest, TheStartIsPassed) {
   EXPECT_TRUE(keeps({{"0,0,-2,0.1,1,0.1"}, {}}));
 }
 
-// What is still to come decides, too.
-TEST_F(PassFilterTest, AForbiddenPlaceBehindAllOthersCounts) {
+// A trajectory is rejected for a place that it passes later, too.
+TEST_F(PassFilterTest, AForbiddenPlaceAfterAllOthersCounts) {
   makeTrajectory();
   const std::string early = "0,2,-6,8,4,2", late = "0,6,-22,8,16,2";
   EXPECT_TRUE(keeps({{early, late}, {}}));
@@ -65,7 +65,7 @@ class TeleportedPassFilterTest : public PassFilterTest {
   }
 };
 
-TEST_F(TeleportedPassFilterTest, NothingIsBetweenTheEndsOfATeleport) {
+TEST_F(TeleportedPassFilterTest, ATeleportPassesNothingInBetween) {
   ASSERT_EQ(makeTrajectory(false).getOutcome(), schema::Outcome::GOAL);
   EXPECT_TRUE(keeps({{"0,2,-28,8,4,8"}, {}}));
   EXPECT_FALSE(keeps({{"0,2,-16,8,8,2"}, {}}));

@@ -1,12 +1,12 @@
-// A query for several players: one answer for each, one result for all.
+// A query for several players gives one answer for each, and one result for all.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <sstream>
 
 #include "scenes.h"
+#include "solve/model/retimed.h"
 #include "solve/players/player_text.h"
-#include "solve/players/retimed.h"
 
 namespace obby::solve {
 namespace {
@@ -30,7 +30,7 @@ std::string playersAnswer(const std::string& text, FilterOptions options = quick
   return out.output;
 }
 
-// The lines of a kind.
+// Returns the lines of records of this type.
 std::vector<std::string> lines(const std::string& text, const std::string& type) {
   std::vector<std::string> found;
   std::istringstream in(text);
@@ -53,7 +53,7 @@ Filtered checked(const std::string& text) {
   return runFilter(file.path(), std::move(o));
 }
 
-// The place's own body has short legs: it does not get onto a ledge that an R6 body gets onto.
+// The place's own body has short legs. It cannot climb the ledge, and an R6 body can.
 std::string ledge(const std::string& more) {
   return std::string(
              R"({"type":"level","name":"ledge","physics":{"fallenPartsHeight":-40,"hipHeight":0.5,)"
@@ -66,7 +66,7 @@ std::string ledge(const std::string& more) {
          "}\n";
 }
 
-TEST(Players, EachGetsAnAnswerAndATrajectoryThatSaysWhose) {
+TEST(Players, EachGetsAnAnswerAndANamedTrajectory) {
   const std::string out =
       playersAnswer(stonesText(R"(,"bodies":["r6","r15"],"frameRates":[30,144])"));
   const auto found = lines(out, "trajectory");
@@ -83,7 +83,7 @@ TEST(Players, EachGetsAnAnswerAndATrajectoryThatSaysWhose) {
   EXPECT_EQ(checked(out).counts.verified, 4u);
 }
 
-TEST(Players, ATrajectoryOfOneDoesNotReplayAsAnother) {
+TEST(Players, ATrajectoryReplaysOnlyAsItsPlayer) {
   std::string out = playersAnswer(stonesText(R"(,"frameRates":[30])"));
   const size_t at = out.find(R"("frameRate":30,"verdict")");
   const size_t own = out.find(R"("frameRate":30)");
@@ -92,7 +92,7 @@ TEST(Players, ATrajectoryOfOneDoesNotReplayAsAnother) {
   EXPECT_FALSE(checked(out).status);
 }
 
-TEST(Players, WhoCannotMakeItDecides) {
+TEST(Players, OneThatFailsDecidesTheVerdict) {
   const std::string out = playersAnswer(ledge(R"(,"bodies":["r6","place"])"));
   const std::string result = resultOf(out);
   EXPECT_THAT(result, HasSubstr(R"("verdict":"unreachable")"));
@@ -113,7 +113,7 @@ TEST(Players, StartAtTheSameTimeOfTheLevelsClock) {
   EXPECT_EQ(checked(out).counts.verified, 2u);
 }
 
-TEST(Players, OfTheCommandLineTakeThePlaceOfTheQuerys) {
+TEST(Players, OfTheCommandLineReplaceThoseOfTheQuery) {
   FilterOptions o = quickly();
   o.players = *askedPlayers({"r6,r15", "r6"}, {"each"}, false);
   const std::string out = playersAnswer(stonesText(R"(,"bodies":["place"])"), std::move(o));
@@ -121,7 +121,7 @@ TEST(Players, OfTheCommandLineTakeThePlaceOfTheQuerys) {
   EXPECT_EQ(lines(out, "trajectory").size(), 10u);
 }
 
-TEST(Players, EachBodyIsEachThatThePlaceAdmits) {
+TEST(Players, EachBodyMeansAllThatThePlaceAllows) {
   const auto bodies = [](std::vector<std::string> admitted) {
     io::RecordBuilder level, query;
     auto list = level.root().initLevel().initBodies(uint32_t(admitted.size()));
@@ -149,7 +149,7 @@ TEST(Players, AnswersDoNotDependOnThreads) {
   EXPECT_EQ(ways(1), ways(3));
 }
 
-TEST(SameKeys, SolveItForEveryPlayer) {
+TEST(SameKeys, SolveTheQueryForEveryPlayer) {
   const std::string out = playersAnswer(
       stonesText(R"(,"bodies":["r6","r15"],"frameRates":[60,30,144],"sameKeys":true)"));
   EXPECT_THAT(resultOf(out), HasSubstr(R"("reason":"The same keys solve it for R6 and R15 at)"));
@@ -157,8 +157,9 @@ TEST(SameKeys, SolveItForEveryPlayer) {
   EXPECT_EQ(checked(out).counts.verified, 6u);
 }
 
-TEST(SameKeys, AreAskedOfEveryPlayerWhenASolutionIsChecked) {
-  // Keys that solve it at 30 frames a second for the R6 body, offered as such for the place's, too.
+TEST(SameKeys, AreVerifiedForEveryPlayer) {
+  // These keys solve it at 30 frames a second for the R6 body. They are then claimed for the
+  // place's body, too.
   std::string out = playersAnswer(ledge(R"(,"bodies":["r6"],"frameRates":[30])"));
   const std::string asked = R"("bodies":["r6"],"frameRates":[30])";
   ASSERT_NE(out.find(asked), std::string::npos);
@@ -171,14 +172,14 @@ TEST(SameKeys, AreAskedOfEveryPlayerWhenASolutionIsChecked) {
               HasSubstr("the same keys do not reach the goal with the place's body at 30"));
 }
 
-TEST(SameKeys, AreNotSearchedForPlayersOfWhomOneCannot) {
+TEST(SameKeys, AreNotSearchedIfOnePlayerCannot) {
   const std::string out = playersAnswer(ledge(R"(,"bodies":["r6","place"],"sameKeys":true)"));
   EXPECT_THAT(resultOf(out), HasSubstr(R"("verdict":"unreachable")"));
   EXPECT_THAT(resultOf(out), HasSubstr("Nobody can with the place's body at 60 frames a second."));
   EXPECT_EQ(lines(out, "trajectory").size(), 0u);
 }
 
-TEST(Retimed, KeysAreHeldByTimeToThePlayersNextTick) {
+TEST(Retimed, KeysRoundToThePlayersNextTick) {
   const sim::Action walk{100, true, false}, jump{100, true, true};
   const KnownWay way{{walk, 5}, {jump, 1}, {walk, 10}};
   const auto ticks = [](const KnownWay& w) {

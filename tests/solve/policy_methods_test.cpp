@@ -1,14 +1,14 @@
-// Methods that a trained policy guides: whose moves a rollout makes, and that nothing but the
-// inputs decides what is found.
+// Methods guided by a trained policy: the source of a rollout's moves, and results that only the
+// inputs decide.
 #include <gtest/gtest.h>
 
 #include "policy/policy.h"
 #include "policy/shipped_policy.h"
 #include "scenes.h"
 #include "sim/host_device.h"
-#include "solve/choosers/choose_policy.h"
-#include "solve/go_explore_method.h"
-#include "solve/rollouts/explorer.h"
+#include "solve/search/methods/go_explore_method.h"
+#include "solve/search/rollouts/explorer.h"
+#include "solve/search/selectors/choose_policy.h"
 #include "untimed.h"
 
 namespace obby::solve {
@@ -33,7 +33,7 @@ FilterOptions guided(const char* method, int threads) {
   return o;
 }
 
-TEST(ShippedPolicy, IsOneAndCameToSomething) {
+TEST(ShippedPolicy, WasTrainedSuccessfully) {
   const policy::PolicyFile& file = policy::shippedPolicy();
   EXPECT_GT(file.training.decisions, 0u);
   EXPECT_NE(file.training.command.find("obby-train"), std::string::npos);
@@ -66,7 +66,7 @@ TEST(PolicyMethods, GiveTheSameBytesOnAnyNumberOfThreadsAndOnADevice) {
   }
 }
 
-// Rollouts by a policy are kernels like the others: the device keeps all of them.
+// Rollouts by a policy are kernels like the others, so that the device runs all of them.
 TEST(PolicyMethods, RunOnTheDevice) {
   const level::Level stones = steppingStones().compile();
   Question q(stones);
@@ -85,7 +85,7 @@ TEST(PolicyMethods, RunOnTheDevice) {
   }
 }
 
-TEST(PolicyMethods, DifferFromTheSameWithoutAPolicy) {
+TEST(PolicyMethods, DifferFromSearchWithoutAPolicy) {
   const LinesFile file(stonesText(R"(,"maxJumps":0)"));
   FilterOptions without = guided("ge-ps", 1), with = guided("ge-ps", 1);
   without.solver.policy = nullptr;
@@ -93,7 +93,7 @@ TEST(PolicyMethods, DifferFromTheSameWithoutAPolicy) {
             withoutTiming(runFilter(file.path(), std::move(without)).output));
 }
 
-// A chooser that always takes the first cells in turn.
+// A selector that takes the first cells in turn.
 class InTurn : public Chooser {
  public:
   void choose(const Archive& archive, ThreadPool&, Random&, std::span<Choice> choices) override {
@@ -101,7 +101,7 @@ class InTurn : public Chooser {
   }
 };
 
-TEST(PolicyFirst, IsOncePerStateUntilItIsImproved) {
+TEST(PolicyFirst, RunsOncePerStateUntilAnImprovement) {
   Archive archive;
   sim::World world{};
   world.tick = 10;
@@ -124,7 +124,7 @@ TEST(PolicyFirst, IsOncePerStateUntilItIsImproved) {
   EXPECT_EQ(policies(), (std::vector<bool>{false, true, false, false}));
 }
 
-TEST(PolicyAlone, BeginsWithTheLikeliestMovesAndPlaysLongerLater) {
+TEST(PolicyAlone, BeginsWithTheLikeliestMovesAndLengthensRolloutsLater) {
   const Archive archive;
   PolicyAloneChooser chooser;
   ThreadPool pool(1);
@@ -141,7 +141,7 @@ TEST(PolicyAlone, BeginsWithTheLikeliestMovesAndPlaysLongerLater) {
   }
 }
 
-TEST(PolicyFirst, IsNotBeforeItsRound) {
+TEST(PolicyFirst, StartsAtItsRound) {
   Archive archive;
   archive.offer(7, sim::World{}, {0, kNone, 0}, 1);
   PolicyFirstChooser chooser(std::make_unique<InTurn>(), 3);
@@ -155,8 +155,8 @@ TEST(PolicyFirst, IsNotBeforeItsRound) {
   }
 }
 
-// What is held is what the policy says of the state, anew at each decision, to the last tick.
-TEST(PolicyMethods, ARolloutIsThePolicysFromItsFirstTickToItsLast) {
+// The policy decides anew from the state at each decision, up to the last tick.
+TEST(PolicyMethods, ThePolicyPlaysEveryTickOfARollout) {
   const level::Level stones = steppingStones().compile();
   Question q(stones);
   Problem problem = q.problem();
@@ -184,8 +184,8 @@ TEST(PolicyMethods, ARolloutIsThePolicysFromItsFirstTickToItsLast) {
   }
 }
 
-// 8,192 in step, 120 ticks each, every state, cells of a stud, nothing aimed, no hedge.
-TEST(PlainGoExplore, IsAsTheDocsSay) {
+// 8,192 rollouts in step, 120 ticks each, every state, cells of a stud, no aims, no hedge.
+TEST(PlainGoExplore, MatchesTheDocumentation) {
   const GoExploreSettings s = plainSettings();
   EXPECT_EQ(s.rollouts, 8192u);
   EXPECT_EQ(s.mostRollouts, 8192u);

@@ -1,16 +1,15 @@
-// What a search shows of itself while it runs.
+// The records that a search shows while it runs.
 #include <gtest/gtest.h>
 
 #include "io/json_codec.h"
 #include "scenes.h"
-#include "solve/answers/answer_records.h"
-#include "solve/go_explore.h"
+#include "solve/report/answer_records.h"
+#include "solve/search/methods/go_explore.h"
 
 namespace obby::solve {
 namespace {
 
-constexpr Vec3 kProgressRecordsGoal{0, 60, -28},
-    kGoalSize{8, 4, 8};  // far above what anybody reaches
+constexpr Vec3 kProgressRecordsGoal{0, 60, -28}, kGoalSize{8, 4, 8};  // far out of reach
 
 std::string lineOf(const io::RecordBuilder& record) {
   return *io::recordToJson(record.reader()) + "\n";
@@ -54,7 +53,7 @@ TEST(ProgressRecord, ShowsTheClosestTheNewestAndDeaths) {
   EXPECT_NE(s.progress.getDeaths()[0].getStateHash(), s.progress.getDeaths()[1].getStateHash());
 }
 
-// Whether the record's path is where a replay of its actions leads.
+// Expects the record's path to equal the replay of its actions.
 void expectPathOfReplay(schema::Trajectory::Reader trajectory) {
   const level::Level level = steppingStones().compile();
   const auto plan = sim::planFromRecord(trajectory);
@@ -76,7 +75,7 @@ void expectPathOfReplay(schema::Trajectory::Reader trajectory) {
   }
 }
 
-TEST(ProgressRecord, PathsAreThoseOfTheReplayAndOnlyThereWhenAskedFor) {
+TEST(ProgressRecord, PathsEqualTheReplayAndAreOptional) {
   const Searched s = searched(60, true);
   expectPathOfReplay(s.progress.getBest());
   expectPathOfReplay(s.progress.getNewest());

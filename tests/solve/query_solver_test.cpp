@@ -1,4 +1,4 @@
-// What becomes of a query when its answer cannot be written.
+// A query whose answer cannot be written.
 #include "solve/query_solver.h"
 
 #include <gtest/gtest.h>
@@ -8,7 +8,7 @@
 namespace obby::solve {
 namespace {
 
-// Far above what anybody reaches, among loose parts, so that nothing is proved.
+// A goal far out of reach, among dynamic parts, so that nothing can be proved.
 io::RecordBuilder hopelessLevel() {
   LevelBuilder b = steppingStones();
   b.block({3, 1, -4}, {1, 1, 1}, [](auto part) { part.setAnchored(false); });
@@ -17,7 +17,7 @@ io::RecordBuilder hopelessLevel() {
   return record;
 }
 
-TEST(QuerySolver, ASearchWhoseAnswerNobodyTakesIsGivenUp) {
+TEST(QuerySolver, ASearchEndsIfItsOutputFails) {
   const auto level = loadLevel(io::Record(hopelessLevel()));
   ASSERT_TRUE(level) << level.error().text();
   io::RecordBuilder query;

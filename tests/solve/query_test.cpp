@@ -1,4 +1,4 @@
-// Queries from the command line and the stream's order.
+// Queries from the command line, and the order of the stream.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -45,7 +45,7 @@ TEST_F(QuickQueryTest, AStartOnASpawnsPartIsThatSpawnAndTheGoalDefaultsToTheLast
   EXPECT_EQ(query->reader().getQuery().getGoal().getName(), "Top");
 }
 
-TEST_F(QuickQueryTest, ATitleStaysAsLongAsItIsTrue) {
+TEST_F(QuickQueryTest, ATitleStaysWhileItApplies) {
   io::RecordBuilder own;
   auto query = own.root().initQuery();
   query.setTitle("Stage 1: the start to 'Top'");
@@ -117,7 +117,7 @@ Filtered filter(const std::string& text, FilterOptions options = {}) {
   return runFilter(file.path(), std::move(options));
 }
 
-TEST(Filter, AnswersStandBehindTheirQueryAndOthersPass) {
+TEST(Filter, AnswersFollowTheirQueryAndOtherRecordsPass) {
   const std::string metrics = R"({"type":"metrics","source":"x","step":"3"})";
   const Filtered f = filter(stonesText() + metrics + "\n");
   ASSERT_TRUE(f.status) << f.status.error().text();
@@ -132,7 +132,7 @@ TEST(Filter, AnswersStandBehindTheirQueryAndOthersPass) {
   ASSERT_NE(other, std::string::npos);
 }
 
-TEST(Filter, ALevelWithoutQueriesIsAskedForItsEnd) {
+TEST(Filter, ALevelWithoutQueriesGetsAQueryForItsEnd) {
   std::string text = stonesText();
   text.erase(text.find("{\"type\":\"query\""));
   const Filtered f = filter(text);
@@ -141,7 +141,7 @@ TEST(Filter, ALevelWithoutQueriesIsAskedForItsEnd) {
   EXPECT_THAT(f.output, HasSubstr("\"id\":\"whole\""));
 }
 
-TEST(Filter, ALevelThatNamesNoEndNeedsAQuery) {
+TEST(Filter, ALevelWithoutAnEndNeedsAQuery) {
   const Filtered f = filter(R"({"type":"level","name":"bare","parts":[{"name":"A"}],"spawns":[{}]})"
                             "\n");
   ASSERT_FALSE(f.status);
@@ -151,7 +151,8 @@ TEST(Filter, ALevelThatNamesNoEndNeedsAQuery) {
                 "or put a query record after the level)"));
 }
 
-// Whoever types a limit may mean the stream's own queries: the error says how to ask those.
+// A limit on the command line may be meant for the stream's own queries. The error says how to
+// apply it.
 TEST(Filter, ALimitOfANewQueryNeedsAGoalAndTheErrorNamesEach) {
   const std::string level = R"({"type":"level","name":"bare","parts":[{"name":"A"}],"spawns":[{}]})"
                             "\n";
@@ -208,7 +209,7 @@ TEST(Filter, LimitsChangeEachQueryOfTheStream) {
   EXPECT_EQ(filter(stonesText(), o).counts.solved, 1u);
 }
 
-TEST(Filter, PartsThatAQueryNamesGoOutWithTheirBoxes) {
+TEST(Filter, PartsNamedByAQueryAreWrittenWithTheirBoxes) {
   std::string text = stonesText();
   const std::string box = R"("goal":{"position":[0,2,-28],"size":[8,4,8]})";
   text.replace(text.find(box), box.size(), R"("goal":{"part":"C","touch":true})");
@@ -231,7 +232,7 @@ TEST(Filter, AnswersOnlyTheNamedQueriesAndMissesUnknownNames) {
   EXPECT_TRUE(filter(stonesText(), o).status);
 }
 
-TEST(Filter, AQueryThatMakesNoSenseIsNotVerifiedBy) {
+TEST(Filter, AnInvalidQueryIsNotUsedToVerify) {
   std::string visits;
   for (int i = 0; i < 33; ++i) visits += R"({"position":[0,2,-28]},)";
   visits.pop_back();

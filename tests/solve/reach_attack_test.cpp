@@ -1,5 +1,5 @@
-// Nobody leaves the bound on reach: random levels, random physics, players who try. More with
-// OBBY_ATTACKS=COUNT, from seed OBBY_ATTACK_SEED on.
+// No player leaves the bound on reach: random levels, random physics, random players.
+// OBBY_ATTACKS=COUNT tests more of them, from seed OBBY_ATTACK_SEED on.
 #include <gtest/gtest.h>
 
 #include <cstdio>
@@ -30,16 +30,16 @@ void attackAll(bool features, uint16_t tricks = 0) {
               (unsigned long long)counts.wild, (unsigned long long)counts.ticks);
 }
 
-TEST(ReachAttack, NobodyLeavesTheBoundAmongBlocks) { attackAll(false); }
-TEST(ReachAttack, NobodyLeavesTheBoundAmongAllParts) { attackAll(true); }
+TEST(ReachAttack, NoPlayerLeavesTheBoundAmongBlocks) { attackAll(false); }
+TEST(ReachAttack, NoPlayerLeavesTheBoundAmongAllParts) { attackAll(true); }
 
-// Each trick has laws of its own that players could use to get out.
-TEST(ReachAttack, NobodyLeavesTheBoundByAHeldJump) { attackAll(false, kHeldJump); }
-TEST(ReachAttack, NobodyLeavesTheBoundByAHangingLanding) { attackAll(false, kHangingLanding); }
-TEST(ReachAttack, NobodyLeavesTheBoundByAWallHop) { attackAll(false, kWallHop); }
-TEST(ReachAttack, NobodyLeavesTheBoundByALadderFlick) { attackAll(true, kLadderFlick); }
-TEST(ReachAttack, NobodyLeavesTheBoundByALegThrow) { attackAll(false, kLegThrow); }
-TEST(ReachAttack, NobodyLeavesTheBoundByAllTricks) { attackAll(true, kAllTricks); }
+// Each trick has its own physics, which players could use to leave the bound.
+TEST(ReachAttack, NoPlayerLeavesTheBoundByAHeldJump) { attackAll(false, kHeldJump); }
+TEST(ReachAttack, NoPlayerLeavesTheBoundByAHangingLanding) { attackAll(false, kHangingLanding); }
+TEST(ReachAttack, NoPlayerLeavesTheBoundByAWallHop) { attackAll(false, kWallHop); }
+TEST(ReachAttack, NoPlayerLeavesTheBoundByALadderFlick) { attackAll(true, kLadderFlick); }
+TEST(ReachAttack, NoPlayerLeavesTheBoundByALegThrow) { attackAll(false, kLegThrow); }
+TEST(ReachAttack, NoPlayerLeavesTheBoundByAllTricks) { attackAll(true, kAllTricks); }
 
 }  // namespace
 }  // namespace obby::solve

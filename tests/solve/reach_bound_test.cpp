@@ -1,5 +1,5 @@
-// The bound on what a player can reach: nothing that a player does is beyond it, and what is well
-// beyond a jump is beyond it.
+// The bound on what a player can reach contains everything that players do, and excludes what is
+// well beyond a jump.
 #include "solve/proof/reach_bound.h"
 
 #include <fmt/format.h>
@@ -10,7 +10,7 @@
 
 #include "golden/hashes.h"
 #include "scenes.h"
-#include "solve/go_explore.h"
+#include "solve/search/methods/go_explore.h"
 
 namespace obby::solve {
 namespace {
@@ -25,8 +25,8 @@ Problem problemOf(const level::Level& level, const level::QueryView& query = {})
           level.hasMotion()};
 }
 
-// Random play for a while, from the start again whenever it ends; the first position that the bound
-// does not hold, if any.
+// Plays at random for a while, from the start again after each end. Fails at the first position
+// outside the bound.
 void expectHeld(const level::Level& level, const char* name, int worlds, int ticks) {
   if (unboundedPart(level.view()) != nullptr) return;
   const Problem problem = problemOf(level);
@@ -51,7 +51,7 @@ TEST(ReachBound, HoldsRandomPlayInEveryGoldenScene) {
   }
 }
 
-// A search goes further than random play: every state that it keeps.
+// A search goes further than random play. The bound must contain every state in its archive.
 TEST(ReachBound, HoldsEveryCellOfASearch) {
   for (const uint64_t seed : {1, 2, 3, 4, 5, 6}) {
     const level::Level level =
@@ -70,7 +70,7 @@ TEST(ReachBound, HoldsEveryCellOfASearch) {
   }
 }
 
-// Two platforms: `gap` studs apart, the second `rise` studs higher.
+// Two platforms, `gap` studs apart, the second `rise` studs higher.
 level::Level platforms(float gap, float rise,
                        std::function<void(schema::Part::Builder)> more = {}) {
   LevelBuilder b;
@@ -87,7 +87,7 @@ uint32_t jumpsAcross(const level::Level& level, bool mayJump = true) {
   return ReachBound(problem, mayJump).jumpsTo(query.goal);
 }
 
-// A search finds ways up to here: 11.5 studs of gap, 8.8 of rise (docs/physics.md).
+// A search finds solutions up to 11.5 studs of gap and 8.8 of rise (docs/physics.md).
 TEST(ReachBound, AdmitsWhatAPlayerCanDo) {
   EXPECT_EQ(jumpsAcross(platforms(9.5f, 0)), 1u);
   EXPECT_EQ(jumpsAcross(platforms(11.5f, 0)), 1u);
@@ -123,7 +123,7 @@ TEST(ReachBound, BoostsPadsAndBeltsReachFurther) {
   EXPECT_EQ(jumpsAcross(platforms(60, 55, gate)), 0u);
 }
 
-TEST(ReachBound, MovingPartsAreEverywhereOnTheirWay) {
+TEST(ReachBound, MovingPartsCountAlongTheirWholeMotion) {
   LevelBuilder b;
   b.block({0, -0.5f, 0}, {8, 1, 8}).spawn({0, 0, 0});
   b.block({0, 39.5f, -20}, {8, 1, 8});
@@ -138,7 +138,7 @@ TEST(ReachBound, MovingPartsAreEverywhereOnTheirWay) {
   EXPECT_EQ(jumpsAcross(platforms(12, 40)), ReachBound::kNever) << "without it";
 }
 
-// Runs up a slope with all keys held; jumps at `jumpAt`, if ever.
+// Runs up a slope with the key held, and jumps at `jumpAt` unless that is kNever.
 void expectRunHeld(float degrees, float walkSpeed, uint32_t jumpAt) {
   SCOPED_TRACE(fmt::format("{} degrees, {} studs/s, jump at tick {}", degrees, walkSpeed, jumpAt));
   const bool jumps = jumpAt != ReachBound::kNever;
@@ -163,7 +163,7 @@ void expectRunHeld(float degrees, float walkSpeed, uint32_t jumpAt) {
   }
 }
 
-TEST(ReachBound, HoldsWhoeverIsFastOnARamp) {
+TEST(ReachBound, HoldsForFastPlayersOnARamp) {
   for (const float degrees : {20.0f, 30.0f, 40.0f, 45.0f, 50.0f, 60.0f, 70.0f, 80.0f}) {
     for (const float speed : {16.0f, 32.0f, 64.0f, 100.0f, 200.0f, 400.0f}) {
       expectRunHeld(degrees, speed, ReachBound::kNever);
@@ -172,9 +172,9 @@ TEST(ReachBound, HoldsWhoeverIsFastOnARamp) {
   }
 }
 
-// A slab that slides off when somebody stands on the button is back there at once when that ends,
-// with whoever took its place inside.
-TEST(ReachBound, HoldsWhomASlabThatComesBackLiftsOut) {
+// A slab slides away while the button's signal lasts, and then returns at once. A player who took
+// its place is inside it.
+TEST(ReachBound, HoldsForDepenetrationByAReturningSlab) {
   LevelBuilder b;
   b.block({0, -0.5f, 0}, {60, 1, 60}).spawn({0, 0, 20});
   b.block({0, 0.1f, 20}, {4, 0.2f, 4}, [](schema::Part::Builder p) {
@@ -206,9 +206,9 @@ TEST(ReachBound, HoldsWhomASlabThatComesBackLiftsOut) {
   EXPECT_GT(highest, 5) << "nobody was lifted";
 }
 
-// Tripped at its top, somebody slides down a slope without legs to hold on with.
-TEST(ReachBound, HoldsWhoSlidesHelpless) {
-  constexpr float kYaw = kPi / 4;  // speed is bounded along each axis: most of it goes aslant
+// A player tripped at the top slides down the slope, without legs to hold on.
+TEST(ReachBound, HoldsForATrippedSlide) {
+  constexpr float kYaw = kPi / 4;  // diagonal, as speed is bounded along each axis
   const Vec3 ahead{-std::sin(kYaw), 0, -std::cos(kYaw)};
   const auto turned = [](schema::Part::Builder p) { support::setRotation(p.initRotation(), kYaw); };
   LevelBuilder b;
@@ -252,7 +252,7 @@ TEST(ReachBound, CountsTheFewestJumps) {
   }
 }
 
-// So many that not all are looked at from each.
+// There are too many stones to consider all of them from each one.
 TEST(ReachBound, CountsTheFewestJumpsAmongMany) {
   LevelBuilder b;
   b.spawn({0, 0, 0});
@@ -267,7 +267,7 @@ TEST(ReachBound, CountsTheFewestJumpsAmongMany) {
   }
 }
 
-TEST(ReachBound, NamesTheLeastStepThatIsMissing) {
+TEST(ReachBound, NamesTheSmallestMissingStep) {
   const level::Level level = platforms(1, 16);
   const Problem problem = problemOf(level);
   const Missing m = ReachBound(problem, true).missing(boxAt({0, 30, -9}, {4, 4, 4}));
@@ -278,7 +278,7 @@ TEST(ReachBound, NamesTheLeastStepThatIsMissing) {
   EXPECT_EQ(m.gap, 0);
 }
 
-TEST(ReachBound, KnowsWhatItCannotBound) {
+TEST(ReachBound, ReportsUnboundedParts) {
   EXPECT_EQ(unboundedPart(platforms(1, 1).view()), nullptr);
   EXPECT_NE(unboundedPart(platforms(1, 1, [](auto p) { p.setAnchored(false); }).view()), nullptr);
   const auto pad = [](schema::Part::Builder p) {

@@ -1,6 +1,6 @@
-// Levels of which a bound on reach once said `unreachable`, each with a trajectory that solved it:
-// nothing that the trajectory visits is outside of the bound, and the query is not called
-// unreachable if the trajectory still solves it.
+// Levels for which a bound on reach once claimed `unreachable`, each with a trajectory that solved
+// it. The bound must contain the trajectory, and the query must not be unreachable if the
+// trajectory still solves it.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -9,7 +9,7 @@
 #include "io/stream.h"
 #include "scenes.h"
 #include "solve/proof/unreachable.h"
-#include "solve/query/posed_query.h"
+#include "solve/verify/posed_query.h"
 
 namespace obby::solve {
 namespace {
@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 
 const fs::path kCases = fs::path(OBBY_SOURCE_DIR) / ".." / "shared" / "cases" / "false-unreachable";
 
-// Ticks of the trajectory that the bound was asked about.
+// Returns the number of the trajectory's ticks that were compared with the bound.
 uint32_t expectHeld(const io::Record& level, const io::Record& query, const io::Record& played) {
   const auto compiled = level::Level::compile(level.reader().getLevel());
   EXPECT_TRUE(compiled);

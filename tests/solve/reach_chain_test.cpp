@@ -1,5 +1,5 @@
-// The bound on what a player can reach, where a part that the body is inside of puts it out into
-// the next, and that on.
+// The bound on reach in chains of depenetration: a part pushes the body into the next part, and so
+// on.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -11,8 +11,7 @@
 namespace obby::solve {
 namespace {
 
-// Plays on without any key and gives how far along X somebody came; the bound must hold them all
-// the time.
+// Plays on without keys, and returns the maximum X. The bound must contain the player throughout.
 float farthestHeld(const level::Level& level, uint32_t ticks) {
   const Problem problem = support::plainProblem(level, {});
   const ReachBound bound(problem, false);
@@ -28,8 +27,8 @@ float farthestHeld(const level::Level& level, uint32_t ticks) {
   return farthest;
 }
 
-// Twenty walls without a gap from X = 2.5 to 32.5, much too tall to be lifted out of. Who is in one
-// by more than half is put out on its far side, and in the next by more than half.
+// Adds twenty adjacent walls from X = 2.5 to 32.5, much too tall for an exit at the top. A body
+// more than halfway into one is pushed out on its far side, more than halfway into the next.
 void addWalls(LevelBuilder& b) {
   for (int i = 0; i < 20; ++i) b.block({3.25f + 1.5f * float(i), 0, 0}, {1.5f, 40, 40});
 }
@@ -43,15 +42,15 @@ void slideTo(schema::Part::Builder p, Vec3 from, Vec3 to, float seconds) {
   keys[1].setTime(seconds);
 }
 
-// The block is left sideways: its top is higher above the start than its side is far.
-TEST(ReachChain, HoldsWhoBeginsInABlockBesideWalls) {
+// The body leaves the block sideways, since the top is farther than the side.
+TEST(ReachChain, HoldsForAStartInABlockNextToWalls) {
   LevelBuilder b;
   b.block({-3.75f, -7, 0}, {12.5f, 26, 40}).spawn({0, 0, 0});
   addWalls(b);
   EXPECT_GT(farthestHeld(b.compile(), 40), 32) << "nobody was put out";
 }
 
-TEST(ReachChain, HoldsWhomASlidingBlockPressesIntoWalls) {
+TEST(ReachChain, HoldsForABlockThatPressesIntoWalls) {
   LevelBuilder b;
   b.block({-8.8f, -0.5f, 0}, {22.4f, 1, 40}).spawn({0, 0, 0});
   b.block({-7, 5.1f, 0}, {4, 10, 10}, [](schema::Part::Builder p) {

@@ -1,5 +1,5 @@
-// The bound on what a player can reach, at the ends of what physics may be, and where a climb, a
-// touch or a place far out adds to what somebody does.
+// The bound on reach at extreme physics, and where a climb, a touch or a far place extends what a
+// player does.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -10,9 +10,10 @@
 namespace obby::solve {
 namespace {
 
-// A floor that goes up fast is on a truss, its top higher than the climb has led as the truss is
-// passed. The climb goes on onto it, as fast as both, and a tick later it is far below.
-TEST(ReachExtremes, HoldsWhoClimbsOnOntoAFloorThatLifts) {
+// A fast rising floor lies on a truss. When the climb passes the truss, the floor's top is still
+// higher. The climb continues onto the floor at the speed of both, and a tick later the floor is
+// far below.
+TEST(ReachExtremes, HoldsForAClimbOntoARisingFloor) {
   float most = 0;
   for (int i = 0; i < 10; ++i) {
     const float high = 8.1f + 0.2f * float(i), over = 1.7f;
@@ -38,9 +39,9 @@ TEST(ReachExtremes, HoldsWhoClimbsOnOntoAFloorThatLifts) {
   EXPECT_GT(most, 150) << "nobody was thrown by both";
 }
 
-// Strong dampers and no springs. Whoever is at rest on the floor as it begins to push is as fast as
-// the floor within a tick, and no faster.
-TEST(ReachExtremes, HoldsWhomAFastFloorLiftsOffAtOnce) {
+// With strong dampers and no springs, a player resting on the floor reaches the floor's speed
+// within a tick, and never exceeds it.
+TEST(ReachExtremes, HoldsForALaunchByAFastFloor) {
   LevelBuilder b;
   b.block({0, -0.5f, 0}, {8, 1, 8}, [](schema::Part::Builder p) {
     support::set(p.initConveyor().initVelocity(), {0, 200, 0});
@@ -66,14 +67,15 @@ TEST(ReachExtremes, HoldsWhomAFastFloorLiftsOffAtOnce) {
       ASSERT_TRUE(bound.holds(w.position)) << i << ", tick " << t << ": " << w.position.y;
     }
   }
-  // Legs feel the floor from 5 studs above at most, and let go a tick's way, 3.3 studs, above that.
+  // Legs sense the floor from 5 studs above at most, and let go within one tick's motion, 3.3
+  // studs, above that.
   constexpr float kThrown = 200 * 200 / (2 * 196.2f);  // studs, at the speed of the floor
   EXPECT_GT(highest, kThrown - 5) << "nobody was as fast";
   EXPECT_LT(highest, kThrown + 5 + 3.4f) << "somebody was faster";
 }
 
-// Somebody small who faces a part askew touches it with a corner, and cannot walk.
-TEST(ReachExtremes, WhatACornerTouchesIsReached) {
+// A small player who cannot walk touches a part with a corner of the rotated body.
+TEST(ReachExtremes, APartTouchedByACornerIsReached) {
   LevelBuilder b;
   b.spawn({0, 0, 0}, kPi / 4);
   b.block({2.47f, 0, 0}, {2, 4, 2});

@@ -1,4 +1,4 @@
-// The bound on what a player can reach, where falls onto slopes turn speed aside.
+// The bound on reach where falls onto slopes deflect speed sideways.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -9,9 +9,9 @@
 namespace obby::solve {
 namespace {
 
-// The torso meets the edge of the block where the rays of the legs do not, 229 studs down: at 300
-// studs/s, of which 126 are turned aside. They walk on from then on, that way or back.
-TEST(ReachFalls, HoldsWhoGlancesOffAnEdge) {
+// The torso meets the edge of the block 229 studs down, where no leg ray hits. Of 300 studs/s, 126
+// are deflected sideways. Then the player walks on in that direction, or back.
+TEST(ReachFalls, HoldsForAFallDeflectedByAnEdge) {
   LevelBuilder b;
   b.spawn({2.9f, 240, 0});
   b.block({0, 10, 0}, {4, 4, 4},

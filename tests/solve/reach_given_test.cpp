@@ -1,5 +1,5 @@
-// The bound on what a player can reach, where something else than keys moves the player: walls that
-// push, seats, teleporters that keep the speed.
+// The bound on reach where something besides keys moves the player: walls that push, seats,
+// teleporters that keep the speed.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -19,7 +19,7 @@ Problem reachGivenProblemOf(const level::Level& level) {
           level.hasMotion()};
 }
 
-// A wall from `from` to `to` along Z in `seconds`, too tall to be stood on.
+// Adds a wall that moves from `from` to `to` along Z in `seconds`, too tall to stand on.
 void addWall(LevelBuilder& b, float from, float to, float seconds) {
   b.block({0, 11, from}, {8, 20, 4}, [=](schema::Part::Builder p) {
     auto motion = p.initMotion();
@@ -31,8 +31,8 @@ void addWall(LevelBuilder& b, float from, float to, float seconds) {
   });
 }
 
-// Who has stepped in its way is taken along in a jump, farther than anybody jumps.
-TEST(ReachBound, HoldsWhomAWallPushesInTheAir) {
+// The wall pushes a jumping player in its path, farther than any jump.
+TEST(ReachBound, HoldsForAWallThatPushesInTheAir) {
   LevelBuilder b;
   b.block({0, -0.5f, 0}, {32, 1, 8}).spawn({12, 0, 0});
   addWall(b, 60, -60, 2.4f);
@@ -51,8 +51,8 @@ TEST(ReachBound, HoldsWhomAWallPushesInTheAir) {
   EXPECT_LT(farthest, -18) << "nobody was pushed";
 }
 
-// What pushes must be met first.
-TEST(ReachBound, AWallFarOffPushesNobody) {
+// A wall pushes only players that it can meet.
+TEST(ReachBound, ADistantWallPushesNoPlayer) {
   LevelBuilder b;
   b.block({0, -0.5f, 0}, {8, 1, 8}).spawn({0, 0, 0});
   b.block({0, -0.5f, -120}, {8, 1, 8});
@@ -62,8 +62,8 @@ TEST(ReachBound, AWallFarOffPushesNobody) {
   EXPECT_EQ(ReachBound(problem, true).jumpsTo(boxAt({0, 3, -120}, {4, 2, 4})), ReachBound::kNever);
 }
 
-// Feet beside a small part that turns and carries are faster than any point of the part.
-TEST(ReachBound, HoldsWhomASmallSpinnerThrows) {
+// Feet next to a small spinning carrier are faster than any point of the part.
+TEST(ReachBound, HoldsForAThrowByASmallSpinner) {
   LevelBuilder b;
   b.block({0, -0.5f, 0}, {16, 1, 8}).spawn({4, 0, -0.8f}, kPi / 2);
   b.block({0, 0, 0}, {0.2f, 0.2f, 0.2f}, [](schema::Part::Builder p) {
@@ -90,8 +90,8 @@ TEST(ReachBound, HoldsWhomASmallSpinnerThrows) {
   EXPECT_GT(highest, 12) << "nobody was thrown";
 }
 
-// By other physics a part counts as touched from a stud away: a pad throws from above its top.
-TEST(ReachBound, HoldsWhomAPadThrowsBeforeItIsMet) {
+// With these physics a part counts as touched a stud away, so that a pad throws from above its top.
+TEST(ReachBound, HoldsForAPadThatThrowsFromADistance) {
   float highest = 0;
   for (int i = 0; i < 20; ++i) {
     LevelBuilder b;
@@ -114,8 +114,8 @@ TEST(ReachBound, HoldsWhomAPadThrowsBeforeItIsMet) {
   EXPECT_GT(highest, 26) << "nobody was thrown from above it";
 }
 
-// By other physics the root is held far above a seat.
-TEST(ReachBound, HoldsWhoSitsHighUp) {
+// With these physics the root sits far above a seat.
+TEST(ReachBound, HoldsForASeatHighAboveItsPart) {
   LevelBuilder b;
   b.block({0, -0.5f, 0}, {8, 1, 8}).spawn({0, 0, 3});
   b.block({0, 0.5f, -1}, {2, 1, 2}, [](schema::Part::Builder p) { p.initSeat(); });
@@ -133,8 +133,8 @@ TEST(ReachBound, HoldsWhoSitsHighUp) {
   EXPECT_GT(highest, 20) << "nobody jumped up from there";
 }
 
-// The query looks for the state after each tick, and a teleporter ends a jump in its first one.
-TEST(ReachBound, AForbiddenJumpIntoATeleporterIsUnseen) {
+// The query checks the state after each tick. A teleporter can end a jump within its first tick.
+TEST(ReachBound, AForbiddenJumpIntoATeleporterIsNotDetected) {
   LevelBuilder b;
   b.block({0, -0.5f, 0}, {8, 1, 8}).spawn({0, 0, 0});
   b.block({0, 9.2f, 0}, {4, 2, 4}, [](schema::Part::Builder p) {
@@ -157,8 +157,8 @@ TEST(ReachBound, AForbiddenJumpIntoATeleporterIsUnseen) {
   EXPECT_TRUE(cutOf(problem, {})) << "counted it is";
 }
 
-// Who comes off a ramp fast may be faster upward than any jump.
-TEST(ReachBound, HoldsWhoIsTeleportedOffARamp) {
+// A player who comes off a fast ramp may rise faster than any jump.
+TEST(ReachBound, HoldsForATeleportOffARamp) {
   LevelBuilder b;
   b.block({0, -0.5f, 0}, {8, 1, 200}).spawn({0, 0, 90});
   b.part([](schema::Part::Builder p) {

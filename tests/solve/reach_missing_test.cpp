@@ -1,5 +1,5 @@
-// The distance that an answer names is one to act on: a part that is nearer by it, and by half a
-// stud, is reached.
+// A designer can act on the distance in an answer: a part nearer by it, plus half a stud, is
+// reached.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -17,23 +17,23 @@ Missing missingAt(const support::Build& build, float studs) {
   return ReachBound(problem, true).missing(problem.query.goal);
 }
 
-// `easy`: studs of a step that is surely solved.
+// `easy` is a step, in studs, that is certainly solvable.
 void expectToActOn(float easy, const support::Build& build) {
   const Missing m = missingAt(build, 20);
   EXPECT_FALSE(m.more);
-  // In hundredths, so that no last bit chooses another search.
+  // Rounded to hundredths, so that the last bits do not change the search.
   const float nearer = std::floor((20 - m.rise - m.gap - 0.5f) * 100) / 100;
   EXPECT_GE(support::hardestSolved(build, easy, nearer, 1'500'000), nearer);
 }
 
-TEST(ReachMissing, OfGapsLedgesAndDropsIsToActOn) {
+TEST(ReachMissing, IsSufficientForGapsLedgesAndDrops) {
   expectToActOn(8, [](float x) { return support::platforms(x, 0); });
   expectToActOn(6, [](float x) { return support::platforms(0, x); });
   expectToActOn(8, [](float x) { return support::platforms(x, 4); });
   expectToActOn(8, [](float x) { return support::platforms(x, -8); });
 }
 
-TEST(ReachMissing, OfMovingPlatformsIsToActOn) {
+TEST(ReachMissing, IsSufficientForMovingPlatforms) {
   expectToActOn(6, [](float x) { return support::off({8, 0, 0}, x); });
   expectToActOn(6, [](float x) { return support::off({0, 0, -8}, x); });
   expectToActOn(6, [](float x) { return support::off({0, 0, -8}, x, false); });
@@ -43,8 +43,8 @@ TEST(ReachMissing, OfMovingPlatformsIsToActOn) {
   expectToActOn(6, [](float x) { return support::onto({0, 8, 0}, x); });
 }
 
-// What is near but leads nowhere is not named.
-TEST(ReachMissing, IsOfTheStepOnTheWay) {
+// A near part that leads nowhere is not named.
+TEST(ReachMissing, IsTheStepTowardTheGoal) {
   support::Scene scene = support::platforms(15, 0);
   scene.level.block({20, 0, 0}, {2, 1, 2});
   const level::Level level = scene.level.compile();
@@ -54,7 +54,7 @@ TEST(ReachMissing, IsOfTheStepOnTheWay) {
   EXPECT_FALSE(m.more);
 }
 
-TEST(ReachMissing, SaysThatOneStepIsNotAll) {
+TEST(ReachMissing, ReportsThatMoreStepsAreMissing) {
   support::Scene scene = support::platforms(15, 0);
   scene.level.block({0, -4, -50}, {8, 8, 8});
   scene.goal = {{-4, 0, -54}, {4, 4, -46}};

@@ -1,5 +1,5 @@
-// The bound on what a player can reach, where parts that somebody is inside of put them out through
-// thin ones: low blocks as a jump begins, high blocks through the floor that they stand on.
+// The bound on reach where depenetration leads through thin parts: from low blocks when a jump
+// begins, and from high blocks through the floor below.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -10,9 +10,9 @@
 namespace obby::solve {
 namespace {
 
-// A floor that ends in nothing, a block of 4.1 studs across its end, and 24 studs of walls behind
-// that, without a gap and much too tall to be stood on. Jumps go half a stud high: the head passes
-// over the block, and the hips do not.
+// A floor with a block of 4.1 studs across its end, and behind it 24 studs of adjacent walls, much
+// too tall to stand on. Jumps rise half a stud: the head passes over the block, but the hips do
+// not.
 LevelBuilder blockAndWalls(float wallThickness, bool block = true) {
   LevelBuilder b;
   b.block({0, -0.5f, 9.25f}, {12, 1, 21.5f}).spawn({0, 0, 12});
@@ -24,7 +24,8 @@ LevelBuilder blockAndWalls(float wallThickness, bool block = true) {
   return b;
 }
 
-// Runs from `behind` the start along -Z and jumps at `jumpAt`; the bound must hold it all the time.
+// Runs along -Z from `behind` the start, and jumps at `jumpAt`. The bound must contain the player
+// throughout.
 float reachPassFarthestHeld(const Problem& problem, const ReachBound& bound, float behind,
                             uint32_t jumpAt) {
   sim::World w = problem.start;
@@ -40,7 +41,7 @@ float reachPassFarthestHeld(const Problem& problem, const ReachBound& bound, flo
   return farthest;
 }
 
-TEST(ReachPass, HoldsWhoJumpsIntoALowBlockBeforeThinWalls) {
+TEST(ReachPass, HoldsForAJumpIntoALowBlockBeforeThinWalls) {
   const level::Level level = blockAndWalls(0.9f).compile();
   const Problem problem = support::plainProblem(level, {});
   const ReachBound bound(problem, true);

@@ -1,4 +1,4 @@
-// The bound on what a player can reach by physics that are not the engine's defaults.
+// The bound on reach for physics other than the engine's defaults.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -12,7 +12,7 @@ namespace {
 
 using Physics = std::function<void(schema::PhysicsParams::Builder)>;
 
-// A floor, and a slope so far above it that nobody stands there. `more`: of the floor.
+// A floor that `more` sets up, and a slope too far above it to stand on.
 level::Level underASlope(const Physics& physics, const LevelBuilder::PartSetter& more = {}) {
   LevelBuilder b;
   b.block({0, -0.5f, 0}, {8, 1, 8}, more).spawn({0, 0, 0});
@@ -25,17 +25,17 @@ level::Level underASlope(const Physics& physics, const LevelBuilder::PartSetter&
   return b.compile();
 }
 
-TEST(ReachPhysics, NoBoundIsKnownOfLegsThatBounce) {
+TEST(ReachPhysics, BouncingLegsAreUnbounded) {
   EXPECT_EQ(unboundedPart(underASlope({}).view()), nullptr);
   EXPECT_NE(unboundedPart(underASlope([](auto p) { p.setHoverDamping(20); }).view()), nullptr);
   EXPECT_NE(unboundedPart(underASlope([](auto p) { p.setSubsteps(1); }).view()), nullptr);
 }
 
-// A tick of a fast climb, 7.7 studs, leads far past the top of the truss.
-TEST(ReachPhysics, HoldsWhoClimbsFast) {
+// One tick of a fast climb, 7.7 studs, leads far past the top of the truss.
+TEST(ReachPhysics, HoldsForAFastClimb) {
   float most = 0;
   for (int i = 0; i < 9; ++i) {
-    const float high = 19.1f + 0.2f * float(i);  // two ticks, and the torso is still below
+    const float high = 19.1f + 0.2f * float(i);  // after two ticks the torso is still below the top
     LevelBuilder b;
     b.block({0, -0.5f, 0}, {8, 1, 40}).spawn({0, 0, 0});
     b.block({0, 0.5f * high, -7}, {2, high, 6},

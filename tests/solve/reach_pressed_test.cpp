@@ -1,5 +1,5 @@
-// The bound on what a player can reach, where the body is inside of a part before anything pushes
-// it out: a wall presses it in, a seat holds it there.
+// The bound on reach where the body is inside a part before depenetration: a wall presses it in, or
+// a seat holds it there.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -11,7 +11,8 @@
 namespace obby::solve {
 namespace {
 
-// Plays on by `keys` and gives how high the feet came; the bound must hold them all the time.
+// Plays `keys`, and returns the maximum height of the feet. The bound must contain the player
+// throughout.
 float highestHeld(const level::Level& level, bool mayJump, uint32_t ticks,
                   const std::function<sim::Action(uint32_t)>& keys) {
   const Problem problem = support::plainProblem(level, {});
@@ -28,8 +29,8 @@ float highestHeld(const level::Level& level, bool mayJump, uint32_t ticks,
   return highest;
 }
 
-// A wall of 14 studs, and a taller block that slides at it, past its face by `beyond`, beside the
-// start.
+// A wall of 14 studs, and a taller block that slides at it and past its face by `beyond`. The start
+// is next to them.
 LevelBuilder press(float beyond) {
   LevelBuilder b;
   b.block({0, -0.5f, 0}, {60, 1, 120}).spawn({20, 0, 0});
@@ -46,8 +47,8 @@ LevelBuilder press(float beyond) {
   return b;
 }
 
-// Deeper in the wall than it is high above them, they come out at its top.
-TEST(ReachPressed, HoldsWhomASlidingBlockPressesIntoAWall) {
+// Players deeper in the wall than below its top come out at the top.
+TEST(ReachPressed, HoldsForABlockThatPressesIntoAWall) {
   const level::Level level = press(15).compile();
   const Turns aside = turnsFromRadians(kPi / 2);  // toward -X
   const float highest = highestHeld(level, false, 400, [=](uint32_t t) {
@@ -56,9 +57,9 @@ TEST(ReachPressed, HoldsWhomASlidingBlockPressesIntoAWall) {
   EXPECT_GT(highest, 13) << "nobody was lifted";
 }
 
-// Up into a thick ceiling, by less than a thousandth of a stud a tick: from its upper half they are
-// put out above it, much higher than the lift ever comes.
-TEST(ReachPressed, HoldsWhomASlowLiftPressesThroughACeiling) {
+// A lift presses the player up into a thick ceiling, by less than a thousandth of a stud a tick.
+// From the ceiling's upper half the player exits at its top, much higher than the lift goes.
+TEST(ReachPressed, HoldsForALiftThatPressesThroughACeiling) {
   LevelBuilder b;
   b.block({0, 14, 0}, {60, 16, 60}).spawn({0, 0, 34});
   b.block({0, -0.5f, 30}, {8, 1, 20});
@@ -76,8 +77,8 @@ TEST(ReachPressed, HoldsWhomASlowLiftPressesThroughACeiling) {
   EXPECT_GT(highest, 21) << "nobody was pressed through";
 }
 
-// A long seat reaches out of a wall, and holds its player deep inside.
-TEST(ReachPressed, HoldsWhoSitsInAWall) {
+// A long seat extends from a wall, and holds its player deep inside.
+TEST(ReachPressed, HoldsForASeatInsideAWall) {
   LevelBuilder b;
   b.block({0, -0.5f, 0}, {60, 1, 30}).spawn({0, 0, 0});
   b.block({0, -3, -35}, {60, 34, 50});
@@ -89,8 +90,8 @@ TEST(ReachPressed, HoldsWhoSitsInAWall) {
   EXPECT_GT(highest, 14) << "nobody was lifted";
 }
 
-// The first tick of a jump is as fast as the jump, whatever is the fastest fall.
-TEST(ReachPressed, HoldsWhoJumpsFasterThanAnybodyFalls) {
+// The first tick of a jump has the full jump speed, even if that exceeds the maximum fall speed.
+TEST(ReachPressed, HoldsForAJumpFasterThanTheFallLimit) {
   LevelBuilder b;
   b.block({0, -0.5f, 0}, {8, 1, 8}).spawn({0, 0, 0});
   b.physics([](schema::PhysicsParams::Builder p) { p.setJumpSpeed(1000); });

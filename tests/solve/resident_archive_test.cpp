@@ -1,5 +1,5 @@
-// What a resident search keeps: the same for any number of threads, every state of it regenerated
-// from its way, and no more than there is room for.
+// The archive of a resident search: the same for any number of threads, with states that their
+// trajectories regenerate, and within its capacity.
 #include <set>
 
 #include "resident_scenes.h"
@@ -11,7 +11,7 @@ void rounds(ResidentExplore& search, int count) {
   for (int i = 0; i < count; ++i) search.round();
 }
 
-TEST(ResidentArchive, TheSameCellByCellForAnyNumberOfThreads) {
+TEST(ResidentArchive, IsTheSameForAnyNumberOfThreads) {
   for (const auto& [name, scene] : residentScenes()) {
     ThreadPool one(1);
     ResidentExplore expected(scene->question.problem(), 4, smallRounds(scene->rollouts), {one});
@@ -26,7 +26,7 @@ TEST(ResidentArchive, TheSameCellByCellForAnyNumberOfThreads) {
   }
 }
 
-TEST(ResidentArchive, EveryStateIsRegeneratedFromItsWay) {
+TEST(ResidentArchive, EveryStateIsRegeneratedFromItsTrajectory) {
   for (const auto& [name, scene] : residentScenes()) {
     ThreadPool pool(2);
     ResidentExplore search(scene->question.problem(), 9, smallRounds(scene->rollouts), {pool});
@@ -40,7 +40,7 @@ TEST(ResidentArchive, EveryStateIsRegeneratedFromItsWay) {
   }
 }
 
-// Nodes are neither lost nor doubled: each is that of a cell, or was until a better arrival.
+// No node is lost or duplicated: each belongs to a cell, or did until a better arrival.
 TEST(ResidentArchive, CellsAreDistinctAndSoAreTheirNodes) {
   ResidentScene scene(support::movingArena(40, 8, 3));
   ThreadPool pool(2);
@@ -78,12 +78,12 @@ TEST(ResidentArchive, AFullArchiveKeepsTheSameCellsForAnyNumberOfThreads) {
     nodes = search.nodes().size();
   }
   EXPECT_EQ(search.cellCount(), 100u);
-  EXPECT_GT(nodes, 100u);  // better ways to what is there are kept on
+  EXPECT_GT(nodes, 100u);  // better trajectories to known cells are still kept
   expectSameArchive(search, expected, "full");
 }
 
-// Far more cells than the memory that a search begins with has room for.
-TEST(ResidentArchive, GrowsWithWhatItHolds) {
+// The search finds far more cells than fit in its initial memory.
+TEST(ResidentArchive, GrowsWithItsContent) {
   ResidentScene scene(support::movingArena(60, 12, 3));
   ResidentSettings settings = smallRounds(1024);
   settings.explore.groundedOnly = false;

@@ -1,14 +1,14 @@
-// Where a round's rollouts start: half of them by weight, half from the states of least f.
+// The starts of a round's rollouts: half of them by weight, half from the states of lowest f.
 #include <algorithm>
 #include <map>
 
 #include "resident_scenes.h"
-#include "solve/resident/kernels.h"
+#include "solve/search/resident/kernels.h"
 
 namespace obby::solve {
 namespace {
 
-// An archive of made-up cells, and the kernels of a choice run one index after the other.
+// An archive of made-up cells, with the kernels of a choice run one index at a time.
 class ResidentChoice : public testing::Test {
  protected:
   explicit ResidentChoice(uint32_t cells = 9000) : ranks_(cells), waits_(cells), seen_(cells) {
@@ -42,7 +42,7 @@ class ResidentChoice : public testing::Test {
       for (uint32_t i = 0; i < sumCount(t, s.level); ++i) sumOne(s, i);
     }
   }
-  // How often each cell was chosen.
+  // Returns how often each cell was chosen.
   std::map<uint32_t, uint32_t> choose(uint32_t rollouts, uint32_t firstBeam, uint32_t width) {
     a_.firstBeam = firstBeam;
     a_.beamWidth = width;
@@ -71,7 +71,7 @@ class ResidentChoice : public testing::Test {
   ResidentArguments a_{};
 };
 
-TEST_F(ResidentChoice, TheBeamIsTheCellsOfLeastF) {
+TEST_F(ResidentChoice, TheBeamHasTheCellsOfLowestF) {
   std::vector<uint32_t> sorted;
   for (uint32_t c = 0; c < a_.archive.cellCount; ++c) sorted.push_back(ticksOf(c));
   std::sort(sorted.begin(), sorted.end());
@@ -90,7 +90,7 @@ TEST_F(ResidentChoice, ABeamWiderThanTheArchiveIsAllOfIt) {
   EXPECT_EQ(choose(4096, 0, 1000).size(), 70u);
 }
 
-TEST_F(ResidentChoice, TheOthersGoByWeight) {
+TEST_F(ResidentChoice, TheOtherHalfFollowsTheWeights) {
   const uint32_t draws = 400'000;
   const auto times = choose(draws, draws, 1);
   double total = 0, apart = 0;

@@ -1,5 +1,5 @@
-// Who gets a cell, with candidates made by hand: fewer ticks, then fewer jumps, then the earlier
-// candidate.
+// The winner of each cell among candidates made by hand: fewer ticks, then fewer jumps, then the
+// earlier candidate.
 #include "resident_scenes.h"
 
 namespace obby::solve {
@@ -9,12 +9,12 @@ struct Visit {
   uint64_t key;
   uint32_t tick;
   uint16_t jumps;
-  float mark;  // tells worlds apart
+  float mark;  // identifies a world
 };
 
 class ResidentMerge : public testing::Test {
  protected:
-  // One round of ways with these visits.
+  // Merges one round of trajectories with these visits.
   RoundFindings merge(const std::vector<std::vector<Visit>>& ways) {
     PlayedWays played;
     played.room = 4;
@@ -58,10 +58,11 @@ TEST_F(ResidentMerge, FewerTicksThenFewerJumpsThenTheEarlierCandidate) {
   const RoundFindings f = merge({{{7, 20, 1, 1}, {8, 30, 1, 2}, {9, 40, 2, 3}},
                                  {{7, 19, 5, 4}, {8, 30, 0, 5}, {9, 40, 2, 6}},
                                  {{7, 19, 5, 7}}});
-  EXPECT_EQ(f.cells, 4u);  // with the start
+  EXPECT_EQ(f.cells, 4u);  // including the start
   ASSERT_EQ(f.nodes.size(), 3u);
   EXPECT_EQ(f.report.candidates, 7u);
-  // Numbered by rollout, then visit: 9 is the first way's, 7 and 8 the second's.
+  // Cells are numbered by rollout, then visit: 9 comes from the first trajectory, 7 and 8 from the
+  // second.
   EXPECT_EQ(markOf(1), 3);
   EXPECT_EQ(markOf(2), 4);
   EXPECT_EQ(markOf(3), 5);
@@ -69,10 +70,10 @@ TEST_F(ResidentMerge, FewerTicksThenFewerJumpsThenTheEarlierCandidate) {
   EXPECT_EQ(f.nodes[1].rollout, kKnown + 1);
   EXPECT_EQ(f.nodes[1].ticks, 19u);
   EXPECT_EQ(f.report.lastFinder, 2u);
-  EXPECT_EQ(f.report.sightings, 3u);  // each was found by several
+  EXPECT_EQ(f.report.sightings, 3u);  // each was found by several rollouts
 }
 
-TEST_F(ResidentMerge, AnIncumbentGivesWayToTheBetterOnly) {
+TEST_F(ResidentMerge, AnIncumbentIsReplacedByABetterOneOnly) {
   merge({{{7, 20, 1, 1}}});
   EXPECT_EQ(merge({{{7, 20, 1, 2}, {7, 21, 0, 3}}}).nodes.size(), 0u);
   EXPECT_EQ(markOf(1), 1);
@@ -92,8 +93,9 @@ TEST_F(ResidentMerge, ARolloutThatComesBackDoesNotShareItsCell) {
   EXPECT_EQ(markOf(1), 1);
 }
 
-// A cell that found no room is as new as before in the next round, and better ways still count.
-TEST_F(ResidentMerge, BeyondTheRoomCellsAreDroppedInTheirOrder) {
+// A cell dropped for lack of capacity is new again in the next round, and better trajectories still
+// count.
+TEST_F(ResidentMerge, BeyondTheCapacityCellsAreDroppedInOrder) {
   maxCells_ = 3;
   const RoundFindings f =
       merge({{{7, 20, 0, 1}}, {{8, 20, 0, 2}, {9, 20, 0, 3}}, {{10, 20, 0, 4}}});
@@ -109,7 +111,7 @@ TEST_F(ResidentMerge, BeyondTheRoomCellsAreDroppedInTheirOrder) {
   EXPECT_EQ(markOf(1), 7);
   EXPECT_EQ(markOf(2), 6);
   const auto cells = *rounds().cells(0);
-  EXPECT_EQ(cells[2].node, 3u);  // the start, two cells, then these
+  EXPECT_EQ(cells[2].node, 3u);  // after the start and the first two cells
   EXPECT_EQ(cells[1].node, 4u);
 }
 

@@ -1,11 +1,11 @@
-// What the tests of the resident search share.
+// Shared helpers of the resident search's tests.
 #pragma once
 
 #include <gtest/gtest.h>
 
 #include "golden/loose_scenes.h"
 #include "scenes.h"
-#include "solve/resident/resident_explore.h"
+#include "solve/search/resident/resident_explore.h"
 
 namespace obby::solve {
 
@@ -16,18 +16,18 @@ inline ResidentSettings smallRounds(uint32_t rollouts = 256) {
   return s;
 }
 
-// A level and a question about it.
+// A level and a query for it.
 struct ResidentScene {
   explicit ResidentScene(LevelBuilder builder) : level(builder.compile()), question(level) {
     question.query.goal = boxAt({0, 500, 0}, {2, 2, 2});  // out of reach
   }
   level::Level level;
   Question question;
-  uint32_t rollouts = 256;  // a round
-  uint32_t replayed = 1;    // every so many cells
+  uint32_t rollouts = 256;  // in each round
+  uint32_t replayed = 1;    // one cell in this many is replayed
 };
 
-// Courses with what makes cells differ: moving parts, jumps, waypoints, loose bodies.
+// Levels whose cells differ in many ways: moving parts, jumps, waypoints, dynamic bodies.
 inline std::vector<std::pair<const char*, std::unique_ptr<ResidentScene>>> residentScenes() {
   std::vector<std::pair<const char*, std::unique_ptr<ResidentScene>>> all;
   all.emplace_back("stones", std::make_unique<ResidentScene>(steppingStones()));
@@ -39,7 +39,7 @@ inline std::vector<std::pair<const char*, std::unique_ptr<ResidentScene>>> resid
   q.waypoints = {{boxAt({3, 2, -18}, {2, 4, 2})}, {boxAt({-3, 2, -1}, {2, 4, 2})}};
   q.query.goal = boxAt({0, 2, -28}, {8, 4, 8});
   all.emplace_back("loose", std::make_unique<ResidentScene>(golden::looseBodies()));
-  all.back().second->rollouts = 24;  // they take long
+  all.back().second->rollouts = 24;  // dynamic bodies are slow
   all.back().second->replayed = 7;
   return all;
 }

@@ -1,5 +1,5 @@
-// Answers of the method `resident`: the same bytes whatever runs it, also with a device that fails
-// under way, and solutions of the levels.
+// Answers of the method `resident`: solutions of levels, and the same bytes on every machine, even
+// if the device fails midway.
 #include "resident_scenes.h"
 #include "support/failing_device.h"
 #include "untimed.h"
@@ -73,7 +73,7 @@ TEST(ResidentSearch, SolvesLevels) {
   }
 }
 
-// What worked is found again before any round.
+// A known solution is found again before any round.
 TEST(ResidentSearch, TriesEarlierAnswersFirst) {
   ResidentScene scene(steppingStones());
   scene.question.query.goal = boxAt({0, 2, -28}, {8, 4, 8});
@@ -96,7 +96,7 @@ TEST(ResidentSearch, TriesEarlierAnswersFirst) {
     ASSERT_EQ(sim::stateHash(again.playthrough(again.nodes()[c.node]).end),
               sim::stateHash(c.world));
   }
-  // A device that fails after that begins anew with them.
+  // If a device fails later, the search restarts from the known solutions.
   support::FailingDevice failing(pool, 12);
   ResidentExplore restarted(problem, 2, smallRounds(), {pool, &failing});
   restarted.tryKnown(0, 1);
@@ -105,7 +105,7 @@ TEST(ResidentSearch, TriesEarlierAnswersFirst) {
   expectSameArchive(restarted, again, "restarted");
 }
 
-// Every attempt is counted, and the shown ones end as they say.
+// Every attempt counts, and the shown ones end as stated.
 TEST(ResidentSearch, CountsHowAttemptsEnd) {
   ResidentScene scene(steppingStones());
   ThreadPool pool(2);

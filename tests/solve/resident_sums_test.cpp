@@ -1,11 +1,11 @@
-// The tree of sums against plain ones, for counts of leaves around its powers.
+// The tree of sums against plain loops, for numbers of leaves near its powers.
 #include <gtest/gtest.h>
 
 #include <numeric>
 #include <vector>
 
 #include "base/random.h"
-#include "solve/resident/sum_tree.h"
+#include "solve/search/resident/sum_tree.h"
 
 namespace obby::solve {
 namespace {
@@ -31,11 +31,11 @@ std::vector<uint64_t> randomWeights(uint32_t count, uint32_t most) {
   Random random(3, count);
   std::vector<uint64_t> weights(count);
   for (uint64_t& w : weights) w = random.below(most);
-  weights[count / 2] += 1;  // there is something to draw
+  weights[count / 2] += 1;  // the total is never zero
   return weights;
 }
 
-TEST(SumTree, SumsBeforeALeafAreThoseOfAPlainLoop) {
+TEST(SumTree, SumsBeforeALeafEqualAPlainLoop) {
   for (const uint32_t count : {1u, 2u, 63u, 64u, 65u, 4095u, 4096u, 4097u, 270'000u}) {
     const Sums s(randomWeights(count, 1u << 20));
     uint64_t sum = 0;
@@ -49,9 +49,9 @@ TEST(SumTree, SumsBeforeALeafAreThoseOfAPlainLoop) {
   }
 }
 
-// Every value below the total belongs to the leaf that a plain loop comes to, and leaves without
-// weight to none.
-TEST(SumTree, ADescentEndsAtThePlainLoopsLeaf) {
+// Every value below the total leads to the leaf of a plain loop. No value leads to a leaf of weight
+// 0.
+TEST(SumTree, ADescentEndsAtTheLeafOfAPlainLoop) {
   for (const uint32_t count : {1u, 64u, 65u, 4097u, 9000u}) {
     const Sums s(randomWeights(count, 3));
     uint64_t rest = 0;

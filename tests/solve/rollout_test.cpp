@@ -1,5 +1,5 @@
-#include "solve/rollouts/rollout.h"
-#include "solve/rollouts/doom.h"
+#include "solve/search/rollouts/rollout.h"
+#include "solve/search/rollouts/doom.h"
 
 #include <gtest/gtest.h>
 
@@ -7,8 +7,8 @@
 #include <set>
 
 #include "scenes.h"
-#include "solve/go_explore.h"
-#include "solve/rollouts/surfaces.h"
+#include "solve/search/methods/go_explore.h"
+#include "solve/search/rollouts/surfaces.h"
 
 namespace obby::solve {
 namespace {
@@ -34,7 +34,7 @@ TEST(Rollout, TheSameSeedAndStreamGiveTheSameActionsAndState) {
   for (uint64_t stream = 0; stream < 50; ++stream) {
     sim::World a = scene.question.problem().start, b = a;
     const uint32_t ticks = runRollout(c, 7, stream, a, nullptr, 100, [](auto, auto&) {});
-    // Half of it, then again in full: what was drawn depends on nothing outside.
+    // After half a rollout the test repeats it in full: the draws depend on nothing outside.
     runRollout(c, 7, stream, b, nullptr, ticks / 2, [](auto, auto&) {});
     b = scene.question.problem().start;
     EXPECT_EQ(runRollout(c, 7, stream, b, nullptr, 100, [](auto, auto&) {}), ticks);
@@ -54,7 +54,7 @@ TEST(Rollout, StreamsDiffer) {
   EXPECT_GT(ends.size(), 45u);
 }
 
-TEST(Rollout, StopsWhereThePlaythroughEnds) {
+TEST(Rollout, StopsAtTheEndOfTheTrajectory) {
   RolloutScene scene;
   scene.question.avoid.push_back(boxAt({0, 2, -8}, {100, 40, 1}));
   const ExploreContext c = scene.context();
@@ -110,7 +110,7 @@ TEST(RandomMacro, HoldsForTwentyTicksOnAverage) {
   EXPECT_NEAR(sum / 20000, 20, 0.6);
 }
 
-TEST(Surfaces, AreWhereAPlayerCanStandAndNotOnKillParts) {
+TEST(Surfaces, AreStandablePlacesExceptOnKillParts) {
   LevelBuilder b = steppingStones();
   b.block({30, 0, 0}, {6, 1, 6}, [](schema::Part::Builder p) { p.initKill(); });
   b.block({60, 0, 0}, {6, 1, 6}, [](schema::Part::Builder p) { p.setSolid(false); });
@@ -128,8 +128,8 @@ TEST(Surfaces, AreWhereAPlayerCanStandAndNotOnKillParts) {
   EXPECT_TRUE(high);
 }
 
-// Aims that are no higher than a jump lead all the way up a truss.
-TEST(Surfaces, OfATrussAreAlongItsWholeHeight) {
+// Aims at most a jump apart lead all the way up a truss.
+TEST(Surfaces, OfATrussCoverItsWholeHeight) {
   LevelBuilder b = steppingStones();
   b.block({50, 20, 0}, {2, 40, 2},
           [](schema::Part::Builder p) { p.setShape(schema::Shape::TRUSS); });

@@ -1,4 +1,4 @@
-#include "solve/answers/route.h"
+#include "solve/model/route.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@ namespace {
 
 using Route = std::vector<int32_t>;
 
-TEST(Route, NamesThePartsThatCarryInOrder) {
+TEST(Route, ListsSupportingPartsInOrder) {
   const level::Level level = steppingStones().compile();
   Question question(level);
   const Problem problem = question.problem();
@@ -20,7 +20,7 @@ TEST(Route, NamesThePartsThatCarryInOrder) {
   const Course course = courseOf(problem, playByHand(problem, keys));
   ASSERT_EQ(course.replay.worlds.back().outcome, sim::Outcome::goal);
   EXPECT_EQ(course.ticks(), course.replay.worlds.size() - 1);
-  // The goal is reached in the air over the third stone.
+  // The goal is reached in the air above the third stone.
   EXPECT_EQ(routeOf(course), (Route{0, 1}));
 }
 
@@ -40,12 +40,12 @@ TEST(Route, SegmentsCoverTheCourseWithoutGaps) {
   EXPECT_EQ(segments[1].to, -1);
   EXPECT_EQ(segments[1].jumps, 0u);
   EXPECT_EQ(segments[1].end(), course.ticks());
-  // It begins with coming down on the second platform.
+  // The segment begins with the landing on the second platform.
   EXPECT_LT(course.at(segments[1].start - 1).velocity.y, -30);
   EXPECT_LT(course.at(segments[1].start).position.z, -12.5f);
 }
 
-TEST(Route, StartInTheAirIsCarriedByNothing) {
+TEST(Route, AStartInTheAirHasNoSupport) {
   LevelBuilder b = GapScene::build(5, 8);
   b.block({0, 9.5f, -2}, {2, 1, 2}, [](schema::Part::Builder p) { p.setSolid(false); });
   const level::Level level = b.compile();
@@ -93,7 +93,7 @@ TEST(Route, TrussesAndMovingPlatformsCarry) {
   EXPECT_EQ(route.back(), 2);
 }
 
-TEST(Route, SeatsAndLoosePartsCarry) {
+TEST(Route, SeatsAndDynamicPartsCarry) {
   LevelBuilder b;
   b.block({0, -0.5f, -10}, {8, 1, 20});
   b.block({0, 0.5f, -6}, {2, 1, 2}, [](schema::Part::Builder p) { p.initSeat(); });
@@ -115,9 +115,9 @@ TEST(Route, SeatsAndLoosePartsCarry) {
   EXPECT_EQ(route.back(), 2);
 }
 
-TEST(Route, AToeBeyondTheSeamIsNoOtherSupport) {
+TEST(Route, AToeBeyondTheSeamIsNotAnotherSupport) {
   LevelBuilder b;
-  // Two floors side by side, and a pebble that is brushed in passing.
+  // Two adjacent floors, and a pebble that the player brushes.
   b.block({-4, -0.5f, -20}, {8, 1, 40}).block({4, -0.5f, -20}, {8, 1, 40});
   b.block({-0.9f, 0.05f, -10}, {0.2f, 0.1f, 0.2f});
   b.spawn({0, 0, -2});

@@ -1,4 +1,4 @@
-// Small levels and queries that the solver's tests share.
+// Small levels and queries for the solver's tests.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@
 #include "io/pipeline.h"
 #include "sim/simulator.h"
 #include "solve/filter.h"
-#include "solve/query/problem.h"
+#include "solve/model/problem.h"
 #include "support/level_builder.h"
 #include "support/plain_problem.h"
 
@@ -18,8 +18,8 @@ namespace obby::solve {
 
 using support::LevelBuilder;
 
-// Two platforms that one jump joins, and a third behind: 0 to -8, gap 4, -12 to -20, gap 4, -24 to
-// -32 along -Z. Tops at height 0.
+// Three platforms along -Z, one jump apart: 0 to -8, -12 to -20, and -24 to -32. Tops are at height
+// 0.
 inline LevelBuilder steppingStones() {
   LevelBuilder b;
   for (int i = 0; i < 3; ++i) b.block({0, -0.5f, -4 - 12.0f * float(i)}, {8, 1, 8});
@@ -30,7 +30,7 @@ inline LevelBuilder steppingStones() {
 
 inline level::TargetView boxAt(Vec3 center, Vec3 size) { return {{{center, {}}, size * 0.5f}}; }
 
-// A query over a level in plain form, without limits until they are set.
+// A query in plain form, without limits until they are set.
 struct Question {
   explicit Question(const level::Level& l) : level(l) {
     query.goal = boxAt({0, 2, -28}, {8, 4, 8});
@@ -48,7 +48,7 @@ struct Question {
   std::vector<level::TargetView> avoid;
 };
 
-// What the filter makes of a stream of JSON lines.
+// The filter's result for a stream of JSON lines.
 struct Filtered {
   std::string output;
   Status status;
@@ -71,7 +71,7 @@ inline Filtered runFilter(const std::string& path, FilterOptions options) {
   return result;
 }
 
-// A file with these lines, removed with the object.
+// A file with these lines, which the destructor removes.
 class LinesFile {
  public:
   explicit LinesFile(const std::string& text) : path_(testing::TempDir() + name()) {
@@ -90,14 +90,14 @@ class LinesFile {
     static int count = 0;
     std::string name = std::string("obby-") + info->test_suite_name() + "-" + info->name() + "-" +
                        std::to_string(++count) + ".jsonl";
-    std::replace(name.begin(), name.end(), '/', '-');  // of parameterised tests
+    std::replace(name.begin(), name.end(), '/', '-');  // from parameterised tests
     return name;
   }
   std::string path_;
 };
 
-// The stepping stones as records, with a query to the third stone. `more`: further fields of the
-// query, each with a comma before it.
+// The stepping stones as records, with a query to the third stone. `more` holds further fields of
+// the query, each after a comma.
 inline std::string stonesText(const std::string& more = {}) {
   std::string text =
       R"({"type":"level","name":"stones","physics":{"fallenPartsHeight":-40},"parts":[)"

@@ -1,11 +1,11 @@
-// The search as a whole: what it finds, and that nothing but its inputs decides what.
+// The whole search: its results, and that only its inputs decide them.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "io/json_codec.h"
 #include "scenes.h"
-#include "solve/go_explore.h"
-#include "solve/methods.h"
+#include "solve/search/methods/go_explore.h"
+#include "solve/search/methods/methods.h"
 #include "untimed.h"
 
 namespace obby::solve {
@@ -21,7 +21,7 @@ FilterOptions searchStepsOnly(uint64_t maxSteps = 400'000, int threads = 2) {
   return o;
 }
 
-// Further fields of the stones' query that nothing can satisfy: a wall of an avoid region.
+// An avoided region across the stones, which makes the query unsolvable.
 constexpr const char* kWall = R"(,"avoid":[{"position":[0,0,-10],"size":[200,200,1]}])";
 
 struct Answer {
@@ -68,7 +68,7 @@ TEST(Search, SolvesTheSteppingStonesAndEveryTrajectoryReplays) {
   EXPECT_EQ(checked.counts.verified, a.trajectories.size());
 }
 
-TEST(Search, AVerifiedStreamThatWasTamperedWithIsRefused) {
+TEST(Search, ATamperedStreamFailsVerification) {
   Filtered f = solve(stonesText(), searchStepsOnly());
   const size_t at = f.output.find("\"heading\":");
   ASSERT_NE(at, std::string::npos);
@@ -112,7 +112,7 @@ TEST(Search, AnotherSeedGivesAnotherSearchWithTheSameVerdict) {
   EXPECT_NE(withoutTiming(a.output), withoutTiming(b.output));
 }
 
-// Wider than any player jumps, and not so wide that the bound on reach shows it.
+// The gap is wider than any jump, but too narrow for the bound on reach to prove it.
 TEST(Search, AGapTooWideIsUnknownWithEvidence) {
   const std::string text =
       R"({"type":"level","name":"gap","physics":{"fallenPartsHeight":-40},"parts":[)"
@@ -144,7 +144,7 @@ TEST(Search, AGapTooWideIsUnknownWithEvidence) {
   }
   EXPECT_GE(ends, result.getRounds() * GoExploreSettings{}.rollouts);
   EXPECT_TRUE(lava);
-  // The closest attempt is shown first and came as near as the result says.
+  // The closest attempt comes first, at the distance that the result states.
   ASSERT_FALSE(a.trajectories.empty());
   const auto end = a.trajectories[0].reader().getTrajectory().getEndPosition();
   const float off =
@@ -168,7 +168,7 @@ TEST(Search, HonoursEveryConstraintAtOnce) {
 }
 
 TEST(Search, FindsSeveralDistinctSolutionsShortestFirst) {
-  // A pillar in the way on the middle stone: left and right of it are distinct.
+  // A pillar on the middle stone makes left and right distinct.
   std::string text = stonesText();
   text.insert(text.find("],\"spawns\""),
               R"(,{"name":"Pillar","position":[0,10,-16],"size":[3,20,8]})");

@@ -1,10 +1,10 @@
-#include "solve/choosers/selection.h"
-#include "solve/choosers/potential.h"
+#include "solve/search/selectors/selection.h"
+#include "solve/search/guidance/potential.h"
 
 #include <gtest/gtest.h>
 
 #include "scenes.h"
-#include "solve/rollouts/trail.h"
+#include "solve/search/rollouts/trail.h"
 
 namespace obby::solve {
 namespace {

@@ -1,5 +1,5 @@
-// What a search that found nothing says of itself.
-#include "solve/archive/thoroughness.h"
+// The coverage that a search without a solution reports.
+#include "solve/search/thoroughness.h"
 
 #include <gtest/gtest.h>
 
@@ -22,8 +22,8 @@ TEST(NewCellChance, IsTheBoundOfGoodAndTuring) {
   EXPECT_EQ(newCellChance(Thoroughness{}), 1.0f);
 }
 
-TEST(NewCellChance, HoldsForDrawsWhoseChancesAreKnown) {
-  // A thousand cells, cell i with a chance in proportion to 1 / (i + 1)^2: each draw is a rollout.
+TEST(NewCellChance, HoldsForKnownProbabilities) {
+  // A thousand cells, with probabilities in proportion to 1 / (i + 1)^2. Each draw is a rollout.
   constexpr int kCells = 1000, kDraws = 2000;
   std::vector<double> chance;
   double all = 0;
@@ -46,10 +46,10 @@ TEST(NewCellChance, HoldsForDrawsWhoseChancesAreKnown) {
     }
     if (missing <= newCellChance(after(kDraws, once, 100))) ++held;
   }
-  EXPECT_GE(held, 190);  // of 200; 97.5 % is 195
+  EXPECT_GE(held, 190);  // of 200; 97.5 % would be 195
 }
 
-TEST(Saturation, MeansThatAsLongAgainWouldFindNextToNothing) {
+TEST(Saturation, MeansThatDoublingTheTimeFindsAlmostNothing) {
   EXPECT_TRUE(saturated(after(100'000, 10, 1000)));    // at most 16 more
   EXPECT_FALSE(saturated(after(100'000, 100, 1000)));  // 120 more
   EXPECT_FALSE(saturated(after(100, 0, 1000)));        // too early to say
@@ -83,7 +83,7 @@ TEST(Thoroughness, CountsRolloutsAndCellsOfASearch) {
   }
 }
 
-// A pedestal of a few cells: soon there is nothing more to find, while on a plain there is.
+// On a pedestal of a few cells, the search soon runs out of new cells. On a plain it does not.
 TEST(Thoroughness, ASmallPlaceIsSaturatedALargeOneGrows) {
   LevelBuilder small, large;
   small.block({0, -0.5f, 0}, {4, 1, 4}).spawn({0, 0, 0});

@@ -1,5 +1,5 @@
-// Searches by what scripts add: gravity by touch, parts that only the root touches, jumps in the
-// air.
+// Searches with mechanics that scripts add: gravity by touch, parts that only the root touches, air
+// jumps.
 #include <gtest/gtest.h>
 
 #include "io/json_codec.h"
@@ -20,7 +20,7 @@ FilterCounts ask(const std::string& lines, uint64_t steps = 3'000'000) {
   return f.counts;
 }
 
-// A gap of 17 studs behind a floor with `role`.
+// A gap of 17 studs after a floor with `role`.
 std::string gapBehind(const std::string& role) {
   return R"({"type":"level","name":"gap","physics":{"fallenPartsHeight":-40},"parts":[)"
          R"({"name":"A","position":[0,-0.5,-4],"size":[8,1,8])" +
@@ -36,8 +36,8 @@ TEST(TouchedSearch, ALightPlayerCrossesAWiderGap) {
   EXPECT_EQ(ask(gapBehind(R"(,"boost":{"gravity":0.4,"forever":true})")).solved, 1u);
 }
 
-// With a jump in the air a gap of 17 studs is crossed, and nothing is said to be out of reach.
-TEST(TouchedSearch, AJumpInTheAirCrossesAWiderGap) {
+// An air jump crosses a gap of 17 studs, and the verdict is never `unreachable`.
+TEST(TouchedSearch, AnAirJumpCrossesAWiderGap) {
   const auto with = [](const char* more) {
     std::string lines = gapBehind("");
     const std::string physics = "\"fallenPartsHeight\":-40";
@@ -47,7 +47,7 @@ TEST(TouchedSearch, AJumpInTheAirCrossesAWiderGap) {
   EXPECT_EQ(ask(with(",\"airJumps\":1,\"jumpSpeed\":1"), 100'000).unknown, 1u);
 }
 
-// A floor between two boxes that kill, eight tenths of a stud apart.
+// A floor between two boxes that kill, 0.8 studs apart.
 std::string betweenKills(bool byRoot) {
   const std::string role =
       std::string(R"(,"solid":false,"kill":{})") + (byRoot ? R"(,"byRoot":true)" : "");
@@ -61,7 +61,7 @@ std::string betweenKills(bool byRoot) {
          "\n";
 }
 
-TEST(TouchedSearch, ThePlayerPassesWhereLimbsAreInAPartTouchedByTheRoot) {
+TEST(TouchedSearch, LimbsMayPassThroughPartsTouchedByTheRoot) {
   EXPECT_EQ(ask(betweenKills(true)).solved, 1u);
   EXPECT_EQ(ask(betweenKills(false), 200'000).solved, 0u);
 }

@@ -1,5 +1,4 @@
-// The verdict `unreachable`: what it names, and that it is not said where something may be
-// possible.
+// The verdict `unreachable`: its reasons, and its absence where a solution may exist.
 #include "solve/proof/unreachable.h"
 
 #include <fmt/format.h>
@@ -16,7 +15,7 @@ namespace {
 
 using testing::HasSubstr;
 
-// What a short search makes of a stream.
+// Returns the answers of a short search.
 Filtered answered(const std::string& text) {
   const LinesFile file(text);
   FilterOptions o;
@@ -25,7 +24,7 @@ Filtered answered(const std::string& text) {
   return runFilter(file.path(), std::move(o));
 }
 
-// Stones with gaps of 12 and 11 studs, the third 3 studs up, and a ledge far above.
+// Stones with gaps of 12 and 11 studs, the third one 3 studs higher, and a ledge far above.
 Filtered unreachableAsk(const std::string& limits, const std::string& more = {}) {
   return answered(R"({"type":"level","name":"stones","parts":[)"
                   R"({"name":"A","position":[0,-0.5,-4],"size":[8,1,8]},)"
@@ -57,7 +56,7 @@ TEST(Unreachable, NamesTheStepThatIsMissing) {
   EXPECT_THAT(f.output, HasSubstr(R"("reached":[0,1,2],"from":2,"rise":)"));
 }
 
-// A goal `rise` studs above the last stone, which a jump of 7.3 does not reach.
+// A goal `rise` studs above the head of a player on the last stone. A jump gains 7.3 studs.
 std::string goalAbove(float rise) {
   return fmt::format(R"("goal":{{"name":"up","position":[0,{},-43],"size":[8,4,8]}})",
                      5 + 5 + rise);
@@ -71,21 +70,21 @@ TEST(Unreachable, SaysWhichTricksMightHelpAndWhetherItHoldsWithAll) {
   EXPECT_THAT(high.output, HasSubstr(R"("withTricks":true)"));
 }
 
-// Somebody else might.
-TEST(Unreachable, NobodyWithoutJumpingIsSaidToBeSo) {
+// The reason must say that jumping is forbidden, as a player who may jump is not excluded.
+TEST(Unreachable, TheReasonMentionsForbiddenJumping) {
   const std::string words = "No player can reach the goal 'third' without jumping. From '";
   expectUnreachable(unreachableAsk(std::string(kThird) + R"(,"maxJumps":0)"), words);
   expectUnreachable(unreachableAsk(std::string(kThird) + R"(,"forbid":["jumping"])"), words);
 }
 
-TEST(Unreachable, LimitsOnTheWayToAWaypointEndThere) {
+TEST(Unreachable, LimitsOfAWaypointEndThere) {
   const Filtered f = unreachableAsk(
       std::string(kThird) +
       R"(,"waypoints":[{"region":{"position":[0,2,-6],"size":[8,4,2]},"maxJumps":0,"segmentJumps":0}])");
   EXPECT_EQ(f.counts.unreachable, 0u) << "the jumps come after it";
 }
 
-TEST(Unreachable, CountsTheJumpsThatEveryWayTakes) {
+TEST(Unreachable, CountsTheJumpsOfEveryRoute) {
   expectUnreachable(
       unreachableAsk(std::string(kThird) + R"(,"maxJumps":1)"),
       "Every route to the goal 'third' takes at least 2 jumps, but only 1 is allowed.");
@@ -100,7 +99,7 @@ TEST(Unreachable, CountsTheJumpsToAWaypoint) {
       "Every route to waypoint 1 'second' takes at least 1 jump, but none is allowed.");
 }
 
-TEST(Unreachable, KnowsHowLongTheWayIs) {
+TEST(Unreachable, KnowsTheLengthOfTheRoute) {
   expectUnreachable(unreachableAsk(std::string(kThird) + R"(,"timeLimit":1.6)"),
                     "but only 1.60 s is allowed");
   EXPECT_EQ(unreachableAsk(std::string(kThird) + R"(,"timeLimit":2.8)").counts.unreachable, 0u);
@@ -110,7 +109,7 @@ TEST(Unreachable, KnowsHowLongTheWayIs) {
                     "but only 3.50 s is allowed");
 }
 
-TEST(Unreachable, SaysNothingOfTimeWhereSomethingMovesPlayersAtOnce) {
+TEST(Unreachable, MakesNoTimeClaimIfPlayersCanBeMovedAtOnce) {
   const std::string limit = std::string(kThird) + R"(,"timeLimit":1.6)";
   for (const char* more :
        {R"(,{"name":"Seat","position":[0,0.5,-6],"size":[2,1,2],"seat":{}})",
@@ -124,7 +123,7 @@ TEST(Unreachable, SaysNothingOfTimeWhereSomethingMovesPlayersAtOnce) {
   EXPECT_EQ(unreachableAsk(limit, pusher).counts.unreachable, 0u);
 }
 
-TEST(Unreachable, SaysNothingOfTimeWhereAWallThatNobodyStandsOnPushes) {
+TEST(Unreachable, MakesNoTimeClaimIfATallWallPushes) {
   const char* wall =
       R"(,{"name":"Wall","position":[3.75,11,4],"size":[1.5,20,1],"motion":{"repeat":"pingPong",)"
       R"("keys":[{"position":[3.75,11,4]},{"time":1,"position":[3.75,11,-48]}]}})";
@@ -133,9 +132,9 @@ TEST(Unreachable, SaysNothingOfTimeWhereAWallThatNobodyStandsOnPushes) {
   EXPECT_EQ(unreachableAsk(limit).counts.unreachable, 1u) << "without it";
 }
 
-// From 16,384 studs on a place's last bit is a 512th of a stud: a walk of 136.5 of them a tick is
-// one of 137.
-TEST(Unreachable, KnowsThatPlacesFarOutAreRounded) {
+// From 16,384 studs on, positions have steps of a 512th of a stud. A tick of walking is 136.5 of
+// them, and rounds to 137.
+TEST(Unreachable, AllowsForRoundingFarOut) {
   LevelBuilder b;
   b.block({0, -0.5f, -17500}, {8, 1, 2040}).spawn({0, 0, -16500});
   const level::Level level = b.compile();
@@ -157,7 +156,7 @@ TEST(Unreachable, KnowsThatPlacesFarOutAreRounded) {
   expectUnreachable(run("90"), "but only 90.00 s is allowed");
 }
 
-TEST(Unreachable, IsNotSaidWherePartsAreSoHighThatJumpsAreRounded) {
+TEST(Unreachable, IsNotClaimedWherePartsAreSoHighThatJumpsAreRounded) {
   const auto counted = [](const std::string& height) {
     return unreachableAsk(R"("goal":{"part":"Ledge"})",
                           R"(,{"name":"High","position":[0,)" + height + R"(,0],"size":[4,1,4]})")
@@ -175,7 +174,7 @@ TEST(Unreachable, IsNotSaidWherePartsAreSoHighThatJumpsAreRounded) {
   EXPECT_EQ(fallen("10000"), 1u);
 }
 
-TEST(Unreachable, IsNotSaidWhereATeleporterLeadsSoHigh) {
+TEST(Unreachable, IsNotClaimedWhereATeleporterLeadsSoHigh) {
   const auto counted = [](const std::string& height) {
     return unreachableAsk(R"("goal":{"part":"Ledge"})",
                           R"(,{"name":"Gate","position":[0,5000,0],"size":[4,4,4],"solid":false,)"
@@ -187,8 +186,8 @@ TEST(Unreachable, IsNotSaidWhereATeleporterLeadsSoHigh) {
   EXPECT_EQ(counted("10000"), 1u);
 }
 
-// The last tick of the level's clock is followed by its first, in which a lift may be elsewhere.
-TEST(Unreachable, IsNotSaidWhereTheClockOfALiftBeginsAnew) {
+// After the last tick of the level's clock comes its first one, at which a lift may be elsewhere.
+TEST(Unreachable, IsNotClaimedWhereTheClockOfALiftWraps) {
   LevelBuilder b;
   b.block({0, -0.5f, -4}, {8, 1, 8}).block({0, -5, -4}, {2, 1, 2}, [](schema::Part::Builder p) {
     auto motion = p.initMotion();
@@ -219,13 +218,13 @@ TEST(Unreachable, OneVisitOutOfReachIsEnough) {
                     "No player can reach 'Ledge'. From '");
 }
 
-TEST(Unreachable, AnyGoalWithinReachWillDo) {
+TEST(Unreachable, OneReachableGoalIsEnough) {
   EXPECT_EQ(
       unreachableAsk(std::string(kThird) + R"(,"goals":[{"part":"Ledge"}])").counts.unreachable,
       0u);
 }
 
-TEST(Unreachable, OfSeveralGoalsTheOneThatLacksLeastIsNamed) {
+TEST(Unreachable, NamesTheGoalWithTheSmallestMissingStep) {
   const std::string far = R"("goal":{"position":[0,900,-4]},"goals":[{"part":"Ledge"}])";
   const Filtered both = unreachableAsk(far), one = unreachableAsk(R"("goal":{"part":"Ledge"})");
   const auto cutOf = [](const Filtered& f) {
@@ -236,7 +235,7 @@ TEST(Unreachable, OfSeveralGoalsTheOneThatLacksLeastIsNamed) {
   EXPECT_EQ(cutOf(both), cutOf(one));
 }
 
-TEST(Unreachable, IsNotSaidWhereLoosePartsCanBePiledUp) {
+TEST(Unreachable, IsNotClaimedWithDynamicParts) {
   const Filtered f =
       unreachableAsk(R"("goal":{"part":"Ledge"})",
                      R"(,{"name":"Box","position":[0,3,-4],"size":[2,2,2],"anchored":false})");
@@ -245,7 +244,7 @@ TEST(Unreachable, IsNotSaidWhereLoosePartsCanBePiledUp) {
   EXPECT_EQ(f.counts.unknown, 1u);
 }
 
-// A row of small posts across the first stone, so many studs beside it.
+// A row of small posts on the first stone, moved by `aside` studs.
 std::string posts(int count, float aside) {
   std::string text;
   for (int i = 0; i < count; ++i) {
@@ -255,8 +254,8 @@ std::string posts(int count, float aside) {
   return text;
 }
 
-// Some of them are not there for whoever is among them.
-TEST(Unreachable, IsNotSaidWhereMorePartsAreNearThanTheSimulatorLooksAt) {
+// The simulator ignores some of the posts for a player among them.
+TEST(Unreachable, IsNotClaimedWhereTheSimulatorIgnoresParts) {
   const std::string ledge = R"("goal":{"part":"Ledge"})";
   EXPECT_EQ(unreachableAsk(ledge, posts(60, 0)).counts.unreachable, 0u);
   EXPECT_EQ(unreachableAsk(ledge, posts(40, 0)).counts.unreachable, 1u)
@@ -264,8 +263,8 @@ TEST(Unreachable, IsNotSaidWhereMorePartsAreNearThanTheSimulatorLooksAt) {
   EXPECT_EQ(unreachableAsk(ledge, posts(60, 500)).counts.unreachable, 1u) << "nobody comes there";
 }
 
-// What the importer left out may be the way.
-TEST(Unreachable, IsNotSaidOfALevelThatLacksPartOfItsPlace) {
+// Parts that the importer left out may lead to the goal.
+TEST(Unreachable, IsNotClaimedForAnIncompleteImport) {
   const auto answer = [](const std::string& text) { return answered(text).output; };
   std::string text = stonesText(R"(,"timeLimit":0.5)");
   EXPECT_NE(answer(text).find("\"verdict\":\"unreachable\""), std::string::npos);

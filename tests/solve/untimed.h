@@ -1,4 +1,4 @@
-// What a tool wrote, without its times: the only thing that may differ between runs.
+// A tool's output without its times, which are the only difference between runs.
 #pragma once
 
 #include <string>

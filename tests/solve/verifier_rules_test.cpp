@@ -1,6 +1,6 @@
-// The verifier refuses an answer that breaks any one of the rules that a query can add to start,
-// goal, order and totals (verifier_test.cpp has those). Each rule: what keeps it is accepted, what
-// just breaks it is not.
+// The verifier refuses an answer that breaks any rule that a query can add (verifier_test.cpp has
+// start, goal, order and totals). For each rule, an answer that just keeps it is accepted, and one
+// that just breaks it is refused.
 #include "walked_answer.h"
 
 namespace obby::solve {
@@ -33,7 +33,7 @@ TEST_F(Rules, VisitsCountInAnyOrderAndAllOfThem) {
   ASSERT_EQ(t.getOutcome(), Outcome::GOAL);
   EXPECT_EQ(t.getVisited(), 3u);
   EXPECT_TRUE(check()) << check().error().text();
-  setRegion(visits[1], {3.5f, 2, -6}, {1, 4, 2});  // beside the way
+  setRegion(visits[1], {3.5f, 2, -6}, {1, 4, 2});  // next to the path
   expectWrong("outcome");
 }
 
@@ -51,7 +51,7 @@ TEST_F(Rules, AThinRegionToAvoidIsPassedBetweenTicks) {
   }
 }
 
-TEST_F(Rules, AtLeastSoManyJumps) {
+TEST_F(Rules, MinimumJumps) {
   q().setMinJumps(2);
   ASSERT_EQ(makeTrajectory().getOutcome(), Outcome::GOAL);
   EXPECT_TRUE(check()) << check().error().text();
@@ -123,14 +123,14 @@ TEST_F(Rules, PartsToTouch) {
   EXPECT_TRUE(check()) << check().error().text();
 }
 
-// A post beside the second stone's middle, and one just out of the arms' reach.
+// A post within reach at the middle of the second stone, and one just out of the arms' reach.
 class PostRules : public VerifierTest {
  protected:
   PostRules() : VerifierTest(posts()) {}
   static LevelBuilder posts() {
     LevelBuilder b = steppingStones();
     b.block({2.4f, 5, -16}, {1, 10, 1});   // arms reach to 2.05
-    b.block({-2.6f, 5, -16}, {1, 10, 1});  // 0.05 further than they do
+    b.block({-2.6f, 5, -16}, {1, 10, 1});  // 0.05 beyond their reach
     return b;
   }
 };
@@ -149,7 +149,7 @@ TEST_F(PostRules, PartsNotToTouch) {
   EXPECT_TRUE(check()) << check().error().text();
 }
 
-TEST_F(PostRules, APartThatIsMissedWasNotTouched) {
+TEST_F(PostRules, AMissedPartWasNotTouched) {
   makeTrajectory();
   name(q().initVisits(1)[0], 3);
   expectWrong("visited");
@@ -157,7 +157,7 @@ TEST_F(PostRules, APartThatIsMissedWasNotTouched) {
   expectWrong("outcome");
 }
 
-// The second stone hurts.
+// A curtain on the second stone hurts.
 class HotRules : public VerifierTest {
  protected:
   HotRules() : VerifierTest(hot()) {}
@@ -172,7 +172,7 @@ class HotRules : public VerifierTest {
   }
 };
 
-TEST_F(HotRules, HealthThatMayBeLost) {
+TEST_F(HotRules, MaximumDamage) {
   ASSERT_EQ(makeTrajectory().getOutcome(), Outcome::GOAL);
   q().setMaxDamage(20);
   EXPECT_TRUE(check()) << check().error().text();

@@ -1,4 +1,4 @@
-// The verifier refuses an answer that is not what its record says.
+// The verifier refuses an answer whose replay differs from its record.
 #include "walked_answer.h"
 
 namespace obby::solve {
@@ -24,7 +24,7 @@ TEST_F(VerifierTest, RefusesAnEndShortOfTheGoal) {
 
 TEST_F(VerifierTest, RefusesAGoalReachedOnlyInARotatedBoxsBounds) {
   makeTrajectory();
-  setRegion(q().initGoal(), {14, 2, -30}, {1, 4, 30});  // crosses the way only when turned
+  setRegion(q().initGoal(), {14, 2, -30}, {1, 4, 30});  // crosses the path only when rotated
   expectWrong("outcome");
   auto r = q().getGoal().initRotation();
   r.setY(0.38268343f);  // 45 degrees
@@ -100,7 +100,7 @@ TEST_F(VerifierTest, RefusesTooManyJumpsInTotal) {
 TEST_F(VerifierTest, RefusesAnAvoidedRegion) {
   makeTrajectory();
   auto avoid = q().initAvoid(1);
-  setRegion(avoid[0], {3.9f, 1, -16}, {1, 2, 1});  // beside the way
+  setRegion(avoid[0], {3.9f, 1, -16}, {1, 2, 1});  // next to the path
   EXPECT_TRUE(check());
   setRegion(avoid[0], {0, 7, -10}, {8, 6, 0.5f});  // the head passes through on the first jump
   expectWrong("outcome");
@@ -114,7 +114,7 @@ TEST_F(VerifierTest, RefusesALateArrival) {
   expectWrong("outcome");
 }
 
-TEST_F(VerifierTest, RefusesADeathSoldAsAGoal) {
+TEST_F(VerifierTest, RefusesADeathDeclaredAsAGoal) {
   makeTrajectory(false).setOutcome(schema::Outcome::GOAL);
   expectWrong("outcome");
 }
@@ -138,8 +138,8 @@ TEST_F(VerifierTest, RefusesWrongTotalsAndHashes) {
   expectWrong("stateHash");
 }
 
-// What is written for readers that cannot replay.
-TEST_F(VerifierTest, RefusesAnotherWayThanThatOfItsActions) {
+// These fields serve readers that cannot replay.
+TEST_F(VerifierTest, RefusesAPathThatItsActionsDoNotTake) {
   auto t = makeTrajectory();
   const auto plan = sim::planFromRecord(t.asReader());
   ASSERT_TRUE(plan);
@@ -168,7 +168,7 @@ TEST_F(VerifierTest, RefusesAnotherWayThanThatOfItsActions) {
   jumpTicks.set(1, jumps[1]);
   path.setStep(2);
   expectWrong("path.points");
-  // Earlier versions left out the last point and its tick.
+  // Earlier versions omitted the last point and its tick.
   path.setStep(t.getTicks() - 1);
   auto two = path.initPoints(2);
   support::set(two[0], worlds[0].position);
@@ -178,8 +178,8 @@ TEST_F(VerifierTest, RefusesAnotherWayThanThatOfItsActions) {
   expectWrong("path.points");
 }
 
-// Its way ends where the playthrough does, however long the last key is held.
-TEST_F(VerifierTest, AcceptsActionsThatGoOnBehindTheEnd) {
+// The path ends at the trajectory's end, however long the last key is held.
+TEST_F(VerifierTest, AcceptsActionsBeyondTheEnd) {
   auto t = makeTrajectory();
   const uint32_t ticks = t.getTicks();
   t.getActions()[ticks - 1].setTicks(500);

@@ -1,5 +1,5 @@
-// An answer made by hand, for the verifier to accept or refuse: walk along -Z over the stepping
-// stones, jump where told, and record what the simulator does.
+// An answer made by hand, for the verifier to accept or refuse. It walks along -Z over the stepping
+// stones, jumps where told, and records the simulator's result.
 #pragma once
 
 #include "io/json_codec.h"
@@ -27,7 +27,7 @@ class VerifierTest : public testing::Test {
 
   schema::Query::Builder q() { return query.root().getQuery(); }
 
-  // Walks to the goal, pressing jump at the edges; the record says what the search would say.
+  // Walks to the goal, and presses jump at the edges. The record equals that of a search.
   schema::Trajectory::Builder makeTrajectory(bool jumping = true) {
     sim::World w = sim::makeWorld(level.view(), level.spawns()[0]);
     auto compiled = level::Query::compile(q().asReader(), level);

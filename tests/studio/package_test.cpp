@@ -1,4 +1,4 @@
-// The plugin as one model file, read back by the importer's own reader.
+// The plugin as one model file, read back by the importer.
 #include "package/package.h"
 
 #include <gtest/gtest.h>
@@ -21,7 +21,7 @@ struct Source {
   std::string path, text;
 };
 
-// A folder of plugin sources that goes with the test.
+// A temporary folder of plugin sources.
 class Sources {
  public:
   explicit Sources(const std::vector<Source>& sources)
@@ -53,7 +53,7 @@ Document readBack(const std::string& folder) {
   return *std::move(document);
 }
 
-// The instance at a path below the roots, or null.
+// Returns the instance at a path below the roots, or null.
 const Instance* find(const Document& document, const fs::path& path) {
   const std::vector<InstanceId>* among = &document.roots;
   const Instance* found = nullptr;
@@ -72,7 +72,7 @@ std::string sourceOf(const Instance* script) {
   return script ? propertyOr<std::string>(*script, "Source", "no source") : "absent";
 }
 
-TEST(Package, texts_that_mean_something_in_xml_survive) {
+TEST(Package, text_with_xml_markup_survives) {
   const std::string text = "return a < b and c > d, \"x & y\", t[t[1]]>2, [[<![CDATA[]]>]]\n\t]]>";
   const Sources sources(std::vector<Source>{{"init.server.luau", "--<&>\n"}, {"odd.luau", text}});
   const auto document = readBack(sources.folder());
@@ -80,7 +80,7 @@ TEST(Package, texts_that_mean_something_in_xml_survive) {
   EXPECT_EQ(sourceOf(find(document, "obby/odd")), text);
 }
 
-TEST(Package, folders_nest_and_other_files_stay_out) {
+TEST(Package, folders_nest_and_other_files_are_ignored) {
   const Sources sources(std::vector<Source>{
       {"init.server.luau", "x"}, {"views/list.luau", "list"}, {"notes.md", "no script"}});
   const auto document = readBack(sources.folder());
@@ -100,7 +100,7 @@ TEST(Package, the_version_is_that_of_the_build) {
   EXPECT_NE(text.find(protocol), std::string::npos) << text;
 }
 
-TEST(Package, the_calibration_course_is_in_it_as_it_lies_in_levels) {
+TEST(Package, it_contains_the_calibration_course_of_levels) {
   const Sources sources(std::vector<Source>{{"init.server.luau", "x"}});
   const std::string text = sourceOf(find(readBack(sources.folder()), "obby/courseText"));
   const auto course = io::readFile(kCourse);
@@ -117,7 +117,7 @@ TEST(Package, a_folder_without_a_script_is_an_error_that_names_it) {
   EXPECT_NE(plugin.error().text().find("init.server.luau"), std::string::npos);
 }
 
-TEST(Package, every_source_of_the_plugin_is_in_it_and_the_bytes_repeat) {
+TEST(Package, it_contains_every_source_and_is_deterministic) {
   const std::string folder = OBBY_SOURCE_DIR "/studio/src";
   const auto document = readBack(folder);
   size_t files = 0;

@@ -16,7 +16,7 @@ namespace obby::test {
 namespace {
 
 constexpr int kRate = 60, kSteps = 4;
-constexpr float kLost = 10;  // studs below the start: the game is over for them
+constexpr float kLost = 10;  // studs below the start at which the recording ends
 constexpr btScalar kStep = btScalar(1) / (kRate * kSteps);
 
 Vec3 plain(const btVector3& v) { return {float(v.x()), float(v.y()), float(v.z())}; }
@@ -27,7 +27,7 @@ btTransform at(const btVector3& position) {
   return out;
 }
 
-// The level without a player.
+// The physics world of the level, without a player.
 class Scene {
  public:
   explicit Scene(const level::LevelView& level) {
@@ -67,9 +67,9 @@ class Scene {
   btDiscreteDynamicsWorld world{&dispatcher_, &broadphase_, &solver_, &configuration_};
 };
 
-// What walls have left of the velocity that was asked for, from how far a step went. They take at
-// most what went into them: the controller also pushes whoever has got into a part out of it, all
-// at once, which is no speed, and would throw them back at up to a hundred studs a second.
+// Returns the requested velocity less the part that walls took, judged by the distance of the step.
+// Walls take at most the component into them. The controller also resolves penetration in a single
+// step, which is no velocity, and would throw the player back at up to a hundred studs a second.
 btVector3 leftOf(const btVector3& asked, const btVector3& gone) {
   btVector3 pushed = gone / kStep - asked;
   pushed.setY(0);
@@ -103,7 +103,7 @@ class KinematicPlayer : public Player {
     controller_->setJumpSpeed(game.jumpSpeed);
     controller_->setFallSpeed(480);
     controller_->setLinearDamping(game.damping);
-    // Not before: to be told where up is turns the body.
+    // This comes last, since the calls above rotate the body.
     ghost_.setWorldTransform(at(bulletVector(feet) + btVector3(0, game.height / 2, 0)));
     scene_.world.addCollisionObject(&ghost_, btBroadphaseProxy::CharacterFilter,
                                     btBroadphaseProxy::AllFilter);
@@ -120,8 +120,8 @@ class KinematicPlayer : public Player {
     const btScalar most = (stands() ? game_.groundAccel : game_.airAccel) * kStep;
     btVector3 lacking = hands.wanted - velocity_;
     if (lacking.length() > most) lacking *= most / lacking.length();
-    // The controller lifts whoever goes down by this, lets them go on, and puts them down again. In
-    // the air that put them into the part above, from where they were thrown half a stud in a step.
+    // The controller lifts a moving body by this height, moves it, and puts it down again. In the
+    // air this pushed it into the part above, which threw it half a stud in a step.
     controller_->setStepHeight(stands() ? game_.stepHeight : 0);
     const btVector3 before = position(), asked = velocity_ + lacking;
     controller_->setWalkDirection(asked * kStep);
@@ -136,7 +136,7 @@ class KinematicPlayer : public Player {
   const BulletGame& game_;
   Scene& scene_;
   btCapsuleShape capsule_;
-  bool bumped_ = false;  // their head: the controller takes whoever stops rising for one on a floor
+  bool bumped_ = false;  // the head hit a ceiling, which the controller takes for a floor
   btPairCachingGhostObject ghost_;
   std::unique_ptr<btKinematicCharacterController> controller_;
   btVector3 velocity_{0, 0, 0};

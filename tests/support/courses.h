@@ -10,12 +10,12 @@
 
 namespace obby::support {
 
-// Owns its levels. Playthroughs end at the latest by a time limit, a different one in every level,
-// and worlds then take their next level.
+// A course that owns its levels. Each level has a different time limit, after which a world takes
+// its next level.
 struct Levels {
   std::vector<level::Level> levels;
   sim::Course course;
-  // What the queries point to.
+  // Storage for the queries' pointers.
   std::vector<level::WaypointView> waypoints;
   std::vector<level::TargetView> visits, avoid, goals;
   std::vector<uint32_t> touched;
@@ -33,7 +33,7 @@ struct Levels {
   }
 };
 
-// Rules of every kind: a waypoint around the start, a part to touch, one not to touch, limits.
+// Adds rules of every kind: a waypoint around the start, a part to touch, one not to touch, limits.
 inline void addRules(Levels& all) {
   all.waypoints = {{{{{{0, 2, 0}, {}}, {6, 6, 6}}}, 40, 0, {20, 90}}};
   all.touched = {0, 3};
@@ -56,7 +56,7 @@ inline void addRules(Levels& all) {
   }
 }
 
-// Parts of every kind.
+// A course with parts of every kind.
 inline Levels everyKind() {
   std::vector<level::Level> levels;
   for (const auto& build :
@@ -69,7 +69,7 @@ inline Levels everyKind() {
   return Levels(std::move(levels), 107);
 }
 
-// Box arenas of `boxes` boxes each.
+// A course of box arenas with `boxes` boxes each.
 inline Levels arenas(uint32_t count, uint32_t boxes, uint32_t timeLimitTicks) {
   std::vector<level::Level> levels;
   for (uint32_t i = 0; i < count; ++i) levels.push_back(boxArena(boxes, i + 1).compile());

@@ -1,4 +1,4 @@
-// A Document as lines of text, for comparing two of them and for reading the difference.
+// A Document as lines of text, to compare two of them and to show the difference.
 #pragma once
 
 #include <string>
@@ -8,13 +8,13 @@
 
 namespace obby::test {
 
-// One line an instance ("/Workspace:Workspace[0]/Part:Lava[0]": class, name, which of the equal
-// siblings), followed by one line for each property, attribute and tag. Refs are written as the
+// Returns one line per instance ("/Workspace:Workspace[0]/Part:Lava[0]": class, name, index among
+// equal siblings). One line for each property, attribute and tag follows. Refs are written as the
 // path of their target.
 std::vector<std::string> linesOf(const Document& document);
 
-// Lines of one that the other lacks, at most `limit`, as "only in first: ..."; empty if they are
-// equal.
+// Returns at most `limit` lines that only one document has, as "only in first: ...". Equal
+// documents give an empty string.
 std::string difference(const Document& first, const Document& second, size_t limit = 20);
 
 }  // namespace obby::test

@@ -1,4 +1,4 @@
-// A device whose launches work only so often.
+// A device whose launches fail after a given number.
 #pragma once
 
 #include "sim/host_device.h"

@@ -1,4 +1,4 @@
-// Makes values; the XML element's name comes with the kind.
+// Makes values. The kind determines the XML element's name.
 #include "support/file_values.h"
 
 #include <memory>

@@ -1,4 +1,4 @@
-// Property values as a place file spells them: every kind that the formats have, also those that a
+// Property values as place files store them: every kind of the formats, including those that a
 // Document drops.
 #pragma once
 
@@ -9,7 +9,7 @@
 
 namespace obby::test {
 
-// The numbers are the binary format's.
+// The numbers are those of the binary format.
 enum class FileKind : uint8_t {
   String = 0x01,
   Bool = 0x02,
@@ -47,7 +47,7 @@ enum class FileKind : uint8_t {
 
 struct FileValue {
   FileKind kind = FileKind::String;
-  Value value;  // what a Document makes of it; monostate: unread or (OptionalCFrame) absent
+  Value value;             // the Document's value; monostate: unread or (OptionalCFrame) absent
   std::string xmlElement;  // the element's name in XML
   bool acoustics = false;  // PhysicalProperties: the flag for acoustic absorption is set
 };
@@ -77,11 +77,10 @@ FileValue uniqueId(std::string hex);  // 32 digits, as in XML
 FileValue udim(float scale, int32_t offset);
 FileValue range(float min, float max);
 FileValue capabilities(int64_t bits);
-// A sample of a kind that a Document does not keep (UDim2, Ray, Faces, ...).
+// Returns a sample of a kind that a Document does not keep (UDim2, Ray, Faces, ...).
 FileValue unread(FileKind kind);
 
-// The value that stands in where other instances of the class have the property and this one does
-// not.
+// Returns the value for an instance that lacks a property which others of its class have.
 FileValue emptyOf(const FileValue& like);
 
 }  // namespace obby::test

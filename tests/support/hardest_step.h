@@ -1,5 +1,5 @@
-// The hardest step that a search solves: levels of one step whose difficulty is a number of studs,
-// and a climb from an easy one to harder ones.
+// Finds the hardest step that a search solves. Levels have one step whose difficulty is a number of
+// studs, and a climb starts at an easy one.
 #pragma once
 
 #include <algorithm>
@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "solve/go_explore.h"
+#include "solve/search/methods/go_explore.h"
 #include "support/level_builder.h"
 #include "support/plain_problem.h"
 
@@ -15,7 +15,7 @@ namespace obby::support {
 
 using solve::Problem;
 
-// A level whose difficulty is one number of studs, and where its goal is.
+// A level of one step, and its goal.
 inline constexpr uint32_t kTarget = 1;  // the part that is the goal
 
 struct Scene {
@@ -33,12 +33,12 @@ inline Scene platforms(float gap, float rise) {
   return s;
 }
 
-// What only the head of somebody who stands there is in.
+// The region above this floor that only the head of a standing player reaches.
 inline Box overhead(Box floor) {
   return {floor.lo + Vec3{0, 4.9f, 0}, {floor.hi.x, floor.lo.y + 8, floor.hi.z}};
 }
 
-// A part that goes to and fro, two seconds each way.
+// Adds a part that moves back and forth, two seconds each way.
 inline void slide(Scene& s, Vec3 from, Vec3 to, bool carries) {
   s.level.block(from, {6, 1, 6}, [=](schema::Part::Builder p) {
     auto motion = p.initMotion();
@@ -51,7 +51,7 @@ inline void slide(Scene& s, Vec3 from, Vec3 to, bool carries) {
   });
 }
 
-// From a platform that moves by `by` to one that is `gap` from the end of its track.
+// A step from a platform that moves by `by` to one that is `gap` from the end of its motion.
 inline Scene off(Vec3 by, float gap, bool carries = true) {
   Scene s;
   slide(s, {0, -0.5f, 0}, {by.x, by.y - 0.5f, by.z}, carries);
@@ -61,7 +61,7 @@ inline Scene off(Vec3 by, float gap, bool carries = true) {
   return s;
 }
 
-// From a platform at rest to one that moves by `by`, away from the end that is `gap` away.
+// A step from a static platform to one that moves by `by`, away from the end that is `gap` away.
 inline Scene onto(Vec3 by, float gap) {
   Scene s;
   const Vec3 near{-0.5f * by.x, -0.5f, -4 - gap - 3};
@@ -80,7 +80,8 @@ inline level::QueryView queryFor(const Scene& s) {
 
 using Actions = std::vector<sim::Action>;
 
-// Studs from the goal that these actions come, at least; 0: they reach it.
+// Returns the shortest distance to the goal under these actions, in studs. It is 0 if they reach
+// it.
 inline float missOf(const Problem& problem, const Actions& actions) {
   sim::World w = problem.start;
   float least = 1e30f;
@@ -93,7 +94,7 @@ inline float missOf(const Problem& problem, const Actions& actions) {
   return least;
 }
 
-// Another way to hold the keys: other headings for a while, or a tick more or less.
+// Returns mutated actions: other headings for a while, or a tick more or less.
 inline Actions changed(const Actions& from, Random& random) {
   Actions to = from;
   const auto any = [&] { return random.below(uint32_t(to.size())); };
@@ -115,7 +116,7 @@ inline Actions changed(const Actions& from, Random& random) {
   return to;
 }
 
-// The hardest step that changes of one trajectory solve, from one that is solved.
+// Returns the hardest step, from `studs` up, that mutations of one trajectory solve.
 inline float climb(const Build& build, float studs, float enough, Actions actions, uint64_t steps) {
   constexpr float kHarder = 0.02f;
   Random random(5, 5);
@@ -139,7 +140,7 @@ inline float climb(const Build& build, float studs, float enough, Actions action
   return studs;
 }
 
-// The trajectory that a search finds, tick by tick; empty: none.
+// Returns the actions of the trajectory that a search finds, one for each tick, or none.
 inline Actions solutionOf(const Build& build, float studs, uint64_t steps) {
   Scene scene = build(studs);
   const level::Level level = scene.level.compile();
@@ -155,7 +156,7 @@ inline Actions solutionOf(const Build& build, float studs, uint64_t steps) {
   return actions;
 }
 
-// From `lo`, which is surely solved, on; `hi` is enough. 0: not even `lo` is solved.
+// Searches from `lo`, which should be solvable, up to `hi`. Returns 0 if even `lo` is unsolved.
 inline float hardestSolved(const Build& build, float lo, float hi, uint64_t steps) {
   const float enough = hi;
   Actions best = solutionOf(build, lo, steps);

@@ -1,5 +1,5 @@
-// Settings of methods that learn while they search under which playthroughs end soon: within a few
-// rounds players return to where others have been, and what they learned decides what they play.
+// Settings that end trajectories early, for methods that learn while they search. Within a few
+// rounds players return to visited cells, and the learned policy decides their actions.
 #pragma once
 
 #include "solve/learned/cflge.h"
@@ -8,7 +8,7 @@
 namespace obby::support {
 
 inline solve::learned::PbgeSettings hasty(solve::learned::PbgeSettings settings) {
-  settings.patience = 10;  // a jump is longer
+  settings.patience = 10;  // shorter than a jump
   return settings;
 }
 
@@ -16,7 +16,7 @@ inline solve::learned::CflgeSettings hasty(solve::learned::CflgeSettings setting
   settings.explore = settings.patience = 12;
   settings.begin = 256;
   settings.refresh = 1000;
-  settings.moduleSteps = 0.02f;  // steps of learning are most of the time
+  settings.moduleSteps = 0.02f;  // learning steps take most of the time
   settings.policySteps = 1.0f / 128;
   return settings;
 }

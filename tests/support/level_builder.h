@@ -26,7 +26,7 @@ inline void set(schema::Vec3::Builder to, Vec3 v) {
   to.setZ(v.z);
 }
 
-// Rotation about X, then about Y.
+// Sets a rotation about X, then about Y.
 inline void setRotation(schema::Quat::Builder to, float yaw, float pitch = 0) {
   const SinCos y = sinCos(turnsFromRadians(yaw * 0.5f)), p = sinCos(turnsFromRadians(pitch * 0.5f));
   const Quat q = Quat{0, y.sin, 0, y.cos} * Quat{p.sin, 0, 0, p.cos};
@@ -45,7 +45,7 @@ class LevelBuilder {
     return *this;
   }
 
-  // A block; `more` sets what else it is.
+  // Adds a block; `more` sets further properties.
   LevelBuilder& block(Vec3 center, Vec3 size, PartSetter more = {}) {
     return part([=](schema::Part::Builder p) {
       set(p.initPosition(), center);
@@ -81,7 +81,7 @@ class LevelBuilder {
 
   Result<level::Level> tryCompile() { return level::Level::compile(record()); }
 
-  // The level; a test that builds a bad one by mistake stops here.
+  // Compiles the level. A test that builds an invalid one by mistake stops here.
   level::Level compile() {
     auto level = tryCompile();
     if (!level) {
@@ -98,9 +98,9 @@ class LevelBuilder {
   std::shared_ptr<capnp::MallocMessageBuilder> message_;  // shared, so that builders can be copied
 };
 
-// The scene on which engines are compared (docs/physics.md, benches): a walled arena, one box for
-// every 115 square studs, half of them tilted by up to 23 degrees. The player starts above the
-// middle.
+// The scene for comparisons of engines (docs/physics.md, benches): a walled arena with a box for
+// every 115 square studs. Half of the boxes are tilted by up to 23 degrees. The player starts above
+// the middle.
 inline LevelBuilder boxArena(uint32_t boxes, uint64_t seed) {
   LevelBuilder b;
   Random random(seed, boxes);
@@ -123,7 +123,7 @@ inline LevelBuilder boxArena(uint32_t boxes, uint64_t seed) {
   return b;
 }
 
-// The same with platforms that slide to and fro near the middle, every other one turning.
+// The arena with platforms that slide back and forth near the middle. Every other one turns.
 inline LevelBuilder movingArena(uint32_t boxes, uint32_t movers, uint64_t seed) {
   LevelBuilder b = boxArena(boxes, seed);
   Random random(seed, boxes + movers);
@@ -148,8 +148,8 @@ inline LevelBuilder movingArena(uint32_t boxes, uint32_t movers, uint64_t seed) 
   return b;
 }
 
-// The same with eight platforms that move and `boxes` loose ones beside their ways. `restless`:
-// they never fall asleep.
+// The arena with eight moving platforms and `boxes` dynamic boxes away from their motions. If
+// `restless`, the boxes never fall asleep.
 inline LevelBuilder looseArena(uint32_t boxes, bool restless, uint64_t seed) {
   LevelBuilder b = movingArena(100, 8, seed);
   const level::Level fixed = b.compile();

@@ -1,5 +1,4 @@
-// A player at the start of a level, who is to reach a region: all that somebody needs who looks
-// around there.
+// A player at the start of a level, with a goal region and everything that an observation needs.
 #pragma once
 
 #include "policy/policy.h"
@@ -18,7 +17,7 @@ struct Onlooker {
   Onlooker(const Onlooker&) = delete;
   Onlooker& operator=(const Onlooker&) = delete;
 
-  // What is seen of it.
+  // Returns the inputs of this observation.
   std::vector<float> inputs(policy::Observe how, const sim::LooseBody* loose = nullptr) const {
     std::vector<float> in(policy::kInputs);
     how(scene, world, loose, in.data());
@@ -28,7 +27,7 @@ struct Onlooker {
   policy::Surroundings around;
   policy::SurroundingsView seen;
   level::QueryView query;
-  policy::Scene scene;  // of the three above
+  policy::Scene scene;  // refers to the three above
   sim::World world;
 };
 

@@ -1,4 +1,4 @@
-// Writes the binary format, whole or piece by piece (for files that are broken on purpose).
+// Writes the binary format, whole or chunk by chunk (for deliberately broken files).
 #pragma once
 
 #include <string>
@@ -13,7 +13,7 @@ std::string fileHeader(uint32_t classes, uint32_t instances);
 std::string chunk(const std::string& name, const std::string& data, Packing packing);
 std::string instanceChunk(uint32_t classId, const std::string& className,
                           const std::vector<int32_t>& referents, Packing packing = Packing::Stored);
-// `column`: the values as the kind stores them.
+// `column` holds the values as the kind stores them.
 std::string propertyChunk(uint32_t classId, const std::string& name, uint8_t kind,
                           const std::string& column, Packing packing = Packing::Stored);
 std::string parentChunk(const std::vector<int32_t>& children, const std::vector<int32_t>& parents,

@@ -1,4 +1,4 @@
-// One function a kind of property, and the table that numbers them.
+// One function for each kind of property, and the table of their numbers.
 #include "support/place_columns.h"
 
 #include <array>
@@ -190,7 +190,7 @@ void contents(std::string& out, const Values& values) {
   append(out, 0);
 }
 
-// Kinds that a Document does not keep: any bytes of the right length will do.
+// Any bytes of the right length serve for kinds that a Document does not keep.
 std::string sampleBytes(FileKind kind) {
   std::string out;
   switch (kind) {

@@ -1,4 +1,4 @@
-// The property columns of the binary format, and the values that other blobs are made of.
+// The property columns of the binary format, and the values that make up other blobs.
 #pragma once
 
 #include <string>
@@ -11,17 +11,17 @@ namespace obby::test {
 
 using SharedStrings = std::vector<std::string>;
 
-// The column of a PROP chunk. Shared strings are looked up in `strings`, and added.
+// Returns the column of a PROP chunk. Shared strings are looked up in `strings`, and added there.
 std::string columnOf(FileKind kind, const std::vector<FileValue>& values, SharedStrings& strings);
 
-// Little-endian values at the end of `out`.
+// Appends little-endian values to `out`.
 void append(std::string& out, uint32_t value);
 void appendFloat(std::string& out, float value);
 void appendDouble(std::string& out, double value);
 void appendString(std::string& out, const std::string& value);
-// One byte for axis-aligned rotations, otherwise 0 and nine floats.
+// Appends one byte for axis-aligned rotations, otherwise 0 and nine floats.
 void appendRotation(std::string& out, const Mat3& rotation);
-// Column of referents: differences, zigzag, interleaved.
+// Appends a column of referents: differences, zigzag, interleaved.
 void appendReferents(std::string& out, const std::vector<int32_t>& referents);
 
 }  // namespace obby::test

@@ -14,7 +14,7 @@ struct AttributeBytes {
   void floats(std::initializer_list<float> values) {
     for (const float v : values) appendFloat(out, v);
   }
-  void operator()(std::monostate) { out += '\x7f'; }  // a kind that nobody knows
+  void operator()(std::monostate) { out += '\x7f'; }  // no known kind
   void operator()(bool v) { out += std::string("\x03", 1) + static_cast<char>(v); }
   void operator()(int64_t v) {
     out += '\x04';

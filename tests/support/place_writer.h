@@ -1,4 +1,4 @@
-// Builds a small place or model and writes it in each file format. Only for tests: the project
+// Builds a small place or model and writes it in each file format. Only tests use this: the project
 // itself writes no places.
 #pragma once
 
@@ -17,9 +17,9 @@ class PlaceWriter {
  public:
   using Id = InstanceId;
 
-  // Parents first. An empty name leaves the Name property out.
+  // Adds an instance; parents come first. An empty name omits the Name property.
   Id add(std::string className, std::string name = {}, Id parent = kNoInstance);
-  // `property` as files spell it: "size", "Color3uint8", "shape".
+  // Sets `property`, spelled as in files: "size", "Color3uint8", "shape".
   PlaceWriter& set(Id id, std::string property, FileValue value);
   PlaceWriter& tag(Id id, std::string tag);
   // Kinds: bool, int64_t (written as 32 bits), double, std::string, EnumItem, Vec3, CFrame,
@@ -38,13 +38,13 @@ class PlaceWriter {
   };
 
  private:
-  // Properties with tags and attributes among them.
+  // Returns the entries with tags and attributes as properties.
   std::vector<Entry> completed() const;
 
   std::vector<Entry> entries_;
 };
 
-// The blob of AttributesSerialize.
+// Returns the blob of AttributesSerialize.
 std::string encodeAttributes(const std::map<std::string, Value>& attributes);
 
 }  // namespace obby::test

@@ -1,4 +1,4 @@
-// Items nest as the instances do; one element a property.
+// Items are nested like the instances, with one element for each property.
 #include "support/place_xml.h"
 
 #include <cmath>

@@ -1,13 +1,13 @@
-// A query in plain form posed of a level: from its first spawn.
+// Problems that start at a level's first spawn.
 #pragma once
 
 #include "level/level.h"
 #include "sim/simulator.h"
-#include "solve/query/problem.h"
+#include "solve/model/problem.h"
 
 namespace obby::support {
 
-// The level must outlive it.
+// Returns the problem of the query. The level must outlive it.
 inline solve::Problem plainProblem(const level::Level& level, const level::QueryView& query) {
   return {level.view(),
           query,
@@ -17,7 +17,7 @@ inline solve::Problem plainProblem(const level::Level& level, const level::Query
           level.hasMotion()};
 }
 
-// A search that does not end: the goal is far above everything.
+// Returns a problem whose search never ends: the goal is far above everything.
 inline solve::Problem endlessProblem(const level::Level& level) {
   level::QueryView query;
   query.goal.region = {{{0, 500, 0}, {}}, {2, 2, 2}};

@@ -1,5 +1,5 @@
-// What recorders do to recordings: positions a little off, frames missing or at uneven times,
-// inputs that show late or are rounded to a few directions.
+// Faults of recorders: noisy positions, frames missing or at uneven times, inputs that are late or
+// rounded to a few directions.
 #pragma once
 
 #include <algorithm>
@@ -12,18 +12,18 @@
 namespace obby::test {
 
 struct Faults {
-  float noise = 0;          // studs that a position may be off, each axis
-  float dropped = 0;        // share of the frames that are missing
-  double jitter = 0;        // seconds that a frame may come early or late
-  uint32_t late = 0;        // frames from an input to what comes of it
-  uint32_t directions = 0;  // that an input can have; 0: any
+  float noise = 0;          // amplitude of position noise in studs, per axis
+  float dropped = 0;        // share of the missing frames
+  double jitter = 0;        // seconds that a frame may be early or late
+  uint32_t late = 0;        // frames between an input and its effect
+  uint32_t directions = 0;  // number of possible directions of an input; 0: any
 };
 
 namespace detail {
 
 inline Vec3 mixed(Vec3 a, Vec3 b, float share) { return a + (b - a) * share; }
 
-// A time of a recording: between a frame and the next.
+// A moment of a recording, between a frame and the next.
 struct Moment {
   size_t frame;
   float share;
@@ -36,7 +36,7 @@ inline Moment momentAt(const std::vector<calibrate::Frame>& frames, double time)
   return {i, float(std::clamp((time - from) / (to - from), 0.0, 1.0))};
 }
 
-// The player as they are then; inputs, facing and state are those in force.
+// Returns the player at this time. Inputs, facing and state are those of the last frame.
 inline calibrate::Frame frameAt(const std::vector<calibrate::Frame>& frames, double time) {
   const Moment m = momentAt(frames, time);
   const calibrate::Frame &a = frames[m.frame], &b = frames[m.frame + 1];
@@ -66,7 +66,7 @@ inline Vec3 roundedTo(Vec3 move, uint32_t directions) {
 
 }  // namespace detail
 
-// Velocities that are older than the positions beside them, by a share of a frame.
+// Returns a recording whose velocities lag the positions by a share of a frame.
 inline calibrate::Track withLateVelocities(const calibrate::Track& track, float share) {
   calibrate::Track out = track;
   for (size_t i = 1; i < track.frames.size(); ++i)
@@ -75,7 +75,7 @@ inline calibrate::Track withLateVelocities(const calibrate::Track& track, float 
   return out;
 }
 
-// The same recording by a worse recorder.
+// Returns the same recording by a worse recorder.
 inline calibrate::Track spoiled(const calibrate::Track& track, const Faults& faults,
                                 uint64_t seed) {
   Random random(seed, 0x5b01);
@@ -89,7 +89,7 @@ inline calibrate::Track spoiled(const calibrate::Track& track, const Faults& fau
     if (random.unit() < faults.dropped && !end) continue;
     const double shift = end ? 0 : faults.jitter * double(between());
     calibrate::Frame f = detail::frameAt(from, from[i].time + shift);
-    // Written down when it was given; what came of it shows `late` frames on.
+    // The input is that of `late` frames later, so that its effect shows `late` frames after it.
     const double late = faults.late * (from[1].time - from[0].time);
     const calibrate::Frame input = detail::frameAt(from, std::min(f.time + late, from.back().time));
     f.move = input.move;

@@ -1,4 +1,4 @@
-// A small level whose parts have paths, tags and a GUID: to name places in.
+// A small level whose parts have paths, tags and a GUID, for tests that name places.
 #pragma once
 
 #include "io/json_codec.h"

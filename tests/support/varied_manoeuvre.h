@@ -1,5 +1,4 @@
-// Manoeuvres like those of the calibration course, but never quite the same: to hold a fit against
-// what it has not seen.
+// Variations of the calibration course's manoeuvres, to test a fit against unseen recordings.
 #pragma once
 
 #include <cmath>
@@ -9,13 +8,13 @@
 
 namespace obby::test {
 
-// At most by so much.
+// Upper bounds of the variation.
 struct Variation {
-  float share;    // that a hold lasts shorter or longer, each its own
-  float radians;  // that the stick points elsewhere, the same way throughout
+  float share;    // of the duration of each hold
+  float radians;  // of the stick's direction, which is the same throughout
 };
-constexpr Variation kElsewhere{0.2f, 0.35f};  // another way through the same place
-constexpr Variation kAgain{0.05f, 0.05f};     // as somebody does the same thing once more
+constexpr Variation kElsewhere{0.2f, 0.35f};  // another trajectory through the same place
+constexpr Variation kAgain{0.05f, 0.05f};     // like a repetition by the same player
 
 inline calibrate::Manoeuvre varied(calibrate::Manoeuvre manoeuvre, uint64_t seed,
                                    Variation most = kElsewhere) {

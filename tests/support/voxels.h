@@ -1,4 +1,4 @@
-// Writes the voxels of terrain as Studio saves them, from a function that says what a cell holds.
+// Writes the voxels of terrain as Studio saves them, from a function that returns a cell's content.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// Random play: an action held for 10 to 50 ticks, then another.
+// Random play: each action is held for 10 to 50 ticks.
 #pragma once
 
 #include "base/random.h"

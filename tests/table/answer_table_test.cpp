@@ -1,4 +1,4 @@
-// The table, to the letter.
+// The exact text of the answer table.
 #include "table/answer_table.h"
 
 #include <gmock/gmock.h>
@@ -43,7 +43,7 @@ Answer unknown(const std::string& query, const std::string& reason) {
   return answer;
 }
 
-TEST(AnswerTable, SaysFromWhereToWhereAQueryGoes) {
+TEST(AnswerTable, ShowsTheStartAndTheGoalOfAQuery) {
   EXPECT_EQ(
       table::answerTable({solved("stage1"), unknown("stage2", "Too far.")}, {100, false, true}),
       "query   verdict  from → to                     play time  jumps  found in\n"
@@ -87,7 +87,7 @@ TEST(AnswerTable, ColumnsThatNoRowNeedsAreLeftOut) {
   EXPECT_EQ(table::answerTable({}, {80, false, false}), "");
 }
 
-TEST(AnswerTable, QueriesThatWereNotAskedAreCountedBelowThoseThatWere) {
+TEST(AnswerTable, QueriesThatWereNotAskedAreCountedBelowTheTable) {
   const std::string one = table::answerTable({notAsked("b"), solved("a")}, {80, false, false});
   EXPECT_THAT(one, Not(HasSubstr("\nb ")));
   EXPECT_THAT(one, EndsWith("\n1 other query was not asked in this run.\n"));

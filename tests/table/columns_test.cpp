@@ -1,4 +1,4 @@
-// How wide texts are on a terminal, and how they are cut.
+// The width of text on a terminal, and where it is cut.
 #include "table/columns.h"
 
 #include <gtest/gtest.h>
@@ -6,7 +6,7 @@
 namespace obby::table_test {
 namespace {
 
-TEST(Columns, TextsAreCutAtCharactersAndTamed) {
+TEST(Columns, TextIsCutBetweenCharactersAndEscaped) {
   EXPECT_EQ(table::fitted("caf\xc3\xa9 noir", 5, false), "caf\xc3\xa9\xe2\x80\xa6");
   EXPECT_EQ(table::fitted("a\x1b[31mb", 20, false), "a [31mb");
   EXPECT_EQ(table::fitted("\xc3\xa9", 5, true), "?");
@@ -18,7 +18,7 @@ TEST(Columns, TextsAreCutAtCharactersAndTamed) {
       << "U+202E turns a row round, U+2028 ends it";
 }
 
-TEST(Columns, AreThoseOfATerminal) {
+TEST(Columns, CountAsOnATerminal) {
   EXPECT_EQ(table::columnCount("Stage 1"), 7u);
   EXPECT_EQ(table::columnCount("\u30b9\u30c6\u30fc\u30b8"), 8u) << "kana are wide";
   EXPECT_EQ(table::columnCount("\U0001f525"), 2u) << "so are emoji";

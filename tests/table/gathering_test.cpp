@@ -1,4 +1,4 @@
-// Which records of a stream make which rows.
+// The table rows that a stream of records produces.
 #include "table/gathering.h"
 
 #include <gmock/gmock.h>
@@ -46,7 +46,7 @@ TEST(Gathering, JoinsAQueryAndItsResult) {
   EXPECT_EQ(answers[0].reason, "There.");
 }
 
-TEST(Gathering, TellsQueriesOfSeveralLevelsApart) {
+TEST(Gathering, DistinguishesQueriesOfSeveralLevels) {
   const auto answers = gathered({kLevel, R"({"type":"query","id":"q"})",
                                  R"({"type":"level","name":"M"})", R"({"type":"query","id":"q"})",
                                  R"({"type":"result","query":"q","level":"L","verdict":"unknown"})",
@@ -64,7 +64,7 @@ TEST(Gathering, AQueryAloneWasNotAsked) {
   EXPECT_EQ(answers[0].state, State::notAsked);
 }
 
-TEST(Gathering, NamesPlacesAsTheyAreAskedFor) {
+TEST(Gathering, NamesPlacesAsInTheQuery) {
   const auto places = [](const std::string& fields) {
     const auto answers =
         gathered({kLevel, R"({"type":"query","id":"q",)" + fields + "}"}).answers();

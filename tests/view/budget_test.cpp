@@ -1,4 +1,4 @@
-// How much of a report goes into a page.
+// The share of a report that fits in a page.
 #include "view/budget.h"
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@
 namespace obby::view_test {
 namespace {
 
-// A level without a way is shown at its query's start.
+// A level without trajectories is shown at its query's start.
 TEST(Budget, MotionIsShownFromTheStartOfAQueryOn) {
   std::string late = kQuery;
   late.insert(late.find(R"("goal")"), R"("start":{"tick":9000},)");
@@ -24,7 +24,7 @@ TEST(Budget, MotionIsShownFromTheStartOfAQueryOn) {
   EXPECT_EQ(view::ticksShown(*report), (std::vector<uint32_t>{9000 + least}));
 }
 
-TEST(Budget, EachLevelShowsTheMotionOfItsOwnQueriesAndWays) {
+TEST(Budget, EachLevelShowsTheMotionOfItsOwnTrajectories) {
   auto left = walk(kLeft, 300);
   left.root().getTrajectory().setStartTick(3000);
   const uint32_t ticks = left.reader().getTrajectory().getTicks();
@@ -40,8 +40,8 @@ TEST(Budget, EachLevelShowsTheMotionOfItsOwnQueriesAndWays) {
   EXPECT_EQ(view::ticksShown(*report), (std::vector<uint32_t>{3000 + ticks, 600 * 60, least}));
 }
 
-// The page cannot know where a part goes on to.
-TEST(Budget, MotionThatIsCutIsTold) {
+// The page cannot know how a part moves after the cut.
+TEST(Budget, CutMotionIsReported) {
   const auto notes = [](const char* seconds, const char* tick) {
     std::string level = kLevel, late = kQuery;
     const std::string fan = R"("spin":{"speed":3})";
@@ -69,7 +69,7 @@ TEST(Budget, ThinsAttemptsBeforeAnythingElse) {
   EXPECT_FALSE(tight.notes.empty());
 }
 
-// Or ways would be thinned out in a large level without need.
+// An overestimate would thin out trajectories of large levels without need.
 TEST(Budget, CountsALevelAsItIsWritten) {
   std::string level = R"({"type":"level","name":"large","parts":[{})";
   for (int i = 0; i < 500; ++i) {
@@ -86,8 +86,8 @@ TEST(Budget, CountsALevelAsItIsWritten) {
   EXPECT_LT(sizes.fixed, json.text().size() * 5 / 4);
 }
 
-// Of short ways names and numbers are most.
-TEST(Budget, CountsMoreThanTheTicksOfAWay) {
+// Names and numbers dominate the size of short trajectories.
+TEST(Budget, CountsMoreThanTheTicksOfATrajectory) {
   auto left = walk(kLeft, 5);
   auto report = collect({kLevel, kQuery, line(left)});
   ASSERT_TRUE(report) << report.error().text();
@@ -100,8 +100,8 @@ TEST(Budget, CountsMoreThanTheTicksOfAWay) {
   EXPECT_LT(sizes.attempts + sizes.whole, json.text().size() * 3 / 2);
 }
 
-// Of thousands of moving parts that never repeat. What nobody asks to be thinned out is not.
-TEST(Budget, MotionThatNoBrowserOpensIsTakenMoreCoarsely) {
+// Thousands of moving parts that never repeat take this much. With --full nothing is thinned out.
+TEST(Budget, TooMuchMotionIsSampledMoreCoarsely) {
   view::PageSizes sizes;
   sizes.tracks = size_t(1500) << 20;
   EXPECT_EQ(view::budgetFor(sizes, view::kPageTarget).trackStride, 8u);
@@ -111,7 +111,7 @@ TEST(Budget, MotionThatNoBrowserOpensIsTakenMoreCoarsely) {
   EXPECT_EQ(view::budgetFor(sizes, SIZE_MAX).trackStride, 1u);
 }
 
-TEST(Budget, CountsWhatPartsDoOnAWay) {
+TEST(Budget, CountsEventsOfPartsInATrajectory) {
   auto left = walk(kLeft, 5);
   auto report = collect({kLevel, kQuery, line(left)});
   ASSERT_TRUE(report) << report.error().text();
@@ -127,8 +127,8 @@ TEST(Budget, CountsWhatPartsDoOnAWay) {
   EXPECT_LT(sizes.attempts + sizes.whole, json.text().size() * 5 / 4);
 }
 
-// No stride of theirs makes the tracks of the loose bodies in them smaller.
-TEST(Budget, LeavesOutAttemptsWhoseLooseBodiesDoNotFit) {
+// A larger stride does not shrink the tracks of dynamic bodies.
+TEST(Budget, LeavesOutAttemptsWhoseDynamicBodiesDoNotFit) {
   view::PageSizes sizes;
   sizes.attempts = 2u << 20;
   sizes.whole = 30u << 20;

@@ -1,4 +1,4 @@
-// Collectors, and what they are given.
+// Helpers that make collectors and feed them.
 #pragma once
 
 #include <gtest/gtest.h>

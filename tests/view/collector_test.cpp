@@ -1,4 +1,4 @@
-// A report that is looked at while it grows is in the end the one that is read at once.
+// A report that is read while it grows ends up equal to one that is read at once.
 #include <gmock/gmock.h>
 
 #include "collecting.h"
@@ -9,7 +9,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
-TEST(Collector, LookedAtAfterEachRecordItGivesTheSameReport) {
+TEST(Collector, ReadingItAfterEachRecordKeepsTheReport) {
   auto ahead = walk(kAhead, 200), left = walk(kLeft, 300), right = walk(kRight, 300, true);
   auto near = walk(kAhead, 40), nearer = walk(kAhead, 60);
   const std::vector<std::string> stream = {kLevel,
@@ -31,7 +31,7 @@ TEST(Collector, LookedAtAfterEachRecordItGivesTheSameReport) {
   }
 }
 
-TEST(Collector, WaysKeepTheirSerialThroughProgress) {
+TEST(Collector, TrajectoriesKeepTheirSerialThroughProgress) {
   auto left = walk(kLeft, 300), right = walk(kRight, 300, true), near = walk(kAhead, 40);
   auto collector = strict();
   addAll(collector, {kLevel, kQuery, progressLine(near, {&left}, 9)});
@@ -40,19 +40,19 @@ TEST(Collector, WaysKeepTheirSerialThroughProgress) {
     for (const auto& path : collector.report().queries[0].paths) out.push_back(path.serial);
     return out;
   };
-  ASSERT_EQ(serials(), (std::vector<uint64_t>{2, 1}));  // the death, the closest
+  ASSERT_EQ(serials(), (std::vector<uint64_t>{2, 1}));  // the death, then the closest
   addAll(collector, {progressLine(near, {&right, &left}, 9)});
   EXPECT_EQ(serials(), (std::vector<uint64_t>{3, 2, 1}));
   EXPECT_TRUE(collector.report().queries[0].paths[1].played());
 }
 
-TEST(Collector, QueryThatComesLateHasItsWaysPlayedAgain) {
+TEST(Collector, ALateQueryReplaysItsTrajectories) {
   auto ahead = walk(kAhead, 200);
   auto collector = strict();
   addAll(collector, {kLevel, line(ahead)});
   const auto& path = collector.report().queries[0].paths[0];
   const auto before = path.serial;
-  EXPECT_EQ(path.playback.outcome, schema::Outcome::RUNNING);  // no goal is known
+  EXPECT_EQ(path.playback.outcome, schema::Outcome::RUNNING);  // the goal is still unknown
   addAll(collector, {kQuery});
   EXPECT_EQ(path.playback.outcome, schema::Outcome::GOAL);
   EXPECT_NE(path.serial, before);
@@ -67,19 +67,19 @@ TEST(Collector, OtherQueriesAreLeftOutFromTheStart) {
   EXPECT_THAT(missing.error().message, HasSubstr("later"));
 }
 
-TEST(Collector, WhatCannotBePlayedLeavesTheRestThere) {
+TEST(Collector, AnUnplayableTrajectoryKeepsTheOthers) {
   auto ahead = walk(kAhead, 200), lost = walk(kAhead, 20);
   lost.root().getTrajectory().setLevel("elsewhere");
   auto collector = strict();
   addAll(collector, {kLevel, kQuery, line(ahead)});
   ASSERT_TRUE(collector.add(recordOf(line(lost))));
   EXPECT_FALSE(collector.update());
-  EXPECT_TRUE(collector.update());  // it is said once
+  EXPECT_TRUE(collector.update());  // an error is reported once
   ASSERT_EQ(collector.report().queries[0].paths.size(), 1u);
   EXPECT_TRUE(collector.report().queries[0].paths[0].played());
 }
 
-TEST(Collector, RunningSearchTellsItsNumbers) {
+TEST(Collector, ARunningSearchShowsItsNumbers) {
   auto near = walk(kAhead, 40);
   auto collector = strict();
   addAll(collector, {kLevel, kQuery, progressLine(near, {}, 9.5f)});
@@ -90,8 +90,8 @@ TEST(Collector, RunningSearchTellsItsNumbers) {
   EXPECT_THAT(view::pageData(collector.report(), {}), ::testing::Not(HasSubstr("\"progress\"")));
 }
 
-// What cannot be played is left out: whoever draws the rest may rely on its being played.
-TEST(Collector, AfterAnErrorAllThatIsLeftWasPlayed) {
+// Unplayable paths are dropped, so that a renderer may assume that the others were played.
+TEST(Collector, AfterAnErrorAllRemainingPathsWerePlayed) {
   auto ahead = walk(kAhead, 200), left = walk(kLeft, 300);
   std::string spawnless = kQuery;
   spawnless.insert(spawnless.find(R"("goal")"), R"("start":{"spawn":5},)");
@@ -108,7 +108,7 @@ TEST(Collector, AfterAnErrorAllThatIsLeftWasPlayed) {
   for (const auto& path : collector.report().queries[0].paths) EXPECT_TRUE(path.played());
 }
 
-TEST(Collector, OneQueryThatFailsDoesNotKeepOthersFromBeingPlayed) {
+TEST(Collector, AFailingQueryDoesNotStopOthersFromBeingPlayed) {
   auto ahead = walk(kAhead, 200);
   std::string elsewhere = kQuery;
   elsewhere.replace(elsewhere.find("Course"), 6, "Nowhere");
@@ -122,7 +122,7 @@ TEST(Collector, OneQueryThatFailsDoesNotKeepOthersFromBeingPlayed) {
   EXPECT_TRUE(collector.report().queries[1].paths[0].played());
 }
 
-// A query that names parts is changed before it is compiled; its place in the stream is not.
+// A query that names parts is changed before it is compiled, but keeps its place in the stream.
 TEST(Collector, AQueryThatNamesPartsIsRefusedAtItsPlace) {
   const std::string query =
       R"({"type":"query","id":"q","start":{"spawn":5},"goal":{"part":"Rock"}})";

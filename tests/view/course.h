@@ -1,5 +1,5 @@
-// A small course with a goal ahead, a drop to the left and a kill part to the right; its records,
-// and trajectories that the simulator made.
+// A small course with a goal ahead, a drop to the left and a kill part to the right. Also its
+// records, and trajectories made by the simulator.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -47,7 +47,7 @@ inline io::Record recordOf(const std::string& line) {
   return **record;
 }
 
-// A trajectory of `ticks` ticks in one direction, with the outcome that the simulator gives.
+// A trajectory of `ticks` ticks in one direction, with the simulator's outcome.
 inline io::RecordBuilder walk(uint16_t heading, uint32_t ticks, bool jump = false) {
   const io::Record levelRecord = recordOf(kLevel), queryRecord = recordOf(kQuery);
   auto level = level::Level::compile(levelRecord.reader().getLevel());
@@ -88,7 +88,7 @@ inline std::string resultLine(const std::string& verdict, uint32_t ticks) {
          R"(,"steps":"1234567","reason":"Straight on.","timing":{"firstSolution":0.25}})";
 }
 
-// Everything that is wrong is an error, unless `errors` collects it.
+// Returns the first error, unless `errors` collects them.
 inline Result<view::Report> collect(const std::vector<std::string>& lines,
                                     std::vector<Error>* errors = nullptr,
                                     const std::vector<std::string>& only = {}) {

@@ -1,5 +1,5 @@
-// What a page is told of a report that grows: what is new to it, once, and thinner when it gets too
-// much.
+// Updates of a page about a growing report: each new item is sent once, and thinned out if the data
+// gets too large.
 #include "view/live_data.h"
 
 #include <gmock/gmock.h>
@@ -20,7 +20,7 @@ view::Collector strict(const std::vector<std::string>& only = {}) {
   return view::Collector([](const io::Record&, Error error) -> Status { return error; }, only);
 }
 
-// A collector, and the data of what it holds.
+// A collector, and the live data of its report.
 struct Growing {
   view::Collector collector = strict();
   view::LiveData data{view::PageOptions{false, "test"}};
@@ -51,7 +51,7 @@ TEST(LiveData, NothingIsThereAtFirst) {
   EXPECT_TRUE(all["queries"].empty());
 }
 
-TEST(LiveData, APageGetsWhatIsNewToItOnce) {
+TEST(LiveData, APageGetsNewItemsOnce) {
   auto ahead = walk(kAhead, 200), left = walk(kLeft, 300);
   Growing growing;
   growing.add({kLevel, kQuery, line(left)});
@@ -67,14 +67,14 @@ TEST(LiveData, APageGetsWhatIsNewToItOnce) {
   EXPECT_EQ(news["queries"][0]["trajectories"][0]["data"]["kind"], "solution");
   const uint64_t second = growing.data.revision();
   EXPECT_TRUE(growing.since(second)["queries"].empty());
-  // One that comes late, or from another server, gets everything.
+  // A page that connects late, or that knew another server, gets everything.
   for (const uint64_t from : {uint64_t(0), second + 1}) {
     EXPECT_EQ(serials(growing.since(from)["queries"][0]), (std::vector<uint64_t>{1, 2}));
     EXPECT_EQ(growing.since(from)["levels"].size(), 1u);
   }
 }
 
-TEST(LiveData, NothingNewIsNoRevision) {
+TEST(LiveData, WithoutChangesTheRevisionStays) {
   Growing growing;
   growing.add({kLevel, kQuery});
   const uint64_t before = growing.data.revision();
@@ -86,7 +86,7 @@ TEST(LiveData, NothingNewIsNoRevision) {
   EXPECT_TRUE(growing.since(before)["queries"].empty());
 }
 
-TEST(LiveData, WaysThatAreReplacedGo) {
+TEST(LiveData, ReplacedTrajectoriesAreRemoved) {
   auto near = walk(kAhead, 40), ahead = walk(kAhead, 200), nearer = walk(kAhead, 60);
   const auto progress = [](io::RecordBuilder& best) {
     io::RecordBuilder builder;
@@ -104,8 +104,8 @@ TEST(LiveData, WaysThatAreReplacedGo) {
   EXPECT_EQ(news["queries"][0]["serials"], json::parse("[[3,3]]"));
 }
 
-TEST(LiveData, LongerWaysBringMoreMotionSeldom) {
-  // A door that opens once, in a minute: its track is as long as what is shown.
+TEST(LiveData, LongerTrajectoriesRarelyResendMotion) {
+  // A door opens once, in a minute: its track lasts as long as the shown time.
   std::string level = kLevel;
   const std::string fan = R"("spin":{"speed":3})";
   level.replace(level.find(fan), fan.size(),
@@ -115,7 +115,7 @@ TEST(LiveData, LongerWaysBringMoreMotionSeldom) {
   EXPECT_EQ(growing.since(0)["levels"].size(), 1u);
   size_t sent = 0;
   for (uint32_t ticks = 200; ticks <= 2600; ticks += 200) {
-    auto way = walk(kAhead, 2);  // stands at the end of its walk
+    auto way = walk(kAhead, 2);  // stands still after its walk
     auto runs = way.root().getTrajectory().initActions(1);
     runs[0].setTicks(ticks);
     way.root().getTrajectory().setTicks(ticks);
@@ -126,7 +126,7 @@ TEST(LiveData, LongerWaysBringMoreMotionSeldom) {
   EXPECT_EQ(sent, 2u);  // at 20 and at 40 seconds
 }
 
-TEST(LiveData, BeyondThePagesSizeAttemptsAreSentAnewAndThinner) {
+TEST(LiveData, BeyondThePagesSizeAttemptsAreResentThinnedOut) {
   const auto longest = [] {
     auto way = walk(kAhead, 2);
     auto path = way.root().getTrajectory();
@@ -152,7 +152,7 @@ TEST(LiveData, BeyondThePagesSizeAttemptsAreSentAnewAndThinner) {
   EXPECT_LT(growing.data.since(0).size(), view::kPageTarget);
 }
 
-TEST(GrowingReport, LooksWhileAnotherThreadReads) {
+TEST(GrowingReport, CanBeReadWhileAnotherThreadAdds) {
   constexpr int kWays = 200;
   auto left = walk(kLeft, 60);
   const std::string way = line(left);
@@ -161,7 +161,7 @@ TEST(GrowingReport, LooksWhileAnotherThreadReads) {
   std::thread reading([&] {
     EXPECT_TRUE(report.add(recordOf(kLevel)));
     EXPECT_TRUE(report.add(recordOf(kQuery)));
-    while (looks == 0) std::this_thread::yield();  // or all may be over before the other begins
+    while (looks == 0) std::this_thread::yield();  // or reading may end before the first look
     for (int i = 0; i < kWays; ++i) EXPECT_TRUE(report.add(recordOf(way)));
     EXPECT_TRUE(report.end(view::StreamState::ended, {"a note"}));
   });
@@ -183,10 +183,10 @@ TEST(GrowingReport, LooksWhileAnotherThreadReads) {
   reading.join();
   EXPECT_EQ(last, size_t(kWays));
   EXPECT_GT(looks.load(), 1u);
-  EXPECT_FALSE(report.look([](const view::Report&, view::StreamState) {}));  // nothing is new
+  EXPECT_FALSE(report.look([](const view::Report&, view::StreamState) {}));  // no change
 }
 
-TEST(GrowingReport, NobodyWaitsForOneThatLooksNoMore) {
+TEST(GrowingReport, ClosingReleasesWaitingThreads) {
   view::GrowingReport report(strict());
   std::atomic<bool> busy{false}, asked{false};
   std::thread reading([&] {
@@ -195,7 +195,7 @@ TEST(GrowingReport, NobodyWaitsForOneThatLooksNoMore) {
       while (!asked) std::this_thread::yield();
       return {};
     }));
-    EXPECT_TRUE(report.add(recordOf(kLevel)));  // its turn to wait, were it not closed
+    EXPECT_TRUE(report.add(recordOf(kLevel)));  // would wait for its turn if not closed
   });
   while (!busy) std::this_thread::yield();
   EXPECT_FALSE(report.look([](const view::Report&, view::StreamState) {}));
@@ -204,7 +204,7 @@ TEST(GrowingReport, NobodyWaitsForOneThatLooksNoMore) {
   reading.join();
 }
 
-TEST(GrowingReport, AQueryThatDidNotComeIsAnError) {
+TEST(GrowingReport, AMissingQueryIsAnError) {
   view::GrowingReport report(strict({"never"}));
   EXPECT_TRUE(report.add(recordOf(kLevel)));
   EXPECT_FALSE(report.end(view::StreamState::ended, {}));

@@ -1,4 +1,4 @@
-// Which requests the live page's server takes.
+// The requests that the live page's server accepts.
 #include "view/live_request.h"
 
 #include <gtest/gtest.h>
@@ -24,14 +24,14 @@ std::string with(const char* path, const std::string& token = kToken) {
   return std::string(path) + "?token=" + token;
 }
 
-// 0: it comes in.
+// Returns the status of the refusal, or 0 if the request is accepted.
 int statusOf(const LiveHead& head) {
   const auto checked = checkLiveRequest(head, kPort, kToken);
   const auto* reply = std::get_if<loopback::Reply>(&checked);
   return reply ? reply->status : 0;
 }
 
-TEST(LiveRequest, honest_ones_come_in) {
+TEST(LiveRequest, valid_requests_are_accepted) {
   for (const char* path : {"/", "/data", "/events"}) {
     const std::string target = with(path);
     EXPECT_EQ(statusOf(honest(target)), 0) << path;
@@ -42,7 +42,7 @@ TEST(LiveRequest, honest_ones_come_in) {
   EXPECT_EQ(std::get<LiveCall>(checked).from, 17u);
 }
 
-TEST(LiveRequest, without_its_token_nobody_learns_what_there_is) {
+TEST(LiveRequest, without_the_token_nothing_is_revealed) {
   std::string nearly = kToken;
   nearly.back() = 'b';
   for (const char* path : {"/", "/data", "/events", "/nothing", "/../etc/passwd"}) {
@@ -58,7 +58,7 @@ TEST(LiveRequest, without_its_token_nobody_learns_what_there_is) {
   }
 }
 
-TEST(LiveRequest, other_hosts_are_none_of_ours) {
+TEST(LiveRequest, other_hosts_are_refused) {
   const std::string target = with("/");
   for (const char* host : {"", "127.0.0.1", "127.0.0.1:8081", "evil.example:8080"}) {
     LiveHead head = honest(target);
@@ -70,7 +70,7 @@ TEST(LiveRequest, other_hosts_are_none_of_ours) {
   EXPECT_EQ(statusOf(head), 421);
 }
 
-TEST(LiveRequest, other_pages_may_lead_here_and_nothing_else) {
+TEST(LiveRequest, other_pages_may_only_link_here) {
   const std::string page = with("/"), data = with("/data"), events = with("/events");
   for (const std::string& target : {page, data, events}) {
     for (const char* origin : {"", "null", "http://evil.example", "http://127.0.0.1:8081"}) {
@@ -94,7 +94,7 @@ TEST(LiveRequest, other_pages_may_lead_here_and_nothing_else) {
   }
 }
 
-TEST(LiveRequest, methods_addresses_and_parameters_are_few) {
+TEST(LiveRequest, other_methods_paths_and_parameters_are_refused) {
   const std::string page = with("/"), data = with("/data");
   for (const char* method : {"POST", "PUT", "DELETE", "OPTIONS", "HEAD"}) {
     LiveHead head = honest(page);

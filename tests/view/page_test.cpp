@@ -1,4 +1,4 @@
-// The page holds the data, whole and harmless.
+// The page contains all data, and escapes it safely.
 #include "view/page.h"
 
 #include <gmock/gmock.h>
@@ -57,7 +57,7 @@ TEST(Page, AQueryMayHaveATitle) {
               HasSubstr(R"("id":"stage1","level":0,"title":"Stage 1: 'A' to 'B'")"));
 }
 
-TEST(Page, MaterialsAreNamedOnceAndNoMoreThanAByteTells) {
+TEST(Page, MaterialsAreNamedOnceAndFitInAByte) {
   std::string level = R"({"type":"level","name":"L","parts":[{},{"material":"Wood"})";
   for (int i = 0; i < 300; ++i) level += R"(,{"material":"M)" + std::to_string(i) + R"("})";
   auto report = collect({level + R"(,{"material":"Wood"}]})"});
@@ -69,7 +69,7 @@ TEST(Page, MaterialsAreNamedOnceAndNoMoreThanAByteTells) {
   EXPECT_THAT(data, HasSubstr(R"(AAAAAAAAAAB")")) << "plastic beyond, and Wood is found again";
 }
 
-// Seconds would drift away from what is simulated: a part is there for whole ticks.
+// Times in seconds would drift from the simulation, which counts whole ticks.
 TEST(Page, TimersAreInTheTicksThatAreSimulated) {
   auto report = collect({R"({"type":"level","name":"L","parts":[)"
                          R"({"vanish":{"trigger":"timer","delay":0.508,"away":0.508}},)"
@@ -82,7 +82,7 @@ TEST(Page, TimersAreInTheTicksThatAreSimulated) {
                         R"({"part":2,"trigger":"touch"}])"));
 }
 
-TEST(Page, WhatIsTooLargeIsToldWhatToLeaveOut) {
+TEST(Page, ATooLargePageSaysWhatToLeaveOut) {
   const size_t bytes = view::kPageLimit + (5u << 20);
   EXPECT_THAT(view::pageTooLarge(bytes, true).text(), HasSubstr("205 MB"));
   EXPECT_THAT(view::pageTooLarge(bytes, true).hint, HasSubstr("leave out --full"));
@@ -111,15 +111,15 @@ TEST(Page, NamesTheHardestStep) {
   const std::string data = view::pageData(*report, {});
   EXPECT_THAT(data, HasSubstr(R"("difficulty":{"band":"hard")"));
   EXPECT_THAT(data, HasSubstr(R"("hardest":{"startTick":30,"ticks":0,"from":-1,"to":1)"));
-  // A record that names a step which it does not have.
+  // The record refers to a step that does not exist.
   difficulty.setHardest(2);
   report = collect({kLevel, kQuery, line(path), resultLine("solved", 80)});
   ASSERT_TRUE(report) << report.error().text();
   EXPECT_THAT(view::pageData(*report, {}), Not(HasSubstr("difficulty")));
 }
 
-// Cap'n Proto holds what a later version writes; the page has no colour for it.
-TEST(Page, WhatALaterVersionNamesIsUnknown) {
+// Cap'n Proto keeps values of later schema versions, for which the page has no colour.
+TEST(Page, ValuesOfLaterVersionsAreUnknown) {
   auto path = walk(kAhead, 200);
   auto difficulty = path.root().getTrajectory().initDifficulty();
   difficulty.setBand(schema::Band(99));
@@ -137,7 +137,7 @@ TEST(Page, WhatALaterVersionNamesIsUnknown) {
   EXPECT_THAT(data, HasSubstr(R"("verdict":"unknown")"));
 }
 
-TEST(Page, SaysWhatWouldHelpWhichRoutesThereAreAndHowFarToTrustIt) {
+TEST(Page, ShowsAdviceRoutesAndConfidence) {
   const std::string answer =
       R"({"type":"result","query":"ahead","level":"Course </script><b>","verdict":"unknown",)"
       R"("relaxations":[{"knob":"jumps","part":2,"text":"solvable with 3 jumps instead of 2"}],)"
@@ -191,7 +191,7 @@ TEST(Page, HoldsDataOnceAndEscapesTheTitle) {
   EXPECT_THAT(*page, Not(HasSubstr("<script src")));
 }
 
-TEST(Page, OnlyTheLiveOneMayAskItsServer) {
+TEST(Page, OnlyALivePageMayContactItsServer) {
   if (!view::pageAvailable()) GTEST_SKIP() << "BUILT WITHOUT THE VIEWER PAGE (npm): not tested";
   const auto live = view::livePage(), file = view::htmlPage(solvedReport(), {});
   ASSERT_TRUE(live && file);
@@ -213,7 +213,7 @@ TEST(Page, MarkersInNamesStayText) {
   EXPECT_THAT(*page, HasSubstr(R"("title":"@@OBBY_DATA@@")"));
 }
 
-TEST(Page, WithoutTheBundleSaysHowToGetIt) {
+TEST(Page, WithoutTheBundleExplainsHowToGetIt) {
   if (view::pageAvailable()) {
     EXPECT_THAT(view::pageMissing().hint, HasSubstr("npm"));
   } else {

@@ -1,5 +1,5 @@
-// A picture is drawn in pieces, so that a large one takes no more memory than a small one; nor do
-// long ways.
+// A picture is drawn in pieces, so that the memory does not grow with its size. Long trajectories
+// take no extra memory either.
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 
@@ -18,14 +18,14 @@
 namespace obby::view {
 namespace {
 
-// The most memory that this process has had, KiB.
+// Returns this process's peak memory, in KiB.
 long peak() {
   rusage used{};
   getrusage(RUSAGE_SELF, &used);
   return used.ru_maxrss;
 }
 
-TEST(Picture, IsTheSameInHoweverManyPieces) {
+TEST(Picture, IsTheSameInAnyNumberOfPieces) {
   const Report shown = view_test::solvedReport();
   const auto drawn = [&](size_t atOnce) {
     return pictureOf(shown.levels[0], &shown.queries[0], {160, 90, atOnce}).pixels;
@@ -49,7 +49,7 @@ TEST(Picture, ALargeOneTakesLittleMemory) {
   EXPECT_LT(peakOf(4096, 1024) - before, 350 << 10) << "all of its samples would take 600 MB";
 }
 
-TEST(Extent, OfALongWayTakesNoMemoryOfItsOwn) {
+TEST(Extent, OfALongTrajectoryTakesNoExtraMemory) {
   Report shown = view_test::solvedReport();
   QueryEntry& query = shown.queries[0];
   query.paths[0].playback.feet.assign(4'000'000, Vec3{0, 0, -5});

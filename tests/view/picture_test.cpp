@@ -1,4 +1,4 @@
-// Pictures that need no display: the camera, what hides what, light, paths, and the files.
+// Pictures without a display: camera, occlusion, light, paths, and files.
 #include "view/picture/picture.h"
 
 #include <gtest/gtest.h>
@@ -73,8 +73,8 @@ TEST(Depths, TheNearerSolidIsSeen) {
   EXPECT_NEAR(seen.normal(30, 30).z, 1, 1e-5f);
 }
 
-// In a long course most parts lie behind whoever looks at one stage.
-TEST(Depths, WhatLiesBehindIsNotLookedFor) {
+// In a long course, most parts lie behind a camera that looks at one stage.
+TEST(Depths, SolidsBehindTheCameraAreSkipped) {
   Camera camera = sideways(60, 60);
   const Vec3 behind = camera.eye - camera.forward * 20;
   Depths seen(camera, 60, 60);
@@ -105,7 +105,7 @@ TEST(Depths, ABallIsRoundAndATranslucentSolidHasHoles) {
   EXPECT_EQ(count, 100) << "a quarter of 400";
 }
 
-TEST(Depths, AWindowSeesWhatThePictureHasThere) {
+TEST(Depths, AWindowEqualsItsPartOfThePicture) {
   const Samples window{20, 31, 57, 48};
   Solid veil = block({2, -3, 5}, {3, 3, 1});
   veil.coverage = 0.5f;
@@ -120,7 +120,7 @@ TEST(Depths, AWindowSeesWhatThePictureHasThere) {
   EXPECT_TRUE(part.samplesOf(block({-8, 8, 0}, {1, 1, 1})).empty()) << "above it";
 }
 
-TEST(Shade, WhatIsUnderAnotherLiesInShadow) {
+TEST(Shade, ASolidBelowAnotherIsInItsShadow) {
   const std::vector<Solid> solids = {block({0, 0, 0}, {10, 0.5f, 10}),
                                      block({0, 6, 0}, {3, 0.5f, 3})};
   const std::vector<Surface> surfaces = {{{0.5f, 0.5f, 0.5f}}, {{0.5f, 0.5f, 0.5f}}};
@@ -133,7 +133,7 @@ TEST(Shade, WhatIsUnderAnotherLiesInShadow) {
     EXPECT_EQ(seen.id(int(pixel.x), int(pixel.y)), 0u);
     return colors[size_t(int(pixel.y)) * 200 + size_t(int(pixel.x))];
   };
-  // The shadow falls where the sun's rays through the upper block go on.
+  // The shadow lies along the sun's rays through the upper block.
   const Vec3 below = Vec3{0, 6, 0} - sunward() * (5.5f / sunward().y) + Vec3{0, 0, 1};
   EXPECT_LT(at(below).r, 0.7f * at({8, 0.5f, 8}).r);
 }
@@ -197,7 +197,7 @@ TEST(Drawing, HasPartsPathsAndAnEscapedTitle) {
   }
 }
 
-// A bridge that a button is to bring, and bars that blink in turn.
+// A bridge that a button brings, and bars that blink in turn.
 TEST(World, SaysWhichPartsAreAwayAtATick) {
   const auto shown = view_test::collect(
       {R"({"type":"level","name":"bridges","parts":[{"button":{"signal":"bridge","seconds":6}},)"
@@ -221,7 +221,7 @@ TEST(World, SaysWhichPartsAreAwayAtATick) {
   EXPECT_EQ(awayAt(60), (std::vector<uint32_t>{1, 2}));
 }
 
-TEST(Picture, WhatIsAwayAtTheStartIsHardlyThere) {
+TEST(Picture, PartsAwayAtTheStartAreFaint) {
   const auto shownOf = [](const char* inverted) {
     return view_test::collect(
         {std::string(R"({"type":"level","name":"tile","parts":[{"size":[20,1,20],)") +
@@ -244,7 +244,7 @@ TEST(Picture, WhatIsAwayAtTheStartIsHardlyThere) {
   EXPECT_TRUE(dashed(*away));
 }
 
-// The start is to the left whether there is one goal or a choice of them.
+// The start is on the left, for one goal and for a list of goals.
 TEST(Drawing, RunsFromTheStartTowardsGoalsToo) {
   const std::string level =
       R"({"type":"level","name":"back","spawns":[{}],"parts":[{"position":[0,-1,20],"size":[8,2,60]}]})";
@@ -269,7 +269,7 @@ TEST(Drawing, SaysHowLongALongCourseIs) {
   EXPECT_EQ(lengthText(99.96f), "100");
 }
 
-// Who stands on a large floor sees it, though none of its corners is in the drawing.
+// A camera on a large floor sees it, though all corners are outside the drawing.
 TEST(Drawing, APartThatFillsThePageIsDrawn) {
   const auto plain = view_test::collect(
       {R"({"type":"level","name":"plain","spawns":[{}],"parts":[{"position":[0,-1,0],"size":[2000,2,2000]}]})",

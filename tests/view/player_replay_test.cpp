@@ -1,4 +1,5 @@
-// Trajectories of players at other frame rates are played in their ticks and told in the level's.
+// Trajectories of players at other frame rates are replayed in their ticks, and reported in the
+// level's.
 #include "view/player_replay.h"
 
 #include <gtest/gtest.h>
@@ -17,7 +18,7 @@ LevelEntry floorLevel() {
   return {io::Record(std::move(record)), std::make_shared<const level::Level>(b.compile())};
 }
 
-// Walks along -Z for a second, and jumps in the middle of it.
+// A trajectory that walks along -Z for a second, with a jump halfway.
 io::RecordBuilder walk(uint32_t rate) {
   io::RecordBuilder record;
   auto t = record.root().initTrajectory();
@@ -43,7 +44,7 @@ PlayerReplays::Told told(uint32_t rate) {
   return *std::move(result);
 }
 
-TEST(PlayerReplay, IsToldInTheLevelsTicks) {
+TEST(PlayerReplay, IsReportedInTheLevelsTicks) {
   for (const uint32_t rate : {30u, 144u, 240u}) {
     const PlayerReplays::Told t = told(rate);
     EXPECT_EQ(t.playback.ticks(), 60u) << rate;
@@ -59,7 +60,7 @@ TEST(PlayerReplay, IsToldInTheLevelsTicks) {
   }
 }
 
-TEST(PlayerReplay, OfTheLevelsOwnRateIsAsItWasRecorded) {
+TEST(PlayerReplay, AtTheLevelsOwnRateEqualsTheRecord) {
   const PlayerReplays::Told t = told(60);
   EXPECT_FALSE(t.record);
   EXPECT_EQ(t.playback.ticks(), 60u);

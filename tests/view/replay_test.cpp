@@ -1,4 +1,4 @@
-// What a playback tells of parts that clocks take away, bring, and move.
+// A playback reports the parts that clocks remove, bring back and move.
 #include "view/replay.h"
 
 #include <gtest/gtest.h>
@@ -17,7 +17,8 @@ namespace {
 
 using schema::Part;
 
-// On a button: a door opens for a second, a bridge is there only then, a lift rises.
+// A level with a player on a button. A door opens for a second, a bridge exists only meanwhile, and
+// a lift rises.
 level::Level buttonLevel() {
   const auto respond = [](Part::Builder p, bool inverted) {
     p.initVanish().setTrigger(schema::VanishTrigger::SIGNAL);
@@ -51,7 +52,7 @@ Playback standing(const level::Level& level, uint32_t ticks) {
   return *std::move(playback);
 }
 
-TEST(Replay, TellsWhenSignalsOpenCloseAndMoveParts) {
+TEST(Replay, ReportsWhenSignalsOpenCloseAndMoveParts) {
   const level::Level level = buttonLevel();
   const Playback p = standing(level, 100);
   ASSERT_EQ(p.events.size(), 3u) << "a signal that starts anew goes on";
@@ -80,8 +81,8 @@ PartEvents eventsOf(const std::vector<sim::World>& worlds, const level::LevelVie
   return watch.take();
 }
 
-// One button, pressed for hours, that takes away, brings and moves thousands of parts.
-TEST(Replay, OfThousandsOfPartsOnlyThoseWhoseClockRunsAreLookedAt) {
+// For hours, one button removes and restores thousands of parts.
+TEST(Replay, VisitsOnlyPartsWhoseClockRuns) {
   constexpr uint32_t kOfEach = 1000, kTicks = 200'000;
   support::LevelBuilder b;
   b.block({0, -0.5f, 0}, {8, 1, 8}, [](Part::Builder p) {
@@ -94,7 +95,7 @@ TEST(Replay, OfThousandsOfPartsOnlyThoseWhoseClockRunsAreLookedAt) {
         p.initVanish().setTrigger(schema::VanishTrigger::SIGNAL);
         p.getVanish().setSignal("door");
       } else {
-        p.initFall();  // on a clock of its own, that never starts
+        p.initFall();  // on its own clock, which never starts
       }
     });
   }
@@ -126,7 +127,7 @@ TEST(Replay, OfThousandsOfPartsOnlyThoseWhoseClockRunsAreLookedAt) {
   EXPECT_EQ(some.events.size(), 3 * kOfEach) << "whole ticks";
 }
 
-// A crate ahead of the spawn, another that nothing meets, and one in the air above the first.
+// A level with a crate ahead of the spawn, one that nothing touches, and one in the air.
 level::Level crateLevel() {
   const auto loose = [](Part::Builder p) { p.setAnchored(false); };
   support::LevelBuilder b;
@@ -160,7 +161,7 @@ struct Pushed {
   }
 };
 
-// Where a corner of the part is by its track, mixed as a page does.
+// Returns the position of the part's corner, interpolated from its track as a page does it.
 Vec3 cornerAt(const LooseTrack& track, uint32_t tick, Vec3 corner) {
   size_t i = 0;
   while (i + 2 < track.ticks.size() && track.ticks[i + 1] <= tick) ++i;
@@ -173,7 +174,7 @@ Vec3 cornerAt(const LooseTrack& track, uint32_t tick, Vec3 corner) {
   return Vec3{mixed(p, 3, 0), mixed(p, 3, 1), mixed(p, 3, 2)} + toMat3(turn) * corner;
 }
 
-TEST(Replay, LoosePartsAreWhereTheSimulatorPushedThem) {
+TEST(Replay, DynamicPartsFollowTheSimulator) {
   const Pushed pushed;
   const level::LevelView& view = pushed.level.view();
   ASSERT_EQ(view.looseCount, 3u);
@@ -191,7 +192,7 @@ TEST(Replay, LoosePartsAreWhereTheSimulatorPushedThem) {
   }
 }
 
-// Where a part is, is kept when that changes: rest takes no memory, and has its time all the same.
+// Only changes are sampled: rest takes no memory, and keeps its duration.
 TEST(Replay, APartThatRestsMovesAndRestsHasFourSamples) {
   const level::Level level = crateLevel();
   const level::LevelView& view = level.view();
@@ -213,11 +214,11 @@ TEST(Replay, APartThatRestsMovesAndRestsHasFourSamples) {
   EXPECT_NEAR(tracks[0].positions[9], 22.5, 1e-4);
 }
 
-TEST(Replay, OnlyLoosePartsThatMoveHaveTracks) {
+TEST(Replay, OnlyDynamicPartsThatMoveHaveTracks) {
   const Pushed pushed;
   EXPECT_EQ(pushed.trackOf(3), nullptr) << "it has fallen before play begins";
   const LooseTrack* rests = pushed.trackOf(2);
-  if (rests != nullptr) {  // settles by less than one sees
+  if (rests != nullptr) {  // it settles by an invisible amount
     EXPECT_NEAR(rests->positions.end()[-2], rests->positions[1], 0.02);
     EXPECT_LT(rests->ticks.size(), 60u);
   }

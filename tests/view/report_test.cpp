@@ -1,4 +1,4 @@
-// Which records come together, and what happens to those that cannot be shown.
+// How records are matched, and how those that cannot be shown are handled.
 #include "view/report.h"
 
 #include <gmock/gmock.h>
@@ -102,8 +102,8 @@ TEST(Report, SameLevelTwiceIsOneLevel) {
   EXPECT_THAT(report->queries, SizeIs(1));
 }
 
-// Versions of a level have its name.
-TEST(Report, OfLevelsOfOneNameTheOneBeforeIsMeantOrElseTheLast) {
+// Versions of a level share its name.
+TEST(Report, OfLevelsWithOneNameThePrecedingOneIsMeant) {
   std::string second = kLevel, other = kLevel;
   second.replace(second.find(R"("size":[10,1,30])"), 16, R"("size":[12,1,30])");
   other.replace(other.find("Course </script><b>"), 19, "Another");
@@ -121,9 +121,8 @@ TEST(Report, OfLevelsOfOneNameTheOneBeforeIsMeantOrElseTheLast) {
   EXPECT_EQ(levelOf({kLevel, second, other, kLevel, other}), 1);
 }
 
-// Queries may leave out their level: it is the one before them in the stream then, be it new or
-// not.
-TEST(Report, QueriesOfALevelThatComesAgainAreIts) {
+// A query may omit its level. It then means the level before it in the stream, even a repeated one.
+TEST(Report, QueriesAfterARepeatedLevelBelongToIt) {
   const auto replaced = [](std::string text, const std::string& from, const std::string& to) {
     return text.replace(text.find(from), from.size(), to);
   };
@@ -142,7 +141,7 @@ TEST(Report, QueriesOfALevelThatComesAgainAreIts) {
   EXPECT_EQ(report->queries[1].reader().getGoal().getPosition().getZ(), -16);
 }
 
-TEST(Report, QueriesBehindALevelThatCannotBeShownAreNotOfTheOneBefore) {
+TEST(Report, QueriesAfterAnInvalidLevelAreNotOfTheOneBefore) {
   std::vector<Error> errors;
   const std::string bad = R"({"type":"level","name":"Bad","parts":[{"size":[-1,1,1]}]})";
   std::string query = kQuery;
@@ -174,7 +173,7 @@ TEST(Report, LastProgressIsShownUntilThereIsASolution) {
   EXPECT_EQ(done->queries[0].paths[0].kind, view::PathKind::solution);
 }
 
-TEST(Report, UnfinishedSearchesShowWhatTheyHave) {
+TEST(Report, UnfinishedSearchesShowTheirProgress) {
   auto way = walk(kAhead, 40);
   io::RecordBuilder builder;
   auto p = builder.root().initProgress();
@@ -200,7 +199,7 @@ TEST(Report, UnfinishedSearchesShowWhatTheyHave) {
   EXPECT_EQ(kinds(*unknown), (std::vector{attempt, closest}));
 }
 
-TEST(Report, ChoosesQueriesById) {
+TEST(Report, SelectsQueriesById) {
   std::string other = kQuery;
   other.replace(other.find("ahead"), 5, "later");
   auto report = collect({kLevel, kQuery, other}, nullptr, {"later"});

@@ -1,4 +1,4 @@
-// What parts are to the player.
+// The roles of parts for the player.
 #include "view/roles.h"
 
 #include <gmock/gmock.h>
@@ -8,15 +8,15 @@
 namespace obby::view_test {
 namespace {
 
-TEST(Roles, GravestRoleWinsAndTheStartIsFoundUnderTheSpawn) {
+TEST(Roles, TheMostSevereRoleWinsAndTheStartIsUnderTheSpawn) {
   const io::Record level = recordOf(kLevel);
   EXPECT_THAT(view::rolesOf(level.reader().getLevel()),
               ::testing::ElementsAre(view::Role::start, view::Role::kill, view::Role::moving,
                                      view::Role::moving, view::Role::plain));
 }
 
-// A part that falls when it is touched is away for a while; one that nothing touches stays.
-TEST(Roles, WhatHealsDoesNotKillAndWhatFallsGoesAway) {
+// A part that falls when touched is away for a while. A part that nothing can touch stays.
+TEST(Roles, HealingPartsDoNotKillAndFallingPartsVanish) {
   const io::Record level = recordOf(
       R"({"type":"level","name":"L","parts":[{"kill":{"damage":20}},{"kill":{"damage":-60}},)"
       R"({"solid":false,"kill":{"damage":-60}},{"fall":{}},{"touch":false,"fall":{}}]})");

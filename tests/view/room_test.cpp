@@ -1,4 +1,4 @@
-// What a collector has no room for is left out, or drives out what came before.
+// A collector whose budget is used up drops records, or discards older ones.
 #include <gmock/gmock.h>
 
 #include "collecting.h"
@@ -8,7 +8,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
-// The same way with an action run for each of its ticks.
+// The same trajectory, with one action run for each tick.
 std::string inRunsOfATick(const io::RecordBuilder& way) {
   io::RecordBuilder out(way.reader());
   const auto held = way.reader().getTrajectory();
@@ -21,7 +21,7 @@ std::string inRunsOfATick(const io::RecordBuilder& way) {
 }
 
 // A stream of a few lines may ask for hours of play.
-TEST(Collector, AttemptsBeyondTheRoomAreLeftOutAndSolutionsAreErrors) {
+TEST(Collector, BeyondTheBudgetAttemptsAreDroppedAndSolutionsAreErrors) {
   auto ahead = walk(kAhead, 200), left = walk(kLeft, 300);
   const size_t ticks = left.reader().getTrajectory().getTicks() + 1;
   auto collector = withRoom({2 * ticks});
@@ -37,8 +37,8 @@ TEST(Collector, AttemptsBeyondTheRoomAreLeftOutAndSolutionsAreErrors) {
   EXPECT_THAT(updated.error().message, HasSubstr("too long"));
 }
 
-// Of a stream without an end the newest is shown.
-TEST(Collector, WhereWaysRollTheOldestLeaveAndAreCounted) {
+// An endless stream shows its newest trajectories.
+TEST(Collector, ARollingBudgetDropsAndCountsTheOldestTrajectories) {
   auto ahead = walk(kAhead, 200), left = walk(kLeft, 300);
   const size_t ticks = left.reader().getTrajectory().getTicks() + 1;
   view::Room room;
@@ -63,8 +63,8 @@ TEST(Collector, WhereWaysRollTheOldestLeaveAndAreCounted) {
               HasSubstr(" " + std::to_string(101 - paths.size()) + " of the oldest trajectories"));
 }
 
-// Of who changes keys at every tick the actions are as large as the way.
-TEST(Collector, EachRunOfAWaysActionsTakesRoomWhereItCounts) {
+// If the keys change at every tick, actions take as much memory as the trajectory.
+TEST(Collector, ActionRunsCountTowardsTheBudget) {
   const auto left = walk(kLeft, 300);
   const std::string restless = inRunsOfATick(left);
   const size_t ticks = left.reader().getTrajectory().getTicks() + 1;
@@ -80,7 +80,7 @@ TEST(Collector, EachRunOfAWaysActionsTakesRoomWhereItCounts) {
   EXPECT_THAT(collector.report().notes[0], HasSubstr("left out"));
 }
 
-TEST(Collector, ActionRunsOfWaysThatLeaveGiveTheirRoomBack) {
+TEST(Collector, ActionRunsOfDroppedTrajectoriesFreeTheirBudget) {
   const auto left = walk(kLeft, 300);
   const std::string restless = inRunsOfATick(left);
   view::Room room;
@@ -96,7 +96,7 @@ TEST(Collector, ActionRunsOfWaysThatLeaveGiveTheirRoomBack) {
   EXPECT_THAT(collector.report().notes[0], HasSubstr("of the oldest trajectories"));
 }
 
-TEST(Collector, WaysThatLeaveMayBeOfAnotherQuery) {
+TEST(Collector, DroppedTrajectoriesMayBeOfAnotherQuery) {
   auto left = walk(kLeft, 300), other = walk(kLeft, 300);
   other.root().getTrajectory().setQuery("other");
   const size_t ticks = left.reader().getTrajectory().getTicks() + 1;
@@ -112,8 +112,8 @@ TEST(Collector, WaysThatLeaveMayBeOfAnotherQuery) {
   EXPECT_TRUE(collector.report().queries[1].paths.empty());
 }
 
-// Nothing replaces what a search told on its way once it is over.
-TEST(Collector, WhatASearchToldLeavesOnceItIsOver) {
+// Progress of a finished search is no longer replaced.
+TEST(Collector, ProgressOfAFinishedSearchCanBeDropped) {
   auto left = walk(kLeft, 300), other = walk(kLeft, 300);
   other.root().getTrajectory().setQuery("other");
   const size_t ticks = left.reader().getTrajectory().getTicks() + 1;
@@ -133,7 +133,7 @@ TEST(Collector, WhatASearchToldLeavesOnceItIsOver) {
   EXPECT_EQ(collector.report().notes.size(), 1u);
 }
 
-TEST(Collector, AWayThatIsLongerThanAllOfTheRoomDrivesOutNone) {
+TEST(Collector, ATrajectoryAboveTheWholeBudgetDropsNoOthers) {
   auto near = walk(kAhead, 20), left = walk(kLeft, 300);
   view::Room room;
   room.ticks = left.reader().getTrajectory().getTicks();
@@ -146,7 +146,7 @@ TEST(Collector, AWayThatIsLongerThanAllOfTheRoomDrivesOutNone) {
   EXPECT_THAT(collector.report().notes[0], HasSubstr("left out"));
 }
 
-TEST(Collector, WhereThereIsNoRoomForRecordsNothingMoreIsTakenIn) {
+TEST(Collector, WithoutABudgetForRecordsAllFurtherOnesAreDropped) {
   std::string second = kLevel;
   second.replace(second.find("Course"), 6, "Second");
   view::Room room;
@@ -162,8 +162,8 @@ TEST(Collector, WhereThereIsNoRoomForRecordsNothingMoreIsTakenIn) {
   EXPECT_THAT(collector.report().notes[0], HasSubstr("memory budget is full"));
 }
 
-// Answers that replace one another take the room of one.
-TEST(Collector, AnAnswerThatComesAgainTakesNoRoom) {
+// Answers that replace one another take the memory of one.
+TEST(Collector, ARepeatedAnswerTakesNoBudget) {
   view::Room room;
   room.bytes = 20'000;
   auto collector = withRoom(room);
@@ -173,8 +173,8 @@ TEST(Collector, AnAnswerThatComesAgainTakesNoRoom) {
   EXPECT_TRUE(collector.report().notes.empty());
 }
 
-// What came and went leaves its room to what comes.
-TEST(Collector, ProgressThatIsReplacedTakesNoRoom) {
+// Replaced progress frees its budget for new progress.
+TEST(Collector, ReplacedProgressTakesNoBudget) {
   auto left = walk(kLeft, 300);
   auto collector = withRoom({1000});
   addAll(collector, {kLevel, kQuery});

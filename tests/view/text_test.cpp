@@ -1,4 +1,4 @@
-// The table and the map, to the letter.
+// The exact text of the table and the map.
 #include "view/text_report.h"
 
 #include <fmt/format.h>
@@ -46,8 +46,8 @@ TEST(Text, MismatchTakesTheVerdictsPlace) {
       HasSubstr("\n  its solution cannot be reproduced by replaying it: the last state differs"));
 }
 
-// The answer holds all the same.
-TEST(Text, MismatchOfAnAttemptIsToldBesideTheReason) {
+// The answer is still valid.
+TEST(Text, AMismatchOfAnAttemptIsShownAfterTheReason) {
   auto ahead = walk(kAhead, 200), left = walk(kLeft, 300);
   left.root().getTrajectory().setStateHash(1);
   const uint32_t ticks = ahead.reader().getTrajectory().getTicks();
@@ -65,7 +65,7 @@ TEST(Text, NarrowTerminalsGetReasonsOnLinesOfTheirOwn) {
   EXPECT_THAT(table, HasSubstr("0.25 s\n  Straight on.\n"));
 }
 
-TEST(Text, QueriesOfOneIdAreToldApartByTheirLevel) {
+TEST(Text, QueriesWithOneIdShowTheirLevels) {
   std::string level = kLevel, query = kQuery;
   level.replace(level.find("Course </script><b>"), 19, "Another");
   query.replace(query.find("Course </script><b>"), 19, "Another");
@@ -76,8 +76,8 @@ TEST(Text, QueriesOfOneIdAreToldApartByTheirLevel) {
   EXPECT_THAT(table, HasSubstr("\nahead (Another)              not asked in this run"));
 }
 
-// What ended the attempts comes last in them.
-TEST(Text, LongReasonsAreToldToTheirEnd) {
+// The causes of failed attempts come last.
+TEST(Text, LongReasonsAreShownInFull) {
   const std::string reason =
       "no way found in 12 M steps: the closest came within 3.2 studs of the goal; 71 % of the "
       "attempts fell, 20 % of the attempts were killed by part 7 'Lava'; this does not show that "
@@ -165,7 +165,7 @@ TEST(Text, MapsAreOfTheQueriesThatWereAsked) {
   EXPECT_THAT(text, Not(HasSubstr("\nstage 1")));
 }
 
-TEST(Text, WaysWithoutAResultAreNoQueryThatWasNotAsked) {
+TEST(Text, TrajectoriesWithoutAResultStillCountAsAsked) {
   auto left = walk(kLeft, 300);
   const auto report = collect({kLevel, kQuery, line(left)});
   ASSERT_TRUE(report) << report.error().text();
@@ -180,7 +180,7 @@ TEST(Text, LevelsWithoutQueriesAreListed) {
             "No queries.\nLevel L: 1 part\nLevel without a name: 2 parts\n");
 }
 
-// Keys alone say where a part is.
+// Keys alone determine the position of a moving part.
 TEST(Text, MapShowsMovingPartsWhereTheyAreAtTheStart) {
   const auto report =
       collect({R"({"type":"level","name":"L","spawns":[{}],"parts":[)"
@@ -190,7 +190,7 @@ TEST(Text, MapShowsMovingPartsWhereTheyAreAtTheStart) {
                R"({"type":"query","id":"q","goal":{"position":[0,2,-20],"size":[4,4,4]}})"});
   ASSERT_TRUE(report) << report.error().text();
   const std::string map = view::queryMap(*report, report->queries[0], {60, false, false});
-  size_t start = map.npos, lift = map.npos;  // columns, of the lift the first
+  size_t start = map.npos, lift = map.npos;  // first columns of the two
   const size_t legend = map.find("S start");
   for (size_t begin = 0; begin < legend;) {
     const size_t end = map.find('\n', begin);
@@ -203,8 +203,8 @@ TEST(Text, MapShowsMovingPartsWhereTheyAreAtTheStart) {
   EXPECT_GT(lift, start + 10);
 }
 
-// It is in no table of the simulator.
-TEST(Text, MapShowsAGoalThatNobodyCollidesWith) {
+// The simulator has no collider for it.
+TEST(Text, MapShowsAGoalWithoutACollider) {
   const auto goals = [](const char* role) {
     const auto report =
         collect({fmt::format(R"({{"type":"level","name":"L","spawns":[{{}}],"parts":[)"
@@ -219,8 +219,8 @@ TEST(Text, MapShowsAGoalThatNobodyCollidesWith) {
   EXPECT_GT(goals(R"(,"goal":{})"), goals("") + 4);
 }
 
-// A tile that blinks beside the floor.
-TEST(Text, MapMarksWhatIsAwayAtTheStart) {
+// A tile that blinks next to the floor.
+TEST(Text, MapMarksPartsAwayAtTheStart) {
   const auto mapOf = [](const char* inverted) {
     const auto report =
         collect({fmt::format(R"({{"type":"level","name":"L","spawns":[{{}}],"parts":[)"
@@ -232,7 +232,7 @@ TEST(Text, MapMarksWhatIsAwayAtTheStart) {
     EXPECT_TRUE(report) << report.error().text();
     return view::queryMap(*report, report->queries[0], {60, false, false});
   };
-  const auto count = [](const std::string& map, char glyph) {  // in its rows
+  const auto count = [](const std::string& map, char glyph) {  // in the map's rows
     const size_t first = map.find('\n');
     const std::string rows = map.substr(first, map.find("S start") - first);
     return std::count(rows.begin(), rows.end(), glyph);
@@ -260,8 +260,8 @@ TEST(Text, ColoursOnlyWhereAllowed) {
               HasSubstr("\x1b[38;2;"));
 }
 
-// Others take the numbers of 24 bits for bold, blinking, and colours of their own.
-TEST(Text, TerminalsOf256ColoursGetThose) {
+// Other terminals read the numbers of 24-bit colours as bold, blinking, and colours of their own.
+TEST(Text, TerminalsWith256ColoursGetThose) {
   const table::TerminalTraits few{80, true, true, true};
   const std::string text = view::textReport(solvedReport(), {few, view::Maps::few});
   EXPECT_THAT(text, HasSubstr("\x1b[38;5;"));
@@ -273,7 +273,7 @@ TEST(Text, TerminalsOf256ColoursGetThose) {
   EXPECT_EQ(table::colored("x", {0, 0, 0}, few), "\x1b[38;5;16mx\x1b[0m");
 }
 
-TEST(Terminal, SaysWhetherItKnowsColoursOf24Bits) {
+TEST(Terminal, KnowsWhetherItSupports24BitColours) {
   setenv("TERM", "xterm-256color", 1);
   unsetenv("COLORTERM");
   EXPECT_FALSE(table::terminalHasRgb());
@@ -285,8 +285,8 @@ TEST(Terminal, SaysWhetherItKnowsColoursOf24Bits) {
   EXPECT_TRUE(table::terminalHasRgb());
 }
 
-// The narrowest width that terminalWidth() gives.
-TEST(Text, TheMapKeepsToANarrowTerminal) {
+// 40 columns are the minimum of terminalWidth().
+TEST(Text, TheMapFitsANarrowTerminal) {
   const auto mapOf = [](const std::string& id) {
     std::string query = kQuery;
     query.replace(query.find("ahead"), 5, id);
@@ -306,12 +306,12 @@ TEST(Text, TheMapKeepsToANarrowTerminal) {
   EXPECT_THAT(mapOf("q"), ::testing::StartsWith("q, from above, "));
 }
 
-TEST(Text, LinesKeepToTheWidth) {
+TEST(Text, LinesStayWithinTheWidth) {
   const std::string text = view::textReport(solvedReport(), {{60, false, true}, view::Maps::few});
   size_t start = 0;
   for (size_t end = text.find('\n'); end != text.npos; end = text.find('\n', start)) {
     const std::string row = text.substr(start, end - start);
-    // The table needs its columns; the map and its legend keep to the width.
+    // The table needs its columns. The map and its legend stay within the width.
     if (row.find("verdict") == row.npos && row.find("solved") == row.npos) {
       EXPECT_LE(table::columnCount(row), 60u) << row;
     }
@@ -319,8 +319,8 @@ TEST(Text, LinesKeepToTheWidth) {
   }
 }
 
-// Names from places are of any script, and have emoji.
-TEST(Text, ColumnsStandBelowOneAnotherWhateverTheNames) {
+// Names in places use any script, and emoji.
+TEST(Text, ColumnsAlignForAnyNames) {
   std::string first = kQuery, second = kQuery;
   first.replace(first.find("ahead"), 5, "\u706b\u5c71\U0001f525");
   second.replace(second.find("ahead"), 5, "plain");

@@ -1,4 +1,4 @@
-// Where parts are on the page: where the simulator has them.
+// Tracks place parts on the page as the simulator does.
 #include "view/tracks.h"
 
 #include <gmock/gmock.h>
@@ -15,9 +15,8 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-// Keys say where a part is and how it is turned, whatever the part itself says, and so for what
-// never changes, too.
-TEST(Tracks, ThatStayDoSoWhereTheKeysHaveThem) {
+// Keys determine position and rotation, whatever the part's own pose is, even if they never change.
+TEST(Tracks, OfConstantKeysStayAtTheirPose) {
   auto report = collect({R"({"type":"level","name":"L","parts":[)"
                          R"({"size":[8,1,2],"rotation":[0,0.70710678,0,0.70710678],)"
                          R"("motion":{"keys":[{},{"time":1,"position":[0,6,0]}]}},)"
@@ -35,9 +34,9 @@ TEST(Tracks, ThatStayDoSoWhereTheKeysHaveThem) {
               ElementsAre(9.0f, 3.0f, 0.0f));
 }
 
-// Of a round that lasts a second or two, one sample in 64 would be no motion, and one that does not
-// divide it would let all of it in.
-TEST(Tracks, OfAShortRoundKeepAsManySamplesAsItTakes) {
+// For a period of one or two seconds, one sample in 64 would lose the motion. A stride that does
+// not divide the period would keep all samples.
+TEST(Tracks, OfAShortPeriodKeepEnoughSamples) {
   const view::Report report = solvedReport();
   const auto tracks = tracksOf(report.levels[0], 100000, 64);
   ASSERT_EQ(tracks.size(), 2u);
@@ -54,8 +53,8 @@ TEST(Tracks, OfAShortRoundKeepAsManySamplesAsItTakes) {
   EXPECT_NEAR(once[0].positions.end()[-2], 6, 1e-4);
 }
 
-// A part that is turned as its keys are needs no turns, though they are rounded.
-TEST(Tracks, OfOneTurnHaveNone) {
+// A part with its keys' rotation needs no rotations in its track, despite rounding.
+TEST(Tracks, OfConstantRotationHaveNoRotations) {
   auto report = collect({R"({"type":"level","name":"L","parts":[{"size":[8,1,2],)"
                          R"("rotation":[0.1234567,0.2,0.3,0.9],"motion":{"keys":[)"
                          R"({"rotation":[0.1234567,0.2,0.3,0.9]},)"
@@ -68,15 +67,15 @@ TEST(Tracks, OfOneTurnHaveNone) {
   EXPECT_TRUE(tracks[0].rotations.empty());
 }
 
-TEST(Page, APartWhoseKeysAreOnePoseIsThere) {
+TEST(Page, APartWithOneKeyIsAtThatKey) {
   auto report = collect({R"({"type":"level","name":"L","parts":[{"position":[3,3,3],)"
                          R"("motion":{"keys":[{"position":[7,1,0]}]}}]})"});
   ASSERT_TRUE(report) << report.error().text();
   EXPECT_THAT(view::pageData(*report, {}), HasSubstr(R"("position":"AADgQAAAgD8AAAAA")"));
 }
 
-// Its box is what the player meets.
-TEST(Page, AHullThatIsNotKnownIsABox) {
+// The player collides with its box.
+TEST(Page, AnUnknownHullIsABox) {
   auto report =
       collect({R"({"type":"level","name":"L","parts":[{"size":[8,1,2],"shape":"hull"}]})"});
   ASSERT_TRUE(report) << report.error().text();

@@ -1,4 +1,4 @@
-// What Studio gets to open: parts along the ways that nothing meets.
+// The model for Studio: parts along the trajectories that nothing collides with.
 #include "view/ways_model.h"
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@
 namespace obby::view {
 namespace {
 
-TEST(Thinning, KeepsWhatALineWouldMiss) {
+TEST(Thinning, KeepsPointsOffTheLine) {
   const std::vector<float> heights = {0, 0.01f, 0, 5, 0, 0, 0};
   const auto distance = [&](size_t a, size_t b, size_t p) {
     const float t = float(p - a) / float(b - a);
@@ -22,8 +22,8 @@ TEST(Thinning, KeepsWhatALineWouldMiss) {
   EXPECT_EQ(thinned(1, 0.1f, distance), (std::vector<size_t>{0}));
 }
 
-// As of somebody who stands on what spins.
-TEST(Thinning, HoursInCirclesTakeNoTimeThatGrowsWithTheirSquare) {
+// A player who stands on a spinning part moves like this.
+TEST(Thinning, CirclesOfHoursTakeLessThanQuadraticTime) {
   constexpr size_t kPoints = 100'000, kRound = 60;
   std::vector<Vec3> round;
   for (size_t i = 0; i < kRound; ++i) {
@@ -68,7 +68,7 @@ void count(pugi::xml_node item, Counts& counts) {
   }
 }
 
-TEST(WaysModel, HasEveryWayWithItsMarks) {
+TEST(WaysModel, HasEveryTrajectoryWithItsMarkers) {
   const Report report = view_test::solvedReport();
   pugi::xml_document document;
   ASSERT_TRUE(document.load_string(waysModel(report).c_str()));
@@ -84,7 +84,7 @@ TEST(WaysModel, HasEveryWayWithItsMarks) {
       << "a model a way";
 }
 
-// XML has no way to write them, not even escaped.
+// XML cannot represent control characters, not even escaped.
 TEST(WaysModel, ControlCharactersInNamesLeaveItXml) {
   const std::string id = R"("id":"ahead")";
   std::string query = view_test::kQuery;

@@ -53,16 +53,16 @@ test('a part tells its material, and has its grain in the picture', async ({ pag
 
 test('the pointer at rest on a part tells its name, role and reason', async ({ page }) => {
   const at = await page.evaluate(() => {
-    const { stage } = window.obby;
+    const { picker } = window.obby.pointer;
     const view = document.getElementById('view').getBoundingClientRect();
     const level = window.obby.level();
     // A point of the picture where a part with a reason is seen and no line.
     for (let y = 0.2; y < 0.8; y += 0.01)
       for (let x = 0.1; x < 0.7; x += 0.01) {
         const [px, py] = [x * view.width, y * view.height];
-        const part = stage.pickPart(px, py);
+        const part = picker.part([px, py]);
         if (part < 0 || !level.notes[part]?.length) continue;
-        if (!stage.pick(window.obby.store.state, px, py))
+        if (!picker.path(window.obby.store.state, [px, py]))
           return { x: view.left + px, y: view.top + py, name: level.names[part].split('/').pop() };
       }
     return null;

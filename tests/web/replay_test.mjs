@@ -4,7 +4,7 @@ import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { Path } from '../../web/src/data.js';
+import { Path } from '../../web/src/path.js';
 import { arrive, openReport } from './browser.mjs';
 import { harness } from './harness.mjs';
 
@@ -210,7 +210,7 @@ async function pickedWhereItIs(page, part) {
       stage.rig.camera.updateMatrixWorld();
       const seen = at.project(stage.rig.camera);
       const x = ((seen.x + 1) / 2) * stage.width;
-      return stage.pickPart(x, ((1 - seen.y) / 2) * stage.height);
+      return obby.pointer.picker.part([x, ((1 - seen.y) / 2) * stage.height]);
     });
   }, part);
 }

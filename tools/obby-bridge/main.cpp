@@ -17,7 +17,7 @@ Result<cli::ExitCode> run(cli::Context& context) {
     OBBY_RETURN_IF_ERROR(bridge::serveStdio(options, context.stop(), reports, std::move(output)));
     return cli::ExitCode::ok;
   }
-  // Serving goes on when nobody reads what it says.
+  // The server keeps running if standard output is closed.
   reports.say = [&](const std::string& text) {
     if (!output.write(text + "\n") || !output.flush()) context.note("standard output is closed");
   };

@@ -1,4 +1,4 @@
-// The option table of obby-bridge and what its options mean to lib/bridge.
+// The option table of obby-bridge, and its translation to lib/bridge's options.
 #include "options.h"
 
 #include <fmt/format.h>
@@ -20,9 +20,9 @@ using cli::ValueType;
 constexpr const char* kClients = "Connections";
 constexpr const char* kJobs = "Searches and calibrations";
 constexpr const char* kLimits = "Limits";
-constexpr const char* kPort = "34990";  // clients look for it there
+constexpr const char* kPort = "34990";  // the port that clients try
 
-// Limits are options with the library's defaults.
+// Makes an option for a limit, with the library's default.
 OptionRow limitRow(const char* name, const char* value, double fallback, const char* help,
                    double min, double max) {
   const bool whole = std::string(value) != "SECONDS";
@@ -57,7 +57,7 @@ std::string stateDir(const cli::Arguments& a) {
     const char* value = getenv(name);
     return std::string(value ? value : "");
   };
-  // The XDG base directory rules: a relative path is ignored.
+  // The XDG base directory rules ignore a relative path.
   if (const std::string state = variable("XDG_STATE_HOME"); !state.empty() && state[0] == '/') {
     return state + "/obby";
   }
@@ -65,7 +65,7 @@ std::string stateDir(const cli::Arguments& a) {
   return home.empty() ? "" : home + "/.local/state/obby";
 }
 
-// An option that only a server has; empty: none was typed.
+// Returns the first option given that only a server uses, or an empty text.
 std::string askedOfServer(const cli::Arguments& a) {
   for (const char* name : {"pair", "no-token", "port"}) {
     if (a.typed(name)) return name;

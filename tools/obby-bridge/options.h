@@ -1,4 +1,4 @@
-// What obby-bridge can be asked for.
+// The command line of obby-bridge.
 #pragma once
 
 #include "bridge/bridge.h"
@@ -9,7 +9,7 @@ namespace obby::tools {
 
 cli::ToolSpec bridgeSpec();
 
-// Error: options that do not go together, or nowhere to keep anything.
+// Error: incompatible options, or no directory for saved data.
 Result<bridge::Options> bridgeOptions(const cli::Context& context);
 
 }  // namespace obby::tools

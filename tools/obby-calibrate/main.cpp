@@ -1,4 +1,4 @@
-// obby-calibrate: physics parameters from recordings. Wiring only; lib/calibrate does the work.
+// obby-calibrate: fits physics parameters to recordings. Wiring only; lib/calibrate does the work.
 #include <fmt/format.h>
 
 #include <optional>
@@ -44,7 +44,7 @@ Status writeMetrics(io::Pipeline& pipeline, const calibrate::Fit& fit,
   return tools::writeMetrics(pipeline, "obby-calibrate", fit.evaluations, values);
 }
 
-// The course, and its manoeuvres as recordings or, for a recorder to play, as trajectories.
+// Writes the course, and its manoeuvres as simulated recordings or as trajectories to record.
 Status writeCourse(cli::Context& context, io::Pipeline& pipeline) {
   const cli::Arguments& a = context.arguments();
   io::RecordBuilder plain, level;
@@ -54,7 +54,7 @@ Status writeCourse(cli::Context& context, io::Pipeline& pipeline) {
   OBBY_ASSIGN(const level::Level compiled, level::Level::compile(level.reader().getLevel()));
   OBBY_RETURN_IF_ERROR(
       pipeline.run([](const io::Record&) -> Result<io::Then> { return io::Then::pass; }));
-  // Without the parameters: they are what is to be found.
+  // Writes the level without the parameters, since they are to be found.
   OBBY_RETURN_IF_ERROR(pipeline.write(plain.reader()));
   uint64_t number = a.seed();
   for (const calibrate::Manoeuvre& m : calibrate::manoeuvres()) {
@@ -84,7 +84,7 @@ Result<std::vector<calibrate::Outcome>> outcomesOf(const std::vector<calibrate::
   return out;
 }
 
-// Above the tolerance: a warning, and why it is so, for the report.
+// If the error exceeds the tolerance, warns and returns the reasons for the report.
 Result<std::vector<std::string>> whyNotNearer(cli::Context& context, const calibrate::Fit& fit,
                                               const std::vector<calibrate::Outcome>& outcomes,
                                               const std::vector<calibrate::Take>& takes,
@@ -101,8 +101,8 @@ Result<std::vector<std::string>> whyNotNearer(cli::Context& context, const calib
   return calibrate::reasonsOf(shortfall, tolerance);
 }
 
-// Those whose levels can be played under what was found. Of others it is said: they are of other
-// levels than were fitted to, and no reason to lose what was found.
+// Returns the takes whose levels compile with the parameters found, and reports the others. Those
+// belong to other levels than the fitted ones and do not invalidate the fit.
 std::vector<calibrate::Take> playable(cli::Context& context,
                                       const std::vector<calibrate::Take>& takes,
                                       schema::PhysicsParams::Reader params) {
@@ -151,7 +151,7 @@ Status tell(cli::Context& context, io::Pipeline& pipeline, const calibrate::Fit&
   return report->close();
 }
 
-// What the command line says of parameters, read before any output is begun.
+// The command line's parameters, parsed before any output is opened.
 struct Asked {
   io::RecordBuilder now;
   std::vector<calibrate::Parameter> parameters;
@@ -200,8 +200,8 @@ Status calibrateFrom(cli::Context& context, io::Pipeline& pipeline, Asked asked,
   return tell(context, pipeline, fit, takes, heldOut, params, pool, report);
 }
 
-// Before the fit, which may take an hour: a file that cannot be written is said at once. Recordings
-// are used up, and may not be made again: no report takes their place.
+// Opens the report before the fit, which may take an hour, so that an unwritable file fails at
+// once. It refuses to overwrite recordings, which may be impossible to repeat.
 Result<std::optional<io::Sink>> openReport(const cli::Arguments& a) {
   if (!a.has("report") || tools::makesTakes(a)) return std::optional<io::Sink>();
   const cli::WrittenFile written[] = {{"report", a.text("report")}};

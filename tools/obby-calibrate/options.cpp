@@ -1,4 +1,4 @@
-// The option table of obby-calibrate and what its options mean to lib/calibrate.
+// The option table of obby-calibrate, and its translation to lib/calibrate's settings.
 #include "options.h"
 
 #include <fmt/format.h>
@@ -125,7 +125,7 @@ cli::ToolSpec calibrateSpec() {
 
 Status optionsFit(const cli::Arguments& a) {
   constexpr const char* kOneOfTwo = "leave out one of the two";
-  std::vector<const char*> modes;  // of those that fit nothing
+  std::vector<const char*> modes;  // modes that fit nothing
   for (const char* mode : {"course", "play", "rehearse"}) {
     if (a.flag(mode)) modes.push_back(mode);
   }

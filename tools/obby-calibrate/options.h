@@ -7,13 +7,13 @@
 namespace obby::tools {
 
 cli::ToolSpec calibrateSpec();
-// Error: options that make no sense together, by name.
+// Error: incompatible options, by name.
 Status optionsFit(const cli::Arguments& arguments);
-// Is the course written, and nothing fitted?
+// True if the course is written and nothing is fitted.
 bool makesTakes(const cli::Arguments& arguments);
 calibrate::FitSettings fitSettings(const cli::Context& context);
 
-// Physics parameters with the changes of --set. Errors: no such parameter, no number.
+// Applies the changes of --set. Errors: no such parameter, or no number.
 Status applySet(const cli::Arguments& arguments, schema::PhysicsParams::Builder params);
 
 }  // namespace obby::tools

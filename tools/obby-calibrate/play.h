@@ -1,4 +1,4 @@
-// obby-calibrate --play: how far the simulator is from recordings that it was not fitted to.
+// obby-calibrate --play: the simulator's error on recordings that it was not fitted to.
 #pragma once
 
 #include <vector>
@@ -10,7 +10,7 @@
 namespace obby::tools {
 
 // Writes a metrics record for each recording and one for all, and a summary to stderr. `takes`: at
-// least one. Errors: a level that cannot be played with `params`, and those of writing.
+// least one. Errors: a level that does not compile with `params`, and those of writing.
 Status playTakes(cli::Context& context, io::Pipeline& pipeline,
                  const std::vector<calibrate::Take>& takes, schema::PhysicsParams::Reader params);
 

@@ -6,7 +6,7 @@ namespace obby::tools {
 
 namespace {
 
-// Of an answer what does not depend on the machine.
+// Removes the parts of an answer that depend on the machine.
 io::RecordBuilder lasting(schema::Record::Reader record) {
   io::RecordBuilder copy(record);
   if (copy.root().isResult()) copy.root().getResult().disownTiming();
@@ -21,10 +21,10 @@ Result<std::optional<std::vector<io::RecordBuilder>>> checkLevel(const io::Recor
   OBBY_ASSIGN(const solve::LoadedLevel loaded, solve::loadLevel(level));
   solve::SolverOptions solver;
   solver.method = solve::findMethod("auto");
-  solver.policy = &policy::shippedPolicy().network;  // as obby-solve has it
+  solver.policy = &policy::shippedPolicy().network;  // as in obby-solve
   solver.progressRecords = false;
   solver.budget.seed = options.seed;
-  // What is shown without a search is all that an unsolvable level needs.
+  // An unsolvable level needs only the proofs that run before the search.
   solver.budget.maxSteps = options.unsolvable ? 1 : options.steps;
   solver.budget.attempts = 0;
   solver.budget.stop = options.stop;

@@ -1,5 +1,5 @@
-// --check: is a generated level what it was meant to be? By the solver, within a budget of steps,
-// so that the same levels are kept on every machine.
+// --check: verifies a generated level with the solver. Its budget counts steps, so that every
+// machine keeps the same levels.
 #pragma once
 
 #include <atomic>
@@ -13,14 +13,14 @@ namespace obby::tools {
 
 struct CheckOptions {
   bool wanted = false;
-  bool unsolvable = false;  // keep what is unreachable in place of what is solved
+  bool unsolvable = false;  // keep levels proven unreachable instead of solved ones
   uint64_t steps = 0;
   uint64_t seed = 0;
   const std::atomic<bool>* stop = nullptr;
 };
 
-// The answer's records, if the level is to be kept. One thread each: levels are checked side by
-// side.
+// Returns the answer's records if the level is kept, else nothing. It uses one thread, since levels
+// are checked in parallel.
 Result<std::optional<std::vector<io::RecordBuilder>>> checkLevel(const io::Record& level,
                                                                  schema::Query::Reader query,
                                                                  const CheckOptions& options);

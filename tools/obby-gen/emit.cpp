@@ -6,12 +6,12 @@ namespace obby::tools {
 
 namespace {
 
-constexpr uint64_t kTaskLevels = 32;    // that a thread makes in a go
-constexpr uint64_t kLevelWords = 4096;  // room for most levels
+constexpr uint64_t kTaskLevels = 32;    // levels per task
+constexpr uint64_t kLevelWords = 4096;  // initial capacity, enough for most levels
 
 using Slot = Result<std::optional<Emitted>>;
 
-// False: --check refuses it.
+// Returns false if --check refuses the level.
 Result<bool> add(const gen::Generator& generator, const EmitOptions& options, uint64_t index,
                  Emitted& out) {
   out.levels.push_back(generator.generate(options.seed, index));
@@ -43,7 +43,7 @@ Slot make(std::span<const gen::Generator> generators, const EmitOptions& options
   return std::optional(std::move(out));
 }
 
-// Levels from `begin` on, in order.
+// Generates levels from `begin` on, in order.
 std::vector<Slot> makeBatch(std::span<const gen::Generator> generators, const EmitOptions& options,
                             ThreadPool& pool, const std::atomic<bool>& stop, uint64_t begin,
                             uint64_t count) {
@@ -71,7 +71,7 @@ Result<Emission> emit(std::span<const gen::Generator> generators, const EmitOpti
     const uint64_t left = options.count == 0 ? batch : options.count - out.kept;
     const uint64_t size = options.check.wanted ? batch : std::min(batch, left);
     std::vector<Slot> slots = makeBatch(generators, options, pool, stop, begin, size);
-    if (stop) break;  // what is not whole is not written
+    if (stop) break;  // incomplete batches are not written
     for (Slot& slot : slots) {
       if (!slot) return slot.error();
       if (!*slot) {

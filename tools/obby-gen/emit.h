@@ -1,4 +1,4 @@
-// Levels in order, made by several threads: what obby-gen writes.
+// Generates the levels of obby-gen's output in order, on several threads.
 #pragma once
 
 #include <functional>
@@ -15,30 +15,29 @@ namespace obby::tools {
 
 struct EmitOptions {
   uint64_t seed = 0, first = 0;
-  uint64_t count = 1;                     // indices to keep; 0: without end
-  io::Format format = io::Format::jsonl;  // that records are encoded for
+  uint64_t count = 1;                     // indices to keep; 0: endless
+  io::Format format = io::Format::jsonl;  // encoding of the records
   CheckOptions check;
 };
 
-// A level, or one of each generator, with all that is written of it; nothing is kept of levels of
-// which --check refuses one.
+// A level of each generator, with its records. If --check refuses one of them, none is kept.
 struct Emitted {
   std::vector<gen::Generated> levels;
-  std::vector<io::Record> records;  // of each level, query, answer
+  std::vector<io::Record> records;  // level, query and answer of each
 };
 
-// Levels in a row that --check may refuse before it gives up.
+// Consecutive levels that --check may refuse before the run ends.
 constexpr uint64_t kMostRefused = 300;
 
 enum class Ended { complete, stopped, noneKept };
 
 struct Emission {
   Ended ended = Ended::stopped;
-  uint64_t kept = 0, refused = 0;  // indices; refused by --check
+  uint64_t kept = 0, refused = 0;  // numbers of indices
 };
 
-// Calls `take` for each index in order, until `count` were kept or `stop` is set. noneKept: --check
-// refused so many in a row that more are not to be expected.
+// Calls `take` for each index in order, until `count` were kept or `stop` is set. Returns noneKept
+// if --check refused too many in a row.
 Result<Emission> emit(std::span<const gen::Generator> generators, const EmitOptions& options,
                       ThreadPool& pool, const std::atomic<bool>& stop,
                       const std::function<Status(const Emitted&)>& take);

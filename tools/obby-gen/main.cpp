@@ -1,4 +1,4 @@
-// obby-gen: levels with queries. Wiring only; lib/gen makes them.
+// obby-gen: generates levels with queries. Wiring only; lib/gen does the work.
 #include <fmt/format.h>
 
 #include <span>
@@ -10,6 +10,7 @@
 #include "cli/tool.h"
 #include "emit.h"
 #include "gen/place/place_file.h"
+#include "gen/recipe_check.h"
 #include "io/pipeline.h"
 #include "options.h"
 #include "shared/recipe_options.h"
@@ -25,7 +26,7 @@ bool wantsPlace(const cli::Arguments& a) {
   return a.text("output").ends_with(kPlaceEnding);
 }
 
-// Lines of records under such a name would be no place that Studio opens.
+// Refuses names of place files that Studio could not open, since the output would be records.
 Status nameFits(const cli::Arguments& a) {
   if (!a.text("format").empty()) return {};
   for (const char* ending : {".rbxl", ".rbxm", ".rbxmx"}) {
@@ -50,7 +51,7 @@ tools::EmitOptions emitOptions(const cli::Context& context) {
   return o;
 }
 
-// One, or with --twins one of levels and one of their twins.
+// Returns one generator, or with --twins also one for the unsolvable twins.
 Result<std::vector<gen::Generator>> generatorsOf(const cli::Arguments& a,
                                                  const gen::Recipe& recipe) {
   const bool twins = a.flag("twins"), unsolvable = a.flag("unsolvable");
@@ -73,7 +74,7 @@ Status noneKept(const tools::CheckOptions& check) {
                                     : "raise --check-steps, or try another style or difficulty");
 }
 
-// What of the levels --check left out, and why.
+// Returns a message about the levels that --check left out, with the reason.
 std::string leftOut(const tools::Emission& made, const tools::CheckOptions& check, bool twins) {
   const std::string unsolved = fmt::format("not solved within {} steps", check.steps);
   const std::string unproved = "not shown to be unreachable";
@@ -84,7 +85,7 @@ std::string leftOut(const tools::Emission& made, const tools::CheckOptions& chec
                                         : unsolved);
 }
 
-// Once what was made is written.
+// Ends the run after its output is written.
 Status finished(cli::Context& context, const tools::Emission& made,
                 const tools::CheckOptions& check) {
   if (made.ended == tools::Ended::noneKept) return noneKept(check);
@@ -93,7 +94,7 @@ Status finished(cli::Context& context, const tools::Emission& made,
   return {};
 }
 
-// One stream of records, with what was made before an interruption.
+// Writes a stream of records, including those made before an interruption.
 Status writeStream(cli::Context& context, std::span<const gen::Generator> generators,
                    tools::EmitOptions options, ThreadPool& pool) {
   OBBY_ASSIGN(io::StreamWriter output, context.openOutput());
@@ -120,13 +121,14 @@ Status writeStream(cli::Context& context, std::span<const gen::Generator> genera
   return finished(context, *made, options.check);
 }
 
-// One place file; an interruption leaves none.
+// Writes a place file, or none if interrupted.
 Status writePlace(cli::Context& context, std::span<const gen::Generator> generators,
                   const tools::EmitOptions& options, ThreadPool& pool) {
   if (options.count == 0) {
     return Error{{}, {}, "--count", "a place file cannot be endless", "give a number above 0"};
   }
-  OBBY_ASSIGN(io::Sink sink, context.openSink());  // first: what cannot be written is said at once
+  OBBY_ASSIGN(io::Sink sink, context.openSink());  // opened first, so that an unwritable file fails
+                                                   // at once
   gen::PlaceFile place(generators.front());
   const auto take = [&](const tools::Emitted& one) -> Status {
     for (const gen::Generated& level : one.levels) OBBY_RETURN_IF_ERROR(place.add(level));
@@ -148,7 +150,7 @@ Status writeList(const cli::Context& context, const gen::Recipe& recipe) {
   return sink.close();
 }
 
-// Is there nothing that would do nothing?
+// Refuses options that would have no effect.
 Status optionsFit(const cli::Arguments& a) {
   if (a.flag("list")) {
     return cli::refuseTyped(a,
@@ -167,7 +169,7 @@ Result<cli::ExitCode> run(cli::Context& context) {
   OBBY_RETURN_IF_ERROR(nameFits(a));
   OBBY_ASSIGN(const gen::Recipe recipe, tools::recipeOf(a));
   if (a.flag("list")) {
-    OBBY_RETURN_IF_ERROR(recipe.check());
+    OBBY_RETURN_IF_ERROR(checkRecipe(recipe));
     OBBY_RETURN_IF_ERROR(writeList(context, recipe));
     return cli::ExitCode::ok;
   }

@@ -1,4 +1,4 @@
-// The option table of obby-gen and what its options mean to lib/gen.
+// The option table of obby-gen, and its translation to lib/gen.
 #include "options.h"
 
 #include <fmt/format.h>

@@ -8,7 +8,7 @@
 namespace obby::tools {
 
 cli::ToolSpec genSpec();
-// What --list prints: all styles, or those of the recipe with their parameters.
+// Returns the text of --list: all styles, or those of the recipe with their parameters.
 std::string listOfStyles(const gen::Recipe& recipe);
 
 }  // namespace obby::tools

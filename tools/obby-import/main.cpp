@@ -1,4 +1,5 @@
-// obby-import: place and model files to levels and queries. Wiring only; lib/import does the work.
+// obby-import: converts place and model files to levels and queries. Wiring only; lib/import does
+// the work.
 #include "cli/context.h"
 #include "cli/tool.h"
 #include "import/filter.h"
@@ -11,14 +12,14 @@ namespace {
 
 using namespace obby;
 
-// What says which records to write, or how, says nothing of a table.
+// Options for records do not apply to a table.
 Status refuseOptionsOfRecords(const cli::Arguments& a) {
   return cli::refuseTyped(a, {"format", "no-queries"}, "cannot be combined with --explain",
                           "leave it out: --explain writes a table instead of records");
 }
 
-// Writes the tables of all inputs up to one that ends the run; its error is in the result. Under
-// --on-error skip and emit a broken input is reported and left out. `any`: there was a table.
+// Writes the tables of all inputs, up to one that ends the run; its error is the result. Under
+// --on-error skip and emit, a broken input is reported and left out. `any`: a table was written.
 Status tables(cli::Context& context, const importer::ImportOptions& options, io::Sink& sink,
               bool& any) {
   Status written;
@@ -47,7 +48,7 @@ Result<cli::ExitCode> explain(cli::Context& context, importer::ImportOptions opt
   options.explain = true;
   bool any = false;
   const Status done = tables(context, options, sink, any);
-  if (!done && !any) return done.error();  // nothing was done: leave no output
+  if (!done && !any) return done.error();  // nothing was written, so no output is left
   const Status closed = sink.close();
   if (!done) return done.error();
   if (!closed) return closed.error();

@@ -1,4 +1,4 @@
-// What obby-import is to its user.
+// The command line of obby-import.
 #pragma once
 
 #include "cli/tool.h"

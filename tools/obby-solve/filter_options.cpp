@@ -1,4 +1,4 @@
-// What obby-solve's options mean to lib/solve.
+// Translates obby-solve's options to lib/solve's.
 #include "io/read_file.h"
 #include "options.h"
 #include "policy/shipped_policy.h"
@@ -37,7 +37,7 @@ solve::QuickQuery quickQuery(const cli::Arguments& a) {
   return q;
 }
 
-// The first option that is given, or typed, of those that ask; empty: none.
+// Returns the first given (or typed) option that defines a query, or an empty text.
 std::string asking(const cli::Arguments& a, bool typed) {
   for (const cli::OptionRow& r : queryRows()) {
     if (r.name != "each" && (typed ? a.typed(r.name) : a.has(r.name))) return r.name;
@@ -45,7 +45,7 @@ std::string asking(const cli::Arguments& a, bool typed) {
   return {};
 }
 
-// What is asked on the command line must hold for something.
+// A query on the command line must be used by the task.
 Status refuseIdleQuick(const cli::Arguments& a, const solve::FilterOptions& o) {
   const std::string option = asking(a, true);
   if (o.task == solve::Task::filter && (!option.empty() || a.typed("each"))) {
@@ -74,14 +74,14 @@ Status readQuick(const cli::Arguments& a, solve::FilterOptions& o) {
   return {};
 }
 
-// What would do nothing beside the other options was meant to do something.
+// Refuses options that would have no effect with the others.
 Status refuseIdle(const cli::Arguments& a, solve::Task task) {
   if (task == solve::Task::answer) {
     if (a.integer("solutions") > 1) return {};
     return cli::refuseTyped(a, {"diverse"}, "needs --solutions 2 or more",
                             "write for example --solutions 5 --diverse");
   }
-  // Options that only say how to search, and what to say of it.
+  // Options that only control the search or its reports.
   const char* const message =
       task == solve::Task::verify
           ? "cannot be combined with --verify, which searches nothing"

@@ -19,7 +19,7 @@ cli::ExitCode exitCode(const cli::Context& context, const solve::FilterCounts& c
   return counts.unknown > 0 ? cli::ExitCode::unknown : cli::ExitCode::ok;
 }
 
-// One stream in, one stream out. The options keep the answers for the next run.
+// Reads one stream and writes one. The options keep the answers for the next run.
 Status solveOnce(cli::Context& context, solve::FilterOptions& options,
                  const std::atomic<bool>& stop, tools::RunOutcome& outcome) {
   const auto start = std::chrono::steady_clock::now();
@@ -30,9 +30,9 @@ Status solveOnce(cli::Context& context, solve::FilterOptions& options,
   io::Pipeline pipeline(std::move(source), context.identity(), std::move(output));
   solve::Filter filter(options, pipeline);
   Status status = pipeline.run([&](const io::Record& record) { return filter.handle(record); });
-  // Of a stopped input nobody knows what would have come.
+  // The rest of a stopped input is unknown, so missing queries are no error.
   if (status && !stop) status = filter.finishInput();
-  // A query that never came is no mistake of the user's where the input itself had failed.
+  // If the input itself failed, a missing query is not the user's mistake.
   if (!status && status.error().input.empty()) status = pipeline.source().lacking(status.error());
   status = pipeline.finish(std::move(status));
   if (table) OBBY_RETURN_IF_ERROR(table->print(context));
@@ -42,7 +42,7 @@ Status solveOnce(cli::Context& context, solve::FilterOptions& options,
   return status;
 }
 
-// The line that ends a run; a run that answered nothing before its error has only that.
+// Reports the outcome at the end. If a run fails before its first answer, only its error is shown.
 void tellOutcome(cli::Context& context, const solve::FilterOptions& options, const Status& status,
                  const tools::RunOutcome& outcome) {
   const std::string text = tools::summary(options.task, outcome);

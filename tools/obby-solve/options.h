@@ -11,10 +11,10 @@
 namespace obby::tools {
 
 cli::ToolSpec solveSpec();
-// Those of its options that ask on the command line.
+// Returns the options that define a query on the command line.
 std::vector<cli::OptionRow> queryRows();
 Result<solve::FilterOptions> filterOptions(cli::Context& context);
-// Where rollouts run; --backend auto is the CPU.
+// Returns the backend for rollouts; --backend auto is the CPU.
 Result<sim::Backend> searchBackend(const cli::Context& context);
 
 }  // namespace obby::tools

@@ -1,4 +1,4 @@
-// What a run came to, in a line for people.
+// The result of a run as one line for users.
 #pragma once
 
 #include <string>
@@ -11,11 +11,11 @@ struct RunOutcome {
   solve::FilterCounts counts;
   double seconds = 0;
 
-  // Nothing was answered, checked or filtered.
+  // Returns true if nothing was answered, checked or filtered.
   bool isEmpty() const;
 };
 
-// "3 solved, 1 unreachable, 0 unknown in 2.1 s"
+// Returns a text such as "3 solved, 1 unreachable, 0 unknown in 2.1 s".
 std::string summary(solve::Task task, const RunOutcome& outcome);
 
 }  // namespace obby::tools

@@ -1,4 +1,4 @@
-// At a terminal people read the answers: a table takes the place of the records.
+// Shows the answers at a terminal as a table instead of records.
 #pragma once
 
 #include <memory>
@@ -11,12 +11,12 @@ namespace obby::tools {
 
 class TerminalTable {
  public:
-  // Nothing: the records are to be written.
+  // Returns nothing if records are to be written.
   static std::optional<TerminalTable> wanted(const cli::Context& context);
 
-  // Gathers the answers from what is written to it.
+  // Returns a writer that collects the answers.
   io::StreamWriter writer() const;
-  // Writes the table to standard output; nothing where there are no answers.
+  // Writes the table to standard output, or nothing without answers.
   Status print(cli::Context& context) const;
 
  private:

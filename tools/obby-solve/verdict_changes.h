@@ -1,4 +1,4 @@
-// Which verdicts an edit changed: those of one run against those of the run before.
+// The verdicts that an edit changed, from one run to the next.
 #pragma once
 
 #include <map>
@@ -11,12 +11,12 @@ namespace obby::tools {
 
 class VerdictChanges {
  public:
-  // A verdict of the run at work.
+  // Adds a verdict of the current run.
   void note(const std::string& level, const std::string& query, schema::Verdict verdict);
-  // Forgets a run that did not get to its end.
+  // Discards a run that did not complete.
   void drop() { now_.clear(); }
-  // Ends the run. "query 'stage2' is now unreachable, query 'stage5' is new: solved", or "no
-  // verdict changed".
+  // Ends the run. Returns a text such as "query 'stage2' is now unreachable, query 'stage5' is new:
+  // solved", or "no verdict changed".
   std::string finish();
 
  private:

@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::chrono::milliseconds kPoll{50};
 
-// Files, and others than what is written: that would be a change, to be answered for ever.
+// Inputs must be files other than the output, or each answer would trigger another run.
 Status canWatch(const cli::Context& context) {
   for (const std::string& path : context.inputs()) {
     if (path == "-") {
@@ -32,8 +32,8 @@ std::string quotedNames(const std::vector<std::string>& paths) {
   return fmt::format("'{}'", fmt::join(paths, "', '"));
 }
 
-// Sets `stop` once the inputs change or the process is to end: an answer to what is no longer asked
-// is not worth waiting for.
+// Sets `stop` once the inputs change or the process is asked to end, since the current answer is
+// then outdated.
 class Guard {
  public:
   Guard(const io::FileWatch& files, const std::atomic<bool>& end, std::atomic<bool>& stop)
@@ -48,7 +48,7 @@ class Guard {
   std::jthread thread_;
 };
 
-// The input files, and which of them have changed since the last run that got to its end.
+// The input files, and those that changed since the last complete run.
 class Inputs {
  public:
   explicit Inputs(const std::vector<std::string>& paths) : paths_(paths), all_(paths) {
@@ -57,14 +57,14 @@ class Inputs {
 
   const io::FileWatch& all() const { return all_; }
 
-  // To be asked before a run: as FileWatch::settle.
+  // Called before a run; see FileWatch::settle.
   void settle(const std::atomic<bool>& stop) {
     for (size_t i = 0; i < paths_.size(); ++i) changed_[i] = changed_[i] || each_[i].changed();
     all_.settle(stop);
     noteEach();
   }
 
-  // "'level.jsonl'"; forgets them. Empty: none.
+  // Returns names such as "'level.jsonl'" and clears them. Empty if none changed.
   std::string takeChanged() {
     std::vector<std::string> names;
     for (size_t i = 0; i < paths_.size(); ++i) {
@@ -114,8 +114,8 @@ class Watch {
     options_.solver.budget.stop = &stop;
     const Result<std::string> outcome = solve_(options_, stop);
     if (!outcome && io::isBrokenPipe(outcome.error()))
-      return outcome.error();  // who would read on?
-    // A mistake in a file is told, and may be mended by the next change.
+      return outcome.error();  // the output has no reader
+    // An error in a file is reported; the next edit may fix it.
     if (!outcome) context_.warn(outcome.error().text());
     if (outcome && !stop) {
       tell(*outcome);
@@ -132,7 +132,7 @@ class Watch {
                                   : fmt::format("{} changed: {} ({})", changed, outcome, verdicts));
   }
 
-  // Once, after the first run.
+  // Announces the watch once, after the first run.
   void sayWhatFor() {
     if (said_ || context_.stop()) return;
     context_.tell(fmt::format("watching {}; Ctrl-C ends", quotedNames(context_.inputs())));

@@ -1,4 +1,4 @@
-// --watch: answers again whenever an input file changes, each time from what the last answer found.
+// --watch: answers again whenever an input file changes, starting from the last run's results.
 #pragma once
 
 #include "cli/context.h"
@@ -6,14 +6,14 @@
 
 namespace obby::tools {
 
-// One run over the inputs; returns what it came to, in words. `options` keeps what the next run can
-// begin with.
+// Runs once over the inputs and returns the outcome as text. `options` keeps the results that the
+// next run can start with.
 using SolveOnce = std::function<Result<std::string>(solve::FilterOptions& options,
                                                     const std::atomic<bool>& stop)>;
 
-// Until the process is told to end; tells after each run what it came to and which verdicts
-// changed. Error: an input that is not a file, or that is the output too; an output that nobody
-// reads any more.
+// Runs until the process is asked to end. After each run it reports the outcome and the changed
+// verdicts. Errors: an input that is not a file or is also the output, or an output without a
+// reader.
 Status watchInputs(cli::Context& context, solve::FilterOptions& options, const SolveOnce& solve);
 
 }  // namespace obby::tools

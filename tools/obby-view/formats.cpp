@@ -25,7 +25,8 @@ Result<std::string> text(const view::Report& report, const cli::Context& context
   return textReport(report, textOptions(context));
 }
 
-// What a picture shows: the first query whose level is there; without queries the first level.
+// The subject of a picture: the first query whose level is known, or the first level without
+// queries.
 struct Subject {
   const view::LevelEntry* level;
   const view::QueryEntry* query;
@@ -69,7 +70,7 @@ constexpr ViewFormat kFormats[] = {
     {"rbxmx", ".rbxmx ", false, false, rbxmx},
 };
 
-// With its dot and in lower case; empty: there is none.
+// Returns the ending in lower case with its dot, or an empty text.
 std::string endingOf(const std::string& path) {
   const size_t name = path.find_last_of('/') + 1;  // 0 without a slash
   const size_t dot = path.find_last_of('.');
@@ -82,14 +83,14 @@ bool endsIn(const std::string& path, const std::string& endings) {
   return !ending.empty() && endings.find(ending + " ") != std::string::npos;
 }
 
-// ".html .htm .txt " of all formats.
+// Returns the endings of all formats, such as ".html .htm .txt ".
 std::string allEndings() {
   std::string all;
   for (const ViewFormat& format : kFormats) all += format.endings;
   return all;
 }
 
-// ".html, .htm, .txt or .svg"
+// Formats them as ".html, .htm, .txt or .svg".
 std::string endingsText(const std::string& endings) {
   std::vector<std::string> words;
   std::istringstream in(endings);

@@ -1,4 +1,4 @@
-// What obby-view can write: a row a format.
+// The output formats of obby-view, one row each.
 #pragma once
 
 #include <span>
@@ -10,19 +10,20 @@
 namespace obby {
 
 struct ViewFormat {
-  const char* name;     // of --format
-  const char* endings;  // of file names that choose it, each with a dot before and a space behind
-  bool binary;          // not for a terminal
+  const char* name;     // value of --format
+  const char* endings;  // file name endings that select it, each with a leading dot and a trailing
+                        // space
+  bool binary;          // not for terminals
   bool page;            // needs the page's bundle
   Result<std::string> (*render)(const view::Report& report, const cli::Context& context);
 };
 
 std::span<const ViewFormat> viewFormats();
 
-// By --format, else by the output's name, else text.
+// Selects by --format, else by the output's name, else text.
 const ViewFormat& wantedFormat(const cli::Arguments& arguments);
 
-// Error: no format has the ending of the output's name, and there is no --format.
+// Error: no format has the ending of the output's name, and --format is missing.
 Status checkEnding(const cli::Arguments& arguments);
 
 }  // namespace obby

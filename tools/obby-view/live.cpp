@@ -10,10 +10,10 @@
 namespace obby {
 namespace {
 
-// All records, in the reading thread. Errors are said at once; the page goes on with what there is.
+// Reads all records on the reading thread. Errors are reported at once; the page shows the rest.
 class Reader {
  public:
-  // `output`: for the report of all of it; null: none is wanted.
+  // `output`: for the complete report; null if none is requested.
   Reader(cli::Context& context, view::GrowingReport& report, Reading& reading, Output* output)
       : context_(context), report_(report), reading_(reading), output_(output) {}
 
@@ -83,7 +83,7 @@ Result<cli::ExitCode> runLive(cli::Context& context) {
     Reader reader(context, report, *reading, output ? &*output : nullptr);
     try {
       reader.run();
-    } catch (const std::exception& e) {  // above all memory that lacks: the page stays
+    } catch (const std::exception& e) {  // probably out of memory; the page stays open
       reader.fail(makeError(e.what()));
       reading->drain();
     }

@@ -5,8 +5,8 @@
 
 namespace obby {
 
-// Serves the inputs' report while they come, until it is stopped. What -o names is written when
-// they have ended.
+// Serves the inputs' report while they arrive, until stopped. The file of -o is written when they
+// have ended.
 Result<cli::ExitCode> runLive(cli::Context& context);
 
 }  // namespace obby

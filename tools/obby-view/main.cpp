@@ -1,4 +1,4 @@
-// obby-view: streams in, a page or a text out.
+// obby-view: reads streams and writes a page or a text.
 #include <optional>
 
 #include "formats.h"

@@ -1,4 +1,4 @@
-// What obby-view can be asked for.
+// The option table of obby-view.
 #include "options.h"
 
 #include <fmt/format.h>
@@ -45,7 +45,7 @@ OptionRow formatRow() {
   return grouped(row, cli::kFilesGroup);
 }
 
-// Nothing is passed on.
+// obby-view passes no records on, so --on-error has no emit.
 OptionRow onErrorRow() {
   OptionRow row = cli::commonRow(cli::Common::onError);
   row.choices = {"stop", "skip"};

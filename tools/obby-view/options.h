@@ -1,4 +1,4 @@
-// The option table of obby-view, and what it comes to.
+// The option table of obby-view, and its translation to lib/view's options.
 #pragma once
 
 #include "cli/context.h"
@@ -10,10 +10,10 @@ namespace obby {
 
 cli::ToolSpec viewSpec();
 
-// Error: an option is typed that does nothing for what is written, or served.
+// Error: an option that has no effect on the output.
 Status refuseIdle(const cli::Arguments& arguments);
 
-// Error: --size is none.
+// Error: an invalid --size.
 Result<view::PictureOptions> pictureOptions(const cli::Arguments& arguments);
 view::TextOptions textOptions(const cli::Context& context);
 

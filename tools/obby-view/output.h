@@ -1,4 +1,4 @@
-// A report goes where -o says, in the format that was asked for.
+// Writes a report to the -o file in the requested format.
 #pragma once
 
 #include <utility>
@@ -11,11 +11,11 @@ namespace obby {
 
 class Output {
  public:
-  // Before anything is read, so that what cannot be written is said at once: a file that cannot be,
-  // a picture for a terminal, a --size that is none.
+  // Call it before reading, so that these errors come at once: a file that cannot be written, a
+  // picture for a terminal, an invalid --size.
   static Result<Output> open(const cli::Context& context);
 
-  // Call it once, if at all: without it no file is left.
+  // Call it at most once. Without it no file is left.
   Status write(const view::Report& report, cli::Context& context);
 
  private:

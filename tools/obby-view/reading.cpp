@@ -51,12 +51,12 @@ void Reading::drain() {
       const auto next = source_.next();
       if (!next || !*next) return;
     }
-  } catch (const std::exception&) {  // above all memory that lacks: nothing is lost with it
+  } catch (const std::exception&) {  // probably out of memory; nothing more is lost
   }
 }
 
 Status Reading::forgive(const io::Record& record, Error error) {
-  // The source knows which input it reads, but not where a record of before came from.
+  // The source knows its current input, but not the input of earlier records.
   const std::vector<std::string>& inputs = context_.inputs();
   if (inputs.size() == 1) error.input = inputs[0] == "-" ? "stdin" : inputs[0];
   return source_.forgive(record, std::move(error));

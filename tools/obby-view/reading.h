@@ -1,4 +1,4 @@
-// The inputs of obby-view become a report.
+// Reads obby-view's inputs into a report.
 #pragma once
 
 #include <optional>
@@ -16,25 +16,26 @@ class Reading {
   // `stop` ends the inputs early.
   Reading(cli::Context& context, const std::atomic<bool>& stop);
 
-  // The next record; nothing at the end. An input that is broken is said to be, and is an end.
+  // Returns the next record, or nothing at the end. A broken input is reported and counts as the
+  // end.
   std::optional<io::Record> next();
-  // Whether that end was a broken input.
+  // True if that end was a broken input.
   bool broken() const { return broken_; }
 
-  // Says why no more of the input can be shown.
+  // Reports why the rest of the input cannot be shown.
   void cannotShow(const Error& error);
-  // Reads on, up to the end or what cannot be read, and keeps nothing: who writes into a pipe of
-  // which nobody reads the rest would wait as long as the page stays.
+  // Reads to the end and discards the records. Otherwise the writer of a pipe would block as long
+  // as the page is open.
   void drain();
 
-  // For view::Collector.
+  // Policy for view::Collector.
   Status forgive(const io::Record& record, Error error);
 
-  // Behind the end. Reports that the input lacks something, unless an error explains why: one that
-  // has been reported, or that stopped the program which wrote the input.
+  // Call it after the end. Reports that the input lacks something, unless an earlier error explains
+  // it: a reported one, or one that stopped the program that wrote the input.
   void reportLack(const Error& lack);
 
-  // Behind the end, for the reader of the report: what is missing and why.
+  // Call it after the end. Returns notes for the report's users about what is missing.
   std::vector<std::string> notes(const view::Report& report) const;
 
  private:
@@ -44,12 +45,12 @@ class Reading {
   bool broken_ = false;
 };
 
-// The error of a report that is empty.
+// Returns the error for an empty report.
 Error nothingToShow();
 
-// Reads all of it. A broken input is reported, as is what cannot be shown; what came before it is
-// shown. Nothing: there is nothing to show, or a query that was asked for did not come, which has
-// been reported.
+// Reads all inputs. A broken input and records that cannot be shown are reported; everything before
+// them is shown. Returns nothing if there is nothing to show or a requested query is missing, after
+// reporting it.
 std::optional<view::Report> readReport(cli::Context& context);
 
 }  // namespace obby

@@ -9,7 +9,7 @@ namespace obby::tools {
 
 namespace {
 
-// A generator for each step of the difficulty.
+// Has a generator for each step of the difficulty.
 class GeneratedLevels : public train::LevelSource {
  public:
   static constexpr int kSteps = 20;

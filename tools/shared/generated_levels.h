@@ -1,4 +1,4 @@
-// Levels to learn on that are made anew for each turn.
+// Generated levels for training, new ones in each iteration.
 #pragma once
 
 #include <memory>
@@ -8,8 +8,8 @@
 
 namespace obby::tools {
 
-// Levels of a recipe, of its lowest difficulty up to what is asked for. `seed`: of the levels.
-// Errors as of Generator::make.
+// Generates levels of a recipe, from its lowest difficulty up to the requested one. `seed`: of the
+// levels. Errors: those of Generator::make.
 Result<std::unique_ptr<train::LevelSource>> generatedLevels(const gen::Recipe& recipe,
                                                             uint64_t seed);
 

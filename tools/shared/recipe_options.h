@@ -1,4 +1,4 @@
-// The options that say what levels to make, for all tools that make some.
+// The options for levels to generate, shared by all tools that generate levels.
 #pragma once
 
 #include <string>
@@ -10,13 +10,14 @@
 
 namespace obby::tools {
 
-// --style, --difficulty, --recipe. `group`: the heading that --help lists them under.
+// Returns the rows of --style, --difficulty and --recipe. `group`: their heading in --help.
 std::vector<cli::OptionRow> recipeRows(const char* group, const char* defaultDifficulty);
 
-// What is in the file of --recipe, which may be a pipe and is read once; nothing without one.
+// Returns the text of --recipe's file, or an empty text without one. The file may be a pipe, so it
+// is read once.
 Result<std::string> recipeText(const cli::Arguments& arguments);
 
-// What they ask for; `text`: of the file. Errors name the option or the file.
+// Returns the recipe of these options; `text`: the file's. Errors name the option or the file.
 Result<gen::Recipe> recipeOf(const cli::Arguments& arguments, const std::string& text);
 Result<gen::Recipe> recipeOf(const cli::Arguments& arguments);  // reads the file
 

@@ -1,7 +1,13 @@
-// Which trajectories of a query are listed and drawn, and in which order.
-import { bandRank, OUTCOME_STYLE } from './palette.js';
+// Selects and sorts the trajectories of a query to list and draw.
+import { bandRank, OUTCOMES } from './palette.js';
 
-// Filters that let everything pass. `killer`: part, -1 for any; `boxes`: of `boxOf` below.
+/** @import {Box, FilterBox, Filters, Query, Sort, State} from './types/report.js' */
+/** @import {Path} from './path.js' */
+
+/**
+ * Filters that accept everything. `killer`: a part, or -1 for any; `boxes`: from `boxOf` below.
+ * @type {Readonly<Filters>}
+ */
 export const UNFILTERED = {
   outcome: '',
   route: '',
@@ -11,6 +17,7 @@ export const UNFILTERED = {
   boxes: Object.freeze([]),
 };
 
+/** @type {Record<Sort, string>} */
 export const SORTS = {
   found: 'order found',
   time: 'time',
@@ -20,7 +27,13 @@ export const SORTS = {
   route: 'route',
 };
 
-// A box in the axes of the world, in studs. `keep`: what passes it stays; else what passes it goes.
+/**
+ * Returns an axis-aligned box, in studs. `keep`: keeps only trajectories through it, or else drops
+ * them.
+ * @param {number[]} a
+ * @param {number[]} b
+ * @returns {FilterBox}
+ */
 export function boxOf(a, b, keep = true) {
   return {
     min: a.map((value, k) => Math.min(value, b[k])),
@@ -29,7 +42,13 @@ export function boxOf(a, b, keep = true) {
   };
 }
 
-// Whether the feet are in the box somewhere between two samples.
+/**
+ * Returns true if the feet are in the box at some point between two samples.
+ * @param {Box} box
+ * @param {ArrayLike<number>} points
+ * @param {number} i
+ * @param {number} j
+ */
 export function segmentMeets({ min, max }, points, i, j) {
   let enter = 0;
   let leave = 1;
@@ -48,7 +67,10 @@ export function segmentMeets({ min, max }, points, i, j) {
   return true;
 }
 
-// The lowest and the highest of all samples, by axis; looked for once.
+/**
+ * Returns the minimum and maximum of all samples on each axis, cached in the path.
+ * @param {Path} path
+ */
 function boundsOf(path) {
   if (path.bounds) return path.bounds;
   const min = [Infinity, Infinity, Infinity];
@@ -62,12 +84,20 @@ function boundsOf(path) {
   return path.bounds;
 }
 
-// While a box is drawn all ways are asked at each move of the pointer, and most are far from it.
+/**
+ * A drag tests all trajectories at each pointer move, and most are far from the box.
+ * @param {Path} path
+ * @param {Box} box
+ */
 function farFrom(path, box) {
   const { min, max } = boundsOf(path);
   return min.some((low, k) => low > box.max[k] || max[k] < box.min[k]);
 }
 
+/**
+ * @param {Path} path
+ * @param {Box} box
+ */
 export function meets(path, box) {
   if (farFrom(path, box)) return false;
   if (path.samples === 1) return segmentMeets(box, path.points, 0, 0);
@@ -76,25 +106,41 @@ export function meets(path, box) {
   return false;
 }
 
-// Box -> query -> indices of the paths that meet it; boxes are never changed, only replaced. Neither is kept by it: a
-// stream that goes on replaces queries several times a second.
+/**
+ * Box -> query -> indices of the paths through it. Boxes are immutable. The cache keeps neither
+ * alive, since a live stream replaces queries several times a second.
+ * @type {WeakMap<Box, WeakMap<Query, Set<number>>>}
+ */
 const passed = new WeakMap();
 
+/**
+ * @param {Query} query
+ * @param {Box} box
+ * @returns {Set<number>}
+ */
 export function pathsThrough(query, box) {
-  if (!passed.has(box)) passed.set(box, new WeakMap());
-  const byQuery = passed.get(box);
-  if (!byQuery.has(query)) {
-    const found = new Set();
-    query.paths.forEach((path, index) => {
-      if (meets(path, box)) found.add(index);
-    });
-    byQuery.set(query, found);
-  }
-  return byQuery.get(query);
+  const byQuery = passed.get(box) ?? new WeakMap();
+  passed.set(box, byQuery);
+  const known = byQuery.get(query);
+  if (known) return known;
+  const found = new Set();
+  query.paths.forEach((path, index) => {
+    if (meets(path, box)) found.add(index);
+  });
+  byQuery.set(query, found);
+  return found;
 }
 
+/** @param {Path} path */
 export const routeKey = (path) => (path.route ?? []).join(' ');
 
+/**
+ * @param {Query} query
+ * @param {Path} path
+ * @param {number} index
+ * @param {Filters} filters
+ * @param {number} rate
+ */
 function fits(query, path, index, filters, rate) {
   const { outcome, route, killer, mostJumps, mostSeconds, boxes } = filters;
   if (outcome && path.outcome !== outcome) return false;
@@ -105,16 +151,22 @@ function fits(query, path, index, filters, rate) {
   return boxes.every((box) => pathsThrough(query, box).has(index) === box.keep);
 }
 
-const outcomes = Object.keys(OUTCOME_STYLE);
+/** @type {Record<Exclude<Sort, 'route'>, (path: Path) => number>} */
 const kRanks = {
   found: () => 0,
   time: (path) => path.ticks,
   jumps: (path) => path.jumps,
-  outcome: (path) => outcomes.indexOf(path.outcome),
+  outcome: (path) => OUTCOMES.indexOf(path.outcome),
   difficulty: bandRank,
 };
 
-// Indices of the paths that pass all filters, sorted; equals keep the stream's order.
+/**
+ * Returns the indices of the paths that pass all filters, sorted. Equal ones keep the stream's
+ * order.
+ * @param {Query} query
+ * @param {State} state
+ * @param {number} rate
+ */
 export function listed(query, state, rate) {
   const order = query.paths
     .map((_, i) => i)
@@ -128,7 +180,8 @@ export function listed(query, state, rate) {
   return order.sort((a, b) => sign * (rank(query.paths[a]) - rank(query.paths[b])) || a - b);
 }
 
+/** @param {State} state */
 export const filtered = (state) =>
-  Object.entries(UNFILTERED).some(([name, value]) =>
-    name === 'boxes' ? state.boxes.length > 0 : state[name] !== value,
+  /** @type {(keyof Filters)[]} */ (Object.keys(UNFILTERED)).some((name) =>
+    name === 'boxes' ? state.boxes.length > 0 : state[name] !== UNFILTERED[name],
   );

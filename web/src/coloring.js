@@ -1,9 +1,22 @@
-// Colours of trajectories by outcome, route, method, time, jumps or difficulty, and what they mean.
+// Colours of trajectories by outcome, route, method, time, jumps or difficulty, with legends.
 import { routeKey } from './choice.js';
-import { BAND_STYLE, OUTCOME_STYLE, pathColor, SOLUTION_COLOR, VERDICT_STYLE } from './palette.js';
+import {
+  BAND_STYLE,
+  BANDS,
+  OUTCOME_STYLE,
+  OUTCOMES,
+  pathColor,
+  SOLUTION_COLOR,
+  VERDICT_STYLE,
+} from './palette.js';
 import { routeNames } from './route_names.js';
+import { tally } from './tally.js';
 import { plural } from './ui/dom.js';
 
+/** @import {Path} from './path.js' */
+/** @import {ColorBy, Coloring, Level, Query} from './types/report.js' */
+
+/** @type {Record<ColorBy, string>} */
 export const COLORINGS = {
   outcome: 'outcome',
   route: 'route',
@@ -13,14 +26,14 @@ export const COLORINGS = {
   difficulty: 'difficulty',
 };
 
-// From little to much: lightness rises throughout, so that the order is seen without hue.
+// A ramp from low to high. Its lightness rises throughout, so that it works without hue.
 const kRamp = [
   [76, 99, 176],
   [33, 145, 140],
   [94, 201, 98],
   [253, 231, 37],
 ];
-// The map "inferno" of matplotlib (CC0), without its near-black beginning.
+// The colour map "inferno" of matplotlib (CC0), without its near-black beginning.
 const kHeat = [
   [66, 10, 104],
   [106, 23, 110],
@@ -32,10 +45,15 @@ const kHeat = [
   [246, 215, 70],
   [252, 255, 164],
 ];
-// Okabe and Ito's palette, made for colour-blind eyes (https://jfly.uni-koeln.de/color/), without its black.
+// The palette of Okabe and Ito for colour-blind readers (https://jfly.uni-koeln.de/color/), without
+// black.
 const kDistinct = ['#e69f00', '#56b4e9', '#009e73', '#f0e442', '#0072b2', '#d55e00', '#cc79a7'];
 const kNone = '#8190a8';
 
+/**
+ * @param {number[][]} ramp
+ * @param {number} share
+ */
 function mixed(ramp, share) {
   const s = Math.min(Math.max(share, 0), 1) * (ramp.length - 1);
   const i = Math.min(ramp.length - 2, Math.floor(s));
@@ -43,28 +61,47 @@ function mixed(ramp, share) {
   return `#${mix.map((v) => v.toString(16).padStart(2, '0')).join('')}`;
 }
 
+/** @param {number} share */
 export const rampColor = (share) => mixed(kRamp, share);
 
-// The heat map's own: it lies on parts of all colours.
+/**
+ * The heat map has its own ramp, since it lies on parts of all colours.
+ * @param {number} share
+ */
 export const heatColor = (share) => mixed(kHeat, share);
 
+/**
+ * @param {Query} query
+ * @returns {Coloring}
+ */
 function byOutcome(query) {
   const outcomes = new Set(query.paths.filter((p) => !p.mismatch).map((p) => p.outcome));
+  /** @type {Coloring['legend']} */
   const legend = [];
   if (outcomes.has('goal')) legend.push(['Solution', SOLUTION_COLOR, 'solution']);
   if (query.paths.some((path) => path.mismatch))
     legend.push([VERDICT_STYLE.mismatch.label, VERDICT_STYLE.mismatch.color, 'solution']);
-  for (const [outcome, { label, color }] of Object.entries(OUTCOME_STYLE))
+  for (const outcome of OUTCOMES) {
+    const { label, color } = OUTCOME_STYLE[outcome];
     if (outcome !== 'goal' && outcomes.has(outcome)) legend.push([label, color, 'attempt']);
+  }
   return { of: pathColor, legend };
 }
 
+/**
+ * @param {Query} query
+ * @param {(path: Path) => number} valueOf
+ * @param {(value: number) => string} label
+ * @returns {Coloring}
+ */
 function byNumber(query, valueOf, label) {
   const values = query.paths.map(valueOf);
   if (!values.length) return { of: () => kNone, legend: [] };
   const least = values.reduce((a, b) => Math.min(a, b), Infinity);
   const most = values.reduce((a, b) => Math.max(a, b), -Infinity);
-  const share = (value) => (most > least ? (value - least) / (most - least) : 0);
+  const share = (/** @type {number} */ value) =>
+    (most > least ? (value - least) / (most - least) : 0);
+  /** @type {Coloring['legend']} */
   const legend = [0, 0.5, 1].map((s) => [
     label(least + s * (most - least)),
     rampColor(most > least ? s : 0),
@@ -76,14 +113,18 @@ function byNumber(query, valueOf, label) {
   };
 }
 
+/**
+ * @param {Query} query
+ * @param {Level | undefined} level
+ * @returns {Coloring}
+ */
 function byRoute(query, level) {
-  const counts = new Map();
-  for (const path of query.paths)
-    if (path.route?.length) counts.set(routeKey(path), (counts.get(routeKey(path)) ?? 0) + 1);
-  const keys = [...counts].sort((a, b) => b[1] - a[1]).map(([key]) => key);
+  const keys = tally(query.paths.map(routeKey).filter(Boolean)).map(([key]) => key);
   const colors = new Map(keys.slice(0, kDistinct.length).map((key, i) => [key, kDistinct[i]]));
+  /** @type {Coloring['legend']} */
   const legend = [...colors].map(([key, color]) => [
-    routeNames(query, level).get(key).text,
+    routeNames(query, level).get(key)?.text ?? key,
+
     color,
     'solution',
   ]);
@@ -92,26 +133,44 @@ function byRoute(query, level) {
   return { of: (path) => colors.get(routeKey(path)) ?? kNone, legend };
 }
 
-// Of answers by several methods to the same query.
+/**
+ * For answers by several methods to one query.
+ * @param {Query} query
+ * @returns {Coloring}
+ */
 function byMethod(query) {
   const names = [...new Set(query.paths.map((path) => path.method))].filter(Boolean).sort();
   const colors = new Map(names.slice(0, kDistinct.length).map((name, i) => [name, kDistinct[i]]));
+  /** @type {Coloring['legend']} */
   const legend = [...colors].map(([name, color]) => [name, color, 'solution']);
   if (query.paths.some((path) => !colors.has(path.method)))
     legend.push(['Other', kNone, 'attempt']);
   return { of: (path) => colors.get(path.method) ?? kNone, legend };
 }
 
+/**
+ * @param {Query} query
+ * @returns {Coloring}
+ */
 function byDifficulty(query) {
   const bands = new Set(query.paths.map((path) => path.difficulty?.band));
-  const legend = Object.entries(BAND_STYLE)
-    .filter(([band]) => bands.has(band))
-    .map(([, { label, color }]) => [label, color, 'solution']);
+  /** @type {Coloring['legend']} */
+  const legend = BANDS.filter((band) => bands.has(band)).map((band) => {
+    const { label, color } = BAND_STYLE[band];
+    return [label, color, 'solution'];
+  });
   if (bands.has(undefined)) legend.push(['Not measured', kNone, 'attempt']);
-  return { of: (path) => BAND_STYLE[path.difficulty?.band]?.color ?? kNone, legend };
+  const of = (/** @type {Path} */ { difficulty }) =>
+    (difficulty && BAND_STYLE[difficulty.band]?.color) ?? kNone;
+  return { of, legend };
 }
 
-// {of: path -> colour, legend: [label, colour, class of the swatch]}
+/**
+ * @param {Query} query
+ * @param {Level | undefined} level
+ * @param {ColorBy} mode
+ * @returns {Coloring}
+ */
 export function coloring(query, level, mode) {
   const rate = level?.tickRate ?? 60;
   if (mode === 'method') return byMethod(query);

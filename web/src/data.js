@@ -1,20 +1,15 @@
-// Reads the report inside the page: base64 blocks become typed arrays, and the record of what happened at a tick
-// becomes a function. docs/viewer.md describes the format.
+// Parses the report inside the page. Base64 blocks become typed arrays, and runs of actions are
+// looked up by tick. docs/page-data.md describes the format.
+import { bytes, floats, longs } from './bytes.js';
+import { Path } from './path.js';
+import { Track } from './tracks.js';
 
-function bytesOf(text) {
-  // Newer browsers can do it themselves, many times as fast.
-  if (Uint8Array.fromBase64) return Uint8Array.fromBase64(text || '');
-  const binary = atob(text || '');
-  const bytes = new Uint8Array(binary.length);
-  for (let i = 0; i < binary.length; i++) bytes[i] = binary.charCodeAt(i);
-  return bytes;
-}
-const floats = (text) => new Float32Array(bytesOf(text).buffer);
-const shorts = (text) => new Int16Array(bytesOf(text).buffer);
-const longs = (text) => new Uint32Array(bytesOf(text).buffer);
-const words = (text) => new Uint16Array(bytesOf(text).buffer);
+/** @import {LevelData, PageData, QueryFacts, ResultData, Role, Shape} from './types/page_data.js' */
+/** @import {Level, Query, Report, Result} from './types/report.js' */
 
+/** @type {Shape[]} */
 export const SHAPES = ['block', 'ball', 'cylinder', 'wedge', 'cornerWedge', 'truss', 'hull'];
+/** @type {Role[]} */
 export const ROLES = [
   'plain',
   'start',
@@ -29,72 +24,11 @@ export const ROLES = [
   'loose',
 ];
 
-// Poses of one moving part, one sample every `stride` ticks. The samples are for ticks 0, stride, ...; from
-// `loopFrom` on they repeat (-1: the last one stays).
-class Track {
-  constructor(raw) {
-    this.part = raw.part;
-    this.stride = raw.stride;
-    this.count = raw.count;
-    this.loopFrom = raw.loopFrom;
-    this.triggered = Boolean(raw.triggered); // ticks count from its start, which a path's motions tell
-    this.position = raw.position ? floats(raw.position) : null;
-    this.rotation = raw.rotation ? shorts(raw.rotation) : null;
-  }
-
-  // The two samples around a tick and the share of the second.
-  at(tick) {
-    const s = Math.max(0, tick / this.stride);
-    let i = Math.floor(s);
-    const share = s - i;
-    const wrap = (k) => {
-      if (k < this.count) return k;
-      if (this.loopFrom < 0) return this.count - 1;
-      return this.loopFrom + ((k - this.loopFrom) % (this.count - this.loopFrom));
-    };
-    const next = wrap(i + 1);
-    i = wrap(i);
-    // A jump back to the first key is a jump, not a slide across the level.
-    return { i, next: this.jumps(i, next) ? i : next, share };
-  }
-
-  jumps(i, next) {
-    if (next >= i || !this.position) return false;
-    const p = this.position;
-    return (
-      Math.hypot(
-        p[3 * i] - p[3 * next],
-        p[3 * i + 1] - p[3 * next + 1],
-        p[3 * i + 2] - p[3 * next + 2],
-      ) > 4
-    );
-  }
-}
-
-// Poses of one loose part at some ticks of a playthrough; even motion between them.
-class LooseTrack {
-  constructor(raw) {
-    this.part = raw.part;
-    this.ticks = longs(raw.ticks);
-    this.position = floats(raw.position);
-    this.rotation = shorts(raw.rotation);
-  }
-
-  // As Track's.
-  at(tick) {
-    const { ticks } = this;
-    let [i, end] = [0, ticks.length - 1];
-    while (end - i > 1) {
-      const middle = (i + end) >> 1;
-      if (ticks[middle] <= tick) i = middle;
-      else end = middle;
-    }
-    const share = (tick - ticks[i]) / (ticks[end] - ticks[i] || 1);
-    return { i, next: end, share: Math.min(1, Math.max(0, share)) };
-  }
-}
-
-// Of this and what follows no base64 is kept where an array stands for it.
+/**
+ * Here and below, base64 texts are dropped once typed arrays replace them.
+ * @param {LevelData} raw
+ * @returns {Level}
+ */
 export function levelOf({ parts, tracks, hulls, ...rest }) {
   return {
     ...rest,
@@ -102,141 +36,53 @@ export function levelOf({ parts, tracks, hulls, ...rest }) {
     position: floats(parts.position),
     rotation: floats(parts.rotation),
     size: floats(parts.size),
-    shape: bytesOf(parts.shape),
-    role: bytesOf(parts.role),
-    look: bytesOf(parts.look),
-    flags: bytesOf(parts.flags),
-    material: bytesOf(parts.material),
+    shape: bytes(parts.shape),
+    role: bytes(parts.role),
+    look: bytes(parts.look),
+    flags: bytes(parts.flags),
+    material: bytes(parts.material),
     materials: parts.materials ?? [''],
     tracks: tracks.map((track) => new Track(track)),
     hulls: hulls.map((hull) => ({ part: hull.part, pieces: hull.pieces.map(floats) })),
   };
 }
 
-// Whether parts of a level do something by the clock.
+/**
+ * Returns true if parts of the level act by the level clock.
+ * @param {Level | undefined} level
+ */
 export const hasMotion = (level) =>
   Boolean(level?.tracks.length || level?.vanish.length || level?.conveyors.length);
 
-// What the player held during a tick; nothing before the first.
-function actionAt(runs, tick) {
-  let end = 0;
-  for (let i = 0; tick >= 0 && i + 2 < runs.length; i += 3) {
-    end += runs[i];
-    if (tick < end)
-      return { walk: (runs[i + 1] & 1) !== 0, jump: (runs[i + 1] & 2) !== 0, heading: runs[i + 2] };
-  }
-  return { walk: false, jump: false, heading: 0 };
-}
-
-const looseTracks = (raw) => (raw ?? []).map((track) => new LooseTrack(track));
-
-export class Path {
-  constructor({ position, yaw, state, runs, loose, ...rest }, query) {
-    Object.assign(this, rest);
-    this.query = query;
-    this.points = floats(position);
-    this.samples = this.points.length / 3;
-    this.unread = { yaw, state, runs, loose };
-    this.known = {};
-  }
-
-  get yaw() {
-    return this.read('yaw', words);
-  }
-
-  get state() {
-    return this.read('state', bytesOf);
-  }
-
-  get runs() {
-    return this.read('runs', words);
-  }
-
-  get loose() {
-    return this.read('loose', looseTracks);
-  }
-
-  // Lines want the points of all ways; the rest is read when it is first asked for, for of a thousand ways a reader looks at
-  // few.
-  read(name, as) {
-    const { known, unread } = this;
-    if (!known[name]) {
-      known[name] = as(unread[name]);
-      unread[name] = null;
-    }
-    return known[name];
-  }
-
-  // Tick of a sample: every `stride`-th, and the last whatever its distance from the one before.
-  tickOf(sample) {
-    return Math.min(sample * this.stride, this.ticks);
-  }
-
-  // The two samples around a tick, and the share of the second.
-  at(tick) {
-    const last = this.samples - 1;
-    const now = Math.min(Math.max(0, tick), this.ticks);
-    const i = now < this.ticks ? Math.floor(now / this.stride) : last;
-    const j = Math.min(i + 1, last);
-    const gap = this.tickOf(j) - this.tickOf(i) || 1;
-    return { i, j, share: (now - this.tickOf(i)) / gap };
-  }
-
-  // Studs a tick, by axis, on the way to a sample; none at the start.
-  speedBefore(sample) {
-    const from = Math.max(0, sample - 1);
-    const gap = this.tickOf(sample) - this.tickOf(from) || 1;
-    const p = this.points;
-    return [0, 1, 2].map((k) => (p[3 * sample + k] - p[3 * from + k]) / gap);
-  }
-
-  // The pose at a tick, between samples where playback is.
-  poseAt(tick) {
-    const { i, j, share } = this.at(tick);
-    const p = this.points;
-    const mix = (k) => p[3 * i + k] + (p[3 * j + k] - p[3 * i + k]) * share;
-    let turn = this.yaw[j] - this.yaw[i];
-    if (turn > 32768) turn -= 65536;
-    if (turn < -32768) turn += 65536;
-    const yaw = ((this.yaw[i] + turn * share) / 65536) * 2 * Math.PI;
-    const speed = this.speedBefore(share > 1e-6 ? j : i);
-    return { x: mix(0), y: mix(1), z: mix(2), yaw, state: this.state[i], perTick: speed };
-  }
-
-  // What was held in the tick that ends at `tick`, or in which it lies; nothing at the start.
-  actionBefore(tick) {
-    return actionAt(this.runs, Math.ceil(tick - 1e-6) - 1);
-  }
-
-  // Studs walked so far, on the level; sums once.
-  travelled(tick) {
-    if (!this.sums) {
-      this.sums = new Float32Array(this.samples);
-      for (let i = 1; i < this.samples; i++) {
-        const p = this.points;
-        this.sums[i] =
-          this.sums[i - 1] + Math.hypot(p[3 * i] - p[3 * i - 3], p[3 * i + 2] - p[3 * i - 1]);
-      }
-    }
-    const { i, j, share } = this.at(tick);
-    return this.sums[i] + (this.sums[j] - this.sums[i]) * share;
-  }
-
-  end() {
-    const k = 3 * (this.samples - 1);
-    return [this.points[k], this.points[k + 1], this.points[k + 2]];
-  }
-}
-
+/**
+ * @param {ResultData | null} raw
+ * @returns {Result | null}
+ */
 function resultOf(raw) {
-  if (!raw?.heatMap) return raw;
-  const { size, feet, counts } = raw.heatMap;
-  return { ...raw, heatMap: { size, feet: floats(feet), counts: longs(counts) } };
+  if (!raw) return null;
+  const { heatMap, ...facts } = raw;
+  if (!heatMap) return facts;
+  const { size, feet, counts } = heatMap;
+  return { ...facts, heatMap: { size, feet: floats(feet), counts: longs(counts) } };
 }
 
-// A query but for its trajectories.
-export const queryOf = (facts, index) => ({ ...facts, index, result: resultOf(facts.result) });
+/**
+ * A query without its trajectories.
+ * @param {QueryFacts} facts
+ * @param {number} index
+ * @returns {Query}
+ */
+export const queryOf = (facts, index) => ({
+  ...facts,
+  index,
+  result: resultOf(facts.result),
+  paths: [],
+});
 
+/**
+ * @param {PageData} raw
+ * @returns {Report}
+ */
 export function readReport(raw) {
   const levels = raw.levels.map(levelOf);
   const queries = raw.queries.map(({ trajectories, ...facts }, index) => {
@@ -244,5 +90,5 @@ export function readReport(raw) {
     own.paths = trajectories.map((path) => new Path(path, own));
     return own;
   });
-  return { ...raw, levels, queries };
+  return { title: raw.title, notes: raw.notes, levels, queries };
 }

@@ -1,18 +1,34 @@
 // Keeps query, trajectory, time and camera in the page's address after `#`, so that a link opens the same view.
 
-// Ids may repeat from level to level: `n` tells which of those of one id, from 0, and is left out for the first.
+/** @import {App} from './app.js' */
+/** @import {Camera, Report, State} from './types/report.js' */
+
+/**
+ * Ids may repeat between levels. `n` is the index among equal ids, and is omitted for the first.
+ * @param {Report} report
+ * @param {string | null} id
+ * @param {string | null} n
+ */
 function queryAt(report, id, n) {
   const same = report.queries.flatMap((query, i) => (query.id === id ? [i] : []));
   return same[Number(n ?? 0)] ?? same[0] ?? -1;
 }
 
-// What a reader wants to see first: the first query that has an answer.
+/**
+ * The initial query is the first one with an answer.
+ * @param {Report} report
+ */
 const firstAnswered = ({ queries }) => Math.max(0, queries.findIndex(({ result }) => result));
 
-// `hash`: of an address, with its `#`; `shown`: the query that is shown where it names none.
+/**
+ * `hash`: an address's fragment with its `#`; `shown`: the query to show if it names none.
+ * @param {Report} report
+ * @param {string} hash
+ */
 export function readFragment(report, hash, shown = firstAnswered(report)) {
   const values = new URLSearchParams(hash.slice(1));
   const query = queryAt(report, values.get('q'), values.get('n'));
+  /** @type {{query: number, path?: number, time?: number, camera?: Camera}} */
   const found = { query: query >= 0 ? query : shown };
   const paths = report.queries[found.query]?.paths ?? [];
   const path = values.has('traj') ? Number(values.get('traj')) : NaN;
@@ -21,19 +37,28 @@ export function readFragment(report, hash, shown = firstAnswered(report)) {
   const time = values.has('t') ? Number(values.get('t')) : NaN;
   if (Number.isFinite(time) && time >= 0) found.time = time;
   const camera = (values.get('cam') ?? '').split(',').map(Number);
-  if (camera.length === 6 && camera.every(Number.isFinite)) found.camera = camera;
+  if (camera.length === 6 && camera.every(Number.isFinite))
+    found.camera = /** @type {Camera} */ (/** @type {unknown} */ (camera));
   return found;
 }
 
-// The tick that a time of an address means: there it is in milliseconds, rounded, and what a tick shows must not be what the
-// one before shows.
+/**
+ * Returns the tick of an address's time. Times are rounded to milliseconds, so they are snapped to
+ * whole ticks and never show the tick before.
+ * @param {number} time
+ * @param {number} rate
+ */
 export function tickAt(time, rate) {
   const tick = time * rate;
   const whole = Math.round(tick);
   return Math.abs(tick - whole) <= 0.0005 * rate + 1e-6 ? whole : tick;
 }
 
-// A link that is followed, or pasted, while the page is open, only changes what is behind `#`: it is shown, too.
+/**
+ * Following or pasting a link in the open page changes only the fragment, so it must be applied,
+ * too.
+ * @param {App} app
+ */
 export function followAddress(app) {
   window.addEventListener('hashchange', ({ newURL }) => {
     const { store, playback, stage } = app;
@@ -44,10 +69,16 @@ export function followAddress(app) {
     store.set({ tick: Math.min(tickAt(found.time ?? 0, playback.rateOf()), app.length()) });
     if (!found.camera) return;
     stage.rig.restore(found.camera);
-    app.moved = true; // the reader has chosen where to look from
+    app.moved = true; // the user has chosen a view
   });
 }
 
+/**
+ * @param {Report} report
+ * @param {State} state
+ * @param {number} tickRate
+ * @param {Camera} camera
+ */
 export function writeFragment(report, state, tickRate, camera) {
   const values = new URLSearchParams();
   const query = report.queries[state.query];

@@ -1,23 +1,43 @@
-// The page of obby-view --live: starts the app when the first level is there, and takes in what comes after, so that
-// selection, filters, camera and playback stay as they are.
+// The page of obby-view --live. It starts the app with the first level and merges later changes.
+// Selection, filters, camera and playback stay.
 import { LiveFeed } from './live_feed.js';
 import { LiveReport } from './live_report.js';
 import { keepingPlace } from './ui/dom.js';
 import { LiveMark } from './ui/live_mark.js';
 
-// A search that runs tells its numbers often; what is drawn need not be made anew for those.
+/** @import {App} from './app.js' */
+/** @import {Path} from './path.js' */
+/** @import {LivePiece} from './types/page_data.js' */
+/** @import {Query, Report} from './types/report.js' */
+
+/**
+ * A running search updates its numbers often, which need no new drawing.
+ * @param {Query | undefined} before
+ * @param {Query | undefined} now
+ */
 function onlyNumbers(before, now) {
-  if (before?.paths.length !== now.paths.length || before.result || now.result) return false;
-  const rest = ({ paths, progress, running, ...facts }) => JSON.stringify(facts);
+  if (!before || !now || before.paths.length !== now.paths.length) return false;
+  if (before.result || now.result) return false;
+  const rest = (/** @type {Query} */ { paths, progress, running, ...facts }) =>
+    JSON.stringify(facts);
   return rest(before) === rest(now) && before.paths.every((path, i) => path === now.paths[i]);
 }
 
 export class Live {
-  // `begin`: report -> app. `fail`: says why there is nothing to see.
+  /**
+   * `begin`: report -> app. `fail`: reports why there is nothing to show.
+   * @param {HTMLElement} side
+   * @param {(report: Report) => App} begin
+   * @param {(error: unknown) => void} fail
+   */
   constructor(side, begin, fail) {
-    Object.assign(this, { side, begin });
+    this.side = side;
+    this.begin = begin;
+    /** @type {App | undefined} */
+    this.app = undefined;
     this.live = new LiveReport();
-    this.connected = undefined; // it is not known yet
+    /** @type {boolean | undefined} */
+    this.connected = undefined; // unknown
     this.mark = new LiveMark();
     side.append(this.mark.root);
     this.feed = new LiveFeed({
@@ -30,7 +50,10 @@ export class Live {
     this.feed.open();
   }
 
-  // Where the stream has ended, a server that goes takes nothing along.
+  /**
+   * After the stream has ended, a lost server does not matter.
+   * @param {boolean} connected
+   */
   tell(connected) {
     this.connected = connected;
     if (!connected && this.live.state !== 'live') this.feed.close();
@@ -41,6 +64,7 @@ export class Live {
     this.mark.show(this.live.state, this.connected, this.live.report, Boolean(this.app));
   }
 
+  /** @param {LivePiece} raw */
   take(raw) {
     const { app, live } = this;
     const chosen = app?.path();
@@ -48,9 +72,9 @@ export class Live {
     const before = app?.query();
     const changed = live.take(raw, [chosen, ghost]);
     if (app) {
-      this.refresh(changed, before, chosen, ghost);
+      this.refresh(app, changed, before, [chosen, ghost]);
       if (!before && app.query() && !app.moved) app.stage.frameQuery(true);
-      this.followNewest(changed.fresh);
+      this.followNewest(app, changed.fresh);
     } else if (live.report.levels.length) {
       this.app = this.begin(live.report);
       this.app.live = this;
@@ -60,24 +84,33 @@ export class Live {
     this.show();
   }
 
-  refresh({ levels, queries }, before, chosen, ghost) {
-    const { app } = this;
+  /**
+   * @param {App} app
+   * @param {ReturnType<LiveReport['take']>} changed
+   * @param {Query | undefined} before
+   * @param {[Path | undefined, Path | undefined]} shown
+   */
+  refresh(app, { levels, queries }, before, shown) {
     const { state } = app.store;
     const news = queries.has(state.query) && !onlyNumbers(before, app.query());
     if (news || levels.has(app.query()?.level ?? 0))
-      keepingPlace(app.list.rows, () => this.refreshQuery(chosen, ghost));
+      keepingPlace(app.list.rows, () => this.refreshQuery(app, shown));
     app.sidebar.refresh();
     app.dirty = true;
   }
 
-  refreshQuery(chosen, ghost) {
-    const { app } = this;
+  /**
+   * @param {App} app
+   * @param {[Path | undefined, Path | undefined]} shown
+   */
+  refreshQuery(app, [chosen, ghost]) {
     const { store, stage } = app;
-    if (stage.level !== app.level()) app.glowing = -1; // of the parts that are taken away
+    if (stage.level !== app.level()) app.glowing = -1; // it refers to a part of the removed level
     app.openQuery();
-    // The same ways may stand elsewhere; one may have come again, thinner.
-    const indexOf = (path) =>
-      path ? app.query().paths.findIndex(({ serial }) => serial === path.serial) : -1;
+    // Indices may have changed, and a trajectory may have come again with fewer samples.
+    const paths = app.query()?.paths ?? [];
+    const indexOf = (/** @type {Path | undefined} */ path) =>
+      path ? paths.findIndex(({ serial }) => serial === path.serial) : -1;
     store.set({ path: indexOf(chosen), ghost: indexOf(ghost), hoverPath: -1 });
     app.filters.refresh();
     app.ways.choose();
@@ -89,8 +122,11 @@ export class Live {
     app.timeline.showTime();
   }
 
-  followNewest(fresh) {
-    const { app } = this;
+  /**
+   * @param {App} app
+   * @param {Path[]} fresh
+   */
+  followNewest(app, fresh) {
     const paths = app.query()?.paths ?? [];
     const newest = fresh.filter((path) => path.kind === 'solution' && paths.includes(path)).pop();
     if (!app.store.state.followNewest || !newest) return;

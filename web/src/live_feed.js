@@ -1,20 +1,40 @@
-// The connection to obby-view --live: events say that there is something new, and then it is fetched.
+// The connection to obby-view --live. Events announce new revisions, which are then fetched.
 
-const kAgain = 1000; // ms until a lost connection is tried again
-const kIdle = 2; // so many times as long as a piece took to show, the page is left to its reader
+/** @import {LivePiece} from './types/page_data.js' */
 
+const kAgain = 1000; // ms until a lost connection is retried
+const kIdle = 2; // pauses for so many times a piece's processing time, so that the page stays
+                 // responsive
+
+/** @param {number} ms */
 const pause = (ms) => new Promise((done) => setTimeout(done, ms));
 
 export class LiveFeed {
-  // `revisionOf`: that the page has; `take`: takes an answer of /data; `tell`: whether there is a connection; `fail`: told
-  // the error where `take` cannot go on.
+  /**
+   * `revisionOf`: returns the page's revision; `take`: processes an answer of /data; `tell`:
+   * reports whether the connection is up; `fail`: gets the error if `take` throws.
+   * @param {object} page
+   * @param {() => number} page.revisionOf revision that the page has
+   * @param {(raw: LivePiece) => void} page.take takes an answer of /data
+   * @param {(connected: boolean) => void} page.tell
+   * @param {(error: unknown) => void} page.fail told the error where `take` cannot go on
+   */
   constructor({ revisionOf, take, tell, fail }) {
-    Object.assign(this, { revisionOf, take, tell, fail });
+    this.revisionOf = revisionOf;
+    this.take = take;
+    this.tell = tell;
+    this.fail = fail;
     this.token = new URLSearchParams(location.search).get('token') ?? '';
-    this.newest = 0; // revision that the server has
+    this.newest = 0; // the server's revision
     this.closed = false;
+    this.busy = false;
+    /** @type {EventSource | undefined} */
+    this.events = undefined;
+    /** @type {number | undefined} */
+    this.again = undefined; // timer of the next try
   }
 
+  /** @param {string} path */
   address(path, more = '') {
     return `${path}?token=${encodeURIComponent(this.token)}${more}`;
   }
@@ -22,45 +42,50 @@ export class LiveFeed {
   open() {
     this.events = new EventSource(this.address('events'));
     this.events.onopen = () => this.tell(true);
-    this.events.onmessage = ({ data }) => {
-      this.newest = JSON.parse(data).revision;
+    this.events.onmessage = (/** @type {MessageEvent<string>} */ { data }) => {
+      /** @type {{revision: number}} */
+      const { revision } = JSON.parse(data);
+      this.newest = revision;
       this.fetchNews();
     };
     this.events.onerror = () => this.lost();
   }
 
-  // The browser tries again by itself, unless it was refused.
+  // The browser reconnects by itself unless it was refused.
   lost() {
     if (this.closed) return;
     this.tell(false);
-    if (this.closed || this.events.readyState !== EventSource.CLOSED) return;
+    if (this.closed || this.events?.readyState !== EventSource.CLOSED) return;
     clearTimeout(this.again);
-    this.again = setTimeout(() => this.closed || this.open(), kAgain);
+    this.again = setTimeout(() => {
+      if (!this.closed) this.open();
+    }, kAgain);
   }
 
-  // Nothing more will come: the browser need not try again.
+  // Closes the connection after the last data, so that the browser does not reconnect.
   close() {
     this.closed = true;
-    this.events.close();
+    this.events?.close();
   }
 
   async fetchNews() {
     if (this.busy) return;
     this.busy = true;
     while (this.newest > this.revisionOf() && !this.closed) {
+      /** @type {LivePiece | null} */
       let raw = null;
       try {
         const answer = await fetch(this.address('data', `&from=${this.revisionOf()}`));
         if (answer.ok) raw = await answer.json();
       } catch {
-        // Told of below.
+        // Handled below.
       }
       if (!raw) {
         this.lost();
         await pause(kAgain);
         continue;
       }
-      this.tell(true); // a fetch alone may have failed, while the events went on
+      this.tell(true); // only a fetch may have failed while the events went on
       const begun = performance.now();
       this.show(raw);
       await pause(kIdle * (performance.now() - begun));
@@ -68,7 +93,10 @@ export class LiveFeed {
     this.busy = false;
   }
 
-  // What cannot be shown once cannot be shown again: nobody is to wait for more.
+  /**
+   * Data that cannot be shown will fail again, so the connection is closed.
+   * @param {LivePiece} raw
+   */
   show(raw) {
     try {
       this.take(raw);

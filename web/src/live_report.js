@@ -1,9 +1,19 @@
-// A report that comes in pieces: what the server says is new is put in its place, and what is there keeps its identity.
-import { levelOf, Path, queryOf } from './data.js';
+// A report that arrives in pieces. New data replaces the old, and unchanged objects keep their
+// identity.
+import { levelOf, queryOf } from './data.js';
+import { Path } from './path.js';
 
-const kFormat = 3; // of the data, as of a page in a file
+/** @import {LivePiece, LiveQuery, StreamState} from './types/page_data.js' */
+/** @import {Report} from './types/report.js' */
 
-// Whether one of the ranges, [first, last] and ascending, holds the number. There may be one for each attempt.
+const kFormat = 3; // data format, as in a page file
+
+/**
+ * Returns true if one of the ranges [first, last], ascending, contains the number. There may be one
+ * for each attempt.
+ * @param {[number, number][]} ranges
+ * @param {number} number
+ */
 function isIn(ranges, number) {
   let [low, high] = [0, ranges.length];
   while (low < high) {
@@ -16,17 +26,25 @@ function isIn(ranges, number) {
 
 export class LiveReport {
   constructor() {
+    /** @type {Report} */
     this.report = { title: '', notes: [], levels: [], queries: [] };
     this.revision = 0; // of the last piece
+    /** @type {StreamState} */
     this.state = 'live';
   }
 
-  // `raw`: an answer of /data. `kept`: trajectories that stay even if the stream has replaced them, for somebody looks at
-  // them. Gives {levels, queries}: the indices of those that changed, and `fresh`: the trajectories that are new.
+  /**
+   * `raw`: an answer of /data. `kept`: trajectories in view, which stay even if the stream has
+   * replaced them. Returns {levels, queries}, the indices of the changed ones, and `fresh`, the new
+   * trajectories.
+   * @param {LivePiece} raw
+   * @param {(Path | undefined)[]} kept
+   */
   take(raw, kept = []) {
     if (raw.format !== kFormat)
       throw new Error(`its data has format ${raw.format}, expected ${kFormat}; reload the page`);
     const { report } = this;
+    /** @type {{levels: Set<number>, queries: Set<number>, fresh: Path[]}} */
     const changed = { levels: new Set(), queries: new Set(), fresh: [] };
     const was = this.state;
     this.revision = raw.revision;
@@ -47,21 +65,27 @@ export class LiveReport {
     return changed;
   }
 
-  // New trajectories are put behind those in `fresh`.
+  /**
+   * Appends new trajectories to `fresh`.
+   * @param {LiveQuery} piece
+   * @param {(Path | undefined)[]} kept
+   * @param {Path[]} fresh
+   */
   takeQuery({ index, facts, serials, trajectories }, kept, fresh) {
     const { queries } = this.report;
-    // A new object: what was worked out of the old one does not hold any more.
+    // A new object, so that values cached by the old one are dropped.
     const own = queryOf(facts, index);
-    const bySerial = new Map((queries[index]?.paths ?? []).map((path) => [path.serial, path]));
+    const before = queries[index]?.paths ?? [];
+    const bySerial = new Map(before.map((path) => [path.serial ?? -1, path]));
     for (const { serial, data } of trajectories) {
       const path = new Path(data, own);
       path.serial = serial;
       if (!bySerial.has(serial)) fresh.push(path);
       bySerial.set(serial, path);
     }
-    own.paths = [...bySerial.values()].filter(
-      (path) => isIn(serials, path.serial) || kept.includes(path),
-    );
+    own.paths = [...bySerial]
+      .filter(([serial, path]) => isIn(serials, serial) || kept.includes(path))
+      .map(([, path]) => path);
     for (const path of own.paths) path.query = own;
     queries[index] = own;
   }

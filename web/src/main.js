@@ -1,296 +1,35 @@
-// Starts the page: reads the report, wires the state to the stage and the panels, and runs the frame loop.
-import { Vector3 } from 'three';
-import { hasMotion, readReport } from './data.js';
-import { followAddress, readFragment, tickAt, writeFragment } from './fragment.js';
-import { Playback } from './playback.js';
+// Starts the page: reads the report and shows it, or says why it cannot.
+import { App } from './app.js';
+import { readReport } from './data.js';
 import { Live } from './live.js';
-import { OUTCOME_STYLE } from './palette.js';
-import { Pointer } from './pointer.js';
-import { Stage } from './scene/stage.js';
-import { bindKeys } from './shortcuts.js';
-import { INITIAL, Store } from './store.js';
-import { bindTheme, nextTheme } from './theme.js';
-import { Comparison } from './ui/comparison.js';
+import { byId } from './page.js';
 import { el } from './ui/dom.js';
-import { FilterPanel } from './ui/filter_panel.js';
-import { Help } from './ui/help.js';
-import { Hud } from './ui/hud.js';
-import { Labels } from './ui/labels.js';
-import { PathList } from './ui/path_list.js';
-import { ScenePanel } from './ui/scene_panel.js';
-import { Sidebar } from './ui/sidebar.js';
-import { Timeline } from './ui/timeline.js';
-import { Ways } from './ways.js';
 
-const byId = (id) => document.getElementById(id);
+/** @import {LiveData, PageData} from './types/page_data.js' */
+/** @import {Report} from './types/report.js' */
 
-class App {
-  constructor(report) {
-    this.report = report;
-    this.store = new Store(INITIAL);
-    this.playback = new Playback(
-      this.store,
-      () => this.length(),
-      () => this.level()?.tickRate ?? 60,
-    );
-    bindTheme(this.store);
-    this.stage = new Stage(byId('view'));
-    this.labels = new Labels(byId('labels'));
-    this.pointer = new Pointer(this, byId('view'), byId('tip'));
-    this.ways = new Ways(this);
-    this.dirty = true;
-    const found = readFragment(report, location.hash);
-    this.store.state.query = found.query;
-    this.openQuery();
-    this.store.state.path = found.path ?? this.firstPath();
-    if (found.time !== undefined)
-      this.store.state.tick = Math.min(
-        tickAt(found.time, this.playback.rateOf()),
-        this.length(),
-      );
-    // Before the panels, which show the colours.
-    this.store.on(['colorBy'], () => this.ways.color());
-    this.panels();
-    this.bind();
-    this.filters.fill();
-    this.ways.choose();
-    this.showSelection();
-    this.applyToggles();
-    this.stage.resize();
-    this.stage.frameQuery(true);
-    if (found.camera) this.stage.rig.restore(found.camera);
-    this.moved = Boolean(found.camera); // the reader has chosen where to look from
-    this.lastFrame = performance.now();
-    requestAnimationFrame((now) => this.frame(now));
-  }
-
-  query() {
-    return this.report.queries[this.store.state.query];
-  }
-
-  level() {
-    return this.report.levels[this.query()?.level ?? 0];
-  }
-
-  path() {
-    return this.query()?.paths[this.store.state.path];
-  }
-
-  // The one that the chosen is compared with.
-  ghost() {
-    const { path, ghost } = this.store.state;
-    return path >= 0 && ghost !== path ? this.query()?.paths[ghost] : undefined;
-  }
-
-  // 0 where nothing can be played.
-  length() {
-    const path = this.path();
-    if (!this.query()?.paths.length && !hasMotion(this.level())) return 0;
-    if (path) return Math.max(path.ticks, this.ghost()?.ticks ?? 0);
-    // One by one: of a list of all ways there may be more than a call takes arguments.
-    const least = Math.max(1, 10 * (this.level()?.tickRate ?? 60));
-    return (this.query()?.paths ?? []).reduce((most, { ticks }) => Math.max(most, ticks), least);
-  }
-
-  // What a reader wants to see first: a solution, or else the attempt that came closest.
-  firstPath() {
-    const paths = this.query()?.paths ?? [];
-    const solution = paths.findIndex((path) => path.kind === 'solution');
-    return solution >= 0 ? solution : paths.findIndex((path) => path.kind === 'closest');
-  }
-
-  panels() {
-    const source = () => ({ query: this.query(), level: this.level() });
-    const tint = (path) => this.ways.coloring.of(path);
-    this.list = new PathList(this.store, source, tint);
-    this.filters = new FilterPanel(this.store, source, () => this.ways.addBox());
-    const lists = [this.filters.root, this.list.root];
-    this.sidebar = new Sidebar(byId('side'), this.report, this.store, lists);
-    this.comparison = new Comparison(
-      byId('comparison'),
-      this.store,
-      () => (this.ghost() ? [this.path(), this.ghost()] : null),
-      source,
-      tint,
-    );
-    this.timeline = new Timeline(byId('timeline'), this.store, this.playback, () => this.path());
-    this.scenePanel = new ScenePanel(byId('scene-panel'), this.store, {
-      queryOf: () => this.query(),
-      levelOf: () => this.level(),
-      coloringOf: () => this.ways.coloring,
-    });
-    this.hud = new Hud(byId('hud'));
-    this.help = new Help(byId('help'));
-    this.timeline.addButton('◐', 'Switch between light and dark (Y)', () => nextTheme(this.store));
-    this.timeline.addButton('?', 'Shortcuts (?)', () => this.help.toggle());
-  }
-
-  openQuery() {
-    const level = this.level();
-    if (level && this.stage.level !== level)
-      this.stage.setLevel(level, this.store.state.colors);
-    this.ways.color();
-    if (this.query()) {
-      this.stage.setQuery(this.query());
-    }
-  }
-
-  bind() {
-    const { store } = this;
-    this.ways.bind();
-    store.on(['query'], () => {
-      this.openQuery();
-      const none = { part: -1, hoverPath: -1, ghost: -1, route: '', killer: -1, drawing: false };
-      store.set({ path: this.firstPath(), tick: 0, playing: false, ...none });
-      this.filters.fill();
-      this.ways.choose();
-      this.showSelection();
-      this.applyToggles();
-      this.stage.frameQuery(false);
-    });
-    store.on(['path'], () => this.showSelection());
-    store.on(['hoverPath'], (state) =>
-      this.stage.pathView?.hover(this.query()?.paths[state.hoverPath]),
-    );
-    store.on(
-      ['solutions', 'attempts', 'markers', 'runners', 'regions', 'grid', 'motionPaths', 'path'],
-      () => this.applyToggles(),
-    );
-    store.on(['colors'], (state) => this.stage.levelView?.setColors(state.colors));
-    store.on(['part'], () => this.showPart());
-    store.on(Object.keys(INITIAL), () => {
-      this.dirty = true;
-    });
-    // The browser took the GPU away for a while: all of the picture is gone, shadows too.
-    byId('view').addEventListener('webglcontextrestored', () => {
-      this.stage.cast = null;
-      this.dirty = true;
-    });
-    bindKeys(this);
-    followAddress(this);
-    this.stage.rig.onUserMove = () => {
-      this.moved = true;
-      store.set({ follow: false });
-    };
-  }
-
-  showSelection() {
-    const path = this.path();
-    this.stage.pathView?.select(path);
-    this.stage.marks.set(path);
-    if (this.store.state.tick > this.length()) this.store.set({ tick: this.length() });
-    document.title = path
-      ? `${this.report.title}: ${OUTCOME_STYLE[path.outcome].label}`
-      : this.report.title;
-    this.dirty = true;
-  }
-
-  showPart() {
-    const { part } = this.store.state;
-    const view = this.stage.levelView; // none where the stream holds no level
-    if (this.glowing >= 0) view?.glow(this.glowing, false);
-    this.glowing = part;
-    view?.glow(part, true);
-  }
-
-  applyToggles() {
-    const state = this.store.state;
-    this.stage.pathView?.show(state, state.path >= 0);
-    // Where no way could pass them there is no filter that takes them away.
-    this.stage.filterBoxes.group.visible = Boolean(this.query()?.paths.length);
-    if (this.stage.markers) {
-      this.stage.markers.ends.visible = state.markers && state.attempts;
-      this.stage.markers.runners.visible = state.runners;
-    }
-    if (this.stage.regionView) this.stage.regionView.group.visible = state.regions;
-    if (this.stage.grid) this.stage.grid.visible = state.grid;
-    if (this.stage.motionPaths) this.stage.motionPaths.visible = state.motionPaths;
-    this.dirty = true;
-  }
-
-  focusSelection() {
-    const { part, tick } = this.store.state;
-    if (part >= 0) this.stage.rig.frame(this.stage.levelView.centreOf(part), 14);
-    else if (this.path()) {
-      const { x, y, z } = this.path().poseAt(tick);
-      this.stage.rig.frame(new Vector3(x, y + 2.5, z), 14);
-    } else this.stage.frameQuery(false);
-  }
-
-  frame(now) {
-    if (!this.stage.canvas.isConnected) return; // the page says why it shows nothing
-    const passed = Math.min((now - this.lastFrame) / 1000, 0.25);
-    this.lastFrame = now;
-    this.playback.advance(passed);
-    this.pointer.hover(now);
-    const { state } = this.store;
-    const tick = Math.min(state.tick, this.length());
-    const path = this.path();
-    if (state.follow && path) {
-      const { x, y, z } = path.poseAt(tick);
-      this.stage.rig.follow(new Vector3(x, y + 2.5, z));
-    }
-    this.stage.resize();
-    const before = this.view();
-    this.stage.rig.update(passed, this.shift);
-    if (this.dirty || before !== this.view()) this.draw(tick, path);
-    requestAnimationFrame((next) => this.frame(next));
-  }
-
-  view() {
-    const { position, quaternion, aspect } = this.stage.rig.camera;
-    return [...position.toArray(), ...quaternion.toArray(), aspect]
-      .map((value) => value.toFixed(4))
-      .join();
-  }
-
-  // A query whose level is not there: what the one before it showed must not pass for its own.
-  blank() {
-    this.stage.blank();
-    this.labels.hide();
-    this.hud.hide();
-  }
-
-  draw(tick, path) {
-    this.dirty = false;
-    if (!this.level()) {
-      this.blank();
-      return;
-    }
-    this.stage.showTick(path, tick, this.ghost());
-    this.comparison.update(tick);
-    this.stage.render();
-    this.firstDrawn ??= performance.now(); // ms since the page was asked for
-    this.labels.update(
-      this.stage.rig.camera,
-      this.stage.width,
-      this.stage.height,
-      this.store.state.labels && this.store.state.regions,
-    );
-    this.hud.show(path, tick, this.playback.rateOf(), this.stage.rig.now.yaw);
-    clearTimeout(this.saving);
-    this.saving = setTimeout(
-      () =>
-        writeFragment(this.report, this.store.state, this.playback.rateOf(), this.stage.rig.save()),
-      300,
-    );
-  }
-}
-
-// In place of everything: half of a report would mislead.
+/**
+ * Replaces the whole page, because half of a report would mislead.
+ * @param {unknown} error
+ */
 function fail(error) {
+  const reason = error instanceof Error ? error.message : String(error);
   document.body.replaceChildren(
-    el('p', { class: 'fatal', text: `This report cannot be shown: ${error.message}` }),
+    el('p', { class: 'fatal', text: `This report cannot be shown: ${reason}` }),
   );
-  reportError(error); // to the console
+  reportError(error); // also logs to the console
 }
 
 function start() {
   try {
-    // For tests and for people at the console.
-    const begin = (report) => (window.obby = new App(report));
+    const begin = (/** @type {Report} */ report) => {
+      const app = new App(report);
+      window.obby = app; // for tests and debugging
+      return app;
+    };
+    /** @type {PageData | LiveData} */
     const raw = JSON.parse(byId('obby-data').textContent);
-    if (raw.live) new Live(byId('side'), begin, fail);
+    if ('live' in raw) new Live(byId('side'), begin, fail);
     else begin(readReport(raw));
   } catch (error) {
     fail(error);

@@ -1,7 +1,13 @@
-// What every colour of the page means. The accents keep apart for colour-blind eyes by lightness as well as hue, and
-// roles have a pattern of their own on top (scene/part_material.js).
+// The meaning of the page's colours. Accents differ in lightness as well as hue, for colour-blind
+// readers, and some roles also have a pattern (scene/part_material.js).
 import { fullName } from './part_name.js';
 
+/** @import {Path} from './path.js' */
+/** @import {Band, Outcome, Role, Verdict} from './types/page_data.js' */
+/** @import {Level, Query, Result} from './types/report.js' */
+/** @import {Glyph} from './scene/markers.js' */
+
+/** @type {Record<Role, {label: string, color: string}>} */
 export const ROLE_STYLE = {
   plain: { label: 'Part', color: '#77808f' },
   start: { label: 'Start', color: '#35c48d' },
@@ -16,6 +22,7 @@ export const ROLE_STYLE = {
   loose: { label: 'Dynamic', color: '#b98f6f' },
 };
 
+/** @type {Record<Outcome, {label: string, short: string, color: string, glyph: Glyph}>} */
 export const OUTCOME_STYLE = {
   goal: { label: 'Reached the goal', short: 'Goal', color: '#7fe3b5', glyph: 'ring' },
   killed: { label: 'Killed', short: 'Killed', color: '#f0484e', glyph: 'cross' },
@@ -28,6 +35,14 @@ export const OUTCOME_STYLE = {
   running: { label: 'Unfinished', short: 'Unfinished', color: '#8190a8', glyph: 'dot' },
 };
 
+export const OUTCOMES = /** @type {Outcome[]} */ (Object.keys(OUTCOME_STYLE));
+
+/**
+ * The verdict that a query shows, or its state without one.
+ * @typedef {Verdict | 'doubtful' | 'mismatch' | 'running' | 'waiting' | 'none'} ShownVerdict
+ */
+
+/** @type {Record<ShownVerdict, {label: string, short?: string, color: string, mark: string}>} */
 export const VERDICT_STYLE = {
   solved: { label: 'Solved', color: '#5fd6a2', mark: '✓' },
   doubtful: { label: 'Solved, in doubt', color: '#c9d66a', mark: '✓' },
@@ -39,38 +54,53 @@ export const VERDICT_STYLE = {
   none: { label: 'Not asked in this run', short: 'Not asked', color: '#8190a8', mark: '–' },
 };
 
-// How hard a step is, in the order of the stream's bands.
+/**
+ * The difficulty of a step, in the order of the schema's bands.
+ * @type {Record<Band, {label: string, color: string}>}
+ */
 export const BAND_STYLE = {
   trivial: { label: 'Trivial', color: '#7fe3b5' },
   easy: { label: 'Easy', color: '#9ad85f' },
   medium: { label: 'Medium', color: '#f2c14e' },
   hard: { label: 'Hard', color: '#f58b45' },
   extreme: { label: 'Extreme', color: '#f0484e' },
-  unknown: { label: 'Unknown', color: '#8190a8' }, // of a stream by a later version
+  unknown: { label: 'Unknown', color: '#8190a8' }, // from a stream of a later version
 };
 
-// Its place in that order; what was not measured comes last.
+export const BANDS = /** @type {Band[]} */ (Object.keys(BAND_STYLE));
+
+/**
+ * Returns the rank of the band; unmeasured paths come last.
+ * @param {Path} path
+ */
 export function bandRank(path) {
-  const bands = Object.keys(BAND_STYLE);
-  return path.difficulty ? bands.indexOf(path.difficulty.band) : bands.length;
+  return path.difficulty ? BANDS.indexOf(path.difficulty.band) : BANDS.length;
 }
 
 export const SOLUTION_COLOR = '#ffd166';
 export const SELECTED_COLOR = '#fff3c4';
-export const CUT_COLOR = '#ff8f6b'; // the step that nobody can take
+export const CUT_COLOR = '#ff8f6b'; // the step that is impossible
 export const REACHED_COLOR = '#8fe3c4'; // parts that can be reached
-export const GHOST_COLOR = '#7fd4ff'; // the other one of a comparison
+export const GHOST_COLOR = '#7fd4ff'; // the ghost in a comparison
 
-// The colour of a path in lists and in the scene.
+/**
+ * Returns a path's colour in lists and in the scene.
+ * @param {Path} path
+ */
 export function pathColor(path) {
   if (path.mismatch) return VERDICT_STYLE.mismatch.color;
   return path.outcome === 'goal' ? SOLUTION_COLOR : OUTCOME_STYLE[path.outcome].color;
 }
 
+/** @param {Result} result */
 function isDoubtful(result) {
   return result.verdict === 'solved' && result.holds === false;
 }
 
+/**
+ * @param {Query} query
+ * @returns {ShownVerdict}
+ */
 export function verdictOf(query) {
   if (query.paths.some((path) => path.mismatch && path.kind === 'solution')) return 'mismatch';
   if (query.result) return isDoubtful(query.result) ? 'doubtful' : query.result.verdict;
@@ -78,7 +108,13 @@ export function verdictOf(query) {
   return 'none';
 }
 
-// Why a path ended, in words. `nameOf`: level, part -> what the part is called; `length`: label or short.
+/**
+ * Returns why a path ended, as text. `nameOf`: level, part -> the part's name; `length`: label or
+ * short.
+ * @param {Path} path
+ * @param {Level | undefined} level
+ * @param {'label' | 'short'} [length]
+ */
 export function causeOf(path, level, nameOf = fullName, length = 'label') {
   const words = OUTCOME_STYLE[path.outcome][length];
   if (path.part >= 0 && level && path.part < level.count)
@@ -86,11 +122,16 @@ export function causeOf(path, level, nameOf = fullName, length = 'label') {
   return words;
 }
 
-// The hardest step of a solution, in words; nothing where the report does not say.
+/**
+ * Describes the hardest step of a solution, or returns nothing if it was not measured.
+ * @param {Path} path
+ * @param {Level | undefined} level
+ */
 export function hardestOf(path, level) {
   if (!path.difficulty) return '';
   const { hardest, noise } = path.difficulty;
-  const name = (part, none) => (part < 0 ? none : fullName(level, part));
+  const name = (/** @type {number} */ part, /** @type {string} */ none) =>
+    (part < 0 ? none : fullName(level, part));
   const from = name(hardest.from, 'the start');
   const to = name(hardest.to, 'the goal');
   const what = `Hardest step: ${from} to ${to}, ${hardest.band}`;

@@ -1,28 +1,50 @@
-// The pointer over the picture: what lies under it, what a click chooses, and a box that a drag draws.
+// The pointer over the picture: hover notes, selection by clicks, and boxes drawn by a drag.
 import { boxOf } from './choice.js';
 import { ROLES } from './data.js';
 import { causeOf, ROLE_STYLE } from './palette.js';
+import { Picker } from './scene/picker.js';
 import { el, seconds } from './ui/dom.js';
 
-const kBoxBelow = 1; // studs under the floor that a drawn box reaches
+/** @import {Vector3} from 'three' */
+/** @import {App} from './app.js' */
+/** @import {At} from './scene/picking.js' */
+/** @import {FilterBox} from './types/report.js' */
+
+const kBoxBelow = 1; // studs that a drawn box extends below the floor
 const kBoxAbove = 12;
-const kRest = 200; // ms until a part under the pointer is told
+const kRest = 200; // ms until a part under the pointer gets a note
 const kMostNotes = 3;
-const kBeside = 14; // pixels from the pointer to what is told
+const kBeside = 14; // pixels from the pointer to the note
 
 export class Pointer {
+  /**
+   * @param {App} app
+   * @param {HTMLCanvasElement} canvas
+   * @param {HTMLElement} tip
+   */
   constructor(app, canvas, tip) {
-    Object.assign(this, { app, canvas, tip, store: app.store, stage: app.stage });
+    this.app = app;
+    this.canvas = canvas;
+    this.tip = tip;
+    this.store = app.store;
+    this.picker = new Picker(app.stage);
+    /** @type {PointerEvent | null} */
     this.moved = null;
-    this.rest = null; // where the pointer stays, and since when
+    /** @type {{event: PointerEvent, since: number} | null} */
+    this.rest = null; // rest position and its time
+    /** @type {{x: number, y: number} | null} */
     this.down = null;
-    this.corner = null; // first corner of the box that is being drawn
+    /** @type {Vector3 | null} */
+    this.corner = null; // first corner of the box in progress
+    /** @type {readonly FilterBox[]} */
+    this.before = []; // the boxes without that one
     canvas.addEventListener('pointerdown', (event) => this.press(event));
     canvas.addEventListener('pointerup', (event) => this.release(event));
     canvas.addEventListener('blur', () => canvas.classList.remove('pressed'));
     canvas.addEventListener('pointermove', (event) => {
       this.moved = event.buttons ? null : event;
-      if (this.corner && event.buttons & 1) this.drawTo(event); // a click is no drag
+      // A click is not a drag.
+      if (this.corner && event.buttons & 1) this.drawTo(event, this.corner);
     });
     canvas.addEventListener('pointerleave', () => {
       this.moved = null;
@@ -31,40 +53,45 @@ export class Pointer {
       tip.hidden = true;
     });
     this.store.on(['drawing'], ({ drawing }) => {
-      this.stage.rig.locked = drawing;
+      app.stage.rig.locked = drawing;
       canvas.style.cursor = drawing ? 'crosshair' : '';
       if (!drawing) this.corner = null;
     });
   }
 
+  /** @param {PointerEvent} event */
   press(event) {
-    this.canvas.classList.add('pressed'); // browsers take a focus by script for one by keyboard
+    this.canvas.classList.add('pressed'); // browsers show the focus ring for focus by script
     this.canvas.focus({ preventScroll: true });
-    if (this.corner) this.store.set({ boxes: this.before }); // its drag has no end
+    if (this.corner) this.store.set({ boxes: this.before }); // the previous drag did not end
     this.down = null;
     this.corner = null;
-    // With a second finger the camera is meant.
+    // A second finger controls the camera.
     if (!this.app.level() || !event.isPrimary) return;
     this.down = { x: event.clientX, y: event.clientY };
     if (!this.store.state.drawing || event.button !== 0) return;
-    this.corner = this.stage.pointAt(...this.inCanvas(event));
+    this.corner = this.picker.point(this.inCanvas(event));
     this.before = this.store.state.boxes;
   }
 
+  /** @param {PointerEvent} event */
   release(event) {
     const { down } = this;
     const still = down && Math.hypot(event.clientX - down.x, event.clientY - down.y) < 4;
     this.down = null;
     this.corner = null;
-    if (!down || event.button !== 0) return; // the camera's
+    if (!down || event.button !== 0) return; // for the camera
     if (this.store.state.drawing) this.store.set({ drawing: Boolean(still) });
     else if (still) this.click(event);
   }
 
-  // The box from the first corner to the pointer, at the height of that corner.
-  drawTo(event) {
-    const { corner } = this;
-    const to = this.stage.pointAtHeight(...this.inCanvas(event), corner.y);
+  /**
+   * Draws the box from the first corner to the pointer, at the height of that corner.
+   * @param {PointerEvent} event
+   * @param {Vector3} corner
+   */
+  drawTo(event, corner) {
+    const to = this.picker.pointAtHeight(this.inCanvas(event), corner.y);
     if (!to) return;
     const box = boxOf(
       [corner.x, corner.y - kBoxBelow, corner.z],
@@ -73,10 +100,11 @@ export class Pointer {
     this.store.set({ boxes: [...this.before, box] });
   }
 
+  /** @param {PointerEvent} event */
   click(event) {
     const { state } = this.store;
-    const [x, y] = this.inCanvas(event);
-    const hit = this.stage.pick(state, x, y);
+    const at = this.inCanvas(event);
+    const hit = this.picker.path(state, at);
     if (hit && event.shiftKey) {
       this.store.set({ ghost: hit.path === state.path ? -1 : hit.path });
     } else if (hit) {
@@ -87,17 +115,24 @@ export class Pointer {
         playing: same && state.playing,
       });
     } else {
-      const part = this.stage.pickPart(x, y);
+      const part = this.picker.part(at);
       this.store.set({ part: part === state.part ? -1 : part });
     }
   }
 
+  /**
+   * @param {MouseEvent} event
+   * @returns {At}
+   */
   inCanvas(event) {
     const box = this.canvas.getBoundingClientRect();
     return [event.clientX - box.left, event.clientY - box.top];
   }
 
-  // Once a frame: a line is told at once, a part where the pointer rests.
+  /**
+   * Runs once a frame. A trajectory gets its note at once, a part once the pointer rests.
+   * @param {number} now
+   */
   hover(now) {
     const event = this.moved;
     this.moved = null;
@@ -111,37 +146,47 @@ export class Pointer {
     }
   }
 
+  /** @param {PointerEvent} event */
   hoverPath(event) {
     const { app } = this;
-    const hit = app.query() && this.stage.pick(this.store.state, ...this.inCanvas(event));
+    const query = app.query();
+    const hit = query && this.picker.path(this.store.state, this.inCanvas(event));
     this.store.set({ hoverPath: hit ? hit.path : -1 });
     this.canvas.style.cursor = hit ? 'pointer' : '';
     this.tip.hidden = !hit;
     if (!hit) return false;
-    const path = app.query().paths[hit.path];
+    const path = query.paths[hit.path];
     const rate = app.playback.rateOf();
     const at = `at ${seconds(hit.tick / rate)} of ${seconds(path.ticks / rate)} s`;
     this.tell(event, path.mismatch ? 'Replay mismatch' : causeOf(path, app.level()), [at]);
     return true;
   }
 
-  // Name and role, and the importer's reason for the role.
+  /**
+   * Shows name and role, with the importer's reason for the role.
+   * @param {PointerEvent} event
+   */
   hoverPart(event) {
     const level = this.app.level();
-    const part = this.stage.pickPart(...this.inCanvas(event));
-    if (part < 0) return;
+    const part = this.picker.part(this.inCanvas(event));
+    if (!level || part < 0) return;
     const name = level.names[part]?.split('/').pop() || `Part ${part}`;
     const notes = (level.notes[part] ?? []).slice(0, kMostNotes);
     this.tell(event, name, [ROLE_STYLE[ROLES[level.role[part]]].label, ...notes]);
   }
 
+  /**
+   * @param {PointerEvent} event
+   * @param {string} title
+   * @param {string[]} lines
+   */
   tell(event, title, lines) {
     this.tip.replaceChildren(
       el('strong', { text: title }),
       ...lines.map((text) => el('span', { text })),
     );
     this.tip.hidden = false;
-    // Beside the pointer, as far as the window goes.
+    // Next to the pointer, within the window.
     const { width, height } = this.tip.getBoundingClientRect();
     const x = Math.max(0, Math.min(event.clientX + kBeside, innerWidth - width));
     const y = Math.max(0, Math.min(event.clientY + kBeside, innerHeight - height));

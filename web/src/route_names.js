@@ -1,13 +1,21 @@
-// Names by which the routes of one query can be told apart: the parts that a route touches and others do not.
+// Names that distinguish the routes of a query, from parts that only some routes touch.
 import { partName } from './part_name.js';
 import { routeText } from './route_text.js';
 
-const kMostNames = 5; // of a route that is written out
-const kMostMarks = 3; // parts that tell a route from the others
-const kMostRoutes = 50; // compared with one another
+/** @import {Level, Query} from './types/report.js' */
 
-// Part -> its name; parts of one name are numbered.
+const kMostNames = 5; // in a route's text
+const kMostMarks = 3; // parts that distinguish a route
+const kMostRoutes = 50; // max routes compared with one another
+
+/**
+ * Returns part -> name. Parts with equal names are numbered.
+ * @param {number[][]} routes
+ * @param {Level | undefined} level
+ * @returns {Map<number, string>}
+ */
 function namesOf(routes, level) {
+  /** @type {Map<string, number[]>} */
   const byName = new Map();
   for (const part of [...new Set(routes.flat())].sort((a, b) => a - b)) {
     const name = partName(level, part);
@@ -19,8 +27,14 @@ function namesOf(routes, level) {
   return names;
 }
 
-// The part whose presence in the route, or else absence from it, excludes most of `others`.
+/**
+ * Returns the part whose presence in the route, or else absence, excludes most of `others`.
+ * @param {Set<number>} own
+ * @param {Set<number>[]} others
+ * @param {number[]} parts
+ */
 function bestMark(own, others, parts) {
+  /** @type {{part: number, isOn: boolean, left: Set<number>[]} | null} */
   let best = null;
   for (const isOn of [true, false])
     for (const part of parts) {
@@ -31,7 +45,14 @@ function bestMark(own, others, parts) {
   return best;
 }
 
-// What tells a route from all others: "via Plank", "without Lift"; its number where parts do not.
+/**
+ * Returns text that distinguishes a route, such as "via Plank" or "without Lift", or its number if
+ * parts do not.
+ * @param {number} index
+ * @param {Set<number>[]} sets
+ * @param {number[]} parts
+ * @param {Map<number, string>} names
+ */
 function markOf(index, sets, parts, names) {
   let others = sets.filter((_, i) => i !== index);
   const marks = [];
@@ -45,12 +66,22 @@ function markOf(index, sets, parts, names) {
   return marks.join(', ');
 }
 
-const known = new WeakMap(); // by query: a query that has changed is another object
+/**
+ * By query; a changed query is another object.
+ * @type {WeakMap<Query, Map<string, {mark: string, text: string}>>}
+ */
+const known = new WeakMap();
 
-// Key of a route (choice.js) -> {mark, text}: `text` is its course, with the mark where another reads the same. With one
-// route the mark is empty.
+/**
+ * Returns the key of a route (choice.js) -> {mark, text}. `text` is the route, with the mark if
+ * another route reads the same. With a single route the mark is empty.
+ * @param {Query} query
+ * @param {Level | undefined} level
+ * @returns {Map<string, {mark: string, text: string}>}
+ */
 export function routeNames(query, level) {
-  if (known.has(query)) return known.get(query);
+  const before = known.get(query);
+  if (before) return before;
   const found = [
     ...(query.result?.routes ?? []).map(({ route }) => route),
     ...query.paths.map(({ route }) => route ?? []),

@@ -1,8 +1,15 @@
-// Routes in words: the last words of the parts' names, those alike in a row told once.
+// Routes as text: the last components of the parts' names, with repetitions merged.
 import { partName } from './part_name.js';
 
-// `most`: so many names; of more the first and last two are told.
+/** @import {Level} from './types/report.js' */
+
+/**
+ * `most`: max number of names; of longer routes the first and last two are shown.
+ * @param {number[]} route
+ * @param {Level | undefined} level
+ */
 export function routeText(route, level, most = Infinity) {
+  /** @type {{name: string, count: number}[]} */
   const steps = [];
   for (const name of route.map((part) => partName(level, part))) {
     const last = steps.at(-1);

@@ -1,9 +1,13 @@
-// The keyboard. No shortcut fires while something is typed, or with Ctrl, Alt or Meta held; Space ticks the box that the
-// keyboard is on.
+// Keyboard shortcuts. They are disabled while the user types, and with Ctrl, Alt or Meta. Space
+// toggles a focused check box.
 import { nextTheme } from './theme.js';
 
-const kWithAlt = /^[[\]]$/; // on some keyboards it takes Alt to type these
+/** @import {App} from './app.js' */
+/** @import {NamesOf} from './types/report.js' */
 
+const kWithAlt = /^[[\]]$/; // some keyboards require Alt for these
+
+/** @param {EventTarget | null} target */
 function typing(target) {
   return (
     target instanceof HTMLElement &&
@@ -12,16 +16,26 @@ function typing(target) {
   );
 }
 
+/** @param {KeyboardEvent} event */
 const ticking = ({ key, target }) =>
   key === ' ' && target instanceof HTMLElement && target.matches('input[type=checkbox]');
 
-function move(app, name, by, most) {
+/**
+ * @param {App} app
+ * @param {number} by
+ */
+function moveQuery(app, by) {
+  const most = app.report.queries.length;
   if (most <= 0) return;
-  const at = app.store.state[name];
-  app.store.set({ [name]: (Math.max(0, at + (at < 0 ? Math.max(by, 0) : by)) + most) % most });
+  const at = app.store.state.query;
+  app.store.set({ query: (Math.max(0, at + (at < 0 ? Math.max(by, 0) : by)) + most) % most });
 }
 
-// In the order of the list.
+/**
+ * In the list's order.
+ * @param {App} app
+ * @param {number} by
+ */
 function neighbour(app, by) {
   const { order, path } = app.store.state;
   if (!order.length) return;
@@ -30,19 +44,26 @@ function neighbour(app, by) {
   app.store.set({ path: order[next], tick: 0 });
 }
 
-// Keeps the chosen one as the ghost that others are compared with.
+/**
+ * Pins the selected trajectory as the ghost for comparisons.
+ * @param {App} app
+ */
 function pin({ store }) {
   const { path, ghost } = store.state;
   store.set({ ghost: ghost >= 0 ? -1 : path });
 }
 
-// Begins or ends the drawing of a box. One that no way could pass would only be in the way: there is no filter then that
-// takes it away again.
+/**
+ * Starts or ends the drawing of a box. Without trajectories it is disabled, because the filter that
+ * removes boxes is hidden then.
+ * @param {App} app
+ */
 function draw(app) {
   const drawing = !app.store.state.drawing && Boolean(app.query()?.paths.length);
   app.store.set({ drawing });
 }
 
+/** @type {NamesOf<boolean>[]} */
 const kToggles = [
   'solutions',
   'attempts',
@@ -56,11 +77,14 @@ const kToggles = [
   'cut',
 ];
 
-// By what is printed on the key, for those whose place differs between keyboards.
+/**
+ * By the printed character, for keys whose position differs between keyboards.
+ * @type {Record<string, ((app: App, event: KeyboardEvent) => void) | undefined>}
+ */
 const kByKey = {
   '?': (app) => app.help.toggle(),
-  '[': (app) => move(app, 'query', -1, app.report.queries.length),
-  ']': (app) => move(app, 'query', 1, app.report.queries.length),
+  '[': (app) => moveQuery(app, -1),
+  ']': (app) => moveQuery(app, 1),
   '+': (app) => app.playback.faster(1),
   '=': (app) => app.playback.faster(1),
   '-': (app) => app.playback.faster(-1),
@@ -89,6 +113,7 @@ const kByKey = {
   r: (app) => app.stage.frameQuery(false),
 };
 
+/** @param {App} app */
 export function bindKeys(app) {
   window.addEventListener('keydown', (event) => {
     app.shift = event.shiftKey;
@@ -101,12 +126,12 @@ export function bindKeys(app) {
     if (!act && !toggle) return;
     event.preventDefault();
     if (act) act(app, event);
-    else app.store.set({ [toggle]: !app.store.state[toggle] });
+    else if (toggle) app.store.put(toggle, !app.store.state[toggle]);
   });
   window.addEventListener('keyup', (event) => {
     app.shift = event.shiftKey;
     app.stage.rig.key(event.code, false);
-    // A focused button would take Space for a click, which is right in the help alone.
+    // A focused button would treat Space as a click, which is correct only in the help.
     if (event.key === ' ' && event.target instanceof HTMLButtonElement && !app.help.dialog.open)
       event.preventDefault();
   });

@@ -1,24 +1,43 @@
-// Names by which the solutions of a query can be told apart: the player, time and jumps, the part that only their route
-// touches, and a number where all of that is the same.
+// Names that distinguish the solutions of a query: player, time and jumps, a part that only their
+// route touches, and a number if all of these are equal.
 import { routeKey } from './choice.js';
 import { routeNames } from './route_names.js';
 import { plural, seconds } from './ui/dom.js';
 
-const known = new WeakMap(); // by query: a query that has changed is another object
+/** @import {Path} from './path.js' */
+/** @import {Level, Query} from './types/report.js' */
 
+/**
+ * By query; a changed query is another object.
+ * @type {WeakMap<Query, Map<number, {name: string, route: string}>>}
+ */
+const known = new WeakMap();
+
+/** @type {Record<string, string | undefined>} */
 const BODY_NAMES = { r6: 'R6', r15: 'R15' };
 
-// "R15, 30 fps: ", of a player that the query names.
+/**
+ * Returns a prefix such as "R15, 30 fps: " for a player that the query names.
+ * @param {Path} path
+ */
 function playerOf({ body, frameRate }) {
-  const words = [BODY_NAMES[body] ?? body, frameRate && `${frameRate} fps`].filter(Boolean);
+  const rig = body && (BODY_NAMES[body] ?? body);
+  const words = [rig, frameRate && `${frameRate} fps`].filter(Boolean);
   return words.length > 0 ? `${words.join(', ')}: ` : '';
 }
 
-// Index of a solution -> {name, route}; the route is empty where all solutions take one.
+/**
+ * Returns the index of a solution -> {name, route}. The route is empty if all solutions share it.
+ * @param {Query} query
+ * @param {Level | undefined} level
+ * @returns {Map<number, {name: string, route: string}>}
+ */
 export function solutionNames(query, level) {
-  if (known.has(query)) return known.get(query);
+  const before = known.get(query);
+  if (before) return before;
   const rate = level?.tickRate ?? 60;
   const routes = routeNames(query, level);
+  /** @type {Map<string, number>} */
   const taken = new Map();
   const names = new Map();
   query.paths.forEach((path, index) => {

@@ -1,45 +1,62 @@
-// The page's state: one flat object. `set` tells listeners which names changed; nothing else holds state.
+// The page's state, one flat object. `set` notifies listeners of the changed names. No other object
+// holds state.
 import { UNFILTERED } from './choice.js';
 
+/** @import {State} from './types/report.js' */
+
 export class Store {
+  /** @param {State} initial */
   constructor(initial) {
     this.state = { ...initial };
+    /** @type {((state: State, changed: Set<string>) => void)[]} */
     this.listeners = [];
   }
 
+  /** @param {Partial<State>} patch */
   set(patch) {
-    const changed = new Set();
-    for (const [name, value] of Object.entries(patch)) {
-      if (this.state[name] !== value) {
-        this.state[name] = value;
-        changed.add(name);
-      }
-    }
+    const names = /** @type {(keyof State)[]} */ (Object.keys(patch));
+    const changed = new Set(names.filter((name) => this.state[name] !== patch[name]));
+    Object.assign(this.state, patch);
     if (changed.size) for (const listener of this.listeners) listener(this.state, changed);
   }
 
-  // `names`: the listener runs when one of them changed.
+  /**
+   * @template {keyof State} K
+   * @param {K} name
+   * @param {State[K]} value
+   */
+  put(name, value) {
+    const patch = /** @type {Partial<State>} */ ({ [name]: value });
+    this.set(patch);
+  }
+
+  /**
+   * Calls the listener when one of `names` has changed.
+   * @param {readonly (keyof State)[]} names
+   * @param {(state: State) => void} listener
+   */
   on(names, listener) {
     this.listeners.push((state, changed) => {
-      if (names.some((name) => changed.has(name))) listener(state, changed);
+      if (names.some((name) => changed.has(name))) listener(state);
     });
   }
 }
 
+/** @type {State} */
 export const INITIAL = {
   ...UNFILTERED,
   sort: 'found',
   descending: false,
-  order: [], // indices of the listed trajectories, set by main.js from filters and sorting
+  order: [],
   colorBy: 'outcome',
-  isolate: false, // draw the chosen one only
-  ghost: -1, // trajectory that runs beside the chosen one
-  frame: -1, // part that the camera is to look at; main.js sets it back
-  drawing: false, // the next drag draws a box
-  theme: 'auto', // or 'light', 'dark'
+  isolate: false,
+  ghost: -1,
+  frame: -1,
+  drawing: false,
+  theme: 'auto',
   heat: false,
-  heatMost: 0, // count of its fullest tile
-  heatWays: false, // the heat map is of the listed ways, even where the search's own is known
+  heatMost: 0,
+  heatWays: false,
   cut: true,
   query: 0,
   path: -1,
@@ -48,7 +65,7 @@ export const INITIAL = {
   speed: 1,
   loop: true,
   follow: false,
-  followNewest: false, // live: choose each new solution
+  followNewest: false,
   hoverPath: -1,
   part: -1,
   colors: 'roles',

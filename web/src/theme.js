@@ -1,11 +1,16 @@
-// Light or dark panels: as the reader's system has it, or as they chose here.
+// Light or dark panels, as the system or the user chooses.
+
+/** @import {Store} from './store.js' */
+/** @import {State} from './types/report.js' */
 
 const system = matchMedia('(prefers-color-scheme: light)');
 
 const systems = () => (system.matches ? 'light' : 'dark');
 
+/** @param {State} state */
 const shown = ({ theme }) => (theme === 'auto' ? systems() : theme);
 
+/** @param {Store} store */
 export function bindTheme(store) {
   const show = () => {
     document.documentElement.dataset.theme = shown(store.state);
@@ -15,7 +20,10 @@ export function bindTheme(store) {
   show();
 }
 
-// To the other one of what is seen. The system's own is followed again where it changes.
+/**
+ * Switches to the other theme. If that is the system's, it follows the system again.
+ * @param {Store} store
+ */
 export function nextTheme(store) {
   const theme = shown(store.state) === 'light' ? 'dark' : 'light';
   store.set({ theme: theme === systems() ? 'auto' : theme });

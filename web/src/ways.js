@@ -1,24 +1,31 @@
-// Which trajectories are listed and drawn, in which colours: keeps list and picture as filters and sorting say.
+// Applies filters, sorting and colours to the list and the picture of trajectories.
 import { Vector3 } from 'three';
 import { boxOf, listed, UNFILTERED } from './choice.js';
 import { coloring } from './coloring.js';
 import { deathLabels } from './death_labels.js';
 import { searched, visits } from './scene/heat_view.js';
 
+/** @import {App} from './app.js' */
+/** @import {Coloring, Filters} from './types/report.js' */
+
 const kMostDeaths = 6; // labels
-const kBox = [10, 10, 10]; // studs, of a box that is not drawn
+const kBox = [10, 10, 10]; // studs; default size of a box
+/** @type {Coloring} */
+const kNoColoring = { of: () => '', legend: [] };
 
 export class Ways {
+  /** @param {App} app */
   constructor(app) {
     this.app = app;
     this.store = app.store;
+    this.coloring = kNoColoring;
   }
 
   color() {
     const query = this.app.query();
     this.coloring = query
       ? coloring(query, this.app.level(), this.store.state.colorBy)
-      : { of: () => '', legend: [] };
+      : kNoColoring;
   }
 
   choose() {
@@ -33,26 +40,30 @@ export class Ways {
     this.app.stage.showPaths(new Set(isolate ? [] : order), this.coloring.of);
   }
 
-  // Regions, the proof's step, and what killed the shown ways.
+  // Sets the labels: regions, the proof's step, and the killers of the shown trajectories.
   label() {
     const { stage, labels } = this.app;
-    if (!this.app.query()) return;
+    const query = this.app.query();
+    if (!query) return;
     const { order, attempts, markers, cut, isolate } = this.store.state;
-    const { paths } = this.app.query();
-    const shown = attempts && markers && !isolate ? order.map((index) => paths[index]) : [];
+    const isShown = attempts && markers && !isolate;
+    const shown = isShown ? order.map((index) => query.paths[index]) : [];
     const deaths = deathLabels(shown, this.app.level(), kMostDeaths).map((label) => ({
       ...label,
       at: new Vector3(...label.at),
     }));
-    stage.cutView.group.visible = cut;
-    labels.set([...stage.regionView.labels, ...(cut ? stage.cutView.labels : []), ...deaths]);
+    const { regionView, cutView } = stage;
+    if (cutView) cutView.group.visible = cut;
+    const ofCut = (cut && cutView?.labels) || [];
+    labels.set([...(regionView?.labels ?? []), ...ofCut, ...deaths]);
   }
 
-  // Counting takes a while, so only for those who look.
+  // Counting takes a while, so it runs only while the heat map is shown.
   warm() {
     const { heat, heatWays, order } = this.store.state;
-    if (!this.app.query()) return;
-    const { paths, result } = this.app.query();
+    const query = this.app.query();
+    if (!query) return;
+    const { paths, result } = query;
     const map = heatWays ? null : result?.heatMap;
     const view = this.app.stage.heat;
     if (!heat) view.clear();
@@ -60,7 +71,7 @@ export class Ways {
     this.store.set({ heatMost: view.most });
   }
 
-  // Around the player, or where the camera turns about.
+  // Around the player, or around the camera's target.
   addBox() {
     const path = this.app.path();
     const { target } = this.app.stage.rig.goal;
@@ -75,7 +86,8 @@ export class Ways {
 
   bind() {
     const { app, store } = this;
-    store.on([...Object.keys(UNFILTERED), 'sort', 'descending'], () => this.choose());
+    const filters = /** @type {(keyof Filters)[]} */ (Object.keys(UNFILTERED));
+    store.on([...filters, 'sort', 'descending'], () => this.choose());
     store.on(['order', 'isolate', 'colorBy'], () => this.show());
     store.on(['order', 'isolate', 'cut', 'attempts', 'markers'], () => this.label());
     store.on(['order', 'heat', 'heatWays'], () => this.warm());
@@ -84,7 +96,7 @@ export class Ways {
     store.on(['boxes'], ({ boxes }) => app.stage.filterBoxes.set(boxes));
     store.on(['frame'], ({ frame }) => {
       if (frame < 0) return;
-      app.stage.rig.frame(app.stage.levelView.centreOf(frame), 14);
+      app.stage.framePart(frame);
       store.set({ frame: -1 });
     });
   }

@@ -1,41 +1,38 @@
-// Lookups in the class tables: a class is found once, then its chain of ancestors is walked.
+// Looks up defaults along the chain of base classes.
 #include "engine/classes/class_defaults.h"
 
 #include <map>
 
-#include "engine/classes/class_tables.h"
+#include "engine/classes/class_table.h"
+#include "engine/classes/default_rows.h"
 
 namespace obby {
 namespace {
 
-struct ClassInfo {
-  const ClassInfo* parent = nullptr;
-  std::map<std::string_view, Value> defaults;
-};
-using ClassIndex = std::map<std::string_view, ClassInfo>;
+using Defaults = std::map<std::string_view, Value>;
 
-ClassIndex buildIndex() {
-  ClassIndex index;
-  for (const ClassRow& row : classRows()) {
-    index[row.name].parent = row.parent.empty() ? nullptr : &index[row.parent];
-  }
-  for (const DefaultRow& row : defaultRows())
-    index[row.className].defaults[row.property] = row.value;
-  return index;
+const std::map<std::string_view, Defaults>& allDefaults() {
+  static const std::map<std::string_view, Defaults> kAll = [] {
+    std::map<std::string_view, Defaults> all;
+    for (const DefaultRow& row : defaultRows()) all[row.className][row.property] = row.value;
+    return all;
+  }();
+  return kAll;
 }
 
-const ClassInfo* find(std::string_view className) {
-  static const ClassIndex kIndex = buildIndex();
-  const auto it = kIndex.find(className);
-  if (it != kIndex.end()) return &it->second;
-  static const ClassInfo* const kInstance = &kIndex.at("Instance");
-  return kInstance;
+constexpr std::string_view kRoot = "Instance";
+
+// Returns the class from which `className` derives, or "" for the root and unknown classes.
+std::string_view baseOf(std::string_view className) {
+  if (className == kRoot) return {};
+  const std::string_view* const base = engine::ClassTable::get().baseOf(className);
+  return base ? *base : kRoot;
 }
 
 template <class Number>
 Value numberLike(Number number, const Value& like) {
   if (std::holds_alternative<double>(like)) return static_cast<double>(number);
-  const bool whole = number >= Number(-9.0e18) && number <= Number(9.0e18);  // false for NaN, too
+  const bool whole = number >= Number(-9.0e18) && number <= Number(9.0e18);  // rejects NaN, too
   if (!whole) return number;
   if (std::holds_alternative<int64_t>(like)) return static_cast<int64_t>(number);
   if (std::holds_alternative<bool>(like)) return number != Number(0);
@@ -48,18 +45,16 @@ Value numberLike(Number number, const Value& like) {
 }  // namespace
 
 bool isA(std::string_view className, std::string_view ancestor) {
-  if (className == ancestor) return true;
-  const ClassInfo* wanted = find(ancestor);
-  if (wanted == find("Instance")) return ancestor == "Instance";
-  for (const ClassInfo* c = find(className); c != nullptr; c = c->parent) {
-    if (c == wanted) return true;
-  }
+  for (; !className.empty(); className = baseOf(className))
+    if (className == ancestor) return true;
   return false;
 }
 
 const Value* defaultOf(std::string_view className, std::string_view property) {
-  for (const ClassInfo* c = find(className); c != nullptr; c = c->parent) {
-    if (const auto it = c->defaults.find(property); it != c->defaults.end()) return &it->second;
+  for (; !className.empty(); className = baseOf(className)) {
+    const auto own = allDefaults().find(className);
+    if (own == allDefaults().end()) continue;
+    if (const auto it = own->second.find(property); it != own->second.end()) return &it->second;
   }
   return nullptr;
 }

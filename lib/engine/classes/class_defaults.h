@@ -1,5 +1,5 @@
-// What a property is when the file leaves it out, and which class derives from which. The tables
-// hold the classes that a level can depend on; property names are the normalised ones of
+// Knows the defaults of properties that a file leaves out, and the base class of each class. The
+// tables hold the classes that a level can depend on. Property names are the normalised ones of
 // property_names.h.
 #pragma once
 
@@ -12,18 +12,18 @@
 
 namespace obby {
 
-// True if `className` is `ancestor` or derives from it; a class that the table does not know
-// derives from Instance alone.
+// Returns true if `className` is `ancestor` or derives from it. A class outside the table derives
+// from Instance alone.
 bool isA(std::string_view className, std::string_view ancestor);
 
-// The class default of a property, inherited ones included; null where the table has none.
+// Returns the class default of a property, inherited ones included, or null if the table has none.
 const Value* defaultOf(std::string_view className, std::string_view property);
 
-// `value` as the kind of `like` where both are numbers of some kind (files say int where the class
-// says float, and the other way round); otherwise unchanged.
+// Returns `value` as the kind of `like` if both are numbers of some kind, otherwise unchanged.
+// Files say int where the class says float, and the other way round.
 Value coerceTo(Value value, const Value& like);
 
-// The property as the file has it, else the class default, else T{}.
+// Returns the property as the file has it, else the class default, else T{}.
 template <class T>
 T get(const Instance& instance, const std::string& name) {
   if (const T* own = property<T>(instance, name)) return *own;

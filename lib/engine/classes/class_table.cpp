@@ -17,6 +17,11 @@ Halves split(std::string_view text) {
 
 }  // namespace
 
+const ClassTable& ClassTable::get() {
+  static const ClassTable kTable;
+  return kTable;
+}
+
 ClassTable::ClassTable() {
   std::string_view text = embeddedFile("classes.txt");
   Class* open = nullptr;

@@ -1,5 +1,4 @@
-// Members of the engine's classes and items of its enums, from api/classes.txt.
-// Private to lib/engine.
+// Reads the engine's classes, their members and the items of its enums from api/classes.txt.
 #pragma once
 
 #include <string>
@@ -10,17 +9,19 @@ namespace obby::engine {
 
 class ClassTable {
  public:
-  ClassTable();
+  // Reads the table at the first call.
+  static const ClassTable& get();
 
-  // The base class, empty for the root; null: there is no such class.
+  // Returns the base class, empty for the root, or null if there is no such class.
   const std::string_view* baseOf(std::string_view className) const;
-  // The member's code, inherited ones included: ":", ".", "!" for a method, event, callback, else
-  // the property's type (classes.txt). Empty: the class has none of that name.
+  // Returns the member's code, inherited ones included: ":", ".", "!" for a method, event,
+  // callback, else the property's type (classes.txt). Returns "" if the class has no such member.
   std::string_view member(std::string_view className, std::string_view name) const;
-  // "Plastic=256 Neon=288 ..."; empty: there is no such enum.
+  // Returns "Plastic=256 Neon=288 ...", or "" if there is no such enum.
   std::string_view enumItems(std::string_view name) const;
 
  private:
+  ClassTable();
   struct Class {
     std::string_view base;
     std::unordered_map<std::string_view, std::string_view> members;

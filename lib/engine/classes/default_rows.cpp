@@ -1,8 +1,7 @@
-// The class defaults themselves, as the engine's reflection gives them (not what Studio's Insert
-// button sets).
+// The class defaults, from the engine's reflection (not what Studio's Insert button sets).
 #include <limits>
 
-#include "engine/classes/class_tables.h"
+#include "engine/classes/default_rows.h"
 
 namespace obby {
 namespace {
@@ -10,7 +9,7 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 EnumItem token(uint32_t value) { return {value, {}}; }
-// A float32 default as the formats carry it.
+// Returns a float32 default as the formats store it.
 double single(float value) { return static_cast<double>(value); }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// The parsed form of a script. Types are erased: nothing of them is kept.
+// The parsed form of a script. Types are not kept.
 #pragma once
 
 #include <memory>
@@ -17,7 +17,7 @@ struct Function {
   std::vector<std::string> parameters;
   Block body;
   int line = 0;
-  int endLine = 0;      // of its `end`
+  int endLine = 0;      // line of its `end`
   bool vararg = false;  // the parameters end with `...`
 };
 
@@ -35,7 +35,7 @@ enum class ExprKind {
   method,    // kids[0]:text(kids[1..])
   function,  // body
   table,     // keys[i] (may be null) = kids[i]
-  unary,     // text kids[0]
+  unary,     // operator `text`, operand kids[0]
   binary,    // kids[0] text kids[1]
   choice,    // if kids[0] then kids[1] else kids[2]
   unknown
@@ -46,14 +46,14 @@ struct Expr {
   int line = 0;
   std::string text;
   double number = 0;
-  // Of a string: the text tells its value. Otherwise it is interpolated: keys[0] kids[0] keys[1]
-  // ... kids[n-1] keys[n], where the keys are strings.
+  // True if `text` holds the value of a string. Otherwise the string is interpolated: keys[0]
+  // kids[0] keys[1] ... kids[n-1] keys[n], where the keys are strings.
   bool known = true;
   bool parenthesised = false;  // (e) or e :: T: exactly one value, and no target of an assignment
   std::vector<ExprPtr> kids;
   std::vector<ExprPtr> keys;
   std::unique_ptr<Function> body;
-  int height = 1;  // of the tree below: bounded, so that walking it may recurse
+  int height = 1;  // height of the tree below; bounded, so that walking it may recurse
 };
 
 enum class StatKind {
@@ -75,7 +75,7 @@ enum class StatKind {
 struct Stat {
   StatKind kind = StatKind::block;
   int line = 0;
-  int endLine = 0;  // of the `end` or `until` of what has blocks
+  int endLine = 0;  // line of the `end` or `until` of a statement with blocks
   std::string text;
   std::vector<std::string> names;
   std::vector<ExprPtr> targets, values;
@@ -84,8 +84,8 @@ struct Stat {
 
 struct Chunk {
   Block body;
-  bool broken = false;  // something could not be parsed and was skipped
-  std::string error;    // of a broken chunk: the first thing that is wrong, in plain words
+  bool broken = false;  // a statement could not be parsed and was skipped
+  std::string error;    // the first error of a broken chunk, in plain words
   int errorLine = 0;
 };
 

@@ -1,14 +1,14 @@
-// The emitter's entry, and its scopes.
+// The entry point of the emitter, and its scopes.
 #include "engine/luau/emit.h"
 
 #include <fmt/format.h>
 
-#include "engine/luau/emitter_state.h"
 #include "engine/luau/parser.h"
+#include "engine/luau/statement_emitter.h"
 
 namespace obby::luau {
 
-std::string Emitter::chunk(const Chunk& chunk) {
+std::string StatementEmitter::chunk(const Chunk& chunk) {
   out_.word("local");
   out_.word(prefix_);
   out_.symbol("=...;");
@@ -16,14 +16,14 @@ std::string Emitter::chunk(const Chunk& chunk) {
   return out_.take();
 }
 
-void Emitter::body(const Block& block) {
+void StatementEmitter::body(const Block& block) {
   Scope* const outer = scope_;
   openScope(block, {});
   statements(block);
   scope_ = outer;
 }
 
-void Emitter::openScope(const Block& block, const std::vector<std::string>& names) {
+void ExpressionEmitter::openScope(const Block& block, const std::vector<std::string>& names) {
   scope_ = &scopes_.of(block);
   if (scope_->table == 0) return;
   keyword("local");
@@ -39,19 +39,19 @@ void Emitter::openScope(const Block& block, const std::vector<std::string>& name
   out_.symbol("};");
 }
 
-void Emitter::variables(const std::vector<std::string>& names) {
+void ExpressionEmitter::variables(const std::vector<std::string>& names) {
   for (size_t i = 0; i < names.size(); ++i) {
     if (i > 0) out_.symbol(",");
     out_.word(variable(names[i]));
   }
 }
 
-std::string Emitter::declared(std::string_view name) {
+std::string ExpressionEmitter::declared(std::string_view name) {
   if (scope_->table == 0) return variable(name);
   return fmt::format("{}t{}.{}_{}", prefix_, scope_->table, name, declared_[scope_]++);
 }
 
-bool Emitter::isOwnLocal(const Expr& expr) const {
+bool ExpressionEmitter::isOwnLocal(const Expr& expr) const {
   if (expr.kind != ExprKind::name) return false;
   const Local* local = scopes_.find(expr);
   return local && local->scope->table == 0 && local->scope->function == scope_->function;
@@ -65,7 +65,7 @@ Result<std::string> emit(const Chunk& chunk) {
   }
   auto scopes = resolve(chunk);
   if (!scopes) return std::move(scopes).error();
-  return Emitter(*scopes).chunk(chunk);
+  return StatementEmitter(*scopes).chunk(chunk);
 }
 
 Result<std::string> toLua(std::string_view source) { return emit(parse(source)); }

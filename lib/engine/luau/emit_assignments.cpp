@@ -1,11 +1,11 @@
-// Assignments. Luau assigns from left to right, Lua 5.1 from right to left: where the order shows,
-// objects, keys and values go to temporary variables first.
+// Emits assignments. Luau assigns from left to right, Lua 5.1 from right to left. If the order is
+// observable, objects, keys and values go to temporary variables first.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <set>
 
-#include "engine/luau/emitter_state.h"
+#include "engine/luau/statement_emitter.h"
 
 namespace obby::luau {
 namespace {
@@ -18,7 +18,7 @@ bool orderShows(const Stat& stat) {
   return false;
 }
 
-// Whether something below the line is called or is a function: its own line matters.
+// Returns true if a call or a function starts below the line: its own line matters.
 bool actsBelow(const Expr& expr, int line) {
   const bool acts = expr.kind == ExprKind::call || expr.kind == ExprKind::method || expr.body;
   if (acts && expr.line > line) return true;
@@ -34,10 +34,10 @@ bool isConstant(const Expr& expr) {
 
 }  // namespace
 
-// 5.1 puts an assignment on the line where its value ends, Luau on that where it begins, and who
-// observes what a script sets wants that one: a value that only has its arguments on further lines
-// moves up.
-void Emitter::assignment(const Stat& stat) {
+// Emits an assignment. 5.1 puts it on the line where its value ends, Luau on the line where it
+// begins. Observed changes must name Luau's line. So a value moves up if only its arguments are on
+// further lines.
+void StatementEmitter::assignment(const Stat& stat) {
   const auto acts = [&](const ExprPtr& expr) { return actsBelow(*expr, stat.line); };
   const bool plain = std::none_of(stat.values.begin(), stat.values.end(), acts) &&
                      std::none_of(stat.targets.begin(), stat.targets.end(), acts);
@@ -49,7 +49,7 @@ void Emitter::assignment(const Stat& stat) {
   out_.stay(stayed);
 }
 
-void Emitter::assign(const Stat& stat) {
+void StatementEmitter::assign(const Stat& stat) {
   if (orderShows(stat)) return assignInOrder(stat);
   list(stat.targets);
   out_.symbol("=");
@@ -57,7 +57,7 @@ void Emitter::assign(const Stat& stat) {
 }
 
 // do local o1,k1,o2=OBJECT,KEY,OBJECT local v1,v2=VALUES o1[k1]=v1 o2.field=v2 end
-void Emitter::assignInOrder(const Stat& stat) {
+void StatementEmitter::assignInOrder(const Stat& stat) {
   keyword("do");
   bindTargets(stat);
   keyword("local");
@@ -89,7 +89,7 @@ void Emitter::assignInOrder(const Stat& stat) {
   keyword("end");
 }
 
-void Emitter::bindTargets(const Stat& stat) {
+void StatementEmitter::bindTargets(const Stat& stat) {
   for (size_t i = 0; i < stat.targets.size(); ++i) {
     const Expr& target = *stat.targets[i];
     if (target.kind == ExprKind::name) continue;
@@ -111,7 +111,7 @@ void Emitter::bindTargets(const Stat& stat) {
 }
 
 template <class Write>
-void Emitter::update(const Stat& stat, const Write& write) {
+void StatementEmitter::update(const Stat& stat, const Write& write) {
   const Expr& value = *stat.values[0];
   write();
   out_.symbol("=");
@@ -131,17 +131,17 @@ void Emitter::update(const Stat& stat, const Write& write) {
   }
 }
 
-void Emitter::compound(const Stat& stat) {
+void StatementEmitter::compound(const Stat& stat) {
   const Expr& target = *stat.targets[0];
   if (target.kind == ExprKind::name) return update(stat, [&] { bare(target); });
   const bool keyIsPlain = target.kind == ExprKind::field || isConstant(*target.kids[1]);
-  // Luau, too, copies no local variable: what the value does to it through a closure shows.
+  // Luau does not copy local variables either: a closure in the value may change them.
   if (isOwnLocal(*target.kids[0]) && keyIsPlain) return update(stat, [&] { bare(target); });
   compoundField(stat);
 }
 
 // do local o,k=OBJECT,KEY o[k]=o[k]+VALUE end
-void Emitter::compoundField(const Stat& stat) {
+void StatementEmitter::compoundField(const Stat& stat) {
   const Expr& target = *stat.targets[0];
   const bool index = target.kind == ExprKind::index;
   keyword("do local");

@@ -1,10 +1,10 @@
-// Names, fields, calls, functions and tables.
+// Emits names, fields, calls, functions and tables.
 #include <algorithm>
 #include <array>
 #include <cctype>
 #include <utility>
 
-#include "engine/luau/emitter_state.h"
+#include "engine/luau/expression_emitter.h"
 #include "engine/luau/literals.h"
 
 namespace obby::luau {
@@ -23,7 +23,7 @@ bool isPlainName(std::string_view text) {
   return std::find(kReserved.begin(), kReserved.end(), text) == kReserved.end();
 }
 
-// Others begin with a part of theirs.
+// Returns true if the expression begins with its own token. Others begin with a subexpression.
 bool beginsOnItsLine(const Expr& expr) {
   switch (expr.kind) {
     case ExprKind::field:
@@ -37,27 +37,27 @@ bool beginsOnItsLine(const Expr& expr) {
 
 }  // namespace
 
-void Emitter::expression(const Expr& expr) {
+void ExpressionEmitter::expression(const Expr& expr) {
   if (!expr.parenthesised) return bare(expr);
   out_.symbol("(");
   bare(expr);
   out_.symbol(")");
 }
 
-void Emitter::bracketed(const Expr& expr) {
+void ExpressionEmitter::bracketed(const Expr& expr) {
   out_.symbol("(");
   bare(expr);
   out_.symbol(")");
 }
 
-void Emitter::single(const Expr& expr) {
+void ExpressionEmitter::single(const Expr& expr) {
   if (isMulti(expr))
     bracketed(expr);
   else
     expression(expr);
 }
 
-void Emitter::bare(const Expr& expr) {
+void ExpressionEmitter::bare(const Expr& expr) {
   if (beginsOnItsLine(expr)) out_.at(expr.line);
   switch (expr.kind) {
     case ExprKind::nil: return keyword("nil");
@@ -91,14 +91,14 @@ void Emitter::bare(const Expr& expr) {
   }
 }
 
-void Emitter::list(const Exprs& exprs, size_t from) {
+void ExpressionEmitter::list(const Exprs& exprs, size_t from) {
   for (size_t i = from; i < exprs.size(); ++i) {
     if (i > from) out_.symbol(",");
     expression(*exprs[i]);
   }
 }
 
-void Emitter::name(const Expr& expr) {
+void ExpressionEmitter::name(const Expr& expr) {
   const Local* local = scopes_.find(expr);
   if (!local) return out_.word(expr.text);
   if (local->scope->table == 0) return out_.word(variable(expr.text));
@@ -107,8 +107,8 @@ void Emitter::name(const Expr& expr) {
   out_.word(expr.text + "_" + std::to_string(local->index));
 }
 
-// 5.1 wants the bracket on the line of what is called; only names stand before it on new lines.
-void Emitter::call(const Expr& expr) {
+// 5.1 wants the bracket on the line of the called expression. Only names go before it on new lines.
+void ExpressionEmitter::call(const Expr& expr) {
   expression(*expr.kids[0]);
   if (expr.kind == ExprKind::method) {
     out_.at(expr.line);
@@ -120,24 +120,22 @@ void Emitter::call(const Expr& expr) {
   out_.symbol(")");
 }
 
-void Emitter::functionBody(const Function& function) {
+void ExpressionEmitter::functionBody(const Function& function) {
   out_.symbol("(");
   variables(function.parameters);
   if (function.vararg) out_.symbol(function.parameters.empty() ? "..." : ",...");
   out_.symbol(")");
-  // Without it, 5.1 puts the values in a table `arg`, which no script expects.
+  // Without this, 5.1 puts the values in a table `arg`, which Luau lacks.
   if (function.vararg) keyword("do local _=... end;");
   Scope* const outer = scope_;
-  const bool flagged = std::exchange(flagsBreak_, false);
   openScope(function.body, function.parameters);
-  statements(function.body);
-  flagsBreak_ = flagged;
+  functionBlock(function.body);
   scope_ = outer;
   out_.at(function.endLine);
   keyword("end");
 }
 
-void Emitter::table(const Expr& expr) {
+void ExpressionEmitter::table(const Expr& expr) {
   out_.symbol("{");
   for (size_t i = 0; i < expr.kids.size(); ++i) {
     if (i > 0) out_.symbol(",");

@@ -1,21 +1,21 @@
-// Numbers and strings.
+// Emits numbers and strings.
 #include <algorithm>
 #include <charconv>
 #include <cmath>
 
-#include "engine/luau/emitter_state.h"
+#include "engine/luau/expression_emitter.h"
 
 namespace obby::luau {
 
-void Emitter::number(double value) {
+void ExpressionEmitter::number(double value) {
   if (std::isinf(value)) return out_.word("1e999");
   char text[32];
   const auto result = std::to_chars(text, text + sizeof text, value);
   out_.word({text, size_t(result.ptr - text)});
 }
 
-// The shortest decimal escapes would run into digits behind them: all have three.
-void Emitter::string(std::string_view value) {
+// Writes escapes with three digits: shorter ones would merge with digits after them.
+void ExpressionEmitter::string(std::string_view value) {
   std::string text = "\"";
   for (const char c : value) {
     const unsigned char byte = static_cast<unsigned char>(c);
@@ -32,7 +32,7 @@ void Emitter::string(std::string_view value) {
   out_.symbol(text + '"');
 }
 
-void Emitter::interpolation(const Expr& expr) {
+void ExpressionEmitter::interpolation(const Expr& expr) {
   std::vector<const Expr*> parts;
   for (size_t i = 0; i < expr.keys.size(); ++i) {
     if (!expr.keys[i]->text.empty()) parts.push_back(expr.keys[i].get());
@@ -47,8 +47,8 @@ void Emitter::interpolation(const Expr& expr) {
   if (groups > 1) out_.symbol(")");
 }
 
-// One group of parts.
-void Emitter::interpolation(const std::vector<const Expr*>& parts, size_t from) {
+// Emits one group of parts.
+void ExpressionEmitter::interpolation(const std::vector<const Expr*>& parts, size_t from) {
   helper("interp");
   for (size_t i = from; i < std::min(parts.size(), from + kMostArguments); ++i) {
     if (i > from) out_.symbol(",");

@@ -1,14 +1,16 @@
-// Loops. A body that uses `continue` becomes a loop of its own, which runs once: `continue` leaves
-// that one, and `break` sets a flag for the outer one before.
+// Emits loops. A body that uses `continue` becomes a loop of its own that runs once. `continue`
+// leaves that loop, and `break` first sets a flag for the outer one.
 //   while c do local b; repeat BODY until true; if b then break end end
 #include <utility>
 
-#include "engine/luau/emitter_state.h"
+#include "engine/luau/statement_emitter.h"
 
 namespace obby::luau {
 
-// `names` are the loop's own variables. The scope stays open: a condition may see it.
-void Emitter::loopBody(const Block& body, const std::vector<std::string>& names, int endLine) {
+// Emits a body; `names` are the loop's own variables. The scope stays open, since a condition may
+// see it.
+void StatementEmitter::loopBody(const Block& body, const std::vector<std::string>& names,
+                                int endLine) {
   openScope(body, names);
   const Leaves leaves = leavesOf(body);
   const bool flagged = std::exchange(flagsBreak_, leaves.continues);
@@ -32,7 +34,7 @@ void Emitter::loopBody(const Block& body, const std::vector<std::string>& names,
   }
 }
 
-void Emitter::whileLoop(const Stat& stat) {
+void StatementEmitter::whileLoop(const Stat& stat) {
   Scope* const outer = scope_;
   keyword("while");
   expression(*stat.values[0]);
@@ -42,7 +44,7 @@ void Emitter::whileLoop(const Stat& stat) {
   scope_ = outer;
 }
 
-void Emitter::repeatLoop(const Stat& stat) {
+void StatementEmitter::repeatLoop(const Stat& stat) {
   Scope* const outer = scope_;
   keyword("repeat");
   loopBody(stat.blocks[0], {}, stat.endLine);
@@ -51,7 +53,7 @@ void Emitter::repeatLoop(const Stat& stat) {
   scope_ = outer;
 }
 
-void Emitter::forLoop(const Stat& stat) {
+void StatementEmitter::forLoop(const Stat& stat) {
   Scope* const outer = scope_;
   keyword("for");
   variables(stat.names);

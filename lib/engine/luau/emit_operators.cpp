@@ -1,5 +1,6 @@
-// Operators and if-expressions. What 5.1 lacks, or does otherwise, are calls of helpers.
-#include "engine/luau/emitter_state.h"
+// Emits operators and if-expressions. Operators that 5.1 lacks, or handles differently, are calls
+// of helpers.
+#include "engine/luau/expression_emitter.h"
 
 namespace obby::luau {
 namespace {
@@ -30,7 +31,7 @@ std::vector<const Expr*> concatenated(const Expr& expr) {
   return operands;
 }
 
-void Emitter::unary(const Expr& expr) {
+void ExpressionEmitter::unary(const Expr& expr) {
   const Expr& operand = *expr.kids[0];
   if (expr.text == "not") {
     keyword("not");
@@ -48,7 +49,7 @@ void Emitter::unary(const Expr& expr) {
   out_.symbol(".zero");
 }
 
-void Emitter::binary(const Expr& expr) {
+void ExpressionEmitter::binary(const Expr& expr) {
   if (expr.text == "..") return concatenation(concatenated(expr));
   if (expr.text == "//") return quotient(*expr.kids[0], *expr.kids[1]);
   expression(*expr.kids[0]);
@@ -59,7 +60,7 @@ void Emitter::binary(const Expr& expr) {
   expression(*expr.kids[1]);
 }
 
-void Emitter::quotient(const Expr& left, const Expr& right) {
+void ExpressionEmitter::quotient(const Expr& left, const Expr& right) {
   helper("idiv");
   single(left);
   out_.symbol(",");
@@ -67,7 +68,7 @@ void Emitter::quotient(const Expr& left, const Expr& right) {
   out_.symbol(")");
 }
 
-void Emitter::concatenation(const std::vector<const Expr*>& operands) {
+void ExpressionEmitter::concatenation(const std::vector<const Expr*>& operands) {
   const bool many = operands.size() > kMostArguments;
   helper(many ? "catn" : "cat");
   if (many) out_.symbol(std::to_string(operands.size()) + ",{");
@@ -78,16 +79,16 @@ void Emitter::concatenation(const std::vector<const Expr*>& operands) {
   out_.symbol(many ? "})" : ")");
 }
 
-void Emitter::condition(const Expr& expr) {
+void ExpressionEmitter::condition(const Expr& expr) {
   if (expr.kind == ExprKind::binary)
     bracketed(expr);
   else
     expression(expr);
 }
 
-// (c and a or b), where a is certainly true; otherwise (c and {a} or {b})[1]: a table is true
-// whatever it holds, and unlike a function it needs no upvalues, no `...` and no level of calls.
-void Emitter::choice(const Expr& expr) {
+// Emits (c and a or b) if a is certainly true; otherwise (c and {a} or {b})[1]. A table is true
+// whatever it holds. Unlike a function it needs no upvalues, no `...` and no level of calls.
+void ExpressionEmitter::choice(const Expr& expr) {
   bool plain = true;
   for (const Expr* at = &expr; at->kind == ExprKind::choice; at = at->kids[2].get())
     plain = plain && isCertainlyTrue(*at->kids[1]);

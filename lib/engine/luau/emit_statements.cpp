@@ -1,15 +1,23 @@
-// Statements but assignments and loops. Simple ones end with `;`, so that a `(` behind them begins
-// a statement.
-#include "engine/luau/emitter_state.h"
+// Emits statements except assignments and loops. Simple ones end with `;`, so that a `(` after them
+// begins a statement.
+#include <utility>
+
+#include "engine/luau/statement_emitter.h"
 
 namespace obby::luau {
 
-void Emitter::statements(const Block& body) {
+void StatementEmitter::functionBlock(const Block& body) {
+  const bool flagged = std::exchange(flagsBreak_, false);
+  statements(body);
+  flagsBreak_ = flagged;
+}
+
+void StatementEmitter::statements(const Block& body) {
   for (const auto& stat : body) statement(*stat);
 }
 
-void Emitter::statement(const Stat& stat) {
-  if (stat.kind == StatKind::block && stat.blocks.empty()) return;  // a type
+void StatementEmitter::statement(const Stat& stat) {
+  if (stat.kind == StatKind::block && stat.blocks.empty()) return;  // a type declaration
   out_.at(stat.line);
   switch (stat.kind) {
     case StatKind::local: local(stat); break;
@@ -33,14 +41,14 @@ void Emitter::statement(const Stat& stat) {
   out_.symbol(";");
 }
 
-void Emitter::local(const Stat& stat) {
+void StatementEmitter::local(const Stat& stat) {
   const bool table = scope_->table != 0;
   if (!table) keyword("local");
-  if (table && stat.values.empty()) {  // the table is new: they are nil
+  if (table && stat.values.empty()) {  // the table is new, so the fields are nil
     for (const auto& name : stat.names) declared(name);
     return keyword("do end");
   }
-  // The values do not see the variables: names of table fields are found only behind them.
+  // The values do not see the variables: table fields are declared after them.
   for (size_t i = 0; i < stat.names.size(); ++i) {
     if (i > 0) out_.symbol(",");
     out_.word(declared(stat.names[i]));
@@ -50,7 +58,7 @@ void Emitter::local(const Stat& stat) {
   list(stat.values);
 }
 
-void Emitter::branch(const Stat& stat) {
+void StatementEmitter::branch(const Stat& stat) {
   for (size_t i = 0; i < stat.blocks.size(); ++i) {
     if (i < stat.values.size()) {
       keyword(i == 0 ? "if" : "elseif");
@@ -64,7 +72,7 @@ void Emitter::branch(const Stat& stat) {
   end(stat);
 }
 
-void Emitter::function(const Stat& stat) {
+void StatementEmitter::function(const Stat& stat) {
   const bool isLocal = stat.targets.empty();
   if (isLocal && scope_->table == 0) keyword("local");
   keyword("function");
@@ -75,9 +83,9 @@ void Emitter::function(const Stat& stat) {
   functionBody(*stat.values[0]->body);
 }
 
-// `return f()` would be a tail call, of which Luau has none: the function would be missing from
-// tracebacks and error positions.
-void Emitter::returns(const Stat& stat) {
+// Emits a return. `return f()` would be a tail call, which Luau does not have: tracebacks and error
+// positions would lack the function.
+void StatementEmitter::returns(const Stat& stat) {
   keyword("return");
   if (stat.values.size() != 1) return list(stat.values);
   const Expr& value = *stat.values[0];
@@ -93,7 +101,7 @@ void Emitter::returns(const Stat& stat) {
   }
 }
 
-void Emitter::leaves(const Stat& stat) {
+void StatementEmitter::leaves(const Stat& stat) {
   if (flagsBreak_ && stat.text == "break") {
     out_.word(own("b"));
     out_.symbol("=true;");

@@ -1,13 +1,13 @@
-// Expressions of the Luau parser: precedence climbing, literals, functions.
+// Parses expressions: precedence climbing, literals, functions.
 #include <algorithm>
 #include <utility>
 
-#include "engine/luau/parser_state.h"
+#include "engine/luau/expression_parser.h"
 
 namespace obby::luau {
 namespace {
 
-// How tightly a binary operator binds, left and right; 0: no operator.
+// The left and right precedence of a binary operator; 0: no operator.
 struct Binding {
   int left, right;
 };
@@ -32,7 +32,7 @@ constexpr int kAboveConcatenation = 9;
 
 }  // namespace
 
-ExprPtr Parser::make(ExprKind kind, int line, std::string text) {
+ExprPtr ExpressionParser::make(ExprKind kind, int line, std::string text) {
   auto expr = std::make_unique<Expr>();
   expr->kind = kind;
   expr->line = line;
@@ -40,7 +40,7 @@ ExprPtr Parser::make(ExprKind kind, int line, std::string text) {
   return expr;
 }
 
-void Parser::adopt(Expr& parent, ExprPtr kid) {
+void ExpressionParser::adopt(Expr& parent, ExprPtr kid) {
   if (kid->height >= kMaxHeight) {
     fail(parent.line, "this expression is too long");
     kid = make(ExprKind::unknown, parent.line);
@@ -49,14 +49,14 @@ void Parser::adopt(Expr& parent, ExprPtr kid) {
   parent.kids.push_back(std::move(kid));
 }
 
-std::vector<ExprPtr> Parser::expressionList() {
+std::vector<ExprPtr> ExpressionParser::expressionList() {
   std::vector<ExprPtr> list;
   do list.push_back(expression());
   while (accept(","));
   return list;
 }
 
-ExprPtr Parser::expression(int least) {
+ExprPtr ExpressionParser::expression(int least) {
   const Depth depth(*this);
   if (depth.tooDeep()) return make(ExprKind::unknown, peek().line);
   ExprPtr left = unary();
@@ -75,8 +75,8 @@ ExprPtr Parser::expression(int least) {
   }
 }
 
-// `..` is the right associative operator that occurs in long chains: they need no depth.
-ExprPtr Parser::concatenation(ExprPtr first) {
+// Parses a chain of the right associative operator `..`. Chains may be long, so they add no depth.
+ExprPtr ExpressionParser::concatenation(ExprPtr first) {
   std::vector<ExprPtr> operands;
   std::vector<int> lines;
   operands.push_back(std::move(first));
@@ -94,7 +94,7 @@ ExprPtr Parser::concatenation(ExprPtr first) {
   return right;
 }
 
-ExprPtr Parser::unary() {
+ExprPtr ExpressionParser::unary() {
   if (isSymbol("-") || isSymbol("#") || isKeyword("not")) {
     const Token& op = next();
     auto unary = make(ExprKind::unary, op.line, op.text);
@@ -111,7 +111,7 @@ ExprPtr Parser::unary() {
   return value;
 }
 
-ExprPtr Parser::simple() {
+ExprPtr ExpressionParser::simple() {
   const Token& token = peek();
   const int line = token.line;
   ExprPtr value;
@@ -140,7 +140,7 @@ ExprPtr Parser::simple() {
   return make(ExprKind::unknown, line);
 }
 
-ExprPtr Parser::keywordValue() {
+ExprPtr ExpressionParser::keywordValue() {
   const int line = peek().line;
   if (acceptKeyword("nil")) return make(ExprKind::nil, line);
   if (acceptKeyword("true")) return make(ExprKind::truth, line);
@@ -150,13 +150,13 @@ ExprPtr Parser::keywordValue() {
   return nullptr;
 }
 
-ExprPtr Parser::vararg() {
+ExprPtr ExpressionParser::vararg() {
   const int line = next().line;
   if (!around_.vararg) fail(line, "'...' in a function that takes no '...'");
   return make(ExprKind::vararg, line);
 }
 
-ExprPtr Parser::choice() {
+ExprPtr ExpressionParser::choice() {
   const Depth depth(*this);
   const int line = lineBefore();
   if (depth.tooDeep()) return make(ExprKind::unknown, line);
@@ -173,7 +173,7 @@ ExprPtr Parser::choice() {
   return expr;
 }
 
-ExprPtr Parser::functionBody(int line) {
+ExprPtr ExpressionParser::functionBody(int line) {
   auto expr = make(ExprKind::function, line);
   expr->body = std::make_unique<Function>();
   Function& function = *expr->body;
@@ -189,7 +189,7 @@ ExprPtr Parser::functionBody(int line) {
   return expr;
 }
 
-void Parser::parameters(Function& function) {
+void ExpressionParser::parameters(Function& function) {
   const int line = peek().line;
   expect("(");
   while (!isSymbol(")")) {
@@ -206,7 +206,7 @@ void Parser::parameters(Function& function) {
   close(")", "(", line);
 }
 
-void Parser::attributes() {
+void ExpressionParser::attributes() {
   while (accept("@")) {
     if (!accept("[")) {
       nameToken();

@@ -9,14 +9,15 @@
 namespace obby::luau {
 namespace {
 
-// Of a value with __type in its metatable: what that says.
+// Returns the __type in the value's metatable, or else its Lua type.
 const char* typeName(lua_State* state, int index) {
   if (luaL_getmetafield(state, index, "__type") && lua_type(state, -1) == LUA_TSTRING)
-    return lua_tostring(state, -1);  // the metatable keeps it
+    return lua_tostring(state, -1);  // the metatable keeps it alive
   return luaL_typename(state, index);
 }
 
-// Calls a metamethod of the value at `of` with the values at a and b; false if there is none.
+// Calls a metamethod of the value at `of` with the values at a and b. Returns false if there is
+// none.
 bool callMeta(lua_State* state, const char* event, int of, int a, int b) {
   if (!luaL_getmetafield(state, of, event)) return false;
   lua_pushvalue(state, a);
@@ -52,7 +53,7 @@ bool isText(lua_State* state, int index) {
   return lua_type(state, index) == LUA_TSTRING || lua_type(state, index) == LUA_TNUMBER;
 }
 
-// Replaces a number by its text. The string is pushed before any error could pass it by.
+// Replaces a number by its text.
 void toText(lua_State* state, int index) {
   if (lua_type(state, index) != LUA_TNUMBER) return;
   const std::string text = numberText(lua_tonumber(state, index));
@@ -60,7 +61,7 @@ void toText(lua_State* state, int index) {
   lua_replace(state, index);
 }
 
-// The two values on top become one.
+// Joins the two values on top into one.
 int joinTwo(lua_State* state) {
   const int right = lua_gettop(state), left = right - 1;
   if (isText(state, left) && isText(state, right)) {
@@ -78,7 +79,7 @@ int joinTwo(lua_State* state) {
   return 1;
 }
 
-// Values 1 to `count`, which are all there is. Texts at the end are joined at once.
+// Joins the values 1 to `count`, which are the whole stack. Texts at the end are joined at once.
 int join(lua_State* state, int count) {
   int top = count;
   while (top > 1) {
@@ -107,7 +108,7 @@ int concatenateList(lua_State* state) {
   return join(state, count);
 }
 
-// Any value as text, in its place, by the field tostring of the helpers.
+// Replaces a value by its text, with the field tostring of the helpers.
 void describe(lua_State* state, int index) {
   toText(state, index);
   if (lua_type(state, index) == LUA_TSTRING) return;

@@ -1,4 +1,4 @@
-// One pass over the bytes of a source text.
+// Reads the bytes of a source text in one pass.
 #include "engine/luau/lexer.h"
 
 #include <algorithm>
@@ -13,12 +13,12 @@ namespace {
 constexpr std::array<std::string_view, 21> kKeywords = {
     "and",   "break", "do",  "else", "elseif", "end",    "false", "for",  "function", "if",   "in",
     "local", "nil",   "not", "or",   "repeat", "return", "then",  "true", "until",    "while"};
-// Longest first.
+// Symbols, longest first.
 constexpr std::array<std::string_view, 17> kLongSymbols = {
     "...", "..=", "//=", "..", "==", "~=", "<=", ">=", "+=",
     "-=",  "*=",  "/=",  "%=", "^=", "::", "->", "//"};
 
-constexpr size_t kLongestName = 1000;  // bytes; what comes behind them is left out
+constexpr size_t kLongestName = 1000;  // bytes; the rest is dropped
 constexpr const char* kMalformed = "malformed string: its closing quote is missing on this line";
 constexpr const char* kEscape = "malformed escape in a string";
 

@@ -1,5 +1,5 @@
-// Luau source text as tokens with line numbers; comments are left out. Never fails: a malformed
-// token says so, and the text behind it goes on.
+// Splits Luau source text into tokens with line numbers, without comments. It never fails: a
+// malformed token carries its error, and reading continues after it.
 #pragma once
 
 #include <string>
@@ -15,24 +15,24 @@ enum class TokenKind {
   string,
   interpolation,  // `text` or `text{
   continuation,   // }text` or }text{
-  symbol,         // also a byte that begins no token
+  symbol,         // symbol, or a byte that begins no token
   end
 };
 
 struct Token {
   TokenKind kind = TokenKind::end;
-  std::string text;             // of a string: its value
-  double number = 0;            // of a number
-  int line = 0;                 // of its first byte, from 1
-  bool opens = false;           // an interpolated string goes on with an expression
-  const char* error = nullptr;  // what is malformed, in plain words
+  std::string text;             // value of a string
+  double number = 0;            // value of a number
+  int line = 0;                 // line of its first byte, from 1
+  bool opens = false;           // an interpolated string continues with an expression
+  const char* error = nullptr;  // the error of a malformed token, in plain words
 };
 
 class Lexer {
  public:
   explicit Lexer(std::string_view source);
 
-  // The next token; of kind end for ever after the last.
+  // Reads the next token. After the last one, its kind is always end.
   void read(Token& token);
 
  private:
@@ -41,17 +41,18 @@ class Lexer {
   }
   Token& push(TokenKind kind, std::string_view text);
   void advanceTo(size_t end);
-  void step();  // one token, blank or comment
+  void step();  // skips a blank or a comment, or reads one token
   void symbol(char c);
   void comment();
   void word();
   void number();
-  // Reads up to a quote, or to one of two bytes, which stays; false if the line ends before.
+  // Reads up to a quote, or up to `other`, which is not consumed. Returns false if the line ends
+  // before.
   bool text(char quote, char other, Token& token);
   void quoted(char quote);
-  // Of an interpolated string, up to its end or to the next expression.
+  // Reads a section of an interpolated string, up to its end or to the next expression.
   void section(TokenKind kind);
-  // One more than the level of the long bracket that opens here; 0: none does.
+  // Returns one more than the level of the long bracket that opens here, or 0 if none does.
   size_t longBracket() const;
   size_t longBracketEnd(size_t level) const;
   bool longString();
@@ -59,11 +60,11 @@ class Lexer {
   std::string_view source_;
   size_t at_ = 0;
   int line_ = 1;
-  std::vector<bool> braces_;  // open ones; true: of an interpolated string
-  Token* token_ = nullptr;    // to be filled
+  std::vector<bool> braces_;  // open braces; true: of an interpolated string
+  Token* token_ = nullptr;    // the token to fill
 };
 
-// All of them; always ends with a token of kind end.
+// Returns all tokens. The last one has the kind end.
 std::vector<Token> tokenize(std::string_view source);
 
 }  // namespace obby::luau

@@ -1,4 +1,4 @@
-// Numbers, escapes and long strings as Luau reads them.
+// Reads numbers, escapes and long strings as Luau does.
 #include "engine/luau/literals.h"
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 namespace obby::luau {
 namespace {
 
-// Too many digits give the largest 64-bit number, as in Luau.
+// Returns the value of an integer. Too many digits become the largest 64-bit number, as in Luau.
 std::optional<double> integerValue(std::string_view digits, int base) {
   uint64_t value = 0;
   const auto [end, error] =
@@ -30,7 +30,7 @@ void appendUtf8(std::string& out, uint32_t code) {
   for (int i = more - 1; i >= 0; --i) out += char(0x80 | ((code >> (6 * i)) & 0x3F));
 }
 
-// The number in digits of a base; at most `most` of them.
+// Returns the number from at most `most` digits of a base.
 std::optional<uint32_t> digits(std::string_view source, size_t& at, size_t most, int base) {
   size_t count = 0;
   uint32_t value = 0;

@@ -1,16 +1,16 @@
-// The parser's loops.
-#include "engine/luau/parser_state.h"
+// Parses loops.
+#include "engine/luau/statement_parser.h"
 
 namespace obby::luau {
 
-Block Parser::loopBody() {
+Block StatementParser::loopBody() {
   ++around_.loops;
   Block body = block();
   --around_.loops;
   return body;
 }
 
-StatPtr Parser::whileLoop(int line) {
+StatPtr StatementParser::whileLoop(int line) {
   auto stat = makeStat(StatKind::whileLoop, line);
   stat->values.push_back(expression());
   expectKeyword("do");
@@ -20,7 +20,7 @@ StatPtr Parser::whileLoop(int line) {
   return stat;
 }
 
-StatPtr Parser::repeatLoop(int line) {
+StatPtr StatementParser::repeatLoop(int line) {
   auto stat = makeStat(StatKind::repeatLoop, line);
   stat->blocks.push_back(loopBody());
   stat->endLine = peek().line;
@@ -29,7 +29,7 @@ StatPtr Parser::repeatLoop(int line) {
   return stat;
 }
 
-StatPtr Parser::forLoop(int line) {
+StatPtr StatementParser::forLoop(int line) {
   auto stat = makeStat(StatKind::genericFor, line);
   do {
     stat->names.push_back(nameToken());

@@ -9,7 +9,7 @@
 namespace obby::luau {
 namespace {
 
-// Digits with the decimal point behind the first `point` of them.
+// Returns digits with the decimal point after the first `point` of them.
 std::string fixedText(std::string digits, int point) {
   const int count = int(digits.size());
   if (point <= 0) return "0." + std::string(size_t(-point), '0') + digits;

@@ -1,10 +1,10 @@
-// Recursive descent over statements; loops are in loop_parser.cpp, expressions in
+// Parses statements by recursive descent. Loops are in loop_parser.cpp, expressions in
 // expression_parser.cpp.
 #include "engine/luau/parser.h"
 
 #include <utility>
 
-#include "engine/luau/parser_state.h"
+#include "engine/luau/statement_parser.h"
 
 namespace obby::luau {
 namespace {
@@ -20,18 +20,18 @@ bool isAssignmentOperator(const Token& token) {
 
 }  // namespace
 
-Block Parser::block() {
+Block StatementParser::block() {
   Block statements;
   const Depth depth(*this);
   while (!atEnd() && !blockEnds()) {
-    const size_t before = position_;
+    const size_t before = position();
     StatPtr stat = depth.tooDeep() ? nullptr : statement();
     accept(";");
     if (stat) {
       checkLast(*stat);
       statements.push_back(std::move(stat));
     }
-    if (position_ == before) {  // no statement begins here
+    if (position() == before) {  // no statement begins here
       failHere("a statement");
       next();
     }
@@ -39,19 +39,19 @@ Block Parser::block() {
   return statements;
 }
 
-bool Parser::blockEnds() const {
+bool StatementParser::blockEnds() const {
   if (peek().kind != TokenKind::keyword) return false;
   return isKeyword("end") || isKeyword("else") || isKeyword("elseif") || isKeyword("until");
 }
 
-void Parser::checkLast(const Stat& stat) {
+void StatementParser::checkLast(const Stat& stat) {
   const bool last = stat.kind == StatKind::returns || stat.kind == StatKind::leaves;
   if (!last || atEnd() || blockEnds()) return;
   failHere("the end of the block behind '" +
            (stat.kind == StatKind::returns ? "return" : stat.text) + "'");
 }
 
-StatPtr Parser::statement() {
+StatPtr StatementParser::statement() {
   const int line = peek().line;
   if (peek().kind == TokenKind::keyword) return keywordStatement(line);
   if (isSymbol("@")) return attributed(line);
@@ -60,7 +60,7 @@ StatPtr Parser::statement() {
   return callOrAssignment(line);
 }
 
-StatPtr Parser::keywordStatement(int line) {
+StatPtr StatementParser::keywordStatement(int line) {
   if (acceptKeyword("local")) {
     if (acceptKeyword("function")) return localFunction(line);
     return local(line, "");
@@ -76,7 +76,7 @@ StatPtr Parser::keywordStatement(int line) {
   return nullptr;
 }
 
-StatPtr Parser::contextualStatement(int line) {
+StatPtr StatementParser::contextualStatement(int line) {
   const Token& after = peek(1);
   const bool name = after.kind == TokenKind::name;
   const bool function = after.kind == TokenKind::keyword && after.text == "function";
@@ -92,7 +92,7 @@ StatPtr Parser::contextualStatement(int line) {
   return local(line, "const");
 }
 
-bool Parser::continuesName() const {
+bool StatementParser::continuesName() const {
   const Token& after = peek(1);
   if (after.kind == TokenKind::string || after.kind == TokenKind::interpolation) return true;
   if (after.kind != TokenKind::symbol) return false;
@@ -102,7 +102,7 @@ bool Parser::continuesName() const {
   return isAssignmentOperator(after);
 }
 
-StatPtr Parser::local(int line, const char* text) {
+StatPtr StatementParser::local(int line, const char* text) {
   auto stat = makeStat(StatKind::local, line);
   stat->text = text;
   do {
@@ -116,14 +116,14 @@ StatPtr Parser::local(int line, const char* text) {
   return stat;
 }
 
-StatPtr Parser::localFunction(int line) {
+StatPtr StatementParser::localFunction(int line) {
   auto stat = makeStat(StatKind::function, line);
   stat->names.push_back(nameToken());
   stat->values.push_back(functionBody(line));
   return stat;
 }
 
-StatPtr Parser::attributed(int line) {
+StatPtr StatementParser::attributed(int line) {
   attributes();
   if (isKeyword("local") || isName("const"))
     next();
@@ -134,7 +134,7 @@ StatPtr Parser::attributed(int line) {
   return nullptr;
 }
 
-StatPtr Parser::doBlock(int line) {
+StatPtr StatementParser::doBlock(int line) {
   auto stat = makeStat(StatKind::block, line);
   stat->blocks.push_back(block());
   stat->endLine = peek().line;
@@ -142,7 +142,7 @@ StatPtr Parser::doBlock(int line) {
   return stat;
 }
 
-StatPtr Parser::branch(int line) {
+StatPtr StatementParser::branch(int line) {
   auto stat = makeStat(StatKind::branch, line);
   do {
     stat->values.push_back(expression());
@@ -155,20 +155,20 @@ StatPtr Parser::branch(int line) {
   return stat;
 }
 
-StatPtr Parser::returns(int line) {
+StatPtr StatementParser::returns(int line) {
   auto stat = makeStat(StatKind::returns, line);
   if (!atEnd() && !blockEnds() && !isSymbol(";")) stat->values = expressionList();
   return stat;
 }
 
-StatPtr Parser::leaves(int line) {
+StatPtr StatementParser::leaves(int line) {
   auto stat = makeStat(StatKind::leaves, line);
   stat->text = next().text;
   if (around_.loops == 0) fail(line, "'" + stat->text + "' outside of a loop");
   return stat;
 }
 
-StatPtr Parser::namedFunction(int line) {
+StatPtr StatementParser::namedFunction(int line) {
   auto stat = makeStat(StatKind::function, line);
   const int start = peek().line;
   auto target = make(ExprKind::name, start, nameToken());
@@ -187,7 +187,7 @@ StatPtr Parser::namedFunction(int line) {
   return stat;
 }
 
-StatPtr Parser::typeDeclaration(int line) {
+StatPtr StatementParser::typeDeclaration(int line) {
   next();
   if (acceptKeyword("function")) {
     nameToken();
@@ -201,8 +201,8 @@ StatPtr Parser::typeDeclaration(int line) {
   return makeStat(StatKind::block, line);
 }
 
-StatPtr Parser::callOrAssignment(int line) {
-  const size_t before = position_;
+StatPtr StatementParser::callOrAssignment(int line) {
+  const size_t before = position();
   auto first = primary();
   if (!first) return nullptr;
   if (isSymbol("=") || isSymbol(",")) return assignment(line, std::move(first));
@@ -218,14 +218,14 @@ StatPtr Parser::callOrAssignment(int line) {
   const bool call = first->kind == ExprKind::call || first->kind == ExprKind::method;
   if (!call || first->parenthesised) {
     fail(line, "incomplete statement: expected an assignment or a call, found " + found());
-    if (position_ == before) return nullptr;
+    if (position() == before) return nullptr;
   }
   auto stat = makeStat(StatKind::call, line);
   stat->values.push_back(std::move(first));
   return stat;
 }
 
-StatPtr Parser::assignment(int line, ExprPtr first) {
+StatPtr StatementParser::assignment(int line, ExprPtr first) {
   auto stat = makeStat(StatKind::assign, line);
   checkTarget(*first);
   stat->targets.push_back(std::move(first));
@@ -243,28 +243,28 @@ StatPtr Parser::assignment(int line, ExprPtr first) {
   return stat;
 }
 
-void Parser::checkTarget(const Expr& target) {
+void StatementParser::checkTarget(const Expr& target) {
   const bool assignable = target.kind == ExprKind::name || target.kind == ExprKind::field ||
                           target.kind == ExprKind::index;
   if (!assignable || target.parenthesised)
     fail(target.line, "only a variable or a field can be assigned to");
 }
 
-Chunk Parser::chunk() {
+Chunk StatementParser::chunk() {
   Chunk chunk;
-  while (!atEnd()) {  // a stray `end` ends a block early: go on behind it
+  while (!atEnd()) {  // a stray `end` ends a block early; continue after it
     Block more = block();
     for (auto& stat : more) chunk.body.push_back(std::move(stat));
     if (atEnd()) break;
     failHere("'<end of file>'");
     next();
   }
-  chunk.broken = broken_;
-  chunk.error = error_;
-  chunk.errorLine = errorLine_;
+  chunk.broken = isBroken();
+  chunk.error = error();
+  chunk.errorLine = errorLine();
   return chunk;
 }
 
-Chunk parse(std::string_view source) { return Parser(source).chunk(); }
+Chunk parse(std::string_view source) { return StatementParser(source).chunk(); }
 
 }  // namespace obby::luau

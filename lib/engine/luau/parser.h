@@ -1,5 +1,5 @@
-// Luau text to its parsed form. Tolerant: what is no statement is skipped and marks the chunk
-// broken, so that the rest still counts; the first error is told with its line. Nesting is bounded.
+// Parses Luau text. It is tolerant: text that is no statement is skipped and marks the chunk
+// broken, so that the rest still counts. The first error is kept with its line. Nesting is bounded.
 #pragma once
 
 #include <string_view>

@@ -1,4 +1,4 @@
-// One walk over the script with the variables in scope.
+// Resolves names in one walk over the script with the variables in scope.
 #include "engine/luau/scopes.h"
 
 #include <fmt/format.h>
@@ -22,13 +22,13 @@ class Resolver {
   }
 
  private:
-  static constexpr int kForLoopLocals = 3;  // that Lua keeps of its own
+  static constexpr int kForLoopLocals = 3;  // hidden locals of a Lua loop
 
   // The first `continue` of a loop.
   struct Continue {
     Scope* body = nullptr;
-    int line = 0;      // 0: there is none yet
-    int declared = 0;  // variables of the body before it
+    int line = 0;      // 0: none so far
+    int declared = 0;  // number of variables of the body before it
   };
 
   void enterFunction(const Function* function, const Block& body);
@@ -64,8 +64,8 @@ class Resolver {
   std::set<std::string, std::less<>> takenPrefixes_;
   FunctionScope* function_ = nullptr;
   Scope* scope_ = nullptr;
-  Continue continue_;  // of the innermost loop
-  Continue skips_;     // of the loop whose condition is looked at
+  Continue continue_;  // first one of the innermost loop
+  Continue skips_;     // one of the loop whose condition is resolved
   bool failed_ = false;
   Error error_;
 };
@@ -94,7 +94,7 @@ Scope& Resolver::open(const Block& block) {
 void Resolver::close(Scope& scope) {
   for (const Local* local : scope.locals) visible_[local->name].pop_back();
   function_->active -= int(scope.locals.size());
-  scope_ = nullptr;  // whoever opened it sets its own again
+  scope_ = nullptr;  // the caller that opened it sets its own again
 }
 
 void Resolver::declare(std::string_view name, bool constant) {
@@ -154,8 +154,8 @@ void Resolver::branch(const Stat& stat) {
   }
 }
 
-// With `continue` the body becomes a loop of its own, and the condition stands outside of it: the
-// variables that the condition sees then live in a table.
+// With `continue` the body becomes a loop of its own, and the condition is outside of it. Variables
+// that the condition uses then live in a table.
 void Resolver::repeatLoop(const Stat& stat) {
   const auto [body, first] = loopBody(stat);
   const Continue outer = skips_;
@@ -172,7 +172,7 @@ void Resolver::forLoop(const Stat& stat) {
   function_->active -= kForLoopLocals;
 }
 
-// The scope stays open.
+// Resolves a body and leaves its scope open.
 std::pair<Scope*, Resolver::Continue> Resolver::loopBody(const Stat& stat) {
   const Continue outer = continue_;
   Scope& scope = open(stat.blocks[0]);

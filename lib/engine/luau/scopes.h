@@ -1,5 +1,6 @@
-// Which variable each name of a script means, and which variables the emitted Lua 5.1 must keep in
-// a table: a function of 5.1 has 60 upvalues and 200 local variables, one of Luau 200 upvalues.
+// Resolves each name of a script to a variable, and decides which variables the emitted Lua 5.1
+// must keep in a table. A function of 5.1 has 60 upvalues and 200 local variables; one of Luau has
+// 200 upvalues.
 #pragma once
 
 #include <deque>
@@ -19,7 +20,7 @@ struct Scope;
 struct Local {
   std::string_view name;
   Scope* scope = nullptr;
-  int index = 0;  // in its scope
+  int index = 0;  // index in its scope
   bool constant = false;
 };
 
@@ -28,22 +29,22 @@ struct FunctionScope {
   FunctionScope* outer = nullptr;
   std::unordered_set<const Local*> upvalues;
   std::vector<Scope*> scopes;
-  int active = 0, most = 0;  // local variables at a time
+  int active = 0, most = 0;  // local variables in scope now, and their maximum
 };
 
-// A block with its variables; a function's parameters and a loop's variables belong to its body.
+// A block with its variables. A function's parameters and a loop's variables belong to its body.
 struct Scope {
   FunctionScope* function = nullptr;
   std::vector<Local*> locals;
-  int table = 0;  // number of the table that holds the variables; 0: they are local variables
+  int table = 0;  // number of the table that holds the variables; 0: local variables
 };
 
 class Scopes {
  public:
-  // Null: a global variable.
+  // Returns the local variable that a name refers to, or null for a global one.
   const Local* find(const Expr& name) const;
   Scope& of(const Block& block) const { return *byBlock_.at(&block); }
-  // No variable of the script begins with it.
+  // Returns a prefix that no variable of the script has.
   const std::string& freePrefix() const { return prefix_; }
 
  private:
@@ -57,14 +58,15 @@ class Scopes {
   std::string prefix_;
 };
 
-// An error if a constant is assigned to, or if `continue` skips a variable that the condition of
-// its loop needs. The chunk is not broken and outlives the answer.
+// Resolves all names of a chunk. Fails if a constant is assigned to, or if `continue` skips a
+// variable that the condition of its loop needs. The chunk must not be broken and must outlive the
+// result.
 Result<Scopes> resolve(const Chunk& chunk);
 
 // Gives tables to scopes until every function is within the limits (spill.cpp).
 void spill(std::deque<FunctionScope>& functions, std::deque<Scope>& scopes);
 
-// What may leave a loop's body early.
+// The ways to leave a loop's body early.
 struct Leaves {
   bool breaks = false, continues = false;
 };

@@ -1,6 +1,6 @@
-// Scopes whose variables move into a table, because a function of Lua 5.1 has fewer upvalues and
-// local variables than one of Luau. A scope moves as a whole; its table is made anew with each
-// entry, so that closures keep their own variables.
+// Decides which scopes keep their variables in a table, because a function of Lua 5.1 has fewer
+// upvalues and local variables than one of Luau. A scope moves as a whole. Each entry makes a new
+// table, so that closures keep their own variables.
 #include <algorithm>
 #include <iterator>
 #include <unordered_map>
@@ -11,8 +11,8 @@
 namespace obby::luau {
 namespace {
 
-constexpr int kMostUpvalues = 55;  // of 60; the helpers' table is one
-constexpr int kMostLocals = 160;  // of 200; some are the emitter's, and 250 registers hold them all
+constexpr int kMostUpvalues = 55;  // 5.1 allows 60; one is the helpers' table
+constexpr int kMostLocals = 160;   // 5.1 allows 200; the emitter needs some
 
 // Moves the scopes with the largest counts until `total` is within the limit.
 void moveLargest(std::vector<std::pair<int, Scope*>> counts, int total, int limit) {
@@ -31,7 +31,7 @@ void limitUpvalues(const FunctionScope& function, const std::deque<Scope>& scope
   for (const Local* local : function.upvalues) ++counts[local->scope];
   int total = 0;
   std::vector<std::pair<int, Scope*>> movable;
-  for (const Scope& scope : scopes) {  // in the script's order: the answer is always the same
+  for (const Scope& scope : scopes) {  // script order keeps the result deterministic
     const auto found = counts.find(&scope);
     if (found == counts.end()) continue;
     total += scope.table != 0 ? 1 : found->second;

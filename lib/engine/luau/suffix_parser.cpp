@@ -1,11 +1,11 @@
-// What begins with a name or a bracket: fields, calls and tables; strings.
+// Parses expressions that begin with a name or a bracket (fields, calls and tables), and strings.
 #include <utility>
 
-#include "engine/luau/parser_state.h"
+#include "engine/luau/expression_parser.h"
 
 namespace obby::luau {
 
-ExprPtr Parser::primary() {
+ExprPtr ExpressionParser::primary() {
   const int line = peek().line;
   if (peek().kind == TokenKind::name) return suffixes(make(ExprKind::name, line, next().text));
   if (!accept("(")) return nullptr;
@@ -15,12 +15,12 @@ ExprPtr Parser::primary() {
   return suffixes(std::move(inner));
 }
 
-ExprPtr Parser::stringLiteral() {
+ExprPtr ExpressionParser::stringLiteral() {
   const Token& token = next();
   return make(ExprKind::string, token.line, token.text);
 }
 
-ExprPtr Parser::interpolated() {
+ExprPtr ExpressionParser::interpolated() {
   const bool expressions = peek().opens;
   ExprPtr expr = stringLiteral();
   if (!expressions) return expr;
@@ -43,12 +43,12 @@ ExprPtr Parser::interpolated() {
   return expr;
 }
 
-ExprPtr Parser::suffixes(ExprPtr from) {
+ExprPtr ExpressionParser::suffixes(ExprPtr from) {
   while (auto outer = suffix(from)) from = std::move(outer);
   return from;
 }
 
-ExprPtr Parser::suffix(ExprPtr& from) {
+ExprPtr ExpressionParser::suffix(ExprPtr& from) {
   const int line = peek().line;
   ExprPtr outer;
   if (accept(".")) {
@@ -77,7 +77,7 @@ ExprPtr Parser::suffix(ExprPtr& from) {
   return outer;
 }
 
-void Parser::arguments(Expr& call) {
+void ExpressionParser::arguments(Expr& call) {
   const int line = peek().line;
   if (peek().kind == TokenKind::string) {
     adopt(call, stringLiteral());
@@ -95,23 +95,23 @@ void Parser::arguments(Expr& call) {
   }
 }
 
-ExprPtr Parser::table() {
+ExprPtr ExpressionParser::table() {
   const int line = next().line;
   auto expr = make(ExprKind::table, line);
   while (!atEnd() && !isSymbol("}")) {
-    const size_t before = position_;
+    const size_t before = position();
     expr->keys.push_back(tableKey());
     adopt(*expr, expression());
     if (!accept(",") && !accept(";") && !isSymbol("}")) {
-      close("}", "{", line);  // an error
-      if (position_ == before) next();
+      close("}", "{", line);  // reports an error
+      if (position() == before) next();
     }
   }
   close("}", "{", line);
   return expr;
 }
 
-ExprPtr Parser::tableKey() {
+ExprPtr ExpressionParser::tableKey() {
   const int line = peek().line;
   if (peek().kind == TokenKind::name && isSymbol(peek(1), "=")) {
     auto key = stringLiteral();

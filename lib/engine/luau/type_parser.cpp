@@ -1,9 +1,9 @@
-// Types of the Luau parser. They are erased, so what only the type checker refuses passes.
-#include "engine/luau/parser_state.h"
+// Parses types and discards them. Errors that only the type checker reports pass.
+#include "engine/luau/type_parser.h"
 
 namespace obby::luau {
 
-void Parser::type() {
+void TypeParser::type() {
   const Depth depth(*this);
   if (depth.tooDeep()) return;
   if (!accept("|")) accept("&");
@@ -15,7 +15,7 @@ void Parser::type() {
   }
 }
 
-void Parser::typeAtom() {
+void TypeParser::typeAtom() {
   if (peek().kind == TokenKind::name) return namedType();
   if (peek().kind == TokenKind::string || isKeyword("nil") || isKeyword("true") ||
       isKeyword("false")) {
@@ -27,7 +27,7 @@ void Parser::typeAtom() {
   failHere("a type");
 }
 
-void Parser::namedType() {
+void TypeParser::namedType() {
   const int line = peek().line;
   if (next().text == "typeof" && accept("(")) {
     expression();
@@ -37,7 +37,7 @@ void Parser::namedType() {
   if (isSymbol("<")) typeArguments();
 }
 
-void Parser::tableType() {
+void TypeParser::tableType() {
   const int line = next().line;
   while (!atEnd() && !isSymbol("}")) {
     const Token& after = peek(1);
@@ -57,8 +57,8 @@ void Parser::tableType() {
   close("}", "{", line);
 }
 
-// (T), (T, U) as a pack, (name: T, ...U) -> V.
-void Parser::functionType() {
+// Parses (T), (T, U) as a pack, (name: T, ...U) -> V.
+void TypeParser::functionType() {
   generics();
   const int line = peek().line;
   expect("(");
@@ -74,14 +74,14 @@ void Parser::functionType() {
   if (accept("->")) typeOrPack();
 }
 
-// T, T..., ...T, (T, U).
-void Parser::typeOrPack() {
+// Parses T, T..., ...T, (T, U).
+void TypeParser::typeOrPack() {
   if (accept("...")) return type();
   type();
   accept("...");
 }
 
-void Parser::typeArguments() {
+void TypeParser::typeArguments() {
   const int line = next().line;
   if (accept(">")) return;
   do typeOrPack();
@@ -89,8 +89,8 @@ void Parser::typeArguments() {
   close(">", "<", line);
 }
 
-// f<<T, U>>(x)
-void Parser::instantiation() {
+// Parses f<<T, U>>(x).
+void TypeParser::instantiation() {
   if (!isSymbol("<")) return;
   const int line = next().line;
   if (!isSymbol("<")) return failHere("'<<' before type arguments");
@@ -98,7 +98,7 @@ void Parser::instantiation() {
   close(">", "<", line);
 }
 
-void Parser::generics() {
+void TypeParser::generics() {
   if (!isSymbol("<")) return;
   const int line = next().line;
   while (peek().kind == TokenKind::name) {

@@ -1,4 +1,4 @@
-// Lua text in lines that are given.
+// Writes Lua text at given lines.
 #pragma once
 
 #include <string>
@@ -9,18 +9,18 @@ namespace obby::luau {
 
 class Writer {
  public:
-  // Goes on in a line, unless it is already beyond it or stays where it is.
+  // Moves on to a line, unless it is already past it or stays in its line.
   void at(int line) {
     for (; line_ < line && !stays_; ++line_) text_ += '\n';
   }
-  // Whether it stays in its line; returns what was before.
+  // Sets whether it stays in its line. Returns the previous value.
   bool stay(bool stays) { return std::exchange(stays_, stays); }
-  // A name, a keyword or a number.
+  // Writes a name, a keyword or a number.
   void word(std::string_view word) {
     if (!text_.empty() && isWordPart(text_.back())) text_ += ' ';
     text_ += word;
   }
-  // Anything else.
+  // Writes any other token.
   void symbol(std::string_view symbol) {
     if (symbol[0] == '-' && !text_.empty() && text_.back() == '-') text_ += ' ';
     text_ += symbol;

@@ -44,7 +44,7 @@ uint32_t shifted(uint32_t value, int by) {
   if (by <= -32 || by >= 32) return 0;
   return by >= 0 ? value << by : value >> -by;
 }
-// From -32 to 32: further shifts are all the same, and these can be negated.
+// Returns a shift clamped to -32..32: larger ones have the same result, and these can be negated.
 int shiftAt(lua_State* L, int index) {
   return int(std::fmin(std::fmax(luaL_checknumber(L, index), -32), 32));
 }
@@ -59,7 +59,7 @@ int arshift(lua_State* L) {
 int lrotate(lua_State* L) { return pushBits(L, std::rotl(bitsAt(L, 1), luaL_checkint(L, 2))); }
 int rrotate(lua_State* L) { return pushBits(L, std::rotr(bitsAt(L, 1), luaL_checkint(L, 2))); }
 
-// The mask of `width` bits; an error where the field leaves the word.
+// Returns the mask of `width` bits. Raises an error if the field leaves the word.
 uint32_t maskAt(lua_State* L, int field, int index) {
   const int width = luaL_optint(L, index, 1);
   if (field < 0 || width < 1 || field > 31 || width > 32 - field)

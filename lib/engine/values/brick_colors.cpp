@@ -1,4 +1,4 @@
-// Number and colour (0xRRGGBB) of every entry of the palette, ascending.
+// The number and colour (0xRRGGBB) of every entry of the palette, ascending.
 #include "engine/values/brick_colors.h"
 
 #include <algorithm>

@@ -10,16 +10,16 @@
 
 namespace obby {
 
-// Medium stone grey (194), as in the engine, for numbers that the palette does not have.
+// Returns a palette colour. For other numbers, returns medium stone grey (194), as the engine does.
 ColorRgb brickColor(int64_t number);
 
-// The number of a colour; nothing: the palette has no such one.
+// Returns the number of a colour, or nullopt if the palette does not have it.
 std::optional<int64_t> brickColorNumber(ColorRgb color);
 int64_t nearestBrickColorNumber(ColorRgb color);
-// The number at a place of the palette, counted round.
+// Returns the number at an index of the palette, which wraps around.
 int64_t paletteColor(size_t index);
 
-// Names that makers use; other numbers are called "Color N".
+// Returns the colour's name. Numbers without one are called "Color N".
 std::string brickColorName(int64_t number);
 std::optional<int64_t> brickColorNamed(std::string_view name);
 

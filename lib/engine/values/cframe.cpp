@@ -87,6 +87,14 @@ int orthonormalize(lua_State* L) {
   return 1;
 }
 
+// The angle of the turn from one rotation to the other.
+int angleBetween(lua_State* L) {
+  const Mat3 a = checkCFrame(L, 1).rotation, b = checkCFrame(L, 2).rotation;
+  const float trace = dot(a.x, b.x) + dot(a.y, b.y) + dot(a.z, b.z);
+  lua_pushnumber(L, std::acos(std::clamp((double(trace) - 1) / 2, -1.0, 1.0)));
+  return 1;
+}
+
 int fuzzyEqual(lua_State* L) {
   const Pose a = checkCFrame(L, 1), b = checkCFrame(L, 2);
   const float epsilon = float(luaL_optnumber(L, 3, 1e-5));
@@ -127,6 +135,7 @@ constexpr luaL_Reg kMethods[] = {{"Inverse", inverseMethod},
                                  {"toAxisAngle", toAxisAngle},
                                  {"Orthonormalize", orthonormalize},
                                  {"FuzzyEq", fuzzyEqual},
+                                 {"AngleBetween", angleBetween},
                                  {nullptr, nullptr}};
 
 // The vectors among the members; false if `key` is none.

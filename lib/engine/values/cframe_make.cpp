@@ -12,7 +12,7 @@ Vec3 vectorAt(lua_State* L, int first) {
   return {at(L, first), at(L, first + 1), at(L, first + 2)};
 }
 
-// From 7 numbers (a quaternion) or 12 (a matrix by rows).
+// Reads 7 numbers (a quaternion) or 12 (a matrix by rows).
 Pose fromNumbers(lua_State* L, int count) {
   const Vec3 position = vectorAt(L, 1);
   if (count == 7)

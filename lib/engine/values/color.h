@@ -1,4 +1,4 @@
-// Colours as files give them: three numbers from 0 to 1, or packed into one.
+// Converts colours between three numbers from 0 to 1 and one packed number.
 #pragma once
 
 #include <cstdint>
@@ -7,7 +7,7 @@
 
 namespace obby {
 
-// Components outside 0..1 are clamped; NaN counts as 0.
+// Clamps components to 0..1; NaN counts as 0.
 inline ColorRgb colorFromUnit(float r, float g, float b) {
   const auto byte = [](float v) {
     return v > 0 ? static_cast<uint8_t>((v < 1 ? v : 1.0f) * 255.0f + 0.5f) : uint8_t{0};
@@ -15,13 +15,13 @@ inline ColorRgb colorFromUnit(float r, float g, float b) {
   return {byte(r), byte(g), byte(b)};
 }
 
-// 0xRRGGBB; a top byte (0xFF, alpha) is ignored.
+// Unpacks 0xRRGGBB and ignores a top byte (0xFF, alpha).
 inline ColorRgb colorFromPacked(uint32_t packed) {
   return {static_cast<uint8_t>(packed >> 16), static_cast<uint8_t>(packed >> 8),
           static_cast<uint8_t>(packed)};
 }
 
-// The same back, 0x00RRGGBB.
+// Packs a colour as 0x00RRGGBB.
 inline uint32_t packedFrom(ColorRgb color) {
   return uint32_t{color.r} << 16 | uint32_t{color.g} << 8 | uint32_t{color.b};
 }

@@ -1,4 +1,4 @@
-// Name, density, friction and elasticity of each material, as documented for the engine.
+// The name, density, friction and elasticity of each material, as documented for the engine.
 #include "engine/values/materials.h"
 
 #include <algorithm>

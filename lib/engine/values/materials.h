@@ -1,4 +1,4 @@
-// What a part is made of: the engine's table of default physical properties.
+// The engine's table of default physical properties of materials.
 #pragma once
 
 #include <cstdint>
@@ -9,13 +9,14 @@
 
 namespace obby {
 
-// By the value of the Material enum; an unknown material counts as Plastic (256).
+// Returns the properties for a value of the Material enum. An unknown material counts as Plastic
+// (256).
 PhysicalProperties materialProperties(uint32_t material);
 
-// The value of the Material enum with that name.
+// Returns the value of the Material enum with that name.
 std::optional<uint32_t> materialNamed(std::string_view name);
 
-// As the engine calls it ("WoodPlanks"); empty for Plastic, which most parts are made of.
+// Returns the engine's name ("WoodPlanks"), but "" for Plastic, the material of most parts.
 std::string_view materialName(uint32_t material);
 
 }  // namespace obby

@@ -1,5 +1,5 @@
-// Perlin's noise with his own permutation ("Improving Noise", 2002), as math.noise has it.
-// Private to lib/engine.
+// Perlin's noise with his own permutation ("Improving Noise", 2002), as in math.noise. Private to
+// lib/engine.
 #pragma once
 
 namespace obby::engine {

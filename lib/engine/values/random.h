@@ -1,22 +1,29 @@
-// Luau's random numbers: PCG32 (O'Neill, "PCG: A Family of Simple Fast Space-Efficient
-// Statistically Good Algorithms", 2014), by seed. Private to lib/engine.
+// Luau's seeded random numbers: PCG32 (O'Neill, "PCG: A Family of Simple Fast Space-Efficient
+// Statistically Good Algorithms", 2014). Private to lib/engine.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
+
+#include "engine/settings.h"
 
 namespace obby::engine {
 
 class Random {
  public:
-  explicit Random(uint64_t seed) {
+  explicit Random(uint64_t seed, Draws draws = Draws::even) : draws_(draws) {
     (void)next();
     state_ += seed;
     (void)next();
   }
-  // In [0, 1).
+  // Returns a number in [0, 1).
   double share() {
     const uint64_t low = next(), high = next();
-    return double(low | (high << 32)) * 0x1p-64;
+    const double even = double(low | (high << 32)) * 0x1p-64;
+    if (draws_ == Draws::even) return even;
+    double small = even;
+    for (int i = 0; i < 5; ++i) small *= small;  // the 32nd power
+    return draws_ == Draws::low ? small : 1 - std::max(small, 0x1p-53);
   }
 
  private:
@@ -30,6 +37,7 @@ class Random {
 
   static constexpr uint64_t kStream = 105;
   uint64_t state_ = 0;
+  Draws draws_;
 };
 
 }  // namespace obby::engine

@@ -15,7 +15,7 @@ struct Turn {
 };
 Turn turnOf(double angle) { return {std::sin(angle), std::cos(angle)}; }
 
-// By rows.
+// Builds a matrix from its rows.
 Mat3 rows(double xx, double xy, double xz, double yx, double yy, double yz, double zx, double zy,
           double zz) {
   return {{float(xx), float(yx), float(zx)},
@@ -62,7 +62,7 @@ AxisAngle axisAngle(const Mat3& r) {
   const double angle = std::atan2(sine, cosine);
   if (sine > 1e-6) return {normalize(twice), angle};
   if (cosine > 0) return {{1, 0, 0}, 0};
-  // Half a turn: the axis is the largest column of (R + 1) / 2.
+  // For half a turn, the axis is the largest column of (R + 1) / 2.
   const Vec3 columns[] = {r.x + Vec3{1, 0, 0}, r.y + Vec3{0, 1, 0}, r.z + Vec3{0, 0, 1}};
   const Vec3 best = *std::max_element(std::begin(columns), std::end(columns),
                                       [](Vec3 a, Vec3 b) { return dot(a, a) < dot(b, b); });

@@ -1,6 +1,6 @@
-// Rotations by angles, axes and directions, as CFrame's constructors and members have them. Angles
-// are radians; computed in double precision and rounded once.
-// Private to lib/engine.
+// Builds rotations from angles, axes and directions, as CFrame's constructors and members do.
+// Angles are radians. Values are computed in double precision and rounded once. Private to
+// lib/engine.
 #pragma once
 
 #include "level/rotation.h"
@@ -20,10 +20,10 @@ Mat3 fromAnglesYxz(Angles angles);  // Ry Rx Rz, as CFrame.fromOrientation and p
 Angles anglesXyz(const Mat3& rotation);
 Angles anglesYxz(const Mat3& rotation);
 AxisAngle axisAngle(const Mat3& rotation);
-// Looks along `direction`; straight up and down have a rotation, too.
+// Returns the rotation that looks along `direction`. Straight up and down have a rotation, too.
 Mat3 looking(Vec3 direction, Vec3 up);
 Mat3 orthonormal(const Mat3& rotation);
-// Along the shortest arc; `share` may be outside of [0, 1].
+// Interpolates along the shortest arc. `share` may be outside of [0, 1].
 Mat3 between(const Mat3& from, const Mat3& to, float share);
 
 }  // namespace obby::engine

@@ -103,7 +103,7 @@ int index(lua_State* L) {
   return methodNamed(L, kVector3);
 }
 
-// A vector, or a number for all three components.
+// Returns a vector. A number counts for all three components.
 Vec3 operand(lua_State* L, int index) {
   if (const Vec3* const vector = toVector3(L, index)) return *vector;
   const float value = number(L, index);

@@ -10,7 +10,7 @@
 namespace obby::engine {
 namespace {
 
-constexpr uintptr_t kBase = 0x200000000000;  // far from where a process keeps anything
+constexpr uintptr_t kBase = 0x200000000000;  // far from all other mappings of a process
 constexpr size_t kSmallest = 16;
 
 }  // namespace
@@ -69,7 +69,7 @@ void* Arena::resize(void* block, size_t oldSize, size_t newSize) {
   const size_t oldClass = classOf(oldSize);
   if (oldClass == sizeClass) return block;
   void* const moved = take(sizeClass);
-  // The VM relies on it that a block can always be made smaller.
+  // The VM assumes that shrinking a block cannot fail.
   if (!moved) return newSize < oldSize ? block : nullptr;
   std::memcpy(moved, block, std::min(oldSize, newSize));
   give(block, oldClass);

@@ -1,7 +1,6 @@
-// Memory of one VM: a reserved stretch of addresses with free lists by size. The addresses are the
-// same in every run, because the VM hashes tables and functions by theirs and the order in which a
-// script sees the keys of a table follows from it. The stretch is the VM's limit of memory, too.
-// Private to lib/engine.
+// The memory of one VM: a reserved range of addresses with free lists by size. The addresses are
+// the same in every run. The VM hashes tables and functions by address, so the order of a table's
+// keys depends on it. The range also limits the VM's memory. Private to lib/engine.
 #pragma once
 
 #include <array>
@@ -17,7 +16,7 @@ class Arena {
   Arena(const Arena&) = delete;
   Arena& operator=(const Arena&) = delete;
 
-  // Meaning of the arguments as for lua_Alloc. Null if the capacity is used up.
+  // Takes the arguments of lua_Alloc. Returns null if the capacity is used up.
   void* resize(void* block, size_t oldSize, size_t newSize);
   bool isMapped() const { return base_ != nullptr; }
   size_t used() const { return used_; }

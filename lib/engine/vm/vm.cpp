@@ -5,8 +5,8 @@
 namespace obby::engine {
 namespace {
 
-constexpr int kBetweenCounts = 1000;  // instructions
-constexpr int kRunBody = -1;          // in the registry
+constexpr int kBetweenCounts = 1000;  // instructions between counts
+constexpr int kRunBody = -1;          // key in the registry
 
 }  // namespace
 
@@ -18,7 +18,7 @@ Vm::Vm(const Budget& budget, void* owner)
       stretchLeft_(budget.stretch) {
   state_ = arena_.isMapped() ? lua_newstate(allocate, this) : nullptr;
   OBBY_CHECK_EQ(state_ != nullptr, true);
-  // Kept, so that no call has to make it: there may be no memory by then.
+  // Created once, since a call may have no memory left to create it.
   lua_pushcfunction(state_, runBody);
   lua_rawseti(state_, LUA_REGISTRYINDEX, kRunBody);
   lua_sethook(state_, count, LUA_MASKCOUNT, kBetweenCounts);

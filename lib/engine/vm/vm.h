@@ -1,6 +1,7 @@
 // A Lua state in an arena, with budgets of instructions: one for each stretch between two yields,
-// one for all together. A stretch that exceeds its own ends with an error that scripts cannot
-// catch; once the other is used up every stretch does. Private to lib/engine.
+// one for all stretches together. A stretch that exceeds its own budget ends with an error that
+// scripts cannot catch. Once the total budget is used up, every stretch ends that way. Private to
+// lib/engine.
 #pragma once
 
 #include <cstddef>
@@ -18,7 +19,7 @@ namespace obby::engine {
 
 class Vm {
  public:
-  // `owner` is what ownerOf() gives to functions that Lua calls.
+  // ownerOf() returns `owner` to functions that Lua calls.
   Vm(const Budget& budget, void* owner);
   ~Vm();
   Vm(const Vm&) = delete;
@@ -28,18 +29,19 @@ class Vm {
   static void* ownerOf(lua_State* L);
   static Vm& of(lua_State* L);
 
-  // Runs `body` with the `arguments` values on top; it returns how many it leaves, of which
-  // `results` stay on the stack. Its errors end it alone, that of used up memory, too.
+  // Runs `body` with the `arguments` values on top. The body returns how many values it leaves;
+  // `results` of them stay on the stack. An error ends the body alone, even one of exhausted
+  // memory.
   using Body = std::function<int(lua_State*)>;
   Result<void> call(const Body& body, int arguments = 0, int results = 0);
 
-  // Bytes of the C stack below the outermost call().
+  // Returns the bytes of the C stack below the outermost call().
   size_t stackUsed() const;
 
   void beginStretch() { stretchLeft_ = budget_.stretch, timedOut_ = false; }
   bool timedOut() const { return timedOut_; }
   bool isExhausted() const { return left_ == 0; }
-  // Of all together.
+  // Returns the rest of the total budget.
   uint64_t left() const { return left_; }
   void limit(uint64_t instructions) { left_ = left_ < instructions ? left_ : instructions; }
 

@@ -12,14 +12,14 @@ namespace obby::gen {
 namespace {
 
 constexpr float kBetween = 60;                      // studs from one level to the next
-constexpr float kPlaceFallRoom = 40;                // studs below everything, where a fall ends
-constexpr float kFarthest = level::kMaxCoordinate;  // studs: no level has parts beyond
+constexpr float kPlaceFallRoom = 40;                // studs below all parts at which a fall ends
+constexpr float kFarthest = level::kMaxCoordinate;  // studs: max coordinate of a part in a level
 constexpr float kDensity = 0.7f, kFriction = 0.3f;  // of plastic
 constexpr float kJumpPower = 1.06f;                 // launch speed over JumpPower
 constexpr uint32_t kPlastic = 256, kNeon = 288;
-constexpr uint64_t kFrameBytes = 4096;  // of what is not a level, at most
+constexpr uint64_t kFrameBytes = 4096;  // max size of everything but the levels
 
-// Extent of a part in every direction, at most; of a mover with its way.
+// Returns an upper bound of a part's extent in any rotation, including its motion.
 Box boundsOf(const PartSketch& part) {
   const Vec3 half = abs(part.size) * 0.5f;
   const float radius = length(half);
@@ -49,7 +49,7 @@ const char* tagOf(const PartSketch& part) {
   return part.kill ? "KillBrick" : nullptr;
 }
 
-// A carrier is moved by physics, so that it carries: it is loose, and held by an AlignPosition.
+// A carrier must be moved by physics, so it is unanchored and held by an AlignPosition.
 bool isDriven(const PartSketch& part) {
   return part.motion && part.motion->carries && !part.motion->keys.empty();
 }
@@ -68,7 +68,7 @@ void PlaceFile::writeProperties(const PartSketch& part, Vec3 shift) {
   xml_.token("Material", part.kill ? kNeon : kPlastic);
   if (part.shape == schema::Shape::CYLINDER) xml_.token("shape", 2);
   if (part.shape == schema::Shape::BALL) xml_.token("shape", 0);
-  // A part that a signal makes is away until then.
+  // A part that a signal makes appear is away until then.
   const bool there = part.solid && !(part.vanish && part.vanish->inverted);
   xml_.flag("CanCollide", there);
   xml_.number("Transparency", there ? part.transparency : 0.8f);

@@ -1,6 +1,6 @@
-// Levels as a place file in XML (rbxlx) that Studio opens and plays: each level is a Model, set
-// apart from the others; what a part does is done by a script in it, as makers of obbies do.
-// obby-import reads the same roles back (docs/generator.md says what is lost).
+// Writes levels as an XML place file (rbxlx) for Studio. Each level is a separate Model. Scripts in
+// it implement the parts' roles, as is usual in obbies. obby-import reads the same roles back
+// (docs/generator.md says what is lost).
 #pragma once
 
 #include <cstdint>
@@ -15,16 +15,16 @@ namespace obby::gen {
 
 class PlaceFile {
  public:
-  // The world gets the generator's physics. `mostBytes`: of the file, from 4096 on; more than the
-  // default nobody reads, obby-import among them.
+  // The place gets the generator's physics. `mostBytes`: max size of the file, at least 4096.
+  // Programs, among them obby-import, do not read larger files than the default.
   explicit PlaceFile(const Generator& generator, uint64_t mostBytes = io::kMostFileBytes);
   PlaceFile(const PlaceFile&) = delete;
   PlaceFile& operator=(const PlaceFile&) = delete;
 
-  // Error: there is no room left for it, in the file or in the world; both stay as they were. Some
-  // ten thousand levels fit.
+  // Adds a level. Error: the file or the world is full; both stay unchanged. About ten thousand
+  // levels fit.
   Status add(const Generated& level);
-  // The file's bytes. Call it once, after the last level.
+  // Returns the file's bytes. Call it once, after the last level.
   std::string finish();
 
  private:
@@ -38,8 +38,8 @@ class PlaceFile {
   const uint64_t mostBytes_;
   std::string levels_;
   io::PlaceXml xml_{levels_};
-  float next_ = 0;    // studs along X from which on nothing is built yet
-  float lowest_ = 0;  // studs, of all parts
+  float next_ = 0;    // studs along X; free from here on
+  float lowest_ = 0;  // studs, min over all parts
   uint64_t added_ = 0;
 };
 

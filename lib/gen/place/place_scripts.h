@@ -1,4 +1,4 @@
-// Luau scripts that make a part do in Studio what its roles say. Private to lib/gen.
+// Luau scripts that implement a part's roles in Studio. Private to lib/gen.
 #pragma once
 
 #include <string>
@@ -13,12 +13,12 @@ struct PlaceScript {
   std::string source;
 };
 
-// Scripts for one part, whose level stands `shift` away from where it was made. `parts`: all of its
-// level, of which a button works those that name its signal.
+// Returns the scripts of one part. Its level is moved by `shift` in the place. `parts`: all parts
+// of the level; a button controls those with its signal.
 std::vector<PlaceScript> scriptsOf(const PartSketch& part, const std::vector<PartSketch>& parts,
                                    Vec3 shift);
 
-// For the whole place: players come back at the last checkpoint that they touched.
+// Returns the script of the place that respawns players at the last checkpoint they touched.
 PlaceScript checkpointScript();
 
 }  // namespace obby::gen

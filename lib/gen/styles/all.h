@@ -1,4 +1,4 @@
-// One style for each row of the table; each in the file of its name.
+// The styles of the table. Each is defined in the file of its name.
 #pragma once
 
 #include "gen/sketch.h"

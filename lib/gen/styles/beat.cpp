@@ -1,4 +1,4 @@
-// Platforms that come and go to a beat, every other one in turn.
+// Platforms that appear and disappear to a beat, alternately.
 #include "gen/styles/all.h"
 
 namespace obby::gen {

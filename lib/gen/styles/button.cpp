@@ -1,4 +1,4 @@
-// Buttons that open a door, or make a bridge, for a while.
+// Buttons that open a door or make a bridge appear for a while.
 #include "gen/styles/all.h"
 
 namespace obby::gen {
@@ -25,7 +25,7 @@ void buildDoor(Sketch& s) {
   constexpr float kRoundabout = 20, kDoor = 6, kRun = 12;
   const float width = 20, seconds = s.mix(kOpen), high = maxf(14.0f, s.reach().rise() + 5);
   const bool shut = s.straight() && s.broken("button");
-  // In a level that can be solved no wider than it must be: it would stand in the way of others.
+  // In a solvable level it is no wider than necessary, or it would block other obstacles.
   const float beside = shut ? s.roundabout(kRoundabout) : kRoundabout;
   const float side = (width - kDoor) / 2 + beside, middle = (kDoor + side) / 2;
   const float aside = s.mixEitherSign(kAside);

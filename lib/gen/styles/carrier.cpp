@@ -1,4 +1,4 @@
-// A platform that physics moves carries the player over a long gap, through doors.
+// A physics-driven platform that carries the player through doors across a long gap.
 #include "gen/styles/all.h"
 
 namespace obby::gen {
@@ -17,15 +17,15 @@ constexpr Parameter kParameters[] = {
 const auto& [kDoors, kSize, kApart, kSpeed, kGap, kWidth] = kParameters;
 
 void build(Sketch& s) {
-  constexpr float kFast = 1.6f;  // of its speed, at most
+  constexpr float kFast = 1.6f;  // max speed relative to the nominal one
   const uint32_t doors = s.mixCount(kDoors);
   const float size = s.mix(kSize), apart = s.mix(kApart), speed = s.mix(kSpeed);
-  // Nobody jumps over what it carries over, not even off something as fast.
+  // Too wide to jump, even off a platform this fast.
   const float jumped = kProof * s.reach().gap(0) + kFast * speed * s.reach().flight();
   const float between = maxf(apart, jumped / float(doors + 1)), way = between * float(doors + 1);
   const float seconds = way / speed, gap = s.mix(kGap);
   const float hole = size + 2, side = 10;
-  const float high = maxf(12, s.reach().rise() + 3);  // the lintel's top is no step on the way
+  const float high = maxf(12, s.reach().rise() + 3);  // the lintel's top is too high to step on
   const float first = gap + size / 2;
   s.noteCarrier(kFast * speed);
   if (!s.broken("carrier")) {

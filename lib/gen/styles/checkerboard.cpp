@@ -1,5 +1,5 @@
-// Safe and deadly tiles in turn: hops from corner to corner. The harder, the more of the safe ones
-// are deadly, too, until one way is left.
+// Alternating safe and deadly tiles, crossed by hops from corner to corner. At higher difficulty
+// more of the safe ones are deadly, until one route is left.
 #include "gen/styles/all.h"
 
 namespace obby::gen {
@@ -15,10 +15,11 @@ const auto& [kRows, kTile, kTaken] = kParameters;
 
 void build(Sketch& s) {
   constexpr int kFiles = 3;
-  constexpr float kLower = 0.2f;  // deadly tiles lie a little lower: their edges are seen
+  constexpr float kLower = 0.2f;  // deadly tiles lie a little lower, so that their edges are
+                                  // visible
   const uint32_t rows = s.mixCount(kRows);
   const float tile = s.mix(kTile), taken = s.steady(kTaken);
-  int way = s.below(2) == 0 ? 0 : 2;  // the file of the tile that stays safe
+  int way = s.below(2) == 0 ? 0 : 2;  // column of the tile that stays safe
   for (uint32_t row = 0; row < rows; ++row) {
     for (int file = 0; file < kFiles; ++file) {
       const bool spared = (file - way) % 2 == 0 && !s.chance(taken);
@@ -37,7 +38,7 @@ void build(Sketch& s) {
     s.expectJumps(1);
   }
   s.expectWay(tile * float(rows) / 2);
-  // Not from a corner straight on to the landing.
+  // The strip prevents a jump from a corner straight to the landing.
   s.floor("Strip", 5, tile * kFiles);
 }
 

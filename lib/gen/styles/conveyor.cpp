@@ -1,4 +1,4 @@
-// Belts that run against, across or along the way.
+// Belts that run against, across or along the route.
 #include "gen/styles/all.h"
 
 namespace obby::gen {

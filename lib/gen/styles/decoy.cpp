@@ -1,5 +1,5 @@
-// A road that points at the goal and ends before it; the way leaves it sideways and goes round on
-// planks.
+// A road that points at the goal but ends before it. The real route leaves it sideways and goes
+// round on planks.
 #include "gen/styles/all.h"
 
 namespace obby::gen {
@@ -16,9 +16,9 @@ const auto& [kPlank, kWidth, kShort, kRoad] = kParameters;
 
 void build(Sketch& s) {
   constexpr float kTooWide = 1.3f;
-  constexpr float kPad = 8, kSpare = 6;  // studs beyond a jump: nobody gets across from the road
+  constexpr float kPad = 8, kSpare = 6;  // studs beyond a jump, so that the road's end is no start
   const float widest = s.reach().gap(0), plank = s.mix(kPlank), width = s.mix(kWidth);
-  // Without one of the planks nobody gets along.
+  // Each plank is needed: the gap without it is too wide to jump.
   const float hop = s.sideGap(0.75f), long_ = maxf(plank, kTooWide * widest - 2 * hop);
   const float step = long_ + hop, side = s.side();
   const uint32_t out = 1 + uint32_t((widest + kSpare) / step), along = out + 1;

@@ -1,4 +1,4 @@
-// High walls with a gap that has to be found.
+// High walls with a gap to find.
 #include "gen/styles/all.h"
 
 namespace obby::gen {

@@ -1,4 +1,5 @@
-// Stones with air between them, a little up and down, smaller and further apart the harder.
+// Stones with gaps between them, slightly up or down. They get smaller and further apart with
+// difficulty.
 #include "gen/styles/all.h"
 
 namespace obby::gen {

@@ -1,4 +1,4 @@
-// Slippery lanes, with a corner to slide round or a gap to leave at speed.
+// Slippery lanes with a corner to slide round or a gap to jump at speed.
 #include "gen/styles/all.h"
 
 namespace obby::gen {
@@ -13,7 +13,7 @@ constexpr Parameter kParameters[] = {
 };
 const auto& [kLanes, kWidth, kFriction, kLength] = kParameters;
 
-// The engine's greatest weight: what the player stands on is nearly all that counts.
+// The engine's max weight. The player's own friction hardly counts on it.
 constexpr float kIceWeight = 100;
 
 void makeIce(PartSketch& part, float friction) {

@@ -1,4 +1,4 @@
-// Stones over lava, which lies so high that it catches who falls short.
+// Stones over lava, which lies high enough to catch players who jump short.
 #include "gen/styles/all.h"
 
 namespace obby::gen {
@@ -17,7 +17,7 @@ void build(Sketch& s) {
   const uint32_t stones = s.mixCount(kStones);
   for (uint32_t i = 0; i < stones; ++i) {
     const float size = s.mix(kSize), gap = s.gap();
-    // A gap that nobody crosses has its lava further down, where it is no step.
+    // An impossible gap has its lava further down, where it cannot serve as a step.
     const float depth = gap > s.reach().gap(0) ? kDeeper + kDepth : kDepth;
     Sketch::deadly(s.part("Lava", {0, -depth - 0.5f, (gap + size) / 2}, {kWide, 1, gap + size}));
     s.floor("Stone", size, size, gap, 0, s.mixEitherSign(kAside));

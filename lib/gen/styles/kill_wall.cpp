@@ -1,4 +1,4 @@
-// Low walls of lava across a floor, to be jumped.
+// Low walls of lava across a floor, to jump over.
 #include "gen/styles/all.h"
 
 namespace obby::gen {

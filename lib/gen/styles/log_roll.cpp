@@ -1,4 +1,4 @@
-// Along a log round which spikes turn.
+// A log with spikes that turn around it, to walk along.
 #include "gen/styles/all.h"
 
 namespace obby::gen {
@@ -15,7 +15,7 @@ constexpr Parameter kParameters[] = {
 const auto& [kLength, kDiameter, kSpikes, kSpeed, kHeight] = kParameters;
 
 void build(Sketch& s) {
-  constexpr float kOffRound = 4;  // studs/s that a player gains on its sides
+  constexpr float kOffRound = 4;  // studs/s that a player gains on its flanks
   const float long_ = s.mix(kLength), across = s.mix(kDiameter), gap = s.gap(0, 0.4f);
   s.part("Log", {0, -across / 2, gap + long_ / 2}, {long_, across, across})
       .shaped(schema::Shape::CYLINDER)
@@ -24,7 +24,7 @@ void build(Sketch& s) {
   const uint32_t spikes = s.mixCount(kSpikes);
   const float speed = s.mixSpin(kSpeed), step = (long_ - 4) / float(spikes);
   for (uint32_t i = 0; i < spikes; ++i) {
-    // Stands on top of the log and turns about its axis, each ahead of the one before.
+    // It stands on top of the log and turns about the log's axis, ahead of the spike before.
     const float high = s.mix(kHeight), arm = across / 2 + high / 2;
     MotionSketch m;
     m.spin = speed;

@@ -14,12 +14,12 @@ const auto& [kWidth, kOver, kAway] = kParameters;
 
 void build(Sketch& s) {
   constexpr float kYard = 34, kBlock = 4, kTerrace = 12;
-  constexpr float kBehind = 12;  // studs to stand behind the block
-  constexpr float kTooHigh = 9;  // studs more: beyond a jump from the block, too
+  constexpr float kBehind = 12;  // clearance behind the block for a player, studs
+  constexpr float kTooHigh = 9;  // studs added to an impossible wall, beyond a jump from the block
   const bool fixed = s.broken("block");
   const float width = s.mix(kWidth), over = s.mix(kOver);
   const float high = s.reach().rise() + over + (fixed ? kTooHigh : 0);
-  // So far that nobody jumps from it to the wall where it stands.
+  // So far away that a jump from the block's start does not reach the wall.
   const float away = kBlock / 2 + s.reach().gap(s.reach().rise() + over - kBlock) + s.mix(kAway);
   const float yard = maxf(kYard, away + kBehind);
   const float aside = s.mixEitherSign(0, width / 2 - 5);

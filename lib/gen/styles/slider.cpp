@@ -1,4 +1,4 @@
-// Platforms that slide from side to side; most do not carry, as where a tween moves them.
+// Platforms that slide from side to side. Most do not carry players, as tweened parts do not.
 #include "gen/styles/all.h"
 
 namespace obby::gen {

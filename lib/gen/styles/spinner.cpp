@@ -1,4 +1,4 @@
-// Deadly bars that turn over a disc: to be jumped or run round with.
+// Deadly bars that sweep over a disc, to jump over or run round with.
 #include "gen/styles/all.h"
 
 namespace obby::gen {

@@ -1,4 +1,4 @@
-// Ledges that wind up a core, half or one and a half times round it, as towers are built.
+// Ledges that wind around a core, half or one and a half times, as in tower obbies.
 #include "gen/styles/all.h"
 
 namespace obby::gen {
@@ -14,11 +14,12 @@ constexpr Parameter kParameters[] = {
 };
 const auto& [kSize, kFoot, kGap, kEdge, kLanding] = kParameters;
 
-constexpr float kCore = 8, kBehind = 6;  // studs across; between the core and the ledges' middles
+constexpr float kCore = 8, kBehind = 6;  // core diameter; from the core to the ledges' centers
 constexpr float kRadius = kCore / 2 + kBehind;
-constexpr float kShare = 0.7f;  // of the highest ledge: the jump goes round a corner, too
+constexpr float kShare = 0.7f;  // share of the highest ledge, since the jump also goes round a
+                                // corner
 
-// Turns round the core from one ledge to the next that leave about `gap` studs between them.
+// Returns the turns around the core between ledges with gaps of about `gap` studs.
 float stepOf(float size, float gap) {
   const float chord = (size + gap) / (2 * kRadius);
   return chord < 0.5f ? chord / kPi : 1.0f / 6;
@@ -31,7 +32,7 @@ void build(Sketch& s) {
   const float most = 0.6f * s.reach().gap(s.reach().rise() * kShare);
   const float step = stepOf(size, minf(s.mix(kGap), most));
   const uint32_t last = uint32_t(round / step + 0.5f);
-  const float middle = 1 + size / 2 + kRadius;  // of the core, ahead
+  const float middle = 1 + size / 2 + kRadius;  // distance of the core's axis ahead
   float height = 0;
   for (uint32_t i = 0; i <= last; ++i) {
     const SinCos a = sinCos(turnsFromRadians(2 * kPi * side * round * float(i) / float(last)));

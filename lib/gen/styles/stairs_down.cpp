@@ -1,4 +1,4 @@
-// Drops onto ever smaller steps, out of a jump the harder.
+// Drops onto smaller and smaller steps, some of them by a jump.
 #include "gen/styles/all.h"
 
 namespace obby::gen {

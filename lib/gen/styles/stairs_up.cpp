@@ -1,4 +1,4 @@
-// Steps to jump up. Solid down to the foot, as stairs are built.
+// Steps to jump up, solid down to the foot like real stairs.
 #include "gen/styles/all.h"
 
 namespace obby::gen {

@@ -1,4 +1,4 @@
-// Towers to climb by the truss on them.
+// Towers to climb on a truss.
 #include "gen/styles/all.h"
 
 namespace obby::gen {
@@ -18,7 +18,7 @@ void build(Sketch& s) {
   const uint32_t towers = s.mixCount(kTowers);
   for (uint32_t i = 0; i < towers; ++i) {
     const float width = s.mix(kWidth), foot = s.mix(kFoot);
-    const float up = 2 * float(int32_t((s.highLedge(kHeight) + 1) / 2));  // trusses come in twos
+    const float up = 2 * float(int32_t((s.highLedge(kHeight) + 1) / 2));  // multiple of 2 studs
     s.floor("Foot", foot, width);
     s.part("Tower", {0, up / 2 - 0.5f, kDeep / 2}, {width, up + 1, kDeep}).colored(colors::kWall);
     const float aside = s.mixEitherSign(0, width / 2 - 2);

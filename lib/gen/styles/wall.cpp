@@ -12,22 +12,22 @@ constexpr Parameter kParameters[] = {
 };
 const auto& [kWalls, kWidth, kThickness] = kParameters;
 
-// Studs that a wall is longer than the floor at each end: who walks round it has fallen too low to
-// come back.
+// Returns the studs by which a wall extends beyond the floor on each side. A player who walks round
+// it falls too low to return.
 float beyondFloor(const Params& p) {
-  constexpr float kMost = 30;  // where hardly anything falls
+  constexpr float kMost = 30;  // upper bound for low gravity
   return minf(0.5f * p.walkSpeed * sqrtf32(2 * (p.hipHeight + 1) / p.gravity) + 0.5f, kMost);
 }
 
 void build(Sketch& s) {
-  constexpr float kRoundabout = 30;  // studs beside a wall that nobody gets over, at least
-  constexpr float kSure = 0.9f;      // of the highest jump
+  constexpr float kRoundabout = 30;  // min studs beside an impassable wall
+  constexpr float kSure = 0.9f;      // share of the highest jump
   const uint32_t walls = s.mixCount(kWalls);
   const float width = s.mix(kWidth), before = 9, thick = s.mix(kThickness);
   const float behind = 9;
   for (uint32_t i = 0; i < walls; ++i) {
     const float rise = s.straight() ? s.rise() : s.easyRise();
-    // Not to be stepped over, where somebody can jump higher than that.
+    // Too high to walk over, unless that is higher than a jump.
     const float least = minf(s.reach().params().hipHeight + 1, kSure * s.reach().rise());
     const float height = maxf(rise, least);
     const bool high = height > s.reach().rise();

@@ -1,4 +1,4 @@
-// Stones to this side and that, up and down: each jump goes another way than the one before.
+// Stones to either side, up and down. Each jump goes in another direction than the last.
 #include "gen/styles/all.h"
 
 namespace obby::gen {
@@ -21,7 +21,7 @@ void build(Sketch& s) {
   for (uint32_t i = 0; i < stones; ++i, side = -side) {
     const float size = s.mix(kSize), up = s.chance(0.5f) ? minf(s.mix(kUp), most) : -s.mix(kDown);
     const float gap = s.gap(up);
-    // What nobody can cross goes straight on, where it is as wide as it was measured to be.
+    // An impossible gap goes straight ahead, where its width is exact.
     const float slant = side * s.mix(kSlant), lean = slant * s.unit();
     const float aim = gap < s.reach().gap(up) ? lean : 0;
     const float ahead = sqrtf32(1 - aim * aim);

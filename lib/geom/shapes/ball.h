@@ -1,4 +1,4 @@
-// Sphere with the diameter of the smallest extent.
+// A sphere whose diameter is the smallest extent.
 #pragma once
 
 #include "geom/shape.h"
@@ -14,7 +14,7 @@ struct Ball {
   OBBY_DEVICE static Vec3 axis(const ShapeData&, int) { return {}; }
   OBBY_DEVICE static int edges(const ShapeData&) { return 0; }
   OBBY_DEVICE static Vec3 edge(const ShapeData&, int) { return {}; }
-  // The only separating direction that matters: from the centre to the closest point of the box.
+  // Only one direction can separate: from the centre to the closest point of the box.
   OBBY_DEVICE static Vec3 roundAxis(const ShapeData&, const LocalBox& box) {
     return closestPoint(box, {});
   }

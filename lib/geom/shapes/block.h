@@ -1,4 +1,4 @@
-// Box; also the shape of a truss.
+// A box, which is also the shape of a truss.
 #pragma once
 
 #include "geom/shape.h"
@@ -9,20 +9,20 @@ OBBY_DEVICE Vec3 unitAxis(int i) {
   return {i == 0 ? 1.0f : 0.0f, i == 1 ? 1.0f : 0.0f, i == 2 ? 1.0f : 0.0f};
 }
 
-// The size of `half` with the signs of `d`.
+// Returns `half` with the signs of `d`.
 template <class F>
 OBBY_DEVICE Vec3T<F> withSigns(Vec3T<F> half, Vec3T<F> d) {
   return {select(d.x < 0.0f, -half.x, half.x), select(d.y < 0.0f, -half.y, half.y),
           select(d.z < 0.0f, -half.z, half.z)};
 }
 
-// The face of a block that looks along `d`: four corners, local.
+// Writes the four corners of the block's face that looks along `d`, in local coordinates.
 template <class F>
 OBBY_DEVICE void blockFace(Vec3T<F> half, Vec3T<F> d, Vec3T<F>* out) {
   const Vec3T<F> size = abs(d), far = withSigns(half, d);
   const MaskOf<F> isX = (size.x >= size.y) & (size.x >= size.z), isY = size.y >= size.z;
   for (int k = 0; k < 4; ++k) {
-    // Along the two axes that follow the face's own.
+    // Signs along the two axes that follow the face's own.
     const F a = k == 0 || k == 3 ? 1.0f : -1.0f, b = k < 2 ? 1.0f : -1.0f;
     const Vec3T<F> x{far.x, half.y * a, half.z * b}, y{half.x * b, far.y, half.z * a},
         z{half.x * a, half.y * b, far.z};

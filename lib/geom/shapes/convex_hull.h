@@ -1,4 +1,4 @@
-// Convex hull of a mesh or union, with face and edge tables made by level/hull_tables.
+// Convex hull of a mesh or union. level/hull_tables makes its face and edge tables.
 #pragma once
 
 #include "geom/hull_face.h"

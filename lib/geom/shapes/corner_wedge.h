@@ -1,5 +1,5 @@
-// Corner wedge: rectangle at the bottom, apex at (+X, +Y, -Z); vertical faces at +X and -Z, slopes
-// toward -X and +Z.
+// A corner wedge: its base is a rectangle and its apex is at (+X, +Y, -Z). The faces at +X and -Z
+// are vertical, and the slopes fall toward -X and +Z.
 #pragma once
 
 #include "geom/shapes/block.h"
@@ -7,7 +7,7 @@
 namespace obby::geom {
 
 struct CornerWedge {
-  // Slope that falls toward -X (i = 0) or toward +Z (i = 1). Both pass through the apex.
+  // Returns the normal of the slope toward -X (i = 0) or +Z (i = 1). Both pass through the apex.
   OBBY_DEVICE static Vec3 slope(const ShapeData& s, int i) {
     return i == 0 ? normalize(Vec3{-s.half.y, s.half.x, 0})
                   : normalize(Vec3{0, s.half.z, s.half.y});
@@ -22,7 +22,8 @@ struct CornerWedge {
   OBBY_DEVICE static Vec3 axis(const ShapeData& s, int i) {
     return i < 3 ? unitAxis(i) : slope(s, i - 3);
   }
-  // X, Z, the vertical edge, and from the apex to the two near and the far corner of the base.
+  // Edges along X, Z and Y, and from the apex to the two near corners and the far corner of the
+  // base.
   OBBY_DEVICE static int edges(const ShapeData&) { return 6; }
   OBBY_DEVICE static Vec3 edge(const ShapeData& s, int i) {
     if (i < 3) return unitAxis(i);
@@ -45,7 +46,7 @@ struct CornerWedge {
       out[2] = {-h.x, -h.y, -h.z}, out[3] = {h.x, -h.y, -h.z};
       return 4;
     }
-    // A side of the base and the apex.
+    // A triangle of one side of the base and the apex.
     const bool alongZ = toX == best || d.x == best;
     const float x = toX == best ? -h.x : h.x, z = toZ == best ? h.z : -h.z;
     out[0] = alongZ ? Vec3{x, -h.y, -h.z} : Vec3{-h.x, -h.y, z};

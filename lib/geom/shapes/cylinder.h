@@ -1,4 +1,4 @@
-// Cylinder along local X; its diameter is the smaller of the two other extents.
+// A cylinder along local X. Its diameter is the smaller of the two other extents.
 #pragma once
 
 #include "geom/shape.h"
@@ -21,9 +21,9 @@ struct Cylinder {
     return {clampf(p.x, -s.half.x, s.half.x), p.y * scale, p.z * scale};
   }
 
-  // Alternating projections between the two convex sets. Apart: from the cylinder to the box, which
-  // also covers the rims. Overlapping: the radial direction of what is left between the axis and
-  // the box.
+  // Alternates projections between the two convex sets. If they are apart, returns the direction
+  // from the cylinder to the box, which also covers the rims. If they overlap, returns the radial
+  // direction between the axis and the box.
   OBBY_DEVICE static Vec3 roundAxis(const ShapeData& s, const LocalBox& box) {
     Vec3 inside = closestPointOf(s, box.center), onBox{};
     for (int i = 0; i < 8; ++i) {
@@ -45,7 +45,7 @@ struct Cylinder {
     const Vec3 side = normalize(Vec3{0, d.y, d.z}, {0, 0, 0}) * radius(s);
     return {d.x < 0 ? -s.half.x : s.half.x, side.y, side.z};
   }
-  // A cap as an octagon with a corner where `d` leads, or the line along the side.
+  // Writes a cap as an octagon with a corner toward `d`, or the line along the side.
   OBBY_DEVICE static int feature(const ShapeData& s, Vec3 d, Vec3* out) {
     const float r = radius(s);
     if (d.x * d.x < d.y * d.y + d.z * d.z) {
@@ -58,7 +58,7 @@ struct Cylinder {
     Vec3 at = normalize(Vec3{0, d.y, d.z}, {0, 1, 0}) * r;
     for (int i = 0; i < 8; ++i) {
       out[i] = {x, at.y, at.z};
-      at = Vec3{0, at.y - at.z, at.y + at.z} * 0.70710678f;  // an eighth of a turn on
+      at = Vec3{0, at.y - at.z, at.y + at.z} * 0.70710678f;  // the next eighth of a turn
     }
     return 8;
   }

@@ -1,5 +1,5 @@
-// The table of shapes: one row a shape. Everything that depends on the kind of a shape goes through
-// visitShape.
+// The table of shapes, with one row for each. All code that depends on the kind of a shape goes
+// through visitShape.
 #pragma once
 
 #include "geom/shapes/ball.h"

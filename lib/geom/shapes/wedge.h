@@ -1,5 +1,5 @@
-// Wedge: full rectangle at the bottom, vertical face at +Z, slope rising from -Z to +Z
-// (docs/physics.md, shapes).
+// A wedge: a full rectangle at the bottom, a vertical face at +Z, and a slope that rises from -Z to
+// +Z (docs/parts.md, shapes).
 #pragma once
 
 #include "geom/shapes/block.h"
@@ -36,7 +36,8 @@ struct Wedge {
       out[0] = {x, -h.y, -h.z}, out[1] = {x, -h.y, h.z}, out[2] = {x, h.y, h.z};
       return 3;
     }
-    // The edges at the foot of the slope, below the back and on top, two of which bound a face.
+    // Two of three parallel edges bound a face: the foot of the slope, the foot of the back, and
+    // the top.
     const bool isSlope = rise >= d.z && rise >= -d.y, isBack = !isSlope && d.z >= -d.y;
     const Vec3 a = isBack ? Vec3{h.x, -h.y, h.z} : Vec3{h.x, -h.y, -h.z};
     const Vec3 b = isSlope || isBack ? Vec3{h.x, h.y, h.z} : Vec3{h.x, -h.y, h.z};

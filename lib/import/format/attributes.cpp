@@ -1,4 +1,5 @@
-// A u32 count, then for each attribute: name, kind, value; little-endian, not interleaved.
+// Decodes attributes: a u32 count, then name, kind and value of each attribute; little-endian, not
+// interleaved.
 #include "import/format/attributes.h"
 
 #include <array>
@@ -13,7 +14,7 @@
 namespace obby::importer {
 namespace {
 
-// Of one instance. An entry takes some twenty times the bytes that it has in the blob.
+// Max attributes of one instance. An entry takes some twenty times its bytes in the blob.
 constexpr size_t kMaxAttributes = 1000;
 
 Vec3 readVec3(ByteReader& reader) {
@@ -52,7 +53,7 @@ Value readEnumItem(ByteReader& reader) {
   return EnumItem{reader.u32(), std::move(type)};
 }
 
-// A value of fixed or counted size that no level needs.
+// Skips a value of fixed or counted size that no level needs.
 Value skip(ByteReader& reader, size_t size) {
   reader.bytes(size);
   return std::monostate{};
@@ -102,7 +103,7 @@ const AttributeKind* findKind(uint8_t id) {
   return nullptr;
 }
 
-// The attribute's name for a message: a file may make it as long as it likes.
+// Returns the attribute's name for a message, shortened: a file may have names of any length.
 std::string quoted(const std::string& key) {
   constexpr size_t kShown = 100;  // bytes
   return key.size() <= kShown ? "'" + key + "'" : "'" + key.substr(0, kShown) + "...'";

@@ -1,4 +1,4 @@
-// The two properties that hold lists in one piece of bytes: attributes and tags.
+// Decodes the two properties that hold lists as bytes: attributes and tags.
 #pragma once
 
 #include <map>
@@ -12,14 +12,14 @@ namespace obby::importer {
 
 struct DecodedAttributes {
   std::map<std::string, Value> values;
-  std::string warning;  // empty if everything was read; otherwise why the rest was not
+  std::string warning;  // empty if everything was read, else the reason why the rest was not
 };
 
-// Values carry no length, so an unknown kind ends the reading, as do more than 1000 attributes;
-// what came before is kept.
+// Decodes the attributes of an instance. Values carry no length, so an unknown kind ends the
+// reading. So do more than 1000 attributes. Attributes before that are kept.
 DecodedAttributes decodeAttributes(std::string_view blob);
 
-// Separated by NUL bytes; empty ones are skipped, and a tag counts once.
+// Decodes tags separated by NUL bytes. Empty tags and duplicates are skipped.
 std::vector<std::string> decodeTags(std::string_view blob);
 
 }  // namespace obby::importer

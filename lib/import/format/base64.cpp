@@ -1,4 +1,4 @@
-// Six bits a character, bytes come out as soon as eight bits are there.
+// Collects six bits a character and emits a byte as soon as eight bits are there.
 #include "import/format/base64.h"
 
 #include <cstdint>

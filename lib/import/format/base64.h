@@ -1,4 +1,4 @@
-// Base64 as XML files use it: white space anywhere, padding optional.
+// Decodes Base64 as XML files use it: white space anywhere, padding optional.
 #pragma once
 
 #include <optional>
@@ -7,7 +7,7 @@
 
 namespace obby::importer {
 
-// Nothing if a character is neither base64 nor white space, or follows the padding.
+// Returns nullopt if a character is neither base64 nor white space, or follows the padding.
 std::optional<std::string> decodeBase64(std::string_view text);
 
 }  // namespace obby::importer

@@ -1,5 +1,5 @@
-// Reads the chunks in the order in which they depend on one another, whatever their order in the
-// file: shared strings, instances, properties, parents.
+// Reads the chunks in order of their dependencies, whatever their order in the file: shared
+// strings, instances, properties, parents.
 #include "import/format/binary_format.h"
 
 #include <algorithm>
@@ -21,7 +21,7 @@ constexpr size_t kHeaderSize = 32;
 
 struct ClassGroup {
   std::string name;
-  std::vector<InstanceId> members;  // in the order of the columns
+  std::vector<InstanceId> members;  // instances in column order
 };
 
 class BinaryReader {
@@ -66,7 +66,7 @@ class BinaryReader {
     const uint32_t count = reader.u32();
     if (!reader.has(count, 16 + 4)) return tooShort(chunk, count, "shared strings");
     for (uint32_t i = 0; i < count; ++i) {
-      reader.bytes(16);  // a hash that nobody checks
+      reader.bytes(16);  // a hash that is not checked
       context_.sharedStrings.push_back(std::make_shared<const std::string>(reader.string()));
       if (!reader.ok()) return tooShort(chunk, count, "shared strings");
     }
@@ -77,7 +77,7 @@ class BinaryReader {
     const uint32_t classId = reader.u32();
     ClassGroup group;
     group.name = reader.string();
-    reader.u8();  // services are marked; nothing depends on it
+    reader.u8();  // marks services; unused
     const uint32_t count = reader.u32();
     const std::vector<int32_t> referents = readReferentColumn(reader, count);
     if (!reader.ok()) return tooShort(chunk, count, "instances");
@@ -170,7 +170,7 @@ class BinaryReader {
   DocumentBuilder builder_;
   ColumnContext context_;
   std::unordered_map<uint32_t, ClassGroup> classes_;
-  std::vector<bool> placed_;  // which instances have been given their place in the tree
+  std::vector<bool> placed_;  // instances that have their place in the tree
   size_t placedCount_ = 0;
   size_t decompressed_ = 0;  // bytes of all chunks so far
 };

@@ -1,4 +1,4 @@
-// The binary format of .rbxl and .rbxm files.
+// Reads the binary format of .rbxl and .rbxm files.
 #pragma once
 
 #include <string>

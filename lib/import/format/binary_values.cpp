@@ -1,5 +1,5 @@
-// One function a kind of property, and the table that numbers them. Kinds that no level needs are
-// read past and leave std::monostate.
+// Reads each kind of property with one function; a table numbers the kinds. Kinds that no level
+// needs are skipped and leave std::monostate.
 #include "import/format/binary_values.h"
 
 #include <array>
@@ -17,9 +17,9 @@ struct Column {
   ByteReader& reader;
   const ColumnContext& context;
   std::vector<Value>& out;
-  std::string problem = {};  // what is wrong, if it is more than missing bytes
+  std::string problem = {};  // an error other than missing bytes
 
-  // Values that are read one after the other. `least` is the fewest bytes that one takes.
+  // Reads consecutive values. `least` is the min size of one in bytes.
   template <class Read>
   void each(size_t least, Read read) {
     if (!reader.has(count, least)) return;
@@ -90,7 +90,7 @@ void readRanges(Column& c) {
   });
 }
 
-// Three float columns, one a component.
+// Reads three float columns, one for each component.
 std::vector<Vec3> vectors(Column& c) {
   const auto x = readFloatColumn(c.reader, c.count), y = readFloatColumn(c.reader, c.count),
              z = readFloatColumn(c.reader, c.count);
@@ -192,7 +192,8 @@ void skipFonts(Column& c) {
   });
 }
 
-// Where each value comes from, then the addresses, then the objects inside and outside of the file.
+// Reads the source of each value, then the addresses, then the objects inside and outside of the
+// file.
 void readContents(Column& c) {
   constexpr uint32_t kUri = 1, kObject = 2;
   const std::vector<uint32_t> sources = readUint32Column(c.reader, c.count);

@@ -1,5 +1,5 @@
-// The property columns of the binary format: one value for each instance of a class, stored kind by
-// kind.
+// Reads the property columns of the binary format: one value for each instance of a class, stored
+// kind by kind.
 #pragma once
 
 #include <cstdint>
@@ -13,19 +13,19 @@
 
 namespace obby::importer {
 
-// What columns refer to.
+// The tables that columns refer to.
 struct ColumnContext {
   std::vector<std::shared_ptr<const std::string>> sharedStrings;
-  std::unordered_map<int32_t, InstanceId> instances;  // by referent
+  std::unordered_map<int32_t, InstanceId> instances;  // instances by referent
 
   Ref resolve(int32_t referent) const;
 };
 
-// True if readColumn knows the kind.
+// Returns true if readColumn knows the kind.
 bool isKnownKind(uint8_t kind);
 
-// Reads `count` values of `kind` into `out`. Returns what is wrong, or "". Memory is bounded by
-// what the reader holds.
+// Reads `count` values of `kind` into `out`. Returns the error, or "". The size of the input bounds
+// the memory.
 std::string readColumn(uint8_t kind, size_t count, ByteReader& reader, const ColumnContext& context,
                        std::vector<Value>& out);
 

@@ -1,6 +1,6 @@
 // Reads little-endian values from a piece of memory and never beyond it. The first read that does
-// not fit makes the reader fail for good; later reads return zeros, so that callers check once at
-// the end.
+// not fit makes the reader fail permanently. Later reads return zeros, so callers check once at the
+// end.
 #pragma once
 
 #include <bit>
@@ -18,10 +18,10 @@ class ByteReader {
   size_t position() const { return at_; }
   size_t remaining() const { return failed_ ? 0 : bytes_.size() - at_; }
 
-  // Makes the reader fail: what was read makes no sense.
+  // Makes the reader fail: the input makes no sense.
   void fail() { failed_ = true; }
 
-  // True if `count` values of `each` bytes are still there; otherwise the reader fails.
+  // Returns true if `count` values of `each` bytes remain; otherwise the reader fails.
   bool has(uint64_t count, uint64_t each = 1) {
     const bool fits = each == 0 || count <= remaining() / each;
     if (!fits) failed_ = true;
@@ -43,7 +43,7 @@ class ByteReader {
   float f32() { return std::bit_cast<float>(number<uint32_t>()); }
   double f64() { return std::bit_cast<double>(number<uint64_t>()); }
 
-  // u32 length, then that many bytes.
+  // Reads a u32 length, then that many bytes.
   std::string_view string() { return bytes(u32()); }
 
  private:

@@ -1,5 +1,5 @@
-// A chunk: name, compressed length (0: stored), raw length, 4 unused bytes, body. zstd bodies begin
-// with zstd's magic number, all others are bare LZ4 blocks.
+// Reads a chunk: name, compressed length (0: stored), raw length, 4 unused bytes, body. zstd bodies
+// begin with zstd's magic number; all others are bare LZ4 blocks.
 #include "import/format/chunk.h"
 
 #include <lz4.h>
@@ -12,11 +12,11 @@ namespace {
 
 constexpr size_t kChunkHeaderSize = 16;
 constexpr size_t kMaxRaw = size_t{256} << 20;
-// What a chunk may always grow to, and by how much more with the size of the file. Long columns of
-// equal values shrink a thousandfold and more, so a plain ratio would refuse good files.
+// The allowed size of any chunk, and how it grows with the size of the file. Long columns of equal
+// values shrink a thousandfold and more, so a plain ratio would reject good files.
 constexpr size_t kAlwaysAllowed = size_t{16} << 20;
 constexpr size_t kAllowedPerByte = 16;
-// All chunks together: a few times what the document made of them may take.
+// Limit for all chunks together: a few times the memory of the document made from them.
 constexpr size_t kTotalAlwaysAllowed = size_t{192} << 20;
 constexpr size_t kTotalAllowedPerByte = 256;
 constexpr size_t kLz4MaxRatio = 255;
@@ -83,7 +83,7 @@ Result<ChunkData> decompress(const Chunk& chunk, size_t fileSize, size_t& total)
                                  " bytes in a file of " + std::to_string(fileSize));
   }
   ChunkData out;
-  // Not cleared: pages that the data does not reach cost nothing.
+  // The buffer is not cleared: untouched pages cost nothing.
   out.owned.reset(new char[chunk.rawLength > 0 ? chunk.rawLength : 1]);
   size_t got = 0;
   bool good = false;

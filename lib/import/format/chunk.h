@@ -1,4 +1,4 @@
-// The chunks of the binary format: where they are, and their content decompressed.
+// Lists the chunks of the binary format and decompresses their content.
 #pragma once
 
 #include <cstdint>
@@ -13,26 +13,27 @@ namespace obby::importer {
 
 struct Chunk {
   std::string name;       // up to 4 letters, without padding
-  size_t offset = 0;      // of the chunk's header in the file
-  std::string_view body;  // as in the file: stored, LZ4 or zstd
+  size_t offset = 0;      // offset of the chunk's header in the file
+  std::string_view body;  // bytes in the file: stored, LZ4 or zstd
   bool compressed = false;
   uint32_t rawLength = 0;
 };
 
-// Decompressed bytes; they own their memory only if something had to be decompressed.
+// Decompressed bytes. They own memory only if decompression was necessary.
 struct ChunkData {
   std::string_view bytes;
   std::unique_ptr<char[]> owned;
 };
 
-// The chunks from `firstOffset` to the END chunk, which is the last one. Nothing is decompressed.
+// Lists the chunks from `firstOffset` to the END chunk, which is the last one, without
+// decompressing.
 Result<std::vector<Chunk>> listChunks(std::string_view file, size_t firstOffset);
 
-// `fileSize` bounds what a chunk may grow to: at most 256 MiB, and not much more than the file; and
-// what all may: `total`, 0 before the first, counts their bytes.
+// Decompresses one chunk. A chunk may grow to 256 MiB, and not much beyond `fileSize`. `total`, 0
+// before the first chunk, sums the bytes of all chunks and is bounded, too.
 Result<ChunkData> decompress(const Chunk& chunk, size_t fileSize, size_t& total);
 
-// An Error at the chunk's place: "byte 4711: PROP".
+// Returns an Error at the chunk's place: "byte 4711: PROP".
 Error chunkError(const Chunk& chunk, std::string message);
 
 }  // namespace obby::importer

@@ -54,7 +54,7 @@ std::vector<float> readFloatColumn(ByteReader& reader, size_t count) {
 }
 
 std::vector<int32_t> readReferentColumn(ByteReader& reader, size_t count) {
-  uint32_t sum = 0;  // unsigned: wraps instead of overflowing on broken files
+  uint32_t sum = 0;  // unsigned, so that it wraps instead of overflowing on broken files
   return column<uint32_t, int32_t>(reader, count, [&sum](uint32_t v) {
     sum += unzigzag(v);
     return static_cast<int32_t>(sum);

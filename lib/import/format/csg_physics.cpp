@@ -1,8 +1,11 @@
-// "CSGPHS", a u32 version, and then: version 0: "BLOCK"; 3 and 5: hulls to the end; 6: mass
-// properties, then one hull; 7: a byte for the kind of decomposition, mass properties, hulls; 8:
-// that byte, a zero, packed hulls. A hull of the versions up to 7: 40 bytes that are always the
-// same, u32 number of floats, u32 4, the floats (x y z a corner), u32 number of indices, u32
-// indices (three a triangle).
+// Decodes "CSGPHS", a u32 version, and then a body by version.
+//   0: "BLOCK"
+//   3 and 5: hulls to the end
+//   6: mass properties, then one hull
+//   7: a byte for the kind of decomposition, mass properties, hulls
+//   8: that byte, a zero, packed hulls
+// A hull of the versions up to 7 has 40 constant bytes, u32 number of floats, u32 4, the floats (x
+// y z for each corner), u32 number of indices, u32 indices (three for each triangle).
 #include "import/format/csg_physics.h"
 
 #include <cmath>
@@ -50,7 +53,7 @@ Result<std::vector<Vec3>> readHull(ByteReader& reader) {
   return corners;
 }
 
-// What precedes the hulls. False for versions that are not known.
+// Skips the data before the hulls. Returns false for unknown versions.
 bool skipToHulls(uint32_t version, ByteReader& reader) {
   if (version == 3 || version == 5) return true;
   if (version != 6 && version != 7) return false;
@@ -58,7 +61,7 @@ bool skipToHulls(uint32_t version, ByteReader& reader) {
   return true;
 }
 
-// Of the versions up to 7.
+// Reads hulls of the versions up to 7.
 Result<std::vector<std::vector<Vec3>>> readHulls(ByteReader& reader) {
   std::vector<std::vector<Vec3>> hulls;
   while (reader.ok() && reader.remaining() > 0) {

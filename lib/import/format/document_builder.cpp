@@ -1,4 +1,4 @@
-// Normalises what the readers deliver, and orders the tree.
+// Normalises the output of the format readers, and orders the tree.
 #include "import/format/document_builder.h"
 
 #include <algorithm>
@@ -13,19 +13,20 @@
 namespace obby::importer {
 namespace {
 
-// A document may take this much memory plus a multiple of the file's size: enough for places of
-// generated, well compressing parts (20 bytes each), too little for files made to exhaust memory.
+// A document may take this much memory plus a multiple of the file's size. That is enough for
+// places of generated, well compressing parts (20 bytes each), and too little for files made to
+// exhaust memory.
 constexpr size_t kBaseBudget = size_t{48} << 20;
 constexpr size_t kBudgetPerByte = 64;
 constexpr size_t kMaxWarnings = 100;
-constexpr size_t kMaxName = 100;  // characters: the engine's own limit
+constexpr size_t kMaxName = 100;  // characters; the engine's own limit
 constexpr size_t kMaxNameBytes = 4 * kMaxName;
-constexpr size_t kMaxProperties = 1000;  // of one instance; the engine's classes have less than 200
+constexpr size_t kMaxProperties = 1000;  // per instance; engine classes have < 200
 constexpr std::string_view kServices[] = {
     "Workspace",     "Lighting",   "Players",     "StarterPlayer",      "ReplicatedStorage",
     "ServerStorage", "StarterGui", "StarterPack", "ServerScriptService"};
 
-// The bytes of a property that formats store as a plain or as a shared string.
+// Returns the bytes of a property that formats store as a plain or a shared string.
 const std::string* bytesOf(const Value& value) {
   if (const auto* shared = std::get_if<SharedBlob>(&value)) return shared->bytes.get();
   return std::get_if<std::string>(&value);
@@ -38,7 +39,7 @@ size_t cost(const Value& value) {
          (item ? item->type.size() : 0);
 }
 
-// For the kinds that parts have in bulk.
+// Compares values of the kinds that parts have in bulk.
 bool sameValue(const Value& a, const Value& b) {
   if (a.index() != b.index()) return false;
   if (const auto* v = std::get_if<bool>(&a)) return *v == std::get<bool>(b);
@@ -56,7 +57,7 @@ bool sameValue(const Value& a, const Value& b) {
   return physics != nullptr && !physics->custom && !std::get<PhysicalProperties>(b).custom;
 }
 
-// Bytes of the name that count; a character is not cut in two.
+// Returns the bytes of the name to keep, without cutting a character in two.
 size_t nameSize(std::string_view name) {
   if (name.size() <= kMaxName) return name.size();
   size_t at = 0, characters = 0;
@@ -67,9 +68,10 @@ size_t nameSize(std::string_view name) {
   return at;
 }
 
-// What a blob of tags may take once it is decoded: each tag is a text of its own, however short.
+// Returns the memory of a blob of tags after decoding: each tag is a string of its own, however
+// short.
 size_t costOfTags(const std::string& blob) {
-  constexpr size_t kEach = 3 * sizeof(std::string);  // in the instance, and in the index over tags
+  constexpr size_t kEach = 3 * sizeof(std::string);  // for the instance and the tag index
   const auto breaks = static_cast<size_t>(std::count(blob.begin(), blob.end(), '\0'));
   return 2 * blob.size() + kEach * (blob.empty() ? 0 : breaks + 1);
 }
@@ -137,7 +139,8 @@ const PropertyPlan& DocumentBuilder::planOf(const std::string& className, std::s
   PropertyPlan plan;
   plan.spelling = spellingOf(className, name);
   plan.standard = defaultOf(className, plan.spelling.name);
-  // Parts come by the ten thousands. Their colour is kept: an older spelling must not replace it.
+  // Places have tens of thousands of parts, so their defaults are dropped. Their colour is kept: an
+  // older spelling must not replace it.
   plan.dropStandard = plan.standard != nullptr && isA(className, "BasePart");
   return plans_.emplace(std::move(key), std::move(plan)).first->second;
 }

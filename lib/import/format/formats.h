@@ -1,5 +1,5 @@
-// The file formats that the importer reads. A new format is one file beside this one and one row in
-// formats.cpp.
+// Lists the file formats that the importer reads. A new format is one file in this folder and one
+// row in formats.cpp.
 #pragma once
 
 #include <span>
@@ -13,8 +13,7 @@ namespace obby::importer {
 
 struct Format {
   std::string_view name;
-  bool (*looksLike)(
-      std::string_view bytes);  // by content; the first format that says yes reads the file
+  bool (*looksLike)(std::string_view bytes);  // tests the content; the first match reads the file
   Result<Document> (*read)(std::string_view bytes, const std::string& file);
 };
 

@@ -1,8 +1,8 @@
-// Unpacked: nine u32 (see PackedHead), the bounding box (6 floats), the block of plain hulls, the
-// symbols of the Edgebreaker hulls, and their corners, hull by hull.
+// Decodes packed hulls: nine u32 (see PackedHead), the bounding box (6 floats), the block of plain
+// hulls, the symbols of the Edgebreaker hulls, and their corners, hull by hull.
 //
-// A hull of E symbols: triangle 0 has three corners, each symbol adds a triangle, and C adds a
-// corner with it. S opens a branch and E ends one; with the last branch the hull ends.
+// A hull has E symbols. Triangle 0 has three corners; each symbol adds a triangle, and C adds a
+// corner with it. S opens a branch and E ends one. The hull ends with its last branch.
 #include "import/format/packed_hulls.h"
 
 #include <zstd.h>
@@ -17,20 +17,21 @@ namespace obby::importer {
 namespace {
 
 constexpr size_t kMaxUnpacked = size_t{16} << 20;
-// What a frame may always grow to, and by how much more with its size: corners shrink little.
+// The allowed size of any frame, and how it grows with the frame's compressed size: corners
+// compress little.
 constexpr size_t kAlwaysUnpacked = size_t{16} << 10;
 constexpr size_t kUnpackedPerByte = 100;
-constexpr int kMaxWindowLog = 24;  // the most memory of the decoder: 16 MB
+constexpr int kMaxWindowLog = 24;  // limits the decoder's memory to 16 MB
 constexpr size_t kUnpackStep = size_t{64} << 10;
 constexpr size_t kCornerBytes = 3 * 4;
 
 Error broken(std::string message) { return Error{{}, {}, "hulls", std::move(message), {}}; }
 
 struct PackedHead {
-  uint32_t hulls, corners, faces;    // of the Edgebreaker hulls together
-  uint32_t mostCorners, mostFaces;   // of one of them
-  uint32_t plainBytes;               // of the block of plain hulls
-  uint32_t symbolBits, symbolBytes;  // of the Edgebreaker hulls
+  uint32_t hulls, corners, faces;    // totals of the Edgebreaker hulls
+  uint32_t mostCorners, mostFaces;   // max of one of them
+  uint32_t plainBytes;               // size of the block of plain hulls
+  uint32_t symbolBits, symbolBytes;  // sizes of the Edgebreaker symbols
   uint32_t cornerBytes;
 };
 
@@ -44,8 +45,8 @@ PackedHead readPackedHead(ByteReader& reader) {
   return head;
 }
 
-// Three bits at most at a time from 32-bit words, the highest first. The bits of the last word are
-// its low ones.
+// Reads bits from 32-bit words, the highest first, up to three bits at a time. The bits of the last
+// word are its low ones.
 class Bits {
  public:
   Bits(std::string_view bytes, uint32_t count) : count_(count) {
@@ -54,7 +55,7 @@ class Bits {
     if (count % 32 != 0 && !words_.empty()) words_.back() <<= 32 - count % 32;
   }
   size_t left() const { return count_ - at_; }
-  // False behind the end, too.
+  // Returns false past the end, too.
   bool next() {
     if (at_ >= count_) return false;
     const bool bit = ((words_[at_ / 32] >> (31 - at_ % 32)) & 1) != 0;
@@ -71,7 +72,7 @@ struct Counts {
   size_t corners = 3, faces = 1;
 };
 
-// Of the next hull. False where the symbols end before it.
+// Counts the next hull. Returns false if the symbols end before it.
 bool countHull(Bits& bits, Counts& counts) {
   for (size_t branches = 1; branches > 0; ++counts.faces) {
     if (bits.left() == 0) return false;
@@ -99,7 +100,7 @@ Result<std::vector<Vec3>> readCorners(ByteReader& reader, size_t count) {
   return corners;
 }
 
-// Where the slices of a list begin, and at last where they end: u32 count, u32 each.
+// Reads the starts of the slices of a list, and the end of the last one: u32 count, u32 each.
 Result<std::vector<uint32_t>> readStarts(ByteReader& reader) {
   const uint32_t count = reader.u32();
   if (!reader.has(count, 4)) return broken("end in the plain ones");

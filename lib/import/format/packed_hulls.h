@@ -1,6 +1,5 @@
-// The hulls of CSGPHS 8, which are compressed: a zstd frame with plain hulls and with hulls whose
-// triangles are coded by the Edgebreaker method. Only the corners are read: a convex hull needs no
-// more.
+// Decodes the hulls of CSGPHS 8. They are in a zstd frame of plain hulls and of hulls whose
+// triangles the Edgebreaker method codes. Only the corners are read: a convex hull needs no more.
 #pragma once
 
 #include <string>
@@ -12,11 +11,11 @@
 
 namespace obby::importer {
 
-// `frame` is the zstd frame, from byte 12 of the blob. Fails on damage, and if the frame holds far
-// more than its size lets expect.
+// Decompresses `frame`, the zstd frame from byte 12 of the blob. Fails on damage, and if the
+// content is implausibly large for the frame's size.
 Result<std::string> unpackHulls(std::string_view frame);
 
-// Corners of each hull, from what the frame holds. Fails on damage.
+// Returns the corners of each hull in a decompressed frame. Fails on damage.
 Result<std::vector<std::vector<Vec3>>> decodePackedHulls(std::string_view unpacked);
 
 }  // namespace obby::importer

@@ -1,5 +1,5 @@
-// The table of spellings, and the properties that are dropped because nothing in a level can depend
-// on them.
+// Lists the spellings of properties, and the properties dropped because no level can depend on
+// them.
 #include "import/format/property_names.h"
 
 #include <algorithm>
@@ -13,11 +13,11 @@ namespace {
 
 struct Spelling {
   std::string_view inFile, name,
-      onlyIn;  // onlyIn: the class (or its ancestor) it holds for; empty: every class
+      onlyIn;  // class (or its ancestor) that has the spelling; empty: every class
   bool legacy = false;
 };
 
-// Sorted by the spelling in the file.
+// Rows sorted by the spelling in the file.
 constexpr std::array kSpellings = {
     Spelling{"BrickColor", "Color", "BasePart", true},
     Spelling{"Color3uint8", "Color", {}},

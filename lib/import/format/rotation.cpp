@@ -11,8 +11,7 @@ Vec3 direction(int number) {
   return {axis == 0 ? sign : 0.0f, axis == 1 ? sign : 0.0f, axis == 2 ? sign : 0.0f};
 }
 
-// Adding +0 turns the -0 of a cross product into +0: files that spell the same rotation out have
-// plain zeros.
+// Turns the -0 of a cross product into +0: files that spell out the same rotation have plain zeros.
 Vec3 withoutNegativeZero(Vec3 v) { return v + Vec3{0, 0, 0}; }
 
 }  // namespace
@@ -20,7 +19,7 @@ Vec3 withoutNegativeZero(Vec3 v) { return v + Vec3{0, 0, 0}; }
 std::optional<Mat3> rotationFromId(uint8_t id) {
   if (id < 1 || id > 36) return std::nullopt;
   const int x = (id - 1) / 6, y = (id - 1) % 6;
-  if (x % 3 == y % 3) return std::nullopt;  // x and y axis on one line
+  if (x % 3 == y % 3) return std::nullopt;  // the x and y axes are parallel
   const Vec3 xAxis = direction(x), yAxis = direction(y);
   return Mat3{xAxis, yAxis, withoutNegativeZero(cross(xAxis, yAxis))};
 }

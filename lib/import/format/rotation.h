@@ -1,4 +1,4 @@
-// The 24 axis-aligned rotations that files shorten to one byte, and rotations given as nine
+// Decodes the 24 axis-aligned rotations that files shorten to one byte, and rotations given as nine
 // numbers.
 #pragma once
 
@@ -10,10 +10,10 @@
 
 namespace obby::importer {
 
-// Nothing for ids that name no rotation. Id 0 stands for nine numbers and is none, either.
+// Returns nullopt for ids that name no rotation. That includes id 0, which stands for nine numbers.
 std::optional<Mat3> rotationFromId(uint8_t id);
 
-// R00 R01 R02 R10 ... R22, row by row; the columns are the axes.
+// Builds the matrix from R00 R01 R02 R10 ... R22, row by row. Its columns are the axes.
 Mat3 rotationFromRows(const std::array<float, 9>& rows);
 
 }  // namespace obby::importer

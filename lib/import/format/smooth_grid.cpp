@@ -1,7 +1,10 @@
-// A byte 1, log2 of a chunk's side, and chunks to the end. A chunk: three i32, how far it is from
-// the one before, in chunks: big-endian, their bytes interleaved; then runs of equal cells. A run:
-// a byte with the material (6 bits), whether an occupancy follows, and whether a length does; those
-// bytes; and where the length is 0, the occupancy of water in the one cell.
+// Decodes smooth terrain: a byte 1, log2 of a chunk's side, and chunks to the end.
+//
+// A chunk begins with three i32, its offset from the previous chunk in chunks. They are big-endian
+// with interleaved bytes. Runs of equal cells follow.
+//
+// A run begins with a byte: the material (6 bits), a flag for an occupancy, and a flag for a
+// length. Those bytes follow. If the length is 0, the water occupancy of the single cell follows.
 #include "import/format/smooth_grid.h"
 
 #include <algorithm>

@@ -10,7 +10,7 @@ constexpr const char* kPlace = "ObbyPlace";
 constexpr std::string_view kPlayerServices[] = {
     "Workspace",     "StarterPlayer", "ServerScriptService", "StarterGui", "ReplicatedFirst",
     "ServerStorage", "Teams"};
-// Children of StarterPlayer that come as a Folder of that name.
+// Children of StarterPlayer that the plugin sends as a Folder of that name.
 constexpr std::string_view kContainers[] = {"StarterPlayerScripts", "StarterCharacterScripts"};
 
 bool isServiceStandIn(const Instance& instance) {

@@ -1,14 +1,14 @@
-// A place as the Studio plugin sends it. Studio serialises no services, so what it sends is a
-// model: what stands in Workspace as roots, and a Configuration `ObbyPlace` with a child for each
-// service, which has the service's name, its properties as attributes and its scripts below it
-// (docs/studio.md).
+// Unpacks a place as the Studio plugin sends it. Studio serialises no services, so the plugin sends
+// a model. The children of Workspace are roots. A Configuration `ObbyPlace` has a child for each
+// service: its name is the service's, its attributes are the properties, and the scripts are below
+// it (docs/studio.md).
 #pragma once
 
 #include "engine/document.h"
 
 namespace obby::importer {
 
-// Makes such a model the place that it is of; any other document stays as it is.
+// Turns a model from the plugin into the place. Any other document stays unchanged.
 void unpackStudioPlace(Document& document);
 
 }  // namespace obby::importer

@@ -1,4 +1,4 @@
-// The binary format rotates the random part left by one bit; XML has it plain.
+// Converts UniqueIds. The binary format rotates the random part left by one bit; XML does not.
 #include "import/format/unique_id.h"
 
 namespace obby::importer {

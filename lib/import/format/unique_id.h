@@ -1,4 +1,4 @@
-// UniqueIds as text, the same from both formats.
+// Writes UniqueIds as text, the same from both formats.
 #pragma once
 
 #include <array>
@@ -7,9 +7,9 @@
 
 namespace obby::importer {
 
-// `bytes`: index (u32), time (u32), random (64 bits with the sign in the lowest place), all most
-// significant first, as in the binary format. The text is 32 hexadecimal digits in the order of the
-// XML format: random, time, index.
+// Returns 32 hexadecimal digits in the order of the XML format: random, time, index. `bytes` has
+// the binary format's order, most significant first: index (u32), time (u32), random (64 bits with
+// the sign in the lowest place).
 std::string uniqueIdText(const std::array<uint8_t, 16>& bytes);
 
 }  // namespace obby::importer

@@ -1,4 +1,4 @@
-// One walk over the source, shared by the filter and by the search for an offset.
+// Filters with one walk over the source, which the search for an offset shares.
 #include "import/format/xml_filter.h"
 
 #include <cstdint>
@@ -8,7 +8,8 @@ namespace {
 
 constexpr std::string_view kReplacement = "\xef\xbf\xbd";
 
-// Length of the reference at the start of `text` ("&#0;") if it must be replaced, otherwise 0.
+// Returns the length of the reference at the start of `text` ("&#0;") if it must be replaced,
+// otherwise 0.
 size_t badReference(std::string_view text) {
   size_t i = 2;
   const bool hex = text.substr(i, 1) == "x";
@@ -32,7 +33,7 @@ size_t badReference(std::string_view text) {
   return bad ? i + 1 : 0;
 }
 
-// Length of the comment or CDATA section at the start of `text`, or 0.
+// Returns the length of the comment or CDATA section at the start of `text`, or 0.
 size_t opaqueLength(std::string_view text) {
   for (const auto& [begin, end] :
        {std::pair<std::string_view, std::string_view>{"<![CDATA[", "]]>"},
@@ -44,7 +45,7 @@ size_t opaqueLength(std::string_view text) {
   return 0;
 }
 
-// Calls keep(piece) and replace(length of what is replaced), in order.
+// Calls keep(piece) and replace(length of the replaced piece), in order.
 template <class Keep, class Replace>
 void walk(std::string_view source, Keep keep, Replace replace) {
   size_t done = 0;
@@ -81,7 +82,7 @@ FilteredXml filterXml(std::string_view source) {
 }
 
 size_t sourceOffset(std::string_view source, size_t offset) {
-  size_t filtered = 0, skew = 0;  // skew: how much longer the source is up to here
+  size_t filtered = 0, skew = 0;  // skew: source length minus filtered length so far
   walk(
       source, [&](std::string_view piece) { filtered += piece.size(); },
       [&](size_t length) {

@@ -1,4 +1,4 @@
-// Makes old XML places fit for an XML parser: they hold character references that XML forbids.
+// Prepares old XML places for an XML parser: they hold character references that XML forbids.
 #pragma once
 
 #include <cstddef>
@@ -13,10 +13,10 @@ struct FilteredXml {
 };
 
 // Replaces references to NUL, to surrogates and beyond Unicode. References to other control
-// characters stay: the parser takes them. Comments and CDATA are not looked into.
+// characters stay, since the parser accepts them. Comments and CDATA are left unchanged.
 FilteredXml filterXml(std::string_view source);
 
-// Where in the source the byte at `offset` of the filtered text comes from.
+// Returns the offset in the source of the byte at `offset` of the filtered text.
 size_t sourceOffset(std::string_view source, size_t offset);
 
 }  // namespace obby::importer

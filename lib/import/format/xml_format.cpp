@@ -1,4 +1,4 @@
-// Two passes over the parsed file: the items first, because references may point forward; then
+// Reads the parsed file in two passes: the items first, because references may point forward; then
 // their properties.
 #include "import/format/xml_format.h"
 
@@ -104,7 +104,7 @@ class XmlReader {
     const std::string& className = builder_.classOf(id);
     const PropertyPlan& plan = builder_.planOf(className, name);
     if (plan.spelling.name.empty()) return {};
-    // A legacy spelling has the kind of its own age, which the element's name tells.
+    // An older spelling may have another kind, which the element's name states.
     const Value* standard = plan.spelling.legacy ? nullptr : plan.standard;
     Result<Value> value = readXmlValue(element, standard, context_);
     if (!value) {
@@ -119,7 +119,7 @@ class XmlReader {
     return {};
   }
 
-  // pugixml points behind the '<'.
+  // pugixml returns the offset after the '<'.
   static ptrdiff_t startOf(pugi::xml_node element) { return element.offset_debug() - 1; }
   Error at(ptrdiff_t offset, Error error) const {
     error.place = "byte " + std::to_string(sourceOffset(source_, offset < 0 ? 0 : offset));

@@ -1,4 +1,4 @@
-// The XML format of .rbxlx and .rbxmx files, and of .rbxl and .rbxm files before 2013.
+// Reads the XML format of .rbxlx and .rbxmx files, and of .rbxl and .rbxm files before 2013.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// std::from_chars does the work; what it refuses is looked at again here.
+// Parses with std::from_chars, and handles the spellings that it rejects.
 #include "import/format/xml_numbers.h"
 
 #include <charconv>

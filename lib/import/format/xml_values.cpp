@@ -1,4 +1,4 @@
-// One function a kind of property, and the table of element names.
+// Reads each kind of property with one function, by a table of element names.
 #include "import/format/xml_values.h"
 
 #include <algorithm>
@@ -67,7 +67,7 @@ Result<Value> readToken(Element element, const XmlContext&) {
   return expected("the number of an enum item", viewOf(element));
 }
 
-// The numbers in the children of the given names.
+// Returns the numbers in the children of the given names.
 template <size_t Count>
 Result<std::array<float, Count>> readParts(Element element,
                                            const std::array<const char*, Count>& names) {
@@ -98,7 +98,7 @@ Result<Value> readOptionalCFrame(Element element, const XmlContext& context) {
   return frame ? readCFrame(frame, context) : Result<Value>(Value{});
 }
 
-// Three numbers from 0 to 1, or one packed number: elements of both names hold either.
+// Reads three numbers from 0 to 1, or one packed number. Elements of both names hold either.
 Result<Value> readColor(Element element, const XmlContext&) {
   if (element.child("R")) {
     OBBY_ASSIGN(const auto v, readParts<3>(element, {"R", "G", "B"}));
@@ -151,7 +151,7 @@ Result<Value> readUDim(Element element, const XmlContext&) {
   return Value{UDim{v[0], static_cast<int32_t>(*offset)}};
 }
 
-// "0.9 1.05 ". Most ranges are of effects: one that is written otherwise is no error.
+// Reads "0.9 1.05 ". A malformed range is no error, since most ranges belong to visual effects.
 Result<Value> readRange(Element element, const XmlContext&) {
   const std::string_view text = viewOf(element);
   const size_t space = std::min(text.find(' '), text.size());
@@ -216,7 +216,7 @@ ReadElement byElementName(std::string_view name) {
   return nullptr;
 }
 
-// How to read a property whose kind is known; null where the element's name has to say more.
+// Returns the reader for a property whose kind is known, or null if the element's name must decide.
 ReadElement byStandard(const Value& standard, std::string_view elementName) {
   if (std::holds_alternative<bool>(standard)) return readBool;
   if (std::holds_alternative<int64_t>(standard)) return readInt;
@@ -230,7 +230,7 @@ ReadElement byStandard(const Value& standard, std::string_view elementName) {
   return nullptr;
 }
 
-// For element names that nobody has seen: what the children look like.
+// Chooses a reader by the children of an element with an unknown name.
 ReadElement byStructure(Element element) {
   if (element.child("R00")) return readCFrame;
   if (element.child("X") && element.child("Z")) return readVec3;
@@ -254,7 +254,7 @@ Result<Value> readXmlValue(pugi::xml_node element, const Value* standard,
                            const XmlContext& context) {
   const std::string_view name = element.name();
   ReadElement read = standard != nullptr ? byStandard(*standard, name) : nullptr;
-  // Generated files call these bytes a string; they are base64 all the same.
+  // Generated files name this property a string, but it holds base64.
   const std::string_view property = element.attribute("name").value();
   if (property == "AttributesSerialize" && name == "string") read = readBase64;
   if (read == nullptr) read = byElementName(name);

@@ -1,4 +1,4 @@
-// The property elements of the XML format.
+// Reads the property elements of the XML format.
 #pragma once
 
 #include <memory>
@@ -12,18 +12,18 @@
 
 namespace obby::importer {
 
-// What elements refer to.
+// The tables that elements refer to.
 struct XmlContext {
   std::unordered_map<std::string_view, std::shared_ptr<const std::string>> sharedStrings;
-  std::unordered_map<std::string_view, InstanceId> instances;  // by referent
+  std::unordered_map<std::string_view, InstanceId> instances;  // instances by referent
 };
 
-// All text and CDATA inside the element.
+// Returns all text and CDATA inside the element.
 std::string textOf(pugi::xml_node element);
 
-// The value of a property. The element's name is a hint only, as for the engine: `standard`, the
-// default of the property, decides the kind where it is known (null where not). Errors have path
-// ("X") and message, no place.
+// Returns the value of a property. `standard`, the default of the property, decides its kind; null
+// if unknown. As in the engine, the element's name is only a hint. Errors have a path ("X") and a
+// message, but no place.
 Result<Value> readXmlValue(pugi::xml_node element, const Value* standard,
                            const XmlContext& context);
 

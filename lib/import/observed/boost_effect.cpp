@@ -14,7 +14,7 @@ using engine::PlayerState;
 
 bool differs(double factor) { return std::abs(factor - 1) > 1e-6; }
 
-// Ratios of the player's speeds and gravity to those before, as changes are applied.
+// The player's speeds and gravity as ratios of the former values, updated with each change.
 class Speeds {
  public:
   Speeds(const engine::Report& report, const engine::Probe& probe)
@@ -25,7 +25,7 @@ class Speeds {
         base_(gravity_ - lift_),
         usesHeight_(!probe.seen.player.usesJumpPower) {}
 
-  // Returns true if the property is as it was before.
+  // Applies a change. Returns true if the property has its former value.
   bool apply(const std::string& property, double value) {
     const bool byForce = property == "note lift";
     if (byForce || property == "Gravity") {
@@ -37,8 +37,8 @@ class Speeds {
   }
 
   double walk() const { return factorOf("WalkSpeed"); }
-  // By the setting that the body uses. A height is reached under any gravity of the world: the
-  // speed follows. Forces do not count.
+  // Returns the ratio of the setting that the body uses. A jump height holds under any gravity, so
+  // the speed follows from it. Forces do not count.
   double jump() const {
     if (!usesHeight_) return factorOf("JumpPower");
     const double world = world_ > 0 && gravity_ > 0 ? gravity_ / world_ : 1;
@@ -95,11 +95,11 @@ std::optional<Booster> boosterOf(const engine::Report& report, const engine::Pro
     changed |= differs(speeds.walk()) || differs(speeds.jump()) || differs(speeds.gravity());
   }
   if (!changed && !restored) return std::nullopt;
-  boost.resets = !changed;  // it undoes what others do
+  boost.resets = !changed;  // it undoes other boosts
   boost.forever =
       boost.resets || differs(speeds.walk()) || differs(speeds.jump()) || differs(speeds.gravity());
   if (boost.forever) return boost;
-  // The time counts from the last touch: a boost that ends when the player leaves has none.
+  // The time counts from the last touch. A boost that ends when the player leaves has no duration.
   const bool ends = std::abs(last - probe.left) < 3 * kFrame;
   boost.seconds = ends ? 0 : std::max(kFrame, last - changes.front()->time);
   return boost;

@@ -1,4 +1,4 @@
-// Effects of a touch on the player's speeds and gravity, and their duration.
+// Finds the effects of a touch on the player's speeds and gravity, and their duration.
 #pragma once
 
 #include <optional>
@@ -8,10 +8,11 @@
 
 namespace obby::importer {
 
-// Is it one of the changes that boosterOf() reads?
+// Returns true if boosterOf() reads the change.
 bool changesSpeed(const engine::Change& change);
 
-// From the probe's own changes of that kind, in their order; nothing: they change nothing.
+// Returns the booster from the probe's own changes of that kind, in order, or nullopt if they
+// change nothing.
 std::optional<Booster> boosterOf(const engine::Report& report, const engine::Probe& probe,
                                  const std::vector<const engine::Change*>& changes);
 

@@ -1,4 +1,4 @@
-// What a touch or use does to parts: they come, go and move.
+// Gives parts the effects of a touch or use: they appear, vanish and move.
 #include <algorithm>
 #include <set>
 
@@ -12,6 +12,11 @@ namespace obby::importer {
 namespace {
 
 constexpr double kForever = 3600;  // seconds
+// Returns true for the state that broughtFromObservation() has set.
+bool isNeverThere(const Vanish& vanish) {
+  return vanish.inverted && !vanish.timer && vanish.signal.empty();
+}
+
 constexpr const char* kStarted = "motion that a touch or click starts";
 
 }  // namespace
@@ -27,10 +32,10 @@ void EffectRoles::takeParts(PartDraft& part, bool used, const ProbeEffects& effe
     else if (other->motion->trigger == MotionTrigger::always)
       note(kStarted, moved.part, "keeps the motion of its own; ", moved.line);
   }
-  for (const auto& [id, line] : effects.sizes)
-    note("size that scripts change", id, "stays as it is at the start; ", line);
-  for (const auto& [id, line] : effects.belts)
-    if (context_.part(id)) note("conveyor that a touch changes", id, "", line);
+  for (const Changed& size : effects.sizes)
+    note("size that scripts change", size.part, "stays as it is at the start; ", size.line);
+  for (const Changed& belt : effects.belts)
+    if (context_.part(belt.part)) note("conveyor that a touch changes", belt.part, "", belt.line);
 }
 
 void EffectRoles::takeDrives(PartDraft& part, const engine::Probe& probe,
@@ -72,7 +77,7 @@ void EffectRoles::press(PartDraft& part, double seconds, bool held) {
 
 void EffectRoles::takeAway(PartDraft& part, bool used, const Away& away, bool inverted) {
   PartDraft* const other = context_.part(away.part);
-  if (!other || other->vanish) return;
+  if (!other || (other->vanish && !isNeverThere(*other->vanish))) return;
   Vanish vanish;
   vanish.delay = float(away.delay);
   vanish.inverted = inverted;
@@ -87,8 +92,16 @@ void EffectRoles::takeAway(PartDraft& part, bool used, const Away& away, bool in
 }
 
 void EffectRoles::takeMotion(PartDraft& part, PartDraft& other, const Moved& moved, bool used) {
-  constexpr size_t kRest = 30;  // frames
+  constexpr size_t kRest = 30;  // frames of rest
   auto motion = motionOf(moved.poses, kRest);
+  bool returns = samePose(moved.poses.front(), moved.poses.back());
+  double seconds = double(moved.poses.size()) / 60;
+  if (!motion && moved.outlasting) {
+    motion = moved.outlasting;
+    returns = motion->repeat == Repeat::once &&
+              samePose(motion->keys.front().pose, motion->keys.back().pose);
+    seconds = double(motion->keys.back().time);
+  }
   if (!motion) return note(kStarted, moved.part, "stays where it is; ", moved.line);
   const bool own = &other == &part && !used;
   motion->trigger = own ? MotionTrigger::touch : MotionTrigger::signal;
@@ -96,8 +109,7 @@ void EffectRoles::takeMotion(PartDraft& part, PartDraft& other, const Moved& mov
   motion->carries = moved.driver != kNoInstance;
   if (!own) {
     motion->signal = signalOf(part);
-    const bool returns = samePose(moved.poses.front(), moved.poses.back());
-    press(part, returns ? double(moved.poses.size()) / 60 : kForever);
+    press(part, returns ? seconds : kForever);
   }
   other.motion = motion;
   other.anchored = true;

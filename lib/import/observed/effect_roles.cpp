@@ -3,11 +3,16 @@
 #include <algorithm>
 #include <cmath>
 
-#include "import/observed/run.h"
+#include "import/observed/place.h"
 #include "import/stages/numbers.h"
 #include "level/params.h"
 
 namespace obby::importer {
+namespace {
+
+constexpr float kDeadly = 1e6f;  // damage: more than any health
+
+}  // namespace
 
 std::string EffectRoles::reason(engine::Line line) const { return lineReason(context_.tree, line); }
 
@@ -24,13 +29,24 @@ void EffectRoles::takePlayer(PartDraft& part, const ProbeEffects& effects) {
     part.kill = {float(effects.harm->damage), float(effects.harm->cooldown)};
     std::erase_if(part.evidence, [](const Evidence& e) { return e.role == "kill"; });
     prove(part, "kill", reason(effects.harm->line));
+    if (effects.harm->stoppable && !shield_.empty())
+      context_.level.noteUnmodelled("harm that a force field stops", context_.tree, part.id,
+                                    "players are taken to have none; " + shield_);
+    if (effects.harm->lasts)
+      note("harm that goes on after a touch", part.id, "dealt all at once; ", effects.harm->line);
   }
+  if (effects.ends && !part.goal && !hasEvidence(part, kHarmless)) {
+    part.kill = Kill{kDeadly, 0};
+    prove(part, "kill", "the player can go on no more; " + reason(*effects.ends));
+  }
+  if (effects.stateOff)
+    note("part that stops the player", part.id, "a state is switched off; ", *effects.stateOff);
   if (effects.push) takePush(part, *effects.push);
   if (effects.teleport && !effects.harm) takeTeleport(part, *effects.teleport);
   if (effects.boost) takeBoost(part, *effects.boost);
   if (effects.trips && !effects.harm) {
     part.trip = Trip{};
-    prove(part, "trip", reason(effects.tripLine));
+    prove(part, "trip", reason(*effects.trips));
   }
   if (effects.stage && !effects.harm) takeStage(part, *effects.stage);
   if (effects.won && !effects.harm && !part.goal) {
@@ -96,18 +112,32 @@ void EffectRoles::takeStage(PartDraft& part, const StageSet& stage) {
         isLine ? reason(stage.line) : "players who die after a touch come back to it");
 }
 
-void EffectRoles::takeAbility(bool keys, const engine::AirJumps& inAir,
+void EffectRoles::noteUnknown(engine::Approach approach) {
+  const bool keys = approach == engine::Approach::keys, chat = approach == engine::Approach::chat;
+  const char* const kind = keys   ? "keys that a script listens to"
+                           : chat ? "chat that scripts listen to"
+                                  : "listener without a visible effect";
+  context_.level.noteUnmodelled(kind, context_.tree, kNoInstance,
+                                "what a use does is not known: the player walks and jumps only");
+}
+
+void EffectRoles::takeAbility(engine::Approach approach, const engine::AirJumps& inAir,
                               const ProbeEffects& effects) {
   LevelDraft& level = context_.level;
+  const bool keys = approach == engine::Approach::keys;
   const bool leaps = keys && inAir.count > 0;
   if (leaps) {
     level.world.airJumps = std::min(inAir.count, kAnyAirJumps);
     level.noteIgnored("ability of the player", "", "jumps in the air; " + reason(inAir.line));
   }
-  if (effects.empty() && keys && !leaps)
-    level.noteUnmodelled("keys that a script listens to", context_.tree, kNoInstance,
-                         "what they do is not known: the player walks and jumps only");
-  const bool falls = effects.boost && effects.boost->gravity == 1;
+  if (effects.empty() && !leaps) noteUnknown(approach);
+  constexpr double kMinSeconds = 1;  // of an ability that is worth a jump
+  const bool isTaken =
+      effects.boost && !effects.boost->forever && effects.boost->seconds < kMinSeconds;
+  if (isTaken)
+    level.noteIgnored("ability of the player", "",
+                      "a script takes it back at once; " + reason(effects.boost->line));
+  const bool falls = effects.boost && effects.boost->gravity == 1 && !isTaken;
   if (falls && effects.boost->walk > 0 && effects.boost->jump > 0 && !effects.boost->resets) {
     World& world = level.world;
     world.walkSpeed = std::max(world.walkSpeed, base_.walkSpeed * effects.boost->walk);
@@ -119,12 +149,13 @@ void EffectRoles::takeAbility(bool keys, const engine::AirJumps& inAir,
     if (PartDraft* const other = context_.part(back.part);
         other && !back.seconds && !other->vanish) {
       other->solid = true;  // players use what helps them
-      prove(*other, "solid", "once a button on the screen is used; " + reason(back.line));
+      prove(*other, "solid",
+            "once keys, chat or a button on the screen are used; " + reason(back.line));
     }
   if (!effects.aways.empty() || !effects.moved.empty())
     level.noteUnmodelled("button on the screen", context_.tree, kNoInstance,
                          "the player does not use it");
-  if ((effects.boost && !falls) || effects.push || effects.teleport || effects.force ||
+  if ((effects.boost && !falls && !isTaken) || effects.push || effects.teleport || effects.force ||
       (effects.jumps && !leaps))
     level.noteUnmodelled("ability of the player", context_.tree, kNoInstance,
                          "the player does not use it");

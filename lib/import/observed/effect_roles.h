@@ -4,13 +4,15 @@
 #include <string>
 
 #include "import/observed/probe_effects.h"
+#include "import/observed/shields.h"
 #include "import/roles/role.h"
 
 namespace obby::importer {
 
 class EffectRoles {
  public:
-  explicit EffectRoles(RoleContext& context) : context_(context), base_(context.level.world) {}
+  EffectRoles(RoleContext& context, const engine::Report& report)
+      : context_(context), base_(context.level.world), shield_(shieldIn(context, report)) {}
 
   // Evidence that follows is a guess.
   void setGuessed(bool guessed) { guessed_ = guessed; }
@@ -23,14 +25,17 @@ class EffectRoles {
   // What moves by constraints and movers that the touch sets. What it sets to no effect that the
   // level has is named.
   void takeDrives(PartDraft& part, const engine::Probe& probe, const ProbeEffects& effects);
-  // What a tool, a key (`keys`) or a button on the screen gives the player, wherever it is.
+  // What a tool, keys, chat or a button on the screen give the player, wherever it is.
   // `inAir`: the jumps in the air that keys give.
-  void takeAbility(bool keys, const engine::AirJumps& inAir, const ProbeEffects& effects);
+  void takeAbility(engine::Approach approach, const engine::AirJumps& inAir,
+                   const ProbeEffects& effects);
 
   std::string path(InstanceId id) const { return context_.tree.path(id); }
   std::string reason(engine::Line line) const;
 
  private:
+  // A use of what is in no part has shown no effect.
+  void noteUnknown(engine::Approach approach);
   void prove(PartDraft& part, const char* role, const std::string& why) const;
   void takePush(PartDraft& part, const Push& push);
   void takeTeleport(PartDraft& part, const Teleported& to);
@@ -48,6 +53,7 @@ class EffectRoles {
 
   RoleContext& context_;
   const World base_;
+  const std::string shield_;  // what gives players a force field; empty: nothing does
   bool guessed_ = false;
 };
 

@@ -1,14 +1,21 @@
-// What was seen and is not in the level, and scripts that did not run to the end.
+// Notes observations that the level lacks, and scripts that did not run to the end.
 #include <algorithm>
 #include <set>
 
-#include "import/observed/probe_effects.h"
+#include "engine/classes/class_defaults.h"
+#include "import/assemblies.h"
+#include "import/classes.h"
+#include "import/observed/effects_of.h"
 #include "import/observed/roles.h"
+#include "import/observed/settle.h"
 
 namespace obby::importer {
 namespace {
 
-// Properties whose changes in play the level has no room for.
+constexpr const char* kLetLoose = "part that scripts let loose";
+constexpr const char* kStays = "stays as it is at the start";
+
+// Properties whose changes in play have no field in the level.
 struct LossRow {
   const char* property;
   const char* kind;
@@ -16,22 +23,32 @@ struct LossRow {
 };
 constexpr LossRow kLosses[] = {
     {"Gravity", "gravity that scripts change", "gravity stays as it is at the start"},
-    {"WalkSpeed", "speed that scripts change", "the player's speed stays as it is at the start"},
-    {"JumpPower", "speed that scripts change", "the player's jump stays as it is at the start"},
-    {"JumpHeight", "speed that scripts change", "the player's jump stays as it is at the start"},
-    {"Size", "size that scripts change", "stays as it is at the start"},
-    {"CanTouch", "touch that scripts switch", "stays as it is at the start"},
-    {"CollisionGroup", "collision group that scripts change", "stays as it is at the start"},
-    {"Anchored", "part that scripts let loose", "stays as it is at the start"},
+    {"WalkSpeed", "speed that scripts change", "the player's speed stays the same"},
+    {"JumpPower", "speed that scripts change", "the player's jump stays the same"},
+    {"JumpHeight", "speed that scripts change", "the player's jump stays the same"},
+    {"Size", "size that scripts change", kStays},
+    {"CanTouch", "touch that scripts switch", kStays},
+    {"Anchored", kLetLoose, kStays},
 };
 
-// Moves a player who stands at the spawn.
+// Returns true for a part that scripts made and the document lacks.
+bool isMadePart(InstanceId id) { return id >= engine::kMade && id < engine::kPlayer; }
+
+// Returns true for a change that moves a player who stands at the spawn.
 bool isPush(const engine::Change& change) {
   const std::string& property = change.property;
   const bool isForce = property == "note lift" || property.rfind("note mover ", 0) == 0;
   const bool isSet = property == "CFrame" || property == "Velocity";
   return change.line.script != kNoInstance &&
          (isForce || (isSet && change.target == engine::kPlayer));
+}
+
+void noteLimbs(RoleContext& context, const engine::Report& report) {
+  for (const engine::Change& change : report.undisturbed.changes)
+    if (change.property == "note meets some limbs")
+      context.level.noteUnmodelled(
+          "collision group of some limbs", context.tree, change.target,
+          "taken to collide with all of the body; " + lineReason(context.tree, change.line));
 }
 
 void noteLooks(RoleContext& context, const engine::Report& report) {
@@ -42,7 +59,7 @@ void noteLooks(RoleContext& context, const engine::Report& report) {
                                    "no part is there; " + lineReason(context.tree, change.line));
 }
 
-// A player who has died may be put anywhere.
+// Notes pushes of a living player. A dead one may be put anywhere.
 void notePushes(RoleContext& context, const engine::Report& report) {
   const auto& changes = report.undisturbed.changes;
   const auto push = std::find_if(changes.begin(), changes.end(), [&](const engine::Change& change) {
@@ -54,7 +71,7 @@ void notePushes(RoleContext& context, const engine::Report& report) {
         "the player stays where it is; " + lineReason(context.tree, push->line));
 }
 
-// Each new body gets the same speeds again.
+// Returns true for speeds that each new body gets again.
 bool isUsual(const engine::PlayerState& player, const engine::Change& change) {
   const double* const value = std::get_if<double>(&change.value);
   if (change.target != engine::kPlayer || !value) return false;
@@ -63,7 +80,8 @@ bool isUsual(const engine::PlayerState& player, const engine::Change& change) {
                                                      : player.jumpHeight);
 }
 
-// Harm by these lines comes from parts, also where one of them moves into the player.
+// Returns the lines that harm. Their harm comes from parts, even if one of them moves into the
+// player.
 std::set<engine::Line> linesThatHarm(const engine::Report& report) {
   std::set<engine::Line> lines;
   for (const engine::Probe& probe : report.probes)
@@ -72,15 +90,53 @@ std::set<engine::Line> linesThatHarm(const engine::Report& report) {
   return lines;
 }
 
+// Notes parts that scripts make and remove again between two rounds of probes: no list has them.
+void noteComing(RoleContext& context, const engine::Report& report) {
+  for (const engine::Change& change : report.undisturbed.changes) {
+    const bool* const there = std::get_if<bool>(&change.value);
+    const bool comes = change.property == "Parent" && there && *there;
+    if (comes && change.time > report.probedAt && isMadePart(change.target))
+      return context.level.noteUnmodelled(
+          kComesLater, context.tree, kNoInstance,
+          "it does not stay, and is left out; " + lineReason(context.tree, change.line));
+  }
+}
+
+// Returns true if unanchored parts fall because a joint vanishes while the parts at its ends stay.
+bool letsFall(const RoleContext& context, const engine::Report& report,
+              const engine::Change& change) {
+  const bool* const there = std::get_if<bool>(&change.value);
+  const Tree& tree = context.tree;
+  if (!there || *there || change.target >= tree.size()) return false;
+  if (change.property != "Parent" && change.property != "Enabled") return false;
+  if (!isRigidJointClass(tree.at(change.target).className)) return false;
+  const auto leaves = [&](InstanceId part) {
+    const auto& changes = report.undisturbed.changes;
+    return std::any_of(changes.begin(), changes.end(), [&](const engine::Change& other) {
+      return other.target == part && other.property == "Parent" && other.time == change.time;
+    });
+  };
+  const JointEnds ends = jointEnds(tree, change.target);
+  for (const InstanceId end : {ends.first, ends.second})
+    if (end < tree.size() && !get<bool>(tree.at(end), "Anchored") && !leaves(end)) return true;
+  return false;
+}
+
 void noteChanges(RoleContext& context, const engine::Report& report) {
   std::set<std::pair<InstanceId, std::string>> named;
+  const auto note = [&](const char* kind, const char* text, const engine::Change& change) {
+    if (named.insert({change.target, change.property}).second)
+      context.level.noteUnmodelled(
+          kind, context.tree, change.target,
+          std::string(text) + "; " + lineReason(context.tree, change.line));
+  };
   for (const engine::Change& change : report.undisturbed.changes) {
     if (change.time <= report.probedAt || isUsual(report.arrived, change)) continue;
+    if (isMadePart(change.target)) continue;  // noteComing() reports it
+    if (change.time <= report.lookedAgainAt && isMadeLater(report, change.target)) continue;
     for (const LossRow& row : kLosses)
-      if (change.property == row.property && named.insert({change.target, change.property}).second)
-        context.level.noteUnmodelled(
-            row.kind, context.tree, change.target,
-            std::string(row.note) + "; " + lineReason(context.tree, change.line));
+      if (change.property == row.property) note(row.kind, row.note, change);
+    if (letsFall(context, report, change)) note(kLetLoose, kStays, change);
   }
   const std::set<engine::Line> known = linesThatHarm(report);
   for (const engine::Harm& harm : report.undisturbed.harms)
@@ -110,8 +166,10 @@ void noteObservedLosses(RoleContext& context, const ObservedPlace& place) {
     context.level.noteUnmodelled("script that still waits", tree, kNoInstance,
                                  "what comes later is not seen");
   noteChanges(context, report);
+  noteComing(context, report);
   notePushes(context, report);
   noteLooks(context, report);
+  noteLimbs(context, report);
   for (const auto& [what, count] : report.undisturbed.counts) {
     (void)count;
     context.level.noteIgnored("not in the twin of the engine", what, "does nothing");

@@ -1,4 +1,4 @@
-// Parts that move by themselves: their poses, frame by frame, as motions.
+// Turns the poses of parts that move by themselves, frame by frame, into motions.
 #include <algorithm>
 #include <cmath>
 
@@ -29,14 +29,7 @@ std::vector<Pose> posesOf(const Pose& start, const engine::Track& track, uint32_
 
 namespace {
 
-constexpr size_t kSmoothSteps = 9, kRareSteps = 60;  // frames between steps of a steady turn
-
-bool isSame(const Pose& a, const Pose& b) {
-  constexpr float kUnmoved = 1e-4f;
-  return length(a.position - b.position) < kUnmoved &&
-         length(a.rotation.x - b.rotation.x) < kUnmoved &&
-         length(a.rotation.y - b.rotation.y) < kUnmoved;
-}
+constexpr size_t kSmoothSteps = 9, kRareSteps = 60;  // max frames between steps of a steady turn
 
 std::vector<PoseSample> samplesOf(const std::vector<Pose>& poses, size_t from, size_t count) {
   std::vector<PoseSample> samples;
@@ -44,8 +37,8 @@ std::vector<PoseSample> samplesOf(const std::vector<Pose>& poses, size_t from, s
   return samples;
 }
 
-// The samples at which something has changed: a script that sets a pose every other frame means a
-// smooth way.
+// Returns the samples with changes: a script that sets a pose every other frame intends a smooth
+// motion.
 std::vector<PoseSample> changesIn(const std::vector<PoseSample>& samples, const Pose& start) {
   std::vector<PoseSample> changes;
   const Pose* last = &start;
@@ -59,7 +52,7 @@ std::vector<PoseSample> changesIn(const std::vector<PoseSample>& samples, const 
   return changes;
 }
 
-// A round that goes on for ever.
+// Returns a round that repeats for ever.
 Motion roundMotion(const std::vector<Pose>& poses, const Round& round) {
   Motion motion;
   const double since = std::fmod(double(round.begin) * kFrame, round.seconds);
@@ -70,7 +63,7 @@ Motion roundMotion(const std::vector<Pose>& poses, const Round& round) {
   return motion;
 }
 
-// A motion that comes once, from its first change on.
+// Returns a single motion, from its first change on.
 Motion onceOf(const std::vector<Pose>& poses, size_t begin, size_t end) {
   Motion motion;
   motion.repeat = Repeat::once;
@@ -81,8 +74,7 @@ Motion onceOf(const std::vector<Pose>& poses, size_t begin, size_t end) {
   return motion;
 }
 
-// The motion of a part that turns all the time; nothing if its place changes in a way that has
-// none.
+// Returns the motion of a part that turns all the time, or nullopt if its positions do not fit one.
 std::optional<Motion> turningMotion(const std::vector<Pose>& poses, const SteadyTurn& turn,
                                     size_t rest) {
   Motion motion;
@@ -138,7 +130,7 @@ engine::Line moverOf(const engine::Observation& seen, InstanceId part, const eng
 
 namespace {
 
-// Rounds that come to an end later go on for ever in the level.
+// Notes rounds that end later in the game: they go on for ever in the level.
 void noteEnd(RoleContext& context, InstanceId id, const Motion& motion,
              const std::optional<double>& end, const std::string& reason) {
   if (end && motion.repeat != Repeat::once)
@@ -150,7 +142,7 @@ void noteEnd(RoleContext& context, InstanceId id, const Motion& motion,
 }  // namespace
 
 void movingFromObservation(RoleContext& context, const engine::Report& report) {
-  constexpr size_t kLongRest = 300;  // frames after which a part is taken to have stopped
+  constexpr size_t kLongRest = 300;  // frames of rest after which a part counts as stopped
   const engine::Observation& seen = report.undisturbed;
   const TweenLaws laws(seen);
   const size_t own = context.tree.size() - report.made.size();

@@ -1,24 +1,27 @@
-// What one probe changed: the difference between it and the undisturbed run.
+// The effects of one touch or use, on the player and on parts.
 #pragma once
 
 #include <map>
 #include <optional>
-#include <utility>
+#include <tuple>
 #include <vector>
 
 #include "engine/report.h"
+#include "import/draft.h"
 
 namespace obby::importer {
 
 struct Harmful {
   double damage = 0, cooldown = 0;
+  bool lasts = false;      // it goes on after the player has left; the damage is that of one touch
+  bool stoppable = false;  // a force field stops it
   engine::Line line;
 };
 struct Push {
   Vec3 velocity;
   bool keepsSideways = false;
   engine::Line line;
-  double seconds = 0;  // that a mover holds the velocity; 0: it is set once
+  double seconds = 0;  // duration of a mover's velocity; 0: set once
 };
 struct Teleported {
   Vec3 feet;
@@ -27,20 +30,20 @@ struct Teleported {
   engine::Line line;
 };
 struct Booster {
-  float walk = 1, jump = 1, gravity = 1;  // times what it was; below 0: the player floats up
+  float walk = 1, jump = 1, gravity = 1;  // factors of the former values; < 0: floats up
   double seconds = 0;                     // after the player has left; 0: at once
   bool forever = false;
-  bool resets = false;  // sets what it was, and nothing else
+  bool resets = false;  // restores the former values and does nothing else
   engine::Line line;
 };
-// Progress that scripts keep of the player.
+// Progress of the player that scripts store.
 struct StageSet {
-  std::optional<int> number;         // in leaderstats or the like
-  std::optional<int64_t> team;       // the colour of the player's new team
-  InstanceId respawn = kNoInstance;  // the SpawnLocation where the player comes back from now on
+  std::optional<int> number;         // a number in leaderstats or the like
+  std::optional<int64_t> team;       // colour of the player's new team
+  InstanceId respawn = kNoInstance;  // SpawnLocation where the player respawns from now on
   engine::Line line;
 };
-// A number of the player that scripts keep under a name that does not tell its meaning.
+// A number of the player that scripts store under an uninformative name.
 struct UnnamedStat {
   int number = 0;
   engine::Line line;
@@ -48,14 +51,21 @@ struct UnnamedStat {
 struct Away {
   InstanceId part = kNoInstance;
   double delay = 0;
-  std::optional<double> seconds;  // nothing: it did not come back
+  std::optional<double> seconds;  // nullopt: it did not come back
   engine::Line line;
-  bool held = false;  // it came back as the player left: `seconds` after that
+  bool held = false;  // it came back as the player left; `seconds` counts from then
 };
 struct Moved {
   InstanceId part = kNoInstance;
-  std::vector<Pose> poses;          // a frame each, from the touch on
-  InstanceId driver = kNoInstance;  // the constraint or mover that moves it
+  std::vector<Pose> poses;          // one pose per frame, from the touch on
+  InstanceId driver = kNoInstance;  // constraint or mover that moves it
+  engine::Line line;
+  std::optional<Motion> outlasting;  // motion of tweens that still play at the probe's end
+};
+
+// A part that changes, and the script line that changes it.
+struct Changed {
+  InstanceId part = kNoInstance;
   engine::Line line;
 };
 
@@ -66,31 +76,40 @@ struct ProbeEffects {
   std::optional<Booster> boost;
   std::optional<StageSet> stage;
   std::optional<engine::Line> won;
-  std::vector<UnnamedStat> unnamed;
-  bool trips = false;
-  engine::Line tripLine;
-  std::optional<engine::Line> force, jumps;  // jumps: in the air, too
-  std::vector<Away> aways, backs;            // that go; that come, and go again
+  // The player falls down; can never go on; is pushed by a force; jumps, also in the air; loses a
+  // state such as Jumping.
+  std::optional<engine::Line> trips, ends, force, jumps, stateOff;
+  std::vector<Away> aways, backs;  // parts that vanish; parts that appear and vanish again
   std::vector<Moved> moved;
-  std::vector<std::pair<InstanceId, engine::Line>> belts, sizes;
-  std::map<InstanceId, engine::Line> others;  // things whose other properties are set
+  std::vector<Changed> belts, sizes;
+  std::vector<UnnamedStat> unnamed;
+  std::map<InstanceId, engine::Line> others;  // parts whose other properties are set
 
-  bool empty() const {
-    return !harm && !push && !teleport && !boost && !stage && !won && !force && !jumps && !trips &&
-           aways.empty() && backs.empty() && moved.empty() && belts.empty() && sizes.empty();
+  // Returns the effects on the player, or those on parts.
+  auto onPlayer() {
+    return std::tie(harm, push, teleport, boost, trips, ends, force, jumps, stateOff, won, stage);
   }
+  auto onPlayer() const {
+    return std::tie(harm, push, teleport, boost, trips, ends, force, jumps, stateOff, won, stage);
+  }
+  auto onParts() { return std::tie(aways, backs, moved, belts, sizes); }
+  auto onParts() const { return std::tie(aways, backs, moved, belts, sizes); }
+
   bool touchesPlayer() const {
-    return harm || push || teleport || boost || stage || won || force || jumps || trips;
+    return std::apply([](const auto&... effect) { return (effect.has_value() || ...); },
+                      onPlayer());
   }
-  // Nothing but progress.
+  bool touchesParts() const {
+    return std::apply([](const auto&... parts) { return (!parts.empty() || ...); }, onParts());
+  }
+  bool empty() const { return !touchesPlayer() && !touchesParts(); }
+  // Returns true if progress is the only effect.
   bool onlyStage() const;
-  // The effects that a touch of `from` has, for `to`, to which the same functions listen. Nothing
-  // if they depend on where the parts are, or concern other parts.
+  // Returns the effects that a touch of `from` has, applied to `to`, to which the same functions
+  // listen. Returns nullopt if they depend on the parts' positions or concern other parts.
   std::optional<ProbeEffects> asOf(InstanceId from, InstanceId to) const;
-  // Of one of the effects; of none: {}.
+  // Returns the line of one of the effects, or {} if there is none.
   engine::Line line() const;
 };
-
-ProbeEffects effectsOf(const engine::Report& report, const engine::Probe& probe);
 
 }  // namespace obby::importer

@@ -22,7 +22,7 @@ StageSet& stageIn(ProbeEffects& effects, engine::Line line) {
   return *effects.stage;
 }
 
-// The number, or the first one in the text.
+// Returns the number, or the first one in the text.
 std::optional<int> wholeOf(const engine::Plain& value) {
   if (const auto* const text = std::get_if<std::string>(&value)) return firstNumber(*text);
   const auto* const number = std::get_if<double>(&value);
@@ -74,9 +74,9 @@ void takeOwnNumber(ProbeEffects& effects, std::initializer_list<int> numbersOfPa
 
 void takeComeback(ProbeEffects& effects, const engine::Report& report, const engine::Probe& probe,
                   const PartDraft& part) {
-  constexpr float kMoved = 2;  // studs: a body that appears at its old spawn is closer
-  // Studs around the part. Scripts drop the body from above it, or put it at an edge; parts that
-  // are zones reach below the floor.
+  constexpr float kMoved = 2;  // studs; a body that appears at its old spawn is closer
+  // Studs around the part. Scripts drop the body from above it, or put it at an edge. Zone parts
+  // reach below the floor.
   constexpr float kAround = 3, kAbove = 10, kBelow = 2;
   const Vec3 feet = probe.rebornAt;
   if (!probe.reborn || length(feet - report.arrived.feet) < kMoved) return;

@@ -1,4 +1,4 @@
-// Progress of the player as scripts keep it: stages, teams, the place to come back to, wins.
+// Reads the player's progress as scripts store it: stages, teams, respawn places, wins.
 #pragma once
 
 #include <initializer_list>
@@ -8,14 +8,15 @@
 
 namespace obby::importer {
 
-// Adds what a note about the player says of its progress. False: the note is about something else.
+// Adds the progress that a note about the player shows. Returns false if the note is about
+// something else.
 bool takeProgress(ProbeEffects& effects, const engine::Change& note, InstanceId touched);
 
-// If a number of a name that says nothing is that of the part itself, it is the part's stage.
+// Takes a number with an uninformative name as the part's stage if it equals the part's own number.
 void takeOwnNumber(ProbeEffects& effects, std::initializer_list<int> numbersOfPart);
 
-// A player who died after the touch, and came back to the part instead of the spawn. A part that
-// kills and brings the player on is a portal to where it comes back.
+// Reads a respawn: the player died after the touch and came back at the part instead of the spawn.
+// A part that kills and brings the player on is a portal to the respawn position.
 void takeComeback(ProbeEffects& effects, const engine::Report& report, const engine::Probe& probe,
                   const PartDraft& part);
 

@@ -17,7 +17,22 @@ std::vector<T> partsWithout(const std::vector<T>& all, const std::vector<T>& kno
   return rest;
 }
 
-// A click detector or a prompt goes by the name of its part.
+engine::Line lineOf(engine::Line line) { return line; }
+template <class Effect>
+engine::Line lineOf(const Effect& effect) {
+  return effect.line;
+}
+
+// Calls `each` with the members of both tuples, pairwise.
+template <class... A, class... B, class Each>
+void zip(std::tuple<A&...> a, std::tuple<B&...> b, const Each& each) {
+  const auto at = [&]<size_t... i>(std::index_sequence<i...>) {
+    (each(std::get<i>(a), std::get<i>(b)), ...);
+  };
+  at(std::index_sequence_for<A...>{});
+}
+
+// Returns the name of the part. A click detector or a prompt has the name of its part.
 const std::string& partNear(const Tree& tree, InstanceId lever) {
   const InstanceId parent = tree.at(lever).parent;
   const bool hasParent = !tree.isPart(lever) && parent < tree.size();
@@ -46,37 +61,28 @@ std::optional<ProbeEffects> ProbeEffects::asOf(InstanceId from, InstanceId to) c
 }
 
 engine::Line ProbeEffects::line() const {
-  if (harm) return harm->line;
-  if (push) return push->line;
-  if (teleport) return teleport->line;
-  if (boost) return boost->line;
-  if (trips) return tripLine;
-  for (const auto& one : {force, jumps})
-    if (one) return *one;
-  if (!aways.empty()) return aways[0].line;
-  if (!backs.empty()) return backs[0].line;
-  if (!moved.empty()) return moved[0].line;
-  if (won) return *won;
-  return stage ? stage->line : engine::Line{};
+  engine::Line found;
+  const auto takeFirst = [&](const auto& effect) {
+    if (found == engine::Line{} && effect) found = lineOf(*effect);
+  };
+  std::apply([&](const auto&... effect) { (takeFirst(effect), ...); }, onPlayer());
+  const auto takeParts = [&](const auto& parts) {
+    if (found == engine::Line{} && !parts.empty()) found = parts[0].line;
+  };
+  std::apply([&](const auto&... parts) { (takeParts(parts), ...); }, onParts());
+  return found;
 }
 
 ProbeEffects addedIn(const ProbeEffects& before, const ProbeEffects& now) {
-  ProbeEffects added;
-  if (!before.harm) added.harm = now.harm;
-  if (!before.push) added.push = now.push;
-  if (!before.teleport) added.teleport = now.teleport;
-  if (!before.boost) added.boost = now.boost;
-  if (!before.stage) added.stage = now.stage;
-  if (!before.won) added.won = now.won;
-  if (!before.force) added.force = now.force;
-  added.trips = now.trips && !before.trips;
-  added.tripLine = now.tripLine;
-  added.aways = partsWithout(now.aways, before.aways);
-  added.backs = partsWithout(now.backs, before.backs);
-  // A toggle: what went away comes back.
+  ProbeEffects added = now;
+  zip(added.onPlayer(), before.onPlayer(), [](auto& effect, const auto& old) {
+    if (old) effect.reset();
+  });
+  zip(added.onParts(), before.onParts(),
+      [](auto& parts, const auto& old) { parts = partsWithout(parts, old); });
+  // A toggle brings back parts that were away.
   added.backs = partsWithout(added.backs, before.aways);
   added.aways = partsWithout(added.aways, before.backs);
-  added.moved = partsWithout(now.moved, before.moved);
   return added;
 }
 

@@ -1,4 +1,4 @@
-// What a part does at a later touch and did not at the first one, and the other way round.
+// Compares a later touch of a part with the first one.
 #pragma once
 
 #include <string>
@@ -8,11 +8,11 @@
 
 namespace obby::importer {
 
-// The effects of `now` that `before` lacks.
+// Returns the effects of `now` that `before` lacks.
 ProbeEffects addedIn(const ProbeEffects& before, const ProbeEffects& now);
-// The effects of `before` that end by themselves and that `now` lacks.
+// Returns the effects of `before` that end by themselves and that `now` lacks.
 ProbeEffects endedIn(const ProbeEffects& before, const ProbeEffects& now);
-// When the later touch differs: "once 'Lever' has been touched".
+// Returns the condition of the later touch: "once 'Lever' has been touched".
 std::string whenOf(const Tree& tree, const engine::Revisit& revisit);
 
 }  // namespace obby::importer

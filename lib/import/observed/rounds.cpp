@@ -11,8 +11,8 @@ namespace {
 constexpr float kSamePlace = 0.02f;  // studs
 constexpr float kSameTurn = 0.01f;   // radians
 
-// How far a part may be off its place a round before: a little, and the share of a frame's way by
-// which a period that is no whole number of frames is off.
+// Max distance of a part from its pose one round before: a small constant, and the motion in the
+// fraction of a frame that the period is off a whole number.
 struct Slack {
   float place = kSamePlace, turn = kSameTurn;
 };
@@ -25,25 +25,44 @@ bool near(const Pose& a, const Pose& b, Slack slack = {}) {
   return length(a.position - b.position) < slack.place && turnBetween(a, b) < slack.turn;
 }
 
-// Most parts move little in a frame: a jump says nothing about the speed.
-Slack slackOf(const std::vector<Pose>& poses) {
+// Returns the slack of each frame, by the fastest frame close to it. Most parts move little in a
+// frame; a jump does not show the speed.
+std::vector<Slack> slacksOf(const std::vector<Pose>& poses) {
   constexpr float kShare = 0.6f, kJump = 2;  // studs
-  Slack slack;
+  constexpr size_t kAround = 4;              // frames; scripts may set poses only now and then
+  std::vector<Slack> slacks(poses.size());
   for (size_t i = 1; i < poses.size(); ++i) {
     const float way = length(poses[i].position - poses[i - 1].position);
     const float turn = turnBetween(poses[i], poses[i - 1]);
     if (way > kJump || turn > 0.5f) continue;
-    slack.place = std::max(slack.place, kShare * way);
-    slack.turn = std::max(slack.turn, kShare * turn);
+    const size_t last = std::min(poses.size() - 1, i + kAround);
+    for (size_t k = i > kAround ? i - kAround : 0; k <= last; ++k) {
+      slacks[k].place = std::max(slacks[k].place, kShare * way);
+      slacks[k].turn = std::max(slacks[k].turn, kShare * turn);
+    }
   }
-  return slack;
+  return slacks;
 }
 
-bool repeats(const std::vector<Pose>& poses, size_t period, Slack slack) {
-  // The last two rounds: far from the start, where scripts still wait.
+bool isNear(const std::vector<Pose>& poses, const std::vector<Slack>& slacks, size_t i, size_t j) {
+  const Slack &a = slacks[i], &b = slacks[j];
+  return near(poses[i], poses[j], {std::max(a.place, b.place), std::max(a.turn, b.turn)});
+}
+
+bool repeats(const std::vector<Pose>& poses, const std::vector<Slack>& slacks, size_t period) {
+  // Compares the last two rounds: scripts may still wait near the start.
   for (size_t i = poses.size() - period; i-- > poses.size() - 2 * period;)
-    if (!near(poses[i], poses[i + period], slack)) return false;
+    if (!isNear(poses, slacks, i, i + period)) return false;
   return true;
+}
+
+// Returns how far the last `count` poses are from the last one.
+float extent(const std::vector<Pose>& poses, size_t count) {
+  float most = 0;
+  for (size_t i = poses.size() - count; i < poses.size(); ++i)
+    most = std::max(most, length(poses[i].position - poses.back().position) +
+                              turnBetween(poses[i], poses.back()));
+  return most;
 }
 
 double worst(const std::vector<Pose>& poses, size_t period) {
@@ -54,7 +73,7 @@ double worst(const std::vector<Pose>& poses, size_t period) {
   return most;
 }
 
-// The period to a fraction of a frame, by the longest multiple of it that was seen.
+// Returns the period to a fraction of a frame, from the longest multiple of it in the poses.
 double exactPeriod(const std::vector<Pose>& poses, size_t period) {
   double exact = double(period);
   for (size_t rounds = 2; 2 * rounds * period < poses.size(); rounds *= 2) {
@@ -75,15 +94,17 @@ bool isStill(const std::vector<Pose>& poses, size_t period) {
 }  // namespace
 
 Round roundIn(const std::vector<Pose>& poses) {
-  const Slack slack = slackOf(poses);
+  const std::vector<Slack> slacks = slacksOf(poses);
+  // A settling motion resembles a round at its end, but a small one.
+  const float least = extent(poses, poses.size() / 2) / 2;
   Round round;
   for (size_t period = 2; 2 * period < poses.size() && round.frames == 0; ++period)
-    if (repeats(poses, period, slack) && !isStill(poses, period) &&
-        (period > 30 || worst(poses, period) < double(kSamePlace)))
+    if (repeats(poses, slacks, period) && !isStill(poses, period) &&
+        (period > 30 || worst(poses, period) < double(kSamePlace)) &&
+        extent(poses, period) >= least)
       round.frames = period;
   if (round.frames == 0) return round;
-  // A slow motion resembles itself after a few frames: the period is where it resembles itself
-  // most.
+  // A slow motion resembles itself after a few frames. The period is the lag with the best match.
   size_t best = round.frames;
   for (size_t lag = round.frames; lag < round.frames + round.frames / 4 && 2 * lag < poses.size();
        ++lag)
@@ -91,8 +112,7 @@ Round roundIn(const std::vector<Pose>& poses) {
   round.frames = best;
   round.seconds = exactPeriod(poses, round.frames) * kFrame;
   round.begin = poses.size() - round.frames;
-  while (round.begin > 0 &&
-         near(poses[round.begin - 1], poses[round.begin - 1 + round.frames], slack))
+  while (round.begin > 0 && isNear(poses, slacks, round.begin - 1, round.begin - 1 + round.frames))
     --round.begin;
   return round;
 }

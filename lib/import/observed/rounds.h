@@ -1,4 +1,4 @@
-// Poses, a frame each, that come again and again.
+// Finds the period of poses, one per frame, that repeat.
 #pragma once
 
 #include <cstddef>
@@ -9,12 +9,12 @@
 namespace obby::importer {
 
 struct Round {
-  size_t frames = 0;   // the nearest whole number; 0: the poses do not repeat
-  double seconds = 0;  // exactly
-  size_t begin = 0;    // the first frame from which they repeat
+  size_t frames = 0;   // period, rounded; 0: the poses do not repeat
+  double seconds = 0;  // exact period
+  size_t begin = 0;    // first frame of the repetition
 };
 
-// The smallest period of which two rounds were seen.
+// Returns the smallest period with two complete rounds in the poses.
 Round roundIn(const std::vector<Pose>& poses);
 
 }  // namespace obby::importer

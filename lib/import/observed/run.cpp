@@ -4,8 +4,8 @@
 #include <map>
 
 #include "engine/classes/class_defaults.h"
-#include "import/line_index.h"
 #include "import/observed/settle.h"
+#include "import/observed/settled.h"
 
 namespace obby::importer {
 namespace {
@@ -31,10 +31,13 @@ class Renumbering {
 
   void apply(engine::Report& report) const {
     apply(report.undisturbed);
+    for (engine::MadePart& made : report.made) apply(made.id);
+    for (engine::SameListeners& same : report.sameListeners) apply(same.target);
     for (engine::Probe& probe : report.probes) {
       apply(probe.target);
       apply(probe.seen);
     }
+    for (engine::Probe& move : report.moves) apply(move.seen);
     for (engine::Revisit& revisit : report.revisits) {
       apply(revisit.probe.target);
       apply(revisit.probe.seen);
@@ -63,32 +66,45 @@ class Renumbering {
   std::map<InstanceId, InstanceId> ids_;
 };
 
-}  // namespace
+bool drawsRandomNumbers(const engine::Report& report) {
+  const auto draws = [](const engine::Probe& probe) { return probe.seen.random; };
+  return report.undisturbed.random ||
+         std::any_of(report.probes.begin(), report.probes.end(), draws) ||
+         std::any_of(report.moves.begin(), report.moves.end(), draws) ||
+         std::any_of(report.revisits.begin(), report.revisits.end(),
+                     [](const engine::Revisit& revisit) { return revisit.probe.seen.random; });
+}
 
-ObservedPlace observePlace(const Document& document) {
+ObservedPlace runPlace(const Document& document, const engine::Plan& plan) {
   ObservedPlace place;
   place.document = document;
-  if (std::none_of(document.instances.begin(), document.instances.end(), isScript)) return place;
-  engine::Plan plan;
-  plan.settings.rig = rigOf(document);
+  place.fromFile = document.instances.size();
   place.report = engine::observe(document, plan);
   place.ran = place.report.undisturbed.frames > 0;
   Renumbering(addMadeParts(place.document, place.report)).apply(place.report);
-  settle(place.document, place.report);
+  place.brought = settle(place.document, place.report);
   place.settled = settledIn(document, place.document, place.report);
   return place;
 }
 
-std::string lineReason(const Tree& tree, engine::Line line) {
-  if (line.script >= tree.size()) return "a script";
-  const Instance& script = tree.at(line.script);
-  std::string reason = "script " + script.name;
-  if (line.line <= 0) return reason;
-  reason += " line " + std::to_string(line.line);
-  const auto* source = property<std::string>(script, "Source");
-  const auto text = source ? LineIndex(*source).line(size_t(line.line)) : std::nullopt;
-  if (!text) return reason;
-  return reason + ": " + quoteOf(*text);
+}  // namespace
+
+ObservedPlace observePlace(const Document& document) {
+  if (std::none_of(document.instances.begin(), document.instances.end(), isScript))
+    return {document, {}, false};
+  engine::Plan plan;
+  plan.settings.rig = rigOf(document);
+  ObservedPlace place = runPlace(document, plan);
+  if (!drawsRandomNumbers(place.report)) return place;
+  using engine::Draws;
+  for (const Draws draws : {Draws::even, Draws::low, Draws::high}) {
+    ++plan.settings.seed;
+    plan.settings.draws = draws;
+    ObservedPlace other = runPlace(document, plan);
+    // Where the run breaks off it says nothing about chance.
+    if (other.report.failure.empty()) place.others.push_back(std::move(other));
+  }
+  return place;
 }
 
 }  // namespace obby::importer

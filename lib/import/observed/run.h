@@ -1,26 +1,11 @@
-// Runs a place's scripts and brings the document to the state in which they leave it.
+// Runs a place's scripts and returns the document in the state after them.
 #pragma once
 
-#include <string>
-#include <vector>
-
-#include "engine/report.h"
-#include "import/observed/settled.h"
-#include "import/tree.h"
+#include "import/observed/place.h"
 
 namespace obby::importer {
 
-struct ObservedPlace {
-  Document document;      // with the parts that scripts made, and all that they changed for good
-  engine::Report report;  // its ids are the document's; what scripts made later has others
-  bool ran = false;       // there were scripts, and they ran
-  std::vector<Settled> settled = {};
-};
-
-// A document without scripts comes back as it is.
+// Returns a document without scripts unchanged.
 ObservedPlace observePlace(const Document& document);
-
-// "script Trap line 3: hit.Parent.Humanoid.Health = 0"; "a script" where nobody is known.
-std::string lineReason(const Tree& tree, engine::Line line);
 
 }  // namespace obby::importer

@@ -1,6 +1,7 @@
 #include "import/observed/settle.h"
 
 #include <algorithm>
+#include <set>
 #include <string>
 #include <utility>
 
@@ -32,7 +33,7 @@ struct ToValue {
   }
 };
 
-// In the names that documents use.
+// Returns the property's name in documents.
 std::string documentName(const std::string& property) {
   if (property == "AssemblyLinearVelocity") return "Velocity";
   if (property == "AssemblyAngularVelocity") return "RotVelocity";
@@ -64,7 +65,7 @@ bool isBelow(const Document& document, InstanceId id, InstanceId ancestor) {
   return id == ancestor;
 }
 
-// Of a part from a storage: its model stays there.
+// Puts a part from a storage into the world. Its model stays in the storage.
 void joinWorld(Document& document, InstanceId id) {
   const InstanceId workspace = workspaceOf(document);
   if (workspace == kNoInstance || workspace > id || isBelow(document, id, workspace)) return;
@@ -73,42 +74,53 @@ void joinWorld(Document& document, InstanceId id) {
   document.instances[workspace].children.push_back(id);
 }
 
-// Whether a touch or a use puts the part back into the world.
-bool comesBack(const engine::Report& report, InstanceId part) {
-  const auto brings = [&](const Change& change) {
-    const bool* const there = std::get_if<bool>(&change.value);
-    return change.target == part && change.property == "Parent" && there && *there;
-  };
-  return std::any_of(report.probes.begin(), report.probes.end(), [&](const engine::Probe& probe) {
-    return std::any_of(probe.seen.changes.begin(), probe.seen.changes.end(), brings);
-  });
+bool isBringing(const Change& change) {
+  const bool* const there = std::get_if<bool>(&change.value);
+  return change.property == "Parent" && there && *there;
 }
 
-// At the start a script has put the part into the world or taken it out.
-void settleParent(Document& document, const engine::Report& report, InstanceId id, bool stays) {
+void addBrought(const engine::Observation& seen, std::set<InstanceId>& brought) {
+  std::set<InstanceId> changed;  // a part whose first change removes it was there
+  for (const Change& change : seen.changes)
+    if (change.property == "Parent" && changed.insert(change.target).second && isBringing(change))
+      brought.insert(change.target);
+}
+
+// Returns the parts that only a touch or a use brings into the world.
+std::set<InstanceId> broughtByTouches(const engine::Report& report) {
+  std::set<InstanceId> brought;
+  for (const engine::Probe& probe : report.probes) addBrought(probe.seen, brought);
+  for (const engine::Revisit& revisit : report.revisits) addBrought(revisit.probe.seen, brought);
+  for (const Change& change : report.undisturbed.changes)
+    if (change.property == "Parent" && change.time > report.probedAt) brought.erase(change.target);
+  return brought;
+}
+
+// Puts the part into the world or takes it out, as a script did at the start.
+void settleParent(Document& document, InstanceId id, bool stays) {
   const bool isPart = isPartClass(document.instances[id].className);
   if (stays && isPart)
     joinWorld(document, id);
-  else if (!stays && !comesBack(report, id) && isPart)
+  else if (!stays && isPart)
     leaveTree(document, id);
-  else if (!stays && !comesBack(report, id))
-    document.instances[id].properties["Enabled"] = false;  // a joint
+  else if (!stays)
+    document.instances[id].properties["Enabled"] = false;  // disables a joint
 }
 
 bool samePlace(const Pose& a, const Pose& b) {
   return a.position == b.position && a.rotation.x == b.rotation.x && a.rotation.y == b.rotation.y;
 }
 
-// The last frame that has changed the pose.
+// Returns the last frame that changed the pose.
 uint32_t lastChange(const engine::Track& track) {
   size_t last = track.poses.size() - 1;
   while (last > 0 && samePlace(track.poses[last - 1].pose, track.poses[last].pose)) --last;
   return track.poses[last].frame;
 }
 
-// Whether it goes somewhere step by step; else scripts put it in its place.
+// Returns true if it moves somewhere step by step; otherwise scripts placed it.
 bool isWay(const engine::Track& track) {
-  constexpr uint32_t kLongestGap = 30, kShortest = 15, kFewest = 3;  // frames; steps
+  constexpr uint32_t kLongestGap = 30, kShortest = 15, kFewest = 3;  // frames, frames, steps
   const Pose* last = &track.start;
   uint32_t first = 0, before = 0, steps = 0;
   for (const auto& [frame, pose] : track.poses) {
@@ -126,7 +138,7 @@ bool isWay(const engine::Track& track) {
 std::map<InstanceId, InstanceId> addMadeParts(Document& document, const engine::Report& report) {
   std::map<InstanceId, InstanceId> ids;
   const InstanceId workspace = workspaceOf(document);
-  // The id in the document; `unknown` for what was not added.
+  // Returns the id in the document, or `unknown` for an instance that was not added.
   const auto known = [&](InstanceId id, InstanceId unknown) {
     const auto added = ids.find(id);
     return added != ids.end() ? added->second : id < engine::kMade ? id : unknown;
@@ -154,10 +166,21 @@ std::map<InstanceId, InstanceId> addMadeParts(Document& document, const engine::
   return ids;
 }
 
+bool isMadeLater(const engine::Report& report, InstanceId part) {
+  if (report.made.empty() || part < report.made.front().id) return false;
+  const size_t index = part - report.made.front().id;  // ids follow the order of the list
+  return index < report.made.size() && report.made[index].later;
+}
+
 bool movesByItself(const engine::Report& report, InstanceId part) {
-  const auto track = report.undisturbed.tracks.find(part);
-  return track != report.undisturbed.tracks.end() &&
-         (lastChange(track->second) / 60.0 > report.probedAt || isWay(track->second));
+  constexpr double kPlacing = 0.1;  // seconds for scripts to place a new part
+  const auto found = report.undisturbed.tracks.find(part);
+  if (found == report.undisturbed.tracks.end()) return false;
+  const engine::Track& track = found->second;
+  const double settled = isMadeLater(report, part)
+                             ? track.poses.front().frame * engine::kFrame + kPlacing
+                             : report.probedAt;
+  return lastChange(track) * engine::kFrame > settled || isWay(track);
 }
 
 Pose poseAtStart(const engine::Track& track, bool isMade) {
@@ -169,8 +192,8 @@ namespace {
 
 using Key = std::pair<InstanceId, std::string>;
 
-// The change of each property that counts: the last one before the probes. Where more follow, the
-// last one of the start, but for parts that come and go: timers.cpp looks at those.
+// Returns the change of each property that counts: the last one before the probes. If more follow,
+// the last one of the start counts. Parts that scripts show and hide are left to timers.cpp.
 std::map<Key, const Change*> settledChanges(const engine::Report& report) {
   constexpr double kStart = 0.1;  // seconds
   std::map<Key, const Change*> start, settled;
@@ -179,9 +202,10 @@ std::map<Key, const Change*> settledChanges(const engine::Report& report) {
     if (change.time <= kStart) start[key] = &change;
     if (change.time <= report.probedAt) settled[key] = &change;
     if (change.time <= report.probedAt || !settled.contains(key)) continue;
-    const bool goes = change.property == "Parent" || change.property == "CanCollide";
     const auto first = start.find(key);
-    if (goes || first == start.end())
+    const bool goes = change.property == "Parent" || change.property == "CanCollide";
+    const bool byFile = first != start.end() && first->second->line.script == kNoInstance;
+    if (first == start.end() || (goes && !byFile))
       settled.erase(key);
     else
       settled[key] = first->second;
@@ -191,19 +215,32 @@ std::map<Key, const Change*> settledChanges(const engine::Report& report) {
 
 }  // namespace
 
-void settle(Document& document, const engine::Report& report) {
-  for (const auto& [key, change] : settledChanges(report)) {
+std::set<InstanceId> settle(Document& document, const engine::Report& report) {
+  const auto settled = settledChanges(report);
+  std::set<InstanceId> brought = broughtByTouches(report);
+  std::erase_if(brought, [&](InstanceId id) { return id >= document.instances.size(); });
+  for (const auto& [key, change] : settled) {
     if (key.first >= document.instances.size()) continue;
+    const bool* const stays = std::get_if<bool>(&change->value);
     if (key.second != "Parent")
       set(document, key.first, key.second, change->value);
-    else if (const bool* const stays = std::get_if<bool>(&change->value))
-      settleParent(document, report, key.first, *stays);
+    else if (stays && (*stays || !brought.contains(key.first)))
+      settleParent(document, key.first, *stays);
   }
+  // Parts that come and go belong to the world.
+  std::set<InstanceId> coming = brought;
+  for (const Change& change : report.undisturbed.changes)
+    if (isBringing(change) && change.target < document.instances.size() &&
+        !settled.contains({change.target, change.property}))
+      coming.insert(change.target);
+  for (const InstanceId id : coming)
+    if (isPartClass(document.instances[id].className)) joinWorld(document, id);
   const size_t own = document.instances.size() - report.made.size();
   for (const auto& [id, track] : report.undisturbed.tracks)
     if (id < document.instances.size())
       document.instances[id].properties["CFrame"] =
           movesByItself(report, id) ? poseAtStart(track, id >= own) : track.poses.back().pose;
+  return brought;
 }
 
 }  // namespace obby::importer

@@ -1,4 +1,4 @@
-// Compares the document with the file, part by part, where scripts have changed something.
+// Compares the document with the file, for each part that scripts have changed.
 #include "import/observed/settled.h"
 
 #include <fmt/format.h>
@@ -8,6 +8,7 @@
 
 #include "engine/classes/class_defaults.h"
 #include "import/classes.h"
+#include "import/collision_groups.h"
 #include "import/motion.h"
 #include "import/observed/roles.h"
 #include "import/observed/settle.h"
@@ -24,7 +25,7 @@ constexpr SwitchWords kSwitchWords[] = {{"CanCollide", "solid", "not solid"},
                                         {"CanTouch", "can be touched", "cannot be touched"},
                                         {"Anchored", "anchored", "not anchored"}};
 
-// What a property has become; nothing: what it was.
+// Returns words for a property's new value, or nullopt if it is unchanged.
 std::optional<std::string> wordsFor(const std::string& property, const Instance& before,
                                     const Instance& after) {
   for (const SwitchWords& words : kSwitchWords)
@@ -46,7 +47,7 @@ std::optional<std::string> wordsFor(const std::string& property, const Instance&
   return std::nullopt;
 }
 
-// The last line that changed each property, before the probes.
+// Returns the last line that changed each property before the probes.
 std::map<std::pair<InstanceId, std::string>, engine::Line> settlingLines(
     const engine::Report& report) {
   std::map<std::pair<InstanceId, std::string>, engine::Line> lines;
@@ -81,7 +82,11 @@ void noteSettled(RoleContext& context, const ObservedPlace& place) {
     const std::string reason = lineReason(context.tree, settled.line);
     if (settled.what.empty())
       context.level.noteIgnored("part that a script destroys at start", settled.path, reason);
-    else if (PartDraft* const part = context.part(settled.id))
+    else if (PartDraft* const part = context.part(settled.id); !part)
+      continue;
+    else if (settled.line.script == kNoInstance && !part->solid)
+      part->evidence.push_back(passedEvidence(context.tree.at(settled.id)));
+    else
       part->evidence.push_back({"scripted", settled.what + "; " + reason, false});
   }
 }

@@ -1,21 +1,13 @@
-// What scripts had made of the file's parts when play began, for the evidence.
+// Lists script changes to the file's parts before play began, for the evidence.
 #pragma once
 
-#include <string>
 #include <vector>
 
-#include "engine/report.h"
+#include "import/observed/place.h"
 
 namespace obby::importer {
 
-struct Settled {
-  InstanceId id = kNoInstance;
-  std::string path;  // in the file
-  std::string what;  // "not solid"; empty: the part is gone
-  engine::Line line;
-};
-
-// Parts that differ between the file and the document that `settle` has made of it.
+// Returns the parts that differ between the file and the document that `settle` made from it.
 std::vector<Settled> settledIn(const Document& file, const Document& document,
                                const engine::Report& report);
 

@@ -10,11 +10,11 @@
 namespace obby::importer {
 namespace {
 
-constexpr size_t kShortest = 60;  // frames of a turn that is steady
+constexpr size_t kShortest = 60;  // min frames of a steady turn
 
 bool sameRotation(const Mat3& a, const Mat3& b) { return a.x == b.x && a.y == b.y && a.z == b.z; }
 
-// The turns from frame to frame, of those frames that change the rotation.
+// The rotations from frame to frame, for frames that change the rotation.
 struct Steps {
   std::vector<size_t> frames;
   std::vector<Vec3> turns;
@@ -34,7 +34,7 @@ Steps stepsIn(const std::vector<Pose>& poses) {
   return steps;
 }
 
-// Whether the steps come often enough, up to the last frame.
+// Returns true if the steps come often enough, up to the last frame.
 bool goesOn(const Steps& steps, size_t frames, size_t longestGap) {
   if (steps.frames.size() < 3 || frames - steps.frames.front() < kShortest) return false;
   for (size_t i = 1; i < steps.frames.size(); ++i)
@@ -42,8 +42,8 @@ bool goesOn(const Steps& steps, size_t frames, size_t longestGap) {
   return frames - 1 - steps.frames.back() <= longestGap;
 }
 
-// The angle of each step about `axis`; nothing if one is about another axis, or much larger than
-// the others.
+// Returns the angle of each step about `axis`. Returns nullopt if one is about another axis, or
+// much larger than the others.
 std::optional<std::vector<double>> anglesAbout(Vec3 axis, const Steps& steps) {
   constexpr float kOff = 0.02f, kLittle = 1e-4f;
   std::vector<double> angles;
@@ -65,7 +65,7 @@ struct Fit {
   double slope = 0, start = 0;
 };
 
-// Least squares through `values`, one a frame.
+// Fits a line through `values`, one per frame, by least squares.
 Fit fitThrough(const std::vector<double>& values) {
   const auto n = double(values.size());
   double sum = 0, moment = 0;
@@ -75,7 +75,7 @@ Fit fitThrough(const std::vector<double>& values) {
   return {slope, sum / n - slope * middle};
 }
 
-// How far it has turned by each frame from `begin` on.
+// Returns the rotation angle at each frame from `begin` on.
 std::vector<double> turnedBy(const Steps& steps, const std::vector<double>& angles, size_t begin,
                              size_t frames) {
   std::vector<double> all = {0};
@@ -88,7 +88,7 @@ std::vector<double> turnedBy(const Steps& steps, const std::vector<double>& angl
   return all;
 }
 
-// The point that a turn leaves where it is, in the frame that is turned.
+// Returns the fixed point of a turn, in the turned frame.
 Vec3 stillPoint(const Pose& turned) {
   const Vec3 turn = rotationVector(turned.rotation);
   const Vec3 axis = normalize(turn);
@@ -105,7 +105,7 @@ bool staysAt(const std::vector<Pose>& poses, size_t begin, Vec3 pivot) {
   });
 }
 
-// A quarter of a turn shows the point best.
+// Finds the pivot after a quarter of a turn, which shows it best.
 std::optional<Vec3> pivotIn(const std::vector<Pose>& poses, size_t begin,
                             const std::vector<double>& turned) {
   constexpr double kQuarter = 1.57;

@@ -1,4 +1,4 @@
-// Poses, a frame each, that turn about an axis at a constant speed.
+// Finds a rotation about an axis at a constant speed in poses, one per frame.
 #pragma once
 
 #include <optional>
@@ -11,13 +11,14 @@ namespace obby::importer {
 struct SteadyTurn {
   Vec3 axis;  // unit, in the part's frame
   double speed = 0;
-  // The point of the part's frame that stays in place; nothing: the part moves as it turns.
+  // The point of the part's frame that stays in place, or nullopt if the part moves as it turns.
   std::optional<Vec3> pivot;
   size_t begin = 0;  // the last frame before it turns
-  double since = 0;  // seconds: when it left the rotation that it has at `begin`
+  double since = 0;  // seconds when it left the rotation of `begin`
 };
 
-// A turn that goes on to the last frame. Steps of up to `longestGap` frames are taken as smooth.
+// Returns a turn that goes on to the last frame. Steps of up to `longestGap` frames count as
+// smooth.
 std::optional<SteadyTurn> steadyTurnIn(const std::vector<Pose>& poses, size_t longestGap);
 
 }  // namespace obby::importer

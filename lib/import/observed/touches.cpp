@@ -2,10 +2,11 @@
 #include <algorithm>
 
 #include "import/observed/effect_roles.h"
-#include "import/observed/probe_effects.h"
+#include "import/observed/effects_of.h"
 #include "import/observed/progress.h"
 #include "import/observed/revisits.h"
 #include "import/observed/roles.h"
+#include "import/observed/settle.h"
 #include "import/stages/numbers.h"
 
 namespace obby::importer {
@@ -16,12 +17,15 @@ constexpr const char* kPosition = "nothing happens while limbs alone are in it";
 class Touches {
  public:
   Touches(RoleContext& context, const engine::Report& report)
-      : context_(context), report_(report), roles_(context) {}
+      : context_(context), report_(report), roles_(context, report) {}
 
   void take(const engine::Probe& probe) {
     PartDraft* const part = partOf(probe);
     const ProbeEffects effects = effectsAt(part, probe);
-    if (!part) return roles_.takeAbility(isKeys(probe.target), report_.airJumps, effects);
+    if (!part) return roles_.takeAbility(probe.approach, report_.airJumps, effects);
+    noteFailure(*part, probe, effects.empty());
+    if (probe.byFall)
+      note("touch that differs in a fall", part->id, "taken as of a player who walks");
     if (probe.lost) return note("touch that broke down", part->id, "treated as a plain part");
     if (probe.sleeps)
       note("script that still waits", part->id, "what comes later after a touch is not seen");
@@ -36,7 +40,10 @@ class Touches {
     if (probe.byPlace) part->touch = true;  // the script looks; it does not wait for a touch
     part->byRoot = probe.byRoot && part->shape == Shape::block && effects.touchesPlayer();
     if (part->byRoot) part->evidence.push_back({"byRoot", kPosition, false});
+    roles_.setGuessed(comesLater(probe, effects));
     give(*part, probe, effects);
+    noteLater(*part, probe, effects);
+    roles_.setGuessed(false);
   }
 
   // Gives the unprobed part the effects of the probed one, as a guess.
@@ -55,6 +62,7 @@ class Touches {
     roles_.setGuessed(true);
     roles_.takePlayer(*part, *own);
     roles_.takeParts(*part, false, *own);
+    noteLater(*part, probe, *own);
     roles_.setGuessed(false);
   }
 
@@ -79,9 +87,7 @@ class Touches {
       give(*part, revisit.probe, added);
       if (roles_.setsJoints(revisit.probe)) roles_.takeDrives(*part, revisit.probe, added);
       roles_.setGuessed(false);
-      if (!added.onlyStage())
-        note("touch that does more later", part->id,
-             when + ", taken as if from the start; " + roles_.reason(added.line()));
+      if (!added.onlyStage()) noteMore(*part, when, added);
     }
     if (const ProbeEffects ended = endedIn(before, now); !ended.empty())
       note("touch that does less later", part->id,
@@ -94,7 +100,7 @@ class Touches {
     for (const engine::Probe& probe : report_.probes) {
       PartDraft* const part = partOf(probe);
       if (!part || part->checkpoint || part->goal) continue;
-      if (probe.lost || probe.byPlace || !effectsAt(part, probe).empty()) continue;
+      if (probe.lost || probe.byPlace || probe.byFall || !effectsAt(part, probe).empty()) continue;
       const bool isKnown = std::any_of(
           report_.revisits.begin(), report_.revisits.end(), [&](const engine::Revisit& revisit) {
             return revisit.lever == probe.target || revisit.probe.target == probe.target;
@@ -140,10 +146,6 @@ class Touches {
     takeComeback(effects, report_, probe, *part);
     return effects;
   }
-  bool isKeys(InstanceId target) const {
-    return target >= context_.tree.size() ||
-           context_.tree.at(target).className == "UserInputService";
-  }
   const engine::Probe* firstOf(const engine::Probe& again) const {
     const auto first =
         std::find_if(report_.probes.begin(), report_.probes.end(),
@@ -159,6 +161,33 @@ class Touches {
       note("use that acts on the player", part.id,
            "the player stays as it is; " + roles_.reason(effects.line()));
     roles_.takeParts(part, used, effects);
+  }
+
+  // The second round found it, at a part that was there before.
+  bool comesLater(const engine::Probe& probe, const ProbeEffects& effects) const {
+    return probe.at > report_.probedAt && !effects.onlyStage() &&
+           !isMadeLater(report_, probe.target);
+  }
+  void noteLater(PartDraft& part, const engine::Probe& probe, const ProbeEffects& effects) {
+    if (comesLater(probe, effects)) noteMore(part, "some time after the start", effects);
+  }
+  void noteMore(PartDraft& part, const std::string& when, const ProbeEffects& more) {
+    note("touch that does more later", part.id,
+         when + ", taken as if from the start; " + roles_.reason(more.line()));
+  }
+  // A script that fails in the game, too, tells what a touch does. Where it has used what the twin
+  // lacks, or nothing came of the touch, it may go on in the game.
+  void noteFailure(const PartDraft& part, const engine::Probe& probe, bool isEmpty) {
+    const auto& usual = report_.undisturbed.problems;
+    for (const engine::Problem& problem : probe.seen.problems) {
+      const bool always =
+          std::any_of(usual.begin(), usual.end(), [&](const engine::Problem& known) {
+            return known.script == problem.script && known.text == problem.text;
+          });
+      const bool tells = problem.failure == engine::Failure::refused ||
+                         (problem.failure == engine::Failure::usual && !isEmpty);
+      if (!always && !tells) return note("touch handler that fails", part.id, problem.text);
+    }
   }
 
   void note(const char* kind, InstanceId id, const std::string& text) {

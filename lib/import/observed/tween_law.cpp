@@ -12,7 +12,7 @@
 namespace obby::importer {
 namespace {
 
-// The engine's Rotation: degrees about X, Y and Z, in this order.
+// Converts the engine's Rotation: degrees about X, Y and Z, in this order.
 Mat3 fromAngles(Vec3 degrees) {
   constexpr double kDegree = 3.14159265358979323846 / 180;
   return rotationAbout({1, 0, 0}, double(degrees.x) * kDegree) *
@@ -21,13 +21,13 @@ Mat3 fromAngles(Vec3 degrees) {
 }
 
 constexpr const char* kPoseProperties[] = {"CFrame", "Position", "Orientation", "Rotation"};
-constexpr double kEndless = 1200;  // seconds: longer than the simulator takes
+constexpr double kEndless = 1200;  // seconds; longer than the simulator accepts
 
-// One tween of one property that plays at the end of the run.
+// One tween of one property that still plays at the end of the run.
 struct Law {
   const engine::Tween* tween;
   const engine::TweenWay* way;
-  double begun = 0;  // seconds; its delay begins
+  double begun = 0;  // seconds at which its delay begins
 
   double leg() const { return tween->seconds * (tween->reverses ? 2 : 1); }
   double round() const { return tween->delay + leg(); }
@@ -36,7 +36,7 @@ struct Law {
     return begun + round() * (tween->repeats + 1.0);
   }
   double easedAt(double time) const;
-  // `pose` with what the tween changes as it has it at `time`.
+  // Returns `pose` with the tween's property at `time`.
   Pose at(double time, const Pose& pose) const;
 };
 
@@ -64,8 +64,8 @@ Pose Law::at(double time, const Pose& pose) const {
   return {pose.position, way->property == "Rotation" ? fromAngles(value) : fromOrientation(value)};
 }
 
-// The last tween of the property that began, with its beginning as the pose at `frame` shows it: it
-// takes its first step in the frame in which it begins to play, or in the next one.
+// Returns the tween of the property that began last. Its beginning is the pose at `frame`: it takes
+// its first step in the frame in which it begins to play, or in the next one.
 std::optional<Law> lastLaw(const std::vector<const engine::Tween*>& tweens,
                            const std::string& property, const Pose& last, uint32_t frame) {
   std::optional<Law> found;
@@ -84,7 +84,7 @@ std::optional<Law> lastLaw(const std::vector<const engine::Tween*>& tweens,
   return found->end() > time ? found : std::nullopt;
 }
 
-// Whether the last frames are as the tweens would have them.
+// Returns true if the tweens predict the last frames.
 bool explains(const std::vector<Law>& laws, const std::vector<Pose>& poses) {
   constexpr float kPlace = 0.1f, kTurn = 0.05f;
   for (const size_t back : {0, 1, 20, 60}) {
@@ -100,7 +100,7 @@ bool explains(const std::vector<Law>& laws, const std::vector<Pose>& poses) {
   return true;
 }
 
-// Poses by the tweens at even times of `from` to `to`, and at those at which a way turns round.
+// Returns the tweens' poses at even times from `from` to `to`, and where they reverse.
 std::vector<PoseSample> lawSamples(const std::vector<Law>& laws, const Pose& last, double from,
                                    double to) {
   constexpr double kMost = 6000, kJust = 1e-6;
@@ -137,7 +137,7 @@ Motion endless(const std::vector<Law>& laws, const Pose& last, double now) {
   return motion;
 }
 
-// First as it was seen, then as the tweens end.
+// Returns the observed motion, continued until the tweens end.
 Motion once(const std::vector<Law>& laws, const std::vector<Pose>& poses, double end) {
   Motion motion;
   motion.repeat = Repeat::once;
@@ -150,7 +150,7 @@ Motion once(const std::vector<Law>& laws, const std::vector<Pose>& poses, double
   return motion;
 }
 
-// The tweens that play at the last frame.
+// Returns the tweens that play at the last frame.
 std::vector<Law> lawsAt(const std::vector<Pose>& poses,
                         const std::vector<const engine::Tween*>& tweens) {
   const auto frame = uint32_t(poses.size() - 1);
@@ -168,8 +168,11 @@ double endOf(const std::vector<Law>& laws) {
 
 }  // namespace
 
-TweenLaws::TweenLaws(const engine::Observation& seen) {
-  for (const engine::Tween& tween : seen.tweens) byTarget_[tween.target].push_back(&tween);
+TweenLaws::TweenLaws(const engine::Observation& seen, double origin) : tweens_(seen.tweens) {
+  for (engine::Tween& tween : tweens_) {
+    tween.time -= origin;
+    byTarget_[tween.target].push_back(&tween);
+  }
 }
 
 std::optional<Motion> TweenLaws::outlasting(const std::vector<Pose>& poses, InstanceId part) const {

@@ -1,4 +1,4 @@
-// Tweens that play for longer than the run: their own times and goals tell what follows.
+// Extends motions beyond the run by tweens that outlast it, from the tweens' own times and goals.
 #pragma once
 
 #include <map>
@@ -12,18 +12,21 @@ namespace obby::importer {
 
 class TweenLaws {
  public:
-  explicit TweenLaws(const engine::Observation& seen);
+  // `origin` is the time of the first of the poses below, in seconds.
+  explicit TweenLaws(const engine::Observation& seen, double origin = 0);
 
-  // The motion of a part, at `poses` a frame each, whose tweens are not over at the last frame.
-  // Nothing where there are none, where it is not where they would have it, or where they have no
-  // common round.
+  // Returns the motion of a part whose tweens still play at the last of `poses`, one per frame.
+  // Returns nullopt if there are none, if the part is not where they predict, or if they have no
+  // common period.
   std::optional<Motion> outlasting(const std::vector<Pose>& poses, InstanceId part) const;
 
-  // When the repeating tweens that play at the last frame end; nothing: there are none, or they
-  // take more than twenty minutes. A tween of one way belongs to a loop of the script.
+  // Returns the end time of the repeating tweens that play at the last frame. Returns nullopt if
+  // there are none, or if they take more than twenty minutes. A tween that does not repeat belongs
+  // to a loop of the script.
   std::optional<double> end(const std::vector<Pose>& poses, InstanceId part) const;
 
  private:
+  std::vector<engine::Tween> tweens_;  // times count from the origin
   std::map<InstanceId, std::vector<const engine::Tween*>> byTarget_;
 };
 

@@ -10,7 +10,7 @@ struct Ending {
   std::string_view text;
   FileKind kind;
 };
-// The first that fits counts.
+// Extensions; the first match counts.
 constexpr Ending kEndings[] = {{".project.json", FileKind::project},
                                {".project.jsonc", FileKind::project},
                                {".model.json", FileKind::modelJson},

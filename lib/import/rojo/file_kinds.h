@@ -1,4 +1,4 @@
-// What a Rojo project says by names: the kinds of files, and the classes of nodes.
+// Reads meaning from the names in a Rojo project: the kinds of files, and the classes of nodes.
 #pragma once
 
 #include <string>
@@ -24,22 +24,22 @@ enum class FileKind {
 
 struct FileName {
   FileKind kind = FileKind::none;
-  std::string stem;  // the name without the ending
+  std::string stem;  // name without its extension
 };
 
-// By the end of the name.
+// Returns the kind of a file by the end of its name.
 FileName fileNameOf(std::string_view name);
 
-// Whether a file makes an instance of its folder; those that come first go before the others.
+// Files that make an instance of their folder, in order of precedence.
 inline constexpr std::string_view kInitFiles[] = {
     "init.luau",        "init.lua",         "init.server.luau",
     "init.server.lua",  "init.client.luau", "init.client.lua",
     "init.plugin.luau", "init.plugin.lua",  "init.csv"};
 
-// Whether a file says what its folder is.
+// Returns true if a file describes its folder.
 bool isOfFolder(std::string_view name);
 
-// The class that a node has by its name and its parent's class; empty: none.
+// Returns the class that a node gets from its name and its parent's class, or "" if none.
 std::string inferredClass(const std::string& name, std::string_view parentClass);
 
 }  // namespace obby::importer::rojo

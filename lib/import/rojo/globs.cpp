@@ -1,11 +1,11 @@
-// A match keeps the set of places in the pattern that can be reached: no pattern takes longer than
-// its length times the path's.
+// Matches globs by the set of reachable places in the pattern. The time is at most the pattern's
+// length times the path's.
 #include "import/rojo/globs.h"
 
 namespace obby::importer::rojo {
 namespace {
 
-// Marks what is reached from `at` without a character of the path: stars may stand for nothing.
+// Marks the places reachable from `at` without a character of the path: stars may match nothing.
 void reach(std::string_view glob, size_t at, std::vector<char>& places) {
   while (places[at] == 0) {
     places[at] = 1;

@@ -1,4 +1,4 @@
-// globIgnorePaths of a Rojo project.
+// Matches the globIgnorePaths of a Rojo project.
 #pragma once
 
 #include <string>
@@ -7,10 +7,12 @@
 
 namespace obby::importer::rojo {
 
-// `*` and `?` stand for what is no slash, `**` for anything; `path` has slashes.
+// Returns true if the glob matches. `*` and `?` match anything but a slash, `**` matches anything.
+// `path` has slashes.
 bool matchesGlob(std::string_view glob, std::string_view path);
 
-// Of the patterns that match the last one counts; one that begins with `!` takes back.
+// Returns true if the last matching pattern ignores the path. A pattern that begins with `!`
+// includes it again.
 bool isIgnored(const std::vector<std::string>& globs, std::string_view path);
 
 }  // namespace obby::importer::rojo

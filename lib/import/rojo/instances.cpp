@@ -8,7 +8,7 @@ namespace {
 
 constexpr int kMaxModelDepth = 64;
 
-// Keys of a model begin with a capital letter or not.
+// Returns a member of a model, whose keys may begin with a capital or a small letter.
 Json member(const Json& model, const char* capital, const char* small) {
   const Json value = model[capital];
   return value ? value : model[small];

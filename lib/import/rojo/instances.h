@@ -1,4 +1,4 @@
-// Instances of a Rojo project in the making: what its files say of one goes into a DocumentBuilder.
+// Adds the instances that the files of a Rojo project describe to a DocumentBuilder.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace obby::importer::rojo {
 
-// For errors: a file and the keys that lead to a value in it.
+// A place for errors: a file and the keys that lead to a value in it.
 struct Place {
   std::string file, keys;
   Place at(std::string_view key) const {
@@ -24,18 +24,18 @@ class Instances {
  public:
   explicit Instances(DocumentBuilder& builder) : builder_(builder) {}
 
-  // Without a parent yet. Error: the document is too large.
+  // Adds an instance without a parent. Fails if the document is too large.
   Result<InstanceId> add(std::string className, std::string_view name, const Place& place);
   void rename(InstanceId id, std::string_view name) { builder_.set(id, "Name", std::string(name)); }
   const std::string& classOf(InstanceId id) const { return builder_.classOf(id); }
 
-  // Objects of properties and of attributes, by name; no value: there are none. A value of a kind
-  // that is not known is left out, with a warning if a level can depend on it.
+  // Sets properties or attributes from an object, by name. An absent object sets none. A value of
+  // an unknown kind is left out, with a warning if a level can depend on it.
   Status setProperties(InstanceId id, const Json& object, const Place& place);
   Status setAttributes(InstanceId id, const Json& object, const Place& place);
 
-  // A .model.json: ClassName, Name, Properties, Attributes, Children. An empty `name` leaves it to
-  // the JSON.
+  // Adds the instances of a .model.json: ClassName, Name, Properties, Attributes, Children. If
+  // `name` is empty, the JSON decides.
   Result<InstanceId> addModel(const Json& model, std::string_view name, const Place& place,
                               int depth = 0);
 

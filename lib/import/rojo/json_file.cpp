@@ -9,14 +9,14 @@
 namespace obby::importer::rojo {
 namespace {
 
-// Where a text that begins with a quote ends, behind its closing one.
+// Returns the offset after the closing quote of a text that begins with a quote.
 size_t endOfText(std::string_view text, size_t at) {
   for (++at; at < text.size() && text[at] != '"'; ++at)
     if (text[at] == '\\') ++at;
   return at + 1;
 }
 
-// Where a comment ends; `at` itself if none begins there.
+// Returns the end of a comment, or `at` if none begins there.
 size_t endOfComment(std::string_view text, size_t at) {
   if (text.substr(at, 2) == "//") return std::min(text.find('\n', at), text.size());
   if (text.substr(at, 2) != "/*") return at;
@@ -24,10 +24,10 @@ size_t endOfComment(std::string_view text, size_t at) {
   return close == std::string_view::npos ? text.size() : close + 2;
 }
 
-// As strict JSON, with everything in its place.
+// Converts to strict JSON and keeps every byte's position.
 std::string strict(std::string_view text) {
   std::string out(text);
-  size_t comma = std::string::npos;  // behind a value, with nothing but blanks behind it
+  size_t comma = std::string::npos;  // position of a comma after a value, followed only by blanks
   char last = '{';
   for (size_t at = 0; at < text.size();) {
     const size_t end = endOfComment(text, at);

@@ -1,4 +1,4 @@
-// The JSON of Rojo's files: comments and commas before a closing bracket are allowed.
+// Parses the JSON of Rojo's files: comments and commas before a closing bracket are allowed.
 #pragma once
 
 #include <optional>
@@ -12,7 +12,7 @@
 
 namespace obby::importer::rojo {
 
-// One value of a JsonTree, which must outlive it. A default one is no value.
+// One value of a JsonTree, which must outlive it. A default-constructed one is absent.
 class Json {
  public:
   using Type = io::JsonTree::Type;
@@ -31,12 +31,12 @@ class Json {
   std::optional<bool> flag() const;
   std::optional<double> number() const;
   std::optional<std::string> text() const;
-  // Of an array with nothing but numbers.
+  // Returns the items of an array that contains only numbers.
   std::optional<std::vector<double>> numbers() const;
 
-  // The member of that name; no value if there is none, or if it is null.
+  // Returns the member of that name, or an absent value if there is none or it is null.
   Json operator[](std::string_view name) const;
-  // Of an object by name, of an array without.
+  // Returns the members of an object with their names, or the items of an array without names.
   std::vector<std::pair<std::string, Json>> members() const;
 
  private:
@@ -44,12 +44,12 @@ class Json {
   const io::JsonTree::Node* node_ = nullptr;
 };
 
-// Errors name the column or line.
+// Parses the text. Errors name the column or line.
 Result<io::JsonTree> parseJson(std::string_view text);
 
-// A Luau chunk that returns the value.
+// Returns a Luau chunk that returns the value.
 std::string luauOf(const Json& value);
-// A Luau chunk that returns the text.
+// Returns a Luau chunk that returns the text.
 std::string luauOf(std::string_view text);
 
 }  // namespace obby::importer::rojo

@@ -1,5 +1,5 @@
-// The files that a Rojo project may read: regular ones below its folder, and below the paths that
-// the project's own file names. Links and nested projects lead nowhere else.
+// Reads the files that a Rojo project may read: regular files below its folder and below the paths
+// that the project's own file names. Links and nested projects cannot leave these.
 #pragma once
 
 #include <atomic>
@@ -18,20 +18,21 @@ class ProjectFiles {
  public:
   explicit ProjectFiles(const std::atomic<bool>* stop) : stop_(stop) {}
 
-  // From here on what is at or below `path` may be read.
+  // Allows reading at or below `path` from now on.
   void allow(const fs::path& path);
 
   bool isFolder(const fs::path& path) const;
   bool isFile(const fs::path& path) const;
 
-  // Until leave() the folder is open. False, and nothing to leave: it is open already, so that a
+  // Marks the folder as open until leave(). Returns false, without effect, if it is open already: a
   // link or a path leads back.
   bool enter(const fs::path& folder);
   void leave() { open_.pop_back(); }
 
-  // Names in a folder, sorted. Error: it leads out of what is allowed.
+  // Returns the names in a folder, sorted. Fails if it is outside the allowed paths.
   Result<std::vector<std::string>> list(const fs::path& folder);
-  // Error: as of list(), or the files have more bytes or are more than a project may have.
+  // Returns the bytes of a file. Fails if it is outside the allowed paths, or if the project
+  // exceeds its limit of bytes or files.
   Result<std::string> read(const fs::path& file);
 
  private:
@@ -43,7 +44,7 @@ class ProjectFiles {
   size_t filesLeft_ = 100000;
 };
 
-// The text of a script as Rojo has it: with line ends of one character.
+// Returns the text of a script as Rojo stores it, with \n as line breaks.
 std::string withUnixLines(std::string text);
 
 }  // namespace obby::importer::rojo

@@ -1,4 +1,4 @@
-// A project file's tree, and the folders and files that its $path leads to.
+// Reads a project file's tree, and the folders and files that its $path names.
 #include "import/rojo/project_reader.h"
 
 #include <algorithm>
@@ -13,18 +13,18 @@
 namespace obby::importer::rojo {
 namespace {
 
-constexpr int kMaxProjectDepth = 64;                       // of folders and nodes
+constexpr int kMaxProjectDepth = 64;                       // max depth of folders and nodes
 constexpr size_t kMaxGlob = 1000;                          // characters
 constexpr uint64_t kServer = 1, kClient = 2, kPlugin = 3;  // RunContext
 
 constexpr std::string_view kProjectNames[] = {"default.project.json", "default.project.jsonc"};
 
-// What holds for all that one project file leads to.
+// Settings for all instances below one project file.
 struct Scope {
   fs::path folder;
   std::vector<std::string> ignored;
   bool legacyScripts = true;
-  bool mayLeave = false;  // its $path may lead out of its folder: only that of the file given
+  bool mayLeave = false;  // its $path may leave its folder; only the given project file's may
 };
 
 class ProjectReader {
@@ -58,7 +58,7 @@ class ProjectReader {
                  "the folder of a Rojo project has a default.project.json"};
   }
 
-  // That of the file, or of its folder if it is a default one.
+  // Returns the name of the file, or of its folder if it is a default project file.
   static std::string nameOf(const fs::path& file) {
     const std::string stem = fileNameOf(file.filename().string()).stem;
     if (stem != "default") return stem;
@@ -79,7 +79,7 @@ class ProjectReader {
     return tree;
   }
 
-  // kNoInstance: a DataModel, whose children are roots of the document.
+  // Returns the root, or kNoInstance for a DataModel, whose children are roots of the document.
   Result<InstanceId> projectTree(const Json& root, const fs::path& file, const std::string& name,
                                  bool isGiven, int depth) {
     const Place place{file.string(), {}};
@@ -112,7 +112,7 @@ class ProjectReader {
     return {};
   }
 
-  // kNoInstance: an optional path that leads to nothing.
+  // Returns the instance of a node, or kNoInstance for an optional path that does not exist.
   Result<InstanceId> node(const Json& json, const std::string& name, const std::string& parentClass,
                           const Place& place, const Scope& scope, int depth) {
     if (depth > kMaxProjectDepth) return place.error("nested deeper than 64 levels");
@@ -157,7 +157,7 @@ class ProjectReader {
     return id;
   }
 
-  // A file or folder; kNoInstance: it makes none.
+  // Returns the instance of a file or folder, or kNoInstance if it makes none.
   Result<InstanceId> entry(const fs::path& path, const std::string& name, const Scope& scope,
                            int depth) {
     const Place place{path.string(), {}};
@@ -267,7 +267,7 @@ class ProjectReader {
     return id;
   }
 
-  // The settings beside a file or in a folder, if there are any.
+  // Applies the settings file next to a file or in a folder, if there is one.
   Status meta(InstanceId id, fs::path file) {
     if (!files_.isFile(file)) file += "c";
     if (!files_.isFile(file)) return {};

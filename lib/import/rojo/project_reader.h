@@ -1,4 +1,4 @@
-// A Rojo project as the place that Rojo would build of it.
+// Reads a Rojo project as the place that Rojo would build from it.
 #pragma once
 
 #include <atomic>
@@ -9,7 +9,7 @@
 
 namespace obby::importer::rojo {
 
-// Whether a path is a project to read: a folder, or a file named as projects are.
+// Returns true if the path is a project: a folder, or a file with a project's name.
 bool isProject(const std::string& path);
 
 struct Project {
@@ -17,7 +17,7 @@ struct Project {
   Document document;
 };
 
-// Errors name the file, and the keys in it. `stop` as io::readFile has it.
+// Reads a project. Errors name the file and the keys in it. `stop` is that of io::readFile.
 Result<Project> readProject(const std::string& path, const std::atomic<bool>* stop = nullptr);
 
 }  // namespace obby::importer::rojo

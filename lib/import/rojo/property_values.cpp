@@ -12,8 +12,7 @@
 namespace obby::importer::rojo {
 namespace {
 
-// Items of enums that a level depends on, by the property that holds them; Material has a table of
-// its own.
+// Items of enums that a level depends on, by property. Material has a table of its own.
 struct Item {
   std::string_view property, name;
   uint32_t value;
@@ -63,7 +62,7 @@ ColorRgb colorOf(const std::vector<double>& n, double scale) {
   return {channelOf(n[0] * scale), channelOf(n[1] * scale), channelOf(n[2] * scale)};
 }
 
-// Position, then the rows of the rotation.
+// Reads the position, then the rows of the rotation.
 CFrame frameOf(const std::vector<double>& n) {
   CFrame frame;
   frame.position = vectorOf(n);
@@ -126,7 +125,7 @@ std::optional<Value> textOf(std::string_view type, const std::string& text) {
   return *std::move(bytes);
 }
 
-// {"Type": value}
+// Reads {"Type": value}.
 std::optional<Value> explicitValue(const Json& json) {
   if (json.size() != 1) return {};
   const auto members = json.members();
@@ -142,7 +141,7 @@ std::optional<Value> explicitValue(const Json& json) {
   return {};
 }
 
-// The name of the type that a plain list has.
+// Returns the name of the type that a plain list has.
 std::string_view typeLike(const Value* standard, size_t count) {
   if (standard && std::holds_alternative<ColorRgb>(*standard)) return "Color3";
   if (standard && std::holds_alternative<NumberRange>(*standard)) return "NumberRange";

@@ -1,5 +1,5 @@
-// Values of properties and attributes as Rojo's files state them: plain JSON, whose kind the
-// property tells, or an object {"Type": value}.
+// Reads values of properties and attributes from Rojo's files: plain JSON, whose kind follows from
+// the property, or an object {"Type": value}.
 #pragma once
 
 #include <optional>
@@ -10,7 +10,7 @@
 
 namespace obby::importer::rojo {
 
-// Nothing for a kind that is not known, or where the JSON is not of it.
+// Returns nullopt for an unknown kind, or if the JSON does not match it.
 std::optional<Value> propertyValue(std::string_view className, std::string_view property,
                                    const Json& json);
 

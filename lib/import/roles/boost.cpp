@@ -1,4 +1,4 @@
-// Parts that make a player walk faster or jump higher: by kit marker.
+// Finds parts that make a player walk faster or jump higher: by kit marker.
 #include <algorithm>
 
 #include "import/roles/role.h"

@@ -1,4 +1,4 @@
-// Parts at which a player comes back. Each gets the numbers that the file states for it;
+// Finds parts at which a player respawns. Each gets the numbers that the file states for it;
 // checkpoints.cpp puts them in order afterwards.
 #include <algorithm>
 #include <map>
@@ -28,14 +28,15 @@ bool give(RoleContext& context, PartDraft& part, InstanceId owner, std::string r
   return true;
 }
 
-// "Checkpoint 3", "CheckPoint", "check_point": of a model that is one, not of a folder of them.
+// Matches "Checkpoint 3", "CheckPoint", "check_point": a model that is one checkpoint, not a folder
+// of them.
 bool beginsAsCheckpoint(std::string_view name) {
   const auto words = wordsOf(name);
   return !words.empty() &&
          (words[0] == "checkpoint" || (words.size() > 1 && words[0] + words[1] == "checkpoint"));
 }
 
-// A tag of checkpoints without its number ("Checkpoint_3" is "checkpoint"), or nothing.
+// Returns a tag of checkpoints without its number ("Checkpoint_3" becomes "checkpoint"), or "".
 std::string checkpointTag(const std::string& tag) {
   auto words = wordsOf(tag);
   if (words.size() > 1 && isWholeNumber(words.back())) words.pop_back();
@@ -53,12 +54,12 @@ void giveTagged(RoleContext& context, InstanceId id, const std::string& tag,
     if (part && give(context, *part, one, "tag " + tag, false))
       part->stageSigns[NumberFrom::tag] = firstNumber(tag).value_or(kUnnumbered);
   };
-  // A folder holds checkpoints side by side, but for that of one stage. A model is one.
+  // A folder holds several checkpoints, except that of a single stage. A model is one checkpoint.
   if (context.tree.at(id).className != "Folder" || kind == "stage") return giveOne(id);
   for (const InstanceId child : context.tree.at(id).children) giveOne(child);
 }
 
-// Returns true if the place says by other means than names which parts are checkpoints.
+// Returns true if the place states its checkpoints other than by names.
 bool areStated(const RoleContext& context) {
   int changing = 0;
   for (const PartDraft& part : context.level.parts) {
@@ -73,7 +74,7 @@ bool areStated(const RoleContext& context) {
 
 void giveNamed(RoleContext& context) {
   const Tree& tree = context.tree;
-  std::unordered_map<InstanceId, const PartDraft*> touched;  // of each model
+  std::unordered_map<InstanceId, const PartDraft*> touched;  // touched part of each model
   for (PartDraft& part : context.level.parts) {
     const Instance& instance = tree.at(part.id);
     if (hasRole(part) || !part.touch || instance.className == "SpawnLocation") continue;
@@ -81,7 +82,7 @@ void giveNamed(RoleContext& context) {
       give(context, part, part.id, "name " + instance.name, true);
       continue;
     }
-    // A model called like a checkpoint: one of its parts counts.
+    // In a model called like a checkpoint, one part counts.
     const InstanceId model = instance.parent;
     if (model == kNoInstance || tree.at(model).className != "Model") continue;
     const std::string& name = tree.at(model).name;
@@ -94,8 +95,8 @@ void giveNamed(RoleContext& context) {
 
 bool isHeardOnly(const PartDraft& part) { return !hasRole(part) && part.heardOnly; }
 
-// Pads in a row that scripts listen to and do nothing visible: they keep the player's stage in a
-// table of their own.
+// Makes checkpoints of pads in a row that have listeners without visible effect. Their scripts keep
+// the player's stage in a table of their own.
 void giveHeardRows(RoleContext& context) {
   std::map<std::string, std::vector<PartDraft*>> rows;
   for (PartDraft& part : context.level.parts) {
@@ -117,7 +118,7 @@ void checkpointFromTags(RoleContext& context) {
   for (InstanceId id = 0; id < context.tree.size(); ++id)
     for (const std::string& tag : context.tree.at(id).tags) {
       const std::string kind = checkpointTag(tag);
-      // "Stage3" on all that is in a stage is a group.
+      // A tag such as "Stage3" on several instances marks a whole stage.
       const bool isGroup =
           kind == "stage" && firstNumber(tag) && context.tree.tagged(tag).size() > 1;
       if (kind.empty() || isGroup) continue;
@@ -126,7 +127,7 @@ void checkpointFromTags(RoleContext& context) {
     }
 }
 
-// Takes several parts or models for checkpoints if each has its own number in a value called Stage
+// Makes checkpoints of several parts or models if each has its own number in a value called Stage
 // or the like.
 void checkpointFromMarkers(RoleContext& context) {
   constexpr const char* kNames[] = {"Stage", "Checkpoint", "StageNumber", "CheckpointNumber"};
@@ -150,7 +151,7 @@ void checkpointFromMarkers(RoleContext& context) {
 }
 
 void checkpointFromNames(RoleContext& context) {
-  if (areStated(context)) return;  // stated checkpoints make names needless
+  if (areStated(context)) return;  // stated checkpoints rule out guesses from names
   giveNamed(context);
   for (const RowMember& member : rowsInStageFolders(context))
     give(context, *member.part, member.owner, "name " + context.tree.at(member.owner).name, true);

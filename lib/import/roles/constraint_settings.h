@@ -1,4 +1,5 @@
-// The properties of constraints and body movers, by the names of files; else the class defaults.
+// Reads the properties of constraints and body movers, by their names in files. Falls back to the
+// class defaults.
 #pragma once
 
 #include "engine/classes/class_defaults.h"
@@ -17,12 +18,12 @@ class ConstraintSettings {
   Vec3 vector(InstanceId constraint, const char* name) const {
     return get<Vec3>(tree_.at(constraint), name);
   }
-  // Of an enum.
+  // Returns the value of an enum.
   uint32_t choice(InstanceId constraint, const char* name) const {
     return get<EnumItem>(tree_.at(constraint), name).value;
   }
   bool isEnabled(InstanceId constraint) const { return flag(constraint, "Enabled", true); }
-  // Of the way.
+  // Returns true if a slider limits its travel.
   bool hasLimits(InstanceId constraint) const { return flag(constraint, "LimitsEnabled", false); }
   bool hasAngularLimits(InstanceId constraint) const {
     const bool turns = tree_.at(constraint).className == "HingeConstraint";

@@ -1,4 +1,4 @@
-// Parts that carry along what stands on them: by tag, kit marker or velocity.
+// Finds parts that carry along what stands on them: by tag, kit marker or velocity.
 #include <algorithm>
 #include <cmath>
 
@@ -12,13 +12,14 @@ namespace {
 
 const std::vector<std::string_view> kConveyorTags = {"conveyor", "conveyorbelt", "conveyors"};
 constexpr float kDefaultSpeed = 10;
-constexpr float kAligned = 0.99f;   // share of a saved velocity along one axis of part or world
+constexpr float kAligned = 0.99f;   // min share of a saved velocity along one axis of part or world
 constexpr float kMostSpeed = 1000;  // studs/s
 constexpr float kMostTurn = 1000;   // rad/s
 
 Vec3 forward(const PartDraft& part, double speed) { return -part.pose.rotation.z * float(speed); }
 
-// A designer's velocity lies along an axis; the residue of physics does not.
+// Returns true if the velocity lies along an axis. A designer's does; the residue of physics does
+// not.
 bool isAligned(const PartDraft& part, Vec3 v) {
   const Mat3& r = part.pose.rotation;
   const Vec3 local = toLocal(r, v);

@@ -1,4 +1,4 @@
-// Ends of constraints, lines of sliders, and what their motors do.
+// Computes the ends of constraints, the lines of sliders and the effects of their motors.
 #include "import/roles/driven.h"
 
 #include <cmath>
@@ -11,7 +11,7 @@
 namespace obby::importer {
 namespace {
 
-// Why the way of a motor is not known; empty: it is.
+// Returns why the trajectory of a motor is unknown, or "" if it is known.
 std::string unknownWay(RoleContext& context, const ConstraintSettings& settings,
                        const Drive& drive) {
   const InstanceId motor = drive.constraint;
@@ -31,7 +31,8 @@ bool toItsLimit(RoleContext& context, const ConstraintSettings& settings, const 
                     "motor drives it to its limit", false);
 }
 
-// The motion of a part that hangs on `base`: along with it. Nothing if both move on their own.
+// Returns the motion of a part that is attached to `base` and moves along with it, or nullopt if
+// both move by themselves.
 std::optional<Motion> carried(const PartDraft* base, const Pose& own, Motion motion) {
   if (!base || !base->motion) return motion;
   const Pose back = inverse(base->pose);

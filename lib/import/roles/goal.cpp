@@ -1,4 +1,4 @@
-// Where the level ends: by tag or name; no convention is shared by all makers.
+// Finds where the level ends: by tag or name. Makers share no convention.
 #include <algorithm>
 #include <iterator>
 
@@ -17,7 +17,8 @@ constexpr std::string_view kGoalWords[] = {"win",        "winpad",   "winner",  
 constexpr std::string_view kEndNames[] = {"end",      "theend",     "endpart",
                                           "endbrick", "exitregion", "exitblock"};
 
-// Whether the whole name is one of these, however its words are joined: "TheEnd", "The End".
+// Returns true if the whole name is one of these, however its words are joined: "TheEnd", "The
+// End".
 bool isEnd(std::string_view name) {
   std::string joined;
   for (const std::string& word : wordsOf(name)) joined += word;
@@ -33,7 +34,7 @@ void goalFromTags(RoleContext& context) {
       part->goal = 0;
       part->evidence.push_back({"goal", "tag " + tag, false});
     };
-    // A folder holds goals side by side. A model is one: each goal is a query of its own.
+    // A folder holds several goals. A model is one goal. Each goal is a query of its own.
     if (context.tree.at(id).className != "Folder") return give(touchPart(context, id));
     for (PartDraft* part : context.partsOf(id)) give(part);
   });
@@ -41,7 +42,7 @@ void goalFromTags(RoleContext& context) {
 
 void goalFromNames(RoleContext& context) {
   for (const auto& part : context.level.parts)
-    if (part.goal) return;  // a stated goal makes guesses needless
+    if (part.goal) return;  // stated goals rule out guesses
   for (auto& part : context.level.parts) {
     const Instance& instance = context.tree.at(part.id);
     if (!part.touch || part.kill || instance.className == "SpawnLocation") continue;

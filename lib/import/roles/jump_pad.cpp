@@ -1,4 +1,4 @@
-// Parts that throw a player: by tag or kit marker.
+// Finds parts that throw a player: by tag or kit marker.
 #include "import/roles/role.h"
 #include "import/roles/surface_speed.h"
 
@@ -21,7 +21,7 @@ std::optional<double> powerOf(const Tree& tree, InstanceId id) {
   return std::nullopt;
 }
 
-// A field that takes along what is in it, upward: it throws for as long as it is touched.
+// Makes an elevator: a field that moves players upward for as long as they touch it.
 void giveElevator(RoleContext& context, InstanceId marker, InstanceId owner) {
   PartDraft* part = context.part(owner);
   const auto speed = context.tree.number(marker, "Speed");

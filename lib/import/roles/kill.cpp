@@ -1,4 +1,4 @@
-// Parts that hurt: instant kills and damage, by tag, tower-kit marker or name.
+// Finds parts that hurt: instant kills and damage, by tag, tower-kit marker or name.
 #include <algorithm>
 #include <set>
 
@@ -9,14 +9,14 @@ namespace obby::importer {
 namespace {
 
 constexpr float kAll = 1e6f;          // more than any player's health
-constexpr float kKitCooldown = 0.1f;  // tower kits before v6 wait this long between two hits
-constexpr float kKitCooldown6 = 1;    // the default of v6
+constexpr float kKitCooldown = 0.1f;  // wait between two hits in tower kits before v6
+constexpr float kKitCooldown6 = 1;    // default wait of v6
 
 struct DamageWord {
   std::string_view word;
   float damage;
 };
-// Tower kits: how much each word takes per touch.
+// Damage per touch in tower kits, by word.
 constexpr DamageWord kKitDamage[] = {
     {"kills", 5}, {"double", 10}, {"ouch", 20}, {"instakills", kAll}, {"instakill", kAll}};
 
@@ -26,7 +26,7 @@ const std::vector<std::string_view> kKillTags = {
     "spike",     "spikes",    "laser",    "obstaclekill", "killblocks", "killbricks", "killparts"};
 const std::vector<std::string_view> kDamageTags = {"damage", "damagebrick", "damagepart",
                                                    "damageblock", "hurt"};
-// What a designer says of a part that a script or a name shows wrongly as a kill part.
+// Tags by which a designer overrides wrong guesses from a script or a name.
 const std::vector<std::string_view> kHarmlessTags = {"harmless", "nokill", "nodamage"};
 const std::vector<std::string_view> kHarmTags = {"kills", "double", "ouch", "instakills",
                                                  "instakill"};
@@ -36,12 +36,13 @@ constexpr std::string_view kKillWords[] = {
     "death",  "deadly",     "spike",     "spikes",    "hazard",     "laser",    "acid",
     "damage", "killbricks", "instakill", "killparts", "killblocks", "killzone", "hurt"};
 constexpr std::string_view kDamageWords[] = {"damage", "hurt"};
-constexpr float kGuessedDamage = 10;  // a damage part that does not say how much
-// Words that turn a telling name into another thing.
+constexpr float kGuessedDamage = 10;  // a damage part that does not state its damage
+// Words that reverse the meaning of a kill word.
 constexpr std::string_view kFriends[] = {"remover", "anti",  "no",    "safe",    "skill", "tool",
                                          "sign",    "label", "light", "counter", "script"};
 
-// Words alone: "Bob's Kill Brick" has s and kill, yet is no skill.
+// Returns true for a name with one of these whole words: "Bob's Kill Brick" has s and kill, yet is
+// no skill.
 bool isFriend(std::string_view name) {
   const auto words = wordsOf(name);
   return std::any_of(words.begin(), words.end(), [](const std::string& word) {
@@ -49,7 +50,7 @@ bool isFriend(std::string_view name) {
   });
 }
 
-// Words that may stand beside a kill word in the name of a folder of kill parts.
+// Words that may accompany a kill word in the name of a folder of kill parts.
 constexpr std::string_view kPartWords[] = {"part",   "parts", "brick", "bricks", "block",
                                            "blocks", "floor", "the",   "all",    "folder"};
 
@@ -77,7 +78,7 @@ std::optional<float> kitDamage(std::string_view word) {
   return std::nullopt;
 }
 
-// Damage and Cooldown as attributes or value objects beside the evidence.
+// Reads Damage and Cooldown from attributes or value objects next to the evidence.
 Kill stated(const Tree& tree, InstanceId id, Kill fallback) {
   for (const char* name : {"Damage", "DamageAmount", "customDamage", "Amount"})
     if (const auto damage = tree.number(id, name)) {
@@ -136,7 +137,7 @@ void killFromMarkers(RoleContext& context) {
 }
 
 void killFromNames(RoleContext& context) {
-  // Where a script kills through some children of a folder, its other children are harmless.
+  // If a script kills through some children of a folder, its other children are harmless.
   std::set<InstanceId> scripted;
   for (const auto& part : context.level.parts)
     for (const auto& evidence : part.evidence)

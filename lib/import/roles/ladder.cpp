@@ -1,5 +1,5 @@
-// Ladders built of parts: thin bars one above the other. The engine's own rule is not published;
-// this one is a guess, and the evidence says so.
+// Finds ladders made of parts: thin bars one above the other. The engine's own rule is not
+// published. This one is a guess, and the evidence says so.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -11,11 +11,11 @@
 namespace obby::importer {
 namespace {
 
-constexpr float kThickest = 2, kDeepest = 2;     // studs, of a rung: up, and the shorter way across
-constexpr float kNarrowest = 1, kWidest = 12;    // the longer way across
-constexpr float kLeastGap = 0.3f, kMostGap = 3;  // of air between rungs
-constexpr float kAside = 0.75f;                  // studs that the next rung may be off
-constexpr size_t kFewest = 3;                    // rungs of a ladder
+constexpr float kThickest = 2, kDeepest = 2;     // studs: rung height, shorter side
+constexpr float kNarrowest = 1, kWidest = 12;    // the longer horizontal side
+constexpr float kLeastGap = 0.3f, kMostGap = 3;  // vertical gap between rungs
+constexpr float kAside = 0.75f;                  // max horizontal studs from one rung to the next
+constexpr size_t kFewest = 3;                    // min rungs of a ladder
 
 struct Bar {
   PartDraft* part;
@@ -36,7 +36,7 @@ bool isOver(const Bar& low, const Bar& high) {
   return d.y > 0 && std::hypot(d.x, d.z) <= kAside;
 }
 
-// Of a bar that is the lowest over another.
+// Returns true if `high` is the next bar above `low`.
 bool isNext(const Bar& low, const Bar& high) {
   const Vec3 a = low.box.hi - low.box.lo, b = high.box.hi - high.box.lo;
   const float gap = high.box.lo.y - low.box.hi.y;
@@ -45,12 +45,12 @@ bool isNext(const Bar& low, const Bar& high) {
   return gap >= kLeastGap && gap <= kMostGap && alike;
 }
 
-// Bars by the square of ground that they stand over, from below.
+// Bars by the square of ground that they cover, from below.
 using Columns = std::map<std::pair<int, int>, std::vector<Bar>>;
 
 std::pair<int, int> columnOf(Vec3 p) { return {int(std::floor(p.x)), int(std::floor(p.z))}; }
 
-// The next rung above; null: none.
+// Returns the next rung above, or null if there is none.
 const Bar* nextAbove(const Columns& columns, const Bar& bar) {
   const auto [x, z] = columnOf(bar.center());
   const Bar* best = nullptr;
@@ -59,7 +59,7 @@ const Bar* nextAbove(const Columns& columns, const Bar& bar) {
       const auto column = columns.find({x + dx, z + dz});
       if (column == columns.end()) continue;
       const std::vector<Bar>& bars = column->second;
-      // A centre above this one's is of a bar that begins no deeper than a rung is thick.
+      // A bar with its centre above this one's begins at most a rung's thickness deeper.
       const float from = bar.center().y - kThickest;
       auto other = std::lower_bound(bars.begin(), bars.end(), from,
                                     [](const Bar& b, float height) { return b.box.lo.y < height; });
@@ -91,7 +91,7 @@ void ladderFromStacks(RoleContext& context) {
   const Columns columns = columnsOf(context.level);
   for (const auto& [square, bars] : columns) {
     for (const Bar& lowest : bars) {
-      if (lowest.part->climbable) continue;  // a rung of a ladder that begins below
+      if (lowest.part->climbable) continue;  // part of a ladder that begins lower
       std::vector<PartDraft*> rungs;
       for (const Bar* bar = &lowest; bar != nullptr; bar = nextAbove(columns, *bar)) {
         rungs.push_back(bar->part);

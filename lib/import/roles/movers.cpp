@@ -1,5 +1,5 @@
-// Ways follow from what the file states; that a part needs some time to come to its velocity is
-// left out. What scripts set in play the twin of the engine moves (observed/moving.cpp).
+// Computes motions from the values in the file. A part's time to reach its velocity is ignored.
+// Movers that scripts set in play are simulated by the twin of the engine (observed/moving.cpp).
 #include "import/roles/movers.h"
 
 #include <algorithm>
@@ -15,7 +15,7 @@
 namespace obby::importer {
 namespace {
 
-// Of these a part may have any number and still go where something else takes it.
+// Classes that only turn a part. Any number of them leaves its position to others.
 constexpr std::string_view kOnlyTurn[] = {
     "AlignOrientation", "AngularVelocity", "BodyAngularVelocity",  "BodyGyro", "Torque", "Rotate",
     "RotateP",          "RotateV",         "NoCollisionConstraint"};
@@ -23,7 +23,7 @@ constexpr uint32_t kOfFirst = 0, kOfSecond = 1, kOfWorld = 2;  // ActuatorRelati
 constexpr uint32_t kVector = 2;                                // VelocityConstraintMode
 constexpr uint32_t kTwoAttachments = 1;                        // PositionAlignmentMode
 
-// Rowtons, at most: shapes are taken as their boxes.
+// Returns the weight in rowtons, an upper bound: shapes count as their boxes.
 double weightOf(RoleContext& context, InstanceId part) {
   double mass = 0;
   for (const InstanceId member : context.assemblies.members(part))
@@ -33,8 +33,7 @@ double weightOf(RoleContext& context, InstanceId part) {
   return mass * double(context.level.world.gravity);
 }
 
-// The force of a mover that pushes along each axis of the world; nothing where it is not that
-// simple.
+// Returns the force of a mover along each axis of the world, or nullopt if it is not that simple.
 std::optional<Vec3> forceOf(const Tree& tree, const ConstraintSettings& settings, InstanceId id) {
   if (tree.at(id).className == "BodyVelocity") return settings.vector(id, "MaxForce");
   if (settings.choice(id, "VelocityConstraintMode") != kVector ||
@@ -45,8 +44,8 @@ std::optional<Vec3> forceOf(const Tree& tree, const ConstraintSettings& settings
   return Vec3{force, force, force};
 }
 
-// Which axes it pushes along: 1, or 0 where it leaves the part alone. Nothing where it can not bear
-// the part, or drags it along slowly.
+// Returns 1 for each axis along which it pushes, and 0 where it has no effect. Returns nullopt if
+// it cannot lift the part, or drags it slowly.
 std::optional<Vec3> axesOf(Vec3 force, double weight) {
   Vec3 axes = {1, 1, 1};
   for (const auto& [of, axis] : {std::pair(force.x, &axes.x), std::pair(force.z, &axes.z)}) {
@@ -76,7 +75,8 @@ bool fromPusher(RoleContext& context, const ConstraintSettings& settings, const 
   return hold(context, part, "a mover holds it in place");
 }
 
-// The axis and speed of a mover that turns, in the world of the file; zero if it turns nothing.
+// Returns the axis and speed of a mover that turns, in the world of the file, or zero if it turns
+// nothing.
 Vec3 turnBy(RoleContext& context, const ConstraintSettings& settings, InstanceId id) {
   const Instance& mover = context.tree.at(id);
   Vec3 turn = settings.vector(id, "AngularVelocity");
@@ -105,7 +105,7 @@ bool fromTurner(RoleContext& context, const ConstraintSettings& settings, Instan
   return giveDriven(context, part, motion, id, "turns it", true);
 }
 
-// Summed up over what is joined.
+// Returns the pulls summed over joined parts.
 Pulls summed(const Assemblies& assemblies, const Pulls& pulls) {
   Pulls sums;
   for (const auto& [part, own] : pulls) {
@@ -120,7 +120,7 @@ Pulls summed(const Assemblies& assemblies, const Pulls& pulls) {
   return sums;
 }
 
-// What is aligned with a part that goes from place to place goes with it.
+// Moves a part along with the moving part that it is aligned to.
 bool fromFollower(RoleContext& context, const ConstraintSettings& settings, InstanceId id) {
   if (settings.choice(id, "Mode") != kTwoAttachments) return false;
   const auto drive = driveOf(context, id);
@@ -130,7 +130,7 @@ bool fromFollower(RoleContext& context, const ConstraintSettings& settings, Inst
     return !samePose({{}, key.pose.rotation}, {{}, way.keys.front().pose.rotation});
   });
   const Pose own = attachmentFrame(context.tree, context.tree.at(id), "Attachment0", drive->moving);
-  constexpr float kNear = 1;  // studs
+  constexpr float kNear = 1;  // max studs between the attachments
   if (way.spin || turns || !(length(own.position - drive->frame.position) <= kNear)) return false;
   return giveDriven(context, *drive, Motion{}, "follows a moving part", true);
 }

@@ -1,5 +1,5 @@
-// What movers do to parts, be they constraints or the older body movers: they push at a velocity,
-// pull to a place, follow what moves, or turn.
+// Decides the effects of movers, both constraints and the older body movers. They push at a
+// velocity, pull to a place, follow a moving part, or turn.
 #pragma once
 
 #include <map>
@@ -8,24 +8,24 @@
 
 namespace obby::importer {
 
-// How many constraints act on where a part and what is joined to it are, by part; those that only
-// turn them do not count.
+// The number of constraints that act on the position of a part or its joined parts, by part.
+// Constraints that only turn them do not count.
 using Pulls = std::map<InstanceId, int>;
 Pulls pullsOf(RoleContext& context, const ConstraintSettings& settings);
 
-// Gives a motion to what an enabled mover moves, or holds it where it is. Where the file does not
-// tell the way, it is held, and the level names it. False if it drives nothing that is loose, is
-// too weak, or is of another class; then nothing is changed.
+// Gives a motion to the part of an enabled mover, or holds it in place. If the file does not state
+// the direction, it is held, and the level notes it. Returns false without effect if the mover
+// drives nothing unanchored, is too weak, or is of another class.
 bool fromMover(RoleContext& context, const ConstraintSettings& settings, const Pulls& pulls,
                InstanceId id);
 
-// Names what a mover that drives nothing would push away or to and fro, if another one turns it.
+// Notes parts that another mover turns and that this mover would push away or to and fro.
 void noteTurning(RoleContext& context, const ConstraintSettings& settings, InstanceId id);
 
-// A class that gives a part a velocity. Turners of a part come before it.
+// Returns true for a class that gives a part a velocity. Turners of a part come before it.
 bool isPusher(const std::string& className);
 
-// A class that holds a part in place where nothing steps it.
+// Returns true for a class that holds a part in place when no script moves it.
 bool isHolder(const std::string& className);
 
 }  // namespace obby::importer

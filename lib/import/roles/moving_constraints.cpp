@@ -1,5 +1,5 @@
-// Parts that physics moves: hinges and sliders with a motor, and what movers push, pull and turn.
-// They carry who stands on them. What is left over is named as unmodelled.
+// Finds parts that physics moves: hinges and sliders with a motor, and parts that movers push, pull
+// and turn. They carry players. Constraints without a motion are noted as unmodelled.
 #include <algorithm>
 #include <cmath>
 #include <set>
@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::string_view kCylinder = "CylindricalConstraint";
 
-// How a motor turns the moving part.
+// Returns how a motor turns the moving part.
 std::optional<Spin> spinOf(const RoleContext& context, const ConstraintSettings& settings,
                            const Drive& drive) {
   const InstanceId hinge = drive.constraint;
@@ -66,7 +66,7 @@ bool fromSlider(RoleContext& context, const ConstraintSettings& settings, Instan
                             : actuator == kServo && fromServo(context, settings, *drive, spin);
 }
 
-// The part of the level that the constraint leaves loose; kNoInstance if there is none.
+// Returns the part of the level that the constraint leaves unanchored, or kNoInstance.
 InstanceId loosePart(RoleContext& context, InstanceId id) {
   const JointEnds ends = jointEnds(context.tree, id);
   for (InstanceId end : {ends.first, ends.second, movedPart(context.tree, id)}) {
@@ -86,7 +86,7 @@ bool understand(RoleContext& context, const ConstraintSettings& settings, const 
   return fromMover(context, settings, pulls, id);
 }
 
-// What a script moves does not heed the motor that would move it as well.
+// Notes a part with a motor that a script moves: the motor has no effect.
 void noteBoth(RoleContext& context, const ConstraintSettings& settings, InstanceId id) {
   if (settings.choice(id, "ActuatorType") == 0 && settings.choice(id, "AngularActuatorType") == 0)
     return;
@@ -100,8 +100,8 @@ void noteBoth(RoleContext& context, const ConstraintSettings& settings, Instance
   }
 }
 
-// The constraints that moved nothing so far. What hangs on what another one moves has to wait for
-// that.
+// Returns the constraints that have moved nothing so far. A part attached to another moving part
+// has to wait for it.
 std::vector<InstanceId> withoutMotion(RoleContext& context, const ConstraintSettings& settings) {
   constexpr int kLongestChain = 8;
   const Pulls pulls = pullsOf(context, settings);

@@ -1,4 +1,4 @@
-// Platforms that a kit's own script drives along way points: the tag MovingPlatform, or the
+// Finds platforms that a kit's own script drives along waypoints: the tag MovingPlatform, or the
 // `Positions` of the tower kits.
 #include <algorithm>
 #include <set>
@@ -18,12 +18,12 @@ constexpr std::string_view kPathNames[] = {"checkpoints", "positions", "waypoint
                                            "nodes",       "points",    "path"};
 constexpr double kTemplateSpeed = 10, kTemplateDelay = 3;
 constexpr double kKitDelay = 5, kKit6Delay = 2;
-constexpr double kAlignTime = 1;     // seconds that an AlignPosition takes about, whatever the way
+constexpr double kAlignTime = 1;     // approximate seconds of an AlignPosition, for any distance
 constexpr double kDefaultSpin = 90;  // degrees/s
 
 struct WayPoints {
   InstanceId folder = kNoInstance, platform = kNoInstance;
-  std::vector<InstanceId> points;  // in their order
+  std::vector<InstanceId> points;  // waypoints in order
 };
 
 WayPoints wayPointsOf(const Tree& tree, InstanceId model) {
@@ -47,7 +47,7 @@ WayPoints wayPointsOf(const Tree& tree, InstanceId model) {
   return way;
 }
 
-// Round trip over the way points. `speed` 0: each way takes kAlignTime.
+// Returns the round trip over the waypoints. If `speed` is 0, each segment takes kAlignTime.
 Motion alongPoints(const Tree& tree, const WayPoints& way, double speed, double delay) {
   Motion motion;
   motion.carries = true;
@@ -111,7 +111,7 @@ void movingFromTags(RoleContext& context) {
 
 void movingFromMarkers(RoleContext& context) {
   const Tree& tree = context.tree;
-  std::set<InstanceId> known;  // of several ways of one model the first counts
+  std::set<InstanceId> known;  // the first of several routes of one model counts
   for (InstanceId id = 0; id < tree.size(); ++id) {
     if (tree.at(id).name != "Positions" || tree.isPart(id) || tree.at(id).parent == kNoInstance)
       continue;

@@ -1,5 +1,5 @@
-// Moving parts whose way was recorded in the running game: an attribute ObbyMotion, which the
-// Studio plugin writes, holds the schema's Motion as JSON. Stronger than what a script seems to do.
+// Reads motions that were recorded in the running game. The attribute ObbyMotion, which the Studio
+// plugin writes, holds the schema's Motion as JSON. It overrides evidence from scripts.
 #include <fmt/format.h>
 
 #include "import/motion.h"

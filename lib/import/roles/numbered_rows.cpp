@@ -12,11 +12,11 @@
 namespace obby::importer {
 namespace {
 
-constexpr size_t kFewParts = 4;  // a pad with decoration
+constexpr size_t kFewParts = 4;  // max parts of a pad with decoration
 constexpr std::string_view kPadNames[] = {"touch",      "hitbox", "trigger",    "pad",
                                           "checkpoint", "spawn",  "spawnpoint", "start"};
 
-// "Stage 3" is "stage 0".
+// Replaces numbers: "Stage 3" becomes "stage 0".
 std::string withoutNumber(std::string_view name) {
   std::string text;
   for (const std::string& word : wordsOf(name)) text += (isWholeNumber(word) ? "0" : word) + " ";
@@ -31,7 +31,7 @@ bool isRowFolder(const Tree& tree, InstanceId id) {
 
 bool isSpawn(const Tree& tree, InstanceId id) { return tree.at(id).className == "SpawnLocation"; }
 
-// Returns true if a player could come to it and stay: pads do not kill or move.
+// Returns true if a player could stand on it: pads do not kill or move.
 bool canBePad(const PartDraft& part) {
   return part.touch && !part.kill && !part.motion && !part.goal && !part.checkpoint;
 }
@@ -45,7 +45,7 @@ class NumberedRows {
   explicit NumberedRows(RoleContext& context) : context_(context), tree_(context.tree) {}
 
   std::vector<RowMember> inFolder(InstanceId folder) {
-    std::map<std::string, std::map<int, InstanceId>> rows;  // by number
+    std::map<std::string, std::map<int, InstanceId>> rows;  // members by row and number
     for (const InstanceId child : tree_.at(folder).children)
       if (hasNumber(tree_.at(child).name) && context_.hasParts(child))
         rows[withoutNumber(tree_.at(child).name)].emplace(*firstNumber(tree_.at(child).name),
@@ -81,7 +81,7 @@ class NumberedRows {
       if (PartDraft* const pad = padOf(child, nullptr)) members.push_back({child, pad});
   }
 
-  // Null where a SpawnLocation or another checkpoint tells the stage.
+  // Returns the pad, or null if a SpawnLocation or another checkpoint represents the stage.
   PartDraft* padOf(InstanceId owner, const PartDraft* before) {
     std::vector<PartDraft*> parts;
     for (PartDraft* part : context_.partsOf(owner)) {

@@ -1,4 +1,4 @@
-// Instances side by side that are called alike but for a number: "Stage1", "Stage2", ...
+// Finds siblings whose names differ only in a number: "Stage1", "Stage2", ...
 #pragma once
 
 #include <string>
@@ -8,9 +8,9 @@
 
 namespace obby::importer {
 
-// A text that the parts of one row share: the folder, and the names without their numbers. The
-// number may be in the part's own name, in a value of it or in the name of its model. Empty if
-// there is none.
+// Returns a text that the parts of one row share: the folder, and the names without their numbers.
+// The number may be in the part's own name, in a value of it or in the name of its model. Returns
+// "" if there is none.
 std::string rowOf(const Tree& tree, InstanceId part);
 
 // Returns true if the part has a number and its parent is a folder called Stages, Checkpoints or
@@ -22,13 +22,13 @@ bool isInRowFolder(const Tree& tree, InstanceId part);
 bool isBelowMover(const Tree& tree, InstanceId id);
 
 struct RowMember {
-  InstanceId owner = kNoInstance;  // whose name has the number
+  InstanceId owner = kNoInstance;  // the instance whose name has the number
   PartDraft* part = nullptr;
 };
 
-// The pads of the rows in folders that are called Stages, Checkpoints or the like. A model or
-// folder that has no part made for touching counts by the part that is nearest to the pad before.
-// In a folder called Checkpoints without a row each part is one.
+// Returns the pads of the rows in folders called Stages, Checkpoints or the like. In a model or
+// folder without a part made for touching, the part nearest to the previous pad counts. In a folder
+// called Checkpoints without a row, each part is one.
 std::vector<RowMember> rowsInStageFolders(RoleContext& context);
 
 }  // namespace obby::importer

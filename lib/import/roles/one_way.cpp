@@ -1,4 +1,4 @@
-// Platforms that a player can jump through from below: by tag or kit marker.
+// Finds platforms that a player can jump through from below: by tag or kit marker.
 #include "import/roles/role.h"
 
 namespace obby::importer {

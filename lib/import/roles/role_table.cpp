@@ -1,4 +1,4 @@
-// The table of roles and the order of evidence.
+// Lists the roles and the order of evidence.
 #include <algorithm>
 
 #include "import/classes.h"

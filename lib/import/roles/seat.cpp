@@ -1,4 +1,4 @@
-// Seats hold a player who touches them; those of vehicles are another matter.
+// Finds seats that hold a player who touches them. Seats of vehicles are excluded.
 #include "engine/classes/class_defaults.h"
 #include "import/roles/role.h"
 

@@ -1,5 +1,5 @@
 // An anchored part with a velocity moves what stands on it: sideways it is a conveyor, upward a
-// trampoline. Shared by the two roles, which see the same evidence.
+// trampoline. The two roles share this evidence.
 #pragma once
 
 #include <string>
@@ -10,9 +10,9 @@ namespace obby::importer {
 
 class RoleContext;
 
-constexpr float kLeastSpeed = 0.5f;  // studs/s; below it is noise
+constexpr float kLeastSpeed = 0.5f;  // studs/s; lower speeds are noise
 
-// True if the velocity throws rather than carries: mostly upward.
+// Returns true if the velocity throws rather than carries: mostly upward.
 bool isUpward(Vec3 velocity);
 
 // Gives the part one of the two roles, unless it has that role already or the speed is noise.

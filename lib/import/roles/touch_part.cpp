@@ -1,11 +1,11 @@
-// Which part of a tagged model a player has to touch.
+// Finds the part of a tagged model that a player has to touch.
 #include "import/pivot.h"
 #include "import/roles/role.h"
 
 namespace obby::importer {
 namespace {
 
-// Best first, lower case.
+// Names in lower case, best first.
 constexpr std::string_view kTouchNames[] = {"touch", "goal",       "hitbox", "trigger",
                                             "pad",   "checkpoint", "part",   "spawn"};
 

@@ -1,4 +1,4 @@
-// Parts that lose their collision for a while, by tag or kit marker.
+// Finds parts that lose their collision for a while, by tag or kit marker.
 #include <algorithm>
 #include <set>
 #include <string>
@@ -18,7 +18,7 @@ const std::vector<std::string_view> kVanishTags = {"disappearing",    "disappear
                                                    "fallingplatform", "falling"};
 constexpr float kDefaultDelay = 1, kDefaultAway = 3;
 constexpr float kKitFade = 2, kKitAway = 1;        // tower kits before v6
-constexpr float kKit6Blink = 0.2f, kKit6Away = 2;  // v6: three blinks, then away
+constexpr float kKit6Blink = 0.2f, kKit6Away = 2;  // v6: three blinks, then the absence
 constexpr double kKit6Count = 3;
 
 void give(PartDraft& part, Vanish vanish, std::string reason, bool guessed) {
@@ -29,7 +29,7 @@ void give(PartDraft& part, Vanish vanish, std::string reason, bool guessed) {
   part.evidence.push_back({"vanish", std::move(reason), guessed});
 }
 
-// Of several numbers the first that can be a time or a count.
+// Returns the first of several numbers that is valid as a time or a count.
 std::optional<double> firstOf(const Tree& tree, InstanceId id,
                               std::initializer_list<const char*> names) {
   for (const char* name : names)
@@ -63,7 +63,7 @@ void vanishFromTags(RoleContext& context) {
 
 void vanishFromMarkers(RoleContext& context) {
   const Tree& tree = context.tree;
-  std::set<InstanceId> known;  // owners: of several markers the first counts
+  std::set<InstanceId> known;  // owners; the first of several markers counts
   context.eachMarker([&](InstanceId marker, InstanceId owner) {
     const bool vanisher = containsWord(markerWords(tree, marker), "vanisher");
     if (!vanisher && lower(tree.at(marker).name) != "fadetime") return;

@@ -1,4 +1,4 @@
-// The order of checkpoints: by the numbers that count, and by distance where there are none.
+// Orders checkpoints by the numbers that count, else by distance.
 #include <algorithm>
 
 #include "import/stages/course.h"
@@ -7,8 +7,8 @@
 namespace obby::importer {
 namespace {
 
-// Checkpoints of a level up to which portals count, each gets its best place, and distance decides.
-// The work grows with their square.
+// Limits on the number of checkpoints for portals, for best insertion, and for ordering by
+// distance. The work is quadratic.
 constexpr size_t kMaxWithPortals = 500, kMaxInserted = 1000, kMaxByDistance = 10000;
 
 struct Numbered {
@@ -65,7 +65,7 @@ class Order {
     course_.prove(part, "checkpoint", "ordered by distance: " + why, true);
   }
 
-  // Puts the nearest checkpoint next, again and again.
+  // Moves the nearest checkpoint next, repeatedly.
   void sortByDistance(Chain& chain, Chain::iterator first, Chain::iterator end,
                       const std::string& why) {
     if (end - first < 2 || chain.size() > kMaxByDistance) return;
@@ -78,7 +78,7 @@ class Order {
     }
   }
 
-  // Inserts each where it makes the shortest detour.
+  // Inserts each checkpoint where it causes the shortest detour.
   void insertUnnumbered() {
     const bool isMany = chain_.size() + unnumbered_.size() > kMaxInserted;
     for (const Numbered& one : unnumbered_) {
@@ -105,8 +105,8 @@ class Order {
   Chain chain_, unnumbered_;
 };
 
-// A spawn from which no portal leads to the course is a lobby: players come to the course by a
-// button on the screen or the like.
+// Moves the start out of a lobby, a spawn from which no portal leads to the course. Players leave a
+// lobby by other means, such as a button on the screen.
 void leaveLobby(Course& course) {
   auto& list = course.checkpoints;
   if (list.empty() || course.arrived || !course.isFar(course.distance(course.start, list.front())))

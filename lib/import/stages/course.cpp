@@ -8,11 +8,11 @@ namespace obby::importer {
 namespace {
 
 constexpr size_t kMaxPortals = 64;  // bounds the work
-// Studs: farther than any jump between two checkpoints. Long courses may have long segments, so
-// that it has to be out of proportion, too: segments of one course differ by less than this factor.
+// Studs; farther than any jump between two checkpoints. Long courses may have long segments, so the
+// distance must also be out of proportion: segments of one course differ by less than this factor.
 constexpr float kFar = 150, kOutOfProportion = 3;
 
-// Studs; 0 for fewer than two checkpoints.
+// Returns the longest distance in studs, or 0 for fewer than two checkpoints.
 float longestBetweenCheckpoints(const Course& course) {
   const std::vector<int>& parts = course.checkpoints;
   float longest = 0;

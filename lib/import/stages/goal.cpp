@@ -1,4 +1,4 @@
-// The end of the level.
+// Finds the end of the level.
 #include <algorithm>
 
 #include "import/stages/course.h"

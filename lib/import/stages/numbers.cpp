@@ -15,7 +15,7 @@ constexpr const char* kNumberNames[] = {"Stage", "Checkpoint",       "Number",  
                                         "Order", "StageNumber",      "StageID", "CheckpointID",
                                         "Level", "CheckpointNumber", "ID"};
 
-// "Stage 3", "stage3_lava": what is in it belongs to that stage.
+// Matches "Stage 3", "stage3_lava": its contents belong to that stage.
 bool isStageName(std::string_view name) {
   const auto words = wordsOf(name);
   return words.size() > 1 && words[0] == "stage" && isWholeNumber(words[1]);
@@ -29,12 +29,13 @@ void fill(int& number, int found) {
   if (number == kUnnumbered) number = found;
 }
 
-// Names that people read: a number in free text ("4 Way Jump") is not an order.
+// Returns true for sources written for players: a number in free text ("4 Way Jump") is not an
+// order.
 bool isFreeText(NumberFrom from) { return from == NumberFrom::name || from == NumberFrom::team; }
 
-// Returns true if a source tells checkpoints apart. It does not if it gives one number to all. Free
-// text has to give a number to at least half of those that have none yet. NumberFrom::asked has to
-// make a chain.
+// Returns true if a source tells checkpoints apart. A source with one number for all does not. Free
+// text must number at least half of those without a number so far. NumberFrom::asked must make a
+// chain.
 bool tells(NumberFrom from, const std::vector<int>& source, const std::vector<int>& numbers) {
   size_t open = 0, count = 0;
   std::set<int> values;
@@ -57,7 +58,7 @@ bool isWholeNumber(std::string_view name) {
 }
 
 std::optional<int> asStage(double number) {
-  constexpr double kMaxStage = 1e6;  // larger numbers are prices, times or identities
+  constexpr double kMaxStage = 1e6;  // larger numbers are prices, times or ids
   if (!(number >= 0) || !(number < kMaxStage)) return {};
   return int(number);
 }

@@ -1,4 +1,4 @@
-// The numbers of checkpoints: where they stand in a place, and which of them count.
+// Reads the numbers of checkpoints from a place and decides which of them count.
 #pragma once
 
 #include <map>
@@ -11,26 +11,26 @@
 
 namespace obby::importer {
 
-// "12".
+// Returns true for digits such as "12".
 bool isWholeNumber(std::string_view name);
 
-// The number as that of a stage; nullopt if it is too large for one, or below 0.
+// Returns the number as a stage, or nullopt if it is below 0 or too large.
 std::optional<int> asStage(double number);
 
-// The number that an attribute or a value object of the instance states under a name such as
-// Stage; kUnnumbered: none.
+// Returns the number that an attribute or a value object of the instance states under a name such
+// as Stage, or kUnnumbered.
 int statedNumber(const Tree& tree, InstanceId id);
 
-// Fills in the numbers that the file states: in values and names of the tagged or named instance
-// `owner` and of its touched part, and in the names of folders above. Those are folders of stages
-// or checkpoints ("Stages", "Stage 3 Lava"), or have a number for a name.
+// Adds the numbers that the file states: in values and names of the tagged or named instance
+// `owner` and of its touched part, and in the names of ancestor folders. Those are folders of
+// stages or checkpoints ("Stages", "Stage 3 Lava"), or have a number as name.
 void readNumbers(const Tree& tree, InstanceId owner, PartDraft& part);
 
-// The numbers in the names of the teams, by their colours. The first team of a colour counts.
+// Returns the numbers in the names of the teams, by colour. The first team of a colour counts.
 std::map<int64_t, int> numbersOfTeams(const Tree& tree);
 
-// Returns for each of these parts the number that counts: that of its strongest source, among the
-// sources that tell the parts apart.
+// Returns the number of each part that counts: that of its strongest source, among the sources that
+// tell the parts apart.
 std::vector<int> numbersThatCount(const LevelDraft& level, const std::vector<int>& parts);
 
 }  // namespace obby::importer

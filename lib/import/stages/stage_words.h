@@ -1,4 +1,4 @@
-// Words in names that tell of stages, and what each of them tells.
+// Finds words about stages in names.
 #pragma once
 
 #include <string_view>
@@ -8,10 +8,10 @@ namespace obby::importer {
 enum WordRole : unsigned {
   kFolderWord = 1,     // a folder of stages or checkpoints, or of the parts of one checkpoint
   kRowWord = 2,        // a folder whose children are pads, one after the other
-  kStartWord = 4,      // where players begin
-  kSureStartWord = 8,  // the same, and of several spawns this one
-  kWinnersWord = 16,   // a team, folder or pad of those who have come to the end
-  kWinsWord = 32,      // a number or flag of the player that says it has come to the end
+  kStartWord = 4,      // a place where players begin
+  kSureStartWord = 8,  // the same, and preferred among several spawns
+  kWinnersWord = 16,   // a team, folder or pad of players who have finished
+  kWinsWord = 32,      // a number or flag of the player that says that it has finished
 };
 
 // Returns true if a word of the name, or two of them together, has the role.

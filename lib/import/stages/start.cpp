@@ -1,4 +1,4 @@
-// The start, and what the other SpawnLocations are.
+// Finds the start, and the meaning of the other SpawnLocations.
 #include <algorithm>
 #include <set>
 #include <tuple>
@@ -12,13 +12,13 @@
 namespace obby::importer {
 namespace {
 
-constexpr float kOnTop = 8;  // studs that scripts leave between a pad and the player at most
+constexpr float kOnTop = 8;  // max studs between a pad and a player placed by scripts
 
-// How good a start a SpawnLocation is, best first.
+// Suitability of a SpawnLocation as the start, best first.
 enum class StartRank {
   ofFirstTeam,  // the engine puts new players there
   named,        // "Start"
-  open,         // for all, and it does not change their team
+  open,         // for all teams, and it does not change the player's team
   other,
   checkpoint,  // known by its tag, its script or its number
   winners      // players appear there after the end
@@ -26,7 +26,7 @@ enum class StartRank {
 
 bool isForWinners(std::string_view name) { return hasStageWord(kWinnersWord, name); }
 
-// The middle of the part's top.
+// Returns the middle of the part's top.
 Vec3 topOf(const PartDraft& part) {
   const Vec3& middle = part.pose.position;
   return {middle.x, boundsOf(part.pose, part.size * 0.5f).hi.y, middle.z};
@@ -39,7 +39,7 @@ void giveGoal(Course& course, int index, const char* why) {
   course.prove(index, "goal", why, false);
 }
 
-// A pad that scripts were seen to give the winners' team.
+// Finds pads that scripts gave to the winners' team in the run.
 void findWinnersPads(Course& course) {
   for (int i = 0; i < int(course.level.parts.size()); ++i)
     for (const Team& team : course.teams)
@@ -86,7 +86,7 @@ class SpawnRoles {
     part.stageSigns[NumberFrom::team] = firstNumber(team->name).value_or(kUnnumbered);
   }
 
-  // Its own number, else that of its folder or team.
+  // Returns its own number, else that of its folder or team.
   int numberOf(int spawn) const {
     const StageSigns& signs = course_.part(spawn).stageSigns;
     for (const NumberFrom from : {NumberFrom::tag, NumberFrom::value, NumberFrom::name,
@@ -102,7 +102,8 @@ class SpawnRoles {
            (parent != kNoInstance && isForWinners(course_.tree.at(parent).name));
   }
 
-  // The team that a new player gets. The players of a game share the teams: the first by number.
+  // Returns the team of a new player. Players are spread over the teams, so the one with the lowest
+  // number counts.
   const Team* firstTeam() const {
     const Team* first = nullptr;
     const auto number = [](const Team& team) { return firstNumber(team.name).value_or(0); };
@@ -124,7 +125,7 @@ class SpawnRoles {
     return isOpen ? StartRank::open : StartRank::other;
   }
 
-  // The checkpoint with the lowest number; -1 if none has a number.
+  // Returns the checkpoint with the lowest number, or -1 if none has a number.
   int firstCheckpoint() const {
     std::vector<int> known;
     for (int i = 0; i < int(course_.level.parts.size()); ++i)
@@ -190,7 +191,8 @@ class SpawnRoles {
                   true);
   }
 
-  // A player who walks onto it has won; or what brings the player there is the goal.
+  // Makes a goal of a winners' pad that players can walk onto. Otherwise the part that brings
+  // players there is the goal.
   void giveWinners(int spawn, bool isReached) {
     PartDraft& part = course_.part(spawn);
     part.checkpoint.reset();
@@ -210,7 +212,7 @@ class SpawnRoles {
   std::set<InstanceId> remote_;  // SpawnLocations that checkpoints elsewhere set
 };
 
-// No SpawnLocation: a part called Start.
+// Falls back to a part called Start if there is no SpawnLocation.
 void startFromNames(Course& course) {
   for (int i = 0; i < int(course.level.parts.size()); ++i) {
     const std::string& name = course.instance(i).name;
@@ -223,7 +225,8 @@ void startFromNames(Course& course) {
   }
 }
 
-// The highest solid part below the feet, else a part that the body is in; -1 if none is near.
+// Returns the highest solid part below the feet, else a part around the body, or -1 if none is
+// near.
 int partBelow(const Course& course, Vec3 feet) {
   constexpr float kToRoot = 3, kSunk = 0.5f;  // studs
   for (const float into : {0.0f, kToRoot}) {

@@ -1,5 +1,5 @@
-// What a part does to a player, field by field of its record: each behaviour is a file here and a
-// row of kBehaviours.
+// Behaviours of parts: what each field of a part's record does to a player. Each behaviour is a
+// file here and a row of kBehaviours.
 #pragma once
 
 #include "base/result.h"
@@ -9,32 +9,32 @@
 
 namespace obby::level {
 
-// A part in work, and what becomes of it.
+// A part that is being compiled, with its results so far.
 struct PartContext {
   schema::Part::Reader part;
   const Params& params;
   Pose pose;
-  uint32_t collider;  // the number that its first collider will have
+  uint32_t collider;  // number that its first collider will have
   ClockTables& clocks;
   Roles roles;
   uint32_t flags = 0;  // ColliderFlag bits
-  Clock own;           // started by a touch where some behaviour has called startOwn()
+  Clock own;           // started by a touch if a behaviour has called startOwn()
 };
 
-// A touch of the part starts `clock`.
+// Makes a touch of the part start `clock`.
 void start(PartContext& context, uint32_t clock);
 
-// A touch of the part starts a clock of its own, which only one behaviour can set; `field` is that
-// behaviour's.
+// Makes a touch of the part start a clock of its own. Only one behaviour of a part can set it; a
+// second one is an error at `field`.
 Status startOwn(PartContext& context, uint32_t length, const char* field);
 
-// Roles that do nothing.
+// Returns roles that do nothing.
 Roles noRoles();
 
 struct Behaviour {
   bool (*has)(schema::Part::Reader part);
-  Status (*compile)(PartContext& context);  // errors have the path from the part on
-  bool byTouch;                             // nothing where the part takes no touches
+  Status (*compile)(PartContext& context);  // errors have the path relative to the part
+  bool byTouch;                             // ignored if the part takes no touches
 };
 
 // Sets roles, flags and own clock from all behaviours of the part.

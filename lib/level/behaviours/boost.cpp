@@ -42,7 +42,7 @@ Status compileBoost(PartContext& c) {
   OBBY_RETURN_IF_ERROR(checkGravity(record.getGravity(), c.params));
   OBBY_ASSIGN(const uint32_t ticks, ticksOf(c.params, record.getSeconds(), "boost.seconds"));
   Clock clock;
-  // One tick at least: it runs on while the part is touched.
+  // At least one tick, so that the boost lasts while the part is touched.
   clock.length = record.getForever() ? kForever : ticks + 1;
   clock.restarts = true;
   clock.walkFactor = record.getWalkSpeed();

@@ -1,4 +1,4 @@
-// Gives what stands on it its surface velocity.
+// Carries everything that stands on it at its surface velocity.
 #include "level/behaviours/behaviour.h"
 #include "level/record_values.h"
 

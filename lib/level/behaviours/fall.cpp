@@ -1,4 +1,4 @@
-// Falls after a touch, and comes back.
+// Drops the part after a touch, and brings it back.
 #include "level/behaviours/fall.h"
 
 #include <algorithm>

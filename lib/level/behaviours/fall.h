@@ -1,4 +1,4 @@
-// The way of a falling part, as a motion that its own clock drives.
+// The trajectory of a falling part, as a motion that its own clock drives.
 #pragma once
 
 #include <vector>
@@ -9,7 +9,8 @@
 
 namespace obby::level {
 
-// The poses from the touch on, tick by tick; it stays at the last one. At least two rows.
+// Returns the poses from the touch on, one a tick. The part stays at the last one. At least two
+// rows.
 std::vector<Pose> fallTable(schema::Fall::Reader fall, const Pose& rest, const Params& params);
 
 }  // namespace obby::level

@@ -1,4 +1,4 @@
-// Solid for a player on one side of it only.
+// Makes the part solid from one side only.
 #include "level/behaviours/behaviour.h"
 #include "level/record_values.h"
 

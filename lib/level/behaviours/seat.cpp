@@ -4,7 +4,7 @@
 namespace obby::level {
 
 Status compileSeat(PartContext& c) {
-  Clock clock;  // held at 0 by the one who sits there; then it runs until the seat takes again
+  Clock clock;  // held at 0 while a player sits; then it runs until the seat is free again
   clock.length = ticksFromSeconds(c.params, c.params.seatCooldown) + 2;
   clock.restarts = true;
   clock.seat = c.collider;

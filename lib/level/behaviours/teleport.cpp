@@ -1,4 +1,4 @@
-// Puts a player who touches it somewhere else.
+// Teleports a player who touches it.
 #include "level/behaviours/behaviour.h"
 #include "level/record_values.h"
 

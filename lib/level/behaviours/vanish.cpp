@@ -1,4 +1,4 @@
-// Loses its collision for a time: by the level's clock, after a touch, or while a signal lasts.
+// Removes the part's collision for a time: by the level's clock, after a touch, or during a signal.
 #include <cmath>
 
 #include "level/behaviours/behaviour.h"
@@ -7,7 +7,7 @@
 namespace obby::level {
 namespace {
 
-// Ticks into the period at tick 0: a negative phase counts back from the period's end.
+// Returns the ticks into the period at tick 0. A negative phase counts back from the period's end.
 Result<uint32_t> phaseOf(const Params& params, float phase, uint32_t period) {
   if (!std::isfinite(phase)) {
     return pathError("vanish.phase", "expected finite seconds, found " + shown(phase));
@@ -36,7 +36,7 @@ Status byTouch(PartContext& c) {
     OBBY_RETURN_IF_ERROR(startOwn(c, c.roles.vanishDelay + c.roles.vanishAway, "vanish"));
     c.roles.awayClock = kOwnClock;
   } else if (!c.roles.vanishInverted) {
-    return {};  // nobody makes it vanish
+    return {};  // nothing makes it vanish
   }
   c.flags |= kClocked;
   return {};

@@ -1,4 +1,4 @@
-// What the CUDA build adds, behind functions that a build without CUDA has, too (absent.cpp).
+// Functions of the CUDA build. A build without CUDA has them, too (absent.cpp).
 #pragma once
 
 #include <memory>
@@ -9,11 +9,11 @@
 
 namespace obby::sim::cuda {
 
-// GPU `which`, counted round where there are fewer. Without CUDA in this build, a driver or a GPU
-// that runs kernels of this build: an error that says which.
+// Opens GPU `which`, modulo the number of GPUs. A build without CUDA, a missing driver or a GPU
+// that cannot run this build's kernels is an error that says so.
 Result<std::unique_ptr<Device>> openDevice(uint32_t which);
 
 const void* stepEntry(StepKind kind);  // Kernel::entry of stepKernel
-const void* probeEntry();              // of a kernel without arguments that does nothing
+const void* probeEntry();              // entry of a kernel without arguments that does nothing
 
 }  // namespace obby::sim::cuda

@@ -1,4 +1,4 @@
-// A GPU through the CUDA runtime. Every call's error comes back with the driver's own words.
+// A GPU through the CUDA runtime. The error of every call is returned with the driver's message.
 #include <cuda_runtime_api.h>
 #include <fmt/format.h>
 
@@ -48,9 +48,9 @@ class Gpu : public Device {
 
   Result<void*> allocate(size_t bytes) override {
     void* memory = nullptr;
-    OBBY_RETURN_IF_ERROR(check(cudaSetDevice(number_), "cannot use the GPU"));  // of this thread
+    OBBY_RETURN_IF_ERROR(check(cudaSetDevice(number_), "cannot use the GPU"));  // set per thread
     const cudaError_t code = cudaMalloc(&memory, bytes);
-    if (code == cudaErrorMemoryAllocation) cudaGetLastError();  // this one is over and done with
+    if (code == cudaErrorMemoryAllocation) cudaGetLastError();  // clears the handled error
     OBBY_RETURN_IF_ERROR(check(code, fmt::format("allocating {} bytes on the GPU", bytes).c_str()));
     return memory;
   }
@@ -59,7 +59,7 @@ class Gpu : public Device {
     return check(cudaMemcpy(to, from, bytes, cudaMemcpyHostToDevice), "copying to the GPU");
   }
   Status uploadAside(void* to, const void* from, size_t bytes) override {
-    OBBY_RETURN_IF_ERROR(check(cudaSetDevice(number_), "cannot use the GPU"));  // of this thread
+    OBBY_RETURN_IF_ERROR(check(cudaSetDevice(number_), "cannot use the GPU"));  // set per thread
     OBBY_RETURN_IF_ERROR(check(cudaMemcpyAsync(to, from, bytes, cudaMemcpyHostToDevice, aside_),
                                "copying to the GPU"));
     return check(cudaStreamSynchronize(aside_), "copying to the GPU");
@@ -83,7 +83,7 @@ class Gpu : public Device {
     return enqueueOn(nullptr, kernel, arguments, count);
   }
 
-  // The second one on a stream of its own, between what was asked for before and what will be.
+  // Runs the second kernel on its own stream, ordered after earlier and before later work.
   Status enqueueTogether(const Kernel& a, const Kernel& b, const void* arguments,
                          uint32_t count) override {
     OBBY_RETURN_IF_ERROR(check(cudaEventRecord(asked_, nullptr), b.name));
@@ -115,8 +115,8 @@ class Gpu : public Device {
                  kernel.name);
   }
 
-  // A GPU that is older than all that this build was compiled for has memory, but runs nothing:
-  // better known now, when there may be a choice, than at the first launch.
+  // A GPU that is older than all targets of this build has memory, but runs no kernel. Finding out
+  // now, when there may be a choice, is better than at the first launch.
   Status tryKernel() const {
     const std::string what =
         fmt::format("{} (compute capability {}.{}) cannot run the kernels of this build", name(),
@@ -126,7 +126,7 @@ class Gpu : public Device {
     return check(cudaDeviceSynchronize(), what.c_str());
   }
 
-  // Few worlds go to as many multiprocessors as there are.
+  // Spreads few worlds over all multiprocessors.
   uint32_t threadsFor(uint32_t count) const {
     uint32_t threads = kMostThreads;
     while (threads > kLeastThreads && count / threads < uint32_t(properties_.multiProcessorCount)) {
@@ -137,8 +137,8 @@ class Gpu : public Device {
 
   cudaDeviceProp properties_{};
   int number_ = 0;
-  cudaStream_t aside_ = nullptr, beside_ = nullptr;  // for copies, for kernels
-  cudaEvent_t asked_ = nullptr, done_ = nullptr;     // what enqueueTogether() waits for
+  cudaStream_t aside_ = nullptr, beside_ = nullptr;  // streams of copies and of kernels
+  cudaEvent_t asked_ = nullptr, done_ = nullptr;     // events of enqueueTogether()
 };
 
 }  // namespace

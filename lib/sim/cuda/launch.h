@@ -1,4 +1,4 @@
-// The launch form of any kernel. For .cu files only.
+// Wraps a kernel function for launches on a GPU. For .cu files only.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@ __global__ void launched(const __grid_constant__ Arguments arguments, uint32_t c
   if (i < count) kFunction(arguments, i);
 }
 
-// Kernel::entry of it.
+// Returns the Kernel::entry of a kernel function.
 template <class Arguments, void (*kFunction)(const Arguments&, uint32_t)>
 const void* entry() {
   return reinterpret_cast<const void*>(launched<Arguments, kFunction>);

@@ -1,5 +1,5 @@
-// A kernel that does nothing, in a source of its own: it tells whether a GPU runs this build's
-// kernels before any of the large ones is loaded, or made from PTX, which takes minutes.
+// A kernel that does nothing, in a source of its own. It shows whether a GPU runs this build's
+// kernels before a large one is loaded or compiled from PTX, which takes minutes.
 namespace obby::sim::cuda {
 
 __global__ void nothing() {}

@@ -1,4 +1,4 @@
-// Launch form of the step kernel.
+// The step kernel in its form for a GPU.
 #include "sim/step_kernel.h"
 
 namespace obby::sim::cuda {

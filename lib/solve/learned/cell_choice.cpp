@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "solve/choosers/selection_weight.h"
+#include "solve/search/selectors/selection_weight.h"
 
 namespace obby::solve::learned {
 

@@ -4,7 +4,7 @@
 
 #include "policy/policy.h"
 #include "solve/learned/soft_window.h"
-#include "solve/rollouts/known_way.h"
+#include "solve/search/rollouts/known_way.h"
 
 namespace obby::solve::learned {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "base/check.h"
-#include "solve/cuda/cuda.h"
+#include "solve/search/cuda/cuda.h"
 
 namespace obby::solve::learned {
 

@@ -8,10 +8,10 @@
 #include "base/random.h"
 #include "policy/moves.h"
 #include "sim/loose.h"
-#include "solve/archive/archive_node.h"
-#include "solve/query/problem.h"
-#include "solve/rollouts/macro_random.h"
-#include "solve/rollouts/trail.h"
+#include "solve/model/problem.h"
+#include "solve/search/archive/archive_node.h"
+#include "solve/search/rollouts/macro_random.h"
+#include "solve/search/rollouts/trail.h"
 
 namespace obby::solve::learned {
 

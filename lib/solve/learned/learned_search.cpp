@@ -4,8 +4,8 @@
 
 #include "policy/policy.h"
 #include "sim/simulator.h"
-#include "solve/go_explore_method.h"
-#include "solve/rollouts/known_way.h"
+#include "solve/search/methods/go_explore_method.h"
+#include "solve/search/rollouts/known_way.h"
 
 namespace obby::solve::learned {
 

@@ -12,10 +12,10 @@
 
 #include "policy/observation.h"
 #include "policy/surroundings.h"
-#include "solve/archive_search.h"
 #include "solve/learned/device_work.h"
 #include "solve/learned/episode.h"
-#include "solve/machine.h"
+#include "solve/search/machine.h"
+#include "solve/search/methods/archive_search.h"
 
 namespace obby::solve::learned {
 

@@ -7,7 +7,7 @@
 #include "solve/learned/cell_choice.h"
 #include "solve/learned/goal_policy.h"
 #include "solve/learned/learned_search.h"
-#include "solve/rollouts/known_way.h"
+#include "solve/search/rollouts/known_way.h"
 
 namespace obby::solve::learned {
 

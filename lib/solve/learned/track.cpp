@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "solve/archive/cell.h"
+#include "solve/search/archive/cell.h"
 
 namespace obby::solve::learned {
 

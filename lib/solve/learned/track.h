@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "policy/observation.h"
-#include "solve/query/problem.h"
+#include "solve/model/problem.h"
 
 namespace obby::solve::learned {
 

@@ -13,7 +13,7 @@ namespace {
 
 constexpr const char* kEach = "each";
 
-// "r6,r15" is two words. Repeats are left out.
+// Splits lists at commas and drops repeats: "r6,r15" is two words.
 std::vector<std::string> words(const std::vector<std::string>& lists) {
   std::vector<std::string> result;
   for (const std::string& list : lists) {

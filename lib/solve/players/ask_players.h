@@ -17,12 +17,14 @@ struct AskedPlayers {
   bool empty() const { return bodies.empty() && frameRates.empty() && !sameKeys; }
 };
 
-// Error: an unknown body or frame rate; its path is the option. Lists may be written with commas.
+// Reads the options; lists may have commas. Error: an unknown body or frame rate, with the option
+// as path.
 Result<AskedPlayers> askedPlayers(const std::vector<std::string>& bodies,
                                   const std::vector<std::string>& frameRates, bool sameKeys);
 
-// "each" body is each that the level admits. If it admits one only, that is the level's physics; if
-// it does not say, every body there is.
+// Returns the query with the asked players in place of its own. "each" body is each that the level
+// admits. If it admits one only, that is the level's physics. If it lists none, every body is
+// meant.
 io::Record withPlayers(schema::Level::Reader level, const AskedPlayers& asked,
                        const io::Record& query);
 

@@ -1,20 +1,20 @@
-// A query as one of its players meets it, and what came of it.
+// A query as one of its players meets it, and its answer.
 #pragma once
 
 #include <optional>
 #include <vector>
 
-#include "solve/query_solver.h"
+#include "solve/answer/solver_options.h"
 
 namespace obby::solve {
 
 struct PlayerCase {
   level::Player player;
-  const LoadedLevel* level;  // the player's
+  const LoadedLevel* level;  // the level as the player meets it
   io::Record query;          // in the ticks of that level; names no players
   uint32_t rate;             // ticks per second of that level
 
-  // Once it is answered.
+  // Filled in once the case is answered.
   std::optional<io::Record> result;
   std::vector<io::Record> solutions, attempts;  // trajectories
   Stopped stopped = Stopped::outOfTime;
@@ -23,10 +23,10 @@ struct PlayerCase {
   schema::Result::Reader answer() const { return result->reader().getResult(); }
 };
 
-// The cases of a query's players, unanswered. Valid while `level` lives.
+// Returns the unanswered cases of a query's players. They are valid while `level` lives.
 Result<std::vector<PlayerCase>> playerCases(const LoadedLevel& level, schema::Query::Reader query);
 
-// The query as it is put to one player.
+// Returns the query as it is put to one player.
 Result<PlayerCase> playerCase(const LoadedLevel& level, schema::Query::Reader query,
                               const level::Player& player);
 

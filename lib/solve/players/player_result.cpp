@@ -11,7 +11,7 @@ namespace obby::solve {
 
 namespace {
 
-// The first of those whose verdict is that of all.
+// Returns the first case that has the verdict of all cases together.
 const PlayerCase& decisive(const std::vector<PlayerCase>& cases) {
   const schema::Verdict verdict = verdictOf(cases);
   return *std::ranges::find_if(
@@ -53,7 +53,7 @@ std::string reasonOf(const std::vector<PlayerCase>& cases, const PlayersAsked& a
   return fmt::format("{} {}: {}", summary, who, own);
 }
 
-// Every number of work, and the solutions, of all players together.
+// Adds up the work and the solutions of all players.
 void addUp(schema::Result::Builder result, const std::vector<PlayerCase>& cases) {
   uint64_t steps = 0, rounds = 0, cells = 0;
   uint32_t solutions = 0;
@@ -77,7 +77,7 @@ void addUp(schema::Result::Builder result, const std::vector<PlayerCase>& cases)
   timing.setStepsPerSecond(double(steps) / std::max(double(seconds), 1e-9));
 }
 
-// A solution for all players holds if each of theirs does.
+// A solution for all players holds only if each player's solution holds.
 void fillDoubts(schema::Result::Builder result, const std::vector<PlayerCase>& cases) {
   const auto doubtful =
       std::ranges::find_if(cases, [](const PlayerCase& c) { return !c.answer().getHolds(); });

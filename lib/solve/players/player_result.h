@@ -1,4 +1,4 @@
-// One result record of the answers for several players.
+// Combines the answers for several players into one result record.
 #pragma once
 
 #include <vector>
@@ -7,16 +7,16 @@
 
 namespace obby::solve {
 
-// Solved if it is for all of them, unreachable if it is for one of them, else unknown.
+// Returns solved if all cases are solved, unreachable if one is unreachable, and unknown otherwise.
 schema::Verdict verdictOf(const std::vector<PlayerCase>& cases);
 
 struct PlayersAsked {
-  uint32_t levelRate;  // ticks per second, in which the result counts
+  uint32_t levelRate;  // ticks per second in which the result counts
   bool namesBodies;
   bool sameKeys;
 };
 
-// Fields that hold one value describe the player who decides the verdict.
+// Fields that hold one value describe the player that decides the verdict.
 io::Record resultOf(const std::vector<PlayerCase>& cases, const PlayersAsked& asked);
 
 }  // namespace obby::solve

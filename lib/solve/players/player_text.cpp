@@ -38,7 +38,7 @@ std::vector<BodyRates> byBody(const std::vector<PlayerVerdict>& players) {
   return groups;
 }
 
-// " for R6 and R15 at 60 frames a second", with `preposition` for "for".
+// Returns text like " for R6 and R15 at 60 frames a second", with `preposition` in place of "for".
 std::string groupText(const std::vector<PlayerVerdict>& players, bool namesBodies,
                       const char* preposition) {
   const std::vector<BodyRates> groups = byBody(players);

@@ -1,4 +1,4 @@
-// For which players an answer holds, in words.
+// Tells for which players an answer holds, in words.
 #pragma once
 
 #include <string>
@@ -14,12 +14,12 @@ struct PlayerVerdict {
   schema::Verdict verdict;
 };
 
-// "Solved for R6 and R15 at 60 frames a second; nobody can with R15 at 30 frames a second."
-// `namesBodies`: else the frame rates alone are named.
+// Returns text like "Solved for R6 and R15 at 60 frames a second; nobody can with R15 at 30 frames
+// a second." Without `namesBodies` it names the frame rates alone.
 std::string playersText(const std::vector<PlayerVerdict>& players, bool namesBodies);
-// The same for a search for keys that do for all of them.
+// Describes a search for keys that solve the query for all players.
 std::string sameKeysText(const std::vector<PlayerVerdict>& players, bool namesBodies);
-// "R15 at 30 frames a second"
+// Returns text like "R15 at 30 frames a second".
 std::string playerText(const PlayerVerdict& player, bool namesBodies);
 
 }  // namespace obby::solve

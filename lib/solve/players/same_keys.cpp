@@ -2,14 +2,14 @@
 
 #include <algorithm>
 
-#include "solve/players/retimed.h"
-#include "solve/rollouts/known_way.h"
+#include "solve/model/retimed.h"
+#include "solve/search/rollouts/known_way.h"
 
 namespace obby::solve {
 
 namespace {
 
-// The playthrough of a plan, as a search would have it.
+// Replays a plan, and returns its trajectory as a search would.
 Playthrough played(const PosedQuery& posed, const KnownWay& keys) {
   const auto& view = posed.level.view();
   const level::QueryView query = posed.query.view();

@@ -5,15 +5,16 @@
 #include <vector>
 
 #include "solve/players/player_case.h"
-#include "solve/query/posed_query.h"
+#include "solve/verify/posed_query.h"
 
 namespace obby::solve {
 
-// The slowest: the others can change keys at each of its frames, or soon after.
+// Returns the slowest player's index. The others can change keys at each of its frames, or soon
+// after.
 size_t slowest(const std::vector<PlayerCase>& cases);
 
-// Plays another player's keys, and holds the last of them for up to a second more. None: they solve
-// nothing.
+// Plays another player's keys, and holds the last of them for up to a second more. solve() returns
+// nothing if they do not solve the query.
 class KeyPlayer {
  public:
   // The case must outlive it.

@@ -3,12 +3,13 @@
 #include <algorithm>
 #include <chrono>
 
-#include "solve/answers/answer_records.h"
-#include "solve/answers/route.h"
+#include "solve/answer/solve_one.h"
+#include "solve/model/retimed.h"
+#include "solve/model/route.h"
 #include "solve/players/player_case.h"
 #include "solve/players/player_result.h"
-#include "solve/players/retimed.h"
 #include "solve/players/same_keys.h"
+#include "solve/report/answer_records.h"
 
 namespace obby::solve {
 
@@ -16,7 +17,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// Only the bound: for players whom no search is made for.
+// Does not search, for players that need only the bound.
 SearchOutcome noSearch(const Problem&, const Budget&, const Watcher&, const Machine&) {
   SearchOutcome outcome;
   outcome.stopped = Stopped::outOfSteps;
@@ -24,9 +25,9 @@ SearchOutcome noSearch(const Problem&, const Budget&, const Watcher&, const Mach
 }
 constexpr Method kNoSearch{"bound", "no search", noSearch};
 
-// Playthroughs that fail for another player before the search starts over with another seed;
-// doubled each time. For methods that do not take companions along: their cells keep the earliest
-// way to them, so a search whose first jump fails for another player does not get away from it.
+// Refusals by another player after which the search restarts with another seed; doubled each time.
+// This serves methods that do not take companions along. Their cells keep the earliest trajectory,
+// so a search whose first jump fails for another player would not get away from it.
 constexpr uint32_t kFirstRefusals = 48;
 constexpr uint64_t kSeedStep = 0x9e3779b97f4a7c15u;
 
@@ -61,7 +62,7 @@ class PlayersSolving {
       SolverOptions options = options_;
       options.budget.seconds = secondsLeft() / double(cases_.size() - i);
       options.budget.maxSteps = stepsLeft() / (cases_.size() - i);
-      // One change that helps is found for one player.
+      // A change that helps one player is enough.
       options.explain = options_.explain && !explained_;
       OBBY_RETURN_IF_ERROR(solve(cases_[i], options,
                                  {*cases_[i].level, cases_[i].queryRecord(), cases_[i].player,
@@ -71,7 +72,7 @@ class PlayersSolving {
     return {};
   }
 
-  // Solutions of the query's other players.
+  // Returns the solutions of the players before this one, at its rate.
   std::vector<KnownWay> hintsFor(const PlayerCase& c) const {
     std::vector<KnownWay> hints;
     for (const PlayerCase& other : cases_) {
@@ -83,7 +84,7 @@ class PlayersSolving {
     return hints;
   }
 
-  // The bound first, for each of them; then the slowest player searches for all.
+  // Tries the bound for each player first. Then the slowest player searches for all.
   Status solveTogether() {
     for (PlayerCase& c : cases_) {
       SolverOptions options = options_;
@@ -146,7 +147,7 @@ class PlayersSolving {
     c.result = io::Record(std::move(record));
   }
 
-  // The keys of every solution, as each of the others presses them.
+  // Replays the keys of every solution for each other player, and adds the trajectories.
   Status giveAll(const PlayerCase& first, const std::vector<KeyPlayer>& others) {
     size_t at = 0;
     for (PlayerCase& c : cases_) {
@@ -157,7 +158,7 @@ class PlayersSolving {
       for (const io::Record& solution : first.solutions) {
         OBBY_ASSIGN(const sim::Plan plan, sim::planFromRecord(solution.reader().getTrajectory()));
         const auto p = player.solve(plan.actions, first.rate);
-        if (!p) continue;  // never: the search has asked for it
+        if (!p) continue;  // cannot happen: the search has checked it
         if (c.solutions.empty()) fillSolved(answer, *p, player.posed());
         c.solutions.push_back(trajectoryOf(*p, player.posed(), c.player));
       }
@@ -195,7 +196,7 @@ class PlayersSolving {
     return {*c.level, c.queryRecord(), c.player, rate()};
   }
 
-  // Progress goes out at once, the rest is kept with the case.
+  // Solves one case. Progress goes out at once, the rest is kept with the case.
   Status solve(PlayerCase& c, const SolverOptions& options, const PlayerQuestion& asked) {
     c.solutions.clear();
     c.attempts.clear();
@@ -218,7 +219,7 @@ class PlayersSolving {
     return {};
   }
 
-  // All solutions, then the attempts of the first who has none.
+  // Writes all solutions, then the attempts of the first player without a solution.
   Status writeTrajectories() {
     uint32_t index = 0;
     const auto write = [&](const io::Record& trajectory) {

@@ -1,7 +1,7 @@
 // Answers a query for each of the players that it names, and makes one result of the answers.
 #pragma once
 
-#include "solve/query_solver.h"
+#include "solve/answer/solver_options.h"
 
 namespace obby::solve {
 

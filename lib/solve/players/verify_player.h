@@ -1,13 +1,13 @@
-// Checks an answer as the player whose trajectory it is.
+// Checks a trajectory in the level of its player.
 #pragma once
 
 #include "base/result.h"
-#include "solve/query_solver.h"
+#include "solve/answer/solver_options.h"
 
 namespace obby::solve {
 
-// As verify() in the player's level. A solution of a query for the same keys must also solve it for
-// every other player that the query names, with the keys of its slowest player.
+// Calls verify() in the player's level. If the query asks for the same keys, a solution of the
+// slowest player must also solve it for every other player.
 Status verifyPlayer(const LoadedLevel& level, schema::Query::Reader query,
                     schema::Trajectory::Reader trajectory);
 

@@ -11,10 +11,10 @@ namespace obby::solve {
 
 namespace {
 
-constexpr float kLeastSlope = 80;  // degrees: below, sliding makes speeds without a bound
+constexpr float kLeastSlope = 80;  // degrees; with a lower maxSlope slides have no speed bound
 
-// 1/s: feet below a floor by d rise at most at this times d; below 0: the legs bounce. From the
-// eigenvalues of one step (docs/proof.md, legs).
+// Returns r in 1/s: feet that are d below a floor rise at most at r d. Negative if the legs bounce.
+// It is derived from the eigenvalues of one step (docs/proof.md, Legs).
 double slowRate(const Params& p) {
   const double dt = p.substepSeconds, c = p.hoverDamping, k = p.hoverStiffness;
   const double sum = 2 - c * dt - k * dt * dt, product = 1 - c * dt;
@@ -33,7 +33,7 @@ struct Range {
   float lo, hi;
 };
 
-// The least and the most gravity of a player.
+// Returns the min and max gravity of a player.
 Range gravityIn(const level::LevelView& level) {
   Range factor{1, 1};
   for (uint32_t i = 0; i < level.clockCount; ++i) {
@@ -135,7 +135,7 @@ void BodyLimits::setBody() {
   const float step = std::max(std::min(0.9f * least, travel), travel / sim::kMostSplits);
   turned = half - least + step + slack;
   overlap = std::min(half - least, half * p_.turnSpeed * tick_) + step + slack;
-  // A jump that leads through a part in its first tick may end anywhere beside it.
+  // A jump that leads through a part in its first tick may end anywhere next to it.
   if (fastest_ * tick_ + slack >= 0.9f * least) overlap = turned;
 }
 
@@ -153,11 +153,11 @@ float BodyLimits::reachAt(float fall, bool kept) const {
 void BodyLimits::setTakeOff() {
   const uint32_t n = p_.substeps, landed = p_.landedSteps;
   const uint32_t more = landed > n ? (landed - n + n - 1) / n : 0;
-  const uint32_t waits = n * (landed == 0 ? 1 : 1 + std::max(1u, more));  // to the first jump
+  const uint32_t waits = n * (landed == 0 ? 1 : 1 + std::max(1u, more));  // steps to the first jump
   const uint32_t graced = std::max(p_.graceSteps, p_.coyoteSteps) + n;
   sunk = sim::rayHeight(p_) + fallOver(graced, heavy_);
   keptReach_ = std::max({reachAt(0, true), reachAt(heavy_ * dt_ * float(graced), false), 0.0f});
-  // A landing at this speed, where the rays acquire a floor, leaves nothing.
+  // A landing at this speed, on a floor that the rays acquire, leaves a take-off height of 0.
   const float seconds = float(waits) * dt_, fall = fallOver(waits, light_);
   const float speed = std::max(reachAt(0, false) - fall, 0.0f) / seconds;
   for (const float v : {speed, p_.maxFallSpeed}) {
@@ -186,13 +186,13 @@ void BodyLimits::setTricks() {
   late = p_.coyoteTime + 3 * tick_ + heldSeconds;
 }
 
-// The map of a tick's steps on the legs is linear: the speed after n of them is gain * depth + kept
-// * speed.
+// The map of a tick's steps on the legs is linear. The speed after n of them is
+// gain * depth + kept * speed.
 float BodyLimits::thrown(float speed) const {
   if (!(p_.tricks & kLegThrow)) return 0;
   const float stiff = p_.hoverStiffness * dt_, damped = 1 - p_.hoverDamping * dt_;
   const float depth = sim::rayHeight(p_) + speed * tick_;
-  float deep[2] = {-1, 0}, fast[2] = {0, 1};  // gap and speed, of a stud below and of a stud/s
+  float deep[2] = {-1, 0}, fast[2] = {0, 1};  // gap and speed, per stud below and per stud/s
   float most = 0;
   for (uint32_t n = 0; n < p_.substeps; ++n) {
     for (float* s : {deep, fast}) {
@@ -233,7 +233,7 @@ float BodyLimits::airSeconds(float w, float rise) const {
   return (w + limit) / light_ + (-rise - fallen) / limit + 2 * dt_;
 }
 
-// A fall off an edge has a tick on the level; a jump has the best number of ticks.
+// A fall off an edge has one tick on the level. A jump takes the best number of coyote ticks.
 float BodyLimits::seconds(const Flight& f, float height) const {
   const float w = f.up + (f.leaps ? 0.5f * heavy_ : -0.5f * light_) * dt_;
   const uint32_t first = f.leaps ? 0 : 1, last = f.leaps ? lateTicks_ : 1;
@@ -260,7 +260,7 @@ float BodyLimits::sideways(float seconds, float excess) const {
 }
 
 float BodyLimits::legsOvershoot(float speed) const {
-  const float risen = float(slowRate(p_)) * 1.0001f * tick_;  // studs a tick, of a stud below
+  const float risen = float(slowRate(p_)) * 1.0001f * tick_;  // studs a tick, for a stud below
   return std::max(risen - 1, 0.0f) * sim::rayHeight(p_) + (risen + 1) * speed * tick_;
 }
 

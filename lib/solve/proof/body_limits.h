@@ -1,83 +1,89 @@
-// Upper bounds on what a body can do, from the physics parameters alone. Each number is derived in
-// docs/proof.md, under the name that it has here.
+// Upper bounds on what a body can do, from the physics parameters alone. docs/proof.md derives each
+// number under the name that it has here.
 #pragma once
 
+#include "solve/model/problem.h"
 #include "solve/proof/part_motion.h"
-#include "solve/query/problem.h"
 
 namespace obby::solve {
 
-// Names what keeps the bound from saying anything; null if nothing does.
+// Names the feature of the level that prevents a bound; null if there is none.
 const char* unboundedPart(const level::LevelView& level);
 
-// The level, the start, and where teleporters lead.
+// Returns the bounds of the level, the start, and the ends of teleporters.
 Box allPlaces(const Problem& problem);
 
-// One way off a support.
+// A flight off a support.
 struct Flight {
-  float height, up;  // of the feet, at the highest, and their speed
-  bool leaps;        // by a jump
-  float radius;      // around the support's box in which it begins
+  float height, up;  // max height of the feet, and their max upward speed
+  bool leaps;        // begins with a jump
+  float radius;      // it begins within this radius of the support's box
 };
 
-class BodyLimits {
+// Lengths, in studs.
+struct BodySizes {
+  float ray = 0;          // horizontal radius in which floors are sensed
+  float body = 0;         // radius of the colliding body, or `ray` if that is larger
+  float stand = 0;        // radius in which a jump begins: `body`, or `ray` if walks are fast
+  float limb = 0;         // radius in which limbs touch
+  float across = 0;       // parts farther apart than this are not touched at once
+  float slack = 0;        // studs: skin, what depenetration leaves, rounding
+  float settles = 0;      // studs above the rest height at which a player may stand
+  float sunk = 0;         // studs below a support's top from which a jump or fall may begin
+  float mostTakeOff = 0;  // the same above the top
+  float overlap = 0;      // with a part, by one step of travel and one tick of a turn in the air
+  float turned = 0;       // the same with any turn
+};
+
+// Speeds, in studs/s unless stated.
+struct BodySpeeds {
+  float walk = 0;      // max speed by keys, studs/s, under all boosts of the level
+  float jump = 0;      // max launch speed of a jump
+  float slowJump = 0;  // min launch speed of a jump, under the worst boost
+  float decay = 0;     // deceleration of excess speed by keys, studs/s^2
+  float turning = 0;   // studs/s by which turns next to parts push the body on
+  float late = 0;      // seconds from the last floor to the end of a jump's first tick
+  // Held jumps, a trick; 0 without it.
+  float heldSeconds = 0;  // max time without gravity
+  float heldRise = 0;     // max studs above the take-off where gravity begins to act, less a tick
+};
+
+class BodyLimits : public BodySizes, public BodySpeeds {
  public:
   BodyLimits(const Problem& problem, const std::vector<PartMotion>& motions);
 
-  // --- bodies
-  float ray = 0;      // radius in which floors are sensed, seen from above
-  float body = 0;     // radius of the colliding body, or `ray` where that is larger
-  float stand = 0;    // in which a jump begins: `ray`, where a tick of walking leads beyond `body`
-  float limb = 0;     // radius in which limbs touch
-  float across = 0;   // parts that are farther apart are not touched at once
-  float slack = 0;    // studs: skin, what push-out leaves, rounding
-  float settles = 0;  // studs above its rest height that a player may stand
-  float sunk = 0;     // studs below a support's top from which a jump or fall may begin
-  float mostTakeOff = 0;  // studs above it, the same
-  float overlap = 0;      // with a part, by one step of travel and one tick of a turn in the air
-  float turned = 0;       // the same by any turn
-  // --- speeds
-  float walk = 0;      // by keys, studs/s, under all boosts of the level
-  float jump = 0;      // launch of a jump
-  float slowJump = 0;  // the same under the boost that is worst for it
-  float decay = 0;     // by which keys take back what is faster, studs/s^2
-  float turning = 0;   // studs/s that turns beside parts push the body on
-  float late = 0;      // seconds from the last floor to the end of a jump's first tick
-  // --- jumps that are held, a trick; 0 without it
-  float heldSeconds = 0;  // at most
-  float heldRise = 0;     // studs above the take-off where gravity begins to act, but for a tick
-
-  // Lowest feet that a static upright block takes onto its top, by a jump. `pinched`: another part
-  // may hold the body beside it.
+  // Returns the min height of the feet from which a jump enters the top of a static upright block.
+  // `pinched`: another part may hold the body next to it.
   float entry(float top, bool pinched) const;
-  // Studs lower for feet that come without a jump.
+  // Returns the studs by which the entry is lower for feet that come without a jump.
   float entryOfFalls() const { return turned - overlap; }
 
-  // Feet above the highest place of a floor at most, in Running, after a flight whose apex is from
-  // `low` to `high` above it. A jump or fall begins there.
+  // Returns the max height of the feet above the highest place of a floor, in Running. A jump or
+  // fall begins there. The flight before had an apex from `low` to `high` above that place.
   float takeOff(float low, float high) const;
-  // Studs/s upward that legs give by a trick on a floor that goes up or down at `speed`.
+  // Returns the upward studs/s that legs give by a trick, on a floor that goes up or down at
+  // `speed`.
   float thrown(float speed) const;
 
-  // Height of a flight, and that of launches at `up` studs/s above where they begin.
+  // Return the apex of a flight, and the rise of a launch at `up` studs/s.
   float apex(const Flight& f) const { return f.height + apex(f.up, f.leaps); }
   float apex(float up, bool leaps) const;
-  // Lower bound of the height of a launch at `up`.
+  // Returns a lower bound of the rise of a launch at `up` studs/s.
   float lowApex(float up, bool leaps) const;
-  // Seconds until the feet are at `height` for the last time, with the ticks before the take-off;
-  // below 0: never.
+  // Returns the seconds until the feet are at `height` for the last time, with the ticks before the
+  // take-off; below 0 if they never are.
   float seconds(const Flight& f, float height) const;
-  // Studs sideways in that time. `excess`: speed beyond `walk` at the start.
+  // Returns the studs sideways in that time. `excess`: speed beyond `walk` at the start.
   float sideways(float seconds, float excess) const;
 
-  // How far above a floor that goes up or down at `speed` the legs can leave the feet.
+  // Returns how far above a floor that goes up or down at `speed` the legs can leave the feet.
   float legsOvershoot(float speed) const;
 
  private:
-  // Studs of a free fall from rest.
+  // Returns the studs of a free fall from rest.
   float fallOver(uint32_t steps, float gravity) const;
   float airSeconds(float w, float rise) const;
-  float reachAt(float fall, bool kept) const;  // of the rays below the feet
+  float reachAt(float fall, bool kept) const;  // reach of the rays below the feet
   void setSpeeds(const Problem& problem, const std::vector<PartMotion>& motions);
   void setBody();
   void setTakeOff();
@@ -85,12 +91,12 @@ class BodyLimits {
 
   const Params& p_;
   float dt_, tick_;
-  float light_, heavy_;     // the least and the most gravity, under all boosts of the level
-  float fastest_ = 0;       // sideways of anybody, studs/s
-  uint32_t lateTicks_ = 0;  // from the last tick with a floor to the last jump
-  float keptReach_ = 0;     // studs above a floor up to which it is sensed
-  float always_ = 0;        // studs above a floor that a fast landing leaves
-  float slowest_ = 0;       // studs: landings from a higher apex are fast
+  float light_, heavy_;     // min and max gravity, under all boosts of the level
+  float fastest_ = 0;       // max sideways speed of a player, studs/s
+  uint32_t lateTicks_ = 0;  // from the last tick with a floor to the last possible jump
+  float keptReach_ = 0;     // studs above a floor up to which it stays sensed
+  float always_ = 0;        // max studs of a take-off above a floor after a fast landing
+  float slowest_ = 0;       // studs; landings from a higher apex are fast
 };
 
 }  // namespace obby::solve

@@ -1,4 +1,4 @@
-// Boxes seen from above, and an index of many.
+// Boxes seen from above, and an index of many boxes.
 #pragma once
 
 #include <algorithm>
@@ -12,14 +12,14 @@
 
 namespace obby::solve {
 
-// Studs between two boxes seen from above.
+// Returns the horizontal distance between two boxes, in studs.
 inline float gapBetween(const Box& a, const Box& b) {
   const float x = maxf(maxf(a.lo.x - b.hi.x, b.lo.x - a.hi.x), 0.0f);
   const float z = maxf(maxf(a.lo.z - b.hi.z, b.lo.z - a.hi.z), 0.0f);
   return sqrtf32(x * x + z * z);
 }
 
-// As seen from above, and larger on each side.
+// Returns the box as seen from above, grown by `more` on each side.
 inline Box flat(const Box& box, float more) {
   return {{box.lo.x - more, 0, box.lo.z - more}, {box.hi.x + more, 0, box.hi.z + more}};
 }
@@ -29,10 +29,10 @@ inline bool isWithin(const Box& inner, const Box& outer) {
   return all.lo == outer.lo && all.hi == outer.hi;
 }
 
-// Neutral to join(): meets nothing.
+// Returns a box that is neutral to join() and overlaps nothing.
 inline Box noBox() { return {{1e30f, 1e30f, 1e30f}, {-1e30f, -1e30f, -1e30f}}; }
 
-// Finds those of many boxes that meet another.
+// Finds those of many boxes that overlap another one.
 class BoxIndex {
  public:
   explicit BoxIndex(const std::vector<Box>& boxes) {
@@ -50,7 +50,8 @@ class BoxIndex {
     }
   }
 
-  // Calls test(i) once for each box that meets `box`, until one returns true. Did one?
+  // Calls test(i) once for each box that overlaps `box`, until one returns true. Returns true if
+  // one did.
   template <class Test>
   bool any(const Box& box, Test&& test) const {
     for (size_t b = 0; b < blocks_.size(); ++b) {
@@ -71,8 +72,8 @@ class BoxIndex {
     uint32_t index;
   };
 
-  std::vector<Item> items_;  // neighbours next to each other
-  std::vector<Box> blocks_;  // of so many items each
+  std::vector<Item> items_;  // sorted so that neighbours are close
+  std::vector<Box> blocks_;  // bounds of kBlock items each
 };
 
 }  // namespace obby::solve

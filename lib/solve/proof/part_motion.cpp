@@ -9,14 +9,14 @@ namespace obby::solve {
 
 namespace {
 
-// How a mover goes in a tick, at most.
+// Upper bounds on the motion of a mover in a tick.
 struct Steps {
   float up = 0, vertical = 0, sideways = 0;  // studs, of the centre
-  float turn = 0, spin = 0;                  // studs, of a point a stud from the centre or pivot
+  float turn = 0, spin = 0;                  // studs, of a point one stud from centre or pivot
   float lo = 1e30f, hi = -1e30f;             // heights of the centre at the keys
 };
 
-// Straight distance that a point a stud from the axis moves between two rotations, at most.
+// Returns an upper bound on how far a point one stud from the axis moves between two rotations.
 float turnOf(const Mat3& a, const Mat3& b) {
   const Vec3 x = b.x - a.x, y = b.y - a.y, z = b.z - a.z;
   return sqrtf32(dot(x, x) + dot(y, y) + dot(z, z));
@@ -40,7 +40,7 @@ Steps stepsOf(const level::Mover& m) {
   return s;
 }
 
-// How far the feet of a player who is carried can be from the part.
+// Returns an upper bound on the distance from a part to the feet of a player that it carries.
 float feetAway(const Params& p) {
   const float side = (p.bodyWidth + p.bodyDepth) * std::max(p.floorRaySpread, 0.5f) + p.climbReach;
   return side + std::max(sim::rayHeight(p), p.bodyTop);
@@ -53,9 +53,9 @@ void move(PartMotion& motion, const level::LevelView& level, uint32_t collider, 
   const bool upright = (flags & level::kUpright) != 0;
   const float rate = level.params.controlRate, pivot = length(m.pivot);
   const float radius = length(c.shape.half) + pivot + feetAway(level.params);
-  // Half a turn about the pivot leads as far again from the centre, about which the keys turn.
+  // Keys turn about the centre. Half a turn about the pivot leads as far again from that centre.
   const float turned = s.turn * radius + s.spin * (radius + pivot);
-  // An upright part turns sideways only, and is no lower and no higher than at its keys.
+  // An upright part turns about the vertical only, so its height range is that of its keys.
   const float lifted = upright ? 0 : turned;
   if (upright) {
     motion.swept.lo.y = s.lo - c.shape.half.y;
@@ -63,7 +63,7 @@ void move(PartMotion& motion, const level::LevelView& level, uint32_t collider, 
   }
   motion.vertical = (s.vertical + lifted) * rate;
   motion.step = s.vertical + lifted + s.sideways + turned;
-  if (m.trigger != level::kNone) {  // from anywhere to its first key when its clock ends
+  if (m.trigger != level::kNone) {  // it returns at once to its first key when its clock ends
     const Vec3 size = motion.swept.hi - motion.swept.lo;
     motion.step = std::max(motion.step, 2 * (size.y + length(Vec3{size.x, 0, size.z})));
   }

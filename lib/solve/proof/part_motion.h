@@ -1,4 +1,4 @@
-// How a part can move those on it and around it, over the whole of its motion.
+// Upper bounds on how a part can move players on it and around it, over its whole motion.
 #pragma once
 
 #include <vector>
@@ -8,14 +8,14 @@
 namespace obby::solve {
 
 struct PartMotion {
-  Box swept;           // all its places; of an upright block that turns, no cube
-  float upward = 0;    // studs/s that it gives a player whom it carries or sets off
-  float sideways = 0;  // the same; beyond walking
-  float vertical = 0;  // studs/s up or down of any of its points
-  float step = 0;      // studs that it moves in a tick, at most
+  Box swept;           // bounds of all its places, tight in height for an upright part
+  float upward = 0;    // upward studs/s given to a player that it carries or launches
+  float sideways = 0;  // the same sideways, beyond walking
+  float vertical = 0;  // max vertical studs/s of any of its points
+  float step = 0;      // max studs that it moves in a tick
 };
 
-// (colliders)
+// Returns the motion of each collider: (colliders).
 std::vector<PartMotion> partMotions(const level::LevelView& level);
 
 }  // namespace obby::solve

@@ -1,4 +1,4 @@
-// What the bound on reach says of places and queries.
+// Answers questions about places and queries from the bound on reach.
 #include <algorithm>
 
 #include "sim/floor.h"
@@ -16,13 +16,13 @@ Box ReachBound::boxOf(const level::TargetView& target) const {
   return grow(all, {limits_.limb, 1.5f * p_.touchMargin, limits_.limb});
 }
 
-// A player is there at one of these.
+// Returns places. A player at the target is in at least one of them.
 std::vector<ReachBound::End> ReachBound::endsOf(const level::TargetView& target) const {
   const Box box = boxOf(target);
   if (target.stand) return holdersIn(box);
   std::vector<End> ends{{box, box.lo.y - p_.bodyTop}};
   if (target.touchCount != 0) return ends;
-  // Over a part that pushes bodies out the torso is above its top.
+  // Over a clear block that covers the region, the torso is above its top.
   index_.any(flat(box, 0), [&](uint32_t i) {
     const Support& s = supports_[i];
     const bool holds = s.carries && !s.wild && s.pushes == 0 && s.beside == Beside::clear &&
@@ -35,7 +35,7 @@ std::vector<ReachBound::End> ReachBound::endsOf(const level::TargetView& target)
   return ends;
 }
 
-// What may hold a player whose feet are in the box.
+// Returns the supports that may hold a player whose feet are in the box.
 std::vector<ReachBound::End> ReachBound::holdersIn(const Box& box) const {
   std::vector<End> ends;
   for (uint32_t i = 0; i < supports_.size(); ++i) {
@@ -48,7 +48,7 @@ std::vector<ReachBound::End> ReachBound::holdersIn(const Box& box) const {
   return ends;
 }
 
-// Fewest jumps on the way there.
+// Returns the min number of jumps on a route to the end; kNever if there is no route.
 uint32_t ReachBound::jumpsInto(const End& end) const {
   if (wild_) return 0;
   uint32_t fewest = kNever;
@@ -70,8 +70,8 @@ uint32_t ReachBound::jumpsTo(const level::TargetView& target) const {
 
 bool ReachBound::holds(Vec3 feet) const { return jumpsInto({{feet, feet}, feet.y}) != kNever; }
 
-// What a plain jump lacks, or a plain fall: from the rays' radius to the rays' radius, at the speed
-// of a walk, without what only the best of timing gives.
+// Returns what a plain jump or fall lacks: from the rays' radius to the rays' radius, at the speed
+// of a walk, without what only perfect timing gains.
 Missing ReachBound::lack(uint32_t from, const End& to) const {
   const Support& s = supports_[from];
   const bool leap = mayLeap(s);
@@ -85,7 +85,7 @@ Missing ReachBound::lack(uint32_t from, const End& to) const {
   return {s.collider, level::kNone, rise, std::max(gap, 0.0f)};
 }
 
-// Dijkstra's search through all supports for the route that lacks least.
+// Finds the route that lacks least, by Dijkstra's algorithm over all supports.
 Missing ReachBound::missing(const std::vector<const level::TargetView*>& targets) const {
   std::vector<End> ends;
   for (uint32_t i = 0; i < supports_.size(); ++i) ends.push_back(endAt(i));
@@ -95,7 +95,7 @@ Missing ReachBound::missing(const std::vector<const level::TargetView*>& targets
   struct Route {
     float lacks = 1e29f;
     bool done = false;
-    Missing first = {};  // step that lacks anything
+    Missing first = {};  // first step that lacks anything
   };
   std::vector<Route> routes(ends.size());
   for (uint32_t i = 0; i < supports_.size(); ++i) {
@@ -115,7 +115,7 @@ Missing ReachBound::missing(const std::vector<const level::TargetView*>& targets
       routes[gate] = {route.lacks, false, route.first};
     }
     for (uint32_t to = 0; to < ends.size(); ++to) {
-      if (routes[to].lacks <= route.lacks) continue;  // no step lacks less than nothing
+      if (routes[to].lacks <= route.lacks) continue;  // a step never lacks less than nothing
       Missing step = lack(at, ends[to]);
       const float all = route.lacks + step.rise + step.gap;
       if (!(all < routes[to].lacks)) continue;

@@ -10,28 +10,28 @@ namespace obby::solve {
 
 namespace {
 
-constexpr size_t kMostVisits = 60;  // of each support, on average
-constexpr int kMostParts = 8;       // near a flight, that lift it; more push it as far as turns can
+constexpr size_t kMostVisits = 60;  // per support on average; beyond them the bound gives up
+constexpr int kMostParts = 8;       // counted parts near a flight; more push as far as turns can
 
 constexpr float kRounding = 0.125f;  // studs
-constexpr int32_t kMostBlocks = 8;   // along each axis: one box holds the places of a block
+constexpr int32_t kMostBlocks = 8;   // per axis; one box holds the places of a block
 
-// Does the list of a cell have more parts than a tick looks at? It names all that a player in the
-// cell can be near, at any speed.
+// Returns true if the list of a cell has more parts than a tick examines. The list names all that a
+// player in the cell can be near, at any speed.
 bool isCrowd(const level::LevelView& level, const uint32_t* list) {
   const auto moves = [&](uint32_t id) { return (level.bounds[id].flags & level::kMoving) != 0; };
   const int moving = int(std::count_if(list + 1, list + 1 + list[0], moves));
   return list[0] > uint32_t(sim::kMaxCandidates) || moving > sim::kMaxMovingCandidates;
 }
 
-// Places of the feet where the simulator does not look at all parts: more are near than one tick
-// can hold. Those left out are not there for that tick, so that nothing is known of what follows.
+// Returns the places of the feet where more parts are near than a tick can hold. The simulator
+// ignores the others for that tick, so nothing is known of what follows.
 std::vector<Box> crowdedPlaces(const level::LevelView& level) {
   const level::Grid& g = level.grid;
   const Vec3 size{1 / g.inverseCell.x, 1 / g.inverseCell.y, 1 / g.inverseCell.z};
   const int32_t block = std::max({g.nx, g.ny, g.nz}) / kMostBlocks + 1;  // cells
   std::map<std::array<int32_t, 3>, Box> blocks;
-  std::vector<int8_t> known(g.listWords, -1);  // by where a list begins
+  std::vector<int8_t> known(g.listWords, -1);  // (starts of lists): -1 unknown, 0 no, 1 yes
   for (int32_t i = 0; i < g.nx * g.ny * g.nz; ++i) {
     const uint32_t at = g.cells[i];
     if (known[at] < 0) known[at] = isCrowd(level, g.lists + at) ? 1 : 0;
@@ -77,7 +77,7 @@ ReachBound::ReachBound(const Problem& problem, bool mayJump)
   }
 }
 
-// What is reached lets players take off higher and faster, and they reach more then.
+// Reached supports let players take off higher and faster, so that more supports are reached.
 void ReachBound::explore() {
   come(0, 0);
   for (size_t visits = 0; !open_.empty() && !wild_; ++visits) {
@@ -125,12 +125,12 @@ void ReachBound::spread(uint32_t from, bool leaps) {
   });
 }
 
-// How high above its own top a support may be left after that flight.
+// Returns how high above its top the support `to` may be left after that flight.
 float ReachBound::takeOffAfter(uint32_t from, uint32_t to, const Flight& f) const {
   const Support &a = supports_[from], &b = supports_[to];
   const float floor = b.top() + b.lift, high = limits_.apex(f) - floor;
   if (!b.carries || high <= b.takeOff) return 0;
-  // The flight may also begin lower and be slower. A floor gains on the jumps off it.
+  // The flight may also begin lower and be slower. A moving floor gains on the jumps off it.
   const float gain = from == to ? a.vertical : 0;
   float low = from == to ? a.top() - gain * (p_.coyoteTime + p_.tickSeconds) : a.lowest;
   if (f.leaps) low += limits_.lowApex(limits_.slowJump - 3 * gain, true);
@@ -143,19 +143,20 @@ Flight ReachBound::flight(uint32_t support, bool leaps) const {
   if (leaps) {
     up = limits_.jump + s.upward;
     height += limits_.apex(s.rising, false) + limits_.heldRise;
-  } else if (s.beside == Beside::deep) {  // a body in it is put out as fast as it came there
+  } else if (s.beside == Beside::deep) {  // a body leaves it as fast as anything may send it there
     up = std::max(up, tossed_);
     height += limits_.heldRise;
   } else if (s.beside == Beside::pinched && mayJump_) {
     up = std::max(up, limits_.jump);
   }
-  // The first tick of a launch is not held to the fastest speed, and a tick of a trick may end
+  // The first tick of a launch is not limited to the max speed, and a tick of a trick may end
   // higher.
   if (up > p_.maxFallSpeed || (p_.tricks & (kHeldJump | kLegThrow))) height += up * p_.tickSeconds;
   return {height, std::min(up, p_.maxFallSpeed), leaps, leaps ? s.stand : s.side};
 }
 
-// The torso does not collide as a jump begins: it may be inside of a part that the head clears.
+// Returns true if the flight may begin inside `to`. The torso does not collide as a jump begins, so
+// it may be inside a part that the head clears.
 bool ReachBound::stepsInto(const Flight& f, const End& to, float way) const {
   if (!f.leaps || to.support == kNever || !supports_[to.support].carries) return false;
   const float head = f.height + f.up * (p_.tickSeconds + p_.substepSeconds) + p_.headBottom;
@@ -163,8 +164,8 @@ bool ReachBound::stepsInto(const Flight& f, const End& to, float way) const {
          way <= limits_.sideways(limits_.late, excess_);
 }
 
-// Studs that a flight comes until the feet are at that height; below 0: they never are. If there
-// are parts on the way, they lift a body that turns beside them, or push it on.
+// Returns the studs that a flight covers until the feet are at that height; below 0 if they never
+// are. Parts on the way lift a body that turns next to them, or push it on.
 float ReachBound::reach(const Flight& f, float height, int parts) const {
   const float seconds = limits_.seconds(f, height - float(parts) * limits_.turned);
   const float studs = limits_.sideways(seconds, excess_);
@@ -180,7 +181,7 @@ bool ReachBound::crosses(uint32_t from, const Flight& f, const End& to) const {
   const float height = to.height - (f.leaps ? 0 : limits_.entryOfFalls());
   const float own = std::max(way - f.radius, 0.0f);
   if (reach(f, height, 0) >= own) return true;
-  for (int parts = kMostParts;;) {  // as many as are near enough for what they give
+  for (int parts = kMostParts;;) {  // lowers the count to the parts in reach, until it is stable
     const float studs = reach(f, height, parts);
     if (studs < own) return false;
     const int near = partsNear(from, f, to, studs);
@@ -189,7 +190,7 @@ bool ReachBound::crosses(uint32_t from, const Flight& f, const End& to) const {
   }
 }
 
-// Solid parts that a flight of that length may meet: kMostParts where there are more.
+// Returns the number of solid parts that a flight of that length may meet, up to kMostParts.
 int ReachBound::partsNear(uint32_t from, const Flight& f, const End& to, float studs) const {
   const Support& s = supports_[from];
   const float low = to.height - limits_.entryOfFalls(), high = limits_.apex(f) + p_.bodyTop;

@@ -1,9 +1,9 @@
-// What a player can reach at most, whatever the keys: an upper bound, derived from the laws of the
-// simulator in docs/proof.md. A query is said to be unreachable from it alone.
+// An upper bound on what a player can reach with any keys, derived from the laws of the simulator
+// in docs/proof.md. A query is reported as unreachable only by this bound.
 //
 // A trajectory is a sequence of flights from one support to the next. A flight begins as high and
-// as fast as its support allows; walls, kill parts, avoid regions and timing are ignored; moving
-// parts are everywhere on their track at once.
+// as fast as its support allows. Walls, kill parts, avoid regions and timing are ignored. A moving
+// part is everywhere on its track at once.
 #pragma once
 
 #include <cstdint>
@@ -14,51 +14,52 @@
 
 namespace obby::solve {
 
-// The first step that no player can make, on the route that lacks least. A part that is nearer by
-// this is reached by a plain jump, if nothing stands in the way.
+// The first step that no player can make, on the route that lacks least. If the part is nearer by
+// this much, a plain jump reaches it, unless something is in between.
 struct Missing {
-  uint32_t from = level::kNone, to = level::kNone;  // colliders; none: the start, the region
+  uint32_t from = level::kNone, to = level::kNone;  // colliders; kNone: the start, the region
   float rise = 0, gap = 0;                          // studs
-  bool blocked = false;                             // parts stand near the way
-  bool more = false;                                // steps behind it lack something, too
+  bool blocked = false;                             // other parts are near the flight
+  bool more = false;                                // later steps lack something, too
 };
 
 class ReachBound {
  public:
   static constexpr uint32_t kNever = 0xffffffffu;
 
-  // `mayJump`: the query admits jumps. The problem must outlive the bound, and its level have no
-  // unboundedPart().
+  // `mayJump`: the query admits jumps. The problem must outlive the bound, and its level must have
+  // no unboundedPart().
   ReachBound(const Problem& problem, bool mayJump);
   ReachBound(const ReachBound&) = delete;
   ReachBound& operator=(const ReachBound&) = delete;
 
-  // Fewest jumps on the way into the region, or to touching the part; kNever: there is no way.
+  // Returns the min number of jumps to enter the region or touch the part; kNever if it is
+  // unreachable.
   uint32_t jumpsTo(const level::TargetView& target) const;
 
-  // Could the feet be there at any time?
+  // Returns true if the feet could be there at any time.
   bool holds(Vec3 feet) const;
 
-  // On the way to any of the targets.
+  // Returns the step that is missing to reach any of the targets.
   Missing missing(const std::vector<const level::TargetView*>& targets) const;
   Missing missing(const level::TargetView& target) const { return missing(std::vector{&target}); }
 
-  // Where the feet are when the target is reached, seen from above.
+  // Returns the bounds of the feet when the target is reached, seen from above.
   Box boxOf(const level::TargetView& target) const;
 
-  // Colliders that may carry the player.
+  // Returns the colliders that may carry the player.
   std::vector<uint32_t> reached() const;
 
-  // Fewest seconds that a player takes for so many studs, seen from above; 0: nothing is known.
+  // Returns the min seconds that a player takes for a horizontal distance; 0 if nothing is known.
   float secondsFor(float studs) const;
 
  private:
-  // Where a flight is to end.
+  // The end of a flight.
   struct End {
     Box box;
-    float height;               // least of the feet, after a jump
+    float height;               // min height of the feet, after a jump
     float side = 0;             // radius around the box
-    uint32_t support = kNever;  // itself; kNever: none
+    uint32_t support = kNever;  // the support that it is; kNever: none
   };
   void explore();
   void come(uint32_t support, uint32_t jumps);
@@ -69,7 +70,8 @@ class ReachBound {
   bool isReached(uint32_t support) const { return jumps_[support] != kNever; }
   bool mayLeap(const Support& s) const { return mayJump_ && s.carries; }
   Flight flight(uint32_t support, bool leaps) const;
-  // Jumps on the way to where that flight ends. A held jump goes on over the next floor, too.
+  // Returns the jumps up to the end of that flight. A held jump may go on over the next floor, so
+  // it does not count.
   uint32_t jumpsAfter(uint32_t support, const Flight& f) const {
     return jumps_[support] + (f.leaps && limits_.heldSeconds == 0 ? 1 : 0);
   }
@@ -89,15 +91,15 @@ class ReachBound {
   const BodyLimits limits_;
   const bool mayJump_;
   std::vector<Support> supports_;
-  const BoxIndex index_;  // of their boxes, from above
-  float pushed_ = 0;      // studs/s by parts beside a flight
-  float tossed_ = 0;      // studs/s upward that any of them gives
-  float lowest_ = 1e30f;  // entry of all supports
-  // What explore() changes until nothing is higher, faster or sooner.
-  std::vector<uint32_t> jumps_;  // (supports): fewest on the way there; kNever
+  const BoxIndex index_;  // of the supports' boxes, from above
+  float pushed_ = 0;      // max studs/s by which parts next to a flight push it
+  float tossed_ = 0;      // max studs/s upward that a support gives
+  float lowest_ = 1e30f;  // lowest entry of all supports
+  // explore() changes these until nothing is higher, faster or sooner.
+  std::vector<uint32_t> jumps_;  // (supports), min jumps to reach it, or kNever
   std::deque<uint32_t> open_;    // supports whose flights may reach more
   std::vector<bool> isOpen_;     // (supports)
-  float excess_ = 0;             // speed beyond walking of anybody, studs/s
+  float excess_ = 0;             // max speed of a player beyond walking, studs/s
   bool wild_ = false;
 };
 

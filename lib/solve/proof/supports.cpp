@@ -50,7 +50,7 @@ class Builder {
     return boxes;
   }
 
-  // How much is known of a body beside each part (docs/proof.md, contacts).
+  // Finds out how a body may be next to each part (docs/proof.md, Contacts).
   void findContacts(const std::vector<Vec3>& appear) {
     for (uint32_t id = 0; id < level_.colliderCount; ++id) {
       if (isRough(id)) press(id, motions_[id].swept);
@@ -78,15 +78,15 @@ class Builder {
     }
   }
 
-  // Can a body be inside of it without having been pressed there?
+  // Returns true if a body can be inside the part without being pressed into it.
   bool isRough(uint32_t id) const {
     constexpr uint32_t kLeaps =
         level::kVanishTimer | level::kClocked | level::kOneWay | level::kTriggered;
     const uint32_t flags = level_.bounds[id].flags;
     if (!(flags & level::kSolid) || !(flags & (kLeaps | level::kMoving))) return false;
     if ((flags & kLeaps) || !(flags & level::kUpright)) return true;
-    // A part that moves alone pushes a body that nothing else holds. The head alone, as a jump
-    // begins, does not pass through one that comes down.
+    // A part that moves alone pushes a body that nothing else holds. One that comes down does not
+    // pass through the head, which alone collides as a jump begins.
     const PartMotion& m = motions_[id];
     const float upward =
         (limits_.jump + m.upward) * p_.substepSeconds + m.vertical * p_.tickSeconds;
@@ -97,13 +97,13 @@ class Builder {
                                 [&](uint32_t other) { return other != id; });
   }
 
-  // From the middle of where it can be to the nearest face, at most.
+  // Returns half the smallest extent of the part's swept box, an upper bound on its half thickness.
   float thickness(uint32_t id) const {
     const Vec3 size = motions_[id].swept.hi - motions_[id].swept.lo;
     return 0.5f * std::min({size.x, size.y, size.z});
   }
 
-  // A body may be in that place inside of the part.
+  // Notes that a body may be inside the part in that place.
   void press(uint32_t id, const Box& where) {
     beside_[id] = Beside::deep;
     if (isWithin(where, pressed_[id])) return;
@@ -111,8 +111,8 @@ class Builder {
     grown_[id] = true;
   }
 
-  // A part that a body is pressed into may put it out into the next one. A part that is thicker
-  // than the push pushes back; one that is thinner may push on, from where it is met.
+  // Depenetration may move a body from a deep part into the next one. A part that is thicker than
+  // the push pushes back. A thinner part may push on, from where it is met.
   void pushOn(uint32_t id) {
     const float push = thickness(id) + motions_[id].step + limits_.body + 1;
     const float far = limits_.across + 2 * push;
@@ -127,7 +127,7 @@ class Builder {
     });
   }
 
-  // Is there a place where another part and this one hold a body, from opposite sides?
+  // Returns true if another part and this one may hold a body from opposite sides.
   bool isPinched(uint32_t id) const {
     if (!(level_.bounds[id].flags & level::kSolid)) return false;
     if (limits_.overlap >= limits_.turned) return true;
@@ -141,7 +141,7 @@ class Builder {
     });
   }
 
-  // Does a touch of it take the legs away?
+  // Returns true if touching the part makes the player helpless.
   bool trips(uint32_t id) const {
     if (!(level_.bounds[id].flags & level::kStarts)) return false;
     const level::Roles& r = level_.roles[level_.colliders[id].role];
@@ -171,12 +171,12 @@ class Builder {
     s.lowest = s.box.lo.y + (upright ? 2 * c.shape.half.y : -p_.bodyTop);
     s.carries = (flags & level::kSolid) != 0;
     s.beside = beside_[id];
-    // A slope turns a fall aside, and a walk upward.
+    // A slope turns a fall sideways, and a walk upward.
     s.wild = (s.carries && !upright) || trips(id) || (flags & level::kSeat) ||
              ((flags & level::kTeleport) && r.teleportKeepsVelocity);
     s.sideways = motion.sideways;
     s.pushes = s.carries ? motion.step * p_.controlRate : 0;
-    // What is put back as its clock ends is nowhere at a known speed.
+    // A part that is put back when its clock ends has no known speed.
     s.vertical = (flags & level::kTriggered) ? 1e6f : std::max(motion.vertical, motion.upward);
     s.upward = motion.upward;
     s.rising = s.upward + (truss || s.upward > 0 ? climb_ : 0);
@@ -188,7 +188,7 @@ class Builder {
     if (truss) {
       s.stand = s.side = s.side + p_.climbReach + limits_.ray;
       s.lift += 2 * climb_ * p_.tickSeconds + limits_.slack;
-      // Who flicks comes off as fast as a jump.
+      // A flick leaves the truss as fast as a jump.
       if (p_.tricks & kLadderFlick) s.toss = std::max(s.toss, limits_.jump + s.upward);
     }
     if (flags & level::kPad) {
@@ -204,7 +204,9 @@ class Builder {
     return s;
   }
 
-  // Where a ceiling stops a jump, or an edge holds the torso, a landing is slow.
+  // Returns the max take-off where a ceiling stops a jump or an edge holds the torso. Landings
+  // there are slow.
+  // slow.
   float heldOver(const Support& s) const {
     const float near = 2 * limits_.body + limits_.walk * 0.15f;
     float most = 0;
@@ -212,7 +214,7 @@ class Builder {
       if (id == s.collider) return false;
       const Box& box = motions_[id].swept;
       const bool exact = beside_[id] != Beside::deep && motions_[id].step == 0;
-      // Heights of the feet as the part stops a body, and how much lower they may be.
+      // Heights of the feet when the part stops a body; `play` is how much lower they may be.
       const float under = (exact ? box.lo.y - p_.bodyTop : box.hi.y) - s.top();
       const float over = box.hi.y - p_.hipHeight - s.top();
       const float play = limits_.slack + (exact ? 0 : box.hi.y - box.lo.y + p_.bodyTop);
@@ -231,9 +233,9 @@ class Builder {
   const std::vector<PartMotion>& motions_;
   const BoxIndex solids_;       // (colliders)
   std::vector<Beside> beside_;  // (colliders)
-  std::vector<Box> pressed_;    // (colliders): where a body may be in a deep one
-  std::vector<bool> grown_;     // (colliders): that place, since it was pushed on from
-  float climb_ = 0;             // studs/s on a truss
+  std::vector<Box> pressed_;    // (colliders), where a body may be inside a deep one
+  std::vector<bool> grown_;     // (colliders), that place has grown since the last push
+  float climb_ = 0;             // climbing speed on a truss, studs/s
   std::vector<Support> supports_;
 };
 

@@ -15,11 +15,11 @@ namespace {
 
 using Targets = std::vector<const level::TargetView*>;
 
-// A playthrough has to come into any one of these targets.
+// A trajectory has to enter any one of these targets.
 struct Demand {
   Targets any;
   std::string name;
-  int32_t mostJumps;  // on arrival; -1: any number
+  int32_t mostJumps;  // max on arrival; -1: any number
 };
 
 std::string quoted(schema::Region::Reader region) {
@@ -29,7 +29,7 @@ std::string quoted(schema::Region::Reader region) {
 
 int32_t lesser(int32_t a, int32_t b) { return a < 0 ? b : b < 0 ? a : std::min(a, b); }
 
-// The waypoints in order, the visits, the goal.
+// Returns the waypoints in order, the visits, and the goal.
 std::vector<Demand> demandsOf(const level::QueryView& q, schema::Query::Reader record) {
   std::vector<Demand> demands;
   for (uint32_t i = 0; i < q.waypointCount; ++i) {
@@ -51,10 +51,10 @@ std::vector<Demand> demandsOf(const level::QueryView& q, schema::Query::Reader r
   return demands;
 }
 
-// A query that forbids the state looks for it after each tick: a pad, a teleporter or a seat that
-// is touched in the first tick of a jump has ended it by then.
+// Returns true if players may jump. A query that forbids the state checks it after each tick. A
+// pad, teleporter or seat that is touched in the first tick of a jump has ended it by then.
 bool admitsJumps(const Problem& problem) {
-  if (problem.query.maxJumps == 0) return false;  // counts such a jump, too
+  if (problem.query.maxJumps == 0) return false;  // this counts every jump
   if (!sim::forbidsJumping(problem.query)) return true;
   const auto leads = [](const level::Bounds& b) {
     return (b.flags & (level::kPad | level::kTeleport | level::kSeat)) != 0;
@@ -63,7 +63,7 @@ bool admitsJumps(const Problem& problem) {
   return std::any_of(level.bounds, level.bounds + level.colliderCount, leads);
 }
 
-// Studs straight along the waypoints to any goal.
+// Returns the straight distance along the waypoints to the nearest goal, in studs.
 float leastDistance(const Problem& problem, const Targets& goals, const ReachBound& bound) {
   Box at{problem.start.position, problem.start.position};
   float studs = 0, last = 1e30f;
@@ -83,17 +83,19 @@ std::vector<uint32_t> partsOf(const level::LevelView& level, const std::vector<u
 }
 
 bool isBounded(const Problem& problem) {
-  // Rounding shows in the height of a jump: of places beyond, the last bit is a 512th of a stud.
+  // Rounding shows in the height of a jump: farther away the last bit is a 512th of a stud.
   constexpr float kFar = 16384;  // studs
   const Box all = allPlaces(problem);
   if (std::max(-all.lo.y, all.hi.y) > kFar) return false;
-  // What the level's clock moves is elsewhere at once as it begins anew, and takes players along.
+  // When the level's clock wraps around, the parts that it moves change place at once and take
+  // players along.
   constexpr uint64_t kLast = std::numeric_limits<uint32_t>::max();
   if (problem.hasClock && problem.start.tick + sim::kMaxReplayTicks > kLast) return false;
   return unboundedPart(problem.level) == nullptr;
 }
 
-// By the first demand that is not met, or not within its limit of jumps, or by the time limit.
+// Proves the cut by the first demand that is not met, or not within its jumps, or by the time
+// limit.
 std::optional<Cut> prove(const Problem& problem, schema::Query::Reader record, bool withMissing) {
   if (!isBounded(problem)) return std::nullopt;
   Cut cut;
@@ -132,7 +134,7 @@ bool isCut(const Problem& problem, schema::Query::Reader record) {
 }
 
 void tryTricks(Cut& cut, Problem problem, schema::Query::Reader record) {
-  constexpr uint32_t kMostColliders = 10'000;  // with tricks, flights go between nearly all
+  constexpr uint32_t kMostColliders = 10'000;  // with tricks flights connect nearly all of them
   if (problem.level.colliderCount > kMostColliders) return;
   uint16_t& tricks = problem.level.params.tricks;
   const uint16_t allowed = tricks;

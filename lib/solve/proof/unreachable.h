@@ -1,4 +1,4 @@
-// Queries that nobody can solve, shown without a search by the bound on what a player can reach.
+// Proves without a search that a query is unreachable, by the bound on what a player can reach.
 #pragma once
 
 #include <optional>
@@ -10,29 +10,28 @@
 
 namespace obby::solve {
 
-// Why a query is unreachable. One of the three: a step that is missing, too few jumps, too little
-// time.
+// The reason that a query is unreachable: a missing step, too few jumps, or too little time.
 struct Cut {
-  std::string target;             // "the goal", "waypoint 2 'Bridge'"
+  std::string target;             // for example "the goal" or "waypoint 2 'Bridge'"
   bool mayJump = true;            // the query admits jumps
   std::vector<uint32_t> reached;  // parts
-  Missing missing;                // where `jumps` and `seconds` are 0
-  uint32_t jumps = 0;             // that the way to the target takes at least
-  uint32_t mostJumps = 0;         // that are allowed
-  float seconds = 0;              // that it takes at least
-  float mostSeconds = 0;          // that are allowed
-  bool withTricks = false;        // shown for players who use every trick
-  uint16_t mayHelp = 0;           // if not: tricks with which, each by itself, it is not shown
+  Missing missing;                // if `jumps` and `seconds` are 0
+  uint32_t jumps = 0;             // lower bound of the jumps to the target
+  uint32_t mostJumps = 0;         // jumps that are allowed
+  float seconds = 0;              // lower bound of the time to the goal
+  float mostSeconds = 0;          // seconds that are allowed
+  bool withTricks = false;        // the proof holds for players who use every trick
+  uint16_t mayHelp = 0;           // otherwise, tricks that each break the proof
 };
 
-// Nothing: the query may be solvable. `record`: for the names of its regions.
+// Returns nothing if the query may be solvable. `record` supplies the names of its regions.
 std::optional<Cut> cutOf(const Problem& problem, schema::Query::Reader record);
 
-// Is there a cut? Sooner than finding what is missing.
+// Returns true if there is a cut. Faster than cutOf(), which also finds what is missing.
 bool isCut(const Problem& problem, schema::Query::Reader record);
 
-// Fills in the cut's last two fields: asks again with tricks. Leaves them for levels of more than
-// 10,000 colliders, where that takes seconds.
+// Fills in the last two fields of the cut: tries the proof with tricks. Leaves them for levels of
+// more than 10,000 colliders, where that takes seconds.
 void tryTricks(Cut& cut, Problem problem, schema::Query::Reader record);
 
 }  // namespace obby::solve

@@ -1,5 +1,5 @@
-// Regions in the verifier's own double-precision code, read from their records. Shares nothing with
-// geom/region.h, so that an error there is not repeated here.
+// Regions in the verifier's own double-precision code, read from their records. It shares nothing
+// with geom/region.h, so that an error there is not repeated here.
 #pragma once
 
 #include <algorithm>
@@ -30,7 +30,7 @@ class BoxRegion {
     axes_[2] = {2 * (x * z + w * y), 2 * (y * z - w * x), 1 - 2 * (x * x + y * y)};
   }
 
-  // Does the vertical segment of `height` studs above the feet meet the box?
+  // Returns true if the vertical segment of `height` studs above the feet meets the box.
   bool holds(Point feet, double height) const {
     const double half[3] = {size_.x / 2, size_.y / 2, size_.z / 2};
     double from = 0, to = height;
@@ -48,8 +48,9 @@ class BoxRegion {
     return from <= to;
   }
 
-  // Likewise, anywhere on the straight way between two places of the feet. Share s of the way and t
-  // of the height: of the square of all (s, t) six half planes leave what is inside the box.
+  // Does the same anywhere on the straight path between two positions of the feet. s is a share of
+  // the path, t a share of the height. Six half planes clip the square of all (s, t) to what is
+  // inside the box.
   bool holdsOnTheWay(Point from, Point to, double height) const {
     const double half[3] = {size_.x / 2, size_.y / 2, size_.z / 2};
     std::vector<Share> left = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
@@ -62,7 +63,7 @@ class BoxRegion {
     return !left.empty();
   }
 
-  // Where a player who starts here has the feet.
+  // Returns the feet of a player who starts in this region.
   Point floor() const {
     const double up[3] = {std::abs(axes_[0].y), std::abs(axes_[1].y), std::abs(axes_[2].y)};
     const double drop =
@@ -78,7 +79,7 @@ class BoxRegion {
   static Point minus(Point a, Point b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
   static double along(Point a, Point b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 
-  // What of a convex polygon has s * ofS + t * ofT <= most.
+  // Returns the part of a convex polygon with s * ofS + t * ofT <= most.
   static std::vector<Share> cut(const std::vector<Share>& polygon, double most, double ofS,
                                 double ofT) {
     std::vector<Share> out;
@@ -94,7 +95,7 @@ class BoxRegion {
   }
 
   Point center_, size_;
-  Point axes_[3];  // of the box, in the world
+  Point axes_[3];  // axes of the box, in the world
 };
 
 }  // namespace obby::solve

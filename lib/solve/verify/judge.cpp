@@ -32,8 +32,8 @@ Judge::Judge(schema::Query::Reader query, const level::LevelView& level) : level
 int64_t Judge::ticksOf(float seconds) const {
   if (!(seconds > 0)) return -1;
   const double exact = double(seconds) * level_.params.controlRate;
-  // The record's float may be half its last bit below a whole number of ticks. What is longer than
-  // the level's clock goes is no limit.
+  // The record's float may be half its last bit below a whole number of ticks. A limit beyond the
+  // range of the level's clock is no limit.
   return int64_t(std::min(std::floor(exact + 1e-4 + exact * 0x1p-23), 4294967295.0));
 }
 
@@ -60,7 +60,8 @@ bool Judge::atGoal(const sim::Moment& m) const {
   return std::any_of(goals_.begin(), goals_.end(), [&](const Place& g) { return holds(g, m); });
 }
 
-// Waypoints and visits that are reached now.
+// Notes the waypoints and visits that are reached now. Returns JUMPS if that was with too many
+// jumps.
 schema::Outcome Judge::reach(const sim::Moment& m) {
   while (reached_ < stops_.size() && holds(stops_[reached_].place, m)) {
     ++reached_;

@@ -1,6 +1,6 @@
-// A query's rules in the verifier's own words: read from the query record, judged in double
-// precision after every tick of a replay without rules. Shares nothing with sim/rules.h; that a
-// limb touches a part is physics, and the simulator's to say.
+// A query's rules in the verifier's own words: read from the query record, and judged in double
+// precision after every tick of a replay without rules. It shares nothing with sim/rules.h. The
+// simulator still decides if a limb touches a part, since that is physics.
 #pragma once
 
 #include <cstdint>
@@ -17,20 +17,20 @@ class Judge {
   // The level must outlive the judge.
   Judge(schema::Query::Reader query, const level::LevelView& level);
 
-  // Every moment but the start, in order, for as long as the player is alive. Gives how the
-  // playthrough ends there, or RUNNING.
+  // Must be called with every moment but the start, in order, while the player is alive. Returns
+  // the outcome at that moment, or RUNNING.
   schema::Outcome after(const sim::Moment& m);
 
-  // Writes what was reached, when, and what was entered that is to be avoided.
+  // Writes the targets that were reached, with their times, and the avoid region that was entered.
   void note(sim::World& world) const;
 
  private:
   struct Segment {
-    int64_t jumps, ticks;  // at most; -1: any
+    int64_t jumps, ticks;  // max; -1: any
   };
   struct Stop {
     Place place;
-    int64_t jumps, ticks;  // since the start, at most; -1: any
+    int64_t jumps, ticks;  // max since the start; -1: any
     Segment segment;
   };
 
@@ -50,14 +50,14 @@ class Judge {
   const level::LevelView& level_;
   std::vector<Place> goals_, visits_, avoid_;
   std::vector<Stop> stops_;  // the waypoints
-  Segment last_;             // to the goal
+  Segment last_;             // from the last stop to the goal
   std::vector<schema::PlayerState> forbidden_;
   int64_t minJumps_, maxJumps_, ticks_;
   double maxDamage_;
-  size_t reached_ = 0;  // stops
+  size_t reached_ = 0;  // number of stops
   std::vector<bool> visited_;
   int64_t segmentTick_ = 0, segmentJumps_ = 0;  // when the last stop was reached
-  uint32_t levelTick_ = 0;                      // the level's clock then
+  uint32_t levelTick_ = 0;                      // the level's clock at that time
   int64_t avoided_ = -1;
 };
 

@@ -1,5 +1,5 @@
-// A region of a record as the verifier reads it: a box, or a part to be touched. That a limb
-// touches a part is physics, and the simulator's to say.
+// A region of a record as the verifier reads it: a box, or a part to be touched. The simulator
+// decides if a limb touches a part, since that is physics.
 #pragma once
 
 #include <cstdint>
@@ -13,29 +13,29 @@
 
 namespace obby::solve {
 
-// Where the feet are.
+// Returns the position of the feet.
 Point feetOf(const sim::World& world);
 
 class Place {
  public:
-  // The parts that it names are resolved; `runs` of the level. `arrive`: what reaching a solid part
-  // means.
+  // The region must have its parts resolved, and `runs` must be of the level. `arrive`: what counts
+  // as reaching a solid part.
   Place(schema::Region::Reader region, level::ColliderRuns& runs, schema::Arrive arrive,
         const level::LevelView& level);
 
-  // Is the player there now?
+  // Returns true if the player is there now.
   bool holds(const level::LevelView& level, const sim::World& world,
              std::span<const sim::LooseBody> loose) const;
-  // Likewise, or was the player in the box on the straight way from where the tick began, in
-  // `before`? A teleport has no way, and parts are not asked on it.
+  // Returns true if the player is there now, or was in the box on the straight path since `before`,
+  // the start of the tick. A teleport has no path, and parts are not tested on it.
   bool isEntered(const level::LevelView& level, const sim::World& before, const sim::World& world,
                  std::span<const sim::LooseBody> loose) const;
 
  private:
   BoxRegion box_;
-  bool touch_;             // of a part; else the box counts
+  bool touch_;             // a part has to be touched; else the box counts
   bool stand_ = false;     // something has to hold the player, with the feet in the box
-  double lowest_ = -1e30;  // of those feet
+  double lowest_ = -1e30;  // min height of those feet
   level::ColliderRun colliders_;
 };
 

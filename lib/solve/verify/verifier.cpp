@@ -10,7 +10,7 @@
 #include "level/tricks.h"
 #include "math/angle.h"
 #include "sim/simulator.h"
-#include "solve/answers/outcome_names.h"
+#include "solve/model/outcome_names.h"
 #include "solve/verify/judge.h"
 
 namespace obby::solve {
@@ -30,7 +30,7 @@ Status same(const char* field, auto recorded, auto replayed) {
   return wrong(field, fmt::format("{}", recorded), fmt::format("{}", replayed));
 }
 
-// The record's place is that of the replay, up to what a person rounds.
+// Returns an error if the recorded place is not that of the replay, within 0.001 studs.
 Status samePlace(std::string field, Point recorded, Point replayed) {
   const double x = recorded.x - replayed.x, y = recorded.y - replayed.y;
   if (std::hypot(x, y, recorded.z - replayed.z) < 1e-3) return {};
@@ -59,14 +59,14 @@ Status checkStart(schema::Level::Reader level, schema::Query::Reader query,
   return same("startTick", trajectory.getStartTick(), start.getTick());
 }
 
-// No trick but those that the query allows.
+// Returns an error if the plan uses tricks that the query does not allow.
 Status checkTricks(schema::Query::Reader query, const sim::Plan& plan) {
   OBBY_ASSIGN(const uint16_t allowed, level::tricksOf(query.getTricks(), "tricks"));
   if ((plan.tricks & ~allowed) == 0) return {};
   return Error{{}, {}, "tricks", "the record uses a trick that the query does not allow", {}};
 }
 
-// The keyboard's eight directions, if the query has no others.
+// Returns an error if the plan leaves the keyboard's eight directions and the query has no others.
 Status checkDirections(schema::Query::Reader query, const sim::Plan& plan) {
   if (query.getDirections() == schema::Directions::ANY) return {};
   constexpr int32_t kEighth = 65536 / 8;
@@ -101,10 +101,10 @@ Status checkEnd(schema::Trajectory::Reader t, const sim::ReplayEnd& end) {
   return samePlace("endPosition", point(t.getEndPosition()), feetOf(last));
 }
 
-// Where the player is along the way, which a record tells readers that cannot replay.
+// The player's positions along the trajectory, to check the record's path.
 struct Walked {
   std::vector<Point> feet;          // (ticks + 1), the start first
-  std::vector<uint32_t> jumpTicks;  // at which a jump was made
+  std::vector<uint32_t> jumpTicks;  // ticks at which a jump was made
 
   void add(const sim::Moment& now) {
     feet.push_back(feetOf(now.world));

@@ -1,6 +1,6 @@
-// Checks an answer without the search: replays the trajectory record through the scalar simulator
-// and judges it against the query record in its own double-precision code. A solution is reported
-// only if this agrees.
+// Checks an answer without the search. It replays the trajectory record through the scalar
+// simulator, and judges it against the query record in its own double-precision code. A solution is
+// reported only if this check passes.
 #pragma once
 
 #include "base/result.h"
@@ -9,11 +9,10 @@
 
 namespace obby::solve {
 
-// Success: the playthrough starts where, when and facing as the query says, ends as the record
-// says, at the tick, with the jumps, waypoints and state hash that the record says, and is where
-// its endPosition and path say, if it has them. The Error's path names the first field of the
-// trajectory that is wrong, its message what the replay gave. Level and query must be such as
-// compile.
+// Succeeds if the trajectory starts as the query says and ends as the record says: the outcome,
+// tick, jumps, waypoints and state hash. Its endPosition and path must match the replay, if it has
+// them. The error's path names the first wrong field of the trajectory, and its message the
+// replayed value. Level and query must be valid.
 Status verify(const level::Level& level, schema::Level::Reader levelRecord,
               schema::Query::Reader query, schema::Trajectory::Reader trajectory);
 

@@ -7,10 +7,10 @@ namespace obby::view {
 
 namespace {
 
-constexpr float kField = 0.9f;   // pixels a stud at a distance of one, of the picture's height
-constexpr float kMargin = 0.9f;  // of the picture, that the points may fill
-constexpr float kNearest = 8;    // studs from the eye to the nearest point
-constexpr float kLeast = 8;      // studs that a picture shows at least
+constexpr float kField = 0.9f;   // pixels a stud at distance 1, per pixel of the picture's height
+constexpr float kMargin = 0.9f;  // share of the picture that the points may fill
+constexpr float kNearest = 8;    // min studs from the eye to the nearest point
+constexpr float kLeast = 8;      // min studs across a picture
 
 struct Extent {
   float lo = 1e30f, hi = -1e30f;
@@ -37,7 +37,7 @@ Spread spreadOf(const Camera& camera, const std::vector<Vec3>& points) {
   return out;
 }
 
-// Steps back until all fits, with the points in the middle of the picture.
+// Moves the camera until all points fit, centered in the picture.
 void stepBack(Camera& camera, const std::vector<Vec3>& points, int width, int height) {
   const float room = kMargin * float(width), roomY = kMargin * float(height);
   for (int round = 0; round < 40; ++round) {
@@ -47,7 +47,7 @@ void stepBack(Camera& camera, const std::vector<Vec3>& points, int width, int he
                   camera.up * ((s.y.middle() - camera.middleY) / camera.scale * distance);
     const float fills = std::max(s.x.size() / room, s.y.size() / roomY);
     const float step = s.z.lo < kNearest ? kNearest - s.z.lo : (fills - 1) * distance * 0.7f;
-    const float most = s.z.lo - kNearest;  // that it may step forward
+    const float most = s.z.lo - kNearest;  // max step forward
     camera.eye -= camera.forward * std::max(step, -std::max(most, 0.0f));
   }
 }
@@ -87,7 +87,7 @@ Camera framed(const std::vector<Vec3>& points, Vec3 forward, int width, int heig
     stepBack(camera, points, width, height);
     return camera;
   }
-  const Spread s = spreadOf(camera, points);  // in studs: the scale is 1
+  const Spread s = spreadOf(camera, points);  // in studs, since the scale is 1
   camera.eye +=
       camera.right * (s.x.middle() - camera.middleX) - camera.up * (s.y.middle() - camera.middleY);
   camera.scale = kMargin * std::min(float(width) / std::max(s.x.size(), kLeast),

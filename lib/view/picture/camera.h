@@ -1,4 +1,4 @@
-// Where a picture is taken from, and what of the world a pixel sees.
+// The camera of a picture.
 #pragma once
 
 #include <vector>
@@ -7,23 +7,24 @@
 
 namespace obby::view {
 
-// Perspective, or parallel rays where `perspective` is false. Pixels: x to the right, y down.
+// Perspective or, if `perspective` is false, orthographic. Pixels: x to the right, y down.
 struct Camera {
-  Vec3 eye;                        // of parallel rays: any point on the picture's middle ray
+  Vec3 eye;                        // if orthographic: any point on the central ray
   Vec3 right, up, forward;         // unit
-  float scale = 1;                 // pixels a stud, at a distance of one stud where perspective
-  float middleX = 0, middleY = 0;  // pixel that looks forward
+  float scale = 1;                 // pixels a stud; if perspective, at a distance of one stud
+  float middleX = 0, middleY = 0;  // pixel of the forward direction
   bool perspective = true;
 
-  // x, y in pixels, z the distance along `forward`, studs; behind the eye it is not positive.
+  // Returns x and y in pixels, and z as the distance along `forward` in studs, not positive behind
+  // the eye.
   Vec3 project(Vec3 point) const;
-  // A point and a direction whose part along `forward` is 1: point + t * direction is at distance
-  // t.
+  // Sets a ray whose direction has component 1 along `forward`, so origin + t * direction is at
+  // distance t.
   void ray(float x, float y, Vec3& origin, Vec3& direction) const;
 };
 
-// Looks along `forward` so that all points are in a picture of that size, with a margin, and no
-// smaller than needed. At least one point.
+// Returns a camera along `forward` that shows all points with a margin, as large as possible. At
+// least one point.
 Camera framed(const std::vector<Vec3>& points, Vec3 forward, int width, int height,
               bool perspective);
 

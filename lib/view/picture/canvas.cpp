@@ -40,7 +40,7 @@ Depths::Depths(const Camera& camera, int width, int height, const Samples& windo
 
 Samples Depths::samplesOf(const Solid& solid) const {
   float x0 = kFar, y0 = kFar, x1 = -kFar, y1 = -kFar;
-  int near = 0;  // corners that lie too near or behind, and so nowhere in the picture
+  int near = 0;  // corners too near or behind the eye, which have no projection
   for (int i = 0; i < 8; ++i) {
     const Vec3 h = solid.shape.half;
     const Vec3 corner{i & 1 ? h.x : -h.x, i & 2 ? h.y : -h.y, i & 4 ? h.z : -h.z};
@@ -59,8 +59,7 @@ Samples Depths::samplesOf(const Solid& solid) const {
           clamped(y1 + 2, w.y0, w.y1)};
 }
 
-// Where a ray meets a shape is asked of the same code as the simulator's: what is drawn is what is
-// met.
+// Ray casts use the simulator's shape code, so the picture shows what players collide with.
 void Depths::add(const Solid& solid, uint32_t id) {
   const Samples b = samplesOf(solid);
   geom::visitShape(solid.kind, [&](auto shape) {

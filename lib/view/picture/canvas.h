@@ -1,4 +1,4 @@
-// A picture being drawn: for each sample what is seen, how far away, and its colour.
+// A picture in progress: id, depth and normal of the visible solid for each sample, and colours.
 #pragma once
 
 #include <cstdint>
@@ -12,57 +12,57 @@ namespace obby::view {
 
 using table::Rgb;
 
-// Linear in what is written to files: 0 to 1 each, as sRGB has it.
+// Components of the sRGB values in files, 0 to 1; not linear light.
 struct Color {
   float r = 0, g = 0, b = 0;
 };
 Color colorOf(Rgb c);
 Rgb rgbOf(Color c);
-Color mix(Color a, Color b, float share);  // share of b
+Color mix(Color a, Color b, float share);  // `share`: weight of b
 
-// A convex shape where it is now.
+// A convex shape at its current pose.
 struct Solid {
   Pose pose;
   geom::ShapeKind kind = geom::ShapeKind::block;
   geom::ShapeData shape;
-  float coverage = 1;  // of the samples that it takes: less than 1 looks translucent
+  float coverage = 1;  // share of samples covered; below 1 it looks translucent
 };
 
 constexpr uint32_t kNothing = 0xffffffffu;
 
-// A rectangle of samples; x1 and y1 are not of it.
+// A rectangle of samples; x1 and y1 are exclusive.
 struct Samples {
   int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
 
   bool empty() const { return x0 >= x1 || y0 >= y1; }
 };
 
-// What samples see of solids: all of a picture, or those of a window of it, which take the memory.
-// Places are always the picture's.
+// A depth buffer of a whole picture or of a window of it, which limits the memory. Coordinates are
+// the picture's.
 class Depths {
  public:
   Depths(const Camera& camera, int width, int height)
       : Depths(camera, width, height, {0, 0, width, height}) {}
-  // `window` lies in the picture. Nothing is known of samples outside it, nor may be asked.
+  // `window` lies within the picture. Samples outside must not be accessed.
   Depths(const Camera& camera, int width, int height, const Samples& window);
 
-  // Those of the window that may see the solid.
+  // Returns the samples of the window that may see the solid.
   Samples samplesOf(const Solid& solid) const;
-  // `id` is what the samples that see it get.
+  // `id`: value for the samples that see the solid.
   void add(const Solid& solid, uint32_t id);
 
   int width() const { return width_; }  // of the picture
   int height() const { return height_; }
   const Samples& window() const { return window_; }
-  // The place of a sample among those of the window, row by row.
+  // Returns a sample's index within the window, row by row.
   size_t at(int x, int y) const {
     return size_t(y - window_.y0) * size_t(window_.x1 - window_.x0) + size_t(x - window_.x0);
   }
   const Camera& camera() const { return camera_; }
   uint32_t id(int x, int y) const { return ids_[at(x, y)]; }
-  float depth(int x, int y) const { return depths_[at(x, y)]; }  // studs; far for nothing
+  float depth(int x, int y) const { return depths_[at(x, y)]; }  // studs; a huge value for none
   Vec3 normal(int x, int y) const { return normals_[at(x, y)]; }
-  Vec3 point(int x, int y) const;  // of the world
+  Vec3 point(int x, int y) const;  // in world space
 
  private:
   Camera camera_;

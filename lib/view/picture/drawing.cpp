@@ -17,12 +17,11 @@ namespace obby::view {
 
 namespace {
 
-constexpr int kOutline = 48;        // directions in which a shape's outline is asked for
+constexpr int kOutline = 48;        // directions in which support points of an outline are queried
 constexpr float kPaperMargin = 12;  // pixels
 constexpr float kLegend = 30;       // pixels below the drawing
 constexpr float kLeastHeight = 80;  // pixels
-constexpr float kThinnedPixels =
-    0.15f;  // pixels: a path's points nearer to their line are left out
+constexpr float kThinnedPixels = 0.15f;  // tolerance of simplified trajectories
 
 constexpr const char* kStyle =
     "<style>.page{fill:#fff}text{font:13px system-ui,sans-serif;fill:#222}.part{stroke:#0006;"
@@ -34,17 +33,17 @@ constexpr const char* kStyle =
     "@media(prefers-color-scheme:dark){.page{fill:#181a1f}text{fill:#ddd}.part{stroke:#fff6}"
     ".solution{stroke:#ffb81c}.attempt{stroke:#c49a86}}</style>\n";
 
-// The world on paper: along the course to the right, and down.
+// Maps the world to paper: the level runs to the right and down.
 struct Paper {
   Vec3 across, down;  // unit, of the world
   float scale = 1;    // pixels a stud
-  Vec2 origin;        // paper coordinates, studs, of the upper left corner
+  Vec2 origin;        // paper coordinates of the upper left corner, studs
 
   Vec2 of(Vec3 v) const {
     return {(dot(v, across) - origin.x) * scale + kPaperMargin,
             (dot(v, down) - origin.y) * scale + kPaperMargin};
   }
-  Vec3 toward() const { return -cross(across, -down); }  // the way that is looked
+  Vec3 toward() const { return -cross(across, -down); }  // the viewing direction
 };
 
 struct Sheet {
@@ -56,7 +55,7 @@ Sheet sheetOf(const Box& extent, const QueryEntry* query, const DrawingOptions& 
   const Vec3 along = alongOf(extent, query);
   Paper paper;
   paper.across = along;
-  // Never mirrored: seen from above the side to the right of who walks along is down.
+  // Never mirrored: seen from above, the right-hand side along the level is down.
   paper.down = options.side == Side::above ? cross(along, Vec3{0, 1, 0}) : Vec3{0, -1, 0};
   float x0 = 1e30f, x1 = -1e30f, y0 = 1e30f, y1 = -1e30f;
   for (int i = 0; i < 8; ++i) {
@@ -106,7 +105,7 @@ bool meetsPage(const std::vector<Vec2>& hull, float width, float height) {
   return hi.x > 0 && lo.x < width && hi.y > 0 && lo.y < height;
 }
 
-// The farthest first.
+// Draws the farthest parts first.
 std::string partsOf(const World& world, const Paper& paper, float width, float height) {
   const Vec3 toward = paper.toward();
   std::vector<size_t> order(world.solids.size());
@@ -202,7 +201,7 @@ std::string queryOf(const QueryEntry& query, const Paper& paper) {
   return out;
 }
 
-// Level and query; a name that is missing is left out.
+// Joins the names of level and query that are not empty.
 std::string titleOf(const LevelEntry& level, const QueryEntry* query) {
   const std::string name = level.level->name(), id = query ? query->id : "";
   return name + (name.empty() || id.empty() ? "" : ": ") + id;
@@ -228,7 +227,7 @@ std::string drawingOf(const LevelEntry& level, const QueryEntry* query,
              "width=\"{0:.0f}\" height=\"{1:.0f}\" role=\"img\">\n<title>{2}</title>\n",
              double(sheet.width), double(sheet.height), io::escapeMarkup(title)) +
          kStyle + "<rect class=\"page\" width=\"100%\" height=\"100%\"/>\n" +
-         // An inner picture of its own: what falls out of the course does not cross the words.
+         // A nested picture, so that whatever lies outside does not cross the text.
          fmt::format("<svg width=\"{:.0f}\" height=\"{:.0f}\">\n", double(sheet.width),
                      double(sheet.height - kLegend)) +
          partsOf(worldOf(level, tick), sheet.paper, sheet.width, sheet.height - kLegend) +

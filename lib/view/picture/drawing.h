@@ -1,4 +1,4 @@
-// A query's course as a line drawing in SVG, from above or from the side, with its paths.
+// A line drawing of a query in SVG, from above or from the side, with its trajectories.
 #pragma once
 
 #include <string>
@@ -11,12 +11,12 @@ enum class Side { above, beside };
 
 struct DrawingOptions {
   Side side = Side::above;
-  int width = 960;  // pixels; the height follows from the course
+  int width = 960;  // pixels; the height follows from the level
 };
 
-// The course's longer side runs across, its start to the left. `query` may be null: the whole
-// level. What is away when the query starts is faint, its edge dashed. Reads on light and on dark
-// pages.
+// The longer side runs across, with the start on the left. `query` may be null for the whole level.
+// Parts that are away at the query's start are faint, with dashed edges. The drawing suits light
+// and dark pages.
 std::string drawingOf(const LevelEntry& level, const QueryEntry* query,
                       const DrawingOptions& options);
 

@@ -8,9 +8,9 @@ namespace obby::view {
 namespace {
 
 constexpr float kNearPlane = 0.2f;  // studs: nearer points are not drawn
-constexpr float kBias = 0.35f;      // studs that a line may lie behind what it lies on
+constexpr float kBias = 0.35f;      // studs by which a line may lie behind the surface below it
 
-// Edges of a box as pairs of corners, whose bits say which side of X, Y and Z they are on.
+// Edges of a box as pairs of corners, whose bits are the sides of X, Y and Z.
 constexpr int kEdges[12][2] = {{0, 1}, {2, 3}, {4, 5}, {6, 7}, {0, 2}, {1, 3},
                                {4, 6}, {5, 7}, {0, 4}, {1, 5}, {2, 6}, {3, 7}};
 
@@ -40,7 +40,7 @@ void Pen::segment(Vec3 a, Vec3 b, const Stroke& stroke) {
   const int y0 = std::max(clamped(std::min(a.y, b.y) - r, h), seen_.window().y0);
   const int y1 = std::min(clamped(std::max(a.y, b.y) + r + 1, h), seen_.window().y1);
   for (int y = y0; y < y1; ++y) {
-    // The part of the row that can be near enough, by where the line is in it.
+    // Restricts the row to the part near the line.
     float from = std::min(a.x, b.x), to = std::max(a.x, b.x);
     if (std::fabs(dy) > 1e-3f) {
       const float t0 = std::clamp((float(y) - r - a.y) / dy, 0.0f, 1.0f);
@@ -78,7 +78,7 @@ void Pen::disc(Vec3 at, float size, const Stroke& stroke) {
   segment(p, p, wide);
 }
 
-// A box takes a small part of most pictures, so that is all that is looked at.
+// Scans only the box's own window, a small part of most pictures.
 void Pen::fill(const Solid& box, const Stroke& stroke) {
   const Samples window = seen_.samplesOf(box);
   if (window.empty()) return;

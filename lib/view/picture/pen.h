@@ -1,4 +1,4 @@
-// Lines, marks and boxes drawn over a shaded picture; what lies behind a solid shows faintly.
+// Lines, marks and boxes over a shaded picture. Parts of them behind a solid are faint.
 #pragma once
 
 #include <vector>
@@ -11,20 +11,20 @@ struct Stroke {
   Color color;
   float width = 2;  // samples
   float opacity = 1;
-  float behind = 0.25f;  // of the opacity, where a solid is nearer
+  float behind = 0.25f;  // factor of the opacity behind a nearer solid
 };
 
 class Pen {
  public:
-  // `colors`: of the samples of the window of `seen`; drawn into. What is elsewhere is left out.
+  // `colors`: drawn into; those of the samples in the window of `seen`. Other samples are left out.
   Pen(const Depths& seen, std::vector<Color>& colors);
 
-  // Through points of the world. Where it crosses itself it is no darker.
+  // Draws a line through world points. It is no darker where it crosses itself.
   void line(const std::vector<Vec3>& points, const Stroke& stroke);
-  // A cross, or a disc, of so many samples to each side.
+  // A cross or a disc that extends `size` samples to each side.
   void cross(Vec3 at, float size, const Stroke& stroke);
   void disc(Vec3 at, float size, const Stroke& stroke);
-  // An oriented box: its edges, and its inside as a veil.
+  // Draws an oriented box: its edges, and its inside with opacity `veil`.
   void box(const Solid& box, const Stroke& stroke, float veil);
 
  private:
@@ -35,7 +35,7 @@ class Pen {
 
   const Depths& seen_;
   std::vector<Color>& colors_;
-  std::vector<uint32_t> strokes_;  // the last stroke that has touched a sample
+  std::vector<uint32_t> strokes_;  // last stroke that touched each sample
   uint32_t stroke_ = 0;
 };
 

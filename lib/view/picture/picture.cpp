@@ -13,13 +13,13 @@ namespace obby::view {
 
 namespace {
 
-constexpr int kSamples = 2;        // of a pixel, each way
-constexpr int kSunSamples = 2048;  // each way
-constexpr float kDown = 0.62f;     // of the look downward, beside one stud across
-constexpr float kTurned = 0.45f;   // of the look along the course
+constexpr int kSamples = 2;        // per pixel, each axis
+constexpr int kSunSamples = 2048;  // each axis
+constexpr float kDown = 0.62f;     // downward component of a view direction, per stud across
+constexpr float kTurned = 0.45f;   // component of a view direction along the level
 constexpr float kSteep = 1.2f;
-constexpr float kWorthIt = 0.08f;  // share of a path that another look must show more of
-constexpr float kAboveFeet = 1;    // studs: paths run through the body, not along the floor
+constexpr float kWorthIt = 0.08f;  // share of a trajectory by which another view must show more
+constexpr float kAboveFeet = 1;    // studs: trajectories run through the body, not along the floor
 constexpr float kVeil = 0.16f;
 
 constexpr Rgb kSolutionPaint{255, 184, 28}, kOtherSolutionPaint{214, 160, 60},
@@ -48,11 +48,11 @@ std::vector<Vec3> wayOf(const Playback& play) {
   return out;
 }
 
-// A look is a direction to look along: from the side, so that the course runs across with its start
-// to the left; from further along, from behind, and steeper, where less is hidden so.
+// Returns view directions: from the side with the start on the left, from further along, from
+// behind, and steeper ones, where less is hidden.
 std::vector<Vec3> looksOf(const Box& extent, const QueryEntry* query) {
   const Vec3 along = alongOf(extent, query);
-  const Vec3 across = cross(Vec3{0, 1, 0}, along);  // to the left of who walks along
+  const Vec3 across = cross(Vec3{0, 1, 0}, along);  // left of the direction along the level
   std::vector<Vec3> out;
   for (const float down : {kDown, kSteep}) {
     for (const float turned : {kTurned, -kTurned, 2.0f, -2.0f})
@@ -63,7 +63,7 @@ std::vector<Vec3> looksOf(const Box& extent, const QueryEntry* query) {
   return out;
 }
 
-// Share of the points that are in the picture, and hidden by no solid.
+// Returns the share of the points that are in the picture and not hidden.
 float visible(const std::vector<Vec3>& points, const Camera& camera, int width, int height,
               const std::vector<Solid>& solids) {
   Depths seen(camera, width, height);
@@ -73,14 +73,14 @@ float visible(const std::vector<Vec3>& points, const Camera& camera, int width, 
   float count = 0;
   for (const Vec3 point : points) {
     const Vec3 p = camera.project(point);
-    // What falls out of the course falls out of the picture, too.
+    // Trajectories that leave the level leave the picture, too.
     if (!(p.z > 0 && p.x >= 0 && p.y >= 0 && p.x < float(width) && p.y < float(height))) continue;
     count += p.z <= seen.depth(int(p.x), int(p.y)) + 0.5f ? 1.0f : 0.0f;
   }
   return count / float(points.size());
 }
 
-// The first look that shows about as much of the first path as any does.
+// Returns the first view that shows about as much of the first trajectory as the best one.
 Vec3 bestLook(const Box& extent, const QueryEntry* query, const std::vector<Solid>& solids) {
   const std::vector<Vec3> looks = looksOf(extent, query);
   if (!query || query->paths.empty()) return looks[0];
@@ -142,7 +142,7 @@ void drawQuery(Pen& pen, const QueryEntry& query) {
   for (const PathEntry& path : query.paths) {
     if (path.kind != PathKind::solution) drawPath(pen, path, false);
   }
-  // The first solution lies on top.
+  // The first solution is drawn last, on top.
   for (size_t i = query.paths.size(); i-- > 0;) {
     if (query.paths[i].kind == PathKind::solution) drawPath(pen, query.paths[i], i == 0);
   }
@@ -152,7 +152,7 @@ void drawQuery(Pen& pen, const QueryEntry& query) {
   pen.disc(start, 10, {colorOf(kStartPaint), 1, 1});
 }
 
-// The pixels of the first `rows` rows, from the samples of these.
+// Adds the pixels of `rows` rows from their samples.
 void addRows(const std::vector<Color>& samples, int rows, Image& out) {
   const int width = out.width;
   const float share = 1.0f / (kSamples * kSamples);
@@ -176,10 +176,10 @@ struct Scene {
   const Depths& sun;
 };
 
-// Rows of pixels from `top` to before `bottom`.
+// Draws the rows of pixels from `top` until before `bottom`.
 void drawRows(const Scene& scene, int top, int bottom, Image& out) {
   const int width = out.width * kSamples, height = out.height * kSamples;
-  // And a row of samples more: they tell where solids end above them.
+  // One more row of samples detects the solids' edges in the row above it.
   const Samples window{0, top * kSamples, width, std::min(bottom * kSamples + 1, height)};
   Depths seen(scene.camera, width, height, window);
   for (uint32_t i = 0; i < scene.world.solids.size(); ++i) seen.add(scene.world.solids[i], i);
@@ -206,7 +206,7 @@ Image pictureOf(const LevelEntry& level, const QueryEntry* query, const PictureO
   }
   Image out{options.width, options.height, {}};
   out.pixels.reserve(size_t(options.width) * size_t(options.height));
-  const size_t row = size_t(width) * kSamples;  // samples of a row of pixels
+  const size_t row = size_t(width) * kSamples;  // in a row of pixels
   const int rows = int(std::clamp<size_t>(options.atOnce / row, 1, size_t(options.height)));
   for (int top = 0; top < options.height; top += rows)
     drawRows({world, query, camera, sun}, top, std::min(top + rows, options.height), out);

@@ -1,4 +1,4 @@
-// A query and its trajectories in the level, as a picture that needs no display.
+// Renders a query and its trajectories in the level without a display.
 #pragma once
 
 #include <cstddef>
@@ -10,14 +10,14 @@ namespace obby::view {
 
 struct PictureOptions {
   int width = 1280, height = 720;  // pixels
-  // Samples that are held at a time, 4 a pixel, at 36 to 56 bytes each; a row of pixels at least.
-  // The picture is the same whatever it is.
+  // Max samples in memory, 4 a pixel, at 36 to 56 bytes each, but at least a row of pixels. It does
+  // not change the picture.
   size_t atOnce = size_t(1) << 22;
 };
 
-// From a place beside the course from which all of it is seen, the start to the left. Moving parts
-// are where they are when the query starts, and what is away then is hardly there. `query` may be
-// null: the whole level then.
+// The camera is beside the level and sees all of it, with the start on the left. Moving parts have
+// their poses at the query's start, and parts that are away then are almost transparent. `query`
+// may be null for the whole level.
 Image pictureOf(const LevelEntry& level, const QueryEntry* query, const PictureOptions& options);
 
 }  // namespace obby::view

@@ -8,7 +8,7 @@
 
 namespace obby::view {
 
-// 8 bits a channel, no alpha. The same image gives the same bytes. Error: too little memory.
+// 8 bits a channel, no alpha. Equal images have equal bytes. Error: out of memory.
 Result<std::string> pngOf(const Image& image);
 
 }  // namespace obby::view

@@ -8,13 +8,14 @@ namespace {
 
 constexpr Color kSkyAbove{0.80f, 0.87f, 0.95f}, kSkyBelow{0.95f, 0.96f, 0.97f};
 constexpr Color kWhite{1, 1, 1}, kBlack{0, 0, 0};
-constexpr float kShade = 0.56f;    // of the light, where the sun does not come
-constexpr float kSunBias = 0.15f;  // studs, that a surface may be nearer the sun than it sees
+constexpr float kShade = 0.56f;    // relative light in the shade
+constexpr float kSunBias = 0.15f;  // studs by which a surface may be behind the sun's depth and
+                                   // still be lit
 constexpr float kPatternStep = 2;  // studs
-constexpr float kPattern = 0.22f;  // of black in every other field
-constexpr float kLine = 0.45f;     // of black where one solid ends before another
-constexpr float kStep = 0.04f;     // of the distance: depths that differ by more are an edge
-constexpr int kSoft = 1;           // samples of the sun to each side
+constexpr float kPattern = 0.22f;  // share of black in every other field
+constexpr float kLine = 0.45f;     // share of black at edges
+constexpr float kStep = 0.04f;     // relative depth difference that counts as an edge
+constexpr int kSoft = 1;           // samples of the sun's buffer to each side
 
 bool otherField(Pattern pattern, Vec3 p) {
   const auto cell = [](float v) { return int(std::floor(v / kPatternStep)); };
@@ -26,7 +27,7 @@ bool otherField(Pattern pattern, Vec3 p) {
   return false;
 }
 
-// Share of the sun's samples around the point that see it.
+// Returns the share of the sun's samples around the point that see it.
 float lit(const Depths& sun, Vec3 point) {
   const Vec3 p = sun.camera().project(point);
   const int x = int(p.x), y = int(p.y);
@@ -41,7 +42,7 @@ float lit(const Depths& sun, Vec3 point) {
   return asked == 0 ? 1 : float(seen) / float(asked);
 }
 
-// A solid ends here: its neighbour to the right or below is another, or lies far behind.
+// Returns true if depth or normal changes abruptly to the neighbour on the right or below.
 bool edgeAt(const Depths& seen, int x, int y) {
   const uint32_t id = seen.id(x, y);
   const float depth = seen.depth(x, y);

@@ -1,4 +1,4 @@
-// Light on what a picture sees.
+// Lighting of the visible solids.
 #pragma once
 
 #include <vector>
@@ -7,7 +7,7 @@
 
 namespace obby::view {
 
-// Told apart without colour.
+// Distinguishable without colour.
 enum class Pattern { plain, stripes, checks };
 
 struct Surface {
@@ -15,12 +15,12 @@ struct Surface {
   Pattern pattern = Pattern::plain;
 };
 
-// Direction to the sun, unit.
+// Returns the direction to the sun, unit.
 Vec3 sunward();
 
-// Colours of all samples of the window, row by row. `sun` is what the sun sees of the same solids;
-// `surfaces` by id. Where a solid ends is seen by the samples below and to the right: the last row
-// and column of a window that ends within the picture miss that.
+// Returns the colours of all samples of the window, row by row. `sun` is the sun's depth buffer of
+// the same solids; `surfaces` is indexed by id. Edges depend on the samples below and to the right.
+// In a window that ends within the picture, the last row and column miss them.
 std::vector<Color> shade(const Depths& seen, const Depths& sun,
                          const std::vector<Surface>& surfaces);
 

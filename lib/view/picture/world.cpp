@@ -11,10 +11,10 @@ namespace obby::view {
 
 namespace {
 
-constexpr float kLeastCoverage = 0.12f;  // of the most transparent part
-constexpr float kAwayCoverage = 0.1f;    // as the page has it (web/src/scene/level_view.js)
+constexpr float kLeastCoverage = 0.12f;  // of a fully transparent part
+constexpr float kAwayCoverage = 0.1f;    // as in the page (web/src/scene/level_view.js)
 
-// As the page has them (web/src/palette.js).
+// As in the page (web/src/palette.js).
 constexpr Rgb kRoleColors[] = {{119, 128, 143}, {53, 196, 141}, {63, 140, 255}, {221, 65, 73},
                                {164, 139, 250}, {230, 200, 90}, {76, 195, 221}, {245, 154, 76},
                                {143, 227, 196}, {91, 100, 114}, {185, 143, 111}};
@@ -40,7 +40,7 @@ Solid solidOf(const level::LevelView& level, const level::Collider& c,
   return {pose, c.kind, c.shape};
 }
 
-// Is it without its collision at that tick, as long as nobody has touched anything?
+// Returns true if it has no collision at that tick, provided that nothing was touched.
 bool absent(const level::LevelView& level, uint32_t collider, uint32_t tick) {
   const uint32_t flags = level.bounds[collider].flags;
   if ((flags & (level::kVanishTimer | level::kClocked)) == 0) return false;
@@ -62,7 +62,7 @@ World worldOf(const LevelEntry& entry, uint32_t tick) {
     Solid solid = solidOf(level, c, loose, tick);
     const float clear = parts[c.part].getTransparency();
     const bool away = absent(level, i, tick);
-    // Nobody sees an invisible wall in the game; here it is hinted at.
+    // Invisible walls are hinted at, unlike in the game.
     solid.coverage = away ? kAwayCoverage : clear > 0 ? std::max(1 - clear, kLeastCoverage) : 1;
     out.solids.push_back(solid);
     out.surfaces.push_back(surfaceOf(parts[c.part], roles[c.part]));

@@ -9,12 +9,12 @@ namespace obby::view {
 struct World {
   std::vector<Solid> solids;      // one a collider of the level
   std::vector<Surface> surfaces;  // of each
-  std::vector<bool> away;         // of each: without its collision now
+  std::vector<bool> away;         // for each solid: currently without collision
 };
 
-// Moving parts are where they are at that tick of the level's clock, those that wait for a touch at
-// rest; what is away then is hardly there. Plain parts have their own colour, others that of their
-// role.
+// Moving parts have their poses at that tick of the level clock, and touch-triggered ones are at
+// rest. Parts that are away are almost transparent. Plain parts have their own colour, others that
+// of their role.
 World worldOf(const LevelEntry& entry, uint32_t tick);
 
 }  // namespace obby::view

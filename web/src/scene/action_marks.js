@@ -1,10 +1,21 @@
-// Marks along the chosen way: a dot where the player jumped, a small ring where they came down.
+// Marks along the selected trajectory: a dot at each jump, a small ring at each landing.
 import { Group, Points, PointsMaterial, BufferGeometry, Float32BufferAttribute } from 'three';
+import { dispose } from './dispose.js';
 import { glyphTexture } from './markers.js';
 import { kLift } from './thin_lines.js';
 
+/** @import {Path} from '../path.js' */
+/** @import {Glyph} from './markers.js' */
+
 const kAirborne = 1; // bit of a sample's state
 
+/**
+ * @param {Path} path
+ * @param {number[]} ticks
+ * @param {Glyph} glyph
+ * @param {string} color
+ * @param {number} size
+ */
 function marks(path, ticks, glyph, color, size) {
   const points = ticks.flatMap((tick) => {
     const { x, y, z } = path.poseAt(tick);
@@ -27,7 +38,10 @@ function marks(path, ticks, glyph, color, size) {
   return cloud;
 }
 
-// Ticks at which the player touches down.
+/**
+ * Returns the ticks of landings.
+ * @param {Path} path
+ */
 export function landings(path) {
   const ticks = [];
   const { state } = path;
@@ -41,6 +55,7 @@ export class ActionMarks {
     this.group = new Group();
   }
 
+  /** @param {Path | undefined} path */
   set(path) {
     this.clear();
     if (!path) return;
@@ -51,11 +66,7 @@ export class ActionMarks {
   }
 
   clear() {
-    for (const cloud of [...this.group.children]) {
-      cloud.geometry.dispose();
-      cloud.material.map.dispose();
-      cloud.material.dispose();
-      this.group.remove(cloud);
-    }
+    dispose(this.group);
+    this.group.clear();
   }
 }

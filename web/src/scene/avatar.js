@@ -1,5 +1,5 @@
-// The player: torso, head, arms and legs of the body that the simulator moves, with a simple walk so that facing and
-// pace can be read at a glance.
+// The player: torso, head, arms and legs of the simulated body, with a simple walk that shows
+// facing and pace.
 import {
   BoxGeometry,
   BufferGeometry,
@@ -13,20 +13,34 @@ import {
 import { GHOST_COLOR } from '../palette.js';
 import { glyphTexture } from './markers.js';
 
+/** @import {Material, MeshLambertMaterialParameters} from 'three' */
+/** @import {Body} from '../types/page_data.js' */
+/** @import {Pose} from '../types/report.js' */
+
+/**
+ * @param {number} width
+ * @param {number} height
+ * @param {number} depth
+ * @param {Material} material
+ * @param {number} x
+ * @param {number} y
+ */
 function limb(width, height, depth, material, x, y) {
-  // The pivot is the limb's top, so that it swings from the hip or the shoulder.
+  // The pivot is the limb's top, so that it swings at the hip or shoulder.
   const geometry = new BoxGeometry(width, height, depth).translate(0, -height / 2, 0);
   const mesh = new Mesh(geometry, material);
   mesh.position.set(x, y, 0);
   return mesh;
 }
 
-// Of the one that the chosen is compared with: of one colour, and parts shine through.
+// For the ghost of a comparison: one colour, translucent.
 const kGhost = { color: GHOST_COLOR, emissive: '#16384a', transparent: true, opacity: 0.5 };
 
 export class Avatar {
+  /** @param {Body} body */
   constructor(body, ghost = false) {
-    const material = (look) => new MeshLambertMaterial(ghost ? kGhost : look);
+    const material = (/** @type {MeshLambertMaterialParameters} */ look) =>
+      new MeshLambertMaterial(ghost ? kGhost : look);
     const skin = material({ color: '#ffd7a3', emissive: '#3a2c18' });
     const shirt = material({ color: '#f4f6fb', emissive: '#3c4048' });
     const trousers = material({ color: '#2f3c5c', emissive: '#0c0f16' });
@@ -53,7 +67,11 @@ export class Avatar {
     this.stride = Math.max(2, hip * 2.4);
   }
 
-  // A sign over the head, seen through everything: where is the player?
+  /**
+   * Adds a marker above the head that is visible through solids.
+   * @param {number} height
+   * @param {string} color
+   */
   pointer(height, color) {
     const geometry = new BufferGeometry();
     geometry.setAttribute('position', new Float32BufferAttribute([0, height, 0], 3));
@@ -73,7 +91,13 @@ export class Avatar {
     return sign;
   }
 
-  // `travelled`: studs walked since the start, for the phase of the steps.
+  /**
+   * `travelled`: studs walked since the start, for the phase of the steps.
+   * @param {Pose} pose
+   * @param {number} speed
+   * @param {boolean} airborne
+   * @param {number} travelled
+   */
   pose({ x, y, z, yaw }, speed, airborne, travelled) {
     this.group.position.set(x, y, z);
     this.group.rotation.y = yaw;

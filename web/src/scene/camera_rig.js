@@ -1,7 +1,13 @@
-// The camera as in the level editor: left-drag orbits, right-drag looks, middle-drag pans, the wheel moves in and out,
-// WASD and QE fly. Two fingers move in and out and pan. It can follow the player and glides to whatever is framed.
+// The camera, as in Studio: left-drag orbits, right-drag looks, middle-drag pans, the wheel zooms,
+// WASD and QE fly. Two fingers zoom and pan. It can follow the player, and glides to whatever is
+// framed.
 import { MathUtils, PerspectiveCamera, Vector3 } from 'three';
 
+/** @import {Box3} from 'three' */
+/** @import {Triple} from '../types/page_data.js' */
+/** @import {Camera} from '../types/report.js' */
+
+/** @type {Record<string, Triple>} */
 const kKeys = {
   KeyW: [0, 0, 1],
   KeyS: [0, 0, -1],
@@ -11,31 +17,41 @@ const kKeys = {
   KeyQ: [0, -1, 0],
 };
 
-const kFarthest = 8000; // studs that the wheel moves out, or twice as far as all of a larger course takes
+/** @typedef {{yaw: number, pitch: number}} Direction radians */
+/** @typedef {Direction & {target: Vector3, distance: number}} View */
+
+const kFarthest = 8000; // max distance in studs, or twice the distance that frames a larger level
 
 export class CameraRig {
+  /** @param {HTMLElement} canvas */
   constructor(canvas) {
     this.camera = new PerspectiveCamera(50, 1, 0.1, 20000);
     this.target = new Vector3(); // pivot of orbiting
+    /** @type {View} */
     this.goal = { target: new Vector3(), yaw: 0.7, pitch: -0.5, distance: 60 };
+    /** @type {View} */
     this.now = { target: new Vector3(), yaw: 0.7, pitch: -0.5, distance: 60 };
-    this.framed = 0; // distance from which all that was framed last is seen
+    this.framed = 0; // distance that frames the last target
+    /** @type {Set<string>} */
     this.keys = new Set();
     this.flySpeed = 40;
+    /** @type {{button: number, x: number, y: number} | null} */
     this.drag = null;
-    this.fingers = new Map(); // pointer of a touch -> where it is
-    this.locked = false; // the left button is for something else
-    this.free = 1; // share of the width that no panel covers
+    /** @type {Map<number, {x: number, y: number}>} */
+    this.fingers = new Map(); // pointer id of a touch -> position
+    this.locked = false; // the left button has another function
+    this.free = 1; // share of the width not covered by panels
     this.onUserMove = () => {};
     this.listen(canvas);
   }
 
+  /** @param {HTMLElement} canvas */
   listen(canvas) {
     canvas.addEventListener('contextmenu', (event) => event.preventDefault());
     canvas.addEventListener('pointerdown', (event) => {
       canvas.setPointerCapture(event.pointerId);
       if (event.pointerType === 'touch') {
-        if (event.isPrimary) this.fingers.clear(); // the end of one before was not told
+        if (event.isPrimary) this.fingers.clear(); // the end of a previous touch was not reported
         this.fingers.set(event.pointerId, { x: event.clientX, y: event.clientY });
       }
       this.drag = null;
@@ -51,11 +67,12 @@ export class CameraRig {
       if (this.fingers.size > 1) this.pinch(event);
       else this.dragTo(event);
     });
-    for (const end of ['pointerup', 'pointercancel'])
-      canvas.addEventListener(end, ({ pointerId }) => {
-        this.drag = null;
-        this.fingers.delete(pointerId);
-      });
+    const end = (/** @type {PointerEvent} */ { pointerId }) => {
+      this.drag = null;
+      this.fingers.delete(pointerId);
+    };
+    canvas.addEventListener('pointerup', end);
+    canvas.addEventListener('pointercancel', end);
     canvas.addEventListener(
       'wheel',
       (event) => {
@@ -69,13 +86,19 @@ export class CameraRig {
     window.addEventListener('blur', () => this.keys.clear());
   }
 
-  // So many times as far from what the camera turns about.
+  /**
+   * Multiplies the distance to the target.
+   * @param {number} times
+   */
   approach(times) {
     const farthest = Math.max(kFarthest, 2 * this.framed);
     this.goal.distance = MathUtils.clamp(this.goal.distance * times, 1, farthest);
   }
 
-  // One of two fingers, or more, has moved: of these the first two count.
+  /**
+   * One of two or more fingers has moved; only the first two count.
+   * @param {PointerEvent} event
+   */
   pinch({ pointerId, clientX, clientY }) {
     const finger = this.fingers.get(pointerId);
     if (!finger) return;
@@ -89,6 +112,7 @@ export class CameraRig {
     this.pan(dx / 2, dy / 2);
   }
 
+  /** @param {PointerEvent} event */
   dragTo(event) {
     if (!this.drag) return;
     const dx = event.clientX - this.drag.x;
@@ -99,6 +123,11 @@ export class CameraRig {
     else this.turn(dx, dy, this.drag.button === 2);
   }
 
+  /**
+   * @param {number} dx
+   * @param {number} dy
+   * @param {boolean} aboutEye
+   */
   turn(dx, dy, aboutEye) {
     const eye = this.eyeOf(this.goal);
     this.goal.yaw -= dx * 0.005;
@@ -109,6 +138,10 @@ export class CameraRig {
     }
   }
 
+  /**
+   * @param {number} dx
+   * @param {number} dy
+   */
   pan(dx, dy) {
     this.onUserMove();
     const studs =
@@ -118,6 +151,7 @@ export class CameraRig {
     this.goal.target.addScaledVector(right, -dx * studs).addScaledVector(up, dy * studs);
   }
 
+  /** @param {Direction} direction */
   forwardOf({ yaw, pitch }) {
     return new Vector3(
       -Math.sin(yaw) * Math.cos(pitch),
@@ -126,10 +160,15 @@ export class CameraRig {
     );
   }
 
+  /** @param {View} view */
   eyeOf(view) {
     return view.target.clone().addScaledVector(this.forwardOf(view), -view.distance);
   }
 
+  /**
+   * @param {string} code
+   * @param {boolean} down
+   */
   key(code, down) {
     if (!(code in kKeys)) return false;
     if (down) this.keys.add(code);
@@ -137,6 +176,10 @@ export class CameraRig {
     return true;
   }
 
+  /**
+   * @param {number} seconds
+   * @param {boolean} fast
+   */
   fly(seconds, fast) {
     const move = new Vector3();
     for (const code of this.keys) move.add(new Vector3(...kKeys[code]));
@@ -149,7 +192,12 @@ export class CameraRig {
     this.goal.target.y += move.y * step;
   }
 
-  // Puts a sphere in view. `view` may set yaw and pitch too.
+  /**
+   * Frames a sphere. `view` may also set yaw and pitch.
+   * @param {Vector3} centre
+   * @param {number} radius
+   * @param {Partial<Direction>} view
+   */
   frame(centre, radius, view = {}, atOnce = false) {
     const fit = Math.tan(MathUtils.degToRad(this.camera.fov / 2)) * Math.min(1, this.camera.aspect);
     Object.assign(this.goal, view);
@@ -158,7 +206,11 @@ export class CameraRig {
     if (atOnce) this.settle();
   }
 
-  // Puts a box in view, as near as its corners allow.
+  /**
+   * Frames a box as closely as its corners allow.
+   * @param {Box3} box
+   * @param {Direction} direction
+   */
   frameBox(box, { yaw, pitch }, atOnce = false) {
     const centre = box.getCenter(new Vector3());
     const forward = this.forwardOf({ yaw, pitch });
@@ -169,7 +221,9 @@ export class CameraRig {
     let distance = 8;
     for (let corner = 0; corner < 8; corner++) {
       const at = new Vector3(
-        ...['x', 'y', 'z'].map((k, i) => (corner & (1 << i) ? box.max[k] : box.min[k])),
+        (corner & 1 ? box.max : box.min).x,
+        (corner & 2 ? box.max : box.min).y,
+        (corner & 4 ? box.max : box.min).z,
       ).sub(centre);
       const near = -at.dot(forward);
       distance = Math.max(
@@ -184,6 +238,7 @@ export class CameraRig {
     if (atOnce) this.settle();
   }
 
+  /** @param {Vector3} point */
   follow(point) {
     this.goal.target.copy(point);
   }
@@ -192,12 +247,17 @@ export class CameraRig {
     this.now = { ...this.goal, target: this.goal.target.clone() };
   }
 
+  /**
+   * @param {number} seconds
+   * @param {boolean} fast
+   */
   update(seconds, fast) {
     this.fly(seconds, fast);
     const share = 1 - Math.exp(-seconds * 14);
     this.now.target.lerp(this.goal.target, share);
-    for (const name of ['yaw', 'pitch', 'distance'])
-      this.now[name] += (this.goal[name] - this.now[name]) * share;
+    this.now.yaw += (this.goal.yaw - this.now.yaw) * share;
+    this.now.pitch += (this.goal.pitch - this.now.pitch) * share;
+    this.now.distance += (this.goal.distance - this.now.distance) * share;
     this.camera.position.copy(this.eyeOf(this.now));
     this.camera.near = Math.max(0.05, this.now.distance / 500);
     this.camera.far = Math.max(4000, this.now.distance * 40);
@@ -205,11 +265,13 @@ export class CameraRig {
     this.camera.updateProjectionMatrix();
   }
 
+  /** @returns {Camera} */
   save() {
     const { target, yaw, pitch, distance } = this.goal;
     return [target.x, target.y, target.z, yaw, pitch, distance];
   }
 
+  /** @param {Camera} camera */
   restore([x, y, z, yaw, pitch, distance]) {
     this.goal = { target: new Vector3(x, y, z), yaw, pitch, distance };
     this.framed = Math.max(this.framed, distance);

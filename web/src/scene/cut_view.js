@@ -1,5 +1,5 @@
-// Why a query is unreachable, in the picture: a frame around every part that can be reached, and an arrow over the least
-// step beyond them.
+// Shows why a query is unreachable: a frame around every reachable part, and an arrow over the
+// smallest impossible step.
 import {
   ArrowHelper,
   BoxGeometry,
@@ -16,13 +16,20 @@ import { CUT_COLOR, REACHED_COLOR } from '../palette.js';
 import { lackOf } from '../ui/findings.js';
 import { dispose } from './dispose.js';
 
-const kAbove = 1.2; // studs over the parts that the arrow joins
-const kHead = 1.6; // studs of the arrow's head
+/** @import {Triple} from '../types/page_data.js' */
+/** @import {Label, Level, Query} from '../types/report.js' */
 
+const kAbove = 1.2; // studs above the parts that the arrow connects
+const kHead = 1.6; // length of the arrow's head, studs
+
+/**
+ * @param {Level} level
+ * @param {number} part
+ */
 function centreOf(level, part) {
   const { position, rotation, size } = level;
   const turn = new Quaternion().fromArray(rotation, 4 * part).normalize();
-  // Half the height of the turned box.
+  // Half the height of the rotated box.
   const up = [0, 1, 2].reduce((sum, k) => {
     const axis = new Vector3().setComponent(k, size[3 * part + k] / 2).applyQuaternion(turn);
     return sum + Math.abs(axis.y);
@@ -30,7 +37,11 @@ function centreOf(level, part) {
   return new Vector3().fromArray(position, 3 * part).add(new Vector3(0, up + kAbove, 0));
 }
 
-// The edges of all reached parts in one buffer.
+/**
+ * Merges the edges of all reached parts into one buffer.
+ * @param {Level} level
+ * @param {number[]} parts
+ */
 function frames(level, parts) {
   const edges = new EdgesGeometry(new BoxGeometry(1, 1, 1)).attributes.position;
   const points = [];
@@ -54,19 +65,22 @@ function frames(level, parts) {
 }
 
 export class CutView {
+  /**
+   * @param {Query} query
+   * @param {Level | undefined} level
+   */
   constructor(query, level) {
     this.group = new Group();
-    this.labels = []; // as those of the regions
+    /** @type {Label[]} */
+    this.labels = [];
     const cut = query.result?.cut;
     if (!cut || !level) return;
     this.group.add(frames(level, cut.reached));
-    const ends = [
-      this.place(level, cut.from, query.startPosition),
-      this.place(level, cut.to, query.goal?.position),
-    ];
-    const known = ends.filter(Boolean);
+    const from = this.place(level, cut.from, query.startPosition);
+    const to = this.place(level, cut.to, query.goal?.position);
+    const known = [from, to].filter((end) => end !== null);
     if (!known.length) return;
-    if (known.length === 2) this.group.add(this.arrow(...ends));
+    if (from && to) this.group.add(this.arrow(from, to));
     const middle = known.reduce((sum, end) => sum.add(end), new Vector3());
     this.labels.push({
       text: `✕ ${lackOf(cut) || 'impossible step'}`,
@@ -75,18 +89,28 @@ export class CutView {
     });
   }
 
-  // A part's top, or else a place that the query names.
+  /**
+   * Returns the top of a part, or else a place of the query.
+   * @param {Level} level
+   * @param {number} part
+   * @param {Triple | null | undefined} otherwise
+   */
   place(level, part, otherwise) {
     if (part >= 0 && part < level.count) return centreOf(level, part);
     return otherwise ? new Vector3(...otherwise).add(new Vector3(0, kAbove, 0)) : null;
   }
 
+  /**
+   * @param {Vector3} from
+   * @param {Vector3} to
+   */
   arrow(from, to) {
     const way = to.clone().sub(from);
     const length = Math.max(way.length(), 0.1);
     const head = Math.min(kHead, length / 2);
     const arrow = new ArrowHelper(way.normalize(), from, length, CUT_COLOR, head, head * 0.7);
-    for (const { material } of [arrow.line, arrow.cone]) material.depthTest = false;
+    for (const { material } of [arrow.line, arrow.cone])
+      for (const each of [material].flat()) each.depthTest = false;
     arrow.line.renderOrder = 10;
     arrow.cone.renderOrder = 10;
     return arrow;

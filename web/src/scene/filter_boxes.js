@@ -1,4 +1,4 @@
-// The boxes of the filter in the picture: what must be passed is solid, what must not be is dashed.
+// The filter's boxes in the picture: solid if trajectories must pass them, dashed if they must not.
 import {
   Box3,
   Box3Helper,
@@ -12,9 +12,13 @@ import {
   Vector3,
 } from 'three';
 
+/** @import {BufferGeometry} from 'three' */
+/** @import {FilterBox} from '../types/report.js' */
+
 const kKeep = '#7fd4ff';
 const kDrop = '#ff9e64';
 
+/** @param {string} color */
 const fillOf = (color) =>
   new MeshBasicMaterial({
     color,
@@ -27,7 +31,10 @@ const fillOf = (color) =>
 export class FilterBoxes {
   constructor() {
     this.group = new Group();
-    // Kept: with its last material a program of the GPU goes, and boxes are made anew at each move of a drag.
+    /** @type {BufferGeometry[]} */
+    this.geometries = []; // of the boxes that are shown
+    // Kept alive: with its last material a GPU program is dropped, and a drag recreates boxes at
+    // each move.
     const dashes = { dashSize: 0.06, gapSize: 0.06 };
     this.kept = { line: new LineBasicMaterial({ color: kKeep }), fill: fillOf(kKeep) };
     this.dropped = {
@@ -36,16 +43,18 @@ export class FilterBoxes {
     };
   }
 
+  /** @param {readonly FilterBox[]} boxes */
   set(boxes) {
     this.clear();
     for (const box of boxes) this.add(box);
   }
 
+  /** @param {FilterBox} box */
   add({ min, max, keep }) {
     const look = keep ? this.kept : this.dropped;
-    const bounds = new Box3(new Vector3(...min), new Vector3(...max));
+    const bounds = new Box3(new Vector3().fromArray(min), new Vector3().fromArray(max));
     const edges = new Box3Helper(bounds);
-    edges.material.dispose();
+    for (const material of [edges.material].flat()) material.dispose();
     edges.material = look.line;
     if (!keep) {
       edges.geometry = edges.geometry.toNonIndexed();
@@ -57,12 +66,11 @@ export class FilterBoxes {
     bounds.getSize(fill.scale);
     fill.renderOrder = 3;
     this.group.add(edges, fill);
+    this.geometries.push(edges.geometry, fill.geometry);
   }
 
   clear() {
-    for (const node of [...this.group.children]) {
-      node.geometry.dispose();
-      this.group.remove(node);
-    }
+    for (const geometry of this.geometries.splice(0)) geometry.dispose();
+    this.group.clear();
   }
 }

@@ -1,34 +1,54 @@
-// Where the search has been, or where the listed ways go: a tile for each cube, the brighter the more of the search's
-// cells are in it, or the more ways pass it. Of ways each counts once a cube.
+// Shows where the search has been, or where the listed trajectories go. Each cube has a tile whose
+// brightness grows with the search's cells in it, or with the trajectories through it. A trajectory
+// counts once per cube.
 import { Color, Group, InstancedMesh, Matrix4, MeshBasicMaterial, PlaneGeometry } from 'three';
 import { heatColor } from '../coloring.js';
 
-const kCell = 2; // studs, of ways
+/** @import {Path} from '../path.js' */
+/** @import {HeatMap} from '../types/report.js' */
+
+const kCell = 2; // studs, for trajectories
 const kMostTiles = 20000; // the most visited are kept
 const kLift = 0.12; // studs above the lowest feet of the cell
 
-// One number for a cell, whole up to 65,536 studs from the middle of the world; farther ones fall together.
+/**
+ * The cube's centre in studs, with the lowest feet as y.
+ * @typedef {{x: number, y: number, z: number, count: number}} Cell
+ */
+
+/**
+ * Returns a cell's key, unique up to 65,536 studs from the origin; farther cells collide.
+ * @param {number} x
+ * @param {number} y
+ * @param {number} z
+ */
 const keyOf = (x, y, z) =>
   (((x + 32768) & 65535) * 65536 + ((y + 32768) & 65535)) * 65536 + ((z + 32768) & 65535);
 
-// {size, cells: [{x, y, z, count}]} in studs: the cube's middle, and the lowest feet in it.
+/**
+ * @param {Path[]} paths
+ * @returns {{size: number, cells: Cell[]}}
+ */
 export function visits(paths) {
+  /** @type {Map<number, Cell & {last: Path | null}>} */
   const cells = new Map();
   for (const path of paths) {
-    let [here, cell] = [NaN, null];
+    let here = NaN;
+    /** @type {Cell & {last: Path | null} | undefined} */
+    let cell;
     for (let i = 0; i < 3 * path.samples; i += 3) {
       const feet = path.points[i + 1];
       const x = Math.floor(path.points[i] / kCell);
       const z = Math.floor(path.points[i + 2] / kCell);
       const key = keyOf(x, Math.floor(feet / kCell), z);
-      if (key !== here) cell = cells.get(key); // mostly it is that of the sample before
+      if (key !== here) cell = cells.get(key); // usually the cell of the sample before
       here = key;
       if (!cell) {
         cell = { x: (x + 0.5) * kCell, y: feet, z: (z + 0.5) * kCell, count: 0, last: null };
         cells.set(key, cell);
       }
       if (feet < cell.y) cell.y = feet;
-      // Ways come one after another, so that the last visitor tells whether this one was here.
+      // Trajectories are processed in turn, so the last visitor tells whether this one was here.
       if (cell.last !== path) cell.count += 1;
       cell.last = path;
     }
@@ -36,9 +56,13 @@ export function visits(paths) {
   return { size: kCell, cells: [...cells.values()] };
 }
 
-// The same of a result's heat map.
+/**
+ * The same for a result's heat map.
+ * @param {HeatMap} map
+ * @returns {{size: number, cells: Cell[]}}
+ */
 export function searched({ size, feet, counts }) {
-  const middle = (v) => (Math.floor(v / size) + 0.5) * size;
+  const middle = (/** @type {number} */ v) => (Math.floor(v / size) + 0.5) * size;
   const cells = Array.from(counts, (count, i) => ({
     x: middle(feet[3 * i]),
     y: feet[3 * i + 1],
@@ -48,22 +72,30 @@ export function searched({ size, feet, counts }) {
   return { size, cells };
 }
 
-// Counts spread over orders of magnitude: 0 of a single one, 1 of the most.
+/**
+ * Counts span orders of magnitude: 0 for a single one, 1 for the maximum.
+ * @param {number} count
+ * @param {number} most
+ */
 export const heatShare = (count, most) => (most > 1 ? Math.log(count) / Math.log(most) : 0);
 
 export class HeatView {
   constructor() {
     this.group = new Group();
-    this.most = 0; // of all tiles
-    // Kept: with its last material a program of the GPU goes, and the map is made anew at each filter.
+    /** @type {InstancedMesh | null} */
+    this.mesh = null;
+    this.most = 0; // maximum of all tiles
+    // Kept alive: with its last material a GPU program is dropped, and each filter recreates the
+    // map.
     this.material = new MeshBasicMaterial({
       transparent: true,
       opacity: 0.9,
       depthWrite: false,
-      fog: false, // the legend has its colours
+      fog: false, // must match the legend
     });
   }
 
+  /** @param {{size: number, cells: Cell[]}} map */
   set({ size, cells: all }) {
     this.clear();
     const cells = all.sort((a, b) => b.count - a.count).slice(0, kMostTiles);
@@ -74,25 +106,26 @@ export class HeatView {
       cells.length,
     );
     this.most = cells[0].count;
-    const colors = new Map(); // of counts, which are few
+    /** @type {Map<number, Color>} */
+    const colors = new Map(); // cached by count, since there are few distinct counts
     const place = new Matrix4();
     cells.forEach(({ x, y, z, count }, i) => {
-      if (!colors.has(count))
-        colors.set(count, new Color(heatColor(heatShare(count, this.most))));
+      const color = colors.get(count) ?? new Color(heatColor(heatShare(count, this.most)));
+      colors.set(count, color);
       mesh.setMatrixAt(i, place.makeTranslation(x, y + kLift, z));
-      mesh.setColorAt(i, colors.get(count));
+      mesh.setColorAt(i, color);
     });
     mesh.renderOrder = 4;
     mesh.frustumCulled = false;
+    this.mesh = mesh;
     this.group.add(mesh);
   }
 
   clear() {
     this.most = 0;
-    for (const mesh of [...this.group.children]) {
-      mesh.geometry.dispose();
-      mesh.dispose();
-      this.group.remove(mesh);
-    }
+    this.mesh?.geometry.dispose();
+    this.mesh?.dispose();
+    this.mesh = null;
+    this.group.clear();
   }
 }

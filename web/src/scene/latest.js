@@ -1,12 +1,29 @@
-// What events have made of parts up to a tick. They are read on from where they were: of hours of play there are many.
+// The current state of parts by the events up to a tick. It continues from the last tick, since
+// hours of play have many events.
+
+/** @import {PartEvent} from '../types/page_data.js' */
+
 export class Latest {
-  // `ends`: whether a value of an event ends what one before it began.
+  /**
+   * `ends`: returns true if an event's value ends the state that an earlier one began.
+   * @param {(value: number) => boolean} ends
+   */
   constructor(ends) {
     this.ends = ends;
+    /** @type {PartEvent[] | null} */
     this.events = null;
+    this.tick = 0;
+    this.read = 0; // events up to that tick
+    /** @type {Map<number, number>} */
+    this.values = new Map();
   }
 
-  // Part -> value. `events`: [tick, part, value], in the order of ticks.
+  /**
+   * Returns part -> value. `events`: [tick, part, value], sorted by tick.
+   * @param {PartEvent[]} events
+   * @param {number} tick
+   * @returns {Map<number, number>}
+   */
   at(events, tick) {
     if (events !== this.events || tick < this.tick)
       Object.assign(this, { events, read: 0, values: new Map() });

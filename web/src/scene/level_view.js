@@ -1,5 +1,5 @@
-// The level in 3D: one InstancedMesh for each shape, translucency and mobility; moving and vanishing parts follow the
-// level clock.
+// The level in 3D, with an InstancedMesh for each shape, translucency and mobility. Moving and
+// vanishing parts follow the level clock.
 import {
   Color,
   DynamicDrawUsage,
@@ -16,35 +16,66 @@ import { ROLE_STYLE } from '../palette.js';
 import { grainOf } from './material_hints.js';
 import { partMaterial, ROLE_PATTERN } from './part_material.js';
 import { hullGeometry, scaleOf, unitGeometry } from './shapes.js';
+import { timedAway } from './vanishing.js';
+
+/** @import {BufferGeometry, Object3D} from 'three' */
+/** @import {LooseTrack} from '../tracks.js' */
+/** @import {Between, ColorMode, Level} from '../types/report.js' */
 
 const kNeutral = new Color('#808998');
-const kFaint = 0.1; // opacity of a part while it has vanished
+const kFaint = 0.1; // opacity of a vanished part
+
+/**
+ * An attribute of the shader.
+ * @typedef {'aPattern' | 'aAlpha' | 'aGlow' | 'aGrain' | 'aFlow'} Name
+ */
+/** @typedef {InstancedMesh & {own: Record<Name, InstancedBufferAttribute>}} PartMesh */
+
+/**
+ * Returns the parts of a mesh, by instance.
+ * @param {Object3D} mesh
+ * @returns {number[]}
+ */
+export const partsOf = (mesh) => mesh.userData.parts;
 
 export class LevelView {
-  // `colors`: 'roles', or 'level' for the parts' own.
+  /**
+   * `colors`: 'roles', or 'level' for the parts' own colours.
+   * @param {Level} level
+   * @param {ColorMode} colors
+   */
   constructor(level, colors) {
     this.level = level;
     this.group = new Group();
     this.uniforms = { uTime: { value: 0 }, uPatterns: { value: 1 }, uGrain: { value: 1 } };
-    this.slots = new Array(level.count); // part -> [{mesh, at}]
+    /** @type {PartMesh[]} */
+    this.meshes = [];
+    /** @type {{mesh: PartMesh, at: number}[][]} */
+    this.slots = Array.from({ length: level.count }, () => []); // instances of each part
     this.trackOf = new Map(level.tracks.map((track) => [track.part, track]));
     this.vanishOf = new Map(level.vanish.map((rule) => [rule.part, rule]));
     this.loose = new Set(level.loose);
-    this.displaced = []; // loose parts that are not where the level has them
+    /** @type {number[]} */
+    this.displaced = []; // dynamic parts away from their place in the level
     this.flowOf = new Map(level.conveyors.map((belt) => [belt.part, belt.velocity]));
     this.build();
     this.setColors(colors);
   }
 
+  /** @param {number} part */
   shapeOf(part) {
     return SHAPES[this.level.shape[part]];
   }
 
+  /** @param {number} part */
   roleOf(part) {
     return ROLES[this.level.role[part]];
   }
 
-  // Parts that share a mesh share this key.
+  /**
+   * Parts with equal keys share a mesh.
+   * @param {number} part
+   */
   keyOf(part) {
     const alpha = this.level.look[4 * part + 3];
     const translucent = alpha < 250 || this.vanishOf.has(part) || this.roleOf(part) === 'ghost';
@@ -53,28 +84,35 @@ export class LevelView {
   }
 
   build() {
+    /** @type {Map<string, number[]>} */
     const groups = new Map();
-    const alike = new Map(); // pieces of hulls: a place has many copies of one mesh
+    /** @type {Map<string, {piece: Float32Array, key: string, parts: number[]}>} */
+    const alike = new Map(); // pieces of hulls, since a place has many copies of one mesh
     const hullsOf = new Map(this.level.hulls.map((hull) => [hull.part, hull.pieces]));
     for (let part = 0; part < this.level.count; part++) {
-      if (this.shapeOf(part) === 'hull' && hullsOf.get(part)?.length) {
-        const key = this.keyOf(part);
-        for (const piece of hullsOf.get(part)) {
-          const same = `${key} ${piece.join()}`;
-          if (!alike.has(same)) alike.set(same, { piece, key, parts: [] });
-          alike.get(same).parts.push(part);
-        }
-        continue;
-      }
       const key = this.keyOf(part);
-      if (!groups.has(key)) groups.set(key, []);
-      groups.get(key).push(part);
+      const pieces = this.shapeOf(part) === 'hull' ? (hullsOf.get(part) ?? []) : [];
+      for (const piece of pieces) {
+        const same = `${key} ${piece.join()}`;
+        const group = alike.get(same) ?? { piece, key, parts: [] };
+        group.parts.push(part);
+        alike.set(same, group);
+      }
+      if (pieces.length) continue;
+      const group = groups.get(key) ?? [];
+      group.push(part);
+      groups.set(key, group);
     }
     for (const { piece, key, parts } of alike.values())
       this.addMesh(hullGeometry(piece), key, parts);
     for (const [key, parts] of groups) this.addMesh(unitGeometry(key.split(' ')[0]), key, parts);
   }
 
+  /**
+   * @param {BufferGeometry} geometry
+   * @param {string} key
+   * @param {number[]} parts
+   */
   addMesh(geometry, key, parts) {
     const [shape, look, mobility] = key.split(' ');
     const mesh = new InstancedMesh(
@@ -89,22 +127,31 @@ export class LevelView {
     mesh.userData.parts = parts;
     mesh.castShadow = look === 'opaque' && shape !== 'truss';
     mesh.receiveShadow = true;
-    const attribute = (name, width) =>
-      geometry.setAttribute(
-        name,
-        new InstancedBufferAttribute(new Float32Array(parts.length * width), width),
-      );
-    attribute('aPattern', 1);
-    attribute('aAlpha', 1);
-    attribute('aGlow', 1);
-    attribute('aGrain', 1);
-    attribute('aFlow', 3);
-    parts.forEach((part, at) => this.place(mesh, at, part));
-    this.group.add(mesh);
+    const attribute = (/** @type {Name} */ name, /** @type {number} */ width) => {
+      const own = new InstancedBufferAttribute(new Float32Array(parts.length * width), width);
+      geometry.setAttribute(name, own);
+      return own;
+    };
+    const own = {
+      aPattern: attribute('aPattern', 1),
+      aAlpha: attribute('aAlpha', 1),
+      aGlow: attribute('aGlow', 1),
+      aGrain: attribute('aGrain', 1),
+      aFlow: attribute('aFlow', 3),
+    };
+    const partMesh = Object.assign(mesh, { own });
+    parts.forEach((part, at) => this.place(partMesh, at, part));
+    this.meshes.push(partMesh);
+    this.group.add(partMesh);
   }
 
+  /**
+   * @param {PartMesh} mesh
+   * @param {number} at
+   * @param {number} part
+   */
   place(mesh, at, part) {
-    (this.slots[part] ??= []).push({ mesh, at });
+    this.slots[part].push({ mesh, at });
     const { position, rotation, size } = this.level;
     const shape = this.shapeOf(part);
     const turn = new Quaternion().fromArray(rotation, 4 * part).normalize();
@@ -113,23 +160,25 @@ export class LevelView {
       at,
       new Matrix4().compose(new Vector3().fromArray(position, 3 * part), turn, scale),
     );
-    mesh.geometry.attributes.aPattern.setX(at, ROLE_PATTERN[this.roleOf(part)] ?? 0);
-    mesh.geometry.attributes.aAlpha.setX(at, this.alphaOf(part));
+    mesh.own.aPattern.setX(at, ROLE_PATTERN[this.roleOf(part)] ?? 0);
+    mesh.own.aAlpha.setX(at, this.alphaOf(part));
     const material = this.level.materials[this.level.material[part] ?? 0];
-    mesh.geometry.attributes.aGrain.setX(at, grainOf(material));
+    mesh.own.aGrain.setX(at, grainOf(material));
     const flow = this.flowOf.get(part);
     if (flow) {
       const local = new Vector3(...flow).applyQuaternion(turn.clone().invert());
-      mesh.geometry.attributes.aFlow.setXYZ(at, local.x, local.y, local.z);
+      mesh.own.aFlow.setXYZ(at, local.x, local.y, local.z);
     }
   }
 
+  /** @param {number} part */
   alphaOf(part) {
     const alpha = this.level.look[4 * part + 3] / 255;
-    // An invisible part still matters to the player: it is shown faintly.
+    // An invisible part still affects the player, so it is shown faintly.
     return Math.max(alpha, this.roleOf(part) === 'plain' ? 0.12 : 0.3);
   }
 
+  /** @param {ColorMode} mode */
   setColors(mode) {
     const color = new Color();
     const own = new Color();
@@ -144,23 +193,33 @@ export class LevelView {
       else color.set(ROLE_STYLE[role].color);
       for (const { mesh, at } of this.slots[part]) mesh.setColorAt(at, color);
     }
-    for (const mesh of this.group.children) mesh.instanceColor.needsUpdate = true;
+    for (const { instanceColor } of this.meshes)
+      if (instanceColor) instanceColor.needsUpdate = true;
   }
 
-  // `tick`: of the level clock. `gone`: parts without collision now, by the trajectory's own events. `moved`: ticks since
-  // the start of the triggered parts that move now.
+  /**
+   * `tick`: of the level clock. `gone`: parts that the trajectory's events have made vanish.
+   * `moved`: ticks since the start of each triggered part in motion.
+   * @param {number} tick
+   * @param {{has: (part: number) => boolean}} gone
+   * @param {Map<number, number>} moved
+   */
   update(tick, gone, moved) {
     this.uniforms.uTime.value = tick / this.level.tickRate;
     for (const [part, track] of this.trackOf) {
       this.pose(part, track.at(track.triggered ? (moved.get(part) ?? 0) : tick), track);
     }
     for (const [part, rule] of this.vanishOf) {
-      const away = rule.trigger === 'timer' ? this.timedAway(rule, tick) : gone.has(part);
+      const away = rule.trigger === 'timer' ? timedAway(rule, tick) : gone.has(part);
       this.setAttribute(part, 'aAlpha', away ? kFaint : this.alphaOf(part));
     }
   }
 
-  // `tracks`: of the loose parts that the trajectory moves; `tick`: since its start.
+  /**
+   * `tracks`: of the dynamic parts that the trajectory moves; `tick`: since its start.
+   * @param {LooseTrack[]} tracks
+   * @param {number} tick
+   */
   updateLoose(tracks, tick) {
     for (const part of this.displaced)
       this.pose(part, { i: part, next: part, share: 0 }, this.level);
@@ -168,18 +227,11 @@ export class LevelView {
     this.displaced = tracks.map((track) => track.part);
   }
 
-  // Between two ticks nothing comes or goes.
-  timedAway(rule, tick) {
-    const away = (Math.floor(tick) + rule.phase) % (rule.delay + rule.away) >= rule.delay;
-    return away !== Boolean(rule.inverted);
-  }
-
-  // Parts that are away until something happens.
-  goneAtRest() {
-    const waits = (rule) => rule.trigger !== 'timer' && rule.inverted;
-    return new Set(this.level.vanish.filter(waits).map((rule) => rule.part));
-  }
-
+  /**
+   * @param {number} part
+   * @param {Between} between
+   * @param {{position: Float32Array | null, rotation: Float32Array | Int16Array | null}} track
+   */
   pose(part, { i, next, share }, track) {
     const matrix = new Matrix4();
     for (const { mesh, at } of this.slots[part]) {
@@ -201,13 +253,18 @@ export class LevelView {
       }
       mesh.setMatrixAt(at, matrix.compose(position, rotation, scale));
       mesh.instanceMatrix.needsUpdate = true;
-      mesh.boundingSphere = null; // of the parts as they were: rays would pass by those that moved
+      mesh.boundingSphere = null; // outdated: rays would miss parts that moved
     }
   }
 
+  /**
+   * @param {number} part
+   * @param {Name} name
+   * @param {number} value
+   */
   setAttribute(part, name, value) {
     for (const { mesh, at } of this.slots[part] ?? []) {
-      const attribute = mesh.geometry.attributes[name];
+      const attribute = mesh.own[name];
       if (attribute.getX(at) !== value) {
         attribute.setX(at, value);
         attribute.needsUpdate = true;
@@ -215,11 +272,18 @@ export class LevelView {
     }
   }
 
+  /**
+   * @param {number} part
+   * @param {boolean} on
+   */
   glow(part, on) {
     if (part >= 0) this.setAttribute(part, 'aGlow', on ? 1 : 0);
   }
 
-  // Centre of a part as it is drawn now.
+  /**
+   * Returns the centre of a part as currently drawn.
+   * @param {number} part
+   */
   centreOf(part) {
     const { mesh, at } = this.slots[part][0];
     const matrix = new Matrix4();

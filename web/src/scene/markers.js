@@ -1,4 +1,5 @@
-// Where attempts ended, one glyph an outcome, and the runners: a dot for every trajectory at the clock's tick.
+// Marks the ends of attempts, one glyph per outcome, and the runners: a dot for each trajectory at
+// the current tick.
 import {
   BufferAttribute,
   BufferGeometry,
@@ -13,6 +14,11 @@ import {
 import { OUTCOME_STYLE } from '../palette.js';
 import { dispose } from './dispose.js';
 
+/** @import {Query, Tint} from '../types/report.js' */
+
+/** @typedef {'ring' | 'dot' | 'cross' | 'down' | 'up' | 'bar' | 'clock'} Glyph */
+
+/** @type {Record<Glyph, (g: CanvasRenderingContext2D) => void>} */
 const kDraw = {
   ring: (g) => {
     g.arc(32, 32, 17, 0, 7);
@@ -49,17 +55,22 @@ const kDraw = {
   },
 };
 
-// A glyph with a dark rim, readable on any part.
+/**
+ * Draws a glyph with a dark rim, readable on any part.
+ * @param {Glyph} glyph
+ * @param {string} color
+ */
 export function glyphTexture(glyph, color) {
   const canvas = document.createElement('canvas');
   canvas.width = 64;
   canvas.height = 64;
   const g = canvas.getContext('2d');
+  if (!g) throw new Error('this browser gives no canvas to draw on');
   g.lineCap = 'round';
   g.lineJoin = 'round';
-  for (const [style, width] of [
-    ['rgba(8,10,15,0.85)', 13],
-    [color, 6.5],
+  for (const { style, width } of [
+    { style: 'rgba(8,10,15,0.85)', width: 13 },
+    { style: color, width: 6.5 },
   ]) {
     g.strokeStyle = style;
     g.lineWidth = width;
@@ -70,23 +81,36 @@ export function glyphTexture(glyph, color) {
   return new CanvasTexture(canvas);
 }
 
-function points(positions, material) {
+/**
+ * @param {number[] | Float32Array} positions
+ * @param {PointsMaterial} material
+ */
+function cloudOf(positions, material) {
   const geometry = new BufferGeometry();
-  geometry.setAttribute('position', new Float32BufferAttribute(positions, 3));
-  geometry.setIndex(new BufferAttribute(new Uint32Array(positions.length / 3), 1));
+  const position = new Float32BufferAttribute(positions, 3);
+  const index = new BufferAttribute(new Uint32Array(positions.length / 3), 1);
+  geometry.setAttribute('position', position);
+  geometry.setIndex(index);
   const cloud = new Points(geometry, material);
   cloud.frustumCulled = false;
   cloud.renderOrder = 9;
-  return cloud;
+  return { cloud, position, index };
 }
 
 export class Markers {
+  /**
+   * @param {Query} query
+   * @param {number} pixelRatio
+   */
   constructor(query, pixelRatio) {
     this.paths = query.paths;
     this.ends = new Group();
-    this.clouds = []; // {cloud, indices}: what a filter thins
+    /** @type {{cloud: Points, index: BufferAttribute, indices: number[]}[]} */
+    this.clouds = []; // for filters
     for (const [outcome, style] of Object.entries(OUTCOME_STYLE)) {
+      /** @type {number[]} */
       const indices = [];
+      /** @type {number[]} */
       const at = [];
       query.paths.forEach((path, index) => {
         if (path.outcome !== outcome || outcome === 'goal') return;
@@ -95,7 +119,7 @@ export class Markers {
         at.push(x, y + 0.35, z);
       });
       if (!at.length) continue;
-      const cloud = points(
+      const { cloud, index } = cloudOf(
         at,
         new PointsMaterial({
           map: glyphTexture(style.glyph, style.color),
@@ -106,20 +130,25 @@ export class Markers {
           depthWrite: false,
         }),
       );
-      this.clouds.push({ cloud, indices });
+      this.clouds.push({ cloud, index, indices });
       this.ends.add(cloud);
     }
-    this.runners = this.runnerCloud(pixelRatio);
-    this.clouds.push({ cloud: this.runners, indices: query.paths.map((_, i) => i) });
+    const { cloud, position, index } = this.runnerCloud(pixelRatio);
+    this.runners = cloud;
+    this.places = position.setUsage(DynamicDrawUsage);
+    this.colors = new Float32BufferAttribute(new Float32Array(3 * this.paths.length), 3);
+    cloud.geometry.setAttribute('color', this.colors);
+    this.clouds.push({ cloud, index, indices: query.paths.map((_, i) => i) });
     this.group = new Group();
     this.group.add(this.ends, this.runners);
   }
 
+  /** @param {number} pixelRatio */
   runnerCloud(pixelRatio) {
-    const cloud = points(
+    return cloudOf(
       new Float32Array(this.paths.length * 3),
       new PointsMaterial({
-        size: 5 * pixelRatio,
+        size: 13 * pixelRatio,
         sizeAttenuation: false,
         vertexColors: true,
         transparent: true,
@@ -127,27 +156,24 @@ export class Markers {
         map: glyphTexture('dot', '#ffffff'),
       }),
     );
-    cloud.material.size = 13 * pixelRatio;
-    cloud.geometry.setAttribute(
-      'color',
-      new Float32BufferAttribute(new Float32Array(3 * this.paths.length), 3),
-    );
-    cloud.geometry.attributes.position.setUsage(DynamicDrawUsage);
-    return cloud;
   }
 
-  // `tint`: path -> colour, of the runners; ends keep the colour of their outcome.
+  /**
+   * `tint`: path -> colour, for the runners. Ends keep the colour of their outcome.
+   * @param {Tint} tint
+   */
   setColors(tint) {
-    const { color } = this.runners.geometry.attributes;
     const mixed = new Color();
-    this.paths.forEach((path, i) => mixed.set(tint(path)).toArray(color.array, 3 * i));
-    color.needsUpdate = true;
+    this.paths.forEach((path, i) => mixed.set(tint(path)).toArray(this.colors.array, 3 * i));
+    this.colors.needsUpdate = true;
   }
 
-  // `shown`: set of indices.
+  /**
+   * `shown`: set of indices.
+   * @param {Set<number>} shown
+   */
   setShown(shown) {
-    for (const { cloud, indices } of this.clouds) {
-      const { index } = cloud.geometry;
+    for (const { cloud, index, indices } of this.clouds) {
       let at = 0;
       indices.forEach((path, i) => {
         if (shown.has(path)) index.array[at++] = i;
@@ -157,14 +183,14 @@ export class Markers {
     }
   }
 
+  /** @param {number} tick */
   update(tick) {
     if (!this.runners.visible) return;
-    const position = this.runners.geometry.attributes.position;
     this.paths.forEach((path, i) => {
       const pose = path.poseAt(tick);
-      position.setXYZ(i, pose.x, pose.y + 1, pose.z);
+      this.places.setXYZ(i, pose.x, pose.y + 1, pose.z);
     });
-    position.needsUpdate = true;
+    this.places.needsUpdate = true;
   }
 
   dispose() {

@@ -1,15 +1,16 @@
-// What parts look to be made of: a faint grain per kind of material, in studs. Many of the engine's materials share one.
+// A faint grain for each kind of material, in studs. Many of the engine's materials share one.
 export const GRAIN = {
   none: 0,
-  glow: 1, // shines by itself
+  glow: 1, // emits light
   sheen: 2, // smooth, with slanted streaks of light
   boards: 3, // lines along the part's length
-  bricks: 4, // courses, every other one shifted
+  bricks: 4, // rows, every other one shifted
   speckles: 5, // uneven ground, stone, sand
   plates: 6, // sheets with seams
-  weave: 7, // threads over threads
+  weave: 7, // crossing threads
 };
 
+/** @type {Partial<Record<keyof typeof GRAIN, string>>} */
 const kGrainOf = {
   glow: 'Neon CrackedLava',
   sheen: 'Ice Glacier Glass ForceField Foil Marble',
@@ -21,24 +22,24 @@ const kGrainOf = {
   weave: 'Fabric Carpet Leather Cardboard Rubber',
 };
 
-const grains = new Map(
-  Object.entries(kGrainOf).flatMap(([grain, names]) =>
-    names.split(' ').map((name) => [name, GRAIN[grain]]),
-  ),
-);
+/** @type {Map<string, number>} */
+const grains = new Map();
+for (const grain of /** @type {(keyof typeof GRAIN)[]} */ (Object.keys(GRAIN)))
+  for (const name of kGrainOf[grain]?.split(' ') ?? []) grains.set(name, GRAIN[grain]);
 
+/** @param {string} material */
 export const grainOf = (material) => grains.get(material) ?? GRAIN.none;
 
-// How much lighter or darker a point is than its colour; `uv` in studs on the face.
+// Factors of a point's brightness; `uv` in studs on the face.
 export const GRAIN_SHADER = `
 float random(vec2 p) { return fract(sin(dot(p, vec2(12.9898, 78.233))) * 43758.5453); }
-// A dark line where v is whole, as wide as thin says, that fades where it would be finer than a pixel.
+// A dark line at integers of v with half width thin, faded out where finer than a pixel.
 float seam(float v, float thin) {
   float w = fwidth(v);
   float d = 0.5 - abs(fract(v) - 0.5);
   return (1.0 - smoothstep(thin, thin + w, d)) * (1.0 - smoothstep(0.15, 0.5, w));
 }
-// Noise on a lattice, smooth between its points.
+// Value noise on a lattice.
 float cloud(vec2 p) {
   vec2 i = floor(p);
   vec2 f = fract(p);

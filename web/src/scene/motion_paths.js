@@ -1,8 +1,11 @@
-// The ways of moving parts as dashed lines.
+// The trajectories of moving parts as dashed lines.
 import { BufferGeometry, Float32BufferAttribute, Group, Line, LineDashedMaterial } from 'three';
 import { ROLE_STYLE } from '../palette.js';
 import { corners } from './straight.js';
 
+/** @import {Level} from '../types/report.js' */
+
+/** @param {Level} level */
 export function pathsOfMotion(level) {
   const group = new Group();
   const material = new LineDashedMaterial({
@@ -16,7 +19,8 @@ export function pathsOfMotion(level) {
   for (const track of level.tracks) {
     if (!track.position) continue;
     const geometry = new BufferGeometry();
-    // A browser without a GPU draws about 400 pieces of lines a ms, and a track has a sample a tick.
+    // A browser without a GPU draws about 400 line segments a ms, and a track has a sample per
+    // tick.
     geometry.setAttribute('position', new Float32BufferAttribute(corners(track.position), 3));
     const line = new Line(geometry, material);
     line.computeLineDistances();

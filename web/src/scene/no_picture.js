@@ -1,37 +1,40 @@
-// Where the browser has no WebGL: a message in place of the picture. All else of the page goes on, and what it tells the
-// renderer is told nobody.
+// Shows a message instead of the picture if the browser has no WebGL. The rest of the page works,
+// and calls of the renderer do nothing.
+import { PCFShadowMap } from 'three';
 import { el } from '../ui/dom.js';
+
+/** @import {WebGLRenderer} from 'three' */
 
 const kMessage =
   'No 3D picture: this browser has no WebGL. Hardware acceleration may be off in its settings. ' +
   'The rest of the report works. obby-view -o FILE.png draws a picture without a browser.';
 
-// What the stage asks of a renderer.
-class NoRenderer {
-  constructor() {
-    this.shadowMap = {};
-  }
+// The renderer methods that the stage calls.
+/** @typedef {'setPixelRatio' | 'getPixelRatio' | 'setClearAlpha' | 'setSize'} Setters */
+/** @typedef {Setters | 'clear' | 'render'} Methods */
+/** @typedef {'type' | 'enabled' | 'autoUpdate' | 'needsUpdate'} Settings */
+/** @typedef {Pick<WebGLRenderer['shadowMap'], Settings>} Shadows */
+/** @typedef {Pick<WebGLRenderer, Methods> & {shadowMap: Shadows}} Renderer */
 
-  setPixelRatio() {}
+/** @returns {Renderer} */
+const noRenderer = () => ({
+  shadowMap: { type: PCFShadowMap, enabled: false, autoUpdate: false, needsUpdate: false },
+  setPixelRatio() {},
+  getPixelRatio: () => 1,
+  setClearAlpha() {},
+  setSize() {},
+  clear() {},
+  render() {},
+});
 
-  getPixelRatio() {
-    return 1;
-  }
-
-  setClearAlpha() {}
-
-  setSize() {}
-
-  clear() {}
-
-  render() {}
-}
-
-// The message takes the pointer, and the keyboard passes by.
+/**
+ * The message takes pointer events, and the canvas leaves the tab order.
+ * @param {HTMLCanvasElement} canvas
+ */
 export function noPicture(canvas) {
   canvas.hidden = true;
-  canvas.parentElement.append(
+  canvas.parentElement?.append(
     el('div', { class: 'no-picture', role: 'status' }, el('p', { text: kMessage })),
   );
-  return new NoRenderer();
+  return noRenderer();
 }

@@ -1,9 +1,14 @@
-// How parts look: soft light, fine edges, and a pattern per role in studs (stripes kill, chevrons carry, rings throw,
-// checks are the goal, dots vanish), so that a role is told without its colour too.
+// The material of parts: soft light, fine edges, and a pattern per role in studs, so that roles are
+// distinguishable without colour. Stripes kill, chevrons carry, rings throw, checks are the goal,
+// and dots vanish.
 import { DoubleSide, FrontSide, MeshLambertMaterial } from 'three';
 import { GRAIN_SHADER } from './material_hints.js';
 
+/** @import {IUniform} from 'three' */
+/** @import {Role} from '../types/page_data.js' */
+
 export const PATTERN = { none: 0, stripes: 1, chevrons: 2, rings: 3, checks: 4, dots: 5 };
+/** @type {Partial<Record<Role, number>>} */
 export const ROLE_PATTERN = {
   kill: PATTERN.stripes,
   conveyor: PATTERN.chevrons,
@@ -32,7 +37,7 @@ vec2 faceUv(vec3 p) {
   return n.y > n.x && n.y > n.z ? p.xz : n.x > n.z ? p.zy : p.xy;
 }
 ${GRAIN_SHADER}
-// 0 to 1 across an edge at 0.5, smooth at any distance, and its mean where it is finer than a pixel.
+// 0 to 1 across an edge at 0.5, smooth at any distance, and its mean where finer than a pixel.
 float band(float v) {
   float w = fwidth(v);
   float s = abs(fract(v) - 0.5) * 2.0;
@@ -84,8 +89,13 @@ const SHINE = `
 if (vGrain > 0.5 && vGrain < 1.5) totalEmissiveRadiance += uGrain * 0.5 * diffuseColor.rgb;
 `;
 
-// `uniforms` is shared by all materials: uTime in seconds of play; uPatterns, of the roles, and uGrain, of what parts are
-// made of, from 0 to 1.
+/**
+ * All materials share `uniforms`: uTime in seconds of play; uPatterns (roles) and uGrain
+ * (materials) from 0 to 1.
+ * @param {string} shape
+ * @param {boolean} translucent
+ * @param {Record<string, IUniform<number>>} uniforms
+ */
 export function partMaterial(shape, translucent, uniforms) {
   const lattice = shape === 'truss';
   const material = new MeshLambertMaterial({
@@ -93,9 +103,11 @@ export function partMaterial(shape, translucent, uniforms) {
     depthWrite: !translucent,
     side: lattice ? DoubleSide : FrontSide,
   });
-  material.defines = {};
-  if (lattice) material.defines.OBBY_LATTICE = '';
-  if (['block', 'wedge', 'cornerWedge', 'truss'].includes(shape)) material.defines.OBBY_EDGES = '';
+  const edges = ['block', 'wedge', 'cornerWedge', 'truss'].includes(shape);
+  material.defines = {
+    ...(lattice && { OBBY_LATTICE: '' }),
+    ...(edges && { OBBY_EDGES: '' }),
+  };
   material.onBeforeCompile = (shader) => {
     Object.assign(shader.uniforms, uniforms);
     shader.vertexShader =
@@ -115,6 +127,6 @@ export function partMaterial(shape, translucent, uniforms) {
       `#include <emissivemap_fragment>\n${SHINE}`,
     );
   };
-  material.customProgramCacheKey = () => `${lattice} ${'OBBY_EDGES' in material.defines}`;
+  material.customProgramCacheKey = () => `${lattice} ${edges}`;
   return material;
 }

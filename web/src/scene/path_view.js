@@ -1,15 +1,25 @@
-// Trajectories of a query as lines: attempts thin and faint in one buffer, solutions bright, the selected one thick,
-// with the part already played brighter than what is to come.
+// Trajectories of a query as lines. Attempts are thin and faint in one buffer, solutions bright,
+// and the selected one thick. Its played part is brighter than the rest.
 import { AdditiveBlending, Group } from 'three';
 import { LineMaterial } from 'three/addons/lines/LineMaterial.js';
 import { LineSegments2 } from 'three/addons/lines/LineSegments2.js';
 import { LineSegmentsGeometry } from 'three/addons/lines/LineSegmentsGeometry.js';
 import { BAND_STYLE, GHOST_COLOR, pathColor, SELECTED_COLOR } from '../palette.js';
+import { dispose } from './dispose.js';
 import { kLift, skipOf, ThinLines } from './thin_lines.js';
 
-const kMostThick = 12; // solutions; more are thin lines, for thick ones take a draw call and many pixels each
+/** @import {Object3D} from 'three' */
+/** @import {LineMaterialParameters} from 'three/addons/lines/LineMaterial.js' */
+/** @import {Path} from '../path.js' */
+/** @import {Query, State, Tint} from '../types/report.js' */
 
-// Pairs of points, as line segments want them, from one sample to another.
+const kMostThick = 12; // max thick solutions; more are thin lines, because a thick one costs a draw
+                       // call and many pixels
+
+/**
+ * Returns pairs of points for line segments, from one sample to another.
+ * @param {Path} path
+ */
 function segmentsOf(path, first = 0, last = path.samples - 1) {
   const out = new Float32Array(Math.max(0, last - first) * 6);
   for (let i = 0; first + i < last; i++) {
@@ -19,6 +29,14 @@ function segmentsOf(path, first = 0, last = path.samples - 1) {
   return out;
 }
 
+/**
+ * @param {Path} path
+ * @param {string} color
+ * @param {number} width
+ * @param {number} opacity
+ * @param {LineMaterialParameters} options
+ * @param {[first?: number, last?: number]} range
+ */
 function thickLine(path, color, width, opacity, options = {}, range = []) {
   const geometry = new LineSegmentsGeometry();
   geometry.setPositions(segmentsOf(path, ...range));
@@ -36,12 +54,14 @@ function thickLine(path, color, width, opacity, options = {}, range = []) {
 }
 
 export class PathView {
+  /** @param {Query} query */
   constructor(query) {
     this.paths = query.paths;
+    /** @type {Tint} */
     this.tint = pathColor;
     this.group = new Group();
     const indices = query.paths.map((_, i) => i);
-    const isSolution = (i) => query.paths[i].kind === 'solution';
+    const isSolution = (/** @type {number} */ i) => query.paths[i].kind === 'solution';
     const solutions = indices.filter(isSolution);
     const attempts = indices.filter((i) => !isSolution(i));
     const further = solutions.slice(kMostThick);
@@ -50,16 +70,23 @@ export class PathView {
     this.further = new ThinLines(query.paths, further, skip);
     this.attempts = this.failed.lines;
     this.solutions = new Group();
+    /** @type {Map<number, LineSegments2>} */
     this.thick = new Map(); // index -> line
     for (const i of solutions.slice(0, kMostThick)) this.addSolution(i);
     this.solutions.add(this.further.lines);
     this.selection = new Group();
-    this.rival = new Group(); // the other one of a comparison
+    this.rival = new Group(); // the ghost of a comparison
     this.hovered = new Group();
-    this.left = []; // lines that are not drawn any more
+    /** @type {Object3D[]} */
+    this.left = []; // removed lines, not yet freed
+    /** @type {LineSegments2 | null} */
+    this.played = null; // of the selection, the part before the current moment
+    /** @type {LineSegments2 | null} */
+    this.hardest = null; // of the selection, its hardest step
     this.group.add(this.attempts, this.solutions, this.rival, this.hovered, this.selection);
   }
 
+  /** @param {number} index */
   addSolution(index) {
     const path = this.paths[index];
     const dashes = path.mismatch ? { dashed: true, dashSize: 1, gapSize: 0.6 } : {};
@@ -69,20 +96,30 @@ export class PathView {
     this.solutions.add(line);
   }
 
+  /**
+   * @param {State} state
+   * @param {boolean} dimmed
+   */
   show({ solutions, attempts }, dimmed) {
     this.solutions.visible = solutions;
     this.attempts.visible = attempts;
     for (const line of this.thick.values()) line.material.opacity = dimmed ? 0.28 : 0.75;
   }
 
-  // `shown`: set of indices.
+  /**
+   * `shown`: set of indices.
+   * @param {Set<number>} shown
+   */
   setShown(shown) {
     this.failed.setShown(shown);
     this.further.setShown(shown);
     for (const [index, line] of this.thick) line.visible = shown.has(index);
   }
 
-  // `tint`: path -> colour.
+  /**
+   * `tint`: path -> colour.
+   * @param {Tint} tint
+   */
   setColors(tint) {
     this.tint = tint;
     this.failed.setColors(tint);
@@ -90,6 +127,7 @@ export class PathView {
     for (const [index, line] of this.thick) line.material.color.set(tint(this.paths[index]));
   }
 
+  /** @param {Group} group */
   empty(group) {
     for (const line of [...group.children]) {
       group.remove(line);
@@ -97,50 +135,54 @@ export class PathView {
     }
   }
 
-  // Frees what was taken away: behind the next picture, for the reason that Leaving has.
+  // Frees removed lines after the next picture, for the reason given at Leaving.
   sweep() {
-    for (const { geometry, material } of this.left.splice(0)) {
-      geometry.dispose();
-      material.dispose();
-    }
+    for (const line of this.left.splice(0)) dispose(line);
   }
 
+  /** @param {Path | undefined} path */
   select(path) {
     this.empty(this.selection);
     this.played = null;
     if (!path) return;
     const tint = this.tint(path);
-    // What lies behind parts shines through faintly.
+    // Hidden stretches shine through the parts faintly.
+    this.played = thickLine(path, path.outcome === 'goal' ? SELECTED_COLOR : '#ffffff', 4.2, 1);
     this.selection.add(
       thickLine(path, tint, 2.5, 0.3, { depthTest: false, blending: AdditiveBlending }),
       thickLine(path, '#0b0e14', 7.5, 0.45),
       thickLine(path, tint, 3.6, 0.75),
-      thickLine(path, path.outcome === 'goal' ? SELECTED_COLOR : '#ffffff', 4.2, 1),
+      this.played,
     );
     this.selection.children.forEach((line, i) => {
       line.renderOrder = 7 + i;
     });
-    this.played = this.selection.children[3];
     this.markHardest(path);
   }
 
-  // The hardest step stands out from the rest of the selected line.
+  /**
+   * Highlights the hardest step of the selected line.
+   * @param {Path} path
+   */
   markHardest(path) {
     this.hardest = null;
     if (!path.difficulty) return;
     const { startTick, ticks, band } = path.difficulty.hardest;
-    const sample = (tick) => {
+    const sample = (/** @type {number} */ tick) => {
       const { i, j, share } = path.at(tick);
       return share < 0.5 ? i : j;
     };
-    const range = [sample(startTick), sample(startTick + ticks)];
-    if (range[1] <= range[0]) return;
-    this.hardest = thickLine(path, BAND_STYLE[band].color, 9, 0.85, {}, range);
-    this.hardest.renderOrder = 8; // over the dark border, below the line itself
+    const [first, last] = [sample(startTick), sample(startTick + ticks)];
+    if (last <= first) return;
+    this.hardest = thickLine(path, BAND_STYLE[band].color, 9, 0.85, {}, [first, last]);
+    this.hardest.renderOrder = 8; // above the dark border, below the line itself
     this.selection.add(this.hardest);
   }
 
-  // The one that the selected is compared with: dashed.
+  /**
+   * Draws the ghost of a comparison, dashed.
+   * @param {Path | undefined} path
+   */
   compare(path) {
     this.empty(this.rival);
     if (!path) return;
@@ -150,14 +192,19 @@ export class PathView {
     this.rival.add(line);
   }
 
+  /** @param {Path | undefined} path */
   hover(path) {
     this.empty(this.hovered);
     if (path) this.hovered.add(thickLine(path, '#ffffff', 3, 0.9));
   }
 
-  // How much of the selected line has been played.
+  /**
+   * Sets how much of the selected line has been played.
+   * @param {Path} path
+   * @param {number} tick
+   */
   play(path, tick) {
-    if (!path || !this.played) return;
+    if (!this.played) return;
     const { i, j, share } = path.at(tick);
     const count = share > 0 ? j : i;
     this.played.geometry.instanceCount = count;

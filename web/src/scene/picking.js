@@ -1,10 +1,29 @@
-// What is under the pointer: trajectories by distance on the screen (lines are thin, a hand is not), then parts.
+// Picks what is under the pointer: trajectories by screen distance, since lines are thin, then
+// parts.
 import { Matrix4, Plane, Raycaster, Vector2, Vector3 } from 'three';
+import { partsOf } from './level_view.js';
 import { kLift } from './thin_lines.js';
 
-const kReach = 9; // pixels
-const kMostPoints = 150000; // tested a pick; beyond it, every k-th sample
+/** @import {Group, PerspectiveCamera} from 'three' */
+/** @import {Path} from '../path.js' */
 
+/**
+ * The picture's camera and size in pixels.
+ * @typedef {{camera: PerspectiveCamera, width: number, height: number}} Screen
+ */
+/** @typedef {[x: number, y: number]} At pixels */
+
+const kReach = 9; // pixels
+const kMostPoints = 150000; // tested per pick; beyond it only every k-th sample
+
+/**
+ * @param {number} px
+ * @param {number} py
+ * @param {number} ax
+ * @param {number} ay
+ * @param {number} bx
+ * @param {number} by
+ */
 function distanceToSegment(px, py, ax, ay, bx, by) {
   const dx = bx - ax;
   const dy = by - ay;
@@ -16,8 +35,15 @@ function distanceToSegment(px, py, ax, ay, bx, by) {
   return Math.hypot(px - ax - t * dx, py - ay - t * dy);
 }
 
-// Nearest approach of one path to a point on the screen.
-function approach(path, matrix, width, height, x, y, skip) {
+/**
+ * Returns the nearest approach of a path to a screen point.
+ * @param {Path} path
+ * @param {Matrix4} matrix
+ * @param {Screen} screen
+ * @param {At} at
+ * @param {number} skip
+ */
+function approach(path, matrix, { width, height }, [x, y], skip) {
   const m = matrix.elements;
   let best = Infinity;
   let tick = 0;
@@ -47,41 +73,71 @@ function approach(path, matrix, width, height, x, y, skip) {
   return { distance: best, tick };
 }
 
-// {path: index, tick} or null. Solutions win over attempts that are as near.
-export function pickPath(paths, camera, width, height, x, y, visible) {
+/**
+ * Returns {path: index, tick} or null. Solutions win over attempts at equal distance.
+ * @param {Path[]} paths
+ * @param {Screen} screen
+ * @param {At} at
+ * @param {(path: Path, index: number) => boolean} visible
+ * @returns {{path: number, tick: number} | null}
+ */
+export function pickPath(paths, screen, at, visible) {
+  const { camera } = screen;
   const matrix = new Matrix4().multiplyMatrices(camera.projectionMatrix, camera.matrixWorldInverse);
   const total = paths.reduce((sum, path) => sum + path.samples, 0);
   const skip = Math.max(1, Math.ceil(total / kMostPoints));
+  /** @type {{path: number, tick: number, distance: number} | null} */
   let best = null;
-  paths.forEach((path, index) => {
-    if (!visible(path, index)) return;
-    const found = approach(path, matrix, width, height, x, y, skip);
+  for (const [index, path] of paths.entries()) {
+    if (!visible(path, index)) continue;
+    const found = approach(path, matrix, screen, at, skip);
     const distance = found.distance - (path.kind === 'solution' ? 4 : 0);
     if (found.distance <= kReach && (!best || distance < best.distance))
       best = { path: index, tick: found.tick, distance };
-  });
+  }
   return best;
 }
 
-function rayThrough(camera, width, height, x, y) {
+/**
+ * @param {Screen} screen
+ * @param {At} at
+ */
+function rayThrough({ camera, width, height }, [x, y]) {
   const ray = new Raycaster();
   ray.setFromCamera(new Vector2((x / width) * 2 - 1, 1 - (y / height) * 2), camera);
   return ray;
 }
 
-// Where the ray through a point of the screen meets the height `y`; null where it does not.
-export function pointAtHeight(camera, width, height, at, y) {
-  const { ray } = rayThrough(camera, width, height, ...at);
+/**
+ * Returns the point where the ray through a screen point meets the height `y`, or null.
+ * @param {Screen} screen
+ * @param {At} at
+ * @param {number} y
+ */
+export function pointAtHeight(screen, at, y) {
+  const { ray } = rayThrough(screen, at);
   return ray.intersectPlane(new Plane(new Vector3(0, 1, 0), -y), new Vector3());
 }
 
-// Where it meets a part, or else that height.
-export function pointOnParts(group, camera, width, height, at, y) {
-  const hit = rayThrough(camera, width, height, ...at).intersectObject(group, true)[0];
-  return hit ? hit.point : pointAtHeight(camera, width, height, at, y);
+/**
+ * Returns the point where the ray meets a part, or else that height.
+ * @param {Group} group
+ * @param {Screen} screen
+ * @param {At} at
+ * @param {number} y
+ */
+export function pointOnParts(group, screen, at, y) {
+  const hit = rayThrough(screen, at).intersectObject(group, true)[0];
+  return hit ? hit.point : pointAtHeight(screen, at, y);
 }
 
-export function pickPart(group, camera, width, height, x, y) {
-  const hit = rayThrough(camera, width, height, x, y).intersectObject(group, true)[0];
-  return hit ? hit.object.userData.parts[hit.instanceId] : -1;
+/**
+ * @param {Group} group
+ * @param {Screen} screen
+ * @param {At} at
+ * @returns {number}
+ */
+export function pickPart(group, screen, at) {
+  const hit = rayThrough(screen, at).intersectObject(group, true)[0];
+  return hit ? partsOf(hit.object)[hit.instanceId ?? 0] : -1;
 }

@@ -17,12 +17,22 @@ import { ROLE_STYLE } from '../palette.js';
 import { plural } from '../ui/dom.js';
 import { dispose } from './dispose.js';
 
+/** @import {Region, Triple} from '../types/page_data.js' */
+/** @import {Label, Query} from '../types/report.js' */
+
 const kAvoid = '#d873c4';
 const kWaypoint = '#ffd166';
-export const kMostAlike = 500; // regions of one list that are drawn: a tag may stand for thousands of parts
-const kMostNamed = 40; // of them
+export const kMostAlike = 500; // max regions drawn of one list, since a tag may mark thousands of
+                               // parts
+const kMostNamed = 40; // max labels of them
 
-// Fades upward, so that a tall box does not hide what stands in it.
+/** @typedef {{fill: ShaderMaterial, line: LineBasicMaterial}} Materials */
+/** @typedef {Materials & {solid: BoxGeometry, edges: EdgesGeometry}} Look */
+
+/**
+ * Fades upward, so that a tall box does not hide its contents.
+ * @param {string} color
+ */
 function fillMaterial(color) {
   return new ShaderMaterial({
     transparent: true,
@@ -36,20 +46,26 @@ function fillMaterial(color) {
   });
 }
 
-// Color -> what boxes of that colour share: there may be hundreds.
+// Color -> shared geometry and materials, since there may be hundreds of boxes.
 function sharedLooks() {
   const solid = new BoxGeometry(1, 1, 1);
   const edges = new EdgesGeometry(solid);
+  /** @type {Map<string, Look>} */
   const looks = new Map();
-  return (color) => {
-    if (!looks.has(color)) {
-      const line = new LineBasicMaterial({ color, transparent: true, opacity: 0.85 });
-      looks.set(color, { solid, edges, fill: fillMaterial(color), line });
-    }
-    return looks.get(color);
+  return (/** @type {string} */ color) => {
+    const known = looks.get(color);
+    if (known) return known;
+    const line = new LineBasicMaterial({ color, transparent: true, opacity: 0.85 });
+    const look = { solid, edges, fill: fillMaterial(color), line };
+    looks.set(color, look);
+    return look;
   };
 }
 
+/**
+ * @param {Region} region
+ * @param {Look} look
+ */
 function box(region, { solid, edges, fill, line }) {
   const group = new Group();
   const body = new Mesh(solid, fill);
@@ -63,6 +79,7 @@ function box(region, { solid, edges, fill, line }) {
   return group;
 }
 
+/** @param {Triple} position */
 function ring(position) {
   const mesh = new Mesh(
     new RingGeometry(1.5, 1.9, 48).rotateX(-Math.PI / 2),
@@ -76,6 +93,7 @@ function ring(position) {
   return mesh;
 }
 
+/** @param {Region} region */
 function top(region) {
   const turn = new Quaternion().fromArray(region.rotation).normalize();
   const half = region.size.map((v) => v / 2);
@@ -87,14 +105,26 @@ function top(region) {
 }
 
 export class RegionView {
+  /** @param {Query} query */
   constructor(query) {
     this.group = new Group();
-    this.labels = []; // {text, at, color}
+    /** @type {Label[]} */
+    this.labels = [];
     const lookOf = sharedLooks();
+    /**
+     * @param {Region} region
+     * @param {string} color
+     * @param {string} text
+     */
     const add = (region, color, text) => {
       this.group.add(box(region, lookOf(color)));
       if (text) this.labels.push({ text, at: top(region), color });
     };
+    /**
+     * @param {Region[]} regions
+     * @param {string} color
+     * @param {string} otherwise
+     */
     const addAlike = (regions, color, otherwise) =>
       regions
         .slice(0, kMostAlike)

@@ -1,4 +1,5 @@
-// Unit geometries of the part shapes (extent 1 on each axis, scaled per part) and the scale that a shape gives a part.
+// Unit geometries of the part shapes (extent 1 on each axis, scaled per part), and each shape's
+// scale.
 import {
   BoxGeometry,
   BufferGeometry,
@@ -9,7 +10,13 @@ import {
 } from 'three';
 import { ConvexGeometry } from 'three/addons/geometries/ConvexGeometry.js';
 
-// Triangles given by corner letters, with flat normals.
+/** @import {Shape, Triple} from '../types/page_data.js' */
+
+/**
+ * Builds triangles with flat normals from corner letters.
+ * @param {Record<string, Triple>} corners
+ * @param {string[][]} triangles
+ */
 function faceted(corners, triangles) {
   const positions = triangles.flatMap((triangle) =>
     triangle.flatMap((corner) => corners[corner].map((v) => v / 2)),
@@ -21,6 +28,7 @@ function faceted(corners, triangles) {
 }
 
 function wedge() {
+  /** @type {Record<string, Triple>} */
   const corners = {
     a: [-1, -1, -1],
     b: [1, -1, -1],
@@ -42,6 +50,7 @@ function wedge() {
 }
 
 function cornerWedge() {
+  /** @type {Record<string, Triple>} */
   const corners = {
     a: [-1, -1, -1],
     b: [1, -1, -1],
@@ -59,6 +68,7 @@ function cornerWedge() {
   ]);
 }
 
+/** @param {string} shape */
 export function unitGeometry(shape) {
   switch (shape) {
     case 'ball':
@@ -74,16 +84,23 @@ export function unitGeometry(shape) {
   }
 }
 
-// Whether points span no plane, so that nothing lies between them.
+/**
+ * Returns true if the points are collinear.
+ * @param {Vector3[]} points
+ */
 function inLine(points) {
-  const from = (point) => point.clone().sub(points[0]);
+  const from = (/** @type {Vector3} */ point) => point.clone().sub(points[0]);
   let way = new Vector3();
   for (const point of points) if (from(point).lengthSq() > way.lengthSq()) way = from(point);
-  const least = 1e-14 * way.lengthSq() ** 2; // rounding; what is but thin is seen
+  const least = 1e-14 * way.lengthSq() ** 2; // rounding tolerance; thin shapes are still visible
   return points.every((point) => from(point).cross(way).lengthSq() <= least);
 }
 
-// Vertices of a hull are in studs from the part's centre. Of one that is a point or a line nothing is seen.
+/**
+ * Vertices of a hull are in studs from the part's centre. A hull that is a point or a line is
+ * invisible.
+ * @param {Float32Array} vertices
+ */
 export function hullGeometry(vertices) {
   const points = [];
   for (let i = 0; i + 2 < vertices.length; i += 3)
@@ -91,9 +108,15 @@ export function hullGeometry(vertices) {
   return inLine(points) ? faceted({}, []) : new ConvexGeometry(points);
 }
 
+/**
+ * @param {Shape} shape
+ * @param {Float32Array} size
+ * @returns {Triple}
+ */
 export function scaleOf(shape, [x, y, z]) {
-  const at = (value) => Math.max(value, 0.05);
-  if (shape === 'ball') return [1, 1, 1].map(() => at(Math.min(x, y, z)));
+  const at = (/** @type {number} */ value) => Math.max(value, 0.05);
+  const least = at(Math.min(x, y, z));
+  if (shape === 'ball') return [least, least, least];
   if (shape === 'cylinder') return [at(x), at(Math.min(y, z)), at(Math.min(y, z))];
   if (shape === 'hull') return [1, 1, 1];
   return [at(x), at(y), at(z)];

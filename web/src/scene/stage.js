@@ -1,20 +1,12 @@
-// The 3D stage: level, regions, trajectories, player, light and ground, redrawn when something changed.
-import {
-  Box3,
-  DirectionalLight,
-  Fog,
-  GridHelper,
-  HemisphereLight,
-  PCFShadowMap,
-  Scene,
-  Vector3,
-  WebGLRenderer,
-} from 'three';
+// The 3D stage with level, regions, trajectories, player, light and ground. It is redrawn on
+// changes only.
+import { Box3, Fog, GridHelper, PCFShadowMap, Scene, Vector3, WebGLRenderer } from 'three';
 import { ActionMarks } from './action_marks.js';
 import { Avatar } from './avatar.js';
 import { CameraRig } from './camera_rig.js';
 import { CutView } from './cut_view.js';
 import { dispose, Leaving } from './dispose.js';
+import { extentOf } from './extent.js';
 import { FilterBoxes } from './filter_boxes.js';
 import { HeatView } from './heat_view.js';
 import { Latest } from './latest.js';
@@ -23,16 +15,25 @@ import { Markers } from './markers.js';
 import { pathsOfMotion } from './motion_paths.js';
 import { noPicture } from './no_picture.js';
 import { PathView } from './path_view.js';
-import { pickPart, pickPath, pointAtHeight, pointOnParts } from './picking.js';
 import { RegionView } from './regions.js';
+import { Sun } from './sun.js';
+import { goneAtRest } from './vanishing.js';
+
+/** @import {Group} from 'three' */
+/** @import {Path} from '../path.js' */
+/** @import {ColorMode, Level, Query, Tint} from '../types/report.js' */
+/** @import {Renderer} from './no_picture.js' */
 
 const kHaze = '#141821';
-const kPanelWidth = 210; // pixels that the legend covers on the right
+const kPanelWidth = 210; // pixels on the right that the legend covers
 const kAirborne = 1; // bit of a sample's state
-const kMostShadowed = 4000; // parts; larger levels do without shadows
-const kSun = new Vector3(0.42, 1, 0.28);
+const kMostShadowed = 4000; // parts; larger levels have no shadows
 
-// It says on the console by itself what it lacks.
+/**
+ * The renderer logs missing features to the console itself.
+ * @param {HTMLCanvasElement} canvas
+ * @returns {WebGLRenderer | Renderer}
+ */
 function rendererOf(canvas) {
   try {
     return new WebGLRenderer({
@@ -47,41 +48,77 @@ function rendererOf(canvas) {
 }
 
 export class Stage {
+  /** @param {HTMLCanvasElement} canvas */
   constructor(canvas) {
     this.canvas = canvas;
     this.renderer = rendererOf(canvas);
     this.renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
     this.scene = new Scene();
-    this.renderer.setClearAlpha(0); // the page's own gradient lies behind
+    this.renderer.setClearAlpha(0); // the page's gradient shows through
     this.rig = new CameraRig(canvas);
     this.renderer.shadowMap.type = PCFShadowMap;
-    this.renderer.shadowMap.autoUpdate = false; // a turn of the camera moves no shadow
-    this.sun = new DirectionalLight('#fff4e0', 2.2);
-    this.sun.castShadow = true;
-    this.sun.shadow.mapSize.set(2048, 2048);
-    this.sun.shadow.bias = -0.0006;
-    this.sun.shadow.normalBias = 0.06;
-    const rim = new DirectionalLight('#8fb0ff', 0.7);
-    rim.position.set(-0.6, 0.35, -0.7);
-    this.scene.add(new HemisphereLight('#dfe8ff', '#2a2c36', 1.15), this.sun, this.sun.target, rim);
-    // Of the level; until there is one, of nothing: an empty box would put the camera nowhere, for good.
+    this.renderer.shadowMap.autoUpdate = false; // a camera move does not change shadows
+    this.sun = new Sun(this.scene);
+    // Bounds of the level. The initial box is not empty, or the camera's position would become NaN.
     this.bounds = new Box3(new Vector3(-4, -4, -4), new Vector3(4, 4, 4));
     this.filterBoxes = new FilterBoxes();
     this.heat = new HeatView();
     this.marks = new ActionMarks();
-    this.gone = new Latest((solid) => solid);
+    this.gone = new Latest((solid) => solid !== 0);
     this.starts = new Latest((start) => start < 0);
     this.scene.add(this.filterBoxes.group, this.heat.group, this.marks.group);
     this.leaving = new Leaving(this.scene);
+    this.width = 0; // pixels
+    this.height = 0;
+    /** @type {Set<number>} */
+    this.shown = new Set(); // indices of the drawn trajectories
+    /** @type {Level | undefined} */
+    this.level = undefined;
+    /** @type {LevelView | undefined} */
+    this.levelView = undefined;
+    /** @type {Avatar | undefined} */
+    this.avatar = undefined;
+    /** @type {Avatar | undefined} */
+    this.ghost = undefined;
+    /** @type {GridHelper | undefined} */
+    this.grid = undefined;
+    /** @type {Group | undefined} */
+    this.motionPaths = undefined;
+    /** @type {Query | undefined} */
+    this.query = undefined;
+    /** @type {Tint | undefined} */
+    this.tint = undefined;
+    /** @type {RegionView | undefined} */
+    this.regionView = undefined;
+    /** @type {CutView | undefined} */
+    this.cutView = undefined;
+    /** @type {PathView | undefined} */
+    this.pathView = undefined;
+    /** @type {Markers | undefined} */
+    this.markers = undefined;
+    /** @type {unknown[] | undefined} */
+    this.cast = undefined; // the state that the shadows show
   }
 
-  // What comes and goes with the level.
+  // The nodes that are replaced with the level.
   ofLevel() {
     const { levelView, avatar, ghost, grid, motionPaths } = this;
-    return levelView ? [levelView.group, avatar.group, ghost.group, grid, motionPaths] : [];
+    return [levelView?.group, avatar?.group, ghost?.group, grid, motionPaths].filter(
+      (node) => node !== undefined,
+    );
   }
 
-  // `colors`: as LevelView's.
+  // The views that are replaced with the query.
+  ofQuery() {
+    const { regionView, cutView, pathView, markers } = this;
+    return [regionView, cutView, pathView, markers].filter((view) => view !== undefined);
+  }
+
+  /**
+   * `colors`: as in LevelView.
+   * @param {Level} level
+   * @param {ColorMode} colors
+   */
   setLevel(level, colors) {
     for (const node of this.ofLevel()) this.leaving.take(node, () => dispose(node));
     this.level = level;
@@ -94,44 +131,29 @@ export class Stage {
     this.avatar.group.traverse((node) => {
       node.castShadow = true;
     });
-    this.measure(level);
-    const size = Math.max(64, Math.ceil(this.radius / 32) * 128);
+    const { bounds, centre, radius } = extentOf(level);
+    this.bounds = bounds;
+    const size = Math.max(64, Math.ceil(radius / 32) * 128);
     this.grid = new GridHelper(size, Math.min(200, size / 8), '#262c38', '#1a1f28');
-    this.grid.position.set(this.centre.x, this.bounds.min.y - 4, this.centre.z);
-    this.scene.fog = new Fog(kHaze, this.radius * 4, this.radius * 14);
+    this.grid.position.set(centre.x, bounds.min.y - 4, centre.z);
+    this.scene.fog = new Fog(kHaze, radius * 4, radius * 14);
     this.motionPaths = pathsOfMotion(level);
     this.scene.add(...this.ofLevel());
   }
 
-  // A sphere around the level that a few strays cannot blow up.
-  measure(level) {
-    const axis = (k) =>
-      Float32Array.from({ length: level.count }, (_, i) => level.position[3 * i + k]).sort();
-    const at = (values, share) =>
-      values[Math.min(values.length - 1, Math.floor(share * values.length))] ?? 0;
-    this.bounds = new Box3();
-    const sorted = [0, 1, 2].map(axis);
-    this.bounds.min.set(...sorted.map((values) => at(values, 0.02)));
-    this.bounds.max.set(...sorted.map((values) => at(values, 0.98)));
-    this.bounds.expandByScalar(4);
-    this.centre = this.bounds.getCenter(new Vector3());
-    this.radius = Math.max(10, this.bounds.getSize(new Vector3()).length() / 2);
-  }
-
+  /** @param {Query} query */
   setQuery(query) {
-    for (const view of [this.regionView, this.cutView, this.pathView, this.markers])
-      if (view) this.leaving.take(view.group, () => view.dispose());
+    for (const view of this.ofQuery()) this.leaving.take(view.group, () => view.dispose());
     this.query = query;
-    this.tint = null; // of new lines
+    this.tint = undefined; // for new lines
     this.regionView = new RegionView(query);
     this.cutView = new CutView(query, this.level);
     this.pathView = new PathView(query);
     this.markers = new Markers(query, this.renderer.getPixelRatio());
-    for (const view of [this.regionView, this.cutView, this.pathView, this.markers])
-      this.scene.add(view.group);
+    for (const view of this.ofQuery()) this.scene.add(view.group);
   }
 
-  // Where play of this query happens: its regions and trajectories, or else the level.
+  // Returns the box of the query's regions and solutions, or else of the level.
   queryBox() {
     const box = new Box3();
     if (this.regionView) box.expandByObject(this.regionView.group);
@@ -143,13 +165,22 @@ export class Stage {
     return box.isEmpty() ? this.bounds.clone() : box.expandByScalar(3);
   }
 
+  /** @param {boolean} atOnce */
   frameQuery(atOnce) {
     const box = this.queryBox();
-    this.light(box);
+    this.sun.cover(box);
     const size = box.getSize(new Vector3());
-    // Look along the shorter side, so that the course runs across the screen, away from the player.
+    // Looks along the shorter side, so that the level runs across the screen.
     const yaw = size.x >= size.z ? 0.55 : Math.PI / 2 - 0.55;
     this.rig.frameBox(box, { yaw, pitch: -0.52 }, atOnce);
+  }
+
+  /**
+   * Frames a part at its current pose.
+   * @param {number} part
+   */
+  framePart(part) {
+    if (this.levelView) this.rig.frame(this.levelView.centreOf(part), 14);
   }
 
   frameTop() {
@@ -158,112 +189,75 @@ export class Stage {
     this.rig.frameBox(box, { yaw: size.x >= size.z ? 0 : Math.PI / 2, pitch: -1.549 });
   }
 
-  // The shadow map covers the course, not the whole level, so that it stays sharp.
-  light(box) {
-    const centre = box.getCenter(new Vector3());
-    const reach = Math.max(20, (box.getSize(new Vector3()).length() / 2) * 1.25);
-    this.sun.target.position.copy(centre);
-    this.sun.position.copy(centre).addScaledVector(kSun, reach * 2);
-    const eye = this.sun.shadow.camera;
-    [eye.left, eye.right, eye.bottom, eye.top, eye.near, eye.far] = [
-      -reach,
-      reach,
-      -reach,
-      reach,
-      0.1,
-      reach * 5,
-    ];
-    eye.updateProjectionMatrix();
-  }
-
-  // `shown`: set of indices; `tint`: path -> colour.
+  /**
+   * `shown`: set of indices; `tint`: path -> colour.
+   * @param {Set<number>} shown
+   * @param {Tint} tint
+   */
   showPaths(shown, tint) {
     this.shown = shown;
-    const views = [this.pathView, this.markers].filter(Boolean);
-    for (const view of views) {
-      if (tint !== this.tint) view.setColors(tint); // or they have it
-      view.setShown(shown);
+    for (const view of [this.pathView, this.markers]) {
+      if (tint !== this.tint) view?.setColors(tint); // otherwise already set
+      view?.setShown(shown);
     }
     this.tint = tint;
   }
 
-  visibleOf(state) {
-    return (path, index) =>
-      index === state.path ||
-      index === state.ghost ||
-      (this.shown.has(index) && (path.kind === 'solution' ? state.solutions : state.attempts));
-  }
-
-  // What the pointer is over: a point of a part, or of the height that the camera turns about.
-  pointAt(x, y) {
-    const { camera, goal } = this.rig;
-    const size = [this.width, this.height];
-    return pointOnParts(this.levelView.group, camera, ...size, [x, y], goal.target.y);
-  }
-
-  pointAtHeight(x, y, height) {
-    return pointAtHeight(this.rig.camera, this.width, this.height, [x, y], height);
-  }
-
-  pick(state, x, y) {
-    return pickPath(
-      this.query?.paths ?? [],
-      this.rig.camera,
-      this.width,
-      this.height,
-      x,
-      y,
-      this.visibleOf(state),
-    );
-  }
-
-  pickPart(x, y) {
-    return pickPart(this.levelView.group, this.rig.camera, this.width, this.height, x, y);
-  }
-
   resize() {
-    const { clientWidth, clientHeight } = this.canvas.parentElement;
-    // Of a page that is not shown yet, as in a frame that opens later: whatever is framed in that lies nowhere.
+    const { clientWidth, clientHeight } = this.canvas.parentElement ?? this.canvas;
+    // The size is 0 while the page is hidden, as in a frame that opens later. Framing would fail
+    // then.
     if (!clientWidth || !clientHeight) return;
     if (this.width === clientWidth && this.height === clientHeight) return;
     [this.width, this.height] = [clientWidth, clientHeight];
     this.renderer.setSize(clientWidth, clientHeight, false);
     this.rig.camera.aspect = clientWidth / Math.max(1, clientHeight);
-    // The middle of the picture is the middle of what the legend leaves free.
+    // The picture is centred in the area that the legend leaves free.
     const covered = clientWidth > 900 ? kPanelWidth : 0;
     this.rig.free = 1 - covered / clientWidth;
-    this.rig.camera.setViewOffset(
-      clientWidth,
-      clientHeight,
-      covered / 2,
-      0,
-      clientWidth,
-      clientHeight,
-    );
+    const size = /** @type {const} */ ([clientWidth, clientHeight]);
+    this.rig.camera.setViewOffset(...size, covered / 2, 0, ...size);
   }
 
-  // Whether what throws shadows may have moved since the last picture.
+  /**
+   * Updates the shadows if anything that casts them may have moved.
+   * @param {unknown[]} posed
+   */
   castShadows(...posed) {
     if (this.cast?.every((value, i) => value === posed[i])) return;
     this.cast = posed;
     this.renderer.shadowMap.needsUpdate = true;
   }
 
-  // `other`: of a comparison; it runs from its own start, and stays at its end.
+  /**
+   * `other`: the ghost of a comparison. It runs from its own start and stays at its end.
+   * @param {Path | undefined} path
+   * @param {number} tick
+   * @param {Path | undefined} other
+   */
   showTick(path, tick, other) {
     this.castShadows(path, tick, other, this.level, this.query);
     const clock = (path?.startTick ?? this.query?.startTick ?? 0) + tick;
     const moved = path ? this.movedAt(path, tick) : new Map();
-    const gone = path ? this.gone.at(path.events, tick) : this.levelView.goneAtRest();
-    this.levelView.update(clock, gone, moved);
-    this.levelView.updateLoose(path?.loose ?? [], tick);
+    const { levelView } = this;
+    if (levelView) {
+      const gone = path ? this.gone.at(path.events, tick) : goneAtRest(levelView.level);
+      levelView.update(clock, gone, moved);
+      levelView.updateLoose(path?.loose ?? [], tick);
+    }
     this.markers?.update(tick);
     this.poseAvatar(this.avatar, path, tick);
     this.poseAvatar(this.ghost, other, Math.min(tick, other?.ticks ?? 0));
-    if (path) this.pathView.play(path, tick);
+    if (path) this.pathView?.play(path, tick);
   }
 
+  /**
+   * @param {Avatar | undefined} avatar
+   * @param {Path | undefined} path
+   * @param {number} tick
+   */
   poseAvatar(avatar, path, tick) {
+    if (!avatar || !this.level) return;
     avatar.group.visible = Boolean(path);
     if (!path) return;
     const pose = path.poseAt(tick);
@@ -271,6 +265,10 @@ export class Stage {
     avatar.pose(pose, speed, (pose.state & kAirborne) !== 0, path.travelled(tick));
   }
 
+  /**
+   * @param {Path} path
+   * @param {number} tick
+   */
   movedAt(path, tick) {
     const starts = this.starts.at(path.motions, tick);
     return new Map([...starts].map(([part, start]) => [part, tick - start]));

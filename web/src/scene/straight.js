@@ -1,15 +1,22 @@
-// A way of many samples as a few points: most moving parts go straight from one place to the next.
+// Reduces a trajectory of many samples to a few points, since most moving parts go straight from
+// place to place.
 
-const kOff = 0.01; // studs that a sample may lie beside a straight stretch
-const kStep = 0.02; // studs that it takes to tell a direction
+/** @import {Triple} from '../types/page_data.js' */
 
-// `samples`: (x, y, z) each. Gives the first, the corners, and the last: no sample is farther than kStep from the way
-// through these.
+const kOff = 0.01; // max studs between a sample and a straight segment
+const kStep = 0.02; // min studs that define a direction
+
+/**
+ * `samples`: (x, y, z) each. Returns the first, the corners and the last. No sample is farther than
+ * kStep from the polyline through them.
+ * @param {Float32Array} samples
+ */
 export function corners(samples) {
   const out = [...samples.subarray(0, 3)];
-  let from = 0; // where the stretch begins: the sample of the last corner
-  let way = null; // its direction
-  let far = 0; // how far on it the sample before is
+  let from = 0; // start of the segment: the sample of the last corner
+  /** @type {Triple | null} */
+  let way = null; // direction of the segment
+  let far = 0; // distance of the previous sample along it
   for (let i = 3; i < samples.length; i += 3) {
     let [x, y, z] = offset(samples, from, i);
     if (way) {
@@ -33,6 +40,12 @@ export function corners(samples) {
   return new Float32Array(out);
 }
 
+/**
+ * @param {Float32Array} samples
+ * @param {number} from
+ * @param {number} to
+ * @returns {Triple}
+ */
 const offset = (samples, from, to) => [
   samples[to] - samples[from],
   samples[to + 1] - samples[from + 1],

@@ -1,5 +1,5 @@
-// Many trajectories in one buffer and one draw call. Which are drawn is a list of indices, so that a filter does not
-// touch the points.
+// Many trajectories in one buffer and one draw call. An index list selects those to draw, so that
+// filters leave the points unchanged.
 import {
   BufferAttribute,
   BufferGeometry,
@@ -9,21 +9,49 @@ import {
   LineSegments,
 } from 'three';
 
-const kMostPoints = 120000; // in a picture; a browser without a GPU draws about 400 segments a ms
+/** @import {Path} from '../path.js' */
+/** @import {Tint} from '../types/report.js' */
+
+const kMostPoints = 120000; // per picture; a browser without a GPU draws about 400 segments a ms
 export const kLift = 0.35; // studs above the feet, so that lines do not sink into the floor
 
-// Which samples are drawn of all thin lines of a picture together: every one, or every k-th.
+/**
+ * Returns the stride of samples for all thin lines of a picture: 1, or k for every k-th.
+ * @param {Path[]} paths
+ * @param {number[]} indices
+ */
 export function skipOf(paths, indices) {
   const total = indices.reduce((sum, i) => sum + paths[i].samples, 0);
   return Math.max(1, Math.ceil(total / kMostPoints));
 }
 
 export class ThinLines {
-  // `indices`: which of the query's paths; `skip`: as of skipOf.
+  /**
+   * `indices`: into the query's paths; `skip`: from skipOf.
+   * @param {Path[]} paths
+   * @param {number[]} indices
+   * @param {number} skip
+   */
   constructor(paths, indices, skip) {
-    Object.assign(this, { paths, indices, skip });
-    this.spans = []; // [first vertex, vertices] of each
-    this.build();
+    this.paths = paths;
+    this.indices = indices;
+    this.skip = skip;
+    const counts = indices.map((i) => this.samplesOf(paths[i]));
+
+    /** @type {[first: number, vertices: number][]} */
+    this.spans = [];
+    let first = 0;
+    for (const count of counts) {
+      this.spans.push([first, count]);
+      first += count;
+    }
+    const vertices = first; // of all
+    this.colors = new BufferAttribute(new Float32Array(3 * vertices), 3);
+    this.drawn = new BufferAttribute(new Uint32Array(2 * vertices), 1);
+    this.geometry = new BufferGeometry();
+    this.geometry.setAttribute('position', new BufferAttribute(this.points(vertices), 3));
+    this.geometry.setAttribute('color', this.colors);
+    this.geometry.setIndex(this.drawn.setUsage(DynamicDrawUsage));
     this.lines = new LineSegments(
       this.geometry,
       new LineBasicMaterial({ vertexColors: true, transparent: true, depthWrite: false }),
@@ -32,45 +60,44 @@ export class ThinLines {
     this.lines.frustumCulled = false;
   }
 
+  /** @param {Path} path */
   samplesOf(path) {
     return Math.ceil((path.samples - 1) / this.skip) + 1;
   }
 
-  build() {
-    const vertices = this.indices.reduce((sum, i) => sum + this.samplesOf(this.paths[i]), 0);
+  /** @param {number} vertices */
+  points(vertices) {
     const position = new Float32Array(3 * vertices);
-    let at = 0;
-    for (const index of this.indices) {
-      const path = this.paths[index];
-      const samples = this.samplesOf(path);
-      this.spans.push([at, samples]);
-      for (let i = 0; i < samples; i++, at++) {
+    this.spans.forEach(([first, samples], k) => {
+      const path = this.paths[this.indices[k]];
+      for (let i = 0; i < samples; i++) {
+        const at = 3 * (first + i);
         const from = 3 * Math.min(i * this.skip, path.samples - 1);
-        position[3 * at] = path.points[from];
-        position[3 * at + 1] = path.points[from + 1] + kLift;
-        position[3 * at + 2] = path.points[from + 2];
+        position[at] = path.points[from];
+        position[at + 1] = path.points[from + 1] + kLift;
+        position[at + 2] = path.points[from + 2];
       }
-    }
-    this.geometry = new BufferGeometry();
-    this.geometry.setAttribute('position', new BufferAttribute(position, 3));
-    this.geometry.setAttribute('color', new BufferAttribute(new Float32Array(3 * vertices), 3));
-    const index = new BufferAttribute(new Uint32Array(2 * vertices), 1);
-    this.geometry.setIndex(index.setUsage(DynamicDrawUsage));
+    });
+    return position;
   }
 
+  /** @param {Tint} colorOf */
   setColors(colorOf) {
-    const { array } = this.geometry.attributes.color;
+    const { array } = this.colors;
     const tint = new Color();
     this.spans.forEach(([first, samples], k) => {
       tint.set(colorOf(this.paths[this.indices[k]]));
       for (let i = first; i < first + samples; i++) tint.toArray(array, 3 * i);
     });
-    this.geometry.attributes.color.needsUpdate = true;
+    this.colors.needsUpdate = true;
   }
 
-  // `shown`: set of indices of the query's paths.
+  /**
+   * `shown`: set of indices of the query's paths.
+   * @param {Set<number>} shown
+   */
   setShown(shown) {
-    const { array } = this.geometry.index;
+    const { array } = this.drawn;
     let at = 0;
     let count = 0;
     this.spans.forEach(([first, samples], k) => {
@@ -81,9 +108,9 @@ export class ThinLines {
         array[at++] = i + 1;
       }
     });
-    this.geometry.index.needsUpdate = true;
+    this.drawn.needsUpdate = true;
     this.geometry.setDrawRange(0, at);
-    // Many add up to a cloud, few stay readable.
+    // Many lines form a translucent cloud, and few stay readable.
     this.lines.material.opacity = Math.min(0.6, Math.max(0.16, 6 / Math.sqrt(count * 4 + 1)));
   }
 

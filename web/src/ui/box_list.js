@@ -1,17 +1,30 @@
-// The boxes of the filter: each with its place, whether what passes it stays or goes, and how many pass it.
+// The filter's boxes: position, whether paths through them are kept or dropped, and how many pass.
 import { boxOf, pathsThrough } from '../choice.js';
 import { el, keepingFocus, trajectories } from './dom.js';
 
+/** @import {Store} from '../store.js' */
+/** @import {FilterBox, Query, Source} from '../types/report.js' */
+
 const kAxes = ['x', 'y', 'z'];
 
+/**
+ * @param {Query | undefined} query
+ * @param {FilterBox} box
+ */
 function passing(query, box) {
   const n = query ? pathsThrough(query, box).size : 0;
   return `${trajectories(n)} ${n === 1 ? 'passes' : 'pass'} through`;
 }
 
 export class BoxList {
+  /**
+   * @param {Store} store
+   * @param {() => Source} sourceOf
+   * @param {() => void} addBox
+   */
   constructor(store, sourceOf, addBox) {
-    Object.assign(this, { store, sourceOf });
+    this.store = store;
+    this.sourceOf = sourceOf;
     this.items = el('div', {});
     this.draw = el('button', {
       class: 'plain text',
@@ -33,7 +46,7 @@ export class BoxList {
       el('div', { class: 'box-bar' }, this.draw, add),
       this.items,
     );
-    // The field that is being typed into must outlive the change that it makes.
+    // The focused field must survive the change that it causes.
     store.on(['boxes', 'query'], () => keepingFocus(this.items, () => this.fill()));
     store.on(['order'], () => this.count());
     store.on(['drawing'], ({ drawing }) => {
@@ -42,9 +55,13 @@ export class BoxList {
     });
   }
 
+  /**
+   * @param {number} index
+   * @param {FilterBox | null} box null to take it away
+   */
   replace(index, box) {
-    const boxes = this.store.state.boxes.map((each, i) => (i === index ? box : each));
-    this.store.set({ boxes: boxes.filter(Boolean) });
+    const boxes = this.store.state.boxes.flatMap((each, i) => (i === index ? (box ?? []) : each));
+    this.store.set({ boxes });
   }
 
   fill() {
@@ -53,7 +70,7 @@ export class BoxList {
     );
   }
 
-  // There may be more ways than before; what is half typed stays.
+  // Updates the counts, because trajectories may have been added. Unfinished input stays.
   count() {
     const { query } = this.sourceOf();
     this.items.querySelectorAll('output').forEach((output, index) => {
@@ -61,6 +78,10 @@ export class BoxList {
     });
   }
 
+  /**
+   * @param {FilterBox} box
+   * @param {number} index
+   */
   item(box, index) {
     const keep = el(
       'select',
@@ -89,8 +110,14 @@ export class BoxList {
     );
   }
 
+  /**
+   * @param {FilterBox} box
+   * @param {number} index
+   * @param {'min' | 'max'} end
+   * @param {string} label
+   */
   corner(box, index, end, label) {
-    const field = (axis, k) => {
+    const field = (/** @type {string} */ axis, /** @type {number} */ k) => {
       const input = el('input', {
         type: 'number',
         step: '1',

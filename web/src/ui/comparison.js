@@ -1,11 +1,20 @@
-// Two trajectories side by side: their numbers, when they passed what the query names, and how far apart they are now.
+// Compares two trajectories: their numbers, when they passed the query's places, and their current
+// distance.
 import { Quaternion, Vector3 } from 'three';
 import { segmentMeets } from '../choice.js';
 import { causeOf, GHOST_COLOR } from '../palette.js';
 import { partName } from '../part_name.js';
 import { el, keepingFocus, seconds } from './dom.js';
 
-// Studs walked, flown and fallen.
+/** @import {Path} from '../path.js' */
+/** @import {Store} from '../store.js' */
+/** @import {Region} from '../types/page_data.js' */
+/** @import {Query, Source, Tint} from '../types/report.js' */
+
+/**
+ * Returns the length of the trajectory in studs, including flight and falls.
+ * @param {Path} path
+ */
 function lengthOf({ points, samples }) {
   let sum = 0;
   for (let i = 3; i < 3 * samples; i += 3)
@@ -17,14 +26,21 @@ function lengthOf({ points, samples }) {
   return sum;
 }
 
-// First sample from `from` on in which the player, a line from its feet up, meets an oriented box: as the simulator
-// has it. -1 for never.
+/**
+ * Returns the first sample from `from` on in which the player, a vertical line from the feet up,
+ * meets an oriented box, as in the simulator; -1 for never.
+ * @param {Path} path
+ * @param {Region} region
+ * @param {number} height
+ * @param {number} from
+ */
 function sampleIn(path, region, height, from) {
   const turn = new Quaternion().fromArray(region.rotation).normalize().invert();
   const middle = new Vector3().fromArray(region.position);
   const max = region.size.map((size) => size / 2);
   const box = { min: max.map((half) => -half), max };
-  const local = (x, y, z) => new Vector3(x, y, z).sub(middle).applyQuaternion(turn).toArray();
+  const local = (/** @type {number} */ x, /** @type {number} */ y, /** @type {number} */ z) =>
+    new Vector3(x, y, z).sub(middle).applyQuaternion(turn).toArray();
   for (let i = from; i < path.samples; i++) {
     const [x, y, z] = path.points.subarray(3 * i, 3 * i + 3);
     if (segmentMeets(box, [...local(x, y, z), ...local(x, y + height, z)], 0, 1)) return i;
@@ -32,12 +48,18 @@ function sampleIn(path, region, height, from) {
   return -1;
 }
 
-// [name, ticks of each of `paths`, -1 for never] of the places that a query wants passed: waypoints one after the other,
-// visits whenever.
+/**
+ * Returns [name, ticks of each of `paths` (-1 for never)] for the places that a query requires:
+ * waypoints in order, visits in any order.
+ * @param {Query | undefined} query
+ * @param {Path[]} paths
+ * @param {number} height
+ * @returns {[name: string, ticks: number[]][]}
+ */
 function passings(query, paths, height) {
   const rows = (query?.waypoints ?? []).map(({ region }) => ({ region, inOrder: true }));
   rows.push(...(query?.visits ?? []).map((region) => ({ region, inOrder: false })));
-  const reached = paths.map(() => 0); // the sample in which the waypoint before was
+  const reached = paths.map(() => 0); // sample of the previous waypoint
   return rows.map(({ region, inOrder }, row) => {
     const ticks = paths.map((path, i) => {
       const from = inOrder ? reached[i] : 0;
@@ -50,9 +72,22 @@ function passings(query, paths, height) {
 }
 
 export class Comparison {
-  // `pairOf`: [chosen, the other] or null; `sourceOf`: {query, level} of now; `tintOf`: path -> colour.
+  /**
+   * `pairOf`: returns [selected, ghost] or null; `sourceOf`: returns the current {query, level};
+   * `tintOf`: path -> colour.
+   * @param {HTMLElement} root
+   * @param {Store} store
+   * @param {() => [Path, Path] | null} pairOf
+   * @param {() => Source} sourceOf
+   * @param {Tint} tintOf
+   */
   constructor(root, store, pairOf, sourceOf, tintOf) {
-    Object.assign(this, { root, store, pairOf, sourceOf, tintOf });
+    this.root = root;
+    this.store = store;
+    this.pairOf = pairOf;
+    this.sourceOf = sourceOf;
+    this.tintOf = tintOf;
+    this.gap = el('output', { class: 'quiet', 'aria-live': 'off' }); // as for the clock
     store.on(['path', 'ghost', 'colorBy', 'order'], () => keepingFocus(root, () => this.fill()));
     this.fill();
   }
@@ -65,7 +100,7 @@ export class Comparison {
     const { query, level } = this.sourceOf();
     const rate = level?.tickRate ?? 60;
     const table = el('table', {});
-    const row = (label, valueOf) =>
+    const row = (/** @type {string} */ label, /** @type {(path: Path) => string} */ valueOf) =>
       table.append(
         el(
           'tr',
@@ -102,7 +137,6 @@ export class Comparison {
         const tick = ticks[pair.indexOf(path)];
         return tick < 0 ? 'never' : `${seconds(tick / rate)} s`;
       });
-    this.gap = el('output', { class: 'quiet', 'aria-live': 'off' }); // as the clock
     this.root.append(
       el(
         'header',
@@ -134,9 +168,10 @@ export class Comparison {
     this.store.set({ path: ghost, ghost: path });
   }
 
+  /** @param {number} tick */
   update(tick) {
     const pair = this.pairOf();
-    if (!pair || !this.gap) return;
+    if (!pair) return;
     const [a, b] = pair.map((path) => path.poseAt(Math.min(tick, path.ticks)));
     const apart = Math.hypot(a.x - b.x, a.y - b.y, a.z - b.z);
     this.gap.textContent = `${apart.toFixed(1)} studs apart now`;

@@ -1,11 +1,23 @@
-// How attempts ended, as one bar, and what killed them: a click shows the ways that ended there.
+// Shows how attempts ended, as one bar, and what killed them. A click filters the trajectories of
+// that end.
 import { OUTCOME_STYLE } from '../palette.js';
 import { fullName, partName } from '../part_name.js';
 import { count, el, plural } from './dom.js';
 
+/** @import {Store} from '../store.js' */
+/** @import {Count, Outcome} from '../types/page_data.js' */
+/** @import {Level, Query} from '../types/report.js' */
+
 const kMostKillers = 8;
 
-// [{outcome, part, avoid, count}] of the whole search, or of the trajectories where the result has none.
+/** @typedef {{outcome: Outcome, part: number, avoid: number, count: Count | number}} End */
+
+/**
+ * Returns [{outcome, part, avoid, count}] of the whole search, or of the trajectories if the result
+ * has none.
+ * @param {Query} query
+ * @returns {End[]}
+ */
 function endsOf(query) {
   if (query.result?.ends.length) return query.result.ends;
   return query.paths
@@ -13,7 +25,14 @@ function endsOf(query) {
     .map(({ outcome, part, avoid }) => ({ outcome, part, avoid: avoid ?? -1, count: 1 }));
 }
 
+/**
+ * @template K
+ * @param {End[]} ends
+ * @param {(end: End) => K | undefined} keyOf
+ * @returns {[key: K, count: number][]}
+ */
 function sums(ends, keyOf) {
+  /** @type {Map<K, number>} */
   const totals = new Map();
   for (const end of ends) {
     const key = keyOf(end);
@@ -22,8 +41,13 @@ function sums(ends, keyOf) {
   return [...totals].sort((a, b) => b[1] - a[1]);
 }
 
+/** @param {number} share */
 const percent = (share) => `${share < 1 ? '<1' : Math.round(share)} %`;
 
+/**
+ * @param {[Outcome, number][]} totals
+ * @param {number} all
+ */
 function bar(totals, all) {
   const line = el('div', { class: 'bar' });
   const key = el('div', { class: 'key' });
@@ -42,13 +66,19 @@ function bar(totals, all) {
   return [line, key];
 }
 
+/**
+ * @param {Query} query
+ * @param {Level | undefined} level
+ * @param {Store} store
+ * @param {End[]} ends
+ */
 function killers(query, level, store, ends) {
   const totals = sums(ends, ({ outcome, part }) =>
     outcome === 'killed' && part >= 0 ? part : undefined,
   );
   if (!totals.length) return [];
   const most = totals[0][1];
-  const row = ([part, n]) => {
+  const row = (/** @type {[number, number]} */ [part, n]) => {
     const shown = query.paths.filter((p) => p.outcome === 'killed' && p.part === part).length;
     return el(
       'button',
@@ -61,7 +91,7 @@ function killers(query, level, store, ends) {
         on: {
           click: () => {
             const again = store.state.killer === part;
-            const known = part < (level?.count ?? 0); // a part of another version is not
+            const known = part < (level?.count ?? 0); // a part of another version may be unknown
             store.set({ killer: again ? -1 : part, part: again || !known ? -1 : part });
           },
         },
@@ -78,6 +108,11 @@ function killers(query, level, store, ends) {
   ];
 }
 
+/**
+ * @param {Query} query
+ * @param {Level | undefined} level
+ * @param {Store} store
+ */
 export function deaths(query, level, store) {
   const ends = endsOf(query);
   const totals = sums(ends, ({ outcome }) => outcome);

@@ -1,5 +1,16 @@
-// Small helpers to build and update elements; no markup is ever parsed from data.
+// Helpers that build and update elements. Markup is never parsed from data.
 
+/** @import {Child, ElementOptions} from '../types/dom.js' */
+/** @import {NamesOf, State} from '../types/report.js' */
+/** @import {Store} from '../store.js' */
+
+/**
+ * @template {keyof HTMLElementTagNameMap} K
+ * @param {K} tag
+ * @param {ElementOptions} options
+ * @param {Child[]} children
+ * @returns {HTMLElementTagNameMap[K]}
+ */
 export function el(tag, options = {}, ...children) {
   const node = document.createElement(tag);
   const { class: name, text, on, data, style, ...attributes } = options;
@@ -7,17 +18,25 @@ export function el(tag, options = {}, ...children) {
   if (text !== undefined) node.textContent = text;
   for (const [key, value] of Object.entries(attributes)) {
     if (value === true) node.setAttribute(key, '');
-    else if (value !== false && value !== undefined) node.setAttribute(key, value);
+    else if (value !== false && value !== undefined) node.setAttribute(key, String(value));
   }
-  for (const [key, value] of Object.entries(data ?? {})) node.dataset[key] = value;
+  for (const [key, value] of Object.entries(data ?? {})) node.dataset[key] = String(value);
   for (const [key, value] of Object.entries(style ?? {})) node.style.setProperty(key, value);
-  for (const [event, listener] of Object.entries(on ?? {})) node.addEventListener(event, listener);
+  const listeners = /** @type {[string, EventListener][]} */ (Object.entries(on ?? {}));
+  for (const [event, listener] of listeners) node.addEventListener(event, listener);
   node.append(...children.filter((child) => child !== null && child !== undefined));
   return node;
 }
 
 const kSvg = 'http://www.w3.org/2000/svg';
 
+/**
+ * @template {keyof SVGElementTagNameMap} K
+ * @param {K} tag
+ * @param {Record<string, string>} attributes
+ * @param {Node[]} children
+ * @returns {SVGElementTagNameMap[K]}
+ */
 export function svg(tag, attributes = {}, ...children) {
   const node = document.createElementNS(kSvg, tag);
   for (const [key, value] of Object.entries(attributes)) node.setAttribute(key, value);
@@ -33,6 +52,7 @@ const kIcons = {
   loop: 'M7 7h9v-3l5 4-5 4V9H8v4H6V8a1 1 0 0 1 1-1zm10 10H8v3l-5-4 5-4v3h8v-4h2v5a1 1 0 0 1-1 1z',
 };
 
+/** @param {keyof typeof kIcons} name */
 export function icon(name) {
   return svg(
     'svg',
@@ -41,43 +61,70 @@ export function icon(name) {
   );
 }
 
+/** @param {number} value */
 export const seconds = (value) => (value >= 100 ? value.toFixed(0) : value.toFixed(2));
 
-// 1234567 as 1.23 M.
+/** @type {[number, string][]} */
+const kUnits = [
+  [1e12, 'T'],
+  [1e9, 'G'],
+  [1e6, 'M'],
+  [1e3, 'k'],
+];
+
+/**
+ * Formats 1234567 as 1.23 M.
+ * @param {number | string} value
+ */
 export function count(value) {
   const number = Number(value);
   if (number < 10000) return String(number);
-  for (const [unit, name] of [
-    [1e12, 'T'],
-    [1e9, 'G'],
-    [1e6, 'M'],
-    [1e3, 'k'],
-  ]) {
-    // What would be rounded to a thousand of the unit below is one of this.
+  for (const [unit, name] of kUnits) {
+    // Values that round up to a thousand of the unit below use this unit.
     if (number >= 0.9995 * unit) return `${(number / unit).toPrecision(3)} ${name}`;
   }
   return String(number);
 }
 
-// So many digits behind the point, and never "-0.0".
+/**
+ * Formats with a fixed number of decimals, and never as "-0.0".
+ * @param {number} value
+ */
 export const decimal = (value, digits = 1) =>
   Number(value.toFixed(digits) || 0).toFixed(digits);
 
+/** @param {number} n */
 export const trajectories = (n) => `${n} ${n === 1 ? 'trajectory' : 'trajectories'}`;
 
+/**
+ * @param {number} n
+ * @param {string} word
+ */
 export const plural = (n, word) => `${n} ${word}${n === 1 ? '' : 's'}`;
 
-// Runs `refill`, which replaces what is in `root`; the keyboard stays on what has the same data-key as what it was on.
+/**
+ * Calls `refill`, which replaces the contents of `root`. The focus moves to the element with the
+ * same data-key.
+ * @param {HTMLElement} root
+ * @param {() => void} refill
+ */
 export function keepingFocus(root, refill) {
   const focused = document.activeElement;
-  const key = root.contains(focused) ? focused.dataset.key : undefined;
+  const isOurs = focused instanceof HTMLElement && root.contains(focused);
+  const key = isOurs ? focused.dataset.key : undefined;
   refill();
   if (key === undefined) return;
-  root.querySelector(`[data-key="${CSS.escape(key)}"]`)?.focus({ preventScroll: true });
+  /** @type {HTMLElement | null} */
+  const heir = root.querySelector(`[data-key="${CSS.escape(key)}"]`);
+  heir?.focus({ preventScroll: true });
 }
 
-// Scrolls a list as far as it takes to see its chosen row.
+/**
+ * Scrolls a list just far enough to show its selected row.
+ * @param {HTMLElement} rows
+ */
 export function reveal(rows) {
+  /** @type {HTMLElement | null} */
   const row = rows.querySelector('[aria-selected=true]');
   if (!row || row.hidden) return;
   const [top, height] = [row.offsetTop, row.offsetHeight];
@@ -86,14 +133,22 @@ export function reveal(rows) {
   else if (top + height > scrollTop + clientHeight) rows.scrollTop = top + height - clientHeight;
 }
 
-// Scroll stays where it was, too; to ask for that takes a layout of the page.
+/**
+ * Also keeps the scroll position, which forces a layout of the page.
+ * @param {HTMLElement} root
+ * @param {() => void} refill
+ */
 export function keepingPlace(root, refill) {
   const top = root.scrollTop;
   keepingFocus(root, refill);
   root.scrollTop = top;
 }
 
-// A box to tick; `set` is told whether it is. The mouse leaves no focus on it, so that Space plays again.
+/**
+ * Returns a check box; `set` gets its state. A mouse click does not leave it focused, so that Space
+ * still plays.
+ * @param {(checked: boolean) => void} set
+ */
 export function checkbox(set) {
   const input = el('input', {
     type: 'checkbox',
@@ -107,32 +162,43 @@ export function checkbox(set) {
   return input;
 }
 
-// A labelled list of choices that is bound to one name of the store. `options`: [value, text] in their order, which
-// an object would change where a value is a number.
+/**
+ * Returns a labelled list of choices, bound to a name of the store. `options`: [value, text] in
+ * order; an object would reorder numeric values.
+ * @template {NamesOf<string | number>} K
+ * @param {Store} store
+ * @param {K} name
+ * @param {string} label
+ * @param {[value: State[K], text: string][]} options
+ */
 export function choice(store, name, label, options) {
   const select = el('select', {
-    on: {
-      change: () => {
-        const numeric = typeof store.state[name] === 'number';
-        store.set({ [name]: numeric ? Number(select.value) : select.value });
-      },
-    },
+    on: { change: () => store.put(name, offered[select.selectedIndex][0]) },
   });
-  const field = el('label', { class: `choice ${name}` }, el('span', { text: label }), select);
-  field.offer = (offered) => {
+  let offered = options;
+  const offer = (/** @type {typeof options} */ wanted) => {
+    offered = wanted;
     select.replaceChildren(
       ...offered.map(([value, text]) => el('option', { value, text })),
     );
     select.value = String(store.state[name]);
   };
-  field.offer(options);
+  offer(options);
   store.on([name], (state) => {
     select.value = String(state[name]);
   });
-  return field;
+  const field = el('label', { class: `choice ${name}` }, el('span', { text: label }), select);
+  return Object.assign(field, { offer });
 }
 
-// A number that is bound to one name of the store; an empty field means `none`.
+/**
+ * Returns a number field, bound to a name of the store. An empty field means `none`.
+ * @param {Store} store
+ * @param {NamesOf<number>} name
+ * @param {string} label
+ * @param {number} none
+ * @param {{min: string, step: string}} limits
+ */
 export function numberField(store, name, label, none, limits) {
   const input = el('input', {
     type: 'number',
@@ -141,7 +207,7 @@ export function numberField(store, name, label, none, limits) {
     on: {
       input: () => {
         const value = input.valueAsNumber;
-        store.set({ [name]: Number.isFinite(value) && value >= 0 ? value : none });
+        store.put(name, Number.isFinite(value) && value >= 0 ? value : none);
       },
     },
   });

@@ -1,17 +1,29 @@
-// What may be listed and drawn: outcome, route, killer, jumps, time, and boxes that a way must or must not pass.
+// The filters: outcome, route, killer, jumps, time, and boxes that a trajectory must or must not
+// pass.
 import { filtered, routeKey, UNFILTERED } from '../choice.js';
 import { OUTCOME_STYLE } from '../palette.js';
 import { partName } from '../part_name.js';
 import { routeNames } from '../route_names.js';
+import { tally } from '../tally.js';
 import { BoxList } from './box_list.js';
 import { choice, el, numberField } from './dom.js';
+
+/** @import {Store} from '../store.js' */
+/** @import {Source} from '../types/report.js' */
 
 const kMostRoutes = 50;
 
 export class FilterPanel {
-  // `sourceOf`: {query, level} of now; `addBox`: puts one where the reader looks.
+  /**
+   * `sourceOf`: returns the current {query, level}; `addBox`: adds a box in view.
+   * @param {Store} store
+   * @param {() => Source} sourceOf
+   * @param {() => void} addBox
+   */
   constructor(store, sourceOf, addBox) {
-    Object.assign(this, { store, sourceOf });
+    this.store = store;
+    this.sourceOf = sourceOf;
+    this.stale = false;
     this.outcome = choice(store, 'outcome', 'Outcome', []);
     this.route = choice(store, 'route', 'Route', []);
     this.killer = choice(store, 'killer', 'Killed by', []);
@@ -46,25 +58,28 @@ export class FilterPanel {
       on: { click: () => this.open(this.body.hidden) },
     });
     this.root = el('section', { class: 'filters' }, this.fold, this.body);
-    this.root.addEventListener('focusout', () => this.stale && this.fill());
+    this.root.addEventListener('focusout', () => {
+      if (this.stale) this.fill();
+    });
     store.on(['order'], () => this.show());
     store.on(['boxes', 'drawing'], ({ boxes, drawing }) => {
       if (boxes.length || drawing) this.open(true);
     });
   }
 
+  /** @param {boolean} wanted */
   open(wanted) {
     this.body.hidden = !wanted;
     this.fold.setAttribute('aria-expanded', String(wanted));
   }
 
-  // The query has changed; a list of choices under somebody's hands stays as it is until they let go.
+  // Called when the query has changed. A focused panel is updated only after it loses the focus.
   refresh() {
     this.stale = this.root.contains(document.activeElement);
     if (!this.stale) this.fill();
   }
 
-  // The choices that a query offers.
+  // Fills in the choices of the query.
   fill() {
     this.stale = false;
     const { query, level } = this.sourceOf();
@@ -74,14 +89,10 @@ export class FilterPanel {
     const killers = tally(
       query.paths.filter((p) => p.outcome === 'killed' && p.part >= 0).map((p) => p.part),
     );
-    const offer = (field, none, counts, nameOf) => {
-      const named = counts.map(([key, n]) => [key, `${nameOf(key)} (${n})`]);
-      field.offer([[none, 'any'], ...named]);
-      field.hidden = counts.length < 2;
-    };
     const outcomes = tally(query.paths.map((path) => path.outcome));
+    const names = routeNames(query, level);
     offer(this.outcome, '', outcomes, (key) => OUTCOME_STYLE[key].short);
-    offer(this.route, '', routes, (key) => routeNames(query, level).get(key).text);
+    offer(this.route, '', routes, (key) => names.get(key)?.text ?? key);
     offer(this.killer, -1, killers, (part) => partName(level, part));
   }
 
@@ -92,9 +103,18 @@ export class FilterPanel {
   }
 }
 
-// [value, how often], most frequent first.
-function tally(values) {
-  const counts = new Map();
-  for (const value of values) counts.set(value, (counts.get(value) ?? 0) + 1);
-  return [...counts].sort((a, b) => b[1] - a[1]);
+/**
+ * Offers in a field: any, and each value with its count.
+ * @template {string | number} N
+ * @template {string | number} V
+ * @param {HTMLElement & {offer: (options: [N | V, string][]) => void}} field
+ * @param {N} none
+ * @param {[V, number][]} counts
+ * @param {(value: V) => string} nameOf
+ */
+function offer(field, none, counts, nameOf) {
+  /** @type {[V, string][]} */
+  const named = counts.map(([value, n]) => [value, `${nameOf(value)} (${n})`]);
+  field.offer([[none, 'any'], ...named]);
+  field.hidden = counts.length < 2;
 }

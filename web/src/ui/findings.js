@@ -1,17 +1,29 @@
-// What an answer says beyond its verdict: why there is no way, what would have to change, by which routes it goes, how far to trust it.
+// An answer's findings besides its verdict: the proof's cut, changes that would help, routes, and
+// the search's saturation.
 import { partName } from '../part_name.js';
 import { routeNames } from '../route_names.js';
 import { routeText } from '../route_text.js';
 import { el, plural, seconds } from './dom.js';
 
+/** @import {Store} from '../store.js' */
+/** @import {Cut, ResultRoute} from '../types/page_data.js' */
+/** @import {Level, Query, Result} from '../types/report.js' */
+
 const kMostRoutes = 6;
 
+/** @type {Record<string, string | undefined>} */
 const SATURATION = {
   saturated: 'The search has explored nearly everything that it can tell apart.',
   growing: 'The search was still reaching new places. More time may solve it.',
 };
 
-// A line that shows its part in the picture, where it has one and the level has it.
+/**
+ * Returns a line. If it has a part of the level, a click shows that part.
+ * @param {string} text
+ * @param {number} part
+ * @param {Level | undefined} level
+ * @param {Store} store
+ */
 function line(text, part, level, store) {
   if (!(part >= 0 && part < (level?.count ?? 0))) return el('li', { text });
   const show = { click: () => store.set({ part, frame: part }) };
@@ -22,6 +34,11 @@ function line(text, part, level, store) {
   );
 }
 
+/**
+ * @param {Result} result
+ * @param {Level | undefined} level
+ * @param {Store} store
+ */
 function help(result, level, store) {
   if (!result.relaxations?.length) return [];
   return [
@@ -30,9 +47,13 @@ function help(result, level, store) {
   ];
 }
 
+/** @param {number} n */
 const reachable = (n) => `At most ${n} ${n === 1 ? 'part is' : 'parts are'} reachable`;
 
-// What the least step beyond everything that can be reached lacks.
+/**
+ * Describes what the smallest impossible step lacks.
+ * @param {Cut} cut
+ */
 export function lackOf({ rise, gap, jumps, seconds: time }) {
   const lacks = [];
   if (rise > 0) lacks.push(`at least ${rise.toFixed(1)} studs of height`);
@@ -42,6 +63,11 @@ export function lackOf({ rise, gap, jumps, seconds: time }) {
   return lacks.join(', ');
 }
 
+/**
+ * @param {Result} result
+ * @param {Level | undefined} level
+ * @param {Store} store
+ */
 function proof(result, level, store) {
   const { cut } = result;
   if (!cut) return [];
@@ -60,48 +86,63 @@ function proof(result, level, store) {
   ];
 }
 
-// Each shows its own ways only, and all again.
-function routes(query, level, store) {
-  const { result } = query;
-  if (!(result.routes?.length > 1)) return [];
+/**
+ * Lists the routes. A click filters a route's trajectories, and another click shows all again.
+ * @param {Query} query
+ * @param {Result} result
+ * @param {Level | undefined} level
+ * @param {Store} store
+ */
+function routes(query, result, level, store) {
+  if (!result.routes || result.routes.length < 2) return [];
   const rate = level?.tickRate ?? 60;
-  const toggle = (key) => store.set({ route: store.state.route === key ? '' : key });
-  const routeLine = ({ route, count, ticks }) =>
-    el(
+  const names = routeNames(query, level);
+  const toggle = (/** @type {string} */ key) =>
+    store.set({ route: store.state.route === key ? '' : key });
+  const routeLine = (/** @type {ResultRoute} */ { route, count, ticks }) => {
+    const key = route.join(' ');
+    return el(
       'li',
       {},
       el('button', {
         class: 'plain text way',
         type: 'button',
-        data: { key: `route ${route.join(' ')}` },
+        data: { key: `route ${key}` },
         title: `Show only these: ${routeText(route, level)}`,
-        text: routeNames(query, level).get(route.join(' ')).text,
-        on: { click: () => toggle(route.join(' ')) },
+        text: names.get(key)?.text ?? key,
+        on: { click: () => toggle(key) },
       }),
       el('small', {
         text: `${plural(Number(count), 'solution')}, fastest ${seconds(ticks / rate)} s`,
       }),
     );
+  };
   const told = result.routes.slice(0, kMostRoutes).map(routeLine);
   const left = result.routes.length - told.length;
   if (left > 0) told.push(el('li', { class: 'quiet', text: `and ${left} more` }));
   return [el('h3', { text: 'Routes' }), el('ul', {}, ...told)];
 }
 
+/** @param {Result} result */
 function trust(result) {
-  const text = SATURATION[result.evidence?.saturation];
+  const text = SATURATION[result.evidence?.saturation ?? ''];
   if (result.verdict !== 'unknown' || !text) return [];
   return [el('p', { class: 'quiet', text })];
 }
 
-// Nothing where the stream says nothing of the kind.
+/**
+ * Empty if the stream has no findings.
+ * @param {Query} query
+ * @param {Level | undefined} level
+ * @param {Store} store
+ */
 export function findings(query, level, store) {
   const result = query.result;
   if (!result) return el('div', { hidden: true });
   const parts = [
     ...proof(result, level, store),
     ...help(result, level, store),
-    ...routes(query, level, store),
+    ...routes(query, result, level, store),
     ...trust(result),
   ];
   return el('div', { class: 'findings', hidden: parts.length === 0 }, ...parts);

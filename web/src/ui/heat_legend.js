@@ -1,10 +1,16 @@
-// What the colours of the heat map mean: a scale from a single count to the fullest tile's, by logarithm.
+// The legend of the heat map: a logarithmic scale from a single count to the fullest tile's.
 import { heatColor } from '../coloring.js';
 import { count, el } from './dom.js';
 
+/** @import {Query, State} from '../types/report.js' */
+
 const kStops = 9;
 
-// Nothing where no heat map is shown. `query`: of now.
+/**
+ * Returns nothing if no heat map is shown. `query`: the current one.
+ * @param {State} state
+ * @param {Query | undefined} query
+ */
 export function heatLegend({ heat, heatWays, heatMost }, query) {
   if (!heat || !heatMost) return [];
   const ofSearch = !heatWays && query?.result?.heatMap;

@@ -1,6 +1,7 @@
 // The list of shortcuts behind `?`.
 import { el } from './dom.js';
 
+/** @type {[title: string, rows: [keys: string, text: string][]][]} */
 const kSections = [
   [
     'Play',
@@ -54,6 +55,7 @@ const kSections = [
 ];
 
 export class Help {
+  /** @param {HTMLDialogElement} dialog */
   constructor(dialog) {
     this.dialog = dialog;
     const close = el('button', {

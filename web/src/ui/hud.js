@@ -1,12 +1,16 @@
-// How the player came to where it is: keys of the tick that led here, as seen from the camera, speed and height. At the
-// start it stands, and no key is held yet.
+// Shows the input of the current tick relative to the camera, with speed and height. At the start
+// the player stands and no key is pressed.
 import { decimal, el } from './dom.js';
 
+/** @import {Path} from '../path.js' */
+
 export class Hud {
+  /** @param {HTMLElement} root */
   constructor(root) {
     this.root = root;
+    /** @type {Record<string, HTMLElement>} */
     this.keys = {};
-    const key = (name, label) => {
+    const key = (/** @type {string} */ name, /** @type {string} */ label) => {
       this.keys[name] = el('span', { class: `cap ${name}`, text: label });
       return this.keys[name];
     };
@@ -41,13 +45,19 @@ export class Hud {
     this.root.hidden = true;
   }
 
+  /**
+   * @param {Path | undefined} path
+   * @param {number} tick
+   * @param {number} tickRate
+   * @param {number} cameraYaw
+   */
   show(path, tick, tickRate, cameraYaw) {
     this.root.hidden = !path;
     if (!path) return;
     const action = path.actionBefore(tick);
     const pressed = new Set(action.jump ? ['jump'] : []);
     if (action.walk) {
-      // Angle of the move direction to the left of where the camera looks, in eighths of a turn.
+      // Angle of the move direction, left of the camera's direction, in eighths of a turn.
       const turns = action.heading / 65536 - cameraYaw / (2 * Math.PI);
       const eighth = ((Math.round(turns * 8) % 8) + 8) % 8;
       for (const name of [

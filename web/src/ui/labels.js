@@ -1,15 +1,23 @@
-// Names of regions and places, kept over them as the camera moves; those that would cover one another are stacked.
+// Labels of regions and places that follow the camera. Overlapping ones are stacked.
 import { el } from './dom.js';
+
+/** @import {PerspectiveCamera, Vector3} from 'three' */
+/** @import {Label} from '../types/report.js' */
 
 const kLineHeight = 22; // pixels
 const kMostStacked = 6;
 
+/** @typedef {{x: number, y: number, halfWidth: number}} Placed */
+
 export class Labels {
+  /** @param {HTMLElement} root */
   constructor(root) {
     this.root = root;
+    /** @type {{node: HTMLElement, at: Vector3, halfWidth: number}[]} */
     this.items = [];
   }
 
+  /** @param {Label[]} labels */
   set(labels) {
     this.root.replaceChildren();
     this.items = labels.map(({ text, at, color }) => {
@@ -23,9 +31,16 @@ export class Labels {
     this.root.hidden = true;
   }
 
+  /**
+   * @param {PerspectiveCamera} camera
+   * @param {number} width
+   * @param {number} height
+   * @param {boolean} visible
+   */
   update(camera, width, height, visible) {
     this.root.hidden = !visible;
     if (!visible) return;
+    /** @type {Placed[]} */
     const placed = [];
     for (const { node, at, halfWidth } of this.items) {
       const p = at.clone().project(camera);
@@ -39,7 +54,13 @@ export class Labels {
     }
   }
 
-  // Above the labels that are already there.
+  /**
+   * Returns a height above the labels already placed.
+   * @param {Placed[]} placed
+   * @param {number} x
+   * @param {number} wanted
+   * @param {number} halfWidth
+   */
   freeHeight(placed, x, wanted, halfWidth) {
     let y = wanted;
     for (let tries = 0; tries < kMostStacked; tries++) {

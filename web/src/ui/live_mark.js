@@ -1,5 +1,9 @@
-// Whether the stream behind the page still runs, and whether the newest solution is chosen as it comes.
+// Shows the state of the live stream, and the option to select the newest solution.
 import { checkbox, el } from './dom.js';
+
+/** @import {Store} from '../store.js' */
+/** @import {StreamState} from '../types/page_data.js' */
+/** @import {Report} from '../types/report.js' */
 
 const kStates = {
   live: { text: 'Live', title: 'The stream is running; new records appear here' },
@@ -12,7 +16,9 @@ export class LiveMark {
   constructor() {
     this.text = el('span', { class: 'name', role: 'status' });
     this.waiting = el('p', { class: 'quiet' });
-    this.newest = checkbox((checked) => this.store.set({ followNewest: checked }));
+    /** @type {Store | undefined} */
+    this.store = undefined; // until there is something to look at
+    this.newest = checkbox((checked) => this.store?.set({ followNewest: checked }));
     this.follow = el(
       'label',
       { hidden: true, title: 'Select each new solution as it arrives' },
@@ -27,6 +33,7 @@ export class LiveMark {
     );
   }
 
+  /** @param {Store} store */
   bind(store) {
     this.store = store;
     store.on(['followNewest'], (state) => {
@@ -34,7 +41,13 @@ export class LiveMark {
     });
   }
 
-  // `connected`: undefined until it is known; `started`: there is something to look at.
+  /**
+   * `connected`: undefined until known; `started`: there is something to show.
+   * @param {StreamState} state
+   * @param {boolean | undefined} connected
+   * @param {Report} report
+   * @param {boolean} started
+   */
   show(state, connected, report, started) {
     const name = state === 'live' && connected === false ? 'lost' : state;
     this.root.dataset.state = name;

@@ -1,48 +1,66 @@
-// A list as one stop of Tab. With the keyboard in it the arrow keys, Home, End, Page Up and Page Down go from row to
-// row, Enter and Space choose; what the mouse has clicked leaves all keys to the page.
+// A list with a single tab stop. With keyboard focus, the arrow keys, Home, End, Page Up and Page
+// Down move between rows, and Enter and Space select. After a mouse click all keys stay with the
+// page.
 import { keepingFocus } from './dom.js';
 
 const kRow = '[role=option]:not([hidden])';
 
 export class OneStop {
-  // `list`: its rows have the role option, and no place in the order of Tab.
+  /**
+   * `list`: its rows have the role option and are not in the tab order.
+   * @param {HTMLElement} list
+   */
   constructor(list) {
     this.list = list;
-    this.stop = null; // the row that Tab reaches
-    list.tabIndex = -1; // some browsers make what scrolls a stop of its own
+    /** @type {HTMLElement | null} */
+    this.stop = null; // the row in the tab order
+    list.tabIndex = -1; // some browsers make scrolling elements tab stops
     list.addEventListener('focusin', () => this.settle());
     list.addEventListener('keydown', (event) => this.press(event));
-    list.addEventListener('click', ({ detail }) => detail > 0 && this.leave());
+    list.addEventListener('click', ({ detail }) => {
+      if (detail > 0) this.leave();
+    });
   }
 
+  /** @returns {HTMLElement[]} */
   rows() {
-    return [...this.list.querySelectorAll(kRow)];
+    /** @type {NodeListOf<HTMLElement>} */
+    const rows = this.list.querySelectorAll(kRow);
+    return [...rows];
   }
 
+  /** @returns {HTMLElement | null} */
   focused() {
     const row = document.activeElement;
-    return this.list.contains(row) && row.matches(kRow) ? row : null;
+    const isRow = row instanceof HTMLElement && this.list.contains(row) && row.matches(kRow);
+    return isRow ? row : null;
   }
 
-  // The keyboard is on no row, nor on the list, which takes it where the mouse meets no row.
+  // Removes the focus from the rows and the list, which gets it when the mouse hits no row.
   leave() {
-    if (this.list.contains(document.activeElement)) document.activeElement.blur();
+    const focused = document.activeElement;
+    if (focused instanceof HTMLElement && this.list.contains(focused)) focused.blur();
   }
 
-  // What Tab reaches: where the keyboard is, else the chosen row, else where it was.
+  // Updates the tab stop: the focused row, else the selected row, else the previous one.
   settle() {
     const { list, stop } = this;
-    const row =
-      this.focused() ??
-      list.querySelector(`${kRow}[aria-selected=true]`) ??
-      (list.contains(stop) && !stop.hidden ? stop : list.querySelector(kRow));
+    /** @type {HTMLElement | null} */
+    const chosen = list.querySelector(`${kRow}[aria-selected=true]`);
+    /** @type {HTMLElement | null} */
+    const first = list.querySelector(kRow);
+    const before = stop && list.contains(stop) && !stop.hidden ? stop : first;
+    const row = this.focused() ?? chosen ?? before;
     if (stop) stop.tabIndex = -1;
     if (row) row.tabIndex = 0;
     this.stop = row;
   }
 
-  // Runs `fill`, which makes the rows anew. The keyboard stays on its row; where that is gone, on the one in its
-  // place.
+  /**
+   * Calls `fill`, which recreates the rows. The focus stays on its row, or moves to the row in its
+   * place.
+   * @param {() => void} fill
+   */
   refill(fill) {
     const row = this.focused();
     const at = row ? this.rows().indexOf(row) : -1;
@@ -54,6 +72,7 @@ export class OneStop {
     this.settle();
   }
 
+  /** @param {KeyboardEvent} event */
   press(event) {
     const { key, shiftKey } = event;
     const row = this.focused();
@@ -61,16 +80,18 @@ export class OneStop {
     const rows = this.rows();
     const at = rows.indexOf(row);
     const page = Math.max(1, Math.floor(this.list.clientHeight / row.offsetHeight) - 1);
-    const to = {
+    /** @type {Record<string, number | undefined>} */
+    const places = {
       ArrowUp: at - 1,
       ArrowDown: at + 1,
       PageUp: at - page,
       PageDown: at + page,
       Home: 0,
       End: rows.length,
-    }[key];
+    };
+    const to = places[key];
     if (to !== undefined) rows[Math.max(0, Math.min(to, rows.length - 1))].focus();
-    // On the chosen row Space plays, as elsewhere.
+    // On the selected row Space plays, as elsewhere.
     else if (key === 'Enter' || (key === ' ' && row.getAttribute('aria-selected') !== 'true'))
       row.dispatchEvent(new MouseEvent('click', { bubbles: true, shiftKey }));
     else return;

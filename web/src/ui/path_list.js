@@ -1,4 +1,4 @@
-// The trajectories of the chosen query that pass the filters: how many, sorted how, coloured by what, and a row each.
+// The filtered trajectories of the query: their number, sorting, colouring, and a row each.
 import { SORTS } from '../choice.js';
 import { COLORINGS } from '../coloring.js';
 import { BAND_STYLE, causeOf, hardestOf } from '../palette.js';
@@ -7,13 +7,31 @@ import { solutionNames } from '../solution_names.js';
 import { choice, el, plural, reveal, seconds, trajectories } from './dom.js';
 import { OneStop } from './one_stop.js';
 
+/** @import {Path} from '../path.js' */
+/** @import {Store} from '../store.js' */
+/** @import {Query, Sort, Source, Tint} from '../types/report.js' */
+
 const kMostRows = 400;
+/** @type {Record<string, string | undefined>} */
 const KIND_NAMES = { closest: 'Closest', newest: 'Newest' };
 
+/**
+ * @template {string} K
+ * @param {Record<K, string>} names
+ */
+const entries = (names) => /** @type {[K, string][]} */ (Object.entries(names));
+
 export class PathList {
-  // `sourceOf`: {query, level} of now; `tintOf`: path -> colour.
+  /**
+   * `sourceOf`: returns the current {query, level}; `tintOf`: path -> colour.
+   * @param {Store} store
+   * @param {() => Source} sourceOf
+   * @param {Tint} tintOf
+   */
   constructor(store, sourceOf, tintOf) {
-    Object.assign(this, { store, sourceOf, tintOf });
+    this.store = store;
+    this.sourceOf = sourceOf;
+    this.tintOf = tintOf;
     this.count = el('output', { class: 'count' });
     this.rows = el('div', { class: 'paths', role: 'listbox', 'aria-label': 'Trajectories' });
     this.root = el('section', { class: 'list' }, this.bar(), this.rows);
@@ -26,16 +44,16 @@ export class PathList {
 
   bar() {
     const { store } = this;
-    this.direction = el('button', {
+    const direction = el('button', {
       class: 'plain direction',
       type: 'button',
       on: { click: () => store.set({ descending: !store.state.descending }) },
     });
     const showDirection = () => {
       const { descending } = store.state;
-      this.direction.textContent = descending ? '↓' : '↑';
-      this.direction.setAttribute('aria-label', descending ? 'Largest first' : 'Smallest first');
-      this.direction.title = descending ? 'Largest first' : 'Smallest first';
+      direction.textContent = descending ? '↓' : '↑';
+      direction.setAttribute('aria-label', descending ? 'Largest first' : 'Smallest first');
+      direction.title = descending ? 'Largest first' : 'Smallest first';
     };
     store.on(['descending'], showDirection);
     showDirection();
@@ -43,9 +61,9 @@ export class PathList {
       'div',
       { class: 'list-bar' },
       this.count,
-      choice(store, 'sort', 'Sort by', Object.entries(SORTS)),
-      this.direction,
-      choice(store, 'colorBy', 'Colour by', Object.entries(COLORINGS)),
+      choice(store, 'sort', 'Sort by', entries(SORTS)),
+      direction,
+      choice(store, 'colorBy', 'Colour by', entries(COLORINGS)),
     );
   }
 
@@ -53,7 +71,7 @@ export class PathList {
     const { query } = this.sourceOf();
     this.rows.replaceChildren();
     this.count.textContent = '';
-    this.root.hidden = !query; // a level alone has no ways to sort
+    this.root.hidden = !query; // a level without a query has no trajectories
     if (!query) return;
     const { order, sort } = this.store.state;
     const all = query.paths.length;
@@ -63,7 +81,8 @@ export class PathList {
       const group = el('div', { role: 'group', 'aria-label': title || undefined });
       const count = el('small', { text: ` ${indices.length}` });
       if (title) group.append(el('h3', { role: 'presentation' }, title, count));
-      for (const index of indices.slice(0, kMostRows)) group.append(this.row(index));
+      for (const index of indices.slice(0, kMostRows))
+        group.append(this.row(query.paths[index], index));
       if (indices.length > kMostRows)
         group.append(
           el('p', {
@@ -84,19 +103,30 @@ export class PathList {
       );
   }
 
-  // As found, solutions stand apart; sorted, it is one list.
+  /**
+   * In the order of discovery, solutions form a group of their own; otherwise there is one list.
+   * @param {Query} query
+   * @param {number[]} order
+   * @param {Sort} sort
+   * @returns {[title: string, indices: number[]][]}
+   */
   groups(query, order, sort) {
     if (sort !== 'found') return [['', order]];
-    const solution = (index) => query.paths[index].kind === 'solution';
-    return [
+    const solution = (/** @type {number} */ index) => query.paths[index].kind === 'solution';
+    /** @type {[string, number[]][]} */
+    const groups = [
       ['Solutions', order.filter(solution)],
       ['Attempts', order.filter((index) => !solution(index))],
-    ].filter(([, indices]) => indices.length);
+    ];
+    return groups.filter(([, indices]) => indices.length);
   }
 
-  row(index) {
-    const { query, level } = this.sourceOf();
-    const path = query.paths[index];
+  /**
+   * @param {Path} path
+   * @param {number} index
+   */
+  row(path, index) {
+    const { level } = this.sourceOf();
     const cause = path.mismatch ? `Replay mismatch: ${path.mismatch}` : causeOf(path, level);
     const { name, facts } = this.words(path, index);
     const help = [cause, hardestOf(path, level), 'Shift-click to compare'].filter(Boolean);
@@ -122,11 +152,16 @@ export class PathList {
     );
   }
 
-  // A solution is told from others by its time, jumps and route, an attempt by how it ended.
+  /**
+   * Describes a solution by time, jumps and route, an attempt by its end.
+   * @param {Path} path
+   * @param {number} index
+   */
   words(path, index) {
     const { query, level } = this.sourceOf();
-    const fact = (text, more = '') => el('span', { class: `fact${more}`, text });
-    const solution = solutionNames(query, level).get(index);
+    const fact = (/** @type {string} */ text, more = '') =>
+      el('span', { class: `fact${more}`, text });
+    const solution = query && solutionNames(query, level).get(index);
     if (solution) return { name: solution.name, facts: [fact(solution.route, ' route')] };
     const time = `${seconds(path.ticks / (level?.tickRate ?? 60))} s`;
     return {
@@ -135,15 +170,24 @@ export class PathList {
     };
   }
 
-  // What is listed stays as it is.
+  /** @returns {NodeListOf<HTMLElement>} */
+  pathRows() {
+    return this.rows.querySelectorAll('.path');
+  }
+
+  // Updates the colours; the list is unchanged.
   color() {
     const { query } = this.sourceOf();
-    for (const row of this.rows.querySelectorAll('.path')) {
+    if (!query) return;
+    for (const row of this.pathRows()) {
+      /** @type {HTMLElement | null} */
+      const swatch = row.querySelector('.swatch');
       const tint = this.tintOf(query.paths[Number(row.dataset.path)]);
-      row.querySelector('.swatch').style.setProperty('--tint', tint);
+      swatch?.style.setProperty('--tint', tint);
     }
   }
 
+  /** @param {Path} path */
   bandOf(path) {
     if (!path.difficulty) return [];
     const style = BAND_STYLE[path.difficulty.band];
@@ -151,6 +195,10 @@ export class PathList {
     return [el('span', { class: 'fact band', text: style.label, style: tint })];
   }
 
+  /**
+   * @param {number} index
+   * @param {boolean} beside
+   */
   choose(index, beside) {
     const { path, ghost } = this.store.state;
     if (beside) this.store.set({ ghost: ghost === index || path === index ? -1 : index });
@@ -160,7 +208,7 @@ export class PathList {
 
   mark() {
     const { path, hoverPath, ghost } = this.store.state;
-    for (const row of this.rows.querySelectorAll('.path')) {
+    for (const row of this.pathRows()) {
       const index = Number(row.dataset.path);
       row.setAttribute('aria-selected', String(index === path));
       row.classList.toggle('hover', index === hoverPath);

@@ -1,13 +1,29 @@
-// The floating panel on the right: legend of the roles that this level has, what is shown, and the chosen part.
+// The floating panel on the right: legend of the level's roles, display options, and the selected
+// part.
 import { ROLES } from '../data.js';
 import { ROLE_STYLE } from '../palette.js';
 import { checkbox, decimal, el } from './dom.js';
 import { heatLegend } from './heat_legend.js';
 
+/** @import {Store} from '../store.js' */
+/** @import {Coloring, Level, NamesOf, Query} from '../types/report.js' */
+
 export class ScenePanel {
-  // `coloringOf`: how trajectories are coloured now.
+  /**
+   * `coloringOf`: returns the current colouring.
+   * @param {HTMLElement} root
+   * @param {Store} store
+   * @param {object} now what is shown now
+   * @param {() => Query | undefined} now.queryOf
+   * @param {() => Level | undefined} now.levelOf
+   * @param {() => Coloring} now.coloringOf
+   */
   constructor(root, store, { queryOf, levelOf, coloringOf }) {
-    Object.assign(this, { root, store, queryOf, levelOf, coloringOf });
+    this.root = root;
+    this.store = store;
+    this.queryOf = queryOf;
+    this.levelOf = levelOf;
+    this.coloringOf = coloringOf;
     this.legend = el('div', { class: 'legend' });
     this.inspector = el('section', { class: 'inspector', hidden: true });
     root.append(
@@ -20,13 +36,18 @@ export class ScenePanel {
     this.fillLegend();
   }
 
-  // A card whose body folds away under its title.
+  /**
+   * Adds a card whose body folds under its title.
+   * @param {string} title
+   * @param {HTMLElement} content
+   * @param {boolean} open
+   */
   card(title, content, open) {
     const body = el('div', { class: 'panel-body', hidden: !open }, content);
     const fold = el('button', {
       class: 'fold',
       type: 'button',
-      'aria-expanded': String(open),
+      'aria-expanded': open ? 'true' : 'false',
       text: title,
       on: {
         click: () => {
@@ -43,6 +64,7 @@ export class ScenePanel {
     this.legend.replaceChildren();
     if (!level) return;
     this.legend.append(...heatLegend(this.store.state, this.queryOf()));
+    /** @type {Map<number, number>} */
     const counts = new Map();
     for (const role of level.role) counts.set(role, (counts.get(role) ?? 0) + 1);
     ROLES.forEach((role, code) => {
@@ -72,8 +94,13 @@ export class ScenePanel {
 
   toggles() {
     const box = el('div', { class: 'toggles' });
+    /**
+     * @param {NamesOf<boolean>} name
+     * @param {string} label
+     * @param {string} key
+     */
     const add = (name, label, key, isShown = () => true) => {
-      const input = checkbox((checked) => this.store.set({ [name]: checked }));
+      const input = checkbox((checked) => this.store.put(name, checked));
       input.checked = this.store.state[name];
       this.store.on([name], (state) => {
         input.checked = state[name];
@@ -88,7 +115,7 @@ export class ScenePanel {
       const show = () => {
         row.hidden = !isShown();
       };
-      this.store.on(['query', 'heat', 'order'], show); // an answer may come to the query
+      this.store.on(['query', 'heat', 'order'], show); // an answer may arrive for the query
       show();
       box.append(row);
     };
@@ -126,10 +153,11 @@ export class ScenePanel {
   inspect() {
     const level = this.levelOf();
     const { part } = this.store.state;
-    // Another query may have come with a level that has fewer parts, before the choice is taken back.
-    this.inspector.hidden = !(part >= 0 && part < (level?.count ?? 0));
+    // Another query's level may have fewer parts, before the selection is reset.
+    const isKnown = level !== undefined && part >= 0 && part < level.count;
+    this.inspector.hidden = !isKnown;
     this.inspector.replaceChildren();
-    if (this.inspector.hidden) return;
+    if (!isKnown) return;
     const role = ROLES[level.role[part]];
     const size = [...level.size.subarray(3 * part, 3 * part + 3)]
       .map((v) => Number(v.toFixed(2)))
@@ -138,7 +166,7 @@ export class ScenePanel {
       .map((v) => decimal(v))
       .join(', ');
     const facts = el('dl', {});
-    const add = (label, value) =>
+    const add = (/** @type {string} */ label, /** @type {string} */ value) =>
       facts.append(el('dt', { text: label }), el('dd', { text: value }));
     add('Role', ROLE_STYLE[role].label);
     const material = level.materials[level.material[part] ?? 0];

@@ -1,18 +1,24 @@
-// The left column: the queries with their verdicts, and the numbers of the chosen one.
+// The left column: the queries with their verdicts, and the details of the selected one.
 import { VERDICT_STYLE, verdictOf } from '../palette.js';
-import { kMostAlike } from '../scene/regions.js';
 import { deaths } from './deaths.js';
-import { count, el, keepingPlace, plural, reveal, seconds } from './dom.js';
+import { count, el, keepingPlace, reveal, seconds } from './dom.js';
 import { findings } from './findings.js';
+import { limitsOf } from './limits.js';
 import { OneStop } from './one_stop.js';
 
-const kMostUnsearched = 8; // queries that need no field to find one
+/** @import {ShownVerdict} from '../palette.js' */
+/** @import {Store} from '../store.js' */
+/** @import {Progress} from '../types/page_data.js' */
+/** @import {Query, Report, Result} from '../types/report.js' */
 
+const kMostUnsearched = 8; // number of queries that needs no search field
+
+/** @param {ShownVerdict} verdict */
 function badge(verdict) {
   const style = VERDICT_STYLE[verdict];
   return el('span', {
     class: 'badge',
-    role: 'img', // a screen reader would leave the sign out, or spell it
+    role: 'img', // screen readers would skip the sign or spell it
     'aria-label': style.label,
     text: style.mark,
     style: { '--tint': style.color },
@@ -20,15 +26,7 @@ function badge(verdict) {
   });
 }
 
-function jumpLimits({ minJumps, maxJumps }) {
-  if (maxJumps === 0) return ['no jumps'];
-  if (maxJumps >= 0 && maxJumps === minJumps) return [`exactly ${plural(maxJumps, 'jump')}`];
-  const limits = [];
-  if (maxJumps >= 0) limits.push(`at most ${plural(maxJumps, 'jump')}`);
-  if (minJumps > 0) limits.push(`at least ${plural(minJumps, 'jump')}`);
-  return limits;
-}
-
+/** @param {[label: string, value: string][]} facts */
 function numberGrid(facts) {
   const grid = el('dl', { class: 'numbers' });
   for (const [label, value] of facts)
@@ -36,25 +34,55 @@ function numberGrid(facts) {
   return grid;
 }
 
-// Ids that queries of several levels have.
+/**
+ * Returns ids that occur in several levels.
+ * @param {Query[]} queries
+ */
 function sharedIds(queries) {
   const levels = new Map(queries.map(({ id, level }) => [id, level]));
   return new Set(queries.filter(({ id, level }) => levels.get(id) !== level).map(({ id }) => id));
 }
 
-// fallingDown: falling down
-const stateName = (state) => state.replace(/[A-Z]/g, (c) => ` ${c.toLowerCase()}`);
+/**
+ * The numbers of the answer, or the progress of a running search.
+ * @param {Query} query
+ * @returns {Partial<Result & Progress>}
+ */
+const numbersOf = (query) => query.result ?? query.progress ?? {};
+
+/**
+ * @param {HTMLElement} list
+ * @returns {HTMLElement[]}
+ */
+const rowsOf = (list) => /** @type {HTMLElement[]} */ ([...list.children]);
 
 export class Sidebar {
-  // `lists`: what stands below the query.
+  /**
+   * `lists`: elements below the query.
+   * @param {HTMLElement} root
+   * @param {Report} report
+   * @param {Store} store
+   * @param {HTMLElement[]} lists
+   */
   constructor(root, report, store, lists) {
-    Object.assign(this, { root, report, store });
+    this.root = root;
+    this.report = report;
+    this.store = store;
+    this.isEffortOpen = false;
     this.queries = el('div', { class: 'queries', role: 'listbox', 'aria-label': 'Queries' });
     this.stop = new OneStop(this.queries);
     this.detail = el('div', { class: 'detail' });
     this.head = el('header', { class: 'head' });
     this.notes = el('div', {});
-    root.append(this.head, this.notes, this.querySection(), this.detail, ...lists);
+    this.search = el('input', {
+      class: 'search',
+      type: 'search',
+      placeholder: 'Find a query',
+      'aria-label': 'Find a query',
+      on: { input: () => this.filter(this.search.value) },
+    });
+    this.section = el('section', { class: 'block grow-little' }, this.search, this.queries);
+    root.append(this.head, this.notes, this.section, this.detail, ...lists);
     this.fill();
     store.on(['query'], () => {
       this.markQuery();
@@ -75,7 +103,7 @@ export class Sidebar {
     this.fillQuery();
   }
 
-  // The report has changed.
+  // Called when the report has changed.
   refresh() {
     keepingPlace(this.queries, () => keepingPlace(this.detail, () => this.fill()));
     this.markKillers();
@@ -93,21 +121,10 @@ export class Sidebar {
     );
   }
 
-  querySection() {
-    this.search = el('input', {
-      class: 'search',
-      type: 'search',
-      placeholder: 'Find a query',
-      'aria-label': 'Find a query',
-      on: { input: (event) => this.filter(event.target.value) },
-    });
-    this.section = el('section', { class: 'block grow-little' }, this.search, this.queries);
-    return this.section;
-  }
-
+  /** @param {string} text */
   filter(text) {
     const wanted = text.toLowerCase();
-    for (const row of this.queries.children) row.hidden = !row.dataset.name.includes(wanted);
+    for (const row of rowsOf(this.queries)) row.hidden = !row.dataset.name?.includes(wanted);
     this.stop.settle();
   }
 
@@ -144,7 +161,7 @@ export class Sidebar {
   }
 
   markQuery() {
-    for (const row of this.queries.children) {
+    for (const row of rowsOf(this.queries)) {
       row.setAttribute(
         'aria-selected',
         String(Number(row.dataset.query) === this.store.state.query),
@@ -155,7 +172,9 @@ export class Sidebar {
   }
 
   markKillers() {
-    for (const row of this.detail.querySelectorAll('.ends .killer'))
+    /** @type {NodeListOf<HTMLElement>} */
+    const rows = this.detail.querySelectorAll('.ends .killer');
+    for (const row of rows)
       row.setAttribute(
         'aria-pressed',
         String(Number(row.dataset.part) === this.store.state.killer),
@@ -171,7 +190,7 @@ export class Sidebar {
     this.detail.append(
       ...this.verdict(query),
       this.course(query),
-      this.limits(query),
+      limitsOf(query),
       this.numbers(query),
       this.effort(query),
       findings(query, level, this.store),
@@ -179,6 +198,7 @@ export class Sidebar {
     );
   }
 
+  /** @param {Query} query */
   verdict(query) {
     const style = VERDICT_STYLE[verdictOf(query)];
     const broken = query.paths.find((path) => path.mismatch && path.kind === 'solution');
@@ -191,66 +211,61 @@ export class Sidebar {
     ];
   }
 
-  // From where to where, in the names of the level's places.
+  /**
+   * Describes start and goal by the names of their places.
+   * @param {Query} query
+   */
   course({ start, goal }) {
     const ends = [start?.name && `from ${start.name}`, goal?.name && `to ${goal.name}`];
     const text = ends.filter(Boolean).join(' ');
     return el('p', { class: 'quiet course', text, hidden: !text });
   }
 
-  limits(query) {
-    const parts = [];
-    parts.push(...jumpLimits(query));
-    if (query.timeLimit > 0) parts.push(`within ${seconds(query.timeLimit)} s`);
-    if (query.waypoints.length) parts.push(plural(query.waypoints.length, 'waypoint'));
-    if (query.visits.length) parts.push(`${plural(query.visits.length, 'place')} in any order`);
-    const drawn = ({ length }) => (length > kMostAlike ? ` (${kMostAlike} are drawn)` : '');
-    const goals = query.goals.length + (query.goal ? 1 : 0);
-    if (query.goals.length) parts.push(`one of ${plural(goals, 'goal')}${drawn(query.goals)}`);
-    if (query.avoid.length)
-      parts.push(`${plural(query.avoid.length, 'region')} to avoid${drawn(query.avoid)}`);
-    if (query.maxDamage >= 0) parts.push(`at most ${query.maxDamage} health lost`);
-    if (query.forbid.length) parts.push(`never ${query.forbid.map(stateName).join(' or ')}`);
-    return el('p', {
-      class: 'quiet limits',
-      text: parts.length ? `Limits: ${parts.join(', ')}` : '',
-      hidden: !parts.length,
-    });
-  }
-
+  /** @param {Query} query */
   numbers(query) {
-    const r = query.result ?? query.progress ?? {}; // of a search that runs, how far it is
+    const { result } = query;
+    const { steps, closest = 0, seconds: searched = 0 } = numbersOf(query);
     const rate = this.report.levels[query.level]?.tickRate ?? 60;
+    /** @type {[string, string][]} */
     const facts = [];
-    const add = (...fact) => facts.push(fact);
-    if (r.verdict === 'solved') {
-      add('Play time', `${seconds(r.ticks / rate)} s`);
-      add('Jumps', String(r.jumps));
-      if (r.firstSolution > 0) add('Found after', `${seconds(r.firstSolution)} s`);
-    } else if (Number(r.steps) > 0) {
-      add('Closest to goal', `${r.closest.toFixed(1)} studs`);
-      if (r.seconds > 0) add('Searched', `${seconds(r.seconds)} s`);
+    const add = (/** @type {[string, string]} */ ...fact) => facts.push(fact);
+    if (result?.verdict === 'solved') {
+      add('Play time', `${seconds(result.ticks / rate)} s`);
+      add('Jumps', String(result.jumps));
+      if (result.firstSolution > 0) add('Found after', `${seconds(result.firstSolution)} s`);
+    } else if (Number(steps) > 0) {
+      add('Closest to goal', `${closest.toFixed(1)} studs`);
+      if (searched > 0) add('Searched', `${seconds(searched)} s`);
     }
     return numberGrid(facts);
   }
 
-  // How much the search did, for those who open it.
+  /**
+   * Adds the search's effort, folded by default.
+   * @param {Query} query
+   */
   effort(query) {
-    const r = query.result ?? query.progress ?? {};
+    const { steps = 0, cells = 0, stepsPerSecond = 0 } = numbersOf(query);
+    /** @type {[string, string][]} */
     const facts = [];
-    if (Number(r.steps) > 0) facts.push(['Simulated ticks', count(r.steps)]);
-    if (Number(r.cells) > 0) facts.push(['Places explored', count(r.cells)]);
-    if (r.stepsPerSecond > 0) facts.push(['Ticks per second', count(Math.round(r.stepsPerSecond))]);
-    return el(
+    if (Number(steps) > 0) facts.push(['Simulated ticks', count(steps)]);
+    if (Number(cells) > 0) facts.push(['Places explored', count(cells)]);
+    if (stepsPerSecond > 0) facts.push(['Ticks per second', count(Math.round(stepsPerSecond))]);
+    const details = el(
       'details',
       { hidden: !facts.length, open: this.isEffortOpen },
       el('summary', {
         text: 'Search effort',
         data: { key: 'effort' },
-        // A toggle event would come too late for a refresh in between.
-        on: { click: (event) => (this.isEffortOpen = !event.currentTarget.parentNode.open) },
+        // A toggle event would come too late for a refresh before it.
+        on: {
+          click: () => {
+            this.isEffortOpen = !details.open;
+          },
+        },
       }),
       numberGrid(facts),
     );
+    return details;
   }
 }

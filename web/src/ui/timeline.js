@@ -3,12 +3,24 @@ import { BAND_STYLE, pathColor } from '../palette.js';
 import { landings } from '../scene/action_marks.js';
 import { el, icon, seconds, svg } from './dom.js';
 
+/** @import {Path} from '../path.js' */
+/** @import {Playback} from '../playback.js' */
+/** @import {Store} from '../store.js' */
+
 const kSpeeds = [0.1, 0.25, 0.5, 1, 2, 4, 10];
-const kWide = 1000; // of the plot, in its own units
-const kMostMarks = 2000; // of a kind
+const kWide = 1000; // width of the plot in its own units
+const kMostMarks = 2000; // of each kind
 const kSliderKeys = /^(Arrow|Page|Home$|End$)/;
 
-// A short line at the profile's lower or upper edge.
+/** @typedef {(tick: number) => number} Place maps a tick to a position in the plot */
+
+/**
+ * Returns a short line at the profile's lower or upper edge.
+ * @param {string} kind
+ * @param {number} x
+ * @param {number} from
+ * @param {number} to
+ */
 const tickMark = (kind, x, from, to) =>
   svg('path', {
     class: `mark ${kind}`,
@@ -16,9 +28,11 @@ const tickMark = (kind, x, from, to) =>
     'vector-effect': 'non-scaling-stroke',
   });
 
-// Below, `x` is where a tick stands in the plot.
-
-// The hardest step in the colour of its band.
+/**
+ * Marks the hardest step in the colour of its band.
+ * @param {Path} path
+ * @param {Place} x
+ */
 function hardestStep(path, x) {
   const hardest = path.difficulty?.hardest;
   if (!hardest) return [];
@@ -35,7 +49,11 @@ function hardestStep(path, x) {
   ];
 }
 
-// Height over time.
+/**
+ * Height over time.
+ * @param {Path} path
+ * @param {Place} x
+ */
 function heights(path, x) {
   let low = Infinity;
   let high = -Infinity;
@@ -44,7 +62,7 @@ function heights(path, x) {
     high = Math.max(high, path.points[3 * i + 1]);
   }
   const range = Math.max(high - low, 6);
-  const point = (i) => {
+  const point = (/** @type {number} */ i) => {
     const y = 92 - (78 * (path.points[3 * i + 1] - low)) / range;
     return `L${x(path.tickOf(i)).toFixed(1)} ${y.toFixed(1)}`;
   };
@@ -68,15 +86,29 @@ function heights(path, x) {
   ];
 }
 
-// One of those that would be drawn in one place: of hours of play there are more than one sees, or a call takes.
+/**
+ * Keeps one tick per position. Hours of play have more than are visible, or than a call can take.
+ * @param {number[]} ticks
+ * @param {Place} x
+ */
 function apart(ticks, x) {
   if (ticks.length <= kMostMarks) return ticks;
-  const place = (tick) => Math.round((kMostMarks * x(tick)) / kWide);
+  const place = (/** @type {number} */ tick) => Math.round((kMostMarks * x(tick)) / kWide);
   return [...new Map(ticks.map((tick) => [place(tick), tick])).values()];
 }
 
-// Jumps and landings, and what the player set off.
+/**
+ * Marks jumps, landings and triggered parts.
+ * @param {Path} path
+ * @param {Place} x
+ */
 function marksOf(path, x) {
+  /**
+   * @param {string} kind
+   * @param {number[]} ticks
+   * @param {number} from
+   * @param {number} to
+   */
   const marks = (kind, ticks, from, to) =>
     apart(ticks, x).map((tick) => tickMark(kind, x(tick), from, to));
   return [
@@ -92,8 +124,16 @@ function marksOf(path, x) {
 }
 
 export class Timeline {
+  /**
+   * @param {HTMLElement} root
+   * @param {Store} store
+   * @param {Playback} playback
+   * @param {() => Path | undefined} selected
+   */
   constructor(root, store, playback, selected) {
-    Object.assign(this, { root, store, playback, selected });
+    this.store = store;
+    this.playback = playback;
+    this.selected = selected;
     this.button = el(
       'button',
       {
@@ -117,8 +157,10 @@ export class Timeline {
           store.set({ playing: false });
           playback.seek(Number(this.slider.value));
         },
-        // The keys that would move it are the page's; all others stay the browser's.
-        keydown: (event) => kSliderKeys.test(event.key) && event.preventDefault(),
+        // Keys that move the slider belong to the page, all others to the browser.
+        keydown: (event) => {
+          if (kSliderKeys.test(event.key)) event.preventDefault();
+        },
       },
     });
     this.plot = svg('svg', {
@@ -126,7 +168,8 @@ export class Timeline {
       preserveAspectRatio: 'none',
       viewBox: '0 0 1000 100',
     });
-    // A screen reader would read out each tick that is played; the slider tells the time to who asks it.
+    // A screen reader would announce each tick during playback. The slider tells the time on
+    // request.
     this.time = el('output', { class: 'time', 'aria-live': 'off' });
     this.tick = el('output', { class: 'tick quiet', 'aria-live': 'off' });
     this.speed = el(
@@ -164,8 +207,9 @@ export class Timeline {
       el('div', { class: 'buttons' }, this.speed, this.loop),
     );
     this.nothing = el('p', { class: 'quiet nothing', text: 'Nothing to play.' });
-    root.append(this.player, this.nothing, el('div', { class: 'buttons' }));
-    // A ghost may be longer than the chosen one.
+    this.extras = el('div', { class: 'buttons' });
+    root.append(this.player, this.nothing, this.extras);
+    // A ghost may be longer than the selected one.
     store.on(['query', 'path', 'ghost'], () => this.draw());
     store.on(['tick', 'path', 'query', 'ghost'], () => this.showTime());
     store.on(['playing', 'speed', 'loop'], () => this.showState());
@@ -174,6 +218,10 @@ export class Timeline {
     this.showState();
   }
 
+  /**
+   * @param {'back' | 'forward'} name
+   * @param {number} by
+   */
   stepButton(name, by) {
     const label = by > 0 ? 'Next tick' : 'Previous tick';
     return el(
@@ -189,6 +237,11 @@ export class Timeline {
     );
   }
 
+  /**
+   * @param {string} text
+   * @param {string} title
+   * @param {() => void} action
+   */
   addButton(text, title, action) {
     const button = el('button', {
       class: 'plain',
@@ -198,10 +251,10 @@ export class Timeline {
       'aria-label': title,
       on: { click: action },
     });
-    this.root.lastElementChild.append(button);
+    this.extras.append(button);
   }
 
-  // The profile of the chosen way over the clock's whole length, which a longer ghost stretches.
+  // Draws the selected trajectory's profile over the whole timeline, which a longer ghost extends.
   draw() {
     const path = this.selected();
     const length = Math.max(1, this.playback.lengthOf());
@@ -211,7 +264,7 @@ export class Timeline {
     this.slider.max = String(length);
     this.plot.replaceChildren();
     if (!path || path.samples < 2) return;
-    const x = (tick) => (kWide * tick) / length;
+    const x = (/** @type {number} */ tick) => (kWide * tick) / length;
     this.plot.append(...hardestStep(path, x), ...heights(path, x), ...marksOf(path, x));
   }
 
@@ -222,7 +275,7 @@ export class Timeline {
     this.slider.value = String(tick);
     this.slider.style.setProperty('--share', `${(100 * tick) / Math.max(1, length)}%`);
     const [now, all] = [seconds(tick / rate), seconds(length / rate)];
-    this.slider.setAttribute('aria-valuetext', `${now} of ${all} s`); // its value are ticks
+    this.slider.setAttribute('aria-valuetext', `${now} of ${all} s`); // its value is in ticks
     this.time.textContent = `${now} / ${all} s`;
     this.tick.textContent = `tick ${Math.floor(tick + 1e-6)}`;
   }

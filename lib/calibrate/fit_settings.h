@@ -1,0 +1,26 @@
+// How a fit searches.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "calibrate/work.h"
+
+namespace obby::calibrate {
+
+struct FitSettings {
+  uint64_t seed = 1;
+  uint32_t restarts = 3;       // searches, each from its own start
+  uint32_t population = 32;    // of each search
+  uint32_t generations = 100;  // max of each search
+  // The searches use short windows, in which an early miss hides nothing. Their result is refined
+  // on longer windows, where the error of a single sample matters less.
+  ObjectiveSettings objective;
+  double longSeconds = 1.5;
+  // Studs. The search ends once the mean error of complete playbacks is within it. Held-out takes
+  // decide, or all takes if none is held out. 0 disables this.
+  double tolerance = 0;
+  std::span<const Take> heldOut = {};
+};
+
+}  // namespace obby::calibrate

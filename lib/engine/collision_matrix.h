@@ -1,0 +1,27 @@
+// Reads the collision groups that a place saves: CollisionGroupData of Workspace or PhysicsService.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <string>
+#include <string_view>
+
+#include "base/result.h"
+#include "engine/document.h"
+
+namespace obby::engine {
+
+// The names of the groups, and a bit for each group that a group collides with.
+struct GroupMatrix {
+  std::map<std::string, uint8_t, std::less<>> ids;
+  std::array<uint32_t, 32> masks;
+};
+
+// Decodes the groups. Fails on damage.
+Result<GroupMatrix> decodeGroups(std::string_view blob);
+
+// Returns the bytes that an instance holds, or nothing if it holds none.
+std::string_view groupBytes(const Instance& instance);
+
+}  // namespace obby::engine

@@ -1,0 +1,149 @@
+// Events that scripts listen to and values that they read, and that nothing raised or varied while
+// the place ran: what would follow is not in the level.
+#include <algorithm>
+#include <map>
+#include <string>
+#include <string_view>
+
+#include "import/observed/roles.h"
+
+namespace obby::importer {
+namespace {
+
+using Heeds = std::map<std::string, std::vector<engine::Heed>>;
+
+// Values that the engine changes in play. Scripts alone change others, which the twin sees.
+constexpr std::string_view kVaried[] = {
+    "Occupant", "SeatPart",      "Sit",           "Steer",         "SteerFloat",
+    "Throttle", "ThrottleFloat", "FloorMaterial", "MoveDirection", "Jump"};
+// Classes whose events say nothing of a course, or are raised by scripts.
+constexpr std::string_view kClasses[] = {"BindableEvent",
+                                         "RemoteEvent",
+                                         "UnreliableRemoteEvent",
+                                         "RunService",
+                                         "Tween",
+                                         "Sound",
+                                         "SoundService",
+                                         "MarketplaceService",
+                                         "BadgeService",
+                                         "LogService",
+                                         "ScriptContext",
+                                         "GuiService",
+                                         "Lighting",
+                                         "Camera",
+                                         "Players",
+                                         "DataModel",
+                                         "TeleportService",
+                                         "ContentProvider",
+                                         "SocialService",
+                                         "StarterGui",
+                                         "VoiceChatService",
+                                         "LocalizationService",
+                                         "VRService",
+                                         "HapticService",
+                                         "TweenBase"};
+// Events that the twin raises whenever they happen, or that happen to the looks alone.
+constexpr std::string_view kEvents[] = {"Changed",
+                                        "AncestryChanged",
+                                        "ChildAdded",
+                                        "ChildRemoved",
+                                        "DescendantAdded",
+                                        "DescendantRemoving",
+                                        "Destroying",
+                                        "AttributeChanged",
+                                        "CharacterAdded",
+                                        "CharacterRemoving",
+                                        "CharacterAppearanceLoaded",
+                                        "Idled",
+                                        "OnTeleport",
+                                        "Touched",
+                                        "TouchEnded",
+                                        "Died",
+                                        "HealthChanged",
+                                        "StateEnabledChanged",
+                                        "AnimationPlayed",
+                                        "ApplyDescriptionFinished",
+                                        "DidLoop",
+                                        "KeyframeReached",
+                                        "PromptShown",
+                                        "PromptHidden",
+                                        "MouseEnter",
+                                        "MouseLeave",
+                                        "MouseMoved",
+                                        "MouseHoverEnter",
+                                        "MouseHoverLeave",
+                                        "MouseWheelForward",
+                                        "MouseWheelBackward",
+                                        "SelectionGained",
+                                        "SelectionLost",
+                                        "InputChanged",
+                                        "Move",
+                                        "Idle",
+                                        "WheelForward",
+                                        "WheelBackward",
+                                        "WindowFocused",
+                                        "WindowFocusReleased",
+                                        "LastInputTypeChanged",
+                                        "GamepadConnected",
+                                        "GamepadDisconnected",
+                                        "TextBoxFocused",
+                                        "TextBoxFocusReleased",
+                                        "Focused",
+                                        "PointerAction"};
+
+template <size_t kCount>
+bool isIn(const std::string_view (&list)[kCount], std::string_view name) {
+  return std::find(std::begin(list), std::end(list), name) != std::end(list);
+}
+
+// Touch screens do what keys and clicks do.
+bool isOfTouchScreen(std::string_view type, std::string_view event) {
+  return type != "Part" && event.starts_with("Touch") && event != "Touched";
+}
+
+// True if nothing of the course hangs on whether it happens.
+bool isHarmless(std::string_view name) {
+  constexpr std::string_view kProperty = "property ";
+  const size_t dot = name.find('.');
+  const std::string_view type = name.substr(0, dot), event = name.substr(dot + 1);
+  if (event.starts_with(kProperty)) return !isIn(kVaried, event.substr(kProperty.size()));
+  return isIn(kClasses, type) || isIn(kEvents, event) || isOfTouchScreen(type, event);
+}
+
+class Unraised {
+ public:
+  explicit Unraised(const engine::Report& report) {
+    add(report.undisturbed);
+    for (const auto* probes : {&report.probes, &report.moves})
+      for (const engine::Probe& probe : *probes) add(probe.seen);
+    for (const engine::Revisit& revisit : report.revisits) add(revisit.probe.seen);
+  }
+
+  Heeds all() && {
+    std::erase_if(heeds_, [&](const auto& entry) {
+      return happened_.contains(entry.first) || isHarmless(entry.first);
+    });
+    return std::move(heeds_);
+  }
+
+ private:
+  void add(const engine::Observation& seen) {
+    heeds_.insert(seen.heeded.begin(), seen.heeded.end());
+    happened_.insert(seen.happened.begin(), seen.happened.end());
+  }
+
+  Heeds heeds_;
+  std::map<std::string, bool> happened_;
+};
+
+}  // namespace
+
+void noteUnraised(RoleContext& context, const engine::Report& report) {
+  for (const auto& [name, heeds] : Unraised(report).all())
+    for (const engine::Heed& heed : heeds)
+      context.level.noteUnmodelled(
+          "event that is not raised", context.tree, heed.target,
+          name + " does not come in the twin; " + lineReason(context.tree, heed.line));
+}
+
+}  // namespace obby::importer

@@ -1,0 +1,19 @@
+#include "io/record_storage.h"
+
+namespace obby::io {
+
+Record::Record(std::shared_ptr<const Storage> storage) : storage_(std::move(storage)) {}
+
+Record::Record(RecordBuilder builder) {
+  auto storage = std::make_shared<Storage>();
+  storage->decoded = std::move(builder);
+  storage_ = std::move(storage);
+}
+
+bool Record::known() const { return storage_->decoded.has_value(); }
+Kind Record::which() const { return reader().which(); }
+schema::Record::Reader Record::reader() const { return storage_->decoded->reader(); }
+const std::string& Record::input() const { return storage_->input; }
+const std::string& Record::place() const { return storage_->place; }
+
+}  // namespace obby::io

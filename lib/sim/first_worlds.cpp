@@ -1,0 +1,65 @@
+#include "sim/first_worlds.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numeric>
+
+#include "sim/simulator.h"
+
+namespace obby::sim {
+namespace {
+
+Status checkCourse(const Course& c) {
+  const size_t levels = c.levels.size();
+  if (levels == 0) return makeError("a batch needs at least one level");
+  if (c.starts.size() != levels) {
+    return makeError(fmt::format("{} starts for {} levels", c.starts.size(), levels));
+  }
+  if (!c.queries.empty() && c.queries.size() != levels) {
+    return makeError(fmt::format("{} queries for {} levels", c.queries.size(), levels));
+  }
+  for (const World& w : c.starts) {
+    if (w.outcome != Outcome::running)
+      return makeError("a start must be a state in which play goes on");
+  }
+  for (const uint32_t i : c.queue) {
+    if (i >= levels)
+      return makeError(fmt::format("the queue names level {}, but there are {} levels", i, levels));
+  }
+  return {};
+}
+
+void fillLoose(Course& course) {
+  for (const level::LevelView& level : course.levels) {
+    course.looseStride = std::max(course.looseStride, level.looseCount);
+  }
+  course.startLoose.clear();
+  for (const level::LevelView& level : course.levels) {
+    std::vector<LooseBody> bodies = startLoose(level);
+    bodies.resize(course.looseStride);
+    course.startLoose.insert(course.startLoose.end(), bodies.begin(), bodies.end());
+  }
+}
+
+}  // namespace
+
+Result<FirstWorlds> firstWorlds(Course& course, uint32_t count) {
+  OBBY_RETURN_IF_ERROR(checkCourse(course));
+  fillLoose(course);
+  if (course.queue.empty()) {
+    course.queue.resize(course.levels.size());
+    std::iota(course.queue.begin(), course.queue.end(), 0u);
+  }
+  FirstWorlds first;
+  for (uint32_t i = 0; i < count; ++i) {
+    first.episodes.push_back({levelOf(course.set(), i, count, 0), 0});
+    const uint32_t level = first.episodes.back().level;
+    first.worlds.push_back(course.starts[level]);
+    const auto bodies = course.startLoose.begin() + level * course.looseStride;
+    first.loose.insert(first.loose.end(), bodies, bodies + course.looseStride);
+  }
+  return first;
+}
+
+}  // namespace obby::sim

@@ -1,0 +1,28 @@
+// Searches for solutions that avoid the parts of which the import is not sure.
+#pragma once
+
+#include "solve/answer/solver_options.h"
+#include "solve/report/doubts.h"
+
+namespace obby::solve {
+
+// A query that a search has solved.
+struct SolvedQuery {
+  const LoadedLevel& level;
+  schema::Query::Reader query;
+  const Problem& problem;
+  const std::vector<uint32_t>& doubtful;  // doubtfulParts() of the level
+  const SolverOptions& options;
+  const Watcher& watcher;  // watches the search for other solutions, in `level`
+};
+
+// Searches for solutions that touch none of the doubtful parts, and replaces the others by them.
+// Parts on which the player starts and parts that the query names are exempt. The search does up to
+// eight times the steps of the first one, but at least 500,000, within the query's budget.
+// `touched`: doubtful parts of the shortest solution, before and after. Error: the level with
+// deadly parts is invalid, which is not expected.
+Result<Avoiding> avoidDoubts(const SolvedQuery& solved, const Machine& machine,
+                             const Course& course, std::vector<uint32_t>& touched,
+                             SearchOutcome& outcome);
+
+}  // namespace obby::solve

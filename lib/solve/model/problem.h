@@ -1,0 +1,55 @@
+// The input of a search: a compiled level and query in plain form, and a budget.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "level/query_view.h"
+#include "sim/loose.h"
+#include "sim/world.h"
+
+namespace obby::policy {
+class Network;
+}
+
+namespace obby::solve {
+
+// Actions to hold from the start on, run-length coded.
+using KnownWay = std::vector<sim::ActionRun>;
+
+// Another player, who must reach the goal with the same keys.
+struct Companion {
+  level::LevelView level;
+  level::QueryView query;
+  sim::World start;
+  std::vector<sim::LooseBody> startLoose;
+};
+
+// The level and the query must outlive the search.
+struct Problem {
+  level::LevelView level;
+  level::QueryView query;
+  sim::World start;                        // from sim::makeWorld()
+  std::vector<sim::LooseBody> startLoose;  // from sim::startLoose()
+  Box bounds;                              // of everything in the level
+  bool hasClock = false;  // moving or timed parts: the outcome depends on the level clock
+  std::vector<KnownWay> known = {};         // trajectories of an earlier answer, tried first
+  const policy::Network* policy = nullptr;  // for methods that use one; must outlive the search
+  std::vector<Companion> companions = {};   // a search that keeps a state keeps theirs with it
+};
+
+// The answer depends only on the problem, seed, maxSteps, solutions and diverse, unless `seconds`
+// or `stop` ends the search. It never depends on the number of threads.
+struct Budget {
+  uint64_t seed = 1;
+  double seconds = std::numeric_limits<double>::infinity();  // wall clock
+  uint64_t maxSteps = std::numeric_limits<uint64_t>::max();  // simulated ticks
+  uint32_t solutions = 1;                                    // distinct solutions to look for
+  bool diverse = false;                                      // distinct by route, not by path
+  uint32_t attempts = 24;                                    // failed trajectories to show
+  const std::atomic<bool>* stop = nullptr;                   // set from outside to interrupt
+};
+
+}  // namespace obby::solve

@@ -1,0 +1,43 @@
+#include "solve/model/trajectory_record.h"
+
+#include "level/record_values.h"
+#include "level/tricks.h"
+#include "sim/simulator.h"
+
+namespace obby::solve {
+
+void fillTrajectory(schema::Trajectory::Builder record, const AnswerIdentity& identity,
+                    const Playthrough& playthrough, uint32_t index) {
+  const sim::World& end = playthrough.end;
+  record.setQuery(identity.query);
+  record.setLevel(identity.level);
+  record.setMethod(identity.method);
+  record.setBody(identity.player.body);
+  record.setFrameRate(identity.player.frameRate);
+  record.setIndex(index);
+  record.setOutcome(schema::Outcome(end.outcome));
+  sim::writePlan(
+      {identity.start, turnsFromRadians(identity.start.yaw), playthrough.actions, identity.tricks},
+      record);
+  record.setTicks(playthrough.ticks);
+  record.setJumps(end.jumps);
+  record.setWaypoints(end.waypoints);
+  record.setVisited(end.visited);
+  fillBlame(record, end.outcome, end.part);
+  record.setStateHash(sim::stateHash(end, playthrough.endLoose));
+  level::set(record.initEndPosition(), end.position);
+}
+
+void fillPath(schema::Trajectory::Builder record, const Playthrough& playthrough) {
+  auto path = record.initPath();
+  path.setStep(kPathStep);
+  path.setTicks(playthrough.ticks);
+  std::vector<Vec3> feet = playthrough.path;
+  if (playthrough.ticks % kPathStep != 0) feet.push_back(playthrough.end.position);
+  auto points = path.initPoints(uint32_t(feet.size()));
+  for (uint32_t i = 0; i < points.size(); ++i) level::set(points[i], feet[i]);
+  auto ticks = path.initJumpTicks(uint32_t(playthrough.jumpTicks.size()));
+  for (uint32_t i = 0; i < ticks.size(); ++i) ticks.set(i, playthrough.jumpTicks[i]);
+}
+
+}  // namespace obby::solve

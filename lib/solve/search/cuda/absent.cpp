@@ -1,0 +1,10 @@
+// Entry points in a build without CUDA.
+#include "solve/search/cuda/cuda.h"
+
+namespace obby::solve::cuda {
+
+const void* rolloutEntry(bool) { return nullptr; }
+const void* residentEntry(ResidentStep) { return nullptr; }
+const void* sightEntry() { return nullptr; }
+
+}  // namespace obby::solve::cuda

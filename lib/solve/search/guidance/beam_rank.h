@@ -1,0 +1,24 @@
+// Computes the distances that the beam's rank needs to know of a query. Host only.
+#pragma once
+
+#include <vector>
+
+#include "solve/model/problem.h"
+#include "solve/search/guidance/beam_view.h"
+
+namespace obby::solve {
+
+class BeamWay {
+ public:
+  explicit BeamWay(const Problem& problem);
+  BeamView view() const {
+    return {legs_.data(), hops_.data(), uint32_t(legs_.size()), uint32_t(hops_.size()),
+            ticksPerStud_};
+  }
+
+ private:
+  float ticksPerStud_;
+  std::vector<float> legs_, hops_;
+};
+
+}  // namespace obby::solve

@@ -1,0 +1,32 @@
+// Scores how promising a state is for the search, apart from how often its cell was seen. For host
+// and device.
+#pragma once
+
+#include "sim/next_region.h"
+#include "sim/world.h"
+
+namespace obby::solve {
+
+// 1.5 d0 of each segment of a query, see potentialOf(). Plain span, for device code.
+struct PotentialView {
+  const float* spans = nullptr;  // (segments)
+  uint32_t legs = 0;             // the targets, and one for the goal
+};
+
+template <class Table>
+OBBY_DEVICE void forTables(PotentialView& p, Table&& table) {
+  table(p.spans, p.legs);
+}
+
+// Returns (1 + 4 max(0, 1 - d / (1.5 d0))) (1 + 3 targets). `targets` counts the waypoints and
+// visits reached, and d is the distance to the next region. d0 is that distance when the region
+// became the next; with a choice of regions it is the farthest possible.
+OBBY_DEVICE float potentialOf(const PotentialView& p, const level::QueryView& query,
+                              const sim::World& world) {
+  const uint32_t targets = targetsReached(world);
+  const uint32_t leg = targets < p.legs ? targets : p.legs - 1;
+  const float near = maxf(0.0f, 1.0f - nextRegion(query, world).distance / p.spans[leg]);
+  return (1.0f + 4.0f * near) * (1.0f + 3.0f * float(leg));
+}
+
+}  // namespace obby::solve

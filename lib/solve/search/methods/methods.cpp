@@ -1,0 +1,75 @@
+#include "solve/search/methods/methods.h"
+
+#include "solve/learned/cflge.h"
+#include "solve/learned/pbge.h"
+#include "solve/search/methods/go_explore_method.h"
+#include "solve/search/resident/resident_explore.h"
+#include "solve/search/selectors/choose_beam.h"
+#include "solve/search/selectors/choose_mcts.h"
+#include "solve/search/selectors/choose_mixed.h"
+#include "solve/search/selectors/choose_policy.h"
+#include "solve/search/selectors/choose_rrt.h"
+
+namespace obby::solve {
+
+namespace {
+
+GoExploreSettings policyFirstSettings() {
+  GoExploreSettings s = plainSettings();
+  s.byPolicy = true;
+  return s;
+}
+
+SearchOutcome runResident(const Problem& p, const Budget& b, const Watcher& w, const Machine& m) {
+  return runSearch(
+      p, b, w, [&] { return std::make_unique<ResidentExplore>(p, b.seed, ResidentSettings{}, m); });
+}
+
+SearchOutcome runPbge(const Problem& p, const Budget& b, const Watcher& w, const Machine& m) {
+  return runSearch(p, b, w, [&] {
+    return std::make_unique<learned::Pbge>(p, b.seed, learned::PbgeSettings{}, m);
+  });
+}
+
+SearchOutcome runCflge(const Problem& p, const Budget& b, const Watcher& w, const Machine& m) {
+  return runSearch(p, b, w, [&] {
+    return std::make_unique<learned::Cflge>(p, b.seed, learned::CflgeSettings{}, m);
+  });
+}
+
+}  // namespace
+
+const std::vector<Method>& methods() {
+  static const std::vector<Method> table = {
+      {"auto", "half aimed, half beam, with help from a trained policy; the best choice",
+       runGoExplore<guidedSettings, makeMixedChooser>},
+      {"aimed", "Go-Explore from standing states with jumps aimed at surfaces",
+       runGoExplore<aimedSettings, hedgedSelector>},
+      {"ge", "Go-Explore as published: all states, random actions",
+       runGoExplore<plainSettings, plainSelector>},
+      {"rrt", "rapidly exploring random tree (RRT)", runGoExplore<rrtSettings, makeRrtChooser>},
+      {"mcts", "Monte Carlo tree search (UCT) with aimed jumps as moves",
+       runGoExplore<mctsSettings, makeMctsChooser>},
+      {"beam", "beam search, like A*: the most promising states first",
+       runGoExplore<beamSettings, makeBeamChooser>},
+      {"ge-ps", "ge in which a trained policy plays first from each new state",
+       runGoExplore<policyFirstSettings, makePolicyFirstChooser>},
+      {"rl", "a trained policy alone, always from the start",
+       runGoExplore<aloneSettings, makePolicyAloneChooser>},
+      {"pbge", "ge without restored states: it trains a policy that returns and explores", runPbge},
+      {"cflge",
+       "trains a policy to reach goals drawn from sparse regions of a learned latent space",
+       runCflge},
+      {"resident", "Go-Explore for GPUs: archive and rollouts stay on the device", runResident},
+  };
+  return table;
+}
+
+const Method* findMethod(const std::string& name) {
+  for (const Method& m : methods()) {
+    if (name == m.name) return &m;
+  }
+  return nullptr;
+}
+
+}  // namespace obby::solve

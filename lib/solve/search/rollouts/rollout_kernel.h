@@ -1,0 +1,116 @@
+// The kernel of a search: one rollout per thread, with what the search notes of it. cuda/rollout.cu
+// launches it on a GPU. The archive stays on the host, which takes the visits in rollout order.
+#pragma once
+
+#include "solve/search/rollouts/rollout.h"
+#include "solve/search/rollouts/trail.h"
+
+namespace obby::solve {
+
+struct RolloutStart {
+  sim::World world;
+  uint64_t id;     // its stream of random numbers
+  uint32_t ticks;  // max length
+};
+
+// A state in a cell other than the one that the rollout was last kept in.
+struct RolloutVisit {
+  sim::World world;
+  uint64_t key;
+  uint32_t ticks;  // into the rollout
+};
+
+struct RolloutEnd {
+  sim::World world;
+  Approach closest;
+  uint32_t closestTicks, ticks, visits;
+};
+
+// The data that all rollouts of a search read.
+struct RolloutRules {
+  ExploreContext context;
+  Binning binning;
+  KeepRule rule;
+  uint64_t seed;
+  uint32_t ticks;  // max length of a rollout
+};
+
+template <class Table>
+OBBY_DEVICE void forTables(RolloutRules& r, Table&& table) {
+  forTables(r.context, table);
+  forTables(r.binning.clock, table);
+}
+
+// Returns the max number of visits of a rollout.
+OBBY_DEVICE uint32_t visitRoom(const RolloutRules& r) { return r.ticks / r.rule.lookEvery; }
+
+struct RolloutArguments {
+  RolloutRules rules;
+  uint32_t room;               // max visits of a rollout
+  const RolloutStart* starts;  // (rollouts)
+  RolloutVisit* visits;        // (rollouts, room)
+  sim::LooseBody* loose;       // (rollouts, level.looseCount), at the start, then at the end
+  sim::LooseBody* visitLoose;  // (rollouts, room, level.looseCount)
+  RolloutEnd* ends;            // (rollouts)
+};
+
+// The results of a rollout, apart from its visits.
+struct RolloutPath {
+  Approach closest;
+  uint32_t closestTicks, ticks;
+};
+
+// Examines the state of a rollout after each tick.
+template <class Visit>
+struct RolloutWatch {
+  const RolloutRules& rules;
+  const sim::LooseBody* loose;
+  Trail trail;
+  Visit visit;  // (key, world, ticks) of every state in a cell other than the last kept one
+  Approach closest{};
+  uint32_t closestTicks = 0, tick = 0;
+
+  OBBY_DEVICE void operator()(const sim::Action&, const sim::World& w) {
+    if (++tick % rules.rule.lookEvery != 0 || w.outcome != sim::Outcome::running) return;
+    const uint64_t here = cellKey(rules.binning, w, loose);
+    if (trail.isNew(here, rules.rule, w)) {
+      visit(here, w, tick);
+      trail.kept = here;
+    }
+    if (here == trail.last) return;
+    trail.last = here;
+    const Approach now = approachOf(rules.context.query, w);
+    if (!closer(now, closest)) return;
+    closest = now;
+    closestTicks = tick;
+  }
+};
+
+// Takes `world` and its bodies to the end of rollout `id`. `kLoose`: see sim::tick.
+template <bool kLoose, class Visit>
+OBBY_DEVICE RolloutPath explore(const RolloutRules& rules, uint64_t id, uint32_t ticks,
+                                sim::World& world, sim::LooseBody* loose, Visit&& visit) {
+  const uint64_t key = cellKey(rules.binning, world, loose);
+  RolloutWatch<Visit&> watch{rules, loose, {key, key}, visit};
+  const uint32_t done =
+      runRollout<kLoose>(rules.context, rules.seed, id, world, loose, ticks, watch);
+  return {watch.closest, watch.closestTicks, done};
+}
+
+template <bool kLoose>
+OBBY_DEVICE void exploreOne(const RolloutArguments& a, uint32_t i) {
+  const RolloutStart& start = a.starts[i];
+  sim::World world = start.world;
+  const uint32_t bodies = a.rules.context.level.looseCount;
+  sim::LooseBody* const loose = a.loose + size_t(i) * bodies;
+  uint32_t visits = 0;
+  const auto note = [&](uint64_t key, const sim::World& w, uint32_t tick) {
+    const size_t at = size_t(i) * a.room + visits++;
+    a.visits[at] = {w, key, tick};
+    for (uint32_t b = 0; b < bodies; ++b) a.visitLoose[at * bodies + b] = loose[b];
+  };
+  const RolloutPath path = explore<kLoose>(a.rules, start.id, start.ticks, world, loose, note);
+  a.ends[i] = {world, path.closest, path.closestTicks, path.ticks, visits};
+}
+
+}  // namespace obby::solve

@@ -1,0 +1,57 @@
+// A running search, as its driver, its watchers and its records see it. Host only.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "base/result.h"
+#include "solve/model/playthrough.h"
+#include "solve/search/rollouts/attempts.h"
+#include "solve/search/rollouts/trail.h"
+
+namespace obby::solve {
+
+// The closest approach of the search, and the trajectory to it.
+struct Closest : Approach {
+  Node way{0, kNone, 0};
+};
+
+struct Statistics {
+  uint64_t steps = 0;  // simulated ticks
+  uint64_t rounds = 0;
+  uint64_t rollouts = 0;
+  uint64_t idleRollouts = 0;  // since the last one that found a new cell
+  uint8_t overruns = 0;       // sim::Flag bits of any attempt
+  Closest closest;
+};
+
+class Search {
+ public:
+  virtual ~Search() = default;
+
+  // Tries `count` trajectories of Problem::known from `first` on, like a round. Must precede
+  // round().
+  // effects.
+  virtual void tryKnown(size_t first, size_t count) = 0;
+
+  // Runs one round.
+  virtual void round() = 0;
+
+  virtual const Statistics& statistics() const = 0;
+  virtual const Attempts& attempts() const = 0;
+  virtual uint32_t cellCount() const = 0;
+  // Returns the end of the trajectory to the newest cell.
+  virtual Node newest() const = 0;
+  // Returns the number of cells that only their finder passed through.
+  virtual uint64_t singletons() const = 0;
+  // Returns the positions of the feet in the cells from `first` on.
+  virtual std::vector<Vec3> places(uint32_t first) const = 0;
+  // Returns the error for which the machine's device was given up, if it was.
+  virtual const Status& deviceStatus() const = 0;
+
+  // Returns the trajectories to the goal of the last round, sorted by ticks, then jumps.
+  virtual const std::vector<Node>& goals() const = 0;
+  virtual Playthrough playthrough(const Node& end) const = 0;
+};
+
+}  // namespace obby::solve

@@ -1,0 +1,42 @@
+// The distinct solutions of a query, shortest first. Of solutions that are the same by `identity`
+// only the shortest is kept.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "solve/search/way_identity.h"
+
+namespace obby::solve {
+
+// Solutions that take the same route.
+struct RouteTally {
+  std::vector<int32_t> route;  // directRouteOf()
+  uint64_t count = 0;
+  uint32_t ticks = 0;  // length of the shortest
+};
+
+class Solutions {
+ public:
+  enum class Offer { kept, known, refused };
+
+  // The problem must outlive it.
+  Solutions(const Problem& problem, const WayIdentity& identity)
+      : problem_(problem), identity_(identity) {}
+
+  // Keeps a solution that is distinct from all others, or shorter than those that it is the same
+  // as, which it replaces. Only these solutions are passed to `accept`, which may be empty.
+  Offer offer(Playthrough p, const std::function<bool(const Playthrough&)>& accept);
+
+  size_t count() const { return ways_.size(); }
+  std::vector<Playthrough> all() const;  // sorted by ticks, then jumps
+  // Returns the solutions by route: the most frequent route first, ties by length.
+  std::vector<RouteTally> routes() const;
+
+ private:
+  const Problem& problem_;
+  const WayIdentity& identity_;
+  std::vector<Way> ways_;
+};
+
+}  // namespace obby::solve

@@ -1,0 +1,88 @@
+// Touches after which a player can no longer go on, and doubts about the player's abilities.
+#include "import/scene.h"
+
+namespace obby::test {
+namespace {
+
+struct Touched {
+  Scene scene;
+  InstanceId pad;
+  explicit Touched(const std::string& effect) {
+    scene.part("SpawnLocation", {}, scene.workspace, "SpawnLocation");
+    pad = scene.part("Pad", {20, 0, 0});
+    scene.script(
+        "workspace.Pad.Touched:Connect(function(hit)\n"
+        "  local body = hit.Parent\n"
+        "  local human = body:FindFirstChild('Humanoid')\n"
+        "  if not human then return end\n"
+        "  local player = game.Players:GetPlayerFromCharacter(body)\n" +
+            effect + "\nend)",
+        scene.scripts);
+    scene.level();
+  }
+  bool ends() const { return scene[pad].kill && scene[pad].kill->damage > 1000; }
+  bool doubtful() const {
+    const auto& doubts = scene[pad].doubts;
+    return std::count(doubts.begin(), doubts.end(), "part that stops the player") > 0;
+  }
+};
+
+TEST(Ends, AKickEndsTheAttempt) { EXPECT_TRUE(Touched("player:Kick('no')").ends()); }
+
+TEST(Ends, AnotherPlaceEndsTheAttempt) {
+  EXPECT_TRUE(Touched("game:GetService('TeleportService'):Teleport(1, player)").ends());
+}
+
+TEST(Ends, ABodyThatStaysAnchoredEndsIt) {
+  EXPECT_TRUE(Touched("body.HumanoidRootPart.Anchored = true").ends());
+}
+
+TEST(Ends, ABodyThatIsLetGoAgainDoesNot) {
+  const Touched touched(
+      "body.HumanoidRootPart.Anchored = true\n"
+      "task.wait(2)\nbody.HumanoidRootPart.Anchored = false");
+  EXPECT_FALSE(touched.ends());
+}
+
+TEST(Ends, ABodyThatLiesForGoodEndsIt) {
+  EXPECT_TRUE(Touched("human.PlatformStand = true").ends());
+}
+
+TEST(Ends, NoSpeedForGoodEndsIt) { EXPECT_TRUE(Touched("human.WalkSpeed = 0").ends()); }
+
+TEST(Ends, AStateThatIsSwitchedOffIsADoubt) {
+  EXPECT_TRUE(Touched("human:SetStateEnabled(Enum.HumanoidStateType.Jumping, false)").doubtful());
+  EXPECT_FALSE(Touched("human:SetStateEnabled(Enum.HumanoidStateType.Ragdoll, false)").doubtful());
+}
+
+LevelDraft bodyBy(const std::string& source, Scene& scene) {
+  scene.part("SpawnLocation", {}, scene.workspace, "SpawnLocation");
+  const auto player = scene.add("StarterPlayer", "StarterPlayer", kNoInstance);
+  const auto folder = scene.add("StarterCharacterScripts", "StarterCharacterScripts", player);
+  const auto script = scene.add("LocalScript", "Body", folder);
+  scene.set(script, "Source", "local human = script.Parent:WaitForChild('Humanoid')\n" + source);
+  return scene.level();
+}
+
+TEST(Body, ASlopeThatScriptsSetIsThePlayers) {
+  Scene scene;
+  EXPECT_NEAR(bodyBy("human.MaxSlopeAngle = 20", scene).world.maxSlope, 0.349f, 1e-3f);
+}
+
+TEST(Body, AHipHeightThatScriptsSetIsNamed) {
+  Scene scene;
+  bodyBy("human.HipHeight = 18", scene);
+  EXPECT_EQ(scene.unmodelled("size of the player's body"), 1u);
+}
+
+TEST(Body, ControlsThatAreSwitchedOffAreNamed) {
+  Scene scene;
+  bodyBy(
+      "local scripts = game.Players.LocalPlayer:WaitForChild('PlayerScripts')\n"
+      "require(scripts:WaitForChild('PlayerModule')):GetControls():Disable()",
+      scene);
+  EXPECT_EQ(scene.unmodelled("player that cannot walk"), 1u);
+}
+
+}  // namespace
+}  // namespace obby::test

@@ -1,0 +1,23 @@
+// The absence of vanishing parts: by the level clock, or until they are triggered.
+
+/** @import {TimedVanish, Vanish} from '../types/page_data.js' */
+/** @import {Level} from '../types/report.js' */
+
+/**
+ * Timers act on whole ticks.
+ * @param {TimedVanish} rule
+ * @param {number} tick
+ */
+export function timedAway(rule, tick) {
+  const away = (Math.floor(tick) + rule.phase) % (rule.delay + rule.away) >= rule.delay;
+  return away !== Boolean(rule.inverted);
+}
+
+/**
+ * Returns parts that are away until they are triggered.
+ * @param {Level} level
+ */
+export function goneAtRest(level) {
+  const waits = (/** @type {Vanish} */ rule) => rule.trigger !== 'timer' && rule.inverted;
+  return new Set(level.vanish.filter(waits).map((rule) => rule.part));
+}
