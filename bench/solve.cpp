@@ -11,6 +11,7 @@
 #include "common/report.h"
 #include "io/read_file.h"
 #include "solve/search/methods/ablations.h"
+#include "solve/methods.h"
 #include "suite/curve.h"
 #include "suite/plan.h"
 #include "suite/table.h"

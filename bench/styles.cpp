@@ -15,6 +15,7 @@
 #include "gen/styles.h"
 #include "policy/shipped_policy.h"
 #include "solve/query_solver.h"
+#include "solve/methods.h"
 
 namespace {
 

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "base/thread_pool.h"
-#include "solve/search/methods/methods.h"
+#include "solve/methods.h"
 #include "suite/run_log.h"
 #include "suite/suite.h"
 

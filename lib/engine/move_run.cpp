@@ -7,6 +7,12 @@
 #include "engine/report_bytes.h"
 
 namespace obby::engine {
+
+template <class A>
+void fields(A& a, Move& m) {
+  a(m.probe), a(m.targets);
+}
+
 namespace {
 
 constexpr double kWalk = 1, kState = 0.5, kAfter = 1, kMaxFlight = 4;  // seconds

@@ -109,8 +109,4 @@ struct Plan {
   size_t processes = 2;   // copies at a time
 };
 
-// Runs the place's scripts in a child process without files or network. Same document and plan,
-// same report, but for what the time limit cuts.
-Report observe(const Document& document, const Plan& plan);
-
 }  // namespace obby::engine

@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "engine/archive.h"
-#include "engine/move_run.h"
 #include "engine/report.h"
 
 namespace obby::engine {
@@ -56,10 +55,6 @@ void fields(A& a, Probe& p) {
   a(p.brief), a(p.still);
   a(p.target), a(p.approach), a(p.at), a(p.left), a(p.seen), a(p.lost), a(p.byPlace), a(p.allOver),
       a(p.byRoot), a(p.byFall), a(p.listenerHash), a(p.sleeps), a(p.reborn), a(p.rebornAt);
-}
-template <class A>
-void fields(A& a, Move& m) {
-  a(m.probe), a(m.targets);
 }
 template <class A>
 void fields(A& a, SameListeners& l) {

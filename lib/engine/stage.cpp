@@ -8,37 +8,13 @@
 namespace obby::engine {
 
 Stage::Stage(const Document& document, const Settings& settings)
-    : host_(std::make_unique<Host>(document, settings)) {
+    : StagePlayer(document, settings) {
   load();
-}
-
-Stage::~Stage() = default;
-
-void Stage::call(const char* module, const char* name, int arguments, int results) {
-  host_->vm.beginStretch();
-  const auto body = [&](lua_State* L) {
-    host_->use(L, module);
-    lua_getfield(L, -1, name);
-    lua_remove(L, -2);
-    lua_insert(L, 1);
-    lua_call(L, arguments, results);
-    return results;
-  };
-  const Result<void> done = host_->vm.call(body, arguments, results);
-  if (done) return;
-  note(std::string(module) + "." + name, done.error());
-  for (int i = 0; i < results; ++i) lua_pushnil(host_->vm.state());
 }
 
 void Stage::read(const char* name, const std::function<void(lua_State*)>& body) {
   const Result<void> done = host_->vm.call([&](lua_State* L) { return body(L), 0; });
   if (!done) note(name, done.error());
-}
-
-void Stage::note(const std::string& what, const Error& error) {
-  host_->recorder.problem(kNoInstance, Failure::limited,
-                          host_->withNames(what + ": " + error.message));
-  host_->noteError(kNoInstance, error.message);
 }
 
 void Stage::load() {
@@ -120,47 +96,6 @@ void Stage::run(uint32_t frames) {
   }
 }
 
-void Stage::stand(Vec3 feet, float yaw) {
-  lua_State* const L = host_->vm.state();
-  for (const float value : {feet.x, feet.y, feet.z, yaw}) lua_pushnumber(L, lua_Number(value));
-  call("probe", "stand", 4);
-}
-
-void Stage::standAt(InstanceId part, bool inside, float share, int face, float speed) {
-  lua_State* const L = host_->vm.state();
-  lua_pushnumber(L, part);
-  lua_pushboolean(L, inside);
-  lua_pushnumber(L, lua_Number(share));
-  lua_pushnumber(L, face);
-  lua_pushnumber(L, lua_Number(speed));
-  call("probe", "standAt", 5);
-}
-
-void Stage::standAway() { call("moves", "standAway", 0); }
-
-void Stage::touchAgain() { call("touch", "again", 0); }
-
-void Stage::leave() { call("probe", "leave", 0); }
-
-void Stage::revive() { call("probe", "revive", 0); }
-
-void Stage::unshield() { call("probe", "unshield", 0); }
-
-void Stage::die() { call("probe", "die", 0); }
-
-double Stage::numberOf(const char* name, const char* module, int arguments) {
-  call(module, name, arguments, 1);
-  const double value = lua_tonumber(host_->vm.state(), -1);
-  lua_pop(host_->vm.state(), 1);
-  return value;
-}
-
-void Stage::takeOff() { call("probe", "takeOff", 0); }
-void Stage::fall() { call("probe", "fall", 0); }
-void Stage::land() { call("probe", "land", 0); }
-void Stage::pressJump() { call("probe", "pressJump", 0); }
-bool Stage::hearsJumps() { return numberOf("hearsJumps") > 0; }
-bool Stage::playerLives() { return numberOf("health") > 0; }
 bool Stage::isBusy() { return numberOf("waiting") > waiting_; }
 bool Stage::sleeps() { return numberOf("asleep") > asleep_; }
 bool Stage::isIdle() { return numberOf("idle") > 0; }
@@ -243,33 +178,6 @@ std::vector<std::string> Stage::groups() {
     }
   });
   return all;
-}
-
-bool Stage::use(InstanceId target) {
-  lua_pushnumber(host_->vm.state(), target);
-  return numberOf("use", "probe", 1) > 0;
-}
-
-void Stage::release(InstanceId target) {
-  lua_pushnumber(host_->vm.state(), target);
-  call("probe", "release", 1);
-}
-
-void Stage::drop(float height) {
-  lua_pushnumber(host_->vm.state(), lua_Number(height));
-  call("moves", "drop", 1);
-}
-
-bool Stage::fly() { return numberOf("fly", "moves") > 0; }
-
-void Stage::walk(bool on) {
-  lua_pushboolean(host_->vm.state(), on);
-  call("moves", "walk", 1);
-}
-
-void Stage::enter(const char* state) {
-  lua_pushstring(host_->vm.state(), state);
-  call("moves", "enter", 1);
 }
 
 const Observation& Stage::observation() {

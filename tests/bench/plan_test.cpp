@@ -7,6 +7,7 @@
 #include <fstream>
 
 #include "suite/effort.h"
+#include "solve/methods.h"
 
 namespace obby::bench {
 namespace {

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "engine/place.h"
-#include "engine/report.h"
+#include "engine/observe.h"
 
 namespace obby::test {
 namespace {

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "engine/place.h"
-#include "engine/report.h"
+#include "engine/observe.h"
 
 namespace obby::test {
 namespace {

@@ -5,6 +5,7 @@
 #include "gen/made.h"
 #include "policy/shipped_policy.h"
 #include "solve/query_solver.h"
+#include "solve/methods.h"
 
 namespace obby::test {
 namespace {

@@ -15,7 +15,7 @@
 #include "io/stream.h"
 #include "policy/shipped_policy.h"
 #include "sim/simulator.h"
-#include "solve/search/methods/methods.h"
+#include "solve/methods.h"
 
 namespace obby::solve {
 namespace {

@@ -3,6 +3,7 @@
 
 #include "scenes.h"
 #include "solve/query_solver.h"
+#include "solve/methods.h"
 
 namespace obby::solve {
 namespace {

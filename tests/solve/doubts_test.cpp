@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "scenes.h"
+#include "solve/methods.h"
 
 namespace obby::solve {
 namespace {

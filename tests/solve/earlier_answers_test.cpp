@@ -7,7 +7,7 @@
 
 #include "policy/shipped_policy.h"
 #include "scenes.h"
-#include "solve/search/methods/methods.h"
+#include "solve/methods.h"
 
 namespace obby::solve {
 namespace {

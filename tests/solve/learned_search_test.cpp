@@ -5,6 +5,7 @@
 #include "scenes.h"
 #include "solve/learned/cflge.h"
 #include "solve/learned/pbge.h"
+#include "solve/methods.h"
 
 namespace obby::solve::learned {
 namespace {

@@ -1,6 +1,6 @@
 // Every row of the table of methods: it solves easy queries and keeps constraints, and only its
 // inputs decide its results.
-#include "solve/search/methods/methods.h"
+#include "solve/methods.h"
 #include "solve/search/methods/ablations.h"
 
 #include <gtest/gtest.h>

@@ -9,6 +9,7 @@
 #include "solve/search/methods/go_explore_method.h"
 #include "solve/search/rollouts/explorer.h"
 #include "solve/search/selectors/choose_policy.h"
+#include "solve/methods.h"
 #include "untimed.h"
 
 namespace obby::solve {

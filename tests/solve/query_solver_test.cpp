@@ -1,5 +1,6 @@
 // A query whose answer cannot be written.
 #include "solve/query_solver.h"
+#include "solve/methods.h"
 
 #include <gtest/gtest.h>
 

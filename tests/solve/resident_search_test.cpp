@@ -3,6 +3,7 @@
 #include "resident_scenes.h"
 #include "support/failing_device.h"
 #include "untimed.h"
+#include "solve/methods.h"
 
 namespace obby::solve {
 namespace {

@@ -11,6 +11,7 @@
 #include "sim/simulator.h"
 #include "solve/filter.h"
 #include "solve/model/problem.h"
+#include "solve/methods.h"
 #include "support/level_builder.h"
 #include "support/plain_problem.h"
 

@@ -5,7 +5,7 @@
 #include "io/json_codec.h"
 #include "scenes.h"
 #include "solve/search/methods/go_explore.h"
-#include "solve/search/methods/methods.h"
+#include "solve/methods.h"
 #include "untimed.h"
 
 namespace obby::solve {

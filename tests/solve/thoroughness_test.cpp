@@ -7,6 +7,7 @@
 
 #include "scenes.h"
 #include "solve/query_solver.h"
+#include "solve/methods.h"
 
 namespace obby::solve {
 namespace {

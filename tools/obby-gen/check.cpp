@@ -1,6 +1,7 @@
 #include "check.h"
 
 #include "policy/shipped_policy.h"
+#include "solve/methods.h"
 
 namespace obby::tools {
 

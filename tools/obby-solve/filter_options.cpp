@@ -2,6 +2,7 @@
 #include "io/read_file.h"
 #include "options.h"
 #include "policy/shipped_policy.h"
+#include "solve/methods.h"
 
 namespace obby::tools {
 

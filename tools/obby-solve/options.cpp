@@ -3,6 +3,7 @@
 
 #include "cli/rows.h"
 #include "level/tricks.h"
+#include "solve/methods.h"
 
 namespace obby::tools {
 

@@ -1,4 +1,5 @@
 #include "import/observed/run.h"
+#include "engine/observe.h"
 
 #include <algorithm>
 #include <map>

@@ -1,7 +1,9 @@
 // What the CUDA build adds to networks.
 #pragma once
 
-#include "nn/device/kernels.h"
+namespace obby::nn {
+enum class Step;
+}
 
 namespace obby::nn::cuda {
 

@@ -7,7 +7,7 @@
 
 #include "solve/answer/earlier_answers.h"
 #include "solve/answer/loaded_level.h"
-#include "solve/search/methods/methods.h"
+#include "solve/search/method.h"
 
 namespace obby::solve {
 

@@ -1,7 +1,9 @@
 // What the CUDA build adds to learning.
 #pragma once
 
-#include "train/device/kernels.h"
+namespace obby::train {
+enum class TrainStep;
+}
 
 namespace obby::train::cuda {
 

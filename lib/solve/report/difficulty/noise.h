@@ -5,8 +5,6 @@
 
 #include <string>
 
-#include "base/random.h"
-
 namespace obby::solve {
 
 struct NoiseModel {
@@ -27,13 +25,5 @@ struct NoiseModel {
 
 // Returns text like "average player: press error 30 ms, aim error 6 degrees, ...".
 std::string describe(const NoiseModel& model);
-
-// Returns a nearly normal number of mean 0 and standard deviation 1, without libm: the sum of
-// twelve uniform numbers. Its magnitude is at most 6.
-inline float gaussian(Random& random) {
-  float sum = -6;
-  for (int i = 0; i < 12; ++i) sum += random.unit();
-  return sum;
-}
 
 }  // namespace obby::solve

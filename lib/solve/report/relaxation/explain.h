@@ -7,7 +7,7 @@
 
 #include "solve/report/relaxation/change.h"
 #include "solve/report/relaxation/failure.h"
-#include "solve/search/methods/methods.h"
+#include "solve/search/method.h"
 
 namespace obby::solve {
 

@@ -2,7 +2,7 @@
 // what each idea is worth. The rows are like those of methods.h, but users are not offered them.
 #pragma once
 
-#include "solve/search/methods/methods.h"
+#include "solve/search/method.h"
 
 namespace obby::solve {
 

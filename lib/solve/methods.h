@@ -5,18 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "solve/search/machine.h"
-#include "solve/search/outcome.h"
+#include "solve/search/method.h"
 
 namespace obby::solve {
-
-using RunMethod = SearchOutcome (*)(const Problem&, const Budget&, const Watcher&, const Machine&);
-
-struct Method {
-  const char* name;
-  const char* description;
-  RunMethod run;
-};
 
 const std::vector<Method>& methods();
 // Returns null if there is no method of that name.

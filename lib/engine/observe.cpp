@@ -1,5 +1,5 @@
 // The undisturbed run, and the probes that fork from it.
-#include "engine/report.h"
+#include "engine/observe.h"
 
 #include <sys/mman.h>
 

@@ -1,4 +1,4 @@
-#include "solve/search/methods/methods.h"
+#include "solve/methods.h"
 
 #include "solve/learned/cflge.h"
 #include "solve/learned/pbge.h"
