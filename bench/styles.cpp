@@ -14,8 +14,8 @@
 #include "gen/generator.h"
 #include "gen/styles.h"
 #include "policy/shipped_policy.h"
-#include "solve/query_solver.h"
 #include "solve/methods.h"
+#include "solve/query_solver.h"
 
 namespace {
 

@@ -86,9 +86,9 @@ struct Report {
   std::vector<SameListeners> sameListeners;
   std::vector<Revisit> revisits;
   std::vector<Probe> moves;    // of the player away from all parts, if scripts look at it
-  double probedAt = 0;                       // seconds, when the first probes began
-  double lookedAgainAt = 0;                  // and those of the second round; 0: there was none
-  std::vector<MadePart> made;                // in the world by probedAt; then those made later
+  double probedAt = 0;         // seconds, when the first probes began
+  double lookedAgainAt = 0;    // and those of the second round; 0: there was none
+  std::vector<MadePart> made;  // in the world by probedAt; then those made later
   std::vector<std::string> collisionGroups;  // that there are by then
   PlayerState arrived;                       // the player by then
   AirJumps airJumps;

@@ -7,8 +7,7 @@
 
 namespace obby::engine {
 
-Stage::Stage(const Document& document, const Settings& settings)
-    : StagePlayer(document, settings) {
+Stage::Stage(const Document& document, const Settings& settings) : StagePlayer(document, settings) {
   load();
 }
 

@@ -6,8 +6,8 @@
 #include <filesystem>
 #include <fstream>
 
-#include "suite/effort.h"
 #include "solve/methods.h"
+#include "suite/effort.h"
 
 namespace obby::bench {
 namespace {

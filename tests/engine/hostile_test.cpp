@@ -3,8 +3,8 @@
 
 #include <chrono>
 
-#include "engine/place.h"
 #include "engine/observe.h"
+#include "engine/place.h"
 
 namespace obby::test {
 namespace {

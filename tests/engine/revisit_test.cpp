@@ -1,8 +1,8 @@
 // Effects of parts after other parts have been touched, and the reasons for differences.
 #include <gtest/gtest.h>
 
-#include "engine/place.h"
 #include "engine/observe.h"
+#include "engine/place.h"
 
 namespace obby::test {
 namespace {

@@ -1,8 +1,8 @@
 // With more parts than probes, one probe represents parts with the same listeners.
 #include <gtest/gtest.h>
 
-#include "engine/place.h"
 #include "engine/observe.h"
+#include "engine/place.h"
 
 namespace obby::test {
 namespace {

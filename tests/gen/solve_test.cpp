@@ -4,8 +4,8 @@
 
 #include "gen/made.h"
 #include "policy/shipped_policy.h"
-#include "solve/query_solver.h"
 #include "solve/methods.h"
+#include "solve/query_solver.h"
 
 namespace obby::test {
 namespace {

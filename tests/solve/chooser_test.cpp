@@ -6,10 +6,10 @@
 #include <map>
 
 #include "scenes.h"
+#include "solve/search/rollouts/surfaces.h"
 #include "solve/search/selectors/choose_beam.h"
 #include "solve/search/selectors/choose_mcts.h"
 #include "solve/search/selectors/choose_rrt.h"
-#include "solve/search/rollouts/surfaces.h"
 
 namespace obby::solve {
 namespace {

@@ -2,8 +2,8 @@
 #include <gtest/gtest.h>
 
 #include "scenes.h"
-#include "solve/query_solver.h"
 #include "solve/methods.h"
+#include "solve/query_solver.h"
 
 namespace obby::solve {
 namespace {

@@ -6,10 +6,10 @@
 #include "policy/shipped_policy.h"
 #include "scenes.h"
 #include "sim/host_device.h"
+#include "solve/methods.h"
 #include "solve/search/methods/go_explore_method.h"
 #include "solve/search/rollouts/explorer.h"
 #include "solve/search/selectors/choose_policy.h"
-#include "solve/methods.h"
 #include "untimed.h"
 
 namespace obby::solve {

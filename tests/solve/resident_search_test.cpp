@@ -1,9 +1,9 @@
 // Answers of the method `resident`: solutions of levels, and the same bytes on every machine, even
 // if the device fails midway.
 #include "resident_scenes.h"
+#include "solve/methods.h"
 #include "support/failing_device.h"
 #include "untimed.h"
-#include "solve/methods.h"
 
 namespace obby::solve {
 namespace {

@@ -10,8 +10,8 @@
 #include "io/pipeline.h"
 #include "sim/simulator.h"
 #include "solve/filter.h"
-#include "solve/model/problem.h"
 #include "solve/methods.h"
+#include "solve/model/problem.h"
 #include "support/level_builder.h"
 #include "support/plain_problem.h"
 

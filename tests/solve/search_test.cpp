@@ -4,8 +4,8 @@
 
 #include "io/json_codec.h"
 #include "scenes.h"
-#include "solve/search/methods/go_explore.h"
 #include "solve/methods.h"
+#include "solve/search/methods/go_explore.h"
 #include "untimed.h"
 
 namespace obby::solve {

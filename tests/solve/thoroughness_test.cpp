@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "scenes.h"
-#include "solve/query_solver.h"
 #include "solve/methods.h"
+#include "solve/query_solver.h"
 
 namespace obby::solve {
 namespace {
