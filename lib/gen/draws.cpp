@@ -1,5 +1,7 @@
 #include "gen/draws.h"
 
+#include "math/lanes.h"
+
 namespace obby::gen {
 
 namespace {

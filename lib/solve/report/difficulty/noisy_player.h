@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "base/random.h"
 #include "solve/report/difficulty/leg.h"
 #include "solve/report/difficulty/noise.h"
 
