@@ -41,8 +41,8 @@ struct Probe {
   SecondLook still;           // of a part that harms once: the player stays without more touches
   bool lost = false;          // the copy died or ran out of time
   bool byPlace = false;       // no script listens to the part: the player's position decides
-  bool allOver = true;        // also true toward two opposite corners of the part
-  bool byRoot = false;        // false where only limbs are in the part
+  bool allOver = true;        // the effect also occurs toward two opposite corners
+  bool byRoot = false;        // no effect where only limbs are in the part
   bool byFall = false;        // a player that falls from high above gets another effect
   uint64_t listenerHash = 0;  // of the functions that listen to the part; 0: none do
   // `reborn`: the player died of the touch, or after a touch without effects, and lives again.

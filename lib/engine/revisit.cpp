@@ -83,8 +83,7 @@ class Tour {
     });
   }
 
-  // Adds a probe of part `i` after touches of `touched` to `found` if its effects differ. `after`:
-  // effects that also occur without the probe.
+  // Adds a probe of part `i` to `found` if its effects are new; `after`: effects without the probe.
   void take(size_t i, Probe probe, const Names& after, const std::vector<size_t>& touched,
             std::vector<Revisit>& found, TourMode mode = {}) {
     drop(probe.seen, after);
