@@ -56,7 +56,7 @@ class Learner {
 
   // Returns the gradient to which share `s` of the rows is added. Zero after each step.
   std::vector<float>& gradient(size_t s) { return gradients_[s]; }
-  // The sum of the shares, in the first of them.
+  // Adds all shares into the first and returns it.
   std::vector<float>& sumShares();
   // Takes one step of Adam by the gradient in the first share.
   void step(float learningRate);
