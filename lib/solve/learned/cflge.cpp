@@ -11,7 +11,7 @@ namespace obby::solve::learned {
 namespace {
 
 constexpr uint64_t kFollowers = 2ull << 32;  // streams of random numbers
-constexpr Turns kNorth = 0;  // heading of all observations, so that moves keep their meaning
+constexpr Turns kNorth = 0;                  // all observations look north
 
 }  // namespace
 

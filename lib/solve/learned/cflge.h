@@ -48,12 +48,11 @@ class Cflge final : public LearnedSearch {
     Episode episode;
     std::shared_ptr<Path> path;
     Track track;
-    std::vector<float> subgoals,
-        points;             // (sub-goals, kPlace); (sub-goals, kLatent), of this round
-    size_t next = 0;        // next sub-goal
-    size_t count = 0;       // number of sub-goals; 0: explores from the start
-    uint32_t waited = 0;    // decisions since the last sub-goal
-    uint32_t explored = 0;  // random decisions so far
+    std::vector<float> subgoals, points;  // (sub-goals, kPlace), (sub-goals, kLatent)
+    size_t next = 0;                      // next sub-goal
+    size_t count = 0;                     // number of sub-goals; 0: explores from the start
+    uint32_t waited = 0;                  // decisions since the last sub-goal
+    uint32_t explored = 0;                // random decisions so far
     RandomKeys keys;
     sim::Action action;
     bool explores() const { return next == count; }

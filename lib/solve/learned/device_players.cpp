@@ -15,8 +15,7 @@ Status DevicePlayers::open(sim::Device& device, const Problem& problem,
   course.levels = {problem.level};
   course.queries = {problem.query};
   course.starts = {problem.start};
-  course.starts[0].outcome =
-      sim::Outcome::running;  // so that worlds can run; no player starts there
+  course.starts[0].outcome = sim::Outcome::running;  // so that worlds can run
   OBBY_ASSIGN(batch_, sim::makeKernelBatch(course, most, device));
   sight_.rules = {problem.level, problem.query, around};
   OBBY_ASSIGN(tables_, sim::uploadTables(device, sight_.rules));

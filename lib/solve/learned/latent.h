@@ -16,8 +16,9 @@ constexpr size_t kLatent = 16;  // numbers
 // Returns the squared distance of two points, (kLatent) each.
 float latentDistance2(const float* a, const float* b);
 
-// Of the `count` points along a way, (count, kLatent), those to pass on the way to the last: going
-// back from it, each that is at least `apart` from the one taken before. In the way's order.
+// Returns the indices of sub-goals among the `count` points of a trajectory, (count, kLatent), in
+// ascending order. From the last point backwards it keeps each that is at least `apart` from the
+// one kept before.
 std::vector<uint32_t> thinned(const float* points, size_t count, float apart);
 
 // Draws from 0 to `count` - 1 with probabilities that fall by a factor of 1 - p each; count > 0.
