@@ -62,7 +62,7 @@ struct TweenWay {
 // A tween that began to play.
 struct Tween {
   double time = 0;
-  uint32_t id = 0;  // of the Tween
+  uint32_t id = 0;  // id of the Tween
   InstanceId target = kNoInstance;
   double seconds = 1, delay = 0;
   uint32_t style = 0, direction = 0;  // items of Enum.EasingStyle, EasingDirection
@@ -81,11 +81,11 @@ struct Harm {
   bool hurts() const { return to < from; }  // else it heals
 };
 
-// What an error that ends a script means for the game.
+// The meaning for the game of an error that ends a script.
 enum class Failure : uint8_t {
-  refused,  // by the engine's rules: it ends the script in the game, too
+  refused,  // the engine's rules forbid it: it ends the script in the game, too
   usual,    // probably a bug of the script
-  limited   // after an unsupported feature: in the game the script may go on
+  limited   // unsupported feature: in the game the script may go on
 };
 
 struct Problem {
@@ -132,7 +132,7 @@ struct Observation {
   std::map<std::string, std::vector<Heed>> heeded;
   std::map<std::string, bool> happened;
   bool random = false;  // scripts have drawn random numbers
-  PlayerState player;   // at the end
+  PlayerState player;   // state at the end
   uint32_t frames = 0;
 };
 

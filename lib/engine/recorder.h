@@ -59,7 +59,7 @@ class Recorder {
   static constexpr size_t kMostProblems = 500, kMostProblemText = 1000;
 
   Observation seen_;
-  std::map<InstanceId, InstanceId> drivers_;  // of parts
+  std::map<InstanceId, InstanceId> drivers_;  // drivers by part
   bool recording_ = false;
   uint32_t frame_ = 0;
   size_t changes_ = 0, placed_ = 0, text_ = 0;

@@ -1,4 +1,5 @@
-// What a place's scripts do by themselves, and on a player's touch or use of each part.
+// The effects of a place's scripts: those without a player's action, and those of a player's touch
+// or use of each part.
 #pragma once
 
 #include <string>
@@ -34,17 +35,17 @@ struct SecondLook {
 struct Probe {
   InstanceId target = kNoInstance;  // the part, ClickDetector, prompt or tool
   Approach approach = Approach::stand;
-  double at = 0;              // when the player arrived
-  double left = 0;            // when it went away; 0: stayed to the end
-  Observation seen;           // from the arrival on
-  SecondLook brief;           // of a part that harms repeatedly: the player leaves at once
-  SecondLook still;           // of a part that harms once: the player stays without more touches
-  bool lost = false;          // the copy died or ran out of time
-  bool byPlace = false;       // no script listens to the part: the player's position decides
-  bool allOver = true;        // the effect also occurs toward two opposite corners
-  bool byRoot = false;        // no effect where only limbs are in the part
-  bool byFall = false;        // a player that falls from high above gets another effect
-  uint64_t listenerHash = 0;  // of the functions that listen to the part; 0: none do
+  double at = 0;         // when the player arrived
+  double left = 0;       // when it went away; 0: stayed to the end
+  Observation seen;      // events since the arrival
+  SecondLook brief;      // second probe of a part that harms repeatedly: the player leaves at once
+  SecondLook still;      // second probe of a part that harms once: the player only stays
+  bool lost = false;     // the copy died or ran out of time
+  bool byPlace = false;  // no script listens to the part: the player's position decides
+  bool allOver = true;   // the effect also occurs toward two opposite corners
+  bool byRoot = false;   // no effect where only limbs are in the part
+  bool byFall = false;   // a player that falls from high above gets another effect
+  uint64_t listenerHash = 0;  // hash of the functions that listen to the part; 0: none
   // `reborn`: the player died of the touch, or after a touch without effects, and lives again.
   bool sleeps = false;  // something that the touch began still waits at the end
   bool reborn = false;
@@ -85,15 +86,15 @@ struct Report {
   std::vector<Probe> probes;
   std::vector<SameListeners> sameListeners;
   std::vector<Revisit> revisits;
-  std::vector<Probe> moves;    // of the player away from all parts, if scripts look at it
-  double probedAt = 0;         // seconds, when the first probes began
-  double lookedAgainAt = 0;    // start of the second round; 0: none
-  std::vector<MadePart> made;  // in the world by probedAt; then those made later
+  std::vector<Probe> moves;                  // moves away from all parts, if scripts watch them
+  double probedAt = 0;                       // seconds, when the first probes began
+  double lookedAgainAt = 0;                  // start of the second round; 0: none
+  std::vector<MadePart> made;                // parts made by probedAt, then later ones
   std::vector<std::string> collisionGroups;  // existing by then
   PlayerState arrived;                       // the player's state by then
   AirJumps airJumps;
   bool complete = false;             // the undisturbed run got to its end
-  bool over = false;                 // and nothing more can happen
+  bool over = false;                 // it is complete and nothing more can happen
   bool sleeps = false;               // scripts still wait for the first time
   std::string failure;               // why the report is incomplete, for people
   InstanceId culprit = kNoInstance;  // the script that ran when the child died
@@ -101,9 +102,9 @@ struct Report {
 
 struct Plan {
   Settings settings;
-  double seconds = 60;       // of the undisturbed run
+  double seconds = 60;       // duration of the undisturbed run
   double probeAt = 3;        // start of the probes, seconds
-  double probeSeconds = 12;  // of the longest probe
+  double probeSeconds = 12;  // duration of the longest probe
   size_t mostProbes = 600;
   double timeLimit = 60;  // seconds of the wall clock for all, far above the budgets
   size_t processes = 2;   // copies at a time

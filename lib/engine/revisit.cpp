@@ -140,7 +140,7 @@ class Tour {
   // Returns the first of `probed` that fit the budget left by the tour, which has `used`
   // instructions.
   std::vector<size_t> affordable(std::vector<size_t> probed, uint64_t used) const {
-    constexpr uint64_t kFrames = 150;  // of a probe
+    constexpr uint64_t kFrames = 150;  // length of a probe
     if (stage_.isExhausted()) return {};
     const uint64_t frames = stage_.frames() - framesOf(plan_.probeAt) + 1;
     const uint64_t most = kOfAll / (kFrames * (used / frames + 1));
@@ -150,7 +150,7 @@ class Tour {
 
   void touch(size_t i, bool isShort) {
     const Probe& probe = first_[i];
-    stage_.forget();  // what came before
+    stage_.forget();  // drops earlier observations
     if (!isTouch(probe.approach)) {
       const bool lasts = stage_.use(probe.target);
       stage_.run(kBetween);

@@ -22,7 +22,7 @@ struct LearnerSettings {
 // State from which training resumes.
 struct LearnerState {
   std::vector<float> parameters, momentum, squares;  // Adam's means of the gradient, its square
-  uint64_t steps = 0;                                // of Adam
+  uint64_t steps = 0;                                // steps of Adam
 };
 
 // Scales a gradient down to the norm `max` if it is longer. Returns its norm before that. Squares

@@ -16,9 +16,9 @@ struct PpoLossSettings {
 // A decision of the behaviour policy, as PPO needs it.
 struct PpoDecision {
   int action;
-  float logProbability;  // of the action, at that time
+  float logProbability;  // the action's, when it was made
   float advantage;       // normalised
-  float target;          // of the value head, in its units
+  float target;          // value target, in the value head's units
 };
 
 template <class S>

@@ -98,7 +98,7 @@ class Pass {
         Product<S>{gradient, transposed_.data(), nullptr, units, to, rows, width, inner, false});
   }
 
-  std::vector<std::vector<S>> units_;  // of each layer, (rows, outputs)
+  std::vector<std::vector<S>> units_;  // one per layer, (rows, outputs)
   std::vector<S> below_[2];            // gradients of a layer's inputs
   std::vector<S> transposed_;          // weights of a layer
 };

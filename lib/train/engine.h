@@ -13,14 +13,14 @@ namespace obby::train {
 
 struct TrainerSettings {
   uint64_t seed = 1;
-  uint32_t envGroups = 8;     // for each rank; tasks of the thread pool
+  uint32_t envGroups = 8;     // env groups per rank; tasks of the thread pool
   EnvGroupSettings envGroup;  // 8 x 32 worlds
   uint32_t ticks = 32;        // decisions of each world per iteration
   PpoSettings ppo;
   uint64_t decisions = 100'000'000;  // the learning rate decays to a tenth over these
   float easiest = 0.1f;              // difficulty of the first levels
   float raiseAt = 0.7f;              // share of episodes solved above which levels become harder
-  float lowerAt = 0.45f;             // below which they become easier
+  float lowerAt = 0.45f;             // share below which they become easier
   std::vector<int> hidden;           // inputs that the policy does not see (ablation)
 
   uint32_t worlds() const { return envGroups * envGroup.size(); }  // per rank

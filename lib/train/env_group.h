@@ -16,7 +16,7 @@
 namespace obby::train {
 
 struct EnvGroupSettings {
-  uint32_t levels = 8;         // at a time
+  uint32_t levels = 8;         // levels at a time
   uint32_t worlds = 32;        // on each level
   uint32_t playthroughs = 64;  // episodes on a level before the next replaces it
   RestartShares restarts;

@@ -15,7 +15,7 @@ namespace obby::train {
 struct EvaluationSettings {
   uint64_t seed = 1;
   uint64_t firstLevel = 0;
-  uint32_t levels = 1000;  // at most
+  uint32_t levels = 1000;  // max number of levels
   uint32_t tries = 8;      // episodes of each level; the first is greedy
   float hardest = 1;       // difficulty
   float patience = 3;      // as EnvGroupSettings::patience
@@ -31,8 +31,8 @@ struct Solved {
   double any = 0;        // share of levels that any episode solves
 };
 
-struct Evaluation : Solved {  // of all levels
-  std::vector<Solved> kinds;  // for each kind, up to the last that was played
+struct Evaluation : Solved {  // totals of all levels
+  std::vector<Solved> kinds;  // totals per kind, up to the last that was played
   bool timeUp = false;        // time ran out
   // The error of the first level that the source did not return. Others were played.
   Status missing;

@@ -12,7 +12,7 @@ namespace obby::train {
 
 namespace {
 
-constexpr uint32_t kPolynomial = 0x82f63b78;  // of CRC-32C, bits reversed
+constexpr uint32_t kPolynomial = 0x82f63b78;  // polynomial of CRC-32C, bits reversed
 
 constexpr std::array<uint32_t, 256> crcTable() {
   std::array<uint32_t, 256> table{};

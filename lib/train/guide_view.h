@@ -20,7 +20,7 @@ struct GuideView {
   const uint32_t* stops = nullptr;  // (stopCount), places at the query's waypoints, ascending
   uint32_t count = 0, stopCount = 0;
 
-  OBBY_DEVICE float studs() const { return behind[0]; }  // of the whole route
+  OBBY_DEVICE float studs() const { return behind[0]; }  // length of the whole route
 
   // Returns the studs to the end: kOff times the distance to the line, then along it, minimised
   // over the line, so that short cuts count. It skips segments that start with less than `from`

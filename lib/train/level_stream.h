@@ -105,7 +105,7 @@ class LevelStream : public LevelSource {
     void dropCompiled(Turn& turn);
 
     const std::atomic<bool>* stop;  // may be null
-    std::string inputName;          // for errors
+    std::string inputName;          // input name for errors
     io::RecordSource source;
     LevelStreamSettings settings;
     io::Physics physics;
@@ -116,7 +116,7 @@ class LevelStream : public LevelSource {
     uint64_t read = 0;    // turns so far
     uint64_t kept = 0;    // the first ones, kept for a restart
     uint64_t needed = 0;  // earlier turns are needed only after a restart
-    size_t bytes = 0;     // of kept records
+    size_t bytes = 0;     // size of the kept records
     size_t waiting = 0;   // compiled levels of the turns
     bool full = false;    // no more turns are kept
     size_t compiledOnReading = 0;

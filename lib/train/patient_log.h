@@ -14,7 +14,7 @@ namespace obby::train {
 
 class PatientLog {
  public:
-  static constexpr size_t kMostBytes = size_t(16) << 20;  // that wait: some 100,000 rows
+  static constexpr size_t kMostBytes = size_t(16) << 20;  // max bytes of waiting rows
 
   // `file` holds the log's earlier rows. On a device or a pipe each error is final.
   explicit PatientLog(io::Appender file) : file_(std::move(file)), patient_(file_.isRegular()) {}

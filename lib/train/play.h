@@ -15,25 +15,25 @@ constexpr uint32_t kRememberEvery = 64;  // a state is kept about once in so man
 
 // Rewards of events.
 struct RewardSettings {
-  float stud = 0.1f;  // for each stud closer to the goal than before in this episode
+  float stud = 0.1f;  // per stud closer to the goal than before in the episode
   float goal = 5;
   float death = -1;         // or any other failure
   float decision = -0.01f;  // cost of time
-  float jump = -0.05f;      // for each jump
+  float jump = -0.05f;      // per jump
 };
 
 // Shares of episodes that begin at a restart state.
 struct RestartShares {
-  float unsolved = 0.3f;  // of levels not yet solved from the start
-  float solved = 0.3f;    // of other levels
+  float unsolved = 0.3f;  // levels not yet solved from the start
+  float solved = 0.3f;    // other levels
 };
 
 // One world that learns.
 struct Player {
   sim::World world;
-  Turns ahead = 0;     // of its last observation; not saved, as it observes before it moves
+  Turns ahead = 0;     // heading of its last observation; not saved, as it observes before it moves
   float least = 0;     // min studs left on the route in this episode
-  uint32_t ticks = 0;  // of this episode
+  uint32_t ticks = 0;  // ticks of this episode
   bool fromStart = true;
   uint32_t jumps = 0;  // jumps of the world that were already penalised
 };
@@ -41,7 +41,7 @@ struct Player {
 // A restart state, with the progress made on the way.
 struct Reached {
   sim::World world;
-  float least;  // as Player::least: the position alone does not determine it
+  float least;  // see Player::least; the position alone does not determine it
 };
 
 // A training level for device code, as plain spans.
@@ -101,7 +101,7 @@ OBBY_DEVICE Random drawsOf(uint64_t seed, Draw use, uint64_t decision, uint32_t 
 // The result of a move.
 struct Step {
   float reward = 0;
-  bool ended = false;  // by a goal, a death or a broken rule
+  bool ended = false;  // a goal, a death or a broken rule ended it
 };
 
 OBBY_DEVICE bool hasEnded(const Player& p) { return p.world.outcome != sim::Outcome::running; }

@@ -21,7 +21,7 @@ using policy::Decision;
 struct PpoSettings {
   nn::PpoLossSettings loss{.entropyWeight = 0.005f};
   float discount = 0.99f;      // per decision
-  float lambda = 0.95f;        // of generalised advantage estimation
+  float lambda = 0.95f;        // generalised advantage estimation
   uint32_t epochs = 2;         // per batch
   uint32_t minibatch = 4096;   // max decisions of an optimiser step, per rank
   float learningRate = 2e-3f;  // initial
@@ -41,7 +41,7 @@ struct Batch {
         done(size_t(ticks) * worlds) {}
 
   uint32_t ticks, worlds;
-  SeenRows seen;  // before each decision, and after the last
+  SeenRows seen;  // rows before each decision, and after the last
   std::vector<Decision> decisions;
   std::vector<float> values;  // the network's estimates, in rewards
   std::vector<float> rewards;
@@ -84,7 +84,7 @@ class Ppo {
  private:
   struct Share {  // a part of the work
     nn::Pass<float> pass;
-    std::vector<float> gradient;  // of the loss with respect to a tile's outputs
+    std::vector<float> gradient;  // gradient of the loss with respect to a tile's outputs
     Progress sums;
     Sums returns{1};
   };

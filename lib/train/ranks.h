@@ -17,7 +17,7 @@ namespace obby::train {
 class Ranks {
  public:
   virtual ~Ranks() = default;
-  virtual uint32_t number() const = 0;  // of this process
+  virtual uint32_t number() const = 0;  // number of this process
   virtual uint32_t count() const = 0;
   bool first() const { return number() == 0; }
 

@@ -17,7 +17,7 @@ struct PlaceState {
   uint64_t taken = 0;      // levels so far, including the current one
   float hardest = 0;       // difficulty requested for the level
   float nextHardest = 0;   // difficulty to request for the next level
-  uint64_t levelHash = 0;  // of the level, to check it after a resume
+  uint64_t levelHash = 0;  // checked after a resume
   PlaceCounts counts;
   std::vector<Player> players;
   std::vector<sim::LooseBody> loose;  // (players, looseCount)

@@ -13,7 +13,7 @@ namespace obby::train {
 
 // Statistics of one iteration.
 struct Iteration {
-  uint64_t number = 0, decisions = 0;  // so far
+  uint64_t number = 0, decisions = 0;  // counts so far
   double seconds = 0, playSeconds = 0;
   double reward = 0;    // per decision
   double solved = 0;    // share of episodes from the start, smoothed
@@ -76,7 +76,7 @@ class Trainer {
   TrainerSettings settings_;
   Ranks& ranks_;
   std::unique_ptr<Engine> engine_;
-  std::vector<float> parameters_;  // of the engine's network
+  std::vector<float> parameters_;  // the engine's parameters
   bool finite_ = true;             // true while all trained numbers are finite
   Sums seen_{policy::kInputs};
   std::vector<float> means_, scales_;

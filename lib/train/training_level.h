@@ -21,14 +21,14 @@ class TrainingLevel {
   static Result<std::shared_ptr<const TrainingLevel>> make(schema::Level::Reader level,
                                                            schema::Query::Reader query);
 
-  const std::string& name() const { return level_.name(); }  // of the level record
+  const std::string& name() const { return level_.name(); }  // name in the level record
   const policy::Scene& scene() const { return scene_; }
   const sim::World& start() const { return start_; }
   const std::vector<sim::LooseBody>& startLoose() const { return startLoose_; }
   const Guide& guide() const { return guide_; }
   // Valid while this object lives. `patience`: as EnvGroupSettings::patience.
   TrainingView view(float patience) const;
-  uint64_t hash() const { return hash_; }  // of all its data, for any encoding
+  uint64_t hash() const { return hash_; }  // hash of all its data, for any encoding
 
  private:
   TrainingLevel(level::Level level, level::Query query, std::vector<Vec3> way, uint64_t hash);

@@ -50,7 +50,7 @@ class WaitLimit {
   void read(bool now);
 
   const std::atomic<bool>& interrupted_;
-  const double limit_, seconds_;  // of the work; of a wait for a record
+  const double limit_, seconds_;  // limit of the work, and of a wait for a record
   std::atomic<bool> stop_{false}, up_{false}, late_{false}, lost_{false};
   std::mutex lock_;
   std::condition_variable wake_;

@@ -43,7 +43,7 @@ class DevicePass {
   Rounding rounding_;
   sim::Device* device_ = nullptr;
   std::vector<Layer> layers_;
-  std::vector<sim::DeviceTable<float>> units_, gradients_;  // of each layer, (rows, outputs)
+  std::vector<sim::DeviceTable<float>> units_, gradients_;  // one per layer, (rows, outputs)
   sim::DeviceTable<float> transposed_, chunks_;
   sim::DeviceTable<double> columns_;
 };

@@ -85,7 +85,7 @@ void Cflge::follow(Player& p, const KnownWay& way) {
   }
 }
 
-// Takes learning steps in proportion to decisions. Ranks the goals anew at longer intervals.
+// Takes learning steps in proportion to decisions. Ranks the goals again at longer intervals.
 void Cflge::learn() {
   const double decisions = settings_.decisions * settings_.groups * kGroup;
   if (settings_.learns) {

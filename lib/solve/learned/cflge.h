@@ -11,11 +11,11 @@
 namespace obby::solve::learned {
 
 struct CflgeSettings {
-  uint32_t groups = 2;            // of kGroup players; one thread per group
-  uint32_t decisions = 16;        // of each player per round
+  uint32_t groups = 2;            // groups of kGroup players; one thread each
+  uint32_t decisions = 16;        // decisions per player and round
   uint32_t explore = 50;          // random decisions after the goal
   uint32_t patience = 100;        // decisions without a sub-goal until a player gives up
-  float chance = 0.05f;           // of a random move instead of the greedy one
+  float chance = 0.05f;           // probability of a random move
   uint64_t begin = 2048;          // decisions before learning begins
   uint64_t refresh = 5000;        // decisions between rankings of the goals
   float moduleSteps = 0.1f;       // learning steps of the module per decision
@@ -60,7 +60,7 @@ class Cflge final : public LearnedSearch {
   struct Group {
     std::vector<Player> players;
     std::vector<Episode> ended;
-    std::vector<Track> tracks;  // of the ended episodes
+    std::vector<Track> tracks;  // tracks of the ended episodes
     NetPass pass, encoder;
     std::vector<float> places, points;
     Returns returns;
@@ -89,7 +89,7 @@ class Cflge final : public LearnedSearch {
   InverseDynamics module_;
   QuantilePolicy policy_;
   GoalPool goals_;
-  NetPass ranking_;  // for the ranking of goals
+  NetPass ranking_;  // ranks the goals
   Memory memory_;
   std::vector<Group> groups_;
   Returns returns_;

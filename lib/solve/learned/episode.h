@@ -17,9 +17,9 @@ namespace obby::solve::learned {
 
 // The first time that the player stood in a cell.
 struct Passed {
-  uint64_t key;   // of the cell
+  uint64_t key;   // key of the cell
   Vec3 place;     // feet
-  uint32_t tick;  // since the start
+  uint32_t tick;  // ticks since the start
 };
 
 // A state of a standing player that the archive lacked, or had reached later.
@@ -37,11 +37,11 @@ struct Episode {
   uint32_t ticks = 0;
   KnownWay actions;                    // all so far
   std::unordered_set<uint64_t> stood;  // keys of the cells that the player stood in
-  std::vector<Passed> passed;          // these, in their order
+  std::vector<Passed> passed;          // the same cells in order
   uint32_t newCells = 0;               // cells that the archive lacked
   std::vector<Find> finds;
-  uint64_t key = 0;       // of the cell that the player is in
-  uint32_t cell = kNone;  // of the archive, if it has that
+  uint64_t key = 0;       // current cell
+  uint32_t cell = kNone;  // current cell in the archive, if any
   bool repeats = false;   // replays known actions, so nothing is recorded
   Approach closest;
   uint32_t closestTicks = 0;

@@ -19,7 +19,7 @@ struct GoalPolicySettings {
   float imitation = 0.1f;        // weight of the imitation loss
   float imitationValue = 0.01f;  // weight of the value error in it
   float discount = 0.99f;        // per decision
-  float lambda = 0.95f;          // of generalised advantage estimation
+  float lambda = 0.95f;          // generalised advantage estimation
   uint32_t epochs = 2;           // per round
   uint32_t minibatch = 256;      // decisions per optimiser step
 };

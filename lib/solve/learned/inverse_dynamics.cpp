@@ -8,8 +8,8 @@ namespace obby::solve::learned {
 
 namespace {
 
-constexpr uint64_t kDynamicsStream = 0x4c4745;  // of the seed's random numbers
-constexpr size_t kDynamicsUnits = 64;           // of a hidden layer
+constexpr uint64_t kDynamicsStream = 0x4c4745;  // random stream
+constexpr size_t kDynamicsUnits = 64;           // units per hidden layer
 constexpr size_t kDynamicsOut = nn::padded(policy::kMoves);
 constexpr float kApart = 1000;    // exceeds all distances in latent space
 constexpr float kFollow = 0.02f;  // weight of the newest mean distance

@@ -38,7 +38,7 @@ class LearnedSearch : public ArchiveSearch {
   void tryKnown(size_t first, size_t count) override;
   // Plays with all players, records the results, then learns from them.
   void round() final;
-  size_t bytesKept() const { return bytesKept_; }  // of trajectories
+  size_t bytesKept() const { return bytesKept_; }  // size of the kept trajectories
 
  protected:
   // `players`: number that plays at once.

@@ -11,13 +11,13 @@
 namespace obby::solve::learned {
 
 struct PbgeSettings {
-  uint32_t groups = 2;      // of kGroup players; one thread per group
-  uint32_t decisions = 32;  // of each player per round
+  uint32_t groups = 2;      // groups of kGroup players; one thread each
+  uint32_t decisions = 32;  // decisions per player and round
   uint32_t patience = 100;  // decisions until a player gives up: beyond those that a sub-goal took
                             // at first, or of exploring without a new cell
   uint32_t aimFor = 20;     // exploring decisions until a new aim
   uint32_t calm = 50;       // exploring decisions without a new cell before entropy is raised
-  float unrest = 0.01f;     // then the temperature is 1 + (unrest x decisions)^2
+  float unrest = 0.01f;     // temperature: 1 + (unrest x decisions)^2
   float subgoal = 0.1f;     // reward of a sub-goal
   float last = 0.3f;        // reward of the last sub-goal
   bool learns = true;       // false: the policy stays untrained
@@ -50,9 +50,9 @@ class Pbge final : public LearnedSearch {
     Vec3 aim{};                    // target of that exploration
     uint32_t explored = 0;         // exploring decisions
     uint32_t waited = 0;           // decisions since the last sub-goal or new cell
-    uint32_t newCells = 0;         // of the episode at that time
+    uint32_t newCells = 0;         // the episode's at that time
     RandomKeys keys;
-    WayCursor cursor;  // of the trajectory that it replays
+    WayCursor cursor;  // position in the replayed trajectory
     // Members of the current decision.
     Turns ahead = 0;
     sim::Action action;

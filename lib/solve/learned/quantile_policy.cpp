@@ -8,8 +8,8 @@ namespace obby::solve::learned {
 
 namespace {
 
-constexpr uint64_t kQuantileStream = 0x51522d44514e;  // of the seed's random numbers
-constexpr size_t kQuantileUnits = 64;                 // of a hidden layer
+constexpr uint64_t kQuantileStream = 0x51522d44514e;  // random stream
+constexpr size_t kQuantileUnits = 64;                 // units per hidden layer
 constexpr size_t kQuantileOut = size_t(policy::kMoves) * kQuantiles;
 
 // Fills `to` with the inputs of a track's decision `i` toward `goal`.

@@ -14,7 +14,7 @@ enum Figure { kLossFigure, kEntropyFigure, kApproxKlFigure, kClippedFigure, kVal
 constexpr int kFigures = 8;  // padded
 
 struct MinibatchArguments {
-  const float* inputs;  // of the batch, (rows, kInputs)
+  const float* inputs;  // the batch's, (rows, kInputs)
   const policy::Decision* decisions;
   const float *advantages, *returns;
   Shuffle shuffle;
@@ -57,7 +57,7 @@ OBBY_DEVICE void lossOfPlace(const MinibatchArguments& p, uint32_t i) {
 
 // Rescales the value head when the scale of its outputs changes; see Ppo::rescaleValues.
 struct RescaleArguments {
-  float *weights, *bias;  // of the last layer
+  float *weights, *bias;  // the last layer's
   float oldMean, oldDeviation, mean, deviation;
 };
 

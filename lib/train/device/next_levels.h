@@ -57,7 +57,7 @@ class NextLevels {
   std::vector<Wanted> wanted_;
   std::vector<NextLevel> next_;  // (places)
   Status brought_;
-  std::exception_ptr thrown_;  // by the thread that made the levels
+  std::exception_ptr thrown_;  // exception of the thread that makes levels
   ThreadPool pool_;
   std::thread maker_;
 };
