@@ -47,9 +47,9 @@ class Host {
   double tinySteps = 0;
   InstanceId greedy = kNoInstance;  // script that has used up the memory
   InstanceId slow = kNoInstance;    // last script that has used up its time
-  std::set<InstanceId> limited;     // scripts that used unsupported features
+  std::set<InstanceId> limited;     // scripts that ran out of time or used unsupported features
   std::string refused;              // last error that the real engine raises, too
-  // Records an error and classifies it by its text.
+  // Records from an error's text that a script ran out of time or memory.
   void noteError(InstanceId script, std::string_view text);
 };
 
