@@ -10,10 +10,10 @@
 namespace obby::engine {
 namespace {
 
-// What differs in a fall.
+// Events and values that a fall changes.
 constexpr const char* kOfFalls[] = {"Limb.Velocity", "Humanoid.FloorMaterial", "Humanoid.GetState"};
-constexpr uint32_t kMaxFalls = 20;   // of parts with the same listeners
-constexpr double kFallShare = 0.25;  // of the time limit
+constexpr uint32_t kMaxFalls = 20;   // max falls per set of listeners
+constexpr double kFallShare = 0.25;  // share of the time limit
 
 bool heedsFalls(const Observation& seen) {
   return std::any_of(std::begin(kOfFalls), std::end(kOfFalls),
@@ -30,7 +30,7 @@ void compare(Probe& slow, const Probe& fast) {
 
 void lookAtFalls(Stage& stage, const Plan& plan, Children& children,
                  const std::vector<Probe>& wanted, std::vector<Probe>& probes) {
-  std::map<uint64_t, uint32_t> looks;  // by listenerHash
+  std::map<uint64_t, uint32_t> looks;  // number by listenerHash
   for (size_t i = 0; i < wanted.size(); ++i) {
     const Probe& first = probes[i];
     if (!isTouch(first.approach) || first.lost || !heedsFalls(first.seen) ||

@@ -1,4 +1,4 @@
-// Probes of players who fall onto parts. Private to lib/engine.
+// Probes of players that fall onto parts. Private to lib/engine.
 #pragma once
 
 #include <vector>
@@ -9,8 +9,8 @@
 
 namespace obby::engine {
 
-// Where scripts read how the player moves, looks whether a part does something else to a player who
-// falls on it: sets `byFall`. `wanted`: what the probes were.
+// If scripts read how the player moves, tests whether a part acts differently on a falling player.
+// Sets `byFall` of `probes`; `wanted` are the requests for them.
 void lookAtFalls(Stage& stage, const Plan& plan, Children& children,
                  const std::vector<Probe>& wanted, std::vector<Probe>& probes);
 

@@ -1,6 +1,5 @@
-// What the runtime (api/*.luau) asks of C++: the functions of its table `host`. A Host belongs to
-// one VM; all of its parts are here, and each host_*.cpp registers the functions of one concern.
-// Private to lib/engine.
+// Functions that C++ offers to the runtime (api/*.luau) in its table `host`. A Host belongs to one
+// VM. Each host_*.cpp registers the functions of one concern. Private to lib/engine.
 #pragma once
 
 #include <set>
@@ -22,14 +21,14 @@ class Host {
  public:
   Host(const Document& document, const Settings& settings);
   static Host& of(lua_State* L) { return *static_cast<Host*>(Vm::ownerOf(L)); }
-  // The id in a chunk's name "=#12"; kNoInstance for the runtime's own chunks.
+  // Returns the id in a chunk's name "=#12"; kNoInstance for the runtime's own chunks.
   static InstanceId scriptOf(const char* source);
 
-  // Loads the runtime's file of that name and leaves its result on the stack; later calls find it.
+  // Loads the runtime's file of that name once and pushes its result.
   int use(lua_State* L, const std::string& name);
-  // The innermost line of a script that is running.
+  // Returns the innermost line of the running script.
   Line where(lua_State* L) const;
-  // "#12:34: text" as "Script:34: text".
+  // Returns "#12:34: text" as "Script:34: text".
   std::string withNames(std::string text) const;
 
   const Document& document;
@@ -40,21 +39,21 @@ class Host {
   Recorder recorder;
   Random random;
 
-  std::vector<InstanceId> owners;  // their scripts; owner 0 is nobody
-  uint32_t running = 0;            // the owner whose code runs
-  unsigned beat = 0;               // grows with each stretch
+  std::vector<InstanceId> owners;  // script by owner; owner 0 is no script
+  uint32_t running = 0;            // owner of the code that runs
+  unsigned beat = 0;               // grows when a script begins or ends to run
   InstanceId nextMade = kMade;
   size_t instancesMade = 0;
   double tinySteps = 0;
-  InstanceId greedy = kNoInstance;  // the script that has used up the memory
-  InstanceId slow = kNoInstance;    // the last that had used up its time
-  std::set<InstanceId> limited;     // scripts that have used what the twin does not do
-  std::string refused;              // the last error that the engine itself raises, by its rules
-  // Takes note of an error by its text.
+  InstanceId greedy = kNoInstance;  // script that has used up the memory
+  InstanceId slow = kNoInstance;    // last script that has used up its time
+  std::set<InstanceId> limited;     // scripts that ran out of time or used unsupported features
+  std::string refused;              // last error that the real engine raises, too
+  // Records from an error's text that a script ran out of time or memory.
   void noteError(InstanceId script, std::string_view text);
 };
 
-// Each sets functions of the table at the top of the stack.
+// Each function adds its part to the table at the top of the stack.
 void registerClassFunctions(lua_State* L);
 void registerSceneryFunctions(lua_State* L);
 void registerRecordFunctions(lua_State* L);
@@ -62,10 +61,9 @@ void registerScriptFunctions(lua_State* L);
 void registerValueFunctions(lua_State* L);
 void registerByteFunctions(lua_State* L);
 
-// A property's value, as scripts have it, on the stack; an enum's item as its number, a reference
-// as nil.
+// Pushes a property's value as scripts see it. An enum item becomes its number, a reference nil.
 void pushValue(lua_State* L, const Value& value);
-// The value at a positive index, as far as it has a plain form.
+// Returns the value at a positive index; a monostate if it has no plain form.
 Plain plainAt(lua_State* L, int index);
 
 }  // namespace obby::engine

@@ -1,4 +1,4 @@
-// host: numbers as bytes, little end first.
+// host: converts numbers to and from little-endian bytes.
 #include <bit>
 #include <cmath>
 #include <cstring>
@@ -30,7 +30,7 @@ double realOf(const char* bytes) {
 
 static_assert(std::endian::native == std::endian::little);
 
-// The lowest bytes of a whole number, in two's complement.
+// Returns the lowest bytes of a whole number, in two's complement.
 std::string bytesOfInteger(double value, size_t size) {
   constexpr double kByte = 256;
   std::string bytes;
@@ -53,7 +53,7 @@ double integerFrom(std::string_view bytes, bool isSigned) {
   return isNegative ? value - unit : value;
 }
 
-// (kind, size, value): kind "f": a real number of 4 or 8 bytes, else a whole one.
+// (kind, size, value): kind "f" is a real number of 4 or 8 bytes, any other a whole number.
 int bytesOf(lua_State* L) {
   const size_t size = size_t(luaL_checkint(L, 2));
   const double value = luaL_checknumber(L, 3);
@@ -65,7 +65,7 @@ int bytesOf(lua_State* L) {
   return 1;
 }
 
-// (kind, bytes): kind "i": with a sign.
+// (kind, bytes): kind "i" is signed.
 int numberOf(lua_State* L) {
   const char* const kind = luaL_checkstring(L, 1);
   size_t size = 0;

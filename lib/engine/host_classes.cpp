@@ -66,7 +66,7 @@ int isAbstract(lua_State* L) {
   return isOneOf(L, kAbstract);
 }
 
-// Services are named so, or are one of the old ones.
+// Names of services end in "Service", or are in this list.
 int isService(lua_State* L) {
   static constexpr std::string_view kPlain[] = {
       "Workspace",     "Players",    "Lighting",        "ReplicatedStorage", "ReplicatedFirst",
@@ -80,7 +80,7 @@ int isService(lua_State* L) {
   return 1;
 }
 
-// Whether all that is set of an instance of that class may move parts.
+// Returns true if every property of the class's instances may move parts.
 bool drivesParts(const ClassTable& classes, std::string_view name) {
   static constexpr std::string_view kBases[] = {"Constraint", "BodyMover"};
   const std::string_view* base = &name;
@@ -88,7 +88,7 @@ bool drivesParts(const ClassTable& classes, std::string_view name) {
   return base && !base->empty();
 }
 
-// (class, property): whether the observer wants to see its changes.
+// (class, property): whether the observer records the property's changes.
 int isWatched(lua_State* L) {
   static constexpr std::string_view kWatched[] = {"CFrame",
                                                   "Size",

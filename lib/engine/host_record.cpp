@@ -1,4 +1,4 @@
-// host: what happens is written down.
+// host: records what happens.
 #include <algorithm>
 #include <cmath>
 
@@ -9,7 +9,7 @@ namespace obby::engine {
 
 namespace {
 
-// An enum's item as its number.
+// Returns an enum's item as its number.
 Plain itemAt(lua_State* L, int index) {
   Plain item;
   for (const char* const key : {"EnumType", "Value"}) {
@@ -57,7 +57,7 @@ void follow(Host& host, InstanceId id, const std::string& key, lua_State* L, int
   host.scenery.moved(id);
 }
 
-// (id, key, value, ofPlayer, isPart): a property has changed; "silent": it is not to be told.
+// (id, key, value, ofPlayer, isPart): a property has changed. "silent" as ofPlayer suppresses it.
 int watched(lua_State* L) {
   Host& host = Host::of(L);
   const InstanceId id = idAt(L, 1);
@@ -85,7 +85,7 @@ int driven(lua_State* L) {
   return 0;
 }
 
-// (tween, target, info, goals, starts): it begins to play.
+// (tween, target, info, goals, starts): the tween begins to play.
 int tween(lua_State* L) {
   Host& host = Host::of(L);
   Tween seen;
@@ -134,7 +134,7 @@ int health(lua_State* L) {
   return 0;
 }
 
-// (id, what, value): something else that a probe asks about.
+// (id, what, value): records any other event that a probe asks about.
 int note(lua_State* L) {
   Host& host = Host::of(L);
   host.recorder.change(
@@ -142,14 +142,14 @@ int note(lua_State* L) {
   return 0;
 }
 
-// (what, id): a script listens to an event of the engine, or reads a value that players change.
+// (what, id): a script listens to an engine event, or reads a value that players change.
 int heeded(lua_State* L) {
   Host& host = Host::of(L);
   host.recorder.heed(luaL_checkstring(L, 1), idAt(L, 2), host.where(L));
   return 0;
 }
 
-// (what): it has happened.
+// (what): the event has happened.
 int happened(lua_State* L) {
   Host::of(L).recorder.happen(luaL_checkstring(L, 1));
   return 0;

@@ -16,7 +16,7 @@ void fields(A& a, Move& m) {
 namespace {
 
 constexpr double kWalk = 1, kState = 0.5, kAfter = 1, kMaxFlight = 4;  // seconds
-constexpr double kMoveShare = 0.25;                                    // of the time limit
+constexpr double kMoveShare = 0.25;                                    // share of the time limit
 constexpr float kHigh = 60;                                            // studs
 constexpr const char* kStates[] = {"Climbing", "Swimming",  "Seated",           "FallingDown",
                                    "Ragdoll",  "GettingUp", "PlatformStanding", "Running"};
@@ -51,7 +51,7 @@ void move(Stage& stage, Approach approach) {
   stage.run(framesOf(kAfter));
 }
 
-// In this copy of the place, from now on. `again`: does so once before.
+// Runs the move in this copy of the place. `again`: makes the move once before that.
 Move runMove(Stage& stage, Approach approach, bool again) {
   if (again) move(stage, approach);
   stage.restart();

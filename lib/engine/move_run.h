@@ -1,4 +1,4 @@
-// The player's moves away from all parts, where scripts look at them. Private to lib/engine.
+// Moves of the player away from all parts, for scripts that watch them. Private to lib/engine.
 #pragma once
 
 #include <vector>
@@ -11,7 +11,7 @@ namespace obby::engine {
 
 struct Move {
   Probe probe;
-  std::vector<Probe> targets;  // what a probe may go to, by then
+  std::vector<Probe> targets;  // targets of probes after the move
 };
 
 class Moves {
@@ -19,10 +19,10 @@ class Moves {
   Moves(Stage& stage, const Plan& plan, Children& children)
       : stage_(stage), plan_(plan), children_(children) {}
 
-  // Walks, jumps twice, falls and exerts itself, each in a copy of the place, if scripts look at
-  // moves; stands away from all parts if they look at where the player is.
+  // If scripts watch moves, walks, jumps twice, falls and enters other states, each in a copy of
+  // the place. If they watch the player's position, stands away from all parts.
   void run(std::vector<Probe>& moves);
-  // Adds parts that scripts looked at only once the player moved.
+  // Adds parts whose position scripts read only after the player moved.
   void addTargets(std::vector<Probe>& wanted) const;
 
  private:

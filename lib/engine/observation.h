@@ -1,5 +1,5 @@
-// What was seen while a place's scripts ran: which properties changed on which instances, when, and
-// by which line of which script. Times are seconds of the virtual clock since the run began.
+// Changes that a place's scripts make: which property of which instance, when, and by which line of
+// which script. Times are seconds of the virtual clock since the run began.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,7 @@ namespace obby::engine {
 
 constexpr double kFrame = 1.0 / 60;  // seconds: scripts resume, and poses are sampled, once a frame
 
-// A script's line. `script` is the instance in the file; kNoInstance: nobody's, such as the engine.
+// A script's line. `script` is the instance in the file; kNoInstance for the engine.
 struct Line {
   InstanceId script = kNoInstance;
   int line = 0;
@@ -25,10 +25,10 @@ struct Line {
 // Stands for the player's body and its Humanoid in changes.
 constexpr InstanceId kPlayer = kNoInstance - 1;
 
-// An instance that scripts have made has an id from kMade on.
+// Instances made by scripts have ids from kMade on.
 constexpr InstanceId kMade = 0x40000000;
 
-// An enum's item is its number; what has no other form is a monostate.
+// An enum's item is its number; a monostate is a value without a plain form.
 using Plain = std::variant<std::monostate, bool, double, std::string, Vec3, Pose>;
 
 struct Change {
@@ -39,7 +39,7 @@ struct Change {
   Line line;
 };
 
-// A part's pose at the end of a frame in which it has changed.
+// A part's pose at the end of a frame that changed it.
 struct Placed {
   uint32_t frame = 0;
   Pose pose;
@@ -48,8 +48,8 @@ struct Placed {
 struct Track {
   Pose start;                 // before the first change
   std::vector<Placed> poses;  // ascending frames
-  Line line;                  // the first that moved it
-  // The constraint or mover that moves it; kNoInstance: scripts place it themselves.
+  Line line;                  // first line that moved it
+  // The constraint or mover that moves it; kNoInstance if scripts place it themselves.
   InstanceId driver = kNoInstance;
 };
 
@@ -62,13 +62,13 @@ struct TweenWay {
 // A tween that began to play.
 struct Tween {
   double time = 0;
-  uint32_t id = 0;  // of the Tween
+  uint32_t id = 0;  // id of the Tween
   InstanceId target = kNoInstance;
   double seconds = 1, delay = 0;
-  uint32_t style = 0, direction = 0;  // items of Enum.EasingStyle and EasingDirection
+  uint32_t style = 0, direction = 0;  // items of Enum.EasingStyle, EasingDirection
   int repeats = 0;
   bool reverses = false;
-  std::vector<TweenWay> ways;  // by their properties
+  std::vector<TweenWay> ways;  // one for each property
   Line line;
 };
 
@@ -81,11 +81,11 @@ struct Harm {
   bool hurts() const { return to < from; }  // else it heals
 };
 
-// How an error that ends a script carries over to the game.
+// The meaning for the game of an error that ends a script.
 enum class Failure : uint8_t {
-  refused,  // the engine raises it by its rules: it ends the script in the game, too
-  usual,    // the script does something wrong, as it seems
-  limited   // the script had used what the twin does not do: in the game it may go on
+  refused,  // the engine's rules forbid it: it ends the script in the game, too
+  usual,    // probably a bug of the script
+  limited   // unsupported feature: in the game the script may go on
 };
 
 struct Problem {
@@ -95,27 +95,27 @@ struct Problem {
   Failure failure = Failure::usual;
 };
 
-// A script listens to an event of an instance, or looks at a value.
+// A script that listens to an event of an instance, or reads a value.
 struct Heed {
   InstanceId target = kNoInstance;
   Line line;
 };
 
-// A part that scripts have made or copied; or a joint, constraint, mover or attachment.
+// A part, joint, constraint, mover or attachment that scripts have made or copied.
 struct MadePart {
-  InstanceId id = kNoInstance, origin = kNoInstance;  // `origin`: what it is a copy of, if anything
+  InstanceId id = kNoInstance, origin = kNoInstance;  // `origin`: source of the copy, if any
   InstanceId parent = kNoInstance;
   std::string className, name;
-  std::map<std::string, Plain> properties;  // those that differ from the class's defaults
+  std::map<std::string, Plain> properties;  // those that differ from the defaults
   std::map<std::string, InstanceId> references;
   bool later = false;  // made after the first probes
 };
 
-// Where the player is and what it can do.
+// State of the player, and its speeds.
 struct PlayerState {
   Vec3 feet, velocity;
   double health = 100, maxHealth = 100, walkSpeed = 16, jumpPower = 50, jumpHeight = 7.2;
-  double gravity = 196.2, lift = 0;  // studs/s^2: of Workspace; what forces take from it
+  double gravity = 196.2, lift = 0;  // studs/s^2: Workspace's; taken off it by forces
   bool usesJumpPower = true, alive = false;
   bool stuck = false;  // cannot walk
 };
@@ -126,13 +126,13 @@ struct Observation {
   std::vector<Tween> tweens;
   std::vector<Harm> harms;
   std::vector<Problem> problems;
-  std::map<std::string, int> counts;  // "method BasePart:X": what the twin does not do, how often
-  // Events and values of the engine, like "Humanoid.Jumping", since the run began: those that
-  // scripts heed, and those that have happened or varied.
+  std::map<std::string, int> counts;  // uses of unsupported features, "method BasePart:X"
+  // Events and values of the engine, such as "Humanoid.Jumping", since the run began. heeded: those
+  // that scripts watch. happened: those that occurred or varied.
   std::map<std::string, std::vector<Heed>> heeded;
   std::map<std::string, bool> happened;
-  bool random = false;  // scripts have drawn random numbers since the start
-  PlayerState player;   // at the end
+  bool random = false;  // scripts have drawn random numbers
+  PlayerState player;   // state at the end
   uint32_t frames = 0;
 };
 

@@ -22,12 +22,12 @@ namespace obby::engine {
 
 namespace {
 
-constexpr double kStuck = 2;  // seconds of CPU without a beat
-// Share of the whole time limit: revisits run once, during the rest of the undisturbed run.
+constexpr double kStuck = 2;  // seconds of CPU without a beat until the child counts as hung
+// Share of the whole time limit. Revisits run once, during the rest of the undisturbed run.
 constexpr double kRevisitShare = 0.75;
 constexpr size_t kProcessMemory = size_t(2) << 30;
 
-// In the caged child: everything but the probes themselves.
+// Runs in the sandboxed child and does all but the probes themselves.
 class Watcher {
  public:
   Watcher(const Document& document, const Plan& plan)
@@ -69,13 +69,13 @@ class Watcher {
   }
 
  private:
-  // To that second, or until nothing goes on.
+  // Runs until that second, or until nothing more can happen.
   void runUntil(double seconds) {
     while (stage_.frames() < framesOf(seconds) && !stage_.isExhausted() && !stage_.isIdle())
       stage_.run(60);
   }
 
-  // Not worth while: it is done again without that script.
+  // Returns a report without probes: the caller repeats the run without that script.
   Report given(InstanceId culprit) {
     report_.undisturbed = stage_.observation();
     report_.culprit = culprit;
@@ -100,7 +100,7 @@ class Watcher {
         });
   }
 
-  // While the undisturbed run goes on.
+  // Runs in parallel with the undisturbed run.
   void revisitAll() {
     children_.start(
         plan_.timeLimit * kRevisitShare,
@@ -120,7 +120,7 @@ class Watcher {
 
 Report observeOnce(const Document& document, const Plan& plan) {
   Report report;
-  // The child leaves the script that runs here, for when it dies.
+  // The child leaves the running script here. The parent reads it if the child dies.
   void* const shared =
       mmap(nullptr, 4096, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
   Plan own = plan;

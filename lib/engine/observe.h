@@ -5,8 +5,8 @@
 
 namespace obby::engine {
 
-// Runs the place's scripts in a child process without files or network. Same document and plan,
-// same report, but for what the time limit cuts.
+// Runs the place's scripts in a child process without files or network. Equal documents and plans
+// yield equal reports unless the time limit cuts the run.
 Report observe(const Document& document, const Plan& plan);
 
 }  // namespace obby::engine

@@ -7,21 +7,22 @@
 namespace obby::engine {
 namespace {
 
-constexpr double kHold = 1.1;        // seconds that a probe stays: longer than most polls wait
+constexpr double kHold = 1.1;        // seconds that a probe stays: longer than most polling
 constexpr double kPatientHold = 4;   // seconds
 constexpr uint32_t kTouchEvery = 5;  // frames between the touches of a patient probe
-constexpr double kSecondHit = 5;     // seconds that it waits to be harmed again
+constexpr double kSecondHit = 5;     // seconds to wait for a second harm
 constexpr double kPress = 2;         // seconds that keys and buttons are held
-constexpr float kFallSpeed = 140;    // studs/s, after some 50 studs
-constexpr uint32_t kFastFrames = 3;  // in which a falling player still has its speed
+constexpr float kFallSpeed = 140;    // studs/s, after about 50 studs
+constexpr uint32_t kFastFrames = 3;  // frames in which a falling player still has its speed
 constexpr double kQuiet = 1.0;       // seconds without a change end a probe
 constexpr double kAtLeast = 1.5;
-// Seconds from death to life: the place's RespawnTime, and what scripts that load the body wait.
+// Seconds from death to respawn: the place's RespawnTime, and the wait of scripts that load the
+// body.
 constexpr double kLeastRespawn = 5, kLongestRespawn = 30, kScriptedWait = 6;
-constexpr uint32_t kBetweenLooks = 10;  // frames between two looks for the next body
+constexpr uint32_t kBetweenLooks = 10;  // frames between two checks for the next body
 constexpr double kPlacing = 1;          // seconds that scripts take to place a new body
 
-// When the player was hurt first and last; nothing: it was not.
+// Returns when the player was hurt first and last; nothing if it was not.
 std::optional<std::pair<double, double>> hurtIn(const std::vector<Harm>& harms) {
   std::optional<std::pair<double, double>> span;
   for (const Harm& harm : harms)
@@ -29,13 +30,13 @@ std::optional<std::pair<double, double>> hurtIn(const std::vector<Harm>& harms) 
   return span;
 }
 
-// Returns true if a second hit is still to come after the first.
+// Returns true if a second hit may still follow the first.
 bool awaitsHit(Stage& stage, double now) {
   const auto span = hurtIn(stage.harms());
   return span && span->first == span->second && now < span->first + kSecondHit;
 }
 
-// Returns true if scripts did no more than set numbers that they keep.
+// Returns true if scripts only set numbers that they keep.
 bool isQuiet(const Observation& seen) {
   return seen.harms.empty() && seen.tracks.empty() &&
          std::all_of(seen.changes.begin(), seen.changes.end(), [](const Change& change) {
@@ -43,7 +44,7 @@ bool isQuiet(const Observation& seen) {
          });
 }
 
-// Returns true if scripts set progress of the player, or a number of it.
+// Returns true if scripts set the player's progress, or one of its numbers.
 bool isProgress(const Observation& seen) {
   constexpr std::string_view kNotes[] = {"note respawn", "note team", "note stat "};
   return std::any_of(seen.changes.begin(), seen.changes.end(), [&](const Change& change) {
@@ -57,7 +58,7 @@ double longestDeath(Stage& stage) {
   return respawn + kScriptedWait;
 }
 
-// Finds where the next body appears. Scripts may keep a checkpoint to themselves; a portal may
+// Finds where the next body appears: scripts may keep a checkpoint to themselves, and a portal may
 // kill.
 void comeBack(Stage& stage, Probe& probe) {
   const uint32_t end = stage.frames() + framesOf(longestDeath(stage));
@@ -95,7 +96,7 @@ Probe runProbe(Stage& stage, const Plan& plan, Probe probe, Manner manner) {
     else if (stands && frame == hold)
       stage.leave();
     if (lasts && frame == framesOf(kPress)) stage.release(probe.target);
-    // A part next to the spawn may have been touched all the time.
+    // The player may have touched a part next to the spawn all the time.
     const bool arrives = stands && frame == 0;
     const bool renews = awaits && manner.stay == Stay::renewing;
     if (arrives || renews || insists) stage.touchAgain();

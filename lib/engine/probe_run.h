@@ -1,4 +1,4 @@
-// One probe: a player comes to a part, stays for a moment and leaves again. Private to lib/engine.
+// One probe: a player comes to a part, stays for a moment and leaves. Private to lib/engine.
 #pragma once
 
 #include <optional>
@@ -9,33 +9,33 @@
 namespace obby::engine {
 
 enum class Stay : uint8_t {
-  renewing,  // a player that is harmed and lives touches the part in each frame until harmed again
-  still,     // it waits until it is harmed again
-  brief      // it leaves when it is harmed
+  renewing,  // touches the part in each frame after it is harmed, until harmed again
+  still,     // waits until it is harmed again
+  brief      // leaves when it is harmed
 };
 
 struct Manner {
   Stay stay = Stay::renewing;
   float share = 0;       // see Stage::standAt
-  int face = 0;          // the same
+  int face = 0;          // see Stage::standAt
   bool falls = false;    // arrives at the speed of a fall
-  bool patient = false;  // stays for seconds and touches the part again and again
-  // Is watched until it lives again if it dies with progress, and dies if nothing has happened.
+  bool patient = false;  // stays for seconds and touches the part repeatedly
+  // Watches a player that dies with progress until it lives again; kills it if nothing happened.
   bool comesBack = false;
 };
 
-// The number of frames nearest to `seconds`.
+// Returns the number of frames nearest to `seconds`.
 uint32_t framesOf(double seconds);
 
-// Runs the probe in this copy of the place, from now on.
+// Runs the probe in this copy of the place.
 Probe runProbe(Stage& stage, const Plan& plan, Probe probe, Manner manner = {});
 
-// How to look again at a part that has harmed: briefly if it did so again and again, which a single
-// touch may have begun; still if it did so once, since touches again may have hindered it.
+// Returns how to probe a harmful part again. Repeated harm gets a brief stay, since one touch may
+// have begun it. A single harm gets a still stay, since more touches may have prevented a second.
 std::optional<Stay> secondLookAt(const Probe& probe);
 // Runs the probe again, in another copy of the place.
 SecondLook lookAgain(Stage& stage, const Plan& plan, const Probe& wanted, Stay stay);
-// Where the probe keeps it.
+// Returns the member of `probe` that keeps the result.
 SecondLook& secondLookOf(Probe& probe, Stay stay);
 
 }  // namespace obby::engine

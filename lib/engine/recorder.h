@@ -1,5 +1,4 @@
-// Writes down what happens in the world while scripts run.
-// Private to lib/engine.
+// Records what happens in the world while scripts run. Private to lib/engine.
 #pragma once
 
 #include <map>
@@ -13,16 +12,16 @@ namespace obby::engine {
 
 class Recorder {
  public:
-  // Nothing is recorded before.
+  // Starts recording.
   void begin() { recording_ = true; }
   bool isRecording() const { return recording_; }
   void setTime(uint32_t frame) { frame_ = frame, seen_.frames = frame; }
   double time() const { return frame_ / 60.0; }
 
-  // Whether the line that moves this part is still to be told.
+  // Returns true if the line that moves this part is not recorded yet.
   bool isUnmoved(InstanceId part) const { return !seen_.tracks.contains(part); }
   void place(InstanceId part, const Pose& before, const Pose& pose, Line line);
-  // From now on a constraint or mover moves the part.
+  // Records that a constraint or mover moves the part from now on.
   void drive(InstanceId part, InstanceId driver) { drivers_[part] = driver; }
   void change(Change change);
   void tween(Tween tween) { seen_.tweens.push_back(std::move(tween)); }
@@ -35,32 +34,32 @@ class Recorder {
     seen_.heeded[what].push_back({target, line});
   }
   void happen(const std::string& what) { seen_.happened[what] = true; }
-  // A script draws a number that differs from game to game.
+  // Records that a script draws a number that differs between games.
   void noteDraw() { seen_.random = true; }
-  // As much of a problem's text as is kept.
+  // Returns as much of a problem's text as is kept.
   static std::string_view shortened(std::string_view text) {
     return text.substr(0, kMostProblemText);
   }
-  // Grows with all that is recorded.
+  // Returns a count that grows with all that is recorded.
   size_t activity() const { return changes_ + placed_ + seen_.harms.size() + seen_.tweens.size(); }
-  // True if what is recorded would not fit any more.
+  // Returns true if the recorder's budget is used up.
   bool isFull() const {
     return changes_ >= kMostChanges || placed_ >= kMostPlaced || text_ >= kMostText;
   }
 
   Observation& seen() { return seen_; }
   const Observation& seen() const { return seen_; }
-  // Forgets what was seen so far, so that a probe tells only its own.
+  // Forgets what was seen so far, so that a probe reports only its own events.
   void restart();
 
  private:
   static constexpr size_t kMostChanges = 300'000, kMostPlaced = 4'000'000;
   static constexpr size_t kMostText = size_t(64) << 20;  // bytes
-  // Other problems, and what is beyond in their text, are left out.
+  // Further problems, and longer text of one, are dropped.
   static constexpr size_t kMostProblems = 500, kMostProblemText = 1000;
 
   Observation seen_;
-  std::map<InstanceId, InstanceId> drivers_;  // of parts
+  std::map<InstanceId, InstanceId> drivers_;  // drivers by part
   bool recording_ = false;
   uint32_t frame_ = 0;
   size_t changes_ = 0, placed_ = 0, text_ = 0;

@@ -1,4 +1,4 @@
-// Reports as bytes, from a child to its parent. Private to lib/engine.
+// Serializes reports that a child sends to its parent. Private to lib/engine.
 #pragma once
 
 #include <string>
@@ -78,7 +78,7 @@ std::string toBytes(T value) {
   return std::move(out.bytes);
 }
 
-// False where bytes are missing, as from a child that died.
+// Returns false if bytes are missing, as from a child that died.
 template <class T>
 bool fromBytes(const std::string& bytes, T& value) {
   BytesIn in(bytes);

@@ -19,7 +19,7 @@ namespace {
 constexpr uint32_t kTouch = 12, kBetween = 4;  // frames of a touch on the tour, and after it
 constexpr uint32_t kShortTouch = 4, kLongTour = 100;
 constexpr double kSettleAtLeast = 1, kSettleAtMost = 20;           // seconds after the tour
-constexpr size_t kMostPatient = 32;                                // parts that do nothing at first
+constexpr size_t kMostPatient = 32;                                // parts without effects at first
 constexpr size_t kMostProbed = 100;                                // parts that harm come last
 constexpr uint64_t kOfOneTour = 20'000'000, kOfAll = 100'000'000;  // instructions
 
@@ -56,7 +56,7 @@ class Tour {
   }
 
  private:
-  // A player goes to what may do something and lets it live.
+  // Adds a part to the tour if it may do something and lets the player live.
   void choose(size_t i) {
     const Probe& probe = first_[i];
     const bool silent = probe.seen.changes.empty() && probe.seen.harms.empty();
@@ -66,8 +66,8 @@ class Tour {
     if (silent && isTouch(probe.approach) && patient_.size() < kMostPatient) patient_.insert(i);
   }
 
-  // Several passes find what has to be touched in an order, or several times. Odd: a switch that is
-  // touched as often is on.
+  // Repeats the tour: some parts act only in an order, or after several touches. The number of
+  // passes is odd, so that a switch that toggles ends on.
   void repeatPasses() {
     constexpr size_t kMaxTouches = 60, kMaxPasses = 5;
     const std::vector<size_t> once = touched_;
@@ -83,12 +83,12 @@ class Tour {
     });
   }
 
-  // A probe of part `i` after touches of `touched`. `after`: what goes on then without it.
+  // Adds a probe of part `i` to `found` if its effects are new; `after`: effects without the probe.
   void take(size_t i, Probe probe, const Names& after, const std::vector<size_t>& touched,
             std::vector<Revisit>& found, TourMode mode = {}) {
     drop(probe.seen, after);
     const Names before = effectsIn(first_[i], usual_), effects = effectsIn(probe, usual_);
-    // Without time to settle, an effect that lacks may be on its way back.
+    // Without time to settle, a missing effect may still be on its way.
     const bool isOther = mode.settles ? differ(before, effects) : adds(before, effects);
     if (isKnown(i, found) || probe.lost || !isOther) return;
     Revisit revisit;
@@ -97,7 +97,7 @@ class Tour {
     found.push_back(std::move(revisit));
   }
 
-  // In a copy of the place.
+  // Runs `body` in a copy of the place and returns its result.
   std::string inCopy(const std::function<std::string()>& body) {
     std::string bytes;
     Children children(1);
@@ -106,7 +106,7 @@ class Tour {
     return bytes;
   }
 
-  // What is seen at each touch of `touched`, and then by each probe of `probed`.
+  // Touches `touched` in order, then probes each of `probed`. Returns the effects of each.
   TourSeen tour(const std::vector<size_t>& touched, const std::vector<size_t>& probed,
                 TourMode mode = {}) {
     TourSeen seen;
@@ -137,9 +137,10 @@ class Tour {
     return seen;
   }
 
-  // The first of `probed`: as many as may run at the price of the tour, `used` until now.
+  // Returns the first of `probed` that fit the budget left by the tour, which has `used`
+  // instructions.
   std::vector<size_t> affordable(std::vector<size_t> probed, uint64_t used) const {
-    constexpr uint64_t kFrames = 150;  // of a probe
+    constexpr uint64_t kFrames = 150;  // length of a probe
     if (stage_.isExhausted()) return {};
     const uint64_t frames = stage_.frames() - framesOf(plan_.probeAt) + 1;
     const uint64_t most = kOfAll / (kFrames * (used / frames + 1));
@@ -149,7 +150,7 @@ class Tour {
 
   void touch(size_t i, bool isShort) {
     const Probe& probe = first_[i];
-    stage_.forget();  // what came before
+    stage_.forget();  // drops earlier observations
     if (!isTouch(probe.approach)) {
       const bool lasts = stage_.use(probe.target);
       stage_.run(kBetween);
@@ -202,7 +203,7 @@ class Tour {
     return probes;
   }
 
-  // Of a part that kills: what it does to the next body.
+  // For a part that kills, probes what it does to the next body.
   Probe prepared(size_t i) {
     Probe probe = first_[i];
     if (kills(probe)) {
@@ -236,7 +237,7 @@ class Tour {
     return namesIn(seen);
   }
 
-  // Whether the part does the same once those are touched.
+  // Returns true if the part has the same effects after touches of `touched`.
   bool sameAfter(size_t i, const Names& effects, const std::vector<size_t>& touched,
                  TourMode mode = {}) {
     TourSeen seen = tour(touched, {i}, mode);
@@ -248,7 +249,7 @@ class Tour {
 
   void explain(size_t i, const Names& effects, const std::vector<size_t>& touched, TourMode mode,
                Revisit& revisit) {
-    // Patience touches it again, too.
+    // A patient probe touches it again, too.
     TourMode once = mode, idle = mode;
     once.patiently = idle.patiently = idle.touches = false;
     if (kills(first_[i]) ? sameAfter(i, effects, {}, mode)
@@ -261,7 +262,7 @@ class Tour {
     if (revisit.lever != kNoInstance) revisit.cause = Cause::lever;
   }
 
-  // By halves; kNoInstance if it takes several.
+  // Bisects `touched` for the part that causes the change; kNoInstance if it takes several.
   InstanceId leverOf(size_t i, const Names& effects, std::vector<size_t> touched, TourMode mode) {
     if (lastLever_ && sameAfter(i, effects, {*lastLever_}, mode)) return first_[*lastLever_].target;
     while (touched.size() > 1) {

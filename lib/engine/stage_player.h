@@ -1,4 +1,4 @@
-// The player of a running place: what it does, and what scripts look at. Private to lib/engine.
+// The player of a running place: its moves, and what scripts read of it. Private to lib/engine.
 #pragma once
 
 #include <memory>
@@ -12,34 +12,34 @@ namespace obby::engine {
 
 class StagePlayer {
  public:
-  // Puts the player's feet there; yaw in radians, 0 looks along -Z.
+  // Puts the player's feet at a position; yaw in radians, 0 looks along -Z.
   void stand(Vec3 feet, float yaw);
-  // On top of a part, or its middle in the middle of the part, wherever that is by now.
-  // `share`: how far off, as a share of the distance to a corner. `face`: 1, 2, 3 put the root's
-  // middle just outside of the part instead, before its face toward X, Y, Z: then limbs alone are
-  // in the part.
-  // `speed`: of a fall, studs/s.
+  // Stands on top of a part, or with the root's middle in the part's middle (`inside`). `share`:
+  // offset as a share of the distance to a corner. `face`: 1, 2, 3 put the root's middle just
+  // outside the face toward X, Y, Z, so that only limbs are in the part. `speed`: of a fall,
+  // studs/s.
   void standAt(InstanceId part, bool inside, float share, int face = 0, float speed = 0);
-  // In the air far above the spawn, where no part is.
+  // Stands in the air far above the spawn, where no part is.
   void standAway();
-  // All that touches the player's body ends and begins again in the next frame, as where it walks.
+  // Ends all touches of the player's body. They begin again in the next frame, as on a walk.
   void touchAgain();
-  // Back to the spawn.
+  // Returns the player to the spawn.
   void leave();
-  // Clicks a ClickDetector or a button, holds a ProximityPrompt, activates a tool, presses keys.
-  // Returns true if that goes on until release().
+  // Clicks a ClickDetector or a button, holds a ProximityPrompt, activates a tool or presses keys.
+  // Returns true if the use lasts until release().
   bool use(InstanceId target);
   void release(InstanceId target);
-  // The player steps off an edge of that height, jumps, begins or ends to walk on the spot, or
-  // enters a HumanoidStateType. fly() before each frame; returns false once the player has landed.
+  // drop() steps off an edge of that height (studs); walk() begins or ends a walk on the spot;
+  // enter() enters a HumanoidStateType. Call fly() before each frame: it returns false once the
+  // player has landed.
   void drop(float height);
   void jump() { call("moves", "jump", 0); }
   bool fly();
   void walk(bool on);
   void enter(const char* state);
-  // Scripts look at the player's moves.
+  // Returns true if scripts look at the player's moves.
   bool heedsMoves() { return numberOf("heedsMoves") > 0; }
-  // The states of a player in the air, without moving it; and the jump key.
+  // Enters the states of a player in the air without moving it. pressJump() presses the jump key.
   void takeOff();
   void fall();
   void land();
@@ -52,7 +52,7 @@ class StagePlayer {
   bool hearsNewBodies() { return numberOf("hearsNewBodies") > 0; }
   void die();
   double respawnTime() { return numberOf("respawnTime"); }  // seconds, of the Players service
-  // A player that has died where it spawns lives again, away from everything.
+  // Gives a player that died at its spawn a new body, away from everything.
   void revive();
   // Ends the player's force fields.
   void unshield();

@@ -1,4 +1,4 @@
-// World, parts, strays, roles, stages, what is left over, and the ground.
+// Builds the level: world, parts, strays, roles, stages, losses and the ground.
 #include "import/build_level.h"
 
 #include <algorithm>
@@ -51,13 +51,13 @@ void readParts(const Tree& tree, const Assemblies& assemblies, const CollisionGr
   }
 }
 
-// The feet of a new player by the time of the first probes.
+// Returns the feet of a new player at the time of the first probes.
 std::optional<Vec3> arrivedAt(const ObservedPlace& place) {
   if (!place.ran || !place.report.arrived.alive) return std::nullopt;
   return place.report.arrived.feet;
 }
 
-// Only what the engine refuses by its rules went wrong.
+// Returns true if scripts ran and failed only by errors that the real engine raises, too.
 bool scriptsTell(const Tree& tree, const ObservedPlace& place) {
   const auto& problems = place.report.undisturbed.problems;
   bool any = false;
@@ -72,11 +72,11 @@ bool scriptsTell(const Tree& tree, const ObservedPlace& place) {
 void findRolesOf(RoleContext& context, const ObservedPlace& place) {
   noteSettled(context, place);
   applyPlayerState(context, place);
-  movingFromRecordings(context);  // the designer's own samples count before ours
+  movingFromRecordings(context);  // the designer's own samples take precedence
   movingFromObservation(context, place.report);
   timersFromObservation(context, place.report);
   broughtFromObservation(context, place);
-  // A pad that is said to be a checkpoint may kill, to bring the player to the next stage.
+  // A tagged checkpoint may also kill, to bring the player to the next stage.
   checkpointFromTags(context);
   goalFromTags(context);
   killFromTags(context);

@@ -7,7 +7,7 @@
 namespace obby::importer {
 namespace {
 
-// Losses that only give players more than the level does: players may ignore them.
+// Losses that can only make the game easier than the level: players may ignore them.
 constexpr std::string_view kEasier[] = {"ability of the player",
                                         "button on the screen",
                                         "chat that scripts listen to",
@@ -23,7 +23,7 @@ constexpr std::string_view kEasier[] = {"ability of the player",
                                         "tag zipline",
                                         "tool",
                                         "use that acts on the player"};
-// What moves so may come to a player anywhere, if it kills.
+// A part with this motion may reach a player anywhere; if it kills, no part of the level is safe.
 constexpr std::string_view kNoPeriod = "motion without a period";
 constexpr std::string_view kHarder[] = {"harm by climbing, swimming or sitting",
                                         "harm by falling",
@@ -51,7 +51,7 @@ class Concerned {
   explicit Concerned(RoleContext& context)
       : context_(context), maxConcerned_(context.level.parts.size() / 2) {}
 
-  // Empty if no single part is concerned.
+  // Returns the parts that a loss concerns; none if it concerns no part in particular.
   std::vector<PartDraft*> by(InstanceId loss) {
     for (InstanceId id = loss; id < context_.tree.size(); id = context_.tree.at(id).parent) {
       if (PartDraft* const part = context_.part(id)) return {part};
@@ -78,7 +78,7 @@ class Concerned {
   }
 
   RoleContext& context_;
-  size_t maxConcerned_;  // parts of a folder that are still said to be concerned
+  size_t maxConcerned_;  // a folder with more parts names none in particular
 };
 
 }  // namespace

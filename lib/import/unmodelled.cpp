@@ -1,4 +1,4 @@
-// The list of what is lost, by looking at instances.
+// Notes instances whose function the level lacks.
 #include "import/unmodelled.h"
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 namespace obby::importer {
 namespace {
 
-// Names of things that would need a number which a name does not tell.
+// Names of things that need a number which a name does not have.
 struct TellingName {
   std::string_view word;
   const char* kind;
@@ -37,8 +37,8 @@ const TellingName* tellingName(const std::string& name) {
   return nullptr;
 }
 
-// Parts whose names promise something that nothing in the file does. Where another part of such a
-// name has its role the rest is decoration.
+// Notes parts whose names suggest a function that nothing in the file implements. If another part
+// of that name has its role, the others are decoration.
 void noteNames(RoleContext& context) {
   std::set<std::string_view> kept;
   for (const PartDraft& part : context.level.parts)
@@ -71,7 +71,7 @@ void noteInstances(RoleContext& context) {
       context.level.noteUnmodelled("tool", tree, id, "the simulated player has no tools");
 }
 
-// Kit tags whose meaning the simulator has no room for, lower case.
+// Kit tags that the simulator does not support, in lower case.
 constexpr std::string_view kKitTags[] = {"buttonactivated", "pushbox",  "pushboxdestroyer",
                                          "zipline",         "trippart", "teleporter",
                                          "walljump",        "balloon",  "swing"};

@@ -7,18 +7,18 @@
 
 namespace obby::nn {
 
-// The factors of one step.
+// The factors of one optimiser step.
 struct AdamStep {
   static constexpr float kMomentum = 0.9f, kSquares = 0.999f, kTiny = 1e-5f;
 
   float step, unbias;
 
-  // Step number `number`, from 1.
+  // Returns the factors of step `number`, counted from 1.
   static AdamStep at(uint64_t number, float learningRate) {
     return {learningRate / (1 - power(kMomentum, number)), 1 / (1 - power(kSquares, number))};
   }
 
-  // Moves one parameter against its gradient `g`.
+  // Updates one parameter by its gradient `g`, and the two running means.
   OBBY_DEVICE void update(float g, float& parameter, float& momentum, float& squares) const {
     momentum = kMomentum * momentum + (1 - kMomentum) * g;
     squares = kSquares * squares + (1 - kSquares) * (g * g);

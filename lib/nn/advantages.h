@@ -1,5 +1,4 @@
-// Generalised advantage estimation (Schulman et al. 2015), and how a minibatch's advantages are
-// normalised.
+// Generalised advantage estimation (Schulman et al. 2015) and the normalisation of advantages.
 #pragma once
 
 #include <stddef.h>
@@ -9,12 +8,12 @@
 
 namespace obby::nn {
 
-// Decisions of several agents, a row each: (steps, agents), those of one step side by side.
+// Decisions of several agents, one row each. Rows are ordered as (steps, agents).
 struct Rollout {
   uint32_t steps, agents;
-  const float* values;   // (rows), as the network estimated them
+  const float* values;   // (rows), the network's estimates at the time
   const float* rewards;  // (rows)
-  const uint8_t* done;   // (rows), the episode ended with this decision
+  const uint8_t* done;   // (rows), true if the episode ended with this decision
   const float* last;     // (agents), value of the state after the last step
 };
 
@@ -39,7 +38,7 @@ OBBY_DEVICE void fillAdvantages(const Rollout& r, float discount, float lambda, 
     fillAdvantagesOf(r, agent, discount, lambda, advantages, returns);
 }
 
-// Sums of some numbers and of their squares.
+// Sum of some numbers and sum of their squares.
 struct Moments {
   double sum = 0, squares = 0;
 
@@ -59,8 +58,8 @@ struct AdvantageScale {
   OBBY_DEVICE float operator()(float advantage) const { return (advantage - mean) * scale; }
 };
 
-// The scale by `count` advantages' moments. `Real` is the precision of the deviation, to which
-// `epsilon` is added.
+// Returns the normalisation for `count` advantages with these moments. `Real` is the precision of
+// the standard deviation, to which `epsilon` is added.
 template <class Real>
 AdvantageScale advantageScale(const Moments& m, double count, Real epsilon) {
   const double mean = count > 0 ? m.sum / count : 0;

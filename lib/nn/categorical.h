@@ -1,15 +1,15 @@
-// A categorical distribution over kCount actions, some of which may be barred. Templates on the
-// number type; sums have one order everywhere.
+// A categorical distribution over kCount actions, some of which may be masked. Templates on the
+// number type. Sums have the same order on every machine.
 #pragma once
 
 #include "nn/exponential_double.h"
 
 namespace obby::nn {
 
-constexpr float kBarred = -1e6f;  // added to a logit: e^ of it is 0
+constexpr float kBarred = -1e6f;  // added to a masked logit: its exponential is 0
 
-// Folds a number of each action: eight of them side by side, so that the compiler makes lanes of
-// it, then these, in the same order everywhere.
+// Folds one number per action. Eight partial results side by side let the compiler vectorise. They
+// are folded last, in the same order on every machine.
 template <int kCount, class S, class Fold>
 OBBY_DEVICE S folded(const S* x, Fold&& fold) {
   constexpr int kAbreast = 8;
@@ -32,8 +32,8 @@ OBBY_DEVICE S sumOf(const S* x) {
   return folded<kCount>(x, [](S a, S b) OBBY_INLINED { return a + b; });
 }
 
-// Probabilities of the actions; `penalty(m)` is added to a logit: 0, or kBarred. `p`: (kCount). No
-// branch in a loop, so that the compiler makes lanes of them.
+// Fills `p`, (kCount), with the probabilities of the actions. `penalty(m)` is added to a logit: 0,
+// or kBarred. The loops have no branches, so that the compiler can vectorise them.
 template <int kCount, class S, class Penalty>
 OBBY_DEVICE void softmax(const S* logits, Penalty&& penalty, S* p) {
   for (int m = 0; m < kCount; ++m) p[m] = logits[m] + penalty(m);
@@ -43,13 +43,13 @@ OBBY_DEVICE void softmax(const S* logits, Penalty&& penalty, S* p) {
   for (int m = 0; m < kCount; ++m) p[m] /= sum;
 }
 
-// An action drawn, and the logarithm of its probability.
+// A sampled action and its log probability.
 struct Drawn {
   int action;
   float logProbability;
 };
 
-// The action at `draw`, in [0, 1), of the probabilities in their order.
+// Returns the action at `draw`, in [0, 1), of the cumulative distribution.
 template <int kCount>
 OBBY_DEVICE Drawn drawAction(const float* p, float draw) {
   int action = 0;

@@ -1,5 +1,5 @@
-// The functions of math/exponential.h in double precision, by libm: for templates whose gradients
-// tests hold against finite differences. Host only; nothing that an answer depends on uses them.
+// math/exponential.h in double precision, by libm. Tests hold templates' gradients against finite
+// differences with it. Host only; no result of a program depends on it.
 #pragma once
 
 #include "math/exponential.h"

@@ -1,5 +1,5 @@
-// A network in training: its gradient is gathered in a fixed number of shares, which are added in
-// their order, so that it is the same for any number of threads. Host only.
+// A network in training. A fixed number of shares gather the gradient and are added in order, so
+// the result does not depend on the number of threads. Host only.
 #pragma once
 
 #include <algorithm>
@@ -15,21 +15,21 @@ namespace obby::nn {
 
 struct LearnerSettings {
   float learningRate = 1e-3f;
-  float maxGradNorm = 1e30f;  // of a gradient: longer ones are scaled down to it
-  float weightDecay = 0;      // times the parameters themselves (L2)
+  float maxGradNorm = 1e30f;  // longer gradients are scaled down to this norm
+  float weightDecay = 0;      // factor of the parameters in the gradient (L2)
 };
 
-// What training goes on from.
+// State from which training resumes.
 struct LearnerState {
-  std::vector<float> parameters, momentum, squares;  // the last two: Adam's means of gradients
-  uint64_t steps = 0;                                // of Adam
+  std::vector<float> parameters, momentum, squares;  // Adam's means of the gradient, its square
+  uint64_t steps = 0;                                // steps of Adam
 };
 
-// Scales a gradient down to `max` where it is longer; returns how long it was. `Sum`: the type that
-// squares are added in.
+// Scales a gradient down to the norm `max` if it is longer. Returns its norm before that. Squares
+// are added as `Sum`.
 template <class Sum>
 float clipGradNorm(std::span<float> gradient, float max) {
-  Sum squares[kColumns] = {};  // several sums, so that lanes can take them
+  Sum squares[kColumns] = {};  // several sums, for vectorisation
   for (size_t i = 0; i < gradient.size(); i += kColumns) {
     for (size_t k = 0; k < kColumns; ++k) squares[k] += Sum(gradient[i + k]) * Sum(gradient[i + k]);
   }
@@ -54,13 +54,13 @@ class Learner {
   void restore(const LearnerState& state);
   uint64_t steps() const { return steps_; }
 
-  // What share `s` of the rows adds its gradient to; zero after each step.
+  // Returns the gradient to which share `s` of the rows is added. Zero after each step.
   std::vector<float>& gradient(size_t s) { return gradients_[s]; }
-  // The sum of the shares, in the first of them.
+  // Adds all shares into the first and returns it.
   std::vector<float>& sumShares();
-  // One step of Adam against the gradient in the first share.
+  // Takes one step of Adam by the gradient in the first share.
   void step(float learningRate);
-  // Both, with `scale` times the sum.
+  // Takes a step by `scale` times the sum of the shares, with weight decay, clipped.
   void step(const LearnerSettings& settings, float scale);
 
  private:
@@ -70,8 +70,8 @@ class Learner {
   uint64_t steps_ = 0;
 };
 
-// Calls task(share, first, count) for `shares` runs of numbers below `count` on the pool's threads;
-// some may be empty.
+// Splits [0, count) into `shares` ranges and calls task(share, first, count) for each on the pool's
+// threads. Some ranges may be empty.
 template <class Task>
 void forShares(ThreadPool& pool, size_t shares, size_t count, Task&& task) {
   const size_t each = (count + shares - 1) / shares;
@@ -79,7 +79,7 @@ void forShares(ThreadPool& pool, size_t shares, size_t count, Task&& task) {
     const size_t first = std::min(size_t(s) * each, count);
     task(size_t(s), first, std::min(each, count - first));
   };
-  pool.run(int(shares), std::ref(share));  // by itself it would be copied to the heap
+  pool.run(int(shares), std::ref(share));  // a reference saves a copy on the heap
 }
 
 }  // namespace obby::nn

@@ -1,5 +1,6 @@
-// Losses of one row and their gradients by the network's outputs. Templates on the number type, so
-// that tests can hold gradients against finite differences in double precision.
+// Losses of one row, and their gradients with respect to the network's outputs. They are templates
+// on the number type, so that tests can compare gradients with finite differences in double
+// precision.
 #pragma once
 
 #include "nn/categorical.h"
@@ -12,12 +13,12 @@ struct PpoLossSettings {
   float entropyWeight = 0.01f;
 };
 
-// What PPO needs of a decision as it was made.
+// A decision of the behaviour policy, as PPO needs it.
 struct PpoDecision {
   int action;
-  float logProbability;  // of the action, then
+  float logProbability;  // the action's, when it was made
   float advantage;       // normalised
-  float target;          // of the value, in the value head's units
+  float target;          // value target, in the value head's units
 };
 
 template <class S>
@@ -28,14 +29,14 @@ struct PpoLoss {
 };
 
 // Proximal policy optimisation (Schulman et al. 2017): clipped surrogate, value error, entropy.
-// `p`: (kCount), of softmax(); `logitGradient`: (kCount).
+// `p`: (kCount), from softmax(); `logitGradient`: (kCount).
 template <int kCount, class S>
 OBBY_DEVICE PpoLoss<S> ppoLoss(const S* p, S value, const PpoDecision& d,
                                const PpoLossSettings& settings, S* logitGradient,
                                S& valueGradient) {
   S logs[kCount], parts[kCount];
   PpoLoss<S> r;
-  for (int m = 0; m < kCount; ++m) logs[m] = logOf(p[m]);  // of 0: some number that nobody uses
+  for (int m = 0; m < kCount; ++m) logs[m] = logOf(p[m]);  // finite for 0, and then unused
   for (int m = 0; m < kCount; ++m) parts[m] = p[m] > 0 ? p[m] * logs[m] : S(0);
   r.entropy = -sumOf<kCount>(parts);
   const S logRatio = logs[d.action] - S(d.logProbability), ratio = expOf(logRatio);
@@ -48,7 +49,7 @@ OBBY_DEVICE PpoLoss<S> ppoLoss(const S* p, S value, const PpoDecision& d,
   r.valueError = value - S(d.target);
   r.loss = -(bounded < plain ? bounded : plain) + valueWeight * r.valueError * r.valueError / 2 -
            entropyWeight * r.entropy;
-  const S pull = r.clipped ? S(0) : -ratio * a;  // by the log probability of the action
+  const S pull = r.clipped ? S(0) : -ratio * a;  // gradient by the action's log probability
   const S common = entropyWeight * r.entropy - pull;
   for (int m = 0; m < kCount; ++m) {
     const S along = p[m] * (entropyWeight * logs[m] + common);
@@ -59,9 +60,9 @@ OBBY_DEVICE PpoLoss<S> ppoLoss(const S* p, S value, const PpoDecision& d,
   return r;
 }
 
-// Self-imitation (Oh et al. 2018) of a decision that a kept trajectory made: to make it likelier,
-// and its state to be worth more, as far as it did better than expected; `better`, above 0, says
-// how much, and counts as a constant in the gradient of the action's likelihood.
+// Self-imitation (Oh et al. 2018) of a decision from a kept trajectory. It raises the action's
+// probability and the state's value in proportion to `better`: the return above the estimate,
+// positive, and a constant in the policy gradient.
 template <int kCount, class S>
 S imitationLoss(const S* p, int action, S better, S weight, S valueWeight, S* logitGradient,
                 S& valueGradient) {
@@ -71,7 +72,7 @@ S imitationLoss(const S* p, int action, S better, S weight, S valueWeight, S* lo
   return weight * (-logOf(p[action]) * better + valueWeight * better * better / 2);
 }
 
-// Of predicting `action`.
+// Returns the cross-entropy of predicting `action`.
 template <int kCount, class S>
 S crossEntropy(const S* p, int action, S* logitGradient) {
   for (int m = 0; m < kCount; ++m) logitGradient[m] = p[m];
@@ -79,8 +80,8 @@ S crossEntropy(const S* p, int action, S* logitGradient) {
   return -logOf(p[action]);
 }
 
-// Quantile regression (QR-DQN, Dabney et al. 2018): Huber losses, weighed so that each prediction
-// becomes a quantile of the targets. All three: (kQuantiles).
+// Quantile regression (QR-DQN, Dabney et al. 2018). Weighted Huber losses make each prediction a
+// quantile of the targets. All three arrays: (kQuantiles).
 template <int kQuantiles, class S>
 S quantileLoss(const S* predicted, const S* targets, S* gradient) {
   S loss = 0;

@@ -1,5 +1,5 @@
-// A feed-forward network: dense layers with rectified units between. A template on the number type,
-// so that tests can hold gradients against double precision. Host only.
+// A feed-forward network of dense layers with rectified units between them. A template on the
+// number type, so that tests can check gradients in double precision. Host only.
 #pragma once
 
 #include <cstddef>
@@ -14,13 +14,14 @@
 
 namespace obby::nn {
 
-// The smallest multiple of kColumns that is not below `count`.
+// Returns the smallest multiple of kColumns that is at least `count`.
 constexpr size_t padded(size_t count) { return (count + kColumns - 1) / kColumns * kColumns; }
 
 template <class S>
 class Network {
  public:
-  // `sizes`: units of each layer, the inputs first; all but the inputs multiples of kColumns.
+  // `sizes`: units of each layer, the inputs first. All but the inputs must be multiples of
+  // kColumns.
   explicit Network(std::vector<size_t> sizes) : sizes_(std::move(sizes)) {
     size_t count = 0;
     for (size_t l = 0; l < layers(); ++l) {
@@ -36,17 +37,17 @@ class Network {
   size_t outputs(size_t l) const { return sizes_[l + 1]; }
   size_t outputs() const { return sizes_.back(); }
 
-  // Of each layer the weights, then the biases. The non-const one counts as a change.
+  // For each layer the weights, then the biases. The non-const overload increments version().
   std::vector<S>& parameters() {
     ++version_;
     return parameters_;
   }
   const std::vector<S>& parameters() const { return parameters_; }
-  size_t at(size_t l) const { return at_[l]; }  // of layer l's weights, (inputs, outputs)
+  size_t at(size_t l) const { return at_[l]; }  // offset of weights, (inputs, outputs)
   size_t biasesAt(size_t l) const { return at_[l] + inputs(l) * outputs(l); }  // (outputs)
   const S* weights(size_t l) const { return parameters_.data() + at(l); }
   const S* biases(size_t l) const { return parameters_.data() + biasesAt(l); }
-  uint64_t version() const { return version_; }  // grows with each change; above 0
+  uint64_t version() const { return version_; }  // grows with each change; at least 1
 
  private:
   std::vector<size_t> sizes_, at_;
@@ -54,8 +55,8 @@ class Network {
   uint64_t version_ = 1;
 };
 
-// Weights uniform within sqrt(6 / inputs) (He et al. 2015), those of the last layer times `gain`;
-// no biases.
+// Draws weights uniformly within sqrt(6 / inputs) (He et al. 2015), those of the last layer times
+// `gain`. Leaves the biases as they are.
 inline void fillUniform(Network<float>& net, float gain, Random& random) {
   for (size_t l = 0; l < net.layers(); ++l) {
     const float max = sqrtf32(6.0f / float(net.inputs(l))) * (l + 1 == net.layers() ? gain : 1);

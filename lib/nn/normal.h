@@ -5,8 +5,8 @@
 
 namespace obby::nn {
 
-// Near enough mean 0 and standard deviation 1, without libm: the sum of twelve uniform numbers.
-// Never beyond 6.
+// Returns the sum of twelve uniform numbers less 6: mean 0, standard deviation 1, within [-6, 6].
+// It needs no libm.
 OBBY_DEVICE float normal(Random& random) {
   float sum = -6;
   for (int i = 0; i < 12; ++i) sum += random.unit();

@@ -7,8 +7,8 @@
 
 namespace obby::nn {
 
-// Fills the first `columns` columns of `matrix`, (rows, stride), with orthogonal columns or rows,
-// whichever are fewer, of length `gain`.
+// Fills the first `columns` columns of `matrix`, (rows, stride). Its columns or its rows, whichever
+// are fewer, become orthogonal with length `gain`.
 void fillOrthogonal(float* matrix, size_t rows, size_t columns, size_t stride, float gain,
                     Random& random);
 

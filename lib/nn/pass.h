@@ -1,5 +1,4 @@
-// Rows on their way through a network and back, on the CPU. The order of sums is fixed
-// (nn/product.h). Host only.
+// Forward and backward passes on the CPU. The order of sums is fixed (nn/product.h). Host only.
 #pragma once
 
 #include <algorithm>
@@ -9,16 +8,16 @@
 
 namespace obby::nn {
 
-// Layer l: out = in W + b, rectified unless it is the last. `in`: (rows, inputs of the layer);
-// `out`: (rows, outputs).
+// Computes out = in W + b for layer l, rectified unless it is the last. `in`: (rows, inputs of the
+// layer); `out`: (rows, outputs).
 template <class S>
 void fillLayer(const Network<S>& net, size_t l, const S* in, size_t rows, S* out) {
   multiply(Product<S>{in, net.weights(l), net.biases(l), nullptr, out, rows, net.inputs(l),
                       net.outputs(l), l + 1 < net.layers()});
 }
 
-// Adds the gradient of layer l's parameters to `sums`, laid out as they are. `gradient`: (rows,
-// outputs), of the loss by the layer's sums.
+// Adds the gradient of layer l's parameters to `sums`, which has their layout. `gradient`: (rows,
+// outputs), of the loss with respect to the layer's sums.
 template <class S>
 void addLayerGradient(const Network<S>& net, size_t l, const S* in, size_t rows, const S* gradient,
                       std::vector<S>& sums) {
@@ -27,7 +26,7 @@ void addLayerGradient(const Network<S>& net, size_t l, const S* in, size_t rows,
                                  net.outputs(l)});
 }
 
-// Inputs of a Pass as they lie. Another type may keep them otherwise (train/seen_rows.h).
+// Dense inputs of a Pass. train/seen_rows.h has a sparse form.
 template <class S>
 struct DenseRows {
   const S* at;  // (count, net.inputs(0))
@@ -40,11 +39,11 @@ struct DenseRows {
   }
 };
 
-// Keeps on the way there what the way back needs. Memory grows to the most rows and is used again.
+// Keeps what backward() needs. Memory grows to the largest number of rows and is reused.
 template <class S>
 class Pass {
  public:
-  // The outputs: (rows, net.outputs()).
+  // Returns the outputs, (rows, net.outputs()).
   template <class Inputs>
   const S* forward(const Network<S>& net, const Inputs& inputs) {
     const size_t rows = inputs.rows();
@@ -62,9 +61,10 @@ class Pass {
     return units_.back().data();
   }
 
-  // After forward() of these inputs: adds the gradient of the parameters to `sums`. `gradient`:
-  // (rows, net.outputs()), of the loss by the outputs. `inputGradient`: filled, (rows,
-  // net.inputs(0)), or null; with it the inputs must be a multiple of kColumns.
+  // Call it after forward() with the same inputs. Adds the gradient of the parameters to `sums`.
+  // `gradient`: (rows, net.outputs()), of the loss with respect to the outputs. Fills
+  // `inputGradient`, (rows, net.inputs(0)), unless null; then that width must be a multiple of
+  // kColumns.
   template <class Inputs>
   void backward(const Network<S>& net, const Inputs& inputs, const S* gradient,
                 std::vector<S>& sums, S* inputGradient = nullptr) {
@@ -82,7 +82,7 @@ class Pass {
   }
 
  private:
-  // to = gradient W^T, where `units`, if any, are on.
+  // Computes to = gradient W^T, with zeros where `units` are off, unless null.
   void fillBack(const Network<S>& net, size_t l, const S* gradient, size_t rows, const S* units,
                 S* to) {
     const size_t inner = net.inputs(l), width = net.outputs(l);
@@ -98,8 +98,8 @@ class Pass {
         Product<S>{gradient, transposed_.data(), nullptr, units, to, rows, width, inner, false});
   }
 
-  std::vector<std::vector<S>> units_;  // of each layer, (rows, outputs)
-  std::vector<S> below_[2];            // gradients by a layer's inputs
+  std::vector<std::vector<S>> units_;  // one per layer, (rows, outputs)
+  std::vector<S> below_[2];            // gradients of a layer's inputs
   std::vector<S> transposed_;          // weights of a layer
 };
 

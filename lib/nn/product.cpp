@@ -9,12 +9,12 @@ namespace obby::nn {
 
 namespace {
 
-// Columns whose sums are in registers at a time.
+// Columns whose sums are in registers at the same time.
 constexpr size_t kMaxUnits = std::min(size_t(64), 8 * size_t(kLanes));
 constexpr float kZeros[4 * kColumns] = {};
 static_assert(kColumns % kLanes == 0);
 
-// Rows as they lie, for the functions of unit_sums.h.
+// Dense rows, for the functions of unit_sums.h.
 struct WholeRows {
   const float* a;
   size_t inner;
@@ -35,7 +35,7 @@ struct WholeRows {
 template <size_t kCount>
 using Constant = std::integral_constant<size_t, kCount>;
 
-// Calls block(first, how many as a constant) for all columns.
+// Calls block(first, width) for all columns. The width is a std::integral_constant.
 template <class Block>
 void forBlocks(size_t columns, Block&& block) {
   size_t first = 0;

@@ -1,6 +1,6 @@
-// Products of matrices for learning on the CPU. Each number is summed in the order of the inner
-// index, unfused, whatever the lanes, so that it has the same bits on every machine. Numbers of the
-// left matrix that are zero are skipped: about half of the rectified units are. Host only.
+// Matrix products for learning on the CPU. Each sum follows the inner index, unfused, so that its
+// bits are the same for any lane width. Zeros of the left matrix are skipped: about half of the
+// rectified units are zero. Host only.
 #pragma once
 
 #include <cstddef>
@@ -9,7 +9,7 @@ namespace obby::nn {
 
 constexpr size_t kColumns = 16;  // the columns of every matrix are a multiple of this
 
-// out = a x b + bias, after which what is below 0, or where `unit` is not above 0, becomes 0.
+// out = a x b + bias. Elements below 0 (if `rectified`) or with `unit` <= 0 become 0.
 template <class S>
 struct Product {
   const S* a;     // (rows, inner)
@@ -33,7 +33,7 @@ struct GradientProduct {
 };
 void addGradient(const GradientProduct<float>& g);
 
-// As formulas, for tests in double precision.
+// Reference implementations, for tests in double precision.
 template <class S>
 void multiply(const Product<S>& p) {
   for (size_t r = 0; r < p.rows; ++r) {

@@ -1,27 +1,27 @@
-// A network's layer for a single row: sums in lanes over the outputs, in the order of the inputs,
-// without contraction, with the same bits in every number of lanes.
+// A network's layer for a single row. Sums are vectorised over the outputs, follow the order of the
+// inputs and are not fused, so their bits are the same for any lane width.
 #pragma once
 
 #include "math/lanes.h"
 
 namespace obby::nn {
 
-// One layer: y = W x + b. Weights by input, (inputs, padded), so that a row is a run of lanes.
+// One layer: y = W x + b. Weights are input-major, (inputs, padded), so that lanes read a row.
 struct LayerView {
   const float* weights = nullptr;  // (inputs, padded)
   const float* biases = nullptr;   // (padded)
 };
 
-// Numbers, (kMax), put in lane by lane; read are those that are not zero, in their order. One lane
-// goes through all of them each time, so that the threads of a GPU read the same weights together.
-// WideFloat has its own (policy/policy.cpp).
+// A vector of kMax numbers, put one lane group at a time; forEach() visits the non-zero ones in
+// order. This form has one lane and scans all numbers, so that the threads of a GPU read the same
+// weights together. policy/policy.cpp specialises it for WideFloat.
 template <class F, int kMax>
 class NonZero {
  public:
   static_assert(Lanes<F>::kCount == 1);
   OBBY_DEVICE void put(int i, F number) { numbers_[i] = number; }
 
-  // Calls visit(i, number).
+  // Calls visit(i, number) for each number that is not zero.
   template <class Visit>
   OBBY_DEVICE void forEach(Visit&& visit) const {
     for (int i = 0; i < kMax; ++i) {
@@ -33,8 +33,8 @@ class NonZero {
   F numbers_[kMax];
 };
 
-// The outputs of one row: calls put(i, lanes) for them in their order. kGroups of lanes at a time
-// share the reads of the inputs. Inputs that are zero add nothing, and are most: they are skipped.
+// Computes the outputs of one row and calls put(i, lanes) for them in order. kGroups lane groups at
+// a time share the reads of the inputs. Zero inputs, the majority, are skipped.
 template <class F, int kGroups, int kInputs, class Put>
 OBBY_DEVICE void linearRow(const LayerView& l, const NonZero<F, kInputs>& in, int outputs,
                            Put&& put) {

@@ -1,5 +1,5 @@
-// Sums over a layer's units as lanes, and over lists of bits: what learning on the CPU is made of.
-// Host only.
+// Sums over a layer's units, vectorised, and sparse products by bit masks: the core of learning on
+// the CPU. Host only.
 #pragma once
 
 #include <cstddef>
@@ -10,8 +10,8 @@
 
 namespace obby::nn {
 
-// A number for each of some units, in registers. Products are added unfused, so that the sums are
-// the same for any number of lanes.
+// Sums of kUnits units, in registers. Products are added unfused, so that the sums are the same for
+// any lane width.
 template <int kUnits>
 struct UnitSums {
   static constexpr int kGroups = kUnits / kLanes;
@@ -19,7 +19,7 @@ struct UnitSums {
 
   WideFloat group[kGroups];
 
-  // Unrolled: at -O2 the sums would stay in memory.
+  // The loop is unrolled by hand, as -O2 would keep the sums in memory.
   template <class Visit>
   OBBY_LANES static void forGroups(Visit&& visit) {
 #pragma GCC unroll 16
@@ -39,7 +39,7 @@ struct UnitSums {
   OBBY_LANES void rectify() {
     forGroups([&](int g) OBBY_INLINED { group[g] = maxf(group[g], WideFloat(0.0f)); });
   }
-  // 0 for units that are off in `row`.
+  // Sets units to 0 that are off in `row`.
   OBBY_LANES void stopWhereOff(const float* row) {
     const WideFloat zero(0.0f);
     forGroups([&](int g) OBBY_INLINED {
@@ -51,10 +51,10 @@ struct UnitSums {
   }
 };
 
-constexpr size_t kWord = 64;      // numbers that have a bit each in a word
+constexpr size_t kWord = 64;      // numbers with one bit each in a word
 constexpr size_t kRowBlock = 64;  // rows whose gradients are summed in registers
 
-// A bit for each of up to kWord numbers that is not zero.
+// Returns a mask of the numbers that are not zero, for up to kWord of them.
 OBBY_LANES uint64_t nonZero(const float* row, size_t count) {
   uint64_t bits = 0;
   if (count == kWord) {
@@ -66,13 +66,13 @@ OBBY_LANES uint64_t nonZero(const float* row, size_t count) {
   return bits;
 }
 
-// Calls visit(number of the bit) from the lowest on.
+// Calls visit(index) for each set bit, from the lowest.
 template <class Visit>
 OBBY_LANES void forBits(uint64_t bits, Visit&& visit) {
   for (; bits != 0; bits &= bits - 1) visit(lowestBit(bits));
 }
 
-// Bit j of word i becomes bit i of word j: blocks of 32, 16, ... 1 change sides.
+// Transposes a 64 x 64 bit matrix by swapping blocks of 32, 16, ... 1.
 inline void transpose(uint64_t words[64]) {
   uint64_t mask = 0xffffffffu;
   for (int size = 32; size != 0; size /= 2, mask ^= mask << size) {
@@ -84,14 +84,13 @@ inline void transpose(uint64_t words[64]) {
   }
 }
 
-// Some rows of inputs give, in words of kWord inputs, which of them are not zero, `bits(r, w)`, and
-// these inputs' values: for a row and word `cursor(r, w)`, called with each bit in their order, and
-// given back to `end(r, cursor)`; or one by one, `value(r, w, bit)`. Only they are multiplied.
-// Widths may be constants: std::integral_constant.
+// Requirements on Rows. `bits(r, w)` is the mask of non-zero inputs of row r in word w. `cursor(r,
+// w)` returns their values in order, one per call, and is passed to `end(r, cursor)` after that.
+// `value(r, w, bit)` returns a single value. Widths may be std::integral_constant.
 
-// out = begin + rows x b, (count, columns), for the first kUnits columns; `finish(r, sums)` is the
-// last to change a row. A word after the other: its weights stay in a core's nearest cache while
-// all rows pass.
+// out = begin + rows x b, (count, columns), for the first kUnits columns. `finish(r, sums)` changes
+// a row last. The outer loop is over words, so that a word's weights stay in the L1 cache for all
+// rows.
 template <int kUnits, class Rows, class Inner, class Columns, class Finish>
 OBBY_LANES void multiplyUnits(Rows& rows, size_t count, Inner inner, const float* b,
                               Columns columns, const float* begin, float* out, Finish&& finish) {
@@ -111,7 +110,7 @@ OBBY_LANES void multiplyUnits(Rows& rows, size_t count, Inner inner, const float
 }
 
 // sums += transposed(rows) x gradient, (inner, columns), for the first kUnits columns and up to
-// kRowBlock rows. An input after the other.
+// kRowBlock rows, one input after the other.
 template <int kUnits, class Rows, class Inner, class Columns>
 OBBY_LANES void addGradientUnits(Rows& rows, size_t count, Inner inner, const float* gradient,
                                  Columns columns, float* sums) {

@@ -60,7 +60,7 @@ Status decode(schema::SavedTraining::Reader file, Checkpoint& out) {
   return {};
 }
 
-// The hash is the file's first field, so where it lies is where the root's data begin.
+// Checks the hash. It is the file's first field, so it lies where the root's data begin.
 Status checkHash(Words& words, const capnp::ReaderOptions& options) {
   capnp::FlatArrayMessageReader reader(words, options);
   const auto root = reader.getRoot<capnp::AnyStruct>();
@@ -130,7 +130,7 @@ Result<Checkpoint> readCheckpoint(std::string_view bytes, const std::string& nam
   options.traversalLimitInWords = 2 * words.size() + 1024;  // no word is read more than twice
   Checkpoint out;
   Status status;
-  // Cap'n Proto says by exceptions that a message lacks something.
+  // Cap'n Proto throws if a message is incomplete.
   const auto failure = kj::runCatchingExceptions([&] {
     status = checkHash(words, options);
     if (!status) return;

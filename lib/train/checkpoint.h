@@ -1,6 +1,5 @@
-// Checkpoints (schema/checkpoint.capnp): learning that was broken off, to go on with the same bits.
-// Reading checks everything: a file is refused, or all of it is as it was written. Whether its
-// worlds fit the levels is for Trainer::resume to say.
+// Checkpoints (schema/checkpoint.capnp) let training resume with the same bits. Reading validates
+// the whole file. Trainer::resume checks that its worlds fit the levels.
 #pragma once
 
 #include <string>
@@ -14,16 +13,16 @@
 namespace obby::train {
 
 struct Checkpoint {
-  std::string program;  // its version
+  std::string program;  // version of the program
   std::vector<Setting> settings;
-  double seconds = 0;  // wall clock so far, of all runs
+  double seconds = 0;  // wall clock of all runs so far
   TrainerState state;
   History history;
 };
 
 std::string writeCheckpoint(const Checkpoint& checkpoint);
 
-// The error says what of the file is wrong; its input is `name`.
+// Errors say what is wrong with the file; `name` is the input that they name.
 Result<Checkpoint> readCheckpoint(std::string_view bytes, const std::string& name);
 
 }  // namespace obby::train

@@ -1,4 +1,4 @@
-// Learning on the CPU: env groups play on the threads of a pool.
+// Training on the CPU: env groups play on the threads of a pool.
 #include "train/engine.h"
 
 namespace obby::train {
@@ -25,15 +25,15 @@ class CpuEngine : public Engine {
   struct Group {  // an env group with its part of the batch
     Group(const LevelSource& source, const TrainerSettings& s, uint32_t number, const Ranks& ranks);
     EnvGroup envGroup;
-    uint32_t first, worlds;      // of the batch's worlds: its own
-    std::vector<uint32_t> rows;  // of the batch: its worlds' in a tick
+    uint32_t first, worlds;      // its range of the batch's worlds
+    std::vector<uint32_t> rows;  // its worlds' rows in a tick
     nn::Pass<float> pass;
     Sums seen{policy::kInputs};
     std::vector<uint8_t> mayJump;
     std::vector<int> moves;
     std::vector<Step> steps;
-    std::vector<float> raw;  // what they see in a tick: (worlds, kInputs)
-    Status missing;          // of what is played next
+    std::vector<float> raw;  // observations of a tick, (worlds, kInputs)
+    Status missing;          // error of the next levels
   };
 
   void play(Group& group, const PlayOrder& order);
@@ -43,7 +43,7 @@ class CpuEngine : public Engine {
   uint64_t decisionOf(const PlayOrder& order, uint32_t tick) const {
     return order.iteration * settings_.ticks + tick;
   }
-  size_t rowOf(const Group& group, uint32_t tick) const;  // of its first world
+  size_t rowOf(const Group& group, uint32_t tick) const;  // row of its first world
 
   TrainerSettings settings_;
   const LevelSource& source_;
@@ -51,10 +51,10 @@ class CpuEngine : public Engine {
   Ppo ppo_;
   std::vector<std::unique_ptr<Group>> groups_;
   Batch batch_;
-  std::vector<float> void_;  // what the first layer makes of empty surroundings, in this iteration
+  std::vector<float> void_;  // first-layer sums of empty surroundings in this iteration
 };
 
-// Env groups are numbered over all ranks.
+// Env groups are numbered across all ranks.
 CpuEngine::Group::Group(const LevelSource& source, const TrainerSettings& s, uint32_t number,
                         const Ranks& ranks)
     : envGroup(source, s.envGroup, s.seed, ranks.number() * s.envGroups + number,
@@ -84,7 +84,7 @@ Status CpuEngine::begin(float hardest) {
 }
 
 Status CpuEngine::restore(const LearnerState& learner, std::span<EnvGroupState> envGroups) {
-  // A stream is read from its beginning: what was played then need not be kept again.
+  // A resumed stream is read from its beginning. Levels that were played before are not kept again.
   uint64_t first = ~uint64_t(0);
   for (size_t i = 0; i < groups_.size(); ++i)
     first = std::min(first, groups_[i]->envGroup.firstLevelOf(envGroups[i]));
@@ -101,12 +101,12 @@ Result<std::vector<EnvGroupState>> CpuEngine::envGroups() const {
   return out;
 }
 
-// Rows of the batch: (ticks, groups, worlds).
+// Returns the first row of the group's worlds. Rows of the batch: (ticks, groups, worlds).
 size_t CpuEngine::rowOf(const Group& g, uint32_t tick) const {
   return size_t(tick) * batch_.worlds + g.first;
 }
 
-// What the network says of it: (worlds, kPaddedOutputs).
+// Observes all worlds and returns the network's outputs, (worlds, kPaddedOutputs).
 const float* CpuEngine::look(Group& g, uint32_t tick, bool count) {
   g.envGroup.observe(g.raw.data(), g.mayJump.data());
   for (uint32_t w = 0; w < g.worlds; ++w) {
@@ -142,7 +142,7 @@ void CpuEngine::take(Group& g, uint32_t tick) {
   }
 }
 
-// The value of what is seen last stands for what would have come, also where a playthrough is cut.
+// The value of the last observation estimates the remaining return, also of episodes that are cut.
 void CpuEngine::play(Group& g, const PlayOrder& order) {
   for (uint32_t t = 0; t < settings_.ticks; ++t) {
     if (t > 0) g.envGroup.settle(decisionOf(order, t - 1));
@@ -160,7 +160,7 @@ Result<Played> CpuEngine::play(const PlayOrder& order) {
   voidSums(batch_.seen, ppo_.net(), void_);
   pool_.run(int(groups_.size()), [&](int i) { play(*groups_[size_t(i)], order); });
   Played out;
-  uint64_t first = ~uint64_t(0);  // level that is still played
+  uint64_t first = ~uint64_t(0);  // first level that is still played
   for (const auto& g : groups_) {
     if (out.missing) out.missing = std::move(g->missing);
     first = std::min(first, g->envGroup.firstLevel());

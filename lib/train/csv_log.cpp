@@ -24,7 +24,7 @@ std::string rowOf(const std::string& first, std::span<const Metric> metrics, boo
 
 std::string header() { return rowOf("iteration", metricsOf({}, 0, 0), true); }
 
-// Whole rows of iterations up to `kept`, and the header; of an empty file that alone.
+// Returns the header and whole rows of iterations up to `kept`; the header alone for an empty file.
 Result<std::string> keptOf(const std::string& path, uint64_t kept) {
   OBBY_ASSIGN(const std::string text, io::readFile(path));
   const std::string head = header();
@@ -61,7 +61,7 @@ Result<CsvLog> CsvLog::open(const std::string& path, uint64_t kept, const std::a
     text.clear();
   }
   OBBY_ASSIGN(io::Appender file, io::Appender::open(path, stop));
-  OBBY_RETURN_IF_ERROR(file.append(text));  // of a device or a pipe
+  OBBY_RETURN_IF_ERROR(file.append(text));  // a device or a pipe
   return CsvLog(PatientLog(std::move(file)));
 }
 

@@ -1,5 +1,5 @@
-// Metrics as a table for other programs: a row an iteration, commas between, names in the first
-// line. Columns that depend on the clock come last: without them the logs of equal runs are equal.
+// Metrics as CSV for other programs: names in the first line, then one row per iteration. Columns
+// that depend on the clock come last; all others are equal for equal runs.
 #pragma once
 
 #include <atomic>
@@ -14,13 +14,12 @@ namespace obby::train {
 
 class CsvLog {
  public:
-  // Iterations up to `kept` stay in the file if it has any, for learning that goes on from there;
-  // 0: it begins anew. Errors: those of the file, and one that has something else in it. `stop`: as
-  // of io::Appender::open.
+  // Opens the log and keeps its rows of iterations up to `kept`, for a resumed run; 0 starts it
+  // anew. Errors: those of the file, and a file with other content. `stop`: see io::Appender::open.
   static Result<CsvLog> open(const std::string& path, uint64_t kept,
                              const std::atomic<bool>* stop = nullptr);
 
-  // As PatientLog::add(); of a device or a pipe each error counts.
+  // As PatientLog::add(). On a device or a pipe each error is final.
   Status add(uint64_t iteration, std::span<const Metric> metrics);
   PatientLog& file() { return file_; }
 

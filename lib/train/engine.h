@@ -1,5 +1,5 @@
-// Where worlds play and the network learns from it: on the CPU, or on a device that runs kernels.
-// The trainer says when; both mean the same, and round otherwise.
+// Engines play worlds and train the network, on the CPU or on a device. The trainer controls them.
+// Both run the same algorithm and differ only in rounding.
 #pragma once
 
 #include <memory>
@@ -13,35 +13,35 @@ namespace obby::train {
 
 struct TrainerSettings {
   uint64_t seed = 1;
-  uint32_t envGroups = 8;     // of each rank; tasks of the pool
+  uint32_t envGroups = 8;     // env groups per rank; tasks of the thread pool
   EnvGroupSettings envGroup;  // 8 x 32 worlds
-  uint32_t ticks = 32;        // decisions of each world an iteration
+  uint32_t ticks = 32;        // decisions of each world per iteration
   PpoSettings ppo;
-  uint64_t decisions = 100'000'000;  // after so many the rate is down to a tenth
-  float easiest = 0.1f;              // difficulty that levels begin with
-  float raiseAt = 0.7f;     // share of playthroughs solved above which levels become harder
-  float lowerAt = 0.45f;    // below which easier
-  std::vector<int> hidden;  // inputs that the policy does not see, to learn their worth
+  uint64_t decisions = 100'000'000;  // the learning rate decays to a tenth over these
+  float easiest = 0.1f;              // difficulty of the first levels
+  float raiseAt = 0.7f;              // share of episodes solved above which levels become harder
+  float lowerAt = 0.45f;             // share below which they become easier
+  std::vector<int> hidden;           // inputs that the policy does not see (ablation)
 
-  uint32_t worlds() const { return envGroups * envGroup.size(); }  // of each rank
+  uint32_t worlds() const { return envGroups * envGroup.size(); }  // per rank
 };
 
-constexpr uint32_t kCountEvery = 4;  // ticks between those whose rows the normaliser counts
+constexpr uint32_t kCountEvery = 4;  // the normaliser counts the rows of every 4th tick
 
-// How an iteration is played.
+// Parameters of one iteration's play.
 struct PlayOrder {
-  uint64_t iteration = 0;                   // so many before
-  float hardest = 0;                        // difficulty of levels that are asked for now
-  const std::vector<float>&means, &scales;  // of inputs
+  uint64_t iteration = 0;                   // iterations before this one
+  float hardest = 0;                        // max difficulty of levels requested now
+  const std::vector<float>&means, &scales;  // normalisation of the inputs
 };
 
-// What came of it, in this rank.
+// Results of one iteration's play, of this rank.
 struct Played {
   double reward = 0;  // sum
   Tally tally;
   Sums seen{policy::kInputs};  // raw inputs
-  // What the source said instead of a level that comes next: this can be learned from, but nothing
-  // more be played. The places wait in envGroups().
+  // The source's error in place of a next level. This iteration can be learned from, but no more
+  // can be played. The waiting places are in envGroups().
   Status missing;
 };
 
@@ -49,23 +49,24 @@ class Engine {
  public:
   virtual ~Engine() = default;
 
-  // One of these comes first. Errors: the source's, the device's; a state that fits neither
-  // settings nor levels. `envGroups`: of this rank.
+  // Call begin() or restore() first. Errors: those of the source or the device, and a state that
+  // does not fit the settings or levels. `envGroups`: those of this rank.
   virtual Status begin(float hardest) = 0;
   virtual Status restore(const LearnerState& learner, std::span<EnvGroupState> envGroups) = 0;
 
-  // Between begin() and the first play(): to learn on from it, instead of from a fresh network.
+  // Call it between begin() and the first play() to start from `learner` instead of a fresh
+  // network.
   virtual Status setLearner(const LearnerState& learner) = 0;
 
   virtual Result<Played> play(const PlayOrder& order) = 0;
-  // From what was played last. `rate`: of what settings say.
+  // Learns from the last play(). `rate`: factor of the settings' learning rate.
   virtual Result<Progress> learn(float rate) = 0;
 
   virtual Result<LearnerState> learner() const = 0;
   virtual Result<std::vector<EnvGroupState>> envGroups() const = 0;
 };
 
-// What it refers to must outlive it.
+// The arguments must outlive the engine.
 std::unique_ptr<Engine> makeCpuEngine(const TrainerSettings& settings, const LevelSource& source,
                                       ThreadPool& pool, Ranks& ranks);
 

@@ -120,7 +120,7 @@ void EnvGroup::settle(uint64_t decision) { settle(decision, false); }
 
 Status EnvGroup::settleIteration(uint64_t decision, float hardest) {
   settle(decision, true);
-  Status said;  // first; all places end the iteration, so that learning can go on from there
+  Status said;  // the first error; all places end the iteration, so that training can resume
   for (uint32_t p = 0; p < places_.size(); ++p) {
     if (!isOver(places_[p].counts, settings_)) continue;
     tally_.add(places_[p].counts);

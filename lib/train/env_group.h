@@ -1,5 +1,5 @@
-// Worlds that learn together on the CPU: some levels, on each of them a few worlds. What becomes of
-// an env group follows from its seed, its levels and the moves alone.
+// Worlds that learn together on the CPU: some levels, with a few worlds on each. An env group is a
+// function of its seed, its levels and the moves.
 #pragma once
 
 #include <algorithm>
@@ -16,35 +16,36 @@
 namespace obby::train {
 
 struct EnvGroupSettings {
-  uint32_t levels = 8;         // at a time
+  uint32_t levels = 8;         // levels at a time
   uint32_t worlds = 32;        // on each level
-  uint32_t playthroughs = 64;  // on a level, before the next takes its place
+  uint32_t playthroughs = 64;  // episodes on a level before the next replaces it
   RestartShares restarts;
-  float patience = 3;  // times what walking the way takes, and ten seconds, before it is cut
+  float patience = 3;  // max episode time: this times the route's walking time, plus ten seconds
   RewardSettings reward;
-  // How worlds are seen, to try other ways: on the CPU only, and kept in no file.
+  // Observation function, for experiments. On the CPU only; no file keeps it.
   policy::Observe observe = policy::observe;
 
   uint32_t size() const { return levels * worlds; }
 };
 
-// The level that place `place` of env group `envGroup` among `envGroups` takes as its `taken`th,
-// from 1: they share the levels of a source in turns.
+// Returns the index of the `taken`th level (from 1) of place `place` in env group `envGroup`. The
+// places of all `envGroups` take the levels of a source in turns.
 uint64_t levelIndex(const EnvGroupSettings& settings, uint32_t envGroup, uint32_t envGroups,
                     uint32_t place, uint64_t taken);
 
-// Error: a state that no place with this level could have, and that does not wait for it.
+// Returns an error for a state that no place with this level can have, unless it waits for the
+// level.
 Status checkPlace(const PlaceState& state, const TrainingLevel& level,
                   const EnvGroupSettings& settings);
 
-// Has enough been played of its level? Then the next takes its place, at the end of an iteration.
+// Returns true if its level had its share of episodes. The next replaces it after the iteration.
 inline bool isOver(const PlaceCounts& counts, const EnvGroupSettings& settings) {
   return counts.played >= settings.playthroughs;
 }
 
 class EnvGroup {
  public:
-  // `number`: of this env group among `envGroups`. The source must outlive it.
+  // `number`: index of this env group among `envGroups`. The source must outlive it.
   EnvGroup(const LevelSource& source, const EnvGroupSettings& settings, uint64_t seed,
            uint32_t number, uint32_t envGroups);
 
@@ -52,42 +53,42 @@ class EnvGroup {
   // difficulty of the first two of each place.
   Status begin(float hardest);
 
-  // What restore() goes on from, in another env group of the same source, settings and number.
-  // Errors of restore(): those of begin(), and what does not fit settings and levels.
+  // Returns the state from which restore() resumes, in an env group with the same source, settings
+  // and number. restore() has the errors of begin(), and one for a state that does not fit.
   EnvGroupState state() const;
   Status restore(EnvGroupState state);
-  // No level of the source before this one is played, or will be.
+  // Returns the first level of the source that is still played or will be.
   uint64_t firstLevel() const { return firstLevel(places_); }
   uint64_t firstLevelOf(const EnvGroupState& state) const { return firstLevel(state.places); }
 
   uint32_t size() const { return settings_.size(); }
-  // Its number among the worlds of all env groups.
+  // Returns the index of its first world among the worlds of all env groups.
   uint32_t firstWorld() const { return number_ * size(); }
 
   // `rows`: (size, kInputs), raw; `mayJump`: (size).
   void observe(float* rows, uint8_t* mayJump);
 
-  // After observe(): plays a decision of each world. `moves`, `steps`: (size).
+  // Call it after observe(). Plays a decision of each world. `moves`, `steps`: (size).
   void step(std::span<const int> moves, std::span<Step> steps);
 
-  // After step(), which played `decision` of each world: begins anew what has ended.
+  // Call it after step(), which played `decision` of each world. Restarts the ended episodes.
   void settle(uint64_t decision);
-  // The same after the last decision of an iteration: cuts what takes too long, and takes new
-  // levels where enough was played. The level after each of them will be asked for with difficulty
-  // `hardest`: a level ahead, so that it can be made while others are played. The error is the
-  // source's. Then, and if it was told to stop, there is nothing more to observe: state() is left.
+  // Call it instead after the last decision of an iteration. Cuts episodes that take too long, and
+  // replaces levels that had their episodes. The level after each is requested with difficulty
+  // `hardest`, so that it is made while others are played. Errors: the source's. After an error, or
+  // if the source was told to stop, only state() may be called.
   Status settleIteration(uint64_t decision, float hardest);
 
   Tally takeTally();
 
  private:
   struct Place : PlaceState {                    // a level with its worlds
-    std::shared_ptr<const TrainingLevel> level;  // null: it waits
+    std::shared_ptr<const TrainingLevel> level;  // null while it waits
     TrainingView view;
   };
 
   PlaceView viewOf(Place& place) const;
-  // Of a place's level in the source, the taken-th that it has.
+  // Returns the source's index of the place's `taken`th level.
   uint64_t indexOf(uint32_t place, uint64_t taken) const;
   template <class Places>
   uint64_t firstLevel(const Places& places) const {
@@ -110,7 +111,7 @@ class EnvGroup {
   uint32_t number_, envGroups_;
   std::vector<Place> places_;
   Tally tally_;
-  // Of a tick.
+  // Buffers of a tick.
   std::vector<sim::World*> worlds_;
   std::vector<sim::LooseBody*> loose_;
   std::vector<sim::Action> actions_;

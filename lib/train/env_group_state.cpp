@@ -1,5 +1,5 @@
-// What an env group keeps of itself, and how it goes on from there. A state that no env group of
-// these levels could have is refused: it would index what is not there.
+// Saves and restores an env group. Refuses states that no env group of these levels can have, as
+// their indices would be out of range.
 #include <fmt/format.h>
 
 #include <cmath>

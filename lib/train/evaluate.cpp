@@ -8,9 +8,9 @@ namespace obby::train {
 
 namespace {
 
-constexpr double kGrace = 1;  // seconds for what is played when time is up
+constexpr double kGrace = 1;  // seconds for running episodes after time is up
 
-// When to end. In the midst of a playthrough, too: on a long way one takes minutes.
+// Decides when to end, also within an episode: a long one takes minutes.
 class Limit {
  public:
   Limit(const std::atomic<bool>& stop, double seconds) : stop_(stop), seconds_(seconds) {}
@@ -29,8 +29,8 @@ class Limit {
   const Clock::time_point begin_ = Clock::now();
 };
 
-// One playthrough by the policy alone; true: it reaches the goal. `random` null: the likeliest
-// moves.
+// Plays one episode by the policy alone. Returns true if it reaches the goal. `random`: null for
+// the greedy policy.
 bool playAlone(const policy::NetworkView& network, policy::Observe observe,
                const TrainingLevel& level, Random* random, uint32_t mostTicks, const Limit& limit) {
   const policy::Scene& scene = level.scene();
@@ -48,11 +48,11 @@ bool playAlone(const policy::NetworkView& network, policy::Observe observe,
   return false;
 }
 
-// What came of a level.
+// The result of a level.
 struct Score {
   bool played = false, likeliest = false;
   uint16_t kind = 0;
-  uint32_t drawn = 0;  // playthroughs that solve it
+  uint32_t drawn = 0;  // episodes that solve it
 };
 
 Score scoreOf(const policy::NetworkView& network, const TrainingLevel& level, uint64_t index,
@@ -63,7 +63,7 @@ Score scoreOf(const policy::NetworkView& network, const TrainingLevel& level, ui
   Random random(settings.seed, index);
   for (uint32_t k = 1; k < settings.tries; ++k)
     score.drawn += playAlone(network, settings.observe, level, &random, most, limit);
-  score.played = !limit.over();  // what was given up says nothing
+  score.played = !limit.over();  // an episode that was given up does not count
   return score;
 }
 
@@ -92,7 +92,7 @@ Evaluation sumOf(const std::vector<Score>& scores, uint32_t tries) {
   return out;
 }
 
-// Tells what came of the levels so far.
+// Reports the results of the levels so far.
 class Telling {
  public:
   using Watch = std::function<void(const EvaluationSoFar&)>;
@@ -116,13 +116,13 @@ class Telling {
   uint32_t played_ = 0, likeliest_ = 0;
 };
 
-// Asks for the levels, each once, from whichever thread.
+// Requests each level once, from any thread.
 class Asking {
  public:
   Asking(const LevelSource& source, const EvaluationSettings& settings)
       : source_(source), settings_(settings), asked_(settings.levels) {}
 
-  // The i-th. Null: there is none, or it is missing.
+  // Returns the i-th level; null if there is none, or it is missing.
   std::shared_ptr<const TrainingLevel> level(uint32_t i) {
     auto found = source_.level(settings_.firstLevel + i, settings_.hardest);
     const std::lock_guard hold(lock_);
@@ -134,10 +134,10 @@ class Asking {
     }
     return nullptr;
   }
-  const Status& missing() const { return missing_; }  // once no thread asks any more
+  const Status& missing() const { return missing_; }  // valid once all threads are done
 
  private:
-  // Threads overtake one another: the source may forget what is before the first that waits.
+  // Threads overtake one another. The source may forget levels before the first pending one.
   void drop(uint32_t i) {
     asked_[i] = true;
     while (next_ < asked_.size() && asked_[next_]) ++next_;
@@ -150,7 +150,7 @@ class Asking {
   std::vector<bool> asked_;
   size_t next_ = 0;
   uint32_t firstMissing_ = 0;
-  Status missing_;  // an error names that one
+  Status missing_;  // an error of that level
 };
 
 }  // namespace

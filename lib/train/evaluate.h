@@ -1,4 +1,4 @@
-// How well a policy plays by itself on levels that it was not trained on.
+// Evaluates a policy by itself on levels that it was not trained on.
 #pragma once
 
 #include <atomic>
@@ -15,44 +15,43 @@ namespace obby::train {
 struct EvaluationSettings {
   uint64_t seed = 1;
   uint64_t firstLevel = 0;
-  uint32_t levels = 1000;  // at most
-  uint32_t tries = 8;      // playthroughs of each level: the first takes the likeliest moves
+  uint32_t levels = 1000;  // max number of levels
+  uint32_t tries = 8;      // episodes of each level; the first is greedy
   float hardest = 1;       // difficulty
   float patience = 3;      // as EnvGroupSettings::patience
-  // Of wall-clock time, after which no other level begins; what is played still is given up a
-  // second later.
+  // Wall-clock time after which no level begins. Running episodes are given up a second later.
   double seconds = 1e30;
   policy::Observe observe = policy::observe;  // as EnvGroupSettings::observe
 };
 
 struct Solved {
   uint32_t levels = 0;   // played
-  double likeliest = 0;  // share of levels that the first playthrough solves
-  double drawn = 0;      // share of the other playthroughs that solve; 0 where there are none
-  double any = 0;        // share of levels that any of them solves
+  double likeliest = 0;  // share of levels that the greedy episode solves
+  double drawn = 0;      // share of sampled episodes that solve; 0 without any
+  double any = 0;        // share of levels that any episode solves
 };
 
-struct Evaluation : Solved {  // of all levels
-  std::vector<Solved> kinds;  // the same of each kind, by its number up to the last that was played
-  bool timeUp = false;        // it ended early for that
-  // What the source said instead of a level: of the first that it did not give. Others were played.
+struct Evaluation : Solved {  // totals of all levels
+  std::vector<Solved> kinds;  // totals per kind, up to the last that was played
+  bool timeUp = false;        // time ran out
+  // The error of the first level that the source did not return. Others were played.
   Status missing;
 };
 
-// How far it is.
+// Progress of an evaluation.
 struct EvaluationSoFar {
   uint32_t levels = 0;   // played
-  double likeliest = 0;  // share of them that the first playthrough solves
-  double done = 0;       // share of the levels, or of the time where that is more, 0 to 1
+  double likeliest = 0;  // share of them that the greedy episode solves
+  double done = 0;       // share of the levels or of the time, the larger, 0 to 1
 };
 
-// The number of a level's kind, by which levels are told apart; 0 is one, too. Asked from whichever
-// thread.
+// Returns the kind of a level, from 0. Called from any thread.
 using KindOf = std::function<uint16_t(const TrainingLevel&)>;
 
-// Ends early, with the levels played to the end so far, once `stop` is set, time is up, or the
-// source has no more. Tells the source what is past, and `watch`, if given, of each level that was
-// played: from whichever thread, but one at a time. Without `kindOf` all levels are of kind 0.
+// Evaluates the levels in parallel. Ends early, with the levels completed so far, once `stop` is
+// set, time is up, or the source has no more. Tells the source which levels are past. Calls
+// `watch`, if given, for each level that was played, from any thread, one call at a time. Without
+// `kindOf` all levels are of kind 0.
 Evaluation evaluate(const policy::Network& network, const LevelSource& source,
                     const EvaluationSettings& settings, ThreadPool& pool,
                     const std::atomic<bool>& stop,

@@ -12,7 +12,7 @@ namespace obby::train {
 
 namespace {
 
-constexpr uint32_t kPolynomial = 0x82f63b78;  // of CRC-32C, its bits in reverse
+constexpr uint32_t kPolynomial = 0x82f63b78;  // polynomial of CRC-32C, bits reversed
 
 constexpr std::array<uint32_t, 256> crcTable() {
   std::array<uint32_t, 256> table{};
@@ -24,7 +24,7 @@ constexpr std::array<uint32_t, 256> crcTable() {
   return table;
 }
 
-// Little-endian.
+// Returns the value's bytes, little-endian.
 template <class T>
 std::string fixed(T value) {
   std::string out;
@@ -38,7 +38,7 @@ std::string varint(uint64_t value) {
   return out + char(value);
 }
 
-// Fields of a message: number and kind, then the value.
+// Wire types. A field is its number and wire type, then the value.
 enum Wire { kVarint = 0, kFixed64 = 1, kBytes = 2, kFixed32 = 5 };
 std::string key(int field, Wire wire) { return varint((uint64_t(field) << 3) | uint64_t(wire)); }
 std::string number(int field, uint64_t value) { return key(field, kVarint) + varint(value); }
@@ -52,7 +52,7 @@ std::string bytes(int field, const std::string& value) {
   return key(field, kBytes) + varint(value.size()) + value;
 }
 
-// Of Event, SessionLog, Summary and Summary.Value.
+// Field numbers of Event, SessionLog, Summary and Summary.Value.
 constexpr int kWallTime = 1, kStep = 2, kFileVersion = 3, kSummary = 5, kSessionLog = 7;
 constexpr int kStatus = 1, kStart = 1;
 constexpr int kValue = 1, kTag = 1, kSimpleValue = 2;

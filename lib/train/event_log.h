@@ -1,6 +1,6 @@
-// Metrics for TensorBoard: an events file, which is TFRecord framing around Event messages of
-// Protocol Buffers. Only what scalars need of either is here, written by hand: TensorFlow's
-// tensorflow/core/util/event.proto and framework/summary.proto name the fields.
+// Metrics for TensorBoard: an events file, which is TFRecord framing around Protocol Buffers
+// messages of type Event. It implements only what scalars need. TensorFlow's
+// tensorflow/core/util/event.proto and framework/summary.proto define the fields.
 #pragma once
 
 #include <span>
@@ -15,8 +15,8 @@ namespace obby::train {
 
 class EventLog {
  public:
-  // A new file in the folder, which is made where there is none. TensorBoard drops what earlier
-  // files say of iterations after `kept`: learning goes on from there, or begins anew (0).
+  // Creates a new file in the folder, and the folder if needed. TensorBoard drops entries of
+  // earlier files after iteration `kept`, the iteration from which training resumes (0: a new run).
   static Result<EventLog> open(const std::string& folder, uint64_t kept);
 
   // As PatientLog::add().
@@ -29,7 +29,7 @@ class EventLog {
   PatientLog file_;
 };
 
-// CRC-32C (Castagnoli) of the bytes.
+// Returns the CRC-32C (Castagnoli) of the bytes.
 uint32_t crc32c(std::string_view bytes);
 
 }  // namespace obby::train

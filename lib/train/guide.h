@@ -1,5 +1,5 @@
-// A way through a level as a line of places: how much of it is left from anywhere. For rewards
-// only; the policy never sees it.
+// A route through a level as a polyline, with the length left from any position. For rewards only;
+// the policy never sees it.
 #pragma once
 
 #include <span>
@@ -11,8 +11,8 @@ namespace obby::train {
 
 class Guide {
  public:
-  // `places`: at least two. `waypoints`: of the query; each is taken to be at the place nearest to
-  // it that does not come before the one before.
+  // `places`: at least two. `waypoints`: those of the query. Each maps to the nearest place that is
+  // not before the previous waypoint's.
   explicit Guide(std::vector<Vec3> places, std::span<const Vec3> waypoints = {});
 
   // As GuideView.
@@ -21,7 +21,7 @@ class Guide {
   }
   float studs() const { return view().studs(); }
 
-  // Valid while this object lives and stays where it is.
+  // Valid while this object lives and does not move.
   GuideView view() const {
     return {places_.data(), behind_.data(), stops_.data(), uint32_t(places_.size()),
             uint32_t(stops_.size())};

@@ -1,4 +1,4 @@
-// How much of a way is left from anywhere, as rewards ask for it.
+// The length left on a route from any position, for rewards.
 #pragma once
 
 #include <stddef.h>
@@ -9,8 +9,8 @@
 
 namespace obby::train {
 
-// A stud beside the line counts as so many along it: there may be nothing to walk on. Where the way
-// turns back, its other lane must not look near.
+// Weight of the distance to the line, as there may be no floor next to it. It also keeps the
+// opposite lane of a route that turns back from counting as near.
 constexpr float kOff = 3;
 
 // Plain spans, for device code.
@@ -20,12 +20,12 @@ struct GuideView {
   const uint32_t* stops = nullptr;  // (stopCount), places at the query's waypoints, ascending
   uint32_t count = 0, stopCount = 0;
 
-  OBBY_DEVICE float studs() const { return behind[0]; }  // of the whole way
+  OBBY_DEVICE float studs() const { return behind[0]; }  // length of the whole route
 
-  // Studs to the end: thrice those to the line, then along it. The least over all of the line, so
-  // that short cuts count, once they come near to it again; but for what begins with less than
-  // `from` studs left: where a way winds up a tower, the next round is overhead, not near. And but
-  // for what is behind the next waypoint: `waypoints` were passed.
+  // Returns the studs to the end: kOff times the distance to the line, then along it, minimised
+  // over the line, so that short cuts count. It skips segments that start with less than `from`
+  // studs left: where a route winds up a tower, the next turn is overhead but not near. It also
+  // skips segments after the next waypoint; `waypoints` were passed.
   OBBY_DEVICE float left(Vec3 position, float from, uint32_t waypoints) const {
     const uint32_t last = waypoints < stopCount ? stops[waypoints] : count - 1;
     float least = 1e30f;

@@ -13,14 +13,14 @@ namespace obby::train {
 
 namespace {
 
-// Which query a turn takes follows from its number, not from the learner's seed.
+// The choice within a turn follows from the turn's number, not from the learner's seed.
 constexpr uint64_t kChoiceSeed = 0x7475726e;
 
-constexpr size_t kHolder = 512;  // bytes of what holds a record, about
+constexpr size_t kHolder = 512;  // estimated overhead of a record, bytes
 
 size_t bytesOf(const io::Record& record) { return io::compactBytes(record) + kHolder; }
 
-// The query with the boxes of the parts that it names.
+// Returns the query, with the boxes of the parts that it names.
 Result<io::Record> withPlaces(const io::Record& level, const io::Record& query) {
   if (!level::namesParts(query.reader().getQuery())) return query;
   io::RecordBuilder copy(query.reader());
@@ -47,7 +47,7 @@ Result<std::shared_ptr<const TrainingLevel>> LevelStream::level(uint64_t index,
     OBBY_RETURN_IF_ERROR(reader_.readTo(index));
     uint64_t number = index;
     if (number >= reader_.read) {
-      const bool broken = !reader_.ended;  // off, by `options.stop`
+      const bool broken = !reader_.ended;  // ended by `options.stop`
       if (broken || !reader_.settings.again) return Playable();
       number %= reader_.kept;
     }
@@ -104,8 +104,8 @@ size_t LevelStream::compiledHeld() const {
   return held;
 }
 
-// The lock is held while a stream is waited for: on a GPU by whoever makes the levels that come
-// next, while others are to be played.
+// level() holds the lock while it waits for the stream, so this must not block: on a GPU other
+// levels are played meanwhile.
 void LevelStream::past(uint64_t index) const {
   uint64_t before = past_;
   while (before < index && !past_.compare_exchange_weak(before, index)) {
@@ -118,7 +118,7 @@ void LevelStream::end() const {
   if (reader_.settings.wait != nullptr) reader_.settings.wait->end();
 }
 
-// Nothing is read behind an error: levels there would have the numbers of others.
+// Stops at an error: indices of levels after it would be wrong.
 Status LevelStream::Reader::readTo(uint64_t index) {
   while (!ended && !stopped() && read <= index) {
     if (said) said = readOne();
@@ -169,7 +169,7 @@ void LevelStream::Reader::know(const io::Record& level) {
   }
 }
 
-// The last of that name; of none the last.
+// Returns the last level of that name; the last level if the name is empty.
 LevelStream::Known* LevelStream::Reader::levelNamed(const std::string& name) {
   if (name.empty() && !levels.empty()) return &levels.back();
   const auto found = std::find_if(levels.rbegin(), levels.rend(),
@@ -202,9 +202,9 @@ Status LevelStream::Reader::takeQuery(const io::Record& record) {
   return {};
 }
 
-// Is it of a turn that is past already, as where learning goes on in the midst of a stream? It
-// compiles then, or the run that came so far would have ended with it. Where errors are forgiven it
-// may have been left out.
+// Returns true if the query's turn is past, as after a resume in the middle of a stream. The query
+// was compiled in the earlier run, so it need not be compiled again. If errors are forgiven it may
+// have been skipped, so it must be.
 bool LevelStream::Reader::passedOver(const io::Record& query) const {
   const bool alone = query.reader().getQuery().getDifficulty() < 0;
   const uint64_t turn = read + (alone && !open.empty() ? 1 : 0);
@@ -230,7 +230,8 @@ void LevelStream::Reader::close() {
   open.clear();
 }
 
-// Another item of the turn is played only where it is kept, another time round the stream.
+// Keeps one item of a turn that is not kept. Only a kept turn can play another item, after a
+// restart.
 void LevelStream::Reader::played(uint64_t number, Turn& turn, const Item& item) {
   dropCompiled(turn);
   if (number >= kept) turn.assign(1, Item{item.level, item.query, nullptr});
@@ -241,8 +242,7 @@ void LevelStream::Reader::dropCompiled(Turn& turn) {
   for (Item& item : turn) item.compiled = nullptr;
 }
 
-// What other ranks play, or an earlier run played, was compiled and is not asked for here. Of turns
-// that are kept the records stay.
+// Drops turns that other ranks or an earlier run have played. Kept turns keep their records.
 void LevelStream::Reader::forget(uint64_t before) {
   if (before <= needed) return;
   const auto end = turns.lower_bound(before);

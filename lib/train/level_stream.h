@@ -1,4 +1,4 @@
-// Levels to learn on as a stream gives them, read as they are asked for: the stream may be endless.
+// Training levels from a stream, read on demand. The stream may be endless.
 #pragma once
 
 #include <atomic>
@@ -17,50 +17,48 @@
 namespace obby::train {
 
 struct LevelStreamSettings {
-  // Of records, kept to begin again with once the stream is at its end; of a longer stream the
-  // first so many. A level counts once, however many queries it has.
+  // Max bytes of records kept to restart the stream after its end: the first ones of a longer
+  // stream. A level counts once, however many queries it has.
   size_t keptBytes = size_t(256) << 20;
-  // A query may be of any of so many levels before it, and of no more than have so many bytes as
-  // records; of the last one always.
+  // Max number and bytes of recent levels that a query may refer to. It may always refer to the
+  // last one.
   size_t levelsInReach = 1024;
   size_t bytesInReach = size_t(1) << 30;
-  bool again = true;  // at its end; otherwise there are no more levels, and none is kept
-  // Of records that came to others first, as where the stream is a copy of another one.
+  bool again = true;  // restart at its end; otherwise no levels are kept, and none follow
+  // Records that others received first, if the stream is a copy.
   io::SourceSummary before = {};
-  // Queries in a row whose difficulty is said and of which one is played at a time: as hard as
-  // learning is ready for. 1: all are, one after the other.
+  // Consecutive queries with a difficulty of which one is played, by the current difficulty. 1:
+  // each is played in order.
   uint32_t choices = 4;
-  // That wait to be asked for; others are compiled again then. Places get on at different speeds:
-  // what is read for the foremost comes long before the turn of others, ever longer over days.
+  // Max compiled levels that wait for their turn; others are recompiled. Places advance at
+  // different speeds, so levels read for the fastest place wait ever longer for the others.
   size_t compiledLevels = 512;
-  WaitLimit* wait = nullptr;  // for records, where there is one; must outlive the stream
+  WaitLimit* wait = nullptr;  // time limit for records, or null; must outlive the stream
 };
 
-// Levels behind a `params` record are played under it, as far as they leave the defaults.
+// Levels after a `params` record get its parameters where they leave the defaults.
 //
-// Queries that can be played come in turns: of so many to choose from in a row whose difficulty is
-// said, any other alone. Level `index` is one of the index-th turn: by chance one of those that are
-// not too hard, or where all are the easiest.
+// Queries form turns: up to `choices` consecutive queries with a difficulty, or a single one
+// without. Level `index` is from the index-th turn: a random query that is not too hard, or else
+// one of the easiest.
 class LevelStream : public LevelSource {
  public:
   LevelStream(io::SourceOptions options, const LevelStreamSettings& settings = {});
 
-  // Errors: those of the stream up to there, a query without a level, a level or query that does
-  // not compile, as `options` forgive them; no query that can be played in the whole stream; where
-  // it would begin again, an end that says it was interrupted, unless `options` forgive that. Waits
-  // for the stream; null if `options.stop` was set before it came to the level, or if it ends
-  // before and is not to begin again.
+  // Waits for the stream. Returns null if `options.stop` is set first, or if the stream ends first
+  // and does not restart. Errors: those of the stream up to there; a query without a level; a level
+  // or query that does not compile, unless `options` forgive it; no playable query in the whole
+  // stream; an interrupted end before a restart, unless `options` forgive it.
   Result<std::shared_ptr<const TrainingLevel>> level(uint64_t index, float hardest) const override;
-  // Does not wait for the stream, even while level() does.
+  // Does not wait for the stream, even while level() waits.
   void past(uint64_t index) const override;
   // Ends settings.wait, if there is one.
   void end() const override;
 
-  // Of what was read so far, and of settings.before. Waits for who reads.
+  // Returns the summary of all records so far, with settings.before. Waits for a running read.
   io::SourceSummary summary() const;
 
-  // Levels that are compiled and wait to be asked for; all that were compiled when they were read:
-  // what tests count.
+  // Return the number of compiled levels that wait, and of levels compiled on reading, for tests.
   size_t compiledHeld() const;
   size_t compiledOnReading() const;
 
@@ -68,9 +66,9 @@ class LevelStream : public LevelSource {
   using Playable = std::shared_ptr<const TrainingLevel>;
   struct Item {
     io::Record level, query;
-    Playable compiled;  // null once its turn was asked for or is past, to be made again if need be
+    Playable compiled;  // null after its turn; recompiled on demand
 
-    // As the query says it, 0 to 1; -1: it does not.
+    // Returns the query's difficulty, 0 to 1; -1 if it has none.
     float difficulty() const { return query.reader().getQuery().getDifficulty(); }
   };
   using Turn = std::vector<Item>;
@@ -78,14 +76,14 @@ class LevelStream : public LevelSource {
   static const Item& chosen(const Turn& turn, uint64_t index, float hardest);
   static size_t compiledOf(const Turn& turn);
 
-  struct Known {  // a level that queries may be of
+  struct Known {  // a level that queries may refer to
     std::string name;
     io::Record record;
     size_t bytes;
-    bool counted;  // among what is kept
+    bool counted;  // included in the kept bytes
   };
 
-  struct Reader {  // all of it under the lock
+  struct Reader {  // guarded by the lock
     Reader(io::SourceOptions options, const LevelStreamSettings& s)
         : stop(options.stop),
           inputName(nameOf(options.inputs)),
@@ -107,26 +105,26 @@ class LevelStream : public LevelSource {
     void dropCompiled(Turn& turn);
 
     const std::atomic<bool>* stop;  // may be null
-    std::string inputName;          // as errors say it
+    std::string inputName;          // input name for errors
     io::RecordSource source;
     LevelStreamSettings settings;
     io::Physics physics;
-    std::deque<Known> levels;  // the last ones, oldest first
-    size_t reach = 0;          // their bytes
+    std::deque<Known> levels;  // recent ones, oldest first
+    size_t reach = 0;          // their size in bytes
     std::map<uint64_t, Turn> turns;
-    Turn open;            // the next one: it may get more
+    Turn open;            // the turn that is being filled
     uint64_t read = 0;    // turns so far
-    uint64_t kept = 0;    // the first so many stay
-    uint64_t needed = 0;  // those before will not be asked for, unless the stream begins again
-    size_t bytes = 0;     // of what is kept
+    uint64_t kept = 0;    // the first ones, kept for a restart
+    uint64_t needed = 0;  // earlier turns are needed only after a restart
+    size_t bytes = 0;     // size of the kept records
     size_t waiting = 0;   // compiled levels of the turns
-    bool full = false;    // no more of them
+    bool full = false;    // no more turns are kept
     size_t compiledOnReading = 0;
     bool ended = false;
-    Status said;  // an error ends it
+    Status said;  // the error that ended it
   };
 
-  mutable std::atomic<uint64_t> past_{0};  // the reader hears of it as soon as it can
+  mutable std::atomic<uint64_t> past_{0};  // passed to the reader when the lock is free
   mutable std::mutex lock_;
   mutable Reader reader_;
 };

@@ -1,4 +1,4 @@
-// What is said of learning as it goes: the same names and values wherever they go to.
+// Metrics of training: the same names and values for all logs.
 #pragma once
 
 #include <string>
@@ -12,10 +12,10 @@ struct Metric {
   std::string name;
   double value;
   const char* unit;
-  bool clock = false;  // differs between runs of the same
+  bool clock = false;  // depends on the clock, so equal runs differ
 };
 
-// Of an iteration. `seconds`: wall clock so far; `rate`: decisions a second.
+// Returns the metrics of an iteration. `seconds`: wall clock so far; `rate`: decisions per second.
 std::vector<Metric> metricsOf(const Iteration& iteration, double seconds, double rate);
 
 }  // namespace obby::train

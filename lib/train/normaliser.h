@@ -1,4 +1,4 @@
-// Mean and spread of a stream of rows, as far as it has come.
+// Running mean and deviation of a stream of rows.
 #pragma once
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 
 namespace obby::train {
 
-// Sums of some rows; added up in a fixed order they give the same bits whoever made them.
+// Sums of some rows. Added in a fixed order they have the same bits for any split of the rows.
 struct Sums {
   explicit Sums(size_t width) : sum(width, 0), squares(width, 0) {}
 
@@ -29,13 +29,13 @@ struct Sums {
     }
     rows += other.rows;
   }
-  // Those of all ranks, in their order.
+  // Adds up the sums of all ranks, in order.
   void add(Ranks& ranks) {
     ranks.add(sum);
     ranks.add(squares);
     ranks.add({&rows, 1});
   }
-  // What was counted so far counts a share only from now on.
+  // Multiplies the weight of all rows so far by `share`.
   void fade(double share) {
     for (size_t i = 0; i < sum.size(); ++i) {
       sum[i] *= share;
@@ -55,7 +55,7 @@ struct Sums {
   double rows = 0;
 };
 
-// What an input is multiplied by. What hardly ever changes is not blown up.
+// Returns the factor of an input. Nearly constant inputs are not blown up.
 constexpr float kLeastDeviation = 0.02f;
 inline float scaleOf(double deviation) { return 1 / std::max(float(deviation), kLeastDeviation); }
 

@@ -1,5 +1,5 @@
-// A log on a disk that may be full for a while: what cannot be written waits in memory until there
-// is room, so that learning goes on and no row is missing behind it.
+// A log that survives a full disk. Rows that cannot be written wait in memory, so that training
+// goes on and no row is lost.
 #pragma once
 
 #include <cstddef>
@@ -14,16 +14,16 @@ namespace obby::train {
 
 class PatientLog {
  public:
-  static constexpr size_t kMostBytes = size_t(16) << 20;  // that wait: some hundred thousand rows
+  static constexpr size_t kMostBytes = size_t(16) << 20;  // max bytes of waiting rows
 
-  // `file`: what stands at its beginning is in it. Of a device or a pipe each error counts.
+  // `file` holds the log's earlier rows. On a device or a pipe each error is final.
   explicit PatientLog(io::Appender file) : file_(std::move(file)), patient_(file_.isRegular()) {}
 
-  // Writes the row, behind those that wait. Error: it is no regular file, or too much waits.
+  // Writes the row after those that wait. Errors: the file is not regular, or too much waits.
   Status add(std::string_view row);
-  // Of the last row: why it waits; success: it does not.
+  // Returns why the last row waits; success if it was written.
   const Status& held() const { return held_; }
-  // Writes what waits. Error: it cannot be written, and is missing.
+  // Writes the waiting rows. On an error they are lost.
   Status finish();
 
  private:
@@ -32,7 +32,7 @@ class PatientLog {
   io::Appender file_;
   bool patient_;
   std::string waiting_;  // whole rows
-  uint64_t rows_ = 0;    // of them
+  uint64_t rows_ = 0;    // number of them
   Status held_;
 };
 

@@ -1,6 +1,6 @@
-// The game that worlds learn from: what a move is worth, when a playthrough is over, where the next
-// one begins. What becomes of a world follows from its level, its moves and numbers drawn for its
-// number and decision, so that it does not show where or in which order worlds are played.
+// The training environment: rewards, ends of episodes and restarts. A world is a function of its
+// level, its moves and random numbers drawn for its index and decision. So the engine and the order
+// of play do not matter.
 #pragma once
 
 #include "base/random.h"
@@ -9,42 +9,42 @@
 
 namespace obby::train {
 
-constexpr uint32_t kMostReached = 16;    // states to begin from that a level keeps
-constexpr float kNear = 24;              // studs of the way at a time that a playthrough can get on
-constexpr uint32_t kRememberEvery = 64;  // about one state in so many decisions
+constexpr uint32_t kMostReached = 16;    // restart states kept for each level
+constexpr float kNear = 24;              // max studs of route progress at once
+constexpr uint32_t kRememberEvery = 64;  // a state is kept about once in so many decisions
 
-// What is worth how much.
+// Rewards of events.
 struct RewardSettings {
-  float stud = 0.1f;  // of the way left, less than ever before in this playthrough
+  float stud = 0.1f;  // per stud closer to the goal than before in the episode
   float goal = 5;
-  float death = -1;         // and anything else that ends a playthrough
-  float decision = -0.01f;  // time passes
-  float jump = -0.05f;      // each that is made
+  float death = -1;         // or any other failure
+  float decision = -0.01f;  // cost of time
+  float jump = -0.05f;      // per jump
 };
 
-// Shares of playthroughs that begin where another had come to.
+// Shares of episodes that begin at a restart state.
 struct RestartShares {
-  float unsolved = 0.3f;  // of levels that nobody has solved from the start yet
-  float solved = 0.3f;    // of the others
+  float unsolved = 0.3f;  // levels not yet solved from the start
+  float solved = 0.3f;    // other levels
 };
 
 // One world that learns.
 struct Player {
   sim::World world;
-  Turns ahead = 0;     // of what it saw last; not kept, for it looks again before it moves
-  float least = 0;     // studs of the way left, the least in this playthrough
-  uint32_t ticks = 0;  // of this playthrough
+  Turns ahead = 0;     // heading of its last observation; not saved, as it observes before it moves
+  float least = 0;     // min studs left on the route in this episode
+  uint32_t ticks = 0;  // ticks of this episode
   bool fromStart = true;
-  uint32_t jumps = 0;  // of the world, that have been judged
+  uint32_t jumps = 0;  // jumps of the world that were already penalised
 };
 
-// A state to begin from, as somebody had come to it.
+// A restart state, with the progress made on the way.
 struct Reached {
   sim::World world;
-  float least;  // as theirs: from the place alone nobody knows how far along the way it is
+  float least;  // see Player::least; the position alone does not determine it
 };
 
-// A level to learn on, as its worlds read it. Plain spans, for device code.
+// A training level for device code, as plain spans.
 struct TrainingView {
   level::LevelView level;
   level::QueryView query;
@@ -52,7 +52,7 @@ struct TrainingView {
   GuideView guide;
   sim::World start;
   const sim::LooseBody* startLoose = nullptr;  // (level.looseCount)
-  uint32_t mostTicks = 0;  // after which a playthrough is given up, at the end of an iteration
+  uint32_t mostTicks = 0;  // an episode is cut after these, at the end of an iteration
 
   OBBY_DEVICE policy::Scene scene() const { return {level, query, surroundings}; }
 };
@@ -66,12 +66,12 @@ OBBY_DEVICE void forTables(TrainingView& v, Table&& table) {
   table(v.startLoose, v.level.looseCount);
 }
 
-// What has happened on a level.
+// Statistics of a level at a place.
 struct PlaceCounts {
-  uint32_t played = 0;      // playthroughs of the level
-  uint32_t reached = 0;     // states to begin from
-  uint32_t solvedOnce = 0;  // 1: somebody has solved it from the start
-  // Of playthroughs that began at the start, since the last look.
+  uint32_t played = 0;      // episodes on the level
+  uint32_t reached = 0;     // restart states
+  uint32_t solvedOnce = 0;  // 1: an episode from the start has solved it
+  // Episodes from the start, since the last tally.
   uint32_t fromStart = 0, solved = 0;
 };
 
@@ -80,7 +80,7 @@ struct PlaceView {
   const TrainingView* on;
   Player* players;        // (worlds)
   sim::LooseBody* loose;  // (worlds, looseStride)
-  Reached* reached;       // (kMostReached), of which counts->reached are there
+  Reached* reached;       // (kMostReached), the first counts->reached are valid
   PlaceCounts* counts;
   uint32_t worlds, looseStride;
 
@@ -89,23 +89,24 @@ struct PlaceView {
   }
 };
 
-// What numbers are drawn for.
+// Purposes of random numbers.
 enum class Draw : uint64_t { move = 0x6d6f7665, begin = 0x626567696e };
 
-// `decision`: of the world, counted from the beginning of learning; `world`: its number among all.
+// Returns the random numbers for one decision. `decision`: of the world, counted from the start of
+// training; `world`: its index among all.
 OBBY_DEVICE Random drawsOf(uint64_t seed, Draw use, uint64_t decision, uint32_t world) {
   return {seed ^ uint64_t(use), decision << 32 | world};
 }
 
-// What came of a move.
+// The result of a move.
 struct Step {
   float reward = 0;
-  bool ended = false;  // by a goal, a death, a broken rule
+  bool ended = false;  // a goal, a death or a broken rule ended it
 };
 
 OBBY_DEVICE bool hasEnded(const Player& p) { return p.world.outcome != sim::Outcome::running; }
 
-// After the ticks of a move.
+// Returns the result after the ticks of a move.
 OBBY_DEVICE Step judge(const TrainingView& on, const RewardSettings& worth, Player& p) {
   Step step;
   step.reward = worth.decision;
@@ -122,7 +123,7 @@ OBBY_DEVICE Step judge(const TrainingView& on, const RewardSettings& worth, Play
   return step;
 }
 
-// Puts a player where its next playthrough begins: at the start, or where another had come to.
+// Starts the player's next episode: at the start of the level, or at a restart state.
 OBBY_DEVICE void restart(const PlaceView& place, uint32_t player, const RestartShares& shares,
                          Random& random) {
   Player& p = place.players[player];
@@ -144,8 +145,8 @@ OBBY_DEVICE void restart(const PlaceView& place, uint32_t player, const RestartS
   for (uint32_t b = 0; b < place.on->level.looseCount; ++b) loose[b] = place.on->startLoose[b];
 }
 
-// Keeps a state in which the player stands, now and then; bodies are not kept, so levels with such
-// begin at the start.
+// Keeps some of the states in which the player stands. Bodies are not kept, so levels with dynamic
+// bodies always begin at the start.
 OBBY_DEVICE void remember(const PlaceView& place, const Player& p, Random& random) {
   if (p.world.floorlessSteps != 0 || place.on->level.looseCount != 0) return;
   if (random.below(kRememberEvery) != 0) return;
@@ -154,16 +155,16 @@ OBBY_DEVICE void remember(const PlaceView& place, const Player& p, Random& rando
                                                                                     p.least};
 }
 
-// What numbers settle() draws with.
+// Parameters of settle().
 struct SettleRules {
   uint64_t seed;
   RestartShares restarts;
-  uint64_t decision;    // that was made last
-  bool endOfIteration;  // those that take too long are cut: their last value stands for the rest
+  uint64_t decision;    // the last one played
+  bool endOfIteration;  // long episodes are cut: their last value estimates the rest
 };
 
-// After a decision of all worlds of a place, `first` its first world's number: begins anew what is
-// over. One after the other, for they share what was reached.
+// Restarts ended episodes after a decision of all worlds of a place. `first`: index of its first
+// world. Worlds are handled in order, as they share the restart states.
 OBBY_DEVICE void settle(const PlaceView& place, const SettleRules& rules, uint32_t first) {
   for (uint32_t i = 0; i < place.worlds; ++i) {
     const Player& p = place.players[i];
@@ -181,10 +182,10 @@ OBBY_DEVICE void settle(const PlaceView& place, const SettleRules& rules, uint32
   }
 }
 
-// All worlds at the start of a level that is new to the place.
+// Puts all worlds at the start of a new level.
 OBBY_DEVICE void beginLevel(const PlaceView& place) {
   *place.counts = {};
-  Random none(0, 0);  // nothing was reached yet, so nothing is drawn
+  Random none(0, 0);  // no restart states exist yet, so none is drawn
   for (uint32_t i = 0; i < place.worlds; ++i) restart(place, i, {}, none);
 }
 

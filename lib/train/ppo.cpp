@@ -10,8 +10,7 @@ namespace obby::train {
 namespace {
 
 constexpr size_t kShares = 8;
-constexpr size_t kRowsPerTile =
-    256;  // decisions whose layers stay in a core's cache on their way through
+constexpr size_t kRowsPerTile = 256;  // decisions whose activations fit in a core's cache
 
 }  // namespace
 
@@ -27,7 +26,7 @@ nn::Network<float> firstNetwork(uint64_t seed) {
   fill(0, 0, policy::kHidden, gain);
   fill(1, 0, policy::kHidden, gain);
   fill(2, 0, policy::kMoves, 0.01f);
-  fill(2, policy::kMoves, 1, 1);  // the value
+  fill(2, policy::kMoves, 1, 1);  // the value head
   return net;
 }
 
@@ -145,7 +144,7 @@ void Ppo::learnMinibatch(const Batch& batch, std::span<const uint32_t> rows, flo
   addVoidGradients(batch.seen, net(), gradient);
   ranks_.add(gradient);
   for (float& g : gradient) g /= float(moments[2]);
-  // Squares are added as doubles, as on a GPU: as floats, thousands of them would cost two digits.
+  // Adds squares as doubles, as on a GPU. Thousands of floats would lose two digits.
   sums.gradNorm += double(nn::clipGradNorm<double>(gradient, settings_.maxGradNorm));
   learner_.step(settings_.learningRate * rate);
 }

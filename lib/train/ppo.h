@@ -1,6 +1,6 @@
-// Proximal policy optimisation over a batch of decisions: advantages, then a few epochs over the
-// batch in minibatches. The same bits for any number of threads: a minibatch is cut into a fixed
-// number of shares, whose gradients are added in order, and then those of the ranks.
+// Proximal policy optimisation over a batch of decisions: advantages, then a few epochs of
+// minibatches. A minibatch is cut into a fixed number of shares. Their gradients are added in
+// order, then those of the ranks, so the number of threads does not change any bit.
 #pragma once
 
 #include <span>
@@ -20,15 +20,15 @@ using policy::Decision;
 
 struct PpoSettings {
   nn::PpoLossSettings loss{.entropyWeight = 0.005f};
-  float discount = 0.99f;      // a decision
-  float lambda = 0.95f;        // of generalised advantage estimation
-  uint32_t epochs = 2;         // over a batch
-  uint32_t minibatch = 4096;   // decisions a step of the optimiser, of each rank, at most
-  float learningRate = 2e-3f;  // at first
+  float discount = 0.99f;      // per decision
+  float lambda = 0.95f;        // generalised advantage estimation
+  uint32_t epochs = 2;         // per batch
+  uint32_t minibatch = 4096;   // max decisions of an optimiser step, per rank
+  float learningRate = 2e-3f;  // initial
   float maxGradNorm = 0.5f;
 };
 
-// Decisions of some worlds, a row each: (ticks, worlds), the worlds of one tick side by side.
+// Decisions of some worlds, one row each. Rows are ordered as (ticks, worlds).
 struct Batch {
   Batch(uint32_t tickCount, uint32_t worldCount)
       : ticks(tickCount),
@@ -41,55 +41,55 @@ struct Batch {
         done(size_t(ticks) * worlds) {}
 
   uint32_t ticks, worlds;
-  SeenRows seen;  // before each decision, and at last
+  SeenRows seen;  // rows before each decision, and after the last
   std::vector<Decision> decisions;
-  std::vector<float> values;  // what the network expected, in rewards
+  std::vector<float> values;  // the network's estimates, in rewards
   std::vector<float> rewards;
   std::vector<float> last;    // (worlds), value of the state after the last tick
-  std::vector<uint8_t> done;  // the playthrough ended with this decision
+  std::vector<uint8_t> done;  // true if the episode ended with this decision
 };
 
-// Means over all decisions of all epochs; gradNorm over all minibatches.
+// Means over all decisions of all epochs; gradNorm is a mean over all minibatches.
 struct Progress {
   double loss = 0, entropy = 0, approxKl = 0, clipFraction = 0, valueError = 0, gradNorm = 0;
 
   // Adds the loss of one decision.
   void add(const nn::PpoLoss<float>& r);
   void add(const Progress& sums);
-  // From the sums of this rank's decisions, and of the minibatches' norms.
+  // Turns sums of this rank's decisions, and of the minibatches' norms, into means of all ranks.
   void finish(size_t decisions, uint32_t minibatches, Ranks& ranks);
 };
 
-// How the advantages of a minibatch are normalised.
+// Returns the normalisation of a minibatch's advantages.
 inline nn::AdvantageScale advantageScaleOf(const nn::Moments& m, double count) {
   return nn::advantageScale(m, count, 1e-8);
 }
 
 class Ppo {
  public:
-  // The ranks learn one network, each from batches of its own.
+  // The ranks train one network, each on its own batches.
   Ppo(const PpoSettings& settings, uint64_t seed, ThreadPool& pool, Ranks& ranks);
 
   const nn::Network<float>& net() const { return learner_.net(); }
-  // What the value head says, in rewards.
+  // Returns a value of the value head in rewards.
   float valueOf(float output) const { return values_.mean + values_.deviation * output; }
 
-  // What restore() goes on from, under the same settings.
+  // Returns the state from which restore() resumes, under the same settings.
   LearnerState state() const { return {learner_.state(), values_}; }
   void restore(const LearnerState& state);
 
-  // `rate`: of the learning rate that settings say. The batch's targets are filled in.
+  // Learns from the batch. `rate`: factor of the settings' learning rate.
   Progress learn(Batch& batch, float rate);
 
  private:
-  struct Share {  // of the work
+  struct Share {  // a part of the work
     nn::Pass<float> pass;
-    std::vector<float> gradient;  // of the loss by a tile's outputs
+    std::vector<float> gradient;  // gradient of the loss with respect to a tile's outputs
     Progress sums;
     Sums returns{1};
   };
 
-  // nn::forShares with a share of this object.
+  // Runs nn::forShares with the shares of this object.
   template <class Task>
   void inShares(size_t count, Task&& task);
   void fillAdvantages(const Batch& batch);
@@ -105,18 +105,18 @@ class Ppo {
   uint64_t seed_;
   nn::Learner learner_;
   ValueScale values_;
-  std::vector<float> void_;  // what the first layer makes of empty surroundings, of a minibatch
+  std::vector<float> void_;  // first-layer sums of empty surroundings, per minibatch
   std::vector<Share> shares_;
   std::vector<float> advantages_, returns_;  // (rows), in rewards
-  std::vector<uint32_t> order_;              // (rows), of an epoch
+  std::vector<uint32_t> order_;              // (rows), order of an epoch
 };
 
-// The order of decisions in an epoch, by what Adam has done before it.
+// Returns the order of decisions in an epoch. `steps`: Adam's steps before it.
 inline Shuffle orderOf(uint64_t seed, uint64_t steps, size_t decisions) {
   return {seed ^ 0x6f72646572, steps, uint32_t(decisions)};
 }
 
-// A network that nothing was learned with yet: orthogonal columns or rows, whichever are fewer.
+// Returns an untrained network with orthogonal initialisation.
 nn::Network<float> firstNetwork(uint64_t seed);
 
 }  // namespace obby::train

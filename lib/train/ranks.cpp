@@ -33,7 +33,7 @@ Status Ranks::agree(Status mine) {
   const auto found = std::find(anyBad.begin(), anyBad.end(), 1);
   if (found == anyBad.end()) return {};
   const auto which = size_t(found - anyBad.begin());
-  std::array<char, 2048> text{};  // cut if it is longer, with a 0 behind it
+  std::array<char, 2048> text{};  // truncated, with a final 0
   const std::string said = mine ? std::string() : mine.error().text();
   std::memcpy(text.data(), said.data(), std::min(said.size(), text.size() - 1));
   std::vector<char> all(text.size() * count());

@@ -1,6 +1,6 @@
-// Processes that learn one network together, each with worlds of its own. Whatever they add up they
-// add in the order of their numbers, so that the result depends on how many they are and on nothing
-// else. Every rank makes the same calls in the same order.
+// Processes that train one network together, each with its own worlds. They add numbers in the
+// order of ranks, so that the result depends only on the number of ranks. Every rank makes the same
+// calls in the same order.
 #pragma once
 
 #include <cstddef>
@@ -17,22 +17,22 @@ namespace obby::train {
 class Ranks {
  public:
   virtual ~Ranks() = default;
-  virtual uint32_t number() const = 0;  // of this one
+  virtual uint32_t number() const = 0;  // number of this process
   virtual uint32_t count() const = 0;
   bool first() const { return number() == 0; }
 
-  // `mine`: `size` bytes, as many on every rank. `all`: (count, size), the same on every rank.
+  // `mine`: `size` bytes, the same size on every rank. `all`: (count, size), equal on every rank.
   virtual void exchange(const void* mine, size_t size, void* all) = 0;
-  // What the first rank gives, on every rank.
+  // Returns the first rank's `bytes` on every rank.
   virtual std::string share(std::string bytes) = 0;
-  // On the first rank what every rank gives, in their order; elsewhere nothing.
+  // Returns every rank's `bytes` in order on the first rank; an empty list on others.
   virtual std::vector<std::string> collect(std::string bytes) = 0;
 
-  // The values become their sums over all ranks.
+  // Replaces the values by their sums over all ranks.
   void add(std::span<float> values);
   void add(std::span<double> values);
 
-  // The error of the first rank that has one, on every rank: all go on, or none does.
+  // Returns the first rank's error on every rank, so that all go on or none does.
   Status agree(Status mine);
   template <class T>
   Result<T> agree(Result<T> mine) {
@@ -41,7 +41,7 @@ class Ranks {
   }
 };
 
-// A process alone.
+// The only rank.
 class OneRank : public Ranks {
  public:
   uint32_t number() const override { return 0; }

@@ -13,7 +13,7 @@ constexpr int kUnits = policy::kHidden;
 constexpr std::integral_constant<size_t, kUnits> kWidth{};
 constexpr std::integral_constant<size_t, policy::kInputs> kInputs{};
 constexpr uint32_t kAllLanes = (uint64_t(1) << kLanes) - 1;
-constexpr int kAskedLines = 8;  // of cache: what is likely to be read of a row
+constexpr int kAskedLines = 8;  // cache lines of a row that are worth a prefetch
 static_assert(policy::kInputs % kLanes == 0);
 
 using Units = nn::UnitSums<kUnits>;
@@ -28,7 +28,7 @@ void SeenRows::normaliseBy(std::span<const float> means, std::span<const float> 
         policy::normalised(policy::kEmptyInput, means_[size_t(i)], scales_[size_t(i)]);
 }
 
-// The player's state is kept whatever it is.
+// The inputs of the player's state are always kept.
 void SeenRows::take(size_t row, const float* raw) {
   constexpr uint64_t kState = (uint64_t(1) << policy::kStateInputs) - 1;
   static_assert(policy::kStateInputs < kBits && kBits % kLanes == 0);
@@ -64,7 +64,7 @@ void addVoidGradients(const SeenRows& rows, const nn::Network<float>& net,
   }
 }
 
-// For the functions of nn/unit_sums.h.
+// Accessors for the functions of nn/unit_sums.h.
 class SeenPart::Block {
  public:
   struct Cursor {
@@ -94,7 +94,7 @@ class SeenPart::Block {
 
   const SeenPart& part_;
   size_t first_, count_;
-  const float* values_[nn::kRowBlock];  // the next of each row
+  const float* values_[nn::kRowBlock];  // the next value of each row
 };
 
 void SeenPart::fillFirstLayer(const nn::Network<float>& net, float* out) const {

@@ -1,7 +1,6 @@
-// Rows of the network's inputs as learning keeps them. Most of a level is empty, and so are two of
-// three inputs: a row is what differs from empty surroundings, and which inputs those are, and the
-// first layer's sums run over that alone. Host only; the order of sums is fixed, and the same for
-// any number of lanes.
+// Rows of network inputs, stored sparsely. Most of a level is empty, and so are two thirds of the
+// inputs. A row keeps only the inputs that differ from empty surroundings, and the first layer sums
+// over those. The order of sums is fixed for any lane width. Host only.
 #pragma once
 
 #include <cstdint>
@@ -14,21 +13,21 @@
 
 namespace obby::train {
 
-// Rows that are asked for before they are read, where they are read in any order.
+// Rows to prefetch where rows are read in shuffled order.
 constexpr size_t kRowsAhead = 8;
 
 class SeenRows {
  public:
   explicit SeenRows(size_t rows) : rows_(rows) {}
 
-  // By which rows that are taken from now on are normalised: kInputs numbers each. Rows that were
-  // taken before mean something else then.
+  // Sets the normalisation of rows taken from now on: kInputs numbers each. Rows that were taken
+  // earlier become invalid.
   void normaliseBy(std::span<const float> means, std::span<const float> scales);
 
-  // `raw`: (kInputs), as policy::observe() gives them.
+  // Stores a row. `raw`: (kInputs), from policy::observe().
   void take(size_t row, const float* raw);
 
-  // Empty surroundings, normalised: (kInputs).
+  // Returns the normalised inputs of empty surroundings, (kInputs).
   const std::vector<float>& voids() const { return voids_; }
 
  private:
@@ -38,28 +37,28 @@ class SeenRows {
   static constexpr int kWords = (policy::kInputs + kBits - 1) / kBits;
 
   struct alignas(64) Row {
-    uint64_t seen[kWords];          // a bit an input: it has a value
-    float values[policy::kInputs];  // normalised, less those of empty surroundings; side by side
+    uint64_t seen[kWords];          // one bit per input: it has a value
+    float values[policy::kInputs];  // normalised, less those of empty surroundings; packed
   };
 
   std::vector<float> means_, scales_, voids_ = std::vector<float>(policy::kInputs);
   std::vector<Row, HugePages<Row>> rows_;
 };
 
-// Fills `out`, (kHidden), with what the first layer makes of empty surroundings: the sums begin
-// with it. To be made again when the weights or the rows' normaliser change. In the order of
-// policy::Thinker, so that a layer has the bits that the search knows.
+// Fills `out`, (kHidden), with the first layer's sums for empty surroundings, from which the sums
+// of each row start. Call it again when the weights or the normalisation change. Sums follow the
+// order of policy::Thinker, so that a layer has the same bits as in the search.
 void voidSums(const SeenRows& rows, const nn::Network<float>& net, std::vector<float>& out);
 
-// Adds to the first layer's gradient what empty surroundings contribute, once for all rows whose
+// Adds the gradient of the first layer's weights by empty surroundings, once for all rows whose
 // gradients are summed in its biases.
 void addVoidGradients(const SeenRows& rows, const nn::Network<float>& net,
                       std::vector<float>& sums);
 
-// Some of the rows, as inputs of an nn::Pass.
+// A selection of rows, as inputs of an nn::Pass.
 class SeenPart {
  public:
-  // All three must outlive it. `which`: rows.
+  // The arguments must outlive it. `which`: indices of rows.
   SeenPart(const SeenRows& rows, std::span<const uint32_t> which,
            const std::vector<float>& voidSums)
       : rows_(rows), which_(which), voidSums_(voidSums) {}
@@ -70,7 +69,7 @@ class SeenPart {
                         std::vector<float>& sums) const;
 
  private:
-  class Block;  // of rows whose inputs are gone through together
+  class Block;  // rows that are processed together
 
   const SeenRows::Row& row(size_t i) const { return rows_.rows_[which_[i]]; }
 

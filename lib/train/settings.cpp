@@ -9,7 +9,7 @@ std::vector<Setting> settingsOf(const TrainerSettings& s) {
   const auto add = [&](const char* name, auto value) {
     out.push_back({name, fmt::format("{}", value)});
   };
-  // Those with an option are called as the option is.
+  // Settings with a command line option have its name.
   add("seed", s.seed);
   add("worlds", s.envGroups * s.envGroup.levels * s.envGroup.worlds);
   add("crowds", s.envGroups);

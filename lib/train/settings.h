@@ -1,5 +1,4 @@
-// The settings of learning as names and values, for a checkpoint to be gone on from only under
-// those that it was made under.
+// Training settings as names and values. A checkpoint can be resumed only under equal settings.
 #pragma once
 
 #include <string>
@@ -14,10 +13,11 @@ struct Setting {
   std::string name, value;
 };
 
-// All that decides what is learned, apart from the levels. Numbers are their shortest decimals.
+// Returns all settings that affect training, apart from the levels. Numbers are their shortest
+// decimals.
 std::vector<Setting> settingsOf(const TrainerSettings& settings);
 
-// The error names the first setting that differs, with both values.
+// Returns an error that names the first differing setting, with both values.
 Status sameSettings(const std::vector<Setting>& then, const std::vector<Setting>& now);
 
 }  // namespace obby::train

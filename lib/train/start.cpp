@@ -9,9 +9,9 @@ namespace obby::train {
 
 namespace {
 
-// The deviation, a float, that scaleOf() made `scale` of; 0: there is none.
+// Returns a float deviation for which scaleOf() returns `scale`; 0 if there is none.
 float deviationOf(float scale) {
-  constexpr int kNear = 3;  // units of the last place; rounding there and back takes up to two
+  constexpr int kNear = 3;  // units in the last place; the round trip takes up to two
   if (!(scale > 0)) return 0;
   float deviation = 1 / scale;
   for (int i = 0; i < kNear; ++i) deviation = std::nextafter(deviation, 0.0f);
@@ -50,7 +50,7 @@ Result<Start> startFrom(const policy::PolicyFile& file) {
 }
 
 uint64_t allDecisions(const TrainerState& state) {
-  constexpr double kMost = 1e19;  // a damaged file may have said more than 64 bits hold
+  constexpr double kMost = 1e19;  // a damaged file may exceed 64 bits
   return uint64_t(std::min(kMost, state.seen.rows * kCountEvery));
 }
 

@@ -1,5 +1,5 @@
-// Everything that decides what is learned next, apart from settings and levels, as plain data: what
-// a checkpoint (checkpoint.h) keeps.
+// The complete state of training, apart from settings and levels, as plain data. A checkpoint
+// (checkpoint.h) keeps it.
 #pragma once
 
 #include <utility>
@@ -11,26 +11,26 @@
 
 namespace obby::train {
 
-// Worlds on a level. Without players it waits: its source did not give the level, for it was told
-// to stop or had an error, and learning ended with that iteration.
+// The worlds on a level. A place without players waits: its source was told to stop or had an
+// error, and training ended with that iteration.
 struct PlaceState {
-  uint64_t taken = 0;      // levels so far, the one it has included
-  float hardest = 0;       // difficulty that the level was asked for with
-  float nextHardest = 0;   // difficulty that the next one will be asked for with
-  uint64_t levelHash = 0;  // of the level: that which is made anew must be the same
+  uint64_t taken = 0;      // levels so far, including the current one
+  float hardest = 0;       // difficulty requested for the level
+  float nextHardest = 0;   // difficulty to request for the next level
+  uint64_t levelHash = 0;  // checked after a resume
   PlaceCounts counts;
   std::vector<Player> players;
   std::vector<sim::LooseBody> loose;  // (players, looseCount)
-  std::vector<Reached> reached;       // (counts.reached), to begin from
+  std::vector<Reached> reached;       // (counts.reached), restart states
 
   bool waits() const { return players.empty(); }
 };
 
-// Playthroughs that began at the start of their level, since the last look.
+// Episodes from the start of their level, since the last tally.
 struct Tally {
   uint64_t played = 0, solved = 0;
 
-  // Takes those of a place.
+  // Moves the counts of a place into this tally.
   void add(PlaceCounts& counts) {
     played += std::exchange(counts.fromStart, 0);
     solved += std::exchange(counts.solved, 0);
@@ -47,8 +47,8 @@ struct LearnerState : nn::LearnerState {
 
 struct TrainerState {
   uint64_t iterations = 0, decisions = 0;
-  double solved = 0;  // share of playthroughs, smoothed
-  float hardest = 0;  // difficulty of the levels that come next, at most
+  double solved = 0;  // share of episodes, smoothed
+  float hardest = 0;  // max difficulty of the next levels
   Sums seen{policy::kInputs};
   LearnerState learner;
   std::vector<EnvGroupState> envGroups;

@@ -17,7 +17,7 @@ namespace obby::train {
 
 namespace {
 
-using sim::Outcome, sim::State;  // as the table of a world's fields names them
+using sim::Outcome, sim::State;  // as the field table of a world names them
 
 #define OBBY_SIZE_OF(type, name) +sizeof(type)
 static_assert(sizeof(sim::World) == OBBY_WORLD_FIELDS(OBBY_SIZE_OF)

@@ -1,4 +1,4 @@
-// The parts of a checkpoint to and from its schema (schema/checkpoint.capnp). Private to lib/train.
+// Converts the parts of a checkpoint to and from schema/checkpoint.capnp. Private to lib/train.
 #pragma once
 
 #include <string>
@@ -9,26 +9,26 @@
 
 namespace obby::train {
 
-// Digest of how sim::World and sim::LooseBody are laid out: their bytes mean the same where it is
-// equal.
+// Returns a digest of the layouts of sim::World and sim::LooseBody. If it is equal, their bytes
+// have the same meaning.
 uint64_t stateLayout();
 
 void writeSums(const Sums& sums, schema::SavedSums::Builder to);
 void writeLearner(const LearnerState& state, schema::SavedLearner::Builder to);
 void writeEnvGroup(const EnvGroupState& state, schema::SavedEnvGroup::Builder to);
 
-// Env groups as bytes, between processes of the same program; unpackEnvGroups() appends.
+// Serialises env groups for processes of the same program. unpackEnvGroups() appends.
 std::string packEnvGroups(const std::vector<EnvGroupState>& envGroups);
 void unpackEnvGroups(const std::string& bytes, std::vector<EnvGroupState>& envGroups);
 
-// From 0 to 1; not so of what is no number.
+// Returns true for 0 to 1, false for NaN.
 bool isShare(double value);
 
-// Has it only numbers that can be read back?
+// Returns true if all numbers are finite.
 bool isFinite(const Sums& sums);
 bool isFinite(const LearnerState& state);
 
-// The error says which list has another length than it must. `out` says how wide sums are.
+// Errors name the list that has a wrong length. `out` determines the width of sums.
 Status readSums(schema::SavedSums::Reader from, Sums& out);
 Status readLearner(schema::SavedLearner::Reader from, LearnerState& out);
 Status readEnvGroup(schema::SavedEnvGroup::Reader from, EnvGroupState& out);

@@ -1,4 +1,4 @@
-// A stream of levels in memory, whole: for ranks that share what only one of them can read.
+// A whole level stream in memory, for ranks when only one of them can read the stream.
 #pragma once
 
 #include <cstdint>
@@ -9,18 +9,17 @@
 
 namespace obby::train {
 
-// Bytes of such a copy, at most; each rank holds it a few times.
+// Max bytes of a copy; each rank holds several.
 inline constexpr uint64_t kMostCopied = uint64_t(4) << 30;
 
 struct StreamCopy {
   // Levels and queries, and the physics parameters before them, as Cap'n Proto messages.
   std::string records;
-  io::SourceSummary summary;  // of all that was read for it
+  io::SourceSummary summary;  // summary of all records read for it
 };
 
-// Of the whole stream; of what came so far where `waiting` ends it. Errors: those of the stream; an
-// end that says it was interrupted, unless `options` forgive that; more than `most` bytes, as of
-// one without end.
+// Copies the whole stream, or what arrived before `waiting` ended it. Errors: those of the stream;
+// an interrupted end, unless `options` forgive it; more than `most` bytes, as of an endless stream.
 Result<StreamCopy> copyOfStream(io::SourceOptions options, WaitLimit& waiting,
                                 uint64_t most = kMostCopied);
 

@@ -11,9 +11,9 @@ namespace obby::train {
 
 namespace {
 
-constexpr double kSlow = 0.05;       // weight of a new share of playthroughs solved
-constexpr float kHarder = 0.01f;     // a step of the difficulty
-constexpr float kEnoughPlayed = 64;  // playthroughs that count in full
+constexpr double kSlow = 0.05;       // weight of an iteration's share of solved episodes
+constexpr float kHarder = 0.01f;     // step of the difficulty
+constexpr float kEnoughPlayed = 64;  // episodes for full weight
 
 using Clock = std::chrono::steady_clock;
 double secondsSince(Clock::time_point then) {
@@ -70,7 +70,8 @@ void Trainer::gather(const Played& played, Iteration& out) {
   adapt(sums[1] > 0 ? sums[2] / sums[1] : 0, out.played);
 }
 
-// Levels become harder while most are solved, easier while few are; by less where few were played.
+// Raises the difficulty while most episodes are solved, lowers it while few are. The step is
+// smaller after few episodes.
 void Trainer::adapt(double solvedNow, uint64_t played) {
   const float weight = std::min(float(played) / kEnoughPlayed, 1.0f);
   solved_ += kSlow * double(weight) * (solvedNow - solved_);
@@ -87,13 +88,13 @@ void Trainer::refreshNormaliser() {
   hide();
 }
 
-// Wherever the network is used, what it was not shown is zero.
+// Hidden inputs are zero wherever the network is used.
 void Trainer::hide() {
   for (const int i : settings_.hidden) scales_[size_t(i)] = 0;
 }
 
-// A rank that could not learn left the others in the midst of an exchange, where there is nothing
-// to agree on: it has to be known that it is gone.
+// Throws if this rank of several could not learn. The others are in the middle of an exchange, so
+// the ranks cannot agree on an error.
 Result<Progress> Trainer::learned(Result<Progress> mine) const {
   if (!mine && ranks_.count() > 1) throw std::runtime_error(mine.error().text());
   return mine;

@@ -1,6 +1,5 @@
-// Learning, an iteration at a time: all worlds play for a while under the policy as it is, then the
-// policy learns from what came of it. Everything follows from the settings and the levels: the
-// number of threads does not show.
+// The training loop. In each iteration all worlds play under the current policy, then the policy
+// learns from it. The result follows from settings and levels, not from the number of threads.
 #pragma once
 
 #include <memory>
@@ -12,31 +11,31 @@
 
 namespace obby::train {
 
-// Of one iteration.
+// Statistics of one iteration.
 struct Iteration {
-  uint64_t number = 0, decisions = 0;  // so far
+  uint64_t number = 0, decisions = 0;  // counts so far
   double seconds = 0, playSeconds = 0;
-  double reward = 0;    // a decision
-  double solved = 0;    // share of playthroughs from the start, smoothed
-  uint64_t played = 0;  // such playthroughs
-  float hardest = 0;    // difficulty of levels, at most
+  double reward = 0;    // per decision
+  double solved = 0;    // share of episodes from the start, smoothed
+  uint64_t played = 0;  // episodes from the start
+  float hardest = 0;    // max difficulty of levels
   Progress progress;
 };
 
 class Trainer {
  public:
-  // What it refers to must outlive it. Ranks learn together: each makes a trainer, of the same
-  // settings and source, and calls the same functions; an error of one is an error of all.
+  // The arguments must outlive the trainer. Each rank makes a trainer with the same settings and
+  // source, and calls the same functions. An error on one rank is an error on all.
   static Result<std::unique_ptr<Trainer>> make(const TrainerSettings& settings,
                                                const LevelSource& source, ThreadPool& pool,
                                                Ranks& ranks);
-  // The same with another engine than the CPU; with `start` instead of a fresh network, if given.
+  // Uses another engine than the CPU's; starts from `start`, if given, instead of a fresh network.
   static Result<std::unique_ptr<Trainer>> make(const TrainerSettings& settings,
                                                std::unique_ptr<Engine> engine, Ranks& ranks,
                                                const Start* start = nullptr);
 
-  // Goes on from a state of trainers with the same settings, source and number of ranks. Errors
-  // also: the state does not fit them.
+  // Resumes from a state of trainers with the same settings, source and number of ranks. Errors
+  // also: a state that does not fit them.
   static Result<std::unique_ptr<Trainer>> resume(const TrainerSettings& settings,
                                                  const LevelSource& source, ThreadPool& pool,
                                                  Ranks& ranks, TrainerState state);
@@ -44,21 +43,21 @@ class Trainer {
                                                  std::unique_ptr<Engine> engine, Ranks& ranks,
                                                  TrainerState state);
 
-  // Throws std::runtime_error on a rank of several that could not learn: the others wait for it.
-  // Error also: learning diverged. Then state() is none that could be gone on from.
+  // Throws std::runtime_error on one of several ranks if it could not learn, as the others wait for
+  // it. Errors also: training diverged; then state() cannot be resumed.
   Result<Iteration> iterate();
-  // Is there another? Error: what a source said that gave no more levels. What was learned stays,
-  // and state() can be gone on from.
+  // Returns success if another iteration can follow, else the source's error. The trained network
+  // stays, and state() can be resumed.
   const Status& more() const { return more_; }
 
-  // Between two iterations; resume() goes on from it with the same bits. All env groups are in that
-  // of the first rank. Error: the engine's.
+  // Call it between iterations. resume() continues from it with the same bits. On the first rank it
+  // has the env groups of all ranks. Errors: the engine's.
   Result<TrainerState> state() const;
-  // So far.
+  // Counts so far.
   uint64_t iterations() const { return iterations_; }
   uint64_t decisions() const { return decisions_; }
 
-  // The policy as it is now, to be used elsewhere.
+  // Returns the current policy for use elsewhere.
   policy::Network network() const;
 
  private:
@@ -77,8 +76,8 @@ class Trainer {
   TrainerSettings settings_;
   Ranks& ranks_;
   std::unique_ptr<Engine> engine_;
-  std::vector<float> parameters_;  // the engine's network, as it is now
-  bool finite_ = true;             // all that the engine learned
+  std::vector<float> parameters_;  // the engine's parameters
+  bool finite_ = true;             // true while all trained numbers are finite
   Sums seen_{policy::kInputs};
   std::vector<float> means_, scales_;
   uint64_t iterations_ = 0, decisions_ = 0;

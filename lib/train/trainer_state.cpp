@@ -1,4 +1,4 @@
-// What a trainer keeps of itself, and how it goes on from there; ranks that must be of one mind.
+// Saves and restores a trainer, and checks that ranks agree.
 #include <fmt/format.h>
 
 #include "base/hash.h"
@@ -46,7 +46,8 @@ Result<TrainerState> Trainer::state() const {
   return out;
 }
 
-// Files of such a network could be written over good ones, and read by nobody.
+// Returns an error if the network is not finite: its files could replace good ones and would be
+// unreadable.
 Status Trainer::stillFinite() const {
   if (finite_ && isFinite(seen_)) return {};
   return makeError(
@@ -54,7 +55,8 @@ Status Trainer::stillFinite() const {
       "start again with a lower --rate; resuming the last checkpoint would diverge again");
 }
 
-// Ranks of another kind of machine may round otherwise; their networks would part unseen.
+// Checks that all ranks have the same network. On another kind of machine rounding may differ, and
+// networks would diverge unnoticed.
 Status Trainer::sameNetwork() const {
   if (ranks_.count() == 1) return {};
   const uint64_t hash = hashBytes(parameters_.data(), parameters_.size() * sizeof(float));

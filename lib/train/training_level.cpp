@@ -12,7 +12,7 @@ namespace obby::train {
 
 namespace {
 
-constexpr uint32_t kMostPlaces = 4096;  // of a way: rewards go along it for each decision
+constexpr uint32_t kMostPlaces = 4096;  // max places of a route, all of which rewards scan
 
 Result<std::vector<Vec3>> wayOf(schema::Query::Reader query) {
   const auto record = query.getWay();

@@ -1,4 +1,4 @@
-// A level to learn on, with its query, compiled once and shared by the worlds that play it.
+// A training level with its query, compiled once and shared by the worlds that play it.
 #pragma once
 
 #include <memory>
@@ -15,20 +15,20 @@ namespace obby::train {
 
 class TrainingLevel {
  public:
-  // Rewards follow the query's way; where it names none, from the start through its waypoints to
-  // its goal. Errors as of Level::compile and Query::compile; a way of one place, of more than
-  // 4,096, or that leads out of the world; a difficulty beyond 0 to 1.
+  // Rewards follow the query's way; without one, the line from the start through its waypoints to
+  // its goal. Errors: those of Level::compile and Query::compile; a way of one place, of more than
+  // 4,096 or out of the world's bounds; a difficulty outside 0 to 1.
   static Result<std::shared_ptr<const TrainingLevel>> make(schema::Level::Reader level,
                                                            schema::Query::Reader query);
 
-  const std::string& name() const { return level_.name(); }  // of the level record
+  const std::string& name() const { return level_.name(); }  // name in the level record
   const policy::Scene& scene() const { return scene_; }
   const sim::World& start() const { return start_; }
   const std::vector<sim::LooseBody>& startLoose() const { return startLoose_; }
   const Guide& guide() const { return guide_; }
   // Valid while this object lives. `patience`: as EnvGroupSettings::patience.
   TrainingView view(float patience) const;
-  uint64_t hash() const { return hash_; }  // of all that it was made from, whatever the encoding
+  uint64_t hash() const { return hash_; }  // hash of all its data, for any encoding
 
  private:
   TrainingLevel(level::Level level, level::Query query, std::vector<Vec3> way, uint64_t hash);
@@ -37,7 +37,7 @@ class TrainingLevel {
   level::Query query_;
   uint64_t hash_;
   policy::Surroundings surroundings_;
-  // What the scene refers to.
+  // Data that the scene refers to.
   level::QueryView queryView_;
   policy::SurroundingsView around_;
   policy::Scene scene_;
@@ -46,24 +46,24 @@ class TrainingLevel {
   Guide guide_;
 };
 
-// Ticks after which a playthrough is given up: `patience` times what walking the way takes, and ten
-// seconds.
+// Returns the ticks after which an episode is cut: `patience` times the walking time of the route,
+// plus ten seconds.
 uint32_t mostTicksOf(const TrainingLevel& level, float patience);
 
-// The error of who cannot do without the level that a source did not give.
+// Error for callers that require a level, if the source returned none.
 inline constexpr const char* kInterrupted = "interrupted while reading levels";
 
-// Levels without end. Level `index` must be the same whoever asks, whenever, from whichever thread.
+// A sequence of levels. Level `index` must be the same for every call from any thread.
 class LevelSource {
  public:
   virtual ~LevelSource() = default;
-  // `hardest`: difficulty that the level has at most, 0 to 1, where the source knows of any. Null:
-  // the source was told to stop, or has no more, and will give none.
+  // `hardest`: max difficulty, 0 to 1, if the source knows difficulties. Returns null if the source
+  // was told to stop or has no more, and then for all later calls.
   virtual Result<std::shared_ptr<const TrainingLevel>> level(uint64_t index,
                                                              float hardest) const = 0;
-  // No level before this one will be asked for any more.
+  // Declares that no level before this one will be requested.
   virtual void past(uint64_t) const {}
-  // None will be asked for any more: who waits for one in level() need not.
+  // Declares that no level will be requested. Calls that wait in level() return.
   virtual void end() const {}
 };
 

@@ -1,5 +1,5 @@
-// What the value head's outputs mean. It learns returns of mean 0 and deviation 1; when these move,
-// its weights move along, so that what it says stays as it was (Pop-Art, van Hasselt et al. 2016).
+// The scale of the value head. It learns returns of mean 0 and deviation 1. When the scale changes,
+// the head's weights change so that its values stay the same (Pop-Art, van Hasselt et al. 2016).
 #pragma once
 
 #include <algorithm>
@@ -12,9 +12,9 @@ struct ValueScale {
   float mean = 0, deviation = 1;  // a reward is mean + deviation x output
   Sums returns{1};
 
-  // Those of another batch, in this rank.
+  // Adds the returns of another batch of this rank.
   void take(Sums now, Ranks& ranks) {
-    constexpr double kFade = 0.95;  // of what returns were, at each batch
+    constexpr double kFade = 0.95;  // weight of earlier returns, per batch
     constexpr float kLeast = 1e-3f;
     returns.fade(kFade);
     now.add(ranks);

@@ -23,7 +23,7 @@ WaitLimit::~WaitLimit() {
   watcher_.join();
 }
 
-// The handler of a signal can set a flag, but wake nobody: it has to be looked at.
+// Signal handlers can set a flag but not notify, so the flag is polled.
 void WaitLimit::watch() {
   std::unique_lock hold(lock_);
   while (!over_) {
@@ -49,8 +49,8 @@ void WaitLimit::read(bool now) {
 Result<std::optional<io::Record>> WaitLimit::next(io::RecordSource& source) {
   read(true);
   auto record = source.next();
-  // A signal may have come to whoever writes the stream, too: what looks like its end is none, and
-  // that it is cut off is no error.
+  // The signal may also have reached the process that writes the stream. A truncated stream is then
+  // no error.
   if (interrupted_) {
     stop_ = true;
     if (!record) record = std::optional<io::Record>();

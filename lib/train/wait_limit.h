@@ -1,4 +1,4 @@
-// How long learning waits for a stream that sends nothing, and for who takes nothing.
+// Time limits for a stream that sends nothing, and for a reader of outputs that stalls.
 #pragma once
 
 #include <atomic>
@@ -12,14 +12,13 @@
 
 namespace obby::train {
 
-// Tells who reads a stream to stop: once `interrupted` is set, at end(), and while it waits for a
-// record that does not come within the time. That is `seconds` and a little `more`, so that who has
-// a clock of its own is through before wherever records come.
+// Stops the reader of a stream once `interrupted` is set, at end(), and when a record takes longer
+// than `seconds` + `more`. The extra time lets callers with their own limit of `seconds` end first.
 class WaitLimit {
  public:
   static constexpr double kMore = 3;       // seconds
-  static constexpr double kNone = 1e30;    // seconds that never pass
-  static constexpr double kForFiles = 10;  // seconds, see lost()
+  static constexpr double kNone = 1e30;    // never elapses
+  static constexpr double kForFiles = 10;  // seconds; see lost()
 
   // `interrupted` must outlive it.
   WaitLimit(const std::atomic<bool>& interrupted, double seconds, double more = kMore);
@@ -27,22 +26,22 @@ class WaitLimit {
   WaitLimit(const WaitLimit&) = delete;
   WaitLimit& operator=(const WaitLimit&) = delete;
 
-  // For the reader's io::SourceOptions. Lives as long as this; once set it stays.
+  // The flag for the reader's io::SourceOptions. Lives as long as this; it is never cleared.
   const std::atomic<bool>& stop() const { return stop_; }
-  // Was it set for the time?
+  // Returns true if the time limit set it.
   bool isUp() const { return up_; }
-  // For outputs, whose readers may stall: set once `interrupted` is, and `seconds` after the last
-  // begin(), which takes it back. Lives as long as this.
+  // The flag for outputs whose readers may stall. Set with `interrupted`, and `seconds` after the
+  // last begin(), which clears it. Lives as long as this.
   const std::atomic<bool>& late() const { return late_; }
-  // The same for outputs that hours of learning went into: after the time kForFiles later.
+  // As late(), but kForFiles later: for outputs that took hours of training.
   const std::atomic<bool>& lost() const { return lost_; }
 
-  // As source.next(), of a source that has stop(); but once `interrupted` is set, none in place of
-  // an error. Before begin() each record has the time for itself. One thread at a time.
+  // As source.next(), of a source that uses stop(). Once `interrupted` is set, returns no record
+  // instead of an error. Before begin() each record has its own time limit. One thread at a time.
   Result<std::optional<io::Record>> next(io::RecordSource& source);
-  // The work that has a limit begins: the time is from now on that of all records together.
+  // Starts the time limit of the work. From now on all records share one limit.
   void begin();
-  // The work is done: who still reads, as for what would come next, is told to stop.
+  // Ends the work and stops readers, which may still wait for later records.
   void end() { stop_ = true; }
 
  private:
@@ -51,13 +50,13 @@ class WaitLimit {
   void read(bool now);
 
   const std::atomic<bool>& interrupted_;
-  const double limit_, seconds_;  // of the work; of what is waited for
+  const double limit_, seconds_;  // limit of the work, and of a wait for a record
   std::atomic<bool> stop_{false}, up_{false}, late_{false}, lost_{false};
   std::mutex lock_;
   std::condition_variable wake_;
   bool over_ = false, begun_ = false, reading_ = false;
   Clock::time_point since_ = Clock::now();
-  std::thread watcher_;  // last: it uses all of it
+  std::thread watcher_;  // last, as it uses the other members
 };
 
 }  // namespace obby::train

@@ -26,7 +26,7 @@ int lerpMethod(lua_State* L) {
   return 1;
 }
 
-// The methods below take any number of arguments and return as many values.
+// Returns `of` applied to each argument, for methods with any number of arguments.
 template <class Of>
 int ofEach(lua_State* L, Of of) {
   const Pose self = checkCFrame(L, 1);
@@ -87,7 +87,7 @@ int orthonormalize(lua_State* L) {
   return 1;
 }
 
-// The angle of the turn from one rotation to the other.
+// Returns the angle of the turn from one rotation to the other.
 int angleBetween(lua_State* L) {
   const Mat3 a = checkCFrame(L, 1).rotation, b = checkCFrame(L, 2).rotation;
   const float trace = dot(a.x, b.x) + dot(a.y, b.y) + dot(a.z, b.z);
@@ -138,7 +138,7 @@ constexpr luaL_Reg kMethods[] = {{"Inverse", inverseMethod},
                                  {"AngleBetween", angleBetween},
                                  {nullptr, nullptr}};
 
-// The vectors among the members; false if `key` is none.
+// Sets `out` to a member that is a vector; returns false for other keys.
 bool vectorMember(const Pose& p, const std::string& key, Vec3& out) {
   const Mat3& r = p.rotation;
   if (key == "Position" || key == "p")

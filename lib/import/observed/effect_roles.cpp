@@ -10,7 +10,7 @@
 namespace obby::importer {
 namespace {
 
-constexpr float kDeadly = 1e6f;  // damage: more than any health
+constexpr float kDeadly = 1e6f;  // damage above any health
 
 }  // namespace
 
@@ -63,7 +63,7 @@ void EffectRoles::takePush(PartDraft& part, const Push& push) {
   if (pad.keepSideways) pad.velocity.x = pad.velocity.z = 0;
   if (pad.velocity.y == 0 && pad.velocity.x == 0 && pad.velocity.z == 0) return;
   if (push.seconds > 0) {
-    // As high as with the velocity held: v t + v^2 / 2g.
+    // The speed that reaches the height of a held velocity: v t + v^2 / 2g.
     const float v = pad.velocity.y, g = context_.level.world.gravity;
     if (v > 0) pad.velocity.y = std::sqrt(v * v + 2 * g * v * float(push.seconds));
     note("push that lasts", part.id, "given all at once; ", push.line);
@@ -131,7 +131,7 @@ void EffectRoles::takeAbility(engine::Approach approach, const engine::AirJumps&
     level.noteIgnored("ability of the player", "", "jumps in the air; " + reason(inAir.line));
   }
   if (effects.empty() && !leaps) noteUnknown(approach);
-  constexpr double kMinSeconds = 1;  // of an ability that is worth a jump
+  constexpr double kMinSeconds = 1;  // shortest ability that is worth a jump
   const bool isTaken =
       effects.boost && !effects.boost->forever && effects.boost->seconds < kMinSeconds;
   if (isTaken)

@@ -1,4 +1,4 @@
-// Gives parts the roles that follow from what a touch or use was seen to do.
+// Gives parts the roles that follow from observed effects of a touch or use.
 #pragma once
 
 #include <string>
@@ -14,19 +14,20 @@ class EffectRoles {
   EffectRoles(RoleContext& context, const engine::Report& report)
       : context_(context), base_(context.level.world), shield_(shieldIn(context, report)) {}
 
-  // Evidence that follows is a guess.
+  // Marks the evidence that follows as a guess.
   void setGuessed(bool guessed) { guessed_ = guessed; }
-  // What a touch of the part does to the player.
+  // Takes the effects of a touch on the player.
   void takePlayer(PartDraft& part, const ProbeEffects& effects);
-  // What it does to parts, itself among them. `used`: by a click or prompt instead of a touch.
+  // Takes the effects on parts, including the part itself. `used`: by a click or prompt, not a
+  // touch.
   void takeParts(PartDraft& part, bool used, const ProbeEffects& effects);
   // Returns true if the probe sets a joint or moves a part through one.
   bool setsJoints(const engine::Probe& probe) const;
-  // What moves by constraints and movers that the touch sets. What it sets to no effect that the
-  // level has is named.
+  // Takes the motion of constraints and movers that the touch sets. Notes those without an effect
+  // that the level can express.
   void takeDrives(PartDraft& part, const engine::Probe& probe, const ProbeEffects& effects);
-  // What a tool, keys, chat or a button on the screen give the player, wherever it is.
-  // `inAir`: the jumps in the air that keys give.
+  // Takes the abilities that a tool, keys, chat or a screen button give the player anywhere.
+  // `inAir`: jumps in the air that keys give.
   void takeAbility(engine::Approach approach, const engine::AirJumps& inAir,
                    const ProbeEffects& effects);
 
@@ -34,18 +35,18 @@ class EffectRoles {
   std::string reason(engine::Line line) const;
 
  private:
-  // A use of what is in no part has shown no effect.
+  // Notes the use of something outside all parts that has shown no effect.
   void noteUnknown(engine::Approach approach);
   void prove(PartDraft& part, const char* role, const std::string& why) const;
   void takePush(PartDraft& part, const Push& push);
   void takeTeleport(PartDraft& part, const Teleported& to);
   void takeBoost(PartDraft& part, const Booster& boost);
   void takeStage(PartDraft& part, const StageSet& stage);
-  // `inverted`: the part comes instead of going.
+  // `inverted`: the part appears instead of vanishing.
   void takeAway(PartDraft& part, bool used, const Away& away, bool inverted);
-  // The part moves, or another one does.
+  // The part, or another one, moves.
   void takeMotion(PartDraft& part, PartDraft& other, const Moved& moved, bool used);
-  // A touch of the part is felt elsewhere for that long; `held`: after its end.
+  // The touch acts elsewhere for `seconds`; `held`: counted from the end of the touch.
   void press(PartDraft& part, double seconds, bool held = false);
   std::string signalOf(const PartDraft& part) const { return "touch " + path(part.id); }
   bool isJoint(InstanceId id) const;
@@ -53,7 +54,7 @@ class EffectRoles {
 
   RoleContext& context_;
   const World base_;
-  const std::string shield_;  // what gives players a force field; empty: nothing does
+  const std::string shield_;  // source of players' force field; empty: none
   bool guessed_ = false;
 };
 

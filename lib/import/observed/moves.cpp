@@ -1,4 +1,4 @@
-// What scripts do about the player's own moves: its jump becomes theirs, and the rest is named.
+// Takes script effects of the player's own moves: launches become its jump, others are losses.
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -52,7 +52,7 @@ class Moves {
                                   text + lineReason(context_.tree, line));
   }
 
-  // Who dies at each take-off does not jump.
+  // Takes harm of a move. A jump that kills at once is removed.
   void takeHarm(const Probe& move, const ProbeEffects& effects) {
     if (!effects.harm) return;
     const auto& harms = move.seen.harms;
@@ -82,7 +82,7 @@ class Moves {
     if (!effects.push) return;
     const Push& push = *effects.push;
     const float v = push.velocity.y, g = context_.level.world.gravity;
-    // As high as with the velocity held: v t + v^2 / 2g.
+    // The speed that reaches the height of a held velocity: v t + v^2 / 2g.
     const float speed =
         v > 0 && push.seconds > 0 ? std::sqrt(v * v + 2 * g * v * float(push.seconds)) : v;
     if (!(speed > 0)) return;
@@ -92,7 +92,7 @@ class Moves {
     held_ |= push.seconds > 0;
   }
 
-  // A launch counts that comes at each jump.
+  // Takes a launch that comes with every jump as the player's jump.
   void launch() {
     if (launches_ == 0 || context_.level.world.jumpSpeed == 0) return;
     if (launches_ < jumps_)
@@ -103,7 +103,7 @@ class Moves {
     if (held_) note("push that lasts", "given all at once; ", line_);
   }
 
-  // Controls that scripts take away by an action of their own.
+  // Notes controls that scripts take from the player by an action of their own.
   void takeSinks(const Probe& keys) {
     for (const engine::Change& change : keys.seen.changes) {
       const auto* const name = std::get_if<std::string>(&change.value);

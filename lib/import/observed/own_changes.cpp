@@ -12,7 +12,7 @@ using engine::kFrame;
 
 namespace {
 
-// The probe's changes without those that came in the undisturbed run at the same time.
+// Returns the probe's changes without those of the undisturbed run at the same time.
 std::vector<const Change*> ownChanges(const engine::Report& report, const engine::Probe& probe) {
   std::multiset<std::tuple<int64_t, InstanceId, std::string>> usual;
   const auto key = [](const Change& change) {

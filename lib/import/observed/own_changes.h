@@ -1,4 +1,4 @@
-// The changes in a probe that are its own: the rest came by itself or with any walk.
+// Finds the changes that a probe causes. Others occur without it, or with any walk.
 #pragma once
 
 #include <vector>
@@ -7,13 +7,13 @@
 
 namespace obby::importer {
 
-// The moves that a player makes on the way to a part: what scripts do about them is not the part's
-// doing. A walk, where scripts read MoveDirection; and to be away from all parts.
+// Returns the probed moves that a player makes on its way to a part, whose effects are not the
+// part's: a walk if scripts read MoveDirection, and being away from all parts.
 std::vector<const engine::Probe*> movesBefore(const engine::Report& report,
                                               const engine::Probe& probe);
 
-// The probe's changes without those of the undisturbed run at the same time, and without those of
-// the moves before it.
+// Returns the probe's changes without those of the undisturbed run at the same time, and without
+// those of the moves on the way.
 std::vector<const engine::Change*> changesByTouch(const engine::Report& report,
                                                   const engine::Probe& probe);
 

@@ -1,4 +1,4 @@
-// Roles by observation: what parts were seen to do while the place's scripts ran.
+// Derives roles from observations of parts while the place's scripts ran.
 #pragma once
 
 #include <optional>
@@ -9,42 +9,43 @@
 
 namespace obby::importer {
 
-// A loss: a part that is not there at the start.
+// A loss: a part that is missing at the start.
 constexpr const char* kComesLater = "part that comes later";
 
-// What scripts changed of parts before play began.
+// Notes changes that scripts made to parts before play began.
 void noteSettled(RoleContext& context, const ObservedPlace& place);
-// The player once scripts change its speeds no more; where they go on, as at the first probes.
+// Returns the player after the last script change of its speeds; its state at the first probes if
+// changes go on.
 const engine::PlayerState& settledPlayer(const engine::Report& report);
-// Speeds that scripts give each new player.
+// Applies speeds that scripts give each new player.
 void applyPlayerState(RoleContext& context, const ObservedPlace& place);
-// Motions of what moves by itself.
+// Takes the motions of parts that move by themselves.
 void movingFromObservation(RoleContext& context, const engine::Report& report);
-// Parts that come and go, belts that change: what happens by itself in a rhythm.
+// Takes periodic changes: parts that appear and vanish, and conveyors.
 void timersFromObservation(RoleContext& context, const engine::Report& report);
-// Parts that are not there until a touch or use brings them.
+// Takes parts that only a touch or use brings into the world.
 void broughtFromObservation(RoleContext& context, const ObservedPlace& place);
-// What a touch or use does, to the player and to other parts.
+// Takes the effects of each touch or use on the player and on parts.
 void touchesFromObservation(RoleContext& context, const engine::Report& report);
-// What it does once other parts have been touched: guesses, after those by names.
+// Takes effects that depend on earlier touches of other parts, as guesses after those by names.
 void laterTouchesFromObservation(RoleContext& context, const engine::Report& report);
-// What a touch or use does to constraints and movers, once it is known what they do by themselves.
+// Takes effects of a touch or use on constraints and movers, after their own motions are known.
 void touchedDrivesFromObservation(RoleContext& context, const engine::Report& report);
-// What scripts do about the player's own moves.
+// Takes effects of the player's own moves.
 void movesFromObservation(RoleContext& context, const engine::Report& report);
-// Names the events and values that scripts wait for and that nothing raised or varied.
+// Notes events and values that scripts wait for and that did not occur or vary.
 void noteUnraised(RoleContext& context, const engine::Report& report);
-// Names what was seen and is not in the level, and scripts that failed.
+// Notes observations that the level lacks, and scripts that failed.
 void noteObservedLosses(RoleContext& context, const ObservedPlace& place);
 
-// The line that moves a part: that of its track, or of what sets the tween, constraint or mover
-// that moves it.
+// Returns the line that moves a part: its track's, or that of its tween, constraint or mover.
 engine::Line moverOf(const engine::Observation& seen, InstanceId part, const engine::Track& track);
-// A part's poses at `frames` frames from `first` on; it is at `start` until its track begins.
+// Returns the part's poses at `frames` frames from `first` on. It is at `start` until its track
+// begins.
 std::vector<Pose> posesOf(const Pose& start, const engine::Track& track, uint32_t first,
                           uint32_t frames);
-// The motion of a part that is at these poses, a frame each; nothing: it moves, but neither in a
-// round nor to an end. `rest`: frames without a change after which it has come to its end.
+// Returns the motion of a part with these poses, one per frame. Returns nullopt if it moves neither
+// in a round nor to an end. `rest`: frames without a change that count as its end.
 std::optional<Motion> motionOf(const std::vector<Pose>& poses, size_t rest);
 
 }  // namespace obby::importer

@@ -16,7 +16,7 @@ bool isScript(const Instance& instance) {
          instance.className == "ModuleScript";
 }
 
-// The body that the twin of the scripts gives players.
+// Returns the rig of the body that the script runtime gives players.
 std::string rigOf(const Document& document) {
   for (const Instance& instance : document.instances)
     if (instance.className == "StarterPlayer")
@@ -25,7 +25,7 @@ std::string rigOf(const Document& document) {
   return "r6";
 }
 
-// Gives the report the ids of the document for the parts that have been added to it.
+// Changes the report's ids to the document's for the parts that were added to it.
 class Renumbering {
  public:
   explicit Renumbering(std::map<InstanceId, InstanceId> ids) : ids_(std::move(ids)) {}
@@ -102,7 +102,7 @@ ObservedPlace observePlace(const Document& document) {
     ++plan.settings.seed;
     plan.settings.draws = draws;
     ObservedPlace other = runPlace(document, plan);
-    // Where the run breaks off it says nothing about chance.
+    // A run that was cut shows nothing about chance.
     if (other.report.failure.empty()) place.others.push_back(std::move(other));
   }
   return place;

@@ -1,4 +1,4 @@
-// What a touch or a use does: each probe against what happened by itself in the same time.
+// Takes the effects of a touch or use: the difference between a probe and the undisturbed run.
 #include <algorithm>
 
 #include "import/observed/effect_roles.h"
@@ -37,7 +37,7 @@ class Touches {
       return note("place where scripts act", part->id,
                   "only a piece of the part is concerned: treated as a plain part");
     if (effects.stage) part->stageSigns[NumberFrom::asked] = 0;
-    if (probe.byPlace) part->touch = true;  // the script looks; it does not wait for a touch
+    if (probe.byPlace) part->touch = true;  // the script polls; it does not wait for a touch
     part->byRoot = probe.byRoot && part->shape == Shape::block && effects.touchesPlayer();
     if (part->byRoot) part->evidence.push_back({"byRoot", kPosition, false});
     roles_.setGuessed(comesLater(probe, effects));
@@ -112,7 +112,7 @@ class Touches {
   }
 
  private:
-  // Scripts that were seen to do nothing count before a tag.
+  // Evidence of listeners without effects takes precedence over a tag.
   static void takeHeardOnly(PartDraft& part, bool guessed) {
     const auto isTag = [](const Evidence& e) {
       return e.role == "kill" && e.reason.rfind("tag ", 0) == 0;
@@ -127,13 +127,13 @@ class Touches {
         {kHarmless, "scripts listen to it, and do nothing to a player", guessed});
   }
 
-  // The part that a player touches: for a click or prompt the part that it is in.
+  // Returns the part that a player touches; for a click or prompt the part that contains it.
   PartDraft* partOf(const engine::Probe& probe) {
     for (InstanceId id = probe.target; id < context_.tree.size(); id = context_.tree.at(id).parent)
       if (PartDraft* const part = context_.part(id)) return part;
     return nullptr;
   }
-  // A number of a name that says nothing is a stage if it is the part's own.
+  // Returns the effects. A number with an uninformative name is a stage if the part has the same.
   ProbeEffects effectsAt(const PartDraft* part, const engine::Probe& probe) const {
     ProbeEffects effects = effectsOf(report_, probe);
     if (!part) return effects;
@@ -163,7 +163,7 @@ class Touches {
     roles_.takeParts(part, used, effects);
   }
 
-  // The second round found it, at a part that was there before.
+  // Returns true if the second round found the effects at a part that had existed before.
   bool comesLater(const engine::Probe& probe, const ProbeEffects& effects) const {
     return probe.at > report_.probedAt && !effects.onlyStage() &&
            !isMadeLater(report_, probe.target);
@@ -175,8 +175,8 @@ class Touches {
     note("touch that does more later", part.id,
          when + ", taken as if from the start; " + roles_.reason(more.line()));
   }
-  // A script that fails in the game, too, tells what a touch does. Where it has used what the twin
-  // lacks, or nothing came of the touch, it may go on in the game.
+  // Notes a script error that leaves the effects of a touch unknown. After an unsupported feature,
+  // or without any effect, the script may go on in the game.
   void noteFailure(const PartDraft& part, const engine::Probe& probe, bool isEmpty) {
     const auto& usual = report_.undisturbed.problems;
     for (const engine::Problem& problem : probe.seen.problems) {
@@ -197,7 +197,7 @@ class Touches {
   RoleContext& context_;
   const engine::Report& report_;
   EffectRoles roles_;
-  int asked_ = 0;  // checkpoints that ask for others first, in the order in which they gave in
+  int asked_ = 0;  // checkpoints that require others first, so far
 };
 
 }  // namespace

@@ -1,5 +1,5 @@
-// Events that scripts listen to and values that they read, and that nothing raised or varied while
-// the place ran: what would follow is not in the level.
+// Notes events that scripts listen to and values that they read, if nothing raised or changed them
+// while the place ran. The level lacks their consequences.
 #include <algorithm>
 #include <map>
 #include <string>
@@ -12,11 +12,11 @@ namespace {
 
 using Heeds = std::map<std::string, std::vector<engine::Heed>>;
 
-// Values that the engine changes in play. Scripts alone change others, which the twin sees.
+// Values that the engine changes in play. Only scripts change others, and the runtime sees those.
 constexpr std::string_view kVaried[] = {
     "Occupant", "SeatPart",      "Sit",           "Steer",         "SteerFloat",
     "Throttle", "ThrottleFloat", "FloorMaterial", "MoveDirection", "Jump"};
-// Classes whose events say nothing of a course, or are raised by scripts.
+// Classes whose events do not matter to a course, or that scripts raise.
 constexpr std::string_view kClasses[] = {"BindableEvent",
                                          "RemoteEvent",
                                          "UnreliableRemoteEvent",
@@ -42,7 +42,7 @@ constexpr std::string_view kClasses[] = {"BindableEvent",
                                          "VRService",
                                          "HapticService",
                                          "TweenBase"};
-// Events that the twin raises whenever they happen, or that happen to the looks alone.
+// Events that the runtime raises itself, or that only affect appearance.
 constexpr std::string_view kEvents[] = {"Changed",
                                         "AncestryChanged",
                                         "ChildAdded",
@@ -96,12 +96,12 @@ bool isIn(const std::string_view (&list)[kCount], std::string_view name) {
   return std::find(std::begin(list), std::end(list), name) != std::end(list);
 }
 
-// Touch screens do what keys and clicks do.
+// Returns true for touch screen events, which have the effects of keys and clicks.
 bool isOfTouchScreen(std::string_view type, std::string_view event) {
   return type != "Part" && event.starts_with("Touch") && event != "Touched";
 }
 
-// True if nothing of the course hangs on whether it happens.
+// Returns true if the course does not depend on the event or value.
 bool isHarmless(std::string_view name) {
   constexpr std::string_view kProperty = "property ";
   const size_t dot = name.find('.');

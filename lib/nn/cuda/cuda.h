@@ -1,4 +1,4 @@
-// What the CUDA build adds to networks.
+// Entry points of the CUDA kernels for networks.
 #pragma once
 
 namespace obby::nn {
@@ -7,7 +7,7 @@ enum class Step;
 
 namespace obby::nn::cuda {
 
-// Kernel::entry of its namesake; null without CUDA.
+// Returns Kernel::entry of that step's kernel; null without CUDA.
 const void* entry(Step step);
 
 }  // namespace obby::nn::cuda

@@ -1,4 +1,4 @@
-// Adam on a device: what Learner::step is on the CPU. Host only.
+// Adam on a device, the counterpart of Learner::step. Host only.
 #pragma once
 
 #include "nn/learner.h"
@@ -11,12 +11,13 @@ class DeviceAdam {
   Status make(sim::Device& device, size_t parameters);
   uint64_t steps() const { return steps_; }
 
-  // Without the parameters.
+  // Returns the state without the parameters.
   Result<LearnerState> state() const;
   Status restore(const LearnerState& state);
 
-  // Moves `parameters` against `gradient`, a sum over `rows`, whose mean is scaled down to
-  // `maxGradNorm` where it is longer. `norm` grows by how long it was. All three on the device.
+  // Updates `parameters` by `gradient`, a sum over `rows`. The mean gradient is scaled down to the
+  // norm `maxGradNorm` if it is longer. Adds its norm before scaling to `norm`. The three pointers
+  // are to device memory.
   Status step(float* parameters, const float* gradient, float rows, float maxGradNorm,
               float learningRate, double* norm);
 

@@ -1,5 +1,5 @@
-// A network's rows on a device: what Pass is on the CPU, with its bits or, for speed, rounded
-// otherwise, since sums run in another order. Host only.
+// Forward and backward passes on a device, the counterpart of Pass. Bits are equal to the CPU's
+// with Rounding::asCpu. Rounding::fused is faster and sums in another order. Host only.
 #pragma once
 
 #include "nn/device/kernels.h"
@@ -14,18 +14,17 @@ class DevicePass {
  public:
   explicit DevicePass(Rounding rounding) : rounding_(rounding) {}
 
-  // Memory for so many rows at a time, of which up to `learned` go back. Comes first; what was
-  // there is lost.
+  // Allocates memory for `rows` rows at a time, of which up to `learned` go through backward().
+  // Call it first; it discards earlier contents.
   Status reserve(sim::Device& device, const Network<float>& net, uint32_t rows, uint32_t learned);
 
-  // All pointers are to the device. `parameters`: laid out as Network has them. `inputs`: (rows,
+  // All pointers are to device memory. `parameters` have the layout of Network; `inputs`: (rows,
   // inputs).
   Status forward(const float* parameters, const float* inputs, uint32_t rows);
   const float* outputs() const { return units_.back().data(); }  // (rows, outputs)
 
-  // After forward(): from outputGradient(), (rows, outputs), which the caller fills, to
-  // `gradient` of the parameters, summed over the rows, and to `inputGradient`, (rows, inputs), or
-  // null.
+  // Call it after forward(), with outputGradient(), (rows, outputs), filled. Fills `gradient` of
+  // the parameters, summed over the rows, and, unless null, `inputGradient`, (rows, inputs).
   Status backward(const float* parameters, const float* inputs, uint32_t rows, float* gradient,
                   float* inputGradient = nullptr);
   float* outputGradient() const { return gradients_.back().data(); }
@@ -33,7 +32,7 @@ class DevicePass {
  private:
   struct Layer {
     uint32_t inner, columns;
-    size_t weights, biases;  // where they begin among the parameters
+    size_t weights, biases;  // offsets into the parameters
   };
   Status multiply(const float* a, const float* b, const float* bias, const float* unit, float* out,
                   uint32_t rows, uint32_t inner, uint32_t columns, bool rectified);
@@ -44,7 +43,7 @@ class DevicePass {
   Rounding rounding_;
   sim::Device* device_ = nullptr;
   std::vector<Layer> layers_;
-  std::vector<sim::DeviceTable<float>> units_, gradients_;  // of each layer, (rows, outputs)
+  std::vector<sim::DeviceTable<float>> units_, gradients_;  // one per layer, (rows, outputs)
   sim::DeviceTable<float> transposed_, chunks_;
   sim::DeviceTable<double> columns_;
 };

@@ -9,8 +9,8 @@ namespace obby::nn {
 
 namespace {
 
-// Products multiply and add in one step. Where the build's processor cannot, each would be a call
-// of libm, ten times as slow; the one at hand mostly can. The bits are the same.
+// Compiles the products for FMA. Without it each fused operation is a call of libm, ten times as
+// slow. The bits are the same.
 #if defined(__x86_64__) && !defined(__FMA__)
 template <class Arguments, void (*kFunction)(const Arguments&, uint32_t)>
 __attribute__((target("avx2,fma"), flatten)) void fusedBody(const void* arguments, uint32_t i) {

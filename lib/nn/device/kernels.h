@@ -1,4 +1,4 @@
-// The kernels of learning on a device, by name. OBBY_NN_KERNELS is the only list of them.
+// The learning kernels on a device, by name. OBBY_NN_KERNELS is their only list.
 #pragma once
 
 #include "sim/kernel.h"

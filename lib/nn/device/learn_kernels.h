@@ -1,5 +1,4 @@
-// What learning does as kernels, apart from products and sums: advantages, and a step of the
-// optimiser.
+// Kernels for advantages and for an optimiser step.
 #pragma once
 
 #include "nn/adam.h"
@@ -17,7 +16,7 @@ OBBY_DEVICE void advantagesOfAgent(const AdvantageArguments& a, uint32_t agent) 
   fillAdvantagesOf(a.rollout, agent, a.discount, a.lambda, a.advantages, a.returns);
 }
 
-// A step of the optimiser, from a gradient that is a sum over `rows`.
+// An optimiser step by a gradient that is a sum over `rows`.
 struct StepArguments {
   float *parameters, *momentum, *squares;  // (count)
   const float* gradient;                   // (count), a sum
@@ -26,21 +25,21 @@ struct StepArguments {
   double* chunks;  // (chunks)
   float maxGradNorm;
   AdamStep adam;
-  float* scale;  // of the gradient: one number
-  double* norm;  // grows by the gradient's: one number
+  float* scale;  // gradient clipping factor, one number
+  double* norm;  // sum of gradient norms, one number
 };
 
 OBBY_DEVICE void squareChunk(const StepArguments& s, uint32_t i) {
   const uint32_t first = i * kChunk, last = first + kChunk < s.count ? first + kChunk : s.count;
   double sum = 0;
 #if defined(__CUDA_ARCH__)
-#pragma unroll 8  // several numbers are on their way at once, as in addColumn()
+#pragma unroll 8  // keeps several loads in flight, as in addColumn()
 #endif
   for (uint32_t k = first; k < last; ++k) sum += double(s.gradient[k]) * double(s.gradient[k]);
   s.chunks[i] = sum;
 }
 
-// One thread.
+// Runs in one thread.
 OBBY_DEVICE void scaleGradient(const StepArguments& s, uint32_t) {
   double sum = 0;
 #if defined(__CUDA_ARCH__)

@@ -1,4 +1,5 @@
-// Sums in a fixed order as kernels: chunks of rows, a chunk and column a thread, then the chunks.
+// Sums in a fixed order as kernels. A thread sums one column of a chunk of rows; another kernel
+// sums the chunks.
 #pragma once
 
 #include "base/shuffle.h"
@@ -14,11 +15,11 @@ struct ColumnSumArguments {
   uint32_t count, width;
 };
 
-// `sum` and the numbers of a column in rows `first` to `last` - 1, one after the other.
+// Returns `sum` plus the numbers of a column in rows [first, last), added in order.
 template <class Sum, class T>
 OBBY_DEVICE Sum addColumn(Sum sum, const T* column, uint32_t first, uint32_t last, uint32_t width) {
 #if defined(__CUDA_ARCH__)
-#pragma unroll 16  // several numbers are on their way at once; the order stays
+#pragma unroll 16  // keeps several loads in flight; the order stays
 #endif
   for (uint32_t r = first; r < last; ++r) sum += Sum(column[size_t(r) * width]);
   return sum;
@@ -30,12 +31,12 @@ OBBY_DEVICE void sumColumnChunk(const ColumnSumArguments& s, uint32_t i) {
   s.sums[i] = addColumn(0.0, s.rows + column, first, last, s.width);
 }
 
-// Sums of several rows of numbers; of floats to a float, or of doubles to what was there.
+// Sums rows of floats into `out`, or of doubles into `out`, `added` or both.
 struct RowSumArguments {
   const float* floats;    // (rows, width), or null
   const double* doubles;  // (rows, width), where `floats` is null
-  float* out;             // (width), becomes the sum; or, of doubles, null
-  double* added;          // (width), grows by the sum of doubles; or null
+  float* out;             // (width), overwritten; null for `added` alone
+  double* added;          // (width), the sum of doubles is added; or null
   uint32_t rows, width;   // both at least 1
 };
 
@@ -49,7 +50,7 @@ OBBY_DEVICE void sumRows(const RowSumArguments& s, uint32_t i) {
   if (s.added != nullptr) s.added[i] += sum;
 }
 
-// Moments of `values` in each minibatch, in their order or shuffled.
+// Moments of `values` in each minibatch, in order or shuffled.
 struct MomentArguments {
   const float* values;  // (rows)
   Moments* chunks;      // (minibatches, chunks of the largest)

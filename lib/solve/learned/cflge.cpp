@@ -11,7 +11,7 @@ namespace obby::solve::learned {
 namespace {
 
 constexpr uint64_t kFollowers = 2ull << 32;  // streams of random numbers
-constexpr Turns kNorth = 0;                  // all observations look that way: moves mean the same
+constexpr Turns kNorth = 0;                  // all observations look north
 
 }  // namespace
 
@@ -67,7 +67,7 @@ void Cflge::tryKnown(size_t first, size_t count) {
   }
 }
 
-// Plays it a second time, decision by decision: the first of a decision's actions names its move.
+// Replays a trajectory decision by decision. A decision's first action determines its move.
 void Cflge::follow(Player& p, const KnownWay& way) {
   std::vector<float> inputs(kPolicyInputs);
   Episode* const episode = &p.episode;
@@ -85,7 +85,7 @@ void Cflge::follow(Player& p, const KnownWay& way) {
   }
 }
 
-// As many steps for a decision as were settled, a few each round; goals are ranked anew rarely.
+// Takes learning steps in proportion to decisions. Ranks the goals again at longer intervals.
 void Cflge::learn() {
   const double decisions = settings_.decisions * settings_.groups * kGroup;
   if (settings_.learns) {
@@ -122,20 +122,20 @@ void Cflge::play(std::span<Group> groups) {
   }
 }
 
-// At the query's next region; the goal is told beside that.
+// Returns the view toward the query's next region; the goal is a separate input.
 View Cflge::lookFrom(const Player& p) const {
   return {&p.episode, *nextRegion(scene().query, p.episode.world).region, kNorth};
 }
 
-// As all players of a round do together: fills `inputs`, (kPolicyInputs).
+// Fills `inputs`, (kPolicyInputs), and records them, for a single player.
 void Cflge::look(Player& p, float* inputs) {
   const View view = lookFrom(p);
   see({&view, 1}, inputs);
   note(p, inputs);
 }
 
-// Notes where the player is, and what is seen there: of `inputs`, (kPolicyInputs), the first
-// policy::kInputs. The others, where the goal lies, are filled in.
+// Records the player's place, and the observation: the first policy::kInputs of `inputs`,
+// (kPolicyInputs). Fills in the rest, the position of the goal.
 void Cflge::note(Player& p, float* inputs) const {
   const sim::World& world = p.episode.world;
   const sim::LooseBody* const loose = p.episode.loose.data();
@@ -178,7 +178,7 @@ void Cflge::tick(std::span<Group> groups) {
   advance(episodes, held.data());
 }
 
-// Who has come within reach of a sub-goal goes on to the next.
+// Moves players within reach of a sub-goal on to the next.
 void Cflge::reach(std::span<Group> groups) {
   const size_t count = groups.size() * kGroup;
   std::vector<float>& places = groups[0].places;
@@ -218,7 +218,7 @@ void Cflge::endDecision(Group& g, Player& p) {
   restart(g, p);
 }
 
-// Whoever came to the query's goal did not die there.
+// Ends a track. An episode that reached the query's goal does not count as a death.
 Track Cflge::endOf(Player& p) {
   float inputs[kPolicyInputs];
   look(p, inputs);
@@ -237,7 +237,7 @@ void Cflge::begin(Player& p) const {
   p.subgoals.clear();
 }
 
-// Sets out for a goal along the way that led there, thinned.
+// Starts an episode to a goal, with the thinned trajectory to it as sub-goals.
 void Cflge::restart(Group& g, Player& p) {
   begin(p);
   if (goals_.empty()) return;
@@ -254,8 +254,8 @@ void Cflge::restart(Group& g, Player& p) {
   ++g.returns.tried;
 }
 
-// The module goes on learning while players are on their way: by what it made of sub-goals before,
-// nobody would ever come to them.
+// Encodes the sub-goals again. The module keeps learning during an episode, so earlier points would
+// no longer match.
 void Cflge::encode(Group& g, Player& p) const {
   if (p.count > 0) module_.encode(p.subgoals.data(), p.count, g.encoder, p.points);
 }

@@ -1,7 +1,7 @@
-// Cell-Free Latent Go-Explore (Gallouedec and Dellandrea 2023): a latent space is learned from how
-// moves change places; players are sent by a policy that is learned, too, to where that space is
-// sparse, along sub-goals, and explore from there at random. The archive's cells are counted for
-// the record and decide nothing. Host only.
+// Cell-Free Latent Go-Explore (Gallouedec and Dellandrea 2023). It learns a latent space from how
+// moves change places. A learned policy sends players along sub-goals to where that space is
+// sparse, and they explore from there at random. The archive's cells are counted for statistics
+// only. Host only.
 #pragma once
 
 #include "solve/learned/goal_pool.h"
@@ -11,17 +11,17 @@
 namespace obby::solve::learned {
 
 struct CflgeSettings {
-  uint32_t groups = 2;            // of kGroup players; a group is one thread's
-  uint32_t decisions = 16;        // of each player, a round
+  uint32_t groups = 2;            // groups of kGroup players; one thread each
+  uint32_t decisions = 16;        // decisions per player and round
   uint32_t explore = 50;          // random decisions after the goal
   uint32_t patience = 100;        // decisions without a sub-goal until a player gives up
-  float chance = 0.05f;           // of a random move instead of the best
-  uint64_t begin = 2048;          // decisions before anything is learned
-  uint64_t refresh = 5000;        // decisions until goals are ranked anew
-  float moduleSteps = 0.1f;       // steps of the module a decision
-  float policySteps = 1.0f / 32;  // steps of the policy a decision
-  size_t room = 40'000;           // decisions that the policy learns from
-  bool learns = true;             // false: module and policy stay as they were at first
+  float chance = 0.05f;           // probability of a random move
+  uint64_t begin = 2048;          // decisions before learning begins
+  uint64_t refresh = 5000;        // decisions between rankings of the goals
+  float moduleSteps = 0.1f;       // learning steps of the module per decision
+  float policySteps = 1.0f / 32;  // learning steps of the policy per decision
+  size_t room = 40'000;           // decisions kept for the policy's learning
+  bool learns = true;             // false: module and policy stay untrained
   size_t forgetFrom = kForgetFrom;
   QuantileSettings policy;
 };
@@ -33,11 +33,11 @@ class Cflge final : public LearnedSearch {
   Cflge(const Problem& problem, uint64_t seed, const CflgeSettings& settings,
         const Machine& machine);
 
-  // The ways of an earlier answer are playthroughs like any other.
+  // Known trajectories are added like any other.
   void tryKnown(size_t first, size_t count) override;
 
   const Returns& returns() const { return returns_; }
-  // Mean losses of the inverse dynamics, one for each round in which they were learned.
+  // Returns the mean losses of the inverse dynamics, one per round of learning.
   const std::vector<float>& moduleLosses() const { return moduleLosses_; }
 
  private:
@@ -48,11 +48,11 @@ class Cflge final : public LearnedSearch {
     Episode episode;
     std::shared_ptr<Path> path;
     Track track;
-    std::vector<float> subgoals, points;  // (sub-goals, kPlace); (sub-goals, kLatent), this round's
-    size_t next = 0;                      // of the sub-goals
-    size_t count = 0;                     // of the sub-goals; 0: explores from the start
+    std::vector<float> subgoals, points;  // (sub-goals, kPlace), (sub-goals, kLatent)
+    size_t next = 0;                      // next sub-goal
+    size_t count = 0;                     // number of sub-goals; 0: explores from the start
     uint32_t waited = 0;                  // decisions since the last sub-goal
-    uint32_t explored = 0;                // decisions
+    uint32_t explored = 0;                // random decisions so far
     RandomKeys keys;
     sim::Action action;
     bool explores() const { return next == count; }
@@ -60,7 +60,7 @@ class Cflge final : public LearnedSearch {
   struct Group {
     std::vector<Player> players;
     std::vector<Episode> ended;
-    std::vector<Track> tracks;  // of these
+    std::vector<Track> tracks;  // tracks of the ended episodes
     NetPass pass, encoder;
     std::vector<float> places, points;
     Returns returns;
@@ -89,13 +89,13 @@ class Cflge final : public LearnedSearch {
   InverseDynamics module_;
   QuantilePolicy policy_;
   GoalPool goals_;
-  NetPass ranking_;  // of goals
+  NetPass ranking_;  // ranks the goals
   Memory memory_;
   std::vector<Group> groups_;
   Returns returns_;
   std::vector<float> moduleLosses_;
-  uint64_t decided_ = 0, ranked_ = 0;       // decisions so far, and when goals were ranked last
-  double moduleDebt_ = 0, policyDebt_ = 0;  // steps of learning that are due
+  uint64_t decided_ = 0, ranked_ = 0;       // decisions so far; at the last ranking
+  double moduleDebt_ = 0, policyDebt_ = 0;  // learning steps that are due
 };
 
 }  // namespace obby::solve::learned

@@ -1,11 +1,11 @@
-// What players of methods that learn while they search see, on a device: the bits of the CPU.
+// Kernels for observations of players of learned methods, with the bits of the CPU.
 #pragma once
 
 #include "policy/observation.h"
 
 namespace obby::solve::learned {
 
-// What all players look at.
+// Inputs that all observations share.
 struct SightRules {
   level::LevelView level;
   level::QueryView query;
@@ -19,7 +19,7 @@ OBBY_DEVICE void forTables(SightRules& r, Table&& table) {
   forTables(r.surroundings, table);
 }
 
-// A player who looks `ahead` and is to reach `next`.
+// A player that looks toward `ahead` and has to reach `next`.
 struct Looker {
   sim::World world;
   geom::Region next;
@@ -33,7 +33,7 @@ struct SightArguments {
   float* inputs;                // (players, policy::kInputs)
 };
 
-// `i`: of (players, policy::kViewThreads).
+// `i` runs over (players, policy::kViewThreads).
 OBBY_DEVICE void seePart(const SightArguments& a, uint32_t i) {
   const uint32_t p = i / policy::kViewThreads, part = i % policy::kViewThreads;
   if (part >= uint32_t(policy::kViewParts)) return;

@@ -1,6 +1,6 @@
-// Networks on a device for methods that learn while they search, with the bits of the CPU. Learning
-// itself stays with the CPU, which is sent the gradients: parameters go there anew after each step.
-// Host only.
+// Networks on a device for methods that learn during the search, with the bits of the CPU. The
+// optimiser runs on the CPU: it receives the gradients, and the device its new parameters after
+// each step. Host only.
 #pragma once
 
 #include <vector>
@@ -9,10 +9,10 @@
 
 namespace obby::solve::learned {
 
-// Copies of networks' parameters, each brought up to date when it is asked for.
+// Copies of networks' parameters. Each is updated on request.
 class DeviceNets {
  public:
-  // The device must outlive this object, and so must networks that are asked for.
+  // The device and all requested networks must outlive this object.
   explicit DeviceNets(sim::Device& device) : device_(device) {}
 
   sim::Device& device() const { return device_; }
@@ -29,12 +29,12 @@ class DeviceNets {
   std::vector<Copy> copies_;
 };
 
-// A pass of rows that the host has. On failure, what it was given is unchanged.
+// A pass over rows in host memory. On failure its arguments are unchanged.
 class DeviceRows {
  public:
   Status forward(DeviceNets& nets, const nn::Network<float>& net, const float* inputs, size_t rows);
   const float* outputs() const { return outputs_.data(); }
-  // Of the rows of the last forward(); see nn::Pass.
+  // Call it after forward() for the same rows; see nn::Pass.
   Status backward(DeviceNets& nets, const nn::Network<float>& net, const float* gradient,
                   std::vector<float>& sums, float* inputGradient);
 

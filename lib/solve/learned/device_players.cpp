@@ -15,14 +15,14 @@ Status DevicePlayers::open(sim::Device& device, const Problem& problem,
   course.levels = {problem.level};
   course.queries = {problem.query};
   course.starts = {problem.start};
-  course.starts[0].outcome = sim::Outcome::running;  // nobody begins there
+  course.starts[0].outcome = sim::Outcome::running;  // so that worlds can run
   OBBY_ASSIGN(batch_, sim::makeKernelBatch(course, most, device));
   sight_.rules = {problem.level, problem.query, around};
   OBBY_ASSIGN(tables_, sim::uploadTables(device, sight_.rules));
   return {};
 }
 
-// All worlds of the batch are stepped; nobody asks what becomes of those beyond.
+// Steps all worlds of the batch. Results beyond the episodes are ignored.
 Status DevicePlayers::advance(std::span<Episode* const> episodes, const sim::Action* actions) {
   OBBY_CHECK_LE(episodes.size(), actions_.size());
   if (episodes.empty()) return {};

@@ -1,5 +1,5 @@
-// Players of a method that learns while it searches, on a device: their ticks by the kernels of a
-// batch, what they see by one of its own. Host only.
+// Players of a learned method on a device. They share the ticks of sim's batch kernels and have
+// their own kernel for observations. Host only.
 #pragma once
 
 #include <memory>
@@ -14,15 +14,15 @@ namespace obby::solve::learned {
 
 class DevicePlayers {
  public:
-  // For at most so many players at once. The device must outlive this object; problem and
-  // surroundings are copied to it.
+  // Allocates memory for up to `most` players. The device must outlive this object. Copies problem
+  // and surroundings to it.
   Status open(sim::Device& device, const Problem& problem, const policy::SurroundingsView& around,
               uint32_t most);
 
-  // One tick of all `episodes` under `actions`, where each is running. They are as they were
-  // where it fails.
+  // Plays one tick of all `episodes`, each of which must be running, with `actions`. On failure
+  // they are unchanged.
   Status advance(std::span<Episode* const> episodes, const sim::Action* actions);
-  // Fills `inputs`, (views, policy::kInputs), rows `stride` numbers apart.
+  // Fills `inputs`, (views, policy::kInputs), with rows `stride` numbers apart.
   Status see(std::span<const View> views, float* inputs, size_t stride);
 
  private:

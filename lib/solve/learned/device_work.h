@@ -1,5 +1,5 @@
-// A device at work for a method that learns while it searches. All that it does has the bits of the
-// CPU, which goes on alone from the first failure on. For one thread at a time. Host only.
+// A device as an accelerator for a learned method. Results have the bits of the CPU, which does all
+// work after the first failure. For one thread at a time. Host only.
 #pragma once
 
 #include <utility>
@@ -11,16 +11,16 @@ namespace obby::solve::learned {
 
 class DeviceWork {
  public:
-  // As DevicePlayers::open.
+  // See DevicePlayers::open.
   DeviceWork(sim::Device& device, const Problem& problem, const policy::SurroundingsView& around,
              uint32_t most)
       : nets_(device), status_(players_.open(device, problem, around, most)) {}
 
   bool works() const { return bool(status_); }
-  const Status& status() const { return status_; }  // what failed first
+  const Status& status() const { return status_; }  // the first failure
 
-  // Gives work(players, nets), a Status, to the device. True: it was done; false: the CPU is to do
-  // it, and nothing has changed.
+  // Runs work(players, nets), which returns a Status, on the device. Returns false if the CPU has
+  // to do the work; then nothing has changed.
   template <class Work>
   bool tries(Work&& work) {
     if (works()) status_ = work(players_, nets_);

@@ -1,5 +1,5 @@
-// One playthrough of a method that never restores a state: from the start on, tick by tick, with
-// what the search notes of it on the way. Host only.
+// One episode of a method that never restores a state: played from the start, tick by tick, with
+// what the search records of it. Host only.
 #pragma once
 
 #include <unordered_set>
@@ -15,14 +15,14 @@
 
 namespace obby::solve::learned {
 
-// The player stood in a cell for the first time.
+// The first time that the player stood in a cell.
 struct Passed {
-  uint64_t key;   // of the cell
+  uint64_t key;   // key of the cell
   Vec3 place;     // feet
-  uint32_t tick;  // since the start
+  uint32_t tick;  // ticks since the start
 };
 
-// A state in which the player stands and that the archive lacked, or held a later arrival of.
+// A state of a standing player that the archive lacked, or had reached later.
 struct Find {
   uint64_t key;
   sim::World world;
@@ -37,17 +37,17 @@ struct Episode {
   uint32_t ticks = 0;
   KnownWay actions;                    // all so far
   std::unordered_set<uint64_t> stood;  // keys of the cells that the player stood in
-  std::vector<Passed> passed;          // these, in their order
-  uint32_t newCells = 0;               // the archive lacked so many of them
+  std::vector<Passed> passed;          // the same cells in order
+  uint32_t newCells = 0;               // cells that the archive lacked
   std::vector<Find> finds;
-  uint64_t key = 0;       // of the cell that the player is in
-  uint32_t cell = kNone;  // of the archive, if it has that
-  bool repeats = false;   // plays what was played before: nothing of it is noted
+  uint64_t key = 0;       // current cell
+  uint32_t cell = kNone;  // current cell in the archive, if any
+  bool repeats = false;   // replays known actions, so nothing is recorded
   Approach closest;
   uint32_t closestTicks = 0;
 };
 
-// The move that comes nearest to `action` where `ahead` is ahead.
+// Returns the move nearest to `action` for an observation that looks toward `ahead`.
 inline int nearestMove(const sim::Action& action, Turns ahead, bool mayJump) {
   constexpr int kStep = 65536 / policy::kHeadings;
   const int direction = int(Turns(action.heading - ahead + kStep / 2)) / kStep;
@@ -55,7 +55,7 @@ inline int nearestMove(const sim::Action& action, Turns ahead, bool mayJump) {
   return (action.walk ? direction : policy::kHeadings) * 2 + jump;
 }
 
-// Random keys, each held for a while, in whole decisions.
+// Random actions, each held for a whole number of decisions.
 class RandomKeys {
  public:
   sim::Action next(Random& random) {

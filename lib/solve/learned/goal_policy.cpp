@@ -8,7 +8,7 @@ namespace obby::solve::learned {
 
 namespace {
 
-constexpr uint64_t kGoalPolicyStream = 0x50424745;  // of the seed's random numbers
+constexpr uint64_t kGoalPolicyStream = 0x50424745;  // random stream
 constexpr size_t kIn = policy::kInputs, kGoalPolicyOut = policy::kPaddedOutputs;
 
 }  // namespace

@@ -1,5 +1,5 @@
-// The goal-conditioned policy of PBGE: a network trained while the search goes on, by PPO on what
-// it played itself and by imitation of kept playthroughs. Host only.
+// The goal-conditioned policy of PBGE: a network trained during the search by PPO on its own
+// decisions and by imitation of kept trajectories. Host only.
 #pragma once
 
 #include <cstdint>
@@ -16,18 +16,18 @@ namespace obby::solve::learned {
 struct GoalPolicySettings {
   nn::PpoLossSettings loss{.entropyWeight = 0.003f};
   nn::LearnerSettings learner{.learningRate = 1e-3f, .maxGradNorm = 0.5f};
-  float imitation = 0.1f;        // weight of its loss
-  float imitationValue = 0.01f;  // in that, weight of the value's
-  float discount = 0.99f;        // a decision
-  float lambda = 0.95f;          // of generalised advantage estimation
-  uint32_t epochs = 2;           // over the decisions of a round
-  uint32_t minibatch = 256;      // decisions a step of the optimiser
+  float imitation = 0.1f;        // weight of the imitation loss
+  float imitationValue = 0.01f;  // weight of the value error in it
+  float discount = 0.99f;        // per decision
+  float lambda = 0.95f;          // generalised advantage estimation
+  uint32_t epochs = 2;           // per round
+  uint32_t minibatch = 256;      // decisions per optimiser step
 };
 
-// Who made a decision: nothing is learned from those of explorers.
+// The source of a decision. Those of explorers are not learned from.
 enum class Maker : uint8_t { explorer, policy, kept };
 
-// The decisions of a round, a row each: (ticks, players), those of one tick side by side.
+// The decisions of a round, one row each. Rows are ordered as (ticks, players).
 struct Decisions {
   Decisions(uint32_t tickCount, uint32_t playerCount)
       : ticks(tickCount),
@@ -43,13 +43,13 @@ struct Decisions {
   size_t rows() const { return size_t(ticks) * players; }
 
   uint32_t ticks, players;
-  std::vector<float> inputs;  // (rows, kInputs), as policy::observe gives them
+  std::vector<float> inputs;  // (rows, kInputs), from policy::observe
   std::vector<policy::Decision> made;
   std::vector<Maker> makers;
-  std::vector<float> sharpness;  // what the logits were multiplied by
-  std::vector<float> values;     // that the network expected
+  std::vector<float> sharpness;  // factor of the logits
+  std::vector<float> values;     // the network's estimates
   std::vector<float> rewards;
-  std::vector<uint8_t> done;  // what comes after does not count
+  std::vector<uint8_t> done;  // true if later rewards do not count
   std::vector<float> last;    // (players), value of the state after the last tick
 };
 
@@ -58,7 +58,7 @@ class GoalPolicy {
   // `device`: as NetPass.
   GoalPolicy(const GoalPolicySettings& settings, uint64_t seed, DeviceWork* device = nullptr);
 
-  // (kInputs) to (kPaddedOutputs), logits and value.
+  // Returns the network from (kInputs) to (kPaddedOutputs), logits and value.
   const nn::Network<float>& net() const { return learner_.net(); }
 
   void learn(ThreadPool& pool, const Decisions& d);

@@ -5,7 +5,7 @@
 
 namespace obby::solve::learned {
 
-// Falling states are left out: they are the sparsest, and nobody can stay there to explore.
+// Leaves out falling states. They are the sparsest, but a player cannot stay there to explore.
 void GoalPool::add(const std::shared_ptr<const Path>& path) {
   for (uint32_t i = 1; i < path->size(); ++i) {
     if (path->stands[i]) fresh_.push_back({path, i});

@@ -1,4 +1,4 @@
-// The goals of CFLGE: states in which players stood, drawn by how sparse the latent space is around
+// The goals of CFLGE: states in which players stood, sampled by sparsity of the latent space around
 // them. Host only.
 #pragma once
 
@@ -9,7 +9,7 @@
 
 namespace obby::solve::learned {
 
-// A state: the i-th of a path.
+// A state: the place at an index of a path.
 struct Goal {
   std::shared_ptr<const Path> path;
   uint32_t index;
@@ -17,17 +17,16 @@ struct Goal {
 
 class GoalPool {
  public:
-  static constexpr float kGeometric = 0.005f;  // of the draw by rank
-  static constexpr size_t kHalf = 1024;  // states at each refreshing: so many old, so many new
+  static constexpr float kGeometric = 0.005f;  // parameter of the draw by rank
+  static constexpr size_t kHalf = 1024;        // max old and max new states per refresh
 
-  // The states of a path may become goals when the pool is refreshed.
+  // Makes the states of a path candidates for the next refresh.
   void add(const std::shared_ptr<const Path>& path);
-  // Ranks states anew: new ones, evenly taken, and of the old those where it was sparsest. `pass`
-  // is the module's.
+  // Ranks states anew: evenly sampled new ones and the sparsest old ones. `pass` is the module's.
   void refresh(ThreadPool& pool, const InverseDynamics& module, NetPass& pass);
 
   bool empty() const { return ranked_.empty(); }
-  // The sparser it is around a state, the likelier. Safe to call from several threads.
+  // Samples a state; sparser ones are likelier. Safe to call from several threads.
   const Goal& draw(Random& random) const {
     return ranked_[drawGeometric(random, kGeometric, uint32_t(ranked_.size()))];
   }

@@ -8,11 +8,11 @@ namespace obby::solve::learned {
 
 namespace {
 
-constexpr uint64_t kDynamicsStream = 0x4c4745;  // of the seed's random numbers
-constexpr size_t kDynamicsUnits = 64;           // a hidden layer
+constexpr uint64_t kDynamicsStream = 0x4c4745;  // random stream
+constexpr size_t kDynamicsUnits = 64;           // units per hidden layer
 constexpr size_t kDynamicsOut = nn::padded(policy::kMoves);
-constexpr float kApart = 1000;    // more than latent space is wide
-constexpr float kFollow = 0.02f;  // of the new in the mean of distances
+constexpr float kApart = 1000;    // exceeds all distances in latent space
+constexpr float kFollow = 0.02f;  // weight of the newest mean distance
 constexpr nn::LearnerSettings kSettings{.learningRate = 1e-3f, .weightDecay = 1e-5f};
 
 nn::Network<float> netOf(size_t inputs, size_t outputs) {
@@ -61,7 +61,7 @@ void InverseDynamics::encode(const float* places, size_t count, NetPass& pass,
   }
 }
 
-// Both places of a decision go through the encoder, one below the other.
+// Encodes both places of a decision as consecutive rows.
 void InverseDynamics::learnShare(const Memory& memory, std::span<const size_t> rows, size_t s) {
   Share& share = shares_[s];
   const size_t count = rows.size();
@@ -72,7 +72,7 @@ void InverseDynamics::learnShare(const Memory& memory, std::span<const size_t> r
     std::copy_n(track->path->place(decision), 2 * kPlace, share.places.data() + 2 * i * kPlace);
     share.moves[i] = track->moves[decision];
   }
-  // A row of 2 kLatent is a pair of points as it lies.
+  // Two consecutive points form one row of 2 kLatent numbers.
   const float* const pairs = share.encoder.forward(encoder_.net(), share.places.data(), 2 * count);
   share.apart = 0;
   for (size_t i = 0; i < count; ++i) {

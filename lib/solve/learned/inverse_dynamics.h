@@ -1,6 +1,6 @@
-// The module that makes CFLGE's latent space: an encoder of places, trained together with a network
-// that tells from two successive places which move was made between them. What moves cannot change
-// has no part in it. Host only.
+// The module behind CFLGE's latent space. It trains an encoder of places together with a network
+// that predicts the move between two successive places. So the space ignores what moves cannot
+// change. Host only.
 #pragma once
 
 #include <span>
@@ -14,22 +14,22 @@ namespace obby::solve::learned {
 
 class InverseDynamics {
  public:
-  static constexpr size_t kBatch = 32;  // decisions a step
+  static constexpr size_t kBatch = 32;  // decisions per step
 
   // `device`: as NetPass.
   explicit InverseDynamics(uint64_t seed, DeviceWork* device = nullptr);
 
-  // One step on decisions drawn from the memory. Gives their mean loss, log(moves) when nothing is
-  // known.
+  // Takes one step on decisions sampled from the memory. Returns their mean loss; an untrained
+  // network has log(moves).
   float learn(ThreadPool& pool, const Memory& memory);
 
-  // Who is nearer to a goal than this has reached it: what players move in the latent space in
-  // four decisions, on average.
+  // Returns the distance within which a goal counts as reached: the mean movement in the latent
+  // space in four decisions.
   float reach() const { return 4 * apart_; }
 
-  // Fills `points`, (count, kLatent), with those of `count` places, (count, kPlace). No move alone
-  // tells the waypoints and visits behind, so each set of these shifts points by a step of its own.
-  // Safe to call from several threads, each with a pass of its own.
+  // Fills `points`, (count, kLatent), from `count` places, (count, kPlace). No single move
+  // determines the waypoints and visits so far, so each set of them shifts the points by its own
+  // offset. Safe to call from several threads, each with its own pass.
   void encode(const float* places, size_t count, NetPass& pass, std::vector<float>& points) const;
 
  private:
@@ -44,7 +44,7 @@ class InverseDynamics {
   Random random_;
   nn::Learner encoder_, head_;
   Share shares_[kShares];
-  float apart_ = 0.25f;  // how far apart the points around a decision are, lately
+  float apart_ = 0.25f;  // running mean of distances of points in a decision
 };
 
 }  // namespace obby::solve::learned

@@ -9,9 +9,9 @@ namespace obby::solve::learned {
 
 namespace {
 
-constexpr size_t kTaskPoints = 64;  // whose neighbours a task of the pool looks for
+constexpr size_t kTaskPoints = 64;  // points per task of the pool
 
-// The k-th least of `values`, without that at `self`.
+// Returns the k-th smallest of `values`, without the one at `self`.
 float kthLeast(const std::vector<float>& values, uint32_t k, size_t self) {
   std::vector<float> least(k, 1e30f);  // ascending
   for (size_t j = 0; j < values.size(); ++j) {
@@ -43,7 +43,7 @@ std::vector<uint32_t> thinned(const float* points, size_t count, float apart) {
 }
 
 uint32_t drawGeometric(Random& random, float p, uint32_t count) {
-  const float fall = logOf(1 - p);  // of a rank's chance
+  const float fall = logOf(1 - p);  // log ratio of the probabilities of successive ranks
   const float all = 1 - expNegative(fall * float(count));
   const float rank = logOf(1 - random.unit() * all) / fall;
   return std::min(uint32_t(std::max(rank, 0.0f)), count - 1);

@@ -1,5 +1,5 @@
-// Points in the latent space: how far apart, which of a way to keep as sub-goals, how to draw one
-// by its rank. Host only.
+// Points in the latent space: distances, the choice of sub-goals on a trajectory, and a draw by
+// rank. Host only.
 #pragma once
 
 #include <cstddef>
@@ -13,21 +13,23 @@ namespace obby::solve::learned {
 
 constexpr size_t kLatent = 16;  // numbers
 
-// Squared distance of two points, (kLatent) each.
+// Returns the squared distance of two points, (kLatent) each.
 float latentDistance2(const float* a, const float* b);
 
-// Of the `count` points along a way, (count, kLatent), those to pass on the way to the last: going
-// back from it, each that is at least `apart` from the one taken before. In the way's order.
+// Returns the indices of sub-goals among the `count` points of a trajectory, (count, kLatent), in
+// ascending order. From the last point backwards it keeps each that is at least `apart` from the
+// one kept before.
 std::vector<uint32_t> thinned(const float* points, size_t count, float apart);
 
-// 0, 1, ... below `count` with probabilities that fall by a factor of 1 - p each; count > 0.
+// Draws from 0 to `count` - 1 with probabilities that fall by a factor of 1 - p each; count > 0.
 uint32_t drawGeometric(Random& random, float p, uint32_t count);
 
-// Which neighbour's distance tells the density around one of `count` points: 2 count^(1 / kLatent).
+// Returns which neighbour's distance estimates the density of `count` points: 2 count^(1 /
+// kLatent).
 uint32_t neighbourFor(uint32_t count);
 
-// The distance of each point to its k-th nearest other, squared; the lesser the denser. `points`:
-// (count, kLatent), count > k > 0.
+// Returns the squared distance of each point to its k-th nearest other: smaller is denser.
+// `points`: (count, kLatent), count > k > 0.
 std::vector<float> neighbourDistances2(ThreadPool& pool, const std::vector<float>& points,
                                        uint32_t k);
 

@@ -119,7 +119,7 @@ void LearnedSearch::look(Episode& e) {
   if (e.stood.insert(key).second) stand(e);
 }
 
-// Each time the player comes into a cell, standing or not.
+// Updates the closest approach. Called whenever the player enters a cell, standing or not.
 void LearnedSearch::approach(Episode& e) const {
   const Approach here = approachOf(problem_.query, e.world);
   if (!closer(here, e.closest)) return;
@@ -127,7 +127,7 @@ void LearnedSearch::approach(Episode& e) const {
   e.closestTicks = e.ticks;
 }
 
-// Once for each cell that the player stands in.
+// Records a cell. Called once for each cell that the player stands in.
 void LearnedSearch::stand(Episode& e) {
   e.passed.push_back({e.key, e.world.position, e.ticks});
   if (e.cell != kNone) {
@@ -169,8 +169,8 @@ void LearnedSearch::keep(Episode& e, size_t way) {
   bytesKept_ += bytesOf(problem_.known[way], passed_[way]);
 }
 
-// A way is of use as long as it is the best to some cell, the closest approach, to be shown, or
-// followed. Looked at when there is twice as much as was left the last time.
+// Drops unused trajectories. One is of use if it is the best to some cell, the closest approach, to
+// be shown, or followed. Runs when memory has doubled since the last time.
 void LearnedSearch::forget() {
   if (bytesKept_ < forgetFrom_) return;
   std::vector<uint8_t> used = shown_;
@@ -192,7 +192,7 @@ void LearnedSearch::forget() {
   forgetFrom_ = std::max(forgetFrom_, 2 * left);
 }
 
-// The ways of an earlier answer are episodes like any other: what they came to is returned to.
+// Known trajectories are played like other episodes, so that players can return to their cells.
 void LearnedSearch::tryKnown(size_t first, size_t count) {
   std::vector<Episode> episodes(count);
   pool_.run(int(count), [&](int task) {

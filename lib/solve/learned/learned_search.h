@@ -1,7 +1,6 @@
-// What methods have in common that learn while they search: players who always begin at the start,
-// an archive of the cells that they stood in with the ways there as they were played, and what a
-// search tells of itself. Who is in the air is on the way to elsewhere, mostly down: nobody could
-// be told to return there. Host only.
+// The base of methods that learn during the search. Players always begin at the start. The archive
+// has the cells that they stood in, with the trajectories to them, and the search keeps statistics.
+// Cells in the air are left out: a falling player cannot return to one and stay. Host only.
 #pragma once
 
 #include <functional>
@@ -19,9 +18,9 @@
 
 namespace obby::solve::learned {
 
-constexpr uint64_t kPlayerStreams = 1ull << 32;  // of random numbers, one for each player
+constexpr uint64_t kPlayerStreams = 1ull << 32;  // random streams, one per player
 
-// How many players set out to return to where others had been, and how many of these came there.
+// Number of players that set out for a known state, and of those that arrived.
 struct Returns {
   uint64_t tried = 0, reached = 0;
 
@@ -31,62 +30,63 @@ struct Returns {
   }
 };
 
-// Bytes of kept playthroughs from which on those are forgotten that nothing leads along any more.
+// Max bytes of kept trajectories before unused ones are dropped.
 constexpr size_t kForgetFrom = 64 << 20;
 
 class LearnedSearch : public ArchiveSearch {
  public:
   void tryKnown(size_t first, size_t count) override;
-  // Players play, what came of it is taken, then is learned from.
+  // Plays with all players, records the results, then learns from them.
   void round() final;
-  size_t bytesKept() const { return bytesKept_; }  // of playthroughs
+  size_t bytesKept() const { return bytesKept_; }  // size of the kept trajectories
 
  protected:
-  // `players`: those who play at once.
+  // `players`: number that plays at once.
   LearnedSearch(const Problem& problem, uint64_t seed, const Machine& machine, uint32_t players,
                 size_t forgetFrom = kForgetFrom);
 
-  // Plays for a while, takes the episodes that ended, in a fixed order, and learns.
+  // Plays for a while, records the ended episodes in a fixed order, and learns.
   virtual void playAndLearn() = 0;
-  // Marks the kept ways that players are on.
+  // Marks the kept trajectories that players follow.
   virtual void markFollowed(std::vector<uint8_t>&) const {}
 
   const policy::Scene& scene() const { return scene_; }
   const Problem& problem() const { return problem_; }
   uint64_t seed() const { return seed_; }
-  // Where tasks run that may ask the device: by themselves as long as there is one.
+  // Returns the pool for tasks that may use the device. While there is one it has a single thread.
   ThreadPool& pool() { return device_ && device_->works() ? alone_ : pool_; }
   ThreadPool& allThreads() const { return pool_; }
   DeviceWork* device() const { return device_.get(); }  // or null
 
-  // Calls play(first, count) for groups of players: for all at once where there is a device, which
-  // wants many, otherwise for each on a thread of the pool.
+  // Calls play(first, count) for groups of players: once for all with a device, which needs many
+  // players; otherwise once for each, on a thread of the pool.
   void forGroups(size_t groups, const std::function<void(size_t, size_t)>& play);
-  // Fills `inputs`, rows of policy::kInputs that begin `stride` numbers apart.
+  // Fills `inputs` with rows of policy::kInputs that begin `stride` numbers apart.
   void see(std::span<const View> views, float* inputs, size_t stride = policy::kInputs);
 
-  // The rest is safe to call from several threads between changes of the archive.
+  // The following are safe to call from several threads between changes of the archive.
 
   Episode begin() const;
-  // Not over, and not hopeless.
+  // Returns true if the episode is running and can still succeed.
   bool goesOn(const Episode& e) const {
     return e.world.outcome == sim::Outcome::running && !doomed(context(), e.world);
   }
-  // One tick of all `episodes`, each of which goes on, under `actions`.
+  // Plays one tick of all `episodes`, each of which goes on, with `actions`.
   void advance(std::span<Episode* const> episodes, const sim::Action* actions);
-  // The action, without a jump that would break the query's limits.
+  // Returns the action without a jump that would break the query's limits.
   sim::Action allowed(sim::Action action, const sim::World& world) const;
-  // The cell's key if the player's feet were at `place`.
+  // Returns the cell's key with the player's feet at `place`.
   uint64_t keyAt(const Episode& e, Vec3 place) const;
   float cellWidth() const { return 1 / setup_.rules.binning.inverseWidth; }
 
-  // These change the archive.
+  // The following change the archive.
 
   void count(uint64_t steps) { statistics_.steps += steps; }
-  // To be called once for each episode that ended.
+  // Records an ended episode. Call it once for each.
   void take(Episode& e) { take(e, problem_.known.size()); }
 
-  // The way to the archive's state in a cell, and how many of the cells passed on it lead there.
+  // Returns the trajectory to the archive's state in a cell, and how many of its passed cells lead
+  // there.
   std::pair<size_t, size_t> wayTo(uint32_t cell) const;
   const std::vector<Passed>& passed(size_t way) const { return passed_[way]; }
   const KnownWay& actions(size_t way) const { return problem_.known[way]; }
@@ -100,15 +100,15 @@ class LearnedSearch : public ArchiveSearch {
   void keep(Episode& e, size_t way);
   void forget();
 
-  // The problem's known ways are followed by those of the episodes that are of use.
+  // problem_.known has the given trajectories, then those of useful episodes.
   ThreadPool& pool_;
   ThreadPool alone_{1};
   const policy::Surroundings surroundings_;
   const policy::SurroundingsView around_;
-  const policy::Scene scene_;                // of these
+  const policy::Scene scene_;                // refers to the surroundings
   std::unique_ptr<DeviceWork> device_;       // null without a device
   std::vector<std::vector<Passed>> passed_;  // (problem_.known)
-  std::vector<uint8_t> shown_;  // (problem_.known), kept for ever: an end to show, or a goal
+  std::vector<uint8_t> shown_;  // (problem_.known), never dropped: an end to show, or a goal
   size_t bytesKept_ = 0, forgetFrom_;
 };
 

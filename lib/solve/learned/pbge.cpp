@@ -10,10 +10,10 @@ namespace obby::solve::learned {
 
 namespace {
 
-constexpr float kNewNearby = 0.1f;  // of the aims, where there is any
-constexpr float kNearby = 0.25f;    // of the rest
-constexpr int kAims = 8;            // places looked at for one in a cell that is new
-constexpr uint32_t kFarthest = 8;   // of these, in cells
+constexpr float kNewNearby = 0.1f;  // share of aims in a new cell nearby, if any
+constexpr float kNearby = 0.25f;    // share of the remaining aims
+constexpr int kAims = 8;            // places tried to find a new cell
+constexpr uint32_t kFarthest = 8;   // max distance of an aim, in cells
 
 geom::Region around(Vec3 place, float width) {
   return {{place, {}}, {0.5f * width, width, 0.5f * width}};
@@ -63,7 +63,7 @@ void Pbge::markFollowed(std::vector<uint8_t>& used) const {
   }
 }
 
-// `first`: of the groups' players among all.
+// `first`: index of the groups' first player.
 void Pbge::play(std::span<Group> groups, uint32_t first) {
   const size_t count = groups.size() * kGroup;
   const auto player = [&](size_t i) -> Player& { return groups[i / kGroup].players[i % kGroup]; };
@@ -89,7 +89,7 @@ void Pbge::play(std::span<Group> groups, uint32_t first) {
   }
 }
 
-// The place to reach next stands in for the query's next region.
+// Returns a view in which the next place to reach replaces the query's next region.
 View Pbge::lookFrom(Player& p) const {
   const bool explores = p.mode == Mode::exploring;
   const Vec3 place = explores          ? p.aim
@@ -115,15 +115,15 @@ void Pbge::decide(Group& g, Player& p, const float* outputs, size_t row) {
   }
 }
 
-// In which the way that is followed came to the next sub-goal.
+// Returns the decisions that the followed trajectory took to the next sub-goal.
 uint32_t Pbge::decisionsDue(const Player& p) const {
   const std::vector<Passed>& way = passed(p.way);
   const uint32_t before = p.next == 0 ? 0 : way[p.next - 1].tick;
   return (way[p.next].tick - before) / policy::kDecisionTicks;
 }
 
-// The longer than due it has not come to a sub-goal, or found nothing, the more it leaves to
-// chance.
+// Samples an action. The temperature grows once the player is overdue at a sub-goal, or finds no
+// new cell.
 void Pbge::decideByPolicy(Player& p, const float* outputs, size_t row) {
   const bool explores = p.mode == Mode::exploring;
   const uint32_t calm = explores ? settings_.calm : decisionsDue(p);
@@ -141,7 +141,7 @@ void Pbge::decideByPolicy(Player& p, const float* outputs, size_t row) {
   made_.made[row] = {{move, logOf(chances[move]), 0, 0}, mayJump};
 }
 
-// What it did then is what the policy is to do; the actions themselves are repeated tick by tick.
+// The policy imitates the kept decision; the actions themselves are replayed tick by tick.
 void Pbge::decideAsKept(Player& p, size_t row) {
   const bool mayJump = policy::jumpAllowed(scene(), p.episode.world);
   WayCursor ahead = p.cursor;
@@ -169,7 +169,7 @@ void Pbge::tick(std::span<Group> groups) {
   for (const auto& [g, p] : players) reach(*g, *p);
 }
 
-// Has the player come to a sub-goal?
+// Handles a player that reaches a sub-goal or, exploring, a new cell.
 void Pbge::reach(Group& g, Player& p) const {
   if (p.mode == Mode::exploring) {
     const geom::Region there = around(p.aim, cellWidth());
@@ -225,7 +225,7 @@ void Pbge::restart(Group& g, Player& p) const {
   }
 }
 
-// From here on, half of the players at random.
+// Starts to explore, for half of the players at random.
 void Pbge::explore(Player& p) const {
   p.mode = Mode::exploring;
   p.byPolicy = p.random.below(2) == 0;
@@ -236,8 +236,8 @@ void Pbge::explore(Player& p) const {
   aim(p);
 }
 
-// Seldom at a place nearby in a cell that the archive lacks, sometimes at any place nearby, mostly
-// at a cell of the archive.
+// Selects an aim: rarely a place nearby in a new cell, sometimes any place nearby, otherwise a cell
+// of the archive.
 void Pbge::aim(Player& p) const {
   if (p.random.unit() < kNewNearby) {
     for (int i = 0; i < kAims; ++i) {

@@ -1,7 +1,6 @@
-// Policy-Based Go-Explore (Ecoffet et al. 2021): players return to a chosen cell of the archive by
-// a policy that learns meanwhile to reach the cells on the way there, and explore from it, half of
-// them by the policy, half at random. Nothing is learned from exploring, nothing ever restored.
-// Host only.
+// Policy-Based Go-Explore (Ecoffet et al. 2021). Players return to a selected cell of the archive
+// by a policy that learns to reach the cells on the way. Half of them then explore by the policy,
+// half at random. Exploration is not learned from, and no state is restored. Host only.
 #pragma once
 
 #include "solve/learned/cell_choice.h"
@@ -12,23 +11,23 @@
 namespace obby::solve::learned {
 
 struct PbgeSettings {
-  uint32_t groups = 2;      // of kGroup players; a group is one thread's
-  uint32_t decisions = 32;  // of each player, a round
+  uint32_t groups = 2;      // groups of kGroup players; one thread each
+  uint32_t decisions = 32;  // decisions per player and round
   uint32_t patience = 100;  // decisions until a player gives up: beyond those that a sub-goal took
                             // at first, or of exploring without a new cell
-  uint32_t aimFor = 20;     // decisions of exploring until another place is aimed at
-  uint32_t calm = 50;       // decisions of exploring without a new cell before entropy is raised
-  float unrest = 0.01f;     // then the temperature is 1 + (unrest x decisions)^2
-  float subgoal = 0.1f;     // reward
-  float last = 0.3f;        // that of the last sub-goal
-  bool learns = true;       // false: the policy stays as it was at first
+  uint32_t aimFor = 20;     // exploring decisions until a new aim
+  uint32_t calm = 50;       // exploring decisions without a new cell before entropy is raised
+  float unrest = 0.01f;     // temperature: 1 + (unrest x decisions)^2
+  float subgoal = 0.1f;     // reward of a sub-goal
+  float last = 0.3f;        // reward of the last sub-goal
+  bool learns = true;       // false: the policy stays untrained
   size_t forgetFrom = kForgetFrom;
   GoalPolicySettings policy;
 };
 
 class Pbge final : public LearnedSearch {
  public:
-  static constexpr uint32_t kGroup = 16;  // players; the last of them repeats kept playthroughs
+  static constexpr uint32_t kGroup = 16;  // players; the last one replays kept trajectories
 
   Pbge(const Problem& problem, uint64_t seed, const PbgeSettings& settings, const Machine& machine);
 
@@ -42,29 +41,29 @@ class Pbge final : public LearnedSearch {
         : random(seed, stream), repeats(repeater) {}
 
     Random random;
-    bool repeats;  // plays what was kept, as soon as anything was
+    bool repeats;  // replays kept trajectories once there are any
     Episode episode;
     Mode mode = Mode::returning;
-    size_t way = 0, subgoals = 0;  // the cells to pass: the first of passed(way)
-    size_t next = 0;               // of them
-    bool byPolicy = true;          // explores so
-    Vec3 aim{};                    // where to, then
-    uint32_t explored = 0;         // decisions
-    uint32_t waited = 0;           // decisions since the last sub-goal; exploring, new cell
-    uint32_t newCells = 0;         // that the episode had found then
+    size_t way = 0, subgoals = 0;  // it follows the first cells of passed(way)
+    size_t next = 0;               // next sub-goal
+    bool byPolicy = true;          // explores by the policy
+    Vec3 aim{};                    // target of that exploration
+    uint32_t explored = 0;         // exploring decisions
+    uint32_t waited = 0;           // decisions since the last sub-goal or new cell
+    uint32_t newCells = 0;         // the episode's at that time
     RandomKeys keys;
-    WayCursor cursor;  // of what it repeats
-    // The decision at hand.
+    WayCursor cursor;  // position in the replayed trajectory
+    // Members of the current decision.
     Turns ahead = 0;
     sim::Action action;
     float reward = 0;
-    bool done = false;  // nothing that comes later is due to it
+    bool done = false;  // later rewards do not count
   };
-  // Players whose ticks are taken together, and what a round brought.
+  // Players whose ticks run together, and their results of a round.
   struct Group {
     std::vector<Player> players;
     std::vector<Episode> ended;
-    std::vector<uint32_t> acted;  // cells, one for each action there
+    std::vector<uint32_t> acted;  // cells, one for each action in one
     NetPass pass;
     Returns returns;
     uint64_t steps = 0;

@@ -8,11 +8,11 @@ namespace obby::solve::learned {
 
 namespace {
 
-constexpr uint64_t kQuantileStream = 0x51522d44514e;  // of the seed's random numbers
-constexpr size_t kQuantileUnits = 64;                 // a hidden layer
+constexpr uint64_t kQuantileStream = 0x51522d44514e;  // random stream
+constexpr size_t kQuantileUnits = 64;                 // units per hidden layer
 constexpr size_t kQuantileOut = size_t(policy::kMoves) * kQuantiles;
 
-// What is seen before decision `i` of a track of the way to a goal.
+// Fills `to` with the inputs of a track's decision `i` toward `goal`.
 void fillInputs(const Track& track, size_t i, const float* goal, float* to) {
   std::copy_n(track.inputs.data() + i * policy::kInputs, policy::kInputs, to);
   observeGoal(track.path->place(i), goal, to + policy::kInputs);
@@ -57,7 +57,7 @@ QuantilePolicy::QuantilePolicy(const QuantileSettings& settings, uint64_t seed, 
   }
 }
 
-// Most decisions are looked at as if the goal had been a place that the player came to later on.
+// Replaces the goal of most decisions by a place that the player reached later (hindsight).
 void QuantilePolicy::draw(const Memory& memory, std::span<Lesson> lessons) {
   for (Lesson& l : lessons) {
     const auto [track, decision] = memory.at(random_.below(uint32_t(memory.size())));
@@ -79,7 +79,7 @@ void QuantilePolicy::learn(ThreadPool& pool, const Memory& memory, const Inverse
   learner_.step(settings_.learner, 1.0f / kBatch);
 }
 
-// Death is as bad as never to come to the goal.
+// A death costs as much as never reaching the goal.
 void QuantilePolicy::learnShare(const InverseDynamics& module, std::span<const Lesson> lessons,
                                 size_t s) {
   Share& share = shares_[s];

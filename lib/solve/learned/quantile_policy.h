@@ -1,6 +1,5 @@
 // The goal-conditioned policy of CFLGE: QR-DQN (Dabney et al. 2018) with hindsight goals
-// (Andrychowicz et al. 2017). It costs 1 a decision until the player is within reach of the goal.
-// Host only.
+// (Andrychowicz et al. 2017). Each decision costs 1 until the goal is reached. Host only.
 #pragma once
 
 #include <span>
@@ -11,34 +10,34 @@
 namespace obby::solve::learned {
 
 constexpr size_t kQuantiles = 8;
-constexpr size_t kGoalInputs = 16;  // where the goal lies from here
+constexpr size_t kGoalInputs = 16;  // position of the goal relative to the player
 constexpr size_t kPolicyInputs = size_t(policy::kInputs) + kGoalInputs;
 
-// Fills `out`, (kGoalInputs), with where `goal` lies from `place`, (kPlace) both.
+// Fills `out`, (kGoalInputs), with the offset of `goal` from `place`, both (kPlace).
 void observeGoal(const float* place, const float* goal, float* out);
 
-// The best of the moves that are allowed by the mean of its quantiles; `quantiles`: (kMoves,
-// kQuantiles). The first of several.
+// Returns the allowed move with the best mean of quantiles, the first one on ties. `quantiles`:
+// (kMoves, kQuantiles).
 int bestMove(const float* quantiles, bool mayJump);
 
 struct QuantileSettings {
   nn::LearnerSettings learner{.learningRate = 1e-3f, .maxGradNorm = 10};
   float discount = 0.95f;
-  float hindsight = 0.8f;  // of the decisions learned from get a goal reached later
-  uint32_t refresh = 200;  // steps until what is aimed for is computed by the newest weights
+  float hindsight = 0.8f;  // share of decisions with a goal that was reached later
+  uint32_t refresh = 200;  // steps between updates of the target network
 };
 
 class QuantilePolicy {
  public:
-  static constexpr size_t kBatch = 64;  // decisions a step
+  static constexpr size_t kBatch = 64;  // decisions per step
 
   // `device`: as NetPass.
   QuantilePolicy(const QuantileSettings& settings, uint64_t seed, DeviceWork* device = nullptr);
 
-  // (kPolicyInputs) to (kMoves, kQuantiles).
+  // Returns the network from (kPolicyInputs) to (kMoves, kQuantiles).
   const nn::Network<float>& net() const { return learner_.net(); }
 
-  // One step on decisions drawn from the memory.
+  // Takes one step on decisions sampled from the memory.
   void learn(ThreadPool& pool, const Memory& memory, const InverseDynamics& module);
 
  private:

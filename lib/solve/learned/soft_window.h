@@ -1,5 +1,5 @@
-// Sub-goals on the way to a goal: to be reached in their order, but whoever reaches one of those
-// ahead within a window has passed the ones before it, too. Host only.
+// Sub-goals on the way to a goal. A player that reaches one within a window ahead has also passed
+// the ones before it. Host only.
 #pragma once
 
 #include <algorithm>
@@ -9,8 +9,8 @@ namespace obby::solve::learned {
 
 constexpr size_t kWindow = 10;  // sub-goals
 
-// `next`: the first of `count` sub-goals that is not reached. If reached(i) holds for some i of
-// next, ..., next + kWindow - 1, `next` becomes the one after the last such. True: it moved.
+// `next`: the first of `count` sub-goals that is not reached. Moves it past the last i in next,
+// ..., next + kWindow - 1 for which reached(i) holds. Returns true if it moved.
 template <class Reached>
 bool passSubgoals(size_t& next, size_t count, Reached&& reached) {
   for (size_t i = std::min(next + kWindow, count); i-- > next;) {

@@ -8,7 +8,7 @@ namespace obby::solve::learned {
 
 namespace {
 
-constexpr float kUnit = 0.25f;  // a stud
+constexpr float kUnit = 0.25f;  // per stud
 
 void write(Vec3 v, float* to) {
   to[0] = v.x * kUnit;
@@ -16,7 +16,8 @@ void write(Vec3 v, float* to) {
   to[2] = v.z * kUnit;
 }
 
-// 0 of nothing. One in kCodes of two different sets have the same.
+// Returns a hash of the reached waypoints and visits; 0 for none. Two different sets collide with a
+// probability of 1 / kCodes.
 uint32_t codeOf(const sim::World& world) {
   static_assert(kCodes == 1u << 16);
   return uint32_t(mixBits(uint64_t(world.waypoints) << 32 | world.visited) >> 48);

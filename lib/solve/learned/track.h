@@ -1,5 +1,5 @@
-// What CFLGE remembers of playthroughs: the places that they came through, which latent space and
-// goals are made of, and the decisions that the policy learns from. Host only.
+// Episodes in CFLGE's memory: their places, for the latent space and goals, and the decisions that
+// the policy learns from. Host only.
 #pragma once
 
 #include <cstdint>
@@ -12,40 +12,40 @@
 
 namespace obby::solve::learned {
 
-// A state as latent space sees it: where the player is and where the loose bodies are, on average;
-// both from the start, in units of four studs; how many waypoints and visits are behind, and which:
-// a code below kCodes, as a share of that, 0 for none. Velocities are left out: from them alone an
-// action could be told, and all places would look alike.
+// A state as the latent space sees it: the positions of the player and, on average, of dynamic
+// bodies, from the start, in units of four studs; the number of waypoints and visits reached; and a
+// code of which, below kCodes, as a share of kCodes, 0 for none. Velocities are left out: they
+// alone would reveal the action, and all places would look alike.
 constexpr size_t kPlace = 8;
-constexpr size_t kReached = 6, kCode = 7;  // of it
+constexpr size_t kReached = 6, kCode = 7;  // indices in a place
 constexpr uint32_t kCodes = 1u << 16;
 
 // `loose`: (problem.level.looseCount).
 void placeOf(const Problem& problem, const sim::World& world, const sim::LooseBody* loose,
              float* place);
 
-// The places of one playthrough, before each decision and after the last.
+// The places of one episode, before each decision and after the last.
 struct Path {
   std::vector<float> places;    // (decisions + 1, kPlace)
-  std::vector<uint8_t> stands;  // (decisions + 1), the player has a floor there
+  std::vector<uint8_t> stands;  // (decisions + 1), true with a floor under the player
 
   size_t size() const { return stands.size(); }
   const float* place(size_t i) const { return places.data() + i * kPlace; }
 };
 
-// The decisions of one playthrough.
+// The decisions of one episode.
 struct Track {
   std::shared_ptr<const Path> path;
   std::vector<float> inputs;     // (decisions + 1, policy::kInputs), in the world's axes
   std::vector<uint8_t> mayJump;  // (decisions + 1)
   std::vector<uint8_t> moves;    // (decisions)
-  std::vector<float> goals;      // (decisions, kPlace), what the player was to reach
-  bool ended = false;            // for the player, instead of being cut
+  std::vector<float> goals;      // (decisions, kPlace), goals of the player at the time
+  bool ended = false;            // the game ended it, instead of a cut
 
   size_t decisions() const { return moves.size(); }
 };
 
-// The decisions of the last playthroughs, as many as there is room for.
+// The decisions of the last episodes, within a capacity.
 class Memory {
  public:
   explicit Memory(size_t room) : room_(room) {}
@@ -62,7 +62,7 @@ class Memory {
 
  private:
   struct Kept {
-    uint64_t first;  // of its decisions among all that were ever added
+    uint64_t first;  // index of its first decision among all ever added
     std::shared_ptr<const Track> track;
   };
   size_t room_;

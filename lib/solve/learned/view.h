@@ -1,4 +1,4 @@
-// What a player of a method that learns while it searches looks at. Host only.
+// A player's view in methods that learn during the search. Host only.
 #pragma once
 
 #include "geom/region.h"
@@ -8,8 +8,8 @@ namespace obby::solve::learned {
 
 struct View {
   const Episode* player;
-  geom::Region next;  // what the player is to reach
-  Turns ahead;        // where the frame looks
+  geom::Region next;  // region that the player has to reach
+  Turns ahead;        // heading of the observation
 };
 
 }  // namespace obby::solve::learned

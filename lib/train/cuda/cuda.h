@@ -1,4 +1,4 @@
-// What the CUDA build adds to learning.
+// Entry points of the CUDA kernels for training.
 #pragma once
 
 namespace obby::train {
@@ -7,10 +7,10 @@ enum class TrainStep;
 
 namespace obby::train::cuda {
 
-// Kernel::entry of its namesake; null without CUDA.
+// Returns Kernel::entry of that step's kernel; null without CUDA.
 const void* trainEntry(TrainStep step);
 
-// The part of it that play.cu knows: kernels that simulate worlds take long to compile.
+// Returns the entries in play.cu, which takes long to compile as it simulates worlds.
 const void* playEntry(TrainStep step);
 
 }  // namespace obby::train::cuda

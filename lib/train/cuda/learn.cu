@@ -1,4 +1,4 @@
-// Launch forms of the other kernels of learning.
+// Launch forms of the kernels that do not simulate worlds.
 #include "sim/cuda/launch.h"
 #include "train/cuda/cuda.h"
 #include "train/device/learn_kernels.h"

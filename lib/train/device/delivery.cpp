@@ -6,7 +6,7 @@ namespace obby::train {
 
 namespace {
 
-constexpr size_t kAlignment = 128;  // of flattened tables
+constexpr size_t kAlignment = 128;  // bytes, of flattened tables
 
 size_t aligned(size_t bytes) { return (bytes + kAlignment - 1) / kAlignment * kAlignment; }
 

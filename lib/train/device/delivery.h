@@ -1,4 +1,4 @@
-// Levels brought to a device together: one piece of memory and one copy for all of them.
+// Uploads several levels to a device with one allocation and one copy.
 #pragma once
 
 #include <memory>
@@ -13,12 +13,12 @@
 namespace obby::train {
 
 struct Delivery {
-  std::shared_ptr<const sim::Memory> memory;  // of all of them
-  std::vector<DevicePlace> places;            // one a level; with room for their worlds' bodies
+  std::shared_ptr<const sim::Memory> memory;  // holds all levels
+  std::vector<DevicePlace> places;            // one per level, with memory for bodies
 };
 
-// Beside what the device does. `patience`: as EnvGroupSettings::patience; `worlds`: on each level.
-// The error is the device's.
+// Uploads levels while the device works. `patience`: as EnvGroupSettings::patience; `worlds`: on
+// each level. Errors: the device's.
 Result<Delivery> deliver(sim::Device& device, std::span<const TrainingLevel* const> levels,
                          float patience, uint32_t worlds, ThreadPool& pool);
 

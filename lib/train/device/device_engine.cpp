@@ -47,7 +47,7 @@ class DeviceEngine : public Engine {
   HostRanks through_;
   DeviceLearner learner_;
   DevicePlaces places_;
-  sim::DeviceTable<float> means_, scales_, spare_;  // spare: (worlds, kInputs), what is seen last
+  sim::DeviceTable<float> means_, scales_, spare_;  // spare: (worlds, kInputs), last observation
   sim::DeviceTable<double> sums_, squares_;         // (env groups, kInputs)
 };
 
@@ -79,7 +79,7 @@ PlayArguments DeviceEngine::argumentsOf(const PlayOrder& order) const {
   return a;
 }
 
-// At the batch's rows of a tick.
+// Points `a` to the batch's rows of a tick.
 void DeviceEngine::pointTo(PlayArguments& a, uint32_t tick) {
   DeviceBatch& b = learner_.batch();
   const size_t first = size_t(tick) * b.worlds;
@@ -91,7 +91,7 @@ void DeviceEngine::pointTo(PlayArguments& a, uint32_t tick) {
   a.done = b.done.data() + first;
 }
 
-// What all worlds see, and what the network says to it.
+// Observes all worlds and runs the network on the observations.
 Status DeviceEngine::look(const PlayArguments& a, bool count) {
   OBBY_RETURN_IF_ERROR(enqueue(device_, trainKernel(TrainStep::observe), a,
                                size_t(a.worlds) * policy::kViewThreads));
@@ -102,7 +102,7 @@ Status DeviceEngine::look(const PlayArguments& a, bool count) {
   return learner_.forward(a.inputs, a.worlds);
 }
 
-// Worlds with loose bodies are few, but take as long as all others: so both play at a time.
+// Worlds with dynamic bodies are few but take as long as all others, so both run concurrently.
 Status DeviceEngine::act(const PlayArguments& a) {
   if (!places_.anyLoose()) return enqueue(device_, trainKernel(TrainStep::act), a, a.worlds);
   return device_.enqueueTogether(trainKernel(TrainStep::act), trainKernel(TrainStep::actLoose), &a,
@@ -143,7 +143,7 @@ Result<Played> DeviceEngine::play(const PlayOrder& order) {
   return out;
 }
 
-// Added up env group by env group, as on the CPU.
+// Adds up the env groups in order, as on the CPU.
 Result<Sums> DeviceEngine::seen() const {
   OBBY_ASSIGN(const std::vector<double> sums, sums_.get());
   OBBY_ASSIGN(const std::vector<double> squares, squares_.get());

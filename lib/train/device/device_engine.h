@@ -1,5 +1,5 @@
-// Learning on a device that runs kernels: worlds, batch and network stay there, and the host makes
-// the levels that come next while they are played.
+// Training on a device. Worlds, batch and network stay in its memory. The host makes the next
+// levels while the current ones are played.
 #pragma once
 
 #include "train/device/device_ranks.h"
@@ -7,8 +7,8 @@
 
 namespace obby::train {
 
-// What it refers to must outlive it. `direct`: how ranks exchange gradients; null: through the
-// host.
+// The arguments must outlive the engine. `direct`: exchange of gradients between ranks; null:
+// through the host.
 std::unique_ptr<Engine> makeDeviceEngine(const TrainerSettings& settings, const LevelSource& source,
                                          sim::Device& device, ThreadPool& pool, Ranks& ranks,
                                          DeviceRanks* direct = nullptr);

@@ -58,7 +58,8 @@ Status DeviceLearner::fillAdvantages() {
   return enqueue(device_, nn::kernel(nn::Step::advantages), a, batch_.worlds);
 }
 
-// Of each minibatch; without a shuffle, of runs as long, so that many threads have work.
+// Returns the moments of each minibatch. Without a shuffle, the ranges are as long but consecutive,
+// so that many threads have work.
 Result<std::vector<nn::Moments>> DeviceLearner::moments(const float* values,
                                                         const Shuffle* shuffle) {
   const nn::MomentArguments m{values,
@@ -99,7 +100,7 @@ Status DeviceLearner::rescaleValues() {
   return enqueue(device_, trainKernel(TrainStep::rescale), r, policy::kHidden);
 }
 
-// Of the minibatches of an epoch, summed over all ranks: sum, squares and count of each.
+// Returns sum, squares and count of each minibatch of an epoch, summed over all ranks.
 Result<std::vector<double>> DeviceLearner::advantageMoments(const Shuffle& shuffle) {
   const nn::Minibatches all = minibatches();
   OBBY_ASSIGN(const auto mine, moments(batch_.advantages.data(), &shuffle));
@@ -152,7 +153,7 @@ Result<Progress> DeviceLearner::learn(float rate) {
   return out;
 }
 
-// Fills the gradient, a sum over the minibatches of all ranks.
+// Fills the gradient: the sum over this minibatch on all ranks.
 Status DeviceLearner::learnMinibatch(const MinibatchArguments& m) {
   OBBY_RETURN_IF_ERROR(
       enqueue(device_, trainKernel(TrainStep::gather), m, size_t(m.count) * kFoursOfRow));
@@ -169,7 +170,7 @@ Status DeviceLearner::learnMinibatch(const MinibatchArguments& m) {
   return addRanks();
 }
 
-// In the order of their numbers, as Ranks::add does.
+// Adds the gradients of all ranks in order, as Ranks::add does.
 Status DeviceLearner::addRanks() {
   if (ranks_.count() == 1) return {};
   const auto size = uint32_t(gradient_.size());

@@ -1,4 +1,4 @@
-// Proximal policy optimisation on a device: what Ppo is on the CPU, rounded otherwise.
+// Proximal policy optimisation on a device, the counterpart of Ppo. Rounding differs.
 #pragma once
 
 #include "nn/device/device_adam.h"
@@ -10,7 +10,7 @@
 
 namespace obby::train {
 
-// A batch (train/ppo.h) on a device, and what is learned from it.
+// A batch (train/ppo.h) on a device, with its advantages and returns.
 struct DeviceBatch {
   uint32_t ticks = 0, worlds = 0;
   sim::DeviceTable<float> inputs;  // (ticks, worlds, kInputs)
@@ -24,17 +24,17 @@ struct DeviceBatch {
 
 class DeviceLearner {
  public:
-  // What it refers to must outlive it.
+  // The arguments must outlive it.
   DeviceLearner(const TrainerSettings& settings, sim::Device& device, Ranks& ranks,
                 DeviceRanks& direct)
       : settings_(settings), device_(device), ranks_(ranks), direct_(direct) {}
 
-  // To be called first.
+  // Allocates memory. Call it first.
   Status make();
   Status restore(const LearnerState& state);
   Result<LearnerState> state() const;
 
-  // `inputs`: (rows, kInputs), on the device.
+  // Runs the network. `inputs`: (rows, kInputs), on the device.
   Status forward(const float* inputs, uint32_t rows) {
     return pass_.forward(parameters_.data(), inputs, rows);
   }
@@ -42,7 +42,7 @@ class DeviceLearner {
   DeviceBatch& batch() { return batch_; }
   const ValueScale& values() const { return values_; }
 
-  // Sums of one of the batch's tables, (rows).
+  // Returns the moments of one of the batch's tables, (rows).
   Result<nn::Moments> momentsOf(const float* table);
 
   Result<Progress> learn(float rate);
@@ -65,7 +65,7 @@ class DeviceLearner {
   DeviceBatch batch_;
   ValueScale values_;
   sim::DeviceTable<float> parameters_, gradient_, rows_, figures_, everywhere_;
-  sim::DeviceTable<double> figureChunks_, totals_;  // totals: kFigures sums, then that of norms
+  sim::DeviceTable<double> figureChunks_, totals_;  // totals: kFigures sums, then the sum of norms
   sim::DeviceTable<nn::Moments> chunks_, moments_;
 };
 

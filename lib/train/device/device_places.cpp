@@ -12,7 +12,7 @@ namespace obby::train {
 
 namespace {
 
-// Why who cannot do without a level ends.
+// Returns the error for callers that require a level.
 Error noneFor(const Status& said) { return said ? makeError(kInterrupted) : said.error(); }
 
 }  // namespace
@@ -34,7 +34,7 @@ std::vector<size_t> DevicePlaces::allPlaces() const {
   return all;
 }
 
-// The env groups of all ranks share the levels, as they do on CPUs.
+// Returns the level's index. The env groups of all ranks share the levels, as on the CPU.
 uint64_t DevicePlaces::indexOf(size_t place, uint64_t taken) const {
   const auto envGroup = uint32_t(place / settings_.envGroup.levels);
   return levelIndex(settings_.envGroup, rank_ * settings_.envGroups + envGroup,
@@ -42,7 +42,7 @@ uint64_t DevicePlaces::indexOf(size_t place, uint64_t taken) const {
                     taken);
 }
 
-// A level that is played comes before all that its place will have.
+// A place's current level precedes all its later ones, so it bounds the levels still needed.
 void DevicePlaces::dropPastLevels() const {
   uint64_t first = ~uint64_t(0);
   for (size_t p = 0; p < places_.size(); ++p) first = std::min(first, indexOf(p, places_[p].taken));
@@ -85,7 +85,7 @@ Status DevicePlaces::begin(float hardest) {
   return beginNew();
 }
 
-// The worlds of levels that have just been put in their places.
+// Starts the worlds of levels that were just placed.
 Status DevicePlaces::beginNew() {
   PlayArguments play{};
   describe(play);
@@ -98,7 +98,7 @@ Result<NextLevel> DevicePlaces::needed(size_t p) {
   return level;
 }
 
-// Puts the levels that were asked for in their places, and asks for those after them.
+// Moves the requested levels into their places, and requests those after them.
 Status DevicePlaces::takeLevels(std::span<const size_t> places, float nextHardest) {
   for (DevicePlace& place : described_) place.isNew = false;
   for (const size_t p : places) {
@@ -178,7 +178,7 @@ Status DevicePlaces::restore(std::span<EnvGroupState> envGroups) {
     for (PlaceState& place : envGroup.places) states.push_back(&place);
   }
   OBBY_RETURN_IF_ERROR(make());
-  // The levels that they are on first, then as ever those after them.
+  // Requests the current levels first, then as usual those after them.
   const std::vector<size_t> all = allPlaces();
   for (const size_t p : all) {
     const PlaceState& s = *states[p];

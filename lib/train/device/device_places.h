@@ -1,4 +1,4 @@
-// The places of a rank on a device: which levels they have, and their worlds' state there and back.
+// The places of a rank on a device: their levels, and transfers of their worlds' state.
 #pragma once
 
 #include <memory>
@@ -13,23 +13,23 @@ namespace obby::train {
 
 class DevicePlaces {
  public:
-  // What it refers to must outlive it.
+  // The arguments must outlive it.
   DevicePlaces(const TrainerSettings& settings, const LevelSource& source, sim::Device& device,
                ThreadPool& pool, uint32_t rank, uint32_t ranks);
 
-  // One of these comes first; see Engine.
+  // Call one of these first; see Engine.
   Status begin(float hardest);
   Status restore(std::span<EnvGroupState> envGroups);
 
-  // Fills in what is known of places and worlds.
+  // Fills in the members about places and worlds.
   void describe(PlayArguments& to) const;
   bool anyLoose() const { return anyLoose_; }
 
-  // After an iteration: takes tallies, and new levels where enough was played; asks for the levels
-  // after those with difficulty `hardest`, which are made while these are played. `play`: as
-  // described. If the source gave none nothing more can be played: state() is left.
+  // Call it after an iteration. Takes tallies, replaces levels that had their episodes, and
+  // requests the levels after those with difficulty `hardest`, to be made meanwhile. `play`: from
+  // describe(). If the source returned no level, only state() may be called afterwards.
   Result<Tally> endIteration(float hardest, const PlayArguments& play);
-  // What the source said where it gave none, if it was not told to stop.
+  // Returns the source's error if it returned no level without being told to stop.
   const Status& missing() const { return missing_; }
 
   Result<std::vector<EnvGroupState>> state() const;
@@ -39,8 +39,8 @@ class DevicePlaces {
     uint64_t taken = 0;
     float hardest = 0, nextHardest = 0;
     uint64_t levelHash = 0;
-    std::shared_ptr<const sim::Memory> memory;  // where its level is, with others
-    bool waits = false;                         // for its level, as PlaceState
+    std::shared_ptr<const sim::Memory> memory;  // holds its level, and others
+    bool waits = false;                         // for its level, as in PlaceState
   };
 
   uint64_t indexOf(size_t place, uint64_t taken) const;

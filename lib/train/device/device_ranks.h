@@ -1,4 +1,4 @@
-// What ranks that learn on devices exchange: gradients, which lie there.
+// Exchange of gradients between ranks that train on devices.
 #pragma once
 
 #include "sim/device.h"
@@ -9,12 +9,12 @@ namespace obby::train {
 class DeviceRanks {
  public:
   virtual ~DeviceRanks() = default;
-  // `mine`: (count) on this rank's device. `all`: (ranks, count) there, the same on every rank.
-  // Every rank calls it, in the same order.
+  // Gathers the gradients of all ranks. `mine`: (count) on this rank's device. `all`: (ranks,
+  // count) on it, equal on all ranks. Every rank makes the same calls in the same order.
   virtual Status gather(sim::Device& device, const float* mine, size_t count, float* all) = 0;
 };
 
-// Through the memory of the host.
+// Exchanges through host memory.
 class HostRanks : public DeviceRanks {
  public:
   explicit HostRanks(Ranks& ranks) : ranks_(ranks) {}

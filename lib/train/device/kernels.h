@@ -1,10 +1,10 @@
-// The kernels of training on a device besides those of lib/nn, by name. OBBY_TRAIN_KERNELS is the
-// only list of them.
+// The training kernels on a device besides those of lib/nn, by name. OBBY_TRAIN_KERNELS is their
+// only list.
 #pragma once
 
 #include "sim/kernel.h"
 
-// X(name, arguments, function). The first ones simulate worlds.
+// X(name, arguments, function). The first list has the kernels that simulate worlds.
 #define OBBY_PLAY_KERNELS(X)           \
   X(act, PlayArguments, actOne<false>) \
   X(actLoose, PlayArguments, actOne<true>)

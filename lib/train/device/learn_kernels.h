@@ -1,5 +1,5 @@
-// Learning from a batch as kernels, apart from those of lib/nn: the minibatch side by side, the
-// loss of each decision.
+// Kernels for learning from a batch besides those of lib/nn: they gather minibatches and evaluate
+// the loss of each decision.
 #pragma once
 
 #include "base/shuffle.h"
@@ -9,16 +9,16 @@
 
 namespace obby::train {
 
-// What is summed of each decision for people.
+// Progress figures summed over decisions.
 enum Figure { kLossFigure, kEntropyFigure, kApproxKlFigure, kClippedFigure, kValueFigure };
-constexpr int kFigures = 8;  // with padding
+constexpr int kFigures = 8;  // padded
 
 struct MinibatchArguments {
-  const float* inputs;  // of the batch: (rows, kInputs)
+  const float* inputs;  // the batch's, (rows, kInputs)
   const policy::Decision* decisions;
   const float *advantages, *returns;
   Shuffle shuffle;
-  uint32_t first, count;  // places of the shuffle
+  uint32_t first, count;  // range of the shuffled order
   nn::PpoLossSettings loss;
   nn::AdvantageScale scale;
   float valueMean, valueDeviation;
@@ -31,7 +31,7 @@ struct MinibatchArguments {
 constexpr uint32_t kFoursOfRow = policy::kInputs / 4;
 static_assert(policy::kInputs % 4 == 0);
 
-// `i`: of (count, kFoursOfRow).
+// `i` runs over (count, kFoursOfRow).
 OBBY_DEVICE void gatherInputs(const MinibatchArguments& p, uint32_t i) {
   const uint32_t place = i / kFoursOfRow, four = i % kFoursOfRow;
   const size_t row = p.shuffle(p.first + place);
@@ -55,9 +55,9 @@ OBBY_DEVICE void lossOfPlace(const MinibatchArguments& p, uint32_t i) {
   for (int f = kValueFigure + 1; f < kFigures; ++f) figures[f] = 0;
 }
 
-// The value head's weights, when what its outputs mean moves: see Ppo::rescaleValues.
+// Rescales the value head when the scale of its outputs changes; see Ppo::rescaleValues.
 struct RescaleArguments {
-  float *weights, *bias;  // of the last layer
+  float *weights, *bias;  // the last layer's
   float oldMean, oldDeviation, mean, deviation;
 };
 

@@ -29,7 +29,7 @@ void NextLevels::makeAll() {
   if (brought_) brought_ = bring();
 }
 
-// Those that the source gave.
+// Uploads the levels that the source returned.
 Status NextLevels::bring() {
   std::vector<NextLevel*> made;
   std::vector<const TrainingLevel*> levels;

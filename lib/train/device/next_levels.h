@@ -1,4 +1,4 @@
-// Levels made ahead, on threads of their own, and brought to a device while it plays others.
+// Makes levels ahead on other threads and uploads them while a device plays others.
 #pragma once
 
 #include <exception>
@@ -14,8 +14,8 @@ namespace obby::train {
 struct NextLevel {
   std::shared_ptr<const TrainingLevel> level;
   DevicePlace place;
-  std::shared_ptr<const sim::Memory> memory;  // where it is, with others
-  Status said;                                // by the source: without a level, why
+  std::shared_ptr<const sim::Memory> memory;  // holds it, and others
+  Status said;                                // the source's error if there is no level
 };
 
 class NextLevels {
@@ -31,16 +31,16 @@ class NextLevels {
              size_t places, int threads)
       : source_(source), settings_(settings), device_(device), next_(places), pool_(threads) {}
   ~NextLevels() {
-    source_.end();  // what is made ahead may wait for a stream that sends nothing
+    source_.end();  // the source may be waiting for a stream that sends nothing
     wait();
   }
   NextLevels(const NextLevels&) = delete;
   NextLevels& operator=(const NextLevels&) = delete;
 
-  // Begins to make them, one a place; returns at once, when those that were asked for are made.
+  // Starts to make the levels, one per place, once the previous request is done. Does not wait.
   void ask(std::vector<Wanted> wanted);
-  // That of a place, once all are made; without a level if the source was told to stop, or had an
-  // error. The error is the device's. Throws what making them threw.
+  // Waits for all levels and returns that of a place; no level if the source was told to stop or
+  // had an error. Errors: the device's. Rethrows exceptions of the thread that made them.
   Result<NextLevel> take(size_t place);
 
  private:
@@ -57,7 +57,7 @@ class NextLevels {
   std::vector<Wanted> wanted_;
   std::vector<NextLevel> next_;  // (places)
   Status brought_;
-  std::exception_ptr thrown_;  // by the thread that made them, where nobody could catch it
+  std::exception_ptr thrown_;  // exception of the thread that makes levels
   ThreadPool pool_;
   std::thread maker_;
 };

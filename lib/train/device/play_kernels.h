@@ -1,5 +1,6 @@
-// An iteration's play as kernels. A tick: every world looks (a thread for each part of what it
-// sees), the network thinks (product.h), every world moves, every place begins anew what is over.
+// Kernels that play an iteration. In a tick every world observes (one thread per part of the
+// observation), the network runs (product.h), every world moves, and every place restarts ended
+// episodes.
 #pragma once
 
 #include "policy/decision.h"
@@ -10,11 +11,11 @@
 
 namespace obby::train {
 
-// A place on a device: its level's tables and its worlds' bodies are there, too.
+// A place on a device. Its level's tables and its worlds' bodies are in device memory.
 struct DevicePlace {
   TrainingView on;
   sim::LooseBody* loose;  // (worldsOfPlace, on.level.looseCount)
-  bool isNew;             // its worlds are to begin
+  bool isNew;             // its worlds have not begun yet
 };
 
 struct PlayArguments {
@@ -23,18 +24,18 @@ struct PlayArguments {
   Reached* reached;     // (places, kMostReached)
   PlaceCounts* counts;  // (places)
   uint32_t worldsOfPlace, worlds;
-  uint32_t firstWorld;  // its number among those of all ranks
+  uint32_t firstWorld;  // index among the worlds of all ranks
   RewardSettings reward;
-  SettleRules rules;  // with the decision that is made
+  SettleRules rules;  // for the current decision
   const float *means, *scales;
   float valueMean, valueDeviation;
-  // Of the tick, (worlds).
+  // Members of the tick, (worlds).
   float* inputs;         // (worlds, kInputs)
   const float* outputs;  // (worlds, kPaddedOutputs)
   policy::Decision* decisions;
   float *values, *rewards;
   uint8_t* done;
-  // Of inputs so far: (env groups, kInputs).
+  // Sums of inputs so far, (env groups, kInputs).
   double *sums, *squares;
   uint32_t worldsOfEnvGroup;
 };
@@ -63,7 +64,7 @@ OBBY_DEVICE void observeWorld(const PlayArguments& a, uint32_t i) {
   if (part == 0) player.ahead = ahead;
 }
 
-// Adds the raw inputs of an env group's worlds, in the order of the CPU.
+// Adds the raw inputs of an env group's worlds, in the same order as on the CPU.
 OBBY_DEVICE void countInputs(const PlayArguments& a, uint32_t i) {
   const uint32_t first = i / policy::kInputs * a.worldsOfEnvGroup, column = i % policy::kInputs;
   double sum = a.sums[i], squares = a.squares[i];
@@ -76,7 +77,7 @@ OBBY_DEVICE void countInputs(const PlayArguments& a, uint32_t i) {
   a.squares[i] = squares;
 }
 
-// `i`: of (worlds, kInputs).
+// `i` runs over (worlds, kInputs).
 OBBY_DEVICE void normaliseInput(const PlayArguments& a, uint32_t i) {
   const uint32_t column = i % policy::kInputs;
   a.inputs[i] = policy::normalised(a.inputs[i], a.means[column], a.scales[column]);
@@ -98,8 +99,8 @@ OBBY_DEVICE nn::Drawn decideMove(const PlayArguments& a, const policy::Scene& sc
   return drawn;
 }
 
-// Draws a move and plays it. `kLoose`: only worlds whose level has loose bodies, otherwise only the
-// others; see sim::tick.
+// Samples a move and plays it. `kLoose`: only worlds with dynamic bodies, otherwise only those
+// without; see sim::tick.
 template <bool kLoose>
 OBBY_DEVICE void actOne(const PlayArguments& a, uint32_t w) {
   const PlaceView place = placeView(a, w / a.worldsOfPlace);
