@@ -22,7 +22,7 @@ class Random {
     const double even = double(low | (high << 32)) * 0x1p-64;
     if (draws_ == Draws::even) return even;
     double small = even;
-    for (int i = 0; i < 5; ++i) small *= small;  // the 32nd power
+    for (int i = 0; i < 7; ++i) small *= small;  // the 128th power
     return draws_ == Draws::low ? small : 1 - std::max(small, 0x1p-53);
   }
 
