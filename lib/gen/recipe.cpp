@@ -3,6 +3,7 @@
 #include <charconv>
 
 #include "io/text.h"
+#include "math/lanes.h"
 
 namespace obby::gen {
 
