@@ -1,5 +1,6 @@
 // Launch forms of the kernels of learning.
 #include "nn/cuda/cuda.h"
+#include "nn/device/kernels.h"
 #include "nn/device/learn_kernels.h"
 #include "sim/cuda/launch.h"
 

@@ -1,6 +1,7 @@
 // Launch forms of the kernels that simulate worlds.
 #include "sim/cuda/launch.h"
 #include "train/cuda/cuda.h"
+#include "train/device/kernels.h"
 #include "train/device/play_kernels.h"
 
 namespace obby::train::cuda {

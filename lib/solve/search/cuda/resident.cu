@@ -2,6 +2,7 @@
 #include "sim/cuda/launch.h"
 #include "solve/search/cuda/cuda.h"
 #include "solve/search/resident/kernels.h"
+#include "solve/search/resident/steps.h"
 
 namespace obby::solve::cuda {
 using sim::cuda::entry;
