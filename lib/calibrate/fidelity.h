@@ -23,9 +23,9 @@ struct Fidelity {
 
 // Plays a recording in its level under `params`, except for what the level itself defines. Each
 // recorded frame is played as one tick with its own number of physics steps, as the engine does.
-// Where a part moves or a frame is not 1 to 16 whole steps, ticks have the level's length and
-// positions are interpolated between two ticks. `tricks`: Params::tricks; `centre`: the avatar's.
-// Errors: those of Level::compile.
+// If a part moves, or a frame does not last 1 to 16 whole steps, ticks have the level's length
+// instead, and positions are interpolated between two ticks. `tricks`: Params::tricks; `centre`:
+// the avatar's. Errors: those of Level::compile.
 Result<Fidelity> fidelityOf(const Take& take, schema::PhysicsParams::Reader params,
                             uint16_t tricks = 0, const MassCentre& centre = {});
 

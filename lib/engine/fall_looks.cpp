@@ -12,8 +12,7 @@ namespace {
 
 // Events and values that a fall changes.
 constexpr const char* kOfFalls[] = {"Limb.Velocity", "Humanoid.FloorMaterial", "Humanoid.GetState"};
-constexpr uint32_t kMaxFalls = 20;   // max falls per set of listeners
-constexpr double kFallShare = 0.25;  // share of the time limit
+constexpr uint32_t kMaxFalls = 20;  // max falls per set of listeners
 
 bool heedsFalls(const Observation& seen) {
   return std::any_of(std::begin(kOfFalls), std::end(kOfFalls),
@@ -37,7 +36,7 @@ void lookAtFalls(Stage& stage, const Plan& plan, Children& children,
         looks[wanted[i].listenerHash]++ >= kMaxFalls)
       continue;
     children.start(
-        plan.timeLimit * kFallShare,
+        plan.timeLimit * kCopyShare,
         [&, i] { return toBytes(runProbe(stage, plan, wanted[i], {.falls = true})); },
         [&probes, i](const std::string& bytes) {
           Probe fast;

@@ -16,7 +16,6 @@ void fields(A& a, Move& m) {
 namespace {
 
 constexpr double kWalk = 1, kState = 0.5, kAfter = 1, kMaxFlight = 4;  // seconds
-constexpr double kMoveShare = 0.25;                                    // share of the time limit
 constexpr float kHigh = 60;                                            // studs
 constexpr const char* kStates[] = {"Climbing", "Swimming",  "Seated",           "FallingDown",
                                    "Ragdoll",  "GettingUp", "PlatformStanding", "Running"};
@@ -76,7 +75,7 @@ void Moves::run(std::vector<Probe>& moves) {
     const bool again = i > 0 && list[i] == list[i - 1];
     moves[i].approach = list[i];
     children_.start(
-        plan_.timeLimit * kMoveShare,
+        plan_.timeLimit * kCopyShare,
         [&, i, again] { return toBytes(runMove(stage_, list[i], again)); },
         [&, i](const std::string& bytes) {
           Move move;

@@ -4,8 +4,6 @@
 #include <sys/mman.h>
 
 #include <algorithm>
-#include <chrono>
-#include <cmath>
 
 #include "engine/air_jumps.h"
 #include "engine/child.h"
@@ -19,7 +17,6 @@
 #include "engine/stage.h"
 
 namespace obby::engine {
-
 namespace {
 
 constexpr double kStuck = 2;  // seconds of CPU without a beat until the child counts as hung

@@ -4,14 +4,11 @@
 #include <vector>
 
 #include "engine/child.h"
+#include "engine/probe_run.h"
 #include "engine/report.h"
 #include "engine/stage.h"
 
 namespace obby::engine {
-
-// Max share of the whole time limit for one copy of the place. One that hangs must leave time for
-// the others.
-constexpr double kCopyShare = 0.25;
 
 class ProbeRound {
  public:

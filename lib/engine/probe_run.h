@@ -24,6 +24,10 @@ struct Manner {
   bool comesBack = false;
 };
 
+// Max share of the whole time limit for one copy of the place. One that hangs must leave time for
+// the others.
+constexpr double kCopyShare = 0.25;
+
 // Returns the number of frames nearest to `seconds`.
 uint32_t framesOf(double seconds);
 

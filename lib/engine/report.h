@@ -110,4 +110,13 @@ struct Plan {
   size_t processes = 2;   // copies at a time
 };
 
+// Calls `visit` with each observation of a report, which may be const.
+template <class AnyReport, class Visit>
+void eachObservation(AnyReport& report, const Visit& visit) {
+  visit(report.undisturbed);
+  for (auto& probe : report.probes) visit(probe.seen);
+  for (auto& move : report.moves) visit(move.seen);
+  for (auto& revisit : report.revisits) visit(revisit.probe.seen);
+}
+
 }  // namespace obby::engine

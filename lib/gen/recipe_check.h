@@ -1,4 +1,4 @@
-// Whether a recipe makes sense.
+// Checks the values of a recipe.
 #pragma once
 
 #include "gen/recipe.h"

@@ -26,8 +26,7 @@ constexpr MoverNames kHumanoid = {"WalkSpeed", "JumpPower", "JumpHeight", "UseJu
 
 void readMover(const Instance& from, const MoverNames& names, World& world) {
   world.walkSpeed = float(get<double>(from, names.walkSpeed));
-  const double degrees = std::clamp(get<double>(from, names.maxSlope), 0.0, 89.0);
-  world.maxSlope = std::min(World{}.maxSlope, float(degrees * kPi / 180.0));
+  world.maxSlope = maxSlopeOf(get<double>(from, names.maxSlope));
 }
 
 InstanceId starterHumanoid(const Tree& tree, InstanceId player) {
@@ -85,6 +84,10 @@ void noteCharacter(const Tree& tree, InstanceId player, LevelDraft& level) {
 }
 
 }  // namespace
+
+float maxSlopeOf(double degrees) {
+  return std::min(World{}.maxSlope, float(std::clamp(degrees, 0.0, 89.0) * kPi / 180.0));
+}
 
 float Jump::speed(float gravity) const {
   if (usesPower) return float(kJumpPowerGain * std::clamp(power, 0.0, 1000.0));

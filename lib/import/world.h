@@ -19,6 +19,9 @@ struct Jump {
   float speed(float gravity) const;
 };
 
+// Returns the max slope of the level, in radians, for a MaxSlopeAngle in degrees.
+float maxSlopeOf(double degrees);
+
 // Returns the jump that StarterPlayer, or a StarterHumanoid in it, gives to each new character.
 Jump jumpOf(const Tree& tree);
 

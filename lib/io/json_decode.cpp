@@ -13,7 +13,7 @@
 namespace obby::io {
 namespace {
 
-// What the field takes, with an example of an object.
+// Describes the values that a field accepts; for an object, with an example.
 std::string expected(const TypePlan& type) {
   const bool isObject = type.kind == ValueKind::record && !type.record->tuple;
   return expectation(type) + (isObject ? " such as " + exampleOf(*type.record) : "");

@@ -1,19 +1,12 @@
 // Jumps in the air that scripts give the player: their number, and whether a floor restores them.
-#include "import/scene.h"
+#include "import/player_script.h"
 
 namespace obby::test {
 namespace {
 
 // Returns the air jumps of a level whose script runs for each new body.
 uint16_t airJumpsOf(const std::string& source, Scene& scene) {
-  scene.part("SpawnLocation", {}, scene.workspace, "SpawnLocation");
-  const auto player = scene.add("StarterPlayer", "StarterPlayer", kNoInstance);
-  const auto folder = scene.add("StarterCharacterScripts", "StarterCharacterScripts", player);
-  const auto script = scene.add("LocalScript", "Jumps", folder);
-  scene.set(script, "Source",
-            "local input = game:GetService('UserInputService')\n"
-            "local human = script.Parent:WaitForChild('Humanoid')\n" +
-                source);
+  bodyScript(scene, "local input = game:GetService('UserInputService')\n" + source);
   return scene.level().world.airJumps;
 }
 uint16_t airJumpsOf(const std::string& source) {

@@ -1,5 +1,5 @@
 // Touches after which a player can no longer go on, and doubts about the player's abilities.
-#include "import/scene.h"
+#include "import/player_script.h"
 
 namespace obby::test {
 namespace {
@@ -56,11 +56,7 @@ TEST(Ends, AStateThatIsSwitchedOffIsADoubt) {
 }
 
 LevelDraft bodyBy(const std::string& source, Scene& scene) {
-  scene.part("SpawnLocation", {}, scene.workspace, "SpawnLocation");
-  const auto player = scene.add("StarterPlayer", "StarterPlayer", kNoInstance);
-  const auto folder = scene.add("StarterCharacterScripts", "StarterCharacterScripts", player);
-  const auto script = scene.add("LocalScript", "Body", folder);
-  scene.set(script, "Source", "local human = script.Parent:WaitForChild('Humanoid')\n" + source);
+  bodyScript(scene, source);
   return scene.level();
 }
 

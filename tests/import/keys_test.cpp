@@ -1,23 +1,19 @@
 // Keys, mouse buttons, screen buttons, chat and drags that scripts listen to.
-#include "import/scene.h"
+#include "import/player_script.h"
 
 namespace obby::test {
 namespace {
 
-void playerScript(Scene& scene, const std::string& source) {
-  scene.part("SpawnLocation", {}, scene.workspace, "SpawnLocation");
-  const auto player = scene.add("StarterPlayer", "StarterPlayer", kNoInstance);
-  const auto folder = scene.add("StarterPlayerScripts", "StarterPlayerScripts", player);
-  const auto script = scene.add("LocalScript", "Keys", folder);
-  scene.set(script, "Source",
-            "local player = game.Players.LocalPlayer\n"
-            "local function human() return player.Character:WaitForChild('Humanoid') end\n" +
-                source);
+void keyScript(Scene& scene, const std::string& source) {
+  playerScript(scene, "StarterPlayerScripts",
+               "local player = game.Players.LocalPlayer\n"
+               "local function human() return player.Character:WaitForChild('Humanoid') end\n" +
+                   source);
 }
 
 float walkSpeedWith(const std::string& source) {
   Scene scene;
-  playerScript(scene, source);
+  keyScript(scene, source);
   return scene.level().world.walkSpeed;
 }
 
@@ -51,7 +47,7 @@ TEST(Keys, AMouseButtonIsPressed) {
 
 TEST(Keys, AnActionInPlaceOfTheJumpIsTheJump) {
   Scene scene;
-  playerScript(scene, R"(game.ContextActionService:BindAction('Super', function(_, state)
+  keyScript(scene, R"(game.ContextActionService:BindAction('Super', function(_, state)
   if state == Enum.UserInputState.Begin then
     player.Character.HumanoidRootPart.AssemblyLinearVelocity = Vector3.new(0, 120, 0)
   end
@@ -63,10 +59,10 @@ end, false, Enum.PlayerActions.CharacterJump))");
 
 TEST(Keys, ControlsThatAreTakenAwayAreNamed) {
   Scene scene;
-  playerScript(scene,
-               "game.ContextActionService:BindAction('freeze', function() return "
-               "Enum.ContextActionResult.Sink end, false, "
-               "unpack(Enum.PlayerActions:GetEnumItems()))");
+  keyScript(scene,
+            "game.ContextActionService:BindAction('freeze', function() return "
+            "Enum.ContextActionResult.Sink end, false, "
+            "unpack(Enum.PlayerActions:GetEnumItems()))");
   scene.level();
   EXPECT_GE(scene.unmodelled("keys that scripts take away"), 4u);
 }

@@ -1,19 +1,11 @@
 // Effects of scripts on the player's own moves.
-#include "import/scene.h"
+#include "import/player_script.h"
 
 namespace obby::test {
 namespace {
 
-// Adds a script to each new body, with the names `human` and `root`.
 void perBody(Scene& scene, const std::string& source) {
-  scene.part("SpawnLocation", {}, scene.workspace, "SpawnLocation");
-  const auto player = scene.add("StarterPlayer", "StarterPlayer", kNoInstance);
-  const auto folder = scene.add("StarterCharacterScripts", "StarterCharacterScripts", player);
-  const auto script = scene.add("LocalScript", "Moves", folder);
-  scene.set(script, "Source",
-            "local human = script.Parent:WaitForChild('Humanoid')\n"
-            "local root = script.Parent:WaitForChild('HumanoidRootPart')\n" +
-                source);
+  bodyScript(scene, "local root = script.Parent:WaitForChild('HumanoidRootPart')\n" + source);
 }
 
 TEST(Moves, ALaunchByJumpingIsThePlayersJump) {

@@ -19,7 +19,7 @@ std::vector<S> drawn(size_t count, Random& random) {
   return v;
 }
 
-// Of numbers that are sums of many, relative to the largest.
+// Compares sums of many numbers; the tolerance is relative to the largest.
 template <class S>
 void expectNear(const S* found, const S* expected, size_t count, double within, const char* what) {
   double largest = 0;

@@ -1,5 +1,4 @@
-// What learning within a search is made of: sub-goals, the latent space, what its policies learn
-// from.
+// The parts of learning within a search: sub-goals, the latent space, and training examples.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -197,7 +197,7 @@ TEST(Checkpoint, IsRefusedWithFiguresThatCannotBe) {
   EXPECT_TRUE(refused([](TrainerState& s) { s.envGroups[0].places[0].nextHardest = -1; }));
 }
 
-// What no env group of these levels could have must not be played on.
+// A checkpoint with a state that no env group of these levels can have is refused.
 TEST(Checkpoint, IsRefusedWithWorldsThatCannotBe) {
   ThreadPool pool(1);
   const Gaps gaps(true);

@@ -93,7 +93,7 @@ std::vector<float> someGradients(size_t rows) {
   return out;
 }
 
-// What learns and what the search runs are the same network: all bits.
+// Training and the search compute the same outputs, bit for bit.
 TEST(SeenPart, HasTheOutputsOfTheSearch) {
   const Seen seen(100);
   const policy::Network network = seen.network();
@@ -146,7 +146,7 @@ TEST_P(SeenPartOf, HasTheOutputsAndGradientsOfFullRows) {
   }
 }
 
-// Of two parts, what those of both together are, also by a pass that had more rows before.
+// The gradients of two parts add up to those of both together, even if a pass had more rows before.
 TEST(SeenPart, GradientsAddUp) {
   const Seen seen(100, 5);
   const std::vector<uint32_t> all = someRows(100, 100);

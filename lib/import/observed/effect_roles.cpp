@@ -63,9 +63,7 @@ void EffectRoles::takePush(PartDraft& part, const Push& push) {
   if (pad.keepSideways) pad.velocity.x = pad.velocity.z = 0;
   if (pad.velocity.y == 0 && pad.velocity.x == 0 && pad.velocity.z == 0) return;
   if (push.seconds > 0) {
-    // The speed that reaches the height of a held velocity: v t + v^2 / 2g.
-    const float v = pad.velocity.y, g = context_.level.world.gravity;
-    if (v > 0) pad.velocity.y = std::sqrt(v * v + 2 * g * v * float(push.seconds));
+    pad.velocity.y = push.launchSpeed(context_.level.world.gravity);
     note("push that lasts", part.id, "given all at once; ", push.line);
   }
   part.jumpPad = pad;

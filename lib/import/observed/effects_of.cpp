@@ -25,7 +25,7 @@ using engine::Change;
 using engine::kPlayer;
 
 constexpr double kNoCooldown = 0.1;          // seconds; a shorter interval is no cooldown
-constexpr float kYaw = 0.3f;                 // yaw of a probe's player (probe.luau)
+constexpr float kYaw = 0.3f;                 // yaw of a probe's player (moves.luau)
 constexpr Vec3 kArriving = {1.5f, 0, 2.5f};  // velocity of a probe's player
 constexpr float kKept = 1e-3f;
 

@@ -81,10 +81,7 @@ class Moves {
     ++jumps_;
     if (!effects.push) return;
     const Push& push = *effects.push;
-    const float v = push.velocity.y, g = context_.level.world.gravity;
-    // The speed that reaches the height of a held velocity: v t + v^2 / 2g.
-    const float speed =
-        v > 0 && push.seconds > 0 ? std::sqrt(v * v + 2 * g * v * float(push.seconds)) : v;
+    const float speed = push.launchSpeed(context_.level.world.gravity);
     if (!(speed > 0)) return;
     ++launches_;
     if (!speed_ || speed < *speed_) speed_ = speed;

@@ -1,13 +1,11 @@
 // Reads the speeds and weight that scripts give to each new player.
 #include <algorithm>
-#include <cmath>
 
 #include "import/observed/boost_effect.h"
 #include "import/observed/roles.h"
 #include "import/world.h"
 
 namespace obby::importer {
-
 namespace {
 
 // Notes script changes to each new body that the level has no field for.
@@ -25,7 +23,7 @@ void noteBody(RoleContext& context, const engine::Report& report) {
     else if (change.target == engine::kPlayer && change.property == "HipHeight")
       note("size of the player's body");
     else if (change.target == engine::kPlayer && change.property == "MaxSlopeAngle" && number)
-      world.maxSlope = std::min(World{}.maxSlope, float(*number * 3.14159265358979323846 / 180));
+      world.maxSlope = maxSlopeOf(*number);
   }
   if (report.arrived.stuck) {
     context.level.noteUnmodelled("player that cannot walk", context.tree, kNoInstance,
@@ -53,9 +51,8 @@ void applyPlayerState(RoleContext& context, const ObservedPlace& place) {
   World& world = context.level.world;
   const engine::PlayerState& settled = settledPlayer(place.report);
   world.walkSpeed = float(settled.walkSpeed);
-  world.jumpSpeed = settled.usesJumpPower
-                        ? float(kJumpPowerGain * settled.jumpPower)
-                        : float(std::sqrt(2 * double(world.gravity) * settled.jumpHeight));
+  world.jumpSpeed =
+      Jump{settled.usesJumpPower, settled.jumpPower, settled.jumpHeight}.speed(world.gravity);
   // Each new body gets this force.
   if (player.lift < double(world.gravity))
     world.gravity -= float(player.lift);

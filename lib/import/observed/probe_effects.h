@@ -1,6 +1,7 @@
 // The effects of one touch or use, on the player and on parts.
 #pragma once
 
+#include <cmath>
 #include <map>
 #include <optional>
 #include <tuple>
@@ -22,6 +23,12 @@ struct Push {
   bool keepsSideways = false;
   engine::Line line;
   double seconds = 0;  // duration of a mover's velocity; 0: set once
+
+  // Returns the upward launch speed that reaches the height of the held velocity: v t + v^2 / 2g.
+  float launchSpeed(float gravity) const {
+    const float v = velocity.y;
+    return v > 0 && seconds > 0 ? std::sqrt(v * v + 2 * gravity * v * float(seconds)) : v;
+  }
 };
 struct Teleported {
   Vec3 feet;

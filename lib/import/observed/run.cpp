@@ -1,21 +1,17 @@
 #include "import/observed/run.h"
-#include "engine/observe.h"
 
 #include <algorithm>
 #include <map>
 #include <vector>
 
 #include "engine/classes/class_defaults.h"
+#include "engine/observe.h"
+#include "import/classes.h"
 #include "import/observed/settle.h"
 #include "import/observed/settled.h"
 
 namespace obby::importer {
 namespace {
-
-bool isScript(const Instance& instance) {
-  return instance.className == "Script" || instance.className == "LocalScript" ||
-         instance.className == "ModuleScript";
-}
 
 // Returns the rig of the body that the script runtime gives players.
 std::string rigOf(const Document& document) {
@@ -32,17 +28,12 @@ class Renumbering {
   explicit Renumbering(std::map<InstanceId, InstanceId> ids) : ids_(std::move(ids)) {}
 
   void apply(engine::Report& report) const {
-    apply(report.undisturbed);
+    engine::eachObservation(report, [this](engine::Observation& seen) { apply(seen); });
     for (engine::MadePart& made : report.made) apply(made.id);
     for (engine::SameListeners& same : report.sameListeners) apply(same.target);
-    for (engine::Probe& probe : report.probes) {
-      apply(probe.target);
-      apply(probe.seen);
-    }
-    for (engine::Probe& move : report.moves) apply(move.seen);
+    for (engine::Probe& probe : report.probes) apply(probe.target);
     for (engine::Revisit& revisit : report.revisits) {
       apply(revisit.probe.target);
-      apply(revisit.probe.seen);
       apply(revisit.lever);
     }
   }
@@ -69,12 +60,9 @@ class Renumbering {
 };
 
 bool drawsRandomNumbers(const engine::Report& report) {
-  const auto draws = [](const engine::Probe& probe) { return probe.seen.random; };
-  return report.undisturbed.random ||
-         std::any_of(report.probes.begin(), report.probes.end(), draws) ||
-         std::any_of(report.moves.begin(), report.moves.end(), draws) ||
-         std::any_of(report.revisits.begin(), report.revisits.end(),
-                     [](const engine::Revisit& revisit) { return revisit.probe.seen.random; });
+  bool draws = false;
+  engine::eachObservation(report, [&](const engine::Observation& seen) { draws |= seen.random; });
+  return draws;
 }
 
 ObservedPlace runPlace(const Document& document, const engine::Plan& plan) {
@@ -92,6 +80,7 @@ ObservedPlace runPlace(const Document& document, const engine::Plan& plan) {
 }  // namespace
 
 ObservedPlace observePlace(const Document& document) {
+  const auto isScript = [](const Instance& one) { return isScriptClass(one.className); };
   if (std::none_of(document.instances.begin(), document.instances.end(), isScript))
     return {document, {}, false};
   engine::Plan plan;

@@ -113,10 +113,7 @@ bool isHarmless(std::string_view name) {
 class Unraised {
  public:
   explicit Unraised(const engine::Report& report) {
-    add(report.undisturbed);
-    for (const auto* probes : {&report.probes, &report.moves})
-      for (const engine::Probe& probe : *probes) add(probe.seen);
-    for (const engine::Revisit& revisit : report.revisits) add(revisit.probe.seen);
+    engine::eachObservation(report, [this](const engine::Observation& seen) { add(seen); });
   }
 
   Heeds all() && {

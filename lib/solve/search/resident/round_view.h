@@ -65,7 +65,7 @@ struct RoundReport {
   uint32_t sightings;      // cells that were marked as sighted
 };
 
-// Which cells a round starts from.
+// Selects the cells that a round starts from.
 struct RoundSelection {
   SumTree weights;       // selection weights of the cells
   float best;            // potential that the weights are relative to
@@ -77,7 +77,7 @@ struct RoundSelection {
   uint32_t* starts;      // (rollouts), cells
 };
 
-// What comes of a round.
+// Results of a round.
 struct RoundResults {
   uint64_t* finds;  // (rollouts), number of new cells << 32 | of improved cells
   SumTree findSums;

@@ -1,0 +1,23 @@
+// Scripts of the player in a scene.
+#pragma once
+
+#include <string>
+
+#include "import/scene.h"
+
+namespace obby::test {
+
+// Adds a spawn, and a LocalScript to a folder of StarterPlayer: StarterPlayerScripts, or
+// StarterCharacterScripts for a script of each new body, with the local `human`.
+inline void playerScript(Scene& scene, const std::string& folder, const std::string& source) {
+  scene.part("SpawnLocation", {}, scene.workspace, "SpawnLocation");
+  const auto player = scene.add("StarterPlayer", "StarterPlayer", kNoInstance);
+  const auto script = scene.add("LocalScript", "Local", scene.add(folder, folder, player));
+  scene.set(script, "Source", source);
+}
+inline void bodyScript(Scene& scene, const std::string& source) {
+  playerScript(scene, "StarterCharacterScripts",
+               "local human = script.Parent:WaitForChild('Humanoid')\n" + source);
+}
+
+}  // namespace obby::test
