@@ -6,7 +6,7 @@ find_package(nlohmann_json REQUIRED)   # io
 find_package(fmt REQUIRED)             # io and above
 find_package(CLI11 REQUIRED)           # cli
 find_package(Eigen3 REQUIRED)          # import, nn, calibrate
-find_package(pugixml REQUIRED)         # import
+find_package(pugixml REQUIRED)         # io, import
 set(ZLIB_USE_STATIC_LIBS ${OBBY_PORTABLE})
 find_package(ZLIB REQUIRED)            # bridge: for Cap'n Proto's gzip streams
 find_package(PNG REQUIRED)             # view: pictures

@@ -10,6 +10,12 @@ std::string_view withoutByteOrderMark(std::string_view text) {
   return text.starts_with(kByteOrderMark) ? text.substr(kByteOrderMark.size()) : text;
 }
 
+std::string_view trimmed(std::string_view text) {
+  constexpr std::string_view kSpace = " \t\r\n\v\f";
+  text.remove_prefix(std::min(text.find_first_not_of(kSpace), text.size()));
+  return text.substr(0, text.find_last_not_of(kSpace) + 1);
+}
+
 size_t notInXml(std::string_view text) {
   if (text.starts_with("\xef\xbf\xbe") || text.starts_with("\xef\xbf\xbf")) return 3;
   if (text.empty() || uint8_t(text[0]) >= 32) return 0;
@@ -77,6 +83,10 @@ std::string quoted(std::string_view text, size_t limit) {
     at += c.bytes;
   }
   return out;
+}
+
+std::string plural(uint64_t n, std::string_view noun) {
+  return fmt::format("{} {}{}", n, noun, n == 1 ? "" : "s");
 }
 
 std::string described(std::string_view bytes) {

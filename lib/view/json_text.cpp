@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "base/check.h"
+#include "io/base64.h"
 #include "io/utf8.h"
 
 namespace obby::view {
@@ -80,22 +81,8 @@ JsonText& JsonText::value(float number) {
   return std::isfinite(number) ? raw(fmt::format("{}", number)) : null();
 }
 
-JsonText& JsonText::base64(std::span<const uint8_t> bytes) {
-  static constexpr char kDigits[] =
-      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  separate();
-  text_.reserve(text_.size() + bytes.size() / 3 * 4 + 6);
-  text_ += '"';
-  for (size_t at = 0; at < bytes.size(); at += 3) {
-    const size_t have = bytes.size() - at < 3 ? bytes.size() - at : 3;
-    uint32_t group = 0;
-    for (size_t k = 0; k < 3; ++k) group = group << 8 | (k < have ? bytes[at + k] : 0u);
-    for (size_t k = 0; k < 4; ++k) {
-      text_ += k <= have ? kDigits[group >> (18 - 6 * k) & 63u] : '=';
-    }
-  }
-  text_ += '"';
-  return *this;
+JsonText& JsonText::base64(std::string_view bytes) {
+  return raw('"' + io::encodeBase64(bytes) + '"');
 }
 
 }  // namespace obby::view

@@ -29,7 +29,7 @@ class JsonText {
   JsonText& null() { return raw("null"); }
   template <class T>
   JsonText& array(std::span<const T> values) {
-    return base64({reinterpret_cast<const uint8_t*>(values.data()), values.size_bytes()});
+    return base64({reinterpret_cast<const char*>(values.data()), values.size_bytes()});
   }
   template <class T>
   JsonText& array(const std::vector<T>& values) {
@@ -46,7 +46,7 @@ class JsonText {
   const std::string& text() const { return text_; }
 
  private:
-  JsonText& base64(std::span<const uint8_t> bytes);
+  JsonText& base64(std::string_view bytes);
   void separate();
 
   std::string text_;

@@ -1,9 +1,9 @@
 // The bodies of a place: StarterPlayer's settings for its players' avatars.
-#include "import/avatar.h"
+#include "import/draft/avatar.h"
 
 #include <gmock/gmock.h>
 
-#include "import/level_record.h"
+#include "import/records/level_record.h"
 #include "import/scene.h"
 
 namespace obby::test {

@@ -1,5 +1,5 @@
 // Parts that players pass through by their collision groups.
-#include "import/collision_groups.h"
+#include "import/parts/collision_groups.h"
 
 #include "import/scene.h"
 #include "support/place_columns.h"

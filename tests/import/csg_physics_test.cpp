@@ -4,7 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "import/hulls.h"
+#include "import/parts/hulls.h"
 #include "support/place_columns.h"
 
 namespace obby::test {

@@ -1,5 +1,5 @@
 // Data that the Studio plugin keeps in a place: queries, calibrated physics, recorded motion.
-#include "import/designer_queries.h"
+#include "import/records/designer_queries.h"
 
 #include <map>
 

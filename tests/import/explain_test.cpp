@@ -1,8 +1,8 @@
 // The output of --explain, for designers.
 #include <gmock/gmock.h>
 
-#include "import/explain.h"
 #include "import/importer.h"
+#include "import/records/explain.h"
 #include "import/scene.h"
 
 namespace obby::test {

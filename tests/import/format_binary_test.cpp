@@ -4,8 +4,8 @@
 
 #include <array>
 
+#include "import/format/read_document.h"
 #include "import/format/rotation.h"
-#include "import/read_document.h"
 #include "support/place_binary.h"
 #include "support/sample_place.h"
 

@@ -6,8 +6,8 @@
 
 #include "engine/classes/class_defaults.h"
 #include "import/format/csg_physics.h"
-#include "import/hulls.h"
-#include "import/read_document.h"
+#include "import/format/read_document.h"
+#include "import/parts/hulls.h"
 #include "support/document_text.h"
 #include "support/read_bytes.h"
 

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "engine/classes/class_defaults.h"
-#include "import/read_document.h"
+#include "import/format/read_document.h"
 #include "support/document_text.h"
 #include "support/sample_place.h"
 

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "import/format/read_document.h"
 #include "import/format/xml_filter.h"
-#include "import/read_document.h"
 
 namespace obby::test {
 namespace {

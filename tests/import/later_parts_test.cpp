@@ -1,6 +1,6 @@
 // Parts, listeners and speeds that appear some time after the start.
 #include "import/lever_scene.h"
-#include "import/queries.h"
+#include "import/records/queries.h"
 
 namespace obby::test {
 namespace {

@@ -1,5 +1,5 @@
 // Lines of a text by number.
-#include "import/line_index.h"
+#include "import/document/line_index.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // Motions of many parts with many keys, and other work that could grow quadratically.
 #include <chrono>
 
-#include "import/motion.h"
+#include "import/draft/motion.h"
 #include "import/scene.h"
 #include "level/compile_parts.h"
 

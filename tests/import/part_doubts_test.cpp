@@ -1,7 +1,7 @@
 // The parts that a loss concerns.
 #include <gtest/gtest.h>
 
-#include "import/doubts.h"
+#include "import/level/doubts.h"
 #include "import/scene.h"
 
 namespace obby::test {

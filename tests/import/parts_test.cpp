@@ -6,8 +6,8 @@
 // Included before the importer's names enter this namespace: one of them is a kind of value here.
 #include "support/place_columns.h"
 
-#include "import/hulls.h"
-#include "import/pose_math.h"
+#include "import/document/pose_math.h"
+#include "import/parts/hulls.h"
 #include "import/scene.h"
 
 namespace obby::test {

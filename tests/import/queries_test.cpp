@@ -1,10 +1,10 @@
 // Stage queries and the level record: the importer's output.
-#include "import/queries.h"
+#include "import/records/queries.h"
 
 #include <cmath>
 
 #include "import/importer.h"
-#include "import/level_record.h"
+#include "import/records/level_record.h"
 #include "import/scene.h"
 #include "io/stream.h"
 #include "level/level.h"

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <chrono>
 
-#include "import/queries.h"
+#include "import/records/queries.h"
 #include "import/spawns.h"
 
 namespace obby::test {

@@ -2,8 +2,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "import/format/read_document.h"
 #include "import/importer.h"
-#include "import/read_document.h"
 #include "io/json_codec.h"
 #include "support/document_text.h"
 #include "support/place_writer.h"

@@ -1,5 +1,5 @@
 // Voxels of smooth terrain as solid blocks.
-#include "import/terrain.h"
+#include "import/parts/terrain.h"
 
 #include <gmock/gmock.h>
 

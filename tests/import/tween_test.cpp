@@ -1,8 +1,8 @@
 // Tweens: their angles, their combined effect, and their reversal.
 #include <cmath>
 
+#include "import/document/pose_math.h"
 #include "import/motion_checks.h"
-#include "import/pose_math.h"
 
 namespace obby::test {
 namespace {

@@ -3,7 +3,7 @@
 #include <string>
 #include <utility>
 
-#include "import/explain.h"
+#include "import/records/explain.h"
 #include "import/scene.h"
 
 namespace obby::test {
