@@ -6,8 +6,6 @@
 
 namespace obby::importer {
 
-bool isFinite(Vec3 v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
-
 Vec3 boundedSize(Vec3 size) {
   constexpr float kLeast = 0.001f, kMost = 2048;  // studs
   return min(max(abs(size), Vec3{kLeast, kLeast, kLeast}), Vec3{kMost, kMost, kMost});

@@ -1,6 +1,7 @@
 // Repairs and converts rotations of place files: nine numbers that may be inexact or a reflection.
 #pragma once
 
+#include "level/record_values.h"
 #include "level/rotation.h"
 
 namespace obby::importer {
@@ -21,7 +22,7 @@ Vec3 toOrientation(const Mat3& rotation);
 // Returns the yaw of a direction in radians: 0 looks along -Z, counter-clockwise seen from above.
 float yawOf(Vec3 look);
 
-bool isFinite(Vec3 v);
+using level::isFinite;
 // Returns true if the poses differ by no more than rounding.
 bool isSame(const Pose& a, const Pose& b);
 // Clamps the size of a part to the engine's limits.
