@@ -30,7 +30,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   }
   if (const auto json = rojo::parseJson(blob)) (void)rojo::luauOf(rojo::Json(*json, json->root()));
   if (decodeTags(blob).size() > size) __builtin_trap();
-  const auto bytes = io::decodeBase64(blob);
+  const auto bytes = obby::io::decodeBase64(blob);
   if (bytes && bytes->size() > size) __builtin_trap();
   return 0;
 }

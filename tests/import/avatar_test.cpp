@@ -1,6 +1,4 @@
 // The bodies of a place: StarterPlayer's settings for its players' avatars.
-#include "import/draft/avatar.h"
-
 #include <gmock/gmock.h>
 
 #include "import/records/level_record.h"

@@ -2,6 +2,7 @@
 #include <chrono>
 
 #include "import/draft/motion.h"
+#include "import/draft/motion_room.h"
 #include "import/scene.h"
 #include "level/compile_parts.h"
 

@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "engine/classes/class_defaults.h"
-#include "level/bodies.h"
 
 namespace obby::importer {
 namespace {
@@ -94,24 +93,6 @@ void readAvatar(const Tree& tree, LevelDraft& level) {
     level.noteIgnored("avatar chosen by the player", tree.path(player),
                       "simulated as the R6 body; obby-solve --body each asks for R15, too");
   }
-}
-
-void setAvatar(schema::PhysicsParams::Builder to, const Avatar& avatar) {
-  if (const level::Body* const body = level::findBody(avatar.body)) level::setBody(*body, to);
-  if (avatar.height != 1) {
-    to.setHipHeight(to.getHipHeight() * avatar.height);
-    to.setRootHeight(to.getRootHeight() * avatar.height);
-    to.setHeadBottom(to.getHeadBottom() * avatar.height);
-    to.setBodyTop(to.getBodyTop() * avatar.height);
-  }
-  if (avatar.width != 1) {
-    to.setBodyWidth(to.getBodyWidth() * avatar.width);
-    to.setArmSpan(to.getArmSpan() * avatar.width);
-  }
-  if (!avatar.collider) return;
-  to.setBodyWidth(avatar.collider->x);
-  to.setBodyDepth(avatar.collider->z);
-  if (avatar.colliderTouches) to.setArmSpan(avatar.collider->x);
 }
 
 }  // namespace obby::importer

@@ -3,15 +3,11 @@
 
 #include "import/document/tree.h"
 #include "import/draft/draft.h"
-#include "schema/obby.capnp.h"
 
 namespace obby::importer {
 
 // Fills level.avatar from StarterPlayer. Settings that the simulator does differently are noted in
 // level.ignored.
 void readAvatar(const Tree& tree, LevelDraft& level);
-
-// Writes the numbers that the avatar decides.
-void setAvatar(schema::PhysicsParams::Builder to, const Avatar& avatar);
 
 }  // namespace obby::importer

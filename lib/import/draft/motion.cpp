@@ -9,6 +9,7 @@
 #include "engine/observation.h"
 #include "import/document/pivot.h"
 #include "import/document/pose_math.h"
+#include "import/draft/motion_room.h"
 #include "level/motion_tables.h"
 
 namespace obby::importer {

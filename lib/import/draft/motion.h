@@ -4,7 +4,6 @@
 #include <string>
 #include <vector>
 
-#include "import/draft/motion_room.h"
 #include "import/draft/role_context.h"
 
 namespace obby::importer {

@@ -5,7 +5,6 @@
 #include <set>
 
 #include "engine/classes/class_defaults.h"
-#include "import/document/classes.h"
 #include "import/document/words.h"
 
 namespace obby::importer {

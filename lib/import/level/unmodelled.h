@@ -1,7 +1,7 @@
 // Notes what the importer saw and the simulator does not model.
 #pragma once
 
-#include "import/roles/role.h"
+#include "import/draft/role_context.h"
 
 namespace obby::importer {
 

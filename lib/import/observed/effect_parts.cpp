@@ -3,7 +3,6 @@
 #include <set>
 
 #include "import/document/classes.h"
-#include "import/document/pose_math.h"
 #include "import/draft/motion.h"
 #include "import/observed/effect_roles.h"
 #include "import/observed/roles.h"

@@ -6,10 +6,10 @@
 
 #include "engine/classes/class_defaults.h"
 #include "import/document/pose_math.h"
-#include "import/draft/avatar.h"
 #include "import/level/doubts.h"
 #include "import/records/record_values.h"
 #include "io/utf8.h"
+#include "level/bodies.h"
 #include "level/params.h"
 
 namespace obby::importer {
@@ -192,6 +192,24 @@ void setUnmodelled(schema::Level::Builder to, const LevelDraft& level) {
 }
 
 }  // namespace
+
+void setAvatar(schema::PhysicsParams::Builder to, const Avatar& avatar) {
+  if (const level::Body* const body = level::findBody(avatar.body)) level::setBody(*body, to);
+  if (avatar.height != 1) {
+    to.setHipHeight(to.getHipHeight() * avatar.height);
+    to.setRootHeight(to.getRootHeight() * avatar.height);
+    to.setHeadBottom(to.getHeadBottom() * avatar.height);
+    to.setBodyTop(to.getBodyTop() * avatar.height);
+  }
+  if (avatar.width != 1) {
+    to.setBodyWidth(to.getBodyWidth() * avatar.width);
+    to.setArmSpan(to.getArmSpan() * avatar.width);
+  }
+  if (!avatar.collider) return;
+  to.setBodyWidth(avatar.collider->x);
+  to.setBodyDepth(avatar.collider->z);
+  if (avatar.colliderTouches) to.setArmSpan(avatar.collider->x);
+}
 
 std::string validUtf8(std::string_view text) {
   std::string out;

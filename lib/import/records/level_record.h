@@ -11,6 +11,9 @@ namespace obby::importer {
 // replacement characters.
 io::RecordBuilder levelRecord(const LevelDraft& level, const Tree& tree);
 
+// Writes the numbers that the avatar decides.
+void setAvatar(schema::PhysicsParams::Builder to, const Avatar& avatar);
+
 // Returns bytes of any encoding as valid UTF-8. Bad bytes and zeros become U+FFFD.
 std::string validUtf8(std::string_view text);
 

@@ -1,7 +1,4 @@
 // Lists the roles and the order of evidence.
-#include <algorithm>
-
-#include "import/document/classes.h"
 #include "import/roles/role.h"
 
 namespace obby::importer {
