@@ -1,5 +1,5 @@
 // Effects of scripts on players away from parts, from afar, and on one side only.
-#include "import/scene.h"
+#include "import/player_script.h"
 
 namespace obby::test {
 namespace {
@@ -12,11 +12,7 @@ struct Place {
     scene.add("ClickDetector", "ClickDetector", part);
     return part;
   }
-  void local(const std::string& source) {
-    const auto player = scene.add("StarterPlayer", "StarterPlayer", kNoInstance);
-    const auto folder = scene.add("StarterPlayerScripts", "StarterPlayerScripts", player);
-    scene.set(scene.add("LocalScript", "Local", folder), "Source", source);
-  }
+  void local(const std::string& source) { localScript(scene, "StarterPlayerScripts", source); }
 };
 
 TEST(Uses, AreMadeWhereTheButtonIs) {

@@ -5,9 +5,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "changed_stones.h"
 #include "policy/shipped_policy.h"
 #include "scenes.h"
 #include "solve/methods.h"
+#include "untimed.h"
 
 namespace obby::solve {
 namespace {
@@ -20,15 +22,6 @@ FilterOptions stepsOnly(uint64_t maxSteps = 2'000'000) {
   o.solver.budget.maxSteps = maxSteps;
   o.solver.progressRecords = false;
   return o;
-}
-
-EarlierAnswers answersIn(const std::string& text) {
-  const LinesFile file(text);
-  io::SourceOptions source;
-  source.inputs = {file.path()};
-  auto answers = EarlierAnswers::read(std::move(source));
-  EXPECT_TRUE(answers) << answers.error().text();
-  return *std::move(answers);
 }
 
 std::string answer(const std::string& text, FilterOptions options) {
@@ -52,26 +45,6 @@ uint64_t countIn(const std::string& output, const std::string& field) {
 
 uint64_t stepsOf(const std::string& output) { return countIn(output, "steps"); }
 uint64_t roundsOf(const std::string& output) { return countIn(output, "rounds"); }
-
-std::string withoutTiming(std::string text) {
-  const size_t at = text.find(",\"timing\":{");
-  if (at != std::string::npos) text.erase(at, text.find('}', at) + 1 - at);
-  return text;
-}
-
-std::string replaced(std::string text, const std::string& from, const std::string& to) {
-  const size_t at = text.find(from);
-  EXPECT_NE(at, std::string::npos);
-  return text.replace(at, from.size(), to);
-}
-
-// The stones with a fourth one, which has the goal.
-std::string fourStones() {
-  std::string text =
-      replaced(stonesText(), "\"goal\":{}}]",
-               R"("goal":{}},{"name":"D","position":[12,-0.5,-28],"size":[8,1,8]}])");
-  return replaced(text, "\"position\":[0,2,-28]", "\"position\":[12,2,-28]");
-}
 
 TEST(EarlierAnswer, StillWorksOnTheSameLevelAtOnce) {
   const std::string before = answer(stonesText(), stepsOnly());
@@ -137,19 +110,6 @@ TEST(EarlierAnswer, GivesTheSameBytesOnAnyNumberOfThreads) {
   const std::string one = withoutTiming(answerAfter(before, fourStones(), 1));
   for (const int threads : {2, 3, 8}) {
     EXPECT_EQ(one, withoutTiming(answerAfter(before, fourStones(), threads)));
-  }
-}
-
-TEST(EarlierAnswer, IsOfUseToEveryMethod) {
-  const std::string before = answer(stonesText(), stepsOnly());
-  for (const Method& method : methods()) {
-    FilterOptions o = stepsOnly(20'000);
-    o.solver.method = &method;
-    o.solver.policy = &policy::shippedPolicy().network;
-    o.earlier = answersIn(before);
-    EXPECT_THAT(answer(stonesText(), o), HasSubstr("\"verdict\":\"solved\"")) << method.name;
-    EXPECT_THAT(answer(fourStones(), std::move(o)), HasSubstr("\"type\":\"result\""))
-        << method.name;
   }
 }
 
