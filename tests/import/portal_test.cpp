@@ -79,21 +79,5 @@ TEST(Portal, AKillThatCountsDeathsIsAKill) {
   EXPECT_FALSE(scene[lava].teleport);
 }
 
-// The script moves the body and does not turn it, so the player keeps the yaw of the click.
-TEST(Portal, AClickThatMovesThePlayerDoesNotTurnIt) {
-  Scene scene;
-  spawn(scene, "Start", {});
-  const InstanceId button = scene.part("Button", {20, 3, 0});
-  scene.add("ClickDetector", "ClickDetector", button);
-  scene.script(
-      "script.Parent.ClickDetector.MouseClick:Connect(function(player)\n"
-      " local root = player.Character.HumanoidRootPart\n"
-      " root.CFrame = root.CFrame + Vector3.new(200, 0, 0)\nend)",
-      button);
-  scene.level();
-  ASSERT_TRUE(scene[button].teleport);
-  EXPECT_FALSE(scene[button].teleport->turns);
-}
-
 }  // namespace
 }  // namespace obby::test

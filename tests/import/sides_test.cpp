@@ -28,6 +28,20 @@ end))",
   EXPECT_TRUE(place.scene[door].vanish);
 }
 
+// The player stands as it does at a touch, with a yaw of 0.3 radians.
+TEST(Uses, AreMadeWithTheYawOfATouch) {
+  Place place;
+  const auto door = place.scene.part("Door", {0, 10, 0});
+  place.button({100, 0, 0});
+  place.scene.script(R"(workspace.Button.ClickDetector.MouseClick:Connect(function(player)
+  local _, yaw = player.Character.HumanoidRootPart.CFrame:ToOrientation()
+  if math.abs(yaw - 0.3) < 0.001 then workspace.Door.CanCollide = false end
+end))",
+                     place.scene.scripts);
+  place.scene.level();
+  EXPECT_TRUE(place.scene[door].vanish);
+}
+
 TEST(Away, HarmThatComesEverywhereIsNoPartsDoing) {
   Place place;
   const auto pad = place.scene.part("Pad", {30, 0, 0});
