@@ -54,6 +54,9 @@ constexpr std::string_view kAllOptions[] = {"arrive",       "ascii",       "atte
                                             "visit",        "warm",        "watch",
                                             "waypoint",     "width",       "worlds"};
 
+// Former names of options that the tools still accept.
+constexpr std::string_view kFormerOptions[] = {"part", "passes", "rate"};
+
 // Returns "time-limit" for "OBBY_TIME_LIMIT".
 std::string optionNameOf(std::string_view variable) {
   std::string out = lower(variable.substr(kPrefix.size()));
@@ -62,16 +65,21 @@ std::string optionNameOf(std::string_view variable) {
 }
 
 bool isOption(const std::string& name) {
-  return std::binary_search(std::begin(kAllOptions), std::end(kAllOptions), name);
+  return std::binary_search(std::begin(kAllOptions), std::end(kAllOptions), name) ||
+         std::find(std::begin(kFormerOptions), std::end(kFormerOptions), name) !=
+             std::end(kFormerOptions);
 }
 
 }  // namespace
 
 std::vector<MisspeltVariable> misspeltVariables(const std::vector<OptionRow>& rows,
                                                 const char* const* environment) {
-  std::vector<std::string> names;
-  for (const OptionRow& row : rows)
-    if (!onlyTyped(row)) names.push_back(row.name);
+  std::vector<std::string> names, former;
+  for (const OptionRow& row : rows) {
+    if (onlyTyped(row)) continue;
+    names.push_back(row.name);
+    former.push_back(row.formerly);
+  }
   std::vector<MisspeltVariable> out;
   for (; *environment; environment++) {
     const std::string_view entry = *environment;
@@ -81,6 +89,7 @@ std::vector<MisspeltVariable> misspeltVariables(const std::vector<OptionRow>& ro
     const std::string_view variable = entry.substr(0, equals);
     const std::string name = optionNameOf(variable);
     if (isOption(name) || std::find(names.begin(), names.end(), name) != names.end()) continue;
+    if (std::find(former.begin(), former.end(), name) != former.end()) continue;
     const std::string near = nearestName(name, names);
     if (!near.empty()) out.push_back({std::string(variable), environmentName(near)});
   }
