@@ -36,9 +36,9 @@ struct TypePlan {
   bool ranged = false;       // $range narrows the type
   uint32_t elementBits = 0;  // size of one list element; 0 for records
   const StructPlan* record = nullptr;
-  capnp::EnumSchema names;        // name
+  capnp::EnumSchema names;                                    // name
   std::vector<std::pair<std::string, uint16_t>> formerNames;  // name: $formerly and the ordinal
-  std::vector<TypePlan> element;  // list: exactly one
+  std::vector<TypePlan> element;                              // list: exactly one
   capnp::Type type;
 };
 

@@ -33,8 +33,7 @@ Learned learn(const LevelSource& source, int threads, bool broken) {
   EXPECT_TRUE(trainer);
   for (int i = 0; i < 3; ++i) EXPECT_TRUE((*trainer)->iterate());
   if (broken) {
-    const std::string bytes =
-        writeCheckpoint({"1", settingsOf(small()), 3, *(*trainer)->state(), {}});
+    const std::string bytes = writeCheckpoint({"1", settingsOf(small()), 3, *(*trainer)->state()});
     *trainer = nullptr;
     auto read = readCheckpoint(bytes, "test");
     EXPECT_TRUE(read) << read.error().text();
@@ -78,7 +77,7 @@ void goOnWhereLevelsWereStillToCome(bool loose, bool fails) {
   if (fails) {
     EXPECT_EQ((*part)->iterate().error().text(), "this level is bad");
   }
-  auto read = readCheckpoint(writeCheckpoint({"1", {}, 0, *(*part)->state(), {}}), "test");
+  auto read = readCheckpoint(writeCheckpoint({"1", {}, 0, *(*part)->state()}), "test");
   ASSERT_TRUE(read) << read.error().text();
   EXPECT_FALSE(Trainer::resume(small(), stopped, pool, alone(), read->state));
   const auto resumed = Trainer::resume(small(), gaps, pool, alone(), std::move(read->state));
@@ -109,7 +108,7 @@ std::string sample() {
   settings.envGroups = 1;
   const auto trainer = Trainer::make(settings, gaps, pool, alone());
   for (int i = 0; i < 3; ++i) EXPECT_TRUE((*trainer)->iterate());
-  return writeCheckpoint({"1", settingsOf(settings), 3, *(*trainer)->state(), {}});
+  return writeCheckpoint({"1", settingsOf(settings), 3, *(*trainer)->state()});
 }
 
 TEST(Checkpoint, KnowsWhichLevelsHaveBeenSolved) {
@@ -120,7 +119,7 @@ TEST(Checkpoint, KnowsWhichLevelsHaveBeenSolved) {
   TrainerState state = *(*trainer)->state();
   state.envGroups[0].places[0].counts.solvedOnce = 1;
   state.envGroups[0].places[1].counts.solvedOnce = 0;
-  auto read = readCheckpoint(writeCheckpoint({"1", {}, 0, std::move(state), {}}), "test");
+  auto read = readCheckpoint(writeCheckpoint({"1", {}, 0, std::move(state)}), "test");
   ASSERT_TRUE(read) << read.error().text();
   const auto resumed = Trainer::resume(small(), gaps, pool, alone(), std::move(read->state));
   ASSERT_TRUE(resumed) << resumed.error().text();
@@ -166,6 +165,26 @@ TEST(Checkpoint, IsRefusedUnderOtherSettingsByName) {
   EXPECT_FALSE(sameSettings(more, then));
 }
 
+TEST(Checkpoint, SettingsOfEarlierVersionsHaveTheirPresentNames) {
+  ThreadPool pool(1);
+  const Gaps gaps;
+  const auto trainer = Trainer::make(small(), gaps, pool, alone());
+  std::vector<Setting> former = settingsOf(small());
+  const auto rename = [&](const char* present, const char* old) {
+    for (Setting& s : former)
+      if (s.name == present) s.name = old;
+  };
+  rename("minibatch", "part");
+  rename("epochs", "passes");
+  rename("learning-rate", "rate");
+  rename("max grad norm", "most norm");
+  rename("env groups", "crowds");
+  const auto read = readCheckpoint(writeCheckpoint({"1", former, 3, *(*trainer)->state()}), "test");
+  ASSERT_TRUE(read) << read.error().text();
+  const Status same = sameSettings(read->settings, settingsOf(small()));
+  EXPECT_TRUE(same) << same.error().text();
+}
+
 TEST(Checkpoint, IsRefusedOnOtherLevels) {
   ThreadPool pool(1);
   const Gaps gaps, others(false, 98), loose(true);
@@ -183,7 +202,7 @@ TEST(Checkpoint, IsRefusedWithFiguresThatCannotBe) {
   const auto trainer = Trainer::make(small(), gaps, pool, alone());
   ASSERT_TRUE((*trainer)->iterate());
   const auto refused = [&](auto&& spoil) {
-    Checkpoint checkpoint{"1", {}, 0, *(*trainer)->state(), {}};
+    Checkpoint checkpoint{"1", {}, 0, *(*trainer)->state()};
     spoil(checkpoint.state);
     return !readCheckpoint(writeCheckpoint(checkpoint), "test");
   };

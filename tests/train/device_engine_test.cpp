@@ -240,7 +240,7 @@ TEST(DeviceEngine, GoesOnFromACheckpointAsIfNothingHadBeen) {
     Machine machine, other;
     const auto whole = machine.make(gaps, tiny());
     for (int i = 0; i < 3; ++i) ASSERT_TRUE((*whole)->iterate());
-    const std::string bytes = writeCheckpoint({"1", {}, 0, *(*whole)->state(), {}});
+    const std::string bytes = writeCheckpoint({"1", {}, 0, *(*whole)->state()});
     auto read = readCheckpoint(bytes, "test");
     ASSERT_TRUE(read) << read.error().text();
     const auto broken = other.resume(gaps, std::move(read->state), tiny());

@@ -57,14 +57,14 @@ TEST(InterruptedStream, IsEvaluatedAsFarAsItCame) {
 
 TEST(InterruptedStream, IsNotCopiedForOtherRanks) {
   const std::atomic<bool> interrupted{false};
-  WaitLimit waiting(interrupted, WaitLimit::kNone);
-  const auto none = copyOfStream(optionsOf(interruptedLines(3)), waiting);
+  Timeout timeout(interrupted, Timeout::kNone);
+  const auto none = copyOfStream(optionsOf(interruptedLines(3)), timeout);
   ASSERT_FALSE(none);
   EXPECT_EQ(none.error().text().find("levels:8: the input was interrupted upstream"), 0u)
       << none.error().text();
   io::SourceOptions options = optionsOf(interruptedLines(3));
   options.onError = io::OnError::skip;
-  const auto copy = copyOfStream(std::move(options), waiting);
+  const auto copy = copyOfStream(std::move(options), timeout);
   ASSERT_TRUE(copy) << copy.error().text();
   const LevelStream all(optionsOf(linesOf(3)));
   const LevelStream copied(optionsOf(copy->records), {.before = copy->summary});
@@ -78,21 +78,21 @@ TEST(InterruptedStream, EndsLearningWithoutAnErrorWhereTheSignalCameHere) {
   for (const std::string& last : {interruptedLines(0), std::string(kHeaderLine)}) {
     SCOPED_TRACE(last);
     std::atomic<bool> interrupted{false};
-    WaitLimit waiting(interrupted, WaitLimit::kNone);
+    Timeout timeout(interrupted, Timeout::kNone);
     io::SourceOptions options;
     options.inputs = {"levels", "end"};
-    options.stop = &waiting.stop();
+    options.stop = &timeout.stop();
     options.open = [&](const std::string& name) {
       interrupted = name == "end";
       return Result<io::StreamReader>(
           io::StreamReader::overBytes(interrupted ? last : linesOf(2), name));
     };
-    const LevelStream stream(std::move(options), {.wait = &waiting});
+    const LevelStream stream(std::move(options), {.timeout = &timeout});
     const auto none = stream.level(2, 1);
     ASSERT_TRUE(none) << none.error().text();
     EXPECT_EQ(*none, nullptr) << "and not the first again";
-    EXPECT_TRUE(bool(waiting.stop()));
-    EXPECT_FALSE(waiting.isUp());
+    EXPECT_TRUE(bool(timeout.stop()));
+    EXPECT_FALSE(timeout.expired());
     const LevelStream all(optionsOf(linesOf(2)));
     for (uint64_t i = 0; i < 2; ++i) EXPECT_EQ(hashOf(stream, i), hashOf(all, i)) << i;
   }

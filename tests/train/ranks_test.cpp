@@ -53,7 +53,7 @@ RanksLearned ranksLearn(uint32_t count, const std::string& from = {}) {
       last = *(*trainer)->iterate();
       if (i != 2) continue;
       const TrainerState state = *(*trainer)->state();
-      if (ranks.first()) out.checkpoint = writeCheckpoint({"1", {}, 0, state, {}});
+      if (ranks.first()) out.checkpoint = writeCheckpoint({"1", {}, 0, state});
     }
     if (ranks.first()) {
       out.numbers = (*trainer)->network().numbers();

@@ -18,18 +18,18 @@ TEST(ReadAhead, OfAStreamThatStandsStillEndsWithTheEngine) {
   for (uint64_t i = 0; i < settings.envGroups * settings.envGroup.levels; ++i) text += lineOf(i);
   const Standing standing(text);
   const std::atomic<bool> interrupted{false};
-  WaitLimit waiting(interrupted, WaitLimit::kNone);
-  const LevelStream stream(standing.options(waiting), {.choices = 1, .wait = &waiting});
+  Timeout timeout(interrupted, Timeout::kNone);
+  const LevelStream stream(standing.options(timeout), {.choices = 1, .timeout = &timeout});
   ThreadPool pool(1);
   sim::HostDevice device(pool);
   {
     const auto trainer =
         Trainer::make(settings, makeDeviceEngine(settings, stream, device, pool, alone()), alone());
     ASSERT_TRUE(trainer) << trainer.error().text();
-    EXPECT_FALSE(bool(waiting.stop()));
+    EXPECT_FALSE(bool(timeout.stop()));
   }
-  EXPECT_TRUE(bool(waiting.stop()));
-  EXPECT_FALSE(waiting.isUp());
+  EXPECT_TRUE(bool(timeout.stop()));
+  EXPECT_FALSE(timeout.expired());
 }
 
 }  // namespace

@@ -7,7 +7,7 @@
 
 #include <string>
 
-#include "train/wait_limit.h"
+#include "train/timeout.h"
 
 namespace obby::train {
 
@@ -24,10 +24,10 @@ class Standing {
   Standing(const Standing&) = delete;
   Standing& operator=(const Standing&) = delete;
 
-  io::SourceOptions options(const WaitLimit& waiting) const {
+  io::SourceOptions options(const Timeout& timeout) const {
     io::SourceOptions out;
     out.inputs = {fmt::format("/dev/fd/{}", ends_[0])};
-    out.stop = &waiting.stop();
+    out.stop = &timeout.stop();
     return out;
   }
 

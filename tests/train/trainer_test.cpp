@@ -204,7 +204,7 @@ TEST(Trainer, GoesNoFurtherOnceItHasDiverged) {
   // A checkpoint goes on under the rate of then only, and to the same bits: no way out.
   const std::string diverged =
       "training diverged: the network's weights are no longer finite (start again "
-      "with a lower --rate; resuming the last checkpoint would diverge again)";
+      "with a lower --learning-rate; resuming the last checkpoint would diverge again)";
   EXPECT_EQ(error([](TrainerState&) {}), "");
   EXPECT_EQ(error([](TrainerState& s) { s.learner.parameters[20000] = NAN; }), diverged);
   EXPECT_EQ(error([](TrainerState& s) { s.learner.squares[18500] = INFINITY; }), diverged);
