@@ -1,19 +1,18 @@
-// A stream whose writer was interrupted is not all that was meant to come: learning does not begin
-// it again, as if its levels were all that there are.
+// A stream whose writer was interrupted lacks levels, so training does not repeat it.
 #include "train/level_lines.h"
 #include "train/stream_copy.h"
 
 namespace obby::train {
 namespace {
 
-// As obby-gen leaves it after Ctrl-C or `timeout`.
+// As obby-gen ends it after Ctrl-C or `timeout`.
 std::string interruptedLines(uint64_t count, const std::vector<std::string>& more = {}) {
   std::string text = linesOf(count, more);
   const std::string complete = R"("complete")";
   return text.replace(text.rfind(complete), complete.size(), R"("interrupted")");
 }
 
-TEST(InterruptedStream, IsNotBegunAgain) {
+TEST(InterruptedStream, IsNotRepeated) {
   const LevelStream all(optionsOf(linesOf(3))), stream(optionsOf(interruptedLines(3)));
   for (const uint64_t index : {3, 4, 3}) {
     const auto none = stream.level(index, 1);
@@ -25,15 +24,15 @@ TEST(InterruptedStream, IsNotBegunAgain) {
   for (uint64_t i = 0; i < 3; ++i) EXPECT_EQ(hashOf(stream, i), hashOf(all, i)) << i;
 }
 
-// The rest of the last turn is still to come: it has its number once it is whole.
-TEST(InterruptedStream, LeavesATurnOpen) {
+// The last turn lacks queries, so it gets no number.
+TEST(InterruptedStream, HasAnIncompleteTurn) {
   const std::vector<std::string> easy(3, R"(,"difficulty":0.1)");
   const LevelStream stream(optionsOf(interruptedLines(3, easy)), {.choices = 2});
   EXPECT_NE(hashOf(stream, 0), 0u);
   EXPECT_FALSE(stream.level(1, 1));
 }
 
-TEST(InterruptedStream, IsTakenAsItIsWhereErrorsAreForgiven) {
+TEST(InterruptedStream, IsRepeatedIfErrorsAreForgiven) {
   std::vector<std::string> told, warned;
   io::SourceOptions options = optionsOf(interruptedLines(3));
   options.onError = io::OnError::skip;
@@ -47,7 +46,7 @@ TEST(InterruptedStream, IsTakenAsItIsWhereErrorsAreForgiven) {
   EXPECT_EQ(stream.summary().status, schema::EndStatus::INTERRUPTED);
 }
 
-TEST(InterruptedStream, IsEvaluatedAsFarAsItCame) {
+TEST(InterruptedStream, IsEvaluatedUpToItsEnd) {
   const LevelStream once(optionsOf(interruptedLines(3)), {.again = false});
   const auto none = once.level(3, 1);
   ASSERT_TRUE(none) << none.error().text();
@@ -72,9 +71,9 @@ TEST(InterruptedStream, IsNotCopiedForOtherRanks) {
   EXPECT_EQ(copied.summary().status, schema::EndStatus::INTERRUPTED);
 }
 
-// Ctrl-C reaches who writes the stream and who learns from it: the stream may end before the signal
-// is looked for here, and is cut off where its writer dies of it.
-TEST(InterruptedStream, EndsLearningWithoutAnErrorWhereTheSignalCameHere) {
+// Ctrl-C reaches the writer of the stream and the reader. The stream may end, or break off, before
+// the reader notices the signal.
+TEST(InterruptedStream, EndsWithoutAnErrorAfterASignal) {
   for (const std::string& last : {interruptedLines(0), std::string(kHeaderLine)}) {
     SCOPED_TRACE(last);
     std::atomic<bool> interrupted{false};
@@ -90,7 +89,7 @@ TEST(InterruptedStream, EndsLearningWithoutAnErrorWhereTheSignalCameHere) {
     const LevelStream stream(std::move(options), {.timeout = &timeout});
     const auto none = stream.level(2, 1);
     ASSERT_TRUE(none) << none.error().text();
-    EXPECT_EQ(*none, nullptr) << "and not the first again";
+    EXPECT_EQ(*none, nullptr) << "not the first level again";
     EXPECT_TRUE(bool(timeout.stop()));
     EXPECT_FALSE(timeout.expired());
     const LevelStream all(optionsOf(linesOf(2)));
@@ -98,8 +97,8 @@ TEST(InterruptedStream, EndsLearningWithoutAnErrorWhereTheSignalCameHere) {
   }
 }
 
-// What was left out, here and before, is counted wherever it was.
-TEST(LevelStream, SumsUpWhatCameOfItsRecords) {
+// The counts include records that were skipped here and upstream.
+TEST(LevelStream, SumsUpTheCountsOfItsRecords) {
   std::string text = linesOf(2);
   const std::string status = R"("status":"complete")";
   text.replace(text.rfind(status), status.size(),

@@ -1,5 +1,4 @@
-// Levels that are made ahead of those that are played, as for a GPU: nobody waits for them who
-// needs none any more.
+// Levels that are made ahead, as for a GPU. The end of training does not wait for them.
 #include <gtest/gtest.h>
 
 #include "sim/host_device.h"
@@ -11,8 +10,8 @@
 namespace obby::train {
 namespace {
 
-// As where the log cannot be opened once the first levels are there.
-TEST(ReadAhead, OfAStreamThatStandsStillEndsWithTheEngine) {
+// For example, an output cannot be opened after the first levels have arrived.
+TEST(ReadAhead, OfAStalledStreamEndsWithTheEngine) {
   const TrainerSettings settings = tiny();
   std::string text = kHeaderLine;
   for (uint64_t i = 0; i < settings.envGroups * settings.envGroup.levels; ++i) text += lineOf(i);

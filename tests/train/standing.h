@@ -1,4 +1,4 @@
-// A stream that is open, but sends nothing more.
+// An open stream that sends nothing more.
 #pragma once
 
 #include <fmt/format.h>
@@ -11,7 +11,7 @@
 
 namespace obby::train {
 
-// A stream that stands still behind what was put into it.
+// A pipe that contains a text and stays open.
 class Standing {
  public:
   explicit Standing(const std::string& text) {

@@ -1,4 +1,4 @@
-// What several ranks share of a stream that only the first can read.
+// The copy of a stream that only the first of several ranks can read.
 #include "train/stream_copy.h"
 
 #include <gtest/gtest.h>
@@ -17,8 +17,8 @@ TEST(StreamCopy, HasTheLevelsOfTheStream) {
   for (uint64_t i = 0; i < 4; ++i) EXPECT_EQ(hashOf(copied, i), hashOf(all, i)) << i;
 }
 
-// One without end would take all memory before anything is learned.
-TEST(StreamCopy, OfAStreamThatIsTooLongIsAnError) {
+// An endless stream would take all memory before training starts.
+TEST(StreamCopy, OfATooLongStreamIsAnError) {
   const std::atomic<bool> interrupted{false};
   Timeout timeout(interrupted, Timeout::kNone);
   const std::string lines = linesOf(4);

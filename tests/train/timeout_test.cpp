@@ -1,4 +1,4 @@
-// A stream that sends nothing is waited for as long as there is time.
+// Time limits of streams that send nothing, and of readers that stall.
 #include "train/timeout.h"
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@ namespace {
 
 using std::chrono::milliseconds;
 
-TEST(Timeout, EndsALevelStreamThatSendsNoMore) {
+TEST(Timeout, EndsAStalledStream) {
   const Standing standing(kHeaderLine + lineOf(0) + lineOf(1));
   const LevelStream all(optionsOf(linesOf(2)));
   const std::atomic<bool> interrupted{false};
@@ -23,12 +23,12 @@ TEST(Timeout, EndsALevelStreamThatSendsNoMore) {
   EXPECT_FALSE(timeout.expired());
   const auto none = stream.level(2, 1);
   ASSERT_TRUE(none) << none.error().text();
-  EXPECT_EQ(*none, nullptr) << "and not the first again";
+  EXPECT_EQ(*none, nullptr) << "not the first level again";
   EXPECT_TRUE(timeout.expired());
 }
 
-// As where the levels that come next are made while others are played.
-TEST(LevelStream, IsToldWhatIsPastWhileItIsWaitedFor) {
+// The next levels are made while others are played.
+TEST(LevelStream, DropsPastLevelsWhileAnotherThreadWaits) {
   const Standing standing(kHeaderLine + lineOf(0) + lineOf(1));
   const std::atomic<bool> interrupted{false};
   Timeout timeout(interrupted, 10, 0);
@@ -43,10 +43,10 @@ TEST(LevelStream, IsToldWhatIsPastWhileItIsWaitedFor) {
   EXPECT_FALSE(timeout.expired());
   timeout.end();
   other.join();
-  EXPECT_FALSE(stream.level(1, 1)) << "it is past";
+  EXPECT_FALSE(stream.level(1, 1)) << "level 1 is past";
 }
 
-TEST(Timeout, DoesNotPassWhileNobodyReads) {
+TEST(Timeout, DoesNotExpireWhileNoThreadReads) {
   const std::atomic<bool> interrupted{false};
   Timeout timeout(interrupted, 0, 0.05);
   timeout.begin();
@@ -60,8 +60,8 @@ TEST(Timeout, DoesNotPassWhileNobodyReads) {
   EXPECT_TRUE(timeout.expired());
 }
 
-// Readers of what is written are not waited for any more then.
-TEST(Timeout, IsLateOnceTheWorkHasLastedItsTime) {
+// Outputs do not wait for their readers any more then.
+TEST(Timeout, IsLateOnceTheWorkHasTakenItsTime) {
   const std::atomic<bool> interrupted{false};
   Timeout timeout(interrupted, 0.05);
   std::this_thread::sleep_for(milliseconds(200));
@@ -69,7 +69,7 @@ TEST(Timeout, IsLateOnceTheWorkHasLastedItsTime) {
   timeout.begin();
   for (int i = 0; i < 1000 && !timeout.late(); ++i) std::this_thread::sleep_for(milliseconds(10));
   EXPECT_TRUE(bool(timeout.late()));
-  EXPECT_FALSE(bool(timeout.stop())) << "nobody reads";
+  EXPECT_FALSE(bool(timeout.stop())) << "no thread reads";
 }
 
 TEST(Timeout, IsLateAfterASignal) {
@@ -79,7 +79,7 @@ TEST(Timeout, IsLateAfterASignal) {
   EXPECT_TRUE(bool(timeout.late()));
 }
 
-// What is read ahead is not waited for once nobody needs it, nor after a signal.
+// A thread that reads ahead stops waiting at the end of the work, and after a signal.
 TEST(Timeout, EndsWithTheWorkAndWithASignal) {
   for (const bool bySignal : {false, true}) {
     std::atomic<bool> interrupted{false};
