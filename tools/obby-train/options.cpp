@@ -30,42 +30,25 @@ constexpr const char* kKeepGroup = "Checkpoints";
 constexpr const char* kLogGroup = "Logs";
 constexpr const char* kEvaluateGroup = "Evaluation (nothing is trained)";
 
+OptionRow common(cli::Common option, const char* help, const char* details) {
+  OptionRow r = cli::commonRow(option);
+  r.help = help;
+  r.details = details;
+  return r;
+}
+
 OptionRow outputRow() {
-  OptionRow r = cli::commonRow(cli::Common::output);
-  r.defaultText = "policy.obp";
-  r.help = "write the policy to FILE, during training and at its end";
-  r.details.clear();
-  return r;
+  return cli::withDefault(
+      common(cli::Common::output, "write the policy to FILE, during training and at its end", ""),
+      "policy.obp");
 }
 
-OptionRow timeLimitRow() {
-  OptionRow r = cli::commonRow(cli::Common::timeLimit);
-  r.help = "stop after this wall-clock time, whatever --decisions or --eval-levels says";
-  r.details = "A stream that sends nothing is waited for 3 seconds longer.";
-  r.group = kLearnGroup;
-  return r;
-}
-
-OptionRow backendRow() {
-  OptionRow r = cli::commonRow(cli::Common::backend);
-  r.help = "device that simulates and learns; auto uses a GPU if there is one";
-  r.details = "Policies trained on a GPU and on the CPU differ by rounding.";
-  r.group = kLearnGroup;
-  return r;
-}
-
-OptionRow seedRow() {
-  OptionRow r = cli::commonRow(cli::Common::seed);
-  r.help = "random seed: same seed, same results unless a time limit ends the run";
-  return r;
-}
-
-// No records are passed on.
+// No records are passed on, so there is no "emit".
 OptionRow onErrorRow() {
-  OptionRow r = cli::commonRow(cli::Common::onError);
+  OptionRow r = common(
+      cli::Common::onError, "on a bad record: stop, or skip it; the exit code is 2 either way",
+      "skip also trains on the part of a stream that arrived before it was interrupted.");
   r.choices = {"stop", "skip"};
-  r.help = "on a bad record: stop, or skip it; the exit code is 2 either way";
-  r.details = "skip also trains on the part of a stream that arrived before it was interrupted.";
   return rare(r);
 }
 
@@ -88,14 +71,19 @@ std::vector<OptionRow> learnRows() {
   return {
       learnRow("decisions", ValueType::integer, "N", s.decisions,
                "decisions to learn from, 20 per second of play", 1, 9e15),
-      timeLimitRow(),
+      common(cli::Common::timeLimit,
+             "stop after this wall-clock time, whatever --decisions or --eval-levels says",
+             "A stream that sends nothing is waited for 3 seconds longer."),
       row("start-from", ValueType::file, "FILE", "",
           "start from this policy instead of a new network, for example to fine-tune it on your "
           "own levels",
           kLearnGroup),
-      backendRow(),
+      common(cli::Common::backend,
+             "device that simulates and learns; auto uses a GPU if there is one",
+             "Policies trained on a GPU and on the CPU differ by rounding."),
       cli::commonRow(cli::Common::threads),
-      seedRow(),
+      common(cli::Common::seed,
+             "random seed: same seed, same results unless a time limit ends the run", ""),
       rare(multipleOf(learnRow("worlds", ValueType::integer, "N", s.worlds(),
                                "worlds that play at a time; a multiple of 256", kEnvGroup, 1 << 20),
                       kEnvGroup)),
@@ -215,15 +203,13 @@ Status optionsFit(const cli::Arguments& a) {
 Status filesFit(const cli::Arguments& a) {
   const cli::WrittenFile metrics{"", "-"};
   if (a.has("eval")) return cli::refuseOverwriting(a, {&metrics, 1});
-  if (a.text("output").empty())
-    return Error{{}, {}, "--output", "the name is empty", "name a file"};
+  const auto wrong = [](const std::string& option, const char* message) {
+    return Error{{}, {}, "--" + option, message, "name a file"};
+  };
+  if (a.text("output").empty()) return wrong("output", "the name is empty");
   for (const char* name : {"output", "checkpoint"}) {
     if (a.text(name) == "-")
-      return Error{{},
-                   {},
-                   std::string("--") + name,
-                   "cannot be standard output, where the metrics records go",
-                   "name a file"};
+      return wrong(name, "cannot be standard output, where the metrics records go");
   }
   const train::RunFiles files = runFiles(a);
   const cli::WrittenFile written[] = {
