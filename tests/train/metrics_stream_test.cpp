@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "io/byte_source.h"
+#include "io/read_file.h"
 
 namespace obby::train {
 namespace {

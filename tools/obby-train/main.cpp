@@ -10,6 +10,7 @@
 #include "levels.h"
 #include "options.h"
 #include "policy/policy_file.h"
+#include "shared/generated_levels.h"
 #include "train/device/device_engine.h"
 #include "train/run/evaluation_metrics.h"
 #include "train/run/rank_options.h"
