@@ -47,7 +47,7 @@ DeviceWork workOn(sim::Device& device, const Problem& problem) {
   return {device, problem, nothing, 4};
 }
 
-TEST(NetPass, OnADeviceEqualsTheCpuBitForBit) {
+TEST(NetPass, EqualsTheCpuBitForBitOnADevice) {
   const level::Level level = steppingStones().compile();
   const Problem problem = support::endlessProblem(level);
   ThreadPool pool(2);

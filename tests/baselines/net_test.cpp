@@ -88,7 +88,7 @@ TEST(Neighbours, DistancesEqualThoseOfASort) {
 }
 
 // Only standing states, with weight 1 / (1 + actions / 2); the start always counts.
-TEST(CellChoice, WeighsCellsByTheActionsTakenThere) {
+TEST(CellChoice, WeighsCellsByTheirActionCounts) {
   CellChoice choice;
   for (int n = 0; n < 6; ++n) choice.act(1);
   choice.update(2);

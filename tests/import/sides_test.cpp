@@ -15,7 +15,7 @@ struct Place {
   void local(const std::string& source) { localScript(scene, "StarterPlayerScripts", source); }
 };
 
-TEST(Uses, AreMadeWhereTheButtonIs) {
+TEST(Uses, HappenAtTheButton) {
   Place place;
   const auto door = place.scene.part("Door", {0, 10, 0});
   place.button({100, 0, 0});
@@ -42,7 +42,7 @@ end))",
   EXPECT_TRUE(place.scene[door].vanish);
 }
 
-TEST(Away, HarmThatComesEverywhereIsNoPartsDoing) {
+TEST(Away, HarmEverywhereIsNotAttributedToAPart) {
   Place place;
   const auto pad = place.scene.part("Pad", {30, 0, 0});
   place.scene.script(R"(game:GetService('RunService').Heartbeat:Connect(function()
@@ -57,7 +57,7 @@ end))",
   EXPECT_EQ(place.scene.unmodelled("script that acts on players away from parts"), 1u);
 }
 
-TEST(Sides, ABindableOfTheClientDoesNotReachTheServer) {
+TEST(Sides, AClientBindableDoesNotReachTheServer) {
   Place place;
   const auto door = place.scene.part("Door", {0, 10, 0});
   const auto shared = place.scene.add("ReplicatedStorage", "ReplicatedStorage", kNoInstance);
@@ -70,7 +70,7 @@ TEST(Sides, ABindableOfTheClientDoesNotReachTheServer) {
   EXPECT_TRUE(place.scene[door].solid);
 }
 
-TEST(Sides, AValueThatTheClientSetsDoesNotTellTheServer) {
+TEST(Sides, AClientValueDoesNotReachTheServer) {
   Place place;
   const auto door = place.scene.part("Door", {0, 10, 0});
   const auto shared = place.scene.add("ReplicatedStorage", "ReplicatedStorage", kNoInstance);
@@ -85,7 +85,7 @@ TEST(Sides, AValueThatTheClientSetsDoesNotTellTheServer) {
   EXPECT_TRUE(place.scene[door].solid);
 }
 
-TEST(Touches, OfPartsThatATouchMakesCount) {
+TEST(Touches, APartThatATouchCreatesCanKill) {
   Place place;
   const auto pad = place.scene.part("Pad", {30, 0, 0});
   place.scene.script(R"(workspace.Pad.Touched:Connect(function()

@@ -105,7 +105,7 @@ TEST(Network, GradientsMatchFiniteDifferences) {
 }
 
 // Schulman et al. 2017, equations 7 and 9, by hand: 17 moves are allowed, with equal logits.
-TEST(Loss, IsThePublishedFormula) {
+TEST(Loss, MatchesThePublishedFormula) {
   struct Case {
     double ratio;
     float advantage;

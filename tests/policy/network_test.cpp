@@ -65,7 +65,7 @@ TEST(Network, EqualsASimpleOneInDoublePrecision) {
   }
 }
 
-TEST(Network, HasTheSameBitsInOneLaneAndInMany) {
+TEST(Network, IsBitIdenticalInOneLaneAndInMany) {
   const Network n = randomNetwork(4);
   const Thinker thinker(n);
   for (uint64_t seed = 0; seed < 20; ++seed) {
@@ -196,7 +196,7 @@ TEST(Decisions, AreTheSameInOneLaneAndInMany) {
   EXPECT_GT(jumping, 50);
 }
 
-TEST(Moves, AreHeadingsInTheFrame) {
+TEST(Moves, MapToHeadingsInTheFrame) {
   EXPECT_EQ(actionOf(0, 1000).heading, 1000);
   EXPECT_TRUE(actionOf(0, 1000).walk);
   EXPECT_FALSE(actionOf(0, 1000).jump);

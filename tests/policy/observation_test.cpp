@@ -172,7 +172,7 @@ void setRate(LevelBuilder& b, int rate) {
 
 class SeesMovers : public testing::TestWithParam<int> {};  // at so many ticks a second
 
-TEST_P(SeesMovers, NowAndSoon) {
+TEST_P(SeesMovers, ShowsPresentAndFutureHeights) {
   LevelBuilder b = gap();
   setRate(b, GetParam());
   b.block({0, 0.5f, -5.9f}, {4, 1, 1}, [](schema::Part::Builder p) {
@@ -243,7 +243,7 @@ TEST(Observation, TurnsWithTheLevel) {
   for (size_t i = 0; i < x.size(); ++i) EXPECT_NEAR(x[i], y[i], 2e-4f) << i;
 }
 
-TEST(Observation, HasTheSameBitsInOneLaneAndInMany) {
+TEST(Observation, IsBitIdenticalInOneLaneAndInMany) {
   const level::Level level = support::boxArena(100, 3).compile();
   Look look(level);
   Random random(1, 1);
@@ -259,7 +259,7 @@ TEST(Observation, HasTheSameBitsInOneLaneAndInMany) {
   }
 }
 
-TEST(Observation, HasTheSameBitsPartByPart) {
+TEST(Observation, EqualsThePartByPartObservationBitForBit) {
   const level::Level levels[] = {support::boxArena(100, 3).compile(),
                                  support::movingArena(60, 14, 2).compile()};
   Random random(2, 2);

@@ -103,7 +103,7 @@ TEST(Surroundings, ListAPartInEverySquareThatSeesIt) {
 }
 
 // The observation stops at the first part that is overhead.
-TEST(Surroundings, ListTheLowestFirst) {
+TEST(Surroundings, ListLowerPartsFirst) {
   const level::Level level = support::boxArena(60, 7).compile();
   const level::LevelView view = level.view();
   const Surroundings around(view, kSight);

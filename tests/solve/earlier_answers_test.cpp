@@ -99,7 +99,7 @@ TEST(EarlierAnswer, NeverMakesTheUnsolvableSolved) {
   EXPECT_THAT(answer(stonesText(R"(,"maxJumps":0)"), few), Not(HasSubstr("still works")));
 }
 
-TEST(EarlierAnswer, OfAnotherQueryIsNotUsed) {
+TEST(EarlierAnswer, IsIgnoredForAnotherQuery) {
   const std::string before = answer(stonesText(), stepsOnly());
   const std::string other = replaced(stonesText(), "\"id\":\"q\"", "\"id\":\"p\"");
   EXPECT_EQ(withoutTiming(answerAfter(before, other)), withoutTiming(answer(other, stepsOnly())));
@@ -113,7 +113,7 @@ TEST(EarlierAnswer, GivesTheSameBytesOnAnyNumberOfThreads) {
   }
 }
 
-TEST(EarlierAnswer, OfAFailedSearchLeadsFurther) {
+TEST(EarlierAnswer, LeadsFurtherAfterAFailedSearch) {
   // The search was cut off after its first round. The cells that its attempts reached are kept.
   const std::string before = answer(fourStones(), stepsOnly(1));
   ASSERT_THAT(before, HasSubstr("\"verdict\":\"unknown\""));

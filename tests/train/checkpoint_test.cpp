@@ -146,7 +146,7 @@ TEST(Checkpoint, IsRefusedWithAnyBitFlipped) {
   EXPECT_TRUE(readCheckpoint(bytes, "whole"));
 }
 
-TEST(Checkpoint, IsRefusedUnderOtherSettingsByName) {
+TEST(Checkpoint, IsRefusedUnderOtherSettings) {
   const std::vector<Setting> then = settingsOf(small());
   EXPECT_TRUE(sameSettings(then, settingsOf(small())));
   TrainerSettings other = small();
@@ -180,7 +180,7 @@ TEST(Checkpoint, SettingsOfEarlierVersionsHaveTheirPresentNames) {
   EXPECT_TRUE(same) << same.error().text();
 }
 
-TEST(Checkpoint, IsRefusedOnOtherLevels) {
+TEST(Checkpoint, IsRefusedForOtherLevels) {
   ThreadPool pool(1);
   const Gaps gaps, others(false, 98), loose(true);
   const auto trainer = Trainer::make(small(), gaps, pool, alone());

@@ -102,7 +102,7 @@ class Parity : public testing::TestWithParam<bool> {};
 
 // Equal networks play the first iteration, so all worlds make the same moves, unless a random
 // number falls between two roundings of a probability. The networks then agree within rounding.
-TEST_P(Parity, OfTheFirstIteration) {
+TEST_P(Parity, TheFirstIterationMatches) {
   const Gaps gaps(GetParam());
   ThreadPool pool(1);
   const auto cpu = Trainer::make(small(), gaps, pool, alone());
@@ -142,7 +142,7 @@ INSTANTIATE_TEST_SUITE_P(WithAndWithoutLooseBodies, Parity, testing::Bool());
 
 // Play without training, with episodes that end or are truncated, and many levels. In a hundred
 // such runs, about half a world would draw a number between two roundings of a probability.
-TEST_P(Parity, OfPlayThroughManyLevels) {
+TEST_P(Parity, PlayThroughManyLevelsMatches) {
   const Gaps gaps(GetParam());
   TrainerSettings settings = small();
   settings.ppo.learningRate = 0;

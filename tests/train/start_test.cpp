@@ -71,7 +71,7 @@ TEST(Start, IsThePolicyBitForBitUntilTheFirstUpdate) {
   EXPECT_NE((*trainer)->network().numbers(), known.file.network.numbers());
 }
 
-TEST(Start, IsThePolicyBitForBitOnADevice) {
+TEST(Start, EqualsThePolicyBitForBitOnADevice) {
   const StartLearned known = learned();
   const Gaps gaps;
   ThreadPool pool(1);

@@ -8,7 +8,7 @@
 namespace obby::train {
 namespace {
 
-TEST(StreamCopy, HasTheLevelsOfTheStream) {
+TEST(StreamCopy, HasTheSameLevelsAsTheStream) {
   const std::atomic<bool> interrupted{false};
   Timeout timeout(interrupted, Timeout::kNone);
   const auto copy = copyOfStream(optionsOf(linesOf(4)), timeout);

@@ -133,7 +133,7 @@ TrainerSettings from(float easiest, float raiseAt, float lowerAt) {
   return settings;
 }
 
-TEST(Curriculum, LevelsBecomeHarderWhileMostAreSolved) {
+TEST(Curriculum, LevelsBecomeHarderWhileTheSolvedShareIsHigh) {
   const Asked gaps;
   ThreadPool pool(1);
   TrainerSettings settings = from(0.3f, -1, -1);
@@ -152,7 +152,7 @@ TEST(Curriculum, LevelsBecomeHarderWhileMostAreSolved) {
   EXPECT_GT(gaps.hardest(), 0.3f) << "levels were requested with it";
 }
 
-TEST(Curriculum, LevelsBecomeEasierWhileFewAreSolved) {
+TEST(Curriculum, LevelsBecomeEasierWhileTheSolvedShareIsLow) {
   const Gaps gaps;
   ThreadPool pool(1);
   const TrainerSettings settings = from(0.3f, 3, 2);
