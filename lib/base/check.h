@@ -1,6 +1,7 @@
 // Checks of invariants. A failed check is a bug in this program, never bad input. It prints both
 // values and aborts. Checks run in builds with OBBY_CHECKS; in others the condition is not
-// evaluated.
+// evaluated. Both sides are numbers, and may be evaluated twice:
+//   OBBY_CHECK_LT(index, count);
 #pragma once
 
 #if defined(OBBY_CHECKS)

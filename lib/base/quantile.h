@@ -9,7 +9,7 @@
 namespace obby {
 
 // Returns the value below which `share` (0 to 1) of the values lie, interpolated linearly between
-// neighbours. Returns NaN for no values.
+// neighbours. Returns NaN for no values. No value may be NaN.
 inline double quantile(std::vector<double> values, double share) {
   if (values.empty()) return std::numeric_limits<double>::quiet_NaN();
   std::sort(values.begin(), values.end());

@@ -11,7 +11,10 @@
 
 namespace obby {
 
-// One stream of 32-bit random numbers. A copy draws the same numbers as the original from then on.
+// One stream of 32-bit random numbers, which repeats after 2^34 of them. A copy draws the same
+// numbers as the original from then on.
+//   Random random(seed, rollout);
+//   const bool jumps = random.unit() < 0.3f;
 class Random {
  public:
   // `seed` identifies the run, `stream` the consumer of the numbers (a rollout, a level).

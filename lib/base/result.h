@@ -1,6 +1,13 @@
 // Results of functions that read input: a value, or an error that names the place and the remedy.
 // Broken invariants are caught by OBBY_CHECK (check.h). Overflows inside a batch set flag bits of
 // the world. The library never prints or exits.
+//
+//   Result<Level> load(const std::string& path) {
+//     OBBY_ASSIGN(const std::string text, readFile(path));  // an error of readFile is returned
+//     if (text.empty()) return makeError("expected a level, found an empty file");
+//     return parsed(text);
+//   }
+//   if (const auto level = load("a.jsonl"); !level) show(level.error().text());
 #pragma once
 
 #include <optional>
@@ -22,11 +29,13 @@ struct Error {
   std::string text() const;
 };
 
+// Returns an error without a place. Callers that know the input and the place add them.
 inline Error makeError(std::string message, std::string hint = {}) {
   return Error{{}, {}, {}, std::move(message), std::move(hint)};
 }
 
-// A value or an Error. Test with `if (!r)`, then use r.error() or *r.
+// A value or an Error. Test with `if (!r)`, then use r.error() or *r. `*r` of an error throws
+// std::bad_variant_access, as does error() of a value.
 template <class T>
 class [[nodiscard]] Result {
  public:
@@ -68,6 +77,7 @@ class [[nodiscard]] Result<void> {
 using Status = Result<void>;
 
 // Standard C++ has no expression that returns early, so these two macros are statements.
+// OBBY_RETURN_IF_ERROR(f()) returns the error of a Result, if it has one.
 #define OBBY_RETURN_IF_ERROR(expr)                                                   \
   do {                                                                               \
     if (auto obbyStatus = (expr); !obbyStatus) return std::move(obbyStatus).error(); \

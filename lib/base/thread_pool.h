@@ -1,5 +1,7 @@
 // A fixed set of threads that run numbered tasks. The result of a task must depend on its number
 // only, never on the thread or the order. Every result is then the same for any thread count.
+//   ThreadPool pool(availableThreads());
+//   pool.run(int(inputs.size()), [&](int i) { outputs[i] = worked(inputs[i]); });
 #pragma once
 
 #include <atomic>

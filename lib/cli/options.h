@@ -22,8 +22,9 @@ enum class ValueType {
 };
 
 struct OptionRow {
-  std::string name;  // "time-limit": --time-limit, OBBY_TIME_LIMIT, time-limit = in a file
-  char letter = 0;   // 't' for -t; 0 for none
+  std::string name;      // "time-limit": --time-limit, OBBY_TIME_LIMIT, time-limit = in a file
+  std::string formerly;  // an earlier name that works everywhere but is shown nowhere
+  char letter = 0;       // 't' for -t; 0 for none
   ValueType type = ValueType::flag;
   std::string value;              // name of the value in help: "SECONDS"
   std::string defaultText;        // as it would be typed; empty for no default

@@ -36,13 +36,13 @@ std::string unmarked(std::string word) {
 }
 
 CLI::Option* addRow(CLI::App& app, const OptionRow& row) {
-  std::string names = "--" + row.name;
+  const bool isMode = row.type == ValueType::mode;
+  const std::string bare = isMode ? "{" + row.bare + "}" : std::string();
+  std::string names = "--" + row.name + bare;
+  if (!row.formerly.empty()) names += ",--" + row.formerly + bare;
   if (row.letter) names = std::string("-") + row.letter + "," + names;
-  if (row.type == ValueType::flag)
+  if (row.type == ValueType::flag || isMode)
     return app.add_flag(names)->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
-  if (row.type == ValueType::mode)
-    return app.add_flag(names + "{" + row.bare + "}")
-        ->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
   CLI::Option* option = app.add_option(names);
   return option->expected(1)->multi_option_policy(
       row.repeatable ? CLI::MultiOptionPolicy::TakeAll : CLI::MultiOptionPolicy::TakeLast);

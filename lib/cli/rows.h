@@ -40,6 +40,12 @@ inline OptionRow renewed(OptionRow r) {
   return r;
 }
 
+// Users may still have its earlier name in scripts.
+inline OptionRow renamed(OptionRow r, const char* formerly) {
+  r.formerly = formerly;
+  return r;
+}
+
 // Few users need it, so it is not in --help.
 inline OptionRow rare(OptionRow r) {
   r.rare = true;

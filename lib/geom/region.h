@@ -12,7 +12,7 @@ struct Region {
   Vec3 half;  // half extents, studs
 };
 
-// Returns true if the segment a..b meets the region.
+// Returns true if the segment a..b meets the region or its surface. a and b may be equal.
 OBBY_DEVICE bool meets(const Region& region, Vec3 a, Vec3 b) {
   const Vec3 o = toLocal(region.pose, a), d = toLocal(region.pose.rotation, b - a);
   float enter = 0, leave = 1;
@@ -47,7 +47,7 @@ OBBY_DEVICE bool meetsOnTheWay(const Region& region, Vec3 a, Vec3 b, Vec3 shift)
   return !apart(cross(u, v));
 }
 
-// Returns the distance from a point to the region, 0 inside.
+// Returns the distance from a point to the region, studs; 0 inside.
 OBBY_DEVICE float distance(const Region& region, Vec3 p) {
   const Vec3 d = abs(toLocal(region.pose, p)) - region.half;
   return length(max(d, Vec3{0, 0, 0}));

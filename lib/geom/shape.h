@@ -49,6 +49,7 @@ struct ShapeData {
   const Hull* hull = nullptr;  // only for ShapeKind::hull
 };
 
+// The first point of a shape that a ray meets.
 struct RayHit {
   float t;      // along the ray, in units of its direction
   Vec3 normal;  // unit, local, outward
@@ -58,20 +59,20 @@ struct RayHit {
 template <class F>
 struct BlockT {
   PoseT<F> pose;
-  Vec3T<F> half;
+  Vec3T<F> half;  // half extents, studs
 };
 
 // An oriented box in a shape's local frame. The shape's curved faces are tested against it.
 template <class F>
 struct LocalBoxT {
-  Vec3T<F> center;
+  Vec3T<F> center;  // studs
   Mat3T<F> axes;
-  Vec3T<F> half;
+  Vec3T<F> half;  // half extents, studs
 };
 
 using LocalBox = LocalBoxT<float>;
 
-// Returns the point of the box that is closest to p.
+// Returns the point of the box that is closest to p: p itself if it is inside.
 OBBY_DEVICE Vec3 closestPoint(const LocalBox& box, Vec3 p) {
   const Vec3 d = toLocal(box.axes, p - box.center);
   return box.center + box.axes * max(min(d, box.half), -box.half);
@@ -84,8 +85,8 @@ OBBY_DEVICE F awayFromZero(F v) {
   return select(absf(v) < 1e-20f, select(v < 0.0f, F(-1e-20f), F(1e-20f)), v);
 }
 
-// Clips the ray o + t d to the half space dot(n, p) <= offset. Updates `enter`, `leave` and the
-// normal of the entry.
+// Clips the ray o + t d, with t in [enter, leave], to the half space dot(n, p) <= offset. Updates
+// `enter`, `leave` and the normal of the entry. Nothing is left if enter > leave afterwards.
 OBBY_DEVICE void clipToPlane(Vec3 n, float offset, Vec3 o, Vec3 d, float& enter, float& leave,
                              Vec3& normal) {
   const float speed = dot(n, d);

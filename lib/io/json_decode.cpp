@@ -256,6 +256,11 @@ bool JsonDecoder::enumerant(const TypePlan& type, const Node& node, const Path& 
       return true;
     }
   }
+  for (const auto& [former, ordinal] : type.formerNames) {
+    if (text != former) continue;
+    out = Value(capnp::DynamicEnum(type.names, ordinal));
+    return true;
+  }
   const std::string near = nearestName(text, enumerants(type.names));
   return fail(path, fmt::format("expected {}, found {}", expected(type), tree_.describe(node)),
               near.empty() ? "" : fmt::format("did you mean \"{}\"?", near));

@@ -1,5 +1,5 @@
 // One JSON value in flat arrays. Numbers keep their text, so that each is converted once, to the
-// type of its field. Nesting and the number of values are limited.
+// type of its field. Text beyond the limits of nesting and of the number of values is an error.
 #pragma once
 
 #include <cstdint>

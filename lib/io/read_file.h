@@ -21,7 +21,7 @@ inline constexpr uint64_t kMostFileBytes = uint64_t(1) << 30;
 Result<std::string> readFile(const std::string& path, const std::atomic<bool>* stop = nullptr,
                              uint64_t most = kMostFileBytes);
 
-// Reads the rest of an open input.
+// Reads the rest of an open input. Errors are as above.
 Result<std::string> readRest(ByteSource& source, uint64_t most = kMostFileBytes);
 
 // Returns true for the error of a read, or of an output, that was told to stop. The tool should

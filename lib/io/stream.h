@@ -1,6 +1,13 @@
 // Streams of records: files, pipes, "-". Readers detect the encoding and check the framing (header
 // first, end last, concatenation allowed). Writers are checked up to close(), so that a full disk
 // is never a silent success.
+//
+//   OBBY_ASSIGN(auto reader, io::StreamReader::open("levels/teaser.jsonl"));
+//   for (;;) {
+//     OBBY_ASSIGN(const std::optional<io::Record> record, reader.next());
+//     if (!record) break;
+//     if (record->known() && record->which() == io::Kind::LEVEL) ...
+//   }
 #pragma once
 
 #include <atomic>

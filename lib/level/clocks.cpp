@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "base/hash.h"
 #include "level/record_values.h"
 
 namespace obby::level {
@@ -10,18 +11,21 @@ namespace {
 // Marks the number of a shared clock until the number of roles is known.
 constexpr uint32_t kShared = 0x80000000u;
 
-// Everything that a clock does. Clocks with equal effects are interchangeable.
-auto effectOf(const Clock& c) {
-  return std::make_tuple(c.length, c.restarts, c.walkFactor, c.jumpFactor, c.jumpMore,
-                         c.gravityFactor, c.resets, c.helpless, c.seat);
-}
-
 void resolve(uint32_t& clock, uint32_t role, size_t roleCount) {
   if (clock == kNone) return;
   clock = clock == kOwnClock ? role : uint32_t(roleCount) + (clock & ~kShared);
 }
 
 }  // namespace
+
+uint64_t digestOf(const Clock& c, uint64_t seed) {
+  uint64_t h = seed;
+  const auto add = [&h](const auto& value) { h = hashBytes(&value, sizeof value, h); };
+  add(c.length), add(c.restarts), add(c.walkFactor), add(c.jumpFactor), add(c.jumpMore);
+  add(c.helpless), add(c.seat);
+  if (changesGravity(c)) add(c.gravityFactor), add(c.resets);
+  return h;
+}
 
 Result<uint32_t> ticksOf(const Params& params, float seconds, const std::string& path) {
   if (!(seconds >= 0))
@@ -45,7 +49,7 @@ Status ClockTables::addButton(schema::Part::Reader part, size_t index, const Par
   const auto [it, added] = signals_.try_emplace(name, Signal{uint32_t(shared_.size()), index});
   if (added) {
     shared_.push_back(clock);
-  } else if (effectOf(shared_[it->second.clock]) != effectOf(clock)) {
+  } else if (digestOf(shared_[it->second.clock]) != digestOf(clock)) {
     return pathError(
         path + ".seconds",
         fmt::format("parts[{}] starts the same signal '{}' with other settings", it->second.part,
@@ -87,7 +91,7 @@ uint32_t ClockTables::add(const Clock& clock) {
 }
 
 uint32_t ClockTables::share(const Clock& clock) {
-  const auto [given, isNew] = given_.try_emplace(effectOf(clock), 0);
+  const auto [given, isNew] = given_.try_emplace(digestOf(clock), 0);
   if (isNew) given->second = add(clock);
   return given->second;
 }

@@ -2,9 +2,9 @@
 // found by the names of signals.
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <string>
-#include <tuple>
 #include <vector>
 
 #include "base/result.h"
@@ -48,9 +48,13 @@ class ClockTables {
 
   std::map<std::string, Signal> signals_;
   std::vector<Clock> shared_;
-  using Effect = std::tuple<uint32_t, bool, float, float, float, float, bool, uint32_t, uint32_t>;
-  std::map<Effect, uint32_t> given_;  // clocks from share(), one for each effect
+  std::map<uint64_t, uint32_t> given_;  // clocks from share(), by digest
 };
+
+// Returns the digest of everything that a clock does, continued from `seed` (hashBytes). Clocks
+// with equal digests are interchangeable. A later field counts only if it has an effect, so that
+// the digests of older levels stay.
+uint64_t digestOf(const Clock& clock, uint64_t seed = 0);
 
 // Converts seconds to ticks. A negative number or NaN is an error at `path`.
 Result<uint32_t> ticksOf(const Params& params, float seconds, const std::string& path);

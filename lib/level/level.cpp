@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "base/hash.h"
+#include "level/clocks.h"
 #include "level/compile_parts.h"
 #include "level/grid_build.h"
 #include "level/record_values.h"
@@ -116,11 +117,7 @@ uint64_t digest(const LevelView& v, const PartTables& t) {
     add(r.teleportTo), add(r.teleportYaw), add(r.teleportTurns), add(r.teleportKeepsVelocity);
     add(r.oneWay), add(r.seatClock);
   }
-  for (const Clock& c : t.clocks) {
-    add(c.length), add(c.restarts), add(c.walkFactor), add(c.jumpFactor), add(c.jumpMore);
-    add(c.helpless), add(c.seat);
-    if (changesGravity(c)) add(c.gravityFactor), add(c.resets);
-  }
+  for (const Clock& c : t.clocks) h = digestOf(c, h);
   for (const Mover& m : t.movers) {
     h = hashBytes(m.keys, m.keyCount * sizeof(Pose), h);
     h = hashBytes(m.spins, m.spinCount * sizeof(Mat3), h);

@@ -1,6 +1,10 @@
 // Compiles a level record into the immutable form that the simulator reads, and query records, too.
 // All validation of meaning happens here; io checks only form. Errors name the path in the record
 // and the remedy.
+//
+//   OBBY_ASSIGN(const auto level, level::Level::compile(levelRecord));
+//   OBBY_ASSIGN(const auto query, level::Query::compile(queryRecord, level));
+//   sim::World world = sim::makeWorld(level.view(), query.start());
 #pragma once
 
 #include <memory>
@@ -17,11 +21,12 @@ namespace obby::level {
 // A pose and a time at which play can start.
 struct StartPose {
   Vec3 feet;          // studs
-  float yaw = 0;      // radians
+  float yaw = 0;      // radians; 0 looks along -Z
   uint32_t tick = 0;  // level clock
 };
 
-// Immutable; safe to share between threads.
+// Immutable; safe to share between threads. Whatever it returns by reference, and the view's
+// tables, live as long as the level, wherever it is moved.
 class Level {
  public:
   // Errors have `path` set, e.g. "parts[88].size". More than 1 million parts are an error, and so
@@ -39,9 +44,9 @@ class Level {
   uint32_t motionPeriod()
       const;  // ticks after which all motion repeats; 0 for no motion, or none within 2^20
   size_t partCount() const;
-  const std::string& partName(uint32_t part) const;
-  const std::vector<StartPose>& spawns() const;
-  Box bounds() const;  // bounds of all colliders
+  const std::string& partName(uint32_t part) const;  // part < partCount(); may be empty
+  const std::vector<StartPose>& spawns() const;      // in the record's order; may be empty
+  Box bounds() const;  // of all colliders, with their motion; a point at 0 if there are none
 
  private:
   struct Impl;
@@ -49,7 +54,7 @@ class Level {
   std::unique_ptr<Impl> impl_;
 };
 
-// A query over a level. Owns its regions.
+// A query over a level, which need not outlive it. Owns its regions.
 class Query {
  public:
   // The places that it names must be resolved (resolve_places.h). Errors have `path` set, relative

@@ -44,12 +44,12 @@ constexpr uint32_t kTouchRoles = kKill | kPad | kStarts | kTeleport | kHeal | kS
 struct alignas(64) Collider {
   Pose pose;  // pose of a part without a mover
   geom::ShapeData shape;
-  uint32_t part;   // index into the level's parts
-  uint32_t mover;  // index into movers, or kNone
-  uint32_t role;   // index into roles, or kNone
-  float friction;
-  float grip;  // friction with the player: the mean of both, weighted
-  float elasticity;
+  uint32_t part;     // index into the level's parts
+  uint32_t mover;    // index into movers, or kNone
+  uint32_t role;     // index into roles, or kNone
+  float friction;    // 0 to 100
+  float grip;        // friction with the player: the mean of both, weighted
+  float elasticity;  // 0 to 1
   geom::ShapeKind kind;
   uint8_t loose;  // index into LevelView::loose, or kNotLoose
 };
@@ -108,7 +108,7 @@ OBBY_DEVICE bool changesJump(const Clock& c) {
 }
 OBBY_DEVICE bool changesGravity(const Clock& c) { return c.resets || c.gravityFactor != 1; }
 
-constexpr int kMostStarts = 4;
+constexpr int kMostStarts = 4;  // clocks that a touch of one part can start; others are left out
 
 // One record for each part that has a role, shared by its colliders.
 struct Roles {
@@ -119,7 +119,7 @@ struct Roles {
   Vec3 conveyorVelocity;  // studs/s
   Vec3 conveyorAngular;   // rad/s about the part's present centre
   uint32_t vanishDelay;   // ticks; for a timer the solid ticks of each period
-  uint32_t vanishAway;    // ticks
+  uint32_t vanishAway;    // ticks without collision after that
   uint32_t vanishPhase;   // ticks, timer only
   bool vanishInverted;    // solid only while it would otherwise be away
   // The part is away while this clock runs, from `awayFrom` ticks after its start.
@@ -130,8 +130,8 @@ struct Roles {
   Vec3 teleportTo;               // position of the feet
   Turns teleportYaw;
   bool teleportTurns, teleportKeepsVelocity;
-  Vec3 oneWay;  // unit, in the part's frame, toward the side that is solid
-  uint32_t seatClock;
+  Vec3 oneWay;         // unit, in the part's frame, toward the side that is solid
+  uint32_t seatClock;  // held at 0 while the player sits here; kNone if it is no seat
 };
 
 // Returns the velocity of a conveyor's surface at a point. `center` is the part's present centre.
@@ -158,6 +158,7 @@ OBBY_DEVICE void forTables(Mover& m, Table&& table) {
   table(m.spins, m.spinCount);
 }
 
+// Returns the part's pose `tick` ticks after the start of its motion.
 OBBY_DEVICE Pose moverPose(const Mover& m, uint32_t tick) {
   const uint32_t k = m.once ? (tick < m.keyCount ? tick : m.keyCount - 1) : tick % m.keyCount;
   Pose pose = m.keys[k];
@@ -175,12 +176,12 @@ struct Loose {
   Vec3 position;  // position of the part at the start
   Quat rotation;
   Vec3 center;          // centre of mass, studs, in the part's frame
-  Mat3 inverseInertia;  // about the centre, in the part's frame
-  float inverseMass;
-  float radius;  // studs around the centre that contain all of it
+  Mat3 inverseInertia;  // 1 / (mass studs^2), about the centre, in the part's frame
+  float inverseMass;    // mass is density x cubic studs
+  float radius;         // studs around the centre that contain all of it
   uint32_t firstCollider, colliderCount;
 };
-constexpr int kMaxLoose = 16;
+constexpr int kMaxLoose = 16;  // dynamic bodies of a level; more are an error
 
 constexpr uint32_t kListStep = 4;
 
@@ -199,13 +200,13 @@ struct Grid {
 
 struct LevelView {
   Params params;
-  const Collider* colliders;
+  const Collider* colliders;  // (colliderCount)
   const Bounds* bounds;  // (colliderCount + 1), swept bounds for moving colliders; the last one
                          // meets nothing
-  const Roles* roles;
-  const Mover* movers;
-  const Clock* clocks;
-  const Loose* loose;  // (looseCount)
+  const Roles* roles;    // (roleCount)
+  const Mover* movers;   // (moverCount)
+  const Clock* clocks;   // (clockCount)
+  const Loose* loose;    // (looseCount)
   uint32_t colliderCount, roleCount, moverCount, clockCount, looseCount;
   uint32_t crushClock;  // counts the ticks of a squeeze; kNone if no part kills by it
   uint32_t airClock;    // counts jumps in the air (sim/air_jump.h); kNone if not allowed

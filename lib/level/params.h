@@ -78,7 +78,8 @@ OBBY_DEVICE float pairFriction(const Params& p, float friction, float weight) {
   return (friction * weight + p.playerFriction * p.playerFrictionWeight) / sum;
 }
 
-// Returns the studs that a launch at this speed raises the feet. Its first step is free of gravity.
+// Returns the studs that a launch at `speed` studs/s raises the feet, under a gravity above 0. Its
+// first step is free of gravity.
 OBBY_DEVICE float riseOfLaunch(const Params& p, float gravity, float speed) {
   return 0.5f * speed * (speed / gravity + p.substepSeconds);
 }

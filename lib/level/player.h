@@ -38,7 +38,9 @@ inline constexpr const char* kPlaceBody = "place";
 // repeats. Returns one player if the query names neither. An unknown body or frame rate is an
 // error, with the path of the field.
 Result<std::vector<Player>> playersOf(schema::Query::Reader query);
+// Returns true if the query names bodies or frame rates.
 bool namesPlayers(schema::Query::Reader query);
+// Returns the player of a trajectory. Errors are as above.
 Result<Player> playerOf(schema::Trajectory::Reader trajectory);
 
 // Changes the level's physics to this player's. Errors are as above.

@@ -14,6 +14,7 @@ namespace obby::level {
 // Positions further out than this lose too much precision to mean anything.
 constexpr float kMaxCoordinate = 1e6f;
 
+// Returns an error at a path in the record, such as "parts[88].size".
 inline Error pathError(std::string path, std::string message, std::string hint = {}) {
   return Error{{}, {}, std::move(path), std::move(message), std::move(hint)};
 }
@@ -66,6 +67,7 @@ inline Result<Vec3> direction(schema::Vec3::Reader record, const std::string& pa
 // Beyond this many radians float angles are too coarse to mean a direction.
 constexpr float kMaxAngle = 1e4f;
 
+// Radians.
 inline Result<float> angle(float radians, const std::string& path) {
   if (!(absf(radians) <= kMaxAngle))
     return pathError(path, "expected -10000 to 10000 radians, found " + shown(radians));
@@ -82,6 +84,7 @@ inline Result<Quat> quaternion(schema::Quat::Reader record, const std::string& p
   return normalize(q);
 }
 
+// The same as a matrix.
 inline Result<Mat3> rotation(schema::Quat::Reader record, const std::string& path) {
   OBBY_ASSIGN(const Quat q, quaternion(record, path));
   return toMat3(q);

@@ -53,10 +53,12 @@ inline Mat3 rotationAbout(Vec3 axis, double angle) {
           {float(x * z * k + y * s), float(y * z * k - x * s), float(c + z * z * k)}};
 }
 
+// Returns the pose in the world of a pose `b` in the frame of `a`.
 inline Pose operator*(const Pose& a, const Pose& b) {
   return {toWorld(a, b.position), a.rotation * b.rotation};
 }
 
+// Returns the pose that undoes this one: inverse(p) * p is the identity.
 inline Pose inverse(const Pose& pose) {
   const Mat3 back = inverse(pose.rotation);
   return {-(back * pose.position), back};

@@ -49,9 +49,10 @@ OBBY_DEVICE Turns turnsFromRadians(float radians) {
   const float t = radians * kTurnsPerRadian;
   return Turns(int64_t(t + (t < 0 ? -0.5f : 0.5f)));
 }
+// Returns radians in [-pi, pi).
 OBBY_DEVICE float radiansFromTurns(Turns t) { return float(int16_t(t)) * kRadiansPerTurn; }
 
-// Returns the walking direction of a heading: -Z at 0, -X after a quarter turn.
+// Returns the walking direction of a heading, a unit vector: -Z at 0, -X after a quarter turn.
 template <class F>
 OBBY_DEVICE Vec3T<F> directionOf(SinCosT<F> a) {
   return {-a.sin, 0, -a.cos};

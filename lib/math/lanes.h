@@ -32,9 +32,11 @@ OBBY_DEVICE int32_t select(bool choose, int32_t yes, int32_t no) { return choose
 OBBY_DEVICE bool any(bool m) { return m; }
 OBBY_DEVICE bool all(bool m) { return m; }
 OBBY_DEVICE float toFloat(int32_t v) { return float(v); }
-OBBY_DEVICE int32_t toInt(float v) { return int32_t(v); }  // toward zero
+// Rounds toward zero. `v` must be within the range of the result.
+OBBY_DEVICE int32_t toInt(float v) { return int32_t(v); }
 OBBY_DEVICE float floatOfBits(int32_t v) { return __builtin_bit_cast(float, v); }
 
+// Both return `b` if one of the numbers is NaN.
 OBBY_DEVICE float minf(float a, float b) { return a < b ? a : b; }
 OBBY_DEVICE float maxf(float a, float b) { return a > b ? a : b; }
 OBBY_DEVICE float absf(float v) { return __builtin_fabsf(v); }
@@ -45,6 +47,7 @@ OBBY_DEVICE void loadRow(const float* from, float& row) { row = *from; }
 OBBY_DEVICE void storeRow(float row, float* to) { *to = row; }
 OBBY_DEVICE float greatestOf(float row) { return row; }
 
+// Returns the number of [lo, hi] that is nearest to `v`; `lo` for NaN.
 template <class F>
 OBBY_DEVICE F clampf(F v, F lo, F hi) {
   return minf(maxf(v, lo), hi);

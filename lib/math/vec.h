@@ -1,5 +1,6 @@
 // Vectors, rotations and boxes in single precision. Every operation is a fixed sequence of IEEE
-// operations, so that all backends agree bit for bit. Y is up, right-handed, lengths in studs.
+// operations, so that all backends agree bit for bit. Y is up, right-handed, lengths in studs. F is
+// float, or lanes of floats (lanes.h); comparisons and select() then work lane by lane.
 #pragma once
 
 #include "math/lanes.h"
@@ -20,6 +21,7 @@ struct Vec3T {
   friend OBBY_DEVICE bool operator==(Vec3T a, Vec3T b) {
     return a.x == b.x && a.y == b.y && a.z == b.z;
   }
+  // Returns the product by components.
   friend OBBY_DEVICE Vec3T mul(Vec3T a, Vec3T b) { return {a.x * b.x, a.y * b.y, a.z * b.z}; }
   friend OBBY_DEVICE F dot(Vec3T a, Vec3T b) { return (a.x * b.x + a.y * b.y) + a.z * b.z; }
   friend OBBY_DEVICE Vec3T cross(Vec3T a, Vec3T b) {
@@ -33,7 +35,8 @@ struct Vec3T {
   }
   friend OBBY_DEVICE Vec3T abs(Vec3T a) { return {absf(a.x), absf(a.y), absf(a.z)}; }
   friend OBBY_DEVICE F length(Vec3T a) { return sqrtf32(dot(a, a)); }
-  // Returns `fallback` if `a` is too short to have a direction.
+  // Returns the unit vector along `a`, or `fallback` for a length up to 1e-12. The other overload
+  // falls back to +Y.
   friend OBBY_DEVICE Vec3T normalize(Vec3T a, Vec3T fallback) {
     const F n = length(a);
     return select(n > 1e-12f, a * (1.0f / n), fallback);
@@ -46,10 +49,11 @@ struct Vec3T {
 
 using Vec3 = Vec3T<float>;
 
+// Returns a component by its index, 0 to 2.
 OBBY_DEVICE float component(Vec3 a, int i) { return i == 0 ? a.x : i == 1 ? a.y : a.z; }
 
-// Rotation matrix by columns: the axes of the rotated frame. world = local.x * x + local.y * y +
-// local.z * z.
+// Rotation matrix by columns: the axes of the rotated frame, orthonormal. world = local.x * x +
+// local.y * y + local.z * z. a * b applies b first.
 template <class F>
 struct Mat3T {
   Vec3T<F> x = {1, 0, 0}, y = {0, 1, 0}, z = {0, 0, 1};
@@ -68,7 +72,7 @@ struct Mat3T {
 
 using Mat3 = Mat3T<float>;
 
-// Unit quaternion.
+// Unit quaternion. a * b applies b first.
 template <class F>
 struct QuatT {
   F x = 0, y = 0, z = 0, w = 1;
@@ -79,6 +83,7 @@ struct QuatT {
             a.w * b.z + a.x * b.y - a.y * b.x + a.z * b.w,
             a.w * b.w - a.x * b.x - a.y * b.y - a.z * b.z};
   }
+  // Returns the quaternion with length 1, or the identity for a length up to 1e-12.
   friend OBBY_DEVICE QuatT normalize(QuatT q) {
     const F n = sqrtf32(q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w), s = 1.0f / n;
     const MaskOf<F> known = n > 1e-12f;
@@ -93,7 +98,8 @@ struct QuatT {
             {2 * (xy - wz), 1 - 2 * (xx + zz), 2 * (yz + wx)},
             {2 * (xz + wy), 2 * (yz - wx), 1 - 2 * (xx + yy)}};
   }
-  // Returns q turned by `angle`, a vector of radians. Exact to second order, and normalized.
+  // Returns q turned by `angle`, in the world's frame: the axis times radians. Exact to second
+  // order, and normalized.
   friend OBBY_DEVICE QuatT turned(QuatT q, Vec3T<F> angle) {
     const Vec3T<F> h = angle * F(0.5f);
     const QuatT d = QuatT{h.x, h.y, h.z, 1.0f - 0.5f * dot(h, h)} * q;
@@ -119,7 +125,7 @@ struct PoseT {
 
 using Pose = PoseT<float>;
 
-// An axis-aligned box that includes its corners.
+// An axis-aligned box that includes its surface: boxes that touch overlap. lo <= hi.
 template <class F>
 struct BoxT {
   Vec3T<F> lo, hi;

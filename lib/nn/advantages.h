@@ -17,7 +17,8 @@ struct Rollout {
   const float* last;     // (agents), value of the state after the last step
 };
 
-// Fills one agent's rows of `advantages` and `returns`, (rows).
+// Fills one agent's rows of `advantages` and `returns`, (rows). `discount` is per decision, 0 to 1.
+// `lambda` 0 estimates by one step, 1 by the rest of the episode.
 OBBY_DEVICE void fillAdvantagesOf(const Rollout& r, uint32_t agent, float discount, float lambda,
                                   float* advantages, float* returns) {
   float next = r.last[agent], advantage = 0;
@@ -32,6 +33,7 @@ OBBY_DEVICE void fillAdvantagesOf(const Rollout& r, uint32_t agent, float discou
   }
 }
 
+// Fills the rows of all agents.
 OBBY_DEVICE void fillAdvantages(const Rollout& r, float discount, float lambda, float* advantages,
                                 float* returns) {
   for (uint32_t agent = 0; agent < r.agents; ++agent)
@@ -52,6 +54,7 @@ struct Moments {
   }
 };
 
+// Shifts and scales advantages to mean 0 and standard deviation 1.
 struct AdvantageScale {
   float mean = 0, scale = 1;
 

@@ -46,12 +46,15 @@ OBBY_DEVICE void observeState(const Scene& s, const sim::World& w, const sim::Ne
   const float tick = ticksOfSixty(s.level);
   const auto in = [&](sim::State state) { return w.state == state ? 1.0f : 0.0f; };
   int i = 0;
+  // Velocity: forward and to the right in units of 16 studs/s, upward in units of 50.
   out[i++] = dot(w.velocity, frame.forward) * 0.0625f;
   out[i++] = dot(w.velocity, frame.right) * 0.0625f;
   out[i++] = clampf(w.velocity.y * 0.02f, -3.0f, 3.0f);
+  // A floor was sensed in the last step; the time since then, 1 at half a second.
   out[i++] = w.floorlessSteps == 0 ? 1.0f : 0.0f;
   out[i++] =
       minf(float(w.floorlessSteps) * (tick / float(s.level.params.substeps)), 30.0f) * 0.0333f;
+  // The state, one number each.
   out[i++] = in(sim::State::running) + in(sim::State::landed);
   out[i++] = in(sim::State::landed);
   out[i++] = in(sim::State::jumping);
@@ -59,6 +62,7 @@ OBBY_DEVICE void observeState(const Scene& s, const sim::World& w, const sim::Ne
   out[i++] = in(sim::State::climbing);
   out[i++] = in(sim::State::seated) + in(sim::State::fallingDown);
   out[i++] = mayJump(s.level, w) ? 1.0f : 0.0f;
+  // The next region: its distance and height far away and nearby, and its half size.
   out[i++] = squashed(flat, 16.0f);
   out[i++] = minf(flat, 16.0f) * 0.0625f;
   out[i++] = squashed(to.y, 8.0f);
@@ -68,18 +72,21 @@ OBBY_DEVICE void observeState(const Scene& s, const sim::World& w, const sim::Ne
   const SinCos facing = sinCos(Turns(w.yaw - frame.ahead));
   out[i++] = facing.sin;
   out[i++] = facing.cos;
+  // Jumps left, up to 4; time left, 1/2 at 4 s.
   const uint32_t jumps = sim::jumpsLeft(s.query, w);
   out[i++] = float(jumps < 4 ? jumps : 4) * 0.25f;
   const uint32_t limit = s.query.timeLimitTicks;
   const float left =
       limit == 0 ? 600.0f : (float(limit) - float(sim::ticksPlayed(w, s.query))) * tick;
   out[i++] = squashed(maxf(left, 0.0f), 240.0f);
+  // The body: health, walk speed in units of 16 studs/s, width of a jump in units of 10 studs and
+  // its height in units of 8.
   out[i++] = w.health / p.maxHealth;
   out[i++] = p.walkSpeed * 0.0625f;
   const float reach = 2 * p.jumpSpeed * p.walkSpeed / maxf(p.gravity, 1.0f);
   out[i++] = minf(reach, 30.0f) * 0.1f;
   out[i++] = minf(0.5f * p.jumpSpeed * p.jumpSpeed / maxf(p.gravity, 1.0f), 30.0f) * 0.125f;
-  out[i++] = w.waypoints < s.query.waypointCount ? 1.0f : 0.0f;
+  out[i++] = w.waypoints < s.query.waypointCount ? 1.0f : 0.0f;  // a waypoint is left
 }
 
 // Writes all inputs except the maps.

@@ -12,6 +12,7 @@ namespace obby::policy {
 // Normalisers, weights and biases, in one block.
 class Network {
  public:
+  // Means and scales of the inputs, then weights and biases of each layer (NetworkView).
   static constexpr size_t kSizes[] = {size_t(kInputs),
                                       size_t(kInputs),
                                       size_t(kInputs) * kHidden,

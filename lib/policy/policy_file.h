@@ -31,6 +31,7 @@ struct PolicyFile {
   ValueUnits values;
 };
 
+// Returns the bytes of the file.
 std::string writePolicy(const PolicyFile& policy);
 
 // Reads a policy. An error says what is wrong with the file, and has `name` as its input.

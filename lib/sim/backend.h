@@ -12,7 +12,8 @@ namespace obby::sim {
 // In the order of --backend's choices.
 enum class BackendKind { automatic, cpu, cuda };
 
-Result<BackendKind> backendKind(const std::string& name);  // "auto", "cpu", "cuda"
+// Parses "auto", "cpu" or "cuda". An error names the choices.
+Result<BackendKind> backendKind(const std::string& name);
 
 class Backend {
  public:

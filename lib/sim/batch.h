@@ -1,6 +1,11 @@
 // Many worlds, of one level or of many, stepped together. The result of a world depends only on its
 // own state, episode and actions. The machine, the number of threads, the order of worlds and the
 // division of ticks into steps have no effect.
+//
+//   OBBY_ASSIGN(const auto batch,
+//               sim::makeCpuBatch(sim::courseOf(level.view(), level.spawns()[0]), 1024, pool));
+//   OBBY_RETURN_IF_ERROR(batch->step(60, sim::Actions::walker(seed)));
+//   OBBY_ASSIGN(const std::vector<sim::World> worlds, batch->worlds());
 #pragma once
 
 #include <span>
@@ -64,8 +69,9 @@ class Batch {
   // level if the course restarts. Invalid actions and errors of the device are errors.
   Status step(uint32_t ticks, const Actions& actions);
 
-  // restore() replaces the worlds from `first` on. Snapshots are plain copies of the worlds and of
-  // their dynamic bodies: (worlds, looseStride), none if no level has any.
+  // restore() replaces the worlds from `first` on, which must be worlds of the batch. Snapshots are
+  // plain copies of the worlds and of their dynamic bodies: (worlds, looseStride), none if no level
+  // has any. Errors are those of the device.
   virtual Status restore(uint32_t first, std::span<const World> worlds,
                          std::span<const LooseBody> loose = {}) = 0;
   virtual Result<std::vector<World>> worlds() const = 0;

@@ -32,10 +32,13 @@ class Device {
   // The memory is aligned to at least 128 bytes. Any thread may call this.
   virtual Result<void*> allocate(size_t bytes) = 0;
   virtual void release(void* memory) = 0;
+  // Copies host memory to the device, after the kernels enqueued so far. The host memory may change
+  // as soon as this returns.
   virtual Status upload(void* to, const void* from, size_t bytes) = 0;
   // Uploads while kernels run, from any thread, and returns when it is done. No kernel enqueued
   // earlier may use that memory.
   virtual Status uploadAside(void* to, const void* from, size_t bytes) = 0;
+  // Copies memory of the device to the host, after the kernels enqueued so far, and waits.
   virtual Status download(void* to, const void* from, size_t bytes) const = 0;
   // These work on memory of the device.
   virtual Status copy(void* to, const void* from, size_t bytes) = 0;
@@ -111,6 +114,7 @@ Status makeRoom(Device& device, Memory& memory, T*& table, size_t count) {
   return {};
 }
 
+// Returns a copy of a table of `count` items in the device's memory.
 template <class T>
 Result<std::vector<T>> downloadTable(const Device& device, const T* table, size_t count) {
   std::vector<T> copy(count);

@@ -10,24 +10,25 @@ namespace obby::sim {
 template <class T>
 class DeviceTable {
  public:
-  // Room for so many; what was there is lost.
+  // Makes the table hold `count` items. Their contents are undefined.
   Status make(Device& device, size_t count) {
     device_ = &device;
     count_ = count;
     return makeRoom(device, memory_, data_, count);
   }
-  // The same, and every byte 0.
+  // The same with every byte 0.
   Status makeZero(Device& device, size_t count) {
     OBBY_RETURN_IF_ERROR(make(device, count));
     return clear();
   }
   Status clear() { return device_->fill(data_, 0, count_ * sizeof(T)); }
+  // Copies items to the start of the table. `from` must not be longer than the table.
   Status put(std::span<const T> from) {
     return device_->upload(data_, from.data(), from.size_bytes());
   }
   Result<std::vector<T>> get() const { return downloadTable(*device_, data_, count_); }
 
-  T* data() const { return data_; }
+  T* data() const { return data_; }  // an address of the device
   size_t size() const { return count_; }
 
  private:

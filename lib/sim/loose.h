@@ -33,6 +33,7 @@ OBBY_DEVICE Pose poseOf(const LooseBody& b, const level::Loose& l) {
   return partPose(l, b.position, toMat3(b.rotation));
 }
 
+// Returns the velocity of the body's material at a point of the world, studs/s.
 OBBY_DEVICE Vec3 velocityAt(const LooseBody& b, Vec3 point) {
   return b.velocity + cross(b.spin, point - b.position);
 }
@@ -43,6 +44,7 @@ OBBY_DEVICE bool isNear(const LooseBody& b, const level::Loose& l, const Box& bo
   return b.state != LooseState::gone && overlaps(Box{b.position - r, b.position + r}, box);
 }
 
+// Wakes a body that sleeps. A body that fell out of the world stays gone.
 OBBY_DEVICE void wake(LooseBody& b) {
   if (b.state == LooseState::asleep) b.state = LooseState::awake;
   b.stillTicks = 0;

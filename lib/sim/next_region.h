@@ -41,6 +41,7 @@ OBBY_DEVICE NextRegion nextRegion(const level::QueryView& query, const World& wo
   return next;
 }
 
+// Returns true if the query forbids the state Jumping.
 OBBY_DEVICE bool forbidsJumping(const level::QueryView& query) {
   return (query.forbidden >> uint32_t(State::jumping) & 1) != 0;
 }

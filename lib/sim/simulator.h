@@ -1,6 +1,14 @@
 // The simulator's host interface: makes a world, advances it, hashes it, and replays a trajectory
 // record. The rules themselves are in the device headers next to this one (tick_phases.h and its
 // includes), which search kernels include directly.
+//
+//   sim::World world = sim::makeWorld(level.view(), level.spawns().at(0));
+//   std::vector<sim::LooseBody> loose = sim::startLoose(level.view());
+//   const sim::Action north{0, true, false};
+//   for (int tick = 0; tick < 60; ++tick) {
+//     sim::advance(world, loose.data(), level.view(), nullptr, north);
+//   }
+//   const Vec3 feet = world.position;  // after a second of walking
 #pragma once
 
 #include <cstdint>
@@ -44,6 +52,7 @@ constexpr uint64_t kMaxReplayTicks = 4ull * 3600 * 60;
 
 // A start beyond the valid coordinates, an unknown trick, and more than kMaxReplayTicks are errors.
 Result<Plan> planFromRecord(schema::Trajectory::Reader record);
+// Sets the start, the actions and the tricks of a record.
 void writePlan(const Plan& plan, schema::Trajectory::Builder to);
 
 // Advances one tick under the query's rules. Does nothing once the trajectory has ended. `loose`

@@ -62,9 +62,9 @@ struct RunningClock {
 
 // X(type, name)
 #define OBBY_WORLD_FIELDS(X)                                                                \
-  X(Vec3, position) /* of the feet, studs */                                                \
-  X(Vec3, velocity) /* studs/s */                                                           \
-  X(float, health)                                                                          \
+  X(Vec3, position)           /* of the feet, studs */                                      \
+  X(Vec3, velocity)           /* studs/s */                                                 \
+  X(float, health)            /* up to Params::maxHealth; dead at 0 */                      \
   X(uint32_t, tick)           /* level clock */                                             \
   X(uint32_t, part)           /* that killed the player; if outcome is */                   \
                               /* avoided, an index into avoid; or level::kNone */           \
@@ -96,7 +96,7 @@ struct alignas(64) World {
   RunningClock clocks[kMaxClocks];  // the first clockCount run, in the order of their start
 };
 
-// The keys that the player holds during one tick.
+// The keys that the player holds during one tick. Headings are turns / 65536; 0 is -Z.
 struct Action {
   Turns heading = 0;  // direction of the move keys
   bool walk = false;  // a move key is held

@@ -8,7 +8,7 @@
 
 namespace obby::view {
 
-// In the order of ROLES in web/src/data.js.
+// In the order of ROLE_STYLE in web/src/palette.js.
 enum class Role : uint8_t {
   plain,
   start,

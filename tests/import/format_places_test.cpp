@@ -128,7 +128,7 @@ TEST(FormatPlaces, CollisionHullsFillTheBoxOfTheirPart) {
   EXPECT_EQ(unions, 11u);
 }
 
-TEST(FormatPlaces, WorldConstantsOfTheTestPlaceAreThere) {
+TEST(FormatPlaces, TheTestPlaceHasItsWorldConstants) {
   SKIP_WITHOUT_PLACES();
   const Document document = readOrDie(kPlaces / "zander-obbytest.rbxl");
   double gravity = 0, speed = 0, jump = 0;

@@ -219,7 +219,7 @@ TEST(OutputLocks, LongNamesWithACommonPrefixHaveSeparateLocks) {
   EXPECT_EQ(folder.entries(), 2u);
 }
 
-TEST(OutputLocks, WithoutLockingEveryWriterIsAllowed) {
+TEST(OutputLocks, AllowsEveryWriterWhereLockingIsImpossible) {
   ScratchFolder folder;
   OutputLocks first, second;
   EXPECT_TRUE(first.take(folder / "no/where"));

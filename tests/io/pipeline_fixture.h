@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "io/pipeline.h"
+#include "io/version.h"
 #include "scratch_folder.h"
 
 namespace obby::test {
@@ -47,7 +48,9 @@ struct PipelineFixture {
 };
 
 inline const std::string kHeader =
-    "{\"type\":\"header\",\"schemaMajor\":2,\"schemaMinor\":0,\"tool\":\"obby-test\",\"version\":"
+    "{\"type\":\"header\",\"schemaMajor\":" + std::to_string(io::kSchemaMajor) +
+    ",\"schemaMinor\":" + std::to_string(io::kSchemaMinor) +
+    ",\"tool\":\"obby-test\",\"version\":"
     "\"1.2.3\",\"seed\":\"42\","
     "\"floatPolicy\":\"ieee754-nofma\"}\n";
 

@@ -70,7 +70,7 @@ TEST(Budget, ThinsAttemptsBeforeAnythingElse) {
 }
 
 // An overestimate would thin out trajectories of large levels without need.
-TEST(Budget, CountsALevelAsItIsWritten) {
+TEST(Budget, CountsALevelByItsWrittenSize) {
   std::string level = R"({"type":"level","name":"large","parts":[{})";
   for (int i = 0; i < 500; ++i) {
     level += R"(,{"name":"Part","source":{"path":"Workspace/Course/Part )" + std::to_string(i) +

@@ -82,7 +82,7 @@ TEST(Page, TimersAreInTheTicksThatAreSimulated) {
                         R"({"part":2,"trigger":"touch"}])"));
 }
 
-TEST(Page, ATooLargePageSaysWhatToLeaveOut) {
+TEST(Page, ATooLargePageNamesWhatToOmit) {
   const size_t bytes = view::kPageLimit + (5u << 20);
   EXPECT_THAT(view::pageTooLarge(bytes, true).text(), HasSubstr("205 MB"));
   EXPECT_THAT(view::pageTooLarge(bytes, true).hint, HasSubstr("leave out --full"));
@@ -213,7 +213,7 @@ TEST(Page, MarkersInNamesStayText) {
   EXPECT_THAT(*page, HasSubstr(R"("title":"@@OBBY_DATA@@")"));
 }
 
-TEST(Page, WithoutTheBundleExplainsHowToGetIt) {
+TEST(Page, ExplainsHowToGetAMissingBundle) {
   if (view::pageAvailable()) {
     EXPECT_THAT(view::pageMissing().hint, HasSubstr("npm"));
   } else {
@@ -223,7 +223,7 @@ TEST(Page, WithoutTheBundleExplainsHowToGetIt) {
   }
 }
 
-TEST(Tracks, OneRoundOfEachMotionAtItsPoses) {
+TEST(Tracks, CoverOnePeriodOfEachMotion) {
   const view::Report report = solvedReport();
   const auto tracks = tracksOf(report.levels[0], 100000, 1);
   ASSERT_EQ(tracks.size(), 2u);

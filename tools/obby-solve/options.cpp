@@ -1,9 +1,9 @@
 // The option table of obby-solve.
 #include "options.h"
 
+#include "baselines/methods.h"
 #include "cli/rows.h"
 #include "level/tricks.h"
-#include "solve/methods.h"
 
 namespace obby::tools {
 
@@ -26,10 +26,10 @@ constexpr const char* kAnsweredGroup = "Check or filter existing answers (no sea
 
 OptionRow methodRow() {
   OptionRow r = row("method", ValueType::choice, "", "auto", "search method", kSearchGroup);
-  for (const solve::Method& m : solve::methods()) {
+  for (const solve::Method* m : baselines::allMethods()) {
     if (!r.choices.empty()) r.details += '\n';
-    r.choices.push_back(m.name);
-    r.details += std::string(m.name) + ": " + m.description;
+    r.choices.push_back(m->name);
+    r.details += std::string(m->name) + ": " + m->description;
   }
   return rare(r);
 }

@@ -1,6 +1,7 @@
 // Parses the report inside the page. Base64 blocks become typed arrays, and runs of actions are
 // looked up by tick. docs/page-data.md describes the format.
 import { bytes, floats, longs } from './bytes.js';
+import { ROLE_STYLE } from './palette.js';
 import { Path } from './path.js';
 import { Track } from './tracks.js';
 
@@ -9,20 +10,8 @@ import { Track } from './tracks.js';
 
 /** @type {Shape[]} */
 export const SHAPES = ['block', 'ball', 'cylinder', 'wedge', 'cornerWedge', 'truss', 'hull'];
-/** @type {Role[]} */
-export const ROLES = [
-  'plain',
-  'start',
-  'goal',
-  'kill',
-  'moving',
-  'vanish',
-  'conveyor',
-  'pad',
-  'checkpoint',
-  'ghost',
-  'loose',
-];
+// Roles by code.
+export const ROLES = /** @type {Role[]} */ (Object.keys(ROLE_STYLE));
 
 /**
  * Here and below, base64 texts are dropped once typed arrays replace them.

@@ -3,11 +3,14 @@
 import { fullName } from './part_name.js';
 
 /** @import {Path} from './path.js' */
-/** @import {Band, Outcome, Role, Verdict} from './types/page_data.js' */
+/** @import {Band, Outcome, Verdict} from './types/page_data.js' */
 /** @import {Level, Query, Result} from './types/report.js' */
 /** @import {Glyph} from './scene/markers.js' */
 
-/** @type {Record<Role, {label: string, color: string}>} */
+/**
+ * In the order of view::Role (lib/view/roles.h), which are the codes of the page's data.
+ * @satisfies {Record<string, {label: string, color: string}>}
+ */
 export const ROLE_STYLE = {
   plain: { label: 'Part', color: '#77808f' },
   start: { label: 'Start', color: '#35c48d' },

@@ -1,5 +1,6 @@
 // The JSON of the page and of the live page's responses (lib/view/page_*.cpp, live_data.cpp).
 // docs/page-data.md describes each field. `Base64<T>`: the values of a T, little-endian.
+import type { ROLE_STYLE } from '../palette.js';
 
 export type Base64<T> = string & { readonly of?: T };
 export type Triple = [number, number, number];
@@ -7,18 +8,7 @@ export type Quadruple = [number, number, number, number];
 export type Count = string; // 64 bits
 
 export type Shape = 'block' | 'ball' | 'cylinder' | 'wedge' | 'cornerWedge' | 'truss' | 'hull';
-export type Role =
-  | 'plain'
-  | 'start'
-  | 'goal'
-  | 'kill'
-  | 'moving'
-  | 'vanish'
-  | 'conveyor'
-  | 'pad'
-  | 'checkpoint'
-  | 'ghost'
-  | 'loose';
+export type Role = keyof typeof ROLE_STYLE;
 export type Outcome =
   | 'goal'
   | 'killed'
