@@ -13,16 +13,10 @@
 #include <utility>
 
 #include "io/json_tree.h"
-#include "io/text.h"
+#include "io/json_writer.h"
 
 namespace obby::bench {
 namespace {
-
-std::string quoted(const std::string& text) {
-  std::string out;
-  io::appendJsonString(out, text);
-  return out;
-}
 
 // Reads the members of a flat object.
 class Members {
@@ -86,13 +80,15 @@ std::string Run::key() const {
 }
 
 std::string runLine(const Run& r) {
-  return fmt::format(
-      R"({{"method":{},"file":{},"query":{},"seed":{},"verdict":{},"expected":{},"seconds":{:.4f},)"
-      R"("steps":{:.0f},"rounds":{:.0f},"cap":{:g},"threads":{},"machine":{},"content":"{}","program":"{}"}})"
-      "\n",
-      quoted(r.method), quoted(r.file), quoted(r.query), r.seed, quoted(r.verdict),
-      quoted(r.expected), r.timing.seconds, r.timing.steps, r.timing.rounds, r.cap, r.threads,
-      quoted(r.machine), r.content, r.program);
+  io::JsonWriter json;
+  json.open('{').field("method", r.method).field("file", r.file).field("query", r.query);
+  json.field("seed", r.seed).field("verdict", r.verdict).field("expected", r.expected);
+  json.key("seconds").raw(fmt::format("{:.4f}", r.timing.seconds));
+  json.key("steps").raw(fmt::format("{:.0f}", r.timing.steps));
+  json.key("rounds").raw(fmt::format("{:.0f}", r.timing.rounds));
+  json.key("cap").raw(fmt::format("{:g}", r.cap)).field("threads", r.threads);
+  json.field("machine", r.machine).field("content", std::to_string(r.content));
+  return json.field("program", std::to_string(r.program)).finish() + "\n";
 }
 
 Result<Run> parseRun(const std::string& line) {

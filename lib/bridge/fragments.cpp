@@ -1,7 +1,7 @@
 #include "bridge/fragments.h"
 
-#include "bridge/json.h"
-#include "io/text.h"
+#include "io/json_writer.h"
+#include "io/utf8.h"
 
 namespace obby::bridge {
 namespace {
@@ -34,20 +34,16 @@ std::vector<std::string_view> pieces(std::string_view text, uint64_t limit) {
 
 std::vector<std::string> recordMessages(std::string_view job, std::string_view record,
                                         uint64_t limit) {
-  const auto about = [&](const char* type) {
-    return JsonObject().text("job", job).text("type", type);
-  };
+  io::JsonWriter json;
   if (record.size() + kFrame <= limit) {
-    return {about("record").json("record", record).members()};
+    json.open('{').field("job", job).field("type", "record").key("record").raw(record);
+    return {json.finish()};
   }
   std::vector<std::string> out;
   const auto parts = pieces(record, limit - kFrame);
   for (const std::string_view part : parts) {
-    out.push_back(about("fragment")
-                      .number("index", out.size())
-                      .number("count", parts.size())
-                      .text("text", part)
-                      .members());
+    json.open('{').field("job", job).field("type", "fragment").field("index", out.size());
+    out.push_back(json.field("count", parts.size()).field("text", part).finish());
   }
   return out;
 }

@@ -1,7 +1,6 @@
 #include "bridge/moving.h"
 
 #include <algorithm>
-#include <vector>
 
 #include "bridge/json.h"
 
@@ -22,23 +21,32 @@ bool moves(const JsonTree& tree, const JsonTree::Node& part) {
   return false;
 }
 
-std::string movingOf(const JsonTree& tree, const JsonTree::Node& list) {
-  std::vector<std::string> parts;
+void writeMoving(io::JsonWriter& out, const JsonTree& tree, const JsonTree::Node& list) {
+  out.open('[');
   for (uint32_t i = list.child; i != 0; i = tree.node(i).next) {
     const JsonTree::Node& part = tree.node(i);
-    parts.push_back(moves(tree, part) ? jsonText(tree, part) : std::string("{}"));
+    if (moves(tree, part)) {
+      writeNode(out, tree, part);
+    } else {
+      out.raw("{}");
+    }
   }
-  return jsonArray(parts);
+  out.close();
 }
 
 std::string recordOf(const JsonTree& tree) {
-  JsonObject out;
+  io::JsonWriter out;
+  out.open('{');
   for (uint32_t i = tree.root().child; i != 0; i = tree.node(i).next) {
     const JsonTree::Node& member = tree.node(i);
-    const bool list = tree.name(member) == "parts" && member.type == JsonTree::Type::array;
-    out.json(tree.name(member), list ? movingOf(tree, member) : jsonText(tree, member));
+    out.key(tree.name(member));
+    if (tree.name(member) == "parts" && member.type == JsonTree::Type::array) {
+      writeMoving(out, tree, member);
+    } else {
+      writeNode(out, tree, member);
+    }
   }
-  return out.whole();
+  return out.finish();
 }
 
 }  // namespace

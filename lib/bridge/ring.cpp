@@ -1,12 +1,14 @@
 #include "bridge/ring.h"
 
-#include <fmt/format.h>
+#include "io/json_writer.h"
 
 namespace obby::bridge {
 
-void Ring::push(uint64_t job, const std::string& members) {
-  messages_.push_back({next_, job, fmt::format("{{\"number\":{},{}}}", next_, members)});
-  next_++;
+void Ring::push(uint64_t job, std::string_view object) {
+  const std::string_view members = object.substr(1, object.size() - 2);
+  io::JsonWriter text;
+  text.open('{').field("number", next_).raw(members);
+  messages_.push_back({next_++, job, text.finish()});
   bytes_ += messages_.back().text.size();
   forgetOld();
 }

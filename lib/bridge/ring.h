@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <deque>
 #include <string>
+#include <string_view>
 
 namespace obby::bridge {
 
@@ -21,9 +22,9 @@ class Ring {
   explicit Ring(uint64_t bytes, uint64_t unsent = 0)
       : limit_(bytes), most_(std::max(bytes, unsent)) {}
 
-  // Adds `{"number":N,<members>}` about that job. The oldest messages are dropped when the ring is
-  // full.
-  void push(uint64_t job, const std::string& members);
+  // Adds a JSON object about that job, with its number as the first member. The oldest messages are
+  // dropped when the ring is full.
+  void push(uint64_t job, std::string_view object);
 
   // A carrier takes all messages in order, and has those up to `cursor`. The others are held until
   // the next call, or until release().

@@ -12,6 +12,7 @@
 #include <string>
 
 #include "cli/stop.h"
+#include "io/json_writer.h"
 #include "io/sink.h"
 #include "io/text.h"
 #include "io/utf8.h"
@@ -52,9 +53,8 @@ class PipeSignalHeld {
   bool wasPending_;
 };
 
-void member(std::string& out, const char* name, const std::string& value) {
-  if (value.empty()) return;
-  out += std::string(",\"") + name + "\":" + io::quoted(value, SIZE_MAX);
+void writeShown(io::JsonWriter& out, const char* name, const std::string& value) {
+  if (!value.empty()) out.key(name).raw(io::quoted(value, SIZE_MAX));
 }
 
 // An error about an option has the option's name, or its variable's, in place of a path in a
@@ -97,13 +97,14 @@ void Console::tell(const std::string& text) {
 
 void Console::message(const char* level, const Error& error) {
   if (jsonErrors) {
-    std::string out = std::string("{\"type\":\"") + level + "\",\"tool\":\"" + tool_ + '"';
-    member(out, "input", error.input);
-    member(out, "place", error.place);
-    member(out, namesOption(error.path) ? "option" : "path", error.path);
-    member(out, "message", error.message);
-    member(out, "hint", error.hint);
-    return line(out + "}");
+    io::JsonWriter out;
+    out.open('{').field("type", level).field("tool", tool_);
+    writeShown(out, "input", error.input);
+    writeShown(out, "place", error.place);
+    writeShown(out, namesOption(error.path) ? "option" : "path", error.path);
+    writeShown(out, "message", error.message);
+    writeShown(out, "hint", error.hint);
+    return line(out.finish());
   }
   const bool isError = std::string_view(level) == "error";
   const std::string name = color && isError ? "\x1b[1;31m" + tool_ + "\x1b[0m" : tool_;

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "cli/console.h"
+#include "io/json_writer.h"
 #include "io/sink.h"
 #include "io/text.h"
 #include "io/utf8.h"
@@ -70,12 +71,13 @@ std::string progressLine(const ProgressState& state, size_t width) {
 }
 
 std::string progressJson(const ProgressState& state) {
-  std::string out = "{\"type\":\"progress\",\"task\":" + io::quoted(state.task, SIZE_MAX);
-  if (state.fraction >= 0) out += fmt::format(",\"fraction\":{}", state.fraction);
+  io::JsonWriter out;
+  out.open('{').field("type", "progress").key("task").raw(io::quoted(state.task, SIZE_MAX));
+  if (state.fraction >= 0) out.field("fraction", state.fraction);
   for (const auto& [name, value] : state.numbers)
-    if (std::isfinite(value)) out += fmt::format(",{}:{}", io::quoted(name), value);
-  if (knowsTime(state)) out += fmt::format(",\"seconds left\":{}", state.secondsLeft);
-  return out + "}";
+    if (std::isfinite(value)) out.field(name, value);
+  if (knowsTime(state)) out.field("seconds left", state.secondsLeft);
+  return out.finish();
 }
 
 Progress::Progress(ProgressMode mode, Console& console)

@@ -1,9 +1,11 @@
 // Short functions that make the rows of an option table.
 #pragma once
 
+#include <string>
 #include <utility>
+#include <vector>
 
-#include "cli/tool.h"
+#include "cli/options.h"
 
 namespace obby::cli {
 
@@ -16,6 +18,16 @@ inline OptionRow row(const char* name, ValueType type, const char* value, std::s
   r.defaultText = std::move(defaultText);
   r.help = help;
   r.group = group;
+  return r;
+}
+
+inline OptionRow flagRow(const char* name, const char* help, const char* group) {
+  return row(name, ValueType::flag, "", "", help, group);
+}
+
+// Sets the choices of a `choice` or `mode`.
+inline OptionRow choosing(OptionRow r, std::vector<std::string> choices) {
+  r.choices = std::move(choices);
   return r;
 }
 

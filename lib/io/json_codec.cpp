@@ -80,7 +80,7 @@ Result<RecordBuilder> recordFromJson(std::string_view line) {
 Result<std::string> recordToJson(schema::Record::Reader record) {
   JsonEncoder encoder;
   if (!encoder.record(capnp::DynamicStruct::Reader(record))) return std::move(encoder.error);
-  return std::move(encoder.out);
+  return encoder.out.finish();
 }
 
 }  // namespace obby::io

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "io/json_writer.h"
+
 namespace obby::io {
 
 std::string_view withoutByteOrderMark(std::string_view text) {
@@ -34,26 +36,6 @@ std::string escapeMarkup(std::string_view text) {
     }
   }
   return out;
-}
-
-void appendJsonString(std::string& out, std::string_view text) {
-  out += '"';
-  for (const char c : text) {
-    switch (c) {
-      case '"': out += "\\\""; break;
-      case '\\': out += "\\\\"; break;
-      case '\n': out += "\\n"; break;
-      case '\r': out += "\\r"; break;
-      case '\t': out += "\\t"; break;
-      default:
-        if (uint8_t(c) < 0x20 || c == 0x7f) {
-          out += fmt::format("\\u{:04x}", uint8_t(c));
-        } else {
-          out += c;
-        }
-    }
-  }
-  out += '"';
 }
 
 std::string quoted(std::string_view text, size_t limit) {
