@@ -7,7 +7,7 @@
 #include <functional>
 #include <string>
 
-#include "bridge/ring.h"
+#include "bridge/messages.h"
 
 namespace obby::bridge {
 

@@ -5,7 +5,7 @@
 
 #include <cstring>
 
-#include "bridge/fragments.h"
+#include "bridge/messages.h"
 #include "bridge/store.h"
 #include "io/json_tree.h"
 #include "io/json_writer.h"

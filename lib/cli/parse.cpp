@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "base/spelling.h"
+#include "cli/rows.h"
 #include "io/text.h"
 
 namespace obby::cli {

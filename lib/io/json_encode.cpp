@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include "io/checks.h"
-#include "io/values.h"
 
 namespace obby::io {
 

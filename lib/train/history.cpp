@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "io/chart.h"
+#include "table/chart.h"
 
 namespace obby::train {
 
@@ -24,9 +24,9 @@ void History::add(const Iteration& iteration) {
 }
 
 std::string curveSvg(const History& history) {
-  io::ChartCurve solved{"episodes solved", {}, {}, {}};
-  io::ChartCurve hardest{"max difficulty", {}, {}, {}};
-  io::ChartCurve reward{"reward", {}, {}, {}};
+  table::ChartCurve solved{"episodes solved", {}, {}, {}};
+  table::ChartCurve hardest{"max difficulty", {}, {}, {}};
+  table::ChartCurve reward{"reward", {}, {}, {}};
   double least = 0, most = 0;
   for (const HistoryPoint& p : history.points) {
     const double at = double(p.decisions);
@@ -37,10 +37,10 @@ std::string curveSvg(const History& history) {
     most = std::max(most, double(p.reward));
   }
   const double last = history.points.empty() ? 1 : double(history.points.back().decisions);
-  const io::ChartAxis x = io::roundAxis("decisions", 0, last, false);
-  return io::chartSvg(
-      {{x, io::roundAxis("solved; max difficulty", 0, 1, true, 100, " %"), {solved, hardest}},
-       {x, io::roundAxis("reward per decision", least, most, true), {reward}, 200}});
+  const table::ChartAxis x = table::roundAxis("decisions", 0, last, false);
+  return table::chartSvg(
+      {{x, table::roundAxis("solved; max difficulty", 0, 1, true, 100, " %"), {solved, hardest}},
+       {x, table::roundAxis("reward per decision", least, most, true), {reward}, 200}});
 }
 
 }  // namespace obby::train

@@ -2,9 +2,8 @@
 #include <gtest/gtest.h>
 
 #include "bridge/client.h"
-#include "bridge/fragments.h"
 #include "bridge/json.h"
-#include "bridge/ring.h"
+#include "bridge/messages.h"
 #include "io/json_tree.h"
 #include "io/text.h"
 #include "io/utf8.h"

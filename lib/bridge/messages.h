@@ -1,4 +1,5 @@
-// The last messages to a client, numbered, so that the client can resume.
+// Messages to a client: the last ones are kept and numbered, so that the client can resume, and
+// records of any size become messages of bounded size.
 #pragma once
 
 #include <algorithm>
@@ -6,6 +7,7 @@
 #include <deque>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace obby::bridge {
 
@@ -49,5 +51,12 @@ class Ring {
   uint64_t taken_ = kNobody;  // messages after it are held
   std::deque<Message> messages_;
 };
+
+// Returns the messages that carry one record of a job, in order. This is one message
+// `{"job":"j1","type":"record","record":{...}}`. If that is longer than `limit` bytes, there are
+// several `{"job":"j1","type":"fragment","index":0,"count":3,"text":"..."}` whose joined texts are
+// the record's JSON. `record` is JSON; limit >= 1024.
+std::vector<std::string> recordMessages(std::string_view job, std::string_view record,
+                                        uint64_t limit);
 
 }  // namespace obby::bridge

@@ -1,7 +1,3 @@
-#include "cli/options.h"
-
-#include <utility>
-
 #include "cli/rows.h"
 
 namespace obby::cli {
@@ -126,11 +122,6 @@ OptionRow commonRow(Common option) {
     case Common::onError: return onErrorRow();
   }
   return {};
-}
-
-OptionRow withDefault(OptionRow row, std::string defaultText) {
-  row.defaultText = std::move(defaultText);
-  return row;
 }
 
 const std::vector<OptionRow>& universalRows() {
