@@ -3,15 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <cstdlib>
-#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <optional>
 #include <set>
 #include <utility>
 
+#include "io/byte_source.h"
 #include "io/json_tree.h"
 #include "io/json_writer.h"
 
@@ -62,10 +61,6 @@ class Members {
   const io::JsonTree& tree_;
   bool complete_ = true;
 };
-
-Error fileError(const std::string& path, const char* what) {
-  return Error{path, {}, {}, fmt::format("{}: {}", what, std::strerror(errno)), {}};
-}
 
 bool counts(const Run& run, const Maker& maker) {
   return (maker.program == 0 || run.program == maker.program) &&
@@ -125,7 +120,7 @@ Result<RunLog> RunLog::open(const std::string& path) {
       ++log.unreadable_;
     }
   }
-  if (file.bad()) return fileError(path, "cannot read");
+  if (file.bad()) return io::fileError(path, "cannot read");
   return log;
 }
 
@@ -174,12 +169,12 @@ Status RunLog::append(const Run& run) {
     std::error_code ignored;  // opening the file reports the error
     if (!folder.empty()) std::filesystem::create_directories(folder, ignored);
     file_.reset(std::fopen(path_.c_str(), "ab"));
-    if (!file_) return fileError(path_, "cannot open");
+    if (!file_) return io::fileError(path_, "cannot open");
   }
   const std::string line = (cutOff_ ? "\n" : "") + runLine(run);
   cutOff_ = false;
   const bool written = std::fwrite(line.data(), 1, line.size(), file_.get()) == line.size();
-  if (!written || std::fflush(file_.get()) != 0) return fileError(path_, "cannot write");
+  if (!written || std::fflush(file_.get()) != 0) return io::fileError(path_, "cannot write");
   remember(run);
   return {};
 }
