@@ -25,7 +25,7 @@ class Members {
   std::string text(std::string_view name) { return textOf(need(name)); }
   std::string textIfAny(std::string_view name) { return textOf(find(name)); }
   double number(std::string_view name) {
-    const auto value = need(name);
+    const Found value = need(name);
     if (!value) return 0;
     using Type = io::JsonTree::Type;
     if (value->type == Type::whole) return double(value->value);
@@ -40,23 +40,15 @@ class Members {
   bool complete() const { return complete_; }
 
  private:
-  using Found = std::optional<io::JsonTree::Node>;
+  using Found = const io::JsonTree::Node*;
 
-  std::string textOf(const Found& value) const {
-    return value ? std::string(tree_.text(*value)) : "";
-  }
+  std::string textOf(Found value) const { return value ? std::string(tree_.text(*value)) : ""; }
   Found need(std::string_view name) {
     const Found value = find(name);
     if (!value) complete_ = false;
     return value;
   }
-  Found find(std::string_view name) const {
-    uint32_t at = tree_.root().type == io::JsonTree::Type::object ? tree_.root().child : 0;
-    for (; at != 0; at = tree_.node(at).next) {
-      if (tree_.name(tree_.node(at)) == name) return tree_.node(at);
-    }
-    return std::nullopt;
-  }
+  Found find(std::string_view name) const { return tree_.find(tree_.root(), name); }
 
   const io::JsonTree& tree_;
   bool complete_ = true;

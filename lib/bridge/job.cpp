@@ -114,8 +114,8 @@ void Job::onReport(std::string_view line) {
     return tell("report", "text", io::JsonWriter().value(line).finish());
   }
   if (typeOfLine(line) == "progress") return tell("progress", "progress", line);
-  for (uint32_t i = tree->root().child; i != 0; i = tree->node(i).next) {
-    if (tree->name(tree->node(i)) == "message") lastReport_ = tree->text(tree->node(i));
+  if (const auto* message = tree->find(tree->root(), "message")) {
+    lastReport_ = tree->text(*message);
   }
   if (typeOfLine(line) == "error" && firstError_.empty()) firstError_ = lastReport_;
   tell("report", "report", line);

@@ -30,9 +30,9 @@ void writeNode(io::JsonWriter& out, const JsonTree& tree, const Node& node) {
   }
   const bool object = node.type == Type::object;
   out.open(object ? '{' : '[');
-  for (uint32_t i = node.child; i != 0; i = tree.node(i).next) {
-    if (object) out.key(tree.name(tree.node(i)));
-    writeNode(out, tree, tree.node(i));
+  for (const Node& each : tree.children(node)) {
+    if (object) out.key(tree.name(each));
+    writeNode(out, tree, each);
   }
   out.close();
 }
@@ -50,15 +50,15 @@ Status forMembers(const JsonTree& tree, const Node& node, const std::string& pat
     return pathError(path, "expected an object, found " + tree.describe(node));
   }
   std::vector<std::string_view> seen;
-  for (uint32_t i = node.child; i != 0; i = tree.node(i).next) {
-    const std::string_view name = tree.name(tree.node(i));
+  for (const Node& each : tree.children(node)) {
+    const std::string_view name = tree.name(each);
     if (std::find(seen.begin(), seen.end(), name) != seen.end()) {
       return pathError(path, "given twice: " + io::quoted(name));
     }
     if (seen.size() >= 64) return pathError(path, "more than 64 members");
     seen.push_back(name);
-    if (tree.node(i).type == Type::null) continue;
-    OBBY_RETURN_IF_ERROR(member(name, tree.node(i)));
+    if (each.type == Type::null) continue;
+    OBBY_RETURN_IF_ERROR(member(name, each));
   }
   return {};
 }
@@ -69,9 +69,7 @@ Status forElements(const JsonTree& tree, const Node& node, const std::string& pa
     return pathError(path, "expected an array, found " + tree.describe(node));
   }
   uint32_t index = 0;
-  for (uint32_t i = node.child; i != 0; i = tree.node(i).next) {
-    OBBY_RETURN_IF_ERROR(element(index++, tree.node(i)));
-  }
+  for (const Node& each : tree.children(node)) OBBY_RETURN_IF_ERROR(element(index++, each));
   return {};
 }
 

@@ -11,8 +11,7 @@ using io::JsonTree;
 
 bool moves(const JsonTree& tree, const JsonTree::Node& part) {
   if (part.type != JsonTree::Type::object) return false;
-  for (uint32_t i = part.child; i != 0; i = tree.node(i).next) {
-    const JsonTree::Node& member = tree.node(i);
+  for (const JsonTree::Node& member : tree.children(part)) {
     const std::string_view name = tree.name(member);
     const bool given = member.type != JsonTree::Type::null;
     if (given && (name == "motion" || name == "vanish")) return true;
@@ -23,8 +22,7 @@ bool moves(const JsonTree& tree, const JsonTree::Node& part) {
 
 void writeMoving(io::JsonWriter& out, const JsonTree& tree, const JsonTree::Node& list) {
   out.open('[');
-  for (uint32_t i = list.child; i != 0; i = tree.node(i).next) {
-    const JsonTree::Node& part = tree.node(i);
+  for (const JsonTree::Node& part : tree.children(list)) {
     if (moves(tree, part)) {
       writeNode(out, tree, part);
     } else {
@@ -37,8 +35,7 @@ void writeMoving(io::JsonWriter& out, const JsonTree& tree, const JsonTree::Node
 std::string recordOf(const JsonTree& tree) {
   io::JsonWriter out;
   out.open('{');
-  for (uint32_t i = tree.root().child; i != 0; i = tree.node(i).next) {
-    const JsonTree::Node& member = tree.node(i);
+  for (const JsonTree::Node& member : tree.children(tree.root())) {
     out.key(tree.name(member));
     if (tree.name(member) == "parts" && member.type == JsonTree::Type::array) {
       writeMoving(out, tree, member);

@@ -5,9 +5,8 @@
 #include <time.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <cerrno>
-#include <climits>
+#include <cstdint>
 #include <cstdlib>
 #include <string>
 
@@ -21,7 +20,6 @@ namespace obby::cli {
 namespace {
 
 constexpr const char* kClearLine = "\r\x1b[K";
-constexpr int kStopCheckMilliseconds = 50;
 
 // Replaces characters of a message that could move the cursor, forge a line or reverse this one.
 // The replacement stays visible.
@@ -128,20 +126,8 @@ void Console::status(const std::string& text) {
 
 void Console::put(std::string_view text) {
   const PipeSignalHeld held;
-  while (!text.empty() && !unheard_) {
-    const bool ends = stopFlag().load();
-    unheard_ = ends && !io::takesMore(STDERR_FILENO, io::kPatienceMilliseconds);
-    if (unheard_) return;
-    const size_t most = ends ? std::min<size_t>(text.size(), PIPE_BUF) : text.size();
-    const ssize_t sent = ::write(STDERR_FILENO, text.data(), most);
-    if (sent >= 0) {
-      text.remove_prefix(size_t(sent));
-    } else if (errno == EAGAIN) {  // another program has made it non-blocking
-      io::takesMore(STDERR_FILENO, kStopCheckMilliseconds);
-    } else if (errno != EINTR) {
-      return;  // there is nowhere left to report this
-    }
-  }
+  if (unheard_ || io::sendAll(STDERR_FILENO, text, &stopFlag())) return;
+  unheard_ = errno == EINTR;  // other errors can be reported nowhere
 }
 
 }  // namespace obby::cli

@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <cmath>
+#include <limits>
 
 #include "cli/console.h"
 #include "io/json_writer.h"
@@ -14,16 +15,15 @@
 namespace obby::cli {
 namespace {
 
-using namespace std::chrono_literals;
-
-std::chrono::steady_clock::duration interval(ProgressMode mode) {
+// Returns the seconds between two states.
+double interval(ProgressMode mode) {
   switch (mode) {
-    case ProgressMode::bar: return 100ms;
-    case ProgressMode::json: return 200ms;
-    case ProgressMode::line: return 10s;
+    case ProgressMode::bar: return 0.1;
+    case ProgressMode::json: return 0.2;
+    case ProgressMode::line: return 10;
     case ProgressMode::none: break;
   }
-  return 24h;
+  return std::numeric_limits<double>::infinity();
 }
 
 // Formats 1234567 as 1.23M.
@@ -80,8 +80,7 @@ std::string progressJson(const ProgressState& state) {
   return out.finish();
 }
 
-Progress::Progress(ProgressMode mode, Console& console)
-    : mode_(mode), console_(console), start_(std::chrono::steady_clock::now()), last_(start_) {}
+Progress::Progress(ProgressMode mode, Console& console) : mode_(mode), console_(console) {}
 
 Progress::~Progress() { hide(); }
 
@@ -91,7 +90,7 @@ void Progress::hide() {
 
 void Progress::update(const ProgressState& state) {
   if (mode_ == ProgressMode::none) return;
-  const auto now = std::chrono::steady_clock::now();
+  const double now = watch_.seconds();
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     const bool firstAtOnce = !shown_ && mode_ != ProgressMode::line;
@@ -105,8 +104,7 @@ void Progress::update(const ProgressState& state) {
   } else if (mode_ == ProgressMode::json) {
     console_.line(progressJson(state));
   } else {
-    const double seconds = std::chrono::duration<double>(now - start_).count();
-    console_.line(fmt::format("{:.0f} s  {}", seconds, progressLine(state, 200)));
+    console_.line(fmt::format("{:.0f} s  {}", now, progressLine(state, 200)));
   }
 }
 

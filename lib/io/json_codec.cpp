@@ -29,8 +29,7 @@ Result<std::string_view> typeOf(const JsonTree& tree) {
     return makeError(fmt::format("expected a record such as {{\"type\":\"level\"}}, found {}",
                                  tree.describe(tree.root())));
   const JsonTree::Node* found = nullptr;
-  for (uint32_t at = tree.root().child; at != 0; at = tree.node(at).next) {
-    const JsonTree::Node& member = tree.node(at);
+  for (const JsonTree::Node& member : tree.children(tree.root())) {
     if (tree.name(member) != kTypeMember) continue;
     if (found) return Error{{}, {}, std::string(kTypeMember), "the field is given twice", {}};
     found = &member;
