@@ -42,6 +42,11 @@ struct OptionRow {
   bool hidden = false;  // an option for the build: in no help and no completion
 };
 
+// Returns true if the value may be a word of its own: `--name VALUE`.
+inline bool takesWord(const OptionRow& row) {
+  return row.type != ValueType::flag && row.type != ValueType::mode;
+}
+
 // Headings in help. kHelpGroup comes last.
 inline constexpr const char* kFilesGroup = "Input and output";
 inline constexpr const char* kRunGroup = "Threads and random numbers";

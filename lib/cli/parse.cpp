@@ -14,16 +14,37 @@ namespace {
 
 constexpr int kMostInputs = 1 << 20;
 
-bool takesValue(const OptionRow& row) {
-  return row.type != ValueType::flag && row.type != ValueType::mode;
-}
-
 // Returns the row of `--name=` without a value, or null.
 const OptionRow* emptyRow(std::string_view word, const std::vector<OptionRow>& rows) {
   if (!word.starts_with("--") || !word.ends_with('=')) return nullptr;
   const std::string_view name = word.substr(2, word.size() - 3);
   const auto found = std::ranges::find(rows, name, &OptionRow::name);
   return found == rows.end() ? nullptr : &*found;
+}
+
+struct Words {
+  std::vector<std::string> forParser;
+  std::vector<std::string> emptyFlags;  // names of flags that were given as `--name=`
+};
+
+// CLI11 takes the next word, perhaps a file, as the value of `--name=`. So an empty value becomes a
+// word of its own, and that of a flag is kept from CLI11.
+Words wordsOf(const std::vector<OptionRow>& rows, int argc, char** argv) {
+  Words out;
+  bool optionsEnd = false;
+  for (int i = 1; i < argc; i++) {
+    optionsEnd = optionsEnd || std::string_view(argv[i]) == "--";
+    const OptionRow* row = optionsEnd ? nullptr : emptyRow(argv[i], rows);
+    if (!row) {
+      out.forParser.emplace_back(argv[i]);
+    } else if (takesWord(*row)) {
+      out.forParser.insert(out.forParser.end(), {"--" + row->name, ""});
+    } else {
+      out.emptyFlags.push_back(row->name);
+    }
+  }
+  std::ranges::reverse(out.forParser);  // as CLI11 wants them
+  return out;
 }
 
 CLI::Option* addRow(CLI::App& app, const OptionRow& row) {
@@ -88,32 +109,16 @@ CommandLine parseCommandLine(const ToolSpec& spec, const std::vector<OptionRow>&
     inputs = app.add_option("FILE")->expected(kMostInputs);  // fewer are no error with this policy
     inputs->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   }
-  // CLI11 takes the next word, perhaps a file, as the value of `--name=`. So an empty value is a
-  // word of its own here, and that of a flag is kept from CLI11.
-  std::vector<std::string> words;
-  std::vector<const OptionRow*> emptyFlags;
-  bool optionsEnd = false;
-  for (int i = 1; i < argc; i++) {
-    optionsEnd = optionsEnd || std::string_view(argv[i]) == "--";
-    const OptionRow* row = optionsEnd ? nullptr : emptyRow(argv[i], rows);
-    if (!row) {
-      words.emplace_back(argv[i]);
-    } else if (takesValue(*row)) {
-      words.insert(words.end(), {"--" + row->name, ""});
-    } else {
-      emptyFlags.push_back(row);
-    }
-  }
-  std::reverse(words.begin(), words.end());  // as CLI11 wants them
+  Words words = wordsOf(rows, argc, argv);
   try {
-    app.parse(words);
+    app.parse(words.forParser);
   } catch (const CLI::ParseError& e) {
     out.wrong = parseError(e, rows);
   }
   for (size_t i = 0; i < rows.size(); i++) {
     if (options[i]->count() > 0) out.texts[rows[i].name] = options[i]->results();
   }
-  for (const OptionRow* row : emptyFlags) out.texts[row->name].emplace_back();
+  for (const std::string& name : words.emptyFlags) out.texts[name].emplace_back();
   if (inputs) out.inputs = inputs->results();
   std::vector<std::string> extras = app.remaining();
   std::erase(extras, "--");

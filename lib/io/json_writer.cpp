@@ -35,20 +35,6 @@ void appendEscaped(std::string& out, char32_t code) {
 
 }  // namespace
 
-void appendJsonString(std::string& out, std::string_view text) {
-  out += '"';
-  for (size_t at = 0; at < text.size();) {
-    size_t end = at;
-    while (end < text.size() && isPlain(text[end])) ++end;
-    out.append(text, at, end - at);
-    if (end == text.size()) break;
-    const Utf8Char c = nextChar(text, end);
-    appendEscaped(out, c.code);
-    at = end + c.bytes;
-  }
-  out += '"';
-}
-
 JsonWriter& JsonWriter::open(char bracket) {
   separate();
   text_ += bracket;
@@ -80,7 +66,17 @@ JsonWriter& JsonWriter::raw(std::string_view json) {
 
 JsonWriter& JsonWriter::value(std::string_view text) {
   separate();
-  appendJsonString(text_, text);
+  text_ += '"';
+  for (size_t at = 0; at < text.size();) {
+    size_t end = at;
+    while (end < text.size() && isPlain(text[end])) ++end;
+    text_.append(text, at, end - at);
+    if (end == text.size()) break;
+    const Utf8Char c = nextChar(text, end);
+    appendEscaped(text_, c.code);
+    at = end + c.bytes;
+  }
+  text_ += '"';
   return *this;
 }
 

@@ -13,9 +13,6 @@
 
 namespace obby::io {
 
-// Appends `text` as a JSON string with its quotes. A byte that is not UTF-8 becomes U+FFFD.
-void appendJsonString(std::string& out, std::string_view text);
-
 // Appends to one string and sets the commas:
 //   JsonWriter().open('{').field("job", 7).key("names").open('[').value("a").finish()
 // returns {"job":7,"names":["a"]}.
@@ -27,7 +24,7 @@ class JsonWriter {
   // Writes the name of an object's member. Its value follows.
   JsonWriter& key(std::string_view name);
 
-  JsonWriter& value(std::string_view text);
+  JsonWriter& value(std::string_view text);  // U+FFFD for a byte that is not UTF-8
   JsonWriter& value(const char* text) { return value(std::string_view(text)); }
   JsonWriter& value(bool flag) { return raw(flag ? "true" : "false"); }
   JsonWriter& value(double number);  // shortest text that parses to the same; null if not finite

@@ -39,7 +39,7 @@ std::string escapeMarkup(std::string_view text) {
 }
 
 std::string quoted(std::string_view text, size_t limit) {
-  std::string whole, json, out;
+  std::string whole, out;
   size_t i = 0;
   while (i < text.size() && i < limit) {
     const size_t n = utf8Length(text.substr(i, 4));
@@ -47,7 +47,7 @@ std::string quoted(std::string_view text, size_t limit) {
     i += std::max<size_t>(n, 1);
   }
   if (i < text.size()) whole += "...";
-  appendJsonString(json, whole);
+  const std::string json = JsonWriter().value(whole).finish();
   // JSON does not escape control characters beyond ASCII.
   for (size_t at = 0; at < json.size();) {
     const Utf8Char c = nextChar(json, at);
