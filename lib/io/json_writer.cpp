@@ -2,6 +2,7 @@
 
 #include <kj/encoding.h>
 
+#include <array>
 #include <bit>
 #include <cmath>
 #include <iterator>
@@ -14,8 +15,12 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "packed numbers are little-endian");
 
-// Returns true for a byte that a JSON string can hold as it is.
-bool isPlain(char c) { return uint8_t(c) >= 0x20 && uint8_t(c) < 0x7f && c != '"' && c != '\\'; }
+// The bytes that a JSON string can hold as they are.
+constexpr std::array<bool, 256> kPlain = [] {
+  std::array<bool, 256> out{};
+  for (size_t c = 0x20; c < 0x7f; ++c) out[c] = c != '"' && c != '\\';
+  return out;
+}();
 
 void appendEscaped(std::string& out, char32_t code) {
   switch (code) {
@@ -69,7 +74,7 @@ JsonWriter& JsonWriter::value(std::string_view text) {
   text_ += '"';
   for (size_t at = 0; at < text.size();) {
     size_t end = at;
-    while (end < text.size() && isPlain(text[end])) ++end;
+    while (end < text.size() && kPlain[uint8_t(text[end])]) ++end;
     text_.append(text, at, end - at);
     if (end == text.size()) break;
     const Utf8Char c = nextChar(text, end);
