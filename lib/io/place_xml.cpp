@@ -1,7 +1,8 @@
 #include "io/place_xml.h"
 
 #include <fmt/format.h>
-#include <kj/encoding.h>
+
+#include <algorithm>
 
 #include "io/text.h"
 
@@ -20,6 +21,22 @@ std::string escaped(std::string_view text) {
       out += "&#" + std::to_string(int(c)) + ";";
     } else {
       out += c;
+    }
+  }
+  return out;
+}
+
+std::string base64(std::string_view bytes) {
+  constexpr char kDigits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string out;
+  for (size_t i = 0; i < bytes.size(); i += 3) {
+    uint32_t group = 0;
+    const size_t there = std::min<size_t>(3, bytes.size() - i);
+    for (size_t k = 0; k < 3; ++k) {
+      group = group << 8 | (k < there ? uint8_t(bytes[i + k]) : 0u);
+    }
+    for (size_t k = 0; k < 4; ++k) {
+      out += k <= there ? kDigits[(group >> (18 - 6 * k)) & 63] : '=';
     }
   }
   return out;
@@ -79,9 +96,7 @@ void PlaceXml::source(std::string_view script) {
 }
 
 void PlaceXml::tags(std::string_view tag) {
-  const kj::ArrayPtr<const char> chars(tag.data(), tag.size());
-  out_ += fmt::format("<BinaryString name=\"Tags\">{}</BinaryString>\n",
-                      kj::encodeBase64(chars.asBytes()).cStr());
+  out_ += fmt::format("<BinaryString name=\"Tags\">{}</BinaryString>\n", base64(tag));
 }
 
 void PlaceXml::reference(const char* name, uint32_t referent) {
