@@ -7,6 +7,7 @@
 #include "base/hash.h"
 #include "baselines/methods.h"
 #include "cli/context.h"
+#include "cli/rows.h"
 #include "cli/tool.h"
 #include "common/machine.h"
 #include "common/report.h"

@@ -78,14 +78,14 @@ StdioRequest parseStdioRequest(std::string_view line) {
 }
 
 std::string stdioReply(const std::string& id, const Reply& reply) {
-  JsonObject out;
-  out.json("id", id).number("status", uint64_t(reply.status));
+  io::JsonWriter out;
+  out.open('{').key("id").raw(id).field("status", reply.status);
   if (reply.type == "application/json") {
-    out.json("body", reply.body);
+    out.key("body").raw(reply.body);
   } else {
-    out.text("text", reply.body);
+    out.field("text", reply.body);
   }
-  return out.whole();
+  return out.finish();
 }
 
 }  // namespace obby::bridge

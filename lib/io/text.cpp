@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "io/json_writer.h"
+
 namespace obby::io {
 
 std::string_view withoutByteOrderMark(std::string_view text) {
@@ -42,28 +44,8 @@ std::string escapeMarkup(std::string_view text) {
   return out;
 }
 
-void appendJsonString(std::string& out, std::string_view text) {
-  out += '"';
-  for (const char c : text) {
-    switch (c) {
-      case '"': out += "\\\""; break;
-      case '\\': out += "\\\\"; break;
-      case '\n': out += "\\n"; break;
-      case '\r': out += "\\r"; break;
-      case '\t': out += "\\t"; break;
-      default:
-        if (uint8_t(c) < 0x20 || c == 0x7f) {
-          out += fmt::format("\\u{:04x}", uint8_t(c));
-        } else {
-          out += c;
-        }
-    }
-  }
-  out += '"';
-}
-
 std::string quoted(std::string_view text, size_t limit) {
-  std::string whole, json, out;
+  std::string whole, out;
   size_t i = 0;
   while (i < text.size() && i < limit) {
     const size_t n = utf8Length(text.substr(i, 4));
@@ -71,7 +53,7 @@ std::string quoted(std::string_view text, size_t limit) {
     i += std::max<size_t>(n, 1);
   }
   if (i < text.size()) whole += "...";
-  appendJsonString(json, whole);
+  const std::string json = JsonWriter().value(whole).finish();
   // JSON does not escape control characters beyond ASCII.
   for (size_t at = 0; at < json.size();) {
     const Utf8Char c = nextChar(json, at);

@@ -26,9 +26,6 @@ size_t notInXml(std::string_view text);
 // Returns UTF-8 `text` for HTML and SVG, with markup as entities and control characters as spaces.
 std::string escapeMarkup(std::string_view text);
 
-// Appends `text` as a JSON string with its quotes. `text` must be UTF-8.
-void appendJsonString(std::string& out, std::string_view text);
-
 // Returns `text` for an error line, as a JSON string cut after `limit` bytes. Characters of
 // isControl() are escaped, and '?' replaces a byte that is not UTF-8.
 std::string quoted(std::string_view text, size_t limit = 40);

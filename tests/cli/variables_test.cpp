@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "cli/rows.h"
+
 namespace obby::cli {
 namespace {
 

@@ -7,7 +7,6 @@
 
 #include "course.h"
 #include "view/budget.h"
-#include "view/json_text.h"
 #include "view/page_parts.h"
 #include "view/page_template.h"
 
@@ -16,25 +15,6 @@ namespace {
 
 using ::testing::HasSubstr;
 using ::testing::Not;
-
-TEST(JsonText, WritesNestedValuesAndBase64) {
-  view::JsonText json;
-  json.open('{').field("a", 1).field("b", true).key("c").open('[').value(0.5f).null().close();
-  json.key("d").array(std::vector<uint8_t>{1, 2, 3, 255}).field("e", "x\"\\\n").close();
-  EXPECT_EQ(json.text(), R"({"a":1,"b":true,"c":[0.5,null],"d":"AQID/w==","e":"x\"\\\n"})");
-}
-
-TEST(JsonText, BrokenUtf8AndMarkupCannotLeaveTheString) {
-  view::JsonText json;
-  json.open('[').value(std::string_view("\xff</script>\xc3\xa9\xe2\x80\xa8")).close();
-  EXPECT_EQ(json.text(), "[\"\xef\xbf\xbd\\u003c/script>\xc3\xa9\\u2028\"]");
-}
-
-TEST(JsonText, NumbersThatAreNotFiniteAreNull) {
-  view::JsonText json;
-  json.open('[').value(std::nanf("")).value(double(INFINITY)).close();
-  EXPECT_EQ(json.text(), "[null,null]");
-}
 
 TEST(Page, DataNamesLevelQueryAndTrajectories) {
   const std::string data = view::pageData(solvedReport(), {false, "obby-view test"});

@@ -1,10 +1,13 @@
-// The last messages to a client, numbered, so that the client can resume.
+// Messages to a client: the last ones are kept and numbered, so that the client can resume, and
+// records of any size become messages of bounded size.
 #pragma once
 
 #include <algorithm>
 #include <cstdint>
 #include <deque>
 #include <string>
+#include <string_view>
+#include <vector>
 
 namespace obby::bridge {
 
@@ -21,9 +24,9 @@ class Ring {
   explicit Ring(uint64_t bytes, uint64_t unsent = 0)
       : limit_(bytes), most_(std::max(bytes, unsent)) {}
 
-  // Adds `{"number":N,<members>}` about that job. The oldest messages are dropped when the ring is
-  // full.
-  void push(uint64_t job, const std::string& members);
+  // Adds a JSON object about that job, with its number as the first member. The oldest messages are
+  // dropped when the ring is full.
+  void push(uint64_t job, std::string_view object);
 
   // A carrier takes all messages in order, and has those up to `cursor`. The others are held until
   // the next call, or until release().
@@ -48,5 +51,12 @@ class Ring {
   uint64_t taken_ = kNobody;  // messages after it are held
   std::deque<Message> messages_;
 };
+
+// Returns the messages that carry one record of a job, in order. This is one message
+// `{"job":"j1","type":"record","record":{...}}`. If that is longer than `limit` bytes, there are
+// several `{"job":"j1","type":"fragment","index":0,"count":3,"text":"..."}` whose joined texts are
+// the record's JSON. `record` is JSON; limit >= 1024.
+std::vector<std::string> recordMessages(std::string_view job, std::string_view record,
+                                        uint64_t limit);
 
 }  // namespace obby::bridge

@@ -1,7 +1,7 @@
-#include "bridge/fragments.h"
+#include "bridge/messages.h"
 
-#include "bridge/json.h"
-#include "io/text.h"
+#include "io/json_writer.h"
+#include "io/utf8.h"
 
 namespace obby::bridge {
 namespace {
@@ -32,22 +32,47 @@ std::vector<std::string_view> pieces(std::string_view text, uint64_t limit) {
 
 }  // namespace
 
+void Ring::push(uint64_t job, std::string_view object) {
+  const std::string_view members = object.substr(1, object.size() - 2);
+  io::JsonWriter text;
+  text.open('{').field("number", next_).raw(members);
+  messages_.push_back({next_++, job, text.finish()});
+  bytes_ += messages_.back().text.size();
+  forgetOld();
+}
+
+void Ring::hold(uint64_t cursor) {
+  taken_ = cursor;
+  forgetOld();
+}
+
+void Ring::forgetOld() {
+  while (bytes_ > limit_ && messages_.size() > 1) {
+    const bool held = messages_.front().number > taken_;
+    if (held && bytes_ <= most_) return;
+    bytes_ -= messages_.front().text.size();
+    messages_.pop_front();
+  }
+}
+
+const Message* Ring::after(uint64_t cursor) const {
+  const uint64_t first = next_ - messages_.size();
+  if (cursor >= last()) return nullptr;
+  return &messages_[cursor + 1 - first];
+}
+
 std::vector<std::string> recordMessages(std::string_view job, std::string_view record,
                                         uint64_t limit) {
-  const auto about = [&](const char* type) {
-    return JsonObject().text("job", job).text("type", type);
-  };
+  io::JsonWriter json;
   if (record.size() + kFrame <= limit) {
-    return {about("record").json("record", record).members()};
+    json.open('{').field("job", job).field("type", "record").key("record").raw(record);
+    return {json.finish()};
   }
   std::vector<std::string> out;
   const auto parts = pieces(record, limit - kFrame);
   for (const std::string_view part : parts) {
-    out.push_back(about("fragment")
-                      .number("index", out.size())
-                      .number("count", parts.size())
-                      .text("text", part)
-                      .members());
+    json.open('{').field("job", job).field("type", "fragment").field("index", out.size());
+    out.push_back(json.field("count", parts.size()).field("text", part).finish());
   }
   return out;
 }

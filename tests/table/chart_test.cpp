@@ -1,10 +1,10 @@
 // Charts have axes with round ticks, and an SVG shows all the data.
-#include "io/chart.h"
+#include "table/chart.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace obby::io {
+namespace obby::table {
 namespace {
 
 using testing::HasSubstr;
@@ -71,4 +71,4 @@ TEST(Chart, CurvesOfOneNameHaveOneColour) {
 }
 
 }  // namespace
-}  // namespace obby::io
+}  // namespace obby::table

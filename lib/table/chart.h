@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-namespace obby::io {
+namespace obby::table {
 
 struct ChartAxis {
   std::string title;
@@ -46,4 +46,4 @@ ChartAxis roundAxis(std::string title, double from, double to, bool outward, dou
 // last. Curves with the same name have the same colour.
 std::string chartSvg(const std::vector<ChartPlot>& plots);
 
-}  // namespace obby::io
+}  // namespace obby::table

@@ -1,4 +1,4 @@
-#include "io/chart.h"
+#include "table/chart.h"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,7 @@
 
 #include "io/text.h"
 
-namespace obby::io {
+namespace obby::table {
 namespace {
 
 constexpr double kLeft = 62, kTop = 48, kWidth = 640, kBetween = 88, kBottom = 56;  // pixels
@@ -36,7 +36,7 @@ std::string style() {
 
 std::string label(double x, double y, const char* anchor, const std::string& words) {
   return fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"{}\">{}</text>\n", x, y, anchor,
-                     escapeMarkup(words));
+                     io::escapeMarkup(words));
 }
 
 std::string line(double x1, double y1, double x2, double y2, const std::string& kind) {
@@ -187,4 +187,4 @@ std::string chartSvg(const std::vector<ChartPlot>& plots) {
          style() + "<rect width=\"100%\" height=\"100%\" class=\"page\"/>\n" + body + "</svg>\n";
 }
 
-}  // namespace obby::io
+}  // namespace obby::table
