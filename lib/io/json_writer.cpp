@@ -1,5 +1,6 @@
 #include "io/json_writer.h"
 
+#include <fmt/format.h>
 
 #include <array>
 #include <bit>
