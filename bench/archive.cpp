@@ -13,7 +13,7 @@
 #include "sim/simulator.h"
 #include "solve/search/archive/archive.h"
 #include "solve/search/archive/cell.h"
-#include "solve/search/selectors/choose_beam.h"
+#include "solve/search/selectors/beam_selector.h"
 #include "solve/search/selectors/selection.h"
 #include "support/level_builder.h"
 #include "support/plain_problem.h"
@@ -113,13 +113,13 @@ class Bench {
 
  private:
   // Selects half of a round's cells, as under `auto`.
-  double chooseMilliseconds(solve::Chooser& chooser) {
+  double chooseMilliseconds(solve::Selector& selector) {
     std::vector<solve::Choice> choices(kRollouts / 2, {0, 40});
     double seconds = 0;
     for (uint32_t round = 0; round <= kRounds; ++round) {
       Random random(3, round);
       const double taken =
-          bench::secondsOf([&] { chooser.choose(archive_, pool_, random, choices); });
+          bench::secondsOf([&] { selector.choose(archive_, pool_, random, choices); });
       if (round > 0) seconds += taken;  // the first round reads everything
       visit(archive_, random);
     }
@@ -128,8 +128,8 @@ class Bench {
 
   bench::Report& report_;
   solve::Archive archive_;
-  solve::Selector selector_;
-  solve::BeamChooser beam_;
+  solve::CellSelector selector_;
+  solve::BeamSelector beam_;
   ThreadPool pool_;
 };
 

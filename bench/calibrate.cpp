@@ -61,7 +61,7 @@ struct Tally {
   };
   std::map<std::string, Of> parameters;
   int outside = 0;
-  double again = 0, mostAgain = 0, elsewhere = 0, mostElsewhere = 0;  // studs
+  double again = 0, maxAgain = 0, elsewhere = 0, maxElsewhere = 0;  // studs
   double seconds = 0;
 };
 
@@ -173,14 +173,14 @@ void measure(const Trial& trial, bool each, ThreadPool& pool, Tally& tally) {
   }
   tally.seconds += seconds;
   tally.again += again;
-  tally.mostAgain = std::max(tally.mostAgain, again);
+  tally.maxAgain = std::max(tally.maxAgain, again);
   tally.elsewhere += elsewhere;
-  tally.mostElsewhere = std::max(tally.mostElsewhere, elsewhere);
+  tally.maxElsewhere = std::max(tally.maxElsewhere, elsewhere);
 }
 
 std::vector<calibrate::Manoeuvre> others(std::vector<calibrate::Manoeuvre> manoeuvres,
-                                         uint64_t seed, test::Variation most = test::kElsewhere) {
-  for (calibrate::Manoeuvre& m : manoeuvres) m = test::varied(std::move(m), ++seed, most);
+                                         uint64_t seed, test::Variation max = test::kElsewhere) {
+  for (calibrate::Manoeuvre& m : manoeuvres) m = test::varied(std::move(m), ++seed, max);
   return manoeuvres;
 }
 
@@ -260,9 +260,9 @@ void write(const std::string& name, const Tally& tally, double sets, bench::Repo
     report.add(name, "outsideInterval", tally.outside, "parameters");
   }
   report.add(name, "againMean", tally.again / sets, "studs");
-  report.add(name, "againWorst", tally.mostAgain, "studs");
+  report.add(name, "againWorst", tally.maxAgain, "studs");
   report.add(name, "elsewhereMean", tally.elsewhere / sets, "studs");
-  report.add(name, "elsewhereWorst", tally.mostElsewhere, "studs");
+  report.add(name, "elsewhereWorst", tally.maxElsewhere, "studs");
   report.add(name, "seconds", tally.seconds / sets, "s");
 }
 

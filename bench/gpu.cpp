@@ -25,9 +25,9 @@ using namespace obby;
 using bench::need;
 
 constexpr int kSkipped = 77;
-constexpr uint32_t kStep = 32;              // ticks per launch
-constexpr uint32_t kMostResident = 131072;  // max rollouts per round that fit a search's memory
-constexpr uint32_t kWarmTicks = 96;         // until worlds have left the start
+constexpr uint32_t kStep = 32;             // ticks per launch
+constexpr uint32_t kMaxResident = 131072;  // max rollouts per round that fit a search's memory
+constexpr uint32_t kWarmTicks = 96;        // until worlds have left the start
 
 void stepOrFail(sim::Batch& batch, uint32_t ticks) {
   need(batch.step(ticks, sim::Actions::walker(1)));
@@ -74,7 +74,7 @@ double residentStepsPerSecond(sim::Device& device, const support::Levels& arena,
                               bool small) {
   ThreadPool pool(1);
   solve::ResidentSettings settings;
-  settings.explore.rollouts = settings.explore.mostRollouts = rollouts;
+  settings.explore.rollouts = settings.explore.maxRollouts = rollouts;
   solve::ResidentExplore search(endlessProblem(arena), 1, settings, {pool, &device});
   return searchStepsPerSecond(search, small ? 1 : 8);
 }
@@ -102,11 +102,11 @@ void facts(bench::Report& report, const sim::Device& device, const sim::Kernel& 
 
 void measure(bench::Report& report, sim::Device& device, bool small) {
   using sim::StepKind;
-  for (const StepKind kind : {StepKind::oneLevel, StepKind::manyLevels, StepKind::loose}) {
+  for (const StepKind kind : {StepKind::oneLevel, StepKind::manyLevels, StepKind::bodies}) {
     facts(report, device, sim::stepKernel(kind));
   }
-  for (const bool loose : {false, true}) facts(report, device, solve::rolloutKernel(loose));
-  for (const auto step : {solve::ResidentStep::explore, solve::ResidentStep::exploreLoose}) {
+  for (const bool bodies : {false, true}) facts(report, device, solve::rolloutKernel(bodies));
+  for (const auto step : {solve::ResidentStep::explore, solve::ResidentStep::exploreDynamic}) {
     facts(report, device, solve::residentKernel(step));
   }
   const support::Levels one = support::arenas(1, 100, 600), many = support::arenas(64, 100, 240);
@@ -122,7 +122,7 @@ void measure(bench::Report& report, sim::Device& device, bool small) {
     const double mixed = stepsPerSecond(device, many.course, worlds, ticks, kStep);
     report.add(name, "stepsPerSecond64Levels", mixed, "1/s");
     report.add(name, "ratioToOneLevel", mixed / single, "");
-    if (worlds > kMostResident) continue;
+    if (worlds > kMaxResident) continue;
     report.add(name, "residentStepsPerSecond", residentStepsPerSecond(device, one, worlds, small),
                "1/s");
   }

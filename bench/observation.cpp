@@ -63,7 +63,7 @@ std::vector<bench::LearningRow> rows() {
       without("noFacing", {{18, 2}}),
       without("noLimits", {{20, 2}}),
       without("noHealthAndPace", {{22, 4}}),
-      without("noLooseBody", {{policy::kStateInputs, policy::kLooseInputs}}),
+      without("noLooseBody", {{policy::kStateInputs, policy::kBodyInputs}}),
       without("noFloorsNow", {floors}),
       without("noFloorsSoon", {floorsSoon}),
       without("noDangersNow", {dangers}),

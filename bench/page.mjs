@@ -37,9 +37,9 @@ function add(caseName, metric, value) {
 }
 
 async function best(body) {
-  let least = Infinity;
-  for (let i = 0; i < kAttempts; i++) least = Math.min(least, await body(i));
-  return least;
+  let min = Infinity;
+  for (let i = 0; i < kAttempts; i++) min = Math.min(min, await body(i));
+  return min;
 }
 
 // Runs in the page before everything else. `firstShown`: ms from navigation until the first picture
@@ -67,10 +67,10 @@ async function timeToOpen(browser, file) {
   return taken;
 }
 
-async function measure(browser, empty, [parts, ways]) {
-  const name = `parts${parts}ways${ways}`;
+async function measure(browser, empty, [parts, trajectories]) {
+  const name = `parts${parts}ways${trajectories}`;
   const file = join(out, `${name}.html`);
-  writeLargePage(empty, file, parts, ways);
+  writeLargePage(empty, file, parts, trajectories);
   add(name, 'open', await best(() => timeToOpen(browser, file)));
   const { page } = await openReport(browser, file, kWhole);
   for (const [metric, values] of Object.entries(kChanges)) {

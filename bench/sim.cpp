@@ -34,21 +34,20 @@ struct Outcome {
 };
 
 // Worlds and their walkers. The actions are drawn outside the measured time.
-struct Crowd {
+struct Envs {
   std::vector<sim::World> worlds;
   std::vector<sim::World*> pointers;
-  std::vector<sim::LooseBody> loose;
-  std::vector<sim::LooseBody*> loosePointers;
+  std::vector<sim::RigidBody> bodies;
+  std::vector<sim::RigidBody*> bodyPointers;
   std::vector<Walker> walkers;
   std::vector<sim::Action> actions;
 
-  Crowd(const level::Level& level, uint64_t seed)
+  Envs(const level::Level& level, uint64_t seed)
       : worlds(kWorlds, sim::makeWorld(level.view(), level.spawns()[0])), actions(kWorlds) {
     for (sim::World& w : worlds) pointers.push_back(&w);
-    const std::vector<sim::LooseBody> bodies = sim::makeLoose(level.view());
-    for (uint32_t i = 0; i < kWorlds; ++i) loose.insert(loose.end(), bodies.begin(), bodies.end());
-    for (uint32_t i = 0; i < kWorlds; ++i)
-      loosePointers.push_back(loose.data() + i * bodies.size());
+    const std::vector<sim::RigidBody> start = sim::makeDynamic(level.view());
+    for (uint32_t i = 0; i < kWorlds; ++i) bodies.insert(bodies.end(), start.begin(), start.end());
+    for (uint32_t i = 0; i < kWorlds; ++i) bodyPointers.push_back(bodies.data() + i * start.size());
     for (uint32_t i = 0; i < kWorlds; ++i) walkers.push_back({Random(seed, i), {}, 0});
   }
   void decide() {
@@ -58,11 +57,11 @@ struct Crowd {
 
 // Both variants alternate, so that other load affects them equally.
 Outcome run(const level::Level& level, uint64_t seed) {
-  Crowd wide(level, seed), single(level, seed);
-  for (uint32_t t = 0; t < kSettling && level.view().looseCount != 0; ++t) {
-    for (Crowd* crowd : {&wide, &single}) {
-      sim::tickAll(level.view(), crowd->pointers.data(), crowd->loosePointers.data(),
-                   crowd->actions.data(), kWorlds);
+  Envs wide(level, seed), single(level, seed);
+  for (uint32_t t = 0; t < kSettling && level.view().bodyCount != 0; ++t) {
+    for (Envs* envs : {&wide, &single}) {
+      sim::tickAll(level.view(), envs->pointers.data(), envs->bodyPointers.data(),
+                   envs->actions.data(), kWorlds);
     }
   }
   Outcome o{};
@@ -73,18 +72,18 @@ Outcome run(const level::Level& level, uint64_t seed) {
     single.decide();
     const uint64_t before = counter.count().value_or(0);
     wideSeconds += bench::cpuSecondsOf([&] {
-      sim::tickAll(level.view(), wide.pointers.data(), wide.loosePointers.data(),
+      sim::tickAll(level.view(), wide.pointers.data(), wide.bodyPointers.data(),
                    wide.actions.data(), kWorlds, &o.counts);
     });
     o.instructions += double(counter.count().value_or(0) - before);
     singleSeconds += bench::cpuSecondsOf([&] {
       for (uint32_t i = 0; i < kWorlds; ++i) {
-        sim::tick(single.worlds[i], single.loosePointers[i], level.view(), single.actions[i]);
+        sim::tick(single.worlds[i], single.bodyPointers[i], level.view(), single.actions[i]);
       }
     });
     for (const sim::World& w : wide.worlds) {
       o.grounded += w.flags & sim::kFloorSensed;
-      o.awake += w.flags & sim::kLooseAwake ? 1 : 0;
+      o.awake += w.flags & sim::kBodyAwake ? 1 : 0;
     }
   }
   const double steps = double(kWorlds) * kTicks;
@@ -164,10 +163,10 @@ double measure(bench::Report& report, const Scene& scene) {
 // Measures batches of worlds in one level, and in 64 levels with a new one at every episode end, as
 // in training. Both alternate; the single levels are among the 64.
 void levels(bench::Report& report) {
-  constexpr uint32_t kLevels = 64, kCrowd = 4096, kStep = 64, kRounds = 12;
+  constexpr uint32_t kLevels = 64, kEnvs = 4096, kStep = 64, kRounds = 12;
   ThreadPool pool(1);
   const support::Levels all = support::arenas(kLevels, 100, 240);
-  const auto many = *sim::makeCpuBatch(all.course, kCrowd, pool);
+  const auto many = *sim::makeCpuBatch(all.course, kEnvs, pool);
   double manySeconds = 0, oneSeconds = 0;
   const auto timed = [](sim::Batch& batch) {
     return bench::cpuSecondsOf([&] {
@@ -177,13 +176,13 @@ void levels(bench::Report& report) {
   for (uint32_t round = 0; round < kRounds; ++round) {
     sim::Course course = all.course;
     course.queue = {round * (kLevels / kRounds)};
-    const auto one = *sim::makeCpuBatch(course, kCrowd, pool);
+    const auto one = *sim::makeCpuBatch(course, kEnvs, pool);
     for (uint32_t i = 0; i < 10; ++i) {
       oneSeconds += timed(*one);
       manySeconds += timed(*many);
     }
   }
-  const double steps = 10.0 * kRounds * kStep * kCrowd;
+  const double steps = 10.0 * kRounds * kStep * kEnvs;
   report.add("oneLevel", "stepsPerSecondPerCore", steps / oneSeconds, "1/s");
   report.add("manyLevels", "stepsPerSecondPerCore", steps / manySeconds, "1/s");
   report.add("manyLevels", "ratioToOneLevel", oneSeconds / manySeconds, "");
@@ -223,10 +222,10 @@ int main(int argc, char** argv) {
            false});
   measure(report,
           {"moving8dynamic4asleep", 4,
-           [](uint32_t n, uint64_t seed) { return support::looseArena(n, false, seed); }, false});
+           [](uint32_t n, uint64_t seed) { return support::bodyArena(n, false, seed); }, false});
   measure(report,
           {"moving8dynamic4awake", 4,
-           [](uint32_t n, uint64_t seed) { return support::looseArena(n, true, seed); }, false});
+           [](uint32_t n, uint64_t seed) { return support::bodyArena(n, true, seed); }, false});
   measure(report, {"course100", 100, obby::support::platformCourse, false});
   levels(report);
   snapshots(report);

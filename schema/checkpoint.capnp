@@ -12,7 +12,7 @@ struct SavedTraining {
   hash @0 :UInt64;     # XXH3 (64 bit) of the whole file, with these eight bytes as 0
   version @1 :UInt32;  # version of this layout, now 5
   observationVersion @2 :UInt32;  # as in policy.capnp
-  stateLayout @3 :UInt64;  # XXH3 of the names, types and sizes of the fields of sim::World and sim::LooseBody
+  stateLayout @3 :UInt64;  # XXH3 of the names, types and sizes of the fields of sim::World and sim::RigidBody
   program @4 :Text;    # version of the program, for information
   settings @5 :List(SavedSetting);
   seconds @6 :Float64;  # wall-clock time of all runs so far, for information
@@ -59,18 +59,18 @@ struct SavedEnvGroups {
 
 struct SavedPlace {
   # A level with its worlds. The worlds and dynamic bodies are the bytes of sim::World (lib/sim/world.h) and
-  # sim::LooseBody (lib/sim/loose.h), one after another. Both have no padding.
+  # sim::RigidBody (lib/sim/rigid_body.h), one after another. Both have no padding.
   taken @0 :UInt64;      # number of levels so far, including this one, which is its number in the source
   hardest @1 :Float32;   # difficulty with which it was requested
   levelHash @2 :UInt64;  # hash of the level, which must match
   played @3 :UInt32;     # attempts at the level
   worlds @4 :Data;       # (players)
-  loose @5 :Data;        # (players, dynamic bodies of the level)
+  bodies @5 :Data;        # (players, dynamic bodies of the level)
   reached @6 :Data;      # states that attempts can start from
-  least @7 :List(Float32);   # (players), min studs left to the goal in this attempt
+  minLeft @7 :List(Float32);   # (players), min studs left to the goal in this attempt
   ticks @8 :List(UInt32);    # (players), ticks of this attempt
   fromStart @9 :List(Bool);  # (players)
   nextHardest @10 :Float32;  # difficulty with which the next level will be requested
-  reachedLeast @11 :List(Float32);  # (reached), `least` of the player who reached the state
+  reachedMinLeft @11 :List(Float32);  # (reached), `minLeft` of the player who reached the state
   solvedOnce @12 :Bool;  # a player has solved the level from the start
 }

@@ -525,7 +525,7 @@ struct Query {
   sameKeys @21 :Bool;                # if true, one solution's keys, held by time, must work for every body and frame rate
 
   # Information from the maker of the level. No answer depends on these fields, but obby-train learns from them.
-  way @15 :List(Vec3);               # feet positions along a known route, from the start to the goal; 2 to 4096
+  route @15 :List(Vec3) $formerly("way");             # feet positions along a known route, from the start to the goal; 2 to 4096
   difficulty @16 :Float32 = -1;      # 0 is trivial, 1 a jump at the limit; -1 if not given
 }
 
@@ -700,7 +700,7 @@ struct HeatCube {
   cells @1 :UInt32;          # cells of the search in the cube
 }
 
-enum Knob {
+enum RelaxationKind {
   jumps @0;       # the limit on jumps is raised
   time @1;        # the time limit is raised, seconds
   jumpHeight @2;  # the player jumps higher, studs
@@ -713,7 +713,7 @@ enum Knob {
 
 struct Relaxation {
   # A change that makes a query solvable, the smallest one found of its kind.
-  knob @0 :Knob $always;
+  kind @0 :RelaxationKind $always $formerly("knob");
   amount @1 :Float32;           # size of the change in the unit of its kind; 0 if the limit, part or region is removed
   part @2 :Int32 = -1;
   avoid @3 :Int32 = -1;         # index into the query's avoid list

@@ -147,12 +147,11 @@ Made RunLog::mostlyBy(const std::vector<std::string>& keys, const Maker& maker) 
       share.last = std::max(share.last, i);
     }
   }
-  const auto most =
-      std::max_element(shares.begin(), shares.end(), [](const auto& a, const auto& b) {
-        return std::pair(a.second.keys.size(), a.second.last) <
-               std::pair(b.second.keys.size(), b.second.last);
-      });
-  return most == shares.end() ? Made() : Made{most->first, most->second.keys.size()};
+  const auto max = std::max_element(shares.begin(), shares.end(), [](const auto& a, const auto& b) {
+    return std::pair(a.second.keys.size(), a.second.last) <
+           std::pair(b.second.keys.size(), b.second.last);
+  });
+  return max == shares.end() ? Made() : Made{max->first, max->second.keys.size()};
 }
 
 Status RunLog::append(const Run& run) {

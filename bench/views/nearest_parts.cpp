@@ -7,10 +7,10 @@ namespace obby::bench {
 
 static_assert(kListedParts * kPartNumbers <= kViewInputs);
 
-Turns nearestParts(const policy::Scene& scene, const sim::World& world, const sim::LooseBody* loose,
-                   float* inputs) {
-  const Turns ahead = observeAllButMaps(scene, world, loose, inputs);
-  std::vector<PartInSight> parts = partsInSight(scene, world, loose, ahead);
+Turns nearestParts(const policy::Scene& scene, const sim::World& world,
+                   const sim::RigidBody* bodies, float* inputs) {
+  const Turns ahead = observeAllButMaps(scene, world, bodies, inputs);
+  std::vector<PartInSight> parts = partsInSight(scene, world, bodies, ahead);
   const int listed = std::min(int(parts.size()), kListedParts);
   std::partial_sort(parts.begin(), parts.begin() + listed, parts.end());
   for (int i = 0; i < listed; ++i) {

@@ -12,18 +12,18 @@ namespace {
 constexpr uint64_t kSeed = 0x736574;
 // Max magnitudes of the random weights and biases. About four of a part's numbers are of order 1,
 // so the features are, too.
-constexpr float kMostWeight = 0.9f, kMostBias = 0.5f;
+constexpr float kMaxWeight = 0.9f, kMaxBias = 0.5f;
 constexpr float kFade = 8;  // studs at which a part counts half
 
 class Features {
  public:
   Features() {
     Random random(kSeed, 0);
-    const auto upTo = [&random](float most) { return most * (2 * random.unit() - 1); };
+    const auto upTo = [&random](float max) { return max * (2 * random.unit() - 1); };
     for (auto& row : weights_) {
-      for (float& w : row) w = upTo(kMostWeight);
+      for (float& w : row) w = upTo(kMaxWeight);
     }
-    for (float& b : biases_) b = upTo(kMostBias);
+    for (float& b : biases_) b = upTo(kMaxBias);
   }
 
   // Raises `pooled` (kViewInputs, at least 0) to the part's features.
@@ -44,11 +44,11 @@ class Features {
 
 }  // namespace
 
-Turns partSet(const policy::Scene& scene, const sim::World& world, const sim::LooseBody* loose,
+Turns partSet(const policy::Scene& scene, const sim::World& world, const sim::RigidBody* bodies,
               float* inputs) {
   static const Features features;
-  const Turns ahead = observeAllButMaps(scene, world, loose, inputs);
-  for (const PartInSight& part : partsInSight(scene, world, loose, ahead))
+  const Turns ahead = observeAllButMaps(scene, world, bodies, inputs);
+  for (const PartInSight& part : partsInSight(scene, world, bodies, ahead))
     features.pool(part, inputs + policy::kMapsAt);
   return ahead;
 }

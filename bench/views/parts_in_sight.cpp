@@ -66,9 +66,10 @@ class Gatherer {
 }  // namespace
 
 std::vector<PartInSight> partsInSight(const policy::Scene& scene, const sim::World& world,
-                                      const sim::LooseBody* loose, Turns ahead) {
+                                      const sim::RigidBody* bodies, Turns ahead) {
   Gatherer gatherer(scene.level.params, policy::Frame(ahead));
-  policy::lookAround(scene, world, loose, [&](const policy::Sight& sight) { gatherer.see(sight); });
+  policy::lookAround(scene, world, bodies,
+                     [&](const policy::Sight& sight) { gatherer.see(sight); });
   return gatherer.take();
 }
 

@@ -37,9 +37,9 @@ struct PartInSight {
   }
 };
 
-// Returns the parts in the order of policy::lookAround(). `ahead`: direction of the frame; `loose`:
-// (level.looseCount).
+// Returns the parts in the order of policy::lookAround(). `ahead`: direction of the frame;
+// `bodies`: (level.bodyCount).
 std::vector<PartInSight> partsInSight(const policy::Scene& scene, const sim::World& world,
-                                      const sim::LooseBody* loose, Turns ahead);
+                                      const sim::RigidBody* bodies, Turns ahead);
 
 }  // namespace obby::bench

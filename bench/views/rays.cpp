@@ -86,11 +86,11 @@ class Bundle {
 
 }  // namespace
 
-Turns rays(const policy::Scene& scene, const sim::World& world, const sim::LooseBody* loose,
+Turns rays(const policy::Scene& scene, const sim::World& world, const sim::RigidBody* bodies,
            float* inputs) {
-  const Turns ahead = observeAllButMaps(scene, world, loose, inputs);
+  const Turns ahead = observeAllButMaps(scene, world, bodies, inputs);
   Bundle bundle(ahead);
-  policy::lookAround(scene, world, loose, [&](const policy::Sight& sight) { bundle.see(sight); });
+  policy::lookAround(scene, world, bodies, [&](const policy::Sight& sight) { bundle.see(sight); });
   bundle.tell(inputs);
   return ahead;
 }

@@ -7,10 +7,10 @@
 namespace obby::bench {
 
 Turns observeAllButMaps(const policy::Scene& scene, const sim::World& world,
-                        const sim::LooseBody* loose, float* inputs) {
+                        const sim::RigidBody* bodies, float* inputs) {
   const sim::NextRegion next = sim::nextRegion(scene.query, world);
   const Turns ahead = policy::aheadOf(*next.region, world);
-  policy::observeOthers(scene, world, loose, next, ahead, inputs);
+  policy::observeOthers(scene, world, bodies, next, ahead, inputs);
   std::fill_n(inputs + policy::kMapsAt, kViewInputs, policy::kEmptyInput);
   return ahead;
 }

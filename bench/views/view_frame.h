@@ -8,7 +8,7 @@ namespace obby::bench {
 // Fills `inputs` (kInputs) with all inputs but the maps, which are set to kEmptyInput. Returns the
 // direction of the frame.
 Turns observeAllButMaps(const policy::Scene& scene, const sim::World& world,
-                        const sim::LooseBody* loose, float* inputs);
+                        const sim::RigidBody* bodies, float* inputs);
 
 // Returns the solid relative to `origin` in orthonormal `axes`.
 policy::Solid along(const Mat3& axes, Vec3 origin, policy::Solid solid);

@@ -37,13 +37,13 @@ std::string lower(std::string_view text) {
 
 std::string nearestName(std::string_view text, const std::vector<std::string>& names) {
   std::string best;
-  size_t least = std::max<size_t>(1, text.size() / 3) + 1;
+  size_t min = std::max<size_t>(1, text.size() / 3) + 1;
   if (text.size() > kLongest) return best;
   for (const std::string& name : names) {
-    if (name.size() >= text.size() + least) continue;  // needs at least `least` insertions
+    if (name.size() >= text.size() + min) continue;  // needs at least `min` insertions
     const size_t distance = editDistance(text, name);
-    if (distance < least) {
-      least = distance;
+    if (distance < min) {
+      min = distance;
       best = name;
     }
   }

@@ -4,7 +4,7 @@
 
 #include "baselines/soft_window.h"
 #include "policy/policy.h"
-#include "solve/search/rollouts/known_way.h"
+#include "solve/search/rollouts/action_runs.h"
 
 namespace obby::baselines {
 
@@ -22,7 +22,7 @@ Cflge::Cflge(const Problem& problem, uint64_t seed, const CflgeSettings& setting
       module_(seed, device()),
       policy_(settings.policy, seed, device()),
       ranking_(device()),
-      memory_(settings.room),
+      memory_(settings.capacity),
       groups_(settings.groups) {
   for (Group& g : groups_) {
     g.pass = NetPass(device());
@@ -57,27 +57,27 @@ void Cflge::remember(Track track) {
   memory_.add(std::make_shared<const Track>(std::move(track)));
 }
 
-void Cflge::tryKnown(size_t first, size_t count) {
-  LearnedSearch::tryKnown(first, count);
-  for (size_t way = first; way < first + count; ++way) {
-    Player p(seed(), kFollowers + way);
+void Cflge::tryWarmStarts(size_t first, size_t count) {
+  LearnedSearch::tryWarmStarts(first, count);
+  for (size_t warmStart = first; warmStart < first + count; ++warmStart) {
+    Player p(seed(), kFollowers + warmStart);
     begin(p);
-    follow(p, actions(way));
+    follow(p, actions(warmStart));
     remember(endOf(p));
   }
 }
 
 // Replays a trajectory decision by decision. A decision's first action determines its move.
-void Cflge::follow(Player& p, const KnownWay& way) {
+void Cflge::follow(Player& p, const ActionRuns& warmStart) {
   std::vector<float> inputs(kPolicyInputs);
   Episode* const episode = &p.episode;
-  WayCursor cursor;
-  for (uint32_t ticks = ticksOf(way); ticks > 0 && goesOn(p.episode);) {
+  RunCursor cursor;
+  for (uint32_t ticks = ticksOf(warmStart); ticks > 0 && goesOn(p.episode);) {
     look(p, inputs.data());
-    WayCursor ahead = cursor;
-    p.track.moves.push_back(uint8_t(nearestMove(ahead.next(way), kNorth, true)));
+    RunCursor ahead = cursor;
+    p.track.moves.push_back(uint8_t(nearestMove(ahead.next(warmStart), kNorth, true)));
     for (uint32_t k = 0; k < policy::kDecisionTicks && ticks > 0 && goesOn(p.episode); ++k) {
-      const sim::Action action = cursor.next(way);
+      const sim::Action action = cursor.next(warmStart);
       advance({&episode, 1}, &action);
       count(1);
       --ticks;
@@ -138,9 +138,9 @@ void Cflge::look(Player& p, float* inputs) {
 // (kPolicyInputs). Fills in the rest, the position of the goal.
 void Cflge::note(Player& p, float* inputs) const {
   const sim::World& world = p.episode.world;
-  const sim::LooseBody* const loose = p.episode.loose.data();
+  const sim::RigidBody* const bodies = p.episode.bodies.data();
   float place[kPlace];
-  placeOf(problem(), world, loose, place);
+  placeOf(problem(), world, bodies, place);
   p.path->places.insert(p.path->places.end(), place, place + kPlace);
   p.path->stands.push_back(grounded(world) && goesOn(p.episode));
   p.track.inputs.insert(p.track.inputs.end(), inputs, inputs + policy::kInputs);
@@ -185,7 +185,7 @@ void Cflge::reach(std::span<Group> groups) {
   places.resize(count * kPlace);
   for (size_t i = 0; i < count; ++i) {
     const Episode& e = groups[i / kGroup].players[i % kGroup].episode;
-    placeOf(problem(), e.world, e.loose.data(), places.data() + i * kPlace);
+    placeOf(problem(), e.world, e.bodies.data(), places.data() + i * kPlace);
   }
   module_.encode(places.data(), count, groups[0].encoder, groups[0].points);
   const float* point = groups[0].points.data();

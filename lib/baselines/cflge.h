@@ -21,7 +21,7 @@ struct CflgeSettings {
   uint64_t refresh = 5000;        // decisions between rankings of the goals
   float moduleSteps = 0.1f;       // learning steps of the module per decision
   float policySteps = 1.0f / 32;  // learning steps of the policy per decision
-  size_t room = 40'000;           // decisions kept for the policy's learning
+  size_t capacity = 40'000;       // decisions kept for the policy's learning
   bool learns = true;             // false: module and policy stay untrained
   size_t forgetFrom = kForgetFrom;
   QuantileSettings policy;
@@ -35,7 +35,7 @@ class Cflge final : public LearnedSearch {
         const Machine& machine);
 
   // Known trajectories are added like any other.
-  void tryKnown(size_t first, size_t count) override;
+  void tryWarmStarts(size_t first, size_t count) override;
 
   const Returns& returns() const { return returns_; }
   // Returns the mean losses of the inverse dynamics, one per round of learning.
@@ -70,7 +70,7 @@ class Cflge final : public LearnedSearch {
 
   void playAndLearn() override;
   void remember(Track track);
-  void follow(Player& p, const KnownWay& way);
+  void follow(Player& p, const ActionRuns& warmStart);
   void play(std::span<Group> groups);
   View lookFrom(const Player& p) const;
   void look(Player& p, float* inputs);

@@ -29,9 +29,9 @@ struct Looker {
 
 struct SightArguments {
   SightRules rules;
-  const Looker* players;        // (players)
-  const sim::LooseBody* loose;  // (players, level.looseCount)
-  float* inputs;                // (players, policy::kInputs)
+  const Looker* players;         // (players)
+  const sim::RigidBody* bodies;  // (players, level.bodyCount)
+  float* inputs;                 // (players, policy::kInputs)
 };
 
 // `i` runs over (players, policy::kViewThreads).
@@ -42,8 +42,8 @@ OBBY_DEVICE void seePart(const SightArguments& a, uint32_t i) {
   const policy::Scene scene{a.rules.level, a.rules.query, a.rules.surroundings};
   sim::NextRegion next;
   next.region = &player.next;
-  const size_t bodies = a.rules.level.looseCount;
-  policy::observePart(scene, player.world, a.loose + p * bodies, next, player.ahead, int(part),
+  const size_t bodyCount = a.rules.level.bodyCount;
+  policy::observePart(scene, player.world, a.bodies + p * bodyCount, next, player.ahead, int(part),
                       a.inputs + size_t(p) * policy::kInputs);
 }
 

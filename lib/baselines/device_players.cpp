@@ -8,15 +8,15 @@
 namespace obby::baselines {
 
 Status DevicePlayers::open(sim::Device& device, const Problem& problem,
-                           const policy::SurroundingsView& around, uint32_t most) {
+                           const policy::SurroundingsView& around, uint32_t max) {
   device_ = &device;
-  actions_.resize(most);
+  actions_.resize(max);
   sim::Course course;
   course.levels = {problem.level};
   course.queries = {problem.query};
   course.starts = {problem.start};
   course.starts[0].outcome = sim::Outcome::running;  // so that worlds can run
-  OBBY_ASSIGN(batch_, sim::makeKernelBatch(course, most, device));
+  OBBY_ASSIGN(batch_, sim::makeKernelBatch(course, max, device));
   sight_.rules = {problem.level, problem.query, around};
   OBBY_ASSIGN(tables_, sim::uploadTables(device, sight_.rules));
   return {};
@@ -27,37 +27,37 @@ Status DevicePlayers::advance(std::span<Episode* const> episodes, const sim::Act
   OBBY_CHECK_LE(episodes.size(), actions_.size());
   if (episodes.empty()) return {};
   std::vector<sim::World> worlds;
-  std::vector<sim::LooseBody> loose;
+  std::vector<sim::RigidBody> bodies;
   for (const Episode* e : episodes) {
     worlds.push_back(e->world);
-    loose.insert(loose.end(), e->loose.begin(), e->loose.end());
+    bodies.insert(bodies.end(), e->bodies.begin(), e->bodies.end());
   }
   std::copy_n(actions, episodes.size(), actions_.begin());
-  OBBY_RETURN_IF_ERROR(batch_->restore(0, worlds, loose));
+  OBBY_RETURN_IF_ERROR(batch_->restore(0, worlds, bodies));
   OBBY_RETURN_IF_ERROR(batch_->step(1, sim::Actions::tabulated(actions_)));
   OBBY_ASSIGN(worlds, batch_->worlds());
-  OBBY_ASSIGN(loose, batch_->loose());
-  const size_t bodies = sight_.rules.level.looseCount;
+  OBBY_ASSIGN(bodies, batch_->bodies());
+  const size_t bodyCount = sight_.rules.level.bodyCount;
   for (size_t i = 0; i < episodes.size(); ++i) {
     episodes[i]->world = worlds[i];
-    std::copy_n(loose.data() + i * bodies, bodies, episodes[i]->loose.data());
+    std::copy_n(bodies.data() + i * bodyCount, bodyCount, episodes[i]->bodies.data());
   }
   return {};
 }
 
 Status DevicePlayers::see(std::span<const View> views, float* inputs, size_t stride) {
   std::vector<Looker> lookers;
-  std::vector<sim::LooseBody> loose;
+  std::vector<sim::RigidBody> bodies;
   for (const View& v : views) {
     lookers.push_back({v.player->world, v.next, v.ahead});
-    loose.insert(loose.end(), v.player->loose.begin(), v.player->loose.end());
+    bodies.insert(bodies.end(), v.player->bodies.begin(), v.player->bodies.end());
   }
   OBBY_RETURN_IF_ERROR(sim::uploadTable<Looker>(*device_, lookerMemory_, lookers));
-  OBBY_RETURN_IF_ERROR(sim::uploadTable<sim::LooseBody>(*device_, looseMemory_, loose));
+  OBBY_RETURN_IF_ERROR(sim::uploadTable<sim::RigidBody>(*device_, bodyMemory_, bodies));
   inputs_.resize(views.size() * policy::kInputs);
-  OBBY_RETURN_IF_ERROR(sim::makeRoom(*device_, inputMemory_, sight_.inputs, inputs_.size()));
+  OBBY_RETURN_IF_ERROR(sim::reserve(*device_, inputMemory_, sight_.inputs, inputs_.size()));
   sight_.players = lookerMemory_.as<Looker>();
-  sight_.loose = looseMemory_.as<sim::LooseBody>();
+  sight_.bodies = bodyMemory_.as<sim::RigidBody>();
   static const sim::Kernel kernel =
       sim::makeKernel<SightArguments, seePart>("learnedSee", cuda::sightEntry());
   OBBY_RETURN_IF_ERROR(

@@ -15,10 +15,10 @@ namespace obby::baselines {
 
 class DevicePlayers {
  public:
-  // Allocates memory for up to `most` players. The device must outlive this object. Copies problem
+  // Allocates memory for up to `max` players. The device must outlive this object. Copies problem
   // and surroundings to it.
   Status open(sim::Device& device, const Problem& problem, const policy::SurroundingsView& around,
-              uint32_t most);
+              uint32_t max);
 
   // Plays one tick of all `episodes`, each of which must be running, with `actions`. On failure
   // they are unchanged.
@@ -30,7 +30,7 @@ class DevicePlayers {
   sim::Device* device_ = nullptr;
   std::unique_ptr<sim::Batch> batch_;
   SightArguments sight_{};
-  sim::Memory tables_, lookerMemory_, looseMemory_, inputMemory_;
+  sim::Memory tables_, lookerMemory_, bodyMemory_, inputMemory_;
   std::vector<sim::Action> actions_;  // (players)
   std::vector<float> inputs_;
 };

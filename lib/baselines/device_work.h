@@ -14,8 +14,8 @@ class DeviceWork {
  public:
   // See DevicePlayers::open.
   DeviceWork(sim::Device& device, const Problem& problem, const policy::SurroundingsView& around,
-             uint32_t most)
-      : nets_(device), status_(players_.open(device, problem, around, most)) {}
+             uint32_t max)
+      : nets_(device), status_(players_.open(device, problem, around, max)) {}
 
   bool works() const { return bool(status_); }
   const Status& status() const { return status_; }  // the first failure

@@ -8,7 +8,7 @@
 #include "base/random.h"
 #include "baselines/names.h"
 #include "policy/moves.h"
-#include "sim/loose.h"
+#include "sim/rigid_body.h"
 #include "solve/model/problem.h"
 #include "solve/search/archive/archive_node.h"
 #include "solve/search/rollouts/macro_random.h"
@@ -27,16 +27,16 @@ struct Passed {
 struct Find {
   uint64_t key;
   sim::World world;
-  std::vector<sim::LooseBody> loose;
+  std::vector<sim::RigidBody> bodies;
   float potential;
   uint32_t ticks;
 };
 
 struct Episode {
   sim::World world;
-  std::vector<sim::LooseBody> loose;
+  std::vector<sim::RigidBody> bodies;
   uint32_t ticks = 0;
-  KnownWay actions;                    // all so far
+  ActionRuns actions;                  // all so far
   std::unordered_set<uint64_t> stood;  // keys of the cells that the player stood in
   std::vector<Passed> passed;          // the same cells in order
   uint32_t newCells = 0;               // cells that the archive lacked

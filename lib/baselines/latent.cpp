@@ -12,14 +12,14 @@ namespace {
 constexpr size_t kTaskPoints = 64;  // points per task of the pool
 
 // Returns the k-th smallest of `values`, without the one at `self`.
-float kthLeast(const std::vector<float>& values, uint32_t k, size_t self) {
-  std::vector<float> least(k, 1e30f);  // ascending
+float kthSmallest(const std::vector<float>& values, uint32_t k, size_t self) {
+  std::vector<float> min(k, 1e30f);  // ascending
   for (size_t j = 0; j < values.size(); ++j) {
-    if (!(values[j] < least.back()) || j == self) continue;
-    least.back() = values[j];
-    for (size_t i = k - 1; i > 0 && least[i] < least[i - 1]; --i) std::swap(least[i], least[i - 1]);
+    if (!(values[j] < min.back()) || j == self) continue;
+    min.back() = values[j];
+    for (size_t i = k - 1; i > 0 && min[i] < min[i - 1]; --i) std::swap(min[i], min[i - 1]);
   }
-  return least.back();
+  return min.back();
 }
 
 }  // namespace
@@ -75,7 +75,7 @@ std::vector<float> neighbourDistances2(ThreadPool& pool, const std::vector<float
           distances[j] += apart * apart;
         }
       }
-      result[i] = kthLeast(distances, k, i);
+      result[i] = kthSmallest(distances, k, i);
     }
   });
   return result;

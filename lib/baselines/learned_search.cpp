@@ -5,13 +5,13 @@
 #include "policy/policy.h"
 #include "sim/simulator.h"
 #include "solve/search/methods/go_explore_method.h"
-#include "solve/search/rollouts/known_way.h"
+#include "solve/search/rollouts/action_runs.h"
 
 namespace obby::baselines {
 
 namespace {
 
-size_t bytesOf(const KnownWay& actions, const std::vector<Passed>& passed) {
+size_t bytesOf(const ActionRuns& actions, const std::vector<Passed>& passed) {
   return actions.capacity() * sizeof(actions[0]) + passed.capacity() * sizeof(Passed);
 }
 
@@ -43,8 +43,8 @@ void LearnedSearch::round() {
 Episode LearnedSearch::begin() const {
   Episode e;
   e.world = problem_.start;
-  e.loose = problem_.startLoose;
-  e.key = cellKey(setup_.rules.binning, e.world, e.loose.data());
+  e.bodies = problem_.startBodies;
+  e.key = cellKey(setup_.rules.binning, e.world, e.bodies.data());
   e.cell = archive_.find(e.key);
   e.stood.insert(e.key);
   return e;
@@ -53,7 +53,7 @@ Episode LearnedSearch::begin() const {
 uint64_t LearnedSearch::keyAt(const Episode& e, Vec3 place) const {
   sim::World world = e.world;
   world.position = place;
-  return cellKey(setup_.rules.binning, world, e.loose.data());
+  return cellKey(setup_.rules.binning, world, e.bodies.data());
 }
 
 sim::Action LearnedSearch::allowed(sim::Action action, const sim::World& world) const {
@@ -78,7 +78,7 @@ void LearnedSearch::see(std::span<const View> views, float* inputs, size_t strid
   if (device_ && device_->tries(there)) return;
   for (const View& v : views) {
     const sim::NextRegion next{&v.next, geom::distance(v.next, v.player->world.position)};
-    policy::observe(scene_, v.player->world, v.player->loose.data(), next, v.ahead, inputs);
+    policy::observe(scene_, v.player->world, v.player->bodies.data(), next, v.ahead, inputs);
     inputs += stride;
   }
 }
@@ -99,17 +99,17 @@ void LearnedSearch::tick(std::span<Episode* const> episodes, const sim::Action* 
   };
   if (device_ && device_->tries(there)) return;
   std::vector<sim::World*> worlds;
-  std::vector<sim::LooseBody*> loose;
+  std::vector<sim::RigidBody*> bodies;
   for (Episode* e : episodes) {
     worlds.push_back(&e->world);
-    loose.push_back(e->loose.data());
+    bodies.push_back(e->bodies.data());
   }
-  sim::advanceAll(problem_.level, &problem_.query, worlds, loose.data(), actions);
+  sim::advanceAll(problem_.level, &problem_.query, worlds, bodies.data(), actions);
 }
 
 void LearnedSearch::look(Episode& e) {
   if (e.world.outcome != sim::Outcome::running) return;
-  const uint64_t key = cellKey(setup_.rules.binning, e.world, e.loose.data());
+  const uint64_t key = cellKey(setup_.rules.binning, e.world, e.bodies.data());
   if (key != e.key) {
     e.key = key;
     e.cell = archive_.find(key);
@@ -137,36 +137,36 @@ void LearnedSearch::stand(Episode& e) {
   } else {
     ++e.newCells;
   }
-  e.finds.push_back({e.key, e.world, e.loose, setup_.potential(e.world), e.ticks});
+  e.finds.push_back({e.key, e.world, e.bodies, setup_.potential(e.world), e.ticks});
 }
 
-void LearnedSearch::take(Episode& e, size_t way) {
-  const uint64_t id = kKnown | way;
+void LearnedSearch::take(Episode& e, size_t warmStart) {
+  const uint64_t id = kWarmStart | warmStart;
   const uint32_t cells = cellCount();
   bool needed = false;
   for (const Find& f : e.finds) {
-    needed |= archive_.offer(f.key, f.world, {id, 0, f.ticks}, f.potential, f.loose.data());
+    needed |= archive_.offer(f.key, f.world, {id, 0, f.ticks}, f.potential, f.bodies.data());
   }
   ++statistics_.rollouts;
   ++statistics_.idleRollouts;
   if (cellCount() != cells) statistics_.idleRollouts = 0;
   needed |= countApproach(e.closest, {id, 0, e.closestTicks});
-  const bool shown = countEnd(e.world, e.loose.data(), {id, 0, e.ticks});
+  const bool shown = countEnd(e.world, e.bodies.data(), {id, 0, e.ticks});
   if (!needed && !shown) return;
-  keep(e, way);
-  shown_[way] |= uint8_t(shown);
+  keep(e, warmStart);
+  shown_[warmStart] |= uint8_t(shown);
 }
 
-void LearnedSearch::keep(Episode& e, size_t way) {
-  if (way == problem_.known.size()) {
+void LearnedSearch::keep(Episode& e, size_t warmStart) {
+  if (warmStart == problem_.known.size()) {
     e.actions.shrink_to_fit();
     problem_.known.push_back(std::move(e.actions));
     passed_.emplace_back();
     shown_.push_back(0);
   }
   e.passed.shrink_to_fit();
-  passed_[way] = std::move(e.passed);
-  bytesKept_ += bytesOf(problem_.known[way], passed_[way]);
+  passed_[warmStart] = std::move(e.passed);
+  bytesKept_ += bytesOf(problem_.known[warmStart], passed_[warmStart]);
 }
 
 // Drops unused trajectories. One is of use if it is the best to some cell, the closest approach, to
@@ -175,31 +175,31 @@ void LearnedSearch::forget() {
   if (bytesKept_ < forgetFrom_) return;
   std::vector<uint8_t> used = shown_;
   const auto mark = [&](const Node& node) {
-    if (node.parent != kNone) used[node.rollout & ~kKnown] = 1;
+    if (node.parent != kNone) used[node.rollout & ~kWarmStart] = 1;
   };
   for (uint32_t c = 0; c < cellCount(); ++c) mark(archive_.nodes()[archive_.node(c)]);
-  mark(statistics_.closest.way);
+  mark(statistics_.closest.node);
   markFollowed(used);
   size_t left = 0;
-  for (size_t way = 0; way < used.size(); ++way) {
-    if (!used[way]) {
-      KnownWay().swap(problem_.known[way]);
-      std::vector<Passed>().swap(passed_[way]);
+  for (size_t warmStart = 0; warmStart < used.size(); ++warmStart) {
+    if (!used[warmStart]) {
+      ActionRuns().swap(problem_.known[warmStart]);
+      std::vector<Passed>().swap(passed_[warmStart]);
     }
-    left += bytesOf(problem_.known[way], passed_[way]);
+    left += bytesOf(problem_.known[warmStart], passed_[warmStart]);
   }
   bytesKept_ = left;
   forgetFrom_ = std::max(forgetFrom_, 2 * left);
 }
 
 // Known trajectories are played like other episodes, so that players can return to their cells.
-void LearnedSearch::tryKnown(size_t first, size_t count) {
+void LearnedSearch::tryWarmStarts(size_t first, size_t count) {
   std::vector<Episode> episodes(count);
   pool_.run(int(count), [&](int task) {
     Episode& e = episodes[size_t(task)];
     e = begin();
-    const KnownWay& way = problem_.known[first + size_t(task)];
-    runKnown(context(), way, e.world, e.loose.data(), ticksOf(way),
+    const ActionRuns& warmStart = problem_.known[first + size_t(task)];
+    playRuns(context(), warmStart, e.world, e.bodies.data(), ticksOf(warmStart),
              [&](const sim::Action&, const sim::World&) {
                ++e.ticks;
                look(e);
@@ -212,14 +212,14 @@ void LearnedSearch::tryKnown(size_t first, size_t count) {
   takeGoals();
 }
 
-std::pair<size_t, size_t> LearnedSearch::wayTo(uint32_t cell) const {
+std::pair<size_t, size_t> LearnedSearch::warmStartTo(uint32_t cell) const {
   const Node& node = archive_.nodes()[archive_.node(cell)];
   if (node.parent == kNone) return {0, 0};
-  const size_t way = node.rollout & ~kKnown;
-  const std::vector<Passed>& cells = passed_[way];
+  const size_t warmStart = node.rollout & ~kWarmStart;
+  const std::vector<Passed>& cells = passed_[warmStart];
   const auto end = std::upper_bound(cells.begin(), cells.end(), node.ticks,
                                     [](uint32_t t, const Passed& p) { return t < p.tick; });
-  return {way, size_t(end - cells.begin())};
+  return {warmStart, size_t(end - cells.begin())};
 }
 
 }  // namespace obby::baselines

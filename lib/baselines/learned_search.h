@@ -36,7 +36,7 @@ constexpr size_t kForgetFrom = 64 << 20;
 
 class LearnedSearch : public ArchiveSearch {
  public:
-  void tryKnown(size_t first, size_t count) override;
+  void tryWarmStarts(size_t first, size_t count) override;
   // Plays with all players, records the results, then learns from them.
   void round() final;
   size_t bytesKept() const { return bytesKept_; }  // size of the kept trajectories
@@ -88,17 +88,17 @@ class LearnedSearch : public ArchiveSearch {
 
   // Returns the trajectory to the archive's state in a cell, and how many of its passed cells lead
   // there.
-  std::pair<size_t, size_t> wayTo(uint32_t cell) const;
-  const std::vector<Passed>& passed(size_t way) const { return passed_[way]; }
-  const KnownWay& actions(size_t way) const { return problem_.known[way]; }
+  std::pair<size_t, size_t> warmStartTo(uint32_t cell) const;
+  const std::vector<Passed>& passed(size_t warmStart) const { return passed_[warmStart]; }
+  const ActionRuns& actions(size_t warmStart) const { return problem_.known[warmStart]; }
 
  private:
   void tick(std::span<Episode* const> episodes, const sim::Action* actions);
   void look(Episode& e);
   void approach(Episode& e) const;
   void stand(Episode& e);
-  void take(Episode& e, size_t way);
-  void keep(Episode& e, size_t way);
+  void take(Episode& e, size_t warmStart);
+  void keep(Episode& e, size_t warmStart);
   void forget();
 
   // problem_.known has the given trajectories, then those of useful episodes.

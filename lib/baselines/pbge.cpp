@@ -58,7 +58,7 @@ void Pbge::playAndLearn() {
 void Pbge::markFollowed(std::vector<uint8_t>& used) const {
   for (const Group& g : groups_) {
     for (const Player& p : g.players) {
-      if (p.subgoals > 0) used[p.way] = 1;
+      if (p.subgoals > 0) used[p.warmStart] = 1;
     }
   }
 }
@@ -94,7 +94,7 @@ View Pbge::lookFrom(Player& p) const {
   const bool explores = p.mode == Mode::exploring;
   const Vec3 place = explores          ? p.aim
                      : p.subgoals == 0 ? p.episode.world.position
-                                       : passed(p.way)[p.next].place;
+                                       : passed(p.warmStart)[p.next].place;
   const geom::Region region = around(place, cellWidth());
   p.ahead = policy::aheadOf(region, p.episode.world);
   return {&p.episode, region, p.ahead};
@@ -117,9 +117,9 @@ void Pbge::decide(Group& g, Player& p, const float* outputs, size_t row) {
 
 // Returns the decisions that the followed trajectory took to the next sub-goal.
 uint32_t Pbge::decisionsDue(const Player& p) const {
-  const std::vector<Passed>& way = passed(p.way);
-  const uint32_t before = p.next == 0 ? 0 : way[p.next - 1].tick;
-  return (way[p.next].tick - before) / policy::kDecisionTicks;
+  const std::vector<Passed>& warmStart = passed(p.warmStart);
+  const uint32_t before = p.next == 0 ? 0 : warmStart[p.next - 1].tick;
+  return (warmStart[p.next].tick - before) / policy::kDecisionTicks;
 }
 
 // Samples an action. The temperature grows once the player is overdue at a sub-goal, or finds no
@@ -144,8 +144,8 @@ void Pbge::decideByPolicy(Player& p, const float* outputs, size_t row) {
 // The policy imitates the kept decision; the actions themselves are replayed tick by tick.
 void Pbge::decideAsKept(Player& p, size_t row) {
   const bool mayJump = policy::jumpAllowed(scene(), p.episode.world);
-  WayCursor ahead = p.cursor;
-  const sim::Action action = ahead.next(actions(p.way));
+  RunCursor ahead = p.cursor;
+  const sim::Action action = ahead.next(actions(p.warmStart));
   made_.makers[row] = Maker::kept;
   made_.made[row] = {{nearestMove(action, p.ahead, mayJump), 0, 0, 0}, mayJump};
 }
@@ -159,7 +159,7 @@ void Pbge::tick(std::span<Group> groups) {
       if (isOver(p)) continue;
       players.emplace_back(&g, &p);
       episodes.push_back(&p.episode);
-      if (p.mode == Mode::repeating) p.action = p.cursor.next(actions(p.way));
+      if (p.mode == Mode::repeating) p.action = p.cursor.next(actions(p.warmStart));
       p.action = allowed(p.action, p.episode.world);
       held.push_back(p.action);
       ++g.steps;
@@ -176,8 +176,8 @@ void Pbge::reach(Group& g, Player& p) const {
     if (p.byPolicy && geom::distance(there, p.episode.world.position) <= 0) aim(p);
     return;
   }
-  const std::vector<Passed>& way = passed(p.way);
-  const auto reached = [&](size_t i) { return way[i].key == p.episode.key; };
+  const std::vector<Passed>& warmStart = passed(p.warmStart);
+  const auto reached = [&](size_t i) { return warmStart[i].key == p.episode.key; };
   if (!passSubgoals(p.next, p.subgoals, reached)) return;
   const bool last = p.next == p.subgoals;
   p.reward += last ? settings_.last : settings_.subgoal;
@@ -213,7 +213,7 @@ void Pbge::restart(Group& g, Player& p) const {
   p.next = 0;
   p.waited = 0;
   p.cursor = {};
-  std::tie(p.way, p.subgoals) = wayTo(choice_.pick(p.random));
+  std::tie(p.warmStart, p.subgoals) = warmStartTo(choice_.pick(p.random));
   p.episode.repeats = p.repeats && p.subgoals > 0;
   if (p.episode.repeats) {
     p.mode = Mode::repeating;
@@ -250,9 +250,9 @@ void Pbge::aim(Player& p) const {
 }
 
 Vec3 Pbge::placeNear(Player& p) const {
-  const SinCos way = sinCos(Turns(p.random.below(policy::kHeadings) << 12));
+  const SinCos direction = sinCos(Turns(p.random.below(policy::kHeadings) << 12));
   const float cells = 1 + float(p.random.below(kFarthest));
-  return p.episode.world.position + directionOf(way) * (cells * cellWidth());
+  return p.episode.world.position + directionOf(direction) * (cells * cellWidth());
 }
 
 }  // namespace obby::baselines

@@ -32,14 +32,14 @@ void observeGoal(const float* place, const float* goal, float* out) {
 
 int bestMove(const float* quantiles, bool mayJump) {
   int best = 0;
-  float most = 0;
+  float max = 0;
   for (int m = 0; m < policy::kMoves; ++m, quantiles += kQuantiles) {
     if (!policy::isAllowed(m, mayJump)) continue;
     float sum = 0;
     for (size_t q = 0; q < kQuantiles; ++q) sum += quantiles[q];
-    if (m > 0 && !(sum > most)) continue;
+    if (m > 0 && !(sum > max)) continue;
     best = m;
-    most = sum;
+    max = sum;
   }
   return best;
 }

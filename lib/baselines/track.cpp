@@ -25,16 +25,16 @@ uint32_t codeOf(const sim::World& world) {
 
 }  // namespace
 
-void placeOf(const Problem& problem, const sim::World& world, const sim::LooseBody* loose,
+void placeOf(const Problem& problem, const sim::World& world, const sim::RigidBody* bodies,
              float* place) {
   write(world.position - problem.start.position, place);
   Vec3 moved;
-  const uint32_t bodies = problem.level.looseCount;
-  for (uint32_t i = 0; i < bodies; ++i) {
-    if (loose[i].state == sim::LooseState::gone) continue;
-    moved += loose[i].position - problem.startLoose[i].position;
+  const uint32_t bodyCount = problem.level.bodyCount;
+  for (uint32_t i = 0; i < bodyCount; ++i) {
+    if (bodies[i].state == sim::RigidBodyState::gone) continue;
+    moved += bodies[i].position - problem.startBodies[i].position;
   }
-  write(moved * (bodies == 0 ? 0.0f : 1 / float(bodies)), place + 3);
+  write(moved * (bodyCount == 0 ? 0.0f : 1 / float(bodyCount)), place + 3);
   place[kReached] = float(targetsReached(world));
   place[kCode] = float(codeOf(world)) / float(kCodes);
 }
@@ -44,7 +44,7 @@ void Memory::add(std::shared_ptr<const Track> track) {
   const size_t count = track->decisions();
   tracks_.push_back({end_, std::move(track)});
   end_ += count;
-  while (tracks_.size() > 1 && size() > room_) tracks_.pop_front();
+  while (tracks_.size() > 1 && size() > capacity_) tracks_.pop_front();
 }
 
 Memory::Place Memory::at(size_t i) const {

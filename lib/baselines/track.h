@@ -21,8 +21,8 @@ constexpr size_t kPlace = 8;
 constexpr size_t kReached = 6, kCode = 7;  // indices in a place
 constexpr uint32_t kCodes = 1u << 16;
 
-// `loose`: (problem.level.looseCount).
-void placeOf(const Problem& problem, const sim::World& world, const sim::LooseBody* loose,
+// `bodies`: (problem.level.bodyCount).
+void placeOf(const Problem& problem, const sim::World& world, const sim::RigidBody* bodies,
              float* place);
 
 // The places of one episode, before each decision and after the last.
@@ -49,7 +49,7 @@ struct Track {
 // The decisions of the last episodes, within a capacity.
 class Memory {
  public:
-  explicit Memory(size_t room) : room_(room) {}
+  explicit Memory(size_t capacity) : capacity_(capacity) {}
 
   void add(std::shared_ptr<const Track> track);
   size_t size() const { return size_t(end_ - (tracks_.empty() ? end_ : tracks_.front().first)); }
@@ -66,7 +66,7 @@ class Memory {
     uint64_t first;  // index of its first decision among all ever added
     std::shared_ptr<const Track> track;
   };
-  size_t room_;
+  size_t capacity_;
   uint64_t end_ = 0;
   std::deque<Kept> tracks_;
 };

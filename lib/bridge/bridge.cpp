@@ -47,10 +47,10 @@ class Host {
           .exclusiveJoin(untilIdle())
           .wait(events_.io.waitScope);
       service_->jobs().cancelAll(nullptr, "the bridge is shutting down");
-      const auto most = uint64_t((options_.limits.stopSeconds + 1) * 1000) * kj::MILLISECONDS;
+      const auto max = uint64_t((options_.limits.stopSeconds + 1) * 1000) * kj::MILLISECONDS;
       service_->jobs()
           .whenIdle()
-          .exclusiveJoin(loop_.timer.afterDelay(most))
+          .exclusiveJoin(loop_.timer.afterDelay(max))
           .then([&] { return farewell().exclusiveJoin(loop_.timer.afterDelay(kFarewell)); })
           .wait(events_.io.waitScope);
     } catch (const kj::Exception& e) {
@@ -62,8 +62,8 @@ class Host {
  private:
   kj::Promise<void> untilIdle() {
     service_->sweep();
-    const double most = options_.idleSeconds;
-    if (most > 0 && service_->quietFor() >= most) return kj::READY_NOW;
+    const double max = options_.idleSeconds;
+    if (max > 0 && service_->quietFor() >= max) return kj::READY_NOW;
     return loop_.timer.afterDelay(kSweep).then([this] { return untilIdle(); });
   }
 

@@ -46,7 +46,7 @@ struct Limits {
   // Returns the processor time after which the system ends a program and its results are lost. The
   // threads may use all `processors` until the bridge notices the limit above, and while the
   // program writes its results.
-  uint64_t mostCpuSeconds(uint32_t processors) const {
+  uint64_t maxCpuSeconds(uint32_t processors) const {
     constexpr uint64_t kSeenAfter = 4;  // seconds; the bridge may be busy
     const uint64_t late = processors * (kSeenAfter + uint64_t(std::ceil(stopSeconds)));
     return cpuSeconds + std::max({uint64_t(10), cpuSeconds / 10, late});

@@ -49,7 +49,7 @@ void Ring::hold(uint64_t cursor) {
 void Ring::forgetOld() {
   while (bytes_ > limit_ && messages_.size() > 1) {
     const bool held = messages_.front().number > taken_;
-    if (held && bytes_ <= most_) return;
+    if (held && bytes_ <= max_) return;
     bytes_ -= messages_.front().text.size();
     messages_.pop_front();
   }

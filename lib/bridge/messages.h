@@ -22,7 +22,7 @@ class Ring {
   // Keeps this many bytes of messages, and up to `unsent` bytes of held ones (below) if that is
   // more.
   explicit Ring(uint64_t bytes, uint64_t unsent = 0)
-      : limit_(bytes), most_(std::max(bytes, unsent)) {}
+      : limit_(bytes), max_(std::max(bytes, unsent)) {}
 
   // Adds a JSON object about that job, with its number as the first member. The oldest messages are
   // dropped when the ring is full.
@@ -47,7 +47,7 @@ class Ring {
 
   void forgetOld();
 
-  uint64_t limit_, most_, bytes_ = 0, next_ = 1;
+  uint64_t limit_, max_, bytes_ = 0, next_ = 1;
   uint64_t taken_ = kNobody;  // messages after it are held
   std::deque<Message> messages_;
 };

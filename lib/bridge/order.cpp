@@ -20,14 +20,14 @@ using Type = JsonTree::Type;
 // The members of the budget, and the options of our programs that they set. Bounds are those of the
 // option tables, except for the time, which a shared bridge must limit.
 enum class Shape { number, whole, seed, truth };
-struct Knob {
+struct BudgetRow {
   const char* name;
   const char* option;
   Shape shape;
   double min = 0, max = 0;
   bool solves = true, calibrates = false;  // programs that have the option
 };
-constexpr Knob kKnobs[] = {
+constexpr BudgetRow kBudgetRows[] = {
     {"timeLimit", "--time-limit", Shape::number, 0.01, 600},
     {"maxSteps", "--max-steps", Shape::whole, 1, 9e15},
     {"solutions", "--solutions", Shape::whole, 1, 1000},
@@ -68,8 +68,8 @@ class OrderReader {
       return {};
     }
     if (name == "budget") {
-      return forMembers(tree_, value, "budget", [&](std::string_view knob, const Node& setting) {
-        return budget(knob, setting);
+      return forMembers(tree_, value, "budget", [&](std::string_view row, const Node& setting) {
+        return budget(row, setting);
       });
     }
     return unknownMember(
@@ -148,36 +148,36 @@ class OrderReader {
 
   Status budget(std::string_view name, const Node& value) {
     std::vector<std::string> known;
-    for (const Knob& knob : kKnobs) {
-      if (name == knob.name) return this->knob(knob, value);
-      known.emplace_back(knob.name);
+    for (const BudgetRow& row : kBudgetRows) {
+      if (name == row.name) return this->row(row, value);
+      known.emplace_back(row.name);
     }
     return unknownMember("budget", name, known);
   }
 
-  Status knob(const Knob& knob, const Node& value) {
-    const std::string path = std::string("budget.") + knob.name;
-    knobs_.push_back(&knob);
-    if (knob.shape == Shape::truth) {
-      if (value.type == Type::yes) order_.arguments.emplace_back(knob.option);
+  Status row(const BudgetRow& row, const Node& value) {
+    const std::string path = std::string("budget.") + row.name;
+    rows_.push_back(&row);
+    if (row.shape == Shape::truth) {
+      if (value.type == Type::yes) order_.arguments.emplace_back(row.option);
       if (value.type == Type::yes || value.type == Type::no) return {};
       return pathError(path, "expected true or false, found " + tree_.describe(value));
     }
-    const auto setting = knob.shape == Shape::seed ? seed(value) : number(knob, value);
+    const auto setting = row.shape == Shape::seed ? seed(value) : number(row, value);
     if (setting.empty()) {
       const std::string wanted =
-          knob.shape == Shape::seed
+          row.shape == Shape::seed
               ? "a whole number or, beyond 2^53, its digits as a string"
-              : fmt::format("a {}number from {} to {}", knob.shape == Shape::whole ? "whole " : "",
-                            knob.min, knob.max);
+              : fmt::format("a {}number from {} to {}", row.shape == Shape::whole ? "whole " : "",
+                            row.min, row.max);
       return pathError(path, fmt::format("expected {}, found {}", wanted, tree_.describe(value)));
     }
-    order_.arguments.push_back(fmt::format("{}={}", knob.option, setting));
+    order_.arguments.push_back(fmt::format("{}={}", row.option, setting));
     return {};
   }
 
   // Returns the value as an argument, or "" if it is invalid.
-  std::string number(const Knob& knob, const Node& value) const {
+  std::string number(const BudgetRow& row, const Node& value) const {
     double found = NAN;
     if (value.type == Type::whole) found = double(value.value);
     if (value.type == Type::real) {
@@ -185,8 +185,8 @@ class OrderReader {
       const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), found);
       if (error != std::errc() || end != text.data() + text.size()) return {};
     }
-    if (!(found >= knob.min && found <= knob.max)) return {};
-    if (knob.shape == Shape::number) return fmt::format("{}", found);
+    if (!(found >= row.min && found <= row.max)) return {};
+    if (row.shape == Shape::number) return fmt::format("{}", found);
     return std::floor(found) == found ? fmt::format("{:.0f}", found) : "";
   }
 
@@ -205,9 +205,9 @@ class OrderReader {
     if (recordsName_ && (std::string_view(recordsName_) == "queries") != solve) {
       return pathError(recordsName_, "is not allowed with this task");
     }
-    for (const Knob* knob : knobs_) {
-      if (solve ? knob->solves : knob->calibrates) continue;
-      return pathError(std::string("budget.") + knob->name, "is not allowed with this task");
+    for (const BudgetRow* row : rows_) {
+      if (solve ? row->solves : row->calibrates) continue;
+      return pathError(std::string("budget.") + row->name, "is not allowed with this task");
     }
     if (isGiven("--trials=") && !isGiven("--difficulty"))
       return pathError("budget.trials", "has no effect without budget.difficulty",
@@ -242,7 +242,7 @@ class OrderReader {
   const Limits& limits_;
   Order order_;
   const char* recordsName_ = nullptr;
-  std::vector<const Knob*> knobs_;  // the options given
+  std::vector<const BudgetRow*> rows_;  // the options given
 };
 
 }  // namespace

@@ -71,7 +71,7 @@ std::variant<JobPlan, Reply> Service::plan(const Order& order, Client& client, u
   out.command = {solve ? programs_.solve : programs_.calibrate,
                  {"--progress=json", "--json-errors"},
                  limits_.memoryBytes,
-                 limits_.mostCpuSeconds(std::max(1u, std::thread::hardware_concurrency()))};
+                 limits_.maxCpuSeconds(std::max(1u, std::thread::hardware_concurrency()))};
   std::vector<std::string>& arguments = out.command.arguments;
   arguments.insert(arguments.end(), order.arguments.begin(), order.arguments.end());
   if (!order.physics.empty()) out.input = order.physics + "\n";

@@ -30,12 +30,12 @@ Result<Pipe> makePipe() {
   return Pipe{OwnedFd(fds[0]), OwnedFd(fds[1])};
 }
 
-// Sets a soft limit of `most`, and a hard one `slack` above it, which a program cannot catch.
-void limit(decltype(RLIMIT_AS) what, uint64_t most, uint64_t slack = 0) {
+// Sets a soft limit of `max`, and a hard one `slack` above it, which a program cannot catch.
+void limit(decltype(RLIMIT_AS) what, uint64_t max, uint64_t slack = 0) {
   rlimit now{};
-  if (most == 0 || getrlimit(what, &now) != 0) return;
-  now.rlim_max = std::min<rlim_t>(now.rlim_max, most + slack);  // RLIM_INFINITY is the largest
-  now.rlim_cur = std::min<rlim_t>(now.rlim_max, most);
+  if (max == 0 || getrlimit(what, &now) != 0) return;
+  now.rlim_max = std::min<rlim_t>(now.rlim_max, max + slack);  // RLIM_INFINITY is the largest
+  now.rlim_cur = std::min<rlim_t>(now.rlim_max, max);
   setrlimit(what, &now);
 }
 

@@ -1,14 +1,12 @@
 #include "bridge/secrets.h"
 
 #include <errno.h>
-#include <fcntl.h>
 #include <sys/stat.h>
-#include <unistd.h>
-
-#include <cstdio>
 
 #include "io/byte_source.h"
+#include "io/output_file.h"
 #include "io/read_file.h"
+#include "io/sink.h"
 #include "loopback/secrets.h"
 
 namespace obby::bridge {
@@ -58,10 +56,10 @@ bool Pairing::answer(std::string_view code, double now) {
   return used_;
 }
 
-Result<Tokens> Tokens::open(std::string path, size_t most) {
+Result<Tokens> Tokens::open(std::string path, size_t max) {
   Tokens out;
   out.path_ = std::move(path);
-  out.most_ = most;
+  out.max_ = max;
   struct stat about {};
   if (stat(out.path_.c_str(), &about) != 0) {
     if (errno == ENOENT) return out;
@@ -97,34 +95,27 @@ Result<std::string> Tokens::add() {
   std::vector<Entry> entries = entries_;
   int next = next_;
   if (!path_.empty()) {  // another bridge with this folder may have added some
-    OBBY_ASSIGN(const Tokens there, open(path_, most_));
+    OBBY_ASSIGN(const Tokens there, open(path_, max_));
     for (const Entry& entry : there.entries_) {
       if (clientOf(entry.token) < 0) entries.push_back({entry.token, next++});
     }
   }
   entries.push_back({randomHex(kTokenBytes), next++});
-  if (entries.size() > most_) entries.erase(entries.begin(), entries.end() - ptrdiff_t(most_));
+  if (entries.size() > max_) entries.erase(entries.begin(), entries.end() - ptrdiff_t(max_));
   OBBY_RETURN_IF_ERROR(write(entries));
   entries_ = std::move(entries);
   next_ = next;
   return entries_.back().token;
 }
 
-// Writes a whole new file under a temporary name, so that a full disk loses no token.
+// Writes a whole new file, so that a full disk loses no token.
 Status Tokens::write(const std::vector<Entry>& entries) const {
   if (path_.empty()) return {};
   std::string text;
   for (const Entry& entry : entries) text += entry.token + "\n";
-  const std::string temporary = path_ + "." + randomHex(4);
-  const int fd =
-      ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC | O_NOFOLLOW, 0600);
-  if (fd < 0) return io::fileError(path_, "cannot write");
-  const bool written = ::write(fd, text.data(), text.size()) == ssize_t(text.size());
-  const bool closed = close(fd) == 0;
-  if (written && closed && rename(temporary.c_str(), path_.c_str()) == 0) return {};
-  const Error error = io::fileError(path_, "cannot write");
-  unlink(temporary.c_str());
-  return error;
+  OBBY_ASSIGN(const auto file, io::OutputFile::create(path_, 0600));
+  if (!io::sendAll(file->fd(), text, nullptr)) return io::fileError(path_, "cannot write");
+  return file->finish(false);
 }
 
 }  // namespace obby::bridge

@@ -41,7 +41,7 @@ class Tokens {
  public:
   // Reads `path`; no file means no tokens. It is an error if others may read it, or if it holds
   // anything else.
-  static Result<Tokens> open(std::string path, size_t most);
+  static Result<Tokens> open(std::string path, size_t max);
   // Makes tokens without a file, for tests and for a bridge that needs none.
   Tokens() = default;
 
@@ -59,7 +59,7 @@ class Tokens {
   Status write(const std::vector<Entry>& entries) const;
 
   std::string path_;
-  size_t most_ = 16;
+  size_t max_ = 16;
   std::vector<Entry> entries_;
   int next_ = 0;
 };

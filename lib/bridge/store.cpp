@@ -60,7 +60,7 @@ void removeOldAnswers(const std::string& folder) {
 Result<Store> Store::open(const std::string& folder, const Limits& limits) {
   Store out;
   out.folder_ = folder;
-  out.mostBytes_ = limits.storeBytes;
+  out.maxBytes_ = limits.storeBytes;
   for (const char* part : {"", "/levels", "/answers"}) {
     OBBY_RETURN_IF_ERROR(makePrivate(folder + part));
   }
@@ -101,7 +101,7 @@ void Store::makeRoom(uint64_t bytes) const {
   std::sort(entries.begin(), entries.end(),
             [](const Entry& a, const Entry& b) { return a.used < b.used; });
   for (const Entry& entry : entries) {
-    if (total <= mostBytes_) return;
+    if (total <= maxBytes_) return;
     if (fs::remove(entry.path, error)) total -= entry.size;
   }
 }

@@ -48,7 +48,7 @@ class Store {
   void makeRoom(uint64_t bytes) const;
 
   std::string folder_;
-  uint64_t mostBytes_ = 0;
+  uint64_t maxBytes_ = 0;
 };
 
 // Returns the `"type"` of a record line that one of our tools wrote, or "" if it is none.

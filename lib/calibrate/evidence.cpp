@@ -18,10 +18,10 @@ constexpr double kStep = 0.004;
 constexpr double kAlike = 0.5;
 // Seconds whose errors share a cause, since a window's errors share its first sample.
 constexpr double kStretch = 1.5;
-constexpr double kLeastEigenvalue = 1e-9;  // relative to the largest eigenvalue; smaller ones count
-                                           // as zero
+constexpr double kMinEigenvalue = 1e-9;  // relative to the largest eigenvalue; smaller ones count
+                                         // as zero
 // Studs. No recorder is more precise: a fall deviates by more between two frames.
-constexpr double kLeastNoise = 1e-3;
+constexpr double kMinNoise = 1e-3;
 constexpr float kShows = 1e-3f;  // studs by which at least one frame must change
 
 std::vector<double> moved(std::vector<double> point, size_t at, double by) {
@@ -31,7 +31,7 @@ std::vector<double> moved(std::vector<double> point, size_t at, double by) {
 
 // Variance of one independent sample, as if its frames were fully correlated.
 double varianceOf(const Slopes& s) {
-  return std::max(s.noise * s.noise, kLeastNoise * kLeastNoise) * s.alike;
+  return std::max(s.noise * s.noise, kMinNoise * kMinNoise) * s.alike;
 }
 
 // Returns the mean number of recorded frames in `seconds`, at least 1.
@@ -159,7 +159,7 @@ Result<std::vector<double>> refined(const Objective& objective, std::vector<doub
   for (int round = 0; round < rounds; ++round) {
     OBBY_ASSIGN(const Slopes s, slopesAt(objective, point, work));
     if (work.stopped()) break;
-    const double scale = std::max(s.normal.diagonal().maxCoeff() * kLeastEigenvalue, 1e-12);
+    const double scale = std::max(s.normal.diagonal().maxCoeff() * kMinEigenvalue, 1e-12);
     bool better = false;
     for (int tries = 0; tries < 5 && !better && !work.stopped(); ++tries, damping *= 8) {
       Eigen::MatrixXd damped = s.normal;

@@ -37,8 +37,8 @@ Fitted bySlope(Fitted f, double share, double half) {
 Fitted byProfile(Fitted f, const Profile& profile, double slack, double between) {
   const Possible possible = possibleOf(profile, slack);
   if (possible.all) return f;
-  f.low = std::min(f.value, valueAt(f.parameter, possible.least - between));
-  f.high = std::max(f.value, valueAt(f.parameter, possible.most + between));
+  f.low = std::min(f.value, valueAt(f.parameter, possible.min - between));
+  f.high = std::max(f.value, valueAt(f.parameter, possible.max + between));
   return judged(f);
 }
 

@@ -14,12 +14,12 @@ namespace obby::calibrate {
 
 namespace {
 
-constexpr double kGain = 0.02;       // relative loss reduction that justifies another search
-constexpr int kFocusRounds = 4;      // max rounds of focus()
-constexpr int kPasses = 6;           // max passes; the restarts belong to the first
-constexpr double kOutside = 4;       // standard deviations beyond which noise explains nothing
-constexpr double kFinest = 0.01;     // studs
-constexpr uint32_t kMostRate = 480;  // control steps a second, the limit for levels
+constexpr double kGain = 0.02;      // relative loss reduction that justifies another search
+constexpr int kFocusRounds = 4;     // max rounds of focus()
+constexpr int kPasses = 6;          // max passes; the restarts belong to the first
+constexpr double kOutside = 4;      // standard deviations beyond which noise explains nothing
+constexpr double kFinest = 0.01;    // studs
+constexpr uint32_t kMaxRate = 480;  // control steps a second, the limit for levels
 
 // Estimated share of the time of each phase.
 constexpr Stretch kApproach{0, 0.5}, kFocus{0.5, 0.7}, kQuicken{0.7, 0.85}, kLengthen{0.85, 0.95},
@@ -145,7 +145,7 @@ class Fitter {
   Status quicken() {
     const uint32_t substeps = now_.getSubsteps(), rate = now_.getControlRate() * substeps;
     const double before = lossNow(), noise = noiseOf(brief_.takes());
-    if (work_.stopped() || substeps <= 1 || rate > kMostRate ||
+    if (work_.stopped() || substeps <= 1 || rate > kMaxRate ||
         before < std::max(kNoLoss, noise * noise))
       return {};
     Found slower = found_.copy();

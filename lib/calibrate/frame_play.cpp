@@ -49,8 +49,8 @@ double steadyRate(const uint32_t* steps, size_t count) {
   }
   const double rate = product / square;
   for (size_t i = 0; i < n; ++i) time[i] -= rate * double(i);
-  const auto [least, most] = std::minmax_element(time.begin(), time.end());
-  return *most - *least <= kUneven ? rate : 0;
+  const auto [min, max] = std::minmax_element(time.begin(), time.end());
+  return *max - *min <= kUneven ? rate : 0;
 }
 
 // Counts the time in Landed by the frames' own time, and by their steps where that is ambiguous.
@@ -96,7 +96,7 @@ class Walker {
  public:
   Walker(const level::LevelView& level, const sim::World& world, const MassCentre& centre,
          sim::Action first)
-      : world_(world), loose_(sim::startLoose(level)), centre_(centre) {
+      : world_(world), bodies_(sim::startBodies(level)), centre_(centre) {
     if (centre_.isRoot() || !onFloor(world_)) return;
     rate_ = turnRate(ticked(world_, level, first), level);
     world_.velocity -= rate_;  // it was of the centre of mass
@@ -106,7 +106,7 @@ class Walker {
 
   void tick(const level::LevelView& level, sim::Action action) {
     if (centre_.isRoot()) {
-      sim::tick(world_, loose_.data(), level, action);
+      sim::tick(world_, bodies_.data(), level, action);
       return;
     }
     sim::World next = ticked(world_, level, action);
@@ -124,8 +124,8 @@ class Walker {
  private:
   // Pushed bodies do not move, since recordings of real places have none.
   sim::World ticked(sim::World w, const level::LevelView& level, sim::Action action) {
-    std::vector<sim::LooseBody> loose = loose_;
-    sim::tick(w, loose.data(), level, action);
+    std::vector<sim::RigidBody> bodies = bodies_;
+    sim::tick(w, bodies.data(), level, action);
     return w;
   }
   // Returns the velocity of the centre of mass about the root in a tick that ends as `next`.
@@ -134,7 +134,7 @@ class Walker {
   }
 
   sim::World world_;
-  std::vector<sim::LooseBody> loose_;
+  std::vector<sim::RigidBody> bodies_;
   MassCentre centre_;
   Vec3 rate_;  // of the last tick, studs/s
 };

@@ -9,8 +9,8 @@ namespace obby::calibrate {
 
 namespace {
 
-constexpr double kSteady = 0.1;       // max relative change of a steady acceleration between frames
-constexpr double kLeastChange = 0.1;  // min change of the velocity, studs/s
+constexpr double kSteady = 0.1;     // max relative change of a steady acceleration between frames
+constexpr double kMinChange = 0.1;  // min change of the velocity, studs/s
 constexpr double kLongestDelay = 0.05;  // seconds: no engine has a longer one
 constexpr double kSure = 4;             // standard errors
 constexpr double kNoTime = 1e-5;        // seconds: too short to be measured
@@ -38,7 +38,7 @@ void addStrides(const std::vector<Frame>& f, int axis, double own, std::vector<S
         std::fabs(slopeAt(f, i + 1, axis) - slope) > slack)
       continue;
     const double seconds = f[i + 1].time - f[i].time, change = slope * seconds;
-    if (std::fabs(change) < kLeastChange) continue;
+    if (std::fabs(change) < kMinChange) continue;
     const double sum = along(f[i].velocity + f[i + 1].velocity, axis);
     const double way = along(f[i + 1].position - f[i].position, axis);
     to.push_back({way - 0.5 * sum * seconds - own * change, change});
@@ -90,8 +90,8 @@ double velocityAgeOf(std::span<const Take> takes, schema::PhysicsParams::Reader 
   }
   if (strides.empty()) return 0;
   const double age = balanceOf(strides);
-  const double least = std::max(kSure * standardError(strides, age), kNoTime);
-  return std::fabs(age) < least ? 0 : std::clamp(age, -kLongestDelay, kLongestDelay);
+  const double min = std::max(kSure * standardError(strides, age), kNoTime);
+  return std::fabs(age) < min ? 0 : std::clamp(age, -kLongestDelay, kLongestDelay);
 }
 
 std::vector<Take> withVelocitiesOfNow(std::span<const Take> takes,

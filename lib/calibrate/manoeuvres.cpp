@@ -27,19 +27,19 @@ void showMoving(const level::Level& level, Track& track) {
     const level::Collider& c = level.view().colliders[i];
     const bool again =
         std::find(track.parts.begin(), track.parts.end(), c.part) != track.parts.end();
-    if (again || (c.mover == level::kNone && c.loose == level::kNotLoose)) continue;
+    if (again || (c.mover == level::kNone && c.body == level::kNoBody)) continue;
     track.parts.push_back(c.part);
     track.shown.push_back("part:" + std::to_string(c.part));
   }
 }
 
 PartPose poseOf(const level::LevelView& level, uint32_t part, uint32_t tick,
-                const std::vector<sim::LooseBody>& loose) {
+                const std::vector<sim::RigidBody>& bodies) {
   const auto* const end = level.colliders + level.colliderCount;
   const level::Collider& c =
       *std::find_if(level.colliders, end, [&](const level::Collider& x) { return x.part == part; });
-  if (c.loose != level::kNotLoose)
-    return {sim::poseOf(loose[c.loose], level.loose[c.loose]).position, loose[c.loose].rotation};
+  if (c.body != level::kNoBody)
+    return {sim::poseOf(bodies[c.body], level.bodies[c.body]).position, bodies[c.body].rotation};
   const Pose pose = level::moverPose(level.movers[c.mover], tick);
   return {pose.position, toQuat(pose.rotation)};
 }
@@ -153,7 +153,7 @@ Track rehearse(const level::Level& level, const Manoeuvre& manoeuvre, float nois
   const level::LevelView& view = level.view();
   const Params& p = view.params;
   sim::World world = sim::makeWorld(view, {manoeuvre.feet, 0, 0});
-  std::vector<sim::LooseBody> loose = sim::startLoose(view);
+  std::vector<sim::RigidBody> bodies = sim::startBodies(view);
   Random random(seed, 0);
   const auto off = [&] { return noise * (2 * random.unit() - 1); };
   Track track{manoeuvre.name, level.name()};
@@ -170,8 +170,8 @@ Track rehearse(const level::Level& level, const Manoeuvre& manoeuvre, float nois
       f.facing = directionOf(sinCos(world.yaw));
       track.frames.push_back(f);
       for (const uint32_t part : track.parts)
-        track.poses.push_back(poseOf(view, part, world.tick, loose));
-      sim::advance(world, loose.data(), view, nullptr, actionOf(f));
+        track.poses.push_back(poseOf(view, part, world.tick, bodies));
+      sim::advance(world, bodies.data(), view, nullptr, actionOf(f));
     }
   }
   return track;
@@ -188,7 +188,7 @@ void writePlan(const level::Level& level, const Manoeuvre& manoeuvre,
   to.setOutcome(schema::Outcome(end.world.outcome));
   to.setTicks(end.ticks);
   to.setJumps(end.world.jumps);
-  to.setStateHash(sim::stateHash(end.world, end.loose));
+  to.setStateHash(sim::stateHash(end.world, end.bodies));
   set(to.initEndPosition(), end.world.position);
 }
 

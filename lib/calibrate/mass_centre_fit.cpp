@@ -10,10 +10,10 @@ namespace obby::calibrate {
 
 namespace {
 
-constexpr float kLeastTurning = 0.02f;  // min sum of squared changes of the facing vector
-constexpr float kOffSpeed = 0.01f;      // rounding of speeds, studs/s
-constexpr float kOffLimit = 0.02f;      // studs/s per step
-constexpr float kLeastTurn2 = 1e-6f;    // min squared change of the facing vector in one frame
+constexpr float kMinTurning = 0.02f;  // min sum of squared changes of the facing vector
+constexpr float kOffSpeed = 0.01f;    // rounding of speeds, studs/s
+constexpr float kOffLimit = 0.02f;    // studs/s per step
+constexpr float kMinTurn2 = 1e-6f;    // min squared change of the facing vector in one frame
 
 bool inFreeFall(const Frame& f) {
   return f.state == sim::State::freefall && (f.facing.x != 0 || f.facing.z != 0);
@@ -34,8 +34,8 @@ Swing swingOf(const Frame& a, const Frame& b, const Params& p) {
   const float n = float(steps);
   const Vec3 gain = b.velocity - a.velocity;
   if (std::abs(gain.y + p.gravity * dt * n) > kOffSpeed) return {};
-  const float side = std::hypot(gain.x, gain.z), most = p.airAccel * dt * n;
-  if (side > kOffSpeed && std::abs(side - most) > kOffLimit * n) return {};
+  const float side = std::hypot(gain.x, gain.z), max = p.airAccel * dt * n;
+  if (side > kOffSpeed && std::abs(side - max) > kOffLimit * n) return {};
   Vec3 out = b.position - a.position - (a.velocity * n + gain * (0.5f * (n + 1))) * dt;
   out.y = 0;
   return {true, out};
@@ -55,7 +55,7 @@ MassCentre massCentreOf(std::span<const Track* const> tracks, const Track& witho
     for (size_t i = 1; i < track->frames.size(); ++i) {
       const Frame &a = track->frames[i - 1], &b = track->frames[i];
       const Vec3 turn = b.facing - a.facing;
-      if (dot(turn, turn) < kLeastTurn2) continue;
+      if (dot(turn, turn) < kMinTurn2) continue;
       const Swing swing = swingOf(a, b, params);
       if (!swing.known || own.count(keyOf(a)) + own.count(keyOf(b)) > 0) continue;
       turning += double(dot(turn, turn));
@@ -63,7 +63,7 @@ MassCentre massCentreOf(std::span<const Track* const> tracks, const Track& witho
       right -= double(dot(rightOf(turn), swing.root));
     }
   }
-  if (turning < double(kLeastTurning)) return {};
+  if (turning < double(kMinTurning)) return {};
   return {float(ahead / turning), float(right / turning)};
 }
 

@@ -148,7 +148,7 @@ Miss missOf(const Path& path) {
   for (size_t i = 0; i < count; ++i) {
     const double off = double(length(path.simulated[i] - path.recorded[i]));
     out.mean += off / double(count);
-    out.most = std::max(out.most, off);
+    out.max = std::max(out.max, off);
     out.last = off;
     if (off > kParted && out.parted < 0) out.parted = path.seconds[i];
   }

@@ -82,8 +82,8 @@ class Objective {
 
 // Errors of a complete playback.
 struct Miss {
-  double mean = 0, last = 0, most = 0;  // studs
-  double parted = -1;                   // seconds until half a stud off; -1: never
+  double mean = 0, last = 0, max = 0;  // studs
+  double parted = -1;                  // seconds until half a stud off; -1: never
 };
 
 // A take and its complete playback in the simulator.

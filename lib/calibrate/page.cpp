@@ -16,9 +16,9 @@ namespace {
 constexpr double kBar = 220;        // width of an interval's bar, pixels
 constexpr double kPlotWidth = 640;  // pixels, as in table::chartSvg
 constexpr double kLow = 150, kHigh = 460;
-constexpr double kLeastMap = 4;      // min width of a map, studs; smaller ones would show only
-                                     // noise
-constexpr size_t kMostPoints = 600;  // max points of a curve; more are not visible
+constexpr double kMinMap = 4;       // min width of a map, studs; smaller ones would show only
+                                    // noise
+constexpr size_t kMaxPoints = 600;  // max points of a curve; more are not visible
 
 constexpr const char* kHead = R"(<!doctype html>
 <html lang="en"><head><meta charset="utf-8">
@@ -102,7 +102,7 @@ std::string parametersOf(const Fit& fit) {
 template <class Point>
 table::ChartCurve curveOf(const std::string& name, size_t count, const Point& point) {
   table::ChartCurve curve{name, {}, {}, {}};
-  const size_t step = count / kMostPoints + 1;
+  const size_t step = count / kMaxPoints + 1;
   for (size_t i = 0; i < count; i += step) curve.points.push_back(point(i));
   if (count > 0 && (count - 1) % step != 0) curve.points.push_back(point(count - 1));
   return curve;
@@ -139,14 +139,14 @@ Range widened(Range range, double size) {
 table::ChartPlot mapOf(const std::string& across, const std::string& up,
                        std::vector<table::ChartCurve> curves) {
   Range x = rangeOf(curves, false), y = rangeOf(curves, true);
-  const double size = std::max({x.to - x.from, (y.to - y.from) * kPlotWidth / kHigh, kLeastMap});
+  const double size = std::max({x.to - x.from, (y.to - y.from) * kPlotWidth / kHigh, kMinMap});
   x = widened(x, size);
   y = widened(y, size * kLow / kPlotWidth);
   return {table::roundAxis(across, x.from, x.to, false), table::roundAxis(up, y.from, y.to, false),
           std::move(curves), kPlotWidth * (y.to - y.from) / size};
 }
 
-std::string waysOf(const Path& path) {
+std::string chartsOf(const Path& path) {
   const size_t count = path.seconds.size();
   const auto pair = [&](const auto& point) {
     return std::vector<table::ChartCurve>{
@@ -172,8 +172,8 @@ std::string recordingOf(const Outcome& o, bool open) {
   return fmt::format(
       "<details{}><summary>{}: {:.3f} studs off, {:.3f} at the end, max "
       "{:.3f}{}{}</summary>\n{}</details>\n",
-      open ? " open" : "", io::escapeMarkup(o.name), o.miss.mean, o.miss.last, o.miss.most, parted,
-      o.heldOut ? " <span class=\"faint\">(held out from the fit)</span>" : "", waysOf(o.path));
+      open ? " open" : "", io::escapeMarkup(o.name), o.miss.mean, o.miss.last, o.miss.max, parted,
+      o.heldOut ? " <span class=\"faint\">(held out from the fit)</span>" : "", chartsOf(o.path));
 }
 
 std::string reasonsIn(const std::vector<std::string>& why) {

@@ -23,7 +23,7 @@ struct Row {
   const char* manoeuvre;
   Parameter::Kind kind = Parameter::Kind::smooth;
   double divisor = factor;  // lower bound = current value / divisor
-  double most = 0;          // for a value that may be 0: the range is [0, most]
+  double max = 0;           // for a value that may be 0: the range is [0, most]
 };
 
 // Parameters of a walking, jumping body, each with the manoeuvre that shows it best.
@@ -67,8 +67,8 @@ Parameter parameterOf(const Row& row, schema::PhysicsParams::Reader now) {
   const auto field = capnp::Schema::from<schema::PhysicsParams>().getFieldByName(row.name);
   const double value = valueOf(now, row.name);
   const auto range = level::paramRange(row.name);
-  const double lowest = row.most > 0 ? 0 : value / row.divisor;
-  const double highest = row.most > 0 ? std::max(row.most, value) : value * row.factor;
+  const double lowest = row.max > 0 ? 0 : value / row.divisor;
+  const double highest = row.max > 0 ? std::max(row.max, value) : value * row.factor;
   return {row.name,
           unitOf(field),
           std::max(lowest, double(range.getMin())),
@@ -82,7 +82,7 @@ Parameter parameterOf(const Row& row, schema::PhysicsParams::Reader now) {
 std::vector<Parameter> parametersAround(schema::PhysicsParams::Reader now) {
   std::vector<Parameter> out;
   for (const Row& row : kRows) {
-    if (row.most > 0 || valueOf(now, row.name) > 0) out.push_back(parameterOf(row, now));
+    if (row.max > 0 || valueOf(now, row.name) > 0) out.push_back(parameterOf(row, now));
   }
   return out;
 }

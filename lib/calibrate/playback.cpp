@@ -17,7 +17,7 @@ struct Player {
   double origin;  // time of the track at tick 0
   int tick;       // negative: before the window
   sim::World world;
-  std::vector<sim::LooseBody> loose;
+  std::vector<sim::RigidBody> bodies;
   uint32_t held = 0;  // frame whose input is active
   uint32_t next = 0;  // next frame to compare
   Moment before = {};
@@ -42,7 +42,7 @@ void hold(Player& player, uint32_t frame, const level::LevelView& level) {
   player.world.velocity = f.velocity;
   player.world.state = f.state;
   if (showsFacing(f)) player.world.yaw = headingOf(f.facing.x, f.facing.z);
-  if (showLoose(player.track, frame, level, player.loose)) player.world.flags |= sim::kLooseAwake;
+  if (showBodies(player.track, frame, level, player.bodies)) player.world.flags |= sim::kBodyAwake;
 }
 
 Moment momentOf(const sim::World& world, const Params& p) {
@@ -66,7 +66,7 @@ uint32_t nearestFrame(const Track& track, uint32_t from, double time) {
 
 std::vector<Window> windowsOf(const Track& track, double seconds, const level::LevelView& level) {
   const uint32_t end = uint32_t(track.frames.size()) - 1;
-  if (!showsLoose(track, level)) return {{0, end}};
+  if (!showsBodies(track, level)) return {{0, end}};
   std::vector<Window> out;
   for (uint32_t first = 0; first < end;) {
     uint32_t last = first + 1;
@@ -127,7 +127,7 @@ Player playerOf(const Track& track, const Window& window, const level::LevelView
   sim::World world = worldAt(track, first, level);
   // The frame may be some ticks off, but moving parts follow the exact time.
   world.tick = track.tickAt(begin, level.params);
-  return {track, window, origin, -lead, world, sim::startLoose(level), first, window.first + 1};
+  return {track, window, origin, -lead, world, sim::startBodies(level), first, window.first + 1};
 }
 
 // Visits the frames passed in the last tick.
@@ -149,11 +149,11 @@ void playBack(const level::LevelView& level, const Track& track, const std::vect
   std::vector<Player> players;
   for (const Window& w : windows) players.push_back(playerOf(track, w, level));
   std::vector<sim::World*> worlds;
-  std::vector<sim::LooseBody*> loose;
+  std::vector<sim::RigidBody*> bodies;
   std::vector<sim::Action> actions;
   std::vector<uint32_t> whose;
   do {
-    worlds.clear(), loose.clear(), actions.clear(), whose.clear();
+    worlds.clear(), bodies.clear(), actions.clear(), whose.clear();
     for (uint32_t i = 0; i < players.size(); ++i) {
       Player& player = players[i];
       if (player.over()) continue;
@@ -161,12 +161,12 @@ void playBack(const level::LevelView& level, const Track& track, const std::vect
       if (player.tick <= 0) hold(player, nearestFrame(track, player.window.first, now), level);
       player.before = momentOf(player.world, p);
       worlds.push_back(&player.world);
-      loose.push_back(player.loose.data());
+      bodies.push_back(player.bodies.data());
       // An input counts for a tick if it is active at its middle.
       actions.push_back(player.actionAt(now - delay + 0.5 * double(p.tickSeconds)));
       whose.push_back(i);
     }
-    sim::advanceAll(level, nullptr, worlds, loose.data(), actions.data());
+    sim::advanceAll(level, nullptr, worlds, bodies.data(), actions.data());
     for (const uint32_t i : whose) {
       if (players[i].tick >= 0) meetFrames(players[i], p, i, visit);
       ++players[i].tick;

@@ -15,12 +15,12 @@ struct Profile {
 // The shares that a profile does not rule out: their losses exceed the minimum by no more than
 // `slack` (slackOf() in evidence.h).
 struct Possible {
-  double least, most;
+  double min, max;
   bool all;  // nothing is ruled out
 };
 Possible possibleOf(const Profile& profile, double slack);
 
-// Returns true if the losses differ only by rounding; `least` is the smaller one.
-bool alike(double loss, double least);
+// Returns true if the losses differ only by rounding; `min` is the smaller one.
+bool alike(double loss, double min);
 
 }  // namespace obby::calibrate

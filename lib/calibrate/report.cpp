@@ -13,9 +13,9 @@ namespace {
 
 // Formats a time that counts in whole ticks.
 std::string ticksOf(const Fitted& f) {
-  const long least = std::lround(f.low / f.tick), most = std::lround(f.high / f.tick);
-  return fmt::format("{} tick{}", rangeText(fmt::format("{}", least), fmt::format("{}", most)),
-                     least == 1 && most == 1 ? "" : "s");
+  const long min = std::lround(f.low / f.tick), max = std::lround(f.high / f.tick);
+  return fmt::format("{} tick{}", rangeText(fmt::format("{}", min), fmt::format("{}", max)),
+                     min == 1 && max == 1 ? "" : "s");
 }
 
 std::string lineOf(const Fitted& f) {
@@ -32,7 +32,7 @@ std::string lineOf(const Fitted& f) {
 
 std::string lineOf(const Outcome& o) {
   const Miss& m = o.miss;
-  return fmt::format("  {:<32} {:>8.3f} {:>8.3f} {:>8.3f}   {}{}\n", o.name, m.mean, m.last, m.most,
+  return fmt::format("  {:<32} {:>8.3f} {:>8.3f} {:>8.3f}   {}{}\n", o.name, m.mean, m.last, m.max,
                      m.parted < 0 ? "" : fmt::format("half a stud off after {:.2f} s", m.parted),
                      o.heldOut ? (m.parted < 0 ? "held out" : ", held out") : "");
 }

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kSeconds = 0.5;  // length of a window
 constexpr double kEnd = 0.005;    // distance from a bound that counts as at the bound, in shares
-constexpr size_t kMostNamed = 3;
+constexpr size_t kMaxNamed = 3;
 constexpr double kLittle = 0.01;  // studs: smaller errors are not reported
 constexpr double kElsewhere[] = {0.1, 0.3, 0.5, 0.7, 0.9};  // shares that are tried
 constexpr double kNearer = 0.7;  // relative distance below which another value explains part of the
@@ -41,14 +41,14 @@ std::vector<Strange> windowsOff(std::span<const Take> takes, size_t index,
   std::vector<Strange> out;
   for (const Window& w : windows)
     out.push_back({index, take.track.name, frames[w.first].time, frames[w.last].time});
-  std::vector<double> most(windows.size(), 0);
+  std::vector<double> max(windows.size(), 0);
   playBack(level, take.track, windows, delay,
            [&](uint32_t window, uint32_t frame, const Moment& now) {
              const double off = double(length(now.position - frames[frame].position));
              const Window& w = windows[window];
              out[window].off += off / double(w.last - w.first);
-             if (off <= most[window]) return;
-             most[window] = off;
+             if (off <= max[window]) return;
+             max[window] = off;
              out[window].state = frames[frame].state;
            });
   return out;
@@ -98,7 +98,7 @@ Result<Shortfall> shortfallOf(std::span<const Take> recorded, const Fit& fit,
   }
   std::stable_sort(out.strange.begin(), out.strange.end(),
                    [](const Strange& a, const Strange& b) { return a.off > b.off; });
-  out.strange.resize(std::min(out.strange.size(), kMostNamed));
+  out.strange.resize(std::min(out.strange.size(), kMaxNamed));
   for (Strange& s : out.strange) addUntold(takes, fit, params, s);
   return out;
 }

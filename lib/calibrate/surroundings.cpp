@@ -77,28 +77,28 @@ double phaseOf(const Track& track, const level::LevelView& level, uint32_t perio
   const uint32_t rate = level.params.controlRate, longest = kLongestClock * rate;
   const uint32_t end = period == 0 ? longest : std::min(period, longest);
   double best = 0;
-  float least = std::numeric_limits<float>::max();
+  float min = std::numeric_limits<float>::max();
   for (uint32_t tick = 0; tick < end; ++tick) {
     const double phase = double(tick) / rate;
     float sum = 0;
     for (const Shown& s : moving) {
-      sum += squaredOff(track, s.index, *s.mover, level.params, phase, least);
-      if (sum >= least) break;
+      sum += squaredOff(track, s.index, *s.mover, level.params, phase, min);
+      if (sum >= min) break;
     }
-    if (sum >= least) continue;
-    least = sum;
+    if (sum >= min) continue;
+    min = sum;
     best = phase;
   }
   return best;
 }
 
-// Returns the body of a recorded part, or kNotLoose. It searches the few bodies, because it runs
+// Returns the body of a recorded part, or kNoBody. It searches the few bodies, because it runs
 // for each recorded part at each lead tick and a place has thousands of colliders.
 uint8_t bodyOf(const level::LevelView& level, uint32_t part) {
-  for (uint32_t i = 0; i < level.looseCount; ++i) {
-    if (level.colliders[level.loose[i].firstCollider].part == part) return uint8_t(i);
+  for (uint32_t i = 0; i < level.bodyCount; ++i) {
+    if (level.colliders[level.bodies[i].firstCollider].part == part) return uint8_t(i);
   }
-  return level::kNotLoose;
+  return level::kNoBody;
 }
 
 // Returns the turn from one rotation to another, in radians about the world axes.
@@ -132,10 +132,10 @@ std::vector<Stray> straysOf(const Track& track, const level::LevelView& level) {
   return out;
 }
 
-bool showsLoose(const Track& track, const level::LevelView& level) {
-  std::vector<bool> matters(level.looseCount);
-  for (uint32_t i = 0; i < level.looseCount; ++i) {
-    const level::Loose& body = level.loose[i];
+bool showsBodies(const Track& track, const level::LevelView& level) {
+  std::vector<bool> matters(level.bodyCount);
+  for (uint32_t i = 0; i < level.bodyCount; ++i) {
+    const level::DynamicBody& body = level.bodies[i];
     const Vec3 center = body.position + toMat3(body.rotation) * body.center;
     matters[i] = std::any_of(track.frames.begin(), track.frames.end(), [&](const Frame& f) {
       return length(f.position - center) < body.radius + kFar;
@@ -143,32 +143,32 @@ bool showsLoose(const Track& track, const level::LevelView& level) {
   }
   for (const uint32_t part : track.parts) {
     const uint8_t body = bodyOf(level, part);
-    if (body != level::kNotLoose) matters[body] = false;
+    if (body != level::kNoBody) matters[body] = false;
   }
   return std::none_of(matters.begin(), matters.end(), [](bool does) { return does; });
 }
 
-bool showLoose(const Track& track, uint32_t frame, const level::LevelView& level,
-               std::vector<sim::LooseBody>& bodies) {
+bool showBodies(const Track& track, uint32_t frame, const level::LevelView& level,
+                std::vector<sim::RigidBody>& bodies) {
   const uint32_t before = frame > 0 ? frame - 1 : 0;
   const uint32_t after = std::min(frame + 1, uint32_t(track.frames.size()) - 1);
   const float rate = float(1 / (track.frames[after].time - track.frames[before].time));
   bool moves = false;
   for (size_t i = 0; i < track.parts.size(); ++i) {
     const uint8_t index = bodyOf(level, track.parts[i]);
-    if (index == level::kNotLoose) continue;
-    const Vec3 center = level.loose[index].center;
+    if (index == level::kNoBody) continue;
+    const Vec3 center = level.bodies[index].center;
     const auto centerAt = [&](uint32_t f) {
       return track.pose(f, i).position + toMat3(track.pose(f, i).rotation) * center;
     };
-    sim::LooseBody& body = bodies[index];
+    sim::RigidBody& body = bodies[index];
     body.position = centerAt(frame);
     body.rotation = track.pose(frame, i).rotation;
     body.velocity = (centerAt(after) - centerAt(before)) * rate;
     body.spin = turnBetween(track.pose(before, i).rotation, track.pose(after, i).rotation) * rate;
     const bool rests = length(body.velocity) < kRestingSpeed && length(body.spin) < kRestingSpeed;
     if (rests) body.velocity = body.spin = {};
-    body.state = rests ? sim::LooseState::asleep : sim::LooseState::awake;
+    body.state = rests ? sim::RigidBodyState::asleep : sim::RigidBodyState::awake;
     moves |= !rests;
   }
   return moves;

@@ -7,7 +7,7 @@
 
 #include "calibrate/track.h"
 #include "level/level.h"
-#include "sim/loose.h"
+#include "sim/rigid_body.h"
 
 namespace obby::calibrate {
 
@@ -28,10 +28,10 @@ std::vector<Stray> straysOf(const Track& track, const level::LevelView& level);
 
 // Returns true if each dynamic body is recorded or stays far from the player. Then the simulation
 // can start at any frame.
-bool showsLoose(const Track& track, const level::LevelView& level);
+bool showsBodies(const Track& track, const level::LevelView& level);
 
 // Sets the recorded dynamic bodies to a frame's poses and velocities. Returns true if one moves.
-bool showLoose(const Track& track, uint32_t frame, const level::LevelView& level,
-               std::vector<sim::LooseBody>& bodies);
+bool showBodies(const Track& track, uint32_t frame, const level::LevelView& level,
+                std::vector<sim::RigidBody>& bodies);
 
 }  // namespace obby::calibrate

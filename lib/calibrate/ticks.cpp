@@ -30,8 +30,8 @@ std::vector<Profile> profilesOf(const Objective& objective) {
     if (p.kind != Parameter::Kind::ticks) continue;
     Profile profile{i, {}, {}};
     const bool none = p.lowest * rate < 0.5;
-    const auto least = none ? 0u : uint32_t(std::ceil(p.lowest * rate));
-    for (uint32_t t = least; t <= p.highest * rate; ++t)
+    const auto min = none ? 0u : uint32_t(std::ceil(p.lowest * rate));
+    for (uint32_t t = min; t <= p.highest * rate; ++t)
       profile.shares.push_back(shareOfCount(objective, i, t));
     if (profile.shares.empty()) continue;
     profile.losses.assign(profile.shares.size(), std::numeric_limits<double>::max());
@@ -98,8 +98,8 @@ std::vector<double> pointOf(const Choice& choice, const std::vector<Profile>& pr
 }
 
 // Returns the distance of a choice from the fit's start.
-double wayOf(const Choice& choice, const std::vector<Profile>& profiles,
-             const std::vector<double>& start) {
+double routeOf(const Choice& choice, const std::vector<Profile>& profiles,
+               const std::vector<double>& start) {
   double way = 0;
   for (const size_t i : {0, 1}) {
     const Profile& p = profiles[choice.profile[i]];
@@ -127,11 +127,11 @@ bool settleDelay(const Objective& objective, std::vector<double>& point, const W
   for (size_t i = 0; i < shares.size(); ++i) points[i][at] = shares[i];
   const std::vector<double> losses = lossesOf(objective, points, work);
   if (work.stopped()) return false;
-  const double least = *std::min_element(losses.begin(), losses.end());
-  if (alike(objective.loss(point), least)) return false;
+  const double min = *std::min_element(losses.begin(), losses.end());
+  if (alike(objective.loss(point), min)) return false;
   size_t first = 0, last = 0;
-  while (!alike(losses[first], least)) ++first;
-  for (last = first; last + 1 < losses.size() && alike(losses[last + 1], least);) ++last;
+  while (!alike(losses[first], min)) ++first;
+  for (last = first; last + 1 < losses.size() && alike(losses[last + 1], min);) ++last;
   point[at] = 0.5 * (shares[first] + shares[last]);
   return true;
 }
@@ -154,8 +154,8 @@ Scan scanOf(const Objective& objective, const std::vector<double>& point, Tried 
   for (const Choice& choice : choices) points.push_back(pointOf(choice, out.profiles, whole));
   const std::vector<double> losses = lossesOf(some, points, work);
   if (work.stopped()) return out;
-  const double least = *std::min_element(losses.begin(), losses.end());
-  out.better = !alike(some.loss(point), least);
+  const double min = *std::min_element(losses.begin(), losses.end());
+  out.better = !alike(some.loss(point), min);
   const std::vector<double> start = objective.start();
   size_t best = choices.size();
   for (size_t i = 0; i < choices.size(); ++i) {
@@ -163,8 +163,8 @@ Scan scanOf(const Objective& objective, const std::vector<double>& point, Tried 
       double& loss = out.profiles[choices[i].profile[k]].losses[choices[i].count[k]];
       loss = std::min(loss, losses[i]);
     }
-    const auto way = [&](size_t c) { return wayOf(choices[c], out.profiles, start); };
-    if (alike(losses[i], least) && (best == choices.size() || way(i) < way(best))) best = i;
+    const auto way = [&](size_t c) { return routeOf(choices[c], out.profiles, start); };
+    if (alike(losses[i], min) && (best == choices.size() || way(i) < way(best))) best = i;
   }
   out.best = std::move(points[best]);
   return out;

@@ -11,7 +11,7 @@ namespace obby::calibrate {
 
 namespace {
 
-constexpr float kLeastMove = 0.1f;
+constexpr float kMinMove = 0.1f;
 constexpr float kRising = 5;  // studs/s: faster upward motion is not walking
 // Max seconds between two frames. The events of a longer pause are unknown, and playing it takes
 // that long.
@@ -22,9 +22,7 @@ constexpr float kFastest = 1e5f;  // studs/s: the simulation must not overflow
 using level::vec;
 
 // Returns false for NaN.
-bool within(Vec3 v, float most) {
-  return absf(v.x) <= most && absf(v.y) <= most && absf(v.z) <= most;
-}
+bool within(Vec3 v, float max) { return absf(v.x) <= max && absf(v.y) <= max && absf(v.z) <= max; }
 
 Error inFrame(uint32_t i, std::string what, std::string cure) {
   return Error{{}, {}, fmt::format("frames[{}]", i), std::move(what), std::move(cure)};
@@ -70,8 +68,7 @@ Vec3 feetOf(const Frame& frame, const Params& p) {
 }
 
 sim::Action actionOf(const Frame& frame) {
-  const bool walk =
-      frame.move.x * frame.move.x + frame.move.z * frame.move.z > kLeastMove * kLeastMove;
+  const bool walk = frame.move.x * frame.move.x + frame.move.z * frame.move.z > kMinMove * kMinMove;
   return {walk ? headingOf(frame.move.x, frame.move.z) : Turns(0), walk, frame.jump};
 }
 
@@ -153,8 +150,8 @@ Status addAgain(const Frame& frame, schema::RecordingFrame::Reader record, uint3
 }  // namespace
 
 uint32_t wholeTicks(double seconds, const Params& params) {
-  constexpr double kMost = 0xffffffff;
-  return uint32_t(std::clamp(std::floor(seconds * params.controlRate + 0.5), 0.0, kMost));
+  constexpr double kMax = 0xffffffff;
+  return uint32_t(std::clamp(std::floor(seconds * params.controlRate + 0.5), 0.0, kMax));
 }
 
 uint32_t Track::tickAt(double time, const Params& params) const {

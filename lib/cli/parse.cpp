@@ -12,7 +12,7 @@
 namespace obby::cli {
 namespace {
 
-constexpr int kMostInputs = 1 << 20;
+constexpr int kMaxInputs = 1 << 20;
 
 // Returns the row of `--name=` without a value, or null.
 const OptionRow* emptyRow(std::string_view word, const std::vector<OptionRow>& rows) {
@@ -106,7 +106,7 @@ CommandLine parseCommandLine(const ToolSpec& spec, const std::vector<OptionRow>&
   for (const OptionRow& row : rows) options.push_back(addRow(app, row));
   CLI::Option* inputs = nullptr;
   if (spec.takesInputs) {
-    inputs = app.add_option("FILE")->expected(kMostInputs);  // fewer are no error with this policy
+    inputs = app.add_option("FILE")->expected(kMaxInputs);  // fewer are no error with this policy
     inputs->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   }
   Words words = wordsOf(rows, argc, argv);

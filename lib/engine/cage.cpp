@@ -14,8 +14,8 @@
 namespace obby::engine {
 namespace {
 
-void limit(int resource, rlim_t most) {
-  const rlimit both = {most, most};
+void limit(int resource, rlim_t max) {
+  const rlimit both = {max, max};
   setrlimit(resource, &both);
 }
 

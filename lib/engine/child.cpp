@@ -48,7 +48,7 @@ Children::~Children() {
 }
 
 void Children::start(double seconds, const Body& body, Done done) {
-  while (running_.size() >= most_) wait();
+  while (running_.size() >= max_) wait();
   int ends[2];
   if (pipe(ends) != 0) return done({});
   const int pid = fork();

@@ -25,8 +25,8 @@ class Children {
   using Body = std::function<std::string()>;
   using Done = std::function<void(std::string bytes)>;
 
-  // At most `most` children run at a time.
-  explicit Children(size_t most) : most_(most) {}
+  // At most `max` children run at a time.
+  explicit Children(size_t max) : max_(max) {}
   ~Children();
   Children(const Children&) = delete;
   Children& operator=(const Children&) = delete;
@@ -48,7 +48,7 @@ class Children {
   void wait();
   void end(size_t index, bool killed);
 
-  size_t most_;
+  size_t max_;
   std::vector<Running> running_;
 };
 

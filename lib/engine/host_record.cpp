@@ -115,11 +115,11 @@ int tween(lua_State* L) {
   for (lua_pushnil(L); lua_next(L, 4) != 0; lua_pop(L, 1)) {
     lua_getfield(L, 5, lua_tostring(L, -2));
     const int top = lua_gettop(L);
-    seen.ways.push_back({lua_tostring(L, -3), plainAt(L, top), plainAt(L, top - 1)});
+    seen.changes.push_back({lua_tostring(L, -3), plainAt(L, top), plainAt(L, top - 1)});
     lua_pop(L, 1);
   }
-  std::sort(seen.ways.begin(), seen.ways.end(),
-            [](const TweenWay& a, const TweenWay& b) { return a.property < b.property; });
+  std::sort(seen.changes.begin(), seen.changes.end(),
+            [](const TweenChange& a, const TweenChange& b) { return a.property < b.property; });
   seen.line = host.where(L);
   host.recorder.tween(std::move(seen));
   return 0;

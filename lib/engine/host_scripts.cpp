@@ -45,8 +45,8 @@ int spend(lua_State* L) {
 // Works as coroutine.resume, which is its upvalue. Lua counts the calls of each thread separately,
 // so nested threads could use up the C stack.
 int resume(lua_State* L) {
-  constexpr size_t kMostStack = size_t(3) << 20;  // bytes; one thread takes up to 2 MB
-  if (Vm::of(L).stackUsed() < kMostStack) return lua_tocfunction(L, lua_upvalueindex(1))(L);
+  constexpr size_t kMaxStack = size_t(3) << 20;  // bytes; one thread takes up to 2 MB
+  if (Vm::of(L).stackUsed() < kMaxStack) return lua_tocfunction(L, lua_upvalueindex(1))(L);
   lua_pushboolean(L, 0);
   lua_pushliteral(L, "C stack overflow");
   return 2;

@@ -161,11 +161,11 @@ int date(lua_State* L) {
 
 // (table): returns the seconds since 1970 of a date in UTC, in the format of os.time.
 int timeOf(lua_State* L) {
-  static constexpr double kMost = 1e9;
+  static constexpr double kMax = 1e9;
   luaL_checktype(L, 1, LUA_TTABLE);
   const auto field = [L](const char* name, int usual) {
     lua_getfield(L, 1, name);
-    const int value = int(std::fmin(std::fmax(luaL_optnumber(L, -1, usual), -kMost), kMost));
+    const int value = int(std::fmin(std::fmax(luaL_optnumber(L, -1, usual), -kMax), kMax));
     lua_pop(L, 1);
     return value;
   };

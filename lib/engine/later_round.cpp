@@ -62,14 +62,14 @@ void LaterRound::split() {
       continue;
     }
     const bool isNew = report_.probes[first->second].listenerHash != probe.listenerHash;
-    const uint32_t most = probe.listenerHash == 0 ? kByPlaceAgain : kSameAgain;
-    const bool isOneOfFew = again_.size() < kMaxAgain && counts[probe.listenerHash]++ < most;
+    const uint32_t max = probe.listenerHash == 0 ? kByPlaceAgain : kSameAgain;
+    const bool isOneOfFew = again_.size() < kMaxAgain && counts[probe.listenerHash]++ < max;
     (isNew || isOneOfFew ? again_ : rest_).push_back(std::move(probe));
   }
 }
 
 void LaterRound::probeNew() {
-  Choice chosen = choose(std::move(fresh_), plan_.mostProbes);
+  Choice chosen = choose(std::move(fresh_), plan_.maxProbes);
   if (!chosen.isAll) report_.failure = kTooManyParts;
   const auto before = uint32_t(report_.probes.size());
   for (const SameListeners& same : chosen.same)

@@ -54,7 +54,7 @@ struct Track {
 };
 
 // A property that a tween changes.
-struct TweenWay {
+struct TweenChange {
   std::string property;
   Plain from, to;
 };
@@ -68,7 +68,7 @@ struct Tween {
   uint32_t style = 0, direction = 0;  // items of Enum.EasingStyle, EasingDirection
   int repeats = 0;
   bool reverses = false;
-  std::vector<TweenWay> ways;  // one for each property
+  std::vector<TweenChange> changes;  // one for each property
   Line line;
 };
 

@@ -83,7 +83,7 @@ class Watcher {
   void probeAll() {
     std::vector<Probe> wanted = stage_.probes();
     moves_.addTargets(wanted);
-    Choice chosen = choose(std::move(wanted), plan_.mostProbes);
+    Choice chosen = choose(std::move(wanted), plan_.maxProbes);
     if (!chosen.isAll) report_.failure = kTooManyParts;
     report_.sameListeners = std::move(chosen.same);
     report_.probes = ProbeRound(stage_, plan_, children_).run(chosen.probes);

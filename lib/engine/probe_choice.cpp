@@ -10,13 +10,13 @@ namespace {
 // rarely show anything new.
 constexpr uint32_t kMaxSameListeners = 100;
 
-std::vector<bool> takenOf(const std::vector<Probe>& wanted, size_t most) {
+std::vector<bool> takenOf(const std::vector<Probe>& wanted, size_t max) {
   std::map<uint64_t, uint32_t> seen;
   std::vector<std::pair<uint32_t, size_t>> ranks;  // number of earlier parts with its listeners
   for (size_t i = 0; i < wanted.size(); ++i) ranks.emplace_back(seen[wanted[i].listenerHash]++, i);
   std::sort(ranks.begin(), ranks.end());
   std::vector<bool> taken(wanted.size());
-  for (size_t i = 0; i < most; ++i) {
+  for (size_t i = 0; i < max; ++i) {
     const auto& [rank, index] = ranks[i];
     taken[index] = rank < kMaxSameListeners || wanted[index].listenerHash == 0;
   }
@@ -25,13 +25,13 @@ std::vector<bool> takenOf(const std::vector<Probe>& wanted, size_t most) {
 
 }  // namespace
 
-Choice choose(std::vector<Probe> wanted, size_t most) {
+Choice choose(std::vector<Probe> wanted, size_t max) {
   Choice choice;
-  if (wanted.size() <= most) {
+  if (wanted.size() <= max) {
     choice.probes = std::move(wanted);
     return choice;
   }
-  const std::vector<bool> taken = takenOf(wanted, most);
+  const std::vector<bool> taken = takenOf(wanted, max);
   std::map<uint64_t, uint32_t> first;  // probe by listenerHash
   for (size_t i = 0; i < wanted.size(); ++i) {
     if (!taken[i]) continue;

@@ -16,6 +16,6 @@ struct Choice {
 };
 
 // Keeps the first part of each set of listeners, then the second of each, and so on, in order.
-Choice choose(std::vector<Probe> wanted, size_t most);
+Choice choose(std::vector<Probe> wanted, size_t max);
 
 }  // namespace obby::engine

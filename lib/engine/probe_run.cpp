@@ -18,7 +18,7 @@ constexpr double kQuiet = 1.0;       // seconds without a change end a probe
 constexpr double kAtLeast = 1.5;
 // Seconds from death to respawn: the place's RespawnTime, and the wait of scripts that load the
 // body.
-constexpr double kLeastRespawn = 5, kLongestRespawn = 30, kScriptedWait = 6;
+constexpr double kMinRespawn = 5, kLongestRespawn = 30, kScriptedWait = 6;
 constexpr uint32_t kBetweenLooks = 10;  // frames between two checks for the next body
 constexpr double kPlacing = 1;          // seconds that scripts take to place a new body
 
@@ -54,7 +54,7 @@ bool isProgress(const Observation& seen) {
 }
 
 double longestDeath(Stage& stage) {
-  const double respawn = std::fmin(std::fmax(stage.respawnTime(), kLeastRespawn), kLongestRespawn);
+  const double respawn = std::fmin(std::fmax(stage.respawnTime(), kMinRespawn), kLongestRespawn);
   return respawn + kScriptedWait;
 }
 
@@ -77,12 +77,12 @@ uint32_t framesOf(double seconds) { return uint32_t(std::lround(seconds / kFrame
 
 Probe runProbe(Stage& stage, const Plan& plan, Probe probe, Manner manner) {
   stage.restart();
-  const uint32_t most = framesOf(plan.probeSeconds);
+  const uint32_t max = framesOf(plan.probeSeconds);
   const bool stands = isTouch(probe.approach);
   uint32_t hold = framesOf(manner.patient ? kPatientHold : kHold), frame = 0, quiet = 0;
   const bool lasts = !stands && stage.use(probe.target);
-  const uint32_t least = manner.patient ? hold : framesOf(lasts ? kPress + kQuiet : kAtLeast);
-  while (frame < most && (frame < least || quiet < framesOf(kQuiet))) {
+  const uint32_t min = manner.patient ? hold : framesOf(lasts ? kPress + kQuiet : kAtLeast);
+  while (frame < max && (frame < min || quiet < framesOf(kQuiet))) {
     const bool leaves = manner.stay == Stay::brief && hurtIn(stage.harms());
     if (leaves) hold = std::min(hold, frame);
     const bool awaits =
@@ -106,7 +106,7 @@ Probe runProbe(Stage& stage, const Plan& plan, Probe probe, Manner manner) {
     quiet = stage.activity() == before && !stage.isBusy() && !awaits ? quiet + 1 : 0;
     if (!stage.playerLives()) break;
   }
-  probe.sleeps = frame >= most && stage.sleeps();
+  probe.sleeps = frame >= max && stage.sleeps();
   probe.left = probe.at + hold * kFrame;
   probe.seen = stage.observation();
   const bool isPortal = !stage.playerLives() && isProgress(probe.seen);

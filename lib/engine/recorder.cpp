@@ -46,7 +46,7 @@ void Recorder::problem(InstanceId script, Failure failure, std::string_view text
       known.failure = std::max(known.failure, failure);
       return;
     }
-  if (seen_.problems.size() < kMostProblems)
+  if (seen_.problems.size() < kMaxProblems)
     seen_.problems.push_back({script, std::string(text), 1, failure});
 }
 

@@ -38,13 +38,13 @@ class Recorder {
   void noteDraw() { seen_.random = true; }
   // Returns as much of a problem's text as is kept.
   static std::string_view shortened(std::string_view text) {
-    return text.substr(0, kMostProblemText);
+    return text.substr(0, kMaxProblemText);
   }
   // Returns a count that grows with all that is recorded.
   size_t activity() const { return changes_ + placed_ + seen_.harms.size() + seen_.tweens.size(); }
   // Returns true if the recorder's budget is used up.
   bool isFull() const {
-    return changes_ >= kMostChanges || placed_ >= kMostPlaced || text_ >= kMostText;
+    return changes_ >= kMaxChanges || placed_ >= kMaxPlaced || text_ >= kMaxText;
   }
 
   Observation& seen() { return seen_; }
@@ -53,10 +53,10 @@ class Recorder {
   void restart();
 
  private:
-  static constexpr size_t kMostChanges = 300'000, kMostPlaced = 4'000'000;
-  static constexpr size_t kMostText = size_t(64) << 20;  // bytes
+  static constexpr size_t kMaxChanges = 300'000, kMaxPlaced = 4'000'000;
+  static constexpr size_t kMaxText = size_t(64) << 20;  // bytes
   // Further problems, and longer text of one, are dropped.
-  static constexpr size_t kMostProblems = 500, kMostProblemText = 1000;
+  static constexpr size_t kMaxProblems = 500, kMaxProblemText = 1000;
 
   Observation seen_;
   std::map<InstanceId, InstanceId> drivers_;  // drivers by part

@@ -105,7 +105,7 @@ struct Plan {
   double seconds = 60;       // duration of the undisturbed run
   double probeAt = 3;        // start of the probes, seconds
   double probeSeconds = 12;  // duration of the longest probe
-  size_t mostProbes = 600;
+  size_t maxProbes = 600;
   double timeLimit = 60;  // seconds of the wall clock for all, far above the budgets
   size_t processes = 2;   // copies at a time
 };

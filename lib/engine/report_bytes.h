@@ -19,14 +19,14 @@ void fields(A& a, Track& t) {
   a(t.start), a(t.poses), a(t.line), a(t.driver);
 }
 template <class A>
-void fields(A& a, TweenWay& w) {
+void fields(A& a, TweenChange& w) {
   a(w.property), a(w.from), a(w.to);
 }
 template <class A>
 void fields(A& a, Tween& t) {
   a(t.time), a(t.id), a(t.target), a(t.seconds), a(t.delay), a(t.style), a(t.direction),
       a(t.repeats);
-  a(t.reverses), a(t.ways), a(t.line);
+  a(t.reverses), a(t.changes), a(t.line);
 }
 template <class A>
 void fields(A& a, Problem& p) {

@@ -19,8 +19,8 @@ namespace {
 constexpr uint32_t kTouch = 12, kBetween = 4;  // frames of a touch on the tour, and after it
 constexpr uint32_t kShortTouch = 4, kLongTour = 100;
 constexpr double kSettleAtLeast = 1, kSettleAtMost = 20;           // seconds after the tour
-constexpr size_t kMostPatient = 32;                                // parts without effects at first
-constexpr size_t kMostProbed = 100;                                // parts that harm come last
+constexpr size_t kMaxPatient = 32;                                 // parts without effects at first
+constexpr size_t kMaxProbed = 100;                                 // parts that harm come last
 constexpr uint64_t kOfOneTour = 20'000'000, kOfAll = 100'000'000;  // instructions
 
 class Tour {
@@ -29,7 +29,7 @@ class Tour {
       : stage_(stage), plan_(plan), first_(first) {
     for (size_t i = 0; i < first.size(); ++i)
       if (!kills(first[i])) choose(i);
-    for (size_t i = 0; i < first.size() && probed_.size() < kMostProbed; ++i)
+    for (size_t i = 0; i < first.size() && probed_.size() < kMaxProbed; ++i)
       if (kills(first[i])) probed_.push_back(i);
   }
 
@@ -62,8 +62,8 @@ class Tour {
     const bool silent = probe.seen.changes.empty() && probe.seen.harms.empty();
     if (probe.lost || (silent && probe.byPlace)) return;
     touched_.push_back(i);
-    if (probed_.size() < kMostProbed) probed_.push_back(i);
-    if (silent && isTouch(probe.approach) && patient_.size() < kMostPatient) patient_.insert(i);
+    if (probed_.size() < kMaxProbed) probed_.push_back(i);
+    if (silent && isTouch(probe.approach) && patient_.size() < kMaxPatient) patient_.insert(i);
   }
 
   // Repeats the tour: some parts act only in an order, or after several touches. The number of
@@ -143,8 +143,8 @@ class Tour {
     constexpr uint64_t kFrames = 150;  // length of a probe
     if (stage_.isExhausted()) return {};
     const uint64_t frames = stage_.frames() - framesOf(plan_.probeAt) + 1;
-    const uint64_t most = kOfAll / (kFrames * (used / frames + 1));
-    if (most < probed.size()) probed.resize(most);
+    const uint64_t max = kOfAll / (kFrames * (used / frames + 1));
+    if (max < probed.size()) probed.resize(max);
     return probed;
   }
 

@@ -7,7 +7,7 @@ namespace obby::gen {
 namespace {
 
 // Shares of the widest gap and the highest ledge, from trivial to limit.
-constexpr float kLeastShare = 0.25f, kMostShare = 0.93f;
+constexpr float kMinShare = 0.25f, kMaxShare = 0.93f;
 constexpr float kMixSpread = 0.08f;  // noise added to the difficulty
 
 }  // namespace
@@ -54,8 +54,8 @@ float Draws::steady(const Parameter& p) const {
 }
 
 float Draws::share(float spread) {
-  const float middle = kLeastShare + (kMostShare - kLeastShare) * difficulty_;
-  return minf(middle + spread * (2 * unit() - 1), kMostShare);
+  const float middle = kMinShare + (kMaxShare - kMinShare) * difficulty_;
+  return minf(middle + spread * (2 * unit() - 1), kMaxShare);
 }
 
 }  // namespace obby::gen

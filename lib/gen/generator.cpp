@@ -13,8 +13,8 @@ namespace {
 // Random streams besides the level's own, which has its index as number.
 constexpr uint64_t kLimitStream = uint64_t(1) << 62, kPlantStream = uint64_t(2) << 62;
 // Slack of the limits relative to a steady player.
-constexpr float kTimeRoom = 2.5f, kTimeExtra = 5;
-constexpr uint32_t kJumpRoom = 2, kJumpExtra = 3;
+constexpr float kTimeSlack = 2.5f, kTimeExtra = 5;
+constexpr uint32_t kJumpSlack = 2, kJumpExtra = 3;
 
 }  // namespace
 
@@ -102,9 +102,9 @@ Limits Generator::limits(const Sketch& sketch, Random& random) const {
   for (uint32_t i = 1; i + 1 < sketch.stops().size() && passes; ++i) {
     if (random.below(2) == 0) out.waypoints.push_back(i);
   }
-  if (random.unit() < recipe_.jumpLimits) out.maxJumps = kJumpRoom * sketch.jumps() + kJumpExtra;
+  if (random.unit() < recipe_.jumpLimits) out.maxJumps = kJumpSlack * sketch.jumps() + kJumpExtra;
   if (random.unit() < recipe_.timeLimits) {
-    out.timeLimit = float(int32_t(kTimeRoom * sketch.seconds() + kTimeExtra));
+    out.timeLimit = float(int32_t(kTimeSlack * sketch.seconds() + kTimeExtra));
   }
   return out;
 }

@@ -7,8 +7,8 @@ namespace obby::gen {
 namespace {
 
 // Clamped, since levels with almost no gravity would be millions of studs long.
-constexpr float kLeastGravity = 4;
-constexpr float kMostRise = 120, kMostGap = 200;  // studs
+constexpr float kMinGravity = 4;
+constexpr float kMaxRise = 120, kMaxGap = 200;  // studs
 constexpr float kLegsUsed = 0.9f;  // share of the hip height; higher floors hit the torso
 constexpr int kDelays = 4;         // samples of a jump's delay within the coyote time
 constexpr float kDeepest = -20;    // studs: the deepest drop of any style's gap
@@ -16,14 +16,14 @@ constexpr float kDeepest = -20;    // studs: the deepest drop of any style's gap
 }  // namespace
 
 float Reach::legs() const { return kLegsUsed * p_.hipHeight; }
-float Reach::gravity() const { return maxf(p_.gravity, kLeastGravity); }
+float Reach::gravity() const { return maxf(p_.gravity, kMinGravity); }
 
 bool Reach::cut() const {
-  return p_.gravity < kLeastGravity || rise() >= kMostRise || widest() >= kMostGap;
+  return p_.gravity < kMinGravity || rise() >= kMaxRise || widest() >= kMaxGap;
 }
 
 float Reach::riseFrom(float upward) const {
-  return minf(riseOfLaunch(p_, gravity(), upward) + legs(), kMostRise);
+  return minf(riseOfLaunch(p_, gravity(), upward) + legs(), kMaxRise);
 }
 
 float Reach::apex() const { return maxf(rise() - legs(), 0.5f); }
@@ -40,14 +40,14 @@ float Reach::gap(float rise) const {
     best = maxf(best, p_.walkSpeed * seconds);
   }
   if (best < 0) return 0;
-  return minf(best + 2 * p_.floorRaySpread * p_.bodyDepth, kMostGap);
+  return minf(best + 2 * p_.floorRaySpread * p_.bodyDepth, kMaxGap);
 }
 
 float Reach::widest() const { return gap(kDeepest); }
 
 float Reach::walkedGap() const {
   const float seconds = sqrtf32(2 * legs() / gravity());
-  return minf(p_.walkSpeed * seconds + 2 * p_.floorRaySpread * p_.bodyDepth, kMostGap);
+  return minf(p_.walkSpeed * seconds + 2 * p_.floorRaySpread * p_.bodyDepth, kMaxGap);
 }
 
 float Reach::speedFor(float height) const { return sqrtf32(2 * gravity() * maxf(height, 0.0f)); }

@@ -10,8 +10,8 @@ namespace {
 
 using level::pathError;
 
-constexpr uint32_t kMostObstacles = 200;  // per level
-constexpr float kMostExcess = 100;        // studs
+constexpr uint32_t kMaxObstacles = 200;  // per level
+constexpr float kMaxExcess = 100;        // studs
 
 Status checkStyles(const std::vector<NamedNumber>& weights, const std::string& path,
                    bool inCourses) {
@@ -33,11 +33,10 @@ Status checkStyles(const std::vector<NamedNumber>& weights, const std::string& p
   return {};
 }
 
-Status checkRange(Range r, float least, float most, const std::string& path) {
-  if (r.lo >= least && r.hi <= most && r.lo <= r.hi) return {};
+Status checkRange(Range r, float min, float max, const std::string& path) {
+  if (r.lo >= min && r.hi <= max && r.lo <= r.hi) return {};
   return pathError(
-      path,
-      fmt::format("expected a range between {} and {}, found {} to {}", least, most, r.lo, r.hi),
+      path, fmt::format("expected a range between {} and {}, found {} to {}", min, max, r.lo, r.hi),
       r.lo > r.hi ? "give the smaller number first" : "");
 }
 
@@ -45,16 +44,16 @@ Status checkSettings(const std::vector<Setting>& settings) {
   for (const Setting& s : settings) {
     const Parameter& p = *s.parameter;
     for (const float value : {s.easy, s.hard}) {
-      if (value >= p.least && value <= p.most) continue;
+      if (value >= p.min && value <= p.max) continue;
       return pathError("parameters." + fullName(p),
-                       fmt::format("expected {} to {}, found {}", p.least, p.most, value));
+                       fmt::format("expected {} to {}, found {}", p.min, p.max, value));
     }
   }
   return {};
 }
 
 Status checkCount(Count c, const std::string& path) {
-  return checkRange({float(c.lo), float(c.hi)}, 1, kMostObstacles, path);
+  return checkRange({float(c.lo), float(c.hi)}, 1, kMaxObstacles, path);
 }
 
 }  // namespace
@@ -71,7 +70,7 @@ Status checkRecipe(const Recipe& recipe) {
   OBBY_RETURN_IF_ERROR(checkRange({recipe.waypoints, recipe.waypoints}, 0, 1, "limits.waypoints"));
   OBBY_RETURN_IF_ERROR(checkRange({recipe.jumpLimits, recipe.jumpLimits}, 0, 1, "limits.jumps"));
   OBBY_RETURN_IF_ERROR(checkRange({recipe.timeLimits, recipe.timeLimits}, 0, 1, "limits.time"));
-  return checkRange(recipe.excess, 0.5f, kMostExcess, "excess");
+  return checkRange(recipe.excess, 0.5f, kMaxExcess, "excess");
 }
 
 }  // namespace obby::gen

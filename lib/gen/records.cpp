@@ -10,7 +10,7 @@ namespace obby::gen {
 
 namespace {
 
-constexpr float kRecordFallRoom = 24;  // studs below the lowest part at which a fall ends
+constexpr float kRecordFallMargin = 24;  // studs below the lowest part at which a fall ends
 
 using level::set;
 
@@ -87,9 +87,9 @@ void writePart(const PartSketch& from, schema::Part::Builder to) {
 }
 
 void writeRegion(const Stop& from, const Quat& facing, schema::Region::Builder to) {
-  set(to.initPosition(), from.feet + Vec3{0, from.room.y / 2, 0});
+  set(to.initPosition(), from.feet + Vec3{0, from.extents.y / 2, 0});
   if (!isIdentity(facing)) set(to.initRotation(), facing);
-  set(to.initSize(), from.room);
+  set(to.initSize(), from.extents);
 }
 
 Quat facingOf(const Stop& stop, const Sketch& sketch) {
@@ -103,14 +103,14 @@ float inEighths(float studs) { return std::floor(studs * 8 + 0.5f) / 8; }
 
 // Writes the intended route, a hint for learning. Long routes are thinned to the schema's limit and
 // keep the goal.
-void writeWay(const Generated& from, schema::Query::Builder to) {
-  constexpr size_t kMostPlaces = 4096;
+void writeRoute(const Generated& from, schema::Query::Builder to) {
+  constexpr size_t kMaxPlaces = 4096;
   const std::vector<Vec3>& line = from.sketch.line();
-  const size_t step = (line.size() + kMostPlaces - 3) / (kMostPlaces - 1);
-  auto way = to.initWay(uint32_t((line.size() - 2) / step + 2));
-  for (uint32_t i = 0; i < way.size(); ++i) {
+  const size_t step = (line.size() + kMaxPlaces - 3) / (kMaxPlaces - 1);
+  auto route = to.initRoute(uint32_t((line.size() - 2) / step + 2));
+  for (uint32_t i = 0; i < route.size(); ++i) {
     const Vec3& at = line[std::min(i * step, line.size() - 1)];
-    set(way[i], {inEighths(at.x), inEighths(at.y), inEighths(at.z)});
+    set(route[i], {inEighths(at.x), inEighths(at.y), inEighths(at.z)});
   }
   to.setDifficulty(from.difficulty);
 }
@@ -133,7 +133,7 @@ void Generator::writeLevel(const Generated& from, schema::Level::Builder to) con
   (void)setPhysics(physics, recipe_.physics);
   const auto saysWhereFallsEnd = [](const NamedNumber& n) { return n.name == "fallenPartsHeight"; };
   if (std::none_of(recipe_.physics.begin(), recipe_.physics.end(), saysWhereFallsEnd))
-    physics.setFallenPartsHeight(float(int32_t(lowest(sketch) - kRecordFallRoom)));
+    physics.setFallenPartsHeight(float(int32_t(lowest(sketch) - kRecordFallMargin)));
   auto parts = to.initParts(uint32_t(sketch.parts().size()));
   for (uint32_t i = 0; i < parts.size(); ++i) writePart(sketch.parts()[i], parts[i]);
   auto spawns = to.initSpawns(uint32_t(sketch.stops().size()) - 1);
@@ -165,7 +165,7 @@ void Generator::writeQuery(const Generated& from, schema::Query::Builder to) {
   }
   if (from.limits.maxJumps > 0) to.setMaxJumps(int32_t(from.limits.maxJumps));
   to.setTimeLimit(from.limits.timeLimit);
-  if (from.sketch.plantedWhat().empty()) writeWay(from, to);
+  if (from.sketch.plantedWhat().empty()) writeRoute(from, to);
 }
 
 }  // namespace obby::gen

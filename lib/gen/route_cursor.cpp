@@ -17,7 +17,7 @@ Quat RouteCursor::facing() const {
 
 void RouteCursor::advance(float forward, float up, float right) {
   edge_ = at({right, up, forward});
-  way_ += absf(forward) + absf(right) + (up > 0 ? up : 0);
+  along_ += absf(forward) + absf(right) + (up > 0 ? up : 0);
 }
 
 void RouteCursor::turnAbout(float diameter, Turns heading) {

@@ -20,7 +20,7 @@ class RouteCursor {
   // straight.
   void via(Vec3 from) { line_.push_back(at(from)); }
   // Lengthens the estimate of the route, in studs.
-  void expectWay(float studs) { way_ += studs; }
+  void expectRoute(float studs) { along_ += studs; }
   // Returns true if the route has not turned yet. After a turn, a wall too wide to go round may be
   // close enough to jump onto from the lane before the turn.
   bool straight() const { return !turned_; }
@@ -35,7 +35,7 @@ class RouteCursor {
   Turns heading_ = 0;
   bool turned_ = false;
   std::vector<Vec3> line_;
-  float way_ = 0;  // studs
+  float along_ = 0;  // studs
 };
 
 }  // namespace obby::gen

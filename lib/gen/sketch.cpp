@@ -7,9 +7,9 @@ namespace obby::gen {
 namespace {
 
 constexpr float kShareSpread = 0.05f;
-constexpr float kThick = 1;  // of floors, studs
-constexpr float kRoom = 6;   // height of a region above a floor, studs
-constexpr float kAskew = 7;  // studs added to an impossible gap on a diagonal route
+constexpr float kThick = 1;     // of floors, studs
+constexpr float kHeadroom = 6;  // height of a region above a floor, studs
+constexpr float kAskew = 7;     // studs added to an impossible gap on a diagonal route
 constexpr uint64_t kExcessStream = 0x9e3779b97f4a7c15u;
 
 // Two shades of the floors of each theme.
@@ -42,23 +42,23 @@ bool Sketch::broken(const char* what) {
 }
 
 float Sketch::gap(float rise, float share) {
-  const float most = reach_->gap(rise),
-              mine = rounded(most * this->share(kShareSpread) * share, 0.125f);
+  const float max = reach_->gap(rise),
+              mine = rounded(max * this->share(kShareSpread) * share, 0.125f);
   ++jumps_;
   if (!broken("gap")) return mine;
   // A proof bounds a rotated part by an axis-aligned box.
   const bool askew = heading_ % 0x4000 != 0;
   const float more = plan_.fastest * reach_->flight() + (askew ? kAskew : 0);
-  return rounded(kProof * most + beyond() + more, 0.125f);
+  return rounded(kProof * max + beyond() + more, 0.125f);
 }
 
 float Sketch::sideGap(float share) {
   return rounded(reach_->gap(0) * this->share(kShareSpread) * share, 0.125f);
 }
 
-float Sketch::roundabout(float least) const {
+float Sketch::roundabout(float min) const {
   const float jump = rounded(kProof * reach_->widest(), 0.5f);
-  if (jump <= least) return least;
+  if (jump <= min) return min;
   float aside = 0;
   for (const PartSketch& p : parts_) {
     const float middle = absf(dot(p.position - edge_, direction({1, 0, 0})));
@@ -154,9 +154,9 @@ PartSketch& Sketch::deadly(PartSketch& part) {
 // ------------------------------------------------------------------------------------ the frame
 
 // Adds a stop in the middle of the floor that ends at the edge.
-void Sketch::stop(uint32_t part, float length, Vec3 room) {
+void Sketch::stop(uint32_t part, float length, Vec3 extents) {
   via({0, 0, -length / 2});
-  stops_.push_back({part, line_.back(), room, heading_});
+  stops_.push_back({part, line_.back(), extents, heading_});
 }
 
 void Sketch::start() {
@@ -165,7 +165,7 @@ void Sketch::start() {
   PartSketch& p = floor("Start", kSize, kSize);
   p.name = "Start";
   p.color = colors::kStart;
-  stop(0, kSize, {kSize, kRoom, kSize});
+  stop(0, kSize, {kSize, kHeadroom, kSize});
 }
 
 void Sketch::begin(float difficulty) { difficulty_ = clampf(difficulty, 0.0f, 1.0f); }
@@ -184,13 +184,13 @@ void Sketch::rest(bool last, bool mayTurn) {
   p.goal = last;
   if (last) p.name = "Goal";
   if (!last) p.checkpoint = int32_t(stops_.size());
-  const float room = turns ? size * kHalfRoot : size;
-  stop(uint32_t(parts_.size()) - 1, size, {room, kRoom, room});
+  const float extents = turns ? size * kHalfRoot : size;
+  stop(uint32_t(parts_.size()) - 1, size, {extents, kHeadroom, extents});
   if (turns) bend(size);
 }
 
 float Sketch::seconds() const {
-  return way_ / maxf(reach_->params().walkSpeed, 1.0f) + waits_ + 0.5f * float(jumps_);
+  return along_ / maxf(reach_->params().walkSpeed, 1.0f) + waits_ + 0.5f * float(jumps_);
 }
 
 }  // namespace obby::gen

@@ -19,8 +19,8 @@ namespace obby::gen {
 // A floor between obstacles. It can hold a waypoint, a checkpoint or the goal.
 struct Stop {
   uint32_t part;
-  Vec3 feet;  // middle of its top
-  Vec3 room;  // full extents of the region in which a player stands on it
+  Vec3 feet;     // middle of its top
+  Vec3 extents;  // full extents of the region in which a player stands on it
   Turns heading;
 };
 
@@ -51,9 +51,9 @@ class Sketch : public Draws, public RouteCursor {
   // A gap that is never impossible, for styles with several routes.
   float sideGap(float share = 1);
   // Returns the studs by which an impassable wall extends beyond its floor on either side. The
-  // result is at least `least`, and large enough that no player gets round the wall, neither from
+  // result is at least `min`, and large enough that no player gets round the wall, neither from
   // its floor nor from earlier parts to the side.
-  float roundabout(float least) const;
+  float roundabout(float min) const;
 
   // --- Parts
   // `from`: right, up and forward from the edge to the part's center. `size`: along the same axes.
@@ -100,7 +100,7 @@ class Sketch : public Draws, public RouteCursor {
  private:
   std::string numbered(const char* name);
   float beyond();
-  void stop(uint32_t part, float length, Vec3 room);
+  void stop(uint32_t part, float length, Vec3 extents);
 
   struct Numbered {
     const char* name;

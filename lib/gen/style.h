@@ -12,7 +12,7 @@ struct Parameter {
   const char* name;         // name in recipes, within its style
   const char* unit;         // "studs"; "" for a count or a share
   float easy, hard;         // at difficulty 0 and 1, unless the recipe gives others
-  float least, most;        // range allowed in recipes
+  float min, max;           // range allowed in recipes
   const char* description;  // for listings
 };
 

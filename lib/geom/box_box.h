@@ -18,7 +18,7 @@ OBBY_DEVICE const F& at(const Vec3T<F>& v, int i) {
 // Tests a unit axis. `apart` is the signed distance of the centres along it, `radii` the sum of
 // both extents. Returns false for a separated lane; its contact is meaningless from then on.
 template <class F>
-OBBY_DEVICE MaskOf<F> keepLeast(ContactT<F>& best, F apart, F radii, Vec3T<F> axis) {
+OBBY_DEVICE MaskOf<F> keepMin(ContactT<F>& best, F apart, F radii, Vec3T<F> axis) {
   const F depth = radii - absf(apart);
   const MaskOf<F> less = depth < best.depth;
   best.depth = select(less, depth, best.depth);
@@ -49,13 +49,13 @@ OBBY_DEVICE void keepCross(ScaledContact<F>& best, const LocalBoxT<F>& box, Vec3
       absf(a) * at(half, u) + absf(b) * at(half, v) +
       (absf(along(*axes[k])) * at(box.half, k) + absf(along(*axes[l])) * at(box.half, l));
   const F apart = along(box.center);
-  const F depth = radii - absf(apart), least = best.contact.depth;
+  const F depth = radii - absf(apart), min = best.contact.depth;
   const MaskOf<F> counts = n2 >= 1e-6f;  // else parallel, which the faces cover
   const MaskOf<F> less =
-      counts & ((depth < 0.0f) | (depth * depth * best.length2 < least * least * n2));
+      counts & ((depth < 0.0f) | (depth * depth * best.length2 < min * min * n2));
   // The depth of a lane that is already separated stays below 0.
-  const MaskOf<F> take = less & (least >= 0.0f);
-  best.contact.depth = select(take, depth, least);
+  const MaskOf<F> take = less & (min >= 0.0f);
+  best.contact.depth = select(take, depth, min);
   const F zero = 0.0f, x = select(apart < 0.0f, -a, a), y = select(apart < 0.0f, -b, b);
   const Vec3T<F> n = i == 0   ? Vec3T<F>{zero, x, y}
                      : i == 1 ? Vec3T<F>{x, zero, y}
@@ -78,18 +78,18 @@ OBBY_DEVICE bool keepCrosses(ScaledContact<F>& best, const LocalBoxT<F>& box, Ve
 // `box` is in the block's frame, and so is the normal. Returns early once every lane is separated.
 template <class F>
 OBBY_DEVICE ContactT<F> boxBlock(Vec3T<F> half, const LocalBoxT<F>& box) {
-  using internal::keepLeast;
+  using internal::keepMin;
   const Vec3T<F> ax = abs(box.axes.x), ay = abs(box.axes.y), az = abs(box.axes.z);
   const Vec3T<F> reach = half + ax * box.half.x + ay * box.half.y + az * box.half.z;
   ContactT<F> best{1e30f, {0, 1, 0}};
-  if (!any(keepLeast<F>(best, box.center.x, reach.x, {1, 0, 0}))) return best;
-  if (!any(keepLeast<F>(best, box.center.y, reach.y, {0, 1, 0}))) return best;
-  if (!any(keepLeast<F>(best, box.center.z, reach.z, {0, 0, 1}))) return best;
+  if (!any(keepMin<F>(best, box.center.x, reach.x, {1, 0, 0}))) return best;
+  if (!any(keepMin<F>(best, box.center.y, reach.y, {0, 1, 0}))) return best;
+  if (!any(keepMin<F>(best, box.center.z, reach.z, {0, 0, 1}))) return best;
   const Vec3T<F>* const axes[3] = {&box.axes.x, &box.axes.y, &box.axes.z};
   const F halves[3] = {box.half.x + dot(ax, half), box.half.y + dot(ay, half),
                        box.half.z + dot(az, half)};
   for (int j = 0; j < 3; ++j) {
-    if (!any(keepLeast<F>(best, dot(box.center, *axes[j]), halves[j], *axes[j]))) return best;
+    if (!any(keepMin<F>(best, dot(box.center, *axes[j]), halves[j], *axes[j]))) return best;
   }
   internal::ScaledContact<F> scaled{best, 1.0f};
   const bool meet = internal::keepCrosses<0>(scaled, box, half) &&
@@ -103,19 +103,19 @@ OBBY_DEVICE ContactT<F> boxBlock(Vec3T<F> half, const LocalBoxT<F>& box) {
 // Tests two upright boxes, for which five axes suffice. `block` and the normal are in world space.
 template <class F>
 OBBY_DEVICE ContactT<F> boxUprightBlock(const BlockT<F>& block, const UprightBoxT<F>& box) {
-  using internal::keepLeast;
+  using internal::keepMin;
   const Vec3T<F> d = box.center - block.pose.position, half = block.half;
   const Vec3T<F> sx = block.pose.rotation.x, sz = block.pose.rotation.z;
   const Vec3T<F> bx{box.yaw.cos, 0, -box.yaw.sin}, bz{box.yaw.sin, 0, box.yaw.cos};
   const F c = absf(sx.x * bx.x + sx.z * bx.z), s = absf(sx.x * bz.x + sx.z * bz.z);
   ContactT<F> best{1e30f, {0, 1, 0}};
-  if (!any(keepLeast<F>(best, d.y, half.y + box.half.y, {0, 1, 0}))) return best;
+  if (!any(keepMin<F>(best, d.y, half.y + box.half.y, {0, 1, 0}))) return best;
   const F x = d.x * sx.x + d.z * sx.z, z = d.x * sz.x + d.z * sz.z;
-  if (!any(keepLeast<F>(best, x, half.x + c * box.half.x + s * box.half.z, sx))) return best;
-  if (!any(keepLeast<F>(best, z, half.z + s * box.half.x + c * box.half.z, sz))) return best;
+  if (!any(keepMin<F>(best, x, half.x + c * box.half.x + s * box.half.z, sx))) return best;
+  if (!any(keepMin<F>(best, z, half.z + s * box.half.x + c * box.half.z, sz))) return best;
   const F bodyX = d.x * bx.x + d.z * bx.z, bodyZ = d.x * bz.x + d.z * bz.z;
-  if (!any(keepLeast<F>(best, bodyX, box.half.x + c * half.x + s * half.z, bx))) return best;
-  keepLeast<F>(best, bodyZ, box.half.z + s * half.x + c * half.z, bz);
+  if (!any(keepMin<F>(best, bodyX, box.half.x + c * half.x + s * half.z, bx))) return best;
+  keepMin<F>(best, bodyZ, box.half.z + s * half.x + c * half.z, bz);
   return best;
 }
 

@@ -45,14 +45,14 @@ OBBY_DEVICE Vec3 closestOnTriangle(Simplex& s) {
   if (n2 > 1e-20f && insideAb && insideBc && insideCa) return n * (dot(a, n) / n2);
   // The closest of the three sides.
   Vec3 best{};
-  float least = 1e30f;
+  float min = 1e30f;
   Simplex kept = s;
   for (int i = 0; i < 3; ++i) {
     Simplex side;
     side.p[0] = s.p[i], side.p[1] = s.p[(i + 1) % 3], side.count = 2;
     const Vec3 at = closestOnSegment(side);
-    if (dot(at, at) >= least) continue;
-    least = dot(at, at), best = at, kept = side;
+    if (dot(at, at) >= min) continue;
+    min = dot(at, at), best = at, kept = side;
   }
   s = kept;
   return best;
@@ -61,7 +61,7 @@ OBBY_DEVICE Vec3 closestOnTriangle(Simplex& s) {
 // Returns zero if the origin is inside.
 OBBY_DEVICE Vec3 closestOnTetrahedron(Simplex& s) {
   Vec3 best{};
-  float least = 1e30f;
+  float min = 1e30f;
   Simplex kept = s;
   for (int i = 0; i < 4; ++i) {
     const Vec3 a = s.p[i], b = s.p[(i + 1) & 3], c = s.p[(i + 2) & 3], d = s.p[(i + 3) & 3];
@@ -71,8 +71,8 @@ OBBY_DEVICE Vec3 closestOnTetrahedron(Simplex& s) {
     Simplex face;
     face.p[0] = a, face.p[1] = b, face.p[2] = c, face.count = 3;
     const Vec3 at = closestOnTriangle(face);
-    if (dot(at, at) >= least) continue;
-    least = dot(at, at), best = at, kept = face;
+    if (dot(at, at) >= min) continue;
+    min = dot(at, at), best = at, kept = face;
   }
   s = kept;
   return best;

@@ -156,7 +156,7 @@ OBBY_DEVICE void reduce(const GapsT<F>& gaps, ManifoldT<F>& out) {
     return;
   }
   Int first = 0, second = 0, left = 0, right = 0;
-  F lowest = gaps.at(0).distance, farthest = -1.0f, most = 0.0f, least = 0.0f;
+  F lowest = gaps.at(0).distance, farthest = -1.0f, max = 0.0f, min = 0.0f;
   const auto keep = [](MaskOf<F> better, F value, int i, F& best, Int& index) {
     best = select(better, value, best);
     index = select(better, Int(i), index);
@@ -174,10 +174,10 @@ OBBY_DEVICE void reduce(const GapsT<F>& gaps, ManifoldT<F>& out) {
   for (int i = 0; i < kMaxCut && any(gaps.count > i); ++i) {
     const F area = dot(cross(b - a, gaps.at(i).position - a), out.normal);
     const MaskOf<F> here = gaps.count > i;
-    keep(here & (area > most), area, i, most, left);
-    keep(here & (area < least), area, i, least, right);
+    keep(here & (area > max), area, i, max, left);
+    keep(here & (area < min), area, i, min, right);
   }
-  const MaskOf<F> toLeft = most > 0.0f, toRight = least < 0.0f;
+  const MaskOf<F> toLeft = max > 0.0f, toRight = min < 0.0f;
   const Int third = select(toLeft, left, right);
   out.points[0] = gaps.at(select(few, Int(0), first));
   out.points[1] = gaps.at(select(few, Int(1), second));

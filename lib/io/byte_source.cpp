@@ -24,11 +24,11 @@ int openFile(const std::string& path, bool mayStop) {
   return fd;
 }
 
-Error tooLarge(const std::string& name, uint64_t most, const std::string& found) {
+Error tooLarge(const std::string& name, uint64_t max, const std::string& found) {
   return Error{name,
                {},
                {},
-               fmt::format("expected at most {} bytes, found {}", most, found),
+               fmt::format("expected at most {} bytes, found {}", max, found),
                "it is read into memory whole: give a smaller file"};
 }
 
@@ -121,7 +121,7 @@ bool ByteSource::readAgain() const {
 Result<size_t> ByteSource::fill() {
   if (ended_) return size_t(0);
   const size_t before = buffer_.size();
-  const size_t chunk = std::clamp(before - begin_, kChunk, most_);
+  const size_t chunk = std::clamp(before - begin_, kChunk, max_);
   buffer_.resize(before + chunk);
   ssize_t got = 0;
   do {
@@ -132,7 +132,7 @@ Result<size_t> ByteSource::fill() {
   if (got < 0) return fileError(name_, "cannot read");
   // A file returns all that is asked for, a pipe only what it holds. A larger buffer for a pipe
   // would be cleared each time for nothing.
-  most_ = size_t(got) == chunk ? std::min(2 * chunk, kLargestChunk) : kChunk;
+  max_ = size_t(got) == chunk ? std::min(2 * chunk, kLargestChunk) : kChunk;
   ended_ = got == 0;
   return size_t(got);
 }
@@ -145,13 +145,13 @@ uint64_t ByteSource::leftInFile() const {
   return at >= 0 && at < info.st_size ? uint64_t(info.st_size - at) : 0;
 }
 
-Result<std::string> ByteSource::rest(uint64_t most) {
+Result<std::string> ByteSource::rest(uint64_t max) {
   const uint64_t claimed = buffer_.size() - begin_ + leftInFile();
-  if (claimed > most) return tooLarge(name_, most, fmt::format("{}", claimed));
+  if (claimed > max) return tooLarge(name_, max, fmt::format("{}", claimed));
   for (;;) {
     OBBY_ASSIGN(const size_t came, fill());
     if (came == 0) break;
-    if (buffer_.size() - begin_ > most) return tooLarge(name_, most, "more");
+    if (buffer_.size() - begin_ > max) return tooLarge(name_, max, "more");
   }
   buffer_.erase(0, std::exchange(begin_, 0));
   offset_ += buffer_.size();

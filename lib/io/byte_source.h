@@ -47,9 +47,9 @@ class ByteSource {
   Result<size_t> fill();
   // Calls fill() until `bytes` are buffered. Returns false if the input ends before.
   Result<bool> need(size_t bytes);
-  // Returns and consumes all bytes up to the end (or until stopped). More than `most` bytes are an
+  // Returns and consumes all bytes up to the end (or until stopped). More than `max` bytes are an
   // error; of a regular file none is read then.
-  Result<std::string> rest(uint64_t most);
+  Result<std::string> rest(uint64_t max);
 
  private:
   ByteSource() = default;
@@ -61,7 +61,7 @@ class ByteSource {
 
   std::string name_, buffer_;
   size_t begin_ = 0;
-  size_t most_ = kChunk;  // max bytes that the next read asks for
+  size_t max_ = kChunk;  // max bytes that the next read asks for
   uint64_t offset_ = 0;
   int fd_ = -1;
   bool regular_ = true, ended_ = false, stopped_ = false;

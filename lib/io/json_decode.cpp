@@ -62,8 +62,8 @@ bool JsonDecoder::fill(const StructPlan& plan, capnp::DynamicStruct::Builder out
 // Ignores an unknown field: later minor versions add fields, and users add notes. Reports only
 // names that look misspelt. The check is slow, so each name is checked once, up to a limit.
 void JsonDecoder::passOver(const StructPlan& plan, const Path& path) {
-  constexpr size_t kMost = 4, kMostStrange = 1000;  // max numbers in a record
-  if (misspelt_ == nullptr || misspelt_->size() == kMost || strange_.size() == kMostStrange) return;
+  constexpr size_t kMax = 4, kMaxStrange = 1000;  // max numbers in a record
+  if (misspelt_ == nullptr || misspelt_->size() == kMax || strange_.size() == kMaxStrange) return;
   std::pair<const StructPlan*, std::string> asked(&plan, path.name);
   if (strange_.contains(asked)) return;
   const std::string near = nearestName(path.name, plan.names());

@@ -4,14 +4,13 @@
 
 namespace obby::io {
 
-Result<std::string> readFile(const std::string& path, const std::atomic<bool>* stop,
-                             uint64_t most) {
+Result<std::string> readFile(const std::string& path, const std::atomic<bool>* stop, uint64_t max) {
   OBBY_ASSIGN(ByteSource source, ByteSource::open(path, stop));
-  return readRest(source, most);
+  return readRest(source, max);
 }
 
-Result<std::string> readRest(ByteSource& source, uint64_t most) {
-  OBBY_ASSIGN(std::string bytes, source.rest(most));
+Result<std::string> readRest(ByteSource& source, uint64_t max) {
+  OBBY_ASSIGN(std::string bytes, source.rest(max));
   if (source.stopped()) return Error{source.name(), {}, {}, kInterrupted, {}};
   return bytes;
 }

@@ -13,16 +13,16 @@ class ByteSource;
 
 // Max bytes of a file that is read whole: ten times the largest place that Roblox accepts. Without
 // a limit, an endless input such as a device would take all memory.
-inline constexpr uint64_t kMostFileBytes = uint64_t(1) << 30;
+inline constexpr uint64_t kMaxFileBytes = uint64_t(1) << 30;
 
-// `path` "-" is standard input. Errors name the file and the reason; more than `most` bytes are an
+// `path` "-" is standard input. Errors name the file and the reason; more than `max` bytes are an
 // error. Once `stop` is set, a waiting call ends with an error of isInterrupted(). Without `stop`,
 // a signal does the same.
 Result<std::string> readFile(const std::string& path, const std::atomic<bool>* stop = nullptr,
-                             uint64_t most = kMostFileBytes);
+                             uint64_t max = kMaxFileBytes);
 
 // Reads the rest of an open input. Errors are as above.
-Result<std::string> readRest(ByteSource& source, uint64_t most = kMostFileBytes);
+Result<std::string> readRest(ByteSource& source, uint64_t max = kMaxFileBytes);
 
 // Returns true for the error of a read, or of an output, that was told to stop. The tool should
 // then end as the signal asks.

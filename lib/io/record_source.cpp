@@ -12,7 +12,7 @@
 namespace obby::io {
 namespace {
 
-constexpr uint64_t kMostWarnings = 10;
+constexpr uint64_t kMaxWarnings = 10;
 
 // Returns how severe an end status is.
 int gravity(schema::EndStatus status) {
@@ -75,7 +75,7 @@ struct RecordSource::Impl {
 
   void warnOf(const Record& record) {
     for (Error error : record.storage().misspelt) {
-      if (!options.warn || warnings++ >= kMostWarnings) return;
+      if (!options.warn || warnings++ >= kMaxWarnings) return;
       error.input = reader->name();
       error.place = record.place();
       options.warn(error);

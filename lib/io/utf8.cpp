@@ -65,12 +65,12 @@ bool isControl(char32_t code) {
          code == 0x200f || (code >= 0x2028 && code <= 0x202e) || (code >= 0x2066 && code <= 0x2069);
 }
 
-std::string_view cutAtChar(std::string_view text, size_t most) {
-  if (text.size() <= most) return text;
+std::string_view cutAtChar(std::string_view text, size_t max) {
+  if (text.size() <= max) return text;
   size_t kept = 0;
   for (;;) {
     const size_t bytes = nextChar(text, kept).bytes;
-    if (kept + bytes > most) return text.substr(0, kept);
+    if (kept + bytes > max) return text.substr(0, kept);
     kept += bytes;
   }
 }

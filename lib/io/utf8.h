@@ -28,8 +28,8 @@ void appendUtf8(std::string& text, char32_t code);
 // a control character, or one that changes the writing direction.
 bool isControl(char32_t code);
 
-// Returns the beginning of `text` that ends with a whole character, at most `most` bytes.
-std::string_view cutAtChar(std::string_view text, size_t most);
+// Returns the beginning of `text` that ends with a whole character, at most `max` bytes.
+std::string_view cutAtChar(std::string_view text, size_t max);
 
 // Returns `text` with U+FFFD for each byte that is not UTF-8.
 std::string validUtf8(std::string_view text);

@@ -12,7 +12,7 @@ namespace obby::level {
 namespace {
 
 // Hulls with more corners are replaced by the box around them: the work is cubic in the corners.
-constexpr size_t kMostThickened = 64;
+constexpr size_t kMaxThickened = 64;
 
 Result<std::vector<Vec3>> verticesOf(schema::Hull::Reader record, const std::string& path) {
   std::vector<Vec3> vertices;
@@ -38,7 +38,7 @@ std::vector<Vec3> thickened(const std::vector<Vec3>& vertices) {
   const Vec3 across{isFlat(0) ? 1.f : 0.f, isFlat(1) ? 1.f : 0.f, isFlat(2) ? 1.f : 0.f};
   const Vec3 half = across * (0.5f * kMinSize), middle = (lo + hi) * 0.5f;
   std::vector<Vec3> thick;
-  for (const Vec3 p : vertices.size() > kMostThickened ? boxAround(vertices) : vertices) {
+  for (const Vec3 p : vertices.size() > kMaxThickened ? boxAround(vertices) : vertices) {
     const Vec3 flat = p - across * dot(across, p - middle);
     thick.push_back(flat - half);
     thick.push_back(flat + half);

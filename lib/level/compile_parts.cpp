@@ -7,8 +7,8 @@
 
 #include "level/behaviours/behaviour.h"
 #include "level/behaviours/fall.h"
+#include "level/compile_bodies.h"
 #include "level/compile_hulls.h"
-#include "level/compile_loose.h"
 #include "level/part_numbers.h"
 #include "level/record_values.h"
 #include "level/swept_bounds.h"
@@ -28,9 +28,9 @@ constexpr uint32_t kKeepsAxes = kOneWay | kSeat;
 
 class PartCompiler {
  public:
-  // A table has at most `mostRows` rows, or as many as one repetition needs.
-  PartCompiler(PartTables& out, const Params& params, uint32_t mostRows)
-      : out_(out), params_(params), mostRows_(mostRows) {}
+  // A table has at most `maxRows` rows, or as many as one repetition needs.
+  PartCompiler(PartTables& out, const Params& params, uint32_t maxRows)
+      : out_(out), params_(params), maxRows_(maxRows) {}
 
   Status compile(schema::Level::Reader level);
 
@@ -51,7 +51,7 @@ class PartCompiler {
 
   PartTables& out_;
   const Params& params_;
-  const uint32_t mostRows_;
+  const uint32_t maxRows_;
   ClockTables clocks_;
   std::vector<Clock> own_;  // (roles)
   SweptBounds swept_;       // bounds of the last mover
@@ -87,7 +87,7 @@ Status PartCompiler::mover(PartContext& c, Collider& collider) {
   MotionPlan plan;
   plan.once = c.part.hasFall();
   if (c.part.hasMotion()) {
-    OBBY_ASSIGN(plan, planMotion(c.part.getMotion(), params_, mostRows_));
+    OBBY_ASSIGN(plan, planMotion(c.part.getMotion(), params_, maxRows_));
   }
   OBBY_ASSIGN(const uint32_t trigger, this->trigger(c, plan));
   if (isScenery(c)) return {};
@@ -136,7 +136,7 @@ void PartCompiler::push(Collider collider, uint32_t flags) {
     flags &= ~uint32_t(kUpright);  // only blocks have the short cuts
   } else {
     flags |= kBlock;
-    const bool still = collider.mover == kNone && collider.loose == kNotLoose;
+    const bool still = collider.mover == kNone && collider.body == kNoBody;
     if (still && !(flags & kKeepsAxes) && makeUpright(collider)) flags |= kUpright;
   }
   const Vec3 half = collider.shape.half;
@@ -193,10 +193,10 @@ Status PartCompiler::add(schema::Part::Reader part, uint32_t index) {
                     pairFriction(params_, part.getFriction(), part.getFrictionWeight()),
                     part.getElasticity(),
                     ShapeKind::block,
-                    kNotLoose};
-  if (isLoose(part)) {
-    collider.loose = uint8_t(out_.loose.size());
-    c.flags |= kLoose;
+                    kNoBody};
+  if (isDynamic(part)) {
+    collider.body = uint8_t(out_.bodies.size());
+    c.flags |= kDynamic;
   }
   const bool falls = part.hasFall() && part.getTouch();
   if (part.hasMotion() || falls) OBBY_RETURN_IF_ERROR(mover(c, collider));
@@ -209,10 +209,10 @@ Status PartCompiler::add(schema::Part::Reader part, uint32_t index) {
   }
   const size_t first = out_.colliders.size();
   OBBY_RETURN_IF_ERROR(shapes(part, collider, c.flags));
-  if (c.flags & kLoose) {
+  if (c.flags & kDynamic) {
     if (first == out_.colliders.size()) return {};  // flat hulls only
-    OBBY_ASSIGN(const Loose loose, looseFrom(part, center, out_.colliders, first));
-    out_.loose.push_back(loose);
+    OBBY_ASSIGN(const DynamicBody bodies, bodiesFrom(part, center, out_.colliders, first));
+    out_.bodies.push_back(bodies);
     return {};
   }
   out_.fixedColliders = out_.colliders.size();
@@ -229,24 +229,24 @@ Status PartCompiler::addAt(schema::Part::Reader part, uint32_t index) {
 
 Status PartCompiler::compile(schema::Level::Reader level) {
   OBBY_RETURN_IF_ERROR(clocks_.addSignals(level, params_));
-  std::vector<uint32_t> loose;
+  std::vector<uint32_t> bodies;
   const auto parts = level.getParts();
   for (uint32_t index = 0; index < parts.size(); ++index) {
     const auto part = parts[index];
     out_.names.push_back(part.getName());
-    if (isLoose(part)) {
-      loose.push_back(index);
+    if (isDynamic(part)) {
+      bodies.push_back(index);
     } else {
       OBBY_RETURN_IF_ERROR(addAt(part, index));
     }
   }
-  if (loose.size() > kMaxLoose) {
+  if (bodies.size() > kMaxBodies) {
     return pathError(
-        fmt::format("parts[{}].anchored", loose[kMaxLoose]),
-        fmt::format("expected at most {} dynamic parts, found {}", kMaxLoose, loose.size()),
+        fmt::format("parts[{}].anchored", bodies[kMaxBodies]),
+        fmt::format("expected at most {} dynamic parts, found {}", kMaxBodies, bodies.size()),
         "anchor those that no player pushes");
   }
-  for (const uint32_t index : loose) OBBY_RETURN_IF_ERROR(addAt(parts[index], index));
+  for (const uint32_t index : bodies) OBBY_RETURN_IF_ERROR(addAt(parts[index], index));
   return finish();
 }
 

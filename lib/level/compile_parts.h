@@ -19,7 +19,7 @@ struct PartTables {
   std::vector<Bounds> bounds;  // (colliders + 1), see LevelView
   std::vector<Roles> roles;
   std::vector<Mover> movers;
-  std::vector<Loose> loose;
+  std::vector<DynamicBody> bodies;
   size_t fixedColliders = 0;                      // the colliders of dynamic parts follow them
   std::vector<Clock> clocks;                      // each role's own, then the shared ones
   uint32_t crushClock = kNone, airClock = kNone;  // as in LevelView

@@ -74,16 +74,16 @@ class Stretch {
  private:
   static std::array<Vec3, 3> largestTriangle(const std::vector<Vec3>& v) {
     std::array<Vec3, 3> largest{v[0], v[0], v[0]};
-    float most = 0, mostSquare = 0;
+    float limit = 0, maxSquare = 0;
     for (size_t a = 0; a < v.size(); ++a) {
       for (size_t b = a + 1; b < v.size(); ++b) {
         for (size_t c = b + 1; c < v.size(); ++c) {
           const Vec3 across = cross(v[b] - v[a], v[c] - v[a]);
           const float square = dot(across, across);
-          if (square <= mostSquare) continue;  // saves the square root, which is slower
-          mostSquare = square;
+          if (square <= maxSquare) continue;  // saves the square root, which is slower
+          maxSquare = square;
           const float area = length(across);
-          if (area > most) most = area, largest = {v[a], v[b], v[c]};
+          if (area > limit) limit = area, largest = {v[a], v[b], v[c]};
         }
       }
     }

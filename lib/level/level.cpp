@@ -19,7 +19,7 @@ namespace obby::level {
 struct Level::Impl {
   std::string name;
   PartTables tables;
-  GridTables grid, looseGrid;
+  GridTables grid, bodyGrid;
   LevelView view{};
   std::vector<StartPose> spawns;
   uint64_t hash = 0;
@@ -45,9 +45,9 @@ Reach reachOf(const Params& p, float sideways, float jump) {
 }
 
 // Returns a reach that covers everything a dynamic body can meet during a tick.
-Reach looseReach(const PartTables& tables, const Params& p) {
+Reach dynamicReach(const PartTables& tables, const Params& p) {
   float radius = 0;
-  for (const Loose& l : tables.loose) radius = maxf(radius, l.radius);
+  for (const DynamicBody& l : tables.bodies) radius = maxf(radius, l.radius);
   const float reach = radius + p.maxFallSpeed * p.tickSeconds + 1;
   return {reach, reach, reach};
 }
@@ -123,9 +123,9 @@ uint64_t digest(const LevelView& v, const PartTables& t) {
     h = hashBytes(m.spins, m.spinCount * sizeof(Mat3), h);
     add(m.pivot), add(m.once), add(m.trigger);
   }
-  for (const Loose& l : t.loose)
+  for (const DynamicBody& l : t.bodies)
     add(l.position), add(l.rotation), add(l.center), add(l.inverseInertia), add(l.inverseMass);
-  if (t.loose.empty()) return h;
+  if (t.bodies.empty()) return h;
   for (const Collider& c : t.colliders) add(c.elasticity);
   return h;
 }
@@ -148,14 +148,14 @@ Result<Level> Level::compile(schema::Level::Reader record) {
   const std::span<const Bounds> fixed{t.bounds.data(), t.fixedColliders};
   const uint32_t filler = uint32_t(t.colliders.size());
   impl->grid = buildGrid(fixed, filler, reachOf(params, sideways, fastestJump(t, params)));
-  if (!t.loose.empty()) impl->looseGrid = buildGrid(fixed, filler, looseReach(t, params));
+  if (!t.bodies.empty()) impl->bodyGrid = buildGrid(fixed, filler, dynamicReach(t, params));
   LevelView& v = impl->view;
   v.params = params;
   v.colliders = t.colliders.data();
   v.bounds = t.bounds.data();
   v.roles = t.roles.data();
   v.movers = t.movers.data();
-  v.loose = t.loose.data();
+  v.bodies = t.bodies.data();
   v.clocks = t.clocks.data();
   v.clockCount = uint32_t(t.clocks.size());
   v.crushClock = t.crushClock;
@@ -163,9 +163,9 @@ Result<Level> Level::compile(schema::Level::Reader record) {
   v.colliderCount = uint32_t(t.colliders.size());
   v.roleCount = uint32_t(t.roles.size());
   v.moverCount = uint32_t(t.movers.size());
-  v.looseCount = uint32_t(t.loose.size());
+  v.bodyCount = uint32_t(t.bodies.size());
   v.grid = gridOf(impl->grid);
-  v.looseGrid = gridOf(impl->looseGrid);
+  v.bodyGrid = gridOf(impl->bodyGrid);
   v.maxSideSpeed = sideways * kSpeedMargin;
   impl->period = commonPeriod(t);
   impl->hash = digest(v, t);

@@ -34,7 +34,7 @@ enum ColliderFlag : uint32_t {
   kCrush = 65536,   // kills players whom it squeezes
   kSeat = 131072,
   kRung = 524288,     // with kTruss: thin, so that the sensor must search for it
-  kLoose = 262144,    // part of a dynamic body
+  kDynamic = 262144,  // part of a dynamic body
   kByRoot = 1048576,  // touched by the centre of the root, not by limbs
 };
 constexpr uint32_t kTouchRoles = kKill | kPad | kStarts | kTeleport | kHeal | kSeat;
@@ -51,9 +51,9 @@ struct alignas(64) Collider {
   float grip;        // friction with the player: the mean of both, weighted
   float elasticity;  // 0 to 1
   geom::ShapeKind kind;
-  uint8_t loose;  // index into LevelView::loose, or kNotLoose
+  uint8_t body;  // index into LevelView::bodies, or kNoBody
 };
-constexpr uint8_t kNotLoose = 0xff;
+constexpr uint8_t kNoBody = 0xff;
 
 template <class Table>
 OBBY_DEVICE void forTables(Collider& c, Table&& table) {
@@ -108,7 +108,7 @@ OBBY_DEVICE bool changesJump(const Clock& c) {
 }
 OBBY_DEVICE bool changesGravity(const Clock& c) { return c.resets || c.gravityFactor != 1; }
 
-constexpr int kMostStarts = 4;  // clocks that a touch of one part can start; others are left out
+constexpr int kMaxStarts = 4;  // clocks that a touch of one part can start; others are left out
 
 // One record for each part that has a role, shared by its colliders.
 struct Roles {
@@ -125,9 +125,9 @@ struct Roles {
   // The part is away while this clock runs, from `awayFrom` ticks after its start.
   uint32_t awayClock;
   uint32_t awayFrom;
-  uint32_t starts[kMostStarts];  // clocks that a touch starts; kNone if unused
-  uint32_t healClock;            // no healing while it runs; kNone heals at every touch
-  Vec3 teleportTo;               // position of the feet
+  uint32_t starts[kMaxStarts];  // clocks that a touch starts; kNone if unused
+  uint32_t healClock;           // no healing while it runs; kNone heals at every touch
+  Vec3 teleportTo;              // position of the feet
   Turns teleportYaw;
   bool teleportTurns, teleportKeepsVelocity;
   Vec3 oneWay;         // unit, in the part's frame, toward the side that is solid
@@ -171,8 +171,8 @@ OBBY_DEVICE Pose moverPose(const Mover& m, uint32_t tick) {
 }
 
 // A dynamic body: an unanchored part that physics moves. Each world has its state, a
-// sim::LooseBody. Its colliders are in the table of colliders, but in no grid.
-struct Loose {
+// sim::RigidBody. Its colliders are in the table of colliders, but in no grid.
+struct DynamicBody {
   Vec3 position;  // position of the part at the start
   Quat rotation;
   Vec3 center;          // centre of mass, studs, in the part's frame
@@ -181,7 +181,7 @@ struct Loose {
   float radius;         // studs around the centre that contain all of it
   uint32_t firstCollider, colliderCount;
 };
-constexpr int kMaxLoose = 16;  // dynamic bodies of a level; more are an error
+constexpr int kMaxBodies = 16;  // dynamic bodies of a level; more are an error
 
 constexpr uint32_t kListStep = 4;
 
@@ -206,12 +206,12 @@ struct LevelView {
   const Roles* roles;    // (roleCount)
   const Mover* movers;   // (moverCount)
   const Clock* clocks;   // (clockCount)
-  const Loose* loose;    // (looseCount)
-  uint32_t colliderCount, roleCount, moverCount, clockCount, looseCount;
+  const DynamicBody* bodies;  // (bodyCount)
+  uint32_t colliderCount, roleCount, moverCount, clockCount, bodyCount;
   uint32_t crushClock;  // counts the ticks of a squeeze; kNone if no part kills by it
   uint32_t airClock;    // counts jumps in the air (sim/air_jump.h); kNone if not allowed
   Grid grid;
-  Grid looseGrid;      // the same over centres of dynamic bodies; empty if there are none
+  Grid bodyGrid;       // the same over centres of dynamic bodies; empty if there are none
   float maxSideSpeed;  // studs/s; the grid's lists cover how far this carries a player in a tick
 };
 
@@ -228,9 +228,9 @@ OBBY_DEVICE void forTables(LevelView& v, Table&& table) {
   table(v.roles, v.roleCount);
   table(v.movers, v.moverCount);
   table(v.clocks, v.clockCount);
-  table(v.loose, v.looseCount);
+  table(v.bodies, v.bodyCount);
   forTables(v.grid, table);
-  forTables(v.looseGrid, table);
+  forTables(v.bodyGrid, table);
 }
 
 }  // namespace obby::level

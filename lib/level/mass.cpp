@@ -59,13 +59,13 @@ Moments tetrahedron(Vec3 a, Vec3 b, Vec3 c) {
 float slackOf(const geom::Hull& hull) {
   float size = 0;
   for (uint32_t i = 0; i < hull.vertexCount; ++i) size = maxf(size, length(hull.vertices[i]));
-  const float most = 1e-3f * size;
-  float slack = most;
+  const float max = 1e-3f * size;
+  float slack = max;
   for (uint32_t f = 0; f < hull.faceCount; ++f) {
     float width = 0;
     for (uint32_t i = 0; i < hull.vertexCount; ++i)
       width = maxf(width, hull.offsets[f] - dot(hull.normals[f], hull.vertices[i]));
-    if (width < most) slack = minf(slack, 0.1f * width);
+    if (width < max) slack = minf(slack, 0.1f * width);
   }
   return slack;
 }

@@ -61,10 +61,10 @@ Pose poseAt(const std::vector<MotionKey>& keys, double time) {
 }
 
 // Returns the number of rows that hold whole repetitions of a period with the smallest drift.
-uint32_t rowsFor(double periodTicks, uint32_t mostRows) {
+uint32_t rowsFor(double periodTicks, uint32_t maxRows) {
   uint32_t best = 0;
   double bestError = 1e9;
-  for (int k = 1; k <= 256 && (k == 1 || k * periodTicks <= mostRows); ++k) {
+  for (int k = 1; k <= 256 && (k == 1 || k * periodTicks <= maxRows); ++k) {
     const double rows = std::round(k * periodTicks);
     const double error = std::fabs(rows - k * periodTicks) / k;
     if (rows >= 1 && error < bestError - 1e-9) best = uint32_t(rows), bestError = error;
@@ -73,23 +73,23 @@ uint32_t rowsFor(double periodTicks, uint32_t mostRows) {
   return best;
 }
 
-Status planKeys(schema::Motion::Reader motion, const Params& params, uint32_t mostRows,
+Status planKeys(schema::Motion::Reader motion, const Params& params, uint32_t maxRows,
                 MotionPlan& plan) {
   const double length = plan.keys.back().time - plan.keys.front().time;
   plan.pingPong = motion.getRepeat() == schema::Repeat::PING_PONG;
   plan.once = motion.getRepeat() == schema::Repeat::ONCE;
   plan.seconds = plan.pingPong ? 2 * length : length;
   const double ticks = plan.seconds * params.controlRate;
-  if (ticks > mostTicks(params)) {
-    return pathError("motion.keys", "one pass through the keys takes " + longerThanMost(params));
+  if (ticks > maxTicks(params)) {
+    return pathError("motion.keys", "one pass through the keys takes " + longerThanMax(params));
   }
   // A negative offset is a wait before the motion. A motion that runs once must still reach its
   // end.
   const double wait = plan.once ? std::max(0.0, -plan.offset) * params.controlRate : 0;
-  if (wait > mostTicks(params)) {
-    return pathError("motion.offset", "the wait is " + longerThanMost(params));
+  if (wait > maxTicks(params)) {
+    return pathError("motion.offset", "the wait is " + longerThanMax(params));
   }
-  const uint32_t rows = plan.once ? uint32_t(ticks + wait) + 2 : rowsFor(ticks, mostRows);
+  const uint32_t rows = plan.once ? uint32_t(ticks + wait) + 2 : rowsFor(ticks, maxRows);
   if (length <= 0 || rows == 0) return {};
   // The table holds whole repetitions. Stretching time by the rounding is far below anything
   // visible.
@@ -100,7 +100,7 @@ Status planKeys(schema::Motion::Reader motion, const Params& params, uint32_t mo
   return {};
 }
 
-Status planSpin(schema::Spin::Reader spin, const Params& params, uint32_t mostRows,
+Status planSpin(schema::Spin::Reader spin, const Params& params, uint32_t maxRows,
                 MotionPlan& plan) {
   OBBY_ASSIGN(plan.spin.axis, direction(spin.getAxis(), "motion.spin.axis"));
   if (!std::isfinite(spin.getSpeed()))
@@ -109,11 +109,11 @@ Status planSpin(schema::Spin::Reader spin, const Params& params, uint32_t mostRo
   const double speed = spin.getSpeed();
   if (std::fabs(speed) < 1e-4) return {};
   const double ticks = kTurn / std::fabs(speed) * params.controlRate;
-  if (ticks > mostTicks(params))
-    return pathError("motion.spin.speed", "one turn takes " + longerThanMost(params));
+  if (ticks > maxTicks(params))
+    return pathError("motion.spin.speed", "one turn takes " + longerThanMax(params));
   plan.spin.speed = speed;
   plan.spin.offset = plan.offset;
-  plan.spin.rows = std::max(1u, rowsFor(ticks, mostRows));
+  plan.spin.rows = std::max(1u, rowsFor(ticks, maxRows));
   plan.spin.turns = std::max(1.0, std::round(plan.spin.rows / ticks));
   if (plan.period == 0) plan.period = uint32_t(std::lround(ticks));
   return {};
@@ -121,20 +121,20 @@ Status planSpin(schema::Spin::Reader spin, const Params& params, uint32_t mostRo
 
 }  // namespace
 
-std::string longerThanMost(const Params& params) {
-  return fmt::format("longer than {:.0f} minutes", mostTicks(params) / params.controlRate / 60);
+std::string longerThanMax(const Params& params) {
+  return fmt::format("longer than {:.0f} minutes", maxTicks(params) / params.controlRate / 60);
 }
 
 Result<MotionPlan> planMotion(schema::Motion::Reader motion, const Params& params,
-                              uint32_t mostRows) {
+                              uint32_t maxRows) {
   MotionPlan plan;
   OBBY_ASSIGN(plan.keys, readKeys(motion));
   plan.offset = motion.getOffset();
   if (!std::isfinite(plan.offset))
     return pathError("motion.offset",
                      "expected finite seconds, found " + shown(motion.getOffset()));
-  if (!plan.keys.empty()) OBBY_RETURN_IF_ERROR(planKeys(motion, params, mostRows, plan));
-  if (motion.hasSpin()) OBBY_RETURN_IF_ERROR(planSpin(motion.getSpin(), params, mostRows, plan));
+  if (!plan.keys.empty()) OBBY_RETURN_IF_ERROR(planKeys(motion, params, maxRows, plan));
+  if (motion.hasSpin()) OBBY_RETURN_IF_ERROR(planSpin(motion.getSpin(), params, maxRows, plan));
   return plan;
 }
 

@@ -20,11 +20,11 @@ namespace obby::level {
 constexpr uint32_t kMaxRows = 36000 * 2;  // 10 minutes of ping-pong at 60 ticks/s
 
 // Returns the ticks of the longest motion: 20 minutes, or kMaxRows at low rates.
-inline double mostTicks(const Params& p) {
+inline double maxTicks(const Params& p) {
   return std::max(double(kMaxRows), 1200.0 * p.controlRate);
 }
 
-std::string longerThanMost(const Params& params);  // text of errors: "longer than 20 minutes"
+std::string longerThanMax(const Params& params);  // text of errors: "longer than 20 minutes"
 
 // A checked key of a motion record.
 struct MotionKey {
@@ -57,10 +57,10 @@ struct MotionPlan {
   Vec3 pivot;  // pivot of the spin, studs from the part's centre, in its frame
 };
 
-// Checks a motion and plans its tables. They have at most `mostRows` rows, or as many as one
+// Checks a motion and plans its tables. They have at most `maxRows` rows, or as many as one
 // repetition needs. Errors have the path relative to the part ("motion.keys[2].time").
 Result<MotionPlan> planMotion(schema::Motion::Reader motion, const Params& params,
-                              uint32_t mostRows = kMaxRows);
+                              uint32_t maxRows = kMaxRows);
 
 // Returns the poses of the keys, at least one row. `rest` is the part's own pose.
 std::vector<Pose> keyTable(const MotionPlan& plan, const Pose& rest);

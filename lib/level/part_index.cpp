@@ -7,7 +7,7 @@ namespace obby::level {
 namespace {
 
 // This many passes over all parts take about as long as sorting them.
-constexpr size_t kMostPasses = 16;
+constexpr size_t kMaxPasses = 16;
 
 std::string_view view(capnp::Text::Reader text) { return {text.cStr(), text.size()}; }
 
@@ -37,7 +37,7 @@ std::vector<uint32_t> PartIndex::find(Table& table, std::string_view text, bool 
     }
   };
   std::vector<uint32_t> found;
-  if (++table.asked <= kMostPasses) {
+  if (++table.asked <= kMaxPasses) {
     forEach([&](const Entry& e) {
       if (fits(e.text)) found.push_back(e.part);
     });

@@ -120,8 +120,8 @@ Result<QueryView> compileLimits(schema::Query::Reader record, const Params& para
     return pathError("minJumps",
                      fmt::format("minJumps is {}, but maxJumps is {}", q.minJumps, q.maxJumps));
   }
-  constexpr int32_t kMostJumps = 65535;  // World::jumps
-  if (q.minJumps > kMostJumps) {
+  constexpr int32_t kMaxJumps = 65535;  // World::jumps
+  if (q.minJumps > kMaxJumps) {
     return pathError("minJumps", fmt::format("expected at most 65535, found {}", q.minJumps));
   }
   OBBY_ASSIGN(q.timeLimitTicks, ticksWithin(record.getTimeLimit(), params, "timeLimit"));

@@ -10,7 +10,7 @@ namespace obby::level {
 // Studs below a level top at which feet still count as standing on it. A landing dips less.
 constexpr float kStandDepth = 0.5f;
 // Parts that hold a player elsewhere than on their top, or whose top can move.
-constexpr uint32_t kHeldElsewhere = kTruss | kSeat | kMoving | kTriggered | kLoose;
+constexpr uint32_t kHeldElsewhere = kTruss | kSeat | kMoving | kTriggered | kDynamic;
 
 // A target of a query: a region, or a part that has to be touched.
 struct TargetView {

@@ -3,7 +3,7 @@
 namespace obby::level {
 namespace {
 
-constexpr float kMostGiven = 500;  // studs/s
+constexpr float kMaxGiven = 500;  // studs/s
 
 float sideways(Vec3 v) { return length(Vec3{v.x, 0, v.z}); }
 
@@ -31,13 +31,13 @@ float speedOf(const Mover& m, float reach, const Params& params) {
                                                                                          // steps
                                                                                          // are
                                                                                          // equal
-  float most = spin;
+  float limit = spin;
   for (uint32_t k = 0; k + 1 < m.keyCount; ++k) {
     const Pose &from = m.keys[k], &to = m.keys[k + 1];
     const float turn = turnBetween(from.rotation, to.rotation) * reach;
-    most = maxf(most, sideways(to.position - from.position) + turn + spin);
+    limit = maxf(limit, sideways(to.position - from.position) + turn + spin);
   }
-  return most * float(params.controlRate);
+  return limit * float(params.controlRate);
 }
 
 // Returns the max sideways speed of a conveyor's surface, studs/s. `box` is the part's bounds. A
@@ -45,7 +45,7 @@ float speedOf(const Mover& m, float reach, const Params& params) {
 float speedOf(const Roles& r, const Collider& c, const Box& box) {
   const Vec3 turning = abs(r.conveyorAngular);
   const Vec3 far = max(abs(box.lo - c.pose.position), abs(box.hi - c.pose.position));
-  const bool moves = c.mover != kNone || c.loose != kNotLoose;
+  const bool moves = c.mover != kNone || c.body != kNoBody;
   const float beside = moves ? length(c.shape.half) : sideways(far);
   const float above = moves ? length(c.shape.half) : far.y;
   return sideways(r.conveyorVelocity) + turning.y * beside + sideways(turning) * above;
@@ -70,7 +70,7 @@ float fastestSideways(const PartTables& tables, const Params& params) {
     const float carried = bounds.flags & kCarries ? speeds[c.mover] : 0;
     given = maxf(given, speedOf(tables.roles[c.role], c, bounds.box()) + carried);
   }
-  return params.walkSpeed * walk + minf(given, kMostGiven);
+  return params.walkSpeed * walk + minf(given, kMaxGiven);
 }
 
 float fastestJump(const PartTables& tables, const Params& params) {

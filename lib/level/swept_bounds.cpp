@@ -5,7 +5,7 @@
 namespace obby::level {
 namespace {
 
-constexpr size_t kMostWork = size_t(1) << 24;  // runs of a part times its colliders
+constexpr size_t kMaxWork = size_t(1) << 24;  // runs of a part times its colliders
 constexpr size_t kFewestRuns = 64;
 
 bool same(const Mat3& a, const Mat3& b) { return a.x == b.x && a.y == b.y && a.z == b.z; }
@@ -27,12 +27,12 @@ SweptBounds::SweptBounds(const Mover& m, size_t colliders)
       runs_.push_back({key.rotation, {at, at}});
     }
   }
-  joinRuns(std::max(kFewestRuns, kMostWork / std::max<size_t>(colliders, 1)));
+  joinRuns(std::max(kFewestRuns, kMaxWork / std::max<size_t>(colliders, 1)));
 }
 
-void SweptBounds::joinRuns(size_t most) {
-  if (runs_.size() <= most) return;
-  const size_t together = (runs_.size() + most - 1) / most;
+void SweptBounds::joinRuns(size_t limit) {
+  if (runs_.size() <= limit) return;
+  const size_t together = (runs_.size() + limit - 1) / limit;
   size_t count = 0;
   for (size_t i = 0; i < runs_.size(); ++i) {
     const Run run = runs_[i];

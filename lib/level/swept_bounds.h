@@ -28,7 +28,7 @@ class SweptBounds {
     Mat3 rotation;
     Box places;
   };
-  void joinRuns(size_t most);
+  void joinRuns(size_t limit);
 
   std::vector<Run> runs_;
   bool spins_ = false;

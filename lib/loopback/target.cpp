@@ -18,11 +18,11 @@ Target targetOf(std::string_view text) {
   return out;
 }
 
-std::optional<uint64_t> wholeNumber(std::string_view text, uint64_t most) {
+std::optional<uint64_t> wholeNumber(std::string_view text, uint64_t max) {
   uint64_t value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (text.empty() || error != std::errc() || end != text.data() + text.size()) return {};
-  return value <= most ? std::optional(value) : std::nullopt;
+  return value <= max ? std::optional(value) : std::nullopt;
 }
 
 }  // namespace obby::loopback

@@ -22,7 +22,7 @@ struct Target {
 // Splits "/path?name=value&...". The caller owns the texts.
 Target targetOf(std::string_view text);
 
-// Parses a number of only decimal digits, up to `most`. Returns nothing for any other text.
-std::optional<uint64_t> wholeNumber(std::string_view text, uint64_t most);
+// Parses a number of only decimal digits, up to `max`. Returns nothing for any other text.
+std::optional<uint64_t> wholeNumber(std::string_view text, uint64_t max);
 
 }  // namespace obby::loopback

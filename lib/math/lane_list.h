@@ -6,13 +6,13 @@
 
 namespace obby {
 
-// At most kMost items of type T, which consists of numbers F only. Items past the end are
+// At most kMax items of type T, which consists of numbers F only. Items past the end are
 // unspecified.
-template <class T, class F, int kMost>
+template <class T, class F, int kMax>
 struct LaneList;
 
-template <class T, int kMost>
-struct LaneList<T, float, kMost> {
+template <class T, int kMax>
+struct LaneList<T, float, kMax> {
   int32_t count = 0;
 
   OBBY_DEVICE LaneList() { items_[0] = {}; }  // at(0) of an empty list is read, but not used
@@ -22,12 +22,12 @@ struct LaneList<T, float, kMost> {
   OBBY_DEVICE T next(int32_t i) const { return items_[i + 1 < count ? i + 1 : 0]; }
   // Adds the item if `asked`. Drops it if the list is full.
   OBBY_DEVICE void add(bool asked, const T& item) {
-    if (asked && count < kMost) items_[count++] = item;
+    if (asked && count < kMax) items_[count++] = item;
   }
 
  private:
   union {  // keeps the array from being filled
-    T items_[kMost];
+    T items_[kMax];
   };
 };
 

@@ -22,13 +22,13 @@ OBBY_DEVICE sim::Action decideOn(const Scene& scene, const NetworkView& network,
   return actionOf(move, ahead);
 }
 
-// The same after a new observation. `loose` has level.looseCount bodies.
+// The same after a new observation. `bodies` has level.bodyCount bodies.
 template <class F>
 OBBY_DEVICE sim::Action decide(const Scene& scene, const NetworkView& network,
-                               const sim::World& world, const sim::LooseBody* loose,
+                               const sim::World& world, const sim::RigidBody* bodies,
                                Random* random) {
   float inputs[kInputs];
-  const Turns ahead = observe<F>(scene, world, loose, inputs);
+  const Turns ahead = observe<F>(scene, world, bodies, inputs);
   return decideOn<F>(scene, network, world, inputs, ahead, random);
 }
 

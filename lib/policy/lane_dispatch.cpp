@@ -18,14 +18,14 @@ const LaneTable& lanes() {
 
 }  // namespace
 
-Turns observe(const Scene& scene, const sim::World& world, const sim::LooseBody* loose,
+Turns observe(const Scene& scene, const sim::World& world, const sim::RigidBody* bodies,
               float* inputs) {
-  return lanes().observe(scene, world, loose, inputs);
+  return lanes().observe(scene, world, bodies, inputs);
 }
 
-void observe(const Scene& scene, const sim::World& world, const sim::LooseBody* loose,
+void observe(const Scene& scene, const sim::World& world, const sim::RigidBody* bodies,
              const sim::NextRegion& next, Turns ahead, float* inputs) {
-  lanes().observeNext(scene, world, loose, next, ahead, inputs);
+  lanes().observeNext(scene, world, bodies, next, ahead, inputs);
 }
 
 void think(const NetworkView& network, const float* inputs, float* outputs) {
@@ -33,8 +33,8 @@ void think(const NetworkView& network, const float* inputs, float* outputs) {
 }
 
 sim::Action decide(const Scene& scene, const NetworkView& network, const sim::World& world,
-                   const sim::LooseBody* loose, Random* random) {
-  return lanes().decide(scene, network, world, loose, random);
+                   const sim::RigidBody* bodies, Random* random) {
+  return lanes().decide(scene, network, world, bodies, random);
 }
 
 sim::Action decideOn(const Scene& scene, const NetworkView& network, const sim::World& world,

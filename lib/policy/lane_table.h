@@ -7,10 +7,10 @@ namespace obby::policy {
 
 struct LaneTable {
   policy::Observe observe;
-  void (*observeNext)(const Scene&, const sim::World&, const sim::LooseBody*,
+  void (*observeNext)(const Scene&, const sim::World&, const sim::RigidBody*,
                       const sim::NextRegion&, Turns, float*);
   void (*think)(const NetworkView&, const float*, float*);
-  sim::Action (*decide)(const Scene&, const NetworkView&, const sim::World&, const sim::LooseBody*,
+  sim::Action (*decide)(const Scene&, const NetworkView&, const sim::World&, const sim::RigidBody*,
                         Random*);
   sim::Action (*decideOn)(const Scene&, const NetworkView&, const sim::World&, const float*, Turns,
                           Random*);

@@ -50,7 +50,7 @@ struct Foresight {
 
 // Calls see(sight) for every solid in view. A part that changes is reported once for each moment.
 template <class See>
-OBBY_DEVICE void lookAround(const Scene& s, const sim::World& w, const sim::LooseBody* loose,
+OBBY_DEVICE void lookAround(const Scene& s, const sim::World& w, const sim::RigidBody* bodies,
                             See&& see) {
   const SurroundingsView& around = s.surroundings;
   const float cx = (w.position.x - around.origin.x) * around.inverseCell;
@@ -72,15 +72,15 @@ OBBY_DEVICE void lookAround(const Scene& s, const sim::World& w, const sim::Loos
       for (int m = 0; m < kMoments; ++m) {
         const sim::World& then = foresight.at(m);
         if (sim::hasLeft(then, s.level, c, b.flags)) continue;
-        const Pose pose = sim::poseAfter(s.level, then, loose, c);
+        const Pose pose = sim::poseAfter(s.level, then, bodies, c);
         see({solidOf(c, pose, w.position), kind, Moments(1) << m, id});
       }
     }
   }
-  for (uint32_t i = 0; i < s.level.looseCount; ++i) {
-    const level::Loose& l = s.level.loose[i];
-    if (loose[i].state == sim::LooseState::gone) continue;
-    const Pose pose = sim::poseOf(loose[i], l);
+  for (uint32_t i = 0; i < s.level.bodyCount; ++i) {
+    const level::DynamicBody& l = s.level.bodies[i];
+    if (bodies[i].state == sim::RigidBodyState::gone) continue;
+    const Pose pose = sim::poseOf(bodies[i], l);
     for (uint32_t id = l.firstCollider; id < l.firstCollider + l.colliderCount; ++id) {
       const level::Collider& c = s.level.colliders[id];
       if (!inSight(boundsOf(pose, c.shape.half), w.position)) continue;

@@ -51,10 +51,10 @@ OBBY_DEVICE int draw(const float* logits, bool mayJump, Random& random) {
     loadRow(odds + m, row);
     rows = maxf(row, rows);  // maxf() returns the second argument for NaN
   }
-  const F most(greatestOf(rows));
+  const F max(greatestOf(rows));
   for (int m = 0; m < kPadded; m += kStep) {
     loadRow(odds + m, row);
-    storeRow(expOfNegative<F>(row - most), odds + m);
+    storeRow(expOfNegative<F>(row - max), odds + m);
   }
   const int every = mayJump ? 1 : 2;  // the moves in between have no odds
   float sum = 0;

@@ -8,20 +8,20 @@
 
 namespace obby::policy {
 
-constexpr float kMostInput = 5;  // normalised inputs are clamped to this
+constexpr float kMaxInput = 5;  // normalised inputs are clamped to this
 
 template <class F>
 OBBY_DEVICE F normalised(F v, F mean, F scale) {
-  return clampf((v - mean) * scale, F(-kMostInput), F(kMostInput));
+  return clampf((v - mean) * scale, F(-kMaxInput), F(kMaxInput));
 }
 
-OBBY_DEVICE constexpr int least(int a, int b) { return a < b ? a : b; }
+OBBY_DEVICE constexpr int smaller(int a, int b) { return a < b ? a : b; }
 
 // `outputs`: (kPaddedOutputs), logits and value, of raw inputs.
 template <class F>
 OBBY_DEVICE void think(const NetworkView& network, const float* inputs, float* outputs) {
   constexpr int kStep = Lanes<F>::kCount;
-  constexpr int kGroups = least(kHidden / kStep, 4), kLast = least(kPaddedOutputs / kStep, 3);
+  constexpr int kGroups = smaller(kHidden / kStep, 4), kLast = smaller(kPaddedOutputs / kStep, 3);
   nn::NonZero<F, kInputs> seen;
   for (int i = 0; i < kInputs; i += kStep) {
     F in, mean, scale, empty;

@@ -3,18 +3,18 @@
 // changes whenever the meaning of a number here changes.
 #pragma once
 
+#include "policy/body_view.h"
 #include "policy/look_around.h"
-#include "policy/loose_view.h"
 
 namespace obby::policy {
 
 constexpr uint32_t kObservationVersion = 2;
 
-// The order of inputs: the player's state, the nearest dynamic body (loose_view.h), the maps
+// The order of inputs: the player's state, the nearest dynamic body (body_view.h), the maps
 // (columns.h), and zeros that pad a row to the widest lanes. All except the state are kEmptyInput
 // if nothing is in sight.
 constexpr int kStateInputs = 27;
-constexpr int kMapsAt = kStateInputs + kLooseInputs;
+constexpr int kMapsAt = kStateInputs + kBodyInputs;
 constexpr int kSpareInputs = 11;
 constexpr int kInputs = kMapsAt + kMaps * kPoints + kSpareInputs;  // 288
 
@@ -90,25 +90,25 @@ OBBY_DEVICE void observeState(const Scene& s, const sim::World& w, const sim::Ne
 }
 
 // Writes all inputs except the maps.
-OBBY_DEVICE void observeOthers(const Scene& s, const sim::World& w, const sim::LooseBody* loose,
+OBBY_DEVICE void observeOthers(const Scene& s, const sim::World& w, const sim::RigidBody* bodies,
                                const sim::NextRegion& next, Turns ahead, float* inputs) {
   const Frame frame(ahead);
   observeState(s, w, next, frame, inputs);
-  tellLoose(s.level, w, loose, frame, inputs + kStateInputs);
+  tellBodies(s.level, w, bodies, frame, inputs + kStateInputs);
   for (int i = kInputs - kSpareInputs; i < kInputs; ++i) inputs[i] = kEmptyInput;
 }
 
 // Fills `inputs` (kInputs) with the observation of a player who is to reach `next`, in a frame that
-// looks `ahead`. `loose` has level.looseCount bodies.
+// looks `ahead`. `bodies` has level.bodyCount bodies.
 template <class F>
-OBBY_DEVICE void observe(const Scene& scene, const sim::World& world, const sim::LooseBody* loose,
+OBBY_DEVICE void observe(const Scene& scene, const sim::World& world, const sim::RigidBody* bodies,
                          const sim::NextRegion& next, Turns ahead, float* inputs) {
   Rosette rosette;
   placePoints(ahead, rosette);
   Maps<F, kPaddedPoints> maps;
-  lookAround(scene, world, loose, [&](const Sight& sight) { maps.see(rosette, sight); });
+  lookAround(scene, world, bodies, [&](const Sight& sight) { maps.see(rosette, sight); });
   maps.finish();
-  observeOthers(scene, world, loose, next, ahead, inputs);
+  observeOthers(scene, world, bodies, next, ahead, inputs);
   float* out = inputs + kMapsAt;
   for (const auto& moment : maps.heights) {
     for (const auto& kind : moment) {
@@ -128,15 +128,15 @@ static_assert(kViewParts <= int(kViewThreads));
 // Computes one part, for devices with a thread for each. All parts together have the bits of
 // observe().
 OBBY_DEVICE void observePart(const Scene& scene, const sim::World& world,
-                             const sim::LooseBody* loose, const sim::NextRegion& next, Turns ahead,
+                             const sim::RigidBody* bodies, const sim::NextRegion& next, Turns ahead,
                              int part, float* inputs) {
   if (part == kPoints) {
-    observeOthers(scene, world, loose, next, ahead, inputs);
+    observeOthers(scene, world, bodies, next, ahead, inputs);
     return;
   }
   const Points<1> point = placePoint(ahead, part);
   Maps<float, 1> maps;
-  lookAround(scene, world, loose, [&](const Sight& sight) { maps.see(point, sight); });
+  lookAround(scene, world, bodies, [&](const Sight& sight) { maps.see(point, sight); });
   maps.finish();
   float* out = inputs + kMapsAt + part;
   for (const auto& moment : maps.heights) {
@@ -150,11 +150,11 @@ OBBY_DEVICE void observePart(const Scene& scene, const sim::World& world,
 // Fills `inputs` with the observation toward the query's next region. Returns the direction of its
 // frame.
 template <class F>
-OBBY_DEVICE Turns observe(const Scene& scene, const sim::World& world, const sim::LooseBody* loose,
+OBBY_DEVICE Turns observe(const Scene& scene, const sim::World& world, const sim::RigidBody* bodies,
                           float* inputs) {
   const sim::NextRegion next = nextRegion(scene.query, world);
   const Turns ahead = aheadOf(*next.region, world);
-  observe<F>(scene, world, loose, next, ahead, inputs);
+  observe<F>(scene, world, bodies, next, ahead, inputs);
   return ahead;
 }
 

@@ -48,14 +48,14 @@ namespace obby::policy {
 static_assert(kPaddedPoints % kLanes == 0 && kInputs % kLanes == 0 && kHidden % kLanes == 0 &&
               kPaddedOutputs % kLanes == 0);
 
-Turns observe(const Scene& scene, const sim::World& world, const sim::LooseBody* loose,
+Turns observe(const Scene& scene, const sim::World& world, const sim::RigidBody* bodies,
               float* inputs) {
-  return observe<WideFloat>(scene, world, loose, inputs);
+  return observe<WideFloat>(scene, world, bodies, inputs);
 }
 
-void observe(const Scene& scene, const sim::World& world, const sim::LooseBody* loose,
+void observe(const Scene& scene, const sim::World& world, const sim::RigidBody* bodies,
              const sim::NextRegion& next, Turns ahead, float* inputs) {
-  observe<WideFloat>(scene, world, loose, next, ahead, inputs);
+  observe<WideFloat>(scene, world, bodies, next, ahead, inputs);
 }
 
 void think(const NetworkView& network, const float* inputs, float* outputs) {
@@ -63,8 +63,8 @@ void think(const NetworkView& network, const float* inputs, float* outputs) {
 }
 
 sim::Action decide(const Scene& scene, const NetworkView& network, const sim::World& world,
-                   const sim::LooseBody* loose, Random* random) {
-  return decide<WideFloat>(scene, network, world, loose, random);
+                   const sim::RigidBody* bodies, Random* random) {
+  return decide<WideFloat>(scene, network, world, bodies, random);
 }
 
 sim::Action decideOn(const Scene& scene, const NetworkView& network, const sim::World& world,

@@ -49,17 +49,17 @@ class Thinker {
 };
 
 // Fills `inputs` (kInputs) with the policy's observation. Returns the direction of its frame.
-// `loose` has level.looseCount bodies.
-Turns observe(const Scene& scene, const sim::World& world, const sim::LooseBody* loose,
+// `bodies` has level.bodyCount bodies.
+Turns observe(const Scene& scene, const sim::World& world, const sim::RigidBody* bodies,
               float* inputs);
 
 // The same for a player who is to reach `next`, in a frame that looks `ahead`.
-void observe(const Scene& scene, const sim::World& world, const sim::LooseBody* loose,
+void observe(const Scene& scene, const sim::World& world, const sim::RigidBody* bodies,
              const sim::NextRegion& next, Turns ahead, float* inputs);
 
 // The type of the first of them, for other observations to try. All inputs after the first
 // kStateInputs must be kEmptyInput if nothing is in sight.
-using Observe = Turns (*)(const Scene& scene, const sim::World& world, const sim::LooseBody* loose,
+using Observe = Turns (*)(const Scene& scene, const sim::World& world, const sim::RigidBody* bodies,
                           float* inputs);
 
 // Evaluates raw inputs. `outputs` (kPaddedOutputs) receives the logits and the value.
@@ -67,7 +67,7 @@ void think(const NetworkView& network, const float* inputs, float* outputs);
 
 // Returns the action to hold for the next kDecisionTicks ticks (decide.h).
 sim::Action decide(const Scene& scene, const NetworkView& network, const sim::World& world,
-                   const sim::LooseBody* loose, Random* random);
+                   const sim::RigidBody* bodies, Random* random);
 
 // Does the part of decide() after the observation `inputs` (kInputs), in a frame that looks
 // `ahead`.

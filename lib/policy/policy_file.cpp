@@ -16,7 +16,7 @@ namespace obby::policy {
 namespace {
 
 constexpr uint32_t kVersion = 1;
-constexpr size_t kMostBytes = 1 << 26;
+constexpr size_t kMaxBytes = 1 << 26;
 
 struct LayerSize {
   int inputs, outputs;
@@ -139,7 +139,7 @@ std::string writePolicy(const PolicyFile& policy) {
 }
 
 Result<PolicyFile> readPolicy(std::string_view bytes, const std::string& name) {
-  if (bytes.size() > kMostBytes) return refused(name, "it is larger than 64 MiB");
+  if (bytes.size() > kMaxBytes) return refused(name, "it is larger than 64 MiB");
   if (bytes.empty() || bytes.size() % sizeof(capnp::word) != 0)
     return Error{
         name, {}, {}, "not a policy file, or a truncated one", "name a file that obby-train wrote"};

@@ -7,11 +7,11 @@ namespace obby::policy {
 
 namespace {
 
-constexpr float kLeastCell = 8;             // studs
-constexpr float kMostCells = 256;           // per axis; huge levels get wider cells
-constexpr float kFarthest = 1.0e5f;         // studs; parts farther out are never under a player
-constexpr uint64_t kMostEntries = 1 << 24;  // in all cells, 64 MiB; with more, cells get wider
-constexpr float kBorder = 0.05f;            // studs; extra reach in those levels, against rounding
+constexpr float kMinCell = 8;              // studs
+constexpr float kMaxCells = 256;           // per axis; huge levels get wider cells
+constexpr float kFarthest = 1.0e5f;        // studs; parts farther out are never under a player
+constexpr uint64_t kMaxEntries = 1 << 24;  // in all cells, 64 MiB; with more, cells get wider
+constexpr float kBorder = 0.05f;           // studs; extra reach in those levels, against rounding
 
 Box within(const Box& box) {
   const Vec3 far{kFarthest, kFarthest, kFarthest};
@@ -23,7 +23,7 @@ template <class Visit>
 void forSeen(const level::LevelView& level, Visit&& visit) {
   for (uint32_t i = 0; i < level.colliderCount; ++i) {
     const uint32_t flags = level.bounds[i].flags;
-    if ((flags & (level::kSolid | level::kKill)) == 0 || (flags & level::kLoose) != 0) continue;
+    if ((flags & (level::kSolid | level::kKill)) == 0 || (flags & level::kDynamic) != 0) continue;
     visit(i, within(level.bounds[i].box()));
   }
 }
@@ -50,9 +50,9 @@ Surroundings::Surroundings(const level::LevelView& level, float reach) : starts_
   if (!any) return;
   origin_ = all.lo - Vec3{reach, 0, reach};
   const Vec3 extent = all.hi + Vec3{reach, 0, reach} - origin_;
-  divide(extent, std::max(kLeastCell, std::max(extent.x, extent.z) / kMostCells));
+  divide(extent, std::max(kMinCell, std::max(extent.x, extent.z) / kMaxCells));
   float listed = reach;
-  while (entriesOf(level, listed) > kMostEntries && (nx_ > 1 || nz_ > 1)) {
+  while (entriesOf(level, listed) > kMaxEntries && (nx_ > 1 || nz_ > 1)) {
     divide(extent, 1.5f * cell_);
     listed = reach + kBorder;
   }

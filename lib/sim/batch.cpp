@@ -36,11 +36,11 @@ LevelSet Course::set() const {
   return {levels.data(),
           queries.empty() ? nullptr : queries.data(),
           starts.data(),
-          startLoose.data(),
+          startBodies.data(),
           queue.data(),
           uint32_t(levels.size()),
           uint32_t(queue.size()),
-          looseStride,
+          bodyStride,
           restarts};
 }
 
@@ -59,9 +59,9 @@ Status Batch::step(uint32_t ticks, const Actions& actions) {
 Result<uint64_t> Batch::hash() const {
   OBBY_ASSIGN(const std::vector<World> all, worlds());
   uint64_t h = 0;
-  OBBY_ASSIGN(const std::vector<LooseBody> bodies, loose());
+  OBBY_ASSIGN(const std::vector<RigidBody> states, bodies());
   for (size_t i = 0; i < all.size(); ++i) {
-    const std::span<const LooseBody> own(bodies.data() + i * looseStride_, looseStride_);
+    const std::span<const RigidBody> own(states.data() + i * bodyStride_, bodyStride_);
     const uint64_t state = stateHash(all[i], own);
     h = hashBytes(&state, sizeof state, h);
   }

@@ -17,7 +17,7 @@
 #include "sim/actions.h"
 #include "sim/device.h"
 #include "sim/episodes.h"
-#include "sim/loose.h"
+#include "sim/rigid_body.h"
 
 namespace obby::sim {
 
@@ -29,9 +29,9 @@ struct Course {
   std::vector<uint32_t> queue;            // levels in the order of play; empty for their own order
   bool restarts = false;                  // a world whose trajectory has ended takes its next level
 
-  // Dynamic bodies at the starts, filled in when a batch is made: (levels, looseStride).
-  std::vector<LooseBody> startLoose;
-  uint32_t looseStride = 0;  // max bodies of any level
+  // Dynamic bodies at the starts, filled in when a batch is made: (levels, bodyStride).
+  std::vector<RigidBody> startBodies;
+  uint32_t bodyStride = 0;  // max bodies of any level
 
   LevelSet set() const;  // valid while this object lives unchanged
 };
@@ -70,23 +70,23 @@ class Batch {
   Status step(uint32_t ticks, const Actions& actions);
 
   // restore() replaces the worlds from `first` on, which must be worlds of the batch. Snapshots are
-  // plain copies of the worlds and of their dynamic bodies: (worlds, looseStride), none if no level
+  // plain copies of the worlds and of their dynamic bodies: (worlds, bodyStride), none if no level
   // has any. Errors are those of the device.
   virtual Status restore(uint32_t first, std::span<const World> worlds,
-                         std::span<const LooseBody> loose = {}) = 0;
+                         std::span<const RigidBody> bodies = {}) = 0;
   virtual Result<std::vector<World>> worlds() const = 0;
-  virtual Result<std::vector<LooseBody>> loose() const = 0;
+  virtual Result<std::vector<RigidBody>> bodies() const = 0;
   virtual Result<std::vector<Episode>> episodes() const = 0;
 
   // Returns a digest of all states in order.
   Result<uint64_t> hash() const;
 
  protected:
-  explicit Batch(uint32_t size, uint32_t looseStride) : size_(size), looseStride_(looseStride) {}
+  explicit Batch(uint32_t size, uint32_t bodyStride) : size_(size), bodyStride_(bodyStride) {}
   virtual Status run(uint32_t ticks, const Actions& actions) = 0;
 
  private:
-  const uint32_t size_, looseStride_;
+  const uint32_t size_, bodyStride_;
 };
 
 // Makes a batch on the CPU's lanes, with one task of the pool for every few hundred worlds of one

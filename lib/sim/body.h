@@ -99,8 +99,8 @@ OBBY_DEVICE MaskOf<F> isConstant(const MotionT<F>& m, const Params& p) {
 // Limits a velocity to the speeds that the grid's lists cover.
 template <class F>
 OBBY_DEVICE Vec3T<F> bounded(const Vec3T<F>& v, const level::LevelView& level) {
-  const F most = level.params.maxFallSpeed, side = level.maxSideSpeed;
-  return {clampf<F>(v.x, -side, side), clampf<F>(v.y, -most, most), clampf<F>(v.z, -side, side)};
+  const F limit = level.params.maxFallSpeed, side = level.maxSideSpeed;
+  return {clampf<F>(v.x, -side, side), clampf<F>(v.y, -limit, limit), clampf<F>(v.z, -side, side)};
 }
 
 // Does the first half of a semi-implicit step: v += a dt. The step then moves by that velocity.
@@ -252,11 +252,11 @@ OBBY_DEVICE F substepTravel(const MotionT<F>& m, const Params& p) {
 }
 
 // Moves of a substep near solid parts. Very fast players need several.
-constexpr int kMostSplits = 32;
+constexpr int kMaxSplits = 32;
 OBBY_DEVICE int contactSplits(const Motion& m, const Params& p) {
-  const float travel = substepTravel(m, p), most = safeTravel(m, p);
+  const float travel = substepTravel(m, p), limit = safeTravel(m, p);
   int splits = 1;
-  while (splits < kMostSplits && travel > most * float(splits)) ++splits;
+  while (splits < kMaxSplits && travel > limit * float(splits)) ++splits;
   return splits;
 }
 

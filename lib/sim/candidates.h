@@ -2,8 +2,8 @@
 // flags (a vanished part is not solid). The rest of the tick tests only these.
 #pragma once
 
-#include "sim/loose.h"
 #include "sim/one_way.h"
+#include "sim/rigid_body.h"
 
 namespace obby::sim {
 
@@ -26,30 +26,30 @@ struct Candidates {
     Pose moving[kMaxMovingCandidates];
   };
   union {
-    Pose loose[level::kMaxLoose];  // poses of the bodies, valid for those near the player
+    Pose bodies[level::kMaxBodies];  // poses of the bodies, valid for those near the player
   };
   int count = 0;
   int movingCount = 0;
   uint32_t anyFlags = 0;
-  uint32_t looseNear = 0;   // bodies among the items, one bit each
-  int footedOn = -1;        // item that the feet hold the player on; -1 for none
-  uint32_t looseApart = 0;  // bodies that are moved elsewhere in this tick, one bit each
-                            // (wide_loose.h)
+  uint32_t bodiesNear = 0;   // bodies among the items, one bit each
+  int footedOn = -1;         // item that the feet hold the player on; -1 for none
+  uint32_t bodiesApart = 0;  // bodies that are moved elsewhere in this tick, one bit each
+                             // (wide_bodies.h)
 
   OBBY_DEVICE Candidates() {}
 };
 
 // Returns the pose of a collider: `later` ticks after the state `w` if a mover moves it, now if it
-// is part of a dynamic body. `loose` is null if the level has no bodies.
-OBBY_DEVICE Pose poseOf(const level::Collider& c, const World& w, const LooseBody* loose,
+// is part of a dynamic body. `bodies` is null if the level has no bodies.
+OBBY_DEVICE Pose poseOf(const level::Collider& c, const World& w, const RigidBody* bodies,
                         const level::LevelView& level, uint32_t later) {
-  if (loose && c.loose != level::kNotLoose) return poseOf(loose[c.loose], level.loose[c.loose]);
+  if (bodies && c.body != level::kNoBody) return poseOf(bodies[c.body], level.bodies[c.body]);
   return c.mover == level::kNone ? c.pose : poseOf(level.movers[c.mover], w, later);
 }
 
 // Returns true if its body has fallen out of the world.
-OBBY_DEVICE bool isGone(const level::Collider& c, const LooseBody* loose) {
-  return loose && c.loose != level::kNotLoose && loose[c.loose].state == LooseState::gone;
+OBBY_DEVICE bool isGone(const level::Collider& c, const RigidBody* bodies) {
+  return bodies && c.body != level::kNoBody && bodies[c.body].state == RigidBodyState::gone;
 }
 
 // Returns the grid cell that holds `feet`, or -1 outside the grid, where nothing is near.
@@ -99,32 +99,32 @@ OBBY_DEVICE bool lacksCollision(const World& w, const level::LevelView& level,
 }
 
 // Adds the dynamic bodies near the player.
-OBBY_DEVICE void gatherLoose(World& w, const LooseBody* loose, const level::LevelView& level,
-                             const Box& near, Candidates& out) {
-  for (uint32_t b = 0; b < level.looseCount; ++b) {
-    const level::Loose& l = level.loose[b];
-    if (!isNear(loose[b], l, near)) continue;
-    out.loose[b] = poseOf(loose[b], l);
+OBBY_DEVICE void gatherBodies(World& w, const RigidBody* bodies, const level::LevelView& level,
+                              const Box& near, Candidates& out) {
+  for (uint32_t b = 0; b < level.bodyCount; ++b) {
+    const level::DynamicBody& l = level.bodies[b];
+    if (!isNear(bodies[b], l, near)) continue;
+    out.bodies[b] = poseOf(bodies[b], l);
     for (uint32_t id = l.firstCollider; id < l.firstCollider + l.colliderCount; ++id) {
-      const Box bounds = boundsOf(out.loose[b], level.colliders[id].shape.half);
+      const Box bounds = boundsOf(out.bodies[b], level.colliders[id].shape.half);
       if (!overlaps(bounds, near)) continue;
       if (out.count == kMaxCandidates) {
         w.flags |= kCandidateOverrun;
         return;
       }
       const uint32_t flags = level.bounds[id].flags;
-      out.items[out.count++] = {bounds, &out.loose[b], id, flags};
+      out.items[out.count++] = {bounds, &out.bodies[b], id, flags};
       out.anyFlags |= flags;
-      out.looseNear |= 1u << b;
+      out.bodiesNear |= 1u << b;
     }
   }
 }
 
 // `p` includes the player's boosts.
-OBBY_DEVICE void gather(World& w, const LooseBody* loose, const level::LevelView& level,
+OBBY_DEVICE void gather(World& w, const RigidBody* bodies, const level::LevelView& level,
                         const Params& p, Candidates& out) {
   const Box near = tickBounds<float>(w.position, w.velocity, p);
-  if (level.looseCount != 0) gatherLoose(w, loose, level, near, out);
+  if (level.bodyCount != 0) gatherBodies(w, bodies, level, near, out);
   const int32_t cell = cellOf<float>(level.grid, w.position);
   if (cell < 0) return;
   const uint32_t* list = level.grid.lists + level.grid.cells[cell];

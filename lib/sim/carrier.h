@@ -16,8 +16,8 @@ OBBY_DEVICE bool mayBeCarried(const World& w) {
 }
 
 // Returns the collider that carries the player, as the tick after `w` will find it, or
-// level::kNone. `loose` has level.looseCount bodies, or is null if there are none.
-OBBY_DEVICE uint32_t carrierOf(const World& w, const LooseBody* loose,
+// level::kNone. `bodies` has level.bodyCount bodies, or is null if there are none.
+OBBY_DEVICE uint32_t carrierOf(const World& w, const RigidBody* bodies,
                                const level::LevelView& level) {
   if (!mayBeCarried(w)) return level::kNone;
   if (w.state == State::seated) {
@@ -26,7 +26,7 @@ OBBY_DEVICE uint32_t carrierOf(const World& w, const LooseBody* loose,
   }
   World noted = w;  // gather() notes overruns in a world
   Candidates near;
-  gather(noted, loose, level, level.params, near);
+  gather(noted, bodies, level, level.params, near);
   const Player player = playerOf(w);
   const int found = w.state == State::climbing ? findTruss(player, level, near).candidate
                                                : castFloor(player, level, near).nearest;

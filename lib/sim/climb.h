@@ -101,7 +101,7 @@ OBBY_DEVICE TrussHit findTruss(const Player& player, const level::LevelView& lev
   return best;
 }
 
-OBBY_DEVICE Truss senseTruss(const World& w, const LooseBody* loose, const Player& player,
+OBBY_DEVICE Truss senseTruss(const World& w, const RigidBody* bodies, const Player& player,
                              const level::LevelView& level, const Candidates& near) {
   const Vec3 ahead = directionOf(sinCosOf<float>(player.yaw));
   const TrussHit best = findTruss(player, level, near);
@@ -109,7 +109,7 @@ OBBY_DEVICE Truss senseTruss(const World& w, const LooseBody* loose, const Playe
   const Vec3 flat{-best.normal.x, 0, -best.normal.z};
   const float size = length(flat);
   Floor surface;  // conveyors and carrying parts move a climber as they move a walker
-  surfaceMotion(w, loose, level, near.items[best.candidate], surface);
+  surfaceMotion(w, bodies, level, near.items[best.candidate], surface);
   return {true, size > level.params.climbWill ? flat * (1.0f / size) : ahead, surface.velocity};
 }
 
@@ -144,7 +144,7 @@ OBBY_DEVICE void passTruss(Player& w, const Params& p, const Floor& floor, Truss
 
 // Enters and leaves the Climbing state. Runs after updateState(). `p` includes the player's
 // boosts. Returns the truss that is climbed.
-OBBY_DEVICE Truss updateClimbing(const World& w, const LooseBody* loose, Player& player,
+OBBY_DEVICE Truss updateClimbing(const World& w, const RigidBody* bodies, Player& player,
                                  const level::LevelView& level, const Params& p,
                                  const Candidates& near, const Floor& floor,
                                  const ControlT<float>& control) {
@@ -152,7 +152,7 @@ OBBY_DEVICE Truss updateClimbing(const World& w, const LooseBody* loose, Player&
   const bool free = player.is(State::running) || player.is(State::freefall);
   Truss truss;
   if ((near.anyFlags & level::kTruss) && (climbs || (free && control.walk))) {
-    truss = senseTruss(w, loose, player, level, near);
+    truss = senseTruss(w, bodies, player, level, near);
   }
   const float will = climbWill(p, truss, control);
   if (!climbs) {

@@ -18,20 +18,20 @@ constexpr uint32_t kPassTicks = 32;
 class CpuBatch : public Batch {
  public:
   CpuBatch(Course course, FirstWorlds first, ThreadPool& pool)
-      : Batch(uint32_t(first.worlds.size()), course.looseStride),
+      : Batch(uint32_t(first.worlds.size()), course.bodyStride),
         course_(std::move(course)),
         worlds_(std::move(first.worlds)),
-        loose_(std::move(first.loose)),
+        bodies_(std::move(first.bodies)),
         episodes_(std::move(first.episodes)),
         pool_(pool) {}
 
   Status restore(uint32_t first, std::span<const World> worlds,
-                 std::span<const LooseBody> loose) override {
+                 std::span<const RigidBody> bodies) override {
     std::copy(worlds.begin(), worlds.end(), worlds_.begin() + first);
-    std::copy(loose.begin(), loose.end(), loose_.begin() + first * course_.looseStride);
+    std::copy(bodies.begin(), bodies.end(), bodies_.begin() + first * course_.bodyStride);
     return {};
   }
-  Result<std::vector<LooseBody>> loose() const override { return loose_; }
+  Result<std::vector<RigidBody>> bodies() const override { return bodies_; }
   Result<std::vector<World>> worlds() const override { return worlds_; }
   Result<std::vector<Episode>> episodes() const override { return episodes_; }
 
@@ -50,7 +50,9 @@ class CpuBatch : public Batch {
   void play(const Block& block, uint32_t ticks);
   bool readyIn(uint32_t level, uint32_t world);
   void startOver(uint32_t world);
-  LooseBody* looseOf(uint32_t world) { return loose_.data() + size_t(world) * course_.looseStride; }
+  RigidBody* bodiesOf(uint32_t world) {
+    return bodies_.data() + size_t(world) * course_.bodyStride;
+  }
   bool waits(uint32_t world) const {
     return turns_[world].left > 0 &&
            (course_.restarts || worlds_[world].outcome == Outcome::running);
@@ -59,7 +61,7 @@ class CpuBatch : public Batch {
   const Course course_;
   const LevelSet set_ = course_.set();
   std::vector<World> worlds_;
-  std::vector<LooseBody> loose_;  // (worlds, looseStride)
+  std::vector<RigidBody> bodies_;  // (worlds, bodyStride)
   std::vector<Episode> episodes_;
   ThreadPool& pool_;
 
@@ -86,7 +88,7 @@ Status CpuBatch::run(uint32_t ticks, const Actions& actions) {
 }
 
 void CpuBatch::startOver(uint32_t world) {
-  startNext(set_, world, size(), episodes_[world], worlds_[world], looseOf(world));
+  startNext(set_, world, size(), episodes_[world], worlds_[world], bodiesOf(world));
   turns_[world].cursor.startOver(actions_);
 }
 
@@ -133,11 +135,11 @@ void CpuBatch::play(const Block& block, uint32_t ticks) {
                                 order_.begin() + block.first + block.count);
   const uint32_t level = episodes_[running.front()].level;
   std::vector<World*> worlds;
-  std::vector<LooseBody*> loose;
+  std::vector<RigidBody*> bodies;
   std::vector<Action> actions;
   for (uint32_t t = 0; t < ticks; ++t) {
     worlds.clear();
-    loose.clear();
+    bodies.clear();
     actions.clear();
     std::erase_if(running, [&](uint32_t i) { return !readyIn(level, i); });
     if (running.empty()) return;
@@ -145,10 +147,10 @@ void CpuBatch::play(const Block& block, uint32_t ticks) {
       Turn& turn = turns_[i];
       const Asking who{i, size(), episodes_[i].number, ticks_ - turn.left--};
       worlds.push_back(&worlds_[i]);
-      loose.push_back(looseOf(i));
+      bodies.push_back(bodiesOf(i));
       actions.push_back(turn.cursor.next(actions_, who, worlds_[i].tick));
     }
-    advanceAll(course_.levels[level], queryOf(set_, level), worlds, loose.data(), actions.data());
+    advanceAll(course_.levels[level], queryOf(set_, level), worlds, bodies.data(), actions.data());
   }
 }
 

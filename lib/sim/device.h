@@ -105,7 +105,7 @@ class Memory {
 
 // Makes `memory` hold at least `count` items. Its contents may be lost.
 template <class T>
-Status makeRoom(Device& device, Memory& memory, T*& table, size_t count) {
+Status reserve(Device& device, Memory& memory, T*& table, size_t count) {
   if (memory.bytes() < count * sizeof(T)) {
     memory = {};  // first, so that both never exist at once
     OBBY_ASSIGN(memory, Memory::of(device, count * sizeof(T)));

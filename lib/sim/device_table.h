@@ -14,7 +14,7 @@ class DeviceTable {
   Status make(Device& device, size_t count) {
     device_ = &device;
     count_ = count;
-    return makeRoom(device, memory_, data_, count);
+    return reserve(device, memory_, data_, count);
   }
   // The same with every byte 0.
   Status makeZero(Device& device, size_t count) {

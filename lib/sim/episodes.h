@@ -3,7 +3,7 @@
 #pragma once
 
 #include "level/query_view.h"
-#include "sim/loose.h"
+#include "sim/rigid_body.h"
 #include "sim/world.h"
 
 namespace obby::sim {
@@ -12,11 +12,11 @@ struct LevelSet {
   const level::LevelView* levels = nullptr;   // (levelCount)
   const level::QueryView* queries = nullptr;  // (levelCount), or null for no rules
   const World* starts = nullptr;              // (levelCount), where trajectories begin
-  const LooseBody* startLoose = nullptr;      // (levelCount, looseStride)
+  const RigidBody* startBodies = nullptr;     // (levelCount, bodyStride)
   const uint32_t* queue = nullptr;            // (queueLength), indices of levels
   uint32_t levelCount = 0, queueLength = 0;
-  uint32_t looseStride = 0;  // bodies reserved for each world
-  bool restarts = false;     // a world whose trajectory has ended takes its next level
+  uint32_t bodyStride = 0;  // bodies reserved for each world
+  bool restarts = false;    // a world whose trajectory has ended takes its next level
 };
 
 template <class Table>
@@ -24,7 +24,7 @@ OBBY_DEVICE void forTables(LevelSet& s, Table&& table) {
   table(s.levels, s.levelCount);
   table(s.queries, s.levelCount);
   table(s.starts, s.levelCount);
-  table(s.startLoose, size_t(s.levelCount) * s.looseStride);
+  table(s.startBodies, size_t(s.levelCount) * s.bodyStride);
   table(s.queue, s.queueLength);
 }
 
@@ -45,12 +45,12 @@ OBBY_DEVICE const level::QueryView* queryOf(const LevelSet& s, uint32_t level) {
 
 // Puts a world and its dynamic bodies at the start of its next level.
 OBBY_DEVICE void startNext(const LevelSet& s, uint32_t index, uint32_t worlds, Episode& episode,
-                           World& world, LooseBody* loose) {
+                           World& world, RigidBody* bodies) {
   ++episode.number;
   episode.level = levelOf(s, index, worlds, episode.number);
   world = s.starts[episode.level];
-  for (uint32_t b = 0; b < s.looseStride; ++b) {
-    loose[b] = s.startLoose[episode.level * s.looseStride + b];
+  for (uint32_t b = 0; b < s.bodyStride; ++b) {
+    bodies[b] = s.startBodies[episode.level * s.bodyStride + b];
   }
 }
 

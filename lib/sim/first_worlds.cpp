@@ -30,15 +30,15 @@ Status checkCourse(const Course& c) {
   return {};
 }
 
-void fillLoose(Course& course) {
+void fillBodies(Course& course) {
   for (const level::LevelView& level : course.levels) {
-    course.looseStride = std::max(course.looseStride, level.looseCount);
+    course.bodyStride = std::max(course.bodyStride, level.bodyCount);
   }
-  course.startLoose.clear();
+  course.startBodies.clear();
   for (const level::LevelView& level : course.levels) {
-    std::vector<LooseBody> bodies = startLoose(level);
-    bodies.resize(course.looseStride);
-    course.startLoose.insert(course.startLoose.end(), bodies.begin(), bodies.end());
+    std::vector<RigidBody> bodies = startBodies(level);
+    bodies.resize(course.bodyStride);
+    course.startBodies.insert(course.startBodies.end(), bodies.begin(), bodies.end());
   }
 }
 
@@ -46,7 +46,7 @@ void fillLoose(Course& course) {
 
 Result<FirstWorlds> firstWorlds(Course& course, uint32_t count) {
   OBBY_RETURN_IF_ERROR(checkCourse(course));
-  fillLoose(course);
+  fillBodies(course);
   if (course.queue.empty()) {
     course.queue.resize(course.levels.size());
     std::iota(course.queue.begin(), course.queue.end(), 0u);
@@ -56,8 +56,8 @@ Result<FirstWorlds> firstWorlds(Course& course, uint32_t count) {
     first.episodes.push_back({levelOf(course.set(), i, count, 0), 0});
     const uint32_t level = first.episodes.back().level;
     first.worlds.push_back(course.starts[level]);
-    const auto bodies = course.startLoose.begin() + level * course.looseStride;
-    first.loose.insert(first.loose.end(), bodies, bodies + course.looseStride);
+    const auto bodies = course.startBodies.begin() + level * course.bodyStride;
+    first.bodies.insert(first.bodies.end(), bodies, bodies + course.bodyStride);
   }
   return first;
 }

@@ -8,7 +8,7 @@ namespace obby::sim {
 struct FirstWorlds {
   std::vector<World> worlds;
   std::vector<Episode> episodes;
-  std::vector<LooseBody> loose;  // (worlds, Course::looseStride)
+  std::vector<RigidBody> bodies;  // (worlds, Course::bodyStride)
 };
 
 // Checks the course, and fills in an empty queue and the dynamic bodies of the starts.

@@ -15,12 +15,12 @@ template <class F>
 struct FloorT {
   MaskOf<F> sensed = false;
   F gap = 0;  // studs from the feet down to the floor; negative if the floor is higher
-  Vec3T<F> normal{0, 1, 0};          // average, not normalised
-  Vec3T<F> velocity;                 // velocity of the surface under the player, studs/s
-  F turning = 0;                     // rad/s of a carrying floor about Y
-  F grip = 0;                        // friction with the nearest floor
-  IntOf<F> nearest = -1;             // candidate of the shortest ray; -1 for none
-  uint8_t loose = level::kNotLoose;  // body that the player stands on; one world only
+  Vec3T<F> normal{0, 1, 0};       // average, not normalised
+  Vec3T<F> velocity;              // velocity of the surface under the player, studs/s
+  F turning = 0;                  // rad/s of a carrying floor about Y
+  F grip = 0;                     // friction with the nearest floor
+  IntOf<F> nearest = -1;          // candidate of the shortest ray; -1 for none
+  uint8_t body = level::kNoBody;  // body that the player stands on; one world only
 };
 
 using Floor = FloorT<float>;
@@ -202,11 +202,11 @@ OBBY_DEVICE FloorT<F> averageOf(const FloorRaysT<F>& rays, const Params& p) {
 }
 
 // Adds the velocity and the turning of the surface under the player.
-OBBY_DEVICE void surfaceMotion(const World& w, const LooseBody* loose,
+OBBY_DEVICE void surfaceMotion(const World& w, const RigidBody* bodies,
                                const level::LevelView& level, const Candidate& c, Floor& floor) {
   const level::Collider& collider = level.colliders[c.collider];
-  if (c.flags & level::kLoose) {
-    const LooseBody& body = loose[collider.loose];
+  if (c.flags & level::kDynamic) {
+    const RigidBody& body = bodies[collider.body];
     floor.velocity += velocityAt(body, w.position);
     floor.turning = body.spin.y;
   }
@@ -228,12 +228,13 @@ OBBY_DEVICE void surfaceMotion(const World& w, const LooseBody* loose,
 // end with this test. Lanes skip it, so it must cover every hit of a ray, with a margin for
 // rounding.
 OBBY_DEVICE Box columnOf(const World& w, const Params& p) {
-  constexpr float kRoom = 0.25f;  // studs; above the rounding of any position
-  const float side = (p.bodyWidth + p.bodyDepth) * p.floorRaySpread + kRoom;
+  constexpr float kMargin = 0.25f;  // studs; above the rounding of any position
+  const float side = (p.bodyWidth + p.bodyDepth) * p.floorRaySpread + kMargin;
   const float fall = maxf(0.0f, -w.velocity.y) * (p.tickSeconds + 0.01f);
   const float reach = p.floorReachBase * p.rootHeight + farthestFloor(p) * p.hipHeight;
-  const float top = rayHeight(p), below = maxf(reach, top) + fall + kRoom;
-  return {w.position + Vec3{-side, top - below, -side}, w.position + Vec3{side, top + kRoom, side}};
+  const float top = rayHeight(p), below = maxf(reach, top) + fall + kMargin;
+  return {w.position + Vec3{-side, top - below, -side},
+          w.position + Vec3{side, top + kMargin, side}};
 }
 
 OBBY_DEVICE bool hasFloorBelow(const World& w, const Params& p, const Candidates& near) {
@@ -266,7 +267,7 @@ OBBY_DEVICE FloorRaysT<float> castFloor(const Player& player, const level::Level
   return rays;
 }
 
-OBBY_DEVICE Floor senseFloor(const World& w, const LooseBody* loose, const Player& player,
+OBBY_DEVICE Floor senseFloor(const World& w, const RigidBody* bodies, const Player& player,
                              const level::LevelView& level, const Candidates& near) {
   if (!hasFloorBelow(w, level.params, near)) return {};
   const FloorRaysT<float> rays = castFloor(player, level, near);
@@ -274,8 +275,8 @@ OBBY_DEVICE Floor senseFloor(const World& w, const LooseBody* loose, const Playe
   Floor floor = averageOf(rays, level.params);
   const Candidate& nearest = near.items[rays.nearest];
   floor.grip = level.colliders[nearest.collider].grip;
-  floor.loose = level.colliders[nearest.collider].loose;
-  surfaceMotion(w, loose, level, nearest, floor);
+  floor.body = level.colliders[nearest.collider].body;
+  surfaceMotion(w, bodies, level, nearest, floor);
   return floor;
 }
 

@@ -128,9 +128,9 @@ OBBY_DEVICE void turn(PlayerT<F>& w, const Params& p, const FloorT<F>& floor,
                       const ControlT<F>& control) {
   const F error = turnLeft(w, control);
   // The turn speed is limited only in the air.
-  const F most =
+  const F max =
       select(w.is(State::freefall), F(p.turnSpeed * p.tickSeconds * kTurnsPerRadian), F(65536.0f));
-  const F step = clampf<F>(error * minf(p.turnGain * p.tickSeconds, 1.0f), -most, most);
+  const F step = clampf<F>(error * minf(p.turnGain * p.tickSeconds, 1.0f), -max, max);
   // The last quarter degree is turned at once, so that the facing settles.
   const IntOf<F> toward =
       select(absf(error) < 46.0f, control.heading, (w.yaw + toInt(step)) & 0xffff);

@@ -11,7 +11,7 @@ namespace obby::sim {
 enum class StepKind {
   oneLevel,    // without dynamic bodies
   manyLevels,  // without dynamic bodies
-  loose        // levels with or without dynamic bodies
+  bodies       // levels with or without dynamic bodies
 };
 
 struct Kernel {

@@ -10,8 +10,8 @@ namespace {
 
 class KernelBatch : public Batch {
  public:
-  KernelBatch(uint32_t worlds, uint32_t looseStride, Device& device)
-      : Batch(worlds, looseStride), device_(device) {}
+  KernelBatch(uint32_t worlds, uint32_t bodyStride, Device& device)
+      : Batch(worlds, bodyStride), device_(device) {}
 
   Status begin(const Course& course, const FirstWorlds& first) {
     args_.set = course.set();
@@ -23,24 +23,24 @@ class KernelBatch : public Batch {
     }
     OBBY_RETURN_IF_ERROR(uploadTable<World>(device_, worlds_, first.worlds));
     OBBY_RETURN_IF_ERROR(uploadTable<Episode>(device_, episodes_, first.episodes));
-    OBBY_RETURN_IF_ERROR(uploadTable<LooseBody>(device_, loose_, first.loose));
-    args_.loose = loose_.as<LooseBody>();
+    OBBY_RETURN_IF_ERROR(uploadTable<RigidBody>(device_, bodies_, first.bodies));
+    args_.bodies = bodies_.as<RigidBody>();
     args_.worlds = worlds_.as<World>();
     args_.episodes = episodes_.as<Episode>();
     return {};
   }
 
   Status restore(uint32_t first, std::span<const World> worlds,
-                 std::span<const LooseBody> loose) override {
+                 std::span<const RigidBody> bodies) override {
     OBBY_RETURN_IF_ERROR(
         device_.upload(worlds_.as<World>() + first, worlds.data(), worlds.size_bytes()));
-    if (loose.empty()) return {};
-    LooseBody* const to = args_.loose + size_t(first) * args_.set.looseStride;
-    return device_.upload(to, loose.data(), loose.size_bytes());
+    if (bodies.empty()) return {};
+    RigidBody* const to = args_.bodies + size_t(first) * args_.set.bodyStride;
+    return device_.upload(to, bodies.data(), bodies.size_bytes());
   }
   Result<std::vector<World>> worlds() const override { return fetch<World>(worlds_, size()); }
-  Result<std::vector<LooseBody>> loose() const override {
-    return fetch<LooseBody>(loose_, size_t(size()) * args_.set.looseStride);
+  Result<std::vector<RigidBody>> bodies() const override {
+    return fetch<RigidBody>(bodies_, size_t(size()) * args_.set.bodyStride);
   }
   Result<std::vector<Episode>> episodes() const override {
     return fetch<Episode>(episodes_, size());
@@ -48,7 +48,7 @@ class KernelBatch : public Batch {
 
  private:
   StepKind kind() const {
-    if (args_.set.looseStride != 0) return StepKind::loose;
+    if (args_.set.bodyStride != 0) return StepKind::bodies;
     return args_.set.levelCount == 1 ? StepKind::oneLevel : StepKind::manyLevels;
   }
 
@@ -72,7 +72,7 @@ class KernelBatch : public Batch {
 
   Device& device_;
   StepArguments args_{};
-  Memory tables_, worlds_, loose_, episodes_, table_, runs_, firsts_;
+  Memory tables_, worlds_, bodies_, episodes_, table_, runs_, firsts_;
 };
 
 }  // namespace
@@ -81,7 +81,7 @@ Result<std::unique_ptr<Batch>> makeKernelBatch(const Course& course, uint32_t wo
                                                Device& device) {
   Course filled = course;
   OBBY_ASSIGN(const FirstWorlds first, firstWorlds(filled, worlds));
-  auto batch = std::make_unique<KernelBatch>(worlds, filled.looseStride, device);
+  auto batch = std::make_unique<KernelBatch>(worlds, filled.bodyStride, device);
   OBBY_RETURN_IF_ERROR(batch->begin(filled, first));
   return std::unique_ptr<Batch>(std::move(batch));
 }
@@ -101,9 +101,9 @@ const Kernel& stepKernel(StepKind kind) {
   switch (kind) {
     case StepKind::oneLevel: return kernelOf<StepKind::oneLevel>("step");
     case StepKind::manyLevels: return kernelOf<StepKind::manyLevels>("stepMany");
-    case StepKind::loose: break;
+    case StepKind::bodies: break;
   }
-  return kernelOf<StepKind::loose>("stepLoose");
+  return kernelOf<StepKind::bodies>("stepLoose");
 }
 
 }  // namespace obby::sim

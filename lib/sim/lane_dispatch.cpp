@@ -17,18 +17,18 @@ const LaneTable& lanes() {
 
 }  // namespace
 
-template <bool kLoose>
-void tick(World& w, LooseBody* loose, const level::LevelView& level, Action action,
+template <bool kDynamic>
+void tick(World& w, RigidBody* bodies, const level::LevelView& level, Action action,
           uint32_t apart) {
-  (kLoose ? lanes().tick : lanes().tickWithoutLoose)(w, loose, level, action, apart);
+  (kDynamic ? lanes().tick : lanes().tickWithoutBodies)(w, bodies, level, action, apart);
 }
 
-template void tick<false>(World&, LooseBody*, const level::LevelView&, Action, uint32_t);
-template void tick<true>(World&, LooseBody*, const level::LevelView&, Action, uint32_t);
+template void tick<false>(World&, RigidBody*, const level::LevelView&, Action, uint32_t);
+template void tick<true>(World&, RigidBody*, const level::LevelView&, Action, uint32_t);
 
-void tickAll(const level::LevelView& level, World* const* worlds, LooseBody* const* loose,
+void tickAll(const level::LevelView& level, World* const* worlds, RigidBody* const* bodies,
              const Action* actions, size_t count, WideCounts* counts) {
-  lanes().tickAll(level, worlds, loose, actions, count, counts);
+  lanes().tickAll(level, worlds, bodies, actions, count, counts);
 }
 
 }  // namespace obby::sim

@@ -8,7 +8,7 @@ namespace obby::sim {
 
 struct LaneTable {
   decltype(&sim::tick<true>) tick;
-  decltype(&sim::tick<false>) tickWithoutLoose;
+  decltype(&sim::tick<false>) tickWithoutBodies;
   decltype(&sim::tickAll) tickAll;
 };
 

@@ -56,8 +56,8 @@ OBBY_DEVICE uint32_t jumpsLeft(const level::QueryView& query, const World& world
     limit = world.segmentJumps + uint32_t(segment);
   }
   for (uint32_t i = world.waypoints; i < query.waypointCount; ++i) {
-    const int32_t most = query.waypoints[i].maxJumps;
-    if (most >= 0 && uint32_t(most) < limit) limit = uint32_t(most);
+    const int32_t max = query.waypoints[i].maxJumps;
+    if (max >= 0 && uint32_t(max) < limit) limit = uint32_t(max);
   }
   return limit > world.jumps ? limit - world.jumps : 0;
 }

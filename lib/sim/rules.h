@@ -18,12 +18,12 @@ OBBY_DEVICE Before beforeOf(const World& w) { return {w.position, w.flags}; }
 struct Judged {
   World& w;
   const Before& before;
-  const LooseBody* loose;
+  const RigidBody* bodies;
   const level::LevelView& level;
   const level::QueryView& q;
 
   OBBY_DEVICE bool reaches(const level::TargetView& target) const {
-    return sim::reaches(w, loose, level, q, target);
+    return sim::reaches(w, bodies, level, q, target);
   }
 
   // Returns true if the player was in a region during the tick. A teleport passes through nothing,
@@ -53,8 +53,8 @@ OBBY_DEVICE uint32_t segmentTicks(const World& w, const level::QueryView& q) {
 // Returns true if a jump limit is exceeded: in total, for the next waypoint, or in this segment.
 OBBY_DEVICE bool breaksJumpLimit(const World& w, const level::QueryView& q) {
   if (q.maxJumps >= 0 && int32_t(w.jumps) > q.maxJumps) return true;
-  const int32_t most = segmentOf(w, q).jumps;
-  if (most >= 0 && int32_t(w.jumps) - int32_t(w.segmentJumps) > most) return true;
+  const int32_t max = segmentOf(w, q).jumps;
+  if (max >= 0 && int32_t(w.jumps) - int32_t(w.segmentJumps) > max) return true;
   if (w.waypoints >= q.waypointCount) return false;
   const int32_t limit = q.waypoints[w.waypoints].maxJumps;
   return limit >= 0 && int32_t(w.jumps) > limit;
@@ -63,9 +63,9 @@ OBBY_DEVICE bool breaksJumpLimit(const World& w, const level::QueryView& q) {
 // Returns true if a time limit has passed: of the query, of this segment, or for the next waypoint.
 // Arrival on the last tick counts.
 OBBY_DEVICE bool isLate(const World& w, const level::QueryView& q) {
-  const uint32_t played = ticksPlayed(w, q), most = segmentOf(w, q).ticks;
+  const uint32_t played = ticksPlayed(w, q), max = segmentOf(w, q).ticks;
   if (q.timeLimitTicks != 0 && played >= q.timeLimitTicks) return true;
-  if (most != 0 && segmentTicks(w, q) >= most) return true;
+  if (max != 0 && segmentTicks(w, q) >= max) return true;
   if (w.waypoints >= q.waypointCount) return false;
   const uint32_t limit = q.waypoints[w.waypoints].ticks;
   return limit != 0 && played >= limit;
@@ -113,11 +113,11 @@ OBBY_DEVICE bool atGoal(const Judged& j) {
 }
 
 // Ends the trajectory or records progress. A world that died in this tick stays dead. `before` is
-// its state before the tick. `loose` has level.looseCount bodies, or is null if there are none.
-OBBY_DEVICE void applyRules(World& w, const Before& before, const LooseBody* loose,
+// its state before the tick. `bodies` has level.bodyCount bodies, or is null if there are none.
+OBBY_DEVICE void applyRules(World& w, const Before& before, const RigidBody* bodies,
                             const level::LevelView& level, const level::QueryView& q) {
   if (w.outcome != Outcome::running) return;
-  const Judged j{w, before, loose, level, q};
+  const Judged j{w, before, bodies, level, q};
   w.outcome = violation(j);
   if (w.outcome != Outcome::running) return;
   if (!noteProgress(j)) {

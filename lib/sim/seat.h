@@ -34,16 +34,16 @@ OBBY_DEVICE bool sitDown(World& w, const level::LevelView& level, uint32_t clock
 }
 
 // Advances a seated player by a tick; the seat may move. Runs after the motion of dynamic bodies.
-// `loose` is null if the level has none. `p` includes the player's boosts.
-OBBY_DEVICE void sit(World& w, const LooseBody* loose, const level::LevelView& level,
+// `bodies` is null if the level has none. `p` includes the player's boosts.
+OBBY_DEVICE void sit(World& w, const RigidBody* bodies, const level::LevelView& level,
                      const Params& p, bool jump) {
   const int i = heldSeat(w, level);
   const uint32_t held = i < 0 ? level::kNone : level.clocks[w.clocks[i].clock].seat;
-  if (held == level::kNone || isGone(level.colliders[held], loose)) {
+  if (held == level::kNone || isGone(level.colliders[held], bodies)) {
     w.state = State::freefall;
     return;
   }
-  const Pose pose = poseOf(level.colliders[held], w, loose, level, 1);
+  const Pose pose = poseOf(level.colliders[held], w, bodies, level, 1);
   const Vec3 feet = feetOnSeat(pose, p), velocity = (feet - w.position) * float(p.controlRate);
   // A seat that moves farther in a tick than anything can was repositioned, as when a motion starts
   // over. That is no speed. Dynamic seats are never repositioned.

@@ -28,18 +28,18 @@ World makeWorld(const level::LevelView& level, const level::StartPose& start) {
   w.yaw = turnsFromRadians(start.yaw);
   w.floorlessSteps = 0xffff;
   w.state = State::freefall;  // a floor is sensed in the first tick, so no jump in the air
-  if (level.looseCount != 0) w.flags |= kLooseAwake;
+  if (level.bodyCount != 0) w.flags |= kBodyAwake;
   return w;
 }
 
-std::vector<LooseBody> makeLoose(const level::LevelView& level) {
-  std::vector<LooseBody> loose(level.looseCount);
-  for (uint32_t i = 0; i < level.looseCount; ++i) {
-    const level::Loose& l = level.loose[i];
-    loose[i].position = l.position + toMat3(l.rotation) * l.center;
-    loose[i].rotation = l.rotation;
+std::vector<RigidBody> makeDynamic(const level::LevelView& level) {
+  std::vector<RigidBody> bodies(level.bodyCount);
+  for (uint32_t i = 0; i < level.bodyCount; ++i) {
+    const level::DynamicBody& l = level.bodies[i];
+    bodies[i].position = l.position + toMat3(l.rotation) * l.center;
+    bodies[i].rotation = l.rotation;
   }
-  return loose;
+  return bodies;
 }
 
 namespace {
@@ -58,14 +58,14 @@ uint64_t hashProgress(const World& world, uint64_t h) {
 
 }  // namespace
 
-uint64_t stateHash(const World& world, std::span<const LooseBody> loose) {
+uint64_t stateHash(const World& world, std::span<const RigidBody> bodies) {
   uint64_t h = 0;
 #define OBBY_HASH_FIELD(type, name) h = hashBytes(&world.name, sizeof world.name, h);
   OBBY_WORLD_FIELDS(OBBY_HASH_FIELD)
 #undef OBBY_HASH_FIELD
   h = hashProgress(world, h);
   h = hashBytes(world.clocks, world.clockCount * sizeof(RunningClock), h);
-  for (const LooseBody& body : loose) h = hashBytes(&body, sizeof body, h);
+  for (const RigidBody& body : bodies) h = hashBytes(&body, sizeof body, h);
   return h;
 }
 
@@ -102,24 +102,24 @@ void writePlan(const Plan& plan, schema::Trajectory::Builder to) {
   }
 }
 
-void advance(World& world, LooseBody* loose, const level::LevelView& level,
+void advance(World& world, RigidBody* bodies, const level::LevelView& level,
              const level::QueryView* query, Action action) {
   if (world.outcome != Outcome::running) return;
   const Before before = beforeOf(world);
-  tick(world, loose, level, action);
-  if (query) applyRules(world, before, loose, level, *query);
+  tick(world, bodies, level, action);
+  if (query) applyRules(world, before, bodies, level, *query);
 }
 
 void advanceAll(const level::LevelView& level, const level::QueryView* query,
-                std::span<World* const> worlds, LooseBody* const* loose, const Action* actions) {
+                std::span<World* const> worlds, RigidBody* const* bodies, const Action* actions) {
   thread_local std::vector<Before> before;  // kept, so that a tick allocates no memory
   before.clear();
   if (query != nullptr) {
     for (const World* world : worlds) before.push_back(beforeOf(*world));
   }
-  tickAll(level, worlds.data(), loose, actions, worlds.size());
+  tickAll(level, worlds.data(), bodies, actions, worlds.size());
   for (size_t i = 0; i < before.size(); ++i) {
-    applyRules(*worlds[i], before[i], loose != nullptr ? loose[i] : nullptr, level, *query);
+    applyRules(*worlds[i], before[i], bodies != nullptr ? bodies[i] : nullptr, level, *query);
   }
 }
 
@@ -127,16 +127,16 @@ ReplayEnd replay(const level::LevelView& asBuilt, const level::QueryView* query,
                  const Visit& visit) {
   level::LevelView level = asBuilt;
   level.params.tricks = plan.tricks;
-  ReplayEnd now{makeWorld(level, plan.start), startLoose(level)};
+  ReplayEnd now{makeWorld(level, plan.start), startBodies(level)};
   now.world.yaw = plan.yaw;
   World before = now.world;
-  bool goesOn = visit({0, before, now.world, now.loose});
+  bool goesOn = visit({0, before, now.world, now.bodies});
   for (const ActionRun& run : plan.actions) {
     for (uint32_t t = 0; t < run.ticks && goesOn; ++t) {
       if (now.world.outcome != Outcome::running) return now;
       before = now.world;
-      advance(now.world, now.loose.data(), level, query, run.action);
-      goesOn = visit({++now.ticks, before, now.world, now.loose});
+      advance(now.world, now.bodies.data(), level, query, run.action);
+      goesOn = visit({++now.ticks, before, now.world, now.bodies});
     }
   }
   return now;
@@ -146,7 +146,7 @@ Replay replay(const level::LevelView& level, const level::QueryView* query, cons
   Replay out;
   replay(level, query, plan, [&](const Moment& now) {
     out.worlds.push_back(now.world);
-    out.loose.insert(out.loose.end(), now.loose.begin(), now.loose.end());
+    out.bodies.insert(out.bodies.end(), now.bodies.begin(), now.bodies.end());
     return true;
   });
   return out;

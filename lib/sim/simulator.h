@@ -3,10 +3,10 @@
 // includes), which search kernels include directly.
 //
 //   sim::World world = sim::makeWorld(level.view(), level.spawns().at(0));
-//   std::vector<sim::LooseBody> loose = sim::startLoose(level.view());
+//   std::vector<sim::RigidBody> bodies = sim::startBodies(level.view());
 //   const sim::Action north{0, true, false};
 //   for (int tick = 0; tick < 60; ++tick) {
-//     sim::advance(world, loose.data(), level.view(), nullptr, north);
+//     sim::advance(world, bodies.data(), level.view(), nullptr, north);
 //   }
 //   const Vec3 feet = world.position;  // after a second of walking
 #pragma once
@@ -19,7 +19,7 @@
 #include "base/result.h"
 #include "level/level.h"
 #include "schema/obby.capnp.h"
-#include "sim/loose.h"
+#include "sim/rigid_body.h"
 #include "sim/world.h"
 
 namespace obby::sim {
@@ -28,16 +28,16 @@ namespace obby::sim {
 World makeWorld(const level::LevelView& level, const level::StartPose& start);
 
 // Returns the level's dynamic bodies at their first positions, awake. Empty if there are none.
-std::vector<LooseBody> makeLoose(const level::LevelView& level);
+std::vector<RigidBody> makeDynamic(const level::LevelView& level);
 
 // Returns the dynamic bodies as play begins. If all come to rest by themselves within ten seconds,
 // they are at rest: a server has run for longer before the first player joins. Otherwise they are
 // at their first positions.
-std::vector<LooseBody> startLoose(const level::LevelView& level);
+std::vector<RigidBody> startBodies(const level::LevelView& level);
 
 // Returns a digest of every field of the state. It is equal on every machine for the same
 // trajectory.
-uint64_t stateHash(const World& world, std::span<const LooseBody> loose = {});
+uint64_t stateHash(const World& world, std::span<const RigidBody> bodies = {});
 
 // The contents of a trajectory record in plain form.
 struct Plan {
@@ -55,22 +55,22 @@ Result<Plan> planFromRecord(schema::Trajectory::Reader record);
 // Sets the start, the actions and the tricks of a record.
 void writePlan(const Plan& plan, schema::Trajectory::Builder to);
 
-// Advances one tick under the query's rules. Does nothing once the trajectory has ended. `loose`
-// has level.looseCount bodies, or is null if there are none. `query` may be null.
-void advance(World& world, LooseBody* loose, const level::LevelView& level,
+// Advances one tick under the query's rules. Does nothing once the trajectory has ended. `bodies`
+// has level.bodyCount bodies, or is null if there are none. `query` may be null.
+void advance(World& world, RigidBody* bodies, const level::LevelView& level,
              const level::QueryView* query, Action action);
 
-// Advances many worlds in SIMD lanes (wide_tick.h), world i with the bodies loose[i] under
-// actions[i]. `loose` may be null if the level has no dynamic bodies.
+// Advances many worlds in SIMD lanes (wide_tick.h), world i with the bodies bodies[i] under
+// actions[i]. `bodies` may be null if the level has no dynamic bodies.
 void advanceAll(const level::LevelView& level, const level::QueryView* query,
-                std::span<World* const> worlds, LooseBody* const* loose, const Action* actions);
+                std::span<World* const> worlds, RigidBody* const* bodies, const Action* actions);
 
 // A state of a replayed trajectory, valid until the visit returns.
 struct Moment {
-  uint32_t tick;                     // since the start, which is 0
-  const World& before;               // one tick earlier; at the start the same as `world`
-  const World& world;                // now
-  std::span<const LooseBody> loose;  // now: (level.looseCount)
+  uint32_t tick;                      // since the start, which is 0
+  const World& before;                // one tick earlier; at the start the same as `world`
+  const World& world;                 // now
+  std::span<const RigidBody> bodies;  // now: (level.bodyCount)
 };
 
 // Returns true to continue.
@@ -79,7 +79,7 @@ using Visit = std::function<bool(const Moment&)>;
 // The last state of a replay.
 struct ReplayEnd {
   World world;
-  std::vector<LooseBody> loose;
+  std::vector<RigidBody> bodies;
   uint32_t ticks = 0;  // since the start
 };
 
@@ -88,16 +88,16 @@ struct ReplayEnd {
 ReplayEnd replay(const level::LevelView& level, const level::QueryView* query, const Plan& plan,
                  const Visit& visit);
 
-// Every state of a trajectory, the start first: (ticks + 1) worlds, with level.looseCount bodies
+// Every state of a trajectory, the start first: (ticks + 1) worlds, with level.bodyCount bodies
 // each. Four hours with 16 bodies take 900 MB, so this is for short trajectories, or for access in
 // any order.
 struct Replay {
   std::vector<World> worlds;
-  std::vector<LooseBody> loose;
+  std::vector<RigidBody> bodies;
 
-  std::span<const LooseBody> looseAt(size_t tick) const {
-    const size_t count = loose.size() / worlds.size();
-    return std::span(loose).subspan(tick * count, count);
+  std::span<const RigidBody> bodiesAtTick(size_t tick) const {
+    const size_t count = bodies.size() / worlds.size();
+    return std::span(bodies).subspan(tick * count, count);
   }
 };
 

@@ -19,7 +19,7 @@ struct StepArguments {
   level::LevelView only;  // the level if there is only one; reaches a GPU as constants
   ActionView actions;
   World* worlds;      // (count)
-  LooseBody* loose;   // (count, set.looseStride); updated in place
+  RigidBody* bodies;  // (count, set.bodyStride); updated in place
   Episode* episodes;  // (count)
   uint32_t count, ticks;
 };
@@ -27,22 +27,22 @@ struct StepArguments {
 template <StepKind kKind>
 OBBY_DEVICE void stepWorld(const StepArguments& a, uint32_t i) {
   World world = a.worlds[i];
-  LooseBody* const loose = a.loose + size_t(i) * a.set.looseStride;
+  RigidBody* const bodies = a.bodies + size_t(i) * a.set.bodyStride;
   Episode episode = a.episodes[i];
   ActionCursor cursor;
   for (uint32_t t = 0; t < a.ticks; ++t) {
     if (world.outcome != Outcome::running) {
       if (!a.set.restarts) break;
-      startNext(a.set, i, a.count, episode, world, loose);
+      startNext(a.set, i, a.count, episode, world, bodies);
       cursor.startOver(a.actions);
     }
     const level::LevelView& level =
         kKind == StepKind::oneLevel ? a.only : a.set.levels[episode.level];
     const Before before = beforeOf(world);
-    tick<kKind == StepKind::loose>(
-        world, loose, level, cursor.next(a.actions, {i, a.count, episode.number, t}, world.tick));
+    tick<kKind == StepKind::bodies>(
+        world, bodies, level, cursor.next(a.actions, {i, a.count, episode.number, t}, world.tick));
     const level::QueryView* query = queryOf(a.set, episode.level);
-    if (query != nullptr) applyRules(world, before, loose, level, *query);
+    if (query != nullptr) applyRules(world, before, bodies, level, *query);
   }
   a.worlds[i] = world;
   a.episodes[i] = episode;

@@ -7,17 +7,17 @@
 namespace obby::sim {
 
 // Returns the pose of a collider after the tick that led to `w`.
-OBBY_DEVICE Pose poseAfter(const level::LevelView& level, const World& w, const LooseBody* loose,
+OBBY_DEVICE Pose poseAfter(const level::LevelView& level, const World& w, const RigidBody* bodies,
                            const level::Collider& c) {
-  return poseOf(c, w, loose, level, 0);
+  return poseOf(c, w, bodies, level, 0);
 }
 
 // Returns true if the player touches the collider, away or not. Roles use the same test.
-OBBY_CALLED bool touchesCollider(const World& w, const LooseBody* loose,
+OBBY_CALLED bool touchesCollider(const World& w, const RigidBody* bodies,
                                  const level::LevelView& level, uint32_t id, const Limbs& limbs) {
   const level::Collider& c = level.colliders[id];
-  if (isGone(c, loose)) return false;
-  const Pose pose = poseAfter(level, w, loose, c);
+  if (isGone(c, bodies)) return false;
+  const Pose pose = poseAfter(level, w, bodies, c);
   const Candidate candidate{boundsOf(pose, c.shape.half), &pose, id, level.bounds[id].flags};
   return touches(c, candidate, limbs);
 }
@@ -31,8 +31,8 @@ OBBY_DEVICE bool isHeld(const World& w) {
 
 // Returns true if the player is in the region, or if the limbs touch a part that is to be touched.
 // If the target is to be stood on, something must hold the player, with the feet in the region.
-// `loose` has level.looseCount bodies, or is null if there are none.
-OBBY_DEVICE bool reaches(const World& w, const LooseBody* loose, const level::LevelView& level,
+// `bodies` has level.bodyCount bodies, or is null if there are none.
+OBBY_DEVICE bool reaches(const World& w, const RigidBody* bodies, const level::LevelView& level,
                          const level::QueryView& q, const level::TargetView& target) {
   const Vec3 feet = w.position;
   if (target.stand) return isHeld(w) && geom::meets(target.region, feet, feet);
@@ -41,7 +41,7 @@ OBBY_DEVICE bool reaches(const World& w, const LooseBody* loose, const level::Le
   }
   const Limbs limbs = limbsOf(w, level.params);
   for (uint32_t i = 0; i < target.touchCount; ++i) {
-    if (touchesCollider(w, loose, level, q.touched[target.firstTouch + i], limbs)) return true;
+    if (touchesCollider(w, bodies, level, q.touched[target.firstTouch + i], limbs)) return true;
   }
   return false;
 }

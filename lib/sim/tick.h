@@ -7,7 +7,7 @@
 #else
 #include "level/level_view.h"
 #include "sim/actions.h"
-#include "sim/loose.h"
+#include "sim/rigid_body.h"
 #include "sim/world.h"
 #endif
 
@@ -19,14 +19,14 @@ namespace obby::sim {
 // CPU this is a separate function (tick.cpp): the call costs little, and compiling it takes as long
 // as a hundred small sources.
 #if defined(__CUDACC__)
-template <bool kLoose = true>
-OBBY_DEVICE void tick(World& w, LooseBody* loose, const level::LevelView& level, Action action,
+template <bool kDynamic = true>
+OBBY_DEVICE void tick(World& w, RigidBody* bodies, const level::LevelView& level, Action action,
                       uint32_t apart = 0) {
-  tickInPlace<kLoose>(w, loose, level, action, apart);
+  tickInPlace<kDynamic>(w, bodies, level, action, apart);
 }
 #else
-template <bool kLoose = true>
-void tick(World& w, LooseBody* loose, const level::LevelView& level, Action action,
+template <bool kDynamic = true>
+void tick(World& w, RigidBody* bodies, const level::LevelView& level, Action action,
           uint32_t apart = 0);
 #endif
 

@@ -4,8 +4,8 @@
 #pragma once
 
 #include "sim/air_jump.h"
+#include "sim/body_player.h"
 #include "sim/climb.h"
-#include "sim/loose_player.h"
 #include "sim/squeeze.h"
 #include "sim/touch.h"
 #include "sim/trip.h"
@@ -32,19 +32,19 @@ OBBY_DEVICE void endTick(World& w, const level::LevelView& level, const Candidat
   }
 }
 
-// The phases with and without dynamic bodies. kLoose false is for levels without them, on GPUs,
+// The phases with and without dynamic bodies. kDynamic false is for levels without them, on GPUs,
 // where code that never runs still costs registers.
 
 // Advances a player who is not seated by a tick. `p` includes the player's boosts.
-template <bool kLoose>
-OBBY_DEVICE void move(World& w, LooseBody* loose, const level::LevelView& level, const Params& p,
+template <bool kDynamic>
+OBBY_DEVICE void move(World& w, RigidBody* bodies, const level::LevelView& level, const Params& p,
                       Candidates& near, const ControlT<float>& control) {
   Player player = playerOf(w);
   faceAtOnce(player, p, control);
-  const Floor floor = senseFloor(w, loose, player, level, near);
+  const Floor floor = senseFloor(w, bodies, player, level, near);
   updateState(player, p, floor, control);
   jumpInAir(w, player, level, p, control);
-  const Truss truss = updateClimbing(w, loose, player, level, p, near, floor, control);
+  const Truss truss = updateClimbing(w, bodies, player, level, p, near, floor, control);
   const bool climbs = player.is(State::climbing);
   turn(player, p, floor, climbs ? facing(truss, control) : control);
   const bool down = player.is(State::fallingDown);
@@ -54,9 +54,9 @@ OBBY_DEVICE void move(World& w, LooseBody* loose, const level::LevelView& level,
   near.footedOn = footedOn<float>(motion.drive.hover, floor);
   if (climbs) moveClimber(motion, truss, control, level, p, near);
   // A player near no body moves as if there were none.
-  const bool among = (near.anyFlags & level::kLoose) != 0;
-  if (kLoose && wakeTouched(w, loose, floor, motion, level, near)) {
-    moveTogether(w, loose, among && !climbs ? &motion : nullptr, floor, level, near);
+  const bool among = (near.anyFlags & level::kDynamic) != 0;
+  if (kDynamic && wakeTouched(w, bodies, floor, motion, level, near)) {
+    moveTogether(w, bodies, among && !climbs ? &motion : nullptr, floor, level, near);
     if (!climbs && !among) moveBody(motion, level, near);
   } else if (!climbs) {
     moveBody(motion, level, near);
@@ -68,18 +68,18 @@ OBBY_DEVICE void move(World& w, LooseBody* loose, const level::LevelView& level,
 }
 
 // `p` includes the player's boosts. tick() explains `apart`.
-template <bool kLoose>
-OBBY_DEVICE void tickWith(World& w, LooseBody* loose, const level::LevelView& level,
+template <bool kDynamic>
+OBBY_DEVICE void tickWith(World& w, RigidBody* bodies, const level::LevelView& level,
                           const Params& p, ControlT<float> control, uint32_t apart) {
   Candidates near;
-  near.looseApart = apart;
-  gather(w, loose, level, p, near);
+  near.bodiesApart = apart;
+  gather(w, bodies, level, p, near);
   if (w.state == State::seated) {
-    if (kLoose && (w.flags & kLooseAwake)) moveTogether(w, loose, nullptr, {}, level, near);
-    sit(w, kLoose ? loose : nullptr, level, p, control.jump);
+    if (kDynamic && (w.flags & kBodyAwake)) moveTogether(w, bodies, nullptr, {}, level, near);
+    sit(w, kDynamic ? bodies : nullptr, level, p, control.jump);
     keepAirJumps(w, level, 0, control.jump);
   } else {
-    move<kLoose>(w, loose, level, p, near, control);
+    move<kDynamic>(w, bodies, level, p, near, control);
     squeeze(w, level, near);
   }
   if (w.outcome == Outcome::running) {
@@ -90,8 +90,8 @@ OBBY_DEVICE void tickWith(World& w, LooseBody* loose, const level::LevelView& le
 }
 
 // Implements tick() (tick.h) in place.
-template <bool kLoose>
-OBBY_DEVICE void tickInPlace(World& w, LooseBody* loose, const level::LevelView& level,
+template <bool kDynamic>
+OBBY_DEVICE void tickInPlace(World& w, RigidBody* bodies, const level::LevelView& level,
                              Action action, uint32_t apart) {
   if (w.outcome != Outcome::running) return;
   ControlT<float> control = controlOf(action, level.params);
@@ -105,7 +105,7 @@ OBBY_DEVICE void tickInPlace(World& w, LooseBody* loose, const level::LevelView&
     if (helpless) control = {};
   }
   updateFallingDown(w, helpless);
-  tickWith<kLoose>(w, loose, level, *p, control, apart);
+  tickWith<kDynamic>(w, bodies, level, *p, control, apart);
 }
 
 }  // namespace obby::sim

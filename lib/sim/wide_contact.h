@@ -16,7 +16,7 @@ struct Obstacles {
   BoxT<WideFloat> bounds[kLaneSolids];
   WideMask upright[kLaneSolids];
   WideInt count;  // parts of each lane
-  int most = 0;   // max of all lanes
+  int max = 0;    // max of all lanes
 };
 
 namespace internal {
@@ -41,7 +41,7 @@ OBBY_LANES WideMask isInside(const WideMotion& m, const Params& p, const Obstacl
   const geom::UprightBoxT<WideFloat> box = bodyBox(m, p);
   const BoxT<WideFloat> bounds = box.bounds();
   WideMask inside;
-  for (int k = 0; k < o.most; ++k) {
+  for (int k = 0; k < o.max; ++k) {
     const WideMask near = asked & (o.count > k) & overlaps(bounds, o.bounds[k]);
     if (!any(near)) continue;
     const auto contact = internal::contactOf(o.block[k], o.upright[k], near, box);
@@ -53,11 +53,11 @@ OBBY_LANES WideMask isInside(const WideMotion& m, const Params& p, const Obstacl
 // Returns the lanes whose body does not fit between its parts.
 OBBY_LANES WideMask collide(WideMotion& m, const Params& p, const Obstacles& o) {
   WideMask busy(true);
-  for (int round = 0; round < contactRounds(o.most); ++round) {
+  for (int round = 0; round < contactRounds(o.max); ++round) {
     WideMask pushed;
     geom::UprightBoxT<WideFloat> box = bodyBox(m, p);
     BoxT<WideFloat> bounds = box.bounds();
-    for (int k = 0; k < o.most; ++k) {
+    for (int k = 0; k < o.max; ++k) {
       const WideMask asked = busy & (o.count > k) & overlaps(bounds, o.bounds[k]);
       if (!any(asked)) continue;
       const auto contact = internal::contactOf(o.block[k], o.upright[k], asked, box);

@@ -59,15 +59,16 @@ void WideNear::findReach(World* const* worlds, int count) {
 }
 
 // Returns true if a dynamic body is near the player. Otherwise the bodies move apart from it
-// (wide_loose.h).
-bool WideNear::nearLoose(int i, const LooseBody* loose) const {
+// (wide_bodies.h).
+bool WideNear::nearBodies(int i, const RigidBody* bodies) const {
   const Box near = looks_[i].box();
   bool found = false;
-  for (uint32_t b = 0; b < level_.looseCount; ++b) found |= isNear(loose[b], level_.loose[b], near);
+  for (uint32_t b = 0; b < level_.bodyCount; ++b)
+    found |= isNear(bodies[b], level_.bodies[b], near);
   return found;
 }
 
-void WideNear::look(World* const* worlds, const LooseBody* const* loose, int count) {
+void WideNear::look(World* const* worlds, const RigidBody* const* bodies, int count) {
   findReach(worlds, count);
   movedCount_ = 0;
   // All lists are prefetched before the first is read, so that many loads are under way at a time.
@@ -82,8 +83,8 @@ void WideNear::look(World* const* worlds, const LooseBody* const* loose, int cou
     turn_[i] = looks_[i].outcome != 0            ? Turn::ended
                : level_.airClock != level::kNone ? Turn::single
                                                  : list(i, lists[i]);
-    if (level_.looseCount == 0 || turn_[i] != Turn::lanes) continue;
-    if (nearLoose(i, loose[i])) turn_[i] = Turn::single;
+    if (level_.bodyCount == 0 || turn_[i] != Turn::lanes) continue;
+    if (nearBodies(i, bodies[i])) turn_[i] = Turn::single;
   }
 }
 

@@ -32,8 +32,8 @@ class WideNear {
   // The code that takes a world's tick.
   enum class Turn : uint8_t { ended, single, lanes };  // none; tick(); SIMD lanes
 
-  // Finds the parts around at most kWideSlots worlds. `loose` may be null.
-  void look(World* const* worlds, const LooseBody* const* loose, int count);
+  // Finds the parts around at most kWideSlots worlds. `bodies` may be null.
+  void look(World* const* worlds, const RigidBody* const* bodies, int count);
 
   // The following are about the i-th world of the last look().
   Box reach(int i) const { return looks_[i].box(); }  // the space that its player can reach
@@ -81,7 +81,7 @@ class WideNear {
   Turn listPlain(int i, const uint32_t* list);
   Turn listAll(int i, const uint32_t* list);
   bool moveParts(int i);
-  bool nearLoose(int i, const LooseBody* loose) const;
+  bool nearBodies(int i, const RigidBody* bodies) const;
 
   const level::LevelView& level_;
   const float limbsWidth_;     // studs sideways that limbs reach beyond body and floor rays

@@ -94,8 +94,8 @@ Obstacles WideParts::obstacles(const LaneSolids* const* solids) const {
   alignas(64) int32_t counts[kLanes];
   for (int lane = 0; lane < kLanes; ++lane) counts[lane] = solids[lane]->count;
   o.count = load(counts);
-  o.most = *std::max_element(counts, counts + kLanes);
-  for (int k = 0; k < o.most; ++k) {
+  o.max = *std::max_element(counts, counts + kLanes);
+  for (int k = 0; k < o.max; ++k) {
     const void* rows[kLanes];
     alignas(64) int32_t upright[kLanes];
     for (int lane = 0; lane < kLanes; ++lane) {

@@ -4,7 +4,7 @@
 
 #include "sim/tick.h"
 #include "sim/tick_phases.h"
-#include "sim/wide_loose.h"
+#include "sim/wide_bodies.h"
 #include "sim/wide_parts.h"
 
 namespace obby::sim {
@@ -23,18 +23,18 @@ class Ticker {
         counts_(counts),
         near_(level),
         parts_(level, near_),
-        bodies_(level, counts.looseInLanes) {}
+        wideBodies_(level, counts.bodiesInLanes) {}
 
   // Takes at most kWideSlots worlds.
-  void run(World* const* worlds, LooseBody* const* loose, const Action* actions, int count) {
+  void run(World* const* worlds, RigidBody* const* bodies, const Action* actions, int count) {
     counts_.ticks += uint64_t(count);
     worlds_ = worlds;
-    loose_ = loose;
+    bodies_ = bodies;
     actions_ = actions;
     admit(count);
     for (int slot = 0; slot < count_; slot += kLanes) play(slot);
     bumpAll();
-    bodies_.flush();
+    wideBodies_.flush();
   }
 
  private:
@@ -44,7 +44,7 @@ class Ticker {
   void admit(int count);
   void play(int slot);
   uint32_t sortLanes(int slot, uint32_t& free);
-  void moveLoose(int index);
+  void moveBodies(int index);
   void singly(int index);
   void glide(WideMotion& m) const;
   void bumpAll();
@@ -60,9 +60,9 @@ class Ticker {
   WideNear near_;
   WideParts parts_;
   World* const* worlds_ = nullptr;
-  LooseBody* const* loose_ = nullptr;
+  RigidBody* const* bodies_ = nullptr;
   const Action* actions_ = nullptr;
-  WideLoose bodies_;
+  WideBodies wideBodies_;
   World unused_{};  // lanes without a world write to it
 
   // These cover the worlds in lanes, by slot, in the order of work. Slots after the last repeat it.
@@ -81,7 +81,7 @@ class Ticker {
 // Sorts the worlds for the lanes by the number of parts near them, so that lanes idle less. The
 // others take their tick at once.
 void Ticker::admit(int count) {
-  near_.look(worlds_, loose_, count);
+  near_.look(worlds_, bodies_, count);
   int start[kRowWords + 2] = {};
   for (int i = 0; i < count; ++i) {
     if (near_.turn(i) == WideNear::Turn::lanes) ++start[near_.count(i) + 1];
@@ -121,7 +121,7 @@ void Ticker::play(int slot) {
     for (int lane = 0; lane < kLanes; ++lane) motions[lane] = motions_ + slot + lane;
     storeRows(rowsOf(motion, player.yaw), motions);
   }
-  if (level_.looseCount != 0) rows = loadRows(worlds);  // bodies that fell asleep changed its flags
+  if (level_.bodyCount != 0) rows = loadRows(worlds);  // bodies that fell asleep changed its flags
   glide(motion);
   putMoved(player, motion);
   putPlayer(rows, player);
@@ -142,7 +142,7 @@ uint32_t Ticker::sortLanes(int slot, uint32_t& free) {
     }
     const uint32_t bit = 1u << (at - slot);
     lanes |= bit;
-    if (level_.looseCount != 0) moveLoose(order_[at]);
+    if (level_.bodyCount != 0) moveBodies(order_[at]);
     if (solids.count == 0) {
       free |= bit;
       continue;
@@ -171,24 +171,24 @@ void Ticker::bumpAll() {
 }
 
 // Moves the bodies of a world whose player moves in lanes.
-void Ticker::moveLoose(int index) {
+void Ticker::moveBodies(int index) {
   World& w = *worlds_[index];
-  if (!(w.flags & kLooseAwake)) return;
+  if (!(w.flags & kBodyAwake)) return;
   Candidates none;
-  none.looseApart = bodies_.add(w, loose_[index], near_.reach(index));
-  moveTogether(w, loose_[index], nullptr, {}, level_, none);
+  none.bodiesApart = wideBodies_.add(w, bodies_[index], near_.reach(index));
+  moveTogether(w, bodies_[index], nullptr, {}, level_, none);
 }
 
 void Ticker::singly(int index) {
   ++counts_.single;
   World& w = *worlds_[index];
-  LooseBody* loose = loose_ ? loose_[index] : nullptr;
+  RigidBody* bodies = bodies_ ? bodies_[index] : nullptr;
   uint32_t apart = 0;
   // Boosts make a player faster than the lanes assume.
-  if ((w.flags & kLooseAwake) && w.clockCount == 0) {
-    apart = bodies_.add(w, loose, near_.reach(index));
+  if ((w.flags & kBodyAwake) && w.clockCount == 0) {
+    apart = wideBodies_.add(w, bodies, near_.reach(index));
   }
-  tick(w, loose, level_, actions_[index], apart);
+  tick(w, bodies, level_, actions_[index], apart);
 }
 
 // Moves players who meet nothing by a tick.
@@ -279,13 +279,13 @@ void Ticker::touch(int index, int footedOn) {
 
 }  // namespace
 
-void tickAll(const level::LevelView& level, World* const* worlds, LooseBody* const* loose,
+void tickAll(const level::LevelView& level, World* const* worlds, RigidBody* const* bodies,
              const Action* actions, size_t count, WideCounts* counts) {
   WideCounts unused;
   Ticker ticker(level, counts != nullptr ? *counts : unused);
   for (size_t first = 0; first < count; first += kWideSlots) {
     const int some = int(std::min(count - first, size_t(kWideSlots)));
-    ticker.run(worlds + first, loose ? loose + first : nullptr, actions + first, some);
+    ticker.run(worlds + first, bodies ? bodies + first : nullptr, actions + first, some);
   }
 }
 

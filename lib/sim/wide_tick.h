@@ -9,22 +9,22 @@
 #include <cstdint>
 
 #include "level/level_view.h"
-#include "sim/loose.h"
+#include "sim/rigid_body.h"
 #include "sim/world.h"
 
 namespace obby::sim {
 
 // Counts of the kinds of ticks, which show the cost of a level; sums over calls.
 struct WideCounts {
-  uint64_t ticks = 0;         // ticks of all worlds
-  uint64_t single = 0;        // those that tick() moved
-  uint64_t contact = 0;       // those with a solid part in the body's reach
-  uint64_t looseInLanes = 0;  // dynamic bodies that lanes moved
+  uint64_t ticks = 0;          // ticks of all worlds
+  uint64_t single = 0;         // those that tick() moved
+  uint64_t contact = 0;        // those with a solid part in the body's reach
+  uint64_t bodiesInLanes = 0;  // dynamic bodies that lanes moved
 };
 
 // Advances `count` worlds by one tick, world i under actions[i]. Worlds whose trajectory has ended
 // do not change. The worlds must be different ones. `counts` may be null.
-void tickAll(const level::LevelView& level, World* const* worlds, LooseBody* const* loose,
+void tickAll(const level::LevelView& level, World* const* worlds, RigidBody* const* bodies,
              const Action* actions, size_t count, WideCounts* counts = nullptr);
 
 }  // namespace obby::sim

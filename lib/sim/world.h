@@ -40,9 +40,9 @@ enum Flag : uint8_t {
   kCandidateOverrun = 2,  // more parts near the player than a world can hold: raise kMaxCandidates
   kClockOverrun = 4,      // more running clocks than a world can hold: raise kMaxClocks
   kArrived = 8,           // was teleported, and has touched a teleporter in every tick since
-  kLooseAwake = 16,       // a dynamic body is awake
+  kBodyAwake = 16,        // a dynamic body is awake
   kContactOverrun = 32,   // more contacts of dynamic bodies than a tick can hold: raise
-                          // kMaxLooseContacts
+                          // kMaxBodyContacts
   kLegsLift = 64,         // the legs alone make the body rise
   kLeftTruss = 128,       // rises from a jump off a truss
 };

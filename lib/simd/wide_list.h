@@ -6,8 +6,8 @@
 
 namespace obby {
 
-template <class T, int kMost>
-struct LaneList<T, WideFloat, kMost> {
+template <class T, int kMax>
+struct LaneList<T, WideFloat, kMax> {
   WideInt count{0};
 
   OBBY_LANES LaneList() {
@@ -31,15 +31,15 @@ struct LaneList<T, WideFloat, kMost> {
   }
   OBBY_LANES T next(int i) const {
     const T first = at(0);
-    return i + 1 < kMost ? select(count > i + 1, at(i + 1), first) : first;
+    return i + 1 < kMax ? select(count > i + 1, at(i + 1), first) : first;
   }
   // Lanes whose lists have the same length store together. This is faster than scattering while
   // lists are short.
   OBBY_LANES void add(WideMask asked, const T& item) {
-    const WideMask fits = asked & (count < kMost);
+    const WideMask fits = asked & (count < kMax);
     if (!any(fits)) return;
     const Words in = __builtin_bit_cast(Words, item);
-    for (int i = 0; i <= longest_ && i < kMost; ++i) {
+    for (int i = 0; i <= longest_ && i < kMax; ++i) {
       const WideMask here = fits & (count == i);
       for (int w = 0; w < kWords; ++w) {
         store(select(here, in.word[w], load(rows_[i][w])), rows_[i][w]);
@@ -56,7 +56,7 @@ struct LaneList<T, WideFloat, kMost> {
     WideFloat word[kWords];
   };
   union {
-    alignas(64) float rows_[kMost][kWords][kLanes];
+    alignas(64) float rows_[kMax][kWords][kLanes];
   };
 };
 

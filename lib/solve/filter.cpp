@@ -140,11 +140,11 @@ bool Filter::wanted(const std::string& id) const {
 
 // Notes each id once, and only as many other ids as an error names, since a stream need not end.
 void Filter::note(const std::string& id) {
-  constexpr size_t kMostOthers = 5;
+  constexpr size_t kMaxOthers = 5;
   if (options_.only.empty()) return;
   const bool isOther = !wanted(id);
   std::vector<std::string>& ids = isOther ? others_ : met_;
-  if (isOther && ids.size() == kMostOthers) return;
+  if (isOther && ids.size() == kMaxOthers) return;
   if (std::find(ids.begin(), ids.end(), id) == ids.end()) ids.push_back(id);
 }
 

@@ -14,11 +14,11 @@
 #include "io/physics.h"
 #include "io/pipeline.h"
 #include "policy/policy_file.h"
-#include "solve/known_levels.h"
-#include "solve/known_queries.h"
+#include "solve/level_cache.h"
 #include "solve/model/build_query.h"
 #include "solve/pass_filter.h"
 #include "solve/players/ask_players.h"
+#include "solve/query_cache.h"
 #include "solve/query_solver.h"
 
 namespace obby::solve {
@@ -43,8 +43,8 @@ struct FilterOptions {
   bool each = false;                // `quick` changes the stream's queries instead
   AskedPlayers players;             // replace the players of every query
   PassRule passes;
-  uint64_t levelBytes = KnownLevels::kMostBytes;       // limit of KnownLevels
-  uint64_t queryBytes = KnownQueries::kMostBytes;      // limit of KnownQueries
+  uint64_t levelBytes = LevelCache::kMaxBytes;         // limit of LevelCache
+  uint64_t queryBytes = QueryCache::kMaxBytes;         // limit of QueryCache
   std::function<void(const QueryProgress&)> progress;  // may be empty
   std::function<void(const Error&)> deviceFailed;      // called if the device fails; may be empty
   // Called after each answer; may be empty.
@@ -74,7 +74,7 @@ class Filter {
   EarlierAnswers takeEarlier() { return std::move(options_.earlier); }
 
  private:
-  using LevelPointer = KnownLevels::LevelPointer;
+  using LevelPointer = LevelCache::LevelPointer;
 
   // The last level record.
   struct Last {
@@ -107,10 +107,10 @@ class Filter {
   io::Pipeline& pipeline_;
   ThreadPool pool_;
   io::Physics physics_;
-  KnownLevels levels_;
+  LevelCache levels_;
   std::map<std::string, PassFilter> passFilters_;  // by name of the level
   std::optional<Last> last_;
-  KnownQueries queries_;                   // of the levels in levels_, for Task::verify
+  QueryCache queries_;                     // of the levels in levels_, for Task::verify
   std::vector<std::string> met_, others_;  // ids of `only` that were met; the first other ids
   FilterCounts counts_;
 };

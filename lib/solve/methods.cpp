@@ -2,11 +2,11 @@
 
 #include "solve/search/methods/go_explore_method.h"
 #include "solve/search/resident/resident_explore.h"
-#include "solve/search/selectors/choose_beam.h"
-#include "solve/search/selectors/choose_mcts.h"
-#include "solve/search/selectors/choose_mixed.h"
-#include "solve/search/selectors/choose_policy.h"
-#include "solve/search/selectors/choose_rrt.h"
+#include "solve/search/selectors/beam_selector.h"
+#include "solve/search/selectors/mcts_selector.h"
+#include "solve/search/selectors/mixed_selector.h"
+#include "solve/search/selectors/policy_selector.h"
+#include "solve/search/selectors/rrt_selector.h"
 
 namespace obby::solve {
 
@@ -28,20 +28,20 @@ SearchOutcome runResident(const Problem& p, const Budget& b, const Watcher& w, c
 const std::vector<Method>& methods() {
   static const std::vector<Method> table = {
       {"auto", "half aimed, half beam, with help from a trained policy; the best choice",
-       runGoExplore<guidedSettings, makeMixedChooser>},
+       runGoExplore<guidedSettings, makeMixedSelector>},
       {"aimed", "Go-Explore from standing states with jumps aimed at surfaces",
        runGoExplore<aimedSettings, hedgedSelector>},
       {"ge", "Go-Explore as published: all states, random actions",
        runGoExplore<plainSettings, plainSelector>},
-      {"rrt", "rapidly exploring random tree (RRT)", runGoExplore<rrtSettings, makeRrtChooser>},
+      {"rrt", "rapidly exploring random tree (RRT)", runGoExplore<rrtSettings, makeRrtSelector>},
       {"mcts", "Monte Carlo tree search (UCT) with aimed jumps as moves",
-       runGoExplore<mctsSettings, makeMctsChooser>},
+       runGoExplore<mctsSettings, makeMctsSelector>},
       {"beam", "beam search, like A*: the most promising states first",
-       runGoExplore<beamSettings, makeBeamChooser>},
+       runGoExplore<beamSettings, makeBeamSelector>},
       {"ge-ps", "ge in which a trained policy plays first from each new state",
-       runGoExplore<policyFirstSettings, makePolicyFirstChooser>},
+       runGoExplore<policyFirstSettings, makePolicyFirstSelector>},
       {"rl", "a trained policy alone, always from the start",
-       runGoExplore<aloneSettings, makePolicyAloneChooser>},
+       runGoExplore<aloneSettings, makePolicyAloneSelector>},
       {"resident", "Go-Explore for GPUs: archive and rollouts stay on the device", runResident},
   };
   return table;

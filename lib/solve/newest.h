@@ -17,8 +17,8 @@ namespace obby::solve {
 template <class Key, class Value>
 class Newest {
  public:
-  // `mostBytes`: budget of the kept values.
-  explicit Newest(uint64_t mostBytes) : mostBytes_(mostBytes) {}
+  // `maxBytes`: budget of the kept values.
+  explicit Newest(uint64_t maxBytes) : maxBytes_(maxBytes) {}
 
   // Keeps a value as the newest, in place of an older one of its key. Returns the keys of the
   // values that are dropped for it, oldest first.
@@ -28,7 +28,7 @@ class Newest {
     byAge_.emplace(added_, key);
     kept_.emplace(std::move(key), Kept{std::move(value), bytes, added_++});
     std::vector<Key> dropped;
-    while (bytes_ > mostBytes_ && kept_.size() > 1) {
+    while (bytes_ > maxBytes_ && kept_.size() > 1) {
       dropped.push_back(byAge_.begin()->second);
       forget(dropped.back());
     }
@@ -66,7 +66,7 @@ class Newest {
     if (dropped_ == 0) return missing;
     missing.message += fmt::format(" is still in memory: the oldest {} were dropped", dropped_);
     missing.hint =
-        fmt::format("{}; only the newest {} are kept, up to {} MiB", order, many, mostBytes_ >> 20);
+        fmt::format("{}; only the newest {} are kept, up to {} MiB", order, many, maxBytes_ >> 20);
     return missing;
   }
 
@@ -82,7 +82,7 @@ class Newest {
     return kept_.erase(kept);
   }
 
-  const uint64_t mostBytes_;
+  const uint64_t maxBytes_;
   std::map<Key, Kept> kept_;
   std::map<uint64_t, Key> byAge_;     // oldest first
   uint64_t bytes_ = 0;                // of all kept values

@@ -29,8 +29,8 @@ Result<bool> PassFilter::keeps(const level::Level& level,
   sim::replay(level.view(), nullptr, plan, [&](const sim::Moment& now) {
     // Boxes are tested between ticks, too: a player may cross a thin one within a tick.
     const auto passes = [&](const Place& place) {
-      if (now.tick == 0) return place.holds(level.view(), now.world, now.loose);
-      return place.isEntered(level.view(), now.before, now.world, now.loose);
+      if (now.tick == 0) return place.holds(level.view(), now.world, now.bodies);
+      return place.isEntered(level.view(), now.before, now.world, now.bodies);
     };
     std::erase_if(missing, passes);
     entered = std::ranges::any_of(notPass_, passes);

@@ -23,9 +23,9 @@ enum Column { kQuery, kVerdict, kRoute, kPlayTime, kJumps, kFoundIn, kReason, kC
 constexpr const char* kHeads[kColumns] = {"query", "verdict",  "from",  "play time",
                                           "jumps", "found in", "reason"};
 constexpr size_t kGap = 2;
-constexpr size_t kLeastReason = 40;  // columns, and as many as the longest reason takes
-constexpr size_t kMostName = 28;
-constexpr size_t kLeastPlace = 8, kMostPlace = 24;  // columns of where a query starts or ends
+constexpr size_t kMinReason = 40;  // columns, and as many as the longest reason takes
+constexpr size_t kMaxName = 28;
+constexpr size_t kMinPlace = 8, kMaxPlace = 24;  // columns of where a query starts or ends
 using Row = std::array<std::string, kColumns>;
 using Widths = std::array<size_t, kColumns>;  // 0: the column is left out
 
@@ -108,7 +108,7 @@ class Table {
     if (!answer.level.empty() && shared_.contains(answer.query)) {
       row[kQuery] += " (" + answer.level + ")";
     }
-    row[kQuery] = fitted(row[kQuery], kMostName, !terminal_.utf8);
+    row[kQuery] = fitted(row[kQuery], kMaxName, !terminal_.utf8);
     row[kVerdict] = verdictOf(answer.state).text;
     row[kPlayTime] = secondsText(answer.playTime);
     if (answer.jumps) row[kJumps] = std::to_string(*answer.jumps);
@@ -128,8 +128,8 @@ class Table {
   void addRoutes() {
     const size_t used = usedColumns() + columnCount(arrow());  // no gap behind the last column
     const size_t place =
-        std::min((terminal_.width - std::min(terminal_.width, used)) / 2, kMostPlace);
-    if (place < kLeastPlace) return;
+        std::min((terminal_.width - std::min(terminal_.width, used)) / 2, kMaxPlace);
+    if (place < kMinPlace) return;
     const std::vector<size_t> indices = listed(answers_);
     for (size_t i = 0; i < rows_.size(); ++i) {
       const Answer& answer = answers_[indices[i]];
@@ -157,7 +157,7 @@ class Table {
 
   bool reasonsBeside() const {
     if (widths_[kReason] == 0) return false;
-    return terminal_.width >= usedColumns() + std::max(kLeastReason, widths_[kReason]);
+    return terminal_.width >= usedColumns() + std::max(kMinReason, widths_[kReason]);
   }
 
   // `state` is null for the heads.

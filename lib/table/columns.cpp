@@ -20,12 +20,12 @@ std::string fitted(std::string_view text, size_t width, bool ascii) {
   std::string out = io::tamed(text, ascii);
   if (columnCount(out) <= width) return out;
   const std::string_view ellipsis = ascii ? "..." : "…";
-  const size_t room = width - std::min(width, columnCount(ellipsis));
+  const size_t space = width - std::min(width, columnCount(ellipsis));
   size_t kept = 0;
   for (size_t used = 0;;) {
     const io::Utf8Char c = io::nextChar(out, kept);
     used += columnsOf(c.code);
-    if (used > room) break;
+    if (used > space) break;
     kept += c.bytes;
   }
   out.resize(kept);

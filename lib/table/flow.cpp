@@ -8,13 +8,13 @@
 namespace obby::table {
 
 Flow::Flow(size_t width, size_t gap, std::string indent)
-    : room_(width - std::min(width, columnCount(indent))),
+    : width_(width - std::min(width, columnCount(indent))),
       gap_(gap),
       indent_(std::move(indent)),
       out_(indent_) {}
 
 void Flow::add(std::string_view piece, size_t columns) {
-  const bool beside = begun_ && used_ + gap_ + columns <= room_;
+  const bool beside = begun_ && used_ + gap_ + columns <= width_;
   if (begun_) out_ += beside ? std::string(gap_, ' ') : "\n" + indent_;
   out_ += piece;
   used_ = beside ? used_ + gap_ + columns : columns;

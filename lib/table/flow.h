@@ -20,7 +20,7 @@ class Flow {
   std::string text() const { return out_ + "\n"; }
 
  private:
-  size_t room_, gap_;
+  size_t width_, gap_;
   std::string indent_, out_;
   size_t used_ = 0;  // columns of the last line
   bool begun_ = false;

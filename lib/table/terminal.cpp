@@ -12,12 +12,10 @@
 namespace obby::table {
 namespace {
 
-constexpr size_t kLeastWidth = 40, kMostWidth = 400;
+constexpr size_t kMinWidth = 40, kMaxWidth = 400;
 
 size_t sane(long width) {
-  return width < long(kLeastWidth)  ? kLeastWidth
-         : width > long(kMostWidth) ? kMostWidth
-                                    : size_t(width);
+  return width < long(kMinWidth) ? kMinWidth : width > long(kMaxWidth) ? kMaxWidth : size_t(width);
 }
 
 std::string_view variable(const char* name) {

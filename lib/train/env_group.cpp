@@ -55,23 +55,23 @@ void EnvGroup::beginPlace(Place& place) {
   place.counts = {};
   if (!place.level) {
     place.players.clear();
-    place.loose.clear();
+    place.bodies.clear();
     place.reached.clear();
     return;
   }
   place.players.resize(settings_.worlds);
-  place.loose.resize(size_t(settings_.worlds) * place.level->startLoose().size());
-  place.reached.resize(kMostReached);
+  place.bodies.resize(size_t(settings_.worlds) * place.level->startBodies().size());
+  place.reached.resize(kMaxReached);
   beginLevel(viewOf(place));
 }
 
 PlaceView EnvGroup::viewOf(Place& place) const {
-  return {&place.view,   place.players.data(), place.loose.data(),         place.reached.data(),
-          &place.counts, settings_.worlds,     place.view.level.looseCount};
+  return {&place.view,   place.players.data(), place.bodies.data(),       place.reached.data(),
+          &place.counts, settings_.worlds,     place.view.level.bodyCount};
 }
 
-sim::LooseBody* EnvGroup::looseOf(Place& place, uint32_t player) const {
-  return place.view.level.looseCount == 0 ? nullptr : viewOf(place).looseOf(player);
+sim::RigidBody* EnvGroup::bodiesOf(Place& place, uint32_t player) const {
+  return place.view.level.bodyCount == 0 ? nullptr : viewOf(place).bodiesOf(player);
 }
 
 void EnvGroup::observe(float* rows, uint8_t* mayJump) {
@@ -79,7 +79,7 @@ void EnvGroup::observe(float* rows, uint8_t* mayJump) {
     const policy::Scene& scene = place.level->scene();
     for (uint32_t i = 0; i < settings_.worlds; ++i) {
       Player& p = place.players[i];
-      p.ahead = settings_.observe(scene, p.world, looseOf(place, i), rows);
+      p.ahead = settings_.observe(scene, p.world, bodiesOf(place, i), rows);
       *mayJump++ = policy::jumpAllowed(scene, p.world);
       rows += policy::kInputs;
     }
@@ -88,15 +88,15 @@ void EnvGroup::observe(float* rows, uint8_t* mayJump) {
 
 void EnvGroup::advance(Place& place, std::span<const int> moves) {
   worlds_.clear();
-  loose_.clear();
+  bodies_.clear();
   actions_.clear();
   for (uint32_t i = 0; i < settings_.worlds; ++i) {
     worlds_.push_back(&place.players[i].world);
-    loose_.push_back(looseOf(place, i));
+    bodies_.push_back(bodiesOf(place, i));
     actions_.push_back(policy::actionOf(moves[i], place.players[i].ahead));
   }
   for (uint32_t t = 0; t < policy::kDecisionTicks; ++t) {
-    sim::advanceAll(place.view.level, &place.view.query, worlds_, loose_.data(), actions_.data());
+    sim::advanceAll(place.view.level, &place.view.query, worlds_, bodies_.data(), actions_.data());
   }
 }
 

@@ -103,7 +103,7 @@ class EnvGroup {
   void beginPlace(Place& place);
   void settle(uint64_t decision, bool endOfIteration);
   void advance(Place& place, std::span<const int> moves);
-  sim::LooseBody* looseOf(Place& place, uint32_t player) const;
+  sim::RigidBody* bodiesOf(Place& place, uint32_t player) const;
 
   const LevelSource& source_;
   EnvGroupSettings settings_;
@@ -113,7 +113,7 @@ class EnvGroup {
   Tally tally_;
   // Buffers of a tick.
   std::vector<sim::World*> worlds_;
-  std::vector<sim::LooseBody*> loose_;
+  std::vector<sim::RigidBody*> bodies_;
   std::vector<sim::Action> actions_;
 };
 

@@ -22,28 +22,28 @@ bool isSound(const sim::World& w, const level::LevelView& level, const level::Qu
   return w.waypoints <= query.waypointCount;
 }
 
-bool isSound(const sim::LooseBody& b) {
+bool isSound(const sim::RigidBody& b) {
   return finite(b.position) && finite(b.velocity) && finite(b.spin) &&
          std::isfinite(b.rotation.x) && std::isfinite(b.rotation.y) &&
          std::isfinite(b.rotation.z) && std::isfinite(b.rotation.w) &&
-         b.state <= sim::LooseState::gone;
+         b.state <= sim::RigidBodyState::gone;
 }
 
 }  // namespace
 
 Status checkPlace(const PlaceState& s, const TrainingLevel& level,
                   const EnvGroupSettings& settings) {
-  if (s.waits() && s.loose.empty() && s.reached.empty()) return {};
+  if (s.waits() && s.bodies.empty() && s.reached.empty()) return {};
   if (s.levelHash != level.hash())
     return makeError("one of its levels has changed", "give the same levels as before");
   const auto& scene = level.scene();
-  bool sound = s.players.size() == settings.worlds && s.reached.size() <= kMostReached &&
-               s.loose.size() == s.players.size() * level.startLoose().size();
+  bool sound = s.players.size() == settings.worlds && s.reached.size() <= kMaxReached &&
+               s.bodies.size() == s.players.size() * level.startBodies().size();
   for (const Player& p : s.players)
-    sound = sound && isSound(p.world, scene.level, scene.query) && std::isfinite(p.least);
+    sound = sound && isSound(p.world, scene.level, scene.query) && std::isfinite(p.minLeft);
   for (const Reached& r : s.reached)
-    sound = sound && isSound(r.world, scene.level, scene.query) && std::isfinite(r.least);
-  for (const sim::LooseBody& b : s.loose) sound = sound && isSound(b);
+    sound = sound && isSound(r.world, scene.level, scene.query) && std::isfinite(r.minLeft);
+  for (const sim::RigidBody& b : s.bodies) sound = sound && isSound(b);
   return sound ? Status() : makeError("its worlds do not fit its levels");
 }
 
@@ -72,7 +72,7 @@ Status EnvGroup::restore(EnvGroupState state) {
       continue;
     }
     places_[p].counts.reached = uint32_t(places_[p].reached.size());
-    places_[p].reached.resize(kMostReached);
+    places_[p].reached.resize(kMaxReached);
   }
   return {};
 }

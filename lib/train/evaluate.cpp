@@ -30,16 +30,16 @@ class Limit {
 // Plays one episode by the policy alone. Returns true if it reaches the goal. `random`: null for
 // the greedy policy.
 bool playAlone(const policy::NetworkView& network, policy::Observe observe,
-               const TrainingLevel& level, Random* random, uint32_t mostTicks, const Limit& limit) {
+               const TrainingLevel& level, Random* random, uint32_t maxTicks, const Limit& limit) {
   const policy::Scene& scene = level.scene();
   float inputs[policy::kInputs];
   sim::World world = level.start();
-  std::vector<sim::LooseBody> loose = level.startLoose();
-  for (uint32_t t = 0; t < mostTicks && !limit.over(); t += policy::kDecisionTicks) {
-    const Turns ahead = observe(scene, world, loose.data(), inputs);
+  std::vector<sim::RigidBody> bodies = level.startBodies();
+  for (uint32_t t = 0; t < maxTicks && !limit.over(); t += policy::kDecisionTicks) {
+    const Turns ahead = observe(scene, world, bodies.data(), inputs);
     const sim::Action action = policy::decideOn(scene, network, world, inputs, ahead, random);
     for (uint32_t k = 0; k < policy::kDecisionTicks; ++k) {
-      sim::advance(world, loose.data(), scene.level, &scene.query, action);
+      sim::advance(world, bodies.data(), scene.level, &scene.query, action);
     }
     if (world.outcome != sim::Outcome::running) return world.outcome == sim::Outcome::goal;
   }
@@ -55,12 +55,12 @@ struct Score {
 
 Score scoreOf(const policy::NetworkView& network, const TrainingLevel& level, uint64_t index,
               const EvaluationSettings& settings, const Limit& limit) {
-  const uint32_t most = mostTicksOf(level, settings.patience);
+  const uint32_t max = maxTicksOf(level, settings.patience);
   Score score;
-  score.likeliest = playAlone(network, settings.observe, level, nullptr, most, limit);
+  score.likeliest = playAlone(network, settings.observe, level, nullptr, max, limit);
   Random random(settings.seed, index);
   for (uint32_t k = 1; k < settings.tries; ++k)
-    score.drawn += playAlone(network, settings.observe, level, &random, most, limit);
+    score.drawn += playAlone(network, settings.observe, level, &random, max, limit);
   score.played = !limit.over();  // an episode that was given up does not count
   return score;
 }

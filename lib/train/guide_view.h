@@ -28,16 +28,16 @@ struct GuideView {
   // skips segments after the next waypoint; `waypoints` were passed.
   OBBY_DEVICE float left(Vec3 position, float from, uint32_t waypoints) const {
     const uint32_t last = waypoints < stopCount ? stops[waypoints] : count - 1;
-    float least = 1e30f;
+    float min = 1e30f;
     for (uint32_t i = 0; i + 1 < count; ++i) {
       if (i > 0 && (i >= last || behind[i] < from)) break;
       const Vec3 along = places[i + 1] - places[i], to = position - places[i];
       const float squared = dot(along, along);
       const float share = squared > 0 ? clampf(dot(to, along) / squared, 0.0f, 1.0f) : 0;
       const float off = length(to - along * share);
-      least = minf(least, kOff * off + behind[i + 1] + (behind[i] - behind[i + 1]) * (1 - share));
+      min = minf(min, kOff * off + behind[i + 1] + (behind[i] - behind[i + 1]) * (1 - share));
     }
-    return least;
+    return min;
   }
 };
 

@@ -56,7 +56,7 @@ struct Sums {
 };
 
 // Returns the factor of an input. Nearly constant inputs are not blown up.
-constexpr float kLeastDeviation = 0.02f;
-inline float scaleOf(double deviation) { return 1 / std::max(float(deviation), kLeastDeviation); }
+constexpr float kMinDeviation = 0.02f;
+inline float scaleOf(double deviation) { return 1 / std::max(float(deviation), kMinDeviation); }
 
 }  // namespace obby::train

@@ -9,7 +9,7 @@
 
 namespace obby::train {
 
-constexpr uint32_t kMostReached = 16;    // restart states kept for each level
+constexpr uint32_t kMaxReached = 16;     // restart states kept for each level
 constexpr float kNear = 24;              // max studs of route progress at once
 constexpr uint32_t kRememberEvery = 64;  // a state is kept about once in so many decisions
 
@@ -32,7 +32,7 @@ struct RestartShares {
 struct Player {
   sim::World world;
   Turns ahead = 0;     // heading of its last observation; not saved, as it observes before it moves
-  float least = 0;     // min studs left on the route in this episode
+  float minLeft = 0;   // min studs left on the route in this episode
   uint32_t ticks = 0;  // ticks of this episode
   bool fromStart = true;
   uint32_t jumps = 0;  // jumps of the world that were already penalised
@@ -41,7 +41,7 @@ struct Player {
 // A restart state, with the progress made on the way.
 struct Reached {
   sim::World world;
-  float least;  // see Player::least; the position alone does not determine it
+  float minLeft;  // see Player::minLeft; the position alone does not determine it
 };
 
 // A training level for device code, as plain spans.
@@ -51,8 +51,8 @@ struct TrainingView {
   policy::SurroundingsView surroundings;
   GuideView guide;
   sim::World start;
-  const sim::LooseBody* startLoose = nullptr;  // (level.looseCount)
-  uint32_t mostTicks = 0;  // an episode is cut after these, at the end of an iteration
+  const sim::RigidBody* startBodies = nullptr;  // (level.bodyCount)
+  uint32_t maxTicks = 0;  // an episode is cut after these, at the end of an iteration
 
   OBBY_DEVICE policy::Scene scene() const { return {level, query, surroundings}; }
 };
@@ -63,7 +63,7 @@ OBBY_DEVICE void forTables(TrainingView& v, Table&& table) {
   forTables(v.query, table);
   forTables(v.surroundings, table);
   forTables(v.guide, table);
-  table(v.startLoose, v.level.looseCount);
+  table(v.startBodies, v.level.bodyCount);
 }
 
 // Statistics of a level at a place.
@@ -78,14 +78,14 @@ struct PlaceCounts {
 // A level with its worlds.
 struct PlaceView {
   const TrainingView* on;
-  Player* players;        // (worlds)
-  sim::LooseBody* loose;  // (worlds, looseStride)
-  Reached* reached;       // (kMostReached), the first counts->reached are valid
+  Player* players;         // (worlds)
+  sim::RigidBody* bodies;  // (worlds, bodyStride)
+  Reached* reached;        // (kMaxReached), the first counts->reached are valid
   PlaceCounts* counts;
-  uint32_t worlds, looseStride;
+  uint32_t worlds, bodyStride;
 
-  OBBY_DEVICE sim::LooseBody* looseOf(uint32_t player) const {
-    return loose + size_t(player) * looseStride;
+  OBBY_DEVICE sim::RigidBody* bodiesOf(uint32_t player) const {
+    return bodies + size_t(player) * bodyStride;
   }
 };
 
@@ -110,10 +110,10 @@ OBBY_DEVICE bool hasEnded(const Player& p) { return p.world.outcome != sim::Outc
 OBBY_DEVICE Step judge(const TrainingView& on, const RewardSettings& worth, Player& p) {
   Step step;
   step.reward = worth.decision;
-  const float left = on.guide.left(p.world.position, p.least - kNear, p.world.waypoints);
-  if (left < p.least) {
-    step.reward += worth.stud * (p.least - left);
-    p.least = left;
+  const float left = on.guide.left(p.world.position, p.minLeft - kNear, p.world.waypoints);
+  if (left < p.minLeft) {
+    step.reward += worth.stud * (p.minLeft - left);
+    p.minLeft = left;
   }
   step.reward += worth.jump * float(p.world.jumps - p.jumps);
   p.jumps = p.world.jumps;
@@ -133,26 +133,26 @@ OBBY_DEVICE void restart(const PlaceView& place, uint32_t player, const RestartS
   p.fromStart = reached == 0 || random.unit() >= share;
   if (p.fromStart) {
     p.world = place.on->start;
-    p.least = guide.left(p.world.position, guide.studs() - kNear, 0);
+    p.minLeft = guide.left(p.world.position, guide.studs() - kNear, 0);
   } else {
     const Reached& from = place.reached[random.below(reached)];
     p.world = from.world;
-    p.least = from.least;
+    p.minLeft = from.minLeft;
   }
   p.ticks = 0;
   p.jumps = p.world.jumps;
-  sim::LooseBody* const loose = place.looseOf(player);
-  for (uint32_t b = 0; b < place.on->level.looseCount; ++b) loose[b] = place.on->startLoose[b];
+  sim::RigidBody* const bodies = place.bodiesOf(player);
+  for (uint32_t b = 0; b < place.on->level.bodyCount; ++b) bodies[b] = place.on->startBodies[b];
 }
 
 // Keeps some of the states in which the player stands. Bodies are not kept, so levels with dynamic
 // bodies always begin at the start.
 OBBY_DEVICE void remember(const PlaceView& place, const Player& p, Random& random) {
-  if (p.world.floorlessSteps != 0 || place.on->level.looseCount != 0) return;
+  if (p.world.floorlessSteps != 0 || place.on->level.bodyCount != 0) return;
   if (random.below(kRememberEvery) != 0) return;
   uint32_t& reached = place.counts->reached;
-  place.reached[reached < kMostReached ? reached++ : random.below(kMostReached)] = {p.world,
-                                                                                    p.least};
+  place.reached[reached < kMaxReached ? reached++ : random.below(kMaxReached)] = {p.world,
+                                                                                  p.minLeft};
 }
 
 // Parameters of settle().
@@ -169,7 +169,7 @@ OBBY_DEVICE void settle(const PlaceView& place, const SettleRules& rules, uint32
   for (uint32_t i = 0; i < place.worlds; ++i) {
     const Player& p = place.players[i];
     Random random = drawsOf(rules.seed, Draw::begin, rules.decision, first + i);
-    if (!hasEnded(p) && !(rules.endOfIteration && p.ticks >= place.on->mostTicks)) {
+    if (!hasEnded(p) && !(rules.endOfIteration && p.ticks >= place.on->maxTicks)) {
       remember(place, p, random);
       continue;
     }

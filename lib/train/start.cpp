@@ -50,8 +50,8 @@ Result<Start> startFrom(const policy::PolicyFile& file) {
 }
 
 uint64_t allDecisions(const TrainerState& state) {
-  constexpr double kMost = 1e19;  // a damaged file may exceed 64 bits
-  return uint64_t(std::min(kMost, state.seen.rows * kCountEvery));
+  constexpr double kMax = 1e19;  // a damaged file may exceed 64 bits
+  return uint64_t(std::min(kMax, state.seen.rows * kCountEvery));
 }
 
 }  // namespace obby::train

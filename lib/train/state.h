@@ -20,8 +20,8 @@ struct PlaceState {
   uint64_t levelHash = 0;  // checked after a resume
   PlaceCounts counts;
   std::vector<Player> players;
-  std::vector<sim::LooseBody> loose;  // (players, looseCount)
-  std::vector<Reached> reached;       // (counts.reached), restart states
+  std::vector<sim::RigidBody> bodies;  // (players, bodyCount)
+  std::vector<Reached> reached;        // (counts.reached), restart states
 
   bool waits() const { return players.empty(); }
 };

@@ -83,16 +83,16 @@ void writePlace(const PlaceState& s, schema::SavedPlace::Builder to) {
   to.setPlayed(s.counts.played);
   to.setSolvedOnce(s.counts.solvedOnce != 0);
   to.setWorlds(bytesOf(worldsOf(s.players)));
-  to.setLoose(bytesOf(s.loose));
+  to.setBodies(bytesOf(s.bodies));
   to.setReached(bytesOf(worldsOf(s.reached)));
-  auto reachedLeast = to.initReachedLeast(uint32_t(s.reached.size()));
-  for (uint32_t i = 0; i < reachedLeast.size(); ++i) reachedLeast.set(i, s.reached[i].least);
+  auto reachedMinLeft = to.initReachedMinLeft(uint32_t(s.reached.size()));
+  for (uint32_t i = 0; i < reachedMinLeft.size(); ++i) reachedMinLeft.set(i, s.reached[i].minLeft);
   const auto players = uint32_t(s.players.size());
-  auto least = to.initLeast(players);
+  auto minLeft = to.initMinLeft(players);
   auto ticks = to.initTicks(players);
   auto fromStart = to.initFromStart(players);
   for (uint32_t i = 0; i < players; ++i) {
-    least.set(i, s.players[i].least);
+    minLeft.set(i, s.players[i].minLeft);
     ticks.set(i, s.players[i].ticks);
     fromStart.set(i, s.players[i].fromStart);
   }
@@ -101,10 +101,10 @@ void writePlace(const PlaceState& s, schema::SavedPlace::Builder to) {
 Status readReached(schema::SavedPlace::Reader from, std::vector<Reached>& out) {
   std::vector<sim::World> worlds;
   OBBY_RETURN_IF_ERROR(rowsOf(from.getReached(), "restart worlds", worlds));
-  const auto least = from.getReachedLeast();
-  if (least.size() != worlds.size())
+  const auto minLeft = from.getReachedMinLeft();
+  if (minLeft.size() != worlds.size())
     return makeError("lists of restart worlds that differ in length");
-  for (uint32_t i = 0; i < worlds.size(); ++i) out.push_back({worlds[i], least[i]});
+  for (uint32_t i = 0; i < worlds.size(); ++i) out.push_back({worlds[i], minLeft[i]});
   return {};
 }
 
@@ -119,17 +119,17 @@ Status readPlace(schema::SavedPlace::Reader from, PlaceState& out) {
   out.counts.solvedOnce = from.getSolvedOnce();
   std::vector<sim::World> worlds;
   OBBY_RETURN_IF_ERROR(rowsOf(from.getWorlds(), "worlds", worlds));
-  OBBY_RETURN_IF_ERROR(rowsOf(from.getLoose(), "dynamic bodies", out.loose));
+  OBBY_RETURN_IF_ERROR(rowsOf(from.getBodies(), "dynamic bodies", out.bodies));
   OBBY_RETURN_IF_ERROR(readReached(from, out.reached));
   out.counts.reached = uint32_t(out.reached.size());
-  const auto least = from.getLeast();
+  const auto minLeft = from.getMinLeft();
   const auto ticks = from.getTicks();
   const auto fromStart = from.getFromStart();
-  if (least.size() != worlds.size() || ticks.size() != worlds.size() ||
+  if (minLeft.size() != worlds.size() || ticks.size() != worlds.size() ||
       fromStart.size() != worlds.size())
     return makeError("lists of a slot's players that differ in length");
   for (uint32_t i = 0; i < worlds.size(); ++i)
-    out.players.push_back({worlds[i], 0, least[i], ticks[i], fromStart[i], worlds[i].jumps});
+    out.players.push_back({worlds[i], 0, minLeft[i], ticks[i], fromStart[i], worlds[i].jumps});
   return {};
 }
 
@@ -153,10 +153,10 @@ uint64_t stateLayout() {
       OBBY_WORLD_FIELDS(OBBY_NAME_OF) OBBY_PROGRESS_FIELDS(
           OBBY_NAME_OF) "clocks {}; world {}; position {} rotation {} velocity {} spin {} "
                         "stillTicks {} state {}; body {}",
-      sim::kMaxClocks, sizeof(sim::World), offsetof(sim::LooseBody, position),
-      offsetof(sim::LooseBody, rotation), offsetof(sim::LooseBody, velocity),
-      offsetof(sim::LooseBody, spin), offsetof(sim::LooseBody, stillTicks),
-      offsetof(sim::LooseBody, state), sizeof(sim::LooseBody));
+      sim::kMaxClocks, sizeof(sim::World), offsetof(sim::RigidBody, position),
+      offsetof(sim::RigidBody, rotation), offsetof(sim::RigidBody, velocity),
+      offsetof(sim::RigidBody, spin), offsetof(sim::RigidBody, stillTicks),
+      offsetof(sim::RigidBody, state), sizeof(sim::RigidBody));
 #undef OBBY_NAME_OF
   return hashBytes(text.data(), text.size());
 }

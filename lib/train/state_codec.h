@@ -9,7 +9,7 @@
 
 namespace obby::train {
 
-// Returns a digest of the layouts of sim::World and sim::LooseBody. If it is equal, their bytes
+// Returns a digest of the layouts of sim::World and sim::RigidBody. If it is equal, their bytes
 // have the same meaning.
 uint64_t stateLayout();
 

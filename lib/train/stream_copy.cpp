@@ -17,7 +17,7 @@ bool isWanted(const io::Record& record) {
 
 }  // namespace
 
-Result<StreamCopy> copyOfStream(io::SourceOptions options, Timeout& timeout, uint64_t most) {
+Result<StreamCopy> copyOfStream(io::SourceOptions options, Timeout& timeout, uint64_t max) {
   StreamCopy copy;
   io::RecordSource source(std::move(options));
   io::StreamWriter writer = io::StreamWriter::toBytes(io::Format::capnp, &copy.records);
@@ -25,10 +25,10 @@ Result<StreamCopy> copyOfStream(io::SourceOptions options, Timeout& timeout, uin
     OBBY_ASSIGN(const std::optional<io::Record> record, timeout.next(source));
     if (!record) break;
     if (isWanted(*record)) OBBY_RETURN_IF_ERROR(writer.write(record->reader()));
-    if (copy.records.size() > most) {
+    if (copy.records.size() > max) {
       return makeError(
           fmt::format("more than {} bytes of levels, which several ranks must read in full first",
-                      most),
+                      max),
           "give a stream that ends, or use --generate");
     }
   }

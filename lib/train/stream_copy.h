@@ -10,7 +10,7 @@
 namespace obby::train {
 
 // Max bytes of a copy; each rank holds several.
-inline constexpr uint64_t kMostCopied = uint64_t(4) << 30;
+inline constexpr uint64_t kMaxCopied = uint64_t(4) << 30;
 
 struct StreamCopy {
   // Levels and queries, and the physics parameters before them, as Cap'n Proto messages.
@@ -19,8 +19,8 @@ struct StreamCopy {
 };
 
 // Copies the whole stream, or what arrived before `timeout` ended it. Errors: those of the stream;
-// an interrupted end, unless `options` forgive it; more than `most` bytes, as of an endless stream.
+// an interrupted end, unless `options` forgive it; more than `max` bytes, as of an endless stream.
 Result<StreamCopy> copyOfStream(io::SourceOptions options, Timeout& timeout,
-                                uint64_t most = kMostCopied);
+                                uint64_t max = kMaxCopied);
 
 }  // namespace obby::train

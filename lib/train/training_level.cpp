@@ -12,21 +12,21 @@ namespace obby::train {
 
 namespace {
 
-constexpr uint32_t kMostPlaces = 4096;  // max places of a route, all of which rewards scan
+constexpr uint32_t kMaxPlaces = 4096;  // max places of a route, all of which rewards scan
 
-Result<std::vector<Vec3>> wayOf(schema::Query::Reader query) {
-  const auto record = query.getWay();
-  if (record.size() == 1 || record.size() > kMostPlaces) {
+Result<std::vector<Vec3>> routeOf(schema::Query::Reader query) {
+  const auto record = query.getRoute();
+  if (record.size() == 1 || record.size() > kMaxPlaces) {
     return level::pathError(
-        "way", fmt::format("expected 2 to {} places, found {}", kMostPlaces, record.size()),
+        "route", fmt::format("expected 2 to {} places, found {}", kMaxPlaces, record.size()),
         "leave it out if no way through is known");
   }
-  std::vector<Vec3> way;
+  std::vector<Vec3> route;
   for (const auto place : record) {
-    OBBY_ASSIGN(const Vec3 at, level::position(place, fmt::format("way[{}]", way.size())));
-    way.push_back(at);
+    OBBY_ASSIGN(const Vec3 at, level::position(place, fmt::format("way[{}]", route.size())));
+    route.push_back(at);
   }
-  return way;
+  return route;
 }
 
 Status checkDifficulty(float said) {
@@ -36,17 +36,17 @@ Status checkDifficulty(float said) {
                           "leave it out if it is not known");
 }
 
-Guide guideOf(std::vector<Vec3> way, const level::Query& query) {
+Guide guideOf(std::vector<Vec3> route, const level::Query& query) {
   const level::QueryView q = query.view();
   std::vector<Vec3> waypoints;
   for (uint32_t i = 0; i < q.waypointCount; ++i)
     waypoints.push_back(q.waypoints[i].target.region.pose.position);
-  if (way.size() < 2) {
-    way = {query.start().feet};
-    way.insert(way.end(), waypoints.begin(), waypoints.end());
-    way.push_back(q.goal.region.pose.position);
+  if (route.size() < 2) {
+    route = {query.start().feet};
+    route.insert(route.end(), waypoints.begin(), waypoints.end());
+    route.push_back(q.goal.region.pose.position);
   }
-  return Guide(std::move(way), waypoints);
+  return Guide(std::move(route), waypoints);
 }
 
 uint64_t hashOf(const level::Level& level, schema::Query::Reader query) {
@@ -56,7 +56,7 @@ uint64_t hashOf(const level::Level& level, schema::Query::Reader query) {
 
 }  // namespace
 
-TrainingLevel::TrainingLevel(level::Level level, level::Query query, std::vector<Vec3> way,
+TrainingLevel::TrainingLevel(level::Level level, level::Query query, std::vector<Vec3> route,
                              uint64_t hash)
     : level_(std::move(level)),
       query_(std::move(query)),
@@ -66,26 +66,26 @@ TrainingLevel::TrainingLevel(level::Level level, level::Query query, std::vector
       around_(surroundings_.view()),
       scene_{level_.view(), queryView_, around_},
       start_(sim::makeWorld(level_.view(), query_.start())),
-      startLoose_(sim::startLoose(level_.view())),
-      guide_(guideOf(std::move(way), query_)) {}
+      startBodies_(sim::startBodies(level_.view())),
+      guide_(guideOf(std::move(route), query_)) {}
 
 Result<std::shared_ptr<const TrainingLevel>> TrainingLevel::make(schema::Level::Reader level,
                                                                  schema::Query::Reader query) {
   OBBY_ASSIGN(level::Level compiled, level::Level::compile(level));
   OBBY_ASSIGN(level::Query asked, level::Query::compile(query, compiled));
-  OBBY_ASSIGN(std::vector<Vec3> way, wayOf(query));
+  OBBY_ASSIGN(std::vector<Vec3> route, routeOf(query));
   OBBY_RETURN_IF_ERROR(checkDifficulty(query.getDifficulty()));
   const uint64_t hash = hashOf(compiled, query);
   return std::shared_ptr<const TrainingLevel>(
-      new TrainingLevel(std::move(compiled), std::move(asked), std::move(way), hash));
+      new TrainingLevel(std::move(compiled), std::move(asked), std::move(route), hash));
 }
 
 TrainingView TrainingLevel::view(float patience) const {
-  return {scene_.level, scene_.query,       scene_.surroundings,         guide_.view(),
-          start_,       startLoose_.data(), mostTicksOf(*this, patience)};
+  return {scene_.level, scene_.query,        scene_.surroundings,        guide_.view(),
+          start_,       startBodies_.data(), maxTicksOf(*this, patience)};
 }
 
-uint32_t mostTicksOf(const TrainingLevel& level, float patience) {
+uint32_t maxTicksOf(const TrainingLevel& level, float patience) {
   const Params& params = level.scene().level.params;
   const float walk = level.guide().studs() / std::max(params.walkSpeed, 1.0f);
   return ticksFromSeconds(params, patience * walk + 10);

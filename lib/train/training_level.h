@@ -24,14 +24,14 @@ class TrainingLevel {
   const std::string& name() const { return level_.name(); }  // name in the level record
   const policy::Scene& scene() const { return scene_; }
   const sim::World& start() const { return start_; }
-  const std::vector<sim::LooseBody>& startLoose() const { return startLoose_; }
+  const std::vector<sim::RigidBody>& startBodies() const { return startBodies_; }
   const Guide& guide() const { return guide_; }
   // Valid while this object lives. `patience`: as EnvGroupSettings::patience.
   TrainingView view(float patience) const;
   uint64_t hash() const { return hash_; }  // hash of all its data, for any encoding
 
  private:
-  TrainingLevel(level::Level level, level::Query query, std::vector<Vec3> way, uint64_t hash);
+  TrainingLevel(level::Level level, level::Query query, std::vector<Vec3> route, uint64_t hash);
 
   level::Level level_;
   level::Query query_;
@@ -42,13 +42,13 @@ class TrainingLevel {
   policy::SurroundingsView around_;
   policy::Scene scene_;
   sim::World start_;
-  std::vector<sim::LooseBody> startLoose_;
+  std::vector<sim::RigidBody> startBodies_;
   Guide guide_;
 };
 
 // Returns the ticks after which an episode is cut: `patience` times the walking time of the route,
 // plus ten seconds.
-uint32_t mostTicksOf(const TrainingLevel& level, float patience);
+uint32_t maxTicksOf(const TrainingLevel& level, float patience);
 
 // Error for callers that require a level, if the source returned none.
 inline constexpr const char* kInterrupted = "interrupted while reading levels";

@@ -15,12 +15,12 @@ struct ValueScale {
   // Adds the returns of another batch of this rank.
   void take(Sums now, Ranks& ranks) {
     constexpr double kFade = 0.95;  // weight of earlier returns, per batch
-    constexpr float kLeast = 1e-3f;
+    constexpr float kMin = 1e-3f;
     returns.fade(kFade);
     now.add(ranks);
     returns.add(now);
     mean = float(returns.mean(0));
-    deviation = std::max(float(returns.deviation(0)), kLeast);
+    deviation = std::max(float(returns.deviation(0)), kMin);
   }
 };
 

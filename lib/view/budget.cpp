@@ -12,20 +12,20 @@ namespace obby::view {
 namespace {
 
 constexpr uint32_t kMaxStride = 8;
-constexpr uint32_t kCoarsest = 64;  // stride of moving parts in pages that no browser could open
-                                    // otherwise
-constexpr uint32_t kLeastSeconds = 20;  // min of motion, where no trajectory is longer
-constexpr uint32_t kMostSeconds = 600;  // max of motion in a page
-constexpr size_t kSampleBytes = 20;     // position, yaw, state in base64
-constexpr size_t kRunBytes = 8;         // for a run of the same action
-constexpr size_t kEventBytes = 18;      // for a part that appears, disappears or starts to move
-constexpr size_t kWayBytes = 300;       // names and numbers of a trajectory
-constexpr size_t kPartBytes = 70;       // in columns, and around the name
-constexpr size_t kVertexBytes = 16;     // per vertex of a hull
-constexpr size_t kEvidenceBytes = 16;   // around its text
+constexpr uint32_t kCoarsest = 64;     // stride of moving parts in pages that no browser could open
+                                       // otherwise
+constexpr uint32_t kMinSeconds = 20;   // min of motion, where no trajectory is longer
+constexpr uint32_t kMaxSeconds = 600;  // max of motion in a page
+constexpr size_t kSampleBytes = 20;    // position, yaw, state in base64
+constexpr size_t kRunBytes = 8;        // for a run of the same action
+constexpr size_t kEventBytes = 18;     // for a part that appears, disappears or starts to move
+constexpr size_t kTrajectoryBytes = 300;  // names and numbers of a trajectory
+constexpr size_t kPartBytes = 70;         // in columns, and around the name
+constexpr size_t kVertexBytes = 16;       // per vertex of a hull
+constexpr size_t kEvidenceBytes = 16;     // around its text
 
-uint32_t mostTicksShown(const LevelEntry& level) {
-  return kMostSeconds * level.level->view().params.controlRate;
+uint32_t maxTicksShown(const LevelEntry& level) {
+  return kMaxSeconds * level.level->view().params.controlRate;
 }
 
 size_t base64Size(size_t bytes) { return (bytes + 2) / 3 * 4; }
@@ -49,20 +49,20 @@ size_t sizeOf(schema::Part::Reader part) {
 
 }  // namespace
 
-uint32_t leastTicksShown(const LevelEntry& level) {
-  return kLeastSeconds * level.level->view().params.controlRate;
+uint32_t minTicksShown(const LevelEntry& level) {
+  return kMinSeconds * level.level->view().params.controlRate;
 }
 
 std::vector<uint32_t> ticksShown(const Report& report) {
   std::vector<uint32_t> ticks;
-  for (const LevelEntry& level : report.levels) ticks.push_back(leastTicksShown(level));
+  for (const LevelEntry& level : report.levels) ticks.push_back(minTicksShown(level));
   for (const QueryEntry& query : report.queries) {
     if (query.level < 0) continue;
     const LevelEntry& level = report.levels[size_t(query.level)];
     uint64_t last = 0;
     // Without a selected trajectory the page shows the level at the query's start.
     if (query.query) {
-      last = uint64_t(query.reader().getStart().getTick()) + leastTicksShown(level);
+      last = uint64_t(query.reader().getStart().getTick()) + minTicksShown(level);
     }
     for (const PathEntry& path : query.paths) {
       if (!path.played()) continue;
@@ -70,7 +70,7 @@ std::vector<uint32_t> ticksShown(const Report& report) {
     }
     // Later times wrap around where the motion repeats.
     uint32_t& shown = ticks[size_t(query.level)];
-    shown = std::max(shown, uint32_t(std::min<uint64_t>(last, mostTicksShown(level))));
+    shown = std::max(shown, uint32_t(std::min<uint64_t>(last, maxTicksShown(level))));
   }
   return ticks;
 }
@@ -79,7 +79,7 @@ void PageSizes::add(const LevelEntry& level, uint32_t ticks) {
   for (const auto part : level.reader().getParts()) fixed += sizeOf(part);
   forTracks(level.level->view(), ticks, 1, [&](const Track& track) {
     tracks += base64Size(track.bytes());
-    longMotion = longMotion || (track.cut && ticks >= mostTicksShown(level));
+    longMotion = longMotion || (track.cut && ticks >= maxTicksShown(level));
   });
 }
 
@@ -89,9 +89,9 @@ void PageSizes::add(const QueryEntry& query) {
     const bool attempt = path.kind == PathKind::attempt;
     (attempt ? attempts : fixed) += path.playback.feet.size() * kSampleBytes;
     size_t& rest = attempt ? whole : fixed;
-    rest += kWayBytes + path.told().getActions().size() * kRunBytes;
+    rest += kTrajectoryBytes + path.told().getActions().size() * kRunBytes;
     rest += (path.playback.events.size() + path.playback.motions.size()) * kEventBytes;
-    for (const LooseTrack& track : path.playback.loose) rest += base64Size(track.bytes());
+    for (const BodyTrack& track : path.playback.bodies) rest += base64Size(track.bytes());
   }
 }
 
@@ -103,14 +103,14 @@ Budget budgetFor(const Report& report, size_t target) {
   return budgetFor(sizes, target);
 }
 
-Budget budgetFor(const PageSizes& sizes, size_t target, Budget least) {
-  Budget b = std::move(least);
+Budget budgetFor(const PageSizes& sizes, size_t target, Budget min) {
+  Budget b = std::move(min);
   b.notes.clear();
   while (total(sizes, b) > target && b.attemptStride < kMaxStride) b.attemptStride *= 2;
   while (total(sizes, b) > target && b.trackStride < kMaxStride) b.trackStride *= 2;
   while (total(sizes, b) > target && attemptsSize(sizes, b) > target / 8) b.attemptsOneOf *= 2;
-  const size_t most = std::max(target, kPageLimit);
-  while (total(sizes, b) > most && b.trackStride < kCoarsest) b.trackStride *= 2;
+  const size_t max = std::max(target, kPageLimit);
+  while (total(sizes, b) > max && b.trackStride < kCoarsest) b.trackStride *= 2;
   if (b.attemptStride > 1) {
     b.notes.push_back(
         fmt::format("To keep the page small, failed attempts are drawn at one tick in {} only. "

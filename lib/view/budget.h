@@ -22,7 +22,7 @@ struct Budget {
 // Returns the ticks of each level's clock that the page must cover.
 std::vector<uint32_t> ticksShown(const Report& report);
 // Returns the ticks for a level without trajectories.
-uint32_t leastTicksShown(const LevelEntry& level);
+uint32_t minTicksShown(const LevelEntry& level);
 
 // Estimated sizes of a page's data without thinning, bytes.
 struct PageSizes {
@@ -36,8 +36,8 @@ struct PageSizes {
   void add(const QueryEntry& query);
 };
 
-// Returns the least thinning, at least `least`, that keeps the page's data within `target` bytes.
-Budget budgetFor(const PageSizes& sizes, size_t target, Budget least = {});
+// Returns the least thinning, at least `min`, that keeps the page's data within `target` bytes.
+Budget budgetFor(const PageSizes& sizes, size_t target, Budget min = {});
 Budget budgetFor(const Report& report, size_t target);
 
 }  // namespace obby::view

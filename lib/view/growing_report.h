@@ -14,7 +14,7 @@ namespace obby::view {
 
 // Limits for an endless stream. Trajectories take some 350 MB in the tool, both as replays and as
 // page data, and 200 MB in each browser. Levels, queries and answers take 200 MB.
-inline constexpr Room kLiveRoom = {10'000'000, 100, 2, size_t(200) << 20, true};
+inline constexpr PageBudget kLiveBudget = {10'000'000, 100, 2, size_t(200) << 20, true};
 
 enum class StreamState { open, ended, broken };
 

@@ -10,8 +10,8 @@ namespace obby::view {
 namespace {
 
 constexpr auto kLook = 20 * kj::MILLISECONDS;
-constexpr auto kLeastBetween = 200 * kj::MILLISECONDS;  // between revisions
-constexpr double kQuietSeconds = 2;                     // after which a page counts as closed
+constexpr auto kMinBetween = 200 * kj::MILLISECONDS;  // between revisions
+constexpr double kQuietSeconds = 2;                   // after which a page counts as closed
 
 // Copies changes into the data at a limited rate.
 class Taking {
@@ -24,7 +24,7 @@ class Taking {
     const auto take = [this](const Report& report, StreamState state) {
       data_.take(report, state);
     };
-    if (timer_.now() >= next_ && report_.look(take)) next_ = timer_.now() + kLeastBetween;
+    if (timer_.now() >= next_ && report_.look(take)) next_ = timer_.now() + kMinBetween;
     return timer_.afterDelay(kLook).then([this] { return run(); });
   }
 

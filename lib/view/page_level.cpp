@@ -18,14 +18,14 @@ void push(std::vector<float>& out, schema::Vec3::Reader v) {
 
 // Writes the distinct material names, the first empty, and each part's index into them.
 void writeMaterials(io::JsonWriter& json, schema::Level::Reader level) {
-  constexpr size_t kMost = 256;  // limit of a byte column; further materials look like plastic
+  constexpr size_t kMax = 256;  // limit of a byte column; further materials look like plastic
   std::vector<std::string_view> names = {""};
   std::map<std::string_view, uint8_t> places = {{"", 0}};
   std::vector<uint8_t> column;
   for (const auto part : level.getParts()) {
     const std::string_view name = part.getMaterial().cStr();
     auto place = places.find(name);
-    if (place == places.end() && names.size() < kMost) {
+    if (place == places.end() && names.size() < kMax) {
       place = places.emplace(name, uint8_t(names.size())).first;
       names.push_back(name);
     }
@@ -45,7 +45,7 @@ std::vector<bool> stillParts(const level::LevelView& view, size_t parts) {
   std::vector<bool> still(parts, false);
   for (uint32_t i = 0; i < view.colliderCount; ++i) {
     const level::Collider& c = view.colliders[i];
-    if (c.mover == level::kNone && c.loose == level::kNotLoose) still[c.part] = true;
+    if (c.mover == level::kNone && c.body == level::kNoBody) still[c.part] = true;
   }
   return still;
 }
@@ -166,10 +166,10 @@ void writeTrack(io::JsonWriter& json, const Track& track) {
 }
 
 // Writes the parts that a trajectory may move.
-void writeLoose(io::JsonWriter& json, const level::LevelView& level) {
-  json.key("loose").open('[');
-  for (uint32_t i = 0; i < level.looseCount; ++i) {
-    json.value(level.colliders[level.loose[i].firstCollider].part);
+void writeBodies(io::JsonWriter& json, const level::LevelView& level) {
+  json.key("bodies").open('[');
+  for (uint32_t i = 0; i < level.bodyCount; ++i) {
+    json.value(level.colliders[level.bodies[i].firstCollider].part);
   }
   json.close();
 }
@@ -197,7 +197,7 @@ void writeLevel(io::JsonWriter& json, const LevelEntry& entry, uint32_t ticksSho
   forTracks(entry.level->view(), ticksShown, trackStride,
             [&](const Track& track) { writeTrack(json, track); });
   json.close();
-  writeLoose(json, entry.level->view());
+  writeBodies(json, entry.level->view());
   json.close();
 }
 

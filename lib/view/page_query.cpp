@@ -195,9 +195,9 @@ void writeDifficulty(io::JsonWriter& json, schema::Trajectory::Reader path) {
   json.field("window", hardest.getWindow()).close().close();
 }
 
-void writeLoose(io::JsonWriter& json, const std::vector<LooseTrack>& tracks) {
-  json.key("loose").open('[');
-  for (const LooseTrack& track : tracks) {
+void writeBodies(io::JsonWriter& json, const std::vector<BodyTrack>& tracks) {
+  json.key("bodies").open('[');
+  for (const BodyTrack& track : tracks) {
     json.open('{').field("part", track.part).key("ticks").packed(track.ticks);
     json.key("position").packed(track.positions).key("rotation").packed(track.rotations).close();
   }
@@ -235,7 +235,7 @@ void writePath(io::JsonWriter& json, const PathEntry& path, uint32_t stride) {
     json.open('[').value(event.tick).value(event.part).value(event.start).close();
   }
   json.close();
-  if (!play.loose.empty()) writeLoose(json, play.loose);
+  if (!play.bodies.empty()) writeBodies(json, play.bodies);
   json.close();
 }
 

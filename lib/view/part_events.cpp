@@ -23,7 +23,7 @@ PartWatch::Groups PartWatch::groupsOf(uint32_t flag, int64_t first, const KeyOf&
   return groups;
 }
 
-PartWatch::PartWatch(const level::LevelView& view, size_t most) : view_(view), most_(most) {
+PartWatch::PartWatch(const level::LevelView& view, size_t max) : view_(view), max_(max) {
   away_.groups = groupsOf(level::kClocked, 0, [&](const level::Collider& c) {
     const level::Roles& r = view.roles[c.role];
     return GroupKey{r.awayClock, r.awayFrom, r.vanishInverted};
@@ -59,7 +59,7 @@ void PartWatch::note(Changes& changes, const sim::Moment& now, const ValueOf& va
   }
   std::sort(changes.list.begin() + before, changes.list.end(),
             [](const MotionEvent& a, const MotionEvent& b) { return a.part < b.part; });
-  if (changes.list.size() <= most_) return;
+  if (changes.list.size() <= max_) return;
   changes.list.erase(changes.list.begin() + before, changes.list.end());
   changes.cut = true;
   groups.clear();

@@ -29,7 +29,7 @@ constexpr int64_t kRests = -1;
 
 // Max events of each kind kept for a trajectory. A single button may affect thousands of parts, for
 // hours.
-constexpr size_t kMostPartEvents = 1'000'000;
+constexpr size_t kMaxPartEvents = 1'000'000;
 
 // Sorted by tick, then by part.
 struct PartEvents {
@@ -42,8 +42,8 @@ struct PartEvents {
 // of parts.
 class PartWatch {
  public:
-  // The level must outlive it. `most`: limit of each kind; whole ticks are kept.
-  explicit PartWatch(const level::LevelView& view, size_t most = kMostPartEvents);
+  // The level must outlive it. `max`: limit of each kind; whole ticks are kept.
+  explicit PartWatch(const level::LevelView& view, size_t max = kMaxPartEvents);
 
   // Expects every moment of the trajectory, in order.
   void see(const sim::Moment& now);
@@ -74,7 +74,7 @@ class PartWatch {
   void note(Changes& changes, const sim::Moment& now, const ValueOf& valueOf) const;
 
   const level::LevelView& view_;
-  size_t most_;
+  size_t max_;
   Changes away_, starts_;
 };
 

@@ -35,8 +35,8 @@ std::vector<Vec3> placesOf(const std::vector<Vec3>& feet, const TickSamples& sam
 }
 
 // Keeps the last of several samples in one tick.
-LooseTrack retold(const LooseTrack& track, uint32_t from, uint32_t to) {
-  LooseTrack out;
+BodyTrack retold(const BodyTrack& track, uint32_t from, uint32_t to) {
+  BodyTrack out;
   out.part = track.part;
   for (size_t i = 0; i < track.ticks.size(); ++i) {
     const uint32_t tick = level::nextTickAtRate(track.ticks[i], from, to);
@@ -95,7 +95,7 @@ Playback retold(Playback playback, uint32_t from, uint32_t to) {
     event.tick = next(event.tick);
     if (event.start != kRests) event.start = event.start * to / from;
   }
-  for (LooseTrack& track : playback.loose) track = retold(track, from, to);
+  for (BodyTrack& track : playback.bodies) track = retold(track, from, to);
   return playback;
 }
 

@@ -50,11 +50,11 @@ Result<Playback> playBack(const level::Level& level, const level::Query* query,
   if (query != nullptr) rules = query->view();
   Playback out;
   PartWatch parts(level.view());
-  LooseWatch loose(level.view());
+  BodyWatch bodies(level.view());
   const auto see = [&](const sim::Moment& now) {
     add(now, out);
     parts.see(now);
-    loose.see(now);
+    bodies.see(now);
     return true;
   };
   const sim::ReplayEnd end =
@@ -63,10 +63,10 @@ Result<Playback> playBack(const level::Level& level, const level::Query* query,
   out.events = std::move(events.events);
   out.motions = std::move(events.motions);
   out.partsCut = events.cut;
-  out.loose = loose.tracks();
+  out.bodies = bodies.tracks();
   out.outcome = schema::Outcome(uint16_t(end.world.outcome));
   out.part = end.world.part == level::kNone ? -1 : int32_t(end.world.part);
-  out.mismatch = compare(out, sim::stateHash(end.world, end.loose), record, query != nullptr);
+  out.mismatch = compare(out, sim::stateHash(end.world, end.bodies), record, query != nullptr);
   return out;
 }
 

@@ -9,7 +9,7 @@
 #include "base/result.h"
 #include "level/level.h"
 #include "schema/obby.capnp.h"
-#include "view/loose_track.h"
+#include "view/body_track.h"
 #include "view/part_events.h"
 
 namespace obby::view {
@@ -26,7 +26,7 @@ struct Playback {
   std::vector<PartEvent> events;
   std::vector<MotionEvent> motions;
   bool partsCut = false;  // events were omitted: PartEvents::cut
-  std::vector<LooseTrack> loose;
+  std::vector<BodyTrack> bodies;
   std::vector<uint32_t> jumpTicks;  // ticks of jumps
   schema::Outcome outcome = schema::Outcome::RUNNING;
   int32_t part = -1;  // part that killed the player, or -1

@@ -208,8 +208,8 @@ Status Collector::play(const QueryEntry& entry, PathEntry& path) {
   Playback playback = std::move(told.playback);
   path.retold = std::move(told.record);
   const size_t cost = costOf(path, playback);
-  if (!hasRoom(cost) && room_.rolls) makeRoom(cost, path.kind);
-  if (hasRoom(cost)) {
+  if (!fits(cost) && budget_.rolls) makeRoom(cost, path.kind);
+  if (fits(cost)) {
     keep(path, std::move(playback));
     return {};
   }

@@ -23,9 +23,9 @@
 namespace obby::view {
 
 // Limits on what a collector keeps of a stream.
-struct Room {
-  size_t ticks = 20'000'000;  // of replays, some 15 bytes each; part events count as well
-  size_t wayTicks = 0;        // fixed cost of a trajectory in ticks, for its record and numbers
+struct PageBudget {
+  size_t ticks = 20'000'000;   // of replays, some 15 bytes each; part events count as well
+  size_t trajectoryTicks = 0;  // fixed cost of a trajectory in ticks, for its record and numbers
   // Cost of each run of equal actions in ticks. It takes some 50 bytes of its line, 8 of the record
   // and 8 of a page.
   size_t runTicks = 0;
@@ -44,8 +44,8 @@ class Collector {
   using Forgive = std::function<Status(const io::Record&, Error)>;
   // If `only` is not empty, other queries and their records are left out. A note reports records
   // over the limits.
-  explicit Collector(Forgive forgive, std::vector<std::string> only = {}, Room room = {})
-      : forgive_(std::move(forgive)), only_(std::move(only)), room_(room) {}
+  explicit Collector(Forgive forgive, std::vector<std::string> only = {}, PageBudget space = {})
+      : forgive_(std::move(forgive)), only_(std::move(only)), budget_(space) {}
 
   Status add(const io::Record& record);
   // Compiles queries and replays trajectories that came since the last call. Failures are left out,
@@ -75,11 +75,11 @@ class Collector {
   Status replay(QueryEntry& entry);
   Status play(const QueryEntry& entry, PathEntry& path);
 
-  // room.cpp
+  // eviction.cpp
   size_t costOf(const PathEntry& path, const Playback& playback) const;
   void keep(PathEntry& path, Playback playback);
   void forget(PathEntry& path);
-  bool hasRoom(size_t cost) const { return ticksKept_ + cost <= room_.ticks; }
+  bool fits(size_t cost) const { return ticksKept_ + cost <= budget_.ticks; }
   void makeRoom(size_t cost, PathKind kind);
   void dropOldest(size_t cost, PathKind kind);
   void sweepDropped();
@@ -90,7 +90,7 @@ class Collector {
   PlayerReplays players_;
   Forgive forgive_;
   std::vector<std::string> only_;
-  Room room_;
+  PageBudget budget_;
   size_t ticksKept_ = 0, bytesKept_ = 0;
   // Notes given: omitted attempts, dropped records, and cut part events.
   bool attemptsNoted_ = false, fullNoted_ = false, cutNoted_ = false;

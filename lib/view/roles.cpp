@@ -15,7 +15,7 @@ Role roleOf(schema::Part::Reader part) {
   if (part.hasConveyor()) return Role::conveyor;
   if (part.hasMotion()) return Role::moving;
   if (!part.getSolid()) return Role::ghost;
-  return part.getAnchored() ? Role::plain : Role::loose;
+  return part.getAnchored() ? Role::plain : Role::dynamic;
 }
 
 // Returns the plain part below a spawn without its own part, or -1.

@@ -19,8 +19,8 @@ enum class Role : uint8_t {
   conveyor,
   pad,
   checkpoint,
-  ghost,  // not solid, and none of the above
-  loose,  // a dynamic body
+  ghost,    // not solid, and none of the above
+  dynamic,  // a dynamic body
 };
 
 // Returns one role for each part.

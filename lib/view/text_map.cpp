@@ -16,7 +16,7 @@
 namespace obby::view {
 namespace {
 
-constexpr size_t kMostColumns = 110, kMostRows = 36, kMostName = 60;
+constexpr size_t kMaxColumns = 110, kMaxRows = 36, kMaxName = 60;
 
 constexpr Ink kPart{':', "░", {84, 92, 106}}, kKill{'x', "▒", {214, 60, 64}},
     kMoving{'~', "~", {164, 139, 250}}, kStart{'S', "S", {53, 196, 141}},
@@ -189,10 +189,10 @@ std::string legend(const table::TerminalTraits& terminal, const Drawings& has) {
 // `studs`: width of a column.
 std::string heading(const table::TerminalTraits& terminal, const QueryEntry& query, float studs,
                     Frame frame) {
-  const size_t room = std::min(kMostName, terminal.width - 1);
+  const size_t space = std::min(kMaxName, terminal.width - 1);
   table::Flow lines(terminal.width, 1);
   const auto add = [&](const std::string& text) { lines.add(text, table::columnCount(text)); };
-  if (!query.id.empty()) add(table::fitted(query.id, room, !terminal.utf8) + ",");
+  if (!query.id.empty()) add(table::fitted(query.id, space, !terminal.utf8) + ",");
   add("from above,");
   add(lengthText(studs) + " studs per column,");
   add(frame.along ? "-Z to the right" : "+X to the right");
@@ -209,7 +209,7 @@ std::string queryMap(const Report& report, const QueryEntry& query,
   const Frame frame{extent.hi.z - extent.lo.z > extent.hi.x - extent.lo.x};
   const Vec2 a = frame.of(extent.lo), b = frame.of(extent.hi);
   Raster raster({std::min(a.x, b.x), std::min(a.y, b.y)}, {std::max(a.x, b.x), std::max(a.y, b.y)},
-                std::min(terminal.width, kMostColumns), kMostRows, terminal);
+                std::min(terminal.width, kMaxColumns), kMaxRows, terminal);
   drawAttempts(raster, query, frame);
   const uint32_t tick = query.compiled ? query.compiled->start().tick : 0;
   const std::vector<Drawn> parts = partsOf(level, tick, frame, extent);

@@ -10,10 +10,10 @@ namespace obby::view {
 constexpr size_t kLongStretch = 4096;  // points
 
 // Douglas-Peucker: returns ascending indices of points to keep, so that no point is farther than
-// `least` from the kept line. `distance(a, b, p)` returns the distance of point p from the segment
+// `min` from the kept line. `distance(a, b, p)` returns the distance of point p from the segment
 // a to b, by index. Lines longer than kLongStretch may keep a few more.
 template <class Distance>
-std::vector<size_t> thinned(size_t count, float least, const Distance& distance) {
+std::vector<size_t> thinned(size_t count, float min, const Distance& distance) {
   std::vector<bool> kept(count, false);
   kept.front() = kept.back() = true;
   std::vector<std::pair<size_t, size_t>> open = {{0, count - 1}};
@@ -21,11 +21,11 @@ std::vector<size_t> thinned(size_t count, float least, const Distance& distance)
     const auto [first, last] = open.back();
     open.pop_back();
     size_t farthest = first;
-    float most = least;
+    float max = min;
     for (size_t i = first + 1; i < last; ++i) {
       const float off = distance(first, last, i);
-      if (off <= most) continue;
-      most = off;
+      if (off <= max) continue;
+      max = off;
       farthest = i;
     }
     if (farthest == first) continue;

@@ -9,12 +9,12 @@
 namespace obby::view {
 namespace {
 
-constexpr uint32_t kLeastOfRound = 12;  // samples; with fewer a motion might disappear
+constexpr uint32_t kMinOfRound = 12;  // samples; with fewer a motion might disappear
 
 // Returns the largest stride that a period allows, by halving `stride`. If the motion repeats, the
 // stride must divide the period, or playback would stutter at the seam.
 uint32_t fitting(uint64_t period, bool repeats, uint32_t stride) {
-  while (stride > 1 && (period / stride < kLeastOfRound || (repeats && period % stride != 0))) {
+  while (stride > 1 && (period / stride < kMinOfRound || (repeats && period % stride != 0))) {
     stride /= 2;
   }
   return stride;

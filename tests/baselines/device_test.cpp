@@ -88,8 +88,8 @@ void expectSameSearch(const S& a, const S& b) {
   EXPECT_EQ(a.bytesKept(), b.bytesKept());
   EXPECT_EQ(a.archive().seen(), b.archive().seen());
   for (uint32_t c = 0; c < a.cellCount(); ++c) {
-    ASSERT_EQ(sim::stateHash(a.archive().world(c), a.archive().loose(c)),
-              sim::stateHash(b.archive().world(c), b.archive().loose(c)))
+    ASSERT_EQ(sim::stateHash(a.archive().world(c), a.archive().bodies(c)),
+              sim::stateHash(b.archive().world(c), b.archive().bodies(c)))
         << c;
   }
 }
@@ -115,7 +115,7 @@ void expectTheSameOnADevice(const Problem& problem, int rounds, const char* name
 TEST(LearnedDevice, SearchesAreTheSameCellByCell) {
   for (const auto& [name, scene] : residentScenes()) {
     const Problem problem = scene->question.problem();
-    const int rounds = problem.level.looseCount != 0 ? 3 : 6;  // dynamic bodies are slow
+    const int rounds = problem.level.bodyCount != 0 ? 3 : 6;  // dynamic bodies are slow
     expectTheSameOnADevice<Pbge, PbgeSettings>(problem, rounds, name);
     expectTheSameOnADevice<Cflge, CflgeSettings>(problem, rounds, name);
   }

@@ -31,16 +31,16 @@ double returnRate(S& search, int first, int last) {
 }
 
 template <class S>
-void expectKeptWaysToReplay(S& search) {
+void expectKeptTrajectoriesToReplay(S& search) {
   const Archive& archive = search.archive();
   ASSERT_GT(archive.cellCount(), 200u);
   for (uint32_t c = 0; c < archive.cellCount(); ++c) {
-    const Playthrough p = search.playthrough(archive.nodes()[archive.node(c)]);
-    const auto loose = archive.loose(c);
-    ASSERT_EQ(sim::stateHash(p.end, p.endLoose), sim::stateHash(archive.world(c), loose)) << c;
+    const Trajectory p = search.trajectoryTo(archive.nodes()[archive.node(c)]);
+    const auto bodies = archive.bodies(c);
+    ASSERT_EQ(sim::stateHash(p.end, p.endBodies), sim::stateHash(archive.world(c), bodies)) << c;
   }
   const Closest& closest = search.statistics().closest;
-  const Playthrough p = search.playthrough(closest.way);
+  const Trajectory p = search.trajectoryTo(closest.node);
   EXPECT_EQ(p.end.position.x, closest.position.x);
   EXPECT_EQ(p.end.position.z, closest.position.z);
 }
@@ -53,7 +53,7 @@ void expectTruthfulStatistics(S& search, uint64_t rollouts) {
   EXPECT_GT(search.statistics().rollouts, rollouts);
   EXPECT_LE(search.singletons(), search.cellCount());
   for (const AttemptEnd& e : search.attempts().sample(20, {})) {
-    EXPECT_EQ(search.playthrough(e.way).end.outcome, e.outcome);
+    EXPECT_EQ(search.trajectoryTo(e.node).end.outcome, e.outcome);
   }
 }
 
@@ -63,7 +63,7 @@ TEST(Pbge, KeepsTrajectoriesThatReplayAndCountsItsWork) {
   ThreadPool pool(2);
   Pbge search(problem, 1, {}, {pool});
   for (int r = 0; r < 20; ++r) search.round();
-  expectKeptWaysToReplay(search);
+  expectKeptTrajectoriesToReplay(search);
   expectTruthfulStatistics(search, 50);
   EXPECT_EQ(search.statistics().rounds, 20u);
   EXPECT_GT(search.statistics().steps, 20u * 32 * 32 * 2);
@@ -76,7 +76,7 @@ TEST(Cflge, KeepsTrajectoriesThatReplayAndCountsItsWork) {
   ThreadPool pool(2);
   Cflge search(problem, 1, {}, {pool});
   for (int r = 0; r < 20; ++r) search.round();
-  expectKeptWaysToReplay(search);
+  expectKeptTrajectoriesToReplay(search);
   expectTruthfulStatistics(search, 50);
 }
 
@@ -105,7 +105,7 @@ void expectForgettingToShowNowhere(const Problem& problem) {
   }
   EXPECT_LT(forgets.bytesKept(), keeps.bytesKept());
   EXPECT_TRUE(forgets.places(0) == keeps.places(0));
-  expectKeptWaysToReplay(forgets);
+  expectKeptTrajectoriesToReplay(forgets);
   expectTruthfulStatistics(forgets, 50);
 }
 
@@ -124,7 +124,7 @@ TEST(Cflge, RemembersThePlacesOfAnEarlierAnswer) {
   const auto stepsPlayed = [&](uint32_t ticks) {
     problem.known = {{{{0, true, false}, ticks}}};  // a walk down the corridor
     Cflge search(problem, 1, {}, {pool});
-    search.tryKnown(0, 1);
+    search.tryWarmStarts(0, 1);
     const uint64_t before = search.statistics().steps;
     for (int r = 0; r < 20; ++r) search.round();
     return search.statistics().steps - before;
@@ -199,17 +199,17 @@ TEST(LearnedSearches, TryEarlierAnswersFirst) {
     ASSERT_LT(search.statistics().steps, 3'000'000u);
     search.round();
   }
-  const Playthrough found = search.playthrough(search.goals()[0]);
+  const Trajectory found = search.trajectoryTo(search.goals()[0]);
   EXPECT_EQ(found.end.outcome, sim::Outcome::goal);
   problem.known = {found.actions};
   const auto again = [&](LearnedSearch& s) {
-    s.tryKnown(0, 1);
+    s.tryWarmStarts(0, 1);
     ASSERT_EQ(s.goals().size(), 1u);
-    EXPECT_EQ(sim::stateHash(s.playthrough(s.goals()[0]).end), sim::stateHash(found.end));
+    EXPECT_EQ(sim::stateHash(s.trajectoryTo(s.goals()[0]).end), sim::stateHash(found.end));
     EXPECT_GT(s.cellCount(), 20u);
     for (int r = 0; r < 3; ++r) s.round();
     for (uint32_t c = 0; c < s.cellCount(); ++c) {
-      const Playthrough p = s.playthrough(s.archive().nodes()[s.archive().node(c)]);
+      const Trajectory p = s.trajectoryTo(s.archive().nodes()[s.archive().node(c)]);
       ASSERT_EQ(sim::stateHash(p.end), sim::stateHash(s.archive().world(c)));
     }
   };

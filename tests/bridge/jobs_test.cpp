@@ -78,7 +78,7 @@ TEST(Limits, the_system_ends_a_program_only_after_the_bridge_could) {
       Limits limits;
       limits.cpuSeconds = seconds;
       limits.stopSeconds = 2.5;
-      EXPECT_GE(double(limits.mostCpuSeconds(processors)),
+      EXPECT_GE(double(limits.maxCpuSeconds(processors)),
                 double(seconds) + processors * (1 + limits.stopSeconds))
           << seconds << " s, " << processors << " processors";
     }

@@ -40,7 +40,7 @@ Take turningJump(uint16_t tricks) {
   level::LevelView view = level->view();
   view.params.tricks = tricks;
   sim::World w = sim::makeWorld(view, level->spawns()[0]);
-  auto loose = sim::startLoose(view);
+  auto bodies = sim::startBodies(view);
   Take take{{"jump", course.reader().getLevel().getName()}, course};
   for (int tick = 0; tick < 120; ++tick) {
     const sim::Action action{Turns(0x4000), tick >= 60, tick == 60};
@@ -50,7 +50,7 @@ Take turningJump(uint16_t tricks) {
                                    rootOf(w.position, view.params), w.velocity, w.state,
                                    directionOf(sinCosOf<float>(w.yaw))});
     }
-    sim::advance(w, loose.data(), view, nullptr, action);
+    sim::advance(w, bodies.data(), view, nullptr, action);
   }
   return take;
 }

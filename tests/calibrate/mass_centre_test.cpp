@@ -29,7 +29,7 @@ Fall turningFall(float height, int first, int last) {
   const level::LevelView view = level->view();
   sim::World w = sim::makeWorld(view, level->spawns()[0]);
   w.position.y += height;
-  auto loose = sim::startLoose(view);
+  auto bodies = sim::startBodies(view);
   Fall out{{{"fall", course.reader().getLevel().getName()}, course}, view.params};
   for (int tick = 0; tick <= last; ++tick) {
     const sim::Action action{Turns(tick / 20 % 2 ? 0xa000 : 0x4000), true, false};
@@ -40,7 +40,7 @@ Fall turningFall(float height, int first, int last) {
                                        rootOf(w.position, view.params) - offset, w.velocity,
                                        w.state, directionOf(sinCosOf<float>(w.yaw))});
     }
-    sim::advance(w, loose.data(), view, nullptr, action);
+    sim::advance(w, bodies.data(), view, nullptr, action);
   }
   return out;
 }
@@ -50,10 +50,10 @@ float farthest(const Take& take, const MassCentre& centre) {
   const auto level = level::Level::compile(take.level.reader().getLevel());
   const Track& track = take.track;
   const auto played = playFrames(level->view(), track, stepsOf(track, 240), centre);
-  float most = 0;
+  float max = 0;
   for (size_t i = 0; i < played.size(); ++i)
-    most = std::max(most, length(played[i].position - track.frames[i].position));
-  return most;
+    max = std::max(max, length(played[i].position - track.frames[i].position));
+  return max;
 }
 
 TEST(MassCentre, IsFoundInAFallThatTurns) {
@@ -92,12 +92,12 @@ TEST(FramePlay, LegsDriveTheRoot) {
   const auto level = level::Level::compile(course.reader().getLevel());
   const level::LevelView view = level->view();
   sim::World w = sim::makeWorld(view, level->spawns()[0]);
-  auto loose = sim::startLoose(view);
+  auto bodies = sim::startBodies(view);
   Take take{{"walk", course.reader().getLevel().getName()}, course};
   for (int tick = 0; tick < 80; ++tick) {
     const sim::Action action{Turns(tick < 64 ? 0 : 0x2000), tick >= 50, false};
     const sim::World before = w;
-    sim::advance(w, loose.data(), view, nullptr, action);
+    sim::advance(w, bodies.data(), view, nullptr, action);
     if (tick < 65) continue;  // the turn has begun
     const Vec3 swing = (kCentre.at(w.yaw) - kCentre.at(before.yaw)) * 60;
     take.track.frames.push_back({(tick - 65) / 60.0, directionOf(sinCosOf<float>(action.heading)),

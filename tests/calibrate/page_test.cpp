@@ -30,7 +30,7 @@ Fit fitOf() {
 TEST(Miss, IsTheDistanceOfAPathFromTheRecording) {
   const Miss near = missOf(outcome("near", 0.25f).path), far = missOf(outcome("far", 2).path);
   EXPECT_NEAR(near.mean, 0.25, 1e-5);
-  EXPECT_NEAR(near.most, 0.25, 1e-5);
+  EXPECT_NEAR(near.max, 0.25, 1e-5);
   EXPECT_LT(near.parted, 0);
   EXPECT_EQ(far.parted, 0);
 }

@@ -16,10 +16,10 @@ namespace {
 TEST(Profile, KeepsValuesWithinTheSlack) {
   const Profile profile{0, {0.1, 0.2, 0.3, 0.4}, {5, 1.2, 1, 3}};
   const Possible some = possibleOf(profile, 0.3), one = possibleOf(profile, 0.1);
-  EXPECT_EQ(some.least, 0.2);
-  EXPECT_EQ(some.most, 0.3);
+  EXPECT_EQ(some.min, 0.2);
+  EXPECT_EQ(some.max, 0.3);
   EXPECT_FALSE(some.all);
-  EXPECT_EQ(one.least, 0.3);
+  EXPECT_EQ(one.min, 0.3);
   EXPECT_TRUE(possibleOf(profile, 10).all);
 }
 
@@ -75,7 +75,7 @@ TEST(Ticks, FindsTwoTimesThatMaskEachOther) {
     EXPECT_LE(best[i], 15u);
     const Possible possible = possibleOf(profiles[i], 1e-6);
     EXPECT_FALSE(possible.all);
-    EXPECT_EQ(possible.most, profiles[i].shares.back()) << "nobody jumped still later";
+    EXPECT_EQ(possible.max, profiles[i].shares.back()) << "nobody jumped still later";
   }
 }
 
@@ -104,8 +104,8 @@ TEST(Crossing, FindsTheHeightAtWhichAFloorIsSensed) {
   EXPECT_LT(crossing.loss, 1e-6 * before);
   const Possible possible = possibleOf(crossing.profile, 1e-6 * before);
   const Parameter& p = objective.parameters()[0];
-  EXPECT_LE(valueAt(p, possible.least), 1.02);
-  EXPECT_LT(valueAt(p, possible.most), 1.1) << "what it was is ruled out";
+  EXPECT_LE(valueAt(p, possible.min), 1.02);
+  EXPECT_LT(valueAt(p, possible.max), 1.1) << "what it was is ruled out";
 }
 
 }  // namespace

@@ -36,13 +36,13 @@ struct Course {
 };
 
 // Returns the largest error of the positions, in studs.
-float mostOff(const Track& track, const std::vector<Window>& windows,
-              const level::LevelView& level) {
-  float most = 0;
+float maxOff(const Track& track, const std::vector<Window>& windows,
+             const level::LevelView& level) {
+  float max = 0;
   playBack(level, track, windows, 0, [&](uint32_t, uint32_t frame, const Moment& m) {
-    most = std::max(most, length(m.position - track.frames[frame].position));
+    max = std::max(max, length(m.position - track.frames[frame].position));
   });
-  return most;
+  return max;
 }
 
 size_t shown(const Track& track, uint32_t part) {
@@ -88,7 +88,7 @@ TEST(Surroundings, TheClockContinuesOverMissingFrames) {
   const uint32_t first = 30;
   const size_t begin = 6;  // 0.4 s earlier
   for (int i = 0; i < 5; ++i) track.drop(begin - 2);
-  EXPECT_LT(mostOff(track, {{first - 5, first + 20}}, course.level.view()), 0.02f);
+  EXPECT_LT(maxOff(track, {{first - 5, first + 20}}, course.level.view()), 0.02f);
 }
 
 TEST(Surroundings, APartWithAnotherMotionIsNamed) {
@@ -117,10 +117,10 @@ TEST(Surroundings, AnUnknownPartIsAnError) {
 TEST(Surroundings, WindowsMayBeginDuringAPush) {
   const Course course;
   const Track track = course.rehearsed("push the box");
-  ASSERT_TRUE(showsLoose(track, course.level.view()));
+  ASSERT_TRUE(showsBodies(track, course.level.view()));
   const auto windows = windowsOf(track, 0.5, course.level.view());
   ASSERT_GT(windows.size(), 4u);
-  EXPECT_LT(mostOff(track, windows, course.level.view()), 0.05f);
+  EXPECT_LT(maxOff(track, windows, course.level.view()), 0.05f);
 }
 
 TEST(Surroundings, ATrackAlongAnUnrecordedBoxIsOneWindow) {
@@ -141,12 +141,12 @@ TEST(Surroundings, FacingIsTakenFromTheRecording) {
   const uint32_t middle = uint32_t(track.frames.size()) / 2;
   EXPECT_EQ(worldAt(track, middle, course.level.view()).yaw,
             headingOf(track.frames[middle].facing.x, track.frames[middle].facing.z));
-  float most = 0;
+  float max = 0;
   playBack(course.level.view(), track, windowsOf(track, 0.5, course.level.view()), 0,
            [&](uint32_t, uint32_t frame, const Moment& m) {
-             most = std::max(most, length(m.facing - track.frames[frame].facing));
+             max = std::max(max, length(m.facing - track.frames[frame].facing));
            });
-  EXPECT_LT(most, 0.02f);
+  EXPECT_LT(max, 0.02f);
 }
 
 }  // namespace

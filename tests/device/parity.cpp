@@ -127,7 +127,7 @@ void compareWalkers(Parity& parity, uint32_t worlds, uint32_t ticks) {
 bool sameCells(const solve::Archive& a, const solve::Archive& b) {
   bool same = a.cellCount() == b.cellCount();
   for (uint32_t c = 0; same && c < a.cellCount(); ++c) {
-    same = stateHash(a.world(c), a.loose(c)) == stateHash(b.world(c), b.loose(c));
+    same = stateHash(a.world(c), a.bodies(c)) == stateHash(b.world(c), b.bodies(c));
   }
   return same;
 }
@@ -184,8 +184,8 @@ void compareResident(Parity& parity, const char* name, const level::Level& level
   bool same = expected.size() == found.size() && host.singletons() == there.singletons() &&
               host.statistics().steps == there.statistics().steps;
   for (size_t c = 0; same && c < expected.size(); ++c) {
-    same = stateHash(expected[c].world, expected[c].loose) ==
-               stateHash(found[c].world, found[c].loose) &&
+    same = stateHash(expected[c].world, expected[c].bodies) ==
+               stateHash(found[c].world, found[c].bodies) &&
            expected[c].node == found[c].node && expected[c].seen == found[c].seen;
   }
   const Status& status = there.deviceStatus();
@@ -194,9 +194,9 @@ void compareResident(Parity& parity, const char* name, const level::Level& level
 }
 
 // Compares training: its kernels and the learned network must match the CPU bit by bit.
-void compareLearning(Parity& parity, const char* name, bool loose, sim::Device& device,
+void compareLearning(Parity& parity, const char* name, bool bodies, sim::Device& device,
                      ThreadPool& pool, uint32_t envGroups) {
-  const train::Gaps gaps(loose);
+  const train::Gaps gaps(bodies);
   train::TrainerSettings settings = train::small();
   settings.envGroups = envGroups;
   sim::HostDevice host(pool);
@@ -255,16 +255,16 @@ int main(int argc, char** argv) {
   compareSearch(parity, device, pool, option == "--quick" ? 4 : 40);
   const int rounds = option.empty() ? 40 : 4;
   const uint32_t rollouts = option.empty() ? 1024 : 64;
-  const level::Level loose = golden::looseBodies().compile();
+  const level::Level bodies = golden::dynamicBodies().compile();
   compareResident(parity, "resident search", support::movingArena(60, 10, 5).compile(), device,
                   pool, rounds, rollouts);
-  compareResident(parity, "resident, loose bodies", loose, device, pool, rounds / 4, rollouts);
+  compareResident(parity, "resident, loose bodies", bodies, device, pool, rounds / 4, rollouts);
   using namespace baselines;
   const level::Level moving = support::movingArena(40, 8, 3).compile();
   compareLearned<Pbge, PbgeSettings>(parity, "pbge", moving, device, pool, rounds);
   compareLearned<Cflge, CflgeSettings>(parity, "cflge", moving, device, pool, 2 * rounds);
-  compareLearned<Pbge, PbgeSettings>(parity, "pbge, loose bodies", loose, device, pool, 2);
-  compareLearned<Cflge, CflgeSettings>(parity, "cflge, loose bodies", loose, device, pool, 2);
+  compareLearned<Pbge, PbgeSettings>(parity, "pbge, loose bodies", bodies, device, pool, 2);
+  compareLearned<Cflge, CflgeSettings>(parity, "cflge, loose bodies", bodies, device, pool, 2);
   const uint32_t envGroups = option.empty() ? 16 : 1;
   compareLearning(parity, "learning", false, device, pool, envGroups);
   compareLearning(parity, "learning, loose bodies", true, device, pool, envGroups);

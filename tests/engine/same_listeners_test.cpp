@@ -7,10 +7,10 @@
 namespace obby::test {
 namespace {
 
-engine::Report observeWith(size_t mostProbes, Place& place) {
+engine::Report observeWith(size_t maxProbes, Place& place) {
   engine::Plan plan;
   plan.seconds = 5;
-  plan.mostProbes = mostProbes;
+  plan.maxProbes = maxProbes;
   return engine::observe(place.document, plan);
 }
 

@@ -17,8 +17,8 @@ using namespace obby;
 
 constexpr uint32_t kFrames = 90;
 constexpr uint32_t kProbeFrames = 20;
-constexpr size_t kMostProbes = 6;
-constexpr size_t kMostScripts = 4;
+constexpr size_t kMaxProbes = 6;
+constexpr size_t kMaxScripts = 4;
 
 engine::Settings settings() {
   engine::Settings settings;
@@ -47,7 +47,7 @@ struct Scene : test::Place {
   }
 
   void addScripts(std::string_view text) {
-    for (size_t i = 0; i < kMostScripts && !text.empty(); ++i) {
+    for (size_t i = 0; i < kMaxScripts && !text.empty(); ++i) {
       const size_t end = std::min(text.find('\0'), text.size());
       addScript(text.substr(0, end));
       text.remove_prefix(std::min(end + 1, text.size()));
@@ -120,7 +120,7 @@ std::string run(const Document& document) {
   stage.run(kFrames);
   stage.revive();
   std::vector<engine::Probe> probes = stage.probes();
-  if (probes.size() > kMostProbes) probes.resize(kMostProbes);
+  if (probes.size() > kMaxProbes) probes.resize(kMaxProbes);
   Summary summary;
   for (const engine::MadePart& part : stage.made()) {
     summary.add(part.id), summary.add(part.name);
@@ -137,7 +137,7 @@ std::string run(const Document& document) {
     stage.run(kProbeFrames);
   }
   const engine::Observation& seen = stage.observation();
-  require(seen.frames <= kFrames + 2 * kProbeFrames * kMostProbes, "it ran more frames than asked");
+  require(seen.frames <= kFrames + 2 * kProbeFrames * kMaxProbes, "it ran more frames than asked");
   require(stage.left() <= budget.budget.instructions, "it ran more instructions than it has");
   summary.add(seen);
   return summary.text;

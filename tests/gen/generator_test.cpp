@@ -66,12 +66,12 @@ TEST(Generator, QueriesStateALineAndTheirDifficulty) {
     const Made made = makeRecords(generator, 5, i), twin = makeRecords(twins, 5, i);
     const std::vector<Vec3> line = generator.generate(5, i).sketch.line();
     const auto query = made.query.reader().getQuery();
-    ASSERT_EQ(query.getWay().size(), line.size());
+    ASSERT_EQ(query.getRoute().size(), line.size());
     for (uint32_t k = 0; k < line.size(); ++k)
-      EXPECT_LT(length(level::vec(query.getWay()[k]) - line[k]), 0.11f) << i;
+      EXPECT_LT(length(level::vec(query.getRoute()[k]) - line[k]), 0.11f) << i;
     EXPECT_GE(query.getDifficulty(), 0.2f);
     EXPECT_LE(query.getDifficulty(), 0.7f);
-    EXPECT_FALSE(twin.query.reader().getQuery().hasWay());
+    EXPECT_FALSE(twin.query.reader().getQuery().hasRoute());
     EXPECT_EQ(twin.query.reader().getQuery().getDifficulty(), -1);
   }
 }
@@ -87,7 +87,7 @@ TEST(Generator, TheLineOfALongLevelFitsTheSchema) {
   const std::vector<Vec3> line = generator.generate(1, 0).sketch.line();
   EXPECT_GT(line.size(), 4096u);
   const Made made = makeRecords(generator, 1, 0);
-  const auto way = made.query.reader().getQuery().getWay();
+  const auto way = made.query.reader().getQuery().getRoute();
   EXPECT_GT(way.size(), 1000u);
   EXPECT_LE(way.size(), 4096u);
   EXPECT_LT(length(level::vec(way[0]) - line.front()), 0.11f);

@@ -32,8 +32,8 @@ inline gen::Recipe anyParametersFor(const std::string& style, float difficulty, 
   Random random(seed, 0x706172616d);
   for (const gen::Style& s : gen::styles()) {
     for (const gen::Parameter& p : s.parameters) {
-      const float easy = p.least + (p.most - p.least) * random.unit();
-      const float hard = p.least + (p.most - p.least) * random.unit();
+      const float easy = p.min + (p.max - p.min) * random.unit();
+      const float hard = p.min + (p.max - p.min) * random.unit();
       recipe.parameters.push_back({&p, easy, hard});
     }
   }

@@ -27,8 +27,8 @@ TEST_P(Parameters, HaveUniqueNamesAndDescriptions) {
     EXPECT_TRUE(names.insert(p.name).second) << p.name;
     EXPECT_NE(std::string(p.description), "") << p.name;
     for (const float end : {p.easy, p.hard}) {
-      EXPECT_GE(end, p.least) << p.name;
-      EXPECT_LE(end, p.most) << p.name;
+      EXPECT_GE(end, p.min) << p.name;
+      EXPECT_LE(end, p.max) << p.name;
     }
   }
 }
@@ -38,8 +38,8 @@ TEST_P(Parameters, EachOneChangesLevels) {
   for (const gen::Parameter& p : styleOf(GetParam()).parameters) {
     int changed = 0;
     for (uint64_t seed = 0; seed < kSeeds; ++seed) {
-      changed += bytesWith(GetParam(), {{&p, p.least, p.least}}, seed) !=
-                 bytesWith(GetParam(), {{&p, p.most, p.most}}, seed);
+      changed += bytesWith(GetParam(), {{&p, p.min, p.min}}, seed) !=
+                 bytesWith(GetParam(), {{&p, p.max, p.max}}, seed);
     }
     EXPECT_GT(changed, 0) << p.name;
   }
@@ -78,7 +78,7 @@ TEST_P(Parameters, TheLongestLevelsCompileAtTheirEnds) {
     for (const gen::Style& s : gen::styles()) {
       for (const gen::Parameter& p : s.parameters) {
         const bool speed = std::string(p.unit).find("/s") != std::string::npos;
-        const float end = speed && slow ? p.least : p.most;
+        const float end = speed && slow ? p.min : p.max;
         recipe.parameters.push_back({&p, end, end});
       }
     }

@@ -59,7 +59,7 @@ float roundOf(schema::Motion::Reader motion) {
 // Positions and times of tweens are written with all digits, but poses some hundred studs out lose
 // some in single precision. The script of a carrier waits at both ends. A wait ends with a frame of
 // the engine, so that each may take one frame longer.
-void expectSameWay(schema::Part::Reader a, schema::Part::Reader b, const std::string& what) {
+void expectSameRoute(schema::Part::Reader a, schema::Part::Reader b, const std::string& what) {
   // kFrame is in seconds, kRounding in studs and in seconds. Motions are sampled once a frame, with
   // keys on samples.
   constexpr float kFrame = 1.0f / 60, kRounding = 0.02f;
@@ -99,7 +99,7 @@ void expectSame(schema::Part::Reader a, schema::Part::Reader b) {
   expectNear(a.getJumpPad().getVelocity(), b.getJumpPad().getVelocity(), what);
   EXPECT_EQ(a.hasMotion(), b.hasMotion()) << what;
   EXPECT_EQ(a.getMotion().getCarries(), b.getMotion().getCarries()) << what;
-  expectSameWay(a, b, what);
+  expectSameRoute(a, b, what);
   const auto turning = a.getMotion().getSpin(), back = b.getMotion().getSpin();
   EXPECT_LT(length(turn(turning) - turn(back)), 0.02f) << what;
   EXPECT_LT(length(level::vec(turning.getPivot()) - level::vec(back.getPivot())), 0.01f) << what;
@@ -221,17 +221,17 @@ TEST(PlaceFile, HoldsALimitedNumberOfLevels) {
 }
 
 TEST(PlaceFile, StaysBelowTheImportersSizeLimit) {
-  constexpr uint64_t kMost = 100000;
+  constexpr uint64_t kMax = 100000;
   const gen::Generator generator = generatorOf(recipeFor("walkway", 0));
   const gen::Generated level = generator.generate(1, 0);
-  gen::PlaceFile place(generator, kMost);
+  gen::PlaceFile place(generator, kMax);
   uint32_t levels = 0;
   const Status full = filled(place, level, levels);
   ASSERT_FALSE(full);
   EXPECT_EQ(full.error().message, "a place file can hold at most " + std::to_string(levels) +
                                       " of these levels in 100000 bytes");
   const std::string file = place.finish();
-  EXPECT_LE(file.size(), kMost);
+  EXPECT_LE(file.size(), kMax);
   const auto back = importer::importPlace(file, "made.rbxlx", {});
   ASSERT_TRUE(back) << back.error().text();
   EXPECT_EQ(back->level.reader().getLevel().getParts().size(),

@@ -16,16 +16,16 @@ TEST(Region, MeetsALineExactlyIfItContainsAPoint) {
   for (int i = 0; i < 5000; ++i) {
     const Region r{{dice.vec(3), dice.rotation()}, dice.half()};
     const Vec3 a = dice.vec(8), b = i % 2 ? a + Vec3{0, 5, 0} : dice.vec(8);
-    float least = 1e9f;
+    float lowest = 1e9f;
     for (int k = 0; k <= 400; ++k) {
       const Vec3 p = toLocal(r.pose, a + (b - a) * (float(k) / 400));
       const Vec3 over = abs(p) - r.half;
-      least = minf(least, maxf(over.x, maxf(over.y, over.z)));
+      lowest = minf(lowest, maxf(over.x, maxf(over.y, over.z)));
     }
-    if (least < -1e-4f) {
+    if (lowest < -1e-4f) {
       ASSERT_TRUE(meets(r, a, b));
     }
-    if (least > 0.05f) {
+    if (lowest > 0.05f) {
       ASSERT_FALSE(meets(r, a, b));
     }
     met += meets(r, a, b);

@@ -67,7 +67,7 @@ SearchOutcome searched(const Asked& asked, const level::Level& level, const leve
   Problem problem{level.view(),
                   query.view(),
                   sim::makeWorld(level.view(), query.start()),
-                  sim::startLoose(level.view()),
+                  sim::startBodies(level.view()),
                   level.bounds(),
                   level.hasMotion()};
   if (asked.guided) problem.policy = &policy::shippedPolicy().network;
@@ -81,13 +81,13 @@ std::string lineOf(const Asked& asked, const SearchOutcome& o) {
   out << asked.level << '\t' << asked.query << '\t' << asked.method
       << (asked.guided ? "+policy" : "") << '\t' << o.statistics.steps;
   if (!o.solutions.empty()) {
-    const Playthrough& p = o.solutions.front();
-    out << '\t' << p.ticks << '\t' << p.end.jumps << '\t' << sim::stateHash(p.end, p.endLoose);
+    const Trajectory& p = o.solutions.front();
+    out << '\t' << p.ticks << '\t' << p.end.jumps << '\t' << sim::stateHash(p.end, p.endBodies);
     return out.str();
   }
   uint64_t ends = 0;
-  for (const Playthrough& p : o.attempts) {
-    const uint64_t end = sim::stateHash(p.end, p.endLoose);
+  for (const Trajectory& p : o.attempts) {
+    const uint64_t end = sim::stateHash(p.end, p.endBodies);
     ends = hashBytes(&end, sizeof end, ends);
   }
   out << "\tunsolved\t" << o.cells << '\t' << ends;

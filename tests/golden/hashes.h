@@ -5,7 +5,7 @@
 
 #include <cstdint>
 
-#include "golden/loose_scenes.h"
+#include "golden/dynamic_scenes.h"
 
 namespace obby::golden {
 
@@ -41,10 +41,10 @@ inline const Scene kScenes[] = {
        });
      },
      0x6e16839e9a69fdcb},
-    {"balls", [] { return crowdOf(schema::Shape::BALL); }, 0x683bc6a507021099},
-    {"cylinders", [] { return crowdOf(schema::Shape::CYLINDER); }, 0xe48f51d15291da12},
-    {"wedges", [] { return crowdOf(schema::Shape::WEDGE); }, 0xc68623e267624249},
-    {"corner wedges", [] { return crowdOf(schema::Shape::CORNER_WEDGE); }, 0xa92ef08b5dcd2ad4},
+    {"balls", [] { return envsOf(schema::Shape::BALL); }, 0x683bc6a507021099},
+    {"cylinders", [] { return envsOf(schema::Shape::CYLINDER); }, 0xe48f51d15291da12},
+    {"wedges", [] { return envsOf(schema::Shape::WEDGE); }, 0xc68623e267624249},
+    {"corner wedges", [] { return envsOf(schema::Shape::CORNER_WEDGE); }, 0xa92ef08b5dcd2ad4},
     {"hulls", hulls, 0x970697e8745d10f1},
     {"spinners", spinners, 0x6fd592323c5b112a},
     {"extremes", extremes, 0xd6f4ffddf670bc7d},
@@ -66,10 +66,10 @@ inline const Scene kScenes[] = {
      0x3e66eb53b340801f},
     {"clocks", clocks, 0xf8b1f8d913ecce35},
     {"places", places, 0x456ea473f1726e0f},
-    {"loose bodies", looseBodies, 0x472e6694ecc46845},
-    {"loose stack on a carrying platform", looseStack, 0xefd83d710b7a2049},
-    {"loose arena", [] { return support::looseArena(16, false, 3); }, 0xdb6b78b526859c7c},
-    {"loose seats", looseSeats, 0x1655dba95f530d3f},
+    {"loose bodies", dynamicBodies, 0x472e6694ecc46845},
+    {"loose stack on a carrying platform", dynamicStack, 0xefd83d710b7a2049},
+    {"loose arena", [] { return support::bodyArena(16, false, 3); }, 0xdb6b78b526859c7c},
+    {"loose seats", dynamicSeats, 0x1655dba95f530d3f},
 };
 
 // Each scene runs this many worlds and ticks, with walkers of this seed.

@@ -37,11 +37,11 @@ uint64_t singlyHash(const level::Level& level) {
   uint64_t h = 0;
   for (uint32_t i = 0; i < kWorlds; ++i) {
     sim::World w = sim::makeWorld(level.view(), level.spawns()[0]);
-    std::vector<sim::LooseBody> loose = sim::startLoose(level.view());
+    std::vector<sim::RigidBody> bodies = sim::startBodies(level.view());
     for (uint32_t t = 0; t < kTicks; ++t) {
-      sim::advance(w, loose.data(), level.view(), nullptr, sim::walkerAction(kSeed, i, 0, w.tick));
+      sim::advance(w, bodies.data(), level.view(), nullptr, sim::walkerAction(kSeed, i, 0, w.tick));
     }
-    const uint64_t state = sim::stateHash(w, loose);
+    const uint64_t state = sim::stateHash(w, bodies);
     h = hashBytes(&state, sizeof state, h);
   }
   return h;

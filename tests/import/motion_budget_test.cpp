@@ -2,7 +2,7 @@
 #include <chrono>
 
 #include "import/draft/motion.h"
-#include "import/draft/motion_room.h"
+#include "import/draft/motion_budget.h"
 #include "import/scene.h"
 #include "level/compile_parts.h"
 
@@ -11,7 +11,7 @@ namespace {
 
 // Gives a motion to two models of `parts` parts, one after the other. The second exceeds the
 // budget.
-void expectRoomForOne(size_t parts, const importer::Motion& motion) {
+void expectBudgetForOne(size_t parts, const importer::Motion& motion) {
   Scene scene;
   InstanceId models[2];
   for (InstanceId& model : models) {
@@ -41,7 +41,7 @@ TEST(Motion, AllKeysOfALevelHaveABudget) {
   static_assert(2 * kParts * kKeys > importer::kMaxLevelKeys);
   importer::Motion motion;
   for (size_t i = 0; i < kKeys; ++i) motion.keys.push_back(keyAt(float(i) / 60, float(i % 2)));
-  expectRoomForOne(kParts, motion);
+  expectBudgetForOne(kParts, motion);
 }
 
 TEST(Motion, AllTicksOfALevelHaveABudget) {
@@ -50,9 +50,9 @@ TEST(Motion, AllTicksOfALevelHaveABudget) {
   static_assert(kParts * kSeconds * 60 < level::kMaxLevelRows);
   importer::Motion motion;
   motion.keys = {keyAt(0, 0), keyAt(float(kSeconds), 50)};
-  expectRoomForOne(kParts, motion);
+  expectBudgetForOne(kParts, motion);
   motion.repeat = importer::Repeat::pingPong;
-  expectRoomForOne(kParts / 2, motion);
+  expectBudgetForOne(kParts / 2, motion);
 }
 
 // Much decoration is attached to a floor; a leaf turns out to kill.

@@ -85,19 +85,19 @@ std::string plainBlock(const std::vector<Hull>& hulls) {
 }
 
 std::string unpacked(const std::vector<Hull>& plain, const std::vector<Coded>& coded) {
-  uint32_t corners = 0, faces = 0, mostCorners = 0, mostFaces = 0;
+  uint32_t corners = 0, faces = 0, maxCorners = 0, maxFaces = 0;
   std::string positions;
   for (const Coded& hull : coded) {
     corners += uint32_t(hull.corners.size());
     faces += uint32_t(hull.symbols.size() + 1);
-    mostCorners = std::max(mostCorners, uint32_t(hull.corners.size()));
-    mostFaces = std::max(mostFaces, uint32_t(hull.symbols.size() + 1));
+    maxCorners = std::max(maxCorners, uint32_t(hull.corners.size()));
+    maxFaces = std::max(maxFaces, uint32_t(hull.symbols.size() + 1));
     appendCorners(positions, hull.corners);
   }
   const std::string block = plainBlock(plain), bits = bitsOf(coded), words = wordsOf(bits);
   std::string out;
   for (const size_t field :
-       {coded.size(), size_t(corners), size_t(faces), size_t(mostCorners), size_t(mostFaces),
+       {coded.size(), size_t(corners), size_t(faces), size_t(maxCorners), size_t(maxFaces),
         block.size(), bits.size(), words.size(), positions.size()})
     append(out, uint32_t(field));
   out.append(6 * 4, '\0');  // the bounding box

@@ -212,8 +212,8 @@ TEST(Joints, OneAnchoredPartAnchorsItsAssembly) {
   for (const char* kind : {"Weld", "Snap", "ManualWeld", "WeldConstraint", "Glue", "Motor6D"}) {
     Scene scene;
     const auto base = scene.part("Base"), middle = scene.part("Middle"), top = scene.part("Top"),
-               loose = scene.part("Loose");
-    for (const auto id : {middle, top, loose}) scene.set(id, "Anchored", false);
+               dynamic = scene.part("Loose");
+    for (const auto id : {middle, top, dynamic}) scene.set(id, "Anchored", false);
     const auto joint = [&](InstanceId a, InstanceId b) {
       const auto id = scene.add(kind, kind, a);
       scene.set(id, "Part0", Ref{a});
@@ -225,7 +225,7 @@ TEST(Joints, OneAnchoredPartAnchorsItsAssembly) {
     scene.level();
     EXPECT_TRUE(scene[middle].anchored) << kind;
     EXPECT_TRUE(scene[top].anchored) << kind;
-    EXPECT_FALSE(scene[loose].anchored) << kind;
+    EXPECT_FALSE(scene[dynamic].anchored) << kind;
     scene.set(second, "Enabled", false);
     scene.level();
     EXPECT_FALSE(scene[top].anchored) << kind;

@@ -36,7 +36,7 @@ importer::Import import(const fs::path& path) {
 }
 
 struct Counts {
-  unsigned kills = 0, buttons = 0, checkpoints = 0, goals = 0, hulls = 0, loose = 0;
+  unsigned kills = 0, buttons = 0, checkpoints = 0, goals = 0, hulls = 0, dynamic = 0;
 };
 Counts count(schema::Level::Reader level) {
   Counts counts;
@@ -46,7 +46,7 @@ Counts count(schema::Level::Reader level) {
     counts.checkpoints += part.hasCheckpoint();
     counts.goals += part.hasGoal();
     counts.hulls += part.getHulls().size() > 0;
-    counts.loose += !part.getAnchored();
+    counts.dynamic += !part.getAnchored();
   }
   return counts;
 }
@@ -123,7 +123,7 @@ TEST(Places, PiecesOfAnObbyKit) {
   const auto level = result.level.reader().getLevel();
   EXPECT_EQ(level.getParts().size(), 5u);
   EXPECT_EQ(count(level).kills, 2u);
-  EXPECT_EQ(count(level).loose, 0u) << "welded to an anchored part";
+  EXPECT_EQ(count(level).dynamic, 0u) << "welded to an anchored part";
   EXPECT_EQ(result.queries.size(), 1u) << "from Start to End";
 }
 
@@ -135,7 +135,7 @@ TEST(Places, ModelFiles) {
   EXPECT_EQ(count(blocks.level.reader().getLevel()).kills, 2u);
   auto stress = import(kPlacesFolder / "rbxdom-parts-1000.rbxm");
   // All are unanchored, and far more than a level can have.
-  EXPECT_EQ(count(stress.level.reader().getLevel()).loose, 0u);
+  EXPECT_EQ(count(stress.level.reader().getLevel()).dynamic, 0u);
   EXPECT_EQ(stress.level.reader().getLevel().getUnmodelled()[0].getCount(), 1000u);
 }
 

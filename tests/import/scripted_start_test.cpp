@@ -110,9 +110,9 @@ TEST(ScriptedStart, AMovedModelTakesItsPartsAlong) {
              wagon = scene.part("Wagon", {0, 5, 6}, model);
   const auto flag = scene.part("Flag", {0, 9, 6}, scene.add("Model", "Roof", model));
   scene.set(model, "PrimaryPart", Ref{engine});
-  const auto loose = scene.add("Model", "Stage", scene.workspace);
-  const auto left = scene.part("Left", {-4, 0, 0}, loose),
-             right = scene.part("Right", {4, 0, 0}, loose);
+  const auto dynamic = scene.add("Model", "Stage", scene.workspace);
+  const auto left = scene.part("Left", {-4, 0, 0}, dynamic),
+             right = scene.part("Right", {4, 0, 0}, dynamic);
   scene.script(R"(local m = workspace.Train
 m.Wagon.Position = m.Wagon.Position + Vector3.new(0, 0, 2)
 m:PivotTo(CFrame.new(10, 5, 0))

@@ -68,18 +68,18 @@ TEST(Conveyor, KitTextStatesTheWorldAxis) {
 TEST(Conveyor, SavedVelocityCountsOnAnchoredPartsAlongAnAxis) {
   Scene scene;
   const auto belt = scene.part("Belt"), noise = scene.part("Noise"),
-             residue = scene.part("Residue"), loose = scene.part("Loose");
+             residue = scene.part("Residue"), dynamic = scene.part("Loose");
   scene.set(belt, "Velocity", Vec3{8, 0, 0});
   scene.set(noise, "Velocity", Vec3{1e-5f, 0, 0});
   scene.set(residue, "Velocity", Vec3{-13.4f, 13.7f, 1.6f});
-  scene.set(loose, "Velocity", Vec3{8, 0, 0});
-  scene.set(loose, "Anchored", false);
+  scene.set(dynamic, "Velocity", Vec3{8, 0, 0});
+  scene.set(dynamic, "Anchored", false);
   const auto& level = scene.level();
   ASSERT_TRUE(scene[belt].conveyor);
   expectNear(scene[belt].conveyor->velocity, {8, 0, 0});
   EXPECT_FALSE(scene[noise].conveyor);
   EXPECT_FALSE(scene[residue].conveyor);
-  EXPECT_FALSE(scene[loose].conveyor);
+  EXPECT_FALSE(scene[dynamic].conveyor);
   EXPECT_EQ(level.ignored.at("saved velocity along no axis").count, 1u);
 }
 

@@ -255,9 +255,9 @@ TEST(JsonWriting, RefusesRecordsThatNoReaderAccepts) {
 
 // The float next to 0.2 is a little more than 0.2.
 TEST(JsonWriting, AcceptsABoundDespiteFloatRounding) {
-  RecordBuilder most;
-  most.root().initLevel().initPhysics().setContactSkin(0.2f);
-  EXPECT_TRUE(recordToJson(most.reader()));
+  RecordBuilder max;
+  max.root().initLevel().initPhysics().setContactSkin(0.2f);
+  EXPECT_TRUE(recordToJson(max.reader()));
 }
 
 }  // namespace

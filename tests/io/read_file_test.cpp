@@ -51,7 +51,7 @@ TEST(ReadFile, RefusesFilesAboveTheLimit) {
   EXPECT_EQ(readFile(folder / "a", nullptr, 1999).error().text(),
             folder / "a: expected at most 1999 bytes, found 2000" + cure);
   std::ofstream(folder / "sparse").flush();
-  std::filesystem::resize_file(folder / "sparse", kMostFileBytes + 1);
+  std::filesystem::resize_file(folder / "sparse", kMaxFileBytes + 1);
   EXPECT_EQ(readFile(folder / "sparse").error().text(),
             folder / "sparse: expected at most 1073741824 bytes, found 1073741825" + cure);
   const std::atomic<bool> stop{false};

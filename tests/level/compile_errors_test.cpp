@@ -66,8 +66,8 @@ TEST(CompileErrors, Friction) {
   for (const float f : {-0.1f, kNan, 100.5f, 3e38f, kInf}) {
     expectRefused([=](auto p) { p.setFriction(f); }, ".friction", "from 0 to 100");
   }
-  LevelBuilder most;
-  EXPECT_TRUE(bool(most.part([](auto p) { p.setFriction(100); }).tryCompile()));
+  LevelBuilder max;
+  EXPECT_TRUE(bool(max.part([](auto p) { p.setFriction(100); }).tryCompile()));
 }
 
 TEST(CompileErrors, Roles) {

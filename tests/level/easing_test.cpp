@@ -90,13 +90,13 @@ TEST(Easing, EveryStyleFollowsItsFormulaInEveryDirection) {
 }
 
 TEST(Easing, BackOvershootsByATenthInBothDirections) {
-  double least = 1, leastIn = 1;
+  double min = 1, minIn = 1;
   for (int i = 0; i < 1000; ++i) {
-    least = std::min(least, ease(Easing::BACK, EasingDirection::IN_OUT, i / 1000.0));
-    leastIn = std::min(leastIn, ease(Easing::BACK, EasingDirection::IN, i / 1000.0));
+    min = std::min(min, ease(Easing::BACK, EasingDirection::IN_OUT, i / 1000.0));
+    minIn = std::min(minIn, ease(Easing::BACK, EasingDirection::IN, i / 1000.0));
   }
-  EXPECT_NEAR(least, -0.1, 1e-3);
-  EXPECT_NEAR(leastIn, -0.1, 1e-3);
+  EXPECT_NEAR(min, -0.1, 1e-3);
+  EXPECT_NEAR(minIn, -0.1, 1e-3);
 }
 
 }  // namespace

@@ -27,12 +27,12 @@ struct Tables {
   bool once;
 };
 
-Tables tablesOf(const MotionSetter& setter, uint32_t mostRows = kMaxRows) {
+Tables tablesOf(const MotionSetter& setter, uint32_t maxRows = kMaxRows) {
   capnp::MallocMessageBuilder message, physics;
   auto motion = message.initRoot<schema::Motion>();
   setter(motion);
   const Params params = *compileParams(physics.initRoot<schema::PhysicsParams>().asReader());
-  const auto plan = planMotion(motion.asReader(), params, mostRows);
+  const auto plan = planMotion(motion.asReader(), params, maxRows);
   EXPECT_TRUE(bool(plan)) << (plan ? "" : plan.error().text());
   return {keyTable(*plan, {{1, 2, 3}, {}}), spinTable(plan->spin), plan->pivot, plan->once};
 }

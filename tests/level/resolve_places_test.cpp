@@ -158,12 +158,12 @@ TEST_F(ResolveTest, TagsStandForABoundedNumberOfPlaces) {
   const auto tags = [](auto list) {
     for (uint32_t i = 0; i < list.size(); ++i) list[i].setPart("#Kill");
   };
-  constexpr uint32_t kMost = uint32_t(kMaxPlaces / 2);
-  tags(query().initAvoid(kMost - 1));
+  constexpr uint32_t kMax = uint32_t(kMaxPlaces / 2);
+  tags(query().initAvoid(kMax - 1));
   tags(query().initGoals(1));
   EXPECT_TRUE(resolve());
-  expectWrong([&](auto q) { tags(q.initAvoid(kMost + 1)); }, fmt::format("avoid[{}].part", kMost));
-  expectWrong([&](auto q) { tags(q.initAvoid(kMost - 1)), tags(q.initGoals(2)); }, "goals[1].part");
+  expectWrong([&](auto q) { tags(q.initAvoid(kMax + 1)); }, fmt::format("avoid[{}].part", kMax));
+  expectWrong([&](auto q) { tags(q.initAvoid(kMax - 1)), tags(q.initGoals(2)); }, "goals[1].part");
 }
 
 }  // namespace

@@ -38,11 +38,11 @@ struct Tallies {
     ++fclWrong;
   }
 
-  void expectGood(int least) const {
+  void expectGood(int min) const {
     bullet.report();
     testing::Test::RecordProperty("fcl_wrong", fclWrong);
-    EXPECT_GT(bullet.overlapping, least);
-    EXPECT_GT(bullet.normals, least / 2);
+    EXPECT_GT(bullet.overlapping, min);
+    EXPECT_GT(bullet.normals, min / 2);
     EXPECT_EQ(fclWrong, 0);
     // EPA gives up or stops at a worse face for a few pairs in a thousand.
     EXPECT_LE(bullet.referenceWrong, bullet.pairs / 200);

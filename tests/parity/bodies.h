@@ -32,21 +32,21 @@ class OurBodies {
  public:
   explicit OurBodies(const std::vector<BodySpec>& specs)
       : level_(levelOf(specs)), play_(level_, {0, 0, 150}) {
-    size_t loose = 0;
+    size_t bodies = 0;
     for (const BodySpec& s : specs) {
       if (s.anchored) continue;
-      play_.loose[loose].velocity = s.velocity;
-      play_.loose[loose++].spin = s.spin;
+      play_.bodies[bodies].velocity = s.velocity;
+      play_.bodies[bodies++].spin = s.spin;
     }
   }
   void run(int ticks = 1) { play_.run(test::stand(), ticks); }
   BodyState state(size_t i) const {
-    const Pose pose = poseOf(play_.loose[i], level_.view().loose[i]);
-    return {pose.position, play_.loose[i].velocity, pose.rotation};
+    const Pose pose = poseOf(play_.bodies[i], level_.view().bodies[i]);
+    return {pose.position, play_.bodies[i].velocity, pose.rotation};
   }
-  const sim::LooseBody& body(size_t i) const { return play_.loose[i]; }
-  const level::Loose& table(size_t i) const { return level_.view().loose[i]; }
-  bool asleep() const { return !(play_.world.flags & sim::kLooseAwake); }
+  const sim::RigidBody& body(size_t i) const { return play_.bodies[i]; }
+  const level::DynamicBody& table(size_t i) const { return level_.view().bodies[i]; }
+  bool asleep() const { return !(play_.world.flags & sim::kBodyAwake); }
 
  private:
   // Adds a far floor at 0 for the player, which also catches falling bodies.
@@ -85,9 +85,9 @@ class BulletBodies {
     gCalculateCombinedFrictionCallback = meanFriction;
     gCalculateCombinedRestitutionCallback = noBounce;
     world_.setGravity({0, -196.2, 0});
-    size_t loose = 0;
+    size_t bodies = 0;
     for (const BodySpec& s : specs) {
-      const level::Loose* table = s.anchored ? nullptr : &ours.table(loose++);
+      const level::DynamicBody* table = s.anchored ? nullptr : &ours.table(bodies++);
       add(s, table);
     }
   }
@@ -108,8 +108,8 @@ class BulletBodies {
     }
   }
   BodyState state(size_t i) const {
-    const btRigidBody& b = *bodies_[loose_[i]];
-    const btTransform t = b.getWorldTransform() * centers_[loose_[i]].inverse();
+    const btRigidBody& b = *bodies_[dynamic_[i]];
+    const btTransform t = b.getWorldTransform() * centers_[dynamic_[i]].inverse();
     const auto narrow = [](const btVector3& v) {
       return Vec3{float(v.x()), float(v.y()), float(v.z())};
     };
@@ -135,7 +135,7 @@ class BulletBodies {
   }
 
   // Bullet expects shapes relative to the centre of mass.
-  void add(const BodySpec& s, const level::Loose* table) {
+  void add(const BodySpec& s, const level::DynamicBody* table) {
     btTransform part(turnOf(s), bulletVector(s.position));
     btTransform center = btTransform::getIdentity();
     if (table) center.setOrigin(bulletVector(table->center));
@@ -161,7 +161,7 @@ class BulletBodies {
       movers_.push_back({body.get(), s});
     }
     world_.addRigidBody(body.get());
-    if (table) loose_.push_back(bodies_.size());
+    if (table) dynamic_.push_back(bodies_.size());
     bodies_.push_back(std::move(body));
     centers_.push_back(center);
     compounds_.push_back(std::move(whole));
@@ -176,7 +176,7 @@ class BulletBodies {
   std::vector<std::unique_ptr<btCompoundShape>> compounds_;
   std::vector<std::unique_ptr<btRigidBody>> bodies_;
   std::vector<btTransform> centers_;
-  std::vector<size_t> loose_;
+  std::vector<size_t> dynamic_;
   struct Mover {
     btRigidBody* body;
     BodySpec spec;

@@ -70,7 +70,7 @@ class ConvexDice : public PairDice {
     const uint32_t way = random().below(3);
     if (way == 0 && geom::axes(p.a) > 0) d = faceOf(p.a);
     if (way == 1 && geom::axes(p.b) > 0) d = faceOf(p.b);
-    if (way < 2) aside = vec(0.7f * minf(least(p.a.shape.half), least(p.b.shape.half)));
+    if (way < 2) aside = vec(0.7f * minf(min(p.a.shape.half), min(p.b.shape.half)));
     // This is computed with a at the origin, so that no precision is lost.
     const Vec3 at = p.a.pose.position;
     p.a.pose.position = p.b.pose.position = {};
@@ -101,7 +101,7 @@ class ConvexDice : public PairDice {
     const Vec3 n = geom::axis(c, int(random().below(uint32_t(geom::axes(c)))));
     return random().below(2) ? n : -n;
   }
-  static float least(Vec3 v) { return minf(v.x, minf(v.y, v.z)); }
+  static float min(Vec3 v) { return minf(v.x, minf(v.y, v.z)); }
 
   HullPool hulls_;
 };
@@ -117,9 +117,9 @@ inline double pointApart(const Polytope& p, const V3& at) {
   const auto test = [&](const V3& n) {
     if (n.norm() < 1e-9) return;
     const V3 unit = n.normalized();
-    double most = -1e300;
-    for (const V3& q : p.points) most = std::max(most, unit.dot(q));
-    best = std::max(best, unit.dot(at) - most);
+    double max = -1e300;
+    for (const V3& q : p.points) max = std::max(max, unit.dot(q));
+    best = std::max(best, unit.dot(at) - max);
   };
   for (const V3& n : p.faces) test(n), test(-n);
   for (const V3& q : p.points) {

@@ -41,12 +41,12 @@ inline void findFacesAndEdges(Polytope& p) {
         const V3 area = (p.points[b] - p.points[a]).cross(p.points[c] - p.points[a]);
         if (area.norm() < near * size) continue;
         const V3 n = area.normalized();
-        double most = -1e300, least = 1e300;
+        double max = -1e300, min = 1e300;
         for (const V3& q : p.points) {
           const double at = n.dot(q - p.points[a]);
-          most = std::max(most, at), least = std::min(least, at);
+          max = std::max(max, at), min = std::min(min, at);
         }
-        if (most > near && least < -near) continue;
+        if (max > near && min < -near) continue;
         addDirection(p.faces, n);
         std::vector<bool> on;
         for (const V3& q : p.points) on.push_back(std::abs(n.dot(q - p.points[a])) <= near);

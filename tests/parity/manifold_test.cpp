@@ -17,10 +17,10 @@ constexpr float kMargin = 0.1f;
 constexpr ShapeKind kKinds[] = {ShapeKind::block, ShapeKind::ball,        ShapeKind::cylinder,
                                 ShapeKind::wedge, ShapeKind::cornerWedge, ShapeKind::hull};
 
-float leastGap(const Manifold& m) {
-  float least = 1e30f;
-  for (int i = 0; i < m.count; ++i) least = minf(least, m.points[i].distance);
-  return least;
+float minGap(const Manifold& m) {
+  float lowest = 1e30f;
+  for (int i = 0; i < m.count; ++i) lowest = minf(lowest, m.points[i].distance);
+  return lowest;
 }
 
 // Returns true if both sides of every point lie on or in the shapes.
@@ -41,12 +41,12 @@ struct Faults {
 
   void compare(const ConvexPair& p, const Separation& s, const Manifold& m) {
     ++pairs;
-    deepest += absf(leastGap(m) - s.distance) > 3e-3f;
+    deepest += absf(minGap(m) - s.distance) > 3e-3f;
     outside += !isOnBoth(p, m);
     const Separation t = geom::separation(p.b, p.a, kMargin);
     if (dot(s.normal, t.normal) > -0.999f) return;  // prefers the first shape
     ++swapped;
-    unlike += absf(leastGap(m) - leastGap(geom::manifold(p.b, p.a, t, kMargin))) > 3e-3f;
+    unlike += absf(minGap(m) - minGap(geom::manifold(p.b, p.a, t, kMargin))) > 3e-3f;
   }
   void expectBelow(double share) const {
     testing::Test::RecordProperty("pairs", pairs);
@@ -87,11 +87,11 @@ class ManifoldParity : public testing::TestWithParam<ShapeKind> {
 // be off it. This affects one pair in 200, and one in twelve with hulls. A cylinder's cap is an
 // octagon and its side a line, both without the rim: one pair in ten.
 TEST_P(ManifoldParity, PointsAreOnBothShapesAndTheDeepestIsTheSeparation) {
-  const double most = GetParam() == ShapeKind::cylinder ? 0.12
-                      : GetParam() == ShapeKind::hull   ? 0.1
-                                                        : 0.01;
+  const double limit = GetParam() == ShapeKind::cylinder ? 0.12
+                       : GetParam() == ShapeKind::hull   ? 0.1
+                                                         : 0.01;
   faultsWith({ShapeKind::block, ShapeKind::ball, ShapeKind::wedge, ShapeKind::cornerWedge})
-      .expectBelow(most);
+      .expectBelow(limit);
 }
 
 TEST_P(ManifoldParity, CylindersAgreeExceptAtRims) {

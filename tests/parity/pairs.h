@@ -29,8 +29,8 @@ class PairDice : public geom::test::Dice {
   using Dice::Dice;
 
   // Thin, medium and wide extents are equally likely.
-  Vec3 extents(float least, float most) {
-    const auto one = [&] { return least * std::pow(most / least, between(0, 1)); };
+  Vec3 extents(float min, float max) {
+    const auto one = [&] { return min * std::pow(max / min, between(0, 1)); };
     return {one(), one(), one()};
   }
   // Half extents of the body, the head alone, or any box.

@@ -21,8 +21,8 @@ struct Found {
 
   // `exact` is the signed distance; for overlaps, minus the minimum translation that separates the
   // two.
-  void compare(const ConvexPair& p, const Separation& s, double exact, double mostDeeper,
-               double mostEarly) {
+  void compare(const ConvexPair& p, const Separation& s, double exact, double maxDeeper,
+               double maxEarly) {
     ++pairs;
     const double ours = double(s.distance);
     const std::string pair = describe(p.a) + "\n" + describe(p.b);
@@ -35,7 +35,7 @@ struct Found {
     double& worst = exact <= 0 ? deeper : early;
     worst = std::max(worst, exact - ours);
     deeperThanPreferred += exact - ours > kDeeper;
-    ASSERT_GE(ours, exact - (exact <= 0 ? mostDeeper : mostEarly)) << pair;
+    ASSERT_GE(ours, exact - (exact <= 0 ? maxDeeper : maxEarly)) << pair;
   }
   void report() const {
     testing::Test::RecordProperty("pairs", pairs);
@@ -53,10 +53,10 @@ constexpr ShapeKind kPolytopes[] = {ShapeKind::block, ShapeKind::wedge, ShapeKin
 
 // Returns the overlap of a and b along a unit vector, in double precision.
 double overlapAlong(const Polytope& a, const Polytope& b, const V3& n) {
-  double most = -1e300, least = 1e300;
-  for (const V3& q : a.points) most = std::max(most, n.dot(q));
-  for (const V3& q : b.points) least = std::min(least, n.dot(q));
-  return most - least;
+  double max = -1e300, min = 1e300;
+  for (const V3& q : a.points) max = std::max(max, n.dot(q));
+  for (const V3& q : b.points) min = std::min(min, n.dot(q));
+  return max - min;
 }
 
 TEST(SeparationParity, PolytopesMatchTheSearchOfAllAxes) {

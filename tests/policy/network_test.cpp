@@ -109,10 +109,10 @@ std::vector<float> someLogits(Random& random) {
 
 // As draw(), one move after the other.
 int drawPlainly(const std::vector<float>& logits, bool mayJump, Random& random) {
-  const float most = logits[size_t(likeliest(logits.data(), mayJump))];
+  const float max = logits[size_t(likeliest(logits.data(), mayJump))];
   float odds[kMoves], sum = 0;
   for (int m = 0; m < kMoves; ++m) {
-    odds[m] = isAllowed(m, mayJump) ? expNegative(logits[size_t(m)] - most) : 0.0f;
+    odds[m] = isAllowed(m, mayJump) ? expNegative(logits[size_t(m)] - max) : 0.0f;
     sum += odds[m];
   }
   float rest = random.unit() * sum;

@@ -17,8 +17,8 @@ using support::LevelBuilder;
 struct Look : support::Onlooker {
   using Onlooker::Onlooker;
 
-  std::vector<float> inputs(const sim::LooseBody* loose = nullptr) const {
-    return Onlooker::inputs(observe, loose);
+  std::vector<float> inputs(const sim::RigidBody* bodies = nullptr) const {
+    return Onlooker::inputs(observe, bodies);
   }
   // Returns the present height of a map at a point of a ring, in studs above the feet.
   float height(Kind map, int ring, int direction) const {
@@ -151,11 +151,11 @@ TEST(Observation, ShowsTheNearestDynamicBody) {
   for (const float x : {-9.0f, 4.0f})
     b.block({x, 1, 0}, {2, 2, 2}, [](schema::Part::Builder p) { p.setAnchored(false); });
   const level::Level level = b.compile();
-  std::vector<sim::LooseBody> loose = sim::makeLoose(level.view());
-  ASSERT_EQ(loose.size(), 2u);
-  loose[1].velocity = {0, 0, -8};
+  std::vector<sim::RigidBody> bodies = sim::makeDynamic(level.view());
+  ASSERT_EQ(bodies.size(), 2u);
+  bodies[1].velocity = {0, 0, -8};
   const Look look(level);
-  const std::vector<float> in = look.inputs(loose.data());
+  const std::vector<float> in = look.inputs(bodies.data());
   const float* const at = in.data() + kStateInputs;
   EXPECT_EQ(at[0], 1);
   EXPECT_NEAR(at[1], 0, 1e-5f);

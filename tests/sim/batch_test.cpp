@@ -37,17 +37,17 @@ uint64_t alone(const Course& course, uint32_t index, uint32_t ticks, uint64_t se
   };
   uint32_t episode = 0;
   World w = course.starts[levelOf(0)];
-  std::vector<LooseBody> loose = startLoose(course.levels[levelOf(0)]);
+  std::vector<RigidBody> bodies = startBodies(course.levels[levelOf(0)]);
   for (uint32_t t = 0; t < ticks; ++t) {
     if (w.outcome != Outcome::running) {
       w = course.starts[levelOf(++episode)];
-      loose = startLoose(course.levels[levelOf(episode)]);
+      bodies = startBodies(course.levels[levelOf(episode)]);
     }
     const size_t level = levelOf(episode);
-    advance(w, loose.data(), course.levels[level], &course.queries[level],
+    advance(w, bodies.data(), course.levels[level], &course.queries[level],
             walkerAction(seed, index, episode, w.tick));
   }
-  return stateHash(w, loose);
+  return stateHash(w, bodies);
 }
 
 TEST(Batch, worlds_of_many_levels_equal_worlds_alone) {
@@ -59,19 +59,19 @@ TEST(Batch, worlds_of_many_levels_equal_worlds_alone) {
   ASSERT_TRUE(lanes->step(400, Actions::walker(5)));
   ASSERT_TRUE(kernel->step(400, Actions::walker(5)));
   const auto worlds = *lanes->worlds();
-  const auto loose = *lanes->loose();
+  const auto bodies = *lanes->bodies();
   const auto played = *lanes->episodes();
-  const size_t stride = loose.size() / kWorlds;
+  const size_t stride = bodies.size() / kWorlds;
   for (uint32_t i = 0; i < kWorlds; ++i) {
-    const uint32_t bodies = many.course.levels[played[i].level].looseCount;
-    const uint64_t state = stateHash(worlds[i], std::span(loose).subspan(i * stride, bodies));
+    const uint32_t bodyCount = many.course.levels[played[i].level].bodyCount;
+    const uint64_t state = stateHash(worlds[i], std::span(bodies).subspan(i * stride, bodyCount));
     EXPECT_EQ(state, alone(many.course, i, 400, 5)) << "world " << i;
   }
   EXPECT_EQ(hashesOf(*lanes), hashesOf(*kernel));
-  uint32_t most = 0;
+  uint32_t max = 0;
   const auto episodes = *lanes->episodes();
-  for (const Episode& e : episodes) most = std::max(most, e.number);
-  EXPECT_GE(most, 3u);
+  for (const Episode& e : episodes) max = std::max(max, e.number);
+  EXPECT_GE(max, 3u);
 }
 
 // Every rule ends some worlds. Lanes, kernels and single worlds agree on which.
@@ -233,10 +233,10 @@ TEST(KernelBatch, a_restored_snapshot_goes_on_as_before) {
   const auto batch = *makeKernelBatch(course, kWorlds, device);
   ASSERT_TRUE(batch->step(20, Actions::walker(4)));
   const auto snapshot = *batch->worlds();
-  const auto loose = *batch->loose();
+  const auto bodies = *batch->bodies();
   ASSERT_TRUE(batch->step(50, Actions::walker(4)));
   const uint64_t once = *batch->hash();
-  ASSERT_TRUE(batch->restore(0, snapshot, loose));
+  ASSERT_TRUE(batch->restore(0, snapshot, bodies));
   ASSERT_TRUE(batch->step(50, Actions::walker(4)));
   EXPECT_EQ(*batch->hash(), once);
 }

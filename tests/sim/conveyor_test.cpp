@@ -73,8 +73,8 @@ TEST(Conveyor, a_turning_conveyor_turns_dynamic_parts_about_its_part) {
           .compile();
   Play play(level, {120, 0, 20});
   play.run(stand(), 60);
-  EXPECT_NEAR(play.loose[0].position.x, 100 + 6 * 0.540f, 1);
-  EXPECT_NEAR(play.loose[0].position.z, -6 * 0.841f, 1);
+  EXPECT_NEAR(play.bodies[0].position.x, 100 + 6 * 0.540f, 1);
+  EXPECT_NEAR(play.bodies[0].position.z, -6 * 0.841f, 1);
 }
 
 }  // namespace

@@ -101,7 +101,7 @@ TEST(BoostedGravity, DynamicBodiesKeepTheLevels) {
   Play play(level);
   play.run(stand(true), 60);
   ASSERT_EQ(play.world.clockCount, 1);
-  EXPECT_NEAR(play.loose[0].position.y, 100 - 0.5f * 196.2f, 0.5f);
+  EXPECT_NEAR(play.bodies[0].position.y, 100 - 0.5f * 196.2f, 0.5f);
 }
 
 }  // namespace

@@ -11,16 +11,16 @@ namespace {
 using schema::Part;
 using sim::State;
 
-constexpr uint16_t kMost = 0xffff;
+constexpr uint16_t kMax = 0xffff;
 
 // Expects another jump to give the maximum count, both from one below it and from the maximum.
 void expectToStayAtTheMost(const Play& ready) {
-  for (const uint16_t before : {uint16_t(kMost - 1), kMost}) {
+  for (const uint16_t before : {uint16_t(kMax - 1), kMax}) {
     Play play = ready;
     play.world.jumps = before;
     play.run(stand(true));
     EXPECT_EQ(play.world.state, State::jumping);
-    EXPECT_EQ(play.world.jumps, kMost) << before;
+    EXPECT_EQ(play.world.jumps, kMax) << before;
   }
 }
 
@@ -57,7 +57,7 @@ TEST(JumpCount, SaturatesOnASeat) {
 TEST(JumpCount, LeavesJumpsWhenSaturatedWithoutALimit) {
   level::QueryView query{};
   sim::World w{};
-  w.jumps = kMost;
+  w.jumps = kMax;
   EXPECT_GT(sim::jumpsLeft(query, w), 1000u);
   query.maxJumps = 3;
   EXPECT_EQ(sim::jumpsLeft(query, w), 0u);

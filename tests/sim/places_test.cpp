@@ -129,15 +129,15 @@ TEST(Seat, TheRestartOfAMotionAddsNoSpeed) {
 
 bool isSeated(const World& w) { return w.state == State::seated; }
 
-void looseSeat(Part::Builder p) {
+void dynamicSeat(Part::Builder p) {
   p.initSeat();
   p.setAnchored(false);
 }
 
-Pose seatOf(const Play& play) { return poseOf(play.loose[0], play.level.view().loose[0]); }
+Pose seatOf(const Play& play) { return poseOf(play.bodies[0], play.level.view().bodies[0]); }
 
 TEST(Seat, ADynamicSeatHoldsThePlayer) {
-  const auto level = floorLevel().block({0, 3, -8}, {3, 1, 3}, looseSeat).compile();
+  const auto level = floorLevel().block({0, 3, -8}, {3, 1, 3}, dynamicSeat).compile();
   Play play(level);
   play.run(stand(), 90);  // the seat falls
   ASSERT_GE(play.until(walk(kNorth), isSeated), 0);
@@ -154,20 +154,20 @@ TEST(Seat, ADynamicSeatHoldsThePlayer) {
 
 TEST(Seat, AFallingSeatCarriesThePlayerUntilItsRemoval) {
   LevelBuilder b;
-  b.block({0, 0, 0}, {3, 1, 3}, looseSeat).physics([](auto p) {
+  b.block({0, 0, 0}, {3, 1, 3}, dynamicSeat).physics([](auto p) {
     p.setSeatHeight(10);
     p.setFallenPartsHeight(-50);
   });
   const auto level = b.compile();
   Play play(level, {0, 0.5f, 0});
   ASSERT_GE(play.until(stand(), isSeated, 5), 0);
-  const auto isGone = [&] { return play.loose[0].state == sim::LooseState::gone; };
+  const auto isGone = [&] { return play.bodies[0].state == sim::RigidBodyState::gone; };
   for (int i = 0; i < 120; ++i) {
     play.run(stand());
     if (isGone()) break;
     ASSERT_TRUE(isSeated(play.world)) << i;
     EXPECT_NEAR(play.world.position.y, seatOf(play).position.y + 7, 1e-3f) << i;
-    EXPECT_NEAR(play.world.velocity.y, play.loose[0].velocity.y, 3.5f) << i;
+    EXPECT_NEAR(play.world.velocity.y, play.bodies[0].velocity.y, 3.5f) << i;
   }
   ASSERT_TRUE(isGone());
   EXPECT_EQ(play.world.state, State::freefall);

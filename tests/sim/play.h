@@ -19,13 +19,15 @@ inline sim::Action stand(bool jump = false) { return {0, false, jump}; }
 struct Play {
   const level::Level& level;
   sim::World world;
-  std::vector<sim::LooseBody> loose;
+  std::vector<sim::RigidBody> bodies;
   std::vector<sim::World> history;
 
   uint16_t tricks = 0;  // Params::tricks
 
   explicit Play(const level::Level& l, Vec3 feet = {0, 0, 0}, float yaw = 0)
-      : level(l), world(sim::makeWorld(l.view(), {feet, yaw, 0})), loose(sim::makeLoose(l.view())) {
+      : level(l),
+        world(sim::makeWorld(l.view(), {feet, yaw, 0})),
+        bodies(sim::makeDynamic(l.view())) {
     history.push_back(world);
   }
 
@@ -34,7 +36,7 @@ struct Play {
     level::LevelView view = level.view();
     view.params.tricks = tricks;
     for (int i = 0; i < ticks; ++i) {
-      sim::advance(world, loose.data(), view, nullptr, action);
+      sim::advance(world, bodies.data(), view, nullptr, action);
       history.push_back(world);
     }
     return *this;

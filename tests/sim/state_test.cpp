@@ -77,20 +77,20 @@ TEST(Replay, shows_every_state_and_the_one_before) {
   std::vector<sim::Action> actions(90, walk(kNorth));
   actions.resize(130, walk(kEast, true));
   Play play(level);
-  play.loose = sim::startLoose(level.view());
+  play.bodies = sim::startBodies(level.view());
   uint32_t shown = 0;
   const auto visit = [&](const sim::Moment& now) {
     EXPECT_EQ(now.tick, shown++);
     if (now.tick > 0) play.run(actions[now.tick - 1]);
     const sim::World& before = play.history[now.tick == 0 ? 0 : now.tick - 1];
     EXPECT_EQ(stateHash(now.before), stateHash(before)) << now.tick;
-    EXPECT_EQ(stateHash(now.world, now.loose), stateHash(play.world, play.loose)) << now.tick;
+    EXPECT_EQ(stateHash(now.world, now.bodies), stateHash(play.world, play.bodies)) << now.tick;
     return true;
   };
   const sim::ReplayEnd end = sim::replay(level.view(), nullptr, plan, visit);
   EXPECT_EQ(shown, 131u);
   EXPECT_EQ(end.ticks, 130u);
-  EXPECT_EQ(stateHash(end.world, end.loose), stateHash(play.world, play.loose));
+  EXPECT_EQ(stateHash(end.world, end.bodies), stateHash(play.world, play.bodies));
 }
 
 TEST(Replay, keeps_what_it_shows) {
@@ -98,10 +98,10 @@ TEST(Replay, keeps_what_it_shows) {
   const sim::Plan plan{{}, 0x1234, {{walk(kNorth), 60}, {stand(), 30}}};
   const sim::Replay all = sim::replay(level.view(), nullptr, plan);
   ASSERT_EQ(all.worlds.size(), 91u);
-  ASSERT_EQ(all.loose.size(), 91u);
+  ASSERT_EQ(all.bodies.size(), 91u);
   sim::replay(level.view(), nullptr, plan, [&](const sim::Moment& now) {
-    EXPECT_EQ(stateHash(now.world, now.loose),
-              stateHash(all.worlds[now.tick], all.looseAt(now.tick)))
+    EXPECT_EQ(stateHash(now.world, now.bodies),
+              stateHash(all.worlds[now.tick], all.bodiesAtTick(now.tick)))
         << now.tick;
     return true;
   });

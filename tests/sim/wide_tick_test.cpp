@@ -20,8 +20,8 @@ using support::Walker;
 struct Scene {
   const char* name;
   level::Level (*build)();
-  double leastContact;         // share of ticks with a part to collide with
-  double mostSingle;           // share of ticks that may fall back to the scalar tick
+  double minContact;           // share of ticks with a part to collide with
+  double maxSingle;            // share of ticks that may fall back to the scalar tick
   uint16_t tricks = 0;         // Params::tricks
   uint16_t directionStep = 0;  // Params::directionStep
 };
@@ -110,8 +110,8 @@ TEST_P(WideTick, EqualsTheScalarTickBitForBit) {
     }
     EXPECT_EQ(counts.ticks, 700u * count);
     if (count < 100) continue;
-    EXPECT_GE(double(counts.contact), double(counts.ticks) * GetParam().leastContact);
-    EXPECT_LE(double(counts.single), double(counts.ticks) * GetParam().mostSingle);
+    EXPECT_GE(double(counts.contact), double(counts.ticks) * GetParam().minContact);
+    EXPECT_LE(double(counts.single), double(counts.ticks) * GetParam().maxSingle);
   }
 }
 
@@ -148,21 +148,22 @@ TEST(WideTick, LetsDynamicBodiesSleepOnlyAtRest) {
                                  .compile();
   for (const float up : {0.0f, 196.2f / 6}) {  // the second is at rest after ten ticks
     World wide = makeWorld(level.view(), level.spawns()[0]), single = wide;
-    std::vector<LooseBody> wideLoose = makeLoose(level.view());
-    wideLoose[0].velocity.y = up;
-    std::vector<LooseBody> singleLoose = wideLoose;
+    std::vector<RigidBody> wideBodies = makeDynamic(level.view());
+    wideBodies[0].velocity.y = up;
+    std::vector<RigidBody> singleBodies = wideBodies;
     World* worlds[] = {&wide};
-    LooseBody* loose[] = {wideLoose.data()};
+    RigidBody* bodies[] = {wideBodies.data()};
     const Action action{};
     WideCounts counts;
     for (int t = 0; t < 120; ++t) {
-      tickAll(level.view(), worlds, loose, &action, 1, &counts);
-      tick(single, singleLoose.data(), level.view(), action);
-      ASSERT_EQ(stateHash(wide, wideLoose), stateHash(single, singleLoose)) << up << ", tick " << t;
+      tickAll(level.view(), worlds, bodies, &action, 1, &counts);
+      tick(single, singleBodies.data(), level.view(), action);
+      ASSERT_EQ(stateHash(wide, wideBodies), stateHash(single, singleBodies))
+          << up << ", tick " << t;
     }
-    EXPECT_NEAR(wideLoose[0].position.y, 2, 0.03f) << up;
-    EXPECT_EQ(wideLoose[0].state, LooseState::asleep) << up;
-    EXPECT_GT(counts.looseInLanes, 0u);
+    EXPECT_NEAR(wideBodies[0].position.y, 2, 0.03f) << up;
+    EXPECT_EQ(wideBodies[0].state, RigidBodyState::asleep) << up;
+    EXPECT_GT(counts.bodiesInLanes, 0u);
   }
 }
 

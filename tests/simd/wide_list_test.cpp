@@ -10,10 +10,10 @@
 namespace obby {
 namespace {
 
-constexpr int kMost = 6;
+constexpr int kMax = 6;
 using Item = Vec3T<WideFloat>;
-using One = LaneList<Vec3, float, kMost>;
-using Many = LaneList<Item, WideFloat, kMost>;
+using One = LaneList<Vec3, float, kMax>;
+using Many = LaneList<Item, WideFloat, kMax>;
 
 Vec3 laneOf(const Item& item, int lane) {
   float x[kLanes], y[kLanes], z[kLanes];

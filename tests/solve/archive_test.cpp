@@ -71,17 +71,17 @@ TEST(Archive, KeepsTheBodiesOfEachState) {
   constexpr uint32_t kBodies = 3;
   Archive archive(kMaxCells, kBodies);
   const auto bodiesAt = [](float y) {
-    std::vector<sim::LooseBody> bodies(kBodies);
-    for (sim::LooseBody& b : bodies) b.position.y = y;
+    std::vector<sim::RigidBody> bodies(kBodies);
+    for (sim::RigidBody& b : bodies) b.position.y = y;
     return bodies;
   };
   const auto offer = [&](uint64_t key, uint32_t tick, float y) {
     archive.offer(key, arrival(tick), {tick, 0, tick}, 1, bodiesAt(y).data());
   };
-  const auto heightIn = [&](uint32_t cell) { return archive.loose(cell)[kBodies - 1].position.y; };
+  const auto heightIn = [&](uint32_t cell) { return archive.bodies(cell)[kBodies - 1].position.y; };
   offer(1, 9, 5), offer(2, 9, 5), offer(3, 9, 6), offer(4, 9, 7);
   EXPECT_EQ(heightIn(0), 5);
-  EXPECT_EQ(archive.loose(1).data(), archive.loose(0).data());
+  EXPECT_EQ(archive.bodies(1).data(), archive.bodies(0).data());
   EXPECT_EQ(heightIn(2), 6);
   EXPECT_EQ(heightIn(3), 7);
   offer(1, 8, 8), offer(2, 8, 6), offer(3, 8, 5), offer(4, 8, 9);

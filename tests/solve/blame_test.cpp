@@ -68,7 +68,7 @@ TEST(Blame, SearchesCountItByPart) {
   ThreadPool pool(2);
   GoExplore explore(hot.problem, 1, GoExploreSettings{}, pool);
   ResidentSettings few;
-  few.explore.rollouts = few.explore.mostRollouts = 256;
+  few.explore.rollouts = few.explore.maxRollouts = 256;
   ResidentExplore resident(hot.problem, 1, few, pool);
   for (Search* search : {static_cast<Search*>(&explore), static_cast<Search*>(&resident)}) {
     for (int i = 0; i < 6; ++i) search->round();

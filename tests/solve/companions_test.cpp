@@ -28,7 +28,7 @@ LevelBuilder twoStones(bool second) {
 }
 
 // A run-up and a jump across the gap of 4 studs, at 30 frames a second.
-KnownWay jumpAcross() {
+ActionRuns jumpAcross() {
   const sim::Action walk{0, true, false}, jump{0, true, true}, rest{};
   return {{walk, 9}, {jump, 1}, {walk, 16}, {rest, 30}};
 }
@@ -40,7 +40,7 @@ struct Pair {
     problem = asked.problem();
     problem.known = {jumpAcross()};
     problem.companions.push_back({other.view(), asked.query, sim::makeWorld(other.view(), start()),
-                                  sim::startLoose(other.view())});
+                                  sim::startBodies(other.view())});
   }
   static level::StartPose start() { return {{0, 0, -2}, 0, 0}; }
 
@@ -53,7 +53,7 @@ TEST(Companions, ComeAlongIfTheSameKeysDo) {
   const Pair pair(true);
   const ExploreSetup setup(pair.problem, 1, {});
   const Companions all(pair.problem, setup.rules.context, 1);
-  Companions::Walk walk(all, 0, kKnown);
+  Companions::Walk walk(all, 0, kWarmStart);
   EXPECT_TRUE(walk.follow(9));
   EXPECT_TRUE(walk.follow(50)) << "both stand on the second stone";
 }
@@ -62,7 +62,7 @@ TEST(Companions, AFallenCompanionIsNotThere) {
   const Pair pair(false);
   const ExploreSetup setup(pair.problem, 1, {});
   const Companions all(pair.problem, setup.rules.context, 1);
-  Companions::Walk walk(all, 0, kKnown);
+  Companions::Walk walk(all, 0, kWarmStart);
   EXPECT_TRUE(walk.follow(9));
   EXPECT_FALSE(walk.follow(50));
 }
@@ -71,10 +71,10 @@ TEST(Companions, ContinueFromAKeptWalk) {
   const Pair pair(true);
   const ExploreSetup setup(pair.problem, 1, {});
   Companions all(pair.problem, setup.rules.context, 1);
-  Companions::Walk first(all, 0, kKnown);
+  Companions::Walk first(all, 0, kWarmStart);
   ASSERT_TRUE(first.follow(50));
   all.keep(1, first);
-  Companions::Walk second(all, 1, kKnown);
+  Companions::Walk second(all, 1, kWarmStart);
   EXPECT_TRUE(second.follow(5));
   EXPECT_EQ(second.player().tick, 55u);
   EXPECT_LT(second.player().position.z, first.player().position.z - 1);

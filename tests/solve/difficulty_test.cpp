@@ -3,9 +3,9 @@
 #include <gtest/gtest.h>
 
 #include "hand_played.h"
+#include "solve/report/difficulty/clearance.h"
 #include "solve/report/difficulty/difficulty_records.h"
 #include "solve/report/difficulty/press_windows.h"
-#include "solve/report/difficulty/room.h"
 #include "solve/report/difficulty/trials.h"
 
 namespace obby::solve {
@@ -46,8 +46,8 @@ TEST(NoisyPlayer, RepeatsTheRecordingWithoutNoise) {
   const GapScene scene(7);
   const Course course = scene.jumpAt(-7);
   const std::vector<Segment> segments = segmentsOf(course);
-  const Leg leg(scene.problem, course, segments);
-  NoisyPlayer player(leg, {}, {});
+  const LastSegments rest(scene.problem, course, segments);
+  NoisyPlayer player(rest, {}, {});
   sim::World w = course.at(0);
   for (uint32_t t = 0; t < segments[0].end(); ++t) {
     sim::advance(w, nullptr, scene.problem.level, &scene.problem.query, player.next(w));
@@ -66,8 +66,8 @@ TEST(NoisyPlayer, ReturnsToThePath) {
   problem.query.goal = boxAt({0, 2, -90}, {20, 4, 2});
   const Course course = courseOf(problem, playByHand(problem, walkAndJump(1e3f, 1e3f)));
   const std::vector<Segment> segments = segmentsOf(course);
-  const Leg leg(problem, course, segments);
-  NoisyPlayer player(leg, {}, {});
+  const LastSegments rest(problem, course, segments);
+  NoisyPlayer player(rest, {}, {});
   sim::World w = course.at(0);
   w.position.x = 2;
   for (int t = 0; t < 120; ++t) {
@@ -108,7 +108,8 @@ TEST(PressWindow, IsTheRunUpDividedByTheSpeed) {
     const GapScene scene(gap);
     const Course course = scene.jumpAt(-8.6f);
     const std::vector<Segment> segments = segmentsOf(course);
-    const std::vector<PressWindow> windows = pressWindows(Leg(scene.problem, course, segments), {});
+    const std::vector<PressWindow> windows =
+        pressWindows(LastSegments(scene.problem, course, segments), {});
     ASSERT_EQ(windows.size(), 1u);
     const Params& p = scene.problem.level.params;
     // The floor is sensed this far beyond its edge. A player whose feet are up to a hip height
@@ -129,13 +130,13 @@ TEST(PressWindow, ContainsTheRecordedPressAndTrialsAimAtItsMiddle) {
   // The press comes at the last moment. Most trials still pass, since players know when to press.
   const Course late = scene.jumpAt(-9.8f);
   const std::vector<Segment> segments = segmentsOf(late);
-  const PressWindow w = pressWindows(Leg(scene.problem, late, segments), {})[0];
-  EXPECT_LE(w.most, 2);
+  const PressWindow w = pressWindows(LastSegments(scene.problem, late, segments), {})[0];
+  EXPECT_LE(w.max, 2);
   EXPECT_LT(w.middle(), -4);
   EXPECT_GT(measured(scene.problem, late).success, 0.95f);
 }
 
-TEST(Room, MarginIsTheDistanceToTheNearestEdge) {
+TEST(Clearance, MarginIsTheDistanceToTheNearestEdge) {
   GapScene scene(5, 6);
   const Course course = scene.jumpAt(-7);
   const Segment s = segmentsOf(course)[0];
@@ -153,7 +154,7 @@ schema::Part::Builder deadly(schema::Part::Builder p) {
   return p;
 }
 
-TEST(Room, ClearanceIsTheDistanceToTheNearestKillPart) {
+TEST(Clearance, ClearanceIsTheDistanceToTheNearestKillPart) {
   const auto wall = [](LevelBuilder& b) {
     b.block({6, 3, -20}, {2, 6, 24}, [](schema::Part::Builder p) { deadly(p); });
   };
@@ -276,9 +277,9 @@ TEST(Difficulty, AmongEqualTrialsTheTightestJumpIsHardest) {
     out.passed = passed;
     return out;
   };
-  const DifficultyStep way = step(0, 0), wide = step(1, 300), tight = step(2, 50),
+  const DifficultyStep trajectory = step(0, 0), wide = step(1, 300), tight = step(2, 50),
                        lost = step(1, 0);
-  const DifficultyStep* const ascending[] = {&way, &wide, &tight, &lost};
+  const DifficultyStep* const ascending[] = {&trajectory, &wide, &tight, &lost};
   for (int i = 0; i < 4; ++i) {
     for (int k = 0; k < 4; ++k) EXPECT_EQ(harder(*ascending[i], *ascending[k]), i > k) << i << k;
   }

@@ -63,7 +63,7 @@ TEST(DirectRoute, EndsAtTheLanding) {
   EXPECT_EQ(directRouteOf(scene.problem, course), (Route{0, 1}));
 }
 
-Playthrough played(const Problem& problem, uint32_t waitTicks) {
+Trajectory played(const Problem& problem, uint32_t waitTicks) {
   return playByHand(problem, [=](const sim::World& w) {
     const float z = w.position.z;
     return sim::Action{0, w.tick >= waitTicks, (z < -7 && z > -9) || (z < -19 && z > -21)};
@@ -74,7 +74,7 @@ TEST(Solutions, KeepTheShortestPerRouteAndCountAll) {
   Stones s;
   Solutions solutions(s.problem, byRoute());
   int asked = 0;
-  const auto accept = [&](const Playthrough&) { return ++asked > 0; };
+  const auto accept = [&](const Trajectory&) { return ++asked > 0; };
   EXPECT_EQ(solutions.offer(played(s.problem, 30), accept), Solutions::Offer::kept);
   EXPECT_EQ(solutions.offer(played(s.problem, 60), accept), Solutions::Offer::known);
   EXPECT_EQ(solutions.offer(played(s.problem, 0), accept), Solutions::Offer::kept);
@@ -87,9 +87,9 @@ TEST(Solutions, KeepTheShortestPerRouteAndCountAll) {
   EXPECT_EQ(routes[0].ticks, played(s.problem, 0).ticks);
 }
 
-Way routed(Route route) { return {Playthrough{}, std::move(route), 1}; }
+Solution routed(Route route) { return {Trajectory{}, std::move(route), 1}; }
 
-TEST(WayIdentity, ARouteStaysTheSameWithOneMorePart) {
+TEST(SolutionIdentity, ARouteStaysTheSameWithOneMorePart) {
   const auto same = [](const Route& a, const Route& b) {
     EXPECT_EQ(byRoute().same(routed(a), routed(b)), byRoute().same(routed(b), routed(a)));
     return byRoute().same(routed(a), routed(b));
@@ -107,7 +107,7 @@ TEST(WayIdentity, ARouteStaysTheSameWithOneMorePart) {
 TEST(Solutions, ARefusedTrajectoryIsNotCounted) {
   Stones s;
   Solutions solutions(s.problem, byRoute());
-  const auto refuse = [](const Playthrough&) { return false; };
+  const auto refuse = [](const Trajectory&) { return false; };
   EXPECT_EQ(solutions.offer(played(s.problem, 0), refuse), Solutions::Offer::refused);
   EXPECT_EQ(solutions.count(), 0u);
   EXPECT_TRUE(solutions.routes().empty());

@@ -59,7 +59,7 @@ TEST(EarlierAnswer, StillWorksOnTheSameLevelAtOnce) {
 
 // A field with straight trajectories that fan out. The ends of any two are five studs apart.
 TEST(EarlierAnswer, KeepsAsManySolutionsAsRequested) {
-  constexpr int kWays = 20;
+  constexpr int kTrajectories = 20;
   const std::string field =
       R"({"type":"level","name":"field","parts":[{"name":"Field","position":[0,-0.5,-50],)"
       R"("size":[400,1,120]}],"spawns":[{"position":[0,0,0]}]})"
@@ -67,15 +67,15 @@ TEST(EarlierAnswer, KeepsAsManySolutionsAsRequested) {
       R"({"type":"query","id":"q","goal":{"position":[0,2,-60],"size":[400,4,8]}})"
       "\n";
   std::string before;
-  for (int i = 0; i < kWays; ++i) {
-    const int heading = (65536 + (i - kWays / 2) * 1000) % 65536;
+  for (int i = 0; i < kTrajectories; ++i) {
+    const int heading = (65536 + (i - kTrajectories / 2) * 1000) % 65536;
     before += R"({"type":"trajectory","query":"q","level":"field","outcome":"goal","actions":[)"
               R"({"ticks":500,"walk":true,"heading":)" +
               std::to_string(heading) + "}]}\n";
   }
   FilterOptions o = stepsOnly();
   o.earlier = answersIn(before);
-  o.solver.budget.solutions = kWays;
+  o.solver.budget.solutions = kTrajectories;
   const std::string output = answer(field, std::move(o));
   EXPECT_THAT(output, HasSubstr("\"solutions\":20")) << output.substr(output.size() / 2);
   EXPECT_EQ(roundsOf(output), 0u) << "all were known";
@@ -136,9 +136,10 @@ TEST(EarlierAnswer, IsRememberedOnRequest) {
   const EarlierAnswers kept = filter.takeEarlier();
   const EarlierAnswers read = answersIn(output);
   const EarlierAnswers::For who{{}, 60, 60};
-  ASSERT_GT(kept.waysOf("stones", "q", who).size(), 1u);
-  EXPECT_EQ(kept.waysOf("stones", "q", who).size(), read.waysOf("stones", "q", who).size());
-  EXPECT_TRUE(kept.waysOf("stones", "p", who).empty());
+  ASSERT_GT(kept.trajectoriesOf("stones", "q", who).size(), 1u);
+  EXPECT_EQ(kept.trajectoriesOf("stones", "q", who).size(),
+            read.trajectoriesOf("stones", "q", who).size());
+  EXPECT_TRUE(kept.trajectoriesOf("stones", "p", who).empty());
 }
 
 }  // namespace

@@ -22,7 +22,7 @@ constexpr const char* kQuery =
     R"({"type":"query","id":"q","maxJumps":1,"goal":{"position":[0,2,-30],"size":[8,4,4]}})";
 
 // A trajectory with this number of jumps on the spot, followed by a walk to the goal.
-Playthrough jumpedThenWalked(const Problem& problem, int jumps) {
+Trajectory jumpedThenWalked(const Problem& problem, int jumps) {
   return playByHand(problem, [=](const sim::World& w) {
     if (int(w.jumps) < jumps) return sim::Action{0, false, true};
     return sim::Action{0, w.position.y < 0.3f, false};
@@ -38,11 +38,11 @@ SearchOutcome missing(const Problem& problem, const Budget&, const Watcher& watc
   SearchOutcome outcome;
   outcome.stopped = Stopped::outOfSteps;
   outcome.statistics.steps = 1000;
-  const int32_t most = problem.query.maxJumps;
-  if (most == 1) return outcome;
+  const int32_t max = problem.query.maxJumps;
+  if (max == 1) return outcome;
   ++searches;
-  if (most == 5) return outcome;
-  Playthrough p = jumpedThenWalked(problem, most == 7 ? 3 : 9);
+  if (max == 5) return outcome;
+  Trajectory p = jumpedThenWalked(problem, max == 7 ? 3 : 9);
   if (watcher.accept(p)) outcome.solutions.push_back(std::move(p));
   return outcome;
 }
@@ -64,7 +64,7 @@ TEST(Explain, ReducesAChangeDespiteMissedSolutions) {
   const auto found =
       explain({posed, outcome, footprints}, {"missing", "", missing}, budget, Machine(pool));
   ASSERT_EQ(found.size(), 1u);
-  EXPECT_EQ(found[0].knob, schema::Knob::JUMPS);
+  EXPECT_EQ(found[0].kind, schema::RelaxationKind::JUMPS);
   EXPECT_EQ(found[0].amount, 2);
   EXPECT_EQ(searches, 3);
 }

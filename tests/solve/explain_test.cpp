@@ -17,7 +17,7 @@ using testing::Not;
 using testing::SizeIs;
 
 struct Said {
-  schema::Knob knob;
+  schema::RelaxationKind kind;
   double amount;
   int part, avoid;
   std::string field, text;
@@ -29,9 +29,9 @@ struct Explained {
   schema::Verdict verdict = schema::Verdict::SOLVED;
   std::string reason, bytes;
 
-  const Said* of(schema::Knob knob) const {
+  const Said* of(schema::RelaxationKind kind) const {
     for (const Said& s : all) {
-      if (s.knob == knob) return &s;
+      if (s.kind == kind) return &s;
     }
     return nullptr;
   }
@@ -66,7 +66,7 @@ Explained parsed(const Filtered& f) {
   result.bytes = explainWithoutTiming(f.output);
   for (const auto r : record.getRelaxations()) {
     result.all.push_back(
-        {r.getKnob(), double(r.getAmount()), r.getPart(), r.getAvoid(), r.getField(), r.getText()});
+        {r.getKind(), double(r.getAmount()), r.getPart(), r.getAvoid(), r.getField(), r.getText()});
   }
   return result;
 }
@@ -95,7 +95,7 @@ const std::string kFourth = R"("goal":{"position":[0,2,-52],"size":[8,4,8]})";
 
 TEST(Explain, CountsTheJumpsThatAreNeeded) {
   const Explained e = explainAsk(kFourStones + query(kFourth + R"(,"maxJumps":1)"));
-  const Said* jumps = e.of(schema::Knob::JUMPS);
+  const Said* jumps = e.of(schema::RelaxationKind::JUMPS);
   ASSERT_NE(jumps, nullptr) << e.reason;
   EXPECT_EQ(jumps->amount, 2);
   EXPECT_EQ(jumps->text, "solvable with 3 jumps instead of 1");
@@ -111,7 +111,7 @@ TEST(Explain, CountsTheJumpsOfASegment) {
       kFourStones +
       query(kFourth +
             R"(,"segmentJumps":1,"waypoints":[{"region":{"position":[0,2,-20],"size":[8,4,8]}}])"));
-  const Said* jumps = e.of(schema::Knob::JUMPS);
+  const Said* jumps = e.of(schema::RelaxationKind::JUMPS);
   ASSERT_NE(jumps, nullptr) << e.reason;
   EXPECT_EQ(jumps->amount, 1);
   EXPECT_EQ(jumps->field, "segmentJumps");
@@ -121,7 +121,7 @@ TEST(Explain, CountsTheJumpsOfASegment) {
 // The straight line to the goal's box is 40 studs, at 16 studs/s.
 TEST(Explain, SaysHowLongItTakes) {
   const Explained e = explainAsk(kFourStones + query(kFourth + R"(,"timeLimit":1.5)"));
-  const Said* time = e.of(schema::Knob::TIME);
+  const Said* time = e.of(schema::RelaxationKind::TIME);
   ASSERT_NE(time, nullptr) << e.reason;
   const double limit = 1.5 + time->amount;
   EXPECT_GT(limit, 40 / 16.0);
@@ -138,7 +138,7 @@ TEST(Explain, ALittleLessTimeThanItSaysIsNotEnough) {
     return runFilter(file.path(), std::move(o)).counts.solved == 1;
   };
   const Explained e = explainAsk(kFourStones + query(kFourth + R"(,"timeLimit":2)"));
-  const Said* time = e.of(schema::Knob::TIME);
+  const Said* time = e.of(schema::RelaxationKind::TIME);
   ASSERT_NE(time, nullptr) << e.reason;
   EXPECT_TRUE(solvedIn(2 + time->amount));
   EXPECT_FALSE(solvedIn(2 + time->amount - 0.2));
@@ -165,12 +165,12 @@ TEST(Explain, LowersAPartByNoMoreThanNeeded) {
   ASSERT_GT(truth, 0.5);
   const double top = truth + 1.55;
   const Explained e = explainAsk(stepUp(top));
-  const Said* lowered = e.of(schema::Knob::LOWERED);
+  const Said* lowered = e.of(schema::RelaxationKind::LOWERED);
   ASSERT_NE(lowered, nullptr) << e.reason;
   EXPECT_EQ(lowered->part, 1);
   EXPECT_NEAR(lowered->amount, top - truth, 0.11);
   EXPECT_THAT(lowered->text, HasSubstr("solvable with 'Ledge' 1."));
-  const Said* jumps = e.of(schema::Knob::JUMPS);
+  const Said* jumps = e.of(schema::RelaxationKind::JUMPS);
   ASSERT_NE(jumps, nullptr) << e.reason;
   EXPECT_EQ(jumps->text, "solvable with 1 jump instead of 0");
 }
@@ -180,7 +180,7 @@ TEST(Explain, SaysHowMuchHigherJumpsShouldBe) {
       explainAsk(level(R"({"name":"Floor","position":[0,-0.5,-4],"size":[8,1,8]},)"
                        R"({"name":"Ledge","position":[0,10.5,-14],"size":[8,1,8]})") +
                  query(R"("goal":{"position":[0,11.7,-14],"size":[4,0.6,4]})"));
-  const Said* higher = e.of(schema::Knob::JUMP_HEIGHT);
+  const Said* higher = e.of(schema::RelaxationKind::JUMP_HEIGHT);
   ASSERT_NE(higher, nullptr) << e.reason;
   EXPECT_GT(higher->amount, 0.5);
   EXPECT_LT(higher->amount, 3);
@@ -202,7 +202,7 @@ TEST(Explain, NamesTheKillPartInTheWay) {
   const Explained e = explainAsk(corridor(kLava) + query(kEnd));
   EXPECT_EQ(e.verdict, schema::Verdict::UNKNOWN);
   ASSERT_THAT(e.all, SizeIs(1)) << e.reason;
-  EXPECT_EQ(e.all[0].knob, schema::Knob::KILL_PART);
+  EXPECT_EQ(e.all[0].kind, schema::RelaxationKind::KILL_PART);
   EXPECT_EQ(e.all[0].part, 2);
   EXPECT_EQ(e.all[0].amount, 0);
   EXPECT_EQ(e.all[0].text, "solvable if 'Lava' were harmless");
@@ -213,7 +213,7 @@ TEST(Explain, NamesTheAvoidRegionInTheWay) {
       R"("avoid":[{"position":[90,0,0]},{"name":"dark","position":[0,20,-14],"size":[20,60,2]}])";
   const Explained e = explainAsk(corridor("") + query(kEnd + "," + avoid));
   ASSERT_THAT(e.all, SizeIs(1)) << e.reason;
-  EXPECT_EQ(e.all[0].knob, schema::Knob::AVOID);
+  EXPECT_EQ(e.all[0].kind, schema::RelaxationKind::AVOID);
   EXPECT_EQ(e.all[0].avoid, 1);
   EXPECT_EQ(e.all[0].field, "avoid[1]");
   EXPECT_EQ(e.all[0].text, "solvable if entering avoid region 'dark' were allowed");
@@ -222,7 +222,7 @@ TEST(Explain, NamesTheAvoidRegionInTheWay) {
 TEST(Explain, NamesTheForbiddenState) {
   const Explained e =
       explainAsk(kFourStones + query(kFourth + R"(,"forbid":["climbing","jumping"])"));
-  const Said* state = e.of(schema::Knob::FORBIDDEN);
+  const Said* state = e.of(schema::RelaxationKind::FORBIDDEN);
   ASSERT_NE(state, nullptr) << e.reason;
   EXPECT_EQ(state->field, "forbid[1]");
   EXPECT_EQ(state->text, "solvable if jumping were allowed");
@@ -233,11 +233,11 @@ TEST(Explain, SaysHowMuchHealthItCosts) {
   const std::string burning =
       R"(,{"name":"Embers","position":[0,40,-14],"size":[40,100,2],"solid":false,"kill":{"damage":30,"cooldown":5}})";
   const Explained e = explainAsk(corridor(burning) + query(kEnd + R"(,"maxDamage":10)"));
-  const Said* damage = e.of(schema::Knob::DAMAGE);
+  const Said* damage = e.of(schema::RelaxationKind::DAMAGE);
   ASSERT_NE(damage, nullptr) << e.reason;
   EXPECT_EQ(damage->amount, 20);
   EXPECT_EQ(damage->text, "solvable with 30 health lost instead of 10");
-  const Said* part = e.of(schema::Knob::KILL_PART);
+  const Said* part = e.of(schema::RelaxationKind::KILL_PART);
   ASSERT_NE(part, nullptr) << e.reason;
   EXPECT_EQ(part->part, 2);
   EXPECT_THAT(e.reason, HasSubstr("lost more health than allowed, the last of it to 'Embers'"));

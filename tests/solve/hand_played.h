@@ -8,16 +8,16 @@
 
 namespace obby::solve {
 
-// Plays until the end of the trajectory, for at most `most` ticks.
-inline Playthrough playByHand(const Problem& problem,
-                              const std::function<sim::Action(const sim::World&)>& keys,
-                              uint32_t most = 1500) {
-  Playthrough p;
+// Plays until the end of the trajectory, for at most `max` ticks.
+inline Trajectory playByHand(const Problem& problem,
+                             const std::function<sim::Action(const sim::World&)>& keys,
+                             uint32_t max = 1500) {
+  Trajectory p;
   p.end = problem.start;
-  p.endLoose = problem.startLoose;
-  while (p.end.outcome == sim::Outcome::running && p.ticks < most) {
+  p.endBodies = problem.startBodies;
+  while (p.end.outcome == sim::Outcome::running && p.ticks < max) {
     p.actions.push_back({keys(p.end), 1});
-    sim::advance(p.end, p.endLoose.data(), problem.level, &problem.query, p.actions.back().action);
+    sim::advance(p.end, p.endBodies.data(), problem.level, &problem.query, p.actions.back().action);
     ++p.ticks;
   }
   return p;

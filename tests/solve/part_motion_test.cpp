@@ -38,9 +38,9 @@ TEST(PartMotion, BoundsCornersUnderKeysAndSpin) {
     for (uint32_t corner = 0; corner < 8; ++corner) {
       const Vec3 at{(corner & 1) != 0 ? 1.0f : -1.0f, (corner & 2) != 0 ? 1.0f : -1.0f,
                     (corner & 4) != 0 ? 1.0f : -1.0f};
-      const Vec3 way = toWorld(after, at) - toWorld(before, at);
-      upward = std::max(upward, absf(way.y) * rate);
-      sideways = std::max(sideways, length(Vec3{way.x, 0, way.z}) * rate);
+      const Vec3 trajectory = toWorld(after, at) - toWorld(before, at);
+      upward = std::max(upward, absf(trajectory.y) * rate);
+      sideways = std::max(sideways, length(Vec3{trajectory.x, 0, trajectory.z}) * rate);
     }
   }
   EXPECT_LE(upward, motion.upward);

@@ -141,12 +141,12 @@ TEST(Players, EachBodyMeansAllThatThePlaceAllows) {
 
 TEST(Players, AnswersDoNotDependOnThreads) {
   const std::string text = stonesText(R"(,"bodies":["r6","r15"],"frameRates":[30,240])");
-  const auto ways = [&](int threads) {
+  const auto trajectories = [&](int threads) {
     FilterOptions o = quickly();
     o.threads = threads;
     return lines(playersAnswer(text, std::move(o)), "trajectory");
   };
-  EXPECT_EQ(ways(1), ways(3));
+  EXPECT_EQ(trajectories(1), trajectories(3));
 }
 
 TEST(SameKeys, SolveTheQueryForEveryPlayer) {
@@ -181,16 +181,16 @@ TEST(SameKeys, AreNotSearchedIfOnePlayerCannot) {
 
 TEST(Retimed, KeysRoundToThePlayersNextTick) {
   const sim::Action walk{100, true, false}, jump{100, true, true};
-  const KnownWay way{{walk, 5}, {jump, 1}, {walk, 10}};
-  const auto ticks = [](const KnownWay& w) {
+  const ActionRuns runs{{walk, 5}, {jump, 1}, {walk, 10}};
+  const auto ticks = [](const ActionRuns& w) {
     std::vector<uint32_t> result;
     for (const sim::ActionRun& run : w) result.push_back(run.ticks);
     return result;
   };
-  EXPECT_THAT(ticks(retimed(way, 30, 240)), ElementsAre(40u, 8u, 80u));
-  EXPECT_THAT(ticks(retimed(way, 30, 144)), ElementsAre(24u, 5u, 48u));
+  EXPECT_THAT(ticks(retimed(runs, 30, 240)), ElementsAre(40u, 8u, 80u));
+  EXPECT_THAT(ticks(retimed(runs, 30, 144)), ElementsAre(24u, 5u, 48u));
   // The jump begins and ends between two ticks.
-  EXPECT_THAT(ticks(retimed(way, 240, 60)), ElementsAre(2u, 2u));
+  EXPECT_THAT(ticks(retimed(runs, 240, 60)), ElementsAre(2u, 2u));
 }
 
 TEST(PlayersText, NamesPlayersWithAndWithoutASolution) {

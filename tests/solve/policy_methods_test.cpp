@@ -9,7 +9,7 @@
 #include "solve/methods.h"
 #include "solve/search/methods/go_explore_method.h"
 #include "solve/search/rollouts/explorer.h"
-#include "solve/search/selectors/choose_policy.h"
+#include "solve/search/selectors/policy_selector.h"
 #include "untimed.h"
 
 namespace obby::solve {
@@ -95,7 +95,7 @@ TEST(PolicyMethods, DifferFromSearchWithoutAPolicy) {
 }
 
 // A selector that takes the first cells in turn.
-class InTurn : public Chooser {
+class InTurn : public Selector {
  public:
   void choose(const Archive& archive, ThreadPool&, Random&, std::span<Choice> choices) override {
     for (size_t i = 0; i < choices.size(); ++i) choices[i].cell = uint32_t(i) % archive.cellCount();
@@ -108,12 +108,12 @@ TEST(PolicyFirst, RunsOncePerStateUntilAnImprovement) {
   world.tick = 10;
   archive.offer(7, world, {0, kNone, 0}, 1);
   archive.offer(8, world, {1, 0, 5}, 1);
-  PolicyFirstChooser chooser(std::make_unique<InTurn>());
+  PolicyFirstSelector selector(std::make_unique<InTurn>());
   ThreadPool pool(1);
   Random random(1, 1);
   const auto policies = [&] {
     std::vector<Choice> choices(4);
-    chooser.choose(archive, pool, random, choices);
+    selector.choose(archive, pool, random, choices);
     std::vector<bool> by;
     for (const Choice& c : choices) by.push_back(c.by == kByPolicy);
     return by;
@@ -127,13 +127,13 @@ TEST(PolicyFirst, RunsOncePerStateUntilAnImprovement) {
 
 TEST(PolicyAlone, BeginsWithTheLikeliestMovesAndLengthensRolloutsLater) {
   const Archive archive;
-  PolicyAloneChooser chooser;
+  PolicyAloneSelector selector;
   ThreadPool pool(1);
   Random random(1, 1);
-  const uint32_t patience = PolicyAloneChooser::kPatience;
+  const uint32_t patience = PolicyAloneSelector::kPatience;
   for (uint32_t round = 0; round < 2 * patience; ++round) {
     std::vector<Choice> choices(3, {7, 400});
-    chooser.choose(archive, pool, random, choices);
+    selector.choose(archive, pool, random, choices);
     for (size_t i = 0; i < choices.size(); ++i) {
       EXPECT_EQ(choices[i].cell, 0u);
       EXPECT_EQ(choices[i].by, round + i == 0 ? kByPolicy | kLikeliest : kByPolicy) << round;
@@ -145,13 +145,13 @@ TEST(PolicyAlone, BeginsWithTheLikeliestMovesAndLengthensRolloutsLater) {
 TEST(PolicyFirst, StartsAtItsRound) {
   Archive archive;
   archive.offer(7, sim::World{}, {0, kNone, 0}, 1);
-  PolicyFirstChooser chooser(std::make_unique<InTurn>(), 3);
+  PolicyFirstSelector selector(std::make_unique<InTurn>(), 3);
   ThreadPool pool(1);
   Random random(1, 1);
   for (uint32_t round = 1; round <= 4; ++round) {
     archive.nextEpoch();
     std::vector<Choice> choices(1);
-    chooser.choose(archive, pool, random, choices);
+    selector.choose(archive, pool, random, choices);
     EXPECT_EQ(choices[0].by, round == 3 ? kByPolicy : 0) << round;
   }
 }
@@ -189,7 +189,7 @@ TEST(PolicyMethods, ThePolicyPlaysEveryTickOfARollout) {
 TEST(PlainGoExplore, MatchesTheDocumentation) {
   const GoExploreSettings s = plainSettings();
   EXPECT_EQ(s.rollouts, 8192u);
-  EXPECT_EQ(s.mostRollouts, 8192u);
+  EXPECT_EQ(s.maxRollouts, 8192u);
   EXPECT_FALSE(s.groundedOnly);
   EXPECT_EQ(s.lookEvery, 1u);
   EXPECT_EQ(s.cellWidth, 1);

@@ -20,7 +20,7 @@ Problem problemOf(const level::Level& level, const level::QueryView& query = {})
   return {level.view(),
           query,
           sim::makeWorld(level.view(), start),
-          sim::startLoose(level.view()),
+          sim::startBodies(level.view()),
           level.bounds(),
           level.hasMotion()};
 }

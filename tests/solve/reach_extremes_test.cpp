@@ -14,7 +14,7 @@ namespace {
 // higher. The climb continues onto the floor at the speed of both, and a tick later the floor is
 // far below.
 TEST(ReachExtremes, HoldsForAClimbOntoARisingFloor) {
-  float most = 0;
+  float max = 0;
   for (int i = 0; i < 10; ++i) {
     const float high = 8.1f + 0.2f * float(i), over = 1.7f;
     LevelBuilder b;
@@ -31,12 +31,12 @@ TEST(ReachExtremes, HoldsForAClimbOntoARisingFloor) {
     sim::World w = problem.start;
     for (uint32_t t = 0; t < 300 && w.outcome == sim::Outcome::running; ++t) {
       sim::advance(w, nullptr, level.view(), nullptr, {0, true, false});
-      most = std::max(most, w.position.y - high - over);
+      max = std::max(max, w.position.y - high - over);
       ASSERT_TRUE(bound.holds(w.position))
           << "truss of " << high << ", tick " << t << ": " << w.position.y << ", " << w.position.z;
     }
   }
-  EXPECT_GT(most, 150) << "nobody was thrown by both";
+  EXPECT_GT(max, 150) << "nobody was thrown by both";
 }
 
 // With strong dampers and no springs, a player resting on the floor reaches the floor's speed

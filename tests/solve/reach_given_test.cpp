@@ -14,7 +14,7 @@ Problem reachGivenProblemOf(const level::Level& level) {
   return {level.view(),
           {},
           sim::makeWorld(level.view(), level.spawns()[0]),
-          sim::startLoose(level.view()),
+          sim::startBodies(level.view()),
           level.bounds(),
           level.hasMotion()};
 }

@@ -33,7 +33,7 @@ TEST(ReachPhysics, BouncingLegsAreUnbounded) {
 
 // One tick of a fast climb, 7.7 studs, leads far past the top of the truss.
 TEST(ReachPhysics, HoldsForAFastClimb) {
-  float most = 0;
+  float max = 0;
   for (int i = 0; i < 9; ++i) {
     const float high = 19.1f + 0.2f * float(i);  // after two ticks the torso is still below the top
     LevelBuilder b;
@@ -50,12 +50,12 @@ TEST(ReachPhysics, HoldsForAFastClimb) {
     sim::World w = problem.start;
     for (uint32_t t = 0; t < 240 && w.outcome == sim::Outcome::running; ++t) {
       sim::advance(w, nullptr, level.view(), nullptr, {0, true, false});
-      most = std::max(most, w.position.y - high);
+      max = std::max(max, w.position.y - high);
       ASSERT_TRUE(bound.holds(w.position))
           << "truss of " << high << ", tick " << t << ": " << w.position.y << ", " << w.position.z;
     }
   }
-  EXPECT_GT(most, 542) << "nobody flew off its top";
+  EXPECT_GT(max, 542) << "nobody flew off its top";
 }
 
 }  // namespace

@@ -33,8 +33,8 @@ TEST(ResidentArchive, EveryStateIsRegeneratedFromItsTrajectory) {
     rounds(search, 6);
     const std::vector<ArchivedCell> cells = search.cells();
     for (size_t c = 0; c < cells.size(); c += scene->replayed) {
-      const Playthrough p = search.playthrough(search.nodes()[cells[c].node]);
-      ASSERT_EQ(sim::stateHash(p.end, p.endLoose), sim::stateHash(cells[c].world, cells[c].loose))
+      const Trajectory p = search.trajectoryTo(search.nodes()[cells[c].node]);
+      ASSERT_EQ(sim::stateHash(p.end, p.endBodies), sim::stateHash(cells[c].world, cells[c].bodies))
           << name << ", cell " << c;
     }
   }
@@ -51,7 +51,7 @@ TEST(ResidentArchive, CellsAreDistinctAndSoAreTheirNodes) {
   std::set<uint64_t> keys;
   std::set<uint32_t> nodes;
   for (const ArchivedCell& c : search.cells()) {
-    keys.insert(cellKey(setup.rules.binning, c.world, c.loose.data()));
+    keys.insert(cellKey(setup.rules.binning, c.world, c.bodies.data()));
     nodes.insert(c.node);
   }
   EXPECT_EQ(keys.size(), search.cellCount());
@@ -94,7 +94,7 @@ TEST(ResidentArchive, GrowsWithItsContent) {
   ASSERT_GT(search.cellCount(), 20'000u);
   const std::vector<ArchivedCell> cells = search.cells();
   for (size_t c = 0; c < cells.size(); c += 97) {
-    const Playthrough p = search.playthrough(search.nodes()[cells[c].node]);
+    const Trajectory p = search.trajectoryTo(search.nodes()[cells[c].node]);
     ASSERT_EQ(sim::stateHash(p.end), sim::stateHash(cells[c].world)) << c;
   }
 }

@@ -15,14 +15,14 @@ struct Visit {
 class ResidentMerge : public testing::Test {
  protected:
   // Merges one round of trajectories with these visits.
-  RoundFindings merge(const std::vector<std::vector<Visit>>& ways) {
-    PlayedWays played;
-    played.room = 4;
-    for (const auto& visits : ways) {
-      PlayedWay way{scene_.question.problem().start, {}, uint32_t(visits.size())};
-      played.ways.push_back(way);
-      for (uint32_t n = 0; n < played.room; ++n) {
-        sim::World w = way.end;
+  RoundFindings merge(const std::vector<std::vector<Visit>>& trajectories) {
+    PlayedStarts played;
+    played.capacity = 4;
+    for (const auto& visits : trajectories) {
+      PlayedStart trajectory{scene_.question.problem().start, {}, uint32_t(visits.size())};
+      played.trajectories.push_back(trajectory);
+      for (uint32_t n = 0; n < played.capacity; ++n) {
+        sim::World w = trajectory.end;
         const Visit v = n < visits.size() ? visits[n] : Visit{};
         w.tick = v.tick;
         w.jumps = v.jumps;
@@ -32,7 +32,7 @@ class ResidentMerge : public testing::Test {
         played.ticks.push_back(v.tick);
       }
     }
-    auto found = rounds().take(kKnown, played);
+    auto found = rounds().take(kWarmStart, played);
     EXPECT_TRUE(found);
     return *std::move(found);
   }
@@ -66,8 +66,8 @@ TEST_F(ResidentMerge, RanksByTicksThenJumpsThenOrder) {
   EXPECT_EQ(markOf(1), 3);
   EXPECT_EQ(markOf(2), 4);
   EXPECT_EQ(markOf(3), 5);
-  EXPECT_EQ(f.nodes[0].rollout, kKnown);
-  EXPECT_EQ(f.nodes[1].rollout, kKnown + 1);
+  EXPECT_EQ(f.nodes[0].rollout, kWarmStart);
+  EXPECT_EQ(f.nodes[1].rollout, kWarmStart + 1);
   EXPECT_EQ(f.nodes[1].ticks, 19u);
   EXPECT_EQ(f.report.lastFinder, 2u);
   EXPECT_EQ(f.report.sightings, 3u);  // each was found by several rollouts
@@ -80,7 +80,7 @@ TEST_F(ResidentMerge, AnIncumbentIsReplacedByABetterOneOnly) {
   const RoundFindings f = merge({{{7, 20, 0, 4}}, {{7, 19, 9, 5}}});
   EXPECT_EQ(f.cells, 2u);
   ASSERT_EQ(f.nodes.size(), 1u);
-  EXPECT_EQ(f.nodes[0].rollout, kKnown + 1);
+  EXPECT_EQ(f.nodes[0].rollout, kWarmStart + 1);
   EXPECT_EQ(f.report.lastFinder, 0u);
   EXPECT_EQ(markOf(1), 5);
   EXPECT_EQ((*rounds().cells(0))[1].seen, 4u);
@@ -107,7 +107,7 @@ TEST_F(ResidentMerge, CellsBeyondTheCapacityAreDroppedInOrder) {
   const RoundFindings g = merge({{{9, 10, 0, 5}, {8, 10, 0, 6}}, {{7, 10, 0, 7}}});
   EXPECT_EQ(g.cells, 3u);
   ASSERT_EQ(g.nodes.size(), 2u);
-  EXPECT_EQ(g.nodes[1].rollout, kKnown + 1);
+  EXPECT_EQ(g.nodes[1].rollout, kWarmStart + 1);
   EXPECT_EQ(markOf(1), 7);
   EXPECT_EQ(markOf(2), 6);
   const auto cells = *rounds().cells(0);

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "golden/loose_scenes.h"
+#include "golden/dynamic_scenes.h"
 #include "scenes.h"
 #include "solve/search/resident/resident_explore.h"
 
@@ -12,7 +12,7 @@ namespace obby::solve {
 inline ResidentSettings smallRounds(uint32_t rollouts = 256) {
   ResidentSettings s;
   s.explore.rollouts = rollouts;
-  s.explore.mostRollouts = 4 * rollouts;
+  s.explore.maxRollouts = 4 * rollouts;
   return s;
 }
 
@@ -38,7 +38,7 @@ inline std::vector<std::pair<const char*, std::unique_ptr<ResidentScene>>> resid
   Question& q = all.back().second->question;
   q.waypoints = {{boxAt({3, 2, -18}, {2, 4, 2})}, {boxAt({-3, 2, -1}, {2, 4, 2})}};
   q.query.goal = boxAt({0, 2, -28}, {8, 4, 8});
-  all.emplace_back("loose", std::make_unique<ResidentScene>(golden::looseBodies()));
+  all.emplace_back("loose", std::make_unique<ResidentScene>(golden::dynamicBodies()));
   all.back().second->rollouts = 24;  // dynamic bodies are slow
   all.back().second->replayed = 7;
   return all;
@@ -50,8 +50,8 @@ inline void expectSameArchive(const ResidentExplore& a, const ResidentExplore& b
   ASSERT_EQ(left.size(), right.size()) << name;
   ASSERT_EQ(left.size(), a.cellCount()) << name;
   for (size_t c = 0; c < left.size(); ++c) {
-    ASSERT_EQ(sim::stateHash(left[c].world, left[c].loose),
-              sim::stateHash(right[c].world, right[c].loose))
+    ASSERT_EQ(sim::stateHash(left[c].world, left[c].bodies),
+              sim::stateHash(right[c].world, right[c].bodies))
         << name << ", cell " << c;
     ASSERT_EQ(left[c].node, right[c].node) << name << ", cell " << c;
     ASSERT_EQ(left[c].seen, right[c].seen) << name << ", cell " << c;
@@ -61,7 +61,7 @@ inline void expectSameArchive(const ResidentExplore& a, const ResidentExplore& b
   EXPECT_EQ(s.steps, t.steps) << name;
   EXPECT_EQ(s.idleRollouts, t.idleRollouts) << name;
   EXPECT_EQ(s.closest.distance, t.closest.distance) << name;
-  EXPECT_EQ(s.closest.way.rollout, t.closest.way.rollout) << name;
+  EXPECT_EQ(s.closest.node.rollout, t.closest.node.rollout) << name;
 }
 
 }  // namespace obby::solve

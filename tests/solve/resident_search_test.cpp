@@ -85,22 +85,22 @@ TEST(ResidentSearch, TriesEarlierAnswersFirst) {
     ASSERT_LT(search.statistics().steps, 3'000'000u);
     search.round();
   }
-  problem.known = {search.playthrough(search.goals()[0]).actions};
+  problem.known = {search.trajectoryTo(search.goals()[0]).actions};
   ResidentExplore again(problem, 2, smallRounds(), {pool});
-  again.tryKnown(0, 1);
+  again.tryWarmStarts(0, 1);
   ASSERT_EQ(again.goals().size(), 1u);
-  EXPECT_EQ(sim::stateHash(again.playthrough(again.goals()[0]).end),
-            sim::stateHash(search.playthrough(search.goals()[0]).end));
+  EXPECT_EQ(sim::stateHash(again.trajectoryTo(again.goals()[0]).end),
+            sim::stateHash(search.trajectoryTo(search.goals()[0]).end));
   EXPECT_GT(again.cellCount(), 5u);
   again.round();
   for (const ArchivedCell& c : again.cells()) {
-    ASSERT_EQ(sim::stateHash(again.playthrough(again.nodes()[c.node]).end),
+    ASSERT_EQ(sim::stateHash(again.trajectoryTo(again.nodes()[c.node]).end),
               sim::stateHash(c.world));
   }
   // If a device fails later, the search restarts from the known solutions.
   support::FailingDevice failing(pool, 12);
   ResidentExplore restarted(problem, 2, smallRounds(), {pool, &failing});
-  restarted.tryKnown(0, 1);
+  restarted.tryWarmStarts(0, 1);
   restarted.round();
   EXPECT_FALSE(restarted.deviceStatus());
   expectSameArchive(restarted, again, "restarted");
@@ -116,7 +116,7 @@ TEST(ResidentSearch, CountsHowAttemptsEnd) {
   for (const EndCount& e : search.attempts().counts()) ends += e.count;
   EXPECT_EQ(ends, search.statistics().rollouts);
   for (const AttemptEnd& e : search.attempts().sample(20, {})) {
-    EXPECT_EQ(search.playthrough(e.way).end.outcome, e.outcome);
+    EXPECT_EQ(search.trajectoryTo(e.node).end.outcome, e.outcome);
   }
 }
 

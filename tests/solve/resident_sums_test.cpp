@@ -27,10 +27,10 @@ struct Sums {
   SumTree tree;
 };
 
-std::vector<uint64_t> randomWeights(uint32_t count, uint32_t most) {
+std::vector<uint64_t> randomWeights(uint32_t count, uint32_t max) {
   Random random(3, count);
   std::vector<uint64_t> weights(count);
-  for (uint64_t& w : weights) w = random.below(most);
+  for (uint64_t& w : weights) w = random.below(max);
   weights[count / 2] += 1;  // the total is never zero
   return weights;
 }

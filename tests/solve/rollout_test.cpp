@@ -1,5 +1,5 @@
 #include "solve/search/rollouts/rollout.h"
-#include "solve/search/rollouts/doom.h"
+#include "solve/search/rollouts/fatal_fall.h"
 
 #include <gtest/gtest.h>
 
@@ -21,7 +21,7 @@ struct RolloutScene {
     return {p.level,          p.query,
             surfaces.view(),  jumpReach(p.level.params),
             {aimShare, 0.1f}, limitsJumps(p.query),
-            doomHeight(p)};
+            fatalHeight(p)};
   }
   level::Level level;
   Question question;

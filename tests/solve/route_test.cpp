@@ -82,7 +82,7 @@ TEST(Route, TrussesAndMovingPlatformsCarry) {
   Question question(level);
   Problem problem = question.problem();
   problem.query.goal = boxAt({0, 13, -17}, {8, 4, 2});
-  const Playthrough p = playByHand(problem, [](const sim::World&) {
+  const Trajectory p = playByHand(problem, [](const sim::World&) {
     return sim::Action{0, true, false};
   });
   ASSERT_EQ(p.end.outcome, sim::Outcome::goal);
@@ -103,7 +103,7 @@ TEST(Route, SeatsAndDynamicPartsCarry) {
   Question question(level);
   Problem problem = question.problem();
   problem.query.goal = boxAt({0, 3, -17.5f}, {8, 4, 1});
-  const Playthrough p = playByHand(problem, [](const sim::World& w) {
+  const Trajectory p = playByHand(problem, [](const sim::World& w) {
     const bool leaves = w.state == sim::State::seated && w.tick > 60;
     return sim::Action{0, true, leaves};
   });
@@ -125,7 +125,7 @@ TEST(Route, AToeBeyondTheSeamIsNotAnotherSupport) {
   Question question(level);
   Problem problem = question.problem();
   problem.query.goal = boxAt({0, 2, -30}, {8, 4, 2});
-  const Playthrough p = playByHand(problem, [](const sim::World&) {
+  const Trajectory p = playByHand(problem, [](const sim::World&) {
     return sim::Action{0, true, false};
   });
   ASSERT_EQ(p.end.outcome, sim::Outcome::goal);

@@ -42,7 +42,7 @@ TEST(Potential, RisesTowardTheGoalAndWithWaypoints) {
   EXPECT_FLOAT_EQ(distanceLeft(q.problem().query, w), 0);
 }
 
-TEST(Selector, PicksInProportionToTheWeights) {
+TEST(CellSelector, PicksInProportionToTheWeights) {
   Archive archive;
   const uint32_t cells = 1500;  // several blocks of sums
   for (uint32_t i = 0; i < cells; ++i) {
@@ -50,7 +50,7 @@ TEST(Selector, PicksInProportionToTheWeights) {
   }
   for (uint32_t i = 0; i < 8; ++i) archive.countSeen(0);
   ThreadPool pool(2);
-  Selector selector(0.1f);
+  CellSelector selector(0.1f);
   selector.update(archive, pool);
   Random random(1, 2);
   std::vector<double> share(3, 0);
@@ -68,14 +68,14 @@ TEST(Selector, PicksInProportionToTheWeights) {
   EXPECT_NEAR(first, draws * (4.0 / 3) / (2.0 * cells), 40);  // a third of its fresh weight
 }
 
-TEST(Selector, SameChoicesForAnyNumberOfThreads) {
+TEST(CellSelector, SameChoicesForAnyNumberOfThreads) {
   Archive archive;
   for (uint32_t i = 0; i < 20000; ++i) archive.offer(i + 1, sim::World{}, {}, 1 + float(i % 7));
   for (uint32_t i = 0; i < 20000; i += 3) archive.countSeen(i);
   std::vector<uint32_t> expected;
   for (const int threads : {1, 2, 3, 8}) {
     ThreadPool pool(threads);
-    Selector selector(0.1f);
+    CellSelector selector(0.1f);
     selector.update(archive, pool);
     Random random(5, 6);
     std::vector<uint32_t> picks;

@@ -34,8 +34,7 @@ class Scene {
     broadphase_.getOverlappingPairCache()->setInternalGhostPairCallback(&ghosts_);
     for (uint32_t i = 0; i < level.colliderCount; ++i) {
       const level::Collider& c = level.colliders[i];
-      if (c.kind != geom::ShapeKind::block || c.mover != level::kNone ||
-          c.loose != level::kNotLoose)
+      if (c.kind != geom::ShapeKind::block || c.mover != level::kNone || c.body != level::kNoBody)
         continue;
       shapes_.push_back(std::make_unique<btBoxShape>(bulletVector(c.shape.half)));
       add(shapes_.back().get(), 0, bulletTransform(c.pose.rotation, c.pose.position));
@@ -117,9 +116,9 @@ class KinematicPlayer : public Player {
   void step(const Hands& hands) override {
     if (hands.jump && stands()) controller_->jump();
     const bool rises = controller_->getLinearVelocity().y() > 0;
-    const btScalar most = (stands() ? game_.groundAccel : game_.airAccel) * kStep;
+    const btScalar max = (stands() ? game_.groundAccel : game_.airAccel) * kStep;
     btVector3 lacking = hands.wanted - velocity_;
-    if (lacking.length() > most) lacking *= most / lacking.length();
+    if (lacking.length() > max) lacking *= max / lacking.length();
     // The controller lifts a moving body by this height, moves it, and puts it down again. In the
     // air this pushed it into the part above, which threw it half a stud in a step.
     controller_->setStepHeight(stands() ? game_.stepHeight : 0);

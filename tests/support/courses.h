@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "golden/loose_scenes.h"
+#include "golden/dynamic_scenes.h"
 #include "sim/batch.h"
 #include "sim/simulator.h"
 
@@ -61,7 +61,7 @@ inline Levels everyKind() {
   std::vector<level::Level> levels;
   for (const auto& build :
        {golden::killers, golden::roles, golden::vanishing, golden::hulls, golden::clocks,
-        golden::places, golden::looseBodies, golden::looseStack}) {
+        golden::places, golden::dynamicBodies, golden::dynamicStack}) {
     levels.push_back(build().compile());
   }
   levels.push_back(golden::movers(true).compile());

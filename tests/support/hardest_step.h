@@ -84,14 +84,14 @@ using Actions = std::vector<sim::Action>;
 // it.
 inline float missOf(const Problem& problem, const Actions& actions) {
   sim::World w = problem.start;
-  float least = 1e30f;
+  float lowest = 1e30f;
   for (const sim::Action& a : actions) {
     sim::advance(w, nullptr, problem.level, &problem.query, a);
     if (w.outcome == sim::Outcome::goal) return 0;
     if (w.outcome != sim::Outcome::running) break;
-    least = std::min(least, geom::distance(problem.query.goal.region, w.position));
+    lowest = std::min(lowest, geom::distance(problem.query.goal.region, w.position));
   }
-  return least;
+  return lowest;
 }
 
 // Returns mutated actions: other headings for a while, or a tick more or less.
@@ -126,15 +126,15 @@ inline float climb(const Build& build, float studs, float enough, Actions action
     Scene scene = build(next);
     const level::Level level = scene.level.compile();
     const Problem problem = support::plainProblem(level, queryFor(scene));
-    float least = missOf(problem, actions);
-    for (uint64_t tried = 0; least > 0 && tried < steps; tried += actions.size()) {
+    float lowest = missOf(problem, actions);
+    for (uint64_t tried = 0; lowest > 0 && tried < steps; tried += actions.size()) {
       Actions other = changed(actions, random);
       const float miss = missOf(problem, other);
-      if (miss > least) continue;
-      least = miss;
+      if (miss > lowest) continue;
+      lowest = miss;
       actions = std::move(other);
     }
-    if (least > 0) break;
+    if (lowest > 0) break;
     studs = next;
   }
   return studs;
@@ -150,7 +150,7 @@ inline Actions solutionOf(const Build& build, float studs, uint64_t steps) {
   while (search.goals().empty() && search.statistics().steps < steps) search.round();
   Actions actions;
   if (search.goals().empty()) return actions;
-  for (const sim::ActionRun& run : search.playthrough(search.goals()[0]).actions) {
+  for (const sim::ActionRun& run : search.trajectoryTo(search.goals()[0]).actions) {
     actions.insert(actions.end(), run.ticks, run.action);
   }
   return actions;

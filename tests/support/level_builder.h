@@ -150,7 +150,7 @@ inline LevelBuilder movingArena(uint32_t boxes, uint32_t movers, uint64_t seed) 
 
 // The arena with eight moving platforms and `boxes` dynamic boxes away from their motions. If
 // `restless`, the boxes never fall asleep.
-inline LevelBuilder looseArena(uint32_t boxes, bool restless, uint64_t seed) {
+inline LevelBuilder bodyArena(uint32_t boxes, bool restless, uint64_t seed) {
   LevelBuilder b = movingArena(100, 8, seed);
   const level::Level fixed = b.compile();
   Random random(seed, 77);

@@ -18,9 +18,9 @@ struct Onlooker {
   Onlooker& operator=(const Onlooker&) = delete;
 
   // Returns the inputs of this observation.
-  std::vector<float> inputs(policy::Observe how, const sim::LooseBody* loose = nullptr) const {
+  std::vector<float> inputs(policy::Observe how, const sim::RigidBody* bodies = nullptr) const {
     std::vector<float> in(policy::kInputs);
-    how(scene, world, loose, in.data());
+    how(scene, world, bodies, in.data());
     return in;
   }
 

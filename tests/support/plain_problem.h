@@ -12,7 +12,7 @@ inline solve::Problem plainProblem(const level::Level& level, const level::Query
   return {level.view(),
           query,
           sim::makeWorld(level.view(), level.spawns()[0]),
-          sim::startLoose(level.view()),
+          sim::startBodies(level.view()),
           level.bounds(),
           level.hasMotion()};
 }

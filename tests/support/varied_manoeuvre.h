@@ -17,13 +17,13 @@ constexpr Variation kElsewhere{0.2f, 0.35f};  // another trajectory through the 
 constexpr Variation kAgain{0.05f, 0.05f};     // like a repetition by the same player
 
 inline calibrate::Manoeuvre varied(calibrate::Manoeuvre manoeuvre, uint64_t seed,
-                                   Variation most = kElsewhere) {
+                                   Variation max = kElsewhere) {
   Random random(seed, 0x7a21);
   const auto between = [&] { return 2 * random.unit() - 1; };
-  const float angle = most.radians * between();
+  const float angle = max.radians * between();
   const float c = std::cos(angle), s = std::sin(angle);
   for (calibrate::Hold& hold : manoeuvre.holds) {
-    hold.seconds *= 1 + most.share * between();
+    hold.seconds *= 1 + max.share * between();
     const float x = hold.x;
     hold.x = c * x + s * hold.z;
     hold.z = c * hold.z - s * x;

@@ -39,11 +39,11 @@ size_t askedFor(uint32_t epochs, uint32_t minibatch) {
 }
 
 TEST(Allocation, MinibatchesAndEpochsAllocateNothing) {
-  const size_t least = askedFor(1, kTicks * kWorlds);
-  EXPECT_GT(least, 0u) << "otherwise nothing is counted";
-  EXPECT_LT(least, 100u);
-  EXPECT_EQ(askedFor(4, kTicks * kWorlds), least);
-  EXPECT_EQ(askedFor(4, 512), least);
+  const size_t min = askedFor(1, kTicks * kWorlds);
+  EXPECT_GT(min, 0u) << "otherwise nothing is counted";
+  EXPECT_LT(min, 100u);
+  EXPECT_EQ(askedFor(4, kTicks * kWorlds), min);
+  EXPECT_EQ(askedFor(4, 512), min);
 }
 
 }  // namespace

@@ -60,10 +60,10 @@ TEST_P(Resuming, FromACheckpointHasTheSameBits) {
 }
 
 // If the source stops or fails during an iteration, that iteration is kept.
-void resumeWithMissingLevels(bool loose, bool fails) {
+void resumeWithMissingLevels(bool bodies, bool fails) {
   ThreadPool pool(1);
-  const Gaps gaps(loose);
-  const GapsTo stopped(12, loose, fails);  // eight places
+  const Gaps gaps(bodies);
+  const GapsTo stopped(12, bodies, fails);  // eight places
   const auto whole = Trainer::make(small(), gaps, pool, alone());
   const auto part = Trainer::make(small(), stopped, pool, alone());
   ASSERT_TRUE(whole && part);
@@ -182,12 +182,12 @@ TEST(Checkpoint, SettingsOfEarlierVersionsHaveTheirPresentNames) {
 
 TEST(Checkpoint, IsRefusedForOtherLevels) {
   ThreadPool pool(1);
-  const Gaps gaps, others(false, 98), loose(true);
+  const Gaps gaps, others(false, 98), bodies(true);
   const auto trainer = Trainer::make(small(), gaps, pool, alone());
   ASSERT_TRUE((*trainer)->iterate());
   EXPECT_TRUE(Trainer::resume(small(), gaps, pool, alone(), *(*trainer)->state()));
   EXPECT_FALSE(Trainer::resume(small(), others, pool, alone(), *(*trainer)->state()));
-  EXPECT_FALSE(Trainer::resume(small(), loose, pool, alone(), *(*trainer)->state()));
+  EXPECT_FALSE(Trainer::resume(small(), bodies, pool, alone(), *(*trainer)->state()));
 }
 
 // Numbers that other numbers are computed from.
@@ -224,13 +224,13 @@ TEST(Checkpoint, IsRefusedWithImpossibleWorlds) {
   };
   EXPECT_FALSE(refused([](PlaceState&) {}));
   EXPECT_TRUE(refused([](PlaceState& s) { s.players.pop_back(); }));
-  EXPECT_TRUE(refused([](PlaceState& s) { s.loose.pop_back(); }));
+  EXPECT_TRUE(refused([](PlaceState& s) { s.bodies.pop_back(); }));
   EXPECT_TRUE(refused([](PlaceState& s) { s.taken = 0; }));
   EXPECT_TRUE(refused([](PlaceState& s) { s.players[3].world.clockCount = 1; }));
   EXPECT_TRUE(refused([](PlaceState& s) { s.players[3].world.clockCount = 200; }));
   EXPECT_TRUE(refused([](PlaceState& s) { s.players[3].world.waypoints = 9; }));
   EXPECT_TRUE(refused([](PlaceState& s) { s.players[3].world.position.x = NAN; }));
-  EXPECT_TRUE(refused([](PlaceState& s) { s.loose[3].velocity.y = NAN; }));
+  EXPECT_TRUE(refused([](PlaceState& s) { s.bodies[3].velocity.y = NAN; }));
   EXPECT_TRUE(refused([](PlaceState& s) { s.reached.resize(17, {s.players[0].world, 0}); }));
 }
 

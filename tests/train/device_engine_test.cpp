@@ -50,7 +50,7 @@ Difference differenceOf(const TrainerState& a, const TrainerState& b) {
       const PlaceState &one = a.envGroups[c].places[p], &other = b.envGroups[c].places[p];
       for (size_t i = 0; i < one.players.size(); ++i) {
         const Player &x = one.players[i], &y = other.players[i];
-        const bool same = stateHash(x.world) == stateHash(y.world) && x.least == y.least &&
+        const bool same = stateHash(x.world) == stateHash(y.world) && x.minLeft == y.minLeft &&
                           x.ticks == y.ticks && x.fromStart == y.fromStart;
         out.different += !same;
         ++out.worlds;
@@ -76,20 +76,19 @@ void expectSamePlaces(const TrainerState& a, const TrainerState& b) {
       ASSERT_EQ(x.reached.size(), y.reached.size());
       for (size_t i = 0; i < x.reached.size(); ++i) {
         EXPECT_EQ(stateHash(x.reached[i].world), stateHash(y.reached[i].world));
-        EXPECT_EQ(x.reached[i].least, y.reached[i].least);
+        EXPECT_EQ(x.reached[i].minLeft, y.reached[i].minLeft);
       }
-      ASSERT_EQ(x.loose.size(), y.loose.size());
-      EXPECT_TRUE(x.loose.empty() || std::memcmp(x.loose.data(), y.loose.data(),
-                                                 x.loose.size() * sizeof x.loose[0]) == 0);
+      ASSERT_EQ(x.bodies.size(), y.bodies.size());
+      EXPECT_TRUE(x.bodies.empty() || std::memcmp(x.bodies.data(), y.bodies.data(),
+                                                  x.bodies.size() * sizeof x.bodies[0]) == 0);
     }
   }
 }
 
 double farthest(const std::vector<float>& a, const std::vector<float>& b) {
-  double most = 0;
-  for (size_t i = 0; i < a.size(); ++i)
-    most = std::max(most, std::abs(double(a[i]) - double(b[i])));
-  return most;
+  double max = 0;
+  for (size_t i = 0; i < a.size(); ++i) max = std::max(max, std::abs(double(a[i]) - double(b[i])));
+  return max;
 }
 
 double farApart(const std::vector<float>& a, const std::vector<float>& b) {  // the mean weight
@@ -138,7 +137,7 @@ TEST_P(Parity, TheFirstIterationMatches) {
   EXPECT_LT(farthest(a.learner.parameters, b.learner.parameters), 2e-4);
 }
 
-INSTANTIATE_TEST_SUITE_P(WithAndWithoutLooseBodies, Parity, testing::Bool());
+INSTANTIATE_TEST_SUITE_P(WithAndWithoutDynamicBodies, Parity, testing::Bool());
 
 // Play without training, with episodes that end or are truncated, and many levels. In a hundred
 // such runs, about half a world would draw a number between two roundings of a probability.
@@ -235,8 +234,8 @@ TEST(DeviceEngine, LearnsToCrossAGap) {
 }
 
 TEST(DeviceEngine, AResumedRunHasTheSameBits) {
-  for (const bool loose : {false, true}) {
-    const Gaps gaps(loose);
+  for (const bool bodies : {false, true}) {
+    const Gaps gaps(bodies);
     Machine machine, other;
     const auto whole = machine.make(gaps, tiny());
     for (int i = 0; i < 3; ++i) ASSERT_TRUE((*whole)->iterate());
@@ -259,9 +258,9 @@ TEST(DeviceEngine, AResumedRunHasTheSameBits) {
 }
 
 TEST(DeviceEngine, AResumedRunWithMissingLevelsHasTheSameBits) {
-  for (const bool loose : {false, true}) {
-    const Gaps gaps(loose);
-    const GapsTo stopped(12, loose, !loose);  // eight places
+  for (const bool bodies : {false, true}) {
+    const Gaps gaps(bodies);
+    const GapsTo stopped(12, bodies, !bodies);  // eight places
     TrainerSettings settings = tiny();
     settings.envGroup.playthroughs = 16;  // for a quarter of the worlds
     Machine machine, other, third;
@@ -271,7 +270,7 @@ TEST(DeviceEngine, AResumedRunWithMissingLevelsHasTheSameBits) {
       ASSERT_LT((*part)->iterations(), 100u);
       ASSERT_TRUE((*whole)->iterate() && (*part)->iterate());
     } while (waitingIn(*(*part)->state()) == 0);
-    EXPECT_EQ(bool((*part)->more()), loose) << "it stopped or failed";
+    EXPECT_EQ(bool((*part)->more()), bodies) << "it stopped or failed";
     const auto resumed = third.resume(gaps, *(*part)->state(), settings);
     ASSERT_TRUE(resumed) << resumed.error().text();
     for (int i = 0; i < 3; ++i) ASSERT_TRUE((*whole)->iterate() && (*resumed)->iterate());
@@ -335,7 +334,7 @@ TEST(DeviceEngine, RefusesAnotherObservation) {
   const Gaps gaps;
   Machine machine;
   TrainerSettings settings = tiny();
-  settings.envGroup.observe = [](const policy::Scene&, const sim::World&, const sim::LooseBody*,
+  settings.envGroup.observe = [](const policy::Scene&, const sim::World&, const sim::RigidBody*,
                                  float*) { return Turns(0); };
   const auto trainer = machine.make(gaps, settings);
   ASSERT_FALSE(trainer);

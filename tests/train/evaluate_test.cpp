@@ -142,7 +142,7 @@ class Pit : public LevelSource {
     q.setId("out");
     support::set(q.initGoal().initPosition(), {0, 2, -400});
     support::set(q.getGoal().initSize(), {4, 4, 4});
-    auto way = q.initWay(4000);
+    auto way = q.initRoute(4000);
     for (uint32_t i = 0; i < way.size(); ++i)
       support::set(way[i], {0, 0, i % 2 == 0 ? 0.0f : -400.0f});
     return TrainingLevel::make(b.record(), q.asReader());

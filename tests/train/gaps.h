@@ -8,9 +8,9 @@ namespace obby::train {
 
 class Gaps : public LevelSource {
  public:
-  // `loose`: a dynamic body is in front of the gap, with a waypoint behind it. `seed`: of the
+  // `bodies`: a dynamic body is in front of the gap, with a waypoint behind it. `seed`: of the
   // levels.
-  explicit Gaps(bool loose = false, uint64_t seed = 99) : loose_(loose), seed_(seed) {}
+  explicit Gaps(bool bodies = false, uint64_t seed = 99) : bodies_(bodies), seed_(seed) {}
 
   Result<std::shared_ptr<const TrainingLevel>> level(uint64_t index, float) const override {
     Random random(seed_, index);
@@ -18,7 +18,7 @@ class Gaps : public LevelSource {
     support::LevelBuilder b;
     b.block({0, -0.5f, -3}, {8, 1, 10});  // to z = -8
     b.block({0, -0.5f, far - 4}, {8, 1, 8});
-    if (loose_)
+    if (bodies_)
       b.block({0, 1, -4}, {2, 2, 2}, [](schema::Part::Builder p) { p.setAnchored(false); });
     b.physics([](schema::PhysicsParams::Builder p) { p.setFallenPartsHeight(-30); });
     b.spawn({0, 0, 0});
@@ -27,7 +27,7 @@ class Gaps : public LevelSource {
     q.setId("across");
     support::set(q.initGoal().initPosition(), {0, 2, far - 5});
     support::set(q.getGoal().initSize(), {8, 4, 4});
-    if (loose_) {
+    if (bodies_) {
       auto waypoint = q.initWaypoints(1)[0].initRegion();
       support::set(waypoint.initPosition(), {0, 2, -7});
       support::set(waypoint.initSize(), {8, 4, 2});
@@ -36,15 +36,15 @@ class Gaps : public LevelSource {
   }
 
  private:
-  bool loose_;
+  bool bodies_;
   uint64_t seed_;
 };
 
 // A source that stops or fails before one of its levels.
 class GapsTo : public Gaps {
  public:
-  GapsTo(uint64_t count, bool loose, bool fails = false)
-      : Gaps(loose), count_(count), fails_(fails) {}
+  GapsTo(uint64_t count, bool bodies, bool fails = false)
+      : Gaps(bodies), count_(count), fails_(fails) {}
   Result<std::shared_ptr<const TrainingLevel>> level(uint64_t index, float hardest) const override {
     if (index < count_) return Gaps::level(index, hardest);
     if (fails_) return makeError("this level is bad");

@@ -58,7 +58,7 @@ TEST(Guide, AWaypointAtTheStartLeavesTheWholeDistance) {
 }
 
 // A waypoint far away, and a goal near the start.
-Result<std::shared_ptr<const TrainingLevel>> outAndBack(const std::vector<Vec3>& way) {
+Result<std::shared_ptr<const TrainingLevel>> outAndBack(const std::vector<Vec3>& route) {
   support::LevelBuilder b;
   b.block({-30, -0.5f, 0}, {80, 1, 8});
   b.spawn({0, 0, 0});
@@ -70,8 +70,8 @@ Result<std::shared_ptr<const TrainingLevel>> outAndBack(const std::vector<Vec3>&
   support::set(region.initSize(), {4, 4, 4});
   support::set(q.initGoal().initPosition(), {5, 2, 0});
   support::set(q.getGoal().initSize(), {4, 4, 4});
-  auto places = q.initWay(uint32_t(way.size()));
-  for (uint32_t i = 0; i < places.size(); ++i) support::set(places[i], way[i]);
+  auto places = q.initRoute(uint32_t(route.size()));
+  for (uint32_t i = 0; i < places.size(); ++i) support::set(places[i], route[i]);
   return TrainingLevel::make(b.record(), q.asReader());
 }
 
@@ -83,12 +83,12 @@ TEST(Guide, HasTheWaypointsOfItsQuery) {
     Player p;
     p.world = (*level)->start();
     p.world.position = {-40, 0, 0};
-    p.least = 88;  // so that the lane back is in reach
+    p.minLeft = 88;  // so that the lane back is in reach
     judge(view, {}, p);
-    EXPECT_GT(p.least, 65 + 19) << "on the way out";
+    EXPECT_GT(p.minLeft, 65 + 19) << "on the way out";
     p.world.waypoints = 1;
     judge(view, {}, p);
-    EXPECT_LT(p.least, 45 + 7) << "on the way back";
+    EXPECT_LT(p.minLeft, 45 + 7) << "on the way back";
   }
 }
 
@@ -98,8 +98,8 @@ TEST(Guide, AGuideNeedsPointsWithinTheWorld) {
       {std::vector<Vec3>(4097), "way: expected 2 to 4096 places, found 4097"},
       {{{0, 0, 0}, {0, NAN, 0}}, "way[1]: expected three numbers"},
       {{{0, 0, 0}, {0, 0, 0}, {2e6f, 0, 0}}, "way[2]: expected three numbers"}};
-  for (const auto& [way, says] : bad) {
-    const auto level = outAndBack(way);
+  for (const auto& [route, says] : bad) {
+    const auto level = outAndBack(route);
     ASSERT_FALSE(level) << says;
     EXPECT_NE(level.error().text().find(says), std::string::npos) << level.error().text();
   }

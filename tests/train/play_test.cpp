@@ -15,17 +15,17 @@ constexpr uint32_t kPlayWorlds = 64;
 
 // A place with worlds at the start of a level.
 struct Place {
-  explicit Place(bool loose = false)
-      : level(*Gaps(loose).level(1, 1)),
+  explicit Place(bool bodies = false)
+      : level(*Gaps(bodies).level(1, 1)),
         view(level->view(3)),
         players(kPlayWorlds),
-        bodies(kPlayWorlds * view.level.looseCount),
-        reached(kMostReached) {
+        bodies(kPlayWorlds * view.level.bodyCount),
+        reached(kMaxReached) {
     beginLevel(here());
   }
   PlaceView here() {
-    return {&view,   players.data(), bodies.data(),        reached.data(),
-            &counts, kPlayWorlds,    view.level.looseCount};
+    return {&view,   players.data(), bodies.data(),       reached.data(),
+            &counts, kPlayWorlds,    view.level.bodyCount};
   }
   void settleAt(uint64_t decision, bool endOfIteration = false, RestartShares shares = {0, 0}) {
     settle(here(), {7, shares, decision, endOfIteration}, 0);
@@ -34,7 +34,7 @@ struct Place {
   std::shared_ptr<const TrainingLevel> level;
   TrainingView view;
   std::vector<Player> players;
-  std::vector<sim::LooseBody> bodies;
+  std::vector<sim::RigidBody> bodies;
   std::vector<Reached> reached;
   PlaceCounts counts;
 };
@@ -47,7 +47,7 @@ TEST(Play, AMoveIsRewardedForGettingNearerThanBefore) {
   Place place;
   const RewardSettings worth;
   Player& p = place.players[0];
-  const float whole = p.least;
+  const float whole = p.minLeft;
   EXPECT_EQ(whole, leftOf(place, p));
   p.world.position.z -= 3;
   const float less = leftOf(place, p);
@@ -56,9 +56,10 @@ TEST(Play, AMoveIsRewardedForGettingNearerThanBefore) {
   p.world.position.z += 1;
   EXPECT_FLOAT_EQ(judge(place.view, worth, p).reward, worth.decision) << "backwards";
   p.world.position.z -= 2;
-  const float least = leftOf(place, p);
-  ASSERT_LT(least, less);
-  EXPECT_FLOAT_EQ(judge(place.view, worth, p).reward, worth.stud * (less - least) + worth.decision);
+  const float minLeft = leftOf(place, p);
+  ASSERT_LT(minLeft, less);
+  EXPECT_FLOAT_EQ(judge(place.view, worth, p).reward,
+                  worth.stud * (less - minLeft) + worth.decision);
   EXPECT_EQ(p.ticks, 3 * policy::kDecisionTicks);
   p.world.outcome = sim::Outcome::goal;
   const Step step = judge(place.view, worth, p);
@@ -77,7 +78,7 @@ TEST(Play, EachJumpCostsOnce) {
   EXPECT_FLOAT_EQ(judge(place.view, worth, p).reward, worth.decision + 2 * worth.jump);
   EXPECT_FLOAT_EQ(judge(place.view, worth, p).reward, worth.decision) << "paid already";
   p.world.jumps = 3;
-  place.reached[0] = {p.world, p.least};
+  place.reached[0] = {p.world, p.minLeft};
   place.counts.reached = 1;
   p.world.outcome = sim::Outcome::fell;
   place.settleAt(0, false, {1, 1});
@@ -101,20 +102,20 @@ TEST(Play, AnEndedEpisodeIsCountedAndRestarted) {
   EXPECT_EQ(place.players[5].world.outcome, sim::Outcome::running);
   EXPECT_EQ(place.players[5].ticks, 0u);
   EXPECT_TRUE(place.players[6].fromStart);
-  EXPECT_EQ(place.bodies[5].position.x, place.view.startLoose[0].position.x);
+  EXPECT_EQ(place.bodies[5].position.x, place.view.startBodies[0].position.x);
 }
 
 TEST(Play, ALongEpisodeIsTruncatedAtTheEndOfAnIteration) {
   Place place;
-  place.players[2].ticks = place.view.mostTicks;
-  place.players[4].ticks = place.view.mostTicks - 1;
+  place.players[2].ticks = place.view.maxTicks;
+  place.players[4].ticks = place.view.maxTicks - 1;
   place.settleAt(0);
   EXPECT_EQ(place.counts.played, 0u);
   place.settleAt(1, true);
   EXPECT_EQ(place.counts.played, 1u);
   EXPECT_EQ(place.counts.solved, 0u);
   EXPECT_EQ(place.players[2].ticks, 0u);
-  EXPECT_EQ(place.players[4].ticks, place.view.mostTicks - 1);
+  EXPECT_EQ(place.players[4].ticks, place.view.maxTicks - 1);
 }
 
 TEST(Play, EpisodesRestartWhereOthersStood) {
@@ -127,19 +128,19 @@ TEST(Play, EpisodesRestartWhereOthersStood) {
   EXPECT_EQ(place.counts.reached, 0u) << "in the air";
   for (Player& p : place.players) {
     p.world.floorlessSteps = 0;
-    p.least = 7;
+    p.minLeft = 7;
   }
   place.settleAt(100);
   EXPECT_LT(place.counts.reached, 8u) << "one in 64";
   for (uint64_t d = 101; d < 150; ++d) place.settleAt(d);
-  EXPECT_EQ(place.counts.reached, kMostReached);
+  EXPECT_EQ(place.counts.reached, kMaxReached);
   for (Player& p : place.players) p.world.outcome = sim::Outcome::fell;
   place.settleAt(150, false, {0.5f, 0.5f});
   int elsewhere = 0;
   for (const Player& p : place.players) {
     elsewhere += !p.fromStart;
     EXPECT_EQ(p.world.position.z, p.fromStart ? place.view.start.position.z : -5);
-    EXPECT_EQ(p.least, p.fromStart ? leftOf(place, p) : 7);
+    EXPECT_EQ(p.minLeft, p.fromStart ? leftOf(place, p) : 7);
   }
   EXPECT_GT(elsewhere, 16);
   EXPECT_LT(elsewhere, 48);
@@ -187,7 +188,7 @@ TEST(Play, ARestartKeepsTheDistanceThatWasLeft) {
   there.world.position = {-10, 0, 0};
   const RewardSettings worth;
   judge(place.view, worth, there);
-  ASSERT_FLOAT_EQ(there.least, 180);
+  ASSERT_FLOAT_EQ(there.minLeft, 180);
   for (uint64_t d = 0; place.counts.reached == 0; ++d) {
     ASSERT_LT(d, 10000u);
     place.settleAt(d);
@@ -196,7 +197,7 @@ TEST(Play, ARestartKeepsTheDistanceThatWasLeft) {
   place.settleAt(10000, false, {1, 1});
   ASSERT_FALSE(other.fromStart);
   EXPECT_EQ(other.world.position.x, -10);
-  EXPECT_FLOAT_EQ(other.least, 180);
+  EXPECT_FLOAT_EQ(other.minLeft, 180);
   EXPECT_FLOAT_EQ(judge(place.view, worth, other).reward, worth.decision) << "no progress yet";
 }
 

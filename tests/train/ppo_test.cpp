@@ -170,12 +170,12 @@ TEST(Ppo, TheStepDoesNotDependOnTheUnitOfRewards) {
     return ppo.state().momentum;
   };
   const std::vector<float> plain = momentumAt(1), eightfold = momentumAt(8);
-  float most = 0;
+  float max = 0;
   for (size_t i = 0; i < plain.size(); ++i) {
     ASSERT_NEAR(plain[i], eightfold[i], 1e-6f) << i;
-    most = std::max(most, std::abs(plain[i]));
+    max = std::max(max, std::abs(plain[i]));
   }
-  EXPECT_GT(most, 1e-4f);
+  EXPECT_GT(max, 1e-4f);
 }
 
 }  // namespace

@@ -11,18 +11,18 @@
 namespace obby::train {
 namespace {
 
-constexpr Turns kOwnWay = 12345;
+constexpr Turns kOwnRoute = 12345;
 
 // Differs from observe() for the trainer, but not for the policy.
-Turns asEver(const policy::Scene& scene, const sim::World& world, const sim::LooseBody* loose,
+Turns asEver(const policy::Scene& scene, const sim::World& world, const sim::RigidBody* bodies,
              float* inputs) {
-  return policy::observe(scene, world, loose, inputs);
+  return policy::observe(scene, world, bodies, inputs);
 }
 
 // Always the same, in another frame.
-Turns blind(const policy::Scene&, const sim::World&, const sim::LooseBody*, float* inputs) {
+Turns blind(const policy::Scene&, const sim::World&, const sim::RigidBody*, float* inputs) {
   std::fill_n(inputs, policy::kInputs, 0.25f);
-  return kOwnWay;
+  return kOwnRoute;
 }
 
 // Records the observations of an evaluation on one thread.
@@ -32,10 +32,10 @@ std::vector<uint64_t>& shown() {
 }
 
 template <policy::Observe kHow>
-Turns watched(const policy::Scene& scene, const sim::World& world, const sim::LooseBody* loose,
+Turns watched(const policy::Scene& scene, const sim::World& world, const sim::RigidBody* bodies,
               float* inputs) {
   shown().push_back(sim::stateHash(world));
-  return kHow(scene, world, loose, inputs);
+  return kHow(scene, world, bodies, inputs);
 }
 
 constexpr uint32_t kLevels = 3;
@@ -59,9 +59,9 @@ std::vector<uint64_t> played(Decide&& decide) {
   for (uint64_t i = 0; i < kLevels; ++i) {
     const auto level = *Gaps().level(i, 1);
     const policy::Scene& scene = level->scene();
-    const uint32_t most = mostTicksOf(*level, EvaluationSettings().patience);
+    const uint32_t max = maxTicksOf(*level, EvaluationSettings().patience);
     sim::World world = level->start();
-    for (uint32_t t = 0; t < most && world.outcome == sim::Outcome::running;
+    for (uint32_t t = 0; t < max && world.outcome == sim::Outcome::running;
          t += policy::kDecisionTicks) {
       states.push_back(sim::stateHash(world));
       const sim::Action action = decide(scene, world);
@@ -81,7 +81,7 @@ TEST(Seeing, AnEvaluationUsesItsObservation) {
   EXPECT_GT(expected.size(), 30u);
   EXPECT_EQ(seeingJudged(shipped, watched<asEver>), expected);
   const auto straight = played([](const policy::Scene&, const sim::World&) {
-    return policy::actionOf(0, kOwnWay);  // all moves are alike
+    return policy::actionOf(0, kOwnRoute);  // all moves are alike
   });
   EXPECT_EQ(seeingJudged(policy::Network(), watched<blind>), straight);
 }
@@ -100,7 +100,7 @@ TEST(Seeing, AnEnvGroupUsesItsObservation) {
   EXPECT_TRUE(std::all_of(rows.begin(), rows.end(), [](float v) { return v == 0.25f; }));
   const EnvGroupState state = envGroup.state();
   for (const PlaceState& place : state.places) {
-    for (const Player& p : place.players) EXPECT_EQ(p.ahead, kOwnWay);
+    for (const Player& p : place.players) EXPECT_EQ(p.ahead, kOwnRoute);
   }
 }
 

@@ -12,7 +12,7 @@ namespace {
 // A shipped policy must solve at least 60 % of the courses. This one solves 88 % of 1,000 similar
 // courses (policies/README.md); the standard deviation for a hundred courses is three points.
 TEST(ShippedPolicy, SolvesMostUnseenCourses) {
-  constexpr double kLeast = 0.6;
+  constexpr double kMin = 0.6;
   gen::Recipe recipe;
   recipe.styles = {{"course", 1}};
   recipe.difficulty = {0.25f, 0.75f};  // easy to hard
@@ -25,8 +25,8 @@ TEST(ShippedPolicy, SolvesMostUnseenCourses) {
   const std::atomic<bool> stop{false};
   const Evaluation found = evaluate(policy::shippedPolicy().network, **courses, how, pool, stop);
   EXPECT_EQ(found.levels, 100u);
-  EXPECT_GE(found.likeliest, kLeast);
-  EXPECT_GE(found.drawn, kLeast);
+  EXPECT_GE(found.likeliest, kMin);
+  EXPECT_GE(found.drawn, kMin);
   const Evaluation chance = evaluate(policy::Network(), **courses, how, pool, stop);
   EXPECT_LT(chance.any, 0.05);
 }

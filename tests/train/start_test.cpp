@@ -153,7 +153,7 @@ TEST(Start, NormalisersContinue) {
   EXPECT_EQ(start->seen.rows, known.state.seen.rows);
   EXPECT_EQ(allDecisions(known.state), known.state.decisions);
   for (size_t i = 0; i < start->seen.sum.size(); ++i) {
-    const double deviation = std::max(known.state.seen.deviation(i), double(kLeastDeviation));
+    const double deviation = std::max(known.state.seen.deviation(i), double(kMinDeviation));
     EXPECT_NEAR(start->seen.mean(i), known.state.seen.mean(i), 1e-6) << i;
     EXPECT_NEAR(start->seen.deviation(i), deviation, 1e-6 * deviation) << i;
   }

@@ -20,8 +20,8 @@ TEST(Budget, MotionIsShownFromTheStartOfAQueryOn) {
   late.insert(late.find(R"("goal")"), R"("start":{"tick":9000},)");
   auto report = collect({kLevel, late});
   ASSERT_TRUE(report) << report.error().text();
-  const uint32_t least = view::leastTicksShown(report->levels[0]);
-  EXPECT_EQ(view::ticksShown(*report), (std::vector<uint32_t>{9000 + least}));
+  const uint32_t min = view::minTicksShown(report->levels[0]);
+  EXPECT_EQ(view::ticksShown(*report), (std::vector<uint32_t>{9000 + min}));
 }
 
 TEST(Budget, EachLevelShowsTheMotionOfItsOwnTrajectories) {
@@ -35,9 +35,9 @@ TEST(Budget, EachLevelShowsTheMotionOfItsOwnTrajectories) {
   late.insert(late.find(R"("goal")"), R"("start":{"tick":4000000000},)");
   auto report = collect({kLevel, line(left), other, late, last});
   ASSERT_TRUE(report) << report.error().text();
-  const uint32_t least = view::leastTicksShown(report->levels[0]);
-  ASSERT_GT(3000 + ticks, least);
-  EXPECT_EQ(view::ticksShown(*report), (std::vector<uint32_t>{3000 + ticks, 600 * 60, least}));
+  const uint32_t min = view::minTicksShown(report->levels[0]);
+  ASSERT_GT(3000 + ticks, min);
+  EXPECT_EQ(view::ticksShown(*report), (std::vector<uint32_t>{3000 + ticks, 600 * 60, min}));
 }
 
 // The page cannot know how a part moves after the cut.

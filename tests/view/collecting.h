@@ -14,8 +14,8 @@ inline view::Collector strict(const std::vector<std::string>& only = {}) {
   return view::Collector([](const io::Record&, Error error) -> Status { return error; }, only);
 }
 
-inline view::Collector withRoom(view::Room room) {
-  return view::Collector([](const io::Record&, Error error) -> Status { return error; }, {}, room);
+inline view::Collector withBudget(view::PageBudget space) {
+  return view::Collector([](const io::Record&, Error error) -> Status { return error; }, {}, space);
 }
 
 inline void addAll(view::Collector& collector, const std::vector<std::string>& lines) {

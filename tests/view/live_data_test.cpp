@@ -115,12 +115,12 @@ TEST(LiveData, LongerTrajectoriesRarelyResendMotion) {
   EXPECT_EQ(growing.since(0)["levels"].size(), 1u);
   size_t sent = 0;
   for (uint32_t ticks = 200; ticks <= 2600; ticks += 200) {
-    auto way = walk(kAhead, 2);  // stands still after its walk
-    auto runs = way.root().getTrajectory().initActions(1);
+    auto trajectory = walk(kAhead, 2);  // stands still after its walk
+    auto runs = trajectory.root().getTrajectory().initActions(1);
     runs[0].setTicks(ticks);
-    way.root().getTrajectory().setTicks(ticks);
+    trajectory.root().getTrajectory().setTicks(ticks);
     const uint64_t before = growing.data.revision();
-    growing.add({line(way)});
+    growing.add({line(trajectory)});
     sent += growing.since(before)["levels"].size();
   }
   EXPECT_EQ(sent, 2u);  // at 20 and at 40 seconds
@@ -128,13 +128,13 @@ TEST(LiveData, LongerTrajectoriesRarelyResendMotion) {
 
 TEST(LiveData, AttemptsBeyondThePagesSizeAreResentThinned) {
   const auto longest = [] {
-    auto way = walk(kAhead, 2);
-    auto path = way.root().getTrajectory();
+    auto trajectory = walk(kAhead, 2);
+    auto path = trajectory.root().getTrajectory();
     path.initActions(1)[0].setTicks(60000);
     path.setTicks(60000);
     path.setOutcome(schema::Outcome::RUNNING);
     path.setStateHash(0);
-    return line(way);
+    return line(trajectory);
   }();
   Growing growing;
   growing.add({kLevel, kQuery, longest});
@@ -153,25 +153,25 @@ TEST(LiveData, AttemptsBeyondThePagesSizeAreResentThinned) {
 }
 
 TEST(GrowingReport, CanBeReadWhileAnotherThreadAdds) {
-  constexpr int kWays = 200;
+  constexpr int kTrajectories = 200;
   auto left = walk(kLeft, 60);
-  const std::string way = line(left);
+  const std::string trajectory = line(left);
   view::GrowingReport report(strict());
   std::atomic<size_t> looks{0};
   std::thread reading([&] {
     EXPECT_TRUE(report.add(recordOf(kLevel)));
     EXPECT_TRUE(report.add(recordOf(kQuery)));
     while (looks == 0) std::this_thread::yield();  // or reading may end before the first look
-    for (int i = 0; i < kWays; ++i) EXPECT_TRUE(report.add(recordOf(way)));
+    for (int i = 0; i < kTrajectories; ++i) EXPECT_TRUE(report.add(recordOf(trajectory)));
     EXPECT_TRUE(report.end(view::StreamState::ended, {"a note"}));
   });
   size_t last = 0;
   bool ended = false;
   while (!ended) {
     report.look([&](const view::Report& seen, view::StreamState state) {
-      const size_t ways = seen.queries.empty() ? 0 : seen.queries[0].paths.size();
-      EXPECT_GE(ways, last);
-      last = ways;
+      const size_t trajectories = seen.queries.empty() ? 0 : seen.queries[0].paths.size();
+      EXPECT_GE(trajectories, last);
+      last = trajectories;
       ++looks;
       ended = state == view::StreamState::ended;
       if (ended) {
@@ -181,7 +181,7 @@ TEST(GrowingReport, CanBeReadWhileAnotherThreadAdds) {
     std::this_thread::yield();
   }
   reading.join();
-  EXPECT_EQ(last, size_t(kWays));
+  EXPECT_EQ(last, size_t(kTrajectories));
   EXPECT_GT(looks.load(), 1u);
   EXPECT_FALSE(report.look([](const view::Report&, view::StreamState) {}));  // no change
 }

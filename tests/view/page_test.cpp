@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "course.h"
+#include "io/json_tree.h"
 #include "view/budget.h"
 #include "view/page_parts.h"
 #include "view/page_template.h"
@@ -26,6 +27,15 @@ TEST(Page, DataNamesLevelQueryAndTrajectories) {
   EXPECT_THAT(data, HasSubstr(R"("name":"middle")"));
   EXPECT_THAT(data, Not(HasSubstr("</script>")));
   EXPECT_THAT(data, Not(HasSubstr("mismatch")));
+}
+
+TEST(Page, DataIsWholeJsonThatCannotEndTheScript) {
+  const std::string data = view::pageData(solvedReport(), {false, "obby-view test </script>"});
+  EXPECT_EQ(data.find('<'), std::string::npos);
+  const auto tree = io::JsonTree::parse(data);
+  ASSERT_TRUE(tree) << tree.error().text();
+  EXPECT_EQ(tree->text(*tree->find(tree->root(), "generator")), "obby-view test </script>");
+  EXPECT_NE(tree->find(tree->root(), "queries"), nullptr);
 }
 
 TEST(Page, AQueryMayHaveATitle) {
@@ -120,7 +130,7 @@ TEST(Page, ValuesOfLaterVersionsAreUnknown) {
 TEST(Page, ShowsAdviceRoutesAndConfidence) {
   const std::string answer =
       R"({"type":"result","query":"ahead","level":"Course </script><b>","verdict":"unknown",)"
-      R"("relaxations":[{"knob":"jumps","part":2,"text":"solvable with 3 jumps instead of 2"}],)"
+      R"("relaxations":[{"kind":"jumps","part":2,"text":"solvable with 3 jumps instead of 2"}],)"
       R"("routes":[{"route":[0,2],"count":"7","ticks":90}],)"
       R"("heatMap":{"size":4,"cubes":[{"feet":[1,2,3],"cells":7}]},)"
       R"("evidence":{"saturation":"growing","newCellChance":0.5}})";

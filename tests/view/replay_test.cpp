@@ -9,7 +9,7 @@
 #include <tuple>
 #include <vector>
 
-#include "sim/loose.h"
+#include "sim/rigid_body.h"
 #include "support/level_builder.h"
 
 namespace obby::view {
@@ -73,8 +73,8 @@ TEST(Replay, ReportsWhenSignalsOpenCloseAndMoveParts) {
 }
 
 PartEvents eventsOf(const std::vector<sim::World>& worlds, const level::LevelView& view,
-                    size_t most = kMostPartEvents) {
-  PartWatch watch(view, most);
+                    size_t max = kMaxPartEvents) {
+  PartWatch watch(view, max);
   for (uint32_t tick = 0; tick < worlds.size(); ++tick) {
     watch.see({tick, worlds[tick == 0 ? 0 : tick - 1], worlds[tick], {}});
   }
@@ -129,12 +129,12 @@ TEST(Replay, VisitsOnlyPartsWhoseClockRuns) {
 
 // A level with a crate ahead of the spawn, one that nothing touches, and one in the air.
 level::Level crateLevel() {
-  const auto loose = [](Part::Builder p) { p.setAnchored(false); };
+  const auto bodies = [](Part::Builder p) { p.setAnchored(false); };
   support::LevelBuilder b;
   b.block({0, -0.5f, 0}, {60, 1, 60});
-  b.block({0, 2, -6}, {4, 4, 4}, loose);
-  b.block({20, 1, 0}, {2, 2, 2}, loose);
-  b.block({-20, 9, 0}, {2, 2, 2}, loose);
+  b.block({0, 2, -6}, {4, 4, 4}, bodies);
+  b.block({20, 1, 0}, {2, 2, 2}, bodies);
+  b.block({-20, 9, 0}, {2, 2, 2}, bodies);
   return b.compile();
 }
 
@@ -153,8 +153,8 @@ struct Pushed {
     replay = sim::replay(level.view(), nullptr, *sim::planFromRecord(path.asReader()));
   }
 
-  const LooseTrack* trackOf(uint32_t part) const {
-    for (const LooseTrack& track : playback.loose) {
+  const BodyTrack* trackOf(uint32_t part) const {
+    for (const BodyTrack& track : playback.bodies) {
       if (track.part == part) return &track;
     }
     return nullptr;
@@ -162,7 +162,7 @@ struct Pushed {
 };
 
 // Returns the position of the part's corner, interpolated from its track as a page does it.
-Vec3 cornerAt(const LooseTrack& track, uint32_t tick, Vec3 corner) {
+Vec3 cornerAt(const BodyTrack& track, uint32_t tick, Vec3 corner) {
   size_t i = 0;
   while (i + 2 < track.ticks.size() && track.ticks[i + 1] <= tick) ++i;
   const float share = float(tick - track.ticks[i]) / float(track.ticks[i + 1] - track.ticks[i]);
@@ -177,17 +177,17 @@ Vec3 cornerAt(const LooseTrack& track, uint32_t tick, Vec3 corner) {
 TEST(Replay, DynamicPartsFollowTheSimulator) {
   const Pushed pushed;
   const level::LevelView& view = pushed.level.view();
-  ASSERT_EQ(view.looseCount, 3u);
-  const LooseTrack* track = pushed.trackOf(1);
+  ASSERT_EQ(view.bodyCount, 3u);
+  const BodyTrack* track = pushed.trackOf(1);
   ASSERT_NE(track, nullptr);
   const uint32_t ticks = pushed.playback.ticks();
   ASSERT_EQ(track->ticks.back(), ticks);
   EXPECT_LT(track->positions.end()[-1], -10) << "pushed some studs ahead";
   for (uint32_t tick = 0; tick <= ticks; ++tick) {
-    const Pose pose = sim::poseOf(pushed.replay.looseAt(tick)[0], view.loose[0]);
+    const Pose pose = sim::poseOf(pushed.replay.bodiesAtTick(tick)[0], view.bodies[0]);
     for (const Vec3 corner : {Vec3{2, 2, 2}, Vec3{-2, 2, -2}, Vec3{2, -2, -2}}) {
       const Vec3 truth = pose.position + pose.rotation * corner;
-      ASSERT_LT(length(cornerAt(*track, tick, corner) - truth), 2 * kLooseMiss) << tick;
+      ASSERT_LT(length(cornerAt(*track, tick, corner) - truth), 2 * kBodyMiss) << tick;
     }
   }
 }
@@ -197,13 +197,13 @@ TEST(Replay, APartThatRestsMovesAndRestsHasFourSamples) {
   const level::Level level = crateLevel();
   const level::LevelView& view = level.view();
   const sim::World world = sim::makeWorld(view, {});
-  std::vector<sim::LooseBody> loose = sim::startLoose(view);
-  LooseWatch watch(view);
+  std::vector<sim::RigidBody> bodies = sim::startBodies(view);
+  BodyWatch watch(view);
   for (uint32_t tick = 0; tick <= 2000; ++tick) {
-    if (tick > 1000 && tick <= 1010) loose[1].position.x += 0.25f;
-    watch.see({tick, world, world, loose});
+    if (tick > 1000 && tick <= 1010) bodies[1].position.x += 0.25f;
+    watch.see({tick, world, world, bodies});
   }
-  const std::vector<LooseTrack> tracks = watch.tracks();
+  const std::vector<BodyTrack> tracks = watch.tracks();
   ASSERT_EQ(tracks.size(), 1u);
   EXPECT_EQ(tracks[0].part, 2u);
   EXPECT_EQ(tracks[0].ticks, (std::vector<uint32_t>{0, 1000, 1010, 2000}));
@@ -217,12 +217,12 @@ TEST(Replay, APartThatRestsMovesAndRestsHasFourSamples) {
 TEST(Replay, OnlyDynamicPartsThatMoveHaveTracks) {
   const Pushed pushed;
   EXPECT_EQ(pushed.trackOf(3), nullptr) << "it has fallen before play begins";
-  const LooseTrack* rests = pushed.trackOf(2);
+  const BodyTrack* rests = pushed.trackOf(2);
   if (rests != nullptr) {  // it settles by an invisible amount
     EXPECT_NEAR(rests->positions.end()[-2], rests->positions[1], 0.02);
     EXPECT_LT(rests->ticks.size(), 60u);
   }
-  EXPECT_TRUE(standing(buttonLevel(), 100).loose.empty());
+  EXPECT_TRUE(standing(buttonLevel(), 100).bodies.empty());
 }
 
 }  // namespace

@@ -174,15 +174,15 @@ TEST(Report, LastProgressIsShownUntilThereIsASolution) {
 }
 
 TEST(Report, UnfinishedSearchesShowTheirProgress) {
-  auto way = walk(kAhead, 40);
+  auto trajectory = walk(kAhead, 40);
   io::RecordBuilder builder;
   auto p = builder.root().initProgress();
   p.setQuery("ahead");
-  p.setBest(way.reader().getTrajectory());
-  p.setNewest(way.reader().getTrajectory());
+  p.setBest(trajectory.reader().getTrajectory());
+  p.setNewest(trajectory.reader().getTrajectory());
   p.initDeaths(2);
-  p.getDeaths().setWithCaveats(0, way.reader().getTrajectory());
-  p.getDeaths().setWithCaveats(1, way.reader().getTrajectory());
+  p.getDeaths().setWithCaveats(0, trajectory.reader().getTrajectory());
+  p.getDeaths().setWithCaveats(1, trajectory.reader().getTrajectory());
   const auto kinds = [](const view::Report& report) {
     std::vector<view::PathKind> result;
     for (const auto& path : report.queries[0].paths) result.push_back(path.kind);

@@ -14,7 +14,7 @@ import { harness } from './harness.mjs';
 import { report } from './sample_report.mjs';
 
 const { options, test, run } = harness();
-const ways = report.queries[0].trajectories.length;
+const trajectories = report.queries[0].trajectories.length;
 const offered = (page, name) => page.locator(`.choice.${name} option`).allTextContents();
 
 // The chosen query with its first attempt once more, which ended otherwise: as a piece of a live page brings it.
@@ -22,12 +22,12 @@ const grow = (page, outcome) =>
   page.evaluate((ended) => {
     const app = window.obby;
     const query = app.query();
-    const way = query.paths.find((path) => path.kind === 'attempt');
-    const more = Object.assign(Object.create(Object.getPrototypeOf(way)), way, { outcome: ended });
+    const trajectory = query.paths.find((path) => path.kind === 'attempt');
+    const more = Object.assign(Object.create(Object.getPrototypeOf(trajectory)), trajectory, { outcome: ended });
     app.report.queries[0] = { ...query, paths: [...query.paths, more] };
     app.openQuery();
     app.filters.refresh();
-    app.ways.choose();
+    app.trajectories.choose();
   }, outcome);
 
 test('every list of choices begins with any', async ({ page }) => {
@@ -43,11 +43,11 @@ test('boxes count new trajectories and keep typed text', async ({ page }) => {
   const all = { min: [-500, -500, -500], max: [500, 500, 500], keep: true };
   await page.evaluate((box) => window.obby.store.set({ boxes: [box] }), all);
   const counted = page.locator('.box output');
-  assert.equal(await counted.innerText(), `${ways} trajectories pass through`);
+  assert.equal(await counted.innerText(), `${trajectories} trajectories pass through`);
   const field = page.getByLabel('Box 1 from x');
   await field.fill('-7');
   await grow(page, 'fell');
-  assert.equal(await counted.innerText(), `${ways + 1} trajectories pass through`);
+  assert.equal(await counted.innerText(), `${trajectories + 1} trajectories pass through`);
   assert.equal(await field.inputValue(), '-7');
   await page.evaluate(() => window.obby.store.set({ boxes: [] }));
 });
@@ -88,7 +88,7 @@ test('choices that need an answer appear with it', async ({ page }) => {
     window.answer = (heatMap) => {
       report.queries[0] = { ...query, result: { ...query.result, heatMap } };
       window.obby.openQuery();
-      window.obby.ways.choose();
+      window.obby.trajectories.choose();
     };
     window.heatMap = query.result.heatMap;
     window.answer(undefined);
@@ -123,31 +123,31 @@ test('numbers are rounded to three digits in any unit', () => {
 });
 
 test('trajectories far from a box are skipped', () => {
-  const way = { samples: 3, points: Float32Array.from([0, 0, 0, 5, 2, 0, 9, 0, 0]) };
+  const trajectory = { samples: 3, points: Float32Array.from([0, 0, 0, 5, 2, 0, 9, 0, 0]) };
   const crossed = boxOf([4, 0, -1], [6, 3, 1]);
-  assert.equal(meets(way, crossed), true);
-  assert.equal(meets(way, boxOf([0, 1.9, -1], [1, 2, 1])), false, 'near, and not met');
-  way.points = new Proxy(way.points, {
+  assert.equal(meets(trajectory, crossed), true);
+  assert.equal(meets(trajectory, boxOf([0, 1.9, -1], [1, 2, 1])), false, 'near, and not met');
+  trajectory.points = new Proxy(trajectory.points, {
     get() {
       throw new Error('looked at');
     },
   });
-  assert.equal(meets(way, boxOf([20, 0, -1], [30, 9, 9])), false);
-  assert.equal(meets(way, boxOf([0, -9, -1], [9, -1, 9])), false);
-  assert.throws(() => meets(way, crossed), /looked at/);
+  assert.equal(meets(trajectory, boxOf([20, 0, -1], [30, 9, 9])), false);
+  assert.equal(meets(trajectory, boxOf([0, -9, -1], [9, -1, 9])), false);
+  assert.throws(() => meets(trajectory, crossed), /looked at/);
 });
 
 // How far a point is from the way through others.
-function besideWay(points, at) {
-  let least = Infinity;
+function besideTrajectory(points, at) {
+  let lowest = Infinity;
   for (let i = 0; i + 5 < points.length; i += 3) {
     const by = [0, 1, 2].map((k) => points[i + 3 + k] - points[i + k]);
     const off = [0, 1, 2].map((k) => at[k] - points[i + k]);
     const dot = (a, b) => a.reduce((sum, v, k) => sum + v * b[k], 0);
     const share = Math.min(1, Math.max(0, dot(off, by) / (dot(by, by) || 1)));
-    least = Math.min(least, Math.hypot(...off.map((v, k) => v - share * by[k])));
+    lowest = Math.min(lowest, Math.hypot(...off.map((v, k) => v - share * by[k])));
   }
-  return least;
+  return lowest;
 }
 
 test('motion paths are simplified within a tolerance', () => {
@@ -161,7 +161,7 @@ test('motion paths are simplified within a tolerance', () => {
   const drawn = corners(round);
   assert.ok(drawn.length < round.length / 4, `${drawn.length / 3} points`);
   for (let i = 0; i < round.length; i += 3) {
-    const beside = besideWay(drawn, round.subarray(i, i + 3));
+    const beside = besideTrajectory(drawn, round.subarray(i, i + 3));
     assert.ok(beside <= 0.0201, `sample ${i / 3}: ${beside} studs`);
   }
 });
@@ -255,14 +255,14 @@ test('the profile marks dense events separately', async ({
     const { store, stage } = window.obby;
     store.set({ query: 0 });
     store.set({ path: -1 });
-    const way = window.obby.query().paths[0];
+    const trajectory = window.obby.query().paths[0];
     const { part } = window.obby.level().vanish[0];
-    const told = way.events;
-    way.events = Array.from({ length: 300001 }, (_, i) => [Math.floor(i / 1000), part, i % 2]);
+    const told = trajectory.events;
+    trajectory.events = Array.from({ length: 300001 }, (_, i) => [Math.floor(i / 1000), part, i % 2]);
     store.set({ path: 0 });
     const marks = document.querySelectorAll('.profile .mark.event').length;
-    const away = [10, 300, 20].map((tick) => stage.gone.at(way.events, tick).has(part));
-    way.events = told;
+    const away = [10, 300, 20].map((tick) => stage.gone.at(trajectory.events, tick).has(part));
+    trajectory.events = told;
     store.set({ path: -1 });
     return { marks, away };
   });

@@ -21,11 +21,11 @@ const bar = (page) =>
   }));
 
 // That it spans so many ticks, with the jumps of that way where they belong.
-async function assertBar(page, ticks, way) {
+async function assertBar(page, ticks, trajectory) {
   const { last, jumps } = await bar(page);
   assert.equal(last, ticks);
   assert.equal(last, await page.evaluate(() => window.obby.length()));
-  const wanted = way.jumpTicks.map((tick) => (1000 * tick) / ticks);
+  const wanted = trajectory.jumpTicks.map((tick) => (1000 * tick) / ticks);
   assert.equal(jumps.length, wanted.length);
   jumps.forEach((at, i) => assert.ok(Math.abs(at - wanted[i]) < 0.01, `${at}, not ${wanted[i]}`));
 }

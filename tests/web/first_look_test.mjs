@@ -122,9 +122,9 @@ test('the heat map has a scale', async ({ page }) => {
   await page.locator('#view').focus();
   await page.keyboard.press('9');
   assert.match(await scale.innerText(), /places explored per tile\s+1\s+9\s+90/);
-  await page.evaluate(() => window.obby.store.set({ heatWays: true }));
+  await page.evaluate(() => window.obby.store.set({ heatTrajectories: true }));
   assert.match(await scale.innerText(), /trajectories per tile\s+1\s+8\s+62/);
-  await page.evaluate(() => window.obby.store.set({ heatWays: false }));
+  await page.evaluate(() => window.obby.store.set({ heatTrajectories: false }));
   await page.keyboard.press('9');
   assert.equal(await scale.count(), 0);
 });

@@ -24,7 +24,7 @@ const kThreshold = 0.15; // of a colour's distance, below which a pixel is the s
 const kScenes = {
   course: { fragment: '#q=whole course', values: {} },
   chosen: { fragment: '#q=whole course&traj=0&t=3.2', values: { ghost: 1, theme: 'dark' } },
-  light: { fragment: '#q=whole course', values: { theme: 'light', heat: true, heatWays: true } },
+  light: { fragment: '#q=whole course', values: { theme: 'light', heat: true, heatTrajectories: true } },
   cut: { fragment: '#q=without jumping', values: { colorBy: 'time', theme: 'dark' } },
   box: {
     fragment: '#q=whole course&traj=4&t=2',

@@ -15,7 +15,7 @@ const rows = (page) =>
         (list) => document.querySelectorAll(`${list} [role=option][tabindex="0"]`).length,
       ),
       query: Number(dataset.query ?? -1),
-      way: Number(dataset.path ?? -1),
+      trajectory: Number(dataset.path ?? -1),
       inList: Boolean(parentElement?.closest('.paths')),
     };
   });
@@ -23,15 +23,15 @@ const rows = (page) =>
 test('a list is one Tab stop with arrow keys', async ({ page }) => {
   const press = async (key) => {
     await page.keyboard.press(key);
-    return (await rows(page)).way;
+    return (await rows(page)).trajectory;
   };
   await put(page, { path: 3, tick: 5, playing: false });
   assert.deepEqual((await rows(page)).stops, [1, 1]);
   await page.locator('.choice.colorBy select').focus();
   assert.equal(await press('Tab'), 3, 'the chosen one');
   const last = report.queries[0].trajectories.length - 1;
-  for (const [key, way] of Object.entries({ ArrowDown: 4, Home: 0, ArrowUp: 0, End: last }))
-    assert.equal(await press(key), way, key);
+  for (const [key, trajectory] of Object.entries({ ArrowDown: 4, Home: 0, ArrowUp: 0, End: last }))
+    assert.equal(await press(key), trajectory, key);
   assert.equal(await press('ArrowDown'), last);
   const far = last - (await press('PageUp'));
   assert.ok(far > 1 && far < last, `a page of ${far} rows`);
@@ -86,15 +86,15 @@ test('sorting, filtering and rebuilding a list keeps focus', async ({ page }) =>
   const asFound = { sort: 'found', descending: false };
   for (const values of [{ sort: 'time' }, { descending: true }, asFound]) {
     await put(page, values);
-    const { way, stops } = await rows(page);
-    assert.deepEqual([way, stops], [5, [1, 1]], JSON.stringify(values));
+    const { trajectory, stops } = await rows(page);
+    assert.deepEqual([trajectory, stops], [5, [1, 1]], JSON.stringify(values));
   }
   const { outcome } = report.queries[0].trajectories[5];
   await put(page, { outcome: outcome === 'killed' ? 'fell' : 'killed' });
   const gone = await rows(page);
   assert.deepEqual([gone.inList, gone.stops], [true, [1, 1]], 'another is in its place');
   await put(page, { outcome: '' });
-  assert.equal((await rows(page)).way, gone.way);
+  assert.equal((await rows(page)).trajectory, gone.trajectory);
 });
 
 test('a clicked row leaves the keys to the page', async ({ page }) => {

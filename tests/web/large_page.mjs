@@ -3,9 +3,9 @@ import { writeFileSync } from 'node:fs';
 import { fillTemplate } from './browser.mjs';
 import { largeReport } from './large_report.mjs';
 
-// Writes the page of `parts` and `ways` of ten seconds to `file`.
-export function writeLargePage(template, file, parts, ways) {
-  const report = largeReport(parts, ways, 600);
+// Writes the page of `parts` and `trajectories` of ten seconds to `file`.
+export function writeLargePage(template, file, parts, trajectories) {
+  const report = largeReport(parts, trajectories, 600);
   writeFileSync(file, fillTemplate(template, report, report.title));
 }
 
@@ -14,11 +14,11 @@ export const kChanges = {
   again: () => ({}),
   select: (i) => ({ path: 100 + i }),
   scrub: (i) => ({ tick: 50 + i }),
-  filter: (i) => ({ mostSeconds: 8 - 0.1 * i }),
+  filter: (i) => ({ maxSeconds: 8 - 0.1 * i }),
   box: (i) => ({ boxes: [{ min: [i, 0, 0], max: [i + 20, 20, 60], keep: true }] }),
-  heat: (i) => ({ boxes: [], heat: true, mostSeconds: 9.9 - 0.1 * i }),
+  heat: (i) => ({ boxes: [], heat: true, maxSeconds: 9.9 - 0.1 * i }),
   colour: (i) => ({ colorBy: ['time', 'jumps', 'outcome'][i] }),
-  sort: (i) => ({ sort: ['time', 'jumps', 'found'][i], mostSeconds: 0, boxes: [], heat: false }),
+  sort: (i) => ({ sort: ['time', 'jumps', 'found'][i], maxSeconds: 0, boxes: [], heat: false }),
 };
 
 // Makes a change and draws; when it is drawn, how long it took in milliseconds.

@@ -32,7 +32,7 @@ function levelOf(count) {
   };
 }
 
-function wayOf(index, ticks) {
+function trajectoryOf(index, ticks) {
   const position = new Float32Array(3 * (ticks + 1));
   const turn = 0.4 + (index % 97) / 97;
   for (let i = 0; i <= ticks; i++) {
@@ -63,11 +63,11 @@ function wayOf(index, ticks) {
   };
 }
 
-export function largeReport(parts, ways, ticks) {
-  const trajectories = Array.from({ length: ways }, (_, i) => wayOf(i, ticks - (i % 200)));
+export function largeReport(parts, trajectories, ticks) {
+  const trajectories = Array.from({ length: trajectories }, (_, i) => trajectoryOf(i, ticks - (i % 200)));
   return {
     ...sample,
-    title: `${parts} parts, ${ways} ways`,
+    title: `${parts} parts, ${trajectories} trajectories`,
     levels: [levelOf(parts)],
     queries: [{ ...sample.queries[0], waypoints: [], avoid: [], trajectories }],
   };

@@ -68,7 +68,7 @@ export async function openLive(browser, address, prepare = async () => {}) {
 }
 
 // Waits until the page lists so many trajectories of the chosen query.
-export async function waysAre(page, count) {
+export async function trajectoriesAre(page, count) {
   await page
     .waitForFunction((n) => window.obby.query()?.paths.length === n, count)
     .catch(async () => {

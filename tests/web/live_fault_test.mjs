@@ -4,7 +4,7 @@ import { join } from 'node:path';
 import { LiveReport } from '../../web/src/live_report.js';
 import { frames, started, withoutWebGl } from './browser.mjs';
 import { harness } from './harness.mjs';
-import { openLive, recordsOf, Viewer, waysAre } from './live_driver.mjs';
+import { openLive, recordsOf, Viewer, trajectoriesAre } from './live_driver.mjs';
 
 const { options, test, run } = harness();
 const stream = recordsOf(
@@ -14,9 +14,9 @@ const stream = recordsOf(
 );
 const of = (type) => stream.filter((record) => record.type === type);
 const course = [of('header')[0], of('level')[0], of('query').find(({ id }) => id === 'any')];
-const ways = of('trajectory').filter((record) => record.query === 'any');
+const trajectories = of('trajectory').filter((record) => record.query === 'any');
 
-test('there are enough trajectories to send', () => assert.ok(ways.length >= 3, `${ways.length}`));
+test('there are enough trajectories to send', () => assert.ok(trajectories.length >= 3, `${trajectories.length}`));
 
 // A page that opens late gets all of a long stream at once, and thinned attempts number by number.
 test('a piece can hold more trajectories than call arguments', () => {
@@ -46,12 +46,12 @@ test('a page without WebGL stays live with a message', async ({
 }) => {
   const viewer = new Viewer(options.viewer);
   const { page, trouble } = await openLive(browser, await viewer.address, withoutWebGl);
-  viewer.write(...course, ways[0]);
+  viewer.write(...course, trajectories[0]);
   await started(page);
-  await waysAre(page, 1);
+  await trajectoriesAre(page, 1);
   assert.match(await page.locator('#stage').innerText(), /no WebGL/);
-  viewer.write(ways[1]);
-  await waysAre(page, 2);
+  viewer.write(trajectories[1]);
+  await trajectoriesAre(page, 2);
   assert.ok(
     trouble.every((text) => /^THREE.*WebGL/.test(text)),
     String(trouble),
@@ -65,14 +65,14 @@ test('data of another format ends the requests', async ({
 }) => {
   const viewer = new Viewer(options.viewer);
   const { page, trouble, requests } = await openLive(browser, await viewer.address);
-  viewer.write(...course, ways[0]);
+  viewer.write(...course, trajectories[0]);
   await started(page);
-  await waysAre(page, 1);
+  await trajectoriesAre(page, 1);
   await page.route('**/data?*', (route) => route.fulfill({ json: { format: 4 } }));
-  viewer.write(ways[1]);
+  viewer.write(trajectories[1]);
   await page.locator('.fatal', { hasText: 'its data has format 4, expected 3; reload the page' }).waitFor();
   const asked = requests.length;
-  viewer.write(ways[2]);
+  viewer.write(trajectories[2]);
   await page.waitForTimeout(1500); // the server tells open pages five times a second
   assert.equal(requests.length, asked, requests.slice(asked).join());
   await frames(page, 5);
@@ -86,9 +86,9 @@ test('a failed request is retried until live', async ({
 }) => {
   const viewer = new Viewer(options.viewer);
   const { page } = await openLive(browser, await viewer.address);
-  viewer.write(...course, ways[0]);
+  viewer.write(...course, trajectories[0]);
   await started(page);
-  await waysAre(page, 1);
+  await trajectoriesAre(page, 1);
   await page.evaluate(() => {
     // Noted there: it is said for a second only.
     window.said = [];
@@ -97,8 +97,8 @@ test('a failed request is retried until live', async ({
     new MutationObserver(note).observe(name, { childList: true });
   });
   await page.route('**/data?*', (route) => route.abort(), { times: 1 });
-  viewer.write(ways[1]);
-  await waysAre(page, 2);
+  viewer.write(trajectories[1]);
+  await trajectoriesAre(page, 2);
   assert.match(await page.evaluate(() => window.said.join()), /Connection lost/);
   assert.equal(await page.locator('.live .name').innerText(), 'Live');
   await page.context().close();

@@ -4,7 +4,7 @@ import { spawn } from 'node:child_process';
 import { join } from 'node:path';
 import { frames, openReport, started, state } from './browser.mjs';
 import { harness } from './harness.mjs';
-import { openLive, recordsOf, Viewer, waysAre } from './live_driver.mjs';
+import { openLive, recordsOf, Viewer, trajectoriesAre } from './live_driver.mjs';
 
 const { options, test, run } = harness();
 const set = (page, values) => page.evaluate((v) => window.obby.store.set(v), values);
@@ -23,9 +23,9 @@ const header = of('header')[0];
 const level = of('level')[0];
 const query = of('query').find(({ id }) => id === 'any');
 const result = of('result')[0];
-const ways = of('trajectory').filter((record) => record.query === 'any');
-const solutions = ways.filter(({ outcome }) => outcome === 'goal');
-const attempts = ways.filter(({ outcome }) => outcome !== 'goal');
+const trajectories = of('trajectory').filter((record) => record.query === 'any');
+const solutions = trajectories.filter(({ outcome }) => outcome === 'goal');
+const attempts = trajectories.filter(({ outcome }) => outcome !== 'goal');
 
 const progress = (seconds, best, deaths) => ({
   type: 'progress',
@@ -70,12 +70,12 @@ test('counts grow until the stream ends, keeping the selection', async ({ browse
   await started(page);
   await page.waitForFunction(() => window.obby.query());
   viewer.write(progress(1, attempts[0], [attempts[1]]));
-  await waysAre(page, 2);
+  await trajectoriesAre(page, 2);
   assert.match(await page.locator('.detail').innerText(), /Searching[\s\S]*Closest to goal\s+19.0 studs/i);
   await page.locator('.detail summary').click();
   assert.match(await page.locator('.detail').innerText(), /Simulated ticks\s+100 k/);
   viewer.write(progress(3, attempts[2], [attempts[3], attempts[1]]));
-  await waysAre(page, 3);
+  await trajectoriesAre(page, 3);
   assert.match(await page.locator('.detail').innerText(), /Simulated ticks\s+300 k/);
   assert.match(await page.locator('.detail').innerText(), /Places explored\s+150/);
   await page.evaluate(() => {
@@ -87,7 +87,7 @@ test('counts grow until the stream ends, keeping the selection', async ({ browse
   await options.picture(page, 'live-searching');
 
   viewer.write(...attempts.slice(0, 10));
-  await waysAre(page, 11); // and the closest, while nothing is solved
+  await trajectoriesAre(page, 11); // and the closest, while nothing is solved
   await page.locator('.path').nth(4).click();
   await set(page, { tick: 12.5, ghost: 2, outcome: attempts[0].outcome, sort: 'time' });
   await page.evaluate(() => window.obby.stage.rig.restore([5, 30, 40, 0.4, -0.6, 30]));
@@ -100,7 +100,7 @@ test('counts grow until the stream ends, keeping the selection', async ({ browse
   assert.ok(before.chosen > 0 && before.ghost > 0 && before.focus !== undefined);
   for (let i = 10; i < 20; i += 5) {
     viewer.write(...attempts.slice(i, i + 5));
-    await waysAre(page, i + 6);
+    await trajectoriesAre(page, i + 6);
     assert.deepEqual(await kept(page), before, `after ${i + 5} attempts`);
   }
   // A replaced one stays as long as it is looked at.
@@ -116,7 +116,7 @@ test('counts grow until the stream ends, keeping the selection', async ({ browse
   await page.locator('.live label').click();
   const chosen = (await kept(page)).chosen;
   viewer.write(...solutions.slice(1));
-  await waysAre(page, 20 + solutions.length);
+  await trajectoriesAre(page, 20 + solutions.length);
   assert.equal((await kept(page)).chosen, chosen);
   assert.equal(await page.locator('.detail .verdict').innerText(), 'Solved');
   await set(page, { playing: false }); // it draws all the time
@@ -170,7 +170,7 @@ test('a page that loses the server catches up', async ({ browser }) => {
   const { page } = await openLive(browser, await viewer.address);
   viewer.write(header, level, query, attempts[0]);
   await started(page);
-  await waysAre(page, 1);
+  await trajectoriesAre(page, 1);
   const cdp = await page.context().newCDPSession(page);
   await cdp.send('Network.enable');
   await page.context().setOffline(true);
@@ -182,7 +182,7 @@ test('a page that loses the server catches up', async ({ browser }) => {
   await page.waitForTimeout(1500);
   assert.equal(await page.evaluate(() => window.obby.query().paths.length), 1);
   await page.context().setOffline(false);
-  await waysAre(page, 3);
+  await trajectoriesAre(page, 3);
   await page.waitForFunction(() => document.querySelector('.live .name').textContent === 'Live');
   await page.context().close();
   await viewer.stop();
@@ -197,7 +197,7 @@ test('a truncated stream and an invalid record are reported', async ({ browser }
   await name.filter({ hasText: 'Cut short' }).waitFor();
   assert.match(await page.locator('.note').innerText(), /stopped at an error: stdin:5: query/);
   assert.match(viewer.errors, /^obby-view: stdin:5: query/m);
-  await waysAre(page, 1);
+  await trajectoriesAre(page, 1);
   assert.deepEqual(trouble, []);
   await page.context().close();
   viewer.end();

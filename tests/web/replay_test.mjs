@@ -8,7 +8,7 @@ import { Path } from '../../web/src/path.js';
 import { arrive, openReport } from './browser.mjs';
 import { harness } from './harness.mjs';
 
-const kMostStuds = 1e-3; // between the two, in each axis
+const kMaxStuds = 1e-3; // between the two, in each axis
 const { options, test, run } = harness();
 
 // By name, each with what is asked of the solver.
@@ -63,14 +63,14 @@ async function compare(page, level, record) {
   return page.evaluate(({ index: which, kind: sort, step, points, jumps }) => {
     const { obby } = window;
     const shown = obby.query().paths.find((each) => each.kind === sort && each.index === which);
-    let most = 0;
+    let max = 0;
     points.forEach((point, i) => {
       obby.stage.showTick(shown, Math.min(i * step, shown.ticks));
       const at = obby.stage.avatar.group.position.toArray();
-      for (let k = 0; k < 3; k++) most = Math.max(most, Math.abs(at[k] - point[k]));
+      for (let k = 0; k < 3; k++) max = Math.max(max, Math.abs(at[k] - point[k]));
     });
     const sameJumps = JSON.stringify(shown.jumpTicks) === JSON.stringify(jumps ?? []);
-    return { most, count: points.length, ticks: shown.ticks, sameJumps };
+    return { max, count: points.length, ticks: shown.ticks, sameJumps };
   }, asked);
 }
 
@@ -79,16 +79,16 @@ for (const { level, paths } of answers) {
     assert.ok(paths.length > 0, 'nothing was solved');
     let [worst, total] = [0, 0];
     for (const path of paths) {
-      const { most, count, ticks, sameJumps } = await compare(page, level, path);
+      const { max, count, ticks, sameJumps } = await compare(page, level, path);
       assert.ok(count > ticks / path.path.step, `${count} points for ${ticks} ticks`);
-      assert.ok(most <= kMostStuds, `${most} studs`);
+      assert.ok(max <= kMaxStuds, `${max} studs`);
       assert.ok(sameJumps, 'jumps differ');
-      worst = Math.max(worst, most);
+      worst = Math.max(worst, max);
       total += count;
     }
     assert.ok(paths.some((path) => path.outcome === 'goal'));
     console.log(
-      `     ${paths.length} ways, ${total} points, at most ${worst.toExponential(1)} studs apart`,
+      `     ${paths.length} trajectories, ${total} points, at max ${worst.toExponential(1)} studs apart`,
     );
   });
 }
@@ -174,7 +174,7 @@ async function compareParts(page, recording) {
     const [shown] = obby.query().paths;
     const { levelView } = obby.stage;
     const Matrix = levelView.group.matrix.constructor;
-    let [most, moved] = [0, 0];
+    let [max, moved] = [0, 0];
     const begin = parts.map(() => null);
     frames.forEach((frame, tick) => {
       if (tick > shown.ticks) return;
@@ -187,13 +187,13 @@ async function compareParts(page, recording) {
         const truth = frame.poses[k].position;
         begin[k] ??= truth;
         is.forEach((value, axis) => {
-          most = Math.max(most, Math.abs(value - truth[axis]));
+          max = Math.max(max, Math.abs(value - truth[axis]));
           if (levelView.loose.has(part))
             moved = Math.max(moved, Math.abs(truth[axis] - begin[k][axis]));
         });
       });
     });
-    return { most, moved, count: frames.length, loose: shown.loose.length };
+    return { max, moved, count: frames.length, loose: shown.loose.length };
   }, recording);
 }
 
@@ -234,8 +234,8 @@ test('a pushed box matches a recording of the simulator', async ({
   const found = await compareParts(page, { ...recording, parts });
   assert.ok(found.loose > 0, 'nothing is pushed');
   assert.ok(found.moved > 4, `pushed ${found.moved} studs`);
-  assert.ok(found.most <= kMostStuds, `${found.most} studs`);
-  console.log(`     ${found.count} frames, at most ${found.most.toExponential(1)} studs apart`);
+  assert.ok(found.max <= kMaxStuds, `${found.max} studs`);
+  console.log(`     ${found.count} frames, at max ${found.max.toExponential(1)} studs apart`);
   const box = await page.evaluate(() => window.obby.report.levels[0].loose[0]);
   assert.deepEqual(await pickedWhereItIs(page, box), [box, box]);
   assert.deepEqual(trouble, []);

@@ -36,7 +36,7 @@ export const glass = part('Glass </script><b>', [26, 12, -84], [5, 1, 5], {
   alpha: 140,
   color: [200, 230, 255],
 });
-part('Boulder', [19, 8, -84], [5, 5, 5], { shape: 'ball', role: 'loose' });
+part('Boulder', [19, 8, -84], [5, 5, 5], { shape: 'ball', role: 'dynamic' });
 part('Crystal', [33, 13, -84], [4, 6, 4], { shape: 'hull' });
 part('Checkpoint', [26, 12, -92], [6, 1, 6], { role: 'checkpoint' });
 part('Goal', [26, 14, -102], [8, 1, 8], { role: 'goal' });

@@ -7,7 +7,7 @@ import { bar, glass, lava, lift, parts } from './sample_parts.mjs';
 const encode = (array) => Buffer.from(array.buffer).toString('base64');
 const f32 = (values) => encode(Float32Array.from(values));
 
-const way = [
+const trajectory = [
   [0, 0.5, 0],
   [0, 1.5, -11],
   [0, 2.5, -19],
@@ -34,12 +34,12 @@ function trajectory(
   const yaw = [];
   const state = [];
   const runs = [];
-  const last = Math.floor((way.length - 1) * 45 * stop);
+  const last = Math.floor((trajectory.length - 1) * 45 * stop);
   const phase = seed * 1.7;
   for (let i = 0; i <= last; i++) {
-    const leg = Math.min(way.length - 2, Math.floor(i / 45));
+    const leg = Math.min(trajectory.length - 2, Math.floor(i / 45));
     const t = i / 45 - leg;
-    const [a, b] = [way[leg], way[leg + 1]];
+    const [a, b] = [trajectory[leg], trajectory[leg + 1]];
     const far = Math.min(1, (i / (last + 1)) ** 2 * 3);
     const side = drift * far * Math.sin(i / 60 + phase);
     let y = a[1] + (b[1] - a[1]) * t + (leg === 5 ? 0 : 9 * t * (1 - t));

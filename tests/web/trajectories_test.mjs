@@ -61,7 +61,7 @@ test('sorts by time, and arrow keys follow the list', async ({ page }) => {
 
 test('colours by time, jumps, route, method and difficulty, with a legend', async ({ page }) => {
   const colourOf = (index) =>
-    page.evaluate((i) => window.obby.ways.coloring.of(window.obby.query().paths[i]), index);
+    page.evaluate((i) => window.obby.trajectories.coloring.of(window.obby.query().paths[i]), index);
   for (const mode of ['time', 'jumps', 'route', 'difficulty']) {
     await page.locator('.choice.colorBy select').selectOption(mode);
     assert.ok((await page.locator('.legend .swatch').count()) >= 2, mode);
@@ -82,10 +82,10 @@ test('an unknown difficulty band is shown as unknown', async ({ page }) => {
   const seen = await page.evaluate(() => {
     const { store, list } = window.obby;
     const { path } = store.state;
-    const [way] = window.obby.query().paths;
-    const told = way.difficulty;
+    const [trajectory] = window.obby.query().paths;
+    const told = trajectory.difficulty;
     const show = (difficulty, chosen) => {
-      way.difficulty = difficulty;
+      trajectory.difficulty = difficulty;
       store.set({ path: -1 });
       list.fill();
       store.set({ path: chosen });
@@ -218,18 +218,18 @@ test('deaths of shown trajectories name the killer', async ({ page }) => {
 test('the heat map counts listed trajectories once per cell', async ({ page }) => {
   await page.locator('#view').focus();
   await page.keyboard.press('9');
-  await set(page, { heatWays: true });
-  const most = () => page.evaluate(() => window.obby.stage.heat.most);
-  assert.equal(await most(), paths.length, 'all start in one cell');
+  await set(page, { heatTrajectories: true });
+  const limit = () => page.evaluate(() => window.obby.stage.heat.limit);
+  assert.equal(await limit(), paths.length, 'all start in one cell');
   await set(page, { outcome: 'killed' });
-  assert.equal(await most(), paths.filter((path) => path.outcome === 'killed').length);
+  assert.equal(await limit(), paths.filter((path) => path.outcome === 'killed').length);
   await set(page, { outcome: '' });
   await frames(page);
   await options.picture(page, 'heat');
   const fold = page.getByRole('button', { name: 'Display' });
   await fold.click();
   await page.getByText('of listed trajectories only').click();
-  assert.equal(await most(), 90, "the search's own cells");
+  assert.equal(await limit(), 90, "the search's own cells");
   await frames(page);
   await options.picture(page, 'heat-search');
   await fold.click();
@@ -254,7 +254,7 @@ test('an unreachable query explains its cut and advice', async ({
   await arrive(page);
   assert.match(
     await page.locator('.findings').innerText(),
-    /Why there is no solution[\s\S]*3 parts are reachable[\s\S]*Step 2 to Landing[\s\S]*at least 1.5 studs of height/,
+    /Why there is no solution[\s\S]*3 parts are reachable[\s\S]*Step 2 to Landing[\s\S]*at lowest 1.5 studs of height/,
   );
   assert.ok((await page.locator('#labels').textContent()).includes('✕ at least 1.5 studs of height'));
   await page.locator('.findings .text', { hasText: 'without Lava' }).click();

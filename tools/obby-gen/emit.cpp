@@ -76,7 +76,7 @@ Result<Emission> emit(std::span<const gen::Generator> generators, const EmitOpti
       if (!slot) return slot.error();
       if (!*slot) {
         ++out.refused;
-        if (++inARow < kMostRefused) continue;
+        if (++inARow < kMaxRefused) continue;
         out.ended = Ended::noneKept;
         return out;
       }

@@ -27,7 +27,7 @@ struct Emitted {
 };
 
 // Consecutive levels that --check may refuse before the run ends.
-constexpr uint64_t kMostRefused = 300;
+constexpr uint64_t kMaxRefused = 300;
 
 enum class Ended { complete, stopped, noneKept };
 

@@ -69,7 +69,7 @@ Result<std::vector<gen::Generator>> generatorsOf(const cli::Arguments& a,
 }
 
 Status noneKept(const tools::CheckOptions& check) {
-  return makeError(fmt::format("--check rejected {} levels in a row", tools::kMostRefused),
+  return makeError(fmt::format("--check rejected {} levels in a row", tools::kMaxRefused),
                    check.unsolvable ? "try another style, or more excess in the recipe"
                                     : "raise --check-steps, or try another style or difficulty");
 }

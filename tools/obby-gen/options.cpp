@@ -77,7 +77,7 @@ std::string lineOf(const gen::Style& s) {
 
 std::string lineOf(const gen::Parameter& p) {
   const std::string unit = *p.unit == 0 ? "" : fmt::format("{}, ", p.unit);
-  const std::string range = fmt::format("{:g} to {:g}", p.least, p.most);
+  const std::string range = fmt::format("{:g} to {:g}", p.min, p.max);
   return fmt::format("  {:<11} {:>7.4g}  {:>7.4g}  {:<12} {}{}\n", p.name, p.easy, p.hard, range,
                      unit, p.description);
 }

@@ -61,9 +61,8 @@ std::vector<OptionRow> levelRows() {
 
 template <class Number>
 OptionRow learnRow(const char* name, ValueType type, const char* value, Number standard,
-                   const char* help, double least, double most) {
-  return between(row(name, type, value, fmt::format("{}", standard), help, kLearnGroup), least,
-                 most);
+                   const char* help, double min, double max) {
+  return between(row(name, type, value, fmt::format("{}", standard), help, kLearnGroup), min, max);
 }
 
 std::vector<OptionRow> learnRows() {

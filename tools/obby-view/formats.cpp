@@ -11,7 +11,7 @@
 #include "view/picture/drawing.h"
 #include "view/picture/picture.h"
 #include "view/picture/png.h"
-#include "view/ways_model.h"
+#include "view/trajectories_model.h"
 
 namespace obby {
 namespace {
@@ -61,7 +61,7 @@ Result<std::string> rbxmx(const view::Report& report, const cli::Context&) {
   if (!any)
     return makeError("the input has no trajectory to write",
                      "solve a query first, with obby-solve");
-  return waysModel(report);
+  return trajectoriesModel(report);
 }
 
 constexpr ViewFormat kFormats[] = {

@@ -73,7 +73,7 @@ Result<cli::ExitCode> runLive(cli::Context& context) {
   view::GrowingReport report(
       view::Collector([&](const io::Record& record,
                           Error error) { return reading->forgive(record, std::move(error)); },
-                      arguments.list("query"), view::kLiveRoom));
+                      arguments.list("query"), view::kLiveBudget));
   view::LiveOptions options;
   options.port = uint16_t(arguments.integer("port"));
   options.endWithPages = arguments.flag("live-exit");

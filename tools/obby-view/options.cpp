@@ -18,7 +18,7 @@ using cli::OptionRow;
 using cli::row;
 using cli::ValueType;
 
-constexpr int kLeastPicture = 32, kMostPicture = 4096;  // pixels
+constexpr int kMinPicture = 32, kMaxPicture = 4096;  // pixels
 
 constexpr const char* kContent = "Content";
 constexpr const char* kTextGroup = "Text";
@@ -144,13 +144,13 @@ Result<view::PictureOptions> pictureOptions(const cli::Arguments& arguments) {
   const bool first = wrong == std::errc() && cross != end && *cross == 'x';
   const auto [rest, also] = first ? std::from_chars(cross + 1, end, options.height)
                                   : std::from_chars_result{cross, std::errc::invalid_argument};
-  const auto fits = [](int v) { return v >= kLeastPicture && v <= kMostPicture; };
+  const auto fits = [](int v) { return v >= kMinPicture && v <= kMaxPicture; };
   if (also != std::errc() || rest != end || !fits(options.width) || !fits(options.height))
     return Error{{},
                  {},
                  "--size",
                  fmt::format("expected WIDTHxHEIGHT, each from {0} to {1}, found '{2}'",
-                             kLeastPicture, kMostPicture, text),
+                             kMinPicture, kMaxPicture, text),
                  "for example --size 1280x720"};
   return options;
 }

@@ -12,7 +12,7 @@ import { bindKeys } from './shortcuts.js';
 import { INITIAL, Store } from './store.js';
 import { bindTheme } from './theme.js';
 import { Labels } from './ui/labels.js';
-import { Ways } from './ways.js';
+import { Trajectories } from './trajectories.js';
 
 /** @import {Live} from './live.js' */
 /** @import {Path} from './path.js' */
@@ -32,7 +32,7 @@ export class App {
     this.stage = new Stage(canvas());
     this.labels = new Labels(byId('labels'));
     this.pointer = new Pointer(this, canvas(), byId('tip'));
-    this.ways = new Ways(this);
+    this.trajectories = new Trajectories(this);
     this.dirty = true;
     this.shift = false; // the key is held
     this.glowing = -1; // part
@@ -52,7 +52,7 @@ export class App {
         this.length(),
       );
     // Before the panels, which show the colours.
-    this.store.on(['colorBy'], () => this.ways.color());
+    this.store.on(['colorBy'], () => this.trajectories.color());
     const panels = panelsOf(this);
     this.list = panels.list;
     this.filters = panels.filters;
@@ -64,7 +64,7 @@ export class App {
     this.help = panels.help;
     this.bind();
     this.filters.fill();
-    this.ways.choose();
+    this.trajectories.choose();
     this.showSelection();
     this.applyToggles();
     this.stage.resize();
@@ -105,8 +105,8 @@ export class App {
     if (!this.query()?.paths.length && !hasMotion(this.level())) return 0;
     if (path) return Math.max(path.ticks, this.ghost()?.ticks ?? 0);
     // A spread call to Math.max would exceed the limit on arguments for long lists.
-    const least = Math.max(1, 10 * (this.level()?.tickRate ?? 60));
-    return (this.query()?.paths ?? []).reduce((most, { ticks }) => Math.max(most, ticks), least);
+    const min = Math.max(1, 10 * (this.level()?.tickRate ?? 60));
+    return (this.query()?.paths ?? []).reduce((max, { ticks }) => Math.max(max, ticks), min);
   }
 
   // The initial selection: a solution, or else the closest attempt.
@@ -120,20 +120,20 @@ export class App {
     const level = this.level();
     if (level && this.stage.level !== level)
       this.stage.setLevel(level, this.store.state.colors);
-    this.ways.color();
+    this.trajectories.color();
     const query = this.query();
     if (query) this.stage.setQuery(query);
   }
 
   bind() {
     const { store } = this;
-    this.ways.bind();
+    this.trajectories.bind();
     store.on(['query'], () => {
       this.openQuery();
       const none = { part: -1, hoverPath: -1, ghost: -1, route: '', killer: -1, drawing: false };
       store.set({ path: this.firstPath(), tick: 0, playing: false, ...none });
       this.filters.fill();
-      this.ways.choose();
+      this.trajectories.choose();
       this.showSelection();
       this.applyToggles();
       this.stage.frameQuery(false);

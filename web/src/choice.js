@@ -12,8 +12,8 @@ export const UNFILTERED = {
   outcome: '',
   route: '',
   killer: -1,
-  mostJumps: -1,
-  mostSeconds: 0,
+  maxJumps: -1,
+  maxSeconds: 0,
   boxes: Object.freeze([]),
 };
 
@@ -142,12 +142,12 @@ export const routeKey = (path) => (path.route ?? []).join(' ');
  * @param {number} rate
  */
 function fits(query, path, index, filters, rate) {
-  const { outcome, route, killer, mostJumps, mostSeconds, boxes } = filters;
+  const { outcome, route, killer, maxJumps, maxSeconds, boxes } = filters;
   if (outcome && path.outcome !== outcome) return false;
   if (route && routeKey(path) !== route) return false;
   if (killer >= 0 && !(path.outcome === 'killed' && path.part === killer)) return false;
-  if (mostJumps >= 0 && path.jumps > mostJumps) return false;
-  if (mostSeconds > 0 && path.ticks > mostSeconds * rate + 1e-6) return false;
+  if (maxJumps >= 0 && path.jumps > maxJumps) return false;
+  if (maxSeconds > 0 && path.ticks > maxSeconds * rate + 1e-6) return false;
   return boxes.every((box) => pathsThrough(query, box).has(index) === box.keep);
 }
 

@@ -97,19 +97,19 @@ function byOutcome(query) {
 function byNumber(query, valueOf, label) {
   const values = query.paths.map(valueOf);
   if (!values.length) return { of: () => kNone, legend: [] };
-  const least = values.reduce((a, b) => Math.min(a, b), Infinity);
-  const most = values.reduce((a, b) => Math.max(a, b), -Infinity);
+  const min = values.reduce((a, b) => Math.min(a, b), Infinity);
+  const max = values.reduce((a, b) => Math.max(a, b), -Infinity);
   const share = (/** @type {number} */ value) =>
-    (most > least ? (value - least) / (most - least) : 0);
+    (max > min ? (value - min) / (max - min) : 0);
   /** @type {Coloring['legend']} */
   const legend = [0, 0.5, 1].map((s) => [
-    label(least + s * (most - least)),
-    rampColor(most > least ? s : 0),
+    label(min + s * (max - min)),
+    rampColor(max > min ? s : 0),
     'solution',
   ]);
   return {
     of: (path) => rampColor(share(valueOf(path))),
-    legend: most > least ? legend : legend.slice(0, 1),
+    legend: max > min ? legend : legend.slice(0, 1),
   };
 }
 

@@ -23,7 +23,7 @@ function middlemost(places) {
  * @param {Level | undefined} level
  * @param {number} most
  */
-export function deathLabels(paths, level, most) {
+export function deathLabels(paths, level, max) {
   /** @type {Map<number, Triple[]>} */
   const killers = new Map();
   for (const path of paths) {
@@ -34,7 +34,7 @@ export function deathLabels(paths, level, most) {
   }
   return [...killers]
     .sort((a, b) => b[1].length - a[1].length)
-    .slice(0, most)
+    .slice(0, max)
     .map(([part, places]) => ({
       text: `✕ ${places.length} killed by ${partName(level, part)}`,
       at: middlemost(places),

@@ -113,7 +113,7 @@ export class Live {
       path ? paths.findIndex(({ serial }) => serial === path.serial) : -1;
     store.set({ path: indexOf(chosen), ghost: indexOf(ghost), hoverPath: -1 });
     app.filters.refresh();
-    app.ways.choose();
+    app.trajectories.choose();
     app.showSelection();
     stage.pathView?.compare(app.ghost());
     app.applyToggles();

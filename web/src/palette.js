@@ -22,7 +22,7 @@ export const ROLE_STYLE = {
   pad: { label: 'Jump pad', color: '#f59a4c' },
   checkpoint: { label: 'Checkpoint', color: '#8fe3c4' },
   ghost: { label: 'Not solid', color: '#5b6472' },
-  loose: { label: 'Dynamic', color: '#b98f6f' },
+  dynamic: { label: 'Dynamic', color: '#b98f6f' },
 };
 
 /** @type {Record<Outcome, {label: string, short: string, color: string, glyph: Glyph}>} */

@@ -26,20 +26,20 @@ function pairOf(app) {
 
 /** @param {App} app */
 export function panelsOf(app) {
-  const { store, playback, report, ways } = app;
+  const { store, playback, report, trajectories } = app;
   /** @returns {Source} */
   const source = () => ({ query: app.query(), level: app.level() });
   /** @type {Tint} */
-  const tint = (path) => ways.coloring.of(path);
+  const tint = (path) => trajectories.coloring.of(path);
   const list = new PathList(store, source, tint);
-  const filters = new FilterPanel(store, source, () => ways.addBox());
+  const filters = new FilterPanel(store, source, () => trajectories.addBox());
   const sidebar = new Sidebar(byId('side'), report, store, [filters.root, list.root]);
   const comparison = new Comparison(byId('comparison'), store, () => pairOf(app), source, tint);
   const timeline = new Timeline(byId('timeline'), store, playback, () => app.path());
   const scenePanel = new ScenePanel(byId('scene-panel'), store, {
     queryOf: () => app.query(),
     levelOf: () => app.level(),
-    coloringOf: () => ways.coloring,
+    coloringOf: () => trajectories.coloring,
   });
   const hud = new Hud(byId('hud'));
   const help = new Help(dialog());

@@ -1,6 +1,6 @@
 // A trajectory: its samples, and the player's input between them.
 import { bytes, floats, words } from './bytes.js';
-import { LooseTrack } from './tracks.js';
+import { BodyTrack } from './tracks.js';
 
 /** @import {PathData, Triple} from './types/page_data.js' */
 /** @import {Box, Pose, Query} from './types/report.js' */
@@ -69,7 +69,7 @@ export class Path {
       yaw: unread(raw.yaw, words),
       state: unread(raw.state, bytes),
       runs: unread(raw.runs, words),
-      loose: unread(raw.loose ?? [], (tracks) => tracks.map((track) => new LooseTrack(track))),
+      bodies: unread(raw.bodies ?? [], (tracks) => tracks.map((track) => new BodyTrack(track))),
     };
     /** @type {number | undefined} */
     this.serial = undefined; // live: its number in the stream
@@ -91,8 +91,8 @@ export class Path {
     return this.read.runs();
   }
 
-  get loose() {
-    return this.read.loose();
+  get bodies() {
+    return this.read.bodies();
   }
 
   /**

@@ -13,7 +13,7 @@ import { el, seconds } from './ui/dom.js';
 const kBoxBelow = 1; // studs that a drawn box extends below the floor
 const kBoxAbove = 12;
 const kRest = 200; // ms until a part under the pointer gets a note
-const kMostNotes = 3;
+const kMaxNotes = 3;
 const kBeside = 14; // pixels from the pointer to the note
 
 export class Pointer {
@@ -171,7 +171,7 @@ export class Pointer {
     const part = this.picker.part(this.inCanvas(event));
     if (!level || part < 0) return;
     const name = level.names[part]?.split('/').pop() || `Part ${part}`;
-    const notes = (level.notes[part] ?? []).slice(0, kMostNotes);
+    const notes = (level.notes[part] ?? []).slice(0, kMaxNotes);
     this.tell(event, name, [ROLE_STYLE[ROLES[level.role[part]]].label, ...notes]);
   }
 

@@ -4,9 +4,9 @@ import { routeText } from './route_text.js';
 
 /** @import {Level, Query} from './types/report.js' */
 
-const kMostNames = 5; // in a route's text
-const kMostMarks = 3; // parts that distinguish a route
-const kMostRoutes = 50; // max routes compared with one another
+const kMaxNames = 5; // in a route's text
+const kMaxMarks = 3; // parts that distinguish a route
+const kMaxRoutes = 50; // max routes compared with one another
 
 /**
  * Returns part -> name. Parts with equal names are numbered.
@@ -56,7 +56,7 @@ function bestMark(own, others, parts) {
 function markOf(index, sets, parts, names) {
   let others = sets.filter((_, i) => i !== index);
   const marks = [];
-  while (others.length && marks.length < kMostMarks) {
+  while (others.length && marks.length < kMaxMarks) {
     const mark = bestMark(sets[index], others, parts);
     if (!mark) break;
     marks.push(`${mark.isOn ? 'via' : 'without'} ${names.get(mark.part)}`);
@@ -87,11 +87,11 @@ export function routeNames(query, level) {
     ...query.paths.map(({ route }) => route ?? []),
   ].filter((route) => route.length);
   const routes = [...new Map(found.map((route) => [route.join(' '), route])).entries()];
-  const compared = routes.slice(0, kMostRoutes).map(([, route]) => route);
+  const compared = routes.slice(0, kMaxRoutes).map(([, route]) => route);
   const sets = compared.map((route) => new Set(route));
   const parts = [...new Set(compared.flat())];
   const names = namesOf(compared, level);
-  const texts = routes.map(([, route]) => routeText(route, level, kMostNames));
+  const texts = routes.map(([, route]) => routeText(route, level, kMaxNames));
   const result = new Map(
     routes.map(([key], i) => {
       const mark = i < compared.length ? markOf(i, sets, parts, names) : `route ${i + 1}`;

@@ -4,11 +4,11 @@ import { partName } from './part_name.js';
 /** @import {Level} from './types/report.js' */
 
 /**
- * `most`: max number of names; of longer routes the first and last two are shown.
+ * `limit`: max number of names; of longer routes the first and last two are shown.
  * @param {number[]} route
  * @param {Level | undefined} level
  */
-export function routeText(route, level, most = Infinity) {
+export function routeText(route, level, limit = Infinity) {
   /** @type {{name: string, count: number}[]} */
   const steps = [];
   for (const name of route.map((part) => partName(level, part))) {
@@ -17,6 +17,6 @@ export function routeText(route, level, most = Infinity) {
     else steps.push({ name, count: 1 });
   }
   const words = steps.map(({ name, count }) => (count > 1 ? `${name} ×${count}` : name));
-  const told = words.length > most ? [...words.slice(0, 2), '…', ...words.slice(-2)] : words;
+  const told = words.length > limit ? [...words.slice(0, 2), '…', ...words.slice(-2)] : words;
   return told.join(' → ');
 }

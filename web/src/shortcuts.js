@@ -25,10 +25,10 @@ const ticking = ({ key, target }) =>
  * @param {number} by
  */
 function moveQuery(app, by) {
-  const most = app.report.queries.length;
-  if (most <= 0) return;
+  const max = app.report.queries.length;
+  if (max <= 0) return;
   const at = app.store.state.query;
-  app.store.set({ query: (Math.max(0, at + (at < 0 ? Math.max(by, 0) : by)) + most) % most });
+  app.store.set({ query: (Math.max(0, at + (at < 0 ? Math.max(by, 0) : by)) + max) % max });
 }
 
 /**

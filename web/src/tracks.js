@@ -1,7 +1,7 @@
 // Poses over time of parts that follow the level clock, and of dynamic parts in a trajectory.
 import { floats, longs, shorts } from './bytes.js';
 
-/** @import {LooseTrackData, TrackData} from './types/page_data.js' */
+/** @import {BodyTrackData, TrackData} from './types/page_data.js' */
 /** @import {Between} from './types/report.js' */
 
 // Poses of a moving part, one sample every `stride` ticks from tick 0 on. From `loopFrom` on they
@@ -57,8 +57,8 @@ export class Track {
 }
 
 // Poses of a dynamic part at some ticks of a trajectory, interpolated linearly.
-export class LooseTrack {
-  /** @param {LooseTrackData} raw */
+export class BodyTrack {
+  /** @param {BodyTrackData} raw */
   constructor(raw) {
     this.part = raw.part;
     this.ticks = longs(raw.ticks);

@@ -38,9 +38,9 @@ void ExpressionEmitter::interpolation(const Expr& expr) {
     if (!expr.keys[i]->text.empty()) parts.push_back(expr.keys[i].get());
     if (i < expr.kids.size()) parts.push_back(expr.kids[i].get());
   }
-  const size_t groups = (parts.size() + kMostArguments - 1) / kMostArguments;
+  const size_t groups = (parts.size() + kMaxArguments - 1) / kMaxArguments;
   if (groups > 1) helper("interp");
-  for (size_t i = 0; i < parts.size(); i += kMostArguments) {
+  for (size_t i = 0; i < parts.size(); i += kMaxArguments) {
     if (i > 0) out_.symbol(",");
     interpolation(parts, i);
   }
@@ -50,7 +50,7 @@ void ExpressionEmitter::interpolation(const Expr& expr) {
 // Emits one group of parts.
 void ExpressionEmitter::interpolation(const std::vector<const Expr*>& parts, size_t from) {
   helper("interp");
-  for (size_t i = from; i < std::min(parts.size(), from + kMostArguments); ++i) {
+  for (size_t i = from; i < std::min(parts.size(), from + kMaxArguments); ++i) {
     if (i > from) out_.symbol(",");
     single(*parts[i]);
   }

@@ -69,7 +69,7 @@ void ExpressionEmitter::quotient(const Expr& left, const Expr& right) {
 }
 
 void ExpressionEmitter::concatenation(const std::vector<const Expr*>& operands) {
-  const bool many = operands.size() > kMostArguments;
+  const bool many = operands.size() > kMaxArguments;
   helper(many ? "catn" : "cat");
   if (many) out_.symbol(std::to_string(operands.size()) + ",{");
   for (size_t i = 0; i < operands.size(); ++i) {

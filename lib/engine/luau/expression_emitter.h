@@ -19,7 +19,7 @@ class ExpressionEmitter {
 
  protected:
   using Exprs = std::vector<ExprPtr>;
-  static constexpr size_t kMostArguments = 100;  // per helper call: registers are scarce
+  static constexpr size_t kMaxArguments = 100;  // per helper call: registers are scarce
 
   explicit ExpressionEmitter(Scopes& scopes) : scopes_(scopes), prefix_(scopes.freePrefix()) {}
 

@@ -33,8 +33,8 @@ std::string numberText(double value) {
   int exponent = 0;
   const char* const from = buffer + mark + (text[mark + 1] == '+' ? 2 : 1);
   std::from_chars(from, result.ptr, exponent);
-  constexpr int kLeastPoint = -5, kMostPoint = 21;
-  if (exponent + 1 >= kLeastPoint && exponent + 1 <= kMostPoint)
+  constexpr int kMinPoint = -5, kMaxPoint = 21;
+  if (exponent + 1 >= kMinPoint && exponent + 1 <= kMaxPoint)
     return sign + fixedText(std::move(digits), exponent + 1);
   return sign + std::string(text);
 }

@@ -11,8 +11,8 @@
 namespace obby::luau {
 namespace {
 
-constexpr int kMostUpvalues = 55;  // 5.1 allows 60; one is the helpers' table
-constexpr int kMostLocals = 160;   // 5.1 allows 200; the emitter needs some
+constexpr int kMaxUpvalues = 55;  // 5.1 allows 60; one is the helpers' table
+constexpr int kMaxLocals = 160;   // 5.1 allows 200; the emitter needs some
 
 // Moves the scopes with the largest counts until `total` is within the limit.
 void moveLargest(std::vector<std::pair<int, Scope*>> counts, int total, int limit) {
@@ -26,7 +26,7 @@ void moveLargest(std::vector<std::pair<int, Scope*>> counts, int total, int limi
 }
 
 void limitUpvalues(const FunctionScope& function, const std::deque<Scope>& scopes) {
-  if (int(function.upvalues.size()) <= kMostUpvalues) return;
+  if (int(function.upvalues.size()) <= kMaxUpvalues) return;
   std::unordered_map<const Scope*, int> counts;
   for (const Local* local : function.upvalues) ++counts[local->scope];
   int total = 0;
@@ -37,11 +37,11 @@ void limitUpvalues(const FunctionScope& function, const std::deque<Scope>& scope
     total += scope.table != 0 ? 1 : found->second;
     if (scope.table == 0) movable.emplace_back(found->second, const_cast<Scope*>(&scope));
   }
-  moveLargest(std::move(movable), total, kMostUpvalues);
+  moveLargest(std::move(movable), total, kMaxUpvalues);
 }
 
 void limitLocals(const FunctionScope& function) {
-  if (function.most <= kMostLocals) return;
+  if (function.most <= kMaxLocals) return;
   int total = function.most;
   std::vector<std::pair<int, Scope*>> movable;
   for (Scope* scope : function.scopes) {
@@ -51,7 +51,7 @@ void limitLocals(const FunctionScope& function) {
     else
       movable.emplace_back(count, scope);
   }
-  moveLargest(std::move(movable), total, kMostLocals);
+  moveLargest(std::move(movable), total, kMaxLocals);
 }
 
 }  // namespace

@@ -18,10 +18,10 @@ void registerCharacters(lua_State* L);
 // Returns a number as the nearest integer, clamped to the type; 0 for NaN.
 template <class T>
 T integerOf(double number) {
-  constexpr T kLeast = std::numeric_limits<T>::min(), kMost = std::numeric_limits<T>::max();
+  constexpr T kMin = std::numeric_limits<T>::min(), kMax = std::numeric_limits<T>::max();
   if (number != number) return 0;
-  if (number <= double(kLeast)) return kLeast;
-  return number >= double(kMost) ? kMost : T(number);
+  if (number <= double(kMin)) return kMin;
+  return number >= double(kMax) ? kMax : T(number);
 }
 
 struct ValueType {

@@ -39,9 +39,9 @@ int fuzzyMethod(lua_State* L) {
   const Vec3 a = checkVector3(L, 1), b = checkVector3(L, 2);
   const float epsilon = float(luaL_optnumber(L, 3, kFuzzy));
   const Vec3 gap = abs(a - b);
-  const Vec3 most = {epsilon * (1 + std::fabs(a.x)), epsilon * (1 + std::fabs(a.y)),
-                     epsilon * (1 + std::fabs(a.z))};
-  lua_pushboolean(L, gap.x <= most.x && gap.y <= most.y && gap.z <= most.z);
+  const Vec3 limit = {epsilon * (1 + std::fabs(a.x)), epsilon * (1 + std::fabs(a.y)),
+                      epsilon * (1 + std::fabs(a.z))};
+  lua_pushboolean(L, gap.x <= limit.x && gap.y <= limit.y && gap.z <= limit.z);
   return 1;
 }
 

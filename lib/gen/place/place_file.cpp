@@ -12,7 +12,7 @@ namespace obby::gen {
 namespace {
 
 constexpr float kBetween = 60;                      // studs from one level to the next
-constexpr float kPlaceFallRoom = 40;                // studs below all parts at which a fall ends
+constexpr float kPlaceFallMargin = 40;              // studs below all parts at which a fall ends
 constexpr float kFarthest = level::kMaxCoordinate;  // studs: max coordinate of a part in a level
 constexpr float kDensity = 0.7f, kFriction = 0.3f;  // of plastic
 constexpr float kJumpPower = 1.06f;                 // launch speed over JumpPower
@@ -56,8 +56,8 @@ bool isDriven(const PartSketch& part) {
 
 }  // namespace
 
-PlaceFile::PlaceFile(const Generator& generator, uint64_t mostBytes)
-    : params_(generator.reach().params()), mostBytes_(mostBytes) {}
+PlaceFile::PlaceFile(const Generator& generator, uint64_t maxBytes)
+    : params_(generator.reach().params()), maxBytes_(maxBytes) {}
 
 void PlaceFile::writeProperties(const PartSketch& part, Vec3 shift) {
   xml_.flag("Anchored", part.anchored && !isDriven(part));
@@ -143,9 +143,9 @@ Status PlaceFile::add(const Generated& level) {
   xml_.endProperties();
   for (const PartSketch& part : parts) writePart(part, parts, shift);
   xml_.end();
-  if (levels_.size() + kFrameBytes > mostBytes_) {
+  if (levels_.size() + kFrameBytes > maxBytes_) {
     levels_.resize(before);
-    return full(fmt::format("in {} bytes", mostBytes_));
+    return full(fmt::format("in {} bytes", maxBytes_));
   }
   next_ = box.hi.x + shift.x + kBetween;
   lowest_ = std::min(lowest_, box.lo.y);
@@ -159,7 +159,7 @@ std::string PlaceFile::finish() {
   levels_ += io::kXmlBegin;
   xml_.begin("Workspace", "Workspace");
   xml_.number("Gravity", params_.gravity);
-  xml_.number("FallenPartsDestroyHeight", float(int32_t(lowest_ - kPlaceFallRoom)));
+  xml_.number("FallenPartsDestroyHeight", float(int32_t(lowest_ - kPlaceFallMargin)));
   xml_.endProperties();
   levels_ += levels;
   xml_.end();

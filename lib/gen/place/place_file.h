@@ -15,9 +15,9 @@ namespace obby::gen {
 
 class PlaceFile {
  public:
-  // The place gets the generator's physics. `mostBytes`: max size of the file, at least 4096.
+  // The place gets the generator's physics. `maxBytes`: max size of the file, at least 4096.
   // Programs, among them obby-import, do not read larger files than the default.
-  explicit PlaceFile(const Generator& generator, uint64_t mostBytes = io::kMostFileBytes);
+  explicit PlaceFile(const Generator& generator, uint64_t maxBytes = io::kMaxFileBytes);
   PlaceFile(const PlaceFile&) = delete;
   PlaceFile& operator=(const PlaceFile&) = delete;
 
@@ -35,7 +35,7 @@ class PlaceFile {
   void writeScript(const char* name, const std::string& source);
 
   const Params params_;
-  const uint64_t mostBytes_;
+  const uint64_t maxBytes_;
   std::string levels_;
   io::PlaceXml xml_{levels_};
   float next_ = 0;    // studs along X; free from here on

@@ -37,7 +37,7 @@ void build(Sketch& s) {
     s.advance(tile);
     s.expectJumps(1);
   }
-  s.expectWay(tile * float(rows) / 2);
+  s.expectRoute(tile * float(rows) / 2);
   // The strip prevents a jump from a corner straight to the landing.
   s.floor("Strip", 5, tile * kFiles);
 }

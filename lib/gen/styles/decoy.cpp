@@ -41,7 +41,7 @@ void build(Sketch& s) {
               road = maxf(end - widest - kSpare - s.mix(kShort), 4.0f);
   s.part("Dead end", {0, -0.5f, road / 2}, {s.mix(kRoad), 1, road}).colored(s.shade());
   s.expectJumps(2 * out + along + 2);
-  s.expectWay(2 * far);
+  s.expectRoute(2 * far);
   s.via({0, 0, row});
   s.via({side * far, 0, row});
   s.via({side * far, 0, row + length});

@@ -17,8 +17,8 @@ void build(Sketch& s) {
   const float width = 18;
   const float height = maxf(kHigh, s.reach().rise() + 5);
   for (uint32_t i = 0; i < walls; ++i) {
-    const float hole = s.mix(kHole), room = width - hole - 2;
-    const float left = 1 + room * s.unit();
+    const float hole = s.mix(kHole), spare = width - hole - 2;
+    const float left = 1 + spare * s.unit();
     if (s.straight() && s.broken("door")) {
       s.wall("Wall", 0, kDeep - 3, width + 2 * s.roundabout(kRoundabout), height, 1);
     } else {
@@ -28,7 +28,7 @@ void build(Sketch& s) {
     }
     s.via({left + (hole - width) / 2, 0, kDeep - 3});
     s.floor("Floor", kDeep, width);
-    s.expectWay(width / 2);
+    s.expectRoute(width / 2);
   }
 }
 

@@ -20,10 +20,10 @@ constexpr float kLong = 36, kApart = 15;
 constexpr float kSlide = 5;  // studs/s that a player gains on a slope
 
 void stones(Sketch& s, float right) {
-  const float size = s.mix(kStone), most = s.sideGap(0.9f);
+  const float size = s.mix(kStone), max = s.sideGap(0.9f);
   // Enough stones to leave no wider gaps, as far as they fit.
   const uint32_t count =
-      std::min(uint32_t((kLong - most) / (size + most)) + 1, uint32_t(kLong / size));
+      std::min(uint32_t((kLong - max) / (size + max)) + 1, uint32_t(kLong / size));
   const float gap = (kLong - size * float(count)) / float(count + 1);
   for (uint32_t i = 0; i < count; ++i) {
     const float ahead = gap + size / 2 + (size + gap) * float(i);
@@ -73,7 +73,7 @@ void build(Sketch& s) {
   s.floor("Junction", 6, width);
   s.via({way, 0, -3});
   s.noteCarrier(kSlide);
-  s.expectWay(width);
+  s.expectRoute(width);
 }
 
 }  // namespace

@@ -29,8 +29,8 @@ void build(Sketch& s) {
   const float size = s.mix(kSize), foot = 6, side = s.side();
   s.floor("Foot", foot, s.mix(kFoot));
   const float round = s.chance(0.5f) ? 0.5f : 1.5f;
-  const float most = 0.6f * s.reach().gap(s.reach().rise() * kShare);
-  const float step = stepOf(size, minf(s.mix(kGap), most));
+  const float max = 0.6f * s.reach().gap(s.reach().rise() * kShare);
+  const float step = stepOf(size, minf(s.mix(kGap), max));
   const uint32_t last = uint32_t(round / step + 0.5f);
   const float middle = 1 + size / 2 + kRadius;  // distance of the core's axis ahead
   float height = 0;
@@ -42,7 +42,7 @@ void build(Sketch& s) {
   }
   s.part("Core", {0, height / 2, middle}, {kCore, height + 1, kCore}).colored(colors::kWall);
   s.advance(middle + kRadius + size / 2, height);
-  s.expectWay(2 * kPi * kRadius * round);
+  s.expectRoute(2 * kPi * kRadius * round);
   const float gap = s.mix(kEdge), wide = s.mix(kLanding);
   s.floor("Landing", 5, wide, gap);
 }

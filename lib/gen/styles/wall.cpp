@@ -15,8 +15,8 @@ const auto& [kWalls, kWidth, kThickness] = kParameters;
 // Returns the studs by which a wall extends beyond the floor on each side. A player who walks round
 // it falls too low to return.
 float beyondFloor(const Params& p) {
-  constexpr float kMost = 30;  // upper bound for low gravity
-  return minf(0.5f * p.walkSpeed * sqrtf32(2 * (p.hipHeight + 1) / p.gravity) + 0.5f, kMost);
+  constexpr float kMax = 30;  // upper bound for low gravity
+  return minf(0.5f * p.walkSpeed * sqrtf32(2 * (p.hipHeight + 1) / p.gravity) + 0.5f, kMax);
 }
 
 void build(Sketch& s) {
@@ -28,8 +28,8 @@ void build(Sketch& s) {
   for (uint32_t i = 0; i < walls; ++i) {
     const float rise = s.straight() ? s.rise() : s.easyRise();
     // Too high to walk over, unless that is higher than a jump.
-    const float least = minf(s.reach().params().hipHeight + 1, kSure * s.reach().rise());
-    const float height = maxf(rise, least);
+    const float min = minf(s.reach().params().hipHeight + 1, kSure * s.reach().rise());
+    const float height = maxf(rise, min);
     const bool high = height > s.reach().rise();
     const float more = high ? s.roundabout(kRoundabout) : beyondFloor(s.reach().params());
     s.wall("Wall", 0, before, width + 2 * more, height, thick);

@@ -16,10 +16,10 @@ const auto& [kStones, kSize, kUp, kDown, kSlant] = kParameters;
 
 void build(Sketch& s) {
   const uint32_t stones = s.mixCount(kStones);
-  const float most = 0.6f * s.reach().rise();
+  const float max = 0.6f * s.reach().rise();
   float side = s.side();
   for (uint32_t i = 0; i < stones; ++i, side = -side) {
-    const float size = s.mix(kSize), up = s.chance(0.5f) ? minf(s.mix(kUp), most) : -s.mix(kDown);
+    const float size = s.mix(kSize), up = s.chance(0.5f) ? minf(s.mix(kUp), max) : -s.mix(kDown);
     const float gap = s.gap(up);
     // An impossible gap goes straight ahead, where its width is exact.
     const float slant = side * s.mix(kSlant), lean = slant * s.unit();

@@ -7,8 +7,8 @@
 namespace obby::importer {
 
 Vec3 boundedSize(Vec3 size) {
-  constexpr float kLeast = 0.001f, kMost = 2048;  // studs
-  return min(max(abs(size), Vec3{kLeast, kLeast, kLeast}), Vec3{kMost, kMost, kMost});
+  constexpr float kMin = 0.001f, kMax = 2048;  // studs
+  return min(max(abs(size), Vec3{kMin, kMin, kMin}), Vec3{kMax, kMax, kMax});
 }
 
 namespace {

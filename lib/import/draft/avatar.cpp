@@ -15,13 +15,13 @@ constexpr uint32_t kOuterBox = 0;          // GameSettingsR15Collision
 constexpr uint32_t kSingleCollider = 1;    // CollisionMode
 constexpr uint32_t kUseParts = 0;          // value of the touch detection modes
 constexpr Vec3 kColliderSize = {2, 3, 1};  // the engine's default
-constexpr float kLeastScale = 0.25f, kMostScale = 4, kLeastCollider = 0.1f, kMostCollider = 20;
+constexpr float kMinScale = 0.25f, kMaxScale = 4, kMinCollider = 0.1f, kMaxCollider = 20;
 
 // Returns the scale of the range that is nearest to the rig's own.
 float scaleOf(const Instance& starter, const std::string& setting) {
   const NumberRange* range = property<NumberRange>(starter, setting);
   if (range == nullptr || !(range->min <= range->max)) return 1;
-  return std::clamp(std::clamp(1.0f, range->min, range->max), kLeastScale, kMostScale);
+  return std::clamp(std::clamp(1.0f, range->min, range->max), kMinScale, kMaxScale);
 }
 
 // Returns true for proportions that no scaled classic body has.
@@ -56,7 +56,7 @@ void readCollider(const Tree& tree, LevelDraft& level) {
   if (get<EnumItem>(from, "CollisionMode").value != kSingleCollider) return;
   const Vec3* const stated = property<Vec3>(from, "SingleColliderSize");
   const Vec3 size = stated != nullptr ? *stated : kColliderSize;
-  const auto within = [](float v) { return v >= kLeastCollider && v <= kMostCollider; };
+  const auto within = [](float v) { return v >= kMinCollider && v <= kMaxCollider; };
   if (!within(size.x) || !within(size.y) || !within(size.z)) return;
   level.avatar.collider = size;
   // The engine has two names for the setting.

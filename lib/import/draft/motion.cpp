@@ -9,7 +9,7 @@
 #include "engine/observation.h"
 #include "import/document/pivot.h"
 #include "import/document/pose_math.h"
-#include "import/draft/motion_room.h"
+#include "import/draft/motion_budget.h"
 #include "level/motion_tables.h"
 
 namespace obby::importer {
@@ -135,23 +135,23 @@ bool isBounded(const Motion& motion) {
 
 // Returns the number of pieces in which a part `reach` studs from the pivot follows its arc.
 int piecesOf(const MotionKey& from, const MotionKey& to, float reach) {
-  constexpr double kTicks = 60, kMost = 600;
+  constexpr double kTicks = 60, kMax = 600;
   const float turn = length(rotationVector(to.pose.rotation * inverse(from.pose.rotation)));
   if (!(reach * (1 - std::cos(turn / 2)) > kStraight)) return 1;
   const double ticks = std::ceil(double(to.time - from.time) * kTicks);
   double pieces = std::ceil(double(turn) / (2 * std::acos(1 - double(kStraight) / double(reach))));
   if (to.easing != Easing::linear) pieces = std::max(pieces, ticks / 2);
-  return int(std::max(1.0, std::min({pieces, ticks, kMost})));
+  return int(std::max(1.0, std::min({pieces, ticks, kMax})));
 }
 
 }  // namespace
 
 Motion withArcs(const Motion& motion, float reach) {
-  constexpr size_t kMostKeys = 3000;
+  constexpr size_t kMaxKeys = 3000;
   Motion out = motion;
   out.keys.clear();
   for (const MotionKey& key : motion.keys) {
-    const bool first = out.keys.empty() || out.keys.size() > kMostKeys;
+    const bool first = out.keys.empty() || out.keys.size() > kMaxKeys;
     const int pieces = first ? 1 : piecesOf(out.keys.back(), key, reach);
     const MotionKey from = first ? key : out.keys.back();
     for (int i = 1; i < pieces; ++i) {
@@ -186,10 +186,10 @@ int giveMotion(RoleContext& context, InstanceId moved, const Motion& ofPivot,
   for (const PartDraft* part : parts)
     reach = std::max(reach, length(toLocal(pivot, part->pose.position)));
   const Motion motion = withArcs(ofPivot, reach);
-  if (!haveRoom(context, parts, motion, reason)) return 0;
+  if (!fitsBudget(context, parts, motion, reason)) return 0;
   int given = 0;
   for (PartDraft* part : parts) {
-    if (!hasRoom(context, *part, motion, reason)) continue;
+    if (!partFitsBudget(context, *part, motion, reason)) continue;
     const Pose inPivot = inverse(pivot) * part->pose;
     Motion own = motion;
     for (MotionKey& key : own.keys) key.pose = key.pose * inPivot;
@@ -205,7 +205,7 @@ int giveMotion(RoleContext& context, InstanceId moved, const Motion& ofPivot,
               reason);
       continue;
     }
-    takeRoom(context, *part, own);
+    spend(context, *part, own);
     part->motion = std::move(own);
     part->anchored = true;  // nothing pushes it off its trajectory
     part->evidence.push_back({"motion", reason, guessed});

@@ -15,7 +15,7 @@
 namespace obby::importer {
 
 // Poses and ticks of motions, see motion.h.
-struct MotionRoom {
+struct MotionBudget {
   size_t keys = 0, ticks = 0;
 };
 
@@ -31,7 +31,7 @@ class RoleContext {
   // harmless.
   bool scriptsTell = false;
   // Budget spent by parts that a player can meet, and by parts that had no role yet.
-  MotionRoom metRoom, unmetRoom;
+  MotionBudget metBudget, unmetBudget;
   std::vector<InstanceId> unmetMoving;  // unmet parts that move
   // Unmet parts beyond the budget, with the reason why they would move.
   std::map<InstanceId, std::string> unmetStill;

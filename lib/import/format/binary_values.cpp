@@ -21,10 +21,10 @@ struct Column {
   std::vector<Value>& out;
   std::string problem = {};  // an error other than missing bytes
 
-  // Reads consecutive values. `least` is the min size of one in bytes.
+  // Reads consecutive values. `lowest` is the min size of one in bytes.
   template <class Read>
-  void each(size_t least, Read read) {
-    if (!reader.has(count, least)) return;
+  void each(size_t lowest, Read read) {
+    if (!reader.has(count, lowest)) return;
     for (size_t i = 0; i < count && reader.ok() && problem.empty(); ++i) out.emplace_back(read());
   }
   template <class Number, class Convert>

@@ -29,7 +29,7 @@ Error broken(std::string message) { return Error{{}, {}, "hulls", std::move(mess
 
 struct PackedHead {
   uint32_t hulls, corners, faces;    // totals of the Edgebreaker hulls
-  uint32_t mostCorners, mostFaces;   // max of one of them
+  uint32_t maxCorners, maxFaces;     // max of one of them
   uint32_t plainBytes;               // size of the block of plain hulls
   uint32_t symbolBits, symbolBytes;  // sizes of the Edgebreaker symbols
   uint32_t cornerBytes;
@@ -37,9 +37,8 @@ struct PackedHead {
 
 PackedHead readPackedHead(ByteReader& reader) {
   PackedHead head{};
-  for (uint32_t* field :
-       {&head.hulls, &head.corners, &head.faces, &head.mostCorners, &head.mostFaces,
-        &head.plainBytes, &head.symbolBits, &head.symbolBytes, &head.cornerBytes})
+  for (uint32_t* field : {&head.hulls, &head.corners, &head.faces, &head.maxCorners, &head.maxFaces,
+                          &head.plainBytes, &head.symbolBits, &head.symbolBytes, &head.cornerBytes})
     *field = reader.u32();
   reader.bytes(6 * 4);  // the bounding box
   return head;
@@ -148,7 +147,7 @@ Status readCoded(const PackedHead& head, std::string_view symbols, ByteReader& r
 }  // namespace
 
 Result<std::string> unpackHulls(std::string_view frame) {
-  const size_t most = std::min(kMaxUnpacked, kAlwaysUnpacked + kUnpackedPerByte * frame.size());
+  const size_t max = std::min(kMaxUnpacked, kAlwaysUnpacked + kUnpackedPerByte * frame.size());
   const std::unique_ptr<ZSTD_DCtx, decltype(&ZSTD_freeDCtx)> context(ZSTD_createDCtx(),
                                                                      &ZSTD_freeDCtx);
   ZSTD_DCtx_setParameter(context.get(), ZSTD_d_windowLogMax, kMaxWindowLog);
@@ -156,7 +155,7 @@ Result<std::string> unpackHulls(std::string_view frame) {
   ZSTD_inBuffer input = {frame.data(), frame.size(), 0};
   for (;;) {
     const size_t had = out.size();
-    if (had > most) return broken("their frame claims to hold more than its size allows");
+    if (had > max) return broken("their frame claims to hold more than its size allows");
     out.resize(had + kUnpackStep);
     ZSTD_outBuffer output = {out.data(), out.size(), had};
     const size_t left = ZSTD_decompressStream(context.get(), &output, &input);

@@ -18,7 +18,7 @@ constexpr Format kFormats[] = {
     {looksLikeXml, readXml},        // .rbxlx, .rbxmx
 };
 
-constexpr size_t kMostBlanks = size_t(64) << 10;  // blanks to skip before the input is read whole
+constexpr size_t kMaxBlanks = size_t(64) << 10;  // blanks to skip before the input is read whole
 
 }  // namespace
 
@@ -35,7 +35,7 @@ std::optional<bool> mayBeRoblox(std::string_view begin) {
   const std::string_view text = io::withoutByteOrderMark(begin);
   const size_t first = text.find_first_not_of(" \t\r\n");
   if (first != std::string_view::npos) return text[first] == '<';
-  if (text.size() < kMostBlanks) return {};
+  if (text.size() < kMaxBlanks) return {};
   return true;
 }
 

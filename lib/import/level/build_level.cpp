@@ -7,12 +7,12 @@
 
 #include "import/document/assemblies.h"
 #include "import/document/classes.h"
-#include "import/draft/motion_room.h"
+#include "import/draft/motion_budget.h"
 #include "import/draft/world.h"
 #include "import/level/chance.h"
 #include "import/level/culling.h"
 #include "import/level/doubts.h"
-#include "import/level/loose.h"
+#include "import/level/dynamic.h"
 #include "import/level/unmodelled.h"
 #include "import/observed/roles.h"
 #include "import/parts/collision_groups.h"
@@ -108,7 +108,7 @@ LevelDraft buildLevel(const Tree& tree, const ObservedPlace& place, const std::s
   context.scriptsTell = tells;
   findRolesOf(context, place);
   settleMotions(context);
-  looseParts(tree, assemblies, level);
+  dynamicParts(tree, assemblies, level);
   orderStages(tree, level, arrivedAt(place));
   noteUnmodelled(context);
   addTerrain(tree, level);

@@ -9,9 +9,9 @@
 namespace obby::importer {
 namespace {
 
-constexpr float kFarExtents = 10;    // multiples of the extent of the middle 90 %
-constexpr float kLeastExtent = 500;  // studs; small levels may have distant pieces
-constexpr float kFarthest = 1e6f;    // studs; single precision is too coarse beyond
+constexpr float kFarExtents = 10;  // multiples of the extent of the middle 90 %
+constexpr float kMinExtent = 500;  // studs; small levels may have distant pieces
+constexpr float kFarthest = 1e6f;  // studs; single precision is too coarse beyond
 constexpr double kLowQuantile = 0.05, kHighQuantile = 0.95;
 
 Box boundsOfPart(const PartDraft& part) { return boundsOf(part.pose, part.size * 0.5f); }
@@ -27,7 +27,7 @@ Range middle(std::vector<float> values) {
     return *n;
   };
   const float lo = at(kLowQuantile), hi = at(kHighQuantile);
-  const float reach = std::max(hi - lo, kLeastExtent) * kFarExtents;
+  const float reach = std::max(hi - lo, kMinExtent) * kFarExtents;
   return {lo - reach, hi + reach};
 }
 

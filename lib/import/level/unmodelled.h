@@ -6,7 +6,7 @@
 namespace obby::importer {
 
 // Notes terrain, seats, tools, teleporters, buttons, parts that scripts change in play, and scripts
-// that were not understood. Call it after findRoles and looseParts.
+// that were not understood. Call it after findRoles and dynamicParts.
 void noteUnmodelled(RoleContext& context);
 
 }  // namespace obby::importer

@@ -12,7 +12,7 @@
 namespace obby::importer {
 namespace {
 
-constexpr const char* kLetLoose = "part that scripts let loose";
+constexpr const char* kLetGo = "part that scripts let loose";
 constexpr const char* kStays = "stays as it is at the start";
 
 // Properties whose changes in play have no field in the level.
@@ -28,7 +28,7 @@ constexpr LossRow kLosses[] = {
     {"JumpHeight", "speed that scripts change", "the player's jump stays the same"},
     {"Size", "size that scripts change", kStays},
     {"CanTouch", "touch that scripts switch", kStays},
-    {"Anchored", kLetLoose, kStays},
+    {"Anchored", kLetGo, kStays},
 };
 
 // Returns true for a part that scripts made and the document lacks.
@@ -136,7 +136,7 @@ void noteChanges(RoleContext& context, const engine::Report& report) {
     if (change.time <= report.lookedAgainAt && isMadeLater(report, change.target)) continue;
     for (const LossRow& row : kLosses)
       if (change.property == row.property) note(row.kind, row.note, change);
-    if (letsFall(context, report, change)) note(kLetLoose, kStays, change);
+    if (letsFall(context, report, change)) note(kLetGo, kStays, change);
   }
   const std::set<engine::Line> known = linesThatHarm(report);
   for (const engine::Harm& harm : report.undisturbed.harms)

@@ -58,19 +58,19 @@ bool repeats(const std::vector<Pose>& poses, const std::vector<Slack>& slacks, s
 
 // Returns how far the last `count` poses are from the last one.
 float extent(const std::vector<Pose>& poses, size_t count) {
-  float most = 0;
+  float max = 0;
   for (size_t i = poses.size() - count; i < poses.size(); ++i)
-    most = std::max(most, length(poses[i].position - poses.back().position) +
-                              turnBetween(poses[i], poses.back()));
-  return most;
+    max = std::max(max, length(poses[i].position - poses.back().position) +
+                            turnBetween(poses[i], poses.back()));
+  return max;
 }
 
 double worst(const std::vector<Pose>& poses, size_t period) {
-  double most = 0;
+  double max = 0;
   for (size_t i = poses.size() - period; i-- > poses.size() - 2 * period;)
-    most = std::max(most, double(length(poses[i].position - poses[i + period].position) +
-                                 turnBetween(poses[i], poses[i + period])));
-  return most;
+    max = std::max(max, double(length(poses[i].position - poses[i + period].position) +
+                               turnBetween(poses[i], poses[i + period])));
+  return max;
 }
 
 // Returns the period to a fraction of a frame, from the longest multiple of it in the poses.
@@ -96,12 +96,11 @@ bool isStill(const std::vector<Pose>& poses, size_t period) {
 Round roundIn(const std::vector<Pose>& poses) {
   const std::vector<Slack> slacks = slacksOf(poses);
   // A settling motion resembles a round at its end, but a small one.
-  const float least = extent(poses, poses.size() / 2) / 2;
+  const float min = extent(poses, poses.size() / 2) / 2;
   Round round;
   for (size_t period = 2; 2 * period < poses.size() && round.frames == 0; ++period)
     if (repeats(poses, slacks, period) && !isStill(poses, period) &&
-        (period > 30 || worst(poses, period) < double(kSamePlace)) &&
-        extent(poses, period) >= least)
+        (period > 30 || worst(poses, period) < double(kSamePlace)) && extent(poses, period) >= min)
       round.frames = period;
   if (round.frames == 0) return round;
   // A slow motion resembles itself after a few frames. The period is the lag with the best match.

@@ -26,7 +26,7 @@ constexpr double kEndless = 1200;  // seconds; longer than the simulator accepts
 // One tween of one property that still plays at the end of the run.
 struct Law {
   const engine::Tween* tween;
-  const engine::TweenWay* way;
+  const engine::TweenChange* change;
   double begun = 0;  // seconds at which its delay begins
 
   double leg() const { return tween->seconds * (tween->reverses ? 2 : 1); }
@@ -52,16 +52,17 @@ double Law::easedAt(double time) const {
 
 Pose Law::at(double time, const Pose& pose) const {
   const auto share = float(easedAt(time));
-  if (const Pose* const to = std::get_if<Pose>(&way->to)) {
-    const Pose* const from = std::get_if<Pose>(&way->from);
+  if (const Pose* const to = std::get_if<Pose>(&change->to)) {
+    const Pose* const from = std::get_if<Pose>(&change->from);
     return from ? between(*from, *to, share) : pose;
   }
-  const Vec3* const from = std::get_if<Vec3>(&way->from);
-  const Vec3* const to = std::get_if<Vec3>(&way->to);
+  const Vec3* const from = std::get_if<Vec3>(&change->from);
+  const Vec3* const to = std::get_if<Vec3>(&change->to);
   if (!from || !to) return pose;
   const Vec3 value = *from + (*to - *from) * share;
-  if (way->property == "Position") return {value, pose.rotation};
-  return {pose.position, way->property == "Rotation" ? fromAngles(value) : fromOrientation(value)};
+  if (change->property == "Position") return {value, pose.rotation};
+  return {pose.position,
+          change->property == "Rotation" ? fromAngles(value) : fromOrientation(value)};
 }
 
 // Returns the tween of the property that began last. Its beginning is the pose at `frame`: it takes
@@ -70,8 +71,8 @@ std::optional<Law> lastLaw(const std::vector<const engine::Tween*>& tweens,
                            const std::string& property, const Pose& last, uint32_t frame) {
   std::optional<Law> found;
   for (const engine::Tween* const tween : tweens)
-    for (const engine::TweenWay& way : tween->ways)
-      if (way.property == property) found = Law{tween, &way};
+    for (const engine::TweenChange& change : tween->changes)
+      if (change.property == property) found = Law{tween, &change};
   if (!found || !(found->round() > 0) || !std::isfinite(found->round())) return std::nullopt;
   const double time = frame * engine::kFrame, begun = found->tween->time - found->tween->delay;
   const auto off = [&](double from) {
@@ -104,8 +105,8 @@ bool explains(const std::vector<Law>& laws, const std::vector<Pose>& poses) {
 // Returns the tweens' poses at even times from `from` to `to`, and where they reverse.
 std::vector<PoseSample> lawSamples(const std::vector<Law>& laws, const Pose& last, double from,
                                    double to) {
-  constexpr double kMost = 6000, kJust = 1e-6;
-  const double step = std::max(engine::kFrame, (to - from) / kMost);
+  constexpr double kMax = 6000, kJust = 1e-6;
+  const double step = std::max(engine::kFrame, (to - from) / kMax);
   std::vector<double> times;
   for (double time = from + step; time < to - kJust; time += step) times.push_back(time);
   for (const Law& law : laws) {

@@ -12,7 +12,7 @@
 namespace obby::importer {
 namespace {
 
-constexpr size_t kLeastCorners = 4, kMostCorners = 255;
+constexpr size_t kMinCorners = 4, kMaxCorners = 255;
 constexpr const char* kKind = "shape of a mesh or union";  // kind in the level's list of losses
 
 // Returns true if a level may have the corner. One corner beyond would get the whole level
@@ -26,7 +26,7 @@ bool isInBounds(Vec3 corner) {
 void noteBoxed(const Tree& tree, PartDraft& part, size_t boxed, LevelDraft& level) {
   const std::string what = fmt::format(
       "{} of {} hulls have more than {} corners; each of these becomes its bounding box", boxed,
-      part.hulls.size(), kMostCorners);
+      part.hulls.size(), kMaxCorners);
   part.evidence.push_back({"shape", what, true});
   if (part.solid) level.noteUnmodelled(kKind, tree, part.id, what);
 }
@@ -45,9 +45,9 @@ std::vector<std::vector<Vec3>> scaledHulls(std::vector<std::vector<Vec3>> hulls,
 LevelHulls::Known LevelHulls::decoded(const CollisionBlob& blob) const {
   Known known{collisionFrom(blob), 0, 0};
   auto& hulls = known.collision.hulls;
-  std::erase_if(hulls, [](const std::vector<Vec3>& hull) { return hull.size() < kLeastCorners; });
+  std::erase_if(hulls, [](const std::vector<Vec3>& hull) { return hull.size() < kMinCorners; });
   for (auto& hull : hulls) {
-    if (hull.size() > kMostCorners) {
+    if (hull.size() > kMaxCorners) {
       hull = level::boxAround(hull);
       ++known.boxed;
     }

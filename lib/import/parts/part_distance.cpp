@@ -8,7 +8,7 @@
 namespace obby::importer {
 namespace {
 
-constexpr float kSquares = 256, kLeastSquare = 32;  // number along the longer side; studs
+constexpr float kSquares = 256, kMinSquare = 32;  // number along the longer side; studs
 constexpr int kToNextSquare = 5, kToCorner = 7, kUnknownDistance = 1 << 28;
 
 size_t squareOf(float at, float from, float step, size_t count) {
@@ -20,7 +20,7 @@ size_t squareOf(float at, float from, float step, size_t count) {
 
 PartDistance::PartDistance(const std::vector<PartDraft>& parts, GroundArea whole) : whole_(whole) {
   const float width = whole.x1 - whole.x0, depth = whole.z1 - whole.z0;
-  step_ = std::max(kLeastSquare, std::max(width, depth) / kSquares);
+  step_ = std::max(kMinSquare, std::max(width, depth) / kSquares);
   width_ = size_t(width / step_) + 1;
   depth_ = size_t(depth / step_) + 1;
   distances_.assign(width_ * depth_, kUnknownDistance);

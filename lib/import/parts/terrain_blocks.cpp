@@ -147,7 +147,7 @@ void joinAlong(std::vector<TerrainBlock>& blocks, int TerrainBlock::*lo, int Ter
 
 }  // namespace
 
-size_t addColumns(const std::vector<VoxelChunk>& stack, size_t most, TerrainShape& shape) {
+size_t addColumns(const std::vector<VoxelChunk>& stack, size_t max, TerrainShape& shape) {
   if (stack.empty()) return 0;
   std::vector<Piece> pieces;
   std::vector<GroundColumn> columns(kColumns);
@@ -167,7 +167,7 @@ size_t addColumns(const std::vector<VoxelChunk>& stack, size_t most, TerrainShap
                            fillOf(voxels->material[cell], voxels->occupancy[cell]),
                            voxels->material[cell], uint16_t(column), pieces);
     }
-    shape.isCut = shape.blocks.size() + pieces.size() > most;
+    shape.isCut = shape.blocks.size() + pieces.size() > max;
   }
   endAll();
   shape.slopes += slopesOf(pieces);

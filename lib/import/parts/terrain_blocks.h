@@ -27,8 +27,8 @@ struct TerrainShape {
 };
 
 // Adds the blocks of a stack of chunks with one x and z, ascending by y. Stops after the chunk that
-// makes them exceed `most`. Returns how many chunks it read.
-size_t addColumns(const std::vector<VoxelChunk>& stack, size_t most, TerrainShape& shape);
+// makes them exceed `max`. Returns how many chunks it read.
+size_t addColumns(const std::vector<VoxelChunk>& stack, size_t max, TerrainShape& shape);
 
 // Joins adjacent blocks of equal height and material, also across chunk borders. No block gets
 // longer than a part may be.

@@ -22,7 +22,7 @@ constexpr const char* kPhysics = "physics";
 constexpr const char* kForbid = "forbid";
 constexpr const char* kStartTick = "startTick";
 constexpr double kStartRate = 60;  // start ticks a second, whatever the level's own rate is
-constexpr double kMostStart = 5e8;
+constexpr double kMaxStart = 5e8;
 constexpr const char* kOwnOfQueries[] = {kForbid, kStartTick};
 constexpr std::string_view kKinds[] = {"goal", "start", "avoid", "visit", "waypoint"};
 constexpr const char* kOwnOfRegions[] = {"kind", "order", "cframe", "size", "part", "touch"};
@@ -183,7 +183,7 @@ class Reader {
   void fillStartTick(InstanceId id, schema::Query::Builder query) {
     if (!tree_.at(id).attributes.contains(kStartTick)) return;
     const double* tick = attribute<double>(tree_.at(id), kStartTick);
-    if (tick && *tick >= 0 && *tick <= kMostStart && std::floor(*tick) == *tick) {
+    if (tick && *tick >= 0 && *tick <= kMaxStart && std::floor(*tick) == *tick) {
       query.initStart().setTick(uint32_t(std::floor(*tick * rate_ / kStartRate + 0.5)));
     } else {
       warn(id, "has an attribute startTick that is not a whole number of 0 or more");

@@ -7,15 +7,15 @@
 namespace obby::importer {
 namespace {
 
-constexpr double kMostFactor = 100;
-constexpr double kMostSeconds = 3600;
+constexpr double kMaxFactor = 100;
+constexpr double kMaxSeconds = 3600;
 
 std::optional<Boost> boostOf(const World& world, const std::string& type, double power) {
   Boost boost;
   const bool jumps = containsWord(type, "jump");
   const double factor =
       jumps ? kJumpPowerGain * power / double(world.jumpSpeed) : power / double(world.walkSpeed);
-  if (!(factor > 0) || factor > kMostFactor) return std::nullopt;
+  if (!(factor > 0) || factor > kMaxFactor) return std::nullopt;
   (jumps ? boost.jumpSpeed : boost.walkSpeed) = float(factor);
   return boost;
 }
@@ -34,7 +34,7 @@ void boostFromMarkers(RoleContext& context) {
     if (!boost) return context.level.noteUnmodelled("booster without a power", tree, owner, reason);
     part->boost = boost;
     part->boost->seconds =
-        float(std::clamp(tree.number(marker, "Duration").value_or(0), 0.0, kMostSeconds));
+        float(std::clamp(tree.number(marker, "Duration").value_or(0), 0.0, kMaxSeconds));
     part->evidence.push_back({"boost", reason, false});
   });
 }

@@ -12,9 +12,9 @@ namespace {
 
 const std::vector<std::string_view> kConveyorTags = {"conveyor", "conveyorbelt", "conveyors"};
 constexpr float kDefaultSpeed = 10;
-constexpr float kAligned = 0.99f;   // min share of a saved velocity along one axis of part or world
-constexpr float kMostSpeed = 1000;  // studs/s
-constexpr float kMostTurn = 1000;   // rad/s
+constexpr float kAligned = 0.99f;  // min share of a saved velocity along one axis of part or world
+constexpr float kMaxSpeed = 1000;  // studs/s
+constexpr float kMaxTurn = 1000;   // rad/s
 
 Vec3 forward(const PartDraft& part, double speed) { return -part.pose.rotation.z * float(speed); }
 
@@ -23,8 +23,8 @@ Vec3 forward(const PartDraft& part, double speed) { return -part.pose.rotation.z
 bool isAligned(const PartDraft& part, Vec3 v) {
   const Mat3& r = part.pose.rotation;
   const Vec3 local = toLocal(r, v);
-  const auto most = [](Vec3 a) { return maxf(absf(a.x), maxf(absf(a.y), absf(a.z))); };
-  return std::max(most(v), most(local)) >= kAligned * length(v);
+  const auto max = [](Vec3 a) { return maxf(absf(a.x), maxf(absf(a.y), absf(a.z))); };
+  return std::max(max(v), max(local)) >= kAligned * length(v);
 }
 
 }  // namespace
@@ -34,7 +34,7 @@ bool isUpward(Vec3 v) { return v.y > 0 && v.y > 2 * length(Vec3{v.x, 0, v.z}); }
 void giveConveyor(PartDraft& part, Conveyor conveyor, std::string reason, bool guessed) {
   const float speed = length(conveyor.velocity), turn = length(conveyor.angular);
   const bool moves =
-      (speed >= kLeastSpeed || turn >= 0.01f) && speed <= kMostSpeed && turn <= kMostTurn;
+      (speed >= kMinSpeed || turn >= 0.01f) && speed <= kMaxSpeed && turn <= kMaxTurn;
   if (part.conveyor || !moves || !part.solid) return;
   part.conveyor = conveyor;
   part.evidence.push_back({"conveyor", std::move(reason), guessed});
@@ -76,9 +76,9 @@ void conveyorFromVelocity(RoleContext& context) {
     const auto angular = get<Vec3>(instance, "RotVelocity");
     const bool anchored = get<bool>(instance, "Anchored");
     if (!anchored || !isFinite(velocity) || !isFinite(angular)) continue;
-    if (length(velocity) < kLeastSpeed && length(angular) < kLeastSpeed) continue;
+    if (length(velocity) < kMinSpeed && length(angular) < kMinSpeed) continue;
     if (part.conveyor || part.jumpPad) continue;
-    if (length(velocity) >= kLeastSpeed && !isAligned(part, velocity)) {
+    if (length(velocity) >= kMinSpeed && !isAligned(part, velocity)) {
       context.level.noteIgnored("saved velocity along no axis", context.tree.path(part.id),
                                 "taken as left over from physics, not as a conveyor");
       continue;

@@ -12,8 +12,8 @@ namespace obby::importer {
 namespace {
 
 // Returns why the trajectory of a motor is unknown, or "" if it is known.
-std::string unknownWay(RoleContext& context, const ConstraintSettings& settings,
-                       const Drive& drive) {
+std::string unknownDirection(RoleContext& context, const ConstraintSettings& settings,
+                             const Drive& drive) {
   const InstanceId motor = drive.constraint;
   if (settings.number(motor, "Velocity") == 0) return "";
   if (!settings.hasLimits(motor)) return "no limit stops it";
@@ -164,7 +164,7 @@ bool fromSliderMotor(RoleContext& context, const ConstraintSettings& settings, c
                      const std::optional<Spin>& spin) {
   const InstanceId motor = drive.constraint;
   if (!(settings.number(motor, "MotorMaxForce") > 0)) return false;
-  const std::string unknown = unknownWay(context, settings, drive);
+  const std::string unknown = unknownDirection(context, settings, drive);
   if (unknown.empty() && toItsLimit(context, settings, drive, spin)) return true;
   if (!standStill(context, drive, spin)) return false;
   if (!unknown.empty())

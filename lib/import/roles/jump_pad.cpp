@@ -12,7 +12,7 @@ constexpr const char* kPowerNames[] = {"BounceImpulse", "BounceSpeed", "BouncePo
                                        "Power",         "LaunchPower", "Force",       "Strength",
                                        "Velocity",      "Impulse"};
 constexpr float kDefaultPower = 100;
-constexpr float kMostPower = 2000;
+constexpr float kMaxPower = 2000;
 constexpr double kDefaultElevator = 20;  // studs/s
 
 std::optional<double> powerOf(const Tree& tree, InstanceId id) {
@@ -34,7 +34,7 @@ void giveElevator(RoleContext& context, InstanceId marker, InstanceId owner) {
 
 void giveJumpPad(PartDraft& part, JumpPad pad, std::string reason, bool guessed) {
   const float speed = length(pad.velocity);
-  if (part.jumpPad || !(speed >= kLeastSpeed) || speed > kMostPower) return;
+  if (part.jumpPad || !(speed >= kMinSpeed) || speed > kMaxPower) return;
   part.jumpPad = pad;
   part.evidence.push_back({"jumpPad", std::move(reason), guessed});
 }

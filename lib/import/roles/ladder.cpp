@@ -11,11 +11,11 @@
 namespace obby::importer {
 namespace {
 
-constexpr float kThickest = 2, kDeepest = 2;     // studs: rung height, shorter side
-constexpr float kNarrowest = 1, kWidest = 12;    // the longer horizontal side
-constexpr float kLeastGap = 0.3f, kMostGap = 3;  // vertical gap between rungs
-constexpr float kAside = 0.75f;                  // max horizontal studs from one rung to the next
-constexpr size_t kFewest = 3;                    // min rungs of a ladder
+constexpr float kThickest = 2, kDeepest = 2;   // studs: rung height, shorter side
+constexpr float kNarrowest = 1, kWidest = 12;  // the longer horizontal side
+constexpr float kMinGap = 0.3f, kMaxGap = 3;   // vertical gap between rungs
+constexpr float kAside = 0.75f;                // max horizontal studs from one rung to the next
+constexpr size_t kFewest = 3;                  // min rungs of a ladder
 
 struct Bar {
   PartDraft* part;
@@ -42,7 +42,7 @@ bool isNext(const Bar& low, const Bar& high) {
   const float gap = high.box.lo.y - low.box.hi.y;
   const bool alike = std::fabs(a.x - b.x) <= 0.5f * std::max(a.x, b.x) &&
                      std::fabs(a.z - b.z) <= 0.5f * std::max(a.z, b.z);
-  return gap >= kLeastGap && gap <= kMostGap && alike;
+  return gap >= kMinGap && gap <= kMaxGap && alike;
 }
 
 // Bars by the square of ground that they cover, from below.
@@ -63,7 +63,7 @@ const Bar* nextAbove(const Columns& columns, const Bar& bar) {
       const float from = bar.center().y - kThickest;
       auto other = std::lower_bound(bars.begin(), bars.end(), from,
                                     [](const Bar& b, float height) { return b.box.lo.y < height; });
-      for (; other != bars.end() && other->box.lo.y <= bar.box.hi.y + kMostGap; ++other) {
+      for (; other != bars.end() && other->box.lo.y <= bar.box.hi.y + kMaxGap; ++other) {
         const bool lower = best == nullptr || other->center().y < best->center().y;
         if (lower && isOver(bar, *other)) best = &*other;
       }

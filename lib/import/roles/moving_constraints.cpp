@@ -68,7 +68,7 @@ bool fromSlider(RoleContext& context, const ConstraintSettings& settings, Instan
 }
 
 // Returns the part of the level that the constraint leaves unanchored, or kNoInstance.
-InstanceId loosePart(RoleContext& context, InstanceId id) {
+InstanceId dynamicPart(RoleContext& context, InstanceId id) {
   const JointEnds ends = jointEnds(context.tree, id);
   for (InstanceId end : {ends.first, ends.second, movedPart(context.tree, id)}) {
     const PartDraft* part = end == kNoInstance ? nullptr : context.part(end);
@@ -133,7 +133,7 @@ void movingFromConstraints(RoleContext& context) {
   for (InstanceId id : left) {
     noteBoth(context, settings, id);
     noteTurning(context, settings, id);
-    const InstanceId moved = loosePart(context, id);
+    const InstanceId moved = dynamicPart(context, id);
     if (moved == kNoInstance) continue;  // moves nothing in the level
     const std::string& className = context.tree.at(id).className;
     context.level.noteUnmodelled("constraint " + className, context.tree, id,

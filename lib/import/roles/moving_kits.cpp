@@ -22,13 +22,13 @@ constexpr double kKitDelay = 5, kKit6Delay = 2;
 constexpr double kAlignTime = 1;     // approximate seconds of an AlignPosition, for any distance
 constexpr double kDefaultSpin = 90;  // degrees/s
 
-struct WayPoints {
+struct Waypoints {
   InstanceId folder = kNoInstance, platform = kNoInstance;
   std::vector<InstanceId> points;  // waypoints in order
 };
 
-WayPoints wayPointsOf(const Tree& tree, InstanceId model) {
-  WayPoints way;
+Waypoints waypointsOf(const Tree& tree, InstanceId model) {
+  Waypoints way;
   for (InstanceId child : tree.at(model).children) {
     const std::string name = lower(tree.at(child).name);
     const bool isPath =
@@ -49,7 +49,7 @@ WayPoints wayPointsOf(const Tree& tree, InstanceId model) {
 }
 
 // Returns the round trip over the waypoints. If `speed` is 0, each segment takes kAlignTime.
-Motion alongPoints(const Tree& tree, const WayPoints& way, double speed, double delay) {
+Motion alongPoints(const Tree& tree, const Waypoints& way, double speed, double delay) {
   Motion motion;
   motion.carries = true;
   double now = 0;
@@ -73,7 +73,7 @@ Motion alongPoints(const Tree& tree, const WayPoints& way, double speed, double 
   return motion;
 }
 
-void give(RoleContext& context, const WayPoints& way, double speed, double delay,
+void give(RoleContext& context, const Waypoints& way, double speed, double delay,
           const std::string& reason, bool guessed) {
   if (way.platform == kNoInstance || way.points.size() < 2) return;
   giveMotion(context, way.platform, alongPoints(context.tree, way, speed, delay), reason, guessed);
@@ -90,7 +90,7 @@ void give(RoleContext& context, const WayPoints& way, double speed, double delay
 void movingFromTags(RoleContext& context) {
   const Tree& tree = context.tree;
   context.eachTagged(kMovingTags, [&](InstanceId id, const std::string& tag) {
-    const WayPoints way = wayPointsOf(tree, id);
+    const Waypoints way = waypointsOf(tree, id);
     const auto speed = tree.number(id, "speed");
     if (way.points.size() < 2) {
       context.level.noteUnmodelled("moving platform without waypoints", tree, id,
@@ -122,7 +122,7 @@ void movingFromMarkers(RoleContext& context) {
     auto delay = tree.number(model, "MoveDelay");
     const bool old = !delay && tree.number(model, "Delay");
     if (!delay) delay = tree.number(model, "Delay");
-    const WayPoints way = wayPointsOf(tree, model);
+    const Waypoints way = waypointsOf(tree, model);
     if (touchStarts && way.points.size() >= 2)
       context.level.noteUnmodelled("motion that a touch or click starts", tree, model,
                                    "treated as always moving");

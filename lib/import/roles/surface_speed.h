@@ -10,7 +10,7 @@ namespace obby::importer {
 
 class RoleContext;
 
-constexpr float kLeastSpeed = 0.5f;  // studs/s; lower speeds are noise
+constexpr float kMinSpeed = 0.5f;  // studs/s; lower speeds are noise
 
 // Returns true if the velocity throws rather than carries: mostly upward.
 bool isUpward(Vec3 velocity);

@@ -89,13 +89,13 @@ class Order {
 
   Chain::iterator placeOf(int part) {
     auto best = chain_.end();
-    float least = course_.distance(chain_.back().part, part);
+    float min = course_.distance(chain_.back().part, part);
     int before = course_.start;
     for (auto at = chain_.begin(); at != chain_.end(); before = at->part, ++at) {
       const float detour = course_.distance(before, part) + course_.distance(part, at->part) -
                            course_.distance(before, at->part);
-      if (detour >= least) continue;
-      least = detour;
+      if (detour >= min) continue;
+      min = detour;
       best = at;
     }
     return best;

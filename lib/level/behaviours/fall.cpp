@@ -20,8 +20,8 @@ Result<FallTicks> fallTicks(schema::Fall::Reader fall, const Params& params) {
   OBBY_ASSIGN(t.delay, ticksOf(params, fall.getDelay(), "fall.delay"));
   OBBY_ASSIGN(t.fall, ticksOf(params, fall.getSeconds(), "fall.seconds"));
   OBBY_ASSIGN(t.away, ticksOf(params, fall.getAway(), "fall.away"));
-  if (t.delay + t.fall > mostTicks(params)) {
-    return pathError("fall", "delay and seconds together are " + longerThanMost(params));
+  if (t.delay + t.fall > maxTicks(params)) {
+    return pathError("fall", "delay and seconds together are " + longerThanMax(params));
   }
   if (t.fall == 0) return pathError("fall.seconds", "expected at least one tick");
   return t;

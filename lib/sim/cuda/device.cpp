@@ -7,7 +7,7 @@
 namespace obby::sim::cuda {
 namespace {
 
-constexpr uint32_t kMostThreads = 128, kLeastThreads = 32;
+constexpr uint32_t kMaxThreads = 128, kMinThreads = 32;
 
 Status check(cudaError_t code, const char* what) {
   if (code == cudaSuccess) return {};
@@ -99,9 +99,9 @@ class Gpu : public Device {
     OBBY_RETURN_IF_ERROR(check(cudaFuncGetAttributes(&a, kernel.entry), kernel.name));
     int blocks = 0;
     OBBY_RETURN_IF_ERROR(
-        check(cudaOccupancyMaxActiveBlocksPerMultiprocessor(&blocks, kernel.entry, kMostThreads, 0),
+        check(cudaOccupancyMaxActiveBlocksPerMultiprocessor(&blocks, kernel.entry, kMaxThreads, 0),
               kernel.name));
-    return KernelFacts{a.numRegs, int(a.localSizeBytes), int(kMostThreads), blocks,
+    return KernelFacts{a.numRegs, int(a.localSizeBytes), int(kMaxThreads), blocks,
                        properties_.multiProcessorCount};
   }
 
@@ -128,8 +128,8 @@ class Gpu : public Device {
 
   // Spreads few worlds over all multiprocessors.
   uint32_t threadsFor(uint32_t count) const {
-    uint32_t threads = kMostThreads;
-    while (threads > kLeastThreads && count / threads < uint32_t(properties_.multiProcessorCount)) {
+    uint32_t threads = kMaxThreads;
+    while (threads > kMinThreads && count / threads < uint32_t(properties_.multiProcessorCount)) {
       threads /= 2;
     }
     return threads;

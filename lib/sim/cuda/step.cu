@@ -16,9 +16,9 @@ const void* stepEntry(StepKind kind) {
   switch (kind) {
     case StepKind::oneLevel: return reinterpret_cast<const void*>(step<StepKind::oneLevel>);
     case StepKind::manyLevels: return reinterpret_cast<const void*>(step<StepKind::manyLevels>);
-    case StepKind::loose: break;
+    case StepKind::bodies: break;
   }
-  return reinterpret_cast<const void*>(step<StepKind::loose>);
+  return reinterpret_cast<const void*>(step<StepKind::bodies>);
 }
 
 }  // namespace obby::sim::cuda

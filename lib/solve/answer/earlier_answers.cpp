@@ -23,26 +23,27 @@ Result<EarlierAnswers> EarlierAnswers::read(io::SourceOptions source) {
 Status EarlierAnswers::note(schema::Trajectory::Reader trajectory) {
   OBBY_ASSIGN(level::Player player, level::playerOf(trajectory));
   OBBY_ASSIGN(sim::Plan plan, sim::planFromRecord(trajectory));
-  ways_[{trajectory.getLevel(), trajectory.getQuery()}].push_back(
+  trajectories_[{trajectory.getLevel(), trajectory.getQuery()}].push_back(
       {std::move(player), std::move(plan.actions)});
   return {};
 }
 
-std::vector<KnownWay> EarlierAnswers::waysOf(const std::string& level, const std::string& query,
-                                             const For& who) const {
-  std::vector<KnownWay> own, others;
-  const auto found = ways_.find({level, query});
-  if (found == ways_.end()) return own;
-  for (const PlayersWay& way : found->second) {
-    const uint32_t from = way.player.frameRate != 0 ? way.player.frameRate : who.levelRate;
-    (way.player == who.player ? own : others).push_back(retimed(way.way, from, who.rate));
+std::vector<ActionRuns> EarlierAnswers::trajectoriesOf(const std::string& level,
+                                                       const std::string& query,
+                                                       const For& who) const {
+  std::vector<ActionRuns> own, others;
+  const auto found = trajectories_.find({level, query});
+  if (found == trajectories_.end()) return own;
+  for (const PlayerTrajectory& earlier : found->second) {
+    const uint32_t from = earlier.player.frameRate != 0 ? earlier.player.frameRate : who.levelRate;
+    (earlier.player == who.player ? own : others).push_back(retimed(earlier.runs, from, who.rate));
   }
   own.insert(own.end(), others.begin(), others.end());
   return own;
 }
 
 void EarlierAnswers::forget(const std::string& level, const std::string& query) {
-  ways_.erase({level, query});
+  trajectories_.erase({level, query});
 }
 
 }  // namespace obby::solve

@@ -31,18 +31,18 @@ class EarlierAnswers {
   // Returns the trajectories of this player, then those of others, all retimed to the player's
   // rate. Both keep the order of the stream: solutions first. Returns an empty list if there are
   // none.
-  std::vector<KnownWay> waysOf(const std::string& level, const std::string& query,
-                               const For& who) const;
+  std::vector<ActionRuns> trajectoriesOf(const std::string& level, const std::string& query,
+                                         const For& who) const;
   // Forgets the trajectories of a query, before new ones are noted.
   void forget(const std::string& level, const std::string& query);
 
  private:
-  struct PlayersWay {
+  struct PlayerTrajectory {
     level::Player player;
-    KnownWay way;
+    ActionRuns runs;
   };
 
-  std::map<std::pair<std::string, std::string>, std::vector<PlayersWay>> ways_;
+  std::map<std::pair<std::string, std::string>, std::vector<PlayerTrajectory>> trajectories_;
 };
 
 }  // namespace obby::solve

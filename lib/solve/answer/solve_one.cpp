@@ -34,11 +34,11 @@ class Solving {
 
   Result<QueryAnswer> run(const Machine& machine) {
     Problem problem = problemOf(posed_);
-    problem.known = knownWays();
+    problem.known = warmStarts();
     const bool earlier = !problem.known.empty();
     problem.companions = question_.companions;
     problem.known.insert(problem.known.end(), question_.hints.begin(), question_.hints.end());
-    const Watcher watcher{[this](const Playthrough& p) { return accepts(p); },
+    const Watcher watcher{[this](const Trajectory& p) { return accepts(p); },
                           [this](const SearchView& v) { return look(v); }};
     SearchOutcome outcome = answer(problem, watcher, machine);
     OBBY_RETURN_IF_ERROR(weighDoubts(problem, machine, outcome));
@@ -51,15 +51,15 @@ class Solving {
   }
 
  private:
-  std::vector<KnownWay> knownWays() const {
+  std::vector<ActionRuns> warmStarts() const {
     if (options_.earlier == nullptr) return {};
     const uint32_t rate = level_.level.view().params.controlRate;
     const uint32_t levelRate = question_.levelRate != 0 ? question_.levelRate : rate;
-    return options_.earlier->waysOf(identity_.level, identity_.query,
-                                    {question_.player, rate, levelRate});
+    return options_.earlier->trajectoriesOf(identity_.level, identity_.query,
+                                            {question_.player, rate, levelRate});
   }
 
-  bool accepts(const Playthrough& p) const {
+  bool accepts(const Trajectory& p) const {
     return solves(p, posed_) && (!question_.accept || question_.accept(p));
   }
 
@@ -73,7 +73,7 @@ class Solving {
     touched_ = touchedOf(doubtful_, problem.level, course);
     if (touched_.empty() || !problem.companions.empty()) return {};
     const Watcher watcher{
-        [this](const Playthrough& p) { return accepts(p); },
+        [this](const Trajectory& p) { return accepts(p); },
         [this](const SearchView&) { return !question_.goOn || question_.goOn(); }};
     OBBY_ASSIGN(avoiding_, avoidDoubts({level_, query_, problem, doubtful_, options_, watcher},
                                        machine, course, touched_, outcome));
@@ -139,15 +139,15 @@ class Solving {
                      const std::optional<std::vector<Relaxation>>& relaxations, ThreadPool& pool) {
     uint32_t index = 0;
     std::string hardest;  // text about the shortest solution
-    for (const Playthrough& p : outcome.solutions) {
+    for (const Trajectory& p : outcome.solutions) {
       io::RecordBuilder record;
       auto trajectory = record.root().initTrajectory();
       writeTrajectory(trajectory, p, index++);
-      const std::string text = fillWay(trajectory, problem, p, pool);
+      const std::string text = fillChecked(trajectory, problem, p, pool);
       if (index == 1) hardest = text;
       OBBY_RETURN_IF_ERROR(output_.write(record.reader()));
     }
-    for (const Playthrough& p : outcome.attempts) {
+    for (const Trajectory& p : outcome.attempts) {
       io::RecordBuilder record;
       writeTrajectory(record.root().initTrajectory(), p, index++);
       OBBY_RETURN_IF_ERROR(output_.write(record.reader()));
@@ -164,7 +164,7 @@ class Solving {
     return output_.write(record.reader());
   }
 
-  void writeTrajectory(schema::Trajectory::Builder record, const Playthrough& p,
+  void writeTrajectory(schema::Trajectory::Builder record, const Trajectory& p,
                        uint32_t index) const {
     fillTrajectory(record, identity_, p, index);
     if (options_.paths) fillPath(record, p);
@@ -172,8 +172,8 @@ class Solving {
 
   // Fills in the fields of solutions only: the route and, if asked for, the difficulty. Returns a
   // sentence about the hardest step, or nothing.
-  std::string fillWay(schema::Trajectory::Builder record, const Problem& problem,
-                      const Playthrough& p, ThreadPool& pool) const {
+  std::string fillChecked(schema::Trajectory::Builder record, const Problem& problem,
+                          const Trajectory& p, ThreadPool& pool) const {
     const Course course = courseOf(problem, p);
     fillRoute(record, routeOf(course));
     fillDoubtful(record, touchedOf(doubtful_, problem.level, course));

@@ -47,11 +47,11 @@ struct PlayerQuestion {
   const LoadedLevel& level;
   schema::Query::Reader query;
   level::Player player;
-  uint32_t levelRate = 0;            // ticks per second of the original level; 0: that of `level`
-  std::vector<KnownWay> hints = {};  // tried after earlier answers, and not reported as such
-  std::vector<Companion> companions = {};               // other players who press the same keys
-  std::function<bool(const Playthrough&)> accept = {};  // called for each solution; may be empty
-  std::function<bool()> goOn = {};                      // false ends the search; may be empty
+  uint32_t levelRate = 0;              // ticks per second of the original level; 0: that of `level`
+  std::vector<ActionRuns> hints = {};  // tried after earlier answers, and not reported as such
+  std::vector<Companion> companions = {};              // other players who press the same keys
+  std::function<bool(const Trajectory&)> accept = {};  // called for each solution; may be empty
+  std::function<bool()> goOn = {};                     // false ends the search; may be empty
 };
 
 }  // namespace obby::solve

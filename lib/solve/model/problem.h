@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "level/query_view.h"
-#include "sim/loose.h"
+#include "sim/rigid_body.h"
 #include "sim/world.h"
 
 namespace obby::policy {
@@ -17,25 +17,25 @@ class Network;
 namespace obby::solve {
 
 // Actions to hold from the start on, run-length coded.
-using KnownWay = std::vector<sim::ActionRun>;
+using ActionRuns = std::vector<sim::ActionRun>;
 
 // Another player, who must reach the goal with the same keys.
 struct Companion {
   level::LevelView level;
   level::QueryView query;
   sim::World start;
-  std::vector<sim::LooseBody> startLoose;
+  std::vector<sim::RigidBody> startBodies;
 };
 
 // The level and the query must outlive the search.
 struct Problem {
   level::LevelView level;
   level::QueryView query;
-  sim::World start;                        // from sim::makeWorld()
-  std::vector<sim::LooseBody> startLoose;  // from sim::startLoose()
-  Box bounds;                              // of everything in the level
+  sim::World start;                         // from sim::makeWorld()
+  std::vector<sim::RigidBody> startBodies;  // from sim::startBodies()
+  Box bounds;                               // of everything in the level
   bool hasClock = false;  // moving or timed parts: the outcome depends on the level clock
-  std::vector<KnownWay> known = {};         // trajectories of an earlier answer, tried first
+  std::vector<ActionRuns> known = {};       // trajectories of an earlier answer, tried first
   const policy::Network* policy = nullptr;  // for methods that use one; must outlive the search
   std::vector<Companion> companions = {};   // a search that keeps a state keeps theirs with it
 };

@@ -9,6 +9,6 @@
 namespace obby::solve {
 
 // Keys that fall between two ticks are lost. The last keys are held to the end.
-KnownWay retimed(const KnownWay& way, uint32_t from, uint32_t to);
+ActionRuns retimed(const ActionRuns& runs, uint32_t from, uint32_t to);
 
 }  // namespace obby::solve

@@ -11,16 +11,16 @@ namespace {
 
 int32_t carrierAt(const Problem& problem, const sim::Replay& replay, size_t tick) {
   const uint32_t collider =
-      sim::carrierOf(replay.worlds[tick], replay.looseAt(tick).data(), problem.level);
+      sim::carrierOf(replay.worlds[tick], replay.bodiesAtTick(tick).data(), problem.level);
   return collider == level::kNone ? -1 : int32_t(problem.level.colliders[collider].part);
 }
 
-// Removes parts that carry the player for fewer than kLeastStay ticks.
+// Removes parts that carry the player for fewer than kMinStay ticks.
 void dropTouches(std::vector<int32_t>& carriers) {
   for (size_t from = 0; from < carriers.size();) {
     size_t to = from;
     while (to < carriers.size() && carriers[to] == carriers[from]) ++to;
-    if (to - from < kLeastStay) {
+    if (to - from < kMinStay) {
       std::fill(carriers.begin() + std::ptrdiff_t(from), carriers.begin() + std::ptrdiff_t(to), -1);
     }
     from = to;
@@ -50,13 +50,13 @@ void noteStay(std::vector<Stay>& stays, int32_t part, uint32_t reached) {
 // none.
 int32_t landingPart(const Problem& problem, const Course& course) {
   sim::World world = course.replay.worlds.back();
-  const auto left = course.replay.looseAt(course.ticks());
-  std::vector<sim::LooseBody> loose(left.begin(), left.end());
+  const auto left = course.replay.bodiesAtTick(course.ticks());
+  std::vector<sim::RigidBody> bodies(left.begin(), left.end());
   world.outcome = sim::Outcome::running;  // the goal had ended the simulation
   for (uint32_t t = 0; t <= kLandingTicks; ++t) {
-    const uint32_t collider = sim::carrierOf(world, loose.data(), problem.level);
+    const uint32_t collider = sim::carrierOf(world, bodies.data(), problem.level);
     if (collider != level::kNone) return int32_t(problem.level.colliders[collider].part);
-    sim::advance(world, loose.data(), problem.level, nullptr, {});
+    sim::advance(world, bodies.data(), problem.level, nullptr, {});
     if (world.outcome != sim::Outcome::running) return -1;
   }
   return -1;
@@ -64,16 +64,16 @@ int32_t landingPart(const Problem& problem, const Course& course) {
 
 }  // namespace
 
-Course courseOf(const Problem& problem, const Playthrough& playthrough) {
+Course courseOf(const Problem& problem, const Trajectory& trajectory) {
   const sim::World& start = problem.start;
   sim::Plan plan{{start.position, radiansFromTurns(start.yaw), start.tick},
                  start.yaw,
-                 playthrough.actions,
+                 trajectory.actions,
                  problem.level.params.tricks};
   Course course;
   course.replay = sim::replay(problem.level, &problem.query, plan);
   const size_t ticks = course.replay.worlds.size() - 1;
-  for (const sim::ActionRun& run : playthrough.actions) {
+  for (const sim::ActionRun& run : trajectory.actions) {
     const size_t more = std::min(size_t(run.ticks), ticks - course.actions.size());
     course.actions.insert(course.actions.end(), more, run.action);
   }

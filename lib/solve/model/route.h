@@ -7,15 +7,15 @@
 #include <vector>
 
 #include "sim/simulator.h"
-#include "solve/model/playthrough.h"
 #include "solve/model/problem.h"
+#include "solve/model/trajectory.h"
 
 namespace obby::solve {
 
 // Min ticks in a row for a part to count as carrying the player. A player who skids over a corner,
 // or walks along a seam with a toe beyond it, is not carried. A player who lands stays longer than
 // this, whatever the keys.
-constexpr uint32_t kLeastStay = 3;
+constexpr uint32_t kMinStay = 3;
 
 // A trajectory, tick by tick.
 struct Course {
@@ -28,7 +28,7 @@ struct Course {
 };
 
 // Replays the trajectory under the query's rules.
-Course courseOf(const Problem& problem, const Playthrough& playthrough);
+Course courseOf(const Problem& problem, const Trajectory& trajectory);
 
 // Returns the parts in order, without repeats. A player who starts on a part is carried from the
 // start.
@@ -44,7 +44,8 @@ std::vector<int32_t> directRouteOf(const Problem& problem, const Course& course)
 constexpr uint32_t kLandingTicks = 120;
 
 // The stretch from where one part starts to carry the player to where the next one does. The state
-// at its start is course.at(start) with course.replay.looseAt(start), before course.actions[start].
+// at its start is course.at(start) with course.replay.bodiesAtTick(start), before
+// course.actions[start].
 struct Segment {
   uint32_t start = 0;  // tick of the course
   uint32_t ticks = 0;  // >= 1

@@ -7,7 +7,7 @@
 #include "level/level.h"
 #include "level/player.h"
 #include "schema/obby.capnp.h"
-#include "solve/model/playthrough.h"
+#include "solve/model/trajectory.h"
 
 namespace obby::solve {
 
@@ -22,10 +22,10 @@ struct AnswerIdentity {
 };
 
 void fillTrajectory(schema::Trajectory::Builder record, const AnswerIdentity& identity,
-                    const Playthrough& playthrough, uint32_t index);
+                    const Trajectory& trajectory, uint32_t index);
 
 // Fills in the path, for readers that cannot replay the actions.
-void fillPath(schema::Trajectory::Builder record, const Playthrough& playthrough);
+void fillPath(schema::Trajectory::Builder record, const Trajectory& trajectory);
 
 // Fills in the parts of a route, in order. `Record` builds a Trajectory or a RouteCount.
 template <class Record>

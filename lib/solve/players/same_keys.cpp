@@ -3,18 +3,18 @@
 #include <algorithm>
 
 #include "solve/model/retimed.h"
-#include "solve/search/rollouts/known_way.h"
+#include "solve/search/rollouts/action_runs.h"
 
 namespace obby::solve {
 
 namespace {
 
 // Replays a plan, and returns its trajectory as a search would.
-Playthrough played(const PosedQuery& posed, const KnownWay& keys) {
+Trajectory played(const PosedQuery& posed, const ActionRuns& keys) {
   const auto& view = posed.level.view();
   const level::QueryView query = posed.query.view();
   const level::StartPose& start = posed.query.start();
-  Playthrough p;
+  Trajectory p;
   const auto note = [&](const sim::Moment& now) {
     if (now.tick % kPathStep == 0) p.path.push_back(now.world.position);
     if (now.world.jumps > now.before.jumps) p.jumpTicks.push_back(now.tick);
@@ -24,7 +24,7 @@ Playthrough played(const PosedQuery& posed, const KnownWay& keys) {
       sim::replay(view, &query, {start, turnsFromRadians(start.yaw), keys, query.tricks}, note);
   p.ticks = end.ticks;
   p.end = end.world;
-  p.endLoose = std::move(end.loose);
+  p.endBodies = std::move(end.bodies);
   uint32_t left = end.ticks;
   for (const sim::ActionRun& run : keys) {
     if (left == 0) break;
@@ -47,7 +47,7 @@ Result<KeyPlayer> KeyPlayer::make(const PlayerCase& c) {
 
 Companion KeyPlayer::companion() const {
   Problem problem = problemOf(posed());
-  return {problem.level, problem.query, problem.start, std::move(problem.startLoose)};
+  return {problem.level, problem.query, problem.start, std::move(problem.startBodies)};
 }
 
 PosedQuery KeyPlayer::posed() const {
@@ -55,11 +55,11 @@ PosedQuery KeyPlayer::posed() const {
           case_->queryRecord()};
 }
 
-std::optional<Playthrough> KeyPlayer::solve(const KnownWay& keys, uint32_t rate) const {
+std::optional<Trajectory> KeyPlayer::solve(const ActionRuns& keys, uint32_t rate) const {
   if (keys.empty()) return std::nullopt;
-  KnownWay own = retimed(keys, rate, case_->rate);
+  ActionRuns own = retimed(keys, rate, case_->rate);
   own.push_back({keys.back().action, case_->rate});
-  Playthrough p = played(posed(), own);
+  Trajectory p = played(posed(), own);
   if (!solves(p, posed())) return std::nullopt;
   return p;
 }

@@ -20,7 +20,7 @@ class KeyPlayer {
   // The case must outlive it.
   static Result<KeyPlayer> make(const PlayerCase& c);
 
-  std::optional<Playthrough> solve(const KnownWay& keys, uint32_t rate) const;
+  std::optional<Trajectory> solve(const ActionRuns& keys, uint32_t rate) const;
   PosedQuery posed() const;
   Companion companion() const;
   const PlayerCase& playerCase() const { return *case_; }

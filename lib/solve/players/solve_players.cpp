@@ -71,8 +71,8 @@ class PlayersSolving {
   }
 
   // Returns the solutions of the players before this one, at its rate.
-  std::vector<KnownWay> hintsFor(const PlayerCase& c) const {
-    std::vector<KnownWay> hints;
+  std::vector<ActionRuns> hintsFor(const PlayerCase& c) const {
+    std::vector<ActionRuns> hints;
     for (const PlayerCase& other : cases_) {
       if (&other == &c) break;
       if (other.solutions.empty()) continue;
@@ -109,12 +109,12 @@ class PlayersSolving {
     SolverOptions options = options_;
     uint64_t steps = 0;
     double seconds = 0;
-    for (uint32_t most = kFirstRefusals;; most *= 2, options.budget.seed += kSeedStep) {
+    for (uint32_t max = kFirstRefusals;; max *= 2, options.budget.seed += kSeedStep) {
       options.budget.seconds = secondsLeft();
       options.budget.maxSteps = options_.budget.maxSteps - steps;
       uint32_t refused = 0;
       PlayerQuestion asked = question(first);
-      asked.accept = [&](const Playthrough& p) {
+      asked.accept = [&](const Trajectory& p) {
         const bool solves = std::ranges::all_of(others, [&](const KeyPlayer& other) {
           return other.solve(p.actions, first.rate).has_value();
         });
@@ -122,10 +122,10 @@ class PlayersSolving {
         return solves;
       };
       for (const KeyPlayer& other : others) asked.companions.push_back(other.companion());
-      asked.goOn = [&] { return refused < most; };
+      asked.goOn = [&] { return refused < max; };
       OBBY_RETURN_IF_ERROR(solve(first, options, asked));
       addWork(first, steps, seconds);
-      const bool startOver = first.stopped == Stopped::interrupted && refused >= most;
+      const bool startOver = first.stopped == Stopped::interrupted && refused >= max;
       if (!startOver || secondsLeft() <= 0 || steps >= options_.budget.maxSteps || told())
         return {};
     }
@@ -166,7 +166,7 @@ class PlayersSolving {
     return {};
   }
 
-  void fillSolved(schema::Result::Builder answer, const Playthrough& p,
+  void fillSolved(schema::Result::Builder answer, const Trajectory& p,
                   const PosedQuery& posed) const {
     SearchOutcome outcome;
     outcome.stopped = Stopped::solved;
@@ -177,7 +177,7 @@ class PlayersSolving {
     fillResult(answer, identity, outcome, posed.level, posed.levelRecord, posed.queryRecord);
   }
 
-  io::Record trajectoryOf(const Playthrough& p, const PosedQuery& posed,
+  io::Record trajectoryOf(const Trajectory& p, const PosedQuery& posed,
                           const level::Player& player) const {
     const AnswerIdentity identity{posed.query.id(),          posed.level.name(),
                                   posed.query.start(),       options_.method->name,

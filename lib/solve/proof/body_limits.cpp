@@ -11,7 +11,7 @@ namespace obby::solve {
 
 namespace {
 
-constexpr float kLeastSlope = 80;  // degrees; with a lower maxSlope slides have no speed bound
+constexpr float kMinSlope = 80;  // degrees; with a lower maxSlope slides have no speed bound
 
 // Returns r in 1/s: feet that are d below a floor rise at most at r d. Negative if the legs bounce.
 // It is derived from the eigenvalues of one step (docs/proof.md, Legs).
@@ -59,7 +59,7 @@ Box allPlaces(const Problem& problem) {
 
 const char* unboundedPart(const level::LevelView& level) {
   const Params& p = level.params;
-  if (level.looseCount != 0) return "dynamic parts, which can be pushed anywhere";
+  if (level.bodyCount != 0) return "dynamic parts, which can be pushed anywhere";
   if (!(gravityIn(level).lo > 1)) return "almost no gravity";
   if (p.airJumps != 0) return "jumps in the air";
   if (slowRate(p) < 0) return "legs that bounce";
@@ -72,7 +72,7 @@ const char* unboundedPart(const level::LevelView& level) {
       return "jump pads that add to the player's speed";
     }
   }
-  if (slopes && p.maxSlope < kLeastSlope * kPi / 180) return "slopes that players slide down";
+  if (slopes && p.maxSlope < kMinSlope * kPi / 180) return "slopes that players slide down";
   return nullptr;
 }
 
@@ -90,11 +90,11 @@ BodyLimits::BodyLimits(const Problem& problem, const std::vector<PartMotion>& mo
 
 void BodyLimits::setSpeeds(const Problem& problem, const std::vector<PartMotion>& motions) {
   const level::LevelView& level = problem.level;
-  float least = p_.plainGrip;
+  float min = p_.plainGrip;
   for (uint32_t i = 0; i < level.colliderCount; ++i) {
-    if (level.bounds[i].flags & level::kSolid) least = std::min(least, level.colliders[i].grip);
+    if (level.bounds[i].flags & level::kSolid) min = std::min(min, level.colliders[i].grip);
   }
-  decay = std::min(p_.airAccel, p_.traction * least);
+  decay = std::min(p_.airAccel, p_.traction * min);
   const Box all = allPlaces(problem);
   const float eps = std::numeric_limits<float>::epsilon();
   const float far = std::max({-all.lo.x, all.hi.x, -all.lo.z, all.hi.z}) * eps;
@@ -124,7 +124,7 @@ void BodyLimits::setSpeeds(const Problem& problem, const std::vector<PartMotion>
 void BodyLimits::setBody() {
   const float width = p_.bodyWidth, depth = p_.bodyDepth;
   const float half = 0.5f * length(Vec3{width, 0, depth});
-  const float least = 0.5f * std::min(width, depth);
+  const float min = 0.5f * std::min(width, depth);
   ray = p_.floorRaySpread * 2 * half;
   body = std::max(half, ray) + settles;
   lateTicks_ = (p_.coyoteSteps - 1u) / p_.substeps;
@@ -132,11 +132,11 @@ void BodyLimits::setBody() {
   limb = 0.5f * length(Vec3{std::max(p_.armSpan, width), 0, depth}) + 1.5f * p_.touchMargin + slack;
   across = 2 * half + slack;
   const float travel = fastest_ * dt_;
-  const float step = std::max(std::min(0.9f * least, travel), travel / sim::kMostSplits);
-  turned = half - least + step + slack;
-  overlap = std::min(half - least, half * p_.turnSpeed * tick_) + step + slack;
+  const float step = std::max(std::min(0.9f * min, travel), travel / sim::kMaxSplits);
+  turned = half - min + step + slack;
+  overlap = std::min(half - min, half * p_.turnSpeed * tick_) + step + slack;
   // A jump that leads through a part in its first tick may end anywhere next to it.
-  if (fastest_ * tick_ + slack >= 0.9f * least) overlap = turned;
+  if (fastest_ * tick_ + slack >= 0.9f * min) overlap = turned;
 }
 
 float BodyLimits::fallOver(uint32_t steps, float gravity) const {
@@ -182,7 +182,7 @@ void BodyLimits::setTricks() {
     const float grace = float(std::max(p_.coyoteSteps, p_.graceSteps) + p_.substeps) * dt_;
     always_ = std::max(always_, keptReach_) + thrown(0) * grace;
   }
-  mostTakeOff = std::max(keptReach_, always_) + slack;
+  maxTakeOff = std::max(keptReach_, always_) + slack;
   late = p_.coyoteTime + 3 * tick_ + heldSeconds;
 }
 
@@ -193,16 +193,16 @@ float BodyLimits::thrown(float speed) const {
   const float stiff = p_.hoverStiffness * dt_, damped = 1 - p_.hoverDamping * dt_;
   const float depth = sim::rayHeight(p_) + speed * tick_;
   float deep[2] = {-1, 0}, fast[2] = {0, 1};  // gap and speed, per stud below and per stud/s
-  float most = 0;
+  float max = 0;
   for (uint32_t n = 0; n < p_.substeps; ++n) {
     for (float* s : {deep, fast}) {
       s[1] = damped * s[1] - stiff * s[0];
       s[0] += dt_ * s[1];
     }
     const float kept = std::clamp(fast[1], 0.0f, 0.999f), turns = std::max(-fast[1], 0.0f);
-    most = std::max(most, deep[1] * depth / (1 - kept) + turns * p_.maxFallSpeed);
+    max = std::max(max, deep[1] * depth / (1 - kept) + turns * p_.maxFallSpeed);
   }
-  return most;
+  return max;
 }
 
 float BodyLimits::entry(float top, bool pinched) const {
@@ -237,15 +237,15 @@ float BodyLimits::airSeconds(float w, float rise) const {
 float BodyLimits::seconds(const Flight& f, float height) const {
   const float w = f.up + (f.leaps ? 0.5f * heavy_ : -0.5f * light_) * dt_;
   const uint32_t first = f.leaps ? 0 : 1, last = f.leaps ? lateTicks_ : 1;
-  float most = -1;
+  float max = -1;
   for (uint32_t k = first; k <= last; ++k) {
     const float fallen = k > 0 ? fallOver((k - 1) * p_.substeps, light_) : 0;
     const float air = airSeconds(w, height - f.height + fallen);
     if (air < 0) break;
     const float whole = dt_ * std::floor(air / dt_ + 0.01f);
-    most = std::max(most, float(k) * tick_ + whole + heldSeconds);
+    max = std::max(max, float(k) * tick_ + whole + heldSeconds);
   }
-  return most;
+  return max;
 }
 
 float BodyLimits::sideways(float seconds, float excess) const {

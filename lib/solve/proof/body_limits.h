@@ -22,17 +22,17 @@ struct Flight {
 
 // Lengths, in studs.
 struct BodySizes {
-  float ray = 0;          // horizontal radius in which floors are sensed
-  float body = 0;         // radius of the colliding body, or `ray` if that is larger
-  float stand = 0;        // radius in which a jump begins: `body`, or `ray` if walks are fast
-  float limb = 0;         // radius in which limbs touch
-  float across = 0;       // parts farther apart than this are not touched at once
-  float slack = 0;        // studs: skin, what depenetration leaves, rounding
-  float settles = 0;      // studs above the rest height at which a player may stand
-  float sunk = 0;         // studs below a support's top from which a jump or fall may begin
-  float mostTakeOff = 0;  // the same above the top
-  float overlap = 0;      // with a part, by one step of travel and one tick of a turn in the air
-  float turned = 0;       // the same with any turn
+  float ray = 0;         // horizontal radius in which floors are sensed
+  float body = 0;        // radius of the colliding body, or `ray` if that is larger
+  float stand = 0;       // radius in which a jump begins: `body`, or `ray` if walks are fast
+  float limb = 0;        // radius in which limbs touch
+  float across = 0;      // parts farther apart than this are not touched at once
+  float slack = 0;       // studs: skin, what depenetration leaves, rounding
+  float settles = 0;     // studs above the rest height at which a player may stand
+  float sunk = 0;        // studs below a support's top from which a jump or fall may begin
+  float maxTakeOff = 0;  // the same above the top
+  float overlap = 0;     // with a part, by one step of travel and one tick of a turn in the air
+  float turned = 0;      // the same with any turn
 };
 
 // Speeds, in studs/s unless stated.

@@ -42,7 +42,7 @@ std::vector<ReachBound::End> ReachBound::holdersIn(const Box& box) const {
     const Support& s = supports_[i];
     Box feet = grow(s.box, {s.side, 0, s.side});
     feet.lo.y = s.lowest - limits_.sunk;
-    feet.hi.y += s.lift + limits_.mostTakeOff;
+    feet.hi.y += s.lift + limits_.maxTakeOff;
     if (s.collider != level::kNone && overlaps(feet, box)) ends.push_back(endAt(i));
   }
   return ends;

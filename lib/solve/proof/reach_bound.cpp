@@ -10,15 +10,15 @@ namespace obby::solve {
 
 namespace {
 
-constexpr size_t kMostVisits = 60;  // per support on average; beyond them the bound gives up
-constexpr int kMostParts = 8;       // counted parts near a flight; more push as far as turns can
+constexpr size_t kMaxVisits = 60;  // per support on average; beyond them the bound gives up
+constexpr int kMaxParts = 8;       // counted parts near a flight; more push as far as turns can
 
 constexpr float kRounding = 0.125f;  // studs
-constexpr int32_t kMostBlocks = 8;   // per axis; one box holds the places of a block
+constexpr int32_t kMaxBlocks = 8;    // per axis; one box holds the places of a block
 
 // Returns true if the list of a cell has more parts than a tick examines. The list names all that a
 // player in the cell can be near, at any speed.
-bool isCrowd(const level::LevelView& level, const uint32_t* list) {
+bool isEnvGroup(const level::LevelView& level, const uint32_t* list) {
   const auto moves = [&](uint32_t id) { return (level.bounds[id].flags & level::kMoving) != 0; };
   const int moving = int(std::count_if(list + 1, list + 1 + list[0], moves));
   return list[0] > uint32_t(sim::kMaxCandidates) || moving > sim::kMaxMovingCandidates;
@@ -29,12 +29,12 @@ bool isCrowd(const level::LevelView& level, const uint32_t* list) {
 std::vector<Box> crowdedPlaces(const level::LevelView& level) {
   const level::Grid& g = level.grid;
   const Vec3 size{1 / g.inverseCell.x, 1 / g.inverseCell.y, 1 / g.inverseCell.z};
-  const int32_t block = std::max({g.nx, g.ny, g.nz}) / kMostBlocks + 1;  // cells
+  const int32_t block = std::max({g.nx, g.ny, g.nz}) / kMaxBlocks + 1;  // cells
   std::map<std::array<int32_t, 3>, Box> blocks;
   std::vector<int8_t> known(g.listWords, -1);  // (starts of lists): -1 unknown, 0 no, 1 yes
   for (int32_t i = 0; i < g.nx * g.ny * g.nz; ++i) {
     const uint32_t at = g.cells[i];
-    if (known[at] < 0) known[at] = isCrowd(level, g.lists + at) ? 1 : 0;
+    if (known[at] < 0) known[at] = isEnvGroup(level, g.lists + at) ? 1 : 0;
     if (known[at] == 0) continue;
     const int32_t x = i % g.nx, y = i / g.nx % g.ny, z = i / g.nx / g.ny;
     const Vec3 lo = g.origin + mul(size, Vec3{float(x), float(y), float(z)});
@@ -85,7 +85,7 @@ void ReachBound::explore() {
     const Support& s = supports_[at];
     open_.pop_front();
     isOpen_[at] = false;
-    wild_ = s.wild || visits > kMostVisits * supports_.size();
+    wild_ = s.wild || visits > kMaxVisits * supports_.size();
     for (uint32_t i = 0; i < supports_.size() && s.sideways > excess_; ++i) {
       if (isReached(i)) leave(i);
     }
@@ -110,9 +110,9 @@ void ReachBound::leave(uint32_t support) {
 void ReachBound::spread(uint32_t from, bool leaps) {
   const Flight f = flight(from, leaps);
   const uint32_t jumps = jumpsAfter(from, f);
-  const float most = std::max(reach(f, lowest_ - limits_.entryOfFalls(), kMostParts),
-                              limits_.sideways(limits_.late, excess_));
-  index_.any(flat(supports_[from].box, most + supports_[from].side), [&](uint32_t to) {
+  const float max = std::max(reach(f, lowest_ - limits_.entryOfFalls(), kMaxParts),
+                             limits_.sideways(limits_.late, excess_));
+  index_.any(flat(supports_[from].box, max + supports_[from].side), [&](uint32_t to) {
     const float takeOff = takeOffAfter(from, to, f);
     const bool higher = takeOff > supports_[to].takeOff + 1e-4f;
     if ((jumps >= jumps_[to] && !higher) || !crosses(from, f, endAt(to))) return false;
@@ -157,11 +157,11 @@ Flight ReachBound::flight(uint32_t support, bool leaps) const {
 
 // Returns true if the flight may begin inside `to`. The torso does not collide as a jump begins, so
 // it may be inside a part that the head clears.
-bool ReachBound::stepsInto(const Flight& f, const End& to, float way) const {
+bool ReachBound::stepsInto(const Flight& f, const End& to, float distance) const {
   if (!f.leaps || to.support == kNever || !supports_[to.support].carries) return false;
   const float head = f.height + f.up * (p_.tickSeconds + p_.substepSeconds) + p_.headBottom;
   return supports_[to.support].lowest <= head + limits_.slack &&
-         way <= limits_.sideways(limits_.late, excess_);
+         distance <= limits_.sideways(limits_.late, excess_);
 }
 
 // Returns the studs that a flight covers until the feet are at that height; below 0 if they never
@@ -171,17 +171,17 @@ float ReachBound::reach(const Flight& f, float height, int parts) const {
   const float studs = limits_.sideways(seconds, excess_);
   if (parts == 0 || studs < 0) return studs;
   const float each = 2 * limits_.turned, turns = limits_.turning * seconds + each;
-  const bool all = parts == kMostParts;
+  const bool all = parts == kMaxParts;
   return studs + pushed_ * seconds + (all ? turns : std::min(float(parts) * each, turns));
 }
 
 bool ReachBound::crosses(uint32_t from, const Flight& f, const End& to) const {
-  const float way = gapBetween(supports_[from].box, to.box) - to.side;
-  if (stepsInto(f, to, way - supports_[from].side)) return true;
+  const float distance = gapBetween(supports_[from].box, to.box) - to.side;
+  if (stepsInto(f, to, distance - supports_[from].side)) return true;
   const float height = to.height - (f.leaps ? 0 : limits_.entryOfFalls());
-  const float own = std::max(way - f.radius, 0.0f);
+  const float own = std::max(distance - f.radius, 0.0f);
   if (reach(f, height, 0) >= own) return true;
-  for (int parts = kMostParts;;) {  // lowers the count to the parts in reach, until it is stable
+  for (int parts = kMaxParts;;) {  // lowers the count to the parts in reach, until it is stable
     const float studs = reach(f, height, parts);
     if (studs < own) return false;
     const int near = partsNear(from, f, to, studs);
@@ -190,7 +190,7 @@ bool ReachBound::crosses(uint32_t from, const Flight& f, const End& to) const {
   }
 }
 
-// Returns the number of solid parts that a flight of that length may meet, up to kMostParts.
+// Returns the number of solid parts that a flight of that length may meet, up to kMaxParts.
 int ReachBound::partsNear(uint32_t from, const Flight& f, const End& to, float studs) const {
   const Support& s = supports_[from];
   const float low = to.height - limits_.entryOfFalls(), high = limits_.apex(f) + p_.bodyTop;
@@ -202,7 +202,7 @@ int ReachBound::partsNear(uint32_t from, const Flight& f, const End& to, float s
                        by.box.lo.y <= high &&
                        gapBetween(s.box, by.box) + gapBetween(by.box, to.box) <= far;
     count += meets ? 1 : 0;
-    return count == kMostParts;
+    return count == kMaxParts;
   });
   return count;
 }

@@ -76,7 +76,7 @@ class ReachBound {
     return jumps_[support] + (f.leaps && limits_.heldSeconds == 0 ? 1 : 0);
   }
   uint32_t jumpsInto(const End& end) const;
-  bool stepsInto(const Flight& f, const End& to, float way) const;
+  bool stepsInto(const Flight& f, const End& to, float distance) const;
   float reach(const Flight& f, float height, int parts) const;
   bool crosses(uint32_t from, const Flight& f, const End& to) const;
   int partsNear(uint32_t from, const Flight& f, const End& to, float studs) const;

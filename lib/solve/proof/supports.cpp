@@ -209,7 +209,7 @@ class Builder {
   // slow.
   float heldOver(const Support& s) const {
     const float near = 2 * limits_.body + limits_.walk * 0.15f;
-    float most = 0;
+    float limit = 0;
     solids_.any(grow(s.box, {near, 1e6f, near}), [&](uint32_t id) {
       if (id == s.collider) return false;
       const Box& box = motions_[id].swept;
@@ -218,13 +218,13 @@ class Builder {
       const float under = (exact ? box.lo.y - p_.bodyTop : box.hi.y) - s.top();
       const float over = box.hi.y - p_.hipHeight - s.top();
       const float play = limits_.slack + (exact ? 0 : box.hi.y - box.lo.y + p_.bodyTop);
-      most = std::max(most, limits_.takeOff(under - play, under + limits_.slack));
-      if (over - play < limits_.mostTakeOff) {
-        most = std::max(most, limits_.takeOff(over - play, over));
+      limit = std::max(limit, limits_.takeOff(under - play, under + limits_.slack));
+      if (over - play < limits_.maxTakeOff) {
+        limit = std::max(limit, limits_.takeOff(over - play, over));
       }
       return false;
     });
-    return most;
+    return limit;
   }
 
   const level::LevelView& level_;

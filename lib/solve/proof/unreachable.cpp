@@ -19,7 +19,7 @@ using Targets = std::vector<const level::TargetView*>;
 struct Demand {
   Targets any;
   std::string name;
-  int32_t mostJumps;  // max on arrival; -1: any number
+  int32_t maxJumps;  // max on arrival; -1: any number
 };
 
 std::string quoted(schema::Region::Reader region) {
@@ -64,7 +64,7 @@ bool admitsJumps(const Problem& problem) {
 }
 
 // Returns the straight distance along the waypoints to the nearest goal, in studs.
-float leastDistance(const Problem& problem, const Targets& goals, const ReachBound& bound) {
+float minDistance(const Problem& problem, const Targets& goals, const ReachBound& bound) {
   Box at{problem.start.position, problem.start.position};
   float studs = 0, last = 1e30f;
   for (uint32_t i = 0; i < problem.query.waypointCount; ++i) {
@@ -111,15 +111,15 @@ std::optional<Cut> prove(const Problem& problem, schema::Query::Reader record, b
       if (withMissing) cut.missing = bound.missing(d.any);
       return cut;
     }
-    if (d.mostJumps < 0 || jumps <= uint32_t(d.mostJumps)) continue;
+    if (d.maxJumps < 0 || jumps <= uint32_t(d.maxJumps)) continue;
     cut.jumps = jumps;
-    cut.mostJumps = uint32_t(d.mostJumps);
+    cut.maxJumps = uint32_t(d.maxJumps);
     return cut;
   }
   const float tick = problem.level.params.tickSeconds;
-  cut.mostSeconds = float(problem.query.timeLimitTicks) * tick;
-  cut.seconds = bound.secondsFor(leastDistance(problem, demands.back().any, bound)) - 2 * tick;
-  const bool late = problem.query.timeLimitTicks != 0 && cut.seconds > cut.mostSeconds;
+  cut.maxSeconds = float(problem.query.timeLimitTicks) * tick;
+  cut.seconds = bound.secondsFor(minDistance(problem, demands.back().any, bound)) - 2 * tick;
+  const bool late = problem.query.timeLimitTicks != 0 && cut.seconds > cut.maxSeconds;
   return late ? std::optional(cut) : std::nullopt;
 }
 
@@ -134,8 +134,8 @@ bool isCut(const Problem& problem, schema::Query::Reader record) {
 }
 
 void tryTricks(Cut& cut, Problem problem, schema::Query::Reader record) {
-  constexpr uint32_t kMostColliders = 10'000;  // with tricks flights connect nearly all of them
-  if (problem.level.colliderCount > kMostColliders) return;
+  constexpr uint32_t kMaxColliders = 10'000;  // with tricks flights connect nearly all of them
+  if (problem.level.colliderCount > kMaxColliders) return;
   uint16_t& tricks = problem.level.params.tricks;
   const uint16_t allowed = tricks;
   tricks = kAllTricks;

@@ -17,9 +17,9 @@ struct Cut {
   std::vector<uint32_t> reached;  // parts
   Missing missing;                // if `jumps` and `seconds` are 0
   uint32_t jumps = 0;             // lower bound of the jumps to the target
-  uint32_t mostJumps = 0;         // jumps that are allowed
+  uint32_t maxJumps = 0;          // jumps that are allowed
   float seconds = 0;              // lower bound of the time to the goal
-  float mostSeconds = 0;          // seconds that are allowed
+  float maxSeconds = 0;           // seconds that are allowed
   bool withTricks = false;        // the proof holds for players who use every trick
   uint16_t mayHelp = 0;           // otherwise, tricks that each break the proof
 };

@@ -59,17 +59,17 @@ void fillProgress(schema::Progress::Builder record, const AnswerIdentity& identi
   record.setClosest(s.closest.distance);
   record.setWaypoints(s.closest.targets);
   uint32_t index = 0;
-  const auto fillWay = [&](schema::Trajectory::Builder way, const Node& end) {
-    const Playthrough playthrough = view.search.playthrough(end);
-    fillTrajectory(way, identity, playthrough, index++);
-    if (paths) fillPath(way, playthrough);
+  const auto fillEnd = [&](schema::Trajectory::Builder to, const Node& end) {
+    const Trajectory trajectory = view.search.trajectoryTo(end);
+    fillTrajectory(to, identity, trajectory, index++);
+    if (paths) fillPath(to, trajectory);
   };
-  if (s.closest.way.parent != kNone) fillWay(record.initBest(), s.closest.way);
+  if (s.closest.node.parent != kNone) fillEnd(record.initBest(), s.closest.node);
   const Node newest = view.search.newest();
-  if (newest.parent != kNone) fillWay(record.initNewest(), newest);
+  if (newest.parent != kNone) fillEnd(record.initNewest(), newest);
   const auto ends = view.search.attempts().newestFailures(kProgressDeaths);
   auto deaths = record.initDeaths(uint32_t(ends.size()));
-  for (uint32_t i = 0; i < deaths.size(); ++i) fillWay(deaths[i], ends[i].way);
+  for (uint32_t i = 0; i < deaths.size(); ++i) fillEnd(deaths[i], ends[i].node);
 }
 
 schema::Verdict verdictOf(const SearchOutcome& outcome) {
@@ -96,7 +96,7 @@ void fillResult(schema::Result::Builder record, const AnswerIdentity& identity,
   record.setRounds(outcome.statistics.rounds);
   if (!solved && !outcome.cut) {
     record.setClosest(outcome.statistics.closest.distance);
-    fillEvidence(record.initEvidence(), outcome.thoroughness);
+    fillEvidence(record.initEvidence(), outcome.coverage);
   }
   if (outcome.cut) fillCut(record.initCut(), *outcome.cut, level.view());
   record.setReason(reasonFor(outcome, level, levelRecord, query));

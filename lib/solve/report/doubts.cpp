@@ -73,13 +73,13 @@ std::vector<DoubtfulCollider> collidersNear(const std::vector<uint32_t>& parts,
 // Returns texts like "'Belt' (conveyor that a script changes)".
 std::vector<std::string> partTexts(schema::Level::Reader level, const Kinds& kinds,
                                    const std::vector<uint32_t>& parts) {
-  constexpr size_t kMost = 3;
+  constexpr size_t kMax = 3;
   std::vector<std::string> texts;
-  for (size_t i = 0; i < parts.size() && i < kMost; ++i) {
+  for (size_t i = 0; i < parts.size() && i < kMax; ++i) {
     texts.push_back(fmt::format("{} ({})", partText(level, parts[i]),
                                 firstKind(kinds, level.getParts()[parts[i]])));
   }
-  if (parts.size() > kMost) texts.push_back(fmt::format("{} more", parts.size() - kMost));
+  if (parts.size() > kMax) texts.push_back(fmt::format("{} more", parts.size() - kMax));
   return texts;
 }
 
@@ -134,10 +134,10 @@ std::vector<uint32_t> touchedOf(const std::vector<uint32_t>& parts, const level:
   for (uint32_t t = 0; t <= lastTick && !left.empty(); ++t) {
     const sim::World& world = course.at(t);
     const sim::Limbs limbs = sim::limbsOf(world, level.params);
-    const sim::LooseBody* const loose = course.replay.looseAt(t).data();
+    const sim::RigidBody* const bodies = course.replay.bodiesAtTick(t).data();
     for (const DoubtfulCollider& c : left) {
       const bool carries = course.carriers[t] == int32_t(c.part);
-      if (!carries && !sim::touchesCollider(world, loose, level, c.collider, limbs)) continue;
+      if (!carries && !sim::touchesCollider(world, bodies, level, c.collider, limbs)) continue;
       if (std::ranges::find(touched, c.part) == touched.end()) touched.push_back(c.part);
     }
     std::erase_if(left, [&](const DoubtfulCollider& c) {

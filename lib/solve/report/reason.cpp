@@ -5,8 +5,8 @@
 #include "base/listed.h"
 #include "io/text.h"
 #include "level/tricks.h"
+#include "sim/body_contacts.h"
 #include "sim/candidates.h"
-#include "sim/loose_contacts.h"
 #include "solve/report/part_text.h"
 
 namespace obby::solve {
@@ -30,7 +30,7 @@ std::string playText(uint64_t ticks, float rate) {
 }
 
 std::string solvedText(const SearchOutcome& outcome, const level::Level& level) {
-  const Playthrough& best = outcome.solutions.front();
+  const Trajectory& best = outcome.solutions.front();
   std::string text = fmt::format("Reached the goal in {:.2f} s with {}",
                                  double(best.ticks) / level.view().params.controlRate,
                                  io::plural(best.end.jumps, "jump"));
@@ -106,7 +106,7 @@ std::string placeText(const SearchOutcome& outcome, const Asked& asked) {
 }
 
 // Tells if a longer search is likely to help.
-std::string hopeText(const Thoroughness& t) {
+std::string hopeText(const Coverage& t) {
   const float more = 100 * newCellsIfTwice(t);
   if (!saturated(t)) return " The search was still finding new places, so more time may help.";
   if (more < 0.1f) {
@@ -134,7 +134,7 @@ std::string overrunText(uint8_t overruns) {
     text += fmt::format(
         " In some attempts dynamic parts had more than {} contacts at once; the simulator ignored "
         "the rest.",
-        sim::kMaxLooseContacts);
+        sim::kMaxBodyContacts);
   }
   return text;
 }
@@ -182,11 +182,11 @@ std::string tricksText(const Cut& cut) {
 std::string cutText(const Cut& cut, const level::Level& level, schema::Level::Reader record) {
   if (cut.jumps > 0) {
     return fmt::format("Every route to {} takes at least {} jump{}, but {} allowed.", cut.target,
-                       cut.jumps, cut.jumps == 1 ? "" : "s", allowedText(cut.mostJumps));
+                       cut.jumps, cut.jumps == 1 ? "" : "s", allowedText(cut.maxJumps));
   }
   if (cut.seconds > 0) {
     return fmt::format("Every route to {} takes at least {:.2f} s, but only {:.2f} s is allowed.",
-                       cut.target, cut.seconds, cut.mostSeconds);
+                       cut.target, cut.seconds, cut.maxSeconds);
   }
   return fmt::format("No player can reach {}{}.{} At most {} part{} reachable.", cut.target,
                      cut.mayJump ? "" : " without jumping", stepText(cut, level, record),
@@ -205,7 +205,7 @@ std::string reasonFor(const SearchOutcome& outcome, const level::Level& level,
   std::string text = fmt::format("No solution found in {} of simulated play{}.",
                                  playText(outcome.statistics.steps, rate),
                                  outcome.stopped == Stopped::interrupted ? " (interrupted)" : "");
-  text += placeText(outcome, asked) + endsText(outcome, asked) + hopeText(outcome.thoroughness);
+  text += placeText(outcome, asked) + endsText(outcome, asked) + hopeText(outcome.coverage);
   return text + overruns + unmodelledText(levelRecord) + " This is not a proof that there is none.";
 }
 

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "solve/proof/unreachable.h"
+#include "solve/search/coverage.h"
 #include "solve/search/search.h"
 #include "solve/search/solutions.h"
-#include "solve/search/thoroughness.h"
 
 namespace obby::solve {
 
@@ -23,20 +23,20 @@ struct SearchView {
 
 struct Watcher {
   // Returns true if the trajectory is really a solution. Called before it is counted.
-  std::function<bool(const Playthrough&)> accept;
+  std::function<bool(const Trajectory&)> accept;
   // Called between rounds, often. Returns false to interrupt the search. May be empty.
   std::function<bool(const SearchView&)> look;
 };
 
 struct SearchOutcome {
   Stopped stopped = Stopped::outOfTime;
-  std::vector<Playthrough> solutions;  // accepted, distinct, shortest first
-  std::vector<RouteTally> routes;      // of the solutions, if several were asked for
-  bool diverse = false;                // the solutions differ in route
-  std::vector<Playthrough> attempts;   // failed trajectories, the closest first
+  std::vector<Trajectory> solutions;  // accepted, distinct, shortest first
+  std::vector<RouteTally> routes;     // of the solutions, if several were asked for
+  bool diverse = false;               // the solutions differ in route
+  std::vector<Trajectory> attempts;   // failed trajectories, the closest first
   std::vector<EndCount> ends;
   Statistics statistics;
-  Thoroughness thoroughness;
+  Coverage coverage;
   uint64_t cells = 0;
   uint32_t targetCount = 0;     // waypoints and visits of the query
   uint32_t knownSolutions = 0;  // solutions that an earlier answer had

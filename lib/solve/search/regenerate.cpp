@@ -1,18 +1,18 @@
 #include "solve/search/regenerate.h"
 
 #include "sim/player.h"
-#include "solve/search/rollouts/known_way.h"
+#include "solve/search/rollouts/action_runs.h"
 #include "solve/search/rollouts/rollout.h"
 
 namespace obby::solve {
 
-Playthrough regenerate(const ExploreContext& context, uint64_t seed, const Problem& problem,
-                       const ChunkedVector<Node>& nodes, const Node& end) {
+Trajectory regenerate(const ExploreContext& context, uint64_t seed, const Problem& problem,
+                      const ChunkedVector<Node>& nodes, const Node& end) {
   std::vector<const Node*> chain;
   for (const Node* n = &end; n->parent != kNone; n = &nodes[n->parent]) chain.push_back(n);
-  Playthrough p;
+  Trajectory p;
   p.end = problem.start;
-  p.endLoose = problem.startLoose;
+  p.endBodies = problem.startBodies;
   p.path.push_back(problem.start.position);
   uint32_t jumps = problem.start.jumps;
   const auto note = [&](const sim::Action& action, const sim::World& world) {
@@ -25,11 +25,11 @@ Playthrough regenerate(const ExploreContext& context, uint64_t seed, const Probl
   };
   for (auto n = chain.rbegin(); n != chain.rend(); ++n) {
     const Node& node = **n;
-    if (node.rollout & kKnown) {
-      runKnown(context, problem.known[node.rollout & ~kKnown], p.end, p.endLoose.data(), node.ticks,
-               note);
+    if (node.rollout & kWarmStart) {
+      playRuns(context, problem.known[node.rollout & ~kWarmStart], p.end, p.endBodies.data(),
+               node.ticks, note);
     } else {
-      runRollout<true, true>(context, seed, node.rollout, p.end, p.endLoose.data(), node.ticks,
+      runRollout<true, true>(context, seed, node.rollout, p.end, p.endBodies.data(), node.ticks,
                              note);
     }
   }

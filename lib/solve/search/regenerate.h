@@ -3,8 +3,8 @@
 
 #include <cstdint>
 
-#include "solve/model/playthrough.h"
 #include "solve/model/problem.h"
+#include "solve/model/trajectory.h"
 #include "solve/search/archive/archive.h"
 #include "solve/search/rollouts/explore_context.h"
 
@@ -12,7 +12,7 @@ namespace obby::solve {
 
 // Returns the trajectory that ends `end.ticks` ticks into rollout `end.rollout` from node
 // `end.parent`.
-Playthrough regenerate(const ExploreContext& context, uint64_t seed, const Problem& problem,
-                       const ChunkedVector<Node>& nodes, const Node& end);
+Trajectory regenerate(const ExploreContext& context, uint64_t seed, const Problem& problem,
+                      const ChunkedVector<Node>& nodes, const Node& end);
 
 }  // namespace obby::solve

@@ -11,12 +11,12 @@ namespace {
 
 constexpr size_t kChecksPerRound = 16;  // trajectories to the goal that a round regenerates
 
-// Offers the first `most` of the goals that the search has just found.
-void takeGoals(const Search& search, size_t most, size_t wanted, const Watcher& watcher,
+// Offers the first `max` of the goals that the search has just found.
+void takeGoals(const Search& search, size_t max, size_t wanted, const Watcher& watcher,
                const Stopwatch& watch, Solutions& solutions, SearchOutcome& outcome) {
-  for (size_t i = 0; i < std::min(search.goals().size(), most); ++i) {
+  for (size_t i = 0; i < std::min(search.goals().size(), max); ++i) {
     const bool first = solutions.count() == 0;
-    const auto offer = solutions.offer(search.playthrough(search.goals()[i]), watcher.accept);
+    const auto offer = solutions.offer(search.trajectoryTo(search.goals()[i]), watcher.accept);
     if (offer == Solutions::Offer::refused) ++outcome.refused;
     if (offer != Solutions::Offer::kept) continue;
     if (first) outcome.firstSolution = watch.seconds();
@@ -34,13 +34,14 @@ std::optional<Stopped> whyStop(const Budget& budget, const Search& search, const
 }
 
 // Returns the closest approach, then trajectories whose ends are far apart.
-std::vector<Playthrough> showAttempts(const Search& search, size_t count) {
-  std::vector<Playthrough> result;
+std::vector<Trajectory> showAttempts(const Search& search, size_t count) {
+  std::vector<Trajectory> result;
   const Closest& closest = search.statistics().closest;
-  if (count > 0 && closest.way.parent != kNone) result.push_back(search.playthrough(closest.way));
+  if (count > 0 && closest.node.parent != kNone)
+    result.push_back(search.trajectoryTo(closest.node));
   if (count <= result.size()) return result;
   for (const AttemptEnd& end : search.attempts().sample(count - result.size(), closest.position)) {
-    result.push_back(search.playthrough(end.way));
+    result.push_back(search.trajectoryTo(end.node));
   }
   return result;
 }
@@ -60,7 +61,7 @@ SearchOutcome runSearch(const Problem& problem, const Budget& budget, const Watc
   const size_t all = problem.known.size();
   for (size_t first = 0, next = budget.solutions; first < all && !stopped;
        first = next, next = all) {
-    search.tryKnown(first, std::min(next, all) - first);
+    search.tryWarmStarts(first, std::min(next, all) - first);
     // All of them are taken, since they are not tried again.
     takeGoals(search, all, budget.solutions, watcher, watch, solutions, outcome);
     outcome.knownSolutions = uint32_t(solutions.count());
@@ -81,7 +82,7 @@ SearchOutcome runSearch(const Problem& problem, const Budget& budget, const Watc
   outcome.attempts = showAttempts(search, budget.attempts);
   outcome.ends = search.attempts().counts();
   outcome.statistics = search.statistics();
-  outcome.thoroughness = coverage.finish(search);
+  outcome.coverage = coverage.finish(search);
   outcome.targetCount = targetCount(problem.query);
   outcome.cells = search.cellCount();
   outcome.device = search.deviceStatus();

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "base/result.h"
-#include "solve/model/playthrough.h"
+#include "solve/model/trajectory.h"
 #include "solve/search/rollouts/attempts.h"
 #include "solve/search/rollouts/trail.h"
 
@@ -13,7 +13,7 @@ namespace obby::solve {
 
 // The closest approach of the search, and the trajectory to it.
 struct Closest : Approach {
-  Node way{0, kNone, 0};
+  Node node{0, kNone, 0};
 };
 
 struct Statistics {
@@ -32,7 +32,7 @@ class Search {
   // Tries `count` trajectories of Problem::known from `first` on, like a round. Must precede
   // round().
   // effects.
-  virtual void tryKnown(size_t first, size_t count) = 0;
+  virtual void tryWarmStarts(size_t first, size_t count) = 0;
 
   // Runs one round.
   virtual void round() = 0;
@@ -51,7 +51,7 @@ class Search {
 
   // Returns the trajectories to the goal of the last round, sorted by ticks, then jumps.
   virtual const std::vector<Node>& goals() const = 0;
-  virtual Playthrough playthrough(const Node& end) const = 0;
+  virtual Trajectory trajectoryTo(const Node& end) const = 0;
 };
 
 }  // namespace obby::solve

@@ -5,7 +5,7 @@
 #include <functional>
 #include <vector>
 
-#include "solve/search/way_identity.h"
+#include "solve/search/solution_identity.h"
 
 namespace obby::solve {
 
@@ -21,22 +21,22 @@ class Solutions {
   enum class Offer { kept, known, refused };
 
   // The problem must outlive it.
-  Solutions(const Problem& problem, const WayIdentity& identity)
+  Solutions(const Problem& problem, const SolutionIdentity& identity)
       : problem_(problem), identity_(identity) {}
 
   // Keeps a solution that is distinct from all others, or shorter than those that it is the same
   // as, which it replaces. Only these solutions are passed to `accept`, which may be empty.
-  Offer offer(Playthrough p, const std::function<bool(const Playthrough&)>& accept);
+  Offer offer(Trajectory p, const std::function<bool(const Trajectory&)>& accept);
 
-  size_t count() const { return ways_.size(); }
-  std::vector<Playthrough> all() const;  // sorted by ticks, then jumps
+  size_t count() const { return solutions_.size(); }
+  std::vector<Trajectory> all() const;  // sorted by ticks, then jumps
   // Returns the solutions by route: the most frequent route first, ties by length.
   std::vector<RouteTally> routes() const;
 
  private:
   const Problem& problem_;
-  const WayIdentity& identity_;
-  std::vector<Way> ways_;
+  const SolutionIdentity& identity_;
+  std::vector<Solution> solutions_;
 };
 
 }  // namespace obby::solve

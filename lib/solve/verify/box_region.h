@@ -80,15 +80,15 @@ class BoxRegion {
   static double along(Point a, Point b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 
   // Returns the part of a convex polygon with s * ofS + t * ofT <= most.
-  static std::vector<Share> cut(const std::vector<Share>& polygon, double most, double ofS,
+  static std::vector<Share> cut(const std::vector<Share>& polygon, double max, double ofS,
                                 double ofT) {
     std::vector<Share> out;
     for (size_t i = 0; i < polygon.size(); ++i) {
       const Share a = polygon[i], b = polygon[(i + 1) % polygon.size()];
-      const double roomA = most - a.s * ofS - a.t * ofT, roomB = most - b.s * ofS - b.t * ofT;
-      if (roomA >= 0) out.push_back(a);
-      if ((roomA >= 0) == (roomB >= 0)) continue;
-      const double part = roomA / (roomA - roomB);
+      const double slackA = max - a.s * ofS - a.t * ofT, slackB = max - b.s * ofS - b.t * ofT;
+      if (slackA >= 0) out.push_back(a);
+      if ((slackA >= 0) == (slackB >= 0)) continue;
+      const double part = slackA / (slackA - slackB);
       out.push_back({a.s + (b.s - a.s) * part, a.t + (b.t - a.t) * part});
     }
     return out;

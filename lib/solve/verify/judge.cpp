@@ -38,13 +38,13 @@ int64_t Judge::ticksOf(float seconds) const {
 }
 
 bool Judge::tooManyJumps(int64_t jumps) const {
-  const auto over = [](int64_t made, int64_t most) { return most >= 0 && made > most; };
+  const auto over = [](int64_t made, int64_t max) { return max >= 0 && made > max; };
   if (over(jumps, maxJumps_) || over(jumps - segmentJumps_, segment().jumps)) return true;
   return reached_ < stops_.size() && over(jumps, stops_[reached_].jumps);
 }
 
 bool Judge::tooLate(int64_t tick) const {
-  const auto over = [](int64_t spent, int64_t most) { return most >= 0 && spent >= most; };
+  const auto over = [](int64_t spent, int64_t max) { return max >= 0 && spent >= max; };
   if (over(tick, ticks_) || over(tick - segmentTick_, segment().ticks)) return true;
   return reached_ < stops_.size() && over(tick, stops_[reached_].ticks);
 }
@@ -78,7 +78,7 @@ schema::Outcome Judge::reach(const sim::Moment& m) {
 
 schema::Outcome Judge::after(const sim::Moment& m) {
   for (size_t i = 0; i < avoid_.size(); ++i) {
-    if (!avoid_[i].isEntered(level_, m.before, m.world, m.loose)) continue;
+    if (!avoid_[i].isEntered(level_, m.before, m.world, m.bodies)) continue;
     avoided_ = int64_t(i);
     return schema::Outcome::AVOIDED;
   }

@@ -36,7 +36,7 @@ class Judge {
 
   int64_t ticksOf(float seconds) const;
   bool holds(const Place& place, const sim::Moment& m) const {
-    return place.holds(level_, m.world, m.loose);
+    return place.holds(level_, m.world, m.bodies);
   }
   bool tooManyJumps(int64_t jumps) const;
   bool tooLate(int64_t tick) const;

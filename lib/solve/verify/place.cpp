@@ -11,10 +11,10 @@ Point feetOf(const sim::World& world) {
 namespace {
 
 bool touchesAny(level::ColliderRun colliders, const level::LevelView& level,
-                const sim::World& world, std::span<const sim::LooseBody> loose) {
+                const sim::World& world, std::span<const sim::RigidBody> bodies) {
   const sim::Limbs limbs = sim::limbsOf(world, level.params);
   for (uint32_t i = 0; i < colliders.count; ++i) {
-    if (sim::touchesCollider(world, loose.data(), level, colliders.first + i, limbs)) return true;
+    if (sim::touchesCollider(world, bodies.data(), level, colliders.first + i, limbs)) return true;
   }
   return false;
 }
@@ -37,8 +37,8 @@ Place::Place(schema::Region::Reader region, level::ColliderRuns& runs, schema::A
 }
 
 bool Place::holds(const level::LevelView& level, const sim::World& world,
-                  std::span<const sim::LooseBody> loose) const {
-  if (touch_) return touchesAny(colliders_, level, world, loose);
+                  std::span<const sim::RigidBody> bodies) const {
+  if (touch_) return touchesAny(colliders_, level, world, bodies);
   if (stand_) {
     const Point feet = feetOf(world);
     return sim::isHeld(world) && feet.y >= lowest_ && box_.holds(feet, 0);
@@ -47,8 +47,8 @@ bool Place::holds(const level::LevelView& level, const sim::World& world,
 }
 
 bool Place::isEntered(const level::LevelView& level, const sim::World& before,
-                      const sim::World& world, std::span<const sim::LooseBody> loose) const {
-  if (holds(level, world, loose)) return true;
+                      const sim::World& world, std::span<const sim::RigidBody> bodies) const {
+  if (holds(level, world, bodies)) return true;
   const bool teleported = (world.flags & sim::kArrived) != 0 && (before.flags & sim::kArrived) == 0;
   if (touch_ || teleported) return false;
   return box_.holdsOnTheWay(feetOf(before), feetOf(world), level.params.bodyTop);

@@ -7,7 +7,7 @@
 
 #include "level/collider_runs.h"
 #include "level/level_view.h"
-#include "sim/loose.h"
+#include "sim/rigid_body.h"
 #include "sim/world.h"
 #include "solve/verify/box_region.h"
 
@@ -25,11 +25,11 @@ class Place {
 
   // Returns true if the player is there now.
   bool holds(const level::LevelView& level, const sim::World& world,
-             std::span<const sim::LooseBody> loose) const;
+             std::span<const sim::RigidBody> bodies) const;
   // Returns true if the player is there now, or was in the box on the straight path since `before`,
   // the start of the tick. A teleport has no path, and parts are not tested on it.
   bool isEntered(const level::LevelView& level, const sim::World& before, const sim::World& world,
-                 std::span<const sim::LooseBody> loose) const;
+                 std::span<const sim::RigidBody> bodies) const;
 
  private:
   BoxRegion box_;

@@ -15,19 +15,19 @@ Problem problemOf(const PosedQuery& posed) {
   return {view,
           posed.query.view(),
           sim::makeWorld(view, posed.query.start()),
-          sim::startLoose(view),
+          sim::startBodies(view),
           posed.level.bounds(),
           posed.level.hasMotion(),
           {},
           posed.policy};
 }
 
-bool solves(const Playthrough& playthrough, const PosedQuery& posed) {
-  if (playthrough.end.outcome != sim::Outcome::goal) return false;
+bool solves(const Trajectory& trajectory, const PosedQuery& posed) {
+  if (trajectory.end.outcome != sim::Outcome::goal) return false;
   io::RecordBuilder record;
   const AnswerIdentity identity{
       posed.query.id(), posed.level.name(), posed.query.start(), {}, posed.query.view().tricks, {}};
-  fillTrajectory(record.root().initTrajectory(), identity, playthrough, 0);
+  fillTrajectory(record.root().initTrajectory(), identity, trajectory, 0);
   return bool(
       verify(posed.level, posed.levelRecord, posed.queryRecord, record.reader().getTrajectory()));
 }

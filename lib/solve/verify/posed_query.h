@@ -4,8 +4,8 @@
 
 #include "level/level.h"
 #include "schema/obby.capnp.h"
-#include "solve/model/playthrough.h"
 #include "solve/model/problem.h"
+#include "solve/model/trajectory.h"
 
 namespace obby::solve {
 
@@ -22,6 +22,6 @@ struct PosedQuery {
 Problem problemOf(const PosedQuery& posed);
 
 // Returns true if the verifier agrees that the trajectory solves the query.
-bool solves(const Playthrough& playthrough, const PosedQuery& posed);
+bool solves(const Trajectory& trajectory, const PosedQuery& posed);
 
 }  // namespace obby::solve

@@ -93,7 +93,7 @@ Status checkEnd(schema::Trajectory::Reader t, const sim::ReplayEnd& end) {
   OBBY_RETURN_IF_ERROR(same("visited", t.getVisited(), last.visited));
   OBBY_RETURN_IF_ERROR(same("part", t.getPart(), indexIf(!avoided, last.part)));
   OBBY_RETURN_IF_ERROR(same("avoid", t.getAvoid(), indexIf(avoided, last.part)));
-  const uint64_t hash = sim::stateHash(last, end.loose);
+  const uint64_t hash = sim::stateHash(last, end.bodies);
   if (hash != t.getStateHash()) {
     return wrong("stateHash", fmt::format("{}", t.getStateHash()), fmt::format("{}", hash));
   }
@@ -112,8 +112,8 @@ struct Walked {
   }
 };
 
-Status checkPath(schema::Path::Reader path, const Walked& way) {
-  const size_t step = path.getStep(), ticks = way.feet.size() - 1;
+Status checkPath(schema::Path::Reader path, const Walked& walked) {
+  const size_t step = path.getStep(), ticks = walked.feet.size() - 1;
   if (step == 0) return Error{{}, {}, "path.step", "expected at least 1 tick, found 0", {}};
   const auto points = path.getPoints();
   if (path.getTicks() != 0) OBBY_RETURN_IF_ERROR(same("path.ticks", path.getTicks(), ticks));
@@ -124,9 +124,9 @@ Status checkPath(schema::Path::Reader path, const Walked& way) {
   }
   for (uint32_t i = 0; i < points.size(); ++i) {
     OBBY_RETURN_IF_ERROR(samePlace(fmt::format("path.points[{}]", i), point(points[i]),
-                                   way.feet[std::min(i * step, ticks)]));
+                                   walked.feet[std::min(i * step, ticks)]));
   }
-  const std::vector<uint32_t>& jumps = way.jumpTicks;
+  const std::vector<uint32_t>& jumps = walked.jumpTicks;
   const auto recorded = path.getJumpTicks();
   OBBY_RETURN_IF_ERROR(same("path.jumpTicks", recorded.size(), jumps.size()));
   for (uint32_t i = 0; i < recorded.size(); ++i) {
@@ -145,9 +145,9 @@ Status verify(const level::Level& level, schema::Level::Reader levelRecord,
   OBBY_RETURN_IF_ERROR(checkDirections(query, plan));
   Judge judge(query, level.view());
   schema::Outcome outcome = schema::Outcome::RUNNING;
-  Walked way;
+  Walked walked;
   const auto look = [&](const sim::Moment& now) {
-    if (trajectory.hasPath()) way.add(now);
+    if (trajectory.hasPath()) walked.add(now);
     if (now.world.outcome != sim::Outcome::running) {
       outcome = schema::Outcome(now.world.outcome);
     } else if (now.tick > 0) {
@@ -163,7 +163,7 @@ Status verify(const level::Level& level, schema::Level::Reader levelRecord,
   end.world.outcome = sim::Outcome(outcome);
   judge.note(end.world);
   OBBY_RETURN_IF_ERROR(checkEnd(trajectory, end));
-  return trajectory.hasPath() ? checkPath(trajectory.getPath(), way) : Status();
+  return trajectory.hasPath() ? checkPath(trajectory.getPath(), walked) : Status();
 }
 
 }  // namespace obby::solve

@@ -25,7 +25,7 @@ Result<Delivery> deliver(sim::Device& device, std::span<const TrainingLevel* con
   size_t bytes = 0;
   for (size_t i = 0; i < levels.size(); ++i) {
     firsts[i] = bytes;
-    bytes += tables[i] + aligned(levels[i]->startLoose().size() * worlds * sizeof(sim::LooseBody));
+    bytes += tables[i] + aligned(levels[i]->startBodies().size() * worlds * sizeof(sim::RigidBody));
   }
   OBBY_ASSIGN(sim::Memory memory, sim::Memory::of(device, bytes));
   std::vector<std::byte> all(bytes);
@@ -36,7 +36,8 @@ Result<Delivery> deliver(sim::Device& device, std::span<const TrainingLevel* con
     place.on = levels[i]->view(patience);
     const std::vector<std::byte> flat = flatten(place.on, base + firsts[i]);
     std::memcpy(all.data() + firsts[i], flat.data(), flat.size());
-    place.loose = reinterpret_cast<sim::LooseBody*>(memory.as<std::byte>() + firsts[i] + tables[i]);
+    place.bodies =
+        reinterpret_cast<sim::RigidBody*>(memory.as<std::byte>() + firsts[i] + tables[i]);
     place.isNew = true;
   });
   if (bytes != 0) OBBY_RETURN_IF_ERROR(device.uploadAside(memory.address(), all.data(), bytes));

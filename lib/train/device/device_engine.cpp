@@ -104,9 +104,9 @@ Status DeviceEngine::look(const PlayArguments& a, bool count) {
 
 // Worlds with dynamic bodies are few but take as long as all others, so both run concurrently.
 Status DeviceEngine::act(const PlayArguments& a) {
-  if (!places_.anyLoose()) return enqueue(device_, trainKernel(TrainStep::act), a, a.worlds);
-  return device_.enqueueTogether(trainKernel(TrainStep::act), trainKernel(TrainStep::actLoose), &a,
-                                 a.worlds);
+  if (!places_.anyBodies()) return enqueue(device_, trainKernel(TrainStep::act), a, a.worlds);
+  return device_.enqueueTogether(trainKernel(TrainStep::act), trainKernel(TrainStep::actDynamic),
+                                 &a, a.worlds);
 }
 
 Status DeviceEngine::playTicks(PlayArguments& a) {

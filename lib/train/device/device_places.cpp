@@ -59,7 +59,7 @@ void DevicePlaces::askForNext(std::span<const size_t> places) {
 Status DevicePlaces::make() {
   OBBY_RETURN_IF_ERROR(table_.make(device_, places_.size()));
   OBBY_RETURN_IF_ERROR(players_.makeZero(device_, places_.size() * settings_.envGroup.worlds));
-  OBBY_RETURN_IF_ERROR(reached_.makeZero(device_, places_.size() * kMostReached));
+  OBBY_RETURN_IF_ERROR(reached_.makeZero(device_, places_.size() * kMaxReached));
   return counts_.makeZero(device_, places_.size());
 }
 
@@ -120,8 +120,8 @@ void DevicePlaces::putIn(size_t p, NextLevel level) {
 }
 
 Status DevicePlaces::putPlaces() {
-  anyLoose_ = std::any_of(described_.begin(), described_.end(),
-                          [](const DevicePlace& p) { return p.on.level.looseCount != 0; });
+  anyBodies_ = std::any_of(described_.begin(), described_.end(),
+                           [](const DevicePlace& p) { return p.on.level.bodyCount != 0; });
   return table_.put(described_);
 }
 
@@ -153,10 +153,10 @@ Result<PlaceState> DevicePlaces::stateOf(size_t p) const {
   OBBY_RETURN_IF_ERROR(device_.download(&out.counts, counts_.data() + p, sizeof out.counts));
   OBBY_ASSIGN(out.players, sim::downloadTable(device_, players_.data() + p * worlds, worlds));
   OBBY_ASSIGN(out.reached,
-              sim::downloadTable(device_, reached_.data() + p * kMostReached, out.counts.reached));
+              sim::downloadTable(device_, reached_.data() + p * kMaxReached, out.counts.reached));
   const DevicePlace& d = described_[p];
-  OBBY_ASSIGN(out.loose,
-              sim::downloadTable(device_, d.loose, size_t(worlds) * d.on.level.looseCount));
+  OBBY_ASSIGN(out.bodies,
+              sim::downloadTable(device_, d.bodies, size_t(worlds) * d.on.level.bodyCount));
   return out;
 }
 
@@ -210,8 +210,8 @@ Status DevicePlaces::putState(size_t p, const PlaceState& s) {
     return from.empty() ? Status() : device_.upload(to, from.data(), from.size() * sizeof from[0]);
   };
   OBBY_RETURN_IF_ERROR(put(players_.data() + p * settings_.envGroup.worlds, s.players));
-  OBBY_RETURN_IF_ERROR(put(reached_.data() + p * kMostReached, s.reached));
-  OBBY_RETURN_IF_ERROR(put(described_[p].loose, s.loose));
+  OBBY_RETURN_IF_ERROR(put(reached_.data() + p * kMaxReached, s.reached));
+  OBBY_RETURN_IF_ERROR(put(described_[p].bodies, s.bodies));
   PlaceCounts counts = s.counts;
   counts.reached = uint32_t(s.reached.size());
   return device_.upload(counts_.data() + p, &counts, sizeof counts);

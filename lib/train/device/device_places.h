@@ -23,7 +23,7 @@ class DevicePlaces {
 
   // Fills in the members about places and worlds.
   void describe(PlayArguments& to) const;
-  bool anyLoose() const { return anyLoose_; }
+  bool anyBodies() const { return anyBodies_; }
 
   // Call it after an iteration. Takes tallies, replaces levels that had their episodes, and
   // requests the levels after those with difficulty `hardest`, to be made meanwhile. `play`: from
@@ -63,7 +63,7 @@ class DevicePlaces {
   uint32_t rank_, ranks_;
   std::vector<Place> places_;
   std::vector<DevicePlace> described_;
-  bool anyLoose_ = false;
+  bool anyBodies_ = false;
   Status missing_;
   NextLevels next_;
   sim::DeviceTable<DevicePlace> table_;

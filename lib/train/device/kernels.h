@@ -7,7 +7,7 @@
 // X(name, arguments, function). The first list has the kernels that simulate worlds.
 #define OBBY_PLAY_KERNELS(X)           \
   X(act, PlayArguments, actOne<false>) \
-  X(actLoose, PlayArguments, actOne<true>)
+  X(actDynamic, PlayArguments, actOne<true>)
 #define OBBY_LEARN_KERNELS(X)                 \
   X(observe, PlayArguments, observeWorld)     \
   X(countInputs, PlayArguments, countInputs)  \

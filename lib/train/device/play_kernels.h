@@ -14,14 +14,14 @@ namespace obby::train {
 // A place on a device. Its level's tables and its worlds' bodies are in device memory.
 struct DevicePlace {
   TrainingView on;
-  sim::LooseBody* loose;  // (worldsOfPlace, on.level.looseCount)
-  bool isNew;             // its worlds have not begun yet
+  sim::RigidBody* bodies;  // (worldsOfPlace, on.level.bodyCount)
+  bool isNew;              // its worlds have not begun yet
 };
 
 struct PlayArguments {
   const DevicePlace* places;
   Player* players;      // (places, worldsOfPlace)
-  Reached* reached;     // (places, kMostReached)
+  Reached* reached;     // (places, kMaxReached)
   PlaceCounts* counts;  // (places)
   uint32_t worldsOfPlace, worlds;
   uint32_t firstWorld;  // index among the worlds of all ranks
@@ -44,11 +44,11 @@ OBBY_DEVICE PlaceView placeView(const PlayArguments& a, uint32_t place) {
   const DevicePlace& p = a.places[place];
   return {&p.on,
           a.players + size_t(place) * a.worldsOfPlace,
-          p.loose,
-          a.reached + size_t(place) * kMostReached,
+          p.bodies,
+          a.reached + size_t(place) * kMaxReached,
           a.counts + place,
           a.worldsOfPlace,
-          p.on.level.looseCount};
+          p.on.level.bodyCount};
 }
 
 OBBY_DEVICE void observeWorld(const PlayArguments& a, uint32_t i) {
@@ -59,7 +59,7 @@ OBBY_DEVICE void observeWorld(const PlayArguments& a, uint32_t i) {
   const policy::Scene scene = place.on->scene();
   const sim::NextRegion next = sim::nextRegion(scene.query, player.world);
   const Turns ahead = policy::aheadOf(*next.region, player.world);
-  policy::observePart(scene, player.world, place.looseOf(w % a.worldsOfPlace), next, ahead,
+  policy::observePart(scene, player.world, place.bodiesOf(w % a.worldsOfPlace), next, ahead,
                       int(part), a.inputs + size_t(w) * policy::kInputs);
   if (part == 0) player.ahead = ahead;
 }
@@ -99,21 +99,21 @@ OBBY_DEVICE nn::Drawn decideMove(const PlayArguments& a, const policy::Scene& sc
   return drawn;
 }
 
-// Samples a move and plays it. `kLoose`: only worlds with dynamic bodies, otherwise only those
+// Samples a move and plays it. `kDynamic`: only worlds with dynamic bodies, otherwise only those
 // without; see sim::tick.
-template <bool kLoose>
+template <bool kDynamic>
 OBBY_DEVICE void actOne(const PlayArguments& a, uint32_t w) {
   const PlaceView place = placeView(a, w / a.worldsOfPlace);
   const TrainingView& on = *place.on;
-  if ((on.level.looseCount != 0) != kLoose) return;
+  if ((on.level.bodyCount != 0) != kDynamic) return;
   Player player = place.players[w % a.worldsOfPlace];
-  sim::LooseBody* const loose = kLoose ? place.looseOf(w % a.worldsOfPlace) : nullptr;
+  sim::RigidBody* const bodies = kDynamic ? place.bodiesOf(w % a.worldsOfPlace) : nullptr;
   const nn::Drawn drawn = decideMove(a, on.scene(), player.world, w);
   const sim::Action action = policy::actionOf(drawn.action, player.ahead);
   for (uint32_t t = 0; t < policy::kDecisionTicks; ++t) {
     const sim::Before before = sim::beforeOf(player.world);
-    sim::tick<kLoose>(player.world, loose, on.level, action);
-    sim::applyRules(player.world, before, loose, on.level, on.query);
+    sim::tick<kDynamic>(player.world, bodies, on.level, action);
+    sim::applyRules(player.world, before, bodies, on.level, on.query);
   }
   const Step step = judge(on, a.reward, player);
   a.rewards[w] = step.reward;

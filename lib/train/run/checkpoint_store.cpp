@@ -43,7 +43,7 @@ Status canBeWritten(const std::string& path) {
 uint64_t maxBytesOf(const std::string& path) {
   std::error_code unseen;
   const auto bytes = exists(path) ? std::filesystem::file_size(path, unseen) : uintmax_t(0);
-  return unseen ? io::kMostFileBytes : std::max<uint64_t>(bytes, io::kMostFileBytes);
+  return unseen ? io::kMaxFileBytes : std::max<uint64_t>(bytes, io::kMaxFileBytes);
 }
 
 Error inFile(Error error, const std::string& path) {

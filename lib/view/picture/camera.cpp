@@ -10,7 +10,7 @@ namespace {
 constexpr float kField = 0.9f;   // pixels a stud at distance 1, per pixel of the picture's height
 constexpr float kMargin = 0.9f;  // share of the picture that the points may fill
 constexpr float kNearest = 8;    // min studs from the eye to the nearest point
-constexpr float kLeast = 8;      // min studs across a picture
+constexpr float kMin = 8;        // min studs across a picture
 
 struct Extent {
   float lo = 1e30f, hi = -1e30f;
@@ -39,16 +39,16 @@ Spread spreadOf(const Camera& camera, const std::vector<Vec3>& points) {
 
 // Moves the camera until all points fit, centered in the picture.
 void stepBack(Camera& camera, const std::vector<Vec3>& points, int width, int height) {
-  const float room = kMargin * float(width), roomY = kMargin * float(height);
+  const float space = kMargin * float(width), spaceY = kMargin * float(height);
   for (int round = 0; round < 40; ++round) {
     const Spread s = spreadOf(camera, points);
     const float distance = (s.z.lo + s.z.hi) / 2;
     camera.eye += camera.right * ((s.x.middle() - camera.middleX) / camera.scale * distance) -
                   camera.up * ((s.y.middle() - camera.middleY) / camera.scale * distance);
-    const float fills = std::max(s.x.size() / room, s.y.size() / roomY);
+    const float fills = std::max(s.x.size() / space, s.y.size() / spaceY);
     const float step = s.z.lo < kNearest ? kNearest - s.z.lo : (fills - 1) * distance * 0.7f;
-    const float most = s.z.lo - kNearest;  // max step forward
-    camera.eye -= camera.forward * std::max(step, -std::max(most, 0.0f));
+    const float max = s.z.lo - kNearest;  // max step forward
+    camera.eye -= camera.forward * std::max(step, -std::max(max, 0.0f));
   }
 }
 
@@ -90,8 +90,8 @@ Camera framed(const std::vector<Vec3>& points, Vec3 forward, int width, int heig
   const Spread s = spreadOf(camera, points);  // in studs, since the scale is 1
   camera.eye +=
       camera.right * (s.x.middle() - camera.middleX) - camera.up * (s.y.middle() - camera.middleY);
-  camera.scale = kMargin * std::min(float(width) / std::max(s.x.size(), kLeast),
-                                    float(height) / std::max(s.y.size(), kLeast));
+  camera.scale = kMargin * std::min(float(width) / std::max(s.x.size(), kMin),
+                                    float(height) / std::max(s.y.size(), kMin));
   return camera;
 }
 

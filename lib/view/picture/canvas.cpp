@@ -52,8 +52,8 @@ Samples Depths::samplesOf(const Solid& solid) const {
   if (near == 8) return {};
   if (near > 0) return window_;
   const Samples& w = window_;
-  const auto clamped = [](float v, int least, int most) {
-    return int(std::clamp(v, float(least), float(most)));
+  const auto clamped = [](float v, int min, int max) {
+    return int(std::clamp(v, float(min), float(max)));
   };
   return {clamped(x0 - 1, w.x0, w.x1), clamped(y0 - 1, w.y0, w.y1), clamped(x1 + 2, w.x0, w.x1),
           clamped(y1 + 2, w.y0, w.y1)};

@@ -20,7 +20,7 @@ namespace {
 constexpr int kOutline = 48;        // directions in which support points of an outline are queried
 constexpr float kPaperMargin = 12;  // pixels
 constexpr float kLegend = 30;       // pixels below the drawing
-constexpr float kLeastHeight = 80;  // pixels
+constexpr float kMinHeight = 80;    // pixels
 constexpr float kThinnedPixels = 0.15f;  // tolerance of simplified trajectories
 
 constexpr const char* kStyle =
@@ -67,7 +67,7 @@ Sheet sheetOf(const Box& extent, const QueryEntry* query, const DrawingOptions& 
   paper.scale = (float(options.width) - 2 * kPaperMargin) / std::max(x1 - x0, 1.0f);
   paper.origin = {x0, y0};
   return {paper, float(options.width),
-          std::max((y1 - y0) * paper.scale + 2 * kPaperMargin, kLeastHeight) + kLegend};
+          std::max((y1 - y0) * paper.scale + 2 * kPaperMargin, kMinHeight) + kLegend};
 }
 
 std::string pathData(const std::vector<Vec2>& points, bool closed) {
@@ -158,7 +158,7 @@ std::string cross(Vec2 at) {
                      double(at.x) - 4, double(at.y) - 4);
 }
 
-std::string wayOf(const PathEntry& path, const Paper& paper) {
+std::string feetOf(const PathEntry& path, const Paper& paper) {
   const bool solves = path.kind == PathKind::solution;
   std::string out = fmt::format("<path class=\"{}\" d=\"{}\"/>\n", solves ? "solution" : "attempt",
                                 pathData(lineOf(path.playback, paper), false));
@@ -194,7 +194,7 @@ std::string queryOf(const QueryEntry& query, const Paper& paper) {
   std::string out = query.query ? regionsOf(query.reader(), paper) : std::string();
   for (const bool solutions : {false, true}) {
     for (const PathEntry& path : query.paths) {
-      if ((path.kind == PathKind::solution) == solutions) out += wayOf(path, paper);
+      if ((path.kind == PathKind::solution) == solutions) out += feetOf(path, paper);
     }
   }
   if (query.compiled) out += circle(paper.of(query.compiled->start().feet), 6, "start");

@@ -36,7 +36,7 @@ void Pen::segment(Vec3 a, Vec3 b, const Stroke& stroke) {
       std::min(a.y, b.y) > h + r)
     return;
   const float dx = b.x - a.x, dy = b.y - a.y, squared = dx * dx + dy * dy;
-  const auto clamped = [](float v, float most) { return int(std::clamp(v, 0.0f, most)); };
+  const auto clamped = [](float v, float max) { return int(std::clamp(v, 0.0f, max)); };
   const int y0 = std::max(clamped(std::min(a.y, b.y) - r, h), seen_.window().y0);
   const int y1 = std::min(clamped(std::max(a.y, b.y) + r + 1, h), seen_.window().y1);
   for (int y = y0; y < y1; ++y) {

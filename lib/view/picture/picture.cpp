@@ -42,7 +42,7 @@ std::vector<Vec3> boxCorners(const Box& box) {
   return out;
 }
 
-std::vector<Vec3> wayOf(const Playback& play) {
+std::vector<Vec3> feetOf(const Playback& play) {
   std::vector<Vec3> out;
   for (const Vec3 feet : play.feet) out.push_back(feet + Vec3{0, kAboveFeet, 0});
   return out;
@@ -84,15 +84,16 @@ float visible(const std::vector<Vec3>& points, const Camera& camera, int width, 
 Vec3 bestLook(const Box& extent, const QueryEntry* query, const std::vector<Solid>& solids) {
   const std::vector<Vec3> looks = looksOf(extent, query);
   if (!query || query->paths.empty()) return looks[0];
-  const std::vector<Vec3> way = wayOf(query->paths[0].playback), corners = boxCorners(extent);
+  const std::vector<Vec3> trajectory = feetOf(query->paths[0].playback),
+                          corners = boxCorners(extent);
   constexpr int kWidth = 160, kHeight = 90;
   size_t best = 0;
-  float most = -1;
+  float max = -1;
   for (size_t i = 0; i < looks.size(); ++i) {
     const Camera camera = framed(corners, looks[i], kWidth, kHeight, true);
-    const float share = visible(way, camera, kWidth, kHeight, solids);
-    if (share <= most + kWorthIt) continue;
-    most = share;
+    const float share = visible(trajectory, camera, kWidth, kHeight, solids);
+    if (share <= max + kWorthIt) continue;
+    max = share;
     best = i;
   }
   return looks[best];
@@ -107,22 +108,22 @@ void drawPath(Pen& pen, const PathEntry& path, bool first) {
                       : solves ? 4.0f
                                : 2.5f,
                       solves ? 1 : 0.4f};
-  const std::vector<Vec3> way = wayOf(path.playback);
+  const std::vector<Vec3> trajectory = feetOf(path.playback);
   if (first) {
     Stroke under = stroke;
     under.color = {0, 0, 0};
     under.width = 11;
     under.opacity = 0.5f;
-    pen.line(way, under);
+    pen.line(trajectory, under);
   }
-  pen.line(way, stroke);
+  pen.line(trajectory, stroke);
   if (!solves && path.playback.outcome != schema::Outcome::RUNNING)
-    pen.cross(way.back(), 7, {colorOf(kDeathPaint), 4, 0.9f});
+    pen.cross(trajectory.back(), 7, {colorOf(kDeathPaint), 4, 0.9f});
   if (!first) return;
   for (const uint32_t tick : path.playback.jumpTicks) {
-    const size_t at = std::min<size_t>(tick, way.size() - 1);
-    pen.disc(way[at], 7, {{0, 0, 0}, 1, 0.8f});
-    pen.disc(way[at], 5, {{1, 1, 1}, 1, 1});
+    const size_t at = std::min<size_t>(tick, trajectory.size() - 1);
+    pen.disc(trajectory[at], 7, {{0, 0, 0}, 1, 0.8f});
+    pen.disc(trajectory[at], 5, {{1, 1, 1}, 1, 1});
   }
 }
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "sim/clocks.h"
-#include "sim/loose.h"
+#include "sim/rigid_body.h"
 #include "sim/simulator.h"
 #include "view/roles.h"
 
@@ -11,8 +11,8 @@ namespace obby::view {
 
 namespace {
 
-constexpr float kLeastCoverage = 0.12f;  // of a fully transparent part
-constexpr float kAwayCoverage = 0.1f;    // as in the page (web/src/scene/level_view.js)
+constexpr float kMinCoverage = 0.12f;  // of a fully transparent part
+constexpr float kAwayCoverage = 0.1f;  // as in the page (web/src/scene/level_view.js)
 
 // As in the page (web/src/palette.js).
 constexpr Rgb kRoleColors[] = {{119, 128, 143}, {53, 196, 141}, {63, 140, 255}, {221, 65, 73},
@@ -29,10 +29,10 @@ Surface surfaceOf(schema::Part::Reader part, Role role) {
 }
 
 Solid solidOf(const level::LevelView& level, const level::Collider& c,
-              const std::vector<sim::LooseBody>& loose, uint32_t tick) {
+              const std::vector<sim::RigidBody>& bodies, uint32_t tick) {
   Pose pose = c.pose;
-  if (c.loose != level::kNotLoose) {
-    pose = sim::poseOf(loose[c.loose], level.loose[c.loose]);
+  if (c.body != level::kNoBody) {
+    pose = sim::poseOf(bodies[c.body], level.bodies[c.body]);
   } else if (c.mover != level::kNone) {
     const level::Mover& m = level.movers[c.mover];
     pose = level::moverPose(m, m.trigger == level::kNone ? tick : 0);
@@ -55,15 +55,15 @@ World worldOf(const LevelEntry& entry, uint32_t tick) {
   const level::LevelView& level = entry.level->view();
   const auto parts = entry.reader().getParts();
   const std::vector<Role> roles = rolesOf(entry.reader());
-  const std::vector<sim::LooseBody> loose = sim::startLoose(level);
+  const std::vector<sim::RigidBody> bodies = sim::startBodies(level);
   World out;
   for (uint32_t i = 0; i < level.colliderCount; ++i) {
     const level::Collider& c = level.colliders[i];
-    Solid solid = solidOf(level, c, loose, tick);
+    Solid solid = solidOf(level, c, bodies, tick);
     const float clear = parts[c.part].getTransparency();
     const bool away = absent(level, i, tick);
     // Invisible walls are hinted at, unlike in the game.
-    solid.coverage = away ? kAwayCoverage : clear > 0 ? std::max(1 - clear, kLeastCoverage) : 1;
+    solid.coverage = away ? kAwayCoverage : clear > 0 ? std::max(1 - clear, kMinCoverage) : 1;
     out.solids.push_back(solid);
     out.surfaces.push_back(surfaceOf(parts[c.part], roles[c.part]));
     out.away.push_back(away);

@@ -201,7 +201,7 @@ class PagesTest(unittest.TestCase):
         viewer = Viewer()
         viewer.write(LEVEL)
         for i in range(70):
-            connection = self.listen_when_there_is_room(viewer)
+            connection = self.listen_when_there_is_space(viewer)
             if i % 2:  # with a reset
                 connection.setsockopt(socket.SOL_SOCKET, socket.SO_LINGER, b"\1\0\0\0\0\0\0\0")
             connection.close()
@@ -220,7 +220,7 @@ class PagesTest(unittest.TestCase):
         self.assertTrue(eventually(lambda: self.passes(viewer)))
         viewer.end()
 
-    def listen_when_there_is_room(self, viewer):
+    def listen_when_there_is_space(self, viewer):
         """That a page has gone is noticed in a second or two; until then its place is taken."""
         found = []
 

@@ -8,7 +8,7 @@ import { heatColor } from '../coloring.js';
 /** @import {HeatMap} from '../types/report.js' */
 
 const kCell = 2; // studs, for trajectories
-const kMostTiles = 20000; // the most visited are kept
+const kMaxTiles = 20000; // the most visited are kept
 const kLift = 0.12; // studs above the lowest feet of the cell
 
 /**
@@ -77,14 +77,14 @@ export function searched({ size, feet, counts }) {
  * @param {number} count
  * @param {number} most
  */
-export const heatShare = (count, most) => (most > 1 ? Math.log(count) / Math.log(most) : 0);
+export const heatShare = (count, max) => (max > 1 ? Math.log(count) / Math.log(max) : 0);
 
 export class HeatView {
   constructor() {
     this.group = new Group();
     /** @type {InstancedMesh | null} */
     this.mesh = null;
-    this.most = 0; // maximum of all tiles
+    this.max = 0; // maximum of all tiles
     // Kept alive: with its last material a GPU program is dropped, and each filter recreates the
     // map.
     this.material = new MeshBasicMaterial({
@@ -98,19 +98,19 @@ export class HeatView {
   /** @param {{size: number, cells: Cell[]}} map */
   set({ size, cells: all }) {
     this.clear();
-    const cells = all.sort((a, b) => b.count - a.count).slice(0, kMostTiles);
+    const cells = all.sort((a, b) => b.count - a.count).slice(0, kMaxTiles);
     if (!cells.length) return;
     const mesh = new InstancedMesh(
       new PlaneGeometry(size * 0.92, size * 0.92).rotateX(-Math.PI / 2),
       this.material,
       cells.length,
     );
-    this.most = cells[0].count;
+    this.max = cells[0].count;
     /** @type {Map<number, Color>} */
     const colors = new Map(); // cached by count, since there are few distinct counts
     const place = new Matrix4();
     cells.forEach(({ x, y, z, count }, i) => {
-      const color = colors.get(count) ?? new Color(heatColor(heatShare(count, this.most)));
+      const color = colors.get(count) ?? new Color(heatColor(heatShare(count, this.max)));
       colors.set(count, color);
       mesh.setMatrixAt(i, place.makeTranslation(x, y + kLift, z));
       mesh.setColorAt(i, color);
@@ -122,7 +122,7 @@ export class HeatView {
   }
 
   clear() {
-    this.most = 0;
+    this.max = 0;
     this.mesh?.geometry.dispose();
     this.mesh?.dispose();
     this.mesh = null;

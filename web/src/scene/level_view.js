@@ -19,7 +19,7 @@ import { hullGeometry, scaleOf, unitGeometry } from './shapes.js';
 import { timedAway } from './vanishing.js';
 
 /** @import {BufferGeometry, Object3D} from 'three' */
-/** @import {LooseTrack} from '../tracks.js' */
+/** @import {BodyTrack} from '../tracks.js' */
 /** @import {Between, ColorMode, Level} from '../types/report.js' */
 
 const kNeutral = new Color('#808998');
@@ -54,7 +54,7 @@ export class LevelView {
     this.slots = Array.from({ length: level.count }, () => []); // instances of each part
     this.trackOf = new Map(level.tracks.map((track) => [track.part, track]));
     this.vanishOf = new Map(level.vanish.map((rule) => [rule.part, rule]));
-    this.loose = new Set(level.loose);
+    this.bodies = new Set(level.bodies);
     /** @type {number[]} */
     this.displaced = []; // dynamic parts away from their place in the level
     this.flowOf = new Map(level.conveyors.map((belt) => [belt.part, belt.velocity]));
@@ -79,7 +79,7 @@ export class LevelView {
   keyOf(part) {
     const alpha = this.level.look[4 * part + 3];
     const translucent = alpha < 250 || this.vanishOf.has(part) || this.roleOf(part) === 'ghost';
-    const moves = this.trackOf.has(part) || this.loose.has(part);
+    const moves = this.trackOf.has(part) || this.bodies.has(part);
     return `${this.shapeOf(part)} ${translucent ? 'translucent' : 'opaque'} ${moves ? 'moving' : 'still'}`;
   }
 
@@ -217,10 +217,10 @@ export class LevelView {
 
   /**
    * `tracks`: of the dynamic parts that the trajectory moves; `tick`: since its start.
-   * @param {LooseTrack[]} tracks
+   * @param {BodyTrack[]} tracks
    * @param {number} tick
    */
-  updateLoose(tracks, tick) {
+  updateBodies(tracks, tick) {
     for (const part of this.displaced)
       this.pose(part, { i: part, next: part, share: 0 }, this.level);
     for (const track of tracks) this.pose(track.part, track.at(tick), track);

@@ -13,7 +13,7 @@ import { kLift, skipOf, ThinLines } from './thin_lines.js';
 /** @import {Path} from '../path.js' */
 /** @import {Query, State, Tint} from '../types/report.js' */
 
-const kMostThick = 12; // max thick solutions; more are thin lines, because a thick one costs a draw
+const kMaxThick = 12; // max thick solutions; more are thin lines, because a thick one costs a draw
                        // call and many pixels
 
 /**
@@ -64,7 +64,7 @@ export class PathView {
     const isSolution = (/** @type {number} */ i) => query.paths[i].kind === 'solution';
     const solutions = indices.filter(isSolution);
     const attempts = indices.filter((i) => !isSolution(i));
-    const further = solutions.slice(kMostThick);
+    const further = solutions.slice(kMaxThick);
     const skip = skipOf(query.paths, [...attempts, ...further]);
     this.failed = new ThinLines(query.paths, attempts, skip);
     this.further = new ThinLines(query.paths, further, skip);
@@ -72,7 +72,7 @@ export class PathView {
     this.solutions = new Group();
     /** @type {Map<number, LineSegments2>} */
     this.thick = new Map(); // index -> line
-    for (const i of solutions.slice(0, kMostThick)) this.addSolution(i);
+    for (const i of solutions.slice(0, kMaxThick)) this.addSolution(i);
     this.solutions.add(this.further.lines);
     this.selection = new Group();
     this.rival = new Group(); // the ghost of a comparison

@@ -14,7 +14,7 @@ import { kLift } from './thin_lines.js';
 /** @typedef {[x: number, y: number]} At pixels */
 
 const kReach = 9; // pixels
-const kMostPoints = 150000; // tested per pick; beyond it only every k-th sample
+const kMaxPoints = 150000; // tested per pick; beyond it only every k-th sample
 
 /**
  * @param {number} px
@@ -85,7 +85,7 @@ export function pickPath(paths, screen, at, visible) {
   const { camera } = screen;
   const matrix = new Matrix4().multiplyMatrices(camera.projectionMatrix, camera.matrixWorldInverse);
   const total = paths.reduce((sum, path) => sum + path.samples, 0);
-  const skip = Math.max(1, Math.ceil(total / kMostPoints));
+  const skip = Math.max(1, Math.ceil(total / kMaxPoints));
   /** @type {{path: number, tick: number, distance: number} | null} */
   let best = null;
   for (const [index, path] of paths.entries()) {

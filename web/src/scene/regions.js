@@ -22,9 +22,9 @@ import { dispose } from './dispose.js';
 
 const kAvoid = '#d873c4';
 const kWaypoint = '#ffd166';
-export const kMostAlike = 500; // max regions drawn of one list, since a tag may mark thousands of
+export const kMaxAlike = 500; // max regions drawn of one list, since a tag may mark thousands of
                                // parts
-const kMostNamed = 40; // max labels of them
+const kMaxNamed = 40; // max labels of them
 
 /** @typedef {{fill: ShaderMaterial, line: LineBasicMaterial}} Materials */
 /** @typedef {Materials & {solid: BoxGeometry, edges: EdgesGeometry}} Look */
@@ -127,8 +127,8 @@ export class RegionView {
      */
     const addAlike = (regions, color, otherwise) =>
       regions
-        .slice(0, kMostAlike)
-        .forEach((region, i) => add(region, color, i < kMostNamed ? region.name || otherwise : ''));
+        .slice(0, kMaxAlike)
+        .forEach((region, i) => add(region, color, i < kMaxNamed ? region.name || otherwise : ''));
     if (query.start) add(query.start, ROLE_STYLE.start.color, 'Start');
     else if (query.startPosition) {
       this.group.add(ring(query.startPosition));

@@ -90,10 +90,10 @@ export function unitGeometry(shape) {
  */
 function inLine(points) {
   const from = (/** @type {Vector3} */ point) => point.clone().sub(points[0]);
-  let way = new Vector3();
-  for (const point of points) if (from(point).lengthSq() > way.lengthSq()) way = from(point);
-  const least = 1e-14 * way.lengthSq() ** 2; // rounding tolerance; thin shapes are still visible
-  return points.every((point) => from(point).cross(way).lengthSq() <= least);
+  let trajectory = new Vector3();
+  for (const point of points) if (from(point).lengthSq() > trajectory.lengthSq()) trajectory = from(point);
+  const min = 1e-14 * trajectory.lengthSq() ** 2; // rounding tolerance; thin shapes are still visible
+  return points.every((point) => from(point).cross(trajectory).lengthSq() <= min);
 }
 
 /**
@@ -115,8 +115,8 @@ export function hullGeometry(vertices) {
  */
 export function scaleOf(shape, [x, y, z]) {
   const at = (/** @type {number} */ value) => Math.max(value, 0.05);
-  const least = at(Math.min(x, y, z));
-  if (shape === 'ball') return [least, least, least];
+  const min = at(Math.min(x, y, z));
+  if (shape === 'ball') return [min, min, min];
   if (shape === 'cylinder') return [at(x), at(Math.min(y, z)), at(Math.min(y, z))];
   if (shape === 'hull') return [1, 1, 1];
   return [at(x), at(y), at(z)];

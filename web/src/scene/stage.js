@@ -27,7 +27,7 @@ import { goneAtRest } from './vanishing.js';
 const kHaze = '#141821';
 const kPanelWidth = 210; // pixels on the right that the legend covers
 const kAirborne = 1; // bit of a sample's state
-const kMostShadowed = 4000; // parts; larger levels have no shadows
+const kMaxShadowed = 4000; // parts; larger levels have no shadows
 
 /**
  * The renderer logs missing features to the console itself.
@@ -127,7 +127,7 @@ export class Stage {
     this.avatar.group.visible = false;
     this.ghost = new Avatar(level.body, true);
     this.ghost.group.visible = false;
-    this.renderer.shadowMap.enabled = level.count <= kMostShadowed;
+    this.renderer.shadowMap.enabled = level.count <= kMaxShadowed;
     this.avatar.group.traverse((node) => {
       node.castShadow = true;
     });
@@ -243,7 +243,7 @@ export class Stage {
     if (levelView) {
       const gone = path ? this.gone.at(path.events, tick) : goneAtRest(levelView.level);
       levelView.update(clock, gone, moved);
-      levelView.updateLoose(path?.loose ?? [], tick);
+      levelView.updateBodies(path?.bodies ?? [], tick);
     }
     this.markers?.update(tick);
     this.poseAvatar(this.avatar, path, tick);

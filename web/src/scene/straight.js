@@ -15,25 +15,25 @@ export function corners(samples) {
   const out = [...samples.subarray(0, 3)];
   let from = 0; // start of the segment: the sample of the last corner
   /** @type {Triple | null} */
-  let way = null; // direction of the segment
+  let trajectory = null; // direction of the segment
   let far = 0; // distance of the previous sample along it
   for (let i = 3; i < samples.length; i += 3) {
     let [x, y, z] = offset(samples, from, i);
-    if (way) {
-      const on = x * way[0] + y * way[1] + z * way[2];
-      const beside = Math.hypot(x - on * way[0], y - on * way[1], z - on * way[2]);
+    if (trajectory) {
+      const on = x * trajectory[0] + y * trajectory[1] + z * trajectory[2];
+      const beside = Math.hypot(x - on * trajectory[0], y - on * trajectory[1], z - on * trajectory[2]);
       if (on >= far && beside <= kOff) {
         far = on;
         continue;
       }
       from = i - 3;
       out.push(...samples.subarray(from, i));
-      way = null;
+      trajectory = null;
       [x, y, z] = offset(samples, from, i);
     }
     const length = Math.hypot(x, y, z);
     if (length <= kStep) continue;
-    way = [x / length, y / length, z / length];
+    trajectory = [x / length, y / length, z / length];
     far = length;
   }
   out.push(...samples.subarray(-3));

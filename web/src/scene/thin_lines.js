@@ -12,7 +12,7 @@ import {
 /** @import {Path} from '../path.js' */
 /** @import {Tint} from '../types/report.js' */
 
-const kMostPoints = 120000; // per picture; a browser without a GPU draws about 400 segments a ms
+const kMaxPoints = 120000; // per picture; a browser without a GPU draws about 400 segments a ms
 export const kLift = 0.35; // studs above the feet, so that lines do not sink into the floor
 
 /**
@@ -22,7 +22,7 @@ export const kLift = 0.35; // studs above the feet, so that lines do not sink in
  */
 export function skipOf(paths, indices) {
   const total = indices.reduce((sum, i) => sum + paths[i].samples, 0);
-  return Math.max(1, Math.ceil(total / kMostPoints));
+  return Math.max(1, Math.ceil(total / kMaxPoints));
 }
 
 export class ThinLines {

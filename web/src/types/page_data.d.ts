@@ -62,7 +62,7 @@ export interface TrackData {
   rotation?: Base64<Int16Array>;
 }
 
-export interface LooseTrackData {
+export interface BodyTrackData {
   part: number;
   ticks: Base64<Uint32Array>;
   position: Base64<Float32Array>;
@@ -99,7 +99,7 @@ export interface LevelFacts {
   notes: Record<number, string[] | undefined>; // by part
   vanish: Vanish[];
   conveyors: { part: number; velocity: Triple }[];
-  loose: number[];
+  bodies: number[];
 }
 
 export interface LevelData extends LevelFacts {
@@ -248,7 +248,7 @@ export interface PathData extends PathFacts {
   yaw: Base64<Uint16Array>;
   state: Base64<Uint8Array>;
   runs: Base64<Uint16Array>;
-  loose?: LooseTrackData[];
+  bodies?: BodyTrackData[];
 }
 
 export interface PageData {

@@ -63,8 +63,8 @@ export interface Filters {
   outcome: Outcome | '';
   route: string;
   killer: number; // part, -1 for any
-  mostJumps: number;
-  mostSeconds: number;
+  maxJumps: number;
+  maxSeconds: number;
   boxes: readonly FilterBox[];
 }
 
@@ -75,16 +75,16 @@ export type ColorMode = 'roles' | 'level';
 export interface State extends Filters {
   sort: Sort;
   descending: boolean;
-  order: number[]; // indices of the listed trajectories, set by ways.js from filters and sorting
+  order: number[]; // indices of the listed trajectories, set by trajectories.js from filters and sorting
   colorBy: ColorBy;
   isolate: boolean; // draw only the selected one
   ghost: number; // trajectory that runs next to the selected one
-  frame: number; // part for the camera to frame; ways.js resets it
+  frame: number; // part for the camera to frame; trajectories.js resets it
   drawing: boolean; // the next drag draws a box
   theme: 'auto' | 'light' | 'dark';
   heat: boolean;
-  heatMost: number; // count of the fullest tile
-  heatWays: boolean; // show the listed trajectories even if the search's own heat map is known
+  heatMax: number; // count of the fullest tile
+  heatTrajectories: boolean; // show the listed trajectories even if the search's own heat map is known
   cut: boolean;
   query: number;
   path: number;

@@ -8,7 +8,7 @@ import { count, el, plural } from './dom.js';
 /** @import {Count, Outcome} from '../types/page_data.js' */
 /** @import {Level, Query} from '../types/report.js' */
 
-const kMostKillers = 8;
+const kMaxKillers = 8;
 
 /** @typedef {{outcome: Outcome, part: number, avoid: number, count: Count | number}} End */
 
@@ -77,7 +77,7 @@ function killers(query, level, store, ends) {
     outcome === 'killed' && part >= 0 ? part : undefined,
   );
   if (!totals.length) return [];
-  const most = totals[0][1];
+  const max = totals[0][1];
   const row = (/** @type {[number, number]} */ [part, n]) => {
     const shown = query.paths.filter((p) => p.outcome === 'killed' && p.part === part).length;
     return el(
@@ -86,7 +86,7 @@ function killers(query, level, store, ends) {
         class: 'killer',
         type: 'button',
         title: `${fullName(level, part)}: killed ${plural(n, 'attempt')}, ${shown} shown in this report`,
-        style: { '--share': `${(100 * n) / most}%` },
+        style: { '--share': `${(100 * n) / max}%` },
         data: { part, key: `killer ${part}` },
         on: {
           click: () => {
@@ -100,10 +100,10 @@ function killers(query, level, store, ends) {
       el('span', { class: 'fact', text: count(n) }),
     );
   };
-  const rest = totals.length - kMostKillers;
+  const rest = totals.length - kMaxKillers;
   return [
     el('h3', { text: 'Killed by' }),
-    ...totals.slice(0, kMostKillers).map(row),
+    ...totals.slice(0, kMaxKillers).map(row),
     ...(rest > 0 ? [el('p', { class: 'quiet', text: `and ${plural(rest, 'more part')}` })] : []),
   ];
 }

@@ -11,7 +11,7 @@ import { choice, el, numberField } from './dom.js';
 /** @import {Store} from '../store.js' */
 /** @import {Source} from '../types/report.js' */
 
-const kMostRoutes = 50;
+const kMaxRoutes = 50;
 
 export class FilterPanel {
   /**
@@ -85,7 +85,7 @@ export class FilterPanel {
     const { query, level } = this.sourceOf();
     this.root.hidden = !query?.paths.length;
     if (!query) return;
-    const routes = tally(query.paths.map(routeKey).filter(Boolean)).slice(0, kMostRoutes);
+    const routes = tally(query.paths.map(routeKey).filter(Boolean)).slice(0, kMaxRoutes);
     const killers = tally(
       query.paths.filter((p) => p.outcome === 'killed' && p.part >= 0).map((p) => p.part),
     );

@@ -9,7 +9,7 @@ import { el, plural, seconds } from './dom.js';
 /** @import {Cut, ResultRoute} from '../types/page_data.js' */
 /** @import {Level, Query, Result} from '../types/report.js' */
 
-const kMostRoutes = 6;
+const kMaxRoutes = 6;
 
 /** @type {Record<string, string | undefined>} */
 const SATURATION = {
@@ -48,7 +48,7 @@ function help(result, level, store) {
 }
 
 /** @param {number} n */
-const reachable = (n) => `At most ${n} ${n === 1 ? 'part is' : 'parts are'} reachable`;
+const reachable = (n) => `At max ${n} ${n === 1 ? 'part is' : 'parts are'} reachable`;
 
 /**
  * Describes what the smallest impossible step lacks.
@@ -56,10 +56,10 @@ const reachable = (n) => `At most ${n} ${n === 1 ? 'part is' : 'parts are'} reac
  */
 export function lackOf({ rise, gap, jumps, seconds: time }) {
   const lacks = [];
-  if (rise > 0) lacks.push(`at least ${rise.toFixed(1)} studs of height`);
-  if (gap > 0) lacks.push(`at least ${gap.toFixed(1)} studs of distance`);
-  if (jumps > 0) lacks.push(`needs at least ${plural(jumps, 'jump')}`);
-  if (time > 0) lacks.push(`needs at least ${seconds(time)} s`);
+  if (rise > 0) lacks.push(`at min ${rise.toFixed(1)} studs of height`);
+  if (gap > 0) lacks.push(`at min ${gap.toFixed(1)} studs of distance`);
+  if (jumps > 0) lacks.push(`needs at min ${plural(jumps, 'jump')}`);
+  if (time > 0) lacks.push(`needs at min ${seconds(time)} s`);
   return lacks.join(', ');
 }
 
@@ -117,7 +117,7 @@ function routes(query, result, level, store) {
       }),
     );
   };
-  const told = result.routes.slice(0, kMostRoutes).map(routeLine);
+  const told = result.routes.slice(0, kMaxRoutes).map(routeLine);
   const left = result.routes.length - told.length;
   if (left > 0) told.push(el('li', { class: 'quiet', text: `and ${left} more` }));
   return [el('h3', { text: 'Routes' }), el('ul', {}, ...told)];

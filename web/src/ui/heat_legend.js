@@ -11,11 +11,11 @@ const kStops = 9;
  * @param {State} state
  * @param {Query | undefined} query
  */
-export function heatLegend({ heat, heatWays, heatMost }, query) {
-  if (!heat || !heatMost) return [];
-  const ofSearch = !heatWays && query?.result?.heatMap;
+export function heatLegend({ heat, heatTrajectories, heatMax }, query) {
+  if (!heat || !heatMax) return [];
+  const ofSearch = !heatTrajectories && query?.result?.heatMap;
   const colors = Array.from({ length: kStops }, (_, i) => heatColor(i / (kStops - 1)));
-  const counts = [1, Math.round(Math.sqrt(heatMost)), heatMost];
+  const counts = [1, Math.round(Math.sqrt(heatMax)), heatMax];
   const ticks = [...new Set(counts)].map((n) => el('small', { text: count(n) }));
   const caption = `Heat map: ${ofSearch ? 'places explored' : 'trajectories'} per tile`;
   return [

@@ -5,7 +5,7 @@ import { el } from './dom.js';
 /** @import {Label} from '../types/report.js' */
 
 const kLineHeight = 22; // pixels
-const kMostStacked = 6;
+const kMaxStacked = 6;
 
 /** @typedef {{x: number, y: number, halfWidth: number}} Placed */
 
@@ -63,7 +63,7 @@ export class Labels {
    */
   freeHeight(placed, x, wanted, halfWidth) {
     let y = wanted;
-    for (let tries = 0; tries < kMostStacked; tries++) {
+    for (let tries = 0; tries < kMaxStacked; tries++) {
       const other = placed.find(
         (each) =>
           Math.abs(each.x - x) < each.halfWidth + halfWidth && Math.abs(each.y - y) < kLineHeight,

@@ -1,5 +1,5 @@
 // The limits of a query in words.
-import { kMostAlike } from '../scene/regions.js';
+import { kMaxAlike } from '../scene/regions.js';
 import { el, plural, seconds } from './dom.js';
 
 /** @import {Query} from '../types/report.js' */
@@ -9,8 +9,8 @@ function jumpLimits({ minJumps, maxJumps }) {
   if (maxJumps === 0) return ['no jumps'];
   if (maxJumps >= 0 && maxJumps === minJumps) return [`exactly ${plural(maxJumps, 'jump')}`];
   const limits = [];
-  if (maxJumps >= 0) limits.push(`at most ${plural(maxJumps, 'jump')}`);
-  if (minJumps > 0) limits.push(`at least ${plural(minJumps, 'jump')}`);
+  if (maxJumps >= 0) limits.push(`at max ${plural(maxJumps, 'jump')}`);
+  if (minJumps > 0) limits.push(`at min ${plural(minJumps, 'jump')}`);
   return limits;
 }
 
@@ -28,12 +28,12 @@ export function limitsOf(query) {
   if (query.waypoints.length) parts.push(plural(query.waypoints.length, 'waypoint'));
   if (query.visits.length) parts.push(`${plural(query.visits.length, 'place')} in any order`);
   const drawn = (/** @type {unknown[]} */ { length }) =>
-    length > kMostAlike ? ` (${kMostAlike} are drawn)` : '';
+    length > kMaxAlike ? ` (${kMaxAlike} are drawn)` : '';
   const goals = query.goals.length + (query.goal ? 1 : 0);
   if (query.goals.length) parts.push(`one of ${plural(goals, 'goal')}${drawn(query.goals)}`);
   if (query.avoid.length)
     parts.push(`${plural(query.avoid.length, 'region')} to avoid${drawn(query.avoid)}`);
-  if (query.maxDamage >= 0) parts.push(`at most ${query.maxDamage} health lost`);
+  if (query.maxDamage >= 0) parts.push(`at max ${query.maxDamage} health lost`);
   if (query.forbid.length) parts.push(`never ${query.forbid.map(stateName).join(' or ')}`);
   return el('p', {
     class: 'quiet limits',

@@ -11,7 +11,7 @@ import { OneStop } from './one_stop.js';
 /** @import {Store} from '../store.js' */
 /** @import {Query, Sort, Source, Tint} from '../types/report.js' */
 
-const kMostRows = 400;
+const kMaxRows = 400;
 /** @type {Record<string, string | undefined>} */
 const KIND_NAMES = { closest: 'Closest', newest: 'Newest' };
 
@@ -81,13 +81,13 @@ export class PathList {
       const group = el('div', { role: 'group', 'aria-label': title || undefined });
       const count = el('small', { text: ` ${indices.length}` });
       if (title) group.append(el('h3', { role: 'presentation' }, title, count));
-      for (const index of indices.slice(0, kMostRows))
+      for (const index of indices.slice(0, kMaxRows))
         group.append(this.row(query.paths[index], index));
-      if (indices.length > kMostRows)
+      if (indices.length > kMaxRows)
         group.append(
           el('p', {
             class: 'quiet',
-            text: `and ${indices.length - kMostRows} more. Filter the list, or click their lines.`,
+            text: `and ${indices.length - kMaxRows} more. Filter the list, or click their lines.`,
           }),
         );
       this.rows.append(group);
@@ -138,7 +138,7 @@ export class PathList {
         tabindex: -1,
         type: 'button',
         title: help.join('. '),
-        data: { path: index, key: `way ${path.serial ?? index}` },
+        data: { path: index, key: `trajectory ${path.serial ?? index}` },
         on: {
           click: (event) => this.choose(index, event.shiftKey),
           pointerenter: () => this.store.set({ hoverPath: index }),

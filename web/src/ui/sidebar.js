@@ -11,7 +11,7 @@ import { OneStop } from './one_stop.js';
 /** @import {Progress} from '../types/page_data.js' */
 /** @import {Query, Report, Result} from '../types/report.js' */
 
-const kMostUnsearched = 8; // number of queries that needs no search field
+const kMaxUnsearched = 8; // number of queries that needs no search field
 
 /** @param {ShownVerdict} verdict */
 function badge(verdict) {
@@ -97,7 +97,7 @@ export class Sidebar {
       ...this.report.notes.map((note) => el('p', { class: 'note', text: note })),
     );
     this.section.hidden = this.report.queries.length === 0;
-    this.search.hidden = this.report.queries.length <= kMostUnsearched;
+    this.search.hidden = this.report.queries.length <= kMaxUnsearched;
     this.fillQueries();
     this.filter(this.search.value);
     this.fillQuery();

@@ -9,7 +9,7 @@ import { el, icon, seconds, svg } from './dom.js';
 
 const kSpeeds = [0.1, 0.25, 0.5, 1, 2, 4, 10];
 const kWide = 1000; // width of the plot in its own units
-const kMostMarks = 2000; // of each kind
+const kMaxMarks = 2000; // of each kind
 const kSliderKeys = /^(Arrow|Page|Home$|End$)/;
 
 /** @typedef {(tick: number) => number} Place maps a tick to a position in the plot */
@@ -92,8 +92,8 @@ function heights(path, x) {
  * @param {Place} x
  */
 function apart(ticks, x) {
-  if (ticks.length <= kMostMarks) return ticks;
-  const place = (/** @type {number} */ tick) => Math.round((kMostMarks * x(tick)) / kWide);
+  if (ticks.length <= kMaxMarks) return ticks;
+  const place = (/** @type {number} */ tick) => Math.round((kMaxMarks * x(tick)) / kWide);
   return [...new Map(ticks.map((tick) => [place(tick), tick])).values()];
 }
 

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
+#include "solve/report/difficulty/clearance.h"
 #include "solve/report/difficulty/press_windows.h"
-#include "solve/report/difficulty/room.h"
 #include "solve/report/difficulty/trials.h"
 
 namespace obby::solve {
@@ -18,7 +18,7 @@ constexpr uint32_t kTogether = 128;  // trials per task
 
 // A segment and its measurements.
 struct Step {
-  Leg leg;
+  LastSegments rest;
   DifficultyStep found;
   std::vector<int32_t> shifts;   // ticks to the middle of each jump's press window
   std::vector<uint32_t> passed;  // passed trials, by task
@@ -26,10 +26,10 @@ struct Step {
 
 // Measures windows, margin and clearance, which need no noise.
 void measure(const Problem& problem, const NoiseModel& model, Step& step) {
-  const Segment& s = step.leg.segment;
-  const Course& course = step.leg.course;
+  const Segment& s = step.rest.segment;
+  const Course& course = step.rest.course;
   int32_t tightest = 0;
-  for (const PressWindow& w : pressWindows(step.leg, model)) {
+  for (const PressWindow& w : pressWindows(step.rest, model)) {
     tightest = step.shifts.empty() ? w.ticks() : std::min(tightest, w.ticks());
     step.shifts.push_back(w.middle());
   }
@@ -43,12 +43,12 @@ void measure(const Problem& problem, const NoiseModel& model, Step& step) {
 // Plays trials [first, last) of a step and returns how many passed.
 uint32_t playTrials(const Step& step, size_t index, uint32_t first, uint32_t last,
                     const DifficultyOptions& options) {
-  Trials trials(step.leg);
+  Trials trials(step.rest);
   const float spread = options.noise.place;
   for (uint32_t trial = first; trial < last; ++trial) {
     Random random(options.seed, uint64_t(index) << 32 | trial);
     const float x = spread * (2 * random.unit() - 1), z = spread * (2 * random.unit() - 1);
-    trials.add(NoisyPlayer(step.leg, options.noise, step.shifts, random), {x, 0, z});
+    trials.add(NoisyPlayer(step.rest, options.noise, step.shifts, random), {x, 0, z});
   }
   const std::vector<bool> passed = trials.run();
   return uint32_t(std::count(passed.begin(), passed.end(), true));
@@ -67,7 +67,7 @@ Difficulty summed(std::vector<Step> steps, uint32_t trials) {
     d.steps.push_back(found);
     if (harder(found, d.steps[d.hardest])) d.hardest = uint32_t(d.steps.size()) - 1;
   }
-  d.expectedAttempts = odds * kMostAttempts > 1 ? 1 / odds : kMostAttempts;
+  d.expectedAttempts = odds * kMaxAttempts > 1 ? 1 / odds : kMaxAttempts;
   return d;
 }
 
@@ -81,9 +81,9 @@ std::string describe(const NoiseModel& m) {
 }
 
 Band bandOf(float success) {
-  constexpr float kLeast[] = {0.99f, 0.9f, 0.6f, 0.2f};
+  constexpr float kMin[] = {0.99f, 0.9f, 0.6f, 0.2f};
   int band = 0;
-  for (const float least : kLeast) band += success < least ? 1 : 0;
+  for (const float min : kMin) band += success < min ? 1 : 0;
   return Band(band);
 }
 
@@ -98,7 +98,7 @@ Difficulty difficultyOf(const Problem& problem, const Course& course,
   const uint32_t tasks = (options.trials + kTogether - 1) / kTogether;
   std::vector<Step> steps;
   for (size_t i = 0; i < segments.size(); ++i) {
-    steps.push_back({Leg(problem, course, std::span(segments).subspan(i)),
+    steps.push_back({LastSegments(problem, course, std::span(segments).subspan(i)),
                      {segments[i]},
                      {},
                      std::vector<uint32_t>(tasks)});

@@ -51,7 +51,7 @@ struct Difficulty {
   float expectedAttempts = 1;  // 1 / success, at most 1e6; 0 passed trials count as half of one
 };
 
-constexpr float kMostAttempts = 1e6f;
+constexpr float kMaxAttempts = 1e6f;
 
 // Estimates the difficulty of a solution with at least one tick. The result does not depend on the
 // number of threads. It is invalid once `options.stop` is set.

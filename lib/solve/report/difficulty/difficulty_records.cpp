@@ -55,7 +55,7 @@ std::string hardestText(const Difficulty& difficulty, const level::Level& level,
                   place(s.from, "the start"), place(s.to, "the goal"),
                   band <= Band::easy ? "still " : "", bandName(band));
   // A window as wide as the searched range means that the press need not be timed.
-  const float widest = float(2 * kMostShift) * 1000 / float(level.view().params.controlRate);
+  const float widest = float(2 * kMaxShift) * 1000 / float(level.view().params.controlRate);
   if (s.jumps > 0 && step.window <= widest) {
     text += step.window > 0 ? fmt::format(": its time window is {:.2f} s", step.window / 1000)
                             : std::string(": a jump with no time to spare");

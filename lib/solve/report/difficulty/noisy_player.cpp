@@ -19,22 +19,23 @@ Vec3 flat(Vec3 v) { return {v.x, 0, v.z}; }
 
 }  // namespace
 
-NoisyPlayer::NoisyPlayer(const Leg& leg, const NoiseModel& model, std::span<const int32_t> shifts)
-    : leg_(&leg),
+NoisyPlayer::NoisyPlayer(const LastSegments& rest, const NoiseModel& model,
+                         std::span<const int32_t> shifts)
+    : rest_(&rest),
       model_(model),
-      presses_(leg.jumps),
+      presses_(rest.jumps),
       holdTicks_(std::max(nearest(ticksOf(model.hold)), 1)),
       lookEvery_(std::max(nearest(ticksOf(model.reaction)), 1)) {
   for (size_t i = 0; i < shifts.size(); ++i) presses_[i] += shifts[i];
 }
 
-NoisyPlayer::NoisyPlayer(const Leg& leg, const NoiseModel& model, std::span<const int32_t> shifts,
-                         const Random& random)
-    : NoisyPlayer(leg, model, shifts) {
+NoisyPlayer::NoisyPlayer(const LastSegments& rest, const NoiseModel& model,
+                         std::span<const int32_t> shifts, const Random& random)
+    : NoisyPlayer(rest, model, shifts) {
   noisy_ = true;
   random_ = random;
   for (int32_t& press : presses_) press += late();
-  if (leg.setsOff) lag_ = late();
+  if (rest.setsOff) lag_ = late();
 }
 
 int32_t NoisyPlayer::late() { return nearest(nn::normal(random_) * ticksOf(model_.press)); }
@@ -43,7 +44,7 @@ int32_t NoisyPlayer::late() { return nearest(nn::normal(random_) * ticksOf(model
 // times of the keys, since the path stays the same. A player off the path, or at rest, walks back
 // to it.
 void NoisyPlayer::look(const sim::World& world) {
-  const sim::World& recorded = leg_->at(place());
+  const sim::World& recorded = rest_->at(place());
   const Vec3 off = flat(world.position - recorded.position);
   // At the start the player had time to look, so the first correction is immediate.
   decided_ = tick_ == 0 ? -off : -(seen_ + decided_);
@@ -51,8 +52,8 @@ void NoisyPlayer::look(const sim::World& world) {
   sideways_ = decided_;
   const Vec3 velocity = flat(recorded.velocity);
   const float speed = length(velocity);
-  const bool walks = leg_->actionAt(place()).walk;
-  if (walks && speed > kSteadily * leg_->problem.level.params.walkSpeed) {
+  const bool walks = rest_->actionAt(place()).walk;
+  if (walks && speed > kSteadily * rest_->problem.level.params.walkSpeed) {
     const Vec3 ahead = velocity * (1.0f / speed);
     const float behind = dot(decided_, ahead);
     sideways_ -= ahead * behind;
@@ -64,11 +65,11 @@ void NoisyPlayer::look(const sim::World& world) {
 }
 
 sim::Action NoisyPlayer::walk(const sim::World& world) const {
-  sim::Action action = leg_->actionAt(place());
+  sim::Action action = rest_->actionAt(place());
   action.jump = false;
   if (!action.walk) return hold(world);
   if (dot(sideways_, sideways_) > 0) {
-    const Params& p = leg_->problem.level.params;
+    const Params& p = rest_->problem.level.params;
     const Vec3 along =
         directionOf(sinCos(action.heading)) * (p.walkSpeed * float(lookEvery_) * p.tickSeconds);
     action.heading = headingOf(along.x + sideways_.x, along.z + sideways_.z);
@@ -80,9 +81,9 @@ sim::Action NoisyPlayer::walk(const sim::World& world) const {
 // The recorded player releases the keys here, and the noisy one walks to that player's position.
 // Two cases need no walk: it is less than a step away, or momentum leads there anyway.
 sim::Action NoisyPlayer::hold(const sim::World& world) const {
-  const Vec3 to = flat(leg_->at(place()).position - world.position);
+  const Vec3 to = flat(rest_->at(place()).position - world.position);
   const float speed2 = dot(flat(world.velocity), flat(world.velocity));
-  const float distance = length(to), brake = 2 * leg_->problem.level.params.airAccel;
+  const float distance = length(to), brake = 2 * rest_->problem.level.params.airAccel;
   if (distance < kNearEnough || (!grounded(world) && brake * distance < speed2)) return {};
   return {Turns(headingOf(to.x, to.z) + aside_), true, false};
 }

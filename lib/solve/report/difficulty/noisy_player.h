@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "base/random.h"
-#include "solve/report/difficulty/leg.h"
+#include "solve/report/difficulty/last_segments.h"
 #include "solve/report/difficulty/noise.h"
 
 namespace obby::solve {
@@ -17,9 +17,9 @@ class NoisyPlayer {
  public:
   // Presses and walks exactly. `shifts`: ticks by which each jump is pressed later than recorded;
   // negative is earlier.
-  NoisyPlayer(const Leg& leg, const NoiseModel& model, std::span<const int32_t> shifts);
+  NoisyPlayer(const LastSegments& rest, const NoiseModel& model, std::span<const int32_t> shifts);
   // Adds the noise of the model, drawn from `random`.
-  NoisyPlayer(const Leg& leg, const NoiseModel& model, std::span<const int32_t> shifts,
+  NoisyPlayer(const LastSegments& rest, const NoiseModel& model, std::span<const int32_t> shifts,
               const Random& random);
 
   // Returns the action for the next tick of a player whose world is `world`. Must be called once
@@ -28,7 +28,7 @@ class NoisyPlayer {
 
  private:
   float ticksOf(float seconds) const {
-    return seconds * float(leg_->problem.level.params.controlRate);
+    return seconds * float(rest_->problem.level.params.controlRate);
   }
   int32_t late();
   int32_t place() const { return int32_t(tick_) - lag_; }
@@ -37,7 +37,7 @@ class NoisyPlayer {
   sim::Action hold(const sim::World& world) const;
   bool jumps(const sim::World& world);
 
-  const Leg* leg_;
+  const LastSegments* rest_;
   NoiseModel model_;
   Random random_{0, 0};
   bool noisy_ = false;

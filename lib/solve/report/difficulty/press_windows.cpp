@@ -4,23 +4,23 @@
 
 namespace obby::solve {
 
-std::vector<PressWindow> pressWindows(const Leg& leg, const NoiseModel& model) {
-  std::vector<int32_t> shifts(leg.jumps.size(), 0);
-  std::vector<PressWindow> windows(leg.jumps.size());
+std::vector<PressWindow> pressWindows(const LastSegments& rest, const NoiseModel& model) {
+  std::vector<int32_t> shifts(rest.jumps.size(), 0);
+  std::vector<PressWindow> windows(rest.jumps.size());
   for (size_t jump = 0; jump < windows.size(); ++jump) {
-    Trials trials(leg);
-    for (int32_t shift = -kMostShift; shift <= kMostShift; ++shift) {
+    Trials trials(rest);
+    for (int32_t shift = -kMaxShift; shift <= kMaxShift; ++shift) {
       shifts[jump] = shift;
-      trials.add(NoisyPlayer(leg, model, shifts));
+      trials.add(NoisyPlayer(rest, model, shifts));
     }
     const std::vector<bool> passed = trials.run();
     PressWindow& w = windows[jump];
-    if (passed[kMostShift]) w = {0, 0};
-    while (w.least <= w.most && w.least > -kMostShift && passed[size_t(kMostShift + w.least - 1)]) {
-      --w.least;
+    if (passed[kMaxShift]) w = {0, 0};
+    while (w.min <= w.max && w.min > -kMaxShift && passed[size_t(kMaxShift + w.min - 1)]) {
+      --w.min;
     }
-    while (w.least <= w.most && w.most < kMostShift && passed[size_t(kMostShift + w.most + 1)]) {
-      ++w.most;
+    while (w.min <= w.max && w.max < kMaxShift && passed[size_t(kMaxShift + w.max + 1)]) {
+      ++w.max;
     }
     shifts[jump] = w.middle();
   }

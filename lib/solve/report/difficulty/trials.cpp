@@ -5,10 +5,10 @@
 namespace obby::solve {
 
 void Trials::add(NoisyPlayer player, Vec3 offset) {
-  const auto recorded = leg_.course.replay.looseAt(leg_.segment.start);
-  sim::World world = leg_.at(0);
+  const auto recorded = rest_.course.replay.bodiesAtTick(rest_.segment.start);
+  sim::World world = rest_.at(0);
   if (!(offset == Vec3{})) {
-    const level::LevelView& level = leg_.problem.level;
+    const level::LevelView& level = rest_.problem.level;
     const uint32_t carrier = sim::carrierOf(world, recorded.data(), level);
     sim::World moved = world;
     moved.position += offset;
@@ -16,42 +16,42 @@ void Trials::add(NoisyPlayer player, Vec3 offset) {
     if (onLegs && sim::carrierOf(moved, recorded.data(), level) == carrier) world = moved;
   }
   members_.push_back({std::move(player), world});
-  loose_.insert(loose_.end(), recorded.begin(), recorded.end());
+  bodies_.insert(bodies_.end(), recorded.begin(), recorded.end());
 }
 
-sim::LooseBody* Trials::looseOf(size_t member) {
-  const uint32_t count = leg_.problem.level.looseCount;
-  return count == 0 ? nullptr : &loose_[member * count];
+sim::RigidBody* Trials::bodiesOf(size_t member) {
+  const uint32_t count = rest_.problem.level.bodyCount;
+  return count == 0 ? nullptr : &bodies_[member * count];
 }
 
 void Trials::tick() {
   worlds_.clear();
-  bodies_.clear();
+  bodyPointers_.clear();
   actions_.clear();
   for (const size_t i : playing_) {
     worlds_.push_back(&members_[i].world);
-    bodies_.push_back(looseOf(i));
+    bodyPointers_.push_back(bodiesOf(i));
     actions_.push_back(members_[i].player.next(members_[i].world));
   }
-  sim::advanceAll(leg_.problem.level, &leg_.problem.query, worlds_, bodies_.data(),
+  sim::advanceAll(rest_.problem.level, &rest_.problem.query, worlds_, bodyPointers_.data(),
                   actions_.data());
 }
 
-// A player who arrives at the end of the segment must stay for kLeastStay ticks to pass.
-void Trials::judge(Member& m, sim::LooseBody* loose) const {
+// A player who arrives at the end of the segment must stay for kMinStay ticks to pass.
+void Trials::judge(Member& m, sim::RigidBody* bodies) const {
   if (m.world.outcome != sim::Outcome::running) {
     m.fate = m.world.outcome == sim::Outcome::goal ? Fate::passed : Fate::failed;
     return;
   }
-  m.stays = leg_.arrivesIn(m.world, loose) ? m.stays + 1 : 0;
-  if (m.stays >= kLeastStay) m.fate = Fate::passed;
+  m.stays = rest_.arrivesIn(m.world, bodies) ? m.stays + 1 : 0;
+  if (m.stays >= kMinStay) m.fate = Fate::passed;
 }
 
 std::vector<bool> Trials::run() {
   for (size_t i = 0; i < members_.size(); ++i) playing_.push_back(i);
-  for (uint32_t ticks = 1; ticks <= leg_.timeout && !playing_.empty(); ++ticks) {
+  for (uint32_t ticks = 1; ticks <= rest_.timeout && !playing_.empty(); ++ticks) {
     tick();
-    for (const size_t i : playing_) judge(members_[i], looseOf(i));
+    for (const size_t i : playing_) judge(members_[i], bodiesOf(i));
     std::erase_if(playing_, [this](size_t i) { return members_[i].fate != Fate::playing; });
   }
   std::vector<bool> passed;

@@ -10,7 +10,7 @@ namespace obby::solve {
 class Trials {
  public:
   // The leg must outlive the trials.
-  explicit Trials(const Leg& leg) : leg_(leg) {}
+  explicit Trials(const LastSegments& rest) : rest_(rest) {}
 
   // Adds a trial from the recorded state at the start of the segment. The player is moved by
   // `offset` (studs) if the same part carries a player there.
@@ -28,17 +28,17 @@ class Trials {
     uint32_t stays = 0;  // ticks in a row at the end of the segment
   };
 
-  sim::LooseBody* looseOf(size_t member);
+  sim::RigidBody* bodiesOf(size_t member);
   void tick();
-  void judge(Member& m, sim::LooseBody* loose) const;
+  void judge(Member& m, sim::RigidBody* bodies) const;
 
-  const Leg& leg_;
+  const LastSegments& rest_;
   std::vector<Member> members_;
-  std::vector<sim::LooseBody> loose_;  // (members x level.looseCount)
+  std::vector<sim::RigidBody> bodies_;  // (members x level.bodyCount)
   std::vector<size_t> playing_;
   // Arguments for the simulator, of the trials in playing_.
   std::vector<sim::World*> worlds_;
-  std::vector<sim::LooseBody*> bodies_;
+  std::vector<sim::RigidBody*> bodyPointers_;
   std::vector<sim::Action> actions_;
 };
 

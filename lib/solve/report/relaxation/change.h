@@ -17,7 +17,7 @@ namespace obby::solve {
 constexpr uint32_t kOff = 0xffffffffu;
 
 struct Change {
-  schema::Knob knob = schema::Knob::JUMPS;
+  schema::RelaxationKind kind = schema::RelaxationKind::JUMPS;
   int32_t part = -1;            // the part that changes; -1: none
   int32_t avoid = -1;           // index in the query's avoid list; -1: none
   std::string field;            // field of the query record; empty: the level is changed
@@ -28,7 +28,7 @@ struct Change {
   // Applies the change to the records. The level is null if `field` is not empty.
   std::function<void(schema::Level::Builder, schema::Query::Builder, uint32_t notches)> apply;
   // Returns the notches that suffice for this trajectory, at least 1. Empty: not known.
-  std::function<uint32_t(const Playthrough&)> enough;
+  std::function<uint32_t(const Trajectory&)> enough;
   // Describes the change for people, without a full stop.
   std::function<std::string(uint32_t notches)> text;
 

@@ -4,19 +4,19 @@
 #include <bit>
 
 #include "base/stopwatch.h"
-#include "solve/report/relaxation/knobs.h"
+#include "solve/report/relaxation/relaxations.h"
 
 namespace obby::solve {
 
 namespace {
 
 // Some seconds of search, since a person waits for the answer.
-constexpr uint64_t kMostSteps = 32'000'000;
+constexpr uint64_t kMaxSteps = 32'000'000;
 constexpr uint64_t kFirstSteps = 128 << 10;  // budget of the first search with a change
 constexpr uint64_t kStepsGrow = 4;
 // Searches for the smallest amount may take longer than the first solution: less is harder.
 constexpr uint64_t kHarder = 32;
-constexpr uint64_t kLeastRefineSteps = 1 << 20;
+constexpr uint64_t kMinRefineSteps = 1 << 20;
 
 // A change, and what its searches have shown so far.
 struct Trial {
@@ -36,7 +36,7 @@ class Explanation {
         method_(method),
         budget_(budget),
         machine_(machine),
-        left_(std::min(budget.maxSteps, kMostSteps)) {
+        left_(std::min(budget.maxSteps, kMaxSteps)) {
     for (Change& change : changesFor(failure)) trials_.push_back({std::move(change)});
   }
 
@@ -101,7 +101,7 @@ class Explanation {
     while (t.helps > low + 1 && !over()) {
       const uint64_t searches = uint64_t(std::bit_width(t.helps - low - 1));
       const uint64_t steps =
-          std::min(share / searches, std::max(kHarder * t.steps, kLeastRefineSteps));
+          std::min(share / searches, std::max(kHarder * t.steps, kMinRefineSteps));
       const uint32_t middle = low + (t.helps - low) / 2;
       const uint64_t before = left_;
       if (search(t, middle, steps) != Answer::solved) low = middle;
@@ -121,7 +121,7 @@ class Explanation {
     budget.maxSteps = std::max(std::min(steps, left_), uint64_t(1));
     budget.solutions = 1;
     budget.attempts = 0;
-    const Watcher watcher{[&](const Playthrough& p) { return solves(p, posed); }, {}};
+    const Watcher watcher{[&](const Trajectory& p) { return solves(p, posed); }, {}};
     const SearchOutcome found = method_.run(problem, budget, watcher, machine_);
     left_ -= std::min(left_, found.statistics.steps);
     if (found.solutions.empty()) return Answer::failed;
@@ -132,7 +132,7 @@ class Explanation {
   }
 
   // The trajectory may need less than the change allows.
-  void tighten(Trial& t, const Playthrough& p) const {
+  void tighten(Trial& t, const Trajectory& p) const {
     if (!t.change.enough) return;
     const uint32_t enough = t.change.enough(p);
     if (enough >= t.helps) return;
@@ -152,7 +152,7 @@ class Explanation {
     for (const Trial* t : found) {
       const Change& c = t->change;
       all.push_back(
-          {c.knob, c.amount(t->helps), c.part, c.avoid, c.field, t->steps, c.text(t->helps)});
+          {c.kind, c.amount(t->helps), c.part, c.avoid, c.field, t->steps, c.text(t->helps)});
     }
     return all;
   }

@@ -13,7 +13,7 @@ namespace obby::solve {
 
 // A change that makes the query solvable: a search found a trajectory, and the verifier agreed.
 struct Relaxation {
-  schema::Knob knob;
+  schema::RelaxationKind kind;
   double amount;      // in the relaxation's unit; 0: what it limits is gone
   int32_t part;       // the part that changes; -1: none
   int32_t avoid;      // index in the query's avoid list; -1: none

@@ -78,29 +78,29 @@ class Frontier {
   float toTarget(const Box& box) const {
     const Vec3 middle = (box.lo + box.hi) * 0.5f;
     const level::QueryView& q = problem_.query;
-    float least = geom::distance(q.goal.region, middle);
+    float min = geom::distance(q.goal.region, middle);
     const auto consider = [&](const level::TargetView& t) {
-      least = std::min(least, geom::distance(t.region, middle));
+      min = std::min(min, geom::distance(t.region, middle));
     };
     for (uint32_t i = 0; i < q.otherGoalCount; ++i) consider(q.otherGoals[i]);
     for (uint32_t i = 0; i < q.waypointCount; ++i) consider(q.waypoints[i].target);
     for (uint32_t i = 0; i < q.visitCount; ++i) consider(q.visits[i]);
-    return least;
+    return min;
   }
 
   // Returns the min sum of gap and rise from a reached support, in studs; 1e30 if it is out of
   // reach.
   float stepTo(const Support& to) const {
-    float least = 1e30f;
+    float min = 1e30f;
     for (size_t i = 0; i < supports_.size(); ++i) {
       if (!reached_[i]) continue;
       const Support& from = supports_[i];
       const float gap = std::max(gapBetween(from.box, to.box) - from.side - to.side, 0.0f);
       const float rise = std::max(to.top() - from.top(), 0.0f);
       if (gap > kFarthest || rise > kHighest || to.leadsTo != level::kNone) continue;
-      least = std::min(least, gap + rise);
+      min = std::min(min, gap + rise);
     }
-    return least;
+    return min;
   }
 
   // Returns the supports that were not reached, most promising first.

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "solve/report/relaxation/knobs.h"
+#include "solve/report/relaxation/relaxations.h"
 
 namespace obby::solve {
 
@@ -12,25 +12,25 @@ namespace {
 
 // A kind of limit.
 struct Measure {
-  schema::Knob knob;
+  schema::RelaxationKind kind;
   double notch;
-  double none;                                     // the value that means no limit
-  double (*used)(const Playthrough&, float rate);  // total use by a trajectory
-  const char* within;                              // the preposition before the limit
+  double none;                                    // the value that means no limit
+  double (*used)(const Trajectory&, float rate);  // total use by a trajectory
+  const char* within;                             // the preposition before the limit
   std::string (*text)(double limit);
 };
 
-double jumpsUsed(const Playthrough& p, float) { return p.end.jumps; }
-double secondsUsed(const Playthrough& p, float rate) { return p.ticks / double(rate); }
-double healthUsed(const Playthrough& p, float) { return double(p.end.damage); }
+double jumpsUsed(const Trajectory& p, float) { return p.end.jumps; }
+double secondsUsed(const Trajectory& p, float rate) { return p.ticks / double(rate); }
+double healthUsed(const Trajectory& p, float) { return double(p.end.damage); }
 
 std::string jumpsText(double n) { return fmt::format("{:.0f} jump{}", n, n == 1 ? "" : "s"); }
 std::string secondsText(double s) { return fmt::format("{:.4g} s", s); }
 std::string healthText(double h) { return fmt::format("{:.4g} health lost", h); }
 
-constexpr Measure kJumps{schema::Knob::JUMPS, 1, -1, jumpsUsed, "with", jumpsText};
-constexpr Measure kSeconds{schema::Knob::TIME, 0.1, 0, secondsUsed, "in", secondsText};
-constexpr Measure kHealth{schema::Knob::DAMAGE, 1, -1, healthUsed, "with", healthText};
+constexpr Measure kJumps{schema::RelaxationKind::JUMPS, 1, -1, jumpsUsed, "with", jumpsText};
+constexpr Measure kSeconds{schema::RelaxationKind::TIME, 0.1, 0, secondsUsed, "in", secondsText};
+constexpr Measure kHealth{schema::RelaxationKind::DAMAGE, 1, -1, healthUsed, "with", healthText};
 
 // One limit that a query has.
 struct Limit {
@@ -45,7 +45,7 @@ Change changeOf(const Limit& limit, float rate) {
   const Measure& m = limit.measure;
   const double now = limit.value;
   Change c;
-  c.knob = m.knob;
+  c.kind = m.kind;
   c.field = limit.field;
   c.notch = m.notch;
   c.scale = std::max(now, m.notch);
@@ -54,7 +54,7 @@ Change changeOf(const Limit& limit, float rate) {
   c.apply = [set = limit.set, turned](schema::Level::Builder, schema::Query::Builder query,
                                       uint32_t n) { set(query, turned(n)); };
   // For a segment this may be more than enough, never less.
-  c.enough = [&m, now, rate](const Playthrough& p) {
+  c.enough = [&m, now, rate](const Trajectory& p) {
     return uint32_t(std::max(std::ceil((m.used(p, rate) - now) / m.notch - 1e-4), 1.0));
   };
   c.text = [&m, now, turned, where = limit.where](uint32_t n) {

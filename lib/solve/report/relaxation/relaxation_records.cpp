@@ -8,7 +8,7 @@ namespace obby::solve {
 void fillRelaxations(schema::Result::Builder record, const std::vector<Relaxation>& found) {
   auto relaxations = record.initRelaxations(uint32_t(found.size()));
   for (uint32_t i = 0; i < relaxations.size(); ++i) {
-    relaxations[i].setKnob(found[i].knob);
+    relaxations[i].setKind(found[i].kind);
     relaxations[i].setAmount(float(found[i].amount));
     relaxations[i].setPart(found[i].part);
     relaxations[i].setAvoid(found[i].avoid);

@@ -4,8 +4,8 @@
 
 namespace obby::solve {
 
-Archive::Archive(uint32_t maxCells, uint32_t looseCount)
-    : looseCount_(looseCount), maxCells_(maxCells) {}
+Archive::Archive(uint32_t maxCells, uint32_t bodyCount)
+    : bodyCount_(bodyCount), maxCells_(maxCells) {}
 
 void Archive::addCell(uint64_t key) {
   const uint32_t cell = cellCount();
@@ -13,7 +13,7 @@ void Archive::addCell(uint64_t key) {
   ticks_.push_back(0);
   jumps_.push_back(0);
   worlds_.push_back({});
-  if (looseCount_ != 0) looseSets_.push_back(0);
+  if (bodyCount_ != 0) bodySets_.push_back(0);
   cellNodes_.push_back(kNone);
   seen_.push_back(0);
   sighted_.push_back(0);
@@ -24,7 +24,7 @@ void Archive::addCell(uint64_t key) {
 }
 
 bool Archive::offer(uint64_t key, const sim::World& world, const Node& node, float potential,
-                    const sim::LooseBody* loose) {
+                    const sim::RigidBody* bodies) {
   uint32_t cell = find(key);
   if (cell == kNone) {
     if (cellCount() >= maxCells_) return false;
@@ -38,7 +38,7 @@ bool Archive::offer(uint64_t key, const sim::World& world, const Node& node, flo
   ticks_[cell] = world.tick;
   jumps_[cell] = world.jumps;
   worlds_[cell] = world;
-  if (looseCount_ != 0) putLoose(cell, loose);
+  if (bodyCount_ != 0) putBodies(cell, bodies);
   cellNodes_[cell] = uint32_t(nodes_.size());
   nodes_.push_back(node);
   potentials_[cell] = potential;
@@ -47,23 +47,23 @@ bool Archive::offer(uint64_t key, const sim::World& world, const Node& node, flo
   return true;
 }
 
-bool Archive::isFirstLoose(const sim::LooseBody* loose) const {
-  return looseSetCount_ > 0 &&
-         std::memcmp(loose, loose_.at(0), looseCount_ * sizeof(sim::LooseBody)) == 0;
+bool Archive::isFirstBody(const sim::RigidBody* bodies) const {
+  return bodySetCount_ > 0 &&
+         std::memcmp(bodies, bodies_.at(0), bodyCount_ * sizeof(sim::RigidBody)) == 0;
 }
 
 // Several cells may share the first set; every other set belongs to one cell.
-void Archive::putLoose(uint32_t cell, const sim::LooseBody* loose) {
-  uint32_t& set = looseSets_[cell];
-  if (isFirstLoose(loose)) {
+void Archive::putBodies(uint32_t cell, const sim::RigidBody* bodies) {
+  uint32_t& set = bodySets_[cell];
+  if (isFirstBody(bodies)) {
     set = 0;
     return;
   }
   if (set == 0) {
-    set = looseSetCount_++;
-    loose_.resize(looseAt(set) + looseCount_);
+    set = bodySetCount_++;
+    bodies_.resize(bodiesAtTick(set) + bodyCount_);
   }
-  std::copy_n(loose, looseCount_, loose_.at(looseAt(set)));
+  std::copy_n(bodies, bodyCount_, bodies_.at(bodiesAtTick(set)));
 }
 
 uint64_t Archive::singletons() const {

@@ -9,7 +9,7 @@
 #include <span>
 
 #include "base/chunked_vector.h"
-#include "sim/loose.h"
+#include "sim/rigid_body.h"
 #include "sim/world.h"
 #include "solve/search/archive/archive_node.h"
 #include "solve/search/archive/cell_table.h"
@@ -24,9 +24,9 @@ class Archive {
   static constexpr uint32_t kBlock = 64;
 
   // `maxCells` bounds the memory: further cells are not kept. A cell takes about 200 bytes,
-  // including the selectors' share. `looseCount`: dynamic bodies of each world. Most sets of bodies
+  // including the selectors' share. `bodyCount`: dynamic bodies of each world. Most sets of bodies
   // equal that of the first world offered, which is stored once and shared.
-  explicit Archive(uint32_t maxCells = kMaxCells, uint32_t looseCount = 0);
+  explicit Archive(uint32_t maxCells = kMaxCells, uint32_t bodyCount = 0);
 
   // Returns the cell of a key, or kNone. Thread-safe between changes.
   uint32_t find(uint64_t key) const { return table_.find(key); }
@@ -49,9 +49,9 @@ class Archive {
   }
 
   // Keeps `world` if its cell is new or `world` is better than the cell's state. Returns true if it
-  // is kept. `loose`: (looseCount).
+  // is kept. `bodies`: (bodyCount).
   bool offer(uint64_t key, const sim::World& world, const Node& node, float potential,
-             const sim::LooseBody* loose = nullptr);
+             const sim::RigidBody* bodies = nullptr);
 
   // Counts a visit. Thread-safe: the sum does not depend on the order of the threads.
   void countSeen(uint32_t cell) {
@@ -68,14 +68,14 @@ class Archive {
 
   uint32_t cellCount() const { return table_.size(); }
   const sim::World& world(uint32_t cell) const { return worlds_[cell]; }
-  std::span<const sim::LooseBody> loose(uint32_t cell) const {
-    if (looseCount_ == 0) return {};
-    return {loose_.at(looseAt(looseSets_[cell])), looseCount_};
+  std::span<const sim::RigidBody> bodies(uint32_t cell) const {
+    if (bodyCount_ == 0) return {};
+    return {bodies_.at(bodiesAtTick(bodySets_[cell])), bodyCount_};
   }
   // Returns the bodies of the first world offered; null if the level has none.
-  const sim::LooseBody* firstLoose() const { return looseCount_ == 0 ? nullptr : loose_.at(0); }
+  const sim::RigidBody* firstBodies() const { return bodyCount_ == 0 ? nullptr : bodies_.at(0); }
   // Returns true if these bodies equal those of the first world offered.
-  bool isFirstLoose(const sim::LooseBody* loose) const;
+  bool isFirstBody(const sim::RigidBody* bodies) const;
   uint32_t node(uint32_t cell) const { return cellNodes_[cell]; }
   const ChunkedVector<uint32_t>& ticks() const { return ticks_; }  // ticks of the cells' worlds
   const ChunkedVector<uint32_t>& seen() const { return seen_; }
@@ -98,10 +98,10 @@ class Archive {
 
  private:
   void addCell(uint64_t key);
-  void putLoose(uint32_t cell, const sim::LooseBody* loose);
-  size_t looseAt(uint32_t set) const {  // the bodies of a set lie in one chunk
-    const size_t sets = ChunkedVector<sim::LooseBody>::kChunk / looseCount_;
-    return set / sets * ChunkedVector<sim::LooseBody>::kChunk + set % sets * looseCount_;
+  void putBodies(uint32_t cell, const sim::RigidBody* bodies);
+  size_t bodiesAtTick(uint32_t set) const {  // the bodies of a set lie in one chunk
+    const size_t sets = ChunkedVector<sim::RigidBody>::kChunk / bodyCount_;
+    return set / sets * ChunkedVector<sim::RigidBody>::kChunk + set % sets * bodyCount_;
   }
   // Threads that visit one block write the same epoch, so most find it written.
   void note(ChunkedVector<uint32_t>& epochs, uint32_t cell) {
@@ -110,14 +110,14 @@ class Archive {
       last.store(epoch_, std::memory_order_relaxed);
   }
 
-  uint32_t looseCount_, maxCells_;
+  uint32_t bodyCount_, maxCells_;
   CellTable table_;
   ChunkedVector<uint32_t> ticks_;  // copies of the worlds' ticks and jumps, which better() reads
   ChunkedVector<uint16_t> jumps_;
   ChunkedVector<sim::World> worlds_;
-  ChunkedVector<uint32_t> looseSets_;    // (cells)
-  ChunkedVector<sim::LooseBody> loose_;  // (sets, looseCount), see looseAt
-  uint32_t looseSetCount_ = 0;
+  ChunkedVector<uint32_t> bodySets_;      // (cells)
+  ChunkedVector<sim::RigidBody> bodies_;  // (sets, bodyCount), see bodiesAtTick
+  uint32_t bodySetCount_ = 0;
   ChunkedVector<uint32_t> cellNodes_;
   ChunkedVector<uint32_t> seen_;
   ChunkedVector<uint8_t> sighted_;

@@ -9,14 +9,15 @@ namespace obby::solve {
 constexpr uint32_t kNone = level::kNone;
 
 // Random streams count up from 0. These bits mark rollouts that are not random.
-constexpr uint64_t kKnown = 1ull << 62;      // a trajectory of an earlier answer
+constexpr uint64_t kWarmStart = 1ull << 62;  // a trajectory of an earlier answer
 constexpr uint64_t kByPolicy = 1ull << 61;   // moves of the policy, drawn from that stream
 constexpr uint64_t kLikeliest = 1ull << 60;  // with kByPolicy: its likeliest moves
 
 // A state reached by `ticks` ticks of rollout `rollout` from the state of node `parent`.
 struct Node {
-  uint64_t rollout;  // its stream of random numbers, or with kKnown an index into Problem::known
-  uint32_t parent;   // kNone: this is the start
+  uint64_t
+      rollout;      // its stream of random numbers, or with kWarmStart an index into Problem::known
+  uint32_t parent;  // kNone: this is the start
   uint32_t ticks;
 };
 

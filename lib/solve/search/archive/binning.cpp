@@ -31,21 +31,21 @@ constexpr uint32_t kSegmentBins = 8;  // bins of the shortest time limit of a se
 constexpr float kDamageBins = 8;      // bins of the health that may be lost
 
 // Returns the shortest time limit of a segment, in ticks; 0 if there is none.
-uint32_t leastSegment(const level::QueryView& q) {
-  uint32_t least = q.last.ticks;
+uint32_t minSegment(const level::QueryView& q) {
+  uint32_t min = q.last.ticks;
   for (uint32_t i = 0; i < q.waypointCount; ++i) {
     const uint32_t ticks = q.waypoints[i].segment.ticks;
-    if (ticks != 0 && (least == 0 || ticks < least)) least = ticks;
+    if (ticks != 0 && (min == 0 || ticks < min)) min = ticks;
   }
-  return least;
+  return min;
 }
 
 void binProgress(Binning& b, const level::QueryView& q) {
   b.jumps = limitsTotalJumps(q) || q.minJumps > 0;
-  if (!limitsTotalJumps(q)) b.mostJumps = uint32_t(q.minJumps);
+  if (!limitsTotalJumps(q)) b.maxJumps = uint32_t(q.minJumps);
   b.visits = q.visitCount > 0;
   b.segmentJumps = limitsSegmentJumps(q);
-  if (limitsSegmentTime(q)) b.segmentBin = std::max(1u, leastSegment(q) / kSegmentBins);
+  if (limitsSegmentTime(q)) b.segmentBin = std::max(1u, minSegment(q) / kSegmentBins);
   if (q.maxDamage > 0) b.inverseDamage = kDamageBins / q.maxDamage;
 }
 
@@ -63,7 +63,7 @@ Binning makeBinning(const Problem& problem, float width, const ClockMap& clock) 
   b.inverseHealth = 1 / std::max(p.maxHealth, 1.0f);
   binProgress(b, problem.query);
   b.waypoints = problem.query.waypointCount > 0;
-  b.looseCount = problem.level.looseCount;
+  b.bodyCount = problem.level.bodyCount;
   b.clocks = anyCollider(problem.level, [&](uint32_t i) {
     return (problem.level.bounds[i].flags & (level::kStarts | level::kSeat)) != 0;
   });

@@ -4,7 +4,7 @@
 
 #include <stdint.h>
 
-#include "sim/loose.h"
+#include "sim/rigid_body.h"
 #include "sim/world.h"
 #include "solve/search/archive/clock_view.h"
 
@@ -18,18 +18,18 @@ struct Binning {
   uint32_t healthBins = 0;      // bins of full health; 0: no health dimension
   float inverseHealth = 0.01f;  // 1 / full health
   bool jumps = false;           // the query limits jumps, or asks for some
-  uint32_t mostJumps = 0xffff;  // jumps beyond this number make no difference
+  uint32_t maxJumps = 0xffff;   // jumps beyond this number make no difference
   bool waypoints = false;       // the query has waypoints
   bool clocks = false;          // parts start clocks when touched
   bool vanishing = false;       // parts vanish when touched
-  uint32_t looseCount = 0;      // dynamic bodies, whose positions matter
+  uint32_t bodyCount = 0;       // dynamic bodies, whose positions matter
   bool visits = false;          // the query has visits, in any order
   bool segmentJumps = false;    // the query limits the jumps of a segment
   uint32_t segmentBin = 0;      // ticks per bin of the time in a segment; 0: the query has no limit
   float inverseDamage = 0;      // bins per unit of health lost; 0: the query has no limit
 };
 
-constexpr uint32_t kMostRunningBins = 16;  // a clock that runs longer stays in this bin
+constexpr uint32_t kMaxRunningBins = 16;  // a clock that runs longer stays in this bin
 
 OBBY_DEVICE int32_t floorToInt(float v) {
   const int32_t i = int32_t(v);
@@ -61,7 +61,7 @@ OBBY_DEVICE uint64_t runningKey(const Binning& b, const sim::World& w) {
     const uint32_t bin = b.clock.bins[c.clock];
     if (bin == 0) continue;
     const uint32_t at = c.ticks / bin;
-    key += mixBits(uint64_t(c.clock) << 8 | (at < kMostRunningBins ? at : kMostRunningBins));
+    key += mixBits(uint64_t(c.clock) << 8 | (at < kMaxRunningBins ? at : kMaxRunningBins));
   }
   return key;
 }
@@ -77,11 +77,11 @@ OBBY_DEVICE uint64_t packedCell(Vec3 at) {
 
 // Returns a key of the bodies' positions, in cells twice as wide as the player's. The cells of each
 // body multiply the player's cells, so they are coarse.
-OBBY_DEVICE uint64_t looseKey(const Binning& b, const sim::LooseBody* loose) {
+OBBY_DEVICE uint64_t bodiesKey(const Binning& b, const sim::RigidBody* bodies) {
   uint64_t key = 0;
-  for (uint32_t i = 0; i < b.looseCount; ++i) {
+  for (uint32_t i = 0; i < b.bodyCount; ++i) {
     key = mixBits(key + 0x9e3779b97f4a7c15ull +
-                  packedCell(loose[i].position * (0.5f * b.inverseWidth)));
+                  packedCell(bodies[i].position * (0.5f * b.inverseWidth)));
   }
   return key;
 }
@@ -100,17 +100,17 @@ OBBY_DEVICE uint64_t progressKey(const Binning& b, const sim::World& w) {
 // other dimensions for 2^24 clock bins and 2^16 jumps. Two cells share a key with probability
 // 2^-64.
 OBBY_DEVICE uint64_t cellKey(const Binning& b, const sim::World& w,
-                             const sim::LooseBody* loose = nullptr) {
+                             const sim::RigidBody* bodies = nullptr) {
   const Vec3 inCells = mul(w.position, {b.inverseWidth, b.inverseHeight, b.inverseWidth});
   uint64_t rest = 0;
   if (b.clockBin != 0) rest = clockBinOf(b, w) & 0xffffffu;
-  if (b.jumps) rest |= uint64_t(w.jumps < b.mostJumps ? w.jumps : b.mostJumps) << 24;
+  if (b.jumps) rest |= uint64_t(w.jumps < b.maxJumps ? w.jumps : b.maxJumps) << 24;
   if (b.waypoints) rest |= uint64_t(w.waypoints) << 40;
   if (b.clocks) rest |= uint64_t(w.clockCount) << 48;
   if (b.healthBins != 0) {
     rest |= uint64_t(w.health * b.inverseHealth * float(b.healthBins)) << 56;
   }
-  if (b.looseCount != 0) rest ^= looseKey(b, loose);
+  if (b.bodyCount != 0) rest ^= bodiesKey(b, bodies);
   rest ^= progressKey(b, w);
   uint64_t key = mixBits(packedCell(inCells) + 0x9e3779b97f4a7c15ull * mixBits(rest + 1));
   if (b.clocks && w.clockCount != 0) key += runningKey(b, w);

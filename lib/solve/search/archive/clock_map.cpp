@@ -29,8 +29,8 @@ uint32_t periodOf(const level::LevelView& level, uint32_t collider) {
 }
 
 // Ticks per bin of a running clock: an eighth of its length, but at least half a second.
-constexpr uint32_t kLeastBin = 30;
-uint32_t binOf(uint32_t length) { return std::max(kLeastBin, length / 8); }
+constexpr uint32_t kMinBin = 30;
+uint32_t binOf(uint32_t length) { return std::max(kMinBin, length / 8); }
 
 int32_t cellsAlong(float length, float cell) { return int32_t(std::min(length / cell, 1e5f)) + 1; }
 
@@ -100,7 +100,7 @@ void ClockMap::findBins(const level::LevelView& level) {
   bins_.assign(level.clockCount, 0);
   const auto count = [&](uint32_t clock) {
     const uint32_t length = level.clocks[clock].length;
-    if (length > 1) bins_[clock] = length == level::kForever ? kLeastBin : binOf(length);
+    if (length > 1) bins_[clock] = length == level::kForever ? kMinBin : binOf(length);
   };
   for (uint32_t i = 0; i < level.colliderCount; ++i) {
     const level::Collider& c = level.colliders[i];

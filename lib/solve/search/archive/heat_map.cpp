@@ -9,14 +9,14 @@ namespace obby::solve {
 
 namespace {
 
-constexpr size_t kMostCubes = 4096;  // about 200 kB of JSON
+constexpr size_t kMaxCubes = 4096;  // about 200 kB of JSON
 
 }  // namespace
 
 void HeatMap::note(const std::vector<Vec3>& places) {
   for (const Vec3 feet : places) {
     add(feet, 1);
-    while (cubes_.size() > kMostCubes) coarsen();
+    while (cubes_.size() > kMaxCubes) coarsen();
   }
 }
 

@@ -8,7 +8,7 @@ enum class ResidentStep;
 namespace obby::solve::cuda {
 
 // Return Kernel::entry of the kernels of the same names; null without CUDA.
-const void* rolloutEntry(bool loose);
+const void* rolloutEntry(bool bodies);
 const void* residentEntry(ResidentStep step);
 
 }  // namespace obby::solve::cuda

@@ -16,7 +16,7 @@ const void* residentEntry(ResidentStep step) {
     case ResidentStep::markBest: return entry<A, markBest>();
     case ResidentStep::choose: return entry<A, chooseStart>();
     case ResidentStep::explore: return entry<A, exploreFrom<false>>();
-    case ResidentStep::exploreLoose: return entry<A, exploreFrom<true>>();
+    case ResidentStep::exploreDynamic: return entry<A, exploreFrom<true>>();
     case ResidentStep::takePlayed: return entry<A, takePlayed>();
     case ResidentStep::claim: return entry<A, claimCells>();
     case ResidentStep::settle: return entry<A, settleClaims>();

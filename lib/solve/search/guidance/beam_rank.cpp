@@ -6,7 +6,7 @@
 
 namespace obby::solve {
 
-BeamWay::BeamWay(const Problem& problem)
+BeamRoute::BeamRoute(const Problem& problem)
     : ticksPerStud_(float(problem.level.params.controlRate) /
                     std::max(problem.level.params.walkSpeed, 1.0f)),
       legs_(problem.query.waypointCount + 1, 0.0f) {
@@ -14,10 +14,10 @@ BeamWay::BeamWay(const Problem& problem)
   const geom::Region* to = &query.goal.region;
   for (uint32_t i = query.waypointCount; i-- > 0; to = &query.waypoints[i].target.region) {
     const geom::Region& from = query.waypoints[i].target.region;
-    const float leg = geom::distance(*to, from.pose.position) - length(from.half);
+    const float rest = geom::distance(*to, from.pose.position) - length(from.half);
     // With several goals the distance to the first is no lower bound.
     const bool known = i + 1 < query.waypointCount || query.otherGoalCount == 0;
-    legs_[i] = legs_[i + 1] + (known ? std::max(leg, 0.0f) : 0.0f);
+    legs_[i] = legs_[i + 1] + (known ? std::max(rest, 0.0f) : 0.0f);
   }
   for (uint32_t i = 0; i < query.visitCount; ++i) {
     const geom::Region& from = query.visits[i].region;

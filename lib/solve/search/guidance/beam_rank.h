@@ -8,9 +8,9 @@
 
 namespace obby::solve {
 
-class BeamWay {
+class BeamRoute {
  public:
-  explicit BeamWay(const Problem& problem);
+  explicit BeamRoute(const Problem& problem);
   BeamView view() const {
     return {legs_.data(), hops_.data(), uint32_t(legs_.size()), uint32_t(hops_.size()),
             ticksPerStud_};

@@ -12,8 +12,9 @@ namespace {
 std::vector<float> spansInOrder(const level::QueryView& q, Vec3 from) {
   std::vector<float> spans;
   float size = 0;  // half diagonal of the region before, which may be left on its far side
-  for (uint32_t leg = 0; leg <= q.waypointCount; ++leg) {
-    const geom::Region& to = leg < q.waypointCount ? q.waypoints[leg].target.region : q.goal.region;
+  for (uint32_t rest = 0; rest <= q.waypointCount; ++rest) {
+    const geom::Region& to =
+        rest < q.waypointCount ? q.waypoints[rest].target.region : q.goal.region;
     spans.push_back(1.5f * std::max(1.0f, geom::distance(to, from) + size));
     from = to.pose.position;
     size = length(to.half);

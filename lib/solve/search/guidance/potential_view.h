@@ -24,9 +24,9 @@ OBBY_DEVICE void forTables(PotentialView& p, Table&& table) {
 OBBY_DEVICE float potentialOf(const PotentialView& p, const level::QueryView& query,
                               const sim::World& world) {
   const uint32_t targets = targetsReached(world);
-  const uint32_t leg = targets < p.legs ? targets : p.legs - 1;
-  const float near = maxf(0.0f, 1.0f - nextRegion(query, world).distance / p.spans[leg]);
-  return (1.0f + 4.0f * near) * (1.0f + 3.0f * float(leg));
+  const uint32_t rest = targets < p.legs ? targets : p.legs - 1;
+  const float near = maxf(0.0f, 1.0f - nextRegion(query, world).distance / p.spans[rest]);
+  return (1.0f + 4.0f * near) * (1.0f + 3.0f * float(rest));
 }
 
 }  // namespace obby::solve

@@ -1,9 +1,9 @@
 #include "solve/search/methods/ablations.h"
 
 #include "solve/search/methods/go_explore_method.h"
-#include "solve/search/selectors/choose_beam.h"
-#include "solve/search/selectors/choose_mixed.h"
-#include "solve/search/selectors/choose_policy.h"
+#include "solve/search/selectors/beam_selector.h"
+#include "solve/search/selectors/mixed_selector.h"
+#include "solve/search/selectors/policy_selector.h"
 
 namespace obby::solve {
 
@@ -43,18 +43,18 @@ GoExploreSettings shortRollouts() {
 
 GoExploreSettings lockStep() {
   GoExploreSettings s = guidedSettings();
-  s.rollouts = s.mostRollouts = 8192;
+  s.rollouts = s.maxRollouts = 8192;
   return s;
 }
 
-std::unique_ptr<Chooser> selectorAlone(const Problem& problem, const ExploreContext& context) {
+std::unique_ptr<Selector> selectorAlone(const Problem& problem, const ExploreContext& context) {
   return policyFirst(hedgedSelector(problem, context), context, kPolicyFrom);
 }
 
-std::unique_ptr<Chooser> mixedWithoutHedge(const Problem& problem, const ExploreContext& context) {
-  return std::make_unique<MixedChooser>(
+std::unique_ptr<Selector> mixedWithoutHedge(const Problem& problem, const ExploreContext& context) {
+  return std::make_unique<MixedSelector>(
       policyFirst(plainSelector(problem, context), context, kPolicyFrom),
-      makeBeamChooser(problem, context));
+      makeBeamSelector(problem, context));
 }
 
 using Settings = GoExploreSettings;
@@ -63,23 +63,23 @@ using Settings = GoExploreSettings;
 
 const std::vector<Method>& ablations() {
   static const std::vector<Method> table = {
-      {"auto-aims", "auto with random actions only", runGoExplore<nothingAimed, makeMixedChooser>},
+      {"auto-aims", "auto with random actions only", runGoExplore<nothingAimed, makeMixedSelector>},
       {"auto-regions", "auto without moves aimed at the next region",
-       runGoExplore<noRegionAimed, makeMixedChooser>},
+       runGoExplore<noRegionAimed, makeMixedSelector>},
       {"auto-grounded", "auto that also keeps states in the air",
-       runGoExplore<with<&Settings::groundedOnly, false>, makeMixedChooser>},
+       runGoExplore<with<&Settings::groundedOnly, false>, makeMixedSelector>},
       {"auto-cohorts", "auto with rounds of 8,192 rollouts in lockstep",
-       runGoExplore<lockStep, makeMixedChooser>},
+       runGoExplore<lockStep, makeMixedSelector>},
       {"auto-phase", "auto with rollouts of 40 ticks",
-       runGoExplore<shortRollouts, makeMixedChooser>},
-      {"auto-width", "auto with cells of 1 stud", runGoExplore<narrowCells, makeMixedChooser>},
+       runGoExplore<shortRollouts, makeMixedSelector>},
+      {"auto-width", "auto with cells of 1 stud", runGoExplore<narrowCells, makeMixedSelector>},
       {"auto-looks", "auto that examines every tick",
-       runGoExplore<with<&Settings::lookEvery, 1u>, makeMixedChooser>},
+       runGoExplore<with<&Settings::lookEvery, 1u>, makeMixedSelector>},
       {"auto-beam", "auto with the selector alone", runGoExplore<guidedSettings, selectorAlone>},
-      {"auto-selector", "auto with the beam alone", runGoExplore<aimedSettings, makeBeamChooser>},
+      {"auto-selector", "auto with the beam alone", runGoExplore<aimedSettings, makeBeamSelector>},
       {"auto-hedge", "auto without the selector's hedge",
        runGoExplore<guidedSettings, mixedWithoutHedge>},
-      {"auto-policy", "auto without a policy", runGoExplore<aimedSettings, makeMixedChooser>},
+      {"auto-policy", "auto without a policy", runGoExplore<aimedSettings, makeMixedSelector>},
   };
   return table;
 }

@@ -11,11 +11,11 @@ ArchiveSearch::ArchiveSearch(const Problem& problem, uint64_t seed,
     : problem_(problem),
       seed_(seed),
       setup_(problem_, seed, settings),
-      archive_(kMaxCells, problem_.level.looseCount) {
+      archive_(kMaxCells, problem_.level.bodyCount) {
   const sim::World& start = problem_.start;
-  const sim::LooseBody* const loose = problem_.startLoose.data();
-  archive_.offer(cellKey(setup_.rules.binning, start, loose), start, {0, kNone, 0},
-                 setup_.potential(start), loose);
+  const sim::RigidBody* const bodies = problem_.startBodies.data();
+  archive_.offer(cellKey(setup_.rules.binning, start, bodies), start, {0, kNone, 0},
+                 setup_.potential(start), bodies);
   statistics_.closest.distance = distanceLeft(problem_.query, start);
   statistics_.closest.position = start.position;
 }
@@ -26,23 +26,23 @@ std::vector<Vec3> ArchiveSearch::places(uint32_t first) const {
   return result;
 }
 
-bool ArchiveSearch::countEnd(const sim::World& world, const sim::LooseBody* loose,
-                             const Node& way) {
+bool ArchiveSearch::countEnd(const sim::World& world, const sim::RigidBody* bodies,
+                             const Node& node) {
   statistics_.overruns |= uint8_t(world.flags & sim::kOverruns);
   if (world.outcome == sim::Outcome::goal) {
-    reached_.push_back({arrivalRank(world), way});
+    reached_.push_back({arrivalRank(world), node});
     return true;
   }
   const bool falls = fallsOn(context(), world);
-  return attempts_.add({{way.rollout, way.parent, falls ? kFallTicks : way.ticks},
+  return attempts_.add({{node.rollout, node.parent, falls ? kFallTicks : node.ticks},
                         world.position,
                         falls ? sim::Outcome::fell : world.outcome,
-                        blamedPart(world, loose, problem_.level)});
+                        blamedPart(world, bodies, problem_.level)});
 }
 
-bool ArchiveSearch::countApproach(const Approach& approach, const Node& way) {
+bool ArchiveSearch::countApproach(const Approach& approach, const Node& node) {
   if (!closer(approach, statistics_.closest)) return false;
-  statistics_.closest = {approach, way};
+  statistics_.closest = {approach, node};
   return true;
 }
 
@@ -50,7 +50,7 @@ void ArchiveSearch::takeGoals() {
   std::stable_sort(reached_.begin(), reached_.end(),
                    [](const auto& a, const auto& b) { return a.first < b.first; });
   goals_.clear();
-  for (const auto& [rank, way] : reached_) goals_.push_back(way);
+  for (const auto& [rank, node] : reached_) goals_.push_back(node);
   reached_.clear();
 }
 

@@ -25,7 +25,7 @@ class ArchiveSearch : public Search {
   std::vector<Vec3> places(uint32_t first) const override;
   const Status& deviceStatus() const override { return deviceStatus_; }
   const std::vector<Node>& goals() const override { return goals_; }
-  Playthrough playthrough(const Node& end) const override {
+  Trajectory trajectoryTo(const Node& end) const override {
     return regenerate(context(), seed_, problem_, archive_.nodes(), end);
   }
 
@@ -33,11 +33,11 @@ class ArchiveSearch : public Search {
   // Adds the start to the archive.
   ArchiveSearch(const Problem& problem, uint64_t seed, const GoExploreSettings& settings);
 
-  // Both must be called in a fixed order. countEnd() notes how `way` ended, in `world` with the
-  // bodies `loose` (level.looseCount). countApproach() notes how near to the goal it came. They
-  // return true if playthrough(way) may be asked for later.
-  bool countEnd(const sim::World& world, const sim::LooseBody* loose, const Node& way);
-  bool countApproach(const Approach& approach, const Node& way);
+  // Both must be called in a fixed order. countEnd() notes how `node` ended, in `world` with the
+  // bodies `bodies` (level.bodyCount). countApproach() notes how near to the goal it came. They
+  // return true if trajectoryTo(node) may be asked for later.
+  bool countEnd(const sim::World& world, const sim::RigidBody* bodies, const Node& node);
+  bool countApproach(const Approach& approach, const Node& node);
   // Sets the goals to the arrivals noted by countEnd() since the last call, best first.
   void takeGoals();
 

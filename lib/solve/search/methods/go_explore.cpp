@@ -7,17 +7,17 @@ namespace obby::solve {
 namespace {
 
 // Rollouts per task of the pool. Together they fill the lanes of the wide tick.
-constexpr size_t kLeastTaskRollouts = 16, kTaskRollouts = 256;
+constexpr size_t kMinTaskRollouts = 16, kTaskRollouts = 256;
 constexpr uint64_t kStepsPerRollout = 8000;  // steps so far per rollout, above which rounds double
 
 }  // namespace
 
 GoExplore::GoExplore(const Problem& problem, uint64_t seed, const GoExploreSettings& settings,
-                     const Machine& machine, MakeChooser makeChooser)
+                     const Machine& machine, MakeSelector makeSelector)
     : ArchiveSearch(problem, seed, settings),
       settings_(settings),
       machine_(machine),
-      chooser_(makeChooser(problem, context())),
+      selector_(makeSelector(problem, context())),
       companions_(problem_, context(), seed) {}
 
 void GoExplore::round() {
@@ -34,7 +34,7 @@ void GoExplore::round() {
 void GoExplore::exploreOnThreads() {
   const size_t threads = size_t(machine_.pool.size());
   const size_t share = (rollouts_.size() + threads - 1) / threads;
-  const size_t some = std::clamp(share, kLeastTaskRollouts, kTaskRollouts);
+  const size_t some = std::clamp(share, kMinTaskRollouts, kTaskRollouts);
   const size_t tasks = (rollouts_.size() + some - 1) / some;
   machine_.pool.run(int(tasks), [&](int task) {
     const size_t first = size_t(task) * some;
@@ -52,13 +52,13 @@ Status GoExplore::openDevice() {
 Status GoExplore::exploreOnDevice() {
   OBBY_RETURN_IF_ERROR(openDevice());
   std::vector<RolloutStart> starts;
-  std::vector<sim::LooseBody> loose;
+  std::vector<sim::RigidBody> bodies;
   for (const Rollout& r : rollouts_) {
     starts.push_back({archive_.world(r.start.cell), r.id, r.start.ticks});
-    const auto bodies = archive_.loose(r.start.cell);
-    loose.insert(loose.end(), bodies.begin(), bodies.end());
+    const auto some = archive_.bodies(r.start.cell);
+    bodies.insert(bodies.end(), some.begin(), some.end());
   }
-  OBBY_RETURN_IF_ERROR(device_->run(starts, loose));
+  OBBY_RETURN_IF_ERROR(device_->run(starts, bodies));
   for (size_t i = 0; i < rollouts_.size(); ++i) {
     Rollout& r = rollouts_[i];
     const RolloutEnd& end = device_->ends()[i];
@@ -67,13 +67,13 @@ Status GoExplore::exploreOnDevice() {
     r.closest = end.closest;
     r.closestTicks = end.closestTicks;
     r.end = end.world;
-    const auto left = device_->endLoose(i);
-    r.endLoose.assign(left.begin(), left.end());
+    const auto left = device_->endBodies(i);
+    r.endBodies.assign(left.begin(), left.end());
     archive_.countSeen(r.start.cell);
     const std::span<const RolloutVisit> visits = device_->visits(i);
     for (size_t n = 0; n < visits.size(); ++n) {
       const RolloutVisit& v = visits[n];
-      visit(r, v.key, archive_.find(v.key), v.world, device_->visitLoose(i, n), v.ticks);
+      visit(r, v.key, archive_.find(v.key), v.world, device_->visitBodies(i, n), v.ticks);
     }
   }
   return {};
@@ -82,7 +82,7 @@ Status GoExplore::exploreOnDevice() {
 // The size of a round grows with the steps done, which do not depend on the number of threads.
 uint32_t GoExplore::roundSize() const {
   uint32_t size = settings_.rollouts;
-  while (size < settings_.mostRollouts && statistics_.steps > size * kStepsPerRollout) size *= 2;
+  while (size < settings_.maxRollouts && statistics_.steps > size * kStepsPerRollout) size *= 2;
   return size;
 }
 
@@ -91,7 +91,7 @@ void GoExplore::chooseCells() {
   rollouts_.resize(choices_.size());
   Random random(seed_, kSelectionStream | statistics_.rounds);
   archive_.nextEpoch();
-  chooser_->choose(archive_, machine_.pool, random, choices_);
+  selector_->choose(archive_, machine_.pool, random, choices_);
   for (size_t i = 0; i < choices_.size(); ++i) {
     Rollout& r = rollouts_[i];
     r.id = nextRollout_++ | choices_[i].by;
@@ -106,15 +106,15 @@ void GoExplore::explore(std::span<Rollout> rollouts) {
   std::vector<Look> looks;
   for (Rollout& r : rollouts) {
     const sim::World& start = archive_.world(r.start.cell);
-    const auto loose = archive_.loose(r.start.cell);
+    const auto bodies = archive_.bodies(r.start.cell);
     r.candidates.clear();
     r.closestTicks = 0;
     r.closest = {};
-    r.endLoose.assign(loose.begin(), loose.end());
-    const uint64_t key = cellKey(setup_.rules.binning, start, r.endLoose.data());
+    r.endBodies.assign(bodies.begin(), bodies.end());
+    const uint64_t key = cellKey(setup_.rules.binning, start, r.endBodies.data());
     trails.push_back({key, key});
     archive_.countSeen(r.start.cell);
-    group.add(seed_, r.id, start, r.endLoose.data(), r.start.ticks);
+    group.add(seed_, r.id, start, r.endBodies.data(), r.start.ticks);
   }
   group.run(
       [&](uint32_t tick) {
@@ -138,7 +138,7 @@ void GoExplore::listLooks(const RolloutGroup& group, std::span<const Trail> trai
     const sim::World& world = group.world(i);
     if (world.outcome != sim::Outcome::running) continue;
     const Trail& trail = trails[group.index(i)];
-    const uint64_t key = cellKey(setup_.rules.binning, world, group.loose(i));
+    const uint64_t key = cellKey(setup_.rules.binning, world, group.bodies(i));
     const bool isNew = trail.isNew(key, setup_.rules.rule, world);
     if (!isNew && key == trail.last) continue;
     looks.push_back({key, uint32_t(i), isNew});
@@ -156,7 +156,7 @@ void GoExplore::look(const RolloutGroup& group, std::span<Rollout> rollouts,
     Trail& trail = trails[group.index(l.member)];
     const sim::World& world = group.world(l.member);
     if (l.isNew) {
-      visit(r, l.key, archive_.find(l.key), world, r.endLoose, tick);
+      visit(r, l.key, archive_.find(l.key), world, r.endBodies, tick);
       trail.kept = l.key;
     }
     if (l.key == trail.last) continue;
@@ -167,7 +167,7 @@ void GoExplore::look(const RolloutGroup& group, std::span<Rollout> rollouts,
 
 // Counts a visit to a cell. Notes the state if the archive would keep it.
 void GoExplore::visit(Rollout& r, uint64_t key, uint32_t cell, const sim::World& world,
-                      std::span<const sim::LooseBody> loose, uint32_t ticks) {
+                      std::span<const sim::RigidBody> bodies, uint32_t ticks) {
   if (cell != kNone) {
     archive_.countSeen(cell);
     if (cell != r.start.cell) archive_.noteSighted(cell);
@@ -176,8 +176,8 @@ void GoExplore::visit(Rollout& r, uint64_t key, uint32_t cell, const sim::World&
   Candidate& c = r.candidates.emplace_back();
   c.key = key;
   c.world = world;
-  if (!loose.empty() && !archive_.isFirstLoose(loose.data()))
-    c.loose.assign(loose.begin(), loose.end());
+  if (!bodies.empty() && !archive_.isFirstBody(bodies.data()))
+    c.bodies.assign(bodies.begin(), bodies.end());
   c.potential = setup_.potential(world);
   c.ticks = ticks;
 }
@@ -197,11 +197,11 @@ void GoExplore::merge() {
     ++statistics_.idleRollouts;
     if (tried_.back().cells != 0) statistics_.idleRollouts = 0;
     statistics_.steps += r.ticks;
-    countEnd(r.end, r.endLoose.data(), {r.id, r.parent, r.ticks});
+    countEnd(r.end, r.endBodies.data(), {r.id, r.parent, r.ticks});
     countApproach(r.closest, {r.id, r.parent, r.closestTicks});
   }
   takeGoals();
-  chooser_->learn(archive_, tried_);
+  selector_->learn(archive_, tried_);
 }
 
 Tried GoExplore::keep(const Rollout& r) {
@@ -224,8 +224,8 @@ bool GoExplore::offer(const Rollout& r, const Candidate& c, Companions::Walk* wa
     if (!walk->follow(c.ticks)) return false;
   }
   const Node node{r.id, r.parent, c.ticks};
-  const sim::LooseBody* const loose = c.loose.empty() ? archive_.firstLoose() : c.loose.data();
-  if (!archive_.offer(c.key, c.world, node, c.potential, loose)) return false;
+  const sim::RigidBody* const bodies = c.bodies.empty() ? archive_.firstBodies() : c.bodies.data();
+  if (!archive_.offer(c.key, c.world, node, c.potential, bodies)) return false;
   if (walk != nullptr) companions_.keep(archive_.node(archive_.find(c.key)), *walk);
   return true;
 }

@@ -14,26 +14,26 @@
 #include "solve/search/rollouts/companions.h"
 #include "solve/search/rollouts/device_rollouts.h"
 #include "solve/search/rollouts/rollout_group.h"
-#include "solve/search/selectors/chooser.h"
 #include "solve/search/selectors/selection.h"
+#include "solve/search/selectors/selector.h"
 
 namespace obby::solve {
 
 class GoExplore final : public ArchiveSearch {
  public:
-  // Only tryKnown() and round() use `machine`. A device that fails is not used again; the pool goes
-  // on with the same results.
+  // Only tryWarmStarts() and round() use `machine`. A device that fails is not used again; the pool
+  // goes on with the same results.
   GoExplore(const Problem& problem, uint64_t seed, const GoExploreSettings& settings,
-            const Machine& machine, MakeChooser makeChooser = hedgedSelector);
+            const Machine& machine, MakeSelector makeSelector = hedgedSelector);
 
-  void tryKnown(size_t first, size_t count) override;
+  void tryWarmStarts(size_t first, size_t count) override;
   void round() override;
 
  private:
   struct Candidate {  // a state that is new or better than what the archive held
     uint64_t key;
     sim::World world;
-    std::vector<sim::LooseBody> loose;  // empty: as at the start
+    std::vector<sim::RigidBody> bodies;  // empty: as at the start
     float potential;
     uint32_t ticks;
   };
@@ -45,7 +45,7 @@ class GoExplore final : public ArchiveSearch {
     uint32_t closestTicks = 0;
     Approach closest;
     sim::World end;
-    std::vector<sim::LooseBody> endLoose;
+    std::vector<sim::RigidBody> endBodies;
     std::vector<Candidate> candidates;
   };
 
@@ -57,7 +57,7 @@ class GoExplore final : public ArchiveSearch {
     bool isNew;       // see Trail
   };
 
-  void follow(Rollout& rollout, const KnownWay& way);
+  void follow(Rollout& rollout, const ActionRuns& runs);
   void exploreOnThreads();
   Status openDevice();
   Status exploreOnDevice();
@@ -67,7 +67,7 @@ class GoExplore final : public ArchiveSearch {
   void look(const RolloutGroup& group, std::span<Rollout> rollouts, std::span<Trail> trails,
             std::span<const Look> looks, uint32_t tick);
   void visit(Rollout& rollout, uint64_t key, uint32_t cell, const sim::World& world,
-             std::span<const sim::LooseBody> loose, uint32_t ticks);
+             std::span<const sim::RigidBody> bodies, uint32_t ticks);
   void noteClosest(Rollout& rollout, const sim::World& world, uint32_t tick);
   void merge();
   Tried keep(const Rollout& rollout);
@@ -76,7 +76,7 @@ class GoExplore final : public ArchiveSearch {
   const GoExploreSettings settings_;
   Machine machine_;
   std::optional<DeviceRollouts> device_;
-  std::unique_ptr<Chooser> chooser_;
+  std::unique_ptr<Selector> selector_;
   Companions companions_;
   std::vector<Choice> choices_;    // of this round
   std::vector<Rollout> rollouts_;  // (choices)

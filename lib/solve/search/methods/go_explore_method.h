@@ -6,10 +6,10 @@
 
 namespace obby::solve {
 
-template <GoExploreSettings (*settings)(), MakeChooser makeChooser>
+template <GoExploreSettings (*settings)(), MakeSelector makeSelector>
 SearchOutcome runGoExplore(const Problem& p, const Budget& b, const Watcher& w, const Machine& m) {
   return runSearch(
-      p, b, w, [&] { return std::make_unique<GoExplore>(p, b.seed, settings(), m, makeChooser); });
+      p, b, w, [&] { return std::make_unique<GoExplore>(p, b.seed, settings(), m, makeSelector); });
 }
 
 // Short rollouts that keep standing states only. Most macros are aimed at surfaces.
@@ -26,9 +26,9 @@ inline GoExploreSettings guidedSettings() {
 // Rollouts last 120 ticks: a policy's worth shows only after a jump or two (docs/methods.md).
 inline GoExploreSettings plainSettings() {
   GoExploreSettings s;
-  s.rollouts = s.mostRollouts = 8192;
+  s.rollouts = s.maxRollouts = 8192;
   s.phaseJumps = 0;
-  s.leastPhase = 120;
+  s.minPhase = 120;
   s.groundedOnly = false;
   s.lookEvery = 1;
   s.cellWidth = 1;

@@ -2,7 +2,7 @@
 // key in the table depends on the order of the threads.
 #pragma once
 
-#include "sim/loose.h"
+#include "sim/rigid_body.h"
 #include "sim/world.h"
 #include "solve/search/archive/archive_node.h"
 #include "solve/search/resident/atomics.h"
@@ -15,16 +15,16 @@ struct CellSlot {
 };
 
 struct ArchiveView {
-  CellSlot* slots;        // (slotMask + 1), at most half full
-  sim::World* worlds;     // (cells)
-  sim::LooseBody* loose;  // (cells, looseCount)
-  uint64_t* ranks;        // (cells), arrival ranks of the worlds
-  uint32_t* nodes;        // (cells)
-  uint32_t* seen;         // (cells)
-  uint32_t* sighted;      // (cells), a bit each: a rollout other than the finder passed through
-  uint32_t* waits;        // (cells), the beam's f less the ticks so far
-  float* potentials;      // (cells)
-  uint32_t slotMask, looseCount, cellCount;
+  CellSlot* slots;         // (slotMask + 1), at most half full
+  sim::World* worlds;      // (cells)
+  sim::RigidBody* bodies;  // (cells, bodyCount)
+  uint64_t* ranks;         // (cells), arrival ranks of the worlds
+  uint32_t* nodes;         // (cells)
+  uint32_t* seen;          // (cells)
+  uint32_t* sighted;       // (cells), a bit each: a rollout other than the finder passed through
+  uint32_t* waits;         // (cells), the beam's f less the ticks so far
+  float* potentials;       // (cells)
+  uint32_t slotMask, bodyCount, cellCount;
 };
 
 // Returns the cell of a key, or level::kNone. Must not run while cells are added.

@@ -18,8 +18,8 @@ Status put(sim::Device& device, T* to, const T& value) {
 
 }  // namespace
 
-DeviceArchive::DeviceArchive(sim::Device& device, uint32_t looseCount) : device_(&device) {
-  view_.looseCount = looseCount;
+DeviceArchive::DeviceArchive(sim::Device& device, uint32_t bodyCount) : device_(&device) {
+  view_.bodyCount = bodyCount;
 }
 
 Status DeviceArchive::addStart(const Problem& problem, uint64_t key, float potential,
@@ -34,9 +34,9 @@ Status DeviceArchive::addStart(const Problem& problem, uint64_t key, float poten
   OBBY_RETURN_IF_ERROR(put(d, view_.waits, wait));
   OBBY_RETURN_IF_ERROR(put(d, view_.potentials, potential));
   view_.cellCount = 1;
-  const std::vector<sim::LooseBody>& loose = problem.startLoose;
-  if (loose.empty()) return {};
-  return d.upload(view_.loose, loose.data(), loose.size() * sizeof(sim::LooseBody));
+  const std::vector<sim::RigidBody>& bodies = problem.startBodies;
+  if (bodies.empty()) return {};
+  return d.upload(view_.bodies, bodies.data(), bodies.size() * sizeof(sim::RigidBody));
 }
 
 // Enlarges a table. It keeps the contents and fills the rest with 0.
@@ -70,7 +70,7 @@ Status DeviceArchive::grow(uint32_t cells) {
   while (capacity < cells) capacity *= 2;
   OBBY_RETURN_IF_ERROR(growTable(2 * capacity));
   OBBY_RETURN_IF_ERROR(widen(worlds_, view_.worlds, capacity));
-  OBBY_RETURN_IF_ERROR(widen(loose_, view_.loose, size_t(capacity) * view_.looseCount));
+  OBBY_RETURN_IF_ERROR(widen(bodies_, view_.bodies, size_t(capacity) * view_.bodyCount));
   OBBY_RETURN_IF_ERROR(widen(ranks_, view_.ranks, capacity));
   OBBY_RETURN_IF_ERROR(widen(nodes_, view_.nodes, capacity));
   OBBY_RETURN_IF_ERROR(widen(seen_, view_.seen, capacity));
@@ -79,8 +79,8 @@ Status DeviceArchive::grow(uint32_t cells) {
   OBBY_RETURN_IF_ERROR(widen(potentials_, view_.potentials, capacity));
   uint64_t* sums = nullptr;
   const SumTree largest = makeSumTree(nullptr, capacity);
-  OBBY_RETURN_IF_ERROR(sim::makeRoom(*device_, sums_, sums, largest.firsts[largest.levels]));
-  OBBY_RETURN_IF_ERROR(sim::makeRoom(*device_, bestSums_, sums, largest.firsts[largest.levels]));
+  OBBY_RETURN_IF_ERROR(sim::reserve(*device_, sums_, sums, largest.firsts[largest.levels]));
+  OBBY_RETURN_IF_ERROR(sim::reserve(*device_, bestSums_, sums, largest.firsts[largest.levels]));
   capacity_ = capacity;
   return {};
 }

@@ -11,7 +11,7 @@ namespace obby::solve {
 
 class DeviceArchive {
  public:
-  DeviceArchive(sim::Device& device, uint32_t looseCount);
+  DeviceArchive(sim::Device& device, uint32_t bodyCount);
 
   // Makes the start of the problem the first cell, node 0.
   Status addStart(const Problem& problem, uint64_t key, float potential, uint32_t wait);
@@ -34,7 +34,7 @@ class DeviceArchive {
   sim::Device* device_;
   ArchiveView view_{};
   uint32_t capacity_ = 0;  // cells
-  sim::Memory slots_, worlds_, loose_, ranks_, nodes_, seen_, sighted_, waits_, potentials_, sums_,
+  sim::Memory slots_, worlds_, bodies_, ranks_, nodes_, seen_, sighted_, waits_, potentials_, sums_,
       bestSums_;
 };
 

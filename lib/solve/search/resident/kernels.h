@@ -77,13 +77,13 @@ OBBY_DEVICE void noteGoal(const ResidentArguments& a, uint32_t i, const sim::Wor
   a.goals[fetchAdd(&a.report->goals, 1u)] = {arrivalRank(w), i, end.parent, end.ticks};
 }
 
-// `loose`: see partThatHurts().
+// `bodies`: see partThatHurts().
 OBBY_DEVICE void noteEnd(const ResidentArguments& a, uint32_t i, const sim::World& w,
-                         const sim::LooseBody* loose, const RolloutPath& path, uint32_t parent,
+                         const sim::RigidBody* bodies, const RolloutPath& path, uint32_t parent,
                          uint32_t candidates) {
   const bool falls = fallsOn(a.rules.context, w);
   const sim::Outcome outcome = falls ? sim::Outcome::fell : w.outcome;
-  const uint32_t blamed = blamedPart(w, loose, a.rules.context.level);
+  const uint32_t blamed = blamedPart(w, bodies, a.rules.context.level);
   a.ends[i] = {
       path.closest, w.position, path.closestTicks, path.ticks, falls ? kFallTicks : path.ticks,
       parent,       blamed,     candidates,        outcome};
@@ -100,58 +100,60 @@ OBBY_DEVICE void noteEnd(const ResidentArguments& a, uint32_t i, const sim::Worl
   if (overruns != 0) fetchOr(&a.report->overruns, overruns);
 }
 
-// `kLoose`: see sim::tick.
-template <bool kLoose>
+// `kDynamic`: see sim::tick.
+template <bool kDynamic>
 OBBY_DEVICE void exploreFrom(const ResidentArguments& a, uint32_t i) {
-  const uint32_t start = a.starts[i], bodies = a.archive.looseCount;
+  const uint32_t start = a.starts[i], bodyCount = a.archive.bodyCount;
   const CandidateView& c = a.candidates;
   sim::World world = a.archive.worlds[start];
-  sim::LooseBody* const loose = a.loose + size_t(i) * bodies;
-  for (uint32_t b = 0; b < bodies; ++b) loose[b] = a.archive.loose[size_t(start) * bodies + b];
+  sim::RigidBody* const bodies = a.bodies + size_t(i) * bodyCount;
+  for (uint32_t b = 0; b < bodyCount; ++b)
+    bodies[b] = a.archive.bodies[size_t(start) * bodyCount + b];
   fetchAdd(a.archive.seen + start, 1u);
   if (i >= a.firstBeam) fetchAdd(a.archive.waits + start, kTriedTicks / kBeamTries);
   uint32_t count = 0;
   const auto visit = [&](uint64_t key, const sim::World& w, uint32_t tick) {
     const uint32_t cell = cellOf(a.archive, key);
     if (!wouldKeep(a.archive, start, cell, w, *a.report)) return;
-    const size_t at = size_t(i) * a.room + count++;
+    const size_t at = size_t(i) * a.capacity + count++;
     c.worlds[at] = w;
     c.keys[at] = key;
     c.ticks[at] = tick;
     c.cells[at] = cell;
-    for (uint32_t b = 0; b < bodies; ++b) c.loose[at * bodies + b] = loose[b];
+    for (uint32_t b = 0; b < bodyCount; ++b) c.bodies[at * bodyCount + b] = bodies[b];
   };
   const RolloutPath path =
-      explore<kLoose>(a.rules, a.firstRollout + i, a.rules.ticks, world, loose, visit);
-  noteEnd(a, i, world, loose, path, a.archive.nodes[start], count);
+      explore<kDynamic>(a.rules, a.firstRollout + i, a.rules.ticks, world, bodies, visit);
+  noteEnd(a, i, world, bodies, path, a.archive.nodes[start], count);
 }
 
 // Does the same for a trajectory that the host has played from the start. It keeps those visits
 // that the archive would keep.
 OBBY_DEVICE void takePlayed(const ResidentArguments& a, uint32_t i) {
-  const PlayedWay& way = a.played[i];
+  const PlayedStart& played = a.played[i];
   const CandidateView& c = a.candidates;
-  const uint32_t bodies = a.archive.looseCount;
+  const uint32_t bodyCount = a.archive.bodyCount;
   uint32_t count = 0;
-  for (uint32_t n = 0; n < way.visits; ++n) {
-    const size_t from = size_t(i) * a.room + n, at = size_t(i) * a.room + count;
+  for (uint32_t n = 0; n < played.visits; ++n) {
+    const size_t from = size_t(i) * a.capacity + n, at = size_t(i) * a.capacity + count;
     const uint32_t cell = cellOf(a.archive, c.keys[from]);
     if (!wouldKeep(a.archive, 0, cell, c.worlds[from], *a.report)) continue;
     c.worlds[at] = c.worlds[from];
     c.keys[at] = c.keys[from];
     c.ticks[at] = c.ticks[from];
     c.cells[at] = cell;
-    for (uint32_t b = 0; b < bodies; ++b) c.loose[at * bodies + b] = c.loose[from * bodies + b];
+    for (uint32_t b = 0; b < bodyCount; ++b)
+      c.bodies[at * bodyCount + b] = c.bodies[from * bodyCount + b];
     ++count;
   }
-  noteEnd(a, i, way.end, nullptr, way.path, 0, count);
+  noteEnd(a, i, played.end, nullptr, played.path, 0, count);
 }
 
 // Enters the candidates of rollout i into the claims for their cells.
 OBBY_DEVICE void claimCells(const ResidentArguments& a, uint32_t i) {
   const ClaimView& claims = a.claims;
   for (uint32_t n = 0; n < a.ends[i].candidates; ++n) {
-    const size_t at = size_t(i) * a.room + n;
+    const size_t at = size_t(i) * a.capacity + n;
     const uint64_t key = a.candidates.keys[at];
     uint32_t s = uint32_t(key) & claims.slotMask;
     for (;; s = (s + 1) & claims.slotMask) {
@@ -166,7 +168,7 @@ OBBY_DEVICE void claimCells(const ResidentArguments& a, uint32_t i) {
 // Of equal arrivals the first candidate wins.
 OBBY_DEVICE void settleClaims(const ResidentArguments& a, uint32_t i) {
   for (uint32_t n = 0; n < a.ends[i].candidates; ++n) {
-    const uint32_t at = i * a.room + n, s = a.candidates.slots[at];
+    const uint32_t at = i * a.capacity + n, s = a.candidates.slots[at];
     if (a.claims.ranks[s] == arrivalRank(a.candidates.worlds[at]))
       lower(a.claims.candidates + s, at);
   }
@@ -180,10 +182,10 @@ OBBY_DEVICE bool wins(const ResidentArguments& a, uint32_t candidate) {
 OBBY_DEVICE void countFinds(const ResidentArguments& a, uint32_t i) {
   uint64_t finds = 0;
   for (uint32_t n = 0; n < a.ends[i].candidates; ++n) {
-    const uint32_t at = i * a.room + n, s = a.candidates.slots[at];
+    const uint32_t at = i * a.capacity + n, s = a.candidates.slots[at];
     if (wins(a, at)) {
       finds += a.candidates.cells[at] == kNone ? 1ull << 32 : 1;
-    } else if (a.claims.candidates[s] / a.room != i) {
+    } else if (a.claims.candidates[s] / a.capacity != i) {
       storeRelaxed(a.claims.shared + s, 1);
     }
   }
@@ -201,10 +203,11 @@ OBBY_DEVICE void placeState(const ResidentArguments& a, uint32_t candidate, uint
                             uint32_t node) {
   const ArchiveView& archive = a.archive;
   const sim::World& world = a.candidates.worlds[candidate];
-  const uint32_t bodies = archive.looseCount;
+  const uint32_t bodyCount = archive.bodyCount;
   archive.worlds[cell] = world;
-  for (uint32_t b = 0; b < bodies; ++b) {
-    archive.loose[size_t(cell) * bodies + b] = a.candidates.loose[size_t(candidate) * bodies + b];
+  for (uint32_t b = 0; b < bodyCount; ++b) {
+    archive.bodies[size_t(cell) * bodyCount + b] =
+        a.candidates.bodies[size_t(candidate) * bodyCount + b];
   }
   archive.ranks[cell] = arrivalRank(world);
   archive.nodes[cell] = a.firstNode + node;
@@ -232,7 +235,7 @@ OBBY_DEVICE void placeFinds(const ResidentArguments& a, uint32_t i) {
   uint32_t node = added + uint32_t(before);
   const uint32_t addedBefore = added;
   for (uint32_t n = 0; n < a.ends[i].candidates; ++n) {
-    const uint32_t at = i * a.room + n;
+    const uint32_t at = i * a.capacity + n;
     if (!wins(a, at)) continue;
     uint32_t cell = a.candidates.cells[at];
     if (cell == kNone) {

@@ -11,18 +11,18 @@ constexpr uint64_t kArchiveBytes = 4ull << 30;    // budget of the archive
 constexpr uint64_t kCandidateBytes = 1ull << 30;  // budget of a round's candidates
 
 uint64_t stateBytes(const Problem& problem) {
-  return sizeof(sim::World) + problem.level.looseCount * sizeof(sim::LooseBody);
+  return sizeof(sim::World) + problem.level.bodyCount * sizeof(sim::RigidBody);
 }
 
-uint32_t fittingCells(const Problem& problem, uint32_t most) {
+uint32_t fittingCells(const Problem& problem, uint32_t max) {
   constexpr uint64_t kBeside = 2 * sizeof(CellSlot) + 48;  // table, sums, other arrays of a cell
-  return uint32_t(std::min<uint64_t>(most, kArchiveBytes / (stateBytes(problem) + kBeside)));
+  return uint32_t(std::min<uint64_t>(max, kArchiveBytes / (stateBytes(problem) + kBeside)));
 }
 
-uint32_t fittingRollouts(const Problem& problem, const RolloutRules& rules, uint32_t most) {
-  const uint64_t each = visitRoom(rules) * (stateBytes(problem) + 24);
-  while (most > 1 && most * each > kCandidateBytes) most /= 2;
-  return most;
+uint32_t fittingRollouts(const Problem& problem, const RolloutRules& rules, uint32_t max) {
+  const uint64_t each = visitCapacity(rules) * (stateBytes(problem) + 24);
+  while (max > 1 && max * each > kCandidateBytes) max /= 2;
+  return max;
 }
 
 }  // namespace
@@ -33,7 +33,7 @@ ResidentExplore::ResidentExplore(const Problem& problem, uint64_t seed,
       settings_(settings),
       machine_(machine),
       setup_(problem, seed, settings.explore),
-      mostRollouts_(fittingRollouts(problem, setup_.rules, settings.explore.mostRollouts)),
+      maxRollouts_(fittingRollouts(problem, setup_.rules, settings.explore.maxRollouts)),
       maxCells_(fittingCells(problem, settings.maxCells)),
       host_(machine.pool) {
   restart();
@@ -77,9 +77,9 @@ Status ResidentExplore::doRound() {
 
 // The size of a round grows with the steps done, which are the same on every machine.
 uint32_t ResidentExplore::roundSize() const {
-  uint32_t size = std::min(settings_.explore.rollouts, mostRollouts_);
-  while (size < mostRollouts_ && statistics_.steps > size * kResidentSteps) size *= 2;
-  return std::min(size, mostRollouts_);
+  uint32_t size = std::min(settings_.explore.rollouts, maxRollouts_);
+  while (size < maxRollouts_ && statistics_.steps > size * kResidentSteps) size *= 2;
+  return std::min(size, maxRollouts_);
 }
 
 void ResidentExplore::take(const RoundFindings& found, uint64_t firstRollout, uint32_t rollouts) {
@@ -115,7 +115,7 @@ void ResidentExplore::takeEnds(const RoundFindings& found, uint64_t firstRollout
     const ResidentEnd& end = found.ends[i];
     if (end.outcome == sim::Outcome::goal) continue;
     attempts_.show(
-        {{firstRollout + i, end.parent, end.wayTicks}, end.position, end.outcome, end.part});
+        {{firstRollout + i, end.parent, end.pathTicks}, end.position, end.outcome, end.part});
   }
 }
 

@@ -22,7 +22,7 @@ namespace obby::solve {
 
 struct ResidentSettings {
   // Rounds double with the steps done: small ones answer easy queries soon.
-  GoExploreSettings explore{.rollouts = 1024, .mostRollouts = 65536, .explore = {}};
+  GoExploreSettings explore{.rollouts = 1024, .maxRollouts = 65536, .explore = {}};
   uint32_t maxCells = kMaxCells;
 };
 
@@ -33,7 +33,7 @@ class ResidentExplore final : public Search {
   ResidentExplore(const Problem& problem, uint64_t seed, const ResidentSettings& settings,
                   const Machine& machine);
 
-  void tryKnown(size_t first, size_t count) override;
+  void tryWarmStarts(size_t first, size_t count) override;
   void round() override;
 
   const Statistics& statistics() const override { return statistics_; }
@@ -44,7 +44,7 @@ class ResidentExplore final : public Search {
   std::vector<Vec3> places(uint32_t first) const override;
   const Status& deviceStatus() const override { return deviceStatus_; }
   const std::vector<Node>& goals() const override { return goals_; }
-  Playthrough playthrough(const Node& end) const override {
+  Trajectory trajectoryTo(const Node& end) const override {
     return regenerate(setup_.rules.context, setup_.rules.seed, problem_, nodes_, end);
   }
 
@@ -60,7 +60,7 @@ class ResidentExplore final : public Search {
   Status open();
   Status doRound();
   Status follow(size_t first, size_t count);
-  PlayedWays play(size_t first, size_t count);
+  PlayedStarts play(size_t first, size_t count);
   uint32_t roundSize() const;
   void take(const RoundFindings& found, uint64_t firstRollout, uint32_t rollouts);
   void takeEnds(const RoundFindings& found, uint64_t firstRollout);
@@ -69,7 +69,7 @@ class ResidentExplore final : public Search {
   const ResidentSettings settings_;
   Machine machine_;
   const ExploreSetup setup_;
-  uint32_t mostRollouts_, maxCells_;
+  uint32_t maxRollouts_, maxCells_;
   sim::HostDevice host_;
   std::optional<ResidentRounds> rounds_;
   Status deviceStatus_;

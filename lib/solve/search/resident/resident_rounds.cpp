@@ -8,7 +8,7 @@ namespace obby::solve {
 namespace {
 
 constexpr uint32_t kShownEnds = 1024;  // rollouts of a round whose ends may be shown
-constexpr uint32_t kLeastSlots = 64;   // of the table of claims
+constexpr uint32_t kMinSlots = 64;     // of the table of claims
 
 // Returns the number of values of World::part: the level's parts or the query's avoids, and none.
 uint32_t endPartsOf(const ExploreContext& c) {
@@ -36,7 +36,7 @@ void forTables(Tables& t, Table&& table) {
 
 ResidentRounds::ResidentRounds(sim::Device& device, const ExploreSetup& setup,
                                const Problem& problem, uint32_t maxCells)
-    : device_(&device), maxCells_(maxCells), archive_(device, problem.level.looseCount) {
+    : device_(&device), maxCells_(maxCells), archive_(device, problem.level.bodyCount) {
   arguments_.rules = setup.rules;
   arguments_.potential = setup.potential.view();
   arguments_.beam = setup.beam.view();
@@ -52,7 +52,7 @@ Result<ResidentRounds> ResidentRounds::open(sim::Device& device, const ExploreSe
 }
 
 Status ResidentRounds::openTables(const ExploreSetup& setup, const Problem& problem) {
-  const uint64_t key = cellKey(arguments_.rules.binning, problem.start, problem.startLoose.data());
+  const uint64_t key = cellKey(arguments_.rules.binning, problem.start, problem.startBodies.data());
   const float potential = setup.potential(problem.start);
   const uint32_t wait = greedyTicks(setup.beam.view(), problem.query, problem.start);
   OBBY_RETURN_IF_ERROR(archive_.addStart(problem, key, potential, wait));
@@ -79,32 +79,32 @@ Status ResidentRounds::sumUp(const SumTree& tree) const {
   return {};
 }
 
-Status ResidentRounds::makeRoundRoom(uint32_t rollouts, uint32_t visits) {
+Status ResidentRounds::reserveRound(uint32_t rollouts, uint32_t visits) {
   ResidentArguments& a = arguments_;
-  const size_t bodies = a.archive.looseCount, all = size_t(rollouts) * visits;
-  OBBY_RETURN_IF_ERROR(room(memory_.starts, a.starts, rollouts));
-  OBBY_RETURN_IF_ERROR(room(memory_.loose, a.loose, rollouts * bodies));
-  OBBY_RETURN_IF_ERROR(room(memory_.worlds, a.candidates.worlds, all));
-  OBBY_RETURN_IF_ERROR(room(memory_.candidateLoose, a.candidates.loose, all * bodies));
-  OBBY_RETURN_IF_ERROR(room(memory_.keys, a.candidates.keys, all));
-  OBBY_RETURN_IF_ERROR(room(memory_.ticks, a.candidates.ticks, all));
-  OBBY_RETURN_IF_ERROR(room(memory_.cells, a.candidates.cells, all));
-  OBBY_RETURN_IF_ERROR(room(memory_.slots, a.candidates.slots, all));
-  OBBY_RETURN_IF_ERROR(room(memory_.finds, a.finds, rollouts));
-  OBBY_RETURN_IF_ERROR(room(memory_.ends, a.ends, rollouts));
-  OBBY_RETURN_IF_ERROR(room(memory_.goals, a.goals, rollouts));
-  OBBY_RETURN_IF_ERROR(room(memory_.endCounts, a.endCounts, size_t(kOutcomes) * a.endParts));
-  OBBY_RETURN_IF_ERROR(room(memory_.report, a.report, 1));
+  const size_t bodyCount = a.archive.bodyCount, all = size_t(rollouts) * visits;
+  OBBY_RETURN_IF_ERROR(capacity(memory_.starts, a.starts, rollouts));
+  OBBY_RETURN_IF_ERROR(capacity(memory_.bodies, a.bodies, rollouts * bodyCount));
+  OBBY_RETURN_IF_ERROR(capacity(memory_.worlds, a.candidates.worlds, all));
+  OBBY_RETURN_IF_ERROR(capacity(memory_.candidateBodies, a.candidates.bodies, all * bodyCount));
+  OBBY_RETURN_IF_ERROR(capacity(memory_.keys, a.candidates.keys, all));
+  OBBY_RETURN_IF_ERROR(capacity(memory_.ticks, a.candidates.ticks, all));
+  OBBY_RETURN_IF_ERROR(capacity(memory_.cells, a.candidates.cells, all));
+  OBBY_RETURN_IF_ERROR(capacity(memory_.slots, a.candidates.slots, all));
+  OBBY_RETURN_IF_ERROR(capacity(memory_.finds, a.finds, rollouts));
+  OBBY_RETURN_IF_ERROR(capacity(memory_.ends, a.ends, rollouts));
+  OBBY_RETURN_IF_ERROR(capacity(memory_.goals, a.goals, rollouts));
+  OBBY_RETURN_IF_ERROR(capacity(memory_.endCounts, a.endCounts, size_t(kOutcomes) * a.endParts));
+  OBBY_RETURN_IF_ERROR(capacity(memory_.report, a.report, 1));
   a.findSums = makeSumTree(nullptr, rollouts);
-  return room(memory_.findSums, a.findSums.sums, a.findSums.firsts[a.findSums.levels]);
+  return capacity(memory_.findSums, a.findSums.sums, a.findSums.firsts[a.findSums.levels]);
 }
 
 Status ResidentRounds::begin(uint64_t firstRollout, uint32_t rollouts, uint32_t visits) {
   ResidentArguments& a = arguments_;
   a.firstRollout = firstRollout;
-  a.room = visits;
+  a.capacity = visits;
   a.archive = archive_.view();
-  OBBY_RETURN_IF_ERROR(makeRoundRoom(rollouts, visits));
+  OBBY_RETURN_IF_ERROR(reserveRound(rollouts, visits));
   OBBY_RETURN_IF_ERROR(device_->fill(a.endCounts, 0, memory_.endCounts.bytes()));
   RoundReport fresh{};
   fresh.closest = ~0ull;
@@ -120,9 +120,9 @@ Status ResidentRounds::rankCells(uint32_t rollouts) {
   a.beamWidth = std::max(1u, (rollouts - a.firstBeam) / kBeamTries);
   a.bestCells = archive_.bestCells();
   a.rankSums = makeSumTree(nullptr, kRanks);
-  OBBY_RETURN_IF_ERROR(room(memory_.rankCounts, a.rankCounts, kRanks));
+  OBBY_RETURN_IF_ERROR(capacity(memory_.rankCounts, a.rankCounts, kRanks));
   OBBY_RETURN_IF_ERROR(
-      room(memory_.rankSums, a.rankSums.sums, a.rankSums.firsts[a.rankSums.levels]));
+      capacity(memory_.rankSums, a.rankSums.sums, a.rankSums.firsts[a.rankSums.levels]));
   OBBY_RETURN_IF_ERROR(device_->fill(a.rankCounts, 0, memory_.rankCounts.bytes()));
   OBBY_RETURN_IF_ERROR(launch(ResidentStep::countRanks, sumCount(a.bestCells, 0)));
   OBBY_RETURN_IF_ERROR(launch(ResidentStep::sumRanks, sumCount(a.rankSums, 0)));
@@ -140,24 +140,25 @@ Status ResidentRounds::chooseStarts(uint32_t rollouts) {
 }
 
 Result<RoundFindings> ResidentRounds::run(uint64_t firstRollout, uint32_t rollouts) {
-  OBBY_RETURN_IF_ERROR(begin(firstRollout, rollouts, visitRoom(arguments_.rules)));
+  OBBY_RETURN_IF_ERROR(begin(firstRollout, rollouts, visitCapacity(arguments_.rules)));
   OBBY_RETURN_IF_ERROR(chooseStarts(rollouts));
-  const bool loose = arguments_.archive.looseCount != 0;
+  const bool bodies = arguments_.archive.bodyCount != 0;
   OBBY_RETURN_IF_ERROR(
-      launch(loose ? ResidentStep::exploreLoose : ResidentStep::explore, rollouts));
+      launch(bodies ? ResidentStep::exploreDynamic : ResidentStep::explore, rollouts));
   return merge(rollouts);
 }
 
-Result<RoundFindings> ResidentRounds::take(uint64_t firstRollout, const PlayedWays& played) {
-  const uint32_t count = uint32_t(played.ways.size());
-  OBBY_RETURN_IF_ERROR(begin(firstRollout, count, played.room));
-  OBBY_RETURN_IF_ERROR(sim::uploadTable<PlayedWay>(*device_, memory_.played, played.ways));
+Result<RoundFindings> ResidentRounds::take(uint64_t firstRollout, const PlayedStarts& played) {
+  const uint32_t count = uint32_t(played.trajectories.size());
+  OBBY_RETURN_IF_ERROR(begin(firstRollout, count, played.capacity));
+  OBBY_RETURN_IF_ERROR(
+      sim::uploadTable<PlayedStart>(*device_, memory_.played, played.trajectories));
   OBBY_RETURN_IF_ERROR(sim::uploadTable<sim::World>(*device_, memory_.worlds, played.worlds));
   OBBY_RETURN_IF_ERROR(
-      sim::uploadTable<sim::LooseBody>(*device_, memory_.candidateLoose, played.loose));
+      sim::uploadTable<sim::RigidBody>(*device_, memory_.candidateBodies, played.bodies));
   OBBY_RETURN_IF_ERROR(sim::uploadTable<uint64_t>(*device_, memory_.keys, played.keys));
   OBBY_RETURN_IF_ERROR(sim::uploadTable<uint32_t>(*device_, memory_.ticks, played.ticks));
-  arguments_.played = memory_.played.as<PlayedWay>();
+  arguments_.played = memory_.played.as<PlayedStart>();
   OBBY_RETURN_IF_ERROR(launch(ResidentStep::takePlayed, count));
   return merge(count);
 }
@@ -165,11 +166,11 @@ Result<RoundFindings> ResidentRounds::take(uint64_t firstRollout, const PlayedWa
 // Makes a table of claims that is at most half full.
 Status ResidentRounds::makeClaims(uint32_t candidates) {
   ClaimView& c = arguments_.claims;
-  const uint32_t slots = std::max(kLeastSlots, std::bit_ceil(2 * candidates));
-  OBBY_RETURN_IF_ERROR(room(memory_.claimKeys, c.keys, slots));
-  OBBY_RETURN_IF_ERROR(room(memory_.claimRanks, c.ranks, slots));
-  OBBY_RETURN_IF_ERROR(room(memory_.claimants, c.candidates, slots));
-  OBBY_RETURN_IF_ERROR(room(memory_.shared, c.shared, slots));
+  const uint32_t slots = std::max(kMinSlots, std::bit_ceil(2 * candidates));
+  OBBY_RETURN_IF_ERROR(capacity(memory_.claimKeys, c.keys, slots));
+  OBBY_RETURN_IF_ERROR(capacity(memory_.claimRanks, c.ranks, slots));
+  OBBY_RETURN_IF_ERROR(capacity(memory_.claimants, c.candidates, slots));
+  OBBY_RETURN_IF_ERROR(capacity(memory_.shared, c.shared, slots));
   c.slotMask = slots - 1;
   OBBY_RETURN_IF_ERROR(device_->fill(c.keys, 0, slots * sizeof(uint64_t)));
   OBBY_RETURN_IF_ERROR(device_->fill(c.ranks, 0xff, slots * sizeof(uint64_t)));
@@ -201,7 +202,7 @@ Status ResidentRounds::place(uint32_t rollouts, RoundFindings& findings) {
   const uint32_t nodes = added + uint32_t(finds);
   OBBY_RETURN_IF_ERROR(archive_.grow(cells + added));
   a.archive = archive_.view();
-  OBBY_RETURN_IF_ERROR(room(memory_.nodes, a.nodes, nodes));
+  OBBY_RETURN_IF_ERROR(capacity(memory_.nodes, a.nodes, nodes));
   OBBY_RETURN_IF_ERROR(launch(ResidentStep::place, rollouts));
   OBBY_ASSIGN(findings.nodes, sim::downloadTable(*device_, a.nodes, nodes));
   findings.cells = cells + added;
@@ -234,18 +235,18 @@ Result<RoundFindings> ResidentRounds::merge(uint32_t rollouts) {
 
 Result<std::vector<ArchivedCell>> ResidentRounds::cells(uint32_t first) const {
   const ArchiveView& v = archive_.view();
-  const size_t bodies = v.looseCount;
+  const size_t bodyCount = v.bodyCount;
   std::vector<ArchivedCell> result;
   if (first >= v.cellCount) return result;
   const uint32_t count = v.cellCount - first;
   OBBY_ASSIGN(const auto worlds, sim::downloadTable(*device_, v.worlds + first, count));
-  OBBY_ASSIGN(const auto loose,
-              sim::downloadTable(*device_, v.loose + first * bodies, count * bodies));
+  OBBY_ASSIGN(const auto bodies,
+              sim::downloadTable(*device_, v.bodies + first * bodyCount, count * bodyCount));
   OBBY_ASSIGN(const auto nodes, sim::downloadTable(*device_, v.nodes + first, count));
   OBBY_ASSIGN(const auto seen, sim::downloadTable(*device_, v.seen + first, count));
   for (uint32_t i = 0; i < count; ++i) {
-    const auto body = loose.begin() + ptrdiff_t(i * bodies);
-    result.push_back({worlds[i], {body, body + ptrdiff_t(bodies)}, nodes[i], seen[i]});
+    const auto body = bodies.begin() + ptrdiff_t(i * bodyCount);
+    result.push_back({worlds[i], {body, body + ptrdiff_t(bodyCount)}, nodes[i], seen[i]});
   }
   return result;
 }

@@ -23,25 +23,25 @@ struct RoundFindings {
 };
 
 // Trajectories that the host has played from the start. The visits of each lie at (way, room).
-struct PlayedWays {
-  uint32_t room = 0;
-  std::vector<PlayedWay> ways;
+struct PlayedStarts {
+  uint32_t capacity = 0;
+  std::vector<PlayedStart> trajectories;
   std::vector<sim::World> worlds;
   std::vector<uint64_t> keys;
   std::vector<uint32_t> ticks;
-  std::vector<sim::LooseBody> loose;  // (ways, room, looseCount)
+  std::vector<sim::RigidBody> bodies;  // (rollouts, capacity, bodyCount)
 };
 
 // A cell as the host sees it.
 struct ArchivedCell {
   sim::World world;
-  std::vector<sim::LooseBody> loose;
+  std::vector<sim::RigidBody> bodies;
   uint32_t node, seen;
 };
 
 // Memory of the device, one for each table of the arguments.
 struct RoundMemory {
-  sim::Memory tables, starts, loose, played, worlds, candidateLoose, keys, ticks, cells, slots,
+  sim::Memory tables, starts, bodies, played, worlds, candidateBodies, keys, ticks, cells, slots,
       finds, findSums, ends, goals, endCounts, nodes, report, claimKeys, claimRanks, claimants,
       shared, rankCounts, rankSums;
 };
@@ -55,7 +55,7 @@ class ResidentRounds {
   // Runs one round of rollouts firstRollout, firstRollout + 1, ...
   Result<RoundFindings> run(uint64_t firstRollout, uint32_t rollouts);
   // Runs one round of trajectories that the host has played.
-  Result<RoundFindings> take(uint64_t firstRollout, const PlayedWays& played);
+  Result<RoundFindings> take(uint64_t firstRollout, const PlayedStarts& played);
 
   uint32_t endParts() const { return arguments_.endParts; }
   Result<std::vector<ArchivedCell>> cells(uint32_t first) const;
@@ -65,8 +65,8 @@ class ResidentRounds {
                  uint32_t maxCells);
   Status openTables(const ExploreSetup& setup, const Problem& problem);
   Status rankCells(uint32_t rollouts);
-  Status begin(uint64_t firstRollout, uint32_t rollouts, uint32_t room);
-  Status makeRoundRoom(uint32_t rollouts, uint32_t room);
+  Status begin(uint64_t firstRollout, uint32_t rollouts, uint32_t capacity);
+  Status reserveRound(uint32_t rollouts, uint32_t capacity);
   Status chooseStarts(uint32_t rollouts);
   Status claim(uint32_t rollouts);
   Status makeClaims(uint32_t candidates);
@@ -76,8 +76,8 @@ class ResidentRounds {
   Status launch(ResidentStep step, uint32_t count) const;
   Status sumUp(const SumTree& tree) const;
   template <class T>
-  Status room(sim::Memory& memory, T*& table, size_t count) {
-    return sim::makeRoom(*device_, memory, table, count);
+  Status capacity(sim::Memory& memory, T*& table, size_t count) {
+    return sim::reserve(*device_, memory, table, count);
   }
 
   sim::Device* device_;

@@ -10,10 +10,10 @@
 
 namespace obby::solve {
 
-// States of rollouts that the archive would keep, (rollouts, room) each.
+// States of rollouts that the archive would keep, (rollouts, capacity) each.
 struct CandidateView {
   sim::World* worlds;
-  sim::LooseBody* loose;  // (rollouts, room, looseCount)
+  sim::RigidBody* bodies;  // (rollouts, capacity, bodyCount)
   uint64_t* keys;
   uint32_t* ticks;  // ticks into the rollout
   uint32_t* cells;  // cells of the archive; kNone: a new one
@@ -32,10 +32,10 @@ struct ClaimView {
 struct ResidentEnd {
   Approach closest;
   Vec3 position;          // feet
-  uint32_t closestTicks;  // into the rollout, like ticks and wayTicks
+  uint32_t closestTicks;  // into the rollout, like ticks and pathTicks
   uint32_t ticks;
-  uint32_t wayTicks;  // to the end of the attempt: a fall goes on after the rollout
-  uint32_t parent;    // node of the start
+  uint32_t pathTicks;  // to the end of the attempt: a fall goes on after the rollout
+  uint32_t parent;     // node of the start
   uint32_t part;
   uint32_t candidates;
   sim::Outcome outcome;
@@ -47,7 +47,7 @@ struct GoalReached {
 };
 
 // A trajectory that the host has played. Its visits are its candidates.
-struct PlayedWay {
+struct PlayedStart {
   sim::World end;
   RolloutPath path;
   uint32_t visits;
@@ -95,11 +95,11 @@ struct ResidentArguments : RoundSelection, RoundResults {
   BeamView beam;
   ArchiveView archive;
   uint64_t firstRollout;
-  uint32_t room;            // max candidates of a rollout
-  uint32_t freeCells;       // cells that the archive may still add
-  uint32_t firstNode;       // first new node of the round
-  sim::LooseBody* loose;    // (rollouts, looseCount)
-  const PlayedWay* played;  // (rollouts), or null
+  uint32_t capacity;          // max candidates of a rollout
+  uint32_t freeCells;         // cells that the archive may still add
+  uint32_t firstNode;         // first new node of the round
+  sim::RigidBody* bodies;     // (rollouts, bodyCount)
+  const PlayedStart* played;  // (rollouts), or null
   CandidateView candidates;
   ClaimView claims;
 };

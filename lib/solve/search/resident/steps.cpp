@@ -29,7 +29,7 @@ const sim::Kernel& residentKernel(ResidentStep step) {
       roundKernel<solve::markBest>("residentMarkBest", markBest),
       roundKernel<chooseStart>("residentChoose", choose),
       roundKernel<exploreFrom<false>>("residentExplore", explore),
-      roundKernel<exploreFrom<true>>("residentExploreLoose", exploreLoose),
+      roundKernel<exploreFrom<true>>("residentExploreLoose", exploreDynamic),
       roundKernel<solve::takePlayed>("residentTakePlayed", takePlayed),
       roundKernel<claimCells>("residentClaim", claim),
       roundKernel<settleClaims>("residentSettle", settle),

@@ -12,7 +12,7 @@ enum class ResidentStep {
   markBest,
   choose,
   explore,
-  exploreLoose,  // for levels with dynamic bodies
+  exploreDynamic,  // for levels with dynamic bodies
   takePlayed,
   claim,
   settle,

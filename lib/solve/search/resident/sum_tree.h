@@ -9,13 +9,13 @@
 namespace obby::solve {
 
 constexpr uint32_t kFan = 64;
-constexpr uint32_t kMostLevels = 5;  // for 2^30 leaves
+constexpr uint32_t kMaxLevels = 5;  // for 2^30 leaves
 
 struct SumTree {
-  uint64_t* sums = nullptr;               // level by level, sums of leaves first
-  uint32_t leaves = 0;                    // at least 1
-  uint32_t levels = 0;                    // the last has one sum
-  uint32_t firsts[kMostLevels + 1] = {};  // index into sums of each level's first
+  uint64_t* sums = nullptr;              // level by level, sums of leaves first
+  uint32_t leaves = 0;                   // at least 1
+  uint32_t levels = 0;                   // the last has one sum
+  uint32_t firsts[kMaxLevels + 1] = {};  // index into sums of each level's first
 };
 
 // `sums` must have the capacity of the tree's last entry of `firsts`.

@@ -13,7 +13,7 @@ namespace obby::solve {
 
 // The place and outcome of an attempt's end.
 struct AttemptEnd {
-  Node way;
+  Node node;
   Vec3 position;  // feet
   sim::Outcome outcome;
   uint32_t part;  // part that killed or hurt the player; if avoided, the query's avoid; or kNone

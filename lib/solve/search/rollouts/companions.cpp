@@ -16,8 +16,8 @@ constexpr float kNear = 1;  // max studs between a companion and the search's pl
 Companions::Companions(const Problem& problem, const ExploreContext& context, uint64_t seed)
     : problem_(problem), context_(context), seed_(seed) {
   if (empty()) return;
-  Party start{{problem.start, problem.startLoose}};
-  for (const Companion& c : problem.companions) start.push_back({c.start, c.startLoose});
+  Party start{{problem.start, problem.startBodies}};
+  for (const Companion& c : problem.companions) start.push_back({c.start, c.startBodies});
   parties_.push_back(std::move(start));
 }
 
@@ -30,12 +30,12 @@ Companions::Walk::Walk(const Companions& all, uint32_t parent, uint64_t rollout)
     : all_(all),
       party_(all.parties_[parent]),
       explorer_(all.seed_, rollout),
-      way_(rollout & kKnown ? &all.problem_.known[rollout & ~kKnown] : nullptr) {}
+      runs_(rollout & kWarmStart ? &all.problem_.known[rollout & ~kWarmStart] : nullptr) {}
 
 sim::Action Companions::Walk::next() {
-  if (way_ != nullptr) return cursor_.next(*way_);
+  if (runs_ != nullptr) return cursor_.next(*runs_);
   Body& own = party_.front();
-  return explorer_.next(all_.context_, own.world, own.loose.data());
+  return explorer_.next(all_.context_, own.world, own.bodies.data());
 }
 
 // Each companion holds the keys to its first tick that is not before the end of the player's tick.
@@ -44,13 +44,13 @@ void Companions::Walk::press(const sim::Action& action) {
   Body& own = party_.front();
   const uint32_t rate = p.level.params.controlRate;
   const uint32_t end = own.world.tick - p.start.tick + 1;  // ticks since the start
-  sim::advance(own.world, own.loose.data(), p.level, &p.query, action);
+  sim::advance(own.world, own.bodies.data(), p.level, &p.query, action);
   for (size_t i = 0; i < p.companions.size(); ++i) {
     const Companion& c = p.companions[i];
     Body& body = party_[i + 1];
     const uint32_t last = level::nextTickAtRate(end, rate, c.level.params.controlRate);
     while (body.world.outcome == sim::Outcome::running && body.world.tick - c.start.tick < last) {
-      sim::advance(body.world, body.loose.data(), c.level, &c.query, action);
+      sim::advance(body.world, body.bodies.data(), c.level, &c.query, action);
     }
   }
 }

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "solve/model/problem.h"
+#include "solve/search/rollouts/action_runs.h"
 #include "solve/search/rollouts/explorer.h"
-#include "solve/search/rollouts/known_way.h"
 
 namespace obby::solve {
 
@@ -27,7 +27,7 @@ class Companions {
  private:
   struct Body {
     sim::World world;
-    std::vector<sim::LooseBody> loose;
+    std::vector<sim::RigidBody> bodies;
   };
   // All bodies at one moment: the search's player, then the companions.
   using Party = std::vector<Body>;
@@ -58,8 +58,8 @@ class Companions::Walk {
   const Companions& all_;
   Party party_;
   Explorer explorer_;
-  WayCursor cursor_;
-  const KnownWay* way_;  // null: the explorer's actions
+  RunCursor cursor_;
+  const ActionRuns* runs_;  // null: the explorer's actions
   uint32_t ticks_ = 0;
 };
 

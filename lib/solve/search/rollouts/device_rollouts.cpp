@@ -20,48 +20,47 @@ Result<DeviceRollouts> DeviceRollouts::open(sim::Device& device, const RolloutRu
   return rollouts;
 }
 
-Status DeviceRollouts::makeRoom(size_t rollouts) {
+Status DeviceRollouts::reserve(size_t rollouts) {
   RolloutArguments& a = arguments_;
-  const size_t bodies = a.rules.context.level.looseCount, visits = rollouts * a.room;
-  OBBY_RETURN_IF_ERROR(sim::makeRoom(*device_, visitMemory_, a.visits, visits));
-  OBBY_RETURN_IF_ERROR(sim::makeRoom(*device_, visitLooseMemory_, a.visitLoose, visits * bodies));
-  OBBY_RETURN_IF_ERROR(sim::makeRoom(*device_, endMemory_, a.ends, rollouts));
-  endLoose_.resize(rollouts * bodies);
-  visitLoose_.resize(visits * bodies);
+  const size_t bodyCount = a.rules.context.level.bodyCount, visits = rollouts * a.capacity;
+  OBBY_RETURN_IF_ERROR(sim::reserve(*device_, visitMemory_, a.visits, visits));
+  OBBY_RETURN_IF_ERROR(sim::reserve(*device_, visitBodyMemory_, a.visitBodies, visits * bodyCount));
+  OBBY_RETURN_IF_ERROR(sim::reserve(*device_, endMemory_, a.ends, rollouts));
+  endBodies_.resize(rollouts * bodyCount);
+  visitBodies_.resize(visits * bodyCount);
   ends_.resize(rollouts);
   visits_.resize(visits);
   a.starts = startMemory_.as<RolloutStart>();
-  a.loose = looseMemory_.as<sim::LooseBody>();
+  a.bodies = bodyMemory_.as<sim::RigidBody>();
   return {};
 }
 
 Status DeviceRollouts::run(std::span<const RolloutStart> starts,
-                           std::span<const sim::LooseBody> loose) {
+                           std::span<const sim::RigidBody> bodies) {
   OBBY_RETURN_IF_ERROR(sim::uploadTable(*device_, startMemory_, starts));
-  OBBY_RETURN_IF_ERROR(sim::uploadTable(*device_, looseMemory_, loose));
-  OBBY_RETURN_IF_ERROR(makeRoom(starts.size()));
-  OBBY_RETURN_IF_ERROR(
-      device_->launch(rolloutKernel(arguments_.rules.context.level.looseCount != 0), &arguments_,
-                      uint32_t(starts.size())));
+  OBBY_RETURN_IF_ERROR(sim::uploadTable(*device_, bodyMemory_, bodies));
+  OBBY_RETURN_IF_ERROR(reserve(starts.size()));
+  OBBY_RETURN_IF_ERROR(device_->launch(rolloutKernel(arguments_.rules.context.level.bodyCount != 0),
+                                       &arguments_, uint32_t(starts.size())));
   OBBY_RETURN_IF_ERROR(fetch(*device_, ends_, arguments_.ends));
-  OBBY_RETURN_IF_ERROR(fetch(*device_, endLoose_, arguments_.loose));
-  OBBY_RETURN_IF_ERROR(fetch(*device_, visitLoose_, arguments_.visitLoose));
+  OBBY_RETURN_IF_ERROR(fetch(*device_, endBodies_, arguments_.bodies));
+  OBBY_RETURN_IF_ERROR(fetch(*device_, visitBodies_, arguments_.visitBodies));
   return fetch(*device_, visits_, arguments_.visits);
 }
 
 namespace {
 
-template <bool kLoose>
+template <bool kDynamic>
 const sim::Kernel& kernelOf(const char* name) {
-  static const sim::Kernel kernel{name, sim::kernelBody<RolloutArguments, exploreOne<kLoose>>,
-                                  cuda::rolloutEntry(kLoose), sizeof(RolloutArguments)};
+  static const sim::Kernel kernel{name, sim::kernelBody<RolloutArguments, exploreOne<kDynamic>>,
+                                  cuda::rolloutEntry(kDynamic), sizeof(RolloutArguments)};
   return kernel;
 }
 
 }  // namespace
 
-const sim::Kernel& rolloutKernel(bool loose) {
-  return loose ? kernelOf<true>("rolloutLoose") : kernelOf<false>("rollout");
+const sim::Kernel& rolloutKernel(bool bodies) {
+  return bodies ? kernelOf<true>("rolloutLoose") : kernelOf<false>("rollout");
 }
 
 }  // namespace obby::solve

@@ -13,38 +13,38 @@ class DeviceRollouts {
  public:
   static Result<DeviceRollouts> open(sim::Device& device, const RolloutRules& rules);
 
-  // Runs rollouts from `starts` with the bodies `loose`, (rollouts, level.looseCount). ends() and
+  // Runs rollouts from `starts` with the bodies `bodies`, (rollouts, level.bodyCount). ends() and
   // visits() then return their results, in that order.
-  Status run(std::span<const RolloutStart> starts, std::span<const sim::LooseBody> loose);
+  Status run(std::span<const RolloutStart> starts, std::span<const sim::RigidBody> bodies);
 
   const std::vector<RolloutEnd>& ends() const { return ends_; }
   std::span<const RolloutVisit> visits(size_t i) const {
-    return std::span(visits_).subspan(i * arguments_.room, ends_[i].visits);
+    return std::span(visits_).subspan(i * arguments_.capacity, ends_[i].visits);
   }
-  std::span<const sim::LooseBody> endLoose(size_t i) const { return bodiesAt(endLoose_, i); }
-  std::span<const sim::LooseBody> visitLoose(size_t i, size_t visit) const {
-    return bodiesAt(visitLoose_, i * arguments_.room + visit);
+  std::span<const sim::RigidBody> endBodies(size_t i) const { return bodiesAt(endBodies_, i); }
+  std::span<const sim::RigidBody> visitBodies(size_t i, size_t visit) const {
+    return bodiesAt(visitBodies_, i * arguments_.capacity + visit);
   }
 
  private:
-  std::span<const sim::LooseBody> bodiesAt(const std::vector<sim::LooseBody>& all,
+  std::span<const sim::RigidBody> bodiesAt(const std::vector<sim::RigidBody>& all,
                                            size_t at) const {
-    const size_t count = arguments_.rules.context.level.looseCount;
+    const size_t count = arguments_.rules.context.level.bodyCount;
     return std::span(all).subspan(at * count, count);
   }
   DeviceRollouts(sim::Device& device, const RolloutRules& rules)
-      : device_(&device), arguments_{rules, visitRoom(rules), {}, {}, {}, {}, {}} {}
-  Status makeRoom(size_t rollouts);
+      : device_(&device), arguments_{rules, visitCapacity(rules), {}, {}, {}, {}, {}} {}
+  Status reserve(size_t rollouts);
 
   sim::Device* device_;
   RolloutArguments arguments_;
-  sim::Memory tables_, startMemory_, looseMemory_, visitMemory_, visitLooseMemory_, endMemory_;
+  sim::Memory tables_, startMemory_, bodyMemory_, visitMemory_, visitBodyMemory_, endMemory_;
   std::vector<RolloutEnd> ends_;
   std::vector<RolloutVisit> visits_;
-  std::vector<sim::LooseBody> endLoose_, visitLoose_;
+  std::vector<sim::RigidBody> endBodies_, visitBodies_;
 };
 
-// `loose`: for levels with dynamic bodies.
-const sim::Kernel& rolloutKernel(bool loose);
+// `bodies`: for levels with dynamic bodies.
+const sim::Kernel& rolloutKernel(bool bodies);
 
 }  // namespace obby::solve

@@ -37,7 +37,7 @@ struct ExploreContext {
   JumpReach reach;
   ExploreSettings settings;
   bool jumpsLimited;
-  float doomHeight;           // studs; a player off the floor with lower feet can only fall
+  float fatalHeight;          // studs; a player off the floor with lower feet can only fall
   policy::PilotView pilot{};  // makes the policy's moves, if there is a policy
 };
 
@@ -56,7 +56,7 @@ OBBY_DEVICE JumpReach reachIn(const ExploreContext& c, const sim::World& w) {
 
 // Returns true if the player is below everything and can only fall.
 OBBY_DEVICE bool doomed(const ExploreContext& c, const sim::World& w) {
-  return w.position.y < c.doomHeight && w.floorlessSteps > c.level.params.coyoteSteps;
+  return w.position.y < c.fatalHeight && w.floorlessSteps > c.level.params.coyoteSteps;
 }
 
 // Returns true if a rollout that stopped here ends as a fall.

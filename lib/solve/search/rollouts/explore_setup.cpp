@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "solve/search/archive/binning.h"
-#include "solve/search/rollouts/doom.h"
+#include "solve/search/rollouts/fatal_fall.h"
 
 namespace obby::solve {
 
@@ -16,9 +16,9 @@ RolloutRules makeRules(const Problem& problem, uint64_t seed, const GoExploreSet
                        const policy::PilotView& pilot) {
   const Params& params = problem.level.params;
   const JumpReach reach = jumpReach(params);
-  const uint32_t ticks = std::max(s.leastPhase, uint32_t(s.phaseJumps * reach.airTicks));
+  const uint32_t ticks = std::max(s.minPhase, uint32_t(s.phaseJumps * reach.airTicks));
   return {{problem.level, problem.query, surfaces.view(), reach, s.explore,
-           limitsJumps(problem.query), doomHeight(problem), pilot},
+           limitsJumps(problem.query), fatalHeight(problem), pilot},
           makeBinning(problem, s.cellWidth, clock),
           {s.groundedOnly,
            std::max(uint32_t(reach.airTicks), params.controlRate / 2u) * params.substeps,

@@ -17,13 +17,13 @@ namespace obby::solve {
 
 // The defaults were measured over levels/ (ticks to the first solution).
 struct GoExploreSettings {
-  uint32_t rollouts = 8;        // of a round at first: small rounds answer easy queries soon
-  uint32_t mostRollouts = 512;  // of a round in a long search: keeps all threads busy
-  float phaseJumps = 4;         // length of a rollout, in air times of a flat jump
-  uint32_t leastPhase = 40;     // min ticks of a rollout
-  float cellWidth = 2;          // studs at 16 studs/s; grows with walking speed
-  bool groundedOnly = true;     // keep only states that stand or have long been in the air
-  uint32_t lookEvery = 3;       // ticks between looks at a state; a walk crosses a cell in seven
+  uint32_t rollouts = 8;       // of a round at first: small rounds answer easy queries soon
+  uint32_t maxRollouts = 512;  // of a round in a long search: keeps all threads busy
+  float phaseJumps = 4;        // length of a rollout, in air times of a flat jump
+  uint32_t minPhase = 40;      // min ticks of a rollout
+  float cellWidth = 2;         // studs at 16 studs/s; grows with walking speed
+  bool groundedOnly = true;    // keep only states that stand or have long been in the air
+  uint32_t lookEvery = 3;      // ticks between looks at a state; a walk crosses a cell in seven
   ExploreSettings explore;
   bool byPolicy = false;  // some rollouts use the policy, if the problem has one
 };
@@ -43,7 +43,7 @@ class ExploreSetup {
  public:
   const RolloutRules rules;
   const Potential potential;
-  const BeamWay beam;
+  const BeamRoute beam;
 };
 
 }  // namespace obby::solve

@@ -13,13 +13,13 @@ namespace obby::solve {
 
 #if defined(__CUDACC__)
 OBBY_DEVICE sim::Action moveOfPolicy(const ExploreContext& c, const sim::World& w,
-                                     const sim::LooseBody* loose, Random* random) {
+                                     const sim::RigidBody* bodies, Random* random) {
   const policy::Scene scene{c.level, c.query, c.pilot.surroundings};
-  return policy::decide<float>(scene, c.pilot.network, w, loose, random);
+  return policy::decide<float>(scene, c.pilot.network, w, bodies, random);
 }
 #else
 // Returns the policy's action for the next kSteerEvery ticks, as above, in SIMD lanes.
-sim::Action moveOfPolicy(const ExploreContext& c, const sim::World& w, const sim::LooseBody* loose,
+sim::Action moveOfPolicy(const ExploreContext& c, const sim::World& w, const sim::RigidBody* bodies,
                          Random* random);
 #endif
 
@@ -30,13 +30,13 @@ class Explorer {
         likeliest_((stream & kLikeliest) != 0),
         random_(seed, stream) {}
 
-  // `loose`: (level.looseCount).
+  // `bodies`: (level.bodyCount).
   OBBY_DEVICE sim::Action next(const ExploreContext& c, const sim::World& w,
-                               const sim::LooseBody* loose) {
+                               const sim::RigidBody* bodies) {
     const bool plans = tick_ == 0;  // all rollouts plan at the same ticks: lanes and groups agree
     tick_ = tick_ + 1 == kSteerEvery ? 0 : tick_ + 1;
     if (plans && kind_ == Kind::policy) {
-      held_.action = moveOfPolicy(c, w, loose, likeliest_ ? nullptr : &random_);
+      held_.action = moveOfPolicy(c, w, bodies, likeliest_ ? nullptr : &random_);
     }
     if (plans && kind_ == Kind::aim && !planAimMacro(c, w, aim_)) kind_ = Kind::none;
     if (kind_ == Kind::none) draw(c, w);

@@ -22,7 +22,7 @@ struct AimMacro {
 constexpr uint32_t kSteerEvery = 3;  // ticks between two looks at the target: 20 Hz
 constexpr int kHeadingSlack = 512;   // turns / 65536: 2.8 degrees
 
-OBBY_DEVICE float within(Random& random, float most) { return most * (2 * random.unit() - 1); }
+OBBY_DEVICE float within(Random& random, float max) { return max * (2 * random.unit() - 1); }
 
 // Draws when to jump, and an aim error. `rise`: studs from the feet up to the target.
 OBBY_DEVICE void drawAimDetails(const JumpReach& reach, Random& random, float rise, AimMacro& m) {

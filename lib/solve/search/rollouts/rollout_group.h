@@ -18,19 +18,19 @@ class RolloutGroup {
  public:
   explicit RolloutGroup(const ExploreContext& context) : context_(context) {}
 
-  // Adds a rollout of at most `ticks` ticks. `loose`: (level.looseCount), advanced in place.
-  void add(uint64_t seed, uint64_t rollout, const sim::World& start, sim::LooseBody* loose,
+  // Adds a rollout of at most `ticks` ticks. `bodies`: (level.bodyCount), advanced in place.
+  void add(uint64_t seed, uint64_t rollout, const sim::World& start, sim::RigidBody* bodies,
            uint32_t ticks) {
     members_.push_back({Explorer(seed, rollout), members_.size(), ticks});
     worlds_.push_back(start);
-    loose_.push_back(loose);
+    bodies_.push_back(bodies);
   }
 
   // The running rollouts, which are renumbered at every tick.
   size_t size() const { return members_.size(); }
   size_t index(size_t i) const { return members_[i].index; }  // in the order of add()
   const sim::World& world(size_t i) const { return worlds_[i]; }
-  const sim::LooseBody* loose(size_t i) const { return loose_[i]; }
+  const sim::RigidBody* bodies(size_t i) const { return bodies_[i]; }
 
   // Advances every world to its end. look(t) is called after tick t = 1, 2, ... of all running
   // rollouts, and end(t, i) for those that took their last tick.
@@ -61,9 +61,9 @@ class RolloutGroup {
 
   void tick() {
     for (size_t i = 0; i < size(); ++i)
-      actions_[i] = members_[i].explorer.next(context_, worlds_[i], loose_[i]);
+      actions_[i] = members_[i].explorer.next(context_, worlds_[i], bodies_[i]);
     sim::advanceAll(context_.level, &context_.query, std::span(pointers_).first(size()),
-                    loose_.data(), actions_.data());
+                    bodies_.data(), actions_.data());
   }
 
   bool goesOn(size_t i, uint32_t t) const {
@@ -74,16 +74,16 @@ class RolloutGroup {
   void remove(size_t i) {
     members_[i] = members_.back();
     worlds_[i] = worlds_.back();
-    loose_[i] = loose_.back();
+    bodies_[i] = bodies_.back();
     members_.pop_back();
     worlds_.pop_back();
-    loose_.pop_back();
+    bodies_.pop_back();
   }
 
   const ExploreContext& context_;
   std::vector<Member> members_;
   std::vector<sim::World> worlds_;
-  std::vector<sim::LooseBody*> loose_;
+  std::vector<sim::RigidBody*> bodies_;
   std::vector<sim::World*> pointers_;  // to worlds_
   std::vector<sim::Action> actions_;
 };

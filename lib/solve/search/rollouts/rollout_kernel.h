@@ -42,16 +42,16 @@ OBBY_DEVICE void forTables(RolloutRules& r, Table&& table) {
 }
 
 // Returns the max number of visits of a rollout.
-OBBY_DEVICE uint32_t visitRoom(const RolloutRules& r) { return r.ticks / r.rule.lookEvery; }
+OBBY_DEVICE uint32_t visitCapacity(const RolloutRules& r) { return r.ticks / r.rule.lookEvery; }
 
 struct RolloutArguments {
   RolloutRules rules;
-  uint32_t room;               // max visits of a rollout
-  const RolloutStart* starts;  // (rollouts)
-  RolloutVisit* visits;        // (rollouts, room)
-  sim::LooseBody* loose;       // (rollouts, level.looseCount), at the start, then at the end
-  sim::LooseBody* visitLoose;  // (rollouts, room, level.looseCount)
-  RolloutEnd* ends;            // (rollouts)
+  uint32_t capacity;            // max visits of a rollout
+  const RolloutStart* starts;   // (rollouts)
+  RolloutVisit* visits;         // (rollouts, capacity)
+  sim::RigidBody* bodies;       // (rollouts, level.bodyCount), at the start, then at the end
+  sim::RigidBody* visitBodies;  // (rollouts, capacity, level.bodyCount)
+  RolloutEnd* ends;             // (rollouts)
 };
 
 // The results of a rollout, apart from its visits.
@@ -64,7 +64,7 @@ struct RolloutPath {
 template <class Visit>
 struct RolloutWatch {
   const RolloutRules& rules;
-  const sim::LooseBody* loose;
+  const sim::RigidBody* bodies;
   Trail trail;
   Visit visit;  // (key, world, ticks) of every state in a cell other than the last kept one
   Approach closest{};
@@ -72,7 +72,7 @@ struct RolloutWatch {
 
   OBBY_DEVICE void operator()(const sim::Action&, const sim::World& w) {
     if (++tick % rules.rule.lookEvery != 0 || w.outcome != sim::Outcome::running) return;
-    const uint64_t here = cellKey(rules.binning, w, loose);
+    const uint64_t here = cellKey(rules.binning, w, bodies);
     if (trail.isNew(here, rules.rule, w)) {
       visit(here, w, tick);
       trail.kept = here;
@@ -86,30 +86,30 @@ struct RolloutWatch {
   }
 };
 
-// Takes `world` and its bodies to the end of rollout `id`. `kLoose`: see sim::tick.
-template <bool kLoose, class Visit>
+// Takes `world` and its bodies to the end of rollout `id`. `kDynamic`: see sim::tick.
+template <bool kDynamic, class Visit>
 OBBY_DEVICE RolloutPath explore(const RolloutRules& rules, uint64_t id, uint32_t ticks,
-                                sim::World& world, sim::LooseBody* loose, Visit&& visit) {
-  const uint64_t key = cellKey(rules.binning, world, loose);
-  RolloutWatch<Visit&> watch{rules, loose, {key, key}, visit};
+                                sim::World& world, sim::RigidBody* bodies, Visit&& visit) {
+  const uint64_t key = cellKey(rules.binning, world, bodies);
+  RolloutWatch<Visit&> watch{rules, bodies, {key, key}, visit};
   const uint32_t done =
-      runRollout<kLoose>(rules.context, rules.seed, id, world, loose, ticks, watch);
+      runRollout<kDynamic>(rules.context, rules.seed, id, world, bodies, ticks, watch);
   return {watch.closest, watch.closestTicks, done};
 }
 
-template <bool kLoose>
+template <bool kDynamic>
 OBBY_DEVICE void exploreOne(const RolloutArguments& a, uint32_t i) {
   const RolloutStart& start = a.starts[i];
   sim::World world = start.world;
-  const uint32_t bodies = a.rules.context.level.looseCount;
-  sim::LooseBody* const loose = a.loose + size_t(i) * bodies;
+  const uint32_t bodyCount = a.rules.context.level.bodyCount;
+  sim::RigidBody* const bodies = a.bodies + size_t(i) * bodyCount;
   uint32_t visits = 0;
   const auto note = [&](uint64_t key, const sim::World& w, uint32_t tick) {
-    const size_t at = size_t(i) * a.room + visits++;
+    const size_t at = size_t(i) * a.capacity + visits++;
     a.visits[at] = {w, key, tick};
-    for (uint32_t b = 0; b < bodies; ++b) a.visitLoose[at * bodies + b] = loose[b];
+    for (uint32_t b = 0; b < bodyCount; ++b) a.visitBodies[at * bodyCount + b] = bodies[b];
   };
-  const RolloutPath path = explore<kLoose>(a.rules, start.id, start.ticks, world, loose, note);
+  const RolloutPath path = explore<kDynamic>(a.rules, start.id, start.ticks, world, bodies, note);
   a.ends[i] = {world, path.closest, path.closestTicks, path.ticks, visits};
 }
 

@@ -8,7 +8,7 @@
 namespace obby::solve {
 
 // The sum does not overflow: a block has at most 2^6 cells of weight 2^20 + 1 at most.
-uint32_t Selector::blockSum(const Archive& archive, uint32_t block) {
+uint32_t CellSelector::blockSum(const Archive& archive, uint32_t block) {
   const uint32_t first = block * Archive::kBlock;
   const uint32_t count = std::min(Archive::kBlock, archive.cellCount() - first);
   const float* const potentials = archive.potentials().at(first);
@@ -22,7 +22,7 @@ uint32_t Selector::blockSum(const Archive& archive, uint32_t block) {
   return sum;
 }
 
-void Selector::update(const Archive& archive, ThreadPool& pool) {
+void CellSelector::update(const Archive& archive, ThreadPool& pool) {
   const uint32_t since = archive.bestPotential() == best_ ? epoch_ : 0;
   best_ = archive.bestPotential();
   epoch_ = archive.epoch();
@@ -38,7 +38,7 @@ void Selector::update(const Archive& archive, ThreadPool& pool) {
   std::partial_sum(running_.begin(), running_.end(), running_.begin());
 }
 
-uint32_t Selector::pick(Random& random) const {
+uint32_t CellSelector::pick(Random& random) const {
   uint64_t rest = drawBelow(random, running_.back());
   const size_t group =
       size_t(std::upper_bound(running_.begin(), running_.end(), rest) - running_.begin());
@@ -50,18 +50,18 @@ uint32_t Selector::pick(Random& random) const {
   return uint32_t(cell);
 }
 
-void Selector::choose(const Archive& archive, ThreadPool& pool, Random& random,
-                      std::span<Choice> choices) {
+void CellSelector::choose(const Archive& archive, ThreadPool& pool, Random& random,
+                          std::span<Choice> choices) {
   update(archive, pool);
   for (Choice& c : choices) c.cell = pick(random);
 }
 
-std::unique_ptr<Chooser> hedgedSelector(const Problem&, const ExploreContext&) {
-  return std::make_unique<Selector>(kHedge);
+std::unique_ptr<Selector> hedgedSelector(const Problem&, const ExploreContext&) {
+  return std::make_unique<CellSelector>(kHedge);
 }
 
-std::unique_ptr<Chooser> plainSelector(const Problem&, const ExploreContext&) {
-  return std::make_unique<Selector>(0.0f);
+std::unique_ptr<Selector> plainSelector(const Problem&, const ExploreContext&) {
+  return std::make_unique<CellSelector>(0.0f);
 }
 
 }  // namespace obby::solve

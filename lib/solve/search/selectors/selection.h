@@ -6,14 +6,14 @@
 #include <cstdint>
 #include <vector>
 
-#include "solve/search/selectors/chooser.h"
 #include "solve/search/selectors/selection_weight.h"
+#include "solve/search/selectors/selector.h"
 
 namespace obby::solve {
 
-class Selector : public Chooser {
+class CellSelector : public Selector {
  public:
-  explicit Selector(float hedge) : hedge_(hedge) {}
+  explicit CellSelector(float hedge) : hedge_(hedge) {}
 
   void choose(const Archive& archive, ThreadPool& pool, Random& random,
               std::span<Choice> choices) override;
@@ -36,8 +36,8 @@ class Selector : public Chooser {
 };
 
 // Makes a selector with kHedge.
-std::unique_ptr<Chooser> hedgedSelector(const Problem& problem, const ExploreContext& context);
+std::unique_ptr<Selector> hedgedSelector(const Problem& problem, const ExploreContext& context);
 // Makes a selector without a hedge, as published.
-std::unique_ptr<Chooser> plainSelector(const Problem& problem, const ExploreContext& context);
+std::unique_ptr<Selector> plainSelector(const Problem& problem, const ExploreContext& context);
 
 }  // namespace obby::solve

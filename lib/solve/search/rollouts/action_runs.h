@@ -1,0 +1,52 @@
+// Plays a trajectory of an earlier answer: its actions, tick by tick. Host only.
+#pragma once
+
+#include "solve/model/problem.h"
+#include "solve/search/rollouts/rollout.h"
+
+namespace obby::solve {
+
+constexpr uint32_t kBeyondKnown = 60;  // ticks that the last action is held; a goal may have moved
+
+inline uint32_t ticksOf(const ActionRuns& runs) {
+  uint32_t ticks = runs.empty() ? 0 : kBeyondKnown;
+  for (const sim::ActionRun& run : runs) ticks += run.ticks;
+  return ticks;
+}
+
+// Appends one tick of `action`.
+inline void hold(ActionRuns& runs, const sim::Action& action) {
+  const auto same = [&](const sim::Action& a) {
+    return a.heading == action.heading && a.walk == action.walk && a.jump == action.jump;
+  };
+  if (runs.empty() || !same(runs.back().action)) runs.push_back({action, 0});
+  runs.back().ticks++;
+}
+
+// Returns the actions of a trajectory tick by tick, the last one without end.
+class RunCursor {
+ public:
+  sim::Action next(const ActionRuns& runs) {
+    while (run_ + 1 < runs.size() && held_ >= runs[run_].ticks) {
+      ++run_;
+      held_ = 0;
+    }
+    ++held_;
+    return runs[run_].action;
+  }
+
+ private:
+  size_t run_ = 0;
+  uint32_t held_ = 0;  // ticks
+};
+
+// Like runRollout(), with the actions of `runs`. `ticks` is at most ticksOf(runs).
+template <class Visit>
+uint32_t playRuns(const ExploreContext& c, const ActionRuns& runs, sim::World& world,
+                  sim::RigidBody* bodies, uint32_t ticks, Visit&& visit) {
+  RunCursor cursor;
+  const auto next = [&](const sim::World&) { return cursor.next(runs); };
+  return runTicks<true, true>(c, world, bodies, ticks, next, visit);
+}
+
+}  // namespace obby::solve
