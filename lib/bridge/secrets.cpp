@@ -1,14 +1,12 @@
 #include "bridge/secrets.h"
 
 #include <errno.h>
-#include <fcntl.h>
 #include <sys/stat.h>
-#include <unistd.h>
-
-#include <cstdio>
 
 #include "io/byte_source.h"
+#include "io/output_file.h"
 #include "io/read_file.h"
+#include "io/sink.h"
 #include "loopback/secrets.h"
 
 namespace obby::bridge {
@@ -110,21 +108,14 @@ Result<std::string> Tokens::add() {
   return entries_.back().token;
 }
 
-// Writes a whole new file under a temporary name, so that a full disk loses no token.
+// Writes a whole new file, so that a full disk loses no token.
 Status Tokens::write(const std::vector<Entry>& entries) const {
   if (path_.empty()) return {};
   std::string text;
   for (const Entry& entry : entries) text += entry.token + "\n";
-  const std::string temporary = path_ + "." + randomHex(4);
-  const int fd =
-      ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC | O_NOFOLLOW, 0600);
-  if (fd < 0) return io::fileError(path_, "cannot write");
-  const bool written = ::write(fd, text.data(), text.size()) == ssize_t(text.size());
-  const bool closed = close(fd) == 0;
-  if (written && closed && rename(temporary.c_str(), path_.c_str()) == 0) return {};
-  const Error error = io::fileError(path_, "cannot write");
-  unlink(temporary.c_str());
-  return error;
+  OBBY_ASSIGN(const auto file, io::OutputFile::create(path_, 0600));
+  if (!io::sendAll(file->fd(), text, nullptr)) return io::fileError(path_, "cannot write");
+  return file->finish(false);
 }
 
 }  // namespace obby::bridge

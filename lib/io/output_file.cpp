@@ -11,7 +11,9 @@
 #include <filesystem>
 #include <string_view>
 #include <system_error>
+#include <utility>
 
+#include "io/byte_source.h"
 #include "io/utf8.h"
 
 namespace obby::io {
@@ -31,6 +33,24 @@ std::string marked(const fs::path& file, std::string_view end) {
   return (file.parent_path() / name.append(kMark).append(end)).string();
 }
 
+// Waits until a file or folder is on the disk, if its file system supports that. Returns false on
+// failure, with the reason in errno.
+bool onDisk(int fd) {
+  int result = 0;
+  do {
+    result = ::fsync(fd);
+  } while (result != 0 && errno == EINTR);
+  return result == 0 || errno == EINVAL;  // not supported
+}
+
+mode_t modeFor(const std::string& path, mode_t mode) {
+  struct stat info {};
+  if (stat(path.c_str(), &info) == 0) return info.st_mode & 0777;
+  const mode_t mask = umask(0);
+  umask(mask);
+  return mode & ~mask;
+}
+
 }  // namespace
 
 std::string linkTarget(const std::string& path) {
@@ -45,10 +65,49 @@ std::string linkTarget(const std::string& path) {
   return file.string();
 }
 
-TemporaryFile makeTemporary(const std::string& path) {
-  TemporaryFile out{-1, marked(path, kPattern)};
-  out.fd = mkostemp(out.path.data(), O_CLOEXEC);
+Result<std::unique_ptr<OutputFile>> OutputFile::create(const std::string& path, mode_t mode) {
+  std::unique_ptr<OutputFile> out(new OutputFile(path));
+  out->target_ = linkTarget(path);
+  std::string name = marked(out->target_, kPattern);
+  out->fd_ = mkostemp(name.data(), O_CLOEXEC);
+  if (out->fd_ < 0) return fileError(path, "cannot create");
+  out->temporary_ = std::move(name);
+  if (fchmod(out->fd_, modeFor(path, mode)) != 0) return fileError(path, "cannot create");
   return out;
+}
+
+OutputFile::~OutputFile() {
+  if (fd_ >= 0) ::close(fd_);
+  if (!temporary_.empty()) ::unlink(temporary_.c_str());
+}
+
+// The contents must be on the disk before the file is renamed: otherwise its name may be first.
+Status OutputFile::close(bool durable) {
+  if (durable && !onDisk(fd_)) return fileError(path_, "cannot write");
+  const int result = ::close(std::exchange(fd_, -1));
+  if (result != 0 && errno != EINTR) return fileError(path_, "cannot write");
+  return {};
+}
+
+Status OutputFile::finish(bool durable) {
+  OBBY_RETURN_IF_ERROR(close(durable));
+  if (::rename(temporary_.c_str(), target_.c_str()) != 0)
+    return fileError(path_, "cannot rename the finished file");
+  temporary_.clear();
+  return durable ? syncFolder() : Status();
+}
+
+// Waits for the new name. Some folders cannot be opened; then the old file may be back after a
+// failure, complete.
+Status OutputFile::syncFolder() const {
+  const fs::path parent = fs::path(target_).parent_path();
+  const std::string folder = parent.empty() ? "." : parent.string();
+  const int fd = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (fd < 0) return {};
+  Status status;
+  if (!onDisk(fd)) status = fileError(path_, "cannot write");
+  ::close(fd);
+  return status;
 }
 
 OutputLocks::~OutputLocks() {
@@ -59,9 +118,10 @@ OutputLocks::~OutputLocks() {
 }
 
 bool OutputLocks::take(const std::string& path) {
+  constexpr int kFlags = O_RDONLY | O_CREAT | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK;
   const std::string name = marked(linkTarget(path), kLocked);
   for (;;) {
-    const int fd = ::open(name.c_str(), O_RDONLY | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0666);
+    const int fd = ::open(name.c_str(), kFlags, 0666);
     if (fd < 0) return true;
     const bool locked = flock(fd, LOCK_EX | LOCK_NB) == 0;
     const bool taken = !locked && errno == EWOULDBLOCK;

@@ -1,8 +1,14 @@
-// Files before they get their final name, and locks that allow a file only one writer.
+// Files that appear under their name only when they are complete, and locks that allow a file only
+// one writer.
 #pragma once
 
+#include <sys/types.h>
+
+#include <memory>
 #include <string>
 #include <vector>
+
+#include "base/result.h"
 
 namespace obby::io {
 
@@ -10,16 +16,30 @@ namespace obby::io {
 // exist yet, so that the link remains.
 std::string linkTarget(const std::string& path);
 
-// A new file that its writer renames, or removes. fd is -1 if it cannot be made, with the reason in
-// errno.
-struct TemporaryFile {
-  int fd = -1;
-  std::string path;
-};
+// A regular file under a temporary name. Only a killed process leaves that behind.
+class OutputFile {
+ public:
+  // Makes a file next to `path`, which it is to become. It has ".obby-unfinished-" and six letters
+  // or digits after its name; a very long name is cut. It gets the mode of the file that is there,
+  // or `mode` less the process's mask. Errors name `path`.
+  static Result<std::unique_ptr<OutputFile>> create(const std::string& path, mode_t mode = 0666);
+  ~OutputFile();  // removes it if it is not finished
+  OutputFile(const OutputFile&) = delete;
+  OutputFile& operator=(const OutputFile&) = delete;
 
-// Makes a file next to `path`, which it is to become. It has ".obby-unfinished-" and six letters or
-// digits after its name; a very long name is cut.
-TemporaryFile makeTemporary(const std::string& path);
+  int fd() const { return fd_; }
+  // Closes the file and gives it its name. With `durable`, waits until it is on the disk under that
+  // name. On failure `path` names what it did before, unless only the wait for the name failed.
+  Status finish(bool durable);
+
+ private:
+  explicit OutputFile(const std::string& path) : path_(path) {}
+  Status close(bool durable);
+  Status syncFolder() const;
+
+  std::string path_, target_, temporary_;  // as given; links resolved; empty once it is finished
+  int fd_ = -1;
+};
 
 // Files that one process writes repeatedly, and that no other may write meanwhile. A locked file
 // next to each holds it, with ".obby-unfinished-locked" after its name. It is removed with this

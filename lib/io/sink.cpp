@@ -28,22 +28,6 @@ Error outputError(const std::string& name, const char* doing) {
   return errno == EPIPE ? Error{name, {}, {}, kBrokenPipe, {}} : fileError(name, doing);
 }
 
-// Waits until a file or folder is on the disk, if its file system supports that. Returns false on
-// failure, with the reason in errno.
-bool onDisk(int fd) {
-  int result = 0;
-  do {
-    result = ::fsync(fd);
-  } while (result != 0 && errno == EINTR);
-  return result == 0 || errno == EINVAL;  // not supported
-}
-
-mode_t newFileMode() {
-  const mode_t mask = umask(0);
-  umask(mask);
-  return 0666 & ~mask;
-}
-
 }  // namespace
 
 struct Sink::Impl {
@@ -51,15 +35,14 @@ struct Sink::Impl {
   int fd = -1;
   std::string* memory = nullptr;
   const std::atomic<bool>* stop = nullptr;
-  std::string finalPath, temporaryPath;  // paths of a regular file until it is closed
-  bool durable = false;                  // wait until that file is on the disk
-  bool block = false;                    // collect pieces into blocks
+  std::unique_ptr<OutputFile> file;  // owns the descriptor of a file
+  bool durable = false;              // wait until that file is on the disk
+  bool block = false;                // collect pieces into blocks
   std::string buffer;
   std::optional<Error> failed;
 
   ~Impl() {
-    if (fd >= 0) ::close(fd);
-    if (!temporaryPath.empty()) ::unlink(temporaryPath.c_str());
+    if (fd >= 0 && !file) ::close(fd);
   }
 
   Status fail(const char* doing) {
@@ -97,13 +80,9 @@ struct Sink::Impl {
       fd = openToWrite(path, O_WRONLY, stop);
       return fd < 0 ? fail("cannot open") : Status();
     }
-    finalPath = linkTarget(path);
-    TemporaryFile made = makeTemporary(finalPath);
-    fd = made.fd;
-    if (fd < 0) return fail("cannot create");
-    temporaryPath = std::move(made.path);
+    OBBY_ASSIGN(file, OutputFile::create(path));
+    fd = file->fd();
     block = true;
-    if (fchmod(fd, exists ? info.st_mode & 0777 : newFileMode()) != 0) return fail("cannot create");
     return {};
   }
 
@@ -113,26 +92,6 @@ struct Sink::Impl {
     const Status sent = send(buffer);
     buffer.clear();
     return sent;
-  }
-
-  // Must come before the file is renamed: otherwise its name may reach the disk before its
-  // contents.
-  Status syncFile() {
-    if (!durable || temporaryPath.empty() || onDisk(fd)) return {};
-    return fail("cannot write");
-  }
-
-  // Waits for the new name. Some folders cannot be opened; then the old file may be back after a
-  // failure, complete.
-  Status syncFolder() {
-    if (!durable) return {};
-    const size_t slash = finalPath.rfind('/');
-    const std::string folder = slash == std::string::npos ? "." : finalPath.substr(0, slash + 1);
-    const int folderFd = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-    if (folderFd < 0) return {};
-    Status status = onDisk(folderFd) ? Status() : fail("cannot write");
-    ::close(folderFd);
-    return status;
   }
 };
 
@@ -172,15 +131,13 @@ Status Sink::flush() { return impl_->flush(); }
 Status Sink::close() {
   OBBY_RETURN_IF_ERROR(impl_->flush());
   if (impl_->fd < 0) return {};
-  OBBY_RETURN_IF_ERROR(impl_->syncFile());
-  const int result = ::close(impl_->fd);
-  impl_->fd = -1;
-  if (result != 0 && errno != EINTR) return impl_->fail("cannot write");
-  if (impl_->temporaryPath.empty()) return {};
-  if (::rename(impl_->temporaryPath.c_str(), impl_->finalPath.c_str()) != 0)
-    return impl_->fail("cannot rename the finished file");
-  impl_->temporaryPath.clear();
-  return impl_->syncFolder();
+  const int fd = std::exchange(impl_->fd, -1);
+  if (impl_->file) {
+    const Status finished = impl_->file->finish(impl_->durable);
+    if (!finished) impl_->failed = finished.error();
+    return finished;
+  }
+  return ::close(fd) == 0 || errno == EINTR ? Status() : impl_->fail("cannot write");
 }
 
 bool Sink::terminal() const { return impl_->fd >= 0 && isatty(impl_->fd) == 1; }
