@@ -71,7 +71,7 @@ std::string pageData(const Report& report, const PageOptions& options) {
   }
   json.close().key("queries").open('[');
   for (const QueryEntry& query : report.queries) writeQuery(json, query, budget);
-  return inScript(json.text());
+  return inScript(json.finish());
 }
 
 Result<std::string> htmlPage(const Report& report, const PageOptions& options) {

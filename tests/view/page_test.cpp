@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "course.h"
+#include "io/json_tree.h"
 #include "view/budget.h"
 #include "view/page_parts.h"
 #include "view/page_template.h"
@@ -26,6 +27,15 @@ TEST(Page, DataNamesLevelQueryAndTrajectories) {
   EXPECT_THAT(data, HasSubstr(R"("name":"middle")"));
   EXPECT_THAT(data, Not(HasSubstr("</script>")));
   EXPECT_THAT(data, Not(HasSubstr("mismatch")));
+}
+
+TEST(Page, DataIsWholeJsonThatCannotEndTheScript) {
+  const std::string data = view::pageData(solvedReport(), {false, "obby-view test </script>"});
+  EXPECT_EQ(data.find('<'), std::string::npos);
+  const auto tree = io::JsonTree::parse(data);
+  ASSERT_TRUE(tree) << tree.error().text();
+  EXPECT_EQ(tree->text(*tree->find(tree->root(), "generator")), "obby-view test </script>");
+  EXPECT_NE(tree->find(tree->root(), "queries"), nullptr);
 }
 
 TEST(Page, AQueryMayHaveATitle) {
