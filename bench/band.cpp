@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <cstring>
 
+#include "io/json_writer.h"
 #include "solve/proof/reach_bound.h"
 #include "support/hardest_step.h"
 
@@ -93,9 +94,10 @@ int main(int argc, char** argv) {
     const float from = bisect(c.solved, c.wide, 0.01f, [&](float x) { return !isShown(c, x); });
     const float to = hardestSolved(c.build, c.solved, from, steps);
     if (json) {
-      fmt::print(R"({{"name":"{}","solvedTo":{:.2f},"unreachableFrom":{:.2f},"band":{:.2f}}})"
-                 "\n",
-                 c.name, to, from, from - to);
+      io::JsonWriter line;
+      line.open('{').field("name", c.name).key("solvedTo").raw(fmt::format("{:.2f}", to));
+      line.key("unreachableFrom").raw(fmt::format("{:.2f}", from));
+      fmt::print("{}\n", line.key("band").raw(fmt::format("{:.2f}", from - to)).finish());
     } else {
       fmt::print("{:12} solved to {:6.2f}  unreachable from {:6.2f}  band {:5.2f}\n", c.name, to,
                  from, from - to);

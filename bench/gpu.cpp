@@ -9,12 +9,12 @@
 #include <string_view>
 #include <vector>
 
+#include "baselines/cflge.h"
+#include "baselines/pbge.h"
 #include "common/need.h"
 #include "common/report.h"
 #include "sim/backend.h"
 #include "sim/host_device.h"
-#include "solve/learned/cflge.h"
-#include "solve/learned/pbge.h"
 #include "solve/search/resident/resident_explore.h"
 #include "solve/search/rollouts/device_rollouts.h"
 #include "support/courses.h"
@@ -126,7 +126,7 @@ void measure(bench::Report& report, sim::Device& device, bool small) {
     report.add(name, "residentStepsPerSecond", residentStepsPerSecond(device, one, worlds, small),
                "1/s");
   }
-  using namespace solve::learned;
+  using namespace baselines;
   measureLearned<Pbge, PbgeSettings>(report, "pbge", device, one, small);
   measureLearned<Cflge, CflgeSettings>(report, "cflge", device, one, small);
 }

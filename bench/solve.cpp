@@ -5,12 +5,13 @@
 #include <algorithm>
 
 #include "base/hash.h"
+#include "baselines/methods.h"
 #include "cli/context.h"
+#include "cli/rows.h"
 #include "cli/tool.h"
 #include "common/machine.h"
 #include "common/report.h"
 #include "io/read_file.h"
-#include "solve/methods.h"
 #include "solve/search/methods/ablations.h"
 #include "suite/curve.h"
 #include "suite/plan.h"
@@ -83,7 +84,7 @@ std::vector<OptionRow> options() {
     r.min = option.min;
     r.repeatable = option.repeatable;
     if (r.name != "method") continue;
-    for (const solve::Method& m : solve::methods()) r.choices.emplace_back(m.name);
+    for (const solve::Method* m : baselines::allMethods()) r.choices.emplace_back(m->name);
     for (const solve::Method& m : solve::ablations()) r.choices.emplace_back(m.name);
   }
   return rows;
@@ -112,7 +113,7 @@ const solve::Method* methodOf(const std::string& name) {
   for (const solve::Method& m : solve::ablations()) {
     if (name == m.name) return &m;
   }
-  return solve::findMethod(name);
+  return baselines::findMethod(name);
 }
 
 Result<bench::Plan> planOf(const cli::Arguments& a) {

@@ -6,7 +6,7 @@ find_package(nlohmann_json REQUIRED)   # io
 find_package(fmt REQUIRED)             # io and above
 find_package(CLI11 REQUIRED)           # cli
 find_package(Eigen3 REQUIRED)          # import, nn, calibrate
-find_package(pugixml REQUIRED)         # import
+find_package(pugixml REQUIRED)         # io, import
 set(ZLIB_USE_STATIC_LIBS ${OBBY_PORTABLE})
 find_package(ZLIB REQUIRED)            # bridge: for Cap'n Proto's gzip streams
 find_package(PNG REQUIRED)             # view: pictures
@@ -20,7 +20,7 @@ pkg_check_modules(seccomp REQUIRED libseccomp)             # engine: the sandbox
 find_library(OBBY_SECCOMP NAMES libseccomp.a seccomp REQUIRED)
 find_path(RANDOM123_INCLUDE Random123/philox.h REQUIRED)   # base: counter-based random numbers
 if(NOT OBBY_PORTABLE)
-  find_package(MPI QUIET COMPONENTS C)  # tools/obby-train: optional
+  find_package(MPI QUIET COMPONENTS C)  # lib/train/run/ranks: optional
 endif()
 if(OBBY_BUILD_TESTS)
   find_package(GTest REQUIRED)
@@ -31,7 +31,7 @@ endif()
 if(OBBY_CUDA)
   find_package(CUDAToolkit REQUIRED)
   if(NOT OBBY_PORTABLE)
-    # tools/obby-train: optional
+    # lib/train/run/ranks: optional
     find_path(OBBY_NCCL_INCLUDE nccl.h HINTS ${CUDAToolkit_INCLUDE_DIRS})
     find_library(OBBY_NCCL_LIBRARY nccl HINTS ${CUDAToolkit_LIBRARY_DIR})
   endif()

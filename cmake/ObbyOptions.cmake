@@ -1,5 +1,6 @@
 # Build switches. They are few, since each one doubles the configurations to test.
 option(OBBY_BUILD_TESTS "Build the tests" ON)
+option(OBBY_BASELINES "Build the search methods that learn while they search, for comparison" ON)
 option(OBBY_BUILD_BENCH "Build the benches" OFF)
 option(OBBY_BUILD_FUZZ "Build the libFuzzer targets (needs clang)" OFF)
 option(OBBY_WARNINGS_AS_ERRORS "Treat warnings as errors (CI does)" OFF)

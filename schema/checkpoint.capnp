@@ -23,26 +23,12 @@ struct SavedTraining {
   seen @11 :SavedSums;  # sums of the observations
   learner @12 :SavedLearner;
   envGroups @13 :List(SavedEnvGroup);  # env groups of rank 0, then those of rank 1, ...
-  history @14 :SavedHistory;     # for the learning curve only
+  obsoleteHistory @14 :AnyPointer;  # points of a learning curve, in files of earlier versions
 }
 
 struct SavedSetting {
   name @0 :Text;
   value @1 :Text;  # numbers as the shortest decimal that reads back the same
-}
-
-struct SavedHistory {
-  each @0 :UInt32;        # iterations per point
-  iterations @1 :UInt32;  # since the last point
-  reward @2 :Float64;     # sum of their rewards
-  points @3 :List(SavedPoint);
-}
-
-struct SavedPoint {
-  decisions @0 :UInt64;
-  solved @1 :Float32;
-  hardest @2 :Float32;
-  reward @3 :Float32;  # mean reward per decision since the last point
 }
 
 struct SavedSums {

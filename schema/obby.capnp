@@ -6,7 +6,8 @@
 # their fields in order. 64-bit integers are decimal strings, and enumerants are names.
 #
 # Rules for changes: a new field (last, with a default that means "as before"), a new enumerant (last) or a new kind of
-# record raises `kSchemaMinor` in lib/io/version.h. Any other change raises `kSchemaMajor`.
+# record raises `kSchemaMinor` in lib/io/version.h, and so does a new name for an old one ($formerly). Any other change raises
+# `kSchemaMajor`.
 #
 # Units: lengths are in studs (1 stud = 0.28 m), times in seconds unless the name says ticks, angles in radians unless
 # the name says turns. Y is up, axes are right-handed, and a yaw of 0 looks along -Z.
@@ -20,6 +21,9 @@ annotation tuple @0xc1d7c7c3a3a1f0b1 (struct) :Void;
 
 annotation always @0x9f4b2c6d81e3a705 (field) :Void;
 # JSON has this field even at its default, because scripts look for it.
+
+annotation formerly @0xf3a61d0c97b2e854 (field, enumerant) :Text;
+# An earlier name. JSON with it is read, and written with the present name.
 
 annotation unit @0xb0f5e1a7d9c3a2e4 (field) :Text;
 # The unit of a number, also shown in obby-calibrate's reports.

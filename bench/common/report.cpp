@@ -12,6 +12,8 @@
 #include <string_view>
 #include <utility>
 
+#include "io/json_writer.h"
+
 namespace obby::bench {
 namespace {
 
@@ -22,15 +24,6 @@ void writeLine(std::string line) {
     std::perror("bench: stdout");
     std::exit(2);
   }
-}
-
-std::string quoted(std::string_view text) {
-  std::string out = "\"";
-  for (const char c : text) {
-    if (c == '"' || c == '\\') out += '\\';
-    out += c;
-  }
-  return out + '"';
 }
 
 // Formats three or four significant digits with a decimal prefix: 5123456 is "5.123 M".
@@ -62,10 +55,10 @@ Report::Report(std::string bench, Form form)
 void Report::add(std::string_view caseName, std::string_view metric, double value,
                  std::string_view unit) {
   if (json_) {
-    // JSON has no infinity or NaN. Such a measurement has failed and is written as null.
-    const std::string number = std::isfinite(value) ? fmt::format("{}", value) : "null";
-    writeLine(fmt::format(R"({{"bench":{},"case":{},"metric":{},"value":{},"unit":{}}})",
-                          quoted(bench_), quoted(caseName), quoted(metric), number, quoted(unit)));
+    // A measurement that is not finite has failed, and is null.
+    io::JsonWriter json;
+    json.open('{').field("bench", bench_).field("case", caseName).field("metric", metric);
+    writeLine(json.field("value", value).field("unit", unit).finish());
     return;
   }
   constexpr std::string_view kRow = "{:<10} {:<24} {:<28} {:>12} {}";

@@ -3,9 +3,10 @@
 // Rows are written at once, so that a long bench shows its progress.
 #pragma once
 
-#include <chrono>
 #include <string>
 #include <string_view>
+
+#include "base/stopwatch.h"
 
 namespace obby::bench {
 
@@ -31,9 +32,9 @@ class Report {
 // Returns the wall-clock seconds of `work()`.
 template <class Work>
 double secondsOf(Work&& work) {
-  const auto start = std::chrono::steady_clock::now();
+  const Stopwatch watch;
   work();
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return watch.seconds();
 }
 
 // CPU seconds of the calling thread, which do not depend on other load.

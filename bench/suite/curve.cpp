@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "io/chart.h"
+#include "table/chart.h"
 
 namespace obby::bench {
 namespace {
@@ -13,13 +13,13 @@ namespace {
 constexpr double kFirst = 0.001;  // left end of the time axis, seconds
 constexpr int kPoints = 160;      // of a curve
 
-io::ChartCurve curveOf(const Results& results, size_t method) {
+table::ChartCurve curveOf(const Results& results, size_t method) {
   std::vector<double> limits;
   for (int i = 0; i <= kPoints; ++i) {
     limits.push_back(kFirst * std::pow(results.cap / kFirst, double(i) / kPoints));
   }
   const std::vector<Share> shares = solvedShares(results, method, limits);
-  io::ChartCurve curve{results.methods[method], {}, {}, {}, {}};
+  table::ChartCurve curve{results.methods[method], {}, {}, {}, {}};
   for (size_t i = 0; i < limits.size(); ++i) {
     if (std::isnan(shares[i].value)) return {results.methods[method], {}, {}, {}, {}};  // no runs
     curve.points.emplace_back(limits[i], shares[i].value);
@@ -31,8 +31,8 @@ io::ChartCurve curveOf(const Results& results, size_t method) {
 
 constexpr double kTicks[] = {0.001, 0.003, 0.01, 0.03, 0.1, 0.3, 1, 3, 10, 30, 90};
 
-io::ChartAxis secondsAxis(std::string title, double from, double to) {
-  io::ChartAxis axis{std::move(title), from, to, true, {}};
+table::ChartAxis secondsAxis(std::string title, double from, double to) {
+  table::ChartAxis axis{std::move(title), from, to, true, {}};
   for (const double tick : kTicks) {
     if (tick >= from && tick <= to * 1.001)
       axis.ticks.emplace_back(tick, fmt::format("{:g}", tick));
@@ -40,8 +40,8 @@ io::ChartAxis secondsAxis(std::string title, double from, double to) {
   return axis;
 }
 
-io::ChartPlot solvedPlot(const Results& results) {
-  io::ChartPlot plot;
+table::ChartPlot solvedPlot(const Results& results) {
+  table::ChartPlot plot;
   plot.x = secondsAxis("seconds to the first solution", kFirst, results.cap);
   plot.y = {"share of solvable runs solved", 0, 1, false, {}};
   for (int percent = 0; percent <= 100; percent += 20)
@@ -50,16 +50,16 @@ io::ChartPlot solvedPlot(const Results& results) {
   return plot;
 }
 
-io::ChartPlot thirdsPlot(const Results& results, const std::vector<Measure>& measures) {
+table::ChartPlot thirdsPlot(const Results& results, const std::vector<Measure>& measures) {
   constexpr double kFoot = 0.01, kGroup = 0.8;  // seconds; of a third's width
   const char* const thirds[] = {"Short", "Medium", "Long"};
-  io::ChartPlot plot;
+  table::ChartPlot plot;
   plot.x = {"queries by the time of ge", -0.5, 2.5, false, {}};
   plot.y = secondsAxis("mean seconds to the first solution, and quartiles", kFoot, results.cap);
   const double width = kGroup / double(results.methods.size());
   for (int t = 0; t < 3; ++t) plot.x.ticks.emplace_back(t, thirds[t]);
   for (size_t m = 0; m < results.methods.size(); ++m) {
-    io::ChartCurve& bars = plot.curves.emplace_back();
+    table::ChartCurve& bars = plot.curves.emplace_back();
     bars.name = results.methods[m];
     for (int t = 0; t < 3; ++t) {
       const auto read = [&](const char* what) {
@@ -79,10 +79,10 @@ io::ChartPlot thirdsPlot(const Results& results, const std::vector<Measure>& mea
 }  // namespace
 
 std::string suiteSvg(const Results& results, const std::vector<Measure>& measures) {
-  std::vector<io::ChartPlot> plots = {solvedPlot(results)};
+  std::vector<table::ChartPlot> plots = {solvedPlot(results)};
   if (findMeasure(measures, "ge", "geLongMeanSeconds"))
     plots.push_back(thirdsPlot(results, measures));
-  return io::chartSvg(plots);
+  return table::chartSvg(plots);
 }
 
 }  // namespace obby::bench

@@ -3,26 +3,19 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <cstdlib>
-#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <optional>
 #include <set>
 #include <utility>
 
+#include "io/byte_source.h"
 #include "io/json_tree.h"
-#include "io/text.h"
+#include "io/json_writer.h"
 
 namespace obby::bench {
 namespace {
-
-std::string quoted(const std::string& text) {
-  std::string out;
-  io::appendJsonString(out, text);
-  return out;
-}
 
 // Reads the members of a flat object.
 class Members {
@@ -32,7 +25,7 @@ class Members {
   std::string text(std::string_view name) { return textOf(need(name)); }
   std::string textIfAny(std::string_view name) { return textOf(find(name)); }
   double number(std::string_view name) {
-    const auto value = need(name);
+    const Found value = need(name);
     if (!value) return 0;
     using Type = io::JsonTree::Type;
     if (value->type == Type::whole) return double(value->value);
@@ -47,31 +40,19 @@ class Members {
   bool complete() const { return complete_; }
 
  private:
-  using Found = std::optional<io::JsonTree::Node>;
+  using Found = const io::JsonTree::Node*;
 
-  std::string textOf(const Found& value) const {
-    return value ? std::string(tree_.text(*value)) : "";
-  }
+  std::string textOf(Found value) const { return value ? std::string(tree_.text(*value)) : ""; }
   Found need(std::string_view name) {
     const Found value = find(name);
     if (!value) complete_ = false;
     return value;
   }
-  Found find(std::string_view name) const {
-    uint32_t at = tree_.root().type == io::JsonTree::Type::object ? tree_.root().child : 0;
-    for (; at != 0; at = tree_.node(at).next) {
-      if (tree_.name(tree_.node(at)) == name) return tree_.node(at);
-    }
-    return std::nullopt;
-  }
+  Found find(std::string_view name) const { return tree_.find(tree_.root(), name); }
 
   const io::JsonTree& tree_;
   bool complete_ = true;
 };
-
-Error fileError(const std::string& path, const char* what) {
-  return Error{path, {}, {}, fmt::format("{}: {}", what, std::strerror(errno)), {}};
-}
 
 bool counts(const Run& run, const Maker& maker) {
   return (maker.program == 0 || run.program == maker.program) &&
@@ -86,13 +67,15 @@ std::string Run::key() const {
 }
 
 std::string runLine(const Run& r) {
-  return fmt::format(
-      R"({{"method":{},"file":{},"query":{},"seed":{},"verdict":{},"expected":{},"seconds":{:.4f},)"
-      R"("steps":{:.0f},"rounds":{:.0f},"cap":{:g},"threads":{},"machine":{},"content":"{}","program":"{}"}})"
-      "\n",
-      quoted(r.method), quoted(r.file), quoted(r.query), r.seed, quoted(r.verdict),
-      quoted(r.expected), r.timing.seconds, r.timing.steps, r.timing.rounds, r.cap, r.threads,
-      quoted(r.machine), r.content, r.program);
+  io::JsonWriter json;
+  json.open('{').field("method", r.method).field("file", r.file).field("query", r.query);
+  json.field("seed", r.seed).field("verdict", r.verdict).field("expected", r.expected);
+  json.key("seconds").raw(fmt::format("{:.4f}", r.timing.seconds));
+  json.key("steps").raw(fmt::format("{:.0f}", r.timing.steps));
+  json.key("rounds").raw(fmt::format("{:.0f}", r.timing.rounds));
+  json.key("cap").raw(fmt::format("{:g}", r.cap)).field("threads", r.threads);
+  json.field("machine", r.machine).field("content", std::to_string(r.content));
+  return json.field("program", std::to_string(r.program)).finish() + "\n";
 }
 
 Result<Run> parseRun(const std::string& line) {
@@ -129,7 +112,7 @@ Result<RunLog> RunLog::open(const std::string& path) {
       ++log.unreadable_;
     }
   }
-  if (file.bad()) return fileError(path, "cannot read");
+  if (file.bad()) return io::fileError(path, "cannot read");
   return log;
 }
 
@@ -178,12 +161,12 @@ Status RunLog::append(const Run& run) {
     std::error_code ignored;  // opening the file reports the error
     if (!folder.empty()) std::filesystem::create_directories(folder, ignored);
     file_.reset(std::fopen(path_.c_str(), "ab"));
-    if (!file_) return fileError(path_, "cannot open");
+    if (!file_) return io::fileError(path_, "cannot open");
   }
   const std::string line = (cutOff_ ? "\n" : "") + runLine(run);
   cutOff_ = false;
   const bool written = std::fwrite(line.data(), 1, line.size(), file_.get()) == line.size();
-  if (!written || std::fflush(file_.get()) != 0) return fileError(path_, "cannot write");
+  if (!written || std::fflush(file_.get()) != 0) return io::fileError(path_, "cannot write");
   remember(run);
   return {};
 }

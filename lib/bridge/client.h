@@ -7,7 +7,7 @@
 #include <functional>
 #include <string>
 
-#include "bridge/ring.h"
+#include "bridge/messages.h"
 
 namespace obby::bridge {
 
@@ -20,9 +20,9 @@ class Client {
   const Ring& ring() const { return ring_; }
 
   // Adds a message for the client, and wakes its waiters.
-  void tell(uint64_t job, const std::string& members) {
+  void tell(uint64_t job, std::string_view object) {
     if (beforeLoss && ring_.halfFull()) beforeLoss();
-    ring_.push(job, members);
+    ring_.push(job, object);
     wake();
   }
   // Notes that the messages up to `cursor` have gone to a carrier that takes all in order. Messages

@@ -1,6 +1,6 @@
 #include "bridge/events.h"
 
-#include "bridge/json.h"
+#include "io/json_writer.h"
 
 namespace obby::bridge {
 namespace {
@@ -51,7 +51,7 @@ class Relay {
     const double now = loop_.now();
     if (now >= nextPing_) {
       nextPing_ = now + service_.limits().pingSeconds;
-      return send(JsonObject().text("type", "ping").whole(), [this] { return sendMore(); });
+      return send(R"({"type":"ping"})", [this] { return sendMore(); });
     }
     const auto left = uint64_t((nextPing_ - now) * 1000) + 1;
     return client_->whenWoken()
@@ -60,11 +60,12 @@ class Relay {
   }
 
   kj::Promise<void> sendReload() {
-    return send(JsonObject()
-                    .text("type", "reload")
-                    .text("error", "messages after that cursor are no longer kept")
-                    .text("cure", "get session and cursor from /v1/info, then ask again")
-                    .whole(),
+    return send(io::JsonWriter()
+                    .open('{')
+                    .field("type", "reload")
+                    .field("error", "messages after that cursor are no longer kept")
+                    .field("cure", "get session and cursor from /v1/info, then ask again")
+                    .finish(),
                 [this] { return socket_->close(kReload, "reload"); });
   }
 

@@ -47,8 +47,7 @@ struct Collector {
     if (out.warnings.size() < kMaxWarnings) out.warnings.emplace_back(line);
     if (typeOfLine(line) != "error") return;
     Error found;
-    for (uint32_t i = tree->root().child; i != 0; i = tree->node(i).next) {
-      const auto& member = tree->node(i);
+    for (const auto& member : tree->children(tree->root())) {
       if (member.type != io::JsonTree::Type::text) continue;
       const std::string_view name = tree->name(member);
       if (name == "place") found.place = tree->text(member);

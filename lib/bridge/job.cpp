@@ -5,10 +5,10 @@
 
 #include <cstring>
 
-#include "bridge/fragments.h"
-#include "bridge/json.h"
+#include "bridge/messages.h"
 #include "bridge/store.h"
 #include "io/json_tree.h"
+#include "io/json_writer.h"
 #include "io/utf8.h"
 
 namespace obby::bridge {
@@ -56,16 +56,17 @@ std::string Job::id() const { return fmt::format("j{}", number_); }
 
 void Job::enter(JobState state, const std::string& why) {
   state_ = state;
-  JsonObject out;
-  out.text("job", id()).text("type", "state").text("state", nameOf(state));
-  if (!why.empty()) out.text("reason", why);
-  client_->tell(number_, out.members());
+  io::JsonWriter out;
+  out.open('{').field("job", id()).field("type", "state").field("state", nameOf(state));
+  if (!why.empty()) out.field("reason", why);
+  client_->tell(number_, out.finish());
   if (ended()) lastCursor_ = client_->ring().last();
 }
 
 void Job::tell(const char* type, const char* member, std::string_view json) {
-  client_->tell(number_,
-                JsonObject().text("job", id()).text("type", type).json(member, json).members());
+  io::JsonWriter out;
+  out.open('{').field("job", id()).field("type", type).key(member).raw(json);
+  client_->tell(number_, out.finish());
 }
 
 void Job::fail(const Error& error) { enter(JobState::failed, error.text()); }
@@ -99,8 +100,8 @@ void Job::onRecord(std::string_view line) {
   keep(line);
   if (type == "end") complete_ = true;
   if (!worthTelling(type)) return;
-  for (const std::string& members : recordMessages(id(), line, limits_.messageBytes)) {
-    client_->tell(number_, members);
+  for (const std::string& message : recordMessages(id(), line, limits_.messageBytes)) {
+    client_->tell(number_, message);
   }
 }
 
@@ -110,14 +111,11 @@ void Job::onReport(std::string_view line) {
   const auto tree = io::JsonTree::parse(line);
   if (!tree || tree->root().type != io::JsonTree::Type::object) {
     lastReport_ = io::validUtf8(line);
-    client_->tell(
-        number_,
-        JsonObject().text("job", id()).text("type", "report").text("text", line).members());
-    return;
+    return tell("report", "text", io::JsonWriter().value(line).finish());
   }
   if (typeOfLine(line) == "progress") return tell("progress", "progress", line);
-  for (uint32_t i = tree->root().child; i != 0; i = tree->node(i).next) {
-    if (tree->name(tree->node(i)) == "message") lastReport_ = tree->text(tree->node(i));
+  if (const auto* message = tree->find(tree->root(), "message")) {
+    lastReport_ = tree->text(*message);
   }
   if (typeOfLine(line) == "error" && firstError_.empty()) firstError_ = lastReport_;
   tell("report", "report", line);
@@ -133,8 +131,7 @@ void Job::keep(std::string_view line) {
 
 void Job::keepNothing() {
   answer_.reset();  // removes the file: an incomplete answer is useless
-  tell("report", "report",
-       JsonObject().text("message", "this answer is not kept for a warm start").whole());
+  tell("report", "report", R"({"message":"this answer is not kept for a warm start"})");
 }
 
 void Job::closeAnswer() {

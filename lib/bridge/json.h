@@ -1,5 +1,4 @@
-// The bridge's own JSON: objects that are written member by member, and members that are read from
-// a tree. lib/io handles records.
+// Reads members of JSON trees, and copies values of them. lib/io handles records.
 #pragma once
 
 #include <cstdint>
@@ -10,31 +9,13 @@
 
 #include "base/result.h"
 #include "io/json_tree.h"
+#include "io/json_writer.h"
 
 namespace obby::bridge {
 
-// Writes `{"a":1,"b":"x"}`, with members in the order of the calls.
-class JsonObject {
- public:
-  JsonObject& text(std::string_view name, std::string_view value);
-  JsonObject& number(std::string_view name, uint64_t value);
-  JsonObject& real(std::string_view name, double value);  // null if not finite
-  JsonObject& truth(std::string_view name, bool value);
-  JsonObject& json(std::string_view name, std::string_view value);  // a JSON value, unchanged
-  // Return the members without braces, and the whole object.
-  const std::string& members() const { return out_; }
-  std::string whole() const { return "{" + out_ + "}"; }
-
- private:
-  void name(std::string_view name);
-  std::string out_;
-};
-
-// Returns `["a","b"]` for JSON values.
-std::string jsonArray(const std::vector<std::string>& values);
-
-// Returns a value of a tree as JSON text. Numbers keep their spelling. Nesting is that of the tree,
-// at most 64.
+// Writes a value of a tree. Numbers keep their spelling. Nesting is that of the tree, at most 64.
+void writeNode(io::JsonWriter& out, const io::JsonTree& tree, const io::JsonTree::Node& node);
+// Returns it as JSON text.
 std::string jsonText(const io::JsonTree& tree, const io::JsonTree::Node& node);
 
 // Calls `member` with the name and value of each member that is not null. It is an error if `node`

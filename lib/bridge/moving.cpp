@@ -1,7 +1,6 @@
 #include "bridge/moving.h"
 
 #include <algorithm>
-#include <vector>
 
 #include "bridge/json.h"
 
@@ -12,8 +11,7 @@ using io::JsonTree;
 
 bool moves(const JsonTree& tree, const JsonTree::Node& part) {
   if (part.type != JsonTree::Type::object) return false;
-  for (uint32_t i = part.child; i != 0; i = tree.node(i).next) {
-    const JsonTree::Node& member = tree.node(i);
+  for (const JsonTree::Node& member : tree.children(part)) {
     const std::string_view name = tree.name(member);
     const bool given = member.type != JsonTree::Type::null;
     if (given && (name == "motion" || name == "vanish")) return true;
@@ -22,23 +20,30 @@ bool moves(const JsonTree& tree, const JsonTree::Node& part) {
   return false;
 }
 
-std::string movingOf(const JsonTree& tree, const JsonTree::Node& list) {
-  std::vector<std::string> parts;
-  for (uint32_t i = list.child; i != 0; i = tree.node(i).next) {
-    const JsonTree::Node& part = tree.node(i);
-    parts.push_back(moves(tree, part) ? jsonText(tree, part) : std::string("{}"));
+void writeMoving(io::JsonWriter& out, const JsonTree& tree, const JsonTree::Node& list) {
+  out.open('[');
+  for (const JsonTree::Node& part : tree.children(list)) {
+    if (moves(tree, part)) {
+      writeNode(out, tree, part);
+    } else {
+      out.raw("{}");
+    }
   }
-  return jsonArray(parts);
+  out.close();
 }
 
 std::string recordOf(const JsonTree& tree) {
-  JsonObject out;
-  for (uint32_t i = tree.root().child; i != 0; i = tree.node(i).next) {
-    const JsonTree::Node& member = tree.node(i);
-    const bool list = tree.name(member) == "parts" && member.type == JsonTree::Type::array;
-    out.json(tree.name(member), list ? movingOf(tree, member) : jsonText(tree, member));
+  io::JsonWriter out;
+  out.open('{');
+  for (const JsonTree::Node& member : tree.children(tree.root())) {
+    out.key(tree.name(member));
+    if (tree.name(member) == "parts" && member.type == JsonTree::Type::array) {
+      writeMoving(out, tree, member);
+    } else {
+      writeNode(out, tree, member);
+    }
   }
-  return out.whole();
+  return out.finish();
 }
 
 }  // namespace

@@ -115,18 +115,18 @@ class OrderReader {
   // Converts the record by lib/io and back, so that all of its fields are the schema's.
   Result<std::string> lineOf(const Node& value, const std::string& path, const char* type,
                              io::Kind kind) const {
-    JsonObject out;
-    out.text("type", type);
+    io::JsonWriter out;
+    out.open('{').field("type", type);
     OBBY_RETURN_IF_ERROR(
         forMembers(tree_, value, path, [&](std::string_view name, const Node& field) -> Status {
           if (name != "type") {
-            out.json(name, jsonText(tree_, field));
+            writeNode(out.key(name), tree_, field);
           } else if (field.type != Type::text || tree_.text(field) != type) {
             return pathError(path + ".type", fmt::format("expected \"{}\"", type));
           }
           return {};
         }));
-    auto built = io::recordFromJson(out.whole());
+    auto built = io::recordFromJson(out.finish());
     if (!built) return placed(built.error(), path);
     if (built->reader().which() != kind)
       return pathError(path, fmt::format("expected a {} record", type));

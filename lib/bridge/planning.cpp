@@ -7,9 +7,9 @@
 #include <thread>
 
 #include "base/spelling.h"
-#include "bridge/json.h"
 #include "bridge/order.h"
 #include "bridge/service.h"
+#include "io/json_writer.h"
 #include "io/text.h"
 
 namespace obby::bridge {
@@ -51,12 +51,13 @@ Reply Service::putJob(std::shared_ptr<Client> client, const std::string& body) {
     return refuse(429, fmt::format("{} jobs are already waiting", limits_.waiting),
                   "cancel one, or wait for one to end");
   }
-  return {202, JsonObject()
-                   .text("job", job->id())
-                   .text("state", nameOf(job->state()))
-                   .text("session", session_)
-                   .number("cursor", job->firstCursor())
-                   .whole()};
+  return {202, io::JsonWriter()
+                   .open('{')
+                   .field("job", job->id())
+                   .field("state", nameOf(job->state()))
+                   .field("session", session_)
+                   .field("cursor", job->firstCursor())
+                   .finish()};
 }
 
 std::variant<JobPlan, Reply> Service::plan(const Order& order, Client& client, uint64_t number) {

@@ -1,16 +1,16 @@
 #include "bridge/reply.h"
 
-#include "bridge/json.h"
+#include "io/json_writer.h"
 
 namespace obby::bridge {
 
 Reply refuse(int status, const Error& error) {
-  JsonObject out;
-  out.text("error", error.message);
-  if (!error.hint.empty()) out.text("cure", error.hint);
-  if (!error.place.empty()) out.text("place", error.place);
-  if (!error.path.empty()) out.text("path", error.path);
-  return {status, out.whole()};
+  io::JsonWriter out;
+  out.open('{').field("error", error.message);
+  if (!error.hint.empty()) out.field("cure", error.hint);
+  if (!error.place.empty()) out.field("place", error.place);
+  if (!error.path.empty()) out.field("path", error.path);
+  return {status, out.finish()};
 }
 
 }  // namespace obby::bridge

@@ -2,13 +2,12 @@
 
 #include <errno.h>
 #include <fcntl.h>
-#include <fmt/format.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <cstdio>
-#include <cstring>
 
+#include "io/byte_source.h"
 #include "io/read_file.h"
 #include "loopback/secrets.h"
 
@@ -31,10 +30,6 @@ std::string plain(std::string_view typed) {
     out += c >= 'a' && c <= 'z' ? char(c - 'a' + 'A') : c;
   }
   return out;
-}
-
-Error fileError(const std::string& path, const char* what) {
-  return Error{path, {}, {}, fmt::format("{}: {}", what, std::strerror(errno)), {}};
 }
 
 bool isToken(std::string_view text) {
@@ -70,7 +65,7 @@ Result<Tokens> Tokens::open(std::string path, size_t most) {
   struct stat about {};
   if (stat(out.path_.c_str(), &about) != 0) {
     if (errno == ENOENT) return out;
-    return fileError(out.path_, "cannot access it");
+    return io::fileError(out.path_, "cannot access it");
   }
   if ((about.st_mode & 077) != 0) {
     return Error{out.path_,
@@ -123,11 +118,11 @@ Status Tokens::write(const std::vector<Entry>& entries) const {
   const std::string temporary = path_ + "." + randomHex(4);
   const int fd =
       ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC | O_NOFOLLOW, 0600);
-  if (fd < 0) return fileError(path_, "cannot write");
+  if (fd < 0) return io::fileError(path_, "cannot write");
   const bool written = ::write(fd, text.data(), text.size()) == ssize_t(text.size());
   const bool closed = close(fd) == 0;
   if (written && closed && rename(temporary.c_str(), path_.c_str()) == 0) return {};
-  const Error error = fileError(path_, "cannot write");
+  const Error error = io::fileError(path_, "cannot write");
   unlink(temporary.c_str());
   return error;
 }

@@ -21,16 +21,10 @@ Reply noSuchJob() {
 
 Reply levelReply(int status, const std::string& id, const std::vector<std::string>& queries,
                  const std::vector<std::string>& warnings) {
-  std::vector<std::string> ids;
-  for (const std::string& query : queries) {
-    const std::string text = JsonObject().text("", query).members();
-    ids.push_back(text.substr(3));  // only the value, after `"":`
-  }
-  return {status, JsonObject()
-                      .text("level", id)
-                      .json("queries", jsonArray(ids))
-                      .json("warnings", jsonArray(warnings))
-                      .whole()};
+  io::JsonWriter out;
+  out.open('{').field("level", id).key("queries").list(queries).key("warnings").open('[');
+  for (const std::string& warning : warnings) out.raw(warning);
+  return {status, out.finish()};
 }
 
 }  // namespace
@@ -81,35 +75,26 @@ kj::Promise<Reply> Service::handle(const Call& call, std::string body) {
 }
 
 Reply Service::info(const Call& call) {
-  JsonObject out;
-  out.text("name", "obby-bridge").number("protocol", kProtocol).text("version", io::toolVersion());
-  out.truth("needsToken", needToken_);
-  const bool pairing = pairing_ && *pairing_->closed(loop_.now()) == 0;
-  out.truth("pairing", pairing);
-  if (call.client < 0) return {200, out.whole()};
+  io::JsonWriter out;
+  out.open('{').field("name", "obby-bridge").field("protocol", kProtocol);
+  out.field("version", io::toolVersion()).field("needsToken", needToken_);
+  out.field("pairing", pairing_ && *pairing_->closed(loop_.now()) == 0);
+  if (call.client < 0) return {200, out.finish()};
   const std::shared_ptr<Client> who = client(call.client);
-  std::vector<std::string> jobs;
+  out.field("session", session_).field("cursor", who->ring().last()).key("jobs").open('[');
   for (const Job* job : jobs_.of(*who)) {
-    jobs.push_back(JsonObject().text("job", job->id()).text("state", nameOf(job->state())).whole());
+    out.open('{').field("job", job->id()).field("state", nameOf(job->state())).close();
   }
-  out.text("session", session_).number("cursor", who->ring().last()).json("jobs", jsonArray(jobs));
-  out.json("limits", JsonObject()
-                         .number("bodyBytes", limits_.bodyBytes)
-                         .number("inflatedBytes", limits_.inflatedBytes)
-                         .number("messageBytes", limits_.messageBytes)
-                         .number("ringBytes", limits_.ringBytes)
-                         .number("jobs", limits_.jobs)
-                         .number("waiting", limits_.waiting)
-                         .real("pingSeconds", limits_.pingSeconds)
-                         .real("silenceSeconds", limits_.silenceSeconds)
-                         .real("graceSeconds", limits_.graceSeconds)
-                         .whole());
-  out.json("tools", JsonObject()
-                        .truth("solve", !programs_.solve.empty())
-                        .truth("import", !programs_.import.empty())
-                        .truth("calibrate", !programs_.calibrate.empty())
-                        .whole());
-  return {200, out.whole()};
+  out.close().key("limits").open('{').field("bodyBytes", limits_.bodyBytes);
+  out.field("inflatedBytes", limits_.inflatedBytes).field("messageBytes", limits_.messageBytes);
+  out.field("ringBytes", limits_.ringBytes).field("jobs", limits_.jobs);
+  out.field("waiting", limits_.waiting).field("pingSeconds", limits_.pingSeconds);
+  out.field("silenceSeconds", limits_.silenceSeconds);
+  out.field("graceSeconds", limits_.graceSeconds).close();
+  out.key("tools").open('{').field("solve", !programs_.solve.empty());
+  out.field("import", !programs_.import.empty());
+  out.field("calibrate", !programs_.calibrate.empty());
+  return {200, out.finish()};
 }
 
 std::optional<Reply> Service::closedTo(const Call& call) const {
@@ -139,7 +124,7 @@ Reply Service::pair(const std::string& body) {
   }
   auto token = tokens_.add();
   if (!token) return refuse(507, token.error().text(), "free disk space, then pair again");
-  return {200, JsonObject().text("token", *token).whole()};
+  return {200, io::JsonWriter().open('{').field("token", *token).finish()};
 }
 
 kj::Promise<Reply> Service::putLevel(std::string body) {
@@ -187,7 +172,7 @@ Reply Service::cancelJob(Client& client, const std::string& id) {
   jobs_.cancel(*job, "the client cancelled it");
   job = jobs_.find(client, id);  // the limit of kept jobs may have removed it
   const JobState state = job ? job->state() : JobState::cancelled;
-  return {202, JsonObject().text("job", id).text("state", nameOf(state)).whole()};
+  return {202, io::JsonWriter().open('{').field("job", id).field("state", nameOf(state)).finish()};
 }
 
 std::optional<Reply> Service::checkSession(const Call& call) const {
@@ -230,23 +215,17 @@ kj::Promise<Reply> Service::getJob(std::shared_ptr<Client> client, Call call, do
 }
 
 Reply Service::jobReply(const Job& job, const Client& client, uint64_t cursor) const {
-  std::vector<std::string> messages;
-  uint64_t bytes = 0;
+  io::JsonWriter messages;
+  messages.open('[');
   const Message* m = client.ring().after(cursor);
-  for (; m && bytes <= kMiB; m = client.ring().after(m->number)) {
+  for (; m && messages.text().size() <= kMiB; m = client.ring().after(m->number)) {
     cursor = m->number;
-    if (m->job != job.number()) continue;
-    messages.push_back(m->text);
-    bytes += m->text.size();
+    if (m->job == job.number()) messages.raw(m->text);
   }
-  return {200, JsonObject()
-                   .text("job", job.id())
-                   .text("state", nameOf(job.state()))
-                   .text("session", session_)
-                   .number("cursor", cursor)
-                   .truth("more", m != nullptr)
-                   .json("messages", jsonArray(messages))
-                   .whole()};
+  io::JsonWriter out;
+  out.open('{').field("job", job.id()).field("state", nameOf(job.state()));
+  out.field("session", session_).field("cursor", cursor).field("more", m != nullptr);
+  return {200, out.key("messages").raw(messages.finish()).finish()};
 }
 
 std::variant<std::shared_ptr<Client>, Reply> Service::events(const Call& call) {
@@ -260,13 +239,9 @@ std::variant<std::shared_ptr<Client>, Reply> Service::events(const Call& call) {
 }
 
 std::string Service::hello(const Client& client, uint64_t cursor) const {
-  return JsonObject()
-      .text("type", "hello")
-      .number("protocol", kProtocol)
-      .text("session", session_)
-      .number("cursor", cursor)
-      .number("last", client.ring().last())
-      .whole();
+  io::JsonWriter out;
+  out.open('{').field("type", "hello").field("protocol", kProtocol).field("session", session_);
+  return out.field("cursor", cursor).field("last", client.ring().last()).finish();
 }
 
 void Service::sweep() {

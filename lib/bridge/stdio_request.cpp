@@ -1,8 +1,7 @@
 #include "bridge/stdio_request.h"
 
-#include <kj/encoding.h>
-
 #include "bridge/json.h"
+#include "io/base64.h"
 
 namespace obby::bridge {
 namespace {
@@ -46,9 +45,9 @@ struct LineReader {
   Status base64(const Node& value) {
     std::string coded;
     OBBY_RETURN_IF_ERROR(text(value, "base64", coded));
-    const auto bytes = kj::decodeBase64(kj::ArrayPtr<const char>(coded.data(), coded.size()));
-    if (bytes.hadErrors) return pathError("base64", "expected base64");
-    out.body.assign(reinterpret_cast<const char*>(bytes.begin()), bytes.size());
+    auto bytes = io::decodeBase64(coded);
+    if (!bytes) return pathError("base64", "expected base64");
+    out.body = *std::move(bytes);
     return {};
   }
 };
@@ -79,14 +78,14 @@ StdioRequest parseStdioRequest(std::string_view line) {
 }
 
 std::string stdioReply(const std::string& id, const Reply& reply) {
-  JsonObject out;
-  out.json("id", id).number("status", uint64_t(reply.status));
+  io::JsonWriter out;
+  out.open('{').key("id").raw(id).field("status", reply.status);
   if (reply.type == "application/json") {
-    out.json("body", reply.body);
+    out.key("body").raw(reply.body);
   } else {
-    out.text("text", reply.body);
+    out.field("text", reply.body);
   }
-  return out.whole();
+  return out.finish();
 }
 
 }  // namespace obby::bridge

@@ -157,14 +157,8 @@ std::string_view typeOfLine(std::string_view line) {
 
 std::string queryIdOfLine(std::string_view line) {
   const auto tree = io::JsonTree::parse(line);
-  if (!tree || tree->root().type != io::JsonTree::Type::object) return {};
-  for (uint32_t i = tree->root().child; i != 0; i = tree->node(i).next) {
-    const io::JsonTree::Node& member = tree->node(i);
-    if (tree->name(member) == "id" && member.type == io::JsonTree::Type::text) {
-      return std::string(tree->text(member));
-    }
-  }
-  return {};
+  const io::JsonTree::Node* id = tree ? tree->find(tree->root(), "id") : nullptr;
+  return id && id->type == io::JsonTree::Type::text ? std::string(tree->text(*id)) : std::string();
 }
 
 }  // namespace obby::bridge

@@ -6,15 +6,15 @@
 #include <cmath>
 
 #include "calibrate/range_text.h"
-#include "io/chart.h"
 #include "io/text.h"
+#include "table/chart.h"
 
 namespace obby::calibrate {
 
 namespace {
 
 constexpr double kBar = 220;        // width of an interval's bar, pixels
-constexpr double kPlotWidth = 640;  // pixels, as in io::chartSvg
+constexpr double kPlotWidth = 640;  // pixels, as in table::chartSvg
 constexpr double kLow = 150, kHigh = 460;
 constexpr double kLeastMap = 4;      // min width of a map, studs; smaller ones would show only
                                      // noise
@@ -100,8 +100,8 @@ std::string parametersOf(const Fit& fit) {
 
 // Samples every n-th point, and the last.
 template <class Point>
-io::ChartCurve curveOf(const std::string& name, size_t count, const Point& point) {
-  io::ChartCurve curve{name, {}, {}, {}};
+table::ChartCurve curveOf(const std::string& name, size_t count, const Point& point) {
+  table::ChartCurve curve{name, {}, {}, {}};
   const size_t step = count / kMostPoints + 1;
   for (size_t i = 0; i < count; i += step) curve.points.push_back(point(i));
   if (count > 0 && (count - 1) % step != 0) curve.points.push_back(point(count - 1));
@@ -112,9 +112,9 @@ struct Range {
   double from = 1e300, to = -1e300;
 };
 
-Range rangeOf(const std::vector<io::ChartCurve>& curves, bool second) {
+Range rangeOf(const std::vector<table::ChartCurve>& curves, bool second) {
   Range out;
-  for (const io::ChartCurve& curve : curves) {
+  for (const table::ChartCurve& curve : curves) {
     for (const auto& [x, y] : curve.points) {
       out.from = std::min(out.from, second ? y : x);
       out.to = std::max(out.to, second ? y : x);
@@ -123,10 +123,10 @@ Range rangeOf(const std::vector<io::ChartCurve>& curves, bool second) {
   return out;
 }
 
-io::ChartPlot plotOf(const std::string& across, const std::string& up,
-                     std::vector<io::ChartCurve> curves) {
+table::ChartPlot plotOf(const std::string& across, const std::string& up,
+                        std::vector<table::ChartCurve> curves) {
   const Range x = rangeOf(curves, false), y = rangeOf(curves, true);
-  return {io::roundAxis(across, x.from, x.to, true), io::roundAxis(up, y.from, y.to, true),
+  return {table::roundAxis(across, x.from, x.to, true), table::roundAxis(up, y.from, y.to, true),
           std::move(curves), 200};
 }
 
@@ -136,32 +136,32 @@ Range widened(Range range, double size) {
 }
 
 // A map has the same scale on both axes.
-io::ChartPlot mapOf(const std::string& across, const std::string& up,
-                    std::vector<io::ChartCurve> curves) {
+table::ChartPlot mapOf(const std::string& across, const std::string& up,
+                       std::vector<table::ChartCurve> curves) {
   Range x = rangeOf(curves, false), y = rangeOf(curves, true);
   const double size = std::max({x.to - x.from, (y.to - y.from) * kPlotWidth / kHigh, kLeastMap});
   x = widened(x, size);
   y = widened(y, size * kLow / kPlotWidth);
-  return {io::roundAxis(across, x.from, x.to, false), io::roundAxis(up, y.from, y.to, false),
+  return {table::roundAxis(across, x.from, x.to, false), table::roundAxis(up, y.from, y.to, false),
           std::move(curves), kPlotWidth * (y.to - y.from) / size};
 }
 
 std::string waysOf(const Path& path) {
   const size_t count = path.seconds.size();
   const auto pair = [&](const auto& point) {
-    return std::vector<io::ChartCurve>{
+    return std::vector<table::ChartCurve>{
         curveOf("recorded", count, [&](size_t i) { return point(i, path.recorded[i]); }),
         curveOf("simulated", count, [&](size_t i) { return point(i, path.simulated[i]); })};
   };
   const auto above = pair([](size_t, Vec3 p) { return std::pair(double(p.x), -double(p.z)); });
   const auto height =
       pair([&](size_t i, Vec3 p) { return std::pair(path.seconds[i], double(p.y)); });
-  std::vector<io::ChartCurve> off = {curveOf("distance", count, [&](size_t i) {
+  std::vector<table::ChartCurve> off = {curveOf("distance", count, [&](size_t i) {
     return std::pair(path.seconds[i], double(length(path.simulated[i] - path.recorded[i])));
   })};
-  return io::chartSvg({mapOf("x, studs", "from above: -z, studs", above)}) +
-         io::chartSvg({plotOf("seconds", "height, studs", height)}) +
-         io::chartSvg({plotOf("seconds", "distance, studs", std::move(off))});
+  return table::chartSvg({mapOf("x, studs", "from above: -z, studs", above)}) +
+         table::chartSvg({plotOf("seconds", "height, studs", height)}) +
+         table::chartSvg({plotOf("seconds", "distance, studs", std::move(off))});
 }
 
 std::string recordingOf(const Outcome& o, bool open) {

@@ -22,10 +22,6 @@ std::string quotedHelp(const std::string& text) {
 // Reads one name a line, so that names may contain blanks.
 constexpr const char* kBashFiles = "mapfile -t COMPREPLY < <(compgen -f -- \"$word\")";
 
-bool takesWord(const OptionRow& row) {
-  return row.type != ValueType::flag && row.type != ValueType::mode;
-}
-
 std::string bash(const ToolSpec& spec, const std::vector<OptionRow>& rows) {
   std::string words, cases;
   for (const OptionRow& row : rows) {

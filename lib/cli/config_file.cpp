@@ -169,7 +169,7 @@ class Reader {
 
 const OptionRow* findRow(const std::vector<OptionRow>& rows, const std::string& name) {
   for (const OptionRow& row : rows)
-    if (row.name == name && !onlyTyped(row)) return &row;
+    if ((row.name == name || row.formerly == name) && !onlyTyped(row)) return &row;
   return nullptr;
 }
 
@@ -187,7 +187,7 @@ Status add(Config& values, Item item, const std::vector<OptionRow>& rows) {
                                        : "leave out the line to keep the default");
   }
   if (item.alone) item.value.texts = {"true"};
-  ConfigValue& all = values[item.name];
+  ConfigValue& all = values[row->name];
   all.line = item.value.line;
   for (std::string& text : item.value.texts) all.texts.push_back(std::move(text));
   if (!row->repeatable && all.texts.size() != 1)

@@ -5,13 +5,13 @@
 #include <time.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <cerrno>
-#include <climits>
+#include <cstdint>
 #include <cstdlib>
 #include <string>
 
 #include "cli/stop.h"
+#include "io/json_writer.h"
 #include "io/sink.h"
 #include "io/text.h"
 #include "io/utf8.h"
@@ -20,7 +20,6 @@ namespace obby::cli {
 namespace {
 
 constexpr const char* kClearLine = "\r\x1b[K";
-constexpr int kStopCheckMilliseconds = 50;
 
 // Replaces characters of a message that could move the cursor, forge a line or reverse this one.
 // The replacement stays visible.
@@ -52,9 +51,8 @@ class PipeSignalHeld {
   bool wasPending_;
 };
 
-void member(std::string& out, const char* name, const std::string& value) {
-  if (value.empty()) return;
-  out += std::string(",\"") + name + "\":" + io::quoted(value, SIZE_MAX);
+void writeShown(io::JsonWriter& out, const char* name, const std::string& value) {
+  if (!value.empty()) out.key(name).raw(io::quoted(value, SIZE_MAX));
 }
 
 // An error about an option has the option's name, or its variable's, in place of a path in a
@@ -97,13 +95,14 @@ void Console::tell(const std::string& text) {
 
 void Console::message(const char* level, const Error& error) {
   if (jsonErrors) {
-    std::string out = std::string("{\"type\":\"") + level + "\",\"tool\":\"" + tool_ + '"';
-    member(out, "input", error.input);
-    member(out, "place", error.place);
-    member(out, namesOption(error.path) ? "option" : "path", error.path);
-    member(out, "message", error.message);
-    member(out, "hint", error.hint);
-    return line(out + "}");
+    io::JsonWriter out;
+    out.open('{').field("type", level).field("tool", tool_);
+    writeShown(out, "input", error.input);
+    writeShown(out, "place", error.place);
+    writeShown(out, namesOption(error.path) ? "option" : "path", error.path);
+    writeShown(out, "message", error.message);
+    writeShown(out, "hint", error.hint);
+    return line(out.finish());
   }
   const bool isError = std::string_view(level) == "error";
   const std::string name = color && isError ? "\x1b[1;31m" + tool_ + "\x1b[0m" : tool_;
@@ -127,20 +126,8 @@ void Console::status(const std::string& text) {
 
 void Console::put(std::string_view text) {
   const PipeSignalHeld held;
-  while (!text.empty() && !unheard_) {
-    const bool ends = stopFlag().load();
-    unheard_ = ends && !io::takesMore(STDERR_FILENO, io::kPatienceMilliseconds);
-    if (unheard_) return;
-    const size_t most = ends ? std::min<size_t>(text.size(), PIPE_BUF) : text.size();
-    const ssize_t sent = ::write(STDERR_FILENO, text.data(), most);
-    if (sent >= 0) {
-      text.remove_prefix(size_t(sent));
-    } else if (errno == EAGAIN) {  // another program has made it non-blocking
-      io::takesMore(STDERR_FILENO, kStopCheckMilliseconds);
-    } else if (errno != EINTR) {
-      return;  // there is nowhere left to report this
-    }
-  }
+  if (unheard_ || io::sendAll(STDERR_FILENO, text, &stopFlag())) return;
+  unheard_ = errno == EINTR;  // other errors can be reported nowhere
 }
 
 }  // namespace obby::cli

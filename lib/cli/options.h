@@ -22,8 +22,9 @@ enum class ValueType {
 };
 
 struct OptionRow {
-  std::string name;  // "time-limit": --time-limit, OBBY_TIME_LIMIT, time-limit = in a file
-  char letter = 0;   // 't' for -t; 0 for none
+  std::string name;      // "time-limit": --time-limit, OBBY_TIME_LIMIT, time-limit = in a file
+  std::string formerly;  // an earlier name that works everywhere but is shown nowhere
+  char letter = 0;       // 't' for -t; 0 for none
   ValueType type = ValueType::flag;
   std::string value;              // name of the value in help: "SECONDS"
   std::string defaultText;        // as it would be typed; empty for no default
@@ -42,31 +43,14 @@ struct OptionRow {
   bool hidden = false;  // an option for the build: in no help and no completion
 };
 
+// Returns true if the value may be a word of its own: `--name VALUE`.
+inline bool takesWord(const OptionRow& row) {
+  return row.type != ValueType::flag && row.type != ValueType::mode;
+}
+
 // Headings in help. kHelpGroup comes last.
 inline constexpr const char* kFilesGroup = "Input and output";
 inline constexpr const char* kRunGroup = "Threads and random numbers";
 inline constexpr const char* kHelpGroup = "Help and messages";
-
-// Options that mean the same in every tool.
-enum class Common {
-  output,     // -o, --output FILE
-  format,     // --format jsonl|capnp|packed
-  seed,       // --seed N
-  threads,    // --threads N; 0 for all that this process may use
-  backend,    // --backend auto|cpu|cuda
-  timeLimit,  // --time-limit SECONDS
-  progress,   // --progress[=auto|line|json|none]
-  onError,    // --on-error stop|skip|emit
-};
-
-// Returns the row of a common option. Its help or default may change before it is put into a table:
-//   options = {commonRow(Common::output), withDefault(commonRow(Common::timeLimit), "10"), ...}
-OptionRow commonRow(Common option);
-OptionRow withDefault(OptionRow row, std::string defaultText);
-
-// Returns the rows that every tool has: --help, --help-all, --version, --quiet, --verbose,
-// --no-color, --json-errors, --schema, --config, --print-config, --completion, --man. runTool adds
-// them.
-const std::vector<OptionRow>& universalRows();
 
 }  // namespace obby::cli

@@ -6,43 +6,55 @@
 #include <algorithm>
 
 #include "base/spelling.h"
+#include "cli/rows.h"
 #include "io/text.h"
 
 namespace obby::cli {
 namespace {
 
-// CLI11 splits a value in brackets, and replaces an empty value after "=" by the next word, perhaps
-// a file. A mark before the value prevents both.
-constexpr char kMark = '\x01';
+constexpr int kMostInputs = 1 << 20;
 
-// Returns where the value begins in "--name=value". Other words are values from their start.
-size_t valueBegin(const std::string& word) {
-  const size_t equals = word.starts_with("--") ? word.find('=') : std::string::npos;
-  return equals == std::string::npos ? 0 : equals + 1;
+// Returns the row of `--name=` without a value, or null.
+const OptionRow* emptyRow(std::string_view word, const std::vector<OptionRow>& rows) {
+  if (!word.starts_with("--") || !word.ends_with('=')) return nullptr;
+  const std::string_view name = word.substr(2, word.size() - 3);
+  const auto found = std::ranges::find(rows, name, &OptionRow::name);
+  return found == rows.end() ? nullptr : &*found;
 }
 
-std::string marked(std::string word) {
-  const size_t begin = valueBegin(word);
-  const bool empty = begin > 0 && begin == word.size();
-  if (empty || (begin < word.size() && word[begin] == '[')) word.insert(begin, 1, kMark);
-  return word;
-}
+struct Words {
+  std::vector<std::string> forParser;
+  std::vector<std::string> emptyFlags;  // names of flags that were given as `--name=`
+};
 
-// Removes the mark from a word, or from the value in it.
-std::string unmarked(std::string word) {
-  const size_t begin = valueBegin(word);
-  if (begin < word.size() && word[begin] == kMark) word.erase(begin, 1);
-  return word;
+// CLI11 takes the next word, perhaps a file, as the value of `--name=`. So an empty value becomes a
+// word of its own, and that of a flag is kept from CLI11.
+Words wordsOf(const std::vector<OptionRow>& rows, int argc, char** argv) {
+  Words out;
+  bool optionsEnd = false;
+  for (int i = 1; i < argc; i++) {
+    optionsEnd = optionsEnd || std::string_view(argv[i]) == "--";
+    const OptionRow* row = optionsEnd ? nullptr : emptyRow(argv[i], rows);
+    if (!row) {
+      out.forParser.emplace_back(argv[i]);
+    } else if (takesWord(*row)) {
+      out.forParser.insert(out.forParser.end(), {"--" + row->name, ""});
+    } else {
+      out.emptyFlags.push_back(row->name);
+    }
+  }
+  std::ranges::reverse(out.forParser);  // as CLI11 wants them
+  return out;
 }
 
 CLI::Option* addRow(CLI::App& app, const OptionRow& row) {
-  std::string names = "--" + row.name;
+  const bool isMode = row.type == ValueType::mode;
+  const std::string bare = isMode ? "{" + row.bare + "}" : std::string();
+  std::string names = "--" + row.name + bare;
+  if (!row.formerly.empty()) names += ",--" + row.formerly + bare;
   if (row.letter) names = std::string("-") + row.letter + "," + names;
-  if (row.type == ValueType::flag)
+  if (row.type == ValueType::flag || isMode)
     return app.add_flag(names)->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
-  if (row.type == ValueType::mode)
-    return app.add_flag(names + "{" + row.bare + "}")
-        ->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
   CLI::Option* option = app.add_option(names);
   return option->expected(1)->multi_option_policy(
       row.repeatable ? CLI::MultiOptionPolicy::TakeAll : CLI::MultiOptionPolicy::TakeLast);
@@ -92,27 +104,25 @@ CommandLine parseCommandLine(const ToolSpec& spec, const std::vector<OptionRow>&
   app.allow_extras();
   std::vector<CLI::Option*> options;
   for (const OptionRow& row : rows) options.push_back(addRow(app, row));
-  CLI::Option* inputs =
-      spec.takesInputs ? app.add_option("FILE")->expected(0, 1 << 20)->allow_extra_args() : nullptr;
-  std::vector<std::string> words;
-  for (int i = argc - 1; i > 0; i--) words.push_back(marked(argv[i]));  // CLI11 takes them reversed
+  CLI::Option* inputs = nullptr;
+  if (spec.takesInputs) {
+    inputs = app.add_option("FILE")->expected(kMostInputs);  // fewer are no error with this policy
+    inputs->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  }
+  Words words = wordsOf(rows, argc, argv);
   try {
-    app.parse(words);
+    app.parse(words.forParser);
   } catch (const CLI::ParseError& e) {
     out.wrong = parseError(e, rows);
   }
   for (size_t i = 0; i < rows.size(); i++) {
-    for (const std::string& text : options[i]->results())
-      out.texts[rows[i].name].push_back(unmarked(text));
-    if (options[i]->count() > 0 && out.texts[rows[i].name].empty())
-      out.texts[rows[i].name].push_back("");
+    if (options[i]->count() > 0) out.texts[rows[i].name] = options[i]->results();
   }
-  if (inputs)
-    for (const std::string& text : inputs->results()) out.inputs.push_back(unmarked(text));
+  for (const std::string& name : words.emptyFlags) out.texts[name].emplace_back();
+  if (inputs) out.inputs = inputs->results();
   std::vector<std::string> extras = app.remaining();
   std::erase(extras, "--");
-  if (out.wrong && !extras.empty())
-    out.wrong = unknownArgument(unmarked(extras.front()), rows, spec);
+  if (out.wrong && !extras.empty()) out.wrong = unknownArgument(extras.front(), rows, spec);
   return out;
 }
 

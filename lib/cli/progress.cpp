@@ -4,8 +4,10 @@
 #include <unistd.h>
 
 #include <cmath>
+#include <limits>
 
 #include "cli/console.h"
+#include "io/json_writer.h"
 #include "io/sink.h"
 #include "io/text.h"
 #include "io/utf8.h"
@@ -13,16 +15,15 @@
 namespace obby::cli {
 namespace {
 
-using namespace std::chrono_literals;
-
-std::chrono::steady_clock::duration interval(ProgressMode mode) {
+// Returns the seconds between two states.
+double interval(ProgressMode mode) {
   switch (mode) {
-    case ProgressMode::bar: return 100ms;
-    case ProgressMode::json: return 200ms;
-    case ProgressMode::line: return 10s;
+    case ProgressMode::bar: return 0.1;
+    case ProgressMode::json: return 0.2;
+    case ProgressMode::line: return 10;
     case ProgressMode::none: break;
   }
-  return 24h;
+  return std::numeric_limits<double>::infinity();
 }
 
 // Formats 1234567 as 1.23M.
@@ -70,16 +71,16 @@ std::string progressLine(const ProgressState& state, size_t width) {
 }
 
 std::string progressJson(const ProgressState& state) {
-  std::string out = "{\"type\":\"progress\",\"task\":" + io::quoted(state.task, SIZE_MAX);
-  if (state.fraction >= 0) out += fmt::format(",\"fraction\":{}", state.fraction);
+  io::JsonWriter out;
+  out.open('{').field("type", "progress").key("task").raw(io::quoted(state.task, SIZE_MAX));
+  if (state.fraction >= 0) out.field("fraction", state.fraction);
   for (const auto& [name, value] : state.numbers)
-    if (std::isfinite(value)) out += fmt::format(",{}:{}", io::quoted(name), value);
-  if (knowsTime(state)) out += fmt::format(",\"seconds left\":{}", state.secondsLeft);
-  return out + "}";
+    if (std::isfinite(value)) out.field(name, value);
+  if (knowsTime(state)) out.field("seconds left", state.secondsLeft);
+  return out.finish();
 }
 
-Progress::Progress(ProgressMode mode, Console& console)
-    : mode_(mode), console_(console), start_(std::chrono::steady_clock::now()), last_(start_) {}
+Progress::Progress(ProgressMode mode, Console& console) : mode_(mode), console_(console) {}
 
 Progress::~Progress() { hide(); }
 
@@ -89,7 +90,7 @@ void Progress::hide() {
 
 void Progress::update(const ProgressState& state) {
   if (mode_ == ProgressMode::none) return;
-  const auto now = std::chrono::steady_clock::now();
+  const double now = watch_.seconds();
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     const bool firstAtOnce = !shown_ && mode_ != ProgressMode::line;
@@ -103,8 +104,7 @@ void Progress::update(const ProgressState& state) {
   } else if (mode_ == ProgressMode::json) {
     console_.line(progressJson(state));
   } else {
-    const double seconds = std::chrono::duration<double>(now - start_).count();
-    console_.line(fmt::format("{:.0f} s  {}", seconds, progressLine(state, 200)));
+    console_.line(fmt::format("{:.0f} s  {}", now, progressLine(state, 200)));
   }
 }
 

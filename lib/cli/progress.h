@@ -2,12 +2,13 @@
 // seconds, or JSON for programs.
 #pragma once
 
-#include <chrono>
 #include <mutex>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
+
+#include "base/stopwatch.h"
 
 namespace obby::cli {
 
@@ -45,7 +46,8 @@ class Progress {
   ProgressMode mode_;
   Console& console_;
   std::mutex mutex_;
-  std::chrono::steady_clock::time_point start_, last_;
+  Stopwatch watch_;
+  double last_ = 0;  // seconds at which progress was last shown
   bool shown_ = false;
 };
 

@@ -23,10 +23,13 @@ class Resolver {
       out.typed = true;
       return checked(std::move(out), typed->second, Error{{}, {}, "--" + row.name, {}, {}});
     }
-    const std::string variable = environmentName(row.name);
-    const char* environment = onlyTyped(row) ? nullptr : std::getenv(variable.c_str());
-    if (environment && *environment)
-      return checked(std::move(out), {environment}, Error{{}, {}, variable, {}, {}});
+    for (const std::string& name : {row.name, row.formerly}) {
+      const std::string variable = environmentName(name);
+      const bool unused = name.empty() || onlyTyped(row);
+      const char* environment = unused ? nullptr : std::getenv(variable.c_str());
+      if (environment && *environment)
+        return checked(std::move(out), {environment}, Error{{}, {}, variable, {}, {}});
+    }
     if (const auto listed = config_.find(row.name);
         listed != config_.end() && !listed->second.texts.empty()) {
       out.given = !statesDefault(row, listed->second.texts);

@@ -1,9 +1,11 @@
-// Short functions that make the rows of an option table.
+// Makes the rows of an option table: short functions, and the rows that tools have in common.
 #pragma once
 
+#include <string>
 #include <utility>
+#include <vector>
 
-#include "cli/tool.h"
+#include "cli/options.h"
 
 namespace obby::cli {
 
@@ -16,6 +18,16 @@ inline OptionRow row(const char* name, ValueType type, const char* value, std::s
   r.defaultText = std::move(defaultText);
   r.help = help;
   r.group = group;
+  return r;
+}
+
+inline OptionRow flagRow(const char* name, const char* help, const char* group) {
+  return row(name, ValueType::flag, "", "", help, group);
+}
+
+// Sets the choices of a `choice` or `mode`.
+inline OptionRow choosing(OptionRow r, std::vector<std::string> choices) {
+  r.choices = std::move(choices);
   return r;
 }
 
@@ -40,6 +52,12 @@ inline OptionRow renewed(OptionRow r) {
   return r;
 }
 
+// Users may still have its earlier name in scripts.
+inline OptionRow renamed(OptionRow r, const char* formerly) {
+  r.formerly = formerly;
+  return r;
+}
+
 // Few users need it, so it is not in --help.
 inline OptionRow rare(OptionRow r) {
   r.rare = true;
@@ -56,5 +74,30 @@ inline OptionRow lettered(OptionRow r, char letter) {
   r.letter = letter;
   return r;
 }
+
+// Options that mean the same in every tool.
+enum class Common {
+  output,     // -o, --output FILE
+  format,     // --format jsonl|capnp|packed
+  seed,       // --seed N
+  threads,    // --threads N; 0 for all that this process may use
+  backend,    // --backend auto|cpu|cuda
+  timeLimit,  // --time-limit SECONDS
+  progress,   // --progress[=auto|line|json|none]
+  onError,    // --on-error stop|skip|emit
+};
+
+// Returns the row of a common option. Its help or default may change before it is put into a table:
+//   options = {commonRow(Common::output), withDefault(commonRow(Common::timeLimit), "10"), ...}
+OptionRow commonRow(Common option);
+inline OptionRow withDefault(OptionRow r, std::string defaultText) {
+  r.defaultText = std::move(defaultText);
+  return r;
+}
+
+// Returns the rows that every tool has: --help, --help-all, --version, --quiet, --verbose,
+// --no-color, --json-errors, --schema, --config, --print-config, --completion, --man. runTool adds
+// them.
+const std::vector<OptionRow>& universalRows();
 
 }  // namespace obby::cli

@@ -136,7 +136,7 @@ std::vector<MadePart> Stage::made() {
 }
 
 void Stage::readMade(lua_State* L, std::vector<MadePart>& all) {
-  call("probe", "made", 0, 1);
+  call("made", "list", 0, 1);
   const auto text = [L](int i) {
     lua_rawgeti(L, -1, i);
     const char* const read = lua_tostring(L, -1);

@@ -110,8 +110,7 @@ class Reader {
   Status members(const Node& node, const std::string& path, const Take& take) const {
     if (node.type != Type::object) return expected("an object", node, path);
     std::unordered_set<std::string_view> seen;
-    for (uint32_t at = node.child; at != 0; at = tree_.node(at).next) {
-      const Node& member = tree_.node(at);
+    for (const Node& member : tree_.children(node)) {
       const std::string_view name = tree_.name(member);
       const std::string here = path.empty() ? std::string(name) : path + "." + std::string(name);
       if (!seen.insert(name).second) return pathError(here, "given twice", "keep one of the two");

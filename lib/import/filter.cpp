@@ -4,7 +4,7 @@
 #include <optional>
 #include <utility>
 
-#include "import/read_document.h"
+#include "import/format/read_document.h"
 #include "import/rojo/project_reader.h"
 #include "io/byte_source.h"
 #include "io/read_file.h"

@@ -3,13 +3,13 @@
 
 #include <algorithm>
 
-#include "import/build_level.h"
-#include "import/designer_queries.h"
-#include "import/explain.h"
-#include "import/level_record.h"
+#include "import/format/read_document.h"
+#include "import/level/build_level.h"
 #include "import/observed/run.h"
-#include "import/queries.h"
-#include "import/read_document.h"
+#include "import/records/designer_queries.h"
+#include "import/records/explain.h"
+#include "import/records/level_record.h"
+#include "import/records/queries.h"
 #include "io/physics.h"
 
 namespace obby::importer {

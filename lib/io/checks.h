@@ -1,4 +1,5 @@
-// Checks that both codecs share, with the same messages. Private to lib/io.
+// Which fields count as set, and which values no record may hold, in both codecs and with the same
+// messages. Private to lib/io.
 #pragma once
 
 #include <capnp/dynamic.h>
@@ -18,6 +19,16 @@ std::string expectation(const TypePlan& type);
 // numbers must be finite, and all numbers must be in range.
 std::optional<std::string> refuseReal(const TypePlan& type, double value);
 std::optional<std::string> refuseWhole(const TypePlan& type, double value);
+
+// Returns true if a field says more than its absence: numbers, names and tuples that differ from
+// their default, texts and lists that are not empty, and structs that are present (a `kill` is one
+// even if all its fields are defaults).
+bool isSet(const FieldPlan& field, capnp::DynamicStruct::Reader in);
+
+// Returns nothing if the scalar or text is valid there, otherwise what is wrong with it. Structs
+// and lists are always valid.
+std::optional<std::string> refuseScalar(const TypePlan& type,
+                                        const capnp::DynamicValue::Reader& value);
 
 // Returns the names of the enumerants, in order.
 std::vector<std::string> enumerants(const capnp::EnumSchema& names);

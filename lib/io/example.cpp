@@ -12,7 +12,7 @@ std::string defaultOf(const StructPlan& plan, const FieldPlan& field) {
   const auto defaults = empty.initRoot<capnp::DynamicStruct>(plan.schema).asReader();
   JsonEncoder encoder;
   encoder.value(field.type, defaults.get(field.field), Path{});
-  return std::move(encoder.out);
+  return encoder.out.finish();
 }
 
 std::string valueOf(const StructPlan& plan, const FieldPlan& field) {
@@ -29,14 +29,17 @@ std::string valueOf(const StructPlan& plan, const FieldPlan& field) {
 }  // namespace
 
 std::string exampleOf(const StructPlan& plan) {
-  std::string members;
-  const auto add = [&](const FieldPlan& field) {
-    members += (members.empty() ? "\"" : ",\"") + field.name + "\":" + valueOf(plan, field);
-  };
-  for (const FieldPlan& field : plan.fields)
-    if (!field.example.empty()) add(field);
-  if (members.empty() && !plan.fields.empty()) add(plan.fields.front());
-  return "{" + members + "}";
+  JsonWriter json;
+  json.open('{');
+  const auto add = [&](const FieldPlan& field) { json.key(field.name).raw(valueOf(plan, field)); };
+  bool any = false;
+  for (const FieldPlan& field : plan.fields) {
+    if (field.example.empty()) continue;
+    add(field);
+    any = true;
+  }
+  if (!any && !plan.fields.empty()) add(plan.fields.front());
+  return json.finish();
 }
 
 }  // namespace obby::io

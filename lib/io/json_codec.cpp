@@ -29,8 +29,7 @@ Result<std::string_view> typeOf(const JsonTree& tree) {
     return makeError(fmt::format("expected a record such as {{\"type\":\"level\"}}, found {}",
                                  tree.describe(tree.root())));
   const JsonTree::Node* found = nullptr;
-  for (uint32_t at = tree.root().child; at != 0; at = tree.node(at).next) {
-    const JsonTree::Node& member = tree.node(at);
+  for (const JsonTree::Node& member : tree.children(tree.root())) {
     if (tree.name(member) != kTypeMember) continue;
     if (found) return Error{{}, {}, std::string(kTypeMember), "the field is given twice", {}};
     found = &member;
@@ -80,7 +79,7 @@ Result<RecordBuilder> recordFromJson(std::string_view line) {
 Result<std::string> recordToJson(schema::Record::Reader record) {
   JsonEncoder encoder;
   if (!encoder.record(capnp::DynamicStruct::Reader(record))) return std::move(encoder.error);
-  return std::move(encoder.out);
+  return encoder.out.finish();
 }
 
 }  // namespace obby::io

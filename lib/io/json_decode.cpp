@@ -44,8 +44,7 @@ bool JsonDecoder::fill(const StructPlan& plan, capnp::DynamicStruct::Builder out
     return fail(path, fmt::format("expected an object such as {}, found {}", exampleOf(plan),
                                   tree_.describe(node)));
   std::bitset<kMaxFields> seen;
-  for (uint32_t at = node.child; at != 0; at = tree_.node(at).next) {
-    const Node& member = tree_.node(at);
+  for (const Node& member : tree_.children(node)) {
     const std::string_view name = tree_.name(member);
     if (name == skip) continue;
     const FieldPlan* known = plan.find(name);
@@ -125,10 +124,11 @@ bool JsonDecoder::readTuple(const StructPlan& plan, const Node& node, const Path
   if (node.type != Type::array || node.length != size)
     return fail(path, fmt::format("expected {} numbers, found {}", size, tree_.describe(node)),
                 plan.hint);
-  uint32_t at = node.child;
-  for (size_t i = 0; i < size; i++, at = tree_.node(at).next) {
+  size_t i = 0;
+  for (const Node& number : tree_.children(node)) {
     const Path here{&path, {}, int64_t(i)};
-    if (!scalar(plan.fields[i].type, tree_.node(at), here, out[i])) return false;
+    if (!scalar(plan.fields[i].type, number, here, out[i])) return false;
+    i++;
   }
   return true;
 }
@@ -136,9 +136,9 @@ bool JsonDecoder::readTuple(const StructPlan& plan, const Node& node, const Path
 bool JsonDecoder::list(const TypePlan& element, capnp::DynamicList::Builder out, const Node& node,
                        const Path& path) {
   uint32_t index = 0;
-  for (uint32_t at = node.child; at != 0; at = tree_.node(at).next, index++) {
+  for (const Node& each : tree_.children(node)) {
     const Path here{&path, {}, int64_t(index)};
-    if (!elementValue(element, out, index, tree_.node(at), here)) return false;
+    if (!elementValue(element, out, index++, each, here)) return false;
   }
   return true;
 }
@@ -255,6 +255,11 @@ bool JsonDecoder::enumerant(const TypePlan& type, const Node& node, const Path& 
       out = Value(capnp::DynamicEnum(*found));
       return true;
     }
+  }
+  for (const auto& [former, ordinal] : type.formerNames) {
+    if (text != former) continue;
+    out = Value(capnp::DynamicEnum(type.names, ordinal));
+    return true;
   }
   const std::string near = nearestName(text, enumerants(type.names));
   return fail(path, fmt::format("expected {}, found {}", expected(type), tree_.describe(node)),

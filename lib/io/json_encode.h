@@ -4,12 +4,13 @@
 #include <string>
 
 #include "base/result.h"
+#include "io/json_writer.h"
 #include "io/path.h"
 #include "io/schema_plan.h"
 
 namespace obby::io {
 
-// Appends JSON to a string. Every member function returns false after an error, which `error` then
+// Writes records as JSON. Every member function returns false after an error, which `error` then
 // holds: a number that is not finite or out of range, or text that is not UTF-8.
 class JsonEncoder {
  public:
@@ -18,17 +19,14 @@ class JsonEncoder {
 
   bool value(const TypePlan& type, const capnp::DynamicValue::Reader& in, const Path& path);
 
-  std::string out;
+  JsonWriter out;
   Error error;
 
  private:
-  void member(std::string_view name, bool& first);
-  bool fields(const StructPlan& plan, capnp::DynamicStruct::Reader in, const Path& path,
-              bool& first);
+  bool fields(const StructPlan& plan, capnp::DynamicStruct::Reader in, const Path& path);
   bool object(const StructPlan& plan, capnp::DynamicStruct::Reader in, const Path& path);
   bool tuple(const StructPlan& plan, capnp::DynamicStruct::Reader in, const Path& path);
   bool list(const TypePlan& element, capnp::DynamicList::Reader in, const Path& path);
-  bool real(const TypePlan& type, double value, const Path& path);
   bool fail(const Path& path, std::string message);
 };
 

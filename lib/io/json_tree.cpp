@@ -171,6 +171,14 @@ Result<JsonTree> JsonTree::parse(std::string_view text) {
   return tree;
 }
 
+const JsonTree::Node* JsonTree::find(const Node& object, std::string_view name) const {
+  if (object.type != Type::object) return nullptr;
+  for (const Node& member : children(object)) {
+    if (this->name(member) == name) return &member;
+  }
+  return nullptr;
+}
+
 std::string JsonTree::describe(const Node& n) const {
   switch (n.type) {
     case Type::null: return "null";

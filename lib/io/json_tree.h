@@ -25,6 +25,33 @@ class JsonTree {
     Type type = Type::null;
   };
 
+  // The elements of an array or object, in order: for (const Node& member : tree.children(node)).
+  class Children {
+   public:
+    class Iterator {
+     public:
+      Iterator(const JsonTree& tree, uint32_t at) : tree_(tree), at_(at) {}
+      const Node& operator*() const { return tree_.node(at_); }
+      Iterator& operator++() {
+        at_ = tree_.node(at_).next;
+        return *this;
+      }
+      bool operator==(const Iterator& other) const { return at_ == other.at_; }
+
+     private:
+      const JsonTree& tree_;
+      uint32_t at_;
+    };
+
+    Children(const JsonTree& tree, uint32_t first) : tree_(tree), first_(first) {}
+    Iterator begin() const { return {tree_, first_}; }
+    Iterator end() const { return {tree_, 0}; }
+
+   private:
+    const JsonTree& tree_;
+    uint32_t first_;
+  };
+
   // Errors have the message only: the column and what is wrong there.
   static Result<JsonTree> parse(std::string_view text);
   // The end of the message if a value is incomplete.
@@ -32,6 +59,9 @@ class JsonTree {
 
   const Node& root() const { return nodes_[0]; }
   const Node& node(uint32_t index) const { return nodes_[index]; }
+  Children children(const Node& n) const { return {*this, n.child}; }
+  // Returns the first member of an object with that name, or null.
+  const Node* find(const Node& object, std::string_view name) const;
   std::string_view text(const Node& n) const {
     return std::string_view(texts_).substr(n.value, n.length);
   }

@@ -2,8 +2,6 @@
 
 #include <cstring>
 
-#include "io/values.h"
-
 namespace obby::io {
 namespace {
 

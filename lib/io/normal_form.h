@@ -1,5 +1,5 @@
 // The normal form of a record, in which equal records have equal words. Fields that are not set
-// (values.h) are null, structs have their full size, and everything is in one segment in the order
+// (checks.h) are null, structs have their full size, and everything is in one segment in the order
 // of the schema. Copying checks every value, so that readers of the copy never meet a broken
 // pointer, a NaN or bad text. Private to lib/io.
 #pragma once

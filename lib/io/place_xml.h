@@ -1,8 +1,9 @@
 // Writes the XML of a place or model file: nested items, with one element for each property. The
-// items are between kXmlBegin and kXmlEnd.
+// items are between kXmlBegin and kXmlEnd. pugixml writes the elements.
 #pragma once
 
 #include <cstdint>
+#include <pugixml.hpp>
 #include <string>
 #include <string_view>
 
@@ -37,7 +38,14 @@ class PlaceXml {
   uint32_t lastReferent() const { return referents_; }
 
  private:
+  // Begins the element of a property.
+  pugi::xml_node property(const char* type, const char* name);
+  // Writes the element that property() began.
+  void write();
+  void write(const char* type, const char* name, const std::string& text);
+
   std::string& out_;
+  pugi::xml_document element_;
   uint32_t referents_ = 0;
 };
 

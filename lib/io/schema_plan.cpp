@@ -6,6 +6,7 @@
 #include <limits>
 #include <map>
 #include <memory>
+#include <mutex>
 
 #include "schema/obby.capnp.h"
 
@@ -17,6 +18,15 @@ constexpr uint64_t kRangeAnnotation = 0xd2a9f8e3b7c61a55;
 constexpr uint64_t kAlwaysAnnotation = 0x9f4b2c6d81e3a705;
 constexpr uint64_t kExampleAnnotation = 0xb3d58e17c20f6a94;
 constexpr uint64_t kHintAnnotation = 0xde2f70a9164bc835;
+constexpr uint64_t kFormerlyAnnotation = 0xf3a61d0c97b2e854;
+
+// Returns the text of $formerly; empty without it.
+template <class Proto>
+std::string formerNameOf(const Proto& proto) {
+  for (auto annotation : proto.getAnnotations())
+    if (annotation.getId() == kFormerlyAnnotation) return annotation.getValue().getText();
+  return {};
+}
 
 class Planner {
  public:
@@ -42,11 +52,16 @@ class Planner {
     const auto defaults = empty.initRoot<capnp::DynamicStruct>(schema).asReader();
     for (auto field : schema.getFields()) plan.fields.push_back(fieldPlan(field, defaults));
     for (size_t i = 0; i < plan.fields.size(); i++) plan.byName[plan.fields[i].name] = i;
+    for (size_t i = 0; i < plan.fields.size(); i++) {
+      const std::string& former = plan.fields[i].formerly;
+      KJ_ASSERT(former.empty() || plan.byName.emplace(former, i).second, former.c_str());
+    }
   }
 
   FieldPlan fieldPlan(capnp::StructSchema::Field field, capnp::DynamicStruct::Reader defaults) {
     FieldPlan out;
     out.name = field.getProto().getName().cStr();
+    out.formerly = formerNameOf(field.getProto());
     out.field = field;
     out.type = typePlan(field.getType());
     for (auto annotation : field.getProto().getAnnotations()) {
@@ -85,6 +100,10 @@ class Planner {
       case capnp::schema::Type::TEXT: return sized(out, ValueKind::text, 64);
       case capnp::schema::Type::ENUM:
         out.names = type.asEnum();
+        for (auto name : out.names.getEnumerants()) {
+          if (std::string former = formerNameOf(name.getProto()); !former.empty())
+            out.formerNames.emplace_back(std::move(former), name.getOrdinal());
+        }
         return sized(out, ValueKind::name, 16);
       case capnp::schema::Type::STRUCT:
         out.record = plan(type.asStruct());
@@ -135,9 +154,15 @@ std::vector<std::string> StructPlan::names() const {
 }
 
 const StructPlan& recordPlan() {
+  static const StructPlan& plan = planOf(capnp::Schema::from<schema::Record>());
+  return plan;
+}
+
+const StructPlan& planOf(capnp::StructSchema schema) {
+  static std::mutex lock;
   static Planner planner;
-  static const StructPlan* plan = planner.plan(capnp::Schema::from<schema::Record>());
-  return *plan;
+  const std::lock_guard hold(lock);
+  return *planner.plan(schema);
 }
 
 uint64_t numberBits(const TypePlan& type, const capnp::DynamicValue::Reader& value) {

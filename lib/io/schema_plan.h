@@ -9,6 +9,7 @@
 #include <string>
 #include <string_view>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 namespace obby::io {
@@ -35,8 +36,9 @@ struct TypePlan {
   bool ranged = false;       // $range narrows the type
   uint32_t elementBits = 0;  // size of one list element; 0 for records
   const StructPlan* record = nullptr;
-  capnp::EnumSchema names;        // name
-  std::vector<TypePlan> element;  // list: exactly one
+  capnp::EnumSchema names;                                    // name
+  std::vector<std::pair<std::string, uint16_t>> formerNames;  // name: $formerly and the ordinal
+  std::vector<TypePlan> element;                              // list: exactly one
   capnp::Type type;
 };
 
@@ -46,6 +48,7 @@ struct FieldPlan {
   TypePlan type;
   bool always = false;                 // written to JSON even if it has its default
   std::string example;                 // a value in JSON; may be empty
+  std::string formerly;                // $formerly; may be empty
   std::vector<uint64_t> tupleDefault;  // if the field is a tuple: bits of each number
 };
 
@@ -55,15 +58,17 @@ struct StructPlan {
   std::string hint;    // the form of its value, shown in errors; may be empty
   uint32_t dataWords = 0, pointers = 0;
   std::vector<FieldPlan> fields;
-  std::unordered_map<std::string_view, size_t> byName;
+  std::unordered_map<std::string_view, size_t> byName;  // former names, too
 
   uint32_t words() const { return dataWords + pointers; }
-  const FieldPlan* find(std::string_view name) const;
-  std::vector<std::string> names() const;  // names of the fields
+  const FieldPlan* find(std::string_view name) const;  // by its name or a former one
+  std::vector<std::string> names() const;              // present names of the fields
 };
 
 // Returns the plan of schema::Record, whose fields are the kinds.
 const StructPlan& recordPlan();
+// Returns the plan of another struct. Plans live as long as the program.
+const StructPlan& planOf(capnp::StructSchema schema);
 
 // Returns the bits of one number of a tuple, to compare values exactly (-0 is not 0).
 uint64_t numberBits(const TypePlan& type, const capnp::DynamicValue::Reader& value);

@@ -12,6 +12,7 @@
 #include <cstring>
 #include <optional>
 #include <thread>
+#include <utility>
 
 #include "io/byte_source.h"
 #include "io/output_file.h"
@@ -51,7 +52,6 @@ struct Sink::Impl {
   std::string* memory = nullptr;
   const std::atomic<bool>* stop = nullptr;
   std::string finalPath, temporaryPath;  // paths of a regular file until it is closed
-  int lock = -1;                         // lock on its temporary name
   bool durable = false;                  // wait until that file is on the disk
   bool block = false;                    // collect pieces into blocks
   std::string buffer;
@@ -60,12 +60,6 @@ struct Sink::Impl {
   ~Impl() {
     if (fd >= 0) ::close(fd);
     if (!temporaryPath.empty()) ::unlink(temporaryPath.c_str());
-    unlock();
-  }
-
-  void unlock() {
-    if (lock >= 0) ::close(lock);
-    lock = -1;
   }
 
   Status fail(const char* doing) {
@@ -104,12 +98,10 @@ struct Sink::Impl {
       return fd < 0 ? fail("cannot open") : Status();
     }
     finalPath = linkTarget(path);
-    const TemporaryFile made = makeTemporary(finalPath);
+    TemporaryFile made = makeTemporary(finalPath);
     fd = made.fd;
     if (fd < 0) return fail("cannot create");
-    lock = made.lock;
-    temporaryPath = made.path;
-    if (lock >= 0) removeLeftovers(finalPath);
+    temporaryPath = std::move(made.path);
     block = true;
     if (fchmod(fd, exists ? info.st_mode & 0777 : newFileMode()) != 0) return fail("cannot create");
     return {};
@@ -185,15 +177,9 @@ Status Sink::close() {
   impl_->fd = -1;
   if (result != 0 && errno != EINTR) return impl_->fail("cannot write");
   if (impl_->temporaryPath.empty()) return {};
-  const auto renamed = [this] {
-    return ::rename(impl_->temporaryPath.c_str(), impl_->finalPath.c_str()) == 0;
-  };
-  if (!renamed()) {
-    impl_->unlock();  // folders shared with a virtual machine cannot rename an open file
-    if (!renamed()) return impl_->fail("cannot rename the finished file");
-  }
+  if (::rename(impl_->temporaryPath.c_str(), impl_->finalPath.c_str()) != 0)
+    return impl_->fail("cannot rename the finished file");
   impl_->temporaryPath.clear();
-  impl_->unlock();
   return impl_->syncFolder();
 }
 

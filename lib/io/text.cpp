@@ -4,10 +4,18 @@
 
 #include <algorithm>
 
+#include "io/json_writer.h"
+
 namespace obby::io {
 
 std::string_view withoutByteOrderMark(std::string_view text) {
   return text.starts_with(kByteOrderMark) ? text.substr(kByteOrderMark.size()) : text;
+}
+
+std::string_view trimmed(std::string_view text) {
+  constexpr std::string_view kSpace = " \t\r\n\v\f";
+  text.remove_prefix(std::min(text.find_first_not_of(kSpace), text.size()));
+  return text.substr(0, text.find_last_not_of(kSpace) + 1);
 }
 
 size_t notInXml(std::string_view text) {
@@ -36,28 +44,8 @@ std::string escapeMarkup(std::string_view text) {
   return out;
 }
 
-void appendJsonString(std::string& out, std::string_view text) {
-  out += '"';
-  for (const char c : text) {
-    switch (c) {
-      case '"': out += "\\\""; break;
-      case '\\': out += "\\\\"; break;
-      case '\n': out += "\\n"; break;
-      case '\r': out += "\\r"; break;
-      case '\t': out += "\\t"; break;
-      default:
-        if (uint8_t(c) < 0x20 || c == 0x7f) {
-          out += fmt::format("\\u{:04x}", uint8_t(c));
-        } else {
-          out += c;
-        }
-    }
-  }
-  out += '"';
-}
-
 std::string quoted(std::string_view text, size_t limit) {
-  std::string whole, json, out;
+  std::string whole, out;
   size_t i = 0;
   while (i < text.size() && i < limit) {
     const size_t n = utf8Length(text.substr(i, 4));
@@ -65,7 +53,7 @@ std::string quoted(std::string_view text, size_t limit) {
     i += std::max<size_t>(n, 1);
   }
   if (i < text.size()) whole += "...";
-  appendJsonString(json, whole);
+  const std::string json = JsonWriter().value(whole).finish();
   // JSON does not escape control characters beyond ASCII.
   for (size_t at = 0; at < json.size();) {
     const Utf8Char c = nextChar(json, at);
@@ -77,6 +65,10 @@ std::string quoted(std::string_view text, size_t limit) {
     at += c.bytes;
   }
   return out;
+}
+
+std::string plural(uint64_t n, std::string_view noun) {
+  return fmt::format("{} {}{}", n, noun, n == 1 ? "" : "s");
 }
 
 std::string described(std::string_view bytes) {

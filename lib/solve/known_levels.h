@@ -3,13 +3,13 @@
 #pragma once
 
 #include <cstdint>
-#include <map>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "base/result.h"
 #include "solve/answer/loaded_level.h"
+#include "solve/newest.h"
 
 namespace obby::solve {
 
@@ -19,9 +19,8 @@ class KnownLevels {
 
   static constexpr uint64_t kMostBytes = uint64_t(1) << 30;
 
-  // `mostBytes`: budget of the kept levels, as records and compiled. The newest is kept whatever
-  // its size.
-  explicit KnownLevels(uint64_t mostBytes) : mostBytes_(mostBytes) {}
+  // `mostBytes`: budget of the kept levels, as records and compiled.
+  explicit KnownLevels(uint64_t mostBytes) : levels_(mostBytes) {}
 
   // Keeps a level as the newest, in place of an older one of its name. Returns the names of the
   // levels that are dropped for it, oldest first.
@@ -29,25 +28,14 @@ class KnownLevels {
   // Updates the memory of a level after it was compiled for more players.
   void weigh(const std::string& name);
   // Forgets the level of a name, if there is one.
-  void forget(const std::string& name);
+  void forget(const std::string& name) { levels_.forget(name); }
 
   // Returns the level of a name. Error, with path "level": no level of that name is kept. An empty
   // name matches none.
   Result<LevelPointer> named(const std::string& name) const;
 
  private:
-  struct Kept {
-    LevelPointer level;
-    uint64_t bytes, number;
-  };
-
-  std::string dropOldest();
-
-  const uint64_t mostBytes_;
-  std::map<std::string, Kept> levels_;     // by name
-  std::map<uint64_t, std::string> byAge_;  // names, oldest first
-  uint64_t bytes_ = 0;                     // of all kept levels
-  uint64_t added_ = 0, dropped_ = 0;       // so far
+  Newest<std::string, LevelPointer> levels_;  // by name
 };
 
 }  // namespace obby::solve

@@ -3,12 +3,12 @@
 #pragma once
 
 #include <cstdint>
-#include <map>
 #include <string>
 #include <utility>
 
 #include "base/result.h"
 #include "io/record.h"
+#include "solve/newest.h"
 
 namespace obby::solve {
 
@@ -16,8 +16,8 @@ class KnownQueries {
  public:
   static constexpr uint64_t kMostBytes = uint64_t(256) << 20;
 
-  // `mostBytes`: budget of the kept queries. The newest is kept whatever its size.
-  explicit KnownQueries(uint64_t mostBytes) : mostBytes_(mostBytes) {}
+  // `mostBytes`: budget of the kept queries.
+  explicit KnownQueries(uint64_t mostBytes) : queries_(mostBytes) {}
 
   // Returns the approximate memory of a kept query and the name of its level, in bytes.
   static uint64_t bytesOf(const std::string& level, const io::Record& query);
@@ -33,19 +33,8 @@ class KnownQueries {
 
  private:
   using Key = std::pair<std::string, std::string>;  // level and id
-  struct Kept {
-    io::Record query;
-    uint64_t bytes, number;
-  };
-  using Queries = std::map<Key, Kept>;
 
-  void forget(Queries::iterator query);
-
-  const uint64_t mostBytes_;
-  Queries queries_;
-  std::map<uint64_t, Key> byAge_;     // oldest first
-  uint64_t bytes_ = 0;                // of all kept queries
-  uint64_t added_ = 0, dropped_ = 0;  // so far
+  Newest<Key, io::Record> queries_;
 };
 
 }  // namespace obby::solve

@@ -1,7 +1,5 @@
 #include "solve/methods.h"
 
-#include "solve/learned/cflge.h"
-#include "solve/learned/pbge.h"
 #include "solve/search/methods/go_explore_method.h"
 #include "solve/search/resident/resident_explore.h"
 #include "solve/search/selectors/choose_beam.h"
@@ -25,18 +23,6 @@ SearchOutcome runResident(const Problem& p, const Budget& b, const Watcher& w, c
       p, b, w, [&] { return std::make_unique<ResidentExplore>(p, b.seed, ResidentSettings{}, m); });
 }
 
-SearchOutcome runPbge(const Problem& p, const Budget& b, const Watcher& w, const Machine& m) {
-  return runSearch(p, b, w, [&] {
-    return std::make_unique<learned::Pbge>(p, b.seed, learned::PbgeSettings{}, m);
-  });
-}
-
-SearchOutcome runCflge(const Problem& p, const Budget& b, const Watcher& w, const Machine& m) {
-  return runSearch(p, b, w, [&] {
-    return std::make_unique<learned::Cflge>(p, b.seed, learned::CflgeSettings{}, m);
-  });
-}
-
 }  // namespace
 
 const std::vector<Method>& methods() {
@@ -56,10 +42,6 @@ const std::vector<Method>& methods() {
        runGoExplore<policyFirstSettings, makePolicyFirstChooser>},
       {"rl", "a trained policy alone, always from the start",
        runGoExplore<aloneSettings, makePolicyAloneChooser>},
-      {"pbge", "ge without restored states: it trains a policy that returns and explores", runPbge},
-      {"cflge",
-       "trains a policy to reach goals drawn from sparse regions of a learned latent space",
-       runCflge},
       {"resident", "Go-Explore for GPUs: archive and rollouts stay on the device", runResident},
   };
   return table;

@@ -38,7 +38,8 @@ Status decode(schema::SavedTraining::Reader file, Checkpoint& out) {
   if (file.getStateLayout() != stateLayout())
     return makeError("made by a version with another world layout");
   out.program = file.getProgram();
-  for (const auto s : file.getSettings()) out.settings.push_back({s.getName(), s.getValue()});
+  for (const auto s : file.getSettings())
+    out.settings.push_back({presentSettingName(s.getName()), s.getValue()});
   out.seconds = file.getSeconds();
   TrainerState& state = out.state;
   state.iterations = file.getIterations();
@@ -51,12 +52,6 @@ Status decode(schema::SavedTraining::Reader file, Checkpoint& out) {
   OBBY_RETURN_IF_ERROR(readLearner(file.getLearner(), state.learner));
   for (const auto envGroup : file.getEnvGroups())
     OBBY_RETURN_IF_ERROR(readEnvGroup(envGroup, state.envGroups.emplace_back()));
-  const auto history = file.getHistory();
-  if (history.getEach() == 0 || history.getPoints().size() >= History::kMostPoints)
-    return makeError("it is damaged: its history is not valid");
-  out.history = {{}, history.getEach(), history.getIterations(), history.getReward()};
-  for (const auto p : history.getPoints())
-    out.history.points.push_back({p.getDecisions(), p.getSolved(), p.getHardest(), p.getReward()});
   return {};
 }
 
@@ -71,19 +66,6 @@ Status checkHash(Words& words, const capnp::ReaderOptions& options) {
   std::memcpy(&hash, words.asBytes().begin() + at, sizeof hash);
   std::memset(words.asBytes().begin() + at, 0, sizeof hash);
   return digest(words) == hash ? Status() : makeError("its hash does not match: it is damaged");
-}
-
-void writeHistory(const History& history, schema::SavedHistory::Builder to) {
-  to.setEach(history.each);
-  to.setIterations(history.iterations);
-  to.setReward(history.reward);
-  auto points = to.initPoints(uint32_t(history.points.size()));
-  for (uint32_t i = 0; i < points.size(); ++i) {
-    points[i].setDecisions(history.points[i].decisions);
-    points[i].setSolved(history.points[i].solved);
-    points[i].setHardest(history.points[i].hardest);
-    points[i].setReward(history.points[i].reward);
-  }
 }
 
 void encode(const Checkpoint& checkpoint, schema::SavedTraining::Builder file) {
@@ -106,7 +88,6 @@ void encode(const Checkpoint& checkpoint, schema::SavedTraining::Builder file) {
   writeLearner(state.learner, file.initLearner());
   auto envGroups = file.initEnvGroups(uint32_t(state.envGroups.size()));
   for (uint32_t i = 0; i < envGroups.size(); ++i) writeEnvGroup(state.envGroups[i], envGroups[i]);
-  writeHistory(checkpoint.history, file.initHistory());
 }
 
 }  // namespace

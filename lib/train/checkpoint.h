@@ -6,7 +6,6 @@
 #include <string_view>
 #include <vector>
 
-#include "train/history.h"
 #include "train/settings.h"
 #include "train/state.h"
 
@@ -17,7 +16,6 @@ struct Checkpoint {
   std::vector<Setting> settings;
   double seconds = 0;  // wall clock of all runs so far
   TrainerState state;
-  History history;
 };
 
 std::string writeCheckpoint(const Checkpoint& checkpoint);

@@ -1,8 +1,9 @@
 #include "train/evaluate.h"
 
 #include <algorithm>
-#include <chrono>
 #include <mutex>
+
+#include "base/stopwatch.h"
 
 namespace obby::train {
 
@@ -16,17 +17,14 @@ class Limit {
   Limit(const std::atomic<bool>& stop, double seconds) : stop_(stop), seconds_(seconds) {}
 
   bool stopped() const { return stop_; }
-  bool timeUp() const { return passed() >= seconds_; }
-  double share() const { return seconds_ > 0 ? std::min(passed() / seconds_, 1.0) : 1; }
-  bool over() const { return stop_ || passed() >= seconds_ + kGrace; }
+  bool timeUp() const { return watch_.seconds() >= seconds_; }
+  double share() const { return seconds_ > 0 ? std::min(watch_.seconds() / seconds_, 1.0) : 1; }
+  bool over() const { return stop_ || watch_.seconds() >= seconds_ + kGrace; }
 
  private:
-  using Clock = std::chrono::steady_clock;
-  double passed() const { return std::chrono::duration<double>(Clock::now() - begin_).count(); }
-
   const std::atomic<bool>& stop_;
   const double seconds_;
-  const Clock::time_point begin_ = Clock::now();
+  const Stopwatch watch_;
 };
 
 // Plays one episode by the policy alone. Returns true if it reaches the goal. `random`: null for

@@ -115,7 +115,7 @@ void LevelStream::past(uint64_t index) const {
 }
 
 void LevelStream::end() const {
-  if (reader_.settings.wait != nullptr) reader_.settings.wait->end();
+  if (reader_.settings.timeout != nullptr) reader_.settings.timeout->end();
 }
 
 // Stops at an error: indices of levels after it would be wrong.
@@ -134,7 +134,7 @@ Status LevelStream::Reader::readTo(uint64_t index) {
 
 Status LevelStream::Reader::readOne() {
   OBBY_ASSIGN(const std::optional<io::Record> record,
-              settings.wait != nullptr ? settings.wait->next(source) : source.next());
+              settings.timeout != nullptr ? settings.timeout->next(source) : source.next());
   if (record) return take(*record);
   if (stopped()) return {};
   if (settings.again) OBBY_RETURN_IF_ERROR(source.checkWhole());

@@ -11,8 +11,8 @@
 
 #include "io/physics.h"
 #include "io/pipeline.h"
+#include "train/timeout.h"
 #include "train/training_level.h"
-#include "train/wait_limit.h"
 
 namespace obby::train {
 
@@ -33,7 +33,7 @@ struct LevelStreamSettings {
   // Max compiled levels that wait for their turn; others are recompiled. Places advance at
   // different speeds, so levels read for the fastest place wait ever longer for the others.
   size_t compiledLevels = 512;
-  WaitLimit* wait = nullptr;  // time limit for records, or null; must outlive the stream
+  Timeout* timeout = nullptr;  // time limit for records, or null; must outlive the stream
 };
 
 // Levels after a `params` record get its parameters where they leave the defaults.
@@ -52,7 +52,7 @@ class LevelStream : public LevelSource {
   Result<std::shared_ptr<const TrainingLevel>> level(uint64_t index, float hardest) const override;
   // Does not wait for the stream, even while level() waits.
   void past(uint64_t index) const override;
-  // Ends settings.wait, if there is one.
+  // Ends settings.timeout, if there is one.
   void end() const override;
 
   // Returns the summary of all records so far, with settings.before. Waits for a running read.

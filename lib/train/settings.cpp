@@ -2,7 +2,32 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
 namespace obby::train {
+
+namespace {
+
+// Former names of settings, in checkpoints of earlier versions.
+constexpr std::pair<const char*, const char*> kFormerSettings[] = {
+    {"crowds", "env groups"},
+    {"levels of a crowd", "levels of an env group"},
+    {"playthroughs of a level", "episodes of a level"},
+    {"clip", "clip range"},
+    {"value share", "value weight"},
+    {"passes", "epochs"},
+    {"part", "minibatch"},
+    {"rate", "learning-rate"},
+    {"most norm", "max grad norm"},
+};
+
+}  // namespace
+
+std::string presentSettingName(const std::string& name) {
+  for (const auto& [former, present] : kFormerSettings)
+    if (name == former) return present;
+  return name;
+}
 
 std::vector<Setting> settingsOf(const TrainerSettings& s) {
   std::vector<Setting> out;
@@ -12,9 +37,9 @@ std::vector<Setting> settingsOf(const TrainerSettings& s) {
   // Settings with a command line option have its name.
   add("seed", s.seed);
   add("worlds", s.envGroups * s.envGroup.levels * s.envGroup.worlds);
-  add("crowds", s.envGroups);
-  add("levels of a crowd", s.envGroup.levels);
-  add("playthroughs of a level", s.envGroup.playthroughs);
+  add("env groups", s.envGroups);
+  add("levels of an env group", s.envGroup.levels);
+  add("episodes of a level", s.envGroup.playthroughs);
   add("restart share", s.envGroup.restarts.unsolved);
   add("restart share of solved levels", s.envGroup.restarts.solved);
   add("patience", s.envGroup.patience);
@@ -24,15 +49,15 @@ std::vector<Setting> settingsOf(const TrainerSettings& s) {
   add("reward of a decision", s.envGroup.reward.decision);
   add("reward of a jump", s.envGroup.reward.jump);
   add("ticks", s.ticks);
-  add("clip", s.ppo.loss.clip);
-  add("value share", s.ppo.loss.valueWeight);
+  add("clip range", s.ppo.loss.clip);
+  add("value weight", s.ppo.loss.valueWeight);
   add("entropy", s.ppo.loss.entropyWeight);
   add("discount", s.ppo.discount);
   add("lambda", s.ppo.lambda);
-  add("passes", s.ppo.epochs);
-  add("part", s.ppo.minibatch);
-  add("rate", s.ppo.learningRate);
-  add("most norm", s.ppo.maxGradNorm);
+  add("epochs", s.ppo.epochs);
+  add("minibatch", s.ppo.minibatch);
+  add("learning-rate", s.ppo.learningRate);
+  add("max grad norm", s.ppo.maxGradNorm);
   add("decisions", s.decisions);
   add("easiest", s.easiest);
   add("raise at", s.raiseAt);

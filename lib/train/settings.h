@@ -17,6 +17,9 @@ struct Setting {
 // decimals.
 std::vector<Setting> settingsOf(const TrainerSettings& settings);
 
+// Returns the name that a setting of an earlier version has now.
+std::string presentSettingName(const std::string& name);
+
 // Returns an error that names the first differing setting, with both values.
 Status sameSettings(const std::vector<Setting>& then, const std::vector<Setting>& now);
 

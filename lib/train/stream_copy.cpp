@@ -17,12 +17,12 @@ bool isWanted(const io::Record& record) {
 
 }  // namespace
 
-Result<StreamCopy> copyOfStream(io::SourceOptions options, WaitLimit& waiting, uint64_t most) {
+Result<StreamCopy> copyOfStream(io::SourceOptions options, Timeout& timeout, uint64_t most) {
   StreamCopy copy;
   io::RecordSource source(std::move(options));
   io::StreamWriter writer = io::StreamWriter::toBytes(io::Format::capnp, &copy.records);
   while (true) {
-    OBBY_ASSIGN(const std::optional<io::Record> record, waiting.next(source));
+    OBBY_ASSIGN(const std::optional<io::Record> record, timeout.next(source));
     if (!record) break;
     if (isWanted(*record)) OBBY_RETURN_IF_ERROR(writer.write(record->reader()));
     if (copy.records.size() > most) {
@@ -33,7 +33,7 @@ Result<StreamCopy> copyOfStream(io::SourceOptions options, WaitLimit& waiting, u
     }
   }
   OBBY_RETURN_IF_ERROR(writer.close());
-  if (!waiting.stop()) OBBY_RETURN_IF_ERROR(source.checkWhole());
+  if (!timeout.stop()) OBBY_RETURN_IF_ERROR(source.checkWhole());
   copy.summary = source.summary();
   return copy;
 }

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "io/pipeline.h"
-#include "train/wait_limit.h"
+#include "train/timeout.h"
 
 namespace obby::train {
 
@@ -18,9 +18,9 @@ struct StreamCopy {
   io::SourceSummary summary;  // summary of all records read for it
 };
 
-// Copies the whole stream, or what arrived before `waiting` ended it. Errors: those of the stream;
+// Copies the whole stream, or what arrived before `timeout` ended it. Errors: those of the stream;
 // an interrupted end, unless `options` forgive it; more than `most` bytes, as of an endless stream.
-Result<StreamCopy> copyOfStream(io::SourceOptions options, WaitLimit& waiting,
+Result<StreamCopy> copyOfStream(io::SourceOptions options, Timeout& timeout,
                                 uint64_t most = kMostCopied);
 
 }  // namespace obby::train

@@ -1,9 +1,9 @@
 #include "train/trainer.h"
 
 #include <algorithm>
-#include <chrono>
 #include <stdexcept>
 
+#include "base/stopwatch.h"
 #include "policy/policy.h"
 #include "train/state_codec.h"
 
@@ -14,11 +14,6 @@ namespace {
 constexpr double kSlow = 0.05;       // weight of an iteration's share of solved episodes
 constexpr float kHarder = 0.01f;     // step of the difficulty
 constexpr float kEnoughPlayed = 64;  // episodes for full weight
-
-using Clock = std::chrono::steady_clock;
-double secondsSince(Clock::time_point then) {
-  return std::chrono::duration<double>(Clock::now() - then).count();
-}
 
 }  // namespace
 
@@ -102,11 +97,11 @@ Result<Progress> Trainer::learned(Result<Progress> mine) const {
 
 Result<Iteration> Trainer::iterate() {
   if (!more_) return more_.error();
-  const auto begin = Clock::now();
+  const Stopwatch watch;
   OBBY_ASSIGN(const Played played,
               ranks_.agree(engine_->play({iterations_, hardest_, means_, scales_})));
   Iteration out;
-  out.playSeconds = secondsSince(begin);
+  out.playSeconds = watch.seconds();
   gather(played, out);
   const float share = std::min(float(double(decisions_) / double(settings_.decisions)), 1.0f);
   OBBY_ASSIGN(out.progress, learned(engine_->learn(1 - 0.9f * share)));
@@ -120,7 +115,7 @@ Result<Iteration> Trainer::iterate() {
   out.decisions = decisions_;
   out.solved = solved_;
   out.hardest = hardest_;
-  out.seconds = secondsSince(begin);
+  out.seconds = watch.seconds();
   return out;
 }
 

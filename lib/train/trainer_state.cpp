@@ -52,7 +52,7 @@ Status Trainer::stillFinite() const {
   if (finite_ && isFinite(seen_)) return {};
   return makeError(
       "training diverged: the network's weights are no longer finite",
-      "start again with a lower --rate; resuming the last checkpoint would diverge again");
+      "start again with a lower --learning-rate; resuming the last checkpoint would diverge again");
 }
 
 // Checks that all ranks have the same network. On another kind of machine rounding may differ, and

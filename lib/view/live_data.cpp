@@ -26,12 +26,11 @@ uint32_t ticksAhead(const LevelEntry& level, uint32_t needed) {
 }
 
 std::string headOf(const Report& report, const Budget& budget, StreamState state) {
-  JsonText json;
+  io::JsonWriter json;
   json.open('{').field("state", nameOf(state)).field("title", report.title());
   json.key("notes");
   writeNotes(json, report, budget);
-  json.close();
-  return json.text();
+  return json.finish();
 }
 
 bool shown(const PathEntry& path, const Budget& budget) {
@@ -85,18 +84,17 @@ void LiveData::takeLevels(const Report& report) {
     const bool stale = level.revision == 0 || (moves && level.stride != budget_.trackStride);
     level.stride = budget_.trackStride;
     if (!stale) continue;
-    JsonText json;
+    io::JsonWriter json;
     writeLevel(json, report.levels[i], level.ticks, level.stride);
-    put(level, json.text());
+    put(level, json.finish());
   }
 }
 
 void LiveData::takeQuery(const QueryEntry& entry, QueryPieces& out) {
-  JsonText facts;
+  io::JsonWriter facts;
   facts.open('{');
   writeQueryFacts(facts, entry);
-  facts.close();
-  bool changed = put(out.facts, facts.text());
+  bool changed = put(out.facts, facts.finish());
   std::map<uint64_t, Piece> before = std::exchange(out.paths, {});
   const bool thinner = out.attemptStride != budget_.attemptStride;
   out.attemptStride = budget_.attemptStride;
@@ -109,9 +107,9 @@ void LiveData::takeQuery(const QueryEntry& entry, QueryPieces& out) {
       piece = std::move(known->second);
       continue;
     }
-    JsonText json;
+    io::JsonWriter json;
     writePath(json, path, attempt ? budget_.attemptStride : 1);
-    changed = put(piece, json.text()) || changed;
+    changed = put(piece, json.finish()) || changed;
   }
   auto ranges = rangesOf(out.paths);
   changed = changed || ranges != out.ranges;
@@ -133,7 +131,7 @@ void LiveData::take(const Report& report, StreamState state) {
   if (changed) revision_ = next_;
 }
 
-void LiveData::writeQuery(JsonText& json, size_t index, uint64_t revision) const {
+void LiveData::writeQuery(io::JsonWriter& json, size_t index, uint64_t revision) const {
   const QueryPieces& query = queries_[index];
   json.open('{').field("index", index).key("facts").raw(query.facts.json);
   json.key("serials").open('[');
@@ -150,7 +148,7 @@ void LiveData::writeQuery(JsonText& json, size_t index, uint64_t revision) const
 
 std::string LiveData::since(uint64_t revision) const {
   if (revision > revision_) revision = 0;
-  JsonText json;
+  io::JsonWriter json;
   json.open('{').field("format", kPageFormat).field("revision", revision_);
   json.field("generator", options_.generator).key("head");
   json.raw(revision_ == 0 ? R"({"state":"live","title":"","notes":[]})" : head_.json);
@@ -163,8 +161,7 @@ std::string LiveData::since(uint64_t revision) const {
   for (size_t i = 0; i < queries_.size(); ++i) {
     if (queries_[i].changed > revision) writeQuery(json, i, revision);
   }
-  json.close().close();
-  return json.text();
+  return json.finish();
 }
 
 }  // namespace obby::view

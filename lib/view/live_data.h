@@ -8,9 +8,9 @@
 #include <utility>
 #include <vector>
 
+#include "io/json_writer.h"
 #include "view/budget.h"
 #include "view/growing_report.h"
-#include "view/json_text.h"
 #include "view/page.h"
 
 namespace obby::view {
@@ -50,7 +50,7 @@ class LiveData {
   bool put(Piece& piece, std::string json) const;
   void takeLevels(const Report& report);
   void takeQuery(const QueryEntry& entry, QueryPieces& out);
-  void writeQuery(JsonText& json, size_t index, uint64_t revision) const;
+  void writeQuery(io::JsonWriter& json, size_t index, uint64_t revision) const;
 
   PageOptions options_;
   uint64_t revision_ = 0;

@@ -33,6 +33,15 @@ std::string filled(std::string_view title, std::string_view data, bool connects)
   return page;
 }
 
+// Writes `<` as \u003c, so that no text can end the script element. JSON has it only in strings.
+std::string inScript(std::string_view json) {
+  std::string out;
+  for (size_t end; (end = json.find('<')) != json.npos; json.remove_prefix(end + 1)) {
+    out.append(json.substr(0, end)).append("\\u003c");
+  }
+  return out.append(json);
+}
+
 }  // namespace
 
 Error pageTooLarge(size_t bytes, bool full) {
@@ -41,7 +50,7 @@ Error pageTooLarge(size_t bytes, bool full) {
       full ? "leave out --full, or choose queries with --query" : "choose queries with --query");
 }
 
-void writeNotes(JsonText& json, const Report& report, const Budget& budget) {
+void writeNotes(io::JsonWriter& json, const Report& report, const Budget& budget) {
   json.open('[');
   for (const std::string& note : report.notes) json.value(note);
   for (const std::string& note : budget.notes) json.value(note);
@@ -50,7 +59,7 @@ void writeNotes(JsonText& json, const Report& report, const Budget& budget) {
 
 std::string pageData(const Report& report, const PageOptions& options) {
   const Budget budget = budgetFor(report, options.full ? SIZE_MAX : kPageTarget);
-  JsonText json;
+  io::JsonWriter json;
   json.open('{').field("format", kPageFormat).field("generator", options.generator);
   json.field("title", report.title());
   json.key("notes");
@@ -62,8 +71,7 @@ std::string pageData(const Report& report, const PageOptions& options) {
   }
   json.close().key("queries").open('[');
   for (const QueryEntry& query : report.queries) writeQuery(json, query, budget);
-  json.close().close();
-  return json.text();
+  return inScript(json.text());
 }
 
 Result<std::string> htmlPage(const Report& report, const PageOptions& options) {
@@ -75,9 +83,9 @@ Result<std::string> htmlPage(const Report& report, const PageOptions& options) {
 
 Result<std::string> livePage() {
   if (!pageAvailable()) return pageMissing();
-  JsonText json;
-  json.open('{').field("format", kPageFormat).field("live", true).close();
-  return filled("obby-view", json.text(), true);
+  io::JsonWriter json;
+  json.open('{').field("format", kPageFormat).field("live", true);
+  return filled("obby-view", json.finish(), true);
 }
 
 }  // namespace obby::view

@@ -17,7 +17,7 @@ void push(std::vector<float>& out, schema::Vec3::Reader v) {
 }
 
 // Writes the distinct material names, the first empty, and each part's index into them.
-void writeMaterials(JsonText& json, schema::Level::Reader level) {
+void writeMaterials(io::JsonWriter& json, schema::Level::Reader level) {
   constexpr size_t kMost = 256;  // limit of a byte column; further materials look like plastic
   std::vector<std::string_view> names = {""};
   std::map<std::string_view, uint8_t> places = {{"", 0}};
@@ -31,9 +31,7 @@ void writeMaterials(JsonText& json, schema::Level::Reader level) {
     }
     column.push_back(place == places.end() ? 0 : place->second);
   }
-  json.key("material").array(column).key("materials").open('[');
-  for (const std::string_view name : names) json.value(name);
-  json.close();
+  json.key("material").packed(column).key("materials").list(names);
 }
 
 // Returns the simulated shape: a hull without pieces is a block.
@@ -52,7 +50,7 @@ std::vector<bool> stillParts(const level::LevelView& view, size_t parts) {
   return still;
 }
 
-void writeColumns(JsonText& json, schema::Level::Reader level, const level::LevelView& view) {
+void writeColumns(io::JsonWriter& json, schema::Level::Reader level, const level::LevelView& view) {
   const std::vector<bool> still = stillParts(view, level.getParts().size());
   std::vector<float> position, rotation, size;
   std::vector<uint8_t> shape, look, flags;
@@ -73,14 +71,14 @@ void writeColumns(JsonText& json, schema::Level::Reader level, const level::Leve
     flags.push_back(uint8_t((part.getSolid() ? 1 : 0) | (part.getTouch() ? 2 : 0)));
   }
   json.key("parts").open('{').field("count", level.getParts().size());
-  json.key("position").array(position).key("rotation").array(rotation).key("size").array(size);
-  json.key("shape").array(shape).key("role").array(rolesOf(level));
-  json.key("look").array(look).key("flags").array(flags);
+  json.key("position").packed(position).key("rotation").packed(rotation).key("size").packed(size);
+  json.key("shape").packed(shape).key("role").packed(rolesOf(level));
+  json.key("look").packed(look).key("flags").packed(flags);
   writeMaterials(json, level);
   json.close();
 }
 
-void writeNames(JsonText& json, schema::Level::Reader level) {
+void writeNames(io::JsonWriter& json, schema::Level::Reader level) {
   json.key("names").open('[');
   for (const auto part : level.getParts()) {
     const auto path = part.getSource().getPath();
@@ -100,7 +98,7 @@ void writeNames(JsonText& json, schema::Level::Reader level) {
   json.close();
 }
 
-void writeHulls(JsonText& json, schema::Level::Reader level) {
+void writeHulls(io::JsonWriter& json, schema::Level::Reader level) {
   json.key("hulls").open('[');
   for (uint32_t i = 0; i < level.getParts().size(); ++i) {
     const auto part = level.getParts()[i];
@@ -109,7 +107,7 @@ void writeHulls(JsonText& json, schema::Level::Reader level) {
     for (const auto hull : part.getHulls()) {
       std::vector<float> vertices;
       for (const auto v : hull.getVertices()) push(vertices, v);
-      json.array(vertices);
+      json.packed(vertices);
     }
     json.close().close();
   }
@@ -126,7 +124,8 @@ std::vector<const level::Roles*> timersOf(const level::LevelView& level, size_t 
   return timers;
 }
 
-void writeVanishing(JsonText& json, schema::Level::Reader level, const level::LevelView& view) {
+void writeVanishing(io::JsonWriter& json, schema::Level::Reader level,
+                    const level::LevelView& view) {
   const auto timers = timersOf(view, level.getParts().size());
   json.key("vanish").open('[');
   for (uint32_t i = 0; i < level.getParts().size(); ++i) {
@@ -144,7 +143,7 @@ void writeVanishing(JsonText& json, schema::Level::Reader level, const level::Le
   json.close();
 }
 
-void writeConveyors(JsonText& json, schema::Level::Reader level) {
+void writeConveyors(io::JsonWriter& json, schema::Level::Reader level) {
   json.key("conveyors").open('[');
   for (uint32_t i = 0; i < level.getParts().size(); ++i) {
     const auto part = level.getParts()[i];
@@ -156,18 +155,18 @@ void writeConveyors(JsonText& json, schema::Level::Reader level) {
   json.close();
 }
 
-void writeTrack(JsonText& json, const Track& track) {
+void writeTrack(io::JsonWriter& json, const Track& track) {
   if (track.positions.empty() && track.rotations.empty()) return;
   json.open('{').field("part", track.part).field("stride", track.stride);
   json.field("count", track.count).field("loopFrom", track.loopFrom);
   if (track.triggered) json.field("triggered", 1);
-  if (!track.positions.empty()) json.key("position").array(track.positions);
-  if (!track.rotations.empty()) json.key("rotation").array(track.rotations);
+  if (!track.positions.empty()) json.key("position").packed(track.positions);
+  if (!track.rotations.empty()) json.key("rotation").packed(track.rotations);
   json.close();
 }
 
 // Writes the parts that a trajectory may move.
-void writeLoose(JsonText& json, const level::LevelView& level) {
+void writeLoose(io::JsonWriter& json, const level::LevelView& level) {
   json.key("loose").open('[');
   for (uint32_t i = 0; i < level.looseCount; ++i) {
     json.value(level.colliders[level.loose[i].firstCollider].part);
@@ -177,7 +176,7 @@ void writeLoose(JsonText& json, const level::LevelView& level) {
 
 }  // namespace
 
-void writeLevel(JsonText& json, const LevelEntry& entry, uint32_t ticksShown,
+void writeLevel(io::JsonWriter& json, const LevelEntry& entry, uint32_t ticksShown,
                 uint32_t trackStride) {
   const auto level = entry.reader();
   const auto physics = level.getPhysics();

@@ -1,8 +1,8 @@
 // Writers of the pieces of the page's data.
 #pragma once
 
+#include "io/json_writer.h"
 #include "view/budget.h"
-#include "view/json_text.h"
 #include "view/report.h"
 
 namespace obby::view {
@@ -14,12 +14,13 @@ Error pageTooLarge(size_t bytes, bool full);
 inline constexpr int kPageFormat = 3;
 
 // Writes an array of sentences.
-void writeNotes(JsonText& json, const Report& report, const Budget& budget);
-void writeLevel(JsonText& json, const LevelEntry& entry, uint32_t ticksShown, uint32_t trackStride);
+void writeNotes(io::JsonWriter& json, const Report& report, const Budget& budget);
+void writeLevel(io::JsonWriter& json, const LevelEntry& entry, uint32_t ticksShown,
+                uint32_t trackStride);
 // Writes the members of a query's object except its trajectories.
-void writeQueryFacts(JsonText& json, const QueryEntry& entry);
+void writeQueryFacts(io::JsonWriter& json, const QueryEntry& entry);
 // Writes every `stride`-th tick.
-void writePath(JsonText& json, const PathEntry& path, uint32_t stride);
-void writeQuery(JsonText& json, const QueryEntry& entry, const Budget& budget);
+void writePath(io::JsonWriter& json, const PathEntry& path, uint32_t stride);
+void writeQuery(io::JsonWriter& json, const QueryEntry& entry, const Budget& budget);
 
 }  // namespace obby::view

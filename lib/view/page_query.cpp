@@ -8,13 +8,15 @@
 namespace obby::view {
 namespace {
 
-void writeVec(JsonText& json, Vec3 v) { json.open('[').value(v.x).value(v.y).value(v.z).close(); }
+void writeVec(io::JsonWriter& json, Vec3 v) {
+  json.open('[').value(v.x).value(v.y).value(v.z).close();
+}
 
-void writeVec(JsonText& json, schema::Vec3::Reader v) {
+void writeVec(io::JsonWriter& json, schema::Vec3::Reader v) {
   writeVec(json, Vec3{v.getX(), v.getY(), v.getZ()});
 }
 
-void writeRegion(JsonText& json, schema::Region::Reader region) {
+void writeRegion(io::JsonWriter& json, schema::Region::Reader region) {
   json.open('{').field("name", std::string_view(region.getName().cStr()));
   json.key("position");
   writeVec(json, region.getPosition());
@@ -25,13 +27,13 @@ void writeRegion(JsonText& json, schema::Region::Reader region) {
   json.close();
 }
 
-void writeRegions(JsonText& json, capnp::List<schema::Region>::Reader regions) {
+void writeRegions(io::JsonWriter& json, capnp::List<schema::Region>::Reader regions) {
   json.open('[');
   for (const auto region : regions) writeRegion(json, region);
   json.close();
 }
 
-void writeConstraints(JsonText& json, const QueryEntry& entry) {
+void writeConstraints(io::JsonWriter& json, const QueryEntry& entry) {
   const bool known = entry.query.has_value();
   const auto query = known ? entry.reader() : schema::Query::Reader();
   json.key("start");
@@ -71,36 +73,29 @@ void writeConstraints(JsonText& json, const QueryEntry& entry) {
   json.close();
 }
 
-void writeInts(JsonText& json, capnp::List<int32_t>::Reader values) {
-  json.open('[');
-  for (const int32_t value : values) json.value(value);
-  json.close();
-}
-
 // Writes the cut of a proof: the reachable parts and the smallest step beyond them.
-void writeCut(JsonText& json, schema::Cut::Reader cut) {
-  json.key("cut").open('{').key("reached");
-  writeInts(json, cut.getReached());
+void writeCut(io::JsonWriter& json, schema::Cut::Reader cut) {
+  json.key("cut").open('{').key("reached").list(cut.getReached());
   json.field("from", cut.getFrom()).field("to", cut.getTo()).field("rise", cut.getRise());
   json.field("gap", cut.getGap()).field("jumps", cut.getJumps());
   json.field("seconds", cut.getSeconds()).close();
 }
 
 // Writes where the search has been.
-void writeHeatMap(JsonText& json, schema::HeatMap::Reader map) {
+void writeHeatMap(io::JsonWriter& json, schema::HeatMap::Reader map) {
   std::vector<Vec3> feet;
   std::vector<uint32_t> counts;
   for (const auto cube : map.getCubes()) {
     feet.push_back(level::vec(cube.getFeet()));
     counts.push_back(cube.getCells());
   }
-  json.key("heatMap").open('{').field("size", map.getSize()).key("feet").array(feet);
-  json.key("counts").array(counts).close();
+  json.key("heatMap").open('{').field("size", map.getSize()).key("feet").packed(feet);
+  json.key("counts").packed(counts).close();
 }
 
 // Writes an answer's findings besides its verdict: the proof's cut, relaxations, routes, and the
 // search's saturation.
-void writeFindings(JsonText& json, schema::Result::Reader result) {
+void writeFindings(io::JsonWriter& json, schema::Result::Reader result) {
   json.key("relaxations").open('[');
   for (const auto relaxation : result.getRelaxations()) {
     json.open('{').field("text", std::string_view(relaxation.getText().cStr()));
@@ -109,9 +104,7 @@ void writeFindings(JsonText& json, schema::Result::Reader result) {
   json.close().key("routes").open('[');
   for (const auto route : result.getRoutes()) {
     json.open('{').field("count", std::to_string(route.getCount()));
-    json.field("ticks", route.getTicks()).key("route");
-    writeInts(json, route.getRoute());
-    json.close();
+    json.field("ticks", route.getTicks()).key("route").list(route.getRoute()).close();
   }
   json.close();
   if (result.hasCut()) writeCut(json, result.getCut());
@@ -122,7 +115,7 @@ void writeFindings(JsonText& json, schema::Result::Reader result) {
   json.field("newCellChance", evidence.getNewCellChance()).close();
 }
 
-void writeResult(JsonText& json, const QueryEntry& entry) {
+void writeResult(io::JsonWriter& json, const QueryEntry& entry) {
   json.key("result");
   if (!entry.result) {
     json.null();
@@ -151,7 +144,7 @@ void writeResult(JsonText& json, const QueryEntry& entry) {
 }
 
 // Writes the progress of a search without an answer.
-void writeProgress(JsonText& json, const QueryEntry& entry) {
+void writeProgress(io::JsonWriter& json, const QueryEntry& entry) {
   if (entry.result || !entry.progress) return;
   const auto progress = entry.progress->reader().getProgress();
   json.key("progress").open('{').field("seconds", progress.getSeconds());
@@ -187,7 +180,7 @@ std::vector<uint16_t> runsOf(schema::Trajectory::Reader path) {
 }
 
 // Writes a solution's difficulty, if recorded. The page marks the hardest step.
-void writeDifficulty(JsonText& json, schema::Trajectory::Reader path) {
+void writeDifficulty(io::JsonWriter& json, schema::Trajectory::Reader path) {
   const auto difficulty = path.getDifficulty();
   if (difficulty.getHardest() >= difficulty.getSteps().size()) return;
   const auto hardest = difficulty.getSteps()[difficulty.getHardest()];
@@ -202,18 +195,18 @@ void writeDifficulty(JsonText& json, schema::Trajectory::Reader path) {
   json.field("window", hardest.getWindow()).close().close();
 }
 
-void writeLoose(JsonText& json, const std::vector<LooseTrack>& tracks) {
+void writeLoose(io::JsonWriter& json, const std::vector<LooseTrack>& tracks) {
   json.key("loose").open('[');
   for (const LooseTrack& track : tracks) {
-    json.open('{').field("part", track.part).key("ticks").array(track.ticks);
-    json.key("position").array(track.positions).key("rotation").array(track.rotations).close();
+    json.open('{').field("part", track.part).key("ticks").packed(track.ticks);
+    json.key("position").packed(track.positions).key("rotation").packed(track.rotations).close();
   }
   json.close();
 }
 
 }  // namespace
 
-void writePath(JsonText& json, const PathEntry& path, uint32_t stride) {
+void writePath(io::JsonWriter& json, const PathEntry& path, uint32_t stride) {
   constexpr const char* kKinds[] = {"solution", "attempt", "closest", "newest"};
   const auto record = path.told();
   const Playback& play = path.playback;
@@ -226,16 +219,14 @@ void writePath(JsonText& json, const PathEntry& path, uint32_t stride) {
   json.field("outcome", enumName(told ? record.getOutcome() : play.outcome));
   json.field("part", told ? record.getPart() : play.part).field("ticks", play.ticks());
   json.field("jumps", play.jumps()).field("startTick", record.getStartTick());
-  json.field("stride", stride).field("avoid", record.getAvoid()).key("route");
-  writeInts(json, record.getRoute());
+  json.field("stride", stride).field("avoid", record.getAvoid());
+  json.key("route").list(record.getRoute());
   if (!play.mismatch.empty()) json.field("mismatch", play.mismatch);
   writeDifficulty(json, record);
-  json.key("position").array(thinnedTo(play.feet, stride));
-  json.key("yaw").array(thinnedTo(play.yaw, stride));
-  json.key("state").array(thinnedTo(play.state, stride)).key("runs").array(runsOf(record));
-  json.key("jumpTicks").open('[');
-  for (const uint32_t tick : play.jumpTicks) json.value(tick);
-  json.close().key("events").open('[');
+  json.key("position").packed(thinnedTo(play.feet, stride));
+  json.key("yaw").packed(thinnedTo(play.yaw, stride));
+  json.key("state").packed(thinnedTo(play.state, stride)).key("runs").packed(runsOf(record));
+  json.key("jumpTicks").list(play.jumpTicks).key("events").open('[');
   for (const PartEvent& event : play.events) {
     json.open('[').value(event.tick).value(event.part).value(event.solid ? 1 : 0).close();
   }
@@ -248,7 +239,7 @@ void writePath(JsonText& json, const PathEntry& path, uint32_t stride) {
   json.close();
 }
 
-void writeQueryFacts(JsonText& json, const QueryEntry& entry) {
+void writeQueryFacts(io::JsonWriter& json, const QueryEntry& entry) {
   json.field("id", entry.id).field("level", entry.level);
   if (entry.query && entry.reader().getTitle().size() > 0)
     json.field("title", std::string_view(entry.reader().getTitle().cStr()));
@@ -257,7 +248,7 @@ void writeQueryFacts(JsonText& json, const QueryEntry& entry) {
   writeProgress(json, entry);
 }
 
-void writeQuery(JsonText& json, const QueryEntry& entry, const Budget& budget) {
+void writeQuery(io::JsonWriter& json, const QueryEntry& entry, const Budget& budget) {
   json.open('{');
   writeQueryFacts(json, entry);
   json.key("trajectories").open('[');

@@ -13,7 +13,7 @@ ChunkedVector<int> counting(size_t size) {
   return v;
 }
 
-TEST(ChunkedVector, KeepsWhatIsAppendedAcrossChunks) {
+TEST(ChunkedVector, KeepsAppendedElementsAcrossChunks) {
   const size_t size = 3 * kChunk + 7;
   const ChunkedVector<int> v = counting(size);
   ASSERT_EQ(v.size(), size);
@@ -35,7 +35,7 @@ TEST(ChunkedVector, ChunksAreAllElementsInOrder) {
   EXPECT_EQ(counting(kChunk).chunkCount(), 1u);
 }
 
-TEST(ChunkedVector, ElementsBeyondTheFirstChunkStayWhereTheyAre) {
+TEST(ChunkedVector, ElementsBeyondTheFirstChunkDoNotMove) {
   ChunkedVector<int> v = counting(kChunk + 1);
   const int* const first = v.at(0);
   const int* const last = v.at(kChunk);

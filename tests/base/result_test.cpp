@@ -14,7 +14,7 @@ TEST(ErrorText, NamesInputPlacePathMessageAndHint) {
       "level.jsonl:12: parts[88].size: expected 3 numbers (see --schema)");
 }
 
-TEST(ErrorText, LeavesOutWhatIsNotKnown) {
+TEST(ErrorText, OmitsMissingFields) {
   EXPECT_EQ((Error{"", "", "", "no", ""}).text(), "no");
   EXPECT_EQ((Error{"a", "", "", "no", ""}).text(), "a: no");
   EXPECT_EQ((Error{"", "byte 7", "", "no", ""}).text(), "byte 7: no");
@@ -61,7 +61,7 @@ TEST(Result, CarriesTypesThatOnlyMove) {
   EXPECT_EQ(*value, 5);
 }
 
-TEST(Result, AnErrorIsAnErrorEvenWhereTheValueIsOne) {
+TEST(Result, AnErrorIsNotAValueEvenForStrings) {
   const Result<std::string> text = std::string("fine");
   EXPECT_TRUE(bool(text));
   const Result<std::string> bad = makeError("fine");

@@ -6,7 +6,7 @@
 namespace obby {
 namespace {
 
-TEST(NearestName, IsTheFirstOfThoseNearEnough) {
+TEST(NearestName, IsTheFirstOfEquallyNearNames) {
   EXPECT_EQ(nearestName("Lavva", {"Base", "Lava", "Larva"}), "Lava");
   EXPECT_EQ(nearestName("Lava", {"Base", "Goal"}), "");
   EXPECT_EQ(nearestName("abcdef", {"abcdefgh", "abcdxf", "abc"}), "abcdxf");

@@ -140,7 +140,7 @@ float castRay(const level::Collider& c, int elevation, int direction) {
 }
 
 // Rays that graze an edge may differ.
-TEST(Rays, MeetShapesWhereTheSimulatorsRaysDo) {
+TEST(Rays, MeetShapesLikeTheSimulatorsRays) {
   Random random(11, 0);
   for (const auto shape :
        {schema::Shape::BLOCK, schema::Shape::BALL, schema::Shape::CYLINDER, schema::Shape::WEDGE}) {

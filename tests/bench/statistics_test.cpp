@@ -14,7 +14,7 @@ using ::testing::ElementsAre;
 Timing solvedIn(double seconds) { return {seconds, true, 0, 0}; }
 const Timing kUnsolved{90, false, 0, 0};
 
-TEST(Statistics, OfNoRunsHaveNoMean) { EXPECT_TRUE(std::isnan(mean({}))); }
+TEST(Statistics, MeanOfNoRunsIsNaN) { EXPECT_TRUE(std::isnan(mean({}))); }
 
 TEST(Statistics, UnsolvedRunsCountTheCapForThePaperAndTwiceTheCapForPar2) {
   EXPECT_EQ(cappedSeconds(solvedIn(3), 90), 3);

@@ -80,7 +80,7 @@ TEST(Summary, ThirdsByGeAreByItsTime) {
   EXPECT_DOUBLE_EQ(figure(r, "auto", "geLongMeanSeconds"), 3);
 }
 
-TEST(Summary, TheLastThirdsPenaliseWhatIsNotSolved) {
+TEST(Summary, TheLastThirdsPenaliseUnsolvedQueries) {
   const Results r = example();
   EXPECT_DOUBLE_EQ(figure(r, "ge", "hardThirdPar2Seconds"), 20);
   EXPECT_DOUBLE_EQ(figure(r, "ge", "geLongPar2Seconds"), 20);

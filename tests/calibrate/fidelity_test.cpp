@@ -21,7 +21,7 @@ std::vector<Take> jumps(schema::PhysicsParams::Reader params) {
   return takesUnder(params, 0, manoeuvresNamed({"jump on the spot"}));
 }
 
-TEST(Fidelity, OfOwnRecordingsIsExact) {
+TEST(Fidelity, IsExactForSimulatedRecordings) {
   for (const Take& take : takesUnder(defaults())) {
     const auto f = fidelityOf(take, defaults());
     ASSERT_TRUE(f) << f.error().text();

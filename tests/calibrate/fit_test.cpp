@@ -216,7 +216,7 @@ TEST(Parameters, AreClampedToTheirBounds) {
   }
 }
 
-TEST(Parameters, NamedTwiceAreFittedOnce) {
+TEST(Parameters, DuplicateNamesAreFittedOnce) {
   const auto named = parametersNamed({"gravity", "walkSpeed", "gravity"}, defaults());
   ASSERT_TRUE(named);
   ASSERT_EQ(named->size(), 2u);

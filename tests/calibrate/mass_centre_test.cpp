@@ -108,7 +108,7 @@ TEST(FramePlay, LegsDriveTheRoot) {
 }
 
 // A start from rest, whose frame holds another number of steps than its time suggests.
-TEST(FramePlay, MotionTellsAFramesSteps) {
+TEST(FramePlay, DerivesAFramesStepsFromItsMotion) {
   const auto frame = [](double time, float place, float speed) {
     return Frame{time, {1, 0, 0}, false, {place, 3, 0}, {speed, 0, 0}, sim::State::running};
   };

@@ -50,7 +50,7 @@ TEST(Page, ShowsParametersAndTheWorstRecordingFirst) {
 }
 
 // The text must not print a range such as "16 to 16".
-TEST(Report, ARangeWhoseEndsPrintAlikeIsOneNumber) {
+TEST(Report, PrintsOneNumberForARangeOfEqualEnds) {
   Fit fit = fitOf();
   const Parameter speed{"walkSpeed", "studs/s", 8, 32, "run straight on"};
   const Parameter landed{"landedTime", "s", 0.002, 0.2, "hold jump", Parameter::Kind::ticks};

@@ -51,7 +51,7 @@ std::vector<Profile> scanned(const std::vector<Take>& takes, const std::vector<s
 }
 
 // One tick and two are equivalent: the tick that lands and the one that runs again both count.
-TEST(Ticks, OfLandingAreFound) {
+TEST(Ticks, LandingTicksAreFound) {
   for (const int ticks : {0, 2, 6}) {
     const io::RecordBuilder truth = with({{"landedTime", ticks / 60.0}});
     const Manoeuvre jumps{"jumps", {0, 0.1f, 0}, {{0.5f, 0, 0}, {2.5f, 0, 0, true}}};
@@ -62,7 +62,7 @@ TEST(Ticks, OfLandingAreFound) {
 }
 
 // The jump needs both times, so that neither shows without the other.
-TEST(Ticks, OfTwoTimesThatMaskEachOtherAreFound) {
+TEST(Ticks, FindsTwoTimesThatMaskEachOther) {
   const io::RecordBuilder truth = with({{"coyoteTime", 0.25}, {"offFloorGrace", 0.25}});
   const auto takes = lateJumps(truth.reader().getParams());
   std::vector<uint32_t> best;
@@ -79,7 +79,7 @@ TEST(Ticks, OfTwoTimesThatMaskEachOtherAreFound) {
   }
 }
 
-TEST(Ticks, WithoutAnEffectStayUnchanged) {
+TEST(Ticks, StayUnchangedWithoutAnEffect) {
   const Manoeuvre stands{"stands", {0, 0.1f, 0}, {{1, 0, 0}}};
   std::vector<uint32_t> best;
   const auto profiles =

@@ -91,7 +91,7 @@ TEST(Shortfall, RecordingsWithTheSameNameAreDistinguished) {
 }
 
 // An interrupted fit may not have tried a parameter, so that no recording is to blame.
-TEST(Shortfall, OfAnInterruptedFitNamesTheInterruption) {
+TEST(Shortfall, NamesTheInterruptionOfAFit) {
   io::RecordBuilder truth;
   setValue(truth.root().initParams(), "walkSpeed", 24);
   const auto takes = takesUnder(truth.reader().getParams(), 0, firstManoeuvres(2));

@@ -123,7 +123,7 @@ TEST(Surroundings, WindowsMayBeginDuringAPush) {
   EXPECT_LT(mostOff(track, windows, course.level.view()), 0.05f);
 }
 
-TEST(Surroundings, WithoutTheBoxARecordingNextToItIsOneWindow) {
+TEST(Surroundings, ATrackAlongAnUnrecordedBoxIsOneWindow) {
   const Course course;
   Track pushed = course.rehearsed("push the box"), other = course.rehearsed("jump over gaps");
   for (Track* t : {&pushed, &other}) {

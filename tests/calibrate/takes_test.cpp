@@ -33,7 +33,7 @@ Read read(const io::Record& level, const std::vector<Track>& tracks) {
   return out;
 }
 
-TEST(Takes, WithTheSameNameAreNumbered) {
+TEST(Takes, NumbersTakesOfTheSameName) {
   const std::vector<Take> once = takesUnder(defaults(), 0, firstManoeuvres(1));
   Track track = once[0].track;
   track.name = "run";

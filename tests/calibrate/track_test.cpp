@@ -22,7 +22,7 @@ schema::Recording::Builder trackRecordOf(io::RecordBuilder& record, uint32_t fra
   return recording;
 }
 
-TEST(Track, ReadsBackWhatWasWritten) {
+TEST(Track, ReadsBackAWrittenRecording) {
   const std::vector<Take> takes = takesUnder(defaults());
   io::RecordBuilder record;
   writeRecording(takes[3].track, record.root().initRecording());
@@ -48,7 +48,7 @@ TEST(Track, DropsDuplicateFrames) {
 
 // The first of two frames at one time lasts zero seconds. Frames without poses repeat those of the
 // frame before, even a dropped one.
-TEST(Track, OfDuplicateFramesTheLaterInputAndPosesCount) {
+TEST(Track, TheLaterDuplicateFrameGivesInputAndPoses) {
   io::RecordBuilder record;
   auto recording = trackRecordOf(record, 5);
   recording.initParts(1).set(0, "Box");

@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include "cli/context.h"
+#include "cli/rows.h"
 #include "cli/tool.h"
 
 namespace {

@@ -1,5 +1,5 @@
 // Values of options: accepted values, errors, and the precedence of sources.
-#include "cli/options.h"
+#include "cli/arguments.h"
 
 #include <gtest/gtest.h>
 #include <stdlib.h>
@@ -9,6 +9,7 @@
 
 #include "cli/check_value.h"
 #include "cli/parse.h"
+#include "cli/rows.h"
 
 namespace obby::cli {
 namespace {

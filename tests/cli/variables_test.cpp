@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "cli/rows.h"
+
 namespace obby::cli {
 namespace {
 
@@ -12,6 +14,7 @@ std::string slips(std::vector<const char*> environment) {
   rows.push_back(commonRow(Common::timeLimit));
   OptionRow own;
   own.name = "juggle";  // an option of this tool only
+  own.formerly = "time-limits";
   rows.push_back(own);
   std::string out;
   for (const MisspeltVariable& slip : misspeltVariables(rows, environment.data()))
@@ -28,6 +31,11 @@ TEST(Variables, AMisspeltOneNamesTheNearestOption) {
 TEST(Variables, VariablesOfAnyToolAreNotMisspelt) {
   EXPECT_EQ(slips({"OBBY_TIME_LIMIT=3", "OBBY_JUGGLE=1", "OBBY_QUIET=1"}), "");
   EXPECT_EQ(slips({"OBBY_MAX_TIME=3", "OBBY_TRIALS=1", "OBBY_CONFIG=c"}), "");
+}
+
+TEST(Variables, AFormerNameIsNotMisspeltAndIsNotSuggested) {
+  EXPECT_EQ(slips({"OBBY_TIME_LIMITS=3"}), "");
+  EXPECT_EQ(slips({"OBBY_TIME_LIMITZ=3"}), "OBBY_TIME_LIMITZ OBBY_TIME_LIMIT; ");
 }
 
 TEST(Variables, VariablesUnlikeAnyOptionAreIgnored) {

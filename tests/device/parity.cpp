@@ -6,11 +6,11 @@
 #include <string>
 #include <vector>
 
+#include "baselines/cflge.h"
+#include "baselines/pbge.h"
 #include "golden/hashes.h"
 #include "sim/backend.h"
 #include "sim/host_device.h"
-#include "solve/learned/cflge.h"
-#include "solve/learned/pbge.h"
 #include "solve/search/methods/go_explore.h"
 #include "solve/search/resident/resident_explore.h"
 #include "support/courses.h"
@@ -259,7 +259,7 @@ int main(int argc, char** argv) {
   compareResident(parity, "resident search", support::movingArena(60, 10, 5).compile(), device,
                   pool, rounds, rollouts);
   compareResident(parity, "resident, loose bodies", loose, device, pool, rounds / 4, rollouts);
-  using namespace solve::learned;
+  using namespace baselines;
   const level::Level moving = support::movingArena(40, 8, 3).compile();
   compareLearned<Pbge, PbgeSettings>(parity, "pbge", moving, device, pool, rounds);
   compareLearned<Cflge, CflgeSettings>(parity, "cflge", moving, device, pool, 2 * rounds);

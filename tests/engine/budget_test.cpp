@@ -24,7 +24,7 @@ std::string problemsOf(const std::string& source) {
   return problems(stage.observation());
 }
 
-TEST(Budget, UsedUpMemoryEndsCallsOfTheHost) {
+TEST(Budget, HostCallsEndWhenMemoryIsExhausted) {
   EXPECT_NE(problemsOf("_G.t = {} local t = _G.t while true do t[#t + 1] = {} end"), "");
   EXPECT_NE(problemsOf("game:GetService('RunService').Heartbeat:Connect(function()\n"
                        "  _G.t = {_G.t, table.create(20000, 1)}\nend)\n"
@@ -73,14 +73,14 @@ TEST(Budget, ProxiesHaveNoFinalizers) {
             "");
 }
 
-TEST(Budget, ARandomIsNoOtherValue) {
+TEST(Budget, RejectsOtherValuesInPlaceOfARandom) {
   const std::string seen = problemsOf(
       "local r = Random.new(1) r[1] = newproxy() assert(not pcall(r.NextNumber, r))\n"
       "r[1] = Vector3.zero assert(not pcall(r.NextNumber, r))");
   EXPECT_EQ(seen, "");
 }
 
-TEST(Budget, IntegersOfAnyNumber) {
+TEST(Budget, AcceptsAnyNumberAsAnInteger) {
   EXPECT_EQ(
       problemsOf("for _, x in {-1e308, 1e308, 0 / 0, 1 / 0, -1} do\n"
                  "  Random.new(x):NextNumber() bit32.band(x) BrickColor.new(x)\n"
@@ -92,7 +92,7 @@ TEST(Budget, IntegersOfAnyNumber) {
       "");
 }
 
-TEST(Budget, ShiftsByAnyNumber) {
+TEST(Budget, AcceptsAnyNumberAsAShift) {
   EXPECT_EQ(problemsOf("assert(bit32.rshift(1, -2147483648) == 0)\n"
                        "assert(bit32.arshift(1, -2147483648) == 0)\n"
                        "assert(bit32.lshift(1, 1e300) == 0 and bit32.rshift(6, 1) == 3)\n"
@@ -102,7 +102,7 @@ TEST(Budget, ShiftsByAnyNumber) {
             "");
 }
 
-TEST(Budget, DatesOfAnyNumber) {
+TEST(Budget, AcceptsAnyNumberAsADate) {
   EXPECT_EQ(
       problemsOf("assert(os.time({year = 2020, month = 1, day = 1, hour = 0}) == 1577836800)\n"
                  "os.time({year = -2147483648, month = -2147483648, day = 1, sec = 1e300})\n"
@@ -112,7 +112,7 @@ TEST(Budget, DatesOfAnyNumber) {
       "");
 }
 
-TEST(Budget, WhatIsToldHasALimit) {
+TEST(Budget, ReportedTextIsBounded) {
   Place place;
   place.script(
       "for i = 1, 5000 do task.spawn(error, string.rep('x', 5000) .. i) end\n"

@@ -67,7 +67,7 @@ std::string solidWith(const std::string& script, uint32_t frames = 120) {
   return lastSolid(stage.observation(), part);
 }
 
-TEST(CollisionGroupsApi, PlayersPassThroughWhereAllOfTheirLimbsDo) {
+TEST(CollisionGroupsApi, PlayersPassThroughIfAllTheirLimbsDo) {
   const std::string all =
       "onBody(function(body) join(body, 'Head', 'UpperTorso', 'LowerTorso',\n"
       "  'HumanoidRootPart') end) ";

@@ -15,7 +15,7 @@ TEST(DataStores, AreEmptyAtFirst) {
   EXPECT_EQ(stored("local result = store:GetAsync('player')"), "nil");
 }
 
-TEST(DataStores, KeepWhatIsSet) {
+TEST(DataStores, KeepStoredValues) {
   EXPECT_EQ(stored("store:SetAsync('player', 3)\nlocal result = store:GetAsync('player')"), "3");
   EXPECT_EQ(stored("store:IncrementAsync('n', 2)\nlocal result = store:IncrementAsync('n')"), "3");
   EXPECT_EQ(
@@ -27,7 +27,7 @@ TEST(DataStores, KeepWhatIsSet) {
             "nil");
 }
 
-TEST(DataStores, OfOneNameAreOne) {
+TEST(DataStores, StoresOfOneNameAreShared) {
   EXPECT_EQ(stored("store:SetAsync('n', 1)\nlocal other = game:GetService('DataStoreService')\n"
                    "local result = other:GetDataStore('Stages'):GetAsync('n')"),
             "1");

@@ -210,14 +210,14 @@ TEST(Emit, ErrorsHaveTheScriptsLine) {
   }
 }
 
-TEST(Emit, CallsAreNoTailCalls) {
+TEST(Emit, CallsAreNeverTailCalls) {
   const auto outcome = LuaRunner().run(
       "local function check() error('bad', 2) end\nlocal function user()\n  return check()\nend\n"
       "user()");
   EXPECT_EQ(outcome.error, "script:3: bad");
 }
 
-TEST(Emit, ConstantsAreNotAssignedTo) {
+TEST(Emit, RefusesAssignmentsToConstants) {
   for (const char* source : {"const a = 1\na = 2", "const a = 1\na += 2",
                              "const a = 1\nfunction a() end", "const a = 1 do\nb, a = 1 end"}) {
     const auto lua = luau::toLua(source);
@@ -228,7 +228,7 @@ TEST(Emit, ConstantsAreNotAssignedTo) {
   EXPECT_TRUE(luau::toLua("const a = {} a.x = 1 do local a = 1 a = 2 end"));
 }
 
-TEST(Emit, ContinueMaySkipNoVariableOfTheCondition) {
+TEST(Emit, ContinueMayNotSkipAVariableOfTheCondition) {
   const auto skips = luau::toLua("repeat\nif a then continue end\nlocal b = 1\nuntil b");
   ASSERT_FALSE(skips);
   EXPECT_EQ(skips.error().message,
@@ -240,7 +240,7 @@ TEST(Emit, ContinueMaySkipNoVariableOfTheCondition) {
     EXPECT_TRUE(luau::toLua(source)) << source;
 }
 
-TEST(Emit, StatementsStandOnTheirLines) {
+TEST(Emit, KeepsStatementsOnTheirLines) {
   const auto lua = luau::toLua("local a = 1\n\n-- comment\nprint(\n  a,\n  2\n)\nlocal b");
   ASSERT_TRUE(lua);
   EXPECT_EQ(*lua, "local L_=...;local a=1;\n\n\nprint(\na,\n2);\n\nlocal b;");

@@ -34,7 +34,7 @@ TEST(NumberText, IsTheShortestThatReadsBack) {
   for (const auto& [value, text] : cases) EXPECT_EQ(luau::numberText(value), text);
 }
 
-TEST(Helpers, AreAdjustedToOneValue) {
+TEST(Helpers, MetamethodResultsAreCutToOneValue) {
   const auto outcome = LuaRunner().run(
       "local two = {__len = function() return 1, 2 end, __idiv = function() return 1, 2 end, "
       "__concat = function() return 1, 2 end}\nlocal t = setmetatable({}, two)\n"
@@ -53,7 +53,7 @@ TEST(Helpers, MetatablesNameTypes) {
 }
 
 // A runtime may define its own order of tables and its own texts.
-TEST(Helpers, TextAndOrderAreTheRuntimes) {
+TEST(Helpers, UseTheRuntimesTextAndOrder) {
   lua_State* const state = luaL_newstate();
   luau::pushHelpers(state);
   const lua_CFunction mine = [](lua_State* s) {

@@ -49,7 +49,7 @@ const Hostile kScripts[] = {
      "local t = {} for i = 1, 1000 do t[i] = i end table.sort(t, function() return true end)"},
 };
 
-TEST(Hostile, EndsNamesItselfAndLeavesOthersAlone) {
+TEST(Hostile, EndsNamesTheScriptAndSparesOthers) {
   for (const Hostile& hostile : kScripts) {
     Place place;
     const InstanceId bad = place.script(hostile.source, place.workspace);
@@ -74,7 +74,7 @@ TEST(Hostile, EndsNamesItselfAndLeavesOthersAlone) {
   }
 }
 
-TEST(Hostile, EachOfSeveralIsNamed) {
+TEST(Hostile, NamesEachOfSeveralScripts) {
   Place place;
   const InstanceId bad[] = {
       place.script("local t = {} while true do t[#t + 1] = {} end", place.workspace),

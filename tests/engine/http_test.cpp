@@ -23,7 +23,7 @@ TEST(Http, RequestsThatAreNotEnabledAreRefusedAsInTheGame) {
   EXPECT_EQ(seen.problems[0].failure, engine::Failure::refused) << seen.problems[0].text;
 }
 
-TEST(Http, EnabledRequestsAreAnsweredAsIfEmpty) {
+TEST(Http, EnabledRequestsGetAnEmptyResponse) {
   const engine::Observation seen =
       asking(true,
              "assert(http:GetAsync('https://example.com') == '')\n"

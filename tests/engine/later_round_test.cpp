@@ -24,14 +24,14 @@ struct LatePlace : Place {
   InstanceId pad;
 };
 
-TEST(LaterRound, IsLeftOutWhereNothingGoesOn) {
+TEST(LaterRound, IsSkippedIfNothingIsPending) {
   LatePlace place;
   const engine::Report report = place.observe("pad.Touched:Connect" + kKillsHit);
   EXPECT_EQ(report.lookedAgainAt, 0);
   EXPECT_EQ(report.probes.size(), 1u);
 }
 
-TEST(LaterRound, ListenersThatComeLaterAreProbed) {
+TEST(LaterRound, ProbesListenersThatConnectLater) {
   LatePlace place;
   const engine::Report report = place.observe("wait(5) pad.Touched:Connect" + kKillsHit);
   ASSERT_EQ(report.probes.size(), 1u);
@@ -41,7 +41,7 @@ TEST(LaterRound, ListenersThatComeLaterAreProbed) {
   EXPECT_TRUE(report.revisits.empty());
 }
 
-TEST(LaterRound, WhatWaitsForATimeIsARevisit) {
+TEST(LaterRound, ATimedWaitCausesARevisit) {
   LatePlace place;
   const engine::Report report = place.observe(
       "local open = false\n"
@@ -60,7 +60,7 @@ TEST(LaterRound, SecondListenersOfAPartAreProbed) {
   EXPECT_FALSE(report.revisits[0].probe.seen.harms.empty());
 }
 
-TEST(LaterRound, PartsMadeLaterThatStayAreThere) {
+TEST(LaterRound, ReportsPartsThatAreMadeLaterAndStay) {
   LatePlace place;
   const engine::Report report = place.observe(
       "wait(5) for i = 1, 2 do local p = Instance.new('Part') p.Name = 'P' .. i p.Parent = "
@@ -71,7 +71,7 @@ TEST(LaterRound, PartsMadeLaterThatStayAreThere) {
   EXPECT_EQ(report.made[0].name, "P1");
 }
 
-TEST(LaterRound, ManyPartsWithOneListenerAreProbedWhereOneDiffers) {
+TEST(LaterRound, ProbesAllPartsOfOneListenerIfOneDiffers) {
   LatePlace place;
   for (int i = 0; i < 9; ++i) place.part("Lava", {60 + 8 * float(i), 0, 0});
   const engine::Report report = place.observe(

@@ -77,7 +77,7 @@ TEST(Libraries, AScriptFindsItsActor) {
   EXPECT_FLOAT_EQ(float(stage.observation().player.gravity), 50);
 }
 
-TEST(Libraries, ClockTimeAndTimeOfDayAreOneValue) {
+TEST(Libraries, ClockTimeAndTimeOfDayShareOneValue) {
   EXPECT_EQ(
       resultOf("local l = game.Lighting result = l.ClockTime .. ' ' .. l.TimeOfDay\n"
                "l.TimeOfDay = '06:30:00' result = result .. ' ' .. l.ClockTime\n"
@@ -96,7 +96,7 @@ TEST(Libraries, TheFilesTimeOfDayCounts) {
   EXPECT_FLOAT_EQ(float(stage.observation().player.gravity), 21);
 }
 
-TEST(Libraries, WhatTheTwinLacksMakesAFailureLimited) {
+TEST(Libraries, AMissingFeatureMakesAFailureLimited) {
   Place place;
   place.script("SharedTable.new()", place.scripts);
   engine::Stage stage(place.document, {});

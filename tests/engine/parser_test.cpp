@@ -133,7 +133,7 @@ TEST(Parser, NestingIsBounded) {
 }
 
 // Statements after an error are kept.
-TEST(Parser, TheRestIsKept) {
+TEST(Parser, KeepsUnparsedText) {
   const auto chunk = luau::parse("x = 1\ny = = 2\nend\nz = 3");
   EXPECT_TRUE(chunk.broken);
   ASSERT_FALSE(chunk.body.empty());

@@ -27,7 +27,7 @@ struct LeverPlace : Place {
 
 const std::string kKills = "hit.Parent.Humanoid.Health = 0 ";
 
-TEST(Revisit, LeversThatArmATrapAreFound) {
+TEST(Revisit, FindsLeversThatArmATrap) {
   const std::string levers[] = {
       "local on = false lever.Touched:Connect(function() on = true end)\n"
       "trap.Touched:Connect(function(hit) if on then " +
@@ -51,7 +51,7 @@ TEST(Revisit, LeversThatArmATrapAreFound) {
   }
 }
 
-TEST(Revisit, TwoLeversTogetherAreSeveral) {
+TEST(Revisit, TwoLeversTogetherCountAsSeveral) {
   LeverPlace place;
   place.part("Other", {60, 0, 0});
   const engine::Report report = place.observe(
@@ -63,7 +63,7 @@ TEST(Revisit, TwoLeversTogetherAreSeveral) {
   EXPECT_EQ(report.revisits[0].cause, Cause::several);
 }
 
-TEST(Revisit, SecondTouchesAreTheirOwn) {
+TEST(Revisit, SecondTouchesAreASeparateCause) {
   const std::string texts[] = {
       "local n = 0 trap.Touched:Connect(function(hit) if n > 20 then return end n = n + 1\n"
       "task.delay(2, function() n = 50 end) trap.CanCollide = false task.wait(1)\n"
@@ -80,7 +80,7 @@ TEST(Revisit, SecondTouchesAreTheirOwn) {
   }
 }
 
-TEST(Revisit, HarmThatComesAndGoesIsFoundByPatience) {
+TEST(Revisit, FindsIntermittentHarmByWaiting) {
   LeverPlace place;
   const engine::Report report =
       place.observe("local on = false trap.Touched:Connect(function(hit) if on then " + kKills +
@@ -90,7 +90,7 @@ TEST(Revisit, HarmThatComesAndGoesIsFoundByPatience) {
   EXPECT_EQ(report.revisits[0].cause, Cause::time);
 }
 
-TEST(Revisit, LeversThatWorkForSecondsOnlyAreFound) {
+TEST(Revisit, FindsLeversThatWorkForSecondsOnly) {
   LeverPlace place;
   const engine::Report report = place.observe(
       "local lit = {} for _, p in {lever, trap} do p.Touched:Connect(function()\n"
@@ -101,7 +101,7 @@ TEST(Revisit, LeversThatWorkForSecondsOnlyAreFound) {
   EXPECT_EQ(report.revisits[0].cause, Cause::lever);
 }
 
-TEST(Revisit, RepeatableEffectsAreNoDifference) {
+TEST(Revisit, RepeatableEffectsAreNotDifferences) {
   const std::string texts[] = {
       "trap.Touched:Connect(function(hit) " + kKills + "end)",
       "local busy = false trap.Touched:Connect(function() if busy then return end busy = true\n"

@@ -21,7 +21,7 @@ const std::string kHurting =
     "script.Parent.Touched:Connect(function(hit)\n"
     "  hit.Parent.Humanoid:TakeDamage(5)\nend)";
 
-TEST(SameListeners, CopiesOfAScriptAreAlikeAndOthersAreNot) {
+TEST(SameListeners, CopiesOfAScriptAreAlikeAndOthersDiffer) {
   Place place;
   std::vector<InstanceId> parts;
   for (int i = 0; i < 6; ++i) {

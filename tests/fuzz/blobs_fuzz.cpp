@@ -5,12 +5,12 @@
 #include <string_view>
 
 #include "import/format/attributes.h"
-#include "import/format/base64.h"
 #include "import/format/csg_physics.h"
 #include "import/format/packed_hulls.h"
 #include "import/format/smooth_grid.h"
+#include "import/parts/terrain_blocks.h"
 #include "import/rojo/json_file.h"
-#include "import/terrain_blocks.h"
+#include "io/base64.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   using namespace obby::importer;
@@ -30,7 +30,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   }
   if (const auto json = rojo::parseJson(blob)) (void)rojo::luauOf(rojo::Json(*json, json->root()));
   if (decodeTags(blob).size() > size) __builtin_trap();
-  const auto bytes = decodeBase64(blob);
+  const auto bytes = obby::io::decodeBase64(blob);
   if (bytes && bytes->size() > size) __builtin_trap();
   return 0;
 }

@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "bridge/fragments.h"
+#include "bridge/messages.h"
 #include "bridge/order.h"
 #include "bridge/request.h"
 #include "bridge/stdio_request.h"

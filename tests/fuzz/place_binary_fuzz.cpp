@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <string>
 
-#include "import/read_document.h"
+#include "import/format/read_document.h"
 #include "support/place_binary.h"
 
 namespace {

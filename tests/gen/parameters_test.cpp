@@ -45,7 +45,7 @@ TEST_P(Parameters, EachOneChangesLevels) {
   }
 }
 
-TEST_P(Parameters, SetToTheirDefaultsChangeNothing) {
+TEST_P(Parameters, DefaultValuesChangeNothing) {
   std::vector<gen::Setting> settings;
   for (const gen::Parameter& p : styleOf(GetParam()).parameters) {
     settings.push_back({&p, p.easy, p.hard});
@@ -55,7 +55,7 @@ TEST_P(Parameters, SetToTheirDefaultsChangeNothing) {
   }
 }
 
-TEST_P(Parameters, AnywhereWithinTheirRangesLevelsCompile) {
+TEST_P(Parameters, LevelsCompileThroughoutTheRanges) {
   for (const bool unsolvable : {false, true}) {
     for (uint64_t seed = 0; seed < kSeeds; ++seed) {
       for (const float difficulty : {0.0f, 0.5f, 1.0f}) {

@@ -82,7 +82,7 @@ TEST(Roundabout, IsTheStylesOwnIfJumpsAreShort) {
 }
 
 // These values are close to the physics for which twins are refused.
-TEST(Roundabout, ForTheLongestJumpsCompiles) {
+TEST(Roundabout, CompilesForTheLongestJumps) {
   for (const Planted& planted : kPlanted) {
     for (const auto& [physics, value] :
          {std::pair("gravity", 12.0f), std::pair("walkSpeed", 210.0f)}) {

@@ -117,7 +117,7 @@ TEST(Needs, StylesOfJumpsNeedJumps) {
   }
 }
 
-TEST(Needs, WalksNeedNone) {
+TEST(Needs, WalksNeedNoJumps) {
   for (const char* style : {"walkway", "doorway", "beam", "wedge"}) {
     EXPECT_EQ(solvedWithout(style, [](Made& m) { m.query.root().getQuery().setMaxJumps(0); }), 10)
         << style;

@@ -32,7 +32,7 @@ BoxHull slab() { return {{0, -195, 0}, {200, 5, 200}}; }
 Convex restingOn(ShapeKind kind) { return {kind, {{1, 1, 1}, nullptr}, {{3, -189, 2}, {}}}; }
 Convex convexOf(const Hull& hull) { return {ShapeKind::hull, {{200, 200, 200}, &hull}, {}}; }
 
-TEST(HullFace, HasItsCornersWhereverTheCentreIs) {
+TEST(HullFace, HasItsCornersForAnyCentre) {
   const BoxHull box = slab();
   for (int f = 0; f < 6; ++f) {
     Vec3 corners[kMaxFeature];
@@ -55,7 +55,7 @@ TEST(HullFace, IsTouchedInItsPlane) {
   }
 }
 
-TEST(HullFace, WithoutACornerHasNoPoints) {
+TEST(HullFace, AFaceWithoutCornersHasNoPoints) {
   BoxHull box = slab();
   box.offsets[2] += 100;
   const Hull hull = box.hull();

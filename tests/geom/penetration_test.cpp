@@ -96,7 +96,7 @@ class Penetration : public testing::TestWithParam<ShapeKind> {
   Hull hull_ = fixture_.hull();
 };
 
-TEST_P(Penetration, MovedOutByDepthTheTwoAreApart) {
+TEST_P(Penetration, MovingOutByTheDepthSeparatesThePair) {
   int overlapping = 0;
   for (int i = 0; i < 60000; ++i) {
     const ShapeData s = shape();
@@ -111,7 +111,7 @@ TEST_P(Penetration, MovedOutByDepthTheTwoAreApart) {
   EXPECT_GT(overlapping, 10000);
 }
 
-TEST_P(Penetration, SaysApartOnlyWhereNoPointIsShared) {
+TEST_P(Penetration, ReportsSeparationOnlyIfNoPointIsShared) {
   int apart = 0;
   for (int i = 0; i < 3000; ++i) {
     const ShapeData s = shape();
@@ -124,7 +124,7 @@ TEST_P(Penetration, SaysApartOnlyWhereNoPointIsShared) {
   EXPECT_GT(apart, 300);
 }
 
-TEST_P(Penetration, SaysApartForPairsBeyondEachOthersReach) {
+TEST_P(Penetration, ReportsSeparationForPairsOutOfReach) {
   for (int i = 0; i < 3000; ++i) {
     const ShapeData s = shape();
     const Pose pose{dice_.vec(3), dice_.rotation()};
@@ -134,7 +134,7 @@ TEST_P(Penetration, SaysApartForPairsBeyondEachOthersReach) {
   }
 }
 
-TEST_P(Penetration, IsTheSameWhereverTheWorldIs) {
+TEST_P(Penetration, IsTranslationInvariant) {
   for (int i = 0; i < 2000; ++i) {
     const ShapeData s = shape();
     const Pose pose{dice_.vec(2), dice_.rotation()};

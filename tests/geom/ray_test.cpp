@@ -28,7 +28,7 @@ class Rays : public testing::TestWithParam<ShapeKind> {
   Hull hull_ = fixture_.hull();
 };
 
-TEST_P(Rays, HitTheSurfaceWhereTheyFirstEnter) {
+TEST_P(Rays, HitTheSurfaceAtTheirFirstEntry) {
   int hits = 0;
   for (int i = 0; i < 3000; ++i) {
     const ShapeData s = shape();
@@ -50,7 +50,7 @@ TEST_P(Rays, HitTheSurfaceWhereTheyFirstEnter) {
   EXPECT_GT(hits, 500);
 }
 
-TEST_P(Rays, MissOnlyWhatTheyDoNotEnter) {
+TEST_P(Rays, MissOnlyShapesThatTheyDoNotEnter) {
   int misses = 0;
   for (int i = 0; i < 3000; ++i) {
     const ShapeData s = shape();
@@ -64,7 +64,7 @@ TEST_P(Rays, MissOnlyWhatTheyDoNotEnter) {
   EXPECT_GT(misses, 100);
 }
 
-TEST_P(Rays, FromInsideMiss) {
+TEST_P(Rays, MissFromInside) {
   int inside = 0;
   for (int i = 0; i < 3000; ++i) {
     const ShapeData s = shape();
@@ -77,7 +77,7 @@ TEST_P(Rays, FromInsideMiss) {
   EXPECT_GT(inside, 100);
 }
 
-TEST_P(Rays, ThatLookAwayOrAreTooShortMiss) {
+TEST_P(Rays, MissIfTheyPointAwayOrAreTooShort) {
   for (int i = 0; i < 3000; ++i) {
     const ShapeData s = shape();
     const auto [o, d] = ray(s);
@@ -92,7 +92,7 @@ TEST_P(Rays, ThatLookAwayOrAreTooShortMiss) {
   }
 }
 
-TEST_P(Rays, AlongAnAxisHitTheBoundingFaces) {
+TEST_P(Rays, HitTheBoundingFacesAlongAnAxis) {
   const ShapeData s{{1, 1, 1}, &hull_};
   RayHit hit{};
   ASSERT_TRUE(cast(GetParam(), s, {0.001f, -5, 0.001f}, {0, 1, 0}, 20, hit));

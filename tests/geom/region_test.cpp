@@ -10,7 +10,7 @@ namespace {
 
 using test::Dice;
 
-TEST(Region, MeetsALineExactlyWhereAPointOfItIsInside) {
+TEST(Region, MeetsALineExactlyIfItContainsAPoint) {
   Dice dice(300);
   int met = 0;
   for (int i = 0; i < 5000; ++i) {

@@ -48,7 +48,7 @@ float worstFalseContact(ShapeKind kind, uint64_t stream) {
   return worst;
 }
 
-TEST(RoundShapes, ABallIsApartExactlyWhereItsDistanceIsPositive) {
+TEST(RoundShapes, ABallIsApartIffItsDistanceIsPositive) {
   EXPECT_LT(worstFalseContact(ShapeKind::ball, 400), 1e-3f);
 }
 

@@ -40,7 +40,7 @@ TEST_P(Support, IsTheFarthestPoint) {
   }
 }
 
-TEST_P(Support, OfRoundShapesIsReached) {
+TEST_P(Support, RoundShapesReachTheirSupport) {
   for (int i = 0; i < 500; ++i) {
     const ShapeData s = shape();
     const Vec3 d = dice_.direction();

@@ -11,11 +11,11 @@
 
 #include "base/hash.h"
 #include "base/thread_pool.h"
+#include "baselines/methods.h"
 #include "golden/committed.h"
 #include "io/stream.h"
 #include "policy/shipped_policy.h"
 #include "sim/simulator.h"
-#include "solve/methods.h"
 
 namespace obby::solve {
 namespace {
@@ -71,7 +71,7 @@ SearchOutcome searched(const Asked& asked, const level::Level& level, const leve
                   level.bounds(),
                   level.hasMotion()};
   if (asked.guided) problem.policy = &policy::shippedPolicy().network;
-  return findMethod(asked.method)->run(problem, budget, {}, pool);
+  return baselines::findMethod(asked.method)->run(problem, budget, {}, pool);
 }
 
 // One line: level, query, method and steps, then the solution's ticks, jumps and state hash.

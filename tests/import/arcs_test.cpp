@@ -9,7 +9,7 @@
 namespace obby::test {
 namespace {
 
-TEST(Arcs, WhatIsWeldedToADoorGoesRoundIt) {
+TEST(Arcs, APartWeldedToADoorSwingsWithIt) {
   const std::pair<const char*, float> cases[] = {{"Linear", 45}, {"Quad", 22.5f}};
   for (const auto& [easing, degrees] : cases) {
     Scene scene;
@@ -33,7 +33,7 @@ TEST(Arcs, WhatIsWeldedToADoorGoesRoundIt) {
   }
 }
 
-TEST(Arcs, WhatDoesNotTurnNeedsNoMoreKeys) {
+TEST(Arcs, StraightMotionNeedsNoExtraKeys) {
   Scene scene;
   const auto model = scene.add("Model", "Lift", scene.workspace);
   const auto far = scene.part("Far", {30, 0, 0}, model);

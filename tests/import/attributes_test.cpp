@@ -24,7 +24,7 @@ std::string counted(uint32_t count, const std::string& attributes) {
   return out + attributes;
 }
 
-TEST(Attributes, EveryKindThatALevelCanUseIsRead) {
+TEST(Attributes, EveryKindThatLevelsUseIsRead) {
   const CFrame frame = {{1, 2, 3}, {{0, 0, -1}, {0, 1, 0}, {1, 0, 0}}};
   const CFrame tilted = {{0, 0, 0}, {{0.6f, 0.8f, 0}, {-0.8f, 0.6f, 0}, {0, 0, 1}}};
   const DecodedAttributes decoded =
@@ -53,7 +53,7 @@ TEST(Attributes, EveryKindThatALevelCanUseIsRead) {
   EXPECT_EQ(std::get<EnumItem>(v.at("enum")).type, "Material");
 }
 
-TEST(Attributes, KindsThatNoLevelNeedsAreReadPast) {
+TEST(Attributes, UnusedKindsAreSkipped) {
   std::string keys;
   append(keys, 2);
   std::string font(3, '\1');
@@ -79,7 +79,7 @@ TEST(Attributes, KindsThatNoLevelNeedsAreReadPast) {
   EXPECT_TRUE(std::get<bool>(decoded.values.at("last")));
 }
 
-TEST(Attributes, AnUnknownKindKeepsWhatCameBefore) {
+TEST(Attributes, AnUnknownKindKeepsEarlierAttributes) {
   const DecodedAttributes decoded = decodeAttributes(
       counted(3, attributeBytes("first", 0x03, "\x01") + attributeBytes("odd", 0x7f, "???") +
                      attributeBytes("lost", 0x03, "\x01")));
@@ -105,7 +105,7 @@ TEST(Attributes, AClaimedCountAllocatesNothing) {
   EXPECT_THAT(decoded.warning, HasSubstr("end early"));
 }
 
-TEST(Attributes, ThoseBeyondAThousandAreLost) {
+TEST(Attributes, AttributesBeyondAThousandAreDropped) {
   const auto blob = [](int count) {
     std::string all;
     for (int i = 0; i < count; ++i) all += attributeBytes("a" + std::to_string(i), 0x03, "\x01");

@@ -1,9 +1,7 @@
 // The bodies of a place: StarterPlayer's settings for its players' avatars.
-#include "import/avatar.h"
-
 #include <gmock/gmock.h>
 
-#include "import/level_record.h"
+#include "import/records/level_record.h"
 #include "import/scene.h"
 
 namespace obby::test {
@@ -31,21 +29,21 @@ struct AvatarPlace {
   io::RecordBuilder record;
 };
 
-TEST(Avatar, APlaceThatSaysNothingKeepsTheDefaultBody) {
+TEST(Avatar, APlaceWithoutAvatarSettingsKeepsTheDefaultBody) {
   AvatarPlace place;
   EXPECT_THAT(place.level().avatar.bodies, IsEmpty());
   EXPECT_EQ(place.physics().getTraction(), 2060);
   EXPECT_EQ(place.note("R15 avatars"), "");
 }
 
-TEST(Avatar, OfR6IsTheR6Body) {
+TEST(Avatar, AnR6PlaceUsesTheR6Body) {
   AvatarPlace place;
   place.scene.set(place.player, "GameSettingsAvatar", EnumItem{0, {}});
   EXPECT_THAT(place.level().avatar.bodies, ElementsAre("r6"));
   EXPECT_EQ(place.physics().getTraction(), 2060);
 }
 
-TEST(Avatar, OfR15IsTheR15Body) {
+TEST(Avatar, AnR15PlaceUsesTheR15Body) {
   AvatarPlace place;
   place.scene.set(place.player, "GameSettingsAvatar", EnumItem{1, {}});
   // The range of a new place contains 1.
@@ -57,7 +55,7 @@ TEST(Avatar, OfR15IsTheR15Body) {
   EXPECT_THAT(place.note("R15 avatars"), HasSubstr("simulated as the classic R15 body;"));
 }
 
-TEST(Avatar, ChosenByThePlayerKeepsTheDefaultBodyAndAdmitsBoth) {
+TEST(Avatar, PlayerChoiceKeepsTheDefaultBodyAndAllowsBoth) {
   AvatarPlace place;
   place.scene.set(place.player, "GameSettingsAvatar", EnumItem{2, {}});
   EXPECT_THAT(place.level().avatar.bodies, ElementsAre("r6", "r15"));
@@ -80,7 +78,7 @@ TEST(Avatar, IsScaledToTheNearestSizeThatThePlaceAllows) {
   EXPECT_THAT(place.note("R15 avatars"), HasSubstr("0.75 times as high, 1.5 times as wide"));
 }
 
-TEST(Avatar, ASingleColliderDecidesWhatCollides) {
+TEST(Avatar, ASingleColliderReplacesTheLimbs) {
   AvatarPlace place;
   const auto settings = place.scene.add("AvatarSettings", "AvatarSettings", place.player);
   const auto rules = place.scene.add("AvatarCollisionRules", "AvatarCollisionRules", settings);

@@ -36,14 +36,14 @@ struct BoxScene {
   const PartDraft& part() const { return scene[box]; }
 };
 
-TEST(ByRoot, APositionInTheBoxCountsForTheRootAlone) {
+TEST(ByRoot, PositionsInABoxCountForTheRootOnly) {
   const BoxScene place(pollOf("inside(root.Position)"));
   ASSERT_TRUE(place.part().kill);
   EXPECT_TRUE(place.part().byRoot);
   EXPECT_NE(place.scene.evidence(place.box, "byRoot"), "");
 }
 
-TEST(ByRoot, ATurnedBoxIsOneToo) {
+TEST(ByRoot, ARotatedBoxCountsForTheRootOnly) {
   BoxScene place("");
   place.scene.set(place.box, "CFrame",
                   CFrame{{0, 30, -60}, {{0.6f, 0, 0.8f}, {0, 1, 0}, {-0.8f, 0, 0.6f}}});
@@ -53,7 +53,7 @@ TEST(ByRoot, ATurnedBoxIsOneToo) {
   EXPECT_TRUE(place.part().byRoot);
 }
 
-TEST(ByRoot, LimbsCountWhereTheyAreLookedFor) {
+TEST(ByRoot, LimbsCountIfTheScriptChecksThem) {
   const BoxScene overlap(pollOf("#workspace:GetPartsInPart(box) > 0"));
   ASSERT_TRUE(overlap.part().kill);
   EXPECT_FALSE(overlap.part().byRoot);
@@ -62,7 +62,7 @@ TEST(ByRoot, LimbsCountWhereTheyAreLookedFor) {
   EXPECT_FALSE(leg.part().byRoot);
 }
 
-TEST(ByRoot, APlaneThatReachesFartherIsTakenAsBefore) {
+TEST(ByRoot, AnUnboundedPositionCheckCountsForAllLimbs) {
   const BoxScene place(pollOf("math.abs(root.Position.Z - box.Position.Z) < 2.5"));
   ASSERT_TRUE(place.part().kill);
   EXPECT_FALSE(place.part().byRoot);

@@ -9,7 +9,7 @@
 namespace obby::test {
 namespace {
 
-TEST(Carrying, TaggedPlatformFollowsItsWayPoints) {
+TEST(Carrying, ATaggedPlatformFollowsItsWaypoints) {
   Scene scene;
   const auto model = scene.add("Model", "MovingPlatform", scene.workspace);
   scene.tag(model, "MovingPlatform");
@@ -61,7 +61,7 @@ TEST(Carrying, HingeMotorSpinsAndCarries) {
 }
 
 // Its servo moves 10 studs/s.
-TEST(Carrying, ASliderGoesWhereItsScriptSends) {
+TEST(Carrying, ASliderServoMovesToItsScriptedTargets) {
   struct Case {
     const char* text;
     std::vector<std::pair<double, float>> heights;  // times and heights of the arm
@@ -98,7 +98,7 @@ TEST(Carrying, ASliderGoesWhereItsScriptSends) {
   }
 }
 
-TEST(Carrying, AServoWithoutATargetGoesToZero) {
+TEST(Carrying, AServoWithoutATargetMovesToZero) {
   Scene scene;
   const auto c = constrained(scene, "PrismaticConstraint");
   scene.set(c.arm, "CFrame", CFrame{{0, 3, 0}, {}});
@@ -147,7 +147,7 @@ TEST(Carrying, TurnersNeedTorque) {
   EXPECT_FALSE(scene[wheel].motion);
 }
 
-TEST(Carrying, ASliderMotorGoesToItsLimitAndStays) {
+TEST(Carrying, ASliderMotorMovesToItsLimitAndStays) {
   for (const char* className : {"PrismaticConstraint", "CylindricalConstraint"}) {
     Scene scene;
     const auto c = pushed(scene, className);
@@ -169,7 +169,7 @@ TEST(Carrying, ASliderMotorGoesToItsLimitAndStays) {
   }
 }
 
-TEST(Carrying, ASliderMotorAtItsLimitHoldsWhatItMoved) {
+TEST(Carrying, ASliderMotorAtItsLimitHoldsItsPart) {
   Scene scene;
   const auto c = pushed(scene, "PrismaticConstraint");
   scene.set(c.id, "LimitsEnabled", true);
@@ -208,7 +208,7 @@ struct Decked {
   InstanceId deck = kNoInstance;
 };
 
-TEST(Carrying, WhatASliderMotorMovesIsHeldWhereNoLimitStopsIt) {
+TEST(Carrying, AnUnlimitedSliderMotorHoldsItsParts) {
   Decked slider(false);
   slider.scene.level();
   for (const InstanceId part : {slider.c.arm, slider.deck}) {
@@ -222,7 +222,7 @@ TEST(Carrying, WhatASliderMotorMovesIsHeldWhereNoLimitStopsIt) {
 }
 
 // It moves from the lower limit, 0, to the upper one, 5, in a second.
-TEST(Carrying, ASliderMotorThatAScriptTurnsRoundGoesBetweenItsLimits) {
+TEST(Carrying, AReversingSliderMotorMovesBetweenItsLimits) {
   Decked slider(true);
   slider.scene.script(
       "local slider = script.Parent.PrismaticConstraint\nwhile true do\n"

@@ -47,7 +47,7 @@ TEST(Chance, ARareDeathIsFound) {
   EXPECT_FALSE(isByChance(panels.scene[panels.right]));
 }
 
-TEST(Chance, ASeedOfTheClockIsChanceAndOneOfTheTextIsNot) {
+TEST(Chance, ClockSeedsAreRandomAndConstantsAreNot) {
   const std::string draw =
       "local all = {workspace.L, workspace.R}\n"
       "all[math.random(1, 2)].CanCollide = false\n";
@@ -60,14 +60,14 @@ TEST(Chance, ASeedOfTheClockIsChanceAndOneOfTheTextIsNot) {
   EXPECT_FALSE(isByChance(byText.scene[byText.left]));
 }
 
-TEST(Chance, ColoursAreNoDoubt) {
+TEST(Chance, RandomColoursRaiseNoDoubt) {
   Panels panels;
   panels.run("workspace.L.Color = Color3.new(math.random(), math.random(), math.random())\n");
   panels.scene.level();
   EXPECT_EQ(panels.scene.unmodelled(kByChance), 0u);
 }
 
-TEST(Chance, PartsBuiltAtRandomPlacesAreEachInDoubt) {
+TEST(Chance, EachRandomlyPositionedPartIsInDoubt) {
   Panels panels;
   panels.run(
       "for i = 1, 3 do\n"
@@ -83,7 +83,7 @@ TEST(Chance, PartsBuiltAtRandomPlacesAreEachInDoubt) {
   EXPECT_TRUE(level.unmodelled.at(kByChance).anywhere);
 }
 
-TEST(Chance, AWaitOfRandomLengthBeforeARhythmIsNoDoubt) {
+TEST(Chance, ARandomWaitBeforeACycleRaisesNoDoubt) {
   Panels panels;
   panels.run(
       "task.wait(math.random() * 2)\n"

@@ -1,5 +1,5 @@
 // Parts that players pass through by their collision groups.
-#include "import/collision_groups.h"
+#include "import/parts/collision_groups.h"
 
 #include "import/scene.h"
 #include "support/place_columns.h"
@@ -30,7 +30,7 @@ std::string matrix(const std::vector<Group>& groups) {
 // Ghosts (1) do not collide with Default (0); Walls (2) do.
 const std::string kMatrix = matrix({{0, ~2u, "Default"}, {1, ~1u, "Ghosts"}, {2, ~0u, "Walls"}});
 
-TEST(CollisionGroups, APartThatPlayersPassThroughIsNotSolid) {
+TEST(CollisionGroups, APartInAPassableGroupIsNotSolid) {
   Scene scene;
   scene.set(scene.workspace, "CollisionGroupData", kMatrix);
   const auto ghost = scene.part("Ghost"), wall = scene.part("Wall"), old = scene.part("Old"),
@@ -59,7 +59,7 @@ TEST(CollisionGroups, TouchesMayUseThemToo) {
   EXPECT_FALSE(scene[ghost].touch);
 }
 
-TEST(CollisionGroups, ThePlacesOwnCharacterSaysWhichGroupIsThePlayers) {
+TEST(CollisionGroups, ThePlacesCharacterDeterminesThePlayersGroup) {
   Scene scene;
   scene.set(scene.workspace, "CollisionGroupData",
             matrix({{0, ~0u, "Default"}, {1, ~4u, "Players"}, {2, ~2u, "Fog"}}));
@@ -73,7 +73,7 @@ TEST(CollisionGroups, ThePlacesOwnCharacterSaysWhichGroupIsThePlayers) {
   EXPECT_TRUE(scene[floor].solid);
 }
 
-TEST(CollisionGroups, WhatScriptsSetOrNoMatrixNamesIsNotSettled) {
+TEST(CollisionGroups, AreUncertainWithoutAMatrixOrWithFailedScripts) {
   Scene scene;
   const auto ghost = scene.part("Ghost");
   scene.set(ghost, "CollisionGroup", std::string("Ghosts"));
@@ -111,7 +111,7 @@ constexpr const char* kGhosts =
     "  end)\n"
     "end)\n";
 
-TEST(CollisionGroups, WhatScriptsSetDecidesWhatPlayersPassThrough) {
+TEST(CollisionGroups, ScriptedGroupsDecideWhetherPlayersPassThrough) {
   Scene scene;
   const auto ghost = scene.part("Ghost"), wall = scene.part("Wall", {20, 0, 0});
   scene.script(std::string(kGhosts) + "workspace.Ghost.CollisionGroup = 'Ghosts'", scene.scripts);
@@ -141,7 +141,7 @@ TEST(CollisionGroups, AGroupOfSomeLimbsIsNamed) {
   EXPECT_EQ(scene.unmodelled("collision group of some limbs"), 1u);
 }
 
-TEST(CollisionGroups, ScriptsMayUndoWhatThePlaceSaves) {
+TEST(CollisionGroups, ScriptsCanOverrideTheSavedGroups) {
   Scene scene;
   scene.set(scene.workspace, "CollisionGroupData", kMatrix);
   const auto ghost = scene.part("Ghost");
@@ -157,7 +157,7 @@ TEST(CollisionGroups, ScriptsMayUndoWhatThePlaceSaves) {
   EXPECT_TRUE(scene[ghost].solid);
 }
 
-TEST(CollisionGroups, AGroupThatATouchSetsMakesAPartVanish) {
+TEST(CollisionGroups, ATouchThatChangesGroupsMakesPartsVanish) {
   Scene scene;
   scene.part("Floor", {0, -4, 0});
   const auto ghost = scene.part("Ghost", {40, 0, 0}), lever = scene.part("Lever", {20, 0, 0});
@@ -174,7 +174,7 @@ TEST(CollisionGroups, AGroupThatATouchSetsMakesAPartVanish) {
   EXPECT_TRUE(scene[lever].button);
 }
 
-TEST(CollisionGroups, AGroupInARhythmIsATimer) {
+TEST(CollisionGroups, AnAlternatingGroupIsATimer) {
   Scene scene;
   const auto ghost = scene.part("Ghost");
   scene.script(std::string(kGhosts) +
@@ -189,7 +189,7 @@ TEST(CollisionGroups, AGroupInARhythmIsATimer) {
   EXPECT_NEAR(scene[ghost].vanish->away, 2, 0.1);
 }
 
-TEST(CollisionGroups, WhatPlayersPassThroughIsTouchedUnlessThePlaceSaysSo) {
+TEST(CollisionGroups, PassablePartsAreTouchedUnlessThePlaceForbidsIt) {
   for (const bool touchesUseGroups : {false, true}) {
     Scene scene;
     scene.set(scene.workspace, "CollisionGroupData", kMatrix);
@@ -209,7 +209,7 @@ TEST(CollisionGroups, WhatPlayersPassThroughIsTouchedUnlessThePlaceSaysSo) {
   }
 }
 
-TEST(CollisionGroups, APlayerIsInsideOfWhatItPassesThrough) {
+TEST(CollisionGroups, APlayerCanBeInsideAPassablePart) {
   Scene scene;
   const auto ghost = scene.part("Ghost");
   scene.set(ghost, "Size", Vec3{4, 12, 4});

@@ -4,7 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "import/hulls.h"
+#include "import/parts/hulls.h"
 #include "support/place_columns.h"
 
 namespace obby::test {
@@ -45,7 +45,7 @@ TEST(CsgPhysics, HullsOfAllPlainVersionsAreRead) {
   }
 }
 
-TEST(CsgPhysics, BoxesAndUnknownVersionsAreToldApart) {
+TEST(CsgPhysics, BoxesAndUnknownVersionsAreDistinguished) {
   EXPECT_EQ(decodeCollision("")->kind, CollisionKind::Absent);
   EXPECT_EQ(decodeCollision(csg(0, "BLOCK"))->kind, CollisionKind::Box);
   const Result<Collision> unknown = decodeCollision(csg(9, "whatever"));
@@ -94,7 +94,7 @@ TEST(CsgPhysics, CornersAreScaledToTheSizeOfThePart) {
   EXPECT_EQ(hulls[0][0], (Vec3{-2, -1, -0.5f}));
 }
 
-TEST(CsgPhysics, HullsThatAScaleTakesOutOfAllBoundsAreLeftOut) {
+TEST(CsgPhysics, HullsScaledOutOfBoundsAreOmitted) {
   const std::vector<Vec3> small = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, 0}};
   std::vector<Vec3> wide = small;
   wide[0].x = 1e30f;
@@ -106,7 +106,7 @@ TEST(CsgPhysics, HullsThatAScaleTakesOutOfAllBoundsAreLeftOut) {
   EXPECT_EQ(scaledHulls({small}, {1, 2e6f, 1}).size(), 0u);
 }
 
-TEST(CsgPhysics, OldDataIsUsedWhereThereIsNoNewAndDamageIsReported) {
+TEST(CsgPhysics, OldDataReplacesMissingDataAndDamageIsReported) {
   Instance part;
   part.className = "MeshPart";
   const auto collision = [&] { return collisionFrom(collisionBlobOf(part)); };

@@ -1,5 +1,5 @@
 // Data that the Studio plugin keeps in a place: queries, calibrated physics, recorded motion.
-#include "import/designer_queries.h"
+#include "import/records/designer_queries.h"
 
 #include <map>
 
@@ -68,7 +68,7 @@ TEST(DesignerQueries, AreReadWithTheirRegionsAndLimits) {
   EXPECT_TRUE(compiled) << compiled.error().text();
 }
 
-TEST(DesignerQueries, StandInAFolderWhateverElseHasItsName) {
+TEST(DesignerQueries, AreReadFromTheFolderDespiteNamesakes) {
   Place place;
   const InstanceId storage = place.document.instances[place.folder].parent;
   place.add("Configuration", "ObbyQueries", storage);
@@ -80,7 +80,7 @@ TEST(DesignerQueries, StandInAFolderWhateverElseHasItsName) {
   EXPECT_EQ(import.queries[0].reader().getQuery().getId(), "mine");
 }
 
-TEST(DesignerQueries, ForbidStatesAndStartLaterWithAndWithoutAStartRegion) {
+TEST(DesignerQueries, ForbidStatesAndDelayStartsWithAnyRegion) {
   Place place;
   for (const char* id : {"at the spawn", "at a region"}) {
     const InstanceId query = place.query(id);
@@ -106,7 +106,7 @@ TEST(DesignerQueries, ForbidStatesAndStartLaterWithAndWithoutAStartRegion) {
   }
 }
 
-TEST(DesignerQueries, StartAsManySecondsLaterAtAnyTickRate) {
+TEST(DesignerQueries, StartAfterTheSameSecondsAtAnyTickRate) {
   Place place;
   place.attribute(place.folder, "physics", std::string(R"({"type":"params","controlRate":240})"));
   const InstanceId query = place.query("later");
@@ -118,7 +118,7 @@ TEST(DesignerQueries, StartAsManySecondsLaterAtAnyTickRate) {
   EXPECT_EQ(import.queries[0].reader().getQuery().getStart().getTick(), 360u) << "1.5 s";
 }
 
-TEST(DesignerQueries, StatesAndTicksThatAreNoneAreNamed) {
+TEST(DesignerQueries, InvalidStatesAndTicksAreReported) {
   Place place;
   const InstanceId query = place.query("odd");
   place.attribute(query, "forbid", std::string("climbing,flying"));
@@ -135,7 +135,7 @@ TEST(DesignerQueries, StatesAndTicksThatAreNoneAreNamed) {
   EXPECT_FALSE(q.hasStart());
 }
 
-TEST(DesignerQueries, WhatCannotBeUsedIsNamed) {
+TEST(DesignerQueries, UnusableSettingsAreReported) {
   Place place;
   place.query("no goal");
   const InstanceId query = place.query("odd");
@@ -153,7 +153,7 @@ TEST(DesignerQueries, WhatCannotBeUsedIsNamed) {
   EXPECT_EQ(import.queries[0].reader().getQuery().getMaxJumps(), -1);
 }
 
-TEST(DesignerQueries, RegionsOfNoKindAndSecondStartsAreNamed) {
+TEST(DesignerQueries, RegionsWithoutAKindAndSecondStartsAreReported) {
   Place place;
   const InstanceId query = place.query("odd");
   place.region(query, "goal", "goal");
@@ -206,7 +206,7 @@ TEST(RecordedMotion, BecomesThePartsTrack) {
   EXPECT_EQ(level.unmodelled.count("recorded motion"), 0u);
 }
 
-TEST(RecordedMotion, ThatIsNoneIsNamed) {
+TEST(RecordedMotion, InvalidMotionIsReported) {
   Place place;
   const InstanceId id = place.part("Ferry");
   place.attribute(id, "ObbyMotion", std::string("{\"keys\":[{\"time\":\"soon\"}]}"));
@@ -215,7 +215,7 @@ TEST(RecordedMotion, ThatIsNoneIsNamed) {
   EXPECT_EQ(place.unmodelled("recorded motion"), 1u);
 }
 
-TEST(RecordedMotion, WhatTheSimulatorWouldRefuseIsLeftOut) {
+TEST(RecordedMotion, MotionThatTheSimulatorRefusesIsOmitted) {
   for (const char* motion : {R"({"spin":{"axis":[0,0,0],"speed":1}})", R"({"spin":{}})",
                              R"({"spin":{"speed":1,"pivot":[10000000,0,0]}})",
                              R"({"keys":[{"time":2},{"time":1,"position":[0,4,0]}]})"}) {

@@ -55,7 +55,7 @@ TEST(DisabledScripts, ALeverThatEnablesThemArmsTheTrap) {
   expectArmed(scene, "touch");
 }
 
-TEST(DisabledScripts, SleepOnWhereNobodyEnablesThem) {
+TEST(DisabledScripts, StayDisabledUnlessAScriptEnablesThem) {
   const std::string ways[] = {"print(p.Kill.Disabled)",
                               "p.Kill.Disabled = true",
                               "p.Kill.Enabled = false",
@@ -71,7 +71,7 @@ TEST(DisabledScripts, SleepOnWhereNobodyEnablesThem) {
   expectHarmless(itself, "itself");
 }
 
-TEST(DisabledScripts, AChainOfTwentyRuns) {
+TEST(DisabledScripts, AChainOfTwentyScriptsRuns) {
   constexpr int kLinks = 20;
   Disabled scene;
   for (int i = 0; i < kLinks; ++i) {

@@ -30,14 +30,14 @@ human.StateChanged:Connect(function(_, new)
   end
 end))";
 
-TEST(DoubleJump, ByJumpRequestIsOne) {
+TEST(DoubleJump, AJumpRequestAllowsOneAirJump) {
   Scene scene;
   EXPECT_EQ(airJumpsOf(kDouble, scene), 1);
   EXPECT_EQ(scene.unmodelled("keys that a script listens to"), 0u);
   EXPECT_EQ(scene.unmodelled("ability of the player"), 0u);
 }
 
-TEST(DoubleJump, ByTheSpaceKeyWithACountIsAsMany) {
+TEST(DoubleJump, ACounterOnTheSpaceKeyLimitsAirJumps) {
   EXPECT_EQ(airJumpsOf(R"(local left = 2
 input.InputBegan:Connect(function(key)
   if key.KeyCode ~= Enum.KeyCode.Space or human:GetState() ~= Enum.HumanoidStateType.Freefall then return end
@@ -52,13 +52,13 @@ end))"),
             2);
 }
 
-TEST(DoubleJump, WithoutACountIsAnyNumber) {
+TEST(DoubleJump, JumpsWithoutACounterAreUnlimited) {
   EXPECT_EQ(airJumpsOf("input.JumpRequest:Connect(function() "
                        "human:ChangeState(Enum.HumanoidStateType.Jumping) end)"),
             100);
 }
 
-TEST(DoubleJump, OnceInALifeIsNone) {
+TEST(DoubleJump, AJumpOncePerLifeAddsNoAirJump) {
   Scene scene;
   EXPECT_EQ(airJumpsOf(R"(local used = false
 input.JumpRequest:Connect(function()

@@ -14,7 +14,7 @@ struct Barred : Scene {
   const InstanceId barrier = part("Barrier");
 };
 
-TEST(Doubt, NamesOfNothingAreNil) {
+TEST(Doubt, UndefinedNamesAreNil) {
   const std::pair<const char*, bool> texts[] = {
       {"if DEBUG then b.CanCollide = false end", true},
       {"if not DEBUG then b.CanCollide = false end", false},
@@ -32,7 +32,7 @@ TEST(Doubt, NamesOfNothingAreNil) {
   }
 }
 
-TEST(Doubt, NamesOfTheEngineAreThere) {
+TEST(Doubt, EngineNamesAreDefined) {
   const char* const texts[] = {
       "if game and workspace and script and task.wait and Enum.Material "
       "then b.CanCollide = false end",
@@ -46,7 +46,7 @@ TEST(Doubt, NamesOfTheEngineAreThere) {
   }
 }
 
-TEST(Doubt, AVariableIsAsTheBranchThatIsTakenSetsIt) {
+TEST(Doubt, AVariableHasTheValueOfTheTakenBranch) {
   const char* const cases[] = {
       "local y = 5 local function rise() y = 9 end if _G.high then rise() end",
       "local y = 5 if _G.high then if _G.higher then y = 9 end end",
@@ -64,7 +64,7 @@ TEST(Doubt, AVariableIsAsTheBranchThatIsTakenSetsIt) {
   }
 }
 
-TEST(Doubt, AHandlerIsConnectedWhereTheConditionHolds) {
+TEST(Doubt, AHandlerIsConnectedOnlyIfItsConditionHolds) {
   const std::pair<const char*, bool> cases[] = {
       {"if v.BrickColor == _G.red then v.Touched:Connect(kill) end", false},
       {"if v.Name:match('B[aeiou]r') then v.Touched:Connect(kill) end", true},
@@ -85,7 +85,7 @@ TEST(Doubt, AHandlerIsConnectedWhereTheConditionHolds) {
   }
 }
 
-TEST(Doubt, AValueThatBothWaysGiveIsKnown) {
+TEST(Doubt, AValueThatAllBranchesShareIsKnown) {
   const char* const values[] = {"if math.random() > 0.5 then 30 else 30",
                                 "math.random() > 0.5 and 30 or 30",
                                 "nothing or 30",
@@ -105,7 +105,7 @@ TEST(Doubt, AValueThatBothWaysGiveIsKnown) {
   }
 }
 
-TEST(Doubt, AWayOutEndsWithItsFunctionOrLoop) {
+TEST(Doubt, ReturnAndBreakEndOnlyTheirFunctionOrLoop) {
   const char* const texts[] = {
       "local function f() if math.random() > 0.5 then return end end f() b:Destroy()",
       "for i = 1, 2 do if math.random() > 0.5 then break end end b:Destroy()",
@@ -117,7 +117,7 @@ TEST(Doubt, AWayOutEndsWithItsFunctionOrLoop) {
   }
 }
 
-TEST(Doubt, APlayerIsNotInStudio) {
+TEST(Doubt, IsStudioIsFalseForPlayers) {
   const char* const texts[] = {
       "if game:GetService('RunService'):IsStudio() then return end b.CanCollide = false",
       "local run = game:GetService('RunService') b.CanCollide = run:IsStudio()"};
@@ -129,7 +129,7 @@ TEST(Doubt, APlayerIsNotInStudio) {
   }
 }
 
-TEST(Doubt, AListHoldsWhatIsPutAtAPlaceThatIsCounted) {
+TEST(Doubt, AListKeepsElementsAtCountedIndices) {
   Scene scene;
   const auto first = scene.part("R1"), second = scene.part("R2", {9, 0, 0});
   const auto other = scene.part("S", {18, 0, 0});
@@ -145,7 +145,7 @@ TEST(Doubt, AListHoldsWhatIsPutAtAPlaceThatIsCounted) {
   EXPECT_FALSE(scene[other].kill);
 }
 
-TEST(Doubt, AHandlerThatIsConnectedAtTheFirstTimeIsSure) {
+TEST(Doubt, AHandlerConnectedOnceIsCertain) {
   const char* const conditions[] = {
       "local hooked = {} local function setup(v) if not hooked[v] then hooked[v] = true ",
       "local function setup(v) if typeof(v) == 'Instance' and v:IsA('BasePart') then ",
@@ -160,7 +160,7 @@ TEST(Doubt, AHandlerThatIsConnectedAtTheFirstTimeIsSure) {
   }
 }
 
-TEST(Doubt, AScriptKnowsOnWhichSideItRuns) {
+TEST(Doubt, AScriptKnowsWhetherItRunsOnTheServer) {
   const char* const texts[] = {
       "local run = game:GetService('RunService') if run:IsServer() then b.CanCollide = false end",
       "if game:GetService('RunService'):IsClient() then return end b.CanCollide = false"};
@@ -175,7 +175,7 @@ TEST(Doubt, AScriptKnowsOnWhichSideItRuns) {
   EXPECT_TRUE(scene[scene.barrier].solid);
 }
 
-TEST(Doubt, AScriptOfACharacterThatLooksForItsHumanoidIsSure) {
+TEST(Doubt, ACharacterScriptThatFindsItsHumanoidIsCertain) {
   Scene scene;
   const auto player = scene.add("StarterPlayer", "StarterPlayer", kNoInstance);
   const auto folder = scene.add("StarterCharacterScripts", "StarterCharacterScripts", player);
@@ -186,7 +186,7 @@ TEST(Doubt, AScriptOfACharacterThatLooksForItsHumanoidIsSure) {
   EXPECT_FLOAT_EQ(scene.level().world.walkSpeed, 30);
 }
 
-TEST(Doubt, AMotionThatWaitsForAClickIsOfItsButton) {
+TEST(Doubt, AClickedMotionBelongsToItsButton) {
   Scene scene;
   const auto lift = scene.part("Lift", {20, 0, 0});
   scene.add("ClickDetector", "ClickDetector", lift);
@@ -200,7 +200,7 @@ TEST(Doubt, AMotionThatWaitsForAClickIsOfItsButton) {
   EXPECT_EQ(scene[lift].motion->trigger, importer::MotionTrigger::signal);
 }
 
-TEST(Doubt, WaitsThatAreStatedAreNone) {
+TEST(Doubt, KnownWaitsRaiseNoDoubt) {
   const char* const texts[] = {
       "wait() p.Touched:Connect(function() wait(p.Pause.Value) p.CanCollide = false end)",
       "game.Players.PlayerAdded:Wait() game:GetService('RunService').Heartbeat:Wait() "
@@ -218,7 +218,7 @@ TEST(Doubt, WaitsThatAreStatedAreNone) {
 }
 
 // A poll once a second is slower than a step across the part.
-TEST(Doubt, APollOfTheDistanceHarmsWhereItLooks) {
+TEST(Doubt, PollingADistanceHarmsNearThePart) {
   Scene scene;
   const auto part = scene.part("Part", {20, 0, 0});
   scene.script(

@@ -33,24 +33,24 @@ TEST(Ends, AnotherPlaceEndsTheAttempt) {
   EXPECT_TRUE(Touched("game:GetService('TeleportService'):Teleport(1, player)").ends());
 }
 
-TEST(Ends, ABodyThatStaysAnchoredEndsIt) {
+TEST(Ends, APermanentlyAnchoredBodyEndsIt) {
   EXPECT_TRUE(Touched("body.HumanoidRootPart.Anchored = true").ends());
 }
 
-TEST(Ends, ABodyThatIsLetGoAgainDoesNot) {
+TEST(Ends, AReleasedBodyDoesNotEndIt) {
   const Touched touched(
       "body.HumanoidRootPart.Anchored = true\n"
       "task.wait(2)\nbody.HumanoidRootPart.Anchored = false");
   EXPECT_FALSE(touched.ends());
 }
 
-TEST(Ends, ABodyThatLiesForGoodEndsIt) {
+TEST(Ends, PermanentPlatformStandEndsIt) {
   EXPECT_TRUE(Touched("human.PlatformStand = true").ends());
 }
 
-TEST(Ends, NoSpeedForGoodEndsIt) { EXPECT_TRUE(Touched("human.WalkSpeed = 0").ends()); }
+TEST(Ends, PermanentZeroSpeedEndsIt) { EXPECT_TRUE(Touched("human.WalkSpeed = 0").ends()); }
 
-TEST(Ends, AStateThatIsSwitchedOffIsADoubt) {
+TEST(Ends, ADisabledStateRaisesADoubt) {
   EXPECT_TRUE(Touched("human:SetStateEnabled(Enum.HumanoidStateType.Jumping, false)").doubtful());
   EXPECT_FALSE(Touched("human:SetStateEnabled(Enum.HumanoidStateType.Ragdoll, false)").doubtful());
 }
@@ -60,18 +60,18 @@ LevelDraft bodyBy(const std::string& source, Scene& scene) {
   return scene.level();
 }
 
-TEST(Body, ASlopeThatScriptsSetIsThePlayers) {
+TEST(Body, AScriptedSlopeLimitAppliesToThePlayer) {
   Scene scene;
   EXPECT_NEAR(bodyBy("human.MaxSlopeAngle = 20", scene).world.maxSlope, 0.349f, 1e-3f);
 }
 
-TEST(Body, AHipHeightThatScriptsSetIsNamed) {
+TEST(Body, AScriptedHipHeightIsReported) {
   Scene scene;
   bodyBy("human.HipHeight = 18", scene);
   EXPECT_EQ(scene.unmodelled("size of the player's body"), 1u);
 }
 
-TEST(Body, ControlsThatAreSwitchedOffAreNamed) {
+TEST(Body, DisabledControlsAreReported) {
   Scene scene;
   bodyBy(
       "local scripts = game.Players.LocalPlayer:WaitForChild('PlayerScripts')\n"

@@ -1,8 +1,8 @@
 // The output of --explain, for designers.
 #include <gmock/gmock.h>
 
-#include "import/explain.h"
 #include "import/importer.h"
+#include "import/records/explain.h"
 #include "import/scene.h"
 
 namespace obby::test {
@@ -34,7 +34,7 @@ TEST(Explain, TurnsAreInDegreesAndDamageIsTaken) {
   EXPECT_THAT(text, HasSubstr("takes 10 health; tag Damage"));
 }
 
-TEST(Explain, WhatIsLostHasAnExample) {
+TEST(Explain, UnmodelledFeaturesHaveAnExample) {
   Scene scene;
   scene.part("Chair", {}, scene.workspace, "VehicleSeat");
   const std::string text = explained(scene);

@@ -143,7 +143,7 @@ TEST_F(Filter, ErrorsNameTheInput) {
   EXPECT_NE(cut.error().text().find("cut.rbxl"), std::string::npos);
 }
 
-TEST_F(Filter, ExplainsPlacesAndSaysWhatItCannotExplain) {
+TEST_F(Filter, ExplainsPlacesAndReportsOtherInputs) {
   auto inputs = opener({"", true, true});
   (void)lines(inputs, file("tower.rbxlx", smallPlace().xml()));
   EXPECT_NE(explained_.find("script KillScript line 3"), std::string::npos);
@@ -151,7 +151,7 @@ TEST_F(Filter, ExplainsPlacesAndSaysWhatItCannotExplain) {
   EXPECT_NE(explained_.find("nothing to explain"), std::string::npos);
 }
 
-TEST_F(Filter, ExplainsNamesWithoutWhatMovesTheCursorOrTurnsALineRound) {
+TEST_F(Filter, ExplainedNamesHaveNoControlCharacters) {
   PlaceWriter place;
   const auto workspace = place.add("Workspace", "Workspace");
   const auto goal = place.add("Part", "Win\xc2\x9b\xe2\x80\xaePad", workspace);

@@ -8,7 +8,7 @@ namespace {
 
 const std::string kKill = "p.Touched:Connect(function(h) h.Parent.Humanoid.Health = 0 end)";
 
-TEST(ForLoops, ThatCountForEverAreEndless) {
+TEST(ForLoops, EndlessCountingLoopsAreRecognised) {
   const char* const loops[] = {"for i = 1, math.huge do", "for i = 1, math.huge, 2 do",
                                "for i = 10, -math.huge, -1 do", "for i = 1, 1e9 do"};
   for (const char* loop : loops) {
@@ -22,7 +22,7 @@ TEST(ForLoops, ThatCountForEverAreEndless) {
   }
 }
 
-TEST(ForLoops, ThatCountForEverCount) {
+TEST(ForLoops, EndlessLoopsUpdateTheirVariable) {
   ScriptedPart scene(
       "for i = 0, math.huge do p.Position = Vector3.new(0, i % 2 * 8, 0) task.wait(1) end");
   ASSERT_TRUE(scene[scene.self].motion);
@@ -32,7 +32,7 @@ TEST(ForLoops, ThatCountForEverCount) {
   }
 }
 
-TEST(ForLoops, ThatCountForEverAreTimers) {
+TEST(ForLoops, EndlessLoopsCanBeTimers) {
   ScriptedPart scene(
       "for i = 1, math.huge do p.CanCollide = false wait(1) p.CanCollide = true wait(2) end");
   ASSERT_TRUE(scene[scene.self].vanish);
@@ -41,7 +41,7 @@ TEST(ForLoops, ThatCountForEverAreTimers) {
   EXPECT_NEAR(scene[scene.self].vanish->delay, 2, 1e-3);
 }
 
-TEST(ForLoops, ThatOutlastAMotionAreEndless) {
+TEST(ForLoops, LongLoopsCountAsEndless) {
   for (const char* loop : {"for i = 1, 1e6 do", "for i = 1, 5000 do", "for i = 1e5, 1, -2 do"}) {
     ScriptedPart scene(std::string(loop) +
                        " p.CanCollide = false wait(1) p.CanCollide = true task.wait(2) end");
@@ -57,7 +57,7 @@ TEST(ForLoops, ThatOutlastAMotionAreEndless) {
 }
 
 // The engine stops a script that runs too long without a wait.
-TEST(ForLoops, OfManyRoundsWithoutAWaitAreNamed) {
+TEST(ForLoops, LongLoopsWithoutAWaitAreReported) {
   for (const bool many : {false, true}) {
     ScriptedPart scene("for i = 1, " + std::string(many ? "1e9" : "1e4") +
                        " do p.Transparency = 0.5 end\n" + kKill);
@@ -68,13 +68,13 @@ TEST(ForLoops, OfManyRoundsWithoutAWaitAreNamed) {
   }
 }
 
-TEST(ForLoops, ThatGoTheOtherWayHaveNoRound) {
+TEST(ForLoops, LoopsInTheWrongDirectionDoNotRun) {
   ScriptedPart scene("for i = 1, -math.huge do p:Destroy() end");
   EXPECT_EQ(scene.level().parts.size(), 1u);
   EXPECT_TRUE(scene.level().unmodelled.empty());
 }
 
-TEST(ForLoops, ThatCountForEverMayBeLeft) {
+TEST(ForLoops, EndlessLoopsCanBreak) {
   Scene scene;
   const InstanceId parts[] = {scene.part("Red1", {9, 0, 0}), scene.part("Red2", {18, 0, 0}),
                               scene.part("Red3", {27, 0, 0})};
@@ -91,7 +91,7 @@ TEST(ForLoops, ThatCountForEverMayBeLeft) {
 }
 
 // The script reads the model's position from its part, and sets it by a method.
-TEST(ForLoops, AWayOfAModelThatEndsByWhereItIs) {
+TEST(ForLoops, AModelsMotionCanEndByItsPosition) {
   const std::string step = "m:PivotTo(m:GetPivot() * CFrame.new(0, 0.1, 0)) task.wait(0.05) ";
   const std::string texts[] = {"while m.PrimaryPart.Position.Y < 3.95 do " + step + "end",
                                "repeat " + step + "until m.PrimaryPart.Position.Y >= 3.95"};

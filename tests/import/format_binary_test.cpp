@@ -4,8 +4,8 @@
 
 #include <array>
 
+#include "import/format/read_document.h"
 #include "import/format/rotation.h"
-#include "import/read_document.h"
 #include "support/place_binary.h"
 #include "support/sample_place.h"
 
@@ -36,7 +36,7 @@ Mat3 quarterTurns(int axis, int degrees) {
   return {{c, s, 0}, {-s, c, 0}, {0, 0, 1}};
 }
 
-TEST(FormatBinary, AnEditedPivotIsKeptAndAPlainOneTakesNoRoom) {
+TEST(FormatBinary, OnlyAnEditedPivotIsStored) {
   PlaceWriter place;
   place.set(place.add("Part", "Edited"), "PivotOffset", cframe(0, 0, -10));
   place.set(place.add("Part", "Plain"), "PivotOffset", cframe(0, 0, 0));
@@ -152,7 +152,7 @@ TEST(FormatBinary, PropertiesThatDoNotFitTheirClassAreErrors) {
   EXPECT_THAT(withProperty(0, 0x01, "\xff\xff\xff\xffzzzz"), HasSubstr("ends early"));
 }
 
-TEST(FormatBinary, SizesThatAreOnlyClaimedAllocateNothing) {
+TEST(FormatBinary, ClaimedSizesAllocateNothing) {
   const std::string huge("\xff\xff\xff\x3f", 4);  // 1 GiB
   const auto withChunk = [](const std::string& chunkBytes) {
     return errorOf(fileHeader(1, 1) + chunkBytes + endChunk());

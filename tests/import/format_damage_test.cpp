@@ -5,8 +5,8 @@
 
 #include <algorithm>
 
+#include "import/format/read_document.h"
 #include "import/importer.h"
-#include "import/read_document.h"
 #include "support/place_binary.h"
 #include "support/sample_place.h"
 

@@ -6,8 +6,8 @@
 
 #include "engine/classes/class_defaults.h"
 #include "import/format/csg_physics.h"
-#include "import/hulls.h"
-#include "import/read_document.h"
+#include "import/format/read_document.h"
+#include "import/parts/hulls.h"
 #include "support/document_text.h"
 #include "support/read_bytes.h"
 
@@ -128,7 +128,7 @@ TEST(FormatPlaces, CollisionHullsFillTheBoxOfTheirPart) {
   EXPECT_EQ(unions, 11u);
 }
 
-TEST(FormatPlaces, WorldConstantsOfTheTestPlaceAreThere) {
+TEST(FormatPlaces, TheTestPlaceHasItsWorldConstants) {
   SKIP_WITHOUT_PLACES();
   const Document document = readOrDie(kPlaces / "zander-obbytest.rbxl");
   double gravity = 0, speed = 0, jump = 0;

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "engine/classes/class_defaults.h"
-#include "import/read_document.h"
+#include "import/format/read_document.h"
 #include "support/document_text.h"
 #include "support/sample_place.h"
 
@@ -74,7 +74,7 @@ TEST(FormatRoundTrip, PhysicalPropertiesFollowTheirFlagBits) {
   EXPECT_FALSE(ice.custom);  // acoustics alone; no values follow
 }
 
-TEST(FormatRoundTrip, PartsLeaveOutWhatEqualsTheClassDefault) {
+TEST(FormatRoundTrip, PartsOmitClassDefaults) {
   for (const std::string& bytes : {samplePlace().binary(), samplePlace().xml()}) {
     const Document document = formatRoundTripReadOrDie(bytes);
     const Instance& ice = named(document, "Ice");
@@ -111,7 +111,7 @@ TEST(FormatRoundTrip, SourceKeepsMarkupAndLineBreaks) {
   }
 }
 
-TEST(FormatRoundTrip, ModelsAreToldFromPlaces) {
+TEST(FormatRoundTrip, ModelsAndPlacesAreDistinguished) {
   PlaceWriter model;
   model.add("Part", "Block");
   EXPECT_EQ(formatRoundTripReadOrDie(model.binary()).format, "rbxm");

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "import/format/read_document.h"
 #include "import/format/xml_filter.h"
-#include "import/read_document.h"
 
 namespace obby::test {
 namespace {
@@ -45,7 +45,7 @@ TEST(FormatXml, OldColoursBecomeTheColour) {
   EXPECT_EQ(colorOf("<Color3 name=\"Color\"><R>1</R><G>0.5</G><B>-3</B></Color3>"), 0xff8000);
 }
 
-TEST(FormatXml, TheNewerColourWinsWhateverTheOrder) {
+TEST(FormatXml, TheNewerColourWinsInAnyOrder) {
   const std::string old = "<int name=\"BrickColor\">1004</int>";
   const std::string now = "<Color3uint8 name=\"Color3uint8\">4278190335</Color3uint8>";
   for (const std::string& both : {old + now, now + old}) {
@@ -53,7 +53,7 @@ TEST(FormatXml, TheNewerColourWinsWhateverTheOrder) {
   }
 }
 
-TEST(FormatXml, NumbersThatAreNotOrdinary) {
+TEST(FormatXml, UnusualNumbersAreRead) {
   const Instance part = readOne(
       "<float name=\"A\">INF</float><float name=\"B\">-INF</float><float name=\"C\">NAN</float>"
       "<float name=\"D\">1.#INF</float><float name=\"E\">-1.#IND</float><double "
@@ -130,7 +130,7 @@ TEST(FormatXml, CommentsDeclarationsAndByteOrderMarksMayComeFirst) {
   }
 }
 
-TEST(FormatXml, ItsFirstBytesTellItFromRecordsOrMoreAreAskedFor) {
+TEST(FormatXml, ItsFirstBytesIdentifyItOrAreNotEnough) {
   for (const std::string open : {"", "\xef", "\xef\xbb", "\xef\xbb\xbf", " \r\n\t"})
     EXPECT_FALSE(mayBeRoblox(open).has_value()) << open;
   for (const std::string place : {"<", "\xef\xbb\xbf\n<"}) EXPECT_EQ(mayBeRoblox(place), true);

@@ -22,7 +22,7 @@ constexpr const char* kForever = R"(script.Parent.Touched:Connect(function(hit)
   if hit.Parent:FindFirstChild("Humanoid") then workspace.Gravity = 98.1 end
 end))";
 
-TEST(GravityByTouch, LastsForGood) {
+TEST(GravityByTouch, LastsForever) {
   const PadScene place(kForever);
   ASSERT_TRUE(place.boost());
   EXPECT_NEAR(place.boost()->gravity, 0.5f, 1e-4f);
@@ -31,7 +31,7 @@ TEST(GravityByTouch, LastsForGood) {
   EXPECT_NE(place.scene.evidence(place.pad, "boost").find("line 2"), std::string::npos);
 }
 
-TEST(GravityByTouch, EndsAfterItsSeconds) {
+TEST(GravityByTouch, EndsAfterItsDuration) {
   const PadScene place(R"(local busy = false
 script.Parent.Touched:Connect(function(hit)
   if busy or not hit.Parent:FindFirstChild("Humanoid") then return end
@@ -57,7 +57,7 @@ script.Parent.TouchEnded:Connect(function() workspace.Gravity = 196.2 end))");
   EXPECT_EQ(place.boost()->seconds, 0);
 }
 
-TEST(GravityByTouch, AJumpHeightStaysSoTheSpeedFollows) {
+TEST(GravityByTouch, AJumpHeightStaysSoTheSpeedChanges) {
   Scene scene;
   scene.part("SpawnLocation", {}, scene.workspace, "SpawnLocation");
   const auto player = scene.add("StarterPlayer", "StarterPlayer", kNoInstance);
@@ -83,7 +83,7 @@ end))");
   EXPECT_FALSE(other.boost());
 }
 
-TEST(GravityByTouch, AForceTakesWeightAndThenIsGone) {
+TEST(GravityByTouch, AForceReducesWeightAndIsThenRemoved) {
   const PadScene place(R"(script.Parent.Touched:Connect(function(hit)
   local root = hit.Parent:FindFirstChild("HumanoidRootPart")
   if root and not root:FindFirstChild("Moon") then
@@ -117,7 +117,7 @@ end))");
   EXPECT_TRUE(place.boost()->forever);
 }
 
-TEST(GravityByTouch, ForcesAsideAndFloatingUpAreNamed) {
+TEST(GravityByTouch, SidewaysAndLiftingForcesAreReported) {
   for (const char* const force : {"5000, 500, 0", "0, 5000, 0"}) {
     const PadScene place(std::string(R"(script.Parent.Touched:Connect(function(hit)
   local root = hit.Parent:FindFirstChild("HumanoidRootPart")
@@ -133,7 +133,7 @@ end))");
   }
 }
 
-TEST(GravityByTouch, APadThatSetsItBackEndsWhatOthersDo) {
+TEST(GravityByTouch, AResettingPadEndsTheEffectOfOthers) {
   Scene scene;
   scene.part("SpawnLocation", {}, scene.workspace, "SpawnLocation");
   const auto low = scene.part("Low", {0, 10, -20}), back = scene.part("Back", {0, 10, -60});
@@ -146,7 +146,7 @@ TEST(GravityByTouch, APadThatSetsItBackEndsWhatOthersDo) {
   EXPECT_TRUE(scene[back].boost->forever);
 }
 
-TEST(GravityByTouch, SoDoesAPadThatSetsASpeedBack) {
+TEST(GravityByTouch, AResettingPadRestoresTheWalkSpeed) {
   Scene scene;
   scene.part("SpawnLocation", {}, scene.workspace, "SpawnLocation");
   const auto fast = scene.part("Fast", {0, 10, -20}), back = scene.part("Back", {0, 10, -60});
@@ -164,7 +164,7 @@ TEST(GravityByTouch, SoDoesAPadThatSetsASpeedBack) {
   EXPECT_EQ(scene.unmodelled("touch that does more later"), 1u);
 }
 
-TEST(GravityByTouch, AForceOnEachNewBodyIsTheLevels) {
+TEST(GravityByTouch, AForceOnEveryBodyChangesTheLevelsGravity) {
   Scene scene;
   scene.part("SpawnLocation", {}, scene.workspace, "SpawnLocation");
   scene.script(R"(game.Players.PlayerAdded:Connect(function(player)
@@ -178,7 +178,7 @@ end))",
   EXPECT_NEAR(scene.level().world.gravity, 98.1f, 0.1f);
 }
 
-TEST(GravityByTouch, AChangeByItselfIsNamed) {
+TEST(GravityByTouch, AnUntriggeredChangeIsReported) {
   Scene scene;
   scene.part("SpawnLocation", {}, scene.workspace, "SpawnLocation");
   scene.script(

@@ -19,7 +19,7 @@ const importer::Kill* killBy(Scene& scene, const std::string& act) {
 
 constexpr const char* kLasting = "harm that goes on after a touch";
 
-TEST(Harm, ATouchThatStartsAFastLoopIsWorthItsTotal) {
+TEST(Harm, AFastLoopDealsItsTotalDamage) {
   Scene scene;
   const auto* const kill = killBy(scene,
                                   " if busy then return end\n busy = true\n"
@@ -30,7 +30,7 @@ TEST(Harm, ATouchThatStartsAFastLoopIsWorthItsTotal) {
   EXPECT_EQ(scene.unmodelled(kLasting), 1u);
 }
 
-TEST(Harm, ALoopThatDoesNotKillIsWorthItsTotalAndHasItsTime) {
+TEST(Harm, NonLethalLoopsDealTheirTotalOverTime) {
   Scene scene;
   const auto* const kill = killBy(scene,
                                   " if busy then return end\n busy = true\n"
@@ -41,7 +41,7 @@ TEST(Harm, ALoopThatDoesNotKillIsWorthItsTotalAndHasItsTime) {
   EXPECT_NEAR(kill->cooldown, 0.6, 0.1);
 }
 
-TEST(Harm, TouchesThatEachStartALoopHaveNoCooldown) {
+TEST(Harm, LoopsStartedByEachTouchHaveNoCooldown) {
   Scene scene;
   const auto* const kill =
       killBy(scene, " for i = 1, 4 do human:TakeDamage(5) task.wait(0.5) end\nend)");
@@ -50,7 +50,7 @@ TEST(Harm, TouchesThatEachStartALoopHaveNoCooldown) {
   EXPECT_FLOAT_EQ(kill->cooldown, 0);
 }
 
-TEST(Harm, ADebounceIsThePauseBetweenTwoHits) {
+TEST(Harm, ADebounceIsTheCooldown) {
   Scene scene;
   const auto* const kill = killBy(scene,
                                   " if busy then return end\n busy = true\n human:TakeDamage(20)\n"
@@ -61,7 +61,7 @@ TEST(Harm, ADebounceIsThePauseBetweenTwoHits) {
   EXPECT_EQ(scene.unmodelled(kLasting), 0u);
 }
 
-TEST(Harm, ATrapThatALeverArmsIsWorthItsTotal) {
+TEST(Harm, AnArmedTrapDealsItsTotalDamage) {
   Scene scene;
   const auto lever = scene.part("Lever", {-20, 0, 0});
   scene.script(
@@ -78,7 +78,7 @@ TEST(Harm, ATrapThatALeverArmsIsWorthItsTotal) {
 }
 
 // Repeated touches would end the presence that this script counts.
-TEST(Harm, PresenceThatTouchesCountHurtsWhileThePlayerStays) {
+TEST(Harm, CountedPresenceHurtsWhileThePlayerStays) {
   Scene scene;
   const auto* const kill = killBy(scene,
                                   " inside = inside + 1\nend)\n"
@@ -96,7 +96,7 @@ TEST(Harm, PresenceThatTouchesCountHurtsWhileThePlayerStays) {
 
 constexpr const char* kShielded = "harm that a force field stops";
 
-TEST(Harm, WhatAForceFieldStopsIsNamed) {
+TEST(Harm, HarmThatAForceFieldBlocksIsReported) {
   const std::string hurt = " human:TakeDamage(100)\nend)", kill = " human.Health = 0\nend)";
   Scene without;
   ASSERT_TRUE(killBy(without, hurt));
@@ -113,7 +113,7 @@ TEST(Harm, WhatAForceFieldStopsIsNamed) {
   EXPECT_EQ(atSpawn(kill, 10), 0u);
 }
 
-TEST(Harm, AForceFieldThatAScriptGivesHidesNoHarm) {
+TEST(Harm, AScriptedForceFieldHidesNoHarm) {
   const std::string give = " local field = Instance.new('ForceField') field.Parent = body\nend)";
   const std::string onBody =
       "game.Players.PlayerAdded:Connect(function(player)\n"

@@ -28,7 +28,7 @@ TEST(Harmless, NothingMakesATaggedPartAKillPart) {
   }
 }
 
-TEST(Harmless, OfAModelAllPartsAre) {
+TEST(Harmless, AllPartsOfATaggedModelAreHarmless) {
   Scene scene;
   const auto model = scene.add("Model", "Lava", scene.workspace);
   const auto inside = scene.part("Kill", {}, model), outside = scene.part("Kill", {9, 0, 0});
@@ -38,7 +38,7 @@ TEST(Harmless, OfAModelAllPartsAre) {
   EXPECT_TRUE(scene[outside].kill);
 }
 
-TEST(Harmless, TheOtherRolesStay) {
+TEST(Harmless, TaggedPartsKeepTheirOtherRoles) {
   Scene scene;
   const auto part = scene.part("Checkpoint1"), pad = scene.part("Pad", {9, 0, 0});
   scene.tag(part, "Checkpoint");
@@ -54,7 +54,7 @@ TEST(Harmless, TheOtherRolesStay) {
   EXPECT_TRUE(scene[pad].vanish);
 }
 
-TEST(Harmless, HarmThatIsComputedIsAsTheFirstHit) {
+TEST(Harmless, ComputedHarmEqualsTheFirstHit) {
   for (const bool harmless : {false, true}) {
     Scene scene;
     const auto part = scene.part("Part");

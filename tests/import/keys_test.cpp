@@ -17,14 +17,14 @@ float walkSpeedWith(const std::string& source) {
   return scene.level().world.walkSpeed;
 }
 
-TEST(Keys, AnActionAloneIsAnAbility) {
+TEST(Keys, ABoundActionIsAnAbility) {
   EXPECT_FLOAT_EQ(walkSpeedWith(R"(game.ContextActionService:BindAction('Sprint', function(_, state)
   human().WalkSpeed = state == Enum.UserInputState.Begin and 40 or 16
 end, false, Enum.KeyCode.LeftShift))"),
                   40);
 }
 
-TEST(Keys, AKeyThatIsAskedForIsAnAbility) {
+TEST(Keys, APolledKeyIsAnAbility) {
   EXPECT_FLOAT_EQ(walkSpeedWith(R"(local input = game:GetService('UserInputService')
 game:GetService('RunService').RenderStepped:Connect(function()
   human().WalkSpeed = input:IsKeyDown(Enum.KeyCode.LeftAlt) and 40 or 16
@@ -32,7 +32,7 @@ end))"),
                   40);
 }
 
-TEST(Keys, AKeyThatAHandlerNamesIsPressed) {
+TEST(Keys, AKeyThatAHandlerChecksIsPressed) {
   EXPECT_FLOAT_EQ(walkSpeedWith(R"(local input = game:GetService('UserInputService')
 input.InputBegan:Connect(function(key) if key.KeyCode == Enum.KeyCode.Z then human().WalkSpeed = 40 end end)
 input.InputEnded:Connect(function(key) if key.KeyCode == Enum.KeyCode.Z then human().WalkSpeed = 16 end end))"),
@@ -45,7 +45,7 @@ TEST(Keys, AMouseButtonIsPressed) {
                   40);
 }
 
-TEST(Keys, AnActionInPlaceOfTheJumpIsTheJump) {
+TEST(Keys, AnActionThatReplacesTheJumpIsTheJump) {
   Scene scene;
   keyScript(scene, R"(game.ContextActionService:BindAction('Super', function(_, state)
   if state == Enum.UserInputState.Begin then
@@ -57,7 +57,7 @@ end, false, Enum.PlayerActions.CharacterJump))");
   EXPECT_EQ(scene.unmodelled("keys that scripts take away"), 0u);
 }
 
-TEST(Keys, ControlsThatAreTakenAwayAreNamed) {
+TEST(Keys, DisabledControlsAreReported) {
   Scene scene;
   keyScript(scene,
             "game.ContextActionService:BindAction('freeze', function() return "
@@ -67,7 +67,7 @@ TEST(Keys, ControlsThatAreTakenAwayAreNamed) {
   EXPECT_GE(scene.unmodelled("keys that scripts take away"), 4u);
 }
 
-TEST(Keys, AScreenButtonThatIsHeldIsAnAbility) {
+TEST(Keys, AHeldScreenButtonIsAnAbility) {
   Scene scene;
   scene.part("SpawnLocation", {}, scene.workspace, "SpawnLocation");
   const auto starter = scene.add("StarterGui", "StarterGui", kNoInstance);
@@ -94,7 +94,7 @@ TEST(Keys, AScreenButtonWithoutAVisibleEffectIsNamed) {
   EXPECT_EQ(scene.unmodelled("keys that a script listens to"), 0u);
 }
 
-TEST(Keys, ChatThatScriptsNameIsSaid) {
+TEST(Keys, ChatCommandsInScriptsAreTried) {
   Scene scene;
   const auto bridge = scene.part("Bridge");
   scene.set(bridge, "CanCollide", false);
@@ -117,7 +117,7 @@ TEST(Keys, ChatWithoutAnEffectIsNamed) {
   EXPECT_EQ(scene.unmodelled("chat that scripts listen to"), 1u);
 }
 
-TEST(Keys, ATextCommandIsUsed) {
+TEST(Keys, TextCommandsAreTried) {
   Scene scene;
   const auto bridge = scene.part("Bridge");
   scene.set(bridge, "CanCollide", false);
@@ -131,7 +131,7 @@ TEST(Keys, ATextCommandIsUsed) {
   EXPECT_TRUE(scene[bridge].solid);
 }
 
-TEST(Keys, ADragThatStartsIsAUseOfThePart) {
+TEST(Keys, StartingADragCountsAsUsingThePart) {
   Scene scene;
   const auto lever = scene.part("Lever"), wall = scene.part("Wall", {20, 0, 0});
   scene.add("DragDetector", "DragDetector", lever);

@@ -26,7 +26,7 @@ TEST(Kill, ScriptInThePartWithItsLineAsEvidence) {
   EXPECT_FALSE(scene[safe].kill);
 }
 
-TEST(Kill, EveryWayToTakeHealth) {
+TEST(Kill, EveryMethodOfTakingHealthIsRecognised) {
   const std::pair<const char*, float> ways[] = {
       {"h.Health = h.Health - 30", 30},
       {"h.Health -= 10", 10},
@@ -55,7 +55,7 @@ TEST(Kill, EveryWayToTakeHealth) {
   }
 }
 
-TEST(Kill, WhatALoopPassesOverIsSafe) {
+TEST(Kill, PartsThatALoopSkipsAreSafe) {
   const char* const loops[] = {
       "for _, v in workspace.Stage:GetChildren() do if v.Name == 'Safe' then continue end "
       "v.Touched:Connect(kill) end",
@@ -77,7 +77,7 @@ TEST(Kill, WhatALoopPassesOverIsSafe) {
   }
 }
 
-TEST(Kill, WhatFollowsAWaitingLoopIsRead) {
+TEST(Kill, CodeAfterAWaitingLoopIsRead) {
   const std::string behind = "\nworkspace.Red.Touched:Connect(kill)";
   const std::string texts[] = {
       "repeat task.wait() until workspace:FindFirstChild('Red')" + behind,
@@ -127,7 +127,7 @@ TEST(Kill, DisabledAndStoredScriptsDoNothing) {
   EXPECT_FALSE(scene[other].kill);
 }
 
-TEST(Kill, CommentsAndTextsAreNoCode) {
+TEST(Kill, CommentsAndStringsAreNotCode) {
   Scene scene;
   const auto part = scene.part("Part");
   scene.script(
@@ -233,7 +233,7 @@ TEST(Kill, HarmByExplosions) {
   }
 }
 
-TEST(Kill, WhatAScriptDoesIsStrongerThanATag) {
+TEST(Kill, AScriptOverridesATag) {
   Scene scene;
   const auto part = scene.part("KillBrick");
   scene.tag(part, "DamageBrick");

@@ -10,7 +10,7 @@ InstanceId marked(Scene& scene, InstanceId part, const char* tag) {
   return marker;
 }
 
-TEST(Kit, BoostersStateWhatTheyBoost) {
+TEST(Kit, BoostersHaveTheirKindOfBoost) {
   Scene scene;
   const auto speed = scene.part("A"), jump = scene.part("B", {20, 0, 0}),
              bare = scene.part("C", {40, 0, 0});
@@ -44,7 +44,7 @@ TEST(Kit, OneWayPlatformsLetPlayersThroughFromBelow) {
   EXPECT_FALSE(scene[plain].oneWay);
 }
 
-TEST(Kit, ElevatorsThrowWhatIsInThem) {
+TEST(Kit, ElevatorsThrowPlayersInsideThem) {
   Scene scene;
   const auto field = scene.part("A");
   scene.set(field, "CanCollide", false);

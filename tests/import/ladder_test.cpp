@@ -12,7 +12,7 @@ InstanceId rung(Scene& scene, Vec3 at, Vec3 size = {4, 0.4f, 0.4f}) {
   return id;
 }
 
-TEST(Ladders, ThinPartsOneAboveTheOtherAreRungs) {
+TEST(Ladders, StackedThinPartsAreRungs) {
   Scene scene;
   std::vector<InstanceId> rungs;
   for (int i = 0; i < 4; ++i) rungs.push_back(rung(scene, {0, 1 + 1.5f * float(i), 0}));
@@ -23,7 +23,7 @@ TEST(Ladders, ThinPartsOneAboveTheOtherAreRungs) {
   }
 }
 
-TEST(Ladders, BarsMayBeTwoStudsThick) {
+TEST(Ladders, BarsAreRungsUpToTwoStudsThick) {
   for (const float thick : {1.9f, 2.1f}) {
     Scene scene;
     std::vector<InstanceId> bars;
@@ -33,7 +33,7 @@ TEST(Ladders, BarsMayBeTwoStudsThick) {
   }
 }
 
-TEST(Ladders, AVeryTallOneTakesNoLonger) {
+TEST(Ladders, AVeryTallLadderTakesNoLonger) {
   constexpr int kRungs = 4000;
   Scene scene;
   std::vector<InstanceId> rungs;
@@ -45,7 +45,7 @@ TEST(Ladders, AVeryTallOneTakesNoLonger) {
     EXPECT_EQ(scene.evidence(id, "ladder"), "guessed: 4000 thin parts one above the other");
 }
 
-TEST(Ladders, StairsPlatformsAndPairsAreNone) {
+TEST(Ladders, StairsPlatformsAndPairsAreNotLadders) {
   Scene scene;
   std::vector<InstanceId> others;
   for (int i = 0; i < 6; ++i) {

@@ -1,6 +1,6 @@
 // Parts, listeners and speeds that appear some time after the start.
 #include "import/lever_scene.h"
-#include "import/queries.h"
+#include "import/records/queries.h"
 
 namespace obby::test {
 namespace {
@@ -17,7 +17,7 @@ const PartDraft* made(const LevelDraft& level) {
   return nullptr;
 }
 
-TEST(LaterParts, WhatIsMadeLaterIsThereFromThenOn) {
+TEST(LaterParts, ALatePartExistsFromItsCreation) {
   Scene scene;
   scene.part("Floor");
   scene.script("wait(8) " + kWall + "w" + kDeadly + " w.Parent = workspace", scene.scripts);
@@ -30,7 +30,7 @@ TEST(LaterParts, WhatIsMadeLaterIsThereFromThenOn) {
   EXPECT_TRUE(level.unmodelled.empty());
 }
 
-TEST(LaterParts, CopiesPlacedAfterTheyHaveComeRest) {
+TEST(LaterParts, CopiesCanBePositionedAfterInsertion) {
   Scene scene;
   const auto storage = scene.add("ServerStorage", "ServerStorage", kNoInstance);
   scene.part("Plank", {}, storage);
@@ -46,7 +46,7 @@ TEST(LaterParts, CopiesPlacedAfterTheyHaveComeRest) {
   EXPECT_TRUE(level.unmodelled.empty());
 }
 
-TEST(LaterParts, WhatDoesNotStayIsNamed) {
+TEST(LaterParts, ATemporaryPartIsReported) {
   Scene scene;
   scene.part("Floor");
   scene.script("while true do wait(4) " + kWall + " w.Parent = workspace wait(2) w:Destroy() end",
@@ -56,7 +56,7 @@ TEST(LaterParts, WhatDoesNotStayIsNamed) {
   EXPECT_EQ(scene.unmodelled("part that comes later"), 1u);
 }
 
-TEST(LaterParts, ListenersThatComeLaterAreGuessesAndNamed) {
+TEST(LaterParts, LateListenersAreGuessesAndReported) {
   Scene scene;
   const auto lava = scene.part("Slab");
   scene.script("wait(5) workspace.Slab" + kDeadly, scene.scripts);
@@ -67,7 +67,7 @@ TEST(LaterParts, ListenersThatComeLaterAreGuessesAndNamed) {
   EXPECT_EQ(noteOf(scene.level(), kMoreLater).rfind("some time after the start", 0), 0u);
 }
 
-TEST(LaterParts, AJointThatGoesLetsItsPartFall) {
+TEST(LaterParts, ABrokenJointThatFreesItsPartIsReported) {
   for (const char* goes : {"workspace.Wall.Weld:Destroy()", "workspace.Wall:Destroy()"}) {
     Scene scene;
     const auto wall = scene.part("Wall"), ledge = scene.part("Ledge", {0, 2, 2});
@@ -81,7 +81,7 @@ TEST(LaterParts, AJointThatGoesLetsItsPartFall) {
   }
 }
 
-TEST(LaterParts, AModelThatGoesTakesItsJointsAlong) {
+TEST(LaterParts, ARemovedModelTakesItsJointsWithIt) {
   Scene scene;
   const auto gate = scene.add("Model", "Gate", scene.workspace);
   const auto post = scene.part("Post", {}, gate), bar = scene.part("Bar", {0, 2, 2}, gate);
@@ -93,7 +93,7 @@ TEST(LaterParts, AModelThatGoesTakesItsJointsAlong) {
   EXPECT_TRUE(scene.level().unmodelled.empty());
 }
 
-TEST(LaterParts, LaterStagesBeginOnceTheyAreThere) {
+TEST(LaterParts, LaterStagesStartOnceTheirPartsExist) {
   Scene scene;
   for (const int stage : {1, 2, 3})
     scene.tag(scene.part("Checkpoint" + std::to_string(stage), {0, 0, 20 * float(stage)}),
@@ -107,7 +107,7 @@ TEST(LaterParts, LaterStagesBeginOnceTheyAreThere) {
   EXPECT_NEAR(queries.back().reader().getQuery().getStart().getTick(), 480, 6);
 }
 
-TEST(LaterParts, SpeedsThatSettleCountAsInTheEnd) {
+TEST(LaterParts, ASpeedThatSettlesCountsAtItsFinalValue) {
   const char* const kSpeed = "speed that scripts change";
   const std::string join =
       "game.Players.PlayerAdded:Connect(function(p) p.CharacterAdded:Connect(function(c)\n"

@@ -16,7 +16,7 @@ void expectSecondTouchKills(const std::string& text) {
 }
 
 // A touch has several limbs, so the script tells touches apart by time.
-TEST(LaterTouches, HarmFromTheSecondTouchOnIsFound) {
+TEST(LaterTouches, HarmFromTheSecondTouchIsFound) {
   const std::string later = "task.delay(1, function() on = true end) ";
   const std::string touch = "local on = false p.Touched:Connect(function(hit) ";
   expectSecondTouchKills(touch + "if on then\n" + kKillHit + "end " + later + "end)");
@@ -36,7 +36,7 @@ void expectComesOnce(const std::string& text) {
   EXPECT_EQ(noteOf(scene.level(), kLessLater).rfind("from its second touch on", 0), 0u) << text;
 }
 
-TEST(LaterTouches, FlagsThatNobodyTurnsBackLetItComeOnce) {
+TEST(LaterTouches, EffectsBehindAPermanentFlagOccurOnce) {
   const std::string touch = "p.Touched:Connect(function(hit)\n";
   const std::string texts[] = {
       "local done = false " + touch + "if done then return end done = true " + kLaterAway + "end)",
@@ -53,7 +53,7 @@ TEST(LaterTouches, FlagsThatNobodyTurnsBackLetItComeOnce) {
   for (const std::string& text : texts) expectComesOnce(text);
 }
 
-TEST(LaterTouches, HandlersThatDisconnectThemselvesComeOnce) {
+TEST(LaterTouches, EffectsOfDisconnectingHandlersOccurOnce) {
   const std::string texts[] = {
       "local c c = p.Touched:Connect(function(hit)\nc:Disconnect() " + kLaterAway + "end)",
       "p.Touched:Once(function(hit)\n" + kLaterAway + "end)",
@@ -62,7 +62,7 @@ TEST(LaterTouches, HandlersThatDisconnectThemselvesComeOnce) {
   for (const std::string& text : texts) expectComesOnce(text);
 }
 
-TEST(LaterTouches, DebouncesThatEndLetItComeAgain) {
+TEST(LaterTouches, EffectsRepeatAfterTheDebounce) {
   const std::string begin = "local busy = false p.Touched:Connect(function(hit)\n";
   const std::string guarded = "if busy then return end busy = true " + kLaterAway;
   const std::string texts[] = {
@@ -82,7 +82,7 @@ TEST(LaterTouches, DebouncesThatEndLetItComeAgain) {
   }
 }
 
-TEST(LaterTouches, WhatIsGoneForGoodNeedsNoSecondTouch) {
+TEST(LaterTouches, PermanentEffectsNeedNoSecondTouch) {
   const char* const texts[] = {
       "local c c = p.Touched:Connect(function() c:Disconnect() p.CanCollide = false end)",
       "local done = false p.Touched:Connect(function() if done then return end done = true\n"
@@ -106,7 +106,7 @@ TEST(LaterTouches, ListenersWithoutAVisibleEffectAreNamed) {
 }
 
 // The pads must be touched in an order that is not that of the file.
-TEST(LaterTouches, PadsInAnOrderAreFound) {
+TEST(LaterTouches, PadsThatNeedAnOrderAreFound) {
   Scene scene;
   for (const char* name : {"C", "A", "B"}) scene.part(name, {20.0f * float(name[0] - '@'), 0, 0});
   const auto bridge = scene.part("Bridge", {200, 0, 0});
@@ -123,7 +123,7 @@ TEST(LaterTouches, PadsInAnOrderAreFound) {
 }
 
 // Effects after the longest probe, or after the run, may help a player.
-TEST(LaterTouches, ScriptsThatStillWaitAreNamed) {
+TEST(LaterTouches, ScriptsStillWaitingAreReported) {
   const char* const kWaits = "script that still waits";
   ScriptedPart touched("p.Touched:Connect(function() task.wait(20) p.CanCollide = false end)");
   EXPECT_EQ(touched.unmodelled(kWaits), 1u);
@@ -135,7 +135,7 @@ TEST(LaterTouches, ScriptsThatStillWaitAreNamed) {
   EXPECT_EQ(soon.unmodelled(kWaits), 0u);
 }
 
-TEST(LaterTouches, SeveralClicksAreFound) {
+TEST(LaterTouches, EffectsOfSeveralClicksAreFound) {
   Scene scene;
   const auto button = scene.part("Button", {20, 0, 0});
   scene.add("ClickDetector", "ClickDetector", button);
@@ -149,7 +149,7 @@ TEST(LaterTouches, SeveralClicksAreFound) {
 }
 
 // A flag of the character does not protect a player's next body, or the next player.
-TEST(LaterTouches, AKillThatACharacterScriptDealsComesWithEachLife) {
+TEST(LaterTouches, ACharacterScriptKillsInEveryLife) {
   for (const bool ofCharacter : {false, true}) {
     Scene scene;
     const auto red = scene.part("Red", {20, 0, 0});
@@ -166,13 +166,13 @@ TEST(LaterTouches, AKillThatACharacterScriptDealsComesWithEachLife) {
   }
 }
 
-TEST(Touches, APartThatATouchLetsLooseFallsAway) {
+TEST(Touches, APartUnanchoredByATouchFalls) {
   ScriptedPart scene("p.Touched:Connect(function() task.wait(0.5) p.Anchored = false end)");
   ASSERT_TRUE(scene[scene.self].vanish);
   EXPECT_NEAR(scene[scene.self].vanish->delay, 0.5, 0.05);
 }
 
-TEST(Touches, AClickThatMovesThePlayerIsNamed) {
+TEST(Touches, AClickThatMovesThePlayerIsReported) {
   Scene scene;
   const auto button = scene.part("Button", {20, 0, 0});
   scene.add("ClickDetector", "ClickDetector", button);
@@ -184,7 +184,7 @@ TEST(Touches, AClickThatMovesThePlayerIsNamed) {
   EXPECT_EQ(scene.unmodelled("use that acts on the player"), 1u);
 }
 
-TEST(Touches, ATagKillsWhereNoScriptListens) {
+TEST(Touches, ATagKillsUnlessAScriptListens) {
   Scene scene;
   const auto heard = scene.part("Heard", {20, 0, 0}), other = scene.part("Other", {40, 0, 0});
   scene.tag(heard, "KillBrick");
@@ -196,7 +196,7 @@ TEST(Touches, ATagKillsWhereNoScriptListens) {
 }
 
 // Poison goes on after the player has left.
-TEST(Touches, HarmThatGoesOnIsThatOfOneTouch) {
+TEST(Touches, LastingHarmCountsForOneTouch) {
   Scene scene;
   const auto poison = scene.part("Poison", {20, 0, 0});
   scene.script(
@@ -210,7 +210,7 @@ TEST(Touches, HarmThatGoesOnIsThatOfOneTouch) {
   EXPECT_NEAR(scene[poison].kill->damage, 80, 8);
 }
 
-TEST(Touches, HarmThatKillsAPlayerWhoHasLeftIsDeadly) {
+TEST(Touches, HarmThatKillsAfterThePlayerLeavesIsLethal) {
   Scene scene;
   const auto fire = scene.part("Fire", {20, 0, 0});
   scene.script(
@@ -224,7 +224,7 @@ TEST(Touches, HarmThatKillsAPlayerWhoHasLeftIsDeadly) {
   EXPECT_NEAR(scene[fire].kill->damage, 100, 1);
 }
 
-TEST(Touches, APromptOfTheServiceOpensADoor) {
+TEST(Touches, AProximityPromptOpensADoor) {
   Scene scene;
   const auto panel = scene.part("Panel", {20, 0, 0});
   scene.add("ProximityPrompt", "ProximityPrompt", panel);
@@ -238,7 +238,7 @@ TEST(Touches, APromptOfTheServiceOpensADoor) {
 }
 
 // A plate holds a door open, which shuts when the player leaves.
-TEST(Touches, APlateThatIsHeldOpensADoorWhileItIsTouched) {
+TEST(Touches, AHeldPlateOpensADoorWhileTouched) {
   Scene scene;
   const auto plate = scene.part("Plate", {20, 0, 0}), door = scene.part("Door", {40, 0, 0});
   scene.script(
@@ -254,7 +254,7 @@ TEST(Touches, APlateThatIsHeldOpensADoorWhileItIsTouched) {
   EXPECT_LT(scene[plate].button->seconds, 0.2);
 }
 
-TEST(Touches, AMaterialThatIsPolledKills) {
+TEST(Touches, APolledFloorMaterialKills) {
   Scene scene;
   const auto lava = scene.part("Floor", {20, 0, 0});
   scene.set(lava, "Material", EnumItem{848, {}});
@@ -270,7 +270,7 @@ TEST(Touches, AMaterialThatIsPolledKills) {
   EXPECT_TRUE(scene[lava].kill);
 }
 
-TEST(Touches, ABoxWithoutAPartIsNamed) {
+TEST(Touches, ASearchBoxWithoutAPartIsReported) {
   Scene scene;
   scene.script(
       "while task.wait(0.1) do\n"
@@ -285,7 +285,7 @@ TEST(Touches, ABoxWithoutAPartIsNamed) {
 }
 
 // A velocity held for a while reaches as high as one set once.
-TEST(Touches, APushThatLastsIsNamed) {
+TEST(Touches, ALastingPushIsReported) {
   Scene scene;
   const auto pad = scene.part("Pad", {20, 0, 0});
   scene.script(
@@ -302,7 +302,7 @@ TEST(Touches, APushThatLastsIsNamed) {
   EXPECT_EQ(scene.unmodelled("push that lasts"), 1u);
 }
 
-TEST(Touches, ABoxOfAPartIsThePart) {
+TEST(Touches, ASearchBoxOfAPartIsThePart) {
   const char* const looks[] = {
       "workspace:GetPartBoundsInBox(frame, size)",
       "workspace:FindPartsInRegion3(Region3.new(frame.Position - size / 2, "

@@ -7,7 +7,7 @@
 namespace obby::test {
 namespace {
 
-TEST(Levers, WhateverALeverSetsArmsTheTrapThatAsksForIt) {
+TEST(Levers, AnyCheckedEffectOfALeverArmsTheTrap) {
   const std::pair<std::string, std::string> cases[] = {
       {"p.On.Value = true", "p.On.Value"},
       {"p.On.Value = not p.On.Value", "p.On.Value"},
@@ -31,7 +31,7 @@ TEST(Levers, WhateverALeverSetsArmsTheTrapThatAsksForIt) {
     }
 }
 
-TEST(Levers, OneFunctionMayServeLeverAndTrap) {
+TEST(Levers, OneFunctionCanServeLeverAndTrap) {
   const std::pair<const char*, const char*> cases[] = {
       {"on = true ", "on "}, {"state.on = true ", "state.on "}, {"armed[p] = true ", "armed[p] "}};
   for (const auto& [sets, asks] : cases) {
@@ -45,7 +45,7 @@ TEST(Levers, OneFunctionMayServeLeverAndTrap) {
   }
 }
 
-TEST(Levers, ClicksAndTemporaryLeversArmToo) {
+TEST(Levers, ClicksAndTemporaryLeversArmTrapsToo) {
   LeverScene clicked;
   clicked.run("lever.ClickDetector.MouseClick:Connect(function() p.On.Value = true end)");
   clicked.asks("p.On.Value");
@@ -70,7 +70,7 @@ TEST(Levers, TwoLeversTogetherAreNamedAsOtherParts) {
   expectArmed(scene, "two levers", "once other parts have been touched or used");
 }
 
-TEST(Levers, ADoorThatNeedsTwoButtonsOpensWithDoubt) {
+TEST(Levers, ADoorThatNeedsTwoButtonsOpensInDoubt) {
   LeverScene scene;
   const InstanceId door = scene.part("Door", {60, 0, 0});
   scene.run(
@@ -93,7 +93,7 @@ TEST(Levers, ALeverThatDisarmsATrapIsNamed) {
   EXPECT_EQ(noteOf(scene.level(), kLessLater).rfind("once 'Lever' has been", 0), 0u);
 }
 
-TEST(Levers, WhatNoLeverTurnsStaysHarmless) {
+TEST(Levers, ATrapThatNoLeverArmsIsHarmless) {
   const std::pair<std::string, std::string> cases[] = {
       {"p.On.Value = false", "p.On.Value"},
       {"p.Count.Value = 3", "p.On.Value"},
@@ -134,7 +134,7 @@ TEST(Levers, HealingIsNoHarm) {
   }
 }
 
-TEST(Levers, ATagSaysThatThePartIsHarmless) {
+TEST(Levers, AHarmlessTagOverridesALever) {
   LeverScene scene;
   scene.tag(scene.trap, "Harmless");
   scene.pulls("p.On.Value = true");
@@ -143,7 +143,7 @@ TEST(Levers, ATagSaysThatThePartIsHarmless) {
   EXPECT_FALSE(scene[scene.trap].kill);
 }
 
-TEST(Levers, AGoalByItsNameStaysOne) {
+TEST(Levers, APartNamedAsAGoalStaysTheGoal) {
   Scene scene;
   const auto pad = scene.part("Finish", {20, 0, 0});
   scene.script("local over = false script.Parent.Touched:Connect(function(hit) if over then " +
@@ -154,7 +154,7 @@ TEST(Levers, AGoalByItsNameStaysOne) {
   EXPECT_FALSE(scene[pad].kill);
 }
 
-TEST(Levers, HarmByTimeIsFoundWithDoubt) {
+TEST(Levers, HarmThatDependsOnTimeIsFoundInDoubt) {
   const std::string touch = "p.Touched:Connect(function(hit) if on then " + kKillHit + "end end)\n";
   const std::pair<std::string, bool> texts[] = {
       {"local on = false\n" + touch + "while true do on = true wait(1) on = false wait(1) end",

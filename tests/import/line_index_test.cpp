@@ -1,5 +1,5 @@
 // Lines of a text by number.
-#include "import/line_index.h"
+#include "import/document/line_index.h"
 
 #include <gtest/gtest.h>
 
@@ -22,7 +22,7 @@ TEST(LineIndex, FindsEveryLineByItsNumber) {
   EXPECT_FALSE(lines.line(101));
 }
 
-TEST(LineIndex, WhatFollowsTheLastBreakIsALine) {
+TEST(LineIndex, TextAfterTheLastLineBreakIsALine) {
   const LineIndex none{}, empty(""), one("a\n");
   EXPECT_FALSE(none.line(1));
   EXPECT_EQ(empty.line(1), "");

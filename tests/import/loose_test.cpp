@@ -10,14 +10,14 @@ InstanceId loosePart(Scene& scene, const std::string& name) {
   return id;
 }
 
-TEST(LooseParts, AnUnanchoredPartOnItsOwnIsLoose) {
+TEST(LooseParts, ASingleUnanchoredPartIsDynamic) {
   Scene scene;
   const InstanceId crate = loosePart(scene, "Crate");
   scene.level();
   EXPECT_FALSE(scene[crate].anchored);
 }
 
-TEST(LooseParts, ThoseThatAreJoinedStandStillAndTheLevelSaysSo) {
+TEST(LooseParts, JoinedPartsAreAnchoredAndReported) {
   Scene scene;
   const InstanceId a = loosePart(scene, "Leg"), b = loosePart(scene, "Arm");
   const InstanceId weld = scene.add("Weld", "Weld", a);
@@ -29,7 +29,7 @@ TEST(LooseParts, ThoseThatAreJoinedStandStillAndTheLevelSaysSo) {
   EXPECT_EQ(scene.unmodelled("unanchored part"), 2u);
 }
 
-TEST(LooseParts, ThoseThatVanishStandStillAndTheLevelSaysSo) {
+TEST(LooseParts, VanishingPartsAreAnchoredAndReported) {
   Scene scene;
   const InstanceId plank = loosePart(scene, "Plank"), crate = loosePart(scene, "Crate");
   scene.tag(plank, "Disappearing");
@@ -41,7 +41,7 @@ TEST(LooseParts, ThoseThatVanishStandStillAndTheLevelSaysSo) {
   EXPECT_EQ(scene.unmodelled("unanchored part"), 1u);
 }
 
-TEST(LooseParts, APushboxIsLooseThoughKitsSaveItAnchored) {
+TEST(LooseParts, APushboxIsDynamicEvenIfSavedAnchored) {
   Scene scene;
   const InstanceId kit = scene.add("Model", "PushboxSpawnButton", scene.workspace);
   const InstanceId box = scene.part("Pushbox", {}, kit), marked = scene.part("Crate");
@@ -52,7 +52,7 @@ TEST(LooseParts, APushboxIsLooseThoughKitsSaveItAnchored) {
   EXPECT_EQ(scene.evidence(box, "loose"), "guessed: pushbox of a kit");
 }
 
-TEST(LooseParts, WhereThereAreTooManyOnlyPushboxesAreLoose) {
+TEST(LooseParts, OnlyPushboxesAreDynamicAboveTheLimit) {
   Scene scene;
   std::vector<InstanceId> crates;
   for (int i = 0; i < 20; ++i) crates.push_back(loosePart(scene, "Crate"));

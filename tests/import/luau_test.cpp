@@ -13,7 +13,7 @@ namespace {
 
 using luau::parse;
 
-TEST(Luau, BrokenTextDoesNotRunNeitherHereNorInTheGame) {
+TEST(Luau, BrokenScriptsDoNotRunAndAreNotReported) {
   Scene scene;
   const auto part = scene.part("Part");
   scene.script(
@@ -31,7 +31,7 @@ std::string repeated(const std::string& text, int times) {
   return all;
 }
 
-TEST(Luau, HostileTextsEndSoon) {
+TEST(Luau, HostileScriptsEndSoon) {
   const std::string texts[] = {repeated("(", 100000),
                                "x = " + repeated("a.", 100000) + "b",
                                "x = " + repeated("1 + ", 100000) + "1",
@@ -80,7 +80,7 @@ TEST(Luau, EndlessAndRecursiveScriptsAreReadWithinABudget) {
 }
 
 // The script asks for Workspace repeatedly, which a model file does not have.
-TEST(Luau, ManyRootsAreNotLookedThroughEachTime) {
+TEST(Luau, ManyRootsAreSearchedOnce) {
   Scene scene = Scene::model();
   for (int i = 0; i < 50000; ++i) scene.add("Folder", "Folder", kNoInstance);
   scene.script("for i = 1, 2000 do for j = 1, 100 do local x = workspace end end", kNoInstance);
@@ -100,7 +100,7 @@ TEST(Luau, ManySwitchesOfATimerEndSoon) {
   EXPECT_FALSE(scene[part].vanish);
 }
 
-TEST(Luau, WhatAScriptChangesAgainAndAgainIsLookedThroughOnce) {
+TEST(Luau, RepeatedChangesToAModelAreSearchedOnce) {
   Scene scene;
   const auto pad = scene.part("Pad"), model = scene.add("Model", "Model", scene.workspace);
   for (int i = 0; i < 50000; ++i) scene.add("Folder", "Folder", model);
@@ -128,7 +128,7 @@ TEST(Luau, BigTablesAndLongTextsEndSoon) {
   }
 }
 
-TEST(Luau, WhatFollowsAnEndlessLoopDoesNotHappen) {
+TEST(Luau, CodeAfterAnEndlessLoopDoesNotRun) {
   const char* const loops[] = {"while true do end",
                                "while task.wait(1) do end",
                                "while true do game.RunService.Heartbeat:Wait() end",
@@ -149,7 +149,7 @@ TEST(Luau, WhatFollowsAnEndlessLoopDoesNotHappen) {
 }
 
 // The text reuses the memory that the list of two connections frees as it grows.
-TEST(Luau, TheEndOfATweenMayConnectMoreToIt) {
+TEST(Luau, ACompletedTweenCanConnectMoreHandlers) {
   Scene scene;
   const auto part = scene.part("Part");
   scene.script(R"(local p = script.Parent
@@ -211,7 +211,7 @@ TEST(Luau, VeryLongNamesAreCut) {
   EXPECT_EQ(tokens[2].text, "=");
 }
 
-TEST(Luau, LinesAreCountedThroughLongTexts) {
+TEST(Luau, LongStringsKeepTheLineCount) {
   const auto tokens = luau::tokenize("--[[\n\n]]\nlocal s = [[\n\n]]\nx = 1");
   EXPECT_EQ(tokens.front().line, 4);
   EXPECT_EQ(tokens[tokens.size() - 2].line, 7);

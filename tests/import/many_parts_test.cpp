@@ -21,14 +21,14 @@ struct Row : Scene {
   std::vector<InstanceId> parts;
 };
 
-TEST(ManyParts, PartsThatAreNotProbedHarmAsTheOthers) {
+TEST(ManyParts, UnprobedPartsHarmLikeProbedOnes) {
   const Row row("part.Touched:Connect(function(hit) hit.Parent.Humanoid:TakeDamage(20) end)");
   ASSERT_TRUE(row.last().kill);
   EXPECT_EQ(row.last().kill->damage, 20);
   EXPECT_TRUE(row.last().evidence.back().guessed);
 }
 
-TEST(ManyParts, PartsThatAreNotProbedVanishAsTheOthers) {
+TEST(ManyParts, UnprobedPartsVanishLikeProbedOnes) {
   const Row row(
       "part.Touched:Connect(function() part.CanCollide = false wait(2) part.CanCollide = true "
       "end)");
@@ -36,12 +36,12 @@ TEST(ManyParts, PartsThatAreNotProbedVanishAsTheOthers) {
   EXPECT_NEAR(row.last().vanish->away, 2, 0.1);
 }
 
-TEST(ManyParts, PartsThatOnlyListenAreHarmless) {
+TEST(ManyParts, PartsWhoseListenersDoNothingAreHarmless) {
   const Row row("part.Touched:Connect(function() end)");
   EXPECT_EQ(row.evidence(row.parts.back(), "harmless").rfind("guessed: ", 0), 0u);
 }
 
-TEST(ManyParts, CheckpointsThatAreNotProbedGoByTheirNumbers) {
+TEST(ManyParts, UnprobedCheckpointsFollowTheirNumbers) {
   const Row row(
       "part.Touched:Connect(function(hit)\n"
       " local player = game.Players:GetPlayerFromCharacter(hit.Parent)\n"
@@ -51,7 +51,7 @@ TEST(ManyParts, CheckpointsThatAreNotProbedGoByTheirNumbers) {
   EXPECT_EQ(*row[row.parts[401]].checkpoint, *row[row.parts[400]].checkpoint + 1);
 }
 
-TEST(ManyParts, WhatDependsOnThePlaceOfAPartIsNamed) {
+TEST(ManyParts, EffectsThatDependOnThePartsPositionAreReported) {
   const Row row(
       "part.Touched:Connect(function(hit)\n"
       " hit.Parent:PivotTo(part.CFrame + Vector3.new(0, 50, 0)) end)");

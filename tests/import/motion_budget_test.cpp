@@ -1,7 +1,8 @@
 // Motions of many parts with many keys, and other work that could grow quadratically.
 #include <chrono>
 
-#include "import/motion.h"
+#include "import/draft/motion.h"
+#include "import/draft/motion_room.h"
 #include "import/scene.h"
 #include "level/compile_parts.h"
 
@@ -55,7 +56,7 @@ TEST(Motion, AllTicksOfALevelHaveABudget) {
 }
 
 // Much decoration is attached to a floor; a leaf turns out to kill.
-TEST(Motion, DecorationTakesNoRoomFromWhatAPlayerMeets) {
+TEST(Motion, DecorationYieldsItsBudgetToSolidParts) {
   constexpr size_t kSolid = 5, kLeaves = 1000, kKeys = 1500;
   static_assert(kLeaves * kKeys > importer::kMaxLevelKeys);
   Scene scene;
@@ -119,7 +120,7 @@ TEST(Motion, AModelOfManyWeldedPartsMovesAsOne) {
       [&] { EXPECT_EQ(importer::giveMotion(context, model, motion, "a test", false), kParts); });
 }
 
-TEST(Motion, AModelOfManyWaysTakesTheFirst) {
+TEST(Motion, AModelWithManyMarkerFoldersUsesTheFirst) {
   Scene scene;
   const auto model = scene.add("Model", "Lift", scene.workspace);
   const auto platform = scene.part("Platform", {}, model);
@@ -161,7 +162,7 @@ TEST(Vanish, ManyMarkersOfOneOwnerCountOnce) {
   EXPECT_FLOAT_EQ(scene[last].vanish->delay, 4);
 }
 
-TEST(Vanish, TimesWithoutEndAreAnHour) {
+TEST(Vanish, EndlessTimesAreCappedAtAnHour) {
   Scene scene;
   const auto model = scene.add("Model", "Fading", scene.workspace);
   scene.value("NumberValue", "FadeTime", 1e300, model);

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "import/pose_math.h"
+#include "import/document/pose_math.h"
 #include "import/scene.h"
 
 namespace obby::test {

@@ -38,7 +38,7 @@ end)",
   EXPECT_TRUE(scene[two].solid);
 }
 
-TEST(Motion, EndlessTweenThatReversesGoesThereAndBack) {
+TEST(Motion, AnEndlessReversingTweenMovesBackAndForth) {
   Scene scene;
   const auto part = scene.part("Mover");
   scene.script(
@@ -71,7 +71,7 @@ a:Play())",
     EXPECT_NEAR(poseAt(scene[part], time).position.y, float(y), 0.2) << time;
 }
 
-TEST(Motion, StepsThereAndBackWithPauses) {
+TEST(Motion, StepsBackAndForthKeepTheirPauses) {
   Scene scene;
   const auto part = scene.part("Slider");
   scene.script(R"(while true do
@@ -149,7 +149,7 @@ TEST(Motion, SpinRatesFollowTheWaits) {
   }
 }
 
-TEST(Motion, AKillPartMaySpinToo) {
+TEST(Motion, AKillPartCanSpin) {
   Scene scene;
   const auto part = scene.part("Part");
   scene.script("script.Parent.Touched:Connect(function(h) h.Parent.Humanoid.Health = 0 end)", part);
@@ -192,7 +192,7 @@ TEST(Motion, ModelsTurnAboutTheirPivot) {
   }
 }
 
-TEST(Motion, WhatIsInAModelIsReadWhereTheModelHasTakenIt) {
+TEST(Motion, PartsOfAMovingModelReportTheirCurrentPositions) {
   Scene scene;
   const auto model = scene.add("Model", "Train", scene.workspace);
   const auto engine = scene.part("Engine", {0, 5, 0}, model);
@@ -247,7 +247,7 @@ TEST(Motion, ModelsTurnAboutTheEditedPivotOfTheirPrimaryPart) {
   expectNear(scene[leaf].motion->spin->pivot, {-8, 0, 0});
 }
 
-TEST(Motion, ATouchMayStartATween) {
+TEST(Motion, ATouchCanStartATween) {
   Scene scene;
   const auto part = scene.part("Elevator", {20, 0, 0});
   scene.script(

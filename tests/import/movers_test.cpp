@@ -39,7 +39,7 @@ const char* const kUpAndDown =
     "while true do m.Velocity = Vector3.new(0, 10, 0) task.wait(2)\n"
     "m.Velocity = Vector3.new(0, -10, 0) task.wait(2) end";
 
-TEST(Movers, AVelocityThatALoopTurnsRoundIsAMotion) {
+TEST(Movers, AnAlternatingVelocityIsAMotion) {
   Pushed lift("BodyVelocity");
   lift.script("m.MaxForce = Vector3.new(0, math.huge, 0)\n" + std::string(kUpAndDown));
   lift.scene.level();
@@ -50,7 +50,7 @@ TEST(Movers, AVelocityThatALoopTurnsRoundIsAMotion) {
   EXPECT_EQ(lift.scene.evidence(lift.part, "motion").rfind("script Script line 2: ", 0), 0u);
 }
 
-TEST(Movers, ALinearVelocityGoesToAndFro) {
+TEST(Movers, ALinearVelocityMovesBackAndForth) {
   Pushed lift("LinearVelocity");
   lift.scene.set(lift.mover, "MaxForce", 1e6);
   lift.script(
@@ -77,7 +77,7 @@ TEST(Movers, AMoverWithoutVelocityHoldsItsPart) {
   EXPECT_EQ(floats.scene.unmodelled("motion of a pushing mover"), 0u);
 }
 
-TEST(Movers, AVelocityThatATouchTurnsRoundBeginsWithIt) {
+TEST(Movers, AVelocitySetByATouchBeginsWithIt) {
   Pushed lift("BodyVelocity");
   lift.scene.set(lift.mover, "Velocity", Vec3{});
   lift.script("workspace.Lift.Touched:Connect(function() " + std::string(kUpAndDown) + " end)");
@@ -139,7 +139,7 @@ TEST(Movers, AMoverThatAScriptMakesHolds) {
   expectNear(poseAt(scene[lift], 4).position, {0, 12, 0});
 }
 
-TEST(Movers, WhatFloatsMayTurn) {
+TEST(Movers, AFloatingPartCanTurn) {
   Pushed floats("BodyVelocity");
   floats.scene.set(floats.mover, "Velocity", Vec3{});
   floats.scene.add("BodyAngularVelocity", "Turner", floats.part);
@@ -152,7 +152,7 @@ TEST(Movers, WhatFloatsMayTurn) {
   EXPECT_EQ(floats.scene.unmodelled("part that two movers move"), 1u);
 }
 
-TEST(Movers, AVelocityCountsFromWhereAScriptPlacesThePart) {
+TEST(Movers, AVelocityStartsFromTheScriptedPosition) {
   Pushed lift("BodyVelocity");
   lift.script("workspace.Lift.Position = Vector3.new(50, 8, 0)\n" + std::string(kUpAndDown));
   lift.scene.level();
@@ -161,7 +161,7 @@ TEST(Movers, AVelocityCountsFromWhereAScriptPlacesThePart) {
   expectNear(poseAt(lift.scene[lift.part], 2).position, {50, 28, 0}, 0.1f);
 }
 
-TEST(Movers, WhatPushesForEverIsNamed) {
+TEST(Movers, APermanentPushIsReported) {
   const std::pair<const char*, const char*> cases[] = {
       {"m.Velocity = Vector3.new(0, 10, 0)", "motion without a period"},
       {"while true do m.Velocity = Vector3.new(0, 10, 0) task.wait(2)\n"
@@ -179,7 +179,7 @@ TEST(Movers, WhatPushesForEverIsNamed) {
   }
 }
 
-TEST(Movers, WhatIsTooWeakOrHasOtherPullsIsLeftLoose) {
+TEST(Movers, WeakOrConflictingMoversLeaveThePartDynamic) {
   Pushed weak("BodyVelocity");
   weak.scene.set(weak.mover, "MaxForce", Vec3{1e6f, 100, 1e6f});
   weak.script(kUpAndDown);
@@ -197,7 +197,7 @@ TEST(Movers, WhatIsTooWeakOrHasOtherPullsIsLeftLoose) {
   EXPECT_EQ(pulled.scene.unmodelled("constraint BodyVelocity"), 1u);
 }
 
-TEST(Movers, AnAnchoredPartDoesNotHeedThem) {
+TEST(Movers, AnAnchoredPartIgnoresMovers) {
   Pushed still("BodyVelocity");
   still.scene.set(still.part, "Anchored", true);
   still.script(kUpAndDown);
@@ -236,7 +236,7 @@ const char* const kSwing =
     "Enum.EasingDirection.In, -1, true), {Position = Vector3.new(0, 8, 20)}):Play()";
 
 // Parts follow a tenth of a second behind. A client's script counts as the server's.
-TEST(Movers, APlaceThatATweenSwingsIsAMotion) {
+TEST(Movers, ATweenedTargetPositionIsAMotion) {
   for (const bool local : {false, true}) {
     Pushed lift("AlignPosition");
     lift.scene.set(lift.mover, "Mode", EnumItem{0, {}});
@@ -251,7 +251,7 @@ TEST(Movers, APlaceThatATweenSwingsIsAMotion) {
   }
 }
 
-TEST(Movers, APlaceThatALoopTweensIsReachedAsTheTweenIs) {
+TEST(Movers, ARepeatedTweenOfTheTargetReachesIt) {
   Pushed lift("BodyPosition");
   lift.script(
       "local function to(z) game:GetService('TweenService'):Create(m, TweenInfo.new(4, "
@@ -263,7 +263,7 @@ TEST(Movers, APlaceThatALoopTweensIsReachedAsTheTweenIs) {
     expectNear(poseAt(lift.scene[lift.part], time).position, {0, 8, float(z)}, 0.8f);
 }
 
-TEST(Movers, WhatIsAlignedWithATweenedPartGoesWithIt) {
+TEST(Movers, APartAlignedWithATweenedPartFollowsIt) {
   for (const float gap : {0.0f, 9.0f}) {
     Pushed lift("AlignPosition");
     const auto guide = lift.scene.part("Guide", {gap, 8, 0});
@@ -282,7 +282,7 @@ TEST(Movers, WhatIsAlignedWithATweenedPartGoesWithIt) {
   }
 }
 
-TEST(Movers, WhatALocalScriptSetsCounts) {
+TEST(Movers, LocalScriptsCanSetMovers) {
   Pushed drum("AngularVelocity");
   drum.scene.set(drum.mover, "AngularVelocity", Vec3{0, 3, 0});
   drum.scene.set(drum.mover, "MaxTorque", 1000.0);

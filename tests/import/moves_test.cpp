@@ -8,7 +8,7 @@ void perBody(Scene& scene, const std::string& source) {
   bodyScript(scene, "local root = script.Parent:WaitForChild('HumanoidRootPart')\n" + source);
 }
 
-TEST(Moves, ALaunchByJumpingIsThePlayersJump) {
+TEST(Moves, ALaunchOnJumpingIsThePlayersJump) {
   Scene scene;
   perBody(scene, R"(human.Jumping:Connect(function(active)
   if active then root.AssemblyLinearVelocity = Vector3.new(0, 100, 0) end
@@ -16,7 +16,7 @@ end))");
   EXPECT_FLOAT_EQ(scene.level().world.jumpSpeed, 100);
 }
 
-TEST(Moves, AMoverAtEachJumpIsTheJumpAndNamed) {
+TEST(Moves, AMoverOnEachJumpCountsAndIsReported) {
   Scene scene;
   perBody(scene, R"(human.StateChanged:Connect(function(_, new)
   if new ~= Enum.HumanoidStateType.Jumping then return end
@@ -28,7 +28,7 @@ end))");
   EXPECT_EQ(scene.unmodelled("push that lasts"), 1u);
 }
 
-TEST(Moves, ALaunchThatDoesNotComeAtEachJumpIsNamed) {
+TEST(Moves, ALaunchOnOnlySomeJumpsIsReported) {
   Scene scene;
   perBody(scene, R"(local used
 human.Jumping:Connect(function(active)
@@ -38,7 +38,7 @@ end))");
   EXPECT_EQ(scene.unmodelled("ability of the player"), 1u);
 }
 
-TEST(Moves, WhoDiesAtTheTakeOffDoesNotJump) {
+TEST(Moves, APlayerWhoDiesAtTakeOffCannotJump) {
   Scene scene;
   perBody(scene, "human.Jumping:Connect(function(active) if active then human.Health = 0 end end)");
   EXPECT_EQ(scene.level().world.jumpSpeed, 0);
@@ -57,7 +57,7 @@ end))");
   EXPECT_EQ(scene.unmodelled("harm by falling"), 1u);
 }
 
-TEST(Moves, HarmByAHighFallAloneIsNamed) {
+TEST(Moves, HarmFromHighFallsOnlyIsReported) {
   Scene scene;
   perBody(scene, R"(local from
 human.StateChanged:Connect(function(_, new)
@@ -70,7 +70,7 @@ end))");
   EXPECT_TRUE(level.unmodelled.at("harm by falling").anywhere);
 }
 
-TEST(Moves, WalkingInAZoneThatForbidsItKills) {
+TEST(Moves, WalkingInAForbiddenZoneKills) {
   Scene scene;
   scene.part("SpawnLocation", {0, 0, 60}, scene.workspace, "SpawnLocation");
   const auto zone = scene.part("Zone", {0, 5, 0}), floor = scene.part("Floor", {0, 0, 20});
@@ -92,7 +92,7 @@ end)",
   EXPECT_FALSE(scene[floor].kill);
 }
 
-TEST(Moves, WhatAnyWalkDoesIsNoEffectOfAPart) {
+TEST(Moves, EffectsOfWalkingAreNotAttributedToAPart) {
   Scene scene;
   const auto pad = scene.part("Pad", {20, 0, 0});
   scene.script("script.Parent.Touched:Connect(function() end)", pad);
@@ -104,7 +104,7 @@ end))");
   EXPECT_EQ(scene.unmodelled("speed that scripts change"), 4u);
 }
 
-TEST(Moves, APadThatKillsWhoFallsOnItIsInDoubt) {
+TEST(Moves, APadKillingOnlyFallingPlayersIsInDoubt) {
   Scene scene;
   scene.part("SpawnLocation", {0, 0, 60}, scene.workspace, "SpawnLocation");
   const auto pad = scene.part("Pad");

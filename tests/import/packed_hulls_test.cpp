@@ -118,7 +118,7 @@ std::string blobOf(const std::string& content) {
   return out + packed(content);
 }
 
-TEST(PackedHulls, PlainOnesComeBeforeCodedOnes) {
+TEST(PackedHulls, PlainHullsPrecedeCodedHulls) {
   const Hull cube = box({0, 3, 0}, {1, 1, 1});
   const auto collision =
       decodeCollision(blobOf(unpacked({kTetrahedron, cube}, {fan(cube), fan(kTetrahedron)})));
@@ -128,7 +128,7 @@ TEST(PackedHulls, PlainOnesComeBeforeCodedOnes) {
   EXPECT_EQ(collision->hulls, (std::vector<Hull>{kTetrahedron, cube, cube, kTetrahedron}));
 }
 
-TEST(PackedHulls, AHullEndsWhereItsLastBranchDoes) {
+TEST(PackedHulls, AHullEndsWithItsLastBranch) {
   const Coded branched = {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 0}, {1, 1, 1}},
                           "CCSCEREC"};
   Coded ended = branched;
@@ -140,7 +140,7 @@ TEST(PackedHulls, AHullEndsWhereItsLastBranchDoes) {
   EXPECT_FALSE(decodePackedHulls(unpacked({}, {branched, fan(kTetrahedron)})));
 }
 
-TEST(PackedHulls, SymbolsGoOnOverTheEndsOfWords) {
+TEST(PackedHulls, SymbolsContinueAcrossWords) {
   std::vector<Coded> coded;
   std::vector<Hull> expected;
   for (int i = 0; i < 40; ++i) {
@@ -177,7 +177,7 @@ TEST(PackedHulls, CountsThatDisagreeAreErrors) {
   }
 }
 
-TEST(PackedHulls, AFrameOfFarMoreThanItsSizeIsRefused) {
+TEST(PackedHulls, ADecompressionBombIsRefused) {
   const auto bomb = decodeCollision(blobOf(std::string(size_t{64} << 20, '\0')));
   ASSERT_FALSE(bomb);
   EXPECT_THAT(bomb.error().text(), HasSubstr("more than its size allows"));
@@ -186,7 +186,7 @@ TEST(PackedHulls, AFrameOfFarMoreThanItsSizeIsRefused) {
   EXPECT_THAT(decodeCollision(blob).error().text(), HasSubstr("zstd"));
 }
 
-TEST(PackedHulls, AUnionStandsAsItsHulls) {
+TEST(PackedHulls, AUnionCollidesAsItsHulls) {
   Scene scene;
   const InstanceId arch = scene.part("Arch", {0, 5, 0}, scene.workspace, "UnionOperation");
   scene.set(arch, "Size", Vec3{8, 4, 2});

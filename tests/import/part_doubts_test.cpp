@@ -1,7 +1,7 @@
 // The parts that a loss concerns.
 #include <gtest/gtest.h>
 
-#include "import/doubts.h"
+#include "import/level/doubts.h"
 #include "import/scene.h"
 
 namespace obby::test {
@@ -40,7 +40,7 @@ TEST(PartDoubts, AScriptInAModelConcernsItsParts) {
   EXPECT_EQ(scene.doubts(right), Kinds{"script that fails"});
 }
 
-TEST(PartDoubts, AScriptAtAServiceOrAroundMostOfTheLevelConcernsNoSinglePart) {
+TEST(PartDoubts, ServiceAndLargeModelScriptsConcernNoPart) {
   for (const bool folder : {false, true}) {
     Scene scene;
     const InstanceId map = scene.add("Folder", "Map", scene.workspace);
@@ -68,7 +68,7 @@ TEST(PartDoubts, AScriptThatFailsBeforeItListensIsHarmless) {
   EXPECT_TRUE(scene[limited].evidence.back().guessed);
 }
 
-TEST(PartDoubts, APlayerThatIsMovedWithoutATouchIsNamed) {
+TEST(PartDoubts, MovingAPlayerWithoutATouchIsReported) {
   const std::string pushes[] = {
       "character:PivotTo(CFrame.new(0, 50, 0))",
       "character.HumanoidRootPart.AssemblyLinearVelocity = Vector3.new(0, 90, 0)",
@@ -89,7 +89,7 @@ TEST(PartDoubts, APlayerThatIsMovedWithoutATouchIsNamed) {
 }
 
 // Scripts that all run without errors decide what kills; a name alone does not.
-TEST(PartDoubts, ANameKillsOnlyWhereScriptsDoNotTell) {
+TEST(PartDoubts, ANameKillsOnlyIfScriptsDoNotDecide) {
   for (const std::string& text : {std::string(), std::string("print('x')"), kFails}) {
     Scene scene;
     const InstanceId lava = scene.part("Lava", {20, 0, 0});
@@ -99,14 +99,14 @@ TEST(PartDoubts, ANameKillsOnlyWhereScriptsDoNotTell) {
   }
 }
 
-TEST(PartDoubts, WhatOnlyHelpsOrHindersIsToldApart) {
+TEST(PartDoubts, HelpfulAndHarmfulLossesAreDistinguished) {
   EXPECT_EQ(importer::bearingOf("tool"), importer::Bearing::easier);
   EXPECT_EQ(importer::bearingOf("harm by itself"), importer::Bearing::harder);
   EXPECT_EQ(importer::bearingOf("script that fails"), importer::Bearing::either);
 }
 
 // A kill part that moves into the player at the spawn is harm with a known cause.
-TEST(PartDoubts, AMovingPartThatHarmsThePlayerAtTheSpawnIsNoLoss) {
+TEST(PartDoubts, AKillPartMovingToSpawnIsNoLoss) {
   Scene scene;
   const InstanceId arm = scene.part("Arm", {12, 3, 0});
   scene.script(R"(

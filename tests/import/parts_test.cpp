@@ -6,8 +6,8 @@
 // Included before the importer's names enter this namespace: one of them is a kind of value here.
 #include "support/place_columns.h"
 
-#include "import/hulls.h"
-#include "import/pose_math.h"
+#include "import/document/pose_math.h"
+#include "import/parts/hulls.h"
 #include "import/scene.h"
 
 namespace obby::test {
@@ -147,7 +147,7 @@ TEST(Parts, SurfaceComesFromTheMaterialUnlessThePartHasItsOwn) {
   EXPECT_FLOAT_EQ(scene[odd].friction, 0.3f);
 }
 
-TEST(Parts, MaterialsAreNamedAsTheEngineDoes) {
+TEST(Parts, MaterialsHaveTheEnginesNames) {
   Scene scene;
   const auto planks = scene.part("Planks"), plain = scene.part("Plain"), odd = scene.part("Odd");
   scene.set(planks, "Material", EnumItem{528, {}});
@@ -170,7 +170,7 @@ TEST(Parts, AReflectionIsRepairedAndCounted) {
   EXPECT_EQ(scene.unmodelled("mirrored part"), 1u);
 }
 
-TEST(Parts, NumbersThatAreNotFiniteLeaveThePartOut) {
+TEST(Parts, PartsWithNonFiniteNumbersAreOmitted) {
   Scene scene;
   scene.part("Good");
   const auto bad = scene.part("Bad");
@@ -208,7 +208,7 @@ TEST(Scene, RootsOfAModelFileAreTheWorld) {
   EXPECT_EQ(scene.level().parts.size(), 2u);
 }
 
-TEST(Joints, OneAnchoredPartAnchorsAllThatIsJoinedToIt) {
+TEST(Joints, OneAnchoredPartAnchorsItsAssembly) {
   for (const char* kind : {"Weld", "Snap", "ManualWeld", "WeldConstraint", "Glue", "Motor6D"}) {
     Scene scene;
     const auto base = scene.part("Base"), middle = scene.part("Middle"), top = scene.part("Top"),
@@ -256,7 +256,7 @@ TEST(Culling, StraysBelowAndFarAwayAreCounted) {
   EXPECT_EQ(level.partsCulled, 2u);
 }
 
-TEST(Culling, AHugeFloorIsNoStray) {
+TEST(Culling, AHugeFloorIsNotAStray) {
   Scene scene;
   scene.part("Step");
   const auto floor = scene.part("Floor", {0, -490, 0});

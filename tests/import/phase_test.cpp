@@ -29,7 +29,7 @@ local back = ts:Create(p, TweenInfo.new(1), {Position = Vector3.new(0, 0, 0)})
 )";
 
 // The second follows the first by a second, except for two frames.
-TEST(Phase, TheWaitBeforeWhatRepeatsIsItsPhase) {
+TEST(Phase, AWaitBeforeARepeatedMotionIsItsPhase) {
   for (const char* motion : kMotions) {
     Scene scene;
     const auto first = scene.part("First"), second = scene.part("Second");
@@ -44,7 +44,7 @@ TEST(Phase, TheWaitBeforeWhatRepeatsIsItsPhase) {
   }
 }
 
-TEST(Phase, PlatformsOfOneScriptGoOneAfterTheOther) {
+TEST(Phase, PlatformsOfOneScriptMoveInTurn) {
   Scene scene;
   const auto wave = scene.add("Folder", "Wave", scene.workspace);
   InstanceId platforms[3] = {};
@@ -61,7 +61,7 @@ end)",
     EXPECT_NEAR(poseAt(scene[platforms[i]], 10).position.y, 8 - 2 * i, 0.15) << i;
 }
 
-TEST(Phase, WhatComesButOnceWaitsWithItsKeys) {
+TEST(Phase, AMotionThatHappensOnceWaitsInItsKeys) {
   Scene scene;
   const auto part = scene.part("Mover");
   scene.script(kPhaseBefore + "task.wait(3) there:Play()", part);
@@ -71,7 +71,7 @@ TEST(Phase, WhatComesButOnceWaitsWithItsKeys) {
 }
 
 // The simulator accepts such a round.
-TEST(Phase, ARoundMayTakeTwentyMinutes) {
+TEST(Phase, AMotionCanLastTwentyMinutes) {
   for (const bool longer : {false, true}) {
     Scene scene;
     const auto part = scene.part("Mover");

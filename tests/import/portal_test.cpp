@@ -27,12 +27,12 @@ void expectLeadsToNext(Scene& scene) {
   EXPECT_NEAR(scene[door].teleport->position.x, 300, 3);
 }
 
-TEST(Portal, AKillThatSetsTheRespawnLocationLeadsThere) {
+TEST(Portal, KillsThatSetTheRespawnLocationArePortals) {
   Scene scene;
   expectLeadsToNext(scene);
 }
 
-TEST(Portal, AKillThatRaisesTheStageLeadsToWhereScriptsPutTheNextBody) {
+TEST(Portal, AKillThatRaisesTheStageIsAPortal) {
   Scene scene;
   spawn(scene, "Start", {});
   const InstanceId door = scene.part("Door", {20, 3, 0});
@@ -54,14 +54,14 @@ TEST(Portal, AKillThatRaisesTheStageLeadsToWhereScriptsPutTheNextBody) {
   EXPECT_NEAR(scene[door].teleport->position.z, 400, 3);
 }
 
-TEST(Portal, ALongRespawnTimeIsWaitedFor) {
+TEST(Portal, ALongRespawnTimeIsAwaited) {
   Scene scene;
   scene.set(scene.add("Players", "Players", kNoInstance), "RespawnTime", 15.0f);
   expectLeadsToNext(scene);
 }
 
 // The script counts deaths, too; the player respawns where it was.
-TEST(Portal, AKillThatCountsDeathsIsAKill) {
+TEST(Portal, AKillThatCountsDeathsStaysAKill) {
   Scene scene;
   spawn(scene, "Start", {});
   const InstanceId lava = scene.part("Lava", {20, 0, 0});

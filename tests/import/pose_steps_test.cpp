@@ -9,7 +9,7 @@ namespace obby::test {
 namespace {
 
 // Steps of 0.1 studs, each 0.05 s apart.
-TEST(PoseSteps, AWayThatALoopMakesIsAMotionThatComesOnce) {
+TEST(PoseSteps, StepsInALoopAreAOneTimeMotion) {
   const char* const texts[] = {
       "for i = 1, 40 do p.CFrame = p.CFrame * CFrame.new(0, 0.1, 0) task.wait(0.05) end",
       "for i = 1, 40 do p.CFrame += Vector3.new(0, 0.1, 0) task.wait(0.05) end",
@@ -34,7 +34,7 @@ TEST(PoseSteps, AWayThatALoopMakesIsAMotionThatComesOnce) {
   }
 }
 
-TEST(PoseSteps, BeginWhereTheScriptPutsThePartOnceItHasWaited) {
+TEST(PoseSteps, BeginAtTheScriptedPositionAfterTheWait) {
   const std::string steps = "for i = 1, 10 do p.Position = Vector3.new(i, 0, 5) task.wait(0.1) end";
   for (const bool thread : {false, true}) {
     ScriptedPart scene(
@@ -49,7 +49,7 @@ TEST(PoseSteps, BeginWhereTheScriptPutsThePartOnceItHasWaited) {
   }
 }
 
-TEST(PoseSteps, AnotherThreadMayPutThePartElsewhereLater) {
+TEST(PoseSteps, AnotherThreadCanMoveThePartLater) {
   ScriptedPart scene(
       "task.delay(30, function() p.Position = Vector3.new(0, 0, 0) end)\n"
       "for i = 1, 10 do p.Position = Vector3.new(i, 0, 0) task.wait(0.1) end");
@@ -59,7 +59,7 @@ TEST(PoseSteps, AnotherThreadMayPutThePartElsewhereLater) {
   expectNear(poseAt(part, 31).position, {});
 }
 
-TEST(PoseSteps, MayTurn) {
+TEST(PoseSteps, CanTurnAPart) {
   ScriptedPart scene(
       "for i = 1, 90 do p.CFrame = p.CFrame * CFrame.Angles(0, math.rad(1), 0) task.wait() end");
   const PartDraft& part = scene[scene.self];
@@ -70,7 +70,7 @@ TEST(PoseSteps, MayTurn) {
   expectNear(poseAt(part, 9).position, {});
 }
 
-TEST(PoseSteps, OneLoopForthAndOneBackInAnEndlessOneGoOnForEver) {
+TEST(PoseSteps, AnEndlessPairOfLoopsMovesBackAndForth) {
   const char* const steps[] = {"p.Position = p.Position + Vector3.new(0, 0.2, 0) * way",
                                "p.CFrame = p.CFrame + Vector3.new(0, 0.2, 0) * way"};
   for (const char* step : steps) {
@@ -90,7 +90,7 @@ TEST(PoseSteps, OneLoopForthAndOneBackInAnEndlessOneGoOnForEver) {
 
 // Motions after a wait that never ends do not occur. A door that a script opens and shuts at the
 // start stays where it was left.
-TEST(PoseSteps, WhatNeverComesMovesNothing) {
+TEST(PoseSteps, MotionsAfterAnEndlessWaitDoNotOccur) {
   const std::string steps =
       "for i = 1, 40 do p.CFrame = p.CFrame * CFrame.new(0, 0.1, 0) task.wait(0.05) end";
   const std::string texts[] = {
@@ -106,7 +106,7 @@ TEST(PoseSteps, WhatNeverComesMovesNothing) {
   }
 }
 
-TEST(PoseSteps, ALongWayIsGoneToItsEnd) {
+TEST(PoseSteps, ALongMotionRunsToItsEnd) {
   ScriptedPart scene(
       "for i = 1, 3000 do p.CFrame = p.CFrame * CFrame.new(0, 0.1, 0) task.wait() end");
   const PartDraft& part = scene[scene.self];
@@ -116,7 +116,7 @@ TEST(PoseSteps, ALongWayIsGoneToItsEnd) {
 }
 
 // The run does not show whether the last step ends the motion.
-TEST(PoseSteps, WaysWithoutAnEndAreNamed) {
+TEST(PoseSteps, EndlessTranslationsAreReported) {
   ScriptedPart scene(
       "while true do p.Position += Vector3.new(0, 0.1, 0) task.wait(math.random()) end");
   EXPECT_FALSE(scene[scene.self].motion);
@@ -124,7 +124,7 @@ TEST(PoseSteps, WaysWithoutAnEndAreNamed) {
 }
 
 // Two scripts move one part: it rises once, and moves or turns for ever.
-TEST(PoseSteps, GoOnBesideWhatMovesThePartForEver) {
+TEST(PoseSteps, CombineWithAnEndlessMotionOfThePart) {
   const std::string rises = "for i = 1, 40 do p.Position += Vector3.new(0, 1, 0) task.wait() end";
   const std::string before = "local p = workspace.Mover\n";
   const char* const loops[] = {
@@ -145,7 +145,7 @@ TEST(PoseSteps, GoOnBesideWhatMovesThePartForEver) {
   }
 }
 
-TEST(PoseSteps, AFadeIsNoMotionAndNoVanishing) {
+TEST(PoseSteps, AFadeIsNeitherAMotionNorAVanishing) {
   ScriptedPart fades("for i = 0, 1, 0.1 do p.Transparency = i task.wait(0.1) end");
   EXPECT_FALSE(fades[fades.self].motion);
   EXPECT_FALSE(fades[fades.self].vanish);
@@ -159,7 +159,7 @@ TEST(PoseSteps, AFadeIsNoMotionAndNoVanishing) {
   EXPECT_NEAR(goes[goes.self].vanish->delay, 2.1, 0.05);
 }
 
-TEST(PoseSteps, NumbersOfAnySizeEndSoon) {
+TEST(PoseSteps, HostileNumbersEndSoon) {
   const char* const texts[] = {
       "for i = 1, 1e18 do p.Position += Vector3.new(0, 1, 0) wait(-5) end",
       "for i = 1, 1e305 do wait(1e6) end p.Touched:Connect(function(h) for i = 1, 1e305 do "

@@ -1,10 +1,10 @@
 // Stage queries and the level record: the importer's output.
-#include "import/queries.h"
+#include "import/records/queries.h"
 
 #include <cmath>
 
 #include "import/importer.h"
-#include "import/level_record.h"
+#include "import/records/level_record.h"
 #include "import/scene.h"
 #include "io/stream.h"
 #include "level/level.h"
@@ -30,7 +30,7 @@ bool standsIn(const importer::GoalBox& box, Vec3 feet) {
   return false;
 }
 
-TEST(GoalBox, HoldsAPlayerOnTopOrAtTheSideButNotOneAway) {
+TEST(GoalBox, ContainsPlayersOnThePadButNotAway) {
   const auto box = importer::goalBox(pad({10, 5, 0}, {4, 1, 4}));
   EXPECT_TRUE(standsIn(box, {10, 5.5f, 0}));
   EXPECT_TRUE(standsIn(box, {12, 5.6f, 2}));
@@ -39,7 +39,7 @@ TEST(GoalBox, HoldsAPlayerOnTopOrAtTheSideButNotOneAway) {
   EXPECT_FALSE(standsIn(box, {10, 6.5f, 0})) << "above it in the air";
 }
 
-TEST(GoalBox, GrowsUpwardWhateverTheRotation) {
+TEST(GoalBox, GrowsUpwardInAnyRotation) {
   const Mat3 onSide = {{0, 1, 0}, {-1, 0, 0}, {0, 0, 1}};
   const Mat3 upsideDown = {{-1, 0, 0}, {0, -1, 0}, {0, 0, 1}};
   EXPECT_TRUE(standsIn(importer::goalBox(pad({}, {1, 4, 4}, onSide)), {0, 0.9f, 0}));
@@ -56,7 +56,7 @@ Scene threeStages() {
   return scene;
 }
 
-TEST(Queries, OneForEachStageAndOneToTheGoal) {
+TEST(Queries, EachStageAndTheGoalGetAQuery) {
   const Scene scene = threeStages();
   auto result = importer::importDocument(scene.document, {"tower", true, false});
   ASSERT_EQ(result.queries.size(), 3u);
@@ -79,14 +79,14 @@ std::vector<std::string> titles(const Scene& scene) {
   return all;
 }
 
-TEST(Queries, TitlesSayFromWhereToWhere) {
+TEST(Queries, TitlesNameStartAndGoal) {
   EXPECT_EQ(titles(threeStages()),
             (std::vector<std::string>{"Stage 1: the start to 'Checkpoint1'",
                                       "Stage 2: 'Checkpoint1' to 'Checkpoint2'",
                                       "Stage 3: 'Checkpoint2' to 'Gate'"}));
 }
 
-TEST(Queries, TitlesUseNumbersAndModelsWhereNamesSayNothing) {
+TEST(Queries, TitlesUseNumbersOrModelsInsteadOfGenericNames) {
   Scene scene;
   scene.part("Base", {}, scene.workspace, "SpawnLocation");
   const auto folder = scene.add("Folder", "Checkpoints", scene.workspace);
@@ -113,7 +113,7 @@ TEST(Queries, AGoalThatIsTheLastCheckpointIsAskedOnce) {
   EXPECT_EQ(importer::importDocument(scene.document, {}).queries.size(), 1u);
 }
 
-TEST(Queries, WithoutCheckpointsFromTheSpawnToTheGoal) {
+TEST(Queries, ACourseWithoutCheckpointsRunsFromSpawnToGoal) {
   Scene scene;
   scene.part("SpawnLocation", {}, scene.workspace, "SpawnLocation");
   scene.part("WinPad", {40, 0, 0});
@@ -154,7 +154,7 @@ TEST(LevelRecord, TracesPartsToTheFile) {
   EXPECT_EQ(std::string(lava.getTags()[0]), "KillBrick");
 }
 
-TEST(LevelRecord, WhateverTheFileHoldsCanBeWritten) {
+TEST(LevelRecord, AnyFileContentCanBeWritten) {
   Scene scene;
   scene.part("bad \xff\xfe \xed\xa0\x80 name");
   const auto huge = scene.part("Huge");
@@ -230,7 +230,7 @@ TEST(LevelRecord, Utf8IsRepairedNotDropped) {
             "b");
 }
 
-TEST(Names, ALevelIsCalledLikeItsFile) {
+TEST(Names, ALevelHasTheNameOfItsFile) {
   EXPECT_EQ(importer::levelName("places/My Obby.v2.rbxl"), "My Obby.v2");
   EXPECT_EQ(importer::levelName("-"), "level");
   EXPECT_EQ(importer::levelName(".rbxl"), ".rbxl");

@@ -18,7 +18,7 @@ void expectOnce(Scene& scene, InstanceId part, float seconds, bool comes) {
   EXPECT_TRUE(level.unmodelled.empty());
 }
 
-TEST(Removal, WhatATouchTakesOutVanishes) {
+TEST(Removal, PartsThatATouchRemovesVanish) {
   struct Case {
     const char* text;
     float delay, away;
@@ -52,7 +52,7 @@ TEST(Removal, WhatATouchTakesOutVanishes) {
   }
 }
 
-TEST(Removal, AnotherPlaceInTheWorldIsNoChange) {
+TEST(Removal, MovingAPartWithinTheWorldRemovesNothing) {
   const char* const texts[] = {
       "p.Parent = workspace", "p.Parent = workspace.Folder", "p.Parent = p.Parent",
       "local f = Instance.new('Folder', workspace) p.Parent = f", "wait(5) p.Parent = workspace"};
@@ -67,7 +67,7 @@ TEST(Removal, AnotherPlaceInTheWorldIsNoChange) {
   }
 }
 
-TEST(Removal, WhatAScriptTakesOutAtTheStartIsLeftOut) {
+TEST(Removal, PartsRemovedAtTheStartAreOmitted) {
   const char* const texts[] = {
       "workspace.Folder.Part.Parent = game.ServerStorage", "workspace.Folder.Part.Parent = script",
       "workspace.Folder.Part:Remove()", "workspace.Folder:ClearAllChildren()",
@@ -85,7 +85,7 @@ TEST(Removal, WhatAScriptTakesOutAtTheStartIsLeftOut) {
   }
 }
 
-TEST(Removal, WhatComesBackLaterIsThereThen) {
+TEST(Removal, ReturningPartsReappearAtTheirTime) {
   Scene scene;
   const auto bridge = scene.part("Bridge");
   scene.script("local b = workspace.Bridge\nb.Parent = nil\nwait(9)\nb.Parent = workspace",
@@ -93,7 +93,7 @@ TEST(Removal, WhatComesBackLaterIsThereThen) {
   expectOnce(scene, bridge, 9, true);
 }
 
-TEST(Removal, WhatAButtonPutsBackIsThereThen) {
+TEST(Removal, AButtonRestoresARemovedPart) {
   Scene scene;
   const auto button = scene.part("Button"), bridge = scene.part("Bridge", {9, 0, 0});
   scene.script(
@@ -108,7 +108,7 @@ TEST(Removal, WhatAButtonPutsBackIsThereThen) {
   EXPECT_FALSE(scene[button].vanish);
 }
 
-TEST(Removal, WhatAButtonBringsFromStorageIsThereThen) {
+TEST(Removal, AButtonBringsAPartFromStorage) {
   for (const char* condition : {"true", "open"}) {
     Scene scene;
     const auto storage = scene.add("ServerStorage", "ServerStorage", kNoInstance);
@@ -126,7 +126,7 @@ TEST(Removal, WhatAButtonBringsFromStorageIsThereThen) {
   }
 }
 
-TEST(Removal, WhatIsPutBackAtOnceStays) {
+TEST(Removal, PartsRestoredAtOnceStay) {
   Scene scene;
   const auto part = scene.part("Part");
   scene.script("local p = workspace.Part\np.Parent = nil\np.Parent = workspace", scene.scripts);
@@ -135,7 +135,7 @@ TEST(Removal, WhatIsPutBackAtOnceStays) {
   EXPECT_TRUE(scene.level().unmodelled.empty());
 }
 
-TEST(Removal, ATimerThatTakesOutAndPutsBackVanishes) {
+TEST(Removal, PartsRemovedAndRestoredInALoopVanish) {
   const char* const loops[] = {
       "while true do p.Parent = workspace wait(3) p.Parent = nil wait(1) end",
       "p.Parent = nil while true do wait(1) p.Parent = workspace wait(3) p.Parent = nil end"};
@@ -153,7 +153,7 @@ TEST(Removal, ATimerThatTakesOutAndPutsBackVanishes) {
   }
 }
 
-TEST(Removal, WhatLeavesInPlayLeavesOnce) {
+TEST(Removal, PartsRemovedDuringPlayVanishOnce) {
   const char* const texts[] = {"wait(5) workspace.Folder.Part.Parent = nil",
                                "wait(5) workspace.Folder:ClearAllChildren()"};
   for (const char* text : texts) {
@@ -164,7 +164,7 @@ TEST(Removal, WhatLeavesInPlayLeavesOnce) {
   }
 }
 
-TEST(Removal, WhatComesOutOfStorageLaterIsThereThen) {
+TEST(Removal, PartsFromStorageAppearAtTheirTime) {
   Scene scene;
   const auto storage = scene.add("ServerStorage", "ServerStorage", kNoInstance);
   const auto plank = scene.part("Plank", {}, scene.add("Model", "Stage1", storage));
@@ -172,7 +172,7 @@ TEST(Removal, WhatComesOutOfStorageLaterIsThereThen) {
   expectOnce(scene, plank, 6, true);
 }
 
-TEST(Removal, WhatComesAndGoesWithoutARhythmIsNamed) {
+TEST(Removal, PartsThatComeAndGoOnceAreReported) {
   Scene scene;
   scene.part("Part");
   scene.script("local p = workspace.Part wait(5) p.Parent = nil wait(5) p.Parent = workspace",
@@ -181,7 +181,7 @@ TEST(Removal, WhatComesAndGoesWithoutARhythmIsNamed) {
   EXPECT_EQ(scene.unmodelled(kComesOrGoes), 1u);
 }
 
-TEST(Removal, WhatComesOutOfStorageIsBuilt) {
+TEST(Removal, PartsFromStorageAreBuiltAtTheStart) {
   Scene scene;
   const auto storage = scene.add("ServerStorage", "ServerStorage", kNoInstance);
   scene.part("Plank", {}, scene.add("Model", "Stage1", storage));
@@ -191,7 +191,7 @@ TEST(Removal, WhatComesOutOfStorageIsBuilt) {
   EXPECT_TRUE(level.unmodelled.empty());
 }
 
-TEST(Removal, SizesThatATouchChangesAreNamed) {
+TEST(Removal, SizeChangesByATouchAreReported) {
   const char* const texts[] = {"p.Size = Vector3.new(1, 1, 1)",
                                "game:GetService('TweenService'):Create(p, TweenInfo.new(2), "
                                "{Size = Vector3.new(0, 0, 0)}):Play()"};

@@ -5,10 +5,10 @@
 #include <filesystem>
 #include <fstream>
 
+#include "import/document/tree.h"
 #include "import/rojo/globs.h"
 #include "import/rojo/json_file.h"
 #include "import/rojo/project_reader.h"
-#include "import/tree.h"
 #include "support/place_writer.h"
 
 namespace obby::test {

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "engine/document.h"
-#include "import/build_level.h"
+#include "import/level/build_level.h"
 #include "import/observed/run.h"
 
 namespace obby::test {

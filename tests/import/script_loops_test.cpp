@@ -5,7 +5,7 @@
 namespace obby::test {
 namespace {
 
-TEST(ScriptLoops, WhatStandsBehindALoopThatEndsItselfIsRead) {
+TEST(ScriptLoops, CodeAfterATerminatingLoopIsRead) {
   struct Case {
     const char* text;
     float delay;
@@ -38,7 +38,7 @@ TEST(ScriptLoops, WhatStandsBehindALoopThatEndsItselfIsRead) {
   }
 }
 
-TEST(ScriptLoops, EveryRoundOfALoopThatCountsIsFollowed) {
+TEST(ScriptLoops, EveryIterationOfACountingLoopRuns) {
   const char* const texts[] = {
       "local i = 1 while i <= #all do all[i].Touched:Connect(kill) i = i + 1 end",
       "local i = 0 repeat i += 1 all[i].Touched:Connect(kill) until i == #all",
@@ -68,21 +68,21 @@ TEST(ScriptLoops, EveryRoundOfALoopThatCountsIsFollowed) {
   }
 }
 
-TEST(ScriptLoops, FieldsThatAreTakenOutHaveNoRound) {
+TEST(ScriptLoops, RemovedFieldsAreNotIterated) {
   ScriptedPart scene(
       "local t = {a = 1, b = 2} t.a = nil t.b = nil for k, v in pairs(t) do p.CanCollide = false "
       "end");
   EXPECT_TRUE(scene[scene.self].solid);
 }
 
-TEST(ScriptLoops, WhatIsInsertedStandsWhereItIsPut) {
+TEST(ScriptLoops, InsertedElementsKeepTheirPositions) {
   ScriptedPart scene(
       "local list = {5, 9} table.insert(list, 2, 7) table.insert(list, 1, 3) "
       "table.insert(list, 11) p.Position = Vector3.new(list[1], list[3], list[5])");
   expectNear(scene[scene.self].pose.position, {3, 7, 11});
 }
 
-TEST(ScriptLoops, AWayThereAndBackByConditionsIsAMotion) {
+TEST(ScriptLoops, ConditionalLoopsBackAndForthAreAMotion) {
   Scene scene;
   const auto lift = scene.part("Lift");
   scene.script(R"(local p = script.Parent
@@ -98,7 +98,7 @@ end)",
   expectNear(poseAt(scene[lift], 1 / 3.0).position, {0, 10, 0}, 0.6f);
 }
 
-TEST(ScriptLoops, AFunctionThatCallsItselfForEverIsALoop) {
+TEST(ScriptLoops, AnEndlesslyRecursiveFunctionIsALoop) {
   Scene scene;
   const auto lift = scene.part("Lift");
   scene.script(R"(local ts = game:GetService("TweenService")
@@ -119,7 +119,7 @@ go())",
     EXPECT_NEAR(poseAt(scene[lift], time).position.y, float(y), 0.25) << time;
 }
 
-TEST(ScriptLoops, WhatCallsItselfForEachChildIsNoLoop) {
+TEST(ScriptLoops, RecursionOverChildrenIsNotALoop) {
   Scene scene;
   const auto inner = scene.add("Folder", "Inner", scene.add("Folder", "Outer", scene.workspace));
   const auto part = scene.part("Part", {}, inner);
@@ -134,7 +134,7 @@ visit(workspace.Outer))",
   EXPECT_TRUE(scene[part].kill);
 }
 
-TEST(ScriptLoops, VelocitiesThatChangeAreNamed) {
+TEST(ScriptLoops, ChangingVelocitiesAreReported) {
   const char* const texts[] = {
       "p.Velocity = Vector3.new(9, 0, 0) wait(5) p.Velocity = Vector3.new(-9, 0, 0)",
       "while true do p.Velocity = Vector3.new(9, 0, 0) wait(3) p.Velocity = Vector3.new(0, 0, 0) "
@@ -176,7 +176,7 @@ TEST(ScriptLoops, AHandlerThatReturnsEarlyIsCalledAgain) {
 }
 
 // Stepped passes the time and the duration of the last frame to its handlers.
-TEST(ScriptLoops, AHandlerOfStepsKnowsTheClock) {
+TEST(ScriptLoops, AStepHandlerReceivesTheClock) {
   Scene scene;
   const auto part = scene.part("Part");
   scene.script(
@@ -204,7 +204,7 @@ TEST(ScriptLoops, HandlersThatDoNothingCostLittle) {
   EXPECT_TRUE(scene.level().unmodelled.empty());
 }
 
-TEST(ScriptLoops, ATouchMayStartWhatEachFrameDoes) {
+TEST(ScriptLoops, ATouchCanStartAPerFrameEffect) {
   for (const char* signal : {"Touched", "ClickDetector.MouseClick"}) {
     Scene scene;
     const auto part = scene.part("Part", {20, 0, 0});
@@ -223,7 +223,7 @@ TEST(ScriptLoops, ATouchMayStartWhatEachFrameDoes) {
   }
 }
 
-TEST(ScriptLoops, WhatStandsBehindAWaitWithoutAnEndNeverComes) {
+TEST(ScriptLoops, CodeAfterAnEndlessWaitNeverRuns) {
   const char* const waits[] = {
       "while true do wait() if workspace:FindFirstChild('Ready') then break end end",
       "while true do wait() if _G.ready then break end end",
@@ -241,7 +241,7 @@ TEST(ScriptLoops, WhatStandsBehindAWaitWithoutAnEndNeverComes) {
   EXPECT_FALSE(ever[ever.self].kill);
 }
 
-TEST(ScriptLoops, ALoopThatAReturnEndsIsNotEndless) {
+TEST(ScriptLoops, ALoopThatReturnsIsNotEndless) {
   Scene scene;
   const auto part = scene.part("Part");
   scene.script(

@@ -20,7 +20,7 @@ TEST(ScriptValues, NilIsNil) {
   }
 }
 
-TEST(ScriptValues, AFunctionMayGiveOneOfTwo) {
+TEST(ScriptValues, AFunctionCanReturnEitherOfTwoValues) {
   const char* const functions[] = {
       "if hit.Parent:FindFirstChild('Humanoid') then return true end return false",
       "if not hit.Parent:FindFirstChild('Humanoid') then return false end return true",
@@ -37,7 +37,7 @@ TEST(ScriptValues, AFunctionMayGiveOneOfTwo) {
   EXPECT_EQ(early[early.self].pose.position, (Vec3{0, 7, 0}));
 }
 
-TEST(ScriptValues, HealthWithinBoundsIsHarm) {
+TEST(ScriptValues, ClampedHealthReductionIsHarm) {
   const char* const ways[] = {"h.Health = math.max(0, h.Health - 30)",
                               "h.Health = math.max(h.Health - 30, 0)",
                               "h.Health = math.clamp(h.Health - 30, 0, h.MaxHealth)",
@@ -57,7 +57,7 @@ std::string touchThat(const std::string& way) {
          way + " end)";
 }
 
-TEST(ScriptValues, HealingWithinBoundsIsNoHarm) {
+TEST(ScriptValues, ClampedHealingIsNotHarm) {
   const char* const ways[] = {"h.Health = math.min(h.Health + 20, h.MaxHealth)",
                               "h.Health = math.min(h.MaxHealth, h.Health + 20)",
                               "h.Health = math.min(h.Health + 20, 100)",
@@ -69,7 +69,7 @@ TEST(ScriptValues, HealingWithinBoundsIsNoHarm) {
   }
 }
 
-TEST(ScriptValues, HarmMayBeAShareOfTheHealth) {
+TEST(ScriptValues, HarmCanBeAFractionOfHealth) {
   const std::pair<const char*, float> ways[] = {{"h:TakeDamage(h.MaxHealth / 4)", 25},
                                                 {"h.Health -= h.MaxHealth * 0.5", 50},
                                                 {"h:TakeDamage(h.MaxHealth)", 100},
@@ -83,19 +83,19 @@ TEST(ScriptValues, HarmMayBeAShareOfTheHealth) {
   }
 }
 
-TEST(ScriptValues, APoseMayBeSevenNumbers) {
+TEST(ScriptValues, APoseCanHaveSevenNumbers) {
   ScriptedPart scene("local s = math.sqrt(0.5) p.CFrame = CFrame.new(1, 2, 3, 0, s, 0, s)");
   expectNear(scene[scene.self].pose.position, {1, 2, 3}, 1e-4f);
   expectNear(scene[scene.self].pose.rotation.x, {0, 0, -1}, 1e-4f);
   expectNear(scene[scene.self].pose.rotation.y, {0, 1, 0}, 1e-4f);
 }
 
-TEST(ScriptValues, TheMostAndLeastOfMany) {
+TEST(ScriptValues, MinAndMaxTakeManyArguments) {
   ScriptedPart scene("p.Position = Vector3.new(math.min(4, 3, 2), math.max(1, 2, 7), 0)");
   EXPECT_EQ(scene[scene.self].pose.position, (Vec3{2, 7, 0}));
 }
 
-TEST(ScriptValues, AttributesThatAScriptSetsAreSet) {
+TEST(ScriptValues, ScriptedAttributesAreReadBack) {
   const std::pair<const char*, bool> cases[] = {
       {"p:SetAttribute('Open', true) p.CanCollide = not p:GetAttribute('Open')", false},
       {"p:SetAttribute('Shut', nil) if p:GetAttribute('Shut') then p.CanCollide = false end",
@@ -111,7 +111,7 @@ TEST(ScriptValues, AttributesThatAScriptSetsAreSet) {
 }
 
 // When a player first arrives, the part does not hurt.
-TEST(ScriptValues, HarmThatComesAndGoesIsHarm) {
+TEST(ScriptValues, IntermittentHarmIsHarm) {
   const char* const texts[] = {
       "task.spawn(function() while true do p:SetAttribute('On', true) wait(2)\n"
       "p:SetAttribute('On', false) wait(2) end end)\n"
@@ -128,7 +128,7 @@ TEST(ScriptValues, HarmThatComesAndGoesIsHarm) {
   }
 }
 
-TEST(ScriptValues, AFunctionThatIsPutOffIsGivenItsArguments) {
+TEST(ScriptValues, ADelayedFunctionReceivesItsArguments) {
   const char* const calls[] = {"task.delay(3, back, p, true)",
                                "task.delay(3, function(part) part.CanCollide = true end, p)"};
   for (const char* call : calls) {
@@ -142,7 +142,7 @@ TEST(ScriptValues, AFunctionThatIsPutOffIsGivenItsArguments) {
 }
 
 // Scripts select parts by properties and tags, with and without the service in the file.
-TEST(ScriptValues, WhatPartsAreMadeOfAndWhichTagsTheyHaveIsKnown) {
+TEST(ScriptValues, MaterialsAndTagsOfPartsAreKnown) {
   const char* const asks[] = {"tags:HasTag(v, 'Ouchie')",
                               "v:HasTag('Ouchie')",
                               "v.Material == Enum.Material.CrackedLava",
@@ -183,7 +183,7 @@ TEST(ScriptValues, WhatPartsAreMadeOfAndWhichTagsTheyHaveIsKnown) {
     }
 }
 
-TEST(ScriptValues, AColourThatATweenBringsIsNotThereAtOnce) {
+TEST(ScriptValues, ATweenedColourTakesTime) {
   ScriptedPart scene(
       "local red = Color3.fromRGB(255, 0, 0)\n"
       "game:GetService('TweenService'):Create(p, TweenInfo.new(9), {Color = red}):Play()\n"
@@ -193,7 +193,7 @@ TEST(ScriptValues, AColourThatATweenBringsIsNotThereAtOnce) {
 }
 
 // The script is that of a light that shows when players may walk.
-TEST(ScriptValues, TheColourOfALightIsAsItIsSet) {
+TEST(ScriptValues, ALightKeepsItsScriptedColour) {
   Scene scene;
   const auto pad = scene.part("Pad");
   scene.add("PointLight", "Light", pad);
@@ -207,7 +207,7 @@ TEST(ScriptValues, TheColourOfALightIsAsItIsSet) {
 }
 
 // The script is that of a door that kills all but its owners.
-TEST(ScriptValues, APlayerIsOnNoList) {
+TEST(ScriptValues, NoOwnerListContainsThePlayer) {
   const std::pair<std::string, bool> asks[] = {
       {"local owners = {[1234] = true} ^ if owners[player.UserId] then return", true},
       {"local owners = {[12] = true, [34] = true} ^ if owners[player.UserId] then return", true},
@@ -221,7 +221,7 @@ TEST(ScriptValues, APlayerIsOnNoList) {
   }
 }
 
-TEST(ScriptValues, WhatIsMadeInTheWorldIsBuilt) {
+TEST(ScriptValues, PartsCreatedInTheWorldAreBuilt) {
   const std::pair<const char*, uint32_t> cases[] = {
       {"local bridge = Instance.new('Part', workspace) bridge.Anchored = true", 1},
       {"local bridge = Instance.new('Part', p.Parent)", 1},

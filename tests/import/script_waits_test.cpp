@@ -9,7 +9,7 @@ namespace {
 const std::string kThereAndBack =
     "local there, back = tween(even(2), to(10)), tween(even(1), to(0))\n";
 
-TEST(ScriptWaits, ALoopMayAskATweenWhetherItIsOver) {
+TEST(ScriptWaits, ALoopCanCheckWhetherATweenIsOver) {
   const char* const texts[] = {
       "while true do there:Play()\n"
       "repeat task.wait() until there.PlaybackState == Enum.PlaybackState.Completed\n"
@@ -31,7 +31,7 @@ TEST(ScriptWaits, ALoopMayAskATweenWhetherItIsOver) {
   }
 }
 
-TEST(ScriptWaits, HowATweenEndedIsKnown) {
+TEST(ScriptWaits, TheEndStateOfATweenIsKnown) {
   const char* const texts[] = {
       "there.Completed:Connect(function(state)\n"
       "if state == Enum.PlaybackState.Completed then back:Play() end end) there:Play()",
@@ -54,7 +54,7 @@ TEST(ScriptWaits, HowATweenEndedIsKnown) {
   EXPECT_NEAR(cut.z(9), 0, 0.1) << "another tween has cut it";
 }
 
-TEST(ScriptWaits, TimesOfATweenInfoAreKnown) {
+TEST(ScriptWaits, TweenInfoDurationsAreKnown) {
   const Overlap tweened(
       {"local info = TweenInfo.new(2, line, way, 1, true, 0.5)\n"
        "tween(even(1), to(4)):Play() task.wait(info.Time + info.DelayTime)\n"
@@ -65,7 +65,7 @@ TEST(ScriptWaits, TimesOfATweenInfoAreKnown) {
 }
 
 // The condition reads a component of the pose, which the loop sets by other means.
-TEST(ScriptWaits, AWayThatEndsByWhereThePartIs) {
+TEST(ScriptWaits, AMotionCanEndAtAPosition) {
   const char* const texts[] = {
       "while true do\n"
       "while p.Position.Z < 10 do p.CFrame = p.CFrame + Vector3.new(0, 0, 0.5) task.wait() end\n"
@@ -87,7 +87,7 @@ TEST(ScriptWaits, AWayThatEndsByWhereThePartIs) {
   }
 }
 
-TEST(ScriptWaits, AnInnerLoopMayEndByChance) {
+TEST(ScriptWaits, AnInnerLoopCanEndAtRandom) {
   const Overlap stepped(
       {"while true do while true do p.CFrame = p.CFrame * CFrame.Angles(0, 0.1, 0) task.wait()\n"
        "if math.random() > 0.5 then break end end end"});
@@ -95,7 +95,7 @@ TEST(ScriptWaits, AnInnerLoopMayEndByChance) {
 }
 
 // A loop with a condition may end by a function that it calls.
-TEST(ScriptWaits, AnInnerLoopEndsByWhatItCalls) {
+TEST(ScriptWaits, AFunctionCallCanEndAnInnerLoop) {
   const Overlap stepped(
       {"local open = true\n"
        "local function look() if p.Position.Z >= 2 then open = false end end\n"
@@ -107,7 +107,7 @@ TEST(ScriptWaits, AnInnerLoopEndsByWhatItCalls) {
 }
 
 // A script moves another part after it has waited for the end of a tween.
-TEST(ScriptWaits, WhatWaitsForATweenComesWhenItIsOver) {
+TEST(ScriptWaits, EffectsThatAwaitATweenFollowItsEnd) {
   Scene scene;
   scene.part("Mover");
   const auto lift = scene.part("Lift", {20, 0, 0});

@@ -6,7 +6,7 @@
 namespace obby::test {
 namespace {
 
-TEST(ScriptedChanges, WhatComesLaterIsNamedNotDone) {
+TEST(ScriptedChanges, LateChangesAreReportedAndNotApplied) {
   const std::pair<const char*, const char*> cases[] = {
       {"wait(5) workspace.Barrier.Anchored = false", "part that scripts let loose"},
       {"wait(5) workspace.Barrier.CanTouch = false", "touch that scripts switch"},
@@ -28,7 +28,7 @@ TEST(ScriptedChanges, WhatComesLaterIsNamedNotDone) {
 }
 
 // The change is within the first three seconds.
-TEST(ScriptedChanges, WhatComesSoonIsDone) {
+TEST(ScriptedChanges, EarlyChangesAreApplied) {
   Scene scene;
   const auto barrier = scene.part("Barrier");
   scene.script(
@@ -42,7 +42,7 @@ TEST(ScriptedChanges, WhatComesSoonIsDone) {
   EXPECT_TRUE(level.unmodelled.empty());
 }
 
-TEST(ScriptedChanges, WhatIsSetBackLaterIsSolidThen) {
+TEST(ScriptedChanges, AChangeRevertedLaterIsSolidFromThen) {
   Scene scene;
   const auto gate = scene.part("Gate");
   scene.script("workspace.Gate.CanCollide = false\nwait(5)\nworkspace.Gate.CanCollide = true",
@@ -55,7 +55,7 @@ TEST(ScriptedChanges, WhatIsSetBackLaterIsSolidThen) {
   EXPECT_TRUE(scene.level().unmodelled.empty());
 }
 
-TEST(ScriptedChanges, WhatChangesNothingIsNotNamed) {
+TEST(ScriptedChanges, ChangesWithoutAnEffectAreNotReported) {
   const char* const texts[] = {"wait(5) workspace.Part.CanCollide = true",
                                "wait(5) workspace.Part.Anchored = true",
                                "wait(5) workspace.Part.Position = Vector3.new(0, 0, 0)",
@@ -70,7 +70,7 @@ TEST(ScriptedChanges, WhatChangesNothingIsNotNamed) {
   }
 }
 
-TEST(ScriptedChanges, WhatAClientDoesIsThereForItsPlayer) {
+TEST(ScriptedChanges, ClientChangesApplyToTheirPlayer) {
   Scene scene;
   const auto barrier = scene.part("Barrier");
   const auto player = scene.add("StarterPlayer", "StarterPlayer", kNoInstance);

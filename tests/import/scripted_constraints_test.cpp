@@ -20,7 +20,7 @@ Constraint turned(Scene& scene) {
 const std::string kHinge = "local hinge = workspace.Base.HingeConstraint\n";
 const std::string kSlider = "local slider = workspace.Base.PrismaticConstraint\n";
 
-TEST(ScriptedConstraint, WhatAScriptSetsForCertainCountsAsTheFiles) {
+TEST(ScriptedConstraint, ScriptedSettingsCountLikeTheFiles) {
   const char* const texts[] = {
       "hinge.ActuatorType = Enum.ActuatorType.Motor hinge.AngularVelocity = 3 "
       "hinge.MotorMaxTorque = 1000",
@@ -39,7 +39,7 @@ TEST(ScriptedConstraint, WhatAScriptSetsForCertainCountsAsTheFiles) {
   }
 }
 
-TEST(ScriptedConstraint, AServoGoesWhereItsScriptSends) {
+TEST(ScriptedConstraint, AServoMovesToItsScriptedTarget) {
   Scene scene;
   const auto c = servoed(scene);
   scene.script(kSlider + "slider.TargetPosition = 20", scene.scripts);
@@ -48,7 +48,7 @@ TEST(ScriptedConstraint, AServoGoesWhereItsScriptSends) {
   EXPECT_TRUE(scene[c.arm].anchored);
 }
 
-TEST(ScriptedConstraint, AHingeTurnsToAndFroAsItsScriptSays) {
+TEST(ScriptedConstraint, AHingeTurnsBackAndForthAsScripted) {
   Scene scene;
   const auto c = turned(scene);
   scene.script(kHinge +
@@ -63,7 +63,7 @@ TEST(ScriptedConstraint, AHingeTurnsToAndFroAsItsScriptSays) {
   for (const auto& [time, yaw] : yaws) EXPECT_NEAR(yawAt(scene[c.arm], time), yaw, 1.5f) << time;
 }
 
-TEST(ScriptedConstraint, AHingeWithLimitsDoesNotTurnForEver) {
+TEST(ScriptedConstraint, AHingeWithLimitsDoesNotTurnForever) {
   Scene scene;
   const auto c = turned(scene);
   scene.set(c.id, "LimitsEnabled", true);
@@ -73,7 +73,7 @@ TEST(ScriptedConstraint, AHingeWithLimitsDoesNotTurnForEver) {
   EXPECT_EQ(scene.unmodelled("motion of a hinge's motor"), 1u);
 }
 
-TEST(ScriptedConstraint, AJointThatAScriptTurnsTurnsItsPart) {
+TEST(ScriptedConstraint, AScriptedJointTurnsItsPart) {
   Scene scene;
   const auto [hub, arm] = joined(scene, "Weld");
   scene.script("workspace.Hub.Weld.C0 = CFrame.new(1, 0, 0)", scene.scripts);
@@ -93,7 +93,7 @@ TEST(ScriptedConstraint, AJointThatAScriptTurnsTurnsItsPart) {
   EXPECT_FALSE(scene[hub].motion);
 }
 
-TEST(ScriptedConstraint, WhatATouchSetsIsNamed) {
+TEST(ScriptedConstraint, SettingsChangedByATouchAreReported) {
   Scene scene;
   const auto c = turned(scene);
   scene.part("Button", {20, 0, 0});
@@ -106,7 +106,7 @@ TEST(ScriptedConstraint, WhatATouchSetsIsNamed) {
   EXPECT_EQ(scene.unmodelled("motion that a touch or click starts"), 1u);
 }
 
-TEST(ScriptedConstraint, APartThatAScriptFreesIsDriven) {
+TEST(ScriptedConstraint, AnUnanchoredPartIsDriven) {
   Scene scene;
   const auto c = turned(scene);
   scene.set(c.arm, "Anchored", true);
@@ -118,7 +118,7 @@ TEST(ScriptedConstraint, APartThatAScriptFreesIsDriven) {
   EXPECT_TRUE(scene[c.arm].motion->spin);
 }
 
-TEST(ScriptedConstraint, AnArmGoesWithABaseThatIsTweened) {
+TEST(ScriptedConstraint, AnArmFollowsATweenedBase) {
   Scene scene;
   const auto c = turned(scene);
   scene.script(
@@ -133,7 +133,7 @@ TEST(ScriptedConstraint, AnArmGoesWithABaseThatIsTweened) {
     expectNear(poseAt(scene[c.arm], time).position, {0, 8, float(z)}, 0.2f);
 }
 
-TEST(ScriptedConstraint, WhatGoesItsOwnWayOnWhatTurnsIsHeld) {
+TEST(ScriptedConstraint, AMotorOnATurningPartIsHeld) {
   Scene scene;
   const auto c = turned(scene);
   scene.script("while true do workspace.Base.CFrame *= CFrame.Angles(0, 0.1, 0) task.wait() end",
@@ -144,7 +144,7 @@ TEST(ScriptedConstraint, WhatGoesItsOwnWayOnWhatTurnsIsHeld) {
   EXPECT_EQ(scene.unmodelled("motion on a moving part"), 1u);
 }
 
-TEST(ScriptedConstraint, ASliderBeginsWhereScriptsHavePlacedItsBase) {
+TEST(ScriptedConstraint, ASliderStartsAtTheScriptedBase) {
   Scene scene;
   const auto c = pushed(scene, "PrismaticConstraint");
   scene.set(c.id, "LimitsEnabled", true);
@@ -160,7 +160,7 @@ TEST(ScriptedConstraint, ASliderBeginsWhereScriptsHavePlacedItsBase) {
 }
 
 // A hinge attaches a blade to the part of a slider.
-TEST(ScriptedConstraint, ConstraintsMakeChains) {
+TEST(ScriptedConstraint, ConstraintsFormChains) {
   Scene scene;
   const auto c = pushed(scene, "PrismaticConstraint");
   scene.set(c.id, "LimitsEnabled", true);
@@ -183,7 +183,7 @@ TEST(ScriptedConstraint, ConstraintsMakeChains) {
   EXPECT_EQ(scene[blade].motion->repeat, importer::Repeat::once);
 }
 
-TEST(ScriptedConstraint, WhatAScriptMovesDoesNotHeedTheMotor) {
+TEST(ScriptedConstraint, AScriptedPartIgnoresTheMotor) {
   Scene scene;
   const auto c = turned(scene);
   scene.script("while true do workspace.Arm.CFrame *= CFrame.Angles(0, 0.1, 0) task.wait() end",

@@ -6,7 +6,7 @@
 namespace obby::test {
 namespace {
 
-TEST(ScriptedStart, SwitchesThatAScriptSetsAtOnceAreSet) {
+TEST(ScriptedStart, SwitchesSetAtTheStartApply) {
   Scene scene;
   const auto barrier = scene.part("Barrier");
   scene.script("workspace.Barrier.CanCollide = false\nworkspace.Barrier.CanTouch = false",
@@ -52,7 +52,7 @@ TEST(ScriptedStart, TheLastWriteCounts) {
   EXPECT_TRUE(level.unmodelled.empty());
 }
 
-TEST(ScriptedStart, WhatIsDestroyedIsLeftOut) {
+TEST(ScriptedStart, DestroyedPartsAreOmitted) {
   Scene scene;
   const auto floor = scene.part("Floor", {0, -9, 0});
   for (const char* name : {"Barrier", "Lid"}) scene.part(name);
@@ -71,7 +71,7 @@ TEST(ScriptedStart, WhatIsDestroyedIsLeftOut) {
   EXPECT_TRUE(level.unmodelled.empty());
 }
 
-TEST(ScriptedStart, WhatIsPutBackIsThere) {
+TEST(ScriptedStart, RestoredPartsArePresent) {
   const char* const texts[] = {
       "local copy = workspace.Kit.Box:Clone() workspace.Kit.Box:Destroy() copy.Parent = workspace",
       "for _, p in workspace.Kit:GetChildren() do p.Parent = workspace end workspace.Kit:Destroy()",
@@ -88,7 +88,7 @@ TEST(ScriptedStart, WhatIsPutBackIsThere) {
   }
 }
 
-TEST(ScriptedStart, AMovedPartIsWhereTheScriptPutsIt) {
+TEST(ScriptedStart, AMovedPartHasItsScriptedPose) {
   Scene scene;
   const auto bridge = scene.part("Bridge"), gate = scene.part("Gate", {5, 6, 7});
   scene.script(
@@ -103,7 +103,7 @@ TEST(ScriptedStart, AMovedPartIsWhereTheScriptPutsIt) {
   EXPECT_TRUE(level.unmodelled.empty());
 }
 
-TEST(ScriptedStart, AModelTakesAlongWhatIsInIt) {
+TEST(ScriptedStart, AMovedModelTakesItsPartsAlong) {
   Scene scene;
   const auto model = scene.add("Model", "Train", scene.workspace);
   const auto engine = scene.part("Engine", {0, 5, 0}, model),
@@ -128,7 +128,7 @@ for i = 1, 3 do workspace.Stage:PivotTo(workspace.Stage:GetPivot() * CFrame.new(
   expectNear(scene[right].pose.position, {4, 0, 30});
 }
 
-TEST(ScriptedStart, WhatHangsOnAMovedPartGoesWithIt) {
+TEST(ScriptedStart, WeldedPartsFollowAMovedPart) {
   Scene scene;
   const auto hub = scene.part("Hub"), arm = scene.part("Arm", {10, 0, 0});
   scene.set(arm, "Anchored", false);
@@ -142,7 +142,7 @@ TEST(ScriptedStart, WhatHangsOnAMovedPartGoesWithIt) {
   expectNear(scene[arm].pose.position, {0, 10, -10});
 }
 
-TEST(ScriptedStart, StraysAreThoseOfTheStartedPlace) {
+TEST(ScriptedStart, StraysAreDeterminedAfterTheStart) {
   Scene scene;
   scene.part("Floor");
   const auto lift = scene.part("Lift", {0, -900, 0}), trap = scene.part("Trap", {9, 0, 0});
@@ -157,7 +157,7 @@ TEST(ScriptedStart, StraysAreThoseOfTheStartedPlace) {
   EXPECT_EQ(scene[lift].pose.position, (Vec3{0, 5, 0}));
 }
 
-TEST(ScriptedStart, SizesAreSetAsTheEngineTakesThem) {
+TEST(ScriptedStart, SizesAreClampedLikeInTheEngine) {
   Scene scene;
   const auto bridge = scene.part("Bridge"), grown = scene.part("Grown");
   scene.script(
@@ -171,7 +171,7 @@ TEST(ScriptedStart, SizesAreSetAsTheEngineTakesThem) {
   EXPECT_TRUE(level.unmodelled.empty());
 }
 
-TEST(ScriptedStart, AnchorsAreThoseOfTheStart) {
+TEST(ScriptedStart, AnchoringIsDeterminedAfterTheStart) {
   Scene scene;
   const auto crate = scene.part("Crate"), held = scene.part("Held"), tied = scene.part("Tied");
   scene.set(held, "Anchored", false);
@@ -190,7 +190,7 @@ TEST(ScriptedStart, AnchorsAreThoseOfTheStart) {
   EXPECT_TRUE(level.unmodelled.empty());
 }
 
-TEST(ScriptedStart, WhatAScriptJoinsToAnAnchoredPartIsHeld) {
+TEST(ScriptedStart, PartsJoinedToAnAnchoredPartAreHeld) {
   const char* const joints[] = {"local weld = Instance.new('Weld') weld.C0 = CFrame.new(0, 5, 0)",
                                 "local weld = Instance.new('WeldConstraint') "
                                 "workspace.Door.Position = Vector3.new(20, 5, 0)"};
@@ -209,7 +209,7 @@ TEST(ScriptedStart, WhatAScriptJoinsToAnAnchoredPartIsHeld) {
   }
 }
 
-TEST(ScriptedStart, WhatAScriptCutsLooseIsLoose) {
+TEST(ScriptedStart, PartsCutFromTheirJointsAreDynamic) {
   const char* const cuts[] = {"workspace.Tied.Weld:Destroy()", "workspace.Tied:BreakJoints()",
                               "workspace.Tied.Weld.Enabled = false"};
   for (const char* cut : cuts) {
@@ -225,7 +225,7 @@ TEST(ScriptedStart, WhatAScriptCutsLooseIsLoose) {
   }
 }
 
-TEST(ScriptedStart, APlatformTurnsWhereAScriptPutsIt) {
+TEST(ScriptedStart, APlatformTurnsAtItsScriptedPosition) {
   const char* const moves[] = {
       "while true do p.CFrame = p.CFrame * CFrame.Angles(0, 0.1, 0) task.wait() end",
       "game:GetService('TweenService'):Create(p, TweenInfo.new(2, Enum.EasingStyle.Linear, "
@@ -242,7 +242,7 @@ TEST(ScriptedStart, APlatformTurnsWhereAScriptPutsIt) {
   }
 }
 
-TEST(ScriptedStart, ATaggedSpinnerTurnsWhereItIsPut) {
+TEST(ScriptedStart, ATaggedSpinnerTurnsAtItsScriptedPosition) {
   Scene scene;
   const auto mill = scene.part("Mill");
   scene.tag(mill, "Spinner");
@@ -254,7 +254,7 @@ TEST(ScriptedStart, ATaggedSpinnerTurnsWhereItIsPut) {
   expectNear(scene[mill].motion->spin->pivot, {});
 }
 
-TEST(ScriptedStart, WhatIsSetLeavesTheRolesToTheOtherEvidence) {
+TEST(ScriptedStart, ScriptedPropertiesKeepOtherRoles) {
   Scene scene;
   const auto lava = scene.part("Lava"), blink = scene.part("Blink");
   scene.tag(lava, "KillBrick");
@@ -272,7 +272,7 @@ TEST(ScriptedStart, WhatIsSetLeavesTheRolesToTheOtherEvidence) {
   EXPECT_TRUE(level.unmodelled.empty());
 }
 
-TEST(ScriptedStart, ManyPlacesOfManyPartsAreFollowedWithinABudget) {
+TEST(ScriptedStart, ManyMovedPartsAreFollowedWithinABudget) {
   Scene scene;
   const auto big = scene.add("Model", "Big", scene.workspace);
   for (int i = 0; i < 3000; ++i) scene.part("Part", {float(i), 0, 0}, big);

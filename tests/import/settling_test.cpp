@@ -28,7 +28,7 @@ void expectThereAndBack(const ScriptedPart& scene, double seconds, const std::st
   EXPECT_NEAR(poseAt(pad, seconds - 0.1).position.z, 0, 1) << what;
 }
 
-TEST(Settling, ASpringAndALerpGoAllTheWay) {
+TEST(Settling, SpringsAndLerpsReachTheirTargets) {
   expectThereAndBack(ScriptedPart(kSpring), 10, "spring");
   for (const int seconds : {5, 8, 14})
     expectThereAndBack(ScriptedPart(lerpEach(seconds)), 2 * seconds, std::to_string(seconds));

@@ -1,5 +1,5 @@
 // Effects of scripts on players away from parts, from afar, and on one side only.
-#include "import/scene.h"
+#include "import/player_script.h"
 
 namespace obby::test {
 namespace {
@@ -12,14 +12,10 @@ struct Place {
     scene.add("ClickDetector", "ClickDetector", part);
     return part;
   }
-  void local(const std::string& source) {
-    const auto player = scene.add("StarterPlayer", "StarterPlayer", kNoInstance);
-    const auto folder = scene.add("StarterPlayerScripts", "StarterPlayerScripts", player);
-    scene.set(scene.add("LocalScript", "Local", folder), "Source", source);
-  }
+  void local(const std::string& source) { localScript(scene, "StarterPlayerScripts", source); }
 };
 
-TEST(Uses, AreMadeWhereTheButtonIs) {
+TEST(Uses, HappenAtTheButton) {
   Place place;
   const auto door = place.scene.part("Door", {0, 10, 0});
   place.button({100, 0, 0});
@@ -32,7 +28,21 @@ end))",
   EXPECT_TRUE(place.scene[door].vanish);
 }
 
-TEST(Away, HarmThatComesEverywhereIsNoPartsDoing) {
+// The player stands as it does at a touch, with a yaw of 0.3 radians.
+TEST(Uses, AreMadeWithTheYawOfATouch) {
+  Place place;
+  const auto door = place.scene.part("Door", {0, 10, 0});
+  place.button({100, 0, 0});
+  place.scene.script(R"(workspace.Button.ClickDetector.MouseClick:Connect(function(player)
+  local _, yaw = player.Character.HumanoidRootPart.CFrame:ToOrientation()
+  if math.abs(yaw - 0.3) < 0.001 then workspace.Door.CanCollide = false end
+end))",
+                     place.scene.scripts);
+  place.scene.level();
+  EXPECT_TRUE(place.scene[door].vanish);
+}
+
+TEST(Away, HarmEverywhereIsNotAttributedToAPart) {
   Place place;
   const auto pad = place.scene.part("Pad", {30, 0, 0});
   place.scene.script(R"(game:GetService('RunService').Heartbeat:Connect(function()
@@ -47,7 +57,7 @@ end))",
   EXPECT_EQ(place.scene.unmodelled("script that acts on players away from parts"), 1u);
 }
 
-TEST(Sides, ABindableOfTheClientDoesNotReachTheServer) {
+TEST(Sides, AClientBindableDoesNotReachTheServer) {
   Place place;
   const auto door = place.scene.part("Door", {0, 10, 0});
   const auto shared = place.scene.add("ReplicatedStorage", "ReplicatedStorage", kNoInstance);
@@ -60,7 +70,7 @@ TEST(Sides, ABindableOfTheClientDoesNotReachTheServer) {
   EXPECT_TRUE(place.scene[door].solid);
 }
 
-TEST(Sides, AValueThatTheClientSetsDoesNotTellTheServer) {
+TEST(Sides, AClientValueDoesNotReachTheServer) {
   Place place;
   const auto door = place.scene.part("Door", {0, 10, 0});
   const auto shared = place.scene.add("ReplicatedStorage", "ReplicatedStorage", kNoInstance);
@@ -75,7 +85,7 @@ TEST(Sides, AValueThatTheClientSetsDoesNotTellTheServer) {
   EXPECT_TRUE(place.scene[door].solid);
 }
 
-TEST(Touches, OfPartsThatATouchMakesCount) {
+TEST(Touches, APartThatATouchCreatesCanKill) {
   Place place;
   const auto pad = place.scene.part("Pad", {30, 0, 0});
   place.scene.script(R"(workspace.Pad.Touched:Connect(function()

@@ -4,7 +4,7 @@
 namespace obby::test {
 namespace {
 
-TEST(Signals, TouchesOfAPartAreOfThatPart) {
+TEST(Signals, EachPartHasItsOwnTouches) {
   const char* const texts[] = {
       "local touched = p.Touched touched:Connect(kill)",
       "local touched = p.touched touched:connect(kill)",
@@ -21,7 +21,7 @@ TEST(Signals, TouchesOfAPartAreOfThatPart) {
 }
 
 // Parts that have the tag by then are known.
-TEST(Signals, OfPartsThatGetATagLaterHarmNobodyUnknown) {
+TEST(Signals, AddedSignalsDoNotFireForEarlierTags) {
   for (const bool asked : {false, true}) {
     Scene scene;
     const auto part = scene.part("Part");
@@ -39,7 +39,7 @@ TEST(Signals, OfPartsThatGetATagLaterHarmNobodyUnknown) {
 }
 
 // It holds with and without the service in the file.
-TEST(Signals, OfEachFrameMoveAndWait) {
+TEST(Signals, FrameSignalsMoveAndWait) {
   const char* const texts[] = {
       "local beat = run.Heartbeat beat:Connect(function(dt) turn() end)",
       "local Stepped = run.Stepped Stepped:Connect(function(now, dt) turn() end)",
@@ -63,7 +63,7 @@ TEST(Signals, OfEachFrameMoveAndWait) {
   }
 }
 
-TEST(Signals, HandlersInVariablesMayBeDisconnected) {
+TEST(Signals, StoredConnectionsCanBeDisconnected) {
   ScriptedPart scene(
       "local touched = p.Touched local c c = touched:Connect(function(hit)\n"
       "c:Disconnect() p.CanCollide = false wait(3) p.CanCollide = true end)");

@@ -45,7 +45,7 @@ TEST(SpawnRoles, ASecondNeutralSpawnIsAnotherStart) {
   EXPECT_EQ(scene.evidence(other, "start"), "guessed: another SpawnLocation");
 }
 
-TEST(SpawnRoles, OfNeutralSpawnsTheOneNextToTheFirstCheckpointIsTheStart) {
+TEST(SpawnRoles, TheNeutralSpawnNearestTheCourseIsTheStart) {
   Scene scene;
   spawn(scene, "Lobby", {0, 0, 500});
   spawn(scene, "SpawnLocation", {0, 0, 0});
@@ -53,7 +53,7 @@ TEST(SpawnRoles, OfNeutralSpawnsTheOneNextToTheFirstCheckpointIsTheStart) {
   EXPECT_EQ(order(scene.level()), (Names{"SpawnLocation", "Checkpoint1", "Checkpoint2"}));
 }
 
-TEST(SpawnRoles, ATeamsSpawnThatNoTouchJoinsIsNoCheckpoint) {
+TEST(SpawnRoles, AnUntouchedTeamSpawnIsNotACheckpoint) {
   Scene scene;
   addTeam(scene, scene.add("Teams", "Teams", kNoInstance), "Admins", 23, false);
   spawn(scene, "SpawnLocation", {});
@@ -61,7 +61,7 @@ TEST(SpawnRoles, ATeamsSpawnThatNoTouchJoinsIsNoCheckpoint) {
   EXPECT_EQ(scene.level().spawns.size(), 1u);
 }
 
-TEST(SpawnRoles, SpawnsOfOneStageBesideEachOtherAreOneCheckpoint) {
+TEST(SpawnRoles, NeighbouringSpawnsOfAStageAreOneCheckpoint) {
   Scene scene;
   const auto stages = scene.add("Folder", "Stages", scene.workspace);
   for (const int n : {1, 2, 3}) {
@@ -72,7 +72,7 @@ TEST(SpawnRoles, SpawnsOfOneStageBesideEachOtherAreOneCheckpoint) {
   EXPECT_EQ(scene.level().spawns.size(), 3u);
 }
 
-TEST(SpawnRoles, AFinishThatScriptsMakeTheLastCheckpointIsTheGoal) {
+TEST(SpawnRoles, ALastCheckpointNamedFinishIsTheGoal) {
   Scene scene;
   spawn(scene, "SpawnLocation", {});
   course(scene, 0, 2);
@@ -82,7 +82,7 @@ TEST(SpawnRoles, AFinishThatScriptsMakeTheLastCheckpointIsTheGoal) {
   EXPECT_TRUE(scene[last].goal);
 }
 
-TEST(SpawnRoles, WinnersAreNoStart) {
+TEST(SpawnRoles, TheWinnersSpawnIsNotAStart) {
   Scene scene;
   const auto teams = scene.add("Teams", "Teams", kNoInstance);
   addTeam(scene, teams, "Winners", 24, true);
@@ -98,7 +98,7 @@ TEST(SpawnRoles, WinnersAreNoStart) {
   EXPECT_TRUE(level.parts[0].goal);  // a player on it has won
 }
 
-TEST(SpawnRoles, WhatLeadsToTheWinnersIsTheGoal) {
+TEST(SpawnRoles, ThePartLeadingToTheWinnersIsTheGoal) {
   const char* const leads[] = {"hit.Parent:PivotTo(CFrame.new(500, 4, 0))",
                                "player.Team = game.Teams.Winners",
                                "player.RespawnLocation = workspace.Winners"};
@@ -116,7 +116,7 @@ TEST(SpawnRoles, WhatLeadsToTheWinnersIsTheGoal) {
   }
 }
 
-TEST(SpawnRoles, APadThatCountsAWinIsTheGoal) {
+TEST(SpawnRoles, APadThatAwardsAWinIsTheGoal) {
   Scene scene;
   spawn(scene, "SpawnLocation", {});
   course(scene, 0, 2);
@@ -141,14 +141,14 @@ TEST(SpawnRoles, ALobbyWithAPortalIsTheStart) {
             (Names{"SpawnLocation", "Checkpoint1", "Checkpoint2", "Checkpoint3"}));
 }
 
-TEST(SpawnRoles, FromALobbyThatNoPortalLeavesTheCourseBeginsAtItsFirstCheckpoint) {
+TEST(SpawnRoles, CoursesWithoutAPortalStartAtTheFirstCheckpoint) {
   Scene scene;
   spawn(scene, "SpawnLocation", {-2000, 0, 0});
   course(scene, 0, 3);
   EXPECT_EQ(order(scene.level()), (Names{"Checkpoint1", "Checkpoint2", "Checkpoint3"}));
 }
 
-TEST(SpawnRoles, APortalIsShorterThanTheWayByFoot) {
+TEST(SpawnRoles, APortalShortensTheRoute) {
   Scene scene;
   spawn(scene, "Start", {});
   for (const auto& [x, z] :
@@ -160,7 +160,7 @@ TEST(SpawnRoles, APortalIsShorterThanTheWayByFoot) {
   EXPECT_FLOAT_EQ(level.spawns[2].position.x, 1000);
 }
 
-TEST(SpawnRoles, WhereScriptsPutNewPlayersIsTheStart) {
+TEST(SpawnRoles, TheScriptedSpawnOfNewPlayersIsTheStart) {
   Scene scene;
   spawn(scene, "SpawnLocation", {0, 0, 400});
   course(scene, 0, 3);
@@ -173,7 +173,7 @@ TEST(SpawnRoles, WhereScriptsPutNewPlayersIsTheStart) {
   EXPECT_EQ(order(scene.level()), (Names{"Checkpoint1", "Checkpoint2", "Checkpoint3"}));
 }
 
-TEST(SpawnRoles, OfGoalsByNameTheOneNextToTheLastCheckpointIsMeant) {
+TEST(SpawnRoles, TheNamedGoalNearestTheLastCheckpointWins) {
   Scene scene;
   spawn(scene, "Start", {});
   course(scene, 0, 3);
@@ -183,7 +183,7 @@ TEST(SpawnRoles, OfGoalsByNameTheOneNextToTheLastCheckpointIsMeant) {
   EXPECT_FALSE(scene[far].goal);
 }
 
-TEST(SpawnRoles, ANameFarFromTheCourseIsNoGoal) {
+TEST(SpawnRoles, AGoalNameFarFromTheCourseIsIgnored) {
   Scene scene;
   spawn(scene, "Start", {});
   course(scene, 0, 3);

@@ -27,7 +27,7 @@ std::string eachPad(const std::string& body) {
          body + "\n end)\nend\n";
 }
 
-TEST(StageIdioms, TheNumberThatATouchSetsBeatsNamesAndValues) {
+TEST(StageIdioms, StagesSetByTouchesOverrideNamesAndValues) {
   Scene scene;
   spawn(scene, "Start", {});
   const auto folder = pads(scene, "Pads", {1, 2, 3});
@@ -37,7 +37,7 @@ TEST(StageIdioms, TheNumberThatATouchSetsBeatsNamesAndValues) {
   EXPECT_EQ(checkpoints(scene.level()), (Names{"Pad3", "Pad2", "Pad1"}));
 }
 
-TEST(StageIdioms, ACountThatEachTouchAddsToIsNoOrder) {
+TEST(StageIdioms, ACounterOfTouchesGivesNoOrder) {
   Scene scene;
   spawn(scene, "Start", {});
   pads(scene, "Pads", {3, 1, 2});
@@ -45,7 +45,7 @@ TEST(StageIdioms, ACountThatEachTouchAddsToIsNoOrder) {
   EXPECT_EQ(checkpoints(scene.level()), (Names{"Pad1", "Pad2", "Pad3"}));
 }
 
-TEST(StageIdioms, AnAttributeOfThePlayerIsAStageIfItIsThePadsOwnNumber) {
+TEST(StageIdioms, AttributesEqualToThePadsNumberAreStages) {
   Scene scene;
   spawn(scene, "Start", {});
   pads(scene, "Pads", {2, 1});
@@ -59,7 +59,7 @@ TEST(StageIdioms, AnAttributeOfThePlayerIsAStageIfItIsThePadsOwnNumber) {
   EXPECT_FALSE(scene[coin].checkpoint);
 }
 
-TEST(StageIdioms, PadsThatAskForTheOneBeforeGoByThat) {
+TEST(StageIdioms, PadsThatRequireAPredecessorFollowIt) {
   Scene scene;
   spawn(scene, "Start", {});
   const auto folder = scene.add("Folder", "Discs", scene.workspace);
@@ -83,7 +83,7 @@ TEST(StageIdioms, PadsThatAskForTheOneBeforeGoByThat) {
   EXPECT_EQ(checkpoints(scene.level()), (Names{"A", "B", "C"}));
 }
 
-TEST(StageIdioms, PadsWhoseScriptsAskForMoreThanWasTriedFollowTheirRow) {
+TEST(StageIdioms, PadsWithUntestedConditionsFollowTheirNumbers) {
   Scene scene;
   spawn(scene, "Start", {});
   pads(scene, "Pads", {5, 4, 3, 2, 1});  // the tour touches the last one first
@@ -95,7 +95,7 @@ TEST(StageIdioms, PadsWhoseScriptsAskForMoreThanWasTriedFollowTheirRow) {
 
 // A script of the body receives each touch of the Humanoid, and recognises the pads by their
 // folder.
-TEST(StageIdioms, ABodyThatHearsWhatItTouches) {
+TEST(StageIdioms, ACharacterScriptReceivesItsTouches) {
   for (const char* hears :
        {"character:WaitForChild('Humanoid')", "character:WaitForChild('Left Leg')"}) {
     Scene scene;
@@ -125,7 +125,7 @@ TEST(StageIdioms, ABodyThatHearsWhatItTouches) {
   }
 }
 
-TEST(StageIdioms, ABodyThatAsksForTheNextNumber) {
+TEST(StageIdioms, ACharacterScriptCanRequireTheNextNumber) {
   Scene scene;
   spawn(scene, "SpawnLocation", {0, 0, 50});
   const auto folder = scene.add("Folder", "Checkpoints", scene.workspace);
@@ -146,7 +146,7 @@ TEST(StageIdioms, ABodyThatAsksForTheNextNumber) {
   EXPECT_EQ(order(scene.level()), (Names{"1", "2", "3", "4"}));
 }
 
-TEST(StageIdioms, ATableOfTheScriptShowsByWhereThePlayerComesBack) {
+TEST(StageIdioms, RespawnPositionsRevealAScriptsTable) {
   Scene scene;
   spawn(scene, "SpawnLocation", {});
   const auto far = scene.part("Far", {60, 0, 0}), near = scene.part("Near", {30, 0, 0}),
@@ -170,7 +170,7 @@ TEST(StageIdioms, ATableOfTheScriptShowsByWhereThePlayerComesBack) {
   EXPECT_TRUE(scene[far].goal);
 }
 
-TEST(StageIdioms, APartThatIsHeardBeforeItIsInTheWorld) {
+TEST(StageIdioms, APartConnectedBeforeInsertionIsACheckpoint) {
   Scene scene;
   spawn(scene, "Start", {});
   scene.script(
@@ -184,7 +184,7 @@ TEST(StageIdioms, APartThatIsHeardBeforeItIsInTheWorld) {
   EXPECT_EQ(checkpoints(scene.level()), (Names{"Made"}));
 }
 
-TEST(StageIdioms, AHiddenSpawnLocationThatAPadSetsIsNoCheckpointOfItsOwn) {
+TEST(StageIdioms, AHiddenSpawnLocationIsNoSeparateCheckpoint) {
   Scene scene;
   spawn(scene, "Start", {});
   for (const int n : {2, 1}) {
@@ -201,7 +201,7 @@ TEST(StageIdioms, AHiddenSpawnLocationThatAPadSetsIsNoCheckpointOfItsOwn) {
   EXPECT_EQ(checkpoints(scene.level()), (Names{"Flag1", "Flag2"}));
 }
 
-TEST(StageIdioms, ATaggedSpawnLocationAndThePadThatSetsItAreOneCheckpoint) {
+TEST(StageIdioms, TaggedSpawnLocationsAndTheirPadsAreOneCheckpoint) {
   Scene scene;
   spawn(scene, "Start", {});
   for (const int n : {2, 1}) {
@@ -216,7 +216,7 @@ TEST(StageIdioms, ATaggedSpawnLocationAndThePadThatSetsItAreOneCheckpoint) {
   EXPECT_EQ(checkpoints(scene.level()), (Names{"Home1", "Home2"}));
 }
 
-TEST(StageIdioms, ATeamThatAPadGivesNumbersIt) {
+TEST(StageIdioms, ATeamAssignedByAPadNumbersIt) {
   for (const char* set : {"player.Team = game.Teams['Level %d']",
                           "player.TeamColor = game.Teams['Level %d'].TeamColor"}) {
     Scene scene;
@@ -243,7 +243,7 @@ TEST(StageIdioms, ATeamThatAPadGivesNumbersIt) {
   }
 }
 
-TEST(StageIdioms, APadOfTheStageThatThePlayerHasIsInTheRowToo) {
+TEST(StageIdioms, APadOfThePlayersCurrentStageIsIncluded) {
   Scene scene;
   spawn(scene, "Start", {});
   const auto folder = scene.add("Folder", "Pads", scene.workspace);

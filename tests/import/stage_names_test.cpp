@@ -13,14 +13,14 @@ TEST(StageNames, TagsWithNumbers) {
   EXPECT_EQ(checkpoints(scene.level()), (Names{"Checkpoint_1", "Checkpoint_2", "Checkpoint_10"}));
 }
 
-TEST(StageNames, ATagThatAllOfAStageHasMakesNoCheckpoints) {
+TEST(StageNames, ATagOnAWholeStageMakesNoCheckpoints) {
   Scene scene;
   spawn(scene, "Start", {});
   for (int i = 0; i < 3; ++i) scene.tag(scene.part("Block", {20.0f * float(i), 0, 0}), "Stage1");
   EXPECT_EQ(scene.level().spawns.size(), 1u);
 }
 
-TEST(StageNames, AValueInEachPad) {
+TEST(StageNames, AValueInEachPadGivesItsNumber) {
   for (const char* name : {"Stage", "Checkpoint", "StageNumber"}) {
     Scene scene;
     spawn(scene, "Start", {});
@@ -32,7 +32,7 @@ TEST(StageNames, AValueInEachPad) {
   }
 }
 
-TEST(StageNames, AValueThatManyPartsShareIsNoRow) {
+TEST(StageNames, AValueSharedByManyPartsMakesNoCheckpoints) {
   Scene scene;
   spawn(scene, "Start", {});
   for (const int n : {1, 1, 2, 2, 3})
@@ -40,7 +40,7 @@ TEST(StageNames, AValueThatManyPartsShareIsNoRow) {
   EXPECT_EQ(scene.level().spawns.size(), 1u);
 }
 
-TEST(StageNames, AFolderStagesWithARowOfParts) {
+TEST(StageNames, AStagesFolderCanHoldNumberedParts) {
   Scene scene;
   spawn(scene, "SpawnLocation", {0, 0, 8});
   const auto folder = scene.add("Folder", "Stages", scene.workspace);
@@ -52,7 +52,7 @@ TEST(StageNames, AFolderStagesWithARowOfParts) {
   EXPECT_TRUE(level.unmodelled.empty());  // a hole in the numbers is no loss
 }
 
-TEST(StageNames, AFolderStagesWithModels) {
+TEST(StageNames, AStagesFolderCanHoldModels) {
   Scene scene;
   spawn(scene, "SpawnLocation", {});
   const auto folder = scene.add("Folder", "Stages", scene.workspace);
@@ -68,7 +68,7 @@ TEST(StageNames, AFolderStagesWithModels) {
   EXPECT_FLOAT_EQ(level.spawns[3].position.x, 120);  // start of the third stage
 }
 
-TEST(StageNames, ACheckpointOfManyPartsIsNoRow) {
+TEST(StageNames, ACheckpointModelOfManyPartsIsOneCheckpoint) {
   Scene scene;
   spawn(scene, "Start", {});
   for (const int n : {1, 2}) {
@@ -79,7 +79,7 @@ TEST(StageNames, ACheckpointOfManyPartsIsNoRow) {
   EXPECT_EQ(scene.level().spawns.size(), 3u);
 }
 
-TEST(StageNames, TheWayPointsOfAMovingPlatformAreNoCheckpoints) {
+TEST(StageNames, WaypointsOfAMovingPlatformAreNotCheckpoints) {
   Scene scene;
   spawn(scene, "Start", {});
   const auto mover = scene.add("Model", "Ferry", scene.workspace);
@@ -91,7 +91,7 @@ TEST(StageNames, TheWayPointsOfAMovingPlatformAreNoCheckpoints) {
   EXPECT_EQ(scene.level().spawns.size(), 1u);
 }
 
-TEST(StageNames, ATouchedPartGoesByTheNumberOfItsModel) {
+TEST(StageNames, ATouchedPartUsesTheNumberOfItsModel) {
   Scene scene;
   spawn(scene, "Start", {});
   for (const int n : {3, 1, 2}) {
@@ -108,7 +108,7 @@ TEST(StageNames, ATouchedPartGoesByTheNumberOfItsModel) {
   EXPECT_FLOAT_EQ(level.spawns[3].position.x, 30);
 }
 
-TEST(StageNames, APartWithoutANumberGoesWhereItIsLeastOutOfTheWay) {
+TEST(StageNames, AnUnnumberedPartIsInsertedAtTheSmallestDetour) {
   Scene scene;
   spawn(scene, "Start", {});
   for (const auto& [name, x] : {std::pair{"Checkpoint2", 60.0f}, std::pair{"Checkpoint", 30.0f},

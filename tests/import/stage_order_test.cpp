@@ -4,7 +4,7 @@
 namespace obby::test {
 namespace {
 
-TEST(Stages, SpawnsInFoldersThatAreCalledStagesGoByTheirNumbers) {
+TEST(Stages, SpawnsInStageFoldersFollowTheirNumbers) {
   Scene scene;
   for (const int n : {3, 1, 2}) {
     const auto stage = scene.add("Folder", "Stage " + std::to_string(n) + " Lava", scene.workspace);
@@ -15,7 +15,7 @@ TEST(Stages, SpawnsInFoldersThatAreCalledStagesGoByTheirNumbers) {
   EXPECT_EQ(order(scene.level()), (Names{"Padb", "Padc", "Padd"}));
 }
 
-TEST(Stages, SpawnsGoByTheNumbersOfTheirTeams) {
+TEST(Stages, SpawnsFollowTheNumbersOfTheirTeams) {
   Scene scene;
   const auto teams = scene.add("Teams", "Teams", kNoInstance);
   for (const int n : {1, 2, 3}) {
@@ -36,7 +36,7 @@ TEST(Stages, SpawnsGoByTheNumbersOfTheirTeams) {
   EXPECT_FLOAT_EQ(level.spawns[2].position.x, 30);
 }
 
-TEST(Stages, ANumberInTheNameOfOneTeamOfManyIsNoOrder) {
+TEST(Stages, OneNumberedTeamAmongManyGivesNoOrder) {
   Scene scene;
   const auto teams = scene.add("Teams", "Teams", kNoInstance);
   int color = 20;
@@ -55,7 +55,7 @@ TEST(Stages, ANumberInTheNameOfOneTeamOfManyIsNoOrder) {
   for (size_t i = 0; i < 4; ++i) EXPECT_FLOAT_EQ(level.spawns[i].position.x, 30.0f * float(i));
 }
 
-TEST(Stages, ATeamWithoutAColourHasThatOfItsClass) {
+TEST(Stages, ATeamWithoutAColourUsesTheClassDefault) {
   Scene scene;
   scene.add("Team", "Visitors", scene.add("Teams", "Teams", kNoInstance));
   for (const auto& [name, color] : {std::pair{"Later", 23}, std::pair{"First", 1}}) {
@@ -67,7 +67,7 @@ TEST(Stages, ATeamWithoutAColourHasThatOfItsClass) {
   EXPECT_EQ(order(scene.level()), (Names{"First", "Later"}));
 }
 
-TEST(Stages, CheckpointsOfOneNumberGoByDistance) {
+TEST(Stages, CheckpointsOfOneNumberFollowTheDistance) {
   Scene scene;
   spawn(scene, "Start", {});
   const auto far = scene.part("Checkpoint 1", {80, 0, 0}),
@@ -82,7 +82,7 @@ TEST(Stages, CheckpointsOfOneNumberGoByDistance) {
   EXPECT_FALSE(scene[next].evidence.front().guessed);
 }
 
-TEST(Stages, OfTooManyCheckpointsThoseOfOneNumberKeepTheOrderOfTheFile) {
+TEST(Stages, TooManyEqualCheckpointsKeepTheFileOrder) {
   Scene scene;
   spawn(scene, "Start", {});
   std::vector<InstanceId> all;
@@ -95,7 +95,7 @@ TEST(Stages, OfTooManyCheckpointsThoseOfOneNumberKeepTheOrderOfTheFile) {
   EXPECT_EQ(*scene[all.front()].checkpoint, 1);
 }
 
-TEST(Stages, CheckpointsAreCalledSoInAnySpelling) {
+TEST(Stages, CheckpointNamesMatchInAnySpelling) {
   for (const char* name : {"CheckPoint2", "Check Point 2", "checkpoint_2", "CHECKPOINT2"}) {
     Scene scene;
     spawn(scene, "Start", {});
@@ -124,7 +124,7 @@ TEST(Stages, ATaggedFolderHoldsCheckpointsSideBySide) {
   EXPECT_EQ(order(scene.level()), (Names{"Start", "1", "2", "Touch"}));
 }
 
-TEST(Stages, AFolderThatIsTaggedAsAStageHasOneCheckpoint) {
+TEST(Stages, AFolderTaggedAsAStageIsOneCheckpoint) {
   Scene scene;
   spawn(scene, "Start", {});
   for (const int n : {1, 2}) {
@@ -136,7 +136,7 @@ TEST(Stages, AFolderThatIsTaggedAsAStageHasOneCheckpoint) {
   EXPECT_EQ(order(scene.level()), (Names{"Start", "Pad", "Pad"}));
 }
 
-TEST(Stages, PadsOfOneStageBesideEachOtherAreOneStart) {
+TEST(Stages, NeighbouringPadsOfOneStageAreOneStart) {
   Scene scene;
   const auto stage = scene.add("Model", "1", scene.add("Folder", "Stages", scene.workspace));
   for (int i = 0; i < 3; ++i) spawn(scene, "SpawnLocation", {float(i) * 8, 0, 0}, stage);

@@ -2,13 +2,13 @@
 #include <algorithm>
 #include <chrono>
 
-#include "import/queries.h"
+#include "import/records/queries.h"
 #include "import/spawns.h"
 
 namespace obby::test {
 namespace {
 
-TEST(Stages, SpawnStandsOnTopOfThePadAndLooksAlongItsFront) {
+TEST(Stages, SpawnsStandOnThePadFacingItsFront) {
   Scene scene;
   const auto id = spawn(scene, "Start", {1, 5, 2});
   scene.set(id, "Size", Vec3{6, 2, 6});
@@ -58,7 +58,7 @@ TEST(Stages, ATaggedModelIsTouchedAtItsTouchPart) {
   EXPECT_EQ(*scene[touch].checkpoint, 1);
 }
 
-TEST(Stages, UnnumberedCheckpointsGoByDistanceAndSaySo) {
+TEST(Stages, UnnumberedCheckpointsFollowTheDistanceAndReportIt) {
   Scene scene;
   spawn(scene, "Start", {});
   const auto far = scene.part("Checkpoint", {80, 0, 0}),
@@ -72,7 +72,7 @@ TEST(Stages, UnnumberedCheckpointsGoByDistanceAndSaySo) {
   EXPECT_TRUE(scene[near].evidence.back().guessed);
 }
 
-TEST(Stages, TeamsTellTheStartFromTheCheckpoints) {
+TEST(Stages, TeamsDistinguishTheStartFromCheckpoints) {
   Scene scene;
   const auto teams = scene.add("Teams", "Teams", kNoInstance);
   const auto first = scene.add("Team", "Start here", teams);
@@ -104,7 +104,7 @@ TEST(Stages, SpawnsInNumberedFoldersAreStages) {
   EXPECT_FLOAT_EQ(level.spawns[2].position.x, 120);
 }
 
-TEST(Stages, PadsBesideEachOtherAreOneStart) {
+TEST(Stages, NeighbouringPadsAreOneStart) {
   Scene scene;
   for (int i = 0; i < 3; ++i) spawn(scene, "SpawnLocation", {float(i) * 8, 0, 0});
   EXPECT_EQ(scene.level().spawns.size(), 1u);
@@ -144,7 +144,7 @@ end))",
             "script CheckpointScript line 14: checkpoint.Value = spawn");
 }
 
-TEST(Stages, LeaderstatsTellTheOrder) {
+TEST(Stages, LeaderstatsGiveTheOrder) {
   Scene scene;
   spawn(scene, "Start", {});
   scene.script(
@@ -168,7 +168,7 @@ TEST(Stages, LeaderstatsTellTheOrder) {
   EXPECT_EQ(*scene[second].checkpoint, 2);
 }
 
-TEST(Stages, WithoutSpawnAPartCalledStartOrTheFirstCheckpointServes) {
+TEST(Stages, StartPartOrFirstCheckpointReplacesAMissingSpawn) {
   {
     Scene scene;
     scene.part("START", {3, 0, 0});
@@ -231,7 +231,7 @@ TEST(Stages, AModelOfManyPartsIsOneCheckpoint) {
   EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(10));
 }
 
-TEST(Stages, GoalNamesInAnyOfTheirForms) {
+TEST(Stages, GoalNamesMatchInAnyForm) {
   for (const char* name : {"WinPad", "Finish Line", "End", "The End", "EndPad", "End_Part",
                            "GoalPart", "BaseChegada"}) {
     Scene scene;
@@ -244,7 +244,7 @@ TEST(Stages, GoalNamesInAnyOfTheirForms) {
   }
 }
 
-TEST(Stages, OfSeveralGuessedGoalsTheOneBesideTheStartStays) {
+TEST(Stages, TheGuessedGoalNearestTheStartIsKept) {
   Scene scene;
   const auto one = scene.add("Model", "One", scene.workspace),
              two = scene.add("Model", "Two", scene.workspace);

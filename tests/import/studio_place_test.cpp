@@ -2,8 +2,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "import/format/read_document.h"
 #include "import/importer.h"
-#include "import/read_document.h"
 #include "io/json_codec.h"
 #include "support/document_text.h"
 #include "support/place_writer.h"
@@ -84,7 +84,7 @@ std::string levelOf(const std::string& bytes) {
   return *io::recordToJson(made->level.reader());
 }
 
-TEST(StudioPlace, is_read_as_the_place_that_it_is_of) {
+TEST(StudioPlace, is_read_as_its_place) {
   const auto read = importer::readDocument(sentPlace().binary(), "sent");
   ASSERT_TRUE(read) << read.error().text();
   EXPECT_EQ(read->format, "rbxl");
@@ -100,7 +100,7 @@ TEST(StudioPlace, is_read_as_the_place_that_it_is_of) {
   EXPECT_THAT(level, testing::HasSubstr("\"spawns\":[{\"name\":\"Pad\""));
 }
 
-TEST(StudioPlace, what_only_looks_like_it_stays_a_model) {
+TEST(StudioPlace, a_similar_model_stays_a_model) {
   PlaceWriter writer;
   const Id place = writer.add("Configuration", "ObbyPlace");
   writer.add("Configuration", "Lighting", place);

@@ -98,7 +98,7 @@ TEST(JumpPad, TrampolineThrowsUpward) {
   expectNear(scene[part].jumpPad->velocity, {0, 100, 0});
 }
 
-TEST(JumpPad, CharacterVelocityKeepsWhatTheScriptKeeps) {
+TEST(JumpPad, CharacterVelocityKeepsTheScriptsComponents) {
   Scene scene;
   const auto keeps = scene.part("A"), sets = scene.part("B", {20, 0, 0}),
              body = scene.part("C", {40, 0, 0});

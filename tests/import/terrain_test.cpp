@@ -1,5 +1,5 @@
 // Voxels of smooth terrain as solid blocks.
-#include "import/terrain.h"
+#include "import/parts/terrain.h"
 
 #include <gmock/gmock.h>
 
@@ -58,7 +58,7 @@ TEST(Terrain, LevelGroundOverManyChunksIsOneBlock) {
   EXPECT_EQ(scene.unmodelled("slope of terrain"), 0u);
 }
 
-TEST(Terrain, TheTopCellSaysHowHighTheGroundIsAlsoOverTheBorderOfAChunk) {
+TEST(Terrain, TheTopCellGivesTheHeightAcrossChunkBorders) {
   for (const int occupancy : {32, 64, 128, 191, 255}) {
     const auto cell = [&](int, int y, int) {
       return y < 0 ? Cell{kGrass, 255} : y == 0 ? Cell{kGrass, uint8_t(occupancy)} : Cell{};
@@ -133,7 +133,7 @@ TEST(Terrain, SlopesAndWaterAreNamed) {
   EXPECT_THAT(level.unmodelled.at("water").note, HasSubstr("6656 cells"));
 }
 
-TEST(Terrain, OfTooMuchTheNearestIsKept) {
+TEST(Terrain, TheNearestTerrainIsKeptAboveTheLimit) {
   VoxelWriter writer;  // a chess board of blocks over 24 chunks: 12,288 a layer
   for (int x = 0; x < 24; ++x)
     writer.chunk({x, 0, 0}, [](int cx, int y, int z) {
@@ -188,7 +188,7 @@ TEST(SmoothGrid, DamageIsAnError) {
   EXPECT_FALSE(voxelChunks(far));
 }
 
-TEST(SmoothGrid, ShoresHoldWaterBesideMatter) {
+TEST(SmoothGrid, ShoreCellsHoldMatterAndWater) {
   std::string voxels("\1\5", 2);
   voxels.append(12, '\0');
   voxels += std::string("\xc2\x80\x00\x40", 4);  // grass with half occupancy, one cell, water with

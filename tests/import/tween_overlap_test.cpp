@@ -35,7 +35,7 @@ TEST(TweenOverlap, TweensOfOnePropertyEndEachOther) {
   }
 }
 
-TEST(TweenOverlap, WhatIsPausedOrCancelledStaysOnItsWay) {
+TEST(TweenOverlap, PausedOrCancelledTweensStopMidway) {
   const OverlapCase cases[] = {
       {"local t = tween(even(4), to(40)) t:Play() task.wait(1) t:Cancel()", {{1, 10}, {4, 10}}},
       {"local t = tween(even(4), to(40)) t:Play() task.wait(1) t:Pause() task.wait(2) t:Play()",
@@ -60,7 +60,7 @@ TEST(TweenOverlap, WhatIsPausedOrCancelledStaysOnItsWay) {
   }
 }
 
-TEST(TweenOverlap, DifferentPropertiesGoSideBySide) {
+TEST(TweenOverlap, TweensOfDifferentPropertiesRunTogether) {
   const Overlap both(
       {"tween(even(4), to(40)):Play()\n"
        "tween(even(2), {Orientation = Vector3.new(0, 90, 0)}):Play()"});
@@ -71,7 +71,7 @@ TEST(TweenOverlap, DifferentPropertiesGoSideBySide) {
   EXPECT_NEAR(both.yaw(4), 90, 1);
 }
 
-TEST(TweenOverlap, SwingsOfCommonRoundsAreOneMotion) {
+TEST(TweenOverlap, SwingsWithACommonPeriodAreOneMotion) {
   const Overlap both(
       {"tween(swing(2), to(20)):Play()\n"
        "tween(swing(1), {Orientation = Vector3.new(0, 60, 0)}):Play()"});
@@ -85,7 +85,7 @@ TEST(TweenOverlap, SwingsOfCommonRoundsAreOneMotion) {
 }
 
 // A platform moves to and fro as it turns, by tweens or loops, of one script or two.
-TEST(TweenOverlap, APlatformMayGoToAndFroAndTurn) {
+TEST(TweenOverlap, APlatformCanSwingAndTurn) {
   const std::string there = "tween(swing(2), to(20)):Play()\n";
   const std::string steps =
       "task.spawn(function() while true do tween(even(2), to(20)):Play() task.wait(2)\n"
@@ -123,7 +123,7 @@ TEST(TweenOverlap, APlatformMayGoToAndFroAndTurn) {
   }
 }
 
-TEST(TweenOverlap, ATurnThatBeganLaterIsBehind) {
+TEST(TweenOverlap, ATurnThatStartsLaterLags) {
   const Overlap both(
       {"tween(swing(2), to(20)):Play() task.wait(1)\n"
        "tween(ever(4), {Orientation = Vector3.new(0, 360, 0)}):Play()"});
@@ -134,7 +134,7 @@ TEST(TweenOverlap, ATurnThatBeganLaterIsBehind) {
   EXPECT_NEAR(both.yaw(42), 90, 3.1);
 }
 
-TEST(TweenOverlap, ALoopSetsThePartBackBeforeEachTween) {
+TEST(TweenOverlap, ALoopResetsThePartBeforeEachTween) {
   const char* const starts[] = {"while true do p.Position = Vector3.new(0, 0, -10)\n",
                                 "p.Position = Vector3.new(0, 0, -10) local start = p.CFrame\n"
                                 "while true do p.CFrame = start\n"};
@@ -147,7 +147,7 @@ TEST(TweenOverlap, ALoopSetsThePartBackBeforeEachTween) {
   }
 }
 
-TEST(TweenOverlap, ALoopThatWaitsFirstIsOneRoundLong) {
+TEST(TweenOverlap, ALoopThatWaitsFirstHasOnePeriod) {
   const Overlap swing(
       {"while true do task.wait(2) tween(even(2), to(20)):Play()\n"
        "task.wait(2) tween(even(2), to(0)):Play() end"});
@@ -156,7 +156,7 @@ TEST(TweenOverlap, ALoopThatWaitsFirstIsOneRoundLong) {
     EXPECT_NEAR(swing.z(time), float(z), kTweenSlack) << time;
 }
 
-TEST(TweenOverlap, ALoopThatChangesMoreIsOneRoundLong) {
+TEST(TweenOverlap, ALoopWithOtherChangesHasOnePeriod) {
   Scene scene;
   const auto part = scene.part("Mover");
   scene.part("Door", {50, 0, 0});
@@ -173,13 +173,13 @@ TEST(TweenOverlap, ALoopThatChangesMoreIsOneRoundLong) {
 }
 
 // Each new tween takes only its first small step.
-TEST(TweenOverlap, WhatIsTweenedToOnePlaceEachFrameComesThere) {
+TEST(TweenOverlap, APartTweenedEveryFrameReachesItsTarget) {
   const Overlap there({"while true do tween(even(2), to(10)):Play() task.wait() end"});
   EXPECT_NEAR(there.z(2), 10 * (1 - std::exp(-1)), 0.3);
   EXPECT_NEAR(there.z(30), 10, 0.1);
 }
 
-TEST(TweenOverlap, APoseMayBeSetBesideAnEndlessTween) {
+TEST(TweenOverlap, APoseCanBeSetDuringAnEndlessTween) {
   const Overlap both({"tween(swing(2), to(20)):Play() p.Orientation = Vector3.new(0, 90, 0)"});
   for (const double time : {0, 2, 5}) EXPECT_NEAR(both.yaw(time), 90, 1);
   EXPECT_NEAR(both.z(2), 20, 0.2);
@@ -187,7 +187,7 @@ TEST(TweenOverlap, APoseMayBeSetBesideAnEndlessTween) {
 }
 
 // A single turn during an endless swing counts as done from the start.
-TEST(TweenOverlap, WhatComesOnceBesideASwingIsTakenAsDone) {
+TEST(TweenOverlap, ASingleTweenDuringASwingCountsAsDone) {
   const Overlap both(
       {"tween(swing(2), to(20)):Play()\n"
        "tween(even(4), {Orientation = Vector3.new(0, 90, 0)}):Play()"});
@@ -195,7 +195,7 @@ TEST(TweenOverlap, WhatComesOnceBesideASwingIsTakenAsDone) {
   EXPECT_NEAR(both.z(5), 10, 0.2);
 }
 
-TEST(TweenOverlap, SwingsWithoutACommonRoundAreNamed) {
+TEST(TweenOverlap, SwingsWithoutACommonPeriodAreReported) {
   const Overlap both(
       {"tween(swing(2), to(20)):Play()\n"
        "tween(swing(1.37), {Orientation = Vector3.new(0, 60, 0)}):Play()"});
@@ -204,13 +204,13 @@ TEST(TweenOverlap, SwingsWithoutACommonRoundAreNamed) {
 }
 
 // The later script wins, as with two tweens of one property.
-TEST(TweenOverlap, OfTwoScriptsThatMoveAPartTheLastCounts) {
+TEST(TweenOverlap, TheLastOfTwoScriptsMovingAPartWins) {
   const Overlap both({"tween(swing(2), to(20)):Play()", "tween(swing(2), to(-5)):Play()"});
   EXPECT_NEAR(both.z(2), -5, 0.1);
   EXPECT_NEAR(both.z(4), 0, 0.1);
 }
 
-TEST(ScriptedStart, OneScriptMayPlaceAPartThatAnotherTurns) {
+TEST(ScriptedStart, OneScriptCanMoveAPartThatAnotherTurns) {
   Scene scene;
   const auto part = scene.part("Part");
   scene.script("workspace.Part.Orientation = Vector3.new(0, 90, 0)", scene.scripts);

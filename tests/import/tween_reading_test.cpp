@@ -8,7 +8,7 @@ namespace {
 
 // The part comes to rest where its script read a property during the tween. A frame's motion is 1/6
 // stud.
-TEST(TweenReading, WhatATweenDrivesIsOnItsWay) {
+TEST(TweenReading, ATweenedPropertyCanBeReadMidway) {
   struct Case {
     const char* text;
     Vec3 end;
@@ -37,7 +37,7 @@ TEST(TweenReading, WhatATweenDrivesIsOnItsWay) {
 }
 
 // A part that follows a swing frame by frame gets its motion.
-TEST(TweenReading, APartMayFollowATweenFrameByFrame) {
+TEST(TweenReading, APartCanFollowATweenFrameByFrame) {
   Scene scene;
   scene.part("Mover");
   const auto rider = scene.part("Rider", {0, 5, 0});

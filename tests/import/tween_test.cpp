@@ -1,8 +1,8 @@
 // Tweens: their angles, their combined effect, and their reversal.
 #include <cmath>
 
+#include "import/document/pose_math.h"
 #include "import/motion_checks.h"
-#include "import/pose_math.h"
 
 namespace obby::test {
 namespace {
@@ -58,7 +58,7 @@ TEST(Tween, EndlessWholeTurnsAreASpin) {
   }
 }
 
-TEST(Tween, LongTurnsGoTheWholeWay) {
+TEST(Tween, LongTurnsTakeTheLongDirection) {
   const std::string goal = "Orientation = p.Orientation + Vector3.new(0, 270, 0)";
   const Tweened endless("3, " + kLinear + ", -1", goal), once("3", goal);
   EXPECT_FALSE(endless.motion().spin);
@@ -70,13 +70,13 @@ TEST(Tween, LongTurnsGoTheWholeWay) {
   EXPECT_NEAR(once.yaw(30), -90, 0.1);
 }
 
-TEST(Tween, WhatTurnsAboutTwoAxesFollowsItsAngles) {
+TEST(Tween, ATurnAboutTwoAxesFollowsItsAngles) {
   const Tweened tweened("2, " + kLinear, "Orientation = Vector3.new(60, 80, 0)");
   const Pose half = poseAt(tweened.scene[tweened.part], 1);
   expectNear(importer::toOrientation(half.rotation), {30, 40, 0}, 1);
 }
 
-TEST(Tween, GoalsOfOneTweenAreReachedTogether) {
+TEST(Tween, AllGoalsOfATweenAreReachedTogether) {
   const std::string goals = "Position = Vector3.new(0, 0, 20), Orientation = Vector3.new(0, 90, 0)";
   const Tweened swing("2, Enum.EasingStyle.Linear, Enum.EasingDirection.Out, -1, true", goals);
   const Tweened once("2, " + kLinear, goals);
@@ -87,7 +87,7 @@ TEST(Tween, GoalsOfOneTweenAreReachedTogether) {
   }
 }
 
-TEST(Tween, AWayBackRunsTimeBackwards) {
+TEST(Tween, AReversingTweenRunsTimeBackwards) {
   struct Case {
     const char* direction;
     float half;
@@ -102,13 +102,13 @@ TEST(Tween, AWayBackRunsTimeBackwards) {
   }
 }
 
-TEST(Tween, ATweenWithAnErrorIsNamedAndNotPlayed) {
+TEST(Tween, InvalidTweensAreReportedAndNotPlayed) {
   const Tweened tweened("2", "Position = Vector3.new(0, 8, 0), Orientation = other()");
   EXPECT_FALSE(tweened.scene[tweened.part].motion);
   EXPECT_EQ(tweened.scene.unmodelled("script that fails"), 1u);
 }
 
-TEST(Tween, ALoopAfterItTakesNothingAway) {
+TEST(Tween, ALoopAfterATweenKeepsItsMotion) {
   Scene scene;
   const auto endless = scene.part("Endless"), once = scene.part("Once", {9, 0, 0});
   const auto other = scene.part("Other", {20, 0, 0});
@@ -129,7 +129,7 @@ TEST(Tween, ALoopAfterItTakesNothingAway) {
   EXPECT_TRUE(scene[other].motion->spin);
 }
 
-TEST(Tween, AnEndlessOneBeginsWhereTheOneBeforeItEnds) {
+TEST(Tween, AnEndlessTweenStartsAtThePrecedingTweensEnd) {
   const Tweened tweened("2, " + kLinear + ", -1, true", "Position = Vector3.new(0, 8, 20)",
                         "local t = game:GetService('TweenService'):Create(p, TweenInfo.new(1), "
                         "{Position = Vector3.new(0, 8, 0)}) t:Play() t.Completed:Wait()");
@@ -138,7 +138,7 @@ TEST(Tween, AnEndlessOneBeginsWhereTheOneBeforeItEnds) {
   expectNear(tweened.at(41), {0, 8, 0}, 0.4f);
 }
 
-TEST(Tween, OfManyRoundsAllAreDone) {
+TEST(Tween, AllRepetitionsAreRecorded) {
   const std::string goal = "Position = Vector3.new(0, 8, 0)";
   Tweened over("0.5, " + kLinear + ", 99", goal);
   EXPECT_NEAR(over.at(20.25).y, 4, 0.3);
@@ -148,7 +148,7 @@ TEST(Tween, OfManyRoundsAllAreDone) {
 }
 
 // Tweens that outlast the run count as endless.
-TEST(Tween, ManyRoundsThatOutlastTheRunAreEndless) {
+TEST(Tween, RepetitionsBeyondTheRunCountAsEndless) {
   for (const char* repeats : {"500", "1e5", "1e9", "-1"}) {
     Tweened tweened("2, " + kLinear + ", " + repeats + ", true", "Position = Vector3.new(0, 8, 0)");
     EXPECT_EQ(tweened.motion().repeat, importer::Repeat::loop) << repeats;
@@ -162,7 +162,7 @@ TEST(Tween, ManyRoundsThatOutlastTheRunAreEndless) {
 }
 
 // A script that plays tweens in an endless loop does not end with the last one observed.
-TEST(Tween, OfOneWayInALoopAreEndless) {
+TEST(Tween, AlternatingTweensInALoopAreEndless) {
   Scene scene;
   const InstanceId slab = scene.part("Slab");
   scene.script(R"(
@@ -181,7 +181,7 @@ end)",
 }
 
 // The run shows half a round or less.
-TEST(Tween, LongWaysGoOnAsTheTweenSays) {
+TEST(Tween, LongTweensContinueBeyondTheRun) {
   const Tweened swing("40, " + kLinear + ", -1, true", "Position = Vector3.new(0, 0, 80)");
   const Tweened once("100",
                      "Position = Vector3.new(0, 0, 80), Orientation = Vector3.new(0, 90, 0)");

@@ -3,7 +3,7 @@
 #include <string>
 #include <utility>
 
-#include "import/explain.h"
+#include "import/records/explain.h"
 #include "import/scene.h"
 
 namespace obby::test {
@@ -22,7 +22,7 @@ InstanceId teleporter(Scene& scene, const std::string& value) {
   return from;
 }
 
-TEST(Teleport, ToAPlaceThatTheScriptStates) {
+TEST(Teleport, GoesToTheScriptedPosition) {
   Scene scene;
   const auto from = teleporter(scene, "workspace.teleporter1b.CFrame + Vector3.new(0, 5, 0)");
   scene.level();
@@ -33,7 +33,7 @@ TEST(Teleport, ToAPlaceThatTheScriptStates) {
   EXPECT_TRUE(scene[from].teleport->turns);
 }
 
-TEST(Teleport, ToAPlaceFromWhichItLooksBack) {
+TEST(Teleport, CanTurnThePlayerToTheHitPart) {
   Scene scene;
   const auto from = teleporter(scene, "CFrame.new(workspace.teleporter1b.Position, hit.Position)");
   scene.level();
@@ -43,7 +43,7 @@ TEST(Teleport, ToAPlaceFromWhichItLooksBack) {
   EXPECT_TRUE(scene[from].teleport->turns);
 }
 
-TEST(Seat, IsOfItsClassUnlessDisabled) {
+TEST(Seat, IsRecognisedByItsClassUnlessDisabled) {
   Scene scene;
   const auto chair = scene.part("Chair", {}, scene.workspace, "Seat");
   const auto broken = scene.part("Broken", {}, scene.workspace, "Seat");
@@ -88,7 +88,7 @@ TEST(Unmodelled, KitTagsAndTellingNames) {
   EXPECT_EQ(scene.unmodelled("name that suggests a jump pad"), 1u);
 }
 
-TEST(Unmodelled, ConstraintsWithoutMotorAreLoose) {
+TEST(Unmodelled, ConstraintsWithoutAMotorLeaveThePartDynamic) {
   Scene scene;
   const auto ball = scene.part("Ball");
   scene.set(ball, "Anchored", false);

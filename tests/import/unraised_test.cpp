@@ -6,7 +6,7 @@ namespace {
 
 constexpr const char* kUnraised = "event that is not raised";
 
-TEST(Unraised, AnEventOfAPartIsADoubtOfThePart) {
+TEST(Unraised, AnUnraisedEventPutsItsPartInDoubt) {
   Scene scene;
   const auto box = scene.part("Box");
   const auto code = scene.add("TextBox", "Code", scene.add("SurfaceGui", "Gui", box));
@@ -26,7 +26,7 @@ TEST(Unraised, ASeatThatScriptsLookAtIsInDoubt) {
   EXPECT_EQ(scene[seat].doubts, std::vector<std::string>{kUnraised});
 }
 
-TEST(Unraised, WhatComesOrSaysNothingIsNotNamed) {
+TEST(Unraised, RaisedOrIneffectiveEventsAreNotReported) {
   Scene scene;
   scene.part("SpawnLocation", {}, scene.workspace, "SpawnLocation");
   const auto pad = scene.part("Pad", {20, 0, 0});
@@ -46,7 +46,7 @@ end))",
   EXPECT_EQ(scene.unmodelled(kUnraised), 0u);
 }
 
-TEST(Unraised, AHandlerThatLacksSomethingOfTheTwinIsADoubt) {
+TEST(Unraised, HandlersThatNeedMissingFeaturesAreDoubts) {
   Scene scene;
   const auto pad = scene.part("Pad");
   scene.script(R"(script.Parent.Touched:Connect(function(hit)

@@ -6,7 +6,7 @@
 namespace obby::test {
 namespace {
 
-TEST(Vanish, FadeThenAwayWithTheTimesOfTheScript) {
+TEST(Vanish, AFadingPartVanishesAtTheScriptsTimes) {
   Scene scene;
   const auto part = scene.part("Fading");
   scene.script(R"(local platform = script.Parent
@@ -38,7 +38,7 @@ end))",
 
 constexpr double kFrames = 0.04;  // seconds; waits end on a frame
 
-TEST(Vanish, AtOnceOrThroughDelayedFunctions) {
+TEST(Vanish, PartsVanishAtOnceOrAfterADelay) {
   Scene scene;
   const auto atOnce = scene.part("A"), delayed = scene.part("B"), forGood = scene.part("C");
   scene.script(
@@ -122,7 +122,7 @@ TEST(Vanish, TimersGiveTimesAndPhase) {
   EXPECT_NEAR(scene[toggles].vanish->away, 2, kFrames);
 }
 
-TEST(Vanish, ByChanceIsNamed) {
+TEST(Vanish, RandomVanishingIsReported) {
   Scene scene;
   const auto part = scene.part("Risky");
   scene.script(
@@ -163,7 +163,7 @@ TEST(Vanish, TowerKitValues) {
   EXPECT_NEAR(scene[v6].vanish->away, 2, 1e-6);
 }
 
-TEST(Vanish, TowerKitValuesBelowZeroAreAsIfThereWereNone) {
+TEST(Vanish, NegativeTowerKitValuesUseTheDefaults) {
   Scene scene;
   const auto platform = scene.part("Platform");
   scene.value("NumberValue", "FadeTime", -2.0, platform);

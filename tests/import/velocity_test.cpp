@@ -7,7 +7,7 @@ namespace {
 const char* const kComputes = "conveyor that a script computes";
 const char* const kChanges = "conveyor that a script changes";
 
-TEST(Velocity, OfATagOrOfALoosePartIsNoneOfTheScripts) {
+TEST(Velocity, IsIgnoredIfUnknownOnTaggedOrDynamicParts) {
   Scene scene;
   const auto belt = scene.part("Belt"), ball = scene.part("Ball", {0, 9, 0});
   scene.tag(belt, "Conveyor");

@@ -16,7 +16,7 @@ TEST(World, ModelFileKeepsTheDefaults) {
   EXPECT_FLOAT_EQ(world.fallenPartsHeight, -500);
 }
 
-TEST(World, JumpPowerAppliesWhenNothingSaysOtherwise) {
+TEST(World, JumpPowerAppliesByDefault) {
   Scene scene;
   const auto player = scene.add("StarterPlayer", "StarterPlayer", kNoInstance);
   scene.set(player, "CharacterJumpPower", 60.0);
@@ -24,7 +24,7 @@ TEST(World, JumpPowerAppliesWhenNothingSaysOtherwise) {
   EXPECT_FLOAT_EQ(scene.level().world.jumpSpeed, 1.06f * 60);
 }
 
-TEST(World, JumpHeightAppliesWhenJumpPowerIsSwitchedOff) {
+TEST(World, JumpHeightAppliesIfJumpPowerIsOff) {
   Scene scene;
   scene.set(scene.workspace, "Gravity", 80.0);
   const auto player = scene.add("StarterPlayer", "StarterPlayer", kNoInstance);
@@ -93,7 +93,7 @@ TEST(World, SettingsOfTheSimulationAreNamed) {
   EXPECT_EQ(scene.unmodelled("server authority"), 1u);
 }
 
-TEST(World, ScriptThatGivesEachCharacterASpeedCounts) {
+TEST(World, AScriptedSpeedForEachCharacterApplies) {
   Scene scene;
   scene.script(R"(
 game.Players.PlayerAdded:Connect(function(player)
@@ -136,7 +136,7 @@ Scene withJumpHeight(const std::string& forCharacter, const std::string& atStart
   return scene;
 }
 
-TEST(World, ScriptedJumpsFollowWhicheverSettingApplies) {
+TEST(World, ScriptedJumpsUseTheActiveJumpSetting) {
   struct Case {
     const char *forCharacter, *atStart;
     float speed;

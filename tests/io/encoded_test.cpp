@@ -30,7 +30,7 @@ TEST(Encoded, GivesTheSameBytesAsWrite) {
   }
 }
 
-TEST(Encoded, RefusesWhatWriteRefuses) {
+TEST(Encoded, RefusesTheSameRecordsAsWrite) {
   RecordBuilder bad;
   bad.root().initLevel().setName("\xff");
   EXPECT_FALSE(encoded(std::move(bad), Format::jsonl));

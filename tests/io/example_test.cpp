@@ -20,7 +20,7 @@ void collect(const StructPlan& plan, std::set<const StructPlan*>& out) {
   }
 }
 
-TEST(Example, OfEveryObjectCanBeReadBack) {
+TEST(Example, EveryObjectsExampleCanBeReadBack) {
   std::set<const StructPlan*> plans;
   collect(recordPlan(), plans);
   size_t objects = 0;

@@ -69,13 +69,13 @@ TEST_P(EveryFormat, ConcatenatedStreamsAreRead) {
   EXPECT_EQ(read.records, 3 * test::kKinds);
 }
 
-TEST_P(EveryFormat, IsToldByItsFirstBytes) {
+TEST_P(EveryFormat, IsDetectedFromItsFirstBytes) {
   StreamReader reader = StreamReader::overBytes(framedStream(GetParam()), "in");
   ASSERT_TRUE(reader.next());
   EXPECT_EQ(reader.format(), GetParam());
 }
 
-TEST_P(EveryFormat, EveryKindAndSizeOfFirstRecordIsToldApart) {
+TEST_P(EveryFormat, IsDetectedForAnyFirstRecord) {
   for (uint32_t i = 0; i < 300; i++) {
     test::RecordFiller filler(i, float(i % 10) / 9.0f, i % 6);
     const Kind kind = Kind(1 + i % (test::kKinds - 2));

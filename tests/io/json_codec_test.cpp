@@ -192,7 +192,7 @@ TEST(JsonMeaning, PresenceOfAnEmptyStructIsKept) {
   EXPECT_FALSE(parts[0].hasConveyor());
 }
 
-TEST(JsonMeaning, AnUnknownKindIsToldApartFromAnError) {
+TEST(JsonMeaning, AnUnknownKindIsNotAnError) {
   auto unknown = recordFromJsonIfKnown(R"({"type":"weather","rain":[1,{"x":2}]})");
   ASSERT_TRUE(unknown);
   EXPECT_FALSE(unknown->has_value());
@@ -240,7 +240,7 @@ TEST(JsonMeaning, MisspeltKindsAreErrors) {
   EXPECT_FALSE(unknown->has_value());
 }
 
-TEST(JsonWriting, RefusesWhatNoReaderWouldTake) {
+TEST(JsonWriting, RefusesRecordsThatNoReaderAccepts) {
   RecordBuilder nan, range, text;
   nan.root().initQuery().setTimeLimit(__builtin_nanf(""));
   range.root().initLevel().initPhysics().setGravity(3000);
@@ -254,7 +254,7 @@ TEST(JsonWriting, RefusesWhatNoReaderWouldTake) {
 }
 
 // The float next to 0.2 is a little more than 0.2.
-TEST(JsonWriting, TakesABoundThatAFloatRounds) {
+TEST(JsonWriting, AcceptsABoundDespiteFloatRounding) {
   RecordBuilder most;
   most.root().initLevel().initPhysics().setContactSkin(0.2f);
   EXPECT_TRUE(recordToJson(most.reader()));

@@ -23,7 +23,7 @@ Record physicsLevel(float walkSpeed) {
   return Record(std::move(out));
 }
 
-TEST(Physics, FillsWhatTheLevelLeavesAtItsDefault) {
+TEST(Physics, FillsFieldsThatTheLevelLeavesAtTheirDefaults) {
   Physics physics;
   physics.know(params(190, 15.5f));
   const Record calibrated = physics.applied(physicsLevel(16));
@@ -35,7 +35,7 @@ TEST(Physics, FillsWhatTheLevelLeavesAtItsDefault) {
   EXPECT_EQ(l.getParts()[0].getName(), "Lava");
 }
 
-TEST(Physics, LeavesWhatTheLevelStates) {
+TEST(Physics, KeepsFieldsThatTheLevelStates) {
   Physics physics;
   physics.know(params(190, 15.5f));
   const Record once = physics.applied(physicsLevel(24)), twice = physics.applied(once);

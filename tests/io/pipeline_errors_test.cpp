@@ -12,7 +12,7 @@ using test::kHeader;
 using test::passAll;
 using Fixture = test::PipelineFixture;
 
-TEST(Pipeline, AnErrorStopsButKeepsWhatWasDone) {
+TEST(Pipeline, AnErrorStopsTheRunAndKeepsEarlierOutput) {
   Fixture f;
   f.input("{\"type\":\"level\"}\n{\"type\":3}\n{\"type\":\"level\"}\n");
   const Status status = f.pipeline().runAndFinish(passAll);
@@ -53,7 +53,7 @@ TEST(Pipeline, ForgivenErrorsAreReportedAndCounted) {
 
 // Unreadable records pass through unchanged, and so do queries of an unreadable level. The handler
 // sees none of them.
-TEST(Pipeline, EmitPassesOnWhatCannotBeRead) {
+TEST(Pipeline, EmitPassesOnUnreadableRecords) {
   const std::string lines =
       "{oops\n {\"type\":\"level\",\"parts\":7}\r\n{\"type\":\"query\",\"id\":\"a\"}\n"
       "{\"type\":\"levle\"}\n{\"type\":\"level\"}\n";
@@ -72,7 +72,7 @@ TEST(Pipeline, EmitPassesOnWhatCannotBeRead) {
                           "\"errors\":\"4\"}\n");
 }
 
-TEST(Pipeline, EmitPassesOnMessagesThatCannotBeRead) {
+TEST(Pipeline, EmitPassesOnUnreadableMessages) {
   RecordBuilder bad;
   bad.root().initLevel().setName("\xff");  // no UTF-8
   const auto words = capnp::messageToFlatArray(bad.message());
@@ -85,7 +85,7 @@ TEST(Pipeline, EmitPassesOnMessagesThatCannotBeRead) {
   EXPECT_EQ(f.reports.size(), 1u);
 }
 
-TEST(Pipeline, EmitWarnsOfWhatTheOutputCannotHold) {
+TEST(Pipeline, EmitWarnsAboutRecordsThatTheOutputCannotHold) {
   Fixture f;
   f.options.onError = OnError::emit;
   std::vector<std::string> warnings;

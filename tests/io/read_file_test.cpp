@@ -130,7 +130,7 @@ TEST(ReadFile, AStopEndsTheWait) {
 
 void onSignal(int) {}
 
-TEST(ReadFile, WithoutAStopASignalEndsTheWait) {
+TEST(ReadFile, ASignalEndsTheWaitWithoutAStop) {
   struct sigaction action {};
   action.sa_handler = onSignal;
   ASSERT_EQ(sigaction(SIGUSR1, &action, nullptr), 0);

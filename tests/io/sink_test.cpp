@@ -35,7 +35,7 @@ TEST(Sink, AFileAppearsWhenItIsClosed) {
   EXPECT_EQ(folder.entries(), 1u);
 }
 
-TEST(Sink, WithoutCloseTheOldFileStaysAndNothingElseIsLeft) {
+TEST(Sink, AnUnclosedSinkLeavesOnlyTheOldFile) {
   ScratchFolder folder;
   std::ofstream(folder / "out") << "old";
   {

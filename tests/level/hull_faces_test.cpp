@@ -127,7 +127,7 @@ std::vector<Vec3> drum(int sides, float lower, float upper, float height) {
   return out;
 }
 
-TEST_F(HullFaces, OfRoundHullsEqualThoseOfAllTriples) {
+TEST_F(HullFaces, RoundHullsMatchTheFacesOfAllTriples) {
   for (const size_t count : {4u, 5u, 9u, 33u, 90u}) {
     std::vector<Vec3> ball, cloud;
     for (size_t i = 0; i < count; ++i) {
@@ -142,7 +142,7 @@ TEST_F(HullFaces, OfRoundHullsEqualThoseOfAllTriples) {
   }
 }
 
-TEST_F(HullFaces, WithManyVerticesEqualThoseOfAllTriples) {
+TEST_F(HullFaces, LargeHullsMatchTheFacesOfAllTriples) {
   for (const int sides : {3, 8, 40}) {
     expectPlain(placed(drum(sides, 2, 2, 1), 10), "prism");
     expectPlain(placed(drum(sides, 2, 1, 1), 900), "frustum");
@@ -155,7 +155,7 @@ TEST_F(HullFaces, WithManyVerticesEqualThoseOfAllTriples) {
   expectPlain(placed(grid, 100), "grid turned");
 }
 
-TEST_F(HullFaces, WithoutVolumeEqualThoseOfAllTriples) {
+TEST_F(HullFaces, FlatHullsMatchTheFacesOfAllTriples) {
   std::vector<Vec3> flat, line;
   for (int i = 0; i < 40; ++i) {
     flat.push_back({number(5), 0, number(5)});

@@ -48,7 +48,7 @@ void expectSameSolid(const HullTables& tables, ShapeKind kind, Vec3 half) {
   }
 }
 
-TEST(HullTables, OfABoxEqualTheBlock) {
+TEST(HullTables, ABoxEqualsTheBlock) {
   const Vec3 half{2, 1, 0.5f};
   const HullTables t = hullTables(boxCorners(half));
   EXPECT_EQ(t.vertices.size(), 8u);
@@ -69,11 +69,11 @@ void expectSolidOf(ShapeKind kind, const std::function<bool(Vec3)>& keep) {
   expectSameSolid(t, kind, half);
 }
 
-TEST(HullTables, OfAWedgesCornersEqualTheWedge) {
+TEST(HullTables, WedgeCornersGiveTheWedge) {
   expectSolidOf(ShapeKind::wedge, [](Vec3 p) { return p.y < 0 || p.z > 0; });
 }
 
-TEST(HullTables, OfACornerWedgesCornersEqualTheCornerWedge) {
+TEST(HullTables, CornerWedgeCornersGiveTheCornerWedge) {
   expectSolidOf(ShapeKind::cornerWedge, [](Vec3 p) { return p.y < 0 || (p.x > 0 && p.z < 0); });
 }
 
@@ -87,14 +87,14 @@ TEST(HullTables, IgnoreRepeatedAndInnerVertices) {
   EXPECT_EQ(t.edges.size(), 3u);
 }
 
-TEST(HullTables, OfFlatOrThinSetsAreEmpty) {
+TEST(HullTables, AreEmptyForFlatOrThinSets) {
   EXPECT_TRUE(hullTables({{0, 0, 0}, {1, 0, 0}, {0, 0, 1}, {1, 0, 1}}).normals.empty());
   EXPECT_TRUE(hullTables({{0, 0, 0}, {1, 1, 1}, {2, 2, 2}, {3, 3, 3}}).normals.empty());
   EXPECT_TRUE(hullTables({{1, 1, 1}, {1, 1, 1}, {1, 1, 1}, {1, 1, 1}}).normals.empty());
 }
 
 // A floor 8000 times as wide as thick, a plank and a rope have all six faces and all eight corners.
-TEST(HullTables, OfThinAndWideBoxesEqualTheBlock) {
+TEST(HullTables, ThinAndWideBoxesEqualTheBlock) {
   for (const Vec3 half :
        {Vec3{200, 0.025f, 200}, Vec3{1000, 0.05f, 3}, Vec3{300, 0.025f, 0.025f}}) {
     const HullTables t = hullTables(boxCorners(half));
@@ -139,7 +139,7 @@ TEST(HullTables, AThinFloorStopsRaysWithinItsBordersOnly) {
   }
 }
 
-TEST(HullTables, OfRoundingSliversOfAUnionAreEmpty) {
+TEST(HullTables, AreEmptyForRoundingSliversOfAUnion) {
   EXPECT_TRUE(hullTables(boxCorners({200, 0.002f, 200})).normals.empty());
   EXPECT_TRUE(hullTables(boxCorners({1, 0.00004f, 1})).normals.empty());
   HullTablesDice dice{Random(13, 0)};
@@ -168,7 +168,7 @@ TEST(HullTables, FacesHoldAllVerticesAndTouchThree) {
   }
 }
 
-TEST(HullTables, OfManyVerticesOnASphereAreAlmostTheBall) {
+TEST(HullTables, ManyVerticesOnASphereApproximateTheBall) {
   HullTablesDice dice{Random(11, 0)};
   std::vector<Vec3> points;
   for (size_t i = 0; i < 120; ++i) points.push_back(normalize(dice.vec(1)) * 2);

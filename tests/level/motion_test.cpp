@@ -235,7 +235,7 @@ TEST(Motion, SpinKeepsThePivotInPlace) {
   }
 }
 
-TEST(Motion, WithoutKeysOrSpinStaysAtRest) {
+TEST(Motion, RestsWithoutKeysOrSpin) {
   const Tables t = tablesOf([](auto) {});
   ASSERT_EQ(t.keys.size(), 1u);
   EXPECT_TRUE(t.keys[0].position == (Vec3{1, 2, 3}));

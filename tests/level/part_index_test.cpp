@@ -87,7 +87,7 @@ TEST_F(PartIndexTest, FindsTheSameByScanAndWhenSorted) {
   EXPECT_GT(found, 100u);
 }
 
-TEST(PartIndex, OfALevelWithoutPartsHasNone) {
+TEST(PartIndex, FindsNothingInALevelWithoutParts) {
   io::RecordBuilder record;
   record.root().initLevel();
   PartIndex index(record.reader().getLevel());

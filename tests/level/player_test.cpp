@@ -120,7 +120,7 @@ TEST(Players, AQueryKeepsItsTimesAtAnotherFrameRate) {
   EXPECT_FALSE(namesPlayers(query.root));
 }
 
-TEST(Ticks, AtOtherFrameRatesRoundToTheNearestOrTheNext) {
+TEST(Ticks, RoundToTheNearestOrNextTick) {
   EXPECT_EQ(tickAtRate(77, 60, 30), 39u);
   EXPECT_EQ(tickAtRate(76, 60, 144), 182u);
   EXPECT_EQ(nextTickAtRate(5, 30, 144), 24u);

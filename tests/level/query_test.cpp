@@ -91,7 +91,7 @@ TEST(QueryLimits, AreTicksAndCounts) {
   EXPECT_TRUE(v.goal.region.half == (Vec3{2, 2, 2}));
 }
 
-TEST(QueryLimits, OfSegmentsVisitsGoalsStatesAndHealth) {
+TEST(QueryLimits, CoverSegmentsVisitsGoalsStatesAndHealth) {
   const Query q = *compile([](schema::Query::Builder r) {
     set(r.initGoals(2)[1].initPosition(), {0, 7, 0});
     set(r.initVisits(1)[0].initPosition(), {0, 3, 0});

@@ -28,7 +28,7 @@ class SelectTest : public testing::Test {
   io::RecordBuilder record = support::tower();
 };
 
-TEST_F(SelectTest, ByNamePathEndOfPathTagGuidAndIndex) {
+TEST_F(SelectTest, SelectsByNamePathSuffixTagGuidAndIndex) {
   EXPECT_THAT(parts("Base"), ElementsAre(0));
   EXPECT_THAT(parts("Workspace/S2/Lava"), ElementsAre(2));
   EXPECT_THAT(parts("S1/Lava"), ElementsAre(1));

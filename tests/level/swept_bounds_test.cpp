@@ -43,7 +43,7 @@ Box boundsOfAll(const std::vector<Pose>& keys, Vec3 half) {
   return all;
 }
 
-TEST(SweptBounds, EqualThoseOfAllKeys) {
+TEST(SweptBounds, EqualTheBoundsOfAllKeys) {
   SweptBoundsDice dice{Random(50, 0)};
   for (int round = 0; round < 100; ++round) {
     const std::vector<Pose> keys = dice.keys();
@@ -64,7 +64,7 @@ std::vector<Pose> longTurn(uint32_t rows) {
   return keys;
 }
 
-TEST(SweptBounds, OfSeveralHundredHullsEqualThoseOfAllKeys) {
+TEST(SweptBounds, EqualTheBoundsOfAllKeysForManyHulls) {
   SweptBoundsDice dice{Random(52, 0)};
   const std::vector<Pose> keys = longTurn(30000);
   const Mover m{keys.data(), nullptr, uint32_t(keys.size()), 0, {}, false};
@@ -89,7 +89,7 @@ TEST(SweptBounds, ContainAHundredThousandHullsInLittleTime) {
   }
 }
 
-TEST(SweptBounds, OfASpinContainItsLargestRadius) {
+TEST(SweptBounds, ContainTheLargestRadiusOfASpin) {
   SweptBoundsDice dice{Random(51, 0)};
   const Mat3 spin{};
   for (int round = 0; round < 100; ++round) {

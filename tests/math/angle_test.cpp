@@ -63,9 +63,9 @@ TEST(Heading, IsTheInverseOfDirectionForAllAnglesAndLengths) {
   EXPECT_LE(worst, 2);
 }
 
-TEST(Heading, OfNoDirectionIsZero) { EXPECT_EQ(headingOf(0, 0), 0); }
+TEST(Heading, IsZeroForNoDirection) { EXPECT_EQ(headingOf(0, 0), 0); }
 
-TEST(Turns, FromRadiansRoundsToTheNearestUnitAndWraps) {
+TEST(Turns, RoundRadiansToTheNearestUnitAndWrap) {
   for (int a = -3 * 65536; a < 3 * 65536; a += 7) {
     ASSERT_LE(apart(turnsFromRadians(float(radians(a))), Turns(a)), 1) << a;
   }
@@ -76,7 +76,7 @@ TEST(Turns, FromRadiansRoundsToTheNearestUnitAndWraps) {
   EXPECT_EQ(turnsFromRadians(-kPi / 2), 0xc000);
 }
 
-TEST(Turns, ToRadiansAndBackIsTheIdentity) {
+TEST(Turns, RoundTripThroughRadians) {
   for (int a = 0; a < 65536; ++a) {
     const float r = radiansFromTurns(Turns(a));
     ASSERT_LE(absf(r), kPi * 1.000001f);

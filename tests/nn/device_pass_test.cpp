@@ -61,7 +61,7 @@ class OfRows : public testing::TestWithParam<uint32_t> {};
 // One row, less than a tile, not a multiple of it, several chunks.
 INSTANTIATE_TEST_SUITE_P(DevicePass, OfRows, testing::Values(1, 7, 8, 255, 256, 700));
 
-TEST_P(OfRows, HasTheOutputsAndGradientsOfTheCpu) {
+TEST_P(OfRows, MatchesTheOutputsAndGradientsOfTheCpu) {
   ThreadPool pool(2);
   sim::HostDevice device(pool);
   Rows r(GetParam());
@@ -77,7 +77,7 @@ TEST_P(OfRows, HasTheOutputsAndGradientsOfTheCpu) {
 
 // Whichever way the CPU in a GPU's place multiplies and adds (kernels.cpp), it is in one step where
 // that is asked for.
-TEST(DeviceProducts, AreFusedOrNotWhateverTheBuild) {
+TEST(DeviceProducts, AreFusedOnRequestInEveryBuild) {
   constexpr size_t kRows = 16, kInner = 24, kColumns = 8;
   Random random(7, 7);
   const auto a = drawn<float>(kRows * kInner, random), b = drawn<float>(kInner * kColumns, random);
@@ -106,7 +106,7 @@ TEST(DeviceProducts, AreFusedOrNotWhateverTheBuild) {
   EXPECT_GT(rounded, 10) << "the two are the same";
 }
 
-TEST(DeviceSums, AreThoseOfMinibatchesShuffledOrNot) {
+TEST(DeviceSums, EqualMinibatchSumsShuffledOrNot) {
   ThreadPool pool(2);
   sim::HostDevice device(pool);
   constexpr uint32_t kCount = 3 * 512 + 1;  // the first has a chunk more than the others
@@ -138,7 +138,7 @@ TEST(DeviceSums, AreThoseOfMinibatchesShuffledOrNot) {
   }
 }
 
-TEST(DeviceSums, OfRowsRunFromTheFirstToTheLast) {
+TEST(DeviceSums, RowSumsRunFromFirstToLast) {
   const sim::Kernel& sumRows = kernel(Step::sumRows);
   const float floats[] = {1e8f, -0.0f, 1, -0.0f, -1e8f, -0.0f};  // (3, 2)
   float out[2] = {7, 7};

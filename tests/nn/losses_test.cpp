@@ -14,7 +14,7 @@ namespace {
 
 constexpr size_t kQuantiles = 8;
 
-TEST(QuantileLoss, GradientsAreThoseOfFiniteDifferences) {
+TEST(QuantileLoss, GradientsMatchFiniteDifferences) {
   Random random(4, 4);
   for (int n = 0; n < 20; ++n) {
     const auto targets = drawn<double>(kQuantiles, random);
@@ -27,7 +27,7 @@ TEST(QuantileLoss, GradientsAreThoseOfFiniteDifferences) {
 }
 
 // Followed downhill, predictions come to the quantiles of the targets.
-TEST(QuantileLoss, EndsAtTheQuantiles) {
+TEST(QuantileLoss, ConvergesToTheQuantilesOfTheTargets) {
   double targets[kQuantiles], predicted[kQuantiles] = {}, gradient[kQuantiles];
   for (size_t i = 0; i < kQuantiles; ++i) targets[i] = 100 * double(i);
   for (int n = 0; n < 20000; ++n) {
@@ -37,7 +37,7 @@ TEST(QuantileLoss, EndsAtTheQuantiles) {
   for (size_t i = 0; i < kQuantiles; ++i) EXPECT_NEAR(predicted[i], targets[i], 5) << i;
 }
 
-TEST(CrossEntropy, GradientsAreThoseOfFiniteDifferences) {
+TEST(CrossEntropy, GradientsMatchFiniteDifferences) {
   constexpr int kActions = 10;
   Random random(5, 5);
   for (const int action : {4, 9}) {
@@ -52,7 +52,7 @@ TEST(CrossEntropy, GradientsAreThoseOfFiniteDifferences) {
 
 // One that dies with its second decision, and one that goes on, or is cut: what came last stands
 // for the rest.
-TEST(Advantages, AreBootstrappedWhereOneGoesOnButNotWhereOneDied) {
+TEST(Advantages, BootstrapOnlyUnfinishedPlaythroughs) {
   const float values[] = {1, 1, 2, 2, 3, 3}, rewards[] = {1, 1, -1, 0, 2, 2}, last[] = {4, 4};
   const uint8_t done[] = {0, 0, 1, 0, 0, 0};
   float advantages[6], targets[6];
@@ -75,7 +75,7 @@ TEST(AdvantageScale, IsMeanAndDeviation) {
   EXPECT_TRUE(std::isfinite(advantageScale({8, 16}, 4, 1e-8).scale)) << "all alike";
 }
 
-TEST(Advantages, DiscountAndLambdaAreTwoThings) {
+TEST(Advantages, DiscountAndLambdaActSeparately) {
   const float values[] = {1, 2, 3}, rewards[] = {1, 0, 2}, last[] = {4};
   const uint8_t done[] = {0, 0, 0};
   float advantages[3], targets[3];

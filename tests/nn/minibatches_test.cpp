@@ -6,7 +6,7 @@
 namespace obby::nn {
 namespace {
 
-TEST(Minibatches, AreAsFewAsThereMayBeAndOfOneSize) {
+TEST(Minibatches, AreAsFewAsPossibleAndNearlyEqual) {
   for (uint32_t rows = 1; rows <= 60; ++rows) {
     for (uint32_t max = 1; max <= 70; ++max) {
       SCOPED_TRACE(testing::Message() << rows << " rows, at max " << max);
@@ -26,7 +26,7 @@ TEST(Minibatches, AreAsFewAsThereMayBeAndOfOneSize) {
   }
 }
 
-TEST(Minibatches, AreAsLargeAsAskedForWhereThatDividesTheRows) {
+TEST(Minibatches, HaveTheRequestedSizeIfItDividesTheRows) {
   for (const uint32_t count : {1u, 2u, 16u}) {
     const Minibatches parts(4096 * count, 4096);
     EXPECT_EQ(parts.count(), count);

@@ -24,7 +24,7 @@ std::vector<float> halfZeros(size_t count, Random& random) {
 }
 
 // Whatever the lanes and the zeros: each number is summed as a loop would.
-TEST(Product, HasTheBitsOfALoop) {
+TEST(Product, EqualsAPlainLoopBitForBit) {
   Random random(1, 1);
   for (const size_t rows : {1u, 7u, 64u, 130u}) {
     for (const size_t columns : {16u, 48u, 64u, 160u}) {
@@ -54,7 +54,7 @@ TEST(Product, HasTheBitsOfALoop) {
 }
 
 // The sum of the outputs, each times a weight of its own: its gradient by them is these.
-TEST(Pass, GradientsAreThoseOfFiniteDifferences) {
+TEST(Pass, GradientsMatchFiniteDifferences) {
   constexpr size_t kRows = 5;
   Random random(2, 2);
   Network<double> net({16, 32, 32, 16});
@@ -101,7 +101,7 @@ TEST(Adam, MovesAParameterAsPublished) {
   }
 }
 
-TEST(ClipGradNorm, ScalesDownWhatIsLonger) {
+TEST(ClipGradNorm, ScalesDownLongerGradients) {
   std::vector<float> gradient(32);
   gradient[3] = 3;
   gradient[20] = -4;
@@ -112,7 +112,7 @@ TEST(ClipGradNorm, ScalesDownWhatIsLonger) {
   EXPECT_FLOAT_EQ(gradient[20], -0.8f);
 }
 
-TEST(Learner, StepsAlongTheSumOfItsSharesAndForgetsThem) {
+TEST(Learner, StepsAlongTheSummedSharesAndClearsThem) {
   Learner learner(Network<float>({2, 16}), 3);
   for (size_t s = 0; s < 3; ++s) learner.gradient(s)[5] = float(s + 1);
   learner.step(LearnerSettings{.learningRate = 0.5f}, 0.5f);

@@ -61,7 +61,7 @@ TEST(BodiesParity, FallByTheFormulaInSubsteps) {
   }
 }
 
-TEST(BodiesParity, DroppedFlatRestWhereTheyFell) {
+TEST(BodiesParity, RestWhereTheyFallWhenDroppedFlat) {
   Both both({floorOf(), {.position = {3, 8, -5}, .size = {4, 2, 6}, .yaw = 0.4f}});
   both.run(180);
   expectSamePose(both.ours.state(0), both.bullet.state(0), kRest);

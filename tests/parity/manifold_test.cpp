@@ -94,14 +94,14 @@ TEST_P(ManifoldParity, PointsAreOnBothShapesAndTheDeepestIsTheSeparation) {
       .expectBelow(most);
 }
 
-TEST_P(ManifoldParity, OfCylindersTheyAreExceptAtRims) {
+TEST_P(ManifoldParity, CylindersAgreeExceptAtRims) {
   faultsWith({ShapeKind::cylinder}).expectBelow(GetParam() == ShapeKind::cylinder ? 0.2 : 0.13);
 }
 
 INSTANTIATE_TEST_SUITE_P(Kinds, ManifoldParity, testing::ValuesIn(kKinds));
 
 // Stacked blocks touch at the corners of their common area.
-TEST(Manifolds, OfStackedBlocksSpanTheCommonArea) {
+TEST(Manifolds, StackedBlocksTouchOverTheirCommonArea) {
   geom::Convex floor{ShapeKind::block, {{50, 1, 50}, nullptr}, {{0, -1, 0}, {}}};
   for (const float aside : {0.0f, 0.7f, -1.5f}) {
     const geom::Convex below{ShapeKind::block, {{2, 1, 3}, nullptr}, {{0, 1, 0}, {}}};

@@ -59,7 +59,7 @@ double overlapAlong(const Polytope& a, const Polytope& b, const V3& n) {
   return most - least;
 }
 
-TEST(SeparationParity, OfPolytopesEqualsThatOfAllTheirAxes) {
+TEST(SeparationParity, PolytopesMatchTheSearchOfAllAxes) {
   ConvexDice dice(700);
   Found found;
   int normals = 0;
@@ -87,7 +87,7 @@ TEST(SeparationParity, OfPolytopesEqualsThatOfAllTheirAxes) {
 
 // For separated polytopes the answer is at most Bullet's distance. It is seldom far less: the case
 // of corner to corner, which has no axis.
-TEST(SeparationParity, OfSeparatedPolytopesIsAtMostTheirDistance) {
+TEST(SeparationParity, NeverExceedsTheDistanceOfSeparatedPolytopes) {
   ConvexDice dice(703);
   Found found;
   int referenceWrong = 0, half = 0;
@@ -113,7 +113,7 @@ TEST(SeparationParity, OfSeparatedPolytopesIsAtMostTheirDistance) {
   EXPECT_LT(half, found.apart / 25);
 }
 
-TEST(SeparationParity, OfABallAndAPolytopeFollowsTheCentre) {
+TEST(SeparationParity, ABallAndAPolytopeFollowTheCentre) {
   ConvexDice dice(701);
   Found found;
   for (int i = 0; i < 140000 && !HasFatalFailure(); ++i) {
@@ -129,7 +129,7 @@ TEST(SeparationParity, OfABallAndAPolytopeFollowsTheCentre) {
   EXPECT_LT(found.deeperThanPreferred, found.pairs / 500);
 }
 
-TEST(SeparationParity, OfABallAndARoundShapeFollowsTheCentre) {
+TEST(SeparationParity, ABallAndARoundShapeFollowTheCentre) {
   ConvexDice dice(702);
   Found found;
   for (int i = 0; i < 80000 && !HasFatalFailure(); ++i) {
@@ -151,7 +151,7 @@ TEST(SeparationParity, OfABallAndARoundShapeFollowsTheCentre) {
 // A tilted rim that meets an edge, a corner or another rim has no axis of its own, only that of a
 // smaller cylinder. Contact comes up to a tenth of a stud early. In one overlap of ten, a deep one,
 // the answer is too deep.
-TEST(SeparationParity, OfACylinderIsTooDeepOnlyAtRims) {
+TEST(SeparationParity, ACylinderIsTooDeepOnlyAtRims) {
   ConvexDice dice(704);
   Found found;
   int referenceWrong = 0;

@@ -119,7 +119,7 @@ Pair cylinderPair(PairDice& dice, const Mat3& rotation) {
 }
 
 // Pillars and discs: the player touches their side and their caps, never a tilted rim.
-TEST(CylinderParity, StandingUpItIsExact) {
+TEST(CylinderParity, IsExactWhenUpright) {
   PairDice dice(540);
   Excess excess;
   for (int i = 0; i < 100000; ++i) {
@@ -137,7 +137,7 @@ TEST(CylinderParity, StandingUpItIsExact) {
 // If a rim of a tilted cylinder meets an edge or corner of the body, the pair has no axis. Contact
 // then comes up to 0.17 studs early, and one overlap in ten is too deep. Few exceed 0.3 studs. A
 // body well inside the rim of a wide disc reaches 1.13.
-TEST(CylinderParity, AtAnyRotationItIsTooDeepOnlyAtRims) {
+TEST(CylinderParity, IsTooDeepOnlyAtRimsAtAnyRotation) {
   PairDice dice(541);
   Excess excess;
   for (int i = 0; i < 100000; ++i) {
@@ -153,7 +153,7 @@ TEST(CylinderParity, AtAnyRotationItIsTooDeepOnlyAtRims) {
 }
 
 // Hulls with complete tables: up to 32 edges, without nearly parallel faces or edges.
-TEST(HullParity, WithAllItsEdgesItIsExact) {
+TEST(HullParity, IsExactWithAllEdges) {
   PairDice dice(550);
   Tally tally;
   int hulls = 0, leftOut = 0;

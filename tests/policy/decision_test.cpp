@@ -1,5 +1,5 @@
-// The losses of a decision and their gradients, held against finite differences in double
-// precision; those of the whole network, too.
+// The losses of a decision and their gradients, and those of the whole network, against finite
+// differences in double precision.
 #include "policy/decision.h"
 
 #include <gtest/gtest.h>
@@ -27,7 +27,7 @@ Decision lossSample(Random& random) {
   return d;
 }
 
-TEST(Loss, GradientsAreThoseOfFiniteDifferences) {
+TEST(Loss, GradientsMatchFiniteDifferences) {
   Random random(1, 1);
   for (int n = 0; n < 200; ++n) {
     const Decision d = lossSample(random);
@@ -47,7 +47,7 @@ TEST(Loss, GradientsAreThoseOfFiniteDifferences) {
   }
 }
 
-TEST(Loss, NeverLeansTowardWhatIsNotAllowed) {
+TEST(Loss, ForbiddenMovesHaveNoGradient) {
   Random random(2, 2);
   Decision d = lossSample(random);
   d.mayJump = false;
@@ -63,7 +63,7 @@ TEST(Loss, NeverLeansTowardWhatIsNotAllowed) {
   EXPECT_EQ(chances[1], 0);
 }
 
-// Sum of the losses of a few rows.
+// Returns the sum of the losses of a few rows.
 double total(const nn::Network<double>& net, const nn::DenseRows<double>& inputs,
              const std::vector<Decision>& decisions, double* gradient, nn::Pass<double>& pass) {
   const double* out = pass.forward(net, inputs);
@@ -75,7 +75,7 @@ double total(const nn::Network<double>& net, const nn::DenseRows<double>& inputs
   return sum;
 }
 
-TEST(Network, GradientsAreThoseOfFiniteDifferences) {
+TEST(Network, GradientsMatchFiniteDifferences) {
   constexpr size_t kRows = 6;
   Random random(3, 3);
   nn::Network<double> net = trainableNetwork<double>();
@@ -104,8 +104,8 @@ TEST(Network, GradientsAreThoseOfFiniteDifferences) {
   EXPECT_GT(compared, 100);
 }
 
-// Schulman et al. 2017, equations 7 and 9, by hand: 17 moves are allowed, all alike.
-TEST(Loss, IsThePublishedFormula) {
+// Schulman et al. 2017, equations 7 and 9, by hand: 17 moves are allowed, with equal logits.
+TEST(Loss, MatchesThePublishedFormula) {
   struct Case {
     double ratio;
     float advantage;
@@ -129,15 +129,15 @@ TEST(Loss, IsThePublishedFormula) {
   }
 }
 
-TEST(Loss, LeavesMoreToChance) {
+TEST(Loss, EntropyFlattensTheDistribution) {
   double outputs[kOut] = {}, gradient[kOut];
   outputs[4] = 2;
   ppoLossOf(outputs, Decision{{4, -1, 0, 0}, true}, PpoLossSettings{}, gradient);
-  EXPECT_GT(gradient[4], 1e-3) << "downhill is less of the likeliest";
+  EXPECT_GT(gradient[4], 1e-3) << "descent makes the most likely move less likely";
 }
 
-// The ratio of the loss begins at one.
-TEST(Loss, TakesADrawnMoveForAsLikelyAsTheDrawSays) {
+// The probability ratio of the loss starts at one.
+TEST(Loss, ADrawnMoveHasTheProbabilityOfTheDraw) {
   Random random(4, 4);
   for (int n = 0; n < 200; ++n) {
     float outputs[kOut] = {}, gradient[kOut];
@@ -155,12 +155,13 @@ TEST(Loss, TakesADrawnMoveForAsLikelyAsTheDrawSays) {
   EXPECT_EQ(drawMove(even, false, 0.9999999f).action, kMoves - 2);
 }
 
-TEST(ImitationLoss, GradientsAreThoseOfFiniteDifferences) {
+TEST(ImitationLoss, GradientsMatchFiniteDifferences) {
   Random random(3, 3);
   for (int n = 0; n < 20; ++n) {
     const auto at = nn::drawn<double>(kPaddedOutputs, random);
     const Decision d{{int(random.below(kMoves)), 0, 0, 2}, true};
-    // How much better it went is a constant to the likelihood's gradient, not to the value's.
+    // The advantage is a constant for the gradient of the likelihood, but not for that of the
+    // value.
     const double better = double(d.target) - at[kMoves];
     nn::checkGradient(at, [&](const double* out, double* gradient) {
       imitationLossOf<double>(out, d, 0.1, 0.5, gradient);
@@ -172,7 +173,7 @@ TEST(ImitationLoss, GradientsAreThoseOfFiniteDifferences) {
   }
 }
 
-TEST(ImitationLoss, LearnsNothingFromWhatWentWorseThanExpected) {
+TEST(ImitationLoss, LearnsNothingFromANegativeAdvantage) {
   float outputs[kPaddedOutputs] = {}, gradient[kPaddedOutputs];
   outputs[kMoves] = 1;
   EXPECT_EQ(imitationLossOf(outputs, {{3, 0, 0, 0.5f}, true}, 0.1f, 0.5f, gradient), 0);

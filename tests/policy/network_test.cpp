@@ -1,4 +1,4 @@
-// The network against a plain one in double precision, and what becomes of its answers.
+// The network against a simple one in double precision, and moves drawn from its outputs.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -25,14 +25,14 @@ std::vector<float> randomInputs(uint64_t seed) {
   std::vector<float> in(kInputs);
   Random random(seed, 1);
   for (float& v : in) v = 4 * random.unit() - 2;
-  // Most of what is around is void.
+  // Most surroundings are empty.
   for (size_t i = kStateInputs; i < in.size(); ++i) {
     if (random.unit() < 0.7f) in[i] = kEmptyInput;
   }
   return in;
 }
 
-// Every input counts, in the order of the file.
+// Uses every input, in the order of the file.
 std::vector<double> plain(const Network& n, const std::vector<float>& in) {
   const float* const means = n.numbers().data();
   const float* const scales = means + kInputs;
@@ -53,7 +53,7 @@ std::vector<double> plain(const Network& n, const std::vector<float>& in) {
   return x;
 }
 
-TEST(Network, IsTheOneInDoublePrecision) {
+TEST(Network, EqualsASimpleOneInDoublePrecision) {
   const Network n = randomNetwork(3);
   const Thinker thinker(n);
   for (uint64_t seed = 0; seed < 20; ++seed) {
@@ -65,7 +65,7 @@ TEST(Network, IsTheOneInDoublePrecision) {
   }
 }
 
-TEST(Network, HasTheSameBitsInOneLaneAndInMany) {
+TEST(Network, IsBitIdenticalInOneLaneAndInMany) {
   const Network n = randomNetwork(4);
   const Thinker thinker(n);
   for (uint64_t seed = 0; seed < 20; ++seed) {
@@ -77,7 +77,7 @@ TEST(Network, HasTheSameBitsInOneLaneAndInMany) {
   }
 }
 
-TEST(Moves, AreDrawnAsTheirLogitsSay) {
+TEST(Moves, AreDrawnWithTheProbabilitiesOfTheirLogits) {
   float logits[kMoves] = {};
   logits[4] = std::log(3.0f);
   logits[7] = 9;  // jumps
@@ -91,8 +91,8 @@ TEST(Moves, AreDrawnAsTheirLogitsSay) {
   EXPECT_EQ(likeliest(logits, true), 7);
 }
 
-// Logits as networks give them, and as they hardly do: some alike, zeros of either sign, some far
-// below all others, or all of them there, some that are no number.
+// Logits as networks return them, and unusual ones: some equal, zeros of either sign, some or all
+// far below the others, some NaN.
 std::vector<float> someLogits(Random& random) {
   const float spread = float(1u << random.below(9));
   const bool areLow = random.below(8) == 0;
@@ -107,7 +107,7 @@ std::vector<float> someLogits(Random& random) {
   return logits;
 }
 
-// As draw() has it, one move after the other.
+// As draw(), one move after the other.
 int drawPlainly(const std::vector<float>& logits, bool mayJump, Random& random) {
   const float most = logits[size_t(likeliest(logits.data(), mayJump))];
   float odds[kMoves], sum = 0;
@@ -125,7 +125,7 @@ int drawPlainly(const std::vector<float>& logits, bool mayJump, Random& random) 
   return last;
 }
 
-TEST(Moves, AreDrawnAsOneAfterTheOther) {
+TEST(Moves, DrawingInLanesEqualsOneAfterTheOther) {
   Random random(6, 6);
   int others = 0;
   for (int n = 0; n < 20000; ++n) {
@@ -134,18 +134,18 @@ TEST(Moves, AreDrawnAsOneAfterTheOther) {
       Random is = random, expected = random;
       const int move = draw<float>(logits.data(), mayJump, is);
       ASSERT_EQ(move, drawPlainly(logits, mayJump, expected)) << n;
-      ASSERT_EQ(is.next(), expected.next()) << "as many random numbers";
+      ASSERT_EQ(is.next(), expected.next()) << "the same count of random numbers";
       others += move != likeliest(logits.data(), mayJump);
     }
   }
-  EXPECT_GT(others, 5000) << "not always the likeliest";
+  EXPECT_GT(others, 5000) << "not always the most likely move";
 }
 
 bool same(const sim::Action& a, const sim::Action& b) {
   return a.heading == b.heading && a.walk == b.walk && a.jump == b.jump;
 }
 
-TEST(Moves, AreDrawnAlikeInOneLaneAndInMany) {
+TEST(Moves, AreTheSameInOneLaneAndInMany) {
   const level::Level level = LevelBuilder().block({0, -0.5f, 0}, {8, 1, 8}).compile();
   Onlooker look(level);
   Network network;  // says what its last biases are, whatever it sees
@@ -164,11 +164,11 @@ TEST(Moves, AreDrawnAlikeInOneLaneAndInMany) {
     const sim::Action is =
         decideOn(look.scene, thinker.view(), look.world, inputs.data(), ahead, &wide);
     ASSERT_TRUE(same(is, expected)) << n;
-    ASSERT_EQ(wide.next(), narrow.next()) << "as many random numbers";
+    ASSERT_EQ(wide.next(), narrow.next()) << "the same count of random numbers";
   }
 }
 
-// Somewhere in a level, in the air or not, drawn or the likeliest.
+// Anywhere in a level, in the air or not, sampled or greedy.
 TEST(Decisions, AreTheSameInOneLaneAndInMany) {
   const level::Level level = support::boxArena(100, 3).compile();
   Onlooker look(level);
@@ -189,14 +189,14 @@ TEST(Decisions, AreTheSameInOneLaneAndInMany) {
       const sim::Action wide =
           decide(look.scene, thinker.view(), look.world, nullptr, draws ? &many : nullptr);
       ASSERT_TRUE(same(wide, narrow)) << n;
-      ASSERT_EQ(many.next(), one.next()) << "as many random numbers";
+      ASSERT_EQ(many.next(), one.next()) << "the same count of random numbers";
       jumping += draws && wide.jump;
     }
   }
   EXPECT_GT(jumping, 50);
 }
 
-TEST(Moves, AreHeadingsInTheFrame) {
+TEST(Moves, MapToHeadingsInTheFrame) {
   EXPECT_EQ(actionOf(0, 1000).heading, 1000);
   EXPECT_TRUE(actionOf(0, 1000).walk);
   EXPECT_FALSE(actionOf(0, 1000).jump);

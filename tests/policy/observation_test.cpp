@@ -1,5 +1,5 @@
-// What the policy sees: the ground as it is, whatever the order of parts, the heading of the level
-// or the number of lanes.
+// The policy's observation. It does not depend on the order of parts, the heading of the level or
+// the number of lanes.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -20,11 +20,11 @@ struct Look : support::Onlooker {
   std::vector<float> inputs(const sim::LooseBody* loose = nullptr) const {
     return Onlooker::inputs(observe, loose);
   }
-  // Height that a map shows at a point of a ring now, studs from the feet.
+  // Returns the present height of a map at a point of a ring, in studs above the feet.
   float height(Kind map, int ring, int direction) const {
     return kDeepest + shown(map, ring, direction);
   }
-  // What it will be later, less what it is now.
+  // Returns the later height minus the present one.
   float change(Kind map, int ring, int direction) const {
     return shown(kKinds + map, ring, direction);
   }
@@ -35,7 +35,7 @@ struct Look : support::Onlooker {
   }
 };
 
-// A start, a gap of five studs, then more ground, half a stud higher.
+// A start, a gap of five studs, then ground half a stud higher.
 LevelBuilder gap() {
   LevelBuilder b;
   b.block({0, -0.5f, 0}, {8, 1, 8});  // to z = -4
@@ -53,7 +53,7 @@ TEST(Observation, ShowsGroundAndGapsAtTheirHeights) {
   EXPECT_FLOAT_EQ(look.height(kDanger, 0, 0), kDeepest) << "no danger";
 }
 
-TEST(Observation, ShowsWhatKillsAndWhatIsToBeAvoided) {
+TEST(Observation, ShowsKillPartsAndRegionsToAvoid) {
   LevelBuilder b = gap();
   b.block({0, 1, -3.35f}, {4, 2, 0.5f}, [](schema::Part::Builder p) { p.initKill(); });
   const level::Level level = b.compile();
@@ -66,7 +66,7 @@ TEST(Observation, ShowsWhatKillsAndWhatIsToBeAvoided) {
   EXPECT_FLOAT_EQ(look.height(kDanger, 4, 0), 3);
 }
 
-TEST(Observation, ShowsCeilingsOnlyWhereTheyAreInTheWay) {
+TEST(Observation, ShowsOnlyCeilingsThatAreInTheWay) {
   LevelBuilder b = gap();
   b.block({0, 9, 0}, {30, 1, 30});     // high above
   b.block({0, 3, -3.35f}, {4, 2, 1});  // at the height of the chest
@@ -90,7 +90,7 @@ TEST(Observation, ShowsTheSlopeOfAWedge) {
   EXPECT_NEAR(look.height(kFloor, 1, 0), 4 * (10 - 3.35f) / 8, 1e-4f);
 }
 
-// A start, and a part of this shape and size; upright: its x axis is turned up.
+// A start, and a part of this shape and size. `upright`: its x axis points up.
 LevelBuilder round(schema::Shape shape, Vec3 center, Vec3 size, bool upright = false) {
   LevelBuilder b;
   b.block({0, -0.5f, 0}, {3, 1, 3});
@@ -116,7 +116,7 @@ TEST(Observation, ShowsBallsAndCylindersAsTheyAre) {
   EXPECT_NEAR(height(ball, 2, 0), 8, 1e-2f);
   const float far = std::hypot(aside, 5.9f - along);
   EXPECT_NEAR(height(ball, 2, 1), 4 + std::sqrt(16 - far * far), 0.05f);
-  // Its axis is x.
+  // The cylinder's axis is x.
   const LevelBuilder log = round(schema::Shape::CYLINDER, {0, 3, -5.9f}, {16, 6, 6});
   EXPECT_NEAR(height(log, 2, 0), 6, 1e-2f);
   EXPECT_NEAR(height(log, 2, 1), 3 + std::sqrt(9 - (5.9f - along) * (5.9f - along)), 0.05f);
@@ -125,14 +125,14 @@ TEST(Observation, ShowsBallsAndCylindersAsTheyAre) {
   EXPECT_FLOAT_EQ(height(post, 2, 1), kDeepest) << "a corner of the box around it";
 }
 
-TEST(Observation, ShowsDangersAsWideAsTheyAreDeadly) {
+TEST(Observation, ShowsDangersAsWideAsTheBodyTouchesThem) {
   LevelBuilder b = gap();
   b.block({1.4f, 1, -3.35f}, {1, 2, 1}, [](schema::Part::Builder p) { p.initKill(); });
   const level::Level level = b.compile();
-  EXPECT_FLOAT_EQ(Look(level).height(kDanger, 1, 0), 2) << "0.9 studs beside it";
+  EXPECT_FLOAT_EQ(Look(level).height(kDanger, 1, 0), 2) << "0.9 studs next to it";
 }
 
-// Stones over lava are safe; a tile that kills, flush with its neighbours, is not.
+// Stones above lava are safe. A kill tile level with its neighbours is not.
 TEST(Observation, ShowsNoDangerBelowAFloor) {
   const auto kill = [](schema::Part::Builder p) { p.initKill(); };
   LevelBuilder b;
@@ -142,11 +142,11 @@ TEST(Observation, ShowsNoDangerBelowAFloor) {
   const level::Level level = b.compile();
   const Look look(level);
   EXPECT_FLOAT_EQ(look.height(kDanger, 0, 0), kDeepest) << "under the stone";
-  EXPECT_FLOAT_EQ(look.height(kDanger, 2, 0), -3.5f) << "beside it";
+  EXPECT_FLOAT_EQ(look.height(kDanger, 2, 0), -3.5f) << "next to it";
   EXPECT_FLOAT_EQ(look.height(kDanger, 4, 0), 0) << "the tile";
 }
 
-TEST(Observation, TellsTheNearestLooseBody) {
+TEST(Observation, ShowsTheNearestDynamicBody) {
   LevelBuilder b = gap();
   for (const float x : {-9.0f, 4.0f})
     b.block({x, 1, 0}, {2, 2, 2}, [](schema::Part::Builder p) { p.setAnchored(false); });
@@ -160,7 +160,7 @@ TEST(Observation, TellsTheNearestLooseBody) {
   EXPECT_EQ(at[0], 1);
   EXPECT_NEAR(at[1], 0, 1e-5f);
   EXPECT_NEAR(at[2], 4.0f / (4 + 8), 1e-5f) << "to the right";
-  EXPECT_NEAR(at[4], 0.5f, 1e-5f) << "goes ahead";
+  EXPECT_NEAR(at[4], 0.5f, 1e-5f) << "it moves ahead";
 }
 
 void setRate(LevelBuilder& b, int rate) {
@@ -172,7 +172,7 @@ void setRate(LevelBuilder& b, int rate) {
 
 class SeesMovers : public testing::TestWithParam<int> {};  // at so many ticks a second
 
-TEST_P(SeesMovers, NowAndSoon) {
+TEST_P(SeesMovers, ShowsPresentAndFutureHeights) {
   LevelBuilder b = gap();
   setRate(b, GetParam());
   b.block({0, 0.5f, -5.9f}, {4, 1, 1}, [](schema::Part::Builder p) {
@@ -190,8 +190,8 @@ TEST_P(SeesMovers, NowAndSoon) {
 
 INSTANTIATE_TEST_SUITE_P(Observation, SeesMovers, testing::Values(30, 60, 240));
 
-// The same moment of the same level, in longer and in shorter ticks.
-TEST(Observation, IsOfSecondsWhateverATickIs) {
+// The same moment of the same level, with longer and shorter ticks.
+TEST(Observation, IsInSecondsForAnyTickLength) {
   std::vector<float> expected;
   for (const int rate : {60, 30, 120, 240}) {
     LevelBuilder b = gap();
@@ -243,7 +243,7 @@ TEST(Observation, TurnsWithTheLevel) {
   for (size_t i = 0; i < x.size(); ++i) EXPECT_NEAR(x[i], y[i], 2e-4f) << i;
 }
 
-TEST(Observation, HasTheSameBitsInOneLaneAndInMany) {
+TEST(Observation, IsBitIdenticalInOneLaneAndInMany) {
   const level::Level level = support::boxArena(100, 3).compile();
   Look look(level);
   Random random(1, 1);
@@ -259,7 +259,7 @@ TEST(Observation, HasTheSameBitsInOneLaneAndInMany) {
   }
 }
 
-TEST(Observation, HasTheSameBitsPartByPart) {
+TEST(Observation, EqualsThePartByPartObservationBitForBit) {
   const level::Level levels[] = {support::boxArena(100, 3).compile(),
                                  support::movingArena(60, 14, 2).compile()};
   Random random(2, 2);

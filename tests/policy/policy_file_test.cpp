@@ -1,4 +1,4 @@
-// Policy files: what was written is read, and whatever is wrong with one is said.
+// Policy files are read as written, and damaged ones are refused.
 #include "policy/policy_file.h"
 
 #include <capnp/message.h>
@@ -24,7 +24,7 @@ PolicyFile sample() {
   return file;
 }
 
-TEST(PolicyFileTest, IsReadAsItWasWritten) {
+TEST(PolicyFileTest, IsReadAsWritten) {
   const PolicyFile file = sample();
   const std::string bytes = writePolicy(file);
   const auto read = readPolicy(bytes, "x.obp");
@@ -40,7 +40,7 @@ TEST(PolicyFileTest, IsReadAsItWasWritten) {
   EXPECT_LT(bytes.size(), 2u << 20);
 }
 
-TEST(PolicyFileTest, RefusesEveryTruncationAndWhatIsNoPolicy) {
+TEST(PolicyFileTest, RefusesEveryTruncationAndOtherFiles) {
   const std::string bytes = writePolicy(sample());
   for (size_t size = 0; size < bytes.size(); size += 997) {
     const auto read = readPolicy(std::string_view(bytes).substr(0, size), "x.obp");
@@ -60,10 +60,10 @@ TEST(PolicyFileTest, RefusesDamage) {
     damaged[at] = char(damaged[at] ^ 0x10);
     refused += !readPolicy(damaged, "x");
   }
-  EXPECT_GT(refused, tried * 9 / 10) << "all but what is not hashed: texts, padding";
+  EXPECT_GT(refused, tried * 9 / 10) << "all except texts and padding, which are not hashed";
 }
 
-// The file with something about it changed.
+// Returns the file after a change.
 std::string changed(const std::function<void(schema::PolicyFile::Builder)>& change) {
   const std::string bytes = writePolicy(sample());
   auto words = kj::heapArray<capnp::word>(bytes.size() / sizeof(capnp::word));
@@ -107,12 +107,12 @@ TEST(PolicyFileTest, RefusesOtherVersionsByName) {
          "the mean or deviation of its values is not");
 }
 
-TEST(PolicyFileTest, RefusesWhatFollowsIt) {
+TEST(PolicyFileTest, RefusesTextAfterTheMessage) {
   const std::string said = refusal(writePolicy(sample()) + std::string(8, '\0'));
   EXPECT_NE(said.find("it has extra bytes at its end"), std::string::npos) << said;
 }
 
-TEST(PolicyFileTest, RefusesNumbersThatAreNone) {
+TEST(PolicyFileTest, RefusesNumbersThatAreNotFinite) {
   PolicyFile file = sample();
   file.network.numbers()[1000] = std::numeric_limits<float>::quiet_NaN();
   const auto read = readPolicy(writePolicy(file), "x");

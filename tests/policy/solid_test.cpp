@@ -1,4 +1,4 @@
-// Parts as vertical lines cut them.
+// Intersections of parts with vertical lines.
 #include "policy/solid.h"
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@
 namespace obby::policy {
 namespace {
 
-// A block as cut() has it, but by the same way whatever stands upright.
+// A block as in cut(), but without the shortcut for upright parts.
 Stretch<float> cutPlainly(const Solid& solid, float x, float z) {
   const Vec3 o{x - solid.center.x, -solid.center.y, z - solid.center.z};
   Stretch<float> s;
@@ -26,7 +26,7 @@ Stretch<float> cutPlainly(const Solid& solid, float x, float z) {
   return s;
 }
 
-// Any axis is the upright one, up or down, with zeros of either sign.
+// Any axis points up or down, with zeros of either sign.
 Solid uprightBlock(int n, Random& random) {
   const auto uniform = [&random](float lo, float hi) { return lo + (hi - lo) * random.unit(); };
   const SinCos turn = sinCos(Turns(random.next()));
@@ -42,7 +42,7 @@ Solid uprightBlock(int n, Random& random) {
   return solid;
 }
 
-TEST(Solid, IsCutAlikeWhereItStandsUpright) {
+TEST(Solid, AnUprightBlockIsCutLikeAnyOther) {
   Random random(9, 9);
   int met = 0;
   for (int n = 0; n < 5000; ++n) {

@@ -1,4 +1,4 @@
-// Which parts are near: all that are in sight, however many there are and however large.
+// The parts in sight, for any number and size of parts.
 #include "policy/surroundings.h"
 
 #include <gtest/gtest.h>
@@ -23,8 +23,8 @@ LevelBuilder surroundingsGap() {
   return b;
 }
 
-// A level's parts and, too high above them to be seen, so many plates as large as can be that
-// squares of 8 studs list them 132 million times. The level must outlive it.
+// A level's parts and, too high above them to be seen, so many plates of maximum size that squares
+// of 8 studs would list them 132 million times. The level must outlive it.
 struct Roofed {
   explicit Roofed(const level::Level& level) : view(level.view()) {
     bounds.assign(view.bounds, view.bounds + view.colliderCount);
@@ -38,7 +38,7 @@ struct Roofed {
   level::LevelView view;
 };
 
-TEST(Surroundings, OfManyHugePartsStayBounded) {
+TEST(Surroundings, ManyHugePartsTakeBoundedMemory) {
   const level::Level level = surroundingsGap().compile();
   const Roofed roofed(level);
   const Surroundings around(roofed.view, kSight);
@@ -48,17 +48,17 @@ TEST(Surroundings, OfManyHugePartsStayBounded) {
   EXPECT_LT(s.inverseCell, 1 / 16.0f) << "wider squares";
 }
 
-TEST(Surroundings, OfFewPartsAreSquaresOfEightStuds) {
+TEST(Surroundings, FewPartsHaveSquaresOfEightStuds) {
   const level::Level level = surroundingsGap().compile();
   const Surroundings around(level.view(), kSight);
   const SurroundingsView s = around.view();
   EXPECT_EQ(s.inverseCell, 1 / 8.0f);
   EXPECT_EQ(s.nx, 5);
   EXPECT_EQ(s.nz, 7);
-  EXPECT_EQ(s.entryCount, 5u * 6 + 5u * 5) << "the start, and what is behind the gap";
+  EXPECT_EQ(s.entryCount, 5u * 6 + 5u * 5) << "the start, and the ground after the gap";
 }
 
-// What a policy sees of a level in these surroundings.
+// Returns a policy's observation of a level in these surroundings.
 std::vector<float> seenIn(const level::LevelView& level, const Surroundings& around,
                           const sim::World& world) {
   level::QueryView query;
@@ -69,7 +69,7 @@ std::vector<float> seenIn(const level::LevelView& level, const Surroundings& aro
   return inputs;
 }
 
-TEST(Surroundings, HowWideSquaresAreDoesNotShow) {
+TEST(Surroundings, TheObservationDoesNotDependOnTheSquares) {
   const level::Level level = support::boxArena(60, 7).compile();
   const Roofed roofed(level);
   const Surroundings narrow(level.view(), kSight), wide(roofed.view, kSight);
@@ -82,7 +82,7 @@ TEST(Surroundings, HowWideSquaresAreDoesNotShow) {
   }
 }
 
-TEST(Surroundings, ListAPartWhereverItIsInSight) {
+TEST(Surroundings, ListAPartInEverySquareThatSeesIt) {
   const level::Level level = support::boxArena(60, 7).compile();
   const level::LevelView view = level.view();
   const Surroundings around(view, kSight);
@@ -102,8 +102,8 @@ TEST(Surroundings, ListAPartWhereverItIsInSight) {
   }
 }
 
-// Whoever looks around stops at the first that is overhead.
-TEST(Surroundings, ListTheLowestFirst) {
+// The observation stops at the first part that is overhead.
+TEST(Surroundings, ListLowerPartsFirst) {
   const level::Level level = support::boxArena(60, 7).compile();
   const level::LevelView view = level.view();
   const Surroundings around(view, kSight);
@@ -117,7 +117,7 @@ TEST(Surroundings, ListTheLowestFirst) {
   EXPECT_GT(pairs, 100u);
 }
 
-TEST(Surroundings, AreLookedThroughToTheLastThatIsInSight) {
+TEST(Surroundings, AreSearchedToTheLastPartInSight) {
   const level::Level levels[] = {support::boxArena(60, 7).compile(),
                                  support::movingArena(60, 14, 2).compile()};
   Random random(4, 4);

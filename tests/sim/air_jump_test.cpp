@@ -80,7 +80,7 @@ TEST(AirJump, CanBeUnlimited) {
   EXPECT_GT(play.world.position.y, 500);
 }
 
-TEST(AirJump, UnderABoostHaveTheBoostsSpeed) {
+TEST(AirJump, UseTheJumpSpeedOfABoost) {
   const auto level = support::LevelBuilder()
                          .block({0, -1, 0}, {200, 2, 200},
                                 [](auto p) {

@@ -103,7 +103,7 @@ TEST(Climb, turns_the_player_to_the_face) {
 }
 
 // The forward key alone leads over the edge: no fall back, no second grip, no jump.
-TEST(Climb, of_20_studs_ends_standing_on_top_by_holding_forward_only) {
+TEST(Climb, holding_forward_ends_on_top_of_20_studs) {
   for (const float speed : {4.0f, 10.0f, 16.0f, 20.0f}) {
     for (const float top : {3.0f, 6.0f, 20.0f, 20.3f, 20.6f}) {
       const auto level = tower(top).physics([=](auto p) { p.setWalkSpeed(speed); }).compile();
@@ -121,7 +121,7 @@ TEST(Climb, of_20_studs_ends_standing_on_top_by_holding_forward_only) {
   }
 }
 
-TEST(Climb, past_the_top_leads_onto_the_floor_beyond) {
+TEST(Climb, leads_past_the_top_onto_the_floor_beyond) {
   const auto level = tower(20).block({0, 19, kFace - 10}, {16, 2, 16}).compile();
   Play play(level);
   play.settle();
@@ -214,7 +214,7 @@ TEST(Climb, needs_a_solid_truss_with_nothing_before_it) {
   EXPECT_TRUE(grip(tower(20).block({0, 10, kFace - 2}, {8, 20, 4}).compile())) << "flush";
 }
 
-TEST(Climb, past_the_lower_end_is_a_fall) {
+TEST(Climb, falls_past_the_lower_end) {
   const auto level = tower(40, asTruss, 20).compile();
   Play play(level, {0, 24, kFace + 1});
   play.run(walk(kNorth));

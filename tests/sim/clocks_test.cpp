@@ -110,7 +110,7 @@ TEST(Boost, MakesThePlayerFasterForItsSeconds) {
   EXPECT_NEAR(-play.world.velocity.z, 16, 0.5f);
 }
 
-TEST(Boost, WithoutSecondsLastsWhileThePartIsTouched) {
+TEST(Boost, LastsWhileThePartIsTouchedWithoutSeconds) {
   const auto level = boostLevel([](auto b) { b.setJumpSpeed(1.5f); }).compile();
   Play on(level, {0, 0.2f, -6});
   on.settle().run(stand(true)).run(stand(), 40);
@@ -171,7 +171,7 @@ TEST(Heal, GivesHealthBackUpToTheFullAndOnceACooldown) {
   EXPECT_EQ(healed(-10, 0, 90), 100);
 }
 
-TEST(Clocks, BeyondTheLimitAreReportedAndIgnored) {
+TEST(Clocks, ReportsAndIgnoresClocksBeyondTheLimit) {
   LevelBuilder b;
   for (int i = 0; i < 10; ++i) {
     b.block({0.2f * float(i) - 1, -1, 0}, {0.2f, 2, 8},

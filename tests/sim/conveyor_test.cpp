@@ -10,7 +10,7 @@ using schema::Part;
 using support::LevelBuilder;
 
 // At each of these heights the feet rest exactly on the floor when it begins to lift them.
-TEST(Conveyor, that_leads_up_never_exceeds_its_own_speed) {
+TEST(Conveyor, a_rising_conveyor_never_exceeds_its_own_speed) {
   constexpr float kSpeed = 8;
   for (const float height : {0.0f, 1.0f, 10.0f, 100.0f, 1000.0f}) {
     const auto level = LevelBuilder()
@@ -30,7 +30,7 @@ TEST(Conveyor, that_leads_up_never_exceeds_its_own_speed) {
 
 // The player stands 12 studs from the middle. The middle stays at the motion's only key, or moves
 // from there at 6 studs/s, far from the part's own position.
-TEST(Conveyor, that_turns_does_so_about_its_moved_part) {
+TEST(Conveyor, a_turning_conveyor_turns_about_its_moved_part) {
   constexpr float kTurn = 2;  // rad/s
   for (const uint32_t keyCount : {1u, 2u}) {
     const auto level = LevelBuilder()
@@ -56,7 +56,7 @@ TEST(Conveyor, that_turns_does_so_about_its_moved_part) {
 
 // A box 6 studs east of the middle is carried around it, first northwards, by a radian in one
 // second.
-TEST(Conveyor, that_turns_carries_dynamic_parts_about_its_moved_part) {
+TEST(Conveyor, a_turning_conveyor_turns_dynamic_parts_about_its_part) {
   const auto level =
       LevelBuilder()
           .block({0, -1, 0}, {60, 2, 60},

@@ -37,7 +37,7 @@ TEST(EngineLaws, StepsAreSemiImplicit) {
   EXPECT_NEAR(play.world.velocity.y, -kGravity * kStep * 96, 1e-3f);
 }
 
-TEST(EngineLaws, ATickOfSeveralStepsEndsWhereTheStepsDo) {
+TEST(EngineLaws, SeveralStepsInATickEqualSingleSteps) {
   const auto fine = byTheStep(), coarse = flatLevel();
   Play one(fine, {0, 100, 0}), other(coarse, {0, 100, 0});
   one.run(walk(kEast), 96);
@@ -74,7 +74,7 @@ TEST(EngineLaws, TheLaunchStepIsFreeOfGravity) {
   EXPECT_NEAR(four.world.velocity.y, 53 - 3 * kGravity * kStep, 1e-4f);
 }
 
-TEST(EngineLaws, AJumpSetsTheSpeedWhateverItWas) {
+TEST(EngineLaws, AJumpReplacesTheVerticalSpeed) {
   for (const float before : {-15.0f, 0.0f, 13.0f}) {
     const auto level = byTheStep();
     Play play(level);

@@ -52,7 +52,7 @@ TEST(BoostedGravity, HighGravityMakesJumpsLow) {
   EXPECT_NEAR(play.world.position.y, 0, 0.01f);
 }
 
-TEST(BoostedGravity, AtZeroAPlayerStandsAndAJumpNeverEnds) {
+TEST(BoostedGravity, AtZeroGravityPlayersStandAndJumpsNeverEnd) {
   const auto level = boostFloor([](auto b) { b.setGravity(0), b.setForever(true); }).compile();
   Play play(level);
   play.settle().run(walk(kNorth), 60);

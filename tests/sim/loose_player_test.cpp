@@ -35,7 +35,7 @@ float pushed(float mass, float pushForce) {
 
 // Friction holds up to 0.5 x 196.2 for each unit of mass. The drive pushes with 12.6 x 2060 x pair
 // friction.
-TEST(LoosePlayer, PushesWhatFrictionDoesNotHold) {
+TEST(LoosePlayer, PushesBodiesThatFrictionDoesNotHold) {
   const float most = 12.6f * 2060 * 0.4f / (0.5f * 196.2f);
   EXPECT_GT(pushed(0.5f * most, 1e5f), 5);
   EXPECT_GT(pushed(0.85f * most, 1e5f), 1);
@@ -128,7 +128,7 @@ TEST(LoosePlayer, BodiesThatSleepFallWhenTheirFloorLeaves) {
 }
 
 // The ball is touched at its position at the tick's end, not at its start.
-TEST(LoosePlayer, AFastBallThatKillsIsTouchedWhereItIs) {
+TEST(LoosePlayer, AFastDeadlyBallKillsAtItsCurrentPosition) {
   LevelBuilder b = room();
   b.block({-30, 0.25f, 0}, {0.5f, 0.5f, 0.5f}, [](auto p) {
     p.setAnchored(false);

@@ -49,7 +49,7 @@ TEST(LooseBodies, ComeToRestOnTheFloorAndSleep) {
   EXPECT_EQ(play.world.flags & sim::kLooseAwake, 0);
 }
 
-TEST(LooseBodies, OfEveryShapeRestOnTheirLowestFace) {
+TEST(LooseBodies, EveryShapeRestsOnItsLowestFace) {
   struct Case {
     schema::Shape shape;
     float height;  // of the part's centre at rest
@@ -99,7 +99,7 @@ TEST(LooseBodies, RestOnAHullFarFromItsPartsCentre) {
   }
 }
 
-TEST(LooseBodies, ThatStandOnACornerTipOver) {
+TEST(LooseBodies, TipOverFromACorner) {
   const auto level = looseRoom()
                          .block({0, 5, 0}, {4, 4, 4},
                                 [](auto p) {
@@ -237,7 +237,7 @@ TEST(LooseBodies, ArePushedByThePlayer) {
   EXPECT_GT(play.world.position.z, play.loose[0].position.z + 2.4f);
 }
 
-TEST(LooseBodies, ThatAreTooHeavyStayWhereTheyAre) {
+TEST(LooseBodies, StayPutIfTooHeavyToPush) {
   const auto level = looseRoom()
                          .block({0, 2, 20}, {12, 4, 12},
                                 [](auto p) {
@@ -308,7 +308,7 @@ TEST(LooseBodies, ContinueIdenticallyWhenRestored) {
   EXPECT_EQ(stateHash(again.world, again.loose), stateHash(play.world, play.loose));
 }
 
-TEST(LooseBodies, BeyondSixteenAreAnErrorThatNamesTheSeventeenth) {
+TEST(LooseBodies, TheSeventeenthBodyIsAnError) {
   LevelBuilder b = looseRoom();
   for (int i = 0; i < 17; ++i) b.block({5 * float(i), 2, 0}, {4, 4, 4}, unanchor);
   const auto level = level::Level::compile(b.record());

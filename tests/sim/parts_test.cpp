@@ -306,7 +306,7 @@ TEST(Motion, carriers_about_a_far_pivot_take_the_player_round) {
 }
 
 // A conveyor moves its surface but turns no player: each tick goes straight on.
-TEST(Conveyor, that_turns_fast_takes_the_player_round) {
+TEST(Conveyor, a_fast_turning_conveyor_carries_the_player_round) {
   const auto disc = LevelBuilder()
                         .block({0, -1, 0}, {40, 2, 40},
                                [](auto p) {

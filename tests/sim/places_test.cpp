@@ -136,7 +136,7 @@ void looseSeat(Part::Builder p) {
 
 Pose seatOf(const Play& play) { return poseOf(play.loose[0], play.level.view().loose[0]); }
 
-TEST(Seat, ThatIsDynamicHoldsThePlayer) {
+TEST(Seat, ADynamicSeatHoldsThePlayer) {
   const auto level = floorLevel().block({0, 3, -8}, {3, 1, 3}, looseSeat).compile();
   Play play(level);
   play.run(stand(), 90);  // the seat falls
@@ -152,7 +152,7 @@ TEST(Seat, ThatIsDynamicHoldsThePlayer) {
   EXPECT_NEAR(play.world.velocity.y, 53, 0.1f);
 }
 
-TEST(Seat, ThatFallsCarriesThePlayerUntilItIsGone) {
+TEST(Seat, AFallingSeatCarriesThePlayerUntilItsRemoval) {
   LevelBuilder b;
   b.block({0, 0, 0}, {3, 1, 3}, looseSeat).physics([](auto p) {
     p.setSeatHeight(10);
@@ -198,7 +198,7 @@ TEST(Squeeze, KillsUnderAPressThatKillsAndNamesIt) {
   EXPECT_EQ(play.world.part, 1u);
 }
 
-TEST(Squeeze, OtherwiseOnlyPushes) {
+TEST(Squeeze, OnlyPushesUnderAPressThatDoesNotKill) {
   const auto level = pressLevel(schema::Squeeze::PUSH).compile();
   Play play(level);
   play.run(stand(), 200);
@@ -235,7 +235,7 @@ TEST(OneWay, StopsAnySpeedFromItsSolidSide) {
   EXPECT_NEAR(play.world.position.y, 5.5f, 0.1f);
 }
 
-TEST(OneWay, LetsAFallThroughWhereItsSolidSideIsBelow) {
+TEST(OneWay, LetsPlayersFallThroughFromTheOtherSide) {
   for (const bool turned : {false, true}) {
     const auto level = shelf(turned ? Vec3{0, 1, 0} : Vec3{0, -1, 0}, 8, turned).compile();
     Play down(level, {0, 20, 0});

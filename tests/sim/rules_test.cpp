@@ -278,7 +278,7 @@ TEST_F(TouchTest, TheGoalCanBeAFloorToStandOn) {
   EXPECT_LT(last.tick, 10u);
 }
 
-TEST_F(RulesTest, AMovingPartIsTouchedWhereItIs) {
+TEST_F(RulesTest, AMovingPartIsTouchedAtItsCurrentPosition) {
   LevelBuilder b = LevelBuilder().block({0, -1, 0}, {400, 2, 400});
   b.block({6, 2, -20}, {2, 4, 2}, [](schema::Part::Builder p) {
     p.setSolid(false);

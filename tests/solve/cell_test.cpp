@@ -136,7 +136,7 @@ TEST(Binning, MotionAndVanishingAndDamageAddDimensions) {
 }
 
 // A signal matters by its remaining time. A part that vanishes by itself only counts as running.
-TEST(Cell, RunningSignalsTellStatesApart) {
+TEST(Cell, RunningSignalsDistinguishStates) {
   const level::Level level =
       steppingStones()
           .block({20, 0, 0}, {4, 1, 4},

@@ -69,7 +69,7 @@ TEST(NearestCells, FindsTheNearestOfTheLayerAndTheLowestOfTies) {
   EXPECT_EQ(cells.nearest(1, {0, 0, 0}), kNone);
 }
 
-TEST(NearestCells, FindsWhatAScanFinds) {
+TEST(NearestCells, AgreesWithALinearScan) {
   Random random(1, 1);
   const auto place = [&] {
     return Vec3{float(random.below(64)), float(random.below(16)), float(random.below(64))};

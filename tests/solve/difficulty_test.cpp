@@ -42,7 +42,7 @@ TEST(Noise, TextStatesItsNumbers) {
   }
 }
 
-TEST(NoisyPlayer, WithoutNoiseRepeatsTheRecording) {
+TEST(NoisyPlayer, RepeatsTheRecordingWithoutNoise) {
   const GapScene scene(7);
   const Course course = scene.jumpAt(-7);
   const std::vector<Segment> segments = segmentsOf(course);

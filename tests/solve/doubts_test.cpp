@@ -120,7 +120,7 @@ TEST(Doubts, ALongerRouteWithoutThePartIsPreferred) {
   EXPECT_EQ(std::ranges::count(answered.route, 2), 0);
 }
 
-TEST(Doubts, NearbyPartsCauseNone) {
+TEST(Doubts, NearbyPartsCauseNoDoubt) {
   DoubtfulLevel level;
   level.block({0, -0.5f, -14}, {8, 1, 36});
   level.block({20, -0.5f, -14}, {8, 1, 36}, {kDoubtKind});
@@ -137,7 +137,7 @@ TEST(Doubts, ThePartThatThePlayerStartsOnIsNamed) {
   EXPECT_EQ(answered.doubtful, std::vector<int32_t>{0});
 }
 
-TEST(Doubts, LossesThatCanOnlyHelpCauseNone) {
+TEST(Doubts, LossesThatOnlyHelpCauseNoDoubt) {
   DoubtfulLevel level;
   level.block({0, -0.5f, -14}, {8, 1, 36}, {"tool"});
   level.loss("tool", schema::Bearing::EASIER, true);

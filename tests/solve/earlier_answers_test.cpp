@@ -5,9 +5,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "changed_stones.h"
 #include "policy/shipped_policy.h"
 #include "scenes.h"
 #include "solve/methods.h"
+#include "untimed.h"
 
 namespace obby::solve {
 namespace {
@@ -20,15 +22,6 @@ FilterOptions stepsOnly(uint64_t maxSteps = 2'000'000) {
   o.solver.budget.maxSteps = maxSteps;
   o.solver.progressRecords = false;
   return o;
-}
-
-EarlierAnswers answersIn(const std::string& text) {
-  const LinesFile file(text);
-  io::SourceOptions source;
-  source.inputs = {file.path()};
-  auto answers = EarlierAnswers::read(std::move(source));
-  EXPECT_TRUE(answers) << answers.error().text();
-  return *std::move(answers);
 }
 
 std::string answer(const std::string& text, FilterOptions options) {
@@ -52,26 +45,6 @@ uint64_t countIn(const std::string& output, const std::string& field) {
 
 uint64_t stepsOf(const std::string& output) { return countIn(output, "steps"); }
 uint64_t roundsOf(const std::string& output) { return countIn(output, "rounds"); }
-
-std::string withoutTiming(std::string text) {
-  const size_t at = text.find(",\"timing\":{");
-  if (at != std::string::npos) text.erase(at, text.find('}', at) + 1 - at);
-  return text;
-}
-
-std::string replaced(std::string text, const std::string& from, const std::string& to) {
-  const size_t at = text.find(from);
-  EXPECT_NE(at, std::string::npos);
-  return text.replace(at, from.size(), to);
-}
-
-// The stones with a fourth one, which has the goal.
-std::string fourStones() {
-  std::string text =
-      replaced(stonesText(), "\"goal\":{}}]",
-               R"("goal":{}},{"name":"D","position":[12,-0.5,-28],"size":[8,1,8]}])");
-  return replaced(text, "\"position\":[0,2,-28]", "\"position\":[12,2,-28]");
-}
 
 TEST(EarlierAnswer, StillWorksOnTheSameLevelAtOnce) {
   const std::string before = answer(stonesText(), stepsOnly());
@@ -126,7 +99,7 @@ TEST(EarlierAnswer, NeverMakesTheUnsolvableSolved) {
   EXPECT_THAT(answer(stonesText(R"(,"maxJumps":0)"), few), Not(HasSubstr("still works")));
 }
 
-TEST(EarlierAnswer, OfAnotherQueryIsNotUsed) {
+TEST(EarlierAnswer, IsIgnoredForAnotherQuery) {
   const std::string before = answer(stonesText(), stepsOnly());
   const std::string other = replaced(stonesText(), "\"id\":\"q\"", "\"id\":\"p\"");
   EXPECT_EQ(withoutTiming(answerAfter(before, other)), withoutTiming(answer(other, stepsOnly())));
@@ -140,20 +113,7 @@ TEST(EarlierAnswer, GivesTheSameBytesOnAnyNumberOfThreads) {
   }
 }
 
-TEST(EarlierAnswer, IsOfUseToEveryMethod) {
-  const std::string before = answer(stonesText(), stepsOnly());
-  for (const Method& method : methods()) {
-    FilterOptions o = stepsOnly(20'000);
-    o.solver.method = &method;
-    o.solver.policy = &policy::shippedPolicy().network;
-    o.earlier = answersIn(before);
-    EXPECT_THAT(answer(stonesText(), o), HasSubstr("\"verdict\":\"solved\"")) << method.name;
-    EXPECT_THAT(answer(fourStones(), std::move(o)), HasSubstr("\"type\":\"result\""))
-        << method.name;
-  }
-}
-
-TEST(EarlierAnswer, OfAFailedSearchLeadsFurther) {
+TEST(EarlierAnswer, LeadsFurtherAfterAFailedSearch) {
   // The search was cut off after its first round. The cells that its attempts reached are kept.
   const std::string before = answer(fourStones(), stepsOnly(1));
   ASSERT_THAT(before, HasSubstr("\"verdict\":\"unknown\""));

@@ -243,7 +243,7 @@ TEST(Explain, SaysHowMuchHealthItCosts) {
   EXPECT_THAT(e.reason, HasSubstr("lost more health than allowed, the last of it to 'Embers'"));
 }
 
-TEST(Explain, ClaimsNothingWhereNothingHelps) {
+TEST(Explain, MakesNoClaimIfNoChangeHelps) {
   const Explained e =
       explainAsk(corridor("") + query(R"("goal":{"position":[0,400,-30],"size":[8,4,4]})"));
   EXPECT_EQ(e.verdict, schema::Verdict::UNREACHABLE);
@@ -251,7 +251,7 @@ TEST(Explain, ClaimsNothingWhereNothingHelps) {
   EXPECT_THAT(e.reason, HasSubstr("No single change that was tried makes it solvable."));
 }
 
-TEST(Explain, ClaimsNothingWhereTwoChangesAreNeeded) {
+TEST(Explain, MakesNoClaimIfTwoChangesAreNeeded) {
   const std::string behind =
       R"(,{"name":"Lava 2","position":[0,40,-22],"size":[40,100,2],"solid":false,"kill":{}})";
   EXPECT_THAT(explainAsk(corridor(kLava + behind) + query(kEnd)).all, IsEmpty());
@@ -276,7 +276,7 @@ TEST(Explain, SaysNothingOfSolvedQueries) {
 }
 
 // The verdict `unreachable` stands, and the reason does not mention untried changes.
-TEST(Explain, StopsWhenToldTo) {
+TEST(Explain, StopsOnRequest) {
   const std::atomic<bool> stop{true};
   const LinesFile file(stepUp(40));
   FilterOptions o = explaining(600'000, 1);

@@ -33,7 +33,7 @@ uint64_t cellsOf(schema::HeatMap::Reader map) {
   return sum;
 }
 
-TEST(HeatMap, CountsWhatIsInACubeAndKeepsItsLowestFeet) {
+TEST(HeatMap, CountsCellsPerCubeAndKeepsTheLowestFeet) {
   HeatMap map;
   map.note({{0.5f, 3.5f, 0.5f}, {1.5f, 2.25f, 0.5f}, {-0.5f, 2.5f, 0.5f}});
   const auto record = filled(map);

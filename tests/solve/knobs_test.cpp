@@ -119,7 +119,7 @@ TEST(Knobs, HigherJumpsAreHigherByThatShare) {
   EXPECT_NEAR(changes[0].amount(5), double(after - before), 1e-3);
 }
 
-TEST(Knobs, WithoutJumpingHigherJumpsAreNotTried) {
+TEST(Knobs, HigherJumpsAreNotTriedWithoutJumping) {
   EXPECT_THAT(jumpHeightChanges(KnobsScene(kGoal + R"(,"maxJumps":0)").failure()), IsEmpty());
   EXPECT_THAT(jumpHeightChanges(KnobsScene(kGoal + R"(,"forbid":["jumping"])").failure()),
               IsEmpty());

@@ -45,7 +45,7 @@ TEST(KnownLevels, KeepsAsManyOfTheNewestAsFit) {
 }
 
 // Two parts far apart make a small record and a large grid.
-TEST(KnownLevels, CountsWhatACompiledLevelTakes) {
+TEST(KnownLevels, CountsTheMemoryOfACompiledLevel) {
   io::RecordBuilder record;
   auto level = record.root().initLevel();
   auto parts = level.initParts(2);

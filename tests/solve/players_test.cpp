@@ -92,7 +92,7 @@ TEST(Players, ATrajectoryReplaysOnlyAsItsPlayer) {
   EXPECT_FALSE(checked(out).status);
 }
 
-TEST(Players, OneThatFailsDecidesTheVerdict) {
+TEST(Players, AFailingPlayerDecidesTheVerdict) {
   const std::string out = playersAnswer(ledge(R"(,"bodies":["r6","place"])"));
   const std::string result = resultOf(out);
   EXPECT_THAT(result, HasSubstr(R"("verdict":"unreachable")"));
@@ -113,7 +113,7 @@ TEST(Players, StartAtTheSameTimeOfTheLevelsClock) {
   EXPECT_EQ(checked(out).counts.verified, 2u);
 }
 
-TEST(Players, OfTheCommandLineReplaceThoseOfTheQuery) {
+TEST(Players, CommandLinePlayersReplaceTheQuerysPlayers) {
   FilterOptions o = quickly();
   o.players = *askedPlayers({"r6,r15", "r6"}, {"each"}, false);
   const std::string out = playersAnswer(stonesText(R"(,"bodies":["place"])"), std::move(o));
@@ -193,7 +193,7 @@ TEST(Retimed, KeysRoundToThePlayersNextTick) {
   EXPECT_THAT(ticks(retimed(way, 240, 60)), ElementsAre(2u, 2u));
 }
 
-TEST(PlayersText, NamesWhoCanAndWhoCannot) {
+TEST(PlayersText, NamesPlayersWithAndWithoutASolution) {
   constexpr auto kSolved = schema::Verdict::SOLVED, kNot = schema::Verdict::UNREACHABLE,
                  kUnknown = schema::Verdict::UNKNOWN;
   EXPECT_EQ(playersText({{"r6", 60, kSolved}, {"r15", 60, kSolved}}, true),

@@ -88,7 +88,7 @@ uint32_t jumpsAcross(const level::Level& level, bool mayJump = true) {
 }
 
 // A search finds solutions up to 11.5 studs of gap and 8.8 of rise (docs/physics.md).
-TEST(ReachBound, AdmitsWhatAPlayerCanDo) {
+TEST(ReachBound, AdmitsStepsThatPlayersCanMake) {
   EXPECT_EQ(jumpsAcross(platforms(9.5f, 0)), 1u);
   EXPECT_EQ(jumpsAcross(platforms(11.5f, 0)), 1u);
   EXPECT_EQ(jumpsAcross(platforms(1, 8.8f)), 1u);
@@ -96,7 +96,7 @@ TEST(ReachBound, AdmitsWhatAPlayerCanDo) {
   EXPECT_EQ(jumpsAcross(platforms(6, -20)), 0u) << "falls far enough";
 }
 
-TEST(ReachBound, RefusesWhatIsWellBeyondAJump) {
+TEST(ReachBound, RefusesStepsFarBeyondAJump) {
   EXPECT_EQ(jumpsAcross(platforms(17, 0)), ReachBound::kNever);
   EXPECT_EQ(jumpsAcross(platforms(1, 15)), ReachBound::kNever);
   EXPECT_EQ(jumpsAcross(platforms(11, 0), false), ReachBound::kNever);

@@ -40,7 +40,7 @@ uint32_t expectHeld(const io::Record& level, const io::Record& query, const io::
   return end.ticks;
 }
 
-TEST(ReachCases, NothingThatATrajectorySolvesIsUnreachable) {
+TEST(ReachCases, NoSolvedQueryIsUnreachable) {
   if (!fs::is_directory(kCases)) {
     GTEST_SKIP() << "NOT TESTED: the cases are missing: " << kCases.lexically_normal();
   }

@@ -54,7 +54,7 @@ class ResidentMerge : public testing::Test {
   std::optional<ResidentRounds> rounds_;
 };
 
-TEST_F(ResidentMerge, FewerTicksThenFewerJumpsThenTheEarlierCandidate) {
+TEST_F(ResidentMerge, RanksByTicksThenJumpsThenOrder) {
   const RoundFindings f = merge({{{7, 20, 1, 1}, {8, 30, 1, 2}, {9, 40, 2, 3}},
                                  {{7, 19, 5, 4}, {8, 30, 0, 5}, {9, 40, 2, 6}},
                                  {{7, 19, 5, 7}}});
@@ -86,7 +86,7 @@ TEST_F(ResidentMerge, AnIncumbentIsReplacedByABetterOneOnly) {
   EXPECT_EQ((*rounds().cells(0))[1].seen, 4u);
 }
 
-TEST_F(ResidentMerge, ARolloutThatComesBackDoesNotShareItsCell) {
+TEST_F(ResidentMerge, ARevisitByItsOwnRolloutIsNoSighting) {
   const RoundFindings f = merge({{{7, 20, 0, 1}, {8, 22, 0, 2}, {7, 25, 0, 3}}});
   EXPECT_EQ(f.cells, 3u);
   EXPECT_EQ(f.report.sightings, 0u);
@@ -95,7 +95,7 @@ TEST_F(ResidentMerge, ARolloutThatComesBackDoesNotShareItsCell) {
 
 // A cell dropped for lack of capacity is new again in the next round, and better trajectories still
 // count.
-TEST_F(ResidentMerge, BeyondTheCapacityCellsAreDroppedInOrder) {
+TEST_F(ResidentMerge, CellsBeyondTheCapacityAreDroppedInOrder) {
   maxCells_ = 3;
   const RoundFindings f =
       merge({{{7, 20, 0, 1}}, {{8, 20, 0, 2}, {9, 20, 0, 3}}, {{10, 20, 0, 4}}});

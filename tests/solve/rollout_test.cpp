@@ -129,7 +129,7 @@ TEST(Surfaces, AreStandablePlacesExceptOnKillParts) {
 }
 
 // Aims at most a jump apart lead all the way up a truss.
-TEST(Surfaces, OfATrussCoverItsWholeHeight) {
+TEST(Surfaces, CoverTheWholeHeightOfATruss) {
   LevelBuilder b = steppingStones();
   b.block({50, 20, 0}, {2, 40, 2},
           [](schema::Part::Builder p) { p.setShape(schema::Shape::TRUSS); });
@@ -144,7 +144,7 @@ TEST(Surfaces, OfATrussCoverItsWholeHeight) {
   }
 }
 
-TEST(Surfaces, OfAMovingPartFollowItsPose) {
+TEST(Surfaces, FollowThePoseOfAMovingPart) {
   LevelBuilder b = steppingStones();
   b.block({50, 0, 0}, {4, 1, 4}, [](schema::Part::Builder p) {
     auto keys = p.initMotion().initKeys(2);

@@ -201,7 +201,7 @@ TEST(Search, ShowsAsManyAttemptsAsAskedAndTheyDiffer) {
   EXPECT_TRUE(answerOf(solve(stonesText(kWall), o).output).trajectories.empty());
 }
 
-TEST(Search, StopsSoonWhenTold) {
+TEST(Search, StopsSoonOnRequest) {
   std::atomic<bool> stop{true};
   FilterOptions o = searchStepsOnly(1ull << 60);
   o.solver.budget.stop = &stop;

@@ -62,7 +62,7 @@ std::string goalAbove(float rise) {
                      5 + 5 + rise);
 }
 
-TEST(Unreachable, SaysWhichTricksMightHelpAndWhetherItHoldsWithAll) {
+TEST(Unreachable, NamesHelpfulTricksAndWhetherItHoldsWithAll) {
   const Filtered low = unreachableAsk(goalAbove(10)), high = unreachableAsk(goalAbove(60));
   expectUnreachable(low, " That is in normal play: a held jump");
   EXPECT_THAT(low.output, HasSubstr(R"("mayHelp":["heldJump")"));
@@ -77,7 +77,7 @@ TEST(Unreachable, TheReasonMentionsForbiddenJumping) {
   expectUnreachable(unreachableAsk(std::string(kThird) + R"(,"forbid":["jumping"])"), words);
 }
 
-TEST(Unreachable, LimitsOfAWaypointEndThere) {
+TEST(Unreachable, AWaypointsLimitsApplyOnlyUntilIt) {
   const Filtered f = unreachableAsk(
       std::string(kThird) +
       R"(,"waypoints":[{"region":{"position":[0,2,-6],"size":[8,4,2]},"maxJumps":0,"segmentJumps":0}])");
@@ -156,7 +156,7 @@ TEST(Unreachable, AllowsForRoundingFarOut) {
   expectUnreachable(run("90"), "but only 90.00 s is allowed");
 }
 
-TEST(Unreachable, IsNotClaimedWherePartsAreSoHighThatJumpsAreRounded) {
+TEST(Unreachable, IsNotClaimedAtHeightsThatRoundJumps) {
   const auto counted = [](const std::string& height) {
     return unreachableAsk(R"("goal":{"part":"Ledge"})",
                           R"(,{"name":"High","position":[0,)" + height + R"(,0],"size":[4,1,4]})")
@@ -174,7 +174,7 @@ TEST(Unreachable, IsNotClaimedWherePartsAreSoHighThatJumpsAreRounded) {
   EXPECT_EQ(fallen("10000"), 1u);
 }
 
-TEST(Unreachable, IsNotClaimedWhereATeleporterLeadsSoHigh) {
+TEST(Unreachable, IsNotClaimedIfATeleporterLeadsTooHigh) {
   const auto counted = [](const std::string& height) {
     return unreachableAsk(R"("goal":{"part":"Ledge"})",
                           R"(,{"name":"Gate","position":[0,5000,0],"size":[4,4,4],"solid":false,)"
@@ -187,7 +187,7 @@ TEST(Unreachable, IsNotClaimedWhereATeleporterLeadsSoHigh) {
 }
 
 // After the last tick of the level's clock comes its first one, at which a lift may be elsewhere.
-TEST(Unreachable, IsNotClaimedWhereTheClockOfALiftWraps) {
+TEST(Unreachable, IsNotClaimedIfALiftsClockWraps) {
   LevelBuilder b;
   b.block({0, -0.5f, -4}, {8, 1, 8}).block({0, -5, -4}, {2, 1, 2}, [](schema::Part::Builder p) {
     auto motion = p.initMotion();
@@ -255,7 +255,7 @@ std::string posts(int count, float aside) {
 }
 
 // The simulator ignores some of the posts for a player among them.
-TEST(Unreachable, IsNotClaimedWhereTheSimulatorIgnoresParts) {
+TEST(Unreachable, IsNotClaimedIfTheSimulatorIgnoresParts) {
   const std::string ledge = R"("goal":{"part":"Ledge"})";
   EXPECT_EQ(unreachableAsk(ledge, posts(60, 0)).counts.unreachable, 0u);
   EXPECT_EQ(unreachableAsk(ledge, posts(40, 0)).counts.unreachable, 1u)

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "bridge/limits.h"
-#include "import/read_document.h"
+#include "import/format/read_document.h"
 #include "io/read_file.h"
 #include "io/version.h"
 

@@ -2,17 +2,17 @@
 // rounds players return to visited cells, and the learned policy decides their actions.
 #pragma once
 
-#include "solve/learned/cflge.h"
-#include "solve/learned/pbge.h"
+#include "baselines/cflge.h"
+#include "baselines/pbge.h"
 
 namespace obby::support {
 
-inline solve::learned::PbgeSettings hasty(solve::learned::PbgeSettings settings) {
+inline baselines::PbgeSettings hasty(baselines::PbgeSettings settings) {
   settings.patience = 10;  // shorter than a jump
   return settings;
 }
 
-inline solve::learned::CflgeSettings hasty(solve::learned::CflgeSettings settings) {
+inline baselines::CflgeSettings hasty(baselines::CflgeSettings settings) {
   settings.explore = settings.patience = 12;
   settings.begin = 256;
   settings.refresh = 1000;

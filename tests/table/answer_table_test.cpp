@@ -80,7 +80,7 @@ TEST(AnswerTable, ATitleStandsInPlaceOfStartAndGoal) {
   EXPECT_THAT(narrow, HasSubstr("the start to 'Checkpo..."));
 }
 
-TEST(AnswerTable, ColumnsThatNoRowNeedsAreLeftOut) {
+TEST(AnswerTable, OmitsColumnsThatNoRowNeeds) {
   EXPECT_EQ(table::answerTable({unknown("a", "")}, {80, false, false}),
             "query  verdict\n"
             "a      unknown\n");
@@ -95,7 +95,7 @@ TEST(AnswerTable, QueriesThatWereNotAskedAreCountedBelowTheTable) {
               EndsWith("\n2 other queries were not asked in this run.\n"));
 }
 
-TEST(AnswerTable, ListsAllQueriesWhereNoneWasAsked) {
+TEST(AnswerTable, ListsAllQueriesIfNoneWasAsked) {
   EXPECT_EQ(table::answerTable({notAsked("a"), notAsked("b")}, {80, false, false}),
             "query  verdict\n"
             "a      not asked in this run\n"

@@ -1,4 +1,4 @@
-// Learning from a batch takes memory once, however many minibatches and epochs there are.
+// Training on a batch allocates memory once, for any number of minibatches and epochs.
 #include <gtest/gtest.h>
 
 #include <atomic>
@@ -8,7 +8,7 @@
 
 #if defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 
-// Counts what this program asks for, by operator new, too. What lies behind is the C library's.
+// Counts the allocations of this program, including operator new.
 namespace {
 std::atomic<size_t> asked{0};
 }
@@ -23,7 +23,7 @@ namespace {
 
 constexpr uint32_t kWorlds = 1024;
 
-// Of a batch that is learned from for the second time.
+// Returns the allocations of the second update with a batch.
 size_t askedFor(uint32_t epochs, uint32_t minibatch) {
   ThreadPool pool(2);
   OneRank alone;
@@ -38,9 +38,9 @@ size_t askedFor(uint32_t epochs, uint32_t minibatch) {
   return asked - before;
 }
 
-TEST(Allocation, MinibatchesAndEpochsTakeNone) {
+TEST(Allocation, MinibatchesAndEpochsAllocateNothing) {
   const size_t least = askedFor(1, kTicks * kWorlds);
-  EXPECT_GT(least, 0u) << "of an iteration; otherwise nothing is counted";
+  EXPECT_GT(least, 0u) << "otherwise nothing is counted";
   EXPECT_LT(least, 100u);
   EXPECT_EQ(askedFor(4, kTicks * kWorlds), least);
   EXPECT_EQ(askedFor(4, 512), least);

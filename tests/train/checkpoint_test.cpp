@@ -1,5 +1,5 @@
-// Learning that goes on from a checkpoint is learning that was never broken off; a checkpoint that
-// is not as it was written, or not of this run, is refused.
+// A run resumed from a checkpoint equals an uninterrupted run. A damaged checkpoint, or one of
+// another run, is refused.
 #include "train/checkpoint.h"
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@ namespace {
 
 using Trainers = Result<std::unique_ptr<Trainer>>;
 
-// What an iteration says, without its times.
+// The figures of an iteration, without its times.
 std::vector<double> figuresOf(const Iteration& i) {
   const Progress& p = i.progress;
   return {double(i.number), double(i.decisions), i.reward,     i.solved,
@@ -26,15 +26,14 @@ struct Learned {
   std::vector<float> numbers;  // of the network
 };
 
-// Iterations 4 to 6 and what comes of them; broken off after the third, if asked for.
+// Returns the results of iterations 4 to 6. `broken`: interrupted and resumed after the third.
 Learned learn(const LevelSource& source, int threads, bool broken) {
   ThreadPool pool(threads);
   Trainers trainer = Trainer::make(small(), source, pool, alone());
   EXPECT_TRUE(trainer);
   for (int i = 0; i < 3; ++i) EXPECT_TRUE((*trainer)->iterate());
   if (broken) {
-    const std::string bytes =
-        writeCheckpoint({"1", settingsOf(small()), 3, *(*trainer)->state(), {}});
+    const std::string bytes = writeCheckpoint({"1", settingsOf(small()), 3, *(*trainer)->state()});
     *trainer = nullptr;
     auto read = readCheckpoint(bytes, "test");
     EXPECT_TRUE(read) << read.error().text();
@@ -48,9 +47,9 @@ Learned learn(const LevelSource& source, int threads, bool broken) {
   return out;
 }
 
-class GoingOn : public testing::TestWithParam<bool> {};
+class Resuming : public testing::TestWithParam<bool> {};
 
-TEST_P(GoingOn, FromACheckpointIsAsIfNothingHadBeen) {
+TEST_P(Resuming, FromACheckpointHasTheSameBits) {
   const Gaps gaps(GetParam());
   const Learned whole = learn(gaps, 1, false);
   for (const int threads : {1, 2}) {
@@ -60,9 +59,8 @@ TEST_P(GoingOn, FromACheckpointIsAsIfNothingHadBeen) {
   }
 }
 
-// Where the source was told to stop in the midst of an iteration, or failed, what that learned is
-// kept.
-void goOnWhereLevelsWereStillToCome(bool loose, bool fails) {
+// If the source stops or fails during an iteration, that iteration is kept.
+void resumeWithMissingLevels(bool loose, bool fails) {
   ThreadPool pool(1);
   const Gaps gaps(loose);
   const GapsTo stopped(12, loose, fails);  // eight places
@@ -78,7 +76,7 @@ void goOnWhereLevelsWereStillToCome(bool loose, bool fails) {
   if (fails) {
     EXPECT_EQ((*part)->iterate().error().text(), "this level is bad");
   }
-  auto read = readCheckpoint(writeCheckpoint({"1", {}, 0, *(*part)->state(), {}}), "test");
+  auto read = readCheckpoint(writeCheckpoint({"1", {}, 0, *(*part)->state()}), "test");
   ASSERT_TRUE(read) << read.error().text();
   EXPECT_FALSE(Trainer::resume(small(), stopped, pool, alone(), read->state));
   const auto resumed = Trainer::resume(small(), gaps, pool, alone(), std::move(read->state));
@@ -91,17 +89,13 @@ void goOnWhereLevelsWereStillToCome(bool loose, bool fails) {
   EXPECT_EQ((*whole)->network().numbers(), (*resumed)->network().numbers());
 }
 
-TEST_P(GoingOn, WhereTheSourceWasStoppedIsAsIfNothingHadBeen) {
-  goOnWhereLevelsWereStillToCome(GetParam(), false);
-}
+TEST_P(Resuming, AfterAStoppedSourceHasTheSameBits) { resumeWithMissingLevels(GetParam(), false); }
 
-TEST_P(GoingOn, WhereTheSourceFailedIsAsIfNothingHadBeen) {
-  goOnWhereLevelsWereStillToCome(GetParam(), true);
-}
+TEST_P(Resuming, AfterAFailedSourceHasTheSameBits) { resumeWithMissingLevels(GetParam(), true); }
 
-INSTANTIATE_TEST_SUITE_P(WithAndWithoutLooseBodies, GoingOn, testing::Bool());
+INSTANTIATE_TEST_SUITE_P(WithAndWithoutDynamicBodies, Resuming, testing::Bool());
 
-// After a few iterations, so that nothing in it is as it was in the beginning.
+// After a few iterations, so that everything in it has changed since the start.
 std::string sample() {
   ThreadPool pool(1);
   const Gaps gaps(true);
@@ -109,10 +103,10 @@ std::string sample() {
   settings.envGroups = 1;
   const auto trainer = Trainer::make(settings, gaps, pool, alone());
   for (int i = 0; i < 3; ++i) EXPECT_TRUE((*trainer)->iterate());
-  return writeCheckpoint({"1", settingsOf(settings), 3, *(*trainer)->state(), {}});
+  return writeCheckpoint({"1", settingsOf(settings), 3, *(*trainer)->state()});
 }
 
-TEST(Checkpoint, KnowsWhichLevelsHaveBeenSolved) {
+TEST(Checkpoint, RemembersSolvedLevels) {
   ThreadPool pool(1);
   const Gaps gaps;
   const auto trainer = Trainer::make(small(), gaps, pool, alone());
@@ -120,7 +114,7 @@ TEST(Checkpoint, KnowsWhichLevelsHaveBeenSolved) {
   TrainerState state = *(*trainer)->state();
   state.envGroups[0].places[0].counts.solvedOnce = 1;
   state.envGroups[0].places[1].counts.solvedOnce = 0;
-  auto read = readCheckpoint(writeCheckpoint({"1", {}, 0, std::move(state), {}}), "test");
+  auto read = readCheckpoint(writeCheckpoint({"1", {}, 0, std::move(state)}), "test");
   ASSERT_TRUE(read) << read.error().text();
   const auto resumed = Trainer::resume(small(), gaps, pool, alone(), std::move(read->state));
   ASSERT_TRUE(resumed) << resumed.error().text();
@@ -129,7 +123,7 @@ TEST(Checkpoint, KnowsWhichLevelsHaveBeenSolved) {
   EXPECT_EQ(again.envGroups[0].places[1].counts.solvedOnce, 0u);
 }
 
-TEST(Checkpoint, IsRefusedWhenCutShort) {
+TEST(Checkpoint, IsRefusedIfTruncated) {
   const std::string bytes = sample();
   ASSERT_TRUE(readCheckpoint(bytes, "whole"));
   for (size_t size = 0; size < bytes.size(); size += size < 256 ? 1 : 1016) {
@@ -140,7 +134,7 @@ TEST(Checkpoint, IsRefusedWhenCutShort) {
   }
 }
 
-TEST(Checkpoint, IsRefusedWithAnyBitOfItWrong) {
+TEST(Checkpoint, IsRefusedWithAnyBitFlipped) {
   std::string bytes = sample();
   for (size_t at = 0; at < bytes.size(); at += at < 512 ? 1 : 331) {
     const char old = bytes[at];
@@ -152,7 +146,7 @@ TEST(Checkpoint, IsRefusedWithAnyBitOfItWrong) {
   EXPECT_TRUE(readCheckpoint(bytes, "whole"));
 }
 
-TEST(Checkpoint, IsRefusedUnderOtherSettingsByName) {
+TEST(Checkpoint, IsRefusedUnderOtherSettings) {
   const std::vector<Setting> then = settingsOf(small());
   EXPECT_TRUE(sameSettings(then, settingsOf(small())));
   TrainerSettings other = small();
@@ -166,7 +160,27 @@ TEST(Checkpoint, IsRefusedUnderOtherSettingsByName) {
   EXPECT_FALSE(sameSettings(more, then));
 }
 
-TEST(Checkpoint, IsRefusedOnOtherLevels) {
+TEST(Checkpoint, SettingsOfEarlierVersionsHaveTheirPresentNames) {
+  ThreadPool pool(1);
+  const Gaps gaps;
+  const auto trainer = Trainer::make(small(), gaps, pool, alone());
+  std::vector<Setting> former = settingsOf(small());
+  const auto rename = [&](const char* present, const char* old) {
+    for (Setting& s : former)
+      if (s.name == present) s.name = old;
+  };
+  rename("minibatch", "part");
+  rename("epochs", "passes");
+  rename("learning-rate", "rate");
+  rename("max grad norm", "most norm");
+  rename("env groups", "crowds");
+  const auto read = readCheckpoint(writeCheckpoint({"1", former, 3, *(*trainer)->state()}), "test");
+  ASSERT_TRUE(read) << read.error().text();
+  const Status same = sameSettings(read->settings, settingsOf(small()));
+  EXPECT_TRUE(same) << same.error().text();
+}
+
+TEST(Checkpoint, IsRefusedForOtherLevels) {
   ThreadPool pool(1);
   const Gaps gaps, others(false, 98), loose(true);
   const auto trainer = Trainer::make(small(), gaps, pool, alone());
@@ -176,14 +190,14 @@ TEST(Checkpoint, IsRefusedOnOtherLevels) {
   EXPECT_FALSE(Trainer::resume(small(), loose, pool, alone(), *(*trainer)->state()));
 }
 
-// Numbers of which other numbers are made.
-TEST(Checkpoint, IsRefusedWithFiguresThatCannotBe) {
+// Numbers that other numbers are computed from.
+TEST(Checkpoint, IsRefusedWithImpossibleNumbers) {
   ThreadPool pool(1);
   const Gaps gaps;
   const auto trainer = Trainer::make(small(), gaps, pool, alone());
   ASSERT_TRUE((*trainer)->iterate());
   const auto refused = [&](auto&& spoil) {
-    Checkpoint checkpoint{"1", {}, 0, *(*trainer)->state(), {}};
+    Checkpoint checkpoint{"1", {}, 0, *(*trainer)->state()};
     spoil(checkpoint.state);
     return !readCheckpoint(writeCheckpoint(checkpoint), "test");
   };
@@ -198,7 +212,7 @@ TEST(Checkpoint, IsRefusedWithFiguresThatCannotBe) {
 }
 
 // A checkpoint with a state that no env group of these levels can have is refused.
-TEST(Checkpoint, IsRefusedWithWorldsThatCannotBe) {
+TEST(Checkpoint, IsRefusedWithImpossibleWorlds) {
   ThreadPool pool(1);
   const Gaps gaps(true);
   const auto trainer = Trainer::make(small(), gaps, pool, alone());

@@ -1,5 +1,5 @@
-// Learning by kernels is learning on the CPU: the same play, the same bits in where worlds are and
-// in what they draw, and networks that differ by rounding. The CPU takes the GPU's place.
+// Training with kernels equals training on the CPU: worlds and random numbers have the same bits,
+// and networks differ only by rounding. The CPU takes the GPU's place.
 #include "train/device/device_engine.h"
 
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ namespace {
 
 using Trainers = Result<std::unique_ptr<Trainer>>;
 
-// A device with a pool of its own.
+// A device with its own thread pool.
 struct Machine {
   explicit Machine(int threads = 1) : pool(threads), device(pool) {}
 
@@ -60,7 +60,7 @@ Difference differenceOf(const TrainerState& a, const TrainerState& b) {
   return out;
 }
 
-// Everything of two places that does not round.
+// Compares everything of two places that involves no rounding.
 void expectSamePlaces(const TrainerState& a, const TrainerState& b) {
   ASSERT_EQ(a.envGroups.size(), b.envGroups.size());
   for (size_t c = 0; c < a.envGroups.size(); ++c) {
@@ -100,9 +100,9 @@ double farApart(const std::vector<float>& a, const std::vector<float>& b) {  // 
 
 class Parity : public testing::TestWithParam<bool> {};
 
-// The first iteration is played by equal networks: but for a draw that falls between two roundings
-// of a chance, all worlds make the same moves. Then the networks are within rounding.
-TEST_P(Parity, OfTheFirstIteration) {
+// Equal networks play the first iteration, so all worlds make the same moves, unless a random
+// number falls between two roundings of a probability. The networks then agree within rounding.
+TEST_P(Parity, TheFirstIterationMatches) {
   const Gaps gaps(GetParam());
   ThreadPool pool(1);
   const auto cpu = Trainer::make(small(), gaps, pool, alone());
@@ -117,7 +117,7 @@ TEST_P(Parity, OfTheFirstIteration) {
   EXPECT_EQ(d.worlds, small().worlds());
   EXPECT_EQ(d.different, 0u);
   expectSamePlaces(a, b);
-  EXPECT_EQ(a.seen.sum, b.seen.sum) << "what was seen";
+  EXPECT_EQ(a.seen.sum, b.seen.sum) << "the observations";
   EXPECT_EQ(a.seen.squares, b.seen.squares);
   EXPECT_EQ(a.seen.rows, b.seen.rows);
   EXPECT_NEAR(here->reward, there->reward, 1e-9);
@@ -133,16 +133,16 @@ TEST_P(Parity, OfTheFirstIteration) {
   EXPECT_NEAR(a.learner.values.mean, b.learner.values.mean, 1e-6);
   EXPECT_NEAR(a.learner.values.deviation, b.learner.values.deviation, 1e-6);
   EXPECT_EQ(a.learner.steps, b.learner.steps);
-  // A decision on the edge of clipping may fall to either side, and moves some weights then.
+  // A decision at the edge of the clip range may fall on either side, which moves some weights.
   EXPECT_LT(farApart(a.learner.parameters, b.learner.parameters), 1e-7);
   EXPECT_LT(farthest(a.learner.parameters, b.learner.parameters), 2e-4);
 }
 
 INSTANTIATE_TEST_SUITE_P(WithAndWithoutLooseBodies, Parity, testing::Bool());
 
-// Without learning, through playthroughs that end or are cut, and through many levels. Half a world
-// in a hundred such runs would draw a move between two roundings of a chance.
-TEST_P(Parity, OfPlayThroughManyLevels) {
+// Play without training, with episodes that end or are truncated, and many levels. In a hundred
+// such runs, about half a world would draw a number between two roundings of a probability.
+TEST_P(Parity, PlayThroughManyLevelsMatches) {
   const Gaps gaps(GetParam());
   TrainerSettings settings = small();
   settings.ppo.learningRate = 0;
@@ -170,11 +170,11 @@ TEST_P(Parity, OfPlayThroughManyLevels) {
   }
 }
 
-// Each iteration begins from what the CPU has learned, with Adam's moments: left alone, two
-// learners that differ by rounding soon go two ways. A decision between two roundings of the clip
-// moves some weights by a few hundred thousandths; a world that draws a move between two roundings
-// of a chance, one in some hundred of these runs, moves the mean weight by less than 1e-4.
-TEST(DeviceEngine, LearnsInEachIterationWhatTheCpuDoes) {
+// Each iteration starts from the CPU's network with Adam's moments, because learners that differ by
+// rounding soon diverge. A decision between two roundings of the clip range moves some weights by a
+// few hundred thousandths. A random number between two roundings of a probability (one in about a
+// hundred of these runs) moves the mean weight by less than 1e-4.
+TEST(DeviceEngine, EachIterationLearnsWhatTheCpuDoes) {
   const Gaps gaps;
   ThreadPool pool(1);
   const auto cpu = Trainer::make(small(), gaps, pool, alone());
@@ -194,7 +194,7 @@ TEST(DeviceEngine, LearnsInEachIterationWhatTheCpuDoes) {
   }
 }
 
-TEST(DeviceEngine, GivesTheSameBitsOnAnyNumberOfThreads) {
+TEST(DeviceEngine, TheBitsDoNotDependOnTheNumberOfThreads) {
   const Gaps gaps(true);
   std::vector<float> expected;
   for (const int threads : {1, 3}) {
@@ -207,7 +207,7 @@ TEST(DeviceEngine, GivesTheSameBitsOnAnyNumberOfThreads) {
   }
 }
 
-TEST(DeviceEngine, LearnsInMinibatchesOfOneSize) {
+TEST(DeviceEngine, MinibatchesHaveEqualSizes) {
   const Gaps gaps;
   const uint32_t rows = tiny().ticks * tiny().worlds();
   const auto learned = [&](uint32_t minibatch) {
@@ -234,13 +234,13 @@ TEST(DeviceEngine, LearnsToCrossAGap) {
   EXPECT_GT(learned.drawn, 0.9);
 }
 
-TEST(DeviceEngine, GoesOnFromACheckpointAsIfNothingHadBeen) {
+TEST(DeviceEngine, AResumedRunHasTheSameBits) {
   for (const bool loose : {false, true}) {
     const Gaps gaps(loose);
     Machine machine, other;
     const auto whole = machine.make(gaps, tiny());
     for (int i = 0; i < 3; ++i) ASSERT_TRUE((*whole)->iterate());
-    const std::string bytes = writeCheckpoint({"1", {}, 0, *(*whole)->state(), {}});
+    const std::string bytes = writeCheckpoint({"1", {}, 0, *(*whole)->state()});
     auto read = readCheckpoint(bytes, "test");
     ASSERT_TRUE(read) << read.error().text();
     const auto broken = other.resume(gaps, std::move(read->state), tiny());
@@ -258,7 +258,7 @@ TEST(DeviceEngine, GoesOnFromACheckpointAsIfNothingHadBeen) {
   }
 }
 
-TEST(DeviceEngine, GoesOnWhereLevelsWereStillToComeAsIfNothingHadBeen) {
+TEST(DeviceEngine, AResumedRunWithMissingLevelsHasTheSameBits) {
   for (const bool loose : {false, true}) {
     const Gaps gaps(loose);
     const GapsTo stopped(12, loose, !loose);  // eight places
@@ -271,7 +271,7 @@ TEST(DeviceEngine, GoesOnWhereLevelsWereStillToComeAsIfNothingHadBeen) {
       ASSERT_LT((*part)->iterations(), 100u);
       ASSERT_TRUE((*whole)->iterate() && (*part)->iterate());
     } while (waitingIn(*(*part)->state()) == 0);
-    EXPECT_EQ(bool((*part)->more()), loose) << "stopped, or failed";
+    EXPECT_EQ(bool((*part)->more()), loose) << "it stopped or failed";
     const auto resumed = third.resume(gaps, *(*part)->state(), settings);
     ASSERT_TRUE(resumed) << resumed.error().text();
     for (int i = 0; i < 3; ++i) ASSERT_TRUE((*whole)->iterate() && (*resumed)->iterate());
@@ -282,7 +282,7 @@ TEST(DeviceEngine, GoesOnWhereLevelsWereStillToComeAsIfNothingHadBeen) {
   }
 }
 
-TEST(DeviceEngine, RefusesAStateOfOtherLevels) {
+TEST(DeviceEngine, RefusesTheStateOfOtherLevels) {
   const Gaps gaps, others(false, 98);
   Machine machine;
   const auto trainer = machine.make(gaps, tiny());
@@ -294,7 +294,7 @@ TEST(DeviceEngine, RefusesAStateOfOtherLevels) {
   EXPECT_FALSE(machine.resume(gaps, std::move(spoilt), tiny()));
 }
 
-TEST(DeviceEngine, LearnsTogetherWithOtherRanks) {
+TEST(DeviceEngine, TrainsWithOtherRanks) {
   const Gaps gaps;
   std::vector<float> learned[2], again;
   for (auto* first : {&learned[0], &again}) {
@@ -314,7 +314,7 @@ TEST(DeviceEngine, LearnsTogetherWithOtherRanks) {
   EXPECT_NE((*one)->network().numbers(), learned[0]);
 }
 
-TEST(DeviceEngine, SaysWhatTheDeviceSays) {
+TEST(DeviceEngine, ReturnsTheErrorOfTheDevice) {
   const Gaps gaps;
   ThreadPool pool(1);
   for (const int launches : {0, 5, 400}) {
@@ -331,7 +331,7 @@ TEST(DeviceEngine, SaysWhatTheDeviceSays) {
   }
 }
 
-TEST(DeviceEngine, RefusesToSeeInAnotherWay) {
+TEST(DeviceEngine, RefusesAnotherObservation) {
   const Gaps gaps;
   Machine machine;
   TrainerSettings settings = tiny();
@@ -343,7 +343,7 @@ TEST(DeviceEngine, RefusesToSeeInAnotherWay) {
             "the GPU supports only the standard observation, and the settings name another");
 }
 
-// Levels of which one is bad.
+// Levels with a bad one.
 class OneBad : public Gaps {
  public:
   explicit OneBad(uint64_t bad) : bad_(bad) {}
@@ -356,8 +356,8 @@ class OneBad : public Gaps {
   uint64_t bad_;
 };
 
-// A level that is made ahead may never be played: what is wrong with it is said when it would be.
-TEST(DeviceEngine, SaysWhatTheSourceSaysOnceALevelIsPlayed) {
+// A level that is made ahead may never be played, so its error is returned only then.
+TEST(DeviceEngine, ReturnsTheErrorOfALevelOnceItIsPlayed) {
   Machine machine;
   const OneBad first(5), second(8 + 5);  // of eight places
   EXPECT_EQ(machine.make(first, tiny()).error().text(), "this level is bad");
@@ -375,7 +375,7 @@ TEST(DeviceEngine, SaysWhatTheSourceSaysOnceALevelIsPlayed) {
   EXPECT_EQ(status.error().text(), "this level is bad");
 }
 
-// Levels of which one needs more memory than there is.
+// Levels of which one needs more memory than the machine has.
 class OneTooLarge : public Gaps {
  public:
   Result<std::shared_ptr<const TrainingLevel>> level(uint64_t index, float hardest) const override {
@@ -384,8 +384,8 @@ class OneTooLarge : public Gaps {
   }
 };
 
-// Levels are made on a thread of their own, which nobody sees die but the process.
-TEST(DeviceEngine, ThrowsWhatMakingLevelsThrew) {
+// Levels are made on another thread, where an uncaught exception would end the process.
+TEST(DeviceEngine, ThrowsTheExceptionOfMakingALevel) {
   const OneTooLarge gaps;
   TrainerSettings settings = tiny();
   settings.envGroup.playthroughs = 16;

@@ -1,4 +1,4 @@
-// A policy is judged by all levels that there are, whatever is wrong with others.
+// A policy is evaluated on all good levels, even if others are bad.
 #include "train/evaluate.h"
 
 #include <fmt/format.h>
@@ -36,7 +36,7 @@ class SomeBad : public Gaps {
   }
 };
 
-TEST(Evaluation, CountsWhatIsPlayedBesideBadLevels) {
+TEST(Evaluation, PlaysTheGoodLevelsAmongBadOnes) {
   for (const int threads : {1, 3}) {
     const Evaluation e = judged(SomeBad(), ofLevels(10), threads);
     EXPECT_EQ(e.levels, 8u) << threads;
@@ -46,7 +46,7 @@ TEST(Evaluation, CountsWhatIsPlayedBesideBadLevels) {
   EXPECT_TRUE(judged(Gaps(), ofLevels(3), 1).missing);
 }
 
-TEST(Evaluation, EndsOnceItsTimeIsUp) {
+TEST(Evaluation, EndsWithItsTimeLimit) {
   EvaluationSettings how = ofLevels(1000);
   how.seconds = 0;
   const Evaluation none = judged(Gaps(), how, 2);
@@ -55,7 +55,7 @@ TEST(Evaluation, EndsOnceItsTimeIsUp) {
   EXPECT_FALSE(judged(Gaps(), ofLevels(3), 2).timeUp);
 }
 
-TEST(Evaluation, TellsHowFarItIs) {
+TEST(Evaluation, ReportsItsProgress) {
   for (const int threads : {1, 3}) {
     std::vector<EvaluationSoFar> told;
     ThreadPool pool(threads);
@@ -71,7 +71,7 @@ TEST(Evaluation, TellsHowFarItIs) {
   }
 }
 
-TEST(Evaluation, TellsKindsOfLevelsApart) {
+TEST(Evaluation, CountsEachKindOfLevel) {
   const auto kindOf = [](const TrainingLevel& level) { return uint16_t(level.hash() % 3); };
   uint32_t counts[3] = {};
   for (uint64_t i = 0; i < 20; ++i) {
@@ -95,13 +95,13 @@ TEST(Evaluation, TellsKindsOfLevelsApart) {
   EXPECT_EQ(all.kinds[0].levels, 3u);
 }
 
-// Levels that know what they were told of.
+// Levels that record calls of past().
 class Watched : public Gaps {
  public:
   Result<std::shared_ptr<const TrainingLevel>> level(uint64_t index, float hardest) const override {
     {
       const std::lock_guard hold(lock_);
-      EXPECT_GE(index, past_) << "was past";
+      EXPECT_GE(index, past_) << "it was past";
     }
     return Gaps::level(index, hardest);
   }
@@ -116,7 +116,7 @@ class Watched : public Gaps {
   mutable uint64_t past_ = 0;
 };
 
-TEST(Evaluation, TellsTheSourceWhatIsPast) {
+TEST(Evaluation, TellsTheSourceWhichLevelsArePast) {
   for (const int threads : {1, 3}) {
     const Watched levels;
     EvaluationSettings how = ofLevels(12);
@@ -126,7 +126,7 @@ TEST(Evaluation, TellsTheSourceWhatIsPast) {
   }
 }
 
-// A pit that nobody leaves, and a way so long that a playthrough takes minutes.
+// A pit without an exit, and a guide so long that an episode takes minutes.
 class Pit : public LevelSource {
  public:
   Result<std::shared_ptr<const TrainingLevel>> level(uint64_t, float) const override {
@@ -149,12 +149,12 @@ class Pit : public LevelSource {
   }
 };
 
-TEST(Evaluation, EndsInTheMidstOfALongPlaythrough) {
+TEST(Evaluation, EndsDuringALongEpisode) {
   const auto begin = std::chrono::steady_clock::now();
   EvaluationSettings how = ofLevels(2);
   how.seconds = 0.1;
   const Evaluation late = judged(Pit(), how, 1);
-  EXPECT_EQ(late.levels, 0u) << "what was given up says nothing";
+  EXPECT_EQ(late.levels, 0u) << "an abandoned level does not count";
   EXPECT_TRUE(late.timeUp);
   std::atomic<bool> stop{false};
   std::thread stopper([&] {

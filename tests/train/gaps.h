@@ -1,4 +1,4 @@
-// A small thing to learn: a gap of four to seven studs between two floors, a goal behind it.
+// A small task to learn: a gap of four to seven studs between two floors, with a goal behind it.
 #pragma once
 
 #include "support/level_builder.h"
@@ -8,7 +8,7 @@ namespace obby::train {
 
 class Gaps : public LevelSource {
  public:
-  // `loose`: a body lies in the way that can be pushed, and behind it a waypoint. `seed`: of the
+  // `loose`: a dynamic body is in front of the gap, with a waypoint behind it. `seed`: of the
   // levels.
   explicit Gaps(bool loose = false, uint64_t seed = 99) : loose_(loose), seed_(seed) {}
 
@@ -40,7 +40,7 @@ class Gaps : public LevelSource {
   uint64_t seed_;
 };
 
-// A source that was told to stop, or failed, before it came to one of its levels.
+// A source that stops or fails before one of its levels.
 class GapsTo : public Gaps {
  public:
   GapsTo(uint64_t count, bool loose, bool fails = false)
@@ -56,7 +56,7 @@ class GapsTo : public Gaps {
   bool fails_;
 };
 
-// Places that wait for their level.
+// Returns the number of places that wait for their level.
 inline uint32_t waitingIn(const TrainerState& state) {
   uint32_t waiting = 0;
   for (const EnvGroupState& envGroup : state.envGroups) {
@@ -70,8 +70,8 @@ inline Ranks& alone() {
   return one;
 }
 
-// Of 24 seeds, all cross more than 96 of 100 gaps after 30 iterations; at twice the rate, one in
-// some twenty learns to stand still first.
+// With each of 24 seeds, it crosses more than 96 of 100 gaps after 30 iterations. At twice the
+// learning rate, one seed in about twenty learns to stand still first.
 inline TrainerSettings small() {
   TrainerSettings s;
   s.envGroups = 2;
@@ -83,7 +83,7 @@ inline TrainerSettings small() {
   return s;
 }
 
-// A quarter of the worlds, for what does not need to learn.
+// A quarter of the worlds, for tests that need not learn.
 inline TrainerSettings tiny() {
   TrainerSettings s = small();
   s.envGroup.worlds /= 4;

@@ -1,4 +1,4 @@
-// How much of a way is left, and to whom which part of it counts.
+// The distance left along a guide, and which part of the guide counts for a player.
 #include "train/guide.h"
 
 #include <gtest/gtest.h>
@@ -10,37 +10,38 @@
 namespace obby::train {
 namespace {
 
-TEST(Guide, LeftIsAlongTheLineAndToIt) {
+TEST(Guide, TheDistanceIsAlongTheLineAndToTheLine) {
   const Guide guide({{0, 0, 0}, {0, 0, -10}, {10, 0, -10}});
   EXPECT_FLOAT_EQ(guide.studs(), 20);
   EXPECT_FLOAT_EQ(guide.left({0, 0, 0}, 0, 0), 20);
   EXPECT_FLOAT_EQ(guide.left({0, 3, -4}, 0, 0), 3 * 3 + 16);
   EXPECT_FLOAT_EQ(guide.left({10, 0, -10}, 0, 0), 0);
-  EXPECT_FLOAT_EQ(guide.left({10, 0, -9}, 0, 0), 3) << "a short cut counts";
+  EXPECT_FLOAT_EQ(guide.left({10, 0, -9}, 0, 0), 3) << "a shortcut counts";
 }
 
-TEST(Guide, TheNextRoundOfASpiralIsNotNearYet) {
+TEST(Guide, TheNextTurnOfASpiralDoesNotCountYet) {
   const Guide guide({{0, 0, 0}, {10, 2, 0}, {10, 4, 10}, {0, 6, 10}, {0, 8, 0}, {10, 10, 0}});
   const float whole = guide.studs();
   EXPECT_FLOAT_EQ(guide.left({0, 0, 0}, whole - 5, 0), whole);
-  // Straight up from the start, the way that it leads along four sides later.
+  // Straight above the start, where the guide passes after four sides.
   EXPECT_LT(guide.left({0, 7, 0}, 0, 0), whole / 2);
   EXPECT_FLOAT_EQ(guide.left({0, 7, 0}, whole - 5, 0),
                   whole - 14 / std::sqrt(104.0f) + 3 * std::sqrt(49 - 196.0f / 104));
-  EXPECT_GT(guide.left({-50, 0, 0}, 2 * whole, 0), whole) << "far off there is still a way";
+  EXPECT_GT(guide.left({-50, 0, 0}, 2 * whole, 0), whole)
+      << "far away, some distance is still left";
 }
 
-// The later lane of a way that doubles back is near, but leads on from a waypoint.
-TEST(Guide, NothingIsWonBehindAWaypointThatWasNotPassed) {
+// The guide doubles back after a waypoint, and its later lane is near.
+TEST(Guide, APartBehindAnUnpassedWaypointDoesNotCount) {
   const Vec3 waypoint{-61, 2, 0};
   const Guide guide({{0, 0, 0}, {-60, 0, 0}, {70, 0, 0}}, std::span(&waypoint, 1));
   EXPECT_FLOAT_EQ(guide.left({-40, 0, 0}, 130, 0), 150);
   EXPECT_FLOAT_EQ(guide.left({-40, 0, 0}, 130, 1), 110);
-  EXPECT_FLOAT_EQ(guide.left({-60, 0, 0}, 130, 0), 130) << "as far as it goes";
+  EXPECT_FLOAT_EQ(guide.left({-60, 0, 0}, 130, 0), 130) << "at the end of the part that counts";
 }
 
-TEST(Guide, WaypointsAreInTheOrderOfTheWay) {
-  // Twice to the same place, by a way round.
+TEST(Guide, WaypointsAreInTheOrderOfTheGuide) {
+  // The guide passes the same place twice.
   const Vec3 waypoints[] = {{10, 0, 0}, {20, 0, 0}, {10, 0, 1}};
   const Guide guide({{0, 0, 0}, {10, 0, 0}, {20, 0, 0}, {10, 0, 0}, {10, 0, 50}}, waypoints);
   const GuideView view = guide.view();
@@ -50,13 +51,13 @@ TEST(Guide, WaypointsAreInTheOrderOfTheWay) {
   EXPECT_EQ(view.stops[2], 3u);
 }
 
-TEST(Guide, WhoIsAtAWaypointFromTheStartHasTheWholeWayLeft) {
+TEST(Guide, AWaypointAtTheStartLeavesTheWholeDistance) {
   const Vec3 waypoint{0, 0, 0};
   const Guide guide({{0, 0, 0}, {-60, 0, 0}, {70, 0, 0}}, std::span(&waypoint, 1));
   EXPECT_FLOAT_EQ(guide.left({0, 0, 0}, 0, 0), 190);
 }
 
-// Start, a waypoint far out, a goal near the start.
+// A waypoint far away, and a goal near the start.
 Result<std::shared_ptr<const TrainingLevel>> outAndBack(const std::vector<Vec3>& way) {
   support::LevelBuilder b;
   b.block({-30, -0.5f, 0}, {80, 1, 8});
@@ -74,7 +75,7 @@ Result<std::shared_ptr<const TrainingLevel>> outAndBack(const std::vector<Vec3>&
   return TrainingLevel::make(b.record(), q.asReader());
 }
 
-TEST(Guide, KnowsTheWaypointsOfItsQuery) {
+TEST(Guide, HasTheWaypointsOfItsQuery) {
   for (const auto& level :
        {outAndBack({}),
         outAndBack({{0, 0, 0}, {-30, 0, 0}, {-60, 0, 0}, {-30, 0, 0}, {5, 0, 0}})}) {
@@ -84,14 +85,14 @@ TEST(Guide, KnowsTheWaypointsOfItsQuery) {
     p.world.position = {-40, 0, 0};
     p.least = 88;  // so that the lane back is in reach
     judge(view, {}, p);
-    EXPECT_GT(p.least, 65 + 19) << "out";
+    EXPECT_GT(p.least, 65 + 19) << "on the way out";
     p.world.waypoints = 1;
     judge(view, {}, p);
-    EXPECT_LT(p.least, 45 + 7) << "back";
+    EXPECT_LT(p.least, 45 + 7) << "on the way back";
   }
 }
 
-TEST(Guide, AWayHasSomePlacesAllOfThemInTheWorld) {
+TEST(Guide, AGuideNeedsPointsWithinTheWorld) {
   const std::pair<std::vector<Vec3>, const char*> bad[] = {
       {{{0, 0, 0}}, "way: expected 2 to 4096 places, found 1"},
       {std::vector<Vec3>(4097), "way: expected 2 to 4096 places, found 4097"},

@@ -1,19 +1,18 @@
-// A stream whose writer was interrupted is not all that was meant to come: learning does not begin
-// it again, as if its levels were all that there are.
+// A stream whose writer was interrupted lacks levels, so training does not repeat it.
 #include "train/level_lines.h"
 #include "train/stream_copy.h"
 
 namespace obby::train {
 namespace {
 
-// As obby-gen leaves it after Ctrl-C or `timeout`.
+// As obby-gen ends it after Ctrl-C or `timeout`.
 std::string interruptedLines(uint64_t count, const std::vector<std::string>& more = {}) {
   std::string text = linesOf(count, more);
   const std::string complete = R"("complete")";
   return text.replace(text.rfind(complete), complete.size(), R"("interrupted")");
 }
 
-TEST(InterruptedStream, IsNotBegunAgain) {
+TEST(InterruptedStream, IsNotRepeated) {
   const LevelStream all(optionsOf(linesOf(3))), stream(optionsOf(interruptedLines(3)));
   for (const uint64_t index : {3, 4, 3}) {
     const auto none = stream.level(index, 1);
@@ -25,15 +24,15 @@ TEST(InterruptedStream, IsNotBegunAgain) {
   for (uint64_t i = 0; i < 3; ++i) EXPECT_EQ(hashOf(stream, i), hashOf(all, i)) << i;
 }
 
-// The rest of the last turn is still to come: it has its number once it is whole.
-TEST(InterruptedStream, LeavesATurnOpen) {
+// The last turn lacks queries, so it gets no number.
+TEST(InterruptedStream, HasAnIncompleteTurn) {
   const std::vector<std::string> easy(3, R"(,"difficulty":0.1)");
   const LevelStream stream(optionsOf(interruptedLines(3, easy)), {.choices = 2});
   EXPECT_NE(hashOf(stream, 0), 0u);
   EXPECT_FALSE(stream.level(1, 1));
 }
 
-TEST(InterruptedStream, IsTakenAsItIsWhereErrorsAreForgiven) {
+TEST(InterruptedStream, IsRepeatedIfErrorsAreForgiven) {
   std::vector<std::string> told, warned;
   io::SourceOptions options = optionsOf(interruptedLines(3));
   options.onError = io::OnError::skip;
@@ -47,7 +46,7 @@ TEST(InterruptedStream, IsTakenAsItIsWhereErrorsAreForgiven) {
   EXPECT_EQ(stream.summary().status, schema::EndStatus::INTERRUPTED);
 }
 
-TEST(InterruptedStream, IsEvaluatedAsFarAsItCame) {
+TEST(InterruptedStream, IsEvaluatedUpToItsEnd) {
   const LevelStream once(optionsOf(interruptedLines(3)), {.again = false});
   const auto none = once.level(3, 1);
   ASSERT_TRUE(none) << none.error().text();
@@ -57,14 +56,14 @@ TEST(InterruptedStream, IsEvaluatedAsFarAsItCame) {
 
 TEST(InterruptedStream, IsNotCopiedForOtherRanks) {
   const std::atomic<bool> interrupted{false};
-  WaitLimit waiting(interrupted, WaitLimit::kNone);
-  const auto none = copyOfStream(optionsOf(interruptedLines(3)), waiting);
+  Timeout timeout(interrupted, Timeout::kNone);
+  const auto none = copyOfStream(optionsOf(interruptedLines(3)), timeout);
   ASSERT_FALSE(none);
   EXPECT_EQ(none.error().text().find("levels:8: the input was interrupted upstream"), 0u)
       << none.error().text();
   io::SourceOptions options = optionsOf(interruptedLines(3));
   options.onError = io::OnError::skip;
-  const auto copy = copyOfStream(std::move(options), waiting);
+  const auto copy = copyOfStream(std::move(options), timeout);
   ASSERT_TRUE(copy) << copy.error().text();
   const LevelStream all(optionsOf(linesOf(3)));
   const LevelStream copied(optionsOf(copy->records), {.before = copy->summary});
@@ -72,34 +71,34 @@ TEST(InterruptedStream, IsNotCopiedForOtherRanks) {
   EXPECT_EQ(copied.summary().status, schema::EndStatus::INTERRUPTED);
 }
 
-// Ctrl-C reaches who writes the stream and who learns from it: the stream may end before the signal
-// is looked for here, and is cut off where its writer dies of it.
-TEST(InterruptedStream, EndsLearningWithoutAnErrorWhereTheSignalCameHere) {
+// Ctrl-C reaches the writer of the stream and the reader. The stream may end, or break off, before
+// the reader notices the signal.
+TEST(InterruptedStream, EndsWithoutAnErrorAfterASignal) {
   for (const std::string& last : {interruptedLines(0), std::string(kHeaderLine)}) {
     SCOPED_TRACE(last);
     std::atomic<bool> interrupted{false};
-    WaitLimit waiting(interrupted, WaitLimit::kNone);
+    Timeout timeout(interrupted, Timeout::kNone);
     io::SourceOptions options;
     options.inputs = {"levels", "end"};
-    options.stop = &waiting.stop();
+    options.stop = &timeout.stop();
     options.open = [&](const std::string& name) {
       interrupted = name == "end";
       return Result<io::StreamReader>(
           io::StreamReader::overBytes(interrupted ? last : linesOf(2), name));
     };
-    const LevelStream stream(std::move(options), {.wait = &waiting});
+    const LevelStream stream(std::move(options), {.timeout = &timeout});
     const auto none = stream.level(2, 1);
     ASSERT_TRUE(none) << none.error().text();
-    EXPECT_EQ(*none, nullptr) << "and not the first again";
-    EXPECT_TRUE(bool(waiting.stop()));
-    EXPECT_FALSE(waiting.isUp());
+    EXPECT_EQ(*none, nullptr) << "not the first level again";
+    EXPECT_TRUE(bool(timeout.stop()));
+    EXPECT_FALSE(timeout.expired());
     const LevelStream all(optionsOf(linesOf(2)));
     for (uint64_t i = 0; i < 2; ++i) EXPECT_EQ(hashOf(stream, i), hashOf(all, i)) << i;
   }
 }
 
-// What was left out, here and before, is counted wherever it was.
-TEST(LevelStream, SumsUpWhatCameOfItsRecords) {
+// The counts include records that were skipped here and upstream.
+TEST(LevelStream, SumsUpTheCountsOfItsRecords) {
   std::string text = linesOf(2);
   const std::string status = R"("status":"complete")";
   text.replace(text.rfind(status), status.size(),

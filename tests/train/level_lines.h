@@ -1,4 +1,4 @@
-// Streams of levels with a query each, as text, and what a LevelStream makes of them.
+// Streams of levels with a query each, as text and as a LevelStream reads them.
 #pragma once
 
 #include <fmt/format.h>
@@ -15,7 +15,7 @@ namespace obby::train {
 inline constexpr const char* kHeaderLine = R"({"type":"header","schemaVersion":1})"
                                            "\n";
 
-// The floor of level `number` is so wide that no other has its hash.
+// Each level has another width of its floor, and so another hash.
 inline std::string lineOf(uint64_t number, const std::string& more = "") {
   return fmt::format(
       R"({{"type":"level","name":"{0}","parts":[{{"shape":"block",)"
@@ -27,7 +27,7 @@ inline std::string lineOf(uint64_t number, const std::string& more = "") {
       number, 8 + number, more);
 }
 
-// `more`: fields of the queries, from the first on.
+// `more`: additional fields of the first queries.
 inline std::string linesOf(uint64_t count, const std::vector<std::string>& more = {}) {
   std::string text = kHeaderLine;
   for (uint64_t i = 0; i < count; ++i) text += lineOf(i, i < more.size() ? more[i] : "");

@@ -1,4 +1,4 @@
-// What a stream keeps of its records, and records that are neither levels nor queries.
+// The records that a stream keeps, and records other than levels and queries.
 #include "train/level_lines.h"
 
 namespace obby::train {
@@ -11,7 +11,7 @@ size_t bytesOf(const std::string& line) {
   return (*record)->reader().totalSize().wordCount * sizeof(capnp::word);
 }
 
-// A level of many parts, and queries of it that differ by their goal.
+// A level with many parts, and queries with different goals.
 std::string largeLevel() {
   std::string parts = R"({"shape":"block","position":[0,-0.5,0],"size":[20,1,40]})";
   for (int i = 0; i < 200; ++i)
@@ -28,7 +28,7 @@ std::string queryOfLarge(uint64_t number) {
       -4 - int(number));
 }
 
-TEST(LevelStream, CountsALevelOnceHoweverManyQueriesItHas) {
+TEST(LevelStream, ALevelCountsOnceForAnyNumberOfQueries) {
   constexpr uint64_t kQueries = 20;
   const std::string level = largeLevel();
   const size_t bytes = bytesOf(level);
@@ -40,7 +40,7 @@ TEST(LevelStream, CountsALevelOnceHoweverManyQueriesItHas) {
     EXPECT_EQ(hashOf(some, kQueries + i), hashOf(all, i)) << i;
 }
 
-TEST(LevelStream, KnowsLevelsOfSoManyBytes) {
+TEST(LevelStream, KeepsLevelsUpToABudgetOfBytes) {
   const std::string query = lineOf(0).substr(lineOf(0).find('\n') + 1);
   const std::string text = kHeaderLine + lineOf(0) + lineOf(1) + query;  // of level 0
   const LevelStream all(optionsOf(text)), last(optionsOf(text), {.bytesInReach = 1});
@@ -51,8 +51,8 @@ TEST(LevelStream, KnowsLevelsOfSoManyBytes) {
   EXPECT_EQ(level.error().text(), "levels:6: there is no level '0' among the 1 before this query");
 }
 
-// As obby-solve has it: for the levels behind them, where these leave the defaults.
-TEST(LevelStream, PlaysLevelsUnderTheParametersBeforeThem) {
+// As in obby-solve, they apply to later levels that leave the defaults.
+TEST(LevelStream, LevelsUseTheParametersBeforeThem) {
   std::string own = lineOf(2);
   own.insert(own.find(R"("parts")"), R"("physics":{"walkSpeed":24},)");
   const LevelStream stream(optionsOf(

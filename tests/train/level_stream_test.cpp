@@ -1,5 +1,5 @@
-// Levels of a stream: read no further than they are asked for, played again from the first when the
-// stream is at its end, not kept when they are past.
+// Levels of a stream: read on demand, repeated from the first at its end, and dropped when they are
+// past.
 #include "train/level_stream.h"
 
 #include <cstring>
@@ -12,17 +12,17 @@
 namespace obby::train {
 namespace {
 
-TEST(LevelStream, GivesLevelsByTheirNumbersInWhateverOrder) {
+TEST(LevelStream, ReturnsLevelsByNumberInAnyOrder) {
   const LevelStream up(optionsOf(linesOf(6))), down(optionsOf(linesOf(6)));
   std::vector<uint64_t> hashes;
   for (uint64_t i = 0; i < 6; ++i) hashes.push_back(hashOf(up, i));
   for (uint64_t i = 6; i-- > 0;) EXPECT_EQ(hashOf(down, i), hashes[i]) << i;
   for (uint64_t i = 1; i < 6; ++i) EXPECT_NE(hashes[i], hashes[i - 1]);
-  EXPECT_EQ(hashOf(up, 6), hashes[0]) << "it begins again";
+  EXPECT_EQ(hashOf(up, 6), hashes[0]) << "it repeats";
   EXPECT_EQ(hashOf(up, 17), hashes[5]);
 }
 
-TEST(LevelStream, BeginsAgainWithWhatItKept) {
+TEST(LevelStream, RepeatsTheLevelsThatItKept) {
   const LevelStream all(optionsOf(linesOf(4)));
   const LevelStream some(optionsOf(linesOf(4)), {.keptBytes = 1});  // the first, at least
   EXPECT_EQ(hashOf(some, 1), hashOf(all, 1));
@@ -30,17 +30,17 @@ TEST(LevelStream, BeginsAgainWithWhatItKept) {
   EXPECT_EQ(hashOf(some, 9), hashOf(all, 0));
 }
 
-TEST(LevelStream, DropsWhatIsPastAndNotKept) {
+TEST(LevelStream, DropsPastLevelsThatAreNotKept) {
   const LevelStream all(optionsOf(linesOf(8)));
   const LevelStream stream(optionsOf(linesOf(8)), {.keptBytes = 1});
   EXPECT_EQ(hashOf(stream, 5), hashOf(all, 5));
   stream.past(4);
   EXPECT_FALSE(stream.level(3, 1));
   EXPECT_EQ(hashOf(stream, 4), hashOf(all, 4));
-  EXPECT_EQ(hashOf(stream, 0), hashOf(all, 0)) << "is kept to begin again";
+  EXPECT_EQ(hashOf(stream, 0), hashOf(all, 0)) << "kept for repeating";
 }
 
-TEST(LevelStream, KeepsNothingThatIsPastIfItIsNotToBeginAgain) {
+TEST(LevelStream, KeepsNoPastLevelIfItDoesNotRepeat) {
   const LevelStream all(optionsOf(linesOf(8)));
   const LevelStream once(optionsOf(linesOf(8)), {.again = false});
   hashOf(once, 5);
@@ -51,8 +51,8 @@ TEST(LevelStream, KeepsNothingThatIsPastIfItIsNotToBeginAgain) {
   EXPECT_EQ(*once.level(8, 1), nullptr);
 }
 
-// A compiled level is many times as large as its records, of which some hundred megabytes are kept.
-TEST(LevelStream, HoldsNoCompiledLevelThatNobodyWillAskFor) {
+// A compiled level is many times as large as its records, which may be hundreds of megabytes.
+TEST(LevelStream, HoldsNoCompiledLevelThatIsPast) {
   const LevelStream resumed(optionsOf(linesOf(400)), {.choices = 1});
   resumed.past(399);
   hashOf(resumed, 399);
@@ -67,20 +67,20 @@ TEST(LevelStream, HoldsNoCompiledLevelThatNobodyWillAskFor) {
   EXPECT_EQ(hashOf(shared, 401), hashOf(all, 1)) << "compiled again";
 }
 
-// To go on in the midst of a stream takes no longer than to read it up to there.
-TEST(LevelStream, CompilesNothingOfWhatAnEarlierRunPassed) {
+// Resuming within a stream takes no longer than reading it up to there.
+TEST(LevelStream, CompilesNoLevelThatIsPastAfterAResume) {
   const LevelStream all(optionsOf(linesOf(40)));
   const LevelStream resumed(optionsOf(linesOf(40)));
   resumed.past(30);
   EXPECT_EQ(hashOf(resumed, 35), hashOf(all, 35));
   EXPECT_EQ(resumed.compiledOnReading(), 6u);
-  EXPECT_EQ(hashOf(resumed, 43), hashOf(all, 3)) << "compiled once it is asked for";
+  EXPECT_EQ(hashOf(resumed, 43), hashOf(all, 3)) << "compiled on demand";
   EXPECT_EQ(resumed.compiledOnReading(), 10u);
 }
 
-TEST(LevelStream, CompilesAllOfATurnThatIsNotPast) {
+TEST(LevelStream, CompilesAllQueriesOfAPresentTurn) {
   const std::string easy = R"(,"difficulty":0)";
-  // Of two, of one before a query that does not say how hard it is, that one, of two.
+  // Turns of two queries, of one before a query without difficulty, of that one, and of two.
   const LevelStream resumed(optionsOf(linesOf(6, {easy, easy, easy, "", easy, easy})),
                             {.choices = 2});
   resumed.past(2);
@@ -88,8 +88,8 @@ TEST(LevelStream, CompilesAllOfATurnThatIsNotPast) {
   EXPECT_EQ(resumed.compiledOnReading(), 3u);
 }
 
-// Those that do not compile are left out, and count nowhere: to know them all are compiled.
-TEST(LevelStream, CompilesAllWhereErrorsAreForgiven) {
+// Levels that do not compile get no number, so all levels must be compiled.
+TEST(LevelStream, CompilesAllLevelsIfErrorsAreForgiven) {
   io::SourceOptions options =
       optionsOf(lineOf(0) + lineOf(1, R"(,"difficulty":1.5)") + lineOf(2) + lineOf(3));
   options.onError = io::OnError::skip;
@@ -99,8 +99,8 @@ TEST(LevelStream, CompilesAllWhereErrorsAreForgiven) {
   EXPECT_EQ(resumed.compiledOnReading(), 3u);
 }
 
-// What is read on the way to a level that comes much later waits as records.
-TEST(LevelStream, HoldsSoManyCompiledLevelsAtMost) {
+// Levels that are read on the way to a much later one wait as records.
+TEST(LevelStream, BoundsTheNumberOfCompiledLevels) {
   const LevelStream all(optionsOf(linesOf(40)));
   const LevelStream stream(optionsOf(linesOf(40)), {.compiledLevels = 8});
   EXPECT_EQ(hashOf(stream, 39), hashOf(all, 39));
@@ -109,8 +109,8 @@ TEST(LevelStream, HoldsSoManyCompiledLevelsAtMost) {
   EXPECT_EQ(stream.compiledHeld(), 0u);
 }
 
-// Of what is not kept to begin again the rest of a turn goes once one of it is played.
-TEST(LevelStream, GivesTheSameLevelToWhoeverAsksAgain) {
+// Without repeating, the other queries of a turn are dropped once one is played.
+TEST(LevelStream, ReturnsTheSameLevelAgain) {
   std::vector<std::string> more;
   for (int i = 0; i < 34; ++i)
     more.push_back(i % 2 == 0 ? R"(,"difficulty":0.1)" : R"(,"difficulty":0.9)");
@@ -123,7 +123,7 @@ TEST(LevelStream, GivesTheSameLevelToWhoeverAsksAgain) {
   }
 }
 
-TEST(LevelStream, SkipsToWhereItWasLeft) {
+TEST(LevelStream, SkipsToTheLevelOfAResume) {
   const LevelStream all(optionsOf(linesOf(8)));
   const LevelStream stream(optionsOf(linesOf(8)), {.keptBytes = 1});
   stream.past(6);
@@ -131,9 +131,9 @@ TEST(LevelStream, SkipsToWhereItWasLeft) {
   EXPECT_FALSE(stream.level(5, 1));
 }
 
-// What is behind the level asked for is not looked at: here it is no record at all. Levels behind
-// that would be counted as others than they are.
-TEST(LevelStream, ReadsNoFurtherThanAskedForNorBehindAnError) {
+// Text after the requested level is not read. Here it is not a record, and later levels would get
+// wrong numbers.
+TEST(LevelStream, ReadsOnlyUpToTheRequestedLevelAndNotBeyondAnError) {
   const LevelStream stream(optionsOf(linesOf(0).substr(0, linesOf(0).find('\n') + 1) + lineOf(0) +
                                      lineOf(1) + "this is no record\n" + lineOf(2) + lineOf(3)));
   const uint64_t first = hashOf(stream, 0);
@@ -143,10 +143,10 @@ TEST(LevelStream, ReadsNoFurtherThanAskedForNorBehindAnError) {
     ASSERT_FALSE(broken);
     EXPECT_NE(broken.error().text().find("levels:6"), std::string::npos) << broken.error().text();
   }
-  EXPECT_EQ(hashOf(stream, 0), first) << "what was read is there";
+  EXPECT_EQ(hashOf(stream, 0), first) << "earlier levels remain";
 }
 
-TEST(LevelStream, NamesTheQueryWhoseLevelIsOutOfReach) {
+TEST(LevelStream, NamesAQueryWhoseLevelWasDropped) {
   std::string text = linesOf(1);
   const std::string query = lineOf(0).substr(lineOf(0).find('\n') + 1);
   text.insert(text.find(R"({"type":"end")"),
@@ -159,7 +159,7 @@ TEST(LevelStream, NamesTheQueryWhoseLevelIsOutOfReach) {
   EXPECT_EQ(hashOf(near, 3), hashOf(near, 0));
 }
 
-TEST(LevelStream, GivesNoneOnceItIsToldToStop) {
+TEST(LevelStream, ReturnsNoLevelOnceItIsStopped) {
   std::atomic<bool> stop = false;
   io::SourceOptions options = optionsOf(linesOf(6));
   options.stop = &stop;
@@ -169,11 +169,11 @@ TEST(LevelStream, GivesNoneOnceItIsToldToStop) {
   stop = true;
   const auto none = stream.level(4, 1);
   ASSERT_TRUE(none) << none.error().text();
-  EXPECT_EQ(*none, nullptr) << "not one of those before, as at the end of the stream";
-  EXPECT_EQ(hashOf(stream, 0), first) << "what was read is there";
+  EXPECT_EQ(*none, nullptr) << "no repeated level, as at the end of the stream";
+  EXPECT_EQ(hashOf(stream, 0), first) << "earlier levels remain";
 }
 
-TEST(LevelStream, HasEachLevelOnceIfItIsNotToBeginAgain) {
+TEST(LevelStream, HasEachLevelOnceIfItDoesNotRepeat) {
   const LevelStream all(optionsOf(linesOf(3)));
   const LevelStream once(optionsOf(linesOf(3)), {.again = false});
   const auto past = once.level(3, 1);
@@ -182,7 +182,7 @@ TEST(LevelStream, HasEachLevelOnceIfItIsNotToBeginAgain) {
   for (uint64_t i = 0; i < 3; ++i) EXPECT_EQ(hashOf(once, i), hashOf(all, i)) << i;
 }
 
-// Of which line each level is, by the width of its floor.
+// Returns the line of each level, from the width of its floor.
 std::vector<uint64_t> linesGiven(const LevelStream& stream, uint64_t levels, float hardest) {
   std::vector<uint64_t> out;
   for (uint64_t i = 0; i < levels; ++i) {
@@ -192,7 +192,7 @@ std::vector<uint64_t> linesGiven(const LevelStream& stream, uint64_t levels, flo
   return out;
 }
 
-TEST(LevelStream, ChoosesOfSomeInARowOneThatIsNotTooHard) {
+TEST(LevelStream, ATurnPlaysAQueryThatIsNotTooHard) {
   const std::vector<std::string> hard = {R"(,"difficulty":0.9)", R"(,"difficulty":0.2)",
                                          R"(,"difficulty":0.5)", R"(,"difficulty":0.4)"};
   const std::string text = linesOf(4, hard);
@@ -205,9 +205,9 @@ TEST(LevelStream, ChoosesOfSomeInARowOneThatIsNotTooHard) {
   }
 }
 
-TEST(LevelStream, TurnsAreOfThoseThatSayHowHardTheyAre) {
+TEST(LevelStream, TurnsHaveQueriesWithADifficulty) {
   const std::string easy = R"(,"difficulty":0)", hard = R"(,"difficulty":1)";
-  // Of two, of one that nobody says anything of, of one before such a one, that one, of the rest.
+  // Turns of two, of one without difficulty, of one before such a one, of that one, of the rest.
   const std::string text = linesOf(6, {hard, easy, "", easy, "", hard});
   const LevelStream stream(optionsOf(text), {.choices = 2});
   EXPECT_EQ(linesGiven(stream, 10, 0.5f), (std::vector<uint64_t>{1, 2, 3, 4, 5, 1, 2, 3, 4, 5}));
@@ -216,7 +216,7 @@ TEST(LevelStream, TurnsAreOfThoseThatSayHowHardTheyAre) {
   EXPECT_EQ(*each.level(6, 0), nullptr);
 }
 
-TEST(LevelStream, AQueryThatNamesNoLevelIsOfTheOneBeforeIt) {
+TEST(LevelStream, AQueryWithoutALevelBelongsToTheOneBeforeIt) {
   std::string text = linesOf(3);
   for (const char* name : {R"("level":"0",)", R"("level":"2",)"})
     text.erase(text.find(name), std::strlen(name));
@@ -230,7 +230,7 @@ TEST(LevelStream, AQueryThatNamesNoLevelIsOfTheOneBeforeIt) {
   EXPECT_EQ(level.error().text(), "levels:1: there is no level before this query");
 }
 
-// A level by hand, and a query whose goal is its part of this name.
+// A hand-written level, and a query whose goal is a part by its name.
 std::string linesTo(const std::string& part) {
   return fmt::format(
       R"({{"type":"level","parts":[{{"shape":"block","position":[0,-0.5,0],"size":[20,1,40]}},)"
@@ -242,7 +242,7 @@ std::string linesTo(const std::string& part) {
       part);
 }
 
-TEST(LevelStream, QueriesMayNameParts) {
+TEST(LevelStream, RegionsMayNameParts) {
   const LevelStream stream(optionsOf(linesTo("Finish")));
   for (const uint64_t index : {0, 1}) {
     const auto level = stream.level(index, 1);
@@ -255,7 +255,7 @@ TEST(LevelStream, QueriesMayNameParts) {
   EXPECT_EQ(level.error().text().find("levels:2: goal.part: "), 0u) << level.error().text();
 }
 
-TEST(LevelStream, NamesADifficultyOutOfRange) {
+TEST(LevelStream, RefusesADifficultyOutOfRange) {
   const LevelStream stream(optionsOf(linesOf(1, {R"(,"difficulty":1.5)"})));
   const auto level = stream.level(0, 1);
   ASSERT_FALSE(level);
@@ -264,8 +264,8 @@ TEST(LevelStream, NamesADifficultyOutOfRange) {
       << level.error().text();
 }
 
-// What cannot be read, and what makes no sense.
-TEST(LevelStream, LeavesOutWhatIsWrongWhereThatIsForgiven) {
+// Records that cannot be read, and records that make no sense.
+TEST(LevelStream, SkipsBadRecordsIfErrorsAreForgiven) {
   const LevelStream all(optionsOf(linesOf(3)));
   std::vector<std::string> told;
   io::SourceOptions options = optionsOf(lineOf(0) + R"({"type":"level","parts":7})" + "\n" +
@@ -275,13 +275,13 @@ TEST(LevelStream, LeavesOutWhatIsWrongWhereThatIsForgiven) {
   const LevelStream some(std::move(options));
   EXPECT_EQ(hashOf(some, 0), hashOf(all, 0));
   EXPECT_EQ(hashOf(some, 1), hashOf(all, 2));
-  EXPECT_EQ(hashOf(some, 2), hashOf(all, 0)) << "it begins again";
+  EXPECT_EQ(hashOf(some, 2), hashOf(all, 0)) << "it repeats";
   ASSERT_EQ(told.size(), 2u);
   EXPECT_EQ(told[0].find("levels:3: parts: "), 0u) << told[0];
   EXPECT_EQ(told[1].find("levels:5: difficulty: "), 0u) << told[1];
 }
 
-TEST(LevelStream, HasToHaveOne) {
+TEST(LevelStream, NeedsALevel) {
   const LevelStream empty(optionsOf(linesOf(0)));
   const auto none = empty.level(0, 1);
   ASSERT_FALSE(none);

@@ -1,5 +1,5 @@
-// The game that worlds learn from: what a move is worth, when a playthrough is over, and where the
-// next one begins.
+// The game that worlds train on: the reward of a move, the end of an episode, and the start of the
+// next one.
 #include "train/play.h"
 
 #include <gtest/gtest.h>
@@ -43,7 +43,7 @@ float leftOf(const Place& place, const Player& p) {
   return place.view.guide.left(p.world.position, 0, 0);
 }
 
-TEST(Play, AMoveIsWorthTheWayThatIsLessThanEver) {
+TEST(Play, AMoveIsRewardedForGettingNearerThanBefore) {
   Place place;
   const RewardSettings worth;
   Player& p = place.players[0];
@@ -54,7 +54,7 @@ TEST(Play, AMoveIsWorthTheWayThatIsLessThanEver) {
   ASSERT_LT(less, whole - 1);
   EXPECT_FLOAT_EQ(judge(place.view, worth, p).reward, worth.stud * (whole - less) + worth.decision);
   p.world.position.z += 1;
-  EXPECT_FLOAT_EQ(judge(place.view, worth, p).reward, worth.decision) << "back";
+  EXPECT_FLOAT_EQ(judge(place.view, worth, p).reward, worth.decision) << "backwards";
   p.world.position.z -= 2;
   const float least = leftOf(place, p);
   ASSERT_LT(least, less);
@@ -68,7 +68,7 @@ TEST(Play, AMoveIsWorthTheWayThatIsLessThanEver) {
   EXPECT_FLOAT_EQ(judge(place.view, worth, p).reward, worth.death + worth.decision);
 }
 
-TEST(Play, AJumpCostsOnce) {
+TEST(Play, EachJumpCostsOnce) {
   Place place;
   RewardSettings worth;
   worth.jump = -0.25f;
@@ -81,11 +81,12 @@ TEST(Play, AJumpCostsOnce) {
   place.counts.reached = 1;
   p.world.outcome = sim::Outcome::fell;
   place.settleAt(0, false, {1, 1});
-  ASSERT_EQ(p.world.jumps, 3) << "begins where somebody stood who had jumped";
-  EXPECT_FLOAT_EQ(judge(place.view, worth, p).reward, worth.decision) << "another's jumps";
+  ASSERT_EQ(p.world.jumps, 3) << "it restarts from a player who had jumped";
+  EXPECT_FLOAT_EQ(judge(place.view, worth, p).reward, worth.decision)
+      << "the jumps of the other player";
 }
 
-TEST(Play, WhatHasEndedBeginsAnewAndIsCounted) {
+TEST(Play, AnEndedEpisodeIsCountedAndRestarted) {
   Place place(true);
   place.players[3].world.outcome = sim::Outcome::goal;
   place.players[5].world.outcome = sim::Outcome::killed;
@@ -103,7 +104,7 @@ TEST(Play, WhatHasEndedBeginsAnewAndIsCounted) {
   EXPECT_EQ(place.bodies[5].position.x, place.view.startLoose[0].position.x);
 }
 
-TEST(Play, WhatTakesTooLongIsCutAtTheEndOfAnIteration) {
+TEST(Play, ALongEpisodeIsTruncatedAtTheEndOfAnIteration) {
   Place place;
   place.players[2].ticks = place.view.mostTicks;
   place.players[4].ticks = place.view.mostTicks - 1;
@@ -116,7 +117,7 @@ TEST(Play, WhatTakesTooLongIsCutAtTheEndOfAnIteration) {
   EXPECT_EQ(place.players[4].ticks, place.view.mostTicks - 1);
 }
 
-TEST(Play, BeginsWhereOthersStood) {
+TEST(Play, EpisodesRestartWhereOthersStood) {
   Place place;
   for (Player& p : place.players) {
     p.world.position.z = -5;
@@ -144,7 +145,7 @@ TEST(Play, BeginsWhereOthersStood) {
   EXPECT_LT(elsewhere, 48);
 }
 
-TEST(Play, ALevelThatSomebodyHasSolvedHasAShareOfRestartsOfItsOwn) {
+TEST(Play, ASolvedLevelHasItsOwnShareOfRestarts) {
   Place place;
   const RestartShares onlyUnsolved{1, 0};
   place.reached[0] = {place.view.start, 5};
@@ -164,7 +165,7 @@ TEST(Play, ALevelThatSomebodyHasSolvedHasAShareOfRestartsOfItsOwn) {
   EXPECT_EQ(elsewhere(), kPlayWorlds);
   allEnd(sim::Outcome::goal, false);
   place.settleAt(1, false, onlyUnsolved);
-  EXPECT_EQ(place.counts.solvedOnce, 0u) << "the last stretch alone is not the level";
+  EXPECT_EQ(place.counts.solvedOnce, 0u) << "not from the start of the level";
   EXPECT_EQ(elsewhere(), kPlayWorlds);
   allEnd(sim::Outcome::goal, true);
   place.settleAt(2, false, onlyUnsolved);
@@ -174,8 +175,8 @@ TEST(Play, ALevelThatSomebodyHasSolvedHasAShareOfRestartsOfItsOwn) {
   EXPECT_EQ(place.counts.solvedOnce, 0u) << "another level";
 }
 
-// A way that doubles back: its later lane is near, but not come to yet.
-TEST(Play, WhoBeginsElsewhereHasLeftWhatWasLeftThere) {
+// The guide doubles back: its later lane is near, but not reached yet.
+TEST(Play, ARestartKeepsTheDistanceThatWasLeft) {
   const Guide guide({{0, 0, 0}, {-60, 0, 0}, {70, 0, 0}});
   Place place;
   place.view.guide = guide.view();
@@ -196,10 +197,10 @@ TEST(Play, WhoBeginsElsewhereHasLeftWhatWasLeftThere) {
   ASSERT_FALSE(other.fromStart);
   EXPECT_EQ(other.world.position.x, -10);
   EXPECT_FLOAT_EQ(other.least, 180);
-  EXPECT_FLOAT_EQ(judge(place.view, worth, other).reward, worth.decision) << "nothing is won yet";
+  EXPECT_FLOAT_EQ(judge(place.view, worth, other).reward, worth.decision) << "no progress yet";
 }
 
-TEST(Play, DrawsAreOfTheWorldAndItsDecision) {
+TEST(Play, RandomNumbersDependOnTheWorldAndItsDecision) {
   const auto draw = [](Draw use, uint64_t decision, uint32_t world) {
     return drawsOf(3, use, decision, world).next();
   };

@@ -1,5 +1,5 @@
-// PPO against numbers made by hand: returns of a moving scale, steps of the optimiser, ranks that
-// share a batch.
+// PPO against hand-made numbers: the scale of returns, steps of the optimiser, ranks that share a
+// batch.
 #include "train/ppo.h"
 
 #include <gtest/gtest.h>
@@ -20,9 +20,9 @@ PpoSettings oneStepOf(uint32_t decisions) {
   return s;
 }
 
-// Two ranks with half of the worlds each take the step that one takes with all: gradients, moments
-// of advantages and returns are those of all decisions.
-TEST(Ppo, OfTwoRanksTakesTheStepOfOneWithBothBatches) {
+// Two ranks with half of the worlds each take the same step as one rank with all worlds: gradients
+// and moments of advantages and returns cover all decisions.
+TEST(Ppo, TwoRanksTakeTheStepOfOneWithBothBatches) {
   constexpr uint32_t kWorlds = 24;
   ThreadPool pool(1);
   OneRank alone;
@@ -42,7 +42,7 @@ TEST(Ppo, OfTwoRanksTakesTheStepOfOneWithBothBatches) {
     const LearnerState state = half.state();
     EXPECT_NEAR(state.values.mean, learned.values.mean, 1e-6);
     EXPECT_NEAR(state.values.deviation, learned.values.deviation, 1e-6);
-    // Momentum is a tenth of the gradient: unlike a step of Adam it tells a wrong factor.
+    // Momentum is a tenth of the gradient. Unlike a step of Adam, it shows a wrong factor.
     const std::vector<float> mine1 = state.momentum, theirs = learned.momentum;
     for (size_t i = 0; i < mine1.size(); ++i) ASSERT_NEAR(mine1[i], theirs[i], 1e-7) << i;
   });
@@ -52,8 +52,8 @@ TEST(Ppo, OfTwoRanksTakesTheStepOfOneWithBothBatches) {
   EXPECT_GT(moved, 1e-3);
 }
 
-// Another step by the one decision that is left over would move as much as the first.
-TEST(Ppo, LearnsInMinibatchesOfOneSize) {
+// A second step for a single leftover decision would move the network as much as the first.
+TEST(Ppo, MinibatchesHaveEqualSizes) {
   constexpr uint32_t kWorlds = 24;
   ThreadPool pool(1);
   OneRank alone;
@@ -66,8 +66,8 @@ TEST(Ppo, LearnsInMinibatchesOfOneSize) {
   EXPECT_EQ(learned(kTicks * kWorlds - 1), learned(kTicks * kWorlds / 2));
 }
 
-// Returns of another mean and spread move what the value head's outputs mean, not what it says.
-TEST(Ppo, SaysTheSameOfAStateWhenTheScaleOfReturnsMoves) {
+// Another mean and deviation of returns change the scale of the value head, but not its estimates.
+TEST(Ppo, ValueEstimatesStayWhenTheScaleOfReturnsMoves) {
   ThreadPool pool(1);
   OneRank alone;
   Ppo ppo(oneStepOf(64), 5, pool, alone);
@@ -87,7 +87,7 @@ TEST(Ppo, SaysTheSameOfAStateWhenTheScaleOfReturnsMoves) {
   };
   const std::vector<float> before = says();
   const ValueScale old = ppo.state().values;
-  ppo.learn(batch, 0);  // at no rate
+  ppo.learn(batch, 0);  // with a learning rate of 0
   const ValueScale now = ppo.state().values;
   EXPECT_GT(now.mean, old.mean + 10);
   EXPECT_GT(now.deviation, 2 * old.deviation);
@@ -95,8 +95,8 @@ TEST(Ppo, SaysTheSameOfAStateWhenTheScaleOfReturnsMoves) {
   for (size_t i = 0; i < before.size(); ++i) EXPECT_NEAR(after[i], before[i], 1e-4f) << i;
 }
 
-// Each decision ends a playthrough; those with one half of the moves are worth 1, others nothing.
-TEST(Ppo, MakesLikelierWhatWentBetterThanExpected) {
+// Each decision ends an episode. One half of the moves has a reward of 1, the other half none.
+TEST(Ppo, BetterMovesBecomeMoreLikely) {
   constexpr uint32_t kWorlds = 24, kDecisions = kTicks * kWorlds;
   ThreadPool pool(1);
   OneRank alone;
@@ -130,9 +130,9 @@ TEST(Ppo, MakesLikelierWhatWentBetterThanExpected) {
   EXPECT_GT(shareOfGood(), 0.55);
 }
 
-// Hidden layers of columns of length sqrt(2), hardly any preference among moves, a value of length
-// 1.
-TEST(FirstNetwork, HasTheLengthsOfItsLayers) {
+// Columns of hidden layers have length sqrt(2), that of the value has length 1, and the moves have
+// almost equal probabilities.
+TEST(FirstNetwork, ColumnsHaveTheLengthsOfOrthogonalInitialisation) {
   const nn::Network<float> net = firstNetwork(3);
   const auto length2 = [&](size_t l, size_t column) {
     float sum = 0;
@@ -152,8 +152,8 @@ TEST(FirstNetwork, HasTheLengthsOfItsLayers) {
   EXPECT_NE(firstNetwork(4).parameters(), net.parameters());
 }
 
-// Normalised: eight times the rewards move the policy as much.
-TEST(Ppo, TakesTheSameStepWhateverRewardsAreCountedIn) {
+// Advantages are normalised, so eightfold rewards move the policy as much.
+TEST(Ppo, TheStepDoesNotDependOnTheUnitOfRewards) {
   constexpr uint32_t kWorlds = 24;
   ThreadPool pool(1);
   OneRank alone;

@@ -1,4 +1,4 @@
-// Several ranks learn one network, and how many they are is all that shows.
+// Several ranks train one network. The result depends only on their number.
 #include "train/ranks.h"
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@
 namespace obby::train {
 namespace {
 
-TEST(Ranks, AddInOrder) {
+TEST(Ranks, SumsAreInRankOrder) {
   // In another order this sum is 0 or 2.
   const float values[] = {1e8f, 1, -1e8f, 1};
   ThreadRanks::run(4, [&](Ranks& ranks) {
@@ -22,7 +22,7 @@ TEST(Ranks, AddInOrder) {
   });
 }
 
-TEST(Ranks, AgreeOnTheFirstError) {
+TEST(Ranks, EveryRankReturnsTheFirstError) {
   ThreadRanks::run(3, [](Ranks& ranks) {
     EXPECT_TRUE(ranks.agree(Status()));
     const Status mine = ranks.number() == 0 ? Status() : Status(makeError("too dark"));
@@ -38,7 +38,7 @@ struct RanksLearned {
   std::string checkpoint;  // after the third iteration
 };
 
-// Six iterations; what comes of them on the first rank. `from`: a checkpoint after the third.
+// Returns the first rank's result of six iterations. `from`: a checkpoint after the third.
 RanksLearned ranksLearn(uint32_t count, const std::string& from = {}) {
   const Gaps gaps(true);
   RanksLearned out;
@@ -53,7 +53,7 @@ RanksLearned ranksLearn(uint32_t count, const std::string& from = {}) {
       last = *(*trainer)->iterate();
       if (i != 2) continue;
       const TrainerState state = *(*trainer)->state();
-      if (ranks.first()) out.checkpoint = writeCheckpoint({"1", {}, 0, state, {}});
+      if (ranks.first()) out.checkpoint = writeCheckpoint({"1", {}, 0, state});
     }
     if (ranks.first()) {
       out.numbers = (*trainer)->network().numbers();
@@ -63,7 +63,7 @@ RanksLearned ranksLearn(uint32_t count, const std::string& from = {}) {
   return out;
 }
 
-TEST(Ranks, AloneLearnWhatAProcessAloneDoes) {
+TEST(Ranks, OneRankTrainsAsAProcessWithoutRanks) {
   const Gaps gaps(true);
   ThreadPool pool(2);
   const auto trainer = Trainer::make(small(), gaps, pool, alone());
@@ -71,7 +71,7 @@ TEST(Ranks, AloneLearnWhatAProcessAloneDoes) {
   EXPECT_EQ(ranksLearn(1).numbers, (*trainer)->network().numbers());
 }
 
-TEST(Ranks, LearnTheSameEachTimeAndOtherThanOne) {
+TEST(Ranks, TwoRanksAreReproducibleAndDifferFromOne) {
   const RanksLearned one = ranksLearn(1), two = ranksLearn(2), again = ranksLearn(2);
   EXPECT_EQ(two.numbers, again.numbers);
   EXPECT_NE(two.numbers, one.numbers);
@@ -79,7 +79,7 @@ TEST(Ranks, LearnTheSameEachTimeAndOtherThanOne) {
   EXPECT_EQ(two.last.reward, again.last.reward);
 }
 
-TEST(Ranks, GoOnFromACheckpointAsIfNothingHadBeen) {
+TEST(Ranks, AResumedRunHasTheSameBits) {
   const RanksLearned whole = ranksLearn(2), broken = ranksLearn(2, whole.checkpoint);
   EXPECT_EQ(broken.numbers, whole.numbers);
   EXPECT_EQ(broken.last.reward, whole.last.reward);
@@ -87,10 +87,10 @@ TEST(Ranks, GoOnFromACheckpointAsIfNothingHadBeen) {
   ThreadPool pool(1);
   EXPECT_FALSE(Trainer::resume(small(), gaps, pool, alone(),
                                std::move(readCheckpoint(whole.checkpoint, "test")->state)))
-      << "by one rank where there were two";
+      << "one rank, but the checkpoint is of two";
 }
 
-TEST(Ranks, LearnTogether) {
+TEST(Ranks, TwoRanksLearnToCrossAGap) {
   const Gaps gaps;
   ThreadRanks::run(2, [&](Ranks& ranks) {
     ThreadPool pool(1);
@@ -106,7 +106,7 @@ TEST(Ranks, LearnTogether) {
   });
 }
 
-// Levels of which one is bad.
+// Levels with a bad one.
 class Bad : public Gaps {
  public:
   Result<std::shared_ptr<const TrainingLevel>> level(uint64_t index, float hardest) const override {
@@ -115,7 +115,7 @@ class Bad : public Gaps {
   }
 };
 
-TEST(Ranks, EndTogetherWhenOneCannotGoOn) {
+TEST(Ranks, AllRanksEndWhenOneFails) {
   const Bad bad;
   ThreadRanks::run(2, [&](Ranks& ranks) {
     ThreadPool pool(1);

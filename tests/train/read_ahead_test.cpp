@@ -1,5 +1,4 @@
-// Levels that are made ahead of those that are played, as for a GPU: nobody waits for them who
-// needs none any more.
+// Levels that are made ahead, as for a GPU. The end of training does not wait for them.
 #include <gtest/gtest.h>
 
 #include "sim/host_device.h"
@@ -11,25 +10,25 @@
 namespace obby::train {
 namespace {
 
-// As where the log cannot be opened once the first levels are there.
-TEST(ReadAhead, OfAStreamThatStandsStillEndsWithTheEngine) {
+// For example, an output cannot be opened after the first levels have arrived.
+TEST(ReadAhead, OfAStalledStreamEndsWithTheEngine) {
   const TrainerSettings settings = tiny();
   std::string text = kHeaderLine;
   for (uint64_t i = 0; i < settings.envGroups * settings.envGroup.levels; ++i) text += lineOf(i);
   const Standing standing(text);
   const std::atomic<bool> interrupted{false};
-  WaitLimit waiting(interrupted, WaitLimit::kNone);
-  const LevelStream stream(standing.options(waiting), {.choices = 1, .wait = &waiting});
+  Timeout timeout(interrupted, Timeout::kNone);
+  const LevelStream stream(standing.options(timeout), {.choices = 1, .timeout = &timeout});
   ThreadPool pool(1);
   sim::HostDevice device(pool);
   {
     const auto trainer =
         Trainer::make(settings, makeDeviceEngine(settings, stream, device, pool, alone()), alone());
     ASSERT_TRUE(trainer) << trainer.error().text();
-    EXPECT_FALSE(bool(waiting.stop()));
+    EXPECT_FALSE(bool(timeout.stop()));
   }
-  EXPECT_TRUE(bool(waiting.stop()));
-  EXPECT_FALSE(waiting.isUp());
+  EXPECT_TRUE(bool(timeout.stop()));
+  EXPECT_FALSE(timeout.expired());
 }
 
 }  // namespace

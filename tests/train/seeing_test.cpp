@@ -1,4 +1,4 @@
-// Worlds are seen as settings say: while they learn, and while a policy is judged.
+// The observation is that of the settings, in training and in evaluation.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -13,19 +13,19 @@ namespace {
 
 constexpr Turns kOwnWay = 12345;
 
-// Other than observe() to the trainer, and the same to the policy.
+// Differs from observe() for the trainer, but not for the policy.
 Turns asEver(const policy::Scene& scene, const sim::World& world, const sim::LooseBody* loose,
              float* inputs) {
   return policy::observe(scene, world, loose, inputs);
 }
 
-// Always the same, in a frame that looks elsewhere.
+// Always the same, in another frame.
 Turns blind(const policy::Scene&, const sim::World&, const sim::LooseBody*, float* inputs) {
   std::fill_n(inputs, policy::kInputs, 0.25f);
   return kOwnWay;
 }
 
-// What a policy was shown, where one thread alone judges it.
+// Records the observations of an evaluation on one thread.
 std::vector<uint64_t>& shown() {
   static std::vector<uint64_t> states;
   return states;
@@ -52,7 +52,7 @@ std::vector<uint64_t> seeingJudged(const policy::Network& network, policy::Obser
   return shown();
 }
 
-// The same by hand: decide(scene, world) gives what to hold.
+// Plays by hand: decide(scene, world) returns the action.
 template <class Decide>
 std::vector<uint64_t> played(Decide&& decide) {
   std::vector<uint64_t> states;
@@ -72,7 +72,7 @@ std::vector<uint64_t> played(Decide&& decide) {
   return states;
 }
 
-TEST(Seeing, OfAJudgedPolicyLeadsToItsMoves) {
+TEST(Seeing, AnEvaluationUsesItsObservation) {
   const policy::Network& shipped = policy::shippedPolicy().network;
   const policy::Thinker thinker(shipped);
   const auto expected = played([&](const policy::Scene& scene, const sim::World& world) {
@@ -86,7 +86,7 @@ TEST(Seeing, OfAJudgedPolicyLeadsToItsMoves) {
   EXPECT_EQ(seeingJudged(policy::Network(), watched<blind>), straight);
 }
 
-TEST(Seeing, OfAnEnvGroupIsAsItsSettingsSay) {
+TEST(Seeing, AnEnvGroupUsesItsObservation) {
   const Gaps gaps;
   EnvGroupSettings settings;
   settings.levels = 2;
@@ -104,7 +104,7 @@ TEST(Seeing, OfAnEnvGroupIsAsItsSettingsSay) {
   }
 }
 
-TEST(Seeing, DecidesWhatIsLearned) {
+TEST(Seeing, AnotherObservationLearnsAnotherPolicy) {
   const Gaps gaps;
   const auto learned = [&](policy::Observe how) {
     TrainerSettings settings = tiny();

@@ -1,5 +1,5 @@
-// Rows that are lists of what is seen, there and back over what is not zero: held against the
-// network of the search, and against the same rows in full in double precision.
+// Sparse rows of observations, forward and backward. They are compared with the network of the
+// search, and with dense rows in double precision.
 #include "train/seen_rows.h"
 
 #include <gtest/gtest.h>
@@ -27,7 +27,7 @@ nn::Network<double> asDouble(const nn::Network<float>& net) {
   return out;
 }
 
-// Observations: states, and maps of which one height in three is not empty; with a network.
+// Observations with states and with maps in which one height in three is not empty; a network.
 struct Seen {
   std::vector<float> means, scales;
   std::vector<float> raw;  // (count, kInputs)
@@ -66,7 +66,7 @@ struct Seen {
     return out;
   }
 
-  // As the search has it.
+  // The search's network.
   policy::Network network() const {
     policy::Network out;
     std::vector<float>& numbers = out.numbers();
@@ -78,7 +78,7 @@ struct Seen {
   }
 };
 
-// Any rows, in any order, some twice.
+// Some rows in any order, some of them twice.
 std::vector<uint32_t> someRows(uint32_t count, uint32_t of) {
   Random random(count, 5);
   std::vector<uint32_t> out(count);
@@ -94,7 +94,7 @@ std::vector<float> someGradients(size_t rows) {
 }
 
 // Training and the search compute the same outputs, bit for bit.
-TEST(SeenPart, HasTheOutputsOfTheSearch) {
+TEST(SeenPart, OutputsEqualThoseOfTheSearch) {
   const Seen seen(100);
   const policy::Network network = seen.network();
   const policy::Thinker thinker(network);
@@ -113,10 +113,10 @@ TEST(SeenPart, HasTheOutputsOfTheSearch) {
 
 class SeenPartOf : public testing::TestWithParam<uint32_t> {};
 
-// One row, less than a block, one, more, several.
+// Sizes: one row, less than a block, a block, more, several blocks.
 INSTANTIATE_TEST_SUITE_P(SeenPart, SeenPartOf, testing::Values(1, 7, 64, 65, 200));
 
-TEST_P(SeenPartOf, HasTheOutputsAndGradientsOfFullRows) {
+TEST_P(SeenPartOf, OutputsAndGradientsEqualThoseOfDenseRows) {
   const Seen seen(100, 2);
   const std::vector<uint32_t> which = someRows(GetParam(), 100);
   const std::vector<double> full = seen.normalised(which);
@@ -146,7 +146,7 @@ TEST_P(SeenPartOf, HasTheOutputsAndGradientsOfFullRows) {
   }
 }
 
-// The gradients of two parts add up to those of both together, even if a pass had more rows before.
+// The gradients of two parts add up to those of both, even if a pass had more rows before.
 TEST(SeenPart, GradientsAddUp) {
   const Seen seen(100, 5);
   const std::vector<uint32_t> all = someRows(100, 100);
@@ -169,7 +169,7 @@ TEST(SeenPart, GradientsAddUp) {
   EXPECT_GT(largest, 0.1f);
 }
 
-TEST(SeenRows, ARowTakenAgainForgetsWhatItHad) {
+TEST(SeenRows, AReusedRowStartsEmpty) {
   Seen seen(2);
   seen.rows.take(0, seen.rawOf(1));
   const std::vector<uint32_t> both = {0, 1};

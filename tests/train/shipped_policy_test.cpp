@@ -1,5 +1,4 @@
-// The policy that the programs come with, as policies/README.md has it: on courses that it was not
-// trained on, by itself.
+// The shipped policy, by itself on courses that it was not trained on (policies/README.md).
 #include "policy/shipped_policy.h"
 
 #include <gtest/gtest.h>
@@ -10,9 +9,9 @@
 namespace obby::train {
 namespace {
 
-// The least that is asked of a policy to be shipped is 60 % of the courses. Of 1,000 others like
-// these it solves 88 % (policies/README.md); the standard deviation of a hundred is three points.
-TEST(ShippedPolicy, SolvesMostCoursesThatItNeverSaw) {
+// A shipped policy must solve at least 60 % of the courses. This one solves 88 % of 1,000 similar
+// courses (policies/README.md); the standard deviation for a hundred courses is three points.
+TEST(ShippedPolicy, SolvesMostUnseenCourses) {
   constexpr double kLeast = 0.6;
   gen::Recipe recipe;
   recipe.styles = {{"course", 1}};

@@ -1,4 +1,4 @@
-// A stream that is open, but sends nothing more.
+// An open stream that sends nothing more.
 #pragma once
 
 #include <fmt/format.h>
@@ -7,11 +7,11 @@
 
 #include <string>
 
-#include "train/wait_limit.h"
+#include "train/timeout.h"
 
 namespace obby::train {
 
-// A stream that stands still behind what was put into it.
+// A pipe that contains a text and stays open.
 class Standing {
  public:
   explicit Standing(const std::string& text) {
@@ -24,10 +24,10 @@ class Standing {
   Standing(const Standing&) = delete;
   Standing& operator=(const Standing&) = delete;
 
-  io::SourceOptions options(const WaitLimit& waiting) const {
+  io::SourceOptions options(const Timeout& timeout) const {
     io::SourceOptions out;
     out.inputs = {fmt::format("/dev/fd/{}", ends_[0])};
-    out.stop = &waiting.stop();
+    out.stop = &timeout.stop();
     return out;
   }
 

@@ -1,5 +1,5 @@
-// Learning that begins with a policy: it plays as the policy does until it learns, and goes on from
-// there; whatever cannot be gone on from is refused.
+// Training that starts from a policy. It plays as the policy does until the first update. Policies
+// that cannot be trained further are refused.
 #include "train/start.h"
 
 #include <gtest/gtest.h>
@@ -17,7 +17,7 @@ namespace {
 
 using Trainers = Result<std::unique_ptr<Trainer>>;
 
-constexpr uint64_t kIterations = 3;  // that the policy learned in
+constexpr uint64_t kIterations = 3;  // of the policy's training
 
 policy::PolicyFile fileOf(const TrainerState& state, const Trainer& trainer) {
   policy::PolicyFile file;
@@ -27,7 +27,7 @@ policy::PolicyFile fileOf(const TrainerState& state, const Trainer& trainer) {
   return file;
 }
 
-// A policy, and the state that it is of.
+// A policy, and the state of its training.
 struct StartLearned {
   TrainerState state;
   policy::PolicyFile file;
@@ -43,7 +43,7 @@ StartLearned learned() {
   return {std::move(state), std::move(file)};
 }
 
-// On other levels, with other draws.
+// Other levels and random numbers.
 TrainerSettings further() {
   TrainerSettings settings = small();
   settings.seed = 5;
@@ -55,9 +55,9 @@ Trainers beginWith(const Start* start, const LevelSource& source, ThreadPool& po
   return Trainer::make(settings, makeCpuEngine(settings, source, pool, ranks), ranks, start);
 }
 
-// The network is what decides: of the first decisions all logits have the bits of the search, as a
-// test of Pass has it for any network.
-TEST(Start, IsThePolicyBitForBitUntilSomethingIsLearned) {
+// Equal networks suffice: a test of Pass shows that training and search compute the same logits,
+// bit for bit.
+TEST(Start, IsThePolicyBitForBitUntilTheFirstUpdate) {
   const StartLearned known = learned();
   const Gaps others(false, 98);
   ThreadPool pool(1);
@@ -71,7 +71,7 @@ TEST(Start, IsThePolicyBitForBitUntilSomethingIsLearned) {
   EXPECT_NE((*trainer)->network().numbers(), known.file.network.numbers());
 }
 
-TEST(Start, IsThePolicyBitForBitOnADevice) {
+TEST(Start, EqualsThePolicyBitForBitOnADevice) {
   const StartLearned known = learned();
   const Gaps gaps;
   ThreadPool pool(1);
@@ -87,9 +87,9 @@ TEST(Start, IsThePolicyBitForBitOnADevice) {
   EXPECT_NE((*trainer)->network().numbers(), known.file.network.numbers());
 }
 
-// What it begins with is what it plays with, values and normalisers included: a state into which
-// the same was put comes to the same.
-TEST(Start, IsWhatThePlayersBeginWith) {
+// It plays with the policy's network, value scale and normalisers: a run resumed from a state with
+// all of these gives the same results.
+TEST(Start, DecidesTheFirstIteration) {
   const StartLearned known = learned();
   const Gaps gaps;
   ThreadPool pool(1);
@@ -112,7 +112,7 @@ TEST(Start, IsWhatThePlayersBeginWith) {
   EXPECT_EQ((*trainer)->network().numbers(), (*expected)->network().numbers());
 }
 
-TEST(Start, GivesTheSamePolicyOnAnyNumberOfThreads) {
+TEST(Start, ThePolicyDoesNotDependOnTheNumberOfThreads) {
   const StartLearned known = learned();
   const Gaps gaps;
   const auto start = startFrom(known.file);
@@ -145,8 +145,8 @@ TEST(Start, IsTheSameOnAllRanks) {
   });
 }
 
-// They weigh as they did when the policy was written, and count on from there.
-TEST(Start, NormalisersGoOn) {
+// They keep their weight and continue to count.
+TEST(Start, NormalisersContinue) {
   const StartLearned known = learned();
   const auto start = startFrom(known.file);
   ASSERT_TRUE(start);
@@ -165,7 +165,7 @@ TEST(Start, NormalisersGoOn) {
   EXPECT_EQ(allDecisions(*(*trainer)->state()), known.state.decisions + (*trainer)->decisions());
 }
 
-TEST(Start, KnowsWhatTheValueMeansWhereTheFileSaysIt) {
+TEST(Start, RestoresTheValueScaleIfTheFileHasIt) {
   StartLearned known = learned();
   const ValueScale& then = known.state.learner.values;
   const auto start = startFrom(known.file);
@@ -180,8 +180,8 @@ TEST(Start, KnowsWhatTheValueMeansWhereTheFileSaysIt) {
   EXPECT_EQ(older->learner.values.deviation, ValueScale().deviation);
 }
 
-// The rounding there and back of all that a long run came to.
-TEST(Start, IsThePolicyThatIsShipped) {
+// Checks the round trip with the numbers of a long run.
+TEST(Start, KeepsTheShippedPolicy) {
   const policy::PolicyFile& file = policy::shippedPolicy();
   const auto start = startFrom(file);
   ASSERT_TRUE(start) << start.error().text();
@@ -192,8 +192,8 @@ TEST(Start, IsThePolicyThatIsShipped) {
   EXPECT_EQ((*trainer)->network().numbers(), file.network.numbers());
 }
 
-// Of deviations that a float can have.
-TEST(Start, FindsEveryScaleThatANormaliserGives) {
+// For all deviations that a float can hold.
+TEST(Start, RestoresEveryScaleOfANormaliser) {
   policy::PolicyFile file;
   file.training.decisions = 1'000'000;
   Random random(3, 3);
@@ -206,7 +206,7 @@ TEST(Start, FindsEveryScaleThatANormaliserGives) {
   }
 }
 
-TEST(Start, IsRefusedWithNormalisersThatNoLearningComesTo) {
+TEST(Start, RefusesNormalisersThatTrainingCannotProduce) {
   const StartLearned known = learned();
   const auto error = [&](float scale) {
     policy::PolicyFile file = known.file;

@@ -1,4 +1,4 @@
-// Ranks that are threads of the test: what processes do over MPI, where there is none.
+// Ranks that are threads of the test, as processes are over MPI.
 #pragma once
 
 #include <algorithm>

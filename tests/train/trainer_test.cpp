@@ -1,4 +1,4 @@
-// Learning as a whole: it learns, and nothing but its inputs decides what.
+// Training as a whole: it learns, and its result depends only on its inputs.
 #include "train/trainer.h"
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@
 namespace obby::train {
 namespace {
 
-TEST(Trainer, GivesTheSamePolicyOnAnyNumberOfThreads) {
+TEST(Trainer, ThePolicyDoesNotDependOnTheNumberOfThreads) {
   const Gaps gaps;
   std::vector<float> expected;
   for (const int threads : {1, 2, 3}) {
@@ -27,7 +27,7 @@ TEST(Trainer, GivesTheSamePolicyOnAnyNumberOfThreads) {
   }
 }
 
-TEST(Trainer, LearnsToCrossAGapThatChanceDoesNot) {
+TEST(Trainer, LearnsToCrossAGapThatRandomPlayDoesNot) {
   const Gaps gaps;
   ThreadPool pool(2);
   const std::atomic<bool> stop{false};
@@ -46,9 +46,9 @@ TEST(Trainer, LearnsToCrossAGapThatChanceDoesNot) {
   EXPECT_GE(learned.any, learned.likeliest);
 }
 
-// What was played is learned from under the network, the mask and the inputs that it was played
-// with: in a single step over all of it nothing has moved yet.
-TEST(Trainer, LearnsFirstFromThePolicyThatPlayed) {
+// Training evaluates each decision with the network, mask and inputs of the play. In a single step
+// over the whole batch, the policy has therefore not moved yet.
+TEST(Trainer, TheFirstStepSeesThePolicyThatPlayed) {
   const Gaps gaps;
   ThreadPool pool(1);
   TrainerSettings settings = tiny();
@@ -65,7 +65,7 @@ TEST(Trainer, LearnsFirstFromThePolicyThatPlayed) {
   }
 }
 
-// Neither plays nor learns, but keeps at which rates it was to.
+// Neither plays nor trains, but records the learning rates.
 class Rated : public Engine {
  public:
   Rated(std::vector<float>& rates, size_t envGroups) : rates_(rates), envGroups_(envGroups) {}
@@ -88,8 +88,8 @@ class Rated : public Engine {
   size_t envGroups_;
 };
 
-// To a tenth at --decisions, and no further; learning that goes on does so at the rate of then.
-TEST(Trainer, LearnsAtARateThatFallsAlongTheDecisions) {
+// It falls to a tenth at --decisions and stays there. A resumed run continues at its rate.
+TEST(Trainer, TheLearningRateFallsWithTheDecisions) {
   TrainerSettings settings = small();
   settings.decisions = 4 * uint64_t(settings.worlds()) * settings.ticks;
   std::vector<float> rates;
@@ -107,7 +107,7 @@ TEST(Trainer, LearnsAtARateThatFallsAlongTheDecisions) {
   for (size_t i = 0; i < rates.size(); ++i) EXPECT_NEAR(rates[i], expected[i], 1e-6f) << i;
 }
 
-// Gaps, and with which difficulty they were asked for.
+// Gaps that record the requested difficulty.
 class Asked : public Gaps {
  public:
   Result<std::shared_ptr<const TrainingLevel>> level(uint64_t index, float hardest) const override {
@@ -122,7 +122,7 @@ class Asked : public Gaps {
   mutable float hardest_ = 0;
 };
 
-// By how much the difficulty moves after an iteration: less where few were played.
+// Returns the change of the difficulty after an iteration. It is less after few episodes.
 float stepAfter(const Iteration& i) { return 0.01f * std::min(float(i.played) / 64, 1.0f); }
 
 TrainerSettings from(float easiest, float raiseAt, float lowerAt) {
@@ -133,7 +133,7 @@ TrainerSettings from(float easiest, float raiseAt, float lowerAt) {
   return settings;
 }
 
-TEST(Curriculum, LevelsBecomeHarderWhileMostAreSolved) {
+TEST(Curriculum, LevelsBecomeHarderWhileTheSolvedShareIsHigh) {
   const Asked gaps;
   ThreadPool pool(1);
   TrainerSettings settings = from(0.3f, -1, -1);
@@ -149,10 +149,10 @@ TEST(Curriculum, LevelsBecomeHarderWhileMostAreSolved) {
     EXPECT_NEAR(iteration->hardest, expected, 1e-5f) << i;
   }
   EXPECT_GT(expected, 0.33f);
-  EXPECT_GT(gaps.hardest(), 0.3f) << "levels were asked for with it";
+  EXPECT_GT(gaps.hardest(), 0.3f) << "levels were requested with it";
 }
 
-TEST(Curriculum, LevelsBecomeEasierWhileFewAreSolved) {
+TEST(Curriculum, LevelsBecomeEasierWhileTheSolvedShareIsLow) {
   const Gaps gaps;
   ThreadPool pool(1);
   const TrainerSettings settings = from(0.3f, 3, 2);
@@ -170,8 +170,8 @@ TEST(Curriculum, LevelsBecomeEasierWhileFewAreSolved) {
   EXPECT_LT(before, 0.5f);
 }
 
-// Few worlds end few playthroughs an iteration; they count all the same.
-TEST(Curriculum, OfFewWorldsMoves) {
+// Few worlds end few episodes in an iteration, and those count, too.
+TEST(Curriculum, MovesEvenWithFewWorlds) {
   const Gaps gaps;
   ThreadPool pool(1);
   TrainerSettings settings = tiny();
@@ -187,8 +187,8 @@ TEST(Curriculum, OfFewWorldsMoves) {
   EXPECT_GT(hardest, settings.easiest);
 }
 
-// Numbers that are none could be written over good files, and read by nobody.
-TEST(Trainer, GoesNoFurtherOnceItHasDiverged) {
+// Files with NaN could replace good ones.
+TEST(Trainer, StopsOnceItHasDiverged) {
   const Gaps gaps;
   ThreadPool pool(1);
   const auto trainer = Trainer::make(small(), gaps, pool, alone());
@@ -201,17 +201,17 @@ TEST(Trainer, GoesNoFurtherOnceItHasDiverged) {
     const auto iteration = (*resumed)->iterate();
     return iteration ? std::string() : iteration.error().text();
   };
-  // A checkpoint goes on under the rate of then only, and to the same bits: no way out.
+  // A checkpoint resumes only at its learning rate, and diverges again with the same bits.
   const std::string diverged =
       "training diverged: the network's weights are no longer finite (start again "
-      "with a lower --rate; resuming the last checkpoint would diverge again)";
+      "with a lower --learning-rate; resuming the last checkpoint would diverge again)";
   EXPECT_EQ(error([](TrainerState&) {}), "");
   EXPECT_EQ(error([](TrainerState& s) { s.learner.parameters[20000] = NAN; }), diverged);
   EXPECT_EQ(error([](TrainerState& s) { s.learner.squares[18500] = INFINITY; }), diverged);
   EXPECT_EQ(error([](TrainerState& s) { s.seen.sum[7] = NAN; }), diverged);
 }
 
-TEST(Sums, AreMeanAndDeviation) {
+TEST(Sums, HaveMeanAndDeviation) {
   Sums sums(2);
   const float rows[][2] = {{1, 5}, {3, 5}, {5, 5}};
   for (const auto& row : rows) sums.add(row);

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "course.h"
-#include "view/json_text.h"
+#include "io/json_writer.h"
 #include "view/page_parts.h"
 
 namespace obby::view_test {
@@ -70,7 +70,7 @@ TEST(Budget, ThinsAttemptsBeforeAnythingElse) {
 }
 
 // An overestimate would thin out trajectories of large levels without need.
-TEST(Budget, CountsALevelAsItIsWritten) {
+TEST(Budget, CountsALevelByItsWrittenSize) {
   std::string level = R"({"type":"level","name":"large","parts":[{})";
   for (int i = 0; i < 500; ++i) {
     level += R"(,{"name":"Part","source":{"path":"Workspace/Course/Part )" + std::to_string(i) +
@@ -80,7 +80,7 @@ TEST(Budget, CountsALevelAsItIsWritten) {
   ASSERT_TRUE(report) << report.error().text();
   view::PageSizes sizes;
   sizes.add(report->levels[0], 1200);
-  view::JsonText json;
+  io::JsonWriter json;
   view::writeLevel(json, report->levels[0], 1200, 1);
   EXPECT_GT(sizes.fixed, json.text().size() * 3 / 4);
   EXPECT_LT(sizes.fixed, json.text().size() * 5 / 4);
@@ -94,7 +94,7 @@ TEST(Budget, CountsMoreThanTheTicksOfATrajectory) {
   ASSERT_EQ(report->queries[0].paths.size(), 1u);
   view::PageSizes sizes;
   sizes.add(report->queries[0]);
-  view::JsonText json;
+  io::JsonWriter json;
   view::writePath(json, report->queries[0].paths[0], 1);
   EXPECT_GT(sizes.attempts + sizes.whole, json.text().size() * 3 / 4);
   EXPECT_LT(sizes.attempts + sizes.whole, json.text().size() * 3 / 2);
@@ -121,7 +121,7 @@ TEST(Budget, CountsEventsOfPartsInATrajectory) {
   playback.motions.assign(100'000, {12345, 4321, 12345});
   view::PageSizes sizes;
   sizes.add(report->queries[0]);
-  view::JsonText json;
+  io::JsonWriter json;
   view::writePath(json, report->queries[0].paths[0], 1);
   EXPECT_GT(sizes.attempts + sizes.whole, json.text().size() * 3 / 4);
   EXPECT_LT(sizes.attempts + sizes.whole, json.text().size() * 5 / 4);

@@ -74,7 +74,7 @@ TEST(LiveData, APageGetsNewItemsOnce) {
   }
 }
 
-TEST(LiveData, WithoutChangesTheRevisionStays) {
+TEST(LiveData, TheRevisionStaysWithoutChanges) {
   Growing growing;
   growing.add({kLevel, kQuery});
   const uint64_t before = growing.data.revision();
@@ -126,7 +126,7 @@ TEST(LiveData, LongerTrajectoriesRarelyResendMotion) {
   EXPECT_EQ(sent, 2u);  // at 20 and at 40 seconds
 }
 
-TEST(LiveData, BeyondThePagesSizeAttemptsAreResentThinnedOut) {
+TEST(LiveData, AttemptsBeyondThePagesSizeAreResentThinned) {
   const auto longest = [] {
     auto way = walk(kAhead, 2);
     auto path = way.root().getTrajectory();

@@ -7,7 +7,6 @@
 
 #include "course.h"
 #include "view/budget.h"
-#include "view/json_text.h"
 #include "view/page_parts.h"
 #include "view/page_template.h"
 
@@ -16,25 +15,6 @@ namespace {
 
 using ::testing::HasSubstr;
 using ::testing::Not;
-
-TEST(JsonText, WritesNestedValuesAndBase64) {
-  view::JsonText json;
-  json.open('{').field("a", 1).field("b", true).key("c").open('[').value(0.5f).null().close();
-  json.key("d").array(std::vector<uint8_t>{1, 2, 3, 255}).field("e", "x\"\\\n").close();
-  EXPECT_EQ(json.text(), R"({"a":1,"b":true,"c":[0.5,null],"d":"AQID/w==","e":"x\"\\\n"})");
-}
-
-TEST(JsonText, BrokenUtf8AndMarkupCannotLeaveTheString) {
-  view::JsonText json;
-  json.open('[').value(std::string_view("\xff</script>\xc3\xa9\xe2\x80\xa8")).close();
-  EXPECT_EQ(json.text(), "[\"\xef\xbf\xbd\\u003c/script>\xc3\xa9\\u2028\"]");
-}
-
-TEST(JsonText, NumbersThatAreNotFiniteAreNull) {
-  view::JsonText json;
-  json.open('[').value(std::nanf("")).value(double(INFINITY)).close();
-  EXPECT_EQ(json.text(), "[null,null]");
-}
 
 TEST(Page, DataNamesLevelQueryAndTrajectories) {
   const std::string data = view::pageData(solvedReport(), {false, "obby-view test"});
@@ -82,7 +62,7 @@ TEST(Page, TimersAreInTheTicksThatAreSimulated) {
                         R"({"part":2,"trigger":"touch"}])"));
 }
 
-TEST(Page, ATooLargePageSaysWhatToLeaveOut) {
+TEST(Page, ATooLargePageNamesWhatToOmit) {
   const size_t bytes = view::kPageLimit + (5u << 20);
   EXPECT_THAT(view::pageTooLarge(bytes, true).text(), HasSubstr("205 MB"));
   EXPECT_THAT(view::pageTooLarge(bytes, true).hint, HasSubstr("leave out --full"));
@@ -213,7 +193,7 @@ TEST(Page, MarkersInNamesStayText) {
   EXPECT_THAT(*page, HasSubstr(R"("title":"@@OBBY_DATA@@")"));
 }
 
-TEST(Page, WithoutTheBundleExplainsHowToGetIt) {
+TEST(Page, ExplainsHowToGetAMissingBundle) {
   if (view::pageAvailable()) {
     EXPECT_THAT(view::pageMissing().hint, HasSubstr("npm"));
   } else {
@@ -223,7 +203,7 @@ TEST(Page, WithoutTheBundleExplainsHowToGetIt) {
   }
 }
 
-TEST(Tracks, OneRoundOfEachMotionAtItsPoses) {
+TEST(Tracks, CoverOnePeriodOfEachMotion) {
   const view::Report report = solvedReport();
   const auto tracks = tracksOf(report.levels[0], 100000, 1);
   ASSERT_EQ(tracks.size(), 2u);

@@ -49,7 +49,7 @@ TEST(Picture, ALargeOneTakesLittleMemory) {
   EXPECT_LT(peakOf(4096, 1024) - before, 350 << 10) << "all of its samples would take 600 MB";
 }
 
-TEST(Extent, OfALongTrajectoryTakesNoExtraMemory) {
+TEST(Extent, TakesNoExtraMemoryForALongTrajectory) {
   Report shown = view_test::solvedReport();
   QueryEntry& query = shown.queries[0];
   query.paths[0].playback.feet.assign(4'000'000, Vec3{0, 0, -5});

@@ -198,7 +198,7 @@ TEST(Drawing, HasPartsPathsAndAnEscapedTitle) {
 }
 
 // A bridge that a button brings, and bars that blink in turn.
-TEST(World, SaysWhichPartsAreAwayAtATick) {
+TEST(World, KnowsWhichPartsAreAwayAtATick) {
   const auto shown = view_test::collect(
       {R"({"type":"level","name":"bridges","parts":[{"button":{"signal":"bridge","seconds":6}},)"
        R"({"position":[0,0,-10],"vanish":{"trigger":"signal","signal":"bridge","inverted":true}},)"
@@ -279,7 +279,7 @@ TEST(Drawing, APartThatFillsThePageIsDrawn) {
             std::string::npos);
 }
 
-TEST(Drawing, OfALevelWithoutPartsHasNumbers) {
+TEST(Drawing, HasFiniteNumbersForALevelWithoutParts) {
   const auto bare = view_test::collect({R"({"type":"level","name":"bare"})"});
   ASSERT_TRUE(bare) << bare.error().text();
   const std::string svg = drawingOf(bare->levels[0], nullptr, {});

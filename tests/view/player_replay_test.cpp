@@ -60,7 +60,7 @@ TEST(PlayerReplay, IsReportedInTheLevelsTicks) {
   }
 }
 
-TEST(PlayerReplay, AtTheLevelsOwnRateEqualsTheRecord) {
+TEST(PlayerReplay, EqualsTheRecordAtTheLevelsOwnRate) {
   const PlayerReplays::Told t = told(60);
   EXPECT_FALSE(t.record);
   EXPECT_EQ(t.playback.ticks(), 60u);

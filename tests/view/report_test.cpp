@@ -103,7 +103,7 @@ TEST(Report, SameLevelTwiceIsOneLevel) {
 }
 
 // Versions of a level share its name.
-TEST(Report, OfLevelsWithOneNameThePrecedingOneIsMeant) {
+TEST(Report, QueriesBelongToThePrecedingLevelOfTheirName) {
   std::string second = kLevel, other = kLevel;
   second.replace(second.find(R"("size":[10,1,30])"), 16, R"("size":[12,1,30])");
   other.replace(other.find("Course </script><b>"), 19, "Another");

@@ -21,7 +21,7 @@ std::string inRunsOfATick(const io::RecordBuilder& way) {
 }
 
 // A stream of a few lines may ask for hours of play.
-TEST(Collector, BeyondTheBudgetAttemptsAreDroppedAndSolutionsAreErrors) {
+TEST(Collector, DropsAttemptsBeyondTheBudgetAndRefusesSolutions) {
   auto ahead = walk(kAhead, 200), left = walk(kLeft, 300);
   const size_t ticks = left.reader().getTrajectory().getTicks() + 1;
   auto collector = withRoom({2 * ticks});
@@ -146,7 +146,7 @@ TEST(Collector, ATrajectoryAboveTheWholeBudgetDropsNoOthers) {
   EXPECT_THAT(collector.report().notes[0], HasSubstr("left out"));
 }
 
-TEST(Collector, WithoutABudgetForRecordsAllFurtherOnesAreDropped) {
+TEST(Collector, DropsAllFurtherRecordsWithoutABudget) {
   std::string second = kLevel;
   second.replace(second.find("Course"), 6, "Second");
   view::Room room;

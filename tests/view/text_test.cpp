@@ -181,7 +181,7 @@ TEST(Text, LevelsWithoutQueriesAreListed) {
 }
 
 // Keys alone determine the position of a moving part.
-TEST(Text, MapShowsMovingPartsWhereTheyAreAtTheStart) {
+TEST(Text, MapShowsMovingPartsAtTheirStart) {
   const auto report =
       collect({R"({"type":"level","name":"L","spawns":[{}],"parts":[)"
                R"({"position":[0,-0.5,-10],"size":[10,1,30]},)"
@@ -247,12 +247,12 @@ TEST(Text, MapMarksPartsAwayAtTheStart) {
   EXPECT_THAT(away, HasSubstr(", absent at the start"));
 }
 
-TEST(Text, AsciiHoldsNoOtherCharactersAndNoColours) {
+TEST(Text, AsciiOutputHasNoOtherCharactersAndNoColours) {
   const std::string text = view::textReport(solvedReport(), {kAscii, view::Maps::few});
   for (const char c : text) EXPECT_TRUE(c == '\n' || (c >= 32 && c < 127)) << int(c);
 }
 
-TEST(Text, ColoursOnlyWhereAllowed) {
+TEST(Text, UsesColoursOnlyWhereAllowed) {
   const view::Report report = solvedReport();
   EXPECT_THAT(view::textReport(report, {{80, false, true}, view::Maps::few}),
               Not(HasSubstr("\x1b")));
@@ -261,7 +261,7 @@ TEST(Text, ColoursOnlyWhereAllowed) {
 }
 
 // Other terminals read the numbers of 24-bit colours as bold, blinking, and colours of their own.
-TEST(Text, TerminalsWith256ColoursGetThose) {
+TEST(Text, Uses256ColoursOnTerminalsLimitedToThem) {
   const table::TerminalTraits few{80, true, true, true};
   const std::string text = view::textReport(solvedReport(), {few, view::Maps::few});
   EXPECT_THAT(text, HasSubstr("\x1b[38;5;"));

@@ -16,7 +16,7 @@ using ::testing::HasSubstr;
 using ::testing::Not;
 
 // Keys determine position and rotation, whatever the part's own pose is, even if they never change.
-TEST(Tracks, OfConstantKeysStayAtTheirPose) {
+TEST(Tracks, StayAtThePoseOfConstantKeys) {
   auto report = collect({R"({"type":"level","name":"L","parts":[)"
                          R"({"size":[8,1,2],"rotation":[0,0.70710678,0,0.70710678],)"
                          R"("motion":{"keys":[{},{"time":1,"position":[0,6,0]}]}},)"
@@ -36,7 +36,7 @@ TEST(Tracks, OfConstantKeysStayAtTheirPose) {
 
 // For a period of one or two seconds, one sample in 64 would lose the motion. A stride that does
 // not divide the period would keep all samples.
-TEST(Tracks, OfAShortPeriodKeepEnoughSamples) {
+TEST(Tracks, KeepEnoughSamplesOfAShortPeriod) {
   const view::Report report = solvedReport();
   const auto tracks = tracksOf(report.levels[0], 100000, 64);
   ASSERT_EQ(tracks.size(), 2u);
@@ -54,7 +54,7 @@ TEST(Tracks, OfAShortPeriodKeepEnoughSamples) {
 }
 
 // A part with its keys' rotation needs no rotations in its track, despite rounding.
-TEST(Tracks, OfConstantRotationHaveNoRotations) {
+TEST(Tracks, OmitRotationsIfTheRotationIsConstant) {
   auto report = collect({R"({"type":"level","name":"L","parts":[{"size":[8,1,2],)"
                          R"("rotation":[0.1234567,0.2,0.3,0.9],"motion":{"keys":[)"
                          R"({"rotation":[0.1234567,0.2,0.3,0.9]},)"

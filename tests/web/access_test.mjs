@@ -40,7 +40,7 @@ const contrast = (page) =>
   });
 
 for (const theme of ['dark', 'light']) {
-  test(`${theme}: every text can be read`, async ({ page }) => {
+  test(`${theme}: every text is readable`, async ({ page }) => {
     await page.emulateMedia({ colorScheme: theme });
     await frames(page, 3);
     assert.equal(await page.evaluate(() => document.documentElement.dataset.theme), theme);
@@ -85,7 +85,7 @@ test('at 200 % zoom nothing is cut off or out of reach', async ({ browser }) => 
   await page.context().close();
 });
 
-test('without WebGL all but the picture is there', async ({ browser }) => {
+test('without WebGL everything but the picture works', async ({ browser }) => {
   const { page, trouble } = await openReport(browser, file, { prepare: withoutWebGl });
   assert.match(await page.locator('#stage').innerText(), /no WebGL/);
   assert.equal(await page.locator('#view').isVisible(), false);
@@ -133,7 +133,7 @@ test('the keyboard reaches every control, and each has a name', async ({ page })
   assert.deepEqual(missed, []);
 });
 
-test('the keyboard is seen to be on the picture, the mouse draws no frame', async ({ page }) => {
+test('only keyboard focus draws a frame', async ({ page }) => {
   const focused = () =>
     page.evaluate(() => [
       document.activeElement.id,
@@ -151,7 +151,7 @@ test('the keyboard is seen to be on the picture, the mouse draws no frame', asyn
   }
 });
 
-test('no tick is read out as it is played; the slider tells the time', async ({ page }) => {
+test('screen readers read the slider but no ticks', async ({ page }) => {
   await page.evaluate(() => window.obby.store.set({ path: 0, ghost: 1, tick: 66 }));
   const spoken = await page.evaluate(() =>
     [...document.querySelectorAll('#timeline output, #comparison output')].map((node) =>
@@ -163,7 +163,7 @@ test('no tick is read out as it is played; the slider tells the time', async ({ 
   await page.evaluate(() => window.obby.store.set({ ghost: -1 }));
 });
 
-test('Space ticks the box that the keyboard is on; after the mouse it plays', async ({ page }) => {
+test('Space toggles a focused checkbox and otherwise plays', async ({ page }) => {
   const fold = page.getByRole('button', { name: 'Display' });
   const onBox = () => page.evaluate(() => document.activeElement.type === 'checkbox');
   await fold.click();
@@ -186,7 +186,7 @@ test('Space ticks the box that the keyboard is on; after the mouse it plays', as
   await fold.click();
 });
 
-test('the time takes the keys that move it and leaves the browser its own', async ({ page }) => {
+test('the time slider handles only its own keys', async ({ page }) => {
   const taken = (init) =>
     page.locator('.scrub').evaluate((slider, how) => {
       const event = new KeyboardEvent('keydown', { ...how, bubbles: true, cancelable: true });
@@ -198,7 +198,7 @@ test('the time takes the keys that move it and leaves the browser its own', asyn
     assert.equal(await taken(how), false, how.key);
 });
 
-test('a report that is told anew leaves the keyboard where it is', async ({ page }) => {
+test('a report update keeps the keyboard focus', async ({ page }) => {
   const focused = () =>
     page.evaluate(() => {
       const { className, innerText } = document.activeElement;
@@ -220,7 +220,7 @@ test('a report that is told anew leaves the keyboard where it is', async ({ page
   await arrive(page);
 });
 
-test('colours from little to much get lighter throughout', async ({ page }) => {
+test('the colour scale gets lighter throughout', async ({ page }) => {
   const colors = await page.evaluate(() => {
     window.obby.store.set({ colorBy: 'time' });
     return window.obby
@@ -236,7 +236,7 @@ test('colours from little to much get lighter throughout', async ({ page }) => {
   sorted.forEach((value, i) => assert.ok(i === 0 || value >= sorted[i - 1] - 0.8, `${sorted}`));
 });
 
-test('a row says its verdict, and that it is compared with', async ({ page }) => {
+test('a row names its verdict and the comparison', async ({ page }) => {
   await page.getByRole('option', { name: 'Solved whole course' }).waitFor();
   await page.getByRole('option', { name: 'Unreachable without jumping' }).waitFor();
   const described = () =>
@@ -249,7 +249,7 @@ test('a row says its verdict, and that it is compared with', async ({ page }) =>
   assert.deepEqual(await described(), []);
 });
 
-test('two fingers move in and out, and choose nothing', async ({ browser }) => {
+test('two fingers zoom and select nothing', async ({ browser }) => {
   const { page, trouble } = await openReport(browser, file, { hasTouch: true });
   const cdp = await page.context().newCDPSession(page);
   const { x, y } = await page.locator('#view').boundingBox();
@@ -277,6 +277,6 @@ test('two fingers move in and out, and choose nothing', async ({ browser }) => {
   await page.context().close();
 });
 
-test('all of that raised no error', async ({ trouble }) => assert.deepEqual(trouble, []));
+test('the page raised no error', async ({ trouble }) => assert.deepEqual(trouble, []));
 
 await run(file);

@@ -30,7 +30,7 @@ const grow = (page, outcome) =>
     app.ways.choose();
   }, outcome);
 
-test('whatever is offered, all of it comes first', async ({ page }) => {
+test('every list of choices begins with any', async ({ page }) => {
   await page.locator('.filters .fold').click();
   for (const name of ['outcome', 'route', 'killer']) {
     const texts = await offered(page, name);
@@ -39,7 +39,7 @@ test('whatever is offered, all of it comes first', async ({ page }) => {
   }
 });
 
-test('boxes count the ways that come, and keep what is being typed', async ({ page }) => {
+test('boxes count new trajectories and keep typed text', async ({ page }) => {
   const all = { min: [-500, -500, -500], max: [500, 500, 500], keep: true };
   await page.evaluate((box) => window.obby.store.set({ boxes: [box] }), all);
   const counted = page.locator('.box output');
@@ -52,7 +52,7 @@ test('boxes count the ways that come, and keep what is being typed', async ({ pa
   await page.evaluate(() => window.obby.store.set({ boxes: [] }));
 });
 
-test('a list of choices grows once nobody has it in hand', async ({ page }) => {
+test('a list of choices never grows while in use', async ({ page }) => {
   const select = page.locator('.choice.outcome select');
   await select.focus();
   await grow(page, 'hurt');
@@ -61,7 +61,7 @@ test('a list of choices grows once nobody has it in hand', async ({ page }) => {
   assert.ok((await offered(page, 'outcome')).includes('Hurt (1)'));
 });
 
-test('a box keeps no query that another has replaced', async () => {
+test('a box keeps no query that has been replaced', async () => {
   setFlagsFromString('--expose-gc');
   const box = boxOf([0, 0, 0], [1, 1, 1]);
   const ask = () => {
@@ -76,7 +76,7 @@ test('a box keeps no query that another has replaced', async () => {
   assert.equal(pathsThrough({ paths: [] }, box).size, 0);
 });
 
-test('what needs an answer is offered once it has come', async ({ page }) => {
+test('choices that need an answer appear with it', async ({ page }) => {
   const offers = () =>
     page.evaluate(() => {
       const labels = [...document.querySelectorAll('.toggles label')];
@@ -100,7 +100,7 @@ test('what needs an answer is offered once it has come', async ({ page }) => {
   await page.evaluate(() => window.obby.store.set({ heat: false }));
 });
 
-test('there may be more ways than a call takes arguments', async ({ page }) => {
+test('more trajectories than call arguments are handled', async ({ page }) => {
   const ticks = await page.evaluate(() => {
     const app = window.obby;
     const paths = new Array(300000).fill({ ticks: 7000 });
@@ -110,7 +110,7 @@ test('there may be more ways than a call takes arguments', async ({ page }) => {
   assert.equal(ticks, 7000);
 });
 
-test('numbers are rounded to three digits, whatever unit that takes', () => {
+test('numbers are rounded to three digits in any unit', () => {
   for (const [number, text] of [
     [9999, '9999'],
     [99949, '99.9 k'],
@@ -122,7 +122,7 @@ test('numbers are rounded to three digits, whatever unit that takes', () => {
     assert.equal(count(number), text);
 });
 
-test('of a way that is far from a box no point is looked at', () => {
+test('trajectories far from a box are skipped', () => {
   const way = { samples: 3, points: Float32Array.from([0, 0, 0, 5, 2, 0, 9, 0, 0]) };
   const crossed = boxOf([4, 0, -1], [6, 3, 1]);
   assert.equal(meets(way, crossed), true);
@@ -150,7 +150,7 @@ function besideWay(points, at) {
   return least;
 }
 
-test('ways of moving parts are drawn by their corners, and no sample is far from them', () => {
+test('motion paths are simplified within a tolerance', () => {
   const samplesOf = (count, at) =>
     Float32Array.from(Array.from({ length: count }, (_, i) => at(i)).flat());
   const there = (i) => [1000 + 0.1 * Math.abs(100 - i), 3, -27]; // and back
@@ -166,14 +166,14 @@ test('ways of moving parts are drawn by their corners, and no sample is far from
   }
 });
 
-test('a time in an address is that of the tick that it was written for', () => {
+test('a time in an address keeps its tick', () => {
   for (const rate of [10, 60, 240, 480])
     for (let tick = 0; tick < 3 * rate; tick++)
       assert.equal(tickAt(Number((tick / rate).toFixed(3)), rate), tick);
   assert.ok(Math.abs(tickAt(0.009, 60) - 0.54) < 1e-9, 'between two ticks');
 });
 
-test('a part without a name is told by its number', () => {
+test('an unnamed part is identified by its number', () => {
   const level = { count: 2, names: ['', 'Workspace/Lava'] };
   const killed = (part) => ({ outcome: 'killed', part, end: () => [0, 0, 0] });
   assert.equal(causeOf(killed(0), level), 'Killed by part 0');
@@ -187,12 +187,12 @@ test('a part without a name is told by its number', () => {
   assert.equal(hardestOf({ difficulty }, level), 'Hardest step: part 0 to the goal, hard (average)');
 });
 
-test('of a query without ways no number has a colour', () => {
+test('a query without trajectories colours no number', () => {
   for (const mode of ['time', 'jumps'])
     assert.deepEqual(coloring({ paths: [] }, undefined, mode).legend, []);
 });
 
-test('another colouring changes the rows that are there', async ({ page }) => {
+test('another colouring updates the present rows', async ({ page }) => {
   const first = (by) =>
     page.evaluate((colorBy) => {
       window.row ??= document.querySelector('.path');
@@ -206,7 +206,7 @@ test('another colouring changes the rows that are there', async ({ page }) => {
   assert.deepEqual(await first('outcome'), before);
 });
 
-test('a query of a level with fewer parts may follow while a part is chosen', async ({ page }) => {
+test('a smaller level can follow a part selection', async ({ page }) => {
   const seen = await page.evaluate(() => {
     const { report: told, store } = window.obby;
     const [level] = told.levels;
@@ -223,7 +223,7 @@ test('a query of a level with fewer parts may follow while a part is chosen', as
   await page.evaluate(() => window.obby.store.set({ query: 0 }));
 });
 
-test('a query without ways shows no box, and none is drawn there', async ({ page }) => {
+test('a query without trajectories shows no box', async ({ page }) => {
   const seen = await page.evaluate(() => {
     const { report: told, store, stage } = window.obby;
     const empty = told.queries.length;
@@ -248,7 +248,7 @@ test('a query without ways shows no box, and none is drawn there', async ({ page
 });
 
 // A button under the player's feet may take parts away and bring them back for hours.
-test('of more events than one sees the profile marks those apart, and parts follow them', async ({
+test('the profile marks dense events separately', async ({
   page,
 }) => {
   const seen = await page.evaluate(() => {
@@ -270,7 +270,7 @@ test('of more events than one sees the profile marks those apart, and parts foll
   assert.deepEqual(seen.away, [false, true, false]);
 });
 
-test('all of that raised no error', async ({ page, trouble }) => {
+test('the page raised no error', async ({ page, trouble }) => {
   await frames(page);
   assert.deepEqual(trouble, []);
 });

@@ -30,7 +30,7 @@ async function assertBar(page, ticks, way) {
   jumps.forEach((at, i) => assert.ok(Math.abs(at - wanted[i]) < 0.01, `${at}, not ${wanted[i]}`));
 }
 
-test('two ways run side by side from their starts', async ({ page }) => {
+test('two trajectories run side by side from their starts', async ({ page }) => {
   await set(page, { path: 0, tick: 0 });
   await page.locator('.path[data-path="1"]').click({ modifiers: ['Shift'] });
   assert.equal((await state(page)).ghost, 1);
@@ -59,7 +59,7 @@ test('two ways run side by side from their starts', async ({ page }) => {
   assert.equal(await page.locator('#comparison').isVisible(), false);
 });
 
-test('the table tells how each ended, and by which part', async ({ page }) => {
+test('the table shows how and where each ended', async ({ page }) => {
   const killed = paths.findIndex(({ outcome, part }) => outcome === 'killed' && part >= 0);
   await set(page, { path: 0, ghost: killed });
   assert.match(await page.locator('#comparison').innerText(), /Outcome\s+.*Killed by Lava/);
@@ -86,7 +86,7 @@ test('the bar is as long as the longer of the two', async ({ page }) => {
   await assertBar(page, short.ticks, short);
 });
 
-test('a ghost that stays while others are chosen keeps the bar as long', async ({ page }) => {
+test('a ghost keeps the length of the bar', async ({ page }) => {
   await set(page, { path: kLong, ghost: -1, tick: 0 });
   await page.locator('#view').focus();
   await page.keyboard.press('x');
@@ -105,7 +105,7 @@ test('swapping leaves the keyboard on its button', async ({ page }) => {
   await assertBar(page, paths[kLong].ticks, paths[kLong]);
 });
 
-test('waypoints are passed one after the other, by any height of the player', async ({ page }) => {
+test('waypoints are passed in order at any height', async ({ page }) => {
   await set(page, { path: 0, ghost: -1, tick: 0 });
   await page.evaluate(() => {
     const query = window.obby.query();
@@ -122,7 +122,7 @@ test('waypoints are passed one after the other, by any height of the player', as
   assert.match(words, /Back home\s+never/);
 });
 
-test('all of that raised no error and no request', async ({ trouble, requests }) => {
+test('the page raised no error and made no request', async ({ trouble, requests }) => {
   assert.deepEqual(trouble, []);
   assert.equal(requests.length, 1, requests.join());
 });

@@ -26,7 +26,7 @@ const marks = (...routes) =>
     ({ mark }) => mark,
   );
 
-test('routes are told apart by the parts that others do not touch', () => {
+test('routes are distinguished by their unshared parts', () => {
   assert.deepEqual(marks([0, 1, 4]), [''], 'there is one only');
   assert.deepEqual(marks([0, 3, 4], [0, 1, 4]), ['via Lift', 'via Plank']);
   assert.deepEqual(marks([0, 4], [0, 3, 4]), ['without Lift', 'via Lift']);
@@ -39,7 +39,7 @@ test('routes are told apart by the parts that others do not touch', () => {
   assert.deepEqual(marks([0, 1, 3, 4], [0, 3, 1, 4]), ['route 1', 'route 2'], 'the same parts');
 });
 
-test('routes that read the same say what differs', () => {
+test('routes with the same text show their difference', () => {
   const paths = [[0, 1, 4], [0, 2, 4], [0, 3, 4]].map((route) => ({ route }));
   assert.deepEqual(
     [...routeNames({ paths }, place).values()].map(({ text }) => text),
@@ -51,7 +51,7 @@ test('routes that read the same say what differs', () => {
   );
 });
 
-test('no two solutions have one name', () => {
+test('every solution has its own name', () => {
   const paths = [
     solution([0, 1, 4], 330, 3),
     solution([0, 3, 4], 330, 3),
@@ -70,7 +70,7 @@ test('no two solutions have one name', () => {
   );
 });
 
-test('no number is minus nothing', () => {
+test('no number is minus zero', () => {
   assert.deepEqual([-0.04, 0, -0.06, 12.34].map((value) => decimal(value)), [
     '0.0',
     '0.0',
@@ -79,13 +79,13 @@ test('no number is minus nothing', () => {
   ]);
 });
 
-test('the first query that has an answer is shown', async ({ page }) => {
+test('the first query with an answer is shown', async ({ page }) => {
   assert.equal((await state(page)).query, 2);
   assert.match(await page.locator('.verdict').innerText(), /Solved/);
   assert.match(await page.locator('.query').first().innerText(), /Not asked/);
 });
 
-test('rows of solutions tell time, jumps and route, those of attempts how they ended', async ({
+test('rows show routes of solutions and ends of attempts', async ({
   page,
 }) => {
   const rows = await page.locator('.path').allInnerTexts();
@@ -94,7 +94,7 @@ test('rows of solutions tell time, jumps and route, those of attempts how they e
   assert.ok(rows.some((text) => /^Killed by Lava\s+\d+ jumps\s+\d\.\d\d s$/.test(text)));
 });
 
-test('at the start the player stands and holds no key', async ({ page }) => {
+test('the player starts standing with no key pressed', async ({ page }) => {
   const hud = page.locator('#hud');
   const held = () => hud.locator('.cap.down').count();
   assert.deepEqual([(await state(page)).tick, await held()], [0, 0]);
@@ -107,7 +107,7 @@ test('at the start the player stands and holds no key', async ({ page }) => {
   await page.keyboard.press('Home');
 });
 
-test('what the search took is told to those who ask', async ({ page }) => {
+test('the search effort is shown on request', async ({ page }) => {
   const effort = page.locator('.detail details');
   assert.equal(await effort.locator('dl').isVisible(), false);
   await effort.locator('summary').click();
@@ -129,7 +129,7 @@ test('the heat map has a scale', async ({ page }) => {
   assert.equal(await scale.count(), 0);
 });
 
-test('where nothing can be played there is no clock', async ({ page }) => {
+test('the clock is hidden if nothing can be played', async ({ page }) => {
   const shown = () => page.locator('#timeline .clock').isVisible();
   const go = (query) => page.evaluate((q) => window.obby.store.set({ query: q }), query);
   assert.equal(await shown(), true);
@@ -145,6 +145,6 @@ test('where nothing can be played there is no clock', async ({ page }) => {
   await go(2);
 });
 
-test('all of that raised no error', async ({ trouble }) => assert.deepEqual(trouble, []));
+test('the page raised no error', async ({ trouble }) => assert.deepEqual(trouble, []));
 
 await run(file);

@@ -71,7 +71,7 @@ function differing(name, golden, picture) {
 }
 
 for (const [name, scene] of Object.entries(kScenes))
-  test(`looks as kept: ${name}`, async ({ browser }) => {
+  test(`matches the golden picture: ${name}`, async ({ browser }) => {
     const picture = await pictureOf(browser, scene);
     writeFileSync(join(options.out, `golden-${name}.png`), picture);
     const file = join(kGolden, `${name}.png`);
@@ -85,7 +85,7 @@ for (const [name, scene] of Object.entries(kScenes))
     assert.ok(share <= kDifferent, `${(100 * share).toFixed(2)} % of the pixels differ`);
   });
 
-test('a picture of something else is told apart', () => {
+test('a different picture is detected', () => {
   const [a, b] = ['course', 'cut'].map((name) => readFileSync(join(kGolden, `${name}.png`)));
   assert.ok(differing('other', a, b) > 4 * kDifferent);
 });

@@ -20,7 +20,7 @@ const rows = (page) =>
     };
   });
 
-test('a list is one stop of Tab, and keys go from row to row', async ({ page }) => {
+test('a list is one Tab stop with arrow keys', async ({ page }) => {
   const press = async (key) => {
     await page.keyboard.press(key);
     return (await rows(page)).way;
@@ -66,7 +66,7 @@ test('a list is one stop of Tab, and keys go from row to row', async ({ page }) 
 });
 
 // Firefox makes a stop of whatever scrolls, unless it is told not to.
-test('lists that scroll are no stop of their own, and the mouse leaves no key there', async ({
+test('scrolling lists take no focus', async ({
   page,
 }) => {
   const stops = await page.evaluate(() =>
@@ -81,7 +81,7 @@ test('lists that scroll are no stop of their own, and the mouse leaves no key th
   await put(page, { path: -1 });
 });
 
-test('the keyboard stays in a list that is sorted, filtered or made anew', async ({ page }) => {
+test('sorting, filtering and rebuilding a list keeps focus', async ({ page }) => {
   await page.locator('.path[data-path="5"]').focus();
   const asFound = { sort: 'found', descending: false };
   for (const values of [{ sort: 'time' }, { descending: true }, asFound]) {
@@ -97,7 +97,7 @@ test('the keyboard stays in a list that is sorted, filtered or made anew', async
   assert.equal((await rows(page)).way, gone.way);
 });
 
-test('a row that the mouse has clicked leaves the keys to the page', async ({ page }) => {
+test('a clicked row leaves the keys to the page', async ({ page }) => {
   await page.locator('.path[data-path="4"]').click();
   await page.keyboard.press('ArrowDown');
   assert.equal((await state(page)).path, 5);
@@ -110,7 +110,7 @@ test('a row that the mouse has clicked leaves the keys to the page', async ({ pa
   await put(page, { ghost: -1 });
 });
 
-test('keys that take Alt on some keyboards are taken by what they print', async ({ page }) => {
+test('keys that need Alt match by their character', async ({ page }) => {
   const press = (init) =>
     page.evaluate((how) => window.dispatchEvent(new KeyboardEvent('keydown', how)), init);
   await press({ key: ']', code: 'Digit6', altKey: true });
@@ -125,7 +125,7 @@ test('keys that take Alt on some keyboards are taken by what they print', async 
   await arrive(page);
 });
 
-test('Space presses the button of the list of shortcuts', async ({ page }) => {
+test('Space presses the button of the shortcut list', async ({ page }) => {
   const open = () => page.evaluate(() => document.getElementById('help').open);
   await page.locator('#view').focus();
   await page.keyboard.press('?');
@@ -135,6 +135,6 @@ test('Space presses the button of the list of shortcuts', async ({ page }) => {
   assert.deepEqual([await open(), (await state(page)).playing], [false, false]);
 });
 
-test('all of that raised no error', async ({ trouble }) => assert.deepEqual(trouble, []));
+test('the page raised no error', async ({ trouble }) => assert.deepEqual(trouble, []));
 
 await run(options.sample(report));

@@ -84,7 +84,7 @@ async function visit(page, query) {
   await arrive(page);
 }
 
-test('queries of one id are told apart by their level', async ({ page }) => {
+test('queries with one id are distinguished by level', async ({ page }) => {
   const names = await page.locator('.query .name').allTextContents();
   assert.deepEqual(names.slice(0, 4), [
     'whole course · Sample',
@@ -94,7 +94,7 @@ test('queries of one id are told apart by their level', async ({ page }) => {
   ]);
 });
 
-test('a level that is left frees what it held on the GPU', async ({ page }) => {
+test('leaving a level frees its GPU memory', async ({ page }) => {
   const held = () => page.evaluate(() => ({ ...window.obby.stage.renderer.info.memory }));
   await visit(page, kElsewhere);
   await visit(page, kHere);
@@ -107,7 +107,7 @@ test('a level that is left frees what it held on the GPU', async ({ page }) => {
   assert.deepEqual(await held(), before);
 });
 
-test('what is drawn as before needs no new programs of the GPU', async ({ page }) => {
+test('redrawing the same scene needs no new GPU programs', async ({ page }) => {
   await countPrograms(page);
   await visit(page, kElsewhere);
   await visit(page, kHere);
@@ -116,7 +116,7 @@ test('what is drawn as before needs no new programs of the GPU', async ({ page }
   assert.equal(await page.evaluate(() => window.linked), 0);
 });
 
-test('what nobody has looked at is freed at once', async ({ page }) => {
+test('levels that were never shown are freed at once', async ({ page }) => {
   await visit(page, kHere);
   const waiting = await page.evaluate(
     ([one, other]) => {
@@ -131,7 +131,7 @@ test('what nobody has looked at is freed at once', async ({ page }) => {
   assert.equal(await page.evaluate(() => window.obby.stage.leaving.waiting.length), 0);
 });
 
-test('the chosen query is in sight in a long list', async ({ page }) => {
+test('the selected query is visible in a long list', async ({ page }) => {
   await page.setViewportSize({ width: 1280, height: 400 });
   for (const query of [kCopiedMesh, kHere]) {
     await visit(page, query);
@@ -147,7 +147,7 @@ test('the chosen query is in sight in a long list', async ({ page }) => {
   await page.setViewportSize({ width: 1280, height: 800 });
 });
 
-test('every level has the colours that the reader has chosen', async ({ page }) => {
+test('every level uses the selected colours', async ({ page }) => {
   const lava = level.names.findIndex((name) => name.endsWith('/Lava'));
   const colourOf = () =>
     page.evaluate((part) => {
@@ -167,7 +167,7 @@ test('every level has the colours that the reader has chosen', async ({ page }) 
   assert.deepEqual(await colourOf(), byRole);
 });
 
-test('the wheel moves in from as far away as a large course takes', async ({ page }) => {
+test('the wheel zooms in from far away', async ({ page }) => {
   const far = await page.evaluate(() => {
     const { rig, bounds } = window.obby.stage;
     rig.frameBox(bounds.clone().expandByScalar(20000), { yaw: 0.5, pitch: -0.5 }, true);
@@ -181,7 +181,7 @@ test('the wheel moves in from as far away as a large course takes', async ({ pag
   await page.evaluate(() => window.obby.stage.frameQuery(true));
 });
 
-test('a query without its level shows no picture of the one before', async ({ page }) => {
+test('a query without its level shows no old picture', async ({ page }) => {
   const seen = async () => ({
     colours: (await colours(page, false)).different,
     words: await page.evaluate(() =>
@@ -206,7 +206,7 @@ test('a query without its level shows no picture of the one before', async ({ pa
   assert.ok((await seen()).colours > 40);
 });
 
-test('parts that the level does not have are told, and a click on them shows none', async ({
+test('parts missing from the level are reported', async ({
   page,
 }) => {
   await visit(page, kOfOthers);
@@ -217,7 +217,7 @@ test('parts that the level does not have are told, and a click on them shows non
   assert.deepEqual([part, killer], [-1, 9999]);
 });
 
-test('of thousands of regions those are drawn and named that can be looked at', async ({
+test('drawn and labelled regions have a limit', async ({
   page,
 }) => {
   await visit(page, kThousands);
@@ -233,7 +233,7 @@ test('of thousands of regions those are drawn and named that can be looked at', 
   assert.match(asked, /3000 regions to avoid \(500 are drawn\)/);
 });
 
-test('a hull that is a line or a point keeps nothing else from being shown', async ({ page }) => {
+test('degenerate hulls do not block other parts', async ({ page }) => {
   await visit(page, kOddHulls);
   assert.ok((await colours(page, false)).different > 40);
   const drawn = (part) => window.obby.stage.levelView.slots[part].length;
@@ -254,7 +254,7 @@ test('parts of one mesh are drawn together', async ({ page }) => {
 });
 
 // As in a frame that opens later.
-test('what is framed while the page is not shown is there once it is', async ({ page }) => {
+test('framing on a hidden page takes effect later', async ({ page }) => {
   await visit(page, kHere);
   const show = (display) =>
     page.evaluate((how) => {
@@ -270,9 +270,9 @@ test('what is framed while the page is not shown is there once it is', async ({ 
   assert.ok((await colours(page, false)).different > 40);
 });
 
-test('all of that raised no error', async ({ trouble }) => assert.deepEqual(trouble, []));
+test('the page raised no error', async ({ trouble }) => assert.deepEqual(trouble, []));
 
-test('a picture that the GPU has lost is drawn again', async ({ page }) => {
+test('a picture that the GPU lost is drawn again', async ({ page }) => {
   await visit(page, kHere);
   assert.ok((await colours(page, false)).different > 40);
   await page.evaluate(
@@ -289,7 +289,7 @@ test('a picture that the GPU has lost is drawn again', async ({ page }) => {
   assert.ok((await colours(page, false)).different > 40, 'nothing was drawn');
 });
 
-test('answers without their level are told, and nothing in the picture fails', async ({
+test('answers without their level are reported', async ({
   browser,
 }) => {
   const alone = { ...without, level: -1, trajectories: [] };
@@ -310,7 +310,7 @@ test('answers without their level are told, and nothing in the picture fails', a
 });
 
 // An answer that comes before every level, as in streams that were put together.
-test('a query without its level that comes first keeps no other from being seen', async ({
+test('a first query without a level blocks no others', async ({
   browser,
 }) => {
   const nowhere = { start: null, startPosition: null, goal: null };

@@ -16,10 +16,10 @@ const of = (type) => stream.filter((record) => record.type === type);
 const course = [of('header')[0], of('level')[0], of('query').find(({ id }) => id === 'any')];
 const ways = of('trajectory').filter((record) => record.query === 'any');
 
-test('there are enough ways to send', () => assert.ok(ways.length >= 3, `${ways.length}`));
+test('there are enough trajectories to send', () => assert.ok(ways.length >= 3, `${ways.length}`));
 
 // A page that opens late gets all of a long stream at once, and thinned attempts number by number.
-test('a piece may hold more ways than a call takes arguments', () => {
+test('a piece can hold more trajectories than call arguments', () => {
   const count = 150000;
   const numbers = Array.from({ length: count }, (_, i) => i + 1);
   const data = { kind: 'attempt', ticks: 0, stride: 1, position: '', yaw: '', state: '', runs: '' };
@@ -41,7 +41,7 @@ test('a piece may hold more ways than a call takes arguments', () => {
   assert.ok(performance.now() - begun < 10000, 'in time that grows with the number of ways');
 });
 
-test('a page without WebGL says so in place of the picture, and stays live', async ({
+test('a page without WebGL stays live with a message', async ({
   browser,
 }) => {
   const viewer = new Viewer(options.viewer);
@@ -60,7 +60,7 @@ test('a page without WebGL says so in place of the picture, and stays live', asy
   await viewer.stop();
 });
 
-test('data of another format is refused, whatever was there, and no more is asked for', async ({
+test('data of another format ends the requests', async ({
   browser,
 }) => {
   const viewer = new Viewer(options.viewer);
@@ -81,7 +81,7 @@ test('data of another format is refused, whatever was there, and no more is aske
   await viewer.stop();
 });
 
-test('data that does not come once is asked for again, and the page is live', async ({
+test('a failed request is retried until live', async ({
   browser,
 }) => {
   const viewer = new Viewer(options.viewer);
@@ -105,7 +105,7 @@ test('data that does not come once is asked for again, and the page is live', as
   await viewer.stop();
 });
 
-test('a server that goes before the first level is missed', async ({ browser }) => {
+test('a server that stops before any level is reported', async ({ browser }) => {
   const viewer = new Viewer(options.viewer);
   const { page } = await openLive(browser, await viewer.address);
   const name = page.locator('.live .name');

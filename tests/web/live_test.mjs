@@ -54,11 +54,11 @@ const kept = (page) =>
     };
   });
 
-test('there are enough ways to send', () => {
+test('there are enough trajectories to send', () => {
   assert.ok(solutions.length >= 3 && attempts.length >= 20, `${solutions.length} and more`);
 });
 
-test('counts grow with the stream, the choice stays, and the end is said', async ({ browser }) => {
+test('counts grow until the stream ends, keeping the selection', async ({ browser }) => {
   const out = join(options.out, 'live-at-the-end.html');
   const viewer = new Viewer(options.viewer, ['-o', out]);
   const address = await viewer.address;
@@ -165,7 +165,7 @@ test('counts grow with the stream, the choice stays, and the end is said', async
   assert.equal(await viewer.stop(), 130);
 });
 
-test('a page that loses the server says so, tries again and catches up', async ({ browser }) => {
+test('a page that loses the server catches up', async ({ browser }) => {
   const viewer = new Viewer(options.viewer);
   const { page } = await openLive(browser, await viewer.address);
   viewer.write(header, level, query, attempts[0]);
@@ -188,7 +188,7 @@ test('a page that loses the server says so, tries again and catches up', async (
   await viewer.stop();
 });
 
-test('a stream that breaks off, and a record that is none, are said', async ({ browser }) => {
+test('a truncated stream and an invalid record are reported', async ({ browser }) => {
   const viewer = new Viewer(options.viewer, ['--live-exit']);
   const { page, trouble } = await openLive(browser, await viewer.address);
   viewer.write(header, level, query, attempts[0], { type: 'trajectory', query: 5 });
@@ -204,7 +204,7 @@ test('a stream that breaks off, and a record that is none, are said', async ({ b
   assert.equal(await viewer.ended, 2); // nobody is there any more
 });
 
-test('a stream of nothing is said to be one', async ({ browser }) => {
+test('an empty stream is reported as empty', async ({ browser }) => {
   const viewer = new Viewer(options.viewer);
   const { page } = await openLive(browser, await viewer.address);
   viewer.end();
@@ -213,7 +213,7 @@ test('a stream of nothing is said to be one', async ({ browser }) => {
   await viewer.stop();
 });
 
-test('a search is seen to grow', async ({ browser }) => {
+test('a running search shows its growth', async ({ browser }) => {
   const input = join(options.levels, 'several-routes.jsonl');
   const solver = spawn(
     options.solver,

@@ -36,7 +36,7 @@ test('lists queries with their verdicts and names as plain text', async ({ page 
   assert.match(await page.locator('.inspector').innerText(), /Glass <\/script><b>/);
 });
 
-test('a part tells its material, and has its grain in the picture', async ({ page }) => {
+test('a part shows its material', async ({ page }) => {
   const of = (part) =>
     page.evaluate((chosen) => {
       const { store, stage } = window.obby;
@@ -51,7 +51,7 @@ test('a part tells its material, and has its grain in the picture', async ({ pag
   assert.match(await inspector.innerText(), /Material\s+Wood Planks/);
 });
 
-test('the pointer at rest on a part tells its name, role and reason', async ({ page }) => {
+test('hovering a part shows its name, role and reason', async ({ page }) => {
   const at = await page.evaluate(() => {
     const { picker } = window.obby.pointer;
     const view = document.getElementById('view').getBoundingClientRect();
@@ -74,7 +74,7 @@ test('the pointer at rest on a part tells its name, role and reason', async ({ p
   assert.ok((await page.locator('#tip span').count()) >= 2, 'role and reason');
 });
 
-test('what the pointer tells stays in the window', async ({ page }) => {
+test('the pointer label stays in the window', async ({ page }) => {
   const [right, bottom] = await page.evaluate(() => {
     const { pointer } = window.obby;
     const far = { clientX: innerWidth - 3, clientY: innerHeight - 3 };
@@ -166,7 +166,7 @@ test('the hardest step is marked in the list, the picture and the profile', asyn
   await page.evaluate(() => window.obby.store.set({ path: 0 }));
 });
 
-test('toggles, help and colours answer to their keys', async ({ page }) => {
+test('keys control toggles, help and colours', async ({ page }) => {
   await page.keyboard.press('2');
   await frames(page);
   assert.equal(await page.evaluate(() => window.obby.stage.pathView.attempts.visible), false);
@@ -197,7 +197,7 @@ test('flying and wheel move the camera', async ({ page }) => {
   await page.waitForFunction((d) => window.obby.stage.rig.goal.distance < d, far);
 });
 
-test('a query chosen in the list is shown; a mismatch is called one', async ({ page }) => {
+test('selecting a query shows it and any mismatch', async ({ page }) => {
   await page.locator('.query').nth(3).click();
   await arrive(page);
   assert.equal(await page.locator('.verdict').innerText(), 'Replay mismatch');
@@ -205,7 +205,7 @@ test('a query chosen in the list is shown; a mismatch is called one', async ({ p
   await options.picture(page, 'mismatch');
 });
 
-test('the address keeps query, trajectory and time, and tells queries of one id apart', async ({
+test('the address identifies query, trajectory and time', async ({
   page,
   browser,
 }) => {
@@ -228,7 +228,7 @@ test('the address keeps query, trajectory and time, and tells queries of one id 
   }
 });
 
-test('a link that is followed while the page is open is shown', async ({ page }) => {
+test('a link followed on an open page is shown', async ({ page }) => {
   await page.evaluate(() => {
     window.obby.store.set({ query: 0, path: 0, tick: 0 });
     location.hash = '#q=in eight seconds&traj=3&t=1.1&cam=1,2,3,0.5,-0.5,20';
@@ -244,12 +244,12 @@ test('a link that is followed while the page is open is shown', async ({ page })
   assert.equal((await state(page)).path, -1);
 });
 
-test('all of that raised no error and no request', async ({ trouble, requests }) => {
+test('the page raised no error and made no request', async ({ trouble, requests }) => {
   assert.deepEqual(trouble, []);
   assert.equal(requests.length, 1, requests.join());
 });
 
-test('a level alone has nothing to sort, filter or answer', async ({ browser }) => {
+test('a level alone has nothing to sort or filter', async ({ browser }) => {
   const file = options.sample({ ...report, title: 'Level', queries: [] });
   const { page, trouble } = await openReport(browser, file);
   const words = await page.locator('#side').innerText();
@@ -263,7 +263,7 @@ test('a level alone has nothing to sort, filter or answer', async ({ browser }) 
   await page.context().close();
 });
 
-test('what obby-view writes opens, too', async ({ browser }) => {
+test('a page written by obby-view opens', async ({ browser }) => {
   const stream = join(options.out, 'level.jsonl');
   const file = join(options.out, 'level.html');
   const parts = Array.from({ length: 2000 }, (_, i) => ({

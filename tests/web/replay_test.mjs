@@ -75,7 +75,7 @@ async function compare(page, level, record) {
 }
 
 for (const { level, paths } of answers) {
-  test(`${level}: the player in the picture is where the simulator had them`, async ({ page }) => {
+  test(`${level}: the drawn player matches the simulator`, async ({ page }) => {
     assert.ok(paths.length > 0, 'nothing was solved');
     let [worst, total] = [0, 0];
     for (const path of paths) {
@@ -93,7 +93,7 @@ for (const { level, paths } of answers) {
   });
 }
 
-test('a bridge that a button makes is not there before', async ({ page }) => {
+test('a bridge that a button builds is absent before', async ({ page }) => {
   await open(page, kDoor, 'whole');
   await arrive(page);
   const seen = await page.evaluate(() => {
@@ -108,7 +108,7 @@ test('a bridge that a button makes is not there before', async ({ page }) => {
   for (const [inverted, alpha] of seen) assert.equal(alpha < 0.2, inverted, seen.join(' '));
 });
 
-test('all of that raised no error', async ({ trouble }) => assert.deepEqual(trouble, []));
+test('the page raised no error', async ({ trouble }) => assert.deepEqual(trouble, []));
 
 // What obby-view keeps of even motion: every eighth tick, and the last.
 function thinned() {
@@ -124,7 +124,7 @@ function thinned() {
   });
 }
 
-test('a way that was thinned out goes on evenly to its end', () => {
+test('a thinned trajectory continues evenly to its end', () => {
   const path = thinned();
   const near = (is, wanted, what) => assert.ok(Math.abs(is - wanted) < 1e-3, `${what}: ${is}`);
   for (let tick = 0; tick <= 10; tick += 0.5) {
@@ -143,7 +143,7 @@ test('a way that was thinned out goes on evenly to its end', () => {
   );
 });
 
-test('base64 is read by the browser where it can, and no more of it than is asked for', () => {
+test('base64 is decoded natively and only as needed', () => {
   const own = Uint8Array.fromBase64;
   let read = 0;
   try {
@@ -215,7 +215,7 @@ async function pickedWhereItIs(page, part) {
   }, part);
 }
 
-test('a box that the player pushes is where a recording of the simulator has it', async ({
+test('a pushed box matches a recording of the simulator', async ({
   browser,
 }) => {
   const course = join(options.levels, 'calibration', 'course.jsonl');

@@ -41,7 +41,7 @@ function countSent(page) {
   });
 }
 
-test('is drawn in few calls, and usable', async ({ browser }) => {
+test('a large report needs few draw calls', async ({ browser }) => {
   const { page, trouble, requests } = await openReport(browser, file);
   await countSent(page);
   await countPrograms(page);

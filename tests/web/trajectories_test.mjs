@@ -12,7 +12,7 @@ const paths = report.queries[0].trajectories;
 const drawn = (page) =>
   page.evaluate(() => window.obby.stage.pathView.attempts.geometry.drawRange.count / 2);
 
-test('filters by outcome thin the list and the picture, and say how many are left', async ({
+test('outcome filters thin list and picture and show counts', async ({
   page,
 }) => {
   await page.locator('.filters .fold').click();
@@ -44,7 +44,7 @@ test('filters by jumps, time and route', async ({ page }) => {
   await page.locator('.choice.route select').selectOption('');
 });
 
-test('sorts by time, both ways, and the arrow keys follow the list', async ({ page }) => {
+test('sorts by time, and arrow keys follow the list', async ({ page }) => {
   await page.locator('.choice.sort select').selectOption('time');
   const ticks = async () => (await state(page)).order.map((i) => paths[i].ticks);
   const sorted = [...paths.map((path) => path.ticks)].sort((a, b) => a - b);
@@ -78,7 +78,7 @@ test('colours by time, jumps, route, method and difficulty, with a legend', asyn
   await page.locator('.choice.colorBy select').selectOption('outcome');
 });
 
-test('a band that only a later version knows is unknown', async ({ page }) => {
+test('an unknown difficulty band is shown as unknown', async ({ page }) => {
   const seen = await page.evaluate(() => {
     const { store, list } = window.obby;
     const { path } = store.state;
@@ -100,7 +100,7 @@ test('a band that only a later version knows is unknown', async ({ page }) => {
   assert.deepEqual(seen, ['Unknown', 1]);
 });
 
-test('a click on a route lists its ways only, and all again', async ({ page }) => {
+test('a click on a route toggles its filter', async ({ page }) => {
   const route = page.locator('.findings .way').nth(1);
   assert.equal(await route.innerText(), 'Spawn → Landing');
   await route.click();
@@ -110,7 +110,7 @@ test('a click on a route lists its ways only, and all again', async ({ page }) =
   assert.equal(await page.locator('.path').count(), paths.length);
 });
 
-test('isolating draws the chosen one only', async ({ page }) => {
+test('isolating draws only the selected trajectory', async ({ page }) => {
   await page.locator('#view').focus();
   await page.keyboard.press('i');
   assert.equal(await drawn(page), 0);
@@ -119,7 +119,7 @@ test('isolating draws the chosen one only', async ({ page }) => {
   assert.ok((await drawn(page)) > 0);
 });
 
-test('a click on a killer shows the ways that it ended', async ({ page }) => {
+test('a click on a killer shows its trajectories', async ({ page }) => {
   await page.locator('.ends .killer', { hasText: 'Spinner' }).click();
   const { order, part } = await state(page);
   assert.ok(order.length > 0);
@@ -129,7 +129,7 @@ test('a click on a killer shows the ways that it ended', async ({ page }) => {
   assert.equal((await state(page)).order.length, paths.length);
 });
 
-test('a drawn box keeps what passes it, then drops it', async ({ page }) => {
+test('a drawn box keeps or drops trajectories through it', async ({ page }) => {
   await page.locator('#view').focus();
   await page.keyboard.press('t');
   await arrive(page);
@@ -175,7 +175,7 @@ test('a drawn box keeps what passes it, then drops it', async ({ page }) => {
   );
 });
 
-test('a box moves by its numbers and meets ways between two samples', async ({ page }) => {
+test('an edited box finds trajectories between samples', async ({ page }) => {
   for (const end of ['from', 'to']) {
     const field = page.getByLabel(`Box 1 ${end} y`);
     await field.fill(end === 'from' ? '-60' : '-50');
@@ -195,7 +195,7 @@ test('a box moves by its numbers and meets ways between two samples', async ({ p
   assert.equal((await state(page)).order.length, paths.length);
 });
 
-test('a click is no drag: it draws no box', async ({ page }) => {
+test('a click draws no box', async ({ page }) => {
   await page.locator('#view').focus();
   await page.keyboard.press('b');
   await page.mouse.move(700, 300);
@@ -207,7 +207,7 @@ test('a click is no drag: it draws no box', async ({ page }) => {
   await page.keyboard.press('Escape');
 });
 
-test('deaths are labelled with the killer, by what is shown', async ({ page }) => {
+test('deaths of shown trajectories name the killer', async ({ page }) => {
   const labels = () => page.locator('#labels .label').allTextContents();
   assert.ok((await labels()).includes('✕ 4 killed by Lava'), String(await labels()));
   await set(page, { outcome: 'fell' });
@@ -215,7 +215,7 @@ test('deaths are labelled with the killer, by what is shown', async ({ page }) =
   await set(page, { outcome: '' });
 });
 
-test('the heat map counts each way once a cell, of those that are listed', async ({ page }) => {
+test('the heat map counts listed trajectories once per cell', async ({ page }) => {
   await page.locator('#view').focus();
   await page.keyboard.press('9');
   await set(page, { heatWays: true });
@@ -237,7 +237,7 @@ test('the heat map counts each way once a cell, of those that are listed', async
   assert.equal(await page.evaluate(() => window.obby.stage.heat.group.children.length), 0);
 });
 
-test('jumps and landings of the chosen way are marked', async ({ page }) => {
+test('jumps and landings of the selected trajectory are marked', async ({ page }) => {
   await set(page, { path: 0 });
   const marked = await page.evaluate(() =>
     window.obby.stage.marks.group.children.map((cloud) => cloud.geometry.attributes.position.count),
@@ -247,7 +247,7 @@ test('jumps and landings of the chosen way are marked', async ({ page }) => {
   assert.equal(await page.locator('.mark.event').count(), 2);
 });
 
-test('the cut of an unreachable query is drawn and told, and what would help shows its part', async ({
+test('an unreachable query explains its cut and advice', async ({
   page,
 }) => {
   await set(page, { query: 1 });
@@ -264,7 +264,7 @@ test('the cut of an unreachable query is drawn and told, and what would help sho
   await set(page, { query: 0 });
 });
 
-test('all of that raised no error and no request', async ({ trouble, requests }) => {
+test('the page raised no error and made no request', async ({ trouble, requests }) => {
   assert.deepEqual(trouble, []);
   assert.equal(requests.length, 1, requests.join());
 });

@@ -12,6 +12,7 @@ namespace {
 
 using bridge::kMiB;
 using cli::between;
+using cli::flagRow;
 using cli::OptionRow;
 using cli::rare;
 using cli::row;
@@ -91,12 +92,11 @@ cli::ToolSpec bridgeSpec() {
       between(row("port", ValueType::integer, "PORT", kPort,
                   "listen on this port of the loopback interface; 0: on any free one", kClients),
               0, 65535),
-      row("pair", ValueType::flag, "", "", "show a code that gives one new client a token",
-          kClients),
-      row("no-token", ValueType::flag, "", "",
-          "require no token: any program on this machine may send requests", kClients),
-      row("stdio", ValueType::flag, "", "",
-          "serve the program that started this one, over standard input and output", kClients),
+      flagRow("pair", "show a code that gives one new client a token", kClients),
+      flagRow("no-token", "require no token: any program on this machine may send requests",
+              kClients),
+      flagRow("stdio", "serve the program that started this one, over standard input and output",
+              kClients),
       between(row("idle", ValueType::number, "SECONDS", "0",
                   "exit when no client has been connected for this long; 0: never", kClients),
               0, 1e9),

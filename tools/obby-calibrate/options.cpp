@@ -13,6 +13,7 @@ namespace obby::tools {
 namespace {
 
 using cli::between;
+using cli::flagRow;
 using cli::OptionRow;
 using cli::rare;
 using cli::repeatable;
@@ -62,7 +63,8 @@ OptionRow tricksRow() {
 
 std::vector<OptionRow> playRows() {
   return {
-      row("play", ValueType::flag, "", "",
+      flagRow(
+          "play",
           "play the recordings' inputs in the simulator, under the parameters given by --set, and "
           "write for each recording how far it is off, and a summary",
           kPlayGroup),
@@ -72,11 +74,13 @@ std::vector<OptionRow> playRows() {
 
 std::vector<OptionRow> rehearseRows() {
   return {
-      row("course", ValueType::flag, "", "",
+      flagRow(
+          "course",
           "write the calibration course and its manoeuvres, to be played and recorded in Studio "
           "(docs/calibration.md)",
           kRehearseGroup),
-      row("rehearse", ValueType::flag, "", "",
+      flagRow(
+          "rehearse",
           "write the calibration course with recordings from the simulator, with the parameters "
           "given by --set",
           kRehearseGroup),

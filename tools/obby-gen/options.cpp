@@ -12,6 +12,7 @@ namespace obby::tools {
 namespace {
 
 using cli::between;
+using cli::flagRow;
 using cli::OptionRow;
 using cli::row;
 using cli::ValueType;
@@ -39,22 +40,24 @@ std::vector<OptionRow> levelRows() {
           row("first", ValueType::integer, "N", "0",
               "number of the first level; level N of a seed is the same in every run", kLevelGroup),
           0, 4e18),
-      row("unsolvable", ValueType::flag, "", "",
-          "write an unsolvable twin of each level instead; its name says which gap or "
-          "obstacle is impossible",
-          kLevelGroup),
-      row("twins", ValueType::flag, "", "",
+      flagRow("unsolvable",
+              "write an unsolvable twin of each level instead; its name says which gap or "
+              "obstacle is impossible",
+              kLevelGroup),
+      flagRow(
+          "twins",
           "write each level and then its unsolvable twin; --count counts pairs, and --check keeps "
           "both or neither",
           kLevelGroup),
-      row("list", ValueType::flag, "", "",
-          "list the styles and exit; with --style: what a recipe may set for them", kLevelGroup),
+      flagRow("list", "list the styles and exit; with --style: what a recipe may set for them",
+              kLevelGroup),
   };
 }
 
 std::vector<OptionRow> checkRows() {
   return {
-      row("check", ValueType::flag, "", "",
+      flagRow(
+          "check",
           "keep only levels that the solver solves or, with --unsolvable, proves unreachable; the "
           "solver's answer is written after the query",
           kCheckGroup),

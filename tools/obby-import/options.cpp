@@ -1,26 +1,12 @@
 // The option table of obby-import.
 #include "options.h"
 
+#include "cli/rows.h"
+
 namespace obby::tools {
 namespace {
 
-using cli::OptionRow;
-using cli::ValueType;
-
-OptionRow flag(const char* name, const char* help) {
-  OptionRow row;
-  row.name = name;
-  row.help = help;
-  row.group = "Import";
-  return row;
-}
-
-OptionRow nameRow() {
-  OptionRow row = flag("name", "name of the level [default: the name of the file]");
-  row.type = ValueType::text;
-  row.value = "NAME";
-  return row;
-}
+constexpr const char* kGroup = "Import";
 
 }  // namespace
 
@@ -45,10 +31,12 @@ cli::ToolSpec importSpec() {
       cli::commonRow(cli::Common::output),
       cli::commonRow(cli::Common::format),
       cli::commonRow(cli::Common::onError),
-      nameRow(),
-      flag("no-queries", "write only the level, without a query for each stage"),
-      flag("no-scripts", "do not run the place's scripts: what they do is missing"),
-      flag("explain", "print a table of parts, roles and evidence instead of records"),
+      cli::row("name", cli::ValueType::text, "NAME", "",
+               "name of the level [default: the name of the file]", kGroup),
+      cli::flagRow("no-queries", "write only the level, without a query for each stage", kGroup),
+      cli::flagRow("no-scripts", "do not run the place's scripts: what they do is missing", kGroup),
+      cli::flagRow("explain", "print a table of parts, roles and evidence instead of records",
+                   kGroup),
   };
   spec.inputHelp =
       "place and model files (.rbxl, .rbxlx, .rbxm, .rbxmx), Rojo projects (a folder or its "

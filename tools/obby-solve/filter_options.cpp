@@ -1,8 +1,8 @@
 // Translates obby-solve's options to lib/solve's.
+#include "baselines/methods.h"
 #include "io/read_file.h"
 #include "options.h"
 #include "policy/shipped_policy.h"
-#include "solve/methods.h"
 
 namespace obby::tools {
 
@@ -145,7 +145,7 @@ Result<solve::FilterOptions> filterOptions(cli::Context& context) {
     earlier.inputs = {a.text("warm")};
     OBBY_ASSIGN(o.earlier, solve::EarlierAnswers::read(std::move(earlier)));
   }
-  o.solver.method = solve::findMethod(a.text("method"));
+  o.solver.method = baselines::findMethod(a.text("method"));
   OBBY_ASSIGN(o.policy, policyOf(a));
   o.solver.policy = o.policy ? &o.policy->network : &policy::shippedPolicy().network;
   o.solver.progressRecords = !a.flag("final-only");

@@ -1,6 +1,6 @@
 // obby-solve: answers the queries of a stream. Wiring only; lib/solve does the work.
-#include <chrono>
 
+#include "base/stopwatch.h"
 #include "cli/context.h"
 #include "cli/tool.h"
 #include "io/sink.h"
@@ -22,7 +22,7 @@ cli::ExitCode exitCode(const cli::Context& context, const solve::FilterCounts& c
 // Reads one stream and writes one. The options keep the answers for the next run.
 Status solveOnce(cli::Context& context, solve::FilterOptions& options,
                  const std::atomic<bool>& stop, tools::RunOutcome& outcome) {
-  const auto start = std::chrono::steady_clock::now();
+  const Stopwatch watch;
   const auto table = tools::TerminalTable::wanted(context);
   OBBY_ASSIGN(io::StreamWriter output, table ? table->writer() : context.openOutput());
   io::SourceOptions source = context.sourceOptions();
@@ -37,8 +37,7 @@ Status solveOnce(cli::Context& context, solve::FilterOptions& options,
   status = pipeline.finish(std::move(status));
   if (table) OBBY_RETURN_IF_ERROR(table->print(context));
   if (options.remember) options.earlier = filter.takeEarlier();
-  outcome = {filter.counts(),
-             std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count()};
+  outcome = {filter.counts(), watch.seconds()};
   return status;
 }
 

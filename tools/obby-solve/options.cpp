@@ -1,9 +1,9 @@
 // The option table of obby-solve.
 #include "options.h"
 
+#include "baselines/methods.h"
 #include "cli/rows.h"
 #include "level/tricks.h"
-#include "solve/methods.h"
 
 namespace obby::tools {
 
@@ -11,6 +11,7 @@ namespace {
 
 using cli::between;
 using cli::detailed;
+using cli::flagRow;
 using cli::lettered;
 using cli::OptionRow;
 using cli::rare;
@@ -26,10 +27,10 @@ constexpr const char* kAnsweredGroup = "Check or filter existing answers (no sea
 
 OptionRow methodRow() {
   OptionRow r = row("method", ValueType::choice, "", "auto", "search method", kSearchGroup);
-  for (const solve::Method& m : solve::methods()) {
+  for (const solve::Method* m : baselines::allMethods()) {
     if (!r.choices.empty()) r.details += '\n';
-    r.choices.push_back(m.name);
-    r.details += std::string(m.name) + ": " + m.description;
+    r.choices.push_back(m->name);
+    r.details += std::string(m->name) + ": " + m->description;
   }
   return rare(r);
 }
@@ -111,10 +112,11 @@ OptionRow frameRateRow() {
 }
 
 OptionRow sameKeysRow() {
-  return rare(row("same-keys", ValueType::flag, "", "",
-                  "with several bodies or frame rates: find keys that, held by time, solve it for "
-                  "all of them",
-                  kSearchGroup));
+  return rare(
+      flagRow("same-keys",
+              "with several bodies or frame rates: find keys that, held by time, solve it for "
+              "all of them",
+              kSearchGroup));
 }
 
 std::vector<OptionRow> searchRows() {
@@ -132,11 +134,11 @@ std::vector<OptionRow> searchRows() {
       between(
           row("solutions", ValueType::integer, "K", "1", "find K distinct solutions", kSearchGroup),
           1, 1000),
-      detailed(row("diverse", ValueType::flag, "", "",
-                   "with --solutions: one solution per distinct route", kSearchGroup),
-               "A route is the sequence of parts that the player stands on. The result has the "
-               "number of "
-               "solutions found on each."),
+      detailed(
+          flagRow("diverse", "with --solutions: one solution per distinct route", kSearchGroup),
+          "A route is the sequence of parts that the player stands on. The result has the "
+          "number of "
+          "solutions found on each."),
       methodRow(),
       rare(row("policy", ValueType::file, "FILE", "",
                "policy from obby-train for the methods auto, ge-ps and rl [default: the one that "
@@ -146,8 +148,7 @@ std::vector<OptionRow> searchRows() {
                        "earlier answers to these queries: try their trajectories first and search "
                        "on from them",
                        kSearchGroup))),
-      detailed(row("watch", ValueType::flag, "", "", "answer again whenever an input file changes",
-                   kSearchGroup),
+      detailed(flagRow("watch", "answer again whenever an input file changes", kSearchGroup),
                "The search starts from the last answers. With -o, each run replaces FILE; without "
                "-o, each run writes another stream to standard output."),
   };
@@ -155,36 +156,36 @@ std::vector<OptionRow> searchRows() {
 
 std::vector<OptionRow> outputRows() {
   return {
-      row("difficulty", ValueType::flag, "", "",
-          "rate the difficulty of each solution, step by step", kOutputGroup),
+      flagRow("difficulty", "rate the difficulty of each solution, step by step", kOutputGroup),
       rare(between(
           row("trials", ValueType::integer, "N", "1000",
               "with --difficulty: attempts at each step by a player with noise", kOutputGroup),
           1, 1000000)),
-      row("explain", ValueType::flag, "", "",
-          "for a query without a solution, find a single change that makes it solvable; can "
-          "double the time",
-          kOutputGroup),
+      flagRow("explain",
+              "for a query without a solution, find a single change that makes it solvable; can "
+              "double the time",
+              kOutputGroup),
       rare(between(row("attempts", ValueType::integer, "N", "24",
                        "failed attempts to show for each query", kOutputGroup),
                    0, 1000)),
-      rare(row("final-only", ValueType::flag, "", "", "leave out progress records", kOutputGroup)),
-      rare(row("paths", ValueType::flag, "", "",
-               "add the player's positions to each trajectory, for readers that cannot replay it",
-               kOutputGroup)),
-      rare(row("heat-map", ValueType::flag, "", "",
-               "add to each result a heat map of where the search went", kOutputGroup)),
-      lettered(row("exit-status", ValueType::flag, "", "",
-                   "exit with 1 if any query is unreachable, else with 3 if any verdict is unknown",
-                   kOutputGroup),
-               'e'),
+      rare(flagRow("final-only", "leave out progress records", kOutputGroup)),
+      rare(flagRow(
+          "paths",
+          "add the player's positions to each trajectory, for readers that cannot replay it",
+          kOutputGroup)),
+      rare(flagRow("heat-map", "add to each result a heat map of where the search went",
+                   kOutputGroup)),
+      lettered(
+          flagRow("exit-status",
+                  "exit with 1 if any query is unreachable, else with 3 if any verdict is unknown",
+                  kOutputGroup),
+          'e'),
   };
 }
 
 std::vector<OptionRow> answeredRows() {
   return {
-      row("verify", ValueType::flag, "", "", "check trajectories by replaying them",
-          kAnsweredGroup),
+      flagRow("verify", "check trajectories by replaying them", kAnsweredGroup),
       repeatable(row("pass", ValueType::text, "PLACE", "",
                      "keep trajectories that pass all of these places", kAnsweredGroup)),
       repeatable(row("not-pass", ValueType::text, "PLACE", "",
@@ -250,8 +251,7 @@ std::vector<OptionRow> queryRows() {
       arriveRow(),
       tricksRow(),
       directionsRow(),
-      detailed(row("each", ValueType::flag, "", "",
-                   "apply these options to each query in the input", kQueryGroup),
+      detailed(flagRow("each", "apply these options to each query in the input", kQueryGroup),
                "A limit given here replaces the query's own."),
   };
 }

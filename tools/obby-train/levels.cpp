@@ -10,7 +10,7 @@ namespace obby::tools {
 
 namespace {
 
-// What makes the levels: options as they were typed, the recipe by what is in it.
+// The settings that identify generated levels: options as typed, and a hash of the recipe.
 std::vector<train::Setting> settingsOf(const cli::Arguments& a, const std::string& recipe) {
   std::vector<train::Setting> out = {{"levels", "generated"}};
   for (const char* name : {"style", "difficulty", "recipe"}) {
@@ -25,7 +25,7 @@ std::vector<train::Setting> settingsOf(const cli::Arguments& a, const std::strin
   return out;
 }
 
-// What is in a pipe only one rank can read, and once.
+// The recipe may be a pipe, which only one rank can read, and only once.
 Result<std::string> sharedRecipe(const cli::Arguments& a, train::Ranks& ranks) {
   OBBY_ASSIGN(std::string text,
               ranks.agree(ranks.first() ? recipeText(a) : Result<std::string>(std::string())));
@@ -38,14 +38,14 @@ bool makesLevels(const cli::Arguments& a) {
   return a.flag("generate") || a.has("style") || a.has("difficulty") || a.has("recipe");
 }
 
-Result<Levels> levelsOf(cli::Context& context, train::Ranks& ranks, uint64_t seed, bool again,
-                        train::WaitLimit& waiting) {
+Result<train::Levels> levelsOf(cli::Context& context, train::Ranks& ranks, uint64_t seed,
+                               bool again, train::Timeout& timeout) {
   const cli::Arguments& a = context.arguments();
-  if (!makesLevels(a)) return streamedLevels(context, ranks, again, waiting);
+  if (!makesLevels(a)) return train::streamedLevels(context.sourceOptions(), ranks, again, timeout);
   OBBY_ASSIGN(const std::string text, sharedRecipe(a, ranks));
   OBBY_ASSIGN(gen::Recipe recipe, recipeOf(a, text));
   if (!a.has("difficulty") && !a.has("recipe")) recipe.difficulty = {0, 1};
-  Levels levels;
+  train::Levels levels;
   OBBY_ASSIGN(levels.source, generatedLevels(recipe, seed));
   levels.settings = settingsOf(a, text);
   return levels;

@@ -1,97 +1,88 @@
-// obby-train: learns a policy from levels. Wiring only; lib/train does the work.
-#include <fcntl.h>
+// obby-train: trains a policy on levels. Wiring only; lib/train does the work.
 #include <signal.h>
 #include <unistd.h>
 
 #include <optional>
 
 #include "cli/console.h"
-#include "cli/written_files.h"
-#include "evaluation_metrics.h"
+#include "cli/silence.h"
 #include "io/read_file.h"
-#include "keeper.h"
 #include "levels.h"
-#include "metrics_stream.h"
-#include "mpi/join_ranks.h"
-#include "nccl/join_devices.h"
 #include "options.h"
 #include "policy/policy_file.h"
-#include "same_options.h"
-#include "session.h"
+#include "shared/generated_levels.h"
 #include "train/device/device_engine.h"
+#include "train/run/evaluation_metrics.h"
+#include "train/run/rank_options.h"
+#include "train/run/ranks/join_devices.h"
+#include "train/run/ranks/join_ranks.h"
+#include "train/run/training_run.h"
 
 namespace {
 
 using namespace obby;
-// Levels to evaluate on are of another seed than those to learn from.
-constexpr uint64_t kHeldOut = 0x68656c64;
 
-// Interrupted while it waited for the first levels.
-Status nothingLearned(cli::Context& context) {
-  OBBY_ASSIGN(tools::MetricsStream stream, tools::MetricsStream::open(context, context.stop()));
+constexpr uint64_t kHeldOut = 0x68656c64;  // makes the seed of evaluation levels another one
+
+// The run was interrupted while it waited for the first levels.
+Status nothingTrained(cli::Context& context) {
+  OBBY_ASSIGN(auto stream, train::MetricsStream::toStandardOutput(context.identity(),
+                                                                  context.stop(), context.stop()));
   return stream.finish({.skipped = context.errors(), .errors = context.errors()});
 }
 
-// Where to learn. `direct`: how ranks exchange gradients on devices.
-std::unique_ptr<train::Engine> engineOf(const train::TrainerSettings& settings,
-                                        const train::LevelSource& source,
-                                        const sim::Backend& backend, ThreadPool& pool,
-                                        train::Ranks& ranks, train::DeviceRanks* direct) {
-  if (!backend.onDevice()) return train::makeCpuEngine(settings, source, pool, ranks);
-  return train::makeDeviceEngine(settings, source, *backend.device(), pool, ranks, direct);
-}
-
-// Ranks whose GPUs cannot join, as several on one GPU, go through the host.
+// Ranks whose GPUs cannot join, such as several on one GPU, exchange gradients through the host.
 std::unique_ptr<train::DeviceRanks> directOf(cli::Context& context, const sim::Backend& backend,
                                              train::Ranks& ranks) {
   if (!backend.onDevice()) return nullptr;
-  auto direct = tools::joinDevices(ranks);
+  auto direct = train::joinDevices(ranks);
   if (direct) return *std::move(direct);
   if (ranks.first()) context.note(direct.error().text() + "; gradients go through the host");
   return nullptr;
 }
 
-Status learn(cli::Context& context, tools::JoinedRanks& joined) {
-  signal(SIGPIPE, SIG_IGN);  // who stops reading the metrics does not end learning unsaved
+train::RunReport reportTo(cli::Context& context) {
+  return {[&](const std::string& text) { context.warn(text); },
+          [&](const std::string& text) { context.note(text); },
+          [&](const train::RunProgress& p) {
+            context.progress({"learning",
+                              p.share,
+                              {{"decisions/s", p.decisionsPerSecond},
+                               {"solved", p.solved},
+                               {"difficulty", p.hardest}},
+                              p.secondsLeft});
+          }};
+}
+
+Status learn(cli::Context& context, train::JoinedRanks& joined) {
+  signal(SIGPIPE, SIG_IGN);  // if the reader of the metrics goes away, training is saved first
   train::Ranks& ranks = joined.ranks();
   const cli::Arguments& a = context.arguments();
-  train::WaitLimit waiting(context.stop(), tools::timeLimit(a));
-  tools::Keeper keeper(context, ranks, waiting.lost());
-  OBBY_RETURN_IF_ERROR(keeper.find());
-  auto found = ranks.agree(tools::levelsOf(context, ranks, a.seed(), true, waiting));
-  if (!found && ranks.first() && context.stop()) return nothingLearned(context);
-  OBBY_ASSIGN(const tools::Levels levels, std::move(found));
+  OBBY_RETURN_IF_ERROR(ranks.agree(ranks.first() ? tools::filesFit(a) : Status()));
+  train::Timeout timeout(context.stop(), tools::timeLimit(a));
+  train::CheckpointStore store(tools::runFiles(a), tools::runIdentity(context), ranks,
+                               context.stop(), timeout.late());
+  OBBY_RETURN_IF_ERROR(store.open());
+  auto found = ranks.agree(tools::levelsOf(context, ranks, a.seed(), true, timeout));
+  if (!found && ranks.first() && context.stop()) return nothingTrained(context);
+  OBBY_ASSIGN(const train::Levels levels, std::move(found));
   OBBY_ASSIGN(const sim::Backend backend,
               ranks.agree(tools::trainBackend(context, joined.neighbour())));
   if (ranks.first()) context.note(backend.note());
-  const train::TrainerSettings settings = tools::trainerSettings(context);
-  OBBY_RETURN_IF_ERROR(keeper.setRun(settings, levels.settings, backend.onDevice()));
+  const train::TrainerSettings settings = tools::trainerSettings(a);
+  OBBY_RETURN_IF_ERROR(store.setRun(settings, levels.settings, backend.onDevice()));
   ThreadPool pool(context.threads());
   const auto direct = directOf(context, backend, ranks);
-  auto made =
-      keeper.trainer(engineOf(settings, *levels.source, backend, pool, ranks, direct.get()));
-  if (!made && ranks.count() == 1 && context.stop()) return nothingLearned(context);
-  if (!made && waiting.isUp()) return tools::lateStream();
+  auto made = store.trainer(
+      train::makeEngine(settings, *levels.source, backend.device(), pool, ranks, direct.get()));
+  if (!made && ranks.count() == 1 && context.stop()) return nothingTrained(context);
+  if (!made && timeout.expired()) return train::lateStream();
   OBBY_ASSIGN(const auto trainer, std::move(made));
-  tools::Logs logs;
-  std::optional<tools::MetricsStream> stream;  // the first rank's; an error before it leaves none
-  const auto open = [&]() -> Status {
-    OBBY_ASSIGN(
-        logs, tools::Logs::open(a, waiting.late(), trainer->iterations(), keeper.historyBefore()));
-    OBBY_ASSIGN(tools::MetricsStream opened, tools::MetricsStream::open(context, waiting.late()));
-    stream.emplace(std::move(opened));
-    return {};
-  };
-  waiting.begin();  // a log may wait for its reader to begin with
-  OBBY_RETURN_IF_ERROR(ranks.agree(ranks.first() ? open() : Status()));
-  tools::Session session(context, *trainer, ranks, keeper, std::move(logs),
-                         stream ? &*stream : nullptr, waiting);
-  Status done = session.run();
-  waiting.end();
-  return stream ? stream->finish(levels.summary(), std::move(done)) : done;
+  return train::runTraining(*trainer, ranks, store, levels, tools::runPlan(context),
+                            reportTo(context), context.stop(), timeout);
 }
 
-// Nobody knows how many levels a stream has.
+// A stream does not say how many levels it has.
 void showPlayed(cli::Context& context, uint32_t levels, const train::EvaluationSoFar& e) {
   cli::ProgressState state{"evaluating", -1, {{"levels", double(e.levels)}}};
   if (tools::makesLevels(context.arguments())) {
@@ -106,34 +97,34 @@ Status evaluate(cli::Context& context, train::Ranks& ranks) {
   if (ranks.count() > 1)
     return Error{{}, {}, "--eval", "cannot run with several ranks", "start it without mpirun"};
   const cli::Arguments& a = context.arguments();
-  const cli::WrittenFile metrics[] = {{"", "-"}};
-  OBBY_RETURN_IF_ERROR(cli::refuseOverwriting(a, metrics));
+  OBBY_RETURN_IF_ERROR(tools::filesFit(a));
   const std::string& path = a.text("eval");
   OBBY_ASSIGN(const std::string bytes, io::readFile(path, &context.stop()));
   OBBY_ASSIGN(const policy::PolicyFile file, policy::readPolicy(bytes, path));
-  train::WaitLimit waiting(context.stop(), tools::timeLimit(a));
-  OBBY_ASSIGN(const tools::Levels levels,
-              tools::levelsOf(context, ranks, a.seed() ^ kHeldOut, false, waiting));
+  train::Timeout timeout(context.stop(), tools::timeLimit(a));
+  OBBY_ASSIGN(const train::Levels levels,
+              tools::levelsOf(context, ranks, a.seed() ^ kHeldOut, false, timeout));
   ThreadPool pool(context.threads());
-  OBBY_ASSIGN(tools::MetricsStream stream, tools::MetricsStream::open(context, waiting.late()));
-  const train::EvaluationSettings settings = tools::evaluationSettings(context);
-  waiting.begin();
+  OBBY_ASSIGN(auto stream, train::MetricsStream::toStandardOutput(context.identity(),
+                                                                  context.stop(), timeout.late()));
+  const train::EvaluationSettings settings = tools::evaluationSettings(a);
+  timeout.begin();
   const train::Evaluation e = train::evaluate(
       file.network, *levels.source, settings, pool, context.stop(),
       [&](const train::EvaluationSoFar& soFar) { showPlayed(context, settings.levels, soFar); },
       tools::styleNumberOf);
-  if (e.timeUp || waiting.isUp()) stream.outOfBudget();
-  // A level that could not be read takes nothing from those that were played.
+  if (e.timeUp || timeout.expired()) stream.outOfBudget();
+  // Levels that were played count even if another could not be read.
   Status done;
   if (e.levels > 0 || e.missing)
     done = stream.write("obby-train --eval", file.training.decisions,
-                        tools::evaluationMetrics(e, settings.tries));
+                        train::evaluationMetrics(e, settings.tries, tools::styleNames()));
   if (done) done = e.missing;
   return stream.finish(levels.summary(), std::move(done));
 }
 
-// Whoever takes nothing is given up as after a signal, but it may be the time that is over.
-Status readersKnown(Status done, const cli::Context& context) {
+// An interrupted write without a signal means that the time limit gave up a reader.
+Status explained(Status done, const cli::Context& context) {
   if (done || !io::isInterrupted(done.error()) || context.stop()) return done;
   return Error{
       done.error().input,
@@ -143,42 +134,23 @@ Status readersKnown(Status done, const cli::Context& context) {
       "check what delays the reader, or write to a file"};
 }
 
-// An error that all ranks know of is told by the first.
-Result<cli::ExitCode> run(cli::Context& context, tools::JoinedRanks& joined) {
+// The first rank reports an error that all ranks know.
+Result<cli::ExitCode> run(cli::Context& context, train::JoinedRanks& joined) {
   train::Ranks& ranks = joined.ranks();
-  Status done = tools::sameOptions(context.arguments(), ranks);  // before they take other ways
-  if (done) done = ranks.agree(tools::optionsFit(context.arguments()));
-  if (done)
-    done = context.arguments().has("eval") ? evaluate(context, ranks) : learn(context, joined);
+  const cli::Arguments& a = context.arguments();
+  Status done = train::sameOptions(tools::rankOptions(a), ranks);
+  if (done) done = ranks.agree(tools::optionsFit(a));
+  if (done) done = a.has("eval") ? evaluate(context, ranks) : learn(context, joined);
   if (!done && !ranks.first()) return cli::ExitCode::failed;
-  OBBY_RETURN_IF_ERROR(readersKnown(std::move(done), context));
+  OBBY_RETURN_IF_ERROR(explained(std::move(done), context));
   return cli::ExitCode::ok;
 }
 
-// A standard stream that goes nowhere while this lives.
-class Silence {
- public:
-  explicit Silence(int stream) : stream_(stream), kept_(dup(stream)) {
-    const int nowhere = open("/dev/null", O_WRONLY | O_CLOEXEC);
-    dup2(nowhere, stream_);
-    close(nowhere);
-  }
-  ~Silence() {
-    dup2(kept_, stream_);
-    close(kept_);
-  }
-  Silence(const Silence&) = delete;
-  Silence& operator=(const Silence&) = delete;
-
- private:
-  int stream_, kept_;
-};
-
-int runRank(int argc, char** argv, tools::JoinedRanks& joined) {
+int runRank(int argc, char** argv, train::JoinedRanks& joined) {
   train::Ranks& ranks = joined.ranks();
-  // Help, and what is wrong with the options, are the same on every rank: the first one says it.
-  // Later each may say how it dies.
-  std::optional<Silence> silent, mute;
+  // Only the first rank prints help and errors of options, which are the same on every rank. Later
+  // each rank may print its own errors.
+  std::optional<cli::Silence> silent, mute;
   if (!ranks.first()) {
     silent.emplace(STDERR_FILENO);
     mute.emplace(STDOUT_FILENO);
@@ -192,12 +164,11 @@ int runRank(int argc, char** argv, tools::JoinedRanks& joined) {
     ended = true;
     return result;
   });
-  if (begun && !ended) joined.abandon(code);  // it threw: the others wait for it
+  if (begun && !ended) joined.abandon(code);  // it threw, and the other ranks wait for it
   if (begun) return code;
-  // The others compare their options with what this one was told; where the first has done what it
-  // was asked for, nobody has said what is wrong.
+  // Other ranks compare their options with this rank's. If only they failed, this one reports it.
   const bool refused = code != int(cli::ExitCode::ok);
-  const Status same = tools::noOptions(refused, ranks);
+  const Status same = train::notRunning(refused, ranks);
   if (same) return code;
   if (ranks.first() && !refused) cli::Console(spec.name).error(same.error());
   return int(cli::ExitCode::failed);
@@ -206,7 +177,7 @@ int runRank(int argc, char** argv, tools::JoinedRanks& joined) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  const auto joined = obby::tools::joinRanks(&argc, &argv);
+  const auto joined = obby::train::joinRanks(&argc, &argv);
   if (joined) return runRank(argc, argv, **joined);
   return obby::cli::runTool(
       obby::tools::trainSpec(), argc, argv,

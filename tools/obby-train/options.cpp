@@ -3,10 +3,12 @@
 
 #include <fmt/format.h>
 
+#include "cli/command_text.h"
 #include "cli/rows.h"
+#include "cli/written_files.h"
 #include "levels.h"
 #include "shared/recipe_options.h"
-#include "train/wait_limit.h"
+#include "train/timeout.h"
 
 namespace obby::tools {
 
@@ -16,6 +18,7 @@ using cli::between;
 using cli::multipleOf;
 using cli::OptionRow;
 using cli::rare;
+using cli::renamed;
 using cli::row;
 using cli::ValueType;
 
@@ -27,42 +30,25 @@ constexpr const char* kKeepGroup = "Checkpoints";
 constexpr const char* kLogGroup = "Logs";
 constexpr const char* kEvaluateGroup = "Evaluation (nothing is trained)";
 
+OptionRow common(cli::Common option, const char* help, const char* details) {
+  OptionRow r = cli::commonRow(option);
+  r.help = help;
+  r.details = details;
+  return r;
+}
+
 OptionRow outputRow() {
-  OptionRow r = cli::commonRow(cli::Common::output);
-  r.defaultText = "policy.obp";
-  r.help = "write the policy to FILE, during training and at its end";
-  r.details.clear();
-  return r;
+  return cli::withDefault(
+      common(cli::Common::output, "write the policy to FILE, during training and at its end", ""),
+      "policy.obp");
 }
 
-OptionRow timeLimitRow() {
-  OptionRow r = cli::commonRow(cli::Common::timeLimit);
-  r.help = "stop after this wall-clock time, whatever --decisions or --eval-levels says";
-  r.details = "A stream that sends nothing is waited for 3 seconds longer.";
-  r.group = kLearnGroup;
-  return r;
-}
-
-OptionRow backendRow() {
-  OptionRow r = cli::commonRow(cli::Common::backend);
-  r.help = "device that simulates and learns; auto uses a GPU if there is one";
-  r.details = "Policies trained on a GPU and on the CPU differ by rounding.";
-  r.group = kLearnGroup;
-  return r;
-}
-
-OptionRow seedRow() {
-  OptionRow r = cli::commonRow(cli::Common::seed);
-  r.help = "random seed: same seed, same results unless a time limit ends the run";
-  return r;
-}
-
-// No records are passed on.
+// No records are passed on, so there is no "emit".
 OptionRow onErrorRow() {
-  OptionRow r = cli::commonRow(cli::Common::onError);
+  OptionRow r = common(
+      cli::Common::onError, "on a bad record: stop, or skip it; the exit code is 2 either way",
+      "skip also trains on the part of a stream that arrived before it was interrupted.");
   r.choices = {"stop", "skip"};
-  r.help = "on a bad record: stop, or skip it; the exit code is 2 either way";
-  r.details = "skip also trains on the part of a stream that arrived before it was interrupted.";
   return rare(r);
 }
 
@@ -85,23 +71,31 @@ std::vector<OptionRow> learnRows() {
   return {
       learnRow("decisions", ValueType::integer, "N", s.decisions,
                "decisions to learn from, 20 per second of play", 1, 9e15),
-      timeLimitRow(),
+      common(cli::Common::timeLimit,
+             "stop after this wall-clock time, whatever --decisions or --eval-levels says",
+             "A stream that sends nothing is waited for 3 seconds longer."),
       row("start-from", ValueType::file, "FILE", "",
           "start from this policy instead of a new network, for example to fine-tune it on your "
           "own levels",
           kLearnGroup),
-      backendRow(),
+      common(cli::Common::backend,
+             "device that simulates and learns; auto uses a GPU if there is one",
+             "Policies trained on a GPU and on the CPU differ by rounding."),
       cli::commonRow(cli::Common::threads),
-      seedRow(),
+      common(cli::Common::seed,
+             "random seed: same seed, same results unless a time limit ends the run", ""),
       rare(multipleOf(learnRow("worlds", ValueType::integer, "N", s.worlds(),
                                "worlds that play at a time; a multiple of 256", kEnvGroup, 1 << 20),
                       kEnvGroup)),
-      rare(learnRow("rate", ValueType::number, "R", s.ppo.learningRate,
-                    "initial learning rate; it falls to a tenth of this", 1e-7, 1)),
-      rare(learnRow("passes", ValueType::integer, "N", s.ppo.epochs,
-                    "epochs: passes over each batch of decisions", 1, 100)),
-      rare(learnRow("part", ValueType::integer, "N", s.ppo.minibatch,
-                    "maximum size of a minibatch, in decisions", 64, 1 << 20)),
+      rare(renamed(learnRow("learning-rate", ValueType::number, "R", s.ppo.learningRate,
+                            "initial learning rate; it falls to a tenth of this", 1e-7, 1),
+                   "rate")),
+      rare(renamed(learnRow("epochs", ValueType::integer, "N", s.ppo.epochs,
+                            "passes over each batch of decisions", 1, 100),
+                   "passes")),
+      rare(renamed(learnRow("minibatch", ValueType::integer, "N", s.ppo.minibatch,
+                            "maximum size of a minibatch, in decisions", 64, 1 << 20),
+                   "part")),
       rare(learnRow("entropy", ValueType::number, "SHARE", s.ppo.loss.entropyWeight,
                     "weight of the entropy in the loss: more makes the policy explore more", 0,
                     10)),
@@ -136,17 +130,11 @@ std::vector<OptionRow> keepRows() {
 }
 
 std::vector<OptionRow> logRows() {
-  return {
-      row("log", ValueType::file, "FILE", "",
-          "write metrics to FILE as comma-separated values; --resume appends to it", kLogGroup),
-      row("tensorboard", ValueType::file, "DIR", "",
-          "write metrics to the folder DIR for TensorBoard", kLogGroup),
-      rare(row("curve", ValueType::file, "FILE", "",
-               "plot success, difficulty and reward to FILE, an SVG, every --save-every seconds",
-               kLogGroup)),
-      rare(between(row("log-every", ValueType::integer, "N", "10",
-                       "iterations between two rows of --log and --tensorboard", kLogGroup),
-                   1, 1e9))};
+  return {row("tensorboard", ValueType::file, "DIR", "",
+              "write metrics to the folder DIR for TensorBoard", kLogGroup),
+          rare(between(row("log-every", ValueType::integer, "N", "10",
+                           "iterations between two points of --tensorboard", kLogGroup),
+                       1, 1e9))};
 }
 
 std::vector<OptionRow> evaluateRows() {
@@ -176,14 +164,12 @@ std::vector<cli::Example> examples() {
       {"Resume interrupted training exactly where it stopped",
        "obby-train --style gaps --decisions 300000 --time-limit 1 && "
        "obby-train --style gaps --decisions 300000 --resume"},
-      {"Plot the progress of training",
-       "obby-train --style gaps --time-limit 5 --log log.csv --curve curve.svg"},
       {"Evaluate a policy on levels that it has never seen",
        "obby-train --style gaps --time-limit 5 && "
        "obby-train --eval policy.obp --style gaps --eval-levels 100"},
       {"Train on generated levels, then fine-tune on your own",
        "obby-train --style gaps --time-limit 5 && obby-gen --style course --count 20 | "
-       "obby-train --start-from policy.obp --rate 0.0005 --time-limit 5 -o mine.obp"},
+       "obby-train --start-from policy.obp --learning-rate 0.0005 --time-limit 5 -o mine.obp"},
       {"Log to TensorBoard", "obby-train --style gaps --time-limit 5 --tensorboard runs/gaps"},
   };
 }
@@ -200,18 +186,42 @@ Status optionsFit(const cli::Arguments& a) {
   if (a.has("eval")) {
     OBBY_RETURN_IF_ERROR(cli::refuseTyped(
         a, {"backend"}, "cannot be combined with --eval, which plays on the CPU", kOneOfTwo));
-    return cli::refuseTyped(
-        a,
-        {"output", "resume", "checkpoint", "log", "tensorboard", "curve", "save-every", "log-every",
-         "rate", "passes", "part", "entropy", "discount", "worlds", "decisions", "start-from"},
-        "cannot be combined with --eval, which trains nothing", kOneOfTwo);
+    return cli::refuseTyped(a,
+                            {"output", "resume", "checkpoint", "tensorboard", "save-every",
+                             "log-every", "learning-rate", "epochs", "minibatch", "entropy",
+                             "discount", "worlds", "decisions", "start-from"},
+                            "cannot be combined with --eval, which trains nothing", kOneOfTwo);
   }
   OBBY_RETURN_IF_ERROR(
       cli::refuseTyped(a, {"eval-levels", "eval-tries"}, "has no effect without --eval",
                        "name a policy with --eval FILE, or leave out this option"));
-  if (a.has("log") || a.has("tensorboard")) return {};
-  return cli::refuseTyped(a, {"log-every"}, "has no effect without --log or --tensorboard",
-                          "add one of them, or leave out --log-every");
+  if (a.has("tensorboard")) return {};
+  return cli::refuseTyped(a, {"log-every"}, "has no effect without --tensorboard",
+                          "add it, or leave out --log-every");
+}
+
+Status filesFit(const cli::Arguments& a) {
+  const cli::WrittenFile metrics{"", "-"};
+  if (a.has("eval")) return cli::refuseOverwriting(a, {&metrics, 1});
+  const auto wrong = [](const std::string& option, const char* message) {
+    return Error{{}, {}, "--" + option, message, "name a file"};
+  };
+  if (a.text("output").empty()) return wrong("output", "the name is empty");
+  for (const char* name : {"output", "checkpoint"}) {
+    if (a.text(name) == "-")
+      return wrong(name, "cannot be standard output, where the metrics records go");
+  }
+  const train::RunFiles files = runFiles(a);
+  const cli::WrittenFile written[] = {
+      metrics, {"output", files.policy}, {"checkpoint", files.checkpoint}};
+  return cli::refuseOverwriting(a, written);
+}
+
+std::vector<std::string> rankOptions(const cli::Arguments& a) {
+  // Machines differ in --threads, and the result does not depend on it. The contents of --config
+  // are compared. The others are about messages.
+  return cli::optionTexts(
+      a, {"threads", "config", "progress", "quiet", "verbose", "no-color", "json-errors"});
 }
 
 cli::ToolSpec trainSpec() {
@@ -244,15 +254,14 @@ cli::ToolSpec trainSpec() {
   return spec;
 }
 
-train::TrainerSettings trainerSettings(const cli::Context& context) {
-  const cli::Arguments& a = context.arguments();
+train::TrainerSettings trainerSettings(const cli::Arguments& a) {
   train::TrainerSettings s;
   s.seed = a.seed();
   s.envGroups = uint32_t(a.integer("worlds")) / (s.envGroup.levels * s.envGroup.worlds);
   s.decisions = uint64_t(a.integer("decisions"));
-  s.ppo.learningRate = float(a.number("rate"));
-  s.ppo.epochs = uint32_t(a.integer("passes"));
-  s.ppo.minibatch = uint32_t(a.integer("part"));
+  s.ppo.learningRate = float(a.number("learning-rate"));
+  s.ppo.epochs = uint32_t(a.integer("epochs"));
+  s.ppo.minibatch = uint32_t(a.integer("minibatch"));
   s.ppo.discount = float(a.number("discount"));
   s.ppo.loss.entropyWeight = float(a.number("entropy"));
   return s;
@@ -264,11 +273,31 @@ Result<sim::Backend> trainBackend(const cli::Context& context, uint32_t which) {
 }
 
 double timeLimit(const cli::Arguments& a) {
-  return a.has("time-limit") ? a.number("time-limit") : train::WaitLimit::kNone;
+  return a.has("time-limit") ? a.number("time-limit") : train::Timeout::kNone;
 }
 
-train::EvaluationSettings evaluationSettings(const cli::Context& context) {
+train::RunFiles runFiles(const cli::Arguments& a) {
+  const std::string &output = a.text("output"), &resume = a.text("resume");
+  return {output, a.has("checkpoint") ? a.text("checkpoint") : train::defaultCheckpoint(output),
+          a.text("start-from"),
+          resume == "no"    ? train::Resume::no
+          : resume == "yes" ? train::Resume::yes
+                            : train::Resume::automatic};
+}
+
+train::RunIdentity runIdentity(const cli::Context& context) {
+  return {cli::commandText("obby-train", context.arguments(), {"resume"}), context.identity()};
+}
+
+train::RunPlan runPlan(const cli::Context& context) {
   const cli::Arguments& a = context.arguments();
+  return {{uint64_t(a.integer("decisions")), timeLimit(a), a.number("save-every"),
+           uint64_t(a.integer("log-every"))},
+          a.text("tensorboard"),
+          context.identity()};
+}
+
+train::EvaluationSettings evaluationSettings(const cli::Arguments& a) {
   train::EvaluationSettings s;
   s.seed = a.seed();
   s.levels = uint32_t(a.integer("eval-levels"));

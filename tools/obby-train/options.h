@@ -1,23 +1,32 @@
 // obby-train's command line.
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "cli/context.h"
 #include "cli/tool.h"
 #include "sim/backend.h"
 #include "train/evaluate.h"
-#include "train/trainer.h"
+#include "train/run/training_run.h"
 
 namespace obby::tools {
 
 cli::ToolSpec trainSpec();
-// Error: options that would do nothing beside the others, typed: those of streams without one, of
-// learning with --eval, of --eval without it, of logs without one.
+// Returns an error for typed options that have no effect with the others.
 Status optionsFit(const cli::Arguments& arguments);
-train::TrainerSettings trainerSettings(const cli::Context& context);
-// `which`: of several GPUs.
+// Returns an error for output files that are also read, or named by another option.
+Status filesFit(const cli::Arguments& arguments);
+// Returns the options that must be the same on all ranks, for train::sameOptions().
+std::vector<std::string> rankOptions(const cli::Arguments& arguments);
+train::TrainerSettings trainerSettings(const cli::Arguments& arguments);
+train::RunFiles runFiles(const cli::Arguments& arguments);
+train::RunIdentity runIdentity(const cli::Context& context);
+train::RunPlan runPlan(const cli::Context& context);
+// `which` selects one of several GPUs.
 Result<sim::Backend> trainBackend(const cli::Context& context, uint32_t which);
-// Seconds of --time-limit; without it so many that they never pass.
+// Returns the seconds of --time-limit, or a time that never passes.
 double timeLimit(const cli::Arguments& arguments);
-train::EvaluationSettings evaluationSettings(const cli::Context& context);
+train::EvaluationSettings evaluationSettings(const cli::Arguments& arguments);
 
 }  // namespace obby::tools

@@ -12,94 +12,74 @@
 namespace obby {
 namespace {
 
+using cli::between;
+using cli::flagRow;
 using cli::OptionRow;
+using cli::row;
 using cli::ValueType;
 
 constexpr int kLeastPicture = 32, kMostPicture = 4096;  // pixels
-
-OptionRow make(std::string name, ValueType type, std::string value, std::string help) {
-  OptionRow row;
-  row.name = std::move(name);
-  row.type = type;
-  row.value = std::move(value);
-  row.help = std::move(help);
-  return row;
-}
 
 constexpr const char* kContent = "Content";
 constexpr const char* kTextGroup = "Text";
 constexpr const char* kPictureGroup = "Picture";
 
-OptionRow grouped(OptionRow row, const char* group) {
-  row.group = group;
-  return row;
-}
-
 OptionRow formatRow() {
-  OptionRow row =
-      make("format", ValueType::choice, "",
-           "a page for a browser, plain text, a picture of the first query, or the "
-           "trajectories as a model for Studio [default: by the output file's extension, else "
-           "text]");
-  for (const ViewFormat& format : viewFormats()) row.choices.emplace_back(format.name);
-  return grouped(row, cli::kFilesGroup);
+  OptionRow out =
+      row("format", ValueType::choice, "", "",
+          "a page for a browser, plain text, a picture of the first query, or the "
+          "trajectories as a model for Studio [default: by the output file's extension, else "
+          "text]",
+          cli::kFilesGroup);
+  for (const ViewFormat& format : viewFormats()) out.choices.emplace_back(format.name);
+  return out;
 }
 
 // obby-view passes no records on, so --on-error has no emit.
 OptionRow onErrorRow() {
-  OptionRow row = cli::commonRow(cli::Common::onError);
-  row.choices = {"stop", "skip"};
-  row.help = "on a bad record: stop, or skip it; the exit code is 2 either way";
-  row.details.clear();
-  return row;
+  OptionRow out = cli::commonRow(cli::Common::onError);
+  out.choices = {"stop", "skip"};
+  out.help = "on a bad record: stop, or skip it; the exit code is 2 either way";
+  out.details.clear();
+  return out;
 }
 
-OptionRow queryRow() {
-  OptionRow row = make("query", ValueType::text, "ID", "show this query only");
-  row.repeatable = true;
-  return grouped(row, kContent);
-}
-
-OptionRow fullRow() {
-  return grouped(make("full", ValueType::flag, "", "show everything, however large the page gets"),
-                 kContent);
+std::vector<OptionRow> contentRows() {
+  return {
+      cli::repeatable(row("query", ValueType::text, "ID", "", "show this query only", kContent)),
+      flagRow("full", "show everything, however large the page gets", kContent)};
 }
 
 std::vector<OptionRow> textRows() {
-  OptionRow width = make("width", ValueType::integer, "COLUMNS",
-                         "width of the text in columns [default: the terminal's]");
-  width.min = 40;
-  width.max = 400;
-  return {grouped(make("no-map", ValueType::flag, "", "print the table only"), kTextGroup),
-          grouped(make("ascii", ValueType::flag, "", "print ASCII characters only"), kTextGroup),
-          grouped(width, kTextGroup)};
+  return {flagRow("no-map", "print the table only", kTextGroup),
+          flagRow("ascii", "print ASCII characters only", kTextGroup),
+          between(row("width", ValueType::integer, "COLUMNS", "",
+                      "width of the text in columns [default: the terminal's]", kTextGroup),
+                  40, 400)};
 }
 
 std::vector<OptionRow> pictureRows() {
-  OptionRow from =
-      make("from", ValueType::choice, "", "direction of view (svg only) [default: above]");
-  from.choices = {"above", "side"};
-  return {grouped(make("size", ValueType::text, "WIDTHxHEIGHT",
-                       "size in pixels; with svg, the height is ignored [default: 1280x720]"),
-                  kPictureGroup),
-          grouped(from, kPictureGroup)};
+  return {row("size", ValueType::text, "WIDTHxHEIGHT", "",
+              "size in pixels; with svg, the height is ignored [default: 1280x720]", kPictureGroup),
+          cli::choosing(row("from", ValueType::choice, "", "",
+                            "direction of view (svg only) [default: above]", kPictureGroup),
+                        {"above", "side"})};
 }
 
 constexpr const char* kLive = "Live page";
 
 std::vector<OptionRow> liveRows() {
   return {
-      cli::row("live", ValueType::flag, "", "",
-               "serve the page on this machine, print its address, and show the input as it "
-               "arrives; -o is written when the input ends",
-               kLive),
-      cli::between(
-          cli::row("port", ValueType::integer, "PORT", "0",
-                   "listen on this port of the loopback interface; 0: on any free one", kLive),
-          0, 65535),
-      cli::row("live-exit", ValueType::flag, "", "",
-               "exit once the input has ended and the last open page is closed, not only on Ctrl-C",
-               kLive),
+      flagRow("live",
+              "serve the page on this machine, print its address, and show the input as it "
+              "arrives; -o is written when the input ends",
+              kLive),
+      between(row("port", ValueType::integer, "PORT", "0",
+                  "listen on this port of the loopback interface; 0: on any free one", kLive),
+              0, 65535),
+      flagRow("live-exit",
+              "exit once the input has ended and the last open page is closed, not only on Ctrl-C",
+              kLive),
   };
 }
 
@@ -121,8 +101,8 @@ cli::ToolSpec viewSpec() {
       {"Draw a solution from the side, as a vector drawing",
        "obby-solve --query right several-routes.jsonl | obby-view --from side -o route.svg"},
   };
-  spec.options = {commonRow(cli::Common::output), formatRow(), onErrorRow(), queryRow(), fullRow()};
-  for (const auto& rows : {textRows(), pictureRows(), liveRows()})
+  spec.options = {commonRow(cli::Common::output), formatRow(), onErrorRow()};
+  for (const auto& rows : {contentRows(), textRows(), pictureRows(), liveRows()})
     spec.options.insert(spec.options.end(), rows.begin(), rows.end());
   spec.notes =
       "A trajectory record holds only actions, so obby-view replays it. A trajectory that does "

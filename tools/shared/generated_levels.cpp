@@ -1,5 +1,7 @@
 #include "shared/generated_levels.h"
 
+#include "gen/styles.h"
+
 #include <algorithm>
 
 #include "gen/generator.h"
@@ -47,6 +49,17 @@ Result<std::unique_ptr<train::LevelSource>> generatedLevels(const gen::Recipe& r
   }
   return std::unique_ptr<train::LevelSource>(
       std::make_unique<GeneratedLevels>(std::move(generators), seed));
+}
+
+uint16_t styleNumberOf(const train::TrainingLevel& level) {
+  const gen::Style* const style = gen::styleOfLevel(level.name());
+  return style == nullptr ? uint16_t(0) : uint16_t(style - gen::styles().data() + 1);
+}
+
+std::vector<std::string> styleNames() {
+  std::vector<std::string> names = {""};
+  for (const gen::Style& style : gen::styles()) names.emplace_back(style.name);
+  return names;
 }
 
 }  // namespace obby::tools

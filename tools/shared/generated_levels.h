@@ -2,6 +2,8 @@
 #pragma once
 
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "gen/recipe.h"
 #include "train/training_level.h"
@@ -12,5 +14,10 @@ namespace obby::tools {
 // levels. Errors: those of Generator::make.
 Result<std::unique_ptr<train::LevelSource>> generatedLevels(const gen::Recipe& recipe,
                                                             uint64_t seed);
+
+// Returns the number of the style that a level's name states; 0 if it states none.
+uint16_t styleNumberOf(const train::TrainingLevel& level);
+// Returns the names of the styles by these numbers; that of 0 is empty.
+std::vector<std::string> styleNames();
 
 }  // namespace obby::tools

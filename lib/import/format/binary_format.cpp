@@ -10,7 +10,7 @@
 #include "import/format/chunk.h"
 #include "import/format/columns.h"
 #include "import/format/document_builder.h"
-#include "import/plural.h"
+#include "io/text.h"
 
 namespace obby::importer {
 namespace {
@@ -35,7 +35,7 @@ class BinaryReader {
     OBBY_RETURN_IF_ERROR(readAll(chunks, "PROP", &BinaryReader::readProperty));
     OBBY_RETURN_IF_ERROR(readAll(chunks, "PRNT", &BinaryReader::readParents));
     if (placedCount_ < builder_.size()) {
-      return chunkError(chunks.back(), plural(builder_.size() - placedCount_, "instance") +
+      return chunkError(chunks.back(), io::plural(builder_.size() - placedCount_, "instance") +
                                            " without a place in the tree (PRNT)");
     }
     const Chunk* tree = nullptr;

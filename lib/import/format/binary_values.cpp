@@ -2,12 +2,14 @@
 // needs are skipped and leave std::monostate.
 #include "import/format/binary_values.h"
 
+#include <fmt/format.h>
+
 #include <array>
+#include <bit>
 
 #include "engine/values/color.h"
 #include "import/format/columns.h"
 #include "import/format/rotation.h"
-#include "import/format/unique_id.h"
 
 namespace obby::importer {
 namespace {
@@ -173,13 +175,19 @@ void readSharedStrings(Column& c) {
   }
 }
 
+// Reads index (u32), time (u32) and random (u64 with its sign in the lowest bit), each with the
+// most significant byte first. The text is that of XML: random, time, index.
 void readUniqueIds(Column& c) {
   if (!c.reader.has(c.count, 16)) return;
   const std::string_view raw = c.reader.bytes(c.count * 16);
-  std::array<uint8_t, 16> id{};
   for (size_t i = 0; i < c.count; ++i) {
-    for (size_t b = 0; b < id.size(); ++b) id[b] = static_cast<uint8_t>(raw[b * c.count + i]);
-    c.out.emplace_back(uniqueIdText(id));
+    const auto number = [&](size_t first, size_t bytes) {
+      uint64_t n = 0;
+      for (size_t b = first; b < first + bytes; ++b) n = n << 8 | uint8_t(raw[b * c.count + i]);
+      return n;
+    };
+    c.out.emplace_back(
+        fmt::format("{:016x}{:08x}{:08x}", std::rotr(number(8, 8), 1), number(4, 4), number(0, 4)));
   }
 }
 

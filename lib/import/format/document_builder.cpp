@@ -8,7 +8,7 @@
 #include "engine/classes/class_defaults.h"
 #include "import/format/attributes.h"
 #include "import/format/studio_place.h"
-#include "import/plural.h"
+#include "io/text.h"
 
 namespace obby::importer {
 namespace {
@@ -242,7 +242,7 @@ Result<Document> DocumentBuilder::finish(std::string file, bool binary) {
     stack.insert(stack.end(), old[id].children.rbegin(), old[id].children.rend());
   }
   if (order.size() < old.size()) {
-    return makeError(plural(old.size() - order.size(), "instance") +
+    return makeError(io::plural(old.size() - order.size(), "instance") +
                      " below no root, as their own ancestors");
   }
   OBBY_RETURN_IF_ERROR(checkDepth(order));
@@ -272,11 +272,11 @@ Result<Document> DocumentBuilder::finish(std::string file, bool binary) {
   document_.file = std::move(file);
   document_.format = std::string(place ? "rbxl" : "rbxm") + (binary ? "" : "x");
   if (cutNames_ > 0) {
-    document_.warnings.push_back(plural(cutNames_, "name") + " cut at " + std::to_string(kMaxName) +
-                                 " characters, as the engine does");
+    document_.warnings.push_back(io::plural(cutNames_, "name") + " cut at " +
+                                 std::to_string(kMaxName) + " characters, as the engine does");
   }
   if (droppedWarnings_ > 0) {
-    document_.warnings.push_back("and " + plural(droppedWarnings_, "more warning"));
+    document_.warnings.push_back("and " + io::plural(droppedWarnings_, "more warning"));
   }
   return std::move(document_);
 }

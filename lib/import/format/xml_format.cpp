@@ -6,11 +6,10 @@
 #include <utility>
 #include <vector>
 
-#include "import/format/base64.h"
 #include "import/format/document_builder.h"
 #include "import/format/xml_filter.h"
 #include "import/format/xml_values.h"
-#include "import/plural.h"
+#include "io/base64.h"
 #include "io/text.h"
 
 namespace obby::importer {
@@ -23,7 +22,8 @@ class XmlReader {
   Result<Document> read(const std::string& file) {
     FilteredXml filtered = filterXml(source_);
     if (filtered.replaced > 0) {
-      builder_.warn(plural(filtered.replaced, "forbidden XML character reference") + " replaced");
+      builder_.warn(io::plural(filtered.replaced, "forbidden XML character reference") +
+                    " replaced");
     }
     pugi::xml_document xml;
     const pugi::xml_parse_result parsed = xml.load_buffer_inplace(
@@ -43,7 +43,7 @@ class XmlReader {
   Status readSharedStrings(pugi::xml_node root) {
     for (const pugi::xml_node list : root.children("SharedStrings")) {
       for (const pugi::xml_node entry : list.children("SharedString")) {
-        auto bytes = decodeBase64(textOf(entry));
+        auto bytes = io::decodeBase64(textOf(entry));
         if (!bytes) return at(startOf(entry), "SharedString", "expected base64");
         context_.sharedStrings.emplace(entry.attribute("md5").value(),
                                        std::make_shared<const std::string>(std::move(*bytes)));

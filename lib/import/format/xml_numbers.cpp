@@ -6,15 +6,10 @@
 #include <limits>
 #include <system_error>
 
+#include "io/text.h"
+
 namespace obby::importer {
 namespace {
-
-std::string_view trimmed(std::string_view text) {
-  constexpr std::string_view kSpace = " \t\r\n";
-  const size_t begin = text.find_first_not_of(kSpace);
-  if (begin == std::string_view::npos) return {};
-  return text.substr(begin, text.find_last_not_of(kSpace) - begin + 1);
-}
 
 template <class Number>
 std::optional<Number> whole(std::string_view text) {
@@ -40,7 +35,7 @@ std::optional<Real> oldSpelling(std::string_view text) {
 
 template <class Real>
 std::optional<Real> real(std::string_view text) {
-  text = trimmed(text);
+  text = io::trimmed(text);
   if (text.size() > 1 && text[0] == '+' && text[1] != '-') text.remove_prefix(1);
   Real value{};
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
@@ -69,7 +64,7 @@ std::optional<float> parseFloat(std::string_view text) { return real<float>(text
 std::optional<double> parseDouble(std::string_view text) { return real<double>(text); }
 
 std::optional<int64_t> parseInt(std::string_view text) {
-  text = trimmed(text);
+  text = io::trimmed(text);
   if (const auto value = whole<int64_t>(text)) return value;
   if (const auto value = whole<uint64_t>(text)) return static_cast<int64_t>(*value);
   const auto value = real<double>(text);
@@ -80,7 +75,7 @@ std::optional<int64_t> parseInt(std::string_view text) {
 }
 
 std::optional<bool> parseBool(std::string_view text) {
-  text = trimmed(text);
+  text = io::trimmed(text);
   if (text == "1" || equalsIgnoringCase(text, "true")) return true;
   if (text == "0" || equalsIgnoringCase(text, "false")) return false;
   return std::nullopt;

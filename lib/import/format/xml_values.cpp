@@ -5,9 +5,9 @@
 #include <array>
 
 #include "engine/values/color.h"
-#include "import/format/base64.h"
 #include "import/format/rotation.h"
 #include "import/format/xml_numbers.h"
+#include "io/base64.h"
 
 namespace obby::importer {
 namespace {
@@ -31,7 +31,7 @@ Result<Value> readText(Element element, const XmlContext&) { return Value{textOf
 
 Result<Value> readBase64(Element element, const XmlContext&) {
   const std::string text = textOf(element);
-  auto bytes = decodeBase64(text);
+  auto bytes = io::decodeBase64(text);
   if (!bytes) return expected("base64", text);
   return Value{std::move(*bytes)};
 }

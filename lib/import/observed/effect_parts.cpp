@@ -2,11 +2,10 @@
 #include <algorithm>
 #include <set>
 
-#include "import/classes.h"
-#include "import/motion.h"
+#include "import/document/classes.h"
+#include "import/draft/motion.h"
 #include "import/observed/effect_roles.h"
 #include "import/observed/roles.h"
-#include "import/pose_math.h"
 
 namespace obby::importer {
 namespace {

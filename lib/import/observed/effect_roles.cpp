@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "import/observed/place.h"
+#include "engine/classes/class_defaults.h"
+#include "import/document/observed_place.h"
 #include "import/stages/numbers.h"
 #include "level/params.h"
 
@@ -12,7 +13,35 @@ namespace {
 
 constexpr float kDeadly = 1e6f;  // damage above any health
 
+const engine::Change* fieldIn(const engine::Observation& seen) {
+  for (const engine::Change& change : seen.changes)
+    if (change.property == "note force field") return &change;
+  return nullptr;
+}
+
+// Returns the script line or spawn that gives players a temporary force field, which protects them
+// from TakeDamage and explosions, or "" if none does.
+std::string shieldIn(RoleContext& context, const engine::Report& report) {
+  const Tree& tree = context.tree;
+  const engine::Change* field = fieldIn(report.undisturbed);
+  for (const engine::Probe& probe : report.probes) field = field ? field : fieldIn(probe.seen);
+  for (const engine::Revisit& revisit : report.revisits)
+    field = field ? field : fieldIn(revisit.probe.seen);
+  if (field) return lineReason(tree, field->line);
+  for (InstanceId id = 0; id < tree.size(); ++id) {
+    const Instance& spawn = tree.at(id);
+    if (spawn.className == "SpawnLocation" && context.part(id) && get<bool>(spawn, "Enabled") &&
+        get<int64_t>(spawn, "Duration") > 0)
+      return spawn.name + " gives one for " + std::to_string(get<int64_t>(spawn, "Duration")) +
+             " s";
+  }
+  return {};
+}
+
 }  // namespace
+
+EffectRoles::EffectRoles(RoleContext& context, const engine::Report& report)
+    : context_(context), base_(context.level.world), shield_(shieldIn(context, report)) {}
 
 std::string EffectRoles::reason(engine::Line line) const { return lineReason(context_.tree, line); }
 

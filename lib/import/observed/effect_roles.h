@@ -3,16 +3,14 @@
 
 #include <string>
 
+#include "import/draft/role_context.h"
 #include "import/observed/probe_effects.h"
-#include "import/observed/shields.h"
-#include "import/roles/role.h"
 
 namespace obby::importer {
 
 class EffectRoles {
  public:
-  EffectRoles(RoleContext& context, const engine::Report& report)
-      : context_(context), base_(context.level.world), shield_(shieldIn(context, report)) {}
+  EffectRoles(RoleContext& context, const engine::Report& report);
 
   // Marks the evidence that follows as a guess.
   void setGuessed(bool guessed) { guessed_ = guessed; }

@@ -9,14 +9,14 @@
 #include <string_view>
 #include <tuple>
 
-#include "import/frame_time.h"
+#include "engine/observation.h"
+#include "import/document/pose_math.h"
+#include "import/draft/world.h"
 #include "import/observed/boost_effect.h"
 #include "import/observed/own_changes.h"
 #include "import/observed/progress.h"
 #include "import/observed/roles.h"
 #include "import/observed/tween_law.h"
-#include "import/pose_math.h"
-#include "import/world.h"
 
 namespace obby::importer {
 namespace {
@@ -52,7 +52,7 @@ class Difference {
 
  private:
   // Returns the seconds after the first frame at which a touch can be noticed.
-  double after(double time) const { return std::max(0.0, time - probe_.at - kFrame); }
+  double after(double time) const { return std::max(0.0, time - probe_.at - engine::kFrame); }
 
   // Finds damage. Limbs that are hit in one frame count separately: the damage is that of one limb.
   void findHarm() {
@@ -79,13 +79,13 @@ class Difference {
   Hits ownHits(const Hits& seen) const {
     std::set<int64_t> usual;
     for (const engine::Harm& harm : report_.undisturbed.harms)
-      if (harm.hurts()) usual.insert(std::llround(harm.time / kFrame));
+      if (harm.hurts()) usual.insert(std::llround(harm.time / engine::kFrame));
     std::set<engine::Line> walked;
     for (const engine::Probe* const move : movesBefore(report_, probe_))
       for (const engine::Harm& harm : move->seen.harms) walked.insert(harm.line);
     Hits own;
     for (const engine::Harm& harm : seen)
-      if (harm.hurts() && !usual.contains(std::llround(harm.time / kFrame)) &&
+      if (harm.hurts() && !usual.contains(std::llround(harm.time / engine::kFrame)) &&
           !walked.contains(harm.line))
         own.push_back(harm);
     return own;
@@ -107,12 +107,12 @@ class Difference {
     int later = 0;
     for (const engine::Harm& harm : hits) {
       total += harm.from - harm.to;
-      later += left > 0 && harm.time > left + 2 * kFrame;
+      later += left > 0 && harm.time > left + 2 * engine::kFrame;
     }
     const bool dies = later == 1 && hits.back().to <= 0;
     if (later <= 1 && !dies) return;
     const auto own = secondHit(hits);
-    const bool waits = second && own && *second > *own - kFrame;
+    const bool waits = second && own && *second > *own - engine::kFrame;
     found.damage = total;
     found.cooldown = waits ? hits.back().time - hits[0].time : 0;
     found.lasts = true;
@@ -213,7 +213,8 @@ class Difference {
       if (mover_ == change.target && moved_ == change.time) effects_.push.reset();
       if (!effects_.push) mover_ = change.target, moved_ = change.time;
       setPush(*velocity, change.line);
-      if (mover_ == change.target) effects_.push->seconds = probe_.seen.frames * kFrame - moved_;
+      if (mover_ == change.target)
+        effects_.push->seconds = probe_.seen.frames * engine::kFrame - moved_;
     } else {
       effects_.force = effects_.force.value_or(change.line);
     }
@@ -233,8 +234,8 @@ class Difference {
   void comeBack(Away& away, double time) const {
     constexpr double kAtOnce = 0.35;  // seconds; polling scripts check a few times a second
     const double late = time - probe_.left;
-    away.held = probe_.left > 0 && late >= -kFrame && late < kAtOnce;
-    away.seconds = away.held ? std::max(late, kFrame) : after(time) - away.delay;
+    away.held = probe_.left > 0 && late >= -engine::kFrame && late < kAtOnce;
+    away.seconds = away.held ? std::max(late, engine::kFrame) : after(time) - away.delay;
   }
 
   void findAways() {
@@ -262,9 +263,9 @@ class Difference {
   }
 
   void findMoved() {
-    const auto first = uint32_t(std::llround(probe_.at / kFrame)) + 1;
+    const auto first = uint32_t(std::llround(probe_.at / engine::kFrame)) + 1;
     const uint32_t frames = probe_.seen.frames >= first ? probe_.seen.frames - first + 1 : 0;
-    const TweenLaws laws(probe_.seen, (first - 1) * kFrame);
+    const TweenLaws laws(probe_.seen, (first - 1) * engine::kFrame);
     for (const auto& [id, track] : probe_.seen.tracks) {
       if (id >= engine::kMade || frames == 0) continue;
       const auto usual = report_.undisturbed.tracks.find(id);

@@ -3,8 +3,8 @@
 #include <set>
 
 #include "engine/classes/class_defaults.h"
-#include "import/assemblies.h"
-#include "import/classes.h"
+#include "import/document/assemblies.h"
+#include "import/document/classes.h"
 #include "import/observed/effects_of.h"
 #include "import/observed/roles.h"
 #include "import/observed/settle.h"

@@ -3,9 +3,9 @@
 #include <cmath>
 #include <optional>
 
+#include "import/draft/world.h"
 #include "import/observed/effects_of.h"
 #include "import/observed/roles.h"
-#include "import/world.h"
 
 namespace obby::importer {
 namespace {

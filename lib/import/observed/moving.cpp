@@ -2,14 +2,14 @@
 #include <algorithm>
 #include <cmath>
 
-#include "import/frame_time.h"
-#include "import/motion.h"
+#include "engine/observation.h"
+#include "import/document/pose_math.h"
+#include "import/draft/motion.h"
 #include "import/observed/roles.h"
 #include "import/observed/rounds.h"
 #include "import/observed/settle.h"
 #include "import/observed/steady_turn.h"
 #include "import/observed/tween_law.h"
-#include "import/pose_math.h"
 #include "level/rotation.h"
 
 namespace obby::importer {
@@ -33,7 +33,8 @@ constexpr size_t kSmoothSteps = 9, kRareSteps = 60;  // max frames between steps
 
 std::vector<PoseSample> samplesOf(const std::vector<Pose>& poses, size_t from, size_t count) {
   std::vector<PoseSample> samples;
-  for (size_t i = 1; i <= count; ++i) samples.push_back({double(i) * kFrame, poses[from + i]});
+  for (size_t i = 1; i <= count; ++i)
+    samples.push_back({double(i) * engine::kFrame, poses[from + i]});
   return samples;
 }
 
@@ -55,9 +56,10 @@ std::vector<PoseSample> changesIn(const std::vector<PoseSample>& samples, const 
 // Returns a round that repeats for ever.
 Motion roundMotion(const std::vector<Pose>& poses, const Round& round) {
   Motion motion;
-  const double since = std::fmod(double(round.begin) * kFrame, round.seconds);
+  const double since = std::fmod(double(round.begin) * engine::kFrame, round.seconds);
   auto samples = changesIn(samplesOf(poses, round.begin, round.frames), poses[round.begin]);
-  while (!samples.empty() && samples.back().time > round.seconds - kFrame / 2) samples.pop_back();
+  while (!samples.empty() && samples.back().time > round.seconds - engine::kFrame / 2)
+    samples.pop_back();
   motion.keys = keysFrom(poses[round.begin], samples, round.seconds, true);
   if (since > 0) motion.offset = float(round.seconds - since);
   return motion;
@@ -69,8 +71,8 @@ Motion onceOf(const std::vector<Pose>& poses, size_t begin, size_t end) {
   motion.repeat = Repeat::once;
   const size_t count = end - begin;
   const auto samples = changesIn(samplesOf(poses, begin, count), poses[begin]);
-  motion.keys = keysFrom(poses[begin], samples, double(count) * kFrame, false);
-  if (begin > 0) motion.offset = -float(double(begin) * kFrame);
+  motion.keys = keysFrom(poses[begin], samples, double(count) * engine::kFrame, false);
+  if (begin > 0) motion.offset = -float(double(begin) * engine::kFrame);
   return motion;
 }
 

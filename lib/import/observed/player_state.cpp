@@ -1,9 +1,9 @@
 // Reads the speeds and weight that scripts give to each new player.
 #include <algorithm>
 
+#include "import/draft/world.h"
 #include "import/observed/boost_effect.h"
 #include "import/observed/roles.h"
-#include "import/world.h"
 
 namespace obby::importer {
 namespace {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "engine/report.h"
-#include "import/draft.h"
+#include "import/draft/draft.h"
 
 namespace obby::importer {
 

@@ -4,10 +4,10 @@
 #include <cmath>
 #include <iterator>
 
+#include "import/document/tree.h"
+#include "import/document/words.h"
 #include "import/stages/numbers.h"
 #include "import/stages/stage_words.h"
-#include "import/tree.h"
-#include "import/words.h"
 
 namespace obby::importer {
 namespace {

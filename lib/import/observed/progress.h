@@ -3,7 +3,7 @@
 
 #include <initializer_list>
 
-#include "import/draft.h"
+#include "import/draft/draft.h"
 #include "import/observed/probe_effects.h"
 
 namespace obby::importer {

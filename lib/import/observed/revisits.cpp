@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "import/motion.h"
+#include "import/draft/motion.h"
 
 namespace obby::importer {
 namespace {

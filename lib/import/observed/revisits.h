@@ -3,8 +3,8 @@
 
 #include <string>
 
+#include "import/document/tree.h"
 #include "import/observed/probe_effects.h"
-#include "import/tree.h"
 
 namespace obby::importer {
 

@@ -4,8 +4,8 @@
 #include <optional>
 #include <vector>
 
-#include "import/observed/place.h"
-#include "import/roles/role.h"
+#include "import/document/observed_place.h"
+#include "import/draft/role_context.h"
 
 namespace obby::importer {
 

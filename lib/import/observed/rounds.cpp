@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "import/frame_time.h"
+#include "engine/observation.h"
 
 namespace obby::importer {
 namespace {
@@ -110,7 +110,7 @@ Round roundIn(const std::vector<Pose>& poses) {
        ++lag)
     if (worst(poses, lag) < worst(poses, best)) best = lag;
   round.frames = best;
-  round.seconds = exactPeriod(poses, round.frames) * kFrame;
+  round.seconds = exactPeriod(poses, round.frames) * engine::kFrame;
   round.begin = poses.size() - round.frames;
   while (round.begin > 0 && isNear(poses, slacks, round.begin - 1, round.begin - 1 + round.frames))
     --round.begin;

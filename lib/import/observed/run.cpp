@@ -6,7 +6,7 @@
 
 #include "engine/classes/class_defaults.h"
 #include "engine/observe.h"
-#include "import/classes.h"
+#include "import/document/classes.h"
 #include "import/observed/settle.h"
 #include "import/observed/settled.h"
 

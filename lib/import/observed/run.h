@@ -1,7 +1,7 @@
 // Runs a place's scripts and returns the document in the state after them.
 #pragma once
 
-#include "import/observed/place.h"
+#include "import/document/observed_place.h"
 
 namespace obby::importer {
 

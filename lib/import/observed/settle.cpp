@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-#include "import/classes.h"
+#include "import/document/classes.h"
 
 namespace obby::importer {
 namespace {

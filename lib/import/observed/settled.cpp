@@ -7,11 +7,11 @@
 #include <optional>
 
 #include "engine/classes/class_defaults.h"
-#include "import/classes.h"
-#include "import/collision_groups.h"
-#include "import/motion.h"
+#include "import/document/classes.h"
+#include "import/draft/motion.h"
 #include "import/observed/roles.h"
 #include "import/observed/settle.h"
+#include "import/parts/collision_groups.h"
 
 namespace obby::importer {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "import/observed/place.h"
+#include "import/document/observed_place.h"
 
 namespace obby::importer {
 

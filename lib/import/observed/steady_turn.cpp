@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "import/frame_time.h"
-#include "import/pose_math.h"
+#include "engine/observation.h"
+#include "import/document/pose_math.h"
 #include "level/rotation.h"
 
 namespace obby::importer {
@@ -135,8 +135,8 @@ std::optional<SteadyTurn> steadyTurnIn(const std::vector<Pose>& poses, size_t lo
   const double slack = *std::max_element(angles->begin(), angles->end()) + 0.01;
   for (size_t i = 0; i < turned.size(); ++i)
     if (std::abs(turned[i] - fit.start - fit.slope * double(i)) > slack) return std::nullopt;
-  found.speed = fit.slope / kFrame;
-  found.since = (double(found.begin) - fit.start / fit.slope) * kFrame;
+  found.speed = fit.slope / engine::kFrame;
+  found.since = (double(found.begin) - fit.start / fit.slope) * engine::kFrame;
   found.pivot = pivotIn(poses, found.begin, turned);
   return found;
 }

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "import/draft.h"
+#include "import/draft/draft.h"
 
 namespace obby::importer {
 

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <limits>
 
-#include "import/frame_time.h"
-#include "import/motion.h"
-#include "import/pose_math.h"
+#include "engine/observation.h"
+#include "import/document/pose_math.h"
+#include "import/draft/motion.h"
 #include "level/motion_tables.h"
 
 namespace obby::importer {
@@ -73,14 +73,14 @@ std::optional<Law> lastLaw(const std::vector<const engine::Tween*>& tweens,
     for (const engine::TweenWay& way : tween->ways)
       if (way.property == property) found = Law{tween, &way};
   if (!found || !(found->round() > 0) || !std::isfinite(found->round())) return std::nullopt;
-  const double time = frame * kFrame, begun = found->tween->time - found->tween->delay;
+  const double time = frame * engine::kFrame, begun = found->tween->time - found->tween->delay;
   const auto off = [&](double from) {
     found->begun = from;
     const Pose pose = found->at(time, last);
     return length(pose.position - last.position) +
            length(rotationVector(inverse(pose.rotation) * last.rotation));
   };
-  found->begun = off(begun) <= off(begun - kFrame) ? begun : begun - kFrame;
+  found->begun = off(begun) <= off(begun - engine::kFrame) ? begun : begun - engine::kFrame;
   return found->end() > time ? found : std::nullopt;
 }
 
@@ -92,7 +92,8 @@ bool explains(const std::vector<Law>& laws, const std::vector<Pose>& poses) {
     const size_t frame = poses.size() - 1 - back;
     Pose pose = poses[frame];
     for (const Law& law : laws)
-      if (law.tween->time < double(frame) * kFrame) pose = law.at(double(frame) * kFrame, pose);
+      if (law.tween->time < double(frame) * engine::kFrame)
+        pose = law.at(double(frame) * engine::kFrame, pose);
     if (!(length(pose.position - poses[frame].position) < kPlace) ||
         !(length(rotationVector(inverse(pose.rotation) * poses[frame].rotation)) < kTurn))
       return false;
@@ -104,7 +105,7 @@ bool explains(const std::vector<Law>& laws, const std::vector<Pose>& poses) {
 std::vector<PoseSample> lawSamples(const std::vector<Law>& laws, const Pose& last, double from,
                                    double to) {
   constexpr double kMost = 6000, kJust = 1e-6;
-  const double step = std::max(kFrame, (to - from) / kMost);
+  const double step = std::max(engine::kFrame, (to - from) / kMost);
   std::vector<double> times;
   for (double time = from + step; time < to - kJust; time += step) times.push_back(time);
   for (const Law& law : laws) {
@@ -141,9 +142,10 @@ Motion endless(const std::vector<Law>& laws, const Pose& last, double now) {
 Motion once(const std::vector<Law>& laws, const std::vector<Pose>& poses, double end) {
   Motion motion;
   motion.repeat = Repeat::once;
-  const double now = double(poses.size() - 1) * kFrame;
+  const double now = double(poses.size() - 1) * engine::kFrame;
   std::vector<PoseSample> samples;
-  for (size_t i = 1; i < poses.size(); ++i) samples.push_back({double(i) * kFrame, poses[i]});
+  for (size_t i = 1; i < poses.size(); ++i)
+    samples.push_back({double(i) * engine::kFrame, poses[i]});
   for (const PoseSample& sample : lawSamples(laws, poses.back(), now, end))
     samples.push_back({now + sample.time, sample.pose});
   motion.keys = keysThrough(poses.front(), samples);
@@ -185,7 +187,7 @@ std::optional<Motion> TweenLaws::outlasting(const std::vector<Pose>& poses, Inst
     return law.tween->repeats != 0 && std::abs(law.round() - laws.front().round()) < 1e-6;
   });
   if (rounds && end > kEndless)
-    return endless(laws, poses.back(), double(poses.size() - 1) * kFrame);
+    return endless(laws, poses.back(), double(poses.size() - 1) * engine::kFrame);
   return std::isfinite(end) ? std::optional(once(laws, poses, end)) : std::nullopt;
 }
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "engine/observation.h"
-#include "import/draft.h"
+#include "import/draft/draft.h"
 
 namespace obby::importer {
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <iterator>
 
-#include "import/read_document.h"
+#include "import/format/read_document.h"
 #include "import/rojo/file_kinds.h"
 #include "import/rojo/globs.h"
 #include "import/rojo/instances.h"

@@ -6,8 +6,8 @@
 
 #include "engine/classes/class_defaults.h"
 #include "engine/values/materials.h"
-#include "import/format/base64.h"
 #include "import/format/property_names.h"
+#include "io/base64.h"
 
 namespace obby::importer::rojo {
 namespace {
@@ -120,7 +120,7 @@ std::optional<Value> numberOf(std::string_view type, double n) {
 std::optional<Value> textOf(std::string_view type, const std::string& text) {
   if (type == "String" || type == "Content" || type == "ContentId") return text;
   if (type != "BinaryString" && type != "SharedString") return {};
-  auto bytes = decodeBase64(text);
+  auto bytes = io::decodeBase64(text);
   if (!bytes) return {};
   return *std::move(bytes);
 }

@@ -1,8 +1,8 @@
 // Finds parts that make a player walk faster or jump higher: by kit marker.
 #include <algorithm>
 
+#include "import/draft/world.h"
 #include "import/roles/role.h"
-#include "import/world.h"
 
 namespace obby::importer {
 namespace {

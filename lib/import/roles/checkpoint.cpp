@@ -5,10 +5,10 @@
 #include <set>
 #include <unordered_map>
 
+#include "import/document/words.h"
 #include "import/roles/numbered_rows.h"
 #include "import/roles/role.h"
 #include "import/stages/numbers.h"
-#include "import/words.h"
 
 namespace obby::importer {
 namespace {

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "engine/classes/class_defaults.h"
-#include "import/tree.h"
+#include "import/document/tree.h"
 
 namespace obby::importer {
 

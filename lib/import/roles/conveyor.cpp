@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "engine/classes/class_defaults.h"
-#include "import/pose_math.h"
+#include "import/document/pose_math.h"
 #include "import/roles/role.h"
 #include "import/roles/surface_speed.h"
 

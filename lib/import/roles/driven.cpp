@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "engine/classes/class_defaults.h"
-#include "import/pivot.h"
-#include "import/pose_math.h"
+#include "import/document/pivot.h"
+#include "import/document/pose_math.h"
 
 namespace obby::importer {
 namespace {

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "import/motion.h"
+#include "import/draft/motion.h"
 #include "import/roles/constraint_settings.h"
 
 namespace obby::importer {

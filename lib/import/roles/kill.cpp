@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <set>
 
+#include "import/document/words.h"
 #include "import/roles/role.h"
-#include "import/words.h"
 
 namespace obby::importer {
 namespace {

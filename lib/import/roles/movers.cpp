@@ -8,9 +8,9 @@
 #include <utility>
 
 #include "engine/classes/class_defaults.h"
-#include "import/classes.h"
-#include "import/pivot.h"
-#include "import/pose_math.h"
+#include "import/document/classes.h"
+#include "import/document/pivot.h"
+#include "import/document/pose_math.h"
 
 namespace obby::importer {
 namespace {

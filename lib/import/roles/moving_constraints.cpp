@@ -6,10 +6,11 @@
 #include <utility>
 
 #include "engine/classes/class_defaults.h"
-#include "import/classes.h"
-#include "import/pivot.h"
+#include "import/document/classes.h"
+#include "import/document/pivot.h"
 #include "import/roles/driven.h"
 #include "import/roles/movers.h"
+#include "import/roles/role.h"
 
 namespace obby::importer {
 namespace {

@@ -3,9 +3,10 @@
 #include <algorithm>
 #include <set>
 
-#include "import/motion.h"
-#include "import/pivot.h"
-#include "import/words.h"
+#include "import/document/pivot.h"
+#include "import/document/words.h"
+#include "import/draft/motion.h"
+#include "import/roles/role.h"
 
 namespace obby::importer {
 namespace {

@@ -2,9 +2,10 @@
 // plugin writes, holds the schema's Motion as JSON. It overrides evidence from scripts.
 #include <fmt/format.h>
 
-#include "import/motion.h"
-#include "import/plural.h"
+#include "import/draft/motion.h"
+#include "import/roles/role.h"
 #include "io/json_codec.h"
+#include "io/text.h"
 #include "level/record_values.h"
 
 namespace obby::importer {
@@ -52,11 +53,11 @@ void give(RoleContext& context, PartDraft& part, const std::string& text) {
     return;
   }
   const auto record = read->reader().getLevel().getParts()[0].getMotion();
-  giveMotion(
-      context, part.id, motionOf(record),
-      fmt::format("attribute {}: {}{} recorded in the game", kAttribute,
-                  plural(record.getKeys().size(), "pose"), record.hasSpin() ? " and a spin" : ""),
-      false);
+  giveMotion(context, part.id, motionOf(record),
+             fmt::format("attribute {}: {}{} recorded in the game", kAttribute,
+                         io::plural(record.getKeys().size(), "pose"),
+                         record.hasSpin() ? " and a spin" : ""),
+             false);
 }
 
 }  // namespace

@@ -4,10 +4,10 @@
 #include <map>
 #include <set>
 
-#include "import/pivot.h"
+#include "import/document/pivot.h"
+#include "import/document/words.h"
 #include "import/stages/numbers.h"
 #include "import/stages/stage_words.h"
-#include "import/words.h"
 
 namespace obby::importer {
 namespace {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "import/roles/role.h"
+#include "import/draft/role_context.h"
 
 namespace obby::importer {
 

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "import/draft.h"
+#include "import/draft/draft.h"
 
 namespace obby::importer {
 

@@ -1,5 +1,5 @@
 // Finds the part of a tagged model that a player has to touch.
-#include "import/pivot.h"
+#include "import/document/pivot.h"
 #include "import/roles/role.h"
 
 namespace obby::importer {

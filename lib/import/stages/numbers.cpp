@@ -5,8 +5,8 @@
 #include <set>
 
 #include "engine/classes/class_defaults.h"
+#include "import/document/words.h"
 #include "import/stages/stage_words.h"
-#include "import/words.h"
 
 namespace obby::importer {
 namespace {

@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "import/draft.h"
-#include "import/tree.h"
+#include "import/document/tree.h"
+#include "import/draft/draft.h"
 
 namespace obby::importer {
 

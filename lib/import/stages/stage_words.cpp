@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "import/words.h"
+#include "import/document/words.h"
 
 namespace obby::importer {
 namespace {

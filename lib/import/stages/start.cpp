@@ -4,10 +4,10 @@
 #include <tuple>
 
 #include "engine/classes/class_defaults.h"
+#include "import/document/words.h"
 #include "import/stages/course.h"
 #include "import/stages/numbers.h"
 #include "import/stages/stage_words.h"
-#include "import/words.h"
 
 namespace obby::importer {
 namespace {

@@ -2,8 +2,7 @@
 
 #include <capnp/any.h>
 
-#include <chrono>
-
+#include "base/stopwatch.h"
 #include "base/table_bytes.h"
 
 namespace obby::solve {
@@ -31,11 +30,9 @@ Result<const LoadedLevel*> PlayerLevels::of(const LoadedLevel& base, const level
 }
 
 Result<LoadedLevel> loadLevel(const io::Record& record) {
-  using Clock = std::chrono::steady_clock;
-  const auto start = Clock::now();
+  const Stopwatch watch;
   OBBY_ASSIGN(level::Level compiled, level::Level::compile(record.reader().getLevel()));
-  return LoadedLevel{record, std::move(compiled),
-                     std::chrono::duration<double>(Clock::now() - start).count()};
+  return LoadedLevel{record, std::move(compiled), watch.seconds()};
 }
 
 uint64_t bytesOf(const LoadedLevel& level) {

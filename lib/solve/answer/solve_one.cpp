@@ -1,9 +1,9 @@
 #include "solve/answer/solve_one.h"
 
 #include <algorithm>
-#include <chrono>
 #include <optional>
 
+#include "base/stopwatch.h"
 #include "solve/answer/cautious.h"
 #include "solve/report/answer_records.h"
 #include "solve/report/difficulty/difficulty_records.h"
@@ -17,11 +17,6 @@ namespace {
 
 constexpr double kFirstProgress = 0.05;  // seconds to the first progress record
 constexpr double kProgressEvery = 0.25;
-
-double secondsNow() {
-  using Clock = std::chrono::steady_clock;
-  return std::chrono::duration<double>(Clock::now().time_since_epoch()).count();
-}
 
 // Answers one query for one player.
 class Solving {
@@ -88,14 +83,14 @@ class Solving {
   // Skips the search if the query is proved unreachable. No proof holds in a level that lacks parts
   // of the place that might carry a player.
   SearchOutcome answer(const Problem& problem, const Watcher& watcher, const Machine& machine) {
-    const double start = secondsNow();
+    const Stopwatch watch;
     auto cut = mayBeEasier(levelRecord()) ? std::nullopt : cutOf(problem, query_);
     if (cut) {
       tryTricks(*cut, problem, query_);
       SearchOutcome shown;
       shown.stopped = Stopped::shown;
       shown.cut = std::move(cut);
-      shown.seconds = secondsNow() - start;
+      shown.seconds = watch.seconds();
       return shown;
     }
     return options_.method->run(problem, options_.budget, watcher, machine);

@@ -1,8 +1,8 @@
 #include "solve/players/solve_players.h"
 
 #include <algorithm>
-#include <chrono>
 
+#include "base/stopwatch.h"
 #include "solve/answer/solve_one.h"
 #include "solve/model/retimed.h"
 #include "solve/model/route.h"
@@ -14,8 +14,6 @@
 namespace obby::solve {
 
 namespace {
-
-using Clock = std::chrono::steady_clock;
 
 // Does not search, for players that need only the bound.
 SearchOutcome noSearch(const Problem&, const Budget&, const Watcher&, const Machine&) {
@@ -242,10 +240,7 @@ class PlayersSolving {
     return cut == cases_.end() ? cases_.front().stopped : Stopped::interrupted;
   }
   bool told() const { return options_.budget.stop != nullptr && options_.budget.stop->load(); }
-  double secondsLeft() const {
-    const double spent = std::chrono::duration<double>(Clock::now() - start_).count();
-    return std::max(0.0, options_.budget.seconds - spent);
-  }
+  double secondsLeft() const { return std::max(0.0, options_.budget.seconds - watch_.seconds()); }
   uint64_t stepsLeft() const {
     return options_.budget.maxSteps - std::min(steps_, options_.budget.maxSteps);
   }
@@ -256,7 +251,7 @@ class PlayersSolving {
   const Machine& machine_;
   const SolverOutput& output_;
   std::vector<PlayerCase> cases_;
-  const Clock::time_point start_ = Clock::now();
+  const Stopwatch watch_;
   uint64_t steps_ = 0;
   bool explained_ = false;
 };

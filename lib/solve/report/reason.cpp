@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "base/listed.h"
+#include "io/text.h"
 #include "level/tricks.h"
 #include "sim/candidates.h"
 #include "sim/loose_contacts.h"
@@ -19,10 +20,6 @@ struct Asked {
   schema::Query::Reader query;
 };
 
-std::string plural(uint64_t n, const char* word) {
-  return fmt::format("{} {}{}", n, word, n == 1 ? "" : "s");
-}
-
 // Returns the time in the game that corresponds to a number of simulated ticks.
 std::string playText(uint64_t ticks, float rate) {
   const double seconds = double(ticks) / double(rate);
@@ -36,8 +33,8 @@ std::string solvedText(const SearchOutcome& outcome, const level::Level& level) 
   const Playthrough& best = outcome.solutions.front();
   std::string text = fmt::format("Reached the goal in {:.2f} s with {}",
                                  double(best.ticks) / level.view().params.controlRate,
-                                 plural(best.end.jumps, "jump"));
-  if (const uint32_t n = targetsReached(best.end)) text += ", via " + plural(n, "waypoint");
+                                 io::plural(best.end.jumps, "jump"));
+  if (const uint32_t n = targetsReached(best.end)) text += ", via " + io::plural(n, "waypoint");
   text += ".";
   if (outcome.solutions.size() > 1) {
     text += fmt::format(" This is the shortest of {} {}.", outcome.solutions.size(),
@@ -104,7 +101,7 @@ std::string placeText(const SearchOutcome& outcome, const Asked& asked) {
   }
   std::string text =
       fmt::format(" The closest attempt came within {:.1f} studs of {}", c.distance, to);
-  if (c.targets > 0) text += ", after passing " + plural(c.targets, "waypoint");
+  if (c.targets > 0) text += ", after passing " + io::plural(c.targets, "waypoint");
   return text + ".";
 }
 

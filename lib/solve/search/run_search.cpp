@@ -1,8 +1,9 @@
 #include "solve/search/run_search.h"
 
 #include <algorithm>
-#include <chrono>
 #include <optional>
+
+#include "base/stopwatch.h"
 
 namespace obby::solve {
 
@@ -10,35 +11,25 @@ namespace {
 
 constexpr size_t kChecksPerRound = 16;  // trajectories to the goal that a round regenerates
 
-class Clock {
- public:
-  double seconds() const {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-  }
-
- private:
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-};
-
 // Offers the first `most` of the goals that the search has just found.
 void takeGoals(const Search& search, size_t most, size_t wanted, const Watcher& watcher,
-               const Clock& clock, Solutions& solutions, SearchOutcome& outcome) {
+               const Stopwatch& watch, Solutions& solutions, SearchOutcome& outcome) {
   for (size_t i = 0; i < std::min(search.goals().size(), most); ++i) {
     const bool first = solutions.count() == 0;
     const auto offer = solutions.offer(search.playthrough(search.goals()[i]), watcher.accept);
     if (offer == Solutions::Offer::refused) ++outcome.refused;
     if (offer != Solutions::Offer::kept) continue;
-    if (first) outcome.firstSolution = clock.seconds();
+    if (first) outcome.firstSolution = watch.seconds();
     if (solutions.count() >= wanted) return;
   }
 }
 
-std::optional<Stopped> whyStop(const Budget& budget, const Search& search, const Clock& clock,
+std::optional<Stopped> whyStop(const Budget& budget, const Search& search, const Stopwatch& watch,
                                const Solutions& solutions) {
   if (solutions.count() >= budget.solutions) return Stopped::solved;
   if (budget.stop != nullptr && budget.stop->load()) return Stopped::interrupted;
   if (search.statistics().steps >= budget.maxSteps) return Stopped::outOfSteps;
-  if (clock.seconds() >= budget.seconds) return Stopped::outOfTime;
+  if (watch.seconds() >= budget.seconds) return Stopped::outOfTime;
   return std::nullopt;
 }
 
@@ -58,7 +49,7 @@ std::vector<Playthrough> showAttempts(const Search& search, size_t count) {
 
 SearchOutcome runSearch(const Problem& problem, const Budget& budget, const Watcher& watcher,
                         const MakeSearch& makeSearch) {
-  const Clock clock;
+  const Stopwatch watch;
   const std::unique_ptr<Search> made = makeSearch();
   Search& search = *made;
   CoverageLog coverage;
@@ -71,19 +62,19 @@ SearchOutcome runSearch(const Problem& problem, const Budget& budget, const Watc
        first = next, next = all) {
     search.tryKnown(first, std::min(next, all) - first);
     // All of them are taken, since they are not tried again.
-    takeGoals(search, all, budget.solutions, watcher, clock, solutions, outcome);
+    takeGoals(search, all, budget.solutions, watcher, watch, solutions, outcome);
     outcome.knownSolutions = uint32_t(solutions.count());
     if (outcome.knownSolutions >= budget.solutions) stopped = Stopped::solved;
   }
   while (!stopped) {
     search.round();
     coverage.note(search);
-    takeGoals(search, kChecksPerRound, budget.solutions, watcher, clock, solutions, outcome);
-    const bool wanted = !watcher.look || watcher.look({search, clock.seconds()});
-    stopped = wanted ? whyStop(budget, search, clock, solutions) : Stopped::interrupted;
+    takeGoals(search, kChecksPerRound, budget.solutions, watcher, watch, solutions, outcome);
+    const bool wanted = !watcher.look || watcher.look({search, watch.seconds()});
+    stopped = wanted ? whyStop(budget, search, watch, solutions) : Stopped::interrupted;
   }
   outcome.stopped = *stopped;
-  outcome.seconds = clock.seconds();
+  outcome.seconds = watch.seconds();
   outcome.solutions = solutions.all();
   outcome.diverse = budget.diverse;
   if (budget.solutions > 1) outcome.routes = solutions.routes();

@@ -165,4 +165,11 @@ std::unique_ptr<Engine> makeDeviceEngine(const TrainerSettings& settings, const 
   return std::make_unique<DeviceEngine>(settings, source, device, pool, ranks, direct);
 }
 
+std::unique_ptr<Engine> makeEngine(const TrainerSettings& settings, const LevelSource& source,
+                                   sim::Device* device, ThreadPool& pool, Ranks& ranks,
+                                   DeviceRanks* direct) {
+  if (device == nullptr) return makeCpuEngine(settings, source, pool, ranks);
+  return makeDeviceEngine(settings, source, *device, pool, ranks, direct);
+}
+
 }  // namespace obby::train

@@ -13,4 +13,9 @@ std::unique_ptr<Engine> makeDeviceEngine(const TrainerSettings& settings, const 
                                          sim::Device& device, ThreadPool& pool, Ranks& ranks,
                                          DeviceRanks* direct = nullptr);
 
+// The engine for `device`; null: for the CPU.
+std::unique_ptr<Engine> makeEngine(const TrainerSettings& settings, const LevelSource& source,
+                                   sim::Device* device, ThreadPool& pool, Ranks& ranks,
+                                   DeviceRanks* direct);
+
 }  // namespace obby::train

@@ -2,15 +2,13 @@
 
 #include <algorithm>
 #include <bit>
-#include <chrono>
 
+#include "base/stopwatch.h"
 #include "solve/report/relaxation/knobs.h"
 
 namespace obby::solve {
 
 namespace {
-
-using Clock = std::chrono::steady_clock;
 
 // Some seconds of search, since a person waits for the answer.
 constexpr uint64_t kMostSteps = 32'000'000;
@@ -49,9 +47,7 @@ class Explanation {
   }
 
  private:
-  double secondsLeft() const {
-    return budget_.seconds - std::chrono::duration<double>(Clock::now() - start_).count();
-  }
+  double secondsLeft() const { return budget_.seconds - watch_.seconds(); }
   bool over() const {
     const bool stopped = budget_.stop != nullptr && budget_.stop->load();
     return stopped || left_ == 0 || !(secondsLeft() > 0);
@@ -161,7 +157,7 @@ class Explanation {
     return all;
   }
 
-  const Clock::time_point start_ = Clock::now();
+  const Stopwatch watch_;
   const PosedQuery& posed_;
   const Method& method_;
   const Budget budget_;

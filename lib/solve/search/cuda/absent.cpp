@@ -5,6 +5,5 @@ namespace obby::solve::cuda {
 
 const void* rolloutEntry(bool) { return nullptr; }
 const void* residentEntry(ResidentStep) { return nullptr; }
-const void* sightEntry() { return nullptr; }
 
 }  // namespace obby::solve::cuda

@@ -10,6 +10,5 @@ namespace obby::solve::cuda {
 // Return Kernel::entry of the kernels of the same names; null without CUDA.
 const void* rolloutEntry(bool loose);
 const void* residentEntry(ResidentStep step);
-const void* sightEntry();
 
 }  // namespace obby::solve::cuda

@@ -1,0 +1,38 @@
+// Players of a learned method on a device. They share the ticks of sim's batch kernels and have
+// their own kernel for observations. Host only.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "baselines/device_kernels.h"
+#include "baselines/names.h"
+#include "baselines/view.h"
+#include "sim/batch.h"
+
+namespace obby::baselines {
+
+class DevicePlayers {
+ public:
+  // Allocates memory for up to `most` players. The device must outlive this object. Copies problem
+  // and surroundings to it.
+  Status open(sim::Device& device, const Problem& problem, const policy::SurroundingsView& around,
+              uint32_t most);
+
+  // Plays one tick of all `episodes`, each of which must be running, with `actions`. On failure
+  // they are unchanged.
+  Status advance(std::span<Episode* const> episodes, const sim::Action* actions);
+  // Fills `inputs`, (views, policy::kInputs), with rows `stride` numbers apart.
+  Status see(std::span<const View> views, float* inputs, size_t stride);
+
+ private:
+  sim::Device* device_ = nullptr;
+  std::unique_ptr<sim::Batch> batch_;
+  SightArguments sight_{};
+  sim::Memory tables_, lookerMemory_, looseMemory_, inputMemory_;
+  std::vector<sim::Action> actions_;  // (players)
+  std::vector<float> inputs_;
+};
+
+}  // namespace obby::baselines

@@ -1,0 +1,29 @@
+// Options as text for a shell, from which the same options are read.
+#pragma once
+
+#include <initializer_list>
+#include <string>
+#include <vector>
+
+#include "cli/arguments.h"
+
+namespace obby::cli {
+
+// Returns the text as one word, in quotes if necessary.
+std::string shellWord(const std::string& text);
+
+// Returns "--seed 3", "--style gaps --style 'a b'" or "--resume=auto". Empty for a flag that is
+// off, and for an option without a value.
+std::string optionText(const std::string& name, const Arguments::Value& value);
+
+// Returns the command that asks for the same, without the options `without`.
+std::string commandText(const std::string& tool, const Arguments& arguments,
+                        std::initializer_list<const char*> without);
+
+// Returns how the tool was started, to compare with another process: "with --seed 3", "without
+// --style" and so on for all options but `without`, then the inputs. Two lists of one tool have the
+// same order.
+std::vector<std::string> optionTexts(const Arguments& arguments,
+                                     std::initializer_list<const char*> without);
+
+}  // namespace obby::cli

@@ -1,0 +1,92 @@
+// Values by key within a budget of memory. A stream need not end, so only the newest that fit are
+// kept; the newest is kept whatever its size.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "base/result.h"
+
+namespace obby::solve {
+
+template <class Key, class Value>
+class Newest {
+ public:
+  // `mostBytes`: budget of the kept values.
+  explicit Newest(uint64_t mostBytes) : mostBytes_(mostBytes) {}
+
+  // Keeps a value as the newest, in place of an older one of its key. Returns the keys of the
+  // values that are dropped for it, oldest first.
+  std::vector<Key> add(Key key, Value value, uint64_t bytes) {
+    forget(key);
+    bytes_ += bytes;
+    byAge_.emplace(added_, key);
+    kept_.emplace(std::move(key), Kept{std::move(value), bytes, added_++});
+    std::vector<Key> dropped;
+    while (bytes_ > mostBytes_ && kept_.size() > 1) {
+      dropped.push_back(byAge_.begin()->second);
+      forget(dropped.back());
+    }
+    dropped_ += dropped.size();
+    return dropped;
+  }
+
+  // Returns null if the key has no value.
+  const Value* find(const Key& key) const {
+    const auto found = kept_.find(key);
+    return found == kept_.end() ? nullptr : &found->second.value;
+  }
+
+  // Updates the memory of a value that has grown.
+  void weigh(const Key& key, uint64_t bytes) {
+    Kept& kept = kept_.at(key);
+    bytes_ += bytes - kept.bytes;
+    kept.bytes = bytes;
+  }
+
+  void forget(const Key& key) {
+    if (const auto found = kept_.find(key); found != kept_.end()) erase(found);
+  }
+
+  // Forgets the values of `first` and the keys after it as long as `alike` is true.
+  void forgetFrom(const Key& first, const auto& alike) {
+    auto at = kept_.lower_bound(first);
+    while (at != kept_.end() && alike(at->first)) at = erase(at);
+  }
+
+  // Adds to an error about a missing key that its value may have been dropped. The keys of those
+  // are not kept, since they would grow without bound. `order` is the cure: "put a after b", and
+  // `many` names the values.
+  Error explained(Error missing, const char* order, const char* many) const {
+    if (dropped_ == 0) return missing;
+    missing.message += fmt::format(" is still in memory: the oldest {} were dropped", dropped_);
+    missing.hint =
+        fmt::format("{}; only the newest {} are kept, up to {} MiB", order, many, mostBytes_ >> 20);
+    return missing;
+  }
+
+ private:
+  struct Kept {
+    Value value;
+    uint64_t bytes, number;
+  };
+
+  auto erase(typename std::map<Key, Kept>::iterator kept) {
+    bytes_ -= kept->second.bytes;
+    byAge_.erase(kept->second.number);
+    return kept_.erase(kept);
+  }
+
+  const uint64_t mostBytes_;
+  std::map<Key, Kept> kept_;
+  std::map<uint64_t, Key> byAge_;     // oldest first
+  uint64_t bytes_ = 0;                // of all kept values
+  uint64_t added_ = 0, dropped_ = 0;  // so far
+};
+
+}  // namespace obby::solve
