@@ -210,7 +210,7 @@ test('a smaller level can follow a part selection', async ({ page }) => {
   const seen = await page.evaluate(() => {
     const { report: told, store } = window.obby;
     const [level] = told.levels;
-    const none = { tracks: [], hulls: [], vanish: [], conveyors: [], loose: [] };
+    const none = { tracks: [], hulls: [], vanish: [], conveyors: [], bodies: [] };
     told.levels.push({ ...level, ...none, count: 3, role: level.role.slice(0, 3) });
     told.queries.push({ ...told.queries[1], index: told.queries.length, level: 1, paths: [] });
     store.set({ query: 0, part: level.count - 1 });

@@ -63,11 +63,11 @@ function trajectoryOf(index, ticks) {
   };
 }
 
-export function largeReport(parts, trajectories, ticks) {
-  const trajectories = Array.from({ length: trajectories }, (_, i) => trajectoryOf(i, ticks - (i % 200)));
+export function largeReport(parts, count, ticks) {
+  const trajectories = Array.from({ length: count }, (_, i) => trajectoryOf(i, ticks - (i % 200)));
   return {
     ...sample,
-    title: `${parts} parts, ${trajectories} trajectories`,
+    title: `${parts} parts, ${count} trajectories`,
     levels: [levelOf(parts)],
     queries: [{ ...sample.queries[0], waypoints: [], avoid: [], trajectories }],
   };

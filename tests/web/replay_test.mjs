@@ -188,12 +188,12 @@ async function compareParts(page, recording) {
         begin[k] ??= truth;
         is.forEach((value, axis) => {
           max = Math.max(max, Math.abs(value - truth[axis]));
-          if (levelView.loose.has(part))
+          if (levelView.bodies.has(part))
             moved = Math.max(moved, Math.abs(truth[axis] - begin[k][axis]));
         });
       });
     });
-    return { max, moved, count: frames.length, loose: shown.loose.length };
+    return { max, moved, count: frames.length, bodies: shown.bodies.length };
   }, recording);
 }
 
@@ -232,11 +232,11 @@ test('a pushed box matches a recording of the simulator', async ({
   const { page, trouble } = await openReport(browser, file);
   const parts = recording.parts.map((path) => Number(path.replace('part:', '')));
   const found = await compareParts(page, { ...recording, parts });
-  assert.ok(found.loose > 0, 'nothing is pushed');
+  assert.ok(found.bodies > 0, 'nothing is pushed');
   assert.ok(found.moved > 4, `pushed ${found.moved} studs`);
   assert.ok(found.max <= kMaxStuds, `${found.max} studs`);
   console.log(`     ${found.count} frames, at max ${found.max.toExponential(1)} studs apart`);
-  const box = await page.evaluate(() => window.obby.report.levels[0].loose[0]);
+  const box = await page.evaluate(() => window.obby.report.levels[0].bodies[0]);
   assert.deepEqual(await pickedWhereItIs(page, box), [box, box]);
   assert.deepEqual(trouble, []);
   await page.context().close();

@@ -7,7 +7,7 @@ import { bar, glass, lava, lift, parts } from './sample_parts.mjs';
 const encode = (array) => Buffer.from(array.buffer).toString('base64');
 const f32 = (values) => encode(Float32Array.from(values));
 
-const trajectory = [
+const corners = [
   [0, 0.5, 0],
   [0, 1.5, -11],
   [0, 2.5, -19],
@@ -23,7 +23,7 @@ const trajectory = [
   [26, 14.5, -102],
 ];
 
-// Hops along the way; `stop` ends it early, `drift` pushes it sideways.
+// Hops from corner to corner; `stop` ends it early, `drift` pushes it sideways.
 function trajectory(
   kind,
   index,
@@ -34,15 +34,15 @@ function trajectory(
   const yaw = [];
   const state = [];
   const runs = [];
-  const last = Math.floor((trajectory.length - 1) * 45 * stop);
+  const last = Math.floor((corners.length - 1) * 45 * stop);
   const phase = seed * 1.7;
   for (let i = 0; i <= last; i++) {
-    const leg = Math.min(trajectory.length - 2, Math.floor(i / 45));
-    const t = i / 45 - leg;
-    const [a, b] = [trajectory[leg], trajectory[leg + 1]];
+    const from = Math.min(corners.length - 2, Math.floor(i / 45));
+    const t = i / 45 - from;
+    const [a, b] = [corners[from], corners[from + 1]];
     const far = Math.min(1, (i / (last + 1)) ** 2 * 3);
     const side = drift * far * Math.sin(i / 60 + phase);
-    let y = a[1] + (b[1] - a[1]) * t + (leg === 5 ? 0 : 9 * t * (1 - t));
+    let y = a[1] + (b[1] - a[1]) * t + (from === 5 ? 0 : 9 * t * (1 - t));
     if (outcome === 'fell' && i > last - 40) y -= ((i - last + 40) / 40) ** 2 * 22;
     points.push(
       a[0] + (b[0] - a[0]) * t + side,
@@ -51,15 +51,15 @@ function trajectory(
     );
     const angle = Math.atan2(-(b[0] - a[0]), -(b[2] - a[2])) / (2 * Math.PI);
     yaw.push(((Math.round(angle * 65536) % 65536) + 65536) % 65536);
-    state.push(leg === 5 ? 0 : 1);
+    state.push(from === 5 ? 0 : 1);
   }
-  for (let leg = 0; leg * 45 < last; leg++) {
-    const heading = yaw[Math.min(last, leg * 45 + 1)];
+  for (let from = 0; from * 45 < last; from++) {
+    const heading = yaw[Math.min(last, from * 45 + 1)];
     runs.push(
-      Math.min(12, last - leg * 45),
-      leg === 5 ? 1 : 3,
+      Math.min(12, last - from * 45),
+      from === 5 ? 1 : 3,
       heading,
-      Math.max(0, Math.min(33, last - leg * 45 - 12)),
+      Math.max(0, Math.min(33, last - from * 45 - 12)),
       1,
       heading,
     );
@@ -80,7 +80,7 @@ function trajectory(
     position: f32(points),
     yaw: encode(Uint16Array.from(yaw)),
     state: encode(Uint8Array.from(state)),
-    jumpTicks: Array.from({ length: Math.ceil(last / 45) }, (_, leg) => leg * 45),
+    jumpTicks: Array.from({ length: Math.ceil(last / 45) }, (_, from) => from * 45),
     runs: encode(Uint16Array.from(runs)),
     motions: [],
     events:

@@ -33,12 +33,12 @@ test('outcome filters thin list and picture and show counts', async ({
 });
 
 test('filters by jumps, time and route', async ({ page }) => {
-  await page.locator('.choice.mostJumps input').fill('4');
+  await page.locator('.choice.maxJumps input').fill('4');
   assert.equal((await state(page)).order.length, paths.filter((path) => path.jumps <= 4).length);
-  await page.locator('.choice.mostJumps input').fill('');
-  await page.locator('.choice.mostSeconds input').fill('3.5');
+  await page.locator('.choice.maxJumps input').fill('');
+  await page.locator('.choice.maxSeconds input').fill('3.5');
   assert.equal((await state(page)).order.length, paths.filter((path) => path.ticks <= 210).length);
-  await page.locator('.choice.mostSeconds input').fill('');
+  await page.locator('.choice.maxSeconds input').fill('');
   await page.locator('.choice.route select').selectOption({ label: 'Spawn → Landing (1)' });
   assert.deepEqual((await state(page)).order, [1]);
   await page.locator('.choice.route select').selectOption('');

@@ -21,7 +21,7 @@ function middlemost(places) {
  * Returns [{text, at, color}], the most frequent killers first.
  * @param {Path[]} paths
  * @param {Level | undefined} level
- * @param {number} most
+ * @param {number} max
  */
 export function deathLabels(paths, level, max) {
   /** @type {Map<number, Triple[]>} */

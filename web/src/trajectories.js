@@ -90,7 +90,7 @@ export class Trajectories {
     store.on([...filters, 'sort', 'descending'], () => this.choose());
     store.on(['order', 'isolate', 'colorBy'], () => this.show());
     store.on(['order', 'isolate', 'cut', 'attempts', 'markers'], () => this.label());
-    store.on(['order', 'heat', 'heatWays'], () => this.warm());
+    store.on(['order', 'heat', 'heatTrajectories'], () => this.warm());
     store.on(['path', 'ghost'], () => app.stage.pathView?.compare(app.ghost()));
     store.on(['colorBy'], () => app.stage.pathView?.select(app.path()));
     store.on(['boxes'], ({ boxes }) => app.stage.filterBoxes.set(boxes));

@@ -75,7 +75,7 @@ export function searched({ size, feet, counts }) {
 /**
  * Counts span orders of magnitude: 0 for a single one, 1 for the maximum.
  * @param {number} count
- * @param {number} most
+ * @param {number} max
  */
 export const heatShare = (count, max) => (max > 1 ? Math.log(count) / Math.log(max) : 0);
 

@@ -33,8 +33,8 @@ export class FilterPanel {
       this.outcome,
       this.route,
       this.killer,
-      numberField(store, 'mostJumps', 'Max jumps', -1, { min: '0', step: '1' }),
-      numberField(store, 'mostSeconds', 'Max seconds', 0, { min: '0', step: 'any' }),
+      numberField(store, 'maxJumps', 'Max jumps', -1, { min: '0', step: '1' }),
+      numberField(store, 'maxSeconds', 'Max seconds', 0, { min: '0', step: 'any' }),
     );
     this.clear = el('button', {
       class: 'plain text',

@@ -31,7 +31,7 @@ export class ScenePanel {
       this.card('Legend', this.legend, true),
       this.card('Display', this.toggles(), false),
     );
-    store.on(['order', 'colorBy', 'heat', 'heatWays', 'heatMost'], () => this.fillLegend());
+    store.on(['order', 'colorBy', 'heat', 'heatTrajectories', 'heatMax'], () => this.fillLegend());
     store.on(['part', 'query'], () => this.inspect());
     this.fillLegend();
   }
@@ -129,7 +129,7 @@ export class ScenePanel {
     add('grid', 'Grid', '8');
     add('heat', 'Heat map', '9');
     const searched = () => this.store.state.heat && Boolean(this.queryOf()?.result?.heatMap);
-    add('heatWays', '… of listed trajectories only', '', searched);
+    add('heatTrajectories', '… of listed trajectories only', '', searched);
     add('cut', 'Impossible step', '0');
     add('isolate', 'Selected only', 'I');
     const original = checkbox((checked) =>
