@@ -45,7 +45,7 @@ struct Envs {
   Envs(const level::Level& level, uint64_t seed)
       : worlds(kWorlds, sim::makeWorld(level.view(), level.spawns()[0])), actions(kWorlds) {
     for (sim::World& w : worlds) pointers.push_back(&w);
-    const std::vector<sim::RigidBody> start = sim::makeDynamic(level.view());
+    const std::vector<sim::RigidBody> start = sim::makeBodies(level.view());
     for (uint32_t i = 0; i < kWorlds; ++i) bodies.insert(bodies.end(), start.begin(), start.end());
     for (uint32_t i = 0; i < kWorlds; ++i) bodyPointers.push_back(bodies.data() + i * start.size());
     for (uint32_t i = 0; i < kWorlds; ++i) walkers.push_back({Random(seed, i), {}, 0});

@@ -7,7 +7,7 @@
 #
 # Rules for changes: a new field (last, with a default that means "as before"), a new enumerant (last) or a new kind of
 # record raises `kSchemaMinor` in lib/io/version.h, and so does a new name for an old one ($formerly). Any other change raises
-# `kSchemaMajor`.
+# `kSchemaMajor`. Both rules apply from the first release on.
 #
 # Units: lengths are in studs (1 stud = 0.28 m), times in seconds unless the name says ticks, angles in radians unless
 # the name says turns. Y is up, axes are right-handed, and a yaw of 0 looks along -Z.

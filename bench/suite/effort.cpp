@@ -56,10 +56,9 @@ std::vector<Vec3> straightRoute(const level::Query& query) {
 }
 
 bool beside(const Box& box, const std::vector<Vec3>& route) {
-  const Vec3 capacity{kBeside, kBeside, kBeside};
+  const Vec3 margin{kBeside, kBeside, kBeside};
   for (size_t i = 1; i < route.size(); ++i) {
-    const Vec3 lo = min(route[i - 1], route[i]) - capacity,
-               hi = max(route[i - 1], route[i]) + capacity;
+    const Vec3 lo = min(route[i - 1], route[i]) - margin, hi = max(route[i - 1], route[i]) + margin;
     if (box.lo.x <= hi.x && box.hi.x >= lo.x && box.lo.y <= hi.y && box.hi.y >= lo.y &&
         box.lo.z <= hi.z && box.hi.z >= lo.z) {
       return true;

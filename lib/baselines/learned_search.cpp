@@ -140,8 +140,8 @@ void LearnedSearch::stand(Episode& e) {
   e.finds.push_back({e.key, e.world, e.bodies, setup_.potential(e.world), e.ticks});
 }
 
-void LearnedSearch::take(Episode& e, size_t warmStart) {
-  const uint64_t id = kWarmStart | warmStart;
+void LearnedSearch::take(Episode& e, size_t kept) {
+  const uint64_t id = kWarmStart | kept;
   const uint32_t cells = cellCount();
   bool needed = false;
   for (const Find& f : e.finds) {
@@ -153,20 +153,20 @@ void LearnedSearch::take(Episode& e, size_t warmStart) {
   needed |= countApproach(e.closest, {id, 0, e.closestTicks});
   const bool shown = countEnd(e.world, e.bodies.data(), {id, 0, e.ticks});
   if (!needed && !shown) return;
-  keep(e, warmStart);
-  shown_[warmStart] |= uint8_t(shown);
+  keep(e, kept);
+  shown_[kept] |= uint8_t(shown);
 }
 
-void LearnedSearch::keep(Episode& e, size_t warmStart) {
-  if (warmStart == problem_.known.size()) {
+void LearnedSearch::keep(Episode& e, size_t kept) {
+  if (kept == problem_.known.size()) {
     e.actions.shrink_to_fit();
     problem_.known.push_back(std::move(e.actions));
     passed_.emplace_back();
     shown_.push_back(0);
   }
   e.passed.shrink_to_fit();
-  passed_[warmStart] = std::move(e.passed);
-  bytesKept_ += bytesOf(problem_.known[warmStart], passed_[warmStart]);
+  passed_[kept] = std::move(e.passed);
+  bytesKept_ += bytesOf(problem_.known[kept], passed_[kept]);
 }
 
 // Drops unused trajectories. One is of use if it is the best to some cell, the closest approach, to
@@ -181,12 +181,12 @@ void LearnedSearch::forget() {
   mark(statistics_.closest.node);
   markFollowed(used);
   size_t left = 0;
-  for (size_t warmStart = 0; warmStart < used.size(); ++warmStart) {
-    if (!used[warmStart]) {
-      ActionRuns().swap(problem_.known[warmStart]);
-      std::vector<Passed>().swap(passed_[warmStart]);
+  for (size_t kept = 0; kept < used.size(); ++kept) {
+    if (!used[kept]) {
+      ActionRuns().swap(problem_.known[kept]);
+      std::vector<Passed>().swap(passed_[kept]);
     }
-    left += bytesOf(problem_.known[warmStart], passed_[warmStart]);
+    left += bytesOf(problem_.known[kept], passed_[kept]);
   }
   bytesKept_ = left;
   forgetFrom_ = std::max(forgetFrom_, 2 * left);
@@ -198,8 +198,8 @@ void LearnedSearch::tryWarmStarts(size_t first, size_t count) {
   pool_.run(int(count), [&](int task) {
     Episode& e = episodes[size_t(task)];
     e = begin();
-    const ActionRuns& warmStart = problem_.known[first + size_t(task)];
-    playRuns(context(), warmStart, e.world, e.bodies.data(), ticksOf(warmStart),
+    const ActionRuns& kept = problem_.known[first + size_t(task)];
+    playRuns(context(), kept, e.world, e.bodies.data(), ticksOf(kept),
              [&](const sim::Action&, const sim::World&) {
                ++e.ticks;
                look(e);
@@ -212,14 +212,14 @@ void LearnedSearch::tryWarmStarts(size_t first, size_t count) {
   takeGoals();
 }
 
-std::pair<size_t, size_t> LearnedSearch::warmStartTo(uint32_t cell) const {
+std::pair<size_t, size_t> LearnedSearch::keptTo(uint32_t cell) const {
   const Node& node = archive_.nodes()[archive_.node(cell)];
   if (node.parent == kNone) return {0, 0};
-  const size_t warmStart = node.rollout & ~kWarmStart;
-  const std::vector<Passed>& cells = passed_[warmStart];
+  const size_t kept = node.rollout & ~kWarmStart;
+  const std::vector<Passed>& cells = passed_[kept];
   const auto end = std::upper_bound(cells.begin(), cells.end(), node.ticks,
                                     [](uint32_t t, const Passed& p) { return t < p.tick; });
-  return {warmStart, size_t(end - cells.begin())};
+  return {kept, size_t(end - cells.begin())};
 }
 
 }  // namespace obby::baselines

@@ -88,17 +88,17 @@ class LearnedSearch : public ArchiveSearch {
 
   // Returns the trajectory to the archive's state in a cell, and how many of its passed cells lead
   // there.
-  std::pair<size_t, size_t> warmStartTo(uint32_t cell) const;
-  const std::vector<Passed>& passed(size_t warmStart) const { return passed_[warmStart]; }
-  const ActionRuns& actions(size_t warmStart) const { return problem_.known[warmStart]; }
+  std::pair<size_t, size_t> keptTo(uint32_t cell) const;
+  const std::vector<Passed>& passed(size_t kept) const { return passed_[kept]; }
+  const ActionRuns& actions(size_t kept) const { return problem_.known[kept]; }
 
  private:
   void tick(std::span<Episode* const> episodes, const sim::Action* actions);
   void look(Episode& e);
   void approach(Episode& e) const;
   void stand(Episode& e);
-  void take(Episode& e, size_t warmStart);
-  void keep(Episode& e, size_t warmStart);
+  void take(Episode& e, size_t kept);
+  void keep(Episode& e, size_t kept);
   void forget();
 
   // problem_.known has the given trajectories, then those of useful episodes.

@@ -58,7 +58,7 @@ void Pbge::playAndLearn() {
 void Pbge::markFollowed(std::vector<uint8_t>& used) const {
   for (const Group& g : groups_) {
     for (const Player& p : g.players) {
-      if (p.subgoals > 0) used[p.warmStart] = 1;
+      if (p.subgoals > 0) used[p.kept] = 1;
     }
   }
 }
@@ -94,7 +94,7 @@ View Pbge::lookFrom(Player& p) const {
   const bool explores = p.mode == Mode::exploring;
   const Vec3 place = explores          ? p.aim
                      : p.subgoals == 0 ? p.episode.world.position
-                                       : passed(p.warmStart)[p.next].place;
+                                       : passed(p.kept)[p.next].place;
   const geom::Region region = around(place, cellWidth());
   p.ahead = policy::aheadOf(region, p.episode.world);
   return {&p.episode, region, p.ahead};
@@ -117,9 +117,9 @@ void Pbge::decide(Group& g, Player& p, const float* outputs, size_t row) {
 
 // Returns the decisions that the followed trajectory took to the next sub-goal.
 uint32_t Pbge::decisionsDue(const Player& p) const {
-  const std::vector<Passed>& warmStart = passed(p.warmStart);
-  const uint32_t before = p.next == 0 ? 0 : warmStart[p.next - 1].tick;
-  return (warmStart[p.next].tick - before) / policy::kDecisionTicks;
+  const std::vector<Passed>& cells = passed(p.kept);
+  const uint32_t before = p.next == 0 ? 0 : cells[p.next - 1].tick;
+  return (cells[p.next].tick - before) / policy::kDecisionTicks;
 }
 
 // Samples an action. The temperature grows once the player is overdue at a sub-goal, or finds no
@@ -145,7 +145,7 @@ void Pbge::decideByPolicy(Player& p, const float* outputs, size_t row) {
 void Pbge::decideAsKept(Player& p, size_t row) {
   const bool mayJump = policy::jumpAllowed(scene(), p.episode.world);
   RunCursor ahead = p.cursor;
-  const sim::Action action = ahead.next(actions(p.warmStart));
+  const sim::Action action = ahead.next(actions(p.kept));
   made_.makers[row] = Maker::kept;
   made_.made[row] = {{nearestMove(action, p.ahead, mayJump), 0, 0, 0}, mayJump};
 }
@@ -159,7 +159,7 @@ void Pbge::tick(std::span<Group> groups) {
       if (isOver(p)) continue;
       players.emplace_back(&g, &p);
       episodes.push_back(&p.episode);
-      if (p.mode == Mode::repeating) p.action = p.cursor.next(actions(p.warmStart));
+      if (p.mode == Mode::repeating) p.action = p.cursor.next(actions(p.kept));
       p.action = allowed(p.action, p.episode.world);
       held.push_back(p.action);
       ++g.steps;
@@ -176,8 +176,8 @@ void Pbge::reach(Group& g, Player& p) const {
     if (p.byPolicy && geom::distance(there, p.episode.world.position) <= 0) aim(p);
     return;
   }
-  const std::vector<Passed>& warmStart = passed(p.warmStart);
-  const auto reached = [&](size_t i) { return warmStart[i].key == p.episode.key; };
+  const std::vector<Passed>& cells = passed(p.kept);
+  const auto reached = [&](size_t i) { return cells[i].key == p.episode.key; };
   if (!passSubgoals(p.next, p.subgoals, reached)) return;
   const bool last = p.next == p.subgoals;
   p.reward += last ? settings_.last : settings_.subgoal;
@@ -213,7 +213,7 @@ void Pbge::restart(Group& g, Player& p) const {
   p.next = 0;
   p.waited = 0;
   p.cursor = {};
-  std::tie(p.warmStart, p.subgoals) = warmStartTo(choice_.pick(p.random));
+  std::tie(p.kept, p.subgoals) = keptTo(choice_.pick(p.random));
   p.episode.repeats = p.repeats && p.subgoals > 0;
   if (p.episode.repeats) {
     p.mode = Mode::repeating;

@@ -45,13 +45,13 @@ class Pbge final : public LearnedSearch {
     bool repeats;  // replays kept trajectories once there are any
     Episode episode;
     Mode mode = Mode::returning;
-    size_t warmStart = 0, subgoals = 0;  // it follows the first cells of passed(warmStart)
-    size_t next = 0;                     // next sub-goal
-    bool byPolicy = true;                // explores by the policy
-    Vec3 aim{};                          // target of that exploration
-    uint32_t explored = 0;               // exploring decisions
-    uint32_t waited = 0;                 // decisions since the last sub-goal or new cell
-    uint32_t newCells = 0;               // the episode's at that time
+    size_t kept = 0, subgoals = 0;  // it follows the first cells of passed(kept)
+    size_t next = 0;                // next sub-goal
+    bool byPolicy = true;           // explores by the policy
+    Vec3 aim{};                     // target of that exploration
+    uint32_t explored = 0;          // exploring decisions
+    uint32_t waited = 0;            // decisions since the last sub-goal or new cell
+    uint32_t newCells = 0;          // the episode's at that time
     RandomKeys keys;
     RunCursor cursor;  // position in the replayed trajectory
     // Members of the current decision.

@@ -60,7 +60,7 @@ struct Collector {
 
   Imported finish(const Exit& how) {
     if (how.signal == SIGXCPU) {
-      out.refusal = refuse(504, "obby-import exceeded its processor time",
+      out.refusal = refuse(504, "obby-import exceeded its CPU time limit",
                            "start obby-bridge with a larger --cpu-time");
     } else if (how.signal != 0 || (how.code != 0 && !error)) {
       out.refusal =

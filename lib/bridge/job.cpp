@@ -17,7 +17,7 @@ namespace {
 constexpr size_t kMaxReport = 64 << 10;  // max bytes of a line of stderr that are passed on
 constexpr int kInterrupted = 130;        // exit code of our tools after SIGINT
 constexpr const char* kTimeIsUp =
-    "the program exceeded its processor time; start obby-bridge with a larger --cpu-time";
+    "the program exceeded its CPU time limit; start obby-bridge with a larger --cpu-time";
 
 // Returns false for records that the client itself sent, or that only frame the stream.
 bool worthTelling(std::string_view type) {

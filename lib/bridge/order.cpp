@@ -149,13 +149,13 @@ class OrderReader {
   Status budget(std::string_view name, const Node& value) {
     std::vector<std::string> known;
     for (const BudgetRow& row : kBudgetRows) {
-      if (name == row.name) return this->row(row, value);
+      if (name == row.name) return option(row, value);
       known.emplace_back(row.name);
     }
     return unknownMember("budget", name, known);
   }
 
-  Status row(const BudgetRow& row, const Node& value) {
+  Status option(const BudgetRow& row, const Node& value) {
     const std::string path = std::string("budget.") + row.name;
     rows_.push_back(&row);
     if (row.shape == Shape::truth) {

@@ -98,14 +98,14 @@ std::vector<double> pointOf(const Choice& choice, const std::vector<Profile>& pr
 }
 
 // Returns the distance of a choice from the fit's start.
-double routeOf(const Choice& choice, const std::vector<Profile>& profiles,
-               const std::vector<double>& start) {
-  double way = 0;
+double distanceOf(const Choice& choice, const std::vector<Profile>& profiles,
+                  const std::vector<double>& start) {
+  double distance = 0;
   for (const size_t i : {0, 1}) {
     const Profile& p = profiles[choice.profile[i]];
-    way += std::fabs(p.shares[choice.count[i]] - start[p.coordinate]);
+    distance += std::fabs(p.shares[choice.count[i]] - start[p.coordinate]);
   }
-  return way;
+  return distance;
 }
 
 // Returns the loss of each point, or the max double for those skipped after a stop.
@@ -163,8 +163,8 @@ Scan scanOf(const Objective& objective, const std::vector<double>& point, Tried 
       double& loss = out.profiles[choices[i].profile[k]].losses[choices[i].count[k]];
       loss = std::min(loss, losses[i]);
     }
-    const auto way = [&](size_t c) { return routeOf(choices[c], out.profiles, start); };
-    if (alike(losses[i], min) && (best == choices.size() || way(i) < way(best))) best = i;
+    const auto distance = [&](size_t c) { return distanceOf(choices[c], out.profiles, start); };
+    if (alike(losses[i], min) && (best == choices.size() || distance(i) < distance(best))) best = i;
   }
   out.best = std::move(points[best]);
   return out;

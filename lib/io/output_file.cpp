@@ -1,6 +1,7 @@
 #include "io/output_file.h"
 
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <stdlib.h>
 #include <sys/file.h>
 #include <sys/stat.h>
@@ -13,6 +14,7 @@
 #include <system_error>
 #include <utility>
 
+#include "base/hash.h"
 #include "io/byte_source.h"
 #include "io/utf8.h"
 
@@ -28,8 +30,12 @@ static_assert(kLocked.size() == kPattern.size());
 
 std::string marked(const fs::path& file, std::string_view end) {
   std::string name = file.filename().string();
-  // A name that no file can have stays an error.
-  if (name.size() <= NAME_MAX) name = cutAtChar(name, NAME_MAX - kMark.size() - end.size());
+  const size_t longest = NAME_MAX - kMark.size() - end.size();
+  if (name.size() > longest && name.size() <= NAME_MAX) {  // longer names stay an error
+    const std::string digest =
+        fmt::format("-{:08x}", uint32_t(hashBytes(name.data(), name.size())));
+    name = std::string(cutAtChar(name, longest - digest.size())) + digest;
+  }
   return (file.parent_path() / name.append(kMark).append(end)).string();
 }
 

@@ -9,8 +9,8 @@ bool isDynamic(schema::Part::Reader part) {
   return !part.getAnchored() && part.getSolid() && !part.hasMotion() && !part.hasFall();
 }
 
-Result<DynamicBody> bodiesFrom(schema::Part::Reader part, Vec3 at,
-                               const std::vector<Collider>& colliders, size_t first) {
+Result<DynamicBody> bodyFrom(schema::Part::Reader part, Vec3 at,
+                             const std::vector<Collider>& colliders, size_t first) {
   if (part.hasVanish() || part.hasOneWay()) {
     return pathError(part.hasVanish() ? "vanish" : "oneWay", "a dynamic part is always solid",
                      "anchor the part, or remove this field");

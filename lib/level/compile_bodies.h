@@ -14,7 +14,7 @@ bool isDynamic(schema::Part::Reader part);
 
 // Returns the body of a part at `at`. Its colliders are those from `first` on, at least one. Errors
 // have the path relative to the part.
-Result<DynamicBody> bodiesFrom(schema::Part::Reader part, Vec3 at,
-                               const std::vector<Collider>& colliders, size_t first);
+Result<DynamicBody> bodyFrom(schema::Part::Reader part, Vec3 at,
+                             const std::vector<Collider>& colliders, size_t first);
 
 }  // namespace obby::level

@@ -211,8 +211,8 @@ Status PartCompiler::add(schema::Part::Reader part, uint32_t index) {
   OBBY_RETURN_IF_ERROR(shapes(part, collider, c.flags));
   if (c.flags & kDynamic) {
     if (first == out_.colliders.size()) return {};  // flat hulls only
-    OBBY_ASSIGN(const DynamicBody bodies, bodiesFrom(part, center, out_.colliders, first));
-    out_.bodies.push_back(bodies);
+    OBBY_ASSIGN(const DynamicBody body, bodyFrom(part, center, out_.colliders, first));
+    out_.bodies.push_back(body);
     return {};
   }
   out_.fixedColliders = out_.colliders.size();

@@ -32,7 +32,7 @@ World makeWorld(const level::LevelView& level, const level::StartPose& start) {
   return w;
 }
 
-std::vector<RigidBody> makeDynamic(const level::LevelView& level) {
+std::vector<RigidBody> makeBodies(const level::LevelView& level) {
   std::vector<RigidBody> bodies(level.bodyCount);
   for (uint32_t i = 0; i < level.bodyCount; ++i) {
     const level::DynamicBody& l = level.bodies[i];

@@ -28,7 +28,7 @@ namespace obby::sim {
 World makeWorld(const level::LevelView& level, const level::StartPose& start);
 
 // Returns the level's dynamic bodies at their first positions, awake. Empty if there are none.
-std::vector<RigidBody> makeDynamic(const level::LevelView& level);
+std::vector<RigidBody> makeBodies(const level::LevelView& level);
 
 // Returns the dynamic bodies as play begins. If all come to rest by themselves within ten seconds,
 // they are at rest: a server has run for longer before the first player joins. Otherwise they are

@@ -17,10 +17,10 @@ bool anyAwake(const std::vector<RigidBody>& bodies) {
 }  // namespace
 
 std::vector<RigidBody> startBodies(const level::LevelView& level) {
-  std::vector<RigidBody> bodies = makeDynamic(level);
+  std::vector<RigidBody> bodies = makeBodies(level);
   World world = makeWorld(level, {});
   for (uint32_t left = ticksFromSeconds(level.params, kSettleSeconds); anyAwake(bodies); --left) {
-    if (left == 0) return makeDynamic(level);
+    if (left == 0) return makeBodies(level);
     Candidates none;
     moveTogether(world, bodies.data(), nullptr, {}, level, none);
   }

@@ -16,9 +16,9 @@
 namespace obby::train {
 
 struct EnvGroupSettings {
-  uint32_t levels = 8;         // levels at a time
-  uint32_t worlds = 32;        // on each level
-  uint32_t playthroughs = 64;  // episodes on a level before the next replaces it
+  uint32_t levels = 8;     // levels at a time
+  uint32_t worlds = 32;    // on each level
+  uint32_t episodes = 64;  // episodes on a level before the next replaces it
   RestartShares restarts;
   float patience = 3;  // max episode time: this times the route's walking time, plus ten seconds
   RewardSettings reward;
@@ -40,7 +40,7 @@ Status checkPlace(const PlaceState& state, const TrainingLevel& level,
 
 // Returns true if its level had its share of episodes. The next replaces it after the iteration.
 inline bool isOver(const PlaceCounts& counts, const EnvGroupSettings& settings) {
-  return counts.played >= settings.playthroughs;
+  return counts.played >= settings.episodes;
 }
 
 class EnvGroup {

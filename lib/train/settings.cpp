@@ -39,7 +39,7 @@ std::vector<Setting> settingsOf(const TrainerSettings& s) {
   add("worlds", s.envGroups * s.envGroup.levels * s.envGroup.worlds);
   add("env groups", s.envGroups);
   add("levels of an env group", s.envGroup.levels);
-  add("episodes of a level", s.envGroup.playthroughs);
+  add("episodes of a level", s.envGroup.episodes);
   add("restart share", s.envGroup.restarts.unsolved);
   add("restart share of solved levels", s.envGroup.restarts.solved);
   add("patience", s.envGroup.patience);

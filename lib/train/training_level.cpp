@@ -23,7 +23,7 @@ Result<std::vector<Vec3>> routeOf(schema::Query::Reader query) {
   }
   std::vector<Vec3> route;
   for (const auto place : record) {
-    OBBY_ASSIGN(const Vec3 at, level::position(place, fmt::format("way[{}]", route.size())));
+    OBBY_ASSIGN(const Vec3 at, level::position(place, fmt::format("route[{}]", route.size())));
     route.push_back(at);
   }
   return route;

@@ -11,7 +11,7 @@ namespace obby::view {
 Error pageTooLarge(size_t bytes, bool full);
 
 // Increased when a field changes its meaning.
-inline constexpr int kPageFormat = 3;
+inline constexpr int kPageFormat = 4;
 
 // Writes an array of sentences.
 void writeNotes(io::JsonWriter& json, const Report& report, const Budget& budget);

@@ -44,8 +44,8 @@ class Collector {
   using Forgive = std::function<Status(const io::Record&, Error)>;
   // If `only` is not empty, other queries and their records are left out. A note reports records
   // over the limits.
-  explicit Collector(Forgive forgive, std::vector<std::string> only = {}, PageBudget space = {})
-      : forgive_(std::move(forgive)), only_(std::move(only)), budget_(space) {}
+  explicit Collector(Forgive forgive, std::vector<std::string> only = {}, PageBudget budget = {})
+      : forgive_(std::move(forgive)), only_(std::move(only)), budget_(budget) {}
 
   Status add(const io::Record& record);
   // Compiles queries and replays trajectories that came since the last call. Failures are left out,

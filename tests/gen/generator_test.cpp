@@ -87,11 +87,11 @@ TEST(Generator, TheLineOfALongLevelFitsTheSchema) {
   const std::vector<Vec3> line = generator.generate(1, 0).sketch.line();
   EXPECT_GT(line.size(), 4096u);
   const Made made = makeRecords(generator, 1, 0);
-  const auto way = made.query.reader().getQuery().getRoute();
-  EXPECT_GT(way.size(), 1000u);
-  EXPECT_LE(way.size(), 4096u);
-  EXPECT_LT(length(level::vec(way[0]) - line.front()), 0.11f);
-  EXPECT_LT(length(level::vec(way[way.size() - 1]) - line.back()), 0.11f);
+  const auto route = made.query.reader().getQuery().getRoute();
+  EXPECT_GT(route.size(), 1000u);
+  EXPECT_LE(route.size(), 4096u);
+  EXPECT_LT(length(level::vec(route[0]) - line.front()), 0.11f);
+  EXPECT_LT(length(level::vec(route[route.size() - 1]) - line.back()), 0.11f);
 }
 
 // After a wide floor, a turn would bring the next floor within a jump of an earlier one.

@@ -81,7 +81,7 @@ float longestOverNothing(const std::vector<Vec3>& line, const std::vector<Ground
   return longest;
 }
 
-class Way : public ::testing::TestWithParam<std::string> {
+class RouteTest : public ::testing::TestWithParam<std::string> {
  protected:
   // Calls `look` with levels of every difficulty, with default parameters.
   template <class Look>
@@ -94,7 +94,7 @@ class Way : public ::testing::TestWithParam<std::string> {
 };
 
 // Parts are listed in the order of construction.
-TEST_P(Way, StandsOnTheCourseInItsOrder) {
+TEST_P(RouteTest, StandsOnTheCourseInItsOrder) {
   forLevels([](const gen::Generated& made) {
     const std::vector<Ground> grounds = groundsOf(made.sketch);
     const std::vector<Vec3>& line = made.sketch.line();
@@ -108,7 +108,7 @@ TEST_P(Way, StandsOnTheCourseInItsOrder) {
 }
 
 // A line that cuts a corner, or runs between two routes, would lead learners off the floor.
-TEST_P(Way, CrossesNoGapWiderThanAJump) {
+TEST_P(RouteTest, CrossesNoGapWiderThanAJump) {
   const float widest = generatorOf({}).reach().gap(0);
   forLevels([&](const gen::Generated& made) {
     const float limit = widest - kBeside;  // the margin of the floors at both ends does not count
@@ -116,7 +116,7 @@ TEST_P(Way, CrossesNoGapWiderThanAJump) {
   });
 }
 
-INSTANTIATE_TEST_SUITE_P(All, Way, ::testing::ValuesIn(styleNames()), testName);
+INSTANTIATE_TEST_SUITE_P(All, RouteTest, ::testing::ValuesIn(styleNames()), testName);
 
 // A straight line would cut through the tower.
 TEST(Truss, TheLineGoesUpTheTruss) {

@@ -75,7 +75,7 @@ inline LevelBuilder roles() {
 
 // Many parts over a floor, each set up by `setter` with its index.
 template <class Setter>
-LevelBuilder envs(int count, Setter setter) {
+LevelBuilder scattered(int count, Setter setter) {
   LevelBuilder b = floorWith({});
   Random random(21, uint64_t(count));
   for (int i = 0; i < count; ++i) {
@@ -90,13 +90,13 @@ LevelBuilder envs(int count, Setter setter) {
   return b;
 }
 
-inline LevelBuilder envsOf(schema::Shape shape) {
-  return envs(40, [=](Part::Builder p, int) { p.setShape(shape); });
+inline LevelBuilder scatteredOf(schema::Shape shape) {
+  return scattered(40, [=](Part::Builder p, int) { p.setShape(shape); });
 }
 
 // Octahedra: hulls with eight faces and six corners.
 inline LevelBuilder hulls() {
-  return envs(30, [](Part::Builder p, int i) {
+  return scattered(30, [](Part::Builder p, int i) {
     p.setShape(schema::Shape::HULL);
     const float r = 2 + 0.1f * float(i);
     const Vec3 corners[6] = {{r, 0, 0}, {-r, 0, 0}, {0, 2, 0}, {0, -2, 0}, {0, 0, r}, {0, 0, -r}};
@@ -155,7 +155,7 @@ inline LevelBuilder slopes() {
 }
 
 inline LevelBuilder pads() {
-  return envs(20, [](Part::Builder p, int i) {
+  return scattered(20, [](Part::Builder p, int i) {
     auto pad = p.initJumpPad();
     support::set(pad.initVelocity(), {float(i % 5) * 20 - 40, 30 + 10 * float(i % 7), 15});
     pad.setKeepSideways(i % 2 == 0);
@@ -163,7 +163,7 @@ inline LevelBuilder pads() {
 }
 
 inline LevelBuilder vanishing() {
-  return envs(30, [](Part::Builder p, int i) {
+  return scattered(30, [](Part::Builder p, int i) {
     auto vanish = p.initVanish();
     if (i % 2 == 0) vanish.setTrigger(schema::VanishTrigger::TIMER);
     vanish.setDelay(0.2f * float(i % 4));
@@ -174,7 +174,7 @@ inline LevelBuilder vanishing() {
 
 // Boosts that change gravity, some of them forever, and parts that only the root can touch.
 inline LevelBuilder weights() {
-  return envs(40, [](Part::Builder p, int i) {
+  return scattered(40, [](Part::Builder p, int i) {
     if (i % 4 == 3) {
       p.setSolid(false);
       p.setByRoot(true);
@@ -192,17 +192,17 @@ inline LevelBuilder weights() {
 
 // Two air jumps, among trusses, seats and pads.
 inline LevelBuilder airJumps() {
-  return envs(40,
-              [](Part::Builder p, int i) {
-                if (i % 6 == 1) p.setShape(schema::Shape::TRUSS);
-                if (i % 6 == 2) p.initSeat();
-                if (i % 6 == 3) support::set(p.initJumpPad().initVelocity(), {10, 60, 0});
-              })
+  return scattered(40,
+                   [](Part::Builder p, int i) {
+                     if (i % 6 == 1) p.setShape(schema::Shape::TRUSS);
+                     if (i % 6 == 2) p.initSeat();
+                     if (i % 6 == 3) support::set(p.initJumpPad().initVelocity(), {10, 60, 0});
+                   })
       .physics([](auto p) { p.setAirJumps(2); });
 }
 
 inline LevelBuilder killers() {
-  return envs(25, [](Part::Builder p, int i) {
+  return scattered(25, [](Part::Builder p, int i) {
     p.setSolid(i % 3 != 0);
     p.initKill().setDamage(float(5 + 10 * (i % 4)));
     p.getKill().setCooldown(0.25f * float(i % 3));
@@ -236,7 +236,7 @@ inline LevelBuilder trusses() {
 
 // Everything that a touch can start: doors by four buttons, falls, motions, boosts, trips.
 inline LevelBuilder clocks() {
-  LevelBuilder b = envs(48, [](Part::Builder p, int i) {
+  LevelBuilder b = scattered(48, [](Part::Builder p, int i) {
     const std::string signal = "signal " + std::to_string(i % 4);
     auto button = [&] {
       p.initButton().setSignal(signal);
@@ -277,7 +277,7 @@ inline LevelBuilder clocks() {
 
 // Teleporters, seats, one-way parts, healing parts, and presses above them.
 inline LevelBuilder places() {
-  LevelBuilder b = envs(40, [](Part::Builder p, int i) {
+  LevelBuilder b = scattered(40, [](Part::Builder p, int i) {
     switch (i % 5) {
       case 0:
         support::set(p.initTeleport().initPosition(), {float(i) - 20, 6, float(i % 7) * 5 - 15});

@@ -90,7 +90,8 @@ TEST(Avatar, ASingleColliderReplacesTheLimbs) {
   EXPECT_EQ(place.physics().getBodyWidth(), 1.5f);
   EXPECT_EQ(place.physics().getBodyDepth(), 1.25f);
   EXPECT_EQ(place.physics().getArmSpan(), 4);
-  EXPECT_THAT(place.note("single collider"), HasSubstr("one box of 1.5 x 3 x 1.25 studs collides"));
+  EXPECT_THAT(place.note("single collider"),
+              HasSubstr("the body collides as one box of 1.5 x 3 x 1.25 studs"));
   place.scene.set(rules, "HitAndTouchDetectionMode", EnumItem{1, {}});
   EXPECT_EQ(place.physics().getArmSpan(), 1.5f);
 }

@@ -10,14 +10,14 @@ InstanceId dynamicPart(Scene& scene, const std::string& name) {
   return id;
 }
 
-TEST(LooseParts, ASingleUnanchoredPartIsDynamic) {
+TEST(DynamicParts, ASingleUnanchoredPartIsDynamic) {
   Scene scene;
   const InstanceId crate = dynamicPart(scene, "Crate");
   scene.level();
   EXPECT_FALSE(scene[crate].anchored);
 }
 
-TEST(LooseParts, JoinedPartsAreAnchoredAndReported) {
+TEST(DynamicParts, JoinedPartsAreAnchoredAndReported) {
   Scene scene;
   const InstanceId a = dynamicPart(scene, "Leg"), b = dynamicPart(scene, "Arm");
   const InstanceId weld = scene.add("Weld", "Weld", a);
@@ -29,7 +29,7 @@ TEST(LooseParts, JoinedPartsAreAnchoredAndReported) {
   EXPECT_EQ(scene.unmodelled("unanchored part"), 2u);
 }
 
-TEST(LooseParts, VanishingPartsAreAnchoredAndReported) {
+TEST(DynamicParts, VanishingPartsAreAnchoredAndReported) {
   Scene scene;
   const InstanceId plank = dynamicPart(scene, "Plank"), crate = dynamicPart(scene, "Crate");
   scene.tag(plank, "Disappearing");
@@ -41,7 +41,7 @@ TEST(LooseParts, VanishingPartsAreAnchoredAndReported) {
   EXPECT_EQ(scene.unmodelled("unanchored part"), 1u);
 }
 
-TEST(LooseParts, APushboxIsDynamicEvenIfSavedAnchored) {
+TEST(DynamicParts, APushboxIsDynamicEvenIfSavedAnchored) {
   Scene scene;
   const InstanceId kit = scene.add("Model", "PushboxSpawnButton", scene.workspace);
   const InstanceId box = scene.part("Pushbox", {}, kit), marked = scene.part("Crate");
@@ -52,7 +52,7 @@ TEST(LooseParts, APushboxIsDynamicEvenIfSavedAnchored) {
   EXPECT_EQ(scene.evidence(box, "dynamic"), "guessed: pushbox of a kit");
 }
 
-TEST(LooseParts, OnlyPushboxesAreDynamicAboveTheLimit) {
+TEST(DynamicParts, OnlyPushboxesAreDynamicAboveTheLimit) {
   Scene scene;
   std::vector<InstanceId> crates;
   for (int i = 0; i < 20; ++i) crates.push_back(dynamicPart(scene, "Crate"));

@@ -61,6 +61,17 @@ TEST(OutputFile, TheTemporaryFileIsInTheFolderOfTheLinksTarget) {
   EXPECT_FALSE(fs::is_empty(folder / "runs"));
 }
 
+TEST(OutputLocks, LongNamesWithACommonPrefixHaveSeparateLocks) {
+  ScratchFolder folder;
+  const std::string path = folder / std::string(240, 'a'), other = path + "b";
+  OutputLocks first, second;
+  EXPECT_TRUE(first.take(path));
+  EXPECT_FALSE(second.take(path));
+  EXPECT_TRUE(second.take(other));
+  EXPECT_FALSE(first.take(other));
+  EXPECT_EQ(folder.entries(), 2u);
+}
+
 TEST(OutputLocks, AFileHasOneLockUnderAllItsPaths) {
   ScratchFolder folder;
   fs::create_directory(folder / "runs");

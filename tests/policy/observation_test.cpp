@@ -151,7 +151,7 @@ TEST(Observation, ShowsTheNearestDynamicBody) {
   for (const float x : {-9.0f, 4.0f})
     b.block({x, 1, 0}, {2, 2, 2}, [](schema::Part::Builder p) { p.setAnchored(false); });
   const level::Level level = b.compile();
-  std::vector<sim::RigidBody> bodies = sim::makeDynamic(level.view());
+  std::vector<sim::RigidBody> bodies = sim::makeBodies(level.view());
   ASSERT_EQ(bodies.size(), 2u);
   bodies[1].velocity = {0, 0, -8};
   const Look look(level);

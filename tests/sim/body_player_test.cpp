@@ -9,7 +9,7 @@ namespace {
 using support::LevelBuilder;
 
 // A floor long enough for a push of two seconds.
-LevelBuilder capacity() {
+LevelBuilder longFloor() {
   return LevelBuilder{}.block({0, -1, 0}, {400, 2, 400}, [](auto p) { p.setFriction(0.5f); });
 }
 
@@ -22,7 +22,7 @@ void loosen(schema::Part::Builder p, float density) {
 // Returns the studs that two seconds of walking push a box, after the player's initial momentum is
 // spent.
 float pushed(float mass, float pushForce) {
-  LevelBuilder b = capacity();
+  LevelBuilder b = longFloor();
   b.block({0, 2, 0}, {4, 4, 4}, [=](auto p) { loosen(p, mass / 64); });
   b.physics([=](auto p) { p.setPushForce(pushForce); });
   const level::Level level = b.compile();
@@ -52,7 +52,7 @@ TEST(BodyPlayer, PushesNoHarderThanPushForce) {
 // the edge.
 TEST(BodyPlayer, TipsAPlankFarFromItsSupport) {
   const auto tilt = [](float x) {
-    LevelBuilder b = capacity();
+    LevelBuilder b = longFloor();
     b.block({0, 4, 0}, {2, 8, 4});
     b.block({0, 8.5f, 0}, {16, 1, 4}, [](auto p) { loosen(p, 0.7f); });
     const level::Level level = b.compile();
@@ -66,7 +66,7 @@ TEST(BodyPlayer, TipsAPlankFarFromItsSupport) {
 }
 
 TEST(BodyPlayer, WalkingOnABallRollsItBack) {
-  LevelBuilder b = capacity();
+  LevelBuilder b = longFloor();
   b.block({0, 4, 0}, {8, 8, 8}, [](auto p) {
     loosen(p, 0.3f);
     p.setShape(schema::Shape::BALL);
@@ -80,7 +80,7 @@ TEST(BodyPlayer, WalkingOnABallRollsItBack) {
 
 // In free fall the player has no weight. A jump from a body in the same fall works as usual.
 TEST(BodyPlayer, JumpsFromABodyThatFalls) {
-  LevelBuilder b = capacity();
+  LevelBuilder b = longFloor();
   b.block({0, 200, 0}, {8, 4, 8}, [](auto p) { loosen(p, 4); });
   const level::Level level = b.compile();
   Play play(level, {0, 202, 0});
@@ -94,7 +94,7 @@ TEST(BodyPlayer, JumpsFromABodyThatFalls) {
 
 // Bodies on a part that vanishes, by a timer or by a touch, fall with it.
 TEST(BodyPlayer, BodiesFallWhenTheirFloorLeaves) {
-  LevelBuilder b = capacity();
+  LevelBuilder b = longFloor();
   b.block({0, 10, 0}, {8, 2, 8}, [](auto p) {
     auto vanish = p.initVanish();
     vanish.setTrigger(schema::VanishTrigger::TIMER);
@@ -115,7 +115,7 @@ TEST(BodyPlayer, BodiesFallWhenTheirFloorLeaves) {
 
 // The player touches a part that carries a body which has been asleep for long.
 TEST(BodyPlayer, BodiesThatSleepFallWhenTheirFloorLeaves) {
-  LevelBuilder b = capacity();
+  LevelBuilder b = longFloor();
   b.block({0, 4, 0}, {30, 2, 8}, [](auto p) { p.initVanish().setDelay(0.2f); });
   b.block({-10, 7, 0}, {4, 4, 4}, [](auto p) { loosen(p, 1); });
   const level::Level level = b.compile();
@@ -129,7 +129,7 @@ TEST(BodyPlayer, BodiesThatSleepFallWhenTheirFloorLeaves) {
 
 // The ball is touched at its position at the tick's end, not at its start.
 TEST(BodyPlayer, AFastDeadlyBallKillsAtItsCurrentPosition) {
-  LevelBuilder b = capacity();
+  LevelBuilder b = longFloor();
   b.block({-30, 0.25f, 0}, {0.5f, 0.5f, 0.5f}, [](auto p) {
     p.setAnchored(false);
     p.setShape(schema::Shape::BALL);

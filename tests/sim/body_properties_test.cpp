@@ -50,7 +50,7 @@ void addThrown(LevelBuilder& b, const Thrown& t, const LevelBuilder::PartSetter&
 }
 
 std::vector<RigidBody> throwAll(const level::LevelView& level, const std::vector<Thrown>& thrown) {
-  std::vector<RigidBody> bodies = makeDynamic(level);
+  std::vector<RigidBody> bodies = makeBodies(level);
   for (size_t i = 0; i < thrown.size(); ++i) {
     bodies[i].velocity = thrown[i].velocity, bodies[i].spin = thrown[i].spin;
   }

@@ -27,7 +27,7 @@ struct Play {
   explicit Play(const level::Level& l, Vec3 feet = {0, 0, 0}, float yaw = 0)
       : level(l),
         world(sim::makeWorld(l.view(), {feet, yaw, 0})),
-        bodies(sim::makeDynamic(l.view())) {
+        bodies(sim::makeBodies(l.view())) {
     history.push_back(world);
   }
 

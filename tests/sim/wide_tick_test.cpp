@@ -148,7 +148,7 @@ TEST(WideTick, LetsDynamicBodiesSleepOnlyAtRest) {
                                  .compile();
   for (const float up : {0.0f, 196.2f / 6}) {  // the second is at rest after ten ticks
     World wide = makeWorld(level.view(), level.spawns()[0]), single = wide;
-    std::vector<RigidBody> wideBodies = makeDynamic(level.view());
+    std::vector<RigidBody> wideBodies = makeBodies(level.view());
     wideBodies[0].velocity.y = up;
     std::vector<RigidBody> singleBodies = wideBodies;
     World* worlds[] = {&wide};

@@ -145,7 +145,7 @@ TEST_P(Parity, PlayThroughManyLevelsMatches) {
   const Gaps gaps(GetParam());
   TrainerSettings settings = small();
   settings.ppo.learningRate = 0;
-  settings.envGroup.playthroughs = 24;
+  settings.envGroup.episodes = 24;
   settings.envGroup.patience = -5;  // cut after some four seconds
   ThreadPool pool(1);
   const auto cpu = Trainer::make(settings, gaps, pool, alone());
@@ -262,7 +262,7 @@ TEST(DeviceEngine, AResumedRunWithMissingLevelsHasTheSameBits) {
     const Gaps gaps(bodies);
     const GapsTo stopped(12, bodies, !bodies);  // eight places
     TrainerSettings settings = tiny();
-    settings.envGroup.playthroughs = 16;  // for a quarter of the worlds
+    settings.envGroup.episodes = 16;  // for a quarter of the worlds
     Machine machine, other, third;
     const auto whole = machine.make(gaps, settings), part = other.make(stopped, settings);
     ASSERT_TRUE(whole && part);
@@ -361,7 +361,7 @@ TEST(DeviceEngine, ReturnsTheErrorOfALevelOnceItIsPlayed) {
   const OneBad first(5), second(8 + 5);  // of eight places
   EXPECT_EQ(machine.make(first, tiny()).error().text(), "this level is bad");
   TrainerSettings settings = tiny();
-  settings.envGroup.playthroughs = 32;  // of 8 worlds: no level is over after an iteration
+  settings.envGroup.episodes = 32;  // of 8 worlds: no level is over after an iteration
   const auto trainer = machine.make(second, settings);
   ASSERT_TRUE(trainer) << trainer.error().text();
   ASSERT_TRUE((*trainer)->iterate());
@@ -387,7 +387,7 @@ class OneTooLarge : public Gaps {
 TEST(DeviceEngine, ThrowsTheExceptionOfMakingALevel) {
   const OneTooLarge gaps;
   TrainerSettings settings = tiny();
-  settings.envGroup.playthroughs = 16;
+  settings.envGroup.episodes = 16;
   for (const int threads : {1, 2}) {
     Machine machine(threads);
     const auto trainer = machine.make(gaps, settings);

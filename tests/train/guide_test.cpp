@@ -94,10 +94,10 @@ TEST(Guide, HasTheWaypointsOfItsQuery) {
 
 TEST(Guide, AGuideNeedsPointsWithinTheWorld) {
   const std::pair<std::vector<Vec3>, const char*> bad[] = {
-      {{{0, 0, 0}}, "way: expected 2 to 4096 places, found 1"},
-      {std::vector<Vec3>(4097), "way: expected 2 to 4096 places, found 4097"},
-      {{{0, 0, 0}, {0, NAN, 0}}, "way[1]: expected three numbers"},
-      {{{0, 0, 0}, {0, 0, 0}, {2e6f, 0, 0}}, "way[2]: expected three numbers"}};
+      {{{0, 0, 0}}, "route: expected 2 to 4096 places, found 1"},
+      {std::vector<Vec3>(4097), "route: expected 2 to 4096 places, found 4097"},
+      {{{0, 0, 0}, {0, NAN, 0}}, "route[1]: expected three numbers"},
+      {{{0, 0, 0}, {0, 0, 0}, {2e6f, 0, 0}}, "route[2]: expected three numbers"}};
   for (const auto& [route, says] : bad) {
     const auto level = outAndBack(route);
     ASSERT_FALSE(level) << says;

@@ -137,7 +137,7 @@ TEST(Curriculum, LevelsBecomeHarderWhileTheSolvedShareIsHigh) {
   const Asked gaps;
   ThreadPool pool(1);
   TrainerSettings settings = from(0.3f, -1, -1);
-  settings.envGroup.playthroughs = 8;
+  settings.envGroup.episodes = 8;
   const auto trainer = Trainer::make(settings, gaps, pool, alone());
   ASSERT_TRUE(trainer);
   EXPECT_EQ(gaps.hardest(), 0.3f);

@@ -14,8 +14,9 @@ inline view::Collector strict(const std::vector<std::string>& only = {}) {
   return view::Collector([](const io::Record&, Error error) -> Status { return error; }, only);
 }
 
-inline view::Collector withBudget(view::PageBudget space) {
-  return view::Collector([](const io::Record&, Error error) -> Status { return error; }, {}, space);
+inline view::Collector withBudget(view::PageBudget budget) {
+  return view::Collector([](const io::Record&, Error error) -> Status { return error; }, {},
+                         budget);
 }
 
 inline void addAll(view::Collector& collector, const std::vector<std::string>& lines) {

@@ -187,7 +187,7 @@ TEST(Page, OnlyALivePageMayContactItsServer) {
   ASSERT_TRUE(live && file);
   EXPECT_THAT(*live, HasSubstr("default-src 'none'; connect-src 'self'; script-src"));
   EXPECT_THAT(*file, Not(HasSubstr("connect-src")));
-  EXPECT_THAT(*live, HasSubstr(R"({"format":3,"live":true})"));
+  EXPECT_THAT(*live, HasSubstr(R"({"format":4,"live":true})"));
   EXPECT_THAT(*live, Not(HasSubstr("@@OBBY_")));
 }
 

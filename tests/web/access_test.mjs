@@ -45,7 +45,7 @@ for (const theme of ['dark', 'light']) {
     await frames(page, 3);
     assert.equal(await page.evaluate(() => document.documentElement.dataset.theme), theme);
     const worst = await contrast(page);
-    console.log(`     min contrast ${worst.ratio.toFixed(2)} (${worst.text})`);
+    console.log(`     least contrast ${worst.ratio.toFixed(2)} (${worst.text})`);
     assert.ok(worst.ratio >= kMinContrast, JSON.stringify(worst));
     await options.picture(page, theme);
   });
@@ -210,7 +210,7 @@ test('a report update keeps the keyboard focus', async ({ page }) => {
     await page.evaluate(() => window.obby.sidebar.refresh());
     assert.equal(await focused(), before);
   };
-  await lasts(page.locator('.findings .way').nth(1));
+  await lasts(page.locator('.findings .trajectory').nth(1));
   await lasts(page.locator('.query').nth(2));
   await page.evaluate(() => window.obby.store.set({ query: 1 }));
   await arrive(page);

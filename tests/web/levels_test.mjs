@@ -211,7 +211,7 @@ test('parts missing from the level are reported', async ({
 }) => {
   await visit(page, kOfOthers);
   assert.match(await page.locator('.findings').innerText(), /part 9999 to part 9998/);
-  assert.equal(await page.locator('.findings button:not(.way)').count(), 0);
+  assert.equal(await page.locator('.findings button:not(.trajectory)').count(), 0);
   await page.locator('.ends .killer').first().click();
   const { part, killer } = await state(page);
   assert.deepEqual([part, killer], [-1, 9999]);

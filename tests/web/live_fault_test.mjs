@@ -25,7 +25,7 @@ test('a piece can hold more trajectories than call arguments', () => {
   const data = { kind: 'attempt', ticks: 0, stride: 1, position: '', yaw: '', state: '', runs: '' };
   const facts = { id: 'q', level: -1, result: null };
   const piece = (revision, serials, trajectories) => ({
-    format: 3,
+    format: 4,
     revision,
     head: { state: 'live', title: '', notes: [] },
     levels: [],
@@ -68,9 +68,9 @@ test('data of another format ends the requests', async ({
   viewer.write(...course, trajectories[0]);
   await started(page);
   await trajectoriesAre(page, 1);
-  await page.route('**/data?*', (route) => route.fulfill({ json: { format: 4 } }));
+  await page.route('**/data?*', (route) => route.fulfill({ json: { format: 5 } }));
   viewer.write(trajectories[1]);
-  await page.locator('.fatal', { hasText: 'its data has format 4, expected 3; reload the page' }).waitFor();
+  await page.locator('.fatal', { hasText: 'its data has format 5, expected 4; reload the page' }).waitFor();
   const asked = requests.length;
   viewer.write(trajectories[2]);
   await page.waitForTimeout(1500); // the server tells open pages five times a second

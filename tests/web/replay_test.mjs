@@ -88,7 +88,7 @@ for (const { level, paths } of answers) {
     }
     assert.ok(paths.some((path) => path.outcome === 'goal'));
     console.log(
-      `     ${paths.length} trajectories, ${total} points, at max ${worst.toExponential(1)} studs apart`,
+      `     ${paths.length} trajectories, ${total} points, at most ${worst.toExponential(1)} studs apart`,
     );
   });
 }
@@ -235,7 +235,7 @@ test('a pushed box matches a recording of the simulator', async ({
   assert.ok(found.bodies > 0, 'nothing is pushed');
   assert.ok(found.moved > 4, `pushed ${found.moved} studs`);
   assert.ok(found.max <= kMaxStuds, `${found.max} studs`);
-  console.log(`     ${found.count} frames, at max ${found.max.toExponential(1)} studs apart`);
+  console.log(`     ${found.count} frames, at most ${found.max.toExponential(1)} studs apart`);
   const box = await page.evaluate(() => window.obby.report.levels[0].bodies[0]);
   assert.deepEqual(await pickedWhereItIs(page, box), [box, box]);
   assert.deepEqual(trouble, []);

@@ -214,7 +214,7 @@ const difficulty = {
 };
 
 export const report = {
-  format: 3,
+  format: 4,
   generator: 'sample',
   title: 'Sample course',
   notes: [],

@@ -101,7 +101,7 @@ test('an unknown difficulty band is shown as unknown', async ({ page }) => {
 });
 
 test('a click on a route toggles its filter', async ({ page }) => {
-  const route = page.locator('.findings .way').nth(1);
+  const route = page.locator('.findings .trajectory').nth(1);
   assert.equal(await route.innerText(), 'Spawn → Landing');
   await route.click();
   const only = paths.filter((path) => path.route.join(' ') === '0 6');
@@ -219,17 +219,17 @@ test('the heat map counts listed trajectories once per cell', async ({ page }) =
   await page.locator('#view').focus();
   await page.keyboard.press('9');
   await set(page, { heatTrajectories: true });
-  const limit = () => page.evaluate(() => window.obby.stage.heat.limit);
-  assert.equal(await limit(), paths.length, 'all start in one cell');
+  const fullest = () => page.evaluate(() => window.obby.stage.heat.max);
+  assert.equal(await fullest(), paths.length, 'all start in one cell');
   await set(page, { outcome: 'killed' });
-  assert.equal(await limit(), paths.filter((path) => path.outcome === 'killed').length);
+  assert.equal(await fullest(), paths.filter((path) => path.outcome === 'killed').length);
   await set(page, { outcome: '' });
   await frames(page);
   await options.picture(page, 'heat');
   const fold = page.getByRole('button', { name: 'Display' });
   await fold.click();
   await page.getByText('of listed trajectories only').click();
-  assert.equal(await limit(), 90, "the search's own cells");
+  assert.equal(await fullest(), 90, "the search's own cells");
   await frames(page);
   await options.picture(page, 'heat-search');
   await fold.click();
@@ -254,7 +254,7 @@ test('an unreachable query explains its cut and advice', async ({
   await arrive(page);
   assert.match(
     await page.locator('.findings').innerText(),
-    /Why there is no solution[\s\S]*3 parts are reachable[\s\S]*Step 2 to Landing[\s\S]*at lowest 1.5 studs of height/,
+    /Why there is no solution[\s\S]*3 parts are reachable[\s\S]*Step 2 to Landing[\s\S]*at least 1.5 studs of height/,
   );
   assert.ok((await page.locator('#labels').textContent()).includes('✕ at least 1.5 studs of height'));
   await page.locator('.findings .text', { hasText: 'without Lava' }).click();

@@ -37,7 +37,7 @@ Status writeSummary(io::Pipeline& pipeline, const std::vector<Fidelity>& all,
 std::string textOf(size_t count, const calibrate::FidelitySummary& s) {
   std::string out = fmt::format(
       "{} recording{} played: the position is off by {:.3f} studs in the median recording, by "
-      "{:.3f} in the worst twentieth",
+      "at most {:.3f} studs in 95 % of them",
       count, count == 1 ? "" : "s", s.medianMean, s.p95Mean);
   if (s.medianApex)
     out += fmt::format("; the top of a jump by {:.3f} in the median", *s.medianApex);

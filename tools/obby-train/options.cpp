@@ -96,8 +96,8 @@ std::vector<OptionRow> learnRows() {
                             "maximum size of a minibatch, in decisions", 64, 1 << 20),
                    "part")),
       rare(learnRow("entropy", ValueType::number, "SHARE", s.ppo.loss.entropyWeight,
-                    "weight of the entropy in the loss: more makes the policy explore more", 0,
-                    10)),
+                    "weight of the entropy in the loss; higher values make the policy explore more",
+                    0, 10)),
       rare(learnRow("discount", ValueType::number, "SHARE", s.ppo.discount,
                     "discount factor of the reward per decision", 0, 1)),
   };

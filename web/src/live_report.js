@@ -6,7 +6,7 @@ import { Path } from './path.js';
 /** @import {LivePiece, LiveQuery, StreamState} from './types/page_data.js' */
 /** @import {Report} from './types/report.js' */
 
-const kFormat = 3; // data format, as in a page file
+const kFormat = 4; // data format, as in a page file
 
 /**
  * Returns true if one of the ranges [first, last], ascending, contains the number. There may be one

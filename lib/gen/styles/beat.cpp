@@ -8,7 +8,7 @@ namespace {
 constexpr Parameter kParameters[] = {
     {"platforms", "", 2, 5, 1, 12, "in a row"},
     {"beat", "seconds", 2.5f, 1.25f, 0.5f, 10, "how long a platform is there, and then gone"},
-    {"size", "studs", 7, 4.5f, 2, 20, "of a platform"},
+    {"size", "studs", 7, 4.5f, 2, 20, "size of a platform"},
 };
 const auto& [kPlatforms, kPeriod, kSize] = kParameters;
 

@@ -7,11 +7,11 @@ namespace {
 
 constexpr Parameter kParameters[] = {
     {"open", "seconds", 12, 3, 2, 60, "how long the door stays open"},
-    {"aside", "studs", 3, 8, 0, 8, "of the door button, to either side"},
+    {"aside", "studs", 3, 8, 0, 8, "offset of the door button, to either side"},
     {"there", "seconds", 12, 5, 2, 60, "how long the bridge stays"},
     {"beyond", "studs", 6, 10, 6, 30, "how much longer than a jump the bridge is"},
-    {"width", "studs", 6, 2, 1, 12, "of the bridge"},
-    {"bankAside", "studs", 0, 4, 0, 4, "of the bridge button, to either side"},
+    {"width", "studs", 6, 2, 1, 12, "width of the bridge"},
+    {"bankAside", "studs", 0, 4, 0, 4, "offset of the bridge button to either side"},
 };
 const auto& [kOpen, kAside, kThere, kBeyond, kWidth, kBankAside] = kParameters;
 

@@ -7,7 +7,7 @@ namespace obby::gen {
 namespace {
 
 constexpr Parameter kParameters[] = {
-    {"rows", "", 3, 5, 1, 12, "of three tiles"},
+    {"rows", "", 3, 5, 1, 12, "rows of three tiles"},
     {"tile", "studs", 7, 4.5f, 3, 12, "size of a tile"},
     {"taken", "", 0, 0.9f, 0, 1, "share of the other safe tiles that are deadly too"},
 };

@@ -7,11 +7,11 @@ namespace {
 
 constexpr Parameter kParameters[] = {
     {"belts", "", 1, 3, 1, 12, "one behind the other"},
-    {"length", "studs", 10, 20, 4, 60, "of a belt"},
-    {"width", "studs", 10, 5, 2, 30, "of a belt"},
+    {"length", "studs", 10, 20, 4, 60, "length of a belt"},
+    {"width", "studs", 10, 5, 2, 30, "width of a belt"},
     {"against", "", 0.25f, 0.75f, 0, 0.75f,
      "speed of belts against the player, as a share of walking speed"},
-    {"along", "", 0.25f, 0.5f, 0, 1, "of belts along and across"},
+    {"along", "", 0.25f, 0.5f, 0, 1, "speed of belts along and across"},
     {"floor", "studs", 9, 6, 2, 30, "width of the floor behind a belt"},
 };
 const auto& [kBelts, kLength, kWidth, kAgainst, kAlong, kFloor] = kParameters;

@@ -8,8 +8,8 @@ namespace {
 
 constexpr Parameter kParameters[] = {
     {"plank", "studs", 12, 9, 6, 30, "length of a plank; increased so that no jump can skip one"},
-    {"width", "studs", 6, 3.5f, 2, 8, "of a plank"},
-    {"short", "studs", 0, 4, 0, 20, "how much shorter the dead end is"},
+    {"width", "studs", 6, 3.5f, 2, 8, "width of a plank"},
+    {"short", "studs", 0, 4, 0, 20, "how much shorter the dead end is than the planks"},
     {"road", "studs", 6, 3, 2, 8, "width of the dead end"},
 };
 const auto& [kPlank, kWidth, kShort, kRoad] = kParameters;

@@ -7,11 +7,11 @@ namespace {
 
 constexpr Parameter kParameters[] = {
     {"lifts", "", 1, 2, 1, 6, "one behind the other"},
-    {"size", "studs", 8, 4.5f, 3, 20, "of a lift"},
+    {"size", "studs", 8, 4.5f, 3, 20, "size of a lift"},
     {"speed", "studs/s", 4, 8, 2, 30, "average"},
     {"height", "studs", 2, 10, 2, 40, "how far the ledge is above the highest jump"},
     {"edge", "studs", 1, 3, 0, 5, "distance from the lift to the ledge"},
-    {"width", "studs", 10, 6, 2, 30, "of the ledge"},
+    {"width", "studs", 10, 6, 2, 30, "width of the ledge"},
 };
 const auto& [kLifts, kSize, kSpeed, kHeight, kEdge, kWidth] = kParameters;
 

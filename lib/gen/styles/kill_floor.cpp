@@ -7,7 +7,7 @@ namespace {
 
 constexpr Parameter kParameters[] = {
     {"stones", "", 2, 4, 1, 12, "in a row"},
-    {"size", "studs", 6, 3.5f, 2, 12, "of a stone"},
+    {"size", "studs", 6, 3.5f, 2, 12, "size of a stone"},
     {"aside", "studs", 0, 2, 0, 3, "offset of a stone to either side"},
 };
 const auto& [kStones, kSize, kAside] = kParameters;

@@ -7,7 +7,7 @@ namespace {
 
 constexpr Parameter kParameters[] = {
     {"walls", "", 1, 4, 1, 12, "one behind the other"},
-    {"width", "studs", 12, 6, 2, 30, "of floor and walls"},
+    {"width", "studs", 12, 6, 2, 30, "width of floor and walls"},
     {"run", "studs", 14, 9, 6, 40, "distance from wall to wall"},
 };
 const auto& [kWalls, kWidth, kRun] = kParameters;

@@ -6,11 +6,11 @@ namespace obby::gen {
 namespace {
 
 constexpr Parameter kParameters[] = {
-    {"length", "studs", 16, 34, 8, 100, "of the log"},
-    {"diameter", "studs", 8, 5, 3, 20, "of the log"},
+    {"length", "studs", 16, 34, 8, 100, "length of the log"},
+    {"diameter", "studs", 8, 5, 3, 20, "diameter of the log"},
     {"spikes", "", 2, 8, 1, 12, "along the log"},
-    {"speed", "rad/s", 0.5f, 2, 0.5f, 6, "of the spikes, in either direction"},
-    {"height", "studs", 2, 4, 1, 6, "of a spike"},
+    {"speed", "rad/s", 0.5f, 2, 0.5f, 6, "speed of the spikes, in either direction"},
+    {"height", "studs", 2, 4, 1, 6, "height of a spike"},
 };
 const auto& [kLength, kDiameter, kSpikes, kSpeed, kHeight] = kParameters;
 

@@ -7,7 +7,7 @@ namespace {
 
 constexpr Parameter kParameters[] = {
     {"platforms", "", 1, 4, 1, 12, "in a row"},
-    {"size", "studs", 7, 4, 2, 20, "of a platform"},
+    {"size", "studs", 7, 4, 2, 20, "size of a platform"},
     {"travel", "studs", 3, 8, 0.25f, 12, "distance to either side"},
     {"speed", "studs/s", 6, 9, 3, 30, "average, without the 0.75 s at each end"},
 };

@@ -7,9 +7,9 @@ namespace {
 
 constexpr Parameter kParameters[] = {
     {"discs", "", 1, 2, 1, 6, "one behind the other"},
-    {"diameter", "studs", 18, 14, 8, 40, "of a disc"},
-    {"height", "studs", 0.75f, 2, 0.25f, 4, "of a bar"},
-    {"speed", "rad/s", 0.75f, 2.75f, 0.5f, 6, "of a bar, in either direction"},
+    {"diameter", "studs", 18, 14, 8, 40, "diameter of a disc"},
+    {"height", "studs", 0.75f, 2, 0.25f, 4, "height of a bar"},
+    {"speed", "rad/s", 0.75f, 2.75f, 0.5f, 6, "speed of a bar, in either direction"},
 };
 const auto& [kDiscs, kDiameter, kHeight, kSpeed] = kParameters;
 

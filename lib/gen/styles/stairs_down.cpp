@@ -6,9 +6,9 @@ namespace obby::gen {
 namespace {
 
 constexpr Parameter kParameters[] = {
-    {"steps", "", 3, 5, 1, 12, "of the stairs"},
+    {"steps", "", 3, 5, 1, 12, "steps of the stairs"},
     {"drop", "studs", 3, 12, 0, 20, "how much lower the next step is"},
-    {"size", "studs", 7, 3.5f, 2, 30, "of a step"},
+    {"size", "studs", 7, 3.5f, 2, 30, "size of a step"},
 };
 const auto& [kSteps, kDrop, kSize] = kParameters;
 

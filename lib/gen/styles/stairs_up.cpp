@@ -6,9 +6,9 @@ namespace obby::gen {
 namespace {
 
 constexpr Parameter kParameters[] = {
-    {"steps", "", 3, 5, 1, 12, "of the stairs"},
-    {"width", "studs", 8, 5, 2, 30, "of the stairs"},
-    {"depth", "studs", 6, 4, 2, 30, "of a step"},
+    {"steps", "", 3, 5, 1, 12, "steps of the stairs"},
+    {"width", "studs", 8, 5, 2, 30, "width of the stairs"},
+    {"depth", "studs", 6, 4, 2, 30, "depth of a step"},
 };
 const auto& [kSteps, kWidth, kDepth] = kParameters;
 

@@ -7,7 +7,7 @@ namespace {
 
 constexpr Parameter kParameters[] = {
     {"towers", "", 1, 2, 1, 6, "one behind the other"},
-    {"width", "studs", 10, 6, 4, 30, "of a tower"},
+    {"width", "studs", 10, 6, 4, 30, "width of a tower"},
     {"foot", "studs", 9, 6, 4, 30, "length of the floor before it"},
     {"height", "studs", 4, 24, 4, 80, "how far a tower is above the highest jump; even numbers"},
 };

@@ -7,7 +7,7 @@ namespace {
 
 constexpr Parameter kParameters[] = {
     {"tiles", "", 3, 6, 1, 20, "in a row"},
-    {"size", "studs", 6, 4, 2, 20, "of a tile"},
+    {"size", "studs", 6, 4, 2, 20, "size of a tile"},
     {"delay", "seconds", 1.5f, 0.5f, 0.25f, 10, "from the touch until it disappears"},
     {"aside", "studs", 0, 1.5f, 0, 3, "offset of a tile to either side"},
 };

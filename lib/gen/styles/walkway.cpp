@@ -7,8 +7,8 @@ namespace {
 
 constexpr Parameter kParameters[] = {
     {"segments", "", 2, 4, 1, 12, "straight stretches"},
-    {"width", "studs", 8, 2.5f, 1, 12, "of the walkway"},
-    {"length", "studs", 12, 26, 8, 60, "of a stretch"},
+    {"width", "studs", 8, 2.5f, 1, 12, "width of the walkway"},
+    {"length", "studs", 12, 26, 8, 60, "length of a stretch"},
 };
 const auto& [kSegments, kWidth, kLength] = kParameters;
 

@@ -7,8 +7,8 @@ namespace {
 
 constexpr Parameter kParameters[] = {
     {"walls", "", 1, 2, 1, 12, "one behind the other"},
-    {"width", "studs", 12, 8, 3, 30, "of floor and walls"},
-    {"thickness", "studs", 2, 1, 0.5f, 6, "of a wall"},
+    {"width", "studs", 12, 8, 3, 30, "width of floor and walls"},
+    {"thickness", "studs", 2, 1, 0.5f, 6, "thickness of a wall"},
 };
 const auto& [kWalls, kWidth, kThickness] = kParameters;
 

@@ -6,11 +6,11 @@ namespace obby::gen {
 namespace {
 
 constexpr Parameter kParameters[] = {
-    {"width", "studs", 10, 4, 2, 30, "of ramps and floors"},
+    {"width", "studs", 10, 4, 2, 30, "width of ramps and floors"},
     {"height", "studs", 2, 8, 2, 40, "how far the terrace is above the highest jump"},
     {"steepness", "", 0.5f, 2, 0.25f, 2, "height of a ramp divided by its length"},
     {"terrace", "studs", 14, 8, 4, 40, "length of the terrace"},
-    {"drop", "studs", 4, 10, 1, 15, "of the ramp down, if there is one"},
+    {"drop", "studs", 4, 10, 1, 15, "height of the ramp down, if there is one"},
 };
 const auto& [kWidth, kHeight, kSteep, kTerrace, kDrop] = kParameters;
 

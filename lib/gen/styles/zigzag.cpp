@@ -7,7 +7,7 @@ namespace {
 
 constexpr Parameter kParameters[] = {
     {"stones", "", 3, 6, 1, 12, "in a row"},
-    {"size", "studs", 6, 3, 2, 20, "of a stone"},
+    {"size", "studs", 6, 3, 2, 20, "size of a stone"},
     {"up", "studs", 0, 4, 0, 6, "how much higher the next stone is, in an upward jump"},
     {"down", "studs", 0, 3, 0, 12, "how much lower the next stone is, in a downward jump"},
     {"slant", "", 0.25f, 0.85f, 0, 0.85f, "max share of a jump that goes sideways"},

@@ -63,8 +63,8 @@ void readCollider(const Tree& tree, LevelDraft& level) {
   level.avatar.colliderTouches =
       get<EnumItem>(from, "HitAndTouchDetectionMode").value != kUseParts ||
       get<EnumItem>(from, "TouchAndQueryDetectionMode").value != kUseParts;
-  std::string note =
-      fmt::format("one box of {:.3g} x {:.3g} x {:.3g} studs collides", size.x, size.y, size.z);
+  std::string note = fmt::format("the body collides as one box of {:.3g} x {:.3g} x {:.3g} studs",
+                                 size.x, size.y, size.z);
   note += "; simulated from the hips up, and as the head alone while Jumping";
   level.noteIgnored("single collider", tree.path(rules), note);
 }

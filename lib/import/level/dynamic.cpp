@@ -22,7 +22,7 @@ void anchor(const Tree& tree, LevelDraft& level, PartDraft& part, const std::str
 }
 
 // Unanchors the parts that can move on their own. Returns their number.
-int dynamicn(const Tree& tree, const Assemblies& assemblies, LevelDraft& level) {
+int unanchorMovable(const Tree& tree, const Assemblies& assemblies, LevelDraft& level) {
   int count = 0;
   for (PartDraft& part : level.parts) {
     if (isPushbox(tree, part) && part.anchored && part.solid && !part.motion) {
@@ -44,7 +44,7 @@ int dynamicn(const Tree& tree, const Assemblies& assemblies, LevelDraft& level) 
 }  // namespace
 
 void dynamicParts(const Tree& tree, const Assemblies& assemblies, LevelDraft& level) {
-  if (dynamicn(tree, assemblies, level) <= level::kMaxBodies) return;
+  if (unanchorMovable(tree, assemblies, level) <= level::kMaxBodies) return;
   int left = level::kMaxBodies;
   for (PartDraft& part : level.parts) {
     if (!isDynamic(part) || (isPushbox(tree, part) && left-- > 0)) continue;

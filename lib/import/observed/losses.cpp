@@ -68,7 +68,7 @@ void notePushes(RoleContext& context, const engine::Report& report) {
   if (push != changes.end() && report.undisturbed.harms.empty())
     context.level.noteUnmodelled(
         "push without a touch", context.tree, kNoInstance,
-        "the player stays where it is; " + lineReason(context.tree, push->line));
+        "not simulated: the player stays where it is; " + lineReason(context.tree, push->line));
 }
 
 // Returns true for speeds that each new body gets again.

@@ -58,7 +58,7 @@ void applyPlayerState(RoleContext& context, const ObservedPlace& place) {
     world.gravity -= float(player.lift);
   else if (player.lift > 0)
     context.level.noteUnmodelled("force on the player", context.tree, kNoInstance,
-                                 "it floats up; the force does not act");
+                                 "the force would make the player float up; it is not simulated");
   world.maxHealth = float(settled.maxHealth);
   noteBody(context, place.report);
 }

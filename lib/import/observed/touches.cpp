@@ -12,7 +12,7 @@
 namespace obby::importer {
 namespace {
 
-constexpr const char* kPosition = "nothing happens while limbs alone are in it";
+constexpr const char* kPosition = "nothing happens while only limbs are inside";
 
 class Touches {
  public:

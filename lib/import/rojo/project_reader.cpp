@@ -55,7 +55,7 @@ class ProjectReader {
                  {},
                  {},
                  "cannot read: Is a directory",
-                 "the folder of a Rojo project has a default.project.json"};
+                 "name a folder that contains default.project.json"};
   }
 
   // Returns the name of the file, or of its folder if it is a default project file.

@@ -18,7 +18,7 @@ constexpr int32_t kMaxBlocks = 8;    // per axis; one box holds the places of a 
 
 // Returns true if the list of a cell has more parts than a tick examines. The list names all that a
 // player in the cell can be near, at any speed.
-bool isEnvGroup(const level::LevelView& level, const uint32_t* list) {
+bool isCrowded(const level::LevelView& level, const uint32_t* list) {
   const auto moves = [&](uint32_t id) { return (level.bounds[id].flags & level::kMoving) != 0; };
   const int moving = int(std::count_if(list + 1, list + 1 + list[0], moves));
   return list[0] > uint32_t(sim::kMaxCandidates) || moving > sim::kMaxMovingCandidates;
@@ -34,7 +34,7 @@ std::vector<Box> crowdedPlaces(const level::LevelView& level) {
   std::vector<int8_t> known(g.listWords, -1);  // (starts of lists): -1 unknown, 0 no, 1 yes
   for (int32_t i = 0; i < g.nx * g.ny * g.nz; ++i) {
     const uint32_t at = g.cells[i];
-    if (known[at] < 0) known[at] = isEnvGroup(level, g.lists + at) ? 1 : 0;
+    if (known[at] < 0) known[at] = isCrowded(level, g.lists + at) ? 1 : 0;
     if (known[at] == 0) continue;
     const int32_t x = i % g.nx, y = i / g.nx % g.ny, z = i / g.nx / g.ny;
     const Vec3 lo = g.origin + mul(size, Vec3{float(x), float(y), float(z)});

@@ -105,10 +105,10 @@ export class CutView {
    * @param {Vector3} to
    */
   arrow(from, to) {
-    const trajectory = to.clone().sub(from);
-    const length = Math.max(trajectory.length(), 0.1);
+    const along = to.clone().sub(from);
+    const length = Math.max(along.length(), 0.1);
     const head = Math.min(kHead, length / 2);
-    const arrow = new ArrowHelper(trajectory.normalize(), from, length, CUT_COLOR, head, head * 0.7);
+    const arrow = new ArrowHelper(along.normalize(), from, length, CUT_COLOR, head, head * 0.7);
     for (const { material } of [arrow.line, arrow.cone])
       for (const each of [material].flat()) each.depthTest = false;
     arrow.line.renderOrder = 10;

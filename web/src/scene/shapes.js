@@ -90,10 +90,10 @@ export function unitGeometry(shape) {
  */
 function inLine(points) {
   const from = (/** @type {Vector3} */ point) => point.clone().sub(points[0]);
-  let trajectory = new Vector3();
-  for (const point of points) if (from(point).lengthSq() > trajectory.lengthSq()) trajectory = from(point);
-  const min = 1e-14 * trajectory.lengthSq() ** 2; // rounding tolerance; thin shapes are still visible
-  return points.every((point) => from(point).cross(trajectory).lengthSq() <= min);
+  let span = new Vector3();
+  for (const point of points) if (from(point).lengthSq() > span.lengthSq()) span = from(point);
+  const min = 1e-14 * span.lengthSq() ** 2; // rounding tolerance; thin shapes are still visible
+  return points.every((point) => from(point).cross(span).lengthSq() <= min);
 }
 
 /**

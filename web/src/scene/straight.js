@@ -15,25 +15,25 @@ export function corners(samples) {
   const out = [...samples.subarray(0, 3)];
   let from = 0; // start of the segment: the sample of the last corner
   /** @type {Triple | null} */
-  let trajectory = null; // direction of the segment
+  let direction = null; // direction of the segment
   let far = 0; // distance of the previous sample along it
   for (let i = 3; i < samples.length; i += 3) {
     let [x, y, z] = offset(samples, from, i);
-    if (trajectory) {
-      const on = x * trajectory[0] + y * trajectory[1] + z * trajectory[2];
-      const beside = Math.hypot(x - on * trajectory[0], y - on * trajectory[1], z - on * trajectory[2]);
+    if (direction) {
+      const on = x * direction[0] + y * direction[1] + z * direction[2];
+      const beside = Math.hypot(x - on * direction[0], y - on * direction[1], z - on * direction[2]);
       if (on >= far && beside <= kOff) {
         far = on;
         continue;
       }
       from = i - 3;
       out.push(...samples.subarray(from, i));
-      trajectory = null;
+      direction = null;
       [x, y, z] = offset(samples, from, i);
     }
     const length = Math.hypot(x, y, z);
     if (length <= kStep) continue;
-    trajectory = [x / length, y / length, z / length];
+    direction = [x / length, y / length, z / length];
     far = length;
   }
   out.push(...samples.subarray(-3));

@@ -48,7 +48,7 @@ function help(result, level, store) {
 }
 
 /** @param {number} n */
-const reachable = (n) => `At max ${n} ${n === 1 ? 'part is' : 'parts are'} reachable`;
+const reachable = (n) => `At most ${n} ${n === 1 ? 'part is' : 'parts are'} reachable`;
 
 /**
  * Describes what the smallest impossible step lacks.
@@ -56,10 +56,10 @@ const reachable = (n) => `At max ${n} ${n === 1 ? 'part is' : 'parts are'} reach
  */
 export function lackOf({ rise, gap, jumps, seconds: time }) {
   const lacks = [];
-  if (rise > 0) lacks.push(`at min ${rise.toFixed(1)} studs of height`);
-  if (gap > 0) lacks.push(`at min ${gap.toFixed(1)} studs of distance`);
-  if (jumps > 0) lacks.push(`needs at min ${plural(jumps, 'jump')}`);
-  if (time > 0) lacks.push(`needs at min ${seconds(time)} s`);
+  if (rise > 0) lacks.push(`at least ${rise.toFixed(1)} studs of height`);
+  if (gap > 0) lacks.push(`at least ${gap.toFixed(1)} studs of distance`);
+  if (jumps > 0) lacks.push(`needs at least ${plural(jumps, 'jump')}`);
+  if (time > 0) lacks.push(`needs at least ${seconds(time)} s`);
   return lacks.join(', ');
 }
 
@@ -105,7 +105,7 @@ function routes(query, result, level, store) {
       'li',
       {},
       el('button', {
-        class: 'plain text way',
+        class: 'plain text trajectory',
         type: 'button',
         data: { key: `route ${key}` },
         title: `Show only these: ${routeText(route, level)}`,

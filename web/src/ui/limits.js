@@ -9,8 +9,8 @@ function jumpLimits({ minJumps, maxJumps }) {
   if (maxJumps === 0) return ['no jumps'];
   if (maxJumps >= 0 && maxJumps === minJumps) return [`exactly ${plural(maxJumps, 'jump')}`];
   const limits = [];
-  if (maxJumps >= 0) limits.push(`at max ${plural(maxJumps, 'jump')}`);
-  if (minJumps > 0) limits.push(`at min ${plural(minJumps, 'jump')}`);
+  if (maxJumps >= 0) limits.push(`at most ${plural(maxJumps, 'jump')}`);
+  if (minJumps > 0) limits.push(`at least ${plural(minJumps, 'jump')}`);
   return limits;
 }
 
@@ -33,7 +33,7 @@ export function limitsOf(query) {
   if (query.goals.length) parts.push(`one of ${plural(goals, 'goal')}${drawn(query.goals)}`);
   if (query.avoid.length)
     parts.push(`${plural(query.avoid.length, 'region')} to avoid${drawn(query.avoid)}`);
-  if (query.maxDamage >= 0) parts.push(`at max ${query.maxDamage} health lost`);
+  if (query.maxDamage >= 0) parts.push(`at most ${query.maxDamage} health lost`);
   if (query.forbid.length) parts.push(`never ${query.forbid.map(stateName).join(' or ')}`);
   return el('p', {
     class: 'quiet limits',

@@ -14,8 +14,8 @@ const std::vector<RelaxationRow>& relaxationRows() {
 
 std::vector<Change> changesFor(const Failure& failure) {
   std::vector<Change> all;
-  for (const RelaxationRow& kind : relaxationRows()) {
-    std::vector<Change> some = kind.changes(failure);
+  for (const RelaxationRow& row : relaxationRows()) {
+    std::vector<Change> some = row.changes(failure);
     std::move(some.begin(), some.end(), std::back_inserter(all));
   }
   return all;

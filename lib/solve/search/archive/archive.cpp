@@ -61,9 +61,9 @@ void Archive::putBodies(uint32_t cell, const sim::RigidBody* bodies) {
   }
   if (set == 0) {
     set = bodySetCount_++;
-    bodies_.resize(bodiesAtTick(set) + bodyCount_);
+    bodies_.resize(placeOfSet(set) + bodyCount_);
   }
-  std::copy_n(bodies, bodyCount_, bodies_.at(bodiesAtTick(set)));
+  std::copy_n(bodies, bodyCount_, bodies_.at(placeOfSet(set)));
 }
 
 uint64_t Archive::singletons() const {

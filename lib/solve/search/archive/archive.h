@@ -70,7 +70,7 @@ class Archive {
   const sim::World& world(uint32_t cell) const { return worlds_[cell]; }
   std::span<const sim::RigidBody> bodies(uint32_t cell) const {
     if (bodyCount_ == 0) return {};
-    return {bodies_.at(bodiesAtTick(bodySets_[cell])), bodyCount_};
+    return {bodies_.at(placeOfSet(bodySets_[cell])), bodyCount_};
   }
   // Returns the bodies of the first world offered; null if the level has none.
   const sim::RigidBody* firstBodies() const { return bodyCount_ == 0 ? nullptr : bodies_.at(0); }
@@ -99,7 +99,7 @@ class Archive {
  private:
   void addCell(uint64_t key);
   void putBodies(uint32_t cell, const sim::RigidBody* bodies);
-  size_t bodiesAtTick(uint32_t set) const {  // the bodies of a set lie in one chunk
+  size_t placeOfSet(uint32_t set) const {  // the bodies of a set lie in one chunk
     const size_t sets = ChunkedVector<sim::RigidBody>::kChunk / bodyCount_;
     return set / sets * ChunkedVector<sim::RigidBody>::kChunk + set % sets * bodyCount_;
   }
@@ -116,7 +116,7 @@ class Archive {
   ChunkedVector<uint16_t> jumps_;
   ChunkedVector<sim::World> worlds_;
   ChunkedVector<uint32_t> bodySets_;      // (cells)
-  ChunkedVector<sim::RigidBody> bodies_;  // (sets, bodyCount), see bodiesAtTick
+  ChunkedVector<sim::RigidBody> bodies_;  // (sets, bodyCount), see placeOfSet
   uint32_t bodySetCount_ = 0;
   ChunkedVector<uint32_t> cellNodes_;
   ChunkedVector<uint32_t> seen_;

@@ -9,7 +9,7 @@ namespace obby::solve {
 constexpr uint32_t kNone = level::kNone;
 
 // Random streams count up from 0. These bits mark rollouts that are not random.
-constexpr uint64_t kWarmStart = 1ull << 62;  // a trajectory of an earlier answer
+constexpr uint64_t kWarmStart = 1ull << 62;  // a trajectory of Problem::known
 constexpr uint64_t kByPolicy = 1ull << 61;   // moves of the policy, drawn from that stream
 constexpr uint64_t kLikeliest = 1ull << 60;  // with kByPolicy: its likeliest moves
 

@@ -9,15 +9,15 @@ namespace obby::solve {
 BeamRoute::BeamRoute(const Problem& problem)
     : ticksPerStud_(float(problem.level.params.controlRate) /
                     std::max(problem.level.params.walkSpeed, 1.0f)),
-      legs_(problem.query.waypointCount + 1, 0.0f) {
+      segments_(problem.query.waypointCount + 1, 0.0f) {
   const level::QueryView& query = problem.query;
   const geom::Region* to = &query.goal.region;
   for (uint32_t i = query.waypointCount; i-- > 0; to = &query.waypoints[i].target.region) {
     const geom::Region& from = query.waypoints[i].target.region;
-    const float rest = geom::distance(*to, from.pose.position) - length(from.half);
+    const float segment = geom::distance(*to, from.pose.position) - length(from.half);
     // With several goals the distance to the first is no lower bound.
     const bool known = i + 1 < query.waypointCount || query.otherGoalCount == 0;
-    legs_[i] = legs_[i + 1] + (known ? std::max(rest, 0.0f) : 0.0f);
+    segments_[i] = segments_[i + 1] + (known ? std::max(segment, 0.0f) : 0.0f);
   }
   for (uint32_t i = 0; i < query.visitCount; ++i) {
     const geom::Region& from = query.visits[i].region;

@@ -12,13 +12,13 @@ class BeamRoute {
  public:
   explicit BeamRoute(const Problem& problem);
   BeamView view() const {
-    return {legs_.data(), hops_.data(), uint32_t(legs_.size()), uint32_t(hops_.size()),
+    return {segments_.data(), hops_.data(), uint32_t(segments_.size()), uint32_t(hops_.size()),
             ticksPerStud_};
   }
 
  private:
   float ticksPerStud_;
-  std::vector<float> legs_, hops_;
+  std::vector<float> segments_, hops_;
 };
 
 }  // namespace obby::solve

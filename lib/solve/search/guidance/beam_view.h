@@ -13,15 +13,15 @@ constexpr uint32_t kTriedTicks = 60;  // added to f by each round's tries, so no
 
 // Plain spans, for device code.
 struct BeamView {
-  const float* legs = nullptr;  // (waypoints + 1), studs from each waypoint to the goal
+  const float* segments = nullptr;  // (waypoints + 1), studs from each waypoint to the goal
   const float* hops = nullptr;  // (visits), studs from a visit to the nearest other or to the goal
-  uint32_t legCount = 0, hopCount = 0;
+  uint32_t segmentCount = 0, hopCount = 0;
   float ticksPerStud = 0;
 };
 
 template <class Table>
 OBBY_DEVICE void forTables(BeamView& b, Table&& table) {
-  table(b.legs, b.legCount);
+  table(b.segments, b.segmentCount);
   table(b.hops, b.hopCount);
 }
 
@@ -29,7 +29,7 @@ OBBY_DEVICE void forTables(BeamView& b, Table&& table) {
 // visits counts the distance to the nearest one, and from each visit to its nearest neighbour.
 OBBY_DEVICE float ticksLeft(const BeamView& b, const level::QueryView& query,
                             const sim::World& world) {
-  float studs = nextRegion(query, world).distance + b.legs[world.waypoints];
+  float studs = nextRegion(query, world).distance + b.segments[world.waypoints];
   for (uint32_t i = 0; i < b.hopCount; ++i) {
     if (!(world.visited >> i & 1)) studs += b.hops[i];
   }

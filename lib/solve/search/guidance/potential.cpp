@@ -12,9 +12,9 @@ namespace {
 std::vector<float> spansInOrder(const level::QueryView& q, Vec3 from) {
   std::vector<float> spans;
   float size = 0;  // half diagonal of the region before, which may be left on its far side
-  for (uint32_t rest = 0; rest <= q.waypointCount; ++rest) {
+  for (uint32_t segment = 0; segment <= q.waypointCount; ++segment) {
     const geom::Region& to =
-        rest < q.waypointCount ? q.waypoints[rest].target.region : q.goal.region;
+        segment < q.waypointCount ? q.waypoints[segment].target.region : q.goal.region;
     spans.push_back(1.5f * std::max(1.0f, geom::distance(to, from) + size));
     from = to.pose.position;
     size = length(to.half);

@@ -75,9 +75,10 @@ const std::vector<Method>& ablations() {
       {"auto-width", "auto with cells of 1 stud", runGoExplore<narrowCells, makeMixedSelector>},
       {"auto-looks", "auto that examines every tick",
        runGoExplore<with<&Settings::lookEvery, 1u>, makeMixedSelector>},
-      {"auto-beam", "auto with the selector alone", runGoExplore<guidedSettings, selectorAlone>},
+      {"auto-beam", "auto with the cell selector alone",
+       runGoExplore<guidedSettings, selectorAlone>},
       {"auto-selector", "auto with the beam alone", runGoExplore<aimedSettings, makeBeamSelector>},
-      {"auto-hedge", "auto without the selector's hedge",
+      {"auto-hedge", "auto without the cell selector's hedge",
        runGoExplore<guidedSettings, mixedWithoutHedge>},
       {"auto-policy", "auto without a policy", runGoExplore<aimedSettings, makeMixedSelector>},
   };

@@ -82,21 +82,21 @@ Status ResidentRounds::sumUp(const SumTree& tree) const {
 Status ResidentRounds::reserveRound(uint32_t rollouts, uint32_t visits) {
   ResidentArguments& a = arguments_;
   const size_t bodyCount = a.archive.bodyCount, all = size_t(rollouts) * visits;
-  OBBY_RETURN_IF_ERROR(capacity(memory_.starts, a.starts, rollouts));
-  OBBY_RETURN_IF_ERROR(capacity(memory_.bodies, a.bodies, rollouts * bodyCount));
-  OBBY_RETURN_IF_ERROR(capacity(memory_.worlds, a.candidates.worlds, all));
-  OBBY_RETURN_IF_ERROR(capacity(memory_.candidateBodies, a.candidates.bodies, all * bodyCount));
-  OBBY_RETURN_IF_ERROR(capacity(memory_.keys, a.candidates.keys, all));
-  OBBY_RETURN_IF_ERROR(capacity(memory_.ticks, a.candidates.ticks, all));
-  OBBY_RETURN_IF_ERROR(capacity(memory_.cells, a.candidates.cells, all));
-  OBBY_RETURN_IF_ERROR(capacity(memory_.slots, a.candidates.slots, all));
-  OBBY_RETURN_IF_ERROR(capacity(memory_.finds, a.finds, rollouts));
-  OBBY_RETURN_IF_ERROR(capacity(memory_.ends, a.ends, rollouts));
-  OBBY_RETURN_IF_ERROR(capacity(memory_.goals, a.goals, rollouts));
-  OBBY_RETURN_IF_ERROR(capacity(memory_.endCounts, a.endCounts, size_t(kOutcomes) * a.endParts));
-  OBBY_RETURN_IF_ERROR(capacity(memory_.report, a.report, 1));
+  OBBY_RETURN_IF_ERROR(reserve(memory_.starts, a.starts, rollouts));
+  OBBY_RETURN_IF_ERROR(reserve(memory_.bodies, a.bodies, rollouts * bodyCount));
+  OBBY_RETURN_IF_ERROR(reserve(memory_.worlds, a.candidates.worlds, all));
+  OBBY_RETURN_IF_ERROR(reserve(memory_.candidateBodies, a.candidates.bodies, all * bodyCount));
+  OBBY_RETURN_IF_ERROR(reserve(memory_.keys, a.candidates.keys, all));
+  OBBY_RETURN_IF_ERROR(reserve(memory_.ticks, a.candidates.ticks, all));
+  OBBY_RETURN_IF_ERROR(reserve(memory_.cells, a.candidates.cells, all));
+  OBBY_RETURN_IF_ERROR(reserve(memory_.slots, a.candidates.slots, all));
+  OBBY_RETURN_IF_ERROR(reserve(memory_.finds, a.finds, rollouts));
+  OBBY_RETURN_IF_ERROR(reserve(memory_.ends, a.ends, rollouts));
+  OBBY_RETURN_IF_ERROR(reserve(memory_.goals, a.goals, rollouts));
+  OBBY_RETURN_IF_ERROR(reserve(memory_.endCounts, a.endCounts, size_t(kOutcomes) * a.endParts));
+  OBBY_RETURN_IF_ERROR(reserve(memory_.report, a.report, 1));
   a.findSums = makeSumTree(nullptr, rollouts);
-  return capacity(memory_.findSums, a.findSums.sums, a.findSums.firsts[a.findSums.levels]);
+  return reserve(memory_.findSums, a.findSums.sums, a.findSums.firsts[a.findSums.levels]);
 }
 
 Status ResidentRounds::begin(uint64_t firstRollout, uint32_t rollouts, uint32_t visits) {
@@ -120,9 +120,9 @@ Status ResidentRounds::rankCells(uint32_t rollouts) {
   a.beamWidth = std::max(1u, (rollouts - a.firstBeam) / kBeamTries);
   a.bestCells = archive_.bestCells();
   a.rankSums = makeSumTree(nullptr, kRanks);
-  OBBY_RETURN_IF_ERROR(capacity(memory_.rankCounts, a.rankCounts, kRanks));
+  OBBY_RETURN_IF_ERROR(reserve(memory_.rankCounts, a.rankCounts, kRanks));
   OBBY_RETURN_IF_ERROR(
-      capacity(memory_.rankSums, a.rankSums.sums, a.rankSums.firsts[a.rankSums.levels]));
+      reserve(memory_.rankSums, a.rankSums.sums, a.rankSums.firsts[a.rankSums.levels]));
   OBBY_RETURN_IF_ERROR(device_->fill(a.rankCounts, 0, memory_.rankCounts.bytes()));
   OBBY_RETURN_IF_ERROR(launch(ResidentStep::countRanks, sumCount(a.bestCells, 0)));
   OBBY_RETURN_IF_ERROR(launch(ResidentStep::sumRanks, sumCount(a.rankSums, 0)));
@@ -167,10 +167,10 @@ Result<RoundFindings> ResidentRounds::take(uint64_t firstRollout, const PlayedSt
 Status ResidentRounds::makeClaims(uint32_t candidates) {
   ClaimView& c = arguments_.claims;
   const uint32_t slots = std::max(kMinSlots, std::bit_ceil(2 * candidates));
-  OBBY_RETURN_IF_ERROR(capacity(memory_.claimKeys, c.keys, slots));
-  OBBY_RETURN_IF_ERROR(capacity(memory_.claimRanks, c.ranks, slots));
-  OBBY_RETURN_IF_ERROR(capacity(memory_.claimants, c.candidates, slots));
-  OBBY_RETURN_IF_ERROR(capacity(memory_.shared, c.shared, slots));
+  OBBY_RETURN_IF_ERROR(reserve(memory_.claimKeys, c.keys, slots));
+  OBBY_RETURN_IF_ERROR(reserve(memory_.claimRanks, c.ranks, slots));
+  OBBY_RETURN_IF_ERROR(reserve(memory_.claimants, c.candidates, slots));
+  OBBY_RETURN_IF_ERROR(reserve(memory_.shared, c.shared, slots));
   c.slotMask = slots - 1;
   OBBY_RETURN_IF_ERROR(device_->fill(c.keys, 0, slots * sizeof(uint64_t)));
   OBBY_RETURN_IF_ERROR(device_->fill(c.ranks, 0xff, slots * sizeof(uint64_t)));
@@ -202,7 +202,7 @@ Status ResidentRounds::place(uint32_t rollouts, RoundFindings& findings) {
   const uint32_t nodes = added + uint32_t(finds);
   OBBY_RETURN_IF_ERROR(archive_.grow(cells + added));
   a.archive = archive_.view();
-  OBBY_RETURN_IF_ERROR(capacity(memory_.nodes, a.nodes, nodes));
+  OBBY_RETURN_IF_ERROR(reserve(memory_.nodes, a.nodes, nodes));
   OBBY_RETURN_IF_ERROR(launch(ResidentStep::place, rollouts));
   OBBY_ASSIGN(findings.nodes, sim::downloadTable(*device_, a.nodes, nodes));
   findings.cells = cells + added;

@@ -76,7 +76,7 @@ class ResidentRounds {
   Status launch(ResidentStep step, uint32_t count) const;
   Status sumUp(const SumTree& tree) const;
   template <class T>
-  Status capacity(sim::Memory& memory, T*& table, size_t count) {
+  Status reserve(sim::Memory& memory, T*& table, size_t count) {
     return sim::reserve(*device_, memory, table, count);
   }
 
