@@ -16,7 +16,8 @@ struct PlayersAsked {
   bool sameKeys;
 };
 
-// Fields that hold one value describe the player that decides the verdict.
+// Returns the combined result. Fields that hold one value are those of the player that decides the
+// verdict.
 io::Record resultOf(const std::vector<PlayerCase>& cases, const PlayersAsked& asked);
 
 }  // namespace obby::solve

@@ -53,7 +53,7 @@ Change changeOf(const Limit& limit, float rate) {
   const auto turned = [&m, now](uint32_t n) { return n == kOff ? m.none : now + n * m.notch; };
   c.apply = [set = limit.set, turned](schema::Level::Builder, schema::Query::Builder query,
                                       uint32_t n) { set(query, turned(n)); };
-  // For a segment this may be more than enough, never less.
+  // For the limit of a segment this may be more than needed, but never less.
   c.enough = [&m, now, rate](const Trajectory& p) {
     return uint32_t(std::max(std::ceil((m.used(p, rate) - now) / m.notch - 1e-4), 1.0));
   };

@@ -1,4 +1,5 @@
-// Finds the archive's cell nearest to a place, among those equally far along a query. Host only.
+// Finds the archive's cell nearest to a place, among cells of equal progress along a query. Host
+// only.
 #pragma once
 
 #include <cstddef>
@@ -19,7 +20,9 @@ class NearestCells {
   // ones; kNone if the layer is empty. Thread-safe between changes.
   uint32_t nearest(uint32_t layer, Vec3 to) const;
 
-  uint32_t layers() const { return uint32_t(layers_.size()); }  // up to the last with a cell
+  uint32_t layers() const {
+    return uint32_t(layers_.size());
+  }  // up to the last layer that has a cell
   bool empty(uint32_t layer) const { return layers_[layer].entries.empty(); }
 
  private:

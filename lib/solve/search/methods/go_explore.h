@@ -30,7 +30,7 @@ class GoExplore final : public ArchiveSearch {
   void round() override;
 
  private:
-  struct Candidate {  // a state that is new or better than what the archive held
+  struct Candidate {  // a state that is new, or better than the one in the archive
     uint64_t key;
     sim::World world;
     std::vector<sim::RigidBody> bodies;  // empty: as at the start
