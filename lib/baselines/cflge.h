@@ -34,7 +34,7 @@ class Cflge final : public LearnedSearch {
   Cflge(const Problem& problem, uint64_t seed, const CflgeSettings& settings,
         const Machine& machine);
 
-  // Known trajectories are added like any other.
+  // Adds known trajectories to the memory and to the goals, like episodes.
   void tryWarmStarts(size_t first, size_t count) override;
 
   const Returns& returns() const { return returns_; }

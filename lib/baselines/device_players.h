@@ -23,7 +23,7 @@ class DevicePlayers {
   // Plays one tick of all `episodes`, each of which must be running, with `actions`. On failure
   // they are unchanged.
   Status advance(std::span<Episode* const> episodes, const sim::Action* actions);
-  // Fills `inputs`, (views, policy::kInputs), with rows `stride` numbers apart.
+  // Fills `inputs`, (views, policy::kInputs), whose rows begin `stride` numbers apart.
   Status see(std::span<const View> views, float* inputs, size_t stride);
 
  private:

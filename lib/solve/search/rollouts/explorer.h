@@ -69,7 +69,7 @@ class Explorer {
   Kind kind_;
   uint8_t tick_ = 0;  // ticks since the last plan
   bool likeliest_;
-  RandomMacro held_{};  // the policy holds it until its next move
+  RandomMacro held_{};  // with a policy its `ticks` never run out
   AimMacro aim_{};
   Random random_;
 };
