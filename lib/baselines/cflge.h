@@ -95,7 +95,7 @@ class Cflge final : public LearnedSearch {
   std::vector<Group> groups_;
   Returns returns_;
   std::vector<float> moduleLosses_;
-  uint64_t decided_ = 0, ranked_ = 0;       // decisions so far; at the last ranking
+  uint64_t decided_ = 0, ranked_ = 0;       // decisions so far, and at the last ranking
   double moduleDebt_ = 0, policyDebt_ = 0;  // learning steps that are due
 };
 

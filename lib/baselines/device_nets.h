@@ -10,7 +10,8 @@
 
 namespace obby::baselines {
 
-// Copies of networks' parameters. Each is updated on request.
+// Copies of networks' parameters on the device. parameters() updates a copy if its network has
+// changed.
 class DeviceNets {
  public:
   // The device and all requested networks must outlive this object.

@@ -21,7 +21,7 @@ namespace obby::baselines {
 
 constexpr uint64_t kPlayerStreams = 1ull << 32;  // random streams, one per player
 
-// Number of players that set out for a known state, and of those that arrived.
+// Number of players that set out for a known state, and number that arrived.
 struct Returns {
   uint64_t tried = 0, reached = 0;
 
@@ -72,7 +72,7 @@ class LearnedSearch : public ArchiveSearch {
   bool goesOn(const Episode& e) const {
     return e.world.outcome == sim::Outcome::running && !doomed(context(), e.world);
   }
-  // Plays one tick of all `episodes`, each of which goes on, with `actions`.
+  // Plays one tick of all `episodes` with `actions`. goesOn() must be true for each.
   void advance(std::span<Episode* const> episodes, const sim::Action* actions);
   // Returns the action without a jump that would break the query's limits.
   sim::Action allowed(sim::Action action, const sim::World& world) const;
@@ -109,8 +109,7 @@ class LearnedSearch : public ArchiveSearch {
   const policy::Scene scene_;                // refers to the surroundings
   std::unique_ptr<DeviceWork> device_;       // null without a device
   std::vector<std::vector<Passed>> passed_;  // (problem_.known)
-  std::vector<uint8_t>
-      shown_;  // (problem_.known), never dropped: its end may be shown, or is a goal
+  std::vector<uint8_t> shown_;  // (problem_.known), true if never dropped: shown, or a goal
   size_t bytesKept_ = 0, forgetFrom_;
 };
 

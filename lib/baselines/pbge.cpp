@@ -115,7 +115,7 @@ void Pbge::decide(Group& g, Player& p, const float* outputs, size_t row) {
   }
 }
 
-// Returns the decisions that the followed trajectory took to the next sub-goal.
+// Returns the number of decisions that the followed trajectory took to the next sub-goal.
 uint32_t Pbge::decisionsDue(const Player& p) const {
   const std::vector<Passed>& warmStart = passed(p.warmStart);
   const uint32_t before = p.next == 0 ? 0 : warmStart[p.next - 1].tick;

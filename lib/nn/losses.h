@@ -16,7 +16,7 @@ struct PpoLossSettings {
 // A decision of the behaviour policy, as PPO needs it.
 struct PpoDecision {
   int action;
-  float logProbability;  // the action's, when it was made
+  float logProbability;  // of the action, when the decision was made
   float advantage;       // normalised
   float target;          // value target, in the value head's units
 };

@@ -49,7 +49,7 @@ OBBY_DEVICE void placePoints(Turns ahead, Rosette& r) {
   for (int i = kPoints; i < kPaddedPoints; ++i) r.x[i] = r.z[i] = 1e9f;
 }
 
-// Places a single point, with the same bits.
+// Places a single point of the rosette, with the same bits as placePoints().
 OBBY_DEVICE Points<1> placePoint(Turns ahead, int point) {
   if (point == 0) return {{0}, {0}};
   const Vec3 way = rosetteDirection(ahead, (point - 1) % kDirections);

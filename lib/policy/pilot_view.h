@@ -12,7 +12,7 @@ constexpr int kPaddedOutputs = 48;  // logits, the value, and padding for every 
 // Plain spans, for device code.
 struct NetworkView {
   const float* means = nullptr;   // (kInputs), of the observations on which the network was trained
-  const float* scales = nullptr;  // (kInputs), 1 / their spread
+  const float* scales = nullptr;  // (kInputs), 1 / spread of those observations
   const float* voids = nullptr;   // (kInputs), normalised inputs if nothing is in sight
   nn::LayerView layers[3];  // kInputs -> kHidden -> kHidden -> kPaddedOutputs; the first takes
                             // inputs less `voids`, and its biases make up for that

@@ -1,5 +1,5 @@
-// The policy on the CPU: observes and evaluates in SIMD lanes, with the bits of the kernels' single
-// lane. Host only.
+// The policy on the CPU: observes and evaluates in SIMD lanes. Results have the same bits as the
+// kernels', which use a single lane. Host only.
 #pragma once
 
 #include <vector>

@@ -14,7 +14,7 @@ namespace obby::solve {
 
 struct LoadedLevel;
 
-// The level compiled for other players, on first use, and kept with the level.
+// Compiles a level for other players, on first use, and keeps the results.
 class PlayerLevels {
  public:
   PlayerLevels();
@@ -31,8 +31,7 @@ class PlayerLevels {
   uint64_t bytes() const { return bytes_; }
 
  private:
-  std::map<level::Player, std::unique_ptr<LoadedLevel>>
-      levels_;  // null: the same physics as the base
+  std::map<level::Player, std::unique_ptr<LoadedLevel>> levels_;  // null: as the base
   uint64_t bytes_ = 0;
 };
 

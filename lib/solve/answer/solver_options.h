@@ -19,8 +19,7 @@ struct SolverOptions {
   bool paths = false;    // trajectories include positions, for readers that cannot replay
   bool heatMap = false;  // results include a map of where the search went
   const EarlierAnswers* earlier = nullptr;  // tried first; may be null
-  bool explain =
-      false;  // looks for a change that makes a query solvable; takes up to as long again
+  bool explain = false;  // look for a change that makes a query solvable; may double the time
   uint32_t difficultyTrials = 0;  // per segment of a solution; 0: difficulty is not asked for
 };
 

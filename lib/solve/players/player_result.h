@@ -11,7 +11,7 @@ namespace obby::solve {
 schema::Verdict verdictOf(const std::vector<PlayerCase>& cases);
 
 struct PlayersAsked {
-  uint32_t levelRate;  // ticks per second in which the result counts
+  uint32_t levelRate;  // ticks per second of the result's times
   bool namesBodies;
   bool sameKeys;
 };

@@ -260,8 +260,7 @@ float BodyLimits::sideways(float seconds, float excess) const {
 }
 
 float BodyLimits::legsOvershoot(float speed) const {
-  const float risen =
-      float(slowRate(p_)) * 1.0001f * tick_;  // studs per tick, for one stud of depth
+  const float risen = float(slowRate(p_)) * 1.0001f * tick_;  // studs/tick per stud of depth
   return std::max(risen - 1, 0.0f) * sim::rayHeight(p_) + (risen + 1) * speed * tick_;
 }
 

@@ -31,7 +31,7 @@ struct BodySizes {
   float settles = 0;     // studs above the rest height at which a player may stand
   float sunk = 0;        // studs below a support's top from which a jump or fall may begin
   float maxTakeOff = 0;  // studs above the top from which a jump or fall may begin
-  float overlap = 0;     // with a part, after one step of travel and one tick of turning in the air
+  float overlap = 0;     // max overlap with a part after a step of travel and a tick of air turning
   float turned = 0;      // the same with any turn
 };
 
@@ -73,7 +73,7 @@ class BodyLimits : public BodySizes, public BodySpeeds {
   // Returns the seconds until the feet are at `height` for the last time, including the ticks
   // before the take-off. Returns a negative value if they never are.
   float seconds(const Flight& f, float height) const;
-  // Returns the max horizontal distance in that time, in studs. `excess`: speed beyond `walk` at
+  // Returns the max horizontal distance in `seconds`, in studs. `excess`: speed beyond `walk` at
   // the start.
   float sideways(float seconds, float excess) const;
 

@@ -22,7 +22,7 @@ std::vector<ReachBound::End> ReachBound::endsOf(const level::TargetView& target)
   if (target.stand) return holdersIn(box);
   std::vector<End> ends{{box, box.lo.y - p_.bodyTop}};
   if (target.touchCount != 0) return ends;
-  // If a clear block covers the region, the torso of a player above it stays above its top.
+  // A player over a clear block that covers the region has the torso above the block's top.
   index_.any(flat(box, 0), [&](uint32_t i) {
     const Support& s = supports_[i];
     const bool holds = s.carries && !s.wild && s.pushes == 0 && s.beside == Beside::clear &&

@@ -11,8 +11,7 @@ namespace obby::solve {
 namespace {
 
 constexpr size_t kMaxVisits = 60;  // per support on average; beyond them the bound gives up
-constexpr int kMaxParts =
-    8;  // counted parts near a flight; with more, only the turns limit the push
+constexpr int kMaxParts = 8;       // max counted parts near a flight; turns limit the push of more
 
 constexpr float kRounding = 0.125f;  // studs
 constexpr int32_t kMaxBlocks = 8;    // per axis; one box holds the places of a block
@@ -144,8 +143,7 @@ Flight ReachBound::flight(uint32_t support, bool leaps) const {
   if (leaps) {
     up = limits_.jump + s.upward;
     height += limits_.apex(s.rising, false) + limits_.heldRise;
-  } else if (s.beside ==
-             Beside::deep) {  // a body may leave it as fast as any support can send it there
+  } else if (s.beside == Beside::deep) {  // a body leaves it at any speed that a support may give
     up = std::max(up, tossed_);
     height += limits_.heldRise;
   } else if (s.beside == Beside::pinched && mayJump_) {

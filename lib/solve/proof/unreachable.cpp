@@ -51,8 +51,8 @@ std::vector<Demand> demandsOf(const level::QueryView& q, schema::Query::Reader r
   return demands;
 }
 
-// Returns true if players may jump. A query that forbids the state checks it after each tick. A
-// pad, teleporter or seat that is touched in the first tick of a jump has ended it by then.
+// Returns true if players may jump. A query that forbids jumping checks the state after each tick.
+// A pad, teleporter or seat that is touched in the first tick of a jump has ended the jump by then.
 bool admitsJumps(const Problem& problem) {
   if (problem.query.maxJumps == 0) return false;  // maxJumps counts every jump
   if (!sim::forbidsJumping(problem.query)) return true;

@@ -1,4 +1,4 @@
-// The result of a search, and what its watcher sees meanwhile.
+// The result of a search, and the interface of its watcher.
 #pragma once
 
 #include <functional>

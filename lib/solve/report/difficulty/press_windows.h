@@ -8,8 +8,7 @@
 
 namespace obby::solve {
 
-constexpr int32_t kMaxShift =
-    20;  // ticks in each direction; a press with a wider window need not be timed
+constexpr int32_t kMaxShift = 20;  // ticks each way; a press with a wider window need not be timed
 
 // Ticks relative to the recorded press. Empty (min > max) if even the recorded press fails.
 struct PressWindow {

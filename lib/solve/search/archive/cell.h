@@ -86,7 +86,7 @@ OBBY_DEVICE uint64_t bodiesKey(const Binning& b, const sim::RigidBody* bodies) {
   return key;
 }
 
-// Returns a key of the visits made and of how much of the query's limits is used; 0 without either.
+// Returns a key of the visits made and the limits used up; 0 if the query has neither.
 OBBY_DEVICE uint64_t progressKey(const Binning& b, const sim::World& w) {
   uint64_t key = 0;
   if (b.visits) key = mixBits(w.visited);

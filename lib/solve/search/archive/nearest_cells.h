@@ -20,9 +20,7 @@ class NearestCells {
   // ones; kNone if the layer is empty. Thread-safe between changes.
   uint32_t nearest(uint32_t layer, Vec3 to) const;
 
-  uint32_t layers() const {
-    return uint32_t(layers_.size());
-  }  // up to the last layer that has a cell
+  uint32_t layers() const { return uint32_t(layers_.size()); }  // up to the last with a cell
   bool empty(uint32_t layer) const { return layers_[layer].entries.empty(); }
 
  private:

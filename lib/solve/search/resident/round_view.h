@@ -20,7 +20,8 @@ struct CandidateView {
   uint32_t* slots;  // slots of the claims
 };
 
-// Decides which of a round's candidates gets a cell. A hash table of keys, like the archive's.
+// Decides which of a round's candidates gets a cell. It is a hash table of keys, like the
+// archive's.
 struct ClaimView {
   uint64_t* keys;        // 0: free
   uint64_t* ranks;       // lowest arrival rank

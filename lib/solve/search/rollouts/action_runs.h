@@ -6,8 +6,7 @@
 
 namespace obby::solve {
 
-constexpr uint32_t kBeyondKnown =
-    60;  // ticks for which the last action is held at the end, in case the goal has moved
+constexpr uint32_t kBeyondKnown = 60;  // extra ticks of the last action, in case the goal has moved
 
 inline uint32_t ticksOf(const ActionRuns& runs) {
   uint32_t ticks = runs.empty() ? 0 : kBeyondKnown;

@@ -66,8 +66,7 @@ struct RolloutWatch {
   const RolloutRules& rules;
   const sim::RigidBody* bodies;
   Trail trail;
-  Visit
-      visit;  // takes (key, world, ticks) of each state whose cell is not that of the last kept one
+  Visit visit;  // takes (key, world, ticks) of each state outside the last kept state's cell
   Approach closest{};
   uint32_t closestTicks = 0, tick = 0;
 
