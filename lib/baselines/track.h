@@ -13,7 +13,7 @@
 
 namespace obby::baselines {
 
-// The size of a place: a state as the latent space sees it. A place has the position of the player
+// The size of a place. A place is a state as the latent space sees it: the position of the player
 // and the mean position of dynamic bodies, both relative to the start in units of four studs; the
 // number of waypoints and visits reached; and a code of that set, as a share of kCodes, 0 for none.
 // Velocities are left out: they alone would reveal the action, and all places would look alike.

@@ -40,8 +40,7 @@ Result<LoadedLevel> withDeadly(const io::Record& level, const std::vector<uint32
   return loadLevel(io::Record(std::move(copy)));
 }
 
-// Returns true if a loss or doubt about other parts than the deadly ones could make the game
-// easier.
+// Returns true if a loss or doubt about anything but the deadly parts could make the game easier.
 bool mayBeEasierElsewhere(schema::Level::Reader level, const std::vector<uint32_t>& deadly) {
   for (const auto loss : level.getUnmodelled()) {
     if (loss.getAnywhere() && loss.getBearing() != schema::Bearing::HARDER) return true;

@@ -232,8 +232,8 @@ float BodyLimits::airSeconds(float w, float rise) const {
   return (w + limit) / light_ + (-rise - fallen) / limit + 2 * dt_;
 }
 
-// A fall off an edge first has one tick at the edge's height. A jump has the best number of coyote
-// ticks.
+// A fall off an edge begins with one tick at the edge's height. A jump may use any number of coyote
+// ticks, and the longest time counts.
 float BodyLimits::seconds(const Flight& f, float height) const {
   const float w = f.up + (f.leaps ? 0.5f * heavy_ : -0.5f * light_) * dt_;
   const uint32_t first = f.leaps ? 0 : 1, last = f.leaps ? lateTicks_ : 1;

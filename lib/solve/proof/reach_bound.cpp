@@ -10,7 +10,7 @@ namespace obby::solve {
 
 namespace {
 
-constexpr size_t kMaxVisits = 60;  // per support on average; beyond them the bound gives up
+constexpr size_t kMaxVisits = 60;  // per support, on average; after more, the bound gives up
 constexpr int kMaxParts = 8;       // max counted parts near a flight; turns limit the push of more
 
 constexpr float kRounding = 0.125f;  // studs

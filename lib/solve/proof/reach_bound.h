@@ -17,7 +17,7 @@ namespace obby::solve {
 // The first step that no player can make, on the route that lacks least. If the part is nearer by
 // this much, a plain jump reaches it, unless something is in between.
 struct Missing {
-  uint32_t from = level::kNone, to = level::kNone;  // colliders; kNone: the start, the region
+  uint32_t from = level::kNone, to = level::kNone;  // colliders; kNone: start or region
   float rise = 0, gap = 0;                          // studs
   bool blocked = false;                             // other parts are near the flight
   bool more = false;                                // later steps lack something, too

@@ -1,5 +1,5 @@
-// Supports carry or launch a player. The bound on reach (reach_bound.h) treats every collider as a
-// support. Boxes and speeds are upper bounds.
+// Supports are all that can carry or launch a player: colliders, the start, and the ends of
+// teleporters, as the bound on reach sees them (reach_bound.h). Boxes and speeds are upper bounds.
 #pragma once
 
 #include <vector>

@@ -37,7 +37,7 @@ struct Limit {
   const Measure& measure;
   std::string field;
   double value;
-  std::string where;  // " up to waypoint 2"; empty: in all
+  std::string where;  // text like " up to waypoint 2"; empty: in total
   std::function<void(schema::Query::Builder, double)> set;
 };
 
@@ -76,7 +76,7 @@ class Limits {
   const std::vector<Limit>& all() const { return all_; }
 
  private:
-  // Times of 0 and counts below 0 are no limits.
+  // Times of 0 and counts below 0 mean no limit.
   template <class Set>
   void add(const Measure& m, std::string field, double value, std::string where, Set set) {
     if (m.none == 0 ? value > 0 : value >= 0) {

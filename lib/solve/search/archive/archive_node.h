@@ -10,7 +10,7 @@ constexpr uint32_t kNone = level::kNone;
 
 // Random streams count up from 0. These bits mark rollouts that are not random.
 constexpr uint64_t kWarmStart = 1ull << 62;  // a known trajectory, for example of an earlier answer
-constexpr uint64_t kByPolicy = 1ull << 61;   // moves of the policy, drawn from that stream
+constexpr uint64_t kByPolicy = 1ull << 61;   // moves of the policy, drawn from the random stream
 constexpr uint64_t kLikeliest = 1ull << 60;  // with kByPolicy: its likeliest moves
 
 // A state reached by `ticks` ticks of rollout `rollout` from the state of node `parent`.

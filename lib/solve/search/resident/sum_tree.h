@@ -1,5 +1,5 @@
-// A tree of integer sums with a fan-out of 64. A draw by weight descends it; the sum before a leaf
-// ascends it. The tree does not store the leaves. For host and device.
+// A tree of integer sums with a fan-out of 64. A draw by weight goes down the tree, and the sum
+// before a leaf goes up. The tree does not store the leaves. For host and device.
 #pragma once
 
 #include <stdint.h>
