@@ -1,5 +1,5 @@
-// Selects the cell of the archive to return to, with a weight of 1 / (1 + actions / 2). Integer
-// weights make the choice equal on every machine. Host only.
+// Selects the cell of the archive to return to, with a weight of 1 / (1 + actions / 2). Weights are
+// integers, so that the choice is the same on every machine. Host only.
 #pragma once
 
 #include <cstdint>

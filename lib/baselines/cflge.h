@@ -34,7 +34,7 @@ class Cflge final : public LearnedSearch {
   Cflge(const Problem& problem, uint64_t seed, const CflgeSettings& settings,
         const Machine& machine);
 
-  // Known trajectories are added like any other.
+  // Adds known trajectories to the memory and to the goals, like episodes.
   void tryWarmStarts(size_t first, size_t count) override;
 
   const Returns& returns() const { return returns_; }
@@ -95,7 +95,7 @@ class Cflge final : public LearnedSearch {
   std::vector<Group> groups_;
   Returns returns_;
   std::vector<float> moduleLosses_;
-  uint64_t decided_ = 0, ranked_ = 0;       // decisions so far; at the last ranking
+  uint64_t decided_ = 0, ranked_ = 0;       // decisions so far, and at the last ranking
   double moduleDebt_ = 0, policyDebt_ = 0;  // learning steps that are due
 };
 

@@ -1,4 +1,5 @@
-// Kernels for observations of players of learned methods, with the bits of the CPU.
+// The kernel for observations of players in learned methods. Results have the same bits as the
+// CPU's.
 #pragma once
 
 #include "baselines/names.h"

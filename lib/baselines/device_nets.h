@@ -1,6 +1,6 @@
-// Networks on a device for methods that learn during the search, with the bits of the CPU. The
-// optimiser runs on the CPU: it receives the gradients, and the device its new parameters after
-// each step. Host only.
+// Networks on a device, for methods that learn during the search. Results have the same bits as the
+// CPU's. The optimiser runs on the CPU: it receives the gradients, and the device its new
+// parameters after each step. Host only.
 #pragma once
 
 #include <vector>
@@ -10,7 +10,8 @@
 
 namespace obby::baselines {
 
-// Copies of networks' parameters. Each is updated on request.
+// Copies of networks' parameters on the device. parameters() updates a copy if its network has
+// changed.
 class DeviceNets {
  public:
   // The device and all requested networks must outlive this object.

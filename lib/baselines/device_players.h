@@ -15,15 +15,15 @@ namespace obby::baselines {
 
 class DevicePlayers {
  public:
-  // Allocates memory for up to `max` players. The device must outlive this object. Copies problem
-  // and surroundings to it.
+  // Allocates memory for up to `max` players, and copies the problem and surroundings to the
+  // device. The device must outlive this object.
   Status open(sim::Device& device, const Problem& problem, const policy::SurroundingsView& around,
               uint32_t max);
 
-  // Plays one tick of all `episodes`, each of which must be running, with `actions`. On failure
-  // they are unchanged.
+  // Plays one tick of all `episodes` with `actions`. Each episode must be running. On failure they
+  // are unchanged.
   Status advance(std::span<Episode* const> episodes, const sim::Action* actions);
-  // Fills `inputs`, (views, policy::kInputs), with rows `stride` numbers apart.
+  // Fills `inputs`, (views, policy::kInputs), whose rows begin `stride` numbers apart.
   Status see(std::span<const View> views, float* inputs, size_t stride);
 
  private:

@@ -1,5 +1,5 @@
-// A device as an accelerator for a learned method. Results have the bits of the CPU, which does all
-// work after the first failure. For one thread at a time. Host only.
+// A device as an accelerator for a learned method. Results have the same bits as the CPU's, which
+// does all work after the first failure. For one thread at a time. Host only.
 #pragma once
 
 #include <utility>

@@ -1,5 +1,5 @@
 // One episode of a method that never restores a state: played from the start, tick by tick, with
-// what the search records of it. Host only.
+// the search's records of it. Host only.
 #pragma once
 
 #include <unordered_set>
@@ -23,7 +23,7 @@ struct Passed {
   uint32_t tick;  // ticks since the start
 };
 
-// A state of a standing player that the archive lacked, or had reached later.
+// A state of a standing player that the archive lacked, or had reached at a later tick.
 struct Find {
   uint64_t key;
   sim::World world;

@@ -25,7 +25,7 @@ struct GoalPolicySettings {
   uint32_t minibatch = 256;      // decisions per optimiser step
 };
 
-// The source of a decision. Those of explorers are not learned from.
+// The source of a decision. Decisions of explorers are not learned.
 enum class Maker : uint8_t { explorer, policy, kept };
 
 // The decisions of a round, one row each. Rows are ordered as (ticks, players).

@@ -21,9 +21,10 @@ class GoalPool {
   static constexpr float kGeometric = 0.005f;  // parameter of the draw by rank
   static constexpr size_t kHalf = 1024;        // max old and max new states per refresh
 
-  // Makes the states of a path candidates for the next refresh.
+  // Makes the states of a trajectory candidates for the next refresh.
   void add(const std::shared_ptr<const Path>& path);
-  // Ranks states anew: evenly sampled new ones and the sparsest old ones. `pass` is the module's.
+  // Ranks states again: evenly sampled new ones and the sparsest old ones. `pass` is for the
+  // module.
   void refresh(ThreadPool& pool, const InverseDynamics& module, NetPass& pass);
 
   bool empty() const { return ranked_.empty(); }

@@ -45,7 +45,7 @@ class InverseDynamics {
   Random random_;
   nn::Learner encoder_, head_;
   Share shares_[kShares];
-  float apart_ = 0.25f;  // running mean of distances of points in a decision
+  float apart_ = 0.25f;  // running mean of the latent distance that a decision covers
 };
 
 }  // namespace obby::baselines

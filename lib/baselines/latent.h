@@ -18,15 +18,15 @@ constexpr size_t kLatent = 16;  // numbers
 float latentDistance2(const float* a, const float* b);
 
 // Returns the indices of sub-goals among the `count` points of a trajectory, (count, kLatent), in
-// ascending order. From the last point backwards it keeps each that is at least `apart` from the
-// one kept before.
+// ascending order. Going back from the last point, it keeps each point that is at least `apart`
+// from the one kept before.
 std::vector<uint32_t> thinned(const float* points, size_t count, float apart);
 
 // Draws from 0 to `count` - 1 with probabilities that fall by a factor of 1 - p each; count > 0.
 uint32_t drawGeometric(Random& random, float p, uint32_t count);
 
-// Returns which neighbour's distance estimates the density of `count` points: 2 count^(1 /
-// kLatent).
+// Returns the rank of the neighbour whose distance estimates the density of `count` points: 2
+// count^(1 / kLatent).
 uint32_t neighbourFor(uint32_t count);
 
 // Returns the squared distance of each point to its k-th nearest other: smaller is denser.

@@ -169,8 +169,9 @@ void LearnedSearch::keep(Episode& e, size_t kept) {
   bytesKept_ += bytesOf(problem_.known[kept], passed_[kept]);
 }
 
-// Drops unused trajectories. One is of use if it is the best to some cell, the closest approach, to
-// be shown, or followed. Runs when memory has doubled since the last time.
+// Drops unused trajectories. A trajectory is used if it is the best one to a cell or the closest
+// approach, if its end may be shown, or if a player follows it. Runs when memory has doubled since
+// the last time.
 void LearnedSearch::forget() {
   if (bytesKept_ < forgetFrom_) return;
   std::vector<uint8_t> used = shown_;

@@ -21,7 +21,7 @@ namespace obby::baselines {
 
 constexpr uint64_t kPlayerStreams = 1ull << 32;  // random streams, one per player
 
-// Number of players that set out for a known state, and of those that arrived.
+// Number of players that set out for a known state, and number that arrived.
 struct Returns {
   uint64_t tried = 0, reached = 0;
 
@@ -42,7 +42,7 @@ class LearnedSearch : public ArchiveSearch {
   size_t bytesKept() const { return bytesKept_; }  // size of the kept trajectories
 
  protected:
-  // `players`: number that plays at once.
+  // `players`: number of players that play at once.
   LearnedSearch(const Problem& problem, uint64_t seed, const Machine& machine, uint32_t players,
                 size_t forgetFrom = kForgetFrom);
 
@@ -54,13 +54,13 @@ class LearnedSearch : public ArchiveSearch {
   const policy::Scene& scene() const { return scene_; }
   const Problem& problem() const { return problem_; }
   uint64_t seed() const { return seed_; }
-  // Returns the pool for tasks that may use the device. While there is one it has a single thread.
+  // Returns the pool for tasks that may use the device. With a device the pool has a single thread.
   ThreadPool& pool() { return device_ && device_->works() ? alone_ : pool_; }
   ThreadPool& allThreads() const { return pool_; }
   DeviceWork* device() const { return device_.get(); }  // or null
 
-  // Calls play(first, count) for groups of players: once for all with a device, which needs many
-  // players; otherwise once for each, on a thread of the pool.
+  // Calls play(first, count) for groups of players. With a device, which needs many players, it is
+  // called once for all groups; otherwise once for each group, on a thread of the pool.
   void forGroups(size_t groups, const std::function<void(size_t, size_t)>& play);
   // Fills `inputs` with rows of policy::kInputs that begin `stride` numbers apart.
   void see(std::span<const View> views, float* inputs, size_t stride = policy::kInputs);
@@ -72,11 +72,11 @@ class LearnedSearch : public ArchiveSearch {
   bool goesOn(const Episode& e) const {
     return e.world.outcome == sim::Outcome::running && !doomed(context(), e.world);
   }
-  // Plays one tick of all `episodes`, each of which goes on, with `actions`.
+  // Plays one tick of all `episodes` with `actions`. goesOn() must be true for each.
   void advance(std::span<Episode* const> episodes, const sim::Action* actions);
   // Returns the action without a jump that would break the query's limits.
   sim::Action allowed(sim::Action action, const sim::World& world) const;
-  // Returns the cell's key with the player's feet at `place`.
+  // Returns the key of the cell that the episode would be in with the player's feet at `place`.
   uint64_t keyAt(const Episode& e, Vec3 place) const;
   float cellWidth() const { return 1 / setup_.rules.binning.inverseWidth; }
 
@@ -109,7 +109,7 @@ class LearnedSearch : public ArchiveSearch {
   const policy::Scene scene_;                // refers to the surroundings
   std::unique_ptr<DeviceWork> device_;       // null without a device
   std::vector<std::vector<Passed>> passed_;  // (problem_.known)
-  std::vector<uint8_t> shown_;  // (problem_.known), never dropped: an end to show, or a goal
+  std::vector<uint8_t> shown_;  // (problem_.known), true if never dropped: shown, or a goal
   size_t bytesKept_ = 0, forgetFrom_;
 };
 

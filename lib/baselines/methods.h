@@ -1,6 +1,6 @@
-// Search methods that learn while they search, to compare the product's methods with. The programs
-// work without them (CMake option OBBY_BASELINES). A new one is a file with its settings, and a row
-// in methods.cpp.
+// Search methods that learn while they search, for comparison with the product's methods. The
+// programs work without them (CMake option OBBY_BASELINES). A new one is a file with its settings,
+// and a row in methods.cpp.
 #pragma once
 
 #include <string>

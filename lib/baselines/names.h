@@ -1,4 +1,5 @@
-// This module extends `solve`: it uses its problems, archive and rollouts under their own names.
+// This module extends `solve`. It uses that module's problems, archive and rollouts by their own
+// names.
 #pragma once
 
 namespace obby::solve {}

@@ -115,7 +115,7 @@ void Pbge::decide(Group& g, Player& p, const float* outputs, size_t row) {
   }
 }
 
-// Returns the decisions that the followed trajectory took to the next sub-goal.
+// Returns the number of decisions that the followed trajectory took to the next sub-goal.
 uint32_t Pbge::decisionsDue(const Player& p) const {
   const std::vector<Passed>& cells = passed(p.kept);
   const uint32_t before = p.next == 0 ? 0 : cells[p.next - 1].tick;
@@ -169,7 +169,7 @@ void Pbge::tick(std::span<Group> groups) {
   for (const auto& [g, p] : players) reach(*g, *p);
 }
 
-// Handles a player that reaches a sub-goal or, exploring, a new cell.
+// Handles a player that reaches a sub-goal or, while exploring by the policy, its aim.
 void Pbge::reach(Group& g, Player& p) const {
   if (p.mode == Mode::exploring) {
     const geom::Region there = around(p.aim, cellWidth());
@@ -225,7 +225,7 @@ void Pbge::restart(Group& g, Player& p) const {
   }
 }
 
-// Starts to explore, for half of the players at random.
+// Starts to explore. Half of the players explore by the policy, the others at random.
 void Pbge::explore(Player& p) const {
   p.mode = Mode::exploring;
   p.byPolicy = p.random.below(2) == 0;

@@ -14,8 +14,8 @@ namespace obby::baselines {
 struct PbgeSettings {
   uint32_t groups = 2;      // groups of kGroup players; one thread each
   uint32_t decisions = 32;  // decisions per player and round
-  uint32_t patience = 100;  // decisions until a player gives up: beyond those that a sub-goal took
-                            // at first, or of exploring without a new cell
+  uint32_t patience = 100;  // decisions until a player gives up: in addition to those that the
+                            // followed trajectory took to the sub-goal, or since the last new cell
   uint32_t aimFor = 20;     // exploring decisions until a new aim
   uint32_t calm = 50;       // exploring decisions without a new cell before entropy is raised
   float unrest = 0.01f;     // temperature: 1 + (unrest x decisions)^2
@@ -45,13 +45,13 @@ class Pbge final : public LearnedSearch {
     bool repeats;  // replays kept trajectories once there are any
     Episode episode;
     Mode mode = Mode::returning;
-    size_t kept = 0, subgoals = 0;  // it follows the first cells of passed(kept)
+    size_t kept = 0, subgoals = 0;  // the first cells of passed(kept) are its sub-goals
     size_t next = 0;                // next sub-goal
     bool byPolicy = true;           // explores by the policy
     Vec3 aim{};                     // target of that exploration
     uint32_t explored = 0;          // exploring decisions
     uint32_t waited = 0;            // decisions since the last sub-goal or new cell
-    uint32_t newCells = 0;          // the episode's at that time
+    uint32_t newCells = 0;          // Episode::newCells at that time
     RandomKeys keys;
     RunCursor cursor;  // position in the replayed trajectory
     // Members of the current decision.
@@ -64,7 +64,7 @@ class Pbge final : public LearnedSearch {
   struct Group {
     std::vector<Player> players;
     std::vector<Episode> ended;
-    std::vector<uint32_t> acted;  // cells, one for each action in one
+    std::vector<uint32_t> acted;  // cell of each action in the archive's cells
     NetPass pass;
     Returns returns;
     uint64_t steps = 0;

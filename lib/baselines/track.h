@@ -13,10 +13,10 @@
 
 namespace obby::baselines {
 
-// A state as the latent space sees it: the positions of the player and, on average, of dynamic
-// bodies, from the start, in units of four studs; the number of waypoints and visits reached; and a
-// code of which, below kCodes, as a share of kCodes, 0 for none. Velocities are left out: they
-// alone would reveal the action, and all places would look alike.
+// The size of a place. A place is a state as the latent space sees it: the position of the player
+// and the mean position of dynamic bodies, both relative to the start in units of four studs; the
+// number of waypoints and visits reached; and a code of that set, as a share of kCodes, 0 for none.
+// Velocities are left out: they alone would reveal the action, and all places would look alike.
 constexpr size_t kPlace = 8;
 constexpr size_t kReached = 6, kCode = 7;  // indices in a place
 constexpr uint32_t kCodes = 1u << 16;
@@ -41,7 +41,7 @@ struct Track {
   std::vector<uint8_t> mayJump;  // (decisions + 1)
   std::vector<uint8_t> moves;    // (decisions)
   std::vector<float> goals;      // (decisions, kPlace), goals of the player at the time
-  bool ended = false;            // the game ended it, instead of a cut
+  bool ended = false;            // the game ended the episode; it was not cut off
 
   size_t decisions() const { return moves.size(); }
 };

@@ -8,8 +8,8 @@ namespace obby::nn {
 
 constexpr float kBarred = -1e6f;  // added to a masked logit: its exponential is 0
 
-// Folds one number per action. Eight partial results side by side let the compiler vectorise. They
-// are folded last, in the same order on every machine.
+// Folds the numbers of all actions into one. Eight independent partial results let the compiler
+// vectorise. They are folded last, in the same order on every machine.
 template <int kCount, class S, class Fold>
 OBBY_DEVICE S folded(const S* x, Fold&& fold) {
   constexpr int kAbreast = 8;

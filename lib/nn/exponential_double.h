@@ -1,5 +1,5 @@
-// math/exponential.h in double precision, by libm. Tests hold templates' gradients against finite
-// differences with it. Host only; no result of a program depends on it.
+// math/exponential.h in double precision, by libm. Tests use it to compare the gradients of
+// templates with finite differences. Host only; no result of a program depends on it.
 #pragma once
 
 #include "math/exponential.h"

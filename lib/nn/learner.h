@@ -21,12 +21,12 @@ struct LearnerSettings {
 
 // State from which training resumes.
 struct LearnerState {
-  std::vector<float> parameters, momentum, squares;  // Adam's means of the gradient, its square
+  std::vector<float> parameters, momentum, squares;  // Adam's means of the gradient and its square
   uint64_t steps = 0;                                // steps of Adam
 };
 
 // Scales a gradient down to the norm `max` if it is longer. Returns its norm before that. Squares
-// are added as `Sum`.
+// are added in the type `Sum`.
 template <class Sum>
 float clipGradNorm(std::span<float> gradient, float max) {
   Sum squares[kColumns] = {};  // several sums, for vectorisation

@@ -16,7 +16,7 @@ struct PpoLossSettings {
 // A decision of the behaviour policy, as PPO needs it.
 struct PpoDecision {
   int action;
-  float logProbability;  // the action's, when it was made
+  float logProbability;  // of the action, when the decision was made
   float advantage;       // normalised
   float target;          // value target, in the value head's units
 };
@@ -61,8 +61,8 @@ OBBY_DEVICE PpoLoss<S> ppoLoss(const S* p, S value, const PpoDecision& d,
 }
 
 // Self-imitation (Oh et al. 2018) of a decision from a kept trajectory. It raises the action's
-// probability and the state's value in proportion to `better`: the return above the estimate,
-// positive, and a constant in the policy gradient.
+// probability and the state's value in proportion to `better`, by which the return exceeds the
+// estimate. `better` is positive, and counts as constant in the policy gradient.
 template <int kCount, class S>
 S imitationLoss(const S* p, int action, S better, S weight, S valueWeight, S* logitGradient,
                 S& valueGradient) {

@@ -7,8 +7,8 @@
 
 namespace obby::nn {
 
-// The fewest minibatches of up to `max` rows. Sizes differ by at most a row, larger ones first: a
-// small remainder would otherwise make as large a step as any other.
+// Makes as few minibatches as possible, of up to `max` rows. Sizes differ by at most a row, larger
+// ones first: a small remainder would otherwise make as large a step as any other.
 class Minibatches {
  public:
   // `rows` and `max` are at least 1; their sum is below 2^32.
@@ -16,7 +16,7 @@ class Minibatches {
       : rows_(rows), count_((rows + max - 1) / max) {}
 
   OBBY_DEVICE uint32_t count() const { return count_; }
-  // Returns the number of rows of minibatch `i`; first(i) those of the ones before it.
+  // size() returns the number of rows of minibatch `i`, first() the number of rows before it.
   OBBY_DEVICE uint32_t size(uint32_t i) const { return rows_ / count_ + (i < over() ? 1u : 0u); }
   OBBY_DEVICE uint32_t first(uint32_t i) const {
     return rows_ / count_ * i + (i < over() ? i : over());

@@ -37,7 +37,8 @@ class Network {
   size_t outputs(size_t l) const { return sizes_[l + 1]; }
   size_t outputs() const { return sizes_.back(); }
 
-  // For each layer the weights, then the biases. The non-const overload increments version().
+  // Returns for each layer its weights, then its biases. The non-const overload increments
+  // version().
   std::vector<S>& parameters() {
     ++version_;
     return parameters_;

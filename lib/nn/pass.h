@@ -39,7 +39,8 @@ struct DenseRows {
   }
 };
 
-// Keeps what backward() needs. Memory grows to the largest number of rows and is reused.
+// Runs passes, and keeps what backward() needs. Memory grows to the largest number of rows and is
+// reused.
 template <class S>
 class Pass {
  public:
@@ -82,7 +83,8 @@ class Pass {
   }
 
  private:
-  // Computes to = gradient W^T, with zeros where `units` are off, unless null.
+  // Computes to = gradient W^T. Elements whose unit in `units` is off become 0. `units` may be
+  // null.
   void fillBack(const Network<S>& net, size_t l, const S* gradient, size_t rows, const S* units,
                 S* to) {
     const size_t inner = net.inputs(l), width = net.outputs(l);

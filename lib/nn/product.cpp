@@ -9,7 +9,7 @@ namespace obby::nn {
 
 namespace {
 
-// Columns whose sums are in registers at the same time.
+// Max number of columns whose sums are in registers at the same time.
 constexpr size_t kMaxUnits = std::min(size_t(64), 8 * size_t(kLanes));
 constexpr float kZeros[4 * kColumns] = {};
 static_assert(kColumns % kLanes == 0);

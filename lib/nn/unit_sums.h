@@ -19,7 +19,7 @@ struct UnitSums {
 
   WideFloat group[kGroups];
 
-  // The loop is unrolled by hand, as -O2 would keep the sums in memory.
+  // The pragma unrolls the loop, since -O2 would otherwise keep the sums in memory.
   template <class Visit>
   OBBY_LANES static void forGroups(Visit&& visit) {
 #pragma GCC unroll 16
@@ -88,9 +88,9 @@ inline void transpose(uint64_t words[64]) {
 // w)` returns their values in order, one per call, and is passed to `end(r, cursor)` after that.
 // `value(r, w, bit)` returns a single value. Widths may be std::integral_constant.
 
-// out = begin + rows x b, (count, columns), for the first kUnits columns. `finish(r, sums)` changes
-// a row last. The outer loop is over words, so that a word's weights stay in the L1 cache for all
-// rows.
+// out = begin + rows x b, (count, columns), for the first kUnits columns. `finish(r, sums)` makes
+// the last change to a row. The outer loop is over words, so that a word's weights stay in the L1
+// cache for all rows.
 template <int kUnits, class Rows, class Inner, class Columns, class Finish>
 OBBY_LANES void multiplyUnits(Rows& rows, size_t count, Inner inner, const float* b,
                               Columns columns, const float* begin, float* out, Finish&& finish) {

@@ -1,6 +1,6 @@
-// The view of the ground. On a rosette of points around the player it has the height of the highest
-// floor in reach, and of the highest danger. Each is a maximum over parts, so their order has no
-// effect. The templates take a number type (math/lanes.h), with a point in each lane.
+// The view of the ground. For each point of a rosette around the player it has the height of the
+// highest floor in reach, and of the highest danger. Each is a maximum over parts, so their order
+// has no effect. The templates take a number type (math/lanes.h), with a point in each lane.
 #pragma once
 
 #include "math/angle.h"
@@ -49,7 +49,7 @@ OBBY_DEVICE void placePoints(Turns ahead, Rosette& r) {
   for (int i = kPoints; i < kPaddedPoints; ++i) r.x[i] = r.z[i] = 1e9f;
 }
 
-// Places a single point, with the same bits.
+// Places a single point of the rosette, with the same bits as placePoints().
 OBBY_DEVICE Points<1> placePoint(Turns ahead, int point) {
   if (point == 0) return {{0}, {0}};
   const Vec3 way = rosetteDirection(ahead, (point - 1) % kDirections);
@@ -102,9 +102,9 @@ OBBY_DEVICE F uncovered(F danger, F floor) {
   return select(danger < floor, F(kDeepest), danger);
 }
 
-// Returns the input for a height. It is the height above that of the moment before, which is zero
-// if nothing moves. For the first moment it is the height above kDeepest, which is zero if nothing
-// is there.
+// Returns the input for a height: its scaled difference from `before`, which is zero if nothing
+// moves. `before` is the height at the previous moment. At the first moment it is kDeepest, so the
+// input is zero if nothing is there.
 constexpr float kEmptyInput = 0;
 template <class F>
 OBBY_DEVICE F shown(F height, F before) {
@@ -140,7 +140,7 @@ struct Maps {
     }
   }
 
-  // Turns heights into inputs. Call it after everything was seen.
+  // Turns heights into inputs. Call it after all calls of see().
   OBBY_DEVICE void finish() {
     for (int i = 0; i < kCount; i += Lanes<F>::kCount) {
       F floorBefore(kDeepest), dangerBefore(kDeepest);

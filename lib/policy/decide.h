@@ -22,7 +22,7 @@ OBBY_DEVICE sim::Action decideOn(const Scene& scene, const NetworkView& network,
   return actionOf(move, ahead);
 }
 
-// The same after a new observation. `bodies` has level.bodyCount bodies.
+// Does the same after a new observation. `bodies` has level.bodyCount bodies.
 template <class F>
 OBBY_DEVICE sim::Action decide(const Scene& scene, const NetworkView& network,
                                const sim::World& world, const sim::RigidBody* bodies,

@@ -13,7 +13,8 @@ struct Decision : nn::PpoDecision {
   bool mayJump;
 };
 
-// Probabilities of the moves, (kMoves); those that are not allowed (isAllowed) get 0.
+// Fills `p`, (kMoves), with the probabilities of the moves. Moves that are not allowed (isAllowed)
+// get 0.
 template <class S>
 OBBY_DEVICE void probabilitiesOf(const S* logits, bool mayJump, S* p) {
   const S jumping = mayJump ? S(0) : S(nn::kBarred);
@@ -21,14 +22,15 @@ OBBY_DEVICE void probabilitiesOf(const S* logits, bool mayJump, S* p) {
       logits, [jumping](int m) OBBY_INLINED { return jumping * S(jumps(m) ? 1 : 0); }, p);
 }
 
-// `draw`: uniform over [0, 1).
+// Draws a move. `draw`: uniform over [0, 1).
 OBBY_DEVICE nn::Drawn drawMove(const float* logits, bool mayJump, float draw) {
   float p[kMoves];
   probabilitiesOf(logits, mayJump, p);
   return nn::drawAction<kMoves>(p, draw);
 }
 
-// `outputs`, `gradient`: (kPaddedOutputs). The gradient of what is padding is 0.
+// Returns the PPO loss of a decision. `outputs`, `gradient`: (kPaddedOutputs). The gradient of
+// padding is 0.
 template <class S>
 OBBY_DEVICE nn::PpoLoss<S> ppoLossOf(const S* outputs, const Decision& d,
                                      const nn::PpoLossSettings& settings, S* gradient) {
@@ -38,8 +40,8 @@ OBBY_DEVICE nn::PpoLoss<S> ppoLossOf(const S* outputs, const Decision& d,
   return nn::ppoLoss<kMoves>(p, outputs[kMoves], d, settings, gradient, gradient[kMoves]);
 }
 
-// The same of imitating the decision, whose target is the return that came of it. 0 where that is
-// no more than expected.
+// Returns the loss of imitating the decision, whose target is the return that followed it. The loss
+// is 0 if the return is no more than expected.
 template <class S>
 S imitationLossOf(const S* outputs, const Decision& d, S weight, S valueWeight, S* gradient) {
   for (int m = 0; m < kPaddedOutputs; ++m) gradient[m] = 0;

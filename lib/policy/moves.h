@@ -27,7 +27,7 @@ OBBY_DEVICE bool jumpAllowed(const Scene& s, const sim::World& w) {
   return mayJump(s.level, w) && sim::jumpsLeft(s.query, w) > 0;
 }
 
-// Returns the likeliest allowed move, the first of equals.
+// Returns the likeliest allowed move, the first one on ties.
 OBBY_DEVICE int likeliest(const float* logits, bool mayJump) {
   int best = 0;
   for (int m = 1; m < kMoves; ++m) {

@@ -1,7 +1,7 @@
 // The policy's network: two hidden layers of rectified units, a logit for each move and the value.
 // Sums run over the inputs in their order, without contraction, so that an answer has the same bits
-// on every machine and in every number of lanes. Most of a level is empty: inputs are taken as what
-// they differ by from those of an empty one.
+// on every machine and in every number of lanes. Most of a level is empty, so the first layer takes
+// the inputs' differences from those of an empty level.
 #pragma once
 
 #include "policy/pilot_view.h"
@@ -17,7 +17,7 @@ OBBY_DEVICE F normalised(F v, F mean, F scale) {
 
 OBBY_DEVICE constexpr int smaller(int a, int b) { return a < b ? a : b; }
 
-// `outputs`: (kPaddedOutputs), logits and value, of raw inputs.
+// Evaluates raw inputs, (kInputs). `outputs`: (kPaddedOutputs), logits and value.
 template <class F>
 OBBY_DEVICE void think(const NetworkView& network, const float* inputs, float* outputs) {
   constexpr int kStep = Lanes<F>::kCount;

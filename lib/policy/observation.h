@@ -50,7 +50,7 @@ OBBY_DEVICE void observeState(const Scene& s, const sim::World& w, const sim::Ne
   out[i++] = dot(w.velocity, frame.forward) * 0.0625f;
   out[i++] = dot(w.velocity, frame.right) * 0.0625f;
   out[i++] = clampf(w.velocity.y * 0.02f, -3.0f, 3.0f);
-  // A floor was sensed in the last step; the time since then, 1 at half a second.
+  // 1 if a floor was sensed in the last step; the time since the last floor, 1 at half a second.
   out[i++] = w.floorlessSteps == 0 ? 1.0f : 0.0f;
   out[i++] =
       minf(float(w.floorlessSteps) * (tick / float(s.level.params.substeps)), 30.0f) * 0.0333f;
@@ -86,7 +86,7 @@ OBBY_DEVICE void observeState(const Scene& s, const sim::World& w, const sim::Ne
   const float reach = 2 * p.jumpSpeed * p.walkSpeed / maxf(p.gravity, 1.0f);
   out[i++] = minf(reach, 30.0f) * 0.1f;
   out[i++] = minf(0.5f * p.jumpSpeed * p.jumpSpeed / maxf(p.gravity, 1.0f), 30.0f) * 0.125f;
-  out[i++] = w.waypoints < s.query.waypointCount ? 1.0f : 0.0f;  // a waypoint is left
+  out[i++] = w.waypoints < s.query.waypointCount ? 1.0f : 0.0f;  // 1 if a waypoint is left
 }
 
 // Writes all inputs except the maps.

@@ -11,11 +11,11 @@ constexpr int kPaddedOutputs = 48;  // logits, the value, and padding for every 
 
 // Plain spans, for device code.
 struct NetworkView {
-  const float* means = nullptr;   // (kInputs), of the observations that it was trained on
-  const float* scales = nullptr;  // (kInputs), 1 / their spread
-  const float* voids = nullptr;   // (kInputs), what normalised inputs are where nothing is in sight
-  nn::LayerView layers[3];        // kInputs -> kHidden -> kHidden -> kPaddedOutputs; the first is
-                                  // given inputs less `voids`, which its biases make up for
+  const float* means = nullptr;   // (kInputs), of the observations on which the network was trained
+  const float* scales = nullptr;  // (kInputs), 1 / spread of those observations
+  const float* voids = nullptr;   // (kInputs), normalised inputs if nothing is in sight
+  nn::LayerView layers[3];  // kInputs -> kHidden -> kHidden -> kPaddedOutputs; the first takes
+                            // inputs less `voids`, and its biases make up for that
 };
 
 template <class Table>
@@ -30,7 +30,7 @@ OBBY_DEVICE void forTables(NetworkView& n, Table&& table) {
   }
 }
 
-// What a policy needs beside level and query. Plain data, for device code.
+// The data that a policy needs in addition to level and query. Plain data, for device code.
 struct PilotView {
   SurroundingsView surroundings;
   NetworkView network;

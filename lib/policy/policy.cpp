@@ -19,8 +19,9 @@ OBBY_LANES float greatestOf(WideFloat row) {
 
 namespace obby::nn {
 
-// In a list, so that there is no branch at each of them. Rows come in order, so that the list is no
-// longer than what came: storeChosen() writes a whole row at its end.
+// Keeps the non-zero numbers in a list, so that forEach() has no branch for each number.
+// storeChosen() writes a whole row at the end of the list. The row fits, since rows come in order
+// and the list is no longer than the rows before.
 template <int kMax>
 class NonZero<WideFloat, kMax> {
  public:

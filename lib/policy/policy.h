@@ -1,5 +1,5 @@
-// The policy on the CPU: observes and evaluates in SIMD lanes, with the bits of the kernels' single
-// lane. Host only.
+// The policy on the CPU: observes and evaluates in SIMD lanes. Results have the same bits as the
+// kernels', which use a single lane. Host only.
 #pragma once
 
 #include <vector>
@@ -34,7 +34,7 @@ class Network {
   std::vector<float> numbers_;
 };
 
-// A network prepared for evaluation. `network` must outlive it and must not change.
+// A network prepared for evaluation. `network` must outlive this object and must not change.
 class Thinker {
  public:
   explicit Thinker(const Network& network);
@@ -57,7 +57,7 @@ Turns observe(const Scene& scene, const sim::World& world, const sim::RigidBody*
 void observe(const Scene& scene, const sim::World& world, const sim::RigidBody* bodies,
              const sim::NextRegion& next, Turns ahead, float* inputs);
 
-// The type of the first of them, for other observations to try. All inputs after the first
+// The type of the first observe(), for trials of other observations. All inputs after the first
 // kStateInputs must be kEmptyInput if nothing is in sight.
 using Observe = Turns (*)(const Scene& scene, const sim::World& world, const sim::RigidBody* bodies,
                           float* inputs);
@@ -75,7 +75,7 @@ sim::Action decideOn(const Scene& scene, const NetworkView& network, const sim::
                      const float* inputs, Turns ahead, Random* random);
 
 // A policy prepared for one level, which decide() needs in addition to a query. The level's tables
-// and the network must outlive it.
+// and the network must outlive this object.
 class Pilot {
  public:
   Pilot(const level::LevelView& level, const Network& network)

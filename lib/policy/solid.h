@@ -8,7 +8,8 @@
 
 namespace obby::policy {
 
-// A part as lines cut it. Shapes other than wedges, cylinders and balls are cut as their box.
+// A part that vertical lines cut. Shapes other than wedges, cylinders and balls are cut as their
+// box.
 struct Solid {
   Vec3 center;  // relative to the feet
   Mat3 axes;

@@ -28,7 +28,7 @@ void forSeen(const level::LevelView& level, Visit&& visit) {
   }
 }
 
-// Returns all of these, sorted by the bottom of their bounds.
+// Returns these colliders, sorted by the bottom of their bounds.
 std::vector<uint32_t> lowestFirst(const level::LevelView& level) {
   std::vector<uint32_t> seen;
   forSeen(level, [&](uint32_t i, const Box&) { seen.push_back(i); });
@@ -65,7 +65,7 @@ void Surroundings::divide(Vec3 extent, float cell) {
   nz_ = int32_t(extent.z / cell_) + 1;
 }
 
-// 66 thousand parts of the max size have more entries than 32 bits can count.
+// 66 thousand parts of the max size would have more entries than 32 bits can count.
 uint64_t Surroundings::entriesOf(const level::LevelView& level, float reach) const {
   uint64_t entries = 0;
   forSeen(level, [&](uint32_t, const Box& box) {

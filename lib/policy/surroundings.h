@@ -1,4 +1,4 @@
-// Builds the table of the parts near a place, once a level and shared by all worlds. Host only.
+// Builds the table of the parts near a place, once per level and shared by all worlds. Host only.
 #pragma once
 
 #include <vector>

@@ -14,7 +14,7 @@ struct SurroundingsView {
   float inverseCell = 1;
   int32_t nx = 0, nz = 0;
   const uint32_t* starts = nullptr;   // (nx * nz + 1), into entries
-  const uint32_t* entries = nullptr;  // colliders; those of a square by their lowest point
+  const uint32_t* entries = nullptr;  // colliders; sorted by lowest point within a square
   uint32_t entryCount = 0;
 };
 

@@ -1,4 +1,4 @@
-// The policy's network as learning has it. Host only.
+// The policy's network in the form that training uses. Host only.
 #pragma once
 
 #include "nn/network.h"
@@ -6,7 +6,8 @@
 
 namespace obby::policy {
 
-// All zero; the parameters lie as policy::Network has them behind the normalisers.
+// Returns a network of zeros. Its parameters have the order of policy::Network without the
+// normalisers.
 template <class S = float>
 nn::Network<S> trainableNetwork() {
   return nn::Network<S>({size_t(kInputs), kHidden, kHidden, kPaddedOutputs});

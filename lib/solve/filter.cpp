@@ -18,8 +18,8 @@ std::string joined(const std::vector<std::string>& words) {
   return text;
 }
 
-// Builds and compiles a query, so that --on-error applies to an invalid one before anything goes
-// out.
+// Builds and compiles a query, so that --on-error applies to an invalid one before any record is
+// written.
 Result<io::Record> queryOf(const LoadedLevel& level, const QuickQuery& quick, const char* id) {
   OBBY_ASSIGN(io::Record query, buildQuery(level.record.reader().getLevel(), quick, id));
   OBBY_RETURN_IF_ERROR(level::Query::compile(query.reader().getQuery(), level.level));
@@ -47,7 +47,7 @@ Result<io::Then> Filter::handle(const io::Record& record) {
   }
 }
 
-// The level goes out as it is played, so that later tools replay the same.
+// Passes on the level with its physics changed, so that later tools replay the same.
 Result<io::Then> Filter::handleLevel(const io::Record& read) {
   OBBY_RETURN_IF_ERROR(finishLevel());
   last_.reset();
@@ -62,7 +62,7 @@ Result<io::Then> Filter::handleLevel(const io::Record& read) {
 
 Result<io::Then> Filter::take(const io::Record& played, const io::Record& read) {
   OBBY_ASSIGN(LoadedLevel loaded, loadLevel(played));
-  // This comes first: a level that lacks the places cannot judge trajectories.
+  // This comes first: a level that lacks the places of the rule must not be added.
   if (options_.task == Task::filter) {
     OBBY_ASSIGN(PassFilter filter,
                 PassFilter::make(played.reader().getLevel(), loaded.level, options_.passes));
@@ -86,7 +86,7 @@ Result<io::Then> Filter::handleQuery(const io::Record& record) {
   if (options_.task == Task::filter) return io::Then::pass;
   OBBY_ASSIGN(const LevelPointer level, levelNamed(query.getLevel()));
   if (last_ && level == last_->level) ++last_->queries;
-  if (asksQuick()) return io::Then::pass;  // it replaces the stream's queries
+  if (asksQuick()) return io::Then::pass;  // the command line's query replaces those of the stream
   OBBY_ASSIGN(const io::Record full, resolved(*level, record));
   if (options_.task == Task::verify) {
     // The verifier relies on a valid record.
@@ -98,7 +98,7 @@ Result<io::Then> Filter::handleQuery(const io::Record& record) {
   }
   note(query.getId());
   if (!wanted(query.getId())) return io::Then::pass;
-  // --on-error applies to an invalid query before it goes out.
+  // --on-error applies to an invalid query before it is written.
   OBBY_RETURN_IF_ERROR(level::Query::compile(full.reader().getQuery(), level->level));
   OBBY_RETURN_IF_ERROR(ask(*level, full));
   return io::Then::drop;
@@ -114,7 +114,7 @@ Result<Filter::LevelPointer> Filter::levelNamed(const std::string& name) const {
   return levels_.named(name);
 }
 
-// Adds a level, and drops all that belongs to the levels dropped for it.
+// Adds a level. Drops the filters and queries of the levels that are dropped for it.
 void Filter::know(const LevelPointer& level) {
   for (const std::string& dropped : levels_.add(level)) {
     passFilters_.erase(dropped);
@@ -138,7 +138,8 @@ bool Filter::wanted(const std::string& id) const {
   return only.empty() || std::find(only.begin(), only.end(), id) != only.end();
 }
 
-// Notes each id once, and only as many other ids as an error names, since a stream need not end.
+// Notes each id once. Other ids are noted only up to the number that an error names, since a stream
+// need not end.
 void Filter::note(const std::string& id) {
   constexpr size_t kMaxOthers = 5;
   if (options_.only.empty()) return;
@@ -184,7 +185,8 @@ Status Filter::ask(const LoadedLevel& level, const io::Record& query) {
   return answered;
 }
 
-// An error of the level's default query shows only after its records, but belongs to the level.
+// The default query is asked after the level's other records, but its error is reported for the
+// level.
 Status Filter::finishLevel() {
   Status asked = askDefault();
   return asked ? asked : pipeline_.forgiveLate(last_->read, std::move(asked).error());

@@ -23,7 +23,7 @@
 
 namespace obby::solve {
 
-// The task to do with a stream's queries and trajectories.
+// The filter's task for the queries and trajectories of a stream.
 enum class Task {
   answer,  // answer the queries
   verify,  // check the trajectories
@@ -34,7 +34,7 @@ struct FilterOptions {
   Task task = Task::answer;
   SolverOptions solver;
   std::shared_ptr<const policy::PolicyFile> policy;  // owner of solver.policy, if it was read
-  EarlierAnswers earlier;                            // answers of the same queries
+  EarlierAnswers earlier;                            // earlier answers to the same queries
   bool remember = false;                             // keep the answers for takeEarlier()
   int threads = 1;
   sim::Device* device = nullptr;    // runs the rollouts; must outlive the filter; null: threads
@@ -64,13 +64,14 @@ class Filter {
 
   // Handles a record of the pipeline.
   Result<io::Then> handle(const io::Record& record);
-  // Must be called after the last record, unless the input was stopped before. Asks a level without
-  // queries for a solution from its spawn to its end. Error: `quick` lacks a goal in the level, or
-  // an id of `only` was not met.
+  // Must be called after the last record, unless the input was stopped before. If the last level
+  // has no queries, asks for a solution from its spawn to its end. Error: `quick` lacks a goal in
+  // the level, or the stream has no query with an id of `only`.
   Status finishInput();
 
   const FilterCounts& counts() const { return counts_; }
-  // Returns what a next run can begin with: each query's new answer, or its earlier one.
+  // Returns the answers from which a next run can start: each query's new answer, or its earlier
+  // one.
   EarlierAnswers takeEarlier() { return std::move(options_.earlier); }
 
  private:
@@ -79,7 +80,7 @@ class Filter {
   // The last level record.
   struct Last {
     LevelPointer level;
-    io::Record read;       // as read, with the place that errors about it name
+    io::Record read;       // as read; errors name its place in the input
     bool asked = false;    // true once `quick` or the default query was asked
     uint64_t queries = 0;  // queries of the level that followed
   };
@@ -111,7 +112,7 @@ class Filter {
   std::map<std::string, PassFilter> passFilters_;  // by name of the level
   std::optional<Last> last_;
   QueryCache queries_;                     // of the levels in levels_, for Task::verify
-  std::vector<std::string> met_, others_;  // ids of `only` that were met; the first other ids
+  std::vector<std::string> met_, others_;  // ids of `only` that were met; the first few other ids
   FilterCounts counts_;
 };
 

@@ -19,7 +19,7 @@ class LevelCache {
 
   static constexpr uint64_t kMaxBytes = uint64_t(1) << 30;
 
-  // `maxBytes`: budget of the kept levels, as records and compiled.
+  // `maxBytes`: memory budget of the kept levels, both records and compiled.
   explicit LevelCache(uint64_t maxBytes) : levels_(maxBytes) {}
 
   // Keeps a level as the newest, in place of an older one of its name. Returns the names of the
@@ -30,8 +30,8 @@ class LevelCache {
   // Forgets the level of a name, if there is one.
   void forget(const std::string& name) { levels_.forget(name); }
 
-  // Returns the level of a name. Error, with path "level": no level of that name is kept. An empty
-  // name matches none.
+  // Returns the level of a name. Error, with path "level": no level of that name is kept, or the
+  // name is empty.
   Result<LevelPointer> named(const std::string& name) const;
 
  private:

@@ -1,5 +1,5 @@
-// Values by key within a budget of memory. A stream need not end, so only the newest that fit are
-// kept; the newest is kept whatever its size.
+// A cache of values by key, within a memory budget. A stream need not end, so only the newest
+// values that fit are kept. The newest is kept whatever its size.
 #pragma once
 
 #include <fmt/format.h>
@@ -17,7 +17,7 @@ namespace obby::solve {
 template <class Key, class Value>
 class Newest {
  public:
-  // `maxBytes`: budget of the kept values.
+  // `maxBytes`: memory budget of the kept values.
   explicit Newest(uint64_t maxBytes) : maxBytes_(maxBytes) {}
 
   // Keeps a value as the newest, in place of an older one of its key. Returns the keys of the
@@ -53,15 +53,16 @@ class Newest {
     if (const auto found = kept_.find(key); found != kept_.end()) erase(found);
   }
 
-  // Forgets the values of `first` and the keys after it as long as `alike` is true.
+  // Forgets the values of `first` and of the keys after it, up to the first key that is not
+  // `alike`.
   void forgetFrom(const Key& first, const auto& alike) {
     auto at = kept_.lower_bound(first);
     while (at != kept_.end() && alike(at->first)) at = erase(at);
   }
 
-  // Adds to an error about a missing key that its value may have been dropped. The keys of those
-  // are not kept, since they would grow without bound. `order` is the cure: "put a after b", and
-  // `many` names the values.
+  // Adds to an error about a missing key that its value may have been dropped. The keys of dropped
+  // values are not kept, since they would grow without bound. `order` says how to avoid that, as in
+  // "put a after b"; `many` names the values.
   Error explained(Error missing, const char* order, const char* many) const {
     if (dropped_ == 0) return missing;
     missing.message += fmt::format(" is still in memory: the oldest {} were dropped", dropped_);

@@ -1,4 +1,4 @@
-// The queries of a stream that later trajectories may name, for checking these. A stream need not
+// The queries of a stream, for checking their trajectories, which come later. A stream need not
 // end, so only the newest queries that fit are kept.
 #pragma once
 
@@ -16,7 +16,7 @@ class QueryCache {
  public:
   static constexpr uint64_t kMaxBytes = uint64_t(256) << 20;
 
-  // `maxBytes`: budget of the kept queries.
+  // `maxBytes`: memory budget of the kept queries.
   explicit QueryCache(uint64_t maxBytes) : queries_(maxBytes) {}
 
   // Returns the approximate memory of a kept query and the name of its level, in bytes.
@@ -27,8 +27,7 @@ class QueryCache {
   // Forgets all queries of a level.
   void forgetLevel(const std::string& level);
 
-  // Returns the query of an id and level. Error, with path "query": none of that id and level is
-  // kept.
+  // Returns the query of an id and level. Error, with path "query": that query is not kept.
   Result<io::Record> named(const std::string& level, const std::string& id) const;
 
  private:

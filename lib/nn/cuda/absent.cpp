@@ -1,4 +1,4 @@
-// A build without CUDA.
+// The entry point in a build without CUDA.
 #include "nn/cuda/cuda.h"
 
 namespace obby::nn::cuda {

@@ -1,4 +1,4 @@
-// Launch forms of the kernels of learning.
+// CUDA entry points of the learning kernels.
 #include "nn/cuda/cuda.h"
 #include "nn/device/kernels.h"
 #include "nn/device/learn_kernels.h"

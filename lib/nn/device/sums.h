@@ -34,8 +34,8 @@ OBBY_DEVICE void sumColumnChunk(const ColumnSumArguments& s, uint32_t i) {
 // Sums rows of floats into `out`, or of doubles into `out`, `added` or both.
 struct RowSumArguments {
   const float* floats;    // (rows, width), or null
-  const double* doubles;  // (rows, width), where `floats` is null
-  float* out;             // (width), overwritten; null for `added` alone
+  const double* doubles;  // (rows, width), used if `floats` is null
+  float* out;             // (width), overwritten; null if only `added` is wanted
   double* added;          // (width), the sum of doubles is added; or null
   uint32_t rows, width;   // both at least 1
 };

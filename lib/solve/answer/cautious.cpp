@@ -10,7 +10,7 @@ namespace obby::solve {
 namespace {
 
 constexpr uint64_t kMinSteps = 500'000;
-constexpr uint64_t kTimesSteps = 8;  // times the steps of the first search
+constexpr uint64_t kTimesSteps = 8;  // multiple of the steps of the first search
 constexpr float kDeadly = 1e6f;      // damage above any health
 
 // Returns the parts that every solution touches because the query names them.
@@ -26,8 +26,8 @@ std::set<uint32_t> namedParts(schema::Query::Reader query) {
   return parts;
 }
 
-// Returns the level with these parts deadly. They are not solid: the simulator senses a floor
-// before the feet touch it.
+// Returns the level with these parts deadly and not solid. If they were solid, the simulator would
+// sense a floor before the feet touch it.
 Result<LoadedLevel> withDeadly(const io::Record& level, const std::vector<uint32_t>& parts) {
   io::RecordBuilder copy(level.reader());
   auto all = copy.root().getLevel().getParts();
@@ -40,7 +40,7 @@ Result<LoadedLevel> withDeadly(const io::Record& level, const std::vector<uint32
   return loadLevel(io::Record(std::move(copy)));
 }
 
-// Returns true if a loss that concerns more than the deadly parts could make the game easier.
+// Returns true if a loss or doubt about anything but the deadly parts could make the game easier.
 bool mayBeEasierElsewhere(schema::Level::Reader level, const std::vector<uint32_t>& deadly) {
   for (const auto loss : level.getUnmodelled()) {
     if (loss.getAnywhere() && loss.getBearing() != schema::Bearing::HARDER) return true;
@@ -53,7 +53,7 @@ bool mayBeEasierElsewhere(schema::Level::Reader level, const std::vector<uint32_
   return false;
 }
 
-// Returns the rest of the budget, limited to what is worth spending.
+// Returns the rest of the budget, limited to a multiple of the steps of the first search.
 Budget budgetAfter(Budget budget, const SearchOutcome& first) {
   const uint64_t steps = first.statistics.steps;
   budget.maxSteps -= std::min(budget.maxSteps, steps);

@@ -16,11 +16,11 @@ struct SolvedQuery {
   const Watcher& watcher;  // watches the search for other solutions, in `level`
 };
 
-// Searches for solutions that touch none of the doubtful parts, and replaces the others by them.
-// Parts on which the player starts and parts that the query names are exempt. The search does up to
-// eight times the steps of the first one, but at least 500,000, within the query's budget.
-// `touched`: doubtful parts of the shortest solution, before and after. Error: the level with
-// deadly parts is invalid, which is not expected.
+// Searches for solutions that touch none of the doubtful parts. If it finds any, they replace the
+// others. Parts on which the player starts and parts that the query names are exempt. The search
+// does up to eight times the steps of the first one, but at least 500,000, within the query's
+// budget. `touched`, in and out: doubtful parts that the shortest solution touches. Error: the
+// level with deadly parts is invalid, which is not expected.
 Result<Avoiding> avoidDoubts(const SolvedQuery& solved, const Machine& machine,
                              const Course& course, std::vector<uint32_t>& touched,
                              SearchOutcome& outcome);

@@ -14,7 +14,7 @@ namespace obby::solve {
 
 struct LoadedLevel;
 
-// A level as other players meet it: compiled on first use, and kept with the level.
+// Compiles a level for other players, on first use, and keeps the results.
 class PlayerLevels {
  public:
   PlayerLevels();
@@ -22,16 +22,16 @@ class PlayerLevels {
   PlayerLevels(const PlayerLevels&) = delete;
   PlayerLevels& operator=(const PlayerLevels&) = delete;
 
-  // Returns `base` as the player meets it, or `base` itself if its physics are the player's. The
-  // result is valid while both live. Error: the player is unknown, or the level is invalid at its
-  // frame rate.
+  // Returns the level with the player's physics, or `base` if they are the same. The result is
+  // valid while this object and `base` live. Error: the player is unknown, or the level is invalid
+  // at its frame rate.
   Result<const LoadedLevel*> of(const LoadedLevel& base, const level::Player& player);
 
   // Returns the approximate size of all compiled levels, in bytes.
   uint64_t bytes() const { return bytes_; }
 
  private:
-  std::map<level::Player, std::unique_ptr<LoadedLevel>> levels_;  // null: the base
+  std::map<level::Player, std::unique_ptr<LoadedLevel>> levels_;  // null: as the base
   uint64_t bytes_ = 0;
 };
 
@@ -45,8 +45,8 @@ struct LoadedLevel {
 };
 
 Result<LoadedLevel> loadLevel(const io::Record& record);
-// Returns the approximate memory of a kept level, in bytes: its record, compiled, and for other
-// players.
+// Returns the approximate memory of a level, in bytes: its record, its compiled form, and the
+// levels for other players.
 uint64_t bytesOf(const LoadedLevel& level);
 
 }  // namespace obby::solve

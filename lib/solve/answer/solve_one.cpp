@@ -80,8 +80,8 @@ class Solving {
     return {};
   }
 
-  // Skips the search if the query is proved unreachable. No proof holds in a level that lacks parts
-  // of the place that might carry a player.
+  // Skips the search if the query is proved unreachable. Nothing can be proved if the level lacks
+  // parts of the place that might carry a player.
   SearchOutcome answer(const Problem& problem, const Watcher& watcher, const Machine& machine) {
     const Stopwatch watch;
     auto cut = mayBeEasier(levelRecord()) ? std::nullopt : cutOf(problem, query_);
@@ -96,7 +96,7 @@ class Solving {
     return options_.method->run(problem, options_.budget, watcher, machine);
   }
 
-  // Returns nothing if an explanation is not asked for or not needed, or if there is no time.
+  // Returns nullopt if no explanation is wanted or needed, or if the search was interrupted.
   std::optional<std::vector<Relaxation>> explanation(const SearchOutcome& outcome,
                                                      const Machine& machine) const {
     const bool wanted = options_.explain && outcome.solutions.empty();
@@ -108,7 +108,8 @@ class Solving {
     return found;
   }
 
-  // Returns false to end the search. An output that takes no progress will take no answer.
+  // Returns false to end the search. An output that fails on progress would fail on the answer,
+  // too.
   bool look(const SearchView& view) {
     if (question_.goOn && !question_.goOn()) return false;
     if (options_.explain || options_.heatMap) noteNewCells(view.search);
@@ -170,8 +171,8 @@ class Solving {
     if (options_.paths) fillPath(record, p);
   }
 
-  // Fills in the fields of solutions only: the route and, if asked for, the difficulty. Returns a
-  // sentence about the hardest step, or nothing.
+  // Fills in the fields that only solutions have: the route and, if asked for, the difficulty.
+  // Returns a sentence about the hardest step, or an empty string.
   std::string fillChecked(schema::Trajectory::Builder record, const Problem& problem,
                           const Trajectory& p, ThreadPool& pool) const {
     const Course course = courseOf(problem, p);

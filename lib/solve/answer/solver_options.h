@@ -19,7 +19,7 @@ struct SolverOptions {
   bool paths = false;    // trajectories include positions, for readers that cannot replay
   bool heatMap = false;  // results include a map of where the search went
   const EarlierAnswers* earlier = nullptr;  // tried first; may be null
-  bool explain = false;  // find a change that makes a query solvable; takes up to as long again
+  bool explain = false;  // look for a change that makes a query solvable; may double the time
   uint32_t difficultyTrials = 0;  // per segment of a solution; 0: difficulty is not asked for
 };
 
@@ -48,7 +48,7 @@ struct PlayerQuestion {
   schema::Query::Reader query;
   level::Player player;
   uint32_t levelRate = 0;              // ticks per second of the original level; 0: that of `level`
-  std::vector<ActionRuns> hints = {};  // tried after earlier answers, and not reported as such
+  std::vector<ActionRuns> hints = {};  // tried after the earlier answers, but not counted with them
   std::vector<Companion> companions = {};              // other players who press the same keys
   std::function<bool(const Trajectory&)> accept = {};  // called for each solution; may be empty
   std::function<bool()> goOn = {};                     // false ends the search; may be empty

@@ -68,7 +68,7 @@ Status fillPlaces(List list, const std::vector<std::string>& selectors, const ch
   return {};
 }
 
-// A part with a spawn on it stands for that spawn.
+// A part that has a spawn on it selects that spawn.
 Status fillStart(schema::Level::Reader level, const std::string& selector,
                  schema::Query::Builder query) {
   const uint32_t tick = query.getStart().getTick();
@@ -137,7 +137,7 @@ Status fillStates(const std::vector<std::string>& names, schema::Query::Builder 
   return {};
 }
 
-// Sets a field that holds one of the names of an enum.
+// Sets an enum field to the value of a name.
 template <class Enum>
 Status fillChoice(const std::string& name, const char* option, Enum& value) {
   const auto names = capnp::Schema::from<Enum>();
@@ -173,7 +173,7 @@ Status fillTricks(const std::vector<std::string>& names, schema::Query::Builder 
   return {};
 }
 
-// Returns the first option that asks for something.
+// Returns the first option that is set.
 const char* firstOption(const QuickQuery& q) {
   const std::pair<bool, const char*> options[] = {
       {!q.start.empty(), "--start"},          {!q.goals.empty(), "--goal"},
@@ -189,7 +189,7 @@ const char* firstOption(const QuickQuery& q) {
   return "";
 }
 
-// Replaces what the query has by what is asked for.
+// Replaces the fields of the query that `quick` sets.
 Status fill(schema::Level::Reader level, const QuickQuery& quick, schema::Query::Builder query) {
   // A title names the start and the goal, so the old one no longer fits.
   if (!quick.start.empty() || !quick.goals.empty()) query.disownTitle();

@@ -1,4 +1,4 @@
-// Names outcomes in messages.
+// Names of outcomes for messages.
 #pragma once
 
 #include "schema/obby.capnp.h"

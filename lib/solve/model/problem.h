@@ -33,11 +33,11 @@ struct Problem {
   level::QueryView query;
   sim::World start;                         // from sim::makeWorld()
   std::vector<sim::RigidBody> startBodies;  // from sim::startBodies()
-  Box bounds;                               // of everything in the level
+  Box bounds;                               // bounds of the whole level
   bool hasClock = false;  // moving or timed parts: the outcome depends on the level clock
   std::vector<ActionRuns> known = {};       // trajectories of an earlier answer, tried first
   const policy::Network* policy = nullptr;  // for methods that use one; must outlive the search
-  std::vector<Companion> companions = {};   // a search that keeps a state keeps theirs with it
+  std::vector<Companion> companions = {};   // a search that stores a state stores theirs with it
 };
 
 // The answer depends only on the problem, seed, maxSteps, solutions and diverse, unless `seconds`

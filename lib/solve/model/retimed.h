@@ -1,5 +1,5 @@
-// Keys at another frame rate. They are held by time, and each change is rounded up to the player's
-// next tick, since a controller reads the keys once per frame.
+// Converts keys to another frame rate. They are held by time, and each change is rounded up to the
+// player's next tick, since a controller reads the keys once per frame.
 #pragma once
 
 #include <cstdint>

@@ -32,8 +32,8 @@ struct Stay {
   uint32_t reached;  // waypoints and visits reached when the player left the part
 };
 
-// Notes a tick of being carried by `part`; -1: by none. A return to the previous part without
-// progress removes the detour.
+// Notes that `part` carries the player for a tick; -1: no part does. A return to the previous part
+// without progress removes the detour.
 void noteStay(std::vector<Stay>& stays, int32_t part, uint32_t reached) {
   if (part < 0) return;
   const size_t n = stays.size();
@@ -46,8 +46,8 @@ void noteStay(std::vector<Stay>& stays, int32_t part, uint32_t reached) {
   }
 }
 
-// Returns the part that carries the player at the end, or the next within kLandingTicks; -1 if
-// none.
+// Returns the part that carries the player at the end, or the next one that does within
+// kLandingTicks; -1 if none does.
 int32_t landingPart(const Problem& problem, const Course& course) {
   sim::World world = course.replay.worlds.back();
   const auto left = course.replay.bodiesAtTick(course.ticks());

@@ -34,17 +34,17 @@ Course courseOf(const Problem& problem, const Trajectory& trajectory);
 // start.
 std::vector<int32_t> routeOf(const Course& course);
 
-// Returns the route that tells solutions apart. It drops trivial detours: a player who returns to
-// the previous part without reaching a waypoint or visit has not left it. Thus 0 1 0 2 and 0 1 3 1
-// 0 2 become 0 2, but a round trip 0 1 3 0 stays. If the player ends in the air, the route includes
-// the part that a fall of kLandingTicks without keys lands on. So it is one route whether the goal
-// is reached just before or just after landing.
+// Returns the route by which solutions are told apart. It drops trivial detours: a player who
+// returns to the previous part without reaching a waypoint or visit has not left it. Thus 0 1 0 2
+// and 0 1 3 1 0 2 become 0 2, but a round trip 0 1 3 0 stays. If the player ends in the air, the
+// route includes the part on which a fall of kLandingTicks without keys ends. So the route is the
+// same whether the goal is reached just before or just after landing.
 std::vector<int32_t> directRouteOf(const Problem& problem, const Course& course);
 
 constexpr uint32_t kLandingTicks = 120;
 
-// The stretch from where one part starts to carry the player to where the next one does. The state
-// at its start is course.at(start) with course.replay.bodiesAtTick(start), before
+// A segment lasts from the tick at which one part starts to carry the player until the next part
+// does. The state at its start is course.at(start) with course.replay.bodiesAtTick(start), before
 // course.actions[start].
 struct Segment {
   uint32_t start = 0;  // tick of the course

@@ -18,7 +18,7 @@ struct AnswerIdentity {
   level::StartPose start;
   std::string method;         // name in the table of methods
   uint16_t tricks = 0;        // Params::tricks of the query
-  level::Player player = {};  // player of its trajectories
+  level::Player player = {};  // player of the trajectories
 };
 
 void fillTrajectory(schema::Trajectory::Builder record, const AnswerIdentity& identity,

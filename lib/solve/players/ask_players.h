@@ -17,14 +17,14 @@ struct AskedPlayers {
   bool empty() const { return bodies.empty() && frameRates.empty() && !sameKeys; }
 };
 
-// Reads the options; lists may have commas. Error: an unknown body or frame rate, with the option
-// as path.
+// Reads the options; each string may be a list with commas. Error: an unknown body or frame rate,
+// with the option as path.
 Result<AskedPlayers> askedPlayers(const std::vector<std::string>& bodies,
                                   const std::vector<std::string>& frameRates, bool sameKeys);
 
-// Returns the query with the asked players in place of its own. "each" body is each that the level
-// admits. If it admits one only, that is the level's physics. If it lists none, every body is
-// meant.
+// Returns the query with the asked players in place of its own. The body "each" stands for every
+// body that the level admits. If the level admits only one, that is the body of its own physics. If
+// it lists none, "each" stands for all bodies.
 io::Record withPlayers(schema::Level::Reader level, const AskedPlayers& asked,
                        const io::Record& query);
 

@@ -1,4 +1,4 @@
-// A query as one of its players meets it, and its answer.
+// A query for one of its players, and the answer.
 #pragma once
 
 #include <optional>
@@ -10,7 +10,7 @@ namespace obby::solve {
 
 struct PlayerCase {
   level::Player player;
-  const LoadedLevel* level;  // the level as the player meets it
+  const LoadedLevel* level;  // the level compiled for the player
   io::Record query;          // in the ticks of that level; names no players
   uint32_t rate;             // ticks per second of that level
 
@@ -26,7 +26,7 @@ struct PlayerCase {
 // Returns the unanswered cases of a query's players. They are valid while `level` lives.
 Result<std::vector<PlayerCase>> playerCases(const LoadedLevel& level, schema::Query::Reader query);
 
-// Returns the query as it is put to one player.
+// Returns the unanswered case of one player.
 Result<PlayerCase> playerCase(const LoadedLevel& level, schema::Query::Reader query,
                               const level::Player& player);
 

@@ -11,7 +11,7 @@ namespace obby::solve {
 
 namespace {
 
-// Returns the first case that has the verdict of all cases together.
+// Returns the first case whose verdict is the combined verdict.
 const PlayerCase& decisive(const std::vector<PlayerCase>& cases) {
   const schema::Verdict verdict = verdictOf(cases);
   return *std::ranges::find_if(

@@ -11,12 +11,13 @@ namespace obby::solve {
 schema::Verdict verdictOf(const std::vector<PlayerCase>& cases);
 
 struct PlayersAsked {
-  uint32_t levelRate;  // ticks per second in which the result counts
+  uint32_t levelRate;  // ticks per second of the result's times
   bool namesBodies;
   bool sameKeys;
 };
 
-// Fields that hold one value describe the player that decides the verdict.
+// Returns the combined result. Fields that hold one value are those of the player that decides the
+// verdict.
 io::Record resultOf(const std::vector<PlayerCase>& cases, const PlayersAsked& asked);
 
 }  // namespace obby::solve

@@ -1,4 +1,4 @@
-// Tells for which players an answer holds, in words.
+// Describes in words for which players an answer holds.
 #pragma once
 
 #include <string>
@@ -15,7 +15,7 @@ struct PlayerVerdict {
 };
 
 // Returns text like "Solved for R6 and R15 at 60 frames a second; nobody can with R15 at 30 frames
-// a second." Without `namesBodies` it names the frame rates alone.
+// a second." Without `namesBodies` the text names only the frame rates.
 std::string playersText(const std::vector<PlayerVerdict>& players, bool namesBodies);
 // Describes a search for keys that solve the query for all players.
 std::string sameKeysText(const std::vector<PlayerVerdict>& players, bool namesBodies);

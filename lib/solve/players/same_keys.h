@@ -17,7 +17,7 @@ size_t slowest(const std::vector<PlayerCase>& cases);
 // nothing if they do not solve the query.
 class KeyPlayer {
  public:
-  // The case must outlive it.
+  // The case must outlive this object.
   static Result<KeyPlayer> make(const PlayerCase& c);
 
   std::optional<Trajectory> solve(const ActionRuns& keys, uint32_t rate) const;

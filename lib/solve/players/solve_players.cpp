@@ -15,7 +15,7 @@ namespace obby::solve {
 
 namespace {
 
-// Does not search, for players that need only the bound.
+// A method that does not search. It is used if only the bound is needed.
 SearchOutcome noSearch(const Problem&, const Budget&, const Watcher&, const Machine&) {
   SearchOutcome outcome;
   outcome.stopped = Stopped::outOfSteps;
@@ -23,9 +23,9 @@ SearchOutcome noSearch(const Problem&, const Budget&, const Watcher&, const Mach
 }
 constexpr Method kNoSearch{"bound", "no search", noSearch};
 
-// Refusals by another player after which the search restarts with another seed; doubled each time.
-// This serves methods that do not take companions along. Their cells keep the earliest trajectory,
-// so a search whose first jump fails for another player would not get away from it.
+// Solutions that other players may refuse before the search restarts with another seed; doubled
+// each time. Methods that ignore companions need this: their cells keep the earliest trajectory, so
+// a search would be stuck with a first jump that fails for another player.
 constexpr uint32_t kFirstRefusals = 48;
 constexpr uint64_t kSeedStep = 0x9e3779b97f4a7c15u;
 
@@ -70,7 +70,7 @@ class PlayersSolving {
     return {};
   }
 
-  // Returns the solutions of the players before this one, at its rate.
+  // Returns the first solution of each player before this one, at this player's rate.
   std::vector<ActionRuns> hintsFor(const PlayerCase& c) const {
     std::vector<ActionRuns> hints;
     for (const PlayerCase& other : cases_) {

@@ -1,4 +1,4 @@
-// Answers a query for each of the players that it names, and makes one result of the answers.
+// Answers a query for each of the players that it names, and combines the answers into one result.
 #pragma once
 
 #include "solve/answer/solver_options.h"

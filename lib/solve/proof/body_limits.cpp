@@ -13,8 +13,8 @@ namespace {
 
 constexpr float kMinSlope = 80;  // degrees; with a lower maxSlope slides have no speed bound
 
-// Returns r in 1/s: feet that are d below a floor rise at most at r d. Negative if the legs bounce.
-// It is derived from the eigenvalues of one step (docs/proof.md, Legs).
+// Returns r in 1/s: feet at a depth d below a floor rise at most at the speed r d. A negative value
+// means that the legs bounce. It is derived from the eigenvalues of one step (docs/proof.md, Legs).
 double slowRate(const Params& p) {
   const double dt = p.substepSeconds, c = p.hoverDamping, k = p.hoverStiffness;
   const double sum = 2 - c * dt - k * dt * dt, product = 1 - c * dt;
@@ -186,8 +186,7 @@ void BodyLimits::setTricks() {
   late = p_.coyoteTime + 3 * tick_ + heldSeconds;
 }
 
-// The map of a tick's steps on the legs is linear. The speed after n of them is
-// gain * depth + kept * speed.
+// A tick of steps on the legs is linear: after n steps the speed is gain * depth + kept * speed.
 float BodyLimits::thrown(float speed) const {
   if (!(p_.tricks & kLegThrow)) return 0;
   const float stiff = p_.hoverStiffness * dt_, damped = 1 - p_.hoverDamping * dt_;
@@ -233,7 +232,8 @@ float BodyLimits::airSeconds(float w, float rise) const {
   return (w + limit) / light_ + (-rise - fallen) / limit + 2 * dt_;
 }
 
-// A fall off an edge has one tick on the level. A jump takes the best number of coyote ticks.
+// A fall off an edge begins with one tick at the edge's height. A jump may use any number of coyote
+// ticks, and the longest time counts.
 float BodyLimits::seconds(const Flight& f, float height) const {
   const float w = f.up + (f.leaps ? 0.5f * heavy_ : -0.5f * light_) * dt_;
   const uint32_t first = f.leaps ? 0 : 1, last = f.leaps ? lateTicks_ : 1;
@@ -260,7 +260,7 @@ float BodyLimits::sideways(float seconds, float excess) const {
 }
 
 float BodyLimits::legsOvershoot(float speed) const {
-  const float risen = float(slowRate(p_)) * 1.0001f * tick_;  // studs a tick, for a stud below
+  const float risen = float(slowRate(p_)) * 1.0001f * tick_;  // studs/tick per stud of depth
   return std::max(risen - 1, 0.0f) * sim::rayHeight(p_) + (risen + 1) * speed * tick_;
 }
 

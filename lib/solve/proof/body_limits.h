@@ -7,10 +7,10 @@
 
 namespace obby::solve {
 
-// Names the feature of the level that prevents a bound; null if there is none.
+// Returns the feature of the level that prevents a bound, in words; null if there is none.
 const char* unboundedPart(const level::LevelView& level);
 
-// Returns the bounds of the level, the start, and the ends of teleporters.
+// Returns a box around the level, the start, and the ends of teleporters.
 Box allPlaces(const Problem& problem);
 
 // A flight off a support.
@@ -27,11 +27,11 @@ struct BodySizes {
   float stand = 0;       // radius in which a jump begins: `body`, or `ray` if walks are fast
   float limb = 0;        // radius in which limbs touch
   float across = 0;      // parts farther apart than this are not touched at once
-  float slack = 0;       // studs: skin, what depenetration leaves, rounding
+  float slack = 0;       // skin, rest of a penetration after depenetration, rounding
   float settles = 0;     // studs above the rest height at which a player may stand
   float sunk = 0;        // studs below a support's top from which a jump or fall may begin
-  float maxTakeOff = 0;  // the same above the top
-  float overlap = 0;     // with a part, by one step of travel and one tick of a turn in the air
+  float maxTakeOff = 0;  // studs above the top from which a jump or fall may begin
+  float overlap = 0;     // max overlap with a part after a step of travel and a tick of air turning
   float turned = 0;      // the same with any turn
 };
 
@@ -42,10 +42,10 @@ struct BodySpeeds {
   float slowJump = 0;  // min launch speed of a jump, under the worst boost
   float decay = 0;     // deceleration of excess speed by keys, studs/s^2
   float turning = 0;   // studs/s by which turns next to parts push the body on
-  float late = 0;      // seconds from the last floor to the end of a jump's first tick
-  // Held jumps, a trick; 0 without it.
+  float late = 0;      // seconds from the last tick on a floor to the end of a jump's first tick
+  // For the trick of held jumps; 0 without it.
   float heldSeconds = 0;  // max time without gravity
-  float heldRise = 0;     // max studs above the take-off where gravity begins to act, less a tick
+  float heldRise = 0;     // max studs above the take-off until gravity acts, less one tick
 };
 
 class BodyLimits : public BodySizes, public BodySpeeds {
@@ -58,11 +58,11 @@ class BodyLimits : public BodySizes, public BodySpeeds {
   // Returns the studs by which the entry is lower for feet that come without a jump.
   float entryOfFalls() const { return turned - overlap; }
 
-  // Returns the max height of the feet above the highest place of a floor, in Running. A jump or
-  // fall begins there. The flight before had an apex from `low` to `high` above that place.
+  // Returns the max height from which a jump or fall begins, in studs above the highest place of a
+  // floor, in Running. The apex of the flight before was `low` to `high` studs above that place.
   float takeOff(float low, float high) const;
-  // Returns the upward studs/s that legs give by a trick, on a floor that goes up or down at
-  // `speed`.
+  // Returns the upward speed, in studs/s, that a trick with the legs gives on a floor that goes up
+  // or down at `speed`.
   float thrown(float speed) const;
 
   // Return the apex of a flight, and the rise of a launch at `up` studs/s.
@@ -70,17 +70,18 @@ class BodyLimits : public BodySizes, public BodySpeeds {
   float apex(float up, bool leaps) const;
   // Returns a lower bound of the rise of a launch at `up` studs/s.
   float lowApex(float up, bool leaps) const;
-  // Returns the seconds until the feet are at `height` for the last time, with the ticks before the
-  // take-off; below 0 if they never are.
+  // Returns the seconds until the feet are at `height` for the last time, including the ticks
+  // before the take-off. Returns a negative value if they never are.
   float seconds(const Flight& f, float height) const;
-  // Returns the studs sideways in that time. `excess`: speed beyond `walk` at the start.
+  // Returns the max horizontal distance in `seconds`, in studs. `excess`: speed beyond `walk` at
+  // the start.
   float sideways(float seconds, float excess) const;
 
   // Returns how far above a floor that goes up or down at `speed` the legs can leave the feet.
   float legsOvershoot(float speed) const;
 
  private:
-  // Returns the studs of a free fall from rest.
+  // Returns the distance of a free fall from rest, in studs.
   float fallOver(uint32_t steps, float gravity) const;
   float airSeconds(float w, float rise) const;
   float reachAt(float fall, bool kept) const;  // reach of the rays below the feet
@@ -94,8 +95,8 @@ class BodyLimits : public BodySizes, public BodySpeeds {
   float light_, heavy_;     // min and max gravity, under all boosts of the level
   float fastest_ = 0;       // max sideways speed of a player, studs/s
   uint32_t lateTicks_ = 0;  // from the last tick with a floor to the last possible jump
-  float keptReach_ = 0;     // studs above a floor up to which it stays sensed
-  float always_ = 0;        // max studs of a take-off above a floor after a fast landing
+  float keptReach_ = 0;     // max studs above a floor at which it is still sensed
+  float always_ = 0;        // max studs of a take-off above a floor, after a fast landing
   float slowest_ = 0;       // studs; landings from a higher apex are fast
 };
 

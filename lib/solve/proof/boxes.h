@@ -32,7 +32,7 @@ inline bool isWithin(const Box& inner, const Box& outer) {
 // Returns a box that is neutral to join() and overlaps nothing.
 inline Box noBox() { return {{1e30f, 1e30f, 1e30f}, {-1e30f, -1e30f, -1e30f}}; }
 
-// Finds those of many boxes that overlap another one.
+// Finds which of many boxes overlap a given box.
 class BoxIndex {
  public:
   explicit BoxIndex(const std::vector<Box>& boxes) {

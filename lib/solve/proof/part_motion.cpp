@@ -53,7 +53,8 @@ void move(PartMotion& motion, const level::LevelView& level, uint32_t collider, 
   const bool upright = (flags & level::kUpright) != 0;
   const float rate = level.params.controlRate, pivot = length(m.pivot);
   const float radius = length(c.shape.half) + pivot + feetAway(level.params);
-  // Keys turn about the centre. Half a turn about the pivot leads as far again from that centre.
+  // Keys turn a part about its centre. Half a turn about the pivot moves that centre by twice its
+  // distance from the pivot.
   const float turned = s.turn * radius + s.spin * (radius + pivot);
   // An upright part turns about the vertical only, so its height range is that of its keys.
   const float lifted = upright ? 0 : turned;
@@ -76,7 +77,7 @@ void move(PartMotion& motion, const level::LevelView& level, uint32_t collider, 
 
 std::vector<PartMotion> partMotions(const level::LevelView& level) {
   std::vector<PartMotion> motions(level.colliderCount);
-  std::vector<std::optional<Steps>> steps(level.moverCount);  // a mover may have many hulls
+  std::vector<std::optional<Steps>> steps(level.moverCount);  // shared by the hulls of a mover
   for (uint32_t i = 0; i < level.colliderCount; ++i) {
     const level::Collider& c = level.colliders[i];
     const level::Roles& r = level.roles[c.role];

@@ -8,7 +8,7 @@
 namespace obby::solve {
 
 struct PartMotion {
-  Box swept;           // bounds of all its places, tight in height for an upright part
+  Box swept;           // bounds of the part over its whole motion, tight in height if it is upright
   float upward = 0;    // upward studs/s given to a player that it carries or launches
   float sideways = 0;  // the same sideways, beyond walking
   float vertical = 0;  // max vertical studs/s of any of its points

@@ -1,4 +1,4 @@
-// Answers questions about places and queries from the bound on reach.
+// Evaluates the bound on reach for places and queries.
 #include <algorithm>
 
 #include "sim/floor.h"
@@ -16,13 +16,13 @@ Box ReachBound::boxOf(const level::TargetView& target) const {
   return grow(all, {limits_.limb, 1.5f * p_.touchMargin, limits_.limb});
 }
 
-// Returns places. A player at the target is in at least one of them.
+// Returns the places that cover a target: a player at the target is in at least one of them.
 std::vector<ReachBound::End> ReachBound::endsOf(const level::TargetView& target) const {
   const Box box = boxOf(target);
   if (target.stand) return holdersIn(box);
   std::vector<End> ends{{box, box.lo.y - p_.bodyTop}};
   if (target.touchCount != 0) return ends;
-  // Over a clear block that covers the region, the torso is above its top.
+  // A player over a clear block that covers the region has the torso above the block's top.
   index_.any(flat(box, 0), [&](uint32_t i) {
     const Support& s = supports_[i];
     const bool holds = s.carries && !s.wild && s.pushes == 0 && s.beside == Beside::clear &&
@@ -70,8 +70,8 @@ uint32_t ReachBound::jumpsTo(const level::TargetView& target) const {
 
 bool ReachBound::holds(Vec3 feet) const { return jumpsInto({{feet, feet}, feet.y}) != kNever; }
 
-// Returns what a plain jump or fall lacks: from the rays' radius to the rays' radius, at the speed
-// of a walk, without what only perfect timing gains.
+// Returns the distance that a plain jump or fall lacks between the places where the rays sense a
+// floor, at walking speed. It ignores the gains of perfect timing.
 Missing ReachBound::lack(uint32_t from, const End& to) const {
   const Support& s = supports_[from];
   const bool leap = mayLeap(s);
@@ -115,7 +115,7 @@ Missing ReachBound::missing(const std::vector<const level::TargetView*>& targets
       routes[gate] = {route.lacks, false, route.first};
     }
     for (uint32_t to = 0; to < ends.size(); ++to) {
-      if (routes[to].lacks <= route.lacks) continue;  // a step never lacks less than nothing
+      if (routes[to].lacks <= route.lacks) continue;  // no step lacks a negative amount
       Missing step = lack(at, ends[to]);
       const float all = route.lacks + step.rise + step.gap;
       if (!(all < routes[to].lacks)) continue;

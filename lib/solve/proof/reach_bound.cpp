@@ -10,22 +10,22 @@ namespace obby::solve {
 
 namespace {
 
-constexpr size_t kMaxVisits = 60;  // per support on average; beyond them the bound gives up
-constexpr int kMaxParts = 8;       // counted parts near a flight; more push as far as turns can
+constexpr size_t kMaxVisits = 60;  // per support, on average; after more, the bound gives up
+constexpr int kMaxParts = 8;       // max counted parts near a flight; turns limit the push of more
 
 constexpr float kRounding = 0.125f;  // studs
 constexpr int32_t kMaxBlocks = 8;    // per axis; one box holds the places of a block
 
-// Returns true if the list of a cell has more parts than a tick examines. The list names all that a
-// player in the cell can be near, at any speed.
+// Returns true if the list of a cell has more parts than a tick examines. The list has all parts
+// that a player in the cell can be near, at any speed.
 bool isCrowded(const level::LevelView& level, const uint32_t* list) {
   const auto moves = [&](uint32_t id) { return (level.bounds[id].flags & level::kMoving) != 0; };
   const int moving = int(std::count_if(list + 1, list + 1 + list[0], moves));
   return list[0] > uint32_t(sim::kMaxCandidates) || moving > sim::kMaxMovingCandidates;
 }
 
-// Returns the places of the feet where more parts are near than a tick can hold. The simulator
-// ignores the others for that tick, so nothing is known of what follows.
+// Returns the places of the feet that have more parts near than a tick examines. The simulator
+// ignores the others for that tick, so nothing is known about what follows.
 std::vector<Box> crowdedPlaces(const level::LevelView& level) {
   const level::Grid& g = level.grid;
   const Vec3 size{1 / g.inverseCell.x, 1 / g.inverseCell.y, 1 / g.inverseCell.z};
@@ -125,12 +125,12 @@ void ReachBound::spread(uint32_t from, bool leaps) {
   });
 }
 
-// Returns how high above its top the support `to` may be left after that flight.
+// Returns the max height above its top from which the support `to` can be left after that flight.
 float ReachBound::takeOffAfter(uint32_t from, uint32_t to, const Flight& f) const {
   const Support &a = supports_[from], &b = supports_[to];
   const float floor = b.top() + b.lift, high = limits_.apex(f) - floor;
   if (!b.carries || high <= b.takeOff) return 0;
-  // The flight may also begin lower and be slower. A moving floor gains on the jumps off it.
+  // The flight may also begin lower and be slower. A moving floor can follow the jumps off it.
   const float gain = from == to ? a.vertical : 0;
   float low = from == to ? a.top() - gain * (p_.coyoteTime + p_.tickSeconds) : a.lowest;
   if (f.leaps) low += limits_.lowApex(limits_.slowJump - 3 * gain, true);
@@ -143,7 +143,7 @@ Flight ReachBound::flight(uint32_t support, bool leaps) const {
   if (leaps) {
     up = limits_.jump + s.upward;
     height += limits_.apex(s.rising, false) + limits_.heldRise;
-  } else if (s.beside == Beside::deep) {  // a body leaves it as fast as anything may send it there
+  } else if (s.beside == Beside::deep) {  // a body leaves it at any speed that a support may give
     up = std::max(up, tossed_);
     height += limits_.heldRise;
   } else if (s.beside == Beside::pinched && mayJump_) {

@@ -17,7 +17,7 @@ namespace obby::solve {
 // The first step that no player can make, on the route that lacks least. If the part is nearer by
 // this much, a plain jump reaches it, unless something is in between.
 struct Missing {
-  uint32_t from = level::kNone, to = level::kNone;  // colliders; kNone: the start, the region
+  uint32_t from = level::kNone, to = level::kNone;  // colliders; kNone: start or region
   float rise = 0, gap = 0;                          // studs
   bool blocked = false;                             // other parts are near the flight
   bool more = false;                                // later steps lack something, too
@@ -59,7 +59,7 @@ class ReachBound {
     Box box;
     float height;               // min height of the feet, after a jump
     float side = 0;             // radius around the box
-    uint32_t support = kNever;  // the support that it is; kNever: none
+    uint32_t support = kNever;  // the support at that end; kNever: none
   };
   void explore();
   void come(uint32_t support, uint32_t jumps);
@@ -95,7 +95,7 @@ class ReachBound {
   float pushed_ = 0;      // max studs/s by which parts next to a flight push it
   float tossed_ = 0;      // max studs/s upward that a support gives
   float lowest_ = 1e30f;  // lowest entry of all supports
-  // explore() changes these until nothing is higher, faster or sooner.
+  // explore() changes these until no support is reached higher, faster or with fewer jumps.
   std::vector<uint32_t> jumps_;  // (supports), min jumps to reach it, or kNever
   std::deque<uint32_t> open_;    // supports whose flights may reach more
   std::vector<bool> isOpen_;     // (supports)

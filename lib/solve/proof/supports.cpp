@@ -85,8 +85,8 @@ class Builder {
     const uint32_t flags = level_.bounds[id].flags;
     if (!(flags & level::kSolid) || !(flags & (kLeaps | level::kMoving))) return false;
     if ((flags & kLeaps) || !(flags & level::kUpright)) return true;
-    // A part that moves alone pushes a body that nothing else holds. One that comes down does not
-    // pass through the head, which alone collides as a jump begins.
+    // A slow part that has no other part near pushes a body that nothing else holds. If it comes
+    // down, it does not pass through the head, the only limb that collides as a jump begins.
     const PartMotion& m = motions_[id];
     const float upward =
         (limits_.jump + m.upward) * p_.substepSeconds + m.vertical * p_.tickSeconds;
@@ -112,7 +112,7 @@ class Builder {
   }
 
   // Depenetration may move a body from a deep part into the next one. A part that is thicker than
-  // the push pushes back. A thinner part may push on, from where it is met.
+  // the push pushes the body back. A thinner part may push it on, from where they meet.
   void pushOn(uint32_t id) {
     const float push = thickness(id) + motions_[id].step + limits_.body + 1;
     const float far = limits_.across + 2 * push;
@@ -206,7 +206,6 @@ class Builder {
 
   // Returns the max take-off where a ceiling stops a jump or an edge holds the torso. Landings
   // there are slow.
-  // slow.
   float heldOver(const Support& s) const {
     const float near = 2 * limits_.body + limits_.walk * 0.15f;
     float limit = 0;
@@ -233,8 +232,8 @@ class Builder {
   const std::vector<PartMotion>& motions_;
   const BoxIndex solids_;       // (colliders)
   std::vector<Beside> beside_;  // (colliders)
-  std::vector<Box> pressed_;    // (colliders), where a body may be inside a deep one
-  std::vector<bool> grown_;     // (colliders), that place has grown since the last push
+  std::vector<Box> pressed_;    // (colliders), where a body may be inside a deep part
+  std::vector<bool> grown_;     // (colliders), true if pressed_ has grown since the last push
   float climb_ = 0;             // climbing speed on a truss, studs/s
   std::vector<Support> supports_;
 };

@@ -1,5 +1,5 @@
-// Supports are what can carry or launch a player: every collider as the bound on reach sees it
-// (reach_bound.h). Boxes and speeds are upper bounds.
+// Supports are all that can carry or launch a player: colliders, the start, and the ends of
+// teleporters, as the bound on reach sees them (reach_bound.h). Boxes and speeds are upper bounds.
 #pragma once
 
 #include <vector>
@@ -11,19 +11,19 @@ namespace obby::solve {
 
 // The relation of a body to a part next to it (docs/proof.md, Contacts).
 enum class Beside : uint8_t {
-  clear,    // it is pushed out within a substep: the part is entered from above only
+  clear,    // the body is pushed out within a substep: the part is entered only from above
   pinched,  // another part may hold the body in place: a jump may lead it into low parts
-  deep,     // it may be anywhere inside, and leaves anywhere around the part
+  deep,     // the body may be anywhere inside the part, and leaves it anywhere
 };
 
 struct Support {
-  Box box;              // bounds of its places; its top is level unless `wild`
-  float lowest = 0;     // min height of the top; of feet next to it if that is not level
+  Box box;           // bounds of the part over its motion; its top is level unless `wild`
+  float lowest = 0;  // min height of the top, or of feet next to the part if the top is not level
   float entry = 1e30f;  // min height of feet that enter it, in a jump
   float side = 0;       // radius around the box in which it is entered and left
   float stand = 0;      // radius around the box in which a jump can begin
   float lift = 0;       // max studs of feet at rest above the top
-  float takeOff = 0;    // max studs of a take-off above that
+  float takeOff = 0;    // max studs of a take-off above `lift`
   float upward = 0;     // studs/s that it adds to a jump
   float rising = 0;     // studs/s upward of a player in Running on it
   float toss = 0;       // studs/s upward that it gives without a jump

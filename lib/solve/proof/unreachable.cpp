@@ -19,7 +19,7 @@ using Targets = std::vector<const level::TargetView*>;
 struct Demand {
   Targets any;
   std::string name;
-  int32_t maxJumps;  // max on arrival; -1: any number
+  int32_t maxJumps;  // max jumps on arrival; -1: any number
 };
 
 std::string quoted(schema::Region::Reader region) {
@@ -51,10 +51,10 @@ std::vector<Demand> demandsOf(const level::QueryView& q, schema::Query::Reader r
   return demands;
 }
 
-// Returns true if players may jump. A query that forbids the state checks it after each tick. A
-// pad, teleporter or seat that is touched in the first tick of a jump has ended it by then.
+// Returns true if players may jump. A query that forbids jumping checks the state after each tick.
+// A pad, teleporter or seat that is touched in the first tick of a jump has ended the jump by then.
 bool admitsJumps(const Problem& problem) {
-  if (problem.query.maxJumps == 0) return false;  // this counts every jump
+  if (problem.query.maxJumps == 0) return false;  // maxJumps counts every jump
   if (!sim::forbidsJumping(problem.query)) return true;
   const auto leads = [](const level::Bounds& b) {
     return (b.flags & (level::kPad | level::kTeleport | level::kSeat)) != 0;
@@ -83,7 +83,7 @@ std::vector<uint32_t> partsOf(const level::LevelView& level, const std::vector<u
 }
 
 bool isBounded(const Problem& problem) {
-  // Rounding shows in the height of a jump: farther away the last bit is a 512th of a stud.
+  // Farther away the last bit is 1/512 of a stud, so rounding affects the height of a jump.
   constexpr float kFar = 16384;  // studs
   const Box all = allPlaces(problem);
   if (std::max(-all.lo.y, all.hi.y) > kFar) return false;
@@ -94,8 +94,8 @@ bool isBounded(const Problem& problem) {
   return unboundedPart(problem.level) == nullptr;
 }
 
-// Proves the cut by the first demand that is not met, or not within its jumps, or by the time
-// limit.
+// Returns the cut of the first demand that cannot be met, or not within its jumps, or else of the
+// time limit.
 std::optional<Cut> prove(const Problem& problem, schema::Query::Reader record, bool withMissing) {
   if (!isBounded(problem)) return std::nullopt;
   Cut cut;

@@ -15,13 +15,13 @@ struct Cut {
   std::string target;             // for example "the goal" or "waypoint 2 'Bridge'"
   bool mayJump = true;            // the query admits jumps
   std::vector<uint32_t> reached;  // parts
-  Missing missing;                // if `jumps` and `seconds` are 0
+  Missing missing;                // set if `jumps` and `seconds` are 0
   uint32_t jumps = 0;             // lower bound of the jumps to the target
   uint32_t maxJumps = 0;          // jumps that are allowed
   float seconds = 0;              // lower bound of the time to the goal
   float maxSeconds = 0;           // seconds that are allowed
   bool withTricks = false;        // the proof holds for players who use every trick
-  uint16_t mayHelp = 0;           // otherwise, tricks that each break the proof
+  uint16_t mayHelp = 0;           // if not, the tricks that each break the proof
 };
 
 // Returns nothing if the query may be solvable. `record` supplies the names of its regions.
@@ -30,8 +30,8 @@ std::optional<Cut> cutOf(const Problem& problem, schema::Query::Reader record);
 // Returns true if there is a cut. Faster than cutOf(), which also finds what is missing.
 bool isCut(const Problem& problem, schema::Query::Reader record);
 
-// Fills in the last two fields of the cut: tries the proof with tricks. Leaves them for levels of
-// more than 10,000 colliders, where that takes seconds.
+// Tries the proof with tricks, and fills in the last two fields of the cut. Leaves them unset for
+// levels of more than 10,000 colliders, where that takes seconds.
 void tryTricks(Cut& cut, Problem problem, schema::Query::Reader record);
 
 }  // namespace obby::solve

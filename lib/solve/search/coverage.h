@@ -36,7 +36,7 @@ constexpr float kSaturated = 0.05f;      // threshold of newCellsIfTwice
 constexpr uint64_t kMinRollouts = 4096;  // needed before a search counts as saturated
 bool saturated(const Coverage& t);
 
-// Watches a search between rounds.
+// Notes the coverage of a search between rounds.
 class CoverageLog {
  public:
   void note(const Search& search);

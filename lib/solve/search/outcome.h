@@ -1,4 +1,4 @@
-// The result of a search, and what its watcher sees meanwhile.
+// The result of a search, and the interface of its watcher.
 #pragma once
 
 #include <functional>
@@ -39,12 +39,12 @@ struct SearchOutcome {
   Coverage coverage;
   uint64_t cells = 0;
   uint32_t targetCount = 0;     // waypoints and visits of the query
-  uint32_t knownSolutions = 0;  // solutions that an earlier answer had
+  uint32_t knownSolutions = 0;  // distinct solutions among Problem::known
   uint32_t refused = 0;         // trajectories that the watcher did not accept
   double seconds = 0;           // wall clock
   double firstSolution = 0;     // seconds to the first accepted solution; 0: none
   std::optional<Cut> cut;       // proof that the query is unreachable, without a search
-  Status device;                // the error for which the machine's device was given up
+  Status device;                // the error that made the search give up the machine's device
 };
 
 }  // namespace obby::solve

@@ -57,12 +57,13 @@ SearchOutcome runSearch(const Problem& problem, const Budget& budget, const Watc
   Solutions solutions(problem, budget.diverse ? byRoute() : byPath());
   SearchOutcome outcome;
   std::optional<Stopped> stopped;
-  // An earlier answer lists its solutions first, and mostly the first still works.
+  // An earlier answer lists its solutions first, and usually they still work. So they are tried
+  // first.
   const size_t all = problem.known.size();
   for (size_t first = 0, next = budget.solutions; first < all && !stopped;
        first = next, next = all) {
     search.tryWarmStarts(first, std::min(next, all) - first);
-    // All of them are taken, since they are not tried again.
+    // All goals are taken, since the trajectories are not tried again.
     takeGoals(search, all, budget.solutions, watcher, watch, solutions, outcome);
     outcome.knownSolutions = uint32_t(solutions.count());
     if (outcome.knownSolutions >= budget.solutions) stopped = Stopped::solved;

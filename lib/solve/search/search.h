@@ -1,4 +1,4 @@
-// A running search, as its driver, its watchers and its records see it. Host only.
+// The interface of a running search to its driver, watchers and records. Host only.
 #pragma once
 
 #include <cstdint>
@@ -31,7 +31,6 @@ class Search {
 
   // Tries `count` trajectories of Problem::known from `first` on, like a round. Must precede
   // round().
-  // effects.
   virtual void tryWarmStarts(size_t first, size_t count) = 0;
 
   // Runs one round.
@@ -42,14 +41,14 @@ class Search {
   virtual uint32_t cellCount() const = 0;
   // Returns the end of the trajectory to the newest cell.
   virtual Node newest() const = 0;
-  // Returns the number of cells that only their finder passed through.
+  // Returns the number of cells that only the rollout that found them passed through.
   virtual uint64_t singletons() const = 0;
   // Returns the positions of the feet in the cells from `first` on.
   virtual std::vector<Vec3> places(uint32_t first) const = 0;
-  // Returns the error for which the machine's device was given up, if it was.
+  // Returns the error that made the search give up the machine's device, if any.
   virtual const Status& deviceStatus() const = 0;
 
-  // Returns the trajectories to the goal of the last round, sorted by ticks, then jumps.
+  // Returns the ends of the last round's trajectories to the goal, sorted by ticks, then jumps.
   virtual const std::vector<Node>& goals() const = 0;
   virtual Trajectory trajectoryTo(const Node& end) const = 0;
 };

@@ -18,7 +18,7 @@ struct Solution {
 };
 
 struct SolutionIdentity {
-  // Prepares what `same` compares; null if the playthrough is enough.
+  // Prepares the data that `same` compares; null if the trajectory is enough.
   void (*prepare)(const Problem& problem, Solution& solution);
   bool (*same)(const Solution& a, const Solution& b);
   // True if a second trajectory that is the same counts as another solution, not as a copy.
@@ -28,7 +28,7 @@ struct SolutionIdentity {
 // Trajectories are the same if their paths are nowhere farther than kDistinct apart.
 const SolutionIdentity& byPath();
 // Trajectories are the same if the same parts carry the player in the same order, apart from
-// trivial detours. One extra part is allowed: touching a second part in passing is no other route.
+// trivial detours. One extra part is allowed: touching a second part in passing makes no new route.
 const SolutionIdentity& byRoute();
 
 // Returns true if a point of either path is farther than `distance` from every point of the other.

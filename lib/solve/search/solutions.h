@@ -1,5 +1,5 @@
-// The distinct solutions of a query, shortest first. Of solutions that are the same by `identity`
-// only the shortest is kept.
+// The distinct solutions of a query, shortest first. Of several solutions that are the same by
+// `identity`, only the shortest is kept.
 #pragma once
 
 #include <functional>
@@ -20,12 +20,12 @@ class Solutions {
  public:
   enum class Offer { kept, known, refused };
 
-  // The problem must outlive it.
+  // The problem must outlive this object.
   Solutions(const Problem& problem, const SolutionIdentity& identity)
       : problem_(problem), identity_(identity) {}
 
-  // Keeps a solution that is distinct from all others, or shorter than those that it is the same
-  // as, which it replaces. Only these solutions are passed to `accept`, which may be empty.
+  // Keeps a solution that is distinct from all others, or shorter than the ones that are the same,
+  // which it replaces. Only these solutions are passed to `accept`, which may be empty.
   Offer offer(Trajectory p, const std::function<bool(const Trajectory&)>& accept);
 
   size_t count() const { return solutions_.size(); }

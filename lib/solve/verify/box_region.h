@@ -48,9 +48,9 @@ class BoxRegion {
     return from <= to;
   }
 
-  // Does the same anywhere on the straight path between two positions of the feet. s is a share of
-  // the path, t a share of the height. Six half planes clip the square of all (s, t) to what is
-  // inside the box.
+  // Returns true if holds() is true anywhere on the straight line between two positions of the
+  // feet. s is a share of the line, t a share of the height. Six half planes clip the square of all
+  // (s, t) to the part inside the box.
   bool holdsOnTheWay(Point from, Point to, double height) const {
     const double half[3] = {size_.x / 2, size_.y / 2, size_.z / 2};
     std::vector<Share> left = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
@@ -79,7 +79,7 @@ class BoxRegion {
   static Point minus(Point a, Point b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
   static double along(Point a, Point b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 
-  // Returns the part of a convex polygon with s * ofS + t * ofT <= most.
+  // Returns the part of a convex polygon with s * ofS + t * ofT <= max.
   static std::vector<Share> cut(const std::vector<Share>& polygon, double max, double ofS,
                                 double ofT) {
     std::vector<Share> out;

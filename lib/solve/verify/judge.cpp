@@ -60,8 +60,8 @@ bool Judge::atGoal(const sim::Moment& m) const {
   return std::any_of(goals_.begin(), goals_.end(), [&](const Place& g) { return holds(g, m); });
 }
 
-// Notes the waypoints and visits that are reached now. Returns JUMPS if that was with too many
-// jumps.
+// Notes the waypoints and visits that are reached now. Returns JUMPS if the player has jumped too
+// often by then, and else RUNNING.
 schema::Outcome Judge::reach(const sim::Moment& m) {
   while (reached_ < stops_.size() && holds(stops_[reached_].place, m)) {
     ++reached_;

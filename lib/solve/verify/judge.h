@@ -1,4 +1,4 @@
-// A query's rules in the verifier's own words: read from the query record, and judged in double
+// A query's rules in the verifier's own code: read from the query record, and judged in double
 // precision after every tick of a replay without rules. It shares nothing with sim/rules.h. The
 // simulator still decides if a limb touches a part, since that is physics.
 #pragma once

@@ -18,8 +18,8 @@ Point feetOf(const sim::World& world);
 
 class Place {
  public:
-  // The region must have its parts resolved, and `runs` must be of the level. `arrive`: what counts
-  // as reaching a solid part.
+  // The region must have its parts resolved, and `runs` must belong to the level. `arrive` decides
+  // when a player has reached a solid part.
   Place(schema::Region::Reader region, level::ColliderRuns& runs, schema::Arrive arrive,
         const level::LevelView& level);
 

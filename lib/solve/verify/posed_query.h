@@ -1,5 +1,4 @@
-// A query with the level that it is asked of, as records and compiled. Searches and the verifier
-// need both.
+// A query and its level, as records and compiled. Searches and the verifier need both.
 #pragma once
 
 #include "level/level.h"

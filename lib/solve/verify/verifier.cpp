@@ -66,7 +66,8 @@ Status checkTricks(schema::Query::Reader query, const sim::Plan& plan) {
   return Error{{}, {}, "tricks", "the record uses a trick that the query does not allow", {}};
 }
 
-// Returns an error if the plan leaves the keyboard's eight directions and the query has no others.
+// Returns an error if the plan leaves the keyboard's eight directions and the query allows no
+// others.
 Status checkDirections(schema::Query::Reader query, const sim::Plan& plan) {
   if (query.getDirections() == schema::Directions::ANY) return {};
   constexpr int32_t kEighth = 65536 / 8;

@@ -1,4 +1,5 @@
-// Measures a recorded trajectory's clearance to the edges of what it lands on, and to kill parts.
+// Measures a recorded trajectory's clearance to the edges of the parts it lands on, and to kill
+// parts.
 #pragma once
 
 #include "solve/model/route.h"

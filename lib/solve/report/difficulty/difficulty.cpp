@@ -21,7 +21,7 @@ struct Step {
   LastSegments rest;
   DifficultyStep found;
   std::vector<int32_t> shifts;   // ticks to the middle of each jump's press window
-  std::vector<uint32_t> passed;  // passed trials, by task
+  std::vector<uint32_t> passed;  // number of passed trials of each task
 };
 
 // Measures windows, margin and clearance, which need no noise.

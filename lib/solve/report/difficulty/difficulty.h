@@ -38,8 +38,8 @@ struct DifficultyStep {
   float clearance = -1;  // killClearance()
 };
 
-// Returns true if fewer trials passed `a`. On a tie the tighter window is harder, and any jump is
-// harder than none.
+// Returns true if fewer trials of `a` passed. On a tie the tighter window is harder, and a segment
+// with a jump is harder than one without.
 bool harder(const DifficultyStep& a, const DifficultyStep& b);
 
 struct Difficulty {

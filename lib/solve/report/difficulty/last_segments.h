@@ -1,5 +1,5 @@
-// A segment of a solution as the noisy player repeats it: its recorded path and keys, and what
-// counts as success.
+// The segment of a solution that the noisy player repeats: its recorded path and keys, and the
+// conditions of success.
 #pragma once
 
 #include <cstdint>
@@ -17,12 +17,12 @@ struct LastSegments {
   const Problem& problem;
   const Course& course;
   Segment segment;
-  // Ticks of the segment after which the course is not repeated further: the end of the stay on
-  // `to`.
+  // Ticks from the start of the segment to the end of the stay on `to`. Later ticks of the course
+  // are not repeated.
   uint32_t last;
   std::vector<int32_t> jumps;  // ticks of the segment at which its jumps are made
-  bool setsOff = false;        // the player begins to walk in it
-  std::vector<int32_t> ends;   // parts that end it: `to` and later parts of the route
+  bool setsOff = false;        // the player begins to walk in the segment
+  std::vector<int32_t> ends;   // parts that end the segment: `to` and later parts of the route
   uint32_t timeout;            // ticks after which a trial fails
 
   bool toGoal() const { return segment.to < 0; }

@@ -8,9 +8,9 @@
 
 namespace obby::solve {
 
-constexpr int32_t kMaxShift = 20;  // ticks in each direction; beyond them a press is not timed
+constexpr int32_t kMaxShift = 20;  // ticks each way; a press with a wider window need not be timed
 
-// Ticks relative to the recorded press. Empty (least > most) if even the recorded press fails.
+// Ticks relative to the recorded press. Empty (min > max) if even the recorded press fails.
 struct PressWindow {
   int32_t min = 1, max = 0;
 

@@ -9,7 +9,7 @@ namespace obby::solve {
 
 class Trials {
  public:
-  // The leg must outlive the trials.
+  // `rest` must outlive the trials.
   explicit Trials(const LastSegments& rest) : rest_(rest) {}
 
   // Adds a trial from the recorded state at the start of the segment. The player is moved by
@@ -36,7 +36,7 @@ class Trials {
   std::vector<Member> members_;
   std::vector<sim::RigidBody> bodies_;  // (members x level.bodyCount)
   std::vector<size_t> playing_;
-  // Arguments for the simulator, of the trials in playing_.
+  // Arguments for the simulator, one for each trial in playing_.
   std::vector<sim::World*> worlds_;
   std::vector<sim::RigidBody*> bodyPointers_;
   std::vector<sim::Action> actions_;

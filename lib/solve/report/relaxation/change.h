@@ -13,7 +13,7 @@
 
 namespace obby::solve {
 
-// Enough notches to remove what the relaxation limits.
+// The number of notches that stands for removing the limit altogether.
 constexpr uint32_t kOff = 0xffffffffu;
 
 struct Change {
@@ -27,7 +27,7 @@ struct Change {
 
   // Applies the change to the records. The level is null if `field` is not empty.
   std::function<void(schema::Level::Builder, schema::Query::Builder, uint32_t notches)> apply;
-  // Returns the notches that suffice for this trajectory, at least 1. Empty: not known.
+  // Returns the number of notches that suffices for this trajectory, at least 1. Empty if unknown.
   std::function<uint32_t(const Trajectory&)> enough;
   // Describes the change for people, without a full stop.
   std::function<std::string(uint32_t notches)> text;
@@ -45,8 +45,8 @@ class RelaxedQuery {
   static std::optional<RelaxedQuery> make(const PosedQuery& base, const Change& change,
                                           uint32_t notches);
 
-  // Returns a query that is valid while this object lives and is not moved, and all that `base`
-  // refers to lives.
+  // The result is valid while all that `base` refers to lives, and this object lives and is not
+  // moved.
   PosedQuery posed() const;
 
  private:

@@ -10,15 +10,15 @@ namespace obby::solve {
 
 namespace {
 
-// Some seconds of search, since a person waits for the answer.
+// Steps of all searches together: some seconds, since a person waits for the answer.
 constexpr uint64_t kMaxSteps = 32'000'000;
 constexpr uint64_t kFirstSteps = 128 << 10;  // budget of the first search with a change
 constexpr uint64_t kStepsGrow = 4;
-// Searches for the smallest amount may take longer than the first solution: less is harder.
+// A search for a smaller amount may take this many times the steps of the first solution.
 constexpr uint64_t kHarder = 32;
 constexpr uint64_t kMinRefineSteps = 1 << 20;
 
-// A change, and what its searches have shown so far.
+// A change, and the results of its searches so far.
 struct Trial {
   Change change;
   bool hopeless = false;  // excluded by the bound on reach, or invalid
@@ -83,7 +83,8 @@ class Explanation {
     t.hopeless = !possible;
   }
 
-  // The easy ones come first, and leave their remaining steps to the others.
+  // Changes that were solved in few steps come first, and leave their remaining steps to the
+  // others.
   void refineAll() {
     std::vector<Trial*> some;
     for (Trial& t : trials_) {

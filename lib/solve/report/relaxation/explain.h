@@ -14,7 +14,7 @@ namespace obby::solve {
 // A change that makes the query solvable: a search found a trajectory, and the verifier agreed.
 struct Relaxation {
   schema::RelaxationKind kind;
-  double amount;      // in the relaxation's unit; 0: what it limits is gone
+  double amount;      // in the relaxation's unit; 0: the limit is removed
   int32_t part;       // the part that changes; -1: none
   int32_t avoid;      // index in the query's avoid list; -1: none
   std::string field;  // field of the query record; empty: the level is changed
@@ -24,7 +24,7 @@ struct Relaxation {
 
 // Returns the changes that help, small ones first; empty if none helps or there was no time.
 // `budget` is for all searches together, and only a fixed number of its steps is used. The result
-// depends on `failure`, and on what the result of a search depends on.
+// depends on `failure`, and on the inputs that determine the result of a search.
 std::vector<Relaxation> explain(const Failure& failure, const Method& method, const Budget& budget,
                                 const Machine& machine);
 

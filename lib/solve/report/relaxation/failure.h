@@ -1,4 +1,4 @@
-// Results of a query that was not solved. They show where to look for what blocks it.
+// Results of a query that was not solved. They help to find the parts and limits that block it.
 #pragma once
 
 #include <set>

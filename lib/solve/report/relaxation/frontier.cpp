@@ -9,8 +9,8 @@ namespace obby::solve {
 
 namespace {
 
-constexpr float kFarthest = 16;       // studs sideways from what was reached
-constexpr float kHighest = 24;        // studs above what was reached
+constexpr float kFarthest = 16;       // max studs sideways from a reached support
+constexpr float kHighest = 24;        // max studs above a reached support
 constexpr float kGoalWeight = 0.25f;  // weight of a stud to the target, per stud of gap or rise
 
 class Frontier {
@@ -39,7 +39,7 @@ class Frontier {
  private:
   uint32_t partOf(uint32_t collider) const { return problem_.level.colliders[collider].part; }
 
-  // Parts that kill have another relaxation, and dynamic parts would fall.
+  // Excludes kill parts, which have another relaxation, and dynamic parts, which would fall.
   bool movable(uint32_t part) const {
     const auto record = failure_.posed.levelRecord.getParts()[part];
     return !record.hasKill() && record.getAnchored();
@@ -62,7 +62,8 @@ class Frontier {
 
   bool wasOn(const Support& s, const std::vector<Vec3>& places) const {
     if (!s.carries) return false;
-    // The entry of a support is for feet that only begin to be lifted; these feet stand.
+    // The entry is the min height of feet that the support begins to lift; these feet already
+    // stand.
     const float lowest = s.entry + problem_.level.params.hipHeight;
     const Box feet = grow(s.box, {s.side, s.lift, s.side});
     auto at = std::lower_bound(places.begin(), places.end(), feet.lo.x,

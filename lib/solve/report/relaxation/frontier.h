@@ -9,7 +9,7 @@
 namespace obby::solve {
 
 // Returns at most `count` parts that could be lowered, most promising first. For an unreachable
-// query the part of the missing step comes first. The others are near what was reached and near a
+// query the part of the missing step comes first. The others are near a reached part and near a
 // target.
 std::vector<uint32_t> partsBeyond(const Failure& failure, size_t count);
 

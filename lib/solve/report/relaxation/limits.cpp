@@ -37,7 +37,7 @@ struct Limit {
   const Measure& measure;
   std::string field;
   double value;
-  std::string where;  // " up to waypoint 2"; empty: in all
+  std::string where;  // text like " up to waypoint 2"; empty: in total
   std::function<void(schema::Query::Builder, double)> set;
 };
 
@@ -53,7 +53,7 @@ Change changeOf(const Limit& limit, float rate) {
   const auto turned = [&m, now](uint32_t n) { return n == kOff ? m.none : now + n * m.notch; };
   c.apply = [set = limit.set, turned](schema::Level::Builder, schema::Query::Builder query,
                                       uint32_t n) { set(query, turned(n)); };
-  // For a segment this may be more than enough, never less.
+  // For the limit of a segment this may be more than needed, but never less.
   c.enough = [&m, now, rate](const Trajectory& p) {
     return uint32_t(std::max(std::ceil((m.used(p, rate) - now) / m.notch - 1e-4), 1.0));
   };
@@ -76,7 +76,7 @@ class Limits {
   const std::vector<Limit>& all() const { return all_; }
 
  private:
-  // Times of 0 and counts below 0 are no limits.
+  // Times of 0 and counts below 0 mean no limit.
   template <class Set>
   void add(const Measure& m, std::string field, double value, std::string where, Set set) {
     if (m.none == 0 ? value > 0 : value >= 0) {

@@ -1,4 +1,4 @@
-// Relaxations as records of the stream.
+// Writes relaxations into records of the stream.
 #pragma once
 
 #include <vector>

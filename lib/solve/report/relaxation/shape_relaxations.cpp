@@ -28,7 +28,8 @@ double launchFor(const Params& p, double height) {
   return std::sqrt(half * half + 2 * double(p.gravity) * height) - half;
 }
 
-// Returns true if the region names the part or stands on it. `box`: bounds of all its places.
+// Returns true if the region names the part or stands on it. `box`: bounds of the part over its
+// whole motion.
 bool belongsTo(schema::Region::Reader region, uint32_t part, const Box& box) {
   if (region.getPart().size() > 0) return region.getPartIndex() == int32_t(part);
   const auto at = region.getPosition();
@@ -68,8 +69,8 @@ Box boxOf(const level::LevelView& level, uint32_t part) {
   return box;
 }
 
-// Lower is not always easier, since the route may lead upward from there. If the bound on reach
-// says that height is missing, it also tells at once which amounts are too small.
+// A lower part is not always easier, since the route may lead upward from it. If the bound on reach
+// reports a missing rise, it also excludes amounts that are too small, without a search.
 std::vector<uint32_t> amountsToTry(const SearchOutcome& outcome) {
   if (outcome.cut && outcome.cut->missing.rise > 0) return {10, 20, 40, 80, 160};
   return {10, 20, 40, 80};

@@ -20,7 +20,7 @@ constexpr uint32_t kMaxCells = 10'000'000;
 
 class Archive {
  public:
-  // Cells per block. Selectors refresh what they keep of a block only if the block has changed.
+  // Cells per block. Selectors refresh their data of a block only if the block has changed.
   static constexpr uint32_t kBlock = 64;
 
   // `maxCells` bounds the memory: further cells are not kept. A cell takes about 200 bytes,
@@ -31,8 +31,8 @@ class Archive {
   // Returns the cell of a key, or kNone. Thread-safe between changes.
   uint32_t find(uint64_t key) const { return table_.find(key); }
 
-  // Prefetches what prefetchCell(key) reads, which prefetches what find(key), countSeen() and
-  // better() of its cell read.
+  // prefetch() prefetches the data that prefetchCell() reads. prefetchCell() prefetches the data
+  // that find(), countSeen() and better() read for the key's cell.
   void prefetch(uint64_t key) const { table_.prefetch(key); }
   void prefetchCell(uint64_t key) const {
     const uint32_t cell = table_.likely(key);
@@ -41,8 +41,8 @@ class Archive {
     __builtin_prefetch(ticks_.at(cell));
   }
 
-  // Returns true if `world` would replace the cell's state: fewer ticks, or as many and fewer
-  // jumps.
+  // Returns true if `world` would replace the cell's state: it has fewer ticks, or equal ticks and
+  // fewer jumps.
   bool better(uint32_t cell, const sim::World& world) const {
     const uint32_t tick = ticks_[cell];
     return world.tick < tick || (world.tick == tick && world.jumps < jumps_[cell]);
@@ -59,11 +59,11 @@ class Archive {
     note(seenIn_, cell);
   }
 
-  // Notes that a rollout other than its finder passed through a cell. Thread-safe.
+  // Notes that a cell was passed by a rollout other than the one that found it. Thread-safe.
   void noteSighted(uint32_t cell) {
     std::atomic_ref<uint8_t>(sighted_[cell]).store(1, std::memory_order_relaxed);
   }
-  // Returns the number of cells that only their finder passed through.
+  // Returns the number of cells that only the rollout that found them passed through.
   uint64_t singletons() const;
 
   uint32_t cellCount() const { return table_.size(); }
@@ -99,7 +99,7 @@ class Archive {
  private:
   void addCell(uint64_t key);
   void putBodies(uint32_t cell, const sim::RigidBody* bodies);
-  size_t placeOfSet(uint32_t set) const {  // the bodies of a set lie in one chunk
+  size_t placeOfSet(uint32_t set) const {  // index of a set's first body; a set lies in one chunk
     const size_t sets = ChunkedVector<sim::RigidBody>::kChunk / bodyCount_;
     return set / sets * ChunkedVector<sim::RigidBody>::kChunk + set % sets * bodyCount_;
   }

@@ -27,8 +27,8 @@ bool hurts(const level::LevelView& level) {
   });
 }
 
-constexpr uint32_t kSegmentBins = 8;  // bins of the shortest time limit of a segment
-constexpr float kDamageBins = 8;      // bins of the health that may be lost
+constexpr uint32_t kSegmentBins = 8;  // bins per shortest time limit of a segment
+constexpr float kDamageBins = 8;      // bins of the health that the player may lose
 
 // Returns the shortest time limit of a segment, in ticks; 0 if there is none.
 uint32_t minSegment(const level::QueryView& q) {

@@ -1,5 +1,5 @@
-// Refreshes what selectors keep of the archive's blocks, in groups of blocks on the pool's threads.
-// Host only.
+// Refreshes the selectors' data about the archive's blocks, in groups of blocks on the pool's
+// threads. Host only.
 #pragma once
 
 #include <cstdint>

@@ -29,7 +29,7 @@ struct Binning {
   float inverseDamage = 0;      // bins per unit of health lost; 0: the query has no limit
 };
 
-constexpr uint32_t kMaxRunningBins = 16;  // a clock that runs longer stays in this bin
+constexpr uint32_t kMaxRunningBins = 16;  // the last bin, for clocks that run longer
 
 OBBY_DEVICE int32_t floorToInt(float v) {
   const int32_t i = int32_t(v);
@@ -86,7 +86,7 @@ OBBY_DEVICE uint64_t bodiesKey(const Binning& b, const sim::RigidBody* bodies) {
   return key;
 }
 
-// Returns a key of what the query's limits and visits make of a state; 0 if it has none.
+// Returns a key of the visits made and the limits used up; 0 if the query has neither.
 OBBY_DEVICE uint64_t progressKey(const Binning& b, const sim::World& w) {
   uint64_t key = 0;
   if (b.visits) key = mixBits(w.visited);

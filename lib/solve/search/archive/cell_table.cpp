@@ -36,7 +36,7 @@ void CellTable::add(uint64_t key) {
   }
 }
 
-// The keys determine the slots: the new table needs nothing of the old one.
+// The keys alone determine the slots, so the new table does not need the old one.
 void CellTable::grow() {
   const size_t slots = 2 * slots_.size();
   slots_ = {};  // frees the old table before the new one is allocated

@@ -23,7 +23,7 @@ class CellTable {
 
   uint32_t size() const { return uint32_t(keys_.size()); }
 
-  // Prefetches what likely(key) reads.
+  // Prefetches the slot that likely(key) reads.
   void prefetch(uint64_t key) const { __builtin_prefetch(&slots_[home(key)]); }
   // Returns the first cell that find(key) will compare, or level::kNone, and prefetches its key.
   uint32_t likely(uint64_t key) const;

@@ -94,8 +94,8 @@ void ClockMap::mark(const Clocked& part) {
   }
 }
 
-// Signals, boosts and motions that touches start decide where a player can go. Parts that vanish or
-// fall when they are touched are many, so their clocks are only counted (cell.h).
+// Signals, boosts and motions that touches start decide where a player can go. A level may have
+// many parts that vanish or fall when touched, so their clocks are only counted (cell.h).
 void ClockMap::findBins(const level::LevelView& level) {
   bins_.assign(level.clockCount, 0);
   const auto count = [&](uint32_t clock) {

@@ -1,4 +1,4 @@
-// Tells where the level's clock matters, and which of the clocks that touches start. The level's
+// Stores where the level's clock matters, and which clocks that touches start matter. The level's
 // clock matters near moving and timed parts, modulo the time after which they all repeat. Elsewhere
 // a state is as good at any time.
 #pragma once
@@ -30,8 +30,8 @@ OBBY_DEVICE void forTables(ClockView& c, Table&& table) {
   table(c.bins, c.binCount);
 }
 
-// Returns the period of the clock at a place (ClockView::periods). Outside the map it does not
-// matter.
+// Returns the period of the clock at a place (ClockView::periods). Outside the map the clock does
+// not matter.
 OBBY_DEVICE uint32_t clockPeriodAt(const ClockView& view, Vec3 p) {
   const float x = (p.x - view.origin.x) * view.inverseCell;
   const float y = (p.y - view.origin.y) * view.inverseCell;

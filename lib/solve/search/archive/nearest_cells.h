@@ -1,4 +1,5 @@
-// Finds the archive's cell nearest to a place, among those equally far along a query. Host only.
+// Finds the archive's cell nearest to a place, among cells of equal progress along a query. Host
+// only.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// Computes the distances that the beam's rank needs to know of a query. Host only.
+// Computes the distances of a query that the beam's rank needs. Host only.
 #pragma once
 
 #include <vector>

@@ -1,5 +1,5 @@
-// The beam's rank of a state, lower is better: f = ticks so far + kBeamGreed * ticks left at best +
-// a penalty for earlier tries from the cell. For host and device.
+// The beam's rank of a state, lower is better: f = ticks so far + kBeamGreed * min ticks left + a
+// penalty for earlier tries from the cell. For host and device.
 #pragma once
 
 #include "sim/next_region.h"

@@ -10,7 +10,7 @@ namespace obby::solve {
 // 1.5 d0 of each segment of a query, see potentialOf(). Plain span, for device code.
 struct PotentialView {
   const float* spans = nullptr;  // (segments)
-  uint32_t segments = 0;         // the targets, and one for the goal
+  uint32_t segments = 0;         // number of segments: one to each target and one to the goal
 };
 
 template <class Table>
@@ -19,8 +19,8 @@ OBBY_DEVICE void forTables(PotentialView& p, Table&& table) {
 }
 
 // Returns (1 + 4 max(0, 1 - d / (1.5 d0))) (1 + 3 targets). `targets` counts the waypoints and
-// visits reached, and d is the distance to the next region. d0 is that distance when the region
-// became the next; with a choice of regions it is the farthest possible.
+// visits reached, and d is the distance to the next region. d0 is that distance at the start of the
+// segment; with a choice of regions it is the farthest possible.
 OBBY_DEVICE float potentialOf(const PotentialView& p, const level::QueryView& query,
                               const sim::World& world) {
   const uint32_t targets = targetsReached(world);

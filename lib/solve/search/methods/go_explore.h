@@ -30,10 +30,10 @@ class GoExplore final : public ArchiveSearch {
   void round() override;
 
  private:
-  struct Candidate {  // a state that is new or better than what the archive held
+  struct Candidate {  // a state that is new, or better than the one in the archive
     uint64_t key;
     sim::World world;
-    std::vector<sim::RigidBody> bodies;  // empty: as at the start
+    std::vector<sim::RigidBody> bodies;  // empty: those of the first world
     float potential;
     uint32_t ticks;
   };

@@ -39,7 +39,7 @@ Status DeviceArchive::addStart(const Problem& problem, uint64_t key, float poten
   return d.upload(view_.bodies, bodies.data(), bodies.size() * sizeof(sim::RigidBody));
 }
 
-// Enlarges a table. It keeps the contents and fills the rest with 0.
+// Enlarges a table, keeps its contents, and fills the rest with 0.
 template <class T>
 Status DeviceArchive::widen(sim::Memory& memory, T*& table, size_t count) {
   if (count == 0) return {};

@@ -1,6 +1,6 @@
 // The kernels of a resident search, each for one index: choose, explore, claim, place. A kernel
-// reads only what earlier kernels wrote, apart from atomic integers whose order does not show. So a
-// round's result is the same on every machine.
+// reads only the results of earlier kernels, and atomic integers whose values do not depend on the
+// order of the threads. So a round's result is the same on every machine.
 #pragma once
 
 #include "solve/search/resident/round_view.h"
@@ -165,7 +165,7 @@ OBBY_DEVICE void claimCells(const ResidentArguments& a, uint32_t i) {
   }
 }
 
-// Of equal arrivals the first candidate wins.
+// The first candidate wins a tie between arrivals.
 OBBY_DEVICE void settleClaims(const ResidentArguments& a, uint32_t i) {
   for (uint32_t n = 0; n < a.ends[i].candidates; ++n) {
     const uint32_t at = i * a.capacity + n, s = a.candidates.slots[at];
@@ -178,7 +178,7 @@ OBBY_DEVICE bool wins(const ResidentArguments& a, uint32_t candidate) {
   return a.claims.candidates[a.candidates.slots[candidate]] == candidate;
 }
 
-// Counts what rollout i adds to the archive.
+// Counts the cells that rollout i adds to the archive or improves.
 OBBY_DEVICE void countFinds(const ResidentArguments& a, uint32_t i) {
   uint64_t finds = 0;
   for (uint32_t n = 0; n < a.ends[i].candidates; ++n) {
@@ -226,7 +226,7 @@ OBBY_DEVICE void addCell(const ResidentArguments& a, uint32_t candidate, uint32_
   }
 }
 
-// Stores what rollout i adds. New cells and nodes are numbered in the order of the rollouts and
+// Stores the finds of rollout i. New cells and nodes are numbered in the order of the rollouts and
 // their candidates. Cells beyond the capacity of the archive are not kept.
 OBBY_DEVICE void placeFinds(const ResidentArguments& a, uint32_t i) {
   const uint64_t before = sumBefore(a.findSums, i, [&](uint32_t r) { return a.finds[r]; });

@@ -6,7 +6,7 @@ namespace obby::solve {
 
 namespace {
 
-constexpr uint64_t kResidentSteps = 1000;         // steps so far per rollout that double rounds
+constexpr uint64_t kResidentSteps = 1000;  // steps so far per rollout, above which rounds double
 constexpr uint64_t kArchiveBytes = 4ull << 30;    // budget of the archive
 constexpr uint64_t kCandidateBytes = 1ull << 30;  // budget of a round's candidates
 
@@ -126,7 +126,7 @@ Node ResidentExplore::newest() const {
   return nodes_[cells && !cells->empty() ? cells->front().node : 0];
 }
 
-// Returns nothing if the device cannot be read. The next call then asks for these cells, too.
+// Returns an empty list if the device cannot be read. The next call then asks for these cells, too.
 std::vector<Vec3> ResidentExplore::places(uint32_t first) const {
   std::vector<Vec3> result;
   if (!rounds_) return result;

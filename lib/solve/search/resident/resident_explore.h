@@ -53,7 +53,7 @@ class ResidentExplore final : public Search {
   std::vector<ArchivedCell> cells() const;
 
  private:
-  // Does `work`. If the device fails, does it again on the CPU.
+  // Runs `work`. If the device fails, runs it again on the CPU.
   template <class Work>
   void onDevice(Work&& work);
   void restart();

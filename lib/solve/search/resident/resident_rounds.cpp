@@ -10,7 +10,7 @@ namespace {
 constexpr uint32_t kShownEnds = 1024;  // rollouts of a round whose ends may be shown
 constexpr uint32_t kMinSlots = 64;     // of the table of claims
 
-// Returns the number of values of World::part: the level's parts or the query's avoids, and none.
+// Returns the number of values of World::part: the level's parts or the query's avoids, plus kNone.
 uint32_t endPartsOf(const ExploreContext& c) {
   uint32_t parts = c.query.avoidCount;
   for (uint32_t i = 0; i < c.level.colliderCount; ++i) {

@@ -22,7 +22,7 @@ struct RoundFindings {
   std::vector<uint32_t> endCounts;  // (kOutcomes, endParts), of all rollouts
 };
 
-// Trajectories that the host has played from the start. The visits of each lie at (way, room).
+// Trajectories that the host has played from the start. Their visits: (trajectories, capacity).
 struct PlayedStarts {
   uint32_t capacity = 0;
   std::vector<PlayedStart> trajectories;
@@ -32,7 +32,7 @@ struct PlayedStarts {
   std::vector<sim::RigidBody> bodies;  // (rollouts, capacity, bodyCount)
 };
 
-// A cell as the host sees it.
+// A cell, copied to the host.
 struct ArchivedCell {
   sim::World world;
   std::vector<sim::RigidBody> bodies;

@@ -20,12 +20,13 @@ struct CandidateView {
   uint32_t* slots;  // slots of the claims
 };
 
-// Decides which of a round's candidates gets a cell. A hash table of keys, like the archive's.
+// Decides which of a round's candidates gets a cell. It is a hash table of keys, like the
+// archive's.
 struct ClaimView {
   uint64_t* keys;        // 0: free
   uint64_t* ranks;       // lowest arrival rank
   uint32_t* candidates;  // first candidate with that rank
-  uint32_t* shared;      // not 0: several rollouts have candidates
+  uint32_t* shared;      // not 0: several rollouts have candidates for the key
   uint32_t slotMask;
 };
 
@@ -72,14 +73,14 @@ struct RoundSelection {
   uint32_t* rankCounts;  // (kRanks), number of cells of each beam rank
   SumTree rankSums;      // of rankCounts
   SumTree bestCells;     // 1 for the beam's cells
-  uint32_t beamWidth;    // min cells of the beam, if there are so many
+  uint32_t beamWidth;    // min number of cells in the beam, if the archive has so many
   uint32_t firstBeam;    // first rollout of the round that starts from the beam
   uint32_t* starts;      // (rollouts), cells
 };
 
 // Results of a round.
 struct RoundResults {
-  uint64_t* finds;  // (rollouts), number of new cells << 32 | of improved cells
+  uint64_t* finds;  // (rollouts), number of new cells << 32 | number of improved cells
   SumTree findSums;
   ResidentEnd* ends;    // (rollouts)
   GoalReached* goals;   // (rollouts), in any order

@@ -1,5 +1,5 @@
-// A tree of integer sums with a fan-out of 64. A draw by weight descends it; the sum before a leaf
-// ascends it. The leaves stay with their owner. For host and device.
+// A tree of integer sums with a fan-out of 64. A draw by weight goes down the tree, and the sum
+// before a leaf goes up. The tree does not store the leaves. For host and device.
 #pragma once
 
 #include <stdint.h>
@@ -18,7 +18,7 @@ struct SumTree {
   uint32_t firsts[kMaxLevels + 1] = {};  // index into sums of each level's first
 };
 
-// `sums` must have the capacity of the tree's last entry of `firsts`.
+// `sums` must have as many entries as the tree's last entry of `firsts`.
 OBBY_DEVICE SumTree makeSumTree(uint64_t* sums, uint32_t leaves) {
   SumTree t;
   t.sums = sums;

@@ -6,7 +6,7 @@
 
 namespace obby::solve {
 
-constexpr uint32_t kBeyondKnown = 60;  // ticks that the last action is held; a goal may have moved
+constexpr uint32_t kBeyondKnown = 60;  // extra ticks of the last action, in case the goal has moved
 
 inline uint32_t ticksOf(const ActionRuns& runs) {
   uint32_t ticks = runs.empty() ? 0 : kBeyondKnown;
@@ -23,7 +23,7 @@ inline void hold(ActionRuns& runs, const sim::Action& action) {
   runs.back().ticks++;
 }
 
-// Returns the actions of a trajectory tick by tick, the last one without end.
+// Returns the actions of a trajectory tick by tick, and repeats the last one forever.
 class RunCursor {
  public:
   sim::Action next(const ActionRuns& runs) {

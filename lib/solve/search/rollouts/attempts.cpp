@@ -10,7 +10,7 @@ namespace {
 
 constexpr size_t kMaxKinds = 4096;
 constexpr float kPlace = 6;          // studs; ends in a cube of this size count as the same place
-constexpr float kOtherOutcome = 40;  // studs that a different outcome counts for
+constexpr float kOtherOutcome = 40;  // studs; the distance that a different outcome stands for
 
 uint64_t kindOf(const AttemptEnd& end) {
   const auto place = [](float v) { return uint64_t(uint32_t(floorToInt(v / kPlace)) & 0xffffu); };

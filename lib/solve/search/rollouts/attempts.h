@@ -16,7 +16,8 @@ struct AttemptEnd {
   Node node;
   Vec3 position;  // feet
   sim::Outcome outcome;
-  uint32_t part;  // part that killed or hurt the player; if avoided, the query's avoid; or kNone
+  uint32_t part;  // part that killed or hurt the player; if avoided, index in the query's avoid
+                  // list; or kNone
 };
 
 struct EndCount {
@@ -27,14 +28,14 @@ struct EndCount {
 
 class Attempts {
  public:
-  // Counts an attempt. Must be called in a fixed order, since of two ends of the same kind the
-  // first is kept. Returns true if this one may be shown.
+  // Counts an attempt. Must be called in a fixed order, since the first of two ends of the same
+  // kind is kept. Returns true if this end is kept to be shown.
   bool add(const AttemptEnd& end) {
     count(end.outcome, end.part, 1);
     return show(end);
   }
-  // add() in two halves: count() counts `count` attempts with this end, show() keeps one to show.
-  // shown.
+  // The two halves of add(). count() counts `count` attempts with this end, show() keeps one as a
+  // sample.
   void count(sim::Outcome outcome, uint32_t part, uint64_t count) {
     counts_[{outcome, part}] += count;
   }

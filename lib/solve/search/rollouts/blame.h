@@ -12,9 +12,9 @@ OBBY_DEVICE bool hurts(const sim::World& w, const sim::RigidBody* bodies,
          sim::touchesCollider(w, bodies, level, collider, limbs);
 }
 
-// Returns the part that took too much health from a player who has just ended as hurt: the first
-// kill part that is touched. Returns level::kNone if none is touched, since the same tick has moved
-// the player. `bodies`: null if unknown; parts of dynamic bodies are then ignored.
+// Returns the part that took too much health from a player whose attempt has just ended as hurt:
+// the first kill part that is touched. Returns level::kNone if none is touched, since the same tick
+// has moved the player. `bodies`: null if unknown; parts of dynamic bodies are then ignored.
 OBBY_DEVICE uint32_t partThatHurts(const sim::World& w, const sim::RigidBody* bodies,
                                    const level::LevelView& level) {
   const sim::Limbs limbs = sim::limbsOf(w, level.params);
@@ -35,7 +35,7 @@ OBBY_DEVICE uint32_t partThatHurts(const sim::World& w, const sim::RigidBody* bo
   return level::kNone;
 }
 
-// Returns World::part, or the part that hurt the player if that ended the attempt.
+// Returns the part that hurt the player if that ended the attempt, or else World::part.
 OBBY_DEVICE uint32_t blamedPart(const sim::World& w, const sim::RigidBody* bodies,
                                 const level::LevelView& level) {
   return w.outcome == sim::Outcome::hurt ? partThatHurts(w, bodies, level) : w.part;

@@ -38,7 +38,7 @@ sim::Action Companions::Walk::next() {
   return explorer_.next(all_.context_, own.world, own.bodies.data());
 }
 
-// Each companion holds the keys to its first tick that is not before the end of the player's tick.
+// Each companion holds the keys until its first tick at or after the end of the player's tick.
 void Companions::Walk::press(const sim::Action& action) {
   const Problem& p = all_.problem_;
   Body& own = party_.front();

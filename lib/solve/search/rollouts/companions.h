@@ -15,7 +15,7 @@ class Companions {
  public:
   class Walk;
 
-  // The problem, which lists the companions, and the context must outlive it.
+  // The problem, which lists the companions, and the context must outlive this object.
   Companions(const Problem& problem, const ExploreContext& context, uint64_t seed);
 
   bool empty() const { return problem_.companions.empty(); }
@@ -38,13 +38,13 @@ class Companions {
   std::vector<Party> parties_;  // (nodes)
 };
 
-// A rollout as all players play it, from a node that was kept.
+// A rollout that all players play, from a node that was kept.
 class Companions::Walk {
  public:
   Walk(const Companions& all, uint32_t parent, uint64_t rollout);
 
-  // Plays on to `ticks` ticks of the rollout, in ascending order. Returns true if every companion
-  // is near the player, has passed the same places, and stands if the player does.
+  // Plays on until tick `ticks` of the rollout; calls must be in ascending order. Returns true if
+  // every companion is near the player, has passed the same places, and stands if the player does.
   bool follow(uint32_t ticks);
   const sim::World& player() const { return party_.front().world; }
 

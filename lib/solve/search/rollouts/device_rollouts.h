@@ -13,8 +13,8 @@ class DeviceRollouts {
  public:
   static Result<DeviceRollouts> open(sim::Device& device, const RolloutRules& rules);
 
-  // Runs rollouts from `starts` with the bodies `bodies`, (rollouts, level.bodyCount). ends() and
-  // visits() then return their results, in that order.
+  // Runs rollouts from `starts` with `bodies`: (rollouts, level.bodyCount). ends() and visits()
+  // then return their results, in that order.
   Status run(std::span<const RolloutStart> starts, std::span<const sim::RigidBody> bodies);
 
   const std::vector<RolloutEnd>& ends() const { return ends_; }

@@ -17,8 +17,8 @@ namespace obby::solve {
 
 // The defaults were measured over levels/ (ticks to the first solution).
 struct GoExploreSettings {
-  uint32_t rollouts = 8;       // of a round at first: small rounds answer easy queries soon
-  uint32_t maxRollouts = 512;  // of a round in a long search: keeps all threads busy
+  uint32_t rollouts = 8;       // per round at first: small rounds answer easy queries soon
+  uint32_t maxRollouts = 512;  // per round in a long search: keeps all threads busy
   float phaseJumps = 4;        // length of a rollout, in air times of a flat jump
   uint32_t minPhase = 40;      // min ticks of a rollout
   float cellWidth = 2;         // studs at 16 studs/s; grows with walking speed

@@ -69,7 +69,7 @@ class Explorer {
   Kind kind_;
   uint8_t tick_ = 0;  // ticks since the last plan
   bool likeliest_;
-  RandomMacro held_{};  // for a policy it does not end
+  RandomMacro held_{};  // with a policy its `ticks` never run out
   AimMacro aim_{};
   Random random_;
 };

@@ -5,8 +5,9 @@
 
 namespace obby::solve {
 
-// Returns a height. Feet that are lower, and off any floor for longer than the coyote time, meet no
-// part and no region any more. Returns -1e30 if dynamic parts may fall along.
+// Returns the height, in studs. A player whose feet are lower, and off any floor for longer than
+// the coyote time, meets no part or region any more. Returns -1e30 if the level has dynamic parts,
+// which may fall, too.
 float fatalHeight(const Problem& problem);
 
 }  // namespace obby::solve

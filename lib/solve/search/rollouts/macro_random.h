@@ -1,5 +1,5 @@
-// Random exploration as in the paper: an action is held, and released with a probability of 1/20 at
-// each tick. The length is drawn at once.
+// Random exploration as in the Go-Explore paper: an action is held, and released with a probability
+// of 1/20 at each tick. The length is drawn at once.
 #pragma once
 
 #include "base/random.h"

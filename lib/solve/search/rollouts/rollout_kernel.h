@@ -1,4 +1,4 @@
-// The kernel of a search: one rollout per thread, with what the search notes of it. cuda/rollout.cu
+// The kernel of a search: one rollout per thread, with the search's notes on it. cuda/rollout.cu
 // launches it on a GPU. The archive stays on the host, which takes the visits in rollout order.
 #pragma once
 
@@ -13,7 +13,7 @@ struct RolloutStart {
   uint32_t ticks;  // max length
 };
 
-// A state in a cell other than the one that the rollout was last kept in.
+// A state whose cell is not that of the rollout's last kept state.
 struct RolloutVisit {
   sim::World world;
   uint64_t key;
@@ -66,7 +66,7 @@ struct RolloutWatch {
   const RolloutRules& rules;
   const sim::RigidBody* bodies;
   Trail trail;
-  Visit visit;  // (key, world, ticks) of every state in a cell other than the last kept one
+  Visit visit;  // takes (key, world, ticks) of each state outside the last kept state's cell
   Approach closest{};
   uint32_t closestTicks = 0, tick = 0;
 

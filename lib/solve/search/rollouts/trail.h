@@ -38,7 +38,7 @@ OBBY_DEVICE bool keeps(const KeepRule& rule, const sim::World& w) {
   return !rule.groundedOnly || grounded(w) || w.floorlessSteps >= rule.airSteps;
 }
 
-// The cell of a rollout at the last look, and the one that it was last kept in.
+// The cell of a rollout at the last look, and the cell of its last kept state.
 struct Trail {
   uint64_t last, kept;
 

@@ -1,5 +1,5 @@
 // Beam search over cells, similar to A*: every round continues from the cells with the lowest f
-// (beam_rank.h).
+// (beam_view.h).
 #pragma once
 
 #include "solve/search/guidance/beam_rank.h"

@@ -12,7 +12,7 @@ namespace {
 constexpr double kExploration = 0.125;
 constexpr float kRewardScale = 1024;  // integer rewards, so that their sums are exact
 
-// Returns log2 of n > 0 with an error below 0.09. The library's last bits differ between machines.
+// Returns log2 of n > 0 with an error below 0.09. The math library's last bits differ by machine.
 double roughLog2(uint32_t n) {
   const int whole = std::bit_width(n | 1) - 1;
   return whole + (double(n) / double(1u << whole) - 1);
@@ -30,15 +30,15 @@ void MctsSelector::addNode(uint32_t parent) {
   nodes_[parent].firstChild = cell;
 }
 
-// An arm that was never tried comes first.
+// An arm that has not been tried comes first.
 double MctsSelector::score(const Arm& arm, double logVisits) const {
   if (arm.visits == 0) return 1e9;
   const double n = arm.visits;
   return double(arm.reward) / (n * best_) + kExploration * sqrtf32(float(logVisits / n));
 }
 
-// Returns kNone for the node itself. Of equal scores the newest child wins and the node itself
-// loses, so the end of a rollout comes before its beginning.
+// Returns the best child, or kNone for the node itself. On a tie the newest child wins and the node
+// itself loses, so the end of a rollout comes before its beginning.
 uint32_t MctsSelector::bestChild(const TreeNode& node) const {
   const double logVisits = 0.6931471805599453 * roughLog2(node.below.visits);
   uint32_t best = kNone;

@@ -43,7 +43,7 @@ class PolicyAloneSelector : public Selector {
 std::unique_ptr<Selector> policyFirst(std::unique_ptr<Selector> inner,
                                       const ExploreContext& context, uint32_t fromRound = 0);
 
-// Makes GE-PS of the paper: its Go-Explore, with the policy first.
+// Makes the selector of GE-PS as published: plain Go-Explore with the policy first.
 std::unique_ptr<Selector> makePolicyFirstSelector(const Problem& problem,
                                                   const ExploreContext& context);
 std::unique_ptr<Selector> makePolicyAloneSelector(const Problem& problem,

@@ -10,8 +10,8 @@ constexpr float kGoalShare = 0.05f;     // share of targets in the next region: 
 constexpr float kSurfaceShare = 0.7f;   // share of targets above a surface: space is mostly air
 constexpr float kSpread = 2;            // studs, max horizontal offset from a surface point
 constexpr uint32_t kClockTicks = 4096;  // ticks in which moving surfaces are sampled: over a minute
-constexpr uint32_t kShortest = 6;       // min ticks of a rollout: a turn shows in where it ends
-constexpr uint32_t kTaskTargets = 16;   // targets per task of the pool
+constexpr uint32_t kShortest = 6;  // min ticks of a rollout, so that a turn changes where it ends
+constexpr uint32_t kTaskTargets = 16;  // targets per task of the pool
 
 // Draws a point uniformly from a box.
 Vec3 pointIn(const Box& box, Random& random) {
@@ -48,7 +48,7 @@ void RrtSelector::addCells(const Archive& archive) {
   }
 }
 
-// Returns a next region for a player with this progress. Visits have no order, so it is drawn.
+// Returns a next region for a player with this progress. Visits have no order, so one is drawn.
 const geom::Region& RrtSelector::regionAfter(uint32_t layer, Random& random) const {
   if (layer >= targetCount(query_)) {
     const uint32_t i = random.below(1 + query_.otherGoalCount);
