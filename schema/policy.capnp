@@ -28,7 +28,8 @@ struct PolicyLayer {
 }
 
 struct PolicyTraining {
-  # Only for information, with one exception: if training starts from the policy, its normalisers weigh `decisions`.
+  # For information only, with one exception: training that starts from the policy weighs its normalisers by
+  # `decisions`.
   command @0 :Text;
   version @1 :Text;       # version of the program
   seed @2 :UInt64;

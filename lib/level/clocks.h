@@ -18,7 +18,7 @@ constexpr uint32_t kOwnClock = 0xfffffffeu;
 
 class ClockTables {
  public:
-  // Adds the signals that buttons start. Must be called before any part asks for one.
+  // Adds the signals that buttons start. Must be called before signal() and button().
   Status addSignals(schema::Level::Reader level, const Params& params);
 
   // Returns the clock of a signal for a part that responds. An error has the path of the field that

@@ -88,7 +88,7 @@ Result<Params> compileParams(schema::PhysicsParams::Reader record) {
                  {}};
   }
   derive(p);
-  // The legs are a damped spring, which steps that are too long make unstable.
+  // The legs are a damped spring. Steps that are too long make it unstable.
   if (!(p.hoverDamping * p.substepSeconds < 2)) {
     return Error{{},
                  {},

@@ -13,7 +13,7 @@
 
 namespace obby::level {
 
-// Takes at least one vertex. Returns empty normals if the vertices span no volume, or one that is
+// `vertices` must not be empty. Returns empty normals if they span no volume, or one that is
 // thinner than 0.01 studs and 5000 times as wide.
 HullTables hullTables(const std::vector<Vec3>& vertices);
 

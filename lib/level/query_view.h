@@ -27,8 +27,8 @@ struct SegmentLimits {
 
 struct WaypointView {
   TargetView target;
-  int32_t maxJumps = -1;  // since the start, on arrival; -1 for any number
-  uint32_t ticks = 0;     // since the start, on arrival; 0 for no limit
+  int32_t maxJumps = -1;  // max jumps from the start until arrival; -1 for any number
+  uint32_t ticks = 0;     // max ticks from the start until arrival; 0 for no limit
   SegmentLimits segment{};
 };
 
@@ -49,7 +49,7 @@ struct QueryView {
   SegmentLimits last{};         // limits of the segment that ends at the goal
   float maxDamage = -1;         // health; -1 for any amount
   uint32_t forbidden = 0;       // sim::State values, one bit each
-  uint16_t tricks = 0;          // as Params::tricks: those that the player may use
+  uint16_t tricks = 0;          // tricks that the player may use; bits as in Params::tricks
   uint16_t directionStep = 0;   // Params::directionStep
 };
 

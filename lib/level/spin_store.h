@@ -25,7 +25,7 @@ class SpinStore {
   // unchanged.
   SpinTurns of(const SpinPlan& plan, bool upright);
 
-  size_t rows() const { return rows_; }  // in all tables together
+  size_t rows() const { return rows_; }  // rows of all tables together
 
  private:
   std::span<const Mat3> kept(std::vector<Mat3> rows);

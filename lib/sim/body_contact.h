@@ -93,7 +93,7 @@ OBBY_DEVICE void pushApart(PairT<F>& s, const PushT<F, kBodies>& p, Vec3T<F> alo
   }
 }
 
-// `turns` are those of PushT. `inverseMass` is 0 for a pure rotation.
+// Returns a push with these `turns` (PushT::turn). `inverseMass` is 0 for a pure rotation.
 template <class F, int kBodies>
 OBBY_DEVICE PushT<F, kBodies> pushAlong(const RigidT<F>* const (&bodies)[kBodies],
                                         const Vec3T<F> (&turns)[kBodies], F inverseMass) {

@@ -38,7 +38,7 @@ struct BodyScene {
   OBBY_DEVICE BodyScene() {}
 };
 
-// Returns the max distance of two shapes that are a contact at this speed.
+// Returns the distance up to which two shapes at this speed have a contact.
 OBBY_DEVICE float contactMargin(const Params& p, float speed) {
   return 2 * p.contactSkin + speed * p.tickSeconds;
 }

@@ -137,7 +137,7 @@ OBBY_DEVICE void passTruss(Player& w, const Params& p, const Floor& floor, Truss
   truss.velocity = floor.velocity;
   const float step = climbSpeedOf(p) * p.tickSeconds;
   if (floor.sensed && floor.gap < -step && climbWill(p, truss, control) > 0) return;
-  // Without a floor, and with its grace over, running would become Freefall.
+  // The coyote time is over, so running without a floor would become freefall.
   w.state = int32_t(floor.sensed ? State::running : State::freefall);
   if (floor.sensed) w.velocity.y = minf(w.velocity.y, floor.velocity.y);
 }

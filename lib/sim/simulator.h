@@ -60,8 +60,8 @@ void writePlan(const Plan& plan, schema::Trajectory::Builder to);
 void advance(World& world, RigidBody* bodies, const level::LevelView& level,
              const level::QueryView* query, Action action);
 
-// Advances many worlds in SIMD lanes (wide_tick.h), world i with the bodies bodies[i] under
-// actions[i]. `bodies` may be null if the level has no dynamic bodies.
+// Advances many worlds in SIMD lanes (wide_tick.h), world i with bodies[i] under actions[i].
+// `bodies` may be null if the level has no dynamic bodies.
 void advanceAll(const level::LevelView& level, const level::QueryView* query,
                 std::span<World* const> worlds, RigidBody* const* bodies, const Action* actions);
 
@@ -73,7 +73,7 @@ struct Moment {
   std::span<const RigidBody> bodies;  // now: (level.bodyCount)
 };
 
-// Returns true to continue.
+// Called for each state. Returns true to continue.
 using Visit = std::function<bool(const Moment&)>;
 
 // The last state of a replay.

@@ -12,7 +12,7 @@ OBBY_DEVICE Pose poseAfter(const level::LevelView& level, const World& w, const 
   return poseOf(c, w, bodies, level, 0);
 }
 
-// Returns true if the player touches the collider, away or not. Roles use the same test.
+// Returns true if the player touches the collider, even if it is away. Roles use the same test.
 OBBY_CALLED bool touchesCollider(const World& w, const RigidBody* bodies,
                                  const level::LevelView& level, uint32_t id, const Limbs& limbs) {
   const level::Collider& c = level.colliders[id];

@@ -7,8 +7,8 @@
 
 namespace obby::sim {
 
-// Solid parts that one body can meet during a tick. With more than kLaneSolids it is not for the
-// lanes.
+// Solid parts that one body can meet during a tick. Lanes cannot take a body with more than
+// kLaneSolids.
 struct LaneSolids {
   int32_t count;
   uint32_t tags[kLaneSolids];
