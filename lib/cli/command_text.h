@@ -1,4 +1,4 @@
-// Options as text for a shell, from which the same options are read.
+// Writes options as text for a shell. Parsing the text yields the same options.
 #pragma once
 
 #include <initializer_list>
@@ -16,7 +16,7 @@ std::string shellWord(const std::string& text);
 // off, and for an option without a value.
 std::string optionText(const std::string& name, const Arguments::Value& value);
 
-// Returns the command that asks for the same, without the options `without`.
+// Returns a command line with the same arguments, except the options `without`.
 std::string commandText(const std::string& tool, const Arguments& arguments,
                         std::initializer_list<const char*> without);
 

@@ -63,7 +63,7 @@ class Context {
   // Prints the outcome of the run: a line on stderr, or a note object with --json-errors. Silent
   // with --quiet.
   void tell(const std::string& message);
-  // Prints what the user has to know to continue, on stderr, even with --quiet.
+  // Prints a message that the user needs to continue, on stderr, even with --quiet.
   void say(const std::string& message);
   // Draws, prints or drops the progress, as --progress says. May be called at any rate.
   void progress(const ProgressState& state);

@@ -57,7 +57,7 @@ std::string optionTag(const OptionRow& row) {
   return row.repeatable ? out + "..." : out;
 }
 
-// Keeps each line of the details as a line.
+// Keeps the line breaks of the details.
 std::string optionEntry(const OptionRow& row) {
   std::string text = escaped(sentence(row.help)) + "\n";
   if (row.repeatable) text += "May be given more than once.\n";

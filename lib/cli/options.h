@@ -13,7 +13,7 @@ namespace obby::cli {
 enum class ValueType {
   flag,     // no value
   text,     // any text
-  file,     // a path: completed as one
+  file,     // a path; shells complete it as a path
   integer,  // a whole number in [min, max]
   number,   // a finite number in [min, max]
   seed,     // 0 to 2^64 - 1

@@ -55,7 +55,7 @@ struct RayHit {
   Vec3 normal;  // unit, local, outward
 };
 
-// A block anywhere, for one world or lanes of them.
+// A block at any pose, for one world or for lanes of worlds.
 template <class F>
 struct BlockT {
   PoseT<F> pose;

@@ -1,5 +1,5 @@
-// A file that grows while others read it, such as a log. However the process ends, the file has
-// every piece that was given to append(), whole.
+// A file that grows while others read it, such as a log. However the process ends, every piece that
+// was given to append() is in the file, whole.
 #pragma once
 
 #include <atomic>

@@ -16,9 +16,9 @@
 
 namespace obby::io {
 
-// Returns the copy. It is in one segment if `in` was written by this version and has at most
-// `words` words. The kind must be known. Errors name the path. May throw kj::Exception if `in` is
-// an unsound message.
+// Returns the normal form of `in`. It is in one segment if `in` was written by this version and has
+// at most `words` words. The kind must be known. Errors name the path. May throw kj::Exception if
+// `in` is an unsound message.
 Result<RecordBuilder> normalForm(schema::Record::Reader in, uint64_t words);
 
 // Returns what Cap'n Proto found wrong with a message, without its source code.

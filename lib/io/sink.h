@@ -49,7 +49,7 @@ class Sink {
   std::unique_ptr<Impl> impl_;
 };
 
-// Time for a reader that takes nothing, once a tool was told to stop.
+// Time for a reader that accepts nothing, once the tool was asked to stop.
 inline constexpr int kPatienceMilliseconds = 1000;
 
 // Returns true if the reader of `fd` takes more within this time; a negative time waits for it.

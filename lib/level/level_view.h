@@ -48,7 +48,7 @@ struct alignas(64) Collider {
   uint32_t mover;    // index into movers, or kNone
   uint32_t role;     // index into roles, or kNone
   float friction;    // 0 to 100
-  float grip;        // friction with the player: the mean of both, weighted
+  float grip;        // friction with the player: the weighted mean of both
   float elasticity;  // 0 to 1
   geom::ShapeKind kind;
   uint8_t body;  // index into LevelView::bodies, or kNoBody

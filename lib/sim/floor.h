@@ -224,8 +224,8 @@ OBBY_DEVICE void surfaceMotion(const World& w, const RigidBody* bodies,
   }
 }
 
-// Returns the column that rays can reach at any facing, before they are made. Most ticks in the air
-// end with this test. Lanes skip it, so it must cover every hit of a ray, with a margin for
+// Returns the column that rays can reach at any facing, before the rays are made. Most ticks in the
+// air end with this test. Lanes skip it, so it must cover every hit of a ray, with a margin for
 // rounding.
 OBBY_DEVICE Box columnOf(const World& w, const Params& p) {
   constexpr float kMargin = 0.25f;  // studs; above the rounding of any position
