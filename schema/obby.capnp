@@ -665,7 +665,7 @@ struct Cut {
   jumps @5 :UInt32;          # lower bound on the jumps needed; 0 if the limit on jumps is not the cause
   seconds @6 :Float32;       # lower bound on the game time needed; 0 if the time limit is not the cause
   withTricks @7 :Bool;       # true if this also holds for players who use every trick
-  mayHelp @8 :List(Trick);   # otherwise, tricks that, each by itself, prevent the proof
+  mayHelp @8 :List(Trick);   # if not, the tricks that each prevent the proof by themselves
 }
 
 enum Saturation {

@@ -33,7 +33,7 @@ struct PolicyTraining {
   command @0 :Text;
   version @1 :Text;       # version of the program
   seed @2 :UInt64;
-  decisions @3 :UInt64;   # decisions it learned from, including those of the policy it started from
+  decisions @3 :UInt64;   # decisions that it learned from, including those of the policy where training started
   seconds @4 :Float64;    # wall-clock time
   hardest @5 :Float32;    # max difficulty of its levels at the end
   solved @6 :Float32;     # share of attempts solved at the end

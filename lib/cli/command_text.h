@@ -12,8 +12,8 @@ namespace obby::cli {
 // Returns the text as one word, in quotes if necessary.
 std::string shellWord(const std::string& text);
 
-// Returns "--seed 3", "--style gaps --style 'a b'" or "--resume=auto". Empty for a flag that is
-// off, and for an option without a value.
+// Returns "--seed 3", "--style gaps --style 'a b'" or "--resume=auto". Returns "" for a flag that
+// is off, and for an option without a value.
 std::string optionText(const std::string& name, const Arguments::Value& value);
 
 // Returns a command line with the same arguments, except the options `without`.

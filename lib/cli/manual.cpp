@@ -20,7 +20,7 @@ using roff::italic;
 
 constexpr size_t kCommandWidth = 66;  // columns for an example on a terminal of 80
 
-// In the order of a pipeline.
+// The tools in the order of a pipeline.
 constexpr std::string_view kTools[] = {"obby-import", "obby-solve",     "obby-view",  "obby-gen",
                                        "obby-train",  "obby-calibrate", "obby-bridge"};
 

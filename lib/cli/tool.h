@@ -42,7 +42,7 @@ struct ToolSpec {
   std::string inputHelp = "input streams";  // description of the positional files
   std::string notes;                        // paragraphs at the end of help; may be empty
   std::string details;                      // more paragraphs, for --help-all and the manual page
-  std::vector<ManualEntry> exitCodes;       // in addition to those of all tools
+  std::vector<ManualEntry> exitCodes;       // exit codes in addition to those of all tools
   std::vector<ManualEntry> files;           // files that the tool uses without an option
 };
 

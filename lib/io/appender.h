@@ -23,7 +23,7 @@ class Appender {
   // Returns true for a file on a disk, false for a device or pipe.
   bool isRegular() const;
 
-  // After an error a regular file has nothing of the piece.
+  // Appends a piece. After an error a regular file contains no part of it.
   Status append(std::string_view piece);
 
  private:

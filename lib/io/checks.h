@@ -20,7 +20,7 @@ std::string expectation(const TypePlan& type);
 std::optional<std::string> refuseReal(const TypePlan& type, double value);
 std::optional<std::string> refuseWhole(const TypePlan& type, double value);
 
-// Returns true if a field says more than its absence: numbers, names and tuples that differ from
+// Returns true if a field differs from an absent one: numbers, names and tuples that differ from
 // their default, texts and lists that are not empty, and structs that are present (a `kill` is one
 // even if all its fields are defaults).
 bool isSet(const FieldPlan& field, capnp::DynamicStruct::Reader in);

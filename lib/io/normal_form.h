@@ -21,7 +21,7 @@ namespace obby::io {
 // `in` is an unsound message.
 Result<RecordBuilder> normalForm(schema::Record::Reader in, uint64_t words);
 
-// Returns what Cap'n Proto found wrong with a message, without its source code.
+// Returns Cap'n Proto's reason why a message is unsound, without the place in its source code.
 Error unsoundMessage(const kj::Exception& exception);
 
 }  // namespace obby::io

@@ -132,7 +132,7 @@ bool OutputLocks::take(const std::string& path) {
       return true;
     }
     ::close(fd);
-    if (removed) continue;  // its holder ended just now
+    if (removed) continue;  // the holder of the lock removed the file just now
     if (!taken) ::unlink(name.c_str());
     return !taken;
   }

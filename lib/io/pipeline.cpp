@@ -84,7 +84,7 @@ struct Pipeline::Impl {
   }
 
   Status finish() {
-    if (stoppedByError && !begun) return {};  // nothing was done, so leave no output
+    if (stoppedByError && !begun) return {};  // nothing was done, so there is no output
     OBBY_RETURN_IF_ERROR(begin());
     RecordBuilder builder;
     auto end = builder.root().initEnd();

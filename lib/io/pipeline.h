@@ -60,8 +60,8 @@ class RecordSource {
 
   // Returns the next record, or nothing at the end of the last input or once `stop` is set. Errors
   // that `onError` forgives are reported and counted instead of returned. Under OnError::emit a
-  // record that could not be read is returned, too, to be passed on: it is not known(), and counts
-  // as skipped.
+  // record that could not be read is also returned, so that it can be passed on. It is not known(),
+  // and counts as skipped.
   Result<std::optional<Record>> next();
 
   // Handles an error about a record that was read but cannot be handled. Reports and counts it and
@@ -69,7 +69,7 @@ class RecordSource {
   Status forgive(const Record& record, Error error);
   // Reports a problem that does not count as an error. Adds the input and place.
   void warn(const Record& record, Error error);
-  // From now on, silently leaves out what cannot be read, if reading can continue at all.
+  // From now on, silently leaves out records that cannot be read, if reading can continue at all.
   void ignoreErrors();
 
   // Returns the most severe status of the end records so far and of `stop`.

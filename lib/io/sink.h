@@ -30,7 +30,7 @@ class Sink {
 
   Sink(Sink&&) noexcept;
   Sink& operator=(Sink&&) noexcept;
-  ~Sink();  // without close(), removes what was written to a file
+  ~Sink();  // removes the file if close() was not called
 
   // Writes one whole piece (a line, a message, a page), at once to pipes and terminals, in blocks
   // to files. After an error every later call returns that error again.

@@ -103,7 +103,7 @@ Status PartCompiler::mover(PartContext& c, Collider& collider) {
   const SpinTurns turns = out_.spins.of(plan.spin, keysStand);
   if (turns.upright) {
     snapUpright(keys);
-    c.flags |= kUpright;  // push() drops it for shapes that are not blocks
+    c.flags |= kUpright;  // push() clears the flag for shapes that are not blocks
   }
   keyRows_ += keys.size();
   OBBY_RETURN_IF_ERROR(checkBudget(c));

@@ -57,7 +57,7 @@ struct Params {
   uint16_t squeezeTicks;
   uint16_t sleepTicks;
 
-  // Set by the query or the trajectory, never by the level.
+  // These are set by the query or the trajectory, never by the level.
   uint16_t tricks;         // bits of the tricks that the player may use
   uint16_t directionStep;  // turns / 65536 between two headings that the player can walk in, a
                            // power of two; 0 for any heading

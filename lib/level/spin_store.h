@@ -13,7 +13,7 @@
 
 namespace obby::level {
 
-// A table of turns. Valid while the store, or what it was moved to, lives.
+// A table of turns. Valid while the store lives, or the one that it was moved to.
 struct SpinTurns {
   std::span<const Mat3> rows;  // empty if it does not turn
   bool upright = false;        // true if all rows leave local Y exactly unchanged

@@ -79,8 +79,7 @@ OBBY_DEVICE F speedOf(const PairT<F>& s, const PushT<F, kBodies>& p, Vec3T<F> al
   return dot(along, s.velocity[1] - s.velocity[0]) + (turning - dot(p.turn[0], s.spin[0]));
 }
 
-// Applies an impulse along the line in the lanes of `asked`. A part has no mass and does not
-// respond.
+// Applies an impulse along the line in the lanes of `asked`. A part does not respond.
 template <class F, int kBodies>
 OBBY_DEVICE void pushApart(PairT<F>& s, const PushT<F, kBodies>& p, Vec3T<F> along, F impulse,
                            MaskOf<F> asked) {

@@ -26,7 +26,7 @@ struct BodyContact : BodyContactT<float, 2> {
 
 // Bodies that may meet each other, with or without the player.
 struct BodyScene {
-  // Unions keep the arrays from being filled for every tick.
+  // Unions leave the arrays uninitialised, because filling them in every tick is slow.
   union {
     Rigid bodies[level::kMaxBodies + 1];  // the last stands for all parts and does not move
   };

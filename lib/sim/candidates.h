@@ -18,7 +18,7 @@ struct Candidate {
 };
 
 struct Candidates {
-  // Unions keep the arrays from being zeroed for every tick of every world.
+  // Unions leave the arrays uninitialised, because zeroing them in every tick is slow.
   union {
     Candidate items[kMaxCandidates];  // the first `count` are valid
   };

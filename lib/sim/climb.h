@@ -129,8 +129,8 @@ OBBY_DEVICE void leaveTruss(Player& w, const Params& p, const Truss& truss) {
   w.floorlessSteps = int32_t(p.coyoteSteps);  // one jump per take-off
 }
 
-// Beyond the truss the climb continues while it leads onto a floor that is still above the feet.
-// Then the player stands on the floor, without a leap.
+// Beyond the end of the truss the climb continues while it leads onto a floor that is still above
+// the feet. Then the player stands on the floor, without a leap.
 OBBY_DEVICE void passTruss(Player& w, const Params& p, const Floor& floor, Truss& truss,
                            const ControlT<float>& control) {
   truss.toward = directionOf(sinCosOf<float>(w.yaw));

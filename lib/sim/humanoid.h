@@ -23,7 +23,7 @@ using Drive = DriveT<float>;
 // Returns the speed up and down a truss, studs/s.
 OBBY_DEVICE float climbSpeedOf(const Params& p) { return p.climbSpeed * p.walkSpeed; }
 
-// Radians that the body must turn for a jump to be held (measured at a turn rate of 1.15 rad/s).
+// Angle that the body must turn for a held jump, radians (measured at a turn rate of 1.15 rad/s).
 constexpr float kHeldJumpTurn = 0.137f;
 
 // Returns the signed angle from the facing to the heading, turns / 65536.

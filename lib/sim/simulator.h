@@ -27,7 +27,8 @@ namespace obby::sim {
 // Returns a world with a player standing (or falling) at the start, in full health.
 World makeWorld(const level::LevelView& level, const level::StartPose& start);
 
-// Returns the level's dynamic bodies at their first positions, awake. Empty if there are none.
+// Returns the level's dynamic bodies at their first positions, awake. Returns none if the level has
+// none.
 std::vector<RigidBody> makeDynamic(const level::LevelView& level);
 
 // Returns the dynamic bodies as play begins. If all come to rest by themselves within ten seconds,

@@ -36,7 +36,7 @@ class WideParts {
   const WideNear& near_;
   const int32_t* index_ = nullptr;
   int count_ = 0;
-  // Unions keep the arrays from being zeroed for every call.
+  // Unions leave the arrays uninitialised, because zeroing them in every call is slow.
   union {
     WideBlock blocks_[kRowWords];
   };

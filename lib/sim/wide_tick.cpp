@@ -38,7 +38,8 @@ class Ticker {
   }
 
  private:
-  // Sorts worlds by what the player can meet: one upright or one tilted block, or several.
+  // The kinds of worlds, by the parts that the player can meet: one upright block, one tilted
+  // block, or several parts.
   enum Kind { kOneUpright, kOneTilted, kSolids, kKinds };
 
   void admit(int count);
@@ -73,7 +74,7 @@ class Ticker {
   LaneSolids solids_[kWideSlots];
   int listed_[kKinds];
   int32_t lists_[kKinds][kWideSlots + kLanes];  // slots
-  // Unions keep the arrays from being zeroed for every call.
+  // Unions leave the arrays uninitialised, because zeroing them in every call is slow.
   union {
     MotionRow motions_[kWideSlots];  // rows of players that are not free
   };
@@ -192,7 +193,7 @@ void Ticker::singly(int index) {
   tick(w, bodies, level_, actions_[index], apart);
 }
 
-// Moves players who meet nothing by a tick.
+// Moves players who meet nothing, by one tick.
 void Ticker::glide(WideMotion& m) const {
   const Params& p = level_.params;
   const WideMask constant = isConstant(m, p);
