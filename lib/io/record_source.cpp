@@ -101,7 +101,7 @@ struct RecordSource::Impl {
     return true;
   }
 
-  // Returns a record to be passed on, but not handled.
+  // Returns a copy of the record that can be passed on, but not handled.
   static Record bytesOf(const Record& record) {
     const Record::Storage& read = record.storage();
     auto storage = std::make_shared<Record::Storage>();

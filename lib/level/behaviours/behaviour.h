@@ -34,8 +34,7 @@ Roles noRoles();
 struct Behaviour {
   bool (*has)(schema::Part::Reader part);
   Status (*compile)(PartContext& context);  // errors have the path relative to the part
-  bool byTouch;                             // acts only by touch; ignored if the part cannot be
-                                            // touched
+  bool byTouch;                             // acts only by touch
 };
 
 // Sets roles, flags and own clock from all behaviours of the part.
