@@ -65,7 +65,7 @@ struct SavedPlace {
   levelHash @2 :UInt64;  # hash of the level, which must match
   played @3 :UInt32;     # attempts at the level
   worlds @4 :Data;       # (players)
-  bodies @5 :Data;        # (players, dynamic bodies of the level)
+  bodies @5 :Data;       # (players, dynamic bodies of the level)
   reached @6 :Data;      # states that attempts can start from
   minLeft @7 :List(Float32);   # (players), min studs left to the goal in this attempt
   ticks @8 :List(UInt32);    # (players), ticks of this attempt

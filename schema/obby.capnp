@@ -23,7 +23,7 @@ annotation always @0x9f4b2c6d81e3a705 (field) :Void;
 # JSON has this field even at its default, because scripts look for it.
 
 annotation formerly @0xf3a61d0c97b2e854 (field, enumerant) :Text;
-# An earlier name. JSON with it is read, and written with the present name.
+# An earlier name. JSON with this name is read; JSON is written with the present name.
 
 annotation unit @0xb0f5e1a7d9c3a2e4 (field) :Text;
 # The unit of a number, also shown in obby-calibrate's reports.
@@ -180,7 +180,7 @@ struct Unmodelled {
   example @2 :Text;  # path of one instance
   note @3 :Text;     # the effect of the loss
   bearing @4 :Bearing;
-  anywhere @5 :Bool;  # true if some of them concern no single part; the others are in the parts' `doubts`
+  anywhere @5 :Bool;  # true if some instances concern no single part; the others are in the parts' `doubts`
 }
 
 struct Spawn {
@@ -525,7 +525,7 @@ struct Query {
   sameKeys @21 :Bool;                # if true, one solution's keys, held by time, must work for every body and frame rate
 
   # Information from the maker of the level. No answer depends on these fields, but obby-train learns from them.
-  route @15 :List(Vec3) $formerly("way");             # feet positions along a known route, from the start to the goal; 2 to 4096
+  route @15 :List(Vec3) $formerly("way");  # feet positions along a known route, from the start to the goal; 2 to 4096
   difficulty @16 :Float32 = -1;      # 0 is trivial, 1 a jump at the limit; -1 if not given
 }
 
@@ -665,7 +665,7 @@ struct Cut {
   jumps @5 :UInt32;          # lower bound on the jumps needed; 0 if the limit on jumps is not the cause
   seconds @6 :Float32;       # lower bound on the game time needed; 0 if the time limit is not the cause
   withTricks @7 :Bool;       # true if this also holds for players who use every trick
-  mayHelp @8 :List(Trick);   # otherwise, tricks that, each by itself, prevent the proof
+  mayHelp @8 :List(Trick);   # if not, the tricks that each prevent the proof by themselves
 }
 
 enum Saturation {

@@ -28,11 +28,12 @@ struct PolicyLayer {
 }
 
 struct PolicyTraining {
-  # Only for information, with one exception: if training starts from the policy, its normalisers weigh `decisions`.
+  # For information only, with one exception: training that starts from the policy weighs its normalisers by
+  # `decisions`.
   command @0 :Text;
   version @1 :Text;       # version of the program
   seed @2 :UInt64;
-  decisions @3 :UInt64;   # decisions it learned from, including those of the policy it started from
+  decisions @3 :UInt64;   # decisions that it learned from, including those of the policy where training started
   seconds @4 :Float64;    # wall-clock time
   hardest @5 :Float32;    # max difficulty of its levels at the end
   solved @6 :Float32;     # share of attempts solved at the end

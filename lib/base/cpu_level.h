@@ -4,7 +4,7 @@
 
 namespace obby {
 
-// As the x86-64 psABI defines them: v1 has SSE2, v2 SSE4.2, v3 AVX2, v4 AVX-512.
+// The levels of the x86-64 psABI: v1 has SSE2, v2 SSE4.2, v3 AVX2, v4 AVX-512.
 enum class CpuLevel { v1, v2, v3, v4 };
 
 // Returns the highest level of this CPU, capped by the environment variable OBBY_CPU_LEVEL ("v1" to

@@ -35,7 +35,7 @@ class Flattener {
   std::vector<std::byte> take() { return std::move(bytes_); }
 
  private:
-  // Bytes. Each table starts on its own cache line of a GPU.
+  // Alignment of the tables, bytes. Each starts on its own cache line of a GPU.
   static constexpr size_t kAlignment = 128;
 
   template <class T>

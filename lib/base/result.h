@@ -23,7 +23,7 @@ struct Error {
   std::string place;    // "12" (line) or "byte 4711"
   std::string path;     // place inside the record: "parts[88].size"
   std::string message;  // expected and found value; one line, no full stop
-  std::string hint;     // a way to mend it; may be empty
+  std::string hint;     // a way to fix the input; may be empty
 
   // Returns one line: "level.jsonl:12: parts[88].size: expected 3 numbers (hint)".
   std::string text() const;

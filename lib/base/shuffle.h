@@ -9,7 +9,7 @@ namespace obby {
 
 class Shuffle {
  public:
-  // `count` is above 0 and at most 2^31. Each stream is another permutation.
+  // `count` is above 0 and at most 2^31. Each stream has its own permutation.
   OBBY_DEVICE Shuffle(uint64_t seed, uint64_t stream, uint32_t count) : count_(count) {
     Random random(seed, stream);
     for (uint32_t& key : keys_) key = random.next();

@@ -5,7 +5,7 @@
 
 namespace obby {
 
-// Starts when it is made.
+// Starts on construction.
 class Stopwatch {
  public:
   double seconds() const {

@@ -16,8 +16,8 @@ namespace obby::cli {
 
 class Arguments {
  public:
-  // Input files in order; "-" is standard input. {"-"} if none were given; empty once a tool runs
-  // that reads none.
+  // Input files in order; "-" is standard input. Without files it is {"-"}, or empty if the tool
+  // reads no inputs.
   std::vector<std::string> inputs;
 
   // `name` is without dashes. A name that is not in the table is a bug in the program. has() is
@@ -30,15 +30,16 @@ class Arguments {
   uint64_t seed(const std::string& name = "seed") const;   // seed
   double number(const std::string& name) const;            // number or integer
   const std::vector<std::string>& list(const std::string& name) const;  // repeatable rows
-  // True if the option was typed on the command line for this call; a flag must be on. Environment
-  // and configuration file serve many calls, not all of which have a use for every option. So an
-  // option without effect is an error if it is typed, and ignored if it is set there.
+  // Returns true if the option was typed on the command line of this call, and is on if it is a
+  // flag. The environment and the configuration file serve many calls, and some calls have no use
+  // for an option. So an option without effect is an error if it is typed, and ignored if it is set
+  // there.
   bool typed(const std::string& name) const;
 
-  // One value as runTool and tests set it: the table's row and its texts.
+  // The value of one option, as runTool and tests set it: the table's row and its texts.
   struct Value {
     OptionRow row;
-    std::vector<std::string> texts;  // empty if neither given nor a default
+    std::vector<std::string> texts;  // empty if there is neither a value nor a default
     bool given = false, typed = false;
   };
   std::map<std::string, Value> values;

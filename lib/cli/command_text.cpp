@@ -17,7 +17,8 @@ std::string shellWord(const std::string& text) {
 
 std::string optionText(const std::string& name, const Arguments::Value& value) {
   if (value.row.type == ValueType::flag) {
-    const bool on = !value.texts.empty() && value.texts.back() == "true";  // or set to false
+    const bool on = !value.texts.empty() && value.texts.back() == "true";  // the flag may be set to
+                                                                           // false
     return on ? "--" + name : std::string();
   }
   const char separator = value.row.type == ValueType::mode ? '=' : ' ';

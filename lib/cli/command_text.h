@@ -1,4 +1,4 @@
-// Options as text for a shell, from which the same options are read.
+// Writes options as text for a shell. Parsing the text yields the same options.
 #pragma once
 
 #include <initializer_list>
@@ -12,11 +12,11 @@ namespace obby::cli {
 // Returns the text as one word, in quotes if necessary.
 std::string shellWord(const std::string& text);
 
-// Returns "--seed 3", "--style gaps --style 'a b'" or "--resume=auto". Empty for a flag that is
-// off, and for an option without a value.
+// Returns "--seed 3", "--style gaps --style 'a b'" or "--resume=auto". Returns "" for a flag that
+// is off, and for an option without a value.
 std::string optionText(const std::string& name, const Arguments::Value& value);
 
-// Returns the command that asks for the same, without the options `without`.
+// Returns a command line with the same arguments, except the options `without`.
 std::string commandText(const std::string& tool, const Arguments& arguments,
                         std::initializer_list<const char*> without);
 

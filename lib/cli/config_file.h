@@ -11,7 +11,7 @@
 namespace obby::cli {
 
 struct ConfigValue {
-  std::string line;  // the line that gave it last
+  std::string line;  // last line that sets the value
   std::vector<std::string> texts;
 };
 using Config = std::map<std::string, ConfigValue>;  // keys are the options' names

@@ -127,7 +127,7 @@ void Console::status(const std::string& text) {
 void Console::put(std::string_view text) {
   const PipeSignalHeld held;
   if (unheard_ || io::sendAll(STDERR_FILENO, text, &stopFlag())) return;
-  unheard_ = errno == EINTR;  // other errors can be reported nowhere
+  unheard_ = errno == EINTR;  // there is nowhere to report other errors
 }
 
 }  // namespace obby::cli

@@ -13,7 +13,7 @@ namespace obby::cli {
 // Returns true if the descriptor is a terminal, and neither NO_COLOR nor TERM=dumb is set.
 bool colorsOn(int descriptor);
 
-// Returns the columns of the terminal; 80 if there is none or it does not say.
+// Returns the columns of the terminal; 80 if there is no terminal or its width is unknown.
 size_t terminalWidth(int descriptor);
 
 class Console {
@@ -40,7 +40,7 @@ class Console {
   std::string tool_;
   std::mutex mutex_;
   bool drawn_ = false;
-  bool unheard_ = false;  // the reader takes nothing, and the tool was told to stop
+  bool unheard_ = false;  // the reader accepts nothing, and the tool was asked to stop
 };
 
 }  // namespace obby::cli

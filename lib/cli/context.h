@@ -29,8 +29,8 @@ class Context {
   const Arguments& arguments() const { return arguments_; }
   const std::vector<std::string>& inputs() const { return arguments_.inputs; }
 
-  // Set once by SIGINT or SIGTERM. The tool then completes its results, writes the end record and
-  // returns.
+  // Returns the flag that SIGINT or SIGTERM sets. The tool then completes its results, writes the
+  // end record and returns.
   const std::atomic<bool>& stop() const;
 
   // Returns the threads to use: --threads, or all that this process may use.
@@ -58,12 +58,12 @@ class Context {
   void error(const Error& error);
   // Prints a warning, which does not change the exit code. Silent with --quiet.
   void warn(const std::string& message);
-  // Prints a note. Only with --verbose.
+  // Prints a note if --verbose is set.
   void note(const std::string& message);
   // Prints the outcome of the run: a line on stderr, or a note object with --json-errors. Silent
   // with --quiet.
   void tell(const std::string& message);
-  // Prints what the user has to know to continue, on stderr, even with --quiet.
+  // Prints a message that the user needs to continue, on stderr, even with --quiet.
   void say(const std::string& message);
   // Draws, prints or drops the progress, as --progress says. May be called at any rate.
   void progress(const ProgressState& state);

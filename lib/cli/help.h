@@ -13,7 +13,8 @@ struct HelpStyle {
   bool all = false;   // true for rare options, details and all examples, too
 };
 
-// Returns the width of help on a descriptor: its terminal's, from 40 to 120 columns, or else 80.
+// Returns the width of help on a descriptor: the terminal's, but from 40 to 120 columns, or 80
+// without a terminal.
 size_t helpWidth(int descriptor);
 
 // Returns "obby-solve 0.1.0 (commit 1a2b3c4d5e, schema 1.3)", without the commit if it is unknown.
@@ -30,7 +31,7 @@ std::string shortHelp(const ToolSpec& spec, size_t width);
 // Returns "[OPTION]... [FILE]...", the words after the tool's name in its usage.
 std::string usageWords(const ToolSpec& spec);
 
-// Returns the headings of `rows` in order, that of help and messages last.
+// Returns the headings of `rows` in order, with kHelpGroup last.
 std::vector<std::string> optionGroups(const std::vector<OptionRow>& rows);
 
 // Describes the other ways to set an option.

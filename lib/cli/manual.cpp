@@ -20,7 +20,7 @@ using roff::italic;
 
 constexpr size_t kCommandWidth = 66;  // columns for an example on a terminal of 80
 
-// In the order of a pipeline.
+// The tools in the order of a pipeline.
 constexpr std::string_view kTools[] = {"obby-import", "obby-solve",     "obby-view",  "obby-gen",
                                        "obby-train",  "obby-calibrate", "obby-bridge"};
 
@@ -57,7 +57,7 @@ std::string optionTag(const OptionRow& row) {
   return row.repeatable ? out + "..." : out;
 }
 
-// Keeps each line of the details as a line.
+// Keeps the line breaks of the details.
 std::string optionEntry(const OptionRow& row) {
   std::string text = escaped(sentence(row.help)) + "\n";
   if (row.repeatable) text += "May be given more than once.\n";

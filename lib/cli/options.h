@@ -13,7 +13,7 @@ namespace obby::cli {
 enum class ValueType {
   flag,     // no value
   text,     // any text
-  file,     // a path: completed as one
+  file,     // a path; shells complete it as a path
   integer,  // a whole number in [min, max]
   number,   // a finite number in [min, max]
   seed,     // 0 to 2^64 - 1
@@ -35,12 +35,12 @@ struct OptionRow {
   double max = std::numeric_limits<double>::max();
   int64_t multiple = 1;  // integer: it must be a multiple of this
   std::vector<std::string> choices;
-  bool repeatable = false;  // may be given more than once: Arguments::list()
+  bool repeatable = false;  // may be given more than once; read by Arguments::list()
   std::string bare;         // mode: the value if none is given
   // file: read completely before anything is written, so that an output may replace it.
   bool renewed = false;
   bool rare = false;    // few users need it: in --help-all and the manual page, not in --help
-  bool hidden = false;  // an option for the build: in no help and no completion
+  bool hidden = false;  // an option for the build, which help and completion omit
 };
 
 // Returns true if the value may be a word of its own: `--name VALUE`.

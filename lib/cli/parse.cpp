@@ -28,7 +28,7 @@ struct Words {
 };
 
 // CLI11 takes the next word, perhaps a file, as the value of `--name=`. So an empty value becomes a
-// word of its own, and that of a flag is kept from CLI11.
+// word of its own, and the empty value of a flag is hidden from CLI11.
 Words wordsOf(const std::vector<OptionRow>& rows, int argc, char** argv) {
   Words out;
   bool optionsEnd = false;
@@ -43,7 +43,7 @@ Words wordsOf(const std::vector<OptionRow>& rows, int argc, char** argv) {
       out.emptyFlags.push_back(row->name);
     }
   }
-  std::ranges::reverse(out.forParser);  // as CLI11 wants them
+  std::ranges::reverse(out.forParser);  // CLI11 expects this order
   return out;
 }
 

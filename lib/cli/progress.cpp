@@ -15,7 +15,7 @@
 namespace obby::cli {
 namespace {
 
-// Returns the seconds between two states.
+// Returns the seconds between two progress reports.
 double interval(ProgressMode mode) {
   switch (mode) {
     case ProgressMode::bar: return 0.1;

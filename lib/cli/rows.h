@@ -52,13 +52,13 @@ inline OptionRow renewed(OptionRow r) {
   return r;
 }
 
-// Users may still have its earlier name in scripts.
+// Sets an earlier name of the option, which users may still have in scripts.
 inline OptionRow renamed(OptionRow r, const char* formerly) {
   r.formerly = formerly;
   return r;
 }
 
-// Few users need it, so it is not in --help.
+// Marks an option that few users need, so that it is not in --help.
 inline OptionRow rare(OptionRow r) {
   r.rare = true;
   return r;

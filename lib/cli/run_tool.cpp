@@ -61,7 +61,7 @@ int finalCode(const Context& context, ExitCode code) {
   return int(code);
 }
 
-// Answers --help and similar options. Returns a negative number if there is none.
+// Answers --help and similar options. Returns the exit code, or a negative number if none is set.
 int answer(const ToolSpec& spec, const std::vector<OptionRow>& rows, const CommandLine& line,
            Console& console) {
   if (line.flag("help") || line.flag("help-all"))
@@ -105,7 +105,7 @@ int run(const ToolSpec& spec, int argc, char** argv, const RunFunction& body, Co
   return finalCode(context, *code);
 }
 
-// Needed before the arguments are parsed.
+// Returns true if --json-errors is set. Needed before the arguments are parsed.
 bool wantsJsonErrors(int argc, char** argv) {
   for (int i = 1; i < argc; i++)
     if (std::strcmp(argv[i], "--json-errors") == 0) return true;

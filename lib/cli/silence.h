@@ -5,7 +5,7 @@ namespace obby::cli {
 
 class Silence {
  public:
-  // What is written to the descriptor is discarded while this lives.
+  // Output to the descriptor is discarded while this object lives.
   explicit Silence(int descriptor);
   ~Silence();
   Silence(const Silence&) = delete;

@@ -1,5 +1,5 @@
 // SIGINT and SIGTERM: the first asks the tool to complete its results, and a later SIGINT ends it.
-// One that follows at once is the same signal, sent twice.
+// A signal that follows at once counts as the same one, sent twice.
 #pragma once
 
 #include <atomic>
@@ -11,7 +11,7 @@ inline constexpr int kSignalExit = 128;
 
 // Returns the flag that the handler sets. It lives as long as the process.
 const std::atomic<bool>& stopFlag();
-// Returns the signal that set it, or 0 for none.
+// Returns the signal that set the flag, or 0 if none did.
 int stopSignal();
 // Installs the handlers. A signal that the parent has ignored stays ignored.
 void installStopHandlers();

@@ -32,8 +32,8 @@ struct ToolSpec {
   std::vector<Example> examples;
   std::vector<OptionRow> options;
   bool takesInputs = true;  // positional files; standard input if there are none
-  // Returns true if these options leave anything to read. Otherwise a file is an error, and the
-  // tool does not wait for a terminal. Null means that they always do.
+  // Returns true if the tool reads inputs under these options. Otherwise an input file is an error,
+  // and the tool does not wait for a terminal. Null means that it always reads them.
   std::function<bool(const Arguments&)> readsInputs;
   // Records go to standard output, whatever --output says.
   bool alwaysToStandardOutput = false;
@@ -42,8 +42,8 @@ struct ToolSpec {
   std::string inputHelp = "input streams";  // description of the positional files
   std::string notes;                        // paragraphs at the end of help; may be empty
   std::string details;                      // more paragraphs, for --help-all and the manual page
-  std::vector<ManualEntry> exitCodes;       // in addition to those of all tools
-  std::vector<ManualEntry> files;           // that it uses without an option
+  std::vector<ManualEntry> exitCodes;       // exit codes in addition to those of all tools
+  std::vector<ManualEntry> files;           // files that the tool uses without an option
 };
 
 // Exit codes. `noSolution` and `unknown` tell the verdicts if the user asks for that. An

@@ -58,7 +58,7 @@ OBBY_DEVICE Vec3 closestOnTriangle(Simplex& s) {
   return best;
 }
 
-// Returns zero if the origin is inside.
+// Returns the point of the tetrahedron closest to the origin, zero if the origin is inside.
 OBBY_DEVICE Vec3 closestOnTetrahedron(Simplex& s) {
   Vec3 best{};
   float min = 1e30f;

@@ -16,7 +16,8 @@ OBBY_DEVICE void see(Ring& ring, const Convex& c, Vec3 toward, const ViewT<float
   for (int i = 0; i < count; ++i) ring.add(true, view.see(corners[i]));
 }
 
-// Returns the plane of a face. The plane of a line is level across it; that of a point is level.
+// Returns the plane of a ring. The plane of a line is level across the line. That of a point is
+// level.
 OBBY_DEVICE PlaneT<float> planeOf(const Ring& r) {
   const Vec3 a = r.at(0);
   if (r.count == 1) return {a.z, 0, 0};
@@ -27,8 +28,8 @@ OBBY_DEVICE PlaneT<float> planeOf(const Ring& r) {
   return {a.z - rise * (e.x * a.x + e.y * a.y), rise * e.x, rise * e.y};
 }
 
-// Clips the line `subject` to the stretch next to `line` if they are parallel, else to their
-// crossing.
+// Clips the line `subject` to the part next to `line` if they are parallel, otherwise to the point
+// where they cross.
 OBBY_DEVICE const Ring& cutToLine(const Ring& subject, const Ring& line, Ring (&work)[2]) {
   if (subject.count != 2) return subject;
   const Vec3 a = line.at(0), b = line.at(1), d = b - a, p = subject.at(0), e = subject.at(1) - p;
@@ -107,8 +108,8 @@ OBBY_APART Manifold manifold(const Convex& a, const Convex& b, const Separation&
   return out;
 }
 
-// The same for blocks, for one pair or lanes of pairs. Finds no points if they meet edge to edge or
-// at a corner.
+// Returns the contact points of two blocks, for one pair or lanes of pairs. Finds no points if they
+// meet edge to edge or at a corner.
 template <class F>
 OBBY_DEVICE ManifoldT<F> blockManifold(const BlockT<F>& a, const BlockT<F>& b,
                                        const SeparationT<F>& s, F margin) {

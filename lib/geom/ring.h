@@ -88,7 +88,7 @@ OBBY_DEVICE void cut(const RingT<F>& subject, Vec3T<F> a, Vec3T<F> b, F side, Ri
   }
 }
 
-// Returns true if all of the ring is on that side.
+// Returns true if the whole ring is on that side of the line.
 template <class F>
 OBBY_DEVICE bool isWithin(const RingT<F>& ring, Vec3T<F> a, Vec3T<F> b, F side) {
   MaskOf<F> within = true;

@@ -60,8 +60,9 @@ OBBY_APART Separation shapesApart(const Convex& a, const Convex& b, float margin
 
 }  // namespace internal
 
-// The distance is exact if they overlap, or if faces or round parts are closest. It is a lower
-// bound if corners or edges are closest. Returns early once they are more than `margin` apart.
+// Returns the distance of two shapes and its axis. The distance is exact if they overlap, or if
+// faces or round parts are closest. It is a lower bound if corners or edges are closest. Returns
+// early once they are more than `margin` apart.
 OBBY_DEVICE Separation separation(const Convex& a, const Convex& b, float margin) {
   if (isBlock(a.kind) && isBlock(b.kind)) return internal::twoBlocksApart(a, b, margin);
   // Positions are relative to a: far from the world's origin, floats are coarser than these

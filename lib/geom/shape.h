@@ -20,7 +20,7 @@
 
 namespace obby::geom {
 
-// In the order of the schema's Shape.
+// The order is that of the schema's Shape.
 enum class ShapeKind : uint8_t { block, ball, cylinder, wedge, cornerWedge, truss, hull };
 
 constexpr int kMaxFeature = 8;
@@ -55,7 +55,7 @@ struct RayHit {
   Vec3 normal;  // unit, local, outward
 };
 
-// A block anywhere, for one world or lanes of them.
+// A block at any pose, for one world or for lanes of worlds.
 template <class F>
 struct BlockT {
   PoseT<F> pose;

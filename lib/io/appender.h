@@ -1,5 +1,5 @@
-// A file that grows while others read it, such as a log. However the process ends, the file has
-// every piece that was given to append(), whole.
+// A file that grows while others read it, such as a log. However the process ends, every piece that
+// was given to append() is in the file, whole.
 #pragma once
 
 #include <atomic>
@@ -23,7 +23,7 @@ class Appender {
   // Returns true for a file on a disk, false for a device or pipe.
   bool isRegular() const;
 
-  // After an error a regular file has nothing of the piece.
+  // Appends a piece. After an error a regular file contains no part of it.
   Status append(std::string_view piece);
 
  private:

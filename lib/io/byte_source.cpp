@@ -113,7 +113,7 @@ bool ByteSource::waitReadable() const {
 bool ByteSource::readAgain() const {
   if (errno == EAGAIN && !stop_) {
     pollfd waiting{fd_, POLLIN, 0};
-    return ::poll(&waiting, 1, -1) >= 0;  // or a signal interrupts it, as it does a read
+    return ::poll(&waiting, 1, -1) >= 0;  // a signal also interrupts it, as it does a read
   }
   return errno == EAGAIN || (errno == EINTR && stop_);  // to wait again, or to check `stop`
 }
@@ -130,8 +130,8 @@ Result<size_t> ByteSource::fill() {
   } while (got < 0 && readAgain());
   buffer_.resize(before + size_t(std::max<ssize_t>(got, 0)));
   if (got < 0) return fileError(name_, "cannot read");
-  // A file returns all that is asked for, a pipe only what it holds. A larger buffer for a pipe
-  // would be cleared each time for nothing.
+  // A file returns all bytes that are asked for, a pipe only the bytes that it holds. A larger
+  // buffer for a pipe would be cleared in vain each time.
   max_ = size_t(got) == chunk ? std::min(2 * chunk, kLargestChunk) : kChunk;
   ended_ = got == 0;
   return size_t(got);

@@ -1,5 +1,5 @@
-// Which fields count as set, and which values no record may hold, in both codecs and with the same
-// messages. Private to lib/io.
+// Decides which fields count as set, and which values no record may hold. Both codecs use these
+// checks and their messages. Private to lib/io.
 #pragma once
 
 #include <capnp/dynamic.h>
@@ -15,18 +15,18 @@ namespace obby::io {
 // Returns "a number from 0 to 2000", "a whole number from 0 to 255", "true or false", ...
 std::string expectation(const TypePlan& type);
 
-// Return nothing if `value` is valid for a field of this type, otherwise what is wrong. Real
+// These return nothing if `value` is valid for a field of this type, otherwise what is wrong. Real
 // numbers must be finite, and all numbers must be in range.
 std::optional<std::string> refuseReal(const TypePlan& type, double value);
 std::optional<std::string> refuseWhole(const TypePlan& type, double value);
 
-// Returns true if a field says more than its absence: numbers, names and tuples that differ from
+// Returns true if a field differs from an absent one: numbers, names and tuples that differ from
 // their default, texts and lists that are not empty, and structs that are present (a `kill` is one
 // even if all its fields are defaults).
 bool isSet(const FieldPlan& field, capnp::DynamicStruct::Reader in);
 
-// Returns nothing if the scalar or text is valid there, otherwise what is wrong with it. Structs
-// and lists are always valid.
+// Returns nothing if the scalar or text is valid for a field of this type, otherwise what is wrong
+// with it. Structs and lists are always valid.
 std::optional<std::string> refuseScalar(const TypePlan& type,
                                         const capnp::DynamicValue::Reader& value);
 

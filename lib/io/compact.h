@@ -1,5 +1,5 @@
-// Long-lived records in no more memory than they need. A record that was read has spare capacity,
-// for a small one twenty times its size, and keeps its source text.
+// Copies long-lived records into no more memory than they need. A record that was read keeps its
+// source text and spare capacity, for a small record twenty times its size.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// Examples of the schema's objects, for errors about something else that was found. Private to
+// Examples of the schema's objects, for errors where a value of another form was found. Private to
 // lib/io.
 #pragma once
 

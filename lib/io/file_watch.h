@@ -15,7 +15,8 @@ class FileWatch {
 
   // Returns true if a file differs from its recorded state.
   bool changed() const;
-  // Records them again. Waits until they are unchanged for a moment, or `stop` is set.
+  // Records the state of the files again. Waits until they are unchanged for a moment, or until
+  // `stop` is set.
   void settle(const std::atomic<bool>& stop);
 
  private:

@@ -23,9 +23,10 @@ class Framing {
                 uint32_t oldestMajor);
   // Returns an error if the input must not end here.
   Status atEnd() const;
-  // True inside a stream with a header, where a line without its newline is a cut.
+  // Returns true inside a stream with a header, where a line without its newline was cut off.
   bool inside() const { return inside_; }
-  // True if the stream's header has a later minor version, so that it may have unknown fields.
+  // Returns true if the stream's header has a later minor version, so that it may have unknown
+  // fields.
   bool later() const { return later_; }
 
  private:

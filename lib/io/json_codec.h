@@ -17,10 +17,10 @@ namespace obby::io {
 // Reads one line without its newline. Errors have the path in the record and what was expected.
 Result<RecordBuilder> recordFromJson(std::string_view line);
 
-// The same, but returns nothing for a kind that the schema does not have. `misspelt` receives the
-// first few ignored fields with a name close to a field of the schema; a kind close to one of the
-// schema is an error. Null allows both, for records of a later schema, where they may have a
-// meaning.
+// Reads a line like recordFromJson(), but returns nothing for a kind that the schema does not have.
+// `misspelt` receives the first few ignored fields with a name close to a field of the schema; a
+// kind close to one of the schema is an error. Null allows both, for records of a later schema,
+// where they may have a meaning.
 Result<std::optional<RecordBuilder>> recordFromJsonIfKnown(std::string_view line,
                                                            std::vector<Error>* misspelt = nullptr);
 

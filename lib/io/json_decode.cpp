@@ -232,7 +232,7 @@ bool JsonDecoder::real(const TypePlan& type, const Node& node, const Path& path,
     single = float(node.value);
   } else if (node.type == Type::real) {
     if (!parseAll(tree_.text(node), wide)) wide = 0;  // below the smallest number
-    // Not converted from the double, because rounding twice can miss the nearest float.
+    // The text is converted again, because rounding twice can miss the nearest float.
     if (narrow && !parseAll(tree_.text(node), single)) single = float(wide);
   } else {
     return unexpected(type, node, path);

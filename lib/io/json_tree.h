@@ -52,7 +52,7 @@ class JsonTree {
     uint32_t first_;
   };
 
-  // Errors have the message only: the column and what is wrong there.
+  // Errors have only a message: the column and what is wrong there.
   static Result<JsonTree> parse(std::string_view text);
   // The end of the message if a value is incomplete.
   static constexpr std::string_view kCutOff = "the text ends in the middle of a value";

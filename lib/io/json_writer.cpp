@@ -16,7 +16,7 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "packed numbers are little-endian");
 
-// The bytes that a JSON string can hold as they are.
+// The bytes that a JSON string can hold unchanged.
 constexpr std::array<bool, 256> kPlain = [] {
   std::array<bool, 256> out{};
   for (size_t c = 0x20; c < 0x7f; ++c) out[c] = c != '"' && c != '\\';

@@ -68,7 +68,7 @@ class JsonWriter {
   }
 
   std::string text_;
-  std::string closers_;  // of the open brackets
+  std::string closers_;  // the closing brackets of the open ones
   bool comma_ = false;
 };
 

@@ -10,8 +10,8 @@
 
 namespace obby::io {
 
-// Return true if a record that could not be read, a line or the words of a message, was a level or
-// may have been one.
+// These return true if a record that could not be read was a level, or may have been one. The
+// record is a line or the words of a message.
 bool mayBeLevel(std::string_view line);
 bool mayBeLevel(const std::vector<uint64_t>& words);
 

@@ -87,7 +87,7 @@ OutputFile::~OutputFile() {
   if (!temporary_.empty()) ::unlink(temporary_.c_str());
 }
 
-// The contents must be on the disk before the file is renamed: otherwise its name may be first.
+// The contents must be on the disk before the rename. Otherwise the new name may be there first.
 Status OutputFile::close(bool durable) {
   if (durable && !onDisk(fd_)) return fileError(path_, "cannot write");
   const int result = ::close(std::exchange(fd_, -1));
@@ -103,8 +103,8 @@ Status OutputFile::finish(bool durable) {
   return durable ? syncFolder() : Status();
 }
 
-// Waits for the new name. Some folders cannot be opened; then the old file may be back after a
-// failure, complete.
+// Waits until the new name is on the disk. Some folders cannot be opened; then a failure of the
+// machine may bring the old file back, complete.
 Status OutputFile::syncFolder() const {
   const fs::path parent = fs::path(target_).parent_path();
   const std::string folder = parent.empty() ? "." : parent.string();
@@ -138,7 +138,7 @@ bool OutputLocks::take(const std::string& path) {
       return true;
     }
     ::close(fd);
-    if (removed) continue;  // its holder ended just now
+    if (removed) continue;  // the holder of the lock removed the file just now
     if (!taken) ::unlink(name.c_str());
     return !taken;
   }

@@ -16,7 +16,7 @@ namespace obby::io {
 // exist yet, so that the link remains.
 std::string linkTarget(const std::string& path);
 
-// A regular file under a temporary name. Only a killed process leaves that behind.
+// A regular file under a temporary name. Only a killed process leaves the temporary file behind.
 class OutputFile {
  public:
   // Makes a file next to `path`, which it is to become. It has ".obby-unfinished-" and six letters
@@ -41,9 +41,9 @@ class OutputFile {
   int fd_ = -1;
 };
 
-// Files that one process writes repeatedly, and that no other may write meanwhile. A locked file
-// next to each holds it, with ".obby-unfinished-locked" after its name. It is removed with this
-// object. That of a killed process is not locked, so it blocks no other.
+// Files that one process writes repeatedly, and that no other may write meanwhile. A lock file next
+// to each, with ".obby-unfinished-locked" after its name, reserves it until this object ends. A
+// lock file left by a killed process is not locked, so it blocks no other.
 class OutputLocks {
  public:
   OutputLocks() = default;
@@ -51,15 +51,15 @@ class OutputLocks {
   OutputLocks(const OutputLocks&) = delete;
   OutputLocks& operator=(const OutputLocks&) = delete;
 
-  // Locks the file of that name, which need not exist, whatever path leads to it. Does not wait.
-  // Returns false if another object has it, of this process or of another; true also if files
-  // cannot be locked there.
+  // Locks the file at `path`, which need not exist, under all paths that lead to it. Does not wait.
+  // Returns false if another object has the lock, in this process or another. Returns true also if
+  // files cannot be locked there.
   [[nodiscard]] bool take(const std::string& path);
 
  private:
   struct Held {
     int fd;
-    std::string path;  // path of the locked file
+    std::string path;  // path of the lock file
   };
   std::vector<Held> held_;
 };

@@ -9,7 +9,7 @@
 namespace obby::io {
 
 // Sets the parameters that the level leaves at the simulator's defaults. A number that the level
-// states otherwise (such as its own walk speed) stays, so applying twice changes nothing.
+// sets itself (such as its own walk speed) stays, so applying twice changes nothing.
 void applyParams(schema::PhysicsParams::Reader params, schema::Level::Builder level);
 
 class Physics {

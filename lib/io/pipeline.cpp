@@ -12,7 +12,7 @@ struct Pipeline::Impl {
   StreamIdentity identity;
   StreamWriter output;
   bool begun = false, budgetSpent = false, stoppedByError = false;
-  int64_t leftOut = 0;  // in addition to what the source counts
+  int64_t leftOut = 0;  // records left out, in addition to those that the source counts
   SourceSummary elsewhere = {};
 
   Status begin() {
@@ -38,8 +38,8 @@ struct Pipeline::Impl {
     return source.onError() == OnError::emit ? pass(record) : Status();
   }
 
-  // Passes a record on. One that the output's format cannot hold is left out, whatever onError is.
-  // One that could not be read was reported, and counted as skipped, before.
+  // Passes a record on. A record that the output's format cannot hold is left out, whatever onError
+  // is. A record that could not be read was already reported and counted as skipped.
   Status pass(const Record& record) {
     const bool unreadable = record.storage().unreadable;
     Status passed = output.pass(record);
@@ -84,7 +84,7 @@ struct Pipeline::Impl {
   }
 
   Status finish() {
-    if (stoppedByError && !begun) return {};  // nothing was done, so leave no output
+    if (stoppedByError && !begun) return {};  // nothing was done, so there is no output
     OBBY_RETURN_IF_ERROR(begin());
     RecordBuilder builder;
     auto end = builder.root().initEnd();

@@ -47,7 +47,7 @@ struct SourceSummary {
   schema::EndStatus status = schema::EndStatus::COMPLETE;
   uint64_t skipped = 0, errors = 0;
 
-  // Adds what came before, or from elsewhere. The more severe status counts.
+  // Adds another summary. The more severe status counts.
   void add(const SourceSummary& other);
 };
 
@@ -60,25 +60,25 @@ class RecordSource {
 
   // Returns the next record, or nothing at the end of the last input or once `stop` is set. Errors
   // that `onError` forgives are reported and counted instead of returned. Under OnError::emit a
-  // record that could not be read is returned, too, to be passed on: it is not known(), and counts
-  // as skipped.
+  // record that could not be read is also returned, so that it can be passed on. It is not known(),
+  // and counts as skipped.
   Result<std::optional<Record>> next();
 
   // Handles an error about a record that was read but cannot be handled. Reports and counts it and
   // returns success, or returns it under OnError::stop. Adds the input and place.
   Status forgive(const Record& record, Error error);
-  // Reports what does not count as an error. Adds the input and place.
+  // Reports a problem that does not count as an error. Adds the input and place.
   void warn(const Record& record, Error error);
-  // From now on, silently leaves out what cannot be read, if reading can continue at all.
+  // From now on, silently leaves out records that cannot be read, if reading can continue at all.
   void ignoreErrors();
 
   // Returns the most severe status of the end records so far and of `stop`.
   schema::EndStatus status() const;
-  uint64_t skipped() const;  // here and, by their end records, upstream
-  uint64_t errors() const;   // in the same way
-  // Returns all three so far, without `stop`.
+  uint64_t skipped() const;  // records skipped here and, according to end records, upstream
+  uint64_t errors() const;   // errors here and upstream
+  // Returns status, skipped and errors so far, regardless of `stop`.
   SourceSummary summary() const;
-  // Returns true if it was told to stop.
+  // Returns true if `stop` is set, or has ended the input.
   bool stopped() const;
   // Callers that require the whole input call this after the last record. Returns an error if an
   // end record says `interrupted` or `failed`, with its input and place. Only warns unless
@@ -86,8 +86,8 @@ class RecordSource {
   Status checkWhole() const;
   // Warns if an end record says `failed`.
   void warnIfFailed() const;
-  // Takes an error after the last record about something that the input lacks. Returns the error to
-  // report: if an end record says `interrupted` or `failed`, that is the cause.
+  // Called after the last record, with an error about something that the input lacks. Returns the
+  // error to report. If an end record says `interrupted` or `failed`, that is the cause.
   Error lacking(Error error) const;
   OnError onError() const;
   // Returns the latest minor version of the headers so far, which records to pass on may have.

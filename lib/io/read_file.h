@@ -24,7 +24,7 @@ Result<std::string> readFile(const std::string& path, const std::atomic<bool>* s
 // Reads the rest of an open input. Errors are as above.
 Result<std::string> readRest(ByteSource& source, uint64_t max = kMaxFileBytes);
 
-// Returns true for the error of a read, or of an output, that was told to stop. The tool should
+// Returns true for the error of a read, or of an output, that was asked to stop. The tool should
 // then end as the signal asks.
 bool isInterrupted(const Error& error);
 

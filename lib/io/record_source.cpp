@@ -101,7 +101,7 @@ struct RecordSource::Impl {
     return true;
   }
 
-  // Returns a record to be passed on, but not handled.
+  // Returns a copy of the record that can be passed on, but not handled.
   static Record bytesOf(const Record& record) {
     const Record::Storage& read = record.storage();
     auto storage = std::make_shared<Record::Storage>();
@@ -120,7 +120,7 @@ struct RecordSource::Impl {
     auto opened = options.open ? options.open(path) : StreamReader::open(path, options.stop);
     if (opened) {
       reader = *std::move(opened);
-    } else if (!stopped() || !isInterrupted(opened.error())) {  // told to stop, so no error
+    } else if (!stopped() || !isInterrupted(opened.error())) {  // a requested stop is no error
       if (!options.open || options.onError == OnError::stop) return opened.error();
       skip(opened.error(), true);
     }

@@ -30,7 +30,7 @@ class Sink {
 
   Sink(Sink&&) noexcept;
   Sink& operator=(Sink&&) noexcept;
-  ~Sink();  // without close(), removes what was written to a file
+  ~Sink();  // removes the file if close() was not called
 
   // Writes one whole piece (a line, a message, a page), at once to pipes and terminals, in blocks
   // to files. After an error every later call returns that error again.
@@ -49,7 +49,7 @@ class Sink {
   std::unique_ptr<Impl> impl_;
 };
 
-// Time for a reader that takes nothing, once a tool was told to stop.
+// Time for a reader that accepts nothing, once the tool was asked to stop.
 inline constexpr int kPatienceMilliseconds = 1000;
 
 // Returns true if the reader of `fd` takes more within this time; a negative time waits for it.

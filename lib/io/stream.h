@@ -51,9 +51,9 @@ class StreamReader {
   // Returns true if an error was about one record, so that next() continues after it. Otherwise
   // (broken framing, another schema version, a failing disk) next() returns the same error again.
   bool canContinue() const;
-  // After such an error: true if that record was a level, or may have been one.
+  // After such an error, returns true if that record was a level, or may have been one.
   bool lostLevel() const;
-  // After such an error: returns that record as read, not known().
+  // After such an error, returns that record as read. It is not known().
   Record unread() const;
   bool stopped() const;
 

@@ -51,7 +51,7 @@ struct StreamReader::Impl {
   uint64_t line = 0;
   uint64_t messageAt = 0;  // offset of the message being read
   bool atEnd = false;
-  bool lostLevel = false;  // about the last record, see StreamReader::lostLevel()
+  bool lostLevel = false;                         // the last record, see StreamReader::lostLevel()
   std::shared_ptr<const Record::Storage> unread;  // the last record, if unreadable
 
   using Next = Result<std::optional<Record>>;

@@ -18,7 +18,7 @@ constexpr uint32_t kOwnClock = 0xfffffffeu;
 
 class ClockTables {
  public:
-  // Adds the signals that buttons start. Must be called before any part asks for one.
+  // Adds the signals that buttons start. Must be called before signal() and button().
   Status addSignals(schema::Level::Reader level, const Params& params);
 
   // Returns the clock of a signal for a part that responds. An error has the path of the field that
@@ -28,7 +28,8 @@ class ClockTables {
   uint32_t button(const std::string& name) const;  // the clock of a button that was added
 
   uint32_t add(const Clock& clock);    // always a new clock
-  uint32_t share(const Clock& clock);  // the clock with the same effect, if there is one
+  uint32_t share(const Clock& clock);  // the clock from an earlier share() with the same effect, or
+                                       // a new one
 
   // Returns an error unless every signal is named by a part that responds to it.
   Status checkSignals() const;
@@ -41,7 +42,7 @@ class ClockTables {
  private:
   struct Signal {
     uint32_t clock;
-    size_t part;  // the first one whose button starts it
+    size_t part;  // first part whose button starts the signal
     bool used = false;
   };
   Status addButton(schema::Part::Reader part, size_t index, const Params& params);

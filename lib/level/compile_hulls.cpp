@@ -27,8 +27,8 @@ Result<std::vector<Vec3>> verticesOf(schema::Hull::Reader record, const std::str
   return vertices;
 }
 
-// Returns copies of the vertices on both sides of the plane, across one axis, that contains them.
-// Returns none if they are flat along no axis or along several.
+// Returns copies of flat vertices on both sides of their plane, kMinSize apart. The vertices must
+// be flat along exactly one axis; otherwise returns none.
 std::vector<Vec3> thickened(const std::vector<Vec3>& vertices) {
   Vec3 lo = vertices[0], hi = lo;
   for (const Vec3 p : vertices) lo = min(lo, p), hi = max(hi, p);

@@ -69,7 +69,7 @@ void derive(Params& p) {
 
 schema::Interval::Reader paramRange(const std::string& name) {
   const auto field = capnp::Schema::from<schema::PhysicsParams>().getFieldByName(name.c_str());
-  return rangeOf(field).value();  // tests/level/params_test.cpp checks that every field has one
+  return rangeOf(field).value();  // tests/level/params_test.cpp checks that every field has a range
 }
 
 Result<Params> compileParams(schema::PhysicsParams::Reader record) {
@@ -88,7 +88,7 @@ Result<Params> compileParams(schema::PhysicsParams::Reader record) {
                  {}};
   }
   derive(p);
-  // The legs are a damped spring, which steps that are too long make unstable.
+  // The legs are a damped spring. Steps that are too long make it unstable.
   if (!(p.hoverDamping * p.substepSeconds < 2)) {
     return Error{{},
                  {},

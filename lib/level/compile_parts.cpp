@@ -34,11 +34,11 @@ class PartCompiler {
 
   Status compile(schema::Level::Reader level);
 
-  // Returns true if the error is that all tables together have too many rows.
+  // Returns true if the error means that all tables together have too many rows.
   bool isOverBudget() const { return overBudget_; }
 
  private:
-  // `index` is the part's in the record. An error has the whole path.
+  // `index` is the part's index in the record. An error has the whole path.
   Status addAt(schema::Part::Reader part, uint32_t index);
   Status add(schema::Part::Reader part, uint32_t index);
   Status finish();
@@ -55,12 +55,12 @@ class PartCompiler {
   ClockTables clocks_;
   std::vector<Clock> own_;  // (roles)
   SweptBounds swept_;       // bounds of the last mover
-  size_t keyRows_ = 0;      // in all tables of keys
+  size_t keyRows_ = 0;      // rows of all tables of keys together
   bool overBudget_ = false;
 };
 
-// Returns true if the part cannot affect a player. A part in doubt may do so in the game: answers
-// tell who touches it.
+// Returns true if the part cannot affect a player. A part with doubts may affect a player in the
+// game, so it is kept and answers name it.
 bool isScenery(const PartContext& c) {
   return (c.flags & (kSolid | kTouchRoles)) == 0 && c.part.getDoubts().size() == 0;
 }
@@ -103,7 +103,7 @@ Status PartCompiler::mover(PartContext& c, Collider& collider) {
   const SpinTurns turns = out_.spins.of(plan.spin, keysStand);
   if (turns.upright) {
     snapUpright(keys);
-    c.flags |= kUpright;  // push() drops it for shapes that are not blocks
+    c.flags |= kUpright;  // push() clears the flag for shapes that are not blocks
   }
   keyRows_ += keys.size();
   OBBY_RETURN_IF_ERROR(checkBudget(c));

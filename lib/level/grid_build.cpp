@@ -12,7 +12,8 @@ namespace {
 
 constexpr Vec3 kCell{4, 8, 4};          // studs; about the player's reach, so that lists stay short
 constexpr int64_t kMaxCells = 1 << 21;  // 8 MiB of list indices
-constexpr int64_t kMaxEntries = 1 << 24;  // in all cells' lists, before equal lists are merged
+constexpr int64_t kMaxEntries = 1 << 24;  // entries of all cells' lists, before equal lists are
+                                          // merged
 
 struct Extent {
   int32_t lo[3], hi[3];

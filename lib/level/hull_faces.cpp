@@ -1,8 +1,8 @@
 // Finds the faces of a convex hull. Every triple of vertices with all others on one side is a face.
 // This is cubic in the vertex count, which is at most 255, and runs once a level. Exactness matters
 // more than speed, so there is no incremental structure that could fail. SIMD lanes reject most
-// triples with the same bits as scalar code: some outermost vertex lies on either side, or the face
-// is known. The rest take the scalar path.
+// triples, with the same bits as scalar code: outermost vertices lie on both sides, or the face is
+// known. Scalar code tests the other triples.
 #include "level/hull_faces.h"
 
 #include <algorithm>
@@ -105,7 +105,7 @@ class FaceFinder {
   }
 
   // Returns a bit for each of these triangles that may add a face. tryTriangle() would reject the
-  // others: they are slivers, or each side has a vertex beyond it or is a known face.
+  // others: each is a sliver, or has on either side a vertex beyond it or a known face.
   uint32_t undecided(size_t a, size_t b, size_t first) const {
     const WideVec from = inAllLanes(hull_.vertices[a]);
     const WideVec corner{load(&x_[first]), load(&y_[first]), load(&z_[first])};

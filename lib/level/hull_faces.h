@@ -20,8 +20,8 @@ constexpr size_t kMaxHullVertices = 255;
 constexpr size_t kMaxHullEdges = 32;
 
 // Fills in normals, offsets and edges of a hull with at least one vertex and no repeated ones.
-// `size` is the distance from its first vertex to the farthest, studs. `tolerance` is how far below
-// a face a vertex on it may be, studs. Leaves all empty if there are fewer than four faces.
+// `size` is the distance from its first vertex to the farthest, studs. A vertex up to `tolerance`
+// studs below a face counts as on it. Leaves all tables empty if there are fewer than four faces.
 void findFaces(HullTables& hull, float size, float tolerance);
 
 }  // namespace obby::level

@@ -13,8 +13,8 @@ namespace {
 
 constexpr float kTolerance = 1e-4f;  // share of the hull's size
 
-// Thinner hulls are dropped, including flat ones: slivers that rounding leaves in a union are no
-// floor.
+// Thinner hulls are dropped, including flat ones. Rounding leaves these slivers in a union, and
+// they are not floors.
 constexpr float kThinnest = 0.01f;       // studs
 constexpr float kThinnestShare = 2e-6f;  // share of the hull's size: the precision of its vertices
 
@@ -67,7 +67,7 @@ class Stretch {
     return {at(0), at(1), at(2)};
   }
 
-  // Map back the normal of a face and the direction of an edge.
+  // These map the normal of a face and the direction of an edge back.
   Vec3 normal(Vec3 n) const { return back(n, {1 / half_[0], 1 / half_[1], 1 / half_[2]}); }
   Vec3 edge(Vec3 e) const { return back(e, half_); }
 
@@ -113,7 +113,7 @@ std::pair<float, float> reachAlong(Vec3 n, const std::vector<Vec3>& vertices) {
   return {lo, hi};
 }
 
-// Returns the tables of a hull that is thin for its width, or a needle. Players must not fall
+// Returns the tables of a needle, or of a hull that is thin for its width. Players must not fall
 // through wide floors.
 HullTables thinTables(const std::vector<Vec3>& vertices) {
   const Stretch map(vertices);
@@ -140,8 +140,8 @@ HullTables thinTables(const std::vector<Vec3>& vertices) {
   return hull;
 }
 
-// Returns true if the faces leave a way out to infinity. This happens if the ends of a long beam
-// are too small for faces of their own. Rays would then meet it beyond its ends.
+// Returns true if the faces do not enclose a bounded volume. This happens if the ends of a long
+// beam are too small for faces of their own. Rays would then meet it beyond its ends.
 bool isOpen(const HullTables& hull) {
   const auto leadsOut = [&](Vec3 d) {
     return std::all_of(hull.normals.begin(), hull.normals.end(),

@@ -13,14 +13,14 @@
 
 namespace obby::level {
 
-// Takes at least one vertex. Returns empty normals if the vertices span no volume, or one that is
+// `vertices` must not be empty. Returns empty normals if they span no volume, or one that is
 // thinner than 0.01 studs and 5000 times as wide.
 HullTables hullTables(const std::vector<Vec3>& vertices);
 
 // Returns the eight corners of the box around points, of which there must be at least one.
 std::vector<Vec3> boxAround(const std::vector<Vec3>& points);
 
-// Returns the tables as shapes read them. Valid while the tables live.
+// Returns a view of the tables for shapes. Valid while the tables live.
 geom::Hull viewOf(const HullTables& tables);
 
 // The hulls of a level, each stored once: a place has many copies of one mesh.

@@ -1,6 +1,5 @@
-// Compiles a level record into the immutable form that the simulator reads, and query records, too.
-// All validation of meaning happens here; io checks only form. Errors name the path in the record
-// and the remedy.
+// Compiles level and query records into the immutable form that the simulator reads. All validation
+// of meaning happens here; io checks only form. Errors name the path in the record and the remedy.
 //
 //   OBBY_ASSIGN(const auto level, level::Level::compile(levelRecord));
 //   OBBY_ASSIGN(const auto query, level::Query::compile(queryRecord, level));
@@ -25,8 +24,8 @@ struct StartPose {
   uint32_t tick = 0;  // level clock
 };
 
-// Immutable; safe to share between threads. Whatever it returns by reference, and the view's
-// tables, live as long as the level, wherever it is moved.
+// Immutable, and safe to share between threads. References that it returns, and the view's tables,
+// stay valid while the level lives, even if it is moved.
 class Level {
  public:
   // Errors have `path` set, e.g. "parts[88].size". More than 1 million parts are an error, and so
@@ -42,7 +41,7 @@ class Level {
   uint64_t hash() const;   // digest of everything that can change a trajectory
   bool hasMotion() const;  // true if moving or timed parts make the outcome depend on the clock
   uint32_t motionPeriod()
-      const;  // ticks after which all motion repeats; 0 for no motion, or none within 2^20
+      const;  // ticks after which all motion repeats; 0 without motion, or if it is more than 2^20
   size_t partCount() const;
   const std::string& partName(uint32_t part) const;  // part < partCount(); may be empty
   const std::vector<StartPose>& spawns() const;      // in the record's order; may be empty
@@ -54,11 +53,11 @@ class Level {
   std::unique_ptr<Impl> impl_;
 };
 
-// A query over a level, which need not outlive it. Owns its regions.
+// A compiled query, which owns its regions. The level need not outlive it.
 class Query {
  public:
-  // The places that it names must be resolved (resolve_places.h). Errors have `path` set, relative
-  // to the query.
+  // Places that the record names must be resolved (resolve_places.h). Errors have `path` set,
+  // relative to the query.
   static Result<Query> compile(schema::Query::Reader record, const Level& level);
 
   QueryView view() const;  // valid while this object lives
@@ -72,7 +71,7 @@ class Query {
   std::vector<WaypointView> waypoints_;
   std::vector<TargetView> visits_, avoid_;
   std::vector<uint32_t> touched_;
-  QueryView limits_;  // without the lists
+  QueryView limits_;  // the view without its lists
 };
 
 }  // namespace obby::level

@@ -13,7 +13,7 @@ namespace obby::level {
 
 constexpr uint32_t kNone = 0xffffffffu;
 
-// Bits for what a collider does to a player.
+// The effects of a collider on a player, one bit each.
 enum ColliderFlag : uint32_t {
   kSolid = 1,
   kKill = 2,
@@ -48,7 +48,7 @@ struct alignas(64) Collider {
   uint32_t mover;    // index into movers, or kNone
   uint32_t role;     // index into roles, or kNone
   float friction;    // 0 to 100
-  float grip;        // friction with the player: the mean of both, weighted
+  float grip;        // friction with the player: the weighted mean of both
   float elasticity;  // 0 to 1
   geom::ShapeKind kind;
   uint8_t body;  // index into LevelView::bodies, or kNoBody
@@ -60,8 +60,9 @@ OBBY_DEVICE void forTables(Collider& c, Table&& table) {
   table(c.shape.hull, 1);
 }
 
-// The data that a search for nearby parts reads of each. The upper corner is negated, so that one
-// comparison of eight numbers tests for an overlap; flags and tag read as tiny floats.
+// The data of a collider that a search for nearby parts reads. The upper corner is negated, so that
+// one comparison of eight numbers tests for an overlap. Flags and tag take part in it as tiny
+// floats.
 struct alignas(32) Bounds {
   Vec3 lo, minusHi;
   uint32_t flags;  // ColliderFlag bits
@@ -82,8 +83,8 @@ OBBY_DEVICE Bounds makeBounds(const Box& box, uint32_t flags, uint32_t index, bo
   return {box.lo, -box.hi, flags, tag};
 }
 
-// A clock that a touch starts. A part with a role may start the clock with its role's number. The
-// clocks after those are shared by several parts: signals and boosts.
+// A clock that a touch starts. Clock i is the own clock of role i. Later clocks are shared by
+// several parts: signals and boosts.
 struct Clock {
   uint32_t length = 0;    // ticks, or kForever
   bool restarts = false;  // a touch while it runs starts it again
@@ -92,7 +93,7 @@ struct Clock {
   float jumpFactor = 1;     // x jumpSpeed
   float jumpMore = 0;       // studs/s that are added
   float gravityFactor = 1;  // x gravity
-  bool resets = false;      // values that it leaves alone return to the level's
+  bool resets = false;      // values that it does not change return to the level's
   uint32_t helpless = 0;    // ticks from its start during which keys do nothing
   uint32_t seat = kNone;    // collider on which the player sits while the clock is held at 0
 };
@@ -108,7 +109,7 @@ OBBY_DEVICE bool changesJump(const Clock& c) {
 }
 OBBY_DEVICE bool changesGravity(const Clock& c) { return c.resets || c.gravityFactor != 1; }
 
-constexpr int kMaxStarts = 4;  // clocks that a touch of one part can start; others are left out
+constexpr int kMaxStarts = 4;  // max clocks that a touch of one part can start; others are left out
 
 // One record for each part that has a role, shared by its colliders.
 struct Roles {
@@ -126,7 +127,7 @@ struct Roles {
   uint32_t awayClock;
   uint32_t awayFrom;
   uint32_t starts[kMaxStarts];  // clocks that a touch starts; kNone if unused
-  uint32_t healClock;           // no healing while it runs; kNone heals at every touch
+  uint32_t healClock;           // no healing while this clock runs; if kNone, every touch heals
   Vec3 teleportTo;              // position of the feet
   Turns teleportYaw;
   bool teleportTurns, teleportKeepsVelocity;
@@ -195,7 +196,7 @@ struct Grid {
   const uint32_t* lists;  // each list: count, then collider indices in ascending order, padded with
                           // colliderCount to a multiple of kListStep; before it, at -2 and -1, the
                           // flags of any and of every collider in it
-  uint32_t listWords;     // in all lists together
+  uint32_t listWords;     // words of all lists together
 };
 
 struct LevelView {
@@ -208,10 +209,10 @@ struct LevelView {
   const Clock* clocks;   // (clockCount)
   const DynamicBody* bodies;  // (bodyCount)
   uint32_t colliderCount, roleCount, moverCount, clockCount, bodyCount;
-  uint32_t crushClock;  // counts the ticks of a squeeze; kNone if no part kills by it
+  uint32_t crushClock;  // counts the ticks of a squeeze; kNone if no part crushes
   uint32_t airClock;    // counts jumps in the air (sim/air_jump.h); kNone if not allowed
   Grid grid;
-  Grid bodyGrid;       // the same over centres of dynamic bodies; empty if there are none
+  Grid bodyGrid;       // grid over the centres of dynamic bodies; empty if there are none
   float maxSideSpeed;  // studs/s; the grid's lists cover how far this carries a player in a tick
 };
 

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kTwoPi = 2 * 3.14159265358979323846;
 
-// Integrals over a volume of 1, x and x x^T.
+// Integrals of 1, x and x x^T over a volume.
 struct Moments {
   double volume = 0, first[3] = {}, second[3][3] = {};
 
@@ -33,8 +33,8 @@ Moments diagonal(double volume, double xx, double yy, double zz) {
   return m;
 }
 
-// Returns the moments of the tetrahedron of the origin and three corners, negative if they turn the
-// other way.
+// Returns the moments of the tetrahedron of the origin and three corners. They are negative if the
+// corners have the opposite orientation.
 Moments tetrahedron(Vec3 a, Vec3 b, Vec3 c) {
   const double p[3][3] = {{a.x, a.y, a.z}, {b.x, b.y, b.z}, {c.x, c.y, c.z}};
   const double det = p[0][0] * (p[1][1] * p[2][2] - p[1][2] * p[2][1]) -
@@ -55,7 +55,8 @@ Moments tetrahedron(Vec3 a, Vec3 b, Vec3 c) {
   return m;
 }
 
-// Returns how far below a face its corners may be, which is less than the thickness of a thin hull.
+// Returns the max distance of a face's corners below it. It is less than the thickness of a thin
+// hull.
 float slackOf(const geom::Hull& hull) {
   float size = 0;
   for (uint32_t i = 0; i < hull.vertexCount; ++i) size = maxf(size, length(hull.vertices[i]));

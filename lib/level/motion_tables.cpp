@@ -47,7 +47,7 @@ Result<std::vector<MotionKey>> readKeys(schema::Motion::Reader motion) {
   return keys;
 }
 
-// The pose at `time` seconds into one run through the keys.
+// Returns the pose at `time` seconds into one run through the keys.
 Pose poseAt(const std::vector<MotionKey>& keys, double time) {
   const auto later = [](double t, const MotionKey& key) { return t < key.time; };
   const size_t next =
@@ -91,8 +91,7 @@ Status planKeys(schema::Motion::Reader motion, const Params& params, uint32_t ma
   }
   const uint32_t rows = plan.once ? uint32_t(ticks + wait) + 2 : rowsFor(ticks, maxRows);
   if (length <= 0 || rows == 0) return {};
-  // The table holds whole repetitions. Stretching time by the rounding is far below anything
-  // visible.
+  // The table holds whole repetitions. Rounding stretches time by far too little to be visible.
   const double repetitions = plan.once ? 1 : std::max(1.0, std::round(rows / ticks));
   plan.secondsPerRow = plan.once ? 1.0 / params.controlRate : repetitions * plan.seconds / rows;
   plan.rows = rows;

@@ -41,7 +41,7 @@ struct SpinPlan {
   double speed = 0;    // rad/s
   double offset = 0;   // seconds elapsed at the first row
   uint32_t rows = 0;   // rows of its table; 0 if it does not turn
-  double turns = 1;    // in all rows
+  double turns = 1;    // turns in all rows together
 };
 
 // A checked motion before its tables are made. Few parts need their own tables.
@@ -51,7 +51,7 @@ struct MotionPlan {
   double offset = 0;         // seconds elapsed at the first row
   double seconds = 0;        // duration of one round through the keys
   double secondsPerRow = 0;  // time between rows of the table of keys
-  uint32_t rows = 0;         // rows of the table of keys; 0 for one row, the last key
+  uint32_t rows = 0;         // rows of the table of keys; 0 for a single row with the last key
   uint32_t period = 0;       // ticks of one repetition; all rows if it runs once
   SpinPlan spin;
   Vec3 pivot;  // pivot of the spin, studs from the part's centre, in its frame

@@ -57,15 +57,15 @@ struct Params {
   uint16_t squeezeTicks;
   uint16_t sleepTicks;
 
-  // Set by the query or the trajectory, never by the level.
+  // These are set by the query or the trajectory, never by the level.
   uint16_t tricks;         // bits of the tricks that the player may use
   uint16_t directionStep;  // turns / 65536 between two headings that the player can walk in, a
                            // power of two; 0 for any heading
   uint16_t directionFrom;  // one of these headings
 };
 
-// Returns the ticks of a duration, to the nearest and at most 2^24. Returns 0 for a negative one or
-// NaN.
+// Returns a duration in ticks, rounded to the nearest and at most 2^24. Returns 0 for a negative
+// duration or NaN.
 OBBY_DEVICE uint32_t ticksFromSeconds(const Params& p, float seconds) {
   const float t = seconds * float(p.controlRate) + 0.5f;
   return t >= 1 ? (t < 16777216.0f ? uint32_t(t) : 16777216u) : 0u;
@@ -78,8 +78,8 @@ OBBY_DEVICE float pairFriction(const Params& p, float friction, float weight) {
   return (friction * weight + p.playerFriction * p.playerFrictionWeight) / sum;
 }
 
-// Returns the studs that a launch at `speed` studs/s raises the feet, under a gravity above 0. Its
-// first step is free of gravity.
+// Returns the rise of the feet after a launch at `speed` studs/s, in studs. `gravity` must be above
+// 0. The first step of a launch is without gravity.
 OBBY_DEVICE float riseOfLaunch(const Params& p, float gravity, float speed) {
   return 0.5f * speed * (speed / gravity + p.substepSeconds);
 }

@@ -51,7 +51,7 @@ void setRate(uint16_t from, uint16_t to, schema::Query::Builder query);
 
 // Returns the tick at rate `to` that is nearest to the time of `tick` at rate `from`.
 uint32_t tickAtRate(uint32_t tick, uint32_t from, uint32_t to);
-// Returns the first tick that is not earlier.
+// Returns the first tick at rate `to` that is not earlier than that time.
 uint32_t nextTickAtRate(uint32_t tick, uint32_t from, uint32_t to);
 
 }  // namespace obby::level

@@ -80,7 +80,8 @@ void QueryTargets::leaveFoot(uint32_t part, geom::Region& region) {
   region.half.y = 0.5f * (high - low);
 }
 
-// Adds a part's colliders to touched_ once, because lists may name it again, and a tag thousands.
+// Adds a part's colliders to touched_, once for each part. Lists may name a part again, and a tag
+// may fit thousands of parts.
 void QueryTargets::listTouched(uint32_t part, TargetView& target) {
   const ColliderRun run = runs_.of(part);
   listed_.resize(parts_, kNone);

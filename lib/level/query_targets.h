@@ -22,8 +22,8 @@ class QueryTargets {
   QueryTargets(const LevelView& level, size_t parts, std::vector<uint32_t>& touched)
       : level_(level), parts_(parts), runs_(level), touched_(touched) {}
 
-  // A solid part is to be stood on if `arrive` is STAND. Otherwise it is to be entered, as a box
-  // is. Errors are at `path`.
+  // If `arrive` is STAND, the player must stand on a solid part. Otherwise the player must enter
+  // its box. Errors are at `path`.
   Result<TargetView> compile(schema::Region::Reader record, const std::string& path,
                              schema::Arrive arrive);
   Result<std::vector<TargetView>> compile(capnp::List<schema::Region>::Reader list,

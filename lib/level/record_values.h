@@ -42,8 +42,8 @@ inline bool isFinite(Vec3 v) {
 std::string shown(Vec3 v);
 std::string shown(float number);
 
-// This and the following return the value, or an error at `path`. Studs, each within
-// kMaxCoordinate.
+// This and the next functions return the value, or an error at `path`. Positions are in studs, each
+// coordinate within kMaxCoordinate.
 inline Result<Vec3> position(schema::Vec3::Reader record, const std::string& path) {
   const Vec3 v = vec(record);
   if (!isFinite(v) || maxf(absf(v.x), maxf(absf(v.y), absf(v.z))) > kMaxCoordinate) {
@@ -84,7 +84,7 @@ inline Result<Quat> quaternion(schema::Quat::Reader record, const std::string& p
   return normalize(q);
 }
 
-// The same as a matrix.
+// Returns the same rotation as a matrix.
 inline Result<Mat3> rotation(schema::Quat::Reader record, const std::string& path) {
   OBBY_ASSIGN(const Quat q, quaternion(record, path));
   return toMat3(q);

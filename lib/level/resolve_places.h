@@ -12,8 +12,8 @@ namespace obby::level {
 // Returns true if any region of the query names a part.
 bool namesParts(schema::Query::Reader query);
 
-// Max entries of a query's lists together that stand for parts, after each #tag or name was
-// expanded to all its parts. Each is tested after every tick.
+// Max entries that stand for parts in all lists of a query together, after each #tag or name is
+// expanded to all its parts. Each entry is tested after every tick.
 constexpr size_t kMaxPlaces = 100000;
 
 // Sets the box, name and partIndex of every region of the query that has a `part`. A list entry

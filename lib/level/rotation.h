@@ -53,7 +53,7 @@ inline Mat3 rotationAbout(Vec3 axis, double angle) {
           {float(x * z * k + y * s), float(y * z * k - x * s), float(c + z * z * k)}};
 }
 
-// Returns the pose in the world of a pose `b` in the frame of `a`.
+// Returns the world pose of `b`, which is given in the frame of `a`.
 inline Pose operator*(const Pose& a, const Pose& b) {
   return {toWorld(a, b.position), a.rotation * b.rotation};
 }

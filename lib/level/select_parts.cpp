@@ -16,12 +16,12 @@ namespace obby::level {
 namespace {
 
 constexpr size_t kShown = 5;        // candidates in a hint
-constexpr int kLongestEnd = 8;      // path components that are tried as its end
+constexpr int kLongestEnd = 8;      // max path components in a selector that is the end of a path
 constexpr float kGrowUp = 0.5f;     // studs
 constexpr float kGrowSide = 1;      // studs
 constexpr float kStandingRoom = 5;  // studs
 
-// Lists parts by selectors that can be typed.
+// Returns a list of selectors that can be typed, one for each part.
 std::string listParts(PartIndex& index, const std::vector<uint32_t>& parts) {
   std::string text;
   for (size_t i = 0; i < std::min(parts.size(), kShown); ++i) {
@@ -30,7 +30,8 @@ std::string listParts(PartIndex& index, const std::vector<uint32_t>& parts) {
   return parts.size() > kShown ? fmt::format("{}, and {} more", text, parts.size() - kShown) : text;
 }
 
-// Returns the names that contain `wanted`, or none if it is empty. All are in lower case.
+// Returns the indices of the names that contain `wanted`, or none if it is empty. All names are in
+// lower case.
 std::vector<uint32_t> having(const std::vector<std::string>& names, const std::string& wanted) {
   std::vector<uint32_t> out;
   for (uint32_t i = 0; !wanted.empty() && i < names.size(); ++i) {
@@ -39,7 +40,8 @@ std::vector<uint32_t> having(const std::vector<std::string>& names, const std::s
   return out;
 }
 
-// Returns the names that equal the one spelled most like `wanted`. All are in lower case.
+// Returns the indices of the names that equal the one spelled most like `wanted`. All names are in
+// lower case.
 std::vector<uint32_t> spelledLike(const std::vector<std::string>& names,
                                   const std::string& wanted) {
   std::vector<uint32_t> out;
@@ -189,7 +191,7 @@ Result<uint32_t> matchPart(schema::Level::Reader level, const std::string& selec
 
 Result<std::optional<PlainRegion>> boxFromText(const std::string& text) {
   std::array<float, 6> v{};
-  bool fits = true;  // true if they fit into floats
+  bool fits = true;  // true if the numbers fit into floats
   const char *at = text.data(), *end = text.data() + text.size();
   for (size_t i = 0; i < v.size(); ++i) {
     const auto [next, error] = std::from_chars(at, end, v[i]);

@@ -1,4 +1,5 @@
-// The max speeds that a level's parts can give a player. They bound how far a tick carries one.
+// The max speeds that a level's parts can give a player. They bound the distance that a player
+// moves in a tick.
 #pragma once
 
 #include "level/compile_parts.h"

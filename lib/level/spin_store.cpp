@@ -10,8 +10,8 @@
 namespace obby::level {
 namespace {
 
-// Returns everything that spinTable() reads, with the speed only through its rows. Plans that make
-// equal tables have equal bytes, except for the sign of a zero.
+// Returns the bytes of everything that spinTable() reads; the speed counts only through its rows.
+// Plans that make equal tables have equal bytes, except for the sign of a zero.
 std::string bytesOf(const SpinPlan& plan, bool upright) {
   const std::array<double, 8> parts{double(plan.axis.x),      double(plan.axis.y),
                                     double(plan.axis.z),      plan.turns,

@@ -13,7 +13,7 @@
 
 namespace obby::level {
 
-// A table of turns. Valid while the store, or what it was moved to, lives.
+// A table of turns. Valid while the store lives, or the one that it was moved to.
 struct SpinTurns {
   std::span<const Mat3> rows;  // empty if it does not turn
   bool upright = false;        // true if all rows leave local Y exactly unchanged
@@ -25,7 +25,7 @@ class SpinStore {
   // unchanged.
   SpinTurns of(const SpinPlan& plan, bool upright);
 
-  size_t rows() const { return rows_; }  // in all tables together
+  size_t rows() const { return rows_; }  // rows of all tables together
 
  private:
   std::span<const Mat3> kept(std::vector<Mat3> rows);

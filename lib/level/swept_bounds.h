@@ -22,8 +22,8 @@ class SweptBounds {
   Box of(Vec3 half) const;
 
  private:
-  // Successive rows with one rotation, and the places of the point that the spin leaves fixed.
-  // Merged rows have the largest of all their numbers instead of a rotation.
+  // Successive rows with one rotation. `places` bounds the positions of the point that the spin
+  // leaves fixed. In merged runs `rotation` has the largest magnitude of each element instead.
   struct Run {
     Mat3 rotation;
     Box places;

@@ -1,6 +1,6 @@
-// Makes blocks upright if possible: a block on its side equals another block that stands. Floor
-// rays against upright blocks need two comparisons, and most parts of a level are upright blocks.
-// Rotations within 1e-6 of upright are snapped to it.
+// Makes blocks upright if possible: a block that lies on its side equals another block that stands.
+// Floor rays against upright blocks need two comparisons, and most parts of a level are upright
+// blocks. Rotations within 1e-6 of upright are snapped to it.
 #pragma once
 
 #include <vector>
@@ -9,8 +9,8 @@
 
 namespace obby::level {
 
-// Changes pose and half extents to an equal block whose local Y is the world's, if one axis is
-// vertical. Returns true if it did.
+// If one axis is vertical, changes pose and half extents to those of an equal block whose local Y
+// is the world's. Returns true if it did.
 bool makeUpright(Collider& collider);
 
 // Returns true if local Y is the world's Y in all rows.

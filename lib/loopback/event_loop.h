@@ -15,7 +15,8 @@ using Note = std::function<void(const std::string&)>;
 
 // Must be on the stack, one per thread.
 class EventLoop {
-  // Turns what the loop's library would print into notes, while any part of the loop exists.
+  // Turns messages that the loop's library would print into notes, while any part of the loop
+  // exists.
   class Quiet final : public kj::ExceptionCallback {
    public:
     explicit Quiet(Note note) : note_(std::move(note)) {}

@@ -47,13 +47,13 @@ class Server : protected kj::HttpService,
   kj::Promise<void> send(Reply reply, const kj::HttpHeaders& headers, Response& response);
   // Returns the headers of every reply: its type, no caching, no sniffing. More may be set.
   kj::HttpHeaders answerHeaders(const std::string& type) const;
-  // Fails with a kj exception of type OVERLOADED if it takes too long.
+  // Fails with a kj exception of type OVERLOADED if the write takes too long.
   kj::Promise<void> inTime(kj::Promise<void> written);
   void note(const std::string& text) const { note_(text); }
   const kj::HttpHeaderTable& headerTable() const { return *table_; }
 
-  // Return a header of a request. The library treats an empty header with an id as absent, but
-  // finds it by its name.
+  // These return a header of a request. The library treats an empty header with an id as absent,
+  // but finds it by its name.
   static std::optional<std::string_view> valueOf(const kj::HttpHeaders& headers,
                                                  kj::HttpHeaderId id);
   static std::optional<std::string_view> valueOf(const kj::HttpHeaders& headers, const char* name);

@@ -31,8 +31,8 @@ OBBY_DEVICE float expOf(float x) {
   return x > 0 ? 1.0f / expNegative(x < 80.0f ? -x : -79.99999f) : expNegative(x);
 }
 
-// Returns the natural logarithm of a normal number above 0. The error is below 2e-7 of the larger
-// of it and 1.
+// Returns the natural logarithm of a normal number above 0. The error is below 2e-7, or 2e-7 times
+// the magnitude of the result if that is above 1.
 OBBY_DEVICE float logOf(float x) {
   const uint32_t bits = __builtin_bit_cast(uint32_t, x);
   // x = m 2^e with m in [sqrt(1/2), sqrt(2)).

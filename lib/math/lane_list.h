@@ -26,7 +26,7 @@ struct LaneList<T, float, kMax> {
   }
 
  private:
-  union {  // keeps the array from being filled
+  union {  // leaves the array uninitialised
     T items_[kMax];
   };
 };

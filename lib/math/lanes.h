@@ -1,8 +1,8 @@
-// One source for one world and for many at once. Functions that matter for speed are templates on
-// the number type F. float is one world (the scalar tick, and a GPU thread); WideFloat of
-// simd/wide.h is as many worlds as the CPU has SIMD lanes. Every lane runs the same IEEE operations
-// as a single world, so that both return the same bits. select() replaces branches, and a branch
-// only skips work that no lane needs.
+// Lets the same source serve one world and many at once. Functions that matter for speed are
+// templates on the number type F. float is one world (the scalar tick, and a GPU thread); WideFloat
+// of simd/wide.h is as many worlds as the CPU has SIMD lanes. Every lane runs the same IEEE
+// operations as a single world, so that both return the same bits. select() replaces branches, and
+// a branch only skips work that no lane needs.
 #pragma once
 
 #include <stdint.h>
@@ -42,7 +42,8 @@ OBBY_DEVICE float maxf(float a, float b) { return a > b ? a : b; }
 OBBY_DEVICE float absf(float v) { return __builtin_fabsf(v); }
 OBBY_DEVICE float sqrtf32(float v) { return __builtin_sqrtf(v); }  // correctly rounded everywhere
 
-// Lanes of a row: the one lane of a float. WideFloat has its own where rows are read.
+// These load and store the lanes of a row. A float is a row of one lane. WideFloat has its own
+// functions.
 OBBY_DEVICE void loadRow(const float* from, float& row) { row = *from; }
 OBBY_DEVICE void storeRow(float row, float* to) { *to = row; }
 OBBY_DEVICE float greatestOf(float row) { return row; }

@@ -1,5 +1,5 @@
 // Sources of the actions of many worlds during a launch of several ticks: a table, a plan for each
-// world, or a walker that draws them. One source for CPU and GPU.
+// world, or a walker that draws them. CPU and GPU share this code.
 #pragma once
 
 #include <stddef.h>
@@ -21,7 +21,8 @@ struct ActionView {
 
 constexpr uint32_t kWalkerHold = 15;  // ticks that a walker holds an action
 
-// Random play as a function of world, episode and tick alone, so that worlds keep no state for it.
+// Returns a random action, which depends only on seed, world, episode and tick. So worlds keep no
+// state for it.
 OBBY_DEVICE Action walkerAction(uint64_t seed, uint32_t world, uint32_t episode, uint32_t tick) {
   const uint64_t stream = (uint64_t(episode) << 44) + world * 1000000ull + tick / kWalkerHold;
   Random random(seed, stream);

@@ -9,7 +9,7 @@
 
 namespace obby::sim {
 
-// In the order of --backend's choices.
+// The order is that of the choices of --backend.
 enum class BackendKind { automatic, cpu, cuda };
 
 // Parses "auto", "cpu" or "cuda". An error names the choices.

@@ -26,7 +26,8 @@ struct Course {
   std::vector<level::LevelView> levels;   // at least one; their tables must outlive the batch
   std::vector<level::QueryView> queries;  // one a level, or empty for no rules
   std::vector<World> starts;              // one a level
-  std::vector<uint32_t> queue;            // levels in the order of play; empty for their own order
+  std::vector<uint32_t> queue;            // level indices in the order of play; empty to play each
+                                          // once in order
   bool restarts = false;                  // a world whose trajectory has ended takes its next level
 
   // Dynamic bodies at the starts, filled in when a batch is made: (levels, bodyStride).
@@ -70,8 +71,8 @@ class Batch {
   Status step(uint32_t ticks, const Actions& actions);
 
   // restore() replaces the worlds from `first` on, which must be worlds of the batch. Snapshots are
-  // plain copies of the worlds and of their dynamic bodies: (worlds, bodyStride), none if no level
-  // has any. Errors are those of the device.
+  // plain copies of the worlds and of their dynamic bodies: (worlds, bodyStride), or empty if no
+  // level has bodies. Errors are those of the device.
   virtual Status restore(uint32_t first, std::span<const World> worlds,
                          std::span<const RigidBody> bodies = {}) = 0;
   virtual Result<std::vector<World>> worlds() const = 0;

@@ -58,7 +58,8 @@ OBBY_DEVICE MaskOf<F> legsLift(MaskOf<F> hover, F upward, F floorSpeed) {
   return hover & (upward > floorSpeed + kSettledSpeed);
 }
 
-// 1/s. The speed of a hanging landing falls to 0.375 of itself in a step of 1/240 s (measured).
+// Damping of a hanging landing, 1/s. A step of 1/240 s reduces the speed to 0.375 of itself
+// (measured).
 constexpr float kHangGain = 150;
 
 // Returns the acceleration of a substep.
@@ -86,12 +87,13 @@ OBBY_DEVICE Vec3T<F> acceleration(const MotionT<F>& m, const Params& p) {
 template <class F>
 OBBY_DEVICE MaskOf<F> isConstant(const MotionT<F>& m, const Params& p) {
   const DriveT<F>& d = m.drive;
-  // On the legs it is constant only at rest, and on a floor without vertical motion.
+  // While the legs hold the body, the acceleration is constant only at rest on a floor without
+  // vertical motion.
   const MaskOf<F> bounces =
       d.hover & ((m.position.y != m.floorY) | (m.velocity.y != 0.0f) | (m.floorSpeed != 0.0f));
   const F dx = d.velocity.x - m.velocity.x, dz = d.velocity.z - m.velocity.z;
   const F left = dx * dx + dz * dz;
-  // It stays at the limit while the speed difference exceeds limit / moveGain.
+  // The acceleration stays at the limit while the speed difference exceeds limit / moveGain.
   const F needed = d.limit * (1.0f / p.moveGain + p.tickSeconds);
   return ((left == 0.0f) | (left > needed * needed)) & !bounces;
 }
@@ -112,7 +114,7 @@ OBBY_DEVICE void accelerate(MotionT<F>& m, const level::LevelView& level, float 
   m.drive.freeSteps -= F(1.0f);
 }
 
-// Takes all steps of a tick at once, for an acceleration that is constant through it.
+// Takes all steps of a tick at once, for an acceleration that is constant during the tick.
 template <class F>
 OBBY_DEVICE void integrate(MotionT<F>& m, const level::LevelView& level, float dt, int steps) {
   const Vec3T<F> a = acceleration(m, level.params);
@@ -129,8 +131,8 @@ OBBY_DEVICE void integrate(MotionT<F>& m, const level::LevelView& level, float d
 template <class F>
 OBBY_DEVICE BoxT<F> bodyReach(const MotionT<F>& m, const Params& p) {
   const float dt = p.tickSeconds;
-  // Sideways the body is no faster than now or than wanted. Vertically gravity adds speed. The legs
-  // lift it only if the floor is above the feet, and no higher than the floor.
+  // Sideways the body is no faster than it is now or wants to be. Vertically gravity adds speed.
+  // The legs lift it only if the floor is above the feet, and no higher than the floor.
   const float more = m.drive.gravity * dt * dt + p.contactSkin;
   const F lift = select(m.drive.hover, maxf(m.floorY - m.position.y, F(0.0f)), F(0.0f));
   const Vec3T<F> fastest = max(abs(m.velocity), abs(m.drive.velocity));
@@ -221,7 +223,7 @@ OBBY_DEVICE bool collide(Motion& m, const level::LevelView& level, const Candida
 }
 
 // Ends a move that began at `from`. A body that does not fit between `solids` goes back sideways,
-// so that nothing is pressed into a part, through it or out of its far side.
+// so that it is pressed neither into a part nor through one.
 OBBY_DEVICE void endMove(Motion& m, Vec3 from, const level::LevelView& level,
                          const Candidates& near, CandidateSet solids) {
   if (solids == 0 || collide(m, level, near, solids)) return;
@@ -229,7 +231,7 @@ OBBY_DEVICE void endMove(Motion& m, Vec3 from, const level::LevelView& level,
   m.position.z = from.z;
 }
 
-// Moves for `dt` seconds among `solids`.
+// Moves the body for `dt` seconds among `solids`.
 OBBY_DEVICE void moveAmong(Motion& m, const level::LevelView& level, const Candidates& near,
                            CandidateSet solids, float dt) {
   const Vec3 from = m.position;
@@ -251,7 +253,7 @@ OBBY_DEVICE F substepTravel(const MotionT<F>& m, const Params& p) {
   return (maxf(maxf(v.x, v.z), v.y) + m.drive.gravity * p.tickSeconds) * p.substepSeconds;
 }
 
-// Moves of a substep near solid parts. Very fast players need several.
+// Very fast players need several moves in a substep near solid parts.
 constexpr int kMaxSplits = 32;
 OBBY_DEVICE int contactSplits(const Motion& m, const Params& p) {
   const float travel = substepTravel(m, p), limit = safeTravel(m, p);

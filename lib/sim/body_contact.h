@@ -79,8 +79,7 @@ OBBY_DEVICE F speedOf(const PairT<F>& s, const PushT<F, kBodies>& p, Vec3T<F> al
   return dot(along, s.velocity[1] - s.velocity[0]) + (turning - dot(p.turn[0], s.spin[0]));
 }
 
-// Applies an impulse along the line in the lanes of `asked`. A part has no mass and does not
-// respond.
+// Applies an impulse along the line in the lanes of `asked`. A part does not respond.
 template <class F, int kBodies>
 OBBY_DEVICE void pushApart(PairT<F>& s, const PushT<F, kBodies>& p, Vec3T<F> along, F impulse,
                            MaskOf<F> asked) {
@@ -93,7 +92,7 @@ OBBY_DEVICE void pushApart(PairT<F>& s, const PushT<F, kBodies>& p, Vec3T<F> alo
   }
 }
 
-// `turns` are those of PushT. `inverseMass` is 0 for a pure rotation.
+// Returns a push with these `turns` (PushT::turn). `inverseMass` is 0 for a pure rotation.
 template <class F, int kBodies>
 OBBY_DEVICE PushT<F, kBodies> pushAlong(const RigidT<F>* const (&bodies)[kBodies],
                                         const Vec3T<F> (&turns)[kBodies], F inverseMass) {

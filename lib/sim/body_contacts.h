@@ -26,7 +26,7 @@ struct BodyContact : BodyContactT<float, 2> {
 
 // Bodies that may meet each other, with or without the player.
 struct BodyScene {
-  // Unions keep the arrays from being filled for every tick.
+  // Unions leave the arrays uninitialised, because filling them in every tick is slow.
   union {
     Rigid bodies[level::kMaxBodies + 1];  // the last stands for all parts and does not move
   };
@@ -38,7 +38,7 @@ struct BodyScene {
   OBBY_DEVICE BodyScene() {}
 };
 
-// Returns the max distance of two shapes that are a contact at this speed.
+// Returns the distance up to which two shapes at this speed have a contact.
 OBBY_DEVICE float contactMargin(const Params& p, float speed) {
   return 2 * p.contactSkin + speed * p.tickSeconds;
 }

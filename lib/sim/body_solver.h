@@ -59,8 +59,8 @@ OBBY_DEVICE void pressTo(PairT<F>& s, ContactPointT<F, kBodies>& p, Vec3T<F> nor
   p.max = select(asked, maxf(p.max, sum), p.max);
 }
 
-// Removes `speed`, which is negative, at all points at once. One after another they would make a
-// body spin.
+// Removes `speed`, which is negative, at all points at once. Solving the points one after another
+// would make a body spin.
 template <class F, int kBodies>
 OBBY_DEVICE void pressAll(PairT<F>& s, BodyContactT<F, kBodies>& c, F speed, MaskOf<F> asked) {
   const F impulse = -c.press.mass * speed, share = impulse / toFloat(c.count);

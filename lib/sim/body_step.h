@@ -6,7 +6,8 @@
 
 namespace obby::sim {
 
-// Returns true if `c` supports body `i` at rest. Sets `other` to what the body stands on.
+// Returns true if `c` supports body `i` at rest. Sets `other` to the body or part that it stands
+// on.
 OBBY_DEVICE bool holdsUp(const BodyContact& c, int i, int& other) {
   other = c.a == i ? c.b : c.a;
   return holdsUp<float, 2>(

@@ -18,7 +18,7 @@ struct Candidate {
 };
 
 struct Candidates {
-  // Unions keep the arrays from being zeroed for every tick of every world.
+  // Unions leave the arrays uninitialised, because zeroing them in every tick is slow.
   union {
     Candidate items[kMaxCandidates];  // the first `count` are valid
   };
@@ -32,9 +32,8 @@ struct Candidates {
   int movingCount = 0;
   uint32_t anyFlags = 0;
   uint32_t bodiesNear = 0;   // bodies among the items, one bit each
-  int footedOn = -1;         // item that the feet hold the player on; -1 for none
-  uint32_t bodiesApart = 0;  // bodies that are moved elsewhere in this tick, one bit each
-                             // (wide_bodies.h)
+  int footedOn = -1;         // item on which the feet stand; -1 for none
+  uint32_t bodiesApart = 0;  // bodies that wide_bodies.h moves in this tick, one bit each
 
   OBBY_DEVICE Candidates() {}
 };
@@ -47,7 +46,7 @@ OBBY_DEVICE Pose poseOf(const level::Collider& c, const World& w, const RigidBod
   return c.mover == level::kNone ? c.pose : poseOf(level.movers[c.mover], w, later);
 }
 
-// Returns true if its body has fallen out of the world.
+// Returns true if the collider's body has fallen out of the world.
 OBBY_DEVICE bool isGone(const level::Collider& c, const RigidBody* bodies) {
   return bodies && c.body != level::kNoBody && bodies[c.body].state == RigidBodyState::gone;
 }
@@ -120,7 +119,7 @@ OBBY_DEVICE void gatherBodies(World& w, const RigidBody* bodies, const level::Le
   }
 }
 
-// `p` includes the player's boosts.
+// Collects the parts near the player. `p` includes the player's boosts.
 OBBY_DEVICE void gather(World& w, const RigidBody* bodies, const level::LevelView& level,
                         const Params& p, Candidates& out) {
   const Box near = tickBounds<float>(w.position, w.velocity, p);

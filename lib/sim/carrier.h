@@ -1,5 +1,5 @@
-// Finds what carries the player: a floor, a truss or a seat. It serves callers between two ticks;
-// no tick needs it.
+// Finds the floor, truss or seat that carries the player. It serves callers between two ticks; no
+// tick needs it.
 #pragma once
 
 #include "sim/climb.h"

@@ -129,15 +129,15 @@ OBBY_DEVICE void leaveTruss(Player& w, const Params& p, const Truss& truss) {
   w.floorlessSteps = int32_t(p.coyoteSteps);  // one jump per take-off
 }
 
-// Beyond the truss the climb continues while it leads onto a floor that is still above the feet.
-// Then the player stands on the floor, without a leap.
+// Beyond the end of the truss the climb continues while it leads onto a floor that is still above
+// the feet. Then the player stands on the floor, without a leap.
 OBBY_DEVICE void passTruss(Player& w, const Params& p, const Floor& floor, Truss& truss,
                            const ControlT<float>& control) {
   truss.toward = directionOf(sinCosOf<float>(w.yaw));
   truss.velocity = floor.velocity;
   const float step = climbSpeedOf(p) * p.tickSeconds;
   if (floor.sensed && floor.gap < -step && climbWill(p, truss, control) > 0) return;
-  // Without a floor, and with its grace over, running would become Freefall.
+  // The coyote time is over, so running without a floor would become freefall.
   w.state = int32_t(floor.sensed ? State::running : State::freefall);
   if (floor.sensed) w.velocity.y = minf(w.velocity.y, floor.velocity.y);
 }

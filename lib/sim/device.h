@@ -60,7 +60,7 @@ class Device {
   virtual Result<KernelFacts> facts(const Kernel& kernel) const = 0;
 };
 
-// Device::enqueue with the kernel's own arguments.
+// Calls Device::enqueue with typed arguments.
 template <class Arguments>
 Status enqueue(Device& device, const Kernel& kernel, const Arguments& arguments, size_t count) {
   return device.enqueue(kernel, &arguments, uint32_t(count));
@@ -107,7 +107,7 @@ class Memory {
 template <class T>
 Status reserve(Device& device, Memory& memory, T*& table, size_t count) {
   if (memory.bytes() < count * sizeof(T)) {
-    memory = {};  // first, so that both never exist at once
+    memory = {};  // freed first, so that the old and new memory never coexist
     OBBY_ASSIGN(memory, Memory::of(device, count * sizeof(T)));
   }
   table = memory.as<T>();

@@ -16,7 +16,7 @@ class DeviceTable {
     count_ = count;
     return reserve(device, memory_, data_, count);
   }
-  // The same with every byte 0.
+  // Makes the table hold `count` items whose bytes are all 0.
   Status makeZero(Device& device, size_t count) {
     OBBY_RETURN_IF_ERROR(make(device, count));
     return clear();

@@ -11,7 +11,8 @@ struct FirstWorlds {
   std::vector<RigidBody> bodies;  // (worlds, Course::bodyStride)
 };
 
-// Checks the course, and fills in an empty queue and the dynamic bodies of the starts.
+// Checks the course, and sets the dynamic bodies of its starts. An empty queue becomes all levels
+// in order.
 Result<FirstWorlds> firstWorlds(Course& course, uint32_t count);
 
 }  // namespace obby::sim

@@ -29,7 +29,7 @@ template <class F>
 struct FloorRaysT {
   Vec3T<F> origin;       // centre ray, world
   Vec3T<F> right, back;  // corner offsets, world
-  F reach;               // studs below the origin line
+  F reach;               // length of the rays below their origins, studs
   F distance[kFloorRays];
   Vec3T<F> normal[kFloorRays];
   bool tilted = false;  // true if a normal may differ from up
@@ -56,8 +56,8 @@ OBBY_DEVICE FloorRaysT<F> makeRays(const PlayerT<F>& w, const Params& p) {
   rays.back = {yaw.sin * z, 0, yaw.cos * z};
   const F hysteresis = select(w.sensed, F(p.floorKeep), F(p.floorAcquire));
   rays.reach = p.floorReachBase * p.rootHeight + hysteresis * p.hipHeight;
-  // A fall that crosses the rays' length in one tick looks as far ahead, so that it misses no thin
-  // floor between two ticks.
+  // A fast fall extends the rays to the distance of one tick, so that it does not miss a thin
+  // floor.
   const F fall = -w.velocity.y * p.tickSeconds;
   rays.reach = select(fall > rays.reach, fall, rays.reach);
   rays.reach = select(w.velocity.y < -p.fastFall, rays.reach + (-w.velocity.y - p.fastFall) * 0.01f,
@@ -133,7 +133,7 @@ OBBY_DEVICE void castAtUpright(FloorRaysT<F>& rays, const geom::BlockT<F>& block
 }
 
 // Casts the rays at a block with any rotation. Uses the slabs of geom/shapes/block.h, and computes
-// once what the rays share.
+// the shared values of the rays once.
 template <class F>
 OBBY_DEVICE void castAtTilted(FloorRaysT<F>& rays, const geom::BlockT<F>& block, int index,
                               MaskOf<F> asked) {
@@ -224,8 +224,8 @@ OBBY_DEVICE void surfaceMotion(const World& w, const RigidBody* bodies,
   }
 }
 
-// Returns the column that rays can reach at any facing, before they are made. Most ticks in the air
-// end with this test. Lanes skip it, so it must cover every hit of a ray, with a margin for
+// Returns the column that rays can reach at any facing, before the rays are made. Most ticks in the
+// air end with this test. Lanes skip it, so it must cover every hit of a ray, with a margin for
 // rounding.
 OBBY_DEVICE Box columnOf(const World& w, const Params& p) {
   constexpr float kMargin = 0.25f;  // studs; above the rounding of any position

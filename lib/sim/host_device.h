@@ -1,5 +1,5 @@
-// The CPU in place of a GPU, with separate memory and the same kernels, one index after another. It
-// tests uploads and kernels without a GPU. The lanes of makeCpuBatch are the fast way.
+// Runs kernels on the CPU in place of a GPU, one index after another, with separate memory. Tests
+// use it to check uploads and kernels without a GPU. For speed, use the lanes of makeCpuBatch.
 #pragma once
 
 #include "base/thread_pool.h"

@@ -13,8 +13,8 @@ struct DriveT {
   F limit = 0;              // max horizontal acceleration, studs/s^2
   Vec3T<F> slide;           // acceleration down a floor that is too steep
   MaskOf<F> hover = false;  // the legs hold the body above the floor
-  MaskOf<F> hangs = false;  // above the floor the body slows down to a stop (a trick)
-  F freeSteps = 0;          // first steps of the tick that are without gravity
+  MaskOf<F> hangs = false;  // the body hangs above the floor and slows to a stop (a trick)
+  F freeSteps = 0;          // steps without gravity at the start of the tick
   float gravity = 0;        // gravity of the player, studs/s^2
 };
 
@@ -23,7 +23,7 @@ using Drive = DriveT<float>;
 // Returns the speed up and down a truss, studs/s.
 OBBY_DEVICE float climbSpeedOf(const Params& p) { return p.climbSpeed * p.walkSpeed; }
 
-// Radians that the body must turn for a jump to be held (measured at a turn rate of 1.15 rad/s).
+// Angle that the body must turn for a held jump, radians (measured at a turn rate of 1.15 rad/s).
 constexpr float kHeldJumpTurn = 0.137f;
 
 // Returns the signed angle from the facing to the heading, turns / 65536.
@@ -34,7 +34,7 @@ OBBY_DEVICE F turnLeft(const PlayerT<F>& w, const ControlT<F>& control) {
 
 // Wall hops and corner flips: in the air the player can face any heading at once, as with the
 // camera locked behind the body. The floor rays then start inside the wall, before the body is
-// pushed out, so that a seam or a corner of it is a floor. Comes before the floor is sensed.
+// pushed out, so that a seam or a corner of it is a floor. Runs before the floor is sensed.
 template <class F>
 OBBY_DEVICE void faceAtOnce(PlayerT<F>& w, const Params& p, const ControlT<F>& control) {
   if (!(p.tricks & kWallHop)) return;
@@ -42,8 +42,8 @@ OBBY_DEVICE void faceAtOnce(PlayerT<F>& w, const Params& p, const ControlT<F>& c
 }
 
 // Held jumps: a jump that begins while the body turns continues without gravity while a floor is
-// sensed. landedSteps, which has no other use in this state, marks it. `jumping` is true since an
-// earlier tick, `jumps` from this tick on.
+// sensed. landedSteps, which has no other use in this state, marks it. `jumping` is true if the
+// jump began in an earlier tick, `jumps` if it begins in this one.
 template <class F>
 OBBY_DEVICE void holdJump(PlayerT<F>& w, const Params& p, const FloorT<F>& floor,
                           const ControlT<F>& control, MaskOf<F> jumping, MaskOf<F> jumps) {
@@ -60,7 +60,7 @@ OBBY_DEVICE void holdJump(PlayerT<F>& w, const Params& p, const FloorT<F>& floor
 // A torso that rests on an edge supports the body even if no floor ray finds the edge. For
 // kHangSteps the player may pull itself up. After that the legs hang in the air and the player
 // cannot move, neither along the edge nor against a belt (a guess: no recording shows it).
-// landedSteps, which has no other use in this state, counts.
+// landedSteps, which has no other use in this state, counts the steps.
 constexpr int32_t kHangSteps = 24;     // steps of 1/240 s
 constexpr float kHangFriction = 0.3f;  // plastic on plastic
 
@@ -105,7 +105,7 @@ OBBY_DEVICE void updateState(PlayerT<F>& w, const Params& p, const FloorT<F>& fl
   // A rising player never lands, which prevents double jumps.
   const Mask lands = falling & floor.sensed & (w.velocity.y <= floor.velocity.y);
   next = select(lands, to(p.landedSteps > 0 ? State::landed : State::running), next);
-  // The tick of the landing counts.
+  // The tick of the landing is counted.
   const Int after = Int(int32_t(p.landedSteps) - int32_t(p.substeps));
   w.landedSteps = select(lands, select(after > 0, after, Int(0)), w.landedSteps);
   next = select(jumping, to(State::freefall), next);

@@ -29,7 +29,7 @@ void kernelBody(const void* arguments, uint32_t index) {
   kFunction(*static_cast<const Arguments*>(arguments), index);
 }
 
-// A kernel by its function; `entry`: see Kernel.
+// Returns the kernel of a function. `entry` is Kernel::entry.
 template <class Arguments, void (*kFunction)(const Arguments&, uint32_t)>
 Kernel makeKernel(const char* name, const void* entry) {
   static_assert(sizeof(Arguments) <= 4096, "a kernel's arguments on a GPU");

@@ -1,4 +1,4 @@
-// The region that a player has to reach next in a query, and the jumps that are left for it.
+// Finds the region that a player must reach next in a query, and the jumps that are left for it.
 #pragma once
 
 #include "sim/rules.h"

@@ -17,14 +17,14 @@ struct PlayerT {
   MaskOf<F> sensed;     // a floor was within reach in the last tick
   MaskOf<F> lifted;     // at the end of the last tick the legs alone made the body rise
   MaskOf<F> leftTruss;  // rises from a jump off a truss
-  F freeSteps = 0;      // first steps of this tick that are without gravity
+  F freeSteps = 0;      // steps without gravity at the start of this tick
 
   OBBY_DEVICE MaskOf<F> is(State s) const { return state == int32_t(s); }
 };
 
 using Player = PlayerT<float>;
 
-// Adds to a count that a World keeps in 16 bits. It saturates, so that no count ever falls.
+// Adds to a count that a World keeps in 16 bits. The count saturates, so it never wraps around.
 template <class Int>
 OBBY_DEVICE Int countedOn(Int n, int32_t more) {
   return select(n < 0xffff - more, n + more, Int(0xffff));

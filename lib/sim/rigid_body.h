@@ -18,7 +18,7 @@ struct RigidBody {
   Quat rotation;        // rotation of the part
   Vec3 velocity;        // studs/s
   Vec3 spin;            // rad/s, world
-  uint16_t stillTicks;  // ticks that it has been slow
+  uint16_t stillTicks;  // ticks since the body became slow
   RigidBodyState state;
   uint8_t unused;  // 0
 };

@@ -6,7 +6,7 @@
 
 namespace obby::sim {
 
-// The state before the tick that the rules need.
+// The parts of the state before the tick that the rules need.
 struct Before {
   Vec3 feet;
   uint8_t flags;
@@ -42,7 +42,7 @@ OBBY_DEVICE const level::SegmentLimits& segmentOf(const World& w, const level::Q
   return w.waypoints < q.waypointCount ? q.waypoints[w.waypoints].segment : q.last;
 }
 
-// Return the ticks since the start, and since the last waypoint.
+// These return the ticks since the start, and since the last waypoint.
 OBBY_DEVICE uint32_t ticksPlayed(const World& w, const level::QueryView& q) {
   return w.tick - q.startTick;
 }

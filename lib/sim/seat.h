@@ -1,5 +1,5 @@
 // Sitting: a touched seat holds the player until jump is pressed. The seat's clock identifies it
-// and is held at 0 meanwhile. Then the clock runs, and until it is over the seat takes no player.
+// and is held at 0 meanwhile. Then the clock runs, and the seat accepts no player until it is over.
 #pragma once
 
 #include "sim/body.h"
@@ -19,7 +19,7 @@ OBBY_DEVICE Vec3 feetOnSeat(const Pose& seat, const Params& p) {
   return toWorld(seat, Vec3{0, p.seatHeight, 0}) - Vec3{0, p.hipHeight + p.rootHeight * 0.5f, 0};
 }
 
-// Returns true if the player sits there now.
+// Seats the player if possible. Returns true if the player is seated now.
 OBBY_DEVICE bool sitDown(World& w, const level::LevelView& level, uint32_t clock,
                          const Pose& seat) {
   if (w.state == State::seated || findClock(w, clock) >= 0) return false;
@@ -45,8 +45,8 @@ OBBY_DEVICE void sit(World& w, const RigidBody* bodies, const level::LevelView& 
   }
   const Pose pose = poseOf(level.colliders[held], w, bodies, level, 1);
   const Vec3 feet = feetOnSeat(pose, p), velocity = (feet - w.position) * float(p.controlRate);
-  // A seat that moves farther in a tick than anything can was repositioned, as when a motion starts
-  // over. That is no speed. Dynamic seats are never repositioned.
+  // A seat that moves faster than the level's max speed was repositioned, as when a motion starts
+  // over. Its displacement is then not a speed. Dynamic seats are never repositioned.
   const bool put =
       level.colliders[held].mover != level::kNone && !(bounded(velocity, level) == velocity);
   w.velocity = put ? Vec3{} : velocity;

@@ -27,7 +27,7 @@ World makeWorld(const level::LevelView& level, const level::StartPose& start) {
   w.part = level::kNone;
   w.yaw = turnsFromRadians(start.yaw);
   w.floorlessSteps = 0xffff;
-  w.state = State::freefall;  // a floor is sensed in the first tick, so no jump in the air
+  w.state = State::freefall;  // the first tick senses the floor, so no jump in the air is possible
   if (level.bodyCount != 0) w.flags |= kBodyAwake;
   return w;
 }

@@ -27,7 +27,8 @@ namespace obby::sim {
 // Returns a world with a player standing (or falling) at the start, in full health.
 World makeWorld(const level::LevelView& level, const level::StartPose& start);
 
-// Returns the level's dynamic bodies at their first positions, awake. Empty if there are none.
+// Returns the level's dynamic bodies at their first positions, awake. Returns none if the level has
+// none.
 std::vector<RigidBody> makeBodies(const level::LevelView& level);
 
 // Returns the dynamic bodies as play begins. If all come to rest by themselves within ten seconds,
@@ -60,8 +61,8 @@ void writePlan(const Plan& plan, schema::Trajectory::Builder to);
 void advance(World& world, RigidBody* bodies, const level::LevelView& level,
              const level::QueryView* query, Action action);
 
-// Advances many worlds in SIMD lanes (wide_tick.h), world i with the bodies bodies[i] under
-// actions[i]. `bodies` may be null if the level has no dynamic bodies.
+// Advances many worlds in SIMD lanes (wide_tick.h), world i with bodies[i] under actions[i].
+// `bodies` may be null if the level has no dynamic bodies.
 void advanceAll(const level::LevelView& level, const level::QueryView* query,
                 std::span<World* const> worlds, RigidBody* const* bodies, const Action* actions);
 
@@ -73,7 +74,7 @@ struct Moment {
   std::span<const RigidBody> bodies;  // now: (level.bodyCount)
 };
 
-// Returns true to continue.
+// Called for each state. Returns true to continue.
 using Visit = std::function<bool(const Moment&)>;
 
 // The last state of a replay.

@@ -1,5 +1,5 @@
-// Death between parts. It needs a body that depenetration leaves deep inside some part, and a
-// crushing part that touches it, for long enough.
+// Kills a player who is squeezed between parts. Depenetration must leave the body deep inside some
+// part, and a crushing part must touch it, for long enough.
 #pragma once
 
 #include "sim/trip.h"

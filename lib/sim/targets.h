@@ -12,7 +12,7 @@ OBBY_DEVICE Pose poseAfter(const level::LevelView& level, const World& w, const 
   return poseOf(c, w, bodies, level, 0);
 }
 
-// Returns true if the player touches the collider, away or not. Roles use the same test.
+// Returns true if the player touches the collider, even if it is away. Roles use the same test.
 OBBY_CALLED bool touchesCollider(const World& w, const RigidBody* bodies,
                                  const level::LevelView& level, uint32_t id, const Limbs& limbs) {
   const level::Collider& c = level.colliders[id];
@@ -29,9 +29,9 @@ OBBY_DEVICE bool isHeld(const World& w) {
                 : w.state == State::climbing || w.state == State::seated;
 }
 
-// Returns true if the player is in the region, or if the limbs touch a part that is to be touched.
-// If the target is to be stood on, something must hold the player, with the feet in the region.
-// `bodies` has level.bodyCount bodies, or is null if there are none.
+// Returns true if the player is in the region, or if the limbs touch a part of the target. If the
+// player must stand on the target, something must also hold the player, with the feet in the
+// region. `bodies` has level.bodyCount bodies, or is null if there are none.
 OBBY_DEVICE bool reaches(const World& w, const RigidBody* bodies, const level::LevelView& level,
                          const level::QueryView& q, const level::TargetView& target) {
   const Vec3 feet = w.position;

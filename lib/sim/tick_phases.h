@@ -67,7 +67,7 @@ OBBY_DEVICE void move(World& w, RigidBody* bodies, const level::LevelView& level
   putPlayer(w, player);
 }
 
-// `p` includes the player's boosts. tick() explains `apart`.
+// Advances a world by one tick. `p` includes the player's boosts. tick() explains `apart`.
 template <bool kDynamic>
 OBBY_DEVICE void tickWith(World& w, RigidBody* bodies, const level::LevelView& level,
                           const Params& p, ControlT<float> control, uint32_t apart) {

@@ -30,7 +30,8 @@ OBBY_DEVICE bool touches(const level::Collider& collider, const Candidate& c,
   return overlaps(box.bounds(), c.bounds) && contactWith(collider, c, box).depth >= 0;
 }
 
-// Returns true if a limb touches the part, or the centre of the root if the part asks for that.
+// Returns true if a limb touches the part. For parts with kByRoot, tests the centre of the root
+// instead.
 OBBY_DEVICE bool touches(const level::Collider& collider, const Candidate& c, const Limbs& limbs) {
   const bool byRoot = (c.flags & level::kByRoot) != 0;
   return touches(collider, c, byRoot ? limbs.root : limbs.column) ||

@@ -1,4 +1,4 @@
-// Falling down: a player who has tripped keeps the momentum, does not hover, has no keys, and
+// Falling down: a player who has tripped keeps the momentum, does not hover, has no control, and
 // slides until the trip's clock is over. The engine has the same state: limbs collide, and only
 // friction slows the body. Here the body stays upright (docs/parts.md, roles).
 #pragma once
@@ -21,7 +21,7 @@ OBBY_DEVICE float bodyBottom(State state, const Params& p) {
   return state == State::fallingDown ? 0 : state == State::jumping ? p.headBottom : p.hipHeight;
 }
 
-// Returns the drive of a lying body: friction with the floor, and nothing in the air.
+// Returns the drive of a body that lies down: friction with the floor, and nothing in the air.
 OBBY_DEVICE Drive slideDown(const Player& w, const Params& p, const Floor& floor) {
   Drive d;
   d.gravity = p.gravity;

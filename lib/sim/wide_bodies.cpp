@@ -41,7 +41,7 @@ static_assert(offsetof(RigidBody, rotation) == 4 * kRotation &&
               offsetof(RigidBody, spin) == 4 * kSpin &&
               offsetof(RigidBody, stillTicks) == 4 * kRest);
 
-// Loads rows of `count` items from `first` on. Past the end the last is repeated.
+// Loads rows of `count` items from `first` on. The last item is repeated past the end.
 template <class RowOf>
 Rows loadFrom(int first, int count, RowOf&& rowOf) {
   const void* rows[kLanes];
@@ -73,8 +73,8 @@ uint32_t WideBodies::add(World& w, RigidBody* bodies, const Box& near) {
   return taken;
 }
 
-// Returns the bodies that are too far from all others to meet them, and the speeds of all. It may
-// miss some that isAlone() finds, because that takes more square roots.
+// Returns the bodies that are too far from all others to meet them, one bit each. Sets `speeds` for
+// all bodies. It may miss some that isAlone() finds, because that takes more square roots.
 uint32_t WideBodies::findApart(const RigidBody* bodies, float* speeds) const {
   constexpr float kRounding = 0.01f;  // studs
   uint32_t meets = 0;
@@ -92,7 +92,7 @@ uint32_t WideBodies::findApart(const RigidBody* bodies, float* speeds) const {
   return ~meets;
 }
 
-// Adds a body and the parts that it may meet. Returns false if it is not for the lanes.
+// Adds a body and the parts that it may meet. Returns false if lanes cannot take the body.
 bool WideBodies::take(const World& w, RigidBody& b, uint32_t i, float speed) {
   const level::DynamicBody& l = level_.bodies[i];
   const level::Collider& own = level_.colliders[l.firstCollider];
@@ -218,7 +218,7 @@ void WideBodies::findHits() {
   std::fill_n(touching_ + hits_, kLanes, hits_ > 0 ? touching_[hits_ - 1] : 0);
 }
 
-// Finds the points where they touch, one row a pair.
+// Finds the points where these pairs touch, one row per pair.
 void WideBodies::findContacts() {
   for (int i = 0; i < hits_; i += kLanes) {
     const int32_t* pairs = touching_ + i;

@@ -15,9 +15,9 @@ class WideBodies {
   // `taken` is increased by the number of bodies that add() takes.
   WideBodies(const level::LevelView& level, uint64_t& taken) : level_(level), taken_(taken) {}
 
-  // Takes bodies of a world, except those that overlap `near`, where the player can be. Returns
-  // which ones, one bit each. The next flush() moves them by one tick. The caller moves the others
-  // first.
+  // Takes bodies of a world, except those that overlap `near`, where the player can be. Returns the
+  // bodies taken, one bit each. The next flush() moves them by one tick. The caller moves the
+  // others first.
   uint32_t add(World& w, RigidBody* bodies, const Box& near);
   void flush();
 
@@ -99,7 +99,7 @@ class WideBodies {
   uint64_t& taken_;
   Counts counts_;
   int hits_ = 0;
-  // Unions keep the arrays from being filled.
+  // Unions leave the arrays uninitialised.
   union {
     Owner owners_[kBodies];  // one for each world
   };

@@ -78,7 +78,7 @@ class BodyLanes {
   const Params& p_;
   RigidT<F> body_;
   int count_ = 0;
-  union {  // keeps the array from being filled
+  union {  // leaves the array uninitialised
     WideContact contacts_[kMaxContacts];
   };
 };

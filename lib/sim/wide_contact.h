@@ -1,5 +1,5 @@
-// collide() of body.h for lanes of worlds, each among up to kLaneSolids parts of its own. Part of
-// the wide tick (wide_tick.h); host only.
+// Does collide() of body.h for lanes of worlds, each among up to kLaneSolids parts of its own. Part
+// of the wide tick (wide_tick.h); host only.
 #pragma once
 
 #include "sim/wide_state.h"

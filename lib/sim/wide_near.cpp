@@ -133,7 +133,7 @@ WideNear::Turn WideNear::listAll(int i, const uint32_t* list) {
   count_[i] = uint8_t(found);
   anyFlags_[i] = some;
   const bool common = (some & kSingly) == 0 && (every & level::kBlock) != 0;
-  // tick() tests no more moving parts, and sets an overrun flag.
+  // tick() tests at most kMaxMovingCandidates moving parts, and sets an overrun flag for more.
   const bool crowded = all > kMaxMovingCandidates;
   if (!common || crowded || looks_[i].single != 0) return Turn::single;
   return (some & level::kMoving) == 0 || moveParts(i) ? Turn::lanes : Turn::single;

@@ -42,7 +42,8 @@ class WideNear {
   // meet it, or if the limbs can and a touch has an effect.
   int count(int i) const { return count_[i]; }
   uint32_t anyFlags(int i) const { return anyFlags_[i]; }  // ColliderFlag bits of all in reach
-  // (count), level::Bounds::tag. With kMovingTag, the index is that of a moved part.
+  // Returns the tags of these parts (level::Bounds::tag), (count). With kMovingTag the index is
+  // that of a moved part.
   const uint32_t* tags(int i) const { return tags_[i]; }
 
   // Returns the collider of a tag.
@@ -94,7 +95,7 @@ class WideNear {
   alignas(64) uint32_t tags_[kWideSlots][kRowWords];
   static constexpr int kMovedParts = 2 * kWideSlots;  // per block; worlds beyond them take tick()
   int movedCount_ = 0;
-  union {  // keeps the array from being filled for every call
+  union {  // leaves the array uninitialised
     MovedPart moved_[kMovedParts];
   };
 };

@@ -7,8 +7,8 @@
 
 namespace obby::sim {
 
-// Solid parts that one body can meet during a tick. With more than kLaneSolids it is not for the
-// lanes.
+// Solid parts that one body can meet during a tick. Lanes cannot take a body with more than
+// kLaneSolids.
 struct LaneSolids {
   int32_t count;
   uint32_t tags[kLaneSolids];
@@ -36,7 +36,7 @@ class WideParts {
   const WideNear& near_;
   const int32_t* index_ = nullptr;
   int count_ = 0;
-  // Unions keep the arrays from being zeroed for every call.
+  // Unions leave the arrays uninitialised, because zeroing them in every call is slow.
   union {
     WideBlock blocks_[kRowWords];
   };

@@ -106,7 +106,7 @@ struct alignas(64) MotionRow {
 
 // `yaw` is the player's.
 OBBY_LANES Rows rowsOf(const WideMotion& m, WideInt yaw) {
-  // A body that the legs hold has no free steps, so that word encodes the legs.
+  // A body that the legs hold has no free steps, so this word encodes the legs as well.
   const WideFloat legs = select(m.drive.hangs, WideFloat(-2.0f), WideFloat(-1.0f));
   Rows r;
   putVector(r, 0, m.position);

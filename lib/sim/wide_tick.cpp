@@ -38,7 +38,8 @@ class Ticker {
   }
 
  private:
-  // Sorts worlds by what the player can meet: one upright or one tilted block, or several.
+  // The kinds of worlds, by the parts that the player can meet: one upright block, one tilted
+  // block, or several parts.
   enum Kind { kOneUpright, kOneTilted, kSolids, kKinds };
 
   void admit(int count);
@@ -68,11 +69,12 @@ class Ticker {
   // These cover the worlds in lanes, by slot, in the order of work. Slots after the last repeat it.
   int count_ = 0;
   int32_t order_[kWideSlots + kLanes];        // index
-  alignas(64) int32_t footedOn_[kWideSlots];  // place in the tags of the world; -1 for none
+  alignas(64) int32_t footedOn_[kWideSlots];  // index into the world's tags of the part that the
+                                              // feet touch; -1 for none
   LaneSolids solids_[kWideSlots];
   int listed_[kKinds];
   int32_t lists_[kKinds][kWideSlots + kLanes];  // slots
-  // Unions keep the arrays from being zeroed for every call.
+  // Unions leave the arrays uninitialised, because zeroing them in every call is slow.
   union {
     MotionRow motions_[kWideSlots];  // rows of players that are not free
   };
@@ -130,8 +132,8 @@ void Ticker::play(int slot) {
   put(rows, slots, lanes, free);
 }
 
-// Sorts worlds by the motion that they need. Moves those that are not for the lanes, and the bodies
-// of the others, which it returns, one bit each. Adds players who meet nothing to `free`.
+// Sorts worlds by the motion that they need, and adds players who meet nothing to `free`. Moves the
+// worlds that lanes cannot take. Returns the others, one bit each, after moving their bodies.
 uint32_t Ticker::sortLanes(int slot, uint32_t& free) {
   uint32_t lanes = 0;
   for (int at = slot; at < std::min(slot + kLanes, count_); ++at) {
@@ -191,7 +193,7 @@ void Ticker::singly(int index) {
   tick(w, bodies, level_, actions_[index], apart);
 }
 
-// Moves players who meet nothing by a tick.
+// Moves players who meet nothing, by one tick.
 void Ticker::glide(WideMotion& m) const {
   const Params& p = level_.params;
   const WideMask constant = isConstant(m, p);

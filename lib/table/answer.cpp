@@ -1,4 +1,4 @@
-// How places are named: by region, part or spawn, else by coordinates.
+// Names places by region, part or spawn, otherwise by coordinates.
 #include "table/answer.h"
 
 #include <fmt/format.h>
@@ -8,7 +8,7 @@
 namespace obby::table {
 namespace {
 
-// Tenths of studs, and no minus before zero.
+// Returns `studs` rounded to tenths, as text without a minus before zero.
 std::string coordinate(float studs) {
   const double tenths = std::round(double(studs) * 10) / 10;
   return fmt::format("{}", tenths == 0 ? 0.0 : tenths);
@@ -46,7 +46,7 @@ std::string spawnName(schema::Level::Reader level, schema::Spawn::Reader spawn) 
   return level.getParts()[uint32_t(part)].getName();
 }
 
-// "Stage 3: 'Pad 2' to 'Pad 3'" without its beginning: the id says which stage it is.
+// Returns "'Pad 2' to 'Pad 3'" for "Stage 3: 'Pad 2' to 'Pad 3'": the id says which stage it is.
 std::string routeOf(const std::string& title) {
   const size_t colon = title.find(": ");
   return colon == std::string::npos ? title : title.substr(colon + 2);

@@ -11,8 +11,8 @@
 namespace obby::table {
 
 enum class State {
-  notAsked,  // the stream has the query only
-  noResult,  // and trajectories or progress
+  notAsked,  // the stream has only the query
+  noResult,  // the stream has trajectories or progress, but no result
   solved,
   doubtful,  // solved, but it may not hold in the game
   unreachable,
@@ -22,27 +22,27 @@ enum class State {
 
 struct Answer {
   std::string query;     // id
-  std::string level;     // name; shown where queries of several levels have one id
-  std::string from, to;  // start and goal; empty: not known
-  std::string route;     // both in words, instead of them; empty: there is none
+  std::string level;     // name of the level; shown if queries of several levels have the same id
+  std::string from, to;  // start and goal; empty if unknown
+  std::string route;     // start and goal in words, which replace `from` and `to`; may be empty
   State state = State::notAsked;
   std::optional<double> playTime, foundIn;  // seconds
   std::optional<uint32_t> jumps;
   std::string reason;
 };
 
-// What rows need to know of a level.
+// The facts of a level that rows need.
 struct LevelFacts {
   std::string name;
-  double controlRate = 60;          // ticks per second
-  std::vector<std::string> spawns;  // their names
+  double controlRate = 60;          // control steps per second
+  std::vector<std::string> spawns;  // names of the spawns
 };
 
 LevelFacts factsOf(schema::Level::Reader level);
 
-// Names where the query starts and ends. `level` may be null.
+// Sets the names of the query's start and goal. `level` may be null.
 void describe(schema::Query::Reader query, const LevelFacts* level, Answer& answer);
-// Fills in verdict, times, jumps and reason.
+// Sets verdict, times, jumps and reason.
 void describe(schema::Result::Reader result, double controlRate, Answer& answer);
 
 }  // namespace obby::table

@@ -1,5 +1,5 @@
-// Columns are as wide as their texts, and left out where no row has one. The reason takes what is
-// left, or lines of its own.
+// Columns are as wide as their texts; a column without text is left out. The reason fills the rest
+// of the line, or its own lines below.
 #include "table/answer_table.h"
 
 #include <fmt/format.h>
@@ -23,11 +23,11 @@ enum Column { kQuery, kVerdict, kRoute, kPlayTime, kJumps, kFoundIn, kReason, kC
 constexpr const char* kHeads[kColumns] = {"query", "verdict",  "from",  "play time",
                                           "jumps", "found in", "reason"};
 constexpr size_t kGap = 2;
-constexpr size_t kMinReason = 40;  // columns, and as many as the longest reason takes
+constexpr size_t kMinReason = 40;  // min columns for reasons in the same line; the longest must fit
 constexpr size_t kMaxName = 28;
-constexpr size_t kMinPlace = 8, kMaxPlace = 24;  // columns of where a query starts or ends
+constexpr size_t kMinPlace = 8, kMaxPlace = 24;  // columns for the start or the goal of a query
 using Row = std::array<std::string, kColumns>;
-using Widths = std::array<size_t, kColumns>;  // 0: the column is left out
+using Widths = std::array<size_t, kColumns>;  // columns; 0 if the column is left out
 
 constexpr Rgb kGreen{95, 214, 162}, kRed{240, 72, 78}, kYellow{230, 200, 90}, kPink{255, 122, 217},
     kGrey{151, 161, 179};
@@ -50,7 +50,7 @@ VerdictText verdictOf(State state) {
   return {"MISMATCH", kPink};
 }
 
-// Ids that queries of several levels have.
+// Returns the ids that queries of several levels share.
 std::set<std::string> sharedIds(const std::vector<Answer>& answers) {
   std::map<std::string, std::string> levels;
   std::set<std::string> shared;
@@ -124,9 +124,9 @@ class Table {
     widths_[c] = width;
   }
 
-  // Only if the other columns leave room for them.
+  // Adds the routes if the other columns leave enough of the width.
   void addRoutes() {
-    const size_t used = usedColumns() + columnCount(arrow());  // no gap behind the last column
+    const size_t used = usedColumns() + columnCount(arrow());  // no gap after the last column
     const size_t place =
         std::min((terminal_.width - std::min(terminal_.width, used)) / 2, kMaxPlace);
     if (place < kMinPlace) return;
@@ -148,7 +148,7 @@ class Table {
 
   std::string arrow() const { return terminal_.utf8 ? " → " : " -> "; }
 
-  // Width of all columns but the reason, each with the gap behind it.
+  // Returns the width of all columns but the reason, each with the gap after it.
   size_t usedColumns() const {
     size_t used = 0;
     for (size_t c = 0; c < kReason; ++c) used += widths_[c] > 0 ? widths_[c] + kGap : 0;
@@ -160,7 +160,7 @@ class Table {
     return terminal_.width >= usedColumns() + std::max(kMinReason, widths_[kReason]);
   }
 
-  // `state` is null for the heads.
+  // `state` is null for the line of headings.
   std::string line(const Row& row, const State* state, bool beside) const {
     std::string text;
     for (size_t c = 0; c < kReason; ++c) {
@@ -174,7 +174,7 @@ class Table {
     return text + "\n";
   }
 
-  // The text in lines of its own, broken between words.
+  // Returns the text on its own lines, broken between words.
   std::string linesOf(const std::string& text) const {
     if (text.empty()) return {};
     const std::string indent = "  ";
@@ -191,7 +191,7 @@ class Table {
   const TerminalTraits& terminal_;
   std::set<std::string> shared_;
   std::vector<Row> rows_;
-  std::vector<State> states_;  // of the rows
+  std::vector<State> states_;  // state of each row
   Widths widths_{};
 };
 

@@ -10,10 +10,12 @@
 
 namespace obby::table {
 
-// Indices of the answers that get a row: all of them, or where any was asked, those that were.
+// Returns the indices of the answers that get a row. If any query was asked, these are the ones
+// that were; otherwise all.
 std::vector<size_t> listed(const std::vector<Answer>& answers);
 
-// Lines end in newlines; the last one counts the queries without a row. Empty: no answers.
+// Returns the table. Each line ends in a newline, and the last line counts the queries without a
+// row. Returns an empty text for no answers.
 std::string answerTable(const std::vector<Answer>& answers, const TerminalTraits& terminal);
 
 }  // namespace obby::table

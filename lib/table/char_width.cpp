@@ -1,6 +1,6 @@
-// Which characters take two columns of a terminal, or none: emoji and the scripts of East Asia, and
-// what sits on the character before it. As the Unicode standard has them (East Asian Width W and F;
-// general categories Mn, Me and Cf), close ones joined.
+// The characters that take two columns of a terminal, or none. These are emoji and East Asian
+// scripts, and marks that combine with the character before them. The ranges follow the Unicode
+// standard (East Asian Width W and F; general categories Mn, Me and Cf); close ones are joined.
 #include <algorithm>
 #include <iterator>
 

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kLeft = 62, kTop = 48, kWidth = 640, kBetween = 88, kBottom = 56;  // pixels
 constexpr double kRight = 60, kLetter = 7.4;  // width of the legend, and of each letter in it
-// Distinguishable without red and green, and dark (or light) enough for text.
+// The colours differ without red and green, and are dark (or light) enough for text.
 constexpr const char* kColors[] = {"#1b62b5", "#c2570c", "#5d3a9b",
                                    "#0e7c66", "#8a6d00", "#444444"};
 constexpr const char* kDarkColors[] = {"#74b2ff", "#ff9f5e", "#bb9ff2",
@@ -45,7 +45,8 @@ std::string line(double x1, double y1, double x2, double y2, const std::string& 
       y2, kind);
 }
 
-// One plot with its upper edge at `top`. A curve has the colour of its name's index in `names`.
+// Draws one plot with its upper edge at `top`. A curve has the colour of its name's index in
+// `names`.
 class Drawing {
  public:
   Drawing(const ChartPlot& plot, double top, const std::vector<std::string>& names)

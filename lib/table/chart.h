@@ -31,7 +31,7 @@ struct ChartCurve {
 };
 
 struct ChartPlot {
-  ChartAxis x, y;  // y's title is above the plot
+  ChartAxis x, y;  // the title of y is above the plot
   std::vector<ChartCurve> curves;
   double height = 340;  // pixels
 };

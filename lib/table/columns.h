@@ -1,4 +1,4 @@
-// How wide texts are on a terminal.
+// Measures how wide texts are on a terminal.
 #pragma once
 
 #include <cstddef>
@@ -7,12 +7,13 @@
 
 namespace obby::table {
 
-// Columns that a character takes on a terminal: 0, 1 or 2. Control characters count as one.
+// Returns the columns that a character takes on a terminal: 0, 1 or 2. Control characters count as
+// one.
 size_t columnsOf(char32_t code);
 size_t columnCount(std::string_view text);
 
-// io::tamed() `text`, at most `width` columns of it: a cut ends in an ellipsis ("..." where
-// `ascii`).
+// Returns at most `width` columns of io::tamed() `text`. A text that is cut ends in an ellipsis, or
+// "..." with `ascii`.
 std::string fitted(std::string_view text, size_t width, bool ascii);
 
 }  // namespace obby::table

@@ -1,4 +1,4 @@
-// Asks the terminal and the environment.
+// Asks the terminal and the environment what they can show.
 #include "table/terminal.h"
 
 #include <fmt/format.h>
@@ -28,7 +28,7 @@ int distance(Rgb a, Rgb b) {
   return red * red + green * green + blue * blue;
 }
 
-// The nearest of xterm's colours 16 to 255: a cube of six steps each way, then 24 greys.
+// Returns the nearest of xterm's colours 16 to 255: a cube of six steps each way, then 24 greys.
 int nearestInPalette(Rgb color) {
   constexpr uint8_t kSteps[] = {0, 95, 135, 175, 215, 255};
   const auto step = [&](uint8_t v) {

@@ -1,4 +1,4 @@
-// What a terminal can show, and text with colours for it.
+// Tells what a terminal can show, and colours text for it.
 #pragma once
 
 #include <cstddef>
@@ -9,19 +9,19 @@ namespace obby::table {
 
 struct TerminalTraits {
   size_t width = 80;   // columns
-  bool color = false;  // colour sequences are understood
+  bool color = false;  // the terminal understands colour sequences
   bool utf8 = false;
-  bool palette = false;  // these are of the 256 colours that xterm has, else of 24 bits
+  bool palette = false;  // colours are limited to xterm's 256; otherwise they have 24 bits
 };
 
-// Columns of the terminal behind standard output, else of $COLUMNS, else 80.
+// Returns the columns of the terminal behind standard output, otherwise $COLUMNS, otherwise 80.
 size_t terminalWidth();
-// True if the environment's locale is UTF-8 (LC_ALL, LC_CTYPE, LANG).
+// Returns true if the environment's locale is UTF-8 (LC_ALL, LC_CTYPE, LANG).
 bool localeIsUtf8();
-// True if the terminal says that it knows colours of 24 bits (COLORTERM, TERM): others may take
-// their numbers for something else.
+// Returns true if the terminal says that it knows colours of 24 bits (COLORTERM, TERM). Other
+// terminals may take their numbers for something else.
 bool terminalHasRgb();
-// All of that; `color` is what the user wants.
+// Returns all of these traits. `color` is the user's wish.
 TerminalTraits terminalTraits(bool color);
 
 struct Rgb {
@@ -31,10 +31,10 @@ struct Rgb {
 
 enum class Layer { front, back };
 
-// The sequence that makes what follows it that colour, on a terminal that has colours.
+// Returns the sequence that gives the following text that colour, for a terminal with colours.
 std::string colorSequence(Layer layer, Rgb color, const TerminalTraits& traits);
 
-// `text` in a colour, or as it is where the terminal has none.
+// Returns `text` in a colour, or unchanged if the terminal has no colours.
 std::string colored(const std::string& text, Rgb color, const TerminalTraits& traits);
 
 }  // namespace obby::table

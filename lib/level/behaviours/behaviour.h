@@ -1,4 +1,4 @@
-// Behaviours of parts: what each field of a part's record does to a player. Each behaviour is a
+// Behaviours of parts, which are the effects of a part's fields on a player. Each behaviour is a
 // file here and a row of kBehaviours.
 #pragma once
 
@@ -24,8 +24,8 @@ struct PartContext {
 // Makes a touch of the part start `clock`.
 void start(PartContext& context, uint32_t clock);
 
-// Makes a touch of the part start a clock of its own. Only one behaviour of a part can set it; a
-// second one is an error at `field`.
+// Makes a touch of the part start the part's own clock. A second behaviour that sets this clock is
+// an error at `field`.
 Status startOwn(PartContext& context, uint32_t length, const char* field);
 
 // Returns roles that do nothing.
@@ -34,7 +34,7 @@ Roles noRoles();
 struct Behaviour {
   bool (*has)(schema::Part::Reader part);
   Status (*compile)(PartContext& context);  // errors have the path relative to the part
-  bool byTouch;                             // ignored if the part takes no touches
+  bool byTouch;                             // acts only by touch
 };
 
 // Sets roles, flags and own clock from all behaviours of the part.

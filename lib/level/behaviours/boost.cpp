@@ -1,4 +1,4 @@
-// Makes a player who touches it faster, slower, lighter or heavier for a time.
+// Makes a player who touches the part faster, slower, lighter or heavier for a time.
 #include <cmath>
 
 #include "level/behaviours/behaviour.h"

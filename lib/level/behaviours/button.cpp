@@ -1,4 +1,4 @@
-// Starts a signal when touched.
+// Starts a signal when the part is touched.
 #include "level/behaviours/behaviour.h"
 
 namespace obby::level {

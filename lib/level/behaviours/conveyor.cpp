@@ -1,4 +1,4 @@
-// Carries everything that stands on it at its surface velocity.
+// Carries everything that stands on the part at the velocity of its surface.
 #include "level/behaviours/behaviour.h"
 #include "level/record_values.h"
 

@@ -9,8 +9,7 @@
 
 namespace obby::level {
 
-// Returns the poses from the touch on, one a tick. The part stays at the last one. At least two
-// rows.
+// Returns the poses from the touch on, one per tick, at least two. The part stays at the last pose.
 std::vector<Pose> fallTable(schema::Fall::Reader fall, const Pose& rest, const Params& params);
 
 }  // namespace obby::level

@@ -1,4 +1,4 @@
-// Throws a player who touches it.
+// Throws a player who touches the part.
 #include "level/behaviours/behaviour.h"
 #include "level/record_values.h"
 

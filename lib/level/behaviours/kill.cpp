@@ -1,4 +1,4 @@
-// Takes health when touched, or gives it back.
+// Takes health from a player who touches the part, or gives it back.
 #include <algorithm>
 #include <cmath>
 

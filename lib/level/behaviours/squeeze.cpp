@@ -1,4 +1,4 @@
-// Kills players whom it squeezes against another part.
+// Kills players whom the part squeezes against another part.
 #include "level/behaviours/behaviour.h"
 
 namespace obby::level {

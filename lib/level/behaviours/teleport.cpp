@@ -1,4 +1,4 @@
-// Teleports a player who touches it.
+// Teleports a player who touches the part.
 #include "level/behaviours/behaviour.h"
 #include "level/record_values.h"
 

@@ -1,4 +1,4 @@
-// Takes control from a player who touches it, for a time.
+// Takes control from a player who touches the part, for a time.
 #include "level/behaviours/behaviour.h"
 
 namespace obby::level {

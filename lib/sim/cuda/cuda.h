@@ -14,6 +14,6 @@ namespace obby::sim::cuda {
 Result<std::unique_ptr<Device>> openDevice(uint32_t which);
 
 const void* stepEntry(StepKind kind);  // Kernel::entry of stepKernel
-const void* probeEntry();              // entry of a kernel without arguments that does nothing
+const void* probeEntry();              // entry of a kernel that has no arguments and does nothing
 
 }  // namespace obby::sim::cuda
