@@ -9,7 +9,7 @@
 namespace obby::engine {
 namespace {
 
-// Max parts that are probed again from the first round: for each set of listeners, and without
+// Max parts of the first round that are probed again: with each set of listeners, and without
 // listeners. If one of them differs, up to kMaxRest others with its listeners follow.
 constexpr uint32_t kSameAgain = 3, kByPlaceAgain = 20;
 constexpr size_t kMaxAgain = 100, kMaxRest = 300;

@@ -34,7 +34,7 @@ using Plain = std::variant<std::monostate, bool, double, std::string, Vec3, Pose
 struct Change {
   double time = 0;
   InstanceId target = kNoInstance;
-  std::string property;  // "Parent": true or false, whether the part is in the world
+  std::string property;  // "Parent": true if the part is in the world
   Plain value;
   Line line;
 };
@@ -48,7 +48,7 @@ struct Placed {
 struct Track {
   Pose start;                 // before the first change
   std::vector<Placed> poses;  // ascending frames
-  Line line;                  // first line that moved it
+  Line line;                  // first line that moved the part
   // The constraint or mover that moves it; kNoInstance if scripts place it themselves.
   InstanceId driver = kNoInstance;
 };
@@ -115,7 +115,7 @@ struct MadePart {
 struct PlayerState {
   Vec3 feet, velocity;
   double health = 100, maxHealth = 100, walkSpeed = 16, jumpPower = 50, jumpHeight = 7.2;
-  double gravity = 196.2, lift = 0;  // studs/s^2: Workspace's; taken off it by forces
+  double gravity = 196.2, lift = 0;  // studs/s^2: Workspace's gravity; the share that forces cancel
   bool usesJumpPower = true, alive = false;
   bool stuck = false;  // cannot walk
 };

@@ -24,8 +24,8 @@ struct Manner {
   bool comesBack = false;
 };
 
-// Max share of the whole time limit for one copy of the place. One that hangs must leave time for
-// the others.
+// Max share of the whole time limit for one copy of the place. A copy that hangs must leave time
+// for the others.
 constexpr double kCopyShare = 0.25;
 
 // Returns the number of frames nearest to `seconds`.

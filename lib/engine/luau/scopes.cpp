@@ -94,7 +94,7 @@ Scope& Resolver::open(const Block& block) {
 void Resolver::close(Scope& scope) {
   for (const Local* local : scope.locals) visible_[local->name].pop_back();
   function_->active -= int(scope.locals.size());
-  scope_ = nullptr;  // the caller that opened it sets its own again
+  scope_ = nullptr;  // the caller restores its own scope
 }
 
 void Resolver::declare(std::string_view name, bool constant) {

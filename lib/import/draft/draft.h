@@ -74,7 +74,7 @@ struct Teleport {
 };
 struct Boost {
   float walkSpeed = 1, jumpSpeed = 1, gravity = 1;  // factors of the player's own values
-  float seconds = 0;                                // after the last touch; 0: while touched
+  float seconds = 0;  // duration after the last touch; 0: while touched
   bool forever = false;
   bool resets = false;  // a value of 1 restores the level's own
   bool operator==(const Boost&) const = default;
@@ -194,7 +194,7 @@ struct UnmodelledDraft {
   uint32_t count = 0;
   std::string example;
   std::string note;
-  bool anywhere = false;  // some of them concern no single part (doubts.h)
+  bool anywhere = false;  // some instances concern no single part (doubts.h)
 };
 
 // An instance that the level models incompletely.

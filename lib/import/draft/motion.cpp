@@ -43,7 +43,7 @@ bool isStraight(const std::vector<MotionKey>& keys, size_t from, size_t to, Stra
 }
 
 std::vector<MotionKey> simplified(const std::vector<MotionKey>& keys, Straight slack) {
-  constexpr size_t kLongest = 64;  // keys replaced by one segment; bounds the work
+  constexpr size_t kLongest = 64;  // max keys replaced by one segment; bounds the work
   std::vector<MotionKey> out;
   for (size_t from = 0; from < keys.size();) {
     out.push_back(keys[from]);

@@ -40,7 +40,7 @@ class RoleContext {
   PartDraft* part(InstanceId id);
   // Returns the drafts of the part itself, or of every level part below a model or folder.
   std::vector<PartDraft*> partsOf(InstanceId id);
-  // Returns true if partsOf returns any, at less cost.
+  // Returns true if partsOf(id) is not empty, at less cost.
   bool hasParts(InstanceId id);
   // Calls `visit` once for every instance with one of the tags (any case). It passes the first tag
   // that the instance has, as the file writes it.

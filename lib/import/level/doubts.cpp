@@ -78,7 +78,7 @@ class Concerned {
   }
 
   RoleContext& context_;
-  size_t maxConcerned_;  // a folder with more parts names none in particular
+  size_t maxConcerned_;  // a folder with more parts concerns no part in particular
 };
 
 }  // namespace

@@ -56,7 +56,7 @@ bool repeats(const std::vector<Pose>& poses, const std::vector<Slack>& slacks, s
   return true;
 }
 
-// Returns how far the last `count` poses are from the last one.
+// Returns the max distance of the last `count` poses from the last one.
 float extent(const std::vector<Pose>& poses, size_t count) {
   float max = 0;
   for (size_t i = poses.size() - count; i < poses.size(); ++i)

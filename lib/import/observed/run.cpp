@@ -97,7 +97,7 @@ ObservedPlace observePlace(const Document& document) {
     ++plan.settings.seed;
     plan.settings.draws = draws;
     ObservedPlace other = runPlace(document, plan);
-    // A run that was cut shows nothing about chance.
+    // A run that was cut short shows nothing about chance.
     if (other.report.failure.empty()) place.others.push_back(std::move(other));
   }
   return place;

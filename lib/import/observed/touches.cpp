@@ -133,7 +133,8 @@ class Touches {
       if (PartDraft* const part = context_.part(id)) return part;
     return nullptr;
   }
-  // Returns the effects. A number with an uninformative name is a stage if the part has the same.
+  // Returns the effects. A stored number with an uninformative name is a stage if the part states
+  // the same number.
   ProbeEffects effectsAt(const PartDraft* part, const engine::Probe& probe) const {
     ProbeEffects effects = effectsOf(report_, probe);
     if (!part) return effects;

@@ -21,9 +21,9 @@ struct Course {
   const Tree& tree;
   LevelDraft& level;
   std::vector<Team> teams = {};
-  int start = -1;                                   // part index
-  std::optional<Vec3> arrived = {};                 // on the start; nullopt: the middle of its top
-  std::vector<int> checkpoints = {};                // part indices, sorted by orderCheckpoints
+  int start = -1;                     // part index
+  std::optional<Vec3> arrived = {};   // feet on the start; nullopt: the middle of its top
+  std::vector<int> checkpoints = {};  // part indices, sorted by orderCheckpoints
   std::vector<std::pair<Vec3, Vec3>> portals = {};  // pairs of entry and exit
 
   PartDraft& part(int index) const { return level.parts[size_t(index)]; }
