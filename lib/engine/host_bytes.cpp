@@ -1,4 +1,4 @@
-// host: converts numbers to and from little-endian bytes.
+// Host functions that convert numbers to and from little-endian bytes.
 #include <bit>
 #include <cmath>
 #include <cstring>

@@ -1,4 +1,4 @@
-// host: classes, enums and defaults.
+// Host functions for classes, enums and defaults.
 #include <algorithm>
 
 #include "engine/classes/class_defaults.h"

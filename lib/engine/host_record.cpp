@@ -1,4 +1,4 @@
-// host: records what happens.
+// Host functions that record what happens.
 #include <algorithm>
 #include <cmath>
 

@@ -20,7 +20,7 @@ struct Manner {
   int face = 0;          // see Stage::standAt
   bool falls = false;    // arrives at the speed of a fall
   bool patient = false;  // stays for seconds and touches the part repeatedly
-  // Watches a player that dies with progress until it lives again; kills it if nothing happened.
+  // Watches a player that dies with progress until it lives again. If nothing happened, kills it.
   bool comesBack = false;
 };
 

@@ -64,8 +64,8 @@ class Resolver {
   std::set<std::string, std::less<>> takenPrefixes_;
   FunctionScope* function_ = nullptr;
   Scope* scope_ = nullptr;
-  Continue continue_;  // first one of the innermost loop
-  Continue skips_;     // one of the loop whose condition is resolved
+  Continue continue_;  // the first `continue` of the innermost loop
+  Continue skips_;     // the first of the loop whose condition is being resolved
   bool failed_ = false;
   Error error_;
 };

@@ -60,7 +60,7 @@ class Tree {
   const Document* document_;
   std::vector<uint32_t> siblingIndex_;
   std::unordered_map<std::string, std::vector<InstanceId>> byTag_;
-  // first instance by class, by name
+  // The first service of each class, and the first root of each name.
   std::map<std::string, InstanceId, std::less<>> services_, roots_;
 };
 

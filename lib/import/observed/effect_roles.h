@@ -42,9 +42,10 @@ class EffectRoles {
   void takeStage(PartDraft& part, const StageSet& stage);
   // `inverted`: the part appears instead of vanishing.
   void takeAway(PartDraft& part, bool used, const Away& away, bool inverted);
-  // The part, or another one, moves.
+  // Gives `other`, which may be `part`, the motion that a touch or use of `part` starts.
   void takeMotion(PartDraft& part, PartDraft& other, const Moved& moved, bool used);
-  // The touch acts elsewhere for `seconds`; `held`: counted from the end of the touch.
+  // Makes the part a button for other parts. Its signal lasts for `seconds`; `held`: counted from
+  // the end of the touch.
   void press(PartDraft& part, double seconds, bool held = false);
   std::string signalOf(const PartDraft& part) const { return "touch " + path(part.id); }
   bool isJoint(InstanceId id) const;

@@ -1,4 +1,4 @@
-// Takes script effects of the player's own moves: launches become its jump, others are losses.
+// Applies script effects of the player's own moves. Launches become its jump; others become losses.
 #include <algorithm>
 #include <cmath>
 #include <optional>

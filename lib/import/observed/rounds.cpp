@@ -11,8 +11,8 @@ namespace {
 constexpr float kSamePlace = 0.02f;  // studs
 constexpr float kSameTurn = 0.01f;   // radians
 
-// Max distance of a part from its pose one round before: a small constant, and the motion in the
-// fraction of a frame that the period is off a whole number.
+// Max distance of a part from its pose one round before. It is a small constant, plus the motion in
+// the fraction of a frame by which the period differs from a whole number of frames.
 struct Slack {
   float place = kSamePlace, turn = kSameTurn;
 };

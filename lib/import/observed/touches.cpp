@@ -1,4 +1,5 @@
-// Takes the effects of a touch or use: the difference between a probe and the undisturbed run.
+// Gives parts the effects of a touch or use: the difference between a probe and the undisturbed
+// run.
 #include <algorithm>
 
 #include "import/observed/effect_roles.h"

@@ -17,7 +17,7 @@ using Heeds = std::map<std::string, std::vector<engine::Heed>>;
 constexpr std::string_view kVaried[] = {
     "Occupant", "SeatPart",      "Sit",           "Steer",         "SteerFloat",
     "Throttle", "ThrottleFloat", "FloorMaterial", "MoveDirection", "Jump"};
-// Classes whose events do not matter to a course, or that scripts raise.
+// Classes whose events do not matter to a course, or are raised by scripts.
 constexpr std::string_view kClasses[] = {"BindableEvent",
                                          "RemoteEvent",
                                          "UnreliableRemoteEvent",

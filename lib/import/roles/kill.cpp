@@ -36,7 +36,7 @@ constexpr std::string_view kKillWords[] = {
     "death",  "deadly",     "spike",     "spikes",    "hazard",     "laser",    "acid",
     "damage", "killbricks", "instakill", "killparts", "killblocks", "killzone", "hurt"};
 constexpr std::string_view kDamageWords[] = {"damage", "hurt"};
-constexpr float kGuessedDamage = 10;  // of a damage part that states no number
+constexpr float kGuessedDamage = 10;  // if a damage part states no damage
 // Words that reverse the meaning of a kill word.
 constexpr std::string_view kFriends[] = {"remover", "anti",  "no",    "safe",    "skill", "tool",
                                          "sign",    "label", "light", "counter", "script"};

@@ -15,7 +15,7 @@
 namespace obby::importer {
 namespace {
 
-// Classes that only turn a part. Any number of them leaves its position to others.
+// Classes that only turn a part. They do not affect its position.
 constexpr std::string_view kOnlyTurn[] = {
     "AlignOrientation", "AngularVelocity", "BodyAngularVelocity",  "BodyGyro", "Torque", "Rotate",
     "RotateP",          "RotateV",         "NoCollisionConstraint"};

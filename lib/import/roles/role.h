@@ -10,7 +10,7 @@ namespace obby::importer {
 
 using RoleFinder = void (*)(RoleContext&);
 
-// One role with a finder for each kind of evidence, or null for none.
+// One role and its finder for each kind of evidence; null if it has none.
 struct RoleRow {
   const char* name;
   RoleFinder fromTags, fromMarkers, fromNames;
