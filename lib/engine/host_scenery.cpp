@@ -128,8 +128,8 @@ int listened(lua_State* L) {
   return 0;
 }
 
-// Returns rows of name, id and mask: the collision groups that the place saves. Returns none if
-// they are damaged.
+// Returns the collision groups that the place saves, as rows of name, id and mask. Returns no rows
+// if the data is damaged.
 int savedGroups(lua_State* L) {
   lua_newtable(L);
   for (const Instance& instance : Host::of(L).document.instances) {

@@ -91,7 +91,8 @@ void LaterRound::probeAgain() {
   run(rest_);
 }
 
-// Returns true if the probe differs from the first one. Keeps it unless a revisit shows the same.
+// Returns true if the probe differs from the first one. Adds it to the revisits unless one of them
+// shows the same.
 bool LaterRound::compare(const Probe& again) {
   const Probe& first = report_.probes[first_.at(again.target)];
   if (again.lost || first.lost) return false;

@@ -22,7 +22,7 @@ constexpr double kMinRespawn = 5, kLongestRespawn = 30, kScriptedWait = 6;
 constexpr uint32_t kBetweenLooks = 10;  // frames between two checks for the next body
 constexpr double kPlacing = 1;          // seconds that scripts take to place a new body
 
-// Returns when the player was hurt first and last; nothing if it was not.
+// Returns the times at which the player was hurt first and last, or nullopt if it was not hurt.
 std::optional<std::pair<double, double>> hurtIn(const std::vector<Harm>& harms) {
   std::optional<std::pair<double, double>> span;
   for (const Harm& harm : harms)

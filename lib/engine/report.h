@@ -95,7 +95,7 @@ struct Report {
   AirJumps airJumps;
   bool complete = false;             // the undisturbed run got to its end
   bool over = false;                 // it is complete and nothing more can happen
-  bool sleeps = false;               // some threads still wait since they began
+  bool sleeps = false;               // some threads still wait for the first time
   std::string failure;               // why the report is incomplete, for people
   InstanceId culprit = kNoInstance;  // the script that ran when the child died
 };

@@ -32,7 +32,7 @@ class Stage : public StagePlayer {
   size_t activity() const { return host_->recorder.activity(); }
   // Returns true if something waits that did not wait at restart().
   bool isBusy();
-  // Returns true if threads have waited since they began, except those that did at restart().
+  // Returns true if some thread waits for the first time that did not wait at restart().
   bool sleeps();
   // Returns true if nothing more happens without the player.
   bool isIdle();

@@ -18,7 +18,7 @@ bool orderShows(const Stat& stat) {
   return false;
 }
 
-// Returns true if a call or a function starts below the line: its own line matters.
+// Returns true if a call or a function starts below the line. Its own line must not change.
 bool actsBelow(const Expr& expr, int line) {
   const bool acts = expr.kind == ExprKind::call || expr.kind == ExprKind::method || expr.body;
   if (acts && expr.line > line) return true;

@@ -133,7 +133,7 @@ bool isBounded(const Motion& motion) {
          length(motion.spin->pivot) <= kFarthest;  // rejects NaN, too
 }
 
-// Returns the number of pieces in which a part `reach` studs from the pivot follows its arc.
+// Returns how many straight pieces approximate the arc of a part `reach` studs from the pivot.
 int piecesOf(const MotionKey& from, const MotionKey& to, float reach) {
   constexpr double kTicks = 60, kMax = 600;
   const float turn = length(rotationVector(to.pose.rotation * inverse(from.pose.rotation)));

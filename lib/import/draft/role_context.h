@@ -61,8 +61,8 @@ bool hasEvidence(const PartDraft& part, const char* role);
 // The evidence that a part does not hurt, by its tag or by a probe. Other roles are unaffected.
 constexpr const char* kHarmless = "harmless";
 
-// Returns true if the part has evidence of anything but its shape, its joints, script changes at
-// the start, and harmlessness.
+// Returns true if the part has evidence of a role. Evidence about its shape, its joints, script
+// changes at the start, and harmlessness does not count.
 bool hasRole(const PartDraft& part);
 
 }  // namespace obby::importer

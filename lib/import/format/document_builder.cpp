@@ -26,7 +26,7 @@ constexpr std::string_view kServices[] = {
     "Workspace",     "Lighting",   "Players",     "StarterPlayer",      "ReplicatedStorage",
     "ServerStorage", "StarterGui", "StarterPack", "ServerScriptService"};
 
-// Returns the bytes of a property that formats store as a plain or a shared string.
+// Returns the bytes of a property that files store as a plain or a shared string; null for others.
 const std::string* bytesOf(const Value& value) {
   if (const auto* shared = std::get_if<SharedBlob>(&value)) return shared->bytes.get();
   return std::get_if<std::string>(&value);

@@ -19,7 +19,7 @@ class EffectRoles {
   // Gives parts the effects of a touch of `part`, or of a click or prompt if `used`. The part
   // itself may be among them.
   void takeParts(PartDraft& part, bool used, const ProbeEffects& effects);
-  // Returns true if the probe sets a joint or moves a part through one.
+  // Returns true if the probe sets a joint or moves a part through a joint.
   bool setsJoints(const engine::Probe& probe) const;
   // Gives parts the motion of constraints and movers that the touch sets. Notes those without an
   // effect that the level can express.

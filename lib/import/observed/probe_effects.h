@@ -112,8 +112,9 @@ struct ProbeEffects {
   bool empty() const { return !touchesPlayer() && !touchesParts(); }
   // Returns true if progress is the only effect.
   bool onlyStage() const;
-  // Returns the effects that a touch of `from` has, applied to `to`, to which the same functions
-  // listen. Returns nullopt if they depend on the parts' positions or concern other parts.
+  // Turns the effects of a touch of `from` into those of a touch of `to`, a part with the same
+  // listeners. Returns nullopt if the effects depend on the parts' positions or concern other
+  // parts.
   std::optional<ProbeEffects> asOf(InstanceId from, InstanceId to) const;
   // Returns the line of one of the effects, or {} if there is none.
   engine::Line line() const;

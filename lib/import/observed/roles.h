@@ -42,12 +42,12 @@ void noteObservedLosses(RoleContext& context, const ObservedPlace& place);
 
 // Returns the line that moves a part: its track's, or that of its tween, constraint or mover.
 engine::Line moverOf(const engine::Observation& seen, InstanceId part, const engine::Track& track);
-// Returns the part's poses at `frames` frames from `first` on. It is at `start` until its track
-// begins.
+// Returns the part's poses in `frames` frames from `first` on. The part is at `start` until its
+// track begins.
 std::vector<Pose> posesOf(const Pose& start, const engine::Track& track, uint32_t first,
                           uint32_t frames);
 // Returns the motion of a part with these poses, one per frame. Returns nullopt if it moves neither
-// in a round nor to an end. `rest`: frames without a change that count as its end.
+// in a round nor to an end. The motion has ended after `rest` frames without a change.
 std::optional<Motion> motionOf(const std::vector<Pose>& poses, size_t rest);
 
 }  // namespace obby::importer

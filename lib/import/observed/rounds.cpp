@@ -25,8 +25,8 @@ bool near(const Pose& a, const Pose& b, Slack slack = {}) {
   return length(a.position - b.position) < slack.place && turnBetween(a, b) < slack.turn;
 }
 
-// Returns the slack of each frame, by the fastest frame close to it. Most parts move little in a
-// frame; a jump does not show the speed.
+// Returns the slack of each frame, from the fastest of the frames around it. Jumps are left out, as
+// they do not show the speed.
 std::vector<Slack> slacksOf(const std::vector<Pose>& poses) {
   constexpr float kShare = 0.6f, kJump = 2;  // studs
   constexpr size_t kAround = 4;              // frames; scripts may set poses only now and then

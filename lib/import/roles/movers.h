@@ -22,7 +22,7 @@ bool fromMover(RoleContext& context, const ConstraintSettings& settings, const P
 // Notes parts that another mover turns and that this mover would push away or to and fro.
 void noteTurning(RoleContext& context, const ConstraintSettings& settings, InstanceId id);
 
-// Returns true for a class that gives a part a velocity. Turners of a part come before it.
+// Returns true for a class that gives a part a velocity. Process the turners of a part first.
 bool isPusher(const std::string& className);
 
 // Returns true for a class that holds a part in place when no script moves it.

@@ -30,8 +30,8 @@ struct Course {
   const Instance& instance(int index) const { return tree.at(part(index).id); }
   bool is(int index, const char* flag) const;  // returns a flag of the part's instance
   const Team* teamOf(int spawn) const;         // team of a SpawnLocation; null: for all
-  // Returns the studs from one part to another: directly, or through the portal that makes it
-  // shortest.
+  // Returns the distance between two parts in studs: directly or through one portal, whichever is
+  // shorter.
   float distance(int from, int to) const;
   // Returns true if a distance is out of proportion to those between the checkpoints.
   bool isFar(float studs) const;

@@ -29,8 +29,8 @@ void readNumbers(const Tree& tree, InstanceId owner, PartDraft& part);
 // Returns the numbers in the names of the teams, by colour. The first team of a colour counts.
 std::map<int64_t, int> numbersOfTeams(const Tree& tree);
 
-// Returns the number of each part that counts: that of its strongest source, among the sources that
-// tell the parts apart.
+// Returns one number for each part: that of its strongest source, among the sources that tell the
+// parts apart.
 std::vector<int> numbersThatCount(const LevelDraft& level, const std::vector<int>& parts);
 
 }  // namespace obby::importer
