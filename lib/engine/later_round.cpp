@@ -54,7 +54,7 @@ void LaterRound::split() {
   std::set<InstanceId> untried;
   for (const SameListeners& same : report_.sameListeners) untried.insert(same.target);
   for (size_t i = 0; i < report_.probes.size(); ++i) first_[report_.probes[i].target] = i;
-  std::map<uint64_t, uint32_t> counts;  // number by listenerHash
+  std::map<uint64_t, uint32_t> counts;  // probes again, by listenerHash
   for (Probe& probe : stage_.probes()) {
     const auto first = first_.find(probe.target);
     if (first == first_.end()) {

@@ -90,11 +90,11 @@ struct Report {
   double probedAt = 0;                       // seconds, when the first probes began
   double lookedAgainAt = 0;                  // start of the second round; 0: none
   std::vector<MadePart> made;                // parts made by probedAt, then later ones
-  std::vector<std::string> collisionGroups;  // existing by then
-  PlayerState arrived;                       // the player's state by then
+  std::vector<std::string> collisionGroups;  // groups that exist at probedAt
+  PlayerState arrived;                       // the player's state at probedAt
   AirJumps airJumps;
-  bool complete = false;             // the undisturbed run got to its end
-  bool over = false;                 // it is complete and nothing more can happen
+  bool complete = false;             // the undisturbed run reached its end
+  bool over = false;                 // the run is complete and nothing more can happen
   bool sleeps = false;               // some threads still wait for the first time
   std::string failure;               // why the report is incomplete, for people
   InstanceId culprit = kNoInstance;  // the script that ran when the child died
@@ -106,7 +106,7 @@ struct Plan {
   double probeAt = 3;        // start of the probes, seconds
   double probeSeconds = 12;  // duration of the longest probe
   size_t maxProbes = 600;
-  double timeLimit = 60;  // seconds of the wall clock for all, far above the budgets
+  double timeLimit = 60;  // seconds of wall time for the whole run, far above the budgets
   size_t processes = 2;   // copies at a time
 };
 

@@ -57,7 +57,8 @@ class Stage : public StagePlayer {
   void load();
   void loadInstance(InstanceId id);
   void loadReferences(InstanceId id);
-  // Runs `body` with the stack empty. An error, also one of memory, ends it and is recorded.
+  // Runs `body` with the stack empty. An error, even one of exhausted memory, ends the body and is
+  // recorded.
   void read(const char* name, const std::function<void(lua_State*)>& body);
   void readProbes(lua_State* L, std::vector<Probe>& all);
   void readMade(lua_State* L, std::vector<MadePart>& all);

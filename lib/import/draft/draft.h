@@ -60,7 +60,7 @@ constexpr float kGone = 3600;  // seconds: in effect for ever
 struct Vanish {
   bool timer = false;
   std::string signal;     // signal that makes the part vanish; empty: its own touch
-  bool inverted = false;  // solid only while it would be gone
+  bool inverted = false;  // solid while it would be gone, and gone otherwise
   float delay = 0;
   float away = 3;
   float phase = 0;
@@ -121,7 +121,7 @@ enum class NumberFrom : uint8_t {
   asked,   // the part has no effect before others have been touched
   tag,     // "Checkpoint_3"
   value,   // an attribute or a value object
-  name,    // its own, or that of its model
+  name,    // the name of the part or of its model
   folder,  // "Stages/3"
   team,    // the name of the team
 };
