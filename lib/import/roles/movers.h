@@ -19,7 +19,7 @@ Pulls pullsOf(RoleContext& context, const ConstraintSettings& settings);
 bool fromMover(RoleContext& context, const ConstraintSettings& settings, const Pulls& pulls,
                InstanceId id);
 
-// Notes parts that another mover turns and that this mover would push away or to and fro.
+// Notes parts that another mover turns, and that this mover would push away or back and forth.
 void noteTurning(RoleContext& context, const ConstraintSettings& settings, InstanceId id);
 
 // Returns true for a class that gives a part a velocity. Process the turners of a part first.
