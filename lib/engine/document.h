@@ -40,7 +40,7 @@ struct PhysicalProperties {
 
 struct EnumItem {
   uint32_t value = 0;
-  std::string type;  // only attributes name it
+  std::string type;  // the enum's name; only attributes have it
 };
 
 struct UDim {

@@ -41,7 +41,7 @@ class Host {
 
   std::vector<InstanceId> owners;  // script by owner; owner 0 is no script
   uint32_t running = 0;            // owner of the code that runs
-  unsigned beat = 0;               // grows when a script begins or ends to run
+  unsigned beat = 0;               // grows when a script begins or stops running
   InstanceId nextMade = kMade;
   size_t instancesMade = 0;
   double tinySteps = 0;
@@ -53,7 +53,7 @@ class Host {
   void noteError(InstanceId script, std::string_view text);
 };
 
-// Each function adds its part to the table at the top of the stack.
+// Each function adds the host functions of one concern to the table at the top of the stack.
 void registerClassFunctions(lua_State* L);
 void registerSceneryFunctions(lua_State* L);
 void registerRecordFunctions(lua_State* L);

@@ -1,4 +1,4 @@
-// host: converts numbers to and from little-endian bytes.
+// Host functions that convert numbers to and from little-endian bytes.
 #include <bit>
 #include <cmath>
 #include <cstring>
@@ -53,7 +53,8 @@ double integerFrom(std::string_view bytes, bool isSigned) {
   return isNegative ? value - unit : value;
 }
 
-// (kind, size, value): kind "f" is a real number of 4 or 8 bytes, any other a whole number.
+// (kind, size, value): returns the bytes. Kind "f" is a real number of 4 or 8 bytes, any other kind
+// is a whole number.
 int bytesOf(lua_State* L) {
   const size_t size = size_t(luaL_checkint(L, 2));
   const double value = luaL_checknumber(L, 3);
@@ -65,7 +66,7 @@ int bytesOf(lua_State* L) {
   return 1;
 }
 
-// (kind, bytes): kind "i" is signed.
+// (kind, bytes): returns the number. Kind "i" is signed.
 int numberOf(lua_State* L) {
   const char* const kind = luaL_checkstring(L, 1);
   size_t size = 0;

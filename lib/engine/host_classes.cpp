@@ -1,4 +1,4 @@
-// host: classes, enums and defaults.
+// Host functions for classes, enums and defaults.
 #include <algorithm>
 
 #include "engine/classes/class_defaults.h"
@@ -50,7 +50,7 @@ int enumItems(lua_State* L) {
   return 1;
 }
 
-// The default that level files rely on; an enum's item as its number.
+// (class, property): returns the default that level files rely on; an enum item as its number.
 int defaultValue(lua_State* L) {
   const Value* const value = defaultOf(textAt(L, 1), textAt(L, 2));
   if (!value) return 0;
@@ -66,7 +66,7 @@ int isAbstract(lua_State* L) {
   return isOneOf(L, kAbstract);
 }
 
-// Names of services end in "Service", or are in this list.
+// (class): returns true for a service. Its name ends in "Service" or is in this list.
 int isService(lua_State* L) {
   static constexpr std::string_view kPlain[] = {
       "Workspace",     "Players",    "Lighting",        "ReplicatedStorage", "ReplicatedFirst",
@@ -88,7 +88,7 @@ bool drivesParts(const ClassTable& classes, std::string_view name) {
   return base && !base->empty();
 }
 
-// (class, property): whether the observer records the property's changes.
+// (class, property): returns true if the observer records the property's changes.
 int isWatched(lua_State* L) {
   static constexpr std::string_view kWatched[] = {"CFrame",
                                                   "Size",

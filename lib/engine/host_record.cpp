@@ -1,4 +1,4 @@
-// host: records what happens.
+// Host functions that record what happens.
 #include <algorithm>
 #include <cmath>
 
@@ -57,7 +57,8 @@ void follow(Host& host, InstanceId id, const std::string& key, lua_State* L, int
   host.scenery.moved(id);
 }
 
-// (id, key, value, ofPlayer, isPart): a property has changed. "silent" as ofPlayer suppresses it.
+// (id, key, value, ofPlayer, isPart): records that a property has changed, unless ofPlayer is
+// "silent".
 int watched(lua_State* L) {
   Host& host = Host::of(L);
   const InstanceId id = idAt(L, 1);
@@ -79,13 +80,13 @@ int watched(lua_State* L) {
   return 0;
 }
 
-// (part, driver): a constraint or mover moves the part from now on.
+// (part, driver): records that a constraint or mover moves the part from now on.
 int driven(lua_State* L) {
   Host::of(L).recorder.drive(idAt(L, 1), idAt(L, 2));
   return 0;
 }
 
-// (tween, target, info, goals, starts): the tween begins to play.
+// (tween, target, info, goals, starts): records that the tween begins to play.
 int tween(lua_State* L) {
   Host& host = Host::of(L);
   Tween seen;
@@ -125,7 +126,7 @@ int tween(lua_State* L) {
   return 0;
 }
 
-// (humanoid, before, after, ofPlayer, stoppable)
+// (humanoid, before, after, ofPlayer, stoppable): records a change of health.
 int health(lua_State* L) {
   Host& host = Host::of(L);
   const double from = luaL_checknumber(L, 2), to = luaL_checknumber(L, 3);
@@ -142,14 +143,15 @@ int note(lua_State* L) {
   return 0;
 }
 
-// (what, id): a script listens to an engine event, or reads a value that players change.
+// (what, id): records that a script listens to an engine event, or reads a value that players
+// change.
 int heeded(lua_State* L) {
   Host& host = Host::of(L);
   host.recorder.heed(luaL_checkstring(L, 1), idAt(L, 2), host.where(L));
   return 0;
 }
 
-// (what): the event has happened.
+// (what): records that the event has happened.
 int happened(lua_State* L) {
   Host::of(L).recorder.happen(luaL_checkstring(L, 1));
   return 0;

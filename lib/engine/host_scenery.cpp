@@ -1,4 +1,4 @@
-// Functions of host for positions of parts, overlaps and rays.
+// Host functions for the positions of parts, overlaps and rays.
 #include "engine/collision_matrix.h"
 #include "engine/host.h"
 #include "engine/values/values.h"
@@ -39,7 +39,7 @@ int shapeOf(lua_State* L) {
   return 1;
 }
 
-// (id, pose, size, shape, collides, limb)
+// (id, pose, size, shape, collides, limb): adds a part to the geometry.
 int partEnters(lua_State* L) {
   Host& host = Host::of(L);
   Scenery::Part part;
@@ -128,8 +128,8 @@ int listened(lua_State* L) {
   return 0;
 }
 
-// Returns rows of name, id and mask: the collision groups that the place saves. Returns none if
-// they are damaged.
+// Returns the collision groups that the place saves, as rows of name, id and mask. Returns no rows
+// if the data is damaged.
 int savedGroups(lua_State* L) {
   lua_newtable(L);
   for (const Instance& instance : Host::of(L).document.instances) {

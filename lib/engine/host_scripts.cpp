@@ -1,4 +1,4 @@
-// Functions of host for threads, chunks of scripts, and differences between Luau's core and Lua's.
+// Host functions for threads, script chunks, and the differences between Luau's core and Lua's.
 #include <algorithm>
 #include <string>
 
@@ -139,7 +139,7 @@ int functionHash(lua_State* L) {
   return 1;
 }
 
-// (text): records and returns the text of an error that the engine raises by a rule of its own.
+// (text): records the text of an error that the real engine raises, too, and returns it.
 int refused(lua_State* L) {
   Host::of(L).refused = luaL_checkstring(L, 1);
   return 1;
@@ -172,7 +172,7 @@ int setStringMethods(lua_State* L) {
   return 0;
 }
 
-// (script): returns true if it is left out.
+// (script): returns true if the settings leave the script out.
 int isSkipped(lua_State* L) {
   const auto& skipped = Host::of(L).settings.skipped;
   const auto script = InstanceId(luaL_checknumber(L, 1));

@@ -1,5 +1,4 @@
-// Functions of host for numbers, colours, materials, easing and the libraries of bits and
-// characters.
+// Host functions for numbers, colours, materials and easing, and for the libraries bit32 and utf8.
 #include <algorithm>
 #include <cmath>
 #include <ctime>
@@ -38,8 +37,8 @@ int ease(lua_State* L) {
   return pushNumber(L, level::ease(style, direction, luaL_checknumber(L, 1)));
 }
 
-// (pose): returns it with its rotation repaired, as parts take it. Products of many rotations
-// drift.
+// (pose): returns the pose with an orthonormal rotation, as parts store it. Products of many
+// rotations drift.
 int rigid(lua_State* L) {
   constexpr float kSlack = 1e-6f;
   const Pose pose = checkCFrame(L, 1);
@@ -52,7 +51,7 @@ int rigid(lua_State* L) {
   return 1;
 }
 
-// Returns the number's red, green, blue (0 to 255) and name.
+// (number): returns the red, green and blue (0 to 255) and the name of a BrickColor.
 int brickColorOf(lua_State* L) {
   const auto number = integerOf<int64_t>(luaL_checknumber(L, 1));
   const ColorRgb color = brickColor(number);
@@ -92,8 +91,8 @@ int random(lua_State* L) {
   Host::of(L).recorder.noteDraw();
   return pushNumber(L, Host::of(L).random.share());
 }
-// Seeds above what a developer types, or with a fraction, come from a clock. Any other seed gives
-// the same numbers in each game.
+// Returns a generator for a seed. A seed with a fraction, or larger than a developer would type,
+// comes from a clock. Any other seed has the same numbers in each game.
 Random seededRandom(lua_State* L) {
   constexpr double kMaxTyped = 1e8;
   const double seed = luaL_checknumber(L, 1);
@@ -124,7 +123,8 @@ int copyRandom(lua_State* L) {
   return 1;
 }
 
-// Returns a clock that advances a little with every call, so that no loop waits for it for ever.
+// Returns the time of a clock that advances a little with every call, so that a loop that waits for
+// it ends.
 int tinySteps(lua_State* L) {
   constexpr double kStep = 1e-6;
   return pushNumber(L, Host::of(L).tinySteps += kStep);

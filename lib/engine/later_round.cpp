@@ -9,7 +9,7 @@
 namespace obby::engine {
 namespace {
 
-// Max parts that are probed again from the first round: for each set of listeners, and without
+// Max parts of the first round that are probed again: with each set of listeners, and without
 // listeners. If one of them differs, up to kMaxRest others with its listeners follow.
 constexpr uint32_t kSameAgain = 3, kByPlaceAgain = 20;
 constexpr size_t kMaxAgain = 100, kMaxRest = 300;
@@ -54,7 +54,7 @@ void LaterRound::split() {
   std::set<InstanceId> untried;
   for (const SameListeners& same : report_.sameListeners) untried.insert(same.target);
   for (size_t i = 0; i < report_.probes.size(); ++i) first_[report_.probes[i].target] = i;
-  std::map<uint64_t, uint32_t> counts;  // number by listenerHash
+  std::map<uint64_t, uint32_t> counts;  // probes again, by listenerHash
   for (Probe& probe : stage_.probes()) {
     const auto first = first_.find(probe.target);
     if (first == first_.end()) {
@@ -91,7 +91,8 @@ void LaterRound::probeAgain() {
   run(rest_);
 }
 
-// Returns true if the probe differs from the first one. Keeps it unless a revisit shows the same.
+// Returns true if the probe differs from the first one. Adds it to the revisits unless one of them
+// shows the same.
 bool LaterRound::compare(const Probe& again) {
   const Probe& first = report_.probes[first_.at(again.target)];
   if (again.lost || first.lost) return false;

@@ -19,8 +19,8 @@ class Moves {
   Moves(Stage& stage, const Plan& plan, Children& children)
       : stage_(stage), plan_(plan), children_(children) {}
 
-  // If scripts watch moves, walks, jumps twice, falls and enters other states, each in a copy of
-  // the place. If they watch the player's position, stands away from all parts.
+  // If scripts watch the player's moves, it walks, jumps twice, falls and enters other states, each
+  // in a copy of the place. If they watch its position, it stands away from all parts.
   void run(std::vector<Probe>& moves);
   // Adds parts whose position scripts read only after the player moved.
   void addTargets(std::vector<Probe>& wanted) const;

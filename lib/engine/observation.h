@@ -34,7 +34,7 @@ using Plain = std::variant<std::monostate, bool, double, std::string, Vec3, Pose
 struct Change {
   double time = 0;
   InstanceId target = kNoInstance;
-  std::string property;  // "Parent": true or false, whether the part is in the world
+  std::string property;  // "Parent": true if the part is in the world
   Plain value;
   Line line;
 };
@@ -48,7 +48,7 @@ struct Placed {
 struct Track {
   Pose start;                 // before the first change
   std::vector<Placed> poses;  // ascending frames
-  Line line;                  // first line that moved it
+  Line line;                  // first line that moved the part
   // The constraint or mover that moves it; kNoInstance if scripts place it themselves.
   InstanceId driver = kNoInstance;
 };
@@ -81,7 +81,7 @@ struct Harm {
   bool hurts() const { return to < from; }  // else it heals
 };
 
-// The meaning for the game of an error that ends a script.
+// Classes of errors that end a script, by what they mean for the real game.
 enum class Failure : uint8_t {
   refused,  // the engine's rules forbid it: it ends the script in the game, too
   usual,    // probably a bug of the script
@@ -115,7 +115,7 @@ struct MadePart {
 struct PlayerState {
   Vec3 feet, velocity;
   double health = 100, maxHealth = 100, walkSpeed = 16, jumpPower = 50, jumpHeight = 7.2;
-  double gravity = 196.2, lift = 0;  // studs/s^2: Workspace's; taken off it by forces
+  double gravity = 196.2, lift = 0;  // studs/s^2: Workspace's gravity; what forces take off it
   bool usesJumpPower = true, alive = false;
   bool stuck = false;  // cannot walk
 };

@@ -20,7 +20,8 @@ namespace obby::engine {
 namespace {
 
 constexpr double kStuck = 2;  // seconds of CPU without a beat until the child counts as hung
-// Share of the whole time limit. Revisits run once, during the rest of the undisturbed run.
+// Revisits may use this share of the time limit. They run once, during the rest of the undisturbed
+// run.
 constexpr double kRevisitShare = 0.75;
 constexpr size_t kProcessMemory = size_t(2) << 30;
 
@@ -72,7 +73,7 @@ class Watcher {
       stage_.run(60);
   }
 
-  // Returns a report without probes: the caller repeats the run without that script.
+  // Returns a report without probes: the caller repeats the run without the culprit.
   Report given(InstanceId culprit) {
     report_.undisturbed = stage_.observation();
     report_.culprit = culprit;
@@ -97,7 +98,7 @@ class Watcher {
         });
   }
 
-  // Runs in parallel with the undisturbed run.
+  // Starts the revisits, which run in parallel with the undisturbed run.
   void revisitAll() {
     children_.start(
         plan_.timeLimit * kRevisitShare,
@@ -117,7 +118,7 @@ class Watcher {
 
 Report observeOnce(const Document& document, const Plan& plan) {
   Report report;
-  // The child leaves the running script here. The parent reads it if the child dies.
+  // The child stores the id of the running script here. The parent reads it if the child dies.
   void* const shared =
       mmap(nullptr, 4096, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
   Plan own = plan;

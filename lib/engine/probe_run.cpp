@@ -22,7 +22,7 @@ constexpr double kMinRespawn = 5, kLongestRespawn = 30, kScriptedWait = 6;
 constexpr uint32_t kBetweenLooks = 10;  // frames between two checks for the next body
 constexpr double kPlacing = 1;          // seconds that scripts take to place a new body
 
-// Returns when the player was hurt first and last; nothing if it was not.
+// Returns the times at which the player was hurt first and last, or nullopt if it was not hurt.
 std::optional<std::pair<double, double>> hurtIn(const std::vector<Harm>& harms) {
   std::optional<std::pair<double, double>> span;
   for (const Harm& harm : harms)
@@ -36,7 +36,7 @@ bool awaitsHit(Stage& stage, double now) {
   return span && span->first == span->second && now < span->first + kSecondHit;
 }
 
-// Returns true if scripts only set numbers that they keep.
+// Returns true if the only effects are numbers that scripts store.
 bool isQuiet(const Observation& seen) {
   return seen.harms.empty() && seen.tracks.empty() &&
          std::all_of(seen.changes.begin(), seen.changes.end(), [](const Change& change) {
@@ -44,7 +44,7 @@ bool isQuiet(const Observation& seen) {
          });
 }
 
-// Returns true if scripts set the player's progress, or one of its numbers.
+// Returns true if scripts set the player's progress, or a number that they store for it.
 bool isProgress(const Observation& seen) {
   constexpr std::string_view kNotes[] = {"note respawn", "note team", "note stat "};
   return std::any_of(seen.changes.begin(), seen.changes.end(), [&](const Change& change) {
@@ -58,8 +58,8 @@ double longestDeath(Stage& stage) {
   return respawn + kScriptedWait;
 }
 
-// Finds where the next body appears: scripts may keep a checkpoint to themselves, and a portal may
-// kill.
+// Finds where the next body appears. Scripts may store a checkpoint out of sight, and a portal may
+// kill the player to move it.
 void comeBack(Stage& stage, Probe& probe) {
   const uint32_t end = stage.frames() + framesOf(longestDeath(stage));
   if (stage.playerLives()) stage.die();
@@ -96,7 +96,7 @@ Probe runProbe(Stage& stage, const Plan& plan, Probe probe, Manner manner) {
     else if (stands && frame == hold)
       stage.leave();
     if (lasts && frame == framesOf(kPress)) stage.release(probe.target);
-    // The player may have touched a part next to the spawn all the time.
+    // The player may have been touching a part next to the spawn from the start.
     const bool arrives = stands && frame == 0;
     const bool renews = awaits && manner.stay == Stay::renewing;
     if (arrives || renews || insists) stage.touchAgain();

@@ -20,12 +20,12 @@ struct Manner {
   int face = 0;          // see Stage::standAt
   bool falls = false;    // arrives at the speed of a fall
   bool patient = false;  // stays for seconds and touches the part repeatedly
-  // Watches a player that dies with progress until it lives again; kills it if nothing happened.
+  // Watches a player that dies with progress until it lives again. If nothing happened, kills it.
   bool comesBack = false;
 };
 
-// Max share of the whole time limit for one copy of the place. One that hangs must leave time for
-// the others.
+// Max share of the whole time limit for one copy of the place. A copy that hangs must leave time
+// for the others.
 constexpr double kCopyShare = 0.25;
 
 // Returns the number of frames nearest to `seconds`.

@@ -36,7 +36,7 @@ class Recorder {
   void happen(const std::string& what) { seen_.happened[what] = true; }
   // Records that a script draws a number that differs between games.
   void noteDraw() { seen_.random = true; }
-  // Returns as much of a problem's text as is kept.
+  // Returns the part of a problem's text that is kept.
   static std::string_view shortened(std::string_view text) {
     return text.substr(0, kMaxProblemText);
   }
@@ -55,7 +55,7 @@ class Recorder {
  private:
   static constexpr size_t kMaxChanges = 300'000, kMaxPlaced = 4'000'000;
   static constexpr size_t kMaxText = size_t(64) << 20;  // bytes
-  // Further problems, and longer text of one, are dropped.
+  // More problems, and the rest of a longer text, are dropped.
   static constexpr size_t kMaxProblems = 500, kMaxProblemText = 1000;
 
   Observation seen_;

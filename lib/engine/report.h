@@ -21,7 +21,7 @@ enum class Approach : uint8_t {
   jump,
   fall,
   exert,  // climbs, swims, sits and the like
-  away    // stands in the air far from everything near the spawn
+  away    // stands in the air, far from all parts
 };
 constexpr bool isTouch(Approach approach) { return approach <= Approach::inside; }
 
@@ -43,11 +43,11 @@ struct Probe {
   bool lost = false;     // the copy died or ran out of time
   bool byPlace = false;  // no script listens to the part: the player's position decides
   bool allOver = true;   // the effect also occurs toward two opposite corners
-  bool byRoot = false;   // no effect where only limbs are in the part
+  bool byRoot = false;   // no effect if only limbs are in the part
   bool byFall = false;   // a player that falls from high above gets another effect
   uint64_t listenerHash = 0;  // hash of the functions that listen to the part; 0: none
-  // `reborn`: the player died of the touch, or after a touch without effects, and lives again.
-  bool sleeps = false;  // something that the touch began still waits at the end
+  bool sleeps = false;        // something that the touch began still waits at the end
+  // The player died of the touch, or after a touch without effects, and lives again.
   bool reborn = false;
   Vec3 rebornAt;  // feet of the new body
 };
@@ -59,12 +59,12 @@ struct SameListeners {
   uint32_t probe = 0;  // index into Report::probes
 };
 
-// Why a part acts differently than at its first probe.
+// The reason why a part acts differently from its first probe.
 enum class Cause : uint8_t {
   again,   // it has been touched before
   time,    // time has passed, or the player has stayed
   lever,   // another part has been touched
-  several  // several others have been touched, or the one is unknown
+  several  // several others have been touched, or the lever is unknown
 };
 
 // A probe after touches of other parts that differs from the part's first one.
@@ -90,12 +90,12 @@ struct Report {
   double probedAt = 0;                       // seconds, when the first probes began
   double lookedAgainAt = 0;                  // start of the second round; 0: none
   std::vector<MadePart> made;                // parts made by probedAt, then later ones
-  std::vector<std::string> collisionGroups;  // existing by then
-  PlayerState arrived;                       // the player's state by then
+  std::vector<std::string> collisionGroups;  // groups that exist at probedAt
+  PlayerState arrived;                       // the player's state at probedAt
   AirJumps airJumps;
-  bool complete = false;             // the undisturbed run got to its end
-  bool over = false;                 // it is complete and nothing more can happen
-  bool sleeps = false;               // scripts still wait for the first time
+  bool complete = false;             // the undisturbed run reached its end
+  bool over = false;                 // the run is complete and nothing more can happen
+  bool sleeps = false;               // some threads still wait for the first time
   std::string failure;               // why the report is incomplete, for people
   InstanceId culprit = kNoInstance;  // the script that ran when the child died
 };
@@ -106,7 +106,7 @@ struct Plan {
   double probeAt = 3;        // start of the probes, seconds
   double probeSeconds = 12;  // duration of the longest probe
   size_t maxProbes = 600;
-  double timeLimit = 60;  // seconds of the wall clock for all, far above the budgets
+  double timeLimit = 60;  // seconds of wall time for the whole run, far above the budgets
   size_t processes = 2;   // copies at a time
 };
 

@@ -16,11 +16,11 @@
 namespace obby::engine {
 namespace {
 
-constexpr uint32_t kTouch = 12, kBetween = 4;  // frames of a touch on the tour, and after it
+constexpr uint32_t kTouch = 12, kBetween = 4;  // frames of a touch, and after it
 constexpr uint32_t kShortTouch = 4, kLongTour = 100;
 constexpr double kSettleAtLeast = 1, kSettleAtMost = 20;           // seconds after the tour
 constexpr size_t kMaxPatient = 32;                                 // parts without effects at first
-constexpr size_t kMaxProbed = 100;                                 // parts that harm come last
+constexpr size_t kMaxProbed = 100;                                 // harmful parts come last
 constexpr uint64_t kOfOneTour = 20'000'000, kOfAll = 100'000'000;  // instructions
 
 class Tour {
@@ -56,7 +56,7 @@ class Tour {
   }
 
  private:
-  // Adds a part to the tour if it may do something and lets the player live.
+  // Adds a part to the tour if it may have an effect and does not kill the player.
   void choose(size_t i) {
     const Probe& probe = first_[i];
     const bool silent = probe.seen.changes.empty() && probe.seen.harms.empty();
@@ -88,7 +88,7 @@ class Tour {
             std::vector<Revisit>& found, TourMode mode = {}) {
     drop(probe.seen, after);
     const Names before = effectsIn(first_[i], usual_), effects = effectsIn(probe, usual_);
-    // Without time to settle, a missing effect may still be on its way.
+    // Without time to settle, a missing effect may still follow.
     const bool isOther = mode.settles ? differ(before, effects) : adds(before, effects);
     if (isKnown(i, found) || probe.lost || !isOther) return;
     Revisit revisit;
@@ -203,7 +203,7 @@ class Tour {
     return probes;
   }
 
-  // For a part that kills, probes what it does to the next body.
+  // Returns a probe for part `i`. A part that kills is touched first, to probe the next body.
   Probe prepared(size_t i) {
     Probe probe = first_[i];
     if (kills(probe)) {
@@ -249,7 +249,7 @@ class Tour {
 
   void explain(size_t i, const Names& effects, const std::vector<size_t>& touched, TourMode mode,
                Revisit& revisit) {
-    // A patient probe touches it again, too.
+    // A patient probe touches the part again, too.
     TourMode once = mode, idle = mode;
     once.patiently = idle.patiently = idle.touches = false;
     if (kills(first_[i]) ? sameAfter(i, effects, {}, mode)
@@ -262,7 +262,7 @@ class Tour {
     if (revisit.lever != kNoInstance) revisit.cause = Cause::lever;
   }
 
-  // Bisects `touched` for the part that causes the change; kNoInstance if it takes several.
+  // Bisects `touched`. Returns the part that causes the change, or kNoInstance if several do.
   InstanceId leverOf(size_t i, const Names& effects, std::vector<size_t> touched, TourMode mode) {
     if (lastLever_ && sameAfter(i, effects, {*lastLever_}, mode)) return first_[*lastLever_].target;
     while (touched.size() > 1) {

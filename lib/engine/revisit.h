@@ -9,7 +9,8 @@
 
 namespace obby::engine {
 
-// Returns only differences from the first probes. The place must be in the same state as then.
+// Returns only the probes that differ from the first ones. The place must be in the state in which
+// the first probes began.
 std::vector<Revisit> revisit(Stage& stage, const Plan& plan, const std::vector<Probe>& first);
 
 }  // namespace obby::engine

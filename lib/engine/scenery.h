@@ -39,9 +39,9 @@ class Scenery {
   std::vector<RayHit> castRay(Vec3 origin, Vec3 direction) const;
   // Returns the distance from a point to the part's box; 0 inside.
   float distance(uint32_t id, Vec3 point) const;
-  // Finds the parts with listeners that the limb touches. If `listens`, it finds all parts, as the
-  // limb's own listeners receive each. Returns false if neither the limb nor any of those parts has
-  // moved since the last call.
+  // Finds the parts with listeners that the limb touches. If the limb is `listened`, it finds all
+  // parts, since the limb's own listeners receive each touch. Returns false if neither the limb nor
+  // any of those parts has moved since the last call.
   bool contacts(uint32_t limb, std::vector<uint32_t>& out);
   // Ends a frame. Call it after contacts() of every limb.
   void settle() { moved_.clear(); }

@@ -16,8 +16,8 @@ struct Budget {
   uint64_t stretch = 20'000'000;        // budget between two yields
 };
 
-// The distribution of the random numbers that scripts draw. Mostly low or mostly high ones show
-// chance effects of a script. The few others end loops that wait for another number.
+// The distribution of the random numbers that scripts draw. Mostly low or mostly high numbers show
+// which effects depend on chance. The few other numbers end loops that wait for them.
 enum class Draws : uint8_t { even, low, high };
 
 struct Settings {

@@ -1,5 +1,5 @@
 // A running place: its instances in a VM, its scripts started and stepped frame by frame.
-// observation() returns what happened. Run untrusted scripts in a process that may die (sandbox.h).
+// observation() returns what happened. Run untrusted scripts in a process that may die (child.h).
 #pragma once
 
 #include <functional>
@@ -22,7 +22,7 @@ class Stage : public StagePlayer {
   void run(uint32_t frames);
   uint32_t frames() const { return host_->recorder.seen().frames; }
   const std::vector<Harm>& harms() { return host_->recorder.seen().harms; }
-  // Returns what a player can touch or use with an effect, judged by listeners.
+  // Returns the probes of all targets whose touch or use may have an effect, by their listeners.
   std::vector<Probe> probes();
   // Returns parts, joints and movers in the world that scripts have made.
   std::vector<MadePart> made();
@@ -32,7 +32,7 @@ class Stage : public StagePlayer {
   size_t activity() const { return host_->recorder.activity(); }
   // Returns true if something waits that did not wait at restart().
   bool isBusy();
-  // Returns true if threads have waited since they began, except those that did at restart().
+  // Returns true if some thread waits for the first time that did not wait at restart().
   bool sleeps();
   // Returns true if nothing more happens without the player.
   bool isIdle();
@@ -40,7 +40,7 @@ class Stage : public StagePlayer {
   const Observation& observation();
   // Forgets what has been seen.
   void forget() { host_->recorder.restart(); }
-  // Forgets it, and treats all that waits now as the baseline.
+  // Forgets what has been seen, and treats all that waits now as the baseline.
   void restart();
   bool isExhausted() const { return host_->vm.isExhausted() || host_->recorder.isFull(); }
   // Returns the instructions that all scripts together may still run.
@@ -48,7 +48,7 @@ class Stage : public StagePlayer {
   void limit(uint64_t instructions) { host_->vm.limit(instructions); }
   // Returns the script that has used up the memory; kNoInstance if none has.
   InstanceId greedyScript() const { return host_->greedy; }
-  // Returns a counter that grows whenever a script begins or ends to run, and by noteWork().
+  // Returns a counter that grows whenever a script begins or stops running, and by noteWork().
   const unsigned* beat() const { return &host_->beat; }
   // Reports that the host does long work between two scripts.
   void noteWork() { ++host_->beat; }
@@ -57,7 +57,8 @@ class Stage : public StagePlayer {
   void load();
   void loadInstance(InstanceId id);
   void loadReferences(InstanceId id);
-  // Runs `body` with the stack empty. An error, also one of memory, ends it and is recorded.
+  // Runs `body` with the stack empty. An error, even one of exhausted memory, ends the body and is
+  // recorded.
   void read(const char* name, const std::function<void(lua_State*)>& body);
   void readProbes(lua_State* L, std::vector<Probe>& all);
   void readMade(lua_State* L, std::vector<MadePart>& all);

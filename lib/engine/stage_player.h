@@ -16,7 +16,7 @@ class StagePlayer {
   void stand(Vec3 feet, float yaw);
   // Stands on top of a part, or with the root's middle in the part's middle (`inside`). `share`:
   // offset as a share of the distance to a corner. `face`: 1, 2, 3 put the root's middle just
-  // outside the face toward X, Y, Z, so that only limbs are in the part. `speed`: of a fall,
+  // outside the face toward X, Y, Z, so that only limbs are in the part. `speed`: fall speed,
   // studs/s.
   void standAt(InstanceId part, bool inside, float share, int face = 0, float speed = 0);
   // Stands in the air far above the spawn, where no part is.

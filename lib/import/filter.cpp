@@ -12,7 +12,8 @@
 namespace obby::importer {
 namespace {
 
-// Waits for enough input to decide. Returns false also if it was told to stop.
+// Waits for enough input to decide whether it may be a place. Also returns false once the source is
+// stopped.
 Result<bool> mayBePlace(io::ByteSource& source) {
   for (;;) {
     const std::optional<bool> known = mayBeRoblox(source.buffered());

@@ -18,7 +18,7 @@ bool orderShows(const Stat& stat) {
   return false;
 }
 
-// Returns true if a call or a function starts below the line: its own line matters.
+// Returns true if a call or a function starts below the line. Its own line must not change.
 bool actsBelow(const Expr& expr, int line) {
   const bool acts = expr.kind == ExprKind::call || expr.kind == ExprKind::method || expr.body;
   if (acts && expr.line > line) return true;
@@ -34,8 +34,8 @@ bool isConstant(const Expr& expr) {
 
 }  // namespace
 
-// Emits an assignment. 5.1 puts it on the line where its value ends, Luau on the line where it
-// begins. Observed changes must name Luau's line. So a value moves up if only its arguments are on
+// Emits an assignment. Lua 5.1 reports the line where its value ends, Luau the line where it
+// begins. Observed changes must name Luau's line, so a value moves up if only its arguments are on
 // further lines.
 void StatementEmitter::assignment(const Stat& stat) {
   const auto acts = [&](const ExprPtr& expr) { return actsBelow(*expr, stat.line); };

@@ -107,7 +107,8 @@ void ExpressionEmitter::name(const Expr& expr) {
   out_.word(expr.text + "_" + std::to_string(local->index));
 }
 
-// 5.1 wants the bracket on the line of the called expression. Only names go before it on new lines.
+// Lua 5.1 wants the bracket on the line of the called expression. Only names go before it on new
+// lines.
 void ExpressionEmitter::call(const Expr& expr) {
   expression(*expr.kids[0]);
   if (expr.kind == ExprKind::method) {

@@ -7,8 +7,8 @@
 
 namespace obby::luau {
 
-// Emits a body; `names` are the loop's own variables. The scope stays open, since a condition may
-// see it.
+// Emits a body; `names` are the loop's own variables. The scope stays open, since the condition may
+// use its variables.
 void StatementEmitter::loopBody(const Block& body, const std::vector<std::string>& names,
                                 int endLine) {
   openScope(body, names);

@@ -1,5 +1,5 @@
-// Emits operators and if-expressions. Operators that 5.1 lacks, or handles differently, are calls
-// of helpers.
+// Emits operators and if-expressions. Operators that Lua 5.1 lacks, or handles differently, become
+// calls of helpers.
 #include "engine/luau/expression_emitter.h"
 
 namespace obby::luau {

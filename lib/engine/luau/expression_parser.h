@@ -26,13 +26,13 @@ class ExpressionParser : protected TypeParser {
   ExprPtr concatenation(ExprPtr first);
   ExprPtr unary();
   ExprPtr simple();
-  ExprPtr keywordValue();  // null if none begins here
+  ExprPtr keywordValue();  // null if no value keyword begins here
   ExprPtr vararg();
-  ExprPtr primary();  // null if none begins here
+  ExprPtr primary();  // null if no expression begins here
   ExprPtr stringLiteral();
   ExprPtr interpolated();
   ExprPtr suffixes(ExprPtr from);
-  ExprPtr suffix(ExprPtr& from);  // null if none begins here
+  ExprPtr suffix(ExprPtr& from);  // null if no suffix begins here
   ExprPtr table();
   ExprPtr tableKey();  // null for a positional item
   ExprPtr choice();

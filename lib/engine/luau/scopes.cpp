@@ -64,8 +64,8 @@ class Resolver {
   std::set<std::string, std::less<>> takenPrefixes_;
   FunctionScope* function_ = nullptr;
   Scope* scope_ = nullptr;
-  Continue continue_;  // first one of the innermost loop
-  Continue skips_;     // one of the loop whose condition is resolved
+  Continue continue_;  // the first `continue` of the innermost loop
+  Continue skips_;     // the first of the loop whose condition is being resolved
   bool failed_ = false;
   Error error_;
 };
@@ -94,7 +94,7 @@ Scope& Resolver::open(const Block& block) {
 void Resolver::close(Scope& scope) {
   for (const Local* local : scope.locals) visible_[local->name].pop_back();
   function_->active -= int(scope.locals.size());
-  scope_ = nullptr;  // the caller that opened it sets its own again
+  scope_ = nullptr;  // the caller restores its own scope
 }
 
 void Resolver::declare(std::string_view name, bool constant) {

@@ -25,8 +25,8 @@ class TokenCursor {
     ~Depth() { --cursor_.depth_; }
     Depth(const Depth&) = delete;
     Depth& operator=(const Depth&) = delete;
-    // Returns true at too deep nesting. Reports it and skips a token, so that a caller's loop makes
-    // progress.
+    // Returns true if the nesting is too deep. Then it reports this and skips a token, so that a
+    // caller's loop makes progress.
     bool tooDeep() const;
 
    private:

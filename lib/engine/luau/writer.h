@@ -9,11 +9,11 @@ namespace obby::luau {
 
 class Writer {
  public:
-  // Moves on to a line, unless it is already past it or stays in its line.
+  // Moves on to a line, unless the text is past that line already or stays on its line.
   void at(int line) {
     for (; line_ < line && !stays_; ++line_) text_ += '\n';
   }
-  // Sets whether it stays in its line. Returns the previous value.
+  // If `stays`, later text stays on the current line. Returns the previous value.
   bool stay(bool stays) { return std::exchange(stays_, stays); }
   // Writes a name, a keyword or a number.
   void word(std::string_view word) {

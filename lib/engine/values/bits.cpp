@@ -59,7 +59,7 @@ int arshift(lua_State* L) {
 int lrotate(lua_State* L) { return pushBits(L, std::rotl(bitsAt(L, 1), luaL_checkint(L, 2))); }
 int rrotate(lua_State* L) { return pushBits(L, std::rotr(bitsAt(L, 1), luaL_checkint(L, 2))); }
 
-// Returns the mask of `width` bits. Raises an error if the field leaves the word.
+// Returns the mask of `width` bits. Raises an error if the field exceeds the word's 32 bits.
 uint32_t maskAt(lua_State* L, int field, int index) {
   const int width = luaL_optint(L, index, 1);
   if (field < 0 || width < 1 || field > 31 || width > 32 - field)

@@ -10,7 +10,7 @@ namespace obby::importer {
 // PivotOffset is not included.
 Pose pivotOf(const Tree& tree, InstanceId id);
 
-// Returns the PrimaryPart of a model if it is a part below it, else kNoInstance.
+// Returns the PrimaryPart of a model if it is a part below the model, else kNoInstance.
 InstanceId primaryPartOf(const Tree& tree, InstanceId id);
 
 }  // namespace obby::importer

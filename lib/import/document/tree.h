@@ -47,7 +47,8 @@ class Tree {
   std::vector<uint32_t> indices(InstanceId id) const;  // sibling indices from the root
 
   // Returns the setting `name` of the instance: an attribute, else a value object below it or in
-  // its Configuration. Names are compared without case. A text that holds a number counts as one.
+  // its Configuration. Names are compared without case. A text that holds a number counts as a
+  // number.
   std::optional<double> number(InstanceId id, std::string_view name) const;
   std::optional<std::string> text(InstanceId id, std::string_view name) const;
   std::optional<bool> flag(InstanceId id, std::string_view name) const;
@@ -59,7 +60,7 @@ class Tree {
   const Document* document_;
   std::vector<uint32_t> siblingIndex_;
   std::unordered_map<std::string, std::vector<InstanceId>> byTag_;
-  // first instance by class, by name
+  // The first service of each class, and the first root of each name.
   std::map<std::string, InstanceId, std::less<>> services_, roots_;
 };
 

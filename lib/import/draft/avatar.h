@@ -6,8 +6,8 @@
 
 namespace obby::importer {
 
-// Fills level.avatar from StarterPlayer. Settings that the simulator does differently are noted in
-// level.ignored.
+// Fills level.avatar from StarterPlayer. Settings that the simulator handles differently are noted
+// in level.ignored.
 void readAvatar(const Tree& tree, LevelDraft& level);
 
 }  // namespace obby::importer

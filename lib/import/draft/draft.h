@@ -60,7 +60,7 @@ constexpr float kGone = 3600;  // seconds: in effect for ever
 struct Vanish {
   bool timer = false;
   std::string signal;     // signal that makes the part vanish; empty: its own touch
-  bool inverted = false;  // solid only while it would be gone
+  bool inverted = false;  // solid while it would be gone, and gone otherwise
   float delay = 0;
   float away = 3;
   float phase = 0;
@@ -74,7 +74,7 @@ struct Teleport {
 };
 struct Boost {
   float walkSpeed = 1, jumpSpeed = 1, gravity = 1;  // factors of the player's own values
-  float seconds = 0;                                // after the last touch; 0: while touched
+  float seconds = 0;  // duration after the last touch; 0: while touched
   bool forever = false;
   bool resets = false;  // a value of 1 restores the level's own
   bool operator==(const Boost&) const = default;
@@ -121,7 +121,7 @@ enum class NumberFrom : uint8_t {
   asked,   // the part has no effect before others have been touched
   tag,     // "Checkpoint_3"
   value,   // an attribute or a value object
-  name,    // its own, or that of its model
+  name,    // the name of the part or of its model
   folder,  // "Stages/3"
   team,    // the name of the team
 };
@@ -194,7 +194,7 @@ struct UnmodelledDraft {
   uint32_t count = 0;
   std::string example;
   std::string note;
-  bool anywhere = false;  // some of them concern no single part (doubts.h)
+  bool anywhere = false;  // some instances concern no single part (doubts.h)
 };
 
 // An instance that the level models incompletely.

@@ -43,7 +43,7 @@ bool isStraight(const std::vector<MotionKey>& keys, size_t from, size_t to, Stra
 }
 
 std::vector<MotionKey> simplified(const std::vector<MotionKey>& keys, Straight slack) {
-  constexpr size_t kLongest = 64;  // keys replaced by one segment; bounds the work
+  constexpr size_t kLongest = 64;  // max keys replaced by one segment; bounds the work
   std::vector<MotionKey> out;
   for (size_t from = 0; from < keys.size();) {
     out.push_back(keys[from]);
@@ -133,7 +133,7 @@ bool isBounded(const Motion& motion) {
          length(motion.spin->pivot) <= kFarthest;  // rejects NaN, too
 }
 
-// Returns the number of pieces in which a part `reach` studs from the pivot follows its arc.
+// Returns how many straight pieces approximate the arc of a part `reach` studs from the pivot.
 int piecesOf(const MotionKey& from, const MotionKey& to, float reach) {
   constexpr double kTicks = 60, kMax = 600;
   const float turn = length(rotationVector(to.pose.rotation * inverse(from.pose.rotation)));

@@ -22,8 +22,8 @@ size_t ticksOf(const Motion& motion) {
   return ticks >= 1 ? size_t(std::min(ticks, kMax)) : 1;
 }
 
-// Returns true if a player can meet the part, by its roles so far. The simulator ignores the
-// others.
+// Returns true if a player can meet the part, by its roles so far. The simulator ignores all other
+// parts.
 bool isMet(const PartDraft& part) {
   const bool acts = part.kill || part.jumpPad || part.teleport || part.vanish || part.seat;
   return part.solid || (part.touch && acts) || part.checkpoint || part.goal;

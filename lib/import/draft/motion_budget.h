@@ -9,7 +9,7 @@
 namespace obby::importer {
 
 // Max keys of all motions of a level together: 56 MB, and as much in its record. Their rounds
-// together may have as many ticks as a level takes (kMaxLevelRows).
+// together may have kMaxLevelRows ticks, the max of a level.
 constexpr size_t kMaxLevelKeys = 1000000;
 
 // Max seconds of a round, a turn or a wait in the simulator (level::maxTicks).

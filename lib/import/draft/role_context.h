@@ -40,7 +40,7 @@ class RoleContext {
   PartDraft* part(InstanceId id);
   // Returns the drafts of the part itself, or of every level part below a model or folder.
   std::vector<PartDraft*> partsOf(InstanceId id);
-  // Returns true if partsOf returns any, at less cost.
+  // Returns true if partsOf(id) is not empty, at less cost.
   bool hasParts(InstanceId id);
   // Calls `visit` once for every instance with one of the tags (any case). It passes the first tag
   // that the instance has, as the file writes it.
@@ -61,8 +61,8 @@ bool hasEvidence(const PartDraft& part, const char* role);
 // The evidence that a part does not hurt, by its tag or by a probe. Other roles are unaffected.
 constexpr const char* kHarmless = "harmless";
 
-// Returns true if the part has evidence of anything but its shape, its joints, script changes at
-// the start, and harmlessness.
+// Returns true if the part has evidence of a role. Evidence about its shape, its joints, script
+// changes at the start, and harmlessness does not count.
 bool hasRole(const PartDraft& part);
 
 }  // namespace obby::importer

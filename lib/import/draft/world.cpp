@@ -14,7 +14,7 @@ constexpr uint32_t kControllerLegacy = 1, kControllerDefault = 0;
 constexpr uint32_t kServerAuthority = 0;
 constexpr double kPi = 3.14159265358979323846;
 
-// Names of the same setting on StarterPlayer and on a Humanoid.
+// The names of the movement settings, on StarterPlayer or on a Humanoid.
 struct MoverNames {
   const char *walkSpeed, *jumpPower, *jumpHeight, *useJumpPower, *maxSlope;
 };

@@ -21,7 +21,7 @@ struct Column {
   std::vector<Value>& out;
   std::string problem = {};  // an error other than missing bytes
 
-  // Reads consecutive values. `lowest` is the min size of one in bytes.
+  // Reads consecutive values. `lowest` is the min size of one value in bytes.
   template <class Read>
   void each(size_t lowest, Read read) {
     if (!reader.has(count, lowest)) return;

@@ -12,11 +12,11 @@ namespace {
 
 constexpr size_t kChunkHeaderSize = 16;
 constexpr size_t kMaxRaw = size_t{256} << 20;
-// The allowed size of any chunk, and how it grows with the size of the file. Long columns of equal
-// values shrink a thousandfold and more, so a plain ratio would reject good files.
+// Any chunk may have kAlwaysAllowed bytes, plus kAllowedPerByte for each byte of the file. Long
+// columns of equal values shrink a thousandfold and more, so a plain ratio would reject good files.
 constexpr size_t kAlwaysAllowed = size_t{16} << 20;
 constexpr size_t kAllowedPerByte = 16;
-// Limit for all chunks together: a few times the memory of the document made from them.
+// The same limits for all chunks together: a few times the memory of the document made from them.
 constexpr size_t kTotalAlwaysAllowed = size_t{192} << 20;
 constexpr size_t kTotalAllowedPerByte = 256;
 constexpr size_t kLz4MaxRatio = 255;

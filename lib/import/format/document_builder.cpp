@@ -26,7 +26,7 @@ constexpr std::string_view kServices[] = {
     "Workspace",     "Lighting",   "Players",     "StarterPlayer",      "ReplicatedStorage",
     "ServerStorage", "StarterGui", "StarterPack", "ServerScriptService"};
 
-// Returns the bytes of a property that formats store as a plain or a shared string.
+// Returns the bytes of a property that files store as a plain or a shared string; null for others.
 const std::string* bytesOf(const Value& value) {
   if (const auto* shared = std::get_if<SharedBlob>(&value)) return shared->bytes.get();
   return std::get_if<std::string>(&value);
@@ -39,7 +39,7 @@ size_t cost(const Value& value) {
          (item ? item->type.size() : 0);
 }
 
-// Compares values of the kinds that parts have in bulk.
+// Returns true for equal values of the kinds that most parts have; false for all other kinds.
 bool sameValue(const Value& a, const Value& b) {
   if (a.index() != b.index()) return false;
   if (const auto* v = std::get_if<bool>(&a)) return *v == std::get<bool>(b);
@@ -57,7 +57,7 @@ bool sameValue(const Value& a, const Value& b) {
   return physics != nullptr && !physics->custom && !std::get<PhysicalProperties>(b).custom;
 }
 
-// Returns the bytes of the name to keep, without cutting a character in two.
+// Returns how many bytes of the name are kept. No character is cut in two.
 size_t nameSize(std::string_view name) {
   if (name.size() <= kMaxName) return name.size();
   size_t at = 0, characters = 0;
@@ -68,8 +68,8 @@ size_t nameSize(std::string_view name) {
   return at;
 }
 
-// Returns the memory of a blob of tags after decoding: each tag is a string of its own, however
-// short.
+// Returns the bytes of memory that a blob of tags needs once decoded. Each tag becomes a string,
+// even a short one.
 size_t costOfTags(const std::string& blob) {
   constexpr size_t kEach = 3 * sizeof(std::string);  // for the instance and the tag index
   const auto breaks = static_cast<size_t>(std::count(blob.begin(), blob.end(), '\0'));

@@ -17,8 +17,8 @@ namespace obby::importer {
 namespace {
 
 constexpr size_t kMaxUnpacked = size_t{16} << 20;
-// The allowed size of any frame, and how it grows with the frame's compressed size: corners
-// compress little.
+// Any frame may unpack to kAlwaysUnpacked bytes, plus kUnpackedPerByte for each compressed byte:
+// corners compress little.
 constexpr size_t kAlwaysUnpacked = size_t{16} << 10;
 constexpr size_t kUnpackedPerByte = 100;
 constexpr int kMaxWindowLog = 24;  // limits the decoder's memory to 16 MB

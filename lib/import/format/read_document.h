@@ -14,8 +14,8 @@ namespace obby::importer {
 // Returns true if the bytes begin like a Roblox file (binary or XML), not like a stream of records.
 bool looksLikeRoblox(std::string_view bytes);
 
-// Returns whether an input with this beginning may be a Roblox file. looksLikeRoblox() decides once
-// it is complete. Returns nullopt if more bytes are needed.
+// Returns true if an input with this beginning may be a Roblox file. looksLikeRoblox() decides once
+// the input is complete. Returns nullopt if more bytes are needed.
 std::optional<bool> mayBeRoblox(std::string_view begin);
 
 // Parses a document. `file` is used in errors and kept in the document. Errors name the byte offset

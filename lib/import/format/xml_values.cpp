@@ -98,7 +98,7 @@ Result<Value> readOptionalCFrame(Element element, const XmlContext& context) {
   return frame ? readCFrame(frame, context) : Result<Value>(Value{});
 }
 
-// Reads three numbers from 0 to 1, or one packed number. Elements of both names hold either.
+// Reads three numbers from 0 to 1, or one packed number. Elements of either name hold either form.
 Result<Value> readColor(Element element, const XmlContext&) {
   if (element.child("R")) {
     OBBY_ASSIGN(const auto v, readParts<3>(element, {"R", "G", "B"}));

@@ -51,7 +51,7 @@ class Concerned {
   explicit Concerned(RoleContext& context)
       : context_(context), maxConcerned_(context.level.parts.size() / 2) {}
 
-  // Returns the parts that a loss concerns; none if it concerns no part in particular.
+  // Returns the parts that a loss concerns. The list is empty if it concerns no part in particular.
   std::vector<PartDraft*> by(InstanceId loss) {
     for (InstanceId id = loss; id < context_.tree.size(); id = context_.tree.at(id).parent) {
       if (PartDraft* const part = context_.part(id)) return {part};
@@ -78,7 +78,7 @@ class Concerned {
   }
 
   RoleContext& context_;
-  size_t maxConcerned_;  // a folder with more parts names none in particular
+  size_t maxConcerned_;  // a folder with more parts concerns no part in particular
 };
 
 }  // namespace

@@ -10,7 +10,7 @@
 namespace obby::importer {
 namespace {
 
-// Names of things that need a number which a name does not have.
+// A word in names of parts whose role needs a number that the name does not state.
 struct TellingName {
   std::string_view word;
   const char* kind;

@@ -37,8 +37,8 @@ class Speeds {
   }
 
   double walk() const { return factorOf("WalkSpeed"); }
-  // Returns the ratio of the setting that the body uses. A jump height holds under any gravity, so
-  // the speed follows from it. Forces do not count.
+  // Returns the ratio of jump speeds, from JumpPower or JumpHeight. A jump height holds under any
+  // gravity of the world, so gravity changes the speed. Forces on the player do not.
   double jump() const {
     if (!usesHeight_) return factorOf("JumpPower");
     const double world = world_ > 0 && gravity_ > 0 ? gravity_ / world_ : 1;

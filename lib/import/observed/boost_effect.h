@@ -11,8 +11,8 @@ namespace obby::importer {
 // Returns true if boosterOf() reads the change.
 bool changesSpeed(const engine::Change& change);
 
-// Returns the booster from the probe's own changes of that kind, in order, or nullopt if they
-// change nothing.
+// Returns the booster that the probe's own changes of speed make, in order of time. Returns nullopt
+// if they change nothing.
 std::optional<Booster> boosterOf(const engine::Report& report, const engine::Probe& probe,
                                  const std::vector<const engine::Change*>& changes);
 

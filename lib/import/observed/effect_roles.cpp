@@ -158,7 +158,7 @@ void EffectRoles::takeAbility(engine::Approach approach, const engine::AirJumps&
     level.noteIgnored("ability of the player", "", "jumps in the air; " + reason(inAir.line));
   }
   if (effects.empty() && !leaps) noteUnknown(approach);
-  constexpr double kMinSeconds = 1;  // shortest ability that is worth a jump
+  constexpr double kMinSeconds = 1;  // shorter boosts do not help a jump
   const bool isTaken =
       effects.boost && !effects.boost->forever && effects.boost->seconds < kMinSeconds;
   if (isTaken)
@@ -175,7 +175,7 @@ void EffectRoles::takeAbility(engine::Approach approach, const engine::AirJumps&
   for (const Away& back : effects.backs)
     if (PartDraft* const other = context_.part(back.part);
         other && !back.seconds && !other->vanish) {
-      other->solid = true;  // players use what helps them
+      other->solid = true;  // players use the key or button if it helps
       prove(*other, "solid",
             "once keys, chat or a button on the screen are used; " + reason(back.line));
     }

@@ -14,17 +14,17 @@ class EffectRoles {
 
   // Marks the evidence that follows as a guess.
   void setGuessed(bool guessed) { guessed_ = guessed; }
-  // Takes the effects of a touch on the player.
+  // Gives the part the effects that a touch has on the player.
   void takePlayer(PartDraft& part, const ProbeEffects& effects);
-  // Takes the effects on parts, including the part itself. `used`: by a click or prompt, not a
-  // touch.
+  // Gives parts the effects of a touch of `part`, or of a click or prompt if `used`. The part
+  // itself may be among them.
   void takeParts(PartDraft& part, bool used, const ProbeEffects& effects);
-  // Returns true if the probe sets a joint or moves a part through one.
+  // Returns true if the probe sets a joint or moves a part through a joint.
   bool setsJoints(const engine::Probe& probe) const;
-  // Takes the motion of constraints and movers that the touch sets. Notes those without an effect
-  // that the level can express.
+  // Gives parts the motion of constraints and movers that the touch sets. Notes those without an
+  // effect that the level can express.
   void takeDrives(PartDraft& part, const engine::Probe& probe, const ProbeEffects& effects);
-  // Takes the abilities that a tool, keys, chat or a screen button give the player anywhere.
+  // Adds the abilities that a tool, keys, chat or a screen button give the player anywhere.
   // `inAir`: jumps in the air that keys give.
   void takeAbility(engine::Approach approach, const engine::AirJumps& inAir,
                    const ProbeEffects& effects);
@@ -42,9 +42,10 @@ class EffectRoles {
   void takeStage(PartDraft& part, const StageSet& stage);
   // `inverted`: the part appears instead of vanishing.
   void takeAway(PartDraft& part, bool used, const Away& away, bool inverted);
-  // The part, or another one, moves.
+  // Gives `other`, which may be `part`, the motion that a touch or use of `part` starts.
   void takeMotion(PartDraft& part, PartDraft& other, const Moved& moved, bool used);
-  // The touch acts elsewhere for `seconds`; `held`: counted from the end of the touch.
+  // Makes the part a button for other parts. Its signal lasts for `seconds`; `held`: counted from
+  // the end of the touch.
   void press(PartDraft& part, double seconds, bool held = false);
   std::string signalOf(const PartDraft& part) const { return "touch " + path(part.id); }
   bool isJoint(InstanceId id) const;

@@ -24,7 +24,7 @@ namespace {
 using engine::Change;
 using engine::kPlayer;
 
-constexpr double kNoCooldown = 0.1;          // seconds; a shorter interval is no cooldown
+constexpr double kNoCooldown = 0.1;          // seconds; shorter intervals do not count
 constexpr float kYaw = 0.3f;                 // yaw of a probe's player (moves.luau)
 constexpr Vec3 kArriving = {1.5f, 0, 2.5f};  // velocity of a probe's player
 constexpr float kKept = 1e-3f;
@@ -51,10 +51,10 @@ class Difference {
   }
 
  private:
-  // Returns the seconds after the first frame at which a touch can be noticed.
+  // Returns the seconds since the first frame in which scripts can notice the touch.
   double after(double time) const { return std::max(0.0, time - probe_.at - engine::kFrame); }
 
-  // Finds damage. Limbs that are hit in one frame count separately: the damage is that of one limb.
+  // Finds damage. If several limbs are hit in one frame, the damage is that of one limb.
   void findHarm() {
     const Hits hits = ownHits(probe_.seen.harms);
     if (hits.empty()) return;
@@ -74,8 +74,8 @@ class Difference {
     effects_.harm = found;
   }
 
-  // Hits without those that the undisturbed run had in the same frame.
   using Hits = std::vector<engine::Harm>;
+  // Returns the hits that neither the undisturbed run nor the player's moves explain.
   Hits ownHits(const Hits& seen) const {
     std::set<int64_t> usual;
     for (const engine::Harm& harm : report_.undisturbed.harms)
@@ -98,9 +98,9 @@ class Difference {
     return std::nullopt;
   }
 
-  // Finds harm that goes on after the player has left. All of it is the damage of one touch.
-  // `second` is the second hit of a player who touches the part repeatedly. If repeated touches
-  // hasten no hit, a touch has no effect until all hits of the previous one are over.
+  // Finds harm that goes on after the player has left. The damage of a touch is the sum of its
+  // hits. `second`: seconds to the second hit if the player touches the part repeatedly. If
+  // repeated touches do not hasten a hit, the cooldown lasts until the last hit of a touch.
   static void findLasting(Harmful& found, const Hits& hits, double left,
                           std::optional<double> second) {
     double total = 0;
@@ -230,7 +230,7 @@ class Difference {
     effects_.trips = change.line;
   }
 
-  // Marks a part that comes back right after the player has left: it is away as long as the touch.
+  // Marks a part that comes back right after the player has left: it is away while it is touched.
   void comeBack(Away& away, double time) const {
     constexpr double kAtOnce = 0.35;  // seconds; polling scripts check a few times a second
     const double late = time - probe_.left;

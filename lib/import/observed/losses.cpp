@@ -59,7 +59,7 @@ void noteLooks(RoleContext& context, const engine::Report& report) {
                                    "no part is there; " + lineReason(context.tree, change.line));
 }
 
-// Notes pushes of a living player. A dead one may be put anywhere.
+// Notes pushes of a living player. Scripts may put a dead one anywhere.
 void notePushes(RoleContext& context, const engine::Report& report) {
   const auto& changes = report.undisturbed.changes;
   const auto push = std::find_if(changes.begin(), changes.end(), [&](const engine::Change& change) {
@@ -80,8 +80,8 @@ bool isUsual(const engine::PlayerState& player, const engine::Change& change) {
                                                      : player.jumpHeight);
 }
 
-// Returns the lines that harm. Their harm comes from parts, even if one of them moves into the
-// player.
+// Returns the script lines that harm players. The harm is that of parts, even if a part moves into
+// the player.
 std::set<engine::Line> linesThatHarm(const engine::Report& report) {
   std::set<engine::Line> lines;
   for (const engine::Probe& probe : report.probes)
@@ -90,7 +90,8 @@ std::set<engine::Line> linesThatHarm(const engine::Report& report) {
   return lines;
 }
 
-// Notes parts that scripts make and remove again between two rounds of probes: no list has them.
+// Notes parts that scripts make and remove again between two rounds of probes: no list contains
+// them.
 void noteComing(RoleContext& context, const engine::Report& report) {
   for (const engine::Change& change : report.undisturbed.changes) {
     const bool* const there = std::get_if<bool>(&change.value);

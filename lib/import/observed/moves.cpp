@@ -1,4 +1,4 @@
-// Takes script effects of the player's own moves: launches become its jump, others are losses.
+// Applies script effects of the player's own moves. Launches become its jump; others become losses.
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -52,7 +52,7 @@ class Moves {
                                   text + lineReason(context_.tree, line));
   }
 
-  // Takes harm of a move. A jump that kills at once is removed.
+  // Reads the harm that a move causes. A jump that kills at once is removed.
   void takeHarm(const Probe& move, const ProbeEffects& effects) {
     if (!effects.harm) return;
     const auto& harms = move.seen.harms;

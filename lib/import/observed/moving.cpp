@@ -53,7 +53,7 @@ std::vector<PoseSample> changesIn(const std::vector<PoseSample>& samples, const 
   return changes;
 }
 
-// Returns a round that repeats for ever.
+// Returns a motion that repeats the round for ever.
 Motion roundMotion(const std::vector<Pose>& poses, const Round& round) {
   Motion motion;
   const double since = std::fmod(double(round.begin) * engine::kFrame, round.seconds);
@@ -65,7 +65,7 @@ Motion roundMotion(const std::vector<Pose>& poses, const Round& round) {
   return motion;
 }
 
-// Returns a single motion, from its first change on.
+// Returns a motion that happens once, from its first change on.
 Motion onceOf(const std::vector<Pose>& poses, size_t begin, size_t end) {
   Motion motion;
   motion.repeat = Repeat::once;
@@ -76,7 +76,7 @@ Motion onceOf(const std::vector<Pose>& poses, size_t begin, size_t end) {
   return motion;
 }
 
-// Returns the motion of a part that turns all the time, or nullopt if its positions do not fit one.
+// Returns the motion of a part that turns all the time, or nullopt if its positions fit no turn.
 std::optional<Motion> turningMotion(const std::vector<Pose>& poses, const SteadyTurn& turn,
                                     size_t rest) {
   Motion motion;

@@ -8,7 +8,7 @@
 namespace obby::importer {
 namespace {
 
-// Notes script changes to each new body that the level has no field for.
+// Notes changes that scripts make to each new body and that the level has no field for.
 void noteBody(RoleContext& context, const engine::Report& report) {
   World& world = context.level.world;
   for (const engine::Change& change : report.undisturbed.changes) {

@@ -38,7 +38,7 @@ struct Teleported {
 };
 struct Booster {
   float walk = 1, jump = 1, gravity = 1;  // factors of the former values; < 0: floats up
-  double seconds = 0;                     // after the player has left; 0: at once
+  double seconds = 0;  // duration from the last touch; 0: ends when the player leaves
   bool forever = false;
   bool resets = false;  // restores the former values and does nothing else
   engine::Line line;
@@ -83,8 +83,8 @@ struct ProbeEffects {
   std::optional<Booster> boost;
   std::optional<StageSet> stage;
   std::optional<engine::Line> won;
-  // The player falls down; can never go on; is pushed by a force; jumps, also in the air; loses a
-  // state such as Jumping.
+  // Lines that make the player fall down, that end its play, that push it by a force, that make it
+  // jump (also in the air), and that disable a state such as Jumping.
   std::optional<engine::Line> trips, ends, force, jumps, stateOff;
   std::vector<Away> aways, backs;  // parts that vanish; parts that appear and vanish again
   std::vector<Moved> moved;
@@ -92,7 +92,7 @@ struct ProbeEffects {
   std::vector<UnnamedStat> unnamed;
   std::map<InstanceId, engine::Line> others;  // parts whose other properties are set
 
-  // Returns the effects on the player, or those on parts.
+  // onPlayer returns the effects on the player, onParts those on parts.
   auto onPlayer() {
     return std::tie(harm, push, teleport, boost, trips, ends, force, jumps, stateOff, won, stage);
   }
@@ -112,8 +112,9 @@ struct ProbeEffects {
   bool empty() const { return !touchesPlayer() && !touchesParts(); }
   // Returns true if progress is the only effect.
   bool onlyStage() const;
-  // Returns the effects that a touch of `from` has, applied to `to`, to which the same functions
-  // listen. Returns nullopt if they depend on the parts' positions or concern other parts.
+  // Turns the effects of a touch of `from` into those of a touch of `to`, a part with the same
+  // listeners. Returns nullopt if the effects depend on the parts' positions or concern other
+  // parts.
   std::optional<ProbeEffects> asOf(InstanceId from, InstanceId to) const;
   // Returns the line of one of the effects, or {} if there is none.
   engine::Line line() const;

@@ -16,7 +16,7 @@ bool takeProgress(ProbeEffects& effects, const engine::Change& note, InstanceId 
 void takeOwnNumber(ProbeEffects& effects, std::initializer_list<int> numbersOfPart);
 
 // Reads a respawn: the player died after the touch and came back at the part instead of the spawn.
-// A part that kills and brings the player on is a portal to the respawn position.
+// A part that kills and whose player respawns farther on is a portal to the respawn position.
 void takeComeback(ProbeEffects& effects, const engine::Report& report, const engine::Probe& probe,
                   const PartDraft& part);
 

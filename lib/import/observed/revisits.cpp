@@ -32,7 +32,7 @@ void zip(std::tuple<A&...> a, std::tuple<B&...> b, const Each& each) {
   at(std::index_sequence_for<A...>{});
 }
 
-// Returns the name of the part. A click detector or a prompt has the name of its part.
+// Returns the name of a lever, or that of its part if the lever is a click detector or a prompt.
 const std::string& partNear(const Tree& tree, InstanceId lever) {
   const InstanceId parent = tree.at(lever).parent;
   const bool hasParent = !tree.isPart(lever) && parent < tree.size();

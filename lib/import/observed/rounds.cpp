@@ -11,8 +11,8 @@ namespace {
 constexpr float kSamePlace = 0.02f;  // studs
 constexpr float kSameTurn = 0.01f;   // radians
 
-// Max distance of a part from its pose one round before: a small constant, and the motion in the
-// fraction of a frame that the period is off a whole number.
+// Max distance of a part from its pose one round before. It is a small constant, plus the motion in
+// the fraction of a frame by which the period differs from a whole number of frames.
 struct Slack {
   float place = kSamePlace, turn = kSameTurn;
 };
@@ -25,8 +25,8 @@ bool near(const Pose& a, const Pose& b, Slack slack = {}) {
   return length(a.position - b.position) < slack.place && turnBetween(a, b) < slack.turn;
 }
 
-// Returns the slack of each frame, by the fastest frame close to it. Most parts move little in a
-// frame; a jump does not show the speed.
+// Returns the slack of each frame, from the fastest of the frames around it. Jumps are left out, as
+// they do not show the speed.
 std::vector<Slack> slacksOf(const std::vector<Pose>& poses) {
   constexpr float kShare = 0.6f, kJump = 2;  // studs
   constexpr size_t kAround = 4;              // frames; scripts may set poses only now and then
@@ -56,7 +56,7 @@ bool repeats(const std::vector<Pose>& poses, const std::vector<Slack>& slacks, s
   return true;
 }
 
-// Returns how far the last `count` poses are from the last one.
+// Returns the max distance of the last `count` poses from the last one.
 float extent(const std::vector<Pose>& poses, size_t count) {
   float max = 0;
   for (size_t i = poses.size() - count; i < poses.size(); ++i)

@@ -1,4 +1,4 @@
-// Finds the period of poses, one per frame, that repeat.
+// Finds the period of repeating poses, one per frame.
 #pragma once
 
 #include <cstddef>

@@ -22,7 +22,7 @@ std::string rigOf(const Document& document) {
   return "r6";
 }
 
-// Changes the report's ids to the document's for the parts that were added to it.
+// Replaces the report's ids of parts that scripts made by the ids that they got in the document.
 class Renumbering {
  public:
   explicit Renumbering(std::map<InstanceId, InstanceId> ids) : ids_(std::move(ids)) {}
@@ -97,7 +97,7 @@ ObservedPlace observePlace(const Document& document) {
     ++plan.settings.seed;
     plan.settings.draws = draws;
     ObservedPlace other = runPlace(document, plan);
-    // A run that was cut shows nothing about chance.
+    // A run that was cut short shows nothing about chance.
     if (other.report.failure.empty()) place.others.push_back(std::move(other));
   }
   return place;

@@ -5,7 +5,7 @@
 
 namespace obby::importer {
 
-// Returns a document without scripts unchanged.
+// Runs the scripts in a child process. A document without scripts is returned unchanged.
 ObservedPlace observePlace(const Document& document);
 
 }  // namespace obby::importer

@@ -13,7 +13,7 @@ namespace {
 using engine::Change;
 using engine::Plain;
 
-// Properties whose numbers are items of enums.
+// Properties whose numbers stand for enum items.
 constexpr const char* kEnums[] = {
     "Material",   "Shape",          "ActuatorType",    "AngularActuatorType",   "Mode",
     "RelativeTo", "ForceLimitMode", "ForceRelativeTo", "VelocityConstraintMode"};
@@ -80,7 +80,7 @@ bool isBringing(const Change& change) {
 }
 
 void addBrought(const engine::Observation& seen, std::set<InstanceId>& brought) {
-  std::set<InstanceId> changed;  // a part whose first change removes it was there
+  std::set<InstanceId> changed;  // a part that is removed first was in the world
   for (const Change& change : seen.changes)
     if (change.property == "Parent" && changed.insert(change.target).second && isBringing(change))
       brought.insert(change.target);
@@ -118,7 +118,7 @@ uint32_t lastChange(const engine::Track& track) {
   return track.poses[last].frame;
 }
 
-// Returns true if it moves somewhere step by step; otherwise scripts placed it.
+// Returns true if the part moves step by step; otherwise scripts placed it at once.
 bool isWay(const engine::Track& track) {
   constexpr uint32_t kLongestGap = 30, kShortest = 15, kFewest = 3;  // frames, frames, steps
   const Pose* last = &track.start;
@@ -192,8 +192,9 @@ namespace {
 
 using Key = std::pair<InstanceId, std::string>;
 
-// Returns the change of each property that counts: the last one before the probes. If more follow,
-// the last one of the start counts. Parts that scripts show and hide are left to timers.cpp.
+// Returns one change for each property: the last one before the probes. If the property changes
+// again later, the last one of the start counts. timers.cpp handles parts that scripts show and
+// hide.
 std::map<Key, const Change*> settledChanges(const engine::Report& report) {
   constexpr double kStart = 0.1;  // seconds
   std::map<Key, const Change*> start, settled;

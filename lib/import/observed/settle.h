@@ -14,10 +14,10 @@ std::map<InstanceId, InstanceId> addMadeParts(Document& document, const engine::
 
 // Applies properties that scripts changed before the probes and never afterwards. Applies the poses
 // at which parts stay or begin to move. Parts outside the world by then leave the tree, except
-// those that a touch or use brings. Returns those.
+// those that a touch or use brings. Returns these exceptions.
 std::set<InstanceId> settle(Document& document, const engine::Report& report);
 
-// Returns true if scripts made the part after the first probes. Its id is that of the document.
+// Returns true if scripts made the part after the first probes. `part` is its id in the document.
 bool isMadeLater(const engine::Report& report, InstanceId part);
 
 // Returns true if the part moves by itself. Placement at the start does not count.

@@ -1,4 +1,4 @@
-// Finds a rotation about an axis at a constant speed in poses, one per frame.
+// Finds a turn about an axis at constant speed in a list of poses, one per frame.
 #pragma once
 
 #include <optional>

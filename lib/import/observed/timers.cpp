@@ -1,4 +1,4 @@
-// Finds collision and conveyors that change periodically.
+// Finds parts whose collision or conveyor speed changes periodically.
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -12,7 +12,7 @@ constexpr double kSame = 0.05;  // seconds
 
 using engine::Change;
 
-// A part appears or vanishes.
+// One moment at which a part appears or vanishes.
 struct Turn {
   double time = 0;
   bool back = false, byCollision = false;

@@ -1,4 +1,5 @@
-// Takes the effects of a touch or use: the difference between a probe and the undisturbed run.
+// Gives parts the effects of a touch or use: the difference between a probe and the undisturbed
+// run.
 #include <algorithm>
 
 #include "import/observed/effect_roles.h"
@@ -133,7 +134,8 @@ class Touches {
       if (PartDraft* const part = context_.part(id)) return part;
     return nullptr;
   }
-  // Returns the effects. A number with an uninformative name is a stage if the part has the same.
+  // Returns the effects. A stored number with an uninformative name is a stage if the part states
+  // the same number.
   ProbeEffects effectsAt(const PartDraft* part, const engine::Probe& probe) const {
     ProbeEffects effects = effectsOf(report_, probe);
     if (!part) return effects;

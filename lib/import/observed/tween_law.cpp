@@ -65,8 +65,8 @@ Pose Law::at(double time, const Pose& pose) const {
           change->property == "Rotation" ? fromAngles(value) : fromOrientation(value)};
 }
 
-// Returns the tween of the property that began last. Its beginning is the pose at `frame`: it takes
-// its first step in the frame in which it begins to play, or in the next one.
+// Returns the tween of the property that began last. The pose at `frame` shows when it began: its
+// first step is in the frame in which it begins to play, or in the next one.
 std::optional<Law> lastLaw(const std::vector<const engine::Tween*>& tweens,
                            const std::string& property, const Pose& last, uint32_t frame) {
   std::optional<Law> found;

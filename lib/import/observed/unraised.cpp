@@ -12,11 +12,12 @@ namespace {
 
 using Heeds = std::map<std::string, std::vector<engine::Heed>>;
 
-// Values that the engine changes in play. Only scripts change others, and the runtime sees those.
+// Values that the engine changes in play. Only scripts change other values, and the runtime sees
+// those changes.
 constexpr std::string_view kVaried[] = {
     "Occupant", "SeatPart",      "Sit",           "Steer",         "SteerFloat",
     "Throttle", "ThrottleFloat", "FloorMaterial", "MoveDirection", "Jump"};
-// Classes whose events do not matter to a course, or that scripts raise.
+// Classes whose events do not matter to a course, or are raised by scripts.
 constexpr std::string_view kClasses[] = {"BindableEvent",
                                          "RemoteEvent",
                                          "UnreliableRemoteEvent",

@@ -42,8 +42,8 @@ class CollisionGroups {
 // Returns why the part is not solid.
 Evidence passedEvidence(const Instance& part);
 
-// Returns the group of a part as files have it: a name, or a number in older files. "Default" if
-// there is none.
+// Returns the group of a part as files store it: a name, or a number in older files. Returns
+// "Default" if the part has no group.
 std::string groupNameOf(const Instance& part);
 
 }  // namespace obby::importer

@@ -18,7 +18,7 @@ constexpr size_t kMaxLevelCorners = 4000000;
 // dropped.
 std::vector<std::vector<Vec3>> scaledHulls(std::vector<std::vector<Vec3>> hulls, Vec3 scale);
 
-// The document of the parts must outlive it.
+// Decodes each shape once. The document of the parts must outlive this object.
 class LevelHulls {
  public:
   // Gives a part its hulls. The part becomes its bounding box if they cannot be read, or if the

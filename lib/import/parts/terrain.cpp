@@ -1,4 +1,4 @@
-// Adds chunks near the parts first, until a limit of chunks or blocks is reached.
+// Adds terrain chunk by chunk, nearest to the parts first, up to a limit of chunks or blocks.
 #include "import/parts/terrain.h"
 
 #include <fmt/format.h>
@@ -26,7 +26,7 @@ struct TerrainMaterial {
   uint32_t material;  // material of a part
   ColorRgb color;
 };
-// Materials by the number of a solid material, from 2.
+// Part materials and colours by terrain material. The first row is terrain material 2.
 constexpr TerrainMaterial kTerrainMaterials[] = {
     {1280, {106, 127, 63}},  {800, {63, 127, 107}},   {816, {127, 102, 63}},
     {848, {138, 86, 62}},    {1296, {143, 126, 95}},  {528, {139, 109, 79}},

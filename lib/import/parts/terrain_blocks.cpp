@@ -11,7 +11,7 @@
 namespace obby::importer {
 namespace {
 
-constexpr int kHalfFull = kStepsPerCell / 2;  // a cell with less has no surface of its own
+constexpr int kHalfFull = kStepsPerCell / 2;  // an emptier cell has no surface of its own
 constexpr int kLongestBlock = 512;            // cells: 2048 studs
 constexpr size_t kColumns = size_t(kChunkSide) * kChunkSide;
 
@@ -57,7 +57,7 @@ class GroundColumn {
   void begin(int floor, int fill) {
     open_ = true;
     bottom_ = below_ > 0 ? floor - below_ : floor + kStepsPerCell - fill;
-    // A single cell stands on its floor. Its missing matter is missing at the top.
+    // A single cell stands on its floor, so the empty part is at the top.
     floor_ = below_ > 0 ? bottom_ : floor;
   }
 

@@ -21,7 +21,7 @@ constexpr const char* kFolder = "ObbyQueries";
 constexpr const char* kPhysics = "physics";
 constexpr const char* kForbid = "forbid";
 constexpr const char* kStartTick = "startTick";
-constexpr double kStartRate = 60;  // start ticks a second, whatever the level's own rate is
+constexpr double kStartRate = 60;  // a start tick is 1/60 s, whatever the level's rate
 constexpr double kMaxStart = 5e8;
 constexpr const char* kOwnOfQueries[] = {kForbid, kStartTick};
 constexpr std::string_view kKinds[] = {"goal", "start", "avoid", "visit", "waypoint"};
@@ -101,7 +101,8 @@ class Reader {
     }
   }
 
-  // Returns the regions of a kind that state a place, by their order.
+  // Returns the regions of a kind, sorted by their attribute `order`. A region without a place is
+  // left out with a warning.
   std::vector<InstanceId> regions(InstanceId query, std::string_view kind) {
     std::vector<InstanceId> out;
     for (const InstanceId child : tree_.at(query).children) {

@@ -27,7 +27,8 @@ namespace obby::importer {
 std::vector<io::RecordBuilder> designerQueries(const LevelDraft& level, const Tree& tree,
                                                uint16_t rate, std::vector<std::string>& warnings);
 
-// Returns nullopt if the place has none, or (with a warning) none that can be read.
+// Returns the calibrated parameters. Returns nullopt if the place has none, or, with a warning, if
+// they cannot be read.
 std::optional<io::Record> designerPhysics(const Tree& tree, std::vector<std::string>& warnings);
 
 }  // namespace obby::importer

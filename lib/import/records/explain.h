@@ -1,4 +1,4 @@
-// A table for designers: each part's roles with their reasons, guesses and omissions.
+// Formats a table for designers: each part's roles with their reasons, guesses and omissions.
 #pragma once
 
 #include <string>

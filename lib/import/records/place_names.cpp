@@ -38,7 +38,7 @@ constexpr std::string_view kEmptyNames[] = {"part",
                                             "primary",
                                             "main"};
 
-// Returns true if the name tells a reader which place is meant.
+// Returns true if a reader can find the place by the name.
 bool saysSomething(const std::string& name) {
   std::string joined;
   bool hasLetters = false;

@@ -12,7 +12,7 @@
 
 namespace obby::importer::rojo {
 
-// One value of a JsonTree, which must outlive it. A default-constructed one is absent.
+// One value of a JsonTree. The tree must outlive it. A default-constructed value is absent.
 class Json {
  public:
   using Type = io::JsonTree::Type;

@@ -24,7 +24,7 @@ struct Scope {
   fs::path folder;
   std::vector<std::string> ignored;
   bool legacyScripts = true;
-  bool mayLeave = false;  // its $path may leave its folder; only the given project file's may
+  bool mayLeave = false;  // $path may leave the folder: only in the given project file
 };
 
 class ProjectReader {
@@ -157,7 +157,7 @@ class ProjectReader {
     return id;
   }
 
-  // Returns the instance of a file or folder, or kNoInstance if it makes none.
+  // Returns the instance made from a file or folder, or kNoInstance if none is made.
   Result<InstanceId> entry(const fs::path& path, const std::string& name, const Scope& scope,
                            int depth) {
     const Place place{path.string(), {}};

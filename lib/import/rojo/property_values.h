@@ -10,7 +10,7 @@
 
 namespace obby::importer::rojo {
 
-// Returns nullopt for an unknown kind, or if the JSON does not match it.
+// Returns the value of a property, or nullopt if its kind is unknown or the JSON does not match it.
 std::optional<Value> propertyValue(std::string_view className, std::string_view property,
                                    const Json& json);
 

@@ -82,7 +82,7 @@ void giveNamed(RoleContext& context) {
       give(context, part, part.id, "name " + instance.name, true);
       continue;
     }
-    // In a model called like a checkpoint, one part counts.
+    // In a model with the name of a checkpoint, one part counts.
     const InstanceId model = instance.parent;
     if (model == kNoInstance || tree.at(model).className != "Model") continue;
     const std::string& name = tree.at(model).name;

@@ -9,7 +9,7 @@ namespace obby::importer {
 
 class ConstraintSettings {
  public:
-  // The tree must outlive it.
+  // The tree must outlive this object.
   explicit ConstraintSettings(const Tree& tree) : tree_(tree) {}
 
   double number(InstanceId constraint, const char* name) const {
@@ -18,7 +18,7 @@ class ConstraintSettings {
   Vec3 vector(InstanceId constraint, const char* name) const {
     return get<Vec3>(tree_.at(constraint), name);
   }
-  // Returns the value of an enum.
+  // Returns the number of an enum item.
   uint32_t choice(InstanceId constraint, const char* name) const {
     return get<EnumItem>(tree_.at(constraint), name).value;
   }

@@ -11,7 +11,7 @@
 namespace obby::importer {
 namespace {
 
-// Returns why the trajectory of a motor is unknown, or "" if it is known.
+// Returns why the direction in which a motor moves its part is unknown, or "" if it is known.
 std::string unknownDirection(RoleContext& context, const ConstraintSettings& settings,
                              const Drive& drive) {
   const InstanceId motor = drive.constraint;

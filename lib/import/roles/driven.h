@@ -12,7 +12,7 @@ namespace obby::importer {
 
 // Values of the engine's ActuatorType.
 constexpr uint32_t kMotor = 1, kServo = 2;
-// Max studs off its goal at which a slider has arrived.
+// A slider has arrived if it is this close to its goal, in studs.
 constexpr double kArrived = 0.05;
 
 struct Drive {
@@ -44,17 +44,18 @@ bool baseMoves(RoleContext& context, const Drive& drive);
 // class and `what`. Returns false if no part got it.
 bool giveDriven(RoleContext& context, InstanceId moving, Motion motion, InstanceId constraint,
                 const std::string& what, bool guessed);
-// Gives a motion to the moving part of a drive, relative to its base where scripts placed that, or
-// along with it. If both move by themselves, the moving part is held, and the level notes it.
+// Gives the moving part of a drive a motion relative to its base: to the place where scripts put
+// the base, or along with the base's motion. If both move by themselves, the moving part is held,
+// and the level notes it.
 bool giveDriven(RoleContext& context, const Drive& drive, Motion motion, const std::string& what,
                 bool guessed);
 
-// Anchors a part and its joined parts, with `why` as evidence. Returns false if none was
-// unanchored.
+// Anchors a part and its joined parts, with `why` as evidence. Returns false if all were anchored
+// already.
 bool hold(RoleContext& context, InstanceId part, const std::string& why);
 
 // Holds a part at its place in the file because the file does not state its destination. The level
-// notes the constraint. Returns false if none was unanchored.
+// notes the constraint. Returns false if the part and its joined parts were anchored already.
 bool leaveDriven(RoleContext& context, const char* kind, InstanceId part, InstanceId constraint,
                  const std::string& why);
 

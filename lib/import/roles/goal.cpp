@@ -1,4 +1,4 @@
-// Finds where the level ends: by tag or name. Makers share no convention.
+// Finds where the level ends: by tag or name. Level designers share no convention.
 #include <algorithm>
 #include <iterator>
 

@@ -36,13 +36,13 @@ constexpr std::string_view kKillWords[] = {
     "death",  "deadly",     "spike",     "spikes",    "hazard",     "laser",    "acid",
     "damage", "killbricks", "instakill", "killparts", "killblocks", "killzone", "hurt"};
 constexpr std::string_view kDamageWords[] = {"damage", "hurt"};
-constexpr float kGuessedDamage = 10;  // a damage part that does not state its damage
+constexpr float kGuessedDamage = 10;  // if a damage part states no damage
 // Words that reverse the meaning of a kill word.
 constexpr std::string_view kFriends[] = {"remover", "anti",  "no",    "safe",    "skill", "tool",
                                          "sign",    "label", "light", "counter", "script"};
 
-// Returns true for a name with one of these whole words: "Bob's Kill Brick" has s and kill, yet is
-// no skill.
+// Returns true for a name with one of these whole words. "Bob's Kill Brick" has the words s and
+// kill, not skill.
 bool isFriend(std::string_view name) {
   const auto words = wordsOf(name);
   return std::any_of(words.begin(), words.end(), [](const std::string& word) {
@@ -54,7 +54,7 @@ bool isFriend(std::string_view name) {
 constexpr std::string_view kPartWords[] = {"part",   "parts", "brick", "bricks", "block",
                                            "blocks", "floor", "the",   "all",    "folder"};
 
-// "KillParts" is a folder of kill parts; "StraightPiece_WithLava" is not.
+// Returns true for a folder called "KillParts", false for one called "StraightPiece_WithLava".
 bool isKillFolder(const Instance& folder) {
   const auto words = wordsOf(folder.name);
   const auto in = [](const auto& list, const std::string& word) {

@@ -45,7 +45,7 @@ bool isNext(const Bar& low, const Bar& high) {
   return gap >= kMinGap && gap <= kMaxGap && alike;
 }
 
-// Bars by the square of ground that they cover, from below.
+// The bars above each square of ground, lowest first.
 using Columns = std::map<std::pair<int, int>, std::vector<Bar>>;
 
 std::pair<int, int> columnOf(Vec3 p) { return {int(std::floor(p.x)), int(std::floor(p.z))}; }
@@ -59,7 +59,7 @@ const Bar* nextAbove(const Columns& columns, const Bar& bar) {
       const auto column = columns.find({x + dx, z + dz});
       if (column == columns.end()) continue;
       const std::vector<Bar>& bars = column->second;
-      // A bar with its centre above this one's begins at most a rung's thickness deeper.
+      // A bar with a higher centre begins at most one rung's height below this centre.
       const float from = bar.center().y - kThickest;
       auto other = std::lower_bound(bars.begin(), bars.end(), from,
                                     [](const Bar& b, float height) { return b.box.lo.y < height; });

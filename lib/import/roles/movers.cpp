@@ -15,7 +15,7 @@
 namespace obby::importer {
 namespace {
 
-// Classes that only turn a part. Any number of them leaves its position to others.
+// Classes that only turn a part. They do not affect its position.
 constexpr std::string_view kOnlyTurn[] = {
     "AlignOrientation", "AngularVelocity", "BodyAngularVelocity",  "BodyGyro", "Torque", "Rotate",
     "RotateP",          "RotateV",         "NoCollisionConstraint"};
@@ -33,7 +33,8 @@ double weightOf(RoleContext& context, InstanceId part) {
   return mass * double(context.level.world.gravity);
 }
 
-// Returns the force of a mover along each axis of the world, or nullopt if it is not that simple.
+// Returns the max force of a mover along each axis of the world, or nullopt if the force is limited
+// in another frame.
 std::optional<Vec3> forceOf(const Tree& tree, const ConstraintSettings& settings, InstanceId id) {
   if (tree.at(id).className == "BodyVelocity") return settings.vector(id, "MaxForce");
   if (settings.choice(id, "VelocityConstraintMode") != kVector ||
@@ -44,8 +45,8 @@ std::optional<Vec3> forceOf(const Tree& tree, const ConstraintSettings& settings
   return Vec3{force, force, force};
 }
 
-// Returns 1 for each axis along which it pushes, and 0 where it has no effect. Returns nullopt if
-// it cannot lift the part, or drags it slowly.
+// Returns 1 for each axis along which the force pushes the part, else 0. Returns nullopt if the
+// force cannot lift the part, or drags it slowly.
 std::optional<Vec3> axesOf(Vec3 force, double weight) {
   Vec3 axes = {1, 1, 1};
   for (const auto& [of, axis] : {std::pair(force.x, &axes.x), std::pair(force.z, &axes.z)}) {
@@ -75,8 +76,8 @@ bool fromPusher(RoleContext& context, const ConstraintSettings& settings, const 
   return hold(context, part, "a mover holds it in place");
 }
 
-// Returns the axis and speed of a mover that turns, in the world of the file, or zero if it turns
-// nothing.
+// Returns the angular velocity of a mover in world space, at the poses of the file. Returns zero if
+// the mover turns nothing.
 Vec3 turnBy(RoleContext& context, const ConstraintSettings& settings, InstanceId id) {
   const Instance& mover = context.tree.at(id);
   Vec3 turn = settings.vector(id, "AngularVelocity");

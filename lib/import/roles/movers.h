@@ -13,16 +13,16 @@ namespace obby::importer {
 using Pulls = std::map<InstanceId, int>;
 Pulls pullsOf(RoleContext& context, const ConstraintSettings& settings);
 
-// Gives a motion to the part of an enabled mover, or holds it in place. If the file does not state
-// the direction, it is held, and the level notes it. Returns false without effect if the mover
-// drives nothing unanchored, is too weak, or is of another class.
+// Gives a motion to the part of an enabled mover, or holds the part in place. If the file does not
+// state the direction, the part is held, and the level notes it. Returns false without effect if
+// the mover is too weak, is of another class, or drives no unanchored part.
 bool fromMover(RoleContext& context, const ConstraintSettings& settings, const Pulls& pulls,
                InstanceId id);
 
-// Notes parts that another mover turns and that this mover would push away or to and fro.
+// Notes parts that another mover turns, and that this mover would push away or back and forth.
 void noteTurning(RoleContext& context, const ConstraintSettings& settings, InstanceId id);
 
-// Returns true for a class that gives a part a velocity. Turners of a part come before it.
+// Returns true for a class that gives a part a velocity. Process the turners of a part first.
 bool isPusher(const std::string& className);
 
 // Returns true for a class that holds a part in place when no script moves it.

@@ -101,8 +101,8 @@ void noteBoth(RoleContext& context, const ConstraintSettings& settings, Instance
   }
 }
 
-// Returns the constraints that have moved nothing so far. A part attached to another moving part
-// has to wait for it.
+// Gives motions to parts, and returns the constraints that move none. It takes several passes: a
+// part attached to a moving part can only follow once that part has its motion.
 std::vector<InstanceId> withoutMotion(RoleContext& context, const ConstraintSettings& settings) {
   constexpr int kLongestChain = 8;
   const Pulls pulls = pullsOf(context, settings);

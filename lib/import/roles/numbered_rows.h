@@ -9,8 +9,8 @@
 namespace obby::importer {
 
 // Returns a text that the parts of one row share: the folder, and the names without their numbers.
-// The number may be in the part's own name, in a value of it or in the name of its model. Returns
-// "" if there is none.
+// The number may be in the part's own name, in a value below the part or in the name of its model.
+// Returns "" if the part has no number.
 std::string rowOf(const Tree& tree, InstanceId part);
 
 // Returns true if the part has a number and its parent is a folder called Stages, Checkpoints or

@@ -10,7 +10,7 @@ namespace obby::importer {
 
 using RoleFinder = void (*)(RoleContext&);
 
-// One role with a finder for each kind of evidence, or null for none.
+// One role and its finder for each kind of evidence; null if it has none.
 struct RoleRow {
   const char* name;
   RoleFinder fromTags, fromMarkers, fromNames;
@@ -25,8 +25,8 @@ std::string markerWords(const Tree& tree, InstanceId marker);
 void findRoles(RoleContext& context);
 
 // Returns the part that represents a tagged model or folder: the one called Touch, Goal, Hitbox or
-// the like, else its primary part, else the first. A part represents itself. Returns null if none
-// of it is in the level.
+// the like, else its primary part, else its first part. A part represents itself. Returns null if
+// none of these parts is in the level.
 PartDraft* touchPart(RoleContext& context, InstanceId id);
 
 // The finders of each role file.

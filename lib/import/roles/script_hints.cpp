@@ -23,7 +23,7 @@ int harmLine(const std::string& source) {
   return 1 + int(std::count(source.begin(), source.begin() + std::ptrdiff_t(first), '\n'));
 }
 
-// Guesses that a script inside a part, which harms on touch, refers to that part.
+// If a script harms on touch, guesses that it refers to the part that contains it.
 void hint(RoleContext& context, InstanceId script) {
   const Instance& instance = context.tree.at(script);
   PartDraft* const part = context.part(instance.parent);

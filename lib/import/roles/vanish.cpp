@@ -29,7 +29,7 @@ void give(PartDraft& part, Vanish vanish, std::string reason, bool guessed) {
   part.evidence.push_back({"vanish", std::move(reason), guessed});
 }
 
-// Returns the first of several numbers that is valid as a time or a count.
+// Returns the first of the named numbers that is not negative.
 std::optional<double> firstOf(const Tree& tree, InstanceId id,
                               std::initializer_list<const char*> names) {
   for (const char* name : names)

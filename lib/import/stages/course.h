@@ -21,17 +21,17 @@ struct Course {
   const Tree& tree;
   LevelDraft& level;
   std::vector<Team> teams = {};
-  int start = -1;                                   // part index
-  std::optional<Vec3> arrived = {};                 // on the start; nullopt: the middle of its top
-  std::vector<int> checkpoints = {};                // part indices, sorted by orderCheckpoints
+  int start = -1;                     // part index
+  std::optional<Vec3> arrived = {};   // feet on the start; nullopt: the middle of its top
+  std::vector<int> checkpoints = {};  // part indices, sorted by orderCheckpoints
   std::vector<std::pair<Vec3, Vec3>> portals = {};  // pairs of entry and exit
 
   PartDraft& part(int index) const { return level.parts[size_t(index)]; }
   const Instance& instance(int index) const { return tree.at(part(index).id); }
   bool is(int index, const char* flag) const;  // returns a flag of the part's instance
   const Team* teamOf(int spawn) const;         // team of a SpawnLocation; null: for all
-  // Returns the studs from one part to another: directly, or through the portal that makes it
-  // shortest.
+  // Returns the distance between two parts in studs: directly or through one portal, whichever is
+  // shorter.
   float distance(int from, int to) const;
   // Returns true if a distance is out of proportion to those between the checkpoints.
   bool isFar(float studs) const;

@@ -34,8 +34,8 @@ void fill(int& number, int found) {
 bool isFreeText(NumberFrom from) { return from == NumberFrom::name || from == NumberFrom::team; }
 
 // Returns true if a source tells checkpoints apart. A source with one number for all does not. Free
-// text must number at least half of those without a number so far. NumberFrom::asked must make a
-// chain.
+// text must number at least half of the checkpoints that have no number so far. NumberFrom::asked
+// must give each a different number.
 bool tells(NumberFrom from, const std::vector<int>& source, const std::vector<int>& numbers) {
   size_t open = 0, count = 0;
   std::set<int> values;

@@ -22,15 +22,15 @@ std::optional<int> asStage(double number);
 int statedNumber(const Tree& tree, InstanceId id);
 
 // Adds the numbers that the file states: in values and names of the tagged or named instance
-// `owner` and of its touched part, and in the names of ancestor folders. Those are folders of
-// stages or checkpoints ("Stages", "Stage 3 Lava"), or have a number as name.
+// `owner` and of its touched part, and in the names of ancestor folders. A folder counts if it is
+// one of stages or checkpoints ("Stages", "Stage 3 Lava"), or if its name is a number.
 void readNumbers(const Tree& tree, InstanceId owner, PartDraft& part);
 
 // Returns the numbers in the names of the teams, by colour. The first team of a colour counts.
 std::map<int64_t, int> numbersOfTeams(const Tree& tree);
 
-// Returns the number of each part that counts: that of its strongest source, among the sources that
-// tell the parts apart.
+// Returns one number for each part: that of its strongest source, among the sources that tell the
+// parts apart.
 std::vector<int> numbersThatCount(const LevelDraft& level, const std::vector<int>& parts);
 
 }  // namespace obby::importer

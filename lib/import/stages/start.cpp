@@ -16,7 +16,7 @@ constexpr float kOnTop = 8;  // max studs between a pad and a player placed by s
 
 // Suitability of a SpawnLocation as the start, best first.
 enum class StartRank {
-  ofFirstTeam,  // the engine puts new players there
+  ofFirstTeam,  // of the team of new players
   named,        // "Start"
   open,         // for all teams, and it does not change the player's team
   other,
@@ -62,7 +62,7 @@ class SpawnRoles {
 
   bool empty() const { return spawns_.empty(); }
 
-  // Returns true if the engine itself puts a player there.
+  // Returns true if the feet are on a SpawnLocation: the engine itself puts players there.
   bool isOnOne(Vec3 feet) const {
     return std::any_of(spawns_.begin(), spawns_.end(), [&](int spawn) {
       const PartDraft& part = course_.part(spawn);
@@ -86,7 +86,7 @@ class SpawnRoles {
     part.stageSigns[NumberFrom::team] = firstNumber(team->name).value_or(kUnnumbered);
   }
 
-  // Returns its own number, else that of its folder or team.
+  // Returns the SpawnLocation's own number, else that of its folder or team.
   int numberOf(int spawn) const {
     const StageSigns& signs = course_.part(spawn).stageSigns;
     for (const NumberFrom from : {NumberFrom::tag, NumberFrom::value, NumberFrom::name,
@@ -173,7 +173,7 @@ class SpawnRoles {
     return length(course_.part(a).pose.position - course_.part(b).pose.position) < kOnePlatform;
   }
 
-  // Returns true if a checkpoint of the same number is near.
+  // Returns true if a checkpoint with the SpawnLocation's number is near it.
   bool isNextToItsStage(int spawn) const {
     return std::any_of(spawns_.begin(), spawns_.end(), [&](int other) {
       return other != spawn && course_.part(other).checkpoint && areNear(spawn, other) &&
