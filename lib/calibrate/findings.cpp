@@ -42,7 +42,7 @@ Fitted byProfile(Fitted f, const Profile& profile, double slack, double between)
   return judged(f);
 }
 
-// Rounds to whole ticks.
+// Like byProfile(), but rounds to whole ticks.
 Fitted byCount(Fitted f, const Profile& profile, double slack, double tick) {
   if (possibleOf(profile, slack).all) return f;
   f.tick = tick;

@@ -8,7 +8,7 @@
 
 namespace obby::calibrate {
 
-// A quarter turn to the right of a horizontal direction.
+// Returns a horizontal direction turned to the right by a quarter turn.
 inline Vec3 rightOf(Vec3 ahead) { return {-ahead.z, 0, ahead.x}; }
 
 struct MassCentre {

@@ -12,8 +12,8 @@ struct Profile {
   std::vector<double> losses;  // Objective::loss at each
 };
 
-// The shares that a profile does not rule out: their losses exceed the minimum by no more than
-// `slack` (slackOf() in evidence.h).
+// The shares that a profile does not rule out: their losses exceed the minimum by at most `slack`
+// (slackOf() in evidence.h).
 struct Possible {
   double min, max;
   bool all;  // nothing is ruled out

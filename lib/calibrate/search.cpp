@@ -25,8 +25,8 @@ class Searcher {
 
   const std::vector<double>& best() const { return best_; }
 
-  // `before`: generations of the searches before, out of `all`. Returns true if within the
-  // tolerance.
+  // Runs one search. Earlier searches ran `before` of `all` generations. Returns true once the
+  // result is within the tolerance.
   bool descend(CmaEs method, size_t before, size_t all) {
     for (uint32_t g = 0; g < settings_.generations; ++g) {
       if (method.spread() < kResting || loss_ < kNoLoss) break;

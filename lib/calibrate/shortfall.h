@@ -16,7 +16,7 @@ struct Strange {
   double off = 0;                          // mean distance, studs
   sim::State state = sim::State::running;  // of the player at the largest distance
   // Parameters that the fitted recordings do not determine and that would reduce the error. If
-  // empty, no such parameter explains it.
+  // empty, no such parameter explains the error.
   std::vector<std::string> untold = {};
 };
 
@@ -31,7 +31,7 @@ struct Shortfall {
 Result<Shortfall> shortfallOf(std::span<const Take> takes, const Fit& fit,
                               schema::PhysicsParams::Reader params, double tolerance);
 
-// A short text for a warning, and the full list of reasons.
+// Return a short text for a warning, and the full list of reasons.
 std::string shortOf(const Shortfall& shortfall, double tolerance);
 std::vector<std::string> reasonsOf(const Shortfall& shortfall, double tolerance);
 

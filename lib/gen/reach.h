@@ -25,8 +25,8 @@ class Reach {
   float walkedGap() const;
   // Returns the upward speed that lifts the feet to a height, studs/s.
   float speedFor(float height) const;
-  // Returns true if these measures are clamped, since levels would be thousands of studs long. A
-  // crossing made impossible may then be within reach.
+  // Returns true if these measures are clamped, which keeps levels from being thousands of studs
+  // long. A crossing made impossible may then be within reach.
   bool cut() const;
   // Returns the longest time in the air between floors of equal height, seconds.
   float flight() const;

@@ -1,5 +1,5 @@
-// A route through a level as a polyline, with the length left from any position. For rewards only;
-// the policy never sees it.
+// A route through a level as a polyline, with the length left from any position. Only rewards use
+// it; the policy never sees it.
 #pragma once
 
 #include <span>

@@ -18,8 +18,9 @@ struct StreamCopy {
   io::SourceSummary summary;  // summary of all records read for it
 };
 
-// Copies the whole stream, or what arrived before `timeout` ended it. Errors: those of the stream;
-// an interrupted end, unless `options` forgive it; more than `max` bytes, as of an endless stream.
+// Copies the whole stream, or the records that arrived before `timeout` ended it. Errors: those of
+// the stream; an interrupted end, unless `options` forgive it; more than `max` bytes, for example
+// from an endless stream.
 Result<StreamCopy> copyOfStream(io::SourceOptions options, Timeout& timeout,
                                 uint64_t max = kMaxCopied);
 

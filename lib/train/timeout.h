@@ -30,7 +30,7 @@ class Timeout {
   const std::atomic<bool>& stop() const { return stop_; }
   // Returns true if the time limit set stop().
   bool expired() const { return expired_; }
-  // The flag for outputs whose readers may stall. Set with `interrupted`, and `seconds` after
+  // The flag for outputs whose readers may stall. It is set with `interrupted`, and `seconds` after
   // begin().
   const std::atomic<bool>& late() const { return late_; }
 

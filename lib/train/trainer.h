@@ -47,11 +47,11 @@ class Trainer {
   // it. Errors also: training diverged; then state() cannot be resumed.
   Result<Iteration> iterate();
   // Returns success if another iteration can follow, else the source's error. The trained network
-  // stays, and state() can be resumed.
+  // stays valid, and state() can be resumed.
   const Status& more() const { return more_; }
 
-  // Call it between iterations. resume() continues from it with the same bits. On the first rank it
-  // has the env groups of all ranks. Errors: the engine's.
+  // Returns the state from which resume() continues with the same bits. Call it between iterations.
+  // On the first rank the state has the env groups of all ranks. Errors: the engine's.
   Result<TrainerState> state() const;
   // Counts so far.
   uint64_t iterations() const { return iterations_; }

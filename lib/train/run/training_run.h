@@ -29,7 +29,7 @@ struct RunProgress {
   double solved = 0, hardest = 0;  // as in Iteration
 };
 
-// What a run reports to its user.
+// Callbacks through which a run reports to its user.
 struct RunReport {
   std::function<void(const std::string&)> warn, note;
   std::function<void(const RunProgress&)> progress;
@@ -64,7 +64,7 @@ class TrainingRun {
   double seconds() const;  // of this run
   double allSeconds() const { return store_.secondsBefore() + seconds(); }
   double meanRate() const;  // decisions per second, in this run
-  double presentRate();     // in its last seconds
+  double presentRate();     // in the last seconds
   Votes vote();
   Status report();
   void reportProgress();
