@@ -9,7 +9,7 @@
 namespace obby::bridge {
 
 // Returns level records, one a line, with `{}` for every part that is anchored and neither moves
-// nor vanishes. All parts thus keep their places in the list. A line that is not JSON is an error.
+// nor vanishes. So all parts keep their indices. A line that is not JSON is an error.
 Result<std::string> movingParts(std::string_view lines);
 
 }  // namespace obby::bridge

@@ -43,7 +43,7 @@ class Process {
   // Becomes readable when the program has ended.
   int exitFd() const { return exitFd_.get(); }
   pid_t id() const { return pid_; }
-  // Returns the processor time that it has used, without its children; 0 once it has been reaped.
+  // Returns the processor time of the program, without its children; 0 once it has been reaped.
   double cpuSeconds() const;
 
   // Sends a signal to its whole group, if it has not been reaped.

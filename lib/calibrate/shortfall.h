@@ -10,7 +10,7 @@ namespace obby::calibrate {
 
 // Half a second of a recording that the simulator does not reproduce from the recorded state.
 struct Strange {
-  size_t take = 0;  // index; several may have one name
+  size_t take = 0;  // index; several takes may share a name
   std::string recording;
   double from = 0, to = 0;                 // seconds
   double off = 0;                          // mean distance, studs

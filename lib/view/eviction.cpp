@@ -25,7 +25,7 @@ size_t bytesOf(const std::optional<io::Record>& record) { return record ? bytesO
 
 }  // namespace
 
-// In ticks.
+// Returns the cost of a trajectory, ticks.
 size_t Collector::costOf(const PathEntry& path, const Playback& playback) const {
   size_t cost = playback.feet.size() + playback.events.size() + playback.motions.size();
   for (const BodyTrack& track : playback.bodies) cost += track.ticks.size();

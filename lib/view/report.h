@@ -32,7 +32,7 @@ struct PageBudget {
   // Budget for later levels, queries and answers; records beyond it are dropped.
   size_t bytes = SIZE_MAX;
   // True if newer trajectories evict the oldest ones, attempts before solutions. Otherwise attempts
-  // over the budget are left out, and such solutions are errors.
+  // over the budget are left out, and solutions over it are errors.
   bool rolls = false;
 };
 
@@ -94,7 +94,7 @@ class Collector {
   size_t ticksKept_ = 0, bytesKept_ = 0;
   // Notes given: omitted attempts, dropped records, and cut part events.
   bool attemptsNoted_ = false, fullNoted_ = false, cutNoted_ = false;
-  size_t dropped_ = 0;                 // number of trajectories
+  size_t dropped_ = 0;                 // number of dropped trajectories
   std::optional<size_t> droppedNote_;  // index of the note with their number
   std::set<size_t> thinned_;           // queries with dropped trajectories
   Report report_;

@@ -1,4 +1,5 @@
-// A part's role for the player, for its colour. Each part has one role, the most important.
+// The role that a part plays for the player, which decides its colour. If several apply, the most
+// important one counts.
 #pragma once
 
 #include <cstdint>

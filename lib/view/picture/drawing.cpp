@@ -55,7 +55,7 @@ Sheet sheetOf(const Box& extent, const QueryEntry* query, const DrawingOptions& 
   const Vec3 along = alongOf(extent, query);
   Paper paper;
   paper.across = along;
-  // Never mirrored: seen from above, the right-hand side along the level is down.
+  // The drawing is never mirrored: from above, the right-hand side along the level is down.
   paper.down = options.side == Side::above ? cross(along, Vec3{0, 1, 0}) : Vec3{0, -1, 0};
   float x0 = 1e30f, x1 = -1e30f, y0 = 1e30f, y1 = -1e30f;
   for (int i = 0; i < 8; ++i) {

@@ -40,7 +40,7 @@ Solid solidOf(const level::LevelView& level, const level::Collider& c,
   return {pose, c.kind, c.shape};
 }
 
-// Returns true if it has no collision at that tick, provided that nothing was touched.
+// Returns true if the collider is away at that tick, provided that nothing was touched.
 bool absent(const level::LevelView& level, uint32_t collider, uint32_t tick) {
   const uint32_t flags = level.bounds[collider].flags;
   if ((flags & (level::kVanishTimer | level::kClocked)) == 0) return false;
