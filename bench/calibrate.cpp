@@ -70,7 +70,7 @@ double sizeOf(const Fitted& f, double truth) {
   return f.parameter.lowest > 0 ? truth : f.parameter.highest;
 }
 
-// Values in whole ticks are compared after rounding.
+// Returns the relative error. Values in whole ticks are compared after rounding.
 double errorOf(const Fitted& f, double truth) {
   const auto counted = [&](double value) {
     return f.tick > 0 ? std::round(value / f.tick) : value;
@@ -137,7 +137,7 @@ void count(const Trial& trial, const Fitted& f, Tally& tally, bool each) {
   Tally::Of& of = tally.parameters[name];
   ++of.known;
   tally.outside += !holds(f, truth);
-  // Its own interval is within one percent, or within one tick.
+  // A value is sharp if its own interval is within one percent, or within one tick.
   if (std::max(f.high - f.value, f.value - f.low) > 0.01 * sizeOf(f, f.value)) return;
   const double error = errorOf(f, truth);
   ++of.sharp;

@@ -52,7 +52,7 @@ struct Measure {
 //   provedShare                   share of the queries that can be proven unreachable
 std::vector<Measure> summarise(const Results& results);
 
-// Returns null if the method has no such measure.
+// Returns null if the method lacks the measure.
 const Measure* findMeasure(const std::vector<Measure>& measures, const std::string& method,
                            const std::string& metric);
 

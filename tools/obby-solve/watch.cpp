@@ -57,7 +57,7 @@ class Inputs {
 
   const io::FileWatch& all() const { return all_; }
 
-  // Called before a run; see FileWatch::settle.
+  // Call it before a run; see FileWatch::settle.
   void settle(const std::atomic<bool>& stop) {
     for (size_t i = 0; i < paths_.size(); ++i) changed_[i] = changed_[i] || each_[i].changed();
     all_.settle(stop);
