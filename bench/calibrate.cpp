@@ -57,7 +57,7 @@ struct Options {
 struct Tally {
   struct Of {
     int known = 0, sharp = 0, near = 0;
-    double worst = 0;  // of the sharp ones
+    double worst = 0;  // worst error of the sharp ones
   };
   std::map<std::string, Of> parameters;
   int outside = 0;

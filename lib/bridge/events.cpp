@@ -80,7 +80,7 @@ class Relay {
     });
   }
 
-  // A client that stops reading would block a message forever. This then ends the relay.
+  // A client that stops reading would block a message forever. watch() then ends the relay.
   kj::Promise<void> watch() {
     if (client_->dropSocket || closing_) return loop_.timer.afterDelay(1 * kj::SECONDS);
     return client_->whenWoken().then([this] { return watch(); });

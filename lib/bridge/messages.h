@@ -52,10 +52,10 @@ class Ring {
   std::deque<Message> messages_;
 };
 
-// Returns the messages that carry one record of a job, in order. This is one message
-// `{"job":"j1","type":"record","record":{...}}`. If that is longer than `limit` bytes, there are
-// several `{"job":"j1","type":"fragment","index":0,"count":3,"text":"..."}` whose joined texts are
-// the record's JSON. `record` is JSON; limit >= 1024.
+// Returns the messages that carry one record of a job, in order. Normally that is one message
+// `{"job":"j1","type":"record","record":{...}}`. If it would be longer than `limit` bytes, there
+// are several `{"job":"j1","type":"fragment","index":0,"count":3,"text":"..."}` whose joined texts
+// are the record's JSON. `record` is JSON; limit >= 1024.
 std::vector<std::string> recordMessages(std::string_view job, std::string_view record,
                                         uint64_t limit);
 

@@ -11,7 +11,7 @@
 namespace obby::calibrate {
 
 struct Crossing {
-  Profile profile;           // with the other parameters refined at each value
+  Profile profile;           // losses with the other parameters refined
   std::vector<double> best;  // point with the lowest loss
   double loss = 0;           // at `best`
 };

@@ -100,9 +100,9 @@ Result<Slopes> slopesAt(const Objective& objective, const std::vector<double>& p
   return out;
 }
 
-// The prior stands in for directions that the recordings do not determine: a deviation of half the
-// range. Errors differ in size: positions are less precise than facings, and some stretches fit
-// worse than others. So the variance is the larger of the one from the mean residual and the one
+// A prior with a deviation of half the range stands in for directions that the recordings do not
+// determine. Errors differ in size: positions are less precise than facings, and some stretches fit
+// worse than others. So the variance is the larger of two: that from the mean residual, and that
 // from the disagreement between stretches.
 Evidence evidenceOf(const Slopes& s) {
   const Eigen::Index n = s.normal.rows();

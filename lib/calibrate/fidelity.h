@@ -31,7 +31,7 @@ Result<Fidelity> fidelityOf(const Take& take, schema::PhysicsParams::Reader para
 
 // Statistics over the compared recordings.
 struct FidelitySummary {
-  double medianMean = 0, p95Mean = 0;  // of the recordings' mean distances, studs
+  double medianMean = 0, p95Mean = 0;  // over the recordings' mean distances, studs
   std::optional<double> matched;       // share of all events; absent without events
   std::optional<double> medianApex;    // studs; absent if no recording has an apex
 };

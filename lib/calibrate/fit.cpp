@@ -14,11 +14,10 @@ namespace obby::calibrate {
 
 namespace {
 
-constexpr double kGain = 0.02;   // relative loss reduction that justifies another search
-constexpr int kFocusRounds = 4;  // max rounds of focus()
-constexpr int kPasses = 6;       // max passes; the restarts belong to the first
-constexpr double kOutside =
-    4;  // standard deviations of the noise; larger errors have another cause
+constexpr double kGain = 0.02;      // relative loss reduction that justifies another search
+constexpr int kFocusRounds = 4;     // max rounds of focus()
+constexpr int kPasses = 6;          // max passes; the restarts belong to the first
+constexpr double kOutside = 4;      // standard deviations; larger errors are not noise
 constexpr double kFinest = 0.01;    // studs
 constexpr uint32_t kMaxRate = 480;  // control steps a second, the limit for levels
 

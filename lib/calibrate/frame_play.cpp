@@ -12,8 +12,8 @@ namespace {
 
 constexpr double kOffStep = 0.15;   // max rounding error of a frame's length, physics steps
 constexpr int kOffCount = 2;        // max correction of a frame's steps by its motion
-constexpr float kOffPlace = 4e-3f;  // studs: a smaller error confirms a number of steps, one four
-                                    // times larger excludes it
+constexpr float kOffPlace = 4e-3f;  // studs: an error below this confirms a number of steps, an
+                                    // error above four times this excludes it
 constexpr size_t kAround = 16;      // frames on each side from which the frame rate is fitted
 constexpr double kUneven = 1.5;  // steps: a larger deviation from the fitted line means an unsteady
                                  // rate

@@ -24,7 +24,7 @@ std::vector<uint32_t> stepsOf(const Track& track, double stepsPerSecond);
 std::vector<float> ownSteps(const std::vector<uint32_t>& steps);
 
 struct Played {
-  Vec3 position;  // of the root's centre
+  Vec3 position;  // centre of the root, studs
   sim::State state;
 };
 

@@ -88,7 +88,7 @@ struct Miss {
 // A take and its complete playback in the simulator.
 struct Path {
   std::vector<double> seconds;
-  std::vector<Vec3> recorded, simulated;  // of the root part's centre, studs
+  std::vector<Vec3> recorded, simulated;  // centre of the root part, studs
 };
 Result<Path> pathOf(const Take& take, schema::PhysicsParams::Reader params, double delay);
 Miss missOf(const Path& path);

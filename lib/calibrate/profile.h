@@ -7,8 +7,8 @@
 namespace obby::calibrate {
 
 struct Profile {
-  size_t coordinate;           // of an objective's point
-  std::vector<double> shares;  // of the bounds, ascending
+  size_t coordinate;           // index into an objective's point
+  std::vector<double> shares;  // the values tried, ascending
   std::vector<double> losses;  // Objective::loss at each
 };
 

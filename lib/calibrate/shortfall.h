@@ -14,7 +14,7 @@ struct Strange {
   std::string recording;
   double from = 0, to = 0;                 // seconds
   double off = 0;                          // mean distance, studs
-  sim::State state = sim::State::running;  // of the player at the largest distance
+  sim::State state = sim::State::running;  // the player's state at the largest distance
   // Parameters that the fitted recordings do not determine and that would reduce the error. If
   // empty, no such parameter explains the error.
   std::vector<std::string> untold = {};

@@ -13,8 +13,7 @@ struct Scan {
   std::vector<double> best;       // point with the counts of the lowest loss; ties go to the counts
                                   // nearest to the fit's start
   bool better = false;            // true if that loss is less than the point's
-  size_t frames =
-      0;  // frames that the losses cover, from recordings in which one of the times has an effect
+  size_t frames = 0;  // in the losses: those of recordings in which one of the times has an effect
 };
 
 // Two times can hide each other: a jump after an edge is possible only while both are unexpired. So

@@ -17,7 +17,7 @@ struct Frame {
   double time = 0;  // seconds since the first frame
   Vec3 move;        // move direction, world axes, length 0 to 1
   bool jump = false;
-  Vec3 position;  // of the root part's centre, studs
+  Vec3 position;  // centre of the root part, studs
   Vec3 velocity;  // studs/s
   sim::State state = sim::State::freefall;
   Vec3 facing = {};  // level look vector of the root part, unit; all 0 if not recorded
@@ -25,7 +25,7 @@ struct Frame {
 
 // A part's pose.
 struct PartPose {
-  Vec3 position;  // of its centre, studs
+  Vec3 position;  // the part's centre, studs
   Quat rotation;
 };
 

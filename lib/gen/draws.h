@@ -14,7 +14,7 @@ float rounded(float v, float unit);
 
 class Draws {
  public:
-  // --- Random numbers. At most one draw per expression, because compilers order the evaluation of
+  // --- Random numbers. Draw at most once per expression, because compilers order the evaluation of
   // operands and arguments differently, and levels would differ.
   float unit() { return random_.unit(); }
   uint32_t below(uint32_t n) { return random_.below(n); }
@@ -34,7 +34,7 @@ class Draws {
   // Like mix(), but by the difficulty alone, without noise or rounding.
   float steady(const Parameter& p) const;
 
-  float difficulty() const { return difficulty_; }  // of the obstacle being made, 0 to 1
+  float difficulty() const { return difficulty_; }  // the current obstacle's, 0 to 1
 
  protected:
   // The recipe must outlive this object.

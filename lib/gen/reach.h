@@ -10,8 +10,8 @@ class Reach {
  public:
   explicit Reach(const Params& params) : p_(params) {}
 
-  // Returns the widest gap onto a floor `rise` studs higher (negative: lower), or 0 if it is too
-  // high. Studs.
+  // Returns the widest gap onto a floor `rise` studs higher (negative: lower), or 0 if that is
+  // too high. Studs.
   float gap(float rise) const;
   // Returns the widest gap down to the lowest floor next to an obstacle. Studs.
   float widest() const;

@@ -37,7 +37,7 @@ struct Parameter;
 
 // New values of a style's parameter (lib/gen/style.h) at difficulty 0 and 1.
 struct Setting {
-  const Parameter* parameter;  // of a style in the table
+  const Parameter* parameter;  // belongs to a style in the table
   float easy, hard;
 };
 

@@ -7,7 +7,7 @@ namespace obby::gen {
 namespace {
 
 constexpr float kShareSpread = 0.05f;
-constexpr float kThick = 1;     // of floors, studs
+constexpr float kThick = 1;     // thickness of floors, studs
 constexpr float kHeadroom = 6;  // height of a region above a floor, studs
 constexpr float kAskew = 7;     // studs added to an impossible gap on a diagonal route
 constexpr uint64_t kExcessStream = 0x9e3779b97f4a7c15u;

@@ -15,7 +15,7 @@ class Guide {
   // not before the previous waypoint's.
   explicit Guide(std::vector<Vec3> places, std::span<const Vec3> waypoints = {});
 
-  // As GuideView.
+  // Like the functions of GuideView.
   float left(Vec3 position, float from, uint32_t waypoints) const {
     return view().left(position, from, waypoints);
   }

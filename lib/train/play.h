@@ -31,8 +31,7 @@ struct RestartShares {
 // One world that learns.
 struct Player {
   sim::World world;
-  Turns ahead =
-      0;  // heading of its last observation; not saved, since a world observes before it moves
+  Turns ahead = 0;     // heading of its last observation; not saved, since observing sets it
   float minLeft = 0;   // min studs left on the route in this episode
   uint32_t ticks = 0;  // ticks of this episode
   bool fromStart = true;

@@ -42,7 +42,7 @@ class BodyWatch {
 
  private:
   const level::LevelView& level_;
-  std::vector<std::vector<BodyStay>> stays_;  // of each body
+  std::vector<std::vector<BodyStay>> stays_;  // one list per body
   size_t count_ = 0;                          // number of moments
 };
 

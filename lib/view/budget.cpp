@@ -20,7 +20,7 @@ constexpr size_t kSampleBytes = 20;    // position, yaw, state in base64
 constexpr size_t kRunBytes = 8;        // for a run of the same action
 constexpr size_t kEventBytes = 18;     // for a part that appears, disappears or starts to move
 constexpr size_t kTrajectoryBytes = 300;  // names and numbers of a trajectory
-constexpr size_t kPartBytes = 70;         // in columns, and around the name
+constexpr size_t kPartBytes = 70;         // a part in columns, and around its name
 constexpr size_t kVertexBytes = 16;       // per vertex of a hull
 constexpr size_t kEvidenceBytes = 16;     // around its text
 

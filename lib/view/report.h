@@ -66,9 +66,9 @@ class Collector {
   void addProgress(const io::Record& record);
   void addPath(QueryEntry& entry, PathEntry path);
   bool wanted(const io::Record& record) const;
-  // Returns the level that a query or an answer names. Among several of that name it prefers the
-  // current one, then the latest new one. Without a name it is the current one. Returns -1 if there
-  // is none.
+  // Returns the level that a query or an answer names. If several have that name, prefers the
+  // current one, then the latest new one. An empty name is the current level. Returns -1 for an
+  // unknown level.
   int levelNamed(const std::string& name) const;
   QueryEntry& queryNamed(const std::string& id, int level);
   Status compile(QueryEntry& entry);

@@ -9,7 +9,7 @@
 
 namespace obby::view {
 
-// In the order of ROLE_STYLE in web/src/palette.js.
+// The order is that of ROLE_STYLE in web/src/palette.js.
 enum class Role : uint8_t {
   plain,
   start,

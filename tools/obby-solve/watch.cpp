@@ -64,7 +64,7 @@ class Inputs {
     noteEach();
   }
 
-  // Returns names such as "'level.jsonl'" and clears them. Empty if none changed.
+  // Returns names such as "'level.jsonl'", or an empty text, and clears them.
   std::string takeChanged() {
     std::vector<std::string> names;
     for (size_t i = 0; i < paths_.size(); ++i) {

@@ -134,7 +134,7 @@ Status explained(Status done, const cli::Context& context) {
       "check what delays the reader, or write to a file"};
 }
 
-// The first rank reports an error that all ranks know.
+// All ranks return the same error, but only the first one reports it.
 Result<cli::ExitCode> run(cli::Context& context, train::JoinedRanks& joined) {
   train::Ranks& ranks = joined.ranks();
   const cli::Arguments& a = context.arguments();

@@ -16,8 +16,7 @@ const auto& [kPlank, kWidth, kShort, kRoad] = kParameters;
 
 void build(Sketch& s) {
   constexpr float kTooWide = 1.3f;
-  constexpr float kPad = 8,
-                  kSpare = 6;  // studs beyond a jump, so that no jump from the road's end helps
+  constexpr float kPad = 8, kSpare = 6;  // studs beyond a jump from the road's end
   const float widest = s.reach().gap(0), plank = s.mix(kPlank), width = s.mix(kWidth);
   // Each plank is needed: the gap without it is too wide to jump.
   const float hop = s.sideGap(0.75f), long_ = maxf(plank, kTooWide * widest - 2 * hop);

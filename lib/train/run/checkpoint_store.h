@@ -30,8 +30,8 @@ struct RunIdentity {
   io::StreamIdentity stream;
 };
 
-// Returns the checkpoint's default path, next to the policy. Empty if the policy goes to a device
-// or a pipe.
+// Returns the checkpoint's default path, next to the policy, or an empty path if the policy goes to
+// a device or a pipe.
 std::string defaultCheckpoint(const std::string& policy);
 
 class CheckpointStore {
