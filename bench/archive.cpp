@@ -22,8 +22,7 @@ namespace {
 
 using namespace obby;
 
-constexpr uint32_t kBetterEvery =
-    3;  // one cell in this many is reached again by a shorter trajectory
+constexpr uint32_t kBetterEvery = 3;  // every n-th cell is reached again by a shorter trajectory
 constexpr uint32_t kFinds = 2'000'000;
 constexpr uint32_t kRounds = 30, kRollouts = 512;
 constexpr uint32_t kVisits = 6000, kArrivals = 300;  // per round

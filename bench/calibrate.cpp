@@ -216,7 +216,7 @@ void measureBullet(const char* name, test::BulletGame::Body body, uint64_t seed,
                    ThreadPool& pool, Tally& tally) {
   const test::BulletGame game = test::drawnGame(body, seed, 0.25f);
   const auto manoeuvres = test::bulletManoeuvres();
-  // Repeats each three times with variations, as a person recording would.
+  // Records each manoeuvre three times with variations, as a person would.
   std::vector<calibrate::Manoeuvre> session = manoeuvres;
   for (const uint64_t again : {10, 20}) {
     for (calibrate::Manoeuvre& m : others(manoeuvres, 100 * seed + again)) {

@@ -59,8 +59,8 @@ const Measure* findMeasure(const std::vector<Measure>& measures, const std::stri
 // Returns the queries that took the method longest or that it did not solve, as lines of text.
 std::string slowest(const Results& results, size_t method, size_t count);
 
-// Returns the share of solved runs of solvable queries within each of `limits`, with its interval.
-// Every query has the same weight.
+// The share of solved runs of solvable queries within a time limit, with its interval. Every query
+// has the same weight.
 struct Share {
   double value;
   Interval interval;

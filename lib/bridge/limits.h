@@ -25,7 +25,7 @@ struct Limits {
   // messages
   uint64_t messageBytes = 256 << 10;  // longer records are sent in fragments
   uint64_t ringBytes = 4 * kMiB;      // messages kept for each client, to resume from a cursor
-  uint64_t unsentBytes = 64 * kMiB;   // messages kept that its WebSocket has not taken
+  uint64_t unsentBytes = 64 * kMiB;   // messages kept until the client's WebSocket takes them
   double pingSeconds = 20;            // time between pings on a WebSocket
   double silenceSeconds = 60;  // time without a message after which a client loses its WebSocket
   double graceSeconds = 30;    // time after that until its jobs are cancelled

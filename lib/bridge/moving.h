@@ -1,4 +1,4 @@
-// The parts of a level that may move or change, usually few of a large place.
+// The parts of a level that may move or change, usually few in a large place.
 #pragma once
 
 #include <string>

@@ -191,7 +191,7 @@ std::optional<Reply> Service::checkCursor(const Call& call, const Client& client
 
 kj::Promise<Reply> Service::getJob(std::shared_ptr<Client> client, Call call, double until,
                                    uint64_t poll) {
-  // Checked first: jobs of an earlier bridge are unknown, or different by now.
+  // The session comes first, because jobs of an earlier bridge are unknown or different by now.
   if (auto wrong = checkSession(call)) return *std::move(wrong);
   const Job* job = jobs_.find(*client, call.id);
   if (!job) return noSuchJob();

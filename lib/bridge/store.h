@@ -1,5 +1,5 @@
 // The bridge's private folder: tokens, levels by the hash of their source, and answers for warm
-// starts. No name in it is chosen by a client.
+// starts. Clients choose no names in it.
 #pragma once
 
 #include <cstdint>

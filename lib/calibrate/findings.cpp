@@ -76,7 +76,7 @@ struct Weighing {
   }
 };
 
-// Returns the entries of the objective's parameters, in its order.
+// Returns the entries of the objective's parameters, in the objective's order.
 std::vector<Fitted*> shownOf(const Objective& objective, std::vector<Fitted>& all) {
   std::vector<Fitted*> out;
   for (const Parameter& p : objective.parameters())

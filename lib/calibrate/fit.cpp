@@ -140,8 +140,8 @@ class Fitter {
   }
 
   // Some engines run the character's rules in each physics step instead of once a frame. Then a
-  // jump begins at a step. Keeps that rate if it fits better. Skips this phase if noise explains
-  // the loss, because it takes as long as all earlier phases.
+  // jump begins at a step. Keeps one control step per physics step if that fits better. Skips this
+  // phase if noise explains the loss, because it takes as long as all earlier phases.
   Status quicken() {
     const uint32_t substeps = now_.getSubsteps(), rate = now_.getControlRate() * substeps;
     const double before = lossNow(), noise = noiseOf(brief_.takes());

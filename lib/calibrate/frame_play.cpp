@@ -99,7 +99,7 @@ class Walker {
       : world_(world), bodies_(sim::startBodies(level)), centre_(centre) {
     if (centre_.isRoot() || !onFloor(world_)) return;
     rate_ = turnRate(ticked(world_, level, first), level);
-    world_.velocity -= rate_;  // it was that of the centre of mass
+    world_.velocity -= rate_;  // the recorded velocity is that of the centre of mass
   }
 
   sim::World& world() { return world_; }

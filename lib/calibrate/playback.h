@@ -27,7 +27,7 @@ sim::World worldAt(const Track& track, uint32_t frame, const level::LevelView& l
 struct Moment {
   Vec3 position;  // centre of the root part, studs
   Vec3 velocity;
-  Vec3 facing;                             // level, approximately unit length
+  Vec3 facing;                             // horizontal, approximately unit length
   sim::State state = sim::State::running;  // after the later of the two ticks
 };
 

@@ -13,14 +13,15 @@ struct Scan {
   std::vector<double> best;       // point with the counts of the lowest loss; ties go to the counts
                                   // nearest to the fit's start
   bool better = false;            // true if that loss is less than the point's
-  size_t frames = 0;  // in the losses: those of recordings in which one of the times has an effect
+  size_t frames = 0;  // frames of the recordings in which one of the times has an effect
 };
 
 // Two times can hide each other: a jump after an edge is possible only while both are unexpired. So
 // counts can be tried in pairs, which takes longer. Beyond a limit on counts, pairs are skipped.
 enum class Tried { singly, inPairs };
 
-// Other coordinates keep their values. After a stop all do, and the profiles are meaningless.
+// Other coordinates keep their values. After a stop all coordinates do, and the profiles are
+// meaningless.
 Scan scanOf(const Objective& objective, const std::vector<double>& point, Tried tried,
             const Work& work);
 

@@ -20,7 +20,7 @@ struct Frame {
   Vec3 position;  // centre of the root part, studs
   Vec3 velocity;  // studs/s
   sim::State state = sim::State::freefall;
-  Vec3 facing = {};  // level look vector of the root part, unit; all 0 if not recorded
+  Vec3 facing = {};  // horizontal look vector of the root part, unit; all 0 if not recorded
 };
 
 // A part's pose.

@@ -1,6 +1,6 @@
 // A level under construction. Each part is placed relative to the edge, where the last floor ends.
 //
-// Lengths are along the route: right, up and forward of the edge. The edge is the middle of the
+// Offsets are along the route: right, up and forward of the edge. The edge is the middle of the
 // last floor's far side, at the height of its top. Gaps and rises are shares of what the physics
 // parameters allow. Those shares follow the difficulty.
 #pragma once

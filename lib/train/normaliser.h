@@ -10,7 +10,7 @@
 
 namespace obby::train {
 
-// Sums of some rows. Added in a fixed order they have the same bits for any split of the rows.
+// Sums of some rows. Added in a fixed order, they have the same bits however the rows are split.
 struct Sums {
   explicit Sums(size_t width) : sum(width, 0), squares(width, 0) {}
 

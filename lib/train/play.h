@@ -92,8 +92,8 @@ struct PlaceView {
 // Purposes of random numbers.
 enum class Draw : uint64_t { move = 0x6d6f7665, begin = 0x626567696e };
 
-// Returns the random numbers for one decision. `decision`: of the world, counted from the start of
-// training; `world`: its index among all.
+// Returns the random numbers for one decision. `decision`: the world's decisions since the start of
+// training; `world`: its index among all worlds.
 OBBY_DEVICE Random drawsOf(uint64_t seed, Draw use, uint64_t decision, uint32_t world) {
   return {seed ^ uint64_t(use), decision << 32 | world};
 }

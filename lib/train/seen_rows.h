@@ -37,7 +37,7 @@ class SeenRows {
   static constexpr int kWords = (policy::kInputs + kBits - 1) / kBits;
 
   struct alignas(64) Row {
-    uint64_t seen[kWords];          // one bit per input: it has a value
+    uint64_t seen[kWords];          // one bit per input, set if it has a value
     float values[policy::kInputs];  // normalised, less those of empty surroundings; packed
   };
 

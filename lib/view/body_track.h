@@ -14,7 +14,7 @@ namespace obby::view {
 // accurate to kBodyMiss.
 struct BodyTrack : Poses {
   uint32_t part = 0;
-  std::vector<uint32_t> ticks;  // of the samples, since the trajectory's start; ascending
+  std::vector<uint32_t> ticks;  // ticks of the samples since the start; ascending
 
   size_t bytes() const { return Poses::bytes() + ticks.size() * 4; }
 };

@@ -13,9 +13,8 @@ namespace obby::view {
 namespace {
 
 constexpr size_t kQueryBytes = 1024;  // fixed cost of a query
-constexpr size_t kMotionShare =
-    8;                        // large pages keep about one tick in this many of the parts' motion
-constexpr size_t kSlack = 8;  // eviction frees this fraction (1 / kSlack) of the budget
+constexpr size_t kMotionShare = 8;    // large pages keep about every n-th tick of motion
+constexpr size_t kSlack = 8;          // eviction frees this fraction (1 / kSlack) of the budget
 
 size_t bytesOf(const io::Record& record) {
   return size_t(record.reader().totalSize().wordCount) * 8;

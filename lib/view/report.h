@@ -26,8 +26,8 @@ namespace obby::view {
 struct PageBudget {
   size_t ticks = 20'000'000;   // of replays, some 15 bytes each; part events count as well
   size_t trajectoryTicks = 0;  // fixed cost of a trajectory in ticks, for its record and numbers
-  // Cost of each run of equal actions in ticks. It takes some 50 bytes of its line, 8 of the record
-  // and 8 of a page.
+  // Cost of each run of equal actions in ticks. A run takes some 50 bytes in the input's line,
+  // 8 in the record and 8 in a page.
   size_t runTicks = 0;
   // Budget for later levels, queries and answers; records beyond it are dropped.
   size_t bytes = SIZE_MAX;

@@ -23,7 +23,7 @@ void build(Sketch& s) {
   const float step = long_ + hop, side = s.side();
   const uint32_t out = 1 + uint32_t((widest + kSpare) / step), along = out + 1;
   s.floor("Fork", kPad, kPad);
-  // Planks out to the side, along, and back, from the middle of the pad.
+  // The planks go out to the side, along, and back, from the middle of the pad.
   const float row = -kPad / 2, far = kPad / 2 + step * float(out) + width / 2;
   const auto across = [&](uint32_t i, float ahead) {
     const float right = kPad / 2 + hop + long_ / 2 + step * float(i);

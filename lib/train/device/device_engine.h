@@ -1,5 +1,5 @@
-// Training on a device. Worlds, batch and network stay in its memory. The host makes the next
-// levels while the current ones are played.
+// Training on a device. Worlds, batch and network stay in the device's memory. The host makes the
+// next levels while the current ones are played.
 #pragma once
 
 #include "train/device/device_ranks.h"

@@ -58,8 +58,8 @@ Status DeviceLearner::fillAdvantages() {
   return enqueue(device_, nn::kernel(nn::Step::advantages), a, batch_.worlds);
 }
 
-// Returns the moments of each minibatch. Without a shuffle the minibatches are consecutive rows of
-// the same number, so that many threads have work.
+// Returns the moments of each minibatch. Without a shuffle, the minibatches are ranges of
+// consecutive rows, so that many threads have work.
 Result<std::vector<nn::Moments>> DeviceLearner::moments(const float* values,
                                                         const Shuffle* shuffle) {
   const nn::MomentArguments m{values,

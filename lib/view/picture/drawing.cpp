@@ -35,7 +35,7 @@ constexpr const char* kStyle =
 
 // Maps the world to paper: the level runs to the right and down.
 struct Paper {
-  Vec3 across, down;  // unit, of the world
+  Vec3 across, down;  // unit vectors in world axes
   float scale = 1;    // pixels a stud
   Vec2 origin;        // paper coordinates of the upper left corner, studs
 
@@ -227,7 +227,7 @@ std::string drawingOf(const LevelEntry& level, const QueryEntry* query,
              "width=\"{0:.0f}\" height=\"{1:.0f}\" role=\"img\">\n<title>{2}</title>\n",
              double(sheet.width), double(sheet.height), io::escapeMarkup(title)) +
          kStyle + "<rect class=\"page\" width=\"100%\" height=\"100%\"/>\n" +
-         // A nested picture, so that whatever lies outside does not cross the text.
+         // The picture is nested, so that lines outside of it do not cross the text.
          fmt::format("<svg width=\"{:.0f}\" height=\"{:.0f}\">\n", double(sheet.width),
                      double(sheet.height - kLegend)) +
          partsOf(worldOf(level, tick), sheet.paper, sheet.width, sheet.height - kLegend) +
