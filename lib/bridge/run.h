@@ -26,8 +26,8 @@ class Run {
  public:
   using OnLine = std::function<void(std::string_view line)>;  // without its newline
 
-  // Max bytes of a line. A longer one ends the program. A record of 256 MiB in memory has fewer
-  // bytes as JSON.
+  // Max bytes of a line. A longer one ends the program. A record of 256 MiB in memory is a shorter
+  // line than this.
   static constexpr size_t kMaxLine = size_t(512) << 20;
 
   // `onOutput` receives whole lines only; `onError` also receives a last line without a newline.

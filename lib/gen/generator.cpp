@@ -58,8 +58,8 @@ const Style& Generator::pick(const std::vector<Choice>& from, float unit) {
   return *from.back().style;
 }
 
-// Returns true if obstacles of this style may be larger than by default. Then parts behind a turn
-// of the route may come within jumping range.
+// Obstacles of at most their default sizes keep the parts behind a turn out of jumping range.
+// Larger ones may not.
 bool Generator::spreads(const Style& style) const {
   return style.wide || std::ranges::any_of(recipe_.parameters, [&](const Setting& s) {
            const bool own = s.parameter >= style.parameters.data() &&
