@@ -97,7 +97,7 @@ std::vector<double> pointOf(const Choice& choice, const std::vector<Profile>& pr
   return point;
 }
 
-// Returns the distance of a choice from the fit's start, in shares, summed over both coordinates.
+// Returns the distance of a choice from the fit's start.
 double routeOf(const Choice& choice, const std::vector<Profile>& profiles,
                const std::vector<double>& start) {
   double way = 0;
