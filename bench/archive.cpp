@@ -22,8 +22,7 @@ namespace {
 
 using namespace obby;
 
-constexpr uint32_t kBetterEvery = 3;  // one cell in so many is reached again by a shorter
-                                      // trajectory
+constexpr uint32_t kBetterEvery = 3;  // every n-th cell is reached again by a shorter trajectory
 constexpr uint32_t kFinds = 2'000'000;
 constexpr uint32_t kRounds = 30, kRollouts = 512;
 constexpr uint32_t kVisits = 6000, kArrivals = 300;  // per round
@@ -72,7 +71,7 @@ void fill(solve::Archive& archive, uint32_t cells) {
   }
 }
 
-// Half of the keys are in the archive.
+// Returns the rate of finds. Half of the keys are in the archive.
 double findsPerSecond(const solve::Archive& archive) {
   Random random(2, archive.cellCount());
   std::vector<uint64_t> keys(kFinds);

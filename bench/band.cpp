@@ -32,7 +32,7 @@ bool isShown(const Case& c, float studs) {
   return true;
 }
 
-// Returns the last value for which `holds`, given that it does for `lo` and not for `hi`.
+// Returns the last value for which `holds` is true. holds(lo) must be true and holds(hi) false.
 template <class Holds>
 float bisect(float lo, float hi, float resolution, Holds&& holds) {
   while (hi - lo > resolution) {

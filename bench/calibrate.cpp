@@ -57,7 +57,7 @@ struct Options {
 struct Tally {
   struct Of {
     int known = 0, sharp = 0, near = 0;
-    double worst = 0;  // of the sharp ones
+    double worst = 0;  // worst error of the sharp ones
   };
   std::map<std::string, Of> parameters;
   int outside = 0;
@@ -70,7 +70,7 @@ double sizeOf(const Fitted& f, double truth) {
   return f.parameter.lowest > 0 ? truth : f.parameter.highest;
 }
 
-// Values in whole ticks are compared after rounding.
+// Returns the relative error. Values in whole ticks are compared after rounding.
 double errorOf(const Fitted& f, double truth) {
   const auto counted = [&](double value) {
     return f.tick > 0 ? std::round(value / f.tick) : value;
@@ -137,7 +137,7 @@ void count(const Trial& trial, const Fitted& f, Tally& tally, bool each) {
   Tally::Of& of = tally.parameters[name];
   ++of.known;
   tally.outside += !holds(f, truth);
-  // Its own interval is within one percent, or within one tick.
+  // A value is sharp if its own interval is within one percent, or within one tick.
   if (std::max(f.high - f.value, f.value - f.low) > 0.01 * sizeOf(f, f.value)) return;
   const double error = errorOf(f, truth);
   ++of.sharp;
@@ -216,7 +216,7 @@ void measureBullet(const char* name, test::BulletGame::Body body, uint64_t seed,
                    ThreadPool& pool, Tally& tally) {
   const test::BulletGame game = test::drawnGame(body, seed, 0.25f);
   const auto manoeuvres = test::bulletManoeuvres();
-  // Repeats each three times with variations, as a person recording would.
+  // Records each manoeuvre three times with variations, as a person would.
   std::vector<calibrate::Manoeuvre> session = manoeuvres;
   for (const uint64_t again : {10, 20}) {
     for (calibrate::Manoeuvre& m : others(manoeuvres, 100 * seed + again)) {

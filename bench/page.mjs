@@ -43,9 +43,9 @@ async function best(body) {
 }
 
 // Runs in the page before everything else. `firstShown`: ms from navigation until the first picture
-// is on the screen. After drawing, the page has only handed the picture to the GPU, which may take
-// longer than all before. So it waits for the picture by reading a pixel, and then for the frame
-// after it.
+// is on the screen. Drawing only hands the picture to the GPU, which may then take longer than
+// everything before it. So the function reads a pixel, which waits for the picture, and then waits
+// for the next frame.
 function noteFirstShown() {
   const look = () => {
     const { obby } = window;
@@ -79,7 +79,7 @@ async function measure(browser, empty, [parts, trajectories]) {
   await page.context().close();
 }
 
-// Ends with the exit code that scripts/bench takes for: the subject of the measurement is missing.
+// Ends with the exit code that tells scripts/bench that the subject of the measurement is missing.
 function leave(why) {
   console.error(`bench_page: ${why}`);
   return process.exit(77);

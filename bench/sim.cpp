@@ -26,7 +26,7 @@ constexpr uint32_t kWorlds = 256, kTicks = 1000, kSeeds = 5;
 constexpr uint32_t kSettling = 240;  // ticks until dynamic bodies rest
 
 struct Outcome {
-  double stepsPerSecond, singlyPerSecond;  // in lanes; by the scalar tick
+  double stepsPerSecond, singlyPerSecond;  // with lanes; with the scalar tick
   double grounded;                         // share of ticks with a floor
   double awake;                            // share of ticks with an awake dynamic body
   double instructions;                     // per step in lanes; 0: no counter

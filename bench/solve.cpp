@@ -135,7 +135,7 @@ Result<bench::Plan> planOf(const cli::Arguments& a) {
   return plan;
 }
 
-// Another build may search differently, so its runs do not count.
+// Returns a digest of this build. Another build may search differently, so its runs do not count.
 Result<uint64_t> programDigest() {
   OBBY_ASSIGN(const std::string bytes, io::readFile("/proc/self/exe"));
   return hashBytes(bytes.data(), bytes.size());

@@ -20,7 +20,7 @@ class BulletWorld {
   // Simulates 1/60 s: walks as the action says, and jumps if the capsule does not move vertically.
   void step(const sim::Action& action);
 
-  Vec3 position() const;  // of the capsule's centre
+  Vec3 position() const;  // the capsule's centre
 
  private:
   struct Impl;

@@ -17,7 +17,7 @@ class Report {
   Report(int argc, char** argv, std::string bench);
 
   enum class Form { table, json };
-  // For a bench with its own options.
+  // For a bench that parses its own options.
   Report(std::string bench, Form form);
 
   // Adds a measurement. `metric` in camelCase, `unit` as printed ("1/s", "ns", "" for a ratio).
@@ -37,7 +37,7 @@ double secondsOf(Work&& work) {
   return watch.seconds();
 }
 
-// CPU seconds of the calling thread, which do not depend on other load.
+// Returns the CPU seconds of the calling thread, which do not depend on other load.
 double threadSeconds();
 
 template <class Work>

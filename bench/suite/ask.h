@@ -18,7 +18,7 @@ struct Question {
   double cap;  // seconds
 };
 
-// Returns the run of a question before it is made.
+// Returns the run that will answer a question, without its result.
 Run plannedRun(const Question& question, uint64_t program);
 
 // Makes the run: compiles the level, searches on all threads, and verifies the solution by a

@@ -11,7 +11,7 @@ namespace obby::bench {
 namespace {
 
 constexpr double kFirst = 0.001;  // left end of the time axis, seconds
-constexpr int kPoints = 160;      // of a curve
+constexpr int kPoints = 160;      // points of a curve
 
 table::ChartCurve curveOf(const Results& results, size_t method) {
   std::vector<double> limits;

@@ -1,4 +1,4 @@
-// The runs of a call of the bench: methods x queries x seeds, each with a cap.
+// The runs of one call of the bench: methods x queries x seeds, each with a cap.
 #pragma once
 
 #include <string>
@@ -36,8 +36,8 @@ struct Plan {
 // kind, because times are comparable only within it.
 Made machineOf(const std::vector<Question>& questions, const RunLog& log, const Maker& maker);
 
-// Returns the planned runs in the log. For each query and seed they are of the kind of machine with
-// the most runs, unless any machine counts. `program` 0 stands for any program.
+// Returns the planned runs in the log. For each query and seed they come from the kind of machine
+// with the most runs, unless any machine counts. `program` 0 stands for any program.
 Results resultsOf(const Plan& plan, const RunLog& log, const Maker& maker);
 
 }  // namespace obby::bench

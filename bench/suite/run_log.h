@@ -37,7 +37,7 @@ struct Maker {
   std::optional<std::string> machine = {};
 };
 
-// The number of some runs made by one kind of machine.
+// A number of runs made by one kind of machine.
 struct Made {
   std::string machine;
   size_t runs = 0;

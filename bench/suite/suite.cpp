@@ -55,7 +55,7 @@ Status keepOnly(std::vector<Row>& rows, const std::vector<std::string>& only) {
 struct FileContent {
   struct Asked {
     io::Record level;
-    uint64_t levelHash;  // of all that can change a trajectory
+    uint64_t levelHash;  // hash of all that can change a trajectory
     io::Record query;
   };
   std::map<std::string, Asked> queries;

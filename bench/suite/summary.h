@@ -52,15 +52,15 @@ struct Measure {
 //   provedShare                   share of the queries that can be proven unreachable
 std::vector<Measure> summarise(const Results& results);
 
-// Returns null if the method has no such measure.
+// Returns null if the method lacks the measure.
 const Measure* findMeasure(const std::vector<Measure>& measures, const std::string& method,
                            const std::string& metric);
 
 // Returns the queries that took the method longest or that it did not solve, as lines of text.
 std::string slowest(const Results& results, size_t method, size_t count);
 
-// Returns the share of solved runs of solvable queries within each of `limits`, with its interval.
-// Every query has the same weight.
+// The share of solved runs of solvable queries within a time limit, with its interval. Every query
+// has the same weight.
 struct Share {
   double value;
   Interval interval;

@@ -58,7 +58,7 @@ class Gatherer {
   }
 
   const Mat3 axes_;
-  const Vec3 middle_;  // of the body, relative to the feet
+  const Vec3 middle_;  // the body's middle, relative to the feet
   policy::Sight last_{};
   std::vector<PartInSight> parts_;
 };

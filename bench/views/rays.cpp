@@ -14,7 +14,7 @@ constexpr Vec3 kEye{0, kEyeHeight, 0};  // relative to the feet
 // Studs by which a visible danger may lie behind a floor, since flush surfaces differ by rounding.
 constexpr float kFlush = 0.01f;
 
-// Returns axes whose y is a ray `degrees` above the level direction `flat`.
+// Returns axes whose y is a ray `degrees` above the horizontal direction `flat`.
 Mat3 axesOfRay(Vec3 flat, float degrees) {
   const SinCos up = sinCos(turnsFromRadians(degrees * (kPi / 180)));
   const Vec3 side{-flat.z, 0, flat.x}, ray = flat * up.cos + Vec3{0, up.sin, 0};

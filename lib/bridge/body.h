@@ -13,7 +13,7 @@
 namespace obby::bridge {
 
 // Returns the bytes, inflated if they were sent as gzip, or a reply that refuses them: too many for
-// this endpoint, too slow, or not gzip. A client that goes away is a kj exception.
+// this endpoint, too slow, or not gzip. Throws a kj exception if the client goes away.
 kj::Promise<std::variant<std::string, Reply>> readBody(kj::AsyncInputStream& body, const Call& call,
                                                        const Limits& limits, kj::Timer& timer);
 

@@ -39,8 +39,8 @@ class Host {
 
   Service& service() { return *service_; }
 
-  // Runs the event loop until `work` ends, `stop` is set, or no client was there for too long. Then
-  // runs it until all jobs, and `farewell`, which informs the clients, have ended.
+  // Runs the event loop until `work` ends, `stop` is set, or no client has been seen for too long.
+  // Then runs it until all jobs have ended, and `farewell`, which informs the clients.
   Status serve(kj::Promise<void> work, kj::Function<kj::Promise<void>()> farewell) {
     try {
       work.exclusiveJoin(events_.untilSet(stop_))

@@ -1,4 +1,4 @@
-// The bridge as a whole. It serves until it is told to end.
+// The bridge as a whole. It serves until it is stopped.
 #pragma once
 
 #include <atomic>

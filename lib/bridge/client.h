@@ -25,12 +25,12 @@ class Client {
     ring_.push(job, object);
     wake();
   }
-  // Notes that the messages up to `cursor` have gone to a carrier that takes all in order. Messages
-  // that it has not taken yet are kept longer.
+  // Notes that the messages up to `cursor` have gone to a carrier that takes all messages in order.
+  // Later messages are kept longer, until it takes them.
   void hold(uint64_t cursor) { ring_.hold(cursor); }
-  // Notes that the carrier takes no more.
+  // Notes that the carrier no longer takes messages.
   void release() { ring_.release(); }
-  // Resolves when the next message is there, or another state has changed.
+  // Resolves when a new message arrives, or another state changes.
   kj::Promise<void> whenWoken() {
     auto waiting = kj::newPromiseAndFulfiller<void>();
     waiters_.add(kj::mv(waiting.fulfiller));
@@ -43,10 +43,10 @@ class Client {
   }
 
   double lastSeen = 0;       // seconds of Loop::now()
-  bool mayBeSilent = false;  // its carrier reports when it has gone, so silence means nothing
+  bool mayBeSilent = false;  // the carrier reports a disconnect, so silence means nothing
   bool socketOpen = false;   // one WebSocket at a time
   bool dropSocket = false;   // asks that WebSocket to close
-  bool ending = false;       // asks it to close once all messages have gone
+  bool ending = false;       // asks it to close once all messages have been sent
 
   // Called before messages are lost, for a carrier that can take all of them at any time. One
   // record can be more messages than are kept.

@@ -5,7 +5,7 @@
 namespace obby::bridge {
 namespace {
 
-constexpr size_t kMaxIncoming = 4096;  // clients only need to show that they are there
+constexpr size_t kMaxIncoming = 4096;  // bytes; clients send only signs of life
 
 class Relay {
  public:
@@ -69,7 +69,7 @@ class Relay {
                 [this] { return socket_->close(kReload, "reload"); });
   }
 
-  // Any message from the client shows that it is there.
+  // Any message from the client shows that it is still connected.
   kj::Promise<void> receive() {
     return socket_->receive(kMaxIncoming).then([this](kj::WebSocket::Message&& message) {
       client_->lastSeen = loop_.now();
@@ -80,7 +80,7 @@ class Relay {
     });
   }
 
-  // A client that stops reading would block a message forever. This then ends the relay.
+  // A client that stops reading would block a message forever. watch() then ends the relay.
   kj::Promise<void> watch() {
     if (client_->dropSocket || closing_) return loop_.timer.afterDelay(1 * kj::SECONDS);
     return client_->whenWoken().then([this] { return watch(); });

@@ -58,8 +58,8 @@ void Jobs::startMore() {
   for (auto& waiter : waiters) waiter->fulfill();
 }
 
-// Forgets the jobs that ended first: clients ask about a long job when it ends, however many began
-// after it. Keeps those whose answer another job has yet to read.
+// Forgets the jobs that ended first, not those that began first, because a client asks about a long
+// job when it ends. Keeps jobs whose answer another job has yet to read.
 void Jobs::forgetOld(const Client& client) {
   std::vector<Job*> ended = of(client);
   std::set<uint64_t> read;

@@ -13,9 +13,9 @@
 
 namespace obby::bridge {
 
-// Writes a value of a tree. Numbers keep their spelling. Nesting is that of the tree, at most 64.
+// Writes a value of a tree. Numbers keep their spelling. A tree is nested at most 64 deep.
 void writeNode(io::JsonWriter& out, const io::JsonTree& tree, const io::JsonTree::Node& node);
-// Returns it as JSON text.
+// Returns the value as JSON text.
 std::string jsonText(const io::JsonTree& tree, const io::JsonTree::Node& node);
 
 // Calls `member` with the name and value of each member that is not null. It is an error if `node`

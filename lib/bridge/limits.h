@@ -25,16 +25,16 @@ struct Limits {
   // messages
   uint64_t messageBytes = 256 << 10;  // longer records are sent in fragments
   uint64_t ringBytes = 4 * kMiB;      // messages kept for each client, to resume from a cursor
-  uint64_t unsentBytes = 64 * kMiB;   // messages kept that its WebSocket has not taken
+  uint64_t unsentBytes = 64 * kMiB;   // messages kept until the client's WebSocket takes them
   double pingSeconds = 20;            // time between pings on a WebSocket
-  double silenceSeconds = 60;         // a client without a message for longer loses its WebSocket
-  double graceSeconds = 30;           // time after that until its jobs are cancelled
+  double silenceSeconds = 60;  // time without a message after which a client loses its WebSocket
+  double graceSeconds = 30;    // time after that until its jobs are cancelled
 
   // jobs
   uint32_t jobs = 2;          // max programs of jobs that run at a time
   uint32_t waiting = 16;      // jobs of a client that wait for their turn
   uint32_t keptJobs = 64;     // ended jobs of a client that are kept for its requests
-  uint32_t queries = 1000;    // max number of a job
+  uint32_t queries = 1000;    // max queries of a job
   double stopSeconds = 3;     // time from SIGINT to SIGKILL
   double importSeconds = 60;  // max time to read a level
 #if defined(OBBY_BRIDGE_SANITIZED)

@@ -8,8 +8,8 @@ namespace {
 
 constexpr uint64_t kFrame = 200;  // max bytes of a message in addition to its text
 
-// Splits text into pieces of whole characters, each at most `limit` bytes as a JSON string. There a
-// control character takes six bytes, and a quote or backslash two.
+// Splits text into pieces of whole characters, each at most `limit` bytes as a JSON string. In JSON
+// a control character takes six bytes, and a quote or backslash two.
 std::vector<std::string_view> pieces(std::string_view text, uint64_t limit) {
   std::vector<std::string_view> out;
   size_t begin = 0, at = 0;

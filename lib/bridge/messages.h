@@ -28,8 +28,8 @@ class Ring {
   // dropped when the ring is full.
   void push(uint64_t job, std::string_view object);
 
-  // A carrier takes all messages in order, and has those up to `cursor`. The others are held until
-  // the next call, or until release().
+  // Notes that a carrier, which takes all messages in order, has those up to `cursor`. Later ones
+  // are held until the next call, or until release().
   void hold(uint64_t cursor);
   void release() { hold(kNobody); }
 
@@ -43,7 +43,7 @@ class Ring {
   bool halfFull() const { return bytes_ > limit_ / 2; }
 
  private:
-  static constexpr uint64_t kNobody = ~uint64_t(0);  // as if all were taken
+  static constexpr uint64_t kNobody = ~uint64_t(0);  // no carrier, so nothing is held
 
   void forgetOld();
 
@@ -52,10 +52,10 @@ class Ring {
   std::deque<Message> messages_;
 };
 
-// Returns the messages that carry one record of a job, in order. This is one message
-// `{"job":"j1","type":"record","record":{...}}`. If that is longer than `limit` bytes, there are
-// several `{"job":"j1","type":"fragment","index":0,"count":3,"text":"..."}` whose joined texts are
-// the record's JSON. `record` is JSON; limit >= 1024.
+// Returns the messages that carry one record of a job, in order. Normally that is one message
+// `{"job":"j1","type":"record","record":{...}}`. If it would be longer than `limit` bytes, there
+// are several `{"job":"j1","type":"fragment","index":0,"count":3,"text":"..."}` whose joined texts
+// are the record's JSON. `record` is JSON; limit >= 1024.
 std::vector<std::string> recordMessages(std::string_view job, std::string_view record,
                                         uint64_t limit);
 

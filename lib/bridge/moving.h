@@ -1,4 +1,4 @@
-// The parts of a level that may move or change, usually few of a large place.
+// The parts of a level that may move or change, usually few in a large place.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 namespace obby::bridge {
 
 // Returns level records, one a line, with `{}` for every part that is anchored and neither moves
-// nor vanishes. All parts thus keep their places in the list. A line that is not JSON is an error.
+// nor vanishes. So all parts keep their indices. A line that is not JSON is an error.
 Result<std::string> movingParts(std::string_view lines);
 
 }  // namespace obby::bridge

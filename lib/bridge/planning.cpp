@@ -76,7 +76,8 @@ std::variant<JobPlan, Reply> Service::plan(const Order& order, Client& client, u
   arguments.insert(arguments.end(), order.arguments.begin(), order.arguments.end());
   if (!order.physics.empty()) out.input = order.physics + "\n";
   out.input += (*level)->levels;
-  if (!solve) arguments.emplace_back("--verbose");  // its result, in words, is a note
+  if (!solve)
+    arguments.emplace_back("--verbose");  // obby-calibrate then reports its result in words
   if (solve) {
     arguments.emplace_back("--on-error=skip");  // a bad query does not stop the others
     out.answerPath = store_.answerPath(session_, fmt::format("j{}", number));
@@ -93,7 +94,7 @@ std::variant<JobPlan, Reply> Service::plan(const Order& order, Client& client, u
 std::optional<Reply> Service::addWarmStart(const Order& order, Client& client, JobPlan& to) {
   if (order.warm.empty()) return {};
   const Job* earlier = jobs_.find(client, order.warm);
-  std::error_code ignored;  // a bridge that was started since removes old answers
+  std::error_code ignored;  // a bridge that started since may have removed old answers
   if (!earlier || !earlier->answerKept() ||
       !std::filesystem::exists(earlier->answerPath(), ignored)) {
     return refuse(409, "no answer of " + order.warm + " is kept", "leave out warm");

@@ -103,7 +103,7 @@ Status aboveStandard(OwnedFd& fd) {
   return {};
 }
 
-// Calls by number: the C library of Debian 12 declares the call without extern "C".
+// Makes the call by number, because Debian 12's C library declares it without extern "C".
 int openPid(pid_t pid) { return int(syscall(SYS_pidfd_open, pid, 0)); }
 
 void reapNow(pid_t pid) {

@@ -35,20 +35,21 @@ class Process {
 
   Process(Process&& other) noexcept;
   Process& operator=(Process&&) = delete;
-  // Kills what still runs and waits for it, so that no process is left.
+  // Kills the program's group if it was not reaped, and waits, so that no process is left.
   ~Process();
 
-  // The bridge's ends of its standard streams, each for one owner.
+  // The bridge's ends of the program's standard streams. Each has one owner.
   OwnedFd input, output, errors;
   // Becomes readable when the program has ended.
   int exitFd() const { return exitFd_.get(); }
   pid_t id() const { return pid_; }
-  // Returns the processor time that it has used, without its children; 0 once it has been reaped.
+  // Returns the processor time of the program, without its children; 0 once it has been reaped.
   double cpuSeconds() const;
 
-  // Sends a signal to its whole group, if it has not been reaped.
+  // Sends a signal to the program's whole group, if it has not been reaped.
   void signal(int number) const;
-  // Kills what is left of its group and returns its exit. Call it only after the program has ended.
+  // Kills the rest of the program's group and returns the program's exit. Call it only after the
+  // program has ended.
   Exit reap();
 
  private:

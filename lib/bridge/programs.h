@@ -13,8 +13,8 @@ struct Programs {
   std::string calibrate;  // obby-calibrate; empty if there is none
 };
 
-// Returns the programs next to this one, with `solve` as obby-solve if it is not empty. It is an
-// error if that is not a program, or if there is no obby-solve.
+// Returns the programs next to this one. If `solve` is not empty, it is the path of obby-solve.
+// Errors: `solve` is not a program, or there is no obby-solve.
 Result<Programs> findPrograms(const std::string& solve);
 
 }  // namespace obby::bridge

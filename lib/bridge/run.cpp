@@ -36,8 +36,8 @@ Run::Run(Loop& loop, Process process, std::string input, OnLine onOutput, OnLine
       exited_(loop.events, process_.exitFd(), kj::UnixEventPort::FdObserver::OBSERVE_READ) {}
 
 kj::Promise<void> Run::feed() {
-  // A program that ends before it has read everything is not an error here, because its exit tells.
-  // write() throws at once if the program has already ended.
+  // A program that ends before it has read everything is not an error here, because its exit status
+  // shows the reason. write() throws at once if the program has already ended.
   return kj::evalNow([this] { return input_->write(text_.data(), text_.size()); })
       .catch_([](kj::Exception&&) {})
       .then([this] {
@@ -78,8 +78,8 @@ kj::Promise<void> Run::endingIt(kj::Promise<void> reading) {
 }
 
 kj::Promise<Exit> Run::done() {
-  // The order in which they end does not matter. But once the program has ended, the rest of its
-  // group must not hold its streams open.
+  // The streams and the program may end in any order. But once the program has ended, the rest of
+  // its group must not hold its streams open.
   auto exit = exited_.whenBecomesReadable().then([this] { return process_.reap(); });
   auto streams = kj::heapArrayBuilder<kj::Promise<void>>(3);
   streams.add(feed());

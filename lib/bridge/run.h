@@ -26,15 +26,16 @@ class Run {
  public:
   using OnLine = std::function<void(std::string_view line)>;  // without its newline
 
-  // Longer lines end the program. A record of 256 MiB in memory is shorter than that as JSON.
+  // Max bytes of a line. A longer one ends the program. A record of 256 MiB in memory is a shorter
+  // line than this.
   static constexpr size_t kMaxLine = size_t(512) << 20;
 
   // `onOutput` receives whole lines only; `onError` also receives a last line without a newline.
   Run(Loop& loop, Process process, std::string input, OnLine onOutput, OnLine onError);
 
-  // Resolves when the program has ended and all its output was passed on. Call it once. Dropping
-  // the promise, or this object, kills the program. Fails with the exception of a handler, which
-  // also ends the program.
+  // Resolves once the program has ended and all its output has been passed on. Call it once.
+  // Dropping the promise, or this object, kills the program. An exception of a handler also ends
+  // the program, and is the promise's error.
   kj::Promise<Exit> done();
   // Signals the whole group. SIGINT lets our tools complete their results.
   void signal(int number) { process_.signal(number); }

@@ -39,10 +39,10 @@ class Pairing {
 // The tokens of the paired clients, in a file that only this user may read.
 class Tokens {
  public:
-  // Reads `path`; no file means no tokens. It is an error if others may read it, or if it holds
-  // anything else.
+  // Reads `path`; no file means no tokens. Errors: others may read the file, or it holds anything
+  // but tokens.
   static Result<Tokens> open(std::string path, size_t max);
-  // Makes tokens without a file, for tests and for a bridge that needs none.
+  // Makes an empty set that is kept in memory only, for tests and for a bridge without a file.
   Tokens() = default;
 
   // Makes a token and writes it to the file. The oldest is dropped if there are too many.

@@ -191,7 +191,7 @@ std::optional<Reply> Service::checkCursor(const Call& call, const Client& client
 
 kj::Promise<Reply> Service::getJob(std::shared_ptr<Client> client, Call call, double until,
                                    uint64_t poll) {
-  // Checked first: jobs of an earlier bridge are unknown, or different by now.
+  // The session comes first, because jobs of an earlier bridge are unknown or different by now.
   if (auto wrong = checkSession(call)) return *std::move(wrong);
   const Job* job = jobs_.find(*client, call.id);
   if (!job) return noSuchJob();
@@ -247,7 +247,7 @@ std::string Service::hello(const Client& client, uint64_t cursor) const {
 void Service::sweep() {
   const double now = loop_.now();
   for (const auto& [number, who] : clients_) {
-    if (who->socketOpen) lastSeen_ = now;  // it is there, whether or not it sends requests
+    if (who->socketOpen) lastSeen_ = now;  // it is connected, whether or not it sends requests
     if (who->mayBeSilent) continue;
     const double silent = now - who->lastSeen;
     if (silent > limits_.silenceSeconds && who->socketOpen) {

@@ -27,7 +27,7 @@ class Service {
           bool needToken);
   ~Service();  // removes the answers that were kept
 
-  // Makes a code for /v1/pair, which replaces the one before.
+  // Makes a code for /v1/pair, which replaces the previous one.
   const Pairing& offerPairing();
 
   // Returns a reply if reading the body would be pointless.
@@ -52,7 +52,7 @@ class Service {
   // Must be called when all jobs have ended and no more come. WebSockets close once all messages
   // have gone.
   void endEvents();
-  // Returns the seconds since a client was here or a job ran.
+  // Returns the seconds since a client was last seen or a job ran.
   double quietFor() const;
   Jobs& jobs() { return jobs_; }
   Loop& loop() { return loop_; }

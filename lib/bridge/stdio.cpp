@@ -106,7 +106,7 @@ kj::Promise<void> StdioFront::answer(std::string line) {
       .then([this, id = std::move(request.id)](Reply reply) { write(stdioReply(id, reply)); });
 }
 
-// Ends only when the output fails.
+// Writes messages as they come. Ends only when the output fails.
 kj::Promise<void> StdioFront::events() {
   writeEvents();
   if (!outputStatus_) return kj::READY_NOW;

@@ -21,7 +21,7 @@ class StdioFront {
 
   // Runs until the input and all its jobs have ended, or the output can no longer be written.
   kj::Promise<void> run();
-  // Writes what is left, and closes. Returns the error of the output, also an earlier one.
+  // Writes the remaining messages and closes the output. Returns its error, even an earlier one.
   Status finish();
 
  private:

@@ -1,5 +1,5 @@
 // The bridge's private folder: tokens, levels by the hash of their source, and answers for warm
-// starts. No name in it is chosen by a client.
+// starts. Clients choose no names in it.
 #pragma once
 
 #include <cstdint>
@@ -32,11 +32,11 @@ class Store {
   static std::string idOf(std::string_view bytes);
   bool has(const std::string& id) const;
   // Stores the lines of a level and the reports on it, which are JSON objects that are neither a
-  // level nor a query. The least recently used levels are dropped if there is too much. Errors are
-  // the disk's.
+  // level nor a query. Drops the least recently used levels beyond the size limit. Errors are the
+  // disk's.
   Status put(const std::string& id, std::string_view lines,
              const std::vector<std::string>& reports) const;
-  // Returns nothing if the level is not here, or no longer.
+  // Returns nothing if the level is not stored, or no longer.
   Result<std::optional<StoredLevel>> get(const std::string& id) const;
 
   // Returns the path at which the answer of a job of this session is stored.
@@ -51,7 +51,7 @@ class Store {
   uint64_t maxBytes_ = 0;
 };
 
-// Returns the `"type"` of a record line that one of our tools wrote, or "" if it is none.
+// Returns the `"type"` of a record line that one of our tools wrote, or "" for any other line.
 std::string_view typeOfLine(std::string_view line);
 // Returns the `"id"` of a query line of our tools, or "" if it has none.
 std::string queryIdOfLine(std::string_view line);

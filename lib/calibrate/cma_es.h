@@ -33,7 +33,7 @@ class CmaEs {
   Eigen::VectorXd weights_;
   double best_, cc_, cs_, c1_, cmu_, damping_, expected_;  // best_: effective number of parents
   double deviation_;
-  Eigen::VectorXd mean_, pathC_, pathS_, lengths_;  // lengths_: of the principal axes
+  Eigen::VectorXd mean_, pathC_, pathS_, lengths_;  // lengths_: deviations along the principal axes
   Eigen::MatrixXd covariance_, axes_;
   Eigen::MatrixXd drawn_;  // (n, population), before reflection into the cube
   std::vector<std::vector<double>> points_;

@@ -30,7 +30,7 @@ std::vector<double> refinedWithout(const Objective& objective, std::vector<doubl
   return *std::move(found);
 }
 
-// Returns the index of the first value of each run of equal losses. It stands for its run.
+// Returns the index of the first value of each run of equal losses. That value represents the run.
 std::vector<size_t> runsOf(const std::vector<double>& losses) {
   std::vector<size_t> out;
   for (size_t i = 0; i < losses.size(); ++i) {

@@ -11,8 +11,8 @@
 namespace obby::calibrate {
 
 struct Crossing {
-  Profile profile;           // with the other parameters refined at each value
-  std::vector<double> best;  // point of the least loss
+  Profile profile;           // losses with the other parameters refined
+  std::vector<double> best;  // point with the lowest loss
   double loss = 0;           // at `best`
 };
 
@@ -23,7 +23,8 @@ struct Crossing {
 Crossing crossingOf(const Objective& objective, const std::vector<double>& point, size_t coordinate,
                     const std::vector<double>& shares, int rounds, const Work& work);
 
-// Returns values over the whole range, and finer ones up to halfway to those neighbours.
+// sharesAllOver() returns values over the whole range. sharesAround() returns finer ones around
+// `share`, up to halfway to the next of those values.
 std::vector<double> sharesAllOver();
 std::vector<double> sharesAround(double share);
 

@@ -16,7 +16,8 @@ namespace {
 constexpr double kStep = 0.004;
 // Seconds of consecutive samples that count as one, since they are not independent.
 constexpr double kAlike = 0.5;
-// Seconds whose errors share a cause, since a window's errors share its first sample.
+// Seconds of frames whose gradients are summed as one stretch. Errors of a window share a cause,
+// its first sample.
 constexpr double kStretch = 1.5;
 constexpr double kMinEigenvalue = 1e-9;  // relative to the largest eigenvalue; smaller ones count
                                          // as zero
@@ -29,7 +30,7 @@ std::vector<double> moved(std::vector<double> point, size_t at, double by) {
   return point;
 }
 
-// Variance of one independent sample, as if its frames were fully correlated.
+// Returns the variance of one independent sample, as if its frames were fully correlated.
 double varianceOf(const Slopes& s) {
   return std::max(s.noise * s.noise, kMinNoise * kMinNoise) * s.alike;
 }
@@ -99,9 +100,9 @@ Result<Slopes> slopesAt(const Objective& objective, const std::vector<double>& p
   return out;
 }
 
-// The prior stands in for directions that the recordings do not determine: a deviation of half the
-// range. Errors differ in size: positions are less precise than facings, and some stretches fit
-// worse than others. So the variance is the larger of the one from the mean residual and the one
+// A prior with a deviation of half the range stands in for directions that the recordings do not
+// determine. Errors differ in size: positions are less precise than facings, and some stretches fit
+// worse than others. So the variance is the larger of two: that from the mean residual, and that
 // from the disagreement between stretches.
 Evidence evidenceOf(const Slopes& s) {
   const Eigen::Index n = s.normal.rows();

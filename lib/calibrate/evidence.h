@@ -33,8 +33,8 @@ Evidence evidenceOf(const Slopes& slopes);
 bool shows(const Objective& objective, const std::vector<double>& point, size_t coordinate,
            const std::vector<float>& here);
 
-// Returns the typical position error in studs: a robust deviation from the median. A window in
-// which another event happened does not change it.
+// Returns the typical position error in studs, estimated robustly from the median. A window in
+// which another event happened hardly changes it.
 Result<double> noiseAt(const Objective& objective, const std::vector<double>& point);
 
 // Returns how far a loss over `frames` frames may exceed the minimum before its point is ruled out

@@ -12,8 +12,8 @@ namespace obby::calibrate {
 
 namespace {
 
-// Returns the steps of a tick that covers the longest frame and divides a second evenly, or 0 if
-// there is none.
+// Returns the steps of the shortest tick that covers the longest frame and divides a second evenly,
+// or 0 if there is none.
 uint32_t longestTick(const std::vector<uint32_t>& steps, uint32_t stepsPerSecond) {
   if (steps.empty()) return 0;
   for (uint32_t n = *std::max_element(steps.begin(), steps.end()); n <= kMaxSteps; ++n) {
@@ -77,7 +77,8 @@ void countEvents(const Track& track, const std::vector<Played>& played, Fidelity
 
 constexpr float kLeap = 1;  // min studs of an apex above both ends of the recording
 
-// Returns nothing if the recording is highest at one of its ends, or barely higher than there.
+// Returns the error of the apex height, studs. Returns nothing if the recording is highest at one
+// of its ends, or barely higher than there.
 std::optional<double> apexError(const Track& track, const std::vector<Played>& played) {
   const auto& frames = track.frames;
   const auto recorded =

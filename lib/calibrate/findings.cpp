@@ -42,7 +42,7 @@ Fitted byProfile(Fitted f, const Profile& profile, double slack, double between)
   return judged(f);
 }
 
-// Rounds to whole ticks.
+// Like byProfile(), but rounds to whole ticks.
 Fitted byCount(Fitted f, const Profile& profile, double slack, double tick) {
   if (possibleOf(profile, slack).all) return f;
   f.tick = tick;
@@ -76,7 +76,7 @@ struct Weighing {
   }
 };
 
-// Returns the entries of the objective's parameters, in its order.
+// Returns the entries of the objective's parameters, in the objective's order.
 std::vector<Fitted*> shownOf(const Objective& objective, std::vector<Fitted>& all) {
   std::vector<Fitted*> out;
   for (const Parameter& p : objective.parameters())

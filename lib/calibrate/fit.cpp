@@ -17,11 +17,11 @@ namespace {
 constexpr double kGain = 0.02;      // relative loss reduction that justifies another search
 constexpr int kFocusRounds = 4;     // max rounds of focus()
 constexpr int kPasses = 6;          // max passes; the restarts belong to the first
-constexpr double kOutside = 4;      // standard deviations beyond which noise explains nothing
+constexpr double kOutside = 4;      // standard deviations; larger errors are not noise
 constexpr double kFinest = 0.01;    // studs
 constexpr uint32_t kMaxRate = 480;  // control steps a second, the limit for levels
 
-// Estimated share of the time of each phase.
+// Estimated share of the fit's time that each phase takes.
 constexpr Stretch kApproach{0, 0.5}, kFocus{0.5, 0.7}, kQuicken{0.7, 0.85}, kLengthen{0.85, 0.95},
     kWeigh{0.95, 1};
 
@@ -100,9 +100,9 @@ class Fitter {
     return calibrate::polish(plain.of(seen_), found_, work_, stretch);
   }
 
-  // Searches on short windows, each pass from the result of the one before. A parameter may have an
-  // effect only once others are found, and a new value of an event parameter opens new directions.
-  // Within the tolerance it only refines.
+  // Searches on short windows, each pass from the result of the previous one. A parameter may have
+  // an effect only once others are found, and a new value of an event parameter opens new
+  // directions. Once the result is within the tolerance, later passes only refine it.
   Status approach() {
     bool reached = false;
     double before = std::numeric_limits<double>::max();
@@ -125,8 +125,8 @@ class Fitter {
     return {};
   }
 
-  // Uses the same windows, but weights those most in which the simulator reproduces the recording.
-  // The gradients of other windows mean nothing until the same events happen in them.
+  // Uses the same windows, but gives the most weight to those in which the simulator reproduces the
+  // recording. The gradients of other windows mean nothing until the same events happen in them.
   Status focus() {
     for (int round = 0; round < kFocusRounds && !work_.stopped(); ++round) {
       const double before = lossNow();
@@ -140,8 +140,8 @@ class Fitter {
   }
 
   // Some engines run the character's rules in each physics step instead of once a frame. Then a
-  // jump begins at a step. That rate is kept if it fits better. It is not tried where noise
-  // explains the loss, since it takes as long as all phases before.
+  // jump begins at a step. Keeps one control step per physics step if that fits better. Skips this
+  // phase if noise explains the loss, because it takes as long as all earlier phases.
   Status quicken() {
     const uint32_t substeps = now_.getSubsteps(), rate = now_.getControlRate() * substeps;
     const double before = lossNow(), noise = noiseOf(brief_.takes());
@@ -234,9 +234,9 @@ class Fitter {
   const FitSettings& settings_;
   Account& account_;
   const Work& work_;
-  Objective brief_;              // has no parameters, like the next
+  Objective brief_;              // without parameters, as is sharp_
   Objective sharp_;              // on longer windows
-  std::vector<Parameter> seen_;  // those with an effect
+  std::vector<Parameter> seen_;  // parameters with an effect
   Found found_, kept_;
   double nearest_ = std::numeric_limits<double>::max();  // loss of kept_
 };

@@ -24,8 +24,8 @@ struct Fit {
 };
 
 // `takes` must not be empty. `progress` is called on this thread. A stop takes effect within a few
-// evaluations. It skips the remaining work and the intervals of parameters without a gradient.
-// Errors: those of Level::compile and of the optimiser.
+// evaluations. The fit then skips the remaining work and the intervals of parameters without a
+// gradient. Errors: those of Level::compile and of the optimiser.
 Result<Fit> fit(std::span<const Take> takes, std::vector<Parameter> parameters,
                 schema::PhysicsParams::Reader now, const FitSettings& settings, ThreadPool& pool,
                 const std::atomic<bool>& stop,

@@ -1,4 +1,4 @@
-// How a fit searches.
+// Settings of a fit's searches.
 #pragma once
 
 #include <cstdint>
@@ -11,10 +11,10 @@ namespace obby::calibrate {
 struct FitSettings {
   uint64_t seed = 1;
   uint32_t restarts = 3;       // searches, each from its own start
-  uint32_t population = 32;    // of each search
-  uint32_t generations = 100;  // max of each search
-  // The searches use short windows, in which an early miss hides nothing. Their result is refined
-  // on longer windows, where the error of a single sample matters less.
+  uint32_t population = 32;    // points per generation
+  uint32_t generations = 100;  // max generations of each search
+  // The searches use short windows, so that an early miss does not hide later effects. Their result
+  // is refined on longer windows, where the error of a single sample matters less.
   ObjectiveSettings objective;
   double longSeconds = 1.5;
   // Studs. The search ends once the mean error of complete playbacks is within it. Held-out takes

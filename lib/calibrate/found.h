@@ -21,7 +21,7 @@ struct Found {
     objective.apply(point, values.root().getParams());
     delay = objective.delayAt(point);
   }
-  // Control steps a second, and physics steps in each.
+  // Sets the control steps per second and the physics steps in each.
   void setRate(uint32_t controlRate, uint32_t substeps) {
     values.root().getParams().setControlRate(uint16_t(controlRate));
     values.root().getParams().setSubsteps(uint16_t(substeps));

@@ -12,9 +12,9 @@ namespace {
 
 constexpr double kOffStep = 0.15;   // max rounding error of a frame's length, physics steps
 constexpr int kOffCount = 2;        // max correction of a frame's steps by its motion
-constexpr float kOffPlace = 4e-3f;  // studs: a smaller error confirms a number of steps, one four
-                                    // times larger excludes it
-constexpr size_t kAround = 16;      // frames before and after that define the frame rate
+constexpr float kOffPlace = 4e-3f;  // studs: an error below this confirms a number of steps, an
+                                    // error above four times this excludes it
+constexpr size_t kAround = 16;      // frames on each side from which the frame rate is fitted
 constexpr double kUneven = 1.5;  // steps: a larger deviation from the fitted line means an unsteady
                                  // rate
 constexpr float kSlack = 0.2f;   // rounding error of a sum of mean frames, steps
@@ -99,7 +99,7 @@ class Walker {
       : world_(world), bodies_(sim::startBodies(level)), centre_(centre) {
     if (centre_.isRoot() || !onFloor(world_)) return;
     rate_ = turnRate(ticked(world_, level, first), level);
-    world_.velocity -= rate_;  // it was of the centre of mass
+    world_.velocity -= rate_;  // the recorded velocity is that of the centre of mass
   }
 
   sim::World& world() { return world_; }
@@ -128,7 +128,7 @@ class Walker {
     sim::tick(w, bodies.data(), level, action);
     return w;
   }
-  // Returns the velocity of the centre of mass about the root in a tick that ends as `next`.
+  // Returns the velocity of the centre of mass relative to the root, in a tick that ends in `next`.
   Vec3 turnRate(const sim::World& next, const level::LevelView& level) const {
     return (centre_.at(next.yaw) - centre_.at(world_.yaw)) * (1 / level.params.tickSeconds);
   }
@@ -136,7 +136,7 @@ class Walker {
   sim::World world_;
   std::vector<sim::RigidBody> bodies_;
   MassCentre centre_;
-  Vec3 rate_;  // of the last tick, studs/s
+  Vec3 rate_;  // turnRate() of the last tick, studs/s
 };
 
 }  // namespace

@@ -70,7 +70,8 @@ double standardError(const std::vector<Stride>& strides, double age) {
   return kDeviationOfMedian * *middle / std::sqrt(squares);
 }
 
-// Returns the acceleration at a frame. At a jump, as in a landing, it is the smaller side's.
+// Returns the acceleration at a frame. If the two sides differ, as in a landing, the smaller one
+// counts.
 Vec3 accelerationAt(const std::vector<Frame>& f, size_t i) {
   const auto at = [&](int axis) {
     const double before = i > 0 ? slopeAt(f, i - 1, axis) : 0;

@@ -1,7 +1,7 @@
 // Estimates the age of recorded velocities. A recorder writes a frame's position and velocity,
 // which may belong to different instants. Playback from an outdated velocity drifts, and the fit
-// compensates with gravity and jumps. Half a physics step is no age: a semi-implicit step, here as
-// in the engine, moves by the velocity at its end.
+// compensates with gravity and jumps. An offset of half a physics step does not count as age: a
+// semi-implicit step, here as in the engine, moves by the velocity at its end.
 #pragma once
 
 #include <span>

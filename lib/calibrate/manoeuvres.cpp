@@ -44,7 +44,7 @@ PartPose poseOf(const level::LevelView& level, uint32_t part, uint32_t tick,
   return {pose.position, toQuat(pose.rotation)};
 }
 
-// Writes no poses if they are those of the frame before.
+// Writes the poses unless they equal those of the previous frame.
 void writePoses(const Track& track, uint32_t frame, schema::RecordingFrame::Builder to) {
   const auto moved = [&](size_t i) {
     const PartPose &now = track.pose(frame, i), &before = track.pose(frame - 1, i);

@@ -8,11 +8,11 @@
 
 namespace obby::calibrate {
 
-// A quarter turn to the right of a horizontal direction.
+// Returns a horizontal direction turned to the right by a quarter turn.
 inline Vec3 rightOf(Vec3 ahead) { return {-ahead.z, 0, ahead.x}; }
 
 struct MassCentre {
-  float ahead = 0, right = 0;  // from the root's centre, studs
+  float ahead = 0, right = 0;  // offset from the root's centre, studs
 
   bool isRoot() const { return ahead == 0 && right == 0; }
   // Returns the offset from the root's centre in world axes, for an avatar that faces `yaw`.

@@ -12,7 +12,7 @@ namespace {
 
 constexpr float kMinTurning = 0.02f;  // min sum of squared changes of the facing vector
 constexpr float kOffSpeed = 0.01f;    // rounding of speeds, studs/s
-constexpr float kOffLimit = 0.02f;    // studs/s per step
+constexpr float kOffLimit = 0.02f;    // max error of a sideways gain, studs/s per step
 constexpr float kMinTurn2 = 1e-6f;    // min squared change of the facing vector in one frame
 
 bool inFreeFall(const Frame& f) {
@@ -25,7 +25,8 @@ struct Swing {
   Vec3 root;
 };
 
-// Known only under constant acceleration: gravity, and sideways either none or the maximum.
+// Returns the swing between two frames. It is known only if the acceleration is constant: gravity,
+// and sideways either none or the maximum.
 Swing swingOf(const Frame& a, const Frame& b, const Params& p) {
   if (!inFreeFall(a) || !inFreeFall(b)) return {};
   const float dt = p.substepSeconds;

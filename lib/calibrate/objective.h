@@ -17,8 +17,7 @@ struct Take {
   io::Record level;
 };
 
-// Compiles the take's level under other parameters, except for what the level defines
-// (io/physics.h).
+// Compiles the take's level under `params`, except for those that the level defines (io/physics.h).
 Result<level::Level> levelWith(const Take& take, schema::PhysicsParams::Reader params);
 
 struct ObjectiveSettings {
@@ -35,8 +34,8 @@ constexpr uint32_t kResiduals = 8;
 
 class Objective {
  public:
-  // The takes must outlive it. `now`: values of the parameters that are not fitted. The last
-  // coordinate is the delay from an input to its effect, in seconds.
+  // The takes must outlive the objective. `now`: values of the parameters that are not fitted. The
+  // last coordinate is the delay from an input to its effect, in seconds.
   Objective(std::span<const Take> takes, std::vector<Parameter> parameters,
             schema::PhysicsParams::Reader now, const ObjectiveSettings& settings);
 
@@ -50,7 +49,7 @@ class Objective {
   const std::vector<Parameter>& parameters() const { return parameters_; }
   const ObjectiveSettings& settings() const { return settings_; }
   size_t dimensions() const { return parameters_.size() + 1; }
-  size_t frames() const;       // compared ones
+  size_t frames() const;       // frames compared
   double controlRate() const;  // ticks a second
 
   // `point`: (dimensions), shares of the bounds. Returns Cauchy's loss, a mean over frames, in
@@ -89,7 +88,7 @@ struct Miss {
 // A take and its complete playback in the simulator.
 struct Path {
   std::vector<double> seconds;
-  std::vector<Vec3> recorded, simulated;  // of the root part's centre, studs
+  std::vector<Vec3> recorded, simulated;  // centre of the root part, studs
 };
 Result<Path> pathOf(const Take& take, schema::PhysicsParams::Reader params, double delay);
 Miss missOf(const Path& path);

@@ -23,7 +23,7 @@ struct Row {
   const char* manoeuvre;
   Parameter::Kind kind = Parameter::Kind::smooth;
   double divisor = factor;  // lower bound = current value / divisor
-  double max = 0;           // for a value that may be 0: the range is [0, most]
+  double max = 0;           // for a value that may be 0: the range is [0, max]
 };
 
 // Parameters of a walking, jumping body, each with the manoeuvre that shows it best.

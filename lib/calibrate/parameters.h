@@ -18,8 +18,8 @@ struct Parameter {
   enum class Kind {
     smooth,  // errors have a gradient with respect to it
     ticks,   // a time that the simulator counts in whole ticks
-    event,   // decides only when something happens
-    touch,   // errors have a gradient, and jump where it decides what is touched
+    event,   // only decides the moment of an event
+    touch,   // errors have a gradient, but jump when it changes what is touched
   };
   Kind kind = Kind::smooth;
 };

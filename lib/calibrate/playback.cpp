@@ -31,7 +31,7 @@ struct Player {
   }
 };
 
-constexpr double kLead = 0.4;  // seconds before a window
+constexpr double kLead = 0.4;  // seconds that are played before a window
 
 bool showsFacing(const Frame& f) { return f.facing.x != 0 || f.facing.z != 0; }
 
@@ -162,7 +162,7 @@ void playBack(const level::LevelView& level, const Track& track, const std::vect
       player.before = momentOf(player.world, p);
       worlds.push_back(&player.world);
       bodies.push_back(player.bodies.data());
-      // An input counts for a tick if it is active at its middle.
+      // An input counts for a tick if it is active at the middle of the tick.
       actions.push_back(player.actionAt(now - delay + 0.5 * double(p.tickSeconds)));
       whose.push_back(i);
     }

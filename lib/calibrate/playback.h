@@ -25,9 +25,9 @@ sim::World worldAt(const Track& track, uint32_t frame, const level::LevelView& l
 
 // The simulated player at a frame's time, interpolated between the two nearest ticks.
 struct Moment {
-  Vec3 position;  // of the root part's centre
+  Vec3 position;  // centre of the root part, studs
   Vec3 velocity;
-  Vec3 facing;                             // level, approximately unit length
+  Vec3 facing;                             // horizontal, approximately unit length
   sim::State state = sim::State::running;  // after the later of the two ticks
 };
 

@@ -9,7 +9,7 @@ namespace obby::calibrate {
 constexpr int kSlopeRounds = 12;  // max rounds of Gauss-Newton
 
 // Takes gradient steps, then searches tick-valued parameters, then discontinuous ones and pairs of
-// tick counts. A stop ends it early with the best so far. Errors: those of Level::compile.
+// tick counts. After a stop, `found` is the best result so far. Errors: those of Level::compile.
 Status polish(const Objective& objective, Found& found, const Work& work, Stretch stretch);
 
 }  // namespace obby::calibrate

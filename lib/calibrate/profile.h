@@ -7,13 +7,13 @@
 namespace obby::calibrate {
 
 struct Profile {
-  size_t coordinate;           // of an objective's point
-  std::vector<double> shares;  // of the bounds, ascending
+  size_t coordinate;           // index into an objective's point
+  std::vector<double> shares;  // the values tried, ascending
   std::vector<double> losses;  // Objective::loss at each
 };
 
-// The shares that a profile does not rule out: their losses exceed the minimum by no more than
-// `slack` (slackOf() in evidence.h).
+// The shares that a profile does not rule out: their losses exceed the minimum by at most `slack`
+// (slackOf() in evidence.h).
 struct Possible {
   double min, max;
   bool all;  // nothing is ruled out

@@ -22,8 +22,8 @@ std::string interruptionOf(const Fit& fit);
 // Returns the mean error of the held-out recordings, or of all if none is held out.
 double meanMiss(const std::vector<Outcome>& outcomes);
 
-// `why`: reasons why the fit is not within the tolerance (reasonsOf() in shortfall.h); empty if it
-// is.
+// `why`: reasons why the fit is not within the tolerance (reasonsOf() in shortfall.h), or an empty
+// list.
 std::string textOf(const Fit& fit, const std::vector<Outcome>& outcomes, double tolerance,
                    const std::vector<std::string>& why);
 

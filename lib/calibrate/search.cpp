@@ -7,7 +7,7 @@ namespace obby::calibrate {
 namespace {
 
 constexpr double kWide = 0.25;             // deviation of a first generation in pass 0, in shares
-constexpr double kNarrow[] = {0.1, 0.03};  // in later passes, which start from a result
+constexpr double kNarrow[] = {0.1, 0.03};  // the same in later passes, which start from a result
 constexpr double kResting = 1e-5;          // deviation at which a search has converged
 constexpr uint32_t kLooks = 10;            // generations between checks of the tolerance
 constexpr double kUnfit = 1e300;           // loss of points that were not evaluated
@@ -25,8 +25,8 @@ class Searcher {
 
   const std::vector<double>& best() const { return best_; }
 
-  // `before`: generations of the searches before, out of `all`. Returns true if within the
-  // tolerance.
+  // Runs one search. Earlier searches ran `before` of `all` generations. Returns true once the
+  // result is within the tolerance.
   bool descend(CmaEs method, size_t before, size_t all) {
     for (uint32_t g = 0; g < settings_.generations; ++g) {
       if (method.spread() < kResting || loss_ < kNoLoss) break;

@@ -9,7 +9,8 @@ namespace obby::calibrate {
 constexpr double kNoLoss = 1e-6;  // studs^2: below any recorder's precision
 
 // Pass 0 runs `settings.restarts` searches: the first starts at the current result, the others at
-// random. Each later pass runs one from the current result. They end at the tolerance.
+// random. Each later pass runs one from the current result. A search ends once the result is within
+// the tolerance.
 void search(const Objective& objective, Found& found, int pass, const FitSettings& settings,
             const Work& work, Stretch stretch);
 

@@ -10,13 +10,13 @@ namespace obby::calibrate {
 
 // Half a second of a recording that the simulator does not reproduce from the recorded state.
 struct Strange {
-  size_t take = 0;  // index; several may have one name
+  size_t take = 0;  // index; several takes may share a name
   std::string recording;
   double from = 0, to = 0;                 // seconds
   double off = 0;                          // mean distance, studs
-  sim::State state = sim::State::running;  // of the player at the largest distance
+  sim::State state = sim::State::running;  // the player's state at the largest distance
   // Parameters that the fitted recordings do not determine and that would reduce the error. If
-  // empty, no such parameter explains it.
+  // empty, no such parameter explains the error.
   std::vector<std::string> untold = {};
 };
 
@@ -31,7 +31,7 @@ struct Shortfall {
 Result<Shortfall> shortfallOf(std::span<const Take> takes, const Fit& fit,
                               schema::PhysicsParams::Reader params, double tolerance);
 
-// A short text for a warning, and the full list of reasons.
+// Return a short text for a warning, and the full list of reasons.
 std::string shortOf(const Shortfall& shortfall, double tolerance);
 std::vector<std::string> reasonsOf(const Shortfall& shortfall, double tolerance);
 

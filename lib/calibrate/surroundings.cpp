@@ -70,7 +70,7 @@ std::vector<Shown> clockworks(const Track& track, const level::LevelView& level)
   return out;
 }
 
-// `period` in ticks. Returns seconds.
+// Returns the clock phase that fits the recorded motion best, seconds. `period` is in ticks.
 double phaseOf(const Track& track, const level::LevelView& level, uint32_t period) {
   const std::vector<Shown> moving = clockworks(track, level);
   if (moving.empty()) return 0;

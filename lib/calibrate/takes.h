@@ -21,8 +21,8 @@ class Takes {
   // Returns the takes in the order of arrival. Names are unique, so that reports are unambiguous.
   std::vector<Take> take() { return std::move(takes_); }
 
-  // Returns a warning for each moving part that does not follow its level's motion. A player on one
-  // is compared with a wrong floor, which biases the parameters.
+  // Returns a warning for each moving part that does not follow its level's motion. A player on
+  // that part is compared with a wrong floor, which biases the parameters.
   std::vector<std::string> warnings() const;
 
  private:

@@ -21,7 +21,7 @@ double shareOfCount(const Objective& objective, size_t i, uint32_t count) {
   return shareOf(objective.parameters()[i], count / objective.controlRate());
 }
 
-// Profiles without losses.
+// Returns a profile without losses for each tick-valued parameter.
 std::vector<Profile> profilesOf(const Objective& objective) {
   std::vector<Profile> out;
   const double rate = objective.controlRate();
@@ -44,7 +44,7 @@ bool differ(const Result<std::vector<float>>& a, const Result<std::vector<float>
   return bool(a) != bool(b) || (a && *a != *b);
 }
 
-// Returns the recordings in which a time has an effect, at its shortest or longest.
+// Returns the recordings whose residuals change if a tick-valued parameter takes its min or max.
 std::vector<Take> telling(const Objective& objective, const std::vector<double>& point,
                           const std::vector<Profile>& profiles, const Work& work) {
   std::vector<Take> out;

@@ -10,17 +10,18 @@ namespace obby::calibrate {
 // Results for all tick-valued times whose bounds allow a whole number of ticks.
 struct Scan {
   std::vector<Profile> profiles;  // each minimised over the other counts
-  std::vector<double> best;       // point with the counts of the least loss; ties go to the counts
+  std::vector<double> best;       // point with the counts of the lowest loss; ties go to the counts
                                   // nearest to the fit's start
   bool better = false;            // true if that loss is less than the point's
-  size_t frames = 0;  // frames of the losses: those of recordings in which a time has an effect
+  size_t frames = 0;  // frames of the recordings in which one of the times has an effect
 };
 
-// Two times can hide each other: a jump after an edge needs both of two to be unexpired. So counts
-// can be tried in pairs, which takes longer. Beyond a limit on counts, pairs are skipped.
+// Two times can hide each other: a jump after an edge is possible only while both are unexpired. So
+// counts can be tried in pairs, which takes longer. Beyond a limit on counts, pairs are skipped.
 enum class Tried { singly, inPairs };
 
-// All other coordinates stay. After a stop all do, and the profiles are meaningless.
+// Other coordinates keep their values. After a stop all coordinates do, and the profiles are
+// meaningless.
 Scan scanOf(const Objective& objective, const std::vector<double>& point, Tried tried,
             const Work& work);
 

@@ -136,8 +136,8 @@ Status addPoses(schema::RecordingFrame::Reader frame, uint32_t number, Track& tr
   return {};
 }
 
-// Merges a frame with the previous one at the same time. Its input is active until the next frame,
-// and its poses are later.
+// Merges a frame into the previous one, which has the same time. The new input and poses replace
+// the earlier ones.
 Status addAgain(const Frame& frame, schema::RecordingFrame::Reader record, uint32_t number,
                 Track& track) {
   track.frames.back().move = frame.move;

@@ -12,20 +12,20 @@
 
 namespace obby::calibrate {
 
-// A sample. Its input is active until the next one.
+// A sample. Its input is active until the next sample.
 struct Frame {
   double time = 0;  // seconds since the first frame
   Vec3 move;        // move direction, world axes, length 0 to 1
   bool jump = false;
-  Vec3 position;  // of the root part's centre, studs
+  Vec3 position;  // centre of the root part, studs
   Vec3 velocity;  // studs/s
   sim::State state = sim::State::freefall;
-  Vec3 facing = {};  // level look vector of the root part, unit; all 0 if not recorded
+  Vec3 facing = {};  // horizontal look vector of the root part, unit; all 0 if not recorded
 };
 
 // A part's pose.
 struct PartPose {
-  Vec3 position;  // of its centre, studs
+  Vec3 position;  // the part's centre, studs
   Quat rotation;
 };
 
@@ -37,7 +37,7 @@ struct Track {
   std::vector<uint32_t> parts = {};     // level index of each in `shown` (surroundings.h)
   double phase = 0;                     // level clock at the first frame, seconds (surroundings.h)
 
-  // Removes a frame, as a recorder that missed it would.
+  // Removes a frame, as if the recorder had missed it.
   void drop(size_t frame);
 
   const PartPose& pose(size_t frame, size_t part) const {
@@ -47,7 +47,7 @@ struct Track {
   uint32_t tickAt(double time, const Params& params) const;
 };
 
-// Rounds to the nearest; a negative time has 0 ticks.
+// Rounds to the nearest tick. Returns 0 for a negative time.
 uint32_t wholeTicks(double seconds, const Params& params);
 
 // Converts a recording. Times count from the first frame. If several frames have the same time, the
@@ -56,7 +56,7 @@ uint32_t wholeTicks(double seconds, const Params& params);
 // poses.
 Result<Track> trackOf(schema::Recording::Reader record);
 
-// Returns the state for an engine state's name. Other states are classified by the velocity.
+// Returns the state with the engine's name `name`. Unknown names are classified by the velocity.
 sim::State stateOf(const std::string& name, Vec3 velocity);
 const char* nameOf(sim::State state);  // the engine's name
 

@@ -21,7 +21,7 @@ struct TrickEvidence {
   bool isOn() const { return nearer > 2 * farther && with < without; }
 };
 
-// Returns one for each trick. Errors: those of Level::compile.
+// Returns one entry for each trick. Errors: those of Level::compile.
 Result<std::vector<TrickEvidence>> trickEvidence(std::span<const Take> takes,
                                                  schema::PhysicsParams::Reader params,
                                                  ThreadPool& pool);

@@ -13,7 +13,7 @@ namespace obby::calibrate {
 struct FitProgress {
   const char* task = "";                             // current phase
   double share = 0;                                  // share of the whole; never decreases
-  double loss = std::numeric_limits<double>::max();  // the least so far
+  double loss = std::numeric_limits<double>::max();  // the lowest so far
   uint64_t evaluations = 0;                          // number so far
 };
 
@@ -46,7 +46,7 @@ class Account {
   std::atomic<uint64_t> evaluations_{0};
 };
 
-// A cheap view of the context.
+// A view of the context that is cheap to copy.
 class Work {
  public:
   Work(ThreadPool& pool, const std::atomic<bool>& stop, Account& account)
@@ -57,7 +57,7 @@ class Work {
   // Returns a copy without the stop flag, for work that must complete.
   Work toItsEnd() const { return {pool_, nullptr, account_}; }
 
-  // Returns true once a stop was requested. It never resets.
+  // Returns true once a stop was requested, and from then on.
   bool stopped() const { return stop_ != nullptr && *stop_; }
   // Runs task(0) ... task(count - 1), each once. After a stop no further task starts, so outputs
   // may be missing. Reports progress after each task of the calling thread.

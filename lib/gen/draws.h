@@ -14,14 +14,14 @@ float rounded(float v, float unit);
 
 class Draws {
  public:
-  // --- Random numbers. At most one draw per expression, because compilers order the evaluation of
+  // --- Random numbers. Draw at most once per expression, because compilers order the evaluation of
   // operands and arguments differently, and levels would differ.
   float unit() { return random_.unit(); }
   uint32_t below(uint32_t n) { return random_.below(n); }
   uint32_t count(Count c) { return c.lo + random_.below(c.hi - c.lo + 1); }
   bool chance(float share) { return random_.unit() < share; }
   float side() { return random_.below(2) == 0 ? -1.0f : 1.0f; }
-  // Returns a value between easy and hard by the difficulty and some noise, in quarters.
+  // Returns a value between easy and hard, by the difficulty and some noise, rounded to quarters.
   float mix(const Parameter& p);
   // Like mix(), with a random sign.
   float mixEitherSign(const Parameter& p) { return eitherSign(endsOf(p)); }
@@ -31,13 +31,13 @@ class Draws {
   float mixSpin(const Parameter& p);
   // Like mix(), but returns a whole number.
   uint32_t mixCount(const Parameter& p);
-  // Depends on the difficulty alone, without noise.
+  // Like mix(), but by the difficulty alone, without noise or rounding.
   float steady(const Parameter& p) const;
 
-  float difficulty() const { return difficulty_; }  // of the obstacle being made, 0 to 1
+  float difficulty() const { return difficulty_; }  // the current obstacle's, 0 to 1
 
  protected:
-  // The recipe must outlive it.
+  // The recipe must outlive this object.
   Draws(const Recipe& recipe, Random random) : recipe_(&recipe), random_(random) {}
 
   // Values at difficulty 0 and 1.

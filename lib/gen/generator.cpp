@@ -10,7 +10,7 @@ namespace obby::gen {
 
 namespace {
 
-// Random streams besides the level's own, which has its index as number.
+// Random streams besides the level's own, whose number is the level's index.
 constexpr uint64_t kLimitStream = uint64_t(1) << 62, kPlantStream = uint64_t(2) << 62;
 // Slack of the limits relative to a steady player.
 constexpr float kTimeSlack = 2.5f, kTimeExtra = 5;
@@ -58,7 +58,8 @@ const Style& Generator::pick(const std::vector<Choice>& from, float unit) {
   return *from.back().style;
 }
 
-// At most at their default sizes, obstacles leave the parts behind a turn out of jumping range.
+// Obstacles of at most their default sizes keep the parts behind a turn out of jumping range.
+// Larger ones may not.
 bool Generator::spreads(const Style& style) const {
   return style.wide || std::ranges::any_of(recipe_.parameters, [&](const Setting& s) {
            const bool own = s.parameter >= style.parameters.data() &&

@@ -67,9 +67,9 @@ struct PartSketch {
 
 // Rotations about the part's own axes.
 constexpr float kHalfRoot = 0.70710678f;
-constexpr Quat kUpright{0, 0, kHalfRoot, kHalfRoot};  // axis of a cylinder up
-constexpr Quat kAlong{0, kHalfRoot, 0, kHalfRoot};    // axis of a cylinder along the route
-constexpr Quat kAbout{0, 1, 0, 0};                    // front to back
+constexpr Quat kUpright{0, 0, kHalfRoot, kHalfRoot};  // turns a cylinder's axis up
+constexpr Quat kAlong{0, kHalfRoot, 0, kHalfRoot};    // turns a cylinder's axis along the route
+constexpr Quat kAbout{0, 1, 0, 0};                    // half turn: front to back
 
 namespace colors {
 constexpr Color kStart{88, 181, 106}, kGoal{66, 135, 245}, kCheckpoint{122, 205, 152};

@@ -10,8 +10,8 @@ class Reach {
  public:
   explicit Reach(const Params& params) : p_(params) {}
 
-  // Returns the widest gap onto a floor `rise` studs higher (negative: lower), or 0 if it is too
-  // high. Studs.
+  // Returns the widest gap onto a floor `rise` studs higher (negative: lower), or 0 if that is
+  // too high. Studs.
   float gap(float rise) const;
   // Returns the widest gap down to the lowest floor next to an obstacle. Studs.
   float widest() const;
@@ -25,8 +25,8 @@ class Reach {
   float walkedGap() const;
   // Returns the upward speed that lifts the feet to a height, studs/s.
   float speedFor(float height) const;
-  // Returns true if these measures are clamped, since levels would be thousands of studs long. A
-  // crossing made impossible may then be within reach.
+  // Returns true if these measures are clamped, which keeps levels from being thousands of studs
+  // long. A crossing made impossible may then be within reach.
   bool cut() const;
   // Returns the longest time in the air between floors of equal height, seconds.
   float flight() const;

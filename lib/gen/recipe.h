@@ -28,7 +28,7 @@ struct NamedNumber {
 
 // The named difficulties, easiest first: trivial, easy, medium, hard, limit.
 const std::vector<NamedNumber>& namedDifficulties();
-// Returns the nearest name.
+// Returns the name nearest to a value.
 const std::string& nameOfDifficulty(float value);
 // Parses "hard" or "0.6". Errors: any other text.
 Result<float> parseDifficulty(std::string_view text);
@@ -37,7 +37,7 @@ struct Parameter;
 
 // New values of a style's parameter (lib/gen/style.h) at difficulty 0 and 1.
 struct Setting {
-  const Parameter* parameter;  // of a style of the table
+  const Parameter* parameter;  // belongs to a style in the table
   float easy, hard;
 };
 

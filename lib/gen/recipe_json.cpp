@@ -54,7 +54,7 @@ class Reader {
     };
   }
 
-  // One number, or a minimum and a maximum.
+  // Reads one number, or a minimum and a maximum.
   Take range(Range& out) const {
     return [this, &out](const Node& n, const std::string& path) {
       return pair(n, path, oneNumber(), out);
@@ -80,8 +80,8 @@ class Reader {
     };
   }
 
-  // An object of styles. Each is an object of parameters with one number, or two: at difficulty 0
-  // and 1.
+  // Reads an object that maps styles to objects of parameters. Each parameter has one number, or
+  // two: at difficulty 0 and 1.
   Take settings(std::vector<Setting>& out) const {
     return [this, &out](const Node& n, const std::string& path) {
       out.clear();
@@ -92,7 +92,7 @@ class Reader {
     };
   }
 
-  // An object of numbers with arbitrary names.
+  // Reads an object of numbers with arbitrary names.
   Take numbers(std::vector<NamedNumber>& out) const {
     return [this, &out](const Node& n, const std::string& path) {
       out.clear();

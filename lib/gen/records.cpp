@@ -118,7 +118,7 @@ void writeRoute(const Generated& from, schema::Query::Builder to) {
 float lowest(const Sketch& sketch) {
   float y = 0;
   for (const PartSketch& p : sketch.parts()) {
-    y = std::min(y, p.position.y - length(p.size * 0.5f));  // in any rotation
+    y = std::min(y, p.position.y - length(p.size * 0.5f));  // lowest point in any rotation
   }
   return y;
 }

@@ -1,5 +1,5 @@
 // The route of a level under construction: its edge, where the last floor ends, and the points
-// that it has passed. Lengths are right, up and forward of the edge.
+// that it has passed. Offsets are right, up and forward of the edge.
 #pragma once
 
 #include <vector>

@@ -7,12 +7,12 @@ namespace obby::gen {
 namespace {
 
 constexpr float kShareSpread = 0.05f;
-constexpr float kThick = 1;     // of floors, studs
+constexpr float kThick = 1;     // thickness of floors, studs
 constexpr float kHeadroom = 6;  // height of a region above a floor, studs
 constexpr float kAskew = 7;     // studs added to an impossible gap on a diagonal route
 constexpr uint64_t kExcessStream = 0x9e3779b97f4a7c15u;
 
-// Two shades of the floors of each theme.
+// Two colors of floors for each theme.
 constexpr Color kThemes[][2] = {
     {{196, 199, 206}, {168, 173, 184}}, {{214, 190, 150}, {190, 164, 122}},
     {{160, 190, 140}, {134, 166, 116}}, {{186, 170, 210}, {160, 142, 190}},

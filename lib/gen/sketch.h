@@ -1,6 +1,6 @@
 // A level under construction. Each part is placed relative to the edge, where the last floor ends.
 //
-// Lengths are along the route: right, up and forward of the edge. The edge is the middle of the
+// Offsets are along the route: right, up and forward of the edge. The edge is the middle of the
 // last floor's far side, at the height of its top. Gaps and rises are shares of what the physics
 // parameters allow. Those shares follow the difficulty.
 #pragma once
@@ -48,7 +48,7 @@ class Sketch : public Draws, public RouteCursor {
   // Returns true if this crossing is to be impossible. The style then leaves out the tool, but
   // draws the same random numbers, so that the rest equals the solvable level.
   bool broken(const char* what);
-  // A gap that is never impossible, for styles with several routes.
+  // Returns a gap that is never impossible, for styles with several routes.
   float sideGap(float share = 1);
   // Returns the studs by which an impassable wall extends beyond its floor on either side. The
   // result is at least `min`, and large enough that no player gets round the wall, neither from
@@ -78,7 +78,7 @@ class Sketch : public Draws, public RouteCursor {
 
   // --- The frame around the obstacles
   void start();
-  void begin(float difficulty);  // of the next obstacle, 0 to 1
+  void begin(float difficulty);  // starts the next obstacle; difficulty 0 to 1
   // Adds the floor after an obstacle: the goal, or a checkpoint after which the route may turn.
   void rest(bool last, bool mayTurn);
 

@@ -7,7 +7,7 @@ namespace obby::gen {
 
 class Sketch;
 
-// A value that a style draws by the difficulty.
+// A value of a style that depends on the difficulty.
 struct Parameter {
   const char* name;         // name in recipes, within its style
   const char* unit;         // "studs"; "" for a count or a share

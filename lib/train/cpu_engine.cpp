@@ -142,7 +142,7 @@ void CpuEngine::take(Group& g, uint32_t tick) {
   }
 }
 
-// The value of the last observation estimates the remaining return, also of episodes that are cut.
+// The value of the last observation estimates the remaining return, even for cut episodes.
 void CpuEngine::play(Group& g, const PlayOrder& order) {
   for (uint32_t t = 0; t < settings_.ticks; ++t) {
     if (t > 0) g.envGroup.settle(decisionOf(order, t - 1));

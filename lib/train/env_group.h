@@ -22,7 +22,7 @@ struct EnvGroupSettings {
   RestartShares restarts;
   float patience = 3;  // max episode time: this times the route's walking time, plus ten seconds
   RewardSettings reward;
-  // Observation function, for experiments. On the CPU only; no file keeps it.
+  // Observation function, for experiments. It works only on the CPU, and no file keeps it.
   policy::Observe observe = policy::observe;
 
   uint32_t size() const { return levels * worlds; }
@@ -38,7 +38,8 @@ uint64_t levelIndex(const EnvGroupSettings& settings, uint32_t envGroup, uint32_
 Status checkPlace(const PlaceState& state, const TrainingLevel& level,
                   const EnvGroupSettings& settings);
 
-// Returns true if its level had its share of episodes. The next replaces it after the iteration.
+// Returns true if the place's level has had its episodes. The next level replaces it after the
+// iteration.
 inline bool isOver(const PlaceCounts& counts, const EnvGroupSettings& settings) {
   return counts.played >= settings.episodes;
 }
@@ -50,7 +51,7 @@ class EnvGroup {
            uint32_t number, uint32_t envGroups);
 
   // Takes the first levels. Errors: the source's, or that it was told to stop. `hardest`:
-  // difficulty of the first two of each place.
+  // difficulty of each place's first two levels.
   Status begin(float hardest);
 
   // Returns the state from which restore() resumes, in an env group with the same source, settings
@@ -73,10 +74,10 @@ class EnvGroup {
 
   // Call it after step(), which played `decision` of each world. Restarts the ended episodes.
   void settle(uint64_t decision);
-  // Call it instead after the last decision of an iteration. Cuts episodes that take too long, and
-  // replaces levels that had their episodes. The level after each is requested with difficulty
-  // `hardest`, so that it is made while others are played. Errors: the source's. After an error, or
-  // if the source was told to stop, only state() may be called.
+  // Call it instead of settle() after the last decision of an iteration. Cuts episodes that take
+  // too long, and replaces levels that have had their episodes. The level after each is requested
+  // with difficulty `hardest`, so that it is made while others are played. Errors: the source's.
+  // After an error, or if the source was told to stop, only state() may be called.
   Status settleIteration(uint64_t decision, float hardest);
 
   Tally takeTally();

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kGrace = 1;  // seconds for running episodes after time is up
 
-// Decides when to end, also within an episode: a long one takes minutes.
+// Decides when to end, even within an episode, because a long one takes minutes.
 class Limit {
  public:
   Limit(const std::atomic<bool>& stop, double seconds) : stop_(stop), seconds_(seconds) {}
@@ -120,7 +120,7 @@ class Asking {
   Asking(const LevelSource& source, const EvaluationSettings& settings)
       : source_(source), settings_(settings), asked_(settings.levels) {}
 
-  // Returns the i-th level; null if there is none, or it is missing.
+  // Returns the i-th level, or null if the source returned none or an error.
   std::shared_ptr<const TrainingLevel> level(uint32_t i) {
     auto found = source_.level(settings_.firstLevel + i, settings_.hardest);
     const std::lock_guard hold(lock_);
@@ -148,7 +148,7 @@ class Asking {
   std::vector<bool> asked_;
   size_t next_ = 0;
   uint32_t firstMissing_ = 0;
-  Status missing_;  // an error of that level
+  Status missing_;  // the error of level firstMissing_
 };
 
 }  // namespace

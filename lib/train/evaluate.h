@@ -49,7 +49,7 @@ struct EvaluationSoFar {
 using KindOf = std::function<uint16_t(const TrainingLevel&)>;
 
 // Evaluates the levels in parallel. Ends early, with the levels completed so far, once `stop` is
-// set, time is up, or the source has no more. Tells the source which levels are past. Calls
+// set, time is up, or the source has no more levels. Tells the source which levels are past. Calls
 // `watch`, if given, for each level that was played, from any thread, one call at a time. Without
 // `kindOf` all levels are of kind 0.
 Evaluation evaluate(const policy::Network& network, const LevelSource& source,

@@ -1,5 +1,5 @@
-// A route through a level as a polyline, with the length left from any position. For rewards only;
-// the policy never sees it.
+// A route through a level as a polyline, with the length left from any position. Only rewards use
+// it; the policy never sees it.
 #pragma once
 
 #include <span>
@@ -15,7 +15,7 @@ class Guide {
   // not before the previous waypoint's.
   explicit Guide(std::vector<Vec3> places, std::span<const Vec3> waypoints = {});
 
-  // As GuideView.
+  // Like the functions of GuideView.
   float left(Vec3 position, float from, uint32_t waypoints) const {
     return view().left(position, from, waypoints);
   }

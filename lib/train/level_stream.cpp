@@ -118,7 +118,7 @@ void LevelStream::end() const {
   if (reader_.settings.timeout != nullptr) reader_.settings.timeout->end();
 }
 
-// Stops at an error: indices of levels after it would be wrong.
+// Stops reading at an error, because indices of later levels would be wrong.
 Status LevelStream::Reader::readTo(uint64_t index) {
   while (!ended && !stopped() && read <= index) {
     if (said) said = readOne();
@@ -203,8 +203,8 @@ Status LevelStream::Reader::takeQuery(const io::Record& record) {
 }
 
 // Returns true if the query's turn is past, as after a resume in the middle of a stream. The query
-// was compiled in the earlier run, so it need not be compiled again. If errors are forgiven it may
-// have been skipped, so it must be.
+// was compiled in the earlier run and need not be compiled again. If errors are forgiven, the query
+// may have been skipped, so it is compiled again.
 bool LevelStream::Reader::passedOver(const io::Record& query) const {
   const bool alone = query.reader().getQuery().getDifficulty() < 0;
   const uint64_t turn = read + (alone && !open.empty() ? 1 : 0);
@@ -230,8 +230,8 @@ void LevelStream::Reader::close() {
   open.clear();
 }
 
-// Keeps one item of a turn that is not kept. Only a kept turn can play another item, after a
-// restart.
+// Reduces a turn whose records are not kept to the item that was played. After a restart only a
+// kept turn can play another item.
 void LevelStream::Reader::played(uint64_t number, Turn& turn, const Item& item) {
   dropCompiled(turn);
   if (number >= kept) turn.assign(1, Item{item.level, item.query, nullptr});

@@ -24,11 +24,11 @@ struct LevelStreamSettings {
   // last one.
   size_t levelsInReach = 1024;
   size_t bytesInReach = size_t(1) << 30;
-  bool again = true;  // restart at its end; otherwise no levels are kept, and none follow
-  // Records that others received first, if the stream is a copy.
+  bool again = true;  // restart at the stream's end; if false, levels end there and none are kept
+  // If the stream is a copy: summary of the records read to make it.
   io::SourceSummary before = {};
-  // Consecutive queries with a difficulty of which one is played, by the current difficulty. 1:
-  // each is played in order.
+  // Number of consecutive queries with a difficulty from which one is chosen by the current
+  // difficulty. 1: each is played, in order.
   uint32_t choices = 4;
   // Max compiled levels that wait for their turn; others are recompiled. Places advance at
   // different speeds, so levels read for the fastest place wait ever longer for the others.
@@ -110,11 +110,11 @@ class LevelStream : public LevelSource {
     LevelStreamSettings settings;
     io::Physics physics;
     std::deque<Known> levels;  // recent ones, oldest first
-    size_t reach = 0;          // their size in bytes
+    size_t reach = 0;          // size of `levels`, bytes
     std::map<uint64_t, Turn> turns;
     Turn open;            // the turn that is being filled
     uint64_t read = 0;    // turns so far
-    uint64_t kept = 0;    // the first ones, kept for a restart
+    uint64_t kept = 0;    // the first turns, kept for a restart
     uint64_t needed = 0;  // earlier turns are needed only after a restart
     size_t bytes = 0;     // size of the kept records
     size_t waiting = 0;   // compiled levels of the turns

@@ -10,7 +10,7 @@
 
 namespace obby::train {
 
-// Sums of some rows. Added in a fixed order they have the same bits for any split of the rows.
+// Sums of some rows. Added in a fixed order, they have the same bits however the rows are split.
 struct Sums {
   explicit Sums(size_t width) : sum(width, 0), squares(width, 0) {}
 
@@ -55,7 +55,8 @@ struct Sums {
   double rows = 0;
 };
 
-// Returns the factor of an input. Nearly constant inputs are not blown up.
+// Returns the factor of an input. The min deviation keeps nearly constant inputs from being
+// magnified.
 constexpr float kMinDeviation = 0.02f;
 inline float scaleOf(double deviation) { return 1 / std::max(float(deviation), kMinDeviation); }
 

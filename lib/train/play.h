@@ -11,13 +11,13 @@ namespace obby::train {
 
 constexpr uint32_t kMaxReached = 16;     // restart states kept for each level
 constexpr float kNear = 24;              // max studs of route progress at once
-constexpr uint32_t kRememberEvery = 64;  // a state is kept about once in so many decisions
+constexpr uint32_t kRememberEvery = 64;  // mean number of decisions per kept state
 
 // Rewards of events.
 struct RewardSettings {
   float stud = 0.1f;  // per stud closer to the goal than before in the episode
   float goal = 5;
-  float death = -1;         // or any other failure
+  float death = -1;         // for a death or any other failure
   float decision = -0.01f;  // cost of time
   float jump = -0.05f;      // per jump
 };
@@ -31,7 +31,7 @@ struct RestartShares {
 // One world that learns.
 struct Player {
   sim::World world;
-  Turns ahead = 0;     // heading of its last observation; not saved, as it observes before it moves
+  Turns ahead = 0;     // heading of its last observation; not saved, since observing sets it
   float minLeft = 0;   // min studs left on the route in this episode
   uint32_t ticks = 0;  // ticks of this episode
   bool fromStart = true;
@@ -92,8 +92,8 @@ struct PlaceView {
 // Purposes of random numbers.
 enum class Draw : uint64_t { move = 0x6d6f7665, begin = 0x626567696e };
 
-// Returns the random numbers for one decision. `decision`: of the world, counted from the start of
-// training; `world`: its index among all.
+// Returns the random numbers for one decision. `decision`: the world's decisions since the start of
+// training; `world`: its index among all worlds.
 OBBY_DEVICE Random drawsOf(uint64_t seed, Draw use, uint64_t decision, uint32_t world) {
   return {seed ^ uint64_t(use), decision << 32 | world};
 }

@@ -37,7 +37,7 @@ class SeenRows {
   static constexpr int kWords = (policy::kInputs + kBits - 1) / kBits;
 
   struct alignas(64) Row {
-    uint64_t seen[kWords];          // one bit per input: it has a value
+    uint64_t seen[kWords];          // one bit per input, set if it has a value
     float values[policy::kInputs];  // normalised, less those of empty surroundings; packed
   };
 
@@ -50,8 +50,8 @@ class SeenRows {
 // order of policy::Thinker, so that a layer has the same bits as in the search.
 void voidSums(const SeenRows& rows, const nn::Network<float>& net, std::vector<float>& out);
 
-// Adds the gradient of the first layer's weights by empty surroundings, once for all rows whose
-// gradients are summed in its biases.
+// Adds the part of the first layer's weight gradient that is due to empty surroundings, once for
+// all rows whose gradients are summed in its biases.
 void addVoidGradients(const SeenRows& rows, const nn::Network<float>& net,
                       std::vector<float>& sums);
 

@@ -15,11 +15,12 @@ inline constexpr uint64_t kMaxCopied = uint64_t(4) << 30;
 struct StreamCopy {
   // Levels and queries, and the physics parameters before them, as Cap'n Proto messages.
   std::string records;
-  io::SourceSummary summary;  // summary of all records read for it
+  io::SourceSummary summary;  // of all records that were read for the copy
 };
 
-// Copies the whole stream, or what arrived before `timeout` ended it. Errors: those of the stream;
-// an interrupted end, unless `options` forgive it; more than `max` bytes, as of an endless stream.
+// Copies the whole stream, or the records that arrived before `timeout` ended it. Errors: those of
+// the stream; an interrupted end, unless `options` forgive it; more than `max` bytes, for example
+// from an endless stream.
 Result<StreamCopy> copyOfStream(io::SourceOptions options, Timeout& timeout,
                                 uint64_t max = kMaxCopied);
 

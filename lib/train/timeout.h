@@ -30,13 +30,13 @@ class Timeout {
   const std::atomic<bool>& stop() const { return stop_; }
   // Returns true if the time limit set stop().
   bool expired() const { return expired_; }
-  // The flag for outputs whose readers may stall. Set with `interrupted`, and `seconds` after
+  // The flag for outputs whose readers may stall. It is set with `interrupted`, and `seconds` after
   // begin().
   const std::atomic<bool>& late() const { return late_; }
 
   // Returns source.next(), of a source that uses stop(). Once `interrupted` is set, returns no
-  // record instead of an error. Before begin() each record has its own time limit. One thread at a
-  // time.
+  // record instead of an error. Before begin() each record has its own time limit. Only one thread
+  // at a time may call this.
   Result<std::optional<io::Record>> next(io::RecordSource& source);
   // Starts the time limit of the work. From now on all records share one limit.
   void begin();

@@ -34,8 +34,8 @@ class Trainer {
                                                std::unique_ptr<Engine> engine, Ranks& ranks,
                                                const Start* start = nullptr);
 
-  // Resumes from a state of trainers with the same settings, source and number of ranks. Errors
-  // also: a state that does not fit them.
+  // Resumes from a state of trainers with the same settings, source and number of ranks. Further
+  // errors: a state that does not fit them.
   static Result<std::unique_ptr<Trainer>> resume(const TrainerSettings& settings,
                                                  const LevelSource& source, ThreadPool& pool,
                                                  Ranks& ranks, TrainerState state);
@@ -43,15 +43,15 @@ class Trainer {
                                                  std::unique_ptr<Engine> engine, Ranks& ranks,
                                                  TrainerState state);
 
-  // Throws std::runtime_error on one of several ranks if it could not learn, as the others wait for
-  // it. Errors also: training diverged; then state() cannot be resumed.
+  // Throws std::runtime_error if this rank could not learn and others wait for it. Further errors:
+  // training diverged; then state() cannot be resumed.
   Result<Iteration> iterate();
   // Returns success if another iteration can follow, else the source's error. The trained network
-  // stays, and state() can be resumed.
+  // stays valid, and state() can be resumed.
   const Status& more() const { return more_; }
 
-  // Call it between iterations. resume() continues from it with the same bits. On the first rank it
-  // has the env groups of all ranks. Errors: the engine's.
+  // Returns the state from which resume() continues with the same bits. Call it between iterations.
+  // On the first rank the state has the env groups of all ranks. Errors: the engine's.
   Result<TrainerState> state() const;
   // Counts so far.
   uint64_t iterations() const { return iterations_; }

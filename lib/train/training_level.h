@@ -15,9 +15,9 @@ namespace obby::train {
 
 class TrainingLevel {
  public:
-  // Rewards follow the query's way; without one, the line from the start through its waypoints to
-  // its goal. Errors: those of Level::compile and Query::compile; a way of one place, of more than
-  // 4,096 or out of the world's bounds; a difficulty outside 0 to 1.
+  // Rewards follow the query's route, or else the line from the start through the waypoints to the
+  // goal. Errors: those of Level::compile and Query::compile; a route of one place, of more than
+  // 4,096 places or out of the world's bounds; a difficulty outside 0 to 1.
   static Result<std::shared_ptr<const TrainingLevel>> make(schema::Level::Reader level,
                                                            schema::Query::Reader query);
 

@@ -1,5 +1,6 @@
-// The scale of the value head. It learns returns of mean 0 and deviation 1. When the scale changes,
-// the head's weights change so that its values stay the same (Pop-Art, van Hasselt et al. 2016).
+// The scale of the value head. The head learns returns of mean 0 and deviation 1. When the scale
+// changes, the head's weights change so that its values stay the same (Pop-Art, van Hasselt et al.
+// 2016).
 #pragma once
 
 #include <algorithm>

@@ -14,7 +14,7 @@ namespace obby::view {
 // accurate to kBodyMiss.
 struct BodyTrack : Poses {
   uint32_t part = 0;
-  std::vector<uint32_t> ticks;  // of the samples, since the trajectory's start; ascending
+  std::vector<uint32_t> ticks;  // ticks of the samples since the start; ascending
 
   size_t bytes() const { return Poses::bytes() + ticks.size() * 4; }
 };
@@ -42,7 +42,7 @@ class BodyWatch {
 
  private:
   const level::LevelView& level_;
-  std::vector<std::vector<BodyStay>> stays_;  // of each body
+  std::vector<std::vector<BodyStay>> stays_;  // one list per body
   size_t count_ = 0;                          // number of moments
 };
 

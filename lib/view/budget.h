@@ -31,7 +31,7 @@ struct PageSizes {
                             // numbers
   bool longMotion = false;  // some part moves for longer than a page covers
 
-  // `ticks`: covered motion.
+  // `ticks`: motion that the page covers.
   void add(const LevelEntry& level, uint32_t ticks);
   void add(const QueryEntry& query);
 };

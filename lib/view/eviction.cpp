@@ -13,8 +13,7 @@ namespace obby::view {
 namespace {
 
 constexpr size_t kQueryBytes = 1024;  // fixed cost of a query
-constexpr size_t kMotionShare = 8;    // large pages keep about one tick in so many of the parts'
-                                      // motion
+constexpr size_t kMotionShare = 8;    // large pages keep about every n-th tick of motion
 constexpr size_t kSlack = 8;          // eviction frees this fraction (1 / kSlack) of the budget
 
 size_t bytesOf(const io::Record& record) {
@@ -25,7 +24,7 @@ size_t bytesOf(const std::optional<io::Record>& record) { return record ? bytesO
 
 }  // namespace
 
-// In ticks.
+// Returns the cost of a trajectory, ticks.
 size_t Collector::costOf(const PathEntry& path, const Playback& playback) const {
   size_t cost = playback.feet.size() + playback.events.size() + playback.motions.size();
   for (const BodyTrack& track : playback.bodies) cost += track.ticks.size();

@@ -41,7 +41,7 @@ kj::Promise<void> untilLeft(const GrowingReport& report, const LiveServer& serve
   return timer.afterDelay(kLook).then([&] { return untilLeft(report, server, timer); });
 }
 
-// Reads until it is destroyed.
+// Reads the stream until this object is destroyed.
 class ReadingThread {
  public:
   ReadingThread(GrowingReport& report, const LiveReader& read)

@@ -1,5 +1,5 @@
 // The page data of a growing report, as pieces of JSON. Each has the revision of its last change,
-// so that a page receives only news. It belongs to one thread.
+// so that a page receives only changes. It belongs to one thread.
 #pragma once
 
 #include <cstdint>
@@ -26,7 +26,7 @@ class LiveData {
   // Increases with every change; 0: empty.
   uint64_t revision() const { return revision_; }
   // Returns all changes after `revision` as JSON (docs/page-data.md). An unknown revision belongs
-  // to another server process; such a page receives everything.
+  // to another server process; a page that has one receives everything.
   std::string since(uint64_t revision) const;
 
  private:
@@ -36,7 +36,7 @@ class LiveData {
   };
   struct LevelPiece : Piece {
     PageSizes sizes;
-    uint32_t ticks = 0, stride = 0;  // of its motion; stride 0: outdated
+    uint32_t ticks = 0, stride = 0;  // its motion; stride 0: outdated
   };
   struct QueryPieces {
     Piece facts;

@@ -11,7 +11,7 @@
 
 namespace obby::view {
 
-// The request's head. Its texts belong to the caller.
+// The request's head. The caller owns its texts.
 struct LiveHead : loopback::Head {
   std::optional<std::string_view> fetchMode;  // Sec-Fetch-Mode
 };

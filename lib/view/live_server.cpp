@@ -33,7 +33,7 @@ class Events {
     return inTime_(stream_->write(text_.data(), text_.size())).then([this] { return go(); });
   }
 
-  // A slow page is told only the newest revision, because one request fetches all the data.
+  // A slow page receives only the newest revision, because one request fetches all the data.
   kj::Promise<void> go() {
     if (told_ != data_.revision()) {
       told_ = data_.revision();

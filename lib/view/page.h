@@ -13,12 +13,12 @@ struct PageOptions {
   std::string generator;  // "obby-view 0.1.0"
 };
 
-// True if the build has the page bundle. pageMissing() is the error for a build without it.
+// Returns true if the build has the page bundle. pageMissing() is the error for one without it.
 bool pageAvailable();
 Error pageMissing();
 
-// Pages of at least this size in bytes deserve a warning. It covers the thinned data and the page
-// itself.
+// Pages of at least this size in bytes deserve a warning. The size includes the thinned
+// data and the page itself.
 inline constexpr size_t kPageWarning = 22u << 20;
 
 // Returns the page's data as JSON, safe inside a script element.

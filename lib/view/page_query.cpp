@@ -81,7 +81,7 @@ void writeCut(io::JsonWriter& json, schema::Cut::Reader cut) {
   json.field("seconds", cut.getSeconds()).close();
 }
 
-// Writes where the search has been.
+// Writes how many cells of the search lie in each cube.
 void writeHeatMap(io::JsonWriter& json, schema::HeatMap::Reader map) {
   std::vector<Vec3> feet;
   std::vector<uint32_t> counts;

@@ -54,7 +54,7 @@ class PartWatch {
  private:
   // Parts that always change together.
   struct Group {
-    uint32_t collider;            // of its first part
+    uint32_t collider;            // collider of its first part
     int64_t now;                  // last recorded value
     std::vector<uint32_t> parts;  // ascending
   };

@@ -1,5 +1,5 @@
-// Replays trajectories of other players than the level's own. They are played under the player's
-// physics and converted to the level's ticks, as all that is shown.
+// Replays trajectories of players other than the level's own. They are played under their player's
+// physics and converted to the level's ticks, in which everything is shown.
 #pragma once
 
 #include <map>
@@ -28,7 +28,7 @@ class PlayerReplays {
     std::optional<io::Record> record;
   };
 
-  // `query` belongs to this level, which has this index.
+  // `query` belongs to `level`, whose index in the report is `index`.
   Result<Told> play(const LevelEntry& level, int index, const QueryEntry& query,
                     schema::Trajectory::Reader record);
 

@@ -108,7 +108,7 @@ void Collector::addQuery(const io::Record& record) {
   }
 }
 
-// Keeps only the latest progress of a query, which supersedes the ones before.
+// Keeps only the latest progress of a query, which supersedes earlier ones.
 void Collector::addProgress(const io::Record& record) {
   const auto progress = record.reader().getProgress();
   if (!progress.hasBest()) return;

@@ -26,13 +26,13 @@ namespace obby::view {
 struct PageBudget {
   size_t ticks = 20'000'000;   // of replays, some 15 bytes each; part events count as well
   size_t trajectoryTicks = 0;  // fixed cost of a trajectory in ticks, for its record and numbers
-  // Cost of each run of equal actions in ticks. It takes some 50 bytes of its line, 8 of the record
-  // and 8 of a page.
+  // Cost of each run of equal actions in ticks. A run takes some 50 bytes in the input's line,
+  // 8 in the record and 8 in a page.
   size_t runTicks = 0;
   // Budget for later levels, queries and answers; records beyond it are dropped.
   size_t bytes = SIZE_MAX;
   // True if newer trajectories evict the oldest ones, attempts before solutions. Otherwise attempts
-  // over the budget are left out, and such solutions are errors.
+  // over the budget are left out, and solutions over it are errors.
   bool rolls = false;
 };
 
@@ -66,9 +66,9 @@ class Collector {
   void addProgress(const io::Record& record);
   void addPath(QueryEntry& entry, PathEntry path);
   bool wanted(const io::Record& record) const;
-  // Returns the level that a query or an answer names. Among several of that name it prefers the
-  // current one, then the latest new one. Without a name it is the current one. Returns -1 if there
-  // is none.
+  // Returns the level that a query or an answer names. If several have that name, prefers the
+  // current one, then the latest new one. An empty name is the current level. Returns -1 for an
+  // unknown level.
   int levelNamed(const std::string& name) const;
   QueryEntry& queryNamed(const std::string& id, int level);
   Status compile(QueryEntry& entry);
@@ -94,7 +94,7 @@ class Collector {
   size_t ticksKept_ = 0, bytesKept_ = 0;
   // Notes given: omitted attempts, dropped records, and cut part events.
   bool attemptsNoted_ = false, fullNoted_ = false, cutNoted_ = false;
-  size_t dropped_ = 0;                 // number of trajectories
+  size_t dropped_ = 0;                 // number of dropped trajectories
   std::optional<size_t> droppedNote_;  // index of the note with their number
   std::set<size_t> thinned_;           // queries with dropped trajectories
   Report report_;

@@ -18,7 +18,7 @@ Role roleOf(schema::Part::Reader part) {
   return part.getAnchored() ? Role::plain : Role::dynamic;
 }
 
-// Returns the plain part below a spawn without its own part, or -1.
+// Returns the plain part below a spawn that has no part of its own, or -1.
 int32_t partUnder(schema::Level::Reader level, const std::vector<Role>& roles, Vec3 feet) {
   constexpr float kReach = 1.5f;  // max distance from the feet down to the part's top, studs
   for (uint32_t i = 0; i < roles.size(); ++i) {

@@ -1,4 +1,5 @@
-// A part's role for the player, for its colour. Each part has one role, the most important.
+// The role that a part plays for the player, which decides its colour. If several apply, the most
+// important one counts.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +9,7 @@
 
 namespace obby::view {
 
-// In the order of ROLE_STYLE in web/src/palette.js.
+// The order is that of ROLE_STYLE in web/src/palette.js.
 enum class Role : uint8_t {
   plain,
   start,

@@ -21,13 +21,13 @@ struct TextOptions {
   Maps maps = Maps::few;
 };
 
-// Lines end in newlines. It never fails; the text says what is missing.
+// Lines end in newlines. This never fails; the text says what is missing.
 std::string textReport(const Report& report, const TextOptions& options);
 
 // Return the pieces of the report.
 std::vector<table::Answer> answersOf(const Report& report);
-// Returns a map of one query from above: parts, regions and trajectories. Empty if the query's
-// level is not in the streams.
+// Returns a map of one query from above: parts, regions and trajectories. Returns an empty text if
+// the query's level is not in the streams.
 std::string queryMap(const Report& report, const QueryEntry& query,
                      const table::TerminalTraits& terminal);
 

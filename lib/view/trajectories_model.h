@@ -1,5 +1,5 @@
-// Trajectories as a model for Roblox Studio: a Model for each query, and in it one for each
-// trajectory. It consists of thin glowing parts, with a ball at each jump and a block at the death
+// Trajectories as a model for Roblox Studio: a Model for each query, and in it a Model for each
+// trajectory. They consist of thin glowing parts, with a ball at each jump and a block at the death
 // of an attempt. All parts are anchored and do not collide.
 #pragma once
 

@@ -201,7 +201,7 @@ Status calibrateFrom(cli::Context& context, io::Pipeline& pipeline, Asked asked,
 }
 
 // Opens the report before the fit, which may take an hour, so that an unwritable file fails at
-// once. It refuses to overwrite recordings, which may be impossible to repeat.
+// once. Refuses to overwrite recordings, which may be impossible to repeat.
 Result<std::optional<io::Sink>> openReport(const cli::Arguments& a) {
   if (!a.has("report") || tools::makesTakes(a)) return std::optional<io::Sink>();
   const cli::WrittenFile written[] = {{"report", a.text("report")}};

@@ -7,13 +7,13 @@
 namespace obby::tools {
 
 cli::ToolSpec calibrateSpec();
-// Error: incompatible options, by name.
+// Returns an error that names incompatible options.
 Status optionsFit(const cli::Arguments& arguments);
-// True if the course is written and nothing is fitted.
+// Returns true if the course is written and nothing is fitted.
 bool makesTakes(const cli::Arguments& arguments);
 calibrate::FitSettings fitSettings(const cli::Context& context);
 
-// Applies the changes of --set. Errors: no such parameter, or no number.
+// Applies the changes of --set. Errors: an unknown parameter, or not a number.
 Status applySet(const cli::Arguments& arguments, schema::PhysicsParams::Builder params);
 
 }  // namespace obby::tools

@@ -9,8 +9,8 @@
 
 namespace obby::tools {
 
-// Writes a metrics record for each recording and one for all, and a summary to stderr. `takes`: at
-// least one. Errors: a level that does not compile with `params`, and those of writing.
+// Writes a metrics record for each recording and one for all, and a summary to stderr. `takes` must
+// not be empty. Errors: a level that does not compile with `params`, and those of writing.
 Status playTakes(cli::Context& context, io::Pipeline& pipeline,
                  const std::vector<calibrate::Take>& takes, schema::PhysicsParams::Reader params);
 

@@ -18,8 +18,9 @@ Status refuseOptionsOfRecords(const cli::Arguments& a) {
                           "leave it out: --explain writes a table instead of records");
 }
 
-// Writes the tables of all inputs, up to one that ends the run; its error is the result. Under
-// --on-error skip and emit, a broken input is reported and left out. `any`: a table was written.
+// Writes the tables of all inputs. Stops at an input that ends the run, and returns its error.
+// Under --on-error skip and emit, a broken input is reported and left out. `any`: a table was
+// written.
 Status tables(cli::Context& context, const importer::ImportOptions& options, io::Sink& sink,
               bool& any) {
   Status written;

@@ -82,7 +82,7 @@ Status refuseIdle(const cli::Arguments& a, solve::Task task) {
     return cli::refuseTyped(a, {"diverse"}, "needs --solutions 2 or more",
                             "write for example --solutions 5 --diverse");
   }
-  // Options that only control the search or its reports.
+  // These options only control the search or its reports.
   const char* const message =
       task == solve::Task::verify
           ? "cannot be combined with --verify, which searches nothing"

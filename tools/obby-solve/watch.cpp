@@ -57,14 +57,14 @@ class Inputs {
 
   const io::FileWatch& all() const { return all_; }
 
-  // Called before a run; see FileWatch::settle.
+  // Call it before a run; see FileWatch::settle.
   void settle(const std::atomic<bool>& stop) {
     for (size_t i = 0; i < paths_.size(); ++i) changed_[i] = changed_[i] || each_[i].changed();
     all_.settle(stop);
     noteEach();
   }
 
-  // Returns names such as "'level.jsonl'" and clears them. Empty if none changed.
+  // Returns names such as "'level.jsonl'", or an empty text, and clears them.
   std::string takeChanged() {
     std::vector<std::string> names;
     for (size_t i = 0; i < paths_.size(); ++i) {

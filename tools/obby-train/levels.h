@@ -10,7 +10,8 @@ namespace obby::tools {
 bool makesLevels(const cli::Arguments& arguments);
 
 // Returns generated levels or those of the stream, the same on every rank. `seed`: of generated
-// levels. `again`: a stream repeats at its end. `timeout` is for the stream and must outlive them.
+// levels. `again`: a stream repeats at its end. `timeout` is for the stream and must outlive the
+// levels.
 Result<train::Levels> levelsOf(cli::Context& context, train::Ranks& ranks, uint64_t seed,
                                bool again, train::Timeout& timeout);
 

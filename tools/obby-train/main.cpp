@@ -22,9 +22,9 @@ namespace {
 
 using namespace obby;
 
-constexpr uint64_t kHeldOut = 0x68656c64;  // makes the seed of evaluation levels another one
+constexpr uint64_t kHeldOut = 0x68656c64;  // changes the seed, so that evaluation has other levels
 
-// The run was interrupted while it waited for the first levels.
+// Ends a run that was interrupted while it waited for the first levels.
 Status nothingTrained(cli::Context& context) {
   OBBY_ASSIGN(auto stream, train::MetricsStream::toStandardOutput(context.identity(),
                                                                   context.stop(), context.stop()));
@@ -134,7 +134,7 @@ Status explained(Status done, const cli::Context& context) {
       "check what delays the reader, or write to a file"};
 }
 
-// The first rank reports an error that all ranks know.
+// All ranks return the same error, but only the first one reports it.
 Result<cli::ExitCode> run(cli::Context& context, train::JoinedRanks& joined) {
   train::Ranks& ranks = joined.ranks();
   const cli::Arguments& a = context.arguments();
@@ -166,7 +166,8 @@ int runRank(int argc, char** argv, train::JoinedRanks& joined) {
   });
   if (begun && !ended) joined.abandon(code);  // it threw, and the other ranks wait for it
   if (begun) return code;
-  // Other ranks compare their options with this rank's. If only they failed, this one reports it.
+  // Tells the other ranks that this one does not run. If it has no error of its own, it reports
+  // theirs.
   const bool refused = code != int(cli::ExitCode::ok);
   const Status same = train::notRunning(refused, ranks);
   if (same) return code;

@@ -217,8 +217,8 @@ Status filesFit(const cli::Arguments& a) {
 }
 
 std::vector<std::string> rankOptions(const cli::Arguments& a) {
-  // Machines differ in --threads, and the result does not depend on it. The contents of --config
-  // are compared. The others are about messages.
+  // Leaves out --threads, which may differ by machine and does not change the result; --config,
+  // whose contents are compared; and options about messages.
   return cli::optionTexts(
       a, {"threads", "config", "progress", "quiet", "verbose", "no-color", "json-errors"});
 }

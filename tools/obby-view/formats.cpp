@@ -90,7 +90,7 @@ std::string allEndings() {
   return all;
 }
 
-// Formats them as ".html, .htm, .txt or .svg".
+// Formats endings as ".html, .htm, .txt or .svg".
 std::string endingsText(const std::string& endings) {
   std::vector<std::string> words;
   std::istringstream in(endings);

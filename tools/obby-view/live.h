@@ -5,8 +5,8 @@
 
 namespace obby {
 
-// Serves the inputs' report while they arrive, until stopped. The file of -o is written when they
-// have ended.
+// Serves the report while the inputs arrive, until stopped. The file of -o is written when the
+// inputs have ended.
 Result<cli::ExitCode> runLive(cli::Context& context);
 
 }  // namespace obby

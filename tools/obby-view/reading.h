@@ -19,7 +19,7 @@ class Reading {
   // Returns the next record, or nothing at the end. A broken input is reported and counts as the
   // end.
   std::optional<io::Record> next();
-  // True if that end was a broken input.
+  // Returns true if next() ended at a broken input.
   bool broken() const { return broken_; }
 
   // Reports why the rest of the input cannot be shown.

@@ -14,8 +14,8 @@ namespace {
 constexpr float kBetween = 60;                      // studs from one level to the next
 constexpr float kPlaceFallMargin = 40;              // studs below all parts at which a fall ends
 constexpr float kFarthest = level::kMaxCoordinate;  // studs: max coordinate of a part in a level
-constexpr float kDensity = 0.7f, kFriction = 0.3f;  // of plastic
-constexpr float kJumpPower = 1.06f;                 // launch speed over JumpPower
+constexpr float kDensity = 0.7f, kFriction = 0.3f;  // plastic
+constexpr float kJumpPower = 1.06f;                 // launch speed / JumpPower
 constexpr uint32_t kPlastic = 256, kNeon = 288;
 constexpr uint64_t kFrameBytes = 4096;  // max size of everything but the levels
 

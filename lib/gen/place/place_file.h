@@ -16,7 +16,7 @@ namespace obby::gen {
 class PlaceFile {
  public:
   // The place gets the generator's physics. `maxBytes`: max size of the file, at least 4096.
-  // Programs, among them obby-import, do not read larger files than the default.
+  // obby-import and other programs do not read files larger than the default.
   explicit PlaceFile(const Generator& generator, uint64_t maxBytes = io::kMaxFileBytes);
   PlaceFile(const PlaceFile&) = delete;
   PlaceFile& operator=(const PlaceFile&) = delete;

@@ -25,7 +25,7 @@ void buildDoor(Sketch& s) {
   constexpr float kRoundabout = 20, kDoor = 6, kRun = 12;
   const float width = 20, seconds = s.mix(kOpen), high = maxf(14.0f, s.reach().rise() + 5);
   const bool shut = s.straight() && s.broken("button");
-  // In a solvable level it is no wider than necessary, or it would block other obstacles.
+  // In a solvable level the wall is no wider than necessary, or it would block other obstacles.
   const float beside = shut ? s.roundabout(kRoundabout) : kRoundabout;
   const float side = (width - kDoor) / 2 + beside, middle = (kDoor + side) / 2;
   const float aside = s.mixEitherSign(kAside);

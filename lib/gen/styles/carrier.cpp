@@ -20,7 +20,7 @@ void build(Sketch& s) {
   constexpr float kFast = 1.6f;  // max speed relative to the nominal one
   const uint32_t doors = s.mixCount(kDoors);
   const float size = s.mix(kSize), apart = s.mix(kApart), speed = s.mix(kSpeed);
-  // Too wide to jump, even off a platform this fast.
+  // The gap is too wide to jump, even off a platform at its max speed.
   const float jumped = kProof * s.reach().gap(0) + kFast * speed * s.reach().flight();
   const float between = maxf(apart, jumped / float(doors + 1)), way = between * float(doors + 1);
   const float seconds = way / speed, gap = s.mix(kGap);

@@ -16,14 +16,14 @@ const auto& [kPlank, kWidth, kShort, kRoad] = kParameters;
 
 void build(Sketch& s) {
   constexpr float kTooWide = 1.3f;
-  constexpr float kPad = 8, kSpare = 6;  // studs beyond a jump, so that the road's end is no start
+  constexpr float kPad = 8, kSpare = 6;  // studs beyond a jump from the road's end
   const float widest = s.reach().gap(0), plank = s.mix(kPlank), width = s.mix(kWidth);
   // Each plank is needed: the gap without it is too wide to jump.
   const float hop = s.sideGap(0.75f), long_ = maxf(plank, kTooWide * widest - 2 * hop);
   const float step = long_ + hop, side = s.side();
   const uint32_t out = 1 + uint32_t((widest + kSpare) / step), along = out + 1;
   s.floor("Fork", kPad, kPad);
-  // Planks out to the side, along, and back, from the middle of the pad.
+  // The planks go out to the side, along, and back, from the middle of the pad.
   const float row = -kPad / 2, far = kPad / 2 + step * float(out) + width / 2;
   const auto across = [&](uint32_t i, float ahead) {
     const float right = kPad / 2 + hop + long_ / 2 + step * float(i);

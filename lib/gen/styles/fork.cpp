@@ -21,7 +21,7 @@ constexpr float kSlide = 5;  // studs/s that a player gains on a slope
 
 void stones(Sketch& s, float right) {
   const float size = s.mix(kStone), max = s.sideGap(0.9f);
-  // Enough stones to leave no wider gaps, as far as they fit.
+  // Places enough stones that no gap exceeds `max`, as far as they fit.
   const uint32_t count =
       std::min(uint32_t((kLong - max) / (size + max)) + 1, uint32_t(kLong / size));
   const float gap = (kLong - size * float(count)) / float(count + 1);
@@ -63,7 +63,7 @@ constexpr uint32_t kRouteCount = sizeof(kRoutes) / sizeof(kRoutes[0]);
 void build(Sketch& s) {
   const uint32_t routes = 2 + s.below(2), first = s.below(kRouteCount);
   const float width = kApart * float(routes - 1) + 8, left = -kApart * float(routes - 1) / 2;
-  const float way = left + kApart * float(routes / 2);  // straight ahead where a route lies there
+  const float way = left + kApart * float(routes / 2);  // straight ahead if a route lies there
   s.floor("Crossing", 6, width);
   s.via({way, 0, -3});
   for (uint32_t i = 0; i < routes; ++i) {

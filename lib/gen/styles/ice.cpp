@@ -13,7 +13,7 @@ constexpr Parameter kParameters[] = {
 };
 const auto& [kLanes, kWidth, kFriction, kLength] = kParameters;
 
-// The engine's max weight. The player's own friction hardly counts on it.
+// The engine's max friction weight. With it the player's own friction hardly counts.
 constexpr float kIceWeight = 100;
 
 void makeIce(PartSketch& part, float friction) {

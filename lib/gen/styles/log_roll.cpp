@@ -24,7 +24,8 @@ void build(Sketch& s) {
   const uint32_t spikes = s.mixCount(kSpikes);
   const float speed = s.mixSpin(kSpeed), step = (long_ - 4) / float(spikes);
   for (uint32_t i = 0; i < spikes; ++i) {
-    // It stands on top of the log and turns about the log's axis, ahead of the spike before.
+    // The spike stands on top of the log and turns about the log's axis, ahead of the previous
+    // spike.
     const float high = s.mix(kHeight), arm = across / 2 + high / 2;
     MotionSketch m;
     m.spin = speed;

@@ -19,7 +19,7 @@ void build(Sketch& s) {
   const bool fixed = s.broken("block");
   const float width = s.mix(kWidth), over = s.mix(kOver);
   const float high = s.reach().rise() + over + (fixed ? kTooHigh : 0);
-  // So far away that a jump from the block's start does not reach the wall.
+  // The block starts so far away that a jump from it does not reach the wall.
   const float away = kBlock / 2 + s.reach().gap(s.reach().rise() + over - kBlock) + s.mix(kAway);
   const float yard = maxf(kYard, away + kBehind);
   const float aside = s.mixEitherSign(0, width / 2 - 5);

@@ -14,7 +14,7 @@ constexpr Parameter kParameters[] = {
 };
 const auto& [kSize, kFoot, kGap, kEdge, kLanding] = kParameters;
 
-constexpr float kCore = 8, kBehind = 6;  // core diameter; from the core to the ledges' centers
+constexpr float kCore = 8, kBehind = 6;  // core diameter; from its side to the ledges' centers
 constexpr float kRadius = kCore / 2 + kBehind;
 constexpr float kShare = 0.7f;  // share of the highest ledge, since the jump also goes round a
                                 // corner

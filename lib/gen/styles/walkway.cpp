@@ -18,7 +18,7 @@ void build(Sketch& s) {
   for (uint32_t i = 0; i < segments; ++i) {
     s.floor("Walkway", s.mix(kLength), width);
     if (i + 1 == segments) break;
-    // Above the ends of the lanes, so that coplanar faces do not flicker.
+    // The disc lies above the ends of the lanes, so that coplanar faces do not flicker.
     constexpr float kLip = 0.1f;
     s.disc("Corner", corner, -width / 2, kLip);
     s.via({0, 0, -corner / 2});

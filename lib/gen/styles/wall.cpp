@@ -20,14 +20,14 @@ float beyondFloor(const Params& p) {
 }
 
 void build(Sketch& s) {
-  constexpr float kRoundabout = 30;  // min studs beside an impassable wall
+  constexpr float kRoundabout = 30;  // min studs by which an impassable wall is wider on each side
   constexpr float kSure = 0.9f;      // share of the highest jump
   const uint32_t walls = s.mixCount(kWalls);
   const float width = s.mix(kWidth), before = 9, thick = s.mix(kThickness);
   const float behind = 9;
   for (uint32_t i = 0; i < walls; ++i) {
     const float rise = s.straight() ? s.rise() : s.easyRise();
-    // Too high to walk over, unless that is higher than a jump.
+    // The wall is too high to walk over, unless no jump clears that height.
     const float min = minf(s.reach().params().hipHeight + 1, kSure * s.reach().rise());
     const float height = maxf(rise, min);
     const bool high = height > s.reach().rise();

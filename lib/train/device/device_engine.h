@@ -1,5 +1,5 @@
-// Training on a device. Worlds, batch and network stay in its memory. The host makes the next
-// levels while the current ones are played.
+// Training on a device. Worlds, batch and network stay in the device's memory. The host makes the
+// next levels while the current ones are played.
 #pragma once
 
 #include "train/device/device_ranks.h"
@@ -13,7 +13,7 @@ std::unique_ptr<Engine> makeDeviceEngine(const TrainerSettings& settings, const 
                                          sim::Device& device, ThreadPool& pool, Ranks& ranks,
                                          DeviceRanks* direct = nullptr);
 
-// The engine for `device`; null: for the CPU.
+// Returns the engine for `device`, or for the CPU if `device` is null.
 std::unique_ptr<Engine> makeEngine(const TrainerSettings& settings, const LevelSource& source,
                                    sim::Device* device, ThreadPool& pool, Ranks& ranks,
                                    DeviceRanks* direct);

@@ -58,8 +58,8 @@ Status DeviceLearner::fillAdvantages() {
   return enqueue(device_, nn::kernel(nn::Step::advantages), a, batch_.worlds);
 }
 
-// Returns the moments of each minibatch. Without a shuffle, the ranges are as long but consecutive,
-// so that many threads have work.
+// Returns the moments of each minibatch. Without a shuffle, the minibatches are ranges of
+// consecutive rows, so that many threads have work.
 Result<std::vector<nn::Moments>> DeviceLearner::moments(const float* values,
                                                         const Shuffle* shuffle) {
   const nn::MomentArguments m{values,
@@ -153,7 +153,7 @@ Result<Progress> DeviceLearner::learn(float rate) {
   return out;
 }
 
-// Fills the gradient: the sum over this minibatch on all ranks.
+// Fills gradient_ with the sum over this minibatch on all ranks.
 Status DeviceLearner::learnMinibatch(const MinibatchArguments& m) {
   OBBY_RETURN_IF_ERROR(
       enqueue(device_, trainKernel(TrainStep::gather), m, size_t(m.count) * kFoursOfRow));

@@ -25,11 +25,11 @@ class DevicePlaces {
   void describe(PlayArguments& to) const;
   bool anyBodies() const { return anyBodies_; }
 
-  // Call it after an iteration. Takes tallies, replaces levels that had their episodes, and
-  // requests the levels after those with difficulty `hardest`, to be made meanwhile. `play`: from
-  // describe(). If the source returned no level, only state() may be called afterwards.
+  // Call it after an iteration. Takes tallies and replaces levels whose episodes are complete.
+  // Requests the levels after those, with difficulty `hardest`, to be made during play. `play`:
+  // from describe(). If the source returned no level, only state() may be called afterwards.
   Result<Tally> endIteration(float hardest, const PlayArguments& play);
-  // Returns the source's error if it returned no level without being told to stop.
+  // Returns the source's error if it returned no level although it was not stopped.
   const Status& missing() const { return missing_; }
 
   Result<std::vector<EnvGroupState>> state() const;
@@ -39,8 +39,8 @@ class DevicePlaces {
     uint64_t taken = 0;
     float hardest = 0, nextHardest = 0;
     uint64_t levelHash = 0;
-    std::shared_ptr<const sim::Memory> memory;  // holds its level, and others
-    bool waits = false;                         // for its level, as in PlaceState
+    std::shared_ptr<const sim::Memory> memory;  // holds this level among others
+    bool waits = false;                         // has no level yet, as in PlaceState
   };
 
   uint64_t indexOf(size_t place, uint64_t taken) const;

@@ -10,7 +10,8 @@ class DeviceRanks {
  public:
   virtual ~DeviceRanks() = default;
   // Gathers the gradients of all ranks. `mine`: (count) on this rank's device. `all`: (ranks,
-  // count) on it, equal on all ranks. Every rank makes the same calls in the same order.
+  // count) on the same device, equal on all ranks. Every rank makes the same calls in the same
+  // order.
   virtual Status gather(sim::Device& device, const float* mine, size_t count, float* all) = 0;
 };
 

@@ -14,7 +14,7 @@ namespace obby::train {
 struct NextLevel {
   std::shared_ptr<const TrainingLevel> level;
   DevicePlace place;
-  std::shared_ptr<const sim::Memory> memory;  // holds it, and others
+  std::shared_ptr<const sim::Memory> memory;  // holds this level among others
   Status said;                                // the source's error if there is no level
 };
 

@@ -29,7 +29,7 @@ struct PlayArguments {
   SettleRules rules;  // for the current decision
   const float *means, *scales;
   float valueMean, valueDeviation;
-  // Members of the tick, (worlds).
+  // Rows of the current tick, (worlds).
   float* inputs;         // (worlds, kInputs)
   const float* outputs;  // (worlds, kPaddedOutputs)
   policy::Decision* decisions;

@@ -35,7 +35,7 @@ bool exists(const std::string& path) {
 Status canBeWritten(const std::string& path) {
   std::error_code none;
   if (!isFile(path) && !std::filesystem::is_directory(path, none)) return {};
-  OBBY_RETURN_IF_ERROR(io::Sink::open(path));  // without close() it leaves nothing
+  OBBY_RETURN_IF_ERROR(io::Sink::open(path));  // a sink that is not closed leaves no file
   return {};
 }
 
@@ -89,7 +89,7 @@ Status CheckpointStore::lockAndCheckFiles() {
   return {};
 }
 
-// Returns empty bytes for a new run.
+// Returns the bytes of the checkpoint to resume from, empty for a new run.
 Result<std::string> CheckpointStore::checkpointBytes() const {
   const std::string& path = files_.checkpoint;
   if (files_.resume == Resume::no) return std::string();
@@ -143,7 +143,7 @@ Status CheckpointStore::setRun(const TrainerSettings& trainer, const std::vector
   run_.push_back({"start-from", startName_});
   for (Setting& setting : settingsOf(trainer)) run_.push_back(std::move(setting));
   run_.push_back({"ranks", fmt::format("{}", ranks_.count())});
-  // Equal options may find different devices.
+  // Ranks with equal options may find different devices.
   std::vector<std::string> options;
   for (const Setting& s : run_) options.push_back(fmt::format("with {} {}", s.name, s.value));
   return sameOnAllRanks(options, ranks_);

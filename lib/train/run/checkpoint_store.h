@@ -24,27 +24,28 @@ struct RunFiles {
   Resume resume = Resume::no;
 };
 
-// How the run was started, for its files.
+// Describes how the run was started, for its files.
 struct RunIdentity {
   std::string command;
   io::StreamIdentity stream;
 };
 
-// Returns the checkpoint's default path, next to the policy. Empty if the policy goes to a device
-// or a pipe.
+// Returns the checkpoint's default path, next to the policy, or an empty path if the policy goes to
+// a device or a pipe.
 std::string defaultCheckpoint(const std::string& policy);
 
 class CheckpointStore {
  public:
   // The first rank reads and writes for all; every rank calls the same functions. `stop` ends
-  // reading; `late` gives up the reader of a named pipe, as in io::Sink::open. All must outlive
-  // this.
+  // reading; `late` gives up the reader of a named pipe, as in io::Sink::open. The references must
+  // outlive this object.
   CheckpointStore(RunFiles files, RunIdentity identity, Ranks& ranks, const std::atomic<bool>& stop,
                   const std::atomic<bool>& late);
 
-  // Locks the files as long as this lives, and reads the policy to start from and the checkpoint to
-  // resume from. Call it before levels are read, so that a mistyped name is reported at once.
-  // Errors: files that cannot be read, cannot be written later, or are locked by another run.
+  // Locks the files for the life of this object, and reads the policy to start from and the
+  // checkpoint to resume from. Call it before levels are read, so that a mistyped name is reported
+  // at once. Errors: files that cannot be read, cannot be written later, or are locked by another
+  // run.
   Status open();
   // Sets the settings of the run, including those of the levels. Error: ranks with other settings.
   Status setRun(const TrainerSettings& trainer, const std::vector<Setting>& levels, bool onDevice);
@@ -78,7 +79,7 @@ class CheckpointStore {
   std::vector<Setting> run_;
   std::optional<Checkpoint> found_;
   std::optional<StartPolicy> start_;
-  std::string startName_;  // of the policy that all runs together started from, or kFresh
+  std::string startName_;  // name of the policy that the first run started from, or kFresh
   double secondsBefore_ = 0;
 };
 

@@ -1,4 +1,4 @@
-// Metrics of an evaluation: how many levels the policy solves, in total and of each kind.
+// Metrics of an evaluation: the shares of levels that the policy solves, in total and of each kind.
 #pragma once
 
 #include <span>
@@ -10,9 +10,9 @@
 
 namespace obby::train {
 
-// Returns the metrics of all levels. If levels of several named kinds were played, those of each
-// follow, prefixed by its name: "gaps/levels". `kindNames`: by the numbers of KindOf; an empty name
-// gets no metrics. `tries`: as EvaluationSettings::tries.
+// Returns the metrics of all levels. If levels of several named kinds were played, the metrics of
+// each kind follow, prefixed by its name: "gaps/levels". `kindNames`: by the numbers of KindOf; an
+// empty name gets no metrics. `tries`: as EvaluationSettings::tries.
 std::vector<Metric> evaluationMetrics(const Evaluation& evaluation, uint32_t tries,
                                       std::span<const std::string> kindNames);
 

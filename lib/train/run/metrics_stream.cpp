@@ -18,7 +18,7 @@ Result<MetricsStream> MetricsStream::toStandardOutput(const io::StreamIdentity& 
                                                       const std::atomic<bool>& stop,
                                                       const std::atomic<bool>& late) {
   OBBY_ASSIGN(io::StreamWriter writer, io::StreamWriter::open("-", io::Format::jsonl, &stop));
-  // A record is shorter than the capacity of a pipe that takes more.
+  // A pipe that takes more has capacity for a whole record.
   const auto takesMore = [](int wait) { return io::takesMore(STDOUT_FILENO, wait); };
   return open({std::move(writer), takesMore}, identity, stop, late);
 }

@@ -19,8 +19,8 @@ class MetricsStream {
   };
 
   // Writes the header at once if the reader takes it, otherwise before the first record. `late`:
-  // once it is set, a reader that takes nothing for a second is given up. `stop`, `late`: must
-  // outlive this.
+  // once it is set, a reader that takes nothing for a second is given up. `stop` and `late` must
+  // outlive this object.
   static Result<MetricsStream> open(Output output, const io::StreamIdentity& identity,
                                     const std::atomic<bool>& stop, const std::atomic<bool>& late);
 
@@ -35,7 +35,7 @@ class MetricsStream {
   // io::isInterrupted() if the reader was given up.
   Status write(const char* source, uint64_t step, std::span<const Metric> values);
   void outOfBudget() { stream_.outOfBudget(); }
-  // As Pipeline::finish(); waits as write() does. `levels`: counts that the end record includes.
+  // Like Pipeline::finish(), but waits as write() does. `levels`: counts for the end record.
   Status finish(const io::SourceSummary& levels, Status work = {});
 
  private:

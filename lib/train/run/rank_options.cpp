@@ -11,7 +11,7 @@ namespace obby::train {
 
 namespace {
 
-// `expected`: the options of rank 0, each followed by a 0.
+// `expected`: the options of rank 0, each followed by a zero byte.
 Status compareOptions(std::string_view expected, const std::vector<std::string>& options) {
   for (const std::string& mine : options) {
     const std::string_view other = expected.substr(0, expected.find('\0'));

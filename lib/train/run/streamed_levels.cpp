@@ -6,7 +6,7 @@ namespace obby::train {
 
 namespace {
 
-// On the first rank.
+// Copies the stream within the time limit. Only the first rank calls it.
 Result<StreamCopy> timedCopy(io::SourceOptions options, Timeout& timeout) {
   OBBY_ASSIGN(StreamCopy copy, copyOfStream(std::move(options), timeout));
   if (timeout.expired()) return lateStream();
@@ -16,7 +16,7 @@ Result<StreamCopy> timedCopy(io::SourceOptions options, Timeout& timeout) {
 
 }  // namespace
 
-// Only the first rank has standard input, and perhaps the files.
+// Only the first rank has standard input, and it may be the only one that has the files.
 Result<Levels> streamedLevels(io::SourceOptions options, Ranks& ranks, bool again,
                               Timeout& timeout) {
   options.stop = &timeout.stop();
@@ -35,7 +35,7 @@ Result<Levels> streamedLevels(io::SourceOptions options, Ranks& ranks, bool agai
     };
   }
   settings.again = again;
-  if (!again) settings.choices = 1;  // each is played
+  if (!again) settings.choices = 1;  // every query is played
   auto stream = std::make_unique<LevelStream>(std::move(options), settings);
   const LevelStream* const same = stream.get();
   return Levels{std::move(stream), {{"levels", "from a stream"}}, same};

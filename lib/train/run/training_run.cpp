@@ -11,7 +11,7 @@ namespace obby::train {
 namespace {
 
 constexpr double kMetricsSeconds = 5;
-constexpr double kPaceSeconds = 5;  // between two marks of the present rate
+constexpr double kPaceSeconds = 5;  // between two marks
 
 }  // namespace
 
@@ -38,7 +38,7 @@ double TrainingRun::meanRate() const {
   return double(last_.decisions - decisionsBefore_) / seconds();
 }
 
-// Since the older mark, which is five to ten seconds old once there are two.
+// Returns the rate since the older mark, which is five to ten seconds old once there are two.
 double TrainingRun::presentRate() {
   const double now = seconds();
   if (now - pace_[1].seconds >= kPaceSeconds) {
@@ -58,7 +58,7 @@ Status TrainingRun::run() {
     if (!reported) return saveAfter(std::move(reported));
     if (!trainer_.more()) break;
   }
-  Status saved = save();  // before it waits for any reader
+  Status saved = save();  // before the run waits for any reader
   Status logged = ranks_.agree(outputs_.events == nullptr ? Status() : outputs_.events->finish());
   Status written = ranks_.agree(writeMetrics());
   OBBY_RETURN_IF_ERROR(std::move(saved));
@@ -88,7 +88,7 @@ Status TrainingRun::saveMeanwhile() {
   return {};
 }
 
-// The metrics could not be written; the training so far is kept.
+// Saves the training so far if the metrics could not be written, and returns their error.
 Status TrainingRun::saveAfter(Status ended) {
   OBBY_RETURN_IF_ERROR(save());
   return ended;
@@ -105,7 +105,7 @@ TrainingRun::Votes TrainingRun::vote() {
   return {votes[0] > 0 || trainer_.decisions() >= limits_.decisions, votes[1] > 0};
 }
 
-// Reports an iteration. Training does not wait for a reader that takes no metrics now.
+// Reports an iteration. Training does not wait for a reader that is not ready for metrics.
 Status TrainingRun::report() {
   if (outputs_.metrics == nullptr) return {};
   reportProgress();
@@ -117,7 +117,7 @@ Status TrainingRun::report() {
   return due && outputs_.metrics->readerTakesMore() ? writeMetrics() : Status();
 }
 
-// Once, until the log is complete again.
+// Warns once when events are held back, and again only after the log has been complete.
 void TrainingRun::reportHeldEvents() {
   if (outputs_.events == nullptr) return;
   const Status& held = outputs_.events->held();

@@ -16,8 +16,8 @@
 namespace obby::train {
 
 struct RunLimits {
-  uint64_t decisions = 0;     // of all runs
-  double seconds = 0;         // of this run
+  uint64_t decisions = 0;     // max of all runs
+  double seconds = 0;         // max wall-clock time of this run
   double saveSeconds = 60;    // between saves
   uint64_t eventsEvery = 10;  // iterations between two events of the log
 };
@@ -29,7 +29,7 @@ struct RunProgress {
   double solved = 0, hardest = 0;  // as in Iteration
 };
 
-// What a run reports to its user.
+// Callbacks through which a run reports to its user.
 struct RunReport {
   std::function<void(const std::string&)> warn, note;
   std::function<void(const RunProgress&)> progress;
@@ -54,17 +54,17 @@ class TrainingRun {
   Status run();
 
  private:
-  struct Votes {  // of all ranks
+  struct Votes {  // the ranks' common decision
     bool stop, save;
   };
   struct Mark {
     double seconds;
     uint64_t decisions;
   };
-  double seconds() const;  // of this run
+  double seconds() const;  // wall-clock time of this run
   double allSeconds() const { return store_.secondsBefore() + seconds(); }
   double meanRate() const;  // decisions per second, in this run
-  double presentRate();     // in its last seconds
+  double presentRate();     // in the last seconds
   Votes vote();
   Status report();
   void reportProgress();

@@ -23,8 +23,8 @@ struct Camera {
   void ray(float x, float y, Vec3& origin, Vec3& direction) const;
 };
 
-// Returns a camera along `forward` that shows all points with a margin, as large as possible. At
-// least one point.
+// Returns a camera along `forward` that shows all points with a margin, as large as possible.
+// `points` must not be empty.
 Camera framed(const std::vector<Vec3>& points, Vec3 forward, int width, int height,
               bool perspective);
 

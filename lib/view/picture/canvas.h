@@ -51,7 +51,7 @@ class Depths {
   // `id`: value for the samples that see the solid.
   void add(const Solid& solid, uint32_t id);
 
-  int width() const { return width_; }  // of the picture
+  int width() const { return width_; }  // width of the picture
   int height() const { return height_; }
   const Samples& window() const { return window_; }
   // Returns a sample's index within the window, row by row.

@@ -35,7 +35,7 @@ constexpr const char* kStyle =
 
 // Maps the world to paper: the level runs to the right and down.
 struct Paper {
-  Vec3 across, down;  // unit, of the world
+  Vec3 across, down;  // unit vectors in world axes
   float scale = 1;    // pixels a stud
   Vec2 origin;        // paper coordinates of the upper left corner, studs
 
@@ -55,7 +55,7 @@ Sheet sheetOf(const Box& extent, const QueryEntry* query, const DrawingOptions& 
   const Vec3 along = alongOf(extent, query);
   Paper paper;
   paper.across = along;
-  // Never mirrored: seen from above, the right-hand side along the level is down.
+  // The drawing is never mirrored: from above, the right-hand side along the level is down.
   paper.down = options.side == Side::above ? cross(along, Vec3{0, 1, 0}) : Vec3{0, -1, 0};
   float x0 = 1e30f, x1 = -1e30f, y0 = 1e30f, y1 = -1e30f;
   for (int i = 0; i < 8; ++i) {
@@ -227,7 +227,7 @@ std::string drawingOf(const LevelEntry& level, const QueryEntry* query,
              "width=\"{0:.0f}\" height=\"{1:.0f}\" role=\"img\">\n<title>{2}</title>\n",
              double(sheet.width), double(sheet.height), io::escapeMarkup(title)) +
          kStyle + "<rect class=\"page\" width=\"100%\" height=\"100%\"/>\n" +
-         // A nested picture, so that whatever lies outside does not cross the text.
+         // The picture is nested, so that lines outside of it do not cross the text.
          fmt::format("<svg width=\"{:.0f}\" height=\"{:.0f}\">\n", double(sheet.width),
                      double(sheet.height - kLegend)) +
          partsOf(worldOf(level, tick), sheet.paper, sheet.width, sheet.height - kLegend) +

@@ -16,12 +16,12 @@ struct Stroke {
 
 class Pen {
  public:
-  // `colors`: drawn into; those of the samples in the window of `seen`. Other samples are left out.
+  // Draws into `colors`, one for each sample in the window of `seen`. Other samples are left out.
   Pen(const Depths& seen, std::vector<Color>& colors);
 
   // Draws a line through world points. It is no darker where it crosses itself.
   void line(const std::vector<Vec3>& points, const Stroke& stroke);
-  // A cross or a disc that extends `size` samples to each side.
+  // Draw a cross or a disc that extends `size` samples to each side.
   void cross(Vec3 at, float size, const Stroke& stroke);
   void disc(Vec3 at, float size, const Stroke& stroke);
   // Draws an oriented box: its edges, and its inside with opacity `veil`.

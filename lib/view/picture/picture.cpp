@@ -80,7 +80,7 @@ float visible(const std::vector<Vec3>& points, const Camera& camera, int width, 
   return count / float(points.size());
 }
 
-// Returns the first view that shows about as much of the first trajectory as the best one.
+// Returns the first view that shows about as much of the first trajectory as the best view.
 Vec3 bestLook(const Box& extent, const QueryEntry* query, const std::vector<Solid>& solids) {
   const std::vector<Vec3> looks = looksOf(extent, query);
   if (!query || query->paths.empty()) return looks[0];
@@ -177,7 +177,7 @@ struct Scene {
   const Depths& sun;
 };
 
-// Draws the rows of pixels from `top` until before `bottom`.
+// Draws the rows of pixels from `top` to `bottom`, which is exclusive.
 void drawRows(const Scene& scene, int top, int bottom, Image& out) {
   const int width = out.width * kSamples, height = out.height * kSamples;
   // One more row of samples detects the solids' edges in the row above it.

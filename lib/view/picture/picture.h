@@ -10,12 +10,12 @@ namespace obby::view {
 
 struct PictureOptions {
   int width = 1280, height = 720;  // pixels
-  // Max samples in memory, 4 a pixel, at 36 to 56 bytes each, but at least a row of pixels. It does
-  // not change the picture.
+  // Max samples in memory, 4 a pixel, at 36 to 56 bytes each, but at least a row of pixels. The
+  // value does not change the picture.
   size_t atOnce = size_t(1) << 22;
 };
 
-// The camera is beside the level and sees all of it, with the start on the left. Moving parts have
+// The camera is next to the level and sees all of it, with the start on the left. Moving parts have
 // their poses at the query's start, and parts that are away then are almost transparent. `query`
 // may be null for the whole level.
 Image pictureOf(const LevelEntry& level, const QueryEntry* query, const PictureOptions& options);

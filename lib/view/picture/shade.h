@@ -7,7 +7,7 @@
 
 namespace obby::view {
 
-// Distinguishable without colour.
+// Patterns are distinguishable without colour.
 enum class Pattern { plain, stripes, checks };
 
 struct Surface {

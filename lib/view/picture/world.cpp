@@ -11,10 +11,10 @@ namespace obby::view {
 
 namespace {
 
-constexpr float kMinCoverage = 0.12f;  // of a fully transparent part
+constexpr float kMinCoverage = 0.12f;  // coverage of a fully transparent part
 constexpr float kAwayCoverage = 0.1f;  // as in the page (web/src/scene/level_view.js)
 
-// As in the page (web/src/palette.js).
+// The colors of the page (web/src/palette.js).
 constexpr Rgb kRoleColors[] = {{119, 128, 143}, {53, 196, 141}, {63, 140, 255}, {221, 65, 73},
                                {164, 139, 250}, {230, 200, 90}, {76, 195, 221}, {245, 154, 76},
                                {143, 227, 196}, {91, 100, 114}, {185, 143, 111}};
@@ -40,7 +40,7 @@ Solid solidOf(const level::LevelView& level, const level::Collider& c,
   return {pose, c.kind, c.shape};
 }
 
-// Returns true if it has no collision at that tick, provided that nothing was touched.
+// Returns true if the collider is away at that tick, provided that nothing was touched.
 bool absent(const level::LevelView& level, uint32_t collider, uint32_t tick) {
   const uint32_t flags = level.bounds[collider].flags;
   if ((flags & (level::kVanishTimer | level::kClocked)) == 0) return false;

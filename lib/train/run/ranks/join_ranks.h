@@ -12,7 +12,7 @@ class JoinedRanks {
  public:
   virtual ~JoinedRanks() = default;  // waits for the other ranks
   virtual Ranks& ranks() = 0;
-  // Returns its number among the ranks on this machine, which chooses its GPU.
+  // Returns this process's number among the ranks on this machine, which chooses its GPU.
   virtual uint32_t neighbour() const = 0;
   // Ends all ranks at once, if this one fails and the others do not know. Does not return if there
   // are other ranks.

@@ -1,5 +1,6 @@
-// Gradients from GPU to GPU by NCCL. Only this file uses NCCL. The result is that of the way
-// through the host: numbers are gathered here, and added in the order of the ranks elsewhere.
+// Exchanges gradients between GPUs by NCCL. Only this file uses NCCL. The result equals that of the
+// exchange through the host: numbers are gathered here, and summed elsewhere in the order of the
+// ranks.
 #include <fmt/format.h>
 #include <nccl.h>
 
@@ -33,7 +34,7 @@ class NcclRanks : public DeviceRanks {
               "the ranks' GPUs cannot join"));
   }
 
-  // Runs in the stream of all kernels.
+  // Runs in the same stream as all kernels.
   Status gather(sim::Device&, const float* mine, size_t count, float* all) override {
     return check(ncclAllGather(mine, all, count, ncclFloat, joined_, nullptr),
                  "exchanging gradients");
