@@ -83,7 +83,7 @@ std::string Store::levelPath(const std::string& id) const {
 
 bool Store::has(const std::string& id) const { return access(levelPath(id).c_str(), R_OK) == 0; }
 
-void Store::makeRoom(uint64_t bytes) const {
+void Store::evictFor(uint64_t bytes) const {
   struct Entry {
     fs::path path;
     uint64_t size;
@@ -110,7 +110,7 @@ Status Store::put(const std::string& id, std::string_view lines,
                   const std::vector<std::string>& reports) const {
   uint64_t bytes = lines.size();
   for (const std::string& report : reports) bytes += report.size() + 1;
-  makeRoom(bytes);
+  evictFor(bytes);
   OBBY_ASSIGN(io::Sink sink, io::Sink::open(levelPath(id)));
   OBBY_RETURN_IF_ERROR(sink.write(lines));
   for (const std::string& report : reports) OBBY_RETURN_IF_ERROR(sink.write(report + "\n"));
@@ -122,7 +122,7 @@ Result<std::optional<StoredLevel>> Store::get(const std::string& id) const {
   if (!has(id)) return std::optional<StoredLevel>();
   OBBY_ASSIGN(const std::string text, io::readFile(path));
   std::error_code ignored;
-  fs::last_write_time(path, fs::file_time_type::clock::now(), ignored);  // makeRoom() needs it
+  fs::last_write_time(path, fs::file_time_type::clock::now(), ignored);  // evictFor() needs it
   StoredLevel out;
   for (size_t at = 0; at < text.size();) {
     const size_t end = std::min(text.find('\n', at), text.size() - 1) + 1;

@@ -45,7 +45,7 @@ class Store {
 
  private:
   std::string levelPath(const std::string& id) const;
-  void makeRoom(uint64_t bytes) const;
+  void evictFor(uint64_t bytes) const;
 
   std::string folder_;
   uint64_t maxBytes_ = 0;

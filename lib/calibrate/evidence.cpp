@@ -31,7 +31,7 @@ std::vector<double> moved(std::vector<double> point, size_t at, double by) {
 }
 
 // Returns the variance of one independent sample, as if its frames were fully correlated.
-double varianceOf(const Slopes& s) {
+double varianceOf(const Derivatives& s) {
   return std::max(s.noise * s.noise, kMinNoise * kMinNoise) * s.alike;
 }
 
@@ -50,41 +50,41 @@ double weightOf(float residual, double near) {
 
 // `here`: the residuals at the point. If the point on one side is infeasible, only the other side
 // counts.
-void writeSlope(const Objective& objective, const std::vector<double>& point,
-                const std::vector<float>& here, int i, Eigen::MatrixXf& slopes) {
+void writeColumn(const Objective& objective, const std::vector<double>& point,
+                 const std::vector<float>& here, int i, Eigen::MatrixXf& jacobian) {
   const auto up = moved(point, size_t(i), kStep), down = moved(point, size_t(i), -kStep);
   const auto above = objective.residuals(up), below = objective.residuals(down);
   const std::vector<float>& high = above ? *above : here;
   const std::vector<float>& low = below ? *below : here;
   const double to = (above ? up : point)[size_t(i)], from = (below ? down : point)[size_t(i)];
   const float width = float(to - from);
-  for (Eigen::Index k = 0; k < slopes.rows(); ++k)
-    slopes(k, i) = width > 0 ? (high[size_t(k)] - low[size_t(k)]) / width : 0.0f;
+  for (Eigen::Index k = 0; k < jacobian.rows(); ++k)
+    jacobian(k, i) = width > 0 ? (high[size_t(k)] - low[size_t(k)]) / width : 0.0f;
 }
 
 }  // namespace
 
-Result<Slopes> slopesAt(const Objective& objective, const std::vector<double>& point,
-                        const Work& work) {
+Result<Derivatives> derivativesAt(const Objective& objective, const std::vector<double>& point,
+                                  const Work& work) {
   const Eigen::Index n = Eigen::Index(point.size());
   OBBY_ASSIGN(const std::vector<float> r, objective.residuals(point));
   const Eigen::Index rows = Eigen::Index(r.size());
-  Eigen::MatrixXf slopes(rows, n);
+  Eigen::MatrixXf jacobian(rows, n);
   work.account().count(1);
   work.run(int(n), [&](int i) {
-    writeSlope(objective, point, r, i, slopes);
+    writeColumn(objective, point, r, i, jacobian);
     work.account().count(2);
   });
-  if (work.stopped()) return Slopes{};
+  if (work.stopped()) return Derivatives{};
   const Eigen::MatrixXd none = Eigen::MatrixXd::Zero(n, n);
-  Slopes out{none, Eigen::VectorXd::Zero(n), none, 0, framesIn(kAlike, objective)};
+  Derivatives out{none, Eigen::VectorXd::Zero(n), none, 0, framesIn(kAlike, objective)};
   const Eigen::Index together = Eigen::Index(framesIn(kStretch, objective)) * kResiduals;
   double squares = 0, weights = 0;
   Eigen::VectorXd stretch = Eigen::VectorXd::Zero(n);
   for (Eigen::Index k = 0; k < rows; ++k) {
     const double w = weightOf(r[size_t(k)], objective.settings().near),
                  value = double(r[size_t(k)]);
-    const Eigen::VectorXd row = slopes.row(k).cast<double>();
+    const Eigen::VectorXd row = jacobian.row(k).cast<double>();
     out.normal.selfadjointView<Eigen::Lower>().rankUpdate(row, w);
     stretch += w * value * row;
     if (k + 1 == rows || (k + 1) % together == 0) {
@@ -104,7 +104,7 @@ Result<Slopes> slopesAt(const Objective& objective, const std::vector<double>& p
 // determine. Errors differ in size: positions are less precise than facings, and some stretches fit
 // worse than others. So the variance is the larger of two: that from the mean residual, and that
 // from the disagreement between stretches.
-Evidence evidenceOf(const Slopes& s) {
+Evidence evidenceOf(const Derivatives& s) {
   const Eigen::Index n = s.normal.rows();
   const double variance = varianceOf(s);
   const Eigen::MatrixXd information =
@@ -149,16 +149,16 @@ Result<double> noiseAt(const Objective& objective, const std::vector<double>& po
   return kDeviationOfMedian * double(*middle);
 }
 
-double slackOf(const Slopes& slopes, size_t frames) {
+double slackOf(const Derivatives& derivatives, size_t frames) {
   constexpr double kHalfChiSquare = 1.92;
-  return kHalfChiSquare * varianceOf(slopes) / double(frames);
+  return kHalfChiSquare * varianceOf(derivatives) / double(frames);
 }
 
 Result<std::vector<double>> refined(const Objective& objective, std::vector<double> point,
                                     int rounds, const Work& work) {
   double loss = objective.loss(point), damping = 1e-3;
   for (int round = 0; round < rounds; ++round) {
-    OBBY_ASSIGN(const Slopes s, slopesAt(objective, point, work));
+    OBBY_ASSIGN(const Derivatives s, derivativesAt(objective, point, work));
     if (work.stopped()) break;
     const double scale = std::max(s.normal.diagonal().maxCoeff() * kMinEigenvalue, 1e-12);
     bool better = false;

@@ -9,7 +9,7 @@
 namespace obby::calibrate {
 
 // Gradients of all residuals with respect to the point's coordinates, weighted as in the loss.
-struct Slopes {
+struct Derivatives {
   Eigen::MatrixXd normal;    // (n, n): J^T W J
   Eigen::VectorXd gradient;  // (n): J^T W r
   Eigen::MatrixXd scatter;   // (n, n): sum of outer products of the gradients per stretch
@@ -17,8 +17,8 @@ struct Slopes {
   double alike = 1;          // consecutive frames that count as one independent sample
 };
 // Returns empty matrices after a stop.
-Result<Slopes> slopesAt(const Objective& objective, const std::vector<double>& point,
-                        const Work& work);
+Result<Derivatives> derivativesAt(const Objective& objective, const std::vector<double>& point,
+                                  const Work& work);
 
 // Half widths of the 95 % intervals, and correlations, both in shares of the bounds. A coordinate
 // without any effect has a half width of 1.
@@ -26,7 +26,7 @@ struct Evidence {
   std::vector<double> half;
   Eigen::MatrixXd correlation;
 };
-Evidence evidenceOf(const Slopes& slopes);
+Evidence evidenceOf(const Derivatives& derivatives);
 
 // Returns true if changing the coordinate within its bounds changes any residual. `here`: the
 // residuals at `point`.
@@ -40,7 +40,7 @@ Result<double> noiseAt(const Objective& objective, const std::vector<double>& po
 // Returns how far a loss over `frames` frames may exceed the minimum before its point is ruled out
 // with 95 % confidence. This is the chi-square bound of the likelihood ratio for one degree of
 // freedom.
-double slackOf(const Slopes& slopes, size_t frames);
+double slackOf(const Derivatives& derivatives, size_t frames);
 
 // Runs up to `rounds` rounds of Gauss-Newton with a trust region, until the loss no longer falls.
 // After a stop it returns the best point so far.

@@ -26,7 +26,7 @@ Fitted judged(Fitted f) {
   return f;
 }
 
-Fitted bySlope(Fitted f, double share, double half) {
+Fitted byGradient(Fitted f, double share, double half) {
   if (half >= kNothing) return f;
   f.low = valueAt(f.parameter, share - half);
   f.high = valueAt(f.parameter, share + half);
@@ -56,14 +56,15 @@ struct Weighing {
   const Objective& objective;
   const std::vector<double>& point;
   const Work& work;
-  const Slopes& slopes;
+  const Derivatives& derivatives;
 
   void byCrossing(size_t coordinate, Fitted& f) const {
     const Crossing crossing =
         crossingOf(objective, point, coordinate, sharesAllOver(), kRefiningRounds, work);
     if (work.stopped()) return;
     const auto& shares = crossing.profile.shares;
-    f = byProfile(f, crossing.profile, slackOf(slopes, objective.frames()), shares[1] - shares[0]);
+    f = byProfile(f, crossing.profile, slackOf(derivatives, objective.frames()),
+                  shares[1] - shares[0]);
   }
 
   void byScan(const std::vector<Fitted*>& fitted) const {
@@ -71,7 +72,7 @@ struct Weighing {
     if (work.stopped()) return;
     for (const Profile& p : scan.profiles) {
       Fitted& f = *fitted[p.coordinate];
-      f = byCount(f, p, slackOf(slopes, scan.frames), 1 / objective.controlRate());
+      f = byCount(f, p, slackOf(derivatives, scan.frames), 1 / objective.controlRate());
     }
   }
 };
@@ -96,12 +97,12 @@ Result<Findings> findingsOf(const Objective& objective, const std::vector<double
     out.parameters.push_back(
         {p, valueOf(found, p.name), p.lowest, p.highest, false, valueOf(before, p.name)});
   const std::vector<Fitted*> shown = shownOf(objective, out.parameters);
-  OBBY_ASSIGN(const Slopes slopes, slopesAt(objective, point, work.toItsEnd()));
-  const Evidence evidence = evidenceOf(slopes);
-  const Weighing weighing{objective, point, work, slopes};
+  OBBY_ASSIGN(const Derivatives derivatives, derivativesAt(objective, point, work.toItsEnd()));
+  const Evidence evidence = evidenceOf(derivatives);
+  const Weighing weighing{objective, point, work, derivatives};
   for (size_t i = 0; i < shown.size(); ++i) {
     const Parameter::Kind kind = shown[i]->parameter.kind;
-    if (hasSlope(kind)) *shown[i] = bySlope(*shown[i], point[i], evidence.half[i]);
+    if (isDifferentiable(kind)) *shown[i] = byGradient(*shown[i], point[i], evidence.half[i]);
     if (kind == Parameter::Kind::event && !work.stopped()) weighing.byCrossing(i, *shown[i]);
     work.account().step(i + 1, shown.size() + 1);
     for (size_t k = 0; k < i; ++k) {

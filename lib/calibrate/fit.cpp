@@ -207,13 +207,13 @@ class Fitter {
   Status forget() {
     const Objective objective = sharp_.of(seen_);
     const std::vector<double> point = found_.in(objective);
-    OBBY_ASSIGN(const Slopes slopes, slopesAt(objective, point, work_));
+    OBBY_ASSIGN(const Derivatives derivatives, derivativesAt(objective, point, work_));
     if (work_.stopped()) return {};
-    const Evidence evidence = evidenceOf(slopes);
+    const Evidence evidence = evidenceOf(derivatives);
     std::vector<Parameter> told;
     Found trial = found_.copy();
     for (size_t i = 0; i < seen_.size(); ++i) {
-      if (!hasSlope(seen_[i].kind) || evidence.half[i] < kNothing) {
+      if (!isDifferentiable(seen_[i].kind) || evidence.half[i] < kNothing) {
         told.push_back(seen_[i]);
       } else {
         setValue(trial.values.root().getParams(), seen_[i].name, valueOf(now_, seen_[i].name));
@@ -222,8 +222,9 @@ class Fitter {
     if (told.size() == seen_.size()) return {};
     const Objective less(sharp_.takes(), told, trial.params(), sharp_.settings());
     OBBY_ASSIGN(const std::vector<double> there,
-                refined(less, trial.in(less), kSlopeRounds, work_));
-    if (less.loss(there) > objective.loss(point) + slackOf(slopes, objective.frames())) return {};
+                refined(less, trial.in(less), kGradientRounds, work_));
+    if (less.loss(there) > objective.loss(point) + slackOf(derivatives, objective.frames()))
+      return {};
     trial.take(less, there);
     found_ = std::move(trial);
     return {};

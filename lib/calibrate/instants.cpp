@@ -25,7 +25,7 @@ struct Stride {
 double along(Vec3 v, int axis) { return double(axis == 0 ? v.x : axis == 1 ? v.y : v.z); }
 
 // Returns the acceleration along an axis from a frame to the next, studs/s^2.
-double slopeAt(const std::vector<Frame>& f, size_t i, int axis) {
+double rateAt(const std::vector<Frame>& f, size_t i, int axis) {
   return (along(f[i + 1].velocity, axis) - along(f[i].velocity, axis)) /
          (f[i + 1].time - f[i].time);
 }
@@ -33,11 +33,11 @@ double slopeAt(const std::vector<Frame>& f, size_t i, int axis) {
 // `own`: the age of the simulator's velocities.
 void addStrides(const std::vector<Frame>& f, int axis, double own, std::vector<Stride>& to) {
   for (size_t i = 1; i + 2 < f.size(); ++i) {
-    const double slope = slopeAt(f, i, axis), slack = kSteady * std::fabs(slope);
-    if (std::fabs(slopeAt(f, i - 1, axis) - slope) > slack ||
-        std::fabs(slopeAt(f, i + 1, axis) - slope) > slack)
+    const double rate = rateAt(f, i, axis), slack = kSteady * std::fabs(rate);
+    if (std::fabs(rateAt(f, i - 1, axis) - rate) > slack ||
+        std::fabs(rateAt(f, i + 1, axis) - rate) > slack)
       continue;
-    const double seconds = f[i + 1].time - f[i].time, change = slope * seconds;
+    const double seconds = f[i + 1].time - f[i].time, change = rate * seconds;
     if (std::fabs(change) < kMinChange) continue;
     const double sum = along(f[i].velocity + f[i + 1].velocity, axis);
     const double way = along(f[i + 1].position - f[i].position, axis);
@@ -74,8 +74,8 @@ double standardError(const std::vector<Stride>& strides, double age) {
 // counts.
 Vec3 accelerationAt(const std::vector<Frame>& f, size_t i) {
   const auto at = [&](int axis) {
-    const double before = i > 0 ? slopeAt(f, i - 1, axis) : 0;
-    const double after = i + 1 < f.size() ? slopeAt(f, i, axis) : 0;
+    const double before = i > 0 ? rateAt(f, i - 1, axis) : 0;
+    const double after = i + 1 < f.size() ? rateAt(f, i, axis) : 0;
     return float(std::fabs(before) < std::fabs(after) ? before : after);
   };
   return {at(0), at(1), at(2)};

@@ -24,7 +24,7 @@ struct Parameter {
   Kind kind = Kind::smooth;
 };
 
-constexpr bool hasSlope(Parameter::Kind kind) {
+constexpr bool isDifferentiable(Parameter::Kind kind) {
   return kind == Parameter::Kind::smooth || kind == Parameter::Kind::touch;
 }
 

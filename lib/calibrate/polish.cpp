@@ -17,7 +17,7 @@ Status refine(const Objective& objective, Found& found, const Work& work) {
   std::vector<double> point = found.in(objective);
   settle(objective, point, Tried::singly, work);
   for (int round = 0; round < kPolishRounds && !work.stopped(); ++round) {
-    OBBY_ASSIGN(point, refined(objective, std::move(point), kSlopeRounds, work));
+    OBBY_ASSIGN(point, refined(objective, std::move(point), kGradientRounds, work));
     if (!settle(objective, point, Tried::singly, work)) break;
   }
   found.take(objective, point);
@@ -38,7 +38,7 @@ void crossBy(const Objective& objective, size_t coordinate, Found& found, const 
   switch (objective.parameters()[coordinate].kind) {
     case Parameter::Kind::smooth: return;
     case Parameter::Kind::ticks:
-      return over(countsAround(objective, found.in(objective), coordinate), kSlopeRounds);
+      return over(countsAround(objective, found.in(objective), coordinate), kGradientRounds);
     case Parameter::Kind::event:
     case Parameter::Kind::touch:
       over(sharesAllOver(), kEventRounds);

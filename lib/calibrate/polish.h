@@ -6,7 +6,7 @@
 
 namespace obby::calibrate {
 
-constexpr int kSlopeRounds = 12;  // max rounds of Gauss-Newton
+constexpr int kGradientRounds = 12;  // max rounds of Gauss-Newton
 
 // Takes gradient steps, then searches tick-valued parameters, then discontinuous ones and pairs of
 // tick counts. After a stop, `found` is the best result so far. Errors: those of Level::compile.

@@ -47,7 +47,7 @@ void Collector::forget(PathEntry& path) {
 }
 
 // Attempts do not evict solutions, and a trajectory larger than the budget evicts nothing.
-void Collector::makeRoom(size_t cost, PathKind kind) {
+void Collector::evictFor(size_t cost, PathKind kind) {
   if (cost > budget_.ticks) return;
   dropOldest(cost, PathKind::attempt);
   if (kind == PathKind::solution && !fits(cost)) dropOldest(cost, kind);

@@ -208,7 +208,7 @@ Status Collector::play(const QueryEntry& entry, PathEntry& path) {
   Playback playback = std::move(told.playback);
   path.retold = std::move(told.record);
   const size_t cost = costOf(path, playback);
-  if (!fits(cost) && budget_.rolls) makeRoom(cost, path.kind);
+  if (!fits(cost) && budget_.rolls) evictFor(cost, path.kind);
   if (fits(cost)) {
     keep(path, std::move(playback));
     return {};

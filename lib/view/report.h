@@ -80,7 +80,7 @@ class Collector {
   void keep(PathEntry& path, Playback playback);
   void forget(PathEntry& path);
   bool fits(size_t cost) const { return ticksKept_ + cost <= budget_.ticks; }
-  void makeRoom(size_t cost, PathKind kind);
+  void evictFor(size_t cost, PathKind kind);
   void dropOldest(size_t cost, PathKind kind);
   void sweepDropped();
   void weigh(QueryEntry& entry);

@@ -46,9 +46,9 @@ std::vector<double> halfWidths(const std::vector<Take>& takes,
                                const std::vector<std::string>& names) {
   Undisturbed hands;
   const Objective objective(takes, *parametersNamed(names, defaults()), defaults(), {});
-  const auto slopes = slopesAt(objective, objective.start(), hands.work);
-  EXPECT_TRUE(slopes) << slopes.error().text();
-  return evidenceOf(*slopes).half;
+  const auto derivatives = derivativesAt(objective, objective.start(), hands.work);
+  EXPECT_TRUE(derivatives) << derivatives.error().text();
+  return evidenceOf(*derivatives).half;
 }
 
 TEST(Evidence, InterpolatedFramesAddNoCertainty) {
@@ -78,9 +78,9 @@ TEST(Evidence, TheGradientNextToAnInvalidBodyIsOneSided) {
   beside[0] += 0.004;
   ASSERT_FALSE(objective.residuals(beside));
   Undisturbed hands;
-  const auto slopes = slopesAt(objective, point, hands.work);
-  ASSERT_TRUE(slopes) << slopes.error().text();
-  EXPECT_GT(slopes->normal(0, 0), 0);
+  const auto derivatives = derivativesAt(objective, point, hands.work);
+  ASSERT_TRUE(derivatives) << derivatives.error().text();
+  EXPECT_GT(derivatives->normal(0, 0), 0);
 }
 
 }  // namespace

@@ -91,7 +91,7 @@ TEST(Fit, LeavesUntriedIntervalsUnknown) {
   EXPECT_TRUE(at.fit.stopped);
   EXPECT_LT(at.fit.evaluations - at.progress.evaluations, 100u);
   for (const Fitted& f : at.fit.parameters) {
-    if (hasSlope(f.parameter.kind)) continue;
+    if (isDifferentiable(f.parameter.kind)) continue;
     EXPECT_EQ(f.low, f.parameter.lowest) << f.parameter.name;
     EXPECT_EQ(f.high, f.parameter.highest) << f.parameter.name;
   }

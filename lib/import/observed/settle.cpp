@@ -119,7 +119,7 @@ uint32_t lastChange(const engine::Track& track) {
 }
 
 // Returns true if the part moves step by step; otherwise scripts placed it at once.
-bool isWay(const engine::Track& track) {
+bool movesInSteps(const engine::Track& track) {
   constexpr uint32_t kLongestGap = 30, kShortest = 15, kFewest = 3;  // frames, frames, steps
   const Pose* last = &track.start;
   uint32_t first = 0, before = 0, steps = 0;
@@ -180,7 +180,7 @@ bool movesByItself(const engine::Report& report, InstanceId part) {
   const double settled = isMadeLater(report, part)
                              ? track.poses.front().frame * engine::kFrame + kPlacing
                              : report.probedAt;
-  return lastChange(track) * engine::kFrame > settled || isWay(track);
+  return lastChange(track) * engine::kFrame > settled || movesInSteps(track);
 }
 
 Pose poseAtStart(const engine::Track& track, bool isMade) {
