@@ -21,7 +21,6 @@ struct Binning {
   uint32_t maxJumps = 0xffff;   // jumps beyond this number make no difference
   bool waypoints = false;       // the query has waypoints
   bool clocks = false;          // parts start clocks when touched
-  bool vanishing = false;       // parts vanish when touched
   uint32_t bodyCount = 0;       // dynamic bodies, whose positions matter
   bool visits = false;          // the query has visits, in any order
   bool segmentJumps = false;    // the query limits the jumps of a segment
