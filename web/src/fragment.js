@@ -1,4 +1,5 @@
-// Keeps query, trajectory, time and camera in the page's address after `#`, so that a link opens the same view.
+// Keeps query, trajectory, time and camera in the page's address after `#`, so that a link opens
+// the same view.
 
 /** @import {App} from './app.js' */
 /** @import {Camera, Report, State} from './types/report.js' */

@@ -92,13 +92,13 @@ function inLine(points) {
   const from = (/** @type {Vector3} */ point) => point.clone().sub(points[0]);
   let trajectory = new Vector3();
   for (const point of points) if (from(point).lengthSq() > trajectory.lengthSq()) trajectory = from(point);
-  const min = 1e-14 * trajectory.lengthSq() ** 2; // rounding tolerance; thin shapes are still visible
+  // Rounding tolerance; thin shapes are still visible.
+  const min = 1e-14 * trajectory.lengthSq() ** 2;
   return points.every((point) => from(point).cross(trajectory).lengthSq() <= min);
 }
 
 /**
- * Vertices of a hull are in studs from the part's centre. A hull that is a point or a line is
- * invisible.
+ * `vertices`: studs from the part's centre. A hull that is a point or a line is invisible.
  * @param {Float32Array} vertices
  */
 export function hullGeometry(vertices) {

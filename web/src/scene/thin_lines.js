@@ -12,7 +12,7 @@ import {
 /** @import {Path} from '../path.js' */
 /** @import {Tint} from '../types/report.js' */
 
-const kMaxPoints = 120000; // per picture; a browser without a GPU draws about 400 segments a ms
+const kMaxPoints = 120000; // max per picture; a browser without a GPU draws 400 segments a ms
 export const kLift = 0.35; // studs above the feet, so that lines do not sink into the floor
 
 /**
