@@ -70,7 +70,7 @@ test('the reader chooses the theme', async ({ page }) => {
 
 test('at 200 % zoom nothing is cut off or out of reach', async ({ browser }) => {
   const { page, trouble } = await openReport(browser, file);
-  await page.setViewportSize({ width: 640, height: 400 }); // what 1280 x 800 leaves
+  await page.setViewportSize({ width: 640, height: 400 }); // 1280 x 800 at 200 % zoom
   await frames(page, 3);
   assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), 640);
   for (const name of ['.play', '.scrub', '.verdict', '.choice.sort select', '#scene-panel .fold'])

@@ -61,7 +61,7 @@ export class Pointer {
 
   /** @param {PointerEvent} event */
   press(event) {
-    this.canvas.classList.add('pressed'); // browsers show the focus ring for focus by script
+    this.canvas.classList.add('pressed'); // hides the focus ring, which focus() would show
     this.canvas.focus({ preventScroll: true });
     if (this.corner) this.store.set({ boxes: this.before }); // the previous drag did not end
     this.down = null;

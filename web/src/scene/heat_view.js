@@ -48,7 +48,7 @@ export function visits(paths) {
         cells.set(key, cell);
       }
       if (feet < cell.y) cell.y = feet;
-      // Trajectories are processed in turn, so the last visitor tells whether this one was here.
+      // Trajectories are processed in turn, so the last visitor shows if this one was here.
       if (cell.last !== path) cell.count += 1;
       cell.last = path;
     }

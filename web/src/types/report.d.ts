@@ -6,7 +6,7 @@ import type { Track } from '../tracks.js';
 import type { LevelFacts, Outcome, QueryBase, ResultFacts, Triple } from './page_data.js';
 
 export interface Level extends LevelFacts {
-  count: number; // of parts
+  count: number; // number of parts
   position: Float32Array;
   rotation: Float32Array;
   size: Float32Array;

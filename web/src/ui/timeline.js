@@ -255,7 +255,7 @@ export class Timeline {
     this.extras.append(button);
   }
 
-  // Draws the selected trajectory's profile over the whole timeline, which a longer ghost extends.
+  // Draws the selected trajectory's profile. With a longer ghost it ends before the timeline does.
   draw() {
     const path = this.selected();
     const length = Math.max(1, this.playback.lengthOf());
