@@ -108,8 +108,8 @@ export function meets(path, box) {
 }
 
 /**
- * Box -> query -> indices of the paths through the box. Boxes are immutable. Weak keys let boxes and
- * queries be freed, since a live stream replaces queries several times a second.
+ * Box -> query -> indices of the paths through the box. Boxes are immutable. Weak keys allow boxes
+ * and queries to be freed, since a live stream replaces queries several times a second.
  * @type {WeakMap<Box, WeakMap<Query, Set<number>>>}
  */
 const passed = new WeakMap();

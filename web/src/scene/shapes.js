@@ -92,8 +92,7 @@ function inLine(points) {
   const from = (/** @type {Vector3} */ point) => point.clone().sub(points[0]);
   let trajectory = new Vector3();
   for (const point of points) if (from(point).lengthSq() > trajectory.lengthSq()) trajectory = from(point);
-  // Rounding tolerance; thin shapes are still visible.
-  const min = 1e-14 * trajectory.lengthSq() ** 2;
+  const min = 1e-14 * trajectory.lengthSq() ** 2; // rounding tolerance; thin shapes are still visible
   return points.every((point) => from(point).cross(trajectory).lengthSq() <= min);
 }
 
