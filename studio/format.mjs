@@ -1,5 +1,5 @@
-// Luau in one layout, by StyLua: node format.mjs rewrites the files, with --check it fails where
-// one would change.
+// Formats the Luau files with StyLua. `node format.mjs` rewrites them; with --check it fails if a
+// file would change.
 import { spawnSync } from 'node:child_process';
 import { dirname } from 'node:path';
 import { fileURLToPath } from 'node:url';

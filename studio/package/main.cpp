@@ -1,5 +1,5 @@
-// package FOLDER COURSE FILE: writes the plugin in FOLDER, with the calibration course, as a model
-// file; the build calls it.
+// package FOLDER COURSE FILE: writes the plugin in FOLDER and the calibration course to a model
+// file. The build calls it.
 #include <cstdio>
 #include <fstream>
 

@@ -33,7 +33,7 @@ std::string versionModule() {
       io::toolVersion(), bridge::kProtocol);
 }
 
-// The calibration course, as it lies in levels/: its records are read when they are needed.
+// Returns a module with the text of the calibration course. The plugin parses it when needed.
 Result<std::string> courseModule(const std::string& file) {
   OBBY_ASSIGN(const std::string text, io::readFile(file));
   return fmt::format(

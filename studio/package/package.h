@@ -1,7 +1,7 @@
-// The plugin's sources as one model file (rbxmx) that Studio loads: the Script `obby` with the text
-// of init.server.luau, below it every other file as a ModuleScript, folders as Folders, and the
-// modules `version`, with what the build knows, and `courseText`, the calibration course. The same
-// sources give the same bytes.
+// Packs the plugin's sources into one model file (rbxmx) that Studio loads. The Script `obby` has
+// the text of init.server.luau. Below it, other files are ModuleScripts and folders are Folders.
+// The build adds the modules `version` and `courseText`, the calibration course. The same sources
+// result in the same bytes.
 #pragma once
 
 #include <string>

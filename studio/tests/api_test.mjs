@@ -1,5 +1,5 @@
-// What the plugin and the mock use of the engine, beside its published API (npm @rbxts/types, made
-// from the engine's own dump): classes, their properties, methods and events, and items of enums.
+// Compares the engine's API as used by the plugin and the mock with the published API (npm
+// @rbxts/types, made from the engine's own dump): classes, their members, and items of enums.
 // node api_test.mjs; exits 1 on a mismatch.
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
@@ -9,7 +9,7 @@ import { luauFiles, src, start } from './harness/luau.mjs';
 const include = fileURLToPath(new URL('include', import.meta.resolve('@rbxts/types/package.json')));
 const read = (name) => readFileSync(join(include, name), 'utf8').replace(/\/\*[\s\S]*?\*\//g, '');
 
-// Not in those typings, but in the engine's documentation, and used by plugins everywhere.
+// Members that the typings lack. They are in the engine's documentation, and plugins use them.
 const beyond = new Set([
   'PluginAction.ActionId',
   'PluginAction.Text',
@@ -57,7 +57,7 @@ function check(ok, what) {
   console.log(`not in the API: ${what}`);
 }
 
-// The mock's classes: a misspelt property in it would let one in the plugin pass.
+// Checks the mock's classes, too. A misspelt property in the mock would hide one in the plugin.
 const luau = await start({});
 const listed = (await luau.call('classes')).split('\n').filter(Boolean);
 for (const line of listed) {

@@ -1,11 +1,11 @@
-// The plugin's Luau against the built bridge and solver, in real time: node live.mjs BIN LEVELS
-// NAME.
+// Runs a live test of the plugin's Luau with the built bridge and solver, in real time:
+// node live.mjs BIN LEVELS NAME.
 import { start } from './harness/luau.mjs';
 import { Native } from './harness/native.mjs';
 import { report } from './harness/report.mjs';
 
 const [bin, levels, name] = process.argv.slice(2);
-const LONGEST = 600; // seconds for one test, on a slow machine with other work
+const LONGEST = 600; // max seconds of one test, enough for a slow machine with other work
 async function play(luau, native, index) {
   const from = performance.now();
   const seconds = () => (performance.now() - from) / 1000;

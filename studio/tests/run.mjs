@@ -1,5 +1,5 @@
-// Runs test files in simulated time: node run.mjs NAME... runs NAME_test.luau, each in a process
-// of its own, since a VM has 17 MB for good. Exits 1 if a test fails.
+// Runs test files in simulated time. `node run.mjs NAME...` runs each NAME_test.luau in its own
+// process, since a VM is limited to 17 MB. Exits 1 if a test fails.
 import { spawnSync } from 'node:child_process';
 import { fileURLToPath } from 'node:url';
 import { start } from './harness/luau.mjs';

@@ -1,4 +1,4 @@
-// The page for every reader: light and dark, at 200 % zoom, by keyboard alone, without hue.
+// The page is usable for every reader: light and dark, at 200 % zoom, by keyboard, without hue.
 import assert from 'node:assert/strict';
 import { arrive, frames, openReport, state, withoutWebGl } from './browser.mjs';
 import { harness } from './harness.mjs';
@@ -6,9 +6,9 @@ import { report } from './sample_report.mjs';
 
 const { options, test, run } = harness();
 const file = options.sample(report);
-const kMinContrast = 4.5; // of text to what it stands on (WCAG 2.2, 1.4.3)
+const kMinContrast = 4.5; // of text to its background (WCAG 2.2, 1.4.3)
 
-// The worst contrast of the side's texts, and whose it is.
+// Returns the lowest contrast of the panels' texts, with the text and the class of its element.
 const contrast = (page) =>
   page.evaluate(() => {
     const pen = document.createElement('canvas').getContext('2d', { willReadFrequently: true });
@@ -70,7 +70,7 @@ test('the reader chooses the theme', async ({ page }) => {
 
 test('at 200 % zoom nothing is cut off or out of reach', async ({ browser }) => {
   const { page, trouble } = await openReport(browser, file);
-  await page.setViewportSize({ width: 640, height: 400 }); // what 1280 x 800 leaves
+  await page.setViewportSize({ width: 640, height: 400 }); // 1280 x 800 at 200 % zoom
   await frames(page, 3);
   assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), 640);
   for (const name of ['.play', '.scrub', '.verdict', '.choice.sort select', '#scene-panel .fold'])
@@ -95,7 +95,7 @@ test('without WebGL everything but the picture works', async ({ browser }) => {
   await page.locator('.play').click();
   await page.waitForFunction(() => window.obby.store.state.tick > 0);
   assert.equal(await page.locator('#hud').isVisible(), true);
-  // What only the picture would show.
+  // These keys affect only the picture, which is missing.
   for (const key of ['f', 'g', 't', 'r', 'c', 'b', 'Escape', '9', '9'])
     await page.keyboard.press(key);
   for (let query = 0; query < report.queries.length; query++) {
@@ -122,7 +122,7 @@ test('the keyboard reaches every control, and each has a name', async ({ page })
       node.dataset.reached = 'yes';
       return { what: `${node.tagName} ${name.trim()}`, again: reached };
     });
-    if (again) break; // all the way round
+    if (again) break; // the focus has passed all controls
     assert.match(what, /^\w+ \S/, 'a control without a name');
   }
   const missed = await page.evaluate(() =>
@@ -215,7 +215,7 @@ test('a report update keeps the keyboard focus', async ({ page }) => {
   await page.evaluate(() => window.obby.store.set({ query: 1 }));
   await arrive(page);
   await lasts(page.locator('.findings .text', { hasText: 'without Lava' }));
-  await lasts(page.locator('.ends .killer', { hasText: 'Lava' })); // of the same part
+  await lasts(page.locator('.ends .killer', { hasText: 'Lava' })); // it has the same part
   await page.evaluate(() => window.obby.store.set({ query: 0 }));
   await arrive(page);
 });

@@ -1,4 +1,4 @@
-// Opens a page in a headless browser and keeps count of what must not happen: errors, warnings, requests.
+// Opens a page in a headless browser and collects its errors, warnings and requests.
 import { createRequire } from 'node:module';
 import { resolve } from 'node:path';
 import { pathToFileURL } from 'node:url';
@@ -15,13 +15,13 @@ const kFlags = [
 ];
 
 const kViewport = { width: 1280, height: 800 };
-const kPatience = 120000; // ms that a slow machine gets for what is waited for
+const kPatience = 120000; // max ms of each wait, enough for a slow machine
 
-// Whether the tests keep pictures for people to look at; nothing is asserted of these.
+// True if the tests save pictures for people to look at. Nothing is asserted about these.
 export const kPictures = Boolean(process.env.OBBY_PICTURES);
 
-// Pixels of the 3D view for one of the page, each way. Without a GPU a picture takes as long as it has pixels, and only
-// pictures that somebody looks at need all of them.
+// Pixels of the 3D view per page pixel, on each axis. Without a GPU the time to draw grows with the
+// pixels, so only saved pictures are drawn in full.
 const kDensity = kPictures ? 1 : 0.5;
 
 export async function launch(webFolder, executablePath) {
@@ -29,7 +29,8 @@ export async function launch(webFolder, executablePath) {
   return chromium.launch({ executablePath, headless: true, args: kFlags, timeout: kPatience });
 }
 
-// A page of its own context. `density`: pixels of the 3D view for one of the page; the page itself stays as it is.
+// Returns a page with its own context. `density`: pixels of the 3D view per page pixel; it does not
+// affect the rest of the page.
 export async function newPage(browser, { viewport = kViewport, density = kDensity, ...more } = {}) {
   const context = await browser.newContext({ viewport, ...more });
   context.setDefaultTimeout(kPatience);
@@ -40,7 +41,7 @@ export async function newPage(browser, { viewport = kViewport, density = kDensit
   return page;
 }
 
-// For `prepare`: the browser has no WebGL.
+// For `prepare`: removes WebGL from the browser.
 export const withoutWebGl = (page) =>
   page.addInitScript(() => {
     const { prototype } = HTMLCanvasElement;
@@ -50,7 +51,8 @@ export const withoutWebGl = (page) =>
     };
   });
 
-// `fragment`: of the address. `prepare`: is given the page before it has loaded anything. `more`: as of newPage.
+// `fragment`: of the address. `prepare`: called with the page before it loads anything. `more`:
+// options of newPage.
 export async function openReport(
   browser,
   file,
@@ -89,7 +91,7 @@ export async function frames(page, count = 2) {
   );
 }
 
-// The camera is where it flies to, without the way there, and that is drawn.
+// Moves the camera to its destination at once, and waits until that is drawn.
 export async function arrive(page) {
   await page.evaluate(() => window.obby.stage.rig.settle());
   await frames(page, 2);
@@ -97,7 +99,8 @@ export async function arrive(page) {
 
 export const state = (page) => page.evaluate(() => ({ ...window.obby.store.state }));
 
-// How many different colours the 3D view shows, and the share of its most frequent one; `anew`: drawn for this look.
+// Returns the number of different colours in the 3D view, and the share of the most frequent one.
+// `anew`: redraws the view first.
 export async function colours(page, anew = true) {
   return page.evaluate((draw) => {
     if (draw) window.obby.stage.render();
@@ -116,7 +119,7 @@ export async function colours(page, anew = true) {
   }, anew);
 }
 
-// Counts from now on the programs of the GPU that the page makes: `linked` of its window.
+// Counts the GPU programs that the page links from now on, in `window.linked`.
 export const countPrograms = (page) =>
   page.evaluate(() => {
     window.linked = 0;
@@ -128,7 +131,7 @@ export const countPrograms = (page) =>
     };
   });
 
-// A report in the page that the build made.
+// Returns the page of the build with a report in it.
 export function fillTemplate(template, data, title) {
   const json = JSON.stringify(data).replace(/</g, '\\u003c');
   return template.replace('@@OBBY_TITLE@@', () => title).replace('@@OBBY_DATA@@', () => json);

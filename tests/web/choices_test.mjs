@@ -1,4 +1,4 @@
-// What the filters offer and count, as the report grows.
+// The filters' choices and counts, and how they follow a growing report.
 import assert from 'node:assert/strict';
 import { setFlagsFromString } from 'node:v8';
 import { runInNewContext } from 'node:vm';
@@ -17,7 +17,7 @@ const { options, test, run } = harness();
 const trajectories = report.queries[0].trajectories.length;
 const offered = (page, name) => page.locator(`.choice.${name} option`).allTextContents();
 
-// The chosen query with its first attempt once more, which ended otherwise: as a piece of a live page brings it.
+// Adds a copy of the selected query's first attempt with another outcome, as live data would.
 const grow = (page, outcome) =>
   page.evaluate((ended) => {
     const app = window.obby;
@@ -70,7 +70,7 @@ test('a box keeps no query that has been replaced', async () => {
     return new WeakRef(query);
   };
   const asked = ask();
-  await new Promise(setImmediate); // a WeakRef holds on until then
+  await new Promise(setImmediate); // a WeakRef keeps its target until then
   runInNewContext('gc')();
   assert.equal(asked.deref(), undefined);
   assert.equal(pathsThrough({ paths: [] }, box).size, 0);
@@ -137,7 +137,7 @@ test('trajectories far from a box are skipped', () => {
   assert.throws(() => meets(trajectory, crossed), /looked at/);
 });
 
-// How far a point is from the way through others.
+// Returns the distance from a point to the polyline through others.
 function besideTrajectory(points, at) {
   let lowest = Infinity;
   for (let i = 0; i + 5 < points.length; i += 3) {
@@ -153,7 +153,7 @@ function besideTrajectory(points, at) {
 test('motion paths are simplified within a tolerance', () => {
   const samplesOf = (count, at) =>
     Float32Array.from(Array.from({ length: count }, (_, i) => at(i)).flat());
-  const there = (i) => [1000 + 0.1 * Math.abs(100 - i), 3, -27]; // and back
+  const there = (i) => [1000 + 0.1 * Math.abs(100 - i), 3, -27]; // from 1010 to 1000 and back
   assert.deepEqual([...corners(samplesOf(201, there))], [1010, 3, -27, 1000, 3, -27, 1010, 3, -27]);
   const still = samplesOf(5, () => [1, 2, 3]);
   assert.deepEqual([...corners(still)], [1, 2, 3, 1, 2, 3]);

@@ -1,4 +1,4 @@
-// Two ways side by side: the ghost, one clock for both, the table.
+// Two trajectories side by side: the ghost, one clock for both, the table.
 import assert from 'node:assert/strict';
 import { frames, state } from './browser.mjs';
 import { harness } from './harness.mjs';
@@ -8,10 +8,11 @@ const { options, test, run } = harness();
 const set = (page, values) => page.evaluate((v) => window.obby.store.set(v), values);
 const paths = report.queries[0].trajectories;
 
-const kLong = 0; // a way of the sample
-const kShort = 4; // one of a fraction of its ticks
+const kLong = 0; // index of a trajectory of the sample
+const kShort = 4; // index of a trajectory with a fraction of its ticks
 
-// Of the bar at the bottom: its last tick, and the places of the chosen way's jumps in thousandths of it.
+// Returns the last tick of the timeline, and the positions of the selected trajectory's jumps in
+// thousandths of its length.
 const bar = (page) =>
   page.evaluate(() => ({
     last: Number(document.querySelector('.scrub').max),
@@ -20,7 +21,7 @@ const bar = (page) =>
     ),
   }));
 
-// That it spans so many ticks, with the jumps of that way where they belong.
+// Asserts that the timeline spans `ticks`, with the trajectory's jumps at the right positions.
 async function assertBar(page, ticks, trajectory) {
   const { last, jumps } = await bar(page);
   assert.equal(last, ticks);
@@ -51,7 +52,8 @@ test('two trajectories run side by side from their starts', async ({ page }) => 
     await page.locator('#comparison').innerText(),
     /Selected[\s\S]*Ghost[\s\S]*studs apart now/,
   );
-  // The belt's box begins 6 studs along the leg from 0 to 18 in 0.75 s, which starts at 3.75 s.
+  // The belt's box begins 6 studs along the segment from 0 to 18 studs, which starts at 3.75 s and
+  // takes 0.75 s.
   assert.match(await page.locator('#comparison').innerText(), /Belt\s+4\.00 s/);
   await options.picture(page, 'comparison');
   await page.locator('#view').focus();

@@ -1,5 +1,5 @@
-// What a reader sees before touching anything: the query that has an answer, rows that can be told apart, a player that
-// stands at its start, no clock where nothing can be played, and colours that are explained.
+// The page before the reader touches anything. It shows a query with an answer, distinguishable
+// rows, a player at its start, no clock if nothing can be played, and a legend of the colours.
 import assert from 'node:assert/strict';
 import { routeNames } from '../../web/src/route_names.js';
 import { solutionNames } from '../../web/src/solution_names.js';

@@ -1,5 +1,5 @@
-// The page looks as it did: pictures beside those that are kept in golden/. After a change that is meant, write them anew
-// with OBBY_WRITE_GOLDEN=1, and look at them.
+// Compares pictures of the page with those in golden/. After an intended change, rewrite them with
+// OBBY_WRITE_GOLDEN=1 and look at them.
 import assert from 'node:assert/strict';
 import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
@@ -17,10 +17,10 @@ const sample = options.sample(report);
 
 const kGolden = join(dirname(fileURLToPath(import.meta.url)), 'golden');
 const kSize = { width: 960, height: 600 };
-const kDifferent = 0.005; // share of the pixels: drivers and versions round edges otherwise
-const kThreshold = 0.15; // of a colour's distance, below which a pixel is the same
+const kDifferent = 0.005; // max share of different pixels; drivers round edges differently
+const kThreshold = 0.15; // colour distance below which two pixels are equal
 
-// `fragment`: of the address, so that the camera stands where it is told. `values`: of the store.
+// `fragment`: of the address, with the query, trajectory and time. `values`: for the store.
 const kScenes = {
   course: { fragment: '#q=whole course', values: {} },
   chosen: { fragment: '#q=whole course&traj=0&t=3.2', values: { ghost: 1, theme: 'dark' } },
@@ -32,7 +32,8 @@ const kScenes = {
   },
 };
 
-// The camera glides and the player's trail fades: until two pictures in a row are the same.
+// Returns the first picture that equals the previous one. Until then the camera glides and the
+// player's trail fades.
 async function settled(page) {
   let before = null;
   for (let look = 0; look < 40; look++) {
@@ -58,7 +59,7 @@ async function pictureOf(browser, { fragment, values }) {
   return picture;
 }
 
-// The share of pixels that differ; a picture of them is left in the folder of the test's output.
+// Returns the share of different pixels, and saves a picture of them in the test's output folder.
 function differing(name, golden, picture) {
   const [a, b] = [PNG.sync.read(golden), PNG.sync.read(picture)];
   assert.deepEqual([b.width, b.height], [a.width, a.height]);

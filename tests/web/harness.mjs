@@ -1,10 +1,11 @@
-// Collects a file's tests and runs them in one page; every failure is printed and makes the exit code 1. With OBBY_PICTURES=1
-// pictures of what they see are left in the folder of their output.
+// Collects a file's tests and runs them in one page. Prints failures, which make the exit code 1.
+// With OBBY_PICTURES=1 the tests save pictures in their output folder.
 import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { basename, join } from 'node:path';
 import { fillTemplate, kPictures, launch, openReport } from './browser.mjs';
 
-// Words of the command line: --web FOLDER --page TEMPLATE --viewer, --solver, --calibrator, --chromium PROGRAM --out FOLDER.
+// Reads the command line: --web FOLDER, --page TEMPLATE, --out FOLDER, and --viewer, --solver,
+// --calibrator and --chromium, each with a PROGRAM.
 function readOptions() {
   const words = process.argv.slice(2);
   const options = {};
@@ -18,14 +19,14 @@ export function harness() {
   const tests = [];
   const test = (name, body) => tests.push({ name, body });
 
-  // A report in the page that the build made; its file.
+  // Writes the page of the build with a report in it. Returns the file.
   options.sample = (report) => {
     const file = join(options.out, `${basename(process.argv[1], '.mjs')}.html`);
     writeFileSync(file, fillTemplate(readFileSync(options.page, 'utf8'), report, report.title));
     return file;
   };
 
-  // A picture for people to look at, if they have asked for it: each takes about as long as a small test.
+  // Saves a picture for people to look at, if requested. Each takes about as long as a small test.
   options.picture = async (page, name, more = {}) => {
     if (kPictures) await page.screenshot({ path: join(options.out, `${name}.png`), ...more });
   };

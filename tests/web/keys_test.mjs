@@ -1,4 +1,4 @@
-// The page by keyboard: lists that are one stop of Tab, and keys of other keyboards.
+// The page by keyboard: lists with a single tab stop, and keys of other keyboards.
 import assert from 'node:assert/strict';
 import { arrive, state } from './browser.mjs';
 import { harness } from './harness.mjs';
@@ -6,7 +6,8 @@ import { report } from './sample_report.mjs';
 
 const { options, test, run } = harness();
 const put = (page, values) => page.evaluate((v) => window.obby.store.set(v), values);
-// How many rows of each list Tab reaches, and the row that the keyboard is on: of a query, of a way.
+// Returns the number of tab stops of each list, and the focused row: `query` or `trajectory` is its
+// index, the other is -1.
 const rows = (page) =>
   page.evaluate(() => {
     const { dataset, parentElement } = document.activeElement;
@@ -65,7 +66,7 @@ test('a list is one Tab stop with arrow keys', async ({ page }) => {
   await arrive(page);
 });
 
-// Firefox makes a stop of whatever scrolls, unless it is told not to.
+// By default Firefox makes every scrolling element a tab stop.
 test('scrolling lists take no focus', async ({
   page,
 }) => {
@@ -119,7 +120,7 @@ test('keys that need Alt match by their character', async ({ page }) => {
   assert.equal((await state(page)).query, 0);
   for (const how of [{ altKey: true }, { ctrlKey: true }, { metaKey: true }])
     await press({ key: 'l', code: 'KeyL', ...how });
-  await press({ key: ']', code: 'BracketRight', metaKey: true }); // a page on, in some browsers
+  await press({ key: ']', code: 'BracketRight', metaKey: true }); // goes forward in some browsers
   const { loop, query } = await state(page);
   assert.deepEqual([loop, query], [true, 0]);
   await arrive(page);

@@ -1,15 +1,17 @@
-// A large report in the page, and what a reader does to it: for the test that counts the work and the bench that times it.
+// A large report in the page, and typical changes by a reader. size_test counts their work, and the
+// bench times them.
 import { writeFileSync } from 'node:fs';
 import { fillTemplate } from './browser.mjs';
 import { largeReport } from './large_report.mjs';
 
-// Writes the page of `parts` and `trajectories` of ten seconds to `file`.
+// Writes a page with so many parts and trajectories of ten seconds to `file`.
 export function writeLargePage(template, file, parts, trajectories) {
   const report = largeReport(parts, trajectories, 600);
   writeFileSync(file, fillTemplate(template, report, report.title));
 }
 
-// What each change sets, the i-th time that it is made: never what was set before, but about as much to do.
+// Change -> the values that it sets the i-th time. They always differ from the previous ones and
+// need about as much work.
 export const kChanges = {
   again: () => ({}),
   select: (i) => ({ path: 100 + i }),
@@ -21,7 +23,7 @@ export const kChanges = {
   sort: (i) => ({ sort: ['time', 'jumps', 'found'][i], maxSeconds: 0, boxes: [], heat: false }),
 };
 
-// Makes a change and draws; when it is drawn, how long it took in milliseconds.
+// Makes a change and draws it. Returns the milliseconds until the picture is complete.
 export function change(page, values) {
   return page.evaluate(async (v) => {
     const { obby } = window;
@@ -29,7 +31,8 @@ export function change(page, values) {
     obby.store.set(v);
     obby.draw(obby.store.state.tick, obby.path());
     const gl = obby.stage.renderer.getContext();
-    gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4)); // waits for the picture
+    // Reading a pixel waits for the picture.
+    gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4));
     return performance.now() - start;
   }, values);
 }

@@ -1,4 +1,4 @@
-// A made-up report of any size: a grid of parts, and ways that wander over it.
+// A synthetic report of any size: a grid of parts, and trajectories that wander over it.
 import { report as sample } from './sample_report.mjs';
 
 const encode = (array) => Buffer.from(array.buffer).toString('base64');

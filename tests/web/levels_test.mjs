@@ -1,4 +1,4 @@
-// Several levels in one report, none at all, and a picture that comes and goes.
+// Reports with several levels or none, and pictures that are lost or hidden.
 import assert from 'node:assert/strict';
 import { arrive, colours, countPrograms, frames, openReport, state } from './browser.mjs';
 import { harness } from './harness.mjs';
@@ -9,7 +9,8 @@ const [level] = report.levels;
 const [course, without] = report.queries;
 const named = (name, values = {}) => ({ ...level, name, ...values });
 
-// Places have collision hulls that are flat, and made-up levels any.
+// Returns a level with degenerate hulls: a line, a point, a plane, and one without points. Places
+// have flat hulls, and hand-written levels may have any.
 function oddHulls() {
   const hull = (numbers) => Buffer.from(Float32Array.from(numbers).buffer).toString('base64');
   const pieces = [
@@ -21,7 +22,7 @@ function oddHulls() {
   return named('Odd hulls', { hulls: [{ part: level.hulls[0].part, pieces }] });
 }
 
-// The first part has the mesh of another.
+// Returns a level whose first part has the mesh of another.
 function copiedMesh() {
   const { part, pieces } = level.hulls[0];
   const shape = Buffer.from(level.parts.shape, 'base64');
@@ -30,7 +31,7 @@ function copiedMesh() {
   return named('Copied mesh', { parts, hulls: [0, part].map((each) => ({ part: each, pieces })) });
 }
 
-// Of parts that the level does not have.
+// Returns a query whose result names parts that the level does not have.
 function ofOthers() {
   const { result } = without;
   return {
@@ -55,7 +56,7 @@ function avoidingThousands() {
   return { ...course, id: 'avoiding thousands', avoid, waypoints: [] };
 }
 
-// Where each of the queries stands in the report.
+// Indices of the queries in the report.
 const kHere = 0;
 const kElsewhere = 1;
 const kLost = 3;
@@ -194,7 +195,7 @@ test('a query without its level shows no old picture', async ({ page }) => {
   assert.deepEqual(before.words, [true, true]);
   await visit(page, kLost);
   assert.deepEqual(await seen(), { colours: 1, words: [false, false] });
-  // Lines that were to be drawn there are not kept either.
+  // Removed lines are freed, even though this query draws nothing.
   await page.evaluate(() => {
     const { stage, report } = window.obby;
     for (const path of report.queries[0].paths) stage.pathView.hover(path);
@@ -253,7 +254,7 @@ test('parts of one mesh are drawn together', async ({ page }) => {
   assert.deepEqual(meshes, [[0, part]]);
 });
 
-// As in a frame that opens later.
+// The page is hidden if, for example, it is in a frame that opens later.
 test('framing on a hidden page takes effect later', async ({ page }) => {
   await visit(page, kHere);
   const show = (display) =>
@@ -299,8 +300,8 @@ test('answers without their level are reported', async ({
   await page.locator('.ends .killer').first().click();
   await page.locator('#view').click({ position: { x: 400, y: 300 } });
   for (const key of ['b', 'c', 'f', 't', '9']) await page.keyboard.press(key);
-  assert.equal((await state(page)).drawing, false, 'there is no way that could pass a box');
-  // Who has begun one may come from another query.
+  assert.equal((await state(page)).drawing, false, 'no trajectory could pass a box');
+  // The drawing of a box may have begun at another query.
   await page.evaluate(() => window.obby.store.set({ drawing: true }));
   await page.locator('#view').click({ position: { x: 400, y: 300 } });
   await frames(page, 3);
@@ -309,7 +310,7 @@ test('answers without their level are reported', async ({
   await page.context().close();
 });
 
-// An answer that comes before every level, as in streams that were put together.
+// In concatenated streams an answer may precede all levels.
 test('a first query without a level blocks no others', async ({
   browser,
 }) => {

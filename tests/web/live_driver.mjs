@@ -1,9 +1,9 @@
-// Starts obby-view --live, feeds it records, and opens its page with a count of what must not happen.
+// Starts obby-view --live, feeds it records, and opens its page. Collects errors and requests.
 import assert from 'node:assert/strict';
 import { execFileSync, spawn } from 'node:child_process';
 import { frames, newPage } from './browser.mjs';
 
-// Records of a level that is solved, in order, without header and end.
+// Returns the records that the solver writes for a level, in order.
 export function recordsOf(solver, ...words) {
   return execFileSync(solver, words, { maxBuffer: 1 << 28 })
     .toString()
@@ -39,14 +39,14 @@ export class Viewer {
     this.process.stdin.end();
   }
 
-  // What obby-view ends with after Ctrl-C.
+  // Interrupts obby-view as Ctrl-C would. Returns its exit code or signal.
   async stop() {
     this.process.kill('SIGINT');
     return this.ended;
   }
 }
 
-// `prepare`: is given the page before it has loaded anything.
+// `prepare`: called with the page before it loads anything.
 export async function openLive(browser, address, prepare = async () => {}) {
   const page = await newPage(browser);
   const trouble = [];
@@ -67,7 +67,7 @@ export async function openLive(browser, address, prepare = async () => {}) {
   return { page, trouble, requests, pieces };
 }
 
-// Waits until the page lists so many trajectories of the chosen query.
+// Waits until the selected query has so many trajectories.
 export async function trajectoriesAre(page, count) {
   await page
     .waitForFunction((n) => window.obby.query()?.paths.length === n, count)

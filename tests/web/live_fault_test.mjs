@@ -1,4 +1,4 @@
-// obby-view --live where something goes wrong between the server and the picture: the page says so, or goes on.
+// Faults between the server and the picture of obby-view --live. The page reports them or recovers.
 import assert from 'node:assert/strict';
 import { join } from 'node:path';
 import { LiveReport } from '../../web/src/live_report.js';
@@ -18,7 +18,7 @@ const trajectories = of('trajectory').filter((record) => record.query === 'any')
 
 test('there are enough trajectories to send', () => assert.ok(trajectories.length >= 3, `${trajectories.length}`));
 
-// A page that opens late gets all of a long stream at once, and thinned attempts number by number.
+// A page that opens late gets a long stream in one piece. Thinned attempts may have a range each.
 test('a piece can hold more trajectories than call arguments', () => {
   const count = 150000;
   const numbers = Array.from({ length: count }, (_, i) => i + 1);
@@ -38,7 +38,7 @@ test('a piece can hold more trajectories than call arguments', () => {
   const begun = performance.now();
   assert.equal(live.take(piece(2, odd, [])).fresh.length, 0);
   assert.equal(live.report.queries[0].paths.length, count / 2);
-  assert.ok(performance.now() - begun < 10000, 'in time that grows with the number of ways');
+  assert.ok(performance.now() - begun < 10000, 'the time is at most linear in the trajectories');
 });
 
 test('a page without WebGL stays live with a message', async ({
@@ -73,7 +73,7 @@ test('data of another format ends the requests', async ({
   await page.locator('.fatal', { hasText: 'its data has format 5, expected 4; reload the page' }).waitFor();
   const asked = requests.length;
   viewer.write(trajectories[2]);
-  await page.waitForTimeout(1500); // the server tells open pages five times a second
+  await page.waitForTimeout(1500); // the server notifies open pages five times a second
   assert.equal(requests.length, asked, requests.slice(asked).join());
   await frames(page, 5);
   assert.equal(trouble.length, 1, trouble.join());
@@ -90,7 +90,7 @@ test('a failed request is retried until live', async ({
   await started(page);
   await trajectoriesAre(page, 1);
   await page.evaluate(() => {
-    // Noted there: it is said for a second only.
+    // Collected in the page, because the message is shown for a second only.
     window.said = [];
     const name = document.querySelector('.live .name');
     const note = () => window.said.push(name.textContent);

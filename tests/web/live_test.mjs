@@ -1,4 +1,5 @@
-// obby-view --live: the page grows with the stream, keeps what its reader has chosen, and says how the stream stands.
+// obby-view --live: the page grows with the stream, keeps the reader's selection, and shows the
+// state of the stream.
 import assert from 'node:assert/strict';
 import { spawn } from 'node:child_process';
 import { join } from 'node:path';
@@ -10,8 +11,8 @@ const { options, test, run } = harness();
 const set = (page, values) => page.evaluate((v) => window.obby.store.set(v), values);
 const mark = (page) => page.locator('.live .name').innerText();
 
-const kUnsolved = 'hops-without-jumps'; // that level's query which takes all the time there is
-const kTimeLimit = 120; // seconds: so long is a search waited for that is not seen to grow
+const kUnsolved = 'hops-without-jumps'; // a query of the level that uses up any time limit
+const kTimeLimit = 120; // seconds until a search without visible growth fails the test
 
 const stream = recordsOf(
   options.solver,
@@ -38,7 +39,7 @@ const progress = (seconds, best, deaths) => ({
   deaths,
 });
 
-// Everything about a page that its reader has set, and that nothing but they may change.
+// Returns all settings of the page that only its reader may change.
 const kept = (page) =>
   page.evaluate(() => {
     const { app, store, stage, list } = { app: window.obby, ...window.obby };
@@ -87,7 +88,7 @@ test('counts grow until the stream ends, keeping the selection', async ({ browse
   await options.picture(page, 'live-searching');
 
   viewer.write(...attempts.slice(0, 10));
-  await trajectoriesAre(page, 11); // and the closest, while nothing is solved
+  await trajectoriesAre(page, 11); // including the closest one, while nothing is solved
   await page.locator('.path').nth(4).click();
   await set(page, { tick: 12.5, ghost: 2, outcome: attempts[0].outcome, sort: 'time' });
   await page.evaluate(() => window.obby.stage.rig.restore([5, 30, 40, 0.4, -0.6, 30]));
@@ -103,7 +104,7 @@ test('counts grow until the stream ends, keeping the selection', async ({ browse
     await trajectoriesAre(page, i + 6);
     assert.deepEqual(await kept(page), before, `after ${i + 5} attempts`);
   }
-  // A replaced one stays as long as it is looked at.
+  // A superseded attempt stays selected until the page selects the newest solution.
   await set(page, { outcome: '', sort: 'found', ghost: -1 });
   await page.locator('.path', { hasText: 'Closest' }).click();
   const closest = (await kept(page)).chosen;
@@ -119,7 +120,7 @@ test('counts grow until the stream ends, keeping the selection', async ({ browse
   await trajectoriesAre(page, 20 + solutions.length);
   assert.equal((await kept(page)).chosen, chosen);
   assert.equal(await page.locator('.detail .verdict').innerText(), 'Solved');
-  await set(page, { playing: false }); // it draws all the time
+  await set(page, { playing: false }); // playback redraws every frame
 
   viewer.write({ type: 'end', records: String(viewer.records) });
   viewer.end();
@@ -127,7 +128,7 @@ test('counts grow until the stream ends, keeping the selection', async ({ browse
   await frames(page);
   await options.picture(page, 'live-ended');
 
-  // One who comes late sees the same, and so does one who opens the file.
+  // A page that opens late shows the same, and so does the page file.
   const late = await openLive(browser, address);
   await started(late.page);
   const file = await openReport(browser, out);
@@ -142,7 +143,7 @@ test('counts grow until the stream ends, keeping the selection', async ({ browse
   assert.deepEqual(await list(late), await list(file));
   assert.equal(await mark(late.page), 'Ended');
 
-  // The level came once, no way twice.
+  // The level was sent once, and no trajectory twice.
   const levels = pieces.filter((piece) => piece.levels.length);
   assert.equal(levels.length, 1);
   const serials = pieces.flatMap((piece) =>
@@ -174,7 +175,8 @@ test('a page that loses the server catches up', async ({ browser }) => {
   const cdp = await page.context().newCDPSession(page);
   await cdp.send('Network.enable');
   await page.context().setOffline(true);
-  // What is open already stays open there: it is lost as a broken connection would be.
+  // Going offline does not close an open connection, so the test closes it, as a broken network
+  // would.
   await page.evaluate(() => window.obby.live.feed.events.close());
   await page.evaluate(() => window.obby.live.feed.events.onerror());
   await page.waitForFunction(() => /lost/.test(document.querySelector('.live .name').textContent));
@@ -201,7 +203,7 @@ test('a truncated stream and an invalid record are reported', async ({ browser }
   assert.deepEqual(trouble, []);
   await page.context().close();
   viewer.end();
-  assert.equal(await viewer.ended, 2); // nobody is there any more
+  assert.equal(await viewer.ended, 2); // the last page has closed
 });
 
 test('an empty stream is reported as empty', async ({ browser }) => {
@@ -235,7 +237,7 @@ test('a running search shows its growth', async ({ browser }) => {
     numbers,
     [...numbers].sort((a, b) => a - b),
   );
-  solver.kill('SIGINT'); // what it has found is written, and the stream has its end
+  solver.kill('SIGINT'); // it still writes its findings and the end of the stream
   await page.waitForFunction(() => document.querySelector('.live .name').textContent === 'Ended');
   await frames(page);
   await options.picture(page, 'live-search');

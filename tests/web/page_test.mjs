@@ -1,4 +1,4 @@
-// The page as a reader meets it: opened from a file, looked at, clicked, played, scrubbed.
+// The page as a reader uses it: opened from a file, clicked, played, scrubbed.
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
 import { writeFileSync } from 'node:fs';
@@ -56,7 +56,7 @@ test('hovering a part shows its name, role and reason', async ({ page }) => {
     const { picker } = window.obby.pointer;
     const view = document.getElementById('view').getBoundingClientRect();
     const level = window.obby.level();
-    // A point of the picture where a part with a reason is seen and no line.
+    // Finds a point of the picture that shows a part with a reason, and no line.
     for (let y = 0.2; y < 0.8; y += 0.01)
       for (let x = 0.1; x < 0.7; x += 0.01) {
         const [px, py] = [x * view.width, y * view.height];
@@ -238,7 +238,7 @@ test('a link followed on an open page is shown', async ({ page }) => {
   assert.deepEqual([path, Math.round(tick)], [3, 66]);
   assert.equal(await page.evaluate(() => window.obby.stage.rig.goal.distance), 20);
   await page.evaluate(() => {
-    location.hash = '#traj=30'; // the first query has so many, the shown one has not
+    location.hash = '#traj=30'; // the first query has this trajectory, the shown one does not
   });
   await page.waitForFunction(() => window.obby.store.state.tick === 0);
   assert.equal((await state(page)).path, -1);

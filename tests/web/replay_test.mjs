@@ -1,5 +1,5 @@
-// What the page replays is what the simulator did: the player in the picture stands where `obby-solve --paths` says,
-// which another program computed.
+// The page replays what the simulator did. The player in the picture must be at the positions of
+// `obby-solve --paths`, which another program computes.
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
 import { readFileSync } from 'node:fs';
@@ -8,10 +8,10 @@ import { Path } from '../../web/src/path.js';
 import { arrive, openReport } from './browser.mjs';
 import { harness } from './harness.mjs';
 
-const kMaxStuds = 1e-3; // between the two, in each axis
+const kMaxStuds = 1e-3; // max difference on each axis
 const { options, test, run } = harness();
 
-// By name, each with what is asked of the solver.
+// Level name -> the solver's options.
 const kSolved = Object.entries({
   'several-routes': ['--query', 'any', '--solutions', '3'],
   'conveyor-and-pad': [],
@@ -19,7 +19,7 @@ const kSolved = Object.entries({
 });
 const kDoor = 'button-door';
 
-// Trajectories of a level with their points, and the stream that holds them.
+// Returns the trajectories of a level with their points, and the file of their stream.
 function solved([level, words]) {
   const stream = join(options.out, `replay-${level}.jsonl`);
   const input = join(options.levels, `${level}.jsonl`);
@@ -32,7 +32,7 @@ function solved([level, words]) {
   return { level, stream, paths: records.filter((record) => record.type === 'trajectory') };
 }
 
-// One page of them all, and of a level that nobody has solved.
+// Writes one page with all of them and a level without answers. Returns its file.
 function pageOf(answers) {
   const file = join(options.out, 'replay.html');
   const streams = answers.map(({ stream }) => stream);
@@ -43,7 +43,7 @@ function pageOf(answers) {
 
 const answers = kSolved.map(solved);
 
-// Shows the query of that level; of several levels' queries ids may be the same.
+// Shows a query of a level. Queries of different levels may have the same id.
 const open = (page, level, query) =>
   page.evaluate(
     ([name, id]) => {
@@ -54,7 +54,7 @@ const open = (page, level, query) =>
     [level, query],
   );
 
-// Largest difference between the player in the picture and the points, and how many were compared.
+// Returns the max difference between the player in the picture and the points, and their number.
 async function compare(page, level, record) {
   const { query, index = 0, path } = record;
   await open(page, level, query);
@@ -110,7 +110,7 @@ test('a bridge that a button builds is absent before', async ({ page }) => {
 
 test('the page raised no error', async ({ trouble }) => assert.deepEqual(trouble, []));
 
-// What obby-view keeps of even motion: every eighth tick, and the last.
+// Returns a path as obby-view thins even motion: every eighth tick, and the last.
 function thinned() {
   const encode = (array) => Buffer.from(array.buffer).toString('base64');
   const ticks = [0, 8, 10];
@@ -165,8 +165,8 @@ test('base64 is decoded natively and only as needed', () => {
   }
 });
 
-// Largest difference between where the level's parts are in the picture and where a recording of the same manoeuvre has
-// them, at its frames, which are ticks.
+// Returns the max difference between the positions of parts in the picture and in a recording of
+// the same manoeuvre. Each of the recording's frames is a tick.
 async function compareParts(page, recording) {
   return page.evaluate(({ name, parts, frames }) => {
     const { obby } = window;
@@ -197,7 +197,8 @@ async function compareParts(page, recording) {
   }, recording);
 }
 
-// What is under the pointer in the middle of a part, before and after the trajectory has moved it.
+// Returns the parts that the pointer hits at the centre of a part, before and after the trajectory
+// has moved it.
 async function pickedWhereItIs(page, part) {
   return page.evaluate((which) => {
     const { obby } = window;

@@ -1,4 +1,4 @@
-// The parts of the made-up course: one of every shape and role.
+// The parts of the synthetic course, with every shape and role.
 
 export const parts = [];
 function part(name, position, size, more = {}) {

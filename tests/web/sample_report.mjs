@@ -1,5 +1,5 @@
-// A made-up report for the page's tests: every shape, role and outcome, hand-drawn trajectories. Nothing here comes from
-// the simulator.
+// A synthetic report for the page's tests: every shape, role and outcome, and hand-drawn
+// trajectories. Nothing in it comes from the simulator.
 
 import { ROLES as roles, SHAPES as shapes } from '../../web/src/data.js';
 import { bar, glass, lava, lift, parts } from './sample_parts.mjs';
@@ -23,7 +23,8 @@ const corners = [
   [26, 14.5, -102],
 ];
 
-// Hops from corner to corner; `stop` ends it early, `drift` pushes it sideways.
+// Returns a trajectory that hops from corner to corner. `stop`: share of the corners at which it
+// ends; `drift`: studs by which it swings sideways.
 function trajectory(
   kind,
   index,

@@ -1,5 +1,6 @@
-// A large report, 2,000 parts and 1,000 trajectories of ten seconds, opens and stays usable: what a picture draws and what
-// a change sends to the GPU is counted, on any machine the same. How long it takes is for `scripts/bench page`.
+// A report of 2,000 parts and 1,000 trajectories of ten seconds opens and stays usable. The test
+// counts what a picture draws and what a change sends to the GPU, which does not depend on the
+// machine. `scripts/bench page` measures the time.
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
@@ -8,23 +9,23 @@ import { harness } from './harness.mjs';
 import { change, kChanges, writeLargePage } from './large_page.mjs';
 
 const kTrajectories = 1000;
-const kMaxCalls = 60; // to draw a picture
-const kMaxPieces = 450e3; // triangles and lines in it
-const kMaxLines = 125e3; // without a GPU these take the most time
-const kMaxRows = 800; // of the list, 400 of solutions and of attempts, which says how many more there are
-const kMaxLaidOut = 200; // of them; about a dozen are in sight
+const kMaxCalls = 60; // max draw calls of a picture
+const kMaxPieces = 450e3; // max triangles and lines of a picture
+const kMaxLines = 125e3; // max lines of a picture; without a GPU they take the most time
+const kMaxRows = 800; // max rows of the list: 400 solutions and 400 attempts; it states the rest
+const kMaxLaidOut = 200; // max rows with a layout; about a dozen are visible
 
-// What a change may send to the GPU, in kB: nothing, one way and its marks, or which ways are drawn and their colours. The
-// points of all ways, 1,200 kB more, are sent once.
+// Max kB that a change sends to the GPU: nothing, one trajectory with its marks, or the indices and
+// colours of the drawn trajectories. The points of all trajectories, 1,200 kB, are sent once.
 const kMaxSent = { again: 1, select: 150, scrub: 50, filter: 1000, box: 1000, colour: 2200, sort: 1000 };
 const kMaxSentForAll = 4500;
-const kSentOfColours = 500; // at least, or else nothing is counted
+const kSentOfColours = 500; // min kB for new colours; less would mean that the count is broken
 
 const { options, test, run } = harness();
 const file = join(options.out, 'size_test.html');
 writeLargePage(readFileSync(options.page, 'utf8'), file, 2000, kTrajectories);
 
-// Counts from now on how many bytes of buffers and textures the page sends to the GPU.
+// Counts the bytes of buffers and textures that the page sends to the GPU from now on.
 function countSent(page) {
   return page.evaluate(() => {
     window.sentBytes = 0;
@@ -58,10 +59,10 @@ test('a large report needs few draw calls', async ({ browser }) => {
     assert.ok(sent < (kMaxSent[name] ?? kMaxSentForAll), `${name}: ${sent} kB`);
     assert.ok(rows > 0 && rows <= kMaxRows, `${name}: ${rows} rows`);
     if (name === 'colour') assert.ok(sent > kSentOfColours, `only ${sent} kB of colours`);
-    // Once more: what it takes is there.
+    // The second change of a kind finds its GPU programs linked.
     await page.evaluate(() => (window.linked = 0));
     await change(page, values(1));
-    assert.equal(await page.evaluate(() => window.linked), 0, `${name}: programs of the GPU made anew`);
+    assert.equal(await page.evaluate(() => window.linked), 0, `${name}: GPU programs linked again`);
   }
   assert.equal(await page.evaluate(() => window.obby.store.state.order.length), kTrajectories);
   await page.locator('.path').first().scrollIntoViewIfNeeded();

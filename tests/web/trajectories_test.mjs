@@ -1,4 +1,4 @@
-// Trajectories: the list with its filters and sorting, colours, isolation, boxes, deaths.
+// The list of trajectories with filters and sorting, colours, isolation, boxes, deaths.
 import assert from 'node:assert/strict';
 import { arrive, frames, state } from './browser.mjs';
 import { harness } from './harness.mjs';
@@ -8,7 +8,7 @@ const { options, test, run } = harness();
 const set = (page, values) => page.evaluate((v) => window.obby.store.set(v), values);
 const paths = report.queries[0].trajectories;
 
-// Line segments of attempts that are drawn.
+// Returns the number of line segments drawn for attempts.
 const drawn = (page) =>
   page.evaluate(() => window.obby.stage.pathView.attempts.geometry.drawRange.count / 2);
 
@@ -133,7 +133,7 @@ test('a drawn box keeps or drops trajectories through it', async ({ page }) => {
   await page.locator('#view').focus();
   await page.keyboard.press('t');
   await arrive(page);
-  // Over the second step, which every way but the shortest passes.
+  // A box over the second step, which every trajectory but the shortest passes.
   const corners = await page.evaluate(() => {
     const { rig, width, height } = window.obby.stage;
     const frame = document.getElementById('view').getBoundingClientRect();
@@ -242,7 +242,7 @@ test('jumps and landings of the selected trajectory are marked', async ({ page }
   const marked = await page.evaluate(() =>
     window.obby.stage.marks.group.children.map((cloud) => cloud.geometry.attributes.position.count),
   );
-  assert.deepEqual(marked, [1, 12]); // it walks one leg only, on the belt
+  assert.deepEqual(marked, [1, 12]); // it walks one segment only, on the belt
   assert.equal(await page.locator('.mark.jump').count(), 12);
   assert.equal(await page.locator('.mark.event').count(), 2);
 });

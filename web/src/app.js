@@ -34,7 +34,7 @@ export class App {
     this.pointer = new Pointer(this, canvas(), byId('tip'));
     this.trajectories = new Trajectories(this);
     this.dirty = true;
-    this.shift = false; // the key is held
+    this.shift = false; // the Shift key is held
     this.glowing = -1; // part
     /** @type {number | undefined} */
     this.saving = undefined; // timer
@@ -51,7 +51,7 @@ export class App {
         tickAt(found.time, this.playback.rateOf()),
         this.length(),
       );
-    // Before the panels, which show the colours.
+    // Registered before the panels, which show the colours.
     this.store.on(['colorBy'], () => this.trajectories.color());
     const panels = panelsOf(this);
     this.list = panels.list;
@@ -91,7 +91,7 @@ export class App {
   }
 
   /**
-   * The ghost of a comparison.
+   * Returns the ghost of a comparison.
    * @returns {Path | undefined}
    */
   ghost() {
@@ -109,7 +109,7 @@ export class App {
     return (this.query()?.paths ?? []).reduce((max, { ticks }) => Math.max(max, ticks), min);
   }
 
-  // The initial selection: a solution, or else the closest attempt.
+  // Returns the initial selection: a solution, or else the closest attempt.
   firstPath() {
     const paths = this.query()?.paths ?? [];
     const solution = paths.findIndex((path) => path.kind === 'solution');

@@ -85,7 +85,8 @@ function boundsOf(path) {
 }
 
 /**
- * A drag tests all trajectories at each pointer move, and most are far from the box.
+ * Returns true if the path's bounds miss the box. A drag tests all trajectories at each pointer
+ * move, and most are far from the box.
  * @param {Path} path
  * @param {Box} box
  */
@@ -107,8 +108,8 @@ export function meets(path, box) {
 }
 
 /**
- * Box -> query -> indices of the paths through it. Boxes are immutable. The cache keeps neither
- * alive, since a live stream replaces queries several times a second.
+ * Box -> query -> indices of the paths through the box. Boxes are immutable. Weak keys allow boxes
+ * and queries to be freed, since a live stream replaces queries several times a second.
  * @type {WeakMap<Box, WeakMap<Query, Set<number>>>}
  */
 const passed = new WeakMap();

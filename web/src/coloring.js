@@ -65,7 +65,7 @@ function mixed(ramp, share) {
 export const rampColor = (share) => mixed(kRamp, share);
 
 /**
- * The heat map has its own ramp, since it lies on parts of all colours.
+ * Returns a colour of the heat map, which has its own ramp, since it lies on parts of all colours.
  * @param {number} share
  */
 export const heatColor = (share) => mixed(kHeat, share);
@@ -134,7 +134,7 @@ function byRoute(query, level) {
 }
 
 /**
- * For answers by several methods to one query.
+ * Colours trajectories by method, for answers by several methods to one query.
  * @param {Query} query
  * @returns {Coloring}
  */

@@ -56,7 +56,7 @@ function resultOf(raw) {
 }
 
 /**
- * A query without its trajectories.
+ * Returns a query without its trajectories.
  * @param {QueryFacts} facts
  * @param {number} index
  * @returns {Query}

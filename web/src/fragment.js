@@ -1,10 +1,12 @@
-// Keeps query, trajectory, time and camera in the page's address after `#`, so that a link opens the same view.
+// Keeps query, trajectory, time and camera in the page's address after `#`, so that a link opens
+// the same view.
 
 /** @import {App} from './app.js' */
 /** @import {Camera, Report, State} from './types/report.js' */
 
 /**
- * Ids may repeat between levels. `n` is the index among equal ids, and is omitted for the first.
+ * Returns the index of a query, or -1. Ids may repeat between levels. `n` is the index among equal
+ * ids, and is omitted for the first.
  * @param {Report} report
  * @param {string | null} id
  * @param {string | null} n
@@ -15,7 +17,7 @@ function queryAt(report, id, n) {
 }
 
 /**
- * The initial query is the first one with an answer.
+ * Returns the index of the initial query, which is the first one with an answer.
  * @param {Report} report
  */
 const firstAnswered = ({ queries }) => Math.max(0, queries.findIndex(({ result }) => result));
@@ -55,8 +57,8 @@ export function tickAt(time, rate) {
 }
 
 /**
- * Following or pasting a link in the open page changes only the fragment, so it must be applied,
- * too.
+ * Applies changes of the address's fragment. Following or pasting a link in the open page changes
+ * only the fragment.
  * @param {App} app
  */
 export function followAddress(app) {

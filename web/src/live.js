@@ -11,7 +11,8 @@ import { LiveMark } from './ui/live_mark.js';
 /** @import {Query, Report} from './types/report.js' */
 
 /**
- * A running search updates its numbers often, which need no new drawing.
+ * Returns true if only the numbers of a running search differ. They change often and need no
+ * redraw.
  * @param {Query | undefined} before
  * @param {Query | undefined} now
  */

@@ -3,21 +3,19 @@
 /** @import {LivePiece} from './types/page_data.js' */
 
 const kAgain = 1000; // ms until a lost connection is retried
-const kIdle = 2; // pauses for so many times a piece's processing time, so that the page stays
-                 // responsive
+const kIdle = 2; // pause after a piece, in multiples of its processing time, so that the page
+                 // stays responsive
 
 /** @param {number} ms */
 const pause = (ms) => new Promise((done) => setTimeout(done, ms));
 
 export class LiveFeed {
   /**
-   * `revisionOf`: returns the page's revision; `take`: processes an answer of /data; `tell`:
-   * reports whether the connection is up; `fail`: gets the error if `take` throws.
    * @param {object} page
-   * @param {() => number} page.revisionOf revision that the page has
-   * @param {(raw: LivePiece) => void} page.take takes an answer of /data
-   * @param {(connected: boolean) => void} page.tell
-   * @param {(error: unknown) => void} page.fail told the error where `take` cannot go on
+   * @param {() => number} page.revisionOf returns the page's revision
+   * @param {(raw: LivePiece) => void} page.take processes an answer of /data
+   * @param {(connected: boolean) => void} page.tell reports whether the connection is up
+   * @param {(error: unknown) => void} page.fail gets the error if `take` throws
    */
   constructor({ revisionOf, take, tell, fail }) {
     this.revisionOf = revisionOf;

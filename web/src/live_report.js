@@ -9,8 +9,8 @@ import { Path } from './path.js';
 const kFormat = 4; // data format, as in a page file
 
 /**
- * Returns true if one of the ranges [first, last], ascending, contains the number. There may be one
- * for each attempt.
+ * Returns true if one of the ranges [first, last], ascending, contains the number. There may be a
+ * range for each attempt.
  * @param {[number, number][]} ranges
  * @param {number} number
  */

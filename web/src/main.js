@@ -1,4 +1,4 @@
-// Starts the page: reads the report and shows it, or says why it cannot.
+// Starts the page: reads and shows the report, or shows the error.
 import { App } from './app.js';
 import { readReport } from './data.js';
 import { Live } from './live.js';

@@ -8,7 +8,7 @@ import { fullName } from './part_name.js';
 /** @import {Glyph} from './scene/markers.js' */
 
 /**
- * In the order of view::Role (lib/view/roles.h), which are the codes of the page's data.
+ * Styles in the order of view::Role (lib/view/roles.h), whose values are the page's codes.
  * @satisfies {Record<string, {label: string, color: string}>}
  */
 export const ROLE_STYLE = {

@@ -1,5 +1,5 @@
-// Names of parts. Parts of hand-written levels need no name, and an answer of another version may
-// refer to parts that the level lacks. Such parts get a number.
+// Names of parts. A part gets a number if it has no name, as in hand-written levels, or if the
+// level lacks it, as for an answer of another version.
 
 /** @import {Level} from './types/report.js' */
 

@@ -21,8 +21,8 @@ function actionAt(runs, tick) {
 }
 
 /**
- * The points are needed to draw all trajectories. The rest is decoded on demand, since a user
- * opens only a few of thousands.
+ * Returns a function that decodes the text on its first call. Only the points are needed to draw
+ * all trajectories, and a user opens only a few of thousands.
  * @template T, V
  * @param {T} text
  * @param {(text: T) => V} as
@@ -74,7 +74,7 @@ export class Path {
     /** @type {number | undefined} */
     this.serial = undefined; // live: its number in the stream
     /** @type {Box | null} */
-    this.bounds = null; // of all samples; choice.js looks for them
+    this.bounds = null; // bounds of all samples, set by choice.js
     /** @type {Float32Array | null} */
     this.sums = null; // studs walked up to each sample
   }
@@ -96,7 +96,7 @@ export class Path {
   }
 
   /**
-   * Returns the tick of a sample: every `stride`-th, and the last one at any distance.
+   * Returns the tick of a sample. Samples are `stride` ticks apart; the last one may be closer.
    * @param {number} sample
    */
   tickOf(sample) {

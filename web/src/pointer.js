@@ -37,13 +37,13 @@ export class Pointer {
     /** @type {Vector3 | null} */
     this.corner = null; // first corner of the box in progress
     /** @type {readonly FilterBox[]} */
-    this.before = []; // the boxes without that one
+    this.before = []; // the boxes without the one in progress
     canvas.addEventListener('pointerdown', (event) => this.press(event));
     canvas.addEventListener('pointerup', (event) => this.release(event));
     canvas.addEventListener('blur', () => canvas.classList.remove('pressed'));
     canvas.addEventListener('pointermove', (event) => {
       this.moved = event.buttons ? null : event;
-      // A click is not a drag.
+      // Only a move with the left button held draws the box.
       if (this.corner && event.buttons & 1) this.drawTo(event, this.corner);
     });
     canvas.addEventListener('pointerleave', () => {
@@ -61,7 +61,7 @@ export class Pointer {
 
   /** @param {PointerEvent} event */
   press(event) {
-    this.canvas.classList.add('pressed'); // browsers show the focus ring for focus by script
+    this.canvas.classList.add('pressed'); // hides the focus ring, which focus() would show
     this.canvas.focus({ preventScroll: true });
     if (this.corner) this.store.set({ boxes: this.before }); // the previous drag did not end
     this.down = null;
@@ -186,7 +186,7 @@ export class Pointer {
       ...lines.map((text) => el('span', { text })),
     );
     this.tip.hidden = false;
-    // Next to the pointer, within the window.
+    // Places the note next to the pointer, within the window.
     const { width, height } = this.tip.getBoundingClientRect();
     const x = Math.max(0, Math.min(event.clientX + kBeside, innerWidth - width));
     const y = Math.max(0, Math.min(event.clientY + kBeside, innerHeight - height));

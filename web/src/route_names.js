@@ -4,12 +4,12 @@ import { routeText } from './route_text.js';
 
 /** @import {Level, Query} from './types/report.js' */
 
-const kMaxNames = 5; // in a route's text
-const kMaxMarks = 3; // parts that distinguish a route
+const kMaxNames = 5; // max names in a route's text
+const kMaxMarks = 3; // max parts that distinguish a route
 const kMaxRoutes = 50; // max routes compared with one another
 
 /**
- * Returns part -> name. Parts with equal names are numbered.
+ * Returns a map from a part to its name. Parts with equal names are numbered.
  * @param {number[][]} routes
  * @param {Level | undefined} level
  * @returns {Map<number, string>}
@@ -67,14 +67,14 @@ function markOf(index, sets, parts, names) {
 }
 
 /**
- * By query; a changed query is another object.
+ * Results by query. A changed query is another object.
  * @type {WeakMap<Query, Map<string, {mark: string, text: string}>>}
  */
 const known = new WeakMap();
 
 /**
- * Returns the key of a route (choice.js) -> {mark, text}. `text` is the route, with the mark if
- * another route reads the same. With a single route the mark is empty.
+ * Returns a map from a route's key (choice.js) to {mark, text}. `text` is the route, with the mark
+ * if another route reads the same. With a single route the mark is empty.
  * @param {Query} query
  * @param {Level | undefined} level
  * @returns {Map<string, {mark: string, text: string}>}

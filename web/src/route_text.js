@@ -4,7 +4,7 @@ import { partName } from './part_name.js';
 /** @import {Level} from './types/report.js' */
 
 /**
- * `limit`: max number of names; of longer routes the first and last two are shown.
+ * `limit`: max number of names; longer routes are shortened to the first and last two.
  * @param {number[]} route
  * @param {Level | undefined} level
  */

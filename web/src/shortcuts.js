@@ -32,7 +32,7 @@ function moveQuery(app, by) {
 }
 
 /**
- * In the list's order.
+ * Selects the trajectory `by` rows further down the list, at its first tick.
  * @param {App} app
  * @param {number} by
  */
@@ -78,7 +78,7 @@ const kToggles = [
 ];
 
 /**
- * By the printed character, for keys whose position differs between keyboards.
+ * Actions by printed character, for keys whose position differs between keyboards.
  * @type {Record<string, ((app: App, event: KeyboardEvent) => void) | undefined>}
  */
 const kByKey = {

@@ -8,7 +8,7 @@ import { plural, seconds } from './ui/dom.js';
 /** @import {Level, Query} from './types/report.js' */
 
 /**
- * By query; a changed query is another object.
+ * Results by query. A changed query is another object.
  * @type {WeakMap<Query, Map<number, {name: string, route: string}>>}
  */
 const known = new WeakMap();
@@ -27,7 +27,8 @@ function playerOf({ body, frameRate }) {
 }
 
 /**
- * Returns the index of a solution -> {name, route}. The route is empty if all solutions share it.
+ * Returns a map from a solution's index to {name, route}. The route is empty if all solutions
+ * share it.
  * @param {Query} query
  * @param {Level | undefined} level
  * @returns {Map<number, {name: string, route: string}>}

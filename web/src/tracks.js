@@ -13,8 +13,8 @@ export class Track {
     this.stride = raw.stride;
     this.count = raw.count;
     this.loopFrom = raw.loopFrom;
-    this.triggered = Boolean(raw.triggered); // ticks count from its start, which a path's motion
-                                             // events tell
+    this.triggered = Boolean(raw.triggered); // ticks count from the motion's start, which the
+                                             // trajectory's events state
     this.position = raw.position ? floats(raw.position) : null;
     this.rotation = raw.rotation ? shorts(raw.rotation) : null;
   }
@@ -67,7 +67,7 @@ export class BodyTrack {
   }
 
   /**
-   * Like Track.at().
+   * Returns the same as Track.at().
    * @param {number} tick
    * @returns {Between}
    */

@@ -8,7 +8,7 @@ import { searched, visits } from './scene/heat_view.js';
 /** @import {App} from './app.js' */
 /** @import {Coloring, Filters} from './types/report.js' */
 
-const kMaxDeaths = 6; // labels
+const kMaxDeaths = 6; // max labels of deaths
 const kBox = [10, 10, 10]; // studs; default size of a box
 /** @type {Coloring} */
 const kNoColoring = { of: () => '', legend: [] };
@@ -58,7 +58,7 @@ export class Trajectories {
     labels.set([...(regionView?.labels ?? []), ...ofCut, ...deaths]);
   }
 
-  // Counting takes a while, so it runs only while the heat map is shown.
+  // Updates the heat map. Counting takes a while, so it runs only while the map is shown.
   warm() {
     const { heat, heatTrajectories, order } = this.store.state;
     const query = this.app.query();
@@ -71,7 +71,7 @@ export class Trajectories {
     this.store.set({ heatMax: view.max });
   }
 
-  // Around the player, or around the camera's target.
+  // Adds a box around the player, or else around the camera's target.
   addBox() {
     const path = this.app.path();
     const { target } = this.app.stage.rig.goal;

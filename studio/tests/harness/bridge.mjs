@@ -1,4 +1,4 @@
-// Built bridges for live tests: each with a state folder of its own, which outlives a restart.
+// Runs the built bridge for live tests. Its state folder outlives a restart.
 import { spawn } from 'node:child_process';
 import { mkdtempSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
@@ -12,7 +12,7 @@ export class Bridges {
     this.running = null;
   }
 
-  // Gives the port and, with --pair among the options, the code.
+  // Starts the bridge. Returns its port and, if the options contain --pair, the code.
   async start(port, options) {
     const command = ['--port', String(port), '--state-dir', join(this.folder, 'state'), ...options];
     const program = join(this.bin, 'obby-bridge');

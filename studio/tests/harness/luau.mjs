@@ -1,6 +1,5 @@
-// Luau in this process: plugin sources and tests are compiled as they lie on disk, and what they
-// ask of the outside goes through `native`. One call into Luau at a time: its own coroutines do
-// the rest.
+// Runs Luau in this process. Plugin sources and tests are compiled from disk, and call the outside
+// through `native`. Only one call into Luau runs at a time; concurrency uses Luau's coroutines.
 import { readFileSync, readdirSync } from 'node:fs';
 import { dirname, join, relative } from 'node:path';
 import { fileURLToPath } from 'node:url';
@@ -9,7 +8,7 @@ import { LuauState } from 'luau-web';
 export const tests = dirname(dirname(fileURLToPath(import.meta.url)));
 export const src = join(dirname(tests), 'src');
 const course = join(dirname(dirname(tests)), 'levels', 'calibration', 'course.jsonl');
-// The modules that the build makes, as tests have them.
+// The tests' version of the modules that the build generates.
 export const built = {
   'version.luau': 'return table.freeze({ version = "0.0.0-test", protocol = 1 })',
   'courseText.luau': `return table.freeze({ text = [==[${readFileSync(course, 'utf8')}]==] })`,
@@ -25,7 +24,8 @@ export function luauFiles(folder) {
 
 export async function start(native) {
   const state = await LuauState.createAsync({});
-  // A function that makes the chunk anew: what is compiled stays for good, and the room is small.
+  // Compiles a function that creates the chunk, so that a file is compiled only once. Compiled code
+  // is never freed, and the VM's memory is small.
   native.compile = (path) => {
     const name = path.replace(/^src\//, '');
     const made = path.startsWith('src/') && built[name];

@@ -1,6 +1,6 @@
-// What live tests ask of Node: requests, sockets, bridges, files. Each call takes an id under
-// which the answer arrives later; bytes travel as hexadecimal digits, because texts between Luau
-// and Node are UTF-8.
+// Node's services for live tests: requests, sockets, bridges, files. The answer to a call arrives
+// later with the call's id. Bytes are sent as hexadecimal digits, because texts between Luau and
+// Node are UTF-8.
 import { execFile } from 'node:child_process';
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
@@ -45,7 +45,8 @@ export class Native {
     this.sockets.set(id, socket);
   }
 
-  // The lines that match `keep` of what a built tool writes, given that input: a VM has little room.
+  // Runs a built tool with that input. Answers with the output lines that match `keep`, because the
+  // VM's memory is small.
   tool(id, name, options, input, keep) {
     const command = join(this.bin, name);
     const wanted = (line) => new RegExp(keep).test(line);
@@ -55,7 +56,7 @@ export class Native {
     execFile(command, words, { maxBuffer: 64 << 20 }, done).stdin.end(input);
   }
 
-  // The functions that Luau sees.
+  // Returns the functions that Luau can call.
   table() {
     return {
       request: (...values) => void this.request(...values),
@@ -75,7 +76,7 @@ export class Native {
     };
   }
 
-  // Until something arrives, at most so many seconds.
+  // Waits until something arrives, for at most so many seconds.
   async pause(seconds) {
     if (this.queue.length > 0) return;
     let timer;

@@ -1,5 +1,5 @@
-// Runs the tests of one file and says how they went; `play(index)` gives what went wrong with one,
-// or nothing.
+// Runs the tests of one file and prints their results. `play(index)` runs a test and returns its
+// failure, if any. Returns true if all passed.
 export async function report(luau, name, path, play) {
   let failed = 0;
   let titles = [];
@@ -12,7 +12,7 @@ export async function report(luau, name, path, play) {
       if (problem) console.log(`    ${problem.replaceAll('\n', '\n    ')}`);
     }
   } catch (error) {
-    // The whole error would show a megabyte of the VM.
+    // The whole error would print a megabyte of the VM.
     console.log(`FAILED ${name}: ${error.message}`);
     return false;
   }

@@ -1,11 +1,10 @@
-// A WebSocket client with headers of one's own, which Node's has not: texts both ways, over
-// node:http.
+// A WebSocket client over node:http, for texts. Unlike Node's own client it sends custom headers.
 import { randomBytes } from 'node:crypto';
 import { request } from 'node:http';
 
 const TEXT = 1;
 const CLOSE = 8;
-const LONGEST_SHORT = 125; // bytes whose count fits into the second byte
+const LONGEST_SHORT = 125; // max payload bytes whose count fits into the second byte
 
 function frame(opcode, payload) {
   const mask = randomBytes(4);
@@ -17,7 +16,7 @@ function frame(opcode, payload) {
   return Buffer.concat([head, mask, payload.map((byte, i) => byte ^ mask[i % 4])]);
 }
 
-// The first whole frame of `data`, or null.
+// Returns the first complete frame of `data`, or null.
 function parse(data) {
   if (data.length < 2) return null;
   let size = data[1] & 127;
@@ -75,7 +74,7 @@ export function openSocket(url, headers, on) {
   return {
     send: (text) => socket?.write(frame(TEXT, Buffer.from(text))),
     close: () => (socket ? socket.end(frame(CLOSE, Buffer.from([3, 232]))) : outgoing.destroy()),
-    // As when the network fails: no goodbye.
+    // Ends the connection without a close frame, as a network failure does.
     drop: () => socket?.destroy(),
   };
 }

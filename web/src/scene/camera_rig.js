@@ -96,7 +96,7 @@ export class CameraRig {
   }
 
   /**
-   * One of two or more fingers has moved; only the first two count.
+   * Handles the move of one of several fingers. Only the first two count.
    * @param {PointerEvent} event
    */
   pinch({ pointerId, clientX, clientY }) {

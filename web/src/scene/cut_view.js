@@ -90,7 +90,7 @@ export class CutView {
   }
 
   /**
-   * Returns the top of a part, or else a place of the query.
+   * Returns the top of a part, or a point above `otherwise` if the level lacks the part.
    * @param {Level} level
    * @param {number} part
    * @param {Triple | null | undefined} otherwise

@@ -33,8 +33,8 @@ export class FilterBoxes {
     this.group = new Group();
     /** @type {BufferGeometry[]} */
     this.geometries = []; // of the boxes that are shown
-    // Kept alive: with its last material a GPU program is dropped, and a drag recreates boxes at
-    // each move.
+    // Kept alive, because the renderer drops a GPU program with its last material, and a drag
+    // recreates the boxes at each move.
     const dashes = { dashSize: 0.06, gapSize: 0.06 };
     this.kept = { line: new LineBasicMaterial({ color: kKeep }), fill: fillOf(kKeep) };
     this.dropped = {

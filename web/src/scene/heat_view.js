@@ -8,7 +8,7 @@ import { heatColor } from '../coloring.js';
 /** @import {HeatMap} from '../types/report.js' */
 
 const kCell = 2; // studs, for trajectories
-const kMaxTiles = 20000; // the most visited are kept
+const kMaxTiles = 20000; // max tiles; the most visited are kept
 const kLift = 0.12; // studs above the lowest feet of the cell
 
 /**
@@ -48,7 +48,7 @@ export function visits(paths) {
         cells.set(key, cell);
       }
       if (feet < cell.y) cell.y = feet;
-      // Trajectories are processed in turn, so the last visitor tells whether this one was here.
+      // Trajectories are processed in turn, so the last visitor shows if this one was here.
       if (cell.last !== path) cell.count += 1;
       cell.last = path;
     }
@@ -57,7 +57,7 @@ export function visits(paths) {
 }
 
 /**
- * The same for a result's heat map.
+ * Returns the same for a result's heat map.
  * @param {HeatMap} map
  * @returns {{size: number, cells: Cell[]}}
  */
@@ -73,7 +73,8 @@ export function searched({ size, feet, counts }) {
 }
 
 /**
- * Counts span orders of magnitude: 0 for a single one, 1 for the maximum.
+ * Returns 0 for a count of 1 and 1 for the maximum, on a logarithmic scale, since counts span
+ * orders of magnitude.
  * @param {number} count
  * @param {number} max
  */
@@ -85,8 +86,8 @@ export class HeatView {
     /** @type {InstancedMesh | null} */
     this.mesh = null;
     this.max = 0; // maximum of all tiles
-    // Kept alive: with its last material a GPU program is dropped, and each filter recreates the
-    // map.
+    // Kept alive, because the renderer drops a GPU program with its last material, and each filter
+    // recreates the map.
     this.material = new MeshBasicMaterial({
       transparent: true,
       opacity: 0.9,

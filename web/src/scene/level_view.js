@@ -87,7 +87,7 @@ export class LevelView {
     /** @type {Map<string, number[]>} */
     const groups = new Map();
     /** @type {Map<string, {piece: Float32Array, key: string, parts: number[]}>} */
-    const alike = new Map(); // pieces of hulls, since a place has many copies of one mesh
+    const alike = new Map(); // equal pieces of hulls, since a place has many copies of one mesh
     const hullsOf = new Map(this.level.hulls.map((hull) => [hull.part, hull.pieces]));
     for (let part = 0; part < this.level.count; part++) {
       const key = this.keyOf(part);
@@ -198,7 +198,7 @@ export class LevelView {
   }
 
   /**
-   * `tick`: of the level clock. `gone`: parts that the trajectory's events have made vanish.
+   * `tick`: tick of the level clock. `gone`: parts that the trajectory's events have made vanish.
    * `moved`: ticks since the start of each triggered part in motion.
    * @param {number} tick
    * @param {{has: (part: number) => boolean}} gone
@@ -216,7 +216,7 @@ export class LevelView {
   }
 
   /**
-   * `tracks`: of the dynamic parts that the trajectory moves; `tick`: since its start.
+   * `tracks`: of the dynamic parts that the trajectory moves; `tick`: ticks since its start.
    * @param {BodyTrack[]} tracks
    * @param {number} tick
    */

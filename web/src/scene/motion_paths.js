@@ -1,4 +1,4 @@
-// The trajectories of moving parts as dashed lines.
+// The motion of moving parts as dashed lines.
 import { BufferGeometry, Float32BufferAttribute, Group, Line, LineDashedMaterial } from 'three';
 import { ROLE_STYLE } from '../palette.js';
 import { corners } from './straight.js';

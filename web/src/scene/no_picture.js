@@ -28,7 +28,7 @@ const noRenderer = () => ({
 });
 
 /**
- * The message takes pointer events, and the canvas leaves the tab order.
+ * Shows the message, which receives pointer events. The canvas leaves the tab order.
  * @param {HTMLCanvasElement} canvas
  */
 export function noPicture(canvas) {

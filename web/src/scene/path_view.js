@@ -17,7 +17,7 @@ const kMaxThick = 12; // max thick solutions; more are thin lines, because a thi
                        // call and many pixels
 
 /**
- * Returns pairs of points for line segments, from one sample to another.
+ * Returns pairs of points for line segments, from sample `first` to sample `last`.
  * @param {Path} path
  */
 function segmentsOf(path, first = 0, last = path.samples - 1) {
@@ -78,11 +78,11 @@ export class PathView {
     this.rival = new Group(); // the ghost of a comparison
     this.hovered = new Group();
     /** @type {Object3D[]} */
-    this.left = []; // removed lines, not yet freed
+    this.left = []; // removed lines that are not freed yet
     /** @type {LineSegments2 | null} */
-    this.played = null; // of the selection, the part before the current moment
+    this.played = null; // the selected trajectory up to the current moment
     /** @type {LineSegments2 | null} */
-    this.hardest = null; // of the selection, its hardest step
+    this.hardest = null; // the hardest step of the selected trajectory
     this.group.add(this.attempts, this.solutions, this.rival, this.hovered, this.selection);
   }
 
@@ -146,7 +146,7 @@ export class PathView {
     this.played = null;
     if (!path) return;
     const tint = this.tint(path);
-    // Hidden stretches shine through the parts faintly.
+    // Hidden sections shine faintly through the parts.
     this.played = thickLine(path, path.outcome === 'goal' ? SELECTED_COLOR : '#ffffff', 4.2, 1);
     this.selection.add(
       thickLine(path, tint, 2.5, 0.3, { depthTest: false, blending: AdditiveBlending }),

@@ -14,7 +14,7 @@ import { kLift } from './thin_lines.js';
 /** @typedef {[x: number, y: number]} At pixels */
 
 const kReach = 9; // pixels
-const kMaxPoints = 150000; // tested per pick; beyond it only every k-th sample
+const kMaxPoints = 150000; // max points per pick; beyond it only every k-th sample is tested
 
 /**
  * @param {number} px
@@ -120,7 +120,7 @@ export function pointAtHeight(screen, at, y) {
 }
 
 /**
- * Returns the point where the ray meets a part, or else that height.
+ * Returns the point where the ray meets a part, or else the height `y`.
  * @param {Group} group
  * @param {Screen} screen
  * @param {At} at

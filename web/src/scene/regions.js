@@ -24,7 +24,7 @@ const kAvoid = '#d873c4';
 const kWaypoint = '#ffd166';
 export const kMaxAlike = 500; // max regions drawn of one list, since a tag may mark thousands of
                                // parts
-const kMaxNamed = 40; // max labels of them
+const kMaxNamed = 40; // max labels of one list
 
 /** @typedef {{fill: ShaderMaterial, line: LineBasicMaterial}} Materials */
 /** @typedef {Materials & {solid: BoxGeometry, edges: EdgesGeometry}} Look */

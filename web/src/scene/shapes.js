@@ -97,8 +97,7 @@ function inLine(points) {
 }
 
 /**
- * Vertices of a hull are in studs from the part's centre. A hull that is a point or a line is
- * invisible.
+ * `vertices`: studs from the part's centre. A hull that is a point or a line is invisible.
  * @param {Float32Array} vertices
  */
 export function hullGeometry(vertices) {

@@ -100,7 +100,7 @@ export class Stage {
     this.cast = undefined; // the state that the shadows show
   }
 
-  // The nodes that are replaced with the level.
+  // Returns the nodes that are replaced with the level.
   ofLevel() {
     const { levelView, avatar, ghost, grid, motionPaths } = this;
     return [levelView?.group, avatar?.group, ghost?.group, grid, motionPaths].filter(
@@ -108,7 +108,7 @@ export class Stage {
     );
   }
 
-  // The views that are replaced with the query.
+  // Returns the views that are replaced with the query.
   ofQuery() {
     const { regionView, cutView, pathView, markers } = this;
     return [regionView, cutView, pathView, markers].filter((view) => view !== undefined);

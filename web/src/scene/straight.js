@@ -1,5 +1,5 @@
-// Reduces a trajectory of many samples to a few points, since most moving parts go straight from
-// place to place.
+// Reduces a motion of many samples to a few points, since most moving parts go straight from place
+// to place.
 
 /** @import {Triple} from '../types/page_data.js' */
 

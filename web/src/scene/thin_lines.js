@@ -12,7 +12,7 @@ import {
 /** @import {Path} from '../path.js' */
 /** @import {Tint} from '../types/report.js' */
 
-const kMaxPoints = 120000; // per picture; a browser without a GPU draws about 400 segments a ms
+const kMaxPoints = 120000; // max per picture; a browser without a GPU draws 400 segments a ms
 export const kLift = 0.35; // studs above the feet, so that lines do not sink into the floor
 
 /**
@@ -45,7 +45,7 @@ export class ThinLines {
       this.spans.push([first, count]);
       first += count;
     }
-    const vertices = first; // of all
+    const vertices = first; // of all lines
     this.colors = new BufferAttribute(new Float32Array(3 * vertices), 3);
     this.drawn = new BufferAttribute(new Uint32Array(2 * vertices), 1);
     this.geometry = new BufferGeometry();

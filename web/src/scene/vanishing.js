@@ -1,10 +1,10 @@
-// The absence of vanishing parts: by the level clock, or until they are triggered.
+// Computes which vanishing parts are absent, by the level clock or until they are triggered.
 
 /** @import {TimedVanish, Vanish} from '../types/page_data.js' */
 /** @import {Level} from '../types/report.js' */
 
 /**
- * Timers act on whole ticks.
+ * Returns true if a part with a timer is away. Timers act on whole ticks.
  * @param {TimedVanish} rule
  * @param {number} tick
  */

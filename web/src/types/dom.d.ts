@@ -1,4 +1,4 @@
-// What `el` of ui/dom.js takes.
+// The options of `el` in ui/dom.js.
 
 interface Attributes {
   hidden?: boolean;
@@ -25,7 +25,7 @@ export interface ElementOptions extends Attributes {
   text?: string;
   on?: { [E in keyof HTMLElementEventMap]?: (event: HTMLElementEventMap[E]) => void };
   data?: Record<string, string | number>; // data-*
-  style?: Record<string, string>; // properties, custom ones included
+  style?: Record<string, string>; // CSS properties, including custom ones
 }
 
 export type Child = Node | string | null | undefined;

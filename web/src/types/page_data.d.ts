@@ -260,7 +260,7 @@ export interface PageData {
   queries: QueryData[];
 }
 
-// Stands for the data in a live page, which gets it from the server.
+// Takes the place of the data in a live page, which fetches the data from the server.
 export interface LiveData {
   format: number;
   live: true;
@@ -268,7 +268,7 @@ export interface LiveData {
 
 export type StreamState = 'live' | 'ended' | 'broken';
 
-// New trajectories of a query. `serials`: ranges, first and last, of its current trajectories.
+// New trajectories of a query. `serials`: ranges [first, last] of all its current trajectories.
 export interface LiveQuery {
   index: number;
   facts: QueryFacts;

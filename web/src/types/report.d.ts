@@ -6,7 +6,7 @@ import type { Track } from '../tracks.js';
 import type { LevelFacts, Outcome, QueryBase, ResultFacts, Triple } from './page_data.js';
 
 export interface Level extends LevelFacts {
-  count: number; // of parts
+  count: number; // number of parts
   position: Float32Array;
   rotation: Float32Array;
   size: Float32Array;
@@ -75,16 +75,16 @@ export type ColorMode = 'roles' | 'level';
 export interface State extends Filters {
   sort: Sort;
   descending: boolean;
-  order: number[]; // indices of the listed trajectories, set by trajectories.js from filters and sorting
+  order: number[]; // indices of the listed trajectories, set by trajectories.js
   colorBy: ColorBy;
-  isolate: boolean; // draw only the selected one
+  isolate: boolean; // draw only the selected trajectory
   ghost: number; // trajectory that runs next to the selected one
   frame: number; // part for the camera to frame; trajectories.js resets it
   drawing: boolean; // the next drag draws a box
   theme: 'auto' | 'light' | 'dark';
   heat: boolean;
   heatMax: number; // count of the fullest tile
-  heatTrajectories: boolean; // show the listed trajectories even if the search's own heat map is known
+  heatTrajectories: boolean; // the heat map counts trajectories even if the search has its own map
   cut: boolean;
   query: number;
   path: number;
@@ -107,7 +107,7 @@ export interface State extends Filters {
   motionPaths: boolean;
 }
 
-// Names of the state whose value is a T.
+// Names of the state's properties whose value is a T.
 export type NamesOf<T> = { [K in keyof State]: State[K] extends T ? K : never }[keyof State];
 
 export type Tint = (path: Path) => string;
@@ -127,7 +127,7 @@ export interface Label {
 // [x, y, z, yaw, pitch, distance]
 export type Camera = [...Triple, number, number, number];
 
-// Where playback is between two samples.
+// A moment between two samples.
 export interface Between {
   i: number;
   next: number;

@@ -57,7 +57,7 @@ export class BoxList {
 
   /**
    * @param {number} index
-   * @param {FilterBox | null} box null to take it away
+   * @param {FilterBox | null} box null removes it
    */
   replace(index, box) {
     const boxes = this.store.state.boxes.flatMap((each, i) => (i === index ? (box ?? []) : each));

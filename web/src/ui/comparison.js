@@ -87,7 +87,8 @@ export class Comparison {
     this.pairOf = pairOf;
     this.sourceOf = sourceOf;
     this.tintOf = tintOf;
-    this.gap = el('output', { class: 'quiet', 'aria-live': 'off' }); // as for the clock
+    // Screen readers must not announce it each tick.
+    this.gap = el('output', { class: 'quiet', 'aria-live': 'off' });
     store.on(['path', 'ghost', 'colorBy', 'order'], () => keepingFocus(root, () => this.fill()));
     this.fill();
   }

@@ -1,4 +1,4 @@
-// Shows how attempts ended, as one bar, and what killed them. A click filters the trajectories of
+// Shows how attempts ended, as one bar, and what killed them. A click filters the trajectories by
 // that end.
 import { OUTCOME_STYLE } from '../palette.js';
 import { fullName, partName } from '../part_name.js';

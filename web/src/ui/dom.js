@@ -134,7 +134,7 @@ export function reveal(rows) {
 }
 
 /**
- * Also keeps the scroll position, which forces a layout of the page.
+ * Like keepingFocus(), and also keeps the scroll position, which forces a layout of the page.
  * @param {HTMLElement} root
  * @param {() => void} refill
  */

@@ -104,7 +104,7 @@ export class FilterPanel {
 }
 
 /**
- * Offers in a field: any, and each value with its count.
+ * Fills a field with the choices "any" and each value with its count.
  * @template {string | number} N
  * @template {string | number} V
  * @param {HTMLElement & {offer: (options: [N | V, string][]) => void}} field

@@ -131,7 +131,7 @@ function trust(result) {
 }
 
 /**
- * Empty if the stream has no findings.
+ * Returns the element of the findings, which is hidden if there are none.
  * @param {Query} query
  * @param {Level | undefined} level
  * @param {Store} store

@@ -1,4 +1,4 @@
-// The legend of the heat map: a logarithmic scale from a single count to the fullest tile's.
+// The legend of the heat map: a logarithmic scale from 1 to the count of the fullest tile.
 import { heatColor } from '../coloring.js';
 import { count, el } from './dom.js';
 
@@ -7,7 +7,7 @@ import { count, el } from './dom.js';
 const kStops = 9;
 
 /**
- * Returns nothing if no heat map is shown. `query`: the current one.
+ * Returns no elements if no heat map is shown. `query`: the current query.
  * @param {State} state
  * @param {Query | undefined} query
  */

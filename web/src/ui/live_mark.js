@@ -17,7 +17,7 @@ export class LiveMark {
     this.text = el('span', { class: 'name', role: 'status' });
     this.waiting = el('p', { class: 'quiet' });
     /** @type {Store | undefined} */
-    this.store = undefined; // until there is something to look at
+    this.store = undefined; // undefined until there is something to show
     this.newest = checkbox((checked) => this.store?.set({ followNewest: checked }));
     this.follow = el(
       'label',

@@ -11,7 +11,7 @@ import { OneStop } from './one_stop.js';
 /** @import {Progress} from '../types/page_data.js' */
 /** @import {Query, Report, Result} from '../types/report.js' */
 
-const kMaxUnsearched = 8; // number of queries that needs no search field
+const kMaxUnsearched = 8; // max number of queries without a search field
 
 /** @param {ShownVerdict} verdict */
 function badge(verdict) {
@@ -44,7 +44,7 @@ function sharedIds(queries) {
 }
 
 /**
- * The numbers of the answer, or the progress of a running search.
+ * Returns the numbers of the answer, or the progress of a running search.
  * @param {Query} query
  * @returns {Partial<Result & Progress>}
  */
@@ -257,7 +257,7 @@ export class Sidebar {
       el('summary', {
         text: 'Search effort',
         data: { key: 'effort' },
-        // A toggle event would come too late for a refresh before it.
+        // A toggle event may come after a refresh, which would lose the change.
         on: {
           click: () => {
             this.isEffortOpen = !details.open;

@@ -9,7 +9,7 @@ import { el, icon, seconds, svg } from './dom.js';
 
 const kSpeeds = [0.1, 0.25, 0.5, 1, 2, 4, 10];
 const kWide = 1000; // width of the plot in its own units
-const kMaxMarks = 2000; // of each kind
+const kMaxMarks = 2000; // max marks of each kind
 const kSliderKeys = /^(Arrow|Page|Home$|End$)/;
 
 /** @typedef {(tick: number) => number} Place maps a tick to a position in the plot */
@@ -50,7 +50,7 @@ function hardestStep(path, x) {
 }
 
 /**
- * Height over time.
+ * Draws the height over time.
  * @param {Path} path
  * @param {Place} x
  */
@@ -87,7 +87,8 @@ function heights(path, x) {
 }
 
 /**
- * Keeps one tick per position. Hours of play have more than are visible, or than a call can take.
+ * Keeps one tick per position. Hours of play have more ticks than are visible, or than a call can
+ * take.
  * @param {number[]} ticks
  * @param {Place} x
  */
@@ -168,7 +169,7 @@ export class Timeline {
       preserveAspectRatio: 'none',
       viewBox: '0 0 1000 100',
     });
-    // A screen reader would announce each tick during playback. The slider tells the time on
+    // A screen reader would announce each tick during playback. The slider states the time on
     // request.
     this.time = el('output', { class: 'time', 'aria-live': 'off' });
     this.tick = el('output', { class: 'tick quiet', 'aria-live': 'off' });
@@ -209,7 +210,7 @@ export class Timeline {
     this.nothing = el('p', { class: 'quiet nothing', text: 'Nothing to play.' });
     this.extras = el('div', { class: 'buttons' });
     root.append(this.player, this.nothing, this.extras);
-    // A ghost may be longer than the selected one.
+    // The ghost may be longer than the selected trajectory.
     store.on(['query', 'path', 'ghost'], () => this.draw());
     store.on(['tick', 'path', 'query', 'ghost'], () => this.showTime());
     store.on(['playing', 'speed', 'loop'], () => this.showState());
@@ -254,7 +255,7 @@ export class Timeline {
     this.extras.append(button);
   }
 
-  // Draws the selected trajectory's profile over the whole timeline, which a longer ghost extends.
+  // Draws the selected trajectory's profile. With a longer ghost it ends before the timeline does.
   draw() {
     const path = this.selected();
     const length = Math.max(1, this.playback.lengthOf());
