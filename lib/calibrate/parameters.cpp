@@ -53,7 +53,7 @@ constexpr Row kRows[] = {
     {"bodyWidth", 2.5, "run into walls and through gaps", Parameter::Kind::touch},
     {"bodyDepth", 2.5, "run into walls and through gaps", Parameter::Kind::touch},
     {"pushForce", 10, "push a box"},
-    {"jumpAccel", 0, "jump and start running at once", Parameter::Kind::smooth, 1, 500},
+    {"jumpAccel", 0, "start running in the same tick as the jump", Parameter::Kind::smooth, 1, 500},
 };
 
 std::string unitOf(capnp::StructSchema::Field field) {

@@ -85,7 +85,7 @@ std::string optionList(const std::vector<OptionRow>& rows, const HelpStyle& styl
 const char* const kOtherWays =
     "Any option can also be set with an environment variable (OBBY_QUIET for --quiet) or in the "
     "--config file. The command line wins, then variables, then the file. An option that has no "
-    "effect with the others is an error if typed, else ignored.";
+    "effect with the others is an error on the command line, and is ignored elsewhere.";
 
 size_t helpWidth(int descriptor) {
   return std::clamp(terminalWidth(descriptor), kNarrowest, kWidest);

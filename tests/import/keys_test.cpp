@@ -90,7 +90,7 @@ TEST(Keys, AScreenButtonWithoutAVisibleEffectIsNamed) {
   const auto script = scene.add("LocalScript", "LocalScript", button);
   scene.set(script, "Source", std::string("script.Parent.Activated:Connect(function() end)"));
   scene.level();
-  EXPECT_EQ(scene.unmodelled("listener without a visible effect"), 1u);
+  EXPECT_EQ(scene.unmodelled("input without a visible effect"), 1u);
   EXPECT_EQ(scene.unmodelled("keys that a script listens to"), 0u);
 }
 

@@ -96,7 +96,7 @@ TEST(LaterTouches, PermanentEffectsNeedNoSecondTouch) {
 
 // It is unknown what a handler without a visible effect counts.
 TEST(LaterTouches, ListenersWithoutAVisibleEffectAreNamed) {
-  const char* const kHidden = "listener without a visible effect";
+  const char* const kHidden = "input without a visible effect";
   ScriptedPart counts("local n = 0 p.Touched:Connect(function() n += 1 end)");
   EXPECT_EQ(counts.unmodelled(kHidden), 1u);
   ScriptedPart kills("p.Touched:Connect(function(hit) " + std::string(kKillHit) + " end)");

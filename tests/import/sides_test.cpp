@@ -54,7 +54,7 @@ end))",
                      place.scene.scripts);
   place.scene.level();
   EXPECT_FALSE(place.scene[pad].kill);
-  EXPECT_EQ(place.scene.unmodelled("script that acts on players away from parts"), 1u);
+  EXPECT_EQ(place.scene.unmodelled("script that acts on players without a touch"), 1u);
 }
 
 TEST(Sides, AClientBindableDoesNotReachTheServer) {

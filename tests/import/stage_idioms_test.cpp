@@ -165,7 +165,7 @@ TEST(StageIdioms, RespawnPositionsRevealAScriptsTable) {
       " end)\nend)",
       scene.scripts);
   EXPECT_EQ(checkpoints(scene.level()), (Names{"Near", "Far"}));
-  EXPECT_EQ(scene.evidence(near, "checkpoint"), "players who die after a touch come back to it");
+  EXPECT_EQ(scene.evidence(near, "checkpoint"), "players who touched it respawn there");
   EXPECT_FALSE(scene[bell].checkpoint);
   EXPECT_TRUE(scene[far].goal);
 }

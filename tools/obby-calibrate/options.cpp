@@ -65,8 +65,8 @@ std::vector<OptionRow> playRows() {
   return {
       flagRow(
           "play",
-          "play the recordings' inputs in the simulator, under the parameters given by --set, and "
-          "write for each recording how far it is off, and a summary",
+          "replay the recordings' inputs in the simulator, with the parameters given by --set, and "
+          "write the simulator's error on each recording, and a summary",
           kPlayGroup),
       tricksRow(),
   };

@@ -136,16 +136,16 @@ void EffectRoles::takeStage(PartDraft& part, const StageSet& stage) {
   readNumbers(context_.tree, part.id, part);
   const bool isLine = stage.line.script != kNoInstance;
   prove(part, "checkpoint",
-        isLine ? reason(stage.line) : "players who die after a touch come back to it");
+        isLine ? reason(stage.line) : "players who touched it respawn there");
 }
 
 void EffectRoles::noteUnknown(engine::Approach approach) {
   const bool keys = approach == engine::Approach::keys, chat = approach == engine::Approach::chat;
   const char* const kind = keys   ? "keys that a script listens to"
                            : chat ? "chat that scripts listen to"
-                                  : "listener without a visible effect";
+                                  : "input without a visible effect";
   context_.level.noteUnmodelled(kind, context_.tree, kNoInstance,
-                                "what a use does is not known: the player walks and jumps only");
+                                "its effect is unknown; the simulated player only walks and jumps");
 }
 
 void EffectRoles::takeAbility(engine::Approach approach, const engine::AirJumps& inAir,

@@ -22,7 +22,7 @@ struct LossRow {
   const char* note;
 };
 constexpr LossRow kLosses[] = {
-    {"Gravity", "gravity that scripts change", "gravity stays as it is at the start"},
+    {"Gravity", "gravity that scripts change", "simulated with the gravity at the start"},
     {"WalkSpeed", "speed that scripts change", "the player's speed stays the same"},
     {"JumpPower", "speed that scripts change", "the player's jump stays the same"},
     {"JumpHeight", "speed that scripts change", "the player's jump stays the same"},
@@ -48,7 +48,7 @@ void noteLimbs(RoleContext& context, const engine::Report& report) {
     if (change.property == "note meets some limbs")
       context.level.noteUnmodelled(
           "collision group of some limbs", context.tree, change.target,
-          "taken to collide with all of the body; " + lineReason(context.tree, change.line));
+          "treated as colliding with the whole body; " + lineReason(context.tree, change.line));
 }
 
 void noteLooks(RoleContext& context, const engine::Report& report) {

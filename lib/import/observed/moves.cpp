@@ -34,7 +34,7 @@ class Moves {
       const ProbeEffects effects = effectsOf(report_, move);
       if (move.approach == Approach::away) {
         if (effects.touchesPlayer())
-          note("script that acts on players away from parts", "it does nothing; ", effects.line());
+          note("script that acts on players without a touch", "not simulated; ", effects.line());
         continue;
       }
       takeHarm(move, effects);
@@ -70,9 +70,9 @@ class Moves {
 
   void takeChanges(const ProbeEffects& effects) {
     if (effects.boost)
-      note("speed that scripts change", "by how the player moves; ", effects.boost->line);
+      note("speed that scripts change", "depends on how the player moves, not simulated; ", effects.boost->line);
     if (effects.teleport || effects.force || effects.trips)
-      note("push without a touch", "by how the player moves; ", effects.line());
+      note("push without a touch", "depends on how the player moves, not simulated; ", effects.line());
     if (!effects.aways.empty() || !effects.backs.empty() || !effects.moved.empty())
       note("part that the player's moves change", "stays as it is; ", effects.line());
   }

@@ -138,7 +138,8 @@ void noteEnd(RoleContext& context, InstanceId id, const Motion& motion,
   if (end && motion.repeat != Repeat::once)
     context.level.noteUnmodelled(
         "motion that ends", context.tree, id,
-        "goes on for ever; ends after " + std::to_string(std::lround(*end)) + " s; " + reason);
+        "simulated as endless; in the game it ends after " + std::to_string(std::lround(*end)) +
+            " s; " + reason);
 }
 
 }  // namespace

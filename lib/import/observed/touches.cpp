@@ -107,7 +107,7 @@ class Touches {
             return revisit.lever == probe.target || revisit.probe.target == probe.target;
           });
       if (!isKnown)
-        note("listener without a visible effect", part->id,
+        note("input without a visible effect", part->id,
              "scripts may count it for something that comes later");
     }
   }

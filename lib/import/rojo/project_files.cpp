@@ -49,7 +49,7 @@ Status ProjectFiles::check(const fs::path& path) const {
                                 [&](const fs::path& root) { return isBelow(real, root); });
   if (isIn) return {};
   return fileError(path, "leads out of the project's folder to " + real.string(),
-                   "name it by $path in the project's own file if it belongs to it");
+                   "if it belongs to the project, add it as a $path in default.project.json");
 }
 
 Result<std::vector<std::string>> ProjectFiles::list(const fs::path& folder) {

@@ -161,7 +161,7 @@ void killFromNames(RoleContext& context) {
     }
     if (from != instance.name && scripted.count(instance.parent)) {
       context.level.noteIgnored("name that suggests a kill part", context.tree.path(part.id),
-                                "a script makes a sibling kill, not this part");
+                                "a script turns a sibling of this part into a kill part, but not this part");
       continue;
     }
     const bool damages = !firstWordIn(from, kDamageWords).empty();

@@ -97,7 +97,7 @@ void noteBoth(RoleContext& context, const ConstraintSettings& settings, Instance
     const PartDraft* part = context.part(end);
     if (part && part->motion && !part->motion->carries)
       context.level.noteUnmodelled("part that a script and a constraint move", context.tree, end,
-                                   "moves as the script says; " + context.tree.path(id));
+                                   "moved by the script only; ignored: the constraint " + context.tree.path(id));
   }
 }
 

@@ -173,10 +173,10 @@ std::string allowedText(uint32_t n) {
 // Tells for which tricks the cut holds.
 std::string tricksText(const Cut& cut) {
   if (cut.withTricks) return " That holds with every trick, too.";
-  if (cut.mayHelp == 0) return " Several tricks together might do it.";
+  if (cut.mayHelp == 0) return " Several tricks together might make it.";
   std::vector<std::string> names;
   for (const auto trick : level::tricksIn(cut.mayHelp)) names.push_back(level::trickName(trick));
-  return fmt::format(" That is in normal play: a {} might do it.", listed(names, "or"));
+  return fmt::format(" This assumes normal play; a {} might make it.", listed(names, "or"));
 }
 
 std::string cutText(const Cut& cut, const level::Level& level, schema::Level::Reader record) {
