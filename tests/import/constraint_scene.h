@@ -5,7 +5,7 @@
 
 namespace obby::test {
 
-// An arm below an anchored base; the axis of the constraint points up.
+// An arm below an anchored base. The constraint's axis points up.
 struct Constraint {
   InstanceId id, base, arm;
 };
@@ -42,7 +42,8 @@ inline Constraint servoed(Scene& scene) {
   return c;
 }
 
-// An arm attached to an anchored hub ten studs away, by a joint of any class, named "Weld".
+// An arm that any class of joint attaches to an anchored hub ten studs away. The joint is named
+// "Weld".
 struct Joined {
   InstanceId hub, arm;
 };

@@ -3,7 +3,7 @@
 #include <limits>
 #include <memory>
 
-// Included before the importer's names enter this namespace: one of them is a kind of value here.
+// This header comes first: after `using importer::Shape`, a name in it would be ambiguous.
 #include "support/place_columns.h"
 
 #include "import/document/pose_math.h"

@@ -1,5 +1,5 @@
-// For every kind of constraint, the search finds a solution that keeps it, and none if that is
-// impossible.
+// For every kind of constraint, the search finds a solution that keeps it. If that is impossible,
+// it finds none.
 #include <gtest/gtest.h>
 
 #include "io/json_codec.h"

@@ -20,7 +20,7 @@ io::Record queryCalled(const std::string& id, float timeLimit = 1) {
   return io::Record(std::move(record));
 }
 
-// The size of a query whose id has one letter.
+// Returns the bytes that a query takes if its id has one letter.
 uint64_t queryCacheBytesOfOne() { return QueryCache::bytesOf("l", queryCalled("a")); }
 
 std::string queryCacheErrorOf(const QueryCache& known, const std::string& level,

@@ -25,8 +25,8 @@ Problem problemOf(const level::Level& level, const level::QueryView& query = {})
           level.hasMotion()};
 }
 
-// Plays at random for a while, from the start again after each end. Fails at the first position
-// outside the bound.
+// Plays at random, and from the start again after each end. Fails at the first position outside the
+// bound.
 void expectHeld(const level::Level& level, const char* name, int worlds, int ticks) {
   if (unboundedPart(level.view()) != nullptr) return;
   const Problem problem = problemOf(level);
@@ -252,7 +252,7 @@ TEST(ReachBound, CountsTheFewestJumps) {
   }
 }
 
-// There are too many stones to consider all of them from each one.
+// A search over all pairs of these stones would take too long.
 TEST(ReachBound, CountsTheFewestJumpsAmongMany) {
   LevelBuilder b;
   b.spawn({0, 0, 0});

@@ -1,5 +1,5 @@
-// The bound on reach at extreme physics, and where a climb, a touch or a far place extends what a
-// player does.
+// The bound on reach at extreme physics, and in places where a climb, a touch or a great distance
+// extends what a player can do.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -67,8 +67,8 @@ TEST(ReachExtremes, HoldsForALaunchByAFastFloor) {
       ASSERT_TRUE(bound.holds(w.position)) << i << ", tick " << t << ": " << w.position.y;
     }
   }
-  // Legs sense the floor from 5 studs above at most, and let go within one tick's motion, 3.3
-  // studs, above that.
+  // The floor lets go of a player at its own speed. The legs sense it from up to 5 studs above, and
+  // it moves up to 3.3 studs in the last tick.
   constexpr float kThrown = 200 * 200 / (2 * 196.2f);  // studs, at the speed of the floor
   EXPECT_GT(highest, kThrown - 5) << "nobody was as fast";
   EXPECT_LT(highest, kThrown + 5 + 3.4f) << "somebody was faster";

@@ -1,4 +1,4 @@
-// The bound on reach where falls onto slopes deflect speed sideways.
+// The bound on reach for falls onto slopes, which turn some of the speed sideways.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,5 +1,5 @@
-// The bound on reach where something besides keys moves the player: walls that push, seats,
-// teleporters that keep the speed.
+// The bound on reach if more than keys moves the player: walls that push, seats, and teleporters
+// that keep the speed.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -90,7 +90,7 @@ TEST(ReachBound, HoldsForAThrowByASmallSpinner) {
   EXPECT_GT(highest, 12) << "nobody was thrown";
 }
 
-// With these physics a part counts as touched a stud away, so that a pad throws from above its top.
+// With these physics a part counts as touched from a stud away, so a pad throws from above its top.
 TEST(ReachBound, HoldsForAPadThatThrowsFromADistance) {
   float highest = 0;
   for (int i = 0; i < 20; ++i) {

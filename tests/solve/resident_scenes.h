@@ -24,7 +24,7 @@ struct ResidentScene {
   level::Level level;
   Question question;
   uint32_t rollouts = 256;  // in each round
-  uint32_t replayed = 1;    // one cell in this many is replayed
+  uint32_t replayed = 1;    // the test replays one cell in this many
 };
 
 // Levels whose cells differ in many ways: moving parts, jumps, waypoints, dynamic bodies.
