@@ -51,7 +51,7 @@ TEST_P(DamagedBinary, EveryFlippedBitGivesADocumentOrAnError) {
       EXPECT_FALSE(document.error().place.empty()) << bit;
     }
   }
-  EXPECT_GT(refused, whole.size());  // at least one bit in eight causes an error
+  EXPECT_GT(refused, whole.size());  // more than one bit in eight causes an error
 }
 
 INSTANTIATE_TEST_SUITE_P(Packings, DamagedBinary,

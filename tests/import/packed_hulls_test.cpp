@@ -136,8 +136,7 @@ TEST(PackedHulls, AHullEndsWithItsLastBranch) {
   const auto hulls = decodePackedHulls(unpacked({}, {ended, fan(kTetrahedron), ended}));
   ASSERT_TRUE(hulls) << hulls.error().text();
   EXPECT_EQ(*hulls, (std::vector<Hull>{ended.corners, kTetrahedron, ended.corners}));
-  // The symbols read a corner beyond the end of their hull, which leaves one too few for the next
-  // hull.
+  // The last C lies past the end of its hull, so the next hull has one corner too many.
   EXPECT_FALSE(decodePackedHulls(unpacked({}, {branched, fan(kTetrahedron)})));
 }
 
@@ -169,7 +168,7 @@ TEST(PackedHulls, CountsThatDisagreeAreErrors) {
   const std::string content = unpacked({kTetrahedron}, {fan(kTetrahedron)});
   ASSERT_TRUE(decodePackedHulls(content));
   for (size_t field = 0; field < 9; ++field) {
-    const bool isOnlyAHint = field == 3 || field == 4;  // the maximum of one hull
+    const bool isOnlyAHint = field == 3 || field == 4;  // only the largest counts of one hull
     for (const char value : {'\0', '\x7f', '\xff'}) {
       std::string bad = content;
       bad.replace(4 * field, 4, 4, value);

@@ -3,7 +3,8 @@
 #include <limits>
 #include <memory>
 
-// This header comes first: after `using importer::Shape`, a name in it would be ambiguous.
+// Included first, so that the importer's names cannot clash with the kinds of values in this
+// header.
 #include "support/place_columns.h"
 
 #include "import/document/pose_math.h"

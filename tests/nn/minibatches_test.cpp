@@ -1,4 +1,4 @@
-// Minibatches: as few as there may be, and alike.
+// The division of rows into minibatches: as few as possible, of nearly equal sizes.
 #include "nn/minibatches.h"
 
 #include <gtest/gtest.h>

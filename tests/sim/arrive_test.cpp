@@ -83,7 +83,8 @@ TEST(Arrive, StandingAtItsFootIsNotStandingOnIt) {
   EXPECT_TRUE(reachesPad(top.settle(), q));
 }
 
-// The box of the limbs ends above the floor by a margin, yet standing on a floor touches it.
+// The box of the limbs ends slightly above the floor, but a player who stands on a floor touches
+// it.
 TEST(Feet, TouchTheFloorThatHoldsThem) {
   const auto kill = [](schema::Part::Builder p) { p.initKill(); };
   const auto level = support::LevelBuilder().block({0, -1, 0}, {20, 2, 20}, kill).compile();

@@ -145,7 +145,7 @@ TEST(Climb, jump_leaves_the_truss_and_counts_once) {
   EXPECT_GT(play.world.position.z, kFace + 6);
 }
 
-// The gain is 150/s, so that each step leaves 1 - 150 / 240 of the difference in velocity.
+// The gain is 150/s, so each step leaves 1 - 150 / 240 of the difference in velocity.
 TEST(Climb, grips_a_falling_player_within_a_few_steps) {
   const auto level = tower(60).compile();
   Play falls(level, {0, 40, kFace + 1});

@@ -115,7 +115,7 @@ TEST(Seat, RidesWithAMovingSeat) {
   EXPECT_NEAR(play.world.velocity.x, 10, 0.01f);
 }
 
-// A player who jumps off does not inherit the leap back to the start as a speed.
+// A player who jumps off does not get speed from the jump of the motion back to its start.
 TEST(Seat, TheRestartOfAMotionAddsNoSpeed) {
   const auto level = movingSeat();
   Play play(level, {0, 1, 0});

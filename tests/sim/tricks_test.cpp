@@ -1,4 +1,5 @@
-// Each trick's effect if it is allowed, and the usual motion if not (docs/physics.md, tricks).
+// The effect of each trick if it is allowed, and the usual motion otherwise (docs/physics.md,
+// tricks).
 #include <gtest/gtest.h>
 
 #include "sim/play.h"
@@ -134,7 +135,7 @@ TEST(Tricks, ALadderFlickGripsTheTrussAgainWhileRising) {
   }
 }
 
-// Puts the feet 1.5 studs below a floor, and a tick later beyond its edge. Returns the greatest
+// Puts the feet 1.5 studs below a floor, and a tick later beyond its edge. Returns the maximum
 // height.
 float thrownTo(uint16_t tricks) {
   const auto level = LevelBuilder().block({0, -1, 0}, {20, 2, 20}).compile();

@@ -31,8 +31,8 @@ Trajectory jumpedThenWalked(const Problem& problem, int jumps) {
 
 int searches = 0;  // searches that allow more jumps than the query
 
-// A search that misses solutions. It finds nothing if five jumps are allowed, three jumps if seven
-// are, and otherwise nine.
+// A search that misses solutions. With one or five jumps allowed it finds none, with seven it finds
+// one of three jumps, and otherwise one of nine.
 SearchOutcome missing(const Problem& problem, const Budget&, const Watcher& watcher,
                       const Machine&) {
   SearchOutcome outcome;

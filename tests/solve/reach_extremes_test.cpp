@@ -67,8 +67,8 @@ TEST(ReachExtremes, HoldsForALaunchByAFastFloor) {
       ASSERT_TRUE(bound.holds(w.position)) << i << ", tick " << t << ": " << w.position.y;
     }
   }
-  // The floor lets go of a player at its own speed. The legs sense it from up to 5 studs above, and
-  // it moves up to 3.3 studs in the last tick.
+  // A player leaves the floor at the floor's speed. The legs sense the floor from up to 5 studs
+  // above, and it moves up to 3.3 studs in the last tick.
   constexpr float kThrown = 200 * 200 / (2 * 196.2f);  // studs, at the speed of the floor
   EXPECT_GT(highest, kThrown - 5) << "nobody was as fast";
   EXPECT_LT(highest, kThrown + 5 + 3.4f) << "somebody was faster";

@@ -51,7 +51,7 @@ TEST(LevelStream, KeepsLevelsUpToABudgetOfBytes) {
   EXPECT_EQ(level.error().text(), "levels:6: there is no level '0' among the 1 before this query");
 }
 
-// As in obby-solve, they apply to later levels that leave the defaults.
+// As in obby-solve, parameters apply to later levels. A level's own values take precedence.
 TEST(LevelStream, LevelsUseTheParametersBeforeThem) {
   std::string own = lineOf(2);
   own.insert(own.find(R"("parts")"), R"("physics":{"walkSpeed":24},)");
