@@ -1,4 +1,4 @@
-// Naming parts and boxes of a level.
+// Selectors name parts and boxes of a level.
 #include "level/select_parts.h"
 
 #include <gmock/gmock.h>

@@ -14,7 +14,7 @@
 namespace obby::view_test {
 namespace {
 
-// A level without trajectories is shown at its query's start.
+// A level without trajectories is shown from its query's start.
 TEST(Budget, MotionIsShownFromTheStartOfAQueryOn) {
   std::string late = kQuery;
   late.insert(late.find(R"("goal")"), R"("start":{"tick":9000},)");
@@ -100,7 +100,8 @@ TEST(Budget, CountsMoreThanTheTicksOfATrajectory) {
   EXPECT_LT(sizes.attempts + sizes.whole, json.text().size() * 3 / 2);
 }
 
-// Thousands of moving parts that never repeat take this much. With --full nothing is thinned out.
+// Thousands of moving parts that never repeat have tracks of this size. With --full nothing is
+// thinned out.
 TEST(Budget, TooMuchMotionIsSampledMoreCoarsely) {
   view::PageSizes sizes;
   sizes.tracks = size_t(1500) << 20;
@@ -127,7 +128,7 @@ TEST(Budget, CountsEventsOfPartsInATrajectory) {
   EXPECT_LT(sizes.attempts + sizes.whole, json.text().size() * 5 / 4);
 }
 
-// A larger stride does not shrink the tracks of dynamic bodies.
+// A larger stride thins out trajectories, but not the tracks of dynamic bodies.
 TEST(Budget, LeavesOutAttemptsWhoseDynamicBodiesDoNotFit) {
   view::PageSizes sizes;
   sizes.attempts = 2u << 20;

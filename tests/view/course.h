@@ -1,5 +1,5 @@
-// A small course with a goal ahead, a drop to the left and a kill part to the right. Also its
-// records, and trajectories made by the simulator.
+// A small course with a goal ahead, a drop to the left and a kill part to the right; its records,
+// and trajectories made by the simulator.
 #pragma once
 
 #include <gtest/gtest.h>

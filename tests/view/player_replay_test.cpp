@@ -1,5 +1,5 @@
-// Trajectories of players at other frame rates are replayed in their ticks, and reported in the
-// level's.
+// A trajectory of a player with another frame rate is replayed in the player's ticks and reported
+// in the level's ticks.
 #include "view/player_replay.h"
 
 #include <gtest/gtest.h>
