@@ -73,7 +73,7 @@ inline LevelBuilder roles() {
   return b;
 }
 
-// Many parts over a floor, each set up by `setter` with its index.
+// Returns a floor with many parts at random places. `setter` sets up each part by its index.
 template <class Setter>
 LevelBuilder envs(int count, Setter setter) {
   LevelBuilder b = floorWith({});
@@ -94,7 +94,7 @@ inline LevelBuilder envsOf(schema::Shape shape) {
   return envs(40, [=](Part::Builder p, int) { p.setShape(shape); });
 }
 
-// Octahedra: hulls with eight faces and six corners.
+// The hulls are octahedra, with eight faces and six corners.
 inline LevelBuilder hulls() {
   return envs(30, [](Part::Builder p, int i) {
     p.setShape(schema::Shape::HULL);
@@ -120,7 +120,7 @@ inline LevelBuilder spinners() {
   return b;
 }
 
-// Extremes of size: a plain, a sheet, a needle, a hill.
+// Extreme sizes: a plain, a sheet, a needle, a hill.
 inline LevelBuilder extremes() {
   return LevelBuilder()
       .block({0, -1000, 0}, {2048, 2000, 2048})
@@ -172,7 +172,7 @@ inline LevelBuilder vanishing() {
   });
 }
 
-// Boosts that change gravity, some of them forever, and parts that only the root can touch.
+// Boosts that change gravity, some of them for ever, and parts that only the root can touch.
 inline LevelBuilder weights() {
   return envs(40, [](Part::Builder p, int i) {
     if (i % 4 == 3) {
@@ -234,7 +234,7 @@ inline LevelBuilder trusses() {
   return b;
 }
 
-// Everything that a touch can start: doors by four buttons, falls, motions, boosts, trips.
+// Everything that a touch can start: doors opened by four buttons, falls, motions, boosts, trips.
 inline LevelBuilder clocks() {
   LevelBuilder b = envs(48, [](Part::Builder p, int i) {
     const std::string signal = "signal " + std::to_string(i % 4);
