@@ -98,7 +98,7 @@ TEST(LostLevel, AppliesToLaterInputs) {
   }
 }
 
-// Only a query is unreadable and it ends its input, so no level is lost.
+// An unreadable query at the end of an input does not count as a lost level.
 TEST(LostLevel, AnUnreadableLastQueryIsNoLostLevel) {
   const std::string lostQuery = "{\"type\":\"query\",\"id\":7}\n";
   EXPECT_EQ(LostLevelRead({kLevel + lostQuery, query("b")}).came, "+b");

@@ -93,7 +93,8 @@ TEST(OutputLocks, SurvivesARewriteOfTheFileAndLeavesNothing) {
   EXPECT_EQ(folder.entries(), 1u);
 }
 
-// Exits a process without cleanup, which leaves its lock file behind. Returns true on success.
+// Takes a lock in a process that exits without cleanup, so the lock file stays. Returns true on
+// success.
 bool leaveLocked(const std::string& path) {
   const pid_t writer = fork();
   if (writer == 0) {

@@ -1,6 +1,6 @@
 // The exact answer for two polytopes, in double precision and from their corners alone. It decides
-// if an outside library and lib/geom differ. Faces and edges are found by brute force, so that it
-// trusts no table of lib/.
+// when an outside library and lib/geom differ. It finds faces and edges by brute force, so it
+// depends on no table of lib/.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -92,7 +92,7 @@ inline Polytope moved(Polytope p, const Pose& pose) {
   return p;
 }
 
-// The minimum translation that separates the two, exact up to rounding of doubles.
+// The minimum translation that separates the two, exact up to the rounding of doubles.
 struct Exact {
   double depth = 1e300;  // negative: apart, by at least this much
   V3 normal;             // moving the second polytope along it separates them

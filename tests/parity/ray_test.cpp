@@ -1,5 +1,5 @@
-// Rays at every shape, compared with Bullet's convex cast in double precision: hit or miss, the
-// distance, and the side.
+// Rays at every shape, compared with Bullet's convex cast in double precision by hit or miss,
+// distance and side.
 #include <gtest/gtest.h>
 
 #include "parity/hull.h"
@@ -36,7 +36,7 @@ BulletHit castByBullet(btConvexShape* shape, Vec3 from, Vec3 to) {
   return {first.hasHit(), double(first.m_closestHitFraction), first.normal};
 }
 
-// The reference in double precision: the interval of the line inside the shape.
+// The reference in double precision: the interval of the ray's line that lies inside the shape.
 struct Stretch {
   double enter = -1e300, leave = 1e300;
 
@@ -138,15 +138,15 @@ class RayTally {
  private:
   bool isRound() const { return kind_ == ShapeKind::ball || kind_ == ShapeKind::cylinder; }
 
-  // A curved side solves a quadratic in single precision, which rounds in proportion to the squared
-  // distance. Small balls from far away, and rays that barely touch the side, are less exact.
+  // A curved side solves a quadratic in single precision. Its rounding grows with the squared
+  // distance. Small balls seen from far away, and rays that barely touch the side, are less exact.
   double rounding(const Ray& ray, const Stretch& exact) const {
     if (!isRound()) return 0;
     const double far = double(dot(ray.from, ray.from));
     return std::min(0x1p-20 * far / std::max(exact.chord(), 1e-9), 0x1p-10 * std::sqrt(far));
   }
   bool isGrazing(const Ray& ray, const Stretch& exact) const {
-    if (exact.chord() < -1e200) return isRound();  // outside a curved side
+    if (exact.chord() < -1e200) return isRound();  // a line that misses a curved side
     const double far = double(dot(ray.from, ray.from));
     return std::abs(exact.chord()) < (isRound() ? 0x1p-10 * std::sqrt(far) : kTolerance);
   }
@@ -179,7 +179,8 @@ class RayParity : public testing::TestWithParam<ShapeKind> {
   void expectGood(const RayTally& tally) {
     tally.report();
     EXPECT_GT(tally.hits, tally.rays / 5);
-    EXPECT_LE(tally.otherSide, tally.rays / 200);  // at edges, and on Bullet's small balls
+    EXPECT_LE(tally.otherSide,
+              tally.rays / 200);  // at edges, and on small balls, where Bullet is inexact
     // Bullet's cast counts some rays that pass within 1e-4 studs of an edge as hits.
     EXPECT_LE(tally.referenceWrong, tally.rays / 200);
   }
@@ -196,8 +197,8 @@ TEST_P(RayParity, HitsWhereBulletHits) {
   expectGood(tally);
 }
 
-// Like the floor rays of a walking or jumping player: from within 4 studs, well inside the
-// silhouette.
+// Rays like the floor rays of a walking or jumping player. They start within 4 studs and hit well
+// inside the silhouette.
 class RoundRayParity : public RayParity {};
 
 TEST_P(RoundRayParity, IsExactAtCloseRangeAwayFromTheSilhouette) {

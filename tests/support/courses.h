@@ -10,8 +10,8 @@
 
 namespace obby::support {
 
-// A course that owns its levels. Each level has a different time limit, after which a world takes
-// its next level.
+// A course that owns its levels. Each level has a different time limit, after which a world moves
+// on to its next level.
 struct Levels {
   std::vector<level::Level> levels;
   sim::Course course;
@@ -33,7 +33,8 @@ struct Levels {
   }
 };
 
-// Adds rules of every kind: a waypoint around the start, a part to touch, one not to touch, limits.
+// Adds rules of every kind: a waypoint around the start, a part to touch, a part not to touch, and
+// limits.
 inline void addRules(Levels& all) {
   all.waypoints = {{{{{{0, 2, 0}, {}}, {6, 6, 6}}}, 40, 0, {20, 90}}};
   all.touched = {0, 3};
