@@ -1,4 +1,4 @@
-// Which jobs a client can still ask about.
+// Tests which jobs a client can still ask about.
 #include "bridge/jobs.h"
 
 #include <gtest/gtest.h>

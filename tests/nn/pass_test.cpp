@@ -143,7 +143,7 @@ TEST(Normal, IsNearlyNormal) {
 }
 
 // Columns are orthogonal and have the stated length, or rows if there are fewer rows. The padding
-// stays as it is.
+// stays unchanged.
 TEST(Orthogonal, FillsColumnsOrRows) {
   for (const size_t rows : {3u, 9u}) {
     constexpr size_t kColumns = 5, kStride = 7;

@@ -163,7 +163,7 @@ class RayTally {
 
 class RayParity : public testing::TestWithParam<ShapeKind> {
  protected:
-  // A random shape; round ones have a single radius.
+  // Returns a random shape. Round shapes have a single radius.
   ShapeData shape() {
     ShapeData s{dice_.extents(0.025f, 16), nullptr};
     if (GetParam() == ShapeKind::ball) s.half = {s.half.z, s.half.z, s.half.z};

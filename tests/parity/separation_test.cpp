@@ -151,8 +151,8 @@ TEST(SeparationParity, ABallAndARoundShapeFollowTheCentre) {
 }
 
 // If a tilted rim meets an edge, a corner or another rim, the only axes are those of a smaller
-// cylinder. Contact then comes up to a tenth of a stud early. One overlap in ten is too deep; these
-// are deep ones.
+// cylinder. Contact then comes up to a tenth of a stud early, and one deep overlap in ten is too
+// deep.
 TEST(SeparationParity, ACylinderIsTooDeepOnlyAtRims) {
   ConvexDice dice(704);
   Found found;

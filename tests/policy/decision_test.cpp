@@ -161,8 +161,8 @@ TEST(ImitationLoss, GradientsMatchFiniteDifferences) {
   for (int n = 0; n < 20; ++n) {
     const auto at = nn::drawn<double>(kPaddedOutputs, random);
     const Decision d{{int(random.below(kMoves)), 0, 0, 2}, true};
-    // For the gradient of the likelihood the advantage is a constant. For that of the value it is
-    // not.
+    // The advantage is a constant in the gradient of the likelihood, but not in the gradient of the
+    // value.
     const double better = double(d.target) - at[kMoves];
     nn::checkGradient(at, [&](const double* out, double* gradient) {
       imitationLossOf<double>(out, d, 0.1, 0.5, gradient);

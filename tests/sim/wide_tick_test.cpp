@@ -190,7 +190,7 @@ TEST(WideTick, LeavesClimbersToTheScalarTick) {
   EXPECT_EQ(expectAlike(level, wide, 1).state, State::freefall);
 }
 
-// One conveyor leads up, and one turns on a moving part.
+// One conveyor moves upwards, and one turns on a moving part.
 TEST(WideTick, StandsOnBeltsAsTheScalarTickDoes) {
   const level::Level up = LevelBuilder()
                               .block({0, 9, 0}, {40, 2, 40},

@@ -1,4 +1,4 @@
-// Pictures without a display: camera, occlusion, light, paths, and files.
+// Pictures without a display: camera, occlusion, light, trajectories, and files.
 #include "view/picture/picture.h"
 
 #include <gtest/gtest.h>
