@@ -76,7 +76,7 @@ TEST(Ticks, FindsTwoTimesThatMaskEachOther) {
     EXPECT_LE(best[i], 15u);
     const Possible possible = possibleOf(profiles[i], 1e-6);
     EXPECT_FALSE(possible.all);
-    EXPECT_EQ(possible.max, profiles[i].shares.back()) << "nobody jumped still later";
+    EXPECT_EQ(possible.max, profiles[i].shares.back()) << "no player jumped even later";
   }
 }
 

@@ -172,7 +172,7 @@ TEST(PlaceFile, HasTheGravityAndTheSpeedsOfTheRecipe) {
   const auto physics = back->level.reader().getLevel().getPhysics();
   EXPECT_EQ(physics.getGravity(), 80);
   EXPECT_EQ(physics.getWalkSpeed(), 54);
-  EXPECT_NEAR(physics.getJumpSpeed(), 40, 1e-3) << "by way of a jump power";
+  EXPECT_NEAR(physics.getJumpSpeed(), 40, 1e-3) << "from a jump power";
 }
 
 TEST(PlaceFile, SeveralLevelsStandApart) {

@@ -147,7 +147,7 @@ TEST_P(Styles, TheLineGoesFromTheStartThroughAllStopsToTheGoal) {
     size_t next = 0;
     for (const gen::Stop& stop : made.sketch.stops()) {
       while (next < line.size() && !(line[next] == stop.feet)) ++next;
-      EXPECT_LT(next, line.size()) << "a stop beside the line";
+      EXPECT_LT(next, line.size()) << "a stop next to the line";
     }
   }
 }

@@ -162,7 +162,7 @@ TEST(Fall, below_the_fallen_parts_height_ends_the_playthrough) {
   EXPECT_EQ(play.world.outcome, sim::Outcome::fell);
   const uint32_t tick = play.world.tick;
   play.run(stand(), 5);
-  EXPECT_EQ(play.world.tick, tick) << "an ended playthrough stands still";
+  EXPECT_EQ(play.world.tick, tick) << "an ended trajectory stands still";
 }
 
 }  // namespace

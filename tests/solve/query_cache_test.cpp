@@ -70,7 +70,7 @@ TEST(QueryCache, LeaveWithTheirLevelWithoutCountingAsDropped) {
   for (const char* id : {"a", "b"})
     EXPECT_THAT(queryCacheErrorOf(known, "l", id), Not(HasSubstr("dropped")));
   for (const char* id : {"c", "d"}) known.add("m", queryCalled(id));
-  EXPECT_EQ(queryCacheErrorOf(known, "k", "a"), "found") << "what was forgotten takes no room";
+  EXPECT_EQ(queryCacheErrorOf(known, "k", "a"), "found") << "a forgotten query takes no memory";
 }
 
 TEST(EndlessStream, TheErrorMentionsADroppedQuery) {

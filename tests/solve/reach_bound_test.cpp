@@ -203,7 +203,7 @@ TEST(ReachBound, HoldsForDepenetrationByAReturningSlab) {
     highest = std::max(highest, w.position.y);
     ASSERT_TRUE(bound.holds(w.position)) << "tick " << t << ", height " << w.position.y;
   }
-  EXPECT_GT(highest, 5) << "nobody was lifted";
+  EXPECT_GT(highest, 5) << "no player was lifted";
 }
 
 // A player tripped at the top slides down the slope, without legs to hold on.
@@ -235,7 +235,7 @@ TEST(ReachBound, HoldsForATrippedSlide) {
       ASSERT_TRUE(bound.holds(w.position)) << "aside " << aside << ", tick " << t;
     }
   }
-  EXPECT_GT(fastest, 30) << "nobody slid";
+  EXPECT_GT(fastest, 30) << "no player slid";
 }
 
 TEST(ReachBound, CountsTheFewestJumps) {

@@ -36,8 +36,8 @@ TEST(ReachFalls, HoldsForAFallDeflectedByAnEdge) {
                                            << w.position.y << ", " << w.position.z;
     }
   }
-  EXPECT_GT(fastest, 100) << "nobody was turned aside";
-  EXPECT_GT(farthest, 50) << "nobody came far";
+  EXPECT_GT(fastest, 100) << "no player was deflected";
+  EXPECT_GT(farthest, 50) << "no player got far";
 }
 
 }  // namespace

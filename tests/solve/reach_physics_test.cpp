@@ -55,7 +55,7 @@ TEST(ReachPhysics, HoldsForAFastClimb) {
           << "truss of " << high << ", tick " << t << ": " << w.position.y << ", " << w.position.z;
     }
   }
-  EXPECT_GT(max, 542) << "nobody flew off its top";
+  EXPECT_GT(max, 542) << "no player flew off its top";
 }
 
 }  // namespace

@@ -261,7 +261,7 @@ TEST(Unreachable, IsNotClaimedIfTheSimulatorIgnoresParts) {
   EXPECT_EQ(unreachableAsk(ledge, posts(60, 0)).counts.unreachable, 0u);
   EXPECT_EQ(unreachableAsk(ledge, posts(40, 0)).counts.unreachable, 1u)
       << "all of them are looked at";
-  EXPECT_EQ(unreachableAsk(ledge, posts(60, 500)).counts.unreachable, 1u) << "nobody comes there";
+  EXPECT_EQ(unreachableAsk(ledge, posts(60, 500)).counts.unreachable, 1u) << "no player gets there";
 }
 
 // Parts that the importer left out may lead to the goal.

@@ -53,7 +53,7 @@ TEST(Budget, CutMotionIsReported) {
     EXPECT_TRUE(report) << report.error().text();
     return view::budgetFor(*report, view::kPageTarget).notes;
   };
-  EXPECT_TRUE(notes("900", "9000").empty()) << "nobody looks so far";
+  EXPECT_TRUE(notes("900", "9000").empty()) << "the page does not show that time";
   EXPECT_TRUE(notes("500", "50000").empty()) << "it repeats by then";
   ASSERT_EQ(notes("900", "50000").size(), 1u);
   EXPECT_NE(notes("900", "50000")[0].find("ten minutes"), std::string::npos);

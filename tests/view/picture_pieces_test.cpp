@@ -38,7 +38,7 @@ TEST(Picture, IsTheSameInAnyNumberOfPieces) {
 
 TEST(Picture, ALargeOneTakesLittleMemory) {
 #ifdef OBBY_SANITIZED
-  GTEST_SKIP() << "sanitizers keep what is freed, and more beside it";
+  GTEST_SKIP() << "sanitizers keep freed memory and add more";
 #endif
   const Report shown = view_test::solvedReport();
   const auto peakOf = [&](int width, int height) {

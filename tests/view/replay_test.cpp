@@ -55,7 +55,7 @@ Playback standing(const level::Level& level, uint32_t ticks) {
 TEST(Replay, ReportsWhenSignalsOpenCloseAndMoveParts) {
   const level::Level level = buttonLevel();
   const Playback p = standing(level, 100);
-  ASSERT_EQ(p.events.size(), 3u) << "a signal that starts anew goes on";
+  ASSERT_EQ(p.events.size(), 3u) << "a signal that starts again continues";
   EXPECT_EQ(p.events[0].part, 2u) << "the bridge is away from the start";
   EXPECT_FALSE(p.events[0].solid);
   EXPECT_EQ(p.events[0].tick, 0u);
@@ -68,7 +68,7 @@ TEST(Replay, ReportsWhenSignalsOpenCloseAndMoveParts) {
   EXPECT_EQ(p.motions[0].part, 3u);
   EXPECT_EQ(p.motions[0].tick, pressed);
   EXPECT_EQ(p.motions[0].start, int64_t(pressed));
-  EXPECT_EQ(p.motions[1].tick, pressed + 60) << "starts anew: the player still stands there";
+  EXPECT_EQ(p.motions[1].tick, pressed + 60) << "starts again: the player still stands there";
   EXPECT_EQ(p.motions[1].start, int64_t(pressed) + 60);
 }
 

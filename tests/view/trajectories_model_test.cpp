@@ -81,7 +81,7 @@ TEST(TrajectoriesModel, HasEveryTrajectoryWithItsMarkers) {
   EXPECT_EQ(std::distance(top.child("Item").children("Item").begin(),
                           top.child("Item").children("Item").end()),
             3)
-      << "a model a way";
+      << "one model per trajectory";
 }
 
 // XML cannot represent control characters, not even escaped.
