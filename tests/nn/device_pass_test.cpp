@@ -59,7 +59,7 @@ struct Rows {
 
 class OfRows : public testing::TestWithParam<uint32_t> {};
 
-// The sizes: one row, less than a tile, a tile, about one chunk, and several chunks.
+// The sizes: one row, less than a tile, a tile, less than a chunk, a chunk, several chunks.
 INSTANTIATE_TEST_SUITE_P(DevicePass, OfRows, testing::Values(1, 7, 8, 255, 256, 700));
 
 TEST_P(OfRows, MatchesTheOutputsAndGradientsOfTheCpu) {

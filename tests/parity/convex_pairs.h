@@ -63,8 +63,8 @@ class ConvexDice : public PairDice {
     return c;
   }
 
-  // Places b at a distance of `gap` from a, either across a face of one of them, with a random
-  // offset, or corner to corner in a random direction.
+  // Places b at a distance of `gap` from a. The two meet across a face of one of them, with a
+  // random offset, or corner to corner in a random direction.
   void place(ConvexPair& p, float gap) {
     Vec3 d = direction(), aside{};
     const uint32_t way = random().below(3);

@@ -190,9 +190,9 @@ RC_GTEST_PROP(BodyProperties, BlocksInLanesMoveAsAlone, ()) {
 
 // Only cubes and balls are tested: a flight keeps the spin, not the angular momentum, so other
 // shapes may gain energy. The bound is the energy of a fall of 0.05 studs. Not every seed passes
-// yet: landings on corners gain more in one case of 300, and up to 0.5 studs in one of 20,000,
-// because contacts are found once a tick while a body turns. Spins of at most 12 rad/s make these
-// cases five times as rare.
+// yet. Contacts are found once a tick while a body turns, so landings on corners gain more in one
+// case of 300, and up to 0.5 studs in one of 20,000. With spins of at most 12 rad/s this is five
+// times as rare.
 RC_GTEST_PROP(BodyProperties, EnergyDoesNotGrow, ()) {
   auto throws = *rc::gen::container<std::vector<Thrown>>(
       3, thrown(rc::gen::build<Vec3>(rc::gen::set(&Vec3::x, between(-6, 6)),
