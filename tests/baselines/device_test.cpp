@@ -122,9 +122,9 @@ TEST(LearnedDevice, SearchesAreTheSameCellByCell) {
   }
 }
 
-// The failures hit the observation, a layer, two ticks of a decision, the learning, and later
-// rounds. A round of play takes 228 launches in PBGE and 160 in CFLGE. CFLGE takes hundreds more to
-// learn from the first round on.
+// Expects the same search wherever the device fails: in the observation, a layer, two ticks of a
+// decision, the learning, and later rounds. A round of play takes 228 launches in PBGE and 160 in
+// CFLGE. CFLGE takes hundreds more to learn from the first round on.
 template <class S, class Settings>
 void expectTheSameWhereverItFails() {
   constexpr int kRounds = 6;

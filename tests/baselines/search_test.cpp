@@ -10,7 +10,7 @@
 namespace obby::baselines {
 namespace {
 
-// A corridor six studs wide and 124 long, in empty space. The goal is out of reach.
+// Returns a corridor six studs wide and 124 long, in empty space. The goal is out of reach.
 level::Level learnedSearchCorridor() {
   LevelBuilder b;
   b.block({0, -0.5f, -60}, {6, 1, 124});
@@ -92,7 +92,7 @@ TEST(LearnedSearches, KeepCellsInWhichThePlayerStands) {
     EXPECT_TRUE(grounded(search.archive().world(c))) << c;
 }
 
-// Forgetting frees memory without changing anything that is still needed.
+// Expects that forgetting frees memory without changing anything that is still needed.
 template <class S, class Settings>
 void expectForgettingToShowNowhere(const Problem& problem) {
   ThreadPool pool(2);

@@ -22,7 +22,7 @@ std::vector<Manoeuvre> enough() {
                           "hold jump", "run and stop on ice", "climb up and down"});
 }
 
-// The manoeuvres that determine gravity and the speed of a jump.
+// Returns the manoeuvres that determine gravity and the speed of a jump.
 std::vector<Manoeuvre> jumps() {
   return manoeuvresNamed({"jump on the spot", "jump and turn back in the air", "hold jump"});
 }

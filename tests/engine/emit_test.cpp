@@ -125,7 +125,8 @@ const auto nameOf = [](const testing::TestParamInfo<Case>& info) {
 INSTANTIATE_TEST_SUITE_P(Statements, Construct, testing::ValuesIn(kStatements), nameOf);
 INSTANTIATE_TEST_SUITE_P(Expressions, Construct, testing::ValuesIn(kExpressions), nameOf);
 
-// Programs whose nesting, locals or upvalues are within Luau's limits but beyond those of Lua 5.1.
+// Returns `text` repeated. Tests use it for nesting, locals or upvalues that are within Luau's
+// limits but beyond those of Lua 5.1.
 std::string repeated(int count, const char* text) {
   std::string all;
   for (int i = 0; i < count; ++i) {

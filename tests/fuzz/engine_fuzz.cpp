@@ -54,8 +54,8 @@ struct Scene : test::Place {
     }
   }
 
-  // The first letter selects the kind: l LocalScript, m ModuleScript, p a Script in the lava, any
-  // other a Script in ServerScriptService.
+  // Adds a script. Its first letter selects the kind: l LocalScript, m ModuleScript, p a Script in
+  // the lava, any other a Script in ServerScriptService.
   void addScript(std::string_view text) {
     if (text.empty()) return;
     const std::string source(text.substr(1));

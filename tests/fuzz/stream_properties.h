@@ -16,7 +16,8 @@ inline std::string written(schema::Record::Reader record, io::Format format) {
   return bytes;
 }
 
-// A lone header or end is not a stream. Any other record must read back.
+// Checks that a record reads back to the same bytes. A header alone is not a stream, so reading it
+// may fail.
 inline void checkRewritten(const io::Record& record, io::Format format) {
   const std::string bytes = written(record.reader(), format);
   io::StreamReader reader = io::StreamReader::overBytes(bytes, "again");

@@ -19,7 +19,7 @@ class Rays : public testing::TestWithParam<ShapeKind> {
   ShapeData shape() {
     return {GetParam() == ShapeKind::hull ? Vec3{1, 1, 1} : dice_.half(), &hull_};
   }
-  // A ray from outside towards a point near the shape.
+  // Returns a ray from outside towards a point near the shape.
   std::pair<Vec3, Vec3> ray(const ShapeData& s) {
     const Vec3 from = dice_.direction() * dice_.between(8, 12);
     return {from, normalize(mul(s.half, dice_.vec(1.2f)) - from)};

@@ -13,7 +13,8 @@ namespace {
 using namespace importer;
 using testing::HasSubstr;
 
-// The corners of a tetrahedron in the box of half size 1 (four corners, four triangles).
+// Returns the bytes of a hull: a tetrahedron with four corners and four triangles in the box of
+// half size `reach`.
 std::string hull(float reach = 1) {
   std::string out(40, '\0');
   append(out, 12);

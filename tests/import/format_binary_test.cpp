@@ -20,7 +20,7 @@ std::string errorOf(const std::string& bytes) {
   return document ? "accepted" : document.error().text();
 }
 
-// Two parts with referents 0 and 1, the second below the first.
+// Returns two parts with referents 0 and 1, the second below the first.
 std::string twoParts(const std::string& properties, const std::string& parents) {
   return fileHeader(1, 2) + instanceChunk(0, "Part", {0, 1}) + properties + parents + endChunk();
 }

@@ -20,7 +20,7 @@ struct Pushed {
     if (std::string(className).rfind("Body", 0) == 0) return;
     scene.set(mover, "Attachment0", Ref{scene.add("Attachment", "A0", part)});
   }
-  // `m` is the mover.
+  // Adds a script in which `m` is the mover.
   void script(const std::string& text) {
     scene.script("local m = workspace.Lift.Mover\n" + text, scene.scripts);
   }

@@ -48,7 +48,7 @@ TEST(Parts, MeshWithoutCollisionDataIsItsBoxAndSaysSo) {
   EXPECT_EQ(scene.unmodelled("shape of a mesh or union"), 1u);
 }
 
-// A collision blob of hulls whose corners are (1, 2, 3), without triangles.
+// Returns a collision blob of hulls whose corners are (1, 2, 3), without triangles.
 std::string collisionBlob(uint32_t hulls, uint32_t corners) {
   std::string bytes = "CSGPHS";
   append(bytes, 3);

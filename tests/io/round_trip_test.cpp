@@ -44,7 +44,8 @@ void expectAllWaysEqual(schema::Record::Reader record) {
   EXPECT_EQ(rewritten(packed, Format::capnp), capnp);
 }
 
-// These tests are about content. A stream would refuse a lone header or end.
+// Returns true for a header or end. A stream would refuse these alone, and the tests are about
+// content.
 bool isFrame(uint32_t kind) { return Kind(kind) == Kind::HEADER || Kind(kind) == Kind::END; }
 
 TEST(RoundTrip, EveryKindWithEveryFieldSet) {

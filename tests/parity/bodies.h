@@ -134,7 +134,7 @@ class BulletBodies {
     return {btScalar(q.getX()), btScalar(q.getY()), btScalar(q.getZ()), btScalar(q.getW())};
   }
 
-  // Bullet expects shapes relative to the centre of mass.
+  // Adds a body. Bullet expects its shape relative to the centre of mass.
   void add(const BodySpec& s, const level::DynamicBody* table) {
     btTransform part(turnOf(s), bulletVector(s.position));
     btTransform center = btTransform::getIdentity();

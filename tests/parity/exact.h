@@ -27,8 +27,8 @@ inline void addDirection(std::vector<V3>& known, const V3& n) {
   known.push_back(n);
 }
 
-// A triple of corners is a face if all other corners lie on one side. Two corners that share two
-// faces are joined by an edge.
+// Fills in faces and edges. A triple of corners is a face if all other corners lie on one side. Two
+// corners that share two faces are joined by an edge.
 inline void findFacesAndEdges(Polytope& p) {
   double size = 0;
   for (const V3& a : p.points) size = std::max(size, (a - p.points[0]).norm());

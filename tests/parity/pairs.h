@@ -28,12 +28,12 @@ class PairDice : public geom::test::Dice {
  public:
   using Dice::Dice;
 
-  // Thin, medium and wide extents are equally likely.
+  // Returns random extents. Thin, medium and wide ones are equally likely.
   Vec3 extents(float min, float max) {
     const auto one = [&] { return min * std::pow(max / min, between(0, 1)); };
     return {one(), one(), one()};
   }
-  // Half extents of the body, the head alone, or any box.
+  // Returns half extents of the body, of the head alone, or of any box.
   Vec3 bodyHalf() {
     switch (random().below(4)) {
       case 0: return {1, 0.5f, 0.5f};

@@ -138,8 +138,9 @@ class RayTally {
  private:
   bool isRound() const { return kind_ == ShapeKind::ball || kind_ == ShapeKind::cylinder; }
 
-  // A curved side solves a quadratic in single precision. Its rounding grows with the squared
-  // distance. Small balls seen from far away, and rays that barely touch the side, are less exact.
+  // Returns the rounding of a curved side, which solves a quadratic in single precision. It grows
+  // with the squared distance. Small balls seen from far away, and rays that barely touch the side,
+  // are less exact.
   double rounding(const Ray& ray, const Stretch& exact) const {
     if (!isRound()) return 0;
     const double far = double(dot(ray.from, ray.from));
@@ -170,7 +171,8 @@ class RayParity : public testing::TestWithParam<ShapeKind> {
     if (GetParam() == ShapeKind::cylinder) s.half.y = s.half.z;
     return s;
   }
-  // A ray from up to 20 studs beyond the bounds, towards a point in or just outside the shape.
+  // Returns a ray from up to 20 studs beyond the bounds, towards a point in or just outside the
+  // shape.
   Ray rayAt(Vec3 half) {
     const Vec3 from = dice_.direction() * (length(half) + dice_.between(0.01f, 20));
     const Vec3 at = mul(half, dice_.vec(1.1f));

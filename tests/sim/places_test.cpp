@@ -93,7 +93,7 @@ TEST(Seat, HoldsUntilAJumpAndThenHasACooldown) {
   EXPECT_TRUE(sits(play.world)) << "after the cooldown it takes again";
 }
 
-// A seat that moves forty studs in four seconds, repeatedly.
+// Returns a seat that moves forty studs in four seconds, repeatedly.
 level::Level movingSeat() {
   return LevelBuilder()
       .block({0, 0, 0}, {4, 1, 4},
@@ -177,7 +177,7 @@ TEST(Seat, AFallingSeatCarriesThePlayerUntilItsRemoval) {
   EXPECT_LT(play.world.position.y, left - 1) << "falls on";
 }
 
-// A level with a press that comes down to `lowest` studs above the floor.
+// Returns a level with a press that comes down to `lowest` studs above the floor.
 LevelBuilder pressLevel(schema::Squeeze squeeze, float lowest = 1) {
   return floorLevel().block({0, 12, 0}, {20, 4, 20}, [=](Part::Builder p) {
     p.setSqueeze(squeeze);

@@ -120,7 +120,7 @@ level::Level randomLevel() {
   return *std::move(level);
 }
 
-// Worlds all over the level, each with its own seed.
+// Returns worlds all over the level, each with its own seed.
 std::vector<World> startsIn(const level::Level& level, uint32_t count) {
   Random random(31, count);
   std::vector<World> worlds;

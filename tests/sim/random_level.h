@@ -72,7 +72,7 @@ inline void setFall(schema::Fall::Builder fall, const PartSpec& spec) {
   fall.setSolid(spec.turn.y > 0);
 }
 
-// A part that a touch moves and that kills a player it squeezes.
+// Makes a part move when touched, and kill a player whom it squeezes.
 inline void setTriggered(schema::Part::Builder part, const PartSpec& spec) {
   auto motion = part.initMotion();
   motion.setTrigger(schema::MotionTrigger::TOUCH);

@@ -91,7 +91,7 @@ TEST(Tricks, AHangingLandingSlowsTo0_375OfItsSpeedInAStep) {
   EXPECT_NEAR(play.world.velocity.y, 0.375f * before, 1e-3f);
 }
 
-// A level with a wall of two blocks, the lower one `seam` studs high.
+// Returns a level with a wall of two blocks. The lower one is `seam` studs high.
 level::Level seamedWall(float seam) {
   return LevelBuilder()
       .block({0, -1, 0}, {40, 2, 40})

@@ -51,7 +51,7 @@ LevelBuilder everything() {
   });
   return b;
 }
-// A level with posts that only limbs can touch, walls, and a conveyor faster than any walk.
+// Returns a level with posts that only limbs can touch, walls, and a conveyor faster than any walk.
 level::Level hazards() {
   LevelBuilder b = support::boxArena(40, 11);
   for (int i = 0; i < 49; ++i) {
@@ -67,7 +67,8 @@ level::Level mixed() { return everything().compile(); }
 level::Level touched() { return golden::clocks().compile(); }
 level::Level held() { return golden::places().compile(); }
 
-// Start worlds all over the level, so that some fall out, land on edges or begin inside parts.
+// Returns start worlds all over the level, so that some fall out, land on edges or begin inside
+// parts.
 std::vector<World> startsOver(const level::Level& level, uint32_t count) {
   Random random(3, count);
   std::vector<World> worlds;

@@ -58,7 +58,7 @@ TEST(Cell, DimensionsCountOnlyIfTheProblemNeedsThem) {
   }
 }
 
-// The stepping stones, and a block at x = 50 that moves up and down once in 4 seconds.
+// Returns the stepping stones, and a block at x = 50 that moves up and down once in 4 seconds.
 LevelBuilder stonesAndLift() {
   return steppingStones().block({50, 0, 0}, {4, 1, 4}, [](schema::Part::Builder p) {
     auto motion = p.initMotion();

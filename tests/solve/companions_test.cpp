@@ -27,7 +27,7 @@ LevelBuilder twoStones(bool second) {
   return b;
 }
 
-// A run-up and a jump across the gap of 4 studs, at 30 frames a second.
+// Returns a run-up and a jump across the gap of 4 studs, at 30 frames a second.
 ActionRuns jumpAcross() {
   const sim::Action walk{0, true, false}, jump{0, true, true}, rest{};
   return {{walk, 9}, {jump, 1}, {walk, 16}, {rest, 30}};

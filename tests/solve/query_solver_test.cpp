@@ -9,7 +9,8 @@
 namespace obby::solve {
 namespace {
 
-// The goal is far out of reach. The dynamic parts prevent a proof that it is unreachable.
+// Returns a level and query whose goal is far out of reach. The dynamic parts prevent a proof that
+// it is unreachable.
 io::RecordBuilder hopelessLevel() {
   LevelBuilder b = steppingStones();
   b.block({3, 1, -4}, {1, 1, 1}, [](auto part) { part.setAnchored(false); });

@@ -70,7 +70,7 @@ TEST(ReachBound, HoldsEveryCellOfASearch) {
   }
 }
 
-// Two platforms, `gap` studs apart, the second `rise` studs higher.
+// Returns two platforms, `gap` studs apart, the second `rise` studs higher.
 level::Level platforms(float gap, float rise,
                        std::function<void(schema::Part::Builder)> more = {}) {
   LevelBuilder b;

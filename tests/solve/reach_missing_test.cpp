@@ -17,7 +17,8 @@ Missing missingAt(const support::Build& build, float studs) {
   return ReachBound(problem, true).missing(problem.query.goal);
 }
 
-// `easy` is a step, in studs, that is certainly solvable.
+// Tests that a designer can act on the distance. `easy` is a step, in studs, that is certainly
+// solvable.
 void expectToActOn(float easy, const support::Build& build) {
   const Missing m = missingAt(build, 20);
   EXPECT_FALSE(m.more);

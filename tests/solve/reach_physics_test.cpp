@@ -12,7 +12,7 @@ namespace {
 
 using Physics = std::function<void(schema::PhysicsParams::Builder)>;
 
-// A floor that `more` sets up, and a slope too far above it to stand on.
+// Returns a floor that `more` sets up, and a slope that is too far above it to stand on.
 level::Level underASlope(const Physics& physics, const LevelBuilder::PartSetter& more = {}) {
   LevelBuilder b;
   b.block({0, -0.5f, 0}, {8, 1, 8}, more).spawn({0, 0, 0});

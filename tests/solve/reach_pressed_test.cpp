@@ -29,8 +29,8 @@ float highestHeld(const level::Level& level, bool mayJump, uint32_t ticks,
   return highest;
 }
 
-// A wall of 14 studs, and a taller block that slides at it and past its face by `beyond`. The start
-// is next to them.
+// Returns a wall 14 studs tall, and a taller block that slides towards it and past its face by
+// `beyond`. The start is next to them.
 LevelBuilder press(float beyond) {
   LevelBuilder b;
   b.block({0, -0.5f, 0}, {60, 1, 120}).spawn({20, 0, 0});

@@ -27,7 +27,7 @@ struct ResidentScene {
   uint32_t replayed = 1;    // the test replays one cell in this many
 };
 
-// Levels whose cells differ in many ways: moving parts, jumps, waypoints, dynamic bodies.
+// Returns levels whose cells differ in many ways: moving parts, jumps, waypoints, dynamic bodies.
 inline std::vector<std::pair<const char*, std::unique_ptr<ResidentScene>>> residentScenes() {
   std::vector<std::pair<const char*, std::unique_ptr<ResidentScene>>> all;
   all.emplace_back("stones", std::make_unique<ResidentScene>(steppingStones()));

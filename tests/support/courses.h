@@ -57,7 +57,7 @@ inline void addRules(Levels& all) {
   }
 }
 
-// A course with parts of every kind.
+// Returns a course with parts of every kind.
 inline Levels everyKind() {
   std::vector<level::Level> levels;
   for (const auto& build :
@@ -70,7 +70,7 @@ inline Levels everyKind() {
   return Levels(std::move(levels), 107);
 }
 
-// A course of box arenas with `boxes` boxes each.
+// Returns a course of box arenas with `boxes` boxes each.
 inline Levels arenas(uint32_t count, uint32_t boxes, uint32_t timeLimitTicks) {
   std::vector<level::Level> levels;
   for (uint32_t i = 0; i < count; ++i) levels.push_back(boxArena(boxes, i + 1).compile());

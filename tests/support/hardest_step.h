@@ -33,7 +33,7 @@ inline Scene platforms(float gap, float rise) {
   return s;
 }
 
-// The region above this floor that only the head of a standing player reaches.
+// Returns the region above this floor that only the head of a standing player reaches.
 inline Box overhead(Box floor) {
   return {floor.lo + Vec3{0, 4.9f, 0}, {floor.hi.x, floor.lo.y + 8, floor.hi.z}};
 }

@@ -190,7 +190,7 @@ void contents(std::string& out, const Values& values) {
   append(out, 0);
 }
 
-// Kinds that a Document does not keep can have any bytes of the right length.
+// Returns sample bytes. Kinds that a Document does not keep can have any bytes of the right length.
 std::string sampleBytes(FileKind kind) {
   std::string out;
   switch (kind) {

@@ -23,8 +23,8 @@ class PlaceWriter {
   // Sets `property`, spelled as in files: "size", "Color3uint8", "shape".
   PlaceWriter& set(Id id, std::string property, FileValue value);
   PlaceWriter& tag(Id id, std::string tag);
-  // Kinds: bool, int64_t (written as 32 bits), double, std::string, EnumItem, Vec3, CFrame,
-  // ColorRgb, UDim.
+  // Sets an attribute of one of these types: bool, int64_t (written as 32 bits), double,
+  // std::string, EnumItem, Vec3, CFrame, ColorRgb, UDim.
   PlaceWriter& attribute(Id id, std::string name, Value value);
 
   std::string binary(Packing packing = Packing::Zstd) const;

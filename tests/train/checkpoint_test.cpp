@@ -60,7 +60,7 @@ TEST_P(Resuming, FromACheckpointHasTheSameBits) {
   }
 }
 
-// If the source stops or fails during an iteration, that iteration is kept.
+// Expects that an iteration is kept if the source stops or fails during it.
 void resumeWithMissingLevels(bool bodies, bool fails) {
   ThreadPool pool(1);
   const Gaps gaps(bodies);

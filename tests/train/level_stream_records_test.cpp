@@ -11,7 +11,7 @@ size_t bytesOf(const std::string& line) {
   return (*record)->reader().totalSize().wordCount * sizeof(capnp::word);
 }
 
-// A level with many parts, and queries with different goals.
+// Returns a level with many parts, and queries with different goals.
 std::string largeLevel() {
   std::string parts = R"({"shape":"block","position":[0,-0.5,0],"size":[20,1,40]})";
   for (int i = 0; i < 200; ++i)

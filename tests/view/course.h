@@ -47,7 +47,7 @@ inline io::Record recordOf(const std::string& line) {
   return **record;
 }
 
-// A trajectory of `ticks` ticks in one direction, with the simulator's outcome.
+// Returns a trajectory of `ticks` ticks in one direction, with the simulator's outcome.
 inline io::RecordBuilder walk(uint16_t heading, uint32_t ticks, bool jump = false) {
   const io::Record levelRecord = recordOf(kLevel), queryRecord = recordOf(kQuery);
   auto level = level::Level::compile(levelRecord.reader().getLevel());
@@ -113,7 +113,7 @@ inline std::vector<view::Track> tracksOf(const view::LevelEntry& entry, uint32_t
   return tracks;
 }
 
-// The course with a solution, a fall and a death.
+// Returns the course with a solution, a fall and a death.
 inline view::Report solvedReport() {
   auto ahead = walk(kAhead, 200), left = walk(kLeft, 300), right = walk(kRight, 300, true);
   const uint32_t ticks = ahead.reader().getTrajectory().getTicks();

@@ -18,7 +18,7 @@ LevelEntry floorLevel() {
   return {io::Record(std::move(record)), std::make_shared<const level::Level>(b.compile())};
 }
 
-// A trajectory that walks along -Z for a second, with a jump halfway.
+// Returns a trajectory that walks along -Z for a second, with a jump halfway.
 io::RecordBuilder walk(uint32_t rate) {
   io::RecordBuilder record;
   auto t = record.root().initTrajectory();
