@@ -94,7 +94,7 @@ inline LevelBuilder envsOf(schema::Shape shape) {
   return envs(40, [=](Part::Builder p, int) { p.setShape(shape); });
 }
 
-// Returns hulls in the form of octahedra, with eight faces and six corners.
+// Returns a level of hulls in the form of octahedra, with eight faces and six corners.
 inline LevelBuilder hulls() {
   return envs(30, [](Part::Builder p, int i) {
     p.setShape(schema::Shape::HULL);
@@ -105,8 +105,8 @@ inline LevelBuilder hulls() {
   });
 }
 
-// Returns beams that spin about a vertical or a horizontal axis, through a pivot away from their
-// centre.
+// Returns a level with beams that spin about a vertical or a horizontal axis, through a pivot away
+// from their centre.
 inline LevelBuilder spinners() {
   LevelBuilder b = floorWith({});
   for (int i = 0; i < 9; ++i) {
@@ -121,7 +121,7 @@ inline LevelBuilder spinners() {
   return b;
 }
 
-// Returns parts of extreme sizes: a plain, a sheet, a needle, a hill.
+// Returns a level with parts of extreme sizes: a plain, a sheet, a needle, a hill.
 inline LevelBuilder extremes() {
   return LevelBuilder()
       .block({0, -1000, 0}, {2048, 2000, 2048})
@@ -173,8 +173,8 @@ inline LevelBuilder vanishing() {
   });
 }
 
-// Returns boosts that change gravity, some of them for ever, and parts that only the root can
-// touch.
+// Returns a level with boosts that change gravity, some of them for ever, and parts that only the
+// root can touch.
 inline LevelBuilder weights() {
   return envs(40, [](Part::Builder p, int i) {
     if (i % 4 == 3) {
@@ -192,7 +192,7 @@ inline LevelBuilder weights() {
   });
 }
 
-// Returns two air jumps, among trusses, seats and pads.
+// Returns a level with two air jumps, trusses, seats and pads.
 inline LevelBuilder airJumps() {
   return envs(40,
               [](Part::Builder p, int i) {
@@ -211,7 +211,8 @@ inline LevelBuilder killers() {
   });
 }
 
-// Returns trusses at random places: upright, turned, tilted, hanging, moving, vanishing.
+// Returns a level with trusses at random places: upright, turned, tilted, hanging, moving,
+// vanishing.
 inline LevelBuilder trusses() {
   LevelBuilder b = floorWith({});
   Random random(12, 0);
@@ -236,8 +237,8 @@ inline LevelBuilder trusses() {
   return b;
 }
 
-// Returns everything that a touch can start: doors opened by four buttons, falls, motions, boosts,
-// trips.
+// Returns a level with everything that a touch can start: doors opened by four buttons, falls,
+// motions, boosts, trips.
 inline LevelBuilder clocks() {
   LevelBuilder b = envs(48, [](Part::Builder p, int i) {
     const std::string signal = "signal " + std::to_string(i % 4);
@@ -278,7 +279,7 @@ inline LevelBuilder clocks() {
   return b;
 }
 
-// Returns teleporters, seats, one-way parts, healing parts, and presses above them.
+// Returns a level with teleporters, seats, one-way parts, healing parts, and presses above them.
 inline LevelBuilder places() {
   LevelBuilder b = envs(40, [](Part::Builder p, int i) {
     switch (i % 5) {
