@@ -168,7 +168,8 @@ TEST(PackedHulls, CountsThatDisagreeAreErrors) {
   const std::string content = unpacked({kTetrahedron}, {fan(kTetrahedron)});
   ASSERT_TRUE(decodePackedHulls(content));
   for (size_t field = 0; field < 9; ++field) {
-    const bool isOnlyAHint = field == 3 || field == 4;  // only the largest counts of one hull
+    const bool isOnlyAHint =
+        field == 3 || field == 4;  // these fields are the largest counts of any hull
     for (const char value : {'\0', '\x7f', '\xff'}) {
       std::string bad = content;
       bad.replace(4 * field, 4, 4, value);

@@ -26,7 +26,7 @@ TEST_P(MethodTest, VisitsInAnyOrderWithinTheJumps) {
 
 INSTANTIATE_TEST_SUITE_P(Rows, MethodTest, testing::ValuesIn(methods()), nameOf);
 
-// Each ablation changes the search, and still solves.
+// Each ablation changes the search but still solves easy queries.
 TEST(Ablations, SolveAndDifferFromAutoAndFromEachOther) {
   const level::Level stones = steppingStones().compile();
   Question easy(stones);

@@ -196,7 +196,7 @@ TEST(MctsSelector, EqualRewardsAreSharedEqually) {
   EXPECT_GT(counts[0], 150);
 }
 
-// At 16 studs/s and 60 ticks/s.
+// The player walks at 16 studs/s, and a second has 60 ticks.
 TEST(BeamSelector, TicksLeftAssumeAStraightWalkThroughTheWaypoints) {
   Scene s;
   EXPECT_FLOAT_EQ(BeamSelector(s.question.problem()).ticksLeft(at({0, 0, -12})), 12 * 60 / 16.0f);
