@@ -1,4 +1,4 @@
-// The number of threads that the process may use: Slurm's value, or else the CPU affinity.
+// The number of threads that the process may use: Slurm's value or, without it, the CPU affinity.
 #include <gtest/gtest.h>
 #include <sched.h>
 
@@ -11,7 +11,7 @@
 namespace obby {
 namespace {
 
-// Sets SLURM_CPUS_PER_TASK for a test and restores it afterwards.
+// Sets SLURM_CPUS_PER_TASK for one test and restores it afterwards.
 class SlurmVariable {
  public:
   explicit SlurmVariable(const char* value) {

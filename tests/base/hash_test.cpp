@@ -1,4 +1,4 @@
-// Digests are the published XXH3 ones: a hash computed on one machine holds on every other.
+// Digests equal the published ones of XXH3, so a hash from one machine is valid on every other.
 #include "base/hash.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
-// Counter-based random numbers are uniform, pure functions of (seed, stream, index). They are the
-// same on every machine.
+// Counter-based random numbers are uniform, pure functions of (seed, stream, index), the same on
+// every machine.
 #include "base/random.h"
 
 #include <gtest/gtest.h>
@@ -41,7 +41,7 @@ TEST(Random, EveryBitOfSeedAndStreamMatters) {
 
 TEST(Random, ACopyForksTheSequence) {
   Random a(3, 4);
-  for (int i = 0; i < 5; ++i) a.next();  // in the middle of a block
+  for (int i = 0; i < 5; ++i) a.next();  // stops in the middle of a block
   EXPECT_EQ(draw(a, 20), draw(Random(a), 20));
 }
 
@@ -55,7 +55,7 @@ TEST(Random, BelowStaysInRangeAndIsUniform) {
   for (int i = 0; i < kDraws; ++i) ++bins[random.below(12)];
   double chi2 = 0;
   for (const int n : bins) chi2 += (n - 10000.0) * (n - 10000.0) / 10000.0;
-  EXPECT_LT(chi2, 31.3);  // 99.9 % quantile for 11 degrees of freedom; the draws are fixed
+  EXPECT_LT(chi2, 31.3);  // the 99.9 % quantile for 11 degrees of freedom; the draws are fixed
 }
 
 TEST(Random, UnitIsIn0To1AndUniform) {
@@ -66,7 +66,7 @@ TEST(Random, UnitIsIn0To1AndUniform) {
     const float u = random.unit();
     ASSERT_GE(u, 0.0f);
     ASSERT_LT(u, 1.0f);
-    ASSERT_EQ(u * 0x1p24f, float(uint32_t(u * 0x1p24f)));  // a whole number of 2^-24
+    ASSERT_EQ(u * 0x1p24f, float(uint32_t(u * 0x1p24f)));  // a multiple of 2^-24
     sum += double(u);
     sum2 += double(u) * double(u);
   }

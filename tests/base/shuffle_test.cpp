@@ -32,7 +32,7 @@ TEST(Shuffle, DiffersForAnotherStreamOrSeed) {
   EXPECT_LT(likeC, 10);
 }
 
-// The first part of a shuffle spreads evenly over all indices, and neighbours do not stay close.
+// The first part of a shuffle covers all indices evenly, and neighbours move apart.
 TEST(Shuffle, HasNoVisibleStructure) {
   constexpr uint32_t kCount = 65'536, kPart = 4096, kBins = 16;
   double worst = 0;
@@ -48,7 +48,7 @@ TEST(Shuffle, HasNoVisibleStructure) {
     for (const int n : bins) worst = std::max(worst, std::abs(n - double(kPart) / kBins));
   }
   EXPECT_LT(worst, 80) << "five deviations of 15.5";
-  // By chance 32 in 65,536 of the 20 x 4096 pairs are this close: 40.
+  // A pair is this close with probability 32 / 65,536. Among 20 x 4096 pairs, 40 are expected.
   EXPECT_LT(close, 80);
   EXPECT_GT(close, 10);
 }

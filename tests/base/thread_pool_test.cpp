@@ -1,4 +1,4 @@
-// The thread pool runs each task once, for any number of threads and tasks, run after run. Also
+// The thread pool runs each task once, for any number of threads and tasks, and can run again. Also
 // tests tasks that throw, and a system that refuses threads.
 #include "base/thread_pool.h"
 
@@ -118,7 +118,7 @@ TEST(ThreadPool, RunThrowsOnlyAfterAllTasksHaveEnded) {
   EXPECT_LT(begun, 1000);
 }
 
-// Makes every new thread fail, by a default stack size that no machine can map.
+// Makes every new thread fail: the default stack size is larger than any machine can map.
 class NoMoreThreads {
  public:
   NoMoreThreads() {

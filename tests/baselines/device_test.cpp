@@ -1,5 +1,5 @@
-// Methods that learn while they search give the same bytes on the CPU and on a device, even if it
-// fails midway. Tests networks forward and backward, observations, and whole searches.
+// Methods that learn while they search give the same bytes on the CPU and on a device, even if the
+// device fails midway. Tests networks forward and backward, observations, and whole searches.
 #include <gtest/gtest.h>
 
 #include "baselines/cflge.h"
@@ -18,14 +18,15 @@ std::vector<float> drawn(size_t count, Random& random) {
   return v;
 }
 
-// A network, what goes through it, and the gradients that are to go back.
+// A network with its inputs and output gradients.
 struct Rows {
   explicit Rows(size_t count) : rows(count), random(5, count), net({16, 64, 32, 48}) {
     net.parameters() = drawn(net.parameters().size(), random);
     inputs = drawn(rows * 16, random);
     gradient = drawn(rows * 48, random);
   }
-  // The outputs, the gradients of the parameters and of the inputs, one after the other.
+  // Returns the outputs, the gradients of the parameters, and the gradients of the inputs, in this
+  // order.
   std::vector<float> through(NetPass& pass) const {
     const float* const out = pass.forward(net, inputs.data(), rows);
     std::vector<float> result(out, out + rows * 48);
@@ -55,9 +56,9 @@ TEST(NetPass, EqualsTheCpuBitForBitOnADevice) {
   DeviceWork work = workOn(device, problem);
   NetPass here, there(&work);
   Rows none(0), one(1), many(64), some(7);
-  for (Rows* r : {&none, &one, &many, &some}) {  // later ones reuse the memory
+  for (Rows* r : {&none, &one, &many, &some}) {  // later networks reuse the memory
     EXPECT_TRUE(r->through(there) == r->through(here)) << r->rows;
-    r->net.parameters()[3] += 1;  // the device is told
+    r->net.parameters()[3] += 1;  // the change must reach the device
     EXPECT_TRUE(r->through(there) == r->through(here)) << r->rows;
   }
   EXPECT_TRUE(work.works());
@@ -67,7 +68,7 @@ TEST(NetPass, ContinuesOnTheCpuIfTheDeviceFails) {
   const level::Level level = steppingStones().compile();
   const Problem problem = support::endlessProblem(level);
   ThreadPool pool(2);
-  for (int launches = 0; launches <= 15; ++launches) {  // three forward, twelve back
+  for (int launches = 0; launches <= 15; ++launches) {  // three launches go forward, twelve back
     support::FailingDevice device(pool, launches);
     DeviceWork work = workOn(device, problem);
     NetPass here, there(&work);
@@ -115,15 +116,15 @@ void expectTheSameOnADevice(const Problem& problem, int rounds, const char* name
 TEST(LearnedDevice, SearchesAreTheSameCellByCell) {
   for (const auto& [name, scene] : residentScenes()) {
     const Problem problem = scene->question.problem();
-    const int rounds = problem.level.bodyCount != 0 ? 3 : 6;  // dynamic bodies are slow
+    const int rounds = problem.level.bodyCount != 0 ? 3 : 6;  // dynamic bodies make searches slow
     expectTheSameOnADevice<Pbge, PbgeSettings>(problem, rounds, name);
     expectTheSameOnADevice<Cflge, CflgeSettings>(problem, rounds, name);
   }
 }
 
-// The failures hit the observation, a layer, two of a decision's ticks, the learning, and later
-// rounds. Playing takes 228 launches a round in PBGE and 160 in CFLGE. CFLGE takes hundreds more to
-// learn from the first round on.
+// Expects the same search wherever the device fails: in the observation, a layer, two ticks of a
+// decision, the learning, and later rounds. A round of play takes 228 launches in PBGE and 160 in
+// CFLGE. CFLGE takes hundreds more to learn from the first round on.
 template <class S, class Settings>
 void expectTheSameWhereverItFails() {
   constexpr int kRounds = 6;

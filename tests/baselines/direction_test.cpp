@@ -1,5 +1,5 @@
-// The direction of learning within a search. Better moves become likelier, and sparse places become
-// goals. Moves that come to a goal are preferred, and death is feared.
+// Learning within a search goes in the right direction: better moves become likelier, sparse places
+// become goals, moves that reach a goal are preferred, and deaths are avoided.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -64,8 +64,8 @@ TEST(GoalPolicy, MakesBetterMovesLikelier) {
   }
 }
 
-// A flatter choice comes from another policy than the network's own. With the network's probability
-// the ratio would be clipped, and nothing learned.
+// Choices are made with flatter probabilities than the network's own. Compared with the network's
+// own probability, the ratio would be clipped and nothing learned.
 TEST(GoalPolicy, LearnsWithTheSharpnessOfTheChoice) {
   constexpr float kSharpness = 0.25f;
   ThreadPool pool(1);
@@ -89,7 +89,8 @@ TEST(GoalPolicy, LearnsWithTheSharpnessOfTheChoice) {
   EXPECT_GT(place.chances(pupil)[4], own[4]);
 }
 
-// Nine of ten places lie in one corner, the others far from everything. The last one is in the air.
+// Nine of ten places lie in one corner, and the others are far apart. In the last place the player
+// is in the air.
 TEST(GoalPool, DrawsSparsePlacesWithAStandingPlayer) {
   constexpr uint32_t kPlaces = 1000;
   Random random(11, 11);
@@ -119,10 +120,11 @@ TEST(GoalPool, DrawsSparsePlacesWithAStandingPlayer) {
     ASSERT_LE(index, kPlaces);
     sparse += index % 10 == 0 ? 1 : 0;
   }
-  EXPECT_NEAR(sparse / double(kDraws), 0.397, 0.03);  // the first 100 ranks of 1,000
+  EXPECT_NEAR(sparse / double(kDraws), 0.397,
+              0.03);  // the share for the 100 sparsest of 1,000 places
 }
 
-// Trajectories of one decision each, all from one place toward a goal.
+// Trajectories of one decision each. All start at one place and have the same goal.
 struct OneDecision {
   static constexpr float kGoal = 40;
 

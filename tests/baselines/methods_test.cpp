@@ -1,5 +1,5 @@
-// The methods that learn keep what every method keeps. They take minutes for harder queries:
-// search_test.cpp gives them smaller ones.
+// Methods that learn pass the tests of every method. They take minutes for the harder queries, so
+// search_test.cpp tests them with smaller ones.
 #include "baselines/methods.h"
 
 #include "solve/method_suite.h"

@@ -1,4 +1,4 @@
-// The parts of learning within a search: sub-goals, the latent space, and training examples.
+// Parts of learning within a search: sub-goals, the latent space and training examples.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -26,12 +26,13 @@ TEST(SoftWindow, PassesSubgoalsInOrderOrAheadWithinIt) {
   const auto at = [](size_t place) { return [place](size_t i) { return i == place; }; };
   EXPECT_TRUE(passSubgoals(next, 30, at(0)));
   EXPECT_EQ(next, 1u);
-  EXPECT_TRUE(passSubgoals(next, 30, at(kWindow)));  // the last of the window
+  EXPECT_TRUE(passSubgoals(next, 30, at(kWindow)));  // the last one in the window
   EXPECT_EQ(next, kWindow + 1);
   EXPECT_FALSE(passSubgoals(next, 30, at(next + kWindow)));  // the first beyond
   EXPECT_FALSE(passSubgoals(next, 30, at(next - 1)));        // already passed
   EXPECT_EQ(next, kWindow + 1);
-  EXPECT_TRUE(passSubgoals(next, 14, [](size_t) { return true; }));  // the farthest of several
+  EXPECT_TRUE(
+      passSubgoals(next, 14, [](size_t) { return true; }));  // passes the farthest of several
   EXPECT_EQ(next, 14u);
   EXPECT_FALSE(passSubgoals(next, 14, [](size_t) { return true; }));
 }
@@ -87,7 +88,8 @@ TEST(Neighbours, DistancesEqualThoseOfASort) {
   }
 }
 
-// Only standing states, with weight 1 / (1 + actions / 2); the start always counts.
+// Only cells in which the player stands count, with weight 1 / (1 + actions / 2). The start always
+// counts.
 TEST(CellChoice, WeighsCellsByTheirActionCounts) {
   CellChoice choice;
   for (int n = 0; n < 6; ++n) choice.act(1);
@@ -98,7 +100,7 @@ TEST(CellChoice, WeighsCellsByTheirActionCounts) {
   EXPECT_NEAR(counts[0] / 50'000.0, 0.8, 0.01);  // 1 against 1/4
 }
 
-// Returns how far learning moves a policy, from rows of confident decisions at one place.
+// Returns how far the policy's parameters move when it learns from decisions of `maker`.
 float movedBy(Maker maker) {
   GoalPolicy policy({}, 1);
   const std::vector<float> before = policy.net().parameters();
@@ -124,7 +126,8 @@ TEST(GoalPolicy, LearnsFromReturnsAndKeptTrajectoriesButNotFromExploring) {
   EXPECT_GT(movedBy(Maker::kept), 1e-4f);
 }
 
-// Two visits in opposite arms: having made the one is far from having made the other.
+// The two visits can be made in either order. Places are far apart if different visits have been
+// made.
 TEST(InverseDynamics, DistinguishesTheVisitsMade) {
   const level::Level level = steppingStones().compile();
   const Problem problem = support::endlessProblem(level);

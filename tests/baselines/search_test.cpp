@@ -1,5 +1,5 @@
-// The methods `pbge` and `cflge` as searches. Kept trajectories replay, they learn, and only the
-// problem and the seed decide their results.
+// Searches with the methods `pbge` and `cflge`: kept trajectories replay, the methods learn, and
+// results depend only on the problem and the seed.
 #include <gtest/gtest.h>
 
 #include "baselines/cflge.h"
@@ -10,7 +10,7 @@
 namespace obby::baselines {
 namespace {
 
-// A corridor six studs wide and 124 long, in empty space. The goal is out of reach.
+// Returns a corridor six studs wide and 124 long, in empty space. The goal is out of reach.
 level::Level learnedSearchCorridor() {
   LevelBuilder b;
   b.block({0, -0.5f, -60}, {6, 1, 124});
@@ -19,7 +19,7 @@ level::Level learnedSearchCorridor() {
   return b.compile();
 }
 
-// The share of successful returns in the rounds from `first` to `last`.
+// Returns the share of successful returns in the rounds from `first` to `last`.
 template <class S>
 double returnRate(S& search, int first, int last) {
   for (int r = 0; r < first; ++r) search.round();
@@ -80,7 +80,7 @@ TEST(Cflge, KeepsTrajectoriesThatReplayAndCountsItsWork) {
   expectTruthfulStatistics(search, 50);
 }
 
-// A place that players only fly through cannot be a goal.
+// The player cannot stand in cells that are only reached in flight, so they cannot be goals.
 TEST(LearnedSearches, KeepCellsInWhichThePlayerStands) {
   const level::Level stones = steppingStones().compile();
   Question question(stones);
@@ -92,7 +92,7 @@ TEST(LearnedSearches, KeepCellsInWhichThePlayerStands) {
     EXPECT_TRUE(grounded(search.archive().world(c))) << c;
 }
 
-// Forgetting changes only the memory: everything that is still needed stays.
+// Expects that forgetting frees memory without changing anything that is still needed.
 template <class S, class Settings>
 void expectForgettingToShowNowhere(const Problem& problem) {
   ThreadPool pool(2);
@@ -116,7 +116,7 @@ TEST(LearnedSearches, ForgetUnusedTrajectories) {
   expectForgettingToShowNowhere<Cflge, CflgeSettings>(problem);
 }
 
-// Its play depends only on its start, its seed and its memory.
+// The play depends only on its start, its seed and its memory.
 TEST(Cflge, RemembersThePlacesOfAnEarlierAnswer) {
   const level::Level level = learnedSearchCorridor();
   Problem problem = support::endlessProblem(level);
@@ -163,7 +163,7 @@ TEST(Cflge, LearnsTheModuleAndToReturn) {
   EXPECT_GT(with, 0.6);
   float farthest = 0;
   for (const Vec3 place : search.places(0)) farthest = std::max(farthest, -place.z);
-  EXPECT_GT(farthest, 60);  // twice as far as players get by chance
+  EXPECT_GT(farthest, 60);  // twice as far as players get at random
 }
 
 template <class S, class Settings>
@@ -176,7 +176,7 @@ std::vector<Vec3> placesOf(const Problem& problem, int threads, int rounds) {
   return places;
 }
 
-// The rounds suffice to learn, so that the weights decide the play.
+// There are enough rounds to learn, so the learned weights decide the play.
 TEST(LearnedSearches, AreTheSameOnAnyNumberOfThreads) {
   const level::Level level = learnedSearchCorridor();
   const Problem problem = support::endlessProblem(level);
@@ -253,7 +253,7 @@ std::vector<Vec3> placesUnder(const Settings& settings, int rounds) {
   return search.places(0);
 }
 
-// If leaving out a part changes the result, it had an effect.
+// A part has an effect if leaving it out changes the result.
 TEST(Pbge, EachOfItsPartsHasAnEffect) {
   const auto under = [](auto&& change) {
     PbgeSettings settings;

@@ -1,4 +1,5 @@
-// The alternative observations show parts where they are, whatever the level's order of parts.
+// The alternative observations show parts at their places, whatever the order of parts in the
+// level.
 #include "views/other_views.h"
 
 #include <gtest/gtest.h>
@@ -17,12 +18,12 @@ namespace {
 using policy::kDanger, policy::kFloor;
 using support::LevelBuilder, support::Onlooker;
 
-constexpr int kLevelRay = 3;  // index of the horizontal elevation
+constexpr int kLevelRay = 3;  // index of the horizontal ray
 constexpr int kNow = 0, kSoon = 1, kAhead = 0, kLeft = 3, kBehind = 6;
 
 float closeness(float distance) { return 1 - distance / kRayReach; }
 
-// The inputs of the ray observation.
+// The inputs of the observation `rays`.
 struct Ray {
   std::vector<float> inputs;
   float operator()(int moment, policy::Kind kind, int ray) const {
@@ -90,7 +91,7 @@ TEST(Rays, ShowDangersAsWideAsInTheMapsExceptBehindFloors) {
   EXPECT_NEAR(ray(kNow, kFloor, rayAt(kLevelRay, kAhead)), closeness(6), 1e-5f);
 }
 
-// A wall whose face is 7.5 studs away and approaches by four studs a second.
+// Returns a wall whose face is 7.5 studs away and approaches at four studs/s.
 LevelBuilder coming(bool isDanger) {
   LevelBuilder b = start();
   b.block({0, 3, -8}, {4, 6, 1}, [=](schema::Part::Builder p) {
@@ -113,7 +114,7 @@ TEST(Rays, IncludeTheChangeFromMovingParts) {
   EXPECT_NEAR(danger(kSoon, kDanger, ahead), 4 * 0.4f / kRayReach, 5e-3f);
 }
 
-// A part of this shape at a random place near the eye, turned at random.
+// Returns a part of this shape near the eye, with random place and rotation.
 LevelBuilder somewhere(schema::Shape shape, Random& random) {
   const auto uniform = [&random](float lo, float hi) { return lo + (hi - lo) * random.unit(); };
   const Vec3 center{uniform(-6, 6), uniform(-4, 7), uniform(-6, 6)};
@@ -127,7 +128,7 @@ LevelBuilder somewhere(schema::Shape shape, Random& random) {
   return b;
 }
 
-// The closeness that ray() returns, computed from the simulator's shapes.
+// Returns the closeness that ray() should have, computed from the simulator's shapes.
 float castRay(const level::Collider& c, int elevation, int direction) {
   const Vec3 eye{0, kEyeHeight, 0}, flat = policy::rosetteDirection(0, direction);
   const float up = kRayDegrees[elevation] * kPi / 180;
@@ -139,7 +140,7 @@ float castRay(const level::Collider& c, int elevation, int direction) {
   return met ? closeness(hit.t) : 0;
 }
 
-// Rays that graze an edge may differ.
+// Rays that graze an edge may give different results.
 TEST(Rays, MeetShapesLikeTheSimulatorsRays) {
   Random random(11, 0);
   for (const auto shape :
@@ -150,7 +151,7 @@ TEST(Rays, MeetShapesLikeTheSimulatorsRays) {
       const Ray ray{Onlooker(level).inputs(rays)};
       for (int r = 1; r < kRays; ++r) {
         const float seen = ray(kNow, kFloor, r);
-        if (seen == 1) continue;  // the eye is within
+        if (seen == 1) continue;  // the eye is inside the part
         const int elevation = (r - 1) / policy::kDirections;
         const float expected =
             castRay(level.view().colliders[0], elevation, (r - 1) % policy::kDirections);
@@ -167,7 +168,7 @@ float told(float studs, float half) { return policy::squashed(studs, half); }
 
 TEST(NearestParts, AreListedInThePlayersFrameNearestFirst) {
   LevelBuilder b;
-  b.block({0, 2.5f, -9}, {4, 4, 2}, kills);  // ahead, its face 8 studs away
+  b.block({0, 2.5f, -9}, {4, 4, 2}, kills);  // ahead; the near face is 8 studs away
   b.block({6, 4.5f, 0}, {2, 2, 2});          // to the right and up, 5.1 studs away
   b.block({0, -0.5f, 0}, {8, 1, 8});         // 2.5 studs below the body's middle
   const List list = listOf(b);
@@ -198,7 +199,7 @@ TEST(NearestParts, IncludeTheirFutureMotion) {
   EXPECT_EQ(list(0, kPartMoved, 0), 0);
 }
 
-// Two tiles of one size take turns: when one vanishes, the other appears.
+// Two tiles of the same size take turns: when one vanishes, the other appears.
 TEST(NearestParts, TellVanishingPartsFromAppearingOnes) {
   LevelBuilder b = start();
   for (const bool comes : {false, true}) {
@@ -217,7 +218,7 @@ TEST(NearestParts, TellVanishingPartsFromAppearingOnes) {
   for (int i = 0; i < 3; ++i) EXPECT_EQ(list(i, kPartMoved, 0), 0) << i;
 }
 
-// A level of random parts, in the order of their numbers or in reverse.
+// Returns a level of random parts, in the order of their numbers or in reverse.
 level::Level scattered(int parts, bool backwards) {
   LevelBuilder b;
   for (int i = 0; i < parts; ++i) {
@@ -236,7 +237,7 @@ level::Level scattered(int parts, bool backwards) {
   return b.compile();
 }
 
-// Some parts contain the eye, so that they are equally near.
+// Several parts contain the eye, so they are equally near.
 TEST(OtherViews, DoNotDependOnTheOrderOfParts) {
   const level::Level one = scattered(40, false), two = scattered(40, true);
   for (const policy::Observe how : {rays, nearestParts, partSet})
@@ -269,7 +270,7 @@ TEST(NearestParts, AreSorted) {
   EXPECT_GT(before, 0);
 }
 
-// Inputs outside the maps stay the policy's own, and the view of an empty neighbourhood is zero.
+// Inputs outside the maps stay the policy's own. Without parts nearby, the view is zero.
 TEST(OtherViews, KeepThePolicysOtherInputs) {
   LevelBuilder far;
   far.block({200, -0.5f, 0}, {3, 1, 3});

@@ -1,4 +1,4 @@
-// The runs that a call of bench_solve makes, and its estimate of a query's effort.
+// The runs that a call of bench_solve plans, and its estimate of a query's effort.
 #include "suite/plan.h"
 
 #include <gtest/gtest.h>
@@ -27,7 +27,7 @@ constexpr const char* kQueries =
     R"({"type":"query","id":"up","goal":{"position":[0,503,0],"size":[2,6,2]}})"
     "\n";
 
-// A folder with a suite of one level.
+// A folder that contains a suite of one level.
 class SuiteFolder : public ::testing::Test {
  protected:
   void SetUp() override {
@@ -55,12 +55,13 @@ class SuiteFolder : public ::testing::Test {
 
 TEST_F(SuiteFolder, EffortSumsDistanceHazardsTargetsAndLimits) {
   const std::vector<SuiteQuery> suite = plan().suite;
-  // The goal's near edge is 43 studs away, in jumps of 8.6. One of the two kill parts is near the
-  // line.
+  // The near edge of the goal is 43 studs away, and a jump covers 8.6. One of the two kill parts is
+  // near the straight line.
   EXPECT_NEAR(suite[0].effort, 5 + 0.5, 1e-4);
   // This query adds a waypoint, a limit and a region to avoid.
   EXPECT_NEAR(suite[1].effort, 5 + 0.5 + 2 + 2 + 1, 1e-4);
-  // A stud upwards counts three times. The column above the start is far from every kill part.
+  // A stud upwards counts three times. The straight line, a column above the start, is far from
+  // every kill part.
   EXPECT_NEAR(suite[2].effort, 500 * 3 / 8.6, 1e-3);
 }
 

@@ -1,4 +1,4 @@
-// The log of bench_solve finds finished runs again, and has cut-off runs repeated.
+// The log of bench_solve finds finished runs again. Runs that were cut off are repeated.
 #include "suite/run_log.h"
 
 #include <gtest/gtest.h>

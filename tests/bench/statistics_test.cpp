@@ -43,7 +43,7 @@ TEST(Statistics, BootstrapIntervalHoldsTheValueAndIsTheSameEveryTime) {
   };
   const Interval first = bootstrap(groups.size(), meanOf),
                  second = bootstrap(groups.size(), meanOf);
-  // The normal interval of a mean of ten is 5.5 -+ 1.96 x 2.87 / sqrt(10).
+  // The normal approximation gives 5.5 -+ 1.96 x 2.87 / sqrt(10) for a mean of ten values.
   EXPECT_NEAR(first.low, 3.72, 0.3);
   EXPECT_NEAR(first.high, 7.28, 0.3);
   EXPECT_EQ(first.low, second.low);

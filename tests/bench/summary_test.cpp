@@ -18,7 +18,8 @@ Run ran(const char* verdict, double seconds) {
   return run;
 }
 
-// Three queries with a solution, two without; auto answers all, ge misses the hardest.
+// Returns results of three queries with a solution and two without. `auto` answers all of them, and
+// `ge` misses the hardest.
 Results example() {
   Results r;
   r.cap = 10;

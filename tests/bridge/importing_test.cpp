@@ -1,4 +1,4 @@
-// The replies if obby-import does not finish a level.
+// The bridge's replies if obby-import does not finish a level.
 #include "bridge/importing.h"
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@
 namespace obby::bridge {
 namespace {
 
-// Returns the refusal if this shell script replaces obby-import.
+// Returns the bridge's refusal if this shell script runs instead of obby-import.
 Reply refusalOf(const std::string& script, const Limits& limits) {
   const test::ScratchFolder folder;
   const std::string program = folder / "obby-import";

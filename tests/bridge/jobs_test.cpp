@@ -1,4 +1,4 @@
-// The jobs that a client can still ask about.
+// Tests which jobs a client can still ask about.
 #include "bridge/jobs.h"
 
 #include <gtest/gtest.h>
@@ -70,8 +70,8 @@ TEST(Jobs, answers_that_another_job_still_needs_are_kept) {
   EXPECT_EQ(forgotten, (std::vector<uint64_t>{second, answer, third, last}));
 }
 
-// Whatever the number of processors, a program has time to write its results before the system ends
-// it. It needs a second until the bridge checks it, and the time from SIGINT to SIGKILL.
+// Whatever the number of processors, a program has time to write its results before the system
+// kills it. This takes a second until the bridge checks it, and the time from SIGINT to SIGKILL.
 TEST(Limits, the_system_ends_a_program_only_after_the_bridge_could) {
   for (const uint64_t seconds : {uint64_t(1), uint64_t(60), uint64_t(3600)}) {
     for (const uint32_t processors : {1u, 2u, 64u, 256u}) {

@@ -50,7 +50,7 @@ TEST(Ring, keeps_the_newest_of_any_length) {
   EXPECT_EQ(ring.after(1)->number, 2u);
 }
 
-// A WebSocket that is slower than the program holds messages like this.
+// While a WebSocket is slower than the program, the ring holds messages for it.
 TEST(Ring, held_messages_stay_within_a_bound_until_taken) {
   Ring ring(1000, 3000);
   const std::string message = "{\"a\":\"" + std::string(80, 'x') + "\"}";
@@ -71,7 +71,7 @@ TEST(Ring, held_messages_stay_within_a_bound_until_taken) {
   EXPECT_EQ(ring.after(74)->number, 75u);
 }
 
-// A carrier that takes all messages when asked loses none, however many arrive at once.
+// The carrier takes all messages when asked, so none is lost, however many arrive at once.
 TEST(Client, asks_its_carrier_before_messages_are_lost) {
   Client client(1, 1000);
   uint64_t had = 0;

@@ -47,7 +47,7 @@ TEST(Order, budget_is_bounded_and_unknown_names_are_errors) {
   EXPECT_EQ(pathOf(parse("\"budget\":{\"seed\":\"1 --output=x\"}")), "budget.seed");
   EXPECT_EQ(pathOf(parse("\"budget\":{\"seed\":\"\"}")), "budget.seed");
   EXPECT_EQ(pathOf(parse("\"budget\":{\"output\":\"/tmp/x\"}")), "budget.\"output\"");
-  EXPECT_TRUE(parse("\"budget\":[]"));  // as Luau writes an empty table
+  EXPECT_TRUE(parse("\"budget\":[]"));  // Luau writes an empty table like this
 }
 
 TEST(Order, queries_are_checked_by_the_schema) {

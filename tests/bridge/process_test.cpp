@@ -1,4 +1,4 @@
-// Started programs, and what remains of them.
+// Programs that the bridge starts, and their descendants.
 #include "bridge/process.h"
 
 #include <gtest/gtest.h>
@@ -58,14 +58,15 @@ TEST(Process, signals_reach_the_whole_group) {
   ASSERT_EQ(read(process->output.get(), &first, 1), 1);
   process->signal(SIGKILL);
   EXPECT_EQ(waitFor(*process).signal, SIGKILL);
-  EXPECT_EQ(readAll(process->output.get()), "eady\n");  // no descendant holds it open
+  EXPECT_EQ(readAll(process->output.get()),
+            "eady\n");  // ends at once, since no descendant holds the pipe open
 }
 
 TEST(Process, descendants_end_with_the_leader) {
   auto process = processShell("sleep 100 & exit 0");
   ASSERT_TRUE(process);
   EXPECT_EQ(waitFor(*process).code, 0);
-  EXPECT_EQ(readAll(process->output.get()), "");  // a survivor would block this
+  EXPECT_EQ(readAll(process->output.get()), "");  // blocks if a descendant survives
 }
 
 TEST(Process, its_processor_time_is_known_until_it_is_reaped) {

@@ -74,7 +74,7 @@ TEST(Request, unpaired_clients_may_only_get_info_and_pair) {
   RequestHead head = honest("GET", "/v1/info");
   head.authorization.reset();
   EXPECT_EQ(check(head), 0);
-  head.authorization = "Bearer wrong";  // a stale token is reported as such
+  head.authorization = "Bearer wrong";  // reported as a stale token
   EXPECT_EQ(check(head), 401);
 }
 

@@ -13,7 +13,7 @@
 namespace obby::bridge {
 namespace {
 
-// Returns why the run failed, an empty text if it did not, or "it hangs" after a minute.
+// Returns the reason why the run failed, or an empty text on success, or "it hangs" after a minute.
 std::string endOf(const std::string& script, Run::OnLine onOutput, Run::OnLine onError) {
   kj::AsyncIoContext async = kj::setupAsyncIo();
   Loop loop{*async.lowLevelProvider, async.unixEventPort, async.provider->getTimer()};

@@ -72,7 +72,8 @@ TEST(Store, reports_on_a_level_are_kept_with_it) {
   EXPECT_EQ((*level)->reports, reports);
   EXPECT_EQ((*level)->queries.size(), 2u);
   EXPECT_EQ((*level)->levels.find("no start"), std::string::npos);
-  ASSERT_TRUE(store->put("b", kLines, {}));  // the store cannot hold both and the reports
+  ASSERT_TRUE(
+      store->put("b", kLines, {}));  // the store is too small for both levels and the reports
   EXPECT_FALSE(store->has("a"));
 }
 

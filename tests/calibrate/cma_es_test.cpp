@@ -34,7 +34,7 @@ Minimum minimise(const std::function<double(const Point&)>& f, size_t dimensions
   return run;
 }
 
-// A bent valley whose floor leads to (0.75, ...).
+// Rosenbrock's function: a bent valley whose floor leads to (0.75, ...).
 double rosenbrock(const Point& p) {
   double sum = 0;
   for (size_t i = 0; i + 1 < p.size(); ++i) {

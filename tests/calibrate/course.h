@@ -34,7 +34,7 @@ inline io::RecordBuilder drawnParams(uint64_t seed, double spread) {
   return out;
 }
 
-// A context for fits that run to the end, without a progress display.
+// A context for fits that run to the end and show no progress.
 struct Undisturbed {
   ThreadPool pool{availableThreads()};
   const std::atomic<bool> stop{false};
@@ -48,8 +48,8 @@ inline std::vector<Manoeuvre> firstManoeuvres(size_t count) {
   return out;
 }
 
-// The time of a fit grows with its recordings, so that each test plays only the manoeuvres it
-// needs.
+// Returns the manoeuvres with these names. A fit takes longer with more recordings, so each test
+// plays only those it needs.
 inline std::vector<Manoeuvre> manoeuvresNamed(const std::vector<std::string>& names) {
   std::vector<Manoeuvre> out;
   for (const Manoeuvre& m : manoeuvres()) {
@@ -58,7 +58,8 @@ inline std::vector<Manoeuvre> manoeuvresNamed(const std::vector<std::string>& na
   return out;
 }
 
-// Recordings under these parameters. The levels of the takes do not state them.
+// Returns recordings of the simulator under these parameters. The levels of the takes do not state
+// the parameters.
 inline std::vector<Take> takesUnder(schema::PhysicsParams::Reader params, float noise = 0,
                                     const std::vector<Manoeuvre>& played = manoeuvres()) {
   io::RecordBuilder plain, hidden;

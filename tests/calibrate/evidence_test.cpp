@@ -1,4 +1,4 @@
-// The certainty of a parameter, from recordings of any frame rate.
+// How certain a parameter is, from recordings of any frame rate.
 #include "calibrate/evidence.h"
 
 #include <gtest/gtest.h>
@@ -8,7 +8,7 @@
 namespace obby::calibrate {
 namespace {
 
-// Noisy recordings far from the box, without the poses of parts.
+// Returns noisy recordings that stay far from the box and have no poses of parts.
 std::vector<Take> plainTakes() {
   std::vector<Take> out =
       takesUnder(defaults(), 0.05f, manoeuvresNamed({"jump on the spot", "walk up a ramp of 21"}));
@@ -29,7 +29,7 @@ Frame amid(const Frame& a, const Frame& b) {
   return out;
 }
 
-// Adds the mean of each two frames between them, which carries no information.
+// Adds a frame with the mean of its neighbours between each two frames. It carries no information.
 std::vector<Take> ofTwiceTheRate(std::vector<Take> takes) {
   for (Take& take : takes) {
     const std::vector<Frame> before = take.track.frames;
@@ -63,7 +63,7 @@ TEST(Evidence, InterpolatedFramesAddNoCertainty) {
   }
 }
 
-// A stiffer body would be unstable at these steps, so that its level does not compile.
+// At these steps a stiffer body would be unstable, and its level would not compile.
 TEST(Evidence, TheGradientNextToAnInvalidBodyIsOneSided) {
   io::RecordBuilder stiff;
   auto now = stiff.root().initParams();

@@ -1,4 +1,4 @@
-// Recordings against the simulator's play of the same inputs.
+// Compares recordings with the simulator's play of the same inputs.
 #include "calibrate/fidelity.h"
 
 #include <gtest/gtest.h>
@@ -31,7 +31,7 @@ TEST(Fidelity, IsExactForSimulatedRecordings) {
   }
 }
 
-// A recording of a jump with a turn by a right angle, in an engine with these tricks.
+// Returns a recording of a jump with a right-angle turn, in an engine with these tricks.
 Take turningJump(uint16_t tricks) {
   io::RecordBuilder record;
   writeCourse(record.root().initLevel());
@@ -55,7 +55,7 @@ Take turningJump(uint16_t tricks) {
   return take;
 }
 
-// The engine that recorded the jumps holds them.
+// The engine that recorded the jumps has the trick of held jumps.
 TEST(TrickEvidence, FindsTheTrickThatTheEngineHas) {
   ThreadPool pool(availableThreads());
   std::vector<Take> takes;
@@ -97,7 +97,8 @@ TEST(Fidelity, PlaysFramesOfFractionalStepsInTheLevelsTicks) {
   std::vector<Take> takes = jumps(defaults());
   ASSERT_EQ(takes.size(), 1u);
   auto& frames = takes[0].track.frames;
-  for (size_t i = 1; i < frames.size(); i += 2) frames[i].time += 0.0014;  // a third of a step
+  for (size_t i = 1; i < frames.size(); i += 2)
+    frames[i].time += 0.0014;  // moves the frame by a third of a step
   const auto f = fidelityOf(takes[0], defaults());
   ASSERT_TRUE(f) << f.error().text();
   EXPECT_LT(f->mean, 0.1);

@@ -16,22 +16,22 @@ namespace {
 const std::vector<std::string> kFitted = {"walkSpeed", "traction",  "airAccel",       "gravity",
                                           "jumpSpeed", "hipHeight", "playerFriction", "climbSpeed"};
 
-// The manoeuvres that together determine all of these.
+// Returns manoeuvres that together determine all parameters of this test.
 std::vector<Manoeuvre> enough() {
   return manoeuvresNamed({"run, stop, turn", "jump on the spot", "jump and turn back in the air",
                           "hold jump", "run and stop on ice", "climb up and down"});
 }
 
-// The manoeuvres that determine gravity and the speed of a jump.
+// Returns the manoeuvres that determine gravity and the speed of a jump.
 std::vector<Manoeuvre> jumps() {
   return manoeuvresNamed({"jump on the spot", "jump and turn back in the air", "hold jump"});
 }
 
-// Generations of a search, for at most kFew parameters and for more. Refinement follows the search.
+// Generations of a search, for at most kFew parameters and for more. A refinement follows.
 constexpr size_t kFew = 3;
 constexpr uint32_t kForFew = 20, kForMany = 60;
 
-// Draws these parameters within a share of their defaults.
+// Returns parameters that are drawn within a share of their defaults.
 io::RecordBuilder drawn(uint64_t seed) {
   io::RecordBuilder out;
   auto params = out.root().initParams();
@@ -77,7 +77,7 @@ TEST(Fit, ReportsUndeterminedParameters) {
   io::RecordBuilder truth;
   setValue(truth.root().initParams(), "walkSpeed", 18);
   std::vector<Take> takes = takesUnder(truth.reader().getParams());
-  takes.erase(takes.begin() + 2, takes.end());  // no climb, and no contact with a wall
+  takes.erase(takes.begin() + 2, takes.end());  // removes the climb and the contact with a wall
   const Fit found = fitted(takes, {"walkSpeed", "climbSpeed", "bodyWidth"});
   for (const Fitted& f : found.parameters) {
     EXPECT_EQ(f.known, f.parameter.name == "walkSpeed") << f.parameter.name;
@@ -87,7 +87,8 @@ TEST(Fit, ReportsUndeterminedParameters) {
   }
 }
 
-// A place that states its own walk speed keeps it, and reveals nothing of the game's.
+// A place that states its own walk speed keeps it. Its recordings reveal nothing about the game's
+// walk speed.
 TEST(Fit, KeepsParametersThatTheLevelStates) {
   io::RecordBuilder truth;
   setValue(truth.root().initParams(), "walkSpeed", 24);
@@ -104,8 +105,8 @@ TEST(Fit, KeepsParametersThatTheLevelStates) {
   EXPECT_LT(found.loss, 1e-6);
 }
 
-// The height of a standing jump does not separate gravity from launch speed, but its duration does.
-// With positions off by a fiftieth of a stud, both intervals contain the truth.
+// The height of a standing jump does not separate gravity from jump speed, but its duration does.
+// With positions off by 1/50 stud, both intervals contain the truth.
 TEST(Fit, IntervalsHoldTheTruthUnderNoise) {
   const io::RecordBuilder truth = drawn(4);
   const Fit found =
@@ -117,7 +118,7 @@ TEST(Fit, IntervalsHoldTheTruthUnderNoise) {
     const bool shared = f.parameter.name == "traction" || f.parameter.name == "playerFriction";
     EXPECT_NEAR(f.value, value, (shared ? 0.05 : 0.002) * value) << f.parameter.name;
   }
-  // Noise causes a bias of a thousandth, as legs push feet only below their rest height.
+  // The legs push the feet only from below their rest height, so noise causes a bias of 0.1 %.
   EXPECT_LE(outside, 3) << "of eight intervals of 95 %";
   EXPECT_EQ(found.controlRate, 60u);
   EXPECT_EQ(found.substeps, 4u);
@@ -136,15 +137,16 @@ TEST(Fit, CopesWithABadRecorder) {
   EXPECT_NEAR(found.delay, 2 / 60.0, 0.75 / 60);
   for (const Fitted& f : found.parameters) {
     const double value = valueOf(truth.reader().getParams(), f.parameter.name);
-    // A start takes six steps on the ground, less than two frames.
+    // A player reaches full speed within six steps, less than two frames, so traction is less
+    // certain.
     const double share = f.parameter.name == "traction" ? 0.08 : 0.03;
     EXPECT_NEAR(f.value, value, share * value) << f.parameter.name;
   }
 }
 
-// An engine that integrates with the velocity at a step's end records velocities half a step older
-// than the path. Here they are a quarter of a frame old. Gravity and jump speed must not absorb
-// this.
+// An engine may integrate with the velocity at a step's end. Its recorded velocities are then half
+// a step older than the positions, here a quarter of a frame. Gravity and jump speed must not
+// absorb this error.
 TEST(Fit, CorrectsForOldVelocities) {
   io::RecordBuilder truth;
   setValue(truth.root().initParams(), "gravity", 180);
@@ -169,7 +171,7 @@ TEST(Fit, FindsThatTheRulesRunInEachStep) {
   EXPECT_NEAR(found.parameters[0].value, 185, 0.2);
 }
 
-// At that rate, a step of a level with its own rate would last a whole tick, so that it does not
+// At that rate, a step of a level with its own rate would last a whole tick, so the level does not
 // compile.
 TEST(Fit, ContinuesIfALevelDoesNotCompileWithRulesInEachStep) {
   std::vector<Take> takes = takesUnder(

@@ -1,4 +1,5 @@
-// The age of recorded velocities is found and corrected. Recordings without this fault stay.
+// The age of recorded velocities is found and corrected. Recordings without this error stay
+// unchanged.
 #include "calibrate/instants.h"
 
 #include <gtest/gtest.h>
@@ -44,8 +45,8 @@ TEST(Instants, AStandingPlayerDeterminesNoAge) {
   EXPECT_EQ(velocityAgeOf(takes, defaults()), 0);
 }
 
-// Falls, where the velocities differ most, and take-offs and landings, whose leap is not due to
-// age.
+// Falls show the largest differences. Take-offs and landings have jumps of velocity that have other
+// causes.
 TEST(Instants, OldVelocitiesAreCorrected) {
   const std::vector<Take> takes = takesUnder(defaults(), 0, firstManoeuvres(2));
   const std::vector<Take> mended = withVelocitiesOfNow(late(takes, 0.25f), defaults());

@@ -1,5 +1,5 @@
-// A fit that is told to stop ends soon with the best result so far, and says so. It reports its
-// progress throughout.
+// An interrupted fit ends soon with the best result so far, and says that it was interrupted. It
+// reports its progress throughout.
 #include <gtest/gtest.h>
 
 #include <set>
@@ -12,8 +12,8 @@
 namespace obby::calibrate {
 namespace {
 
-// Parameters of each kind: with gradients, counted in ticks, and those that decide events and
-// touches.
+// Parameters of every kind: those with gradients, those counted in ticks, and those that decide
+// events and touches.
 const std::vector<std::string> kOfAllKinds = {
     "walkSpeed", "gravity", "jumpSpeed", "landedTime", "floorAcquire", "coyoteTime", "bodyWidth"};
 
@@ -22,7 +22,8 @@ std::vector<Take> takesOfAnother() {
   setValue(truth.root().initParams(), "walkSpeed", 18);
   setValue(truth.root().getParams(), "landedTime", 0.1);
   setValue(truth.root().getParams(), "floorAcquire", 1.05);
-  // This manoeuvre determines as many of them as all manoeuvres before it on the course.
+  // This manoeuvre alone determines as many of these parameters as all earlier manoeuvres of the
+  // course.
   return takesUnder(truth.reader().getParams(), 0.02f, manoeuvresNamed({"hold jump"}));
 }
 
@@ -38,7 +39,7 @@ Fit interruptionFitted(const std::atomic<bool>& stop,
   return *std::move(out);
 }
 
-// A moment: this many evaluations into a task, once it has completed this share.
+// A moment in a fit: this many evaluations after a task has completed this share.
 struct When {
   std::string task;
   double share;
@@ -75,7 +76,7 @@ TEST_P(Interruption, EndsAFitSoonWithTheBestSoFar) {
   EXPECT_NE(textOf(at.fit, {}, 1, {}).find("interrupted"), std::string::npos);
 }
 
-// The last one stops among long windows, whose best may differ from that of short ones.
+// The last case stops among long windows. Their best value may differ from that of short windows.
 INSTANTIATE_TEST_SUITE_P(Tasks, Interruption,
                          testing::Values(When{"searching", 0, 1}, When{"refining", 0, 100},
                                          When{"crossing", 0, 1}, When{"crossing", 0, 300},
@@ -85,7 +86,8 @@ INSTANTIATE_TEST_SUITE_P(Tasks, Interruption,
                                   "after" + std::to_string(named.param.evaluations);
                          });
 
-// All values are found by then. An interval from half the trials must not be reported.
+// The fit has found all values, but only half of the trials for their intervals are done. It must
+// not report these intervals.
 TEST(Fit, LeavesUntriedIntervalsUnknown) {
   const Stopped at = stoppedAt({"weighing", 0, 40});
   EXPECT_TRUE(at.fit.stopped);
@@ -97,8 +99,8 @@ TEST(Fit, LeavesUntriedIntervalsUnknown) {
   }
 }
 
-// One thread reports after each of its tasks. With more threads, the number of evaluations in
-// between varies.
+// A single thread reports after each of its tasks. More threads would make the number of
+// evaluations between reports vary.
 TEST(Fit, ReportsProgressContinuously) {
   const std::atomic<bool> stop{false};
   std::vector<FitProgress> told;

@@ -19,8 +19,8 @@ struct Fall {
   Params params;
 };
 
-// A recording, from the `first` tick on, of an avatar with kCentre. It falls from `height` above
-// the course's start and turns twice.
+// Returns a recording of a fall by an avatar with kCentre, from the `first` tick to the `last`. It
+// begins `height` above the course's start and turns twice.
 Fall turningFall(float height, int first, int last) {
   io::RecordBuilder record;
   writeCourse(record.root().initLevel());
@@ -45,7 +45,8 @@ Fall turningFall(float height, int first, int last) {
   return out;
 }
 
-// Returns the largest error in position of the simulator's player, played by frames.
+// Returns the largest position error of the simulator's player, in studs, if the recording is
+// played frame by frame.
 float farthest(const Take& take, const MassCentre& centre) {
   const auto level = level::Level::compile(take.level.reader().getLevel());
   const Track& track = take.track;
@@ -83,7 +84,7 @@ TEST(FramePlay, TurnsThePlayerAboutTheCentreOfMass) {
   EXPECT_GT(farthest(a.take, {}), 0.05f);
 }
 
-// A player on the floor walks with the root. Only the recorded velocity shows that the centre of
+// The legs of a walking player drive the root. Only the recorded velocity shows that the centre of
 // mass swings.
 TEST(FramePlay, LegsDriveTheRoot) {
   io::RecordBuilder record;
@@ -98,7 +99,7 @@ TEST(FramePlay, LegsDriveTheRoot) {
     const sim::Action action{Turns(tick < 64 ? 0 : 0x2000), tick >= 50, false};
     const sim::World before = w;
     sim::advance(w, bodies.data(), view, nullptr, action);
-    if (tick < 65) continue;  // the turn has begun
+    if (tick < 65) continue;  // the turn has begun by then
     const Vec3 swing = (kCentre.at(w.yaw) - kCentre.at(before.yaw)) * 60;
     take.track.frames.push_back({(tick - 65) / 60.0, directionOf(sinCosOf<float>(action.heading)),
                                  false, rootOf(w.position, view.params), w.velocity + swing,
@@ -107,7 +108,8 @@ TEST(FramePlay, LegsDriveTheRoot) {
   EXPECT_LT(farthest(take, kCentre), 0.5f * farthest(take, {}));
 }
 
-// A start from rest, whose frame holds another number of steps than its time suggests.
+// A start from rest. The number of steps in its second frame differs from what the frame's time
+// suggests.
 TEST(FramePlay, DerivesAFramesStepsFromItsMotion) {
   const auto frame = [](double time, float place, float speed) {
     return Frame{time, {1, 0, 0}, false, {place, 3, 0}, {speed, 0, 0}, sim::State::running};
@@ -116,7 +118,8 @@ TEST(FramePlay, DerivesAFramesStepsFromItsMotion) {
   const auto after = [&](int n) { return gain * dt * float(n * (n + 1)) * 0.5f; };
   Track track{"start", "course", {frame(0, 0, 0), frame(5 / 240.0, after(4), 4 * gain)}};
   EXPECT_EQ(stepsOf(track, 240), std::vector<uint32_t>{4});
-  track.frames[1].velocity.x = 3.5f * gain;  // fits no number of steps of constant acceleration
+  track.frames[1].velocity.x =
+      3.5f * gain;  // no number of steps with constant acceleration gives this speed
   EXPECT_EQ(stepsOf(track, 240), std::vector<uint32_t>{5});
 }
 
@@ -130,8 +133,8 @@ TEST(FramePlay, SteadyFramesHaveTheirMeanTime) {
   EXPECT_NEAR(ownSteps(steps)[5], 5 / 3.0, 0.02);
 }
 
-// At 144 frames a second seven frames last 0.0486 s and may hold twelve physics steps. That is
-// still short of the 0.05 s of Landed.
+// At 144 frames a second, seven frames last 0.0486 s but may hold twelve physics steps. Their own
+// time is still below the 0.05 s of Landed.
 TEST(FramePlay, LandedLastsByTheFramesOwnTime) {
   io::RecordBuilder record;
   writeCourse(record.root().initLevel());

@@ -1,5 +1,5 @@
-// Recordings by an independent engine: a fit to them predicts other recordings of the same player.
-// bench/calibrate.cpp tests this more strictly.
+// Recordings by an independent engine. A fit to some of them predicts other recordings of the same
+// player. bench/calibrate.cpp tests this more strictly.
 #include <gtest/gtest.h>
 
 #ifdef OBBY_HAS_BULLET_PLAYER
@@ -34,8 +34,8 @@ double meanMissOf(const std::vector<Take>& takes, schema::PhysicsParams::Reader 
   return sum / double(takes.size());
 }
 
-// A player may hit parts from the side, from below and at corners. Parts stop and turn the player,
-// but never throw it.
+// A player may hit parts from the side, from below and at corners. Parts may stop or turn the
+// player, but must not throw it.
 TEST(OtherEngine, NoPlayerIsThrown) {
   for (const uint64_t seed : {1, 2, 3, 4, 5, 6}) {
     const auto game = test::drawnGame(test::BulletGame::Body::kinematic, seed, 0.25f);
@@ -53,7 +53,7 @@ TEST(OtherEngine, NoPlayerIsThrown) {
   }
 }
 
-// A player that holds jump under a ceiling jumps off the floor only.
+// A player that holds jump under a ceiling jumps only off the floor.
 TEST(OtherEngine, ACeilingIsNoFloor) {
   support::LevelBuilder low;
   low.block({0, -0.5f, 0}, {40, 1, 40}).block({0, 7.5f, 0}, {40, 1, 40});

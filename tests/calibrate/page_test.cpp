@@ -63,7 +63,7 @@ TEST(Report, PrintsOneNumberForARangeOfEqualEnds) {
   EXPECT_EQ(page.find("16 to 16"), std::string::npos);
 }
 
-// A time of no ticks has no logarithm.
+// A time of zero ticks has no logarithm.
 TEST(Page, ZeroTicksAreDrawnAtTheEndOfTheBar) {
   Fit fit = fitOf();
   const Parameter landed{"landedTime",          "s", 0.002, 0.2, "hold jump for several jumps",

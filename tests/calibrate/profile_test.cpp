@@ -30,7 +30,8 @@ io::RecordBuilder with(std::initializer_list<std::pair<const char*, double>> val
   return out;
 }
 
-// A player runs off the ledge and presses jump, three times, later each time.
+// Returns a recording of a player who runs off the ledge three times, and presses jump later each
+// time.
 std::vector<Take> lateJumps(schema::PhysicsParams::Reader params) {
   std::vector<Manoeuvre> played;
   for (const float wait : {0.84f, 0.87f, 0.90f})
@@ -50,7 +51,7 @@ std::vector<Profile> scanned(const std::vector<Take>& takes, const std::vector<s
   return std::move(scan.profiles);
 }
 
-// One tick and two are equivalent: the tick that lands and the one that runs again both count.
+// One tick is equivalent to two: the tick that lands and the tick that runs again both count.
 TEST(Ticks, LandingTicksAreFound) {
   for (const int ticks : {0, 2, 6}) {
     const io::RecordBuilder truth = with({{"landedTime", ticks / 60.0}});
@@ -61,7 +62,7 @@ TEST(Ticks, LandingTicksAreFound) {
   }
 }
 
-// The jump needs both times, so that neither shows without the other.
+// The jump needs both times to be long, so no change of one time alone has an effect.
 TEST(Ticks, FindsTwoTimesThatMaskEachOther) {
   const io::RecordBuilder truth = with({{"coyoteTime", 0.25}, {"offFloorGrace", 0.25}});
   const auto takes = lateJumps(truth.reader().getParams());
@@ -75,7 +76,7 @@ TEST(Ticks, FindsTwoTimesThatMaskEachOther) {
     EXPECT_LE(best[i], 15u);
     const Possible possible = possibleOf(profiles[i], 1e-6);
     EXPECT_FALSE(possible.all);
-    EXPECT_EQ(possible.max, profiles[i].shares.back()) << "nobody jumped still later";
+    EXPECT_EQ(possible.max, profiles[i].shares.back()) << "no player jumped even later";
   }
 }
 
@@ -88,8 +89,8 @@ TEST(Ticks, StayUnchangedWithoutAnEffect) {
   for (const Profile& p : profiles) EXPECT_TRUE(possibleOf(p, 0).all);
 }
 
-// A held jump follows each landing, at which the floor is sensed. Nothing else depends on the
-// parameter.
+// The player jumps again at each landing, when the legs sense the floor. Nothing else in the
+// recording depends on the parameter.
 TEST(Crossing, FindsTheHeightAtWhichAFloorIsSensed) {
   const io::RecordBuilder truth = with({{"floorAcquire", 1.02}});
   std::vector<Manoeuvre> falls;

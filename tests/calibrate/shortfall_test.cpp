@@ -8,7 +8,7 @@
 namespace obby::calibrate {
 namespace {
 
-// A fit of one parameter that is still unknown.
+// Returns a fit of one parameter that is still unknown.
 Fit shortfallFitOf(const std::string& name) {
   Fit out;
   const Parameter p = parametersNamed({name}, defaults())->front();
@@ -29,7 +29,7 @@ TEST(Shortfall, NoiseOfThePositionsIsMeasured) {
   EXPECT_NE(shortOf(s, 0.01).find("jitter"), std::string::npos);
 }
 
-// The recorded player is faster: the walk differs for any gravity.
+// The recorded player walks faster, which no gravity can explain.
 TEST(Shortfall, NamesRecordingsThatNoParameterExplains) {
   io::RecordBuilder truth;
   setValue(truth.root().initParams(), "walkSpeed", 24);
@@ -64,7 +64,8 @@ TEST(Shortfall, NamesParametersAtAnEnd) {
   EXPECT_TRUE(s.strange.empty()) << "the recordings are followed";
 }
 
-// A time of zero ticks and a zero acceleration are valid results, not ends of a range.
+// Times of zero ticks and accelerations of zero are valid results. They do not count as ends of a
+// range.
 TEST(Shortfall, ZeroIsNotTheEndOfARange) {
   const auto takes = takesUnder(defaults(), 0, firstManoeuvres(2));
   Fit none = shortfallFitOf("landedTime");
@@ -77,7 +78,8 @@ TEST(Shortfall, ZeroIsNotTheEndOfARange) {
   EXPECT_TRUE(shortfall(takes, none, 0.1).ends.empty());
 }
 
-// The simulator follows the first take of that name under any parameters.
+// Two takes have the same name. The simulator follows the first one under any parameters, but not
+// the second.
 TEST(Shortfall, RecordingsWithTheSameNameAreDistinguished) {
   io::RecordBuilder fast;
   setValue(fast.root().initParams(), "walkSpeed", 24);
@@ -90,7 +92,7 @@ TEST(Shortfall, RecordingsWithTheSameNameAreDistinguished) {
   EXPECT_TRUE(s.strange[0].untold.empty());
 }
 
-// An interrupted fit may not have tried a parameter, so that no recording is to blame.
+// An interrupted fit may not have tried a parameter, so the reason is not a recording.
 TEST(Shortfall, NamesTheInterruptionOfAFit) {
   io::RecordBuilder truth;
   setValue(truth.root().initParams(), "walkSpeed", 24);

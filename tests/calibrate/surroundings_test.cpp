@@ -24,7 +24,7 @@ struct Course {
     ADD_FAILURE() << "no manoeuvre " << name;
     return {};
   }
-  // A ride whose recorder started 50 ticks late.
+  // Returns a ride on the ferry whose recorder started 50 ticks late.
   Track lateRide() const {
     Track track = rehearsed("ride the ferry");
     for (int i = 0; i < 50; ++i) track.drop(0);
@@ -35,7 +35,7 @@ struct Course {
   schema::Level::Reader reader() const { return record.reader().getLevel(); }
 };
 
-// Returns the largest error of the positions, in studs.
+// Returns the largest position error, in studs.
 float maxOff(const Track& track, const std::vector<Window>& windows,
              const level::LevelView& level) {
   float max = 0;
@@ -65,7 +65,7 @@ TEST(Surroundings, TheClockOfARecordingIsFoundFromItsMovingParts) {
   EXPECT_TRUE(straysOf(track, course.level.view()).empty());
 }
 
-// A clock found in frames is the same time if the rules run in each step.
+// The clock is found in frames. It is the same time if the rules run in each step.
 TEST(Surroundings, TheClockIsATimeAtAnyRate) {
   const Course course;
   Track track = course.lateRide();
@@ -80,7 +80,7 @@ TEST(Surroundings, TheClockIsATimeAtAnyRate) {
   EXPECT_TRUE(straysOf(take.track, quick->view()).empty());
 }
 
-// The recorder dropped frames at the start of the window, yet the ferry's position is right.
+// The recorder dropped frames at the start of the window. The ferry's position must still be right.
 TEST(Surroundings, TheClockContinuesOverMissingFrames) {
   const Course course;
   Track track = course.rehearsed("ride the ferry");
@@ -133,8 +133,8 @@ TEST(Surroundings, ATrackAlongAnUnrecordedBoxIsOneWindow) {
   EXPECT_GT(windowsOf(other, 0.5, course.level.view()).size(), 4u);
 }
 
-// The recorded facing is away from the truss. It must not be guessed from the direction of the
-// walk.
+// The recorded player looks away from the truss. The facing must not be guessed from the direction
+// of the walk.
 TEST(Surroundings, FacingIsTakenFromTheRecording) {
   const Course course;
   const Track track = course.rehearsed("turn a little and about");

@@ -48,7 +48,7 @@ TEST(Takes, NumbersTakesOfTheSameName) {
   EXPECT_TRUE(got.warnings.empty());
 }
 
-// No shift of the clock corrects this: a rider would be simulated at the wrong place.
+// No shift of the clock corrects this difference. A rider would be simulated at the wrong place.
 TEST(Takes, APartWithAnotherMotionIsAWarning) {
   const std::vector<Take> all = takesUnder(defaults());
   io::RecordBuilder other(all[0].level.reader());

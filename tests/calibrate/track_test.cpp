@@ -1,5 +1,5 @@
-// Recordings as the real engine produces them: late frames, duplicates, missing frames, inputs at
-// other rates. Also invalid recordings.
+// Recordings as the real engine produces them: with late, duplicate and missing frames, and inputs
+// at other rates. Also invalid recordings.
 #include "calibrate/track.h"
 
 #include <gtest/gtest.h>
@@ -46,8 +46,8 @@ TEST(Track, DropsDuplicateFrames) {
   EXPECT_EQ(read->frames.size(), 3u);
 }
 
-// The first of two frames at one time lasts zero seconds. Frames without poses repeat those of the
-// frame before, even a dropped one.
+// If two frames have the same time, the first lasts zero seconds. A frame without poses repeats the
+// poses of the frame before, even if that frame is dropped.
 TEST(Track, TheLaterDuplicateFrameGivesInputAndPoses) {
   io::RecordBuilder record;
   auto recording = trackRecordOf(record, 5);
@@ -70,7 +70,7 @@ TEST(Track, TheLaterDuplicateFrameGivesInputAndPoses) {
   for (const size_t i : {1, 2, 3}) EXPECT_EQ(read->pose(i, 0).position.y, 3) << i;
 }
 
-// Overflowing numbers would make losses that cannot be compared.
+// If a number overflows, losses cannot be compared.
 TEST(Track, ImpossibleNumbersAreAnError) {
   using Builder = schema::RecordingFrame::Builder;
   for (const auto& spoil : std::vector<std::function<void(Builder)>>{
@@ -108,7 +108,7 @@ TEST(Track, TimesCountFromTheFirstFrameOn) {
   EXPECT_NEAR(read->frames[3].time, 0.05, 1e-6);
 }
 
-// Times in milliseconds, or a pause of minutes, would be simulated in full.
+// Times in milliseconds, or a pause of minutes, would otherwise be simulated in full.
 TEST(Track, NamesTheFrameWhoseTimeLeaps) {
   io::RecordBuilder record;
   auto recording = trackRecordOf(record, 4);
@@ -120,7 +120,7 @@ TEST(Track, NamesTheFrameWhoseTimeLeaps) {
 
 TEST(Track, PosesAndFacingReadBack) {
   const std::vector<Take> takes = takesUnder(defaults());
-  const Track& track = takes.back().track;  // of a box that is pushed
+  const Track& track = takes.back().track;  // a recording of a pushed box
   io::RecordBuilder record;
   writeRecording(track, record.root().initRecording());
   const auto read = trackOf(record.reader().getRecording());
@@ -160,7 +160,7 @@ double worstOf(const std::vector<Take>& takes) {
   return worst;
 }
 
-// Losses can be compared, whatever is in a track.
+// Any track must give a loss that can be compared.
 TEST(Playback, ALossIsNeverNaN) {
   std::vector<Take> takes = takesUnder(defaults(), 0, firstManoeuvres(1));
   takes[0].track.frames.back().position.x = std::nanf("");

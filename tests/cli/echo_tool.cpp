@@ -1,5 +1,5 @@
-// The smallest tool, which passes records through. The command-line tests use it to test features
-// that all tools share.
+// The smallest tool, which only passes records through. Command-line tests use it for features that
+// all tools share.
 #include <unistd.h>
 
 #include "cli/context.h"

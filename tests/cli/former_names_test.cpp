@@ -1,4 +1,4 @@
-// Former names of options: they work everywhere, and are shown nowhere.
+// Former names of options work everywhere but are never shown.
 #include <gtest/gtest.h>
 #include <stdlib.h>
 

@@ -13,7 +13,8 @@ namespace {
 
 using std::chrono::milliseconds;
 
-// Sends the signal twice, the second one later. Exits with 0 if the stop flag is set for `number`.
+// Sends the signal twice, the second time after `later`. Exits with 0 if the stop flag is set for
+// `number`.
 void sentTwice(int number, milliseconds later) {
   signal(number, SIG_DFL);  // the tests' parent may have ignored it
   installStopHandlers();

@@ -13,7 +13,7 @@ std::string slips(std::vector<const char*> environment) {
   std::vector<OptionRow> rows = universalRows();
   rows.push_back(commonRow(Common::timeLimit));
   OptionRow own;
-  own.name = "juggle";  // an option of this tool only
+  own.name = "juggle";  // an option that only this tool has
   own.formerly = "time-limits";
   rows.push_back(own);
   std::string out;

@@ -79,7 +79,7 @@ TEST_F(WrittenFiles, FilesNamedByOptionsAreKeptUnlessRenewed) {
             "--output: './policy' is also named by --policy (name another file)");
   give("policy", "policy", true);
   EXPECT_EQ(refused({{"output", "policy"}}), "");
-  // An option that names an output does not count as an input.
+  // An option that names an output does not count as one that names an input.
   give("policy", "policy");
   EXPECT_EQ(refused({{"policy", "policy"}}), "");
   arguments_.values["policy"].given = false;
@@ -106,7 +106,7 @@ TEST_F(WrittenFiles, ALinkToAMissingFileCountsAsItsTarget) {
   EXPECT_NE(refused({{"output", "link to it"}, {"checkpoint", "./runs/new"}}), "");
   EXPECT_NE(refused({{"output", "link"}, {"checkpoint", "link to it"}}), "");
   EXPECT_EQ(refused({{"output", "link"}, {"checkpoint", "runs/other"}}), "");
-  fs::create_symlink("round", "round");  // a loop that names no file
+  fs::create_symlink("round", "round");  // a link to itself
   EXPECT_EQ(refused({{"output", "link"}, {"checkpoint", "round"}}), "");
 }
 

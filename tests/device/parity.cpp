@@ -87,7 +87,7 @@ class Parity {
   int failures_ = 0;
 };
 
-// Compares actions from a random table, and from one plan per world.
+// Compares worlds that play a random table of actions, and worlds with one plan each.
 void compareSources(Parity& parity, uint32_t worlds, uint32_t ticks) {
   const level::Level level = support::boxArena(100, 6).compile();
   const sim::Course course = sim::courseOf(level.view(), level.spawns()[0]);
@@ -132,7 +132,7 @@ bool sameCells(const solve::Archive& a, const solve::Archive& b) {
   return same;
 }
 
-// Compares every cell of one search whose rollouts run on threads and on the device.
+// Compares every cell of a search whose rollouts run on threads with the same search on the device.
 void compareSearch(Parity& parity, sim::Device& device, ThreadPool& pool, int rounds) {
   const level::Level level = support::movingArena(60, 10, 5).compile();
   const solve::Problem problem = support::endlessProblem(level);
@@ -149,7 +149,7 @@ void compareSearch(Parity& parity, sim::Device& device, ThreadPool& pool, int ro
              status ? cells.c_str() : status.error().text().c_str());
 }
 
-// Compares a search whose players and networks run on the device.
+// Compares a search whose players and networks run on the device with the same search on the CPU.
 template <class Search, class Settings>
 void compareLearned(Parity& parity, const char* name, const level::Level& level,
                     sim::Device& device, ThreadPool& pool, int rounds) {
@@ -168,7 +168,7 @@ void compareLearned(Parity& parity, const char* name, const level::Level& level,
   parity.say(bool(status) && same, name, status ? cells.c_str() : status.error().text().c_str());
 }
 
-// Compares the search that lives on the device with the CPU in the device's place.
+// Compares the search that runs on the device alone with the same kernels run on the CPU.
 void compareResident(Parity& parity, const char* name, const level::Level& level,
                      sim::Device& device, ThreadPool& pool, int rounds, uint32_t rollouts) {
   const solve::Problem problem = support::endlessProblem(level);
@@ -247,7 +247,7 @@ int main(int argc, char** argv) {
   sim::Device& device = option == "--emulate" ? host : *backend->device();
   std::printf("        %s against the CPU's lanes\n", device.name().c_str());
   Parity parity(device, pool);
-  // A tool that watches every access needs a small run.
+  // Tools that watch every access need small runs.
   const uint32_t worlds = option.empty() ? 20000 : 300;
   if (option != "--quick") parity.golden();
   compareWalkers(parity, worlds, 300);

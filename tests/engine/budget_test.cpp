@@ -1,4 +1,4 @@
-// Scripts that the instruction budgets alone do not stop leave the process intact.
+// Scripts that evade the instruction budgets must still leave the process intact.
 #include <gtest/gtest.h>
 
 #include "engine/place.h"
@@ -12,7 +12,7 @@ engine::Settings small() {
   return settings;
 }
 
-// Returns the problems of a place with one script, after a second.
+// Runs a place with one script for a second. Returns the problems of its scripts.
 std::string problemsOf(const std::string& source) {
   Place place;
   place.script(source, place.scripts);
@@ -35,7 +35,7 @@ TEST(Budget, HostCallsEndWhenMemoryIsExhausted) {
 TEST(Budget, ThreadsInThreadsEnd) {
   problemsOf("local function f() pcall(f) end f()");
   problemsOf("local function f() xpcall(f, print) end f()");
-  // Each thread makes many large calls from C.
+  // Each thread makes many nested calls from C.
   problemsOf(
       "local function f(n)\n"
       "  string.gsub('a', 'a', function() if n > 0 then f(n - 1) else coroutine.wrap(f)(180) end "

@@ -34,7 +34,7 @@ TEST(CollisionGroupsApi, NamesAndNumbersOfPartsAgree) {
             "1 1 A A 0 true 2");
 }
 
-// Returns the last value of CanCollide that was reported for a part.
+// Returns "solid" or "passed" by the last observed value of CanCollide, or "untold" without one.
 std::string lastSolid(const engine::Observation& seen, InstanceId part) {
   std::string last = "untold";
   for (const engine::Change& change : seen.changes)

@@ -125,7 +125,8 @@ const auto nameOf = [](const testing::TestParamInfo<Case>& info) {
 INSTANTIATE_TEST_SUITE_P(Statements, Construct, testing::ValuesIn(kStatements), nameOf);
 INSTANTIATE_TEST_SUITE_P(Expressions, Construct, testing::ValuesIn(kExpressions), nameOf);
 
-// Programs whose nesting, locals or upvalues are within Luau's limits but beyond those of 5.1.
+// Returns `text` repeated. Tests use it for nesting, locals or upvalues that are within Luau's
+// limits but beyond those of Lua 5.1.
 std::string repeated(int count, const char* text) {
   std::string all;
   for (int i = 0; i < count; ++i) {
@@ -182,7 +183,7 @@ TEST(Emit, IsTheSameEachTime) {
   for (int i = 0; i < 3; ++i) EXPECT_EQ(*luau::toLua(source), *first);
 }
 
-// An error that the VM raises has the script's line.
+// If the VM raises an error, its line is that of the Luau script.
 TEST(Emit, ErrorsHaveTheScriptsLine) {
   const std::pair<const char*, const char*> cases[] = {
       {"local a = 1\n\nerror('x')", "script:3: x"},

@@ -52,7 +52,7 @@ TEST(Helpers, MetatablesNameTypes) {
             "false script:3: attempt to perform arithmetic (idiv) on Instance and number\n");
 }
 
-// A runtime may define its own order of tables and its own texts.
+// A runtime may replace the order of tables and the conversion to text.
 TEST(Helpers, UseTheRuntimesTextAndOrder) {
   lua_State* const state = luaL_newstate();
   luau::pushHelpers(state);

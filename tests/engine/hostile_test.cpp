@@ -1,4 +1,5 @@
-// Hostile scripts end within their budgets, name themselves, and leave the others alone.
+// Hostile scripts end within their budgets, are named in the problems, and do not disturb other
+// scripts.
 #include <gtest/gtest.h>
 
 #include <chrono>

@@ -1,4 +1,4 @@
-// The second round of probes finds parts, listeners and effects that appear later.
+// A second round of probes finds parts, listeners and effects that appear later.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Runs a Luau text, emitted as Lua 5.1, in a VM with few libraries. Its output is kept.
+// Runs a Luau text, emitted as Lua 5.1, in a VM with few libraries, and keeps its output.
 #pragma once
 
 #include <lua.hpp>

@@ -1,5 +1,6 @@
-// Compares the output of Luau programs in Luau's own VM and as emitted Lua 5.1: node oracle.mjs
-// LUAU_RUN [FILE...]. Without files, it runs all of luau/. Exits 1 if one differs.
+// Compares the output of Luau programs in Luau's own VM with that of the emitted Lua 5.1:
+// node oracle.mjs LUAU_RUN [FILE...]. Without files, it runs all of luau/. Exits with 1 if any
+// output differs.
 import { spawnSync } from 'node:child_process';
 import { readFileSync, readdirSync } from 'node:fs';
 import { dirname, join } from 'node:path';
@@ -11,7 +12,8 @@ const packages = join(here, '..', '..', 'studio', 'node_modules');
 const { LuauState } = await import(pathToFileURL(join(packages, 'luau-web', 'src', 'index.js')));
 const kBatch = 20;
 
-// Collects the printed lines. It is one line itself, so that errors name the program's lines.
+// Collects the printed lines. It must be a single line, so that errors state the program's own
+// lines.
 const before = `local lines = {} local function print(...)
   local values = { n = select("#", ...), ... }
   for i = 1, values.n do values[i] = tostring(values[i]) end
@@ -29,7 +31,7 @@ async function run(state, file) {
   }
 }
 
-// Runs a few files in each process: a VM keeps 17 MB for good, and a process has one VM.
+// Runs a few files in each process. A process has one VM, which never frees its 17 MB.
 function inLuau(files) {
   if (files.length > kBatch) return [...inLuau(files.slice(0, kBatch)), ...inLuau(files.slice(kBatch))];
   const { stdout } = spawnSync(process.execPath, [self, '--luau', ...files], { encoding: 'utf8' });

@@ -1,4 +1,4 @@
-// The Luau parser accepts the language's grammar, and reports other text in plain words.
+// The Luau parser accepts all of the language's grammar, and reports errors in plain words.
 #include "engine/luau/parser.h"
 
 #include <gtest/gtest.h>

@@ -56,8 +56,8 @@ inline std::string problems(const engine::Observation& seen) {
   return all;
 }
 
-// Returns the value of `result` at the end of a server script's `text`. The script raises it as an
-// error, which the stage keeps as a problem. Runs for half a second.
+// Runs `text` as a server script for half a second, and returns the final value of its variable
+// `result`. The script raises the value as an error, which the stage keeps as a problem.
 inline std::string resultOf(const std::string& text) {
   Place place;
   place.script(text + "\nerror('result ' .. tostring(result), 0)", place.scripts);

@@ -1,4 +1,4 @@
-// Effects of parts after other parts have been touched, and the reasons for differences.
+// Effects of parts that change after other parts were touched, and the causes of the changes.
 #include <gtest/gtest.h>
 
 #include "engine/observe.h"
@@ -9,7 +9,7 @@ namespace {
 
 using engine::Cause;
 
-// Two parts, Lever and Trap, called `lever` and `trap` by one script.
+// A place with the parts Lever and Trap. The script knows them as `lever` and `trap`.
 struct LeverPlace : Place {
   LeverPlace() {
     lever = part("Lever", {20, 0, 0});

@@ -17,7 +17,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   const std::string_view blob(reinterpret_cast<const char*>(data), size);
   (void)decodeAttributes(blob);
   (void)decodeCollision(blob);
-  // Few inputs are a zstd frame, so that the frame's content is also read directly.
+  // Few inputs are valid zstd frames, so the input is also read directly as the frame's content.
   if (const auto hulls = decodePackedHulls(blob)) {
     size_t corners = 0;
     for (const auto& hull : *hulls) corners += hull.size();

@@ -1,6 +1,6 @@
-// Requests to the bridge: every one is either refused or well-formed and authorised. The first byte
-// selects the meaning of the rest. h: the head of a request (method, address, then `Name: value`
-// lines). j: the order of a job. s: a line of standard input. r: a record to be sent in messages.
+// Requests to the bridge are either refused or well-formed and authorised. The first byte selects
+// what the rest is. h: the head of a request (method, address, then `Name: value` lines). j: the
+// order of a job. s: a line of standard input. r: a record to be sent in messages.
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>

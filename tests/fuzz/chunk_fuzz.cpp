@@ -1,4 +1,4 @@
-// Decompression of one chunk: the claimed length first, then the body.
+// Decompression of one chunk. The input has the claimed length first, then the chunk's body.
 #include <cstddef>
 #include <cstdint>
 #include <cstring>

@@ -1,5 +1,5 @@
-// A place with arbitrary scripts. The first byte selects a script's kind and place, and a NUL
-// begins another script. A run ends within its budgets, and two runs give the same observation.
+// A place with arbitrary scripts. The first byte selects the kind and place of a script, and a NUL
+// begins the next script. A run ends within its budgets, and two runs give the same observation.
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -54,8 +54,8 @@ struct Scene : test::Place {
     }
   }
 
-  // The first letter selects l LocalScript, m ModuleScript, p a Script in the lava, or else a
-  // Script in its service.
+  // Adds a script. Its first letter selects the kind: l LocalScript, m ModuleScript, p a Script in
+  // the lava, any other a Script in ServerScriptService.
   void addScript(std::string_view text) {
     if (text.empty()) return;
     const std::string source(text.substr(1));
@@ -76,7 +76,7 @@ void require(bool holds, const char* what) {
   std::abort();
 }
 
-// An observation as text, equal if and only if the observations are.
+// Writes an observation as text. Texts are equal if and only if the observations are.
 class Summary {
  public:
   void add(double value) { text.append(reinterpret_cast<const char*>(&value), sizeof value); }

@@ -1,4 +1,4 @@
-// The head of a request from a fuzzer's bytes: method, address, then `Name: value` lines.
+// Reads the head of a request from a fuzzer's bytes: method, address, then `Name: value` lines.
 #pragma once
 
 #include <algorithm>
@@ -14,7 +14,7 @@ inline std::string_view takeLine(std::string_view& text) {
   return line;
 }
 
-// `other(name, value)` receives the headers that only some servers read.
+// `other(name, value)` receives the headers that not all servers read.
 template <class Other>
 void readHead(std::string_view text, loopback::Head& head, const Other& other) {
   head.method = takeLine(text);

@@ -1,5 +1,5 @@
-// Requests to a live page's server: every one is either refused, or has the token and comes from no
-// other page.
+// Requests to a live page's server are either refused, or have the token and do not come from
+// another page.
 #include <cstdint>
 #include <cstdlib>
 #include <string>

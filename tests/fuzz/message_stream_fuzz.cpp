@@ -1,5 +1,5 @@
-// Streams of Cap'n Proto messages. By the first byte, the rest is one message's segment (after a
-// valid table) or a whole stream, packed or not.
+// Streams of Cap'n Proto messages. The first byte selects whether the rest is the segment of one
+// message (after a valid table) or a whole stream, packed or not.
 #include <cstddef>
 #include <cstdint>
 #include <cstring>

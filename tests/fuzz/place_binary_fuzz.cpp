@@ -1,6 +1,6 @@
-// Binary places. Plain mutation rarely keeps a chunk's length valid, so that inputs are parsed as
-// chunks: a letter for the name, two bytes of length, the content. Inputs that begin with '<' are
-// used unchanged.
+// Binary places. Plain mutation rarely keeps the length of a chunk valid. Therefore an input is a
+// list of chunks: a letter for the name, two bytes of length, the content. Inputs that begin with
+// '<' are used unchanged.
 #include <cstddef>
 #include <cstdint>
 #include <string>

@@ -1,4 +1,4 @@
-// XML places, with and without their frame.
+// XML places. The input is read alone, and as the properties of a part.
 #include <cstddef>
 #include <cstdint>
 #include <string>

@@ -1,4 +1,4 @@
-// Recipes of obby-gen: any input gives an error, or levels that compile.
+// Recipes of obby-gen. Any input gives either an error or levels that compile.
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>

@@ -1,5 +1,5 @@
-// Properties of any bytes read as a stream of records. Errors have a text, and accepted records can
-// be written in both encodings and read back to the same bytes.
+// Properties of any bytes that are read as a stream of records. Errors have a text. Accepted
+// records can be written in both encodings and read back to the same bytes.
 #pragma once
 
 #include <cstdlib>
@@ -16,7 +16,8 @@ inline std::string written(schema::Record::Reader record, io::Format format) {
   return bytes;
 }
 
-// A lone header or end is no stream; everything else must read back.
+// Checks that a record reads back to the same bytes. A header alone is not a stream, so reading it
+// may fail.
 inline void checkRewritten(const io::Record& record, io::Format format) {
   const std::string bytes = written(record.reader(), format);
   io::StreamReader reader = io::StreamReader::overBytes(bytes, "again");

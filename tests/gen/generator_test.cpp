@@ -1,4 +1,5 @@
-// Levels as functions of seed and index, twins, constraints of queries, and reach from the physics.
+// Levels depend only on seed and index. Tests twins, constraints of queries, and reach from the
+// physics.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -57,7 +58,7 @@ TEST(Generator, ATwinLacksOneCrossingAndNamesIt) {
   }
 }
 
-// The line guides learners. A twin has no solution, so that its query has no line.
+// The route guides learners. A twin has no solution, so its query has no route.
 TEST(Generator, QueriesStateALineAndTheirDifficulty) {
   gen::Recipe recipe;
   recipe.difficulty = {0.2f, 0.7f};
@@ -155,8 +156,8 @@ TEST(Generator, CoursesHaveEachSingleStyleAtMostOnce) {
   }
 }
 
-// The mean gap in the first and the last third, in studs, of straight courses that consist of gaps
-// only.
+// Mean gaps of straight courses that consist of gaps only, in studs: in the first and in the last
+// third.
 struct MeanGaps {
   double first, last;
 };
@@ -174,7 +175,7 @@ MeanGaps meanGapsOfCourses(float courseFirst) {
   for (uint64_t seed = 0; seed < 8; ++seed) {
     const gen::Generated made = generator.generate(seed, 0);
     const std::vector<gen::PartSketch>& parts = made.sketch.parts();
-    uint32_t obstacle = 0;  // each one ends with a checkpoint, the last with the goal
+    uint32_t obstacle = 0;  // each obstacle ends with a checkpoint, the last one with the goal
     for (size_t i = 1; i < parts.size(); ++i) {
       const gen::PartSketch &from = parts[i - 1], &to = parts[i];
       if (to.checkpoint > 0) ++obstacle;
@@ -188,8 +189,9 @@ MeanGaps meanGapsOfCourses(float courseFirst) {
   return {studs[0] / gaps[0], studs[2] / gaps[2]};
 }
 
-// A gap is 0.25 to 0.93 of the reach, by difficulty. From a difficulty of 0.2, the first third has
-// a mean of 0.33 and a share of 0.47. The last third has 0.88 and 0.84: 1.8 times that.
+// By difficulty, a gap is 0.25 to 0.93 of the reach. With a first difficulty of 0.2, the mean
+// difficulty is 0.33 in the first third, which gives a share of 0.47. It is 0.88 in the last third,
+// which gives 0.84, 1.8 times as much.
 TEST(Generator, CoursesGetHarderFromTheirFirstDifficulty) {
   const MeanGaps growing = meanGapsOfCourses(0.2f);
   EXPECT_GT(growing.last, 1.5 * growing.first);

@@ -26,7 +26,7 @@ inline gen::Recipe recipeFor(const std::string& style, float difficulty) {
   return recipe;
 }
 
-// A recipe that sets every parameter of every style at random within its range.
+// Returns a recipe that sets every parameter of every style at random within its range.
 inline gen::Recipe anyParametersFor(const std::string& style, float difficulty, uint64_t seed) {
   gen::Recipe recipe = recipeFor(style, difficulty);
   Random random(seed, 0x706172616d);
@@ -68,7 +68,7 @@ inline std::vector<std::string> styleNames() {
   return names;
 }
 
-// Test names must not contain dashes.
+// Returns the name without dashes, which test names must not contain.
 inline std::string testName(const ::testing::TestParamInfo<std::string>& info) {
   std::string name = info.param;
   for (char& c : name) c = c == '-' ? '_' : c;

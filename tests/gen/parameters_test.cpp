@@ -1,5 +1,5 @@
-// Parameters of styles in recipes: each one has an effect, none leaves its range, and levels
-// compile for every value.
+// Parameters of styles in recipes. Every parameter has an effect and stays within its range, and
+// levels compile for all values.
 #include <set>
 
 #include "gen/made.h"
@@ -33,7 +33,7 @@ TEST_P(Parameters, HaveUniqueNamesAndDescriptions) {
   }
 }
 
-// Otherwise a parameter that no obstacle uses, or one mistaken for another, would go unnoticed.
+// This test finds a parameter that no obstacle uses, or that is confused with another.
 TEST_P(Parameters, EachOneChangesLevels) {
   for (const gen::Parameter& p : styleOf(GetParam()).parameters) {
     int changed = 0;
@@ -70,7 +70,7 @@ TEST_P(Parameters, LevelsCompileThroughoutTheRanges) {
   }
 }
 
-// The largest counts and the slowest motion make the longest tables of motion.
+// The largest counts together with the slowest motion give the longest tables of motion.
 TEST_P(Parameters, TheLongestLevelsCompileAtTheirEnds) {
   for (const bool slow : {false, true}) {
     gen::Recipe recipe = recipeFor(GetParam(), 1);
@@ -90,7 +90,7 @@ TEST_P(Parameters, TheLongestLevelsCompileAtTheirEnds) {
 
 INSTANTIATE_TEST_SUITE_P(All, Parameters, ::testing::ValuesIn(styleNames()), testName);
 
-// The parameter is in its stated unit, from one end of the range to the other.
+// The parameter sets the size in its stated unit, at both ends of the difficulty range.
 TEST(ParameterOfGaps, IsTheSizeOfStones) {
   const auto parameter = gen::parameterNamed(*gen::findStyle("gaps"), "size", "");
   ASSERT_TRUE(parameter);

@@ -28,7 +28,7 @@ void expectNear(schema::Vec3::Reader a, schema::Vec3::Reader b, const std::strin
   EXPECT_NEAR(a.getZ(), b.getZ(), 1e-4) << what;
 }
 
-// The sign of a quaternion does not matter.
+// Compares rotations. A quaternion and its negative are the same rotation.
 void expectSame(schema::Quat::Reader a, schema::Quat::Reader b, const std::string& what) {
   const float same =
       a.getX() * b.getX() + a.getY() * b.getY() + a.getZ() * b.getZ() + a.getW() * b.getW();
@@ -37,7 +37,7 @@ void expectSame(schema::Quat::Reader a, schema::Quat::Reader b, const std::strin
 
 Vec3 turn(schema::Spin::Reader spin) { return level::vec(spin.getAxis()) * spin.getSpeed(); }
 
-// Returns the bounds of the part's centre, over its position and its keys.
+// Returns the bounds of the part's centre over its position and its keys.
 Box wayOf(schema::Part::Reader part) {
   const Vec3 home = level::vec(part.getPosition());
   Box box{home, home};
@@ -56,12 +56,12 @@ float roundOf(schema::Motion::Reader motion) {
   return motion.getRepeat() == schema::Repeat::PING_PONG ? 2 * way : way;
 }
 
-// Positions and times of tweens are written with all digits, but poses some hundred studs out lose
-// some in single precision. The script of a carrier waits at both ends. A wait ends with a frame of
-// the engine, so that each may take one frame longer.
+// Positions and times of tweens are written with all digits. Poses a few hundred studs from the
+// origin lose digits in single precision. A carrier's script waits at both ends, and each wait may
+// take one frame longer.
 void expectSameRoute(schema::Part::Reader a, schema::Part::Reader b, const std::string& what) {
-  // kFrame is in seconds, kRounding in studs and in seconds. Motions are sampled once a frame, with
-  // keys on samples.
+  // kFrame is in seconds; kRounding is in studs and in seconds. Motions are sampled once a frame,
+  // and their keys lie on samples.
   constexpr float kFrame = 1.0f / 60, kRounding = 0.02f;
   const Box before = wayOf(a), after = wayOf(b);
   EXPECT_LT(length(before.lo - after.lo), kRounding) << what;
@@ -71,10 +71,10 @@ void expectSameRoute(schema::Part::Reader a, schema::Part::Reader b, const std::
   EXPECT_LT(later, kRounding + (a.getMotion().getCarries() ? 2 * kFrame : 0)) << what;
 }
 
-// Styles draw these times in quarters of a second. Those are whole frames, so that waits are exact.
+// Styles draw these times in quarters of a second. These are whole frames, so waits are exact.
 void expectSame(schema::Vanish::Reader a, schema::Vanish::Reader b, const std::string& what) {
   EXPECT_EQ(int(a.getTrigger()), int(b.getTrigger())) << what;
-  if (a.getTrigger() == schema::VanishTrigger::SIGNAL) return;  // its button determines the times
+  if (a.getTrigger() == schema::VanishTrigger::SIGNAL) return;  // the times of its button apply
   EXPECT_NEAR(a.getDelay(), b.getDelay(), 1e-4) << what;
   EXPECT_NEAR(a.getAway(), b.getAway(), 1e-4) << what;
   const float period = a.getDelay() + a.getAway();
@@ -105,7 +105,8 @@ void expectSame(schema::Part::Reader a, schema::Part::Reader b) {
   EXPECT_LT(length(level::vec(turning.getPivot()) - level::vec(back.getPivot())), 0.01f) << what;
   EXPECT_EQ(a.hasVanish(), b.hasVanish()) << what;
   if (b.hasVanish()) expectSame(a.getVanish(), b.getVanish(), what);
-  // Dynamic parts stay dynamic. Carriers are dynamic in the place, and recognised by their drive.
+  // Dynamic parts stay dynamic. Carriers are also dynamic in the place, and are recognised by their
+  // drive.
   if (!a.hasMotion()) {
     EXPECT_EQ(a.getAnchored(), b.getAnchored()) << what;
   }
@@ -136,7 +137,7 @@ TEST_P(Places, RoundTripThroughTheImporter) {
 
 INSTANTIATE_TEST_SUITE_P(All, Places, ::testing::ValuesIn(styleNames()), testName);
 
-// A round checkpoint is a cylinder on its side, whose rotation would make a respawned player lie
+// A round checkpoint is a cylinder on its side. With its rotation, a respawned player would lie
 // down. Its look direction is still level.
 TEST(PlaceFile, ARespawnedPlayerStands) {
   gen::Recipe recipe = recipeFor("gaps", 0.5f);
@@ -171,7 +172,7 @@ TEST(PlaceFile, HasTheGravityAndTheSpeedsOfTheRecipe) {
   const auto physics = back->level.reader().getLevel().getPhysics();
   EXPECT_EQ(physics.getGravity(), 80);
   EXPECT_EQ(physics.getWalkSpeed(), 54);
-  EXPECT_NEAR(physics.getJumpSpeed(), 40, 1e-3) << "by way of a jump power";
+  EXPECT_NEAR(physics.getJumpSpeed(), 40, 1e-3) << "from a jump power";
 }
 
 TEST(PlaceFile, SeveralLevelsStandApart) {

@@ -1,4 +1,4 @@
-// Recipes from JSON: the accepted ones, and errors that state the place and the remedy.
+// Recipes from JSON: valid ones, and errors that state the place and the remedy.
 #include <gtest/gtest.h>
 
 #include <fstream>

@@ -7,7 +7,7 @@ namespace {
 
 constexpr uint64_t kRoundaboutSeeds = 41;
 
-// A style whose walls may be made impassable, and the prefix of that crossing's name.
+// A style whose walls may be impassable, and the prefix of that crossing's name.
 struct Planted {
   const char *style, *what;
 };
@@ -20,7 +20,7 @@ gen::Recipe recipeOf(const Planted& planted, const char* physics, float value) {
   return recipe;
 }
 
-// Returns the studs that walls extend beyond the widest floor.
+// Returns the studs by which walls extend beyond the widest floor.
 float besideFloors(const gen::Sketch& sketch) {
   float outermost = 0, half = 0;
   for (const gen::PartSketch& p : sketch.parts()) {

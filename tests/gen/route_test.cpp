@@ -1,4 +1,4 @@
-// The line along which a level is built is its query's `way`. It stays on the course, follows the
+// The line along which a level is built is its query's `route`. It stays on the course, follows the
 // order of parts, and crosses no gap wider than a jump.
 #include <algorithm>
 
@@ -8,13 +8,13 @@ namespace obby::test {
 namespace {
 
 constexpr uint64_t kRouteSeeds = 12;
-constexpr float kBeside = 3.25f;  // studs off the floors: hops lead to both sides
-constexpr float kAbove = 0.51f;   // studs up or down from their tops: lines do not climb buttons
+constexpr float kBeside = 3.25f;  // studs next to the floors, since hops lead to both sides
+constexpr float kAbove = 0.51f;   // studs above or below the tops, since lines do not climb buttons
 constexpr float kStep = 0.5f;     // studs between the samples of a line
 
-// A part, and the range of its centre.
+// A part, and the range over which its centre moves.
 struct Ground {
-  Mat3 axes;  // each of them vertical or horizontal
+  Mat3 axes;  // each axis is vertical or horizontal
   Vec3 half, from, to;
   bool carries;
 };
@@ -32,12 +32,12 @@ std::vector<Ground> groundsOf(const gen::Sketch& sketch) {
   return grounds;
 }
 
-// The distance of a point from a part, seen from above, and its height above the part's top.
+// Horizontal distance of a point from a part, and its height above the part's top, in studs.
 struct Off {
   float beside, above;
 };
 
-// `share` is the progress of the part's motion.
+// Returns the offset of `at`. `share` is the progress of the part's motion, from 0 to 1.
 Off offAt(const Ground& g, Vec3 at, float share) {
   const Vec3 middle = g.from + (g.to - g.from) * share;
   const Vec3 out = max(abs(toLocal(g.axes, at - middle)) - g.half, Vec3{});
@@ -66,7 +66,7 @@ bool isOver(const std::vector<Ground>& grounds, Vec3 at) {
   });
 }
 
-// Returns the longest stretch of the line, in studs, that is above none of the grounds.
+// Returns the length of the longest piece of the line that is above none of the grounds, in studs.
 float longestOverNothing(const std::vector<Vec3>& line, const std::vector<Ground>& grounds) {
   float longest = 0, now = 0;
   for (size_t i = 0; i + 1 < line.size(); ++i) {
@@ -83,7 +83,7 @@ float longestOverNothing(const std::vector<Vec3>& line, const std::vector<Ground
 
 class RouteTest : public ::testing::TestWithParam<std::string> {
  protected:
-  // Calls `look` with levels of every difficulty, with default parameters.
+  // Calls `look` with levels of every difficulty and with default parameters.
   template <class Look>
   void forLevels(const Look& look) const {
     for (const gen::NamedNumber& d : gen::namedDifficulties()) {
@@ -93,7 +93,7 @@ class RouteTest : public ::testing::TestWithParam<std::string> {
   }
 };
 
-// Parts are listed in the order of construction.
+// Parts are listed in the order in which they were built.
 TEST_P(RouteTest, StandsOnTheCourseInItsOrder) {
   forLevels([](const gen::Generated& made) {
     const std::vector<Ground> grounds = groundsOf(made.sketch);
@@ -107,11 +107,11 @@ TEST_P(RouteTest, StandsOnTheCourseInItsOrder) {
   });
 }
 
-// A line that cuts a corner, or runs between two routes, would lead learners off the floor.
+// A line that cuts a corner or runs between two routes would lead learners off the floor.
 TEST_P(RouteTest, CrossesNoGapWiderThanAJump) {
   const float widest = generatorOf({}).reach().gap(0);
   forLevels([&](const gen::Generated& made) {
-    const float limit = widest - kBeside;  // the margin of the floors at both ends does not count
+    const float limit = widest - kBeside;  // the margin does not count as floor at both ends
     EXPECT_LE(longestOverNothing(made.sketch.line(), groundsOf(made.sketch)), limit) << made.name;
   });
 }

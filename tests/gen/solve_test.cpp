@@ -1,5 +1,6 @@
-// Each style is solved about as often as its difficulty promises, its twins never are, and it needs
-// its name-giving feature. Budgets are steps, so that results are the same on every machine.
+// A search solves each style about as often as its difficulty promises. It never solves a twin, or
+// a level without the style's typical feature. Budgets are in steps, so results are the same on
+// every machine.
 #include <gtest/gtest.h>
 
 #include "gen/made.h"
@@ -80,7 +81,7 @@ TEST_P(Solved, TwinsOfAnyParametersNever) {
   }
 }
 
-// The physics are those of real games, one of them with hardly any jump.
+// Tests the physics of real games. In one of them players can hardly jump.
 TEST_P(Solved, LevelsWithOtherPhysicsTooAndTheirTwinsNever) {
   for (const std::vector<gen::NamedNumber>& physics :
        std::vector<std::vector<gen::NamedNumber>>{{{"gravity", 80}, {"walkSpeed", 54}},

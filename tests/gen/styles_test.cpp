@@ -1,5 +1,5 @@
-// Requirements of every style: valid levels, distinct part names, margins that follow the
-// difficulty, and twins that differ in one crossing.
+// All styles give valid levels, distinct part names, margins that follow the difficulty, and twins
+// that differ in one crossing.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -68,7 +68,8 @@ TEST_P(Styles, TheLongestLevelsCompile) {
   }
 }
 
-// Compares sizes from above, since heights follow those of earlier parts.
+// Returns the number of parts that differ in size from above. Heights are ignored, since they
+// depend on earlier parts.
 size_t partsThatDiffer(const gen::Sketch& a, const gen::Sketch& b) {
   const auto alike = [](const gen::PartSketch& x, const gen::PartSketch& y) {
     return x.size.x == y.size.x && x.size.z == y.size.z;
@@ -134,7 +135,7 @@ TEST_P(Styles, LevelsBeginAtTheStartAndEndAtTheGoal) {
   }
 }
 
-// The line guides learners.
+// The route guides learners.
 TEST_P(Styles, TheLineGoesFromTheStartThroughAllStopsToTheGoal) {
   const gen::Generator generator = generatorOf(recipeFor(GetParam(), 0.5f));
   for (uint64_t seed = 0; seed < kStylesSeeds; ++seed) {
@@ -146,7 +147,7 @@ TEST_P(Styles, TheLineGoesFromTheStartThroughAllStopsToTheGoal) {
     size_t next = 0;
     for (const gen::Stop& stop : made.sketch.stops()) {
       while (next < line.size() && !(line[next] == stop.feet)) ++next;
-      EXPECT_LT(next, line.size()) << "a stop beside the line";
+      EXPECT_LT(next, line.size()) << "a stop next to the line";
     }
   }
 }
@@ -163,7 +164,7 @@ TEST(StyleTable, HasUniqueNamesAndDescriptions) {
   EXPECT_EQ(gen::findStyle("no-such-style"), nullptr);
 }
 
-// The range of a style's own measures, by difficulty.
+// Gaps and rises of any style grow with the difficulty and stay within reach.
 TEST(Measures, GapsAndRisesGrowWithTheDifficulty) {
   const gen::Generator generator = generatorOf({});
   const gen::Recipe recipe;

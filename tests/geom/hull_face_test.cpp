@@ -1,5 +1,5 @@
-// Faces of convex hulls that do not contain their part's centre, as in unions, and contacts with
-// other shapes.
+// Hulls that do not contain their part's centre, as in unions: their faces, and contacts with other
+// shapes.
 #include "geom/hull_face.h"
 
 #include <gtest/gtest.h>

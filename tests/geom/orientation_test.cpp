@@ -1,5 +1,4 @@
-// The orientation of each shape in its own frame. Nothing else in the code would notice a mirrored
-// shape.
+// The orientation of each shape in its own frame. No other test would find a mirrored shape.
 #include <gtest/gtest.h>
 
 #include "random_shapes.h"
@@ -11,7 +10,8 @@ using test::contains;
 
 const ShapeData kPart{{2, 1, 3}, nullptr};
 
-// Returns the height of the surface above local (x, z) by a ray straight down, or -9 for none.
+// Returns the height of the surface at local (x, z), from a ray straight down, or -9 if the ray
+// misses.
 template <class Shape>
 float heightAt(float x, float z) {
   RayHit hit{};

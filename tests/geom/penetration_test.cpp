@@ -1,5 +1,5 @@
-// Penetration depths: special forms agree with the general one, and moving the body out by depth
-// times normal separates the two.
+// Penetration depths. Special forms agree with the general one, and moving the body out by depth
+// times normal separates the two shapes.
 #include "geom/penetration.h"
 
 #include <gtest/gtest.h>
@@ -33,7 +33,8 @@ TEST(BoxBlock, EqualsTheSeparatingAxesOfTheGeneralForm) {
     const LocalBox local = localOf(pose, dice.body(3));
     const Contact fast = boxBlock<float>(s.half, local),
                   general = internal::penetration<Block>(s, local);
-    if (general.depth < 1e-4f && general.depth > -1e-4f) continue;  // touching: either is right
+    if (general.depth < 1e-4f && general.depth > -1e-4f)
+      continue;  // the shapes touch, so either answer is right
     ASSERT_EQ(fast.depth >= 0, general.depth >= 0) << fast.depth << " " << general.depth;
     if (general.depth < 0) continue;
     ++overlapping;

@@ -1,5 +1,5 @@
-// Random shapes, poses and boxes for the tests of geom. The points of a shape by definition are the
-// reference for the code under test.
+// Random shapes, poses and boxes for the tests of geom. Points of a shape, by its definition, are
+// the reference for the code under test.
 #pragma once
 
 #include <cmath>
@@ -88,7 +88,8 @@ class Dice {
   Random random_;
 };
 
-// Returns true if the local point lies in the shape by definition, grown by `slack` studs.
+// Returns true if a local point lies in the shape grown by `slack` studs, by the shape's
+// definition.
 inline bool contains(ShapeKind kind, const ShapeData& s, Vec3 p, float slack = 0) {
   const Vec3 h = s.half + Vec3{slack, slack, slack};
   const bool inBox = absf(p.x) <= h.x && absf(p.y) <= h.y && absf(p.z) <= h.z;
@@ -116,7 +117,7 @@ inline bool contains(ShapeKind kind, const ShapeData& s, Vec3 p, float slack = 0
   return false;
 }
 
-// Corners of the shapes that have corners.
+// Returns the shape's corners. The shape must have corners.
 inline std::vector<Vec3> corners(ShapeKind kind, const ShapeData& s) {
   std::vector<Vec3> out;
   if (kind == ShapeKind::hull) {

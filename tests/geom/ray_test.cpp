@@ -1,4 +1,5 @@
-// Rays against every shape, compared with points along the ray and the shape's definition.
+// Rays against every shape. Their hits are compared with points along the ray and the shape's
+// definition.
 #include <gtest/gtest.h>
 
 #include "random_shapes.h"
@@ -18,7 +19,7 @@ class Rays : public testing::TestWithParam<ShapeKind> {
   ShapeData shape() {
     return {GetParam() == ShapeKind::hull ? Vec3{1, 1, 1} : dice_.half(), &hull_};
   }
-  // A ray from outside towards a point near the shape.
+  // Returns a ray from outside towards a point near the shape.
   std::pair<Vec3, Vec3> ray(const ShapeData& s) {
     const Vec3 from = dice_.direction() * dice_.between(8, 12);
     return {from, normalize(mul(s.half, dice_.vec(1.2f)) - from)};
@@ -40,7 +41,8 @@ TEST_P(Rays, HitTheSurfaceAtTheirFirstEntry) {
     ASSERT_TRUE(contains(GetParam(), s, at, 1e-3f));
     ASSERT_NEAR(length(hit.normal), 1, 1e-4f);
     ASSERT_LE(dot(hit.normal, d), 1e-4f) << "the normal looks against the ray";
-    // No earlier point is inside, and the tangent plane there supports the (convex) shape.
+    // No earlier point is inside the shape. The tangent plane at the hit supports the shape, which
+    // is convex.
     for (float t = 0; t < hit.t - 0.02f; t += 0.05f)
       ASSERT_FALSE(contains(GetParam(), s, o + d * t, -1e-3f)) << t << " before " << hit.t;
     const float support =

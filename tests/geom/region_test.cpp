@@ -49,7 +49,7 @@ TEST(Region, ALineThroughWithBothEndsOutsideMeets) {
   EXPECT_TRUE(meets(r, {0, -5, 0}, {0, 5, 0}));
   EXPECT_FALSE(meets(r, {2, -5, 0}, {2, 5, 0}));
   EXPECT_FALSE(meets(r, {0, 2, 0}, {0, 5, 0}));
-  EXPECT_TRUE(meets(r, {0, 1, 0}, {0, 5, 0}));  // faces belong to it
+  EXPECT_TRUE(meets(r, {0, 1, 0}, {0, 5, 0}));  // the box includes its faces
 }
 
 TEST(Region, ASweptLineMeetsExactlyIfItMeetsAtSomePoint) {

@@ -52,7 +52,7 @@ TEST(RoundShapes, ABallIsApartIffItsDistanceIsPositive) {
   EXPECT_LT(worstFalseContact(ShapeKind::ball, 400), 1e-3f);
 }
 
-// No axis separates a rim from a corner or edge of the body, so that contact may come early there.
+// No axis separates a rim from a corner or edge of the body, so contact may come too early there.
 TEST(RoundShapes, ACylinderIsApartWithinAHalfStudOfItsRim) {
   EXPECT_LT(worstFalseContact(ShapeKind::cylinder, 401), 0.5f);
 }

@@ -32,7 +32,7 @@ TEST_P(Support, IsTheFarthestPoint) {
       for (const Vec3 p : test::corners(GetParam(), s)) best = maxf(best, dot(d, p));
       ASSERT_NEAR(support(GetParam(), s, d), best, 1e-4f);
     }
-    // No point of the shape is farther.
+    // No point of the shape is farther in this direction.
     const Vec3 p = mul(s.half, dice_.vec(1));
     if (test::contains(GetParam(), s, p)) {
       ASSERT_LE(dot(d, p), support(GetParam(), s, d) + 1e-4f);
@@ -66,8 +66,8 @@ TEST_P(Support, AxesAndEdgesAreUnitVectors) {
   }
 }
 
-// Every edge of the corner list must be one of the table's directions. An edge between two corners
-// runs along the intersection of two faces, so that both face normals are perpendicular to it.
+// Every edge between corners must be one of the table's directions. An edge runs along the
+// intersection of two faces, so it is perpendicular to both of their normals.
 TEST_P(Support, EdgesCoverTheIntersectionsOfFaces) {
   if (GetParam() == ShapeKind::ball || GetParam() == ShapeKind::cylinder) GTEST_SKIP() << "round";
   const ShapeData s = shape();

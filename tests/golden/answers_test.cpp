@@ -36,9 +36,9 @@ constexpr Asked kAsked[] = {
 };
 
 // Observations, networks, sampled actions and learning decide these answers. The levels have still,
-// moving, climbed, vanishing and dynamic parts; some stay unsolved. Budgets are small: a round of
-// `ge-ps` has 8,192 rollouts, `rl` ends after one round or tens of rounds, and `pbge` and `cflge`
-// learn for about twenty.
+// moving, climbable, vanishing and dynamic parts, and some queries stay unsolved. Budgets are
+// small: a round of `ge-ps` has 8,192 rollouts, `rl` ends after one round or tens of rounds, and
+// `pbge` and `cflge` learn for about twenty rounds.
 constexpr Asked kPlayedByNetworks[] = {
     {"spiral-tower", "to-half", "auto", true, 1'000'000},
     {"suite/crates-and-walls", "first-wall", "auto", true, 300'000},
@@ -74,8 +74,9 @@ SearchOutcome searched(const Asked& asked, const level::Level& level, const leve
   return baselines::findMethod(asked.method)->run(problem, budget, {}, pool);
 }
 
-// One line: level, query, method and steps, then the solution's ticks, jumps and state hash.
-// Without a solution the count of cells and a hash of the attempts' end states follow.
+// Returns one line: level, query, method and steps, then the solution's ticks, jumps and state
+// hash. Without a solution, the count of cells and a hash of the attempts' end states follow
+// instead.
 std::string lineOf(const Asked& asked, const SearchOutcome& o) {
   std::ostringstream out;
   out << asked.level << '\t' << asked.query << '\t' << asked.method

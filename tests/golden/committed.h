@@ -10,7 +10,7 @@
 
 namespace obby::golden {
 
-// Writes the file instead and skips the test if OBBY_WRITE_GOLDEN is set.
+// If OBBY_WRITE_GOLDEN is set, writes the file instead and skips the test.
 inline void expectCommitted(const char* path, const std::string& now) {
   if (std::getenv("OBBY_WRITE_GOLDEN") != nullptr) {
     std::ofstream(path) << now;

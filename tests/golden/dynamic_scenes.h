@@ -5,7 +5,7 @@
 
 namespace obby::golden {
 
-// One body of each shape in a pen with a conveyor.
+// Returns a level with one body of each shape in a pen with a conveyor.
 inline LevelBuilder dynamicBodies() {
   LevelBuilder b = floorWith({});
   for (int side = 0; side < 4; ++side) {
@@ -45,7 +45,7 @@ inline LevelBuilder dynamicStack() {
   return b;
 }
 
-// Seats on a turning floor, which carries some of them over its edge.
+// Returns a level with seats on a turning floor, which carries some of them over its edge.
 inline LevelBuilder dynamicSeats() {
   LevelBuilder b = floorWith([](Part::Builder p) {
     support::set(p.initConveyor().initAngular(), {0, 1.5f, 0});

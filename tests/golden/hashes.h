@@ -1,4 +1,4 @@
-// Committed state hashes: every compiler, optimisation level, instruction set, thread count and
+// Committed state hashes. Every compiler, optimisation level, instruction set, thread count and
 // machine must produce these bits (docs/determinism.md). A deliberate change of physics changes
 // them. Then the change log says *hash*, and the output of the failing test replaces the table.
 #pragma once
@@ -72,7 +72,7 @@ inline const Scene kScenes[] = {
     {"loose seats", dynamicSeats, 0x1655dba95f530d3f},
 };
 
-// Each scene runs this many worlds and ticks, with walkers of this seed.
+// Each scene runs this many worlds for this many ticks. Walkers with this seed play.
 constexpr uint32_t kWorlds = 64, kTicks = 600;
 constexpr uint64_t kSeed = 11;
 

@@ -73,7 +73,7 @@ inline LevelBuilder roles() {
   return b;
 }
 
-// Many parts over a floor, each set up by `setter` with its index.
+// Returns a floor with many parts at random places. `setter` sets up each part by its index.
 template <class Setter>
 LevelBuilder scattered(int count, Setter setter) {
   LevelBuilder b = floorWith({});
@@ -94,7 +94,7 @@ inline LevelBuilder scatteredOf(schema::Shape shape) {
   return scattered(40, [=](Part::Builder p, int) { p.setShape(shape); });
 }
 
-// Octahedra: hulls with eight faces and six corners.
+// Returns a level of hulls in the form of octahedra, with eight faces and six corners.
 inline LevelBuilder hulls() {
   return scattered(30, [](Part::Builder p, int i) {
     p.setShape(schema::Shape::HULL);
@@ -105,7 +105,8 @@ inline LevelBuilder hulls() {
   });
 }
 
-// Beams that spin about a vertical or a horizontal axis, through a pivot away from their centre.
+// Returns a level with beams that spin about a vertical or a horizontal axis, through a pivot away
+// from their centre.
 inline LevelBuilder spinners() {
   LevelBuilder b = floorWith({});
   for (int i = 0; i < 9; ++i) {
@@ -120,7 +121,7 @@ inline LevelBuilder spinners() {
   return b;
 }
 
-// Extremes of size: a plain, a sheet, a needle, a hill.
+// Returns a level with parts of extreme sizes: a plain, a sheet, a needle, a hill.
 inline LevelBuilder extremes() {
   return LevelBuilder()
       .block({0, -1000, 0}, {2048, 2000, 2048})
@@ -172,7 +173,8 @@ inline LevelBuilder vanishing() {
   });
 }
 
-// Boosts that change gravity, some of them forever, and parts that only the root can touch.
+// Returns a level with boosts that change gravity, some of them for ever, and parts that only the
+// root can touch.
 inline LevelBuilder weights() {
   return scattered(40, [](Part::Builder p, int i) {
     if (i % 4 == 3) {
@@ -190,7 +192,7 @@ inline LevelBuilder weights() {
   });
 }
 
-// Two air jumps, among trusses, seats and pads.
+// Returns a level with two air jumps, trusses, seats and pads.
 inline LevelBuilder airJumps() {
   return scattered(40,
                    [](Part::Builder p, int i) {
@@ -209,7 +211,8 @@ inline LevelBuilder killers() {
   });
 }
 
-// Trusses at random places: upright, turned, tilted, hanging, moving, vanishing.
+// Returns a level with trusses at random places: upright, turned, tilted, hanging, moving,
+// vanishing.
 inline LevelBuilder trusses() {
   LevelBuilder b = floorWith({});
   Random random(12, 0);
@@ -234,7 +237,8 @@ inline LevelBuilder trusses() {
   return b;
 }
 
-// Everything that a touch can start: doors by four buttons, falls, motions, boosts, trips.
+// Returns a level with everything that a touch can start: doors opened by four buttons, falls,
+// motions, boosts, trips.
 inline LevelBuilder clocks() {
   LevelBuilder b = scattered(48, [](Part::Builder p, int i) {
     const std::string signal = "signal " + std::to_string(i % 4);
@@ -275,7 +279,7 @@ inline LevelBuilder clocks() {
   return b;
 }
 
-// Teleporters, seats, one-way parts, healing parts, and presses above them.
+// Returns a level with teleporters, seats, one-way parts, healing parts, and presses above them.
 inline LevelBuilder places() {
   LevelBuilder b = scattered(40, [](Part::Builder p, int i) {
     switch (i % 5) {

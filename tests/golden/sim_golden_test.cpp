@@ -1,4 +1,4 @@
-// Compares the state hashes of hashes.h with every way to simulate that this machine supports.
+// Compares the state hashes of hashes.h with every method of simulation that this machine supports.
 #include <gtest/gtest.h>
 
 #include "base/hash.h"
@@ -17,14 +17,14 @@ uint64_t playedHash(sim::Batch& batch) {
   return *batch.hash();
 }
 
-// The hash from SIMD lanes.
+// Returns the hash from SIMD lanes.
 uint64_t lanesHash(const level::Level& level, int threads) {
   ThreadPool pool(threads);
   const auto course = sim::courseOf(level.view(), level.spawns()[0]);
   return playedHash(**sim::makeCpuBatch(course, kWorlds, pool));
 }
 
-// The hash from the GPU's kernel, run on the CPU.
+// Returns the hash from the GPU's kernel, which runs on the CPU here.
 uint64_t kernelHash(const level::Level& level) {
   ThreadPool pool(2);
   sim::HostDevice device(pool);
@@ -32,7 +32,7 @@ uint64_t kernelHash(const level::Level& level) {
   return playedHash(**sim::makeKernelBatch(course, kWorlds, device));
 }
 
-// The hash from one world at a time.
+// Returns the hash from one world at a time.
 uint64_t singlyHash(const level::Level& level) {
   uint64_t h = 0;
   for (uint32_t i = 0; i < kWorlds; ++i) {

@@ -1,4 +1,4 @@
-// A part attached to a turning part moves on an arc.
+// A part that is attached to a turning part moves on an arc.
 #include <cmath>
 #include <string>
 #include <utility>

@@ -109,7 +109,7 @@ TEST(Attributes, AttributesBeyondAThousandAreDropped) {
   const auto blob = [](int count) {
     std::string all;
     for (int i = 0; i < count; ++i) all += attributeBytes("a" + std::to_string(i), 0x03, "\x01");
-    // A known name adds no entry.
+    // The repeated name `a0` adds no entry.
     return counted(static_cast<uint32_t>(count) + 1, all + attributeBytes("a0", 0x03, "\x01"));
   };
   const DecodedAttributes fits = decodeAttributes(blob(1000));

@@ -4,8 +4,8 @@
 namespace obby::test {
 namespace {
 
-// Returns a script that calls `test` with the box and the body's parts, frame by frame, and kills
-// if it is true.
+// Returns a script that evaluates `test` with the box and the body's parts in each frame. It kills
+// if the result is true.
 std::string pollOf(const std::string& test) {
   return R"(local box = workspace.Box
 local function inside(point)

@@ -60,7 +60,7 @@ TEST(Carrying, HingeMotorSpinsAndCarries) {
   expectNear(scene[c.arm].motion->spin->axis, {0, 1, 0});
 }
 
-// Its servo moves 10 studs/s.
+// The servo moves at 10 studs/s.
 TEST(Carrying, ASliderServoMovesToItsScriptedTargets) {
   struct Case {
     const char* text;
@@ -73,7 +73,7 @@ TEST(Carrying, ASliderServoMovesToItsScriptedTargets) {
       {"task.wait(1) while true do slider.TargetPosition = 20 task.wait(5)\n"
        "slider.TargetPosition = 0 task.wait(5) end",
        {{2, 18}, {5, 28}, {7, 18}, {10, 8}}},
-      {"while true do slider.TargetPosition = 40 task.wait(2)\n"  // it does not arrive
+      {"while true do slider.TargetPosition = 40 task.wait(2)\n"  // turns back before it arrives
        "slider.TargetPosition = 0 task.wait(2) end",
        {{1, 18}, {2, 28}, {3, 18}, {4, 8}, {42, 28}}},
       {"while true do task.wait(5) slider.TargetPosition = 20\n"
@@ -191,7 +191,7 @@ TEST(Carrying, ASliderMotorWithoutForceDrivesNothing) {
   EXPECT_EQ(scene.unmodelled("constraint PrismaticConstraint"), 1u);
 }
 
-// A deck on the arm of a slider without limits.
+// A deck on the arm of a slider, with or without limits.
 struct Decked {
   explicit Decked(bool limited) {
     c = pushed(scene, "PrismaticConstraint");
@@ -221,7 +221,7 @@ TEST(Carrying, AnUnlimitedSliderMotorHoldsItsParts) {
   EXPECT_EQ(slider.scene.unmodelled("unanchored part"), 0u);
 }
 
-// It moves from the lower limit, 0, to the upper one, 5, in a second.
+// The slider moves from its lower limit, 0, to its upper one, 5, in a second.
 TEST(Carrying, AReversingSliderMotorMovesBetweenItsLimits) {
   Decked slider(true);
   slider.scene.script(

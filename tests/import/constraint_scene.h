@@ -5,7 +5,7 @@
 
 namespace obby::test {
 
-// An arm below an anchored base; the axis of the constraint points up.
+// An arm below an anchored base. The constraint's axis points up.
 struct Constraint {
   InstanceId id, base, arm;
 };
@@ -24,7 +24,7 @@ inline Constraint constrained(Scene& scene, const char* className) {
   return c;
 }
 
-// A slider whose motor pushes the arm up at 5 studs/s.
+// Returns a slider whose motor pushes the arm up at 5 studs/s.
 inline Constraint pushed(Scene& scene, const char* className) {
   const auto c = constrained(scene, className);
   scene.set(c.id, "ActuatorType", EnumItem{1, {}});
@@ -33,7 +33,7 @@ inline Constraint pushed(Scene& scene, const char* className) {
   return c;
 }
 
-// A slider whose servo takes the arm to its target at 10 studs/s.
+// Returns a slider whose servo takes the arm to its target at 10 studs/s.
 inline Constraint servoed(Scene& scene) {
   const auto c = constrained(scene, "PrismaticConstraint");
   scene.set(c.id, "ActuatorType", EnumItem{2, {}});
@@ -42,7 +42,8 @@ inline Constraint servoed(Scene& scene) {
   return c;
 }
 
-// An arm attached to an anchored hub ten studs away, by a joint of any class, named "Weld".
+// An arm that any class of joint attaches to an anchored hub ten studs away. The joint is named
+// "Weld".
 struct Joined {
   InstanceId hub, arm;
 };

@@ -13,7 +13,8 @@ namespace {
 using namespace importer;
 using testing::HasSubstr;
 
-// The corners of a tetrahedron in the box of half size 1 (four corners, four triangles).
+// Returns the bytes of a hull: a tetrahedron with four corners and four triangles in the box of
+// half size `reach`.
 std::string hull(float reach = 1) {
   std::string out(40, '\0');
   append(out, 12);
@@ -67,13 +68,13 @@ TEST(CsgPhysics, EveryTruncationIsAnErrorOrHasFewerHulls) {
 
 TEST(CsgPhysics, WrongCountsIndicesAndNumbersAreErrors) {
   std::string bad = hull();
-  bad[40] = 13;  // a number of floats that is no multiple of three
+  bad[40] = 13;  // the number of floats is not a multiple of three
   EXPECT_FALSE(decodeCollision(csg(5, bad)));
   bad = hull();
   bad[43] = '\x7f';  // two billion floats
   EXPECT_FALSE(decodeCollision(csg(5, bad)));
   bad = hull();
-  bad[bad.size() - 1] = 1;  // an index far away
+  bad[bad.size() - 1] = 1;  // an index far beyond the vertices
   EXPECT_FALSE(decodeCollision(csg(5, bad)));
   bad = hull();
   bad.replace(48, 4, std::string("\0\0\x80\x7f", 4));  // infinity
@@ -101,7 +102,8 @@ TEST(CsgPhysics, HullsScaledOutOfBoundsAreOmitted) {
   const auto hulls = scaledHulls({wide, small}, {1e5f, 2, 1});
   ASSERT_EQ(hulls.size(), 1u);
   EXPECT_EQ(hulls[0][1], (Vec3{0, 2, 0}));
-  // It is finite, but beyond the bounds of a level, which would be rejected as a whole.
+  // The scaled hull is finite but beyond the bounds of a level. It would make the whole level
+  // invalid.
   EXPECT_EQ(scaledHulls({small}, {1, 999999, 1}).size(), 1u);
   EXPECT_EQ(scaledHulls({small}, {1, 2e6f, 1}).size(), 0u);
 }

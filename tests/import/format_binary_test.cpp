@@ -20,13 +20,13 @@ std::string errorOf(const std::string& bytes) {
   return document ? "accepted" : document.error().text();
 }
 
-// Two parts with referents 0 and 1, the second below the first.
+// Returns two parts with referents 0 and 1, the second below the first.
 std::string twoParts(const std::string& properties, const std::string& parents) {
   return fileHeader(1, 2) + instanceChunk(0, "Part", {0, 1}) + properties + parents + endChunk();
 }
 std::string goodParents() { return parentChunk({0, 1}, {-1, 0}); }
 
-// Rotation of `degrees` about an axis (0: x, 1: y, 2: z), for quarter turns.
+// Returns the rotation by `degrees`, a multiple of 90, about an axis (0: x, 1: y, 2: z).
 Mat3 quarterTurns(int axis, int degrees) {
   const int turns = ((degrees / 90) % 4 + 4) % 4;
   const std::array<float, 4> cosine = {1, 0, -1, 0}, sine = {0, 1, 0, -1};
@@ -148,7 +148,7 @@ TEST(FormatBinary, PropertiesThatDoNotFitTheirClassAreErrors) {
               HasSubstr("no rotation with id 1"));
   EXPECT_THAT(withProperty(0, 0x1c, std::string(8, '\0')), HasSubstr("no shared string 0"));
   EXPECT_THAT(withProperty(0, 0x1e, std::string(1, '\x11')), HasSubstr("expected a CFrame column"));
-  // One string of 4 GiB.
+  // A string that claims 4 GiB.
   EXPECT_THAT(withProperty(0, 0x01, "\xff\xff\xff\xffzzzz"), HasSubstr("ends early"));
 }
 
@@ -158,14 +158,14 @@ TEST(FormatBinary, ClaimedSizesAllocateNothing) {
     return errorOf(fileHeader(1, 1) + chunkBytes + endChunk());
   };
   const std::string zero(4, '\0');
-  // Sizes of stored, then of compressed chunks (LZ4 and zstd).
+  // Chunks that claim huge sizes: stored ones, then compressed ones (LZ4 and zstd).
   EXPECT_THAT(withChunk("INST" + zero + huge + zero + "x"), HasSubstr("but the file ends"));
   EXPECT_THAT(withChunk("INST" + huge + huge + zero + "x"), HasSubstr("but the file ends"));
   EXPECT_THAT(withChunk("INST" + std::string("\x04\0\0\0", 4) + huge + zero + "abcd"),
               HasSubstr("claims to hold 1073741823 bytes in 4"));
   EXPECT_THAT(withChunk("INST" + std::string("\x05\0\0\0", 4) + huge + zero + "\x28\xb5\x2f\xfd "),
               HasSubstr("claims to hold 1073741823 bytes in 5"));
-  // Counts inside a chunk.
+  // Huge counts inside a chunk.
   std::string instances;
   append(instances, 0);
   appendString(instances, "Part");

@@ -51,7 +51,7 @@ TEST_P(DamagedBinary, EveryFlippedBitGivesADocumentOrAnError) {
       EXPECT_FALSE(document.error().place.empty()) << bit;
     }
   }
-  EXPECT_GT(refused, whole.size());  // more than one bit in eight matters
+  EXPECT_GT(refused, whole.size());  // more than one bit in eight causes an error
 }
 
 INSTANTIATE_TEST_SUITE_P(Packings, DamagedBinary,
@@ -78,7 +78,7 @@ TEST(DamagedXml, EveryFlippedBitGivesADocumentOrAnError) {
   EXPECT_GT(refused, whole.size());
 }
 
-// Files made to exhaust memory have a name of a megabyte on many parts.
+// Files that are made to exhaust memory: many parts with names of a megabyte.
 TEST(LongNames, AreCutAtAHundredCharactersWithOneWarning) {
   PlaceWriter place;
   const auto workspace = place.add("Workspace", "Workspace");
@@ -118,7 +118,7 @@ TEST(LongNames, PathsOfDeepTreesKeepTheirEnds) {
   EXPECT_THAT(path, testing::EndsWith("f/Last"));
 }
 
-// Each of them may grow to 16 MiB, so a file of a few kilobytes may hold only a few.
+// Each chunk may grow to 16 MiB, so a file of a few kilobytes may hold only a few of them.
 TEST(HostileBinary, ManySmallChunksThatGrowAreRefused) {
   const std::string grown =
       propertyChunk(0, "Unknown", 0xee, std::string(16 << 20, 0), Packing::Zstd);

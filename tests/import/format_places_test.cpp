@@ -30,7 +30,8 @@ Document readOrDie(const fs::path& path) {
   return document ? *std::move(document) : Document{};
 }
 
-// Removes real differences between the two files of a pair, which were saved at different moments.
+// Returns the known difference that a line shows, or an empty string. The two files of a pair were
+// saved at different moments.
 std::string knownDifference(const std::string& line) {
   for (const char* part : {":FilteredSelection[", "/Part:Part[0].CFrame = "}) {
     if (line.find(part) != std::string::npos) return part;

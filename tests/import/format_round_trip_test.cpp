@@ -1,4 +1,4 @@
-// Content written in each format is read back, the same from all of them.
+// Content that was written in any of the formats reads back the same.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// The XML format as files of all ages and from all generators write it.
+// The XML format as old and new programs write it.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -4,8 +4,8 @@
 namespace obby::test {
 namespace {
 
-// Returns the kill of a part whose script runs `act` for each touch by a player, with the player's
-// `human`. Each part has its own script.
+// Returns the kill of a part whose script runs `act` on each touch by a player. `human` is the
+// player's humanoid. Each part has its own script.
 const importer::Kill* killBy(Scene& scene, const std::string& act) {
   const auto part = scene.part("Part", {20, 0, 0});
   scene.script(

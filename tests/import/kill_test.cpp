@@ -1,4 +1,4 @@
-// Kill and damage parts, in each way that real places make them.
+// Kill parts and damage parts, as real places script them.
 #include <string>
 #include <utility>
 

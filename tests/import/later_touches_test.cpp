@@ -94,7 +94,7 @@ TEST(LaterTouches, PermanentEffectsNeedNoSecondTouch) {
   }
 }
 
-// It is unknown what a handler without a visible effect counts.
+// A handler without a visible effect may count touches for something unknown.
 TEST(LaterTouches, ListenersWithoutAVisibleEffectAreNamed) {
   const char* const kHidden = "input without a visible effect";
   ScriptedPart counts("local n = 0 p.Touched:Connect(function() n += 1 end)");
@@ -105,7 +105,7 @@ TEST(LaterTouches, ListenersWithoutAVisibleEffectAreNamed) {
   EXPECT_EQ(silent.unmodelled(kHidden), 0u);
 }
 
-// The pads must be touched in an order that is not that of the file.
+// The pads must be touched in an order that differs from their order in the file.
 TEST(LaterTouches, PadsThatNeedAnOrderAreFound) {
   Scene scene;
   for (const char* name : {"C", "A", "B"}) scene.part(name, {20.0f * float(name[0] - '@'), 0, 0});

@@ -11,7 +11,7 @@ inline constexpr const char* kMoreLater = "touch that does more later";
 inline constexpr const char* kLessLater = "touch that does less later";
 inline const std::string kKillHit = "hit.Parent.Humanoid.Health = 0 ";
 
-// Scripts call the parts `lever` and `p`, and find three values in the trap.
+// Scripts can use the parts `lever` and `p` (the trap). The trap contains three values.
 struct LeverScene : Scene {
   LeverScene() {
     add("ClickDetector", "ClickDetector", lever);

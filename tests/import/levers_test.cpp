@@ -21,7 +21,7 @@ TEST(Levers, AnyCheckedEffectOfALeverArmsTheTrap) {
     for (const bool trapFirst : {false, true}) {
       LeverScene scene;
       if (trapFirst) scene.asks(condition);
-      // It counts as one touch, however many limbs it has.
+      // The script counts a touch once, however many limbs touch.
       scene.run(
           "local last = -9 lever.Touched:Connect(function() if time() - last < 1 then\n"
           "return end last = time() " +
@@ -113,7 +113,8 @@ TEST(Levers, ATrapThatNoLeverArmsIsHarmless) {
 TEST(Levers, ServersAndClientsSeeEachOthersChanges) {
   for (const bool lever : {false, true})
     for (const bool trap : {false, true}) {
-      if (lever && !trap) continue;  // the engine keeps it on the client; the twin has one world
+      if (lever && !trap)
+        continue;  // the real engine keeps the change on the client, but the twin has one world
       LeverScene scene;
       scene.pulls("p.On.Value = true", lever);
       scene.asks("p.On.Value", trap);

@@ -1,4 +1,4 @@
-// The Luau parser and reader: what they accept, and that no input makes them crash or hang.
+// The Luau parser and reader: accepted texts, and inputs that must not crash or hang them.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -79,7 +79,7 @@ TEST(Luau, EndlessAndRecursiveScriptsAreReadWithinABudget) {
   }
 }
 
-// The script asks for Workspace repeatedly, which a model file does not have.
+// The script looks up Workspace repeatedly, but a model file has none.
 TEST(Luau, ManyRootsAreSearchedOnce) {
   Scene scene = Scene::model();
   for (int i = 0; i < 50000; ++i) scene.add("Folder", "Folder", kNoInstance);
@@ -87,7 +87,7 @@ TEST(Luau, ManyRootsAreSearchedOnce) {
   scene.level();
 }
 
-// A switch that turns on and off at the same time is no timer.
+// A part that turns on and off at the same moment does not count as a timer.
 TEST(Luau, ManySwitchesOfATimerEndSoon) {
   Scene scene;
   const auto part = scene.part("Part");
@@ -144,11 +144,12 @@ TEST(Luau, CodeAfterAnEndlessLoopDoesNotRun) {
                  part);
     scene.level();
     const bool isGuess = scene.evidence(part, "kill").rfind("guessed: ", 0) == 0;
-    EXPECT_TRUE(!scene[part].kill || isGuess) << loop;  // the text of a stopped script is used
+    EXPECT_TRUE(!scene[part].kill || isGuess)
+        << loop;  // the text of a script is evidence if the script was stopped
   }
 }
 
-// The text reuses the memory that the list of two connections frees as it grows.
+// The string reuses the memory of the connections, which was freed when their list grew.
 TEST(Luau, ACompletedTweenCanConnectMoreHandlers) {
   Scene scene;
   const auto part = scene.part("Part");

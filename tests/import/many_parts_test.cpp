@@ -1,4 +1,4 @@
-// More parts than probes.
+// Places with more parts than the importer probes.
 #include <gtest/gtest.h>
 
 #include "import/scene.h"
@@ -8,7 +8,7 @@ namespace {
 
 constexpr int kMany = 650;
 
-// Runs `text` with each part of a row; each has its number as name.
+// Runs `text` for each part of a row. The parts are named by their numbers.
 struct Row : Scene {
   explicit Row(const std::string& text) {
     const InstanceId folder = add("Folder", "Row", workspace);

@@ -9,8 +9,8 @@
 namespace obby::test {
 namespace {
 
-// Gives a motion to two models of `parts` parts, one after the other. The second exceeds the
-// budget.
+// Gives the motion to two models of `parts` parts, one after the other. Expects the second model to
+// exceed the budget.
 void expectBudgetForOne(size_t parts, const importer::Motion& motion) {
   Scene scene;
   InstanceId models[2];
@@ -45,7 +45,7 @@ TEST(Motion, AllKeysOfALevelHaveABudget) {
 }
 
 TEST(Motion, AllTicksOfALevelHaveABudget) {
-  constexpr size_t kParts = 600, kSeconds = 80;  // 160 s for a round
+  constexpr size_t kParts = 600, kSeconds = 80;  // a round there and back takes 160 s
   static_assert(kParts * kSeconds * 2 * 60 > level::kMaxLevelRows);
   static_assert(kParts * kSeconds * 60 < level::kMaxLevelRows);
   importer::Motion motion;
@@ -55,7 +55,7 @@ TEST(Motion, AllTicksOfALevelHaveABudget) {
   expectBudgetForOne(kParts / 2, motion);
 }
 
-// Much decoration is attached to a floor; a leaf turns out to kill.
+// Many leaves are decoration around a few solid branches. One leaf turns out to kill.
 TEST(Motion, DecorationYieldsItsBudgetToSolidParts) {
   constexpr size_t kSolid = 5, kLeaves = 1000, kKeys = 1500;
   static_assert(kLeaves * kKeys > importer::kMaxLevelKeys);
@@ -90,7 +90,8 @@ TEST(Motion, DecorationYieldsItsBudgetToSolidParts) {
   EXPECT_EQ(level.ignored.at("moving decoration").count, kSolid + kLeaves - kRoom);
 }
 
-// Fails if the work takes as long as it would for all pairs of that many items.
+// Fails if the work takes longer than 10 s, as it would if it grew with the square of the number of
+// items.
 template <class Work>
 void expectQuick(Work work) {
   const auto start = std::chrono::steady_clock::now();

@@ -20,7 +20,7 @@ struct Pushed {
     if (std::string(className).rfind("Body", 0) == 0) return;
     scene.set(mover, "Attachment0", Ref{scene.add("Attachment", "A0", part)});
   }
-  // `m` is the mover.
+  // Adds a script in which `m` is the mover.
   void script(const std::string& text) {
     scene.script("local m = workspace.Lift.Mover\n" + text, scene.scripts);
   }
@@ -235,7 +235,8 @@ const char* const kSwing =
     "game:GetService('TweenService'):Create(m, TweenInfo.new(2, Enum.EasingStyle.Linear, "
     "Enum.EasingDirection.In, -1, true), {Position = Vector3.new(0, 8, 20)}):Play()";
 
-// Parts follow a tenth of a second behind. A client's script counts as the server's.
+// A part follows its target with a lag of a tenth of a second. Scripts of the client work like
+// those of the server.
 TEST(Movers, ATweenedTargetPositionIsAMotion) {
   for (const bool local : {false, true}) {
     Pushed lift("AlignPosition");

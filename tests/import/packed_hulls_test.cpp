@@ -18,13 +18,13 @@ using namespace importer;
 using testing::HasSubstr;
 using Hull = std::vector<Vec3>;
 
-// A hull with the symbols of its triangles: one of C, R, L, S, E each.
+// A hull, and the Edgebreaker symbols (C, R, L, S or E) of its triangles.
 struct Coded {
   Hull corners;
   std::string symbols;
 };
 
-// Returns the symbols of a fan of triangles: each corner beyond three is a C, and later an R.
+// Returns a fan of triangles. Each corner beyond the first three adds a C, and later an R.
 Coded fan(const Hull& corners) {
   const size_t more = corners.size() - 3;
   return {corners, std::string(more, 'C') + std::string(more, 'R') + 'E'};
@@ -136,7 +136,7 @@ TEST(PackedHulls, AHullEndsWithItsLastBranch) {
   const auto hulls = decodePackedHulls(unpacked({}, {ended, fan(kTetrahedron), ended}));
   ASSERT_TRUE(hulls) << hulls.error().text();
   EXPECT_EQ(*hulls, (std::vector<Hull>{ended.corners, kTetrahedron, ended.corners}));
-  // A corner past the end of a hull is one too many for the next.
+  // The last C lies past the end of its hull, so the next hull has one corner too many.
   EXPECT_FALSE(decodePackedHulls(unpacked({}, {branched, fan(kTetrahedron)})));
 }
 
@@ -168,7 +168,8 @@ TEST(PackedHulls, CountsThatDisagreeAreErrors) {
   const std::string content = unpacked({kTetrahedron}, {fan(kTetrahedron)});
   ASSERT_TRUE(decodePackedHulls(content));
   for (size_t field = 0; field < 9; ++field) {
-    const bool isOnlyAHint = field == 3 || field == 4;  // max of one hull
+    const bool isOnlyAHint =
+        field == 3 || field == 4;  // these fields are the largest counts of any hull
     for (const char value : {'\0', '\x7f', '\xff'}) {
       std::string bad = content;
       bad.replace(4 * field, 4, 4, value);

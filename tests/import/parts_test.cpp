@@ -3,7 +3,8 @@
 #include <limits>
 #include <memory>
 
-// Included before the importer's names enter this namespace: one of them is a kind of value here.
+// Included first, so that the importer's names cannot clash with the kinds of values in this
+// header.
 #include "support/place_columns.h"
 
 #include "import/document/pose_math.h"
@@ -47,7 +48,7 @@ TEST(Parts, MeshWithoutCollisionDataIsItsBoxAndSaysSo) {
   EXPECT_EQ(scene.unmodelled("shape of a mesh or union"), 1u);
 }
 
-// A collision blob of hulls whose corners are (1, 2, 3), without triangles.
+// Returns a collision blob of hulls whose corners are (1, 2, 3), without triangles.
 std::string collisionBlob(uint32_t hulls, uint32_t corners) {
   std::string bytes = "CSGPHS";
   append(bytes, 3);

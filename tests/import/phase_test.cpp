@@ -28,7 +28,7 @@ local there = ts:Create(p, TweenInfo.new(1), {Position = Vector3.new(0, 9, 0)})
 local back = ts:Create(p, TweenInfo.new(1), {Position = Vector3.new(0, 0, 0)})
 )";
 
-// The second follows the first by a second, except for two frames.
+// The second part follows the first by a second, within two frames.
 TEST(Phase, AWaitBeforeARepeatedMotionIsItsPhase) {
   for (const char* motion : kMotions) {
     Scene scene;
@@ -70,7 +70,7 @@ TEST(Phase, AMotionThatHappensOnceWaitsInItsKeys) {
     EXPECT_NEAR(poseAt(scene[part], time).position.y, y, 0.3) << time;
 }
 
-// The simulator accepts such a round.
+// The simulator accepts a motion that takes twenty minutes there and back.
 TEST(Phase, AMotionCanLastTwentyMinutes) {
   for (const bool longer : {false, true}) {
     Scene scene;

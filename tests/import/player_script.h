@@ -15,7 +15,8 @@ inline void localScript(Scene& scene, const std::string& folder, const std::stri
   scene.set(script, "Source", source);
 }
 
-// Adds a spawn, and a LocalScript; that of a body has the local `human`.
+// Adds a spawn and a LocalScript. In StarterCharacterScripts the script has the local variable
+// `human`.
 inline void playerScript(Scene& scene, const std::string& folder, const std::string& source) {
   scene.part("SpawnLocation", {}, scene.workspace, "SpawnLocation");
   localScript(scene, folder, source);

@@ -1,4 +1,4 @@
-// Parts that kill and bring the player on.
+// Parts that kill a player and let the player respawn further ahead.
 #include <gtest/gtest.h>
 
 #include "import/scene.h"
@@ -60,7 +60,7 @@ TEST(Portal, ALongRespawnTimeIsAwaited) {
   expectLeadsToNext(scene);
 }
 
-// The script counts deaths, too; the player respawns where it was.
+// The script also counts deaths, but the player respawns at the old place.
 TEST(Portal, AKillThatCountsDeathsStaysAKill) {
   Scene scene;
   spawn(scene, "Start", {});

@@ -8,7 +8,7 @@
 namespace obby::test {
 namespace {
 
-// Steps of 0.1 studs, each 0.05 s apart.
+// Each step moves the part 0.1 studs; the steps are 0.05 s apart.
 TEST(PoseSteps, StepsInALoopAreAOneTimeMotion) {
   const char* const texts[] = {
       "for i = 1, 40 do p.CFrame = p.CFrame * CFrame.new(0, 0.1, 0) task.wait(0.05) end",
@@ -115,7 +115,7 @@ TEST(PoseSteps, ALongMotionRunsToItsEnd) {
   EXPECT_LE(part.motion->keys.size(), 4u);
 }
 
-// The run does not show whether the last step ends the motion.
+// The recorded run ends before it shows whether the last step ends the motion.
 TEST(PoseSteps, EndlessTranslationsAreReported) {
   ScriptedPart scene(
       "while true do p.Position += Vector3.new(0, 0.1, 0) task.wait(math.random()) end");

@@ -1,5 +1,5 @@
-// Loops that end by their own effects, functions that call themselves, lists and texts that scripts
-// make. The code after them is read.
+// Loops that end by their own effects, recursive functions, and lists and strings that scripts
+// build. The importer also reads the code after them.
 #include "import/motion_checks.h"
 
 namespace obby::test {
@@ -155,7 +155,7 @@ TEST(ScriptLoops, ChangingVelocitiesAreReported) {
   }
 }
 
-// A handler works each half second, as with `if passed < 0.5 then return end`.
+// The handler acts every half second, as with `if passed < 0.5 then return end`.
 TEST(ScriptLoops, AHandlerThatReturnsEarlyIsCalledAgain) {
   Scene scene;
   const auto part = scene.part("Part");

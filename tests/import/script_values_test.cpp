@@ -50,7 +50,7 @@ TEST(ScriptValues, ClampedHealthReductionIsHarm) {
   }
 }
 
-// Returns a script whose part changes a character's humanoid `h`.
+// Returns a script that runs `way` when the part is touched. `h` is the character's humanoid.
 std::string touchThat(const std::string& way) {
   return "p.Touched:Connect(function(hit) local h = hit.Parent.Humanoid\n"
          "p.Transparency = 0.5 " +
@@ -110,7 +110,7 @@ TEST(ScriptValues, ScriptedAttributesAreReadBack) {
   }
 }
 
-// When a player first arrives, the part does not hurt.
+// The part is harmless at the moment when a player first arrives.
 TEST(ScriptValues, IntermittentHarmIsHarm) {
   const char* const texts[] = {
       "task.spawn(function() while true do p:SetAttribute('On', true) wait(2)\n"
@@ -192,7 +192,7 @@ TEST(ScriptValues, ATweenedColourTakesTime) {
   EXPECT_FALSE(scene[scene.self].kill);
 }
 
-// The script is that of a light that shows when players may walk.
+// The script treats the light as a signal that tells players when to walk.
 TEST(ScriptValues, ALightKeepsItsScriptedColour) {
   Scene scene;
   const auto pad = scene.part("Pad");
@@ -206,7 +206,7 @@ TEST(ScriptValues, ALightKeepsItsScriptedColour) {
   EXPECT_FALSE(scene[pad].kill);
 }
 
-// The script is that of a door that kills all but its owners.
+// The script kills all players except those on a list, such as a door's owners.
 TEST(ScriptValues, NoOwnerListContainsThePlayer) {
   const std::pair<std::string, bool> asks[] = {
       {"local owners = {[1234] = true} ^ if owners[player.UserId] then return", true},

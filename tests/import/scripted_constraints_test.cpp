@@ -8,7 +8,7 @@
 namespace obby::test {
 namespace {
 
-// A hinge whose motor turns the arm at 3 rad/s.
+// Returns a hinge whose motor turns the arm at 3 rad/s.
 Constraint turned(Scene& scene) {
   const auto c = constrained(scene, "HingeConstraint");
   scene.set(c.id, "ActuatorType", EnumItem{1, {}});

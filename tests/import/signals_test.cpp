@@ -20,7 +20,7 @@ TEST(Signals, EachPartHasItsOwnTouches) {
   }
 }
 
-// Parts that have the tag by then are known.
+// GetTagged finds the parts that have the tag already.
 TEST(Signals, AddedSignalsDoNotFireForEarlierTags) {
   for (const bool asked : {false, true}) {
     Scene scene;
@@ -38,7 +38,7 @@ TEST(Signals, AddedSignalsDoNotFireForEarlierTags) {
   }
 }
 
-// It holds with and without the service in the file.
+// The file may contain the service or not.
 TEST(Signals, FrameSignalsMoveAndWait) {
   const char* const texts[] = {
       "local beat = run.Heartbeat beat:Connect(function(dt) turn() end)",

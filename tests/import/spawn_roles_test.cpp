@@ -1,4 +1,4 @@
-// SpawnLocations that are no checkpoints (further starts, lobbies, winners' lounges), and both ends
+// SpawnLocations that are not checkpoints (other starts, lobbies, winners' lounges), and both ends
 // of the course.
 #include "import/spawns.h"
 

@@ -49,7 +49,7 @@ TEST(StageNames, AStagesFolderCanHoldNumberedParts) {
   scene.part("Sign", {9, 0, 0}, folder);
   const auto& level = scene.level();
   EXPECT_EQ(checkpoints(level), (Names{"Stage1", "Stage2", "Stage4", "Stage5"}));
-  EXPECT_TRUE(level.unmodelled.empty());  // a hole in the numbers is no loss
+  EXPECT_TRUE(level.unmodelled.empty());  // a missing number is not a loss
 }
 
 TEST(StageNames, AStagesFolderCanHoldModels) {

@@ -11,7 +11,7 @@ TEST(Stages, SpawnsInStageFoldersFollowTheirNumbers) {
     spawn(scene, "Pad" + std::string(1, char('a' + n)), {n == 2 ? 120.0f : 30.0f * float(n), 0, 0},
           stage);
   }
-  // The second stage is farther away than the third.
+  // The second stage is further away than the third.
   EXPECT_EQ(order(scene.level()), (Names{"Padb", "Padc", "Padd"}));
 }
 

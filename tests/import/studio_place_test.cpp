@@ -30,12 +30,12 @@ void addWorld(PlaceWriter& writer, Id workspace) {
   writer.set(lava, "CFrame", cframe(30, 0, 0));
 }
 
-// Adds the team that players begin in.
+// Adds the team in which players begin.
 void addTeams(PlaceWriter& writer, Id service) {
   writer.set(writer.add("Team", "Beginners", service), "TeamColor", brickNumber(21));
 }
 
-// Adds a script for health that does not regenerate, and a jump.
+// Adds a script for health that does not regenerate, and one for a jump.
 void addCharacterScript(PlaceWriter& writer, Id folder) {
   writer.set(writer.add("Script", "Health", folder), "Source", source("-- none"));
   writer.set(writer.add("Script", "Jump", folder), "Source",

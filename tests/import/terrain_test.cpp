@@ -152,7 +152,7 @@ TEST(Terrain, TheNearestTerrainIsKeptAboveTheLimit) {
 }
 
 TEST(Terrain, WorstCasesEndSoon) {
-  VoxelWriter writer;  // alternating cells of alternating heights: the max number of pieces
+  VoxelWriter writer;  // alternating heights of alternating cells give the maximum number of pieces
   for (int x = 0; x < 8; ++x)
     for (int y = 0; y < 4; ++y)
       writer.chunk({x, y, 0}, [](int cx, int cy, int z) {

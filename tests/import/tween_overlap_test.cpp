@@ -9,7 +9,8 @@
 namespace obby::test {
 namespace {
 
-// Studs of a few frames at 10 studs a second: a script resumes up to two frames late.
+// Studs that a part moves in a few frames at 10 studs/s, since a script resumes up to two frames
+// late.
 constexpr float kTweenSlack = 0.5f;
 
 struct OverlapCase {
@@ -172,7 +173,7 @@ TEST(TweenOverlap, ALoopWithOtherChangesHasOnePeriod) {
     EXPECT_NEAR(poseAt(scene[part], time).position.z, float(z), 1) << time;
 }
 
-// Each new tween takes only its first small step.
+// Each new tween replaces the one before it after a single small step.
 TEST(TweenOverlap, APartTweenedEveryFrameReachesItsTarget) {
   const Overlap there({"while true do tween(even(2), to(10)):Play() task.wait() end"});
   EXPECT_NEAR(there.z(2), 10 * (1 - std::exp(-1)), 0.3);
@@ -186,7 +187,7 @@ TEST(TweenOverlap, APoseCanBeSetDuringAnEndlessTween) {
   EXPECT_NEAR(both.z(5), 10, 0.2);
 }
 
-// A single turn during an endless swing counts as done from the start.
+// If a single turn accompanies an endless swing, the level has the turned part from the start.
 TEST(TweenOverlap, ASingleTweenDuringASwingCountsAsDone) {
   const Overlap both(
       {"tween(swing(2), to(20)):Play()\n"
@@ -203,7 +204,7 @@ TEST(TweenOverlap, SwingsWithoutACommonPeriodAreReported) {
   EXPECT_EQ(both.scene.unmodelled("motion without a period"), 1u);
 }
 
-// The later script wins, as with two tweens of one property.
+// The later of two scripts wins, like the later of two tweens of one property.
 TEST(TweenOverlap, TheLastOfTwoScriptsMovingAPartWins) {
   const Overlap both({"tween(swing(2), to(20)):Play()", "tween(swing(2), to(-5)):Play()"});
   EXPECT_NEAR(both.z(2), -5, 0.1);

@@ -6,8 +6,8 @@
 namespace obby::test {
 namespace {
 
-// The part comes to rest where its script read a property during the tween. A frame's motion is 1/6
-// stud.
+// The part comes to rest at the pose that its script read during the tween. A part moves 1/6 stud
+// per frame.
 TEST(TweenReading, ATweenedPropertyCanBeReadMidway) {
   struct Case {
     const char* text;

@@ -9,7 +9,7 @@ namespace {
 
 constexpr float kTweenPi = 3.14159265f;
 
-// One part, tweened by `info` to `goals`; `p` is the part, and `before` runs first.
+// A part `p` that a script tweens by `info` to `goals`. `before` runs before the tween.
 struct Tweened {
   Tweened(const std::string& info, const std::string& goals, const std::string& before = {}) {
     part = scene.part("Mover");
@@ -180,7 +180,7 @@ end)",
   EXPECT_TRUE(scene[slab].motion);
 }
 
-// The run shows half a round or less.
+// The recorded run shows at most half a round.
 TEST(Tween, LongTweensContinueBeyondTheRun) {
   const Tweened swing("40, " + kLinear + ", -1, true", "Position = Vector3.new(0, 0, 80)");
   const Tweened once("100",

@@ -1,4 +1,5 @@
-// Events that are never raised, and handlers that fail, are noted: their effects are unknown.
+// The importer notes events that are never raised and handlers that fail, because their effects are
+// unknown.
 #include "import/scene.h"
 
 namespace obby::test {

@@ -1,4 +1,4 @@
-// Logs to a pipe stop waiting for their reader once told to stop.
+// A log that waits for the reader of its pipe stops waiting when it is stopped.
 #include "io/appender.h"
 
 #include <fcntl.h>
@@ -16,7 +16,7 @@
 namespace obby::io {
 namespace {
 
-// A log to a pipe whose reader reads nothing.
+// A log to a pipe that is never read.
 class StalledLog : public testing::Test {
  protected:
   void SetUp() override {
@@ -45,7 +45,7 @@ TEST_F(StalledLog, AStopAbandonsAReaderThatReadsNothing) {
   EXPECT_EQ(status.error().input, path);
 }
 
-// A signal would interrupt a blocked write by itself, so that the flag alone is set here.
+// A signal itself would interrupt a blocked write, so this test only sets the flag.
 TEST_F(StalledLog, AStopEndsAWaitingWrite) {
   std::thread other([&] {
     std::this_thread::sleep_for(std::chrono::milliseconds(100));

@@ -1,4 +1,4 @@
-// Bytes as base64, and back.
+// Encodes bytes as base64 and decodes them.
 #include "io/base64.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
-// A durable file is on the disk before it is renamed, and its name before close() returns. This
-// file replaces fsync(): it records what it finds, and fails on request.
+// A durable file is on the disk before it is renamed, and its new name before close() returns. This
+// file replaces fsync() by a function that records the state of the files and fails on request.
 #include <errno.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
@@ -16,12 +16,12 @@ namespace {
 
 struct Sync {
   bool folder;
-  std::string named;  // the content of `watched` at that time
+  std::string named;  // the content of `watched` at the time of the call
 };
 
 std::vector<Sync> syncs;
 std::string watched;
-int failingSync = -1;  // index of the call that fails; -1: none
+int failingSync = -1;  // index of the call that fails; -1 if none fails
 int failure = EIO;     // its errno
 
 }  // namespace
@@ -91,7 +91,7 @@ TEST(DurableSink, AFailedSyncKeepsTheOldFile) {
 
 TEST(DurableSink, AFileSystemWithoutSyncIsNoError) {
   ScratchFolder folder;
-  for (const int call : {0, 1}) {  // the call for the file, and for the folder
+  for (const int call : {0, 1}) {  // the calls for the file and for its folder
     const Status status = write(folder / "out", Durable::yes, call, EINVAL);
     EXPECT_TRUE(status) << status.error().text();
     EXPECT_EQ(syncs.size(), 2u);

@@ -47,7 +47,7 @@ TEST(StreamWriter, HandsRecordsToAFunction) {
   auto other = StreamReader::overBytes("{\"type\":\"new\"}\n", "in");
   auto unknown = other.next();
   ASSERT_TRUE(unknown && *unknown);
-  EXPECT_TRUE(writer.pass(**unknown)) << "which nobody can read";
+  EXPECT_TRUE(writer.pass(**unknown)) << "no reader knows this record";
   EXPECT_EQ(writer.recordsWritten(), 2u);
   const Status refused = writer.write(level("three").reader());
   ASSERT_FALSE(refused);

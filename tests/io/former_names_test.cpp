@@ -8,7 +8,7 @@
 namespace obby::io {
 namespace {
 
-// Decodes one object; returns false on an error.
+// Decodes one JSON object into a body. `good` is false on an error.
 struct DecodedBody {
   explicit DecodedBody(const std::string& json) {
     const auto tree = JsonTree::parse(json);

@@ -1,4 +1,4 @@
-// The frame of a stream: every truncation is an error, and every whole stream is read.
+// The frame of a stream. Every truncated stream is an error, and every whole stream can be read.
 #include <gtest/gtest.h>
 
 #include "io/stream.h"
@@ -27,7 +27,7 @@ Read readAll(const std::string& bytes) {
   }
 }
 
-// A stream of the header, one record of every other kind, and the end.
+// Returns a stream of the header, one record of every other kind, and the end.
 std::string framedStream(Format format) {
   std::string bytes;
   StreamWriter writer = StreamWriter::toBytes(format, &bytes);
@@ -171,7 +171,7 @@ TEST(Framing, ReadingContinuesAfterABadLineButNotAfterABrokenFrame) {
   ASSERT_TRUE(level && *level);
   EXPECT_EQ((*level)->which(), Kind::LEVEL);
   EXPECT_EQ((*level)->place(), "3");
-  EXPECT_TRUE(reader.next());  // the bad line counts as a record
+  EXPECT_TRUE(reader.next());  // an unreadable line counts as a record
   EXPECT_TRUE(reader.next());
   EXPECT_TRUE(reader.next());
   EXPECT_FALSE(reader.next());

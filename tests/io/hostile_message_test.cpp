@@ -21,7 +21,7 @@ std::string message(uint32_t seed, Format format, Kind kind = Kind::LEVEL) {
   return bytes;
 }
 
-// Reads everything. A record that was accepted must also be writable.
+// Reads all records. Every accepted record must also be writable.
 void digest(const std::string& bytes) {
   StreamReader reader = StreamReader::overBytes(bytes, "in");
   for (int i = 0; i < 100; i++) {
@@ -41,7 +41,8 @@ void digest(const std::string& bytes) {
 double longestSeconds = 0;
 
 void timedDigest(const std::string& bytes) {
-  const std::clock_t start = std::clock();  // CPU time, since the machine may be busy
+  const std::clock_t start =
+      std::clock();  // CPU time, since other programs may slow the machine down
   digest(bytes);
   longestSeconds = std::max(longestSeconds, double(std::clock() - start) / CLOCKS_PER_SEC);
 }
@@ -103,7 +104,7 @@ TEST(HostileMessages, HugeClaimsCostNothing) {
   EXPECT_EQ(errorOf(little32({511, 0x2000000})),
             "in:byte 0: the input ends in the middle of a message (it was cut off: run the tool "
             "that wrote it again)");
-  // The claimed size is within the cap, but the bytes are missing.
+  // The claimed size is below the limit, but the bytes are missing.
   EXPECT_EQ(errorOf(little32({0, 0x1fffffe})),
             "in:byte 0: the input ends in the middle of a message (it was cut off: run the tool "
             "that wrote it again)");
@@ -112,8 +113,8 @@ TEST(HostileMessages, HugeClaimsCostNothing) {
 }
 
 TEST(HostileMessages, AListLargerThanTheMessageIsReported) {
-  // One segment: a Record of one data word and one pointer to a Level, whose first pointer (name)
-  // claims 2^28 bytes.
+  // One segment with a Record of one data word and one pointer to a Level. The level's first
+  // pointer (name) claims 2^28 bytes.
   const std::string bytes =
       little32({0, 10, 0, 0x00010001, 1, 0, 0, 0x00060000, 21, 0x80000002, 0,
                 0, 0,  0, 0,          0, 0, 0, 0,          0,  0,          0});
@@ -122,7 +123,7 @@ TEST(HostileMessages, AListLargerThanTheMessageIsReported) {
 }
 
 TEST(HostileMessages, SharedAndCyclicPointersFailQuickly) {
-  // A level whose list of parts holds 2^28 structs without any words, which take no bytes to claim.
+  // A level with a list of 2^28 parts. The structs have no words, so the claim takes no bytes.
   std::string bytes = little32({0, 10, 0, 0x00010001, 1, 0, 0, 0x00060000, 0, 0,          0,
                                 0, 0,  0, 9,          7, 0, 0, 0,          0, 0x3ffffffc, 0});
   const std::clock_t start = std::clock();
@@ -147,7 +148,7 @@ TEST(HostileMessages, BadValuesAreRefusedAsInJson) {
 
 TEST(HostileMessages, AnUnknownKindPassesThrough) {
   std::string bytes = message(3, Format::capnp, Kind::QUERY);
-  const size_t discriminant = 16;  // after the segment table and the root pointer
+  const size_t discriminant = 16;  // it follows the segment table and the root pointer
   ASSERT_EQ(bytes[discriminant], char(uint16_t(Kind::QUERY)));
   bytes[discriminant] = 99;
   StreamReader reader = StreamReader::overBytes(bytes, "in");

@@ -145,7 +145,8 @@ TEST(JsonErrors, NestingIsBounded) {
 
 TEST(JsonErrors, ARecordOfBillionsOfBytesIsRefusedBeforeItIsBuilt) {
   std::string line = "{\"type\":\"level\",\"parts\":[{}";
-  for (int i = 0; i < 1800000; i++) line += ",{}";  // 19 words each in memory, three bytes here
+  for (int i = 0; i < 1800000; i++)
+    line += ",{}";  // each takes 19 words in memory and three bytes here
   EXPECT_EQ(jsonCodecErrorOf(line + "]}"), "parts: the record is larger than 256 MiB, the maximum");
 }
 
@@ -253,7 +254,7 @@ TEST(JsonWriting, RefusesRecordsThatNoReaderAccepts) {
   EXPECT_EQ(recordToJson(text.reader()).error().text(), "parts[1].tags[0]: expected UTF-8 text");
 }
 
-// The float next to 0.2 is a little more than 0.2.
+// The nearest float to 0.2 is slightly greater than 0.2.
 TEST(JsonWriting, AcceptsABoundDespiteFloatRounding) {
   RecordBuilder max;
   max.root().initLevel().initPhysics().setContactSkin(0.2f);

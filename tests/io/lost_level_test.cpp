@@ -1,4 +1,5 @@
-// Records that name no level belong to the level before them, and are dropped if it was unreadable.
+// A record that names no level belongs to the level before it. If that level was unreadable, the
+// record is dropped.
 #include "io/lost_level.h"
 
 #include <capnp/serialize.h>
@@ -20,8 +21,8 @@ std::string query(const std::string& id, const std::string& level = "") {
   return "{\"type\":\"query\",\"id\":\"" + id + "\"" + named + "}\n";
 }
 
-// Reads inputs given as texts; an empty text stands for an input that cannot be opened. `came`
-// lists ids of queries, and "+" for a level.
+// Reads these texts as inputs. An empty text stands for an input that cannot be opened. `came`
+// lists the ids of queries, and "+" for each level.
 struct LostLevelRead {
   std::string came;
   std::vector<std::string> reports;
@@ -67,7 +68,7 @@ TEST(LostLevel, DropsQueriesThatNameNoLevel) {
 }
 
 TEST(LostLevel, KeepsRecordsOfOtherLevels) {
-  // The unreadable record was a query.
+  // The unreadable record is known to be a query.
   EXPECT_EQ(LostLevelRead({kLevel + "{\"type\":\"query\",\"id\":7}\n" + query("b")}).came, "+b");
   // Later versions may define this kind.
   EXPECT_EQ(LostLevelRead({kLevel + "{\"type\":\"weather\"}\n" + query("b")}).came, "+b");

@@ -1,4 +1,5 @@
-// Temporary names fit their folder, and of two processes that want one file, only one gets it.
+// Temporary names are short enough for their folder. If two processes want to write one file, only
+// one of them may.
 #include "io/output_file.h"
 
 #include <gtest/gtest.h>
@@ -103,7 +104,8 @@ TEST(OutputLocks, SurvivesARewriteOfTheFileAndLeavesNothing) {
   EXPECT_EQ(folder.entries(), 1u);
 }
 
-// Leaves a lock behind, by a process that exits without cleaning up.
+// Takes a lock in a process that exits without cleanup, so the lock file stays. Returns true on
+// success.
 bool leaveLocked(const std::string& path) {
   const pid_t writer = fork();
   if (writer == 0) {

@@ -1,4 +1,4 @@
-// Calibrated parameters, and those that a level states itself.
+// Calibrated parameters, and parameters that a level itself states.
 #include "io/physics.h"
 
 #include <gtest/gtest.h>

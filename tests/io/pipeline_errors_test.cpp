@@ -52,7 +52,7 @@ TEST(Pipeline, ForgivenErrorsAreReportedAndCounted) {
 }
 
 // Unreadable records pass through unchanged, and so do queries of an unreadable level. The handler
-// sees none of them.
+// gets none of them.
 TEST(Pipeline, EmitPassesOnUnreadableRecords) {
   const std::string lines =
       "{oops\n {\"type\":\"level\",\"parts\":7}\r\n{\"type\":\"query\",\"id\":\"a\"}\n"
@@ -102,7 +102,8 @@ TEST(Pipeline, EmitWarnsAboutRecordsThatTheOutputCannotHold) {
             "\"errors\":\"1\"}\n");
 }
 
-// Under stop it ends the run. Under emit the output cannot hold it either, so that it is skipped.
+// Under `stop` the error ends the run. Under `emit` the record is skipped, since the output cannot
+// hold it.
 TEST(Pipeline, ARecordThatTheOutputCannotHoldIsAnErrorAboutThatRecord) {
   for (OnError policy : {OnError::stop, OnError::skip, OnError::emit}) {
     Fixture f;
@@ -125,8 +126,8 @@ TEST(Pipeline, ARecordThatTheOutputCannotHoldIsAnErrorAboutThatRecord) {
   }
 }
 
-// The record was already written, so that it does not count as skipped. The pipeline is reading the
-// next input by then.
+// The record was already written, so it does not count as skipped. By then the pipeline reads the
+// next input.
 TEST(Pipeline, ALateErrorNamesTheRecordThatItIsAbout) {
   for (OnError policy : {OnError::stop, OnError::skip, OnError::emit}) {
     Fixture f;

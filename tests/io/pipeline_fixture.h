@@ -34,7 +34,7 @@ struct PipelineFixture {
     return io::Pipeline(options, {"obby-test", "1.2.3", 42},
                         io::StreamWriter::toBytes(format, &output));
   }
-  // The output's end record in JSON.
+  // Returns the output's end record in JSON.
   std::string end() const {
     io::StreamReader reader = io::StreamReader::overBytes(output, "output");
     std::string line;

@@ -1,4 +1,4 @@
-// Fills records by reflection, so that tests cover new fields of the schema automatically.
+// Fills records by reflection, so new fields of the schema are tested automatically.
 #pragma once
 
 #include <capnp/dynamic.h>
@@ -14,7 +14,7 @@ namespace obby::test {
 
 class RecordFiller {
  public:
-  // `chance` is the probability that a field is set, `longest` the maximum length of lists.
+  // `chance` is the probability that a field is set; `longest` is the maximum length of lists.
   RecordFiller(uint64_t seed, float chance, uint32_t longest)
       : random_(seed, 7), chance_(chance), longest_(longest) {}
 
@@ -95,7 +95,7 @@ class RecordFiller {
     KJ_FAIL_ASSERT("a type that the generator does not know");
   }
 
-  // Any finite bit pattern half of the time, otherwise plain numbers, sometimes -0.
+  // Returns any finite bit pattern half of the time, otherwise a plain number, sometimes -0.
   float real32() {
     if (range_.set)
       return float(range_.min + (range_.max - range_.min) * 0.998 * double(random_.unit()));
@@ -114,7 +114,7 @@ class RecordFiller {
     return std::isfinite(value) ? value : -0.0;
   }
 
-  // Letters, quotes, control characters, multibyte characters and a NUL.
+  // Returns letters, quotes, control characters, multibyte characters and NULs.
   std::string text() {
     static const std::string kPieces[] = {"a",
                                           "Z",

@@ -1,5 +1,5 @@
-// Reads whole files, also from folders and pipes, with and without a writer. A stop or a signal
-// interrupts it.
+// Reading whole files, folders and pipes with and without a writer. A stop or a signal interrupts
+// it.
 #include "io/read_file.h"
 
 #include <fcntl.h>
@@ -41,8 +41,7 @@ TEST(ReadFile, ReturnsAllBytesAndNamesMissingFiles) {
   EXPECT_EQ(readFile(folder / "").error().message, "cannot read: Is a directory");
 }
 
-// An endless input would use up all memory. A file whose stated size is too large is not read at
-// all.
+// An endless input would take all memory. If a file states too large a size, it is not read at all.
 TEST(ReadFile, RefusesFilesAboveTheLimit) {
   ScratchFolder folder;
   std::ofstream(folder / "a") << std::string(2000, 'x');
@@ -67,8 +66,8 @@ double threadSeconds() {
   return double(used.tv_sec) + 1e-9 * double(used.tv_nsec);
 }
 
-// Another process that shares a terminal or socket can make it non-blocking. Polling it in a loop
-// would use up a core.
+// Another process that shares the input can make it non-blocking. Polling it in a loop would take a
+// whole core.
 TEST(ReadFile, WaitsOnANonBlockingInput) {
   int ends[2];
   ASSERT_EQ(pipe2(ends, O_CLOEXEC), 0);
@@ -143,7 +142,7 @@ TEST(ReadFile, ASignalEndsTheWaitWithoutAStop) {
       bytes = readFile(pipe.path);
       done = true;
     });
-    while (!done) {  // the first signal may come before the wait
+    while (!done) {  // since the first signal may come before the wait
       pthread_kill(reader.native_handle(), SIGUSR1);
       std::this_thread::sleep_for(5ms);
     }

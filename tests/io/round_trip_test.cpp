@@ -1,4 +1,4 @@
-// Every record kind survives both encodings: equal content and equal bytes on every path.
+// Every kind of record survives both encodings: on every path the content and the bytes are equal.
 #include <gtest/gtest.h>
 
 #include "io/json_codec.h"
@@ -44,7 +44,8 @@ void expectAllWaysEqual(schema::Record::Reader record) {
   EXPECT_EQ(rewritten(packed, Format::capnp), capnp);
 }
 
-// Framing would refuse a lone header or end, and these tests are about content.
+// Returns true for a header or end. A stream would refuse these alone, and the tests are about
+// content.
 bool isFrame(uint32_t kind) { return Kind(kind) == Kind::HEADER || Kind(kind) == Kind::END; }
 
 TEST(RoundTrip, EveryKindWithEveryFieldSet) {

@@ -105,7 +105,7 @@ TEST(Sink, ABrokenPipeIsRecognised) {
   EXPECT_TRUE(isBrokenPipe(status.error()));
 }
 
-// Returns the sink of standard output while descriptor 1 is `fd`.
+// Returns a sink of standard output, opened while descriptor 1 is `fd`.
 Result<Sink> standardOutputTo(int fd) {
   std::fflush(stdout);
   const int before = dup(STDOUT_FILENO);
@@ -116,7 +116,7 @@ Result<Sink> standardOutputTo(int fd) {
   return sink;
 }
 
-// Another process that shares a terminal or socket can make it non-blocking.
+// Another process that shares the output can make it non-blocking.
 TEST(Sink, WaitsOnANonBlockingOutput) {
   int ends[2];
   ASSERT_EQ(pipe2(ends, O_CLOEXEC), 0);
@@ -225,7 +225,7 @@ TEST(Sink, PlacesThatCannotBeWrittenAreNamed) {
   auto directory = Sink::open(folder / "");
   ASSERT_FALSE(directory);
   EXPECT_EQ(directory.error().message, "cannot write: Is a directory");
-  auto nameless = Sink::open("");  // an error at once, not at the end of the run
+  auto nameless = Sink::open("");  // fails at once, not only at the end of the run
   ASSERT_FALSE(nameless);
   EXPECT_EQ(nameless.error().message, "the name of the output file is empty");
 }

@@ -59,7 +59,7 @@ TEST(Source, FilesAreReadAndMissingOnesNamed) {
 
 void sourceOnSignal(int) {}
 
-// Each byte arrives alone, with a signal between any two.
+// Each byte arrives on its own, and a signal comes between any two bytes.
 TEST(Source, PipesMayDeliverSingleBytesAmongSignals) {
   struct sigaction action {};
   action.sa_handler = sourceOnSignal;

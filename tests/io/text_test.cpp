@@ -29,7 +29,7 @@ TEST(ByteOrderMark, IsRemovedOnceAndOnlyIfComplete) {
   for (const char* none : {"", "{}", "\xef\xbb"}) EXPECT_EQ(withoutByteOrderMark(none), none);
 }
 
-// JSON messages also appear on terminals.
+// Terminals also show JSON messages.
 TEST(Quoted, EscapesCursorMovesAndBidiControls) {
   EXPECT_EQ(quoted("a\x1b[31m\"\n\x7f"), "\"a\\u001b[31m\\\"\\n\\u007f\"");
   EXPECT_EQ(quoted("a\xc2\x9b"

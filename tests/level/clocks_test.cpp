@@ -6,7 +6,7 @@
 namespace obby::level {
 namespace {
 
-// The number of clocks besides the one that each role has.
+// Returns the number of clocks besides the one of each role.
 uint32_t sharedClocks(support::LevelBuilder& b) {
   const Level level = b.compile();
   return level.view().clockCount - level.view().roleCount;

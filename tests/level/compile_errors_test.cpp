@@ -16,7 +16,7 @@ using PartSetter = LevelBuilder::PartSetter;
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 constexpr float kInf = std::numeric_limits<float>::infinity();
 
-// Compiles a good part before the part under test, so that the path's index matters.
+// Compiles a valid part before the part under test, so that the part's index is 1.
 void expectRefused(const PartSetter& setter, const std::string& path, const std::string& words) {
   LevelBuilder b;
   b.block({0, 0, 0}, {4, 1, 4}).part(setter);

@@ -1,5 +1,5 @@
-// Every easing style in every direction, against a separate formula for each direction: Penner's,
-// which public replicas of TweenService use.
+// Compares every easing style in every direction with Penner's formula for that direction. Public
+// replicas of TweenService use these formulas.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -29,7 +29,7 @@ std::vector<uint32_t> listAt(const Grid& grid, Vec3 feet) {
   return {list + 1, list + 1 + list[0]};
 }
 
-// Expects every collider that meets the player's reach to be listed, at any position and speed.
+// Expects the grid to list every collider that meets the player's reach, at any position and speed.
 void expectComplete(const Level& level, Dice& dice, int rounds, const Params& player) {
   const LevelView& v = level.view();
   const Box all = grow(level.bounds(), {5, 5, 5});
@@ -38,7 +38,7 @@ void expectComplete(const Level& level, Dice& dice, int rounds, const Params& pl
     sim::World w{};
     w.position = {dice.between(all.lo.x, all.hi.x), dice.between(all.lo.y, all.hi.y),
                   dice.between(all.lo.z, all.hi.z)};
-    if (i % 2) {  // near a part, where colliders could be missed
+    if (i % 2) {  // close to a part, where the grid could miss colliders
       const Box b = v.bounds[dice.random.below(v.colliderCount)].box();
       w.position = (b.lo + b.hi) * 0.5f + dice.vec((b.hi - b.lo) * 0.5f + Vec3{8, 12, 8});
     }

@@ -114,8 +114,8 @@ class HullFaces : public testing::Test {
   Random random{15, 0};
 };
 
-// Returns two rings of `sides` vertices, `height` studs apart. An upper ring of radius 0 is one
-// vertex.
+// Returns two rings of `sides` vertices, `height` studs apart. If the upper ring has radius 0, it
+// is a single vertex.
 std::vector<Vec3> drum(int sides, float lower, float upper, float height) {
   std::vector<Vec3> out;
   for (int i = 0; i < sides; ++i) {

@@ -30,7 +30,7 @@ std::vector<Vec3> boxCorners(Vec3 half) {
   return out;
 }
 
-// Compares contacts of random bodies with the hull and with the solid it should be.
+// Compares contacts of random bodies with the hull and with the solid that it represents.
 void expectSameSolid(const HullTables& tables, ShapeKind kind, Vec3 half) {
   HullTablesDice dice{Random(9, uint64_t(kind))};
   const geom::Hull hull = viewOf(tables);
@@ -57,7 +57,7 @@ TEST(HullTables, ABoxEqualsTheBlock) {
   expectSameSolid(t, ShapeKind::block, half);
 }
 
-// Expects the box corners that `keep` selects to form the solid of that kind, with five faces.
+// Expects that the box corners selected by `keep` form the solid of this kind, with five faces.
 void expectSolidOf(ShapeKind kind, const std::function<bool(Vec3)>& keep) {
   const Vec3 half{2, 1, 1.5f};
   std::vector<Vec3> corners;
@@ -93,7 +93,8 @@ TEST(HullTables, AreEmptyForFlatOrThinSets) {
   EXPECT_TRUE(hullTables({{1, 1, 1}, {1, 1, 1}, {1, 1, 1}, {1, 1, 1}}).normals.empty());
 }
 
-// A floor 8000 times as wide as thick, a plank and a rope have all six faces and all eight corners.
+// A floor that is 8000 times as wide as thick, a plank and a rope all have six faces and eight
+// corners.
 TEST(HullTables, ThinAndWideBoxesEqualTheBlock) {
   for (const Vec3 half :
        {Vec3{200, 0.025f, 200}, Vec3{1000, 0.05f, 3}, Vec3{300, 0.025f, 0.025f}}) {
@@ -111,7 +112,7 @@ TEST(HullTables, ThinAndWideBoxesEqualTheBlock) {
   }
 }
 
-// At any rotation, rays hit the floor everywhere within its borders and nowhere outside.
+// Whatever the rotation, rays hit the floor everywhere within its borders and nowhere outside.
 TEST(HullTables, AThinFloorStopsRaysWithinItsBordersOnly) {
   HullTablesDice dice{Random(12, 0)};
   for (int round = 0; round < 20; ++round) {

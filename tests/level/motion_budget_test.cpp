@@ -33,7 +33,7 @@ TEST(MotionBudget, parts_that_spin_differently_do_not) {
   EXPECT_NE(level.view().movers[0].spins, level.view().movers[1].spins);
 }
 
-// With tables as long as for one part alone, these parts would need some 25 million rows.
+// If each table were as long as for one part alone, these parts would need about 25 million rows.
 TEST(MotionBudget, five_hundred_different_spins_get_shorter_tables) {
   const float first = 0.03f, step = 0.0003f;
   const auto level = spinners(500, first, step).tryCompile();
@@ -53,7 +53,7 @@ TEST(MotionBudget, five_hundred_different_spins_get_shorter_tables) {
   EXPECT_LE(rows, 4000000u);
 }
 
-// Shorter tables are less exact, so that parts within the budget keep their full tables.
+// Shorter tables are less exact. Therefore levels within the budget keep full tables.
 TEST(MotionBudget, parts_within_the_budget_keep_full_tables) {
   const auto alone = spinners(1, 0.1f, 0).compile(), many = spinners(40, 0.1f, 0.01f).compile();
   EXPECT_EQ(many.view().movers[0].spinCount, alone.view().movers[0].spinCount);

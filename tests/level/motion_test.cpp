@@ -37,7 +37,7 @@ Tables tablesOf(const MotionSetter& setter, uint32_t maxRows = kMaxRows) {
   return {keyTable(*plan, {{1, 2, 3}, {}}), spinTable(plan->spin), plan->pivot, plan->once};
 }
 
-// A motion from x = 0 at time 0 to x = 10 at `seconds`.
+// Sets a motion from x = 0 at time 0 to x = 10 at `seconds`.
 MotionSetter slide(float seconds, Repeat repeat, float offset = 0, Easing easing = Easing::LINEAR) {
   return [=](schema::Motion::Builder m) {
     auto keys = m.initKeys(2);
@@ -135,8 +135,8 @@ TEST(Motion, OffsetIsTimeAlreadyElapsed) {
   EXPECT_EQ(xAt(tablesOf(slide(2, Repeat::ONCE, 5)), 0), 10);
 }
 
-// Scripts that wait before a repeating motion import like this: after the wait, the part is at its
-// first key.
+// A script that waits before a repeating motion imports as a negative offset. After the wait, the
+// part is at its first key.
 TEST(Motion, RepeatsAreAtTheirStartAfterANegativeOffset) {
   for (const float wait : {0.5f, 1.0f, 7.25f, 599.5f}) {
     const auto end = uint32_t(60 * wait);
@@ -185,7 +185,7 @@ TEST(Motion, AnyPeriodIsExactToATwoHundredthTickInBoundedTables) {
   }
 }
 
-// Levels whose tables would have too many rows use fewer.
+// A table that would have too many rows holds fewer periods.
 TEST(Motion, ShorterTablesHoldAsManyPeriodsAsFit) {
   Random random(41, 0);
   constexpr uint32_t kFew = 1000;

@@ -1,4 +1,4 @@
-// The index finds what a scan of all parts finds, also after it has sorted them.
+// The index finds the same parts as a scan of all parts, even after it has sorted them.
 #include "level/part_index.h"
 
 #include <fmt/format.h>
@@ -98,7 +98,7 @@ TEST(PartIndex, FindsNothingInALevelWithoutParts) {
   }
 }
 
-// One scan of the parts for each name would take minutes.
+// A separate scan for each name would take minutes.
 TEST(PartIndex, FindsAsManyNamesAsALargeLevelHasParts) {
   io::RecordBuilder level, query;
   constexpr uint32_t kCount = uint32_t(kMaxPlaces);

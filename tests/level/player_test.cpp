@@ -1,4 +1,4 @@
-// Bodies and frame rates: their tables, and their effect on a level and a query.
+// Players' bodies and frame rates: their tables, and their effect on a level and a query.
 #include "level/player.h"
 
 #include <capnp/dynamic.h>

@@ -1,4 +1,4 @@
-// Query records become regions and limits: the start, and the errors.
+// Query records compile to regions and limits. Tests the start, and errors.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -264,7 +264,8 @@ TEST(QueryErrors, NameThePathAndTheExpectation) {
   }
 }
 
-// The search divides positions into cells, and a trajectory must be able to store them.
+// The search divides positions into cells, and a trajectory must be able to store positions. So
+// coordinates are bounded.
 TEST(QueryErrors, AStartRegionWithoutAFloorInReach) {
   const auto refuse = [](float middle, float height) {
     queryExpectRefused(

@@ -12,7 +12,9 @@ using support::LevelBuilder;
 using support::set;
 using PartSetter = LevelBuilder::PartSetter;
 
-constexpr float kWalk = 16, kFarthest = 12.51f;  // of the part: half its diagonal
+constexpr float
+    kWalk = 16,
+    kFarthest = 12.51f;  // distance of the part's farthest point from its centre: half its diagonal
 
 // Returns the speed that the part below adds, in studs/s.
 float given(const PartSetter& setter) {
@@ -40,7 +42,7 @@ TEST(SideSpeed, CountsSpinningSeats) {
   EXPECT_NEAR(given(seat), 3 * kFarthest, 0.1f);
 }
 
-// These parts push players but do not carry them, so that they need no longer grid lists.
+// These parts push players but do not carry them, so they do not make grid lists longer.
 TEST(SideSpeed, IgnoresSpinsThatDoNotCarry) { EXPECT_NEAR(given(speedsSpin(3, false)), 0, 1e-4f); }
 
 TEST(SideSpeed, CountsTurnsBetweenKeys) {

@@ -1,4 +1,5 @@
-// Bounds of moving parts equal those of all their rows bit for bit, however rows share rotations.
+// Bounds of moving parts equal the bounds over all their rows, bit for bit, however the rows share
+// rotations.
 #include "level/swept_bounds.h"
 
 #include <gtest/gtest.h>
@@ -18,7 +19,7 @@ struct SweptBoundsDice {
   Vec3 vec(float size) { return {number(size), number(size), number(size)}; }
   Vec3 half() { return abs(vec(5)) + Vec3{0.025f, 0.025f, 0.025f}; }
 
-  // Five rows with each rotation.
+  // Returns five rows for each rotation.
   std::vector<Pose> keys() {
     std::vector<Pose> keys;
     Mat3 turned;
@@ -53,7 +54,7 @@ TEST(SweptBounds, EqualTheBoundsOfAllKeys) {
   }
 }
 
-// A rotation about a slanting axis, from one side to the other.
+// Returns a rotation about a slanting axis, from one side to the other.
 std::vector<Pose> longTurn(uint32_t rows) {
   std::vector<Pose> keys;
   for (uint32_t k = 0; k < rows; ++k) {

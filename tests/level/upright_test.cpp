@@ -1,4 +1,5 @@
-// Blocks rotated to stand upright stay the same blocks, and only blocks are treated this way.
+// Blocks whose axes are swapped so that they stand upright keep their shape. Other shapes are left
+// alone.
 #include "level/upright.h"
 
 #include <gtest/gtest.h>
@@ -28,7 +29,7 @@ Mat3 yawed(Turns yaw) {
   return {{a.cos, 0, -a.sin}, {0, 1, 0}, {a.sin, 0, a.cos}};
 }
 
-// The 24 axis-aligned orientations.
+// Returns the 24 axis-aligned orientations.
 std::vector<Mat3> sides() {
   std::vector<Mat3> out;
   for (int i = 0; i < 6; ++i) {

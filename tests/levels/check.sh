@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # Solves the queries of one level and compares the verdicts with levels/expected.tsv.
 #   check.sh BIN LEVELS FILE
-# Queries that should be solved, or shown to have no solution, get a generous time limit, the others a short one, since
-# those run to its end. Rows marked `bench` are for bench_solve only.
+# Queries that should be solved or proved unreachable get a generous time limit. The others get a short
+# one, since they use all of it. Rows marked `bench` are for bench_solve only.
 set -euo pipefail
 bin=$1 levels=$2 file=$3
 
@@ -13,7 +13,7 @@ stream() {
   esac
 }
 
-# select_queries IDS: the level records, and those queries whose id is a line of the file IDS.
+# select_queries IDS: prints the level records, and the queries whose id is a line of the file IDS.
 select_queries() {
   awk -v ids="$1" '
     BEGIN { while ((getline line < ids) > 0) wanted["\"id\":\"" line "\""] = 1 }
@@ -21,7 +21,7 @@ select_queries() {
     /"type":"query"/ { if (match($0, /"id":"[^"]*"/) && substr($0, RSTART, RLENGTH) in wanted) print }'
 }
 
-# verdicts: "id<TAB>verdict" for each result record.
+# verdicts: prints "id<TAB>verdict" for each result record.
 verdicts() {
   awk '/"type":"result"/ {
     id = verdict = ""
@@ -47,7 +47,7 @@ for group in "decided 40" "others 4"; do
 done
 sort "$work/raw" >"$work/got"
 
-# `unsolved` stands for either way of having no solution.
+# `unsolved` stands for unreachable or unknown.
 join -t "$(printf '\t')" -a 1 -e missing -o 0,1.2,2.2 "$work/expected" "$work/got" |
   awk -F'\t' '{
     ok = $2 == $3 || ($2 == "unsolved" && ($3 == "unreachable" || $3 == "unknown"))

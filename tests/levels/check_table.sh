@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# The table of the query suite says of every query what is expected and why, and levels/suite is as it was generated.
+# Checks that expected.tsv has a verdict and a reason for every query of the suite, and that
+# levels/suite equals the output of its generator.
 #   check_table.sh LEVELS
 set -euo pipefail
 levels=$1

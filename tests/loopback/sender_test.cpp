@@ -1,4 +1,4 @@
-// The Host and Origin headers that belong to this machine.
+// Tests which Host and Origin headers count as this machine.
 #include "loopback/sender.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Angles in turns / 65536 against libm in double precision, over all 65536 angles.
+// Compares angles in turns / 65536 with libm in double precision, for all 65536 angles.
 #include "math/angle.h"
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@ constexpr double kTurn = 6.283185307179586476925;
 
 double radians(int units) { return kTurn * units / 65536; }
 
-// Returns the shorter distance between two angles, in units.
+// Returns the distance between two angles, at most half a turn, in units of 1/65536 turn.
 int apart(Turns a, Turns b) { return std::abs(int(int16_t(uint16_t(a - b)))); }
 
 TEST(SinCos, AgreesWithLibmForAllAngles) {
@@ -38,7 +38,7 @@ TEST(SinCos, LiesOnTheUnitCircleAndIsOddAndEven) {
   for (int a = 0; a < 65536; ++a) {
     const SinCos sc = sinCos(Turns(a)), mirrored = sinCos(Turns(-a));
     ASSERT_NEAR(double(sc.sin) * double(sc.sin) + double(sc.cos) * double(sc.cos), 1, 3e-7);
-    if (a % 0x4000 == 0x2000) continue;  // an eighth of a turn belongs to one quarter only
+    if (a % 0x4000 == 0x2000) continue;  // an eighth of a turn lies on the border of two quarters
     ASSERT_EQ(mirrored.sin, -sc.sin) << a;
     ASSERT_EQ(mirrored.cos, sc.cos) << a;
   }

@@ -1,4 +1,4 @@
-// The kernels of networks, held against the CPU: outputs, gradients, sums.
+// Kernels of networks give the outputs, gradients and sums of the CPU.
 #include "nn/device/device_pass.h"
 
 #include <gtest/gtest.h>
@@ -13,7 +13,8 @@
 namespace obby::nn {
 namespace {
 
-// A network, rows that go through it, and gradients that go back; on the CPU and on a device.
+// A network with its inputs and output gradients. The results of the CPU and of a device are
+// compared.
 struct Rows {
   explicit Rows(uint32_t count) : rows(count), random(5, count), net({32, 64, 64, 48}) {
     for (float& w : net.parameters()) w = 0.3f * (random.unit() - 0.5f);
@@ -26,7 +27,7 @@ struct Rows {
     pass.backward(net, in, outGradient.data(), sums, inputGradient.data());
   }
 
-  // Fills what a device finds.
+  // Runs the network on a device and fills the fields found*.
   void on(sim::Device& device, Rounding rounding) {
     DevicePass there(rounding);
     sim::DeviceTable<float> parameters, in, gradient, below;
@@ -58,7 +59,7 @@ struct Rows {
 
 class OfRows : public testing::TestWithParam<uint32_t> {};
 
-// One row, less than a tile, not a multiple of it, several chunks.
+// The sizes: one row, less than a tile, a tile, less than a chunk, a chunk, several chunks.
 INSTANTIATE_TEST_SUITE_P(DevicePass, OfRows, testing::Values(1, 7, 8, 255, 256, 700));
 
 TEST_P(OfRows, MatchesTheOutputsAndGradientsOfTheCpu) {
@@ -75,8 +76,8 @@ TEST_P(OfRows, MatchesTheOutputsAndGradientsOfTheCpu) {
   EXPECT_EQ(r.foundBelow, r.inputGradient);
 }
 
-// Whichever way the CPU in a GPU's place multiplies and adds (kernels.cpp), it is in one step where
-// that is asked for.
+// In every build, the CPU in the GPU's place fuses multiply and add if the kernel asks for it
+// (kernels.cpp).
 TEST(DeviceProducts, AreFusedOnRequestInEveryBuild) {
   constexpr size_t kRows = 16, kInner = 24, kColumns = 8;
   Random random(7, 7);
@@ -109,7 +110,8 @@ TEST(DeviceProducts, AreFusedOnRequestInEveryBuild) {
 TEST(DeviceSums, EqualMinibatchSumsShuffledOrNot) {
   ThreadPool pool(2);
   sim::HostDevice device(pool);
-  constexpr uint32_t kCount = 3 * 512 + 1;  // the first has a chunk more than the others
+  constexpr uint32_t kCount =
+      3 * 512 + 1;  // so that the first minibatch has one chunk more than the others
   const Minibatches cut(kCount, 600);
   ASSERT_EQ(cut.count(), 3u);
   ASSERT_GT(chunksOf(cut.size(0)), chunksOf(cut.size(1)));

@@ -1,4 +1,4 @@
-// Numbers to test networks with, and gradients held against finite differences.
+// Random numbers for tests of networks, and a check of gradients against finite differences.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@
 
 namespace obby::nn {
 
-// Uniform between -1 and 1.
+// Returns numbers that are uniform between -1 and 1.
 template <class S>
 std::vector<S> drawn(size_t count, Random& random) {
   std::vector<S> v(count);
@@ -29,7 +29,7 @@ void expectNear(const S* found, const S* expected, size_t count, double within, 
     ASSERT_NEAR(double(found[i]), double(expected[i]), within * largest) << what << " " << i;
 }
 
-// Holds the gradient that loss(at, gradient) fills against its differences.
+// Compares the gradient that loss(at, gradient) fills in with finite differences.
 template <class Loss>
 void checkGradient(std::vector<double> at, Loss&& loss, double within = 1e-6) {
   std::vector<double> gradient(at.size()), unused(at.size());

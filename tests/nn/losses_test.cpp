@@ -1,5 +1,5 @@
-// Losses: their gradients held against finite differences in double precision, and published
-// formulas; advantages by hand.
+// Gradients of losses against finite differences in double precision, losses against published
+// formulas, and advantages against hand-computed values.
 #include "nn/losses.h"
 
 #include <gtest/gtest.h>
@@ -19,14 +19,14 @@ TEST(QuantileLoss, GradientsMatchFiniteDifferences) {
   for (int n = 0; n < 20; ++n) {
     const auto targets = drawn<double>(kQuantiles, random);
     auto at = drawn<double>(kQuantiles, random);
-    for (double& v : at) v *= 3;  // on both sides of where the loss becomes straight
+    for (double& v : at) v *= 3;  // covers both the quadratic and the linear part of the loss
     checkGradient(at, [&](const double* predicted, double* gradient) {
       return quantileLoss<kQuantiles>(predicted, targets.data(), gradient);
     });
   }
 }
 
-// Followed downhill, predictions come to the quantiles of the targets.
+// Gradient descent moves the predictions to the quantiles of the targets.
 TEST(QuantileLoss, ConvergesToTheQuantilesOfTheTargets) {
   double targets[kQuantiles], predicted[kQuantiles] = {}, gradient[kQuantiles];
   for (size_t i = 0; i < kQuantiles; ++i) targets[i] = 100 * double(i);
@@ -50,8 +50,8 @@ TEST(CrossEntropy, GradientsMatchFiniteDifferences) {
   }
 }
 
-// One that dies with its second decision, and one that goes on, or is cut: what came last stands
-// for the rest.
+// The first episode dies at its second decision. The second one goes on or is cut, so the last
+// value estimates the rest.
 TEST(Advantages, BootstrapOnlyUnfinishedPlaythroughs) {
   const float values[] = {1, 1, 2, 2, 3, 3}, rewards[] = {1, 1, -1, 0, 2, 2}, last[] = {4, 4};
   const uint8_t done[] = {0, 0, 1, 0, 0, 0};

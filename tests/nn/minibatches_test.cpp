@@ -1,4 +1,4 @@
-// Minibatches: as few as there may be, and alike.
+// The division of rows into minibatches: as few as possible, of nearly equal sizes.
 #include "nn/minibatches.h"
 
 #include <gtest/gtest.h>
@@ -9,10 +9,10 @@ namespace {
 TEST(Minibatches, AreAsFewAsPossibleAndNearlyEqual) {
   for (uint32_t rows = 1; rows <= 60; ++rows) {
     for (uint32_t max = 1; max <= 70; ++max) {
-      SCOPED_TRACE(testing::Message() << rows << " rows, at max " << max);
+      SCOPED_TRACE(testing::Message() << rows << " rows, at most " << max);
       const Minibatches parts(rows, max);
       EXPECT_GE(parts.count() * max, rows);
-      EXPECT_LT((parts.count() - 1) * max, rows) << "one less would do";
+      EXPECT_LT((parts.count() - 1) * max, rows) << "one fewer would be enough";
       uint32_t next = 0;
       for (uint32_t i = 0; i < parts.count(); ++i) {
         EXPECT_EQ(parts.first(i), next);

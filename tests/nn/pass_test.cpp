@@ -1,5 +1,5 @@
-// Rows through a network and back: products in a fixed order, gradients held against finite
-// differences in double precision, and a step of the optimiser.
+// Rows through a network and back: products in a fixed order, gradients against finite differences
+// in double precision, and a step of the optimiser.
 #include "nn/pass.h"
 
 #include <gtest/gtest.h>
@@ -23,7 +23,7 @@ std::vector<float> halfZeros(size_t count, Random& random) {
   return v;
 }
 
-// Whatever the lanes and the zeros: each number is summed as a loop would.
+// Each number is summed in the order of a plain loop, with any lanes and zeros.
 TEST(Product, EqualsAPlainLoopBitForBit) {
   Random random(1, 1);
   for (const size_t rows : {1u, 7u, 64u, 130u}) {
@@ -53,7 +53,7 @@ TEST(Product, EqualsAPlainLoopBitForBit) {
   }
 }
 
-// The sum of the outputs, each times a weight of its own: its gradient by them is these.
+// The total weights each output by outGradient, so outGradient is its gradient by the outputs.
 TEST(Pass, GradientsMatchFiniteDifferences) {
   constexpr size_t kRows = 5;
   Random random(2, 2);
@@ -86,7 +86,7 @@ TEST(Pass, GradientsMatchFiniteDifferences) {
   check(inputs, inputGradient);
 }
 
-// Kingma and Ba 2015, algorithm 1, in double precision.
+// Compares with algorithm 1 of Kingma and Ba 2015, in double precision.
 TEST(Adam, MovesAParameterAsPublished) {
   float parameter = 1, momentum = 0, squares = 0;
   double w = 1, m = 0, v = 0;
@@ -142,7 +142,8 @@ TEST(Normal, IsNearlyNormal) {
   EXPECT_NEAR(double(beyond) / kDraws, 0.317, 0.02);
 }
 
-// Orthogonal columns, or rows where these are fewer, of the stated length; nothing beside them.
+// Columns are orthogonal and have the stated length, or rows if there are fewer rows. The padding
+// stays unchanged.
 TEST(Orthogonal, FillsColumnsOrRows) {
   for (const size_t rows : {3u, 9u}) {
     constexpr size_t kColumns = 5, kStride = 7;
@@ -150,7 +151,8 @@ TEST(Orthogonal, FillsColumnsOrRows) {
     std::vector<float> m(rows * kStride, 42.0f);
     fillOrthogonal(m.data(), rows, kColumns, kStride, 2, random);
     const size_t fewer = std::min(rows, kColumns), more = std::max(rows, kColumns);
-    const auto at = [&](size_t a, size_t b) {  // of the fewer ones, along the more
+    const auto at = [&](size_t a,
+                        size_t b) {  // element b of the a-th column or row, whichever are fewer
       return rows < kColumns ? m[a * kStride + b] : m[b * kStride + a];
     };
     for (size_t a = 0; a < fewer; ++a) {

@@ -1,6 +1,6 @@
-// The player's box against blocks: the general form and the two short ones, a million pairs in all.
-// The references are Bullet's GJK and EPA and FCL's closed form. If one of them differs, the exact
-// separating axes in double precision decide (exact.h).
+// Compares the player's box with blocks: the general form and the two short ones, in a million
+// pairs. The references are Bullet's GJK and EPA and FCL's closed form. If a reference differs, the
+// exact separating axes in double precision decide (exact.h).
 #include "geom/box_box.h"
 
 #include <gtest/gtest.h>
@@ -44,7 +44,7 @@ struct Tallies {
     EXPECT_GT(bullet.overlapping, min);
     EXPECT_GT(bullet.normals, min / 2);
     EXPECT_EQ(fclWrong, 0);
-    // EPA gives up or stops at a worse face for a few pairs in a thousand.
+    // For a few pairs in a thousand, EPA gives up or stops at a face that is not the best.
     EXPECT_LE(bullet.referenceWrong, bullet.pairs / 200);
   }
 };
@@ -89,8 +89,8 @@ TEST(BlockParity, BlocksNearlyAlignedWithTheBody) {
   tallies.expectGood(20000);
 }
 
-// The largest parts have 1024 studs of half extent, where floats are 1e-4 apart. The axes of a
-// rotation in single precision are orthogonal within some 1e-6.
+// The largest parts have half extents of 1024 studs, where floats are 1e-4 apart. The axes of a
+// rotation in single precision are orthogonal to within about 1e-6.
 TEST(BlockParity, BlocksOfUpTo2048StudsWithinTheirOwnRounding) {
   PairDice dice(503);
   Tallies tallies;

@@ -18,7 +18,7 @@ struct BodySpec {
   float yaw = 0, pitch = 0, friction = 0.5f;
   bool anchored = false;
   Vec3 velocity{}, spin{};
-  Vec3 travel{};  // motion of an anchored carrier in four seconds
+  Vec3 travel{};  // motion of an anchored carrier in four seconds, in studs
 };
 
 struct BodyState {
@@ -49,7 +49,7 @@ class OurBodies {
   bool asleep() const { return !(play_.world.flags & sim::kBodyAwake); }
 
  private:
-  // Adds a far floor at 0 for the player, which also catches falling bodies.
+  // Adds a floor far below for the player, which also catches bodies that fall.
   static level::Level levelOf(const std::vector<BodySpec>& specs) {
     support::LevelBuilder b;
     for (const BodySpec& s : specs) {
@@ -78,7 +78,7 @@ class OurBodies {
 
 class BulletBodies {
  public:
-  // Masses and centres are ours, which tests/level checks against formulas. Inertia is Bullet's.
+  // Masses and centres are ours, which tests/level compares with formulas. Inertia is Bullet's own.
   BulletBodies(const std::vector<BodySpec>& specs, const OurBodies& ours)
       : dispatcher_(&configuration_),
         world_(&dispatcher_, &broadPhase_, &solver_, &configuration_) {
@@ -134,7 +134,7 @@ class BulletBodies {
     return {btScalar(q.getX()), btScalar(q.getY()), btScalar(q.getZ()), btScalar(q.getW())};
   }
 
-  // Bullet expects shapes relative to the centre of mass.
+  // Adds a body. Bullet expects its shape relative to the centre of mass.
   void add(const BodySpec& s, const level::DynamicBody* table) {
     btTransform part(turnOf(s), bulletVector(s.position));
     btTransform center = btTransform::getIdentity();
@@ -185,7 +185,7 @@ class BulletBodies {
   int steps_ = 0;
 };
 
-// The same bodies in both simulators.
+// The same bodies, simulated by both.
 struct Both {
   OurBodies ours;
   BulletBodies bullet;

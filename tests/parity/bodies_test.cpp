@@ -1,6 +1,6 @@
-// Dynamic bodies against formulas if there are any, and against Bullet's rigid bodies. Rounding
-// decides impacts on an edge. After those, the tests compare the height and the face on which a
-// body rests. If nothing tumbles, they compare the whole pose.
+// Dynamic bodies against formulas where these exist, and against Bullet's rigid bodies. After an
+// impact on an edge, rounding decides the motion, so the tests compare only the height and the face
+// on which a body rests. If nothing tumbles, they compare the whole pose.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -11,7 +11,7 @@ namespace obby::parity {
 namespace {
 
 constexpr double kGravity = 196.2;
-constexpr double kRest = 0.02;  // studs: contacts rest 0.005 deep, and Bullet's are off by as much
+constexpr double kRest = 0.02;  // studs: contacts rest 0.005 deep, and Bullet's differ by as much
 
 BodySpec floorOf(float friction = 0.5f) {
   return {.position = {0, -1, 0}, .size = {400, 2, 400}, .friction = friction, .anchored = true};
@@ -25,7 +25,7 @@ BodySpec slopeOf(float pitch, float friction) {
           .anchored = true};
 }
 
-// A body on the slope, its centre `up` above the surface. +Z of the slope is downhill.
+// Returns a body on the slope with its centre `up` above the surface. +Z of the slope is downhill.
 BodySpec onSlope(float pitch, float friction, float up, float along) {
   const double s = std::sin(double(pitch)), c = std::cos(double(pitch));
   const double y = 1 + double(up), z = double(along);
@@ -187,7 +187,7 @@ TEST(BodiesParity, ArePushedByAWallThatMoves) {
   const BodyState ours = both.ours.state(0);
   EXPECT_NEAR(double(ours.position.x), face + 2, kRest);
   EXPECT_NEAR(double(ours.velocity.x), 10, 0.1);
-  // Bullet's block keeps 0.04 ahead of the wall and drifts sideways by 0.35.
+  // Bullet's block stays 0.04 ahead of the wall and drifts sideways by 0.35.
   EXPECT_NEAR(double(both.bullet.state(0).position.x), face + 2, 0.05);
   EXPECT_NEAR(double(ours.position.z), 0, 0.05);
   EXPECT_GT(ours.axes.x.x, 0.999f);
@@ -211,7 +211,7 @@ TEST(BodiesParity, AreLiftedByAPlatform) {
   }
 }
 
-// Both fall flat, after numbers of ticks that differ by at most one in twenty.
+// Both rows fall flat, after numbers of ticks that differ by at most 5 %.
 TEST(BodiesParity, DominoesFallOver) {
   Both both(
       {floorOf(1), {.position = {0, 4.03f, 0}, .size = {4, 8, 1}, .pitch = 0.16f, .friction = 1}});

@@ -1,5 +1,5 @@
 // Bullet's answers (double-precision build): penetration by GJK and EPA without margins, gaps by
-// GJK, rays by its convex cast.
+// GJK, and rays by its convex cast.
 #pragma once
 
 #include <BulletCollision/NarrowPhaseCollision/btGjkEpa2.h>
@@ -63,7 +63,8 @@ class BulletPair {
               narrow(pose_.getBasis() * -results.normal)};  // local to the shape
     }
     const bool apart = btGjkEpaSolver2::Distance(shape_.get(), pose_, &other, at, guess, results);
-    return {false, apart ? -double(results.distance) : 0.0, {}};  // touching if neither applies
+    return {
+        false, apart ? -double(results.distance) : 0.0, {}};  // touching if Bullet reports neither
   }
 
  private:

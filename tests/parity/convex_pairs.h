@@ -1,5 +1,5 @@
-// Random pairs of any two convex shapes, at a chosen gap or depth along a chosen direction. Also
-// the exact answer for pairs that need no iteration.
+// Random pairs of any two convex shapes at a chosen gap or depth along a chosen direction. Also the
+// exact answer for pairs that can be computed without iteration.
 #pragma once
 
 #include <memory>
@@ -12,7 +12,7 @@ namespace obby::parity {
 
 struct ConvexPair {
   geom::Convex a, b;
-  const Polytope* localA = nullptr;  // of hulls, whose faces are slow to find
+  const Polytope* localA = nullptr;  // of hulls, since finding their faces is slow
   const Polytope* localB = nullptr;
 };
 
@@ -20,7 +20,7 @@ inline std::string describe(const geom::Convex& c) {
   return describe(Pair{c.kind, c.shape, c.pose, {}}).substr(0, 200);
 }
 
-// Hulls with complete edges, without nearly parallel faces or edges.
+// Hulls with complete edges and without nearly parallel faces or edges.
 class HullPool {
  public:
   HullPool(PairDice& dice, size_t count) {
@@ -63,15 +63,15 @@ class ConvexDice : public PairDice {
     return c;
   }
 
-  // Places b at a distance of `gap` from a. Random offsets go across a face's normal, or corner
-  // meets corner along any direction.
+  // Places b at a distance of `gap` from a. The two meet across a face of one of them, with a
+  // random offset, or corner to corner in a random direction.
   void place(ConvexPair& p, float gap) {
     Vec3 d = direction(), aside{};
     const uint32_t way = random().below(3);
     if (way == 0 && geom::axes(p.a) > 0) d = faceOf(p.a);
     if (way == 1 && geom::axes(p.b) > 0) d = faceOf(p.b);
     if (way < 2) aside = vec(0.7f * minf(min(p.a.shape.half), min(p.b.shape.half)));
-    // This is computed with a at the origin, so that no precision is lost.
+    // With a at the origin the computation loses no precision.
     const Vec3 at = p.a.pose.position;
     p.a.pose.position = p.b.pose.position = {};
     const Vec3 touching = geom::corner(p.a, d) - geom::corner(p.b, -d);
@@ -110,8 +110,9 @@ inline Polytope polytopeOf(const geom::Convex& c, const Polytope* local) {
   return local ? moved(*local, c.pose) : polytopeOf(c.kind, c.shape, c.pose);
 }
 
-// Returns the signed distance of a point from a polytope. Every axis gives a lower bound. The exact
-// one is a face's normal, or points from an edge or a corner to the point.
+// Returns the signed distance of a point from a polytope. Every axis gives a lower bound. The axis
+// that gives the exact distance is a face's normal, or points from an edge or a corner to the
+// point.
 inline double pointApart(const Polytope& p, const V3& at) {
   double best = -1e300;
   const auto test = [&](const V3& n) {

@@ -1,6 +1,6 @@
 // The exact answer for two polytopes, in double precision and from their corners alone. It decides
-// if an outside library and lib/geom differ. Faces and edges are found by brute force, so that it
-// trusts no table of lib/.
+// when an outside library and lib/geom differ. It finds faces and edges by brute force, so it
+// depends on no table of lib/.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -27,8 +27,8 @@ inline void addDirection(std::vector<V3>& known, const V3& n) {
   known.push_back(n);
 }
 
-// A triple of corners is a face if all other corners lie on one side. Two corners that share two
-// faces are joined by an edge.
+// Fills in faces and edges. A triple of corners is a face if all other corners lie on one side. Two
+// corners that share two faces are joined by an edge.
 inline void findFacesAndEdges(Polytope& p) {
   double size = 0;
   for (const V3& a : p.points) size = std::max(size, (a - p.points[0]).norm());
@@ -92,7 +92,7 @@ inline Polytope moved(Polytope p, const Pose& pose) {
   return p;
 }
 
-// The minimum translation that separates the two, exact up to rounding of doubles.
+// The minimum translation that separates the two, exact up to the rounding of doubles.
 struct Exact {
   double depth = 1e300;  // negative: apart, by at least this much
   V3 normal;             // moving the second polytope along it separates them

@@ -44,7 +44,8 @@ struct Faults {
     deepest += absf(minGap(m) - s.distance) > 3e-3f;
     outside += !isOnBoth(p, m);
     const Separation t = geom::separation(p.b, p.a, kMargin);
-    if (dot(s.normal, t.normal) > -0.999f) return;  // prefers the first shape
+    if (dot(s.normal, t.normal) > -0.999f)
+      return;  // both orders may prefer a face of their first shape
     ++swapped;
     unlike += absf(minGap(m) - minGap(geom::manifold(p.b, p.a, t, kMargin))) > 3e-3f;
   }
@@ -63,13 +64,13 @@ struct Faults {
 
 class ManifoldParity : public testing::TestWithParam<ShapeKind> {
  protected:
-  // Pairs the parameter's kind with each of the other kinds in turn.
+  // Pairs the test's kind with each of the other kinds in turn.
   Faults faultsWith(const std::vector<ShapeKind>& others) {
     ConvexDice dice(720 + uint64_t(GetParam()));
     Faults faults;
     for (int i = 0; i < 30000; ++i) {
       const ConvexPair p = dice.pair(GetParam(), others[size_t(i) % others.size()]);
-      if (length(p.a.pose.position) > 100) continue;  // points are imprecise there
+      if (length(p.a.pose.position) > 100) continue;  // points lose precision far from the origin
       const Separation s = geom::separation(p.a, p.b, kMargin);
       if (s.distance > kMargin) continue;
       const Manifold m = geom::manifold(p.a, p.b, s, kMargin);
@@ -84,8 +85,8 @@ class ManifoldParity : public testing::TestWithParam<ShapeKind> {
 };
 
 // The face that points most towards the other shape may not be the one in contact, and a corner may
-// be off it. This affects one pair in 200, and one in twelve with hulls. A cylinder's cap is an
-// octagon and its side a line, both without the rim: one pair in ten.
+// lie off it. This affects one pair in 200, and one in twelve with hulls. A cylinder's cap counts
+// as an octagon and its side as a line, without the rim. This affects one pair in ten.
 TEST_P(ManifoldParity, PointsAreOnBothShapesAndTheDeepestIsTheSeparation) {
   const double limit = GetParam() == ShapeKind::cylinder ? 0.12
                        : GetParam() == ShapeKind::hull   ? 0.1

@@ -1,5 +1,5 @@
-// Random pairs of a shape and the player's box, about half of them overlapping. Also a tally of how
-// answers of lib/geom compare with those of an outside library.
+// Random pairs of a shape and the player's box, of which about half overlap. Also a tally that
+// compares answers of lib/geom with those of an outside library.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@
 namespace obby::parity {
 
 constexpr double kTolerance = 1e-4;        // studs
-constexpr double kNormalTolerance = 1e-5;  // 1 - cosine: a quarter degree
+constexpr double kNormalTolerance = 1e-5;  // 1 - cosine: a quarter of a degree
 
 struct Pair {
   geom::ShapeKind kind;
@@ -28,12 +28,12 @@ class PairDice : public geom::test::Dice {
  public:
   using Dice::Dice;
 
-  // Thin, medium and wide extents are equally likely.
+  // Returns random extents. Thin, medium and wide ones are equally likely.
   Vec3 extents(float min, float max) {
     const auto one = [&] { return min * std::pow(max / min, between(0, 1)); };
     return {one(), one(), one()};
   }
-  // Half extents of the body, the head alone, or any box.
+  // Returns half extents of the body, of the head alone, or of any box.
   Vec3 bodyHalf() {
     switch (random().below(4)) {
       case 0: return {1, 0.5f, 0.5f};
@@ -42,7 +42,7 @@ class PairDice : public geom::test::Dice {
     }
   }
   Mat3 standing() { return geom::UprightBox{{}, {}, sinCos(turns())}.axes(); }
-  // Returns the rotation, off by 1e-7 to 0.1 radians, so that edges are nearly parallel.
+  // Returns the rotation with an error of 1e-7 to 0.1 radians, so that edges are nearly parallel.
   Mat3 nearly(const Mat3& base) {
     const double angle = std::pow(10.0, double(between(-7, -1)));
     const Eigen::AngleAxisd turn(angle, wide(direction()).normalized());
@@ -52,7 +52,7 @@ class PairDice : public geom::test::Dice {
     };
     return {turned(base.x), turned(base.y), turned(base.z)};
   }
-  // A box near the shape's bounding box.
+  // Returns a box near the shape's bounding box.
   Pair around(geom::ShapeKind kind, const geom::ShapeData& shape, const Mat3& rotation) {
     const Pose pose{vec(8), rotation};
     const Vec3 half = bodyHalf();
@@ -72,18 +72,18 @@ inline std::string describe(const Pair& p) {
          std::to_string(p.box.yaw.sin);
 }
 
-// Returns true if both are apart, or the depths agree within the tolerance.
+// Returns true if both are negative (apart), or if the depths agree within the tolerance.
 inline bool agree(double a, double b, double tolerance) {
   return (a < 0 && b < 0) || std::abs(a - b) <= tolerance;
 }
 
 struct Tally {
   int pairs = 0, overlapping = 0, normals = 0, referenceWrong = 0;
-  double worst = 0;           // largest difference from a right reference
+  double worst = 0;           // largest difference from references that are right
   double referenceWorst = 0;  // the reference's largest error against the exact depth
 
-  // Compares with the reference, except if the exact answer contradicts it and confirms ours. Every
-  // pair must agree with the exact answer.
+  // Every pair must agree with the exact answer. If the reference contradicts the exact answer, it
+  // counts as wrong and is not compared.
   void compare(const Pair& pair, const geom::Contact& ours, double referenceDepth,
                const V3& referenceNormal, const Exact& exact, double tolerance = kTolerance) {
     ++pairs;
@@ -103,7 +103,8 @@ struct Tally {
     }
     if (depth < 0 || referenceDepth < 0) return;
     worst = std::max(worst, std::abs(depth - referenceDepth));
-    if (exact.next < exact.depth + 1e-2 || exact.depth < 1e-3) return;  // no unique minimum axis
+    if (exact.next < exact.depth + 1e-2 || exact.depth < 1e-3)
+      return;  // the minimum axis is not unique
     ++normals;
     const V3 normal = wide(ours.normal);
     EXPECT_GT(normal.dot(exact.normal), 1 - kNormalTolerance) << describe(pair);

@@ -1,5 +1,5 @@
-// Rays at every shape, compared with Bullet's convex cast in double precision: hit or miss, the
-// distance, and the side.
+// Rays at every shape, compared with Bullet's convex cast in double precision by hit or miss,
+// distance and side.
 #include <gtest/gtest.h>
 
 #include "parity/hull.h"
@@ -36,7 +36,7 @@ BulletHit castByBullet(btConvexShape* shape, Vec3 from, Vec3 to) {
   return {first.hasHit(), double(first.m_closestHitFraction), first.normal};
 }
 
-// The reference in double precision: the interval of the line inside the shape.
+// The reference in double precision: the interval of the ray's line that lies inside the shape.
 struct Stretch {
   double enter = -1e300, leave = 1e300;
 
@@ -138,15 +138,16 @@ class RayTally {
  private:
   bool isRound() const { return kind_ == ShapeKind::ball || kind_ == ShapeKind::cylinder; }
 
-  // A curved side solves a quadratic in single precision, which rounds in proportion to the squared
-  // distance. Small balls from far away, and rays that barely touch the side, are less exact.
+  // Returns the rounding of a curved side, which solves a quadratic in single precision. It grows
+  // with the squared distance. Small balls seen from far away, and rays that barely touch the side,
+  // are less exact.
   double rounding(const Ray& ray, const Stretch& exact) const {
     if (!isRound()) return 0;
     const double far = double(dot(ray.from, ray.from));
     return std::min(0x1p-20 * far / std::max(exact.chord(), 1e-9), 0x1p-10 * std::sqrt(far));
   }
   bool isGrazing(const Ray& ray, const Stretch& exact) const {
-    if (exact.chord() < -1e200) return isRound();  // outside a curved side
+    if (exact.chord() < -1e200) return isRound();  // a line that misses a curved side
     const double far = double(dot(ray.from, ray.from));
     return std::abs(exact.chord()) < (isRound() ? 0x1p-10 * std::sqrt(far) : kTolerance);
   }
@@ -163,14 +164,15 @@ class RayTally {
 
 class RayParity : public testing::TestWithParam<ShapeKind> {
  protected:
-  // A random shape; round ones have a single radius.
+  // Returns a random shape. Round shapes have a single radius.
   ShapeData shape() {
     ShapeData s{dice_.extents(0.025f, 16), nullptr};
     if (GetParam() == ShapeKind::ball) s.half = {s.half.z, s.half.z, s.half.z};
     if (GetParam() == ShapeKind::cylinder) s.half.y = s.half.z;
     return s;
   }
-  // A ray from up to 20 studs beyond the bounds, towards a point in or just outside the shape.
+  // Returns a ray from up to 20 studs beyond the bounds, towards a point in or just outside the
+  // shape.
   Ray rayAt(Vec3 half) {
     const Vec3 from = dice_.direction() * (length(half) + dice_.between(0.01f, 20));
     const Vec3 at = mul(half, dice_.vec(1.1f));
@@ -179,7 +181,8 @@ class RayParity : public testing::TestWithParam<ShapeKind> {
   void expectGood(const RayTally& tally) {
     tally.report();
     EXPECT_GT(tally.hits, tally.rays / 5);
-    EXPECT_LE(tally.otherSide, tally.rays / 200);  // at edges, and on Bullet's small balls
+    EXPECT_LE(tally.otherSide,
+              tally.rays / 200);  // at edges, and on small balls, where Bullet is inexact
     // Bullet's cast counts some rays that pass within 1e-4 studs of an edge as hits.
     EXPECT_LE(tally.referenceWrong, tally.rays / 200);
   }
@@ -196,8 +199,8 @@ TEST_P(RayParity, HitsWhereBulletHits) {
   expectGood(tally);
 }
 
-// Like the floor rays of a walking or jumping player: from within 4 studs, well inside the
-// silhouette.
+// Rays like the floor rays of a walking or jumping player. They start within 4 studs and hit well
+// inside the silhouette.
 class RoundRayParity : public RayParity {};
 
 TEST_P(RoundRayParity, IsExactAtCloseRangeAwayFromTheSilhouette) {

@@ -1,6 +1,6 @@
 // geom::separation over all pairs of kinds. The references are exact separating axes for polytopes,
-// exact distances of a ball's centre, and Bullet's GJK and EPA for cylinders. It prefers faces by
-// up to kPreference, so that it may be that much too deep, but never too shallow.
+// exact distances of a ball's centre, and Bullet's GJK and EPA for cylinders. separation() prefers
+// faces by up to kPreference, so it may be too deep by that much, but never too shallow.
 #include <gtest/gtest.h>
 
 #include "parity/convex_pairs.h"
@@ -14,13 +14,14 @@ using geom::ShapeKind;
 constexpr float kSeparationMargin = 0.5f;
 constexpr double kDeeper = double(geom::internal::kPreference) + kTolerance;
 
-// If corners or edges are closest, the answer is a lower bound of the distance.
+// A tally of answers. If corners or edges are closest, an answer is only a lower bound of the
+// distance.
 struct Found {
   int pairs = 0, overlapping = 0, apart = 0, deeperThanPreferred = 0;
   double deeper = 0, shallower = 0, early = 0;  // studs
 
-  // `exact` is the signed distance; for overlaps, minus the minimum translation that separates the
-  // two.
+  // `exact` is the signed distance. For overlaps it is minus the minimum translation that separates
+  // the two.
   void compare(const ConvexPair& p, const Separation& s, double exact, double maxDeeper,
                double maxEarly) {
     ++pairs;
@@ -68,7 +69,8 @@ TEST(SeparationParity, PolytopesMatchTheSearchOfAllAxes) {
     const Separation s = geom::separation(p.a, p.b, kSeparationMargin);
     const Polytope a = polytopeOf(p.a, p.localA), b = polytopeOf(p.b, p.localB);
     const Exact exact = exactPenetration(a, b);
-    // With parallel edges, the exact axes are an arbitrarily loose lower bound.
+    // If edges are parallel, the exact axes give only a lower bound, which can be arbitrarily
+    // loose.
     if (exact.depth < 0) continue;
     // The compiler's tables merge nearly parallel edges of a hull.
     found.compare(p, s, -exact.depth, 5e-3, kDeeper);
@@ -85,8 +87,8 @@ TEST(SeparationParity, PolytopesMatchTheSearchOfAllAxes) {
   EXPECT_LT(found.deeperThanPreferred, found.pairs / 10000);
 }
 
-// For separated polytopes the answer is at most Bullet's distance. It is seldom far less: the case
-// of corner to corner, which has no axis.
+// For separated polytopes the answer is at most Bullet's distance. It is rarely far less: only
+// between corners, whose direction is not an axis.
 TEST(SeparationParity, NeverExceedsTheDistanceOfSeparatedPolytopes) {
   ConvexDice dice(703);
   Found found;
@@ -97,7 +99,7 @@ TEST(SeparationParity, NeverExceedsTheDistanceOfSeparatedPolytopes) {
     const BulletContact bullet = bulletApart(p.a, p.b);
     if (bullet.overlap || bullet.depth > -kTolerance) continue;
     if (double(s.distance) > -bullet.depth + kTolerance) {
-      // The axis of our answer proves it.
+      // The axis of our answer proves that Bullet's distance is wrong.
       const Polytope a = polytopeOf(p.a, p.localA), b = polytopeOf(p.b, p.localB);
       ASSERT_LT(overlapAlong(a, b, wide(s.normal)), bullet.depth) << describe(p.a);
       ++referenceWrong;
@@ -121,7 +123,7 @@ TEST(SeparationParity, ABallAndAPolytopeFollowTheCentre) {
     const double exact = pointApart(polytopeOf(p.b, p.localB), wide(p.a.pose.position)) -
                          double(geom::Ball::radius(p.a.shape));
     if (i / 4 % 2) std::swap(p.a, p.b);
-    // Near shapes of 50 studs the direction to the centre is less exact.
+    // Near shapes of 50 studs the direction to the centre is less precise.
     found.compare(p, geom::separation(p.a, p.b, kSeparationMargin), exact, 4e-3, 1e-2);
   }
   found.report();
@@ -148,9 +150,9 @@ TEST(SeparationParity, ABallAndARoundShapeFollowTheCentre) {
   EXPECT_LT(found.deeperThanPreferred, found.pairs / 1000);
 }
 
-// A tilted rim that meets an edge, a corner or another rim has no axis of its own, only that of a
-// smaller cylinder. Contact comes up to a tenth of a stud early. In one overlap of ten, a deep one,
-// the answer is too deep.
+// If a tilted rim meets an edge, a corner or another rim, the only axes are those of a smaller
+// cylinder. Contact then comes up to a tenth of a stud early, and one deep overlap in ten is too
+// deep.
 TEST(SeparationParity, ACylinderIsTooDeepOnlyAtRims) {
   ConvexDice dice(704);
   Found found;
@@ -163,7 +165,8 @@ TEST(SeparationParity, ACylinderIsTooDeepOnlyAtRims) {
     const Separation s = geom::separation(p.a, p.b, kSeparationMargin);
     const double bullet = -bulletApart(p.a, p.b).depth;
     if (double(s.distance) > bullet + kTolerance) {
-      // EPA or GJK has not converged: moved by our answer, the two are apart for Bullet, too.
+      // EPA or GJK has not converged. If we move b out by our answer, Bullet also reports no
+      // overlap.
       ConvexPair out = p;
       out.b.pose.position += s.normal * (float(kTolerance) - s.distance);
       EXPECT_LE(bulletApart(out.a, out.b).depth, 2 * kTolerance) << describe(p.a);

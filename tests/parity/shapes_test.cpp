@@ -1,7 +1,7 @@
 // The player's box against every shape except blocks. The reference is FCL's closed form for balls,
-// and Bullet's GJK and EPA for the others. For polytopes the exact separating axes (exact.h) decide
-// if Bullet differs. The known excess depths of lib/geom are bounded by measured values: at rims of
-// lying cylinders, and for hulls with more edges than are tested.
+// and Bullet's GJK and EPA for the others. If Bullet differs for a polytope, the exact separating
+// axes decide (exact.h). lib/geom is known to be too deep at rims of lying cylinders and for hulls
+// with more edges than it tests. Measured bounds limit these errors.
 #include <gtest/gtest.h>
 
 #include "parity/fcl.h"
@@ -58,7 +58,7 @@ TEST(BallParity, IsAsDeepAsFclSays) {
     ASSERT_TRUE(f.overlap && depth >= 0) << describe(p);
     ++overlapping;
     worst = std::max(worst, std::abs(depth - f.depth));
-    // Near the box's surface the centre gives no direction in single precision. Inside the box two
+    // Near the box's surface the centre gives no direction in single precision. Inside the box, two
     // faces can be equally near.
     const V3 local = wide(toLocal(p.box.axes(), p.pose.position - p.box.center));
     const V3 beyond = local.cwiseAbs() - wide(p.box.half);
@@ -70,8 +70,8 @@ TEST(BallParity, IsAsDeepAsFclSays) {
   EXPECT_GT(overlapping, 100000);
 }
 
-// The errors of a shape with incomplete axes: its depth is never too small, and too large by at
-// most this.
+// The errors of a shape whose axes are incomplete. Its depth is never too small. It is too large by
+// at most `deepest`.
 struct Excess {
   int overlapping = 0, over = 0, early = 0, referenceWrong = 0;
   double deepest = 0, earliest = 0;  // studs
@@ -93,8 +93,8 @@ struct Excess {
       deepest = std::max(deepest, depth - b.depth);
       return;
     }
-    // Either our depth is too small, or Bullet's too large. In the latter case, moving the box out
-    // by our depth separates them for Bullet, too.
+    // Either our depth is too small or Bullet's is too large. If Bullet's is, moving the box out by
+    // our depth separates the two for Bullet, too.
     Pair out = p;
     out.box.center += c.normal * (maxf(c.depth, 0) + float(kTolerance));
     const BulletContact after = bullets(out);
@@ -134,9 +134,9 @@ TEST(CylinderParity, IsExactWhenUpright) {
   EXPECT_LT(excess.deepest, 0.02);
 }
 
-// If a rim of a tilted cylinder meets an edge or corner of the body, the pair has no axis. Contact
-// then comes up to 0.17 studs early, and one overlap in ten is too deep. Few exceed 0.3 studs. A
-// body well inside the rim of a wide disc reaches 1.13.
+// If a rim of a tilted cylinder meets an edge or corner of the body, no axis fits the pair. Contact
+// then comes up to 0.17 studs early, and one overlap in ten is too deep. Few errors exceed 0.3
+// studs. With a body well inside the rim of a wide disc the error reaches 1.13 studs.
 TEST(CylinderParity, IsTooDeepOnlyAtRimsAtAnyRotation) {
   PairDice dice(541);
   Excess excess;
@@ -149,7 +149,7 @@ TEST(CylinderParity, IsTooDeepOnlyAtRimsAtAnyRotation) {
   EXPECT_LT(excess.earliest, 0.25);
   EXPECT_LT(excess.deepest, 1.3);
   EXPECT_LT(excess.over, excess.overlapping / 8);
-  EXPECT_GT(excess.over, 0);  // if this fails, such an axis exists now: update physics.md
+  EXPECT_GT(excess.over, 0);  // if this fails, the axes are complete now: update physics.md
 }
 
 // Hulls with complete tables: up to 32 edges, without nearly parallel faces or edges.
@@ -183,8 +183,8 @@ TEST(HullParity, IsExactWithAllEdges) {
   EXPECT_LE(tally.referenceWrong, tally.pairs / 200);
 }
 
-// Above 32 edge directions only faces are tested, so that edges of the body meet a hull with
-// sharper corners than it has.
+// Hulls with more than 32 edge directions are tested by faces alone. To edges of the body they
+// appear to have sharper corners.
 TEST(HullParity, RoundHullsAreTooDeepOnlyAtEdges) {
   PairDice dice(551);
   Excess excess;
@@ -205,9 +205,9 @@ TEST(HullParity, RoundHullsAreTooDeepOnlyAtEdges) {
   EXPECT_LT(excess.deepest, 0.6);
 }
 
-// Two faces of this hull are distinct but within a quarter degree of each other. If they were
-// merged, three of its 9 edges would be lost, and a body would be pushed out up to 0.4 studs too
-// far.
+// Two faces of this hull are distinct but within a quarter of a degree of each other. If they were
+// merged, three of the hull's 9 edges would be lost. A body would then be pushed out by up to 0.4
+// studs too much.
 TEST(HullParity, NearlyCoplanarFacesKeepTheirEdges) {
   const TestHull h({{1.46f, 1.22f, -1.46f},
                     {-1.53f, -1.11f, 1.48f},

@@ -1,4 +1,4 @@
-// The losses of a decision and their gradients, and those of the whole network, against finite
+// Losses of a decision and of the whole network. Their gradients are compared with finite
 // differences in double precision.
 #include "policy/decision.h"
 
@@ -104,7 +104,8 @@ TEST(Network, GradientsMatchFiniteDifferences) {
   EXPECT_GT(compared, 100);
 }
 
-// Schulman et al. 2017, equations 7 and 9, by hand: 17 moves are allowed, with equal logits.
+// Equations 7 and 9 of Schulman et al. 2017, computed by hand. 17 moves are allowed and have equal
+// logits.
 TEST(Loss, MatchesThePublishedFormula) {
   struct Case {
     double ratio;
@@ -160,7 +161,7 @@ TEST(ImitationLoss, GradientsMatchFiniteDifferences) {
   for (int n = 0; n < 20; ++n) {
     const auto at = nn::drawn<double>(kPaddedOutputs, random);
     const Decision d{{int(random.below(kMoves)), 0, 0, 2}, true};
-    // The advantage is a constant for the gradient of the likelihood, but not for that of the
+    // The advantage is a constant in the gradient of the likelihood, but not in the gradient of the
     // value.
     const double better = double(d.target) - at[kMoves];
     nn::checkGradient(at, [&](const double* out, double* gradient) {

@@ -1,4 +1,4 @@
-// The network against a simple one in double precision, and moves drawn from its outputs.
+// Compares the network with a simple one in double precision. Tests moves drawn from its outputs.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -25,14 +25,14 @@ std::vector<float> randomInputs(uint64_t seed) {
   std::vector<float> in(kInputs);
   Random random(seed, 1);
   for (float& v : in) v = 4 * random.unit() - 2;
-  // Most surroundings are empty.
+  // Most heights in the surroundings are empty.
   for (size_t i = kStateInputs; i < in.size(); ++i) {
     if (random.unit() < 0.7f) in[i] = kEmptyInput;
   }
   return in;
 }
 
-// Uses every input, in the order of the file.
+// Computes the outputs from every input, with the weights in the order of the file.
 std::vector<double> plain(const Network& n, const std::vector<float>& in) {
   const float* const means = n.numbers().data();
   const float* const scales = means + kInputs;
@@ -91,8 +91,8 @@ TEST(Moves, AreDrawnWithTheProbabilitiesOfTheirLogits) {
   EXPECT_EQ(likeliest(logits, true), 7);
 }
 
-// Logits as networks return them, and unusual ones: some equal, zeros of either sign, some or all
-// far below the others, some NaN.
+// Returns logits as networks do, and unusual ones: equal ones, zeros of either sign, some or all
+// far below the others, NaN.
 std::vector<float> someLogits(Random& random) {
   const float spread = float(1u << random.below(9));
   const bool areLow = random.below(8) == 0;
@@ -107,7 +107,7 @@ std::vector<float> someLogits(Random& random) {
   return logits;
 }
 
-// As draw(), one move after the other.
+// Does the same as draw(), but move by move.
 int drawPlainly(const std::vector<float>& logits, bool mayJump, Random& random) {
   const float max = logits[size_t(likeliest(logits.data(), mayJump))];
   float odds[kMoves], sum = 0;
@@ -148,7 +148,7 @@ bool same(const sim::Action& a, const sim::Action& b) {
 TEST(Moves, AreTheSameInOneLaneAndInMany) {
   const level::Level level = LevelBuilder().block({0, -0.5f, 0}, {8, 1, 8}).compile();
   Onlooker look(level);
-  Network network;  // says what its last biases are, whatever it sees
+  Network network;  // its outputs are always its last biases
   const Thinker thinker(network);
   const std::vector<float> inputs(kInputs);
   Random random(7, 7);
@@ -168,7 +168,7 @@ TEST(Moves, AreTheSameInOneLaneAndInMany) {
   }
 }
 
-// Anywhere in a level, in the air or not, sampled or greedy.
+// The player is anywhere in a level, in the air or not, and moves are sampled or greedy.
 TEST(Decisions, AreTheSameInOneLaneAndInMany) {
   const level::Level level = support::boxArena(100, 3).compile();
   Onlooker look(level);

@@ -1,5 +1,5 @@
-// The policy's observation. It does not depend on the order of parts, the heading of the level or
-// the number of lanes.
+// The policy's observation does not depend on the order of parts, the heading of the level or the
+// number of lanes.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -35,10 +35,10 @@ struct Look : support::Onlooker {
   }
 };
 
-// A start, a gap of five studs, then ground half a stud higher.
+// Returns a start, a gap of five studs, and then ground half a stud higher.
 LevelBuilder gap() {
   LevelBuilder b;
-  b.block({0, -0.5f, 0}, {8, 1, 8});  // to z = -4
+  b.block({0, -0.5f, 0}, {8, 1, 8});  // ends at z = -4
   b.block({0, 0, -13}, {8, 1, 8});    // from z = -9 to -17
   return b;
 }
@@ -90,7 +90,7 @@ TEST(Observation, ShowsTheSlopeOfAWedge) {
   EXPECT_NEAR(look.height(kFloor, 1, 0), 4 * (10 - 3.35f) / 8, 1e-4f);
 }
 
-// A start, and a part of this shape and size. `upright`: its x axis points up.
+// Returns a start and a part of this shape and size. If `upright`, the part's x axis points up.
 LevelBuilder round(schema::Shape shape, Vec3 center, Vec3 size, bool upright = false) {
   LevelBuilder b;
   b.block({0, -0.5f, 0}, {3, 1, 3});
@@ -111,12 +111,13 @@ TEST(Observation, ShowsBallsAndCylindersAsTheyAre) {
     const level::Level level = b.compile();
     return Look(level).height(kFloor, ring, direction);
   };
-  const float aside = 5.85f / 2, along = 5.85f * std::sqrt(0.75f);  // of the next direction
+  const float aside = 5.85f / 2,
+              along = 5.85f * std::sqrt(0.75f);  // the next direction of the ring
   const LevelBuilder ball = round(schema::Shape::BALL, {0, 4, -5.9f}, {8, 8, 8});
   EXPECT_NEAR(height(ball, 2, 0), 8, 1e-2f);
   const float far = std::hypot(aside, 5.9f - along);
   EXPECT_NEAR(height(ball, 2, 1), 4 + std::sqrt(16 - far * far), 0.05f);
-  // The cylinder's axis is x.
+  // The axis of this cylinder is x.
   const LevelBuilder log = round(schema::Shape::CYLINDER, {0, 3, -5.9f}, {16, 6, 6});
   EXPECT_NEAR(height(log, 2, 0), 6, 1e-2f);
   EXPECT_NEAR(height(log, 2, 1), 3 + std::sqrt(9 - (5.9f - along) * (5.9f - along)), 0.05f);
@@ -170,7 +171,7 @@ void setRate(LevelBuilder& b, int rate) {
   });
 }
 
-class SeesMovers : public testing::TestWithParam<int> {};  // at so many ticks a second
+class SeesMovers : public testing::TestWithParam<int> {};  // the parameter is in ticks per second
 
 TEST_P(SeesMovers, ShowsPresentAndFutureHeights) {
   LevelBuilder b = gap();
@@ -190,7 +191,7 @@ TEST_P(SeesMovers, ShowsPresentAndFutureHeights) {
 
 INSTANTIATE_TEST_SUITE_P(Observation, SeesMovers, testing::Values(30, 60, 240));
 
-// The same moment of the same level, with longer and shorter ticks.
+// Observes the same moment of the same level with longer and shorter ticks.
 TEST(Observation, IsInSecondsForAnyTickLength) {
   std::vector<float> expected;
   for (const int rate : {60, 30, 120, 240}) {

@@ -11,7 +11,7 @@
 namespace obby::policy {
 namespace {
 
-// A block as in cut(), but without the shortcut for upright parts.
+// Does the same as cut(), but without the shortcut for upright parts.
 Stretch<float> cutPlainly(const Solid& solid, float x, float z) {
   const Vec3 o{x - solid.center.x, -solid.center.y, z - solid.center.z};
   Stretch<float> s;
@@ -26,7 +26,7 @@ Stretch<float> cutPlainly(const Solid& solid, float x, float z) {
   return s;
 }
 
-// Any axis points up or down, with zeros of either sign.
+// Returns a block with any axis pointing up or down, and with zeros of either sign.
 Solid uprightBlock(int n, Random& random) {
   const auto uniform = [&random](float lo, float hi) { return lo + (hi - lo) * random.unit(); };
   const SinCos turn = sinCos(Turns(random.next()));

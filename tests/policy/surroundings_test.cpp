@@ -15,7 +15,7 @@ namespace {
 
 using support::LevelBuilder;
 
-// A start to z = -4, and more ground from z = -9 to -17.
+// Returns a start that ends at z = -4, and more ground from z = -9 to -17.
 LevelBuilder surroundingsGap() {
   LevelBuilder b;
   b.block({0, -0.5f, 0}, {8, 1, 8});
@@ -23,8 +23,8 @@ LevelBuilder surroundingsGap() {
   return b;
 }
 
-// A level's parts and, too high above them to be seen, so many plates of maximum size that squares
-// of 8 studs would list them 132 million times. The level must outlive it.
+// A level's parts under a roof of plates of the maximum size, which are too high to be seen.
+// Squares of 8 studs would list the plates 132 million times. The level must outlive it.
 struct Roofed {
   explicit Roofed(const level::Level& level) : view(level.view()) {
     bounds.assign(view.bounds, view.bounds + view.colliderCount);
@@ -132,7 +132,7 @@ TEST(Surroundings, AreSearchedToTheLastPartInSight) {
       std::vector<uint32_t> seen, expected;
       lookAround(look.scene, look.world, nullptr,
                  [&](const Sight& sight) { seen.push_back(sight.collider); });
-      std::sort(seen.begin(), seen.end());  // what moves is seen twice
+      std::sort(seen.begin(), seen.end());  // moving parts are listed twice
       seen.erase(std::unique(seen.begin(), seen.end()), seen.end());
       for (uint32_t i = 0; i < view.colliderCount; ++i) {
         if (inSight(view.bounds[i].box(), feet)) expected.push_back(i);

@@ -9,7 +9,7 @@ namespace {
 
 using sim::State;
 
-// A level with a pad to reach: its top is 10 studs up, its near side at z = -10.
+// Returns a level with a pad to reach. Its top is 10 studs up, and its near side is at z = -10.
 level::Level withPad() {
   return support::LevelBuilder()
       .block({0, -1, 0}, {200, 2, 200})
@@ -17,7 +17,7 @@ level::Level withPad() {
       .compile();
 }
 
-// A query whose goal is the pad, with this arrival rule.
+// Returns a query whose goal is the pad, with this arrival rule.
 level::Query queryOf(const level::Level& level, schema::Arrive arrive) {
   capnp::MallocMessageBuilder message;
   auto record = message.initRoot<schema::Query>();
@@ -83,7 +83,8 @@ TEST(Arrive, StandingAtItsFootIsNotStandingOnIt) {
   EXPECT_TRUE(reachesPad(top.settle(), q));
 }
 
-// The box of the limbs ends above the floor by a margin, yet standing on a floor touches it.
+// The box of the limbs ends slightly above the floor, but a player who stands on a floor touches
+// it.
 TEST(Feet, TouchTheFloorThatHoldsThem) {
   const auto kill = [](schema::Part::Builder p) { p.initKill(); };
   const auto level = support::LevelBuilder().block({0, -1, 0}, {20, 2, 20}, kill).compile();

@@ -1,4 +1,4 @@
-// The choice of the backend, and the messages if the requested one is missing.
+// The choice of the backend, and the messages if the requested backend is missing.
 #include "sim/backend.h"
 
 #include <gmock/gmock.h>
@@ -26,8 +26,8 @@ TEST(Backend, the_cpu_is_always_there) {
   EXPECT_EQ(backend->note(), "simulating on the CPU");
 }
 
-// If CUDA is missing for any reason, `cuda` reports it. `auto` continues, with the same words as a
-// note.
+// If CUDA is missing for any reason, `cuda` is an error that gives the reason. `auto` continues and
+// gives the same reason as a note.
 TEST(Backend, without_a_gpu_cuda_is_an_error_and_auto_takes_the_cpu) {
   const auto wanted = Backend::open(BackendKind::cuda);
   const auto either = Backend::open(BackendKind::automatic);

@@ -29,7 +29,7 @@ std::vector<uint64_t> hashesOf(const Batch& batch) {
   return hashes;
 }
 
-// Simulates world `index` alone, by the scalar tick. Returns the hash of the world and its loose
+// Simulates world `index` alone, by the scalar tick. Returns the hash of the world and its dynamic
 // bodies.
 uint64_t alone(const Course& course, uint32_t index, uint32_t ticks, uint64_t seed) {
   const auto levelOf = [&](uint32_t episode) {
@@ -74,7 +74,7 @@ TEST(Batch, worlds_of_many_levels_equal_worlds_alone) {
   EXPECT_GE(max, 3u);
 }
 
-// Every rule ends some worlds. Lanes, kernels and single worlds agree on which.
+// Every rule ends some worlds. Lanes, kernels and single worlds agree on these worlds.
 TEST(Batch, rules_are_the_same_in_lanes_and_on_kernels) {
   support::Levels many = support::everyKind();
   support::addRules(many);
@@ -141,7 +141,7 @@ TEST(Batch, ended_worlds_wait_unless_the_course_restarts) {
   EXPECT_EQ(hashesOf(*lanes), hashesOf(*kernel));
 }
 
-// The same play as a walker, as a table, and as plans.
+// A walker, a table of actions and plans play the same actions.
 TEST(Batch, walker_table_and_plans_are_equivalent) {
   const level::Level level = support::boxArena(20, 1).compile();
   const Course course = courseOf(level.view(), level.spawns()[0]);

@@ -8,7 +8,7 @@ namespace {
 
 using support::LevelBuilder;
 
-// A floor long enough for a push of two seconds.
+// Returns a floor that is long enough for a push of two seconds.
 LevelBuilder longFloor() {
   return LevelBuilder{}.block({0, -1, 0}, {400, 2, 400}, [](auto p) { p.setFriction(0.5f); });
 }
@@ -19,8 +19,8 @@ void loosen(schema::Part::Builder p, float density) {
   p.setFriction(0.5f);
 }
 
-// Returns the studs that two seconds of walking push a box, after the player's initial momentum is
-// spent.
+// Returns the studs by which two seconds of walking push a box. The player's initial momentum is
+// spent by then.
 float pushed(float mass, float pushForce) {
   LevelBuilder b = longFloor();
   b.block({0, 2, 0}, {4, 4, 4}, [=](auto p) { loosen(p, mass / 64); });
@@ -78,7 +78,7 @@ TEST(BodyPlayer, WalkingOnABallRollsItBack) {
   EXPECT_GT(play.bodies[0].spin.x, 0.1f);  // rolls toward +Z
 }
 
-// In free fall the player has no weight. A jump from a body in the same fall works as usual.
+// A falling player has no weight, but can jump from a body that falls at the same speed.
 TEST(BodyPlayer, JumpsFromABodyThatFalls) {
   LevelBuilder b = longFloor();
   b.block({0, 200, 0}, {8, 4, 8}, [](auto p) { loosen(p, 4); });
@@ -113,7 +113,7 @@ TEST(BodyPlayer, BodiesFallWhenTheirFloorLeaves) {
   EXPECT_NEAR(play.bodies[0].position.y, 2, 0.05);
 }
 
-// The player touches a part that carries a body which has been asleep for long.
+// The player touches a part that carries a body. The body has been asleep for a long time.
 TEST(BodyPlayer, BodiesThatSleepFallWhenTheirFloorLeaves) {
   LevelBuilder b = longFloor();
   b.block({0, 4, 0}, {30, 2, 8}, [](auto p) { p.initVanish().setDelay(0.2f); });

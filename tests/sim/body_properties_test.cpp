@@ -57,7 +57,7 @@ std::vector<RigidBody> throwAll(const level::LevelView& level, const std::vector
   return bodies;
 }
 
-// A floor with its top at 0; the player stands far away.
+// Returns a floor `thick` studs thick, with its top at 0. The player stands far away.
 LevelBuilder bodyPropertiesStore(float thick = 2) {
   LevelBuilder b;
   b.block({0, -0.5f * thick, 0}, {300, thick, 300}, [](auto p) { p.setElasticity(0); });
@@ -74,7 +74,7 @@ float heightOf(const RigidBody& b, const level::LevelView& level, float side) {
   return side * geom::support(convexOf(c, poseOf(b, l)), {0, side, 0});
 }
 
-// The same worlds simulated by tick() and by tickAll().
+// The same worlds twice: one copy is simulated by tick(), the other by tickAll().
 struct Twins {
   const level::LevelView& level;
   std::vector<World> alone, wide;
@@ -164,7 +164,7 @@ RC_GTEST_PROP(BodyProperties, AtMaximumFrictionEveryStateIsFinite, ()) {
   }
 }
 
-// Blocks rest and tumble in many worlds, most of them in lanes.
+// Blocks in many worlds rest and tumble, most of them in lanes.
 RC_GTEST_PROP(BodyProperties, BlocksInLanesMoveAsAlone, ()) {
   const auto throws = *rc::gen::container<std::vector<Thrown>>(
       6, thrown(rc::gen::build<Vec3>(rc::gen::set(&Vec3::x, between(-50, 50)),
@@ -188,10 +188,11 @@ RC_GTEST_PROP(BodyProperties, BlocksInLanesMoveAsAlone, ()) {
   RC_ASSERT(twins.counts.bodiesInLanes > 0u);
 }
 
-// Cubes and balls: a flight keeps spin, not angular momentum, so that other shapes may gain energy.
-// The bound is the energy of a fall of 0.05 studs. Not every seed passes yet: landings on corners
-// gain more in one case of 300, and up to 0.5 studs in one of 20,000. Contacts are found once a
-// tick, while a body turns. With spins of at most 12 rad/s this is five times as rare.
+// Only cubes and balls are tested: a flight keeps the spin, not the angular momentum, so other
+// shapes may gain energy. The bound is the energy of a fall of 0.05 studs. Not every seed passes
+// yet. Contacts are found once a tick while a body turns, so landings on corners gain more in one
+// case of 300, and up to 0.5 studs in one of 20,000. With spins of at most 12 rad/s this is five
+// times as rare.
 RC_GTEST_PROP(BodyProperties, EnergyDoesNotGrow, ()) {
   auto throws = *rc::gen::container<std::vector<Thrown>>(
       3, thrown(rc::gen::build<Vec3>(rc::gen::set(&Vec3::x, between(-6, 6)),
@@ -245,7 +246,8 @@ RC_GTEST_PROP(BodyProperties, NothingPassesAThinWall, ()) {
   }
 }
 
-// Drops a body on a floor. A corner that the impact turns downwards sinks in for some ticks.
+// Drops a body on a floor. If the impact turns a corner downwards, the corner sinks in for a few
+// ticks.
 void dropOnFloors(float thinnest, float fastest) {
   const float thick = *extentBetween(thinnest, 4);
   Thrown t = *thrown(rc::gen::just(Vec3{}), 30);
@@ -266,8 +268,8 @@ void dropOnFloors(float thinnest, float fastest) {
 
 RC_GTEST_PROP(BodyProperties, NothingSinksIntoAThinFloor, ()) { dropOnFloors(0.05f, 60); }
 
-// Contacts are found once a tick. A body that lands on one end at 200 studs/s is spun around, and
-// its other end may pass a floor of 0.05 studs in the same tick.
+// Contacts are found once a tick. A body that lands on one end at 200 studs/s spins so fast that
+// its other end may pass a floor of 0.05 studs within that tick.
 RC_GTEST_PROP(BodyProperties, NothingSinksIntoAFloorOfTwoStuds, ()) { dropOnFloors(2, 478); }
 
 RC_GTEST_PROP(BodyProperties, SleepingBodiesStayUntilTouched, ()) {

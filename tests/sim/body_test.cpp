@@ -14,7 +14,7 @@ using support::LevelBuilder;
 
 void unanchor(schema::Part::Builder p) { p.setAnchored(false); }
 
-// A floor whose top is at 0, far away from the player at (0, 0, 40).
+// Returns a floor whose top is at 0. The player is far away, at (0, 0, 40).
 LevelBuilder bodyStore() {
   LevelBuilder b;
   b.block({0, -1, 0}, {200, 2, 200}).spawn({0, 0, 40});
@@ -73,7 +73,7 @@ TEST(DynamicBodies, EveryShapeRestsOnItsLowestFace) {
   }
 }
 
-// A union may look like this: one hull, far from the part's centre, with its top at 0.
+// Unions can have this shape: a single hull far from the part's centre, with its top at 0.
 TEST(DynamicBodies, RestOnAHullFarFromItsPartsCentre) {
   const auto slab = [](schema::Part::Builder p) {
     p.setShape(schema::Shape::HULL);
@@ -281,8 +281,8 @@ TEST(DynamicBodies, PushedToAWallBecomeAStep) {
     if (box) b.block({0, 2, 20}, {4, 4, 4}, unanchor);
     const auto level = b.compile();
     Play play = playOf(level);
-    play.settle().run(walk(kNorth), 300);  // to the wall, pushing the box
-    play.run(walk(kNorth ^ 0x8000), 20);   // back
+    play.settle().run(walk(kNorth), 300);  // walks to the wall and pushes the box there
+    play.run(walk(kNorth ^ 0x8000), 20);   // walks back
     // Jumps onto the box, and from it onto the wall.
     return play.until(walk(kNorth, true), [](const sim::World& w) {
       return w.position.y > 9.9f && (w.flags & sim::kFloorSensed);
@@ -316,7 +316,7 @@ TEST(DynamicBodies, TheSeventeenthBodyIsAnError) {
   EXPECT_EQ(level.error().path, "parts[17].anchored");
 }
 
-// Bodies have come to rest, as on a server that has run for a while.
+// The bodies have come to rest, as on a server that has run for a while.
 TEST(StartBodies, IsAtRestIfAllBodiesComeToRest) {
   const auto level = bodyStore()
                          .block({0, 9, 0}, {4, 4, 4}, unanchor)

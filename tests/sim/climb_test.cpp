@@ -18,7 +18,7 @@ constexpr float kClimb = 0.7f * 16;
 
 void asTruss(Part::Builder p) { p.setShape(schema::Shape::TRUSS); }
 
-// A floor at height 0, and a truss from `bottom` to `top`.
+// Returns a floor at height 0, and a truss from `bottom` to `top`.
 LevelBuilder tower(float top, const LevelBuilder::PartSetter& more = asTruss, float bottom = 0) {
   return LevelBuilder()
       .block({0, -1, 0}, {400, 2, 400})
@@ -145,7 +145,7 @@ TEST(Climb, jump_leaves_the_truss_and_counts_once) {
   EXPECT_GT(play.world.position.z, kFace + 6);
 }
 
-// The gain is 150/s, so that each step leaves 1 - 150 / 240 of the difference in velocity.
+// The gain is 150/s, so each step leaves 1 - 150 / 240 of the difference in velocity.
 TEST(Climb, grips_a_falling_player_within_a_few_steps) {
   const auto level = tower(60).compile();
   Play falls(level, {0, 40, kFace + 1});
@@ -270,8 +270,8 @@ TEST(Climb, a_floor_of_trusses_is_walked_and_landed_on) {
   EXPECT_GE(play.world.jumps, 2);
 }
 
-// Rungs 0.3 thick with `gap` studs between them, up to 20 studs, in front of a wall with a floor on
-// top.
+// Returns rungs 0.3 thick with `gap` studs between them, up to 20 studs, in front of a wall with a
+// floor on top.
 level::Level ladder(float gap, bool climbable) {
   LevelBuilder b;
   b.block({0, -1, 0}, {60, 2, 60}).spawn({0, 0, 0});

@@ -30,7 +30,7 @@ void respond(Part::Builder p, float delay = 0, bool inverted = false) {
   vanish.setInverted(inverted);
 }
 
-// A level with a wall across at z = -20, which the button opens.
+// Returns a level with a wall across the course at z = -20. The button opens the wall.
 LevelBuilder doorLevel(float seconds) {
   LevelBuilder b = floorLevel();
   withButton(b, seconds);

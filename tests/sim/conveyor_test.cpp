@@ -1,4 +1,4 @@
-// Conveyors that lead up, and conveyors that turn about the place that their part has moved to.
+// Conveyors that move upwards, and turning conveyors on a part that has moved.
 #include <gtest/gtest.h>
 
 #include "sim/play.h"
@@ -49,7 +49,8 @@ TEST(Conveyor, a_turning_conveyor_turns_about_its_moved_part) {
     play.run(stand(), 20);
     const float gone = keyCount == 1 ? 0.0f : 6 * 20 * kTick;
     const Vec3 from = play.world.position - Vec3{100 + gone, 0, 0}, v = play.world.velocity;
-    EXPECT_NEAR(v.x, kTurn * from.z, 2) << keyCount;  // a tick late, a turn of 0.8 studs/s
+    EXPECT_NEAR(v.x, kTurn * from.z, 2)
+        << keyCount;  // within 2: the conveyor is a tick behind, which is 0.8 studs/s
     EXPECT_NEAR(v.z, -kTurn * from.x, 2) << keyCount;
   }
 }

@@ -31,7 +31,7 @@ TEST(EngineLaws, StepsAreSemiImplicit) {
   const auto level = byTheStep();
   Play play(level, {0, 100, 0});
   play.run(stand(), 96);
-  // Integration does v += a dt before x += v dt, so that the fall leads the parabola by half a
+  // A step does v += a dt, then x += v dt. Therefore the fall is ahead of the parabola by half a
   // step.
   EXPECT_NEAR(play.world.position.y, 100 - kGravity * kStep * kStep * 96 * 97 / 2, 1e-3f);
   EXPECT_NEAR(play.world.velocity.y, -kGravity * kStep * 96, 1e-3f);

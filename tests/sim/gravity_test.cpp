@@ -11,7 +11,7 @@ using schema::Part;
 using sim::World;
 using support::LevelBuilder;
 
-// A level whose whole floor is the boost.
+// Returns a level whose whole floor is the boost.
 LevelBuilder boostFloor(const std::function<void(schema::Boost::Builder)>& setter) {
   return LevelBuilder().block({0, -1, 0}, {200, 2, 200},
                               [=](Part::Builder p) { setter(p.initBoost()); });

@@ -25,7 +25,7 @@ TEST(Hang, APlayerCannotWalkAlongAnEdgeOnTheTorso) {
   EXPECT_LT(absf(play.world.position.z), 1.0f);
 }
 
-// Within the first ticks a player can still walk in and stand up.
+// In the first few ticks a player can still walk onto the wall and stand up.
 TEST(Hang, APlayerThatWalksInGetsUp) {
   Play play(wall(), kOverTheEdge);
   constexpr Turns kWest = 0x4000;

@@ -14,7 +14,7 @@ TEST(Jump, flat_air_time_is_0_54_seconds) {
   play.settle().run(stand(true), 1);
   const int ticks =
       play.until(stand(), [](const sim::World& w) { return w.state == State::landed; });
-  // The floor is sensed 1.1 studs before the feet reach it, two ticks early at most.
+  // The legs sense the floor 1.1 studs before the feet reach it, so up to two ticks early.
   EXPECT_NEAR(float(ticks + 1) * kTick, 2 * 53.0f / 196.2f, 2.1f * kTick);
 }
 
@@ -162,7 +162,7 @@ TEST(Fall, below_the_fallen_parts_height_ends_the_playthrough) {
   EXPECT_EQ(play.world.outcome, sim::Outcome::fell);
   const uint32_t tick = play.world.tick;
   play.run(stand(), 5);
-  EXPECT_EQ(play.world.tick, tick) << "an ended playthrough stands still";
+  EXPECT_EQ(play.world.tick, tick) << "an ended trajectory stands still";
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 // Limits on what any part can do to a player. No part throws faster than the speed limit, hurts
-// once per hull, shifts the grid, or is present when it never should be.
+// once for each of its hulls, or shifts the grid. A part that should never be present never is.
 #include <gtest/gtest.h>
 
 #include "sim/play.h"

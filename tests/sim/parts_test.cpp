@@ -305,7 +305,8 @@ TEST(Motion, carriers_about_a_far_pivot_take_the_player_round) {
   expectToTurnAlong(arm, 20, 2, 2);
 }
 
-// A conveyor moves its surface but turns no player: each tick goes straight on.
+// A conveyor moves the player without turning the motion. Within each tick the player goes straight
+// on.
 TEST(Conveyor, a_fast_turning_conveyor_carries_the_player_round) {
   const auto disc = LevelBuilder()
                         .block({0, -1, 0}, {40, 2, 40},

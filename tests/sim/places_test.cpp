@@ -93,7 +93,7 @@ TEST(Seat, HoldsUntilAJumpAndThenHasACooldown) {
   EXPECT_TRUE(sits(play.world)) << "after the cooldown it takes again";
 }
 
-// A seat that moves forty studs in four seconds, repeatedly.
+// Returns a seat that moves forty studs in four seconds, repeatedly.
 level::Level movingSeat() {
   return LevelBuilder()
       .block({0, 0, 0}, {4, 1, 4},
@@ -115,7 +115,7 @@ TEST(Seat, RidesWithAMovingSeat) {
   EXPECT_NEAR(play.world.velocity.x, 10, 0.01f);
 }
 
-// A player who jumps off does not inherit the leap back to the start as a speed.
+// A player who jumps off does not get speed from the jump of the motion back to its start.
 TEST(Seat, TheRestartOfAMotionAddsNoSpeed) {
   const auto level = movingSeat();
   Play play(level, {0, 1, 0});
@@ -177,7 +177,7 @@ TEST(Seat, AFallingSeatCarriesThePlayerUntilItsRemoval) {
   EXPECT_LT(play.world.position.y, left - 1) << "falls on";
 }
 
-// A level with a press that comes down to `lowest` studs above the floor.
+// Returns a level with a press that comes down to `lowest` studs above the floor.
 LevelBuilder pressLevel(schema::Squeeze squeeze, float lowest = 1) {
   return floorLevel().block({0, 12, 0}, {20, 4, 20}, [=](Part::Builder p) {
     p.setSqueeze(squeeze);

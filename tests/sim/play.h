@@ -66,7 +66,7 @@ struct Play {
   }
 };
 
-// A floor to put parts on, with its top at 0.
+// Returns a floor for further parts. Its top is at 0.
 inline support::LevelBuilder floorLevel() {
   return support::LevelBuilder().block({0, -1, 0}, {200, 2, 200});
 }
@@ -75,7 +75,7 @@ inline level::Level flatLevel() {
   return support::LevelBuilder().block({0, -1, 0}, {400, 2, 400}).compile();
 }
 
-// A level with only a floor; `change` sets its parameters.
+// Returns a level with only a floor. `change` sets its parameters.
 template <class Change>
 level::Level flatLevel(const Change& change) {
   return support::LevelBuilder().block({0, -1, 0}, {400, 2, 400}).physics(change).compile();

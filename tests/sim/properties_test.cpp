@@ -20,10 +20,10 @@ namespace {
 using namespace obby::test;
 using support::LevelBuilder;
 
-// Set before the first property, at which rapidcheck reads it.
+// rapidcheck reads the variable at the first property, so it is set here.
 const int kSeeded = setenv("RC_PARAMS", "seed=20 max_success=400", 0);
 
-constexpr int kThrows = 20;  // per level, which costs more to compile
+constexpr int kThrows = 20;  // per level, since a level takes longer to compile
 constexpr float kSide = 100;
 
 // Adds a far part that raises the level's limit of sideways speed to 774 studs/s.
@@ -59,7 +59,7 @@ rc::Gen<Vec3> velocityOf(const rc::Gen<float>& x, const rc::Gen<float>& y) {
                               rc::gen::set(&Vec3::z, between(-24, 24)));
 }
 
-// Returns the root's centre, which tells the side of a part that the player is on.
+// Returns the root's centre, which decides on which side of a part the player is.
 Vec3 rootOf(const World& w) { return w.position + Vec3{0, 3, 0}; }
 
 RC_GTEST_PROP(Properties, NoFallPassesAFloor, ()) {
@@ -120,7 +120,7 @@ level::Level randomLevel() {
   return *std::move(level);
 }
 
-// Worlds all over the level, each with its own seed.
+// Returns worlds all over the level, each with its own seed.
 std::vector<World> startsIn(const level::Level& level, uint32_t count) {
   Random random(31, count);
   std::vector<World> worlds;

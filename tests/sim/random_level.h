@@ -1,5 +1,5 @@
 // Random small levels for property tests: any shape, rotation and size, and most roles. rapidcheck
-// draws them, so that a failing level is shrunk to few parts.
+// draws them, and shrinks a failing level to few parts.
 #pragma once
 
 #include <rapidcheck.h>
@@ -37,7 +37,7 @@ inline rc::Gen<Vec3> vecOf(const rc::Gen<float>& of) {
 
 struct PartSpec {
   int shape;
-  Vec3 position, size, turn;  // `turn`: yaw, pitch; also numbers for the role
+  Vec3 position, size, turn;  // `turn`: yaw and pitch; the components also set details of the role
   int role;
 };
 
@@ -72,7 +72,7 @@ inline void setFall(schema::Fall::Builder fall, const PartSpec& spec) {
   fall.setSolid(spec.turn.y > 0);
 }
 
-// A part that a touch moves and that kills a player it squeezes.
+// Makes a part move when touched, and kill a player whom it squeezes.
 inline void setTriggered(schema::Part::Builder part, const PartSpec& spec) {
   auto motion = part.initMotion();
   motion.setTrigger(schema::MotionTrigger::TOUCH);
@@ -138,8 +138,8 @@ inline Result<level::Level> compile(const std::vector<PartSpec>& specs) {
   return b.tryCompile();
 }
 
-// Holds a random action for up to 40 ticks. It depends on seed and tick alone, so that any tick of
-// any world can be repeated.
+// Returns a random action, which is held for up to 40 ticks. It depends only on seed and tick, so
+// any tick of any world can be repeated.
 inline sim::Action actionAt(uint64_t seed, uint32_t tick) {
   Random random(seed, tick / (5 + seed % 36));
   return {Turns(random.next()), random.below(10) != 0, random.below(3) == 0};

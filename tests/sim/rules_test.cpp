@@ -23,7 +23,7 @@ struct RulesTest : testing::Test {
   std::vector<uint32_t> touched;
   World last{};
 
-  // `jumps` is the number of jumps for which the key is held.
+  // `jumps` is the number of jumps before the player lets go of the key.
   Outcome play(int ticks = 300, int jumps = 0) {
     query.waypoints = waypoints.data(), query.waypointCount = uint32_t(waypoints.size());
     query.visits = visits.data(), query.visitCount = uint32_t(visits.size());
@@ -78,7 +78,7 @@ TEST_F(RulesTest, AThinAvoidRegionIsNotSteppedOver) {
     ASSERT_LT(last.position.z, z);
     ASSERT_GT(last.position.z, z - 0.28f);
     avoid = {boxAt(z, {3, 3, 0.001f}), boxAt(z, {3, 3, 1})};
-    avoid[0].region.pose.position.x = 3.01f;  // next to the path
+    avoid[0].region.pose.position.x = 3.01f;  // next to the trajectory
     ASSERT_EQ(play(), Outcome::avoided);
     ASSERT_EQ(last.part, 1u);
   }
@@ -240,7 +240,7 @@ TEST_F(RulesTest, ForbiddenStatesEndIt) {
   EXPECT_EQ(play(300, 0), Outcome::goal);
 }
 
-// Posts next to the path. The arms reach to 2.05.
+// Posts stand on both sides of the trajectory. The arms reach 2.05 studs to each side.
 struct TouchTest : RulesTest {
   TouchTest() {
     LevelBuilder b = LevelBuilder().block({0, -1, 0}, {400, 2, 400});

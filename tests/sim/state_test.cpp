@@ -64,7 +64,7 @@ TEST(Replay, equals_the_worlds_of_playing) {
   EXPECT_EQ(stateHash(worlds.back()), stateHash(play.world));
 }
 
-// A level with a crate ahead of the player, initially in the air.
+// Returns a level with a crate ahead of the player, initially in the air.
 level::Level crateLevel() {
   return floorLevel()
       .block({0, 3, -6}, {4, 4, 4}, [](schema::Part::Builder p) { p.setAnchored(false); })

@@ -1,4 +1,5 @@
-// Each trick's effect if it is allowed, and the usual motion if not (docs/physics.md, tricks).
+// The effect of each trick if it is allowed, and the usual motion otherwise (docs/physics.md,
+// tricks).
 #include <gtest/gtest.h>
 
 #include "sim/play.h"
@@ -90,7 +91,7 @@ TEST(Tricks, AHangingLandingSlowsTo0_375OfItsSpeedInAStep) {
   EXPECT_NEAR(play.world.velocity.y, 0.375f * before, 1e-3f);
 }
 
-// A level with a wall of two blocks, the lower one `seam` studs high.
+// Returns a level with a wall of two blocks. The lower one is `seam` studs high.
 level::Level seamedWall(float seam) {
   return LevelBuilder()
       .block({0, -1, 0}, {40, 2, 40})
@@ -134,7 +135,7 @@ TEST(Tricks, ALadderFlickGripsTheTrussAgainWhileRising) {
   }
 }
 
-// Puts the feet 1.5 studs below a floor, and a tick later beyond its edge. Returns the greatest
+// Puts the feet 1.5 studs below a floor, and a tick later beyond its edge. Returns the maximum
 // height.
 float thrownTo(uint16_t tricks) {
   const auto level = LevelBuilder().block({0, -1, 0}, {20, 2, 20}).compile();

@@ -51,7 +51,7 @@ LevelBuilder everything() {
   });
   return b;
 }
-// A level with posts that only limbs can touch, among walls, and a conveyor faster than any walk.
+// Returns a level with posts that only limbs can touch, walls, and a conveyor faster than any walk.
 level::Level hazards() {
   LevelBuilder b = support::boxArena(40, 11);
   for (int i = 0; i < 49; ++i) {
@@ -67,7 +67,8 @@ level::Level mixed() { return everything().compile(); }
 level::Level touched() { return golden::clocks().compile(); }
 level::Level held() { return golden::places().compile(); }
 
-// Start worlds all over the level, so that some fall out, land on edges or begin inside parts.
+// Returns start worlds all over the level, so that some fall out, land on edges or begin inside
+// parts.
 std::vector<World> startsOver(const level::Level& level, uint32_t count) {
   Random random(3, count);
   std::vector<World> worlds;
@@ -137,8 +138,8 @@ TEST(WideTick, LeavesEndedWorldsAlone) {
   EXPECT_EQ(running.tick, 1u);
 }
 
-// With a sleep time of 0, a slow body sleeps at once, but not in the air: neither when it begins to
-// fall nor at the apex of a throw.
+// With a sleep time of 0, a body that is slow falls asleep at once. In the air it stays awake, both
+// when it begins to fall and at the apex of a throw.
 TEST(WideTick, LetsDynamicBodiesSleepOnlyAtRest) {
   const level::Level level = LevelBuilder()
                                  .block({0, -1, 0}, {200, 2, 200})
@@ -146,7 +147,8 @@ TEST(WideTick, LetsDynamicBodiesSleepOnlyAtRest) {
                                  .spawn({0, 0, 60})
                                  .physics([](auto p) { p.setSleepTime(0); })
                                  .compile();
-  for (const float up : {0.0f, 196.2f / 6}) {  // the second is at rest after ten ticks
+  for (const float up :
+       {0.0f, 196.2f / 6}) {  // in the second throw the body has no speed after ten ticks
     World wide = makeWorld(level.view(), level.spawns()[0]), single = wide;
     std::vector<RigidBody> wideBodies = makeBodies(level.view());
     wideBodies[0].velocity.y = up;
@@ -167,8 +169,8 @@ TEST(WideTick, LetsDynamicBodiesSleepOnlyAtRest) {
   }
 }
 
-// Compares one tick by both functions. `single` is the number of worlds left to the scalar tick.
-// The default action stands still.
+// Compares one tick by both functions. `single` is the number of worlds that tickAll() leaves to
+// the scalar tick. The default action stands still.
 World expectAlike(const level::Level& level, World wide, uint32_t single, Action action = {}) {
   World alone = wide;
   World* worlds[] = {&wide};
@@ -189,7 +191,7 @@ TEST(WideTick, LeavesClimbersToTheScalarTick) {
   EXPECT_EQ(expectAlike(level, wide, 1).state, State::freefall);
 }
 
-// One conveyor leads up, and one turns on a moving part.
+// One conveyor moves upwards, and one turns on a moving part.
 TEST(WideTick, StandsOnBeltsAsTheScalarTickDoes) {
   const level::Level up = LevelBuilder()
                               .block({0, 9, 0}, {40, 2, 40},
@@ -227,8 +229,8 @@ TEST(WideTick, SaturatesTheJumpCount) {
   }
 }
 
-// The scalar tick first checks for any floor below, and must find floors at the very end of the
-// rays.
+// The scalar tick first checks whether any floor is below. It must find floors at the very end of
+// the rays.
 TEST(WideTick, SensesFloorsAtTheEndOfTheRays) {
   const level::Level edge = LevelBuilder()
                                 .block({0, 2.7817647457f, 0}, {20, 2, 20})

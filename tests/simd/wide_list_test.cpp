@@ -1,4 +1,4 @@
-// A list of lanes equals, in each lane, a scalar list after the same calls.
+// A list of lanes equals, in each lane, a scalar list that got the same calls.
 #include "simd/wide_list.h"
 
 #include <gtest/gtest.h>
@@ -21,7 +21,7 @@ Vec3 laneOf(const Item& item, int lane) {
   return {x[lane], y[lane], z[lane]};
 }
 
-// Each lane adds with a probability of its own, so that lists of all lengths occur.
+// Each lane adds with its own probability, so lists of all lengths occur.
 TEST(WideList, EqualsAScalarListInEachLane) {
   Random random(5, 0);
   for (int round = 0; round < 200; ++round) {

@@ -38,7 +38,8 @@ uint32_t bitsOfFloat(float v) {
 bool same(float a, float b) { return bitsOfFloat(a) == bitsOfFloat(b); }
 bool same(int32_t a, int32_t b) { return a == b; }
 
-// Draws two sets of operands a round: usual numbers, and sometimes zeros, equal and huge ones.
+// Draws two sets of operands per round: usual numbers, and sometimes zeros, equal numbers and huge
+// ones.
 class Wide : public testing::Test {
  protected:
   float number() {

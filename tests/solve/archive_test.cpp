@@ -106,11 +106,12 @@ TEST(Archive, CountsVisitsFromManyThreads) {
 TEST(Archive, SingletonsAreCellsSeenByTheirFinderOnly) {
   Archive archive;
   archive.offer(7, arrival(10), {1, 0, 10}, 1);
-  archive.offer(7, arrival(12), {1, 0, 12}, 1);  // the finder itself came by again
+  archive.offer(7, arrival(12), {1, 0, 12}, 1);  // the same rollout finds the cell again
   archive.offer(8, arrival(10), {1, 0, 10}, 1);
   archive.offer(9, arrival(10), {1, 0, 10}, 1);
   EXPECT_EQ(archive.singletons(), 3u);
-  archive.offer(8, arrival(11), {2, 0, 11}, 1);  // another rollout of the round, though no better
+  archive.offer(8, arrival(11), {2, 0, 11},
+                1);  // seen by another rollout, although its arrival is no better
   EXPECT_EQ(archive.singletons(), 2u);
   archive.noteSighted(2);
   archive.noteSighted(2);

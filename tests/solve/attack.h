@@ -31,7 +31,7 @@ class Attack {
     build();
   }
 
-  // Returns a description of a position outside the bound, or nothing if there was none.
+  // Returns a description of a position outside the bound, or nothing if every position was inside.
   std::optional<std::string> run(AttackCounts& counts) {
     auto level = builder_.tryCompile();
     if (!level) return std::nullopt;

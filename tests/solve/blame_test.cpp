@@ -10,7 +10,7 @@
 namespace obby::solve {
 namespace {
 
-// The stones with a curtain that hurts over the first one, and another curtain out of the way.
+// Returns the stones with a curtain that hurts over the first one, and another curtain far away.
 LevelBuilder curtain() {
   const auto hot = [](schema::Part::Builder p) {
     p.setSolid(false);

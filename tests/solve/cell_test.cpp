@@ -58,7 +58,7 @@ TEST(Cell, DimensionsCountOnlyIfTheProblemNeedsThem) {
   }
 }
 
-// The stepping stones, and a block at x = 50 that moves up and down once in 4 seconds.
+// Returns the stepping stones, and a block at x = 50 that moves up and down once in 4 seconds.
 LevelBuilder stonesAndLift() {
   return steppingStones().block({50, 0, 0}, {4, 1, 4}, [](schema::Part::Builder p) {
     auto motion = p.initMotion();
@@ -166,7 +166,8 @@ TEST(Cell, RunningSignalsDistinguishStates) {
   EXPECT_NE(key(signalA, 0), key(signalB, 0));
   EXPECT_EQ(key(signalA, 0), key(signalA, 20));
   EXPECT_NE(key(signalA, 0), key(signalA, 200));
-  const uint32_t vanishing = signalA - 1;  // the last clock of a role
+  const uint32_t vanishing =
+      signalA - 1;  // the last clock that belongs to a role and not to a signal
   EXPECT_EQ(key(vanishing, 0), key(vanishing, 200));
   EXPECT_NE(key(vanishing, 0), cellKey(b, worldAt({0, 1, 0})));
 }

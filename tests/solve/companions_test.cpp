@@ -1,4 +1,4 @@
-// Players that press the same keys, and whether they come along.
+// Companions are other players who press the same keys. A state counts only if all of them follow.
 #include "solve/search/rollouts/companions.h"
 
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@
 namespace obby::solve {
 namespace {
 
-// The level for a player at this frame rate.
+// Returns the level compiled for players at this frame rate, in frames per second.
 level::Level atRate(LevelBuilder b, uint16_t rate) {
   io::RecordBuilder record;
   record.root().setLevel(b.record());
@@ -27,7 +27,7 @@ LevelBuilder twoStones(bool second) {
   return b;
 }
 
-// A run-up and a jump across the gap of 4 studs, at 30 frames a second.
+// Returns a run-up and a jump across the gap of 4 studs, at 30 frames a second.
 ActionRuns jumpAcross() {
   const sim::Action walk{0, true, false}, jump{0, true, true}, rest{};
   return {{walk, 9}, {jump, 1}, {walk, 16}, {rest, 30}};

@@ -1,5 +1,5 @@
-// For every kind of constraint, the search finds a solution that keeps it, and none if that is
-// impossible.
+// For every kind of constraint, the search finds a solution that keeps it. If that is impossible,
+// it finds none.
 #include <gtest/gtest.h>
 
 #include "io/json_codec.h"
@@ -17,8 +17,8 @@ struct Case {
 
 std::ostream& operator<<(std::ostream& out, const Case& c) { return out << c.what; }
 
-// Stones A, B, C at z = -4, -20, -36, with gaps of 8 studs that require a jump. A gap of 6 can be
-// crossed in a fall that the legs still catch.
+// Returns a level of stones A, B, C at z = -4, -20, -36. Their gaps of 8 studs require a jump. A
+// gap of 6 can be crossed in a fall that the legs still catch.
 std::string wideStones(const char* more) {
   return std::string(
              R"({"type":"level","name":"stones","physics":{"fallenPartsHeight":-40},"parts":[)"

@@ -25,7 +25,7 @@ TEST(Crowding, BeginsAboveATicksLimitOfParts) {
   EXPECT_FALSE(isUnknownAmong(0, 0));
   EXPECT_FALSE(isUnknownAmong(sim::kMaxCandidates - 1, 0)) << "with the floor as many as it holds";
   EXPECT_TRUE(isUnknownAmong(sim::kMaxCandidates, 0));
-  EXPECT_FALSE(isUnknownAmong(sim::kMaxCandidates + 1, 500)) << "nobody comes there";
+  EXPECT_FALSE(isUnknownAmong(sim::kMaxCandidates + 1, 500)) << "no player gets there";
 }
 
 TEST(Crowding, HasALowerLimitForMovingParts) {
@@ -35,7 +35,7 @@ TEST(Crowding, HasALowerLimitForMovingParts) {
   EXPECT_FALSE(isUnknownAmong(sim::kMaxMovingCandidates + 1, 0)) << "standing still";
 }
 
-// Whatever the number of crowded places, one box covers each block of them.
+// One box covers each block of crowded places, whatever their number.
 TEST(Crowding, MergesManyPlaces) {
   LevelBuilder b;
   b.block({0, -0.5f, 0}, {8, 1, 8}).spawn({0, 0, 0});
@@ -47,7 +47,7 @@ TEST(Crowding, MergesManyPlaces) {
   }
   const level::Level level = b.compile();
   const Problem problem = support::plainProblem(level, {});
-  EXPECT_FALSE(ReachBound(problem, true).holds({230, 0, 30})) << "nobody comes there";
+  EXPECT_FALSE(ReachBound(problem, true).holds({230, 0, 30})) << "no player gets there";
 }
 
 }  // namespace

@@ -23,7 +23,7 @@ Difficulty ofGap(float gap, float pressAt) {
   return measured(scene.problem, scene.jumpAt(pressAt));
 }
 
-// The difficulty of a walk of 24 studs over a beam of this width, between two platforms.
+// Returns the difficulty of a walk of 24 studs over a beam of this width, between two platforms.
 Difficulty ofBeam(float width, const std::function<void(LevelBuilder&)>& more = {}) {
   LevelBuilder b = GapScene::build(24, 8);
   b.block({0, -0.5f, -20}, {width, 1, 24});
@@ -56,7 +56,7 @@ TEST(NoisyPlayer, RepeatsTheRecordingWithoutNoise) {
 }
 
 TEST(NoisyPlayer, ReturnsToThePath) {
-  // The player starts off the path and makes no other errors, and ends up on the path.
+  // The player starts two studs next to the trajectory, makes no other errors, and returns to it.
   LevelBuilder b;
   b.block({0, -0.5f, -50}, {20, 1, 100});
   b.spawn({0, 0, -2});
@@ -102,7 +102,8 @@ TEST(Difficulty, NarrowerBeamsAreHarder) {
   EXPECT_GT(narrow.success, edge.success + 0.02f);
 }
 
-// The window is from the first position whose flight suffices to the last that allows a jump.
+// The window lasts from the first position from which a jump reaches the far side to the last one
+// where the player can still jump.
 TEST(PressWindow, IsTheRunUpDividedByTheSpeed) {
   for (const float gap : {8.0f, 9.5f}) {
     const GapScene scene(gap);
@@ -162,7 +163,7 @@ TEST(Clearance, ClearanceIsTheDistanceToTheNearestKillPart) {
     b.block({-7, 3, -20}, {2, 2, 2},
             [](schema::Part::Builder p) { deadly(p).setShape(schema::Shape::BALL); });
   };
-  // An edge of the part is nearest, to the arms.
+  // The arms are the body part that comes nearest to an edge of this block.
   const auto corner = [](LevelBuilder& b) {
     b.block({6, 8, -20}, {2, 2, 2}, [](schema::Part::Builder p) { deadly(p); });
   };
@@ -218,7 +219,7 @@ TEST(Difficulty, TrialsKeepToTheQuery) {
   question.avoid.push_back(boxAt({5.3f, 4, -16}, {10, 20, 8}));
   EXPECT_LT(successOf(), free - 0.05f);
   question.avoid.clear();
-  // A narrow waypoint before the second stone.
+  // Adds a narrow waypoint before the second stone.
   question.waypoints.push_back({boxAt({0, 4, -12}, {0.5f, 20, 1})});
   EXPECT_LT(successOf(), free - 0.05f);
 }

@@ -1,4 +1,4 @@
-// Several solutions with different routes.
+// A search can return several solutions that take different routes.
 #include <gtest/gtest.h>
 
 #include <set>
@@ -13,8 +13,8 @@ namespace {
 
 using Route = std::vector<int32_t>;
 
-// A course over the stepping stones, five ticks on each listed carrier. `reached` lists the
-// waypoints passed by the start of each stay.
+// Returns a course that spends five ticks on each carrier in `parts`. `reached` holds the number of
+// waypoints that are passed before each stay.
 Course carriedBy(const Problem& problem, const Route& parts, std::vector<uint8_t> reached = {}) {
   Course course;
   reached.resize(parts.size());
@@ -113,7 +113,7 @@ TEST(Solutions, ARefusedTrajectoryIsNotCounted) {
   EXPECT_TRUE(solutions.routes().empty());
 }
 
-// Two routes over a gap, by a stone on the left or on the right.
+// Returns a level with two routes over a gap: by a stone on the left or on the right.
 std::string forkText() {
   return R"({"type":"level","name":"fork","physics":{"fallenPartsHeight":-40},"parts":[)"
          R"({"name":"A","position":[0,-0.5,-4],"size":[20,1,8]},)"

@@ -83,7 +83,7 @@ class DoubtfulLevel : public LevelBuilder {
 
 constexpr Vec3 kBehindTheStone{0, 2, -28};
 
-// A start and a goal, and between them a stone whose import is uncertain.
+// Returns a level whose middle stone, between start and goal, has an uncertain import.
 DoubtfulLevel stoneInDoubt() {
   DoubtfulLevel level;
   level.block({0, -0.5f, 0}, {8, 1, 8});

@@ -57,7 +57,7 @@ TEST(EarlierAnswer, StillWorksOnTheSameLevelAtOnce) {
   EXPECT_TRUE(runFilter(file.path(), verify).status);
 }
 
-// A field with straight trajectories that fan out. The ends of any two are five studs apart.
+// Straight trajectories fan out over a field. The ends of any two are at least five studs apart.
 TEST(EarlierAnswer, KeepsAsManySolutionsAsRequested) {
   constexpr int kTrajectories = 20;
   const std::string field =
@@ -114,7 +114,7 @@ TEST(EarlierAnswer, GivesTheSameBytesOnAnyNumberOfThreads) {
 }
 
 TEST(EarlierAnswer, LeadsFurtherAfterAFailedSearch) {
-  // The search was cut off after its first round. The cells that its attempts reached are kept.
+  // The search was cut off after its first round, but keeps the cells that its attempts reached.
   const std::string before = answer(fourStones(), stepsOnly(1));
   ASSERT_THAT(before, HasSubstr("\"verdict\":\"unknown\""));
   EXPECT_LE(roundsOf(answerAfter(before, fourStones())),

@@ -21,7 +21,7 @@ constexpr const char* kLevel =
 constexpr const char* kQuery =
     R"({"type":"query","id":"q","maxJumps":1,"goal":{"position":[0,2,-30],"size":[8,4,4]}})";
 
-// A trajectory with this number of jumps on the spot, followed by a walk to the goal.
+// Returns a trajectory with this number of jumps on the spot, followed by a walk to the goal.
 Trajectory jumpedThenWalked(const Problem& problem, int jumps) {
   return playByHand(problem, [=](const sim::World& w) {
     if (int(w.jumps) < jumps) return sim::Action{0, false, true};
@@ -29,10 +29,10 @@ Trajectory jumpedThenWalked(const Problem& problem, int jumps) {
   });
 }
 
-int searches = 0;  // of the query with more jumps
+int searches = 0;  // searches that allow more jumps than the query
 
-// Finds nothing with five jumps allowed, a solution of three jumps with seven, and otherwise one of
-// nine.
+// A search that misses solutions. With one or five jumps allowed it finds none, with seven it finds
+// one of three jumps, and otherwise one of nine.
 SearchOutcome missing(const Problem& problem, const Budget&, const Watcher& watcher,
                       const Machine&) {
   SearchOutcome outcome;

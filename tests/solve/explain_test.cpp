@@ -1,5 +1,5 @@
-// Explanations of unsolved queries state a single change that makes them solvable, reduced to the
-// necessary amount. There is none if no single change suffices.
+// Explanations of unsolved queries name one change that makes the query solvable, reduced to the
+// necessary amount. If no single change suffices, the answer has no explanation.
 #include "solve/report/relaxation/explain.h"
 
 #include <gmock/gmock.h>
@@ -144,7 +144,7 @@ TEST(Explain, ALittleLessTimeThanItSaysIsNotEnough) {
   EXPECT_FALSE(solvedIn(2 + time->amount - 0.2));
 }
 
-// A level and query with a step up from the floor, on which the player must stand.
+// Returns a level and query with a step up from the floor, on which the player must stand.
 std::string stepUp(double top) {
   return level(R"({"name":"Floor","position":[0,-0.5,-4],"size":[8,1,8]},)"
                R"({"name":"Ledge","position":[0,)" +
@@ -188,7 +188,7 @@ TEST(Explain, SaysHowMuchHigherJumpsShouldBe) {
   EXPECT_THAT(higher->text, testing::EndsWith(" %) higher"));
 }
 
-// A corridor of floor; kLava adds a curtain of lava across it.
+// Returns a corridor of floor. kLava as `more` puts a curtain of lava across it.
 std::string corridor(const std::string& more) {
   return level(R"({"name":"Floor","position":[0,-0.5,-15],"size":[8,1,38]},)"
                R"({"name":"Lamp","position":[0,30,-30],"size":[1,1,1],"solid":false,"kill":{}})" +

@@ -1,4 +1,5 @@
-// A search gives up players below all parts. Each one given up indeed cannot come back.
+// A search gives up players who have fallen below all parts. None of these players could have come
+// back.
 #include "solve/search/rollouts/fatal_fall.h"
 
 #include <gtest/gtest.h>
@@ -38,7 +39,8 @@ TEST(FatalFall, CoversTheWholeMotionOfAMover) {
               0.1f);
 }
 
-// Random rollouts that were given up are continued: all of them fall without touching anything.
+// Plays random rollouts on after the search gave them up. All players fall without touching
+// anything.
 TEST(FatalFall, PlayersThatAreGivenUpFall) {
   LevelBuilder b = steppingStones();
   b.physics([](schema::PhysicsParams::Builder p) { p.setFallenPartsHeight(-60); });

@@ -1,4 +1,4 @@
-// Trajectories made by hand: keys depend on the player's state.
+// Trajectories that tests make by choosing keys from the player's state.
 #pragma once
 
 #include <functional>

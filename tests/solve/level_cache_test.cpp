@@ -25,7 +25,7 @@ LevelCache::LevelPointer levelCalled(const std::string& name) {
   return std::make_shared<const LoadedLevel>(*std::move(loaded));
 }
 
-// The size of a level with a name of one letter.
+// Returns the bytes that a level takes if its name has one letter.
 uint64_t bytesOfOne() { return bytesOf(*levelCalled("a")); }
 
 std::string errorOf(const LevelCache& known, const std::string& name) {
@@ -86,7 +86,8 @@ TEST(LevelCache, AForgottenLevelDoesNotCountAsDropped) {
   EXPECT_THAT(known.add(levelCalled("b")), IsEmpty());
 }
 
-// Checks trajectories, with a budget of `levelBytes` for kept levels.
+// Verifies the trajectories of a stream, with at most `levelBytes` for kept levels. Returns "fine"
+// or the error.
 std::string verdictOn(const std::string& text, uint64_t levelBytes) {
   FilterOptions o;
   o.task = Task::verify;

@@ -1,5 +1,5 @@
-// What every search method keeps: it solves easy queries, spends its budget on others, uses an
-// earlier answer, and only its inputs decide its results. Private to tests: instantiate it for a
+// Tests that every search method must pass. It solves easy queries, spends its budget on others,
+// uses an earlier answer, and depends only on its inputs. Private to tests: instantiate it for a
 // table.
 #pragma once
 

@@ -1,5 +1,4 @@
-// Every row of the table of methods: it solves easy queries and keeps constraints, and only its
-// inputs decide its results.
+// Each method in the table solves easy queries, keeps constraints and depends only on its inputs.
 #include "solve/methods.h"
 #include "solve/search/methods/ablations.h"
 
@@ -27,13 +26,14 @@ TEST_P(MethodTest, VisitsInAnyOrderWithinTheJumps) {
 
 INSTANTIATE_TEST_SUITE_P(Rows, MethodTest, testing::ValuesIn(methods()), nameOf);
 
-// Each ablation changes the search, and still solves.
+// Each ablation changes the search but still solves easy queries.
 TEST(Ablations, SolveAndDifferFromAutoAndFromEachOther) {
   const level::Level stones = steppingStones().compile();
   Question easy(stones);
   const level::Level arena = support::boxArena(30, 1).compile();
   Problem endless = support::endlessProblem(arena);
-  level::WaypointView waypoints[5];  // a hedge matters if some cells have passed many
+  level::WaypointView
+      waypoints[5];  // the hedge has an effect only if some cells have passed many waypoints
   for (level::WaypointView& w : waypoints) w.target = boxAt({8, 2, 0}, {4, 4, 4});
   endless.query.waypoints = waypoints;
   endless.query.waypointCount = 5;

@@ -10,7 +10,7 @@
 namespace obby::solve {
 namespace {
 
-// A level with `posts` thin posts around the spawn, over a floor.
+// Returns a level with `posts` thin posts around the spawn, over a floor.
 level::Level crowded(int posts) {
   support::LevelBuilder b;
   b.block({0, -1, 0}, {40, 2, 40}).spawn({0, 3, 0});

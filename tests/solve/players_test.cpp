@@ -53,7 +53,8 @@ Filtered checked(const std::string& text) {
   return runFilter(file.path(), std::move(o));
 }
 
-// The place's own body has short legs. It cannot climb the ledge, and an R6 body can.
+// Returns a level with a ledge. The place's own body has short legs and cannot climb it, but an R6
+// body can.
 std::string ledge(const std::string& more) {
   return std::string(
              R"({"type":"level","name":"ledge","physics":{"fallenPartsHeight":-40,"hipHeight":0.5,)"

@@ -1,5 +1,5 @@
-// Methods guided by a trained policy: the source of a rollout's moves, and results that only the
-// inputs decide.
+// Methods that a trained policy guides: the source of a rollout's moves, and results that depend
+// only on the inputs.
 #include <gtest/gtest.h>
 
 #include "policy/policy.h"
@@ -67,7 +67,7 @@ TEST(PolicyMethods, GiveTheSameBytesOnAnyNumberOfThreadsAndOnADevice) {
   }
 }
 
-// Rollouts by a policy are kernels like the others, so that the device runs all of them.
+// Rollouts by a policy are kernels like the others, so the device runs all of them.
 TEST(PolicyMethods, RunOnTheDevice) {
   const level::Level stones = steppingStones().compile();
   Question q(stones);
@@ -156,7 +156,7 @@ TEST(PolicyFirst, StartsAtItsRound) {
   }
 }
 
-// The policy decides anew from the state at each decision, up to the last tick.
+// At each decision the policy chooses an action from the current state, up to the last tick.
 TEST(PolicyMethods, ThePolicyPlaysEveryTickOfARollout) {
   const level::Level stones = steppingStones().compile();
   Question q(stones);
@@ -185,7 +185,8 @@ TEST(PolicyMethods, ThePolicyPlaysEveryTickOfARollout) {
   }
 }
 
-// 8,192 rollouts in step, 120 ticks each, every state, cells of a stud, no aims, no hedge.
+// The documentation promises 8,192 rollouts per round of 120 ticks each. Every state counts, cells
+// are a stud wide, and there are no aims and no hedge.
 TEST(PlainGoExplore, MatchesTheDocumentation) {
   const GoExploreSettings s = plainSettings();
   EXPECT_EQ(s.rollouts, 8192u);

@@ -53,7 +53,7 @@ TEST(ProgressRecord, ShowsTheClosestTheNewestAndDeaths) {
   EXPECT_NE(s.progress.getDeaths()[0].getStateHash(), s.progress.getDeaths()[1].getStateHash());
 }
 
-// Expects the record's path to equal the replay of its actions.
+// Expects the points of the record's path to equal the replay of its actions.
 void expectPathOfReplay(schema::Trajectory::Reader trajectory) {
   const level::Level level = steppingStones().compile();
   const auto plan = sim::planFromRecord(trajectory);

@@ -20,7 +20,7 @@ io::Record queryCalled(const std::string& id, float timeLimit = 1) {
   return io::Record(std::move(record));
 }
 
-// The size of a query whose id has one letter.
+// Returns the bytes that a query takes if its id has one letter.
 uint64_t queryCacheBytesOfOne() { return QueryCache::bytesOf("l", queryCalled("a")); }
 
 std::string queryCacheErrorOf(const QueryCache& known, const std::string& level,
@@ -70,7 +70,7 @@ TEST(QueryCache, LeaveWithTheirLevelWithoutCountingAsDropped) {
   for (const char* id : {"a", "b"})
     EXPECT_THAT(queryCacheErrorOf(known, "l", id), Not(HasSubstr("dropped")));
   for (const char* id : {"c", "d"}) known.add("m", queryCalled(id));
-  EXPECT_EQ(queryCacheErrorOf(known, "k", "a"), "found") << "what was forgotten takes no room";
+  EXPECT_EQ(queryCacheErrorOf(known, "k", "a"), "found") << "a forgotten query takes no memory";
 }
 
 TEST(EndlessStream, TheErrorMentionsADroppedQuery) {

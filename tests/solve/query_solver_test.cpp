@@ -1,4 +1,4 @@
-// A query whose answer cannot be written.
+// Tests a query whose answer cannot be written.
 #include "solve/query_solver.h"
 #include "solve/methods.h"
 
@@ -9,7 +9,8 @@
 namespace obby::solve {
 namespace {
 
-// A goal far out of reach, among dynamic parts, so that nothing can be proved.
+// Returns a level and query whose goal is far out of reach. The dynamic parts prevent a proof that
+// it is unreachable.
 io::RecordBuilder hopelessLevel() {
   LevelBuilder b = steppingStones();
   b.block({3, 1, -4}, {1, 1, 1}, [](auto part) { part.setAnchored(false); });

@@ -1,4 +1,4 @@
-// Queries from the command line, and the order of the stream.
+// Queries from the command line, and their order in the stream.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -151,8 +151,8 @@ TEST(Filter, ALevelWithoutAnEndNeedsAQuery) {
                 "or put a query record after the level)"));
 }
 
-// A limit on the command line may be meant for the stream's own queries. The error says how to
-// apply it.
+// A limit on the command line may be meant for the queries of the stream. The error says how to
+// apply it to them.
 TEST(Filter, ALimitOfANewQueryNeedsAGoalAndTheErrorNamesEach) {
   const std::string level = R"({"type":"level","name":"bare","parts":[{"name":"A"}],"spawns":[{}]})"
                             "\n";

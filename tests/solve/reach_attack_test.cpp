@@ -1,4 +1,4 @@
-// No player leaves the bound on reach: random levels, random physics, random players.
+// No player leaves the bound on reach in random levels with random physics.
 // OBBY_ATTACKS=COUNT tests more of them, from seed OBBY_ATTACK_SEED on.
 #include <gtest/gtest.h>
 

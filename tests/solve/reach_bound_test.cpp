@@ -25,8 +25,8 @@ Problem problemOf(const level::Level& level, const level::QueryView& query = {})
           level.hasMotion()};
 }
 
-// Plays at random for a while, from the start again after each end. Fails at the first position
-// outside the bound.
+// Plays at random, and from the start again after each end. Fails at the first position outside the
+// bound.
 void expectHeld(const level::Level& level, const char* name, int worlds, int ticks) {
   if (unboundedPart(level.view()) != nullptr) return;
   const Problem problem = problemOf(level);
@@ -70,7 +70,7 @@ TEST(ReachBound, HoldsEveryCellOfASearch) {
   }
 }
 
-// Two platforms, `gap` studs apart, the second `rise` studs higher.
+// Returns two platforms, `gap` studs apart, the second `rise` studs higher.
 level::Level platforms(float gap, float rise,
                        std::function<void(schema::Part::Builder)> more = {}) {
   LevelBuilder b;
@@ -203,7 +203,7 @@ TEST(ReachBound, HoldsForDepenetrationByAReturningSlab) {
     highest = std::max(highest, w.position.y);
     ASSERT_TRUE(bound.holds(w.position)) << "tick " << t << ", height " << w.position.y;
   }
-  EXPECT_GT(highest, 5) << "nobody was lifted";
+  EXPECT_GT(highest, 5) << "no player was lifted";
 }
 
 // A player tripped at the top slides down the slope, without legs to hold on.
@@ -235,7 +235,7 @@ TEST(ReachBound, HoldsForATrippedSlide) {
       ASSERT_TRUE(bound.holds(w.position)) << "aside " << aside << ", tick " << t;
     }
   }
-  EXPECT_GT(fastest, 30) << "nobody slid";
+  EXPECT_GT(fastest, 30) << "no player slid";
 }
 
 TEST(ReachBound, CountsTheFewestJumps) {
@@ -252,7 +252,7 @@ TEST(ReachBound, CountsTheFewestJumps) {
   }
 }
 
-// There are too many stones to consider all of them from each one.
+// A search over all pairs of these stones would take too long.
 TEST(ReachBound, CountsTheFewestJumpsAmongMany) {
   LevelBuilder b;
   b.spawn({0, 0, 0});

@@ -47,7 +47,7 @@ TEST(ReachChain, HoldsForAStartInABlockNextToWalls) {
   LevelBuilder b;
   b.block({-3.75f, -7, 0}, {12.5f, 26, 40}).spawn({0, 0, 0});
   addWalls(b);
-  EXPECT_GT(farthestHeld(b.compile(), 40), 32) << "nobody was put out";
+  EXPECT_GT(farthestHeld(b.compile(), 40), 32) << "no player was pushed out";
 }
 
 TEST(ReachChain, HoldsForABlockThatPressesIntoWalls) {
@@ -57,7 +57,7 @@ TEST(ReachChain, HoldsForABlockThatPressesIntoWalls) {
     slideTo(p, {-7, 5.1f, 0}, {1.5f, 5.1f, 0}, 0.85f);
   });
   addWalls(b);
-  EXPECT_GT(farthestHeld(b.compile(), 90), 32) << "nobody was pressed through";
+  EXPECT_GT(farthestHeld(b.compile(), 90), 32) << "no player was pressed through";
 }
 
 }  // namespace

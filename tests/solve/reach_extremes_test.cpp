@@ -1,5 +1,5 @@
-// The bound on reach at extreme physics, and where a climb, a touch or a far place extends what a
-// player does.
+// The bound on reach at extreme physics, and in places where a climb, a touch or a great distance
+// extends what a player can do.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -36,7 +36,7 @@ TEST(ReachExtremes, HoldsForAClimbOntoARisingFloor) {
           << "truss of " << high << ", tick " << t << ": " << w.position.y << ", " << w.position.z;
     }
   }
-  EXPECT_GT(max, 150) << "nobody was thrown by both";
+  EXPECT_GT(max, 150) << "no player was thrown by both";
 }
 
 // With strong dampers and no springs, a player resting on the floor reaches the floor's speed
@@ -67,11 +67,11 @@ TEST(ReachExtremes, HoldsForALaunchByAFastFloor) {
       ASSERT_TRUE(bound.holds(w.position)) << i << ", tick " << t << ": " << w.position.y;
     }
   }
-  // Legs sense the floor from 5 studs above at most, and let go within one tick's motion, 3.3
-  // studs, above that.
+  // A player leaves the floor at the floor's speed. The legs sense the floor from up to 5 studs
+  // above, and it moves up to 3.3 studs in the last tick.
   constexpr float kThrown = 200 * 200 / (2 * 196.2f);  // studs, at the speed of the floor
-  EXPECT_GT(highest, kThrown - 5) << "nobody was as fast";
-  EXPECT_LT(highest, kThrown + 5 + 3.4f) << "somebody was faster";
+  EXPECT_GT(highest, kThrown - 5) << "no player was as fast";
+  EXPECT_LT(highest, kThrown + 5 + 3.4f) << "a player was faster";
 }
 
 // A small player who cannot walk touches a part with a corner of the rotated body.
@@ -95,7 +95,7 @@ TEST(ReachExtremes, APartTouchedByACornerIsReached) {
   const Problem problem = question.problem();
   sim::World w = problem.start;
   sim::advance(w, nullptr, level.view(), &problem.query, {});
-  EXPECT_EQ(w.outcome, sim::Outcome::goal) << "nobody touched it";
+  EXPECT_EQ(w.outcome, sim::Outcome::goal) << "no player touched it";
   EXPECT_EQ(ReachBound(problem, false).jumpsTo(problem.query.goal), 0u);
 }
 

@@ -1,4 +1,4 @@
-// The bound on reach where falls onto slopes deflect speed sideways.
+// The bound on reach for falls onto slopes, which turn some of the speed sideways.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -36,8 +36,8 @@ TEST(ReachFalls, HoldsForAFallDeflectedByAnEdge) {
                                            << w.position.y << ", " << w.position.z;
     }
   }
-  EXPECT_GT(fastest, 100) << "nobody was turned aside";
-  EXPECT_GT(farthest, 50) << "nobody came far";
+  EXPECT_GT(fastest, 100) << "no player was deflected";
+  EXPECT_GT(farthest, 50) << "no player got far";
 }
 
 }  // namespace

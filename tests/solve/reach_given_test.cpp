@@ -1,5 +1,5 @@
-// The bound on reach where something besides keys moves the player: walls that push, seats,
-// teleporters that keep the speed.
+// The bound on reach if more than keys moves the player: walls that push, seats, and teleporters
+// that keep the speed.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -48,7 +48,7 @@ TEST(ReachBound, HoldsForAWallThatPushesInTheAir) {
     ASSERT_TRUE(bound.holds(w.position))
         << "tick " << t << ": " << w.position.x << ", " << w.position.y << ", " << w.position.z;
   }
-  EXPECT_LT(farthest, -18) << "nobody was pushed";
+  EXPECT_LT(farthest, -18) << "no player was pushed";
 }
 
 // A wall pushes only players that it can meet.
@@ -87,10 +87,10 @@ TEST(ReachBound, HoldsForAThrowByASmallSpinner) {
           << "jump at " << jumpAt << ", tick " << t << ", height " << w.position.y;
     }
   }
-  EXPECT_GT(highest, 12) << "nobody was thrown";
+  EXPECT_GT(highest, 12) << "no player was thrown";
 }
 
-// With these physics a part counts as touched a stud away, so that a pad throws from above its top.
+// With these physics a part counts as touched from a stud away, so a pad throws from above its top.
 TEST(ReachBound, HoldsForAPadThatThrowsFromADistance) {
   float highest = 0;
   for (int i = 0; i < 20; ++i) {
@@ -111,7 +111,7 @@ TEST(ReachBound, HoldsForAPadThatThrowsFromADistance) {
       ASSERT_TRUE(bound.holds(w.position)) << "tick " << t << ", height " << w.position.y;
     }
   }
-  EXPECT_GT(highest, 26) << "nobody was thrown from above it";
+  EXPECT_GT(highest, 26) << "no player was thrown from above it";
 }
 
 // With these physics the root sits far above a seat.
@@ -130,7 +130,7 @@ TEST(ReachBound, HoldsForASeatHighAboveItsPart) {
     highest = std::max(highest, w.position.y);
     ASSERT_TRUE(bound.holds(w.position)) << "tick " << t << ", height " << w.position.y;
   }
-  EXPECT_GT(highest, 20) << "nobody jumped up from there";
+  EXPECT_GT(highest, 20) << "no player jumped up from there";
 }
 
 // The query checks the state after each tick. A teleporter can end a jump within its first tick.
@@ -151,7 +151,7 @@ TEST(ReachBound, AForbiddenJumpIntoATeleporterIsNotDetected) {
   for (uint32_t t = 0; t <= 10; ++t) {
     sim::advance(w, nullptr, level.view(), &problem.query, {0, false, t == 10});
   }
-  EXPECT_EQ(w.outcome, sim::Outcome::goal) << "nobody was teleported";
+  EXPECT_EQ(w.outcome, sim::Outcome::goal) << "no player was teleported";
   EXPECT_FALSE(cutOf(problem, {})) << "the query does not see that jump";
   problem.query.maxJumps = 0;
   EXPECT_TRUE(cutOf(problem, {})) << "counted it is";
@@ -184,7 +184,7 @@ TEST(ReachBound, HoldsForATeleportOffARamp) {
     highest = std::max(highest, w.position.y);
     ASSERT_TRUE(bound.holds(w.position)) << "tick " << t << ", height " << w.position.y;
   }
-  EXPECT_GT(highest, 300) << "nobody came there";
+  EXPECT_GT(highest, 300) << "no player got there";
 }
 
 }  // namespace

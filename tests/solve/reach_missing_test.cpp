@@ -1,5 +1,5 @@
-// A designer can act on the distance in an answer: a part nearer by it, plus half a stud, is
-// reached.
+// An answer states how far the goal is out of reach. A part that is nearer by this distance plus
+// half a stud must be reachable.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -17,11 +17,12 @@ Missing missingAt(const support::Build& build, float studs) {
   return ReachBound(problem, true).missing(problem.query.goal);
 }
 
-// `easy` is a step, in studs, that is certainly solvable.
+// Tests that a designer can act on the distance. `easy` is a step, in studs, that is certainly
+// solvable.
 void expectToActOn(float easy, const support::Build& build) {
   const Missing m = missingAt(build, 20);
   EXPECT_FALSE(m.more);
-  // Rounded to hundredths, so that the last bits do not change the search.
+  // The distance is rounded to hundredths, so that the last bits do not change the search.
   const float nearer = std::floor((20 - m.rise - m.gap - 0.5f) * 100) / 100;
   EXPECT_GE(support::hardestSolved(build, easy, nearer, 1'500'000), nearer);
 }

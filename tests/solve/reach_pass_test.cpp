@@ -1,5 +1,5 @@
-// The bound on reach where depenetration leads through thin parts: from low blocks when a jump
-// begins, and from high blocks through the floor below.
+// The bound on reach where depenetration leads through thin parts: out of low blocks when a jump
+// begins, and out of high blocks through the floor below.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -10,9 +10,9 @@
 namespace obby::solve {
 namespace {
 
-// A floor with a block of 4.1 studs across its end, and behind it 24 studs of adjacent walls, much
-// too tall to stand on. Jumps rise half a stud: the head passes over the block, but the hips do
-// not.
+// Returns a floor with a block of 4.1 studs across its end. Behind it are 24 studs of adjacent
+// walls, much too tall to stand on. Jumps rise half a stud, so the head passes over the block, but
+// the hips do not.
 LevelBuilder blockAndWalls(float wallThickness, bool block = true) {
   LevelBuilder b;
   b.block({0, -0.5f, 9.25f}, {12, 1, 21.5f}).spawn({0, 0, 12});

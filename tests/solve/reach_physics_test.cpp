@@ -12,7 +12,7 @@ namespace {
 
 using Physics = std::function<void(schema::PhysicsParams::Builder)>;
 
-// A floor that `more` sets up, and a slope too far above it to stand on.
+// Returns a floor that `more` sets up, and a slope that is too far above it to stand on.
 level::Level underASlope(const Physics& physics, const LevelBuilder::PartSetter& more = {}) {
   LevelBuilder b;
   b.block({0, -0.5f, 0}, {8, 1, 8}, more).spawn({0, 0, 0});
@@ -55,7 +55,7 @@ TEST(ReachPhysics, HoldsForAFastClimb) {
           << "truss of " << high << ", tick " << t << ": " << w.position.y << ", " << w.position.z;
     }
   }
-  EXPECT_GT(max, 542) << "nobody flew off its top";
+  EXPECT_GT(max, 542) << "no player flew off its top";
 }
 
 }  // namespace

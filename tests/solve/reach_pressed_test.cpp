@@ -29,8 +29,8 @@ float highestHeld(const level::Level& level, bool mayJump, uint32_t ticks,
   return highest;
 }
 
-// A wall of 14 studs, and a taller block that slides at it and past its face by `beyond`. The start
-// is next to them.
+// Returns a wall 14 studs tall, and a taller block that slides towards it and past its face by
+// `beyond`. The start is next to them.
 LevelBuilder press(float beyond) {
   LevelBuilder b;
   b.block({0, -0.5f, 0}, {60, 1, 120}).spawn({20, 0, 0});
@@ -54,7 +54,7 @@ TEST(ReachPressed, HoldsForABlockThatPressesIntoAWall) {
   const float highest = highestHeld(level, false, 400, [=](uint32_t t) {
     return sim::Action{aside, t < 75, false};
   });
-  EXPECT_GT(highest, 13) << "nobody was lifted";
+  EXPECT_GT(highest, 13) << "no player was lifted";
 }
 
 // A lift presses the player up into a thick ceiling, by less than a thousandth of a stud a tick.
@@ -74,7 +74,7 @@ TEST(ReachPressed, HoldsForALiftThatPressesThroughACeiling) {
   const float highest = highestHeld(b.compile(), false, 15'700, [](uint32_t t) {
     return sim::Action{0, t < 126, false};
   });
-  EXPECT_GT(highest, 21) << "nobody was pressed through";
+  EXPECT_GT(highest, 21) << "no player was pressed through";
 }
 
 // A long seat extends from a wall, and holds its player deep inside.
@@ -87,7 +87,7 @@ TEST(ReachPressed, HoldsForASeatInsideAWall) {
   const float highest = highestHeld(level, true, 200, [](uint32_t t) {
     return sim::Action{0, t < 60, t == 100};
   });
-  EXPECT_GT(highest, 14) << "nobody was lifted";
+  EXPECT_GT(highest, 14) << "no player was lifted";
 }
 
 // The first tick of a jump has the full jump speed, even if that exceeds the maximum fall speed.
@@ -102,7 +102,7 @@ TEST(ReachPressed, HoldsForAJumpFasterThanTheFallLimit) {
                          return sim::Action{0, true, t == jumpAt};
                        }));
   }
-  EXPECT_GT(highest, 595) << "nobody jumped off in the air";
+  EXPECT_GT(highest, 595) << "no player jumped off in the air";
 }
 
 }  // namespace

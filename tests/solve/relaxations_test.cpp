@@ -32,7 +32,7 @@ constexpr const char* kRelaxationsLevel =
     R"({"name":"Crate","position":[3,2,-4],"size":[2,2,2],"anchored":false}],)"
     R"("spawns":[{"position":[0,0,-2]}]})";
 
-// A query over the level, with a failure that the test makes up.
+// A query over the level, with a made-up failed search.
 struct RelaxationsScene {
   explicit RelaxationsScene(const std::string& fields)
       : levelRecord(relaxationsRecord(kRelaxationsLevel)),
@@ -175,7 +175,7 @@ TEST(Relaxations, PartsToLowerAreOutsideTheVisitedPlaces) {
   EXPECT_THAT(partsBeyond(s.failure(), 4), ElementsAre(3u));
 }
 
-// A method that always finds the same wrong trajectory, and does not take no for an answer.
+// A method that always returns the same wrong trajectory, even after it was rejected.
 SearchOutcome guess(const Problem& p, const Budget&, const Watcher& watcher, const Machine&) {
   Trajectory wrong;
   wrong.end = p.start;

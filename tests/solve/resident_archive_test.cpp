@@ -1,5 +1,5 @@
-// The archive of a resident search: the same for any number of threads, with states that their
-// trajectories regenerate, and within its capacity.
+// The archive of a resident search is the same for any number of threads and stays within its
+// capacity. Replaying trajectories gives its states.
 #include <set>
 
 #include "resident_scenes.h"

@@ -42,7 +42,7 @@ class ResidentChoice : public testing::Test {
       for (uint32_t i = 0; i < sumCount(t, s.level); ++i) sumOne(s, i);
     }
   }
-  // Returns how often each cell was chosen.
+  // Returns the number of rollouts that start from each cell, by cell.
   std::map<uint32_t, uint32_t> choose(uint32_t rollouts, uint32_t firstBeam, uint32_t width) {
     a_.firstBeam = firstBeam;
     a_.beamWidth = width;

@@ -70,7 +70,7 @@ TEST_F(ResidentMerge, RanksByTicksThenJumpsThenOrder) {
   EXPECT_EQ(f.nodes[1].rollout, kWarmStart + 1);
   EXPECT_EQ(f.nodes[1].ticks, 19u);
   EXPECT_EQ(f.report.lastFinder, 2u);
-  EXPECT_EQ(f.report.sightings, 3u);  // each was found by several rollouts
+  EXPECT_EQ(f.report.sightings, 3u);  // several rollouts found each of the three
 }
 
 TEST_F(ResidentMerge, AnIncumbentIsReplacedByABetterOneOnly) {

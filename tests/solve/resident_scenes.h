@@ -24,10 +24,10 @@ struct ResidentScene {
   level::Level level;
   Question question;
   uint32_t rollouts = 256;  // in each round
-  uint32_t replayed = 1;    // one cell in this many is replayed
+  uint32_t replayed = 1;    // the test replays one cell in this many
 };
 
-// Levels whose cells differ in many ways: moving parts, jumps, waypoints, dynamic bodies.
+// Returns levels whose cells differ in many ways: moving parts, jumps, waypoints, dynamic bodies.
 inline std::vector<std::pair<const char*, std::unique_ptr<ResidentScene>>> residentScenes() {
   std::vector<std::pair<const char*, std::unique_ptr<ResidentScene>>> all;
   all.emplace_back("stones", std::make_unique<ResidentScene>(steppingStones()));

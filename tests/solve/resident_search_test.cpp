@@ -106,7 +106,7 @@ TEST(ResidentSearch, TriesEarlierAnswersFirst) {
   expectSameArchive(restarted, again, "restarted");
 }
 
-// Every attempt counts, and the shown ones end as stated.
+// Every rollout counts as an attempt, and sampled attempts end with the outcome that they state.
 TEST(ResidentSearch, CountsHowAttemptsEnd) {
   ResidentScene scene(steppingStones());
   ThreadPool pool(2);

@@ -31,7 +31,7 @@ std::vector<uint64_t> randomWeights(uint32_t count, uint32_t max) {
   Random random(3, count);
   std::vector<uint64_t> weights(count);
   for (uint64_t& w : weights) w = random.below(max);
-  weights[count / 2] += 1;  // the total is never zero
+  weights[count / 2] += 1;  // so that the total is above zero
   return weights;
 }
 
@@ -49,8 +49,8 @@ TEST(SumTree, SumsBeforeALeafEqualAPlainLoop) {
   }
 }
 
-// Every value below the total leads to the leaf of a plain loop. No value leads to a leaf of weight
-// 0.
+// A descent with a value below the total ends at the leaf that a plain loop finds. It never ends at
+// a leaf of weight 0.
 TEST(SumTree, ADescentEndsAtTheLeafOfAPlainLoop) {
   for (const uint32_t count : {1u, 64u, 65u, 4097u, 9000u}) {
     const Sums s(randomWeights(count, 3));

@@ -34,7 +34,7 @@ TEST(Rollout, TheSameSeedAndStreamGiveTheSameActionsAndState) {
   for (uint64_t stream = 0; stream < 50; ++stream) {
     sim::World a = scene.question.problem().start, b = a;
     const uint32_t ticks = runRollout(c, 7, stream, a, nullptr, 100, [](auto, auto&) {});
-    // After half a rollout the test repeats it in full: the draws depend on nothing outside.
+    // Plays half a rollout, then all of it: the draws depend only on the arguments.
     runRollout(c, 7, stream, b, nullptr, ticks / 2, [](auto, auto&) {});
     b = scene.question.problem().start;
     EXPECT_EQ(runRollout(c, 7, stream, b, nullptr, 100, [](auto, auto&) {}), ticks);

@@ -19,8 +19,8 @@ namespace obby::solve {
 
 using support::LevelBuilder;
 
-// Three platforms along -Z, one jump apart: 0 to -8, -12 to -20, and -24 to -32. Tops are at height
-// 0.
+// Returns three platforms along -Z, one jump apart: from 0 to -8, -12 to -20, and -24 to -32. Their
+// tops are at height 0.
 inline LevelBuilder steppingStones() {
   LevelBuilder b;
   for (int i = 0; i < 3; ++i) b.block({0, -0.5f, -4 - 12.0f * float(i)}, {8, 1, 8});
@@ -31,7 +31,7 @@ inline LevelBuilder steppingStones() {
 
 inline level::TargetView boxAt(Vec3 center, Vec3 size) { return {{{center, {}}, size * 0.5f}}; }
 
-// A query in plain form, without limits until they are set.
+// A query in plain form. It has no limits unless a test sets them.
 struct Question {
   explicit Question(const level::Level& l) : level(l) {
     query.goal = boxAt({0, 2, -28}, {8, 4, 8});
@@ -97,8 +97,8 @@ class LinesFile {
   std::string path_;
 };
 
-// The stepping stones as records, with a query to the third stone. `more` holds further fields of
-// the query, each after a comma.
+// Returns the stepping stones as records, with a query to the third stone. `more` holds further
+// fields of the query, each after a comma.
 inline std::string stonesText(const std::string& more = {}) {
   std::string text =
       R"({"type":"level","name":"stones","physics":{"fallenPartsHeight":-40},"parts":[)"

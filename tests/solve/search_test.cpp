@@ -1,4 +1,4 @@
-// The whole search: its results, and that only its inputs decide them.
+// The whole search gives the expected results, which depend only on its inputs.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

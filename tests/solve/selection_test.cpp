@@ -65,7 +65,8 @@ TEST(CellSelector, PicksInProportionToTheWeights) {
   EXPECT_NEAR(share[0], 4.0 / 6, 0.01);
   EXPECT_NEAR(share[1], 1.0 / 6, 0.01);
   EXPECT_NEAR(share[2], 1.0 / 6, 0.01);
-  EXPECT_NEAR(first, draws * (4.0 / 3) / (2.0 * cells), 40);  // a third of its fresh weight
+  EXPECT_NEAR(first, draws * (4.0 / 3) / (2.0 * cells),
+              40);  // cell 0 has a third of the weight of a fresh cell
 }
 
 TEST(CellSelector, SameChoicesForAnyNumberOfThreads) {

@@ -1,4 +1,4 @@
-// The cells that the rival methods' selectors pick from archives made by hand.
+// The cells that the selectors of rival methods pick from hand-made archives.
 #include "solve/search/selectors/selector.h"
 
 #include <gtest/gtest.h>
@@ -100,7 +100,7 @@ TEST(RrtSelector, StartsFromTheNearestCellOfEqualProgress) {
   auto counts = tally(s.choose(selector, 1000));
   EXPECT_EQ(counts[away], 0);
   EXPECT_GT(counts[start], 150);
-  EXPECT_GT(counts[middle], 500);  // its own targets and those beyond it
+  EXPECT_GT(counts[middle], 500);  // the targets near it and those beyond it
   const uint32_t further = s.add(at({0, 0, 900}, 0, 1));
   counts = tally(s.choose(selector, 1000));
   EXPECT_EQ(counts[away], 0);
@@ -196,7 +196,7 @@ TEST(MctsSelector, EqualRewardsAreSharedEqually) {
   EXPECT_GT(counts[0], 150);
 }
 
-// At 16 studs/s and 60 ticks/s.
+// The player walks at 16 studs/s, and a second has 60 ticks.
 TEST(BeamSelector, TicksLeftAssumeAStraightWalkThroughTheWaypoints) {
   Scene s;
   EXPECT_FLOAT_EQ(BeamSelector(s.question.problem()).ticksLeft(at({0, 0, -12})), 12 * 60 / 16.0f);

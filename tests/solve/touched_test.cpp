@@ -20,7 +20,7 @@ FilterCounts ask(const std::string& lines, uint64_t steps = 3'000'000) {
   return f.counts;
 }
 
-// A gap of 17 studs after a floor with `role`.
+// Returns a level with a gap of 17 studs after a floor that has `role`.
 std::string gapBehind(const std::string& role) {
   return R"({"type":"level","name":"gap","physics":{"fallenPartsHeight":-40},"parts":[)"
          R"({"name":"A","position":[0,-0.5,-4],"size":[8,1,8])" +
@@ -47,7 +47,7 @@ TEST(TouchedSearch, AnAirJumpCrossesAWiderGap) {
   EXPECT_EQ(ask(with(",\"airJumps\":1,\"jumpSpeed\":1"), 100'000).unknown, 1u);
 }
 
-// A floor between two boxes that kill, 0.8 studs apart.
+// Returns a level whose floor leads between two boxes that kill, 0.8 studs apart.
 std::string betweenKills(bool byRoot) {
   const std::string role =
       std::string(R"(,"solid":false,"kill":{})") + (byRoot ? R"(,"byRoot":true)" : "");

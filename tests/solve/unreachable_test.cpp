@@ -24,7 +24,8 @@ Filtered answered(const std::string& text) {
   return runFilter(file.path(), std::move(o));
 }
 
-// Stones with gaps of 12 and 11 studs, the third one 3 studs higher, and a ledge far above.
+// Searches a level of stones with gaps of 12 and 11 studs. The third stone is 3 studs higher, and a
+// ledge is far above.
 Filtered unreachableAsk(const std::string& limits, const std::string& more = {}) {
   return answered(R"({"type":"level","name":"stones","parts":[)"
                   R"({"name":"A","position":[0,-0.5,-4],"size":[8,1,8]},)"
@@ -56,7 +57,7 @@ TEST(Unreachable, NamesTheStepThatIsMissing) {
   EXPECT_THAT(f.output, HasSubstr(R"("reached":[0,1,2],"from":2,"rise":)"));
 }
 
-// A goal `rise` studs above the head of a player on the last stone. A jump gains 7.3 studs.
+// Returns a goal `rise` studs above the head of a player on the last stone. A jump gains 7.3 studs.
 std::string goalAbove(float rise) {
   return fmt::format(R"("goal":{{"name":"up","position":[0,{},-43],"size":[8,4,8]}})",
                      5 + 5 + rise);
@@ -132,8 +133,8 @@ TEST(Unreachable, MakesNoTimeClaimIfATallWallPushes) {
   EXPECT_EQ(unreachableAsk(limit).counts.unreachable, 1u) << "without it";
 }
 
-// From 16,384 studs on, positions have steps of a 512th of a stud. A tick of walking is 136.5 of
-// them, and rounds to 137.
+// From 16,384 studs on, floats are 1/512 stud apart. A tick of walking is 136.5 of these steps,
+// which rounds to 137.
 TEST(Unreachable, AllowsForRoundingFarOut) {
   LevelBuilder b;
   b.block({0, -0.5f, -17500}, {8, 1, 2040}).spawn({0, 0, -16500});
@@ -186,7 +187,7 @@ TEST(Unreachable, IsNotClaimedIfATeleporterLeadsTooHigh) {
   EXPECT_EQ(counted("10000"), 1u);
 }
 
-// After the last tick of the level's clock comes its first one, at which a lift may be elsewhere.
+// The level's clock wraps to its first tick, at which a lift may be elsewhere.
 TEST(Unreachable, IsNotClaimedIfALiftsClockWraps) {
   LevelBuilder b;
   b.block({0, -0.5f, -4}, {8, 1, 8}).block({0, -5, -4}, {2, 1, 2}, [](schema::Part::Builder p) {
@@ -244,7 +245,7 @@ TEST(Unreachable, IsNotClaimedWithDynamicParts) {
   EXPECT_EQ(f.counts.unknown, 1u);
 }
 
-// A row of small posts on the first stone, moved by `aside` studs.
+// Returns a row of small posts on the first stone, moved by `aside` studs.
 std::string posts(int count, float aside) {
   std::string text;
   for (int i = 0; i < count; ++i) {
@@ -260,7 +261,7 @@ TEST(Unreachable, IsNotClaimedIfTheSimulatorIgnoresParts) {
   EXPECT_EQ(unreachableAsk(ledge, posts(60, 0)).counts.unreachable, 0u);
   EXPECT_EQ(unreachableAsk(ledge, posts(40, 0)).counts.unreachable, 1u)
       << "all of them are looked at";
-  EXPECT_EQ(unreachableAsk(ledge, posts(60, 500)).counts.unreachable, 1u) << "nobody comes there";
+  EXPECT_EQ(unreachableAsk(ledge, posts(60, 500)).counts.unreachable, 1u) << "no player gets there";
 }
 
 // Parts that the importer left out may lead to the goal.

@@ -1,6 +1,6 @@
-// The verifier refuses an answer that breaks any rule that a query can add (verifier_test.cpp has
-// start, goal, order and totals). For each rule, an answer that just keeps it is accepted, and one
-// that just breaks it is refused.
+// The verifier refuses an answer that breaks any rule that a query can add. (verifier_test.cpp
+// tests start, goal, order and totals.) For each rule it accepts an answer that just keeps the
+// rule, and refuses one that just breaks it.
 #include "walked_answer.h"
 
 namespace obby::solve {
@@ -33,7 +33,7 @@ TEST_F(Rules, VisitsCountInAnyOrderAndAllOfThem) {
   ASSERT_EQ(t.getOutcome(), Outcome::GOAL);
   EXPECT_EQ(t.getVisited(), 3u);
   EXPECT_TRUE(check()) << check().error().text();
-  setRegion(visits[1], {3.5f, 2, -6}, {1, 4, 2});  // next to the path
+  setRegion(visits[1], {3.5f, 2, -6}, {1, 4, 2});  // next to the trajectory
   expectWrong("outcome");
 }
 

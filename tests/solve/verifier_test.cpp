@@ -24,7 +24,8 @@ TEST_F(VerifierTest, RefusesAnEndShortOfTheGoal) {
 
 TEST_F(VerifierTest, RefusesAGoalReachedOnlyInARotatedBoxsBounds) {
   makeTrajectory();
-  setRegion(q().initGoal(), {14, 2, -30}, {1, 4, 30});  // crosses the path only when rotated
+  setRegion(q().initGoal(), {14, 2, -30},
+            {1, 4, 30});  // the trajectory meets it only if the rotation is applied
   expectWrong("outcome");
   auto r = q().getGoal().initRotation();
   r.setY(0.38268343f);  // 45 degrees
@@ -100,7 +101,7 @@ TEST_F(VerifierTest, RefusesTooManyJumpsInTotal) {
 TEST_F(VerifierTest, RefusesAnAvoidedRegion) {
   makeTrajectory();
   auto avoid = q().initAvoid(1);
-  setRegion(avoid[0], {3.9f, 1, -16}, {1, 2, 1});  // next to the path
+  setRegion(avoid[0], {3.9f, 1, -16}, {1, 2, 1});  // next to the trajectory
   EXPECT_TRUE(check());
   setRegion(avoid[0], {0, 7, -10}, {8, 6, 0.5f});  // the head passes through on the first jump
   expectWrong("outcome");

@@ -1,5 +1,5 @@
-// An answer made by hand, for the verifier to accept or refuse. It walks along -Z over the stepping
-// stones, jumps where told, and records the simulator's result.
+// A hand-made answer for the verifier to accept or refuse. It walks along -Z over the stepping
+// stones, jumps at their edges, and records the simulator's result.
 #pragma once
 
 #include "io/json_codec.h"
@@ -27,7 +27,8 @@ class VerifierTest : public testing::Test {
 
   schema::Query::Builder q() { return query.root().getQuery(); }
 
-  // Walks to the goal, and presses jump at the edges. The record equals that of a search.
+  // Walks to the goal, and jumps at the edges if `jumping`. The record has the same fields as one
+  // from a search.
   schema::Trajectory::Builder makeTrajectory(bool jumping = true) {
     sim::World w = sim::makeWorld(level.view(), level.spawns()[0]);
     auto compiled = level::Query::compile(q().asReader(), level);

@@ -1,4 +1,4 @@
-// The plugin as one model file, read back by the importer.
+// The plugin is packaged as one model file, which the importer reads back.
 #include "package/package.h"
 
 #include <gtest/gtest.h>
@@ -21,7 +21,7 @@ struct Source {
   std::string path, text;
 };
 
-// A temporary folder of plugin sources.
+// A temporary folder with sources of a plugin.
 class Sources {
  public:
   explicit Sources(const std::vector<Source>& sources)
@@ -89,7 +89,7 @@ TEST(Package, folders_nest_and_other_files_are_ignored) {
   ASSERT_NE(find(document, "obby/views"), nullptr);
   EXPECT_EQ(find(document, "obby/views")->className, "Folder");
   EXPECT_EQ(find(document, "obby/views/list")->className, "ModuleScript");
-  EXPECT_EQ(document.instances.size(), 5u);  // and the version, and the course
+  EXPECT_EQ(document.instances.size(), 5u);  // including the version and the course
 }
 
 TEST(Package, the_version_is_that_of_the_build) {

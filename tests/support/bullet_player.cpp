@@ -66,9 +66,10 @@ class Scene {
   btDiscreteDynamicsWorld world{&dispatcher_, &broadphase_, &solver_, &configuration_};
 };
 
-// Returns the requested velocity less the part that walls took, judged by the distance of the step.
-// Walls take at most the component into them. The controller also resolves penetration in a single
-// step, which is no velocity, and would throw the player back at up to a hundred studs a second.
+// Returns the requested velocity without the part that walls stopped, which the distance of the
+// step shows. Walls stop at most the component towards them. The controller also resolves
+// penetration in a single step. That motion must not count as velocity, since it would throw the
+// player back at up to a hundred studs/s.
 btVector3 leftOf(const btVector3& asked, const btVector3& gone) {
   btVector3 pushed = gone / kStep - asked;
   pushed.setY(0);
@@ -102,7 +103,7 @@ class KinematicPlayer : public Player {
     controller_->setJumpSpeed(game.jumpSpeed);
     controller_->setFallSpeed(480);
     controller_->setLinearDamping(game.damping);
-    // This comes last, since the calls above rotate the body.
+    // This must come last, since the calls above rotate the body.
     ghost_.setWorldTransform(at(bulletVector(feet) + btVector3(0, game.height / 2, 0)));
     scene_.world.addCollisionObject(&ghost_, btBroadphaseProxy::CharacterFilter,
                                     btBroadphaseProxy::AllFilter);
@@ -120,7 +121,7 @@ class KinematicPlayer : public Player {
     btVector3 lacking = hands.wanted - velocity_;
     if (lacking.length() > max) lacking *= max / lacking.length();
     // The controller lifts a moving body by this height, moves it, and puts it down again. In the
-    // air this pushed it into the part above, which threw it half a stud in a step.
+    // air, that pushed the body into the part above, which threw it half a stud in a step.
     controller_->setStepHeight(stands() ? game_.stepHeight : 0);
     const btVector3 before = position(), asked = velocity_ + lacking;
     controller_->setWalkDirection(asked * kStep);
@@ -246,7 +247,7 @@ calibrate::Track playedByBullet(const BulletGame& game, const level::Level& leve
       f.move = {hold.x, 0, hold.z};
       f.jump = hold.jump;
       f.position = plain(player->position());
-      f.velocity = (f.position - before) * (1 / float(kStep));  // of the last step
+      f.velocity = (f.position - before) * (1 / float(kStep));  // the velocity of the last step
       f.state = player->stands() ? sim::State::running : sim::State::freefall;
       track.frames.push_back(f);
       for (int i = 0; i < kSteps; ++i) {

@@ -1,16 +1,16 @@
-// A player in a game made with Bullet: recordings by an independent engine, whose rules are not the
-// simulator's. Its body is a capsule. It has no legs, no floor rays and no states.
+// A player in a game made with Bullet: recordings by an independent engine whose rules differ from
+// the simulator's. The player's body is a capsule without legs, floor rays or states.
 #pragma once
 
 #include "calibrate/manoeuvres.h"
 
 namespace obby::test {
 
-// Parameters of the game, which the fit does not know. Studs and seconds.
+// Parameters of the game, in studs and seconds. The fit does not know them.
 struct BulletGame {
-  // `kinematic`: Bullet's own character controller, given the distance of each step. The game
-  // changes its velocity by a constant acceleration. `dynamic`: a rigid body, under a force in
-  // proportion to the missing velocity.
+  // `kinematic`: Bullet's character controller, which is given the distance of each step. The game
+  // changes its velocity with a constant acceleration. `dynamic`: a rigid body, driven by a force
+  // in proportion to the missing velocity.
   enum class Body { kinematic, dynamic };
   Body body = Body::kinematic;
   float walkSpeed = 16, jumpSpeed = 50, gravity = 196;
@@ -24,12 +24,12 @@ struct BulletGame {
 // Draws each parameter within a share of its default above.
 BulletGame drawnGame(BulletGame::Body body, uint64_t seed, float spread);
 
-// Writes the calibration course as the game has it: the static blocks, none of them ice. The fitted
-// level must not contain anything that the game's player passes through.
+// Writes the part of the calibration course that the game has: the static blocks except ice. The
+// fitted level must not contain anything that the game's player passes through.
 void writeBulletCourse(schema::Level::Builder to);
 
-// Returns the manoeuvres of the calibration course that this game supports. It has no trusses, no
-// ice and nothing that moves, and its player climbs no step higher than `stepHeight`.
+// Returns the manoeuvres of the calibration course that this game supports. It has no trusses, ice
+// or moving parts, and its player cannot climb steps higher than `stepHeight`.
 std::vector<calibrate::Manoeuvre> bulletManoeuvres();
 
 // Returns a recording of the manoeuvre in this game, with steps of 1/240 s and a frame every fourth

@@ -10,8 +10,8 @@
 
 namespace obby::support {
 
-// A course that owns its levels. Each level has a different time limit, after which a world takes
-// its next level.
+// A course that owns its levels. Each level has a different time limit, after which a world moves
+// on to its next level.
 struct Levels {
   std::vector<level::Level> levels;
   sim::Course course;
@@ -33,7 +33,8 @@ struct Levels {
   }
 };
 
-// Adds rules of every kind: a waypoint around the start, a part to touch, one not to touch, limits.
+// Adds rules of every kind: a waypoint around the start, a part to touch, a part not to touch, and
+// limits.
 inline void addRules(Levels& all) {
   all.waypoints = {{{{{{0, 2, 0}, {}}, {6, 6, 6}}}, 40, 0, {20, 90}}};
   all.touched = {0, 3};
@@ -56,7 +57,7 @@ inline void addRules(Levels& all) {
   }
 }
 
-// A course with parts of every kind.
+// Returns a course with parts of every kind.
 inline Levels everyKind() {
   std::vector<level::Level> levels;
   for (const auto& build :
@@ -69,7 +70,7 @@ inline Levels everyKind() {
   return Levels(std::move(levels), 107);
 }
 
-// A course of box arenas with `boxes` boxes each.
+// Returns a course of box arenas with `boxes` boxes each.
 inline Levels arenas(uint32_t count, uint32_t boxes, uint32_t timeLimitTicks) {
   std::vector<level::Level> levels;
   for (uint32_t i = 0; i < count; ++i) levels.push_back(boxArena(boxes, i + 1).compile());

@@ -1,4 +1,4 @@
-// Floats are written so that equal text means equal bits, except that all NaNs are equal.
+// Floats are written so that equal text means equal bits, except that all NaNs have the same text.
 #include "support/document_text.h"
 
 #include <algorithm>
@@ -66,8 +66,8 @@ struct ValueText {
   std::string operator()(const SharedBlob& v) const { return "shared " + bytes(*v.bytes); }
 };
 
-// Each step of a path is class, name, and an index among equal siblings, so that one more instance
-// does not rename others.
+// Returns the paths of all instances. A step of a path is the class, the name, and an index among
+// siblings with the same class and name. So an additional instance does not rename others.
 std::vector<std::string> pathsOf(const Document& document) {
   std::vector<std::string> paths(document.instances.size());
   const auto placeAll = [&](const std::vector<InstanceId>& siblings, const std::string& parent) {

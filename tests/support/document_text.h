@@ -1,4 +1,4 @@
-// A Document as lines of text, to compare two of them and to show the difference.
+// A Document as lines of text, for comparing two documents and showing the difference.
 #pragma once
 
 #include <string>
@@ -13,8 +13,8 @@ namespace obby::test {
 // path of their target.
 std::vector<std::string> linesOf(const Document& document);
 
-// Returns at most `limit` lines that only one document has, as "only in first: ...". Equal
-// documents give an empty string.
+// Returns at most `limit` lines that only one of the documents has, as "only in first: ...".
+// Returns an empty string if the documents are equal.
 std::string difference(const Document& first, const Document& second, size_t limit = 20);
 
 }  // namespace obby::test

@@ -1,4 +1,4 @@
-// A device whose launches fail after a given number.
+// A device whose launches fail after a given number of them.
 #pragma once
 
 #include "sim/host_device.h"

@@ -1,4 +1,4 @@
-// Makes values. The kind determines the XML element's name.
+// Makes property values. The kind determines the name of the XML element.
 #include "support/file_values.h"
 
 #include <memory>

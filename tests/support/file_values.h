@@ -1,4 +1,4 @@
-// Property values as place files store them: every kind of the formats, including those that a
+// Property values as place files store them, of every kind in the formats, including kinds that a
 // Document drops.
 #pragma once
 
@@ -47,7 +47,8 @@ enum class FileKind : uint8_t {
 
 struct FileValue {
   FileKind kind = FileKind::String;
-  Value value;             // the Document's value; monostate: unread or (OptionalCFrame) absent
+  Value value;  // the Document's value; monostate if the Document drops it or (OptionalCFrame) if
+                // it is absent
   std::string xmlElement;  // the element's name in XML
   bool acoustics = false;  // PhysicalProperties: the flag for acoustic absorption is set
 };
@@ -80,7 +81,7 @@ FileValue capabilities(int64_t bits);
 // Returns a sample of a kind that a Document does not keep (UDim2, Ray, Faces, ...).
 FileValue unread(FileKind kind);
 
-// Returns the value for an instance that lacks a property which others of its class have.
+// Returns the value of an instance that lacks a property which others of its class have.
 FileValue emptyOf(const FileValue& like);
 
 }  // namespace obby::test

@@ -1,5 +1,5 @@
-// Finds the hardest step that a search solves. Levels have one step whose difficulty is a number of
-// studs, and a climb starts at an easy one.
+// Finds the hardest step that a search solves. A level has one step, whose difficulty is a number
+// of studs. The search starts at an easy step and makes it harder.
 #pragma once
 
 #include <algorithm>
@@ -15,7 +15,7 @@ namespace obby::support {
 
 using solve::Problem;
 
-// A level of one step, and its goal.
+// index of the part that is the goal
 inline constexpr uint32_t kTarget = 1;  // the part that is the goal
 
 struct Scene {
@@ -33,7 +33,7 @@ inline Scene platforms(float gap, float rise) {
   return s;
 }
 
-// The region above this floor that only the head of a standing player reaches.
+// Returns the region above this floor that only the head of a standing player reaches.
 inline Box overhead(Box floor) {
   return {floor.lo + Vec3{0, 4.9f, 0}, {floor.hi.x, floor.lo.y + 8, floor.hi.z}};
 }
@@ -51,7 +51,8 @@ inline void slide(Scene& s, Vec3 from, Vec3 to, bool carries) {
   });
 }
 
-// A step from a platform that moves by `by` to one that is `gap` from the end of its motion.
+// Returns a step from a moving platform to a static one. The platform moves by `by`, and the gap is
+// `gap` at the end of its motion.
 inline Scene off(Vec3 by, float gap, bool carries = true) {
   Scene s;
   slide(s, {0, -0.5f, 0}, {by.x, by.y - 0.5f, by.z}, carries);
@@ -61,7 +62,8 @@ inline Scene off(Vec3 by, float gap, bool carries = true) {
   return s;
 }
 
-// A step from a static platform to one that moves by `by`, away from the end that is `gap` away.
+// Returns a step from a static platform to a moving one, which moves by `by`. The gap is `gap` at
+// the near end of its motion.
 inline Scene onto(Vec3 by, float gap) {
   Scene s;
   const Vec3 near{-0.5f * by.x, -0.5f, -4 - gap - 3};
@@ -80,8 +82,8 @@ inline level::QueryView queryFor(const Scene& s) {
 
 using Actions = std::vector<sim::Action>;
 
-// Returns the shortest distance to the goal under these actions, in studs. It is 0 if they reach
-// it.
+// Returns the shortest distance to the goal under these actions, in studs, or 0 if they reach the
+// goal.
 inline float missOf(const Problem& problem, const Actions& actions) {
   sim::World w = problem.start;
   float lowest = 1e30f;
@@ -94,7 +96,7 @@ inline float missOf(const Problem& problem, const Actions& actions) {
   return lowest;
 }
 
-// Returns mutated actions: other headings for a while, or a tick more or less.
+// Returns changed actions: other headings for a while, or a tick more or less.
 inline Actions changed(const Actions& from, Random& random) {
   Actions to = from;
   const auto any = [&] { return random.below(uint32_t(to.size())); };
@@ -116,7 +118,7 @@ inline Actions changed(const Actions& from, Random& random) {
   return to;
 }
 
-// Returns the hardest step, from `studs` up, that mutations of one trajectory solve.
+// Returns the hardest step, from `studs` up, that mutations of these actions solve.
 inline float climb(const Build& build, float studs, float enough, Actions actions, uint64_t steps) {
   constexpr float kHarder = 0.02f;
   Random random(5, 5);
@@ -140,7 +142,7 @@ inline float climb(const Build& build, float studs, float enough, Actions action
   return studs;
 }
 
-// Returns the actions of the trajectory that a search finds, one for each tick, or none.
+// Returns the actions of a trajectory that a search finds, one for each tick, or an empty list.
 inline Actions solutionOf(const Build& build, float studs, uint64_t steps) {
   Scene scene = build(studs);
   const level::Level level = scene.level.compile();
@@ -156,7 +158,8 @@ inline Actions solutionOf(const Build& build, float studs, uint64_t steps) {
   return actions;
 }
 
-// Searches from `lo`, which should be solvable, up to `hi`. Returns 0 if even `lo` is unsolved.
+// Returns the hardest solved step between `lo`, which should be solvable, and `hi`. Returns 0 if
+// even `lo` is unsolved.
 inline float hardestSolved(const Build& build, float lo, float hi, uint64_t steps) {
   const float enough = hi;
   Actions best = solutionOf(build, lo, steps);

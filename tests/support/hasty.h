@@ -1,5 +1,5 @@
 // Settings that end trajectories early, for methods that learn while they search. Within a few
-// rounds players return to visited cells, and the learned policy decides their actions.
+// rounds players return to visited cells, and then the learned policy decides their actions.
 #pragma once
 
 #include "baselines/cflge.h"
@@ -16,7 +16,7 @@ inline baselines::CflgeSettings hasty(baselines::CflgeSettings settings) {
   settings.explore = settings.patience = 12;
   settings.begin = 256;
   settings.refresh = 1000;
-  settings.moduleSteps = 0.02f;  // learning steps take most of the time
+  settings.moduleSteps = 0.02f;  // otherwise learning would take most of the time
   settings.policySteps = 1.0f / 128;
   return settings;
 }

@@ -81,7 +81,7 @@ class LevelBuilder {
 
   Result<level::Level> tryCompile() { return level::Level::compile(record()); }
 
-  // Compiles the level. A test that builds an invalid one by mistake stops here.
+  // Compiles the level. If a test builds an invalid level by mistake, it stops here.
   level::Level compile() {
     auto level = tryCompile();
     if (!level) {
@@ -95,12 +95,12 @@ class LevelBuilder {
   std::vector<PartSetter> parts_;
   std::vector<level::StartPose> spawns_;
   std::function<void(schema::PhysicsParams::Builder)> physics_;
-  std::shared_ptr<capnp::MallocMessageBuilder> message_;  // shared, so that builders can be copied
+  std::shared_ptr<capnp::MallocMessageBuilder> message_;  // shared, so builders can be copied
 };
 
-// The scene for comparisons of engines (docs/physics.md, benches): a walled arena with a box for
-// every 115 square studs. Half of the boxes are tilted by up to 23 degrees. The player starts above
-// the middle.
+// Returns the scene for comparisons of engines (docs/physics.md, benches): a walled arena with a
+// box for every 115 square studs. Half of the boxes are tilted, by up to 23 degrees. The player
+// starts above the middle.
 inline LevelBuilder boxArena(uint32_t boxes, uint64_t seed) {
   LevelBuilder b;
   Random random(seed, boxes);
@@ -123,7 +123,8 @@ inline LevelBuilder boxArena(uint32_t boxes, uint64_t seed) {
   return b;
 }
 
-// The arena with platforms that slide back and forth near the middle. Every other one turns.
+// Returns the same arena with platforms that slide back and forth near the middle. Every second
+// platform also turns.
 inline LevelBuilder movingArena(uint32_t boxes, uint32_t movers, uint64_t seed) {
   LevelBuilder b = boxArena(boxes, seed);
   Random random(seed, boxes + movers);
@@ -148,8 +149,8 @@ inline LevelBuilder movingArena(uint32_t boxes, uint32_t movers, uint64_t seed) 
   return b;
 }
 
-// The arena with eight moving platforms and `boxes` dynamic boxes away from their motions. If
-// `restless`, the boxes never fall asleep.
+// Returns the same arena with eight moving platforms, and `boxes` dynamic boxes away from their
+// motions. If `restless`, the boxes never fall asleep.
 inline LevelBuilder bodyArena(uint32_t boxes, bool restless, uint64_t seed) {
   LevelBuilder b = movingArena(100, 8, seed);
   const level::Level fixed = b.compile();
@@ -171,7 +172,7 @@ inline LevelBuilder bodyArena(uint32_t boxes, bool restless, uint64_t seed) {
   return b;
 }
 
-// A winding course of platforms with gaps and steps that can be jumped, over a floor far below.
+// Returns a winding course of platforms over a floor far below. All gaps and steps can be jumped.
 inline LevelBuilder platformCourse(uint32_t platforms, uint64_t seed) {
   LevelBuilder b;
   Random random(seed, platforms);

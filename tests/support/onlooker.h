@@ -1,4 +1,4 @@
-// A player at the start of a level, with a goal region and everything that an observation needs.
+// A player at the start of a level, a goal region, and everything else that an observation needs.
 #pragma once
 
 #include "policy/policy.h"
@@ -27,7 +27,7 @@ struct Onlooker {
   policy::Surroundings around;
   policy::SurroundingsView seen;
   level::QueryView query;
-  policy::Scene scene;  // refers to the three above
+  policy::Scene scene;  // refers to `query` and the surroundings above
   sim::World world;
 };
 

@@ -15,7 +15,7 @@ namespace {
 
 using Values = std::vector<FileValue>;
 
-// Most significant bytes first, then interleaved.
+// Writes the most significant bytes of all values first, then the next ones.
 template <class Unsigned>
 void interleave(std::string& out, const std::vector<Unsigned>& values) {
   for (int shift = static_cast<int>(sizeof(Unsigned)) * 8 - 8; shift >= 0; shift -= 8) {
@@ -190,7 +190,7 @@ void contents(std::string& out, const Values& values) {
   append(out, 0);
 }
 
-// Any bytes of the right length serve for kinds that a Document does not keep.
+// Returns sample bytes. Kinds that a Document does not keep can have any bytes of the right length.
 std::string sampleBytes(FileKind kind) {
   std::string out;
   switch (kind) {

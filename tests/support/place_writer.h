@@ -1,5 +1,5 @@
-// Builds a small place or model and writes it in each file format. Only tests use this: the project
-// itself writes no places.
+// Builds a small place or model and writes it in each file format. Only tests use it, since the
+// project itself writes no places.
 #pragma once
 
 #include <map>
@@ -17,13 +17,14 @@ class PlaceWriter {
  public:
   using Id = InstanceId;
 
-  // Adds an instance; parents come first. An empty name omits the Name property.
+  // Adds an instance. Its parent must have been added before. An empty name omits the Name
+  // property.
   Id add(std::string className, std::string name = {}, Id parent = kNoInstance);
   // Sets `property`, spelled as in files: "size", "Color3uint8", "shape".
   PlaceWriter& set(Id id, std::string property, FileValue value);
   PlaceWriter& tag(Id id, std::string tag);
-  // Kinds: bool, int64_t (written as 32 bits), double, std::string, EnumItem, Vec3, CFrame,
-  // ColorRgb, UDim.
+  // Sets an attribute of one of these types: bool, int64_t (written as 32 bits), double,
+  // std::string, EnumItem, Vec3, CFrame, ColorRgb, UDim.
   PlaceWriter& attribute(Id id, std::string name, Value value);
 
   std::string binary(Packing packing = Packing::Zstd) const;

@@ -8,7 +8,7 @@
 
 namespace obby::test {
 
-// The referent of the instance with index i is RBXi.
+// Returns an XML place file. The referent of the instance with index i is RBXi.
 std::string xmlPlace(const std::vector<PlaceWriter::Entry>& entries);
 
 std::string encodeBase64(const std::string& bytes);

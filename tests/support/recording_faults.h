@@ -1,5 +1,5 @@
-// Faults of recorders: noisy positions, frames missing or at uneven times, inputs that are late or
-// rounded to a few directions.
+// Faults of recorders: noisy positions, missing frames, frames at uneven times, and inputs that are
+// late or rounded to a few directions.
 #pragma once
 
 #include <algorithm>
@@ -12,9 +12,9 @@
 namespace obby::test {
 
 struct Faults {
-  float noise = 0;          // amplitude of position noise in studs, per axis
-  float dropped = 0;        // share of the missing frames
-  double jitter = 0;        // seconds that a frame may be early or late
+  float noise = 0;          // amplitude of position noise per axis, studs
+  float dropped = 0;        // share of frames that are missing
+  double jitter = 0;        // seconds by which a frame may be early or late
   uint32_t late = 0;        // frames between an input and its effect
   uint32_t directions = 0;  // number of possible directions of an input; 0: any
 };
@@ -23,7 +23,7 @@ namespace detail {
 
 inline Vec3 mixed(Vec3 a, Vec3 b, float share) { return a + (b - a) * share; }
 
-// A moment of a recording, between a frame and the next.
+// A moment between two frames: the index of the first one, and the share of the time to the next.
 struct Moment {
   size_t frame;
   float share;
@@ -36,7 +36,7 @@ inline Moment momentAt(const std::vector<calibrate::Frame>& frames, double time)
   return {i, float(std::clamp((time - from) / (to - from), 0.0, 1.0))};
 }
 
-// Returns the player at this time. Inputs, facing and state are those of the last frame.
+// Returns the player at this time. Inputs, facing and state are those of the frame before.
 inline calibrate::Frame frameAt(const std::vector<calibrate::Frame>& frames, double time) {
   const Moment m = momentAt(frames, time);
   const calibrate::Frame &a = frames[m.frame], &b = frames[m.frame + 1];
@@ -66,7 +66,7 @@ inline Vec3 roundedTo(Vec3 move, uint32_t directions) {
 
 }  // namespace detail
 
-// Returns a recording whose velocities lag the positions by a share of a frame.
+// Returns a recording whose velocities are older than its positions by this share of a frame.
 inline calibrate::Track withLateVelocities(const calibrate::Track& track, float share) {
   calibrate::Track out = track;
   for (size_t i = 1; i < track.frames.size(); ++i)
@@ -75,7 +75,7 @@ inline calibrate::Track withLateVelocities(const calibrate::Track& track, float 
   return out;
 }
 
-// Returns the same recording by a worse recorder.
+// Returns the recording that a recorder with these faults would make.
 inline calibrate::Track spoiled(const calibrate::Track& track, const Faults& faults,
                                 uint64_t seed) {
   Random random(seed, 0x5b01);
@@ -89,7 +89,8 @@ inline calibrate::Track spoiled(const calibrate::Track& track, const Faults& fau
     if (random.unit() < faults.dropped && !end) continue;
     const double shift = end ? 0 : faults.jitter * double(between());
     calibrate::Frame f = detail::frameAt(from, from[i].time + shift);
-    // The input is that of `late` frames later, so that its effect shows `late` frames after it.
+    // The frame takes the input from `late` frames later. So an input's effect shows `late` frames
+    // after the input.
     const double late = faults.late * (from[1].time - from[0].time);
     const calibrate::Frame input = detail::frameAt(from, std::min(f.time + late, from.back().time));
     f.move = input.move;

@@ -9,8 +9,8 @@ inline CFrame tiltedFrame() {
   return {{1.5f, -2.25f, 1e-7f}, {{0.6f, 0.8f, 0}, {-0.8f, 0.6f, 0}, {0, 0, 1}}};
 }
 
-// Workspace with the parts Lava (0..) and Ice, a Folder between them and a script. The ids count in
-// this order.
+// Returns a place with Workspace, the part Lava, a Folder, the part Ice in it, and a script in
+// Lava. The ids follow this order.
 inline PlaceWriter samplePlace() {
   PlaceWriter place;
   const auto workspace = place.add("Workspace", "Workspace");

@@ -8,10 +8,10 @@
 
 namespace obby::test {
 
-// Upper bounds of the variation.
+// Maximum variation of a manoeuvre.
 struct Variation {
-  float share;    // of the duration of each hold
-  float radians;  // of the stick's direction, which is the same throughout
+  float share;    // relative change of the duration of each hold
+  float radians;  // turn of the stick's direction, the same for the whole manoeuvre
 };
 constexpr Variation kElsewhere{0.2f, 0.35f};  // another trajectory through the same place
 constexpr Variation kAgain{0.05f, 0.05f};     // like a repetition by the same player

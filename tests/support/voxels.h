@@ -20,7 +20,7 @@ using CellAt = std::function<Cell(int x, int y, int z)>;
 
 class VoxelWriter {
  public:
-  // Chunks may come in any order.
+  // Adds a chunk. Chunks may come in any order.
   VoxelWriter& chunk(ChunkPlace at, const CellAt& cellAt) {
     offset(at);
     for (int i = 0; i < 32 * 32 * 32;) {

@@ -1,4 +1,4 @@
-// Random play: each action is held for 10 to 50 ticks.
+// Random play that holds each action for 10 to 50 ticks.
 #pragma once
 
 #include "base/random.h"

@@ -8,7 +8,7 @@
 
 #if defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 
-// Counts the allocations of this program, including operator new.
+// Counts the allocations of this program, including those by operator new.
 namespace {
 std::atomic<size_t> asked{0};
 }
@@ -23,7 +23,7 @@ namespace {
 
 constexpr uint32_t kWorlds = 1024;
 
-// Returns the allocations of the second update with a batch.
+// Returns the number of allocations in the second update with a batch.
 size_t askedFor(uint32_t epochs, uint32_t minibatch) {
   ThreadPool pool(2);
   OneRank alone;

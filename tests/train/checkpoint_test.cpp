@@ -13,7 +13,7 @@ namespace {
 
 using Trainers = Result<std::unique_ptr<Trainer>>;
 
-// The figures of an iteration, without its times.
+// Returns the metrics of an iteration, without its times.
 std::vector<double> figuresOf(const Iteration& i) {
   const Progress& p = i.progress;
   return {double(i.number), double(i.decisions), i.reward,     i.solved,
@@ -26,7 +26,8 @@ struct Learned {
   std::vector<float> numbers;  // of the network
 };
 
-// Returns the results of iterations 4 to 6. `broken`: interrupted and resumed after the third.
+// Returns the results of iterations 4 to 6. If `broken`, the run is interrupted after the third and
+// resumed.
 Learned learn(const LevelSource& source, int threads, bool broken) {
   ThreadPool pool(threads);
   Trainers trainer = Trainer::make(small(), source, pool, alone());
@@ -59,7 +60,7 @@ TEST_P(Resuming, FromACheckpointHasTheSameBits) {
   }
 }
 
-// If the source stops or fails during an iteration, that iteration is kept.
+// Expects that an iteration is kept if the source stops or fails during it.
 void resumeWithMissingLevels(bool bodies, bool fails) {
   ThreadPool pool(1);
   const Gaps gaps(bodies);
@@ -95,7 +96,7 @@ TEST_P(Resuming, AfterAFailedSourceHasTheSameBits) { resumeWithMissingLevels(Get
 
 INSTANTIATE_TEST_SUITE_P(WithAndWithoutDynamicBodies, Resuming, testing::Bool());
 
-// After a few iterations, so that everything in it has changed since the start.
+// Returns a checkpoint after a few iterations, so that all of its content differs from the start.
 std::string sample() {
   ThreadPool pool(1);
   const Gaps gaps(true);
@@ -190,7 +191,7 @@ TEST(Checkpoint, IsRefusedForOtherLevels) {
   EXPECT_FALSE(Trainer::resume(small(), bodies, pool, alone(), *(*trainer)->state()));
 }
 
-// Numbers that other numbers are computed from.
+// A checkpoint is refused if a number from which others are computed is impossible.
 TEST(Checkpoint, IsRefusedWithImpossibleNumbers) {
   ThreadPool pool(1);
   const Gaps gaps;

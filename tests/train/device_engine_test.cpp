@@ -1,5 +1,5 @@
-// Training with kernels equals training on the CPU: worlds and random numbers have the same bits,
-// and networks differ only by rounding. The CPU takes the GPU's place.
+// Training with kernels equals training on the CPU. Worlds and random numbers have the same bits,
+// and networks differ only by rounding. The CPU stands in for the GPU.
 #include "train/device/device_engine.h"
 
 #include <gtest/gtest.h>
@@ -99,8 +99,9 @@ double farApart(const std::vector<float>& a, const std::vector<float>& b) {  // 
 
 class Parity : public testing::TestWithParam<bool> {};
 
-// Equal networks play the first iteration, so all worlds make the same moves, unless a random
-// number falls between two roundings of a probability. The networks then agree within rounding.
+// Both networks are equal in the first iteration, so all worlds make the same moves, unless a
+// random number falls between two roundings of a probability. Afterwards the networks agree within
+// rounding.
 TEST_P(Parity, TheFirstIterationMatches) {
   const Gaps gaps(GetParam());
   ThreadPool pool(1);
@@ -139,14 +140,14 @@ TEST_P(Parity, TheFirstIterationMatches) {
 
 INSTANTIATE_TEST_SUITE_P(WithAndWithoutDynamicBodies, Parity, testing::Bool());
 
-// Play without training, with episodes that end or are truncated, and many levels. In a hundred
-// such runs, about half a world would draw a number between two roundings of a probability.
+// Play without training, with many levels and with episodes that end or are truncated. In a hundred
+// of these runs, about half a world would draw a number between two roundings of a probability.
 TEST_P(Parity, PlayThroughManyLevelsMatches) {
   const Gaps gaps(GetParam());
   TrainerSettings settings = small();
   settings.ppo.learningRate = 0;
   settings.envGroup.episodes = 24;
-  settings.envGroup.patience = -5;  // cut after some four seconds
+  settings.envGroup.patience = -5;  // cuts episodes after about four seconds
   ThreadPool pool(1);
   const auto cpu = Trainer::make(settings, gaps, pool, alone());
   Machine machine;
@@ -262,7 +263,7 @@ TEST(DeviceEngine, AResumedRunWithMissingLevelsHasTheSameBits) {
     const Gaps gaps(bodies);
     const GapsTo stopped(12, bodies, !bodies);  // eight places
     TrainerSettings settings = tiny();
-    settings.envGroup.episodes = 16;  // for a quarter of the worlds
+    settings.envGroup.episodes = 16;  // few, since tiny() has few worlds
     Machine machine, other, third;
     const auto whole = machine.make(gaps, settings), part = other.make(stopped, settings);
     ASSERT_TRUE(whole && part);
@@ -342,7 +343,7 @@ TEST(DeviceEngine, RefusesAnotherObservation) {
             "the GPU supports only the standard observation, and the settings name another");
 }
 
-// Levels with a bad one.
+// Levels of which one is bad.
 class OneBad : public Gaps {
  public:
   explicit OneBad(uint64_t bad) : bad_(bad) {}
@@ -355,13 +356,13 @@ class OneBad : public Gaps {
   uint64_t bad_;
 };
 
-// A level that is made ahead may never be played, so its error is returned only then.
+// A level that is made ahead may never be played. Its error is returned only once it is played.
 TEST(DeviceEngine, ReturnsTheErrorOfALevelOnceItIsPlayed) {
   Machine machine;
   const OneBad first(5), second(8 + 5);  // of eight places
   EXPECT_EQ(machine.make(first, tiny()).error().text(), "this level is bad");
   TrainerSettings settings = tiny();
-  settings.envGroup.episodes = 32;  // of 8 worlds: no level is over after an iteration
+  settings.envGroup.episodes = 32;  // with 8 worlds no level is over after an iteration
   const auto trainer = machine.make(second, settings);
   ASSERT_TRUE(trainer) << trainer.error().text();
   ASSERT_TRUE((*trainer)->iterate());
@@ -378,7 +379,7 @@ TEST(DeviceEngine, ReturnsTheErrorOfALevelOnceItIsPlayed) {
 class OneTooLarge : public Gaps {
  public:
   Result<std::shared_ptr<const TrainingLevel>> level(uint64_t index, float hardest) const override {
-    if (index == 9) throw std::bad_alloc();  // the second of its place
+    if (index == 9) throw std::bad_alloc();  // the second level of its place
     return Gaps::level(index, hardest);
   }
 };

@@ -12,7 +12,7 @@
 namespace obby::train {
 namespace {
 
-// While it lives, no file of this process grows beyond so many bytes, as on a full disk.
+// During its lifetime no file of this process can grow beyond `bytes` bytes, as on a full disk.
 class FullDisk {
  public:
   explicit FullDisk(rlim_t bytes) : handler_(signal(SIGXFSZ, SIG_IGN)) {
@@ -49,18 +49,18 @@ class EventLogs : public testing::Test {
                         testing::UnitTest::GetInstance()->current_test_info()->name();
 };
 
-// The check values of RFC 3720, B.4, and of the polynomial's registry.
+// The check values of RFC 3720, B.4, and of the registry of polynomials.
 TEST(Crc32c, MatchesTheStandardsCheckValues) {
   EXPECT_EQ(crc32c("123456789"), 0xe3069283u);
   EXPECT_EQ(crc32c(std::string(32, '\0')), 0x8a9136aau);
   EXPECT_EQ(crc32c(std::string(32, '\xff')), 0x62a8ab43u);
 }
 
-// TensorBoard drops events from the step of a session log's start on.
+// TensorBoard drops earlier events from the step at which a session starts.
 TEST_F(EventLogs, AResumedSessionStartsAfterTheKeptIteration) {
   ASSERT_TRUE(EventLog::open(folder_, 7));
-  // An Event with step (field 2) 8 and session_log (field 7) of two bytes: status (field 1)
-  // START, 1.
+  // An Event with step (field 2) = 8. Its session_log (field 7) has two bytes: status (field 1) =
+  // START (1).
   EXPECT_NE(bytes().find("\x10\x08\x3a\x02\x08\x01"), std::string::npos);
 }
 
@@ -82,7 +82,7 @@ TEST_F(EventLogs, EventsWaitUntilAFullDiskHasSpace) {
   EXPECT_TRUE(log->held());
   const std::string before = bytes();
   {
-    const FullDisk full(before.size() + 9);  // part of an event
+    const FullDisk full(before.size() + 9);  // space for a part of an event
     log->add(2, metric);
     log->add(3, metric);
     EXPECT_FALSE(log->held());

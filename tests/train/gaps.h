@@ -8,15 +8,15 @@ namespace obby::train {
 
 class Gaps : public LevelSource {
  public:
-  // `bodies`: a dynamic body is in front of the gap, with a waypoint behind it. `seed`: of the
-  // levels.
+  // If `bodies`, a dynamic body is in front of the gap, with a waypoint behind it. `seed` selects
+  // the levels.
   explicit Gaps(bool bodies = false, uint64_t seed = 99) : bodies_(bodies), seed_(seed) {}
 
   Result<std::shared_ptr<const TrainingLevel>> level(uint64_t index, float) const override {
     Random random(seed_, index);
     const float gap = 4 + 3 * random.unit(), far = -8 - gap;
     support::LevelBuilder b;
-    b.block({0, -0.5f, -3}, {8, 1, 10});  // to z = -8
+    b.block({0, -0.5f, -3}, {8, 1, 10});  // ends at z = -8
     b.block({0, -0.5f, far - 4}, {8, 1, 8});
     if (bodies_)
       b.block({0, 1, -4}, {2, 2, 2}, [](schema::Part::Builder p) { p.setAnchored(false); });
@@ -56,7 +56,7 @@ class GapsTo : public Gaps {
   bool fails_;
 };
 
-// Returns the number of places that wait for their level.
+// Returns the number of places that wait for their next level.
 inline uint32_t waitingIn(const TrainerState& state) {
   uint32_t waiting = 0;
   for (const EnvGroupState& envGroup : state.envGroups) {
@@ -70,8 +70,9 @@ inline Ranks& alone() {
   return one;
 }
 
-// With each of 24 seeds, it crosses more than 96 of 100 gaps after 30 iterations. At twice the
-// learning rate, one seed in about twenty learns to stand still first.
+// Returns settings with which a policy learns the task. With each of 24 seeds, it crosses more than
+// 96 of 100 gaps after 30 iterations. At twice the learning rate, one seed in about twenty first
+// learns to stand still.
 inline TrainerSettings small() {
   TrainerSettings s;
   s.envGroups = 2;
@@ -83,7 +84,7 @@ inline TrainerSettings small() {
   return s;
 }
 
-// A quarter of the worlds, for tests that need not learn.
+// Returns the same settings with a quarter of the worlds, for tests that do not need to learn.
 inline TrainerSettings tiny() {
   TrainerSettings s = small();
   s.envGroup.worlds /= 4;

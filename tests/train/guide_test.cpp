@@ -23,7 +23,7 @@ TEST(Guide, TheNextTurnOfASpiralDoesNotCountYet) {
   const Guide guide({{0, 0, 0}, {10, 2, 0}, {10, 4, 10}, {0, 6, 10}, {0, 8, 0}, {10, 10, 0}});
   const float whole = guide.studs();
   EXPECT_FLOAT_EQ(guide.left({0, 0, 0}, whole - 5, 0), whole);
-  // Straight above the start, where the guide passes after four sides.
+  // This position is straight above the start. The guide passes it after four sides of the spiral.
   EXPECT_LT(guide.left({0, 7, 0}, 0, 0), whole / 2);
   EXPECT_FLOAT_EQ(guide.left({0, 7, 0}, whole - 5, 0),
                   whole - 14 / std::sqrt(104.0f) + 3 * std::sqrt(49 - 196.0f / 104));
@@ -57,7 +57,7 @@ TEST(Guide, AWaypointAtTheStartLeavesTheWholeDistance) {
   EXPECT_FLOAT_EQ(guide.left({0, 0, 0}, 0, 0), 190);
 }
 
-// A waypoint far away, and a goal near the start.
+// Returns a level with a waypoint far away and a goal near the start.
 Result<std::shared_ptr<const TrainingLevel>> outAndBack(const std::vector<Vec3>& route) {
   support::LevelBuilder b;
   b.block({-30, -0.5f, 0}, {80, 1, 8});
@@ -83,7 +83,7 @@ TEST(Guide, HasTheWaypointsOfItsQuery) {
     Player p;
     p.world = (*level)->start();
     p.world.position = {-40, 0, 0};
-    p.minLeft = 88;  // so that the lane back is in reach
+    p.minLeft = 88;  // so that the way back is within reach
     judge(view, {}, p);
     EXPECT_GT(p.minLeft, 65 + 19) << "on the way out";
     p.world.waypoints = 1;

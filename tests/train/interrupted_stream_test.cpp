@@ -5,7 +5,7 @@
 namespace obby::train {
 namespace {
 
-// As obby-gen ends it after Ctrl-C or `timeout`.
+// Returns a stream with the end record that obby-gen writes after Ctrl-C or `timeout`.
 std::string interruptedLines(uint64_t count, const std::vector<std::string>& more = {}) {
   std::string text = linesOf(count, more);
   const std::string complete = R"("complete")";

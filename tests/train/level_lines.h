@@ -15,7 +15,8 @@ namespace obby::train {
 inline constexpr const char* kHeaderLine = R"({"type":"header","schemaVersion":1})"
                                            "\n";
 
-// Each level has another width of its floor, and so another hash.
+// Returns a level and its query. Each level has a floor of a different width, and so a different
+// hash.
 inline std::string lineOf(uint64_t number, const std::string& more = "") {
   return fmt::format(
       R"({{"type":"level","name":"{0}","parts":[{{"shape":"block",)"
@@ -27,7 +28,7 @@ inline std::string lineOf(uint64_t number, const std::string& more = "") {
       number, 8 + number, more);
 }
 
-// `more`: additional fields of the first queries.
+// Returns a stream of `count` levels. `more` holds additional fields of the first queries.
 inline std::string linesOf(uint64_t count, const std::vector<std::string>& more = {}) {
   std::string text = kHeaderLine;
   for (uint64_t i = 0; i < count; ++i) text += lineOf(i, i < more.size() ? more[i] : "");

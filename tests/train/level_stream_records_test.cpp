@@ -11,7 +11,7 @@ size_t bytesOf(const std::string& line) {
   return (*record)->reader().totalSize().wordCount * sizeof(capnp::word);
 }
 
-// A level with many parts, and queries with different goals.
+// Returns a level with many parts, and queries with different goals.
 std::string largeLevel() {
   std::string parts = R"({"shape":"block","position":[0,-0.5,0],"size":[20,1,40]})";
   for (int i = 0; i < 200; ++i)
@@ -51,7 +51,7 @@ TEST(LevelStream, KeepsLevelsUpToABudgetOfBytes) {
   EXPECT_EQ(level.error().text(), "levels:6: there is no level '0' among the 1 before this query");
 }
 
-// As in obby-solve, they apply to later levels that leave the defaults.
+// As in obby-solve, parameters apply to later levels. A level's own values take precedence.
 TEST(LevelStream, LevelsUseTheParametersBeforeThem) {
   std::string own = lineOf(2);
   own.insert(own.find(R"("parts")"), R"("physics":{"walkSpeed":24},)");

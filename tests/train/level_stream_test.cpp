@@ -1,5 +1,5 @@
-// Levels of a stream: read on demand, repeated from the first at its end, and dropped when they are
-// past.
+// Levels of a stream are read on demand, repeated from the first at its end, and dropped once they
+// are past.
 #include "train/level_stream.h"
 
 #include <cstring>
@@ -24,7 +24,8 @@ TEST(LevelStream, ReturnsLevelsByNumberInAnyOrder) {
 
 TEST(LevelStream, RepeatsTheLevelsThatItKept) {
   const LevelStream all(optionsOf(linesOf(4)));
-  const LevelStream some(optionsOf(linesOf(4)), {.keptBytes = 1});  // the first, at least
+  const LevelStream some(optionsOf(linesOf(4)),
+                         {.keptBytes = 1});  // keeps at least the first level
   EXPECT_EQ(hashOf(some, 1), hashOf(all, 1));
   EXPECT_EQ(hashOf(some, 4), hashOf(all, 0));
   EXPECT_EQ(hashOf(some, 9), hashOf(all, 0));
@@ -58,7 +59,7 @@ TEST(LevelStream, HoldsNoCompiledLevelThatIsPast) {
   hashOf(resumed, 399);
   EXPECT_LE(resumed.compiledHeld(), 1u);
   const LevelStream shared(optionsOf(linesOf(400)), {.choices = 1});
-  for (uint64_t i = 0; i < 400; i += 2) {  // another rank has the others
+  for (uint64_t i = 0; i < 400; i += 2) {  // another rank plays the others
     hashOf(shared, i);
     EXPECT_LE(shared.compiledHeld(), 1u) << i;
     shared.past(i);
@@ -80,7 +81,8 @@ TEST(LevelStream, CompilesNoLevelThatIsPastAfterAResume) {
 
 TEST(LevelStream, CompilesAllQueriesOfAPresentTurn) {
   const std::string easy = R"(,"difficulty":0)";
-  // Turns of two queries, of one before a query without difficulty, of that one, and of two.
+  // The turns: two queries, one query before a query without difficulty, that query, and two
+  // queries.
   const LevelStream resumed(optionsOf(linesOf(6, {easy, easy, easy, "", easy, easy})),
                             {.choices = 2});
   resumed.past(2);
@@ -109,7 +111,7 @@ TEST(LevelStream, BoundsTheNumberOfCompiledLevels) {
   EXPECT_EQ(stream.compiledHeld(), 0u);
 }
 
-// Without repeating, the other queries of a turn are dropped once one is played.
+// Without repetition, a turn drops its other queries once one of them is played.
 TEST(LevelStream, ReturnsTheSameLevelAgain) {
   std::vector<std::string> more;
   for (int i = 0; i < 34; ++i)
@@ -150,7 +152,7 @@ TEST(LevelStream, NamesAQueryWhoseLevelWasDropped) {
   std::string text = linesOf(1);
   const std::string query = lineOf(0).substr(lineOf(0).find('\n') + 1);
   text.insert(text.find(R"({"type":"end")"),
-              lineOf(1) + lineOf(2) + query);  // of level 0, two levels before
+              lineOf(1) + lineOf(2) + query);  // the query is of level 0, two levels before
   const LevelStream far(optionsOf(text), {.levelsInReach = 2}), near(optionsOf(text));
   const auto level = far.level(3, 1);
   ASSERT_FALSE(level);
@@ -207,7 +209,8 @@ TEST(LevelStream, ATurnPlaysAQueryThatIsNotTooHard) {
 
 TEST(LevelStream, TurnsHaveQueriesWithADifficulty) {
   const std::string easy = R"(,"difficulty":0)", hard = R"(,"difficulty":1)";
-  // Turns of two, of one without difficulty, of one before such a one, of that one, of the rest.
+  // The turns: two queries, one query without difficulty, one before another query without
+  // difficulty, that query, and the rest.
   const std::string text = linesOf(6, {hard, easy, "", easy, "", hard});
   const LevelStream stream(optionsOf(text), {.choices = 2});
   EXPECT_EQ(linesGiven(stream, 10, 0.5f), (std::vector<uint64_t>{1, 2, 3, 4, 5, 1, 2, 3, 4, 5}));
@@ -230,7 +233,7 @@ TEST(LevelStream, AQueryWithoutALevelBelongsToTheOneBeforeIt) {
   EXPECT_EQ(level.error().text(), "levels:1: there is no level before this query");
 }
 
-// A hand-written level, and a query whose goal is a part by its name.
+// Returns a hand-written level, and a query whose goal is a part that it names.
 std::string linesTo(const std::string& part) {
   return fmt::format(
       R"({{"type":"level","parts":[{{"shape":"block","position":[0,-0.5,0],"size":[20,1,40]}},)"
@@ -264,7 +267,7 @@ TEST(LevelStream, RefusesADifficultyOutOfRange) {
       << level.error().text();
 }
 
-// Records that cannot be read, and records that make no sense.
+// Records that cannot be read, and records without a valid meaning.
 TEST(LevelStream, SkipsBadRecordsIfErrorsAreForgiven) {
   const LevelStream all(optionsOf(linesOf(3)));
   std::vector<std::string> told;

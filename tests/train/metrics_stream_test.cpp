@@ -8,7 +8,7 @@
 namespace obby::train {
 namespace {
 
-// A stream to memory, with a reader that takes records while `takes` is set.
+// A stream to memory. Its reader takes records only while `takes` is set.
 struct StreamToMemory {
   Result<MetricsStream> open() {
     return MetricsStream::open(

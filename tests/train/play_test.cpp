@@ -13,7 +13,7 @@ namespace {
 
 constexpr uint32_t kPlayWorlds = 64;
 
-// A place with worlds at the start of a level.
+// A place: worlds at the start of one level.
 struct Place {
   explicit Place(bool bodies = false)
       : level(*Gaps(bodies).level(1, 1)),
@@ -176,7 +176,7 @@ TEST(Play, ASolvedLevelHasItsOwnShareOfRestarts) {
   EXPECT_EQ(place.counts.solvedOnce, 0u) << "another level";
 }
 
-// The guide doubles back: its later lane is near, but not reached yet.
+// The guide doubles back. Its later lane is near, but does not count yet.
 TEST(Play, ARestartKeepsTheDistanceThatWasLeft) {
   const Guide guide({{0, 0, 0}, {-60, 0, 0}, {70, 0, 0}});
   Place place;

@@ -1,5 +1,5 @@
-// PPO against hand-made numbers: the scale of returns, steps of the optimiser, ranks that share a
-// batch.
+// PPO against hand-made numbers: the scale of returns, steps of the optimiser, and ranks that share
+// a batch.
 #include "train/ppo.h"
 
 #include <gtest/gtest.h>
@@ -87,7 +87,7 @@ TEST(Ppo, ValueEstimatesStayWhenTheScaleOfReturnsMoves) {
   };
   const std::vector<float> before = says();
   const ValueScale old = ppo.state().values;
-  ppo.learn(batch, 0);  // with a learning rate of 0
+  ppo.learn(batch, 0);  // updates the scale at a learning rate of 0
   const ValueScale now = ppo.state().values;
   EXPECT_GT(now.mean, old.mean + 10);
   EXPECT_GT(now.deviation, 2 * old.deviation);

@@ -1,4 +1,4 @@
-// Ranks that were started with other options than the first.
+// Ranks whose options differ from those of the first rank.
 #include "train/run/rank_options.h"
 
 #include <gtest/gtest.h>

@@ -38,7 +38,8 @@ struct RanksLearned {
   std::string checkpoint;  // after the third iteration
 };
 
-// Returns the first rank's result of six iterations. `from`: a checkpoint after the third.
+// Returns the first rank's result of six iterations. `from` is a checkpoint after the third, or
+// empty.
 RanksLearned ranksLearn(uint32_t count, const std::string& from = {}) {
   const Gaps gaps(true);
   RanksLearned out;
@@ -106,7 +107,7 @@ TEST(Ranks, TwoRanksLearnToCrossAGap) {
   });
 }
 
-// Levels with a bad one.
+// Levels of which one is bad.
 class Bad : public Gaps {
  public:
   Result<std::shared_ptr<const TrainingLevel>> level(uint64_t index, float hardest) const override {

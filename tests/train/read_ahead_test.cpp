@@ -1,4 +1,4 @@
-// Levels that are made ahead, as for a GPU. The end of training does not wait for them.
+// Levels that are made ahead, as for a GPU. Training ends without waiting for them.
 #include <gtest/gtest.h>
 
 #include "sim/host_device.h"
@@ -10,7 +10,7 @@
 namespace obby::train {
 namespace {
 
-// For example, an output cannot be opened after the first levels have arrived.
+// This happens, for example, if an output cannot be opened after the first levels have arrived.
 TEST(ReadAhead, OfAStalledStreamEndsWithTheEngine) {
   const TrainerSettings settings = tiny();
   std::string text = kHeaderLine;

@@ -1,4 +1,4 @@
-// The observation is that of the settings, in training and in evaluation.
+// Training and evaluation use the observation of the settings.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -13,13 +13,13 @@ namespace {
 
 constexpr Turns kOwnRoute = 12345;
 
-// Differs from observe() for the trainer, but not for the policy.
+// The same observation as policy::observe(), but a different function.
 Turns asEver(const policy::Scene& scene, const sim::World& world, const sim::RigidBody* bodies,
              float* inputs) {
   return policy::observe(scene, world, bodies, inputs);
 }
 
-// Always the same, in another frame.
+// Always returns the same inputs and heading.
 Turns blind(const policy::Scene&, const sim::World&, const sim::RigidBody*, float* inputs) {
   std::fill_n(inputs, policy::kInputs, 0.25f);
   return kOwnRoute;
@@ -81,7 +81,7 @@ TEST(Seeing, AnEvaluationUsesItsObservation) {
   EXPECT_GT(expected.size(), 30u);
   EXPECT_EQ(seeingJudged(shipped, watched<asEver>), expected);
   const auto straight = played([](const policy::Scene&, const sim::World&) {
-    return policy::actionOf(0, kOwnRoute);  // all moves are alike
+    return policy::actionOf(0, kOwnRoute);  // the network gives all moves the same probability
   });
   EXPECT_EQ(seeingJudged(policy::Network(), watched<blind>), straight);
 }

@@ -27,7 +27,7 @@ nn::Network<double> asDouble(const nn::Network<float>& net) {
   return out;
 }
 
-// Observations with states and with maps in which one height in three is not empty; a network.
+// A network and observations: states, and maps in which one height in three is not empty.
 struct Seen {
   std::vector<float> means, scales;
   std::vector<float> raw;  // (count, kInputs)
@@ -78,7 +78,7 @@ struct Seen {
   }
 };
 
-// Some rows in any order, some of them twice.
+// Returns random rows, some of them twice.
 std::vector<uint32_t> someRows(uint32_t count, uint32_t of) {
   Random random(count, 5);
   std::vector<uint32_t> out(count);
@@ -113,7 +113,7 @@ TEST(SeenPart, OutputsEqualThoseOfTheSearch) {
 
 class SeenPartOf : public testing::TestWithParam<uint32_t> {};
 
-// Sizes: one row, less than a block, a block, more, several blocks.
+// The sizes: one row, less than a block, a block, more than a block, several blocks.
 INSTANTIATE_TEST_SUITE_P(SeenPart, SeenPartOf, testing::Values(1, 7, 64, 65, 200));
 
 TEST_P(SeenPartOf, OutputsAndGradientsEqualThoseOfDenseRows) {

@@ -1,4 +1,4 @@
-// A batch as worlds leave it, of numbers drawn for each world.
+// A batch of random decisions. Each world has its own random numbers.
 #pragma once
 
 #include <vector>
@@ -10,8 +10,8 @@ namespace obby::train {
 
 constexpr uint32_t kTicks = 4;  // of the batch
 
-// What `worlds` worlds from number `first` on have done: the same for a world whichever batch it is
-// in.
+// Returns the decisions of `worlds` worlds from number `first` on. A world's decisions are the same
+// in every batch.
 inline Batch someBatch(uint32_t first, uint32_t worlds) {
   Batch b(kTicks, worlds);
   b.seen.normaliseBy(std::vector<float>(policy::kInputs, 0.0f),

@@ -1,4 +1,4 @@
-// An open stream that sends nothing more.
+// A stream that stays open after its text but sends nothing more.
 #pragma once
 
 #include <fmt/format.h>

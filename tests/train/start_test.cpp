@@ -1,4 +1,4 @@
-// Training that starts from a policy. It plays as the policy does until the first update. Policies
+// Training that starts from a policy. Until the first update it plays like the policy. Policies
 // that cannot be trained further are refused.
 #include "train/start.h"
 
@@ -27,7 +27,7 @@ policy::PolicyFile fileOf(const TrainerState& state, const Trainer& trainer) {
   return file;
 }
 
-// A policy, and the state of its training.
+// A trained policy, and the state of its training.
 struct StartLearned {
   TrainerState state;
   policy::PolicyFile file;
@@ -43,7 +43,7 @@ StartLearned learned() {
   return {std::move(state), std::move(file)};
 }
 
-// Other levels and random numbers.
+// Returns settings with another seed.
 TrainerSettings further() {
   TrainerSettings settings = small();
   settings.seed = 5;
@@ -87,8 +87,8 @@ TEST(Start, EqualsThePolicyBitForBitOnADevice) {
   EXPECT_NE((*trainer)->network().numbers(), known.file.network.numbers());
 }
 
-// It plays with the policy's network, value scale and normalisers: a run resumed from a state with
-// all of these gives the same results.
+// Training starts with the policy's network, value scale and normalisers. A run resumed from a
+// state with all of these gives the same results.
 TEST(Start, DecidesTheFirstIteration) {
   const StartLearned known = learned();
   const Gaps gaps;
@@ -129,7 +129,7 @@ TEST(Start, ThePolicyDoesNotDependOnTheNumberOfThreads) {
   }
 }
 
-// Each iteration compares the networks of the ranks.
+// Each iteration checks that all ranks have the same network.
 TEST(Start, IsTheSameOnAllRanks) {
   const StartLearned known = learned();
   const auto start = startFrom(known.file);
@@ -145,7 +145,7 @@ TEST(Start, IsTheSameOnAllRanks) {
   });
 }
 
-// They keep their weight and continue to count.
+// The normalisers keep the policy's statistics and add to them.
 TEST(Start, NormalisersContinue) {
   const StartLearned known = learned();
   const auto start = startFrom(known.file);
@@ -173,7 +173,7 @@ TEST(Start, RestoresTheValueScaleIfTheFileHasIt) {
   EXPECT_EQ(start->learner.values.mean, then.mean);
   EXPECT_EQ(start->learner.values.deviation, then.deviation);
   EXPECT_NE(then.deviation, ValueScale().deviation);
-  known.file.values = {};  // of an older version
+  known.file.values = {};  // as in the file of an older version
   const auto older = startFrom(known.file);
   ASSERT_TRUE(older);
   EXPECT_EQ(older->learner.values.mean, ValueScale().mean);
@@ -192,7 +192,7 @@ TEST(Start, KeepsTheShippedPolicy) {
   EXPECT_EQ((*trainer)->network().numbers(), file.network.numbers());
 }
 
-// For all deviations that a float can hold.
+// Tests all deviations that a float can hold.
 TEST(Start, RestoresEveryScaleOfANormaliser) {
   policy::PolicyFile file;
   file.training.decisions = 1'000'000;

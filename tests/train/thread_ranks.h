@@ -1,4 +1,4 @@
-// Ranks that are threads of the test, as processes are over MPI.
+// Ranks that are threads of the test instead of processes under MPI.
 #pragma once
 
 #include <algorithm>
@@ -14,7 +14,7 @@ namespace obby::train {
 
 class ThreadRanks {
  public:
-  // Runs body(rank) on `count` ranks together.
+  // Runs body(rank) on `count` ranks at the same time.
   static void run(uint32_t count, const std::function<void(Ranks&)>& body) {
     Meeting meeting(count);
     std::vector<std::thread> threads;

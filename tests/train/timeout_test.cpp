@@ -27,7 +27,7 @@ TEST(Timeout, EndsAStalledStream) {
   EXPECT_TRUE(timeout.expired());
 }
 
-// The next levels are made while others are played.
+// Another thread makes the next levels while these are played.
 TEST(LevelStream, DropsPastLevelsWhileAnotherThreadWaits) {
   const Standing standing(kHeaderLine + lineOf(0) + lineOf(1));
   const std::atomic<bool> interrupted{false};
@@ -60,7 +60,7 @@ TEST(Timeout, DoesNotExpireWhileNoThreadReads) {
   EXPECT_TRUE(timeout.expired());
 }
 
-// Outputs do not wait for their readers any more then.
+// Once the work is late, outputs no longer wait for their readers.
 TEST(Timeout, IsLateOnceTheWorkHasTakenItsTime) {
   const std::atomic<bool> interrupted{false};
   Timeout timeout(interrupted, 0.05);

@@ -65,7 +65,7 @@ TEST(Trainer, TheFirstStepSeesThePolicyThatPlayed) {
   }
 }
 
-// Neither plays nor trains, but records the learning rates.
+// An engine that neither plays nor trains, but records the learning rates.
 class Rated : public Engine {
  public:
   Rated(std::vector<float>& rates, size_t envGroups) : rates_(rates), envGroups_(envGroups) {}
@@ -88,7 +88,8 @@ class Rated : public Engine {
   size_t envGroups_;
 };
 
-// It falls to a tenth at --decisions and stays there. A resumed run continues at its rate.
+// The learning rate falls to a tenth at --decisions and stays there. A resumed run continues at its
+// rate.
 TEST(Trainer, TheLearningRateFallsWithTheDecisions) {
   TrainerSettings settings = small();
   settings.decisions = 4 * uint64_t(settings.worlds()) * settings.ticks;
@@ -122,7 +123,7 @@ class Asked : public Gaps {
   mutable float hardest_ = 0;
 };
 
-// Returns the change of the difficulty after an iteration. It is less after few episodes.
+// Returns the change of the difficulty after an iteration. It is smaller after few episodes.
 float stepAfter(const Iteration& i) { return 0.01f * std::min(float(i.played) / 64, 1.0f); }
 
 TrainerSettings from(float easiest, float raiseAt, float lowerAt) {
@@ -170,7 +171,7 @@ TEST(Curriculum, LevelsBecomeEasierWhileTheSolvedShareIsLow) {
   EXPECT_LT(before, 0.5f);
 }
 
-// Few worlds end few episodes in an iteration, and those count, too.
+// A few worlds end only a few episodes in an iteration. These episodes count, too.
 TEST(Curriculum, MovesEvenWithFewWorlds) {
   const Gaps gaps;
   ThreadPool pool(1);
@@ -187,7 +188,7 @@ TEST(Curriculum, MovesEvenWithFewWorlds) {
   EXPECT_GT(hardest, settings.easiest);
 }
 
-// Files with NaN could replace good ones.
+// Without the stop, a policy file with NaN could replace a good one.
 TEST(Trainer, StopsOnceItHasDiverged) {
   const Gaps gaps;
   ThreadPool pool(1);

@@ -8,7 +8,7 @@ namespace {
 
 class TrainingRuns : public RunFolder {
  protected:
-  // Runs until a limit. `watch` receives each iteration's progress.
+  // Runs until a limit. `watch` receives the number of the iteration and the timeout.
   Status run(RunLimits limits, const std::function<void(int, Timeout&)>& watch = {}) {
     CheckpointStore files = store({in("disk/policy.obp"), in("disk/checkpoint"), "", Resume::no});
     std::filesystem::create_directories(in("disk"));

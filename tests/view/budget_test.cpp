@@ -14,7 +14,7 @@
 namespace obby::view_test {
 namespace {
 
-// A level without trajectories is shown at its query's start.
+// A level without trajectories is shown from its query's start.
 TEST(Budget, MotionIsShownFromTheStartOfAQueryOn) {
   std::string late = kQuery;
   late.insert(late.find(R"("goal")"), R"("start":{"tick":9000},)");
@@ -53,7 +53,7 @@ TEST(Budget, CutMotionIsReported) {
     EXPECT_TRUE(report) << report.error().text();
     return view::budgetFor(*report, view::kPageTarget).notes;
   };
-  EXPECT_TRUE(notes("900", "9000").empty()) << "nobody looks so far";
+  EXPECT_TRUE(notes("900", "9000").empty()) << "the page does not show that time";
   EXPECT_TRUE(notes("500", "50000").empty()) << "it repeats by then";
   ASSERT_EQ(notes("900", "50000").size(), 1u);
   EXPECT_NE(notes("900", "50000")[0].find("ten minutes"), std::string::npos);
@@ -100,7 +100,8 @@ TEST(Budget, CountsMoreThanTheTicksOfATrajectory) {
   EXPECT_LT(sizes.attempts + sizes.whole, json.text().size() * 3 / 2);
 }
 
-// Thousands of moving parts that never repeat take this much. With --full nothing is thinned out.
+// Thousands of moving parts that never repeat have tracks of this size. With --full nothing is
+// thinned out.
 TEST(Budget, TooMuchMotionIsSampledMoreCoarsely) {
   view::PageSizes sizes;
   sizes.tracks = size_t(1500) << 20;
@@ -127,7 +128,7 @@ TEST(Budget, CountsEventsOfPartsInATrajectory) {
   EXPECT_LT(sizes.attempts + sizes.whole, json.text().size() * 5 / 4);
 }
 
-// A larger stride does not shrink the tracks of dynamic bodies.
+// A larger stride thins out trajectories, but not the tracks of dynamic bodies.
 TEST(Budget, LeavesOutAttemptsWhoseDynamicBodiesDoNotFit) {
   view::PageSizes sizes;
   sizes.attempts = 2u << 20;

@@ -1,4 +1,4 @@
-// A report that is read while it grows ends up equal to one that is read at once.
+// A report that is read while it grows ends up equal to one that is read all at once.
 #include <gmock/gmock.h>
 
 #include "collecting.h"
@@ -90,7 +90,8 @@ TEST(Collector, ARunningSearchShowsItsNumbers) {
   EXPECT_THAT(view::pageData(collector.report(), {}), ::testing::Not(HasSubstr("\"progress\"")));
 }
 
-// Unplayable paths are dropped, so that a renderer may assume that the others were played.
+// Trajectories that cannot be played are dropped, so a renderer may assume that all others were
+// played.
 TEST(Collector, AfterAnErrorAllRemainingPathsWerePlayed) {
   auto ahead = walk(kAhead, 200), left = walk(kLeft, 300);
   std::string spawnless = kQuery;
@@ -122,7 +123,8 @@ TEST(Collector, AFailingQueryDoesNotStopOthersFromBeingPlayed) {
   EXPECT_TRUE(collector.report().queries[1].paths[0].played());
 }
 
-// A query that names parts is changed before it is compiled, but keeps its place in the stream.
+// A query that names parts is changed before it is compiled. Errors still name its place in the
+// stream.
 TEST(Collector, AQueryThatNamesPartsIsRefusedAtItsPlace) {
   const std::string query =
       R"({"type":"query","id":"q","start":{"spawn":5},"goal":{"part":"Rock"}})";

@@ -1,5 +1,5 @@
-// A small course with a goal ahead, a drop to the left and a kill part to the right. Also its
-// records, and trajectories made by the simulator.
+// A small course with a goal ahead, a drop to the left and a kill part to the right; its records,
+// and trajectories made by the simulator.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -47,7 +47,7 @@ inline io::Record recordOf(const std::string& line) {
   return **record;
 }
 
-// A trajectory of `ticks` ticks in one direction, with the simulator's outcome.
+// Returns a trajectory of `ticks` ticks in one direction, with the simulator's outcome.
 inline io::RecordBuilder walk(uint16_t heading, uint32_t ticks, bool jump = false) {
   const io::Record levelRecord = recordOf(kLevel), queryRecord = recordOf(kQuery);
   auto level = level::Level::compile(levelRecord.reader().getLevel());
@@ -113,7 +113,7 @@ inline std::vector<view::Track> tracksOf(const view::LevelEntry& entry, uint32_t
   return tracks;
 }
 
-// The course with a solution, a fall and a death.
+// Returns the course with a solution, a fall and a death.
 inline view::Report solvedReport() {
   auto ahead = walk(kAhead, 200), left = walk(kLeft, 300), right = walk(kRight, 300, true);
   const uint32_t ticks = ahead.reader().getTrajectory().getTicks();

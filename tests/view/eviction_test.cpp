@@ -1,4 +1,4 @@
-// A collector whose budget is used up drops records, or discards older ones.
+// A collector that has used up its budget drops new records or discards older ones.
 #include <gmock/gmock.h>
 
 #include "collecting.h"
@@ -8,7 +8,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
-// The same trajectory, with one action run for each tick.
+// Returns the same trajectory, with one action run for each tick.
 std::string inRunsOfATick(const io::RecordBuilder& trajectory) {
   io::RecordBuilder out(trajectory.reader());
   const auto held = trajectory.reader().getTrajectory();
@@ -63,7 +63,7 @@ TEST(Collector, ARollingBudgetDropsAndCountsTheOldestTrajectories) {
               HasSubstr(" " + std::to_string(101 - paths.size()) + " of the oldest trajectories"));
 }
 
-// If the keys change at every tick, actions take as much memory as the trajectory.
+// If the action changes at every tick, the actions take as much memory as the positions.
 TEST(Collector, ActionRunsCountTowardsTheBudget) {
   const auto left = walk(kLeft, 300);
   const std::string restless = inRunsOfATick(left);

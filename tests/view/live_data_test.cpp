@@ -67,7 +67,7 @@ TEST(LiveData, APageGetsNewItemsOnce) {
   EXPECT_EQ(news["queries"][0]["trajectories"][0]["data"]["kind"], "solution");
   const uint64_t second = growing.data.revision();
   EXPECT_TRUE(growing.since(second)["queries"].empty());
-  // A page that connects late, or that knew another server, gets everything.
+  // A page gets everything if it connects late or knew another server.
   for (const uint64_t from : {uint64_t(0), second + 1}) {
     EXPECT_EQ(serials(growing.since(from)["queries"][0]), (std::vector<uint64_t>{1, 2}));
     EXPECT_EQ(growing.since(from)["levels"].size(), 1u);
@@ -105,7 +105,7 @@ TEST(LiveData, ReplacedTrajectoriesAreRemoved) {
 }
 
 TEST(LiveData, LongerTrajectoriesRarelyResendMotion) {
-  // A door opens once, in a minute: its track lasts as long as the shown time.
+  // The door moves only once and takes a minute, so its track grows with the time shown.
   std::string level = kLevel;
   const std::string fan = R"("spin":{"speed":3})";
   level.replace(level.find(fan), fan.size(),
@@ -115,7 +115,7 @@ TEST(LiveData, LongerTrajectoriesRarelyResendMotion) {
   EXPECT_EQ(growing.since(0)["levels"].size(), 1u);
   size_t sent = 0;
   for (uint32_t ticks = 200; ticks <= 2600; ticks += 200) {
-    auto trajectory = walk(kAhead, 2);  // stands still after its walk
+    auto trajectory = walk(kAhead, 2);  // the player stops after the walk
     auto runs = trajectory.root().getTrajectory().initActions(1);
     runs[0].setTicks(ticks);
     trajectory.root().getTrajectory().setTicks(ticks);
@@ -123,7 +123,7 @@ TEST(LiveData, LongerTrajectoriesRarelyResendMotion) {
     growing.add({line(trajectory)});
     sent += growing.since(before)["levels"].size();
   }
-  EXPECT_EQ(sent, 2u);  // at 20 and at 40 seconds
+  EXPECT_EQ(sent, 2u);  // at 20 and 40 seconds
 }
 
 TEST(LiveData, AttemptsBeyondThePagesSizeAreResentThinned) {
@@ -161,7 +161,8 @@ TEST(GrowingReport, CanBeReadWhileAnotherThreadAdds) {
   std::thread reading([&] {
     EXPECT_TRUE(report.add(recordOf(kLevel)));
     EXPECT_TRUE(report.add(recordOf(kQuery)));
-    while (looks == 0) std::this_thread::yield();  // or reading may end before the first look
+    while (looks == 0)
+      std::this_thread::yield();  // otherwise the writer may finish before the first look
     for (int i = 0; i < kTrajectories; ++i) EXPECT_TRUE(report.add(recordOf(trajectory)));
     EXPECT_TRUE(report.end(view::StreamState::ended, {"a note"}));
   });
@@ -195,7 +196,7 @@ TEST(GrowingReport, ClosingReleasesWaitingThreads) {
       while (!asked) std::this_thread::yield();
       return {};
     }));
-    EXPECT_TRUE(report.add(recordOf(kLevel)));  // would wait for its turn if not closed
+    EXPECT_TRUE(report.add(recordOf(kLevel)));  // waits for its turn unless the report is closed
   });
   while (!busy) std::this_thread::yield();
   EXPECT_FALSE(report.look([](const view::Report&, view::StreamState) {}));

@@ -101,7 +101,7 @@ TEST(Page, NamesTheHardestStep) {
   const std::string data = view::pageData(*report, {});
   EXPECT_THAT(data, HasSubstr(R"("difficulty":{"band":"hard")"));
   EXPECT_THAT(data, HasSubstr(R"("hardest":{"startTick":30,"ticks":0,"from":-1,"to":1)"));
-  // The record refers to a step that does not exist.
+  // The difficulty names a hardest step that does not exist.
   difficulty.setHardest(2);
   report = collect({kLevel, kQuery, line(path), resultLine("solved", 80)});
   ASSERT_TRUE(report) << report.error().text();

@@ -1,5 +1,5 @@
-// A picture is drawn in pieces, so that the memory does not grow with its size. Long trajectories
-// take no extra memory either.
+// A picture is drawn in pieces, so memory does not grow with its size. Long trajectories take no
+// extra memory either.
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 
@@ -38,7 +38,7 @@ TEST(Picture, IsTheSameInAnyNumberOfPieces) {
 
 TEST(Picture, ALargeOneTakesLittleMemory) {
 #ifdef OBBY_SANITIZED
-  GTEST_SKIP() << "sanitizers keep what is freed, and more beside it";
+  GTEST_SKIP() << "sanitizers keep freed memory and add more";
 #endif
   const Report shown = view_test::solvedReport();
   const auto peakOf = [&](int width, int height) {

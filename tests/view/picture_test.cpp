@@ -1,4 +1,4 @@
-// Pictures without a display: camera, occlusion, light, paths, and files.
+// Pictures without a display: camera, occlusion, light, trajectories, and files.
 #include "view/picture/picture.h"
 
 #include <gtest/gtest.h>
@@ -197,7 +197,7 @@ TEST(Drawing, HasPartsPathsAndAnEscapedTitle) {
   }
 }
 
-// A bridge that a button brings, and bars that blink in turn.
+// A button makes a bridge appear, and bars blink in turn.
 TEST(World, KnowsWhichPartsAreAwayAtATick) {
   const auto shown = view_test::collect(
       {R"({"type":"level","name":"bridges","parts":[{"button":{"signal":"bridge","seconds":6}},)"

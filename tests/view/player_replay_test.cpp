@@ -1,5 +1,5 @@
-// Trajectories of players at other frame rates are replayed in their ticks, and reported in the
-// level's.
+// A trajectory of a player with another frame rate is replayed in the player's ticks and reported
+// in the level's ticks.
 #include "view/player_replay.h"
 
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@ LevelEntry floorLevel() {
   return {io::Record(std::move(record)), std::make_shared<const level::Level>(b.compile())};
 }
 
-// A trajectory that walks along -Z for a second, with a jump halfway.
+// Returns a trajectory that walks along -Z for a second, with a jump halfway.
 io::RecordBuilder walk(uint32_t rate) {
   io::RecordBuilder record;
   auto t = record.root().initTrajectory();

@@ -17,8 +17,8 @@ namespace {
 
 using schema::Part;
 
-// A level with a player on a button. A door opens for a second, a bridge exists only meanwhile, and
-// a lift rises.
+// Returns a level whose player stands on a button. While its signal lasts, for a second, a door is
+// open and a bridge exists, and a lift rises.
 level::Level buttonLevel() {
   const auto respond = [](Part::Builder p, bool inverted) {
     p.initVanish().setTrigger(schema::VanishTrigger::SIGNAL);
@@ -55,7 +55,7 @@ Playback standing(const level::Level& level, uint32_t ticks) {
 TEST(Replay, ReportsWhenSignalsOpenCloseAndMoveParts) {
   const level::Level level = buttonLevel();
   const Playback p = standing(level, 100);
-  ASSERT_EQ(p.events.size(), 3u) << "a signal that starts anew goes on";
+  ASSERT_EQ(p.events.size(), 3u) << "a signal that starts again continues";
   EXPECT_EQ(p.events[0].part, 2u) << "the bridge is away from the start";
   EXPECT_FALSE(p.events[0].solid);
   EXPECT_EQ(p.events[0].tick, 0u);
@@ -68,7 +68,7 @@ TEST(Replay, ReportsWhenSignalsOpenCloseAndMoveParts) {
   EXPECT_EQ(p.motions[0].part, 3u);
   EXPECT_EQ(p.motions[0].tick, pressed);
   EXPECT_EQ(p.motions[0].start, int64_t(pressed));
-  EXPECT_EQ(p.motions[1].tick, pressed + 60) << "starts anew: the player still stands there";
+  EXPECT_EQ(p.motions[1].tick, pressed + 60) << "starts again: the player still stands there";
   EXPECT_EQ(p.motions[1].start, int64_t(pressed) + 60);
 }
 
@@ -81,7 +81,7 @@ PartEvents eventsOf(const std::vector<sim::World>& worlds, const level::LevelVie
   return watch.take();
 }
 
-// For hours, one button removes and restores thousands of parts.
+// One button removes and restores thousands of parts for hours.
 TEST(Replay, VisitsOnlyPartsWhoseClockRuns) {
   constexpr uint32_t kOfEach = 1000, kTicks = 200'000;
   support::LevelBuilder b;
@@ -95,7 +95,7 @@ TEST(Replay, VisitsOnlyPartsWhoseClockRuns) {
         p.initVanish().setTrigger(schema::VanishTrigger::SIGNAL);
         p.getVanish().setSignal("door");
       } else {
-        p.initFall();  // on its own clock, which never starts
+        p.initFall();  // has its own clock, which never starts
       }
     });
   }
@@ -127,7 +127,8 @@ TEST(Replay, VisitsOnlyPartsWhoseClockRuns) {
   EXPECT_EQ(some.events.size(), 3 * kOfEach) << "whole ticks";
 }
 
-// A level with a crate ahead of the spawn, one that nothing touches, and one in the air.
+// Returns a level with three crates: one ahead of the spawn, one that nothing touches, and one in
+// the air.
 level::Level crateLevel() {
   const auto bodies = [](Part::Builder p) { p.setAnchored(false); };
   support::LevelBuilder b;
@@ -161,7 +162,7 @@ struct Pushed {
   }
 };
 
-// Returns the position of the part's corner, interpolated from its track as a page does it.
+// Returns the position of a corner of the body, interpolated from its track as the page does it.
 Vec3 cornerAt(const BodyTrack& track, uint32_t tick, Vec3 corner) {
   size_t i = 0;
   while (i + 2 < track.ticks.size() && track.ticks[i + 1] <= tick) ++i;
@@ -192,7 +193,7 @@ TEST(Replay, DynamicPartsFollowTheSimulator) {
   }
 }
 
-// Only changes are sampled: rest takes no memory, and keeps its duration.
+// Only changes are sampled. Rest takes no memory and keeps its duration.
 TEST(Replay, APartThatRestsMovesAndRestsHasFourSamples) {
   const level::Level level = crateLevel();
   const level::LevelView& view = level.view();
@@ -218,7 +219,7 @@ TEST(Replay, OnlyDynamicPartsThatMoveHaveTracks) {
   const Pushed pushed;
   EXPECT_EQ(pushed.trackOf(3), nullptr) << "it has fallen before play begins";
   const BodyTrack* rests = pushed.trackOf(2);
-  if (rests != nullptr) {  // it settles by an invisible amount
+  if (rests != nullptr) {  // the crate settles by an invisible amount
     EXPECT_NEAR(rests->positions.end()[-2], rests->positions[1], 0.02);
     EXPECT_LT(rests->ticks.size(), 60u);
   }

@@ -15,7 +15,8 @@ TEST(Roles, TheMostSevereRoleWinsAndTheStartIsUnderTheSpawn) {
                                      view::Role::moving, view::Role::plain));
 }
 
-// A part that falls when touched is away for a while. A part that nothing can touch stays.
+// A part that falls when touched is away for a while, so it has the role of vanishing parts. A part
+// that nothing can touch keeps its role.
 TEST(Roles, HealingPartsDoNotKillAndFallingPartsVanish) {
   const io::Record level = recordOf(
       R"({"type":"level","name":"L","parts":[{"kill":{"damage":20}},{"kill":{"damage":-60}},)"

@@ -46,7 +46,7 @@ TEST(Text, MismatchTakesTheVerdictsPlace) {
       HasSubstr("\n  its solution cannot be reproduced by replaying it: the last state differs"));
 }
 
-// The answer is still valid.
+// The mismatch of an attempt does not affect the answer, so its note comes last.
 TEST(Text, AMismatchOfAnAttemptIsShownAfterTheReason) {
   auto ahead = walk(kAhead, 200), left = walk(kLeft, 300);
   left.root().getTrajectory().setStateHash(1);
@@ -180,7 +180,7 @@ TEST(Text, LevelsWithoutQueriesAreListed) {
             "No queries.\nLevel L: 1 part\nLevel without a name: 2 parts\n");
 }
 
-// Keys alone determine the position of a moving part.
+// Only the keys determine the position of a moving part.
 TEST(Text, MapShowsMovingPartsAtTheirStart) {
   const auto report =
       collect({R"({"type":"level","name":"L","spawns":[{}],"parts":[)"
@@ -190,7 +190,7 @@ TEST(Text, MapShowsMovingPartsAtTheirStart) {
                R"({"type":"query","id":"q","goal":{"position":[0,2,-20],"size":[4,4,4]}})"});
   ASSERT_TRUE(report) << report.error().text();
   const std::string map = view::queryMap(*report, report->queries[0], {60, false, false});
-  size_t start = map.npos, lift = map.npos;  // first columns of the two
+  size_t start = map.npos, lift = map.npos;  // their first columns
   const size_t legend = map.find("S start");
   for (size_t begin = 0; begin < legend;) {
     const size_t end = map.find('\n', begin);
@@ -203,7 +203,7 @@ TEST(Text, MapShowsMovingPartsAtTheirStart) {
   EXPECT_GT(lift, start + 10);
 }
 
-// The simulator has no collider for it.
+// The simulator has no collider for the goal's part.
 TEST(Text, MapShowsAGoalWithoutACollider) {
   const auto goals = [](const char* role) {
     const auto report =
@@ -219,7 +219,7 @@ TEST(Text, MapShowsAGoalWithoutACollider) {
   EXPECT_GT(goals(R"(,"goal":{})"), goals("") + 4);
 }
 
-// A tile that blinks next to the floor.
+// The tile next to the floor blinks.
 TEST(Text, MapMarksPartsAwayAtTheStart) {
   const auto mapOf = [](const char* inverted) {
     const auto report =

@@ -15,7 +15,8 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-// Keys determine position and rotation, whatever the part's own pose is, even if they never change.
+// The keys determine position and rotation, even if they are constant. The part's own pose has no
+// effect.
 TEST(Tracks, StayAtThePoseOfConstantKeys) {
   auto report = collect({R"({"type":"level","name":"L","parts":[)"
                          R"({"size":[8,1,2],"rotation":[0,0.70710678,0,0.70710678],)"
@@ -34,8 +35,8 @@ TEST(Tracks, StayAtThePoseOfConstantKeys) {
               ElementsAre(9.0f, 3.0f, 0.0f));
 }
 
-// For a period of one or two seconds, one sample in 64 would lose the motion. A stride that does
-// not divide the period would keep all samples.
+// With a period of one or two seconds, one sample in 64 ticks would lose the motion. A stride that
+// does not divide the period would keep all samples.
 TEST(Tracks, KeepEnoughSamplesOfAShortPeriod) {
   const view::Report report = solvedReport();
   const auto tracks = tracksOf(report.levels[0], 100000, 64);
@@ -53,7 +54,8 @@ TEST(Tracks, KeepEnoughSamplesOfAShortPeriod) {
   EXPECT_NEAR(once[0].positions.end()[-2], 6, 1e-4);
 }
 
-// A part with its keys' rotation needs no rotations in its track, despite rounding.
+// If a part always has the rotation of its keys, its track needs no rotations, in spite of
+// rounding.
 TEST(Tracks, OmitRotationsIfTheRotationIsConstant) {
   auto report = collect({R"({"type":"level","name":"L","parts":[{"size":[8,1,2],)"
                          R"("rotation":[0.1234567,0.2,0.3,0.9],"motion":{"keys":[)"
@@ -74,7 +76,7 @@ TEST(Page, APartWithOneKeyIsAtThatKey) {
   EXPECT_THAT(view::pageData(*report, {}), HasSubstr(R"("position":"AADgQAAAgD8AAAAA")"));
 }
 
-// The player collides with its box.
+// The player collides with the hull's box.
 TEST(Page, AnUnknownHullIsABox) {
   auto report =
       collect({R"({"type":"level","name":"L","parts":[{"size":[8,1,2],"shape":"hull"}]})"});

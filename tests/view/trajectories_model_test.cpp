@@ -1,4 +1,4 @@
-// The model for Studio: parts along the trajectories that nothing collides with.
+// The model for Studio: parts along the trajectories. Nothing collides with these parts.
 #include "view/trajectories_model.h"
 
 #include <gtest/gtest.h>
@@ -22,7 +22,7 @@ TEST(Thinning, KeepsPointsOffTheLine) {
   EXPECT_EQ(thinned(1, 0.1f, distance), (std::vector<size_t>{0}));
 }
 
-// A player who stands on a spinning part moves like this.
+// Players who stand on a spinning part move in circles for hours.
 TEST(Thinning, CirclesOfHoursTakeLessThanQuadraticTime) {
   constexpr size_t kPoints = 100'000, kRound = 60;
   std::vector<Vec3> round;
@@ -81,7 +81,7 @@ TEST(TrajectoriesModel, HasEveryTrajectoryWithItsMarkers) {
   EXPECT_EQ(std::distance(top.child("Item").children("Item").begin(),
                           top.child("Item").children("Item").end()),
             3)
-      << "a model a way";
+      << "one model per trajectory";
 }
 
 // XML cannot represent control characters, not even escaped.

@@ -1,5 +1,5 @@
-"""Clients that are slow, greedy or gone, programs that are killed, and disks that are full: the
-bridge goes on, says what happened, and leaves no process behind."""
+"""The bridge survives slow, greedy and vanished clients, killed programs and full disks. It reports
+what happened and leaves no process behind."""
 import gzip
 import http.client
 import json
@@ -63,7 +63,7 @@ class AbuseTest(unittest.TestCase):
         self.assertLess(len(bomb), 1 << 20)
         answer = bridge.place(bomb, "application/octet-stream", **{"Content-Encoding": "gzip"})
         self.assertEqual(answer.status, 413)
-        empty = gzip.compress(b"") * 60000  # more than a MiB of nothing
+        empty = gzip.compress(b"") * 60000  # more than a MiB that inflates to nothing
         answer = bridge.place(empty, "application/octet-stream", **{"Content-Encoding": "gzip"})
         self.assertEqual(answer.status, 413)
         with open(f"/proc/{bridge.process.pid}/status", encoding="ascii") as status:
@@ -89,7 +89,7 @@ class AbuseTest(unittest.TestCase):
                                "printf '{\"type\":\"trajectory\",\"query'\nkill -KILL $$\n")
         bridge = self.bridge("--solve", script)
         job = bridge.ask(level=bridge.place_level(LEVEL))["job"]
-        messages = bridge.messages(job)  # with half a record in it no answer is JSON
+        messages = bridge.messages(job)  # fails if an answer contains half a record
         self.assertEqual([m["record"] for m in messages if m["type"] == "record"],
                          [{"type": "metrics"}])
         self.assertEqual(messages[-1]["state"], "failed")
@@ -129,7 +129,7 @@ class AbuseTest(unittest.TestCase):
     def test_a_bridge_that_ends_when_it_is_idle_stays_while_a_client_is_connected(self):
         bridge = self.bridge("--idle", "5", "--ping", "0.3")
         events = bridge.events()
-        end = time.monotonic() + 8  # what is idle is looked at once a second
+        end = time.monotonic() + 8  # the bridge checks once a second whether it is idle
         while time.monotonic() < end:
             if events.receive() == {"type": "ping"}:
                 events.send('{"type":"pong"}')
@@ -138,7 +138,7 @@ class AbuseTest(unittest.TestCase):
         self.assertEqual(bridge.process.wait(20), 0)
 
     def test_a_bridge_that_ends_when_it_is_idle_stays_while_a_level_is_read(self):
-        folder = driver.tempfile.mkdtemp(prefix="obby-bridge-")  # of tools, one of them slow
+        folder = driver.tempfile.mkdtemp(prefix="obby-bridge-")  # tools, of which one is slow
         self.addCleanup(driver.shutil.rmtree, folder)
         for tool in ("obby-bridge", "obby-solve"):
             driver.shutil.copy(os.path.join(driver.BIN, tool), folder)
@@ -155,12 +155,12 @@ class AbuseTest(unittest.TestCase):
         half = self.head(bridge, "/v1/jobs", "Content-Type: application/json",
                          "Content-Length: 1000")
         slow = []
-        for text in ("", "GET /v1/inf", half, half + "{"):  # four kinds of half a request
+        for text in ("", "GET /v1/inf", half, half + "{"):  # four incomplete requests
             connection = bridge.socket()
             self.addCleanup(connection.close)
             connection.sendall(text.encode())
             slow.append(connection)
-        self.assertEqual(bridge.get("/v1/info").status, 200)  # nobody waits for them
+        self.assertEqual(bridge.get("/v1/info").status, 200)  # other clients do not wait for them
         for connection in slow:
             answer = connection.recv(65536)
             self.assertTrue(answer == b"" or answer.split(b" ", 2)[1] == b"408", answer)
@@ -200,7 +200,7 @@ class AbuseTest(unittest.TestCase):
         bridge = self.bridge("--ping", "0.5", "--silence", "1.5", "--grace", "0.5")
         job = self.endless(bridge)
         events = bridge.events()
-        end = time.monotonic() + 3.5  # silence and grace; both are looked at once a second
+        end = time.monotonic() + 3.5  # longer than silence, grace and a check
         while time.monotonic() < end:
             message = events.receive()
             self.assertNotIsInstance(message, tuple)
@@ -208,7 +208,7 @@ class AbuseTest(unittest.TestCase):
                 events.send('{"type":"pong"}')
         self.assertTrue(bridge.jobs_running())
         bridge.delete(f"/v1/jobs/{job}")
-        events.send(b"\x03\xe8", opcode=8)  # a proper close is answered
+        events.send(b"\x03\xe8", opcode=8)  # a close frame gets an answer
         self.assertEqual(events.until(lambda m: False, 10)[-1], ("close", 1000))
 
     def test_a_client_that_reads_nothing_is_dropped(self):
@@ -272,7 +272,7 @@ class AbuseTest(unittest.TestCase):
         self.assertEqual(os.listdir(os.path.join(bridge.state, "answers")), [])
 
     def told_to_end(self, last_words):
-        """A bridge that is told to end while a job runs that then has much to say, and its events."""
+        """Ends a bridge whose job then writes a lot. Returns the bridge and its events."""
         script = program(self, f"trap '{last_words} >&2; exit 130' INT\ncat >/dev/null\n"
                          "echo up >&2\nwhile :; do sleep 0.05; done\n")
         bridge = self.bridge("--solve", script)
@@ -283,7 +283,7 @@ class AbuseTest(unittest.TestCase):
         return bridge, events
 
     def test_a_bridge_that_ends_still_tells_all_that_its_jobs_said(self):
-        """However much of it is on its way when the last program has ended."""
+        """No message is lost, however many are still in transit when the last program ends."""
         bridge, events = self.told_to_end(
             "i=0; while [ $i -lt 400 ]; do echo line $i; i=$((i+1)); done")
         messages = events.until(lambda m: m.get("state") == "cancelled")
@@ -300,7 +300,7 @@ class AbuseTest(unittest.TestCase):
             waiting.sendall(f"GET /v1/jobs/{job}?wait=20&cursor={cursor} HTTP/1.1\r\n"
                             f"Host: 127.0.0.1:{bridge.port}\r\n"
                             f"Authorization: Bearer {bridge.token}\r\n\r\n".encode())
-            bridge.get("/v1/info")  # who comes later is answered: that one was heard
+            bridge.get("/v1/info")  # this answer shows that the earlier request was read
             self.assertFalse(driver.select.select([waiting], [], [], 0.2)[0])
             bridge.process.send_signal(signal.SIGTERM)
             answer = http.client.HTTPResponse(waiting)
@@ -320,7 +320,7 @@ class AbuseTest(unittest.TestCase):
         job = bridge.ask(level=bridge.place_level(LEVEL))["job"]
         said = [m["text"] for m in bridge.messages(job) if m["type"] == "report"]
         self.assertEqual(said[0], str(512 << 10))
-        # Interrupted at 77, see below; a second until that is seen, and three to write what it has.
+        # SIGINT comes within a second after 77 s (see below). The program then has 3 s to write.
         self.assertGreaterEqual(int(said[1]), 77 + 4 * os.cpu_count())
         self.assertLess(int(said[1]), 77 + 20 * os.cpu_count())
 
@@ -347,7 +347,7 @@ class AbuseTest(unittest.TestCase):
         said = [m["text"] for m in bridge.messages(job) if m["type"] == "report"]
         open_ones = [line.split()[-3:] for line in said if "->" in line]
         self.assertEqual([fd for fd, _, _ in open_ones], ["0", "1", "2", "3"])
-        self.assertRegex(open_ones[3][2], "^/proc/[0-9]+/fd$")  # the folder that ls reads
+        self.assertRegex(open_ones[3][2], "^/proc/[0-9]+/fd$")  # ls reads this folder
         self.assertFalse([line for line in said if "OBBY" in line or bridge.token in line])
 
     # --- disk
@@ -358,7 +358,7 @@ class AbuseTest(unittest.TestCase):
         self.assertEqual(refused.status, 507, refused.body)
         self.assertIn("free disk space", refused.json()["cure"])
         self.assertEqual(os.listdir(os.path.join(bridge.state, "levels")), [])
-        # A small level fits. Its answer does not: it comes, but is not kept for a warm start.
+        # A small level fits on the disk. Its answer arrives, but does not fit and is not kept.
         level = bridge.place_level(LEVEL)
         job = bridge.ask(level=level, ask=["any", "left"])["job"]
         messages = bridge.messages(job)

@@ -1,6 +1,6 @@
-"""A thousand times: connect, ask, cancel, leave. Nothing may be left, and nobody may wait long.
+"""A thousand clients connect, ask, cancel and leave. Nothing may be left, and no step may be slow.
 
-The bound on the time is wide, as tests run on busy machines; the figures are printed."""
+The bound on the time is wide, since tests run on busy machines. The test prints the times."""
 import os
 import sys
 import time
@@ -10,7 +10,7 @@ import driver
 from driver import Bridge, eventually, impossible
 
 CYCLES = int(os.environ.get("OBBY_TEST_CYCLES", "1000"))
-BOUND = 1.0  # seconds, of 99 in 100
+BOUND = 1.0  # seconds, for 99 of 100 steps
 
 
 def percentile(values, share):
@@ -33,7 +33,7 @@ class CyclesTest(unittest.TestCase):
             asked = time.monotonic()
             self.assertEqual(bridge.delete(f"/v1/jobs/{job}").status, 202)
             cancelled = time.monotonic()
-            if i % 2:  # half of them say goodbye
+            if i % 2:  # half of the clients send a close frame
                 events.send(b"\x03\xe8", opcode=8)
             events.close()
             connect.append(connected - begin)
@@ -54,7 +54,7 @@ class CyclesTest(unittest.TestCase):
         sys.stderr.write("\n")
 
     def connect(self, bridge):
-        """A WebSocket; the one before may not have been missed yet."""
+        """Opens a WebSocket. The bridge may not have noticed yet that the previous one is gone."""
         end = time.monotonic() + 10
         while time.monotonic() < end:
             events = bridge.events()
@@ -66,7 +66,7 @@ class CyclesTest(unittest.TestCase):
         raise AssertionError("the WebSocket before was never missed")
 
     def ask(self, bridge, level):
-        """A job; those before may still be ending."""
+        """Orders a job. Earlier jobs may still be ending."""
         end = time.monotonic() + 10
         while time.monotonic() < end:
             answer = bridge.post("/v1/jobs", {"level": level, "queries": [impossible()],

@@ -1,5 +1,5 @@
-"""Starts an obby-bridge for a test and speaks to it: HTTP, WebSockets and raw bytes, by Python's
-standard library alone. Every test file is run as `NAME_test.py BIN_DIR LEVELS_DIR`."""
+"""Starts an obby-bridge for a test and talks to it by HTTP, WebSockets and raw bytes. It uses only
+Python's standard library. Every test file runs as `NAME_test.py BIN_DIR LEVELS_DIR`."""
 import base64
 import http.client
 import json
@@ -19,10 +19,10 @@ BIN, LEVELS = None, None
 
 
 def main(groups=1):
-    """Runs the tests of the file, or those that are named; for tests that mostly wait, in so many
+    """Runs the tests of the file, or only the named ones. Tests that mostly wait can run in several
     groups at the same time."""
     global BIN, LEVELS
-    # The test files import this module by its name; as it is the same object, they see the folders.
+    # The test files import this module by its name and get the same object, with these folders.
     BIN, LEVELS = os.path.abspath(sys.argv[1]), os.path.abspath(sys.argv[2])
     names = sys.argv[3:]
     if groups > 1 and not names:
@@ -31,7 +31,7 @@ def main(groups=1):
 
 
 def run_groups(count):
-    """All tests, each group in a process of its own; 0: none has failed."""
+    """Runs all tests, each group in its own process. Returns 0 if none has failed."""
     suite = unittest.defaultTestLoader.loadTestsFromModule(sys.modules["__main__"])
     names = [test.id().partition(".")[2] for case in suite for test in case]
     processes = [subprocess.Popen([sys.executable, *sys.argv[:3], *names[first::count]],
@@ -48,14 +48,14 @@ def level_bytes(name):
 
 
 def impossible():
-    """A query that no playthrough answers and no bound refutes: it searches until its time is up."""
+    """Returns a query without a solution or a proof: a search runs until its time is up."""
     return {"goal": {"position": [0, 3, -68], "size": [20, 6, 10]}, "maxJumps": 1,
             "forbid": ["fallingDown"], "id": "endless", "maxDamage": 0,
             "waypoints": [{"region": {"position": [-14, 3, -30], "size": [6, 6, 6]}}]}
 
 
 def children(pid):
-    """Processes that `pid` has started and that still are there, as (pid, command line)."""
+    """Returns the living child processes of `pid`, as (pid, command line)."""
     out = []
     for entry in os.listdir("/proc"):
         if not entry.isdigit():
@@ -72,7 +72,7 @@ def children(pid):
 
 
 def program(test, text):
-    """A stand-in for obby-solve: a shell script, which goes with the test."""
+    """Writes a shell script that stands in for obby-solve until the test ends. Returns its path."""
     folder = tempfile.mkdtemp(prefix="obby-bridge-")
     test.addCleanup(shutil.rmtree, folder)
     path = os.path.join(folder, "solve")
@@ -83,14 +83,14 @@ def program(test, text):
 
 
 def sanitized():
-    """Whether the tools are built with sanitizers, which take address space without bound."""
+    """Returns true if the tools have sanitizers, which take unlimited address space."""
     config = subprocess.run([os.path.join(BIN, "obby-bridge"), "--print-config"],
                             capture_output=True, check=True).stdout.decode()
     return "memory = 0" in config
 
 
 def eventually(what, seconds=60):
-    """Whether what() becomes true."""
+    """Returns true if what() becomes true within this time."""
     end = time.monotonic() + seconds
     while time.monotonic() < end:
         if what():
@@ -108,7 +108,7 @@ class Answer:
 
 
 class Bridge:
-    """A bridge on a free port with a folder of its own, and one paired client."""
+    """A bridge on a free port with its own folder, and one paired client."""
 
     def __init__(self, *options, pair=True, state=None, folder=None, **popen):
         self.folder = tempfile.mkdtemp(prefix="obby-bridge-")
@@ -129,7 +129,7 @@ class Bridge:
             self.token = self.post("/v1/pair", {"code": self.code}, token=None).json()["token"]
 
     def shown_code(self):
-        """What --pair says, to be called once."""
+        """Returns the code that --pair prints. Call it once."""
         return self.process.stdout.readline().decode().rpartition(": ")[2].strip()
 
     def said(self):
@@ -193,7 +193,7 @@ class Bridge:
         return answer.json()
 
     def messages(self, job, cursor=None, until=lambda m: False, seconds=180):
-        """All messages of a job by long polls, until it has ended or until() is true of one."""
+        """Returns a job's messages from long polls until it ends or until() accepts a message."""
         out, end = [], time.monotonic() + seconds
         while time.monotonic() < end:
             query = "?wait=5" + (f"&cursor={cursor}" if cursor is not None else "")
@@ -217,7 +217,7 @@ class Bridge:
 
 
 def exchange(connection, head, body=b""):
-    """Sends a request as it is given; the status of the answer, or None if there is none."""
+    """Sends a raw request. Returns the status of the answer, or None if there is no answer."""
     try:
         connection.sendall(head.encode() + body)
         answer = connection.recv(65536)
@@ -253,7 +253,7 @@ class WebSocket:
         return out
 
     def receive(self):
-        """The next message; a close frame gives ("close", code)."""
+        """Returns the next message, or ("close", code) for a close frame."""
         first, length = self.take(2)
         if length == 126:
             length = struct.unpack(">H", self.take(2))[0]
@@ -265,7 +265,7 @@ class WebSocket:
         return json.loads(payload)
 
     def until(self, wanted, seconds=120):
-        """Messages up to the first one that is wanted."""
+        """Returns the messages up to the first one that wanted() accepts."""
         out, end = [], time.monotonic() + seconds
         while time.monotonic() < end:
             message = self.receive()
@@ -281,7 +281,7 @@ class WebSocket:
         self.socket.sendall(size + mask + bytes(b ^ mask[i % 4] for i, b in enumerate(data)))
 
     def silent_for(self, seconds):
-        """Whether nothing comes for so long."""
+        """Returns true if nothing arrives for this time."""
         return not self.data and not select.select([self.socket], [], [], seconds)[0]
 
     def close(self):

@@ -1,5 +1,5 @@
-"""Requests that must not get through: every one of a product of Host, Origin, token, content type,
-method and WebSocket in which at least one thing is wrong, and bodies that lie."""
+"""Requests that the bridge must refuse: all combinations of Host, Origin, token, content type,
+method and WebSocket in which at least one is wrong, and false or malformed bodies."""
 import gzip
 import itertools
 import json
@@ -16,7 +16,7 @@ BODY = json.dumps({"level": "0" * 32}).encode()
 class HostileTest(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        # A program that leaves a trace when it is started: nobody of these may start one.
+        # This program leaves a trace if a hostile request starts it.
         cls.folder = driver.tempfile.mkdtemp(prefix="obby-bridge-")
         cls.trace = os.path.join(cls.folder, "started")
         cls.program = os.path.join(cls.folder, "solve")
@@ -41,7 +41,7 @@ class HostileTest(unittest.TestCase):
         self.assertFalse(os.path.exists(self.trace), "a program was started")
         self.assertEqual(self.bridge.get("/v1/info").json()["jobs"], [])
 
-    # Each dimension: a name, what is sent, and the status if it is the first wrong one.
+    # These lists have pairs of a value and the status if it is the first wrong one (None: valid).
     def hosts(self):
         port = self.bridge.port
         return [(f"127.0.0.1:{port}", None), (f"LOCALHOST:{port}", None), (f"[::1]:{port}", None),
@@ -60,7 +60,7 @@ class HostileTest(unittest.TestCase):
                 (f"Bearer {good[:-1]}{'0' if good[-1] != '0' else '1'}", 401), (good, 401)]
 
     def requests(self):
-        """(method, path, content type, upgrade, status); the first is the honest one."""
+        """Returns (method, path, content type, upgrade, status), where status None is valid."""
         return [("POST", "/v1/jobs", "application/json", False, None),
                 ("POST", "/v1/jobs", "text/plain", False, 415),
                 ("POST", "/v1/jobs", "application/x-www-form-urlencoded", False, 415),
@@ -101,7 +101,7 @@ class HostileTest(unittest.TestCase):
 
     def test_the_honest_ones_of_the_matrix_do_pass(self):
         job = self.bridge.post("/v1/jobs", {"level": "0" * 32})
-        self.assertEqual(job.status, 404)  # all checks passed; there is no such level
+        self.assertEqual(job.status, 404)  # passes all checks, but there is no such level
         events = self.bridge.events()
         self.assertEqual(events.status, 101)
         events.close()
@@ -154,12 +154,12 @@ class HostileTest(unittest.TestCase):
         self.nothing_happened()
 
     def test_the_pairing_code_cannot_be_guessed(self):
-        other = Bridge(pair=False, state=self.bridge.state)  # no code is offered there
+        other = Bridge(pair=False, state=self.bridge.state)  # this bridge offers no code
         try:
             self.assertEqual(other.post("/v1/pair", {"code": "AAAA-AAAA"}, token=None).status, 403)
         finally:
             other.close()
-        # used once: never again
+        # A code works only once.
         self.assertEqual(self.bridge.post("/v1/pair", {"code": self.bridge.code}, token=None).status,
                          403)
         for _ in range(8):
@@ -172,19 +172,19 @@ class HostileTest(unittest.TestCase):
         code = other.shown_code()
         kind = {"Content-Type": "application/json"}
         large = b'{"code":"' + b"A" * (1 << 20) + b'"}'
-        for body in (large, iter([large])):  # as long as its head says; in chunks
+        for body in (large, iter([large])):  # once with its length in the head, once in chunks
             answer = other.request("POST", "/v1/pair", body, kind, token=None)
             self.assertEqual(answer.status, 413)
             self.assertIn("4 KiB", answer.json()["error"])
         packed = other.request("POST", "/v1/pair", gzip.compress(large),
                                {**kind, "Content-Encoding": "gzip"}, token=None)
         self.assertEqual(packed.status, 415)
-        # None of them was a try.
+        # None of these requests counted as an attempt to pair.
         self.assertEqual(other.post("/v1/pair", {"code": code}, token=None).status, 200)
 
     def test_where_no_code_is_on_offer_none_is_read(self):
         headers = [("Host", f"127.0.0.1:{self.bridge.port}"), ("Content-Type", "application/json")]
-        for length in (1000, 1 << 40):  # that never come
+        for length in (1000, 1 << 40):  # of bodies that never arrive
             self.assertEqual(
                 self.send("POST", "/v1/pair", headers + [("Content-Length", str(length))]), 403)
 

@@ -1,4 +1,4 @@
-"""What a plugin does with the bridge when all is well: place, ask, stream, cancel, resume."""
+"""The requests of a plugin if nothing goes wrong: place, ask, stream, cancel, resume."""
 import gzip
 import json
 import os
@@ -129,14 +129,14 @@ class ProtocolTest(unittest.TestCase):
         self.assertEqual({m["job"] for m in messages if "job" in m}, {job["job"]})
         self.assertEqual(self.verdicts(messages), {"mine": "solved"})
         events.close()
-        # and again from a cursor, as after a lost connection
+        # A client resumes from a cursor after a lost connection.
         middle = messages[len(messages) // 2]["number"]
         self.assertTrue(driver.eventually(lambda: self.resumed(hello, middle, messages)))
 
     def resumed(self, hello, cursor, messages):
         events = self.bridge.events(f"?session={hello['session']}&cursor={cursor}")
         try:
-            if events.status == 409:  # the other end of the last one is not noticed yet
+            if events.status == 409:  # the bridge has not noticed the last close yet
                 return False
             events.receive()
             after = events.until(lambda m: m.get("number") == messages[-1]["number"])
@@ -175,13 +175,13 @@ class ProtocolTest(unittest.TestCase):
         last = self.bridge.get("/v1/info").json()["cursor"] + 10**6
         self.assertEqual(self.bridge.get(f"/v1/jobs/{job}?cursor={last}&wait=1").status, 410)
         quiet = self.bridge.ask(level=level, queries=[impossible()], budget={"timeLimit": 60})
-        third = self.bridge.ask(level=level, queries=[impossible()])["job"]  # waits: says nothing
+        third = self.bridge.ask(level=level, queries=[impossible()])["job"]  # is queued, so it sends nothing
         cursor = self.bridge.get(f"/v1/jobs/{third}").json()["cursor"]
         poll = f"/v1/jobs/{third}?cursor={cursor}"
         older = self.bridge.socket()
         older.sendall((f"GET {poll}&wait=20 HTTP/1.1\r\nHost: 127.0.0.1:{self.bridge.port}\r\n"
                        f"Authorization: Bearer {self.bridge.token}\r\n\r\n").encode())
-        driver.time.sleep(0.2)  # the two connections are to be read in this order
+        driver.time.sleep(0.2)  # so that the bridge reads the connections in this order
         begin = driver.time.monotonic()
         self.bridge.get(f"{poll}&wait=1")
         self.assertTrue(older.recv(65536).startswith(b"HTTP/1.1 200 "))
@@ -196,7 +196,7 @@ class ProtocolTest(unittest.TestCase):
         bridge = Bridge("--solve", driver.program(self, "cat >/dev/null\nexec sleep 1000\n"))
         self.addCleanup(bridge.close)
         level, polls = bridge.place_level(LEVEL), []
-        for _ in range(2):  # as windows of one Studio do
+        for _ in range(2):  # like several windows of one Studio
             job = bridge.ask(level=level)["job"]
             heard = bridge.messages(job, until=lambda m: m.get("state") == "running")
             connection = bridge.socket()
@@ -254,7 +254,7 @@ class ProtocolTest(unittest.TestCase):
             self.assertEqual(answer.json().get("path"), path)
 
     def test_calibration_without_its_tool_is_refused_by_name(self):
-        folder = driver.tempfile.mkdtemp(prefix="obby-bridge-")  # with all tools but that one
+        folder = driver.tempfile.mkdtemp(prefix="obby-bridge-")  # with all tools except obby-calibrate
         self.addCleanup(driver.shutil.rmtree, folder)
         for tool in ("obby-bridge", "obby-solve", "obby-import"):
             driver.shutil.copy(os.path.join(driver.BIN, tool), folder)
@@ -273,7 +273,7 @@ class ProtocolTest(unittest.TestCase):
         records = [json.loads(line) for line in rehearsed.stdout.splitlines()]
         level = self.bridge.place(b"\n".join(json.dumps(r).encode() for r in records
                                              if r["type"] == "level") + b"\n").json()["level"]
-        few = ("jump on the spot", "jump and turn back in the air")  # for the time it takes
+        few = ("jump on the spot", "jump and turn back in the air")  # all would take too long
         recordings = [r for r in records if r["type"] == "recording" and r["name"] in few]
         self.assertEqual(len(recordings), 2)
         job = self.bridge.ask(task="calibrate", level=level, recordings=recordings,
@@ -292,7 +292,7 @@ class ProtocolTest(unittest.TestCase):
         self.bridge.messages(job)
         path = os.path.join(self.bridge.state, "tokens")
         self.assertEqual(os.stat(path).st_mode & 0o777, 0o600)
-        other = Bridge(state=self.bridge.state)  # another bridge over the same folder
+        other = Bridge(state=self.bridge.state)  # uses the same folder
         try:
             self.assertNotEqual(other.token, self.bridge.token)
             self.assertEqual(other.get("/v1/info", token=self.bridge.token).status, 200)

@@ -49,7 +49,7 @@ class StdioTest(unittest.TestCase):
                          text=level_bytes("several-routes.jsonl").decode())["body"]["level"]
 
     def hear(self, process, wanted):
-        """Reads on until a message is wanted, and gives it."""
+        """Reads messages until wanted() accepts one, and returns it."""
         while not any(wanted(m) for m in self.seen):
             self.seen.append(json.loads(process.stdout.readline()))
         return next(m for m in self.seen if wanted(m))
@@ -84,7 +84,7 @@ class StdioTest(unittest.TestCase):
         lines.append({"id": 2, "method": "POST", "path": "/v1/jobs",
                       "body": {"level": level, "ask": ["any"]}})
         path = os.path.join(self.folder, "requests")
-        with open(path, "w", encoding="ascii") as file:  # a file, which no event loop waits for
+        with open(path, "w", encoding="ascii") as file:  # event loops cannot wait for a file
             file.write("\n".join(json.dumps(line) for line in lines))
         with open(path, "rb") as file:
             done = subprocess.run(self.command, stdin=file, capture_output=True, check=True)
@@ -110,7 +110,7 @@ class StdioTest(unittest.TestCase):
         script = program(self, "cat >/dev/null\nexec sleep 1000\n")
         process = self.start("--solve", script, stderr=subprocess.DEVNULL)
         self.call(process, "POST", "/v1/jobs", body={"level": self.place(process)})
-        self.hear(process, lambda m: m.get("state") == "running")  # the last that it says
+        self.hear(process, lambda m: m.get("state") == "running")  # no message follows this one
         self.ends_when_unread(process)
 
     def test_who_waits_for_a_quiet_program_is_not_silent(self):
@@ -143,7 +143,7 @@ class StdioTest(unittest.TestCase):
         self.assertEqual(self.seen, [])
 
     def test_output_that_is_told_not_to_wait_loses_nothing(self):
-        ours, theirs = socket.socketpair()  # as inetd, ssh and socat start programs
+        ours, theirs = socket.socketpair()  # inetd, ssh and socat start programs this way
         self.addCleanup(ours.close)
         process = subprocess.Popen(self.command, stdin=theirs, stdout=theirs)
         theirs.close()
@@ -161,7 +161,7 @@ class StdioTest(unittest.TestCase):
         stream.write(json.dumps({"id": 2, "method": "GET", "path": "/v1/levels/" + level}).encode())
         stream.write(b"\n")
         stream.flush()
-        time.sleep(0.5)  # the bridge is to find the socket full
+        time.sleep(0.5)  # so that the bridge finds the socket full
         self.assertGreater(len(json.loads(stream.readline())["text"]), 2 << 20)
 
     def test_nonsense_is_answered_and_survived(self):

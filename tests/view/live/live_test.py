@@ -1,5 +1,5 @@
-"""obby-view --live from outside: hostile requests, pages that come, go and read slowly, how it ends. Run as
-`live_test.py BIN_DIR LEVELS_DIR`, with tests/bridge/live in PYTHONPATH."""
+"""Tests obby-view --live from outside: hostile requests, pages that come, go and read slowly, and
+the end. Run it as `live_test.py BIN_DIR LEVELS_DIR`, with tests/bridge/live in PYTHONPATH."""
 import http.client
 import itertools
 import json
@@ -50,7 +50,7 @@ class Viewer:
         return socket.create_connection(("127.0.0.1", self.port), timeout=60)
 
     def listen(self):
-        """A connection that has the head of /events behind it."""
+        """Returns a connection to /events, and the bytes up to its first event."""
         connection = self.socket()
         try:
             return connection, self.begin_events(connection)
@@ -69,11 +69,11 @@ class Viewer:
         return seen
 
     def end(self, number=signal.SIGINT):
-        """The exit code, and what was said on stderr."""
+        """Ends the viewer. Returns its exit code and its output on stderr."""
         if number:
             self.process.send_signal(number)
         try:
-            self.process.wait(60)  # before its input is closed, which would be an end of the stream
+            self.process.wait(60)  # first, since closing its input would end the stream
             said = self.process.communicate()[1]
         except subprocess.TimeoutExpired:
             self.process.kill()
@@ -221,7 +221,7 @@ class PagesTest(unittest.TestCase):
         viewer.end()
 
     def listen_when_there_is_space(self, viewer):
-        """That a page has gone is noticed in a second or two; until then its place is taken."""
+        """Waits for a free connection. A closed page keeps its place for a second or two."""
         found = []
 
         def listens():
@@ -263,7 +263,7 @@ class PagesTest(unittest.TestCase):
 
 class EndTest(unittest.TestCase):
     def test_it_ends_by_itself_only_if_it_is_to_and_once_no_page_is_open(self):
-        """All are waited for at once, for longer than it takes until a page is taken for gone."""
+        """All viewers wait together, for longer than it takes to notice that a page is gone."""
         leaving = Viewer("--live-exit")
         staying = [(Viewer(), number, code)
                    for number, code in ((signal.SIGINT, 130), (signal.SIGTERM, 143))]
@@ -320,12 +320,12 @@ class EndTest(unittest.TestCase):
         self.assertEqual(viewer.end()[0], 2)
 
     def test_behind_a_record_that_stops_it_the_rest_is_taken(self):
-        """Or the solver in front of it would wait for as long as the page is open."""
+        """Otherwise the solver before it in the pipe would block while the page is open."""
         viewer = Viewer()
         viewer.write(LEVEL + QUERY.replace(b'"goal"', b'"start":{"spawn":5},"goal"'))
         self.assertIn(b"obby-view: stdin:2: start.spawn: expected",
                       viewer.process.stderr.readline())
-        more = b'{"type":"query","id":7}\n' + QUERY * 5000  # far more than a pipe holds
+        more = b'{"type":"query","id":7}\n' + QUERY * 5000  # much more than a pipe holds
         pipe, rest = viewer.process.stdin.fileno(), [more]
         os.set_blocking(pipe, False)
 

@@ -1,5 +1,5 @@
-# Prints what an events file of TensorBoard says, a line a scalar: step, tag, value. Written against the formats' own
-# documents, not against the program: TFRecord framing, CRC-32C bit by bit, Protocol Buffers' wire format.
+# Prints the scalars of a TensorBoard events file, one per line: step, tag, value. It follows the
+# documents of the formats, not our writer: TFRecord framing, CRC-32C and Protocol Buffers.
 import struct
 import sys
 
