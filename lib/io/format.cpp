@@ -7,7 +7,7 @@ namespace obby::io {
 Result<Format> parseFormat(const std::string& text) {
   for (const Format format : {Format::jsonl, Format::capnp, Format::capnpPacked})
     if (text == nameOf(format)) return format;
-  return makeError("expected one of jsonl, capnp, packed, found " + io::quoted(text));
+  return makeError("expected jsonl, capnp or packed, found " + io::quoted(text));
 }
 
 const char* nameOf(Format format) {

@@ -69,7 +69,7 @@ const Wrong kWrong[] = {
     {"a, b += 1", 1, "expected '=', found '+='"},
     {"local f = g\n(h)()", 2,
      "'(' on a new line could begin a statement or a call: put ';' before a statement"},
-    {"return 1 print(2)", 1, "expected the end of the block behind 'return', found 'print'"},
+    {"return 1 print(2)", 1, "expected the end of the block after 'return', found 'print'"},
     {"while true do break print(2) end", 1,
      "expected the end of the block behind 'break', found 'print'"},
     {"break", 1, "'break' outside of a loop"},

@@ -47,7 +47,7 @@ bool StatementParser::blockEnds() const {
 void StatementParser::checkLast(const Stat& stat) {
   const bool last = stat.kind == StatKind::returns || stat.kind == StatKind::leaves;
   if (!last || atEnd() || blockEnds()) return;
-  failHere("the end of the block behind '" +
+  failHere("the end of the block after '" +
            (stat.kind == StatKind::returns ? "return" : stat.text) + "'");
 }
 

@@ -29,7 +29,7 @@ void EffectRoles::takeParts(PartDraft& part, bool used, const ProbeEffects& effe
     if (!other->motion)
       takeMotion(part, *other, moved, used);
     else if (other->motion->trigger == MotionTrigger::always)
-      note(kStarted, moved.part, "keeps the motion of its own; ", moved.line);
+      note(kStarted, moved.part, "keeps its own motion; ", moved.line);
   }
   for (const Changed& size : effects.sizes)
     note("size that scripts change", size.part, "stays as it is at the start; ", size.line);

@@ -26,17 +26,17 @@ class Touches {
     if (!part) return roles_.takeAbility(probe.approach, report_.airJumps, effects);
     noteFailure(*part, probe, effects.empty());
     if (probe.byFall)
-      note("touch that differs in a fall", part->id, "taken as of a player who walks");
+      note("touch that differs in a fall", part->id, "treated as for a walking player");
     if (probe.lost) return note("touch that broke down", part->id, "treated as a plain part");
     if (probe.sleeps)
-      note("script that still waits", part->id, "what comes later after a touch is not seen");
+      note("script that still waits", part->id, "later effects of the touch are not seen");
     if (effects.empty()) {
       if (!probe.byPlace) takeHeardOnly(*part, false);
       return;
     }
     if (!probe.allOver)
       return note("place where scripts act", part->id,
-                  "only a piece of the part is concerned: treated as a plain part");
+                  "it applies to only a region of the part; treated as a plain part");
     if (effects.stage) part->stageSigns[NumberFrom::asked] = 0;
     if (probe.byPlace) part->touch = true;  // the script polls; it does not wait for a touch
     part->byRoot = probe.byRoot && part->shape == Shape::block && effects.touchesPlayer();

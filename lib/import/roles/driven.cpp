@@ -105,7 +105,8 @@ bool giveDriven(RoleContext& context, const Drive& drive, Motion motion, const s
   if (!hold(context, drive.moving, "it moves on a moving part")) return false;
   context.level.noteUnmodelled(
       "motion on a moving part", context.tree, drive.constraint,
-      "both move on their own; the part it drives stays at its position in the file");
+      "the driven part is on a part that moves by itself, and the two motions are not combined; "
+      "it stays at its position in the file");
   return true;
 }
 
