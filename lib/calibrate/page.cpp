@@ -77,7 +77,8 @@ std::string rowOf(const Fitted& f) {
 std::string parametersOf(const Fit& fit) {
   std::string out =
       "<h2>Parameters</h2><p class=\"faint\">Bar: range searched. Filled: 95 % confidence "
-      "interval. Line: value before the fit.</p>\n<div class=\"wide\"><table><tr><th>parameter</th><th "
+      "interval. Line: value before the fit.</p>\n<div "
+      "class=\"wide\"><table><tr><th>parameter</th><th "
       "class=\"n\">found</th><th class=\"n\">before</th><th>unit</th><th></th><th></th></tr>\n";
   for (const Fitted& f : fit.parameters) out += rowOf(f);
   out += fmt::format(

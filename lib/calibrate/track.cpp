@@ -104,13 +104,15 @@ Status checkTime(const Frame& frame, uint32_t number, const Track& track) {
   if (track.frames.empty()) return {};
   const double before = track.frames.back().time;
   if (frame.time < before)
-    return inFrame(number, fmt::format("time {} is earlier than the previous frame's, {}", frame.time, before),
-                   "sort the frames by time");
+    return inFrame(
+        number, fmt::format("time {} is earlier than the previous frame's, {}", frame.time, before),
+        "sort the frames by time");
   if (frame.time - before > kLongestGap)
-    return inFrame(number,
-                   fmt::format("the frame is {:.6g} s after the previous one, expected at most {:.6g} s",
-                               frame.time - before, kLongestGap),
-                   "give times in seconds; split a recording with a pause in two");
+    return inFrame(
+        number,
+        fmt::format("the frame is {:.6g} s after the previous one, expected at most {:.6g} s",
+                    frame.time - before, kLongestGap),
+        "give times in seconds; split a recording with a pause in two");
   return {};
 }
 

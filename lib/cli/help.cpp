@@ -84,8 +84,8 @@ std::string optionList(const std::vector<OptionRow>& rows, const HelpStyle& styl
 
 const char* const kOtherWays =
     "Any option can also be set with an environment variable (OBBY_QUIET for --quiet) or in the "
-    "--config file. The command line wins, then variables, then the file. An option that has no "
-    "effect with the others is an error on the command line, and is ignored elsewhere.";
+    "--config file. The command line wins, then variables, then the file. An option without effect "
+    "is an error on the command line, ignored elsewhere.";
 
 size_t helpWidth(int descriptor) {
   return std::clamp(terminalWidth(descriptor), kNarrowest, kWidest);

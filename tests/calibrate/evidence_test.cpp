@@ -10,8 +10,8 @@ namespace {
 
 // Returns noisy recordings that stay far from the box and have no poses of parts.
 std::vector<Take> plainTakes() {
-  std::vector<Take> out =
-      takesUnder(defaults(), 0.05f, manoeuvresNamed({"jump on the spot", "walk up a 21-degree ramp"}));
+  std::vector<Take> out = takesUnder(
+      defaults(), 0.05f, manoeuvresNamed({"jump on the spot", "walk up a 21-degree ramp"}));
   for (Take& take : out) {
     take.track.shown.clear();
     take.track.parts.clear();

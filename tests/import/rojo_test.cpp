@@ -210,7 +210,7 @@ TEST_F(Rojo, NothingOutsideIsReadUnlessTheProjectSaysSo) {
 }
 
 TEST_F(Rojo, ErrorsNameTheFileAndTheKeys) {
-  EXPECT_THAT(error(), HasSubstr("has a default.project.json"));
+  EXPECT_THAT(error(), HasSubstr("contains default.project.json"));
   project(R"({"Part": )");
   EXPECT_THAT(error(), HasSubstr("default.project.json: "));
   project(R"({"$className": "Folder", "A": {"$className": "Folder", "B": {"$path": "missing"}}})");

@@ -34,7 +34,8 @@ cli::ToolSpec importSpec() {
       cli::row("name", cli::ValueType::text, "NAME", "",
                "name of the level [default: the name of the file]", kGroup),
       cli::flagRow("no-queries", "write only the level, without a query for each stage", kGroup),
-      cli::flagRow("no-scripts", "do not run the place's scripts; the level lacks their effects", kGroup),
+      cli::flagRow("no-scripts", "do not run the place's scripts; the level lacks their effects",
+                   kGroup),
       cli::flagRow("explain", "print a table of parts, roles and evidence instead of records",
                    kGroup),
   };
@@ -42,9 +43,11 @@ cli::ToolSpec importSpec() {
       "place and model files (.rbxl, .rbxlx, .rbxm, .rbxmx), Rojo projects (a folder or its "
       "default.project.json) or streams of records";
   spec.notes =
-      "The format of an input is recognised by its content. A Rojo project is recognised by its name, "
+      "The format of an input is recognised by its content. A Rojo project is recognised by its "
+      "name, "
       "*.project.json, or as a folder that holds default.project.json. A place's scripts run in a "
-      "sandbox, without access to files, the network or other programs. If a part is taken for the wrong "
+      "sandbox, without access to files, the network or other programs. If a part is taken for the "
+      "wrong "
       "thing, add a tag to the "
       "part to correct it (docs/import.md).";
   return spec;

@@ -94,7 +94,7 @@ OptionRow backendRow() {
 OptionRow bodyRow() {
   return detailed(
       repeatable(row("body", ValueType::text, "BODY", "",
-                     "solve for these avatars: r6, r15, that of the place, or each [default: place]", kSearchGroup)),
+                     "avatar: r6, r15, each or the place's [default: place]", kSearchGroup)),
       "place is the level's own body. Several are given with commas, or by repeating the option. A "
       "query with several bodies or frame rates is solved if it is for every one of them, and "
       "unreachable if it is for at least one. Its result lists the answer for each. each: the "
@@ -273,7 +273,8 @@ cli::ToolSpec solveSpec() {
       "PLACE: a part, given by name, path, end of its path, GUID, #TAG or part:INDEX (its index in "
       "the level's list of parts), or a box x,y,z,sx,sy,sz (centre and size in studs). touch:PART "
       "means touching the part itself, not just its box. If several parts share a #TAG, --goal "
-      "accepts any of them, and --start and --waypoint reject the tag; other options apply to all of "
+      "accepts any of them, and --start and --waypoint reject the tag; other options apply to all "
+      "of "
       "them.\n\n"
       "A query asked on the command line is answered alone; queries in the input are passed on "
       "unanswered (--each applies the options to them instead). Without -o, a terminal shows a "

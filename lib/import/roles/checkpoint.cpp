@@ -109,7 +109,8 @@ void giveHeardRows(RoleContext& context) {
   for (const auto& [row, parts] : rows)
     if (parts.size() > 1)
       for (PartDraft* part : parts)
-        give(context, *part, part->id, "one of several parts in a row, each with a script that handles its touch", true);
+        give(context, *part, part->id,
+             "one of several parts in a row, each with a script that handles its touch", true);
 }
 
 }  // namespace

@@ -160,8 +160,9 @@ void killFromNames(RoleContext& context) {
       continue;
     }
     if (from != instance.name && scripted.count(instance.parent)) {
-      context.level.noteIgnored("name that suggests a kill part", context.tree.path(part.id),
-                                "a script turns a sibling of this part into a kill part, but not this part");
+      context.level.noteIgnored(
+          "name that suggests a kill part", context.tree.path(part.id),
+          "a script turns a sibling of this part into a kill part, but not this part");
       continue;
     }
     const bool damages = !firstWordIn(from, kDamageWords).empty();

@@ -96,8 +96,9 @@ void noteBoth(RoleContext& context, const ConstraintSettings& settings, Instance
     if (end == kNoInstance || context.assemblies.anchored(end)) continue;
     const PartDraft* part = context.part(end);
     if (part && part->motion && !part->motion->carries)
-      context.level.noteUnmodelled("part that a script and a constraint move", context.tree, end,
-                                   "moved by the script only; ignored: the constraint " + context.tree.path(id));
+      context.level.noteUnmodelled(
+          "part that a script and a constraint move", context.tree, end,
+          "moved by the script only; ignored: the constraint " + context.tree.path(id));
   }
 }
 

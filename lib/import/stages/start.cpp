@@ -162,7 +162,8 @@ class SpawnRoles {
     const bool isOther = number != kUnnumbered && number != numberOf(course_.start);
     if (!isOther && !changesTeam) return giveStart(spawn);
     if (!changesTeam && isNextToItsStage(spawn))
-      return course_.prove(spawn, "start", "SpawnLocation next to another one of the same stage", true);
+      return course_.prove(spawn, "start", "SpawnLocation next to another one of the same stage",
+                           true);
     part.checkpoint = kUnnumbered;
     course_.prove(spawn, "checkpoint",
                   changesTeam ? "SpawnLocation that changes the team" : "SpawnLocation",
