@@ -1,4 +1,4 @@
-// Searches for solutions that avoid the parts of which the import is not sure.
+// Searches for solutions that avoid the parts about which the importer has doubts.
 #pragma once
 
 #include "solve/answer/solver_options.h"

@@ -27,7 +27,7 @@ struct BodySizes {
   float stand = 0;       // radius in which a jump begins: `body`, or `ray` if walks are fast
   float limb = 0;        // radius in which limbs touch
   float across = 0;      // parts farther apart than this are not touched at once
-  float slack = 0;       // skin, rest of a penetration after depenetration, rounding
+  float slack = 0;       // skin, residual penetration and rounding
   float settles = 0;     // studs above the rest height at which a player may stand
   float sunk = 0;        // studs below a support's top from which a jump or fall may begin
   float maxTakeOff = 0;  // studs above the top from which a jump or fall may begin
@@ -55,11 +55,11 @@ class BodyLimits : public BodySizes, public BodySpeeds {
   // Returns the min height of the feet from which a jump enters the top of a static upright block.
   // `pinched`: another part may hold the body next to it.
   float entry(float top, bool pinched) const;
-  // Returns the studs by which the entry is lower for feet that come without a jump.
+  // Returns the studs by which the entry is lower for feet that arrive without a jump.
   float entryOfFalls() const { return turned - overlap; }
 
   // Returns the max height from which a jump or fall begins, in studs above the highest place of a
-  // floor, in Running. The apex of the flight before was `low` to `high` studs above that place.
+  // floor, in Running. The apex of the preceding flight was `low` to `high` studs above that place.
   float takeOff(float low, float high) const;
   // Returns the upward speed, in studs/s, that a trick with the legs gives on a floor that goes up
   // or down at `speed`.

@@ -54,9 +54,9 @@ class Judge {
   std::vector<schema::PlayerState> forbidden_;
   int64_t minJumps_, maxJumps_, ticks_;
   double maxDamage_;
-  size_t reached_ = 0;  // number of stops
+  size_t reached_ = 0;  // number of stops reached
   std::vector<bool> visited_;
-  int64_t segmentTick_ = 0, segmentJumps_ = 0;  // when the last stop was reached
+  int64_t segmentTick_ = 0, segmentJumps_ = 0;  // at the last reached stop
   uint32_t levelTick_ = 0;                      // the level's clock at that time
   int64_t avoided_ = -1;
 };

@@ -23,7 +23,7 @@ struct Trial {
   Change change;
   bool hopeless = false;  // excluded by the bound on reach, or invalid
   uint32_t helps = 0;     // notches with which it is solvable; 0: none known
-  uint64_t steps = 0;     // to the solution with those notches
+  uint64_t steps = 0;     // steps to the solution with those notches
 };
 
 enum class Answer { solved, failed, impossible };
