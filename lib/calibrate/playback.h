@@ -10,8 +10,8 @@
 
 namespace obby::calibrate {
 
-// Frames first to last of a track. The simulation starts from the first one and is compared with
-// the others.
+// Frames `first` to `last` of a track. The simulation starts from the first one and is compared
+// with the others.
 struct Window {
   uint32_t first, last;
 };
@@ -28,7 +28,7 @@ struct Moment {
   Vec3 position;  // centre of the root part, studs
   Vec3 velocity;
   Vec3 facing;                             // horizontal, approximately unit length
-  sim::State state = sim::State::running;  // after the later of the two ticks
+  sim::State state = sim::State::running;  // state after the later of the two ticks
 };
 
 // `delay`: seconds from an input to its effect. Calls visit(window, frame, moment) for every frame

@@ -65,7 +65,8 @@ void Surroundings::divide(Vec3 extent, float cell) {
   nz_ = int32_t(extent.z / cell_) + 1;
 }
 
-// Returns 64 bits: 66 thousand parts of the max size have more entries than 32 bits can count.
+// The result needs 64 bits: 66 thousand parts of the max size have more entries than 32 bits can
+// count.
 uint64_t Surroundings::entriesOf(const level::LevelView& level, float reach) const {
   uint64_t entries = 0;
   forSeen(level, [&](uint32_t, const Box& box) {

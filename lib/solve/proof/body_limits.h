@@ -17,7 +17,7 @@ Box allPlaces(const Problem& problem);
 struct Flight {
   float height, up;  // max height of the feet, and their max upward speed
   bool leaps;        // begins with a jump
-  float radius;      // it begins within this radius of the support's box
+  float radius;      // the flight begins within this radius of the support's box
 };
 
 // Lengths, in studs.
@@ -32,7 +32,7 @@ struct BodySizes {
   float sunk = 0;        // studs below a support's top from which a jump or fall may begin
   float maxTakeOff = 0;  // studs above the top from which a jump or fall may begin
   float overlap = 0;     // max overlap with a part after a step of travel and a tick of air turning
-  float turned = 0;      // the same with any turn
+  float turned = 0;      // max overlap with any turn
 };
 
 // Speeds, in studs/s unless stated.
@@ -94,7 +94,7 @@ class BodyLimits : public BodySizes, public BodySpeeds {
   float dt_, tick_;
   float light_, heavy_;     // min and max gravity, under all boosts of the level
   float fastest_ = 0;       // max sideways speed of a player, studs/s
-  uint32_t lateTicks_ = 0;  // from the last tick with a floor to the last possible jump
+  uint32_t lateTicks_ = 0;  // ticks from the last one with a floor to the last possible jump
   float keptReach_ = 0;     // max studs above a floor at which it is still sensed
   float always_ = 0;        // max studs of a take-off above a floor, after a fast landing
   float slowest_ = 0;       // studs; landings from a higher apex are fast

@@ -91,7 +91,7 @@ class ReachBound {
   const BodyLimits limits_;
   const bool mayJump_;
   std::vector<Support> supports_;
-  const BoxIndex index_;  // of the supports' boxes, from above
+  const BoxIndex index_;  // index of the supports' boxes, seen from above
   float pushed_ = 0;      // max studs/s by which parts next to a flight push it
   float tossed_ = 0;      // max studs/s upward that a support gives
   float lowest_ = 1e30f;  // lowest entry of all supports

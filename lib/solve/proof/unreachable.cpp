@@ -134,7 +134,7 @@ bool isCut(const Problem& problem, schema::Query::Reader record) {
 }
 
 void tryTricks(Cut& cut, Problem problem, schema::Query::Reader record) {
-  constexpr uint32_t kMaxColliders = 10'000;  // with tricks flights connect nearly all of them
+  constexpr uint32_t kMaxColliders = 10'000;  // with tricks, flights connect nearly all colliders
   if (problem.level.colliderCount > kMaxColliders) return;
   uint16_t& tricks = problem.level.params.tricks;
   const uint16_t allowed = tricks;

@@ -50,7 +50,7 @@ class Judge {
   const level::LevelView& level_;
   std::vector<Place> goals_, visits_, avoid_;
   std::vector<Stop> stops_;  // the waypoints
-  Segment last_;             // from the last stop to the goal
+  Segment last_;             // segment from the last stop to the goal
   std::vector<schema::PlayerState> forbidden_;
   int64_t minJumps_, maxJumps_, ticks_;
   double maxDamage_;

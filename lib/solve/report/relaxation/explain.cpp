@@ -53,8 +53,8 @@ class Explanation {
     return stopped || left_ == 0 || !(secondsLeft() > 0);
   }
 
-  // Finds out which changes help at all. Short searches of all changes come before longer ones.
-  // They use at most half of the steps.
+  // Finds out which changes help at all. Short searches of all changes come before longer ones. All
+  // of them together use at most half of the steps.
   void screen() {
     const uint64_t kept = left_ / 2;
     for (uint64_t steps = kFirstSteps;; steps *= kStepsGrow) {

@@ -73,8 +73,7 @@ class ResidentExplore final : public Search {
   sim::HostDevice host_;
   std::optional<ResidentRounds> rounds_;
   Status deviceStatus_;
-  ChunkedVector<Node>
-      nodes_;  // all nodes of the archive; the device holds only the current round's
+  ChunkedVector<Node> nodes_;  // nodes of all rounds; the device holds only this round's
   uint32_t cells_ = 1, sightings_ = 0;
   std::vector<std::pair<size_t, size_t>> known_;  // trajectories that were tried: first, count
   uint64_t nextRollout_ = 0;

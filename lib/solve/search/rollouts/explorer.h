@@ -70,7 +70,7 @@ class Explorer {
   Kind kind_;
   uint8_t tick_ = 0;  // ticks since the last plan
   bool likeliest_;
-  RandomMacro held_{};  // with a policy its `ticks` never run out
+  RandomMacro held_{};  // its `ticks` never run out under a policy
   AimMacro aim_{};
   Random random_;
 };

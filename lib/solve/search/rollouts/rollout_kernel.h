@@ -17,7 +17,7 @@ struct RolloutStart {
 struct RolloutVisit {
   sim::World world;
   uint64_t key;
-  uint32_t ticks;  // into the rollout
+  uint32_t ticks;  // ticks into the rollout
 };
 
 struct RolloutEnd {

@@ -16,7 +16,7 @@ namespace obby::solve {
 
 // The start of a rollout, its length, and the source of its moves.
 struct Choice {
-  uint32_t cell;    // of the archive
+  uint32_t cell;    // cell of the archive
   uint32_t ticks;   // max length, at least 1
   uint64_t by = 0;  // kByPolicy, optionally with kLikeliest; 0: random moves
 };
