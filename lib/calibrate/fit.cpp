@@ -172,7 +172,7 @@ class Fitter {
     return forget();
   }
 
-  // Rebuilds the objectives at the rate found.
+  // Rebuilds the objectives at the current control rate.
   void begin() {
     brief_ = Objective(brief_.takes(), {}, found_.params(), settings_.objective);
     sharp_ = brief_.of(std::vector<Parameter>());

@@ -18,7 +18,7 @@ constexpr float kStray = 0.5f;          // studs: a larger distance is not noise
 constexpr float kRestingSpeed = 0.05f;  // studs/s: slower bodies are at rest
 constexpr float kFar = 10;              // studs from a body at which there is no contact
 
-// Returns null if the part neither moves nor is dynamic.
+// Returns the first collider of the part, or null if it has none.
 const level::Collider* colliderOf(const level::LevelView& level, uint32_t part) {
   for (uint32_t i = 0; i < level.colliderCount; ++i) {
     const level::Collider& c = level.colliders[i];

@@ -11,7 +11,7 @@ constexpr float kMinCell = 8;              // studs
 constexpr float kMaxCells = 256;           // per axis; huge levels get wider cells
 constexpr float kFarthest = 1.0e5f;        // studs; parts farther out are never under a player
 constexpr uint64_t kMaxEntries = 1 << 24;  // in all cells, 64 MiB; with more, cells get wider
-constexpr float kBorder = 0.05f;           // studs; extra reach in huge levels, against rounding
+constexpr float kBorder = 0.05f;  // studs; extra reach once cells got wider, against rounding
 
 Box within(const Box& box) {
   const Vec3 far{kFarthest, kFarthest, kFarthest};

@@ -8,7 +8,8 @@ namespace {
 
 // Rollouts per task of the pool. Together they fill the lanes of the wide tick.
 constexpr size_t kMinTaskRollouts = 16, kTaskRollouts = 256;
-constexpr uint64_t kStepsPerRollout = 8000;  // steps so far per rollout, above which rounds double
+constexpr uint64_t kStepsPerRollout =
+    8000;  // steps so far per rollout of a round; then rounds double
 
 }  // namespace
 
