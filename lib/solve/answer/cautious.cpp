@@ -53,8 +53,8 @@ bool mayBeEasierElsewhere(schema::Level::Reader level, const std::vector<uint32_
   return false;
 }
 
-// Returns the rest of the budget. Its steps are limited to kTimesSteps times those of the first
-// search, but at least kMinSteps.
+// Returns the rest of the budget. Its steps are limited to kMinSteps or kTimesSteps times those of
+// the first search, whichever is more.
 Budget budgetAfter(Budget budget, const SearchOutcome& first) {
   const uint64_t steps = first.statistics.steps;
   budget.maxSteps -= std::min(budget.maxSteps, steps);
