@@ -70,7 +70,7 @@ class PlayersSolving {
     return {};
   }
 
-  // Returns the first solution of each player before this one, at this player's rate.
+  // Returns the first solution of each earlier player in the list, converted to this player's rate.
   std::vector<ActionRuns> hintsFor(const PlayerCase& c) const {
     std::vector<ActionRuns> hints;
     for (const PlayerCase& other : cases_) {

@@ -9,7 +9,7 @@ namespace obby::solve {
 
 namespace {
 
-constexpr float kSteadily = 0.75f;   // share of walkSpeed above which a place error is a time lag
+constexpr float kSteadily = 0.75f;   // share of walkSpeed; above it a place error counts as a lag
 constexpr float kNearEnough = 0.3f;  // studs; a player this close takes no step
 constexpr float kTurnsPerDegree = 65536.0f / 360;
 
