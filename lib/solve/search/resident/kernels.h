@@ -165,7 +165,7 @@ OBBY_DEVICE void claimCells(const ResidentArguments& a, uint32_t i) {
   }
 }
 
-// The first candidate wins a tie between arrivals.
+// Finds the winner of each claim of rollout i. The first candidate wins a tie between arrivals.
 OBBY_DEVICE void settleClaims(const ResidentArguments& a, uint32_t i) {
   for (uint32_t n = 0; n < a.ends[i].candidates; ++n) {
     const uint32_t at = i * a.capacity + n, s = a.candidates.slots[at];

@@ -49,7 +49,7 @@ struct RoundMemory {
 
 class ResidentRounds {
  public:
-  // The setup must outlive the rounds, the problem need not. Cells beyond `maxCells` are not kept.
+  // The setup must outlive the rounds; the problem need not. Cells beyond `maxCells` are not kept.
   static Result<ResidentRounds> open(sim::Device& device, const ExploreSetup& setup,
                                      const Problem& problem, uint32_t maxCells);
 

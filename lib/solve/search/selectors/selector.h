@@ -44,8 +44,8 @@ class Selector {
   virtual void learn(const Archive&, std::span<const Tried>) {}
 };
 
-// Makes the selector of one search. The context's tables must outlive it, the other arguments need
-// not.
+// Makes the selector of one search. The context's tables must outlive the selector; the other
+// arguments need not.
 using MakeSelector = std::unique_ptr<Selector> (*)(const Problem&, const ExploreContext&);
 
 }  // namespace obby::solve
