@@ -36,7 +36,7 @@ struct Episode {
   sim::World world;
   std::vector<sim::RigidBody> bodies;
   uint32_t ticks = 0;
-  ActionRuns actions;                  // all so far
+  ActionRuns actions;                  // all actions so far
   std::unordered_set<uint64_t> stood;  // keys of the cells that the player stood in
   std::vector<Passed> passed;          // the same cells in order
   uint32_t newCells = 0;               // cells that the archive lacked

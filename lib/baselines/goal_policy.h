@@ -56,7 +56,7 @@ struct Decisions {
 
 class GoalPolicy {
  public:
-  // `device`: as NetPass.
+  // `device`: as for NetPass.
   GoalPolicy(const GoalPolicySettings& settings, uint64_t seed, DeviceWork* device = nullptr);
 
   // Returns the network from (kInputs) to (kPaddedOutputs), logits and value.

@@ -17,7 +17,7 @@ class InverseDynamics {
  public:
   static constexpr size_t kBatch = 32;  // decisions per step
 
-  // `device`: as NetPass.
+  // `device`: as for NetPass.
   explicit InverseDynamics(uint64_t seed, DeviceWork* device = nullptr);
 
   // Takes one step on decisions sampled from the memory. Returns their mean loss; an untrained

@@ -14,7 +14,7 @@ namespace obby::baselines {
 
 constexpr size_t kLatent = 16;  // numbers
 
-// Returns the squared distance of two points, (kLatent) each.
+// Returns the squared distance between two points, (kLatent) each.
 float latentDistance2(const float* a, const float* b);
 
 // Returns the indices of sub-goals among the `count` points of a trajectory, (count, kLatent), in
@@ -29,7 +29,7 @@ uint32_t drawGeometric(Random& random, float p, uint32_t count);
 // count^(1 / kLatent).
 uint32_t neighbourFor(uint32_t count);
 
-// Returns the squared distance of each point to its k-th nearest other: smaller is denser.
+// Returns the squared distance from each point to its k-th nearest neighbour; smaller means denser.
 // `points`: (count, kLatent), count > k > 0.
 std::vector<float> neighbourDistances2(ThreadPool& pool, const std::vector<float>& points,
                                        uint32_t k);

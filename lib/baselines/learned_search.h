@@ -101,13 +101,13 @@ class LearnedSearch : public ArchiveSearch {
   void keep(Episode& e, size_t kept);
   void forget();
 
-  // problem_.known has the given trajectories, then those of useful episodes.
   ThreadPool& pool_;
   ThreadPool alone_{1};
   const policy::Surroundings surroundings_;
   const policy::SurroundingsView around_;
-  const policy::Scene scene_;                // refers to the surroundings
-  std::unique_ptr<DeviceWork> device_;       // null without a device
+  const policy::Scene scene_;           // refers to the surroundings
+  std::unique_ptr<DeviceWork> device_;  // null without a device
+  // problem_.known holds the given trajectories, then those of useful episodes.
   std::vector<std::vector<Passed>> passed_;  // (problem_.known)
   std::vector<uint8_t> shown_;  // (problem_.known), true if never dropped: shown, or a goal
   size_t bytesKept_ = 0, forgetFrom_;

@@ -32,7 +32,7 @@ class QuantilePolicy {
  public:
   static constexpr size_t kBatch = 64;  // decisions per step
 
-  // `device`: as NetPass.
+  // `device`: as for NetPass.
   QuantilePolicy(const QuantileSettings& settings, uint64_t seed, DeviceWork* device = nullptr);
 
   // Returns the network from (kPolicyInputs) to (kMoves, kQuantiles).

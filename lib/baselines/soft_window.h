@@ -11,8 +11,8 @@ namespace obby::baselines {
 
 constexpr size_t kWindow = 10;  // sub-goals
 
-// `next`: the first of `count` sub-goals that is not reached. Moves it past the last i in next,
-// ..., next + kWindow - 1 for which reached(i) holds. Returns true if it moved.
+// `next`: index of the first of `count` sub-goals that is not reached. Moves it past the last i in
+// next, ..., next + kWindow - 1 for which reached(i) holds. Returns true if it moved.
 template <class Reached>
 bool passSubgoals(size_t& next, size_t count, Reached&& reached) {
   for (size_t i = std::min(next + kWindow, count); i-- > next;) {

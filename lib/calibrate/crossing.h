@@ -13,7 +13,7 @@ namespace obby::calibrate {
 struct Crossing {
   Profile profile;           // losses with the other parameters refined
   std::vector<double> best;  // point with the lowest loss
-  double loss = 0;           // at `best`
+  double loss = 0;           // loss at `best`
 };
 
 // Tries `shares` (ascending) for one coordinate, and refines the others at each in up to `rounds`

@@ -19,8 +19,9 @@ constexpr double kAlike = 0.5;
 // Seconds of frames whose gradients are summed as one stretch. Errors of a window share a cause,
 // its first sample.
 constexpr double kStretch = 1.5;
-constexpr double kMinEigenvalue = 1e-9;  // relative to the largest eigenvalue; smaller ones count
-                                         // as zero
+// Added to the diagonal of the normal matrix, relative to its largest element, so that the matrix
+// can be inverted.
+constexpr double kMinEigenvalue = 1e-9;
 // Studs. No recorder is more precise: a fall deviates by more between two frames.
 constexpr double kMinNoise = 1e-3;
 constexpr float kShows = 1e-3f;  // studs by which at least one frame must change
@@ -48,8 +49,8 @@ double weightOf(float residual, double near) {
   return 1 / (1 + size * size);
 }
 
-// `here`: the residuals at the point. If the point on one side is infeasible, only the other side
-// counts.
+// `here`: the residuals at the point. If the parameters on one side are invalid, only the other
+// side counts.
 void writeColumn(const Objective& objective, const std::vector<double>& point,
                  const std::vector<float>& here, int i, Eigen::MatrixXf& jacobian) {
   const auto up = moved(point, size_t(i), kStep), down = moved(point, size_t(i), -kStep);
@@ -130,7 +131,7 @@ bool shows(const Objective& objective, const std::vector<double>& point, size_t 
     std::vector<double> moved = point;
     moved[coordinate] = share;
     const auto there = objective.residuals(moved);
-    if (!there) continue;  // infeasible body
+    if (!there) continue;  // invalid parameters
     for (size_t k = 0; k < here.size(); ++k) {
       if (std::fabs((*there)[k] - here[k]) > kShows) return true;
     }

@@ -21,7 +21,7 @@ Result<Derivatives> derivativesAt(const Objective& objective, const std::vector<
                                   const Work& work);
 
 // Half widths of the 95 % intervals, and correlations, both in shares of the bounds. A coordinate
-// without any effect has a half width of 1.
+// without any effect has a half width of about 1.
 struct Evidence {
   std::vector<double> half;
   Eigen::MatrixXd correlation;

@@ -75,10 +75,10 @@ void countEvents(const Track& track, const std::vector<Played>& played, Fidelity
   }
 }
 
-constexpr float kLeap = 1;  // min studs of an apex above both ends of the recording
+constexpr float kLeap = 1;  // min studs of an apex above the lower end of the recording
 
 // Returns the error of the apex height, studs. Returns nothing if the recording is highest at one
-// of its ends, or barely higher than there.
+// of its ends, or if the apex is less than kLeap above its lower end.
 std::optional<double> apexError(const Track& track, const std::vector<Played>& played) {
   const auto& frames = track.frames;
   const auto recorded =

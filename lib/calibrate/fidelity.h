@@ -14,7 +14,7 @@ namespace obby::calibrate {
 // A recording compared with the simulator, frame by frame.
 struct Fidelity {
   uint32_t frames = 0;         // frames compared: all but the first
-  double mean = 0, max = 0;    // distance between the root's centres, studs
+  double mean = 0, max = 0;    // distance between the recorded and simulated root centres, studs
   uint32_t events = 0;         // changes of the recorded state
   uint32_t matched = 0;        // events that the simulator has too, at most one frame apart
   std::optional<double> apex;  // error of the apex height, studs; absent if the recording is

@@ -33,7 +33,8 @@ Fitted byGradient(Fitted f, double share, double half) {
   return judged(f);
 }
 
-// `between`: half a step of the profile. Values that close to a tried one may be possible too.
+// `between`: distance between the tried shares, or 0. Values that close to a possible one may be
+// possible, too.
 Fitted byProfile(Fitted f, const Profile& profile, double slack, double between) {
   const Possible possible = possibleOf(profile, slack);
   if (possible.all) return f;

@@ -172,7 +172,7 @@ class Fitter {
     return forget();
   }
 
-  // Rebuilds the objectives at the rate found.
+  // Rebuilds the objectives at the current control rate.
   void begin() {
     brief_ = Objective(brief_.takes(), {}, found_.params(), settings_.objective);
     sharp_ = brief_.of(std::vector<Parameter>());
@@ -235,8 +235,8 @@ class Fitter {
   const FitSettings& settings_;
   Account& account_;
   const Work& work_;
-  Objective brief_;              // without parameters, as is sharp_
-  Objective sharp_;              // on longer windows
+  Objective brief_;              // on short windows; without parameters
+  Objective sharp_;              // as sharpen() last made it; without parameters
   std::vector<Parameter> seen_;  // parameters with an effect
   Found found_, kept_;
   double nearest_ = std::numeric_limits<double>::max();  // loss of kept_

@@ -19,8 +19,8 @@ uint32_t stepsBetween(const Frame& a, const Frame& b, double stepsPerSecond);
 std::vector<uint32_t> stepsOf(const Track& track, double stepsPerSecond);
 
 // Returns each frame's own time in physics steps. Recorded times are whole steps, but the engine
-// counts some clocks by frame time. At a steady frame rate the own time is the mean of the
-// surrounding frames, elsewhere the recorded time.
+// counts some clocks by frame time. At a steady frame rate this is the mean of the surrounding
+// frames; otherwise it is the recorded time.
 std::vector<float> ownSteps(const std::vector<uint32_t>& steps);
 
 struct Played {

@@ -25,7 +25,7 @@ struct Manoeuvre {
 std::vector<Manoeuvre> manoeuvres();
 
 // Simulates a manoeuvre with one frame a tick, including the poses of moving and dynamic parts.
-// This predicts what a recording can show before it is made. `noise`: error of a position along
+// This predicts what a recording can show before it is made. `noise`: max error of a position along
 // each axis, studs.
 Track rehearse(const level::Level& level, const Manoeuvre& manoeuvre, float noise, uint64_t seed);
 

@@ -94,7 +94,7 @@ Result<std::vector<float>> Objective::residuals(std::span<const double> point) c
   std::optional<level::Level> level;
   const Take* before = nullptr;
   for (const Take& take : takes_) {
-    // Compiling a level takes longer than simulating in it.
+    // Consecutive takes share a compiled level, since compiling takes longer than simulating.
     if (!before || &before->level.storage() != &take.level.storage()) {
       OBBY_ASSIGN(level, levelAt(point, take));
     }

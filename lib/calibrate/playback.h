@@ -10,14 +10,14 @@
 
 namespace obby::calibrate {
 
-// Frames first to last of a track. The simulation starts from the first one and is compared with
-// the others.
+// Frames `first` to `last` of a track. The simulation starts from the first one and is compared
+// with the others.
 struct Window {
   uint32_t first, last;
 };
 
-// Returns consecutive windows of about `seconds` each. If the track does not show dynamic bodies of
-// the level, returns one window from start to end.
+// Returns consecutive windows of about `seconds` each. Returns a single window from start to end if
+// showsBodies() is false (surroundings.h).
 std::vector<Window> windowsOf(const Track& track, double seconds, const level::LevelView& level);
 
 // Returns the state of a frame, as far as it was recorded.
@@ -28,12 +28,12 @@ struct Moment {
   Vec3 position;  // centre of the root part, studs
   Vec3 velocity;
   Vec3 facing;                             // horizontal, approximately unit length
-  sim::State state = sim::State::running;  // after the later of the two ticks
+  sim::State state = sim::State::running;  // state at the nearer of the two ticks
 };
 
+using Visit = std::function<void(uint32_t window, uint32_t frame, const Moment& moment)>;
 // `delay`: seconds from an input to its effect. Calls visit(window, frame, moment) for every frame
 // but the first of each window, in ascending order within a window.
-using Visit = std::function<void(uint32_t window, uint32_t frame, const Moment& moment)>;
 void playBack(const level::LevelView& level, const Track& track, const std::vector<Window>& windows,
               double delay, const Visit& visit);
 

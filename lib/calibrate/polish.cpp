@@ -9,7 +9,7 @@ namespace obby::calibrate {
 namespace {
 
 constexpr int kEventRounds = 3;
-constexpr int kDelayRounds = 6;   // more, since accelerations change much with the delay
+constexpr int kDelayRounds = 6;   // more rounds: accelerations change much with the delay
 constexpr int kPolishRounds = 4;  // max rounds of gradient steps and tick counts
 
 // Alternates gradient steps and tick counts while that helps.

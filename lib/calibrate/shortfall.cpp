@@ -75,7 +75,7 @@ void addUntold(std::span<const Take> takes, const Fit& fit, schema::PhysicsParam
       other.root().setParams(params);
       setValue(other.root().getParams(), f.parameter.name, valueAt(f.parameter, share));
       const auto off = offUnder(takes, strange, fit.delay, other.reader().getParams());
-      if (!off || *off > kNearer * strange.off) continue;  // an infeasible body
+      if (!off || *off > kNearer * strange.off) continue;  // invalid, or explains too little
       strange.untold.push_back(f.parameter.name);
       break;
     }

@@ -23,7 +23,7 @@ struct Strange {
 struct Shortfall {
   double noise = 0;               // error of the recorded positions themselves, studs
   std::vector<std::string> ends;  // parameters at an end of the searched range
-  std::vector<Strange> strange;   // those beyond the tolerance, worst first; 3 at most
+  std::vector<Strange> strange;   // windows beyond the tolerance, worst first; at most 3
   bool stopped = false;           // the fit was interrupted; the rest is not examined
 };
 

@@ -18,7 +18,7 @@ constexpr float kStray = 0.5f;          // studs: a larger distance is not noise
 constexpr float kRestingSpeed = 0.05f;  // studs/s: slower bodies are at rest
 constexpr float kFar = 10;              // studs from a body at which there is no contact
 
-// Returns null if the part neither moves nor is dynamic.
+// Returns the first collider of the part, or null if it has none.
 const level::Collider* colliderOf(const level::LevelView& level, uint32_t part) {
   for (uint32_t i = 0; i < level.colliderCount; ++i) {
     const level::Collider& c = level.colliders[i];
@@ -92,8 +92,8 @@ double phaseOf(const Track& track, const level::LevelView& level, uint32_t perio
   return best;
 }
 
-// Returns the body of a recorded part, or kNoBody. It searches the few bodies, because it runs
-// for each recorded part at each lead tick and a place has thousands of colliders.
+// Returns the body of a recorded part, or kNoBody. It searches the bodies, which are few. It runs
+// for each recorded part at each tick before a window, and a place has thousands of colliders.
 uint8_t bodyOf(const level::LevelView& level, uint32_t part) {
   for (uint32_t i = 0; i < level.bodyCount; ++i) {
     if (level.colliders[level.bodies[i].firstCollider].part == part) return uint8_t(i);

@@ -44,7 +44,8 @@ bool differ(const Result<std::vector<float>>& a, const Result<std::vector<float>
   return bool(a) != bool(b) || (a && *a != *b);
 }
 
-// Returns the recordings whose residuals change if a tick-valued parameter takes its min or max.
+// Returns the recordings whose residuals change if the tick-valued parameters take any mix of their
+// min and max values.
 std::vector<Take> telling(const Objective& objective, const std::vector<double>& point,
                           const std::vector<Profile>& profiles, const Work& work) {
   std::vector<Take> out;

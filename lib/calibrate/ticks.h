@@ -20,8 +20,8 @@ struct Scan {
 // counts can be tried in pairs, which takes longer. Beyond a limit on counts, pairs are skipped.
 enum class Tried { singly, inPairs };
 
-// Other coordinates keep their values. After a stop all coordinates do, and the profiles are
-// meaningless.
+// Searches the counts; the other coordinates keep their values. After a stop, all coordinates keep
+// their values, and the profiles are meaningless.
 Scan scanOf(const Objective& objective, const std::vector<double>& point, Tried tried,
             const Work& work);
 

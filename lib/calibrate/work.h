@@ -57,7 +57,7 @@ class Work {
   // Returns a copy without the stop flag, for work that must complete.
   Work toItsEnd() const { return {pool_, nullptr, account_}; }
 
-  // Returns true once a stop was requested, and from then on.
+  // Returns true from the moment at which a stop is requested.
   bool stopped() const { return stop_ != nullptr && *stop_; }
   // Runs task(0) ... task(count - 1), each once. After a stop no further task starts, so outputs
   // may be missing. Reports progress after each task of the calling thread.

@@ -60,7 +60,7 @@ class Learner {
   std::vector<float>& sumShares();
   // Takes one step of Adam by the gradient in the first share.
   void step(float learningRate);
-  // Takes a step by `scale` times the sum of the shares, with weight decay, clipped.
+  // Takes one step of Adam by `scale` times the sum of the shares, with weight decay and clipping.
   void step(const LearnerSettings& settings, float scale);
 
  private:

@@ -16,7 +16,7 @@ struct PpoLossSettings {
 // A decision of the behaviour policy, as PPO needs it.
 struct PpoDecision {
   int action;
-  float logProbability;  // of the action, when the decision was made
+  float logProbability;  // log probability of the action at the time of the decision
   float advantage;       // normalised
   float target;          // value target, in the value head's units
 };

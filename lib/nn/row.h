@@ -12,9 +12,9 @@ struct LayerView {
   const float* biases = nullptr;   // (padded)
 };
 
-// A vector of kMax numbers, put one lane group at a time; forEach() visits the non-zero ones in
-// order. This form has one lane and scans all numbers, so that the threads of a GPU read the same
-// weights together. policy/policy.cpp specialises it for WideFloat.
+// A vector of kMax numbers. put() stores one lane group at a time, and forEach() visits the
+// non-zero numbers in order. This form has one lane and scans all numbers, so that the threads of a
+// GPU read the same weights together. policy/policy.cpp specialises it for WideFloat.
 template <class F, int kMax>
 class NonZero {
  public:

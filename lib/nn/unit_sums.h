@@ -39,7 +39,7 @@ struct UnitSums {
   OBBY_LANES void rectify() {
     forGroups([&](int g) OBBY_INLINED { group[g] = maxf(group[g], WideFloat(0.0f)); });
   }
-  // Sets units to 0 that are off in `row`.
+  // Sets the units to 0 that are off in `row`.
   OBBY_LANES void stopWhereOff(const float* row) {
     const WideFloat zero(0.0f);
     forGroups([&](int g) OBBY_INLINED {

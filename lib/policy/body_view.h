@@ -11,7 +11,7 @@ namespace obby::policy {
 
 constexpr float kNear = 8;  // studs, or studs/s, at which an input reaches half its range
 
-// Position and velocity of the body, all zero if there is none.
+// 1 if there is a body, its position, and its horizontal velocity; all 0 if there is none.
 constexpr int kBodyInputs = 6;
 OBBY_DEVICE void tellBodies(const level::LevelView& level, const sim::World& w,
                             const sim::RigidBody* bodies, const Frame& frame, float* out) {

@@ -102,10 +102,11 @@ OBBY_DEVICE F uncovered(F danger, F floor) {
   return select(danger < floor, F(kDeepest), danger);
 }
 
-// Returns the input for a height: its scaled difference from `before`, which is zero if nothing
-// moves. `before` is the height at the previous moment. At the first moment it is kDeepest, so the
-// input is zero if nothing is there.
+// The input for a height if nothing is there.
 constexpr float kEmptyInput = 0;
+// Returns the input for a height: its scaled difference from `before`, the height at the previous
+// moment. The input is zero if nothing moves. At the first moment `before` is kDeepest, so the
+// input is zero if nothing is there.
 template <class F>
 OBBY_DEVICE F shown(F height, F before) {
   return (height - before) * 0.125f;
@@ -140,7 +141,7 @@ struct Maps {
     }
   }
 
-  // Turns heights into inputs. Call it after all calls of see().
+  // Turns heights into inputs. Call it after the last call to see().
   OBBY_DEVICE void finish() {
     for (int i = 0; i < kCount; i += Lanes<F>::kCount) {
       F floorBefore(kDeepest), dangerBefore(kDeepest);

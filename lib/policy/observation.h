@@ -54,7 +54,7 @@ OBBY_DEVICE void observeState(const Scene& s, const sim::World& w, const sim::Ne
   out[i++] = w.floorlessSteps == 0 ? 1.0f : 0.0f;
   out[i++] =
       minf(float(w.floorlessSteps) * (tick / float(s.level.params.substeps)), 30.0f) * 0.0333f;
-  // The state, one number each.
+  // Indicators of the states, then of a possible jump.
   out[i++] = in(sim::State::running) + in(sim::State::landed);
   out[i++] = in(sim::State::landed);
   out[i++] = in(sim::State::jumping);

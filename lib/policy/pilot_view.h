@@ -11,7 +11,7 @@ constexpr int kPaddedOutputs = 48;  // logits, the value, and padding for every 
 
 // Plain spans, for device code.
 struct NetworkView {
-  const float* means = nullptr;   // (kInputs), of the observations on which the network was trained
+  const float* means = nullptr;   // (kInputs), of the observations that the network was trained on
   const float* scales = nullptr;  // (kInputs), 1 / spread of those observations
   const float* voids = nullptr;   // (kInputs), normalised inputs if nothing is in sight
   nn::LayerView layers[3];  // kInputs -> kHidden -> kHidden -> kPaddedOutputs; the first takes

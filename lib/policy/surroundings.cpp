@@ -11,7 +11,7 @@ constexpr float kMinCell = 8;              // studs
 constexpr float kMaxCells = 256;           // per axis; huge levels get wider cells
 constexpr float kFarthest = 1.0e5f;        // studs; parts farther out are never under a player
 constexpr uint64_t kMaxEntries = 1 << 24;  // in all cells, 64 MiB; with more, cells get wider
-constexpr float kBorder = 0.05f;           // studs; extra reach in those levels, against rounding
+constexpr float kBorder = 0.05f;  // studs; extra reach once cells got wider, against rounding
 
 Box within(const Box& box) {
   const Vec3 far{kFarthest, kFarthest, kFarthest};
@@ -65,7 +65,8 @@ void Surroundings::divide(Vec3 extent, float cell) {
   nz_ = int32_t(extent.z / cell_) + 1;
 }
 
-// 66 thousand parts of the max size would have more entries than 32 bits can count.
+// The result needs 64 bits: 66 thousand parts of the max size have more entries than 32 bits can
+// count.
 uint64_t Surroundings::entriesOf(const level::LevelView& level, float reach) const {
   uint64_t entries = 0;
   forSeen(level, [&](uint32_t, const Box& box) {

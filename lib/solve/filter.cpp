@@ -47,7 +47,7 @@ Result<io::Then> Filter::handle(const io::Record& record) {
   }
 }
 
-// Passes on the level with its physics changed, so that later tools replay the same.
+// Passes on the level with its physics changed, so that later tools replay with the same physics.
 Result<io::Then> Filter::handleLevel(const io::Record& read) {
   OBBY_RETURN_IF_ERROR(finishLevel());
   last_.reset();
@@ -114,7 +114,7 @@ Result<Filter::LevelPointer> Filter::levelNamed(const std::string& name) const {
   return levels_.named(name);
 }
 
-// Adds a level. Drops the filters and queries of the levels that are dropped for it.
+// Adds a level. Also drops the filters and queries of the levels that it displaces.
 void Filter::know(const LevelPointer& level) {
   for (const std::string& dropped : levels_.add(level)) {
     passFilters_.erase(dropped);
@@ -138,8 +138,8 @@ bool Filter::wanted(const std::string& id) const {
   return only.empty() || std::find(only.begin(), only.end(), id) != only.end();
 }
 
-// Notes each id once. Other ids are noted only up to the number that an error names, since a stream
-// need not end.
+// Notes each id once. Ids that are not in `only` are noted up to the number that an error lists,
+// since a stream need not end.
 void Filter::note(const std::string& id) {
   constexpr size_t kMaxOthers = 5;
   if (options_.only.empty()) return;

@@ -82,7 +82,7 @@ class Filter {
     LevelPointer level;
     io::Record read;       // as read; errors name its place in the input
     bool asked = false;    // true once `quick` or the default query was asked
-    uint64_t queries = 0;  // queries of the level that followed
+    uint64_t queries = 0;  // number of its queries so far
   };
 
   Result<io::Then> handleLevel(const io::Record& read);
@@ -109,9 +109,9 @@ class Filter {
   ThreadPool pool_;
   io::Physics physics_;
   LevelCache levels_;
-  std::map<std::string, PassFilter> passFilters_;  // by name of the level
+  std::map<std::string, PassFilter> passFilters_;  // by level name
   std::optional<Last> last_;
-  QueryCache queries_;                     // of the levels in levels_, for Task::verify
+  QueryCache queries_;                     // queries of cached levels, for Task::verify
   std::vector<std::string> met_, others_;  // ids of `only` that were met; the first few other ids
   FilterCounts counts_;
 };

@@ -22,16 +22,16 @@ class LevelCache {
   // `maxBytes`: memory budget of the kept levels, both records and compiled.
   explicit LevelCache(uint64_t maxBytes) : levels_(maxBytes) {}
 
-  // Keeps a level as the newest, in place of an older one of its name. Returns the names of the
-  // levels that are dropped for it, oldest first.
+  // Adds a level as the newest. It replaces a level with the same name. Returns the names of the
+  // levels dropped to make space, oldest first.
   std::vector<std::string> add(LevelPointer level);
   // Updates the memory of a level after it was compiled for more players.
   void weigh(const std::string& name);
-  // Forgets the level of a name, if there is one.
+  // Forgets the level with this name, if it is cached.
   void forget(const std::string& name) { levels_.forget(name); }
 
-  // Returns the level of a name. Error, with path "level": no level of that name is kept, or the
-  // name is empty.
+  // Returns the level with this name. Error at path "level": the name is empty, or no level with
+  // this name is cached.
   Result<LevelPointer> named(const std::string& name) const;
 
  private:

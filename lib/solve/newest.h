@@ -20,8 +20,8 @@ class Newest {
   // `maxBytes`: memory budget of the kept values.
   explicit Newest(uint64_t maxBytes) : maxBytes_(maxBytes) {}
 
-  // Keeps a value as the newest, in place of an older one of its key. Returns the keys of the
-  // values that are dropped for it, oldest first.
+  // Adds a value as the newest. It replaces a value with the same key. Returns the keys of the
+  // values dropped to make space, oldest first.
   std::vector<Key> add(Key key, Value value, uint64_t bytes) {
     forget(key);
     bytes_ += bytes;
@@ -61,8 +61,8 @@ class Newest {
   }
 
   // Adds to an error about a missing key that its value may have been dropped. The keys of dropped
-  // values are not kept, since they would grow without bound. `order` says how to avoid that, as in
-  // "put a after b"; `many` names the values.
+  // values are not kept, since their number would grow without bound. `order` says how to avoid
+  // that, as in "put a after b"; `many` names the values.
   Error explained(Error missing, const char* order, const char* many) const {
     if (dropped_ == 0) return missing;
     missing.message += fmt::format(" is still in memory: the oldest {} were dropped", dropped_);
@@ -86,7 +86,7 @@ class Newest {
   const uint64_t maxBytes_;
   std::map<Key, Kept> kept_;
   std::map<uint64_t, Key> byAge_;     // oldest first
-  uint64_t bytes_ = 0;                // of all kept values
+  uint64_t bytes_ = 0;                // total size of the kept values
   uint64_t added_ = 0, dropped_ = 0;  // so far
 };
 

@@ -22,12 +22,12 @@ class QueryCache {
   // Returns the approximate memory of a kept query and the name of its level, in bytes.
   static uint64_t bytesOf(const std::string& level, const io::Record& query);
 
-  // Keeps a copy of a query as the newest, in place of an older one of its id and level.
+  // Adds a copy of a query as the newest. It replaces a query with the same id and level.
   void add(const std::string& level, const io::Record& query);
   // Forgets all queries of a level.
   void forgetLevel(const std::string& level);
 
-  // Returns the query of an id and level. Error, with path "query": that query is not kept.
+  // Returns the query with this id and level. Error at path "query": the query is not cached.
   Result<io::Record> named(const std::string& level, const std::string& id) const;
 
  private:

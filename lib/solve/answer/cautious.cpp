@@ -10,7 +10,7 @@ namespace obby::solve {
 namespace {
 
 constexpr uint64_t kMinSteps = 500'000;
-constexpr uint64_t kTimesSteps = 8;  // multiple of the steps of the first search
+constexpr uint64_t kTimesSteps = 8;  // max steps, as a multiple of the first search's
 constexpr float kDeadly = 1e6f;      // damage above any health
 
 // Returns the parts that every solution touches because the query names them.
@@ -53,7 +53,8 @@ bool mayBeEasierElsewhere(schema::Level::Reader level, const std::vector<uint32_
   return false;
 }
 
-// Returns the rest of the budget, limited to a multiple of the steps of the first search.
+// Returns the rest of the budget. Its steps are limited to kMinSteps or kTimesSteps times those of
+// the first search, whichever is more.
 Budget budgetAfter(Budget budget, const SearchOutcome& first) {
   const uint64_t steps = first.statistics.steps;
   budget.maxSteps -= std::min(budget.maxSteps, steps);

@@ -1,4 +1,4 @@
-// Searches for solutions that avoid the parts of which the import is not sure.
+// Searches for solutions that avoid the parts about which the importer has doubts.
 #pragma once
 
 #include "solve/answer/solver_options.h"
@@ -17,10 +17,10 @@ struct SolvedQuery {
 };
 
 // Searches for solutions that touch none of the doubtful parts. If it finds any, they replace the
-// others. Parts on which the player starts and parts that the query names are exempt. The search
-// does up to eight times the steps of the first one, but at least 500,000, within the query's
-// budget. `touched`, in and out: doubtful parts that the shortest solution touches. Error: the
-// level with deadly parts is invalid, which is not expected.
+// others. Parts on which the player starts and parts that the query names are exempt. The search is
+// limited to 500,000 steps or eight times those of the first one, whichever is more, and to the
+// query's budget. `touched`, in and out: doubtful parts that the shortest solution touches. Error:
+// the level with deadly parts is invalid, which is not expected.
 Result<Avoiding> avoidDoubts(const SolvedQuery& solved, const Machine& machine,
                              const Course& course, std::vector<uint32_t>& touched,
                              SearchOutcome& outcome);

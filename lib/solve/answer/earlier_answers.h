@@ -22,10 +22,10 @@ class EarlierAnswers {
 
   Status note(schema::Trajectory::Reader trajectory);
 
-  // The player that the trajectories are for, and rates in ticks per second.
+  // The player for whom trajectories are wanted, and rates in ticks per second.
   struct For {
     level::Player player;
-    uint32_t rate, levelRate;  // of the player, and of the level
+    uint32_t rate, levelRate;  // rates of the player and of the level
   };
 
   // Returns the trajectories of this player, then those of others, all retimed to the player's

@@ -108,8 +108,8 @@ class Solving {
     return found;
   }
 
-  // Returns false to end the search. An output that fails on progress would fail on the answer,
-  // too.
+  // Returns false to end the search. A failed write of progress ends it, since the answer could not
+  // be written either.
   bool look(const SearchView& view) {
     if (question_.goOn && !question_.goOn()) return false;
     if (options_.explain || options_.heatMap) noteNewCells(view.search);

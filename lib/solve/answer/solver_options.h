@@ -20,13 +20,13 @@ struct SolverOptions {
   bool heatMap = false;  // results include a map of where the search went
   const EarlierAnswers* earlier = nullptr;  // tried first; may be null
   bool explain = false;  // look for a change that makes a query solvable; may double the time
-  uint32_t difficultyTrials = 0;  // per segment of a solution; 0: difficulty is not asked for
+  uint32_t difficultyTrials = 0;  // trials per segment; 0: no difficulty
 };
 
 // Progress of a query, to show to a person.
 struct QueryProgress {
   std::string query;
-  double fraction;  // of the budget
+  double fraction;  // spent share of the budget
   uint64_t steps, cells;
   float closest;  // studs
 };

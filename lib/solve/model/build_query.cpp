@@ -68,7 +68,7 @@ Status fillPlaces(List list, const std::vector<std::string>& selectors, const ch
   return {};
 }
 
-// A part that has a spawn on it selects that spawn.
+// Fills in the start. A part with a spawn on it stands for that spawn.
 Status fillStart(schema::Level::Reader level, const std::string& selector,
                  schema::Query::Builder query) {
   const uint32_t tick = query.getStart().getTick();

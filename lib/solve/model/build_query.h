@@ -19,7 +19,7 @@ struct QuickQuery {
   std::vector<std::string> avoid;      // a name stands for all parts that it matches
   std::string arrive;                  // an enumerant of schema Arrive; empty: as the query says
   std::vector<std::string> forbid;     // enumerants of schema PlayerState
-  std::vector<std::string> tricks;     // of level::trickOptions()
+  std::vector<std::string> tricks;     // names from level::trickOptions()
   std::string directions;  // an enumerant of schema Directions; empty: as the query says
   int32_t minJumps = -1, maxJumps = -1;
   float timeLimit = 0;  // seconds

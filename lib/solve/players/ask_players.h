@@ -17,8 +17,8 @@ struct AskedPlayers {
   bool empty() const { return bodies.empty() && frameRates.empty() && !sameKeys; }
 };
 
-// Reads the options; each string may be a list with commas. Error: an unknown body or frame rate,
-// with the option as path.
+// Reads the options; each string may be a list with commas. Error at the option's path: an unknown
+// body or frame rate.
 Result<AskedPlayers> askedPlayers(const std::vector<std::string>& bodies,
                                   const std::vector<std::string>& frameRates, bool sameKeys);
 

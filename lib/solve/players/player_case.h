@@ -11,7 +11,7 @@ namespace obby::solve {
 struct PlayerCase {
   level::Player player;
   const LoadedLevel* level;  // the level compiled for the player
-  io::Record query;          // in the ticks of that level; names no players
+  io::Record query;          // in ticks of `level`, without players
   uint32_t rate;             // ticks per second of that level
 
   // Filled in once the case is answered.

@@ -9,8 +9,8 @@
 
 namespace obby::solve {
 
-// Returns the slowest player's index. The others can change keys at each of its frames, or soon
-// after.
+// Returns the slowest player's index. The other players can change keys at each frame of the
+// slowest, or soon after.
 size_t slowest(const std::vector<PlayerCase>& cases);
 
 // Plays another player's keys, and holds the last of them for up to a second more. solve() returns

@@ -23,9 +23,9 @@ SearchOutcome noSearch(const Problem&, const Budget&, const Watcher&, const Mach
 }
 constexpr Method kNoSearch{"bound", "no search", noSearch};
 
-// Solutions that other players may refuse before the search restarts with another seed; doubled
-// each time. Methods that ignore companions need this: their cells keep the earliest trajectory, so
-// a search would be stuck with a first jump that fails for another player.
+// Number of solutions that other players may refuse before the search restarts with another seed.
+// It doubles each time. Methods that ignore companions need this: their cells keep the earliest
+// trajectory, so a search would be stuck with a first jump that fails for another player.
 constexpr uint32_t kFirstRefusals = 48;
 constexpr uint64_t kSeedStep = 0x9e3779b97f4a7c15u;
 
@@ -70,7 +70,7 @@ class PlayersSolving {
     return {};
   }
 
-  // Returns the first solution of each player before this one, at this player's rate.
+  // Returns the first solution of each earlier player in the list, converted to this player's rate.
   std::vector<ActionRuns> hintsFor(const PlayerCase& c) const {
     std::vector<ActionRuns> hints;
     for (const PlayerCase& other : cases_) {
@@ -194,7 +194,7 @@ class PlayersSolving {
     return {*c.level, c.queryRecord(), c.player, rate()};
   }
 
-  // Solves one case. Progress goes out at once, the rest is kept with the case.
+  // Solves one case. Writes progress at once and keeps the other records with the case.
   Status solve(PlayerCase& c, const SolverOptions& options, const PlayerQuestion& asked) {
     c.solutions.clear();
     c.attempts.clear();

@@ -191,7 +191,7 @@ float BodyLimits::thrown(float speed) const {
   if (!(p_.tricks & kLegThrow)) return 0;
   const float stiff = p_.hoverStiffness * dt_, damped = 1 - p_.hoverDamping * dt_;
   const float depth = sim::rayHeight(p_) + speed * tick_;
-  float deep[2] = {-1, 0}, fast[2] = {0, 1};  // gap and speed, per stud below and per stud/s
+  float deep[2] = {-1, 0}, fast[2] = {0, 1};  // (gap, speed) per stud of depth and per stud/s
   float max = 0;
   for (uint32_t n = 0; n < p_.substeps; ++n) {
     for (float* s : {deep, fast}) {

@@ -17,7 +17,7 @@ Box allPlaces(const Problem& problem);
 struct Flight {
   float height, up;  // max height of the feet, and their max upward speed
   bool leaps;        // begins with a jump
-  float radius;      // it begins within this radius of the support's box
+  float radius;      // the flight begins within this radius of the support's box
 };
 
 // Lengths, in studs.
@@ -27,12 +27,12 @@ struct BodySizes {
   float stand = 0;       // radius in which a jump begins: `body`, or `ray` if walks are fast
   float limb = 0;        // radius in which limbs touch
   float across = 0;      // parts farther apart than this are not touched at once
-  float slack = 0;       // skin, rest of a penetration after depenetration, rounding
+  float slack = 0;       // skin, residual penetration and rounding
   float settles = 0;     // studs above the rest height at which a player may stand
   float sunk = 0;        // studs below a support's top from which a jump or fall may begin
   float maxTakeOff = 0;  // studs above the top from which a jump or fall may begin
   float overlap = 0;     // max overlap with a part after a step of travel and a tick of air turning
-  float turned = 0;      // the same with any turn
+  float turned = 0;      // max overlap with any turn
 };
 
 // Speeds, in studs/s unless stated.
@@ -55,11 +55,11 @@ class BodyLimits : public BodySizes, public BodySpeeds {
   // Returns the min height of the feet from which a jump enters the top of a static upright block.
   // `pinched`: another part may hold the body next to it.
   float entry(float top, bool pinched) const;
-  // Returns the studs by which the entry is lower for feet that come without a jump.
+  // Returns the studs by which the entry is lower for feet that arrive without a jump.
   float entryOfFalls() const { return turned - overlap; }
 
   // Returns the max height from which a jump or fall begins, in studs above the highest place of a
-  // floor, in Running. The apex of the flight before was `low` to `high` studs above that place.
+  // floor, in Running. The apex of the preceding flight was `low` to `high` studs above that place.
   float takeOff(float low, float high) const;
   // Returns the upward speed, in studs/s, that a trick with the legs gives on a floor that goes up
   // or down at `speed`.
@@ -94,7 +94,7 @@ class BodyLimits : public BodySizes, public BodySpeeds {
   float dt_, tick_;
   float light_, heavy_;     // min and max gravity, under all boosts of the level
   float fastest_ = 0;       // max sideways speed of a player, studs/s
-  uint32_t lateTicks_ = 0;  // from the last tick with a floor to the last possible jump
+  uint32_t lateTicks_ = 0;  // ticks from the last one with a floor to the last possible jump
   float keptReach_ = 0;     // max studs above a floor at which it is still sensed
   float always_ = 0;        // max studs of a take-off above a floor, after a fast landing
   float slowest_ = 0;       // studs; landings from a higher apex are fast

@@ -11,9 +11,9 @@ namespace {
 
 // Upper bounds on the motion of a mover in a tick.
 struct Steps {
-  float up = 0, vertical = 0, sideways = 0;  // studs, of the centre
-  float turn = 0, spin = 0;                  // studs, of a point one stud from centre or pivot
-  float lo = 1e30f, hi = -1e30f;             // heights of the centre at the keys
+  float up = 0, vertical = 0, sideways = 0;  // motion of the centre, studs
+  float turn = 0, spin = 0;       // motion of a point one stud from the centre or pivot, studs
+  float lo = 1e30f, hi = -1e30f;  // heights of the centre at the keys
 };
 
 // Returns an upper bound on how far a point one stud from the axis moves between two rotations.

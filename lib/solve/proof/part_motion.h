@@ -10,7 +10,7 @@ namespace obby::solve {
 struct PartMotion {
   Box swept;           // bounds of the part over its whole motion, tight in height if it is upright
   float upward = 0;    // upward studs/s given to a player that it carries or launches
-  float sideways = 0;  // the same sideways, beyond walking
+  float sideways = 0;  // sideways studs/s given to that player, beyond walking
   float vertical = 0;  // max vertical studs/s of any of its points
   float step = 0;      // max studs that it moves in a tick
 };

@@ -70,8 +70,9 @@ uint32_t ReachBound::jumpsTo(const level::TargetView& target) const {
 
 bool ReachBound::holds(Vec3 feet) const { return jumpsInto({{feet, feet}, feet.y}) != kNever; }
 
-// Returns the distance that a plain jump or fall lacks between the places where the rays sense a
-// floor, at walking speed. It ignores the gains of perfect timing.
+// Returns the step with the distance by which a plain jump or fall at walking speed falls short.
+// Distances are between the places where the rays sense a floor. The gains of perfect timing are
+// ignored.
 Missing ReachBound::lack(uint32_t from, const End& to) const {
   const Support& s = supports_[from];
   const bool leap = mayLeap(s);
@@ -85,7 +86,7 @@ Missing ReachBound::lack(uint32_t from, const End& to) const {
   return {s.collider, level::kNone, rise, std::max(gap, 0.0f)};
 }
 
-// Finds the route that lacks least, by Dijkstra's algorithm over all supports.
+// Finds the route with the smallest missing distance, by Dijkstra's algorithm over all supports.
 Missing ReachBound::missing(const std::vector<const level::TargetView*>& targets) const {
   std::vector<End> ends;
   for (uint32_t i = 0; i < supports_.size(); ++i) ends.push_back(endAt(i));

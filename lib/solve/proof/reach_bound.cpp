@@ -10,11 +10,11 @@ namespace obby::solve {
 
 namespace {
 
-constexpr size_t kMaxVisits = 60;  // per support, on average; after more, the bound gives up
+constexpr size_t kMaxVisits = 60;  // per support, on average; beyond this the bound gives up
 constexpr int kMaxParts = 8;       // max counted parts near a flight; turns limit the push of more
 
 constexpr float kRounding = 0.125f;  // studs
-constexpr int32_t kMaxBlocks = 8;    // per axis; one box holds the places of a block
+constexpr int32_t kMaxBlocks = 8;  // max blocks per axis; the crowded places of a block share a box
 
 // Returns true if the list of a cell has more parts than a tick examines. The list has all parts
 // that a player in the cell can be near, at any speed.
@@ -125,7 +125,8 @@ void ReachBound::spread(uint32_t from, bool leaps) {
   });
 }
 
-// Returns the max height above its top from which the support `to` can be left after that flight.
+// Returns the max height above the top of the support `to` from which it can be left after the
+// flight `f`.
 float ReachBound::takeOffAfter(uint32_t from, uint32_t to, const Flight& f) const {
   const Support &a = supports_[from], &b = supports_[to];
   const float floor = b.top() + b.lift, high = limits_.apex(f) - floor;
@@ -164,7 +165,7 @@ bool ReachBound::stepsInto(const Flight& f, const End& to, float distance) const
          distance <= limits_.sideways(limits_.late, excess_);
 }
 
-// Returns the studs that a flight covers until the feet are at that height; below 0 if they never
+// Returns the studs that a flight covers until the feet are at `height`; negative if they never
 // are. Parts on the way lift a body that turns next to them, or push it on.
 float ReachBound::reach(const Flight& f, float height, int parts) const {
   const float seconds = limits_.seconds(f, height - float(parts) * limits_.turned);
@@ -190,7 +191,7 @@ bool ReachBound::crosses(uint32_t from, const Flight& f, const End& to) const {
   }
 }
 
-// Returns the number of solid parts that a flight of that length may meet, up to kMaxParts.
+// Returns the number of solid parts that a flight of `studs` studs may meet, up to kMaxParts.
 int ReachBound::partsNear(uint32_t from, const Flight& f, const End& to, float studs) const {
   const Support& s = supports_[from];
   const float low = to.height - limits_.entryOfFalls(), high = limits_.apex(f) + p_.bodyTop;

@@ -14,8 +14,8 @@
 
 namespace obby::solve {
 
-// The first step that no player can make, on the route that lacks least. If the part is nearer by
-// this much, a plain jump reaches it, unless something is in between.
+// The first step that no player can make, on the route with the smallest missing distance. If the
+// part were nearer by this much, a plain jump would reach it, unless something is in between.
 struct Missing {
   uint32_t from = level::kNone, to = level::kNone;  // colliders; kNone: start or region
   float rise = 0, gap = 0;                          // studs
@@ -70,8 +70,8 @@ class ReachBound {
   bool isReached(uint32_t support) const { return jumps_[support] != kNever; }
   bool mayLeap(const Support& s) const { return mayJump_ && s.carries; }
   Flight flight(uint32_t support, bool leaps) const;
-  // Returns the jumps up to the end of that flight. A held jump may go on over the next floor, so
-  // it does not count.
+  // Returns the number of jumps up to the end of the flight `f` from `support`. A held jump may go
+  // on over the next floor, so it does not count.
   uint32_t jumpsAfter(uint32_t support, const Flight& f) const {
     return jumps_[support] + (f.leaps && limits_.heldSeconds == 0 ? 1 : 0);
   }
@@ -91,7 +91,7 @@ class ReachBound {
   const BodyLimits limits_;
   const bool mayJump_;
   std::vector<Support> supports_;
-  const BoxIndex index_;  // of the supports' boxes, from above
+  const BoxIndex index_;  // index of the supports' boxes, seen from above
   float pushed_ = 0;      // max studs/s by which parts next to a flight push it
   float tossed_ = 0;      // max studs/s upward that a support gives
   float lowest_ = 1e30f;  // lowest entry of all supports

@@ -1,5 +1,5 @@
-// Supports are all that can carry or launch a player: colliders, the start, and the ends of
-// teleporters, as the bound on reach sees them (reach_bound.h). Boxes and speeds are upper bounds.
+// Supports are everything that can carry or launch a player: colliders, the start, and the ends of
+// teleporters. The bound on reach uses them (reach_bound.h). Boxes and speeds are upper bounds.
 #pragma once
 
 #include <vector>

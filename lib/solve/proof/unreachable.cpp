@@ -15,7 +15,7 @@ namespace {
 
 using Targets = std::vector<const level::TargetView*>;
 
-// A trajectory has to enter any one of these targets.
+// A trajectory must enter at least one of these targets.
 struct Demand {
   Targets any;
   std::string name;
@@ -94,8 +94,8 @@ bool isBounded(const Problem& problem) {
   return unboundedPart(problem.level) == nullptr;
 }
 
-// Returns the cut of the first demand that cannot be met, or not within its jumps, or else of the
-// time limit.
+// Returns the cut of the first demand that cannot be met within its max jumps, or else the cut of
+// the time limit.
 std::optional<Cut> prove(const Problem& problem, schema::Query::Reader record, bool withMissing) {
   if (!isBounded(problem)) return std::nullopt;
   Cut cut;
@@ -134,7 +134,7 @@ bool isCut(const Problem& problem, schema::Query::Reader record) {
 }
 
 void tryTricks(Cut& cut, Problem problem, schema::Query::Reader record) {
-  constexpr uint32_t kMaxColliders = 10'000;  // with tricks flights connect nearly all of them
+  constexpr uint32_t kMaxColliders = 10'000;  // with tricks, flights connect nearly all colliders
   if (problem.level.colliderCount > kMaxColliders) return;
   uint16_t& tricks = problem.level.params.tricks;
   const uint16_t allowed = tricks;

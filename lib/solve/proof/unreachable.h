@@ -21,7 +21,7 @@ struct Cut {
   float seconds = 0;              // lower bound of the time to the goal
   float maxSeconds = 0;           // seconds that are allowed
   bool withTricks = false;        // the proof holds for players who use every trick
-  uint16_t mayHelp = 0;           // if not, the tricks that each break the proof
+  uint16_t mayHelp = 0;           // otherwise the tricks that each break the proof
 };
 
 // Returns nothing if the query may be solvable. `record` supplies the names of its regions.

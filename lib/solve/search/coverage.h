@@ -19,7 +19,7 @@ struct CoveragePoint {
 struct Coverage {
   uint64_t rollouts = 0, idleRollouts = 0;  // idle: since the last new cell
   uint64_t singletons = 0;                  // cells that only their finder passed through
-  std::vector<CoveragePoint> curve;         // at step counts that double, then at the end
+  std::vector<CoveragePoint> curve;         // points at doubling step counts, then at the end
 };
 
 // Upper bounds (97.5 %) after Good and Turing. Of the cells that n rollouts found, f were visited

@@ -20,7 +20,7 @@ struct Statistics {
   uint64_t steps = 0;  // simulated ticks
   uint64_t rounds = 0;
   uint64_t rollouts = 0;
-  uint64_t idleRollouts = 0;  // since the last one that found a new cell
+  uint64_t idleRollouts = 0;  // rollouts since the last new cell
   uint8_t overruns = 0;       // sim::Flag bits of any attempt
   Closest closest;
 };

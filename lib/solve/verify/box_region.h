@@ -1,5 +1,5 @@
-// Regions in the verifier's own double-precision code, read from their records. It shares nothing
-// with geom/region.h, so that an error there is not repeated here.
+// Regions in double precision, read from their records. The verifier's code shares nothing with
+// geom/region.h, so that an error there is not repeated here.
 #pragma once
 
 #include <algorithm>

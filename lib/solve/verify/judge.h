@@ -50,13 +50,13 @@ class Judge {
   const level::LevelView& level_;
   std::vector<Place> goals_, visits_, avoid_;
   std::vector<Stop> stops_;  // the waypoints
-  Segment last_;             // from the last stop to the goal
+  Segment last_;             // segment from the last stop to the goal
   std::vector<schema::PlayerState> forbidden_;
   int64_t minJumps_, maxJumps_, ticks_;
   double maxDamage_;
-  size_t reached_ = 0;  // number of stops
+  size_t reached_ = 0;  // number of stops reached
   std::vector<bool> visited_;
-  int64_t segmentTick_ = 0, segmentJumps_ = 0;  // when the last stop was reached
+  int64_t segmentTick_ = 0, segmentJumps_ = 0;  // at the last reached stop
   uint32_t levelTick_ = 0;                      // the level's clock at that time
   int64_t avoided_ = -1;
 };

@@ -27,7 +27,8 @@ class Place {
   bool holds(const level::LevelView& level, const sim::World& world,
              std::span<const sim::RigidBody> bodies) const;
   // Returns true if the player is there now, or was in the box on the straight path since `before`,
-  // the start of the tick. A teleport has no path, and parts are not tested on it.
+  // the start of the tick. After a teleport, or if a part must be touched, only the place at the
+  // end of the tick counts.
   bool isEntered(const level::LevelView& level, const sim::World& before, const sim::World& world,
                  std::span<const sim::RigidBody> bodies) const;
 

@@ -118,7 +118,7 @@ Status checkPath(schema::Path::Reader path, const Walked& walked) {
   if (step == 0) return Error{{}, {}, "path.step", "expected at least 1 tick, found 0", {}};
   const auto points = path.getPoints();
   if (path.getTicks() != 0) OBBY_RETURN_IF_ERROR(same("path.ticks", path.getTicks(), ticks));
-  // Earlier versions wrote neither the last point nor its tick.
+  // Earlier versions wrote neither the last point of a path nor its tick.
   const bool endless = path.getTicks() == 0 && points.size() == ticks / step + 1;
   if (!endless) {
     OBBY_RETURN_IF_ERROR(same("path.points", points.size(), (ticks + step - 1) / step + 1));

@@ -23,14 +23,14 @@ struct DifficultyOptions {
 // Ordered like schema::Band.
 enum class Band : uint8_t { trivial, easy, medium, hard, extreme };
 
-// Returns the band of a share of trials. trivial: at least 99 in 100 pass; easy: 9 in 10; medium: 6
-// in 10; hard: 2 in 10; extreme: fewer.
+// Returns the band for a share of passed trials. trivial: at least 99 in 100 pass; easy: 9 in 10;
+// medium: 6 in 10; hard: 2 in 10; extreme: fewer.
 Band bandOf(float success);
 
 struct DifficultyStep {
   Segment segment;
   uint32_t passed = 0;  // number of passed trials
-  float success = 0;    // share of the trials
+  float success = 0;    // share of the trials that passed
   // Press window of the tightest jump, ms. 0: the segment has no jump, or, if segment.jumps > 0, a
   // jump that fails even as recorded.
   float window = 0;

@@ -9,7 +9,7 @@ namespace obby::solve {
 
 namespace {
 
-constexpr float kSteadily = 0.75f;   // share of walkSpeed above which a place error is a time lag
+constexpr float kSteadily = 0.75f;   // share of walkSpeed; above it a place error counts as a lag
 constexpr float kNearEnough = 0.3f;  // studs; a player this close takes no step
 constexpr float kTurnsPerDegree = 65536.0f / 360;
 
@@ -78,8 +78,8 @@ sim::Action NoisyPlayer::walk(const sim::World& world) const {
   return action;
 }
 
-// The recorded player releases the keys here, and the noisy one walks to that player's position.
-// Two cases need no walk: it is less than a step away, or momentum leads there anyway.
+// The recorded player releases the keys here, and the noisy one walks to that player's position. No
+// walk is needed if that position is less than a step away, or if momentum leads there anyway.
 sim::Action NoisyPlayer::hold(const sim::World& world) const {
   const Vec3 to = flat(rest_->at(place()).position - world.position);
   const float speed2 = dot(flat(world.velocity), flat(world.velocity));

@@ -23,7 +23,7 @@ struct Trial {
   Change change;
   bool hopeless = false;  // excluded by the bound on reach, or invalid
   uint32_t helps = 0;     // notches with which it is solvable; 0: none known
-  uint64_t steps = 0;     // to the solution with those notches
+  uint64_t steps = 0;     // steps to the solution with those notches
 };
 
 enum class Answer { solved, failed, impossible };
@@ -53,8 +53,8 @@ class Explanation {
     return stopped || left_ == 0 || !(secondsLeft() > 0);
   }
 
-  // Finds out which changes help at all. Short searches of all changes come before longer ones.
-  // They use at most half of the steps.
+  // Finds out which changes help at all. Short searches of all changes come before longer ones. All
+  // of them together use at most half of the steps.
   void screen() {
     const uint64_t kept = left_ / 2;
     for (uint64_t steps = kFirstSteps;; steps *= kStepsGrow) {

@@ -10,7 +10,7 @@
 
 namespace obby::solve {
 
-// The places where a search has been, to a stud sideways and a quarter of a stud in height.
+// The places where a search has been, rounded to a stud sideways and a quarter of a stud in height.
 class Footprints {
  public:
   // Adds the positions of further cells of the search (Search::places).

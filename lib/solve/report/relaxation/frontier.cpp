@@ -62,8 +62,8 @@ class Frontier {
 
   bool wasOn(const Support& s, const std::vector<Vec3>& places) const {
     if (!s.carries) return false;
-    // The entry is the min height of feet that the support begins to lift; these feet already
-    // stand.
+    // `entry` is the min height of feet that the support begins to lift. Standing feet are
+    // higher by the hip height.
     const float lowest = s.entry + problem_.level.params.hipHeight;
     const Box feet = grow(s.box, {s.side, s.lift, s.side});
     auto at = std::lower_bound(places.begin(), places.end(), feet.lo.x,

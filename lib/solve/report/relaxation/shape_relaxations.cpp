@@ -28,7 +28,7 @@ double launchFor(const Params& p, double height) {
   return std::sqrt(half * half + 2 * double(p.gravity) * height) - half;
 }
 
-// Returns true if the region names the part or stands on it. `box`: bounds of the part over its
+// Returns true if the region names the part or lies on its top. `box`: bounds of the part over its
 // whole motion.
 bool belongsTo(schema::Region::Reader region, uint32_t part, const Box& box) {
   if (region.getPart().size() > 0) return region.getPartIndex() == int32_t(part);

@@ -80,7 +80,7 @@ class Archive {
   const ChunkedVector<uint32_t>& ticks() const { return ticks_; }  // ticks of the cells' worlds
   const ChunkedVector<uint32_t>& seen() const { return seen_; }
   const ChunkedVector<float>& potentials() const { return potentials_; }
-  float bestPotential() const { return bestPotential_; }  // of all cells ever kept
+  float bestPotential() const { return bestPotential_; }  // max over all cells ever kept
 
   const ChunkedVector<Node>& nodes() const { return nodes_; }
 

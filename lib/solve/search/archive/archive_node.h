@@ -15,9 +15,8 @@ constexpr uint64_t kLikeliest = 1ull << 60;  // with kByPolicy: its likeliest mo
 
 // A state reached by `ticks` ticks of rollout `rollout` from the state of node `parent`.
 struct Node {
-  uint64_t
-      rollout;      // its stream of random numbers, or with kWarmStart an index into Problem::known
-  uint32_t parent;  // kNone: this is the start
+  uint64_t rollout;  // random stream; with kWarmStart an index into Problem::known
+  uint32_t parent;   // kNone: this is the start
   uint32_t ticks;
 };
 

@@ -18,7 +18,8 @@ class CellTable {
   // Returns the cell of a key, or level::kNone. Thread-safe between changes.
   uint32_t find(uint64_t key) const;
 
-  // Adds a key that is not in the table. Cells are numbered from 0 as they come.
+  // Adds a key that is not in the table. Cells are numbered from 0 in the order in which they are
+  // added.
   void add(uint64_t key);
 
   uint32_t size() const { return uint32_t(keys_.size()); }

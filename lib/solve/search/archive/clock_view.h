@@ -1,6 +1,6 @@
-// Stores where the level's clock matters, and which clocks that touches start matter. The level's
-// clock matters near moving and timed parts, modulo the time after which they all repeat. Elsewhere
-// a state is as good at any time.
+// Stores where the level's clock matters, and which of the clocks that touches start matter at all.
+// The level's clock matters near moving and timed parts, modulo the time after which they all
+// repeat. Elsewhere a state is as good at any time.
 #pragma once
 
 #include <stddef.h>

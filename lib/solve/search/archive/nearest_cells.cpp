@@ -39,8 +39,8 @@ void NearestCells::add(uint32_t layer, Vec3 position, uint32_t cell) {
   l.entries[slot->second].push_back({position, cell});
 }
 
-// Returns the squared distances to the blocks' bounds. They never exceed the distance of an entry:
-// each operation is monotonic, rounding included.
+// Returns the squared distances to the blocks' bounds. None exceeds the squared distance to an
+// entry of the block: each operation is monotonic, rounding included.
 std::vector<float> NearestCells::distances2(const Bounds& b, Vec3 to) {
   std::vector<float> result(b.lowX.size());
   float* const out = result.data();

@@ -33,9 +33,9 @@ class ArchiveSearch : public Search {
   // Adds the start to the archive.
   ArchiveSearch(const Problem& problem, uint64_t seed, const GoExploreSettings& settings);
 
-  // Both must be called in a fixed order. countEnd() notes how `node` ended, in `world` with
-  // `bodies`: (level.bodyCount). countApproach() notes how near to the goal it came. They return
-  // true if trajectoryTo(node) may be asked for later.
+  // Both must be called in a fixed order. countEnd() notes how the attempt that leads to `node`
+  // ended: in `world` with `bodies`, (level.bodyCount). countApproach() notes how near to the goal
+  // the attempt came. They return true if trajectoryTo(node) may be asked for later.
   bool countEnd(const sim::World& world, const sim::RigidBody* bodies, const Node& node);
   bool countApproach(const Approach& approach, const Node& node);
   // Sets the goals to the arrivals noted by countEnd() since the last call, best first.

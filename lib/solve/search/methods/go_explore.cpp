@@ -8,7 +8,8 @@ namespace {
 
 // Rollouts per task of the pool. Together they fill the lanes of the wide tick.
 constexpr size_t kMinTaskRollouts = 16, kTaskRollouts = 256;
-constexpr uint64_t kStepsPerRollout = 8000;  // steps so far per rollout, above which rounds double
+constexpr uint64_t kStepsPerRollout =
+    8000;  // steps so far per rollout of a round; then rounds double
 
 }  // namespace
 
@@ -129,8 +130,8 @@ void GoExplore::explore(std::span<Rollout> rollouts) {
       });
 }
 
-// Lists the rollouts in a cell other than at the last look, or whose state may be worth keeping
-// now. The archive is far larger than the caches, so its entries are prefetched here.
+// Lists the rollouts whose cell has changed since the last look, or whose state may now be worth
+// keeping. The archive is far larger than the caches, so its entries are prefetched here.
 void GoExplore::listLooks(const RolloutGroup& group, std::span<const Trail> trails,
                           std::vector<Look>& looks) const {
   looks.clear();

@@ -33,7 +33,7 @@ class GoExplore final : public ArchiveSearch {
   struct Candidate {  // a state that is new, or better than the one in the archive
     uint64_t key;
     sim::World world;
-    std::vector<sim::RigidBody> bodies;  // empty: those of the first world
+    std::vector<sim::RigidBody> bodies;  // empty: equal to those of the first world
     float potential;
     uint32_t ticks;
   };
@@ -78,7 +78,7 @@ class GoExplore final : public ArchiveSearch {
   std::optional<DeviceRollouts> device_;
   std::unique_ptr<Selector> selector_;
   Companions companions_;
-  std::vector<Choice> choices_;    // of this round
+  std::vector<Choice> choices_;    // choices of this round
   std::vector<Rollout> rollouts_;  // (choices)
   std::vector<Tried> tried_;       // (choices)
   uint64_t nextRollout_ = 0;

@@ -22,7 +22,8 @@ class DeviceArchive {
   void setCellCount(uint32_t cells) { view_.cellCount = cells; }
 
   const ArchiveView& view() const { return view_; }
-  // Sum trees over the cells: of their weights, and of the cells in the beam (1 each).
+  // Return sum trees over the cells. The leaves of weights() are their weights; those of
+  // bestCells() are 1 for cells in the beam.
   SumTree weights() const { return makeSumTree(sums_.as<uint64_t>(), view_.cellCount); }
   SumTree bestCells() const { return makeSumTree(bestSums_.as<uint64_t>(), view_.cellCount); }
 

@@ -77,7 +77,7 @@ OBBY_DEVICE void noteGoal(const ResidentArguments& a, uint32_t i, const sim::Wor
   a.goals[fetchAdd(&a.report->goals, 1u)] = {arrivalRank(w), i, end.parent, end.ticks};
 }
 
-// `bodies`: see partThatHurts().
+// Stores how rollout i ended and updates the report. `bodies`: see partThatHurts().
 OBBY_DEVICE void noteEnd(const ResidentArguments& a, uint32_t i, const sim::World& w,
                          const sim::RigidBody* bodies, const RolloutPath& path, uint32_t parent,
                          uint32_t candidates) {
@@ -100,7 +100,7 @@ OBBY_DEVICE void noteEnd(const ResidentArguments& a, uint32_t i, const sim::Worl
   if (overruns != 0) fetchOr(&a.report->overruns, overruns);
 }
 
-// `kDynamic`: see sim::tick.
+// Runs rollout i and stores its candidates and its end. `kDynamic`: see sim::tick.
 template <bool kDynamic>
 OBBY_DEVICE void exploreFrom(const ResidentArguments& a, uint32_t i) {
   const uint32_t start = a.starts[i], bodyCount = a.archive.bodyCount;
@@ -127,8 +127,8 @@ OBBY_DEVICE void exploreFrom(const ResidentArguments& a, uint32_t i) {
   noteEnd(a, i, world, bodies, path, a.archive.nodes[start], count);
 }
 
-// Does the same for a trajectory that the host has played from the start. It keeps those visits
-// that the archive would keep.
+// Does the same as exploreFrom() for a trajectory that the host has played from the start. It keeps
+// the visits that the archive would keep.
 OBBY_DEVICE void takePlayed(const ResidentArguments& a, uint32_t i) {
   const PlayedStart& played = a.played[i];
   const CandidateView& c = a.candidates;
@@ -165,7 +165,7 @@ OBBY_DEVICE void claimCells(const ResidentArguments& a, uint32_t i) {
   }
 }
 
-// The first candidate wins a tie between arrivals.
+// Finds the winner of each claim of rollout i. The first candidate wins a tie between arrivals.
 OBBY_DEVICE void settleClaims(const ResidentArguments& a, uint32_t i) {
   for (uint32_t n = 0; n < a.ends[i].candidates; ++n) {
     const uint32_t at = i * a.capacity + n, s = a.candidates.slots[at];

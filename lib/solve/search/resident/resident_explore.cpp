@@ -6,7 +6,8 @@ namespace obby::solve {
 
 namespace {
 
-constexpr uint64_t kResidentSteps = 1000;  // steps so far per rollout, above which rounds double
+constexpr uint64_t kResidentSteps =
+    1000;  // steps so far per rollout of a round; then rounds double
 constexpr uint64_t kArchiveBytes = 4ull << 30;    // budget of the archive
 constexpr uint64_t kCandidateBytes = 1ull << 30;  // budget of a round's candidates
 

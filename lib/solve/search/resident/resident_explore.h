@@ -73,9 +73,9 @@ class ResidentExplore final : public Search {
   sim::HostDevice host_;
   std::optional<ResidentRounds> rounds_;
   Status deviceStatus_;
-  ChunkedVector<Node> nodes_;  // of the archive; the device keeps those of a round only
+  ChunkedVector<Node> nodes_;  // nodes of all rounds; the device holds only this round's
   uint32_t cells_ = 1, sightings_ = 0;
-  std::vector<std::pair<size_t, size_t>> known_;  // trajectories that were tried: first, count
+  std::vector<std::pair<size_t, size_t>> known_;  // tried trajectories: first, count
   uint64_t nextRollout_ = 0;
   std::vector<Node> goals_;
   Attempts attempts_;

@@ -8,9 +8,10 @@ namespace obby::solve {
 namespace {
 
 constexpr uint32_t kShownEnds = 1024;  // rollouts of a round whose ends may be shown
-constexpr uint32_t kMinSlots = 64;     // of the table of claims
+constexpr uint32_t kMinSlots = 64;     // min slots in the table of claims
 
-// Returns the number of values of World::part: the level's parts or the query's avoids, plus kNone.
+// Returns the number of possible values of World::part: the larger of the numbers of the level's
+// parts and the query's avoid regions, plus one for kNone.
 uint32_t endPartsOf(const ExploreContext& c) {
   uint32_t parts = c.query.avoidCount;
   for (uint32_t i = 0; i < c.level.colliderCount; ++i) {

@@ -14,22 +14,23 @@ namespace obby::solve {
 // The results of a round.
 struct RoundFindings {
   RoundReport report{};
-  uint32_t cells = 0;               // in the archive after the round
+  uint32_t cells = 0;               // cells in the archive after the round
   std::vector<Node> nodes;          // nodes that the round added
   std::vector<GoalReached> goals;   // best first
-  std::vector<ResidentEnd> ends;    // of the first rollouts, to show attempts
-  ResidentEnd closest{};            // of rollout report.closestRollout
-  std::vector<uint32_t> endCounts;  // (kOutcomes, endParts), of all rollouts
+  std::vector<ResidentEnd> ends;    // ends of the first rollouts, to show as attempts
+  ResidentEnd closest{};            // end of rollout report.closestRollout
+  std::vector<uint32_t> endCounts;  // (kOutcomes, endParts), counts over all rollouts
 };
 
-// Trajectories that the host has played from the start. Their visits: (trajectories, capacity).
+// Trajectories that the host has played from the start. `worlds`, `keys` and `ticks`:
+// (trajectories, capacity), their visits.
 struct PlayedStarts {
   uint32_t capacity = 0;
   std::vector<PlayedStart> trajectories;
   std::vector<sim::World> worlds;
   std::vector<uint64_t> keys;
   std::vector<uint32_t> ticks;
-  std::vector<sim::RigidBody> bodies;  // (rollouts, capacity, bodyCount)
+  std::vector<sim::RigidBody> bodies;  // (trajectories, capacity, bodyCount)
 };
 
 // A cell, copied to the host.
@@ -48,7 +49,7 @@ struct RoundMemory {
 
 class ResidentRounds {
  public:
-  // The setup must outlive the rounds, the problem need not. Cells beyond `maxCells` are not kept.
+  // The setup must outlive the rounds; the problem need not. Cells beyond `maxCells` are not kept.
   static Result<ResidentRounds> open(sim::Device& device, const ExploreSetup& setup,
                                      const Problem& problem, uint32_t maxCells);
 

@@ -33,9 +33,9 @@ struct ClaimView {
 struct ResidentEnd {
   Approach closest;
   Vec3 position;          // feet
-  uint32_t closestTicks;  // into the rollout, like ticks and pathTicks
+  uint32_t closestTicks;  // ticks into the rollout, like `ticks` and `pathTicks`
   uint32_t ticks;
-  uint32_t pathTicks;  // to the end of the attempt: a fall goes on after the rollout
+  uint32_t pathTicks;  // ticks to the end of the attempt; a fall goes on after the rollout
   uint32_t parent;     // node of the start
   uint32_t part;
   uint32_t candidates;
@@ -71,9 +71,9 @@ struct RoundSelection {
   SumTree weights;       // selection weights of the cells
   float best;            // potential that the weights are relative to
   uint32_t* rankCounts;  // (kRanks), number of cells of each beam rank
-  SumTree rankSums;      // of rankCounts
+  SumTree rankSums;      // sums of rankCounts
   SumTree bestCells;     // 1 for the beam's cells
-  uint32_t beamWidth;    // min number of cells in the beam, if the archive has so many
+  uint32_t beamWidth;    // min number of cells in the beam, if the archive has that many
   uint32_t firstBeam;    // first rollout of the round that starts from the beam
   uint32_t* starts;      // (rollouts), cells
 };

@@ -9,7 +9,7 @@
 namespace obby::solve {
 
 constexpr uint32_t kFan = 64;
-constexpr uint32_t kMaxLevels = 5;  // for 2^30 leaves
+constexpr uint32_t kMaxLevels = 5;  // enough for 2^30 leaves
 
 struct SumTree {
   uint64_t* sums = nullptr;              // level by level, sums of leaves first

@@ -1,4 +1,4 @@
-// Plays a trajectory of an earlier answer: its actions, tick by tick. Host only.
+// Plays the actions of an earlier answer's trajectory, tick by tick. Host only.
 #pragma once
 
 #include "solve/model/problem.h"

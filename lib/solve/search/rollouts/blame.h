@@ -13,8 +13,9 @@ OBBY_DEVICE bool hurts(const sim::World& w, const sim::RigidBody* bodies,
 }
 
 // Returns the part that took too much health from a player whose attempt has just ended as hurt:
-// the first kill part that is touched. Returns level::kNone if none is touched, since the same tick
-// has moved the player. `bodies`: null if unknown; parts of dynamic bodies are then ignored.
+// the first kill part that is touched. Returns level::kNone if none is touched any more, because
+// the same tick moved the player away. `bodies`: null if unknown; parts of dynamic bodies are then
+// ignored.
 OBBY_DEVICE uint32_t partThatHurts(const sim::World& w, const sim::RigidBody* bodies,
                                    const level::LevelView& level) {
   const sim::Limbs limbs = sim::limbsOf(w, level.params);

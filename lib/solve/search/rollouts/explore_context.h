@@ -12,7 +12,7 @@ namespace obby::solve {
 
 // The reach of one jump on level ground.
 struct JumpReach {
-  float airTicks;  // from launch to landing at the same height
+  float airTicks;  // ticks from launch to landing at the same height
   float distance;  // studs sideways in that time, at walking speed
   float height;    // studs, of the feet
 };

@@ -18,7 +18,8 @@ OBBY_DEVICE sim::Action moveOfPolicy(const ExploreContext& c, const sim::World& 
   return policy::decide<float>(scene, c.pilot.network, w, bodies, random);
 }
 #else
-// Returns the policy's action for the next kSteerEvery ticks, as above, in SIMD lanes.
+// Returns the policy's action for the next kSteerEvery ticks, computed in SIMD lanes. `random`:
+// null for the likeliest move.
 sim::Action moveOfPolicy(const ExploreContext& c, const sim::World& w, const sim::RigidBody* bodies,
                          Random* random);
 #endif
@@ -69,7 +70,7 @@ class Explorer {
   Kind kind_;
   uint8_t tick_ = 0;  // ticks since the last plan
   bool likeliest_;
-  RandomMacro held_{};  // with a policy its `ticks` never run out
+  RandomMacro held_{};  // its `ticks` never run out under a policy
   AimMacro aim_{};
   Random random_;
 };

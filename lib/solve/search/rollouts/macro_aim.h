@@ -14,7 +14,7 @@ struct AimMacro {
   bool jumped;
   float distance;      // studs to the target at the last look
   float jumpDistance;  // jump at this distance to the target; negative: never by distance
-  uint32_t ticks;      // left before the macro gives up
+  uint32_t ticks;      // ticks left before the macro gives up
   SurfacePoint target;
   Vec3 error;  // studs off the target, so that repeated aims differ
 };

@@ -17,7 +17,7 @@ struct RolloutStart {
 struct RolloutVisit {
   sim::World world;
   uint64_t key;
-  uint32_t ticks;  // into the rollout
+  uint32_t ticks;  // ticks into the rollout
 };
 
 struct RolloutEnd {
@@ -49,7 +49,7 @@ struct RolloutArguments {
   uint32_t capacity;            // max visits of a rollout
   const RolloutStart* starts;   // (rollouts)
   RolloutVisit* visits;         // (rollouts, capacity)
-  sim::RigidBody* bodies;       // (rollouts, level.bodyCount), at the start, then at the end
+  sim::RigidBody* bodies;       // (rollouts, level.bodyCount); in: at the start, out: at the end
   sim::RigidBody* visitBodies;  // (rollouts, capacity, level.bodyCount)
   RolloutEnd* ends;             // (rollouts)
 };

@@ -14,7 +14,7 @@ constexpr int kMaxPerSide = 48;     // points per part and axis; larger parts ge
 constexpr float kClimbSpacing = 6;  // studs between the points along a truss: below a jump's height
 constexpr float kWaist = 2.5f;      // studs above the feet
 constexpr size_t kMaxSurfaceCells = 1u << 20;
-constexpr size_t kMaxEntriesPerPoint = 256;  // for a moving point; a longer track is thinned out
+constexpr size_t kMaxEntriesPerPoint = 256;  // per moving point; longer tracks are thinned out
 
 int sampleCount(float extent) {
   return std::clamp(int(std::lround(extent / kSpacing)), 1, kMaxPerSide);

@@ -1,7 +1,7 @@
 // Finds the places where a player could stand, and puts them into a uniform grid. Rays cast down on
 // a grid over each solid part find points on its upward faces. Points inside trusses count, too,
-// since players climb these at any height, and so do parts without collision that act when touched.
-// Host only.
+// since players can climb at any height. So do points of parts without collision that act when
+// touched. Host only.
 #pragma once
 
 #include <vector>

@@ -21,7 +21,7 @@ class MctsSelector : public Selector {
  private:
   // An option at a node: a rollout from it, or a child.
   struct Arm {
-    uint64_t reward = 0;  // sum, potential * kRewardScale
+    uint64_t reward = 0;  // sum of potentials * kRewardScale
     uint32_t visits = 0;  // counted when chosen, so pending ones are a virtual loss
   };
   struct TreeNode {

@@ -16,7 +16,7 @@ namespace obby::solve {
 
 // The start of a rollout, its length, and the source of its moves.
 struct Choice {
-  uint32_t cell;    // of the archive
+  uint32_t cell;    // cell of the archive
   uint32_t ticks;   // max length, at least 1
   uint64_t by = 0;  // kByPolicy, optionally with kLikeliest; 0: random moves
 };
@@ -44,8 +44,8 @@ class Selector {
   virtual void learn(const Archive&, std::span<const Tried>) {}
 };
 
-// Makes the selector of one search. The context's tables must outlive it, the other arguments need
-// not.
+// Makes the selector of one search. The context's tables must outlive the selector; the other
+// arguments need not.
 using MakeSelector = std::unique_ptr<Selector> (*)(const Problem&, const ExploreContext&);
 
 }  // namespace obby::solve
