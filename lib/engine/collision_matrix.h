@@ -18,7 +18,7 @@ struct GroupMatrix {
   std::array<uint32_t, 32> masks;
 };
 
-// Decodes the groups. Fails on damage.
+// Decodes the groups. Fails if the blob is damaged.
 Result<GroupMatrix> decodeGroups(std::string_view blob);
 
 // Returns the bytes that an instance holds, or nothing if it holds none.

@@ -17,7 +17,7 @@ bool kills(const Probe& probe);
 // Returns the changes in a run without touches: "target.property", and "target" for each part that
 // moves.
 Names namesIn(const Observation& seen);
-// Returns the changes between two times.
+// Returns the changes between two times, in seconds.
 Names namesIn(const Observation& seen, double from, double to);
 // Removes the changes with one of these names from `seen`.
 void drop(Observation& seen, const Names& names);

@@ -42,7 +42,7 @@ struct Probe {
   SecondLook still;      // second probe of a part that harms once: the player only stays
   bool lost = false;     // the copy died or ran out of time
   bool byPlace = false;  // no script listens to the part: the player's position decides
-  bool allOver = true;   // the effect also occurs toward two opposite corners
+  bool allOver = true;   // the effect also occurs near two opposite corners
   bool byRoot = false;   // no effect if only limbs are in the part
   bool byFall = false;   // a player that falls from high above gets another effect
   uint64_t listenerHash = 0;  // hash of the functions that listen to the part; 0: none

@@ -137,8 +137,8 @@ class Tour {
     return seen;
   }
 
-  // Returns the first of `probed` that fit the budget left by the tour, which has `used`
-  // instructions.
+  // Returns the first of `probed`, as many as fit the budget at the tour's mean cost of a frame.
+  // `used`: instructions of the tour.
   std::vector<size_t> affordable(std::vector<size_t> probed, uint64_t used) const {
     constexpr uint64_t kFrames = 150;  // length of a probe
     if (stage_.isExhausted()) return {};
@@ -249,7 +249,7 @@ class Tour {
 
   void explain(size_t i, const Names& effects, const std::vector<size_t>& touched, TourMode mode,
                Revisit& revisit) {
-    // A patient probe touches the part again, too.
+    // A patient probe itself touches the part repeatedly, so the test for `again` excludes it.
     TourMode once = mode, idle = mode;
     once.patiently = idle.patiently = idle.touches = false;
     if (kills(first_[i]) ? sameAfter(i, effects, {}, mode)

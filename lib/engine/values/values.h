@@ -41,7 +41,7 @@ void push(lua_State* L, const Pose& value);
 // Returns null if the value at `index` is of another type.
 const Vec3* toVector3(lua_State* L, int index);
 const Pose* toCFrame(lua_State* L, int index);
-// Raises a script error if it is of another type.
+// Raises a script error if the value at `index` is of another type.
 const Vec3& checkVector3(lua_State* L, int index);
 const Pose& checkCFrame(lua_State* L, int index);
 

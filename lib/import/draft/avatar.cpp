@@ -13,7 +13,7 @@ namespace {
 constexpr uint32_t kR6 = 0, kR15 = 1;      // GameSettingsAvatar
 constexpr uint32_t kOuterBox = 0;          // GameSettingsR15Collision
 constexpr uint32_t kSingleCollider = 1;    // CollisionMode
-constexpr uint32_t kUseParts = 0;          // value of the touch detection modes
+constexpr uint32_t kUseParts = 0;          // HitAndTouchDetectionMode, TouchAndQueryDetectionMode
 constexpr Vec3 kColliderSize = {2, 3, 1};  // the engine's default
 constexpr float kMinScale = 0.25f, kMaxScale = 4, kMinCollider = 0.1f, kMaxCollider = 20;
 
@@ -59,7 +59,7 @@ void readCollider(const Tree& tree, LevelDraft& level) {
   const auto within = [](float v) { return v >= kMinCollider && v <= kMaxCollider; };
   if (!within(size.x) || !within(size.y) || !within(size.z)) return;
   level.avatar.collider = size;
-  // The engine has two names for the setting.
+  // The engine has had two names for the setting.
   level.avatar.colliderTouches =
       get<EnumItem>(from, "HitAndTouchDetectionMode").value != kUseParts ||
       get<EnumItem>(from, "TouchAndQueryDetectionMode").value != kUseParts;

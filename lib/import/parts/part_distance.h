@@ -33,7 +33,7 @@ class PartDistance {
   GroundArea whole_;
   float step_ = 1;
   size_t width_ = 1, depth_ = 1;
-  std::vector<int> distances_;  // fifths of a step
+  std::vector<int> distances_;  // fifths of a square's side
 };
 
 }  // namespace obby::importer

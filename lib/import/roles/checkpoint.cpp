@@ -54,7 +54,8 @@ void giveTagged(RoleContext& context, InstanceId id, const std::string& tag,
     if (part && give(context, *part, one, "tag " + tag, false))
       part->stageSigns[NumberFrom::tag] = firstNumber(tag).value_or(kUnnumbered);
   };
-  // A folder holds several checkpoints, except that of a single stage. A model is one checkpoint.
+  // A folder holds several checkpoints, except the folder of a single stage. A model is one
+  // checkpoint.
   if (context.tree.at(id).className != "Folder" || kind == "stage") return giveOne(id);
   for (const InstanceId child : context.tree.at(id).children) giveOne(child);
 }

@@ -32,7 +32,7 @@ bool toItsLimit(RoleContext& context, const ConstraintSettings& settings, const 
 }
 
 // Returns the motion of a part that is attached to `base` and moves along with it, or nullopt if
-// both move by themselves.
+// the two motions cannot be combined.
 std::optional<Motion> carried(const PartDraft* base, const Pose& own, Motion motion) {
   if (!base || !base->motion) return motion;
   const Pose back = inverse(base->pose);

@@ -10,7 +10,8 @@ namespace obby::importer {
 
 using RoleFinder = void (*)(RoleContext&);
 
-// One role and its finder for each kind of evidence; null if it has none.
+// One role and its finders, one for each kind of evidence; null where there is none. `fromNames`
+// also covers defaults, velocities, stacks of parts and constraints.
 struct RoleRow {
   const char* name;
   RoleFinder fromTags, fromMarkers, fromNames;
@@ -37,8 +38,8 @@ void killFromNames(RoleContext&);
 void checkpointFromTags(RoleContext&);
 void checkpointFromMarkers(RoleContext&);
 void checkpointFromNames(RoleContext&);
-// Finds parts in one numbered row with checkpoints, with listeners or in a folder of stages. They
-// need more than the touches that were tried.
+// Finds checkpoints that share a numbered row with known checkpoints. Such a part has listeners
+// that showed no effect so far, or lies in a folder of stages.
 void checkpointFromSiblings(RoleContext&);
 void goalFromTags(RoleContext&);
 void goalFromNames(RoleContext&);

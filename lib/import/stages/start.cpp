@@ -16,9 +16,9 @@ constexpr float kOnTop = 8;  // max studs between a pad and a player placed by s
 
 // Suitability of a SpawnLocation as the start, best first.
 enum class StartRank {
-  ofFirstTeam,  // of the team of new players
+  ofFirstTeam,  // belongs to the team of new players
   named,        // "Start"
-  open,         // for all teams, and it does not change the player's team
+  open,         // open to all teams, and does not change the player's team
   other,
   checkpoint,  // known by its tag, its script or its number
   winners      // players appear there after the end
