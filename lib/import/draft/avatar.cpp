@@ -17,7 +17,7 @@ constexpr uint32_t kUseParts = 0;          // HitAndTouchDetectionMode, TouchAnd
 constexpr Vec3 kColliderSize = {2, 3, 1};  // the engine's default
 constexpr float kMinScale = 0.25f, kMaxScale = 4, kMinCollider = 0.1f, kMaxCollider = 20;
 
-// Returns the scale of the range that is nearest to the rig's own.
+// Returns the scale in the setting's range that is nearest to 1, the rig's own.
 float scaleOf(const Instance& starter, const std::string& setting) {
   const NumberRange* range = property<NumberRange>(starter, setting);
   if (range == nullptr || !(range->min <= range->max)) return 1;

@@ -14,7 +14,7 @@
 namespace obby::importer {
 namespace {
 
-constexpr float kDegrees = 180 / 3.14159265f;  // degrees of a radian
+constexpr float kDegrees = 180 / 3.14159265f;  // degrees per radian
 constexpr size_t kPartWidth = 34, kRoleWidth = 10, kWidth = 100, kNoteIndent = 8;
 
 // Counts characters, not bytes.

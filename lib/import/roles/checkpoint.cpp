@@ -96,8 +96,8 @@ void giveNamed(RoleContext& context) {
 
 bool isHeardOnly(const PartDraft& part) { return !hasRole(part) && part.heardOnly; }
 
-// Makes checkpoints of pads in a row that have listeners without visible effect. Their scripts keep
-// the player's stage in a table of their own.
+// Makes checkpoints of pads that form a row and have listeners without a visible effect. Their
+// scripts may keep the player's stage in a table.
 void giveHeardRows(RoleContext& context) {
   std::map<std::string, std::vector<PartDraft*>> rows;
   for (PartDraft& part : context.level.parts) {

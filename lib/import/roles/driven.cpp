@@ -11,7 +11,7 @@
 namespace obby::importer {
 namespace {
 
-// Returns why the direction in which a motor moves its part is unknown, or "" if it is known.
+// Returns why it is unknown where a slider's motor takes its part, or "" if it is known.
 std::string unknownDirection(RoleContext& context, const ConstraintSettings& settings,
                              const Drive& drive) {
   const InstanceId motor = drive.constraint;

@@ -78,8 +78,8 @@ bool standStill(RoleContext& context, const Drive& drive, const std::optional<Sp
 // `spin` for ever.
 Motion slideTo(const Track& track, double position, double speed, const std::optional<Spin>& spin);
 
-// Moves a slider with a motor to its limit, where it stays. If the file does not state the
-// direction, the part is held, and the level notes it. Returns false if the motor drives nothing.
+// Moves a slider with a motor to its limit, where it stays. If the file does not state where it
+// stops, the part is held, and the level notes it. Returns false if the motor drives nothing.
 bool fromSliderMotor(RoleContext& context, const ConstraintSettings& settings, const Drive& drive,
                      const std::optional<Spin>& spin);
 

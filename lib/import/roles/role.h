@@ -21,7 +21,7 @@ struct RoleRow {
 // case.
 std::string markerWords(const Tree& tree, InstanceId marker);
 
-// Runs every finder, strongest evidence first: tags, markers, names. A part that has a
+// Runs every finder, strongest evidence first: tags, markers, other evidence. A part that has a
 // role keeps it against weaker evidence.
 void findRoles(RoleContext& context);
 
@@ -38,8 +38,8 @@ void killFromNames(RoleContext&);
 void checkpointFromTags(RoleContext&);
 void checkpointFromMarkers(RoleContext&);
 void checkpointFromNames(RoleContext&);
-// Finds checkpoints that share a numbered row with known checkpoints. Such a part has listeners
-// that showed no effect so far, or lies in a folder of stages.
+// Finds checkpoints that share a numbered row with known checkpoints. A part counts if its
+// listeners showed no effect so far, or if it lies in a folder of stages.
 void checkpointFromSiblings(RoleContext&);
 void goalFromTags(RoleContext&);
 void goalFromNames(RoleContext&);

@@ -212,7 +212,8 @@ class SpawnRoles {
   std::set<InstanceId> remote_;  // SpawnLocations that checkpoints elsewhere set
 };
 
-// Falls back to a part called Start if there is no SpawnLocation.
+// Makes the first part with a start word in its name (Start, Lobby) the start. Call it if there is
+// no SpawnLocation.
 void startFromNames(Course& course) {
   for (int i = 0; i < int(course.level.parts.size()); ++i) {
     const std::string& name = course.instance(i).name;
