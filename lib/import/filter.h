@@ -37,7 +37,7 @@ class InputOpener {
   std::function<void(const std::string&)> say_, explain_;
   const std::atomic<bool>* stop_;
   std::unordered_set<std::string> names_;
-  // last suffix by wanted name; the first level has no suffix
+  // Last suffix by wanted name. The first level has no suffix.
   std::unordered_map<std::string, int> lastNumbers_;
 };
 

@@ -15,7 +15,7 @@ namespace obby::engine {
 void registerBits(lua_State* L);
 void registerCharacters(lua_State* L);
 
-// Returns a number as the nearest integer, clamped to the type; 0 for NaN.
+// Returns a number truncated to an integer and clamped to the type; 0 for NaN.
 template <class T>
 T integerOf(double number) {
   constexpr T kMin = std::numeric_limits<T>::min(), kMax = std::numeric_limits<T>::max();

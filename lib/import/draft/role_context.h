@@ -52,7 +52,7 @@ class RoleContext {
 
  private:
   std::unordered_map<InstanceId, size_t> index_;
-  std::unordered_map<InstanceId, bool> holders_;  // cache of hasParts, which scripts call often
+  std::unordered_map<InstanceId, bool> holders_;  // cache of hasParts, which finders call often
 };
 
 // Returns true if some evidence gave the part a role called `role`.

@@ -8,7 +8,7 @@
 namespace obby::importer {
 namespace {
 
-// max squares along the longer side; min side, studs
+// Max squares along the longer side; min side of a square, in studs.
 constexpr float kSquares = 256, kMinSquare = 32;
 constexpr int kToNextSquare = 5, kToCorner = 7, kUnknownDistance = 1 << 28;
 

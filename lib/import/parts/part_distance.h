@@ -19,8 +19,8 @@ class PartDistance {
   PartDistance(const std::vector<PartDraft>& parts, GroundArea whole);
 
   // Returns the studs from the nearest point of the area to the nearest part, ignoring height. The
-  // error is up to a 256th of the longer side of `whole`. Without parts, all places get the same
-  // distance.
+  // error is about one square: a 256th of the longer side of `whole`, at least 32 studs. Without
+  // parts, all places get the same distance.
   float of(const GroundArea& area) const;
 
  private:
