@@ -7,8 +7,8 @@
 namespace obby::engine {
 namespace {
 
-// Seconds from the take-off to the first press, and between presses. Both are longer than scripts
-// wait.
+// Seconds from the take-off to the first press, and between presses. Both exceed the delays that
+// scripts set between jumps.
 constexpr double kUntilPress = 0.5, kPause = 0.5;
 constexpr uint16_t kPresses = 5;  // more jumps than any game counts
 

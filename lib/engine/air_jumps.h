@@ -9,7 +9,7 @@
 namespace obby::engine {
 
 // Tests jumps in this copy of the place. The player takes off, falls, and presses jump again and
-// again; then it lands and does so once more. Only effects of both flights count.
+// again; then it lands and repeats this once. Only effects that occur in both flights count.
 AirJumps findAirJumps(Stage& stage);
 
 }  // namespace obby::engine

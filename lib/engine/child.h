@@ -11,7 +11,7 @@
 namespace obby::engine {
 
 // Cages this process permanently: no files, no network, no new programs, and limits on memory and
-// time. Call it in a child. Returns false if the system has no such cage.
+// time. Call it in a child. Returns false if the system does not support this.
 bool enterCage(double seconds, size_t memory);
 
 // Ends this process once `*beat` has stayed the same for `seconds` of its CPU time.

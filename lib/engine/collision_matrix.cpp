@@ -1,5 +1,5 @@
-// Decodes a byte 1, the number of groups, and for each group its id, the size of its mask (4), the
-// mask, the length of its name, the name.
+// Decodes the groups. The blob holds a byte 1 and the number of groups. Then it holds, for each
+// group, its id, the size of its mask (4), the mask, the length of its name, and the name.
 #include "engine/collision_matrix.h"
 
 namespace obby::engine {

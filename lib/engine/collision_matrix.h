@@ -18,10 +18,10 @@ struct GroupMatrix {
   std::array<uint32_t, 32> masks;
 };
 
-// Decodes the groups. Fails on damage.
+// Decodes the groups. Fails if the blob is damaged.
 Result<GroupMatrix> decodeGroups(std::string_view blob);
 
-// Returns the bytes that an instance holds, or nothing if it holds none.
+// Returns the CollisionGroupData of an instance, or an empty view if it has none.
 std::string_view groupBytes(const Instance& instance);
 
 }  // namespace obby::engine

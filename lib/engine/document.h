@@ -68,7 +68,7 @@ using Value =
 struct Instance {
   std::string className;
   std::string name;               // the Name property
-  PropertyMap<Value> properties;  // without Name, Tags, attributes; names: format/property_names.h
+  PropertyMap<Value> properties;  // no Name, Tags, attributes; named as in property_names.h
   std::map<std::string, Value> attributes;  // decoded AttributesSerialize
   std::vector<std::string> tags;            // decoded Tags, in file order
   InstanceId parent = kNoInstance;

@@ -14,10 +14,10 @@ using Names = std::set<std::string>;
 bool harms(const Probe& probe);
 bool kills(const Probe& probe);
 
-// Returns the changes in a run without touches: "target.property", and "target" for each part that
-// moves.
+// Returns the names of all changes: "target.property", "target" for each part that moves, and
+// "harm".
 Names namesIn(const Observation& seen);
-// Returns the changes between two times.
+// Returns the names of the changes between two times, in seconds.
 Names namesIn(const Observation& seen, double from, double to);
 // Removes the changes with one of these names from `seen`.
 void drop(Observation& seen, const Names& names);

@@ -29,7 +29,7 @@ void compare(Probe& slow, const Probe& fast) {
 
 void lookAtFalls(Stage& stage, const Plan& plan, Children& children,
                  const std::vector<Probe>& wanted, std::vector<Probe>& probes) {
-  std::map<uint64_t, uint32_t> looks;  // number by listenerHash
+  std::map<uint64_t, uint32_t> looks;  // number of probes, by listenerHash
   for (size_t i = 0; i < wanted.size(); ++i) {
     const Probe& first = probes[i];
     if (!isTouch(first.approach) || first.lost || !heedsFalls(first.seen) ||

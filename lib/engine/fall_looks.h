@@ -10,7 +10,7 @@
 namespace obby::engine {
 
 // If scripts read how the player moves, tests whether a part acts differently on a falling player.
-// Sets `byFall` of `probes`; `wanted` are the requests for them.
+// Sets `byFall` of `probes`. `wanted` holds the requests that led to these probes.
 void lookAtFalls(Stage& stage, const Plan& plan, Children& children,
                  const std::vector<Probe>& wanted, std::vector<Probe>& probes);
 

@@ -91,8 +91,8 @@ int random(lua_State* L) {
   Host::of(L).recorder.noteDraw();
   return pushNumber(L, Host::of(L).random.share());
 }
-// Returns a generator for a seed. A seed with a fraction, or larger than a developer would type,
-// comes from a clock. Any other seed has the same numbers in each game.
+// Returns a generator for a seed. A seed with a fraction, or larger than a developer would type, is
+// assumed to come from a clock. Any other seed gives the same numbers in each game.
 Random seededRandom(lua_State* L) {
   constexpr double kMaxTyped = 1e8;
   const double seed = luaL_checknumber(L, 1);

@@ -9,8 +9,8 @@
 namespace obby::engine {
 namespace {
 
-// Max parts of the first round that are probed again: with each set of listeners, and without
-// listeners. If one of them differs, up to kMaxRest others with its listeners follow.
+// Max parts of the first round that are probed again: per set of listeners, without listeners, and
+// in all. If one of them differs, up to kMaxRest others with the same listeners follow.
 constexpr uint32_t kSameAgain = 3, kByPlaceAgain = 20;
 constexpr size_t kMaxAgain = 100, kMaxRest = 300;
 
@@ -54,7 +54,7 @@ void LaterRound::split() {
   std::set<InstanceId> untried;
   for (const SameListeners& same : report_.sameListeners) untried.insert(same.target);
   for (size_t i = 0; i < report_.probes.size(); ++i) first_[report_.probes[i].target] = i;
-  std::map<uint64_t, uint32_t> counts;  // probes again, by listenerHash
+  std::map<uint64_t, uint32_t> counts;  // number of second probes, by listenerHash
   for (Probe& probe : stage_.probes()) {
     const auto first = first_.find(probe.target);
     if (first == first_.end()) {

@@ -50,7 +50,7 @@ void move(Stage& stage, Approach approach) {
   stage.run(framesOf(kAfter));
 }
 
-// Runs the move in this copy of the place. `again`: makes the move once before that.
+// Runs the move in this copy of the place. With `again`, makes the move once before that.
 Move runMove(Stage& stage, Approach approach, bool again) {
   if (again) move(stage, approach);
   stage.restart();

@@ -115,7 +115,7 @@ struct MadePart {
 struct PlayerState {
   Vec3 feet, velocity;
   double health = 100, maxHealth = 100, walkSpeed = 16, jumpPower = 50, jumpHeight = 7.2;
-  double gravity = 196.2, lift = 0;  // studs/s^2: Workspace's gravity; what forces take off it
+  double gravity = 196.2, lift = 0;  // studs/s^2: Workspace's gravity; share that forces cancel
   bool usesJumpPower = true, alive = false;
   bool stuck = false;  // cannot walk
 };

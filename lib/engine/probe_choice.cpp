@@ -6,13 +6,13 @@
 namespace obby::engine {
 namespace {
 
-// Max probes of parts with the same listeners, if there are too many parts for all. More of them
-// rarely show anything new.
+// Max probes of parts with the same listeners, if there are too many parts to probe all. More of
+// them rarely show anything new.
 constexpr uint32_t kMaxSameListeners = 100;
 
 std::vector<bool> takenOf(const std::vector<Probe>& wanted, size_t max) {
   std::map<uint64_t, uint32_t> seen;
-  std::vector<std::pair<uint32_t, size_t>> ranks;  // number of earlier parts with its listeners
+  std::vector<std::pair<uint32_t, size_t>> ranks;  // earlier parts with the same listeners
   for (size_t i = 0; i < wanted.size(); ++i) ranks.emplace_back(seen[wanted[i].listenerHash]++, i);
   std::sort(ranks.begin(), ranks.end());
   std::vector<bool> taken(wanted.size());

@@ -1,4 +1,4 @@
-// Decides which parts are probed if there are too many for all. Private to lib/engine.
+// Decides which parts are probed if there are too many to probe all. Private to lib/engine.
 #pragma once
 
 #include <vector>

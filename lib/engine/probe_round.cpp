@@ -43,7 +43,7 @@ std::vector<Probe> ProbeRound::run(std::vector<Probe> wanted) {
 }
 
 void ProbeRound::lookAgainAtHarm(const std::vector<Probe>& wanted) {
-  std::map<uint64_t, uint32_t> looks;  // number by listenerHash
+  std::map<uint64_t, uint32_t> looks;  // number of second probes, by listenerHash
   for (size_t i = 0; i < wanted.size(); ++i) {
     const auto stay = secondLookAt(probes_[i]);
     if (!stay || looks[wanted[i].listenerHash]++ >= kMaxSecondLooks) continue;

@@ -7,17 +7,17 @@
 namespace obby::engine {
 namespace {
 
-constexpr double kHold = 1.1;        // seconds that a probe stays: longer than most polling
+constexpr double kHold = 1.1;  // seconds that a probe stays; longer than most polling intervals
 constexpr double kPatientHold = 4;   // seconds
 constexpr uint32_t kTouchEvery = 5;  // frames between the touches of a patient probe
-constexpr double kSecondHit = 5;     // seconds to wait for a second harm
+constexpr double kSecondHit = 5;     // seconds to wait for a second hit
 constexpr double kPress = 2;         // seconds that keys and buttons are held
-constexpr float kFallSpeed = 140;    // studs/s, after about 50 studs
+constexpr float kFallSpeed = 140;    // studs/s, reached after about 50 studs
 constexpr uint32_t kFastFrames = 3;  // frames in which a falling player still has its speed
 constexpr double kQuiet = 1.0;       // seconds without a change end a probe
 constexpr double kAtLeast = 1.5;
-// Seconds from death to respawn: the place's RespawnTime, and the wait of scripts that load the
-// body.
+// Seconds from death to respawn: bounds on the place's RespawnTime, and extra time for scripts that
+// load the body themselves.
 constexpr double kMinRespawn = 5, kLongestRespawn = 30, kScriptedWait = 6;
 constexpr uint32_t kBetweenLooks = 10;  // frames between two checks for the next body
 constexpr double kPlacing = 1;          // seconds that scripts take to place a new body

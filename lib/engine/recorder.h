@@ -55,7 +55,7 @@ class Recorder {
  private:
   static constexpr size_t kMaxChanges = 300'000, kMaxPlaced = 4'000'000;
   static constexpr size_t kMaxText = size_t(64) << 20;  // bytes
-  // More problems, and the rest of a longer text, are dropped.
+  // Max number of problems, and max bytes of the text of each. The rest is dropped.
   static constexpr size_t kMaxProblems = 500, kMaxProblemText = 1000;
 
   Observation seen_;

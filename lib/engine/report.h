@@ -42,7 +42,7 @@ struct Probe {
   SecondLook still;      // second probe of a part that harms once: the player only stays
   bool lost = false;     // the copy died or ran out of time
   bool byPlace = false;  // no script listens to the part: the player's position decides
-  bool allOver = true;   // the effect also occurs toward two opposite corners
+  bool allOver = true;   // the effect also occurs near two opposite corners
   bool byRoot = false;   // no effect if only limbs are in the part
   bool byFall = false;   // a player that falls from high above gets another effect
   uint64_t listenerHash = 0;  // hash of the functions that listen to the part; 0: none
@@ -71,7 +71,7 @@ enum class Cause : uint8_t {
 struct Revisit {
   Probe probe;
   Cause cause = Cause::several;
-  InstanceId lever = kNoInstance;  // the target of the other probe
+  InstanceId lever = kNoInstance;  // the target whose touch causes the change
 };
 
 // Jumps in the air that scripts grant the player between two floors.
@@ -87,8 +87,8 @@ struct Report {
   std::vector<SameListeners> sameListeners;
   std::vector<Revisit> revisits;
   std::vector<Probe> moves;                  // moves away from all parts, if scripts watch them
-  double probedAt = 0;                       // seconds, when the first probes began
-  double lookedAgainAt = 0;                  // start of the second round; 0: none
+  double probedAt = 0;                       // seconds; start of the first probes
+  double lookedAgainAt = 0;                  // seconds; start of the second round; 0: none
   std::vector<MadePart> made;                // parts made by probedAt, then later ones
   std::vector<std::string> collisionGroups;  // groups that exist at probedAt
   PlayerState arrived;                       // the player's state at probedAt
@@ -97,7 +97,7 @@ struct Report {
   bool over = false;                 // the run is complete and nothing more can happen
   bool sleeps = false;               // some threads still wait for the first time
   std::string failure;               // why the report is incomplete, for people
-  InstanceId culprit = kNoInstance;  // the script that ran when the child died
+  InstanceId culprit = kNoInstance;  // script that ran as the child died or used up memory
 };
 
 struct Plan {

@@ -18,9 +18,9 @@ namespace {
 
 constexpr uint32_t kTouch = 12, kBetween = 4;  // frames of a touch, and after it
 constexpr uint32_t kShortTouch = 4, kLongTour = 100;
-constexpr double kSettleAtLeast = 1, kSettleAtMost = 20;           // seconds after the tour
-constexpr size_t kMaxPatient = 32;                                 // parts without effects at first
-constexpr size_t kMaxProbed = 100;                                 // harmful parts come last
+constexpr double kSettleAtLeast = 1, kSettleAtMost = 20;  // seconds after the tour
+constexpr size_t kMaxPatient = 32;                        // parts that had no effect at first
+constexpr size_t kMaxProbed = 100;                        // parts that kill come last
 constexpr uint64_t kOfOneTour = 20'000'000, kOfAll = 100'000'000;  // instructions
 
 class Tour {
@@ -137,8 +137,8 @@ class Tour {
     return seen;
   }
 
-  // Returns the first of `probed` that fit the budget left by the tour, which has `used`
-  // instructions.
+  // Returns the first of `probed`, as many as fit the budget at the tour's mean cost of a frame.
+  // `used`: instructions of the tour.
   std::vector<size_t> affordable(std::vector<size_t> probed, uint64_t used) const {
     constexpr uint64_t kFrames = 150;  // length of a probe
     if (stage_.isExhausted()) return {};
@@ -249,7 +249,7 @@ class Tour {
 
   void explain(size_t i, const Names& effects, const std::vector<size_t>& touched, TourMode mode,
                Revisit& revisit) {
-    // A patient probe touches the part again, too.
+    // A patient probe itself touches the part repeatedly, so the test for `again` excludes it.
     TourMode once = mode, idle = mode;
     once.patiently = idle.patiently = idle.touches = false;
     if (kills(first_[i]) ? sameAfter(i, effects, {}, mode)

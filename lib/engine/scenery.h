@@ -40,8 +40,8 @@ class Scenery {
   // Returns the distance from a point to the part's box; 0 inside.
   float distance(uint32_t id, Vec3 point) const;
   // Finds the parts with listeners that the limb touches. If the limb is `listened`, it finds all
-  // parts, since the limb's own listeners receive each touch. Returns false if neither the limb nor
-  // any of those parts has moved since the last call.
+  // parts, since the limb's own listeners receive each touch. Returns false if no limb and no part
+  // with listeners has moved in this frame.
   bool contacts(uint32_t limb, std::vector<uint32_t>& out);
   // Ends a frame. Call it after contacts() of every limb.
   void settle() { moved_.clear(); }

@@ -22,7 +22,8 @@ class Stage : public StagePlayer {
   void run(uint32_t frames);
   uint32_t frames() const { return host_->recorder.seen().frames; }
   const std::vector<Harm>& harms() { return host_->recorder.seen().harms; }
-  // Returns the probes of all targets whose touch or use may have an effect, by their listeners.
+  // Returns the probes of all targets whose touch or use may have an effect, judged by their
+  // listeners.
   std::vector<Probe> probes();
   // Returns parts, joints and movers in the world that scripts have made.
   std::vector<MadePart> made();

@@ -39,7 +39,8 @@ class StagePlayer {
   void enter(const char* state);
   // Returns true if scripts look at the player's moves.
   bool heedsMoves() { return numberOf("heedsMoves") > 0; }
-  // Enters the states of a player in the air without moving it. pressJump() presses the jump key.
+  // takeOff(), fall() and land() set the humanoid's state without moving the body. pressJump()
+  // presses the jump key.
   void takeOff();
   void fall();
   void land();

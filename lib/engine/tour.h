@@ -9,7 +9,7 @@ namespace obby::engine {
 
 struct TourSeen {
   std::vector<Probe> touches, probes;
-  Observation after;  // continuing changes after a tour that does not settle
+  Observation after;  // changes that go on after a tour that does not settle
   double end = 0;     // end of the tour, in seconds
   uint64_t used = 0;  // instructions used
 };

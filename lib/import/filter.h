@@ -37,7 +37,8 @@ class InputOpener {
   std::function<void(const std::string&)> say_, explain_;
   const std::atomic<bool>* stop_;
   std::unordered_set<std::string> names_;
-  std::unordered_map<std::string, int> lastNumbers_;  // by wanted name; the first level has none
+  // Last suffix by wanted name. The first level has no suffix.
+  std::unordered_map<std::string, int> lastNumbers_;
 };
 
 }  // namespace obby::importer

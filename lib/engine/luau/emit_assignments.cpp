@@ -18,7 +18,8 @@ bool orderShows(const Stat& stat) {
   return false;
 }
 
-// Returns true if a call or a function starts below the line. Its own line must not change.
+// Returns true if the expression contains a call or a function that begins below the line, or a
+// function that ends below it. Their lines must not change.
 bool actsBelow(const Expr& expr, int line) {
   const bool acts = expr.kind == ExprKind::call || expr.kind == ExprKind::method || expr.body;
   if (acts && expr.line > line) return true;

@@ -48,7 +48,8 @@ void StatementEmitter::local(const Stat& stat) {
     for (const auto& name : stat.names) declared(name);
     return keyword("do end");
   }
-  // The values do not see the variables: table fields are declared after them.
+  // The values cannot refer to these variables: the resolver has bound the same names to earlier
+  // ones.
   for (size_t i = 0; i < stat.names.size(); ++i) {
     if (i > 0) out_.symbol(",");
     out_.word(declared(stat.names[i]));

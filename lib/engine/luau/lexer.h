@@ -47,7 +47,7 @@ class Lexer {
   void word();
   void number();
   // Reads up to a quote, or up to `other`, which is not consumed. Returns false if the line ends
-  // before.
+  // first.
   bool text(char quote, char other, Token& token);
   void quoted(char quote);
   // Reads a section of an interpolated string, up to its end or to the next expression.
@@ -60,7 +60,7 @@ class Lexer {
   std::string_view source_;
   size_t at_ = 0;
   int line_ = 1;
-  std::vector<bool> braces_;  // open braces; true: of an interpolated string
+  std::vector<bool> braces_;  // open braces; true if opened by an interpolated string
   Token* token_ = nullptr;    // the token to fill
 };
 

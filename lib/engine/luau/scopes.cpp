@@ -65,7 +65,7 @@ class Resolver {
   FunctionScope* function_ = nullptr;
   Scope* scope_ = nullptr;
   Continue continue_;  // the first `continue` of the innermost loop
-  Continue skips_;     // the first of the loop whose condition is being resolved
+  Continue skips_;     // the first `continue` of the loop whose condition is being resolved
   bool failed_ = false;
   Error error_;
 };

@@ -1,4 +1,4 @@
-// Parses types and discards them. Errors that only the type checker reports pass.
+// Parses types and discards them. Accepts types that only the type checker rejects.
 #include "engine/luau/type_parser.h"
 
 namespace obby::luau {

@@ -87,7 +87,7 @@ int orthonormalize(lua_State* L) {
   return 1;
 }
 
-// Returns the angle of the turn from one rotation to the other.
+// Returns the angle between two rotations, in radians.
 int angleBetween(lua_State* L) {
   const Mat3 a = checkCFrame(L, 1).rotation, b = checkCFrame(L, 2).rotation;
   const float trace = dot(a.x, b.x) + dot(a.y, b.y) + dot(a.z, b.z);

@@ -15,7 +15,7 @@ namespace obby::engine {
 void registerBits(lua_State* L);
 void registerCharacters(lua_State* L);
 
-// Returns a number as the nearest integer, clamped to the type; 0 for NaN.
+// Returns a number truncated to an integer and clamped to the type; 0 for NaN.
 template <class T>
 T integerOf(double number) {
   constexpr T kMin = std::numeric_limits<T>::min(), kMax = std::numeric_limits<T>::max();
@@ -41,7 +41,7 @@ void push(lua_State* L, const Pose& value);
 // Returns null if the value at `index` is of another type.
 const Vec3* toVector3(lua_State* L, int index);
 const Pose* toCFrame(lua_State* L, int index);
-// Raises a script error if it is of another type.
+// Raises a script error if the value at `index` is of another type.
 const Vec3& checkVector3(lua_State* L, int index);
 const Pose& checkCFrame(lua_State* L, int index);
 

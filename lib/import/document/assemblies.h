@@ -10,8 +10,8 @@ namespace obby::importer {
 
 class Assemblies {
  public:
-  // Reads every rigid joint of the document (Weld, Snap, ManualWeld, WeldConstraint, Glue, Motor6D,
-  // RigidConstraint). A joint that is switched off or lacks a part joins nothing.
+  // Reads every rigid joint of the document (Weld, Snap, ManualWeld, WeldConstraint, Glue, Motor,
+  // Motor6D, RigidConstraint). A joint that is switched off or lacks a part joins nothing.
   explicit Assemblies(const Tree& tree);
 
   // Returns true if the part is anchored or a joint chain leads from it to an anchored part.

@@ -21,11 +21,11 @@ struct Settled {
 struct ObservedPlace {
   Document document;      // includes parts that scripts made and lasting changes
   engine::Report report;  // its ids are the document's, except for parts that scripts made later
-  bool ran = false;       // there were scripts, and they ran
+  bool ran = false;       // the place has scripts, and they ran
   std::vector<Settled> settled = {};
   std::set<InstanceId> brought = {};  // parts outside the world until a touch or use brings them
-  size_t fromFile = 0;  // Number of instances from the file. Those after it were made by scripts.
-  // The same place under other random numbers; empty if its scripts draw none.
+  size_t fromFile = 0;  // number of instances from the file; scripts made all later ones
+  // The same place, run with other random numbers; empty if its scripts draw none.
   std::vector<ObservedPlace> others = {};
 };
 

@@ -20,7 +20,7 @@ bool equalNoCase(std::string_view a, std::string_view b) {
 }
 
 constexpr size_t kLongestPath = 1000;  // approximate max bytes
-constexpr size_t kKeptOfPath = 400;    // bytes kept of its beginning
+constexpr size_t kKeptOfPath = 400;    // bytes kept of a longer path's beginning
 
 }  // namespace
 

@@ -13,11 +13,11 @@ namespace {
 constexpr uint32_t kR6 = 0, kR15 = 1;      // GameSettingsAvatar
 constexpr uint32_t kOuterBox = 0;          // GameSettingsR15Collision
 constexpr uint32_t kSingleCollider = 1;    // CollisionMode
-constexpr uint32_t kUseParts = 0;          // value of the touch detection modes
+constexpr uint32_t kUseParts = 0;          // HitAndTouchDetectionMode, TouchAndQueryDetectionMode
 constexpr Vec3 kColliderSize = {2, 3, 1};  // the engine's default
 constexpr float kMinScale = 0.25f, kMaxScale = 4, kMinCollider = 0.1f, kMaxCollider = 20;
 
-// Returns the scale of the range that is nearest to the rig's own.
+// Returns the scale in the setting's range that is nearest to 1, the rig's own.
 float scaleOf(const Instance& starter, const std::string& setting) {
   const NumberRange* range = property<NumberRange>(starter, setting);
   if (range == nullptr || !(range->min <= range->max)) return 1;
@@ -59,7 +59,7 @@ void readCollider(const Tree& tree, LevelDraft& level) {
   const auto within = [](float v) { return v >= kMinCollider && v <= kMaxCollider; };
   if (!within(size.x) || !within(size.y) || !within(size.z)) return;
   level.avatar.collider = size;
-  // The engine has two names for the setting.
+  // The engine has had two names for the setting.
   level.avatar.colliderTouches =
       get<EnumItem>(from, "HitAndTouchDetectionMode").value != kUseParts ||
       get<EnumItem>(from, "TouchAndQueryDetectionMode").value != kUseParts;

@@ -43,7 +43,7 @@ bool isStraight(const std::vector<MotionKey>& keys, size_t from, size_t to, Stra
 }
 
 std::vector<MotionKey> simplified(const std::vector<MotionKey>& keys, Straight slack) {
-  constexpr size_t kLongest = 64;  // max keys replaced by one segment; bounds the work
+  constexpr size_t kLongest = 64;  // max keys replaced by one straight line; bounds the work
   std::vector<MotionKey> out;
   for (size_t from = 0; from < keys.size();) {
     out.push_back(keys[from]);
@@ -55,8 +55,8 @@ std::vector<MotionKey> simplified(const std::vector<MotionKey>& keys, Straight s
   return out;
 }
 
-// Simplifies twice, so that a long straight line becomes one segment. The second pass has a tighter
-// tolerance.
+// Simplifies twice, so that a long straight line keeps only its two end keys. The second pass has a
+// tighter tolerance.
 std::vector<MotionKey> simplified(const std::vector<MotionKey>& keys) {
   constexpr float kClose = 0.1f;
   return simplified(simplified(keys, {}), {kClose * kStraight, kClose * kStraightTurn});

@@ -96,7 +96,7 @@ void settleMotions(RoleContext& context) {
     }
   for (const auto& [id, reason] : context.unmetStill) {
     const PartDraft* part = context.part(id);
-    if (!part || part->motion) continue;  // another motion fits the budget
+    if (!part || part->motion) continue;  // it got another motion, which fits the budget
     if (isMet(*part))
       noteTooMany(context, id, reason);
     else

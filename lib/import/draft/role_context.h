@@ -14,7 +14,7 @@
 
 namespace obby::importer {
 
-// Poses and ticks of motions, see motion.h.
+// Keys and ticks that motions use; motion_budget.h has the limits.
 struct MotionBudget {
   size_t keys = 0, ticks = 0;
 };
@@ -27,8 +27,8 @@ class RoleContext {
   const Tree& tree;
   const Assemblies& assemblies;
   LevelDraft& level;
-  // Every script of the place ran without an error. Parts that none of them makes deadly are
-  // harmless.
+  // True if every script of the place ran without an error. Then parts that no script makes deadly
+  // are harmless.
   bool scriptsTell = false;
   // Budget spent by parts that a player can meet, and by parts that had no role yet.
   MotionBudget metBudget, unmetBudget;
@@ -52,7 +52,7 @@ class RoleContext {
 
  private:
   std::unordered_map<InstanceId, size_t> index_;
-  std::unordered_map<InstanceId, bool> holders_;  // cache of hasParts, which scripts call often
+  std::unordered_map<InstanceId, bool> holders_;  // cache of hasParts, which finders call often
 };
 
 // Returns true if some evidence gave the part a role called `role`.

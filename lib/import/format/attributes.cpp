@@ -14,7 +14,8 @@
 namespace obby::importer {
 namespace {
 
-// Max attributes of one instance. An entry takes some twenty times its bytes in the blob.
+// Max attributes of one instance. In memory, an entry takes some twenty times its bytes in the
+// blob.
 constexpr size_t kMaxAttributes = 1000;
 
 Vec3 readVec3(ByteReader& reader) {

@@ -29,8 +29,8 @@ struct ChunkData {
 // decompressing.
 Result<std::vector<Chunk>> listChunks(std::string_view file, size_t firstOffset);
 
-// Decompresses one chunk. A chunk may grow to 256 MiB, and not much beyond `fileSize`. `total`, 0
-// before the first chunk, sums the bytes of all chunks and is bounded, too.
+// Decompresses one chunk. A chunk may grow to 256 MiB, and to no more than 16 MiB plus 16 times
+// `fileSize`. `total`, 0 before the first chunk, sums the bytes of all chunks and is bounded, too.
 Result<ChunkData> decompress(const Chunk& chunk, size_t fileSize, size_t& total);
 
 // Returns an Error at the chunk's place: "byte 4711: PROP".

@@ -25,7 +25,7 @@ struct Collision {
 };
 
 // Decodes `blob`, the bytes of PhysicalConfigData or PhysicsData. Corners are in the space of the
-// part's InitialSize. Fails only on damage.
+// part's InitialSize. Fails only if the blob is damaged.
 Result<Collision> decodeCollision(std::string_view blob);
 
 // The collision bytes of a mesh part or union: PhysicalConfigData, else PhysicsData.

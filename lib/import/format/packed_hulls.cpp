@@ -29,7 +29,7 @@ Error broken(std::string message) { return Error{{}, {}, "hulls", std::move(mess
 
 struct PackedHead {
   uint32_t hulls, corners, faces;    // totals of the Edgebreaker hulls
-  uint32_t maxCorners, maxFaces;     // max of one of them
+  uint32_t maxCorners, maxFaces;     // max of any one of these hulls
   uint32_t plainBytes;               // size of the block of plain hulls
   uint32_t symbolBits, symbolBytes;  // sizes of the Edgebreaker symbols
   uint32_t cornerBytes;

@@ -11,11 +11,11 @@
 
 namespace obby::importer {
 
-// Decompresses `frame`, the zstd frame from byte 12 of the blob. Fails on damage, and if the
-// content is implausibly large for the frame's size.
+// Decompresses `frame`, the zstd frame from byte 12 of the blob. Fails if the frame is damaged, or
+// if its content is implausibly large for its size.
 Result<std::string> unpackHulls(std::string_view frame);
 
-// Returns the corners of each hull in a decompressed frame. Fails on damage.
+// Returns the corners of each hull in a decompressed frame. Fails if the frame is damaged.
 Result<std::vector<std::vector<Vec3>>> decodePackedHulls(std::string_view unpacked);
 
 }  // namespace obby::importer

@@ -7,7 +7,7 @@
 namespace obby::importer {
 namespace {
 
-// A format that the importer reads. The first row of the table whose test succeeds reads the file.
+// A format that the importer reads. In the table, the first row whose test succeeds reads the file.
 struct Format {
   bool (*looksLike)(std::string_view bytes);  // tests the content
   Result<Document> (*read)(std::string_view bytes, const std::string& file);

@@ -29,7 +29,8 @@ struct Voxels {
   size_t water = 0;  // number of cells that hold some
 };
 
-// Returns the chunks in file order, with their runs checked. They refer to `blob`. Fails on damage.
+// Returns the chunks in file order, with their runs checked. They refer to `blob`. Fails if the
+// blob is damaged.
 Result<std::vector<VoxelChunk>> voxelChunks(std::string_view blob);
 
 // Reads one of the chunks of voxelChunks().

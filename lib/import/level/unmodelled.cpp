@@ -36,8 +36,8 @@ const TellingName* tellingName(const std::string& name) {
   return nullptr;
 }
 
-// Notes parts whose names suggest a function that nothing in the file implements. If another part
-// of that name has its role, the others are decoration.
+// Notes parts whose names suggest a function that nothing in the file implements. If any part with
+// the same word in its name has a role, the others are decoration.
 void noteNames(RoleContext& context) {
   std::set<std::string_view> kept;
   for (const PartDraft& part : context.level.parts)

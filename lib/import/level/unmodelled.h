@@ -5,8 +5,8 @@
 
 namespace obby::importer {
 
-// Notes terrain, seats, tools, teleporters, buttons, parts that scripts change in play, and scripts
-// that were not understood. Call it after findRoles and dynamicParts.
+// Notes vehicle seats, tools, parts that players drag, names that suggest a role without giving it,
+// and unsupported kit tags. Call it after findRoles and dynamicParts.
 void noteUnmodelled(RoleContext& context);
 
 }  // namespace obby::importer

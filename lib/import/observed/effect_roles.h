@@ -24,8 +24,8 @@ class EffectRoles {
   // Gives parts the motion of constraints and movers that the touch sets. Notes those without an
   // effect that the level can express.
   void takeDrives(PartDraft& part, const engine::Probe& probe, const ProbeEffects& effects);
-  // Adds the abilities that a tool, keys, chat or a screen button give the player anywhere.
-  // `inAir`: jumps in the air that keys give.
+  // Adds the abilities that the player gets anywhere from a tool, keys, chat or a screen button.
+  // `inAir`: mid-air jumps on a key press.
   void takeAbility(engine::Approach approach, const engine::AirJumps& inAir,
                    const ProbeEffects& effects);
 

@@ -25,8 +25,8 @@ using engine::Change;
 using engine::kPlayer;
 
 constexpr double kNoCooldown = 0.1;          // seconds; shorter intervals do not count
-constexpr float kYaw = 0.3f;                 // yaw of a probe's player (moves.luau)
-constexpr Vec3 kArriving = {1.5f, 0, 2.5f};  // velocity of a probe's player
+constexpr float kYaw = 0.3f;                 // radians; yaw of a probe's player (moves.luau)
+constexpr Vec3 kArriving = {1.5f, 0, 2.5f};  // studs/s; velocity of a probe's player
 constexpr float kKept = 1e-3f;
 
 // Returns true for settings that scripts use to disable a player's controls.
@@ -241,7 +241,7 @@ class Difference {
   void findAways() {
     std::map<InstanceId, Away> found, came;
     for (const Change* change : own_) {
-      // A falling part carries no players any more.
+      // A part that becomes unanchored falls, so it no longer carries players.
       if (change->property != "CanCollide" && change->property != "Parent" &&
           change->property != "Anchored")
         continue;

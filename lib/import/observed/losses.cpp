@@ -80,8 +80,8 @@ bool isUsual(const engine::PlayerState& player, const engine::Change& change) {
                                                      : player.jumpHeight);
 }
 
-// Returns the script lines that harm players. The harm is that of parts, even if a part moves into
-// the player.
+// Returns the script lines that harm players. Parts do this harm, even if a part moves into a
+// player who stands still.
 std::set<engine::Line> linesThatHarm(const engine::Report& report) {
   std::set<engine::Line> lines;
   for (const engine::Probe& probe : report.probes)

@@ -1,4 +1,5 @@
-// Applies script effects of the player's own moves. Launches become its jump; others become losses.
+// Applies script effects of the player's own moves. Launches become the player's jump; other
+// effects become losses.
 #include <algorithm>
 #include <cmath>
 #include <optional>

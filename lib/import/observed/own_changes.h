@@ -1,4 +1,5 @@
-// Finds the changes that a probe causes. Others occur without it, or with any walk.
+// Finds the changes that a probe causes. Other changes also occur without the probe, or on any
+// walk.
 #pragma once
 
 #include <vector>
@@ -8,7 +9,8 @@
 namespace obby::importer {
 
 // Returns the probed moves that a player makes before it reaches a part: a walk if scripts read
-// MoveDirection, and the stay away from all parts. The part does not cause their effects.
+// MoveDirection, and a stay away from all parts. The part does not cause the effects of these
+// moves.
 std::vector<const engine::Probe*> movesBefore(const engine::Report& report,
                                               const engine::Probe& probe);
 

@@ -86,7 +86,7 @@ struct ProbeEffects {
   // Lines that make the player fall down, that end its play, that push it by a force, that make it
   // jump (also in the air), and that disable a state such as Jumping.
   std::optional<engine::Line> trips, ends, force, jumps, stateOff;
-  std::vector<Away> aways, backs;  // parts that vanish; parts that appear and vanish again
+  std::vector<Away> aways, backs;  // parts that vanish; parts that appear (either may end)
   std::vector<Moved> moved;
   std::vector<Changed> belts, sizes;
   std::vector<UnnamedStat> unnamed;

@@ -21,7 +21,8 @@ const engine::PlayerState& settledPlayer(const engine::Report& report);
 void applyPlayerState(RoleContext& context, const ObservedPlace& place);
 // Gives parts that move by themselves their motions.
 void movingFromObservation(RoleContext& context, const engine::Report& report);
-// Gives parts their periodic changes: parts that appear and vanish, and conveyors.
+// Gives their timers to parts that appear or vanish by themselves. Notes conveyors whose velocity
+// scripts change.
 void timersFromObservation(RoleContext& context, const engine::Report& report);
 // Marks parts that only a touch or use brings into the world.
 void broughtFromObservation(RoleContext& context, const ObservedPlace& place);

@@ -95,7 +95,7 @@ bool isStill(const std::vector<Pose>& poses, size_t period) {
 
 Round roundIn(const std::vector<Pose>& poses) {
   const std::vector<Slack> slacks = slacksOf(poses);
-  // A settling motion resembles a round at its end, but a small one.
+  // The end of a settling motion resembles a round, but a small one.
   const float min = extent(poses, poses.size() / 2) / 2;
   Round round;
   for (size_t period = 2; 2 * period < poses.size() && round.frames == 0; ++period)

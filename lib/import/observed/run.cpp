@@ -87,7 +87,8 @@ ObservedPlace observePlace(const Document& document) {
   plan.settings.rig = rigOf(document);
   ObservedPlace place = runPlace(document, plan);
   if (!drawsRandomNumbers(place.report)) return place;
-  // Low numbers show most of what high ones do. A large place takes long to run.
+  // Low numbers show most of what high ones do. A large place takes long to run, so it runs again
+  // only with low numbers.
   constexpr size_t kLarge = 200;  // parts that scripts listen to
   const size_t heard = place.report.probes.size() + place.report.sameListeners.size();
   using engine::Draws;

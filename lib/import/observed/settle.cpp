@@ -80,7 +80,7 @@ bool isBringing(const Change& change) {
 }
 
 void addBrought(const engine::Observation& seen, std::set<InstanceId>& brought) {
-  std::set<InstanceId> changed;  // a part that is removed first was in the world
+  std::set<InstanceId> changed;  // a part whose first change removes it was in the world
   for (const Change& change : seen.changes)
     if (change.property == "Parent" && changed.insert(change.target).second && isBringing(change))
       brought.insert(change.target);
@@ -193,7 +193,7 @@ namespace {
 using Key = std::pair<InstanceId, std::string>;
 
 // Returns one change for each property: the last one before the probes. If the property changes
-// again later, the last one of the start counts. timers.cpp handles parts that scripts show and
+// again later, the last one within kStart counts. timers.cpp handles parts that scripts show and
 // hide.
 std::map<Key, const Change*> settledChanges(const engine::Report& report) {
   constexpr double kStart = 0.1;  // seconds

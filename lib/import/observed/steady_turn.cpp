@@ -42,8 +42,8 @@ bool goesOn(const Steps& steps, size_t frames, size_t longestGap) {
   return frames - 1 - steps.frames.back() <= longestGap;
 }
 
-// Returns the angle of each step about `axis`. Returns nullopt if one is about another axis, or
-// much larger than the others.
+// Returns the angle of each step about `axis`, in radians. Returns nullopt if one is about another
+// axis, or much larger than the others.
 std::optional<std::vector<double>> anglesAbout(Vec3 axis, const Steps& steps) {
   constexpr float kOff = 0.02f, kLittle = 1e-4f;
   std::vector<double> angles;

@@ -14,7 +14,7 @@ struct SteadyTurn {
   // The point of the part's frame that stays in place, or nullopt if the part moves as it turns.
   std::optional<Vec3> pivot;
   size_t begin = 0;  // the last frame before it turns
-  double since = 0;  // seconds when it left the rotation of `begin`
+  double since = 0;  // seconds; when it left the rotation of frame `begin`
 };
 
 // Returns a turn that goes on to the last frame. Steps of up to `longestGap` frames count as

@@ -1,4 +1,4 @@
-// Finds parts whose collision or conveyor speed changes periodically.
+// Finds parts that appear or vanish by themselves, and conveyors whose velocity scripts change.
 #include <algorithm>
 #include <cmath>
 #include <map>

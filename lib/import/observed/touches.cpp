@@ -199,7 +199,7 @@ class Touches {
   RoleContext& context_;
   const engine::Report& report_;
   EffectRoles roles_;
-  int asked_ = 0;  // checkpoints that require others first, so far
+  int asked_ = 0;  // number of checkpoints so far that require others first
 };
 
 }  // namespace

@@ -102,7 +102,7 @@ bool explains(const std::vector<Law>& laws, const std::vector<Pose>& poses) {
   return true;
 }
 
-// Returns the tweens' poses at even times from `from` to `to`, and where they reverse.
+// Returns the tweens' poses at evenly spaced times from `from` to `to`, and where they reverse.
 std::vector<PoseSample> lawSamples(const std::vector<Law>& laws, const Pose& last, double from,
                                    double to) {
   constexpr double kMax = 6000, kJust = 1e-6;

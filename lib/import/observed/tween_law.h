@@ -1,4 +1,4 @@
-// Extends motions beyond the run by tweens that outlast it, from the tweens' own times and goals.
+// Extends motions past the end of the run, from the times and goals of tweens that outlast it.
 #pragma once
 
 #include <map>

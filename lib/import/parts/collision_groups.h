@@ -34,7 +34,7 @@ class CollisionGroups {
   bool isSaved_ = false;    // the file has a matrix
   bool byScripts_ = false;  // a script mentions collision groups
   bool ran_ = false;
-  std::vector<std::string> told_;  // groups of the twin, if the scripts ran without errors
+  std::vector<std::string> told_;  // groups that the twin reported, if scripts ran without errors
   bool touchesUseGroups_ = false;
   uint8_t players_ = 0;
 };

@@ -8,7 +8,8 @@
 namespace obby::importer {
 namespace {
 
-constexpr float kSquares = 256, kMinSquare = 32;  // number along the longer side; studs
+// Max squares along the longer side; min side of a square, in studs.
+constexpr float kSquares = 256, kMinSquare = 32;
 constexpr int kToNextSquare = 5, kToCorner = 7, kUnknownDistance = 1 << 28;
 
 size_t squareOf(float at, float from, float step, size_t count) {

@@ -19,8 +19,8 @@ class PartDistance {
   PartDistance(const std::vector<PartDraft>& parts, GroundArea whole);
 
   // Returns the studs from the nearest point of the area to the nearest part, ignoring height. The
-  // error is up to a 256th of the longer side of `whole`. Without parts, all places get the same
-  // distance.
+  // error is about one square: a 256th of the longer side of `whole`, at least 32 studs. Without
+  // parts, all places get the same distance.
   float of(const GroundArea& area) const;
 
  private:
@@ -33,7 +33,7 @@ class PartDistance {
   GroundArea whole_;
   float step_ = 1;
   size_t width_ = 1, depth_ = 1;
-  std::vector<int> distances_;  // fifths of a step
+  std::vector<int> distances_;  // fifths of a square's side
 };
 
 }  // namespace obby::importer

@@ -17,7 +17,7 @@
 namespace obby::importer {
 namespace {
 
-constexpr size_t kEmptyTerrain = 64;   // bytes; voxels of this size hold nothing to stand on
+constexpr size_t kEmptyTerrain = 64;   // bytes; voxels up to this size hold nothing to stand on
 constexpr size_t kMaxChunks = 4096;    // 8192 studs square
 constexpr size_t kMaxLooked = 200000;  // max blocks before equal ones are joined
 constexpr const char* kTerrainKind = "terrain";  // kind in the level's list of losses

@@ -14,7 +14,7 @@
 namespace obby::importer {
 namespace {
 
-constexpr float kDegrees = 180 / 3.14159265f;  // degrees of a radian
+constexpr float kDegrees = 180 / 3.14159265f;  // degrees per radian
 constexpr size_t kPartWidth = 34, kRoleWidth = 10, kWidth = 100, kNoteIndent = 8;
 
 // Counts characters, not bytes.
@@ -34,7 +34,7 @@ size_t byteAt(std::string_view text, size_t character) {
   return at;
 }
 
-// Returns at most `width` characters: the beginning of a longer text, or its end.
+// beginning() and ending() return at most `width` characters of a text, from its start or its end.
 std::string beginning(std::string_view raw, size_t width) {
   const std::string text = oneLine(raw);
   return widthOf(text) <= width ? text : text.substr(0, byteAt(text, width - 3)) + "...";

@@ -13,8 +13,9 @@ class PlaceNames {
  public:
   PlaceNames(const LevelDraft& level, const Tree& tree);
 
-  // Returns the part's name in quotes if it is meaningful and unique among the candidates. Else
-  // returns the name of its model or folder, else "checkpoint 2", "the start" or "the goal".
+  // Returns the part's name in quotes if it is meaningful and unique among the candidates.
+  // Otherwise returns "the start" for the start, else the name of the part's model or folder, else
+  // "checkpoint 2" or "the goal".
   std::string of(int part) const;
 
  private:

@@ -34,8 +34,8 @@ std::vector<Target> targets(const LevelDraft& level) {
   return list;
 }
 
-// Returns the level's clock after all single events. Players past the first stage have been there
-// for a while.
+// Returns the level's clock after all single events. Players past the first stage have been in the
+// level for a while.
 uint32_t laterTick(const LevelDraft& level) {
   double last = 0;
   for (const PartDraft& part : level.parts) {

@@ -29,10 +29,11 @@ class ProjectFiles {
   bool enter(const fs::path& folder);
   void leave() { open_.pop_back(); }
 
-  // Returns the names in a folder, sorted. Fails if it is outside the allowed paths.
+  // Returns the names in a folder, sorted. Fails if it is outside the allowed paths, or if the
+  // project exceeds its limit of files.
   Result<std::vector<std::string>> list(const fs::path& folder);
   // Returns the bytes of a file. Fails if it is outside the allowed paths, or if the project
-  // exceeds its limit of bytes or files.
+  // exceeds its limit of bytes.
   Result<std::string> read(const fs::path& file);
 
  private:

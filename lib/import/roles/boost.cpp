@@ -1,4 +1,4 @@
-// Finds parts that make a player walk faster or jump higher: by kit marker.
+// Finds parts that make a player walk faster or jump higher, by a kit's marker.
 #include <algorithm>
 
 #include "import/draft/world.h"

@@ -54,7 +54,8 @@ void giveTagged(RoleContext& context, InstanceId id, const std::string& tag,
     if (part && give(context, *part, one, "tag " + tag, false))
       part->stageSigns[NumberFrom::tag] = firstNumber(tag).value_or(kUnnumbered);
   };
-  // A folder holds several checkpoints, except that of a single stage. A model is one checkpoint.
+  // A folder holds several checkpoints, except the folder of a single stage. A model is one
+  // checkpoint.
   if (context.tree.at(id).className != "Folder" || kind == "stage") return giveOne(id);
   for (const InstanceId child : context.tree.at(id).children) giveOne(child);
 }
@@ -95,8 +96,8 @@ void giveNamed(RoleContext& context) {
 
 bool isHeardOnly(const PartDraft& part) { return !hasRole(part) && part.heardOnly; }
 
-// Makes checkpoints of pads in a row that have listeners without visible effect. Their scripts keep
-// the player's stage in a table of their own.
+// Makes checkpoints of pads that form a row and have listeners without a visible effect. Their
+// scripts may keep the player's stage in a table.
 void giveHeardRows(RoleContext& context) {
   std::map<std::string, std::vector<PartDraft*>> rows;
   for (PartDraft& part : context.level.parts) {

@@ -18,8 +18,8 @@ constexpr float kMaxTurn = 1000;   // rad/s
 
 Vec3 forward(const PartDraft& part, double speed) { return -part.pose.rotation.z * float(speed); }
 
-// Returns true if the velocity lies along an axis. One that a designer set does; one that physics
-// left behind does not.
+// Returns true if the velocity lies along an axis. Velocities that designers set do; those that
+// physics left behind do not.
 bool isAligned(const PartDraft& part, Vec3 v) {
   const Mat3& r = part.pose.rotation;
   const Vec3 local = toLocal(r, v);

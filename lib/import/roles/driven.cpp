@@ -11,7 +11,7 @@
 namespace obby::importer {
 namespace {
 
-// Returns why the direction in which a motor moves its part is unknown, or "" if it is known.
+// Returns why it is unknown where a slider's motor takes its part, or "" if it is known.
 std::string unknownDirection(RoleContext& context, const ConstraintSettings& settings,
                              const Drive& drive) {
   const InstanceId motor = drive.constraint;
@@ -32,7 +32,7 @@ bool toItsLimit(RoleContext& context, const ConstraintSettings& settings, const 
 }
 
 // Returns the motion of a part that is attached to `base` and moves along with it, or nullopt if
-// both move by themselves.
+// the two motions cannot be combined.
 std::optional<Motion> carried(const PartDraft* base, const Pose& own, Motion motion) {
   if (!base || !base->motion) return motion;
   const Pose back = inverse(base->pose);

@@ -22,8 +22,8 @@ struct Drive {
   Pose frame;                                           // world frame of the fixed attachment
 };
 
-// Returns the part that a constraint in OneAttachment mode or a legacy body mover acts on, or its
-// first end. Returns kNoInstance if there is none.
+// Returns the part on which a constraint in OneAttachment mode or a legacy body mover acts. For
+// other constraints, returns the part at the first end. Returns kNoInstance if there is none.
 InstanceId movedPart(const Tree& tree, InstanceId id);
 
 // Returns the world frame in the file of a constraint's attachment on `part`. Without an
@@ -44,14 +44,13 @@ bool baseMoves(RoleContext& context, const Drive& drive);
 // class and `what`. Returns false if no part got it.
 bool giveDriven(RoleContext& context, InstanceId moving, Motion motion, InstanceId constraint,
                 const std::string& what, bool guessed);
-// Gives the moving part of a drive a motion relative to its base: to the place where scripts put
-// the base, or along with the base's motion. If both move by themselves, the moving part is held,
-// and the level notes it.
+// Gives the moving part of a drive a motion relative to its base, which may move, too. If the two
+// motions cannot be combined, the moving part is held, and the level notes it.
 bool giveDriven(RoleContext& context, const Drive& drive, Motion motion, const std::string& what,
                 bool guessed);
 
-// Anchors a part and its joined parts, with `why` as evidence. Returns false if all were anchored
-// already.
+// Anchors a part and its joined parts, with `why` as evidence. Returns false if all of these were
+// anchored already.
 bool hold(RoleContext& context, InstanceId part, const std::string& why);
 
 // Holds a part at its place in the file because the file does not state its destination. The level
@@ -79,8 +78,8 @@ bool standStill(RoleContext& context, const Drive& drive, const std::optional<Sp
 // `spin` for ever.
 Motion slideTo(const Track& track, double position, double speed, const std::optional<Spin>& spin);
 
-// Moves a slider with a motor to its limit, where it stays. If the file does not state the
-// direction, the part is held, and the level notes it. Returns false if the motor drives nothing.
+// Moves a slider with a motor to its limit, where it stays. If the file does not state where it
+// stops, the part is held, and the level notes it. Returns false if the motor drives nothing.
 bool fromSliderMotor(RoleContext& context, const ConstraintSettings& settings, const Drive& drive,
                      const std::optional<Spin>& spin);
 

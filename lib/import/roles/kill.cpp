@@ -9,8 +9,8 @@ namespace obby::importer {
 namespace {
 
 constexpr float kAll = 1e6f;          // more than any player's health
-constexpr float kKitCooldown = 0.1f;  // wait between two hits in tower kits before v6
-constexpr float kKitCooldown6 = 1;    // default wait of v6
+constexpr float kKitCooldown = 0.1f;  // seconds between two hits in tower kits before v6
+constexpr float kKitCooldown6 = 1;    // seconds; the default of v6
 
 struct DamageWord {
   std::string_view word;

@@ -12,8 +12,8 @@ namespace obby::importer {
 namespace {
 
 constexpr float kThickest = 2, kDeepest = 2;   // studs: rung height, shorter side
-constexpr float kNarrowest = 1, kWidest = 12;  // the longer horizontal side
-constexpr float kMinGap = 0.3f, kMaxGap = 3;   // vertical gap between rungs
+constexpr float kNarrowest = 1, kWidest = 12;  // studs: the longer horizontal side
+constexpr float kMinGap = 0.3f, kMaxGap = 3;   // studs: vertical gap between rungs
 constexpr float kAside = 0.75f;                // max horizontal studs from one rung to the next
 constexpr size_t kFewest = 3;                  // min rungs of a ladder
 

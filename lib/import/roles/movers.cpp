@@ -76,8 +76,8 @@ bool fromPusher(RoleContext& context, const ConstraintSettings& settings, const 
   return hold(context, part, "a mover holds it in place");
 }
 
-// Returns the angular velocity of a mover in world space, at the poses of the file. Returns zero if
-// the mover turns nothing.
+// Returns the angular velocity of a mover in world space, in radians per second, at the poses of
+// the file. Returns zero if the mover turns nothing.
 Vec3 turnBy(RoleContext& context, const ConstraintSettings& settings, InstanceId id) {
   const Instance& mover = context.tree.at(id);
   Vec3 turn = settings.vector(id, "AngularVelocity");

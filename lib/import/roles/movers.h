@@ -14,8 +14,8 @@ using Pulls = std::map<InstanceId, int>;
 Pulls pullsOf(RoleContext& context, const ConstraintSettings& settings);
 
 // Gives a motion to the part of an enabled mover, or holds the part in place. If the file does not
-// state the direction, the part is held, and the level notes it. Returns false without effect if
-// the mover is too weak, is of another class, or drives no unanchored part.
+// state where the motion ends, the part is held, and the level notes it. Returns false without
+// effect if the mover is too weak, is of another class, or drives no unanchored part.
 bool fromMover(RoleContext& context, const ConstraintSettings& settings, const Pulls& pulls,
                InstanceId id);
 

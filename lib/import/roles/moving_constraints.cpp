@@ -87,7 +87,7 @@ bool understand(RoleContext& context, const ConstraintSettings& settings, const 
   return fromMover(context, settings, pulls, id);
 }
 
-// Notes a part with a motor that a script moves: the motor has no effect.
+// Notes a part that a script moves although it also has a motor. The motor has no effect.
 void noteBoth(RoleContext& context, const ConstraintSettings& settings, InstanceId id) {
   if (settings.choice(id, "ActuatorType") == 0 && settings.choice(id, "AngularActuatorType") == 0)
     return;

@@ -31,7 +31,8 @@ bool isRowFolder(const Tree& tree, InstanceId id) {
 
 bool isSpawn(const Tree& tree, InstanceId id) { return tree.at(id).className == "SpawnLocation"; }
 
-// Returns true if the part could be a pad: players can touch it, and it does not kill or move.
+// Returns true if the part could be a pad: players can touch it, it does not kill or move, and it
+// is not a goal or checkpoint yet.
 bool canBePad(const PartDraft& part) {
   return part.touch && !part.kill && !part.motion && !part.goal && !part.checkpoint;
 }

@@ -10,7 +10,8 @@ namespace obby::importer {
 
 using RoleFinder = void (*)(RoleContext&);
 
-// One role and its finder for each kind of evidence; null if it has none.
+// One role and its finders, one for each kind of evidence; null where there is none. `fromNames`
+// also covers defaults, velocities, stacks of parts and constraints.
 struct RoleRow {
   const char* name;
   RoleFinder fromTags, fromMarkers, fromNames;
@@ -20,7 +21,7 @@ struct RoleRow {
 // case.
 std::string markerWords(const Tree& tree, InstanceId marker);
 
-// Runs every finder, strongest evidence first: tags, markers, names. A part that has a
+// Runs every finder, strongest evidence first: tags, markers, other evidence. A part that has a
 // role keeps it against weaker evidence.
 void findRoles(RoleContext& context);
 
@@ -37,8 +38,8 @@ void killFromNames(RoleContext&);
 void checkpointFromTags(RoleContext&);
 void checkpointFromMarkers(RoleContext&);
 void checkpointFromNames(RoleContext&);
-// Finds parts in one numbered row with checkpoints, with listeners or in a folder of stages. They
-// need more than the touches that were tried.
+// Finds checkpoints that share a numbered row with known checkpoints. A part counts if its
+// listeners showed no effect so far, or if it lies in a folder of stages.
 void checkpointFromSiblings(RoleContext&);
 void goalFromTags(RoleContext&);
 void goalFromNames(RoleContext&);

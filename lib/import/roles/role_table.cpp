@@ -4,7 +4,7 @@
 namespace obby::importer {
 namespace {
 
-//   role                tags, class           markers              names and defaults
+//   role                tags, class           markers              other evidence
 constexpr RoleRow kRoles[] = {
     {"goal", goalFromTags, nullptr, goalFromNames},
     {"checkpoint", checkpointFromTags, checkpointFromMarkers, checkpointFromNames},

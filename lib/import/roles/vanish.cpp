@@ -17,8 +17,8 @@ const std::vector<std::string_view> kVanishTags = {"disappearing",    "disappear
                                                    "vanisher",        "disappearingpart",
                                                    "fallingplatform", "falling"};
 constexpr float kDefaultDelay = 1, kDefaultAway = 3;
-constexpr float kKitFade = 2, kKitAway = 1;        // tower kits before v6
-constexpr float kKit6Blink = 0.2f, kKit6Away = 2;  // v6: three blinks, then the absence
+constexpr float kKitFade = 2, kKitAway = 1;        // seconds; tower kits before v6
+constexpr float kKit6Blink = 0.2f, kKit6Away = 2;  // seconds; v6 blinks three times
 constexpr double kKit6Count = 3;
 
 void give(PartDraft& part, Vanish vanish, std::string reason, bool guessed) {

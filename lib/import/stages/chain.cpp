@@ -65,7 +65,7 @@ class Order {
     course_.prove(part, "checkpoint", "ordered by distance: " + why, true);
   }
 
-  // Moves the nearest checkpoint next, repeatedly.
+  // Sorts greedily: the nearest remaining checkpoint always comes next.
   void sortByDistance(Chain& chain, Chain::iterator first, Chain::iterator end,
                       const std::string& why) {
     if (end - first < 2 || chain.size() > kMaxByDistance) return;

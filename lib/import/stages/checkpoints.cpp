@@ -14,8 +14,8 @@ void takeMissing(StageSigns& to, const StageSigns& from) {
     if (to.numbers[i] == kUnnumbered) to.numbers[i] = from.numbers[i];
 }
 
-// Joins a pad with the SpawnLocation elsewhere that it sets: the pad takes over its numbers. A
-// SpawnLocation that is a checkpoint next to the pad represents both.
+// Joins a pad with the SpawnLocation that it sets, if that is another part. The pad takes over the
+// numbers that it lacks. If the SpawnLocation is a checkpoint next to the pad, it represents both.
 void joinRespawns(const Tree& tree, LevelDraft& level) {
   std::map<InstanceId, PartDraft*> spawns;
   for (PartDraft& part : level.parts)

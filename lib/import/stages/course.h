@@ -29,7 +29,7 @@ struct Course {
   PartDraft& part(int index) const { return level.parts[size_t(index)]; }
   const Instance& instance(int index) const { return tree.at(part(index).id); }
   bool is(int index, const char* flag) const;  // returns a flag of the part's instance
-  const Team* teamOf(int spawn) const;         // team of a SpawnLocation; null: for all
+  const Team* teamOf(int spawn) const;         // team of a SpawnLocation; null: open to all
   // Returns the distance between two parts in studs: directly or through one portal, whichever is
   // shorter.
   float distance(int from, int to) const;

@@ -16,9 +16,9 @@ constexpr float kOnTop = 8;  // max studs between a pad and a player placed by s
 
 // Suitability of a SpawnLocation as the start, best first.
 enum class StartRank {
-  ofFirstTeam,  // of the team of new players
+  ofFirstTeam,  // belongs to the team of new players
   named,        // "Start"
-  open,         // for all teams, and it does not change the player's team
+  open,         // open to all teams, and does not change the player's team
   other,
   checkpoint,  // known by its tag, its script or its number
   winners      // players appear there after the end
@@ -213,7 +213,8 @@ class SpawnRoles {
   std::set<InstanceId> remote_;  // SpawnLocations that checkpoints elsewhere set
 };
 
-// Falls back to a part called Start if there is no SpawnLocation.
+// Makes the first part with a start word in its name (Start, Lobby) the start. Call it if there is
+// no SpawnLocation.
 void startFromNames(Course& course) {
   for (int i = 0; i < int(course.level.parts.size()); ++i) {
     const std::string& name = course.instance(i).name;
