@@ -36,7 +36,7 @@ class Store {
   // disk's.
   Status put(const std::string& id, std::string_view lines,
              const std::vector<std::string>& reports) const;
-  // Returns nothing if the level is not stored, or no longer.
+  // Returns nothing if the level was never stored, or was dropped.
   Result<std::optional<StoredLevel>> get(const std::string& id) const;
 
   // Returns the path at which the answer of a job of this session is stored.

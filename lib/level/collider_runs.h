@@ -33,7 +33,7 @@ class ColliderRuns {
   }
 
   const LevelView& level_;
-  std::vector<ColliderRun> runs_;  // one for each part, up to the last that has colliders
+  std::vector<ColliderRun> runs_;  // one for each part, up to the last part that has colliders
 };
 
 }  // namespace obby::level

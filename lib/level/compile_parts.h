@@ -35,7 +35,7 @@ constexpr uint32_t kMaxParts = 1000000;
 // Max rows of all motion tables of a level together: 200 MB.
 constexpr size_t kMaxLevelRows = 4000000;
 // Max rows of one table, tried in turn until all tables fit. With fewer rows, a period that is not
-// a whole number of ticks is less exact, by at most half a tick a repetition.
+// a whole number of ticks is less exact, by at most half a tick per repetition.
 constexpr uint32_t kMaxTableRows[] = {kMaxRows, kMaxRows / 4, kMaxRows / 16, kMaxRows / 64};
 
 Result<PartTables> compileParts(schema::Level::Reader record, const Params& params);

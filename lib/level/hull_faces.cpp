@@ -158,7 +158,7 @@ class FaceFinder {
   }
 
   HullTables& hull_;
-  const float tolerance_, sliver_;  // areas below `sliver_` count as zero
+  const float tolerance_, sliver_;  // tolerance in studs; areas below `sliver_` count as zero
   std::vector<float> x_, y_, z_;    // the vertices, padded for the last lanes
   std::vector<Vec3> outermost_;
   std::vector<std::vector<uint32_t>> facesAt_;  // faces of each vertex, ascending

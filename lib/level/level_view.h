@@ -61,7 +61,7 @@ OBBY_DEVICE void forTables(Collider& c, Table&& table) {
 }
 
 // The data of a collider that a search for nearby parts reads. The upper corner is negated, so that
-// one comparison of eight numbers tests for an overlap. Flags and tag take part in it as tiny
+// one comparison of eight numbers tests for an overlap. The comparison reads flags and tag as tiny
 // floats.
 struct alignas(32) Bounds {
   Vec3 lo, minusHi;
@@ -89,10 +89,10 @@ struct Clock {
   uint32_t length = 0;    // ticks, or kForever
   bool restarts = false;  // a touch while it runs starts it again
   // Effects on the player while it runs.
-  float walkFactor = 1;     // x walkSpeed
-  float jumpFactor = 1;     // x jumpSpeed
-  float jumpMore = 0;       // studs/s that are added
-  float gravityFactor = 1;  // x gravity
+  float walkFactor = 1;     // factor of walkSpeed
+  float jumpFactor = 1;     // factor of jumpSpeed
+  float jumpMore = 0;       // studs/s added to the jump speed
+  float gravityFactor = 1;  // factor of gravity
   bool resets = false;      // values that it does not change return to the level's
   uint32_t helpless = 0;    // ticks from its start during which keys do nothing
   uint32_t seat = kNone;    // collider on which the player sits while the clock is held at 0
@@ -114,7 +114,7 @@ constexpr int kMaxStarts = 4;  // max clocks that a touch of one part can start;
 // One record for each part that has a role, shared by its colliders.
 struct Roles {
   float damage;            // health that a touch takes; negative if it heals
-  uint16_t cooldownTicks;  // between two hits
+  uint16_t cooldownTicks;  // ticks between two hits
   bool padKeepsSideways;
   Vec3 padVelocity;       // studs/s
   Vec3 conveyorVelocity;  // studs/s
@@ -182,7 +182,7 @@ struct DynamicBody {
   float radius;         // studs around the centre that contain all of it
   uint32_t firstCollider, colliderCount;
 };
-constexpr int kMaxBodies = 16;  // dynamic bodies of a level; more are an error
+constexpr int kMaxBodies = 16;  // dynamic bodies of a level; more of them are an error
 
 constexpr uint32_t kListStep = 4;
 

@@ -1,4 +1,4 @@
-// Compiles a Motion record to tables of poses, one row a tick, shared by all worlds.
+// Compiles a Motion record to tables of poses, one row per tick, shared by all worlds.
 //
 // Keys and spin have separate tables, so that periods without a common multiple cost their sum and
 // not their product. A period that is not a whole number of ticks is stored as several repetitions.

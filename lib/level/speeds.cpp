@@ -27,10 +27,8 @@ std::vector<float> reachOfMovers(const PartTables& t) {
 
 // Returns the max sideways speed of a point at `reach` studs from the mover's centre, studs/s.
 float speedOf(const Mover& m, float reach, const Params& params) {
-  const float spin = m.spinCount > 1 ? turnBetween(m.spins[0], m.spins[1]) * reach : 0;  // all
-                                                                                         // steps
-                                                                                         // are
-                                                                                         // equal
+  // All steps of a spin are equal.
+  const float spin = m.spinCount > 1 ? turnBetween(m.spins[0], m.spins[1]) * reach : 0;
   float limit = spin;
   for (uint32_t k = 0; k + 1 < m.keyCount; ++k) {
     const Pose &from = m.keys[k], &to = m.keys[k + 1];

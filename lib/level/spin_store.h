@@ -13,7 +13,7 @@
 
 namespace obby::level {
 
-// A table of turns. Valid while the store lives, or the one that it was moved to.
+// A table of turns. Valid while the store, or the store that it was moved to, lives.
 struct SpinTurns {
   std::span<const Mat3> rows;  // empty if it does not turn
   bool upright = false;        // true if all rows leave local Y exactly unchanged

@@ -42,7 +42,7 @@ struct PushT {
 template <class F, int kBodies>
 struct ContactPointT {
   PushT<F, kBodies> push;  // along the normal
-  F distance;              // gap now
+  F distance;              // present gap, studs
   F max;                   // max impulse so far
   F approach;              // speed at the start of the tick; negative when approaching
 };

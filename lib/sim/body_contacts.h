@@ -109,7 +109,7 @@ OBBY_APART void addContact(World& w, const level::LevelView& level, BodyScene& s
   prepare<float, 2>(c, bodies, pairOf(scene, c), m, middle, level.params.tickSeconds);
 }
 
-// Bodies that touch sleep together, so one that sleeps wakes up.
+// Links two touching bodies. Linked bodies fall asleep together, so this wakes a body that sleeps.
 OBBY_DEVICE void link(BodyScene& scene, RigidBody* bodies, int a, int b) {
   scene.bodies[a].linked |= 1u << b;
   scene.bodies[b].linked |= 1u << a;
@@ -196,7 +196,7 @@ OBBY_DEVICE void putRigids(const RigidBody* bodies, const level::LevelView& leve
   }
 }
 
-// Finds the contacts of a group of awake bodies, and of those that they wake.
+// Finds the contacts of a group of awake bodies, and of the bodies that they wake.
 OBBY_DEVICE void findContacts(World& w, RigidBody* bodies, const level::LevelView& level,
                               const BodyGroup& group, BodyScene& scene) {
   const int count = int(level.bodyCount);

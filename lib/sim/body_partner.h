@@ -29,7 +29,8 @@ OBBY_DEVICE Vec3 movedBy(const level::LevelView& level, const Partner& part, Vec
   return (point - toWorld(part.before, local)) * float(level.params.controlRate);
 }
 
-// Returns the velocity of a part's surface. A part that does not carry pushes, but does not drag.
+// Returns the velocity of a part's surface. A moving part that does not carry still pushes, but
+// does not drag.
 OBBY_DEVICE Vec3 surfaceOf(const level::LevelView& level, const Partner& part, Vec3 point,
                            Vec3 normal, Vec3 moved) {
   Vec3 velocity = part.flags & level::kCarries ? moved : normal * dot(moved, normal);

@@ -72,7 +72,8 @@ OBBY_DEVICE bool isLate(const World& w, const level::QueryView& q) {
 }
 
 // Returns the violated rule, or `running` if there is none. Targets must be reached at the end of a
-// tick. Targets to avoid are also tested within it, or a player could step over a thin region.
+// tick. Targets to avoid are also tested within the tick, since a player could otherwise step over
+// a thin region.
 OBBY_DEVICE Outcome violation(const Judged& j) {
   for (uint32_t i = 0; i < j.q.avoidCount; ++i) {
     if (!j.reaches(j.q.avoid[i]) && !j.passes(j.q.avoid[i])) continue;

@@ -74,7 +74,8 @@ uint32_t WideBodies::add(World& w, RigidBody* bodies, const Box& near) {
 }
 
 // Returns the bodies that are too far from all others to meet them, one bit each. Sets `speeds` for
-// all bodies. It may miss some that isAlone() finds, because that takes more square roots.
+// all bodies. It may miss bodies that isAlone() finds, because finding those takes more square
+// roots.
 uint32_t WideBodies::findApart(const RigidBody* bodies, float* speeds) const {
   constexpr float kRounding = 0.01f;  // studs
   uint32_t meets = 0;

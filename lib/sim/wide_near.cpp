@@ -58,8 +58,8 @@ void WideNear::findReach(World* const* worlds, int count) {
   }
 }
 
-// Returns true if a dynamic body is near the player. Otherwise the bodies move apart from it
-// (wide_bodies.h).
+// Returns true if a dynamic body is near the player. Otherwise the bodies move separately from the
+// player (wide_bodies.h).
 bool WideNear::nearBodies(int i, const RigidBody* bodies) const {
   const Box near = looks_[i].box();
   bool found = false;

@@ -8,7 +8,7 @@
 
 namespace obby::sim {
 
-constexpr int kWideSlots = 256;  // worlds a block
+constexpr int kWideSlots = 256;  // worlds per block
 static_assert(kWideSlots % kLanes == 0 && kRowWords <= kMaxCandidates);
 
 // Pose of a moving part for a world. The row has the layout and the size of a level::Collider, so
@@ -29,7 +29,7 @@ class WideNear {
         rows_{reinterpret_cast<const char*>(level.colliders),
               reinterpret_cast<const char*>(moved_)} {}
 
-  // The code that takes a world's tick.
+  // The code that advances a world in this tick.
   enum class Turn : uint8_t { ended, single, lanes };  // none; tick(); SIMD lanes
 
   // Finds the parts around at most kWideSlots worlds. `bodies` may be null.
@@ -41,7 +41,8 @@ class WideNear {
   // These apply to worlds that go to the lanes. A part counts if the body or the floor rays can
   // meet it, or if the limbs can and a touch has an effect.
   int count(int i) const { return count_[i]; }
-  uint32_t anyFlags(int i) const { return anyFlags_[i]; }  // ColliderFlag bits of all in reach
+  // ColliderFlag bits of all parts in reach
+  uint32_t anyFlags(int i) const { return anyFlags_[i]; }
   // Returns the tags of these parts (level::Bounds::tag), (count). With kMovingTag the index is
   // that of a moved part.
   const uint32_t* tags(int i) const { return tags_[i]; }

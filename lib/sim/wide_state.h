@@ -104,7 +104,7 @@ struct alignas(64) MotionRow {
   float words[kRowWords];
 };
 
-// `yaw` is the player's.
+// Converts motions to rows. `yaw` is the player's.
 OBBY_LANES Rows rowsOf(const WideMotion& m, WideInt yaw) {
   // A body that the legs hold has no free steps, so this word encodes the legs as well.
   const WideFloat legs = select(m.drive.hangs, WideFloat(-2.0f), WideFloat(-1.0f));
@@ -118,7 +118,8 @@ OBBY_LANES Rows rowsOf(const WideMotion& m, WideInt yaw) {
   return r;
 }
 
-// `gravity` is the level's, because worlds with a running clock are in no lane.
+// Returns the motions in these rows. `gravity` is the level's, because worlds with a running clock
+// are never in lanes.
 OBBY_LANES WideMotion motionAt(const Rows& r, float gravity) {
   const Vec3T<WideFloat> wanted = vectorAt(r, 6), slide = vectorAt(r, 9), legs = vectorAt(r, 12);
   DriveT<WideFloat> d;

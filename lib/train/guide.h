@@ -30,7 +30,7 @@ class Guide {
  private:
   std::vector<Vec3> places_;
   std::vector<float> behind_;    // (places), studs from each place to the end
-  std::vector<uint32_t> stops_;  // (waypoints), their places
+  std::vector<uint32_t> stops_;  // (waypoints), index of each waypoint's place
 };
 
 }  // namespace obby::train

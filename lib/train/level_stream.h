@@ -58,7 +58,7 @@ class LevelStream : public LevelSource {
   // Returns the summary of all records so far, with settings.before. Waits for a running read.
   io::SourceSummary summary() const;
 
-  // Return the number of compiled levels that wait, and of levels compiled on reading, for tests.
+  // For tests: the number of compiled levels that wait, and of levels compiled on reading.
   size_t compiledHeld() const;
   size_t compiledOnReading() const;
 
@@ -114,14 +114,14 @@ class LevelStream : public LevelSource {
     std::map<uint64_t, Turn> turns;
     Turn open;            // the turn that is being filled
     uint64_t read = 0;    // turns so far
-    uint64_t kept = 0;    // the first turns, kept for a restart
-    uint64_t needed = 0;  // earlier turns are needed only after a restart
+    uint64_t kept = 0;    // number of first turns kept for a restart
+    uint64_t needed = 0;  // first turn still needed; earlier turns are needed only after a restart
     size_t bytes = 0;     // size of the kept records
     size_t waiting = 0;   // compiled levels of the turns
     bool full = false;    // no more turns are kept
     size_t compiledOnReading = 0;
     bool ended = false;
-    Status said;  // the error that ended it
+    Status said;  // the error that ended reading
   };
 
   mutable std::atomic<uint64_t> past_{0};  // passed to the reader when the lock is free

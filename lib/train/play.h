@@ -52,7 +52,7 @@ struct TrainingView {
   GuideView guide;
   sim::World start;
   const sim::RigidBody* startBodies = nullptr;  // (level.bodyCount)
-  uint32_t maxTicks = 0;  // an episode is cut after these, at the end of an iteration
+  uint32_t maxTicks = 0;  // an episode is cut after this many ticks, at the end of an iteration
 
   OBBY_DEVICE policy::Scene scene() const { return {level, query, surroundings}; }
 };

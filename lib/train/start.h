@@ -15,7 +15,7 @@ struct Start {
 
 // Resumes the normaliser with as many observations as the policy has learned from. A fresh one
 // would change the network's inputs abruptly, and a fixed one would not adapt to other levels.
-// Errors: normalisers that training cannot produce; they do not name the file.
+// Error: a normaliser that training cannot produce. The message does not name the file.
 Result<Start> startFrom(const policy::PolicyFile& file);
 
 // Returns the decisions that the network has learned from, including those of its initial policy.

@@ -49,7 +49,8 @@ class Timeout {
   void setReading(bool now);
 
   const std::atomic<bool>& interrupted_;
-  const double workSeconds_, recordSeconds_;  // limit of the work, and of a wait for a record
+  // limits of the work and of a wait for a record, seconds
+  const double workSeconds_, recordSeconds_;
   std::atomic<bool> stop_{false}, expired_{false}, late_{false};
   std::mutex lock_;
   std::condition_variable wake_;

@@ -29,7 +29,7 @@ class Trainer {
   static Result<std::unique_ptr<Trainer>> make(const TrainerSettings& settings,
                                                const LevelSource& source, ThreadPool& pool,
                                                Ranks& ranks);
-  // Uses another engine than the CPU's; starts from `start`, if given, instead of a fresh network.
+  // Uses an engine other than the CPU's. Starts from `start`, if given, instead of a fresh network.
   static Result<std::unique_ptr<Trainer>> make(const TrainerSettings& settings,
                                                std::unique_ptr<Engine> engine, Ranks& ranks,
                                                const Start* start = nullptr);

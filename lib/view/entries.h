@@ -27,7 +27,7 @@ struct PathEntry {
   PathKind kind;
   io::Record record;  // a trajectory, or the progress that contains it
   Playback playback;
-  uint32_t death = 0;    // index into a progress's deaths, for its attempts
+  uint32_t death = 0;    // for an attempt of a progress record, its index into the record's deaths
   uint64_t serial = 0;   // unique within a collector, from 1 on
   bool dropped = false;  // evicted for newer ones; erased in the next update
 

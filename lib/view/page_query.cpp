@@ -93,7 +93,7 @@ void writeHeatMap(io::JsonWriter& json, schema::HeatMap::Reader map) {
   json.key("counts").packed(counts).close();
 }
 
-// Writes an answer's findings besides its verdict: the proof's cut, relaxations, routes, and the
+// Writes an answer's findings other than its verdict: the proof's cut, relaxations, routes, and the
 // search's saturation.
 void writeFindings(io::JsonWriter& json, schema::Result::Reader result) {
   json.key("relaxations").open('[');

@@ -24,7 +24,8 @@ namespace obby::view {
 
 // Limits on what a collector keeps of a stream.
 struct PageBudget {
-  size_t ticks = 20'000'000;   // of replays, some 15 bytes each; part events count as well
+  // max ticks of all replays, some 15 bytes each; part events count as well
+  size_t ticks = 20'000'000;
   size_t trajectoryTicks = 0;  // fixed cost of a trajectory in ticks, for its record and numbers
   // Cost of each run of equal actions in ticks. A run takes some 50 bytes in the input's line,
   // 8 in the record and 8 in a page.
@@ -51,7 +52,7 @@ class Collector {
   // Compiles queries and replays trajectories that came since the last call. Failures are left out,
   // whatever `forgive` returns. Returns the first error that `forgive` did not accept.
   Status update();
-  // State of the last update().
+  // Returns the report as of the last update().
   const Report& report() const { return report_; }
   // Adds a sentence for the report's users.
   void note(std::string text) { report_.notes.push_back(std::move(text)); }

@@ -72,7 +72,7 @@ Corners cornersAround(const Solid& solid) {
 
 struct Drawn {
   Role role;
-  bool there;  // or away
+  bool there;  // parts that are present, or those that are away
   float top;
   std::vector<Vec2> hull;
 };

@@ -18,7 +18,7 @@ struct PartContext {
   ClockTables& clocks;
   Roles roles;
   uint32_t flags = 0;  // ColliderFlag bits
-  Clock own;           // started by a touch if a behaviour has called startOwn()
+  Clock own;           // clock that a touch starts, if a behaviour has called startOwn()
 };
 
 // Makes a touch of the part start `clock`.

@@ -26,7 +26,7 @@ struct PlayArguments {
   uint32_t worldsOfPlace, worlds;
   uint32_t firstWorld;  // index among the worlds of all ranks
   RewardSettings reward;
-  SettleRules rules;  // for the current decision
+  SettleRules rules;  // rules of the current decision
   const float *means, *scales;
   float valueMean, valueDeviation;
   // Rows of the current tick, (worlds).

@@ -7,7 +7,7 @@
 namespace obby::view {
 
 struct World {
-  std::vector<Solid> solids;      // one a collider of the level
+  std::vector<Solid> solids;      // one per collider of the level
   std::vector<Surface> surfaces;  // one for each solid
   std::vector<bool> away;         // for each solid: currently without collision
 };
