@@ -57,7 +57,7 @@ struct Options {
 struct Tally {
   struct Of {
     int known = 0, sharp = 0, near = 0;
-    double worst = 0;  // worst error of the sharp ones
+    double worst = 0;  // worst error among sharp values
   };
   std::map<std::string, Of> parameters;
   int outside = 0;
@@ -122,7 +122,7 @@ struct Trial {
   uint64_t seed;
   std::vector<Take> takes, heldOut;
   std::vector<Take> again,
-      elsewhere;  // the same manoeuvres repeated; other trajectories in the same places
+      elsewhere;  // the same manoeuvres recorded again; other trajectories in the same places
   const schema::PhysicsParams::Reader* hidden = nullptr;
   std::vector<calibrate::Parameter> parameters = calibrate::parametersAround(calibrate::defaults());
 };

@@ -1,4 +1,4 @@
-// Output of all benches: aligned rows, or with --json one object a line:
+// Output of all benches: aligned rows, or with --json one object per line:
 //   {"bench":"search","case":"parts100","metric":"stepsPerSecond","value":5.1e6,"unit":"1/s"}
 // Rows are written at once, so that a long bench shows its progress.
 #pragma once

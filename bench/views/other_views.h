@@ -1,4 +1,4 @@
-// Other observations than policy::observe(), for a comparison (bench_observation). Each fills the
+// Observations other than policy::observe(), for a comparison (bench_observation). Each fills the
 // same kInputs in the same frame. The player's state and the nearest dynamic body are the same.
 // Other features replace the maps, with policy::kEmptyInput where nothing is visible. All are
 // derived from policy::lookAround(), now and 0.4 s later. They run on the CPU only, and no policy

@@ -34,7 +34,7 @@ class Draws {
   // Like mix(), but by the difficulty alone, without noise or rounding.
   float steady(const Parameter& p) const;
 
-  float difficulty() const { return difficulty_; }  // the current obstacle's, 0 to 1
+  float difficulty() const { return difficulty_; }  // difficulty of the current obstacle, 0 to 1
 
  protected:
   // The recipe must outlive this object.

@@ -13,7 +13,7 @@
 
 namespace obby::gen {
 
-// The constraints of a level's query besides start and goal.
+// The constraints of a level's query in addition to start and goal.
 struct Limits {
   std::vector<uint32_t> waypoints;  // stop indices, in order
   uint32_t maxJumps = 0;            // 0: none
@@ -50,7 +50,7 @@ class Generator {
 
   struct Choice {
     const struct Style* style;
-    float until;  // sum of the weights so far
+    float until;  // sum of the weights up to and including this style
   };
   static std::vector<Choice> choices(const std::vector<NamedNumber>& weights, bool inCourses);
   // Returns true if the style extends to the sides, by itself or by the recipe's parameters. The

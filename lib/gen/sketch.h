@@ -41,7 +41,7 @@ class Sketch : public Draws, public RouteCursor {
   // --- Measures. Each is a crossing that can be made impossible.
   float gap(float rise = 0, float share = 1);
   float rise(float share = 1);
-  // Like rise(), but never impossible.
+  // Returns a rise like that of rise(), but one that is never impossible.
   float easyRise(float share = 1);
   // Returns the height of a ledge beyond any jump, which needs a tool to climb.
   float highLedge(const Parameter& beyond);
@@ -89,7 +89,7 @@ class Sketch : public Draws, public RouteCursor {
   const std::string& plantedWhat() const { return plantedWhat_; }
   float fastest() const { return fastest_; }
   uint32_t jumps() const { return jumps_; }
-  float seconds() const;  // estimate for a steady player
+  float seconds() const;  // returns the estimated time of a steady player, seconds
   // Returns the color of the current theme's next floor.
   Color shade();
   // Returns a name such as "door 2", shared by a button and the parts it controls.

@@ -14,7 +14,7 @@ void applyParams(schema::PhysicsParams::Reader params, schema::Level::Builder le
 
 class Physics {
  public:
-  // Replaces the parameters with those of the record.
+  // Replaces the known parameters with those of the record.
   void know(Record params) { params_ = std::move(params); }
   bool known() const { return params_.has_value(); }
 

@@ -52,19 +52,19 @@ class Sink {
 // Time for a reader that accepts nothing, once the tool was asked to stop.
 inline constexpr int kPatienceMilliseconds = 1000;
 
-// Returns true if the reader of `fd` takes more within this time; a negative time waits for it.
-// Also returns true if `fd` has another problem, which the next write reports. A pipe then has
-// capacity for PIPE_BUF bytes.
+// Returns true if the reader of `fd` takes more within this time; with a negative time, waits for
+// the reader. Also returns true if `fd` has another problem, which the next write reports. A pipe
+// then has capacity for PIPE_BUF bytes.
 bool takesMore(int fd, int milliseconds);
 
 // Opens a file to write, like open(2). A named pipe waits for its reader. With `stop`, which may be
-// null, write(2) to the pipe does not wait; once it is set and no reader comes within the time
-// above, returns -1 with EINTR.
+// null, write(2) to the pipe does not wait; once it is set and no reader comes within
+// kPatienceMilliseconds, returns -1 with EINTR.
 int openToWrite(const std::string& path, int flags, const std::atomic<bool>* stop);
 
 // Writes all bytes, and waits for the reader. Returns false on failure, with the reason in errno.
-// EINTR means that `stop`, which may be null, is set and the reader takes nothing within the time
-// above.
+// EINTR means that `stop`, which may be null, is set and the reader takes nothing within
+// kPatienceMilliseconds.
 bool sendAll(int fd, std::string_view bytes, const std::atomic<bool>* stop);
 
 // Returns true for the error of a pipe whose reader has gone. The tool should stop quietly.

@@ -7,7 +7,7 @@
 
 namespace obby::loopback {
 
-// Length of a token, which makes it impossible to guess.
+// Length of a token, long enough that it cannot be guessed.
 inline constexpr size_t kTokenBytes = 32;
 
 // Returns that many random bytes from the system. Throws if the system has none.

@@ -6,8 +6,8 @@
 
 namespace obby {
 
-// At most kMax items of type T, which consists of numbers F only. Items past the end are
-// unspecified.
+// At most kMax items of type T. T may only have members of the number type F. Items past the end
+// are unspecified.
 template <class T, class F, int kMax>
 struct LaneList;
 

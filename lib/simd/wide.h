@@ -1,5 +1,5 @@
 // WideFloat holds as many floats as the CPU has SIMD lanes, for the templates of math/lanes.h. Host
-// only. It is built on std::experimental::simd; the gathers and packed stores that this lacks are
+// only. It is built on std::experimental::simd; gathers and packed stores, which it lacks, are
 // below. The width follows the compiler's target (16 with AVX-512, 8 with AVX, 4 otherwise) and
 // never affects a result.
 #pragma once

@@ -165,7 +165,7 @@ ChartAxis roundAxis(std::string title, double from, double to, bool outward, dou
   last = outward ? std::ceil(last - 1e-9) : std::floor(last + 1e-9);
   ChartAxis axis{std::move(title), from, to, false, {}};
   if (outward) axis.from = first * step, axis.to = last * step;
-  for (double n = first == 0 ? 0 : first; n <= last; ++n)  // no tick says -0
+  for (double n = first == 0 ? 0 : first; n <= last; ++n)  // adding 0 keeps a tick from reading -0
     axis.ticks.emplace_back(n * step, spoken(n * step * scale, unit));
   return axis;
 }

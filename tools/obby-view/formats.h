@@ -20,7 +20,7 @@ struct ViewFormat {
 
 std::span<const ViewFormat> viewFormats();
 
-// Selects by --format, else by the output's name, else text.
+// Returns the format of --format, else that of the output's name, else text.
 const ViewFormat& wantedFormat(const cli::Arguments& arguments);
 
 // Error: no format has the ending of the output's name, and --format is missing.

@@ -1,4 +1,4 @@
-// Deadly bars that sweep over a disc, to jump over or run round with.
+// Deadly bars that sweep over a disc. Players jump over them or run round with them.
 #include "gen/styles/all.h"
 
 namespace obby::gen {

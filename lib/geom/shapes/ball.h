@@ -29,7 +29,7 @@ struct Ball {
     const float r = radius(s);
     const float a = dot(d, d), b = dot(o, d), c = dot(o, o) - r * r;
     const float q = b * b - a * c;
-    if (c < 0 || q < 0 || b > 0) return false;  // starts inside, misses, or looks away
+    if (c < 0 || q < 0 || b > 0) return false;  // the ray starts inside, misses, or points away
     const float t = (-b - sqrtf32(q)) / a;
     if (t > tMax) return false;
     hit.t = maxf(t, 0.0f);
