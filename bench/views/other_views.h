@@ -10,7 +10,7 @@
 
 namespace obby::bench {
 
-constexpr int kViewInputs = policy::kMaps * policy::kPoints;  // these replace the maps
+constexpr int kViewInputs = policy::kMaps * policy::kPoints;  // inputs that replace the maps
 
 // Rays from the player's eye: one straight down, then for each elevation one in each direction of
 // the maps' points. Those that look down meet level ground 1.5, 4.3 and 9.2 studs away.

@@ -67,9 +67,9 @@ class Job {
   JobState state_ = JobState::waiting;
   uint64_t firstCursor_, lastCursor_ = 0;
   std::string cancelled_;   // the reason; empty if it was not cancelled
-  std::string firstError_;  // from the program; later ones may follow from it
-  std::string lastReport_;  // from the program
-  bool complete_ = false;   // its end record has arrived
+  std::string firstError_;  // first error of the program; later errors may be its consequences
+  std::string lastReport_;  // last message of the program on stderr
+  bool complete_ = false;   // the program's end record has arrived
   bool kept_ = false;
   uint64_t answerBytes_ = 0;
   std::optional<io::Sink> answer_;

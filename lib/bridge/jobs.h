@@ -45,7 +45,7 @@ class Jobs : private kj::TaskSet::ErrorHandler {
   uint64_t last_ = 0;
   uint32_t running_ = 0;
   std::map<uint64_t, std::unique_ptr<Job>> jobs_;
-  std::vector<uint64_t> waiting_;  // in order
+  std::vector<uint64_t> waiting_;  // numbers of waiting jobs, in order of submission
   kj::Vector<kj::Own<kj::PromiseFulfiller<void>>> idleWaiters_;
   kj::Own<kj::TaskSet> tasks_;
 };

@@ -15,7 +15,7 @@ namespace obby::bridge {
 
 // A stored level: JSON lines without header and end.
 struct StoredLevel {
-  std::string levels;                // its level records
+  std::string levels;                // level records
   std::vector<std::string> queries;  // a line each
   std::vector<std::string> reports;  // reports from reading it, one a line
 };

@@ -44,8 +44,8 @@ struct Setting {
 struct Recipe {
   std::vector<NamedNumber> styles;        // weights; empty: all styles equally
   Range difficulty{0.25f, 0.75f};         // 0 to 1; drawn for each level
-  Count obstacles{1, 3};                  // in a level of one style
-  Count courseObstacles{3, 5};            // in a course
+  Count obstacles{1, 3};                  // obstacles in a level of one style
+  Count courseObstacles{3, 5};            // obstacles in a course
   std::vector<NamedNumber> courseStyles;  // weights of the styles in courses; empty: all equally
   float courseFirst = 0.4f;               // a course begins at this share of its difficulty
   float turns = 0.5f;                     // share of landings after which the route turns

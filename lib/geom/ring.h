@@ -127,7 +127,7 @@ struct PlaneT {
 template <class F>
 OBBY_DEVICE PlaneT<F> planeOfFace(const RingT<F>& r) {
   const Vec3T<F> a = r.at(0), n = cross(r.at(1) - a, r.at(2) - a);
-  const MaskOf<F> upright = absf(n.z) < 1e-6f;  // then any plane serves
+  const MaskOf<F> upright = absf(n.z) < 1e-6f;  // the plane is vertical, and any plane serves
   const F x = select(upright, F(0.0f), -n.x / n.z), y = select(upright, F(0.0f), -n.y / n.z);
   return {a.z - x * a.x - y * a.y, x, y};
 }

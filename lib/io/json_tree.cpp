@@ -84,7 +84,7 @@ class JsonTreeBuilder {
  private:
   struct Open {
     uint32_t node;
-    uint32_t last;  // its last element so far; 0 for none
+    uint32_t last;  // last element so far of the open array or object; 0 for none
   };
 
   bool add(JsonTree::Type type, uint64_t value, uint32_t length = 0) {

@@ -46,7 +46,7 @@ bool onDisk(int fd) {
   do {
     result = ::fsync(fd);
   } while (result != 0 && errno == EINTR);
-  return result == 0 || errno == EINVAL;  // not supported
+  return result == 0 || errno == EINVAL;  // EINVAL: the file system does not support it
 }
 
 mode_t modeFor(const std::string& path, mode_t mode) {

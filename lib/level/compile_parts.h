@@ -20,15 +20,16 @@ struct PartTables {
   std::vector<Roles> roles;
   std::vector<Mover> movers;
   std::vector<DynamicBody> bodies;
-  size_t fixedColliders = 0;                      // the colliders of dynamic parts follow them
-  std::vector<Clock> clocks;                      // each role's own, then the shared ones
-  uint32_t crushClock = kNone, airClock = kNone;  // as in LevelView
-  std::vector<std::string> names;                 // (parts)
-  std::deque<std::vector<Pose>> motions;          // tables of keys that movers point into
-  SpinStore spins;                                // tables of turns that movers point into
-  HullStore hulls;                                // hulls that shapes point into
-  bool timed = false;                             // true if any part's state depends on the level's
-                                                  // clock
+  size_t fixedColliders = 0;  // the colliders of dynamic parts follow them
+  std::vector<Clock> clocks;  // each role's own, then the shared ones
+  // clocks of LevelView::crushClock and LevelView::airClock
+  uint32_t crushClock = kNone, airClock = kNone;
+  std::vector<std::string> names;         // (parts)
+  std::deque<std::vector<Pose>> motions;  // tables of keys that movers point into
+  SpinStore spins;                        // tables of turns that movers point into
+  HullStore hulls;                        // hulls that shapes point into
+  bool timed = false;                     // true if any part's state depends on the level's
+                                          // clock
 };
 
 constexpr uint32_t kMaxParts = 1000000;

@@ -1,8 +1,8 @@
 // Finds the faces of a convex hull. Every triple of vertices with all others on one side is a face.
-// This is cubic in the vertex count, which is at most 255, and runs once a level. Exactness matters
-// more than speed, so there is no incremental structure that could fail. SIMD lanes reject most
-// triples, with the same bits as scalar code: outermost vertices lie on both sides, or the face is
-// known. Scalar code tests the other triples.
+// This is cubic in the vertex count, which is at most 255, and runs once per level. Exactness
+// matters more than speed, so there is no incremental structure that could fail. SIMD lanes reject
+// most triples, with the same bits as scalar code: outermost vertices lie on both sides, or the
+// face is known. Scalar code tests the other triples.
 #include "level/hull_faces.h"
 
 #include <algorithm>

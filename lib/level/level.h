@@ -45,7 +45,7 @@ class Level {
   size_t partCount() const;
   const std::string& partName(uint32_t part) const;  // part < partCount(); may be empty
   const std::vector<StartPose>& spawns() const;      // in the record's order; may be empty
-  Box bounds() const;  // of all colliders, with their motion; a point at 0 if there are none
+  Box bounds() const;  // bounds of all colliders, with their motion; a point at 0 if there are none
 
  private:
   struct Impl;

@@ -33,7 +33,7 @@ enum ColliderFlag : uint32_t {
   kOneWay = 32768,  // solid from one side only
   kCrush = 65536,   // kills players whom it squeezes
   kSeat = 131072,
-  kRung = 524288,     // with kTruss: thin, so that the sensor must search for it
+  kRung = 524288,     // a truss so thin that the sensor must search for it
   kDynamic = 262144,  // part of a dynamic body
   kByRoot = 1048576,  // touched by the centre of the root, not by limbs
 };

@@ -52,7 +52,7 @@ struct Params {
   float slopeNormalY;    // cos(maxSlope); players slide down floors whose normal has a smaller Y
   float plainGrip;       // friction of the player on a part with default friction
   uint16_t landedSteps;  // times above, rounded to whole physics steps; at most 255
-  uint16_t coyoteSteps;  // this and the following ones are at least 1
+  uint16_t coyoteSteps;  // this and the step counts below are at least 1
   uint16_t graceSteps;
   uint16_t squeezeTicks;
   uint16_t sleepTicks;

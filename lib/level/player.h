@@ -26,7 +26,7 @@ struct FrameRate {
   uint16_t framesPerSecond, substeps;
 };
 
-// Steps are 1/240 s, except at 144 frames a second, where they are 1/288 s.
+// Steps are 1/240 s, except at 144 frames per second, where they are 1/288 s.
 std::span<const FrameRate> frameRates();
 // Returns the frame rates for error messages: "30, 60, 120, 144 or 240".
 std::string frameRateNames();

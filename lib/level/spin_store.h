@@ -1,4 +1,5 @@
-// The tables of turns of a level, each stored once: all parts of a course may spin at one rate.
+// The tables of turns of a level, each stored once, since many parts of a course may spin at one
+// rate.
 #pragma once
 
 #include <cstddef>

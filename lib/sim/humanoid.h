@@ -1,5 +1,5 @@
 // The character's state machine and its control: jumping, landing, coyote time, turning, and the
-// wanted velocity. It runs once a tick, as the engine's runs once a frame.
+// wanted velocity. It runs once per tick, as the engine's runs once per frame.
 #pragma once
 
 #include "sim/floor.h"

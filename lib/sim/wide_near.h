@@ -66,7 +66,7 @@ class WideNear {
                      // exceeded
     int32_t cell;    // cell of the grid; -1 for none
     int32_t outcome;
-    int32_t single;  // not 0 if it climbs or sits, a clock runs, or it was just teleported
+    int32_t single;  // not 0 if the player climbs, sits or was just teleported, or if a clock runs
     uint32_t tick;
     int32_t unused[4];
 
@@ -87,7 +87,7 @@ class WideNear {
 
   const level::LevelView& level_;
   const float limbsWidth_;     // studs sideways that limbs reach beyond body and floor rays
-  const Reach limbs_;          // the same, to subtract from a reach
+  const Reach limbs_;          // limbsWidth_ as a Reach, to subtract from another
   const char* const rows_[2];  // tables of still and of moving parts
   Look looks_[kWideSlots];
   Turn turn_[kWideSlots];

@@ -99,7 +99,7 @@ OBBY_LANES geom::BlockT<WideFloat> blockOf(const Rows& rows) {
           vectorAt(rows, 12)};
 }
 
-// The motion of a world, as a row.
+// The motion of a world as a row.
 struct alignas(64) MotionRow {
   float words[kRowWords];
 };

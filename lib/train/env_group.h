@@ -17,7 +17,7 @@ namespace obby::train {
 
 struct EnvGroupSettings {
   uint32_t levels = 8;     // levels at a time
-  uint32_t worlds = 32;    // on each level
+  uint32_t worlds = 32;    // worlds on each level
   uint32_t episodes = 64;  // episodes on a level before the next replaces it
   RestartShares restarts;
   float patience = 3;  // max episode time: this times the route's walking time, plus ten seconds
@@ -112,7 +112,7 @@ class EnvGroup {
   uint32_t number_, envGroups_;
   std::vector<Place> places_;
   Tally tally_;
-  // Buffers of a tick.
+  // Buffers that step() and settle() use in each tick.
   std::vector<sim::World*> worlds_;
   std::vector<sim::RigidBody*> bodies_;
   std::vector<sim::Action> actions_;

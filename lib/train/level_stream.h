@@ -46,9 +46,9 @@ class LevelStream : public LevelSource {
   LevelStream(io::SourceOptions options, const LevelStreamSettings& settings = {});
 
   // Waits for the stream. Returns null if `options.stop` is set first, or if the stream ends first
-  // and does not restart. Errors: those of the stream up to there; a query without a level; a level
-  // or query that does not compile, unless `options` forgive it; no playable query in the whole
-  // stream; an interrupted end before a restart, unless `options` forgive it.
+  // and does not restart. Errors: those of the stream up to that level; a query without a level; a
+  // level or query that does not compile, unless `options` forgive it; no playable query in the
+  // whole stream; an interrupted end before a restart, unless `options` forgive it.
   Result<std::shared_ptr<const TrainingLevel>> level(uint64_t index, float hardest) const override;
   // Does not wait for the stream, even while level() waits.
   void past(uint64_t index) const override;

@@ -17,7 +17,7 @@ constexpr uint32_t kRememberEvery = 64;  // mean number of decisions per kept st
 struct RewardSettings {
   float stud = 0.1f;  // per stud closer to the goal than before in the episode
   float goal = 5;
-  float death = -1;         // for a death or any other failure
+  float death = -1;         // reward of a death or any other failure
   float decision = -0.01f;  // cost of time
   float jump = -0.05f;      // per jump
 };
@@ -92,8 +92,8 @@ struct PlaceView {
 // Purposes of random numbers.
 enum class Draw : uint64_t { move = 0x6d6f7665, begin = 0x626567696e };
 
-// Returns the random numbers for one decision. `decision`: the world's decisions since the start of
-// training; `world`: its index among all worlds.
+// Returns the random numbers for one decision. `decision`: number of the world's decisions since
+// the start of training; `world`: its index among all worlds.
 OBBY_DEVICE Random drawsOf(uint64_t seed, Draw use, uint64_t decision, uint32_t world) {
   return {seed ^ uint64_t(use), decision << 32 | world};
 }

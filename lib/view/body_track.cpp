@@ -98,7 +98,8 @@ std::vector<BodyTrack> BodyWatch::tracks() const {
       track.add(all[tick].position, all[tick].rotation);
     }
     const bool straight = track.ticks.size() == 2;
-    if (straight && missBetween(all.front(), all.back(), reach) <= kBodyMiss) continue;  // at rest
+    if (straight && missBetween(all.front(), all.back(), reach) <= kBodyMiss)
+      continue;  // skips a body at rest
     out.push_back(std::move(track));
   }
   return out;

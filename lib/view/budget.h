@@ -16,7 +16,7 @@ struct Budget {
   uint32_t attemptStride = 1;      // every n-th tick of failed attempts is kept; solutions keep all
   uint32_t trackStride = 1;        // every n-th tick of moving parts is kept
   uint32_t attemptsOneOf = 1;      // every n-th failed attempt is kept
-  std::vector<std::string> notes;  // for users: what was thinned
+  std::vector<std::string> notes;  // sentences for users about what was thinned
 };
 
 // Returns the ticks of each level's clock that the page must cover.

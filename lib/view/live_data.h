@@ -36,7 +36,7 @@ class LiveData {
   };
   struct LevelPiece : Piece {
     PageSizes sizes;
-    uint32_t ticks = 0, stride = 0;  // its motion; stride 0: outdated
+    uint32_t ticks = 0, stride = 0;  // ticks and stride of the level's motion; stride 0: outdated
   };
   struct QueryPieces {
     Piece facts;

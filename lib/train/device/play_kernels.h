@@ -15,7 +15,7 @@ namespace obby::train {
 struct DevicePlace {
   TrainingView on;
   sim::RigidBody* bodies;  // (worldsOfPlace, on.level.bodyCount)
-  bool isNew;              // its worlds have not begun yet
+  bool isNew;              // the place's worlds have not begun yet
 };
 
 struct PlayArguments {

@@ -93,12 +93,12 @@ class TrainingRun {
 
 struct RunPlan {
   RunLimits limits;
-  std::string eventFolder;  // for TensorBoard; may be empty
+  std::string eventFolder;  // folder of the events for TensorBoard; may be empty
   io::StreamIdentity identity;
 };
 
 // Opens the outputs of the first rank, with metrics on standard output, and runs the training. The
-// end record includes the counts of `levels`. `stop`: the signal.
+// end record includes the counts of `levels`. `stop` is set by a signal.
 Status runTraining(Trainer& trainer, Ranks& ranks, const CheckpointStore& store,
                    const Levels& levels, const RunPlan& plan, const RunReport& report,
                    const std::atomic<bool>& stop, Timeout& timeout);

@@ -9,7 +9,7 @@ namespace obby::view {
 struct World {
   std::vector<Solid> solids;      // one per collider of the level
   std::vector<Surface> surfaces;  // one for each solid
-  std::vector<bool> away;         // for each solid: currently without collision
+  std::vector<bool> away;         // true for each solid that is without collision at that tick
 };
 
 // Moving parts have their poses at that tick of the level clock, and touch-triggered ones are at
