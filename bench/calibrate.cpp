@@ -115,8 +115,8 @@ double meanMissOf(const std::vector<Take>& takes, const calibrate::Fit& fit) {
   return sum / double(takes.size());
 }
 
-// One fit: the fitted recordings, the held-out ones, those for the final comparison, and the true
-// parameters if known.
+// The data of one fit: the fitted recordings, the held-out recordings, the recordings for the final
+// comparison, and the true parameters if known.
 struct Trial {
   std::string name;
   uint64_t seed;

@@ -55,7 +55,7 @@ struct Envs {
   }
 };
 
-// Both variants alternate, so that other load affects them equally.
+// Measures both variants in alternation, so that other load affects them equally.
 Outcome run(const level::Level& level, uint64_t seed) {
   Envs wide(level, seed), single(level, seed);
   for (uint32_t t = 0; t < kSettling && level.view().bodyCount != 0; ++t) {

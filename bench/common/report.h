@@ -17,7 +17,7 @@ class Report {
   Report(int argc, char** argv, std::string bench);
 
   enum class Form { table, json };
-  // For a bench that parses its own options.
+  // Makes a report for a bench that parses its own options.
   Report(std::string bench, Form form);
 
   // Adds a measurement. `metric` in camelCase, `unit` as printed ("1/s", "ns", "" for a ratio).

@@ -17,7 +17,7 @@ struct Plan {
   double cap = 90;            // seconds, for solvable queries
   double unsolvableCap = 10;  // seconds, for the others
   bool sampled = false;       // methods after the first run only every third solvable query
-  // If true, the methods' runs of a query may come from different kinds of machine. Then only large
+  // If true, the methods' runs of a query may come from different kinds of machine, and only large
   // differences are meaningful.
   bool anyMachine = false;
 

@@ -48,8 +48,8 @@ class Client {
   bool dropSocket = false;   // asks that WebSocket to close
   bool ending = false;       // asks it to close once all messages have been sent
 
-  // Called before messages are lost, for a carrier that can take all of them at any time. One
-  // record can be more messages than are kept.
+  // Called before messages are lost, if the carrier can take all of them at any time. One record
+  // can need more messages than are kept.
   std::function<void()> beforeLoss;
 
  private:

@@ -24,7 +24,7 @@ struct Stop {
   Turns heading;
 };
 
-// `planted` is the index of the crossing to make impossible; -1: none.
+// The plan of a sketch. `planted` is the index of the crossing to make impossible, or -1 for none.
 struct SketchPlan {
   int planted = -1;
   float fastest = 0;  // studs/s: the max speed that belts and carriers add to a player

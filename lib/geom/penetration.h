@@ -65,8 +65,8 @@ OBBY_DEVICE Contact dispatch(Block, const ShapeData& shape, const LocalBox& box)
 
 }  // namespace internal
 
-// Tests a box with any rotation, in the frame of the shape; the normal is in that frame, too. The
-// depth is >= 0 if they overlap. Otherwise the result is that of the first separating axis found.
+// Tests a box with any rotation. Box and normal are in the frame of the shape. The depth is >= 0 if
+// they overlap. Otherwise the result is that of the first separating axis found.
 OBBY_DEVICE Contact penetration(ShapeKind kind, const ShapeData& shape, const LocalBox& box) {
   return visitShape(kind, [&](auto s) { return internal::dispatch(s, shape, box); });
 }

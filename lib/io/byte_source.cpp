@@ -109,7 +109,7 @@ bool ByteSource::waitReadable() const {
 }
 
 // Called after a read has failed. Returns true to try again. An input that other programs share,
-// such as a terminal or a socket, may be non-blocking; then this waits.
+// such as a terminal or a socket, may be non-blocking. In that case this waits.
 bool ByteSource::readAgain() const {
   if (errno == EAGAIN && !stop_) {
     pollfd waiting{fd_, POLLIN, 0};

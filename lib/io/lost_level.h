@@ -10,7 +10,7 @@
 
 namespace obby::io {
 
-// These return true if a record that could not be read was a level, or may have been one. The
+// Both return true if a record that could not be read was a level, or may have been one. The
 // argument is a line, or the words of a message.
 bool mayBeLevel(std::string_view line);
 bool mayBeLevel(const std::vector<uint64_t>& words);

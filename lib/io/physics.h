@@ -18,7 +18,7 @@ class Physics {
   void know(Record params) { params_ = std::move(params); }
   bool known() const { return params_.has_value(); }
 
-  // These apply the known parameters to a level, as applyParams() does.
+  // Both apply the known parameters to a level, as applyParams() does.
   Record applied(const Record& level) const;
   void apply(schema::Level::Builder level) const;
 

@@ -11,8 +11,8 @@
 
 namespace obby::io {
 
-// With `yes`, close() waits until a regular file is on the disk under its name, so that it stays
-// complete if the machine fails. That takes milliseconds.
+// With `yes`, close() waits until a regular file is on the disk under its name. The file then
+// survives a failure of the machine. The wait takes milliseconds.
 enum class Durable { no, yes };
 
 class Sink {

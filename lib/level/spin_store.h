@@ -22,8 +22,8 @@ struct SpinTurns {
 
 class SpinStore {
  public:
-  // With `upright`, turns that change local Y only by rounding are made to leave it exactly
-  // unchanged.
+  // Returns the turns of a spin. With `upright`, turns that change local Y only by rounding are
+  // snapped, so that they leave it exactly unchanged.
   SpinTurns of(const SpinPlan& plan, bool upright);
 
   size_t rows() const { return rows_; }  // rows of all tables together

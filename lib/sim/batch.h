@@ -49,7 +49,7 @@ struct Actions {
   std::span<const uint32_t> firsts;
 
   static Actions walker(uint64_t seed) { return {ActionKind::walker, seed, {}, {}, {}}; }
-  // One row per tick: (ticks, worlds).
+  // Returns actions from a table with one row per tick: (ticks, worlds).
   static Actions tabulated(std::span<const Action> table) {
     return {ActionKind::table, 0, table, {}, {}};
   }

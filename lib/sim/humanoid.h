@@ -115,7 +115,7 @@ OBBY_DEVICE void updateState(PlayerT<F>& w, const Params& p, const FloorT<F>& fl
   w.velocity.y = select(jumps, p.jumpSpeed + floor.velocity.y, w.velocity.y);
   w.jumps = select(jumps, countedOn(w.jumps, 1), w.jumps);
   if (p.tricks & kHeldJump) holdJump(w, p, floor, control, jumping, jumps);
-  // One jump per take-off.
+  // Ends the coyote time at the jump, so that a take-off allows only one jump.
   w.floorlessSteps = select(jumps, Int(int32_t(p.coyoteSteps)), w.floorlessSteps);
   countHanging(w, p, floor);
   w.sensed = floor.sensed;

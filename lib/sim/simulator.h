@@ -74,7 +74,7 @@ struct Moment {
   std::span<const RigidBody> bodies;  // now: (level.bodyCount)
 };
 
-// Called for each state. Returns true to continue.
+// A function that replay() calls for each state. It returns true to continue.
 using Visit = std::function<bool(const Moment&)>;
 
 // The last state of a replay.

@@ -119,8 +119,8 @@ bool WideBodies::take(const World& w, RigidBody& b, uint32_t i, float speed) {
   return true;
 }
 
-// Returns how many parts' bounds meet the box; a result above kMaxNear means too many. There is no
-// branch for each part, because it would be mispredicted.
+// Returns the number of parts whose bounds meet the box; a result above kMaxNear means too many.
+// There is no branch for each part, because it would be mispredicted.
 int WideBodies::partsNear(Vec3 center, const Box& near, uint32_t* ids) const {
   const int32_t cell = cellOf<float>(level_.bodyGrid, center);
   if (cell < 0) return 0;

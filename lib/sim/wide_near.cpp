@@ -71,7 +71,7 @@ bool WideNear::nearBodies(int i, const RigidBody* bodies) const {
 void WideNear::look(World* const* worlds, const RigidBody* const* bodies, int count) {
   findReach(worlds, count);
   movedCount_ = 0;
-  // All lists are prefetched before the first is read, so that many loads are under way at a time.
+  // All lists are prefetched before the first is read, so that many loads run at the same time.
   const uint32_t* lists[kWideSlots];
   for (int i = 0; i < count; ++i) {
     const int32_t cell = looks_[i].cell;

@@ -1,4 +1,4 @@
-// One query and its answer as a row of the table: facts taken from the records, in words for
+// One query and its answer as a row of the table. The facts come from the records, in words for
 // designers.
 #pragma once
 

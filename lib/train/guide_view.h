@@ -24,7 +24,7 @@ struct GuideView {
 
   // Returns the studs to the end: kOff times the distance to the line, then along it, minimised
   // over the line, so that short cuts count. It skips segments that start with less than `from`
-  // studs left: where a route winds up a tower, the next turn is overhead but not near. It also
+  // studs left: where a route spirals up a tower, the next turn is overhead but not near. It also
   // skips segments after the next waypoint; `waypoints` is the number already passed.
   OBBY_DEVICE float left(Vec3 position, float from, uint32_t waypoints) const {
     const uint32_t last = waypoints < stopCount ? stops[waypoints] : count - 1;

@@ -25,7 +25,7 @@ struct LevelStreamSettings {
   size_t levelsInReach = 1024;
   size_t bytesInReach = size_t(1) << 30;
   bool again = true;  // restart at the stream's end; if false, levels end there and none are kept
-  // If the stream is a copy: summary of the records read to make it.
+  // If the stream is a copy, the summary of the records read to make the copy.
   io::SourceSummary before = {};
   // Number of consecutive queries with a difficulty from which one is chosen by the current
   // difficulty. 1: each is played, in order.
@@ -58,7 +58,8 @@ class LevelStream : public LevelSource {
   // Returns the summary of all records so far, with settings.before. Waits for a running read.
   io::SourceSummary summary() const;
 
-  // For tests: the number of compiled levels that wait, and of levels compiled on reading.
+  // For tests. Both return a number: of compiled levels that wait, and of levels compiled on
+  // reading.
   size_t compiledHeld() const;
   size_t compiledOnReading() const;
 

@@ -28,7 +28,7 @@ struct RestartShares {
   float solved = 0.3f;    // other levels
 };
 
-// One world that learns.
+// A player of one world, with the state of its episode.
 struct Player {
   sim::World world;
   Turns ahead = 0;     // heading of its last observation; not saved, since observing sets it

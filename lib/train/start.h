@@ -7,7 +7,7 @@
 namespace obby::train {
 
 // Before the first step, training plays exactly as the policy does. Policy files keep no optimiser
-// state, so Adam starts afresh. The value scale does, too, if the file lacks it.
+// state, so Adam starts afresh. So does the value scale if the file lacks it.
 struct Start {
   LearnerState learner;
   Sums seen{policy::kInputs};

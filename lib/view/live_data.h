@@ -23,7 +23,7 @@ class LiveData {
   // file, and the affected pieces are sent again.
   void take(const Report& report, StreamState state);
 
-  // Increases with every change; 0: empty.
+  // Returns the revision, which increases with every change. It is 0 while the data is empty.
   uint64_t revision() const { return revision_; }
   // Returns all changes after `revision` as JSON (docs/page-data.md). An unknown revision belongs
   // to another server process; a page that has one receives everything.

@@ -24,7 +24,7 @@ class PlayerReplays {
  public:
   struct Told {
     Playback playback;
-    // The trajectory in the level's ticks; absent if the record has them already.
+    // The trajectory in the level's ticks; absent if the record is in these ticks already.
     std::optional<io::Record> record;
   };
 

@@ -43,8 +43,8 @@ class Collector {
  public:
   // Decides about a record that cannot be shown. On success the collector continues without it.
   using Forgive = std::function<Status(const io::Record&, Error)>;
-  // If `only` is not empty, other queries and their records are left out. A note reports records
-  // over the limits.
+  // If `only` is not empty, queries that it does not name, and their records, are left out. A note
+  // reports records over the limits.
   explicit Collector(Forgive forgive, std::vector<std::string> only = {}, PageBudget budget = {})
       : forgive_(std::move(forgive)), only_(std::move(only)), budget_(budget) {}
 

@@ -21,7 +21,7 @@ struct TextOptions {
   Maps maps = Maps::few;
 };
 
-// Lines end in newlines. This never fails; the text says what is missing.
+// Returns the report as text, whose lines end in newlines. The text says what is missing.
 std::string textReport(const Report& report, const TextOptions& options);
 
 // These functions return the pieces of the report.

@@ -14,7 +14,7 @@ struct Ball {
   OBBY_DEVICE static Vec3 axis(const ShapeData&, int) { return {}; }
   OBBY_DEVICE static int edges(const ShapeData&) { return 0; }
   OBBY_DEVICE static Vec3 edge(const ShapeData&, int) { return {}; }
-  // Only one direction can separate: from the centre to the closest point of the box.
+  // Only the direction from the centre to the closest point of the box can separate them.
   OBBY_DEVICE static Vec3 roundAxis(const ShapeData&, const LocalBox& box) {
     return closestPoint(box, {});
   }

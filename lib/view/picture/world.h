@@ -13,8 +13,8 @@ struct World {
 };
 
 // Moving parts have their poses at that tick of the level clock, and touch-triggered ones are at
-// rest. Parts that are away are almost transparent. Plain parts have their own colour, others that
-// of their role.
+// rest. Parts that are away are almost transparent. Plain parts have their own colour, other parts
+// the colour of their role.
 World worldOf(const LevelEntry& entry, uint32_t tick);
 
 }  // namespace obby::view
