@@ -26,7 +26,7 @@ class Client {
     wake();
   }
   // Notes that the messages up to `cursor` have gone to a carrier that takes all messages in order.
-  // Later messages are kept longer, until it takes them.
+  // Later messages are kept longer, until the carrier takes them.
   void hold(uint64_t cursor) { ring_.hold(cursor); }
   // Notes that the carrier no longer takes messages.
   void release() { ring_.release(); }

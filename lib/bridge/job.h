@@ -21,7 +21,7 @@ struct JobPlan {
   Command command;
   std::string input;
   std::string answerPath;  // path at which the answer is kept for a warm start, or empty
-  uint64_t warm = 0;       // number of the job whose answer it starts with; 0 for none
+  uint64_t warm = 0;       // number of the job whose answer is the warm start; 0 for none
 };
 
 class Job {

@@ -45,7 +45,7 @@ class ByteSource {
 
   // Waits for more. Returns the number of bytes that arrived, 0 at the end (or when stopped).
   Result<size_t> fill();
-  // Calls fill() until `bytes` are buffered. Returns false if the input ends before.
+  // Calls fill() until `bytes` are buffered. Returns false if the input ends first.
   Result<bool> need(size_t bytes);
   // Returns and consumes all bytes up to the end (or until stopped). More than `max` bytes are an
   // error; then nothing of a regular file is read.

@@ -15,7 +15,7 @@ namespace obby::io {
 // Returns "a number from 0 to 2000", "a whole number from 0 to 255", "true or false", ...
 std::string expectation(const TypePlan& type);
 
-// RefuseReal() and refuseWhole() return nothing if `value` is valid for a field of this type,
+// refuseReal() and refuseWhole() return nothing if `value` is valid for a field of this type,
 // otherwise a message. Real numbers must be finite, and all numbers must be in range.
 std::optional<std::string> refuseReal(const TypePlan& type, double value);
 std::optional<std::string> refuseWhole(const TypePlan& type, double value);

@@ -37,7 +37,7 @@ bool isText(std::string_view begin) {
   });
 }
 
-// Returns the words of the segment table, given its first word.
+// Returns the number of words in the segment table. `words` has at least the first of them.
 Result<size_t> tableWords(const Words& words) {
   const uint64_t segments = uint64_t(half(words, 0)) + 1;
   if (segments > kMaxSegments)
@@ -47,7 +47,7 @@ Result<size_t> tableWords(const Words& words) {
   return size_t(segments / 2 + 1);
 }
 
-// Returns the words of all segments, given the whole table.
+// Returns the number of words in all segments. `words` has the whole segment table.
 Result<size_t> bodyWords(const Words& words) {
   const uint64_t segments = uint64_t(half(words, 0)) + 1;
   uint64_t sum = 0;

@@ -53,8 +53,8 @@ class Sink {
 inline constexpr int kPatienceMilliseconds = 1000;
 
 // Returns true if the reader of `fd` takes more within this time; with a negative time, waits for
-// the reader. Also returns true if `fd` has another problem, which the next write reports. A pipe
-// then has capacity for PIPE_BUF bytes.
+// the reader. Also returns true if `fd` has another problem, which the next write reports. If a
+// pipe takes more, it has capacity for PIPE_BUF bytes.
 bool takesMore(int fd, int milliseconds);
 
 // Opens a file to write, like open(2). A named pipe waits for its reader. With `stop`, which may be

@@ -22,7 +22,7 @@ struct PartTables {
   std::vector<DynamicBody> bodies;
   size_t fixedColliders = 0;  // the colliders of dynamic parts follow them
   std::vector<Clock> clocks;  // each role's own, then the shared ones
-  // clocks of LevelView::crushClock and LevelView::airClock
+  // Clocks of LevelView::crushClock and LevelView::airClock
   uint32_t crushClock = kNone, airClock = kNone;
   std::vector<std::string> names;         // (parts)
   std::deque<std::vector<Pose>> motions;  // tables of keys that movers point into

@@ -14,8 +14,8 @@ constexpr float kBounceSpeed = 4;  // studs/s; slower contacts do not bounce
 constexpr float kMaxSpin = 60;     // rad/s
 // Rounds over all contacts in a substep. With one round, even a single body slides 4 % less far.
 constexpr int kRounds = 2;
-// Rounds over bouncing contacts. Fewer leave the points with different speeds, which makes a body
-// spin.
+// Rounds over bouncing contacts. Fewer rounds leave the points with different speeds, which makes a
+// body spin.
 constexpr int kBounceRounds = 4;
 // Slower and closer contacts count as resting.
 constexpr float kRestSpeed = 2;    // studs/s

@@ -42,7 +42,7 @@ OBBY_DEVICE const level::SegmentLimits& segmentOf(const World& w, const level::Q
   return w.waypoints < q.waypointCount ? q.waypoints[w.waypoints].segment : q.last;
 }
 
-// TicksPlayed() returns the ticks since the start, segmentTicks() the ticks since the last
+// ticksPlayed() returns the ticks since the start, segmentTicks() the ticks since the last
 // waypoint.
 OBBY_DEVICE uint32_t ticksPlayed(const World& w, const level::QueryView& q) {
   return w.tick - q.startTick;

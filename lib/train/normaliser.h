@@ -55,7 +55,7 @@ struct Sums {
   double rows = 0;
 };
 
-// ScaleOf() returns the factor that normalises an input. The min deviation keeps nearly constant
+// scaleOf() returns the factor that normalises an input. The min deviation keeps nearly constant
 // inputs from being magnified.
 constexpr float kMinDeviation = 0.02f;
 inline float scaleOf(double deviation) { return 1 / std::max(float(deviation), kMinDeviation); }

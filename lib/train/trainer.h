@@ -15,7 +15,7 @@ namespace obby::train {
 struct Iteration {
   uint64_t number = 0, decisions = 0;  // counts so far
   double seconds = 0, playSeconds = 0;
-  double reward = 0;    // per decision
+  double reward = 0;    // mean reward per decision
   double solved = 0;    // share of episodes from the start, smoothed
   uint64_t played = 0;  // episodes from the start
   float hardest = 0;    // max difficulty of levels

@@ -22,7 +22,7 @@ constexpr float kBodyMiss = 2.5e-4f;  // studs, for any point of the part
 
 // A pose that a body keeps from a tick on.
 struct BodyStay {
-  uint32_t tick;  // since the trajectory's start
+  uint32_t tick;  // ticks since the trajectory's start
   Vec3 center;    // center of mass
   Quat rotation;
 };

@@ -40,8 +40,8 @@ class LiveData {
   };
   struct QueryPieces {
     Piece facts;
-    uint64_t changed = 0;                               // last revision of any piece in it
-    std::map<uint64_t, Piece> paths;                    // by serial
+    uint64_t changed = 0;                               // last revision of any piece of the query
+    std::map<uint64_t, Piece> paths;                    // trajectories by serial
     std::vector<std::pair<uint64_t, uint64_t>> ranges;  // first and last serials, ascending
     uint32_t attemptStride = 1;
   };
