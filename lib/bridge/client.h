@@ -44,7 +44,7 @@ class Client {
 
   double lastSeen = 0;       // seconds of Loop::now()
   bool mayBeSilent = false;  // the carrier reports a disconnect, so silence means nothing
-  bool socketOpen = false;   // one WebSocket at a time
+  bool socketOpen = false;   // a WebSocket is open; a client has at most one
   bool dropSocket = false;   // asks that WebSocket to close
   bool ending = false;       // asks it to close once all messages have been sent
 

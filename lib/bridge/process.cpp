@@ -93,7 +93,7 @@ std::vector<std::string> environment() {
   _Exit(127);
 }
 
-// Moves a descriptor that is 0, 1 or 2, because dup2 onto those would lose it.
+// Moves a descriptor that is 0, 1 or 2 to a higher number, because dup2 onto these would lose it.
 Status aboveStandard(OwnedFd& fd) {
   if (fd.get() > 2) return {};
   OwnedFd higher(fcntl(fd.get(), F_DUPFD_CLOEXEC, 3));

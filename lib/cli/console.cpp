@@ -26,7 +26,7 @@ constexpr const char* kClearLine = "\r\x1b[K";
 std::string harmless(std::string_view text) { return io::tamed(text, false, '?'); }
 
 // While this object lives, writing to a pipe without a reader fails instead of ending the process,
-// because the output may go elsewhere.
+// since the tool's output may have another reader.
 class PipeSignalHeld {
  public:
   PipeSignalHeld() {

@@ -1,5 +1,5 @@
 // Clips facing polygons, projected along the normal of a contact, and finds the points with the
-// smallest gaps between them. For one pair or lanes of pairs.
+// smallest gaps between them. The code is for one pair or lanes of pairs.
 #pragma once
 
 #include "geom/shape.h"

@@ -55,7 +55,7 @@ class JsonTree {
 
   // Errors have only a message: the column and what is wrong there.
   static Result<JsonTree> parse(std::string_view text);
-  // The end of the message if a value is incomplete.
+  // A message about an incomplete value ends with this text.
   static constexpr std::string_view kCutOff = "the text ends in the middle of a value";
 
   const Node& root() const { return nodes_[0]; }

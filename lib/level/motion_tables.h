@@ -50,7 +50,7 @@ struct MotionPlan {
   bool once = false, pingPong = false;
   double offset = 0;         // seconds elapsed at the first row
   double seconds = 0;        // duration of one round through the keys
-  double secondsPerRow = 0;  // time between rows of the table of keys
+  double secondsPerRow = 0;  // seconds between rows of the table of keys
   uint32_t rows = 0;         // rows of the table of keys; 0 for a single row with the last key
   uint32_t period = 0;       // ticks of one repetition; all rows if it runs once
   SpinPlan spin;

@@ -40,8 +40,8 @@ struct Played {
   double reward = 0;  // sum
   Tally tally;
   Sums seen{policy::kInputs};  // raw inputs
-  // The source's error in place of a next level. This iteration can be learned from, but no further
-  // one can be played. The waiting places are in envGroups().
+  // The source's error in place of a next level. Training can still learn from this iteration, but
+  // cannot play another. The waiting places are in envGroups().
   Status missing;
 };
 

@@ -115,7 +115,7 @@ class LevelStream : public LevelSource {
     std::map<uint64_t, Turn> turns;
     Turn open;            // the turn that is being filled
     uint64_t read = 0;    // turns so far
-    uint64_t kept = 0;    // number of first turns kept for a restart
+    uint64_t kept = 0;    // number of turns kept for a restart, from the first on
     uint64_t needed = 0;  // first turn still needed; earlier turns are needed only after a restart
     size_t bytes = 0;     // size of the kept records
     size_t waiting = 0;   // compiled levels of the turns
