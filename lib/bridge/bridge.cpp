@@ -23,7 +23,7 @@ class Host {
               events_.io.provider->getTimer()},
         options_(options),
         stop_(stop) {
-    signal(SIGCHLD, SIG_DFL);  // a parent may have left it ignored, and exits would be lost
+    signal(SIGCHLD, SIG_DFL);  // a parent may have left SIGCHLD ignored, and exits would be lost
   }
 
   Status open(bool needToken) {

@@ -16,7 +16,7 @@ struct Options {
   uint16_t port = 0;       // 0 for any free port
   bool pair = false;       // offer a pairing code
   bool needToken = true;   // if false, any program on this machine may use the bridge
-  double idleSeconds = 0;  // ends after this time without a client; 0 for never
+  double idleSeconds = 0;  // the bridge ends after this time without a client; 0 for never
   std::string stateDir;    // the bridge's own folder, made if needed
   std::string solve;       // path of obby-solve; empty for the one next to this program
 };

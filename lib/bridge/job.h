@@ -36,7 +36,7 @@ class Job {
   const std::string& answerPath() const { return plan_.answerPath; }
   uint64_t warm() const { return plan_.warm; }
   Client& client() { return *client_; }
-  uint64_t firstCursor() const { return firstCursor_; }  // messages of this job come after it
+  uint64_t firstCursor() const { return firstCursor_; }  // messages of this job have higher numbers
   uint64_t lastCursor() const { return lastCursor_; }    // its last message; 0 if it has not ended
 
   // Number of long polls so far. An older one ends when a newer one comes.

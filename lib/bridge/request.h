@@ -42,7 +42,7 @@ struct Call {
 
 struct Access {
   uint16_t port = 0;      // the port listened on, which Host must name
-  bool needToken = true;  // if false (--no-token), all requests are from one client
+  bool needToken = true;  // if false (--no-token), all requests count as one client's
   // Returns the client of a token, or -1 for none, in constant time.
   std::function<int(std::string_view)> clientOf;
 };

@@ -17,7 +17,7 @@ namespace obby::bridge {
 struct StoredLevel {
   std::string levels;                // level records
   std::vector<std::string> queries;  // a line each
-  std::vector<std::string> reports;  // reports from reading it, one a line
+  std::vector<std::string> reports;  // reports from reading the level, one per line
 };
 
 class Store {

@@ -11,7 +11,7 @@
 namespace obby::cli {
 
 struct WrittenFile {
-  std::string option;  // the option that names it, without dashes; empty for standard output
+  std::string option;  // the option that names the file, without dashes; empty for standard output
   std::string path;    // "-" for standard output; empty if nothing is written
 };
 

@@ -49,11 +49,12 @@ struct Recipe {
   std::vector<NamedNumber> courseStyles;  // weights of the styles in courses; empty: all equally
   float courseFirst = 0.4f;               // a course begins at this share of its difficulty
   float turns = 0.5f;                     // share of landings after which the route turns
-  float waypoints = 0, jumpLimits = 0, timeLimits = 0;  // shares of queries with this constraint
-  Range excess{5, 8};                                   // studs by which an impossible crossing is
-                                                        // out of reach
-  std::vector<Setting> parameters;                      // each parameter at most once
-  std::vector<NamedNumber> physics;                     // changed fields of PhysicsParams
+  // shares of queries with waypoints, jump limits and time limits
+  float waypoints = 0, jumpLimits = 0, timeLimits = 0;
+  Range excess{5, 8};                // studs by which an impossible crossing is
+                                     // out of reach
+  std::vector<Setting> parameters;   // each parameter at most once
+  std::vector<NamedNumber> physics;  // changed fields of PhysicsParams
 
   // Parses a JSON object. Errors name the path, the expected value and the one found.
   static Result<Recipe> fromJson(std::string_view text);

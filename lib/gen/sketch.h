@@ -20,7 +20,7 @@ namespace obby::gen {
 struct Stop {
   uint32_t part;
   Vec3 feet;     // middle of its top
-  Vec3 extents;  // full extents of the region in which a player stands on it
+  Vec3 extents;  // full extents of the region in which a player stands on the floor
   Turns heading;
 };
 
@@ -92,7 +92,7 @@ class Sketch : public Draws, public RouteCursor {
   float seconds() const;  // returns the estimated time of a steady player, seconds
   // Returns the color of the current theme's next floor.
   Color shade();
-  // Returns a name such as "door 2", shared by a button and the parts it controls.
+  // Returns a name such as "door 2", shared by a button and the parts that the button controls.
   std::string signal(const char* kind);
   // Notes that a part carries or throws players at this speed, studs/s.
   void noteCarrier(float speed) { fastest_ = maxf(fastest_, speed); }

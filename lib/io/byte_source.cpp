@@ -113,7 +113,7 @@ bool ByteSource::waitReadable() const {
 bool ByteSource::readAgain() const {
   if (errno == EAGAIN && !stop_) {
     pollfd waiting{fd_, POLLIN, 0};
-    return ::poll(&waiting, 1, -1) >= 0;  // a signal also interrupts it, as it does a read
+    return ::poll(&waiting, 1, -1) >= 0;  // a signal interrupts poll() as it interrupts a read
   }
   return errno == EAGAIN || (errno == EINTR && stop_);  // true to wait again, or to check `stop`
 }

@@ -69,7 +69,7 @@ class JsonWriter {
   }
 
   std::string text_;
-  std::string closers_;  // the closing brackets of the open ones
+  std::string closers_;  // the closing brackets of all open brackets
   bool comma_ = false;
 };
 

@@ -119,7 +119,7 @@ Status OutputFile::syncFolder() const {
 
 OutputLocks::~OutputLocks() {
   for (const Held& held : held_) {
-    ::unlink(held.path.c_str());  // while it is still locked
+    ::unlink(held.path.c_str());  // removes the lock file while it is still locked
     ::close(held.fd);
   }
 }

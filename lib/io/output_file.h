@@ -23,7 +23,7 @@ class OutputFile {
   // or digits after its name; a very long name is cut. It gets the mode of the existing file, or
   // `mode` less the process's mask. Errors name `path`.
   static Result<std::unique_ptr<OutputFile>> create(const std::string& path, mode_t mode = 0666);
-  ~OutputFile();  // removes it if it is not finished
+  ~OutputFile();  // removes the file if finish() has not succeeded
   OutputFile(const OutputFile&) = delete;
   OutputFile& operator=(const OutputFile&) = delete;
 

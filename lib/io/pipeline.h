@@ -25,9 +25,9 @@ namespace obby::io {
 // The reaction to a record that cannot be read or handled. Broken framing (a truncated stream,
 // another schema version) and a failing output always stop.
 enum class OnError {
-  stop,  // report it and end
-  skip,  // report it, leave the record out, go on
-  emit,  // report it, pass the record on unchanged, go on
+  stop,  // report the error and end
+  skip,  // report the error, leave the record out, go on
+  emit,  // report the error, pass the record on unchanged, go on
 };
 
 struct SourceOptions {

@@ -20,8 +20,8 @@ struct PartTables {
   std::vector<Roles> roles;
   std::vector<Mover> movers;
   std::vector<DynamicBody> bodies;
-  size_t fixedColliders = 0;  // the colliders of dynamic parts follow them
-  std::vector<Clock> clocks;  // each role's own, then the shared ones
+  size_t fixedColliders = 0;  // number of colliders that precede those of dynamic parts
+  std::vector<Clock> clocks;  // each role's own clock, then the shared clocks
   // Clocks of LevelView::crushClock and LevelView::airClock
   uint32_t crushClock = kNone, airClock = kNone;
   std::vector<std::string> names;         // (parts)

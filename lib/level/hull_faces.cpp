@@ -18,7 +18,7 @@ namespace {
 
 using WideVec = Vec3T<WideFloat>;
 
-constexpr float kSame = 1 - 1e-5f;  // cosine above which two directions count as one
+constexpr float kSame = 1 - 1e-5f;  // cosine above which two directions count as equal
 
 OBBY_LANES WideVec inAllLanes(Vec3 p) { return {p.x, p.y, p.z}; }
 

@@ -41,7 +41,7 @@ class Level {
   uint64_t hash() const;   // digest of everything that can change a trajectory
   bool hasMotion() const;  // true if moving or timed parts make the outcome depend on the clock
   uint32_t motionPeriod()
-      const;  // ticks after which all motion repeats; 0 without motion, or if it is more than 2^20
+      const;  // ticks after which all motion repeats; 0 without motion, or for more than 2^20 ticks
   size_t partCount() const;
   const std::string& partName(uint32_t part) const;  // part < partCount(); may be empty
   const std::vector<StartPose>& spawns() const;      // in the record's order; may be empty

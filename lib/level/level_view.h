@@ -87,14 +87,14 @@ OBBY_DEVICE Bounds makeBounds(const Box& box, uint32_t flags, uint32_t index, bo
 // several parts: signals and boosts.
 struct Clock {
   uint32_t length = 0;    // ticks, or kForever
-  bool restarts = false;  // a touch while it runs starts it again
+  bool restarts = false;  // a touch while the clock runs starts it again
   // Effects on the player while it runs.
   float walkFactor = 1;     // factor of walkSpeed
   float jumpFactor = 1;     // factor of jumpSpeed
   float jumpMore = 0;       // studs/s added to the jump speed
   float gravityFactor = 1;  // factor of gravity
-  bool resets = false;      // values that it does not change return to the level's
-  uint32_t helpless = 0;    // ticks from its start during which keys do nothing
+  bool resets = false;      // values that the clock does not change return to the level's
+  uint32_t helpless = 0;    // ticks from the clock's start during which keys do nothing
   uint32_t seat = kNone;    // collider on which the player sits while the clock is held at 0
 };
 constexpr uint32_t kForever = 0xffffffffu;
@@ -132,7 +132,7 @@ struct Roles {
   Turns teleportYaw;
   bool teleportTurns, teleportKeepsVelocity;
   Vec3 oneWay;         // unit, in the part's frame, toward the side that is solid
-  uint32_t seatClock;  // held at 0 while the player sits here; kNone if it is no seat
+  uint32_t seatClock;  // clock held at 0 while the player sits here; kNone if the part is no seat
 };
 
 // Returns the velocity of a conveyor's surface at a point. `center` is the part's present centre.
@@ -148,9 +148,10 @@ struct Mover {
   const Mat3* spins;  // (spinCount), may be null
   uint32_t keyCount;
   uint32_t spinCount;
-  Vec3 pivot;                // studs from the part's centre, in the part's frame
-  bool once;                 // stays at the last key instead of starting over
-  uint32_t trigger = kNone;  // clock that moves it; while it does not run, the part rests at tick 0
+  Vec3 pivot;  // studs from the part's centre, in the part's frame
+  bool once;   // stays at the last key instead of starting over
+  // clock that moves the part; while the clock does not run, the part rests at tick 0
+  uint32_t trigger = kNone;
 };
 
 template <class Table>
@@ -212,8 +213,9 @@ struct LevelView {
   uint32_t crushClock;  // counts the ticks of a squeeze; kNone if no part crushes
   uint32_t airClock;    // counts jumps in the air (sim/air_jump.h); kNone if not allowed
   Grid grid;
-  Grid bodyGrid;       // grid over the centres of dynamic bodies; empty if there are none
-  float maxSideSpeed;  // studs/s; the grid's lists cover how far this carries a player in a tick
+  Grid bodyGrid;  // grid over the centres of dynamic bodies; empty if there are none
+  // studs/s; the grid's lists cover the distance that a player moves in a tick at this speed
+  float maxSideSpeed;
 };
 
 template <class Table>

@@ -61,7 +61,7 @@ struct Params {
   uint16_t tricks;         // bits of the tricks that the player may use
   uint16_t directionStep;  // turns / 65536 between two headings that the player can walk in, a
                            // power of two; 0 for any heading
-  uint16_t directionFrom;  // one of these headings
+  uint16_t directionFrom;  // one of the headings that the player can walk in
 };
 
 // Returns a duration in ticks, rounded to the nearest and at most 2^24. Returns 0 for a negative

@@ -16,7 +16,7 @@ namespace obby::level {
 
 // A table of turns. Valid while the store, or the store that it was moved to, lives.
 struct SpinTurns {
-  std::span<const Mat3> rows;  // empty if it does not turn
+  std::span<const Mat3> rows;  // empty if the part does not turn
   bool upright = false;        // true if all rows leave local Y exactly unchanged
 };
 

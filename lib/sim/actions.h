@@ -67,7 +67,7 @@ class ActionCursor {
       left_ = view.runs[first + run_++].ticks;
     }
     if (left_ != 0) return;
-    held_ = {};  // after its plan a world stands still
+    held_ = {};  // a world stands still after the end of its plan
     left_ = 0xffffffffu;
   }
 

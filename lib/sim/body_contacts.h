@@ -12,9 +12,9 @@ namespace obby::sim {
 constexpr int kMaxBodyContacts = 64;  // max contacts of a world; more set kContactOverrun
 
 struct Rigid : RigidT<float> {
-  uint32_t linked;  // bodies that it touches, itself included, one bit each
+  uint32_t linked;  // bodies that this body touches, itself included, one bit each
   bool moves;       // awake in this tick
-  bool restless;    // something near it moves or may vanish, so it must not fall asleep
+  bool restless;    // something near the body moves or may vanish, so it must not fall asleep
   bool touches;     // has a contact
 };
 

@@ -38,7 +38,7 @@ OBBY_DEVICE Vec3 surfaceOf(const level::LevelView& level, const Partner& part, V
     const Vec3 center = part.convex.pose.position;
     velocity += conveyorVelocityAt(level.roles[part.collider->role], center, point);
   }
-  return velocity + Vec3{};  // never -0, because adding 0 would change its bits
+  return velocity + Vec3{};  // never -0: a later addition of 0 would change the bits of -0
 }
 
 }  // namespace obby::sim

@@ -16,7 +16,7 @@ namespace obby::sim {
 
 struct StepArguments {
   LevelSet set;
-  level::LevelView only;  // the level if there is only one; reaches a GPU as constants
+  level::LevelView only;  // the level if there is only one; a GPU receives it as constants
   ActionView actions;
   World* worlds;      // (count)
   RigidBody* bodies;  // (count, set.bodyStride); updated in place

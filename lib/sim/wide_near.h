@@ -36,7 +36,7 @@ class WideNear {
   void look(World* const* worlds, const RigidBody* const* bodies, int count);
 
   // The following are about the i-th world of the last look().
-  Box reach(int i) const { return looks_[i].box(); }  // the space that its player can reach
+  Box reach(int i) const { return looks_[i].box(); }  // the space that the world's player can reach
   Turn turn(int i) const { return turn_[i]; }
   // These apply to worlds that go to the lanes. A part counts if the body or the floor rays can
   // meet it, or if the limbs can and a touch has an effect.

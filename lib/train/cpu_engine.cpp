@@ -43,7 +43,7 @@ class CpuEngine : public Engine {
   uint64_t decisionOf(const PlayOrder& order, uint32_t tick) const {
     return order.iteration * settings_.ticks + tick;
   }
-  size_t rowOf(const Group& group, uint32_t tick) const;  // row of its first world
+  size_t rowOf(const Group& group, uint32_t tick) const;  // row of the group's first world
 
   TrainerSettings settings_;
   const LevelSource& source_;

@@ -84,7 +84,7 @@ class EnvGroup {
 
  private:
   struct Place : PlaceState {                    // a level with its worlds
-    std::shared_ptr<const TrainingLevel> level;  // null while it waits
+    std::shared_ptr<const TrainingLevel> level;  // null while the place waits
     TrainingView view;
   };
 

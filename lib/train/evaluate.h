@@ -41,7 +41,7 @@ struct Evaluation : Solved {  // totals of all levels
 // Progress of an evaluation.
 struct EvaluationSoFar {
   uint32_t levels = 0;   // played
-  double likeliest = 0;  // share of them that the greedy episode solves
+  double likeliest = 0;  // share of the played levels that the greedy episode solves
   double done = 0;       // share of the levels or of the time, whichever is larger; 0 to 1
 };
 

@@ -110,7 +110,7 @@ class LevelStream : public LevelSource {
     io::RecordSource source;
     LevelStreamSettings settings;
     io::Physics physics;
-    std::deque<Known> levels;  // recent ones, oldest first
+    std::deque<Known> levels;  // recent levels, oldest first
     size_t reach = 0;          // size of `levels`, bytes
     std::map<uint64_t, Turn> turns;
     Turn open;            // the turn that is being filled

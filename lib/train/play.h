@@ -101,7 +101,7 @@ OBBY_DEVICE Random drawsOf(uint64_t seed, Draw use, uint64_t decision, uint32_t 
 // The result of a move.
 struct Step {
   float reward = 0;
-  bool ended = false;  // a goal, a death or a broken rule ended it
+  bool ended = false;  // a goal, a death or a broken rule ended the episode
 };
 
 OBBY_DEVICE bool hasEnded(const Player& p) { return p.world.outcome != sim::Outcome::running; }

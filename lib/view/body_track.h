@@ -42,7 +42,7 @@ class BodyWatch {
 
  private:
   const level::LevelView& level_;
-  std::vector<std::vector<BodyStay>> stays_;  // one list per body
+  std::vector<std::vector<BodyStay>> stays_;  // one list of poses per body
   size_t count_ = 0;                          // number of moments
 };
 

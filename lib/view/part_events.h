@@ -23,7 +23,7 @@ struct PartEvent {
 struct MotionEvent {
   uint32_t tick;  // ticks since the trajectory's start
   uint32_t part;
-  int64_t start;  // tick of its motion's beginning, or kRests
+  int64_t start;  // tick at which the part's motion begins, or kRests
 };
 constexpr int64_t kRests = -1;
 

@@ -96,7 +96,7 @@ class Collector {
   // Notes given: omitted attempts, dropped records, and cut part events.
   bool attemptsNoted_ = false, fullNoted_ = false, cutNoted_ = false;
   size_t dropped_ = 0;                 // number of dropped trajectories
-  std::optional<size_t> droppedNote_;  // index of the note with their number
+  std::optional<size_t> droppedNote_;  // index of the note about the number of dropped trajectories
   std::set<size_t> thinned_;           // queries with dropped trajectories
   Report report_;
   int current_ = -1;  // index of the latest level record; -1: none that can be shown

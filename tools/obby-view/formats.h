@@ -10,11 +10,11 @@
 namespace obby {
 
 struct ViewFormat {
-  const char* name;     // value of --format
-  const char* endings;  // file name endings that select it, each with a leading dot and a trailing
-                        // space
-  bool binary;          // not for terminals
-  bool page;            // needs the page's bundle
+  const char* name;  // value of --format
+  // file name endings that select the format, each with a leading dot and a trailing space
+  const char* endings;
+  bool binary;  // not for terminals
+  bool page;    // needs the page's bundle
   Result<std::string> (*render)(const view::Report& report, const cli::Context& context);
 };
 
