@@ -74,7 +74,7 @@ std::vector<std::string> environment() {
 [[noreturn]] void runChild(const Launch& launch) {
   setpgid(0, 0);
   prctl(PR_SET_PDEATHSIG, SIGKILL);
-  // The parent may have died before prctl. Then that signal would never be sent.
+  // The parent may have died before prctl. Then the signal that prctl requests would never be sent.
   if (getppid() != launch.parent) _Exit(127);
   for (const int number : {SIGPIPE, SIGINT, SIGTERM, SIGHUP, SIGCHLD, SIGXFSZ}) {
     ::signal(number, SIG_DFL);

@@ -20,7 +20,8 @@ struct Limits {
   float timeLimit = 0;              // seconds; 0: none
 };
 
-// A level and its query, before they are written as records. The generator must outlive it.
+// A level and its query, before they are written as records. The generator must outlive this
+// object.
 struct Generated {
   std::string name;   // style, difficulty, seed and index; for an unsolvable twin also its
                       // impossible crossing

@@ -170,7 +170,8 @@ void Sketch::start() {
 
 void Sketch::begin(float difficulty) { difficulty_ = clampf(difficulty, 0.0f, 1.0f); }
 
-// The gap can be crossed by walking, so that only the obstacle decides the difficulty.
+// Adds the floor after an obstacle. The gap before it can be crossed by walking, so that only the
+// obstacle decides the difficulty.
 void Sketch::rest(bool last, bool mayTurn) {
   const float near = reach_->walkedGap() * (0.4f + 0.5f * difficulty_);
   const float mine = gap();

@@ -49,7 +49,7 @@ struct FieldPlan {
   bool always = false;   // written to JSON even if it has its default
   std::string example;   // a value in JSON; may be empty
   std::string formerly;  // $formerly; may be empty
-  // bits of each number of the default, if the field is a tuple
+  // Bits of each number of the default, if the field is a tuple.
   std::vector<uint64_t> tupleDefault;
 };
 

@@ -15,7 +15,7 @@ struct ColliderRun {
 // The runs of all parts, found in one pass at the first request.
 class ColliderRuns {
  public:
-  // The level must outlive this.
+  // The level must outlive this object.
   explicit ColliderRuns(const LevelView& level) : level_(level) {}
 
   ColliderRun of(uint32_t part) {

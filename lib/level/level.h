@@ -53,7 +53,7 @@ class Level {
   std::unique_ptr<Impl> impl_;
 };
 
-// A compiled query, which owns its regions. The level need not outlive it.
+// A compiled query, which owns its regions. The level need not outlive this object.
 class Query {
  public:
   // Places that the record names must be resolved (resolve_places.h). Errors have `path` set,

@@ -219,7 +219,7 @@ void WideBodies::findHits() {
   std::fill_n(touching_ + hits_, kLanes, hits_ > 0 ? touching_[hits_ - 1] : 0);
 }
 
-// Finds the points where these pairs touch, one row per pair.
+// Finds the points where the pairs of findHits() touch, one row per pair.
 void WideBodies::findContacts() {
   for (int i = 0; i < hits_; i += kLanes) {
     const int32_t* pairs = touching_ + i;

@@ -46,7 +46,7 @@ inline bool isOver(const PlaceCounts& counts, const EnvGroupSettings& settings) 
 
 class EnvGroup {
  public:
-  // `number`: index of this env group among `envGroups`. The source must outlive it.
+  // `number`: index of this env group among `envGroups`. The source must outlive this object.
   EnvGroup(const LevelSource& source, const EnvGroupSettings& settings, uint64_t seed,
            uint32_t number, uint32_t envGroups);
 

@@ -20,7 +20,7 @@ class Timeout {
   static constexpr double kGrace = 3;    // seconds
   static constexpr double kNone = 1e30;  // never elapses
 
-  // `interrupted` must outlive it.
+  // `interrupted` must outlive this object.
   Timeout(const std::atomic<bool>& interrupted, double seconds, double grace = kGrace);
   ~Timeout();
   Timeout(const Timeout&) = delete;

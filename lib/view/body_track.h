@@ -31,7 +31,7 @@ struct BodyStay {
 // bodies rest most of the time.
 class BodyWatch {
  public:
-  // The level must outlive it.
+  // The level must outlive this object.
   explicit BodyWatch(const level::LevelView& level) : level_(level), stays_(level.bodyCount) {}
 
   // Expects every moment of the trajectory, in order.

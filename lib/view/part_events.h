@@ -42,7 +42,7 @@ struct PartEvents {
 // of parts.
 class PartWatch {
  public:
-  // The level must outlive it. `max`: limit of each kind; whole ticks are kept.
+  // The level must outlive this object. `max`: limit of each kind; whole ticks are kept.
   explicit PartWatch(const level::LevelView& view, size_t max = kMaxPartEvents);
 
   // Expects every moment of the trajectory, in order.

@@ -82,7 +82,7 @@ Status learn(cli::Context& context, train::JoinedRanks& joined) {
                             reportTo(context), context.stop(), timeout);
 }
 
-// A stream does not say how many levels it has.
+// Shows the progress of an evaluation. The number of levels of a stream is unknown.
 void showPlayed(cli::Context& context, uint32_t levels, const train::EvaluationSoFar& e) {
   cli::ProgressState state{"evaluating", -1, {{"levels", double(e.levels)}}};
   if (tools::makesLevels(context.arguments())) {

@@ -26,7 +26,7 @@ class NextLevels {
     float hardest;
   };
 
-  // Source and device must outlive it.
+  // Source and device must outlive this object.
   NextLevels(const LevelSource& source, const EnvGroupSettings& settings, sim::Device& device,
              size_t places, int threads)
       : source_(source), settings_(settings), device_(device), next_(places), pool_(threads) {}
