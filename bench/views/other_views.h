@@ -27,9 +27,9 @@ constexpr int rayInput(int moment, policy::Kind kind, int ray) {
   return policy::kMapsAt + (moment * policy::kKinds + kind) * kRays + ray;
 }
 
-// Observes, for each ray, the closeness of the nearest floor and of the nearest danger, from 1 at
-// the eye to 0 at kRayReach and beyond, and their changes a moment later. Dangers are as wide as in
-// the maps. A danger behind a floor is hidden.
+// Observes, for each ray, the closeness of the nearest floor and of the nearest danger, and the
+// changes of both a moment later. Closeness is 1 at the eye, and 0 at kRayReach and beyond. Dangers
+// are as wide as in the maps. A danger behind a floor is hidden.
 Turns rays(const policy::Scene& scene, const sim::World& world, const sim::RigidBody* bodies,
            float* inputs);
 

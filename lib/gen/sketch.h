@@ -51,8 +51,8 @@ class Sketch : public Draws, public RouteCursor {
   // Returns a gap that is never impossible, for styles with several routes.
   float sideGap(float share = 1);
   // Returns the studs by which an impassable wall extends beyond its floor on either side. The
-  // result is at least `min`, and large enough that no player gets round the wall, neither from
-  // its floor nor from earlier parts to the side.
+  // result is at least `min`. It is so large that no player gets round the wall, whether from its
+  // floor or from earlier parts to the side.
   float roundabout(float min) const;
 
   // --- Parts

@@ -1,5 +1,5 @@
-// The filter at the core of every tool. It reads the records of several inputs in order, removes
-// the framing and adds its own, and passes on unchanged what the tool does not handle.
+// The filter at the core of every tool. It reads the records of several inputs in order, and
+// replaces their framing by its own. Records that the tool does not handle pass unchanged.
 //
 //   io::Pipeline pipeline(context.sourceOptions(), context.identity(), std::move(output));
 //   return pipeline.runAndFinish([&](const io::Record& record) -> Result<io::Then> {

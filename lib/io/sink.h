@@ -19,10 +19,11 @@ class Sink {
  public:
   // "-" is standard output. A regular file is written under a temporary name next to it
   // (output_file.h), which only a killed writer leaves behind. Devices and named pipes are written
-  // directly; a named pipe waits for its reader. Once `stop` is set, a pipe or terminal whose
-  // reader takes nothing for a second, or a pipe that no reader opens for a second, is given up
-  // with an error of isInterrupted(). Without `stop` a signal does that only while opening. Any
-  // thread may set `stop` for a named pipe; for other outputs a signal must interrupt the write.
+  // directly; a named pipe waits for its reader. Once `stop` is set, an output is given up with an
+  // error of isInterrupted() in two cases: a pipe or terminal whose reader takes nothing for a
+  // second, and a pipe that no reader opens for a second. Without `stop` a signal does that only
+  // while opening. Any thread may set `stop` for a named pipe; for other outputs a signal must
+  // interrupt the write.
   static Result<Sink> open(const std::string& path, Durable durable = Durable::no,
                            const std::atomic<bool>* stop = nullptr);
   // Appends to `bytes`, which must outlive the sink.

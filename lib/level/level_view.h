@@ -188,7 +188,8 @@ constexpr int kMaxBodies = 16;  // dynamic bodies of a level; more of them are a
 constexpr uint32_t kListStep = 4;
 
 // Uniform grid over positions of the feet. The list of a cell names every collider that a player
-// with the feet in the cell can meet within one tick, so that one look-up is enough (grid_build.h).
+// with the feet in the cell can meet within one tick. One look-up is therefore enough
+// (grid_build.h).
 struct Grid {
   Vec3 origin;
   Vec3 inverseCell;  // 1 / cell extent

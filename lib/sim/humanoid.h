@@ -34,7 +34,8 @@ OBBY_DEVICE F turnLeft(const PlayerT<F>& w, const ControlT<F>& control) {
 
 // Wall hops and corner flips: in the air the player can face any heading at once, as with the
 // camera locked behind the body. The floor rays then start inside the wall, before the body is
-// pushed out, so that a seam or a corner of it is a floor. Runs before the floor is sensed.
+// pushed out. A seam or a corner of the wall thus counts as a floor. Runs before the floor is
+// sensed.
 template <class F>
 OBBY_DEVICE void faceAtOnce(PlayerT<F>& w, const Params& p, const ControlT<F>& control) {
   if (!(p.tricks & kWallHop)) return;

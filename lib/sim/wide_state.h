@@ -1,5 +1,5 @@
-// Converts the players of kLanes worlds from and to rows, and the motions of a block of worlds from
-// and to arrays, so that any of them can share lanes.
+// Converts the players of kLanes worlds from and to rows. Also converts the motions of a block of
+// worlds from and to arrays, so that any of these motions can share lanes.
 #pragma once
 
 #include <stddef.h>

@@ -9,8 +9,8 @@
 
 namespace obby::train {
 
-// Weight of the distance to the line. It is high because there may be no floor next to the line,
-// and so that the opposite lane of a route that turns back does not count as near.
+// Weight of the distance to the line. It is high because there may be no floor next to the line. It
+// also keeps the opposite lane of a route that turns back from counting as near.
 constexpr float kOff = 3;
 
 // Plain spans, for device code.

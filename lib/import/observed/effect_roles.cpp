@@ -135,7 +135,8 @@ void EffectRoles::takeStage(PartDraft& part, const StageSet& stage) {
   part.checkpoint = kUnnumbered;
   readNumbers(context_.tree, part.id, part);
   const bool isLine = stage.line.script != kNoInstance;
-  prove(part, "checkpoint", isLine ? reason(stage.line) : "players who touched it respawn there");
+  prove(part, "checkpoint",
+        isLine ? reason(stage.line) : "players who touched it respawn there");
 }
 
 void EffectRoles::noteUnknown(engine::Approach approach) {

@@ -70,11 +70,9 @@ class Moves {
 
   void takeChanges(const ProbeEffects& effects) {
     if (effects.boost)
-      note("speed that scripts change", "depends on how the player moves, not simulated; ",
-           effects.boost->line);
+      note("speed that scripts change", "depends on how the player moves, not simulated; ", effects.boost->line);
     if (effects.teleport || effects.force || effects.trips)
-      note("push without a touch", "depends on how the player moves, not simulated; ",
-           effects.line());
+      note("push without a touch", "depends on how the player moves, not simulated; ", effects.line());
     if (!effects.aways.empty() || !effects.backs.empty() || !effects.moved.empty())
       note("part that the player's moves change", "stays as it is; ", effects.line());
   }

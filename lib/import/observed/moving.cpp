@@ -136,9 +136,10 @@ namespace {
 void noteEnd(RoleContext& context, InstanceId id, const Motion& motion,
              const std::optional<double>& end, const std::string& reason) {
   if (end && motion.repeat != Repeat::once)
-    context.level.noteUnmodelled("motion that ends", context.tree, id,
-                                 "simulated as endless; in the game it ends after " +
-                                     std::to_string(std::lround(*end)) + " s; " + reason);
+    context.level.noteUnmodelled(
+        "motion that ends", context.tree, id,
+        "simulated as endless; in the game it ends after " + std::to_string(std::lround(*end)) +
+            " s; " + reason);
 }
 
 }  // namespace

@@ -109,8 +109,7 @@ void giveHeardRows(RoleContext& context) {
   for (const auto& [row, parts] : rows)
     if (parts.size() > 1)
       for (PartDraft* part : parts)
-        give(context, *part, part->id, "one of several numbered parts whose touches scripts handle",
-             true);
+        give(context, *part, part->id, "one of several numbered parts whose touches scripts handle", true);
 }
 
 }  // namespace

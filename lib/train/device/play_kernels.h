@@ -1,5 +1,5 @@
-// Kernels that play an iteration. In a tick every world observes (one thread per part of the
-// observation), the network runs (product.h), every world moves, and every place restarts ended
+// Kernels that play an iteration. In a tick, every world observes, with one thread per part of the
+// observation. Then the network runs (product.h), every world moves, and every place restarts ended
 // episodes.
 #pragma once
 
