@@ -122,7 +122,7 @@ struct Trial {
   uint64_t seed;
   std::vector<Take> takes, heldOut;
   std::vector<Take> again,
-      // Recordings of the same manoeuvres made again, and of other trajectories in the same places
+      // Recordings of the same manoeuvres made again, and of other trajectories in the same places.
       elsewhere;
   const schema::PhysicsParams::Reader* hidden = nullptr;
   std::vector<calibrate::Parameter> parameters = calibrate::parametersAround(calibrate::defaults());

@@ -51,7 +51,7 @@ table::ChartPlot solvedPlot(const Results& results) {
 }
 
 table::ChartPlot thirdsPlot(const Results& results, const std::vector<Measure>& measures) {
-  // Lower end of the axis, seconds; share of a third's width that its bars fill
+  // Lower end of the axis, seconds; share of a third's width that its bars fill.
   constexpr double kFoot = 0.01, kGroup = 0.8;
   const char* const thirds[] = {"Short", "Medium", "Long"};
   table::ChartPlot plot;

@@ -11,7 +11,7 @@ namespace obby::bridge {
 namespace {
 
 constexpr auto kSweep = 1 * kj::SECONDS;
-// Time for clients to read the remaining messages at the end
+// Time for clients to read the remaining messages at the end.
 constexpr auto kFarewell = 1 * kj::SECONDS;
 
 // The event loop and the service on it.

@@ -48,7 +48,7 @@ class Ring {
   void forgetOld();
 
   uint64_t limit_, max_, bytes_ = 0, next_ = 1;
-  // Number of the last message that the carrier has; later messages are held
+  // Number of the last message that the carrier has; later messages are held.
   uint64_t taken_ = kNobody;
   std::deque<Message> messages_;
 };

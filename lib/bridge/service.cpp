@@ -247,7 +247,7 @@ std::string Service::hello(const Client& client, uint64_t cursor) const {
 void Service::sweep() {
   const double now = loop_.now();
   for (const auto& [number, who] : clients_) {
-    // The client is connected, whether or not it sends requests
+    // The client is connected, whether or not it sends requests.
     if (who->socketOpen) lastSeen_ = now;
     if (who->mayBeSilent) continue;
     const double silent = now - who->lastSeen;

@@ -106,7 +106,7 @@ CommandLine parseCommandLine(const ToolSpec& spec, const std::vector<OptionRow>&
   for (const OptionRow& row : rows) options.push_back(addRow(app, row));
   CLI::Option* inputs = nullptr;
   if (spec.takesInputs) {
-    // Fewer inputs are no error with CLI11's policy
+    // Fewer inputs are no error with CLI11's policy.
     inputs = app.add_option("FILE")->expected(kMaxInputs);
     inputs->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   }

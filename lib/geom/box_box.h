@@ -50,7 +50,7 @@ OBBY_DEVICE void keepCross(ScaledContact<F>& best, const LocalBoxT<F>& box, Vec3
       (absf(along(*axes[k])) * at(box.half, k) + absf(along(*axes[l])) * at(box.half, l));
   const F apart = along(box.center);
   const F depth = radii - absf(apart), min = best.contact.depth;
-  // Otherwise the edges are parallel, and the faces cover that case
+  // Otherwise the edges are parallel, and the faces cover that case.
   const MaskOf<F> counts = n2 >= 1e-6f;
   const MaskOf<F> less =
       counts & ((depth < 0.0f) | (depth * depth * best.length2 < min * min * n2));

@@ -16,7 +16,7 @@ class JsonTree {
   enum class Type : uint8_t { null, no, yes, negative, whole, real, text, array, object };
 
   struct Node {
-    // Whole: the value; negative: bits of int64_t; text, real: offset in texts
+    // Whole: the value; negative: bits of int64_t; text, real: offset in texts.
     uint64_t value = 0;
     uint32_t length = 0;  // text, real: bytes; array, object: elements
     uint32_t child = 0;   // array, object: the first element

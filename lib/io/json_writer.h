@@ -27,7 +27,7 @@ class JsonWriter {
   JsonWriter& value(std::string_view text);  // U+FFFD for a byte that is not UTF-8
   JsonWriter& value(const char* text) { return value(std::string_view(text)); }
   JsonWriter& value(bool flag) { return raw(flag ? "true" : "false"); }
-  // The shortest text that parses to the same number; null if not finite
+  // The shortest text that parses to the same number; null if not finite.
   JsonWriter& value(double number);
   JsonWriter& value(float number);
   template <std::integral T>

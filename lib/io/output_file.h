@@ -37,7 +37,7 @@ class OutputFile {
   Status close(bool durable);
   Status syncFolder() const;
 
-  // Path as given; path with links resolved; temporary path, empty once finished
+  // Path as given; path with links resolved; temporary path, empty once finished.
   std::string path_, target_, temporary_;
   int fd_ = -1;
 };

@@ -127,7 +127,7 @@ Status Pipeline::finish(Status work) {
     return impl_->finish();
   }
   impl_->stoppedByError = true;
-  // Ignores further errors: the first error is reported
+  // Ignores further errors: the first error is reported.
   if (!impl_->output.failed()) (void)impl_->finish();
   return work;
 }

@@ -1,4 +1,4 @@
-// Small text functions for both codecs and the command line.
+// Small text functions that both codecs and the command line use.
 #pragma once
 
 #include <cstddef>

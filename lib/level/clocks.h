@@ -25,11 +25,11 @@ class ClockTables {
   // names the signal.
   Result<uint32_t> signal(const std::string& name, const std::string& path);
 
-  // Returns the clock of a button that addSignals() added
+  // Returns the clock of a button that addSignals() added.
   uint32_t button(const std::string& name) const;
 
   uint32_t add(const Clock& clock);  // always adds a new clock
-  // returns the clock of an earlier share() with the same effect, or adds a new one
+  // returns the clock of an earlier share() with the same effect, or adds a new one.
   uint32_t share(const Clock& clock);
 
   // Returns an error unless every signal is named by a part that responds to it.

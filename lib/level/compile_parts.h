@@ -22,7 +22,7 @@ struct PartTables {
   std::vector<DynamicBody> bodies;
   size_t fixedColliders = 0;  // number of colliders that precede those of dynamic parts
   std::vector<Clock> clocks;  // each role's own clock, then the shared clocks
-  // Clocks of LevelView::crushClock and LevelView::airClock
+  // Clocks of LevelView::crushClock and LevelView::airClock.
   uint32_t crushClock = kNone, airClock = kNone;
   std::vector<std::string> names;         // (parts)
   std::deque<std::vector<Pose>> motions;  // tables of keys that movers point into

@@ -13,8 +13,8 @@ float turnBetween(const Mat3& a, const Mat3& b) {
   return sqrtf32(0.5f * (dot(x, x) + dot(y, y) + dot(z, z)));
 }
 
-// Returns for each mover the max distance from its centre at which its parts carry a player, studs.
-// 0 if they carry none.
+// Returns, for each mover, the max distance from its centre at which its parts carry a player, in
+// studs; 0 if they carry none.
 std::vector<float> reachOfMovers(const PartTables& t) {
   std::vector<float> reach(t.movers.size(), 0.0f);
   for (size_t i = 0; i < t.colliders.size(); ++i) {

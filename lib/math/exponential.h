@@ -13,7 +13,7 @@ namespace obby {
 template <class F>
 OBBY_DEVICE F expOfNegative(F x) {
   using Int = IntOf<F>;
-  // Used without a branch, so that the compiler can vectorize
+  // Used without a branch, so that the compiler can vectorize.
   const MaskOf<F> some = x > F(-80.0f);
   const F y = select(some, x, F(-80.0f));
   const F t = y * F(1.44269504f);

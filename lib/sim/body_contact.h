@@ -47,7 +47,8 @@ struct ContactPointT {
   F approach;              // speed at the start of the tick; negative when approaching
 };
 
-// The normal points away from the first body.
+// A contact of a body with a part or with a second body. The normal points away from the first
+// body.
 template <class F, int kBodies>
 struct BodyContactT {
   Vec3T<F> surface;  // velocity of the part's surface at the contact

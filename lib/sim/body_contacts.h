@@ -176,8 +176,8 @@ OBBY_APART void meetBodies(World& w, RigidBody* bodies, const level::LevelView& 
   }
 }
 
-// The bodies of a world that move together, one bit each. `alone` is true for one body that meets
-// no other; then no other is tested.
+// The bodies of a world that move together, one bit each. `alone` is true for a single body that
+// meets no other, so that no other is tested.
 struct BodyGroup {
   uint32_t bodies;
   bool alone;

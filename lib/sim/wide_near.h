@@ -41,7 +41,7 @@ class WideNear {
   // These apply to worlds that go to the lanes. A part counts if the body or the floor rays can
   // meet it, or if the limbs can and a touch has an effect.
   int count(int i) const { return count_[i]; }
-  // ColliderFlag bits of all parts in reach
+  // ColliderFlag bits of all parts in reach.
   uint32_t anyFlags(int i) const { return anyFlags_[i]; }
   // Returns the tags of these parts (level::Bounds::tag), (count). With kMovingTag the index is
   // that of a moved part.

@@ -49,7 +49,7 @@ class Timeout {
   void setReading(bool now);
 
   const std::atomic<bool>& interrupted_;
-  // Limits of the work and of a wait for a record, seconds
+  // Limits of the work and of a wait for a record, seconds.
   const double workSeconds_, recordSeconds_;
   std::atomic<bool> stop_{false}, expired_{false}, late_{false};
   std::mutex lock_;

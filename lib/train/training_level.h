@@ -28,7 +28,7 @@ class TrainingLevel {
   const Guide& guide() const { return guide_; }
   // Valid while this object lives. `patience`: as EnvGroupSettings::patience.
   TrainingView view(float patience) const;
-  // Hash of all data of the level, the same for any encoding
+  // Hash of all data of the level, the same for any encoding.
   uint64_t hash() const { return hash_; }
 
  private:

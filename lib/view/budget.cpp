@@ -12,7 +12,7 @@ namespace obby::view {
 namespace {
 
 constexpr uint32_t kMaxStride = 8;
-// Max stride of moving parts, for pages that no browser could open otherwise
+// Max stride of moving parts, for pages that no browser could open otherwise.
 constexpr uint32_t kCoarsest = 64;
 constexpr uint32_t kMinSeconds = 20;      // min motion in a page, if no trajectory is longer
 constexpr uint32_t kMaxSeconds = 600;     // max motion in a page

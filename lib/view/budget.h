@@ -27,7 +27,7 @@ uint32_t minTicksShown(const LevelEntry& level);
 // Estimated sizes of a page's data without thinning, bytes.
 struct PageSizes {
   size_t fixed = 0, attempts = 0, tracks = 0;
-  // Data of attempts that no stride thins: dynamic bodies, actions, numbers
+  // Data of attempts that no stride thins: dynamic bodies, actions, numbers.
   size_t whole = 0;
   bool longMotion = false;  // some part moves for longer than a page covers
 

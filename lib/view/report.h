@@ -24,7 +24,7 @@ namespace obby::view {
 
 // Limits on what a collector keeps of a stream.
 struct PageBudget {
-  // Max ticks of all replays, some 15 bytes each; part events count as well
+  // Max ticks of all replays, some 15 bytes each; part events count as well.
   size_t ticks = 20'000'000;
   size_t trajectoryTicks = 0;  // fixed cost of a trajectory in ticks, for its record and numbers
   // Cost of each run of equal actions in ticks. A run takes some 50 bytes in the input's line,

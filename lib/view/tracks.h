@@ -13,7 +13,7 @@ namespace obby::view {
 // the level.
 struct Track : Poses {
   uint32_t part = 0;
-  // Ticks count from the motion's start, which a trajectory's motion events give
+  // Ticks count from the motion's start, which a trajectory's motion events give.
   bool triggered = false;
   uint32_t stride = 1;
   uint32_t count = 0;

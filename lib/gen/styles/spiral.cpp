@@ -14,10 +14,10 @@ constexpr Parameter kParameters[] = {
 };
 const auto& [kSize, kFoot, kGap, kEdge, kLanding] = kParameters;
 
-// Core diameter; distance from the core's side to the ledges' centers; studs
+// Core diameter; distance from the core's side to the ledges' centers; studs.
 constexpr float kCore = 8, kBehind = 6;
 constexpr float kRadius = kCore / 2 + kBehind;
-// Share of the highest reachable ledge, since the jump also goes round a corner
+// Share of the highest reachable ledge, since the jump also goes round a corner.
 constexpr float kShare = 0.7f;
 
 // Returns the turns around the core between ledges with gaps of about `gap` studs.

@@ -79,7 +79,7 @@ Status TrainingRun::saveMeanwhile() {
     return saved;
   }
   const bool readerGone = io::isBrokenPipe(saved.error()) || io::isInterrupted(saved.error());
-  // Other ranks have only the text of the error
+  // Other ranks have only the text of the error.
   double votes[] = {double(ranks_.first() && readerGone)};
   ranks_.add(votes);
   if (!saved_ || votes[0] > 0) return saved;
