@@ -25,7 +25,7 @@ class Arguments {
   // nothing.
   bool has(const std::string& name) const;
   bool flag(const std::string& name) const;  // flag
-  // for text, file, choice and mode; may be empty.
+  // For text, file, choice and mode; may be empty.
   const std::string& text(const std::string& name) const;
   int64_t integer(const std::string& name) const;                       // integer
   uint64_t seed(const std::string& name = "seed") const;                // seed

@@ -49,7 +49,7 @@ struct Recipe {
   std::vector<NamedNumber> courseStyles;  // weights of the styles in courses; empty: all equally
   float courseFirst = 0.4f;               // a course begins at this share of its difficulty
   float turns = 0.5f;                     // share of landings after which the route turns
-  // shares of queries with waypoints, jump limits and time limits.
+  // Shares of queries with waypoints, jump limits and time limits.
   float waypoints = 0, jumpLimits = 0, timeLimits = 0;
   Range excess{5, 8};                // studs by which an impossible crossing is
                                      // out of reach

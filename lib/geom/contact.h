@@ -28,7 +28,7 @@ using UprightBox = UprightBoxT<float>;
 template <class F>
 struct ContactT {
   F depth;  // studs; negative when apart
-  // unit; moving the box by depth * normal separates it from the shape; meaningless when apart.
+  // Unit; moving the box by depth * normal separates it from the shape; meaningless when apart.
   Vec3T<F> normal;
 };
 

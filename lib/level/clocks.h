@@ -29,7 +29,7 @@ class ClockTables {
   uint32_t button(const std::string& name) const;
 
   uint32_t add(const Clock& clock);  // always adds a new clock
-  // returns the clock of an earlier share() with the same effect, or adds a new one.
+  // Returns the clock of an earlier share() with the same effect, or adds a new one.
   uint32_t share(const Clock& clock);
 
   // Returns an error unless every signal is named by a part that responds to it.

@@ -150,7 +150,7 @@ struct Mover {
   uint32_t spinCount;
   Vec3 pivot;  // studs from the part's centre, in the part's frame
   bool once;   // stays at the last key instead of starting over
-  // clock that moves the part; while the clock does not run, the part rests at tick 0.
+  // Clock that moves the part; while the clock does not run, the part rests at tick 0.
   uint32_t trigger = kNone;
 };
 
@@ -215,7 +215,7 @@ struct LevelView {
   uint32_t airClock;    // counts jumps in the air (sim/air_jump.h); kNone if not allowed
   Grid grid;
   Grid bodyGrid;  // grid over the centres of dynamic bodies; empty if there are none
-  // studs/s; the grid's lists cover the distance that a player moves in a tick at this speed.
+  // Studs/s; the grid's lists cover the distance that a player moves in a tick at this speed.
   float maxSideSpeed;
 };
 

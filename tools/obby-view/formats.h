@@ -11,7 +11,7 @@ namespace obby {
 
 struct ViewFormat {
   const char* name;  // value of --format
-  // file name endings that select the format, each with a leading dot and a trailing space.
+  // File name endings that select the format, each with a leading dot and a trailing space.
   const char* endings;
   bool binary;  // not for terminals
   bool page;    // needs the page's bundle
