@@ -18,7 +18,7 @@ using namespace obby::support;
 
 struct Case {
   const char* name;
-  float solved, wide;  // certainly solved, certainly not
+  float solved, wide;  // sizes of a step that is certainly solved, and of one that certainly is not
   Build build;
 };
 

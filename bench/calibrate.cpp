@@ -57,7 +57,7 @@ struct Options {
 struct Tally {
   struct Of {
     int known = 0, sharp = 0, near = 0;
-    double worst = 0;  // worst error of the sharp ones
+    double worst = 0;  // worst error among sharp values
   };
   std::map<std::string, Of> parameters;
   int outside = 0;
@@ -115,14 +115,15 @@ double meanMissOf(const std::vector<Take>& takes, const calibrate::Fit& fit) {
   return sum / double(takes.size());
 }
 
-// One fit: the fitted recordings, the held-out ones, those for the final comparison, and the true
-// parameters if known.
+// The data of one fit: the fitted recordings, the held-out recordings, the recordings for the final
+// comparison, and the true parameters if known.
 struct Trial {
   std::string name;
   uint64_t seed;
   std::vector<Take> takes, heldOut;
   std::vector<Take> again,
-      elsewhere;  // the same manoeuvres repeated; other trajectories in the same places
+      // Recordings of the same manoeuvres made again, and of other trajectories in the same places.
+      elsewhere;
   const schema::PhysicsParams::Reader* hidden = nullptr;
   std::vector<calibrate::Parameter> parameters = calibrate::parametersAround(calibrate::defaults());
 };

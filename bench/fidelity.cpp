@@ -2,7 +2,7 @@
 // (lib/calibrate/fidelity.h). A case is a category of recordings in one file. The recordings are
 // not part of the project; without them the bench says so and measures nothing.
 //   bench_fidelity [--json] [--from FOLDER] [CASE...]     default: shared/recordings next to the
-//   checkout; files are CASE.jsonl.zst. Categories of a trick are played again with it.
+//   checkout; files are CASE.jsonl.zst. Categories of a trick are played again with that trick.
 #include <fmt/format.h>
 #include <zstd.h>
 

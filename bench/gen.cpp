@@ -1,5 +1,5 @@
 // Measures how fast one core generates levels. Level and query are built and encoded as Cap'n Proto
-// bytes, for each style and for all styles, and without encoding as in obby-train.
+// bytes, for each style and for all styles. They are also built without encoding, as in obby-train.
 #include <cstdio>
 #include <cstdlib>
 #include <string>

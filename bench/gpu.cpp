@@ -1,7 +1,7 @@
-// Measures a GPU's simulation rates. Random walkers run in an arena of 100 boxes, and in 64 such
-// arenas with a new one at every episode end, as in training. Searches on the GPU, with and without
-// learning, run with all the work of a round. Exits with 77 without a GPU. With --emulate the CPU
-// replaces the GPU at a small scale, which only tests this program.
+// Measures a GPU's simulation rates. Random walkers run in one arena of 100 boxes. They also run in
+// 64 arenas of that kind, with a new arena after each episode, as in training. Searches on the GPU,
+// with and without learning, run with all the work of a round. Exits with 77 without a GPU. With
+// --emulate the CPU replaces the GPU at a small scale, which only tests this program.
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
@@ -27,7 +27,7 @@ using bench::need;
 constexpr int kSkipped = 77;
 constexpr uint32_t kStep = 32;             // ticks per launch
 constexpr uint32_t kMaxResident = 131072;  // max rollouts per round that fit a search's memory
-constexpr uint32_t kWarmTicks = 96;        // until worlds have left the start
+constexpr uint32_t kWarmTicks = 96;        // ticks until worlds have left the start
 
 void stepOrFail(sim::Batch& batch, uint32_t ticks) {
   need(batch.step(ticks, sim::Actions::walker(1)));

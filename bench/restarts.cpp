@@ -1,5 +1,5 @@
-// Measures the value of training on episodes that begin at restart states: in no level, in levels
-// not yet solved from the start, or in all.
+// Measures the value of training on episodes that begin at restart states. Compares restarts in no
+// level, only in levels not yet solved from the start, and in all levels.
 #include "common/learning.h"
 
 namespace {

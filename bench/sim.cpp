@@ -26,7 +26,7 @@ constexpr uint32_t kWorlds = 256, kTicks = 1000, kSeeds = 5;
 constexpr uint32_t kSettling = 240;  // ticks until dynamic bodies rest
 
 struct Outcome {
-  double stepsPerSecond, singlyPerSecond;  // with lanes; with the scalar tick
+  double stepsPerSecond, singlyPerSecond;  // steps per second with lanes, and with the scalar tick
   double grounded;                         // share of ticks with a floor
   double awake;                            // share of ticks with an awake dynamic body
   double instructions;                     // per step in lanes; 0: no counter
@@ -55,7 +55,7 @@ struct Envs {
   }
 };
 
-// Both variants alternate, so that other load affects them equally.
+// Measures both variants in alternation, so that other load affects them equally.
 Outcome run(const level::Level& level, uint64_t seed) {
   Envs wide(level, seed), single(level, seed);
   for (uint32_t t = 0; t < kSettling && level.view().bodyCount != 0; ++t) {
@@ -98,7 +98,7 @@ Outcome run(const level::Level& level, uint64_t seed) {
 #if defined(OBBY_HAS_BULLET)
 constexpr uint32_t kBulletWorlds = 64, kBulletTicks = 200;
 
-// Returns Bullet's steps a second in the same scene with the same walkers.
+// Returns Bullet's steps per second in the same scene with the same walkers.
 double bulletPerSecond(const level::Level& level, uint64_t seed) {
   std::vector<bench::BulletWorld> worlds;
   std::vector<Walker> walkers;
@@ -127,7 +127,7 @@ double medianOf(std::vector<double> values) {
   return values[values.size() / 2];
 }
 
-// Measures the median over five random scenes. Returns the steps a second.
+// Measures the median over five random scenes. Returns the steps per second.
 double measure(bench::Report& report, const Scene& scene) {
   std::vector<double> rates, singly, bullet;
   double grounded = 0, contact = 0, fallback = 0, awake = 0, instructions = 0;
@@ -160,8 +160,8 @@ double measure(bench::Report& report, const Scene& scene) {
   return rate;
 }
 
-// Measures batches of worlds in one level, and in 64 levels with a new one at every episode end, as
-// in training. Both alternate; the single levels are among the 64.
+// Measures batches of worlds in one level, and in 64 levels with a new level after each episode, as
+// in training. Both alternate. The single levels are among the 64.
 void levels(bench::Report& report) {
   constexpr uint32_t kLevels = 64, kEnvs = 4096, kStep = 64, kRounds = 12;
   ThreadPool pool(1);
@@ -188,7 +188,8 @@ void levels(bench::Report& report) {
   report.add("manyLevels", "ratioToOneLevel", oneSeconds / manySeconds, "");
 }
 
-// A snapshot is a plain copy: worlds are copied to an archive in another order and back.
+// Measures snapshots, which are plain copies: worlds are copied to an archive in another order and
+// back.
 void snapshots(bench::Report& report) {
   constexpr uint32_t kKept = 4096, kRounds = 200;
   const level::Level level = support::boxArena(20, 1).compile();

@@ -27,7 +27,7 @@ constexpr uint64_t kLevels = 40, kLevelSeed = 5, kSearchSeed = 1;
 struct Difficulty {
   const char* name;
   float value;
-  uint64_t steps;  // max for each level
+  uint64_t steps;  // max steps for each level
 };
 constexpr Difficulty kDifficulties[] = {{"Trivial", 0, 1'000'000},
                                         {"Easy", 0.25f, 1'000'000},

@@ -1,6 +1,6 @@
 // The same scene in Bullet, Debian's physics engine: a world of rigid bodies with the level's
-// static blocks and one upright capsule that walks and jumps. It does less than our player: one
-// step a tick, no legs, no floor rays, no states.
+// static blocks and one upright capsule that walks and jumps. Bullet does less work than our
+// player: one step per tick, no legs, no floor rays, no states.
 #pragma once
 
 #include <memory>

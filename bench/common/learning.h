@@ -12,11 +12,11 @@ namespace obby::bench {
 
 struct LearningRow {
   const char* name;
-  std::function<void(train::TrainerSettings&)> change;  // to the default settings
+  std::function<void(train::TrainerSettings&)> change;  // changes the default settings
 };
 
 // A bench's main(): bench_NAME [--json] [--decisions N] [--seeds N] [--recipe FILE] [ROW...].
-// Without a recipe the levels are of all styles, trivial to limit.
+// Without a recipe, levels of all styles are used, at difficulties from trivial to limit.
 int learningBench(int argc, char** argv, const char* bench, const std::vector<LearningRow>& rows);
 
 }  // namespace obby::bench

@@ -16,7 +16,7 @@ inline void need(const Status& status) {
   std::exit(1);
 }
 
-// Returns the value, or exits.
+// Returns the value, or exits with the error's message.
 template <class T>
 T need(Result<T> result) {
   need(result ? Status() : Status(result.error()));

@@ -1,4 +1,4 @@
-// Output of all benches: aligned rows, or with --json one object a line:
+// Output of all benches: aligned rows, or with --json one object per line:
 //   {"bench":"search","case":"parts100","metric":"stepsPerSecond","value":5.1e6,"unit":"1/s"}
 // Rows are written at once, so that a long bench shows its progress.
 #pragma once
@@ -17,7 +17,7 @@ class Report {
   Report(int argc, char** argv, std::string bench);
 
   enum class Form { table, json };
-  // For a bench that parses its own options.
+  // Makes a report for a bench that parses its own options.
   Report(std::string bench, Form form);
 
   // Adds a measurement. `metric` in camelCase, `unit` as printed ("1/s", "ns", "" for a ratio).

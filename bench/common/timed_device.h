@@ -21,7 +21,7 @@ class TimedDevice : public sim::Device {
     uint64_t launches = 0;
   };
 
-  // `device` must outlive it.
+  // `device` must outlive this object.
   explicit TimedDevice(sim::Device& device) : device_(device) {}
 
   // Returns the times by kernel name, longest first.

@@ -51,7 +51,8 @@ table::ChartPlot solvedPlot(const Results& results) {
 }
 
 table::ChartPlot thirdsPlot(const Results& results, const std::vector<Measure>& measures) {
-  constexpr double kFoot = 0.01, kGroup = 0.8;  // seconds; of a third's width
+  // Lower end of the axis, seconds; share of a third's width that its bars fill.
+  constexpr double kFoot = 0.01, kGroup = 0.8;
   const char* const thirds[] = {"Short", "Medium", "Long"};
   table::ChartPlot plot;
   plot.x = {"queries by the time of ge", -0.5, 2.5, false, {}};

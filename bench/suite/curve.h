@@ -11,7 +11,7 @@ namespace obby::bench {
 // - For each method, the share of solved runs of solvable queries over the seconds, with its 95 %
 //   band. The time axis is logarithmic and ends at the cap.
 // - The paper's figure: mean seconds to the first solution, with quartiles, for the thirds by the
-//   time of `ge`. A run without a solution counts as the cap. `measures`: of these results.
+//   time of `ge`. A run without a solution counts as the cap. `measures`: those of `results`.
 std::string suiteSvg(const Results& results, const std::vector<Measure>& measures);
 
 }  // namespace obby::bench

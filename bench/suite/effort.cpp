@@ -11,7 +11,7 @@ namespace obby::bench {
 namespace {
 
 constexpr float kJump = 8.6f;    // studs, on the flat
-constexpr float kRise = 3;       // studs of distance that one stud up counts as
+constexpr float kRise = 3;       // studs of distance that one stud of height counts as
 constexpr float kBeside = 12;    // studs from the straight line: about a jump
 constexpr float kMaxParts = 40;  // a larger number means a field of equal parts
 constexpr uint32_t kHazard = level::kKill | level::kPad | level::kConveyor | level::kClocked |

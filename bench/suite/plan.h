@@ -15,9 +15,9 @@ struct Plan {
   std::vector<SuiteQuery> suite;
   uint64_t seeds = 5;
   double cap = 90;            // seconds, for solvable queries
-  double unsolvableCap = 10;  // seconds, for the others
-  bool sampled = false;       // methods after the first run every third solvable query only
-  // If true, the methods' runs of a query may come from different kinds of machine. Then only large
+  double unsolvableCap = 10;  // seconds, for unsolvable queries
+  bool sampled = false;       // methods after the first run only every third solvable query
+  // If true, the methods' runs of a query may come from different kinds of machine, and only large
   // differences are meaningful.
   bool anyMachine = false;
 

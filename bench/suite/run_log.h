@@ -1,4 +1,4 @@
-// The completed runs, one JSON object a line, appended when each ends. Logged runs are not
+// The completed runs, one JSON object per line, appended when each ends. Logged runs are not
 // repeated, so an interrupted series can be continued.
 #pragma once
 
@@ -30,14 +30,14 @@ struct Run {
   std::string key() const;
 };
 
-// The makers whose runs count. 0 or none: any.
+// The makers whose runs count; 0 or an absent value accepts any.
 struct Maker {
   uint64_t program = 0;
   int threads = 0;
   std::optional<std::string> machine = {};
 };
 
-// A number of runs made by one kind of machine.
+// The number of runs that one kind of machine made.
 struct Made {
   std::string machine;
   size_t runs = 0;

@@ -15,7 +15,7 @@ struct Timing {
   double steps = 0, rounds = 0;
 };
 
-// Returns NaN for no values.
+// Returns the mean, or NaN for no values.
 double mean(const std::vector<double>& values);
 
 // Returns the seconds to the first solution as in the paper: `cap` for a run without one.

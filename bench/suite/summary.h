@@ -10,7 +10,7 @@
 
 namespace obby::bench {
 
-// The report's facts about a query besides its runs.
+// The report's facts about a query, apart from its runs.
 struct Asked {
   std::string name;      // FILE:ID
   std::string expected;  // verdict

@@ -13,7 +13,7 @@ constexpr uint64_t kSeed = 0x736574;
 // Max magnitudes of the random weights and biases. About four of a part's numbers are of order 1,
 // so the features are, too.
 constexpr float kMaxWeight = 0.9f, kMaxBias = 0.5f;
-constexpr float kFade = 8;  // studs at which a part counts half
+constexpr float kFade = 8;  // distance at which a part counts half, studs
 
 class Features {
  public:

@@ -9,7 +9,7 @@ namespace obby::bench {
 namespace {
 
 static_assert(policy::kMoments == 2);
-constexpr policy::Moments kThen = 2;  // a moment later only
+constexpr policy::Moments kThen = 2;  // the second moment only
 
 void put(PartInSight& part, PartNumber at, Vec3 v, float half) {
   part.told[size_t(at)] = policy::squashed(v.x, half);

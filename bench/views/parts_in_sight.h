@@ -12,11 +12,11 @@ namespace obby::bench {
 // rotation of the part about its own middle does not show.
 enum PartNumber : int {
   kPartCenter = 0,
-  kPartHalf = 3,     // extents of its box along the frame
+  kPartHalf = 3,     // half extents of the part's box along the frame
   kPartNearest = 6,  // nearest point of that box
   kPartIsFloor = 9,
   kPartIsDanger = 10,
-  kPartMoved = 11,  // displacement of its centre a moment later
+  kPartMoved = 11,  // displacement of the part's centre a moment later
   kPartThere = 14,  // kStays, kGoes or kComes
   kPartNumbers = 15
 };
@@ -27,7 +27,7 @@ constexpr float kStays = 1, kGoes = 0.5f, kComes = -0.5f;
 constexpr float kFarPart = 8, kLargePart = 4, kNearPart = 4, kFastPart = 2;
 
 struct PartInSight {
-  float distance = 0;  // studs to its box
+  float distance = 0;  // distance to the part's box, studs
   std::array<float, kPartNumbers> told{};
 
   // Orders by distance. Ties are decided by the features, so that the order of parts in the level

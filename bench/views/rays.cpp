@@ -62,7 +62,8 @@ class Bundle {
     }
   }
 
-  // As in the maps, each moment but the first is a difference from the one before.
+  // Writes the inputs. As in the maps, each moment after the first is a difference from the moment
+  // before.
   void tell(float* inputs) const {
     for (int r = 0; r < kRays; ++r) {
       float floorBefore = 0, dangerBefore = 0;

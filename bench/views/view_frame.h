@@ -5,8 +5,8 @@
 
 namespace obby::bench {
 
-// Fills `inputs` (kInputs) with all inputs but the maps, which are set to kEmptyInput. Returns the
-// direction of the frame.
+// Fills `inputs` (kInputs). The inputs of the maps are set to kEmptyInput. Returns the direction of
+// the frame.
 Turns observeAllButMaps(const policy::Scene& scene, const sim::World& world,
                         const sim::RigidBody* bodies, float* inputs);
 

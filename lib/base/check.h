@@ -1,6 +1,6 @@
 // Checks of invariants. A failed check is a bug in this program, never bad input. It prints both
 // values and aborts. Checks run in builds with OBBY_CHECKS; in others the condition is not
-// evaluated. Both sides are numbers, and may be evaluated twice:
+// evaluated. Both arguments are numbers, and may be evaluated twice:
 //   OBBY_CHECK_LT(index, count);
 #pragma once
 

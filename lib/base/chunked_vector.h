@@ -37,7 +37,7 @@ class ChunkedVector {
     return {chunks_[c].get(), std::min(kChunk, size_ - c * kChunk)};
   }
 
-  // Growth moves the elements while there are fewer than kChunk. Later growth moves none.
+  // Growth moves the elements only while there are fewer than kChunk of them.
   void push_back(const T& value) {
     if (size_ == capacity_) {
       const T kept = value;  // `value` may be an element that moves

@@ -7,7 +7,7 @@
 
 namespace obby {
 
-// Returns "30, 60 or 144" for three words, with `last` for "or". Returns "" for no words.
+// Returns "30, 60 or 144" for three words if `last` is "or". Returns "" for no words.
 std::string listed(const std::vector<std::string>& words, std::string_view last);
 
 }  // namespace obby

@@ -1,6 +1,6 @@
 // Counter-based random numbers: a pure function of (seed, stream, index), so that any thread or GPU
-// lane can draw the numbers of any world in any order and get the same ones. Philox4x32-10 (Salmon
-// et al. 2011) from Random123.
+// lane can draw the numbers of any world in any order, with equal results. Philox4x32-10 (Salmon et
+// al. 2011) from Random123.
 #pragma once
 
 #include <Random123/philox.h>

@@ -23,8 +23,8 @@ ThreadPool::ThreadPool(int threads) {
   try {
     for (int i = 1; i < threads; ++i) workers_.emplace_back([this] { work(); });
   } catch (const std::exception&) {
-    // The system has no thread or memory left. The threads that run cannot be destroyed here, but
-    // they can do the work.
+    // The system has no thread or memory left. The threads already started cannot be destroyed
+    // here, but they can do the work.
   }
 }
 

@@ -11,7 +11,8 @@ namespace obby::bridge {
 namespace {
 
 constexpr auto kSweep = 1 * kj::SECONDS;
-constexpr auto kFarewell = 1 * kj::SECONDS;  // time for clients to read what is left at the end
+// Time for clients to read the remaining messages at the end.
+constexpr auto kFarewell = 1 * kj::SECONDS;
 
 // The event loop and the service on it.
 class Host {
@@ -22,7 +23,7 @@ class Host {
               events_.io.provider->getTimer()},
         options_(options),
         stop_(stop) {
-    signal(SIGCHLD, SIG_DFL);  // a parent may have left it ignored, and exits would be lost
+    signal(SIGCHLD, SIG_DFL);  // a parent may have left SIGCHLD ignored, and exits would be lost
   }
 
   Status open(bool needToken) {

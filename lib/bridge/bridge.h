@@ -16,8 +16,8 @@ struct Options {
   uint16_t port = 0;       // 0 for any free port
   bool pair = false;       // offer a pairing code
   bool needToken = true;   // if false, any program on this machine may use the bridge
-  double idleSeconds = 0;  // ends after this time without a client; 0 for never
-  std::string stateDir;    // its own folder, made if needed
+  double idleSeconds = 0;  // the bridge ends after this time without a client; 0 for never
+  std::string stateDir;    // the bridge's own folder, made if needed
   std::string solve;       // path of obby-solve; empty for the one next to this program
 };
 
@@ -29,7 +29,7 @@ struct Reports {
 };
 
 // Serves over HTTP. Ends without an error when `stop` is set: jobs are interrupted and waited for.
-// Errors are about the port, the folder or the programs.
+// Errors: the port, the folder or a program cannot be used.
 Status serveHttp(const Options& options, const std::atomic<bool>& stop, const Reports& reports);
 
 // Serves over standard input and `output`. Also ends when the input ends.

@@ -26,7 +26,7 @@ class Client {
     wake();
   }
   // Notes that the messages up to `cursor` have gone to a carrier that takes all messages in order.
-  // Later messages are kept longer, until it takes them.
+  // Later messages are kept longer, until the carrier takes them.
   void hold(uint64_t cursor) { ring_.hold(cursor); }
   // Notes that the carrier no longer takes messages.
   void release() { ring_.release(); }
@@ -44,12 +44,12 @@ class Client {
 
   double lastSeen = 0;       // seconds of Loop::now()
   bool mayBeSilent = false;  // the carrier reports a disconnect, so silence means nothing
-  bool socketOpen = false;   // one WebSocket at a time
+  bool socketOpen = false;   // a WebSocket is open; a client has at most one
   bool dropSocket = false;   // asks that WebSocket to close
   bool ending = false;       // asks it to close once all messages have been sent
 
-  // Called before messages are lost, for a carrier that can take all of them at any time. One
-  // record can be more messages than are kept.
+  // Called before messages are lost, if the carrier can take all of them at any time. One record
+  // can need more messages than are kept.
   std::function<void()> beforeLoss;
 
  private:

@@ -15,9 +15,9 @@ namespace obby::bridge {
 struct Imported {
   std::string lines;  // level and query records, with newlines
   size_t levels = 0;
-  std::vector<std::string> queries;   // their ids
+  std::vector<std::string> queries;   // ids of the query records
   std::vector<std::string> warnings;  // JSON of obby-import's reports
-  Reply refusal;                      // if its status is not 200, nothing was read
+  Reply refusal;                      // nothing was read if the status is not 200
 };
 
 // `bytes` are a place file, or records in JSON or Cap'n Proto. The content decides which.

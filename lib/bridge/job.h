@@ -21,7 +21,7 @@ struct JobPlan {
   Command command;
   std::string input;
   std::string answerPath;  // path at which the answer is kept for a warm start, or empty
-  uint64_t warm = 0;       // number of the job whose answer it starts with; 0 for none
+  uint64_t warm = 0;       // number of the job whose answer is the warm start; 0 for none
 };
 
 class Job {
@@ -36,7 +36,7 @@ class Job {
   const std::string& answerPath() const { return plan_.answerPath; }
   uint64_t warm() const { return plan_.warm; }
   Client& client() { return *client_; }
-  uint64_t firstCursor() const { return firstCursor_; }  // messages of this job come after it
+  uint64_t firstCursor() const { return firstCursor_; }  // messages of this job have higher numbers
   uint64_t lastCursor() const { return lastCursor_; }    // its last message; 0 if it has not ended
 
   // Number of long polls so far. An older one ends when a newer one comes.
@@ -67,9 +67,9 @@ class Job {
   JobState state_ = JobState::waiting;
   uint64_t firstCursor_, lastCursor_ = 0;
   std::string cancelled_;   // the reason; empty if it was not cancelled
-  std::string firstError_;  // from the program; later ones may follow from it
-  std::string lastReport_;  // from the program
-  bool complete_ = false;   // its end record has arrived
+  std::string firstError_;  // first error of the program; later errors may be its consequences
+  std::string lastReport_;  // last message of the program on stderr
+  bool complete_ = false;   // the program's end record has arrived
   bool kept_ = false;
   uint64_t answerBytes_ = 0;
   std::optional<io::Sink> answer_;

@@ -28,7 +28,7 @@ class Jobs : private kj::TaskSet::ErrorHandler {
   void cancelAll(const Client* client, const char* why);  // null for all clients
   // Cancels the jobs that have used up their processor time. Must be called every second.
   void boundTime();
-  // Ends all jobs at once, for the end of the bridge.
+  // Ends all jobs at once, when the bridge shuts down.
   void forgetAll();
   bool idle() const { return running_ == 0 && waiting_.empty(); }
   // Resolves once no job runs or waits.
@@ -45,7 +45,7 @@ class Jobs : private kj::TaskSet::ErrorHandler {
   uint64_t last_ = 0;
   uint32_t running_ = 0;
   std::map<uint64_t, std::unique_ptr<Job>> jobs_;
-  std::vector<uint64_t> waiting_;  // in order
+  std::vector<uint64_t> waiting_;  // numbers of waiting jobs, in order of submission
   kj::Vector<kj::Own<kj::PromiseFulfiller<void>>> idleWaiters_;
   kj::Own<kj::TaskSet> tasks_;
 };

@@ -1,4 +1,4 @@
-// Reads members of JSON trees, and copies values of them. lib/io handles records.
+// Reads members of JSON trees, and copies their values. lib/io handles records.
 #pragma once
 
 #include <cstdint>
@@ -33,7 +33,7 @@ Status forElements(const io::JsonTree& tree, const io::JsonTree::Node& node,
 Result<std::string> jsonString(const io::JsonTree& tree, const io::JsonTree::Node& node,
                                const std::string& path);
 
-// Returns "options.speed: unknown (did you mean ...)".
+// Returns the error "options.speed: unknown (did you mean ...)".
 Error unknownMember(const std::string& path, std::string_view name,
                     const std::vector<std::string>& known);
 

@@ -1,5 +1,5 @@
-// Limits of the bridge for its clients. All numbers that limit something are here. Their sources
-// are docs/bridge.md and, for a Studio plugin, the engine's own limits.
+// Limits of the bridge for its clients. This file has all of them. Their sources are docs/bridge.md
+// and, for a Studio plugin, the engine's own limits.
 #pragma once
 
 #include <algorithm>

@@ -28,8 +28,8 @@ class Ring {
   // dropped when the ring is full.
   void push(uint64_t job, std::string_view object);
 
-  // Notes that a carrier, which takes all messages in order, has those up to `cursor`. Later ones
-  // are held until the next call, or until release().
+  // Notes that a carrier, which takes all messages in order, has the messages up to `cursor`. Later
+  // ones are held until the next call, or until release().
   void hold(uint64_t cursor);
   void release() { hold(kNobody); }
 
@@ -48,7 +48,8 @@ class Ring {
   void forgetOld();
 
   uint64_t limit_, max_, bytes_ = 0, next_ = 1;
-  uint64_t taken_ = kNobody;  // messages after it are held
+  // Number of the last message that the carrier has; later messages are held.
+  uint64_t taken_ = kNobody;
   std::deque<Message> messages_;
 };
 

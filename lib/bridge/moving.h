@@ -8,8 +8,8 @@
 
 namespace obby::bridge {
 
-// Returns level records, one a line, with `{}` for every part that is anchored and neither moves
-// nor vanishes. So all parts keep their indices. A line that is not JSON is an error.
+// Returns level records, one per line, with `{}` for every part that is anchored and neither moves
+// nor vanishes. All parts thus keep their indices. A line that is not JSON is an error.
 Result<std::string> movingParts(std::string_view lines);
 
 }  // namespace obby::bridge

@@ -74,7 +74,7 @@ std::vector<std::string> environment() {
 [[noreturn]] void runChild(const Launch& launch) {
   setpgid(0, 0);
   prctl(PR_SET_PDEATHSIG, SIGKILL);
-  // The parent may have died before prctl. Then that signal would never be sent.
+  // The parent may have died before prctl. Then the signal that prctl requests would never be sent.
   if (getppid() != launch.parent) _Exit(127);
   for (const int number : {SIGPIPE, SIGINT, SIGTERM, SIGHUP, SIGCHLD, SIGXFSZ}) {
     ::signal(number, SIG_DFL);
@@ -93,7 +93,7 @@ std::vector<std::string> environment() {
   _Exit(127);
 }
 
-// Moves a descriptor that is 0, 1 or 2, because dup2 onto those would lose it.
+// Moves a descriptor that is 0, 1 or 2 to a higher number, because dup2 onto these would lose it.
 Status aboveStandard(OwnedFd& fd) {
   if (fd.get() > 2) return {};
   OwnedFd higher(fcntl(fd.get(), F_DUPFD_CLOEXEC, 3));

@@ -23,8 +23,8 @@ struct Command {
 };
 
 struct Exit {
-  int code = 0;    // if signal is 0
-  int signal = 0;  // signal that ended it; 0 if it ended by itself
+  int code = 0;    // exit code, valid if signal is 0
+  int signal = 0;  // signal that ended the program; 0 if it ended by itself
 };
 
 class Process {

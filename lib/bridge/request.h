@@ -18,7 +18,7 @@ namespace obby::bridge {
 struct RequestHead : loopback::Head {
   std::optional<std::string_view> authorization, contentType, encoding;
   bool upgrade = false;                              // has an Upgrade header
-  bool webSocket = false;                            // that header asks for a WebSocket
+  bool webSocket = false;                            // the Upgrade header asks for a WebSocket
   std::optional<std::string_view> webSocketVersion;  // "13"
   std::optional<std::string_view> webSocketKey;
 };
@@ -34,7 +34,7 @@ struct Call {
   std::optional<uint64_t> cursor;  // number of the last message that the client has
   std::string session;             // session of the cursor; empty if not given
   double wait = 0;                 // seconds
-  bool moving = false;             // only the parts of a level that move (bridge/moving.h)
+  bool moving = false;             // requests only the parts of a level that move (bridge/moving.h)
   Content content = Content::none;
   bool gzip = false;
   int client = -1;  // owner of the token; -1 if none was sent, which only info and pair allow
@@ -42,7 +42,7 @@ struct Call {
 
 struct Access {
   uint16_t port = 0;      // the port listened on, which Host must name
-  bool needToken = true;  // if false (--no-token), all requests are from one client
+  bool needToken = true;  // if false (--no-token), all requests count as one client's
   // Returns the client of a token, or -1 for none, in constant time.
   std::function<int(std::string_view)> clientOf;
 };

@@ -74,7 +74,7 @@ kj::Promise<void> Run::endingIt(kj::Promise<void> reading) {
         signal(SIGKILL);
         kj::throwFatalException(kj::mv(failure));
       })
-      .eagerlyEvaluate(nullptr);  // at once, not when all streams have ended
+      .eagerlyEvaluate(nullptr);  // Runs at once, not only when all streams have ended.
 }
 
 kj::Promise<Exit> Run::done() {

@@ -14,7 +14,7 @@
 
 namespace obby::bridge {
 
-// The event loop, as the parts of the bridge share it.
+// The event loop that all parts of the bridge share.
 struct Loop {
   kj::LowLevelAsyncIoProvider& io;
   kj::UnixEventPort& events;

@@ -85,7 +85,7 @@ Result<Tokens> Tokens::open(std::string path, size_t max) {
 
 int Tokens::clientOf(std::string_view token) const {
   int found = -1;
-  for (const Entry& entry : entries_) {  // all of them, so that the time reveals nothing
+  for (const Entry& entry : entries_) {  // compares all entries, so that the time reveals nothing
     if (equalInConstantTime(entry.token, token)) found = entry.client;
   }
   return found;
@@ -94,7 +94,7 @@ int Tokens::clientOf(std::string_view token) const {
 Result<std::string> Tokens::add() {
   std::vector<Entry> entries = entries_;
   int next = next_;
-  if (!path_.empty()) {  // another bridge with this folder may have added some
+  if (!path_.empty()) {  // another bridge with this folder may have added tokens
     OBBY_ASSIGN(const Tokens there, open(path_, max_));
     for (const Entry& entry : there.entries_) {
       if (clientOf(entry.token) < 0) entries.push_back({entry.token, next++});

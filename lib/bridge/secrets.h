@@ -25,7 +25,8 @@ class Pairing {
   std::string shown() const;
   // Returns why the code can no longer be used, or "" if it can.
   const char* closed(double now) const;
-  // Checks a code; case and dashes do not matter. A right answer, or the last try, closes it.
+  // Checks a code; case and dashes do not matter. A right answer, or the last try, closes the
+  // pairing.
   bool answer(std::string_view code, double now);
   int triesLeft() const { return tries_; }
 
@@ -39,8 +40,8 @@ class Pairing {
 // The tokens of the paired clients, in a file that only this user may read.
 class Tokens {
  public:
-  // Reads `path`; no file means no tokens. Errors: others may read the file, or it holds anything
-  // but tokens.
+  // Reads the tokens in `path`. A missing file means no tokens. Errors: others may read the file,
+  // or it holds anything but tokens.
   static Result<Tokens> open(std::string path, size_t max);
   // Makes an empty set that is kept in memory only, for tests and for a bridge without a file.
   Tokens() = default;

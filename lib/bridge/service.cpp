@@ -247,7 +247,8 @@ std::string Service::hello(const Client& client, uint64_t cursor) const {
 void Service::sweep() {
   const double now = loop_.now();
   for (const auto& [number, who] : clients_) {
-    if (who->socketOpen) lastSeen_ = now;  // it is connected, whether or not it sends requests
+    // The client is connected, whether or not it sends requests.
+    if (who->socketOpen) lastSeen_ = now;
     if (who->mayBeSilent) continue;
     const double silent = now - who->lastSeen;
     if (silent > limits_.silenceSeconds && who->socketOpen) {

@@ -120,7 +120,7 @@ void StdioFront::writeEvents() {
   }
 }
 
-// A program may write nothing for long. This detects early that the reader has gone.
+// A job may write nothing for a long time. This detects early that the reader has gone.
 kj::Promise<void> StdioFront::readerGone() {
   if (reader_.get() == nullptr) return kj::NEVER_DONE;
   return reader_->whenWriteDisconnected();

@@ -15,7 +15,7 @@ namespace obby::bridge {
 
 class StdioFront {
  public:
-  // Neither argument may be used elsewhere from here on.
+  // The caller must use neither argument afterwards.
   StdioFront(Service& service, io::Sink output);
   ~StdioFront();
 

@@ -11,7 +11,7 @@ namespace obby::bridge {
 
 struct StdioRequest {
   std::string id = "null";                   // JSON, returned with the reply
-  std::variant<Call, Reply> call = Reply{};  // or the reply that refuses it
+  std::variant<Call, Reply> call = Reply{};  // the call, or the reply that refuses the request
   std::string body;
 };
 

@@ -122,7 +122,8 @@ Result<std::optional<StoredLevel>> Store::get(const std::string& id) const {
   if (!has(id)) return std::optional<StoredLevel>();
   OBBY_ASSIGN(const std::string text, io::readFile(path));
   std::error_code ignored;
-  fs::last_write_time(path, fs::file_time_type::clock::now(), ignored);  // evictFor() needs it
+  fs::last_write_time(path, fs::file_time_type::clock::now(),
+                      ignored);  // evictFor() reads this time
   StoredLevel out;
   for (size_t at = 0; at < text.size();) {
     const size_t end = std::min(text.find('\n', at), text.size() - 1) + 1;

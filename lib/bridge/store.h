@@ -15,9 +15,9 @@ namespace obby::bridge {
 
 // A stored level: JSON lines without header and end.
 struct StoredLevel {
-  std::string levels;                // its level records
+  std::string levels;                // level records
   std::vector<std::string> queries;  // a line each
-  std::vector<std::string> reports;  // reports from reading it, one a line
+  std::vector<std::string> reports;  // reports from reading the level, one per line
 };
 
 class Store {
@@ -36,7 +36,7 @@ class Store {
   // disk's.
   Status put(const std::string& id, std::string_view lines,
              const std::vector<std::string>& reports) const;
-  // Returns nothing if the level is not stored, or no longer.
+  // Returns nothing if the level was never stored, or was dropped.
   Result<std::optional<StoredLevel>> get(const std::string& id) const;
 
   // Returns the path at which the answer of a job of this session is stored.

@@ -24,16 +24,16 @@ class Arguments {
   // true if the user set the option in any way; a configuration file that states the default sets
   // nothing.
   bool has(const std::string& name) const;
-  bool flag(const std::string& name) const;                // flag
-  const std::string& text(const std::string& name) const;  // text, file, choice, mode; may be empty
-  int64_t integer(const std::string& name) const;          // integer
-  uint64_t seed(const std::string& name = "seed") const;   // seed
-  double number(const std::string& name) const;            // number or integer
+  bool flag(const std::string& name) const;  // flag
+  // For text, file, choice and mode; may be empty.
+  const std::string& text(const std::string& name) const;
+  int64_t integer(const std::string& name) const;                       // integer
+  uint64_t seed(const std::string& name = "seed") const;                // seed
+  double number(const std::string& name) const;                         // number or integer
   const std::vector<std::string>& list(const std::string& name) const;  // repeatable rows
-  // Returns true if the option was typed on the command line of this call, and is on if it is a
-  // flag. The environment and the configuration file serve many calls, and some calls have no use
-  // for an option. So an option without effect is an error if it is typed, and ignored if it is set
-  // there.
+  // Returns true if the option was typed on this command line; for a flag, only if it is on. An
+  // option without effect is an error if it is typed. It is ignored if the environment or the
+  // configuration file sets it, because those serve many calls.
   bool typed(const std::string& name) const;
 
   // The value of one option, as runTool and tests set it: the table's row and its texts.
@@ -50,7 +50,7 @@ class Arguments {
 };
 
 // Returns an error if one of `names` is typed, because it has no effect with the other options. The
-// error names it, with `message` and `cure`.
+// error names the option, with `message` and `cure`.
 Status refuseTyped(const Arguments& arguments, std::initializer_list<const char*> names,
                    const std::string& message, const std::string& cure);
 

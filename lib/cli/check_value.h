@@ -9,7 +9,7 @@
 namespace obby::cli {
 
 // Returns nothing if `text` is valid, otherwise "expected a whole number from 0 to 16, found
-// \"x\"". Changes `text` to the value's normal spelling: "true" for "yes".
+// \"x\"". Changes `text` to the value's normal spelling, such as "true" for "yes".
 std::optional<std::string> checkValue(const OptionRow& row, std::string& text);
 
 // Returns the value's name in help, or its choices.

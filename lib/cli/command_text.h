@@ -20,9 +20,9 @@ std::string optionText(const std::string& name, const Arguments::Value& value);
 std::string commandText(const std::string& tool, const Arguments& arguments,
                         std::initializer_list<const char*> without);
 
-// Returns how the tool was started, to compare with another process: "with --seed 3", "without
-// --style" and so on for all options but `without`, then the inputs. Two lists of one tool have the
-// same order.
+// Returns how the tool was started, to compare with another process. The list has "with --seed 3",
+// "without --style" and so on for all options except `without`, then the inputs. Two lists of one
+// tool have the same order.
 std::vector<std::string> optionTexts(const Arguments& arguments,
                                      std::initializer_list<const char*> without);
 

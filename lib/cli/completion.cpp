@@ -19,7 +19,7 @@ std::string quotedHelp(const std::string& text) {
   return out;
 }
 
-// Reads one name a line, so that names may contain blanks.
+// Reads one name per line, so that names may contain blanks.
 constexpr const char* kBashFiles = "mapfile -t COMPREPLY < <(compgen -f -- \"$word\")";
 
 std::string bash(const ToolSpec& spec, const std::vector<OptionRow>& rows) {

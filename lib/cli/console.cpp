@@ -26,7 +26,7 @@ constexpr const char* kClearLine = "\r\x1b[K";
 std::string harmless(std::string_view text) { return io::tamed(text, false, '?'); }
 
 // While this object lives, writing to a pipe without a reader fails instead of ending the process,
-// because the output may go elsewhere.
+// since the tool's output may have another reader.
 class PipeSignalHeld {
  public:
   PipeSignalHeld() {
@@ -55,8 +55,8 @@ void writeShown(io::JsonWriter& out, const char* name, const std::string& value)
   if (!value.empty()) out.key(name).raw(io::quoted(value, SIZE_MAX));
 }
 
-// An error about an option has the option's name, or its variable's, in place of a path in a
-// record.
+// Returns true if `path` is an option or a variable. Errors about options have one of these in
+// place of a path in a record.
 bool namesOption(std::string_view path) {
   return path.starts_with('-') || path.starts_with("OBBY_");
 }
@@ -127,7 +127,7 @@ void Console::status(const std::string& text) {
 void Console::put(std::string_view text) {
   const PipeSignalHeld held;
   if (unheard_ || io::sendAll(STDERR_FILENO, text, &stopFlag())) return;
-  unheard_ = errno == EINTR;  // there is nowhere to report other errors
+  unheard_ = errno == EINTR;  // other errors cannot be reported anywhere
 }
 
 }  // namespace obby::cli

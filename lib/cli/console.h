@@ -30,7 +30,7 @@ class Console {
   void tell(const std::string& message);
   // Prints a line unchanged.
   void line(std::string_view text);
-  // Shows a line that the next call overwrites; empty text removes it. Only for terminals.
+  // Shows a line that the next call overwrites; an empty text removes the line. Only for terminals.
   void status(const std::string& text);
 
  private:

@@ -70,7 +70,8 @@ class Context {
 
   // Returns the number of errors reported so far.
   uint64_t errors() const { return errors_; }
-  // Returns true if text written to -o gets colours: it is a terminal, and they are not turned off.
+  // Returns true if text written to -o gets colours: the output is a terminal, and colours are not
+  // turned off.
   bool colorOutput() const;
 
  private:

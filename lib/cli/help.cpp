@@ -16,8 +16,9 @@ namespace {
 constexpr size_t kNarrowest = 40, kWidest = 120;
 constexpr size_t kTwoColumns = 64;                     // min width for two columns
 constexpr size_t kHelpColumn = 28, kNarrowColumn = 8;  // column in which an option's text begins
-constexpr size_t kNameColumn = 6, kNameIndent = 10;    // "  -o, --output", and its continuation
-constexpr size_t kFewExamples = 5;                     // in --help
+// Columns of an option's long name, and of its continuation lines.
+constexpr size_t kNameColumn = 6, kNameIndent = 10;
+constexpr size_t kFewExamples = 5;  // number of examples in --help
 
 std::string usageLine(const ToolSpec& spec, size_t width) {
   return wrapped(fmt::format("Usage: {} {}", spec.name, usageWords(spec)), 0, 4, width) + "\n";

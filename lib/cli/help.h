@@ -25,7 +25,7 @@ std::string versionLine(const ToolSpec& spec);
 std::string helpText(const ToolSpec& spec, const std::vector<OptionRow>& rows,
                      const HelpStyle& style);
 
-// Returns a few lines for a call without any input.
+// Returns the short help for a call without any input.
 std::string shortHelp(const ToolSpec& spec, size_t width);
 
 // Returns "[OPTION]... [FILE]...", the words after the tool's name in its usage.

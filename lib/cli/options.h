@@ -33,7 +33,7 @@ struct OptionRow {
   std::string group = "Options";  // heading in help
   double min = std::numeric_limits<double>::lowest();
   double max = std::numeric_limits<double>::max();
-  int64_t multiple = 1;  // integer: it must be a multiple of this
+  int64_t multiple = 1;  // integer: the value must be a multiple of this
   std::vector<std::string> choices;
   bool repeatable = false;  // may be given more than once; read by Arguments::list()
   std::string bare;         // mode: the value if none is given

@@ -106,7 +106,8 @@ CommandLine parseCommandLine(const ToolSpec& spec, const std::vector<OptionRow>&
   for (const OptionRow& row : rows) options.push_back(addRow(app, row));
   CLI::Option* inputs = nullptr;
   if (spec.takesInputs) {
-    inputs = app.add_option("FILE")->expected(kMaxInputs);  // fewer are no error with this policy
+    // Fewer inputs are no error with CLI11's policy.
+    inputs = app.add_option("FILE")->expected(kMaxInputs);
     inputs->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   }
   Words words = wordsOf(rows, argc, argv);

@@ -37,7 +37,7 @@ class Progress {
  public:
   Progress(ProgressMode mode, Console& console);
   ~Progress();
-  // Shows the state if its time has come, unless the reader of stderr accepts nothing.
+  // Shows the state if it is due, unless the reader of stderr accepts nothing.
   void update(const ProgressState& state);
   // Removes the line that is drawn, until the next update.
   void hide();

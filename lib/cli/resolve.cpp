@@ -55,7 +55,8 @@ class Resolver {
       place.message = *wrong;
       return place;
     }
-    if (!out.row.repeatable) texts.erase(texts.begin(), texts.end() - 1);  // the last one counts
+    if (!out.row.repeatable)
+      texts.erase(texts.begin(), texts.end() - 1);  // only the last value counts
     out.texts = std::move(texts);
     return out;
   }

@@ -29,9 +29,9 @@ extern const char* const kText;  // the schema's source, from schema/CMakeLists.
 namespace obby::cli {
 namespace {
 
-// Occupies closed standard streams. Otherwise a file that is opened could take such a stream's
-// number and receive its data. The placeholder is opened in the wrong direction, so that using the
-// stream remains an error.
+// Occupies closed standard streams. Otherwise a file opened later could get the descriptor of a
+// closed stream and receive its data. The placeholder is opened in the wrong direction, so that
+// using the stream remains an error.
 void occupyStandardStreams() {
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
     if (fcntl(stream, F_GETFD) < 0 && errno == EBADF)

@@ -16,7 +16,7 @@ static_assert(std::atomic<bool>::is_always_lock_free && std::atomic<int>::is_alw
               std::atomic<int64_t>::is_always_lock_free);
 
 // timeout(1) and other launchers send one signal twice, to a process and to its group. A user does
-// not press Ctrl-C again this soon.
+// not press Ctrl-C twice within this time.
 constexpr int64_t kMoment = 300;  // milliseconds
 
 // Reads a clock that is safe in a signal handler.

@@ -1,5 +1,5 @@
 // SIGINT and SIGTERM: the first asks the tool to complete its results, and a later SIGINT ends it.
-// A signal that follows at once counts as the same one, sent twice.
+// A signal that follows immediately counts as the first one, sent twice.
 #pragma once
 
 #include <atomic>

@@ -15,7 +15,7 @@ namespace obby::cli {
 class Context;
 
 // A command line that works as written. Help shows the first five, --help-all and the manual page
-// show all. A test runs each in a folder with copies of levels/.
+// show all. A test runs each example in a folder with copies of levels/.
 struct Example {
   std::string text;     // "Answer all queries of a level"
   std::string command;  // a shell line: "obby-import tower.rbxlx | obby-solve | obby-view"
@@ -33,7 +33,7 @@ struct ToolSpec {
   std::vector<OptionRow> options;
   bool takesInputs = true;  // positional files; standard input if there are none
   // Returns true if the tool reads inputs under these options. Otherwise an input file is an error,
-  // and the tool does not wait for a terminal. Null means that it always reads them.
+  // and the tool does not wait for a terminal. If null, the tool always reads inputs.
   std::function<bool(const Arguments&)> readsInputs;
   // Records go to standard output, whatever --output says.
   bool alwaysToStandardOutput = false;
@@ -46,7 +46,7 @@ struct ToolSpec {
   std::vector<ManualEntry> files;           // files that the tool uses without an option
 };
 
-// Exit codes. `noSolution` and `unknown` tell the verdicts if the user asks for that. An
+// Exit codes. `noSolution` and `unknown` report the verdicts if the user asks for that. An
 // interrupted tool exits with 130 or 143, unless it failed.
 enum class ExitCode { ok = 0, noSolution = 1, failed = 2, unknown = 3 };
 

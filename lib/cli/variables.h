@@ -12,9 +12,9 @@ struct MisspeltVariable {
   std::string name, meant;  // "OBBY_TIME_LIMT", "OBBY_TIME_LIMIT"
 };
 
-// Returns the variables of `environment` that are close to one of `rows` and are not the name of
-// any tool's option: a variable may be for another tool of a pipeline. `environment` has the form
-// of environ.
+// Returns the variables of `environment` that resemble an option of `rows` and set no option of any
+// tool. A variable may be meant for another tool of a pipeline. `environment` has the form of
+// environ.
 std::vector<MisspeltVariable> misspeltVariables(const std::vector<OptionRow>& rows,
                                                 const char* const* environment);
 

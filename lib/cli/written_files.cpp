@@ -48,7 +48,7 @@ Place placeOf(const std::string& path, int standard) {
   return out;
 }
 
-// A file that must not be replaced, and the rest of an error after "the file is also".
+// A file that must not be replaced, and the words that follow "the file is also" in the error.
 struct Kept {
   std::string said;
   Place place;

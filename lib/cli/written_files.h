@@ -11,14 +11,14 @@
 namespace obby::cli {
 
 struct WrittenFile {
-  std::string option;  // the option that names it, without dashes; empty for standard output
+  std::string option;  // the option that names the file, without dashes; empty for standard output
   std::string path;    // "-" for standard output; empty if nothing is written
 };
 
-// Returns an error if one of `written` is an input, the file of another option that is given, or an
-// earlier one. The error names the option and the file. Existing files are compared by device and
-// inode, whatever their names; missing ones by their path. Devices, pipes and folders may be
-// shared, and the file of a `renewed` option may be written.
+// Returns an error if one of `written` is an input, the file of another given option, or an earlier
+// entry of `written`. The error names the option and the file. Existing files are compared by
+// device and inode, whatever their names; missing ones by their path. Devices, pipes and folders
+// may be shared, and the file of a `renewed` option may be written.
 Status refuseOverwriting(const Arguments& arguments, std::span<const WrittenFile> written);
 
 }  // namespace obby::cli

@@ -37,7 +37,7 @@ float Draws::eitherSign(Ends ends) {
 }
 
 float Draws::mixSpin(const Parameter& p) {
-  constexpr float kTicksATurn = 2 * 3.14159265f * 60;  // at 1 rad/s
+  constexpr float kTicksATurn = 2 * 3.14159265f * 60;  // ticks of a turn at 1 rad/s and 60 ticks/s
   const float speed = mixEitherSign(p);
   return kTicksATurn / rounded(kTicksATurn / speed, 1);
 }

@@ -27,14 +27,14 @@ class Draws {
   float mixEitherSign(const Parameter& p) { return eitherSign(endsOf(p)); }
   float mixEitherSign(float easy, float hard) { return eitherSign({easy, hard}); }
   // Like mix(), but returns a spin in rad/s with a random sign. A turn takes a whole number of
-  // ticks at 60 a second, which keeps the turn tables short (kMaxLevelRows of lib/level).
+  // ticks at 60 ticks per second, which keeps the turn tables short (kMaxLevelRows of lib/level).
   float mixSpin(const Parameter& p);
   // Like mix(), but returns a whole number.
   uint32_t mixCount(const Parameter& p);
   // Like mix(), but by the difficulty alone, without noise or rounding.
   float steady(const Parameter& p) const;
 
-  float difficulty() const { return difficulty_; }  // the current obstacle's, 0 to 1
+  float difficulty() const { return difficulty_; }  // difficulty of the current obstacle, 0 to 1
 
  protected:
   // The recipe must outlive this object.

@@ -10,9 +10,9 @@ namespace obby::gen {
 
 namespace {
 
-// Random streams besides the level's own, whose number is the level's index.
+// Numbers of further random streams. The level's own stream has the level's index as its number.
 constexpr uint64_t kLimitStream = uint64_t(1) << 62, kPlantStream = uint64_t(2) << 62;
-// Slack of the limits relative to a steady player.
+// Slack of the time limits: a factor of a steady player's time, and extra seconds.
 constexpr float kTimeSlack = 2.5f, kTimeExtra = 5;
 constexpr uint32_t kJumpSlack = 2, kJumpExtra = 3;
 

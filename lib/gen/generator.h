@@ -13,14 +13,15 @@
 
 namespace obby::gen {
 
-// The constraints of a level's query besides start and goal.
+// The constraints of a level's query in addition to start and goal.
 struct Limits {
   std::vector<uint32_t> waypoints;  // stop indices, in order
   uint32_t maxJumps = 0;            // 0: none
   float timeLimit = 0;              // seconds; 0: none
 };
 
-// A level and its query, before they are written as records. The generator must outlive it.
+// A level and its query, before they are written as records. The generator must outlive this
+// object.
 struct Generated {
   std::string name;   // style, difficulty, seed and index; for an unsolvable twin also its
                       // impossible crossing
@@ -50,7 +51,7 @@ class Generator {
 
   struct Choice {
     const struct Style* style;
-    float until;  // sum of the weights so far
+    float until;  // sum of the weights up to and including this style
   };
   static std::vector<Choice> choices(const std::vector<NamedNumber>& weights, bool inCourses);
   // Returns true if the style extends to the sides, by itself or by the recipe's parameters. The

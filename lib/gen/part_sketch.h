@@ -56,7 +56,7 @@ struct PartSketch {
   std::optional<VanishSketch> vanish;
   std::optional<ButtonSketch> button;
   std::optional<MotionSketch> motion;
-  std::string signal;  // shared by a button and the parts it controls
+  std::string signal;  // name shared by a button and the parts that the button controls
 
   PartSketch& shaped(schema::Shape s) { return shape = s, *this; }
   PartSketch& colored(Color c) { return color = c, *this; }

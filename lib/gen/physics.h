@@ -9,7 +9,7 @@
 
 namespace obby::gen {
 
-// Apply a recipe's changes. Errors: an unknown name or a value out of range, with the path
+// Both apply a recipe's changes. Errors: an unknown name or a value out of range, with the path
 // "physics.NAME".
 Status setPhysics(schema::PhysicsParams::Builder to, const std::vector<NamedNumber>& changes);
 Result<Params> paramsOf(const std::vector<NamedNumber>& changes);

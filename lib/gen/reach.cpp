@@ -6,7 +6,8 @@ namespace obby::gen {
 
 namespace {
 
-// Clamped, since levels with almost no gravity would be millions of studs long.
+// Gravity is clamped to this value, studs/s^2, since levels with almost no gravity would be
+// millions of studs long.
 constexpr float kMinGravity = 4;
 constexpr float kMaxRise = 120, kMaxGap = 200;  // studs
 constexpr float kLegsUsed = 0.9f;  // share of the hip height; higher floors hit the torso

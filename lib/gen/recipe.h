@@ -44,16 +44,17 @@ struct Setting {
 struct Recipe {
   std::vector<NamedNumber> styles;        // weights; empty: all styles equally
   Range difficulty{0.25f, 0.75f};         // 0 to 1; drawn for each level
-  Count obstacles{1, 3};                  // in a level of one style
-  Count courseObstacles{3, 5};            // in a course
+  Count obstacles{1, 3};                  // obstacles in a level of one style
+  Count courseObstacles{3, 5};            // obstacles in a course
   std::vector<NamedNumber> courseStyles;  // weights of the styles in courses; empty: all equally
   float courseFirst = 0.4f;               // a course begins at this share of its difficulty
   float turns = 0.5f;                     // share of landings after which the route turns
-  float waypoints = 0, jumpLimits = 0, timeLimits = 0;  // shares of queries with this constraint
-  Range excess{5, 8};                                   // studs by which an impossible crossing is
-                                                        // out of reach
-  std::vector<Setting> parameters;                      // each parameter at most once
-  std::vector<NamedNumber> physics;                     // changed fields of PhysicsParams
+  // Shares of queries with waypoints, jump limits and time limits.
+  float waypoints = 0, jumpLimits = 0, timeLimits = 0;
+  Range excess{5, 8};                // studs by which an impossible crossing is
+                                     // out of reach
+  std::vector<Setting> parameters;   // each parameter at most once
+  std::vector<NamedNumber> physics;  // changed fields of PhysicsParams
 
   // Parses a JSON object. Errors name the path, the expected value and the one found.
   static Result<Recipe> fromJson(std::string_view text);

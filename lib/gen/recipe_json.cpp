@@ -134,7 +134,7 @@ class Reader {
     return [this](const Node& n, const std::string& path) { return numberOf(n, path); };
   }
 
-  // `both`: the notation for two values, for errors.
+  // `both`: how errors write the form with two values.
   Status pair(const Node& node, const std::string& path, const One& one, Range& out,
               const std::string& both = "[min, max]") const {
     if (node.type != Type::array) {

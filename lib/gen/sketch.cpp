@@ -12,7 +12,7 @@ constexpr float kHeadroom = 6;  // height of a region above a floor, studs
 constexpr float kAskew = 7;     // studs added to an impossible gap on a diagonal route
 constexpr uint64_t kExcessStream = 0x9e3779b97f4a7c15u;
 
-// Two colors of floors for each theme.
+// Two floor colors for each theme.
 constexpr Color kThemes[][2] = {
     {{196, 199, 206}, {168, 173, 184}}, {{214, 190, 150}, {190, 164, 122}},
     {{160, 190, 140}, {134, 166, 116}}, {{186, 170, 210}, {160, 142, 190}},
@@ -81,7 +81,7 @@ float Sketch::highLedge(const Parameter& beyond) {
   return rounded(reach_->rise(), 0.5f) + mix(beyond);
 }
 
-// Turns to another of three headings: ahead, diagonal or sideways, but never back.
+// Turns to another of three headings: ahead, diagonal or sideways. A route never turns back.
 void Sketch::bend(float diameter) {
   constexpr uint32_t kHeadings = 3;
   const int16_t step = int16_t(0x2000 * (bendSide_ < 0 ? -1 : 1));
@@ -170,7 +170,8 @@ void Sketch::start() {
 
 void Sketch::begin(float difficulty) { difficulty_ = clampf(difficulty, 0.0f, 1.0f); }
 
-// The gap can be crossed by walking, so that only the obstacle decides the difficulty.
+// Adds the floor after an obstacle. The gap before it can be crossed by walking, so that only the
+// obstacle decides the difficulty.
 void Sketch::rest(bool last, bool mayTurn) {
   const float near = reach_->walkedGap() * (0.4f + 0.5f * difficulty_);
   const float mine = gap();

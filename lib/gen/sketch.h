@@ -20,11 +20,11 @@ namespace obby::gen {
 struct Stop {
   uint32_t part;
   Vec3 feet;     // middle of its top
-  Vec3 extents;  // full extents of the region in which a player stands on it
+  Vec3 extents;  // full extents of the region in which a player stands on the floor
   Turns heading;
 };
 
-// `planted` is the index of the crossing to make impossible; -1: none.
+// The plan of a sketch. `planted` is the index of the crossing to make impossible, or -1 for none.
 struct SketchPlan {
   int planted = -1;
   float fastest = 0;  // studs/s: the max speed that belts and carriers add to a player
@@ -41,7 +41,7 @@ class Sketch : public Draws, public RouteCursor {
   // --- Measures. Each is a crossing that can be made impossible.
   float gap(float rise = 0, float share = 1);
   float rise(float share = 1);
-  // Like rise(), but never impossible.
+  // Returns a rise like that of rise(), but one that is never impossible.
   float easyRise(float share = 1);
   // Returns the height of a ledge beyond any jump, which needs a tool to climb.
   float highLedge(const Parameter& beyond);
@@ -51,8 +51,8 @@ class Sketch : public Draws, public RouteCursor {
   // Returns a gap that is never impossible, for styles with several routes.
   float sideGap(float share = 1);
   // Returns the studs by which an impassable wall extends beyond its floor on either side. The
-  // result is at least `min`, and large enough that no player gets round the wall, neither from
-  // its floor nor from earlier parts to the side.
+  // result is at least `min`. It is so large that no player gets round the wall, whether from its
+  // floor or from earlier parts to the side.
   float roundabout(float min) const;
 
   // --- Parts
@@ -89,10 +89,10 @@ class Sketch : public Draws, public RouteCursor {
   const std::string& plantedWhat() const { return plantedWhat_; }
   float fastest() const { return fastest_; }
   uint32_t jumps() const { return jumps_; }
-  float seconds() const;  // estimate for a steady player
+  float seconds() const;  // returns the estimated time of a steady player, seconds
   // Returns the color of the current theme's next floor.
   Color shade();
-  // Returns a name such as "door 2", shared by a button and the parts it controls.
+  // Returns a name such as "door 2", shared by a button and the parts that the button controls.
   std::string signal(const char* kind);
   // Notes that a part carries or throws players at this speed, studs/s.
   void noteCarrier(float speed) { fastest_ = maxf(fastest_, speed); }

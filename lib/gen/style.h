@@ -11,9 +11,9 @@ class Sketch;
 struct Parameter {
   const char* name;         // name in recipes, within its style
   const char* unit;         // "studs"; "" for a count or a share
-  float easy, hard;         // at difficulty 0 and 1, unless the recipe gives others
+  float easy, hard;         // values at difficulty 0 and 1, unless the recipe sets others
   float min, max;           // range allowed in recipes
-  const char* description;  // for listings
+  const char* description;  // text in listings
 };
 
 // Appends one obstacle ahead of the sketch's edge and moves the edge behind it. The result depends

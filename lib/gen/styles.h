@@ -19,7 +19,8 @@ const Style* findStyle(std::string_view name);
 // Returns the style in a generated level's name (Generated::name), or null if there is none.
 const Style* styleOfLevel(std::string_view levelName);
 
-// `path`: location of the name, for the error of an unknown name, which suggests similar ones.
+// These return the style or parameter with this name. Error at `path`: an unknown name. The hint
+// lists similar names.
 Result<const Style*> styleNamed(std::string_view name, const std::string& path);
 Result<const Parameter*> parameterNamed(const Style& style, std::string_view name,
                                         const std::string& path);

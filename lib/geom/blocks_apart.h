@@ -16,8 +16,8 @@ using Separation = SeparationT<float>;
 
 namespace internal {
 
-// Studs by which an edge must beat a face, and the second shape the first. Without this preference
-// a resting contact would switch axes from tick to tick.
+// Studs by which an edge axis must beat a face axis, and a later face axis an earlier one. Without
+// this preference a resting contact would switch axes from tick to tick.
 constexpr float kPreference = 1e-3f;
 // Edges count as parallel if the squared sine of their angle is smaller: the faces then separate as
 // well. The bound is tight because long edges cross at very small angles.

@@ -16,7 +16,7 @@ OBBY_DEVICE const F& at(const Vec3T<F>& v, int i) {
 }
 
 // Tests a unit axis. `apart` is the signed distance of the centres along it, `radii` the sum of
-// both extents. Returns false for a separated lane; its contact is meaningless from then on.
+// both extents. Returns false for a separated lane, whose contact is meaningless from then on.
 template <class F>
 OBBY_DEVICE MaskOf<F> keepMin(ContactT<F>& best, F apart, F radii, Vec3T<F> axis) {
   const F depth = radii - absf(apart);
@@ -33,9 +33,9 @@ struct ScaledContact {
   F length2;
 };
 
-// Tests the cross product of shape axis i, a unit axis of the local frame, and body axis j. It is
-// perpendicular to both, so only the two other axes of each count. Depths are compared as
-// fractions, so that one division is enough for all axes.
+// Tests the cross product of shape axis i, a unit axis of the local frame, and body axis j. The
+// product is perpendicular to both, so only the two other axes of each shape count. Depths are
+// compared as fractions, so that one division is enough for all axes.
 template <int i, int j, class F>
 OBBY_DEVICE void keepCross(ScaledContact<F>& best, const LocalBoxT<F>& box, Vec3T<F> half) {
   const Vec3T<F>* const axes[3] = {&box.axes.x, &box.axes.y, &box.axes.z};
@@ -50,7 +50,8 @@ OBBY_DEVICE void keepCross(ScaledContact<F>& best, const LocalBoxT<F>& box, Vec3
       (absf(along(*axes[k])) * at(box.half, k) + absf(along(*axes[l])) * at(box.half, l));
   const F apart = along(box.center);
   const F depth = radii - absf(apart), min = best.contact.depth;
-  const MaskOf<F> counts = n2 >= 1e-6f;  // otherwise parallel, and the faces cover that case
+  // Otherwise the edges are parallel, and the faces cover that case.
+  const MaskOf<F> counts = n2 >= 1e-6f;
   const MaskOf<F> less =
       counts & ((depth < 0.0f) | (depth * depth * best.length2 < min * min * n2));
   // The depth of a lane that is already separated stays below 0.
@@ -96,7 +97,7 @@ OBBY_DEVICE ContactT<F> boxBlock(Vec3T<F> half, const LocalBoxT<F>& box) {
                     internal::keepCrosses<1>(scaled, box, half) &&
                     internal::keepCrosses<2>(scaled, box, half);
   if (!meet) return scaled.contact;
-  const F inverse = 1.0f / sqrtf32(scaled.length2);  // 1 if a face is best
+  const F inverse = 1.0f / sqrtf32(scaled.length2);  // scaled.length2 is 1 if a face is best
   return {scaled.contact.depth * inverse, scaled.contact.normal * inverse};
 }
 

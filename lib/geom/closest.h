@@ -1,6 +1,6 @@
 // Closest approach of the cores of two shapes, by the algorithm of Gilbert, Johnson and Keerthi.
-// The core of a ball is its centre. That of a cylinder is its axis, or a slightly smaller cylinder.
-// Other shapes are their own core.
+// The core of a ball is its centre. The core of a cylinder is its axis, or a slightly smaller
+// cylinder. Other shapes are their own core.
 #pragma once
 
 #include "geom/convex.h"

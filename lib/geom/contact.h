@@ -27,8 +27,9 @@ using UprightBox = UprightBoxT<float>;
 
 template <class F>
 struct ContactT {
-  F depth;          // studs; negative when apart
-  Vec3T<F> normal;  // unit; moving the box by depth * normal separates them; meaningless when apart
+  F depth;  // studs; negative when apart
+  // Unit; moving the box by depth * normal separates it from the shape; meaningless when apart.
+  Vec3T<F> normal;
 };
 
 using Contact = ContactT<float>;

@@ -1,4 +1,4 @@
-// A convex shape of any kind in the world, with the queries for tests between two shapes.
+// A convex shape of any kind at a world pose, with the functions that tests between two shapes use.
 #pragma once
 
 #include "geom/shapes/table.h"

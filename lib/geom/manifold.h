@@ -16,8 +16,8 @@ OBBY_DEVICE void see(Ring& ring, const Convex& c, Vec3 toward, const ViewT<float
   for (int i = 0; i < count; ++i) ring.add(true, view.see(corners[i]));
 }
 
-// Returns the plane of a ring. The plane of a line is level across the line. That of a point is
-// level.
+// Returns the plane of a ring. The plane of a line is level across the line, and the plane of a
+// point is level.
 OBBY_DEVICE PlaneT<float> planeOf(const Ring& r) {
   const Vec3 a = r.at(0);
   if (r.count == 1) return {a.z, 0, 0};
@@ -91,8 +91,7 @@ OBBY_APART Manifold manifold(const Convex& a, const Convex& b, const Separation&
   see(ringB, b, -s.normal, view);
   if (ringA.count == 0 || ringB.count == 0) return out;  // a hull without a face on that side
   // The second of two blocks is the frame: bodies usually lie on larger parts, and a ring inside
-  // the frame is not cut. For other shapes the first is the frame, because rims are best cut by
-  // themselves.
+  // the frame is not cut. For other shapes the first is the frame if it has a face.
   const bool aIsFrame = ringA.count >= 3 && !(isBlock(a.kind) && isBlock(b.kind));
   const Ring &whole = aIsFrame ? ringB : ringA, &frame = aIsFrame ? ringA : ringB;
   Ring work[2];

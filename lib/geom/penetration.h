@@ -12,13 +12,13 @@ namespace obby::geom {
 namespace internal {
 
 // Tests the unit vector `n` as a separating axis in the shape's frame. Keeps the smallest overlap
-// in `best`. Returns false if they are separated.
+// in `best`. Returns false if the axis separates box and shape.
 template <class Shape>
 OBBY_DEVICE bool testAxis(const ShapeData& shape, const LocalBox& box, Vec3 n, Contact& best) {
   const float c = dot(box.center, n);
   const float r = dot(abs(toLocal(box.axes, n)), box.half);
   const float up = Shape::support(shape, n) - (c - r);     // move the box along +n
-  const float down = (c + r) + Shape::support(shape, -n);  // or along -n
+  const float down = (c + r) + Shape::support(shape, -n);  // move the box along -n
   if (up < best.depth) best = {up, n};
   if (down < best.depth) best = {down, -n};
   return best.depth >= 0;
@@ -29,7 +29,7 @@ OBBY_DEVICE bool testCrossAxis(const ShapeData& shape, const LocalBox& box, Vec3
                                Contact& best) {
   const Vec3 n = cross(a, b);
   const float n2 = dot(n, n);
-  if (n2 < 1e-6f) return true;  // parallel, which the faces cover
+  if (n2 < 1e-6f) return true;  // parallel edges, a case that the faces cover
   return testAxis<Shape>(shape, box, n * (1.0f / sqrtf32(n2)), best);
 }
 
@@ -65,8 +65,8 @@ OBBY_DEVICE Contact dispatch(Block, const ShapeData& shape, const LocalBox& box)
 
 }  // namespace internal
 
-// Tests a box with any rotation, in the frame of the shape; the normal is in that frame, too. The
-// depth is >= 0 if they overlap. Otherwise the result is that of the first separating axis found.
+// Tests a box with any rotation. Box and normal are in the frame of the shape. The depth is >= 0 if
+// they overlap. Otherwise the result is that of the first separating axis found.
 OBBY_DEVICE Contact penetration(ShapeKind kind, const ShapeData& shape, const LocalBox& box) {
   return visitShape(kind, [&](auto s) { return internal::dispatch(s, shape, box); });
 }

@@ -1,5 +1,5 @@
 // Clips facing polygons, projected along the normal of a contact, and finds the points with the
-// smallest gaps between them. For one pair or lanes of pairs.
+// smallest gaps between them. The code is for one pair or lanes of pairs.
 #pragma once
 
 #include "geom/shape.h"
@@ -88,7 +88,7 @@ OBBY_DEVICE void cut(const RingT<F>& subject, Vec3T<F> a, Vec3T<F> b, F side, Ri
   }
 }
 
-// Returns true if the whole ring is on that side of the line.
+// Returns true if the whole ring is to the left of the line, or to the right if `side` is -1.
 template <class F>
 OBBY_DEVICE bool isWithin(const RingT<F>& ring, Vec3T<F> a, Vec3T<F> b, F side) {
   MaskOf<F> within = true;
@@ -127,7 +127,7 @@ struct PlaneT {
 template <class F>
 OBBY_DEVICE PlaneT<F> planeOfFace(const RingT<F>& r) {
   const Vec3T<F> a = r.at(0), n = cross(r.at(1) - a, r.at(2) - a);
-  const MaskOf<F> upright = absf(n.z) < 1e-6f;  // then any plane will do
+  const MaskOf<F> upright = absf(n.z) < 1e-6f;  // the plane is vertical, and any plane serves
   const F x = select(upright, F(0.0f), -n.x / n.z), y = select(upright, F(0.0f), -n.y / n.z);
   return {a.z - x * a.x - y * a.y, x, y};
 }
@@ -144,8 +144,8 @@ OBBY_DEVICE void findGaps(const RingT<F>& subject, const PlaneT<F>& a, const Pla
   }
 }
 
-// Keeps the four most stable points: the deepest, the farthest from it, and the widest to both
-// sides.
+// Keeps the four most stable points: the deepest point, the farthest from it, and the outermost to
+// both sides of their line.
 template <class F>
 OBBY_DEVICE void reduce(const GapsT<F>& gaps, ManifoldT<F>& out) {
   using Int = IntOf<F>;

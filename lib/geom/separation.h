@@ -31,8 +31,8 @@ OBBY_APART void tryCrosses(Separation& best, const Convex& a, const Convex& b) {
   }
 }
 
-// Tries the axes of round shapes, from core to core. A rim against an edge, a corner or another rim
-// is also tried from a slightly smaller cylinder, which is apart from the other shape unless they
+// Tries the axes of round shapes, from core to core. For a rim against an edge, a corner or another
+// rim, a slightly smaller cylinder is also tried. It is apart from the other shape unless the two
 // overlap deeply.
 OBBY_APART void tryRound(Separation& best, const Convex& a, const Convex& b) {
   const auto toward = [&](Vec3 v) {

@@ -20,7 +20,7 @@
 
 namespace obby::geom {
 
-// The order is that of the schema's Shape.
+// The values have the order of the schema's Shape.
 enum class ShapeKind : uint8_t { block, ball, cylinder, wedge, cornerWedge, truss, hull };
 
 constexpr int kMaxFeature = 8;

@@ -41,7 +41,8 @@ Status Appender::append(std::string_view piece) {
   const off_t before = isRegular() ? ::lseek(fd_, 0, SEEK_END) : -1;
   if (sendAll(fd_, piece, stop_)) return {};
   Error error = fileError(path_, "cannot write");
-  if (before >= 0) std::ignore = ::ftruncate(fd_, before);  // a full disk takes only a part
+  // Removes the part of the piece that a full disk accepted.
+  if (before >= 0) std::ignore = ::ftruncate(fd_, before);
   return error;
 }
 

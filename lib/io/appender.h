@@ -12,8 +12,8 @@ namespace obby::io {
 
 class Appender {
  public:
-  // Opens a file to append to. An error names the file and the reason. A named pipe waits for its
-  // reader; for `stop` see Sink::open.
+  // Opens a file to append to. An error names the file and the reason. Opening a named pipe waits
+  // for its reader. Sink::open explains `stop`.
   static Result<Appender> open(const std::string& path, const std::atomic<bool>* stop = nullptr);
 
   Appender(Appender&& other) noexcept;

@@ -109,13 +109,13 @@ bool ByteSource::waitReadable() const {
 }
 
 // Called after a read has failed. Returns true to try again. An input that other programs share,
-// such as a terminal or a socket, may be non-blocking; then this waits.
+// such as a terminal or a socket, may be non-blocking. In that case this waits.
 bool ByteSource::readAgain() const {
   if (errno == EAGAIN && !stop_) {
     pollfd waiting{fd_, POLLIN, 0};
-    return ::poll(&waiting, 1, -1) >= 0;  // a signal also interrupts it, as it does a read
+    return ::poll(&waiting, 1, -1) >= 0;  // a signal interrupts poll() as it interrupts a read
   }
-  return errno == EAGAIN || (errno == EINTR && stop_);  // to wait again, or to check `stop`
+  return errno == EAGAIN || (errno == EINTR && stop_);  // true to wait again, or to check `stop`
 }
 
 Result<size_t> ByteSource::fill() {
@@ -130,8 +130,8 @@ Result<size_t> ByteSource::fill() {
   } while (got < 0 && readAgain());
   buffer_.resize(before + size_t(std::max<ssize_t>(got, 0)));
   if (got < 0) return fileError(name_, "cannot read");
-  // A file returns all bytes that are asked for, a pipe only the bytes that it holds. A larger
-  // buffer for a pipe would be cleared in vain each time.
+  // A read from a file returns all requested bytes, a read from a pipe only the bytes that it
+  // holds. A larger buffer for a pipe would be cleared for nothing.
   max_ = size_t(got) == chunk ? std::min(2 * chunk, kLargestChunk) : kChunk;
   ended_ = got == 0;
   return size_t(got);

@@ -1,6 +1,6 @@
 // Bytes of a file, a pipe or memory, read as they arrive. A buffer grows only by what has arrived,
 // so that a false size costs nothing. It is for callers that must see how an input begins before
-// they choose its reader; for others StreamReader and readFile() are enough.
+// they choose its reader. Others use StreamReader or readFile().
 #pragma once
 
 #include <atomic>
@@ -18,8 +18,8 @@ inline constexpr const char* kStandardInput = "stdin";
 // The message of an error for which isInterrupted() is true.
 inline constexpr const char* kInterrupted = "interrupted";
 
-// Returns an error from errno. It names the file and the failed action, "cannot read". For EINTR
-// the message is kInterrupted.
+// Returns an error from errno. It names the file and the failed action, such as "cannot read". For
+// EINTR the message is kInterrupted.
 Error fileError(const std::string& name, const char* doing);
 
 class ByteSource {
@@ -45,10 +45,10 @@ class ByteSource {
 
   // Waits for more. Returns the number of bytes that arrived, 0 at the end (or when stopped).
   Result<size_t> fill();
-  // Calls fill() until `bytes` are buffered. Returns false if the input ends before.
+  // Calls fill() until `bytes` are buffered. Returns false if the input ends first.
   Result<bool> need(size_t bytes);
   // Returns and consumes all bytes up to the end (or until stopped). More than `max` bytes are an
-  // error; of a regular file none is read then.
+  // error; then nothing of a regular file is read.
   Result<std::string> rest(uint64_t max);
 
  private:

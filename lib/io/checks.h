@@ -15,18 +15,18 @@ namespace obby::io {
 // Returns "a number from 0 to 2000", "a whole number from 0 to 255", "true or false", ...
 std::string expectation(const TypePlan& type);
 
-// These return nothing if `value` is valid for a field of this type, otherwise what is wrong. Real
-// numbers must be finite, and all numbers must be in range.
+// refuseReal() and refuseWhole() return nothing if `value` is valid for a field of this type,
+// otherwise a message. Real numbers must be finite, and all numbers must be in range.
 std::optional<std::string> refuseReal(const TypePlan& type, double value);
 std::optional<std::string> refuseWhole(const TypePlan& type, double value);
 
 // Returns true if a field differs from an absent one: numbers, names and tuples that differ from
-// their default, texts and lists that are not empty, and structs that are present (a `kill` is one
-// even if all its fields are defaults).
+// their default, texts and lists that are not empty, and structs that are present (a `kill` is set
+// even if all its fields have their defaults).
 bool isSet(const FieldPlan& field, capnp::DynamicStruct::Reader in);
 
-// Returns nothing if the scalar or text is valid for a field of this type, otherwise what is wrong
-// with it. Structs and lists are always valid.
+// Returns nothing if the scalar or text is valid for a field of this type, otherwise a message.
+// Structs and lists are always valid.
 std::optional<std::string> refuseScalar(const TypePlan& type,
                                         const capnp::DynamicValue::Reader& value);
 

@@ -5,7 +5,8 @@
 namespace obby::io {
 namespace {
 
-// Words of a record's root, counted twice, and a margin: the root is made before it is copied.
+// Words of a record's root, counted twice, plus a margin. The root is allocated before it is
+// copied, so it takes memory twice.
 constexpr uint64_t kRoot = 16;
 
 uint64_t wordsOf(const Record& record) { return record.reader().totalSize().wordCount + kRoot; }

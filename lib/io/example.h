@@ -1,5 +1,4 @@
-// Examples of the schema's objects, for errors where a value of another form was found. Private to
-// lib/io.
+// Examples of the schema's objects, for errors about values of another form. Private to lib/io.
 #pragma once
 
 #include <string>

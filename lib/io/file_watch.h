@@ -1,4 +1,4 @@
-// Detects changes of files by their size and modification time, which are read on request.
+// Detects changes to files by their size and modification time, which are read on request.
 #pragma once
 
 #include <atomic>

@@ -17,8 +17,8 @@ inline constexpr const char* kCutOffHint = "it was cut off: run the tool that wr
 class Framing {
  public:
   // Accepts every record in order. `record` is nothing if it was bad or of an unknown kind.
-  // `oldestMajor` is the oldest schema version that the format can be read in. Errors have no input
-  // and place.
+  // `oldestMajor` is the oldest schema version that the format can be read in. Errors lack the
+  // input and the place.
   Status accept(const std::optional<schema::Record::Reader>& record, const std::string& place,
                 uint32_t oldestMajor);
   // Returns an error if the input must not end here.

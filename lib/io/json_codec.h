@@ -19,8 +19,8 @@ Result<RecordBuilder> recordFromJson(std::string_view line);
 
 // Reads a line like recordFromJson(), but returns nothing for a kind that the schema does not have.
 // `misspelt` receives the first few ignored fields with a name close to a field of the schema; a
-// kind close to one of the schema is an error. Null allows both, for records of a later schema,
-// where they may have a meaning.
+// kind close to one of the schema is an error. If `misspelt` is null, both are allowed: in records
+// of a later schema they may have a meaning.
 Result<std::optional<RecordBuilder>> recordFromJsonIfKnown(std::string_view line,
                                                            std::vector<Error>* misspelt = nullptr);
 

@@ -25,7 +25,7 @@ std::string placeAt(std::string_view text, size_t count) {
 
 constexpr std::string_view kUnexpected = "unexpected ", kExpected = "; expected ";
 
-// Returns the parser's name of a token in plain words.
+// Returns plain words for the parser's name of a token.
 std::string plain(std::string_view token) {
   constexpr std::pair<std::string_view, std::string_view> kNames[] = {
       {"string literal", "a string in double quotes"},
@@ -43,7 +43,7 @@ std::string expectedBy(std::string_view message) {
   const size_t at = message.rfind(kExpected);
   if (at == std::string_view::npos) return "JSON";
   const std::string_view token = message.substr(at + kExpected.size());
-  const bool closes = token == "'}'" || token == "']'";  // or another element follows
+  const bool closes = token == "'}'" || token == "']'";  // otherwise another element must follow
   return (closes ? "',' or " : "") + plain(token);
 }
 
@@ -84,7 +84,7 @@ class JsonTreeBuilder {
  private:
   struct Open {
     uint32_t node;
-    uint32_t last;  // its last element so far; 0 for none
+    uint32_t last;  // last element so far of the open array or object; 0 for none
   };
 
   bool add(JsonTree::Type type, uint64_t value, uint32_t length = 0) {

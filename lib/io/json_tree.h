@@ -16,7 +16,8 @@ class JsonTree {
   enum class Type : uint8_t { null, no, yes, negative, whole, real, text, array, object };
 
   struct Node {
-    uint64_t value = 0;   // whole; negative: bits of int64_t; text, real: offset in texts
+    // Whole: the value; negative: bits of int64_t; text, real: offset in texts.
+    uint64_t value = 0;
     uint32_t length = 0;  // text, real: bytes; array, object: elements
     uint32_t child = 0;   // array, object: the first element
     uint32_t next = 0;    // the element after this one; 0 for none
@@ -54,7 +55,7 @@ class JsonTree {
 
   // Errors have only a message: the column and what is wrong there.
   static Result<JsonTree> parse(std::string_view text);
-  // The end of the message if a value is incomplete.
+  // A message about an incomplete value ends with this text.
   static constexpr std::string_view kCutOff = "the text ends in the middle of a value";
 
   const Node& root() const { return nodes_[0]; }

@@ -88,7 +88,8 @@ JsonWriter& JsonWriter::value(std::string_view text) {
 
 JsonWriter& JsonWriter::value(double number) {
   if (!std::isfinite(number)) return null();
-  if (number == 0 && std::signbit(number)) return raw("-0.0");  // "-0" is the whole number 0
+  if (number == 0 && std::signbit(number))
+    return raw("-0.0");  // "-0" would read back as the whole number 0
   separate();
   fmt::format_to(std::back_inserter(text_), "{}", number);
   return *this;

@@ -27,7 +27,8 @@ class JsonWriter {
   JsonWriter& value(std::string_view text);  // U+FFFD for a byte that is not UTF-8
   JsonWriter& value(const char* text) { return value(std::string_view(text)); }
   JsonWriter& value(bool flag) { return raw(flag ? "true" : "false"); }
-  JsonWriter& value(double number);  // shortest text that parses to the same; null if not finite
+  // The shortest text that parses to the same number; null if not finite.
+  JsonWriter& value(double number);
   JsonWriter& value(float number);
   template <std::integral T>
   requires(!std::same_as<T, bool>) JsonWriter& value(T number) {
@@ -68,7 +69,7 @@ class JsonWriter {
   }
 
   std::string text_;
-  std::string closers_;  // the closing brackets of the open ones
+  std::string closers_;  // the closing brackets of all open brackets
   bool comma_ = false;
 };
 

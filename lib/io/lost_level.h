@@ -1,5 +1,5 @@
 // Detects levels that could not be read. A query that names no level belongs to the level before
-// it. If that level is lost, the query must not be used with an earlier one. Private to lib/io.
+// it. If that level is lost, the query must not be used with an earlier level. Private to lib/io.
 #pragma once
 
 #include <cstdint>
@@ -10,8 +10,8 @@
 
 namespace obby::io {
 
-// These return true if a record that could not be read was a level, or may have been one. The
-// record is a line or the words of a message.
+// Both return true if a record that could not be read was a level, or may have been one. The
+// argument is a line, or the words of a message.
 bool mayBeLevel(std::string_view line);
 bool mayBeLevel(const std::vector<uint64_t>& words);
 

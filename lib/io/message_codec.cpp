@@ -17,7 +17,8 @@ namespace {
 using Words = std::vector<uint64_t>;
 
 constexpr uint32_t kMaxSegments = 512;
-// Reading may touch a word more than once, but not endlessly; small messages get a floor.
+// Limit on the words that reading may visit, as a multiple of the message's words. Small messages
+// get at least the floor.
 constexpr uint64_t kTraversalFactor = 4, kTraversalFloor = uint64_t(64) << 10;
 
 uint32_t half(const Words& words, size_t i) {
@@ -36,7 +37,7 @@ bool isText(std::string_view begin) {
   });
 }
 
-// Returns the words of the segment table, given its first word.
+// Returns the number of words in the segment table. `words` has at least the first of them.
 Result<size_t> tableWords(const Words& words) {
   const uint64_t segments = uint64_t(half(words, 0)) + 1;
   if (segments > kMaxSegments)
@@ -46,7 +47,7 @@ Result<size_t> tableWords(const Words& words) {
   return size_t(segments / 2 + 1);
 }
 
-// Returns the words of all segments, given the whole table.
+// Returns the number of words in all segments. `words` has the whole segment table.
 Result<size_t> bodyWords(const Words& words) {
   const uint64_t segments = uint64_t(half(words, 0)) + 1;
   uint64_t sum = 0;
@@ -146,10 +147,10 @@ Result<std::string> messageFromRecord(schema::Record::Reader record, bool packed
 }
 
 Looks looksLikeMessage(std::string_view begin) {
-  // An unpacked message starts with the little-endian count of its segments minus one. Read like
-  // this, a packed message starts with a huge count. Its first bytes are a tag, at most two bytes
-  // of the count, bytes of the first segment's size, and the tag of the next word. None of these is
-  // zero.
+  // An unpacked message starts with the little-endian count of its segments minus one. Read the
+  // same way, a packed message starts with a huge count. Its first bytes are a tag, at most two
+  // bytes of the count, bytes of the first segment's size, and the tag of the next word. None of
+  // these is zero.
   if (begin.size() < 4) return Looks::neither;
   uint32_t segments = 0;
   std::memcpy(&segments, begin.data(), 4);

@@ -20,7 +20,8 @@ struct RawMessage {
   std::string bytes;
 };
 
-// Returns the next message, or nothing at the end of the input. Errors have no input and place.
+// Returns the next message, or nothing at the end of the input. Errors lack the input and the
+// place.
 Result<std::optional<RawMessage>> readMessage(ByteSource& source, bool packed);
 
 // Returns the record in a message, checked and copied, or nothing for a kind that the schema lacks.
@@ -29,7 +30,7 @@ Result<std::optional<RecordBuilder>> recordFromWords(const std::vector<uint64_t>
 // Returns the normal form of a record as one message.
 Result<std::string> messageFromRecord(schema::Record::Reader record, bool packed);
 
-// Tells whether `begin` (8 bytes or more, or the whole input) can begin a stream of messages.
+// The encoding of which `begin` (at least 8 bytes, or the whole input) can be the start.
 enum class Looks { unpacked, packed, neither };
 Looks looksLikeMessage(std::string_view begin);
 

@@ -92,7 +92,7 @@ Result<RecordBuilder> normalForm(schema::Record::Reader in, uint64_t words) {
   const Reader record(in);
   const FieldPlan* kind = kindOf(record);
   if (!kind) return makeError("cannot convert a record of a kind that this program lacks");
-  // The copy has no more than `in`, except the kind.
+  // Apart from the kind, the copy has no more words than `in`.
   RecordBuilder out(1 + words + kind->type.record->words());
   Copier copier;
   const Builder root(out.root());
@@ -107,7 +107,7 @@ Result<RecordBuilder> normalForm(schema::Record::Reader in, uint64_t words) {
 Error unsoundMessage(const kj::Exception& exception) {
   std::string what = exception.getDescription().cStr();
   if (const size_t code = what.rfind("; "); code != std::string::npos) what.erase(0, code + 2);
-  what = what.substr(0, what.find(".  "));  // advice for programmers follows
+  what = what.substr(0, what.find(".  "));  // cuts off the advice for programmers that follows
   if (what.ends_with('.')) what.pop_back();
   return makeError("invalid Cap'n Proto message: " + what);
 }

@@ -16,9 +16,9 @@
 
 namespace obby::io {
 
-// Returns the normal form of `in`. It is in one segment if `in` was written by this version and has
-// at most `words` words. The kind must be known. Errors name the path. May throw kj::Exception if
-// `in` is an unsound message.
+// Returns the normal form of `in`, in one segment if this version wrote `in` and `in` has at most
+// `words` words. The kind must be known. Errors name the path. May throw kj::Exception if `in` is
+// an unsound message.
 Result<RecordBuilder> normalForm(schema::Record::Reader in, uint64_t words);
 
 // Returns Cap'n Proto's reason why a message is unsound, without the place in its source code.

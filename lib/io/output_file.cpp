@@ -31,7 +31,7 @@ static_assert(kLocked.size() == kPattern.size());
 std::string marked(const fs::path& file, std::string_view end) {
   std::string name = file.filename().string();
   const size_t longest = NAME_MAX - kMark.size() - end.size();
-  if (name.size() > longest && name.size() <= NAME_MAX) {  // longer names stay an error
+  if (name.size() > longest && name.size() <= NAME_MAX) {  // names over NAME_MAX remain an error
     const std::string digest =
         fmt::format("-{:08x}", uint32_t(hashBytes(name.data(), name.size())));
     name = std::string(cutAtChar(name, longest - digest.size())) + digest;
@@ -46,7 +46,7 @@ bool onDisk(int fd) {
   do {
     result = ::fsync(fd);
   } while (result != 0 && errno == EINTR);
-  return result == 0 || errno == EINVAL;  // not supported
+  return result == 0 || errno == EINVAL;  // EINVAL: the file system does not support it
 }
 
 mode_t modeFor(const std::string& path, mode_t mode) {
@@ -87,7 +87,8 @@ OutputFile::~OutputFile() {
   if (!temporary_.empty()) ::unlink(temporary_.c_str());
 }
 
-// The contents must be on the disk before the rename. Otherwise the new name may be there first.
+// The contents must be on the disk before the rename. Otherwise a crash could leave the new name
+// without the contents.
 Status OutputFile::close(bool durable) {
   if (durable && !onDisk(fd_)) return fileError(path_, "cannot write");
   const int result = ::close(std::exchange(fd_, -1));
@@ -118,7 +119,7 @@ Status OutputFile::syncFolder() const {
 
 OutputLocks::~OutputLocks() {
   for (const Held& held : held_) {
-    ::unlink(held.path.c_str());  // while it is still locked
+    ::unlink(held.path.c_str());  // removes the lock file while it is still locked
     ::close(held.fd);
   }
 }

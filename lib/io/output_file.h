@@ -20,16 +20,16 @@ std::string linkTarget(const std::string& path);
 class OutputFile {
  public:
   // Makes a file next to `path`, which it is to become. It has ".obby-unfinished-" and six letters
-  // or digits after its name; a very long name is cut. It gets the mode of the file that is there,
-  // or `mode` less the process's mask. Errors name `path`.
+  // or digits after its name; a very long name is cut. It gets the mode of the existing file, or
+  // `mode` less the process's mask. Errors name `path`.
   static Result<std::unique_ptr<OutputFile>> create(const std::string& path, mode_t mode = 0666);
-  ~OutputFile();  // removes it if it is not finished
+  ~OutputFile();  // removes the file if finish() has not succeeded
   OutputFile(const OutputFile&) = delete;
   OutputFile& operator=(const OutputFile&) = delete;
 
   int fd() const { return fd_; }
   // Closes the file and gives it its name. With `durable`, waits until it is on the disk under that
-  // name. On failure `path` names what it did before, unless only the wait for the name failed.
+  // name. On failure `path` still names the old file, unless only the wait for the new name failed.
   Status finish(bool durable);
 
  private:
@@ -37,13 +37,14 @@ class OutputFile {
   Status close(bool durable);
   Status syncFolder() const;
 
-  std::string path_, target_, temporary_;  // as given; links resolved; empty once it is finished
+  // Path as given; path with links resolved; temporary path, empty once finished.
+  std::string path_, target_, temporary_;
   int fd_ = -1;
 };
 
-// Files that one process writes repeatedly, and that no other may write meanwhile. A lock file next
-// to each, with ".obby-unfinished-locked" after its name, reserves it until this object ends. A
-// lock file left by a killed process is not locked, so it blocks no other.
+// Locks on files that one process writes repeatedly, and that no other process may write meanwhile.
+// A lock file next to each, with ".obby-unfinished-locked" after its name, reserves it until this
+// object ends. A lock file left by a killed process is not locked, so it blocks no process.
 class OutputLocks {
  public:
   OutputLocks() = default;

@@ -14,11 +14,11 @@ void applyParams(schema::PhysicsParams::Reader params, schema::Level::Builder le
 
 class Physics {
  public:
-  // Replaces the parameters with those of the record.
+  // Replaces the known parameters with those of the record.
   void know(Record params) { params_ = std::move(params); }
   bool known() const { return params_.has_value(); }
 
-  // These apply the known parameters to a level, as applyParams() does.
+  // Both apply the known parameters to a level, as applyParams() does.
   Record applied(const Record& level) const;
   void apply(schema::Level::Builder level) const;
 

@@ -127,7 +127,8 @@ Status Pipeline::finish(Status work) {
     return impl_->finish();
   }
   impl_->stoppedByError = true;
-  if (!impl_->output.failed()) (void)impl_->finish();  // the first error is the one to report
+  // Ignores further errors: the first error is reported.
+  if (!impl_->output.failed()) (void)impl_->finish();
   return work;
 }
 

@@ -1,5 +1,5 @@
-// The filter at the core of every tool. It reads the records of several inputs in order, removes
-// the framing and adds its own, and passes on unchanged what the tool does not handle.
+// The filter at the core of every tool. It reads the records of several inputs in order, and
+// replaces their framing by its own. Records that the tool does not handle pass unchanged.
 //
 //   io::Pipeline pipeline(context.sourceOptions(), context.identity(), std::move(output));
 //   return pipeline.runAndFinish([&](const io::Record& record) -> Result<io::Then> {
@@ -25,9 +25,9 @@ namespace obby::io {
 // The reaction to a record that cannot be read or handled. Broken framing (a truncated stream,
 // another schema version) and a failing output always stop.
 enum class OnError {
-  stop,  // report it and end
-  skip,  // report it, leave the record out, go on
-  emit,  // report it, pass the record on unchanged, go on
+  stop,  // report the error and end
+  skip,  // report the error, leave the record out, go on
+  emit,  // report the error, pass the record on unchanged, go on
 };
 
 struct SourceOptions {
@@ -37,12 +37,12 @@ struct SourceOptions {
   std::function<void(const Error&)> report = {};  // errors that did not stop the run
   // Receives fields and kinds that look misspelt, the first few of a run.
   std::function<void(const Error&)> warn = {};
-  // Opens an input as a stream of records; StreamReader::open if absent. A tool that reads other
-  // files than streams converts them here.
+  // Opens an input as a stream of records; StreamReader::open if absent. A tool that reads files
+  // other than streams converts them here.
   std::function<Result<StreamReader>(const std::string& path)> open = {};
 };
 
-// The contents of an end record about the records before it.
+// The status and counts of an end record, about the records before it.
 struct SourceSummary {
   schema::EndStatus status = schema::EndStatus::COMPLETE;
   uint64_t skipped = 0, errors = 0;
@@ -86,11 +86,13 @@ class RecordSource {
   Status checkWhole() const;
   // Warns if an end record says `failed`.
   void warnIfFailed() const;
-  // Called after the last record, with an error about something that the input lacks. Returns the
-  // error to report. If an end record says `interrupted` or `failed`, that is the cause.
+  // Returns the error to report for something that the input lacks. If an end record says
+  // `interrupted` or `failed`, the returned error names that as the cause. Call it after the last
+  // record.
   Error lacking(Error error) const;
   OnError onError() const;
-  // Returns the latest minor version of the headers so far, which records to pass on may have.
+  // Returns the latest minor schema version of the headers so far. Records to pass on may have this
+  // version.
   uint32_t schemaMinor() const;
 
  private:
@@ -131,14 +133,14 @@ class Pipeline {
   // Adds the summary of another source, which the tool has read itself, to the end record.
   void readElsewhere(const SourceSummary& read);
 
-  // Notes that the work ended before every query had its verdict (a budget was spent).
+  // Notes that a budget was spent before every query had its verdict.
   void outOfBudget();
 
   // Writes the end record and closes the output. `work` is the status of the run and of what was
   // done since. After an error of either, the end record says `failed` and counts it, so that
   // finished results are not lost; an error before the first record leaves no output at all.
   // Without an error, warns of an input that failed upstream. Returns the error of `work`, or else
-  // its own.
+  // that of finishing.
   Status finish(Status work = {});
 
   // Calls run() and finish(), also after an error.

@@ -21,7 +21,7 @@ inline constexpr uint64_t kMaxFileBytes = uint64_t(1) << 30;
 Result<std::string> readFile(const std::string& path, const std::atomic<bool>* stop = nullptr,
                              uint64_t max = kMaxFileBytes);
 
-// Reads the rest of an open input. Errors are as above.
+// Reads the rest of an open input. Errors are those of readFile().
 Result<std::string> readRest(ByteSource& source, uint64_t max = kMaxFileBytes);
 
 // Returns true for the error of a read, or of an output, that was asked to stop. The tool should

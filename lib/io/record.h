@@ -50,8 +50,8 @@ class Record {
   bool known() const;
   Kind which() const;                     // only if known()
   schema::Record::Reader reader() const;  // only if known(); valid while a copy of this lives
-  // These are for error messages: the input that the record was read from, and "12" or "byte 4711".
-  // Both are empty for a record made here.
+  // For error messages: input() is the input that the record was read from, and place() is "12" or
+  // "byte 4711". Both are empty for a record made here.
   const std::string& input() const;
   const std::string& place() const;
   const Storage& storage() const { return *storage_; }

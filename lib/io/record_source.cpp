@@ -41,8 +41,8 @@ struct RecordSource::Impl {
   uint64_t warnings = 0;
   uint32_t schemaMinor = 0;
   bool toldToStop = false;
-  std::optional<Error> incomplete;  // from the first end record of the most severe status
-  // Place of a level that could not be read, until another level follows; empty for none.
+  std::optional<Error> incomplete;  // error of the first end record with the most severe status
+  // Place of the last level, if it could not be read; otherwise empty.
   std::string lostLevel;
 
   bool stopped() const {

@@ -12,7 +12,8 @@ namespace obby::io {
 
 struct Record::Storage {
   std::optional<RecordBuilder> decoded;  // nothing for an unknown kind or an unreadable record
-  bool unreadable = false;               // its error has been reported
+  // The record could not be read, and its error has been reported.
+  bool unreadable = false;
   Format format = Format::jsonl;
   std::string raw;  // the line without its newline, or the message; empty if made here
   std::string input, place;

@@ -20,7 +20,7 @@ constexpr uint64_t kExampleAnnotation = 0xb3d58e17c20f6a94;
 constexpr uint64_t kHintAnnotation = 0xde2f70a9164bc835;
 constexpr uint64_t kFormerlyAnnotation = 0xf3a61d0c97b2e854;
 
-// Returns the text of $formerly; empty without it.
+// Returns the text of the annotation $formerly, or an empty text if it is absent.
 template <class Proto>
 std::string formerNameOf(const Proto& proto) {
   for (auto annotation : proto.getAnnotations())

@@ -46,22 +46,23 @@ struct FieldPlan {
   std::string name;
   capnp::StructSchema::Field field;
   TypePlan type;
-  bool always = false;                 // written to JSON even if it has its default
-  std::string example;                 // a value in JSON; may be empty
-  std::string formerly;                // $formerly; may be empty
-  std::vector<uint64_t> tupleDefault;  // if the field is a tuple: bits of each number
+  bool always = false;   // written to JSON even if it has its default
+  std::string example;   // a value in JSON; may be empty
+  std::string formerly;  // $formerly; may be empty
+  // Bits of each number of the default, if the field is a tuple.
+  std::vector<uint64_t> tupleDefault;
 };
 
 struct StructPlan {
   capnp::StructSchema schema;
-  bool tuple = false;  // in JSON an array of its numbers
+  bool tuple = false;  // written in JSON as an array of its numbers
   std::string hint;    // the form of its value, shown in errors; may be empty
   uint32_t dataWords = 0, pointers = 0;
   std::vector<FieldPlan> fields;
   std::unordered_map<std::string_view, size_t> byName;  // former names, too
 
   uint32_t words() const { return dataWords + pointers; }
-  const FieldPlan* find(std::string_view name) const;  // by its name or a former one
+  const FieldPlan* find(std::string_view name) const;  // finds a field by its name or a former name
   std::vector<std::string> names() const;              // present names of the fields
 };
 

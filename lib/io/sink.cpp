@@ -171,8 +171,8 @@ int openToWrite(const std::string& path, int flags, const std::atomic<bool>* sto
   return -1;
 }
 
-// Once asked to stop, sends pieces so small that a pipe whose reader has taken something accepts
-// one whole. No write waits then, and a reader that takes nothing is given up.
+// Once asked to stop, sends small pieces. A pipe accepts one whole as soon as its reader has taken
+// something. Thus no write waits, and a reader that takes nothing is given up.
 bool sendAll(int fd, std::string_view bytes, const std::atomic<bool>* stop) {
   while (!bytes.empty()) {
     const bool ends = stop && stop->load(std::memory_order_relaxed);

@@ -51,9 +51,9 @@ class StreamReader {
   // Returns true if an error was about one record, so that next() continues after it. Otherwise
   // (broken framing, another schema version, a failing disk) next() returns the same error again.
   bool canContinue() const;
-  // After such an error, returns true if that record was a level, or may have been one.
+  // If canContinue(), returns true if the unreadable record was a level, or may have been one.
   bool lostLevel() const;
-  // After such an error, returns that record as read. It is not known().
+  // If canContinue(), returns the unreadable record as read. It is not known().
   Record unread() const;
   bool stopped() const;
 
@@ -66,9 +66,9 @@ class StreamReader {
   std::unique_ptr<Impl> impl_;
 };
 
-// Returns a record made here with its bytes in `format`, so that StreamWriter::pass has nothing
-// left to do. Several threads can then encode records that one thread writes. Errors are those of
-// write().
+// Returns a record of this program together with its bytes in `format`, so that StreamWriter::pass
+// need not encode it. Several threads can then encode records that one thread writes. Errors are
+// those of write().
 Result<Record> encoded(RecordBuilder builder, Format format);
 
 // Writes one stream. Every record goes out in whole lines (or messages). A file is written under a

@@ -23,7 +23,8 @@ bool startsJson(char c) { return c == '{' || c == ' ' || c == '\t' || c == '\r' 
 
 constexpr std::string_view kZip = "PK\x03\x04";  // could be the tag and size of a packed message
 
-// `name` is the input as a word of a command line; empty for standard input.
+// Returns the error for bytes that begin no stream. `name` is the input as a word of a command
+// line; empty for standard input.
 Error strangeBytes(std::string_view begin, const std::string& name) {
   if (begin.substr(0, 8) == "<roblox!" || begin.substr(0, 7) == "<roblox")
     return makeError("expected a stream of records, found a Roblox file",

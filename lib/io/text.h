@@ -1,4 +1,4 @@
-// Small text functions for both codecs and the command line.
+// Small text functions that both codecs and the command line use.
 #pragma once
 
 #include <cstddef>
@@ -18,9 +18,9 @@ std::string_view withoutByteOrderMark(std::string_view text);
 // Returns `text` without the white space at both ends.
 std::string_view trimmed(std::string_view text);
 
-// Returns the bytes of a character at the start of UTF-8 `text` that XML cannot hold, not even by
-// its number: a control character other than tab and line ends, U+FFFE or U+FFFF. Returns 0 if XML
-// can hold it.
+// Returns the length in bytes of a character at the start of UTF-8 `text` that XML cannot hold, not
+// even by its number: a control character other than tab and line ends, U+FFFE or U+FFFF. Returns 0
+// if XML can hold it.
 size_t notInXml(std::string_view text);
 
 // Returns UTF-8 `text` for HTML and SVG, with markup as entities and control characters as spaces.

@@ -1,4 +1,5 @@
-// Splits text into characters as utf8Length() does. A malformed form counts as one broken byte.
+// Splits text into characters as utf8Length() does. Each byte that begins no well-formed character
+// counts as one broken byte.
 #include "io/utf8.h"
 
 namespace obby::io {

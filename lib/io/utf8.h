@@ -7,8 +7,8 @@
 
 namespace obby::io {
 
-// Returns the bytes of the well-formed UTF-8 character at the start of `text`, 1 to 4; 0 if there
-// is none.
+// Returns the length, 1 to 4 bytes, of the well-formed UTF-8 character at the start of `text`, or 0
+// if it does not start with one.
 size_t utf8Length(std::string_view text);
 
 // Returns true for well-formed UTF-8: no overlong forms, no surrogates, at most U+10FFFF.

@@ -7,7 +7,7 @@ namespace obby::io {
 
 inline constexpr uint32_t kSchemaMajor = 2;  // raised when old readers would misread a stream
 inline constexpr uint32_t kSchemaMinor = 0;  // raised when fields are added
-// JSON names its fields and leaves defaults out, so older versions can be read.
+// JSON records name their fields and omit defaults, so older versions can be read.
 inline constexpr uint32_t kOldestJsonMajor = 1;
 inline constexpr const char* kFloatPolicy = "ieee754-nofma";
 

@@ -26,7 +26,7 @@ struct Body {
 std::span<const Body> bodies();
 // Returns null if no row has this name.
 const Body* findBody(std::string_view name);
-// Returns "r6 or r15", for errors.
+// Returns the names of all bodies for error messages, such as "r6 or r15".
 std::string bodyNames();
 
 void setBody(const Body& body, schema::PhysicsParams::Builder physics);

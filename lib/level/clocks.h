@@ -25,11 +25,12 @@ class ClockTables {
   // names the signal.
   Result<uint32_t> signal(const std::string& name, const std::string& path);
 
-  uint32_t button(const std::string& name) const;  // the clock of a button that was added
+  // Returns the clock of a button that addSignals() added.
+  uint32_t button(const std::string& name) const;
 
-  uint32_t add(const Clock& clock);    // always a new clock
-  uint32_t share(const Clock& clock);  // the clock from an earlier share() with the same effect, or
-                                       // a new one
+  uint32_t add(const Clock& clock);  // always adds a new clock
+  // Returns the clock of an earlier share() with the same effect, or adds a new one.
+  uint32_t share(const Clock& clock);
 
   // Returns an error unless every signal is named by a part that responds to it.
   Status checkSignals() const;
@@ -54,7 +55,7 @@ class ClockTables {
 
 // Returns the digest of everything that a clock does, continued from `seed` (hashBytes). Clocks
 // with equal digests are interchangeable. A later field counts only if it has an effect, so that
-// the digests of older levels stay.
+// the digests of older levels do not change.
 uint64_t digestOf(const Clock& clock, uint64_t seed = 0);
 
 // Converts seconds to ticks. A negative number or NaN is an error at `path`.

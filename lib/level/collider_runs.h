@@ -15,7 +15,7 @@ struct ColliderRun {
 // The runs of all parts, found in one pass at the first request.
 class ColliderRuns {
  public:
-  // The level must outlive this.
+  // The level must outlive this object.
   explicit ColliderRuns(const LevelView& level) : level_(level) {}
 
   ColliderRun of(uint32_t part) {
@@ -33,7 +33,7 @@ class ColliderRuns {
   }
 
   const LevelView& level_;
-  std::vector<ColliderRun> runs_;  // one for each part, up to the last that has colliders
+  std::vector<ColliderRun> runs_;  // one for each part, up to the last part that has colliders
 };
 
 }  // namespace obby::level

@@ -11,7 +11,8 @@
 namespace obby::level {
 namespace {
 
-// Hulls with more corners are replaced by the box around them: the work is cubic in the corners.
+// Hulls with more corners are replaced by the box around them, because the work is cubic in the
+// number of corners.
 constexpr size_t kMaxThickened = 64;
 
 Result<std::vector<Vec3>> verticesOf(schema::Hull::Reader record, const std::string& path) {

@@ -47,8 +47,7 @@ Status checkRanges(schema::PhysicsParams::Reader record) {
 void derive(Params& p) {
   p.tickSeconds = 1.0f / float(p.controlRate);
   p.substepSeconds = p.tickSeconds / float(p.substeps);
-  // Set-up runs once on the host; rounding to float hides any difference in the last bits of libm's
-  // cosine.
+  // This runs once on the host. Rounding hides any difference in the last bits of libm's cosine.
   p.slopeNormalY = float(std::round(std::cos(double(p.maxSlope)) * 1e6) / 1e6);
   p.plainGrip = pairFriction(p, 0.3f, 1);
   const auto steps = [&p](float seconds) {

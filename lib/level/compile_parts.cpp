@@ -169,7 +169,7 @@ Status PartCompiler::shapes(schema::Part::Reader part, Collider collider, uint32
   if (collider.kind == ShapeKind::hull && part.getHulls().size() != 0)
     return hulls(part, collider, flags);
   if (collider.kind == ShapeKind::hull)
-    collider.kind = ShapeKind::block;  // without hulls the box is used
+    collider.kind = ShapeKind::block;  // a part without hulls uses its box
   push(collider, flags);
   return {};
 }

@@ -1,8 +1,8 @@
 // Finds the faces of a convex hull. Every triple of vertices with all others on one side is a face.
-// This is cubic in the vertex count, which is at most 255, and runs once a level. Exactness matters
-// more than speed, so there is no incremental structure that could fail. SIMD lanes reject most
-// triples, with the same bits as scalar code: outermost vertices lie on both sides, or the face is
-// known. Scalar code tests the other triples.
+// This is cubic in the vertex count, which is at most 255, and runs once per level. Exactness
+// matters more than speed, so there is no incremental structure that could fail. SIMD lanes reject
+// most triples, with the same bits as scalar code: outermost vertices lie on both sides, or the
+// face is known. Scalar code tests the other triples.
 #include "level/hull_faces.h"
 
 #include <algorithm>
@@ -18,7 +18,7 @@ namespace {
 
 using WideVec = Vec3T<WideFloat>;
 
-constexpr float kSame = 1 - 1e-5f;  // cosine above which two directions count as one
+constexpr float kSame = 1 - 1e-5f;  // cosine above which two directions count as equal
 
 OBBY_LANES WideVec inAllLanes(Vec3 p) { return {p.x, p.y, p.z}; }
 
@@ -158,7 +158,7 @@ class FaceFinder {
   }
 
   HullTables& hull_;
-  const float tolerance_, sliver_;  // areas below `sliver_` count as zero
+  const float tolerance_, sliver_;  // tolerance in studs; areas below `sliver_` count as zero
   std::vector<float> x_, y_, z_;    // the vertices, padded for the last lanes
   std::vector<Vec3> outermost_;
   std::vector<std::vector<uint32_t>> facesAt_;  // faces of each vertex, ascending

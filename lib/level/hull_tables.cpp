@@ -15,8 +15,9 @@ constexpr float kTolerance = 1e-4f;  // share of the hull's size
 
 // Thinner hulls are dropped, including flat ones. Rounding leaves these slivers in a union, and
 // they are not floors.
-constexpr float kThinnest = 0.01f;       // studs
-constexpr float kThinnestShare = 2e-6f;  // share of the hull's size: the precision of its vertices
+constexpr float kThinnest = 0.01f;  // studs
+// Share of the hull's size, about the precision of its vertices.
+constexpr float kThinnestShare = 2e-6f;
 
 std::vector<Vec3> distinct(const std::vector<Vec3>& points, float tolerance) {
   std::vector<Vec3> out;

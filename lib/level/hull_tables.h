@@ -32,7 +32,7 @@ class HullStore {
 
  private:
   std::unordered_map<std::string, const geom::Hull*> known_;  // keys are the bytes of the vertices
-  std::deque<HullTables> tables_;                             // a deque keeps addresses
+  std::deque<HullTables> tables_;  // addresses in a deque stay valid as it grows
   std::deque<geom::Hull> views_;
 };
 

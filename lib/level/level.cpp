@@ -28,7 +28,7 @@ struct Level::Impl {
 
 namespace {
 
-// Factor by which a player may exceed the sideways speed of walking and parts together.
+// Factor by which a player may exceed the sum of the walk speed and the parts' sideways speed.
 constexpr float kSpeedMargin = 1.5f;
 
 // Returns a reach that covers everything a player tests during a tick, at any speed. One grid

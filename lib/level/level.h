@@ -41,11 +41,11 @@ class Level {
   uint64_t hash() const;   // digest of everything that can change a trajectory
   bool hasMotion() const;  // true if moving or timed parts make the outcome depend on the clock
   uint32_t motionPeriod()
-      const;  // ticks after which all motion repeats; 0 without motion, or if it is more than 2^20
+      const;  // ticks after which all motion repeats; 0 without motion, or for more than 2^20 ticks
   size_t partCount() const;
   const std::string& partName(uint32_t part) const;  // part < partCount(); may be empty
   const std::vector<StartPose>& spawns() const;      // in the record's order; may be empty
-  Box bounds() const;  // of all colliders, with their motion; a point at 0 if there are none
+  Box bounds() const;  // bounds of all colliders, with their motion; a point at 0 if there are none
 
  private:
   struct Impl;
@@ -53,7 +53,7 @@ class Level {
   std::unique_ptr<Impl> impl_;
 };
 
-// A compiled query, which owns its regions. The level need not outlive it.
+// A compiled query, which owns its regions. The level need not outlive this object.
 class Query {
  public:
   // Places that the record names must be resolved (resolve_places.h). Errors have `path` set,

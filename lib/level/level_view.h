@@ -33,7 +33,7 @@ enum ColliderFlag : uint32_t {
   kOneWay = 32768,  // solid from one side only
   kCrush = 65536,   // kills players whom it squeezes
   kSeat = 131072,
-  kRung = 524288,     // with kTruss: thin, so that the sensor must search for it
+  kRung = 524288,     // a truss so thin that the sensor must search for it
   kDynamic = 262144,  // part of a dynamic body
   kByRoot = 1048576,  // touched by the centre of the root, not by limbs
 };
@@ -61,7 +61,7 @@ OBBY_DEVICE void forTables(Collider& c, Table&& table) {
 }
 
 // The data of a collider that a search for nearby parts reads. The upper corner is negated, so that
-// one comparison of eight numbers tests for an overlap. Flags and tag take part in it as tiny
+// one comparison of eight numbers tests for an overlap. The comparison reads flags and tag as tiny
 // floats.
 struct alignas(32) Bounds {
   Vec3 lo, minusHi;
@@ -87,14 +87,14 @@ OBBY_DEVICE Bounds makeBounds(const Box& box, uint32_t flags, uint32_t index, bo
 // several parts: signals and boosts.
 struct Clock {
   uint32_t length = 0;    // ticks, or kForever
-  bool restarts = false;  // a touch while it runs starts it again
+  bool restarts = false;  // a touch while the clock runs starts it again
   // Effects on the player while it runs.
-  float walkFactor = 1;     // x walkSpeed
-  float jumpFactor = 1;     // x jumpSpeed
-  float jumpMore = 0;       // studs/s that are added
-  float gravityFactor = 1;  // x gravity
-  bool resets = false;      // values that it does not change return to the level's
-  uint32_t helpless = 0;    // ticks from its start during which keys do nothing
+  float walkFactor = 1;     // factor of walkSpeed
+  float jumpFactor = 1;     // factor of jumpSpeed
+  float jumpMore = 0;       // studs/s added to the jump speed
+  float gravityFactor = 1;  // factor of gravity
+  bool resets = false;      // values that the clock does not change return to the level's
+  uint32_t helpless = 0;    // ticks from the clock's start during which keys do nothing
   uint32_t seat = kNone;    // collider on which the player sits while the clock is held at 0
 };
 constexpr uint32_t kForever = 0xffffffffu;
@@ -114,7 +114,7 @@ constexpr int kMaxStarts = 4;  // max clocks that a touch of one part can start;
 // One record for each part that has a role, shared by its colliders.
 struct Roles {
   float damage;            // health that a touch takes; negative if it heals
-  uint16_t cooldownTicks;  // between two hits
+  uint16_t cooldownTicks;  // ticks between two hits
   bool padKeepsSideways;
   Vec3 padVelocity;       // studs/s
   Vec3 conveyorVelocity;  // studs/s
@@ -132,7 +132,7 @@ struct Roles {
   Turns teleportYaw;
   bool teleportTurns, teleportKeepsVelocity;
   Vec3 oneWay;         // unit, in the part's frame, toward the side that is solid
-  uint32_t seatClock;  // held at 0 while the player sits here; kNone if it is no seat
+  uint32_t seatClock;  // clock held at 0 while the player sits here; kNone if the part is no seat
 };
 
 // Returns the velocity of a conveyor's surface at a point. `center` is the part's present centre.
@@ -148,9 +148,10 @@ struct Mover {
   const Mat3* spins;  // (spinCount), may be null
   uint32_t keyCount;
   uint32_t spinCount;
-  Vec3 pivot;                // studs from the part's centre, in the part's frame
-  bool once;                 // stays at the last key instead of starting over
-  uint32_t trigger = kNone;  // clock that moves it; while it does not run, the part rests at tick 0
+  Vec3 pivot;  // studs from the part's centre, in the part's frame
+  bool once;   // stays at the last key instead of starting over
+  // Clock that moves the part; while the clock does not run, the part rests at tick 0.
+  uint32_t trigger = kNone;
 };
 
 template <class Table>
@@ -182,12 +183,13 @@ struct DynamicBody {
   float radius;         // studs around the centre that contain all of it
   uint32_t firstCollider, colliderCount;
 };
-constexpr int kMaxBodies = 16;  // dynamic bodies of a level; more are an error
+constexpr int kMaxBodies = 16;  // dynamic bodies of a level; more of them are an error
 
 constexpr uint32_t kListStep = 4;
 
 // Uniform grid over positions of the feet. The list of a cell names every collider that a player
-// with the feet in the cell can meet within one tick, so that one look-up is enough (grid_build.h).
+// with the feet in the cell can meet within one tick. One look-up is therefore enough
+// (grid_build.h).
 struct Grid {
   Vec3 origin;
   Vec3 inverseCell;  // 1 / cell extent
@@ -212,8 +214,9 @@ struct LevelView {
   uint32_t crushClock;  // counts the ticks of a squeeze; kNone if no part crushes
   uint32_t airClock;    // counts jumps in the air (sim/air_jump.h); kNone if not allowed
   Grid grid;
-  Grid bodyGrid;       // grid over the centres of dynamic bodies; empty if there are none
-  float maxSideSpeed;  // studs/s; the grid's lists cover how far this carries a player in a tick
+  Grid bodyGrid;  // grid over the centres of dynamic bodies; empty if there are none
+  // Studs/s; the grid's lists cover the distance that a player moves in a tick at this speed.
+  float maxSideSpeed;
 };
 
 template <class Table>

@@ -55,8 +55,8 @@ Moments tetrahedron(Vec3 a, Vec3 b, Vec3 c) {
   return m;
 }
 
-// Returns the max distance of a face's corners below it. It is less than the thickness of a thin
-// hull.
+// Returns the max distance by which a corner of a face may lie below it. It is less than the
+// thickness of a thin hull.
 float slackOf(const geom::Hull& hull) {
   float size = 0;
   for (uint32_t i = 0; i < hull.vertexCount; ++i) size = maxf(size, length(hull.vertices[i]));

@@ -1,4 +1,4 @@
-// Compiles a Motion record to tables of poses, one row a tick, shared by all worlds.
+// Compiles a Motion record to tables of poses, one row per tick, shared by all worlds.
 //
 // Keys and spin have separate tables, so that periods without a common multiple cost their sum and
 // not their product. A period that is not a whole number of ticks is stored as several repetitions.
@@ -50,7 +50,7 @@ struct MotionPlan {
   bool once = false, pingPong = false;
   double offset = 0;         // seconds elapsed at the first row
   double seconds = 0;        // duration of one round through the keys
-  double secondsPerRow = 0;  // time between rows of the table of keys
+  double secondsPerRow = 0;  // seconds between rows of the table of keys
   uint32_t rows = 0;         // rows of the table of keys; 0 for a single row with the last key
   uint32_t period = 0;       // ticks of one repetition; all rows if it runs once
   SpinPlan spin;

@@ -52,7 +52,7 @@ struct Params {
   float slopeNormalY;    // cos(maxSlope); players slide down floors whose normal has a smaller Y
   float plainGrip;       // friction of the player on a part with default friction
   uint16_t landedSteps;  // times above, rounded to whole physics steps; at most 255
-  uint16_t coyoteSteps;  // this and the following ones are at least 1
+  uint16_t coyoteSteps;  // this and the step counts below are at least 1
   uint16_t graceSteps;
   uint16_t squeezeTicks;
   uint16_t sleepTicks;
@@ -61,7 +61,7 @@ struct Params {
   uint16_t tricks;         // bits of the tricks that the player may use
   uint16_t directionStep;  // turns / 65536 between two headings that the player can walk in, a
                            // power of two; 0 for any heading
-  uint16_t directionFrom;  // one of these headings
+  uint16_t directionFrom;  // one of the headings that the player can walk in
 };
 
 // Returns a duration in ticks, rounded to the nearest and at most 2^24. Returns 0 for a negative

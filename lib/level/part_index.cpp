@@ -6,7 +6,7 @@
 namespace obby::level {
 namespace {
 
-// This many passes over all parts take about as long as sorting them.
+// Max passes over all parts before sorting. They take about as long as sorting the parts.
 constexpr size_t kMaxPasses = 16;
 
 std::string_view view(capnp::Text::Reader text) { return {text.cStr(), text.size()}; }

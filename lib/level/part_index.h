@@ -18,7 +18,7 @@ std::string_view pathOf(schema::Part::Reader part);
 // are looked up in passes over all parts; after that the texts are sorted once. Not thread-safe.
 class PartIndex {
  public:
-  // The record must outlive this.
+  // The record must outlive this object.
   explicit PartIndex(schema::Level::Reader level) : level_(level) {}
 
   schema::Level::Reader level() const { return level_; }

@@ -26,9 +26,9 @@ struct FrameRate {
   uint16_t framesPerSecond, substeps;
 };
 
-// Steps are 1/240 s, except at 144 frames a second, where they are 1/288 s.
+// Steps are 1/240 s, except at 144 frames per second, where they are 1/288 s.
 std::span<const FrameRate> frameRates();
-// Returns "30, 60, 120, 144 or 240", for errors.
+// Returns the frame rates for error messages: "30, 60, 120, 144 or 240".
 std::string frameRateNames();
 
 // The name that stands for the level's own physics in a query's bodies.
@@ -40,10 +40,10 @@ inline constexpr const char* kPlaceBody = "place";
 Result<std::vector<Player>> playersOf(schema::Query::Reader query);
 // Returns true if the query names bodies or frame rates.
 bool namesPlayers(schema::Query::Reader query);
-// Returns the player of a trajectory. Errors are as above.
+// Returns the player of a trajectory. Errors are those of playersOf().
 Result<Player> playerOf(schema::Trajectory::Reader trajectory);
 
-// Changes the level's physics to this player's. Errors are as above.
+// Changes the level's physics to this player's. Errors are those of playersOf().
 Status setPlayer(const Player& player, schema::Level::Builder level);
 // Adapts a query to a level of `to` ticks per second instead of `from`. The start keeps its time,
 // and the players are removed.
@@ -51,7 +51,7 @@ void setRate(uint16_t from, uint16_t to, schema::Query::Builder query);
 
 // Returns the tick at rate `to` that is nearest to the time of `tick` at rate `from`.
 uint32_t tickAtRate(uint32_t tick, uint32_t from, uint32_t to);
-// Returns the first tick at rate `to` that is not earlier than that time.
+// Returns the first tick at rate `to` that is not earlier than the time of `tick` at rate `from`.
 uint32_t nextTickAtRate(uint32_t tick, uint32_t from, uint32_t to);
 
 }  // namespace obby::level

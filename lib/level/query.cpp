@@ -21,8 +21,8 @@ Result<StartPose> startPose(schema::Query::Reader record, const Level& level) {
     OBBY_RETURN_IF_ERROR(checkLookedUp(start.getRegion(), "start.region"));
     OBBY_ASSIGN(const geom::Region box, region(start.getRegion(), "start.region"));
     OBBY_ASSIGN(const float yaw, angle(start.getYaw(), "start.yaw"));
-    // The feet are at the centre of the floor: the lowest face of an upright box, otherwise at the
-    // height of the lowest point.
+    // The feet are at the centre of the lowest face of an upright box. In a tilted box they are
+    // below its centre, at the height of its lowest point.
     const Vec3 up{box.pose.rotation.x.y, box.pose.rotation.y.y, box.pose.rotation.z.y};
     const float drop = absf(up.y) > 0.999f ? box.half.y : dot(abs(up), box.half);
     const Vec3 feet = box.pose.position - Vec3{0, drop, 0};

@@ -47,7 +47,7 @@ Result<TargetView> QueryTargets::boxOrPart(schema::Region::Reader record, const 
   }
   listTouched(uint32_t(part), target);
   if (target.touchCount == 0) {
-    // The path may be of an entry that a name or a tag was expanded to, so the message names the
+    // The path may be that of an entry that came from a name or a tag, so the message names the
     // part.
     const std::string name = record.getPart().size() > 0 ? std::string(record.getPart().cStr())
                                                          : fmt::format("part:{}", part);

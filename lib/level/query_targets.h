@@ -23,7 +23,7 @@ class QueryTargets {
       : level_(level), parts_(parts), runs_(level), touched_(touched) {}
 
   // If `arrive` is STAND, the player must stand on a solid part. Otherwise the player must enter
-  // its box. Errors are at `path`.
+  // the part's box. Errors are at `path`.
   Result<TargetView> compile(schema::Region::Reader record, const std::string& path,
                              schema::Arrive arrive);
   Result<std::vector<TargetView>> compile(capnp::List<schema::Region>::Reader list,

@@ -67,7 +67,7 @@ inline Result<Vec3> direction(schema::Vec3::Reader record, const std::string& pa
 // Beyond this many radians float angles are too coarse to mean a direction.
 constexpr float kMaxAngle = 1e4f;
 
-// Radians.
+// Returns an angle in radians, or an error at `path`.
 inline Result<float> angle(float radians, const std::string& path) {
   if (!(absf(radians) <= kMaxAngle))
     return pathError(path, "expected -10000 to 10000 radians, found " + shown(radians));

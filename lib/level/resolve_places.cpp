@@ -113,7 +113,7 @@ class ListedParts {
   size_t places_ = 0;  // entries that stand for parts, in all lists
 };
 
-// `disown` takes a list out of the query, and `init` makes a new one in its place.
+// `disown` removes a list from the query, and `init` makes a new one in its place.
 template <class Disown, class Init>
 Status resolveList(schema::Level::Reader level, ListedParts& listed, const char* name, Fits fits,
                    Disown&& disown, Init&& init) {

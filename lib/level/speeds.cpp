@@ -13,8 +13,8 @@ float turnBetween(const Mat3& a, const Mat3& b) {
   return sqrtf32(0.5f * (dot(x, x) + dot(y, y) + dot(z, z)));
 }
 
-// Returns for each mover the max distance from its centre at which its parts carry a player, studs.
-// 0 if they carry none.
+// Returns, for each mover, the max distance from its centre at which its parts carry a player, in
+// studs; 0 if they carry none.
 std::vector<float> reachOfMovers(const PartTables& t) {
   std::vector<float> reach(t.movers.size(), 0.0f);
   for (size_t i = 0; i < t.colliders.size(); ++i) {
@@ -27,10 +27,8 @@ std::vector<float> reachOfMovers(const PartTables& t) {
 
 // Returns the max sideways speed of a point at `reach` studs from the mover's centre, studs/s.
 float speedOf(const Mover& m, float reach, const Params& params) {
-  const float spin = m.spinCount > 1 ? turnBetween(m.spins[0], m.spins[1]) * reach : 0;  // all
-                                                                                         // steps
-                                                                                         // are
-                                                                                         // equal
+  // All steps of a spin are equal.
+  const float spin = m.spinCount > 1 ? turnBetween(m.spins[0], m.spins[1]) * reach : 0;
   float limit = spin;
   for (uint32_t k = 0; k + 1 < m.keyCount; ++k) {
     const Pose &from = m.keys[k], &to = m.keys[k + 1];

@@ -1,4 +1,5 @@
-// The tables of turns of a level, each stored once: all parts of a course may spin at one rate.
+// The tables of turns of a level, each stored once, since many parts of a course may spin at one
+// rate.
 #pragma once
 
 #include <cstddef>
@@ -13,16 +14,16 @@
 
 namespace obby::level {
 
-// A table of turns. Valid while the store lives, or the one that it was moved to.
+// A table of turns. Valid while the store, or the store that it was moved to, lives.
 struct SpinTurns {
-  std::span<const Mat3> rows;  // empty if it does not turn
+  std::span<const Mat3> rows;  // empty if the part does not turn
   bool upright = false;        // true if all rows leave local Y exactly unchanged
 };
 
 class SpinStore {
  public:
-  // With `upright`, turns that change local Y only by rounding are made to leave it exactly
-  // unchanged.
+  // Returns the turns of a spin. With `upright`, turns that change local Y only by rounding are
+  // snapped, so that they leave it exactly unchanged.
   SpinTurns of(const SpinPlan& plan, bool upright);
 
   size_t rows() const { return rows_; }  // rows of all tables together

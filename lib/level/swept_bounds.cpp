@@ -46,8 +46,8 @@ void SweptBounds::joinRuns(size_t limit) {
   runs_.resize(count);
 }
 
-// Adding the same extent to all rows keeps their order, including rounding. The outermost places
-// therefore have the outermost bounds, to the bit.
+// Adding the same extent to all rows keeps their order, including rounding. The outermost positions
+// therefore have exactly the outermost bounds.
 Box SweptBounds::of(Vec3 half) const {
   const float radius = length(half) + pivotAway_;
   Box swept{{1e30f, 1e30f, 1e30f}, {-1e30f, -1e30f, -1e30f}};

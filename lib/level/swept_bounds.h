@@ -17,8 +17,8 @@ class SweptBounds {
   // `colliders` is the max number of the part's colliders.
   explicit SweptBounds(const Mover& mover, size_t colliders = 1);
 
-  // Returns the box of a collider with these half extents. If it spins, uses the max radius about
-  // the pivot.
+  // Returns the box of a collider with these half extents. If the part spins, uses the max radius
+  // about the pivot.
   Box of(Vec3 half) const;
 
  private:

@@ -13,7 +13,7 @@ namespace obby::loopback {
 // Receives a line for verbose output, without its newline.
 using Note = std::function<void(const std::string&)>;
 
-// Must be on the stack, one per thread.
+// The event loop of the calling thread. Create it on the stack, at most one per thread.
 class EventLoop {
   // Turns messages that the loop's library would print into notes, while any part of the loop
   // exists.

@@ -27,7 +27,7 @@ Error portError(uint16_t port, const char* what) {
 Result<Listener> listenOn(uint16_t port) {
   OwnedFd fd(socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0));
   if (fd.get() < 0) return portError(port, "create a socket");
-  const int on = 1;  // frees the port as soon as its server has ended
+  const int on = 1;  // makes the port free as soon as its server has ended
   setsockopt(fd.get(), SOL_SOCKET, SO_REUSEADDR, &on, sizeof on);
   sockaddr_in address{};
   address.sin_family = AF_INET;

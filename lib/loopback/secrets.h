@@ -7,12 +7,12 @@
 
 namespace obby::loopback {
 
-// Length of a token, which makes it impossible to guess.
+// Length of a token, long enough that it cannot be guessed.
 inline constexpr size_t kTokenBytes = 32;
 
 // Returns that many random bytes from the system. Throws if the system has none.
 std::string randomBytes(size_t bytes);
-// Returns random bytes as twice as many hexadecimal digits.
+// Returns `bytes` random bytes as hexadecimal digits, two for each byte.
 std::string randomHex(size_t bytes);
 
 // Compares texts in a time that does not depend on where they differ. The lengths are not secret.

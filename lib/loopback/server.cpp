@@ -69,8 +69,8 @@ kj::Promise<void> Server::run() {
   });
 }
 
-// Called if a client went away or sent no HTTP. Its connection is closed, and nothing else is
-// affected.
+// Called if a client went away or sent no HTTP. The client's connection is closed, and nothing else
+// is affected.
 void Server::taskFailed(kj::Exception&& exception) {
   note_(std::string("a connection ended: ") + exception.getDescription().cStr());
 }

@@ -13,10 +13,11 @@ namespace obby {
 template <class F>
 OBBY_DEVICE F expOfNegative(F x) {
   using Int = IntOf<F>;
-  const MaskOf<F> some = x > F(-80.0f);  // no branch, so that the compiler can vectorize
+  // Used without a branch, so that the compiler can vectorize.
+  const MaskOf<F> some = x > F(-80.0f);
   const F y = select(some, x, F(-80.0f));
   const F t = y * F(1.44269504f);
-  const Int whole = toInt(t - F(0.5f));  // nearest, as t <= 0
+  const Int whole = toInt(t - F(0.5f));  // nearest whole number, as t <= 0
   const F n = toFloat(whole);
   const F r = (y - n * F(0.693359375f)) + n * F(2.12194440e-4f);
   const F tail = F(4.1666668e-2f) + r * (F(8.3333477e-3f) + r * F(1.3930436e-3f));

@@ -6,8 +6,8 @@
 
 namespace obby {
 
-// At most kMax items of type T, which consists of numbers F only. Items past the end are
-// unspecified.
+// At most kMax items of type T. T may only have members of the number type F. Items past the end
+// are unspecified.
 template <class T, class F, int kMax>
 struct LaneList;
 
@@ -18,7 +18,7 @@ struct LaneList<T, float, kMax> {
   OBBY_DEVICE LaneList() { items_[0] = {}; }  // at(0) of an empty list is read, but not used
   OBBY_DEVICE void clear() { count = 0; }
   OBBY_DEVICE T at(int32_t i) const { return items_[i]; }
-  // Returns the item after the i-th; the first one follows the last.
+  // Returns the item after the i-th; the first item follows the last.
   OBBY_DEVICE T next(int32_t i) const { return items_[i + 1 < count ? i + 1 : 0]; }
   // Adds the item if `asked`. Drops it if the list is full.
   OBBY_DEVICE void add(bool asked, const T& item) {

@@ -48,7 +48,7 @@ OBBY_DEVICE void loadRow(const float* from, float& row) { row = *from; }
 OBBY_DEVICE void storeRow(float row, float* to) { *to = row; }
 OBBY_DEVICE float greatestOf(float row) { return row; }
 
-// Returns the number of [lo, hi] that is nearest to `v`; `lo` for NaN.
+// Returns the number in [lo, hi] nearest to `v`; `lo` for NaN.
 template <class F>
 OBBY_DEVICE F clampf(F v, F lo, F hi) {
   return minf(maxf(v, lo), hi);

@@ -35,8 +35,8 @@ struct Vec3T {
   }
   friend OBBY_DEVICE Vec3T abs(Vec3T a) { return {absf(a.x), absf(a.y), absf(a.z)}; }
   friend OBBY_DEVICE F length(Vec3T a) { return sqrtf32(dot(a, a)); }
-  // Returns the unit vector along `a`, or `fallback` for a length up to 1e-12. The other overload
-  // falls back to +Y.
+  // Returns the unit vector along `a`, or `fallback` if `a` is not longer than 1e-12. The other
+  // overload falls back to +Y.
   friend OBBY_DEVICE Vec3T normalize(Vec3T a, Vec3T fallback) {
     const F n = length(a);
     return select(n > 1e-12f, a * (1.0f / n), fallback);
@@ -83,7 +83,7 @@ struct QuatT {
             a.w * b.z + a.x * b.y - a.y * b.x + a.z * b.w,
             a.w * b.w - a.x * b.x - a.y * b.y - a.z * b.z};
   }
-  // Returns the quaternion with length 1, or the identity for a length up to 1e-12.
+  // Returns the quaternion scaled to length 1, or the identity if its length is at most 1e-12.
   friend OBBY_DEVICE QuatT normalize(QuatT q) {
     const F n = sqrtf32(q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w), s = 1.0f / n;
     const MaskOf<F> known = n > 1e-12f;
@@ -98,8 +98,8 @@ struct QuatT {
             {2 * (xy - wz), 1 - 2 * (xx + zz), 2 * (yz + wx)},
             {2 * (xz + wy), 2 * (yz - wx), 1 - 2 * (xx + yy)}};
   }
-  // Returns q turned by `angle`, in the world's frame: the axis times radians. Exact to second
-  // order, and normalized.
+  // Returns q turned by `angle` in the world's frame. `angle` is the axis times radians. Exact to
+  // second order, and normalized.
   friend OBBY_DEVICE QuatT turned(QuatT q, Vec3T<F> angle) {
     const Vec3T<F> h = angle * F(0.5f);
     const QuatT d = QuatT{h.x, h.y, h.z, 1.0f - 0.5f * dot(h, h)} * q;

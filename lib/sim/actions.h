@@ -49,7 +49,7 @@ class ActionCursor {
     return held_;
   }
 
-  // Called when the world starts over: a walker draws a new action, plans and tables continue.
+  // Called when the world starts over. A walker then draws a new action; plans and tables continue.
   OBBY_DEVICE void startOver(const ActionView& view) {
     if (view.kind == ActionKind::walker) left_ = 0;
   }
@@ -67,7 +67,7 @@ class ActionCursor {
       left_ = view.runs[first + run_++].ticks;
     }
     if (left_ != 0) return;
-    held_ = {};  // after its plan a world stands still
+    held_ = {};  // a world stands still after the end of its plan
     left_ = 0xffffffffu;
   }
 

@@ -9,7 +9,7 @@
 
 namespace obby::sim {
 
-// The order is that of the choices of --backend.
+// The values have the order of the choices of --backend.
 enum class BackendKind { automatic, cpu, cuda };
 
 // Parses "auto", "cpu" or "cuda". An error names the choices.
@@ -18,7 +18,7 @@ Result<BackendKind> backendKind(const std::string& name);
 class Backend {
  public:
   // Without a GPU that runs this build's kernels, `cuda` is an error, and `automatic` takes the CPU
-  // and says why in note(). `which` selects one of several GPUs, modulo their number.
+  // and says why in note(). `which` is the index of a GPU, modulo the number of GPUs.
   static Result<Backend> open(BackendKind kind, uint32_t which = 0);
 
   bool onDevice() const { return device_ != nullptr; }

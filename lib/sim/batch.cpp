@@ -1,4 +1,4 @@
-// Code that batches on every machine share.
+// Code shared by CPU batches and kernel batches.
 #include "sim/batch.h"
 
 #include <fmt/format.h>

@@ -24,8 +24,8 @@ namespace obby::sim {
 // The levels, queries and starts that the worlds of a batch play.
 struct Course {
   std::vector<level::LevelView> levels;   // at least one; their tables must outlive the batch
-  std::vector<level::QueryView> queries;  // one a level, or empty for no rules
-  std::vector<World> starts;              // one a level
+  std::vector<level::QueryView> queries;  // one per level, or empty for no rules
+  std::vector<World> starts;              // one per level
   std::vector<uint32_t> queue;            // level indices in the order of play; empty to play each
                                           // once in order
   bool restarts = false;                  // a world whose trajectory has ended takes its next level
@@ -49,7 +49,7 @@ struct Actions {
   std::span<const uint32_t> firsts;
 
   static Actions walker(uint64_t seed) { return {ActionKind::walker, seed, {}, {}, {}}; }
-  // One row a tick: (ticks, worlds).
+  // Returns actions from a table with one row per tick: (ticks, worlds).
   static Actions tabulated(std::span<const Action> table) {
     return {ActionKind::table, 0, table, {}, {}};
   }

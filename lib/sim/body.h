@@ -8,7 +8,7 @@
 
 namespace obby::sim {
 
-// The moving state during a tick, and its targets.
+// The player's motion during a tick, and its targets.
 template <class F>
 struct MotionT {
   Vec3T<F> position, velocity;  // position and velocity of the feet
@@ -131,8 +131,9 @@ OBBY_DEVICE void integrate(MotionT<F>& m, const level::LevelView& level, float d
 template <class F>
 OBBY_DEVICE BoxT<F> bodyReach(const MotionT<F>& m, const Params& p) {
   const float dt = p.tickSeconds;
-  // Sideways the body is no faster than it is now or wants to be. Vertically gravity adds speed.
-  // The legs lift it only if the floor is above the feet, and no higher than the floor.
+  // Horizontally the body exceeds neither its present speed nor its wanted speed. Vertically
+  // gravity adds speed. The legs lift it only if the floor is above the feet, and no higher than
+  // the floor.
   const float more = m.drive.gravity * dt * dt + p.contactSkin;
   const F lift = select(m.drive.hover, maxf(m.floorY - m.position.y, F(0.0f)), F(0.0f));
   const Vec3T<F> fastest = max(abs(m.velocity), abs(m.drive.velocity));
@@ -239,8 +240,8 @@ OBBY_DEVICE void moveAmong(Motion& m, const level::LevelView& level, const Candi
   endMove(m, from, level, near, solids);
 }
 
-// Returns the max distance of a move near a solid part. It is less than half the body, so that even
-// a thin part pushes it back to the side that it came from.
+// Returns the max distance of a move near a solid part. The limit is less than half the body's
+// extent, so that even a thin part pushes the body back to the side that it came from.
 template <class F>
 OBBY_DEVICE F safeTravel(const MotionT<F>& m, const Params& p) {
   return 0.45f * minf(F(minf(p.bodyWidth, p.bodyDepth)), p.bodyTop - m.bottom);

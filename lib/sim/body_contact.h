@@ -42,12 +42,13 @@ struct PushT {
 template <class F, int kBodies>
 struct ContactPointT {
   PushT<F, kBodies> push;  // along the normal
-  F distance;              // gap now
+  F distance;              // present gap, studs
   F max;                   // max impulse so far
   F approach;              // speed at the start of the tick; negative when approaching
 };
 
-// The normal points away from the first body.
+// A contact of a body with a part or with a second body. The normal points away from the first
+// body.
 template <class F, int kBodies>
 struct BodyContactT {
   Vec3T<F> surface;  // velocity of the part's surface at the contact

@@ -12,9 +12,9 @@ namespace obby::sim {
 constexpr int kMaxBodyContacts = 64;  // max contacts of a world; more set kContactOverrun
 
 struct Rigid : RigidT<float> {
-  uint32_t linked;  // bodies that it touches, itself included, one bit each
+  uint32_t linked;  // bodies that this body touches, itself included, one bit each
   bool moves;       // awake in this tick
-  bool restless;    // something near it moves or may vanish, so it must not fall asleep
+  bool restless;    // something near the body moves or may vanish, so it must not fall asleep
   bool touches;     // has a contact
 };
 
@@ -109,7 +109,7 @@ OBBY_APART void addContact(World& w, const level::LevelView& level, BodyScene& s
   prepare<float, 2>(c, bodies, pairOf(scene, c), m, middle, level.params.tickSeconds);
 }
 
-// Bodies that touch sleep together, so one that sleeps wakes up.
+// Links two touching bodies. Linked bodies fall asleep together, so this wakes a body that sleeps.
 OBBY_DEVICE void link(BodyScene& scene, RigidBody* bodies, int a, int b) {
   scene.bodies[a].linked |= 1u << b;
   scene.bodies[b].linked |= 1u << a;
@@ -176,8 +176,8 @@ OBBY_APART void meetBodies(World& w, RigidBody* bodies, const level::LevelView& 
   }
 }
 
-// The bodies of a world that move together, one bit each. `alone` is true for one body that meets
-// no other; then no other is tested.
+// The bodies of a world that move together, one bit each. `alone` is true for a single body that
+// meets no other, so that no other is tested.
 struct BodyGroup {
   uint32_t bodies;
   bool alone;
@@ -196,7 +196,7 @@ OBBY_DEVICE void putRigids(const RigidBody* bodies, const level::LevelView& leve
   }
 }
 
-// Finds the contacts of a group of awake bodies, and of those that they wake.
+// Finds the contacts of a group of awake bodies, and of the bodies that they wake.
 OBBY_DEVICE void findContacts(World& w, RigidBody* bodies, const level::LevelView& level,
                               const BodyGroup& group, BodyScene& scene) {
   const int count = int(level.bodyCount);

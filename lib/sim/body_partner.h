@@ -29,7 +29,8 @@ OBBY_DEVICE Vec3 movedBy(const level::LevelView& level, const Partner& part, Vec
   return (point - toWorld(part.before, local)) * float(level.params.controlRate);
 }
 
-// Returns the velocity of a part's surface. A part that does not carry pushes, but does not drag.
+// Returns the velocity of a part's surface. A moving part that does not carry still pushes, but
+// does not drag.
 OBBY_DEVICE Vec3 surfaceOf(const level::LevelView& level, const Partner& part, Vec3 point,
                            Vec3 normal, Vec3 moved) {
   Vec3 velocity = part.flags & level::kCarries ? moved : normal * dot(moved, normal);
@@ -37,7 +38,7 @@ OBBY_DEVICE Vec3 surfaceOf(const level::LevelView& level, const Partner& part, V
     const Vec3 center = part.convex.pose.position;
     velocity += conveyorVelocityAt(level.roles[part.collider->role], center, point);
   }
-  return velocity + Vec3{};  // never -0, because adding 0 would change its bits
+  return velocity + Vec3{};  // never -0: a later addition of 0 would change the bits of -0
 }
 
 }  // namespace obby::sim

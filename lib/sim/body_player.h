@@ -50,7 +50,7 @@ OBBY_DEVICE void loadFloor(BodyScene& scene, const Motion& m, const Floor& floor
   b.restless = true;
 }
 
-// Returns where the torso presses on a body, relative to the body's centre.
+// Returns the point at which the torso presses on a body, relative to the body's centre.
 OBBY_DEVICE Vec3 pressedAt(const Rigid& b, const geom::Convex& shape, const geom::UprightBox& box,
                            const geom::Contact& contact) {
   const geom::Convex torso{geom::ShapeKind::block, {box.half, nullptr}, {box.center, box.axes()}};
@@ -86,8 +86,8 @@ struct Solids {
   CandidateSet fixed, bodies;
 };
 
-// Sets the speed of the floor's body within the tick, so that a player on a falling body falls with
-// it.
+// Sets the floor's speed from the body under the player in each substep, so that a player on a
+// falling body falls with it.
 OBBY_DEVICE void followFloor(const BodyScene& scene, Motion& m, const Floor& floor) {
   const Rigid& b = scene.bodies[floor.body];
   m.floorSpeed = velocityAt(b, Vec3{m.position.x, m.floorY, m.position.z} - b.position).y;

@@ -12,11 +12,10 @@ constexpr float kContactHertz = 60, kContactDamping = 10;
 constexpr float kMaxPush = 12;     // studs/s at which overlapping bodies part
 constexpr float kBounceSpeed = 4;  // studs/s; slower contacts do not bounce
 constexpr float kMaxSpin = 60;     // rad/s
-// Rounds over all contacts in a substep. One is too few even for a body alone: it slides 4 % less
-// far.
+// Rounds over all contacts in a substep. With one round, even a single body slides 4 % less far.
 constexpr int kRounds = 2;
-// Rounds over bouncing contacts. Fewer leave the points with different speeds, which makes a body
-// spin.
+// Rounds over bouncing contacts. Fewer rounds leave the points with different speeds, which makes a
+// body spin.
 constexpr int kBounceRounds = 4;
 // Slower and closer contacts count as resting.
 constexpr float kRestSpeed = 2;    // studs/s
@@ -39,7 +38,7 @@ OBBY_DEVICE void forPoints(const BodyContactT<F, kBodies>& c, Work&& work) {
   for (int k = 0; k < geom::kMaxPoints && any(c.count > k); ++k) work(k, c.count > k);
 }
 
-// Applies the impulses of the last substep at once, which are nearly those of this one.
+// Applies the last substep's impulses first, since this substep's are nearly the same.
 template <class F, int kBodies>
 OBBY_DEVICE void warmStart(PairT<F>& s, const BodyContactT<F, kBodies>& c) {
   forPoints(c, [&](int k, MaskOf<F> asked) OBBY_INLINED {

@@ -68,7 +68,7 @@ OBBY_DEVICE IntOf<F> cellOf(const level::Grid& g, Vec3T<F> feet) {
 template <class F>
 OBBY_DEVICE BoxT<F> tickBounds(Vec3T<F> position, Vec3T<F> velocity, const Params& p) {
   const float limbs =
-      p.armSpan * 0.5f + p.bodyDepth * 0.5f + p.touchMargin;  // at least the diagonal
+      p.armSpan * 0.5f + p.bodyDepth * 0.5f + p.touchMargin;  // an upper bound of the diagonal
   const float arms = maxf(limbs, p.climbReach + p.bodyWidth * p.floorRaySpread);
   // Half a stud beyond the present speed covers a tick of acceleration, and pushes.
   const F side = arms + 0.5f + p.tickSeconds * maxf(absf(velocity.x), absf(velocity.z));

@@ -1,5 +1,5 @@
-// Finds the floor, truss or seat that carries the player. It serves callers between two ticks; no
-// tick needs it.
+// Finds the floor, truss or seat that carries the player. It is for callers between ticks; a tick
+// does not use it.
 #pragma once
 
 #include "sim/climb.h"

@@ -6,8 +6,8 @@
 
 namespace obby::sim {
 
-// Rays straight ahead from the player's axis, in rows from the legs to the top of the torso. The
-// middle column starts a climb; a climber keeps it with the two outer columns as well.
+// Rays straight ahead from the player's axis, in rows from the legs to the top of the torso. Only
+// the middle column can start a climb. During a climb the two outer columns also hold the player.
 constexpr int kClimbRows = 5;
 
 // The truss face ahead.
@@ -23,7 +23,8 @@ struct TrussHit {
   Vec3 normal;    // world
 };
 
-// Tests whether a truss is the first solid part along the ray, or flush with it. Keeps the nearest.
+// Tests whether the first solid part along the ray is a truss, or flush with one. Keeps the nearest
+// truss.
 OBBY_DEVICE void castForTruss(const level::LevelView& level, const Candidates& near,
                               CandidateSet asked, Vec3 from, Vec3 ahead, TrussHit& best) {
   const float reach = level.params.climbReach;
@@ -73,7 +74,7 @@ OBBY_DEVICE TrussHit castColumn(const level::LevelView& level, const Candidates&
     castForTruss(level, near, solids, from, ahead, best);
   }
   if (!(near.anyFlags & level::kRung)) return best;
-  // Rungs are thinner than the spacing of the rows.
+  // Rungs are thinner than the spacing of the rows, so each gets a ray at its own height.
   for (CandidateSet left = solids; left != 0; left &= left - 1) {
     const Candidate& c = near.items[lowestBit(left)];
     const float height = c.pose->position.y - feet.y;
@@ -156,7 +157,8 @@ OBBY_DEVICE Truss updateClimbing(const World& w, const RigidBody* bodies, Player
   }
   const float will = climbWill(p, truss, control);
   if (!climbs) {
-    // This works while rising, too, but not right after a jump off a truss: that is a flick.
+    // A rising player can also start to climb, but not right after a jump off a truss: that is a
+    // flick.
     const bool flicks = player.leftTruss && !(p.tricks & kLadderFlick);
     if (truss.sensed && will > 0 && !flicks) player.state = int32_t(State::climbing);
   } else if (!truss.sensed) {
@@ -175,7 +177,7 @@ OBBY_DEVICE ControlT<float> facing(const Truss& truss, const ControlT<float>& co
 }
 
 // Moves a climber by one tick, toward the speed of the climb and without gravity. On the way up the
-// body is also pressed to the truss, which takes it over the top once the hips are clear.
+// body is also pressed against the truss. This moves it over the top once the hips are clear.
 OBBY_DEVICE void moveClimber(Motion& m, const Truss& truss, const ControlT<float>& control,
                              const level::LevelView& level, const Params& p,
                              const Candidates& near) {

@@ -36,7 +36,7 @@ OBBY_DEVICE void startClock(World& w, const level::LevelView& level, uint32_t cl
   w.clocks[w.clockCount++] = {clock, 0};
 }
 
-// Lets a tick pass, and removes clocks that are over. The order is kept.
+// Advances the clocks by a tick, and removes those that are over. The order is kept.
 OBBY_DEVICE void runClocks(World& w, const level::LevelView& level) {
   int kept = 0;
   for (int i = 0; i < w.clockCount; ++i) {

@@ -9,10 +9,10 @@
 namespace obby::sim {
 namespace {
 
-constexpr uint32_t kBlock = 256;  // worlds a task, as many as the wide tick takes at once
-// Ticks until worlds that changed their level are sorted again. More ticks leave more of them
-// behind at the end of a step, where they fill no lanes; fewer ticks cost more runs of the thread
-// pool.
+constexpr uint32_t kBlock = 256;  // worlds per task, as many as the wide tick takes at once
+// Ticks until worlds that changed their level are sorted again. With more ticks, more worlds are
+// left over at the end of a step, where they do not fill the lanes. With fewer ticks, the thread
+// pool runs more often.
 constexpr uint32_t kPassTicks = 32;
 
 class CpuBatch : public Batch {

@@ -40,7 +40,7 @@ class Device {
   virtual Status uploadAside(void* to, const void* from, size_t bytes) = 0;
   // Copies memory of the device to the host, after the kernels enqueued so far, and waits.
   virtual Status download(void* to, const void* from, size_t bytes) const = 0;
-  // These work on memory of the device.
+  // Both work on device memory.
   virtual Status copy(void* to, const void* from, size_t bytes) = 0;
   virtual Status fill(void* to, uint8_t value, size_t bytes) = 0;
 

@@ -34,7 +34,7 @@ struct Episode {
   uint32_t number = 0;  // trajectories before this one
 };
 
-// Returns the level of a world's episode. The worlds take turns at the queue.
+// Returns the level of a world's episode. Worlds take levels from the queue in turns.
 OBBY_DEVICE uint32_t levelOf(const LevelSet& s, uint32_t world, uint32_t worlds, uint32_t episode) {
   return s.queue[(world + uint64_t(episode) * worlds) % s.queueLength];
 }

@@ -1,5 +1,5 @@
 // The character's state machine and its control: jumping, landing, coyote time, turning, and the
-// wanted velocity. It runs once a tick, as the engine's runs once a frame.
+// wanted velocity. It runs once per tick, as the engine's runs once per frame.
 #pragma once
 
 #include "sim/floor.h"
@@ -34,7 +34,8 @@ OBBY_DEVICE F turnLeft(const PlayerT<F>& w, const ControlT<F>& control) {
 
 // Wall hops and corner flips: in the air the player can face any heading at once, as with the
 // camera locked behind the body. The floor rays then start inside the wall, before the body is
-// pushed out, so that a seam or a corner of it is a floor. Runs before the floor is sensed.
+// pushed out. A seam or a corner of the wall thus counts as a floor. Runs before the floor is
+// sensed.
 template <class F>
 OBBY_DEVICE void faceAtOnce(PlayerT<F>& w, const Params& p, const ControlT<F>& control) {
   if (!(p.tricks & kWallHop)) return;
@@ -115,7 +116,7 @@ OBBY_DEVICE void updateState(PlayerT<F>& w, const Params& p, const FloorT<F>& fl
   w.velocity.y = select(jumps, p.jumpSpeed + floor.velocity.y, w.velocity.y);
   w.jumps = select(jumps, countedOn(w.jumps, 1), w.jumps);
   if (p.tricks & kHeldJump) holdJump(w, p, floor, control, jumping, jumps);
-  // One jump per take-off.
+  // Ends the coyote time at the jump, so that a take-off allows only one jump.
   w.floorlessSteps = select(jumps, Int(int32_t(p.coyoteSteps)), w.floorlessSteps);
   countHanging(w, p, floor);
   w.sensed = floor.sensed;

@@ -16,7 +16,7 @@ class KernelBatch : public Batch {
   Status begin(const Course& course, const FirstWorlds& first) {
     args_.set = course.set();
     OBBY_ASSIGN(tables_, uploadTables(device_, args_.set));
-    // A single level is an argument of the kernel; its tables are with the others.
+    // A single level is passed as a kernel argument; its tables are in the device's memory.
     args_.count = size();
     if (course.levels.size() == 1) {
       OBBY_RETURN_IF_ERROR(device_.download(&args_.only, args_.set.levels, sizeof args_.only));

@@ -21,7 +21,7 @@ class Reach {
     row_.copy_from(row, std::experimental::element_aligned);
   }
 
-  // Subtracting the result moves the four sides of a box in by `studs`.
+  // Subtracting the result moves the four sides of a box inward by `studs`.
   static Reach sides(float studs) { return Reach(Box{{-studs, 0, -studs}, {studs, 0, studs}}, 0); }
   Reach operator-(const Reach& by) const {
     Reach out = *this;

@@ -12,7 +12,7 @@ enum class RigidBodyState : uint8_t {
   gone     // fell out of the world
 };
 
-// Has no padding, so that a body hashes as its bytes.
+// The struct has no padding, so a body is hashed as its bytes.
 struct RigidBody {
   Vec3 position;        // position of the centre of mass, studs
   Quat rotation;        // rotation of the part

@@ -42,7 +42,8 @@ OBBY_DEVICE const level::SegmentLimits& segmentOf(const World& w, const level::Q
   return w.waypoints < q.waypointCount ? q.waypoints[w.waypoints].segment : q.last;
 }
 
-// These return the ticks since the start, and since the last waypoint.
+// ticksPlayed() returns the ticks since the start, segmentTicks() the ticks since the last
+// waypoint.
 OBBY_DEVICE uint32_t ticksPlayed(const World& w, const level::QueryView& q) {
   return w.tick - q.startTick;
 }
@@ -72,7 +73,8 @@ OBBY_DEVICE bool isLate(const World& w, const level::QueryView& q) {
 }
 
 // Returns the violated rule, or `running` if there is none. Targets must be reached at the end of a
-// tick. Targets to avoid are also tested within it, or a player could step over a thin region.
+// tick. Targets to avoid are also tested within the tick, since a player could otherwise step over
+// a thin region.
 OBBY_DEVICE Outcome violation(const Judged& j) {
   for (uint32_t i = 0; i < j.q.avoidCount; ++i) {
     if (!j.reaches(j.q.avoid[i]) && !j.passes(j.q.avoid[i])) continue;

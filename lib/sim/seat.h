@@ -1,5 +1,6 @@
 // Sitting: a touched seat holds the player until jump is pressed. The seat's clock identifies it
-// and is held at 0 meanwhile. Then the clock runs, and the seat accepts no player until it is over.
+// and is held at 0 meanwhile. Then the clock runs, and the seat accepts no player until the clock
+// is over.
 #pragma once
 
 #include "sim/body.h"

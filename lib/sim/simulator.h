@@ -68,20 +68,20 @@ void advanceAll(const level::LevelView& level, const level::QueryView* query,
 
 // A state of a replayed trajectory, valid until the visit returns.
 struct Moment {
-  uint32_t tick;                      // since the start, which is 0
+  uint32_t tick;                      // ticks since the start, which is 0
   const World& before;                // one tick earlier; at the start the same as `world`
   const World& world;                 // now
   std::span<const RigidBody> bodies;  // now: (level.bodyCount)
 };
 
-// Called for each state. Returns true to continue.
+// A function that replay() calls for each state. It returns true to continue.
 using Visit = std::function<bool(const Moment&)>;
 
 // The last state of a replay.
 struct ReplayEnd {
   World world;
   std::vector<RigidBody> bodies;
-  uint32_t ticks = 0;  // since the start
+  uint32_t ticks = 0;  // ticks since the start
 };
 
 // Visits every state of a trajectory, the start first, and keeps none. Stops at the end of the

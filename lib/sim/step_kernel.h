@@ -1,9 +1,9 @@
-// The kernel that steps worlds, with one world a thread and several ticks a launch. cuda/step.cu
-// launches it on a GPU, and host_device.h runs it on the CPU for tests.
+// The kernel that steps worlds, with one world per thread and several ticks per launch.
+// cuda/step.cu launches it on a GPU, and host_device.h runs it on the CPU for tests.
 //
-// A world is loaded and stored once a launch. Its 128 bytes are a cache line of their own, and all
-// of them are used, so a transposed layout would save no traffic. 256 bytes a launch are little
-// compared with the ticks in between.
+// A world is loaded and stored once per launch. Its 128 bytes are a cache line of their own, and
+// all of them are used, so a transposed layout would save no traffic. 256 bytes per launch are
+// little compared with the ticks in between.
 #pragma once
 
 #include "sim/actions.h"
@@ -16,7 +16,7 @@ namespace obby::sim {
 
 struct StepArguments {
   LevelSet set;
-  level::LevelView only;  // the level if there is only one; reaches a GPU as constants
+  level::LevelView only;  // the level if there is only one; a GPU receives it as constants
   ActionView actions;
   World* worlds;      // (count)
   RigidBody* bodies;  // (count, set.bodyStride); updated in place

@@ -32,8 +32,8 @@ OBBY_DEVICE void endTick(World& w, const level::LevelView& level, const Candidat
   }
 }
 
-// The phases with and without dynamic bodies. kDynamic false is for levels without them, on GPUs,
-// where code that never runs still costs registers.
+// The phases exist with and without dynamic bodies. GPUs use kDynamic = false for levels without
+// dynamic bodies, because code that never runs still costs registers.
 
 // Advances a player who is not seated by a tick. `p` includes the player's boosts.
 template <bool kDynamic>

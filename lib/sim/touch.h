@@ -9,7 +9,7 @@ namespace obby::sim {
 
 struct Limbs {
   geom::UprightBox arms, column;
-  geom::UprightBox root;  // only its centre
+  geom::UprightBox root;  // the root; only the centre of this box is used
 };
 
 OBBY_DEVICE Limbs limbsOf(const World& w, const Params& p) {

@@ -1,5 +1,5 @@
 // Falling down: a player who has tripped keeps the momentum, does not hover, has no control, and
-// slides until the trip's clock is over. The engine has the same state: limbs collide, and only
+// slides until the trip's clock is over. In the engine's state of this name, limbs collide and only
 // friction slows the body. Here the body stays upright (docs/parts.md, roles).
 #pragma once
 
@@ -12,7 +12,7 @@ OBBY_DEVICE void updateFallingDown(World& w, bool helpless) {
   if (helpless && w.state != State::seated) {
     w.state = State::fallingDown;
   } else if (!helpless && w.state == State::fallingDown) {
-    w.state = State::freefall;  // gets up on a floor: lands at once
+    w.state = State::freefall;  // on a floor, the player lands at once
   }
 }
 

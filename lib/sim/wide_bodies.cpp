@@ -74,7 +74,8 @@ uint32_t WideBodies::add(World& w, RigidBody* bodies, const Box& near) {
 }
 
 // Returns the bodies that are too far from all others to meet them, one bit each. Sets `speeds` for
-// all bodies. It may miss some that isAlone() finds, because that takes more square roots.
+// all bodies. It may miss bodies that isAlone() finds, because finding those takes more square
+// roots.
 uint32_t WideBodies::findApart(const RigidBody* bodies, float* speeds) const {
   constexpr float kRounding = 0.01f;  // studs
   uint32_t meets = 0;
@@ -118,8 +119,8 @@ bool WideBodies::take(const World& w, RigidBody& b, uint32_t i, float speed) {
   return true;
 }
 
-// Returns how many parts' bounds meet the box; a result above kMaxNear means too many. There is no
-// branch for each part, because it would be mispredicted.
+// Returns the number of parts whose bounds meet the box; a result above kMaxNear means too many.
+// There is no branch for each part, because it would be mispredicted.
 int WideBodies::partsNear(Vec3 center, const Box& near, uint32_t* ids) const {
   const int32_t cell = cellOf<float>(level_.bodyGrid, center);
   if (cell < 0) return 0;
@@ -218,7 +219,7 @@ void WideBodies::findHits() {
   std::fill_n(touching_ + hits_, kLanes, hits_ > 0 ? touching_[hits_ - 1] : 0);
 }
 
-// Finds the points where these pairs touch, one row per pair.
+// Finds the points where the pairs of findHits() touch, one row per pair.
 void WideBodies::findContacts() {
   for (int i = 0; i < hits_; i += kLanes) {
     const int32_t* pairs = touching_ + i;

@@ -35,7 +35,7 @@ class WideBodies {
     Mat3 inverseInertia;
     Vec3 center;
     int32_t restless;
-    int32_t touches;  // not 0 if it has a contact
+    int32_t touches;  // not 0 if the body has a contact
     int32_t unused[2];
   };
   struct alignas(64) BlockRow {
@@ -49,7 +49,7 @@ class WideBodies {
   struct Place {  // one body of a world
     RigidBody* target;
     uint32_t collider;
-    uint32_t number;  // in its world
+    uint32_t number;  // index of the body in its world
     int firstContact, contacts;
   };
   struct Pair {  // a body and a part

@@ -58,8 +58,8 @@ void WideNear::findReach(World* const* worlds, int count) {
   }
 }
 
-// Returns true if a dynamic body is near the player. Otherwise the bodies move apart from it
-// (wide_bodies.h).
+// Returns true if a dynamic body is near the player. Otherwise the bodies move separately from the
+// player (wide_bodies.h).
 bool WideNear::nearBodies(int i, const RigidBody* bodies) const {
   const Box near = looks_[i].box();
   bool found = false;
@@ -71,7 +71,7 @@ bool WideNear::nearBodies(int i, const RigidBody* bodies) const {
 void WideNear::look(World* const* worlds, const RigidBody* const* bodies, int count) {
   findReach(worlds, count);
   movedCount_ = 0;
-  // All lists are prefetched before the first is read, so that many loads are under way at a time.
+  // All lists are prefetched before the first is read, so that many loads run at the same time.
   const uint32_t* lists[kWideSlots];
   for (int i = 0; i < count; ++i) {
     const int32_t cell = looks_[i].cell;

@@ -8,7 +8,7 @@
 
 namespace obby::sim {
 
-constexpr int kWideSlots = 256;  // worlds a block
+constexpr int kWideSlots = 256;  // worlds per block
 static_assert(kWideSlots % kLanes == 0 && kRowWords <= kMaxCandidates);
 
 // Pose of a moving part for a world. The row has the layout and the size of a level::Collider, so
@@ -29,19 +29,20 @@ class WideNear {
         rows_{reinterpret_cast<const char*>(level.colliders),
               reinterpret_cast<const char*>(moved_)} {}
 
-  // The code that takes a world's tick.
+  // The code that advances a world in this tick.
   enum class Turn : uint8_t { ended, single, lanes };  // none; tick(); SIMD lanes
 
   // Finds the parts around at most kWideSlots worlds. `bodies` may be null.
   void look(World* const* worlds, const RigidBody* const* bodies, int count);
 
   // The following are about the i-th world of the last look().
-  Box reach(int i) const { return looks_[i].box(); }  // the space that its player can reach
+  Box reach(int i) const { return looks_[i].box(); }  // the space that the world's player can reach
   Turn turn(int i) const { return turn_[i]; }
   // These apply to worlds that go to the lanes. A part counts if the body or the floor rays can
   // meet it, or if the limbs can and a touch has an effect.
   int count(int i) const { return count_[i]; }
-  uint32_t anyFlags(int i) const { return anyFlags_[i]; }  // ColliderFlag bits of all in reach
+  // ColliderFlag bits of all parts in reach.
+  uint32_t anyFlags(int i) const { return anyFlags_[i]; }
   // Returns the tags of these parts (level::Bounds::tag), (count). With kMovingTag the index is
   // that of a moved part.
   const uint32_t* tags(int i) const { return tags_[i]; }
@@ -65,7 +66,7 @@ class WideNear {
                      // exceeded
     int32_t cell;    // cell of the grid; -1 for none
     int32_t outcome;
-    int32_t single;  // not 0 if it climbs or sits, a clock runs, or it was just teleported
+    int32_t single;  // not 0 if the player climbs, sits or was just teleported, or if a clock runs
     uint32_t tick;
     int32_t unused[4];
 
@@ -86,7 +87,7 @@ class WideNear {
 
   const level::LevelView& level_;
   const float limbsWidth_;     // studs sideways that limbs reach beyond body and floor rays
-  const Reach limbs_;          // the same, to subtract from a reach
+  const Reach limbs_;          // limbsWidth_ as a Reach, to subtract from another
   const char* const rows_[2];  // tables of still and of moving parts
   Look looks_[kWideSlots];
   Turn turn_[kWideSlots];

@@ -22,7 +22,7 @@ class WideParts {
   // one with the most parts last. It must stay valid until the next call.
   void look(const int32_t* index);
 
-  // These apply to the worlds last looked at. `worlds` are all worlds of the block.
+  // These functions apply to the worlds of the last look(). `worlds` are all worlds of the block.
   FloorT<WideFloat> floorUnder(const WidePlayer& player, World* const* worlds) const;
   void findSolids(const WideMotion& motion, LaneSolids* solids) const;  // (kLanes)
 

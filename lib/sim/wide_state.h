@@ -1,5 +1,5 @@
-// Converts the players of kLanes worlds from and to rows, and the motions of a block of worlds from
-// and to arrays, so that any of them can share lanes.
+// Converts the players of kLanes worlds from and to rows. Also converts the motions of a block of
+// worlds from and to arrays, so that any of these motions can share lanes.
 #pragma once
 
 #include <stddef.h>
@@ -99,12 +99,12 @@ OBBY_LANES geom::BlockT<WideFloat> blockOf(const Rows& rows) {
           vectorAt(rows, 12)};
 }
 
-// The motion of a world, as a row.
+// The motion of a world as a row.
 struct alignas(64) MotionRow {
   float words[kRowWords];
 };
 
-// `yaw` is the player's.
+// Converts motions to rows. `yaw` is the player's.
 OBBY_LANES Rows rowsOf(const WideMotion& m, WideInt yaw) {
   // A body that the legs hold has no free steps, so this word encodes the legs as well.
   const WideFloat legs = select(m.drive.hangs, WideFloat(-2.0f), WideFloat(-1.0f));
@@ -118,7 +118,8 @@ OBBY_LANES Rows rowsOf(const WideMotion& m, WideInt yaw) {
   return r;
 }
 
-// `gravity` is the level's, because worlds with a running clock are in no lane.
+// Returns the motions in these rows. `gravity` is the level's, because worlds with a running clock
+// are never in lanes.
 OBBY_LANES WideMotion motionAt(const Rows& r, float gravity) {
   const Vec3T<WideFloat> wanted = vectorAt(r, 6), slide = vectorAt(r, 9), legs = vectorAt(r, 12);
   DriveT<WideFloat> d;

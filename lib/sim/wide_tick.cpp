@@ -66,9 +66,10 @@ class Ticker {
   WideBodies wideBodies_;
   World unused_{};  // lanes without a world write to it
 
-  // These cover the worlds in lanes, by slot, in the order of work. Slots after the last repeat it.
+  // These cover the worlds in lanes, by slot, in the order of work. Slots past the end repeat the
+  // last world.
   int count_ = 0;
-  int32_t order_[kWideSlots + kLanes];        // index
+  int32_t order_[kWideSlots + kLanes];        // index of the world in each slot
   alignas(64) int32_t footedOn_[kWideSlots];  // index into the world's tags of the part that the
                                               // feet touch; -1 for none
   LaneSolids solids_[kWideSlots];

@@ -17,8 +17,8 @@ namespace obby::sim {
 // Counts of the kinds of ticks, which show the cost of a level; sums over calls.
 struct WideCounts {
   uint64_t ticks = 0;          // ticks of all worlds
-  uint64_t single = 0;         // those that tick() moved
-  uint64_t contact = 0;        // those with a solid part in the body's reach
+  uint64_t single = 0;         // ticks of worlds that tick() moved
+  uint64_t contact = 0;        // ticks with a solid part in the body's reach
   uint64_t bodiesInLanes = 0;  // dynamic bodies that lanes moved
 };
 

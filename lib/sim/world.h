@@ -57,7 +57,7 @@ constexpr int kMaxClocks = 8;
 // A clock that a touch has started (level::Clock).
 struct RunningClock {
   uint32_t clock;  // index into LevelView::clocks
-  uint32_t ticks;  // since its start
+  uint32_t ticks;  // ticks since the clock's start
 };
 
 // X(type, name)

@@ -1,5 +1,5 @@
 // WideFloat holds as many floats as the CPU has SIMD lanes, for the templates of math/lanes.h. Host
-// only. It is built on std::experimental::simd; the gathers and packed stores that this lacks are
+// only. It is built on std::experimental::simd; gathers and packed stores, which it lacks, are
 // below. The width follows the compiler's target (16 with AVX-512, 8 with AVX, 4 otherwise) and
 // never affects a result.
 #pragma once
@@ -211,8 +211,8 @@ OBBY_LANES uint32_t bitsOf(WideMask m) {
   return bits;
 }
 
-// Packs the lanes of `chosen` into `to`, which must hold kLanes values. The values after them are
-// unspecified.
+// Packs the lanes of `chosen` into `to`, which must hold kLanes values. The values after the packed
+// ones are unspecified.
 OBBY_LANES void storeChosen(WideFloat a, uint32_t chosen, float* to) {
 #if defined(__AVX512F__)
   const auto lanes = _mm512_maskz_compress_ps(__mmask16(chosen), static_cast<__m512>(a.v));

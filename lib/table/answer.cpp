@@ -1,4 +1,4 @@
-// Names places by region, part or spawn, otherwise by coordinates.
+// Names start and goal by region, part or spawn, otherwise by coordinates.
 #include "table/answer.h"
 
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-// One query and its answer as a row of the table: facts taken from the records, in words for
+// One query and its answer as a row of the table. The facts come from the records, in words for
 // designers.
 #pragma once
 
@@ -14,7 +14,7 @@ enum class State {
   notAsked,  // the stream has only the query
   noResult,  // the stream has trajectories or progress, but no result
   solved,
-  doubtful,  // solved, but it may not hold in the game
+  doubtful,  // solved, but the solution may fail in the game
   unreachable,
   unknown,
   mismatch,  // a recorded solution does not replay

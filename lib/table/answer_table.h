@@ -10,8 +10,8 @@
 
 namespace obby::table {
 
-// Returns the indices of the answers that get a row. If any query was asked, these are the ones
-// that were; otherwise all.
+// Returns the indices of the answers that get a row. If the stream answers or tries any query, only
+// those queries get a row; otherwise all do.
 std::vector<size_t> listed(const std::vector<Answer>& answers);
 
 // Returns the table. Each line ends in a newline, and the last line counts the queries without a

@@ -12,7 +12,8 @@ namespace {
 
 constexpr double kLeft = 62, kTop = 48, kWidth = 640, kBetween = 88, kBottom = 56;  // pixels
 constexpr double kRight = 60, kLetter = 7.4;  // width of the legend, and of each letter in it
-// The colours differ without red and green, and are dark (or light) enough for text.
+// The colours are distinct even to readers who cannot see red or green. They are dark (or light)
+// enough for text.
 constexpr const char* kColors[] = {"#1b62b5", "#c2570c", "#5d3a9b",
                                    "#0e7c66", "#8a6d00", "#444444"};
 constexpr const char* kDarkColors[] = {"#74b2ff", "#ff9f5e", "#bb9ff2",
@@ -165,7 +166,7 @@ ChartAxis roundAxis(std::string title, double from, double to, bool outward, dou
   last = outward ? std::ceil(last - 1e-9) : std::floor(last + 1e-9);
   ChartAxis axis{std::move(title), from, to, false, {}};
   if (outward) axis.from = first * step, axis.to = last * step;
-  for (double n = first == 0 ? 0 : first; n <= last; ++n)  // no tick says -0
+  for (double n = first == 0 ? 0 : first; n <= last; ++n)  // adding 0 keeps a tick from reading -0
     axis.ticks.emplace_back(n * step, spoken(n * step * scale, unit));
   return axis;
 }

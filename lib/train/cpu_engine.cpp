@@ -25,8 +25,8 @@ class CpuEngine : public Engine {
   struct Group {  // an env group with its part of the batch
     Group(const LevelSource& source, const TrainerSettings& s, uint32_t number, const Ranks& ranks);
     EnvGroup envGroup;
-    uint32_t first, worlds;      // its range of the batch's worlds
-    std::vector<uint32_t> rows;  // its worlds' rows in a tick
+    uint32_t first, worlds;      // the group's range of the batch's worlds
+    std::vector<uint32_t> rows;  // rows of the group's worlds in a tick
     nn::Pass<float> pass;
     Sums seen{policy::kInputs};
     std::vector<uint8_t> mayJump;
@@ -43,7 +43,7 @@ class CpuEngine : public Engine {
   uint64_t decisionOf(const PlayOrder& order, uint32_t tick) const {
     return order.iteration * settings_.ticks + tick;
   }
-  size_t rowOf(const Group& group, uint32_t tick) const;  // row of its first world
+  size_t rowOf(const Group& group, uint32_t tick) const;  // row of the group's first world
 
   TrainerSettings settings_;
   const LevelSource& source_;

@@ -17,10 +17,10 @@ struct TrainerSettings {
   EnvGroupSettings envGroup;  // 8 x 32 worlds
   uint32_t ticks = 32;        // decisions of each world per iteration
   PpoSettings ppo;
-  uint64_t decisions = 100'000'000;  // the learning rate decays to a tenth over these
+  uint64_t decisions = 100'000'000;  // decisions over which the learning rate decays to a tenth
   float easiest = 0.1f;              // difficulty of the first levels
-  float raiseAt = 0.7f;              // share of episodes solved above which levels become harder
-  float lowerAt = 0.45f;             // share below which they become easier
+  float raiseAt = 0.7f;              // share of solved episodes above which levels become harder
+  float lowerAt = 0.45f;             // share of solved episodes below which levels become easier
   std::vector<int> hidden;           // inputs that the policy does not see (ablation)
 
   uint32_t worlds() const { return envGroups * envGroup.size(); }  // per rank
@@ -40,8 +40,8 @@ struct Played {
   double reward = 0;  // sum
   Tally tally;
   Sums seen{policy::kInputs};  // raw inputs
-  // The source's error in place of a next level. This iteration can be learned from, but no further
-  // one can be played. The waiting places are in envGroups().
+  // The source's error in place of a next level. Training can still learn from this iteration, but
+  // cannot play another. The waiting places are in envGroups().
   Status missing;
 };
 

@@ -17,7 +17,7 @@ namespace obby::train {
 
 struct EnvGroupSettings {
   uint32_t levels = 8;     // levels at a time
-  uint32_t worlds = 32;    // on each level
+  uint32_t worlds = 32;    // worlds on each level
   uint32_t episodes = 64;  // episodes on a level before the next replaces it
   RestartShares restarts;
   float patience = 3;  // max episode time: this times the route's walking time, plus ten seconds
@@ -38,7 +38,7 @@ uint64_t levelIndex(const EnvGroupSettings& settings, uint32_t envGroup, uint32_
 Status checkPlace(const PlaceState& state, const TrainingLevel& level,
                   const EnvGroupSettings& settings);
 
-// Returns true if the place's level has had its episodes. The next level replaces it after the
+// Returns true if the place's level has had all its episodes. The next level replaces it after the
 // iteration.
 inline bool isOver(const PlaceCounts& counts, const EnvGroupSettings& settings) {
   return counts.played >= settings.episodes;
@@ -46,7 +46,7 @@ inline bool isOver(const PlaceCounts& counts, const EnvGroupSettings& settings) 
 
 class EnvGroup {
  public:
-  // `number`: index of this env group among `envGroups`. The source must outlive it.
+  // `number`: index of this env group among `envGroups`. The source must outlive this object.
   EnvGroup(const LevelSource& source, const EnvGroupSettings& settings, uint64_t seed,
            uint32_t number, uint32_t envGroups);
 
@@ -58,7 +58,7 @@ class EnvGroup {
   // and number. restore() has the errors of begin(), and one for a state that does not fit.
   EnvGroupState state() const;
   Status restore(EnvGroupState state);
-  // Returns the first level of the source that is still played or will be.
+  // Returns the index of the source's first level that is still being played, or will be.
   uint64_t firstLevel() const { return firstLevel(places_); }
   uint64_t firstLevelOf(const EnvGroupState& state) const { return firstLevel(state.places); }
 
@@ -75,16 +75,16 @@ class EnvGroup {
   // Call it after step(), which played `decision` of each world. Restarts the ended episodes.
   void settle(uint64_t decision);
   // Call it instead of settle() after the last decision of an iteration. Cuts episodes that take
-  // too long, and replaces levels that have had their episodes. The level after each is requested
-  // with difficulty `hardest`, so that it is made while others are played. Errors: the source's.
-  // After an error, or if the source was told to stop, only state() may be called.
+  // too long, and replaces levels that have had all their episodes. The level after each is
+  // requested with difficulty `hardest`, so that it is made while others are played. Errors: the
+  // source's. After an error, or if the source was told to stop, only state() may be called.
   Status settleIteration(uint64_t decision, float hardest);
 
   Tally takeTally();
 
  private:
   struct Place : PlaceState {                    // a level with its worlds
-    std::shared_ptr<const TrainingLevel> level;  // null while it waits
+    std::shared_ptr<const TrainingLevel> level;  // null while the place waits
     TrainingView view;
   };
 
@@ -112,7 +112,7 @@ class EnvGroup {
   uint32_t number_, envGroups_;
   std::vector<Place> places_;
   Tally tally_;
-  // Buffers of a tick.
+  // Buffers that step() and settle() use in each tick.
   std::vector<sim::World*> worlds_;
   std::vector<sim::RigidBody*> bodies_;
   std::vector<sim::Action> actions_;

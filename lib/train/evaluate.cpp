@@ -50,7 +50,7 @@ bool playAlone(const policy::NetworkView& network, policy::Observe observe,
 struct Score {
   bool played = false, likeliest = false;
   uint16_t kind = 0;
-  uint32_t drawn = 0;  // episodes that solve it
+  uint32_t drawn = 0;  // episodes that solve the level
 };
 
 Score scoreOf(const policy::NetworkView& network, const TrainingLevel& level, uint64_t index,

@@ -17,7 +17,7 @@ struct EvaluationSettings {
   uint64_t firstLevel = 0;
   uint32_t levels = 1000;  // max number of levels
   uint32_t tries = 8;      // episodes of each level; the first is greedy
-  float hardest = 1;       // difficulty
+  float hardest = 1;       // max difficulty of the levels, 0 to 1
   float patience = 3;      // as EnvGroupSettings::patience
   // Wall-clock time after which no level begins. Running episodes are given up a second later.
   double seconds = 1e30;
@@ -27,8 +27,8 @@ struct EvaluationSettings {
 struct Solved {
   uint32_t levels = 0;   // played
   double likeliest = 0;  // share of levels that the greedy episode solves
-  double drawn = 0;      // share of sampled episodes that solve; 0 without any
-  double any = 0;        // share of levels that any episode solves
+  double drawn = 0;      // share of sampled episodes that solve their level; 0 if none are sampled
+  double any = 0;        // share of levels that at least one episode solves
 };
 
 struct Evaluation : Solved {  // totals of all levels
@@ -41,8 +41,8 @@ struct Evaluation : Solved {  // totals of all levels
 // Progress of an evaluation.
 struct EvaluationSoFar {
   uint32_t levels = 0;   // played
-  double likeliest = 0;  // share of them that the greedy episode solves
-  double done = 0;       // share of the levels or of the time, the larger, 0 to 1
+  double likeliest = 0;  // share of the played levels that the greedy episode solves
+  double done = 0;       // share of the levels or of the time, whichever is larger; 0 to 1
 };
 
 // Returns the kind of a level, from 0. Called from any thread.

@@ -11,8 +11,8 @@ namespace obby::train {
 
 class Guide {
  public:
-  // `places`: at least two. `waypoints`: those of the query. Each maps to the nearest place that is
-  // not before the previous waypoint's.
+  // `places`: at least two. `waypoints`: those of the query. Each waypoint maps to the nearest
+  // place that is not before the previous waypoint's place.
   explicit Guide(std::vector<Vec3> places, std::span<const Vec3> waypoints = {});
 
   // Like the functions of GuideView.
@@ -30,7 +30,7 @@ class Guide {
  private:
   std::vector<Vec3> places_;
   std::vector<float> behind_;    // (places), studs from each place to the end
-  std::vector<uint32_t> stops_;  // (waypoints), their places
+  std::vector<uint32_t> stops_;  // (waypoints), index of each waypoint's place
 };
 
 }  // namespace obby::train

@@ -9,8 +9,8 @@
 
 namespace obby::train {
 
-// Weight of the distance to the line. It is high because there may be no floor next to the line,
-// and so that the opposite lane of a route that turns back does not count as near.
+// Weight of the distance to the line. It is high because there may be no floor next to the line. It
+// also keeps the opposite lane of a route that turns back from counting as near.
 constexpr float kOff = 3;
 
 // Plain spans, for device code.
@@ -24,8 +24,8 @@ struct GuideView {
 
   // Returns the studs to the end: kOff times the distance to the line, then along it, minimised
   // over the line, so that short cuts count. It skips segments that start with less than `from`
-  // studs left: where a route winds up a tower, the next turn is overhead but not near. It also
-  // skips segments after the next waypoint; `waypoints` were passed.
+  // studs left: where a route spirals up a tower, the next turn is overhead but not near. It also
+  // skips segments after the next waypoint; `waypoints` is the number already passed.
   OBBY_DEVICE float left(Vec3 position, float from, uint32_t waypoints) const {
     const uint32_t last = waypoints < stopCount ? stops[waypoints] : count - 1;
     float min = 1e30f;

@@ -169,7 +169,7 @@ void LevelStream::Reader::know(const io::Record& level) {
   }
 }
 
-// Returns the last level of that name; the last level if the name is empty.
+// Returns the last level with this name, or null. An empty name stands for the last level of all.
 LevelStream::Known* LevelStream::Reader::levelNamed(const std::string& name) {
   if (name.empty() && !levels.empty()) return &levels.back();
   const auto found = std::find_if(levels.rbegin(), levels.rend(),

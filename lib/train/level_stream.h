@@ -25,7 +25,7 @@ struct LevelStreamSettings {
   size_t levelsInReach = 1024;
   size_t bytesInReach = size_t(1) << 30;
   bool again = true;  // restart at the stream's end; if false, levels end there and none are kept
-  // If the stream is a copy: summary of the records read to make it.
+  // If the stream is a copy, the summary of the records read to make the copy.
   io::SourceSummary before = {};
   // Number of consecutive queries with a difficulty from which one is chosen by the current
   // difficulty. 1: each is played, in order.
@@ -46,9 +46,9 @@ class LevelStream : public LevelSource {
   LevelStream(io::SourceOptions options, const LevelStreamSettings& settings = {});
 
   // Waits for the stream. Returns null if `options.stop` is set first, or if the stream ends first
-  // and does not restart. Errors: those of the stream up to there; a query without a level; a level
-  // or query that does not compile, unless `options` forgive it; no playable query in the whole
-  // stream; an interrupted end before a restart, unless `options` forgive it.
+  // and does not restart. Errors: those of the stream up to that level; a query without a level; a
+  // level or query that does not compile, unless `options` forgive it; no playable query in the
+  // whole stream; an interrupted end before a restart, unless `options` forgive it.
   Result<std::shared_ptr<const TrainingLevel>> level(uint64_t index, float hardest) const override;
   // Does not wait for the stream, even while level() waits.
   void past(uint64_t index) const override;
@@ -58,7 +58,8 @@ class LevelStream : public LevelSource {
   // Returns the summary of all records so far, with settings.before. Waits for a running read.
   io::SourceSummary summary() const;
 
-  // Return the number of compiled levels that wait, and of levels compiled on reading, for tests.
+  // For tests. Both return a number: of compiled levels that wait, and of levels compiled on
+  // reading.
   size_t compiledHeld() const;
   size_t compiledOnReading() const;
 
@@ -109,19 +110,19 @@ class LevelStream : public LevelSource {
     io::RecordSource source;
     LevelStreamSettings settings;
     io::Physics physics;
-    std::deque<Known> levels;  // recent ones, oldest first
+    std::deque<Known> levels;  // recent levels, oldest first
     size_t reach = 0;          // size of `levels`, bytes
     std::map<uint64_t, Turn> turns;
     Turn open;            // the turn that is being filled
     uint64_t read = 0;    // turns so far
-    uint64_t kept = 0;    // the first turns, kept for a restart
-    uint64_t needed = 0;  // earlier turns are needed only after a restart
+    uint64_t kept = 0;    // number of turns kept for a restart, from the first on
+    uint64_t needed = 0;  // first turn still needed; earlier turns are needed only after a restart
     size_t bytes = 0;     // size of the kept records
     size_t waiting = 0;   // compiled levels of the turns
     bool full = false;    // no more turns are kept
     size_t compiledOnReading = 0;
     bool ended = false;
-    Status said;  // the error that ended it
+    Status said;  // the error that ended reading
   };
 
   mutable std::atomic<uint64_t> past_{0};  // passed to the reader when the lock is free

@@ -55,8 +55,8 @@ struct Sums {
   double rows = 0;
 };
 
-// Returns the factor of an input. The min deviation keeps nearly constant inputs from being
-// magnified.
+// scaleOf() returns the factor that normalises an input. The min deviation keeps nearly constant
+// inputs from being magnified.
 constexpr float kMinDeviation = 0.02f;
 inline float scaleOf(double deviation) { return 1 / std::max(float(deviation), kMinDeviation); }
 

@@ -17,7 +17,7 @@ constexpr uint32_t kRememberEvery = 64;  // mean number of decisions per kept st
 struct RewardSettings {
   float stud = 0.1f;  // per stud closer to the goal than before in the episode
   float goal = 5;
-  float death = -1;         // for a death or any other failure
+  float death = -1;         // reward of a death or any other failure
   float decision = -0.01f;  // cost of time
   float jump = -0.05f;      // per jump
 };
@@ -28,7 +28,7 @@ struct RestartShares {
   float solved = 0.3f;    // other levels
 };
 
-// One world that learns.
+// A player of one world, with the state of its episode.
 struct Player {
   sim::World world;
   Turns ahead = 0;     // heading of its last observation; not saved, since observing sets it
@@ -52,7 +52,7 @@ struct TrainingView {
   GuideView guide;
   sim::World start;
   const sim::RigidBody* startBodies = nullptr;  // (level.bodyCount)
-  uint32_t maxTicks = 0;  // an episode is cut after these, at the end of an iteration
+  uint32_t maxTicks = 0;  // an episode is cut after this many ticks, at the end of an iteration
 
   OBBY_DEVICE policy::Scene scene() const { return {level, query, surroundings}; }
 };
@@ -92,8 +92,8 @@ struct PlaceView {
 // Purposes of random numbers.
 enum class Draw : uint64_t { move = 0x6d6f7665, begin = 0x626567696e };
 
-// Returns the random numbers for one decision. `decision`: the world's decisions since the start of
-// training; `world`: its index among all worlds.
+// Returns the random numbers for one decision. `decision`: number of the world's decisions since
+// the start of training; `world`: its index among all worlds.
 OBBY_DEVICE Random drawsOf(uint64_t seed, Draw use, uint64_t decision, uint32_t world) {
   return {seed ^ uint64_t(use), decision << 32 | world};
 }
@@ -101,7 +101,7 @@ OBBY_DEVICE Random drawsOf(uint64_t seed, Draw use, uint64_t decision, uint32_t 
 // The result of a move.
 struct Step {
   float reward = 0;
-  bool ended = false;  // a goal, a death or a broken rule ended it
+  bool ended = false;  // a goal, a death or a broken rule ended the episode
 };
 
 OBBY_DEVICE bool hasEnded(const Player& p) { return p.world.outcome != sim::Outcome::running; }

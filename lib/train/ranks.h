@@ -41,7 +41,7 @@ class Ranks {
   }
 };
 
-// The only rank.
+// The rank of a run with one process.
 class OneRank : public Ranks {
  public:
   uint32_t number() const override { return 0; }

@@ -58,7 +58,7 @@ void addVoidGradients(const SeenRows& rows, const nn::Network<float>& net,
 // A selection of rows, as inputs of an nn::Pass.
 class SeenPart {
  public:
-  // The arguments must outlive it. `which`: indices of rows.
+  // The arguments must outlive this object. `which`: indices of rows.
   SeenPart(const SeenRows& rows, std::span<const uint32_t> which,
            const std::vector<float>& voidSums)
       : rows_(rows), which_(which), voidSums_(voidSums) {}

@@ -7,7 +7,7 @@
 namespace obby::train {
 
 // Before the first step, training plays exactly as the policy does. Policy files keep no optimiser
-// state, so Adam starts afresh. The value scale does, too, if the file lacks it.
+// state, so Adam starts afresh. So does the value scale if the file lacks it.
 struct Start {
   LearnerState learner;
   Sums seen{policy::kInputs};
@@ -15,7 +15,7 @@ struct Start {
 
 // Resumes the normaliser with as many observations as the policy has learned from. A fresh one
 // would change the network's inputs abruptly, and a fixed one would not adapt to other levels.
-// Errors: normalisers that training cannot produce; they do not name the file.
+// Error: a normaliser that training cannot produce. The message does not name the file.
 Result<Start> startFrom(const policy::PolicyFile& file);
 
 // Returns the decisions that the network has learned from, including those of its initial policy.

@@ -15,7 +15,7 @@ inline constexpr uint64_t kMaxCopied = uint64_t(4) << 30;
 struct StreamCopy {
   // Levels and queries, and the physics parameters before them, as Cap'n Proto messages.
   std::string records;
-  io::SourceSummary summary;  // of all records that were read for the copy
+  io::SourceSummary summary;  // summary of all records that were read for the copy
 };
 
 // Copies the whole stream, or the records that arrived before `timeout` ended it. Errors: those of

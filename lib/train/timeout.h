@@ -20,7 +20,7 @@ class Timeout {
   static constexpr double kGrace = 3;    // seconds
   static constexpr double kNone = 1e30;  // never elapses
 
-  // `interrupted` must outlive it.
+  // `interrupted` must outlive this object.
   Timeout(const std::atomic<bool>& interrupted, double seconds, double grace = kGrace);
   ~Timeout();
   Timeout(const Timeout&) = delete;
@@ -49,7 +49,8 @@ class Timeout {
   void setReading(bool now);
 
   const std::atomic<bool>& interrupted_;
-  const double workSeconds_, recordSeconds_;  // limit of the work, and of a wait for a record
+  // Limits of the work and of a wait for a record, seconds.
+  const double workSeconds_, recordSeconds_;
   std::atomic<bool> stop_{false}, expired_{false}, late_{false};
   std::mutex lock_;
   std::condition_variable wake_;

@@ -88,8 +88,8 @@ void Trainer::hide() {
   for (const int i : settings_.hidden) scales_[size_t(i)] = 0;
 }
 
-// Throws if this rank could not learn and there are others. They are in the middle of an exchange,
-// so the ranks cannot agree on an error.
+// Throws if this rank could not learn and there are others. The other ranks are in the middle of an
+// exchange, so they cannot agree on an error.
 Result<Progress> Trainer::learned(Result<Progress> mine) const {
   if (!mine && ranks_.count() > 1) throw std::runtime_error(mine.error().text());
   return mine;

@@ -15,7 +15,7 @@ namespace obby::train {
 struct Iteration {
   uint64_t number = 0, decisions = 0;  // counts so far
   double seconds = 0, playSeconds = 0;
-  double reward = 0;    // per decision
+  double reward = 0;    // mean reward per decision
   double solved = 0;    // share of episodes from the start, smoothed
   uint64_t played = 0;  // episodes from the start
   float hardest = 0;    // max difficulty of levels
@@ -29,7 +29,7 @@ class Trainer {
   static Result<std::unique_ptr<Trainer>> make(const TrainerSettings& settings,
                                                const LevelSource& source, ThreadPool& pool,
                                                Ranks& ranks);
-  // Uses another engine than the CPU's; starts from `start`, if given, instead of a fresh network.
+  // Uses an engine other than the CPU's. Starts from `start`, if given, instead of a fresh network.
   static Result<std::unique_ptr<Trainer>> make(const TrainerSettings& settings,
                                                std::unique_ptr<Engine> engine, Ranks& ranks,
                                                const Start* start = nullptr);

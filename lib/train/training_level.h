@@ -28,7 +28,8 @@ class TrainingLevel {
   const Guide& guide() const { return guide_; }
   // Valid while this object lives. `patience`: as EnvGroupSettings::patience.
   TrainingView view(float patience) const;
-  uint64_t hash() const { return hash_; }  // hash of all its data, for any encoding
+  // Hash of all data of the level, the same for any encoding.
+  uint64_t hash() const { return hash_; }
 
  private:
   TrainingLevel(level::Level level, level::Query query, std::vector<Vec3> route, uint64_t hash);

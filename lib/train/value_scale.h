@@ -10,7 +10,7 @@
 namespace obby::train {
 
 struct ValueScale {
-  float mean = 0, deviation = 1;  // a reward is mean + deviation x output
+  float mean = 0, deviation = 1;  // a return, in rewards, is mean + deviation x output
   Sums returns{1};
 
   // Adds the returns of another batch of this rank.

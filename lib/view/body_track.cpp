@@ -59,7 +59,8 @@ float missBetween(const Sample& a, const Sample& b, float reach) {
   return length(a.position - b.position) + reach * turnBetween(a.rotation, b.rotation);
 }
 
-// Returns the same for a sample and the interpolation between two others.
+// Returns the max distance of missBetween() for sample `at` and the interpolation between `from`
+// and `to`.
 float missAt(const std::vector<Sample>& all, float reach, size_t from, size_t to, size_t at) {
   const float share = float(at - from) / float(to - from);
   const Sample &a = all[from], &b = all[to];
@@ -97,7 +98,8 @@ std::vector<BodyTrack> BodyWatch::tracks() const {
       track.add(all[tick].position, all[tick].rotation);
     }
     const bool straight = track.ticks.size() == 2;
-    if (straight && missBetween(all.front(), all.back(), reach) <= kBodyMiss) continue;  // at rest
+    if (straight && missBetween(all.front(), all.back(), reach) <= kBodyMiss)
+      continue;  // skips a body at rest
     out.push_back(std::move(track));
   }
   return out;

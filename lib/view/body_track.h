@@ -22,7 +22,7 @@ constexpr float kBodyMiss = 2.5e-4f;  // studs, for any point of the part
 
 // A pose that a body keeps from a tick on.
 struct BodyStay {
-  uint32_t tick;  // since the trajectory's start
+  uint32_t tick;  // ticks since the trajectory's start
   Vec3 center;    // center of mass
   Quat rotation;
 };
@@ -31,7 +31,7 @@ struct BodyStay {
 // bodies rest most of the time.
 class BodyWatch {
  public:
-  // The level must outlive it.
+  // The level must outlive this object.
   explicit BodyWatch(const level::LevelView& level) : level_(level), stays_(level.bodyCount) {}
 
   // Expects every moment of the trajectory, in order.
@@ -42,7 +42,7 @@ class BodyWatch {
 
  private:
   const level::LevelView& level_;
-  std::vector<std::vector<BodyStay>> stays_;  // one list per body
+  std::vector<std::vector<BodyStay>> stays_;  // one list of poses per body
   size_t count_ = 0;                          // number of moments
 };
 

@@ -12,17 +12,17 @@ namespace obby::view {
 namespace {
 
 constexpr uint32_t kMaxStride = 8;
-constexpr uint32_t kCoarsest = 64;     // stride of moving parts in pages that no browser could open
-                                       // otherwise
-constexpr uint32_t kMinSeconds = 20;   // min motion in a page, if no trajectory is longer
-constexpr uint32_t kMaxSeconds = 600;  // max motion in a page
-constexpr size_t kSampleBytes = 20;    // position, yaw, state in base64
-constexpr size_t kRunBytes = 8;        // for a run of the same action
-constexpr size_t kEventBytes = 18;     // for a part that appears, disappears or starts to move
+// Max stride of moving parts, for pages that no browser could open otherwise.
+constexpr uint32_t kCoarsest = 64;
+constexpr uint32_t kMinSeconds = 20;      // min motion in a page, if no trajectory is longer
+constexpr uint32_t kMaxSeconds = 600;     // max motion in a page
+constexpr size_t kSampleBytes = 20;       // position, yaw, state in base64
+constexpr size_t kRunBytes = 8;           // one run of equal actions
+constexpr size_t kEventBytes = 18;        // one part that appears, disappears or starts to move
 constexpr size_t kTrajectoryBytes = 300;  // names and numbers of a trajectory
 constexpr size_t kPartBytes = 70;         // a part in columns, and around its name
 constexpr size_t kVertexBytes = 16;       // per vertex of a hull
-constexpr size_t kEvidenceBytes = 16;     // around its text
+constexpr size_t kEvidenceBytes = 16;     // JSON around its text
 
 uint32_t maxTicksShown(const LevelEntry& level) {
   return kMaxSeconds * level.level->view().params.controlRate;

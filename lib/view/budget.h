@@ -16,7 +16,7 @@ struct Budget {
   uint32_t attemptStride = 1;      // every n-th tick of failed attempts is kept; solutions keep all
   uint32_t trackStride = 1;        // every n-th tick of moving parts is kept
   uint32_t attemptsOneOf = 1;      // every n-th failed attempt is kept
-  std::vector<std::string> notes;  // for users: what was thinned
+  std::vector<std::string> notes;  // sentences for users about what was thinned
 };
 
 // Returns the ticks of each level's clock that the page must cover.
@@ -27,8 +27,8 @@ uint32_t minTicksShown(const LevelEntry& level);
 // Estimated sizes of a page's data without thinning, bytes.
 struct PageSizes {
   size_t fixed = 0, attempts = 0, tracks = 0;
-  size_t whole = 0;         // share of attempts that no stride thins: dynamic bodies, actions,
-                            // numbers
+  // Data of attempts that no stride thins: dynamic bodies, actions, numbers.
+  size_t whole = 0;
   bool longMotion = false;  // some part moves for longer than a page covers
 
   // `ticks`: motion that the page covers.

@@ -27,7 +27,7 @@ struct PathEntry {
   PathKind kind;
   io::Record record;  // a trajectory, or the progress that contains it
   Playback playback;
-  uint32_t death = 0;    // index into a progress's deaths, for its attempts
+  uint32_t death = 0;    // index into the deaths of a progress record, for its attempts
   uint64_t serial = 0;   // unique within a collector, from 1 on
   bool dropped = false;  // evicted for newer ones; erased in the next update
 
@@ -64,7 +64,7 @@ struct QueryEntry {
 struct Report {
   std::vector<LevelEntry> levels;
   std::vector<QueryEntry> queries;
-  std::vector<std::string> notes;  // for users: what is missing and why
+  std::vector<std::string> notes;  // sentences for users about what is missing and why
 
   std::string title() const;
   bool empty() const { return levels.empty() && queries.empty(); }

@@ -58,7 +58,7 @@ void Collector::evictFor(size_t cost, PathKind kind) {
 // send newer ones.
 void Collector::dropOldest(size_t cost, PathKind kind) {
   std::vector<std::tuple<bool, uint64_t, PathEntry*, size_t>>
-      trajectories;  // last: index of their query
+      trajectories;  // the last element is the index of the trajectory's query
   for (size_t i = 0; i < report_.queries.size(); ++i) {
     QueryEntry& entry = report_.queries[i];
     for (PathEntry& path : entry.paths) {

@@ -27,7 +27,7 @@ class GrowingReport {
 
   // Adds a record and replays its trajectories. Waits while the other thread requests a look.
   Status add(const io::Record& record);
-  // Ends the stream. Error: a requested query did not come; the state is `broken` then.
+  // Ends the stream. Error: a requested query was not in the stream. Then the state is `broken`.
   Status end(StreamState state, const std::vector<std::string>& notes);
   // Calls `use` with the report under the lock.
   Status use(const std::function<Status(const Report&)>& use);

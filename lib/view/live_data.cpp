@@ -17,8 +17,8 @@ const char* nameOf(StreamState state) {
   return "broken";
 }
 
-// Returns the ticks of motion for a level whose trajectories still grow. They double each time, so
-// that the motion is sent only a few times.
+// Returns the ticks of motion for a level whose trajectories still grow. The number doubles each
+// time, so that the motion is sent only a few times.
 uint32_t ticksAhead(const LevelEntry& level, uint32_t needed) {
   uint32_t ticks = minTicksShown(level);
   while (ticks < needed) ticks *= 2;

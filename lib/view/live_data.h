@@ -23,7 +23,7 @@ class LiveData {
   // file, and the affected pieces are sent again.
   void take(const Report& report, StreamState state);
 
-  // Increases with every change; 0: empty.
+  // Returns the revision, which increases with every change. It is 0 while the data is empty.
   uint64_t revision() const { return revision_; }
   // Returns all changes after `revision` as JSON (docs/page-data.md). An unknown revision belongs
   // to another server process; a page that has one receives everything.
@@ -36,12 +36,12 @@ class LiveData {
   };
   struct LevelPiece : Piece {
     PageSizes sizes;
-    uint32_t ticks = 0, stride = 0;  // its motion; stride 0: outdated
+    uint32_t ticks = 0, stride = 0;  // ticks and stride of the level's motion; stride 0: outdated
   };
   struct QueryPieces {
     Piece facts;
-    uint64_t changed = 0;                               // last revision of any piece in it
-    std::map<uint64_t, Piece> paths;                    // by serial
+    uint64_t changed = 0;                               // last revision of any piece of the query
+    std::map<uint64_t, Piece> paths;                    // trajectories by serial
     std::vector<std::pair<uint64_t, uint64_t>> ranges;  // first and last serials, ascending
     uint32_t attemptStride = 1;
   };

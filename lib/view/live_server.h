@@ -16,7 +16,7 @@ class LiveServer final : public loopback::Server {
 
   // Returns the address of the page, including the token that requests must carry.
   std::string address() const;
-  // Returns the seconds since the last page was connected or sent a request; 0 while one is
+  // Returns the seconds since a page was last connected or sent a request; 0 while a page is
   // connected.
   double quietFor() const;
 

@@ -33,7 +33,8 @@ std::string filled(std::string_view title, std::string_view data, bool connects)
   return page;
 }
 
-// Writes `<` as \u003c, so that no text can end the script element. JSON has it only in strings.
+// Writes `<` as \u003c, so that no text can end the script element. In JSON, `<` occurs only in
+// strings.
 std::string inScript(std::string_view json) {
   std::string out;
   for (size_t end; (end = json.find('<')) != json.npos; json.remove_prefix(end + 1)) {

@@ -16,7 +16,7 @@ void push(std::vector<float>& out, schema::Vec3::Reader v) {
   out.insert(out.end(), {v.getX(), v.getY(), v.getZ()});
 }
 
-// Writes the distinct material names, the first empty, and each part's index into them.
+// Writes the distinct material names, the first of which is empty, and each part's index into them.
 void writeMaterials(io::JsonWriter& json, schema::Level::Reader level) {
   constexpr size_t kMax = 256;  // limit of a byte column; further materials look like plastic
   std::vector<std::string_view> names = {""};

@@ -93,7 +93,7 @@ void writeHeatMap(io::JsonWriter& json, schema::HeatMap::Reader map) {
   json.key("counts").packed(counts).close();
 }
 
-// Writes an answer's findings besides its verdict: the proof's cut, relaxations, routes, and the
+// Writes an answer's findings other than its verdict: the proof's cut, relaxations, routes, and the
 // search's saturation.
 void writeFindings(io::JsonWriter& json, schema::Result::Reader result) {
   json.key("relaxations").open('[');
@@ -210,7 +210,7 @@ void writePath(io::JsonWriter& json, const PathEntry& path, uint32_t stride) {
   constexpr const char* kKinds[] = {"solution", "attempt", "closest", "newest"};
   const auto record = path.told();
   const Playback& play = path.playback;
-  // Without its query, a replay does not know why the trajectory ended. The record does.
+  // A replay without its query cannot tell why the trajectory ended, but the record can.
   const bool told = play.outcome == schema::Outcome::RUNNING && play.mismatch.empty();
   json.open('{').field("kind", kKinds[size_t(path.kind)]).field("index", record.getIndex());
   json.field("method", std::string_view(record.getMethod().cStr()));

@@ -14,16 +14,16 @@ namespace obby::view {
 
 // A part loses or regains its collision.
 struct PartEvent {
-  uint32_t tick;  // since the trajectory's start
+  uint32_t tick;  // ticks since the trajectory's start
   uint32_t part;
   bool solid;
 };
 
 // A triggered part starts to move, restarts, or comes to rest.
 struct MotionEvent {
-  uint32_t tick;  // since the trajectory's start
+  uint32_t tick;  // ticks since the trajectory's start
   uint32_t part;
-  int64_t start;  // tick of its motion's beginning, or kRests
+  int64_t start;  // tick at which the part's motion begins, or kRests
 };
 constexpr int64_t kRests = -1;
 
@@ -31,7 +31,7 @@ constexpr int64_t kRests = -1;
 // hours.
 constexpr size_t kMaxPartEvents = 1'000'000;
 
-// Sorted by tick, then by part.
+// The events of a replay. Both lists are sorted by tick, then by part.
 struct PartEvents {
   std::vector<PartEvent> events;
   std::vector<MotionEvent> motions;
@@ -42,7 +42,7 @@ struct PartEvents {
 // of parts.
 class PartWatch {
  public:
-  // The level must outlive it. `max`: limit of each kind; whole ticks are kept.
+  // The level must outlive this object. `max`: limit of each kind; whole ticks are kept.
   explicit PartWatch(const level::LevelView& view, size_t max = kMaxPartEvents);
 
   // Expects every moment of the trajectory, in order.

@@ -16,15 +16,15 @@ namespace obby::view {
 struct QueryEntry;
 struct LevelEntry;
 
-// Converts a playback from `from` to `to` ticks a second. Positions are interpolated linearly, and
-// events move to the next tick.
+// Converts a playback from `from` to `to` ticks per second. Positions are interpolated linearly,
+// and events move to the next tick.
 Playback retold(Playback playback, uint32_t from, uint32_t to);
 
 class PlayerReplays {
  public:
   struct Told {
     Playback playback;
-    // The trajectory in the level's ticks; absent if the record has them already.
+    // The trajectory in the level's ticks; absent if the record is in these ticks already.
     std::optional<io::Record> record;
   };
 

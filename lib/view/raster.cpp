@@ -42,7 +42,7 @@ Raster::Raster(Vec2 lo, Vec2 hi, size_t width, size_t maxRows,
                const table::TerminalTraits& terminal)
     : terminal_(terminal), halves_(terminal.color && terminal.utf8), lo_(lo) {
   const float spanX = std::max(hi.x - lo.x, 1.0f), spanY = std::max(hi.y - lo.y, 1.0f);
-  const float tall = halves_ ? 1 : 2;  // height of a pixel in its widths
+  const float tall = halves_ ? 1 : 2;  // height of a pixel, in widths of a pixel
   const size_t rows = halves_ ? 2 * maxRows : maxRows;
   const float size = std::max(spanX / float(width), spanY / float(rows) / tall);
   pixel_ = {size, size * tall};

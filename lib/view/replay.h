@@ -18,7 +18,7 @@ namespace obby::view {
 constexpr uint8_t kAirborne = 1;
 constexpr uint8_t kDead = 2;
 
-// A replayed trajectory, one sample a tick from the start; at least one sample.
+// A replayed trajectory, one sample per tick from the start; at least one sample.
 struct Playback {
   std::vector<Vec3> feet;  // studs
   std::vector<uint16_t> yaw;

@@ -77,7 +77,7 @@ Status Collector::add(const io::Record& record) {
       const auto result = record.reader().getResult();
       QueryEntry& entry = queryNamed(result.getQuery(), levelNamed(result.getLevel()));
       entry.result = record;
-      entry.progress.reset();  // it holds trajectories of a finished search
+      entry.progress.reset();  // the progress holds trajectories of a finished search
       entry.weighed = false;
       return {};
     }

@@ -24,7 +24,8 @@ namespace obby::view {
 
 // Limits on what a collector keeps of a stream.
 struct PageBudget {
-  size_t ticks = 20'000'000;   // of replays, some 15 bytes each; part events count as well
+  // Max ticks of all replays, some 15 bytes each; part events count as well.
+  size_t ticks = 20'000'000;
   size_t trajectoryTicks = 0;  // fixed cost of a trajectory in ticks, for its record and numbers
   // Cost of each run of equal actions in ticks. A run takes some 50 bytes in the input's line,
   // 8 in the record and 8 in a page.
@@ -42,8 +43,8 @@ class Collector {
  public:
   // Decides about a record that cannot be shown. On success the collector continues without it.
   using Forgive = std::function<Status(const io::Record&, Error)>;
-  // If `only` is not empty, other queries and their records are left out. A note reports records
-  // over the limits.
+  // If `only` is not empty, queries that it does not name, and their records, are left out. A note
+  // reports records over the limits.
   explicit Collector(Forgive forgive, std::vector<std::string> only = {}, PageBudget budget = {})
       : forgive_(std::move(forgive)), only_(std::move(only)), budget_(budget) {}
 
@@ -51,7 +52,7 @@ class Collector {
   // Compiles queries and replays trajectories that came since the last call. Failures are left out,
   // whatever `forgive` returns. Returns the first error that `forgive` did not accept.
   Status update();
-  // State of the last update().
+  // Returns the report as of the last update().
   const Report& report() const { return report_; }
   // Adds a sentence for the report's users.
   void note(std::string text) { report_.notes.push_back(std::move(text)); }
@@ -95,7 +96,7 @@ class Collector {
   // Notes given: omitted attempts, dropped records, and cut part events.
   bool attemptsNoted_ = false, fullNoted_ = false, cutNoted_ = false;
   size_t dropped_ = 0;                 // number of dropped trajectories
-  std::optional<size_t> droppedNote_;  // index of the note with their number
+  std::optional<size_t> droppedNote_;  // index of the note about the number of dropped trajectories
   std::set<size_t> thinned_;           // queries with dropped trajectories
   Report report_;
   int current_ = -1;  // index of the latest level record; -1: none that can be shown

@@ -72,7 +72,7 @@ Corners cornersAround(const Solid& solid) {
 
 struct Drawn {
   Role role;
-  bool there;  // or away
+  bool there;  // false for a part that is away
   float top;
   std::vector<Vec2> hull;
 };

@@ -12,7 +12,7 @@ namespace obby::view {
 
 enum class Maps {
   none,
-  few,  // of the queries in the table, if there are few
+  few,  // maps of the queries in the table, if there are few
   all,
 };
 
@@ -21,10 +21,10 @@ struct TextOptions {
   Maps maps = Maps::few;
 };
 
-// Lines end in newlines. This never fails; the text says what is missing.
+// Returns the report as text, whose lines end in newlines. The text says what is missing.
 std::string textReport(const Report& report, const TextOptions& options);
 
-// Return the pieces of the report.
+// These functions return the pieces of the report.
 std::vector<table::Answer> answersOf(const Report& report);
 // Returns a map of one query from above: parts, regions and trajectories. Returns an empty text if
 // the query's level is not in the streams.

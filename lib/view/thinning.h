@@ -29,8 +29,8 @@ std::vector<size_t> thinned(size_t count, float min, const Distance& distance) {
       farthest = i;
     }
     if (farthest == first) continue;
-    // On a circular line the farthest point lies in the first round. Splitting off one round at a
-    // time takes quadratic time, so a long stretch is halved.
+    // On a line that runs in circles, the farthest point lies in the first round. Splitting off one
+    // round at a time would take quadratic time, so a long stretch is halved.
     const size_t cut = last - first > kLongStretch ? first + (last - first) / 2 : farthest;
     kept[cut] = true;
     open.push_back({first, cut});

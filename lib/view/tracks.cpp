@@ -9,7 +9,8 @@
 namespace obby::view {
 namespace {
 
-constexpr uint32_t kMinOfRound = 12;  // samples; with fewer a motion might disappear
+// Min samples per period; with fewer, a motion might disappear.
+constexpr uint32_t kMinOfRound = 12;
 
 // Returns the largest stride that a period allows, by halving `stride`. If the motion repeats, the
 // stride must divide the period, or playback would stutter at the seam.

@@ -13,7 +13,8 @@ namespace obby::view {
 // the level.
 struct Track : Poses {
   uint32_t part = 0;
-  bool triggered = false;  // ticks count from its start, which is in a trajectory's motion events
+  // Ticks count from the motion's start, which a trajectory's motion events give.
+  bool triggered = false;
   uint32_t stride = 1;
   uint32_t count = 0;
   int32_t loopFrom = -1;  // index of the sample after the last one; -1: the last one stays

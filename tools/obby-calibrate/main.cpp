@@ -101,8 +101,8 @@ Result<std::vector<std::string>> whyNotNearer(cli::Context& context, const calib
   return calibrate::reasonsOf(shortfall, tolerance);
 }
 
-// Returns the takes whose levels compile with the parameters found, and reports the others. Those
-// belong to other levels than the fitted ones and do not invalidate the fit.
+// Returns the takes whose levels compile with the parameters found, and reports the others. The
+// others belong to levels that were not fitted, so they do not invalidate the fit.
 std::vector<calibrate::Take> playable(cli::Context& context,
                                       const std::vector<calibrate::Take>& takes,
                                       schema::PhysicsParams::Reader params) {

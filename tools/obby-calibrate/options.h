@@ -9,7 +9,7 @@ namespace obby::tools {
 cli::ToolSpec calibrateSpec();
 // Returns an error that names incompatible options.
 Status optionsFit(const cli::Arguments& arguments);
-// Returns true if the course is written and nothing is fitted.
+// Returns true if the tool writes the course and fits nothing.
 bool makesTakes(const cli::Arguments& arguments);
 calibrate::FitSettings fitSettings(const cli::Context& context);
 

@@ -23,7 +23,7 @@ struct EmitOptions {
 // A level of each generator, with its records. If --check refuses one of them, none is kept.
 struct Emitted {
   std::vector<gen::Generated> levels;
-  std::vector<io::Record> records;  // level, query and answer of each
+  std::vector<io::Record> records;  // level, query and answer of each level
 };
 
 // Consecutive levels that --check may refuse before the run ends.
@@ -33,7 +33,7 @@ enum class Ended { complete, stopped, noneKept };
 
 struct Emission {
   Ended ended = Ended::stopped;
-  uint64_t kept = 0, refused = 0;  // numbers of indices
+  uint64_t kept = 0, refused = 0;  // number of indices kept, and refused
 };
 
 // Calls `take` for each index in order, until `count` were kept or `stop` is set. Returns noneKept

@@ -22,7 +22,7 @@ class VerdictChanges {
  private:
   using Verdicts = std::map<std::pair<std::string, std::string>, schema::Verdict>;
 
-  Verdicts before_, now_;  // by level and query
+  Verdicts before_, now_;  // verdicts by level and query
 };
 
 }  // namespace obby::tools

@@ -55,7 +55,7 @@ train::RunReport reportTo(cli::Context& context) {
 }
 
 Status learn(cli::Context& context, train::JoinedRanks& joined) {
-  signal(SIGPIPE, SIG_IGN);  // if the reader of the metrics goes away, training is saved first
+  signal(SIGPIPE, SIG_IGN);  // if the reader of the metrics goes away, training is still saved
   train::Ranks& ranks = joined.ranks();
   const cli::Arguments& a = context.arguments();
   OBBY_RETURN_IF_ERROR(ranks.agree(ranks.first() ? tools::filesFit(a) : Status()));
@@ -82,7 +82,7 @@ Status learn(cli::Context& context, train::JoinedRanks& joined) {
                             reportTo(context), context.stop(), timeout);
 }
 
-// A stream does not say how many levels it has.
+// Shows the progress of an evaluation. The number of levels of a stream is unknown.
 void showPlayed(cli::Context& context, uint32_t levels, const train::EvaluationSoFar& e) {
   cli::ProgressState state{"evaluating", -1, {{"levels", double(e.levels)}}};
   if (tools::makesLevels(context.arguments())) {
@@ -164,7 +164,7 @@ int runRank(int argc, char** argv, train::JoinedRanks& joined) {
     ended = true;
     return result;
   });
-  if (begun && !ended) joined.abandon(code);  // it threw, and the other ranks wait for it
+  if (begun && !ended) joined.abandon(code);  // run() threw, and the other ranks wait for this one
   if (begun) return code;
   // Tells the other ranks that this one does not run. If it has no error of its own, it reports
   // theirs.

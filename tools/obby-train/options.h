@@ -23,7 +23,7 @@ train::TrainerSettings trainerSettings(const cli::Arguments& arguments);
 train::RunFiles runFiles(const cli::Arguments& arguments);
 train::RunIdentity runIdentity(const cli::Context& context);
 train::RunPlan runPlan(const cli::Context& context);
-// `which` selects one of several GPUs.
+// Returns the backend for training. `which` selects one of several GPUs.
 Result<sim::Backend> trainBackend(const cli::Context& context, uint32_t which);
 // Returns the seconds of --time-limit, or a time that never passes.
 double timeLimit(const cli::Arguments& arguments);

@@ -11,11 +11,11 @@ namespace obby {
 
 class Output {
  public:
-  // Call it before reading, so that these errors come at once: a file that cannot be written, a
-  // picture for a terminal, an invalid --size.
+  // Opens the output. Call it before reading, so that errors come at once. Errors: a file that
+  // cannot be written, a picture for a terminal, an invalid --size.
   static Result<Output> open(const cli::Context& context);
 
-  // Call it at most once. Without it no file is left.
+  // Call it at most once. If it is not called, no file is left.
   Status write(const view::Report& report, cli::Context& context);
 
  private:

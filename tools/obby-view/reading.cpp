@@ -51,7 +51,7 @@ void Reading::drain() {
       const auto next = source_.next();
       if (!next || !*next) return;
     }
-  } catch (const std::exception&) {  // probably out of memory; nothing more is lost
+  } catch (const std::exception&) {  // probably out of memory; the records read so far are kept
   }
 }
 

@@ -32,7 +32,8 @@ class Reading {
   Status forgive(const io::Record& record, Error error);
 
   // Call it after the end. Reports that the input lacks something, unless an earlier error explains
-  // it: a reported one, or one that stopped the program that wrote the input.
+  // the lack. That error may be a reported one, or one that stopped the program that wrote the
+  // input.
   void reportLack(const Error& lack);
 
   // Call it after the end. Returns notes for the report's users about what is missing.

@@ -10,14 +10,14 @@
 
 namespace obby::tools {
 
-// Generates levels of a recipe, from its lowest difficulty up to the requested one. `seed`: of the
-// levels. Errors: those of Generator::make.
+// Generates levels of a recipe, from its lowest difficulty up to the requested one. `seed`: seed of
+// the levels. Errors: those of Generator::make.
 Result<std::unique_ptr<train::LevelSource>> generatedLevels(const gen::Recipe& recipe,
                                                             uint64_t seed);
 
 // Returns the number of the style that a level's name states; 0 if it states none.
 uint16_t styleNumberOf(const train::TrainingLevel& level);
-// Returns the names of the styles by these numbers; that of 0 is empty.
+// Returns the names of the styles, indexed by styleNumberOf(). Name 0 is empty.
 std::vector<std::string> styleNames();
 
 }  // namespace obby::tools

@@ -17,7 +17,8 @@ std::vector<cli::OptionRow> recipeRows(const char* group, const char* defaultDif
 // is read once.
 Result<std::string> recipeText(const cli::Arguments& arguments);
 
-// Returns the recipe of these options; `text`: the file's. Errors name the option or the file.
+// Returns the recipe of these options; `text`: the contents of --recipe's file. Errors name the
+// option or the file.
 Result<gen::Recipe> recipeOf(const cli::Arguments& arguments, const std::string& text);
 Result<gen::Recipe> recipeOf(const cli::Arguments& arguments);  // reads the file
 

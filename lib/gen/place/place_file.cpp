@@ -49,7 +49,8 @@ const char* tagOf(const PartSketch& part) {
   return part.kill ? "KillBrick" : nullptr;
 }
 
-// A carrier must be moved by physics, so it is unanchored and held by an AlignPosition.
+// Returns true for a carrier, which physics must move: it is unanchored and held by an
+// AlignPosition.
 bool isDriven(const PartSketch& part) {
   return part.motion && part.motion->carries && !part.motion->keys.empty();
 }
@@ -68,7 +69,7 @@ void PlaceFile::writeProperties(const PartSketch& part, Vec3 shift) {
   xml_.token("Material", part.kill ? kNeon : kPlastic);
   if (part.shape == schema::Shape::CYLINDER) xml_.token("shape", 2);
   if (part.shape == schema::Shape::BALL) xml_.token("shape", 0);
-  // A part that a signal makes appear is away until then.
+  // A part that appears on a signal is away until the signal starts.
   const bool there = part.solid && !(part.vanish && part.vanish->inverted);
   xml_.flag("CanCollide", there);
   xml_.number("Transparency", there ? part.transparency : 0.8f);

@@ -1,6 +1,6 @@
 // Writes levels as an XML place file (rbxlx) for Studio. Each level is a separate Model. Scripts in
-// it implement the parts' roles, as is usual in obbies. obby-import reads the same roles back
-// (docs/generator.md says what is lost).
+// the Model implement the parts' roles, as is usual in obbies. obby-import reads the same roles
+// back (docs/generator.md says what is lost).
 #pragma once
 
 #include <cstdint>
@@ -38,7 +38,7 @@ class PlaceFile {
   const uint64_t maxBytes_;
   std::string levels_;
   io::PlaceXml xml_{levels_};
-  float next_ = 0;    // studs along X; free from here on
+  float next_ = 0;    // studs along X from which on the place is free
   float lowest_ = 0;  // studs, min over all parts
   uint64_t added_ = 0;
 };

@@ -17,7 +17,7 @@ constexpr Parameter kParameters[] = {
 const auto& [kDoors, kSize, kApart, kSpeed, kGap, kWidth] = kParameters;
 
 void build(Sketch& s) {
-  constexpr float kFast = 1.6f;  // max speed relative to the nominal one
+  constexpr float kFast = 1.6f;  // max speed relative to the nominal speed
   const uint32_t doors = s.mixCount(kDoors);
   const float size = s.mix(kSize), apart = s.mix(kApart), speed = s.mix(kSpeed);
   // The gap is too wide to jump, even off a platform at its max speed.

@@ -1,5 +1,5 @@
 // Alternating safe and deadly tiles, crossed by hops from corner to corner. At higher difficulty
-// more of the safe ones are deadly, until one route is left.
+// more tiles are deadly, until one route is left.
 #include "gen/styles/all.h"
 
 namespace obby::gen {

@@ -1,5 +1,5 @@
-// A road that points at the goal but ends before it. The real route leaves it sideways and goes
-// round on planks.
+// A road that points at the goal but ends before it. The real route leaves the road sideways and
+// goes round on planks.
 #include "gen/styles/all.h"
 
 namespace obby::gen {

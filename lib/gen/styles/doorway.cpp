@@ -1,4 +1,4 @@
-// High walls with a gap to find.
+// High walls, each with a gap that the player must find.
 #include "gen/styles/all.h"
 
 namespace obby::gen {

@@ -1,4 +1,4 @@
-// Two or three routes side by side, of different kinds.
+// Two or three routes of different kinds, side by side.
 #include <algorithm>
 
 #include "gen/styles/all.h"
@@ -63,7 +63,8 @@ constexpr uint32_t kRouteCount = sizeof(kRoutes) / sizeof(kRoutes[0]);
 void build(Sketch& s) {
   const uint32_t routes = 2 + s.below(2), first = s.below(kRouteCount);
   const float width = kApart * float(routes - 1) + 8, left = -kApart * float(routes - 1) / 2;
-  const float way = left + kApart * float(routes / 2);  // straight ahead if a route lies there
+  // Offset to the right of the middle or right-hand route, studs.
+  const float way = left + kApart * float(routes / 2);
   s.floor("Crossing", 6, width);
   s.via({way, 0, -3});
   for (uint32_t i = 0; i < routes; ++i) {

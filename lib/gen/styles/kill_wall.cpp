@@ -1,4 +1,4 @@
-// Low walls of lava across a floor, to jump over.
+// Low walls of lava across a floor, which players jump over.
 #include "gen/styles/all.h"
 
 namespace obby::gen {

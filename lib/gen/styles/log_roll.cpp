@@ -1,4 +1,4 @@
-// A log with spikes that turn around it, to walk along.
+// A log that players walk along, with spikes that turn around it.
 #include "gen/styles/all.h"
 
 namespace obby::gen {
@@ -15,7 +15,7 @@ constexpr Parameter kParameters[] = {
 const auto& [kLength, kDiameter, kSpikes, kSpeed, kHeight] = kParameters;
 
 void build(Sketch& s) {
-  constexpr float kOffRound = 4;  // studs/s that a player gains on its flanks
+  constexpr float kOffRound = 4;  // studs/s that a player gains on the log's flanks
   const float long_ = s.mix(kLength), across = s.mix(kDiameter), gap = s.gap(0, 0.4f);
   s.part("Log", {0, -across / 2, gap + long_ / 2}, {long_, across, across})
       .shaped(schema::Shape::CYLINDER)

@@ -1,4 +1,4 @@
-// A wall that is too high, and a block to push to it.
+// A wall that is too high to climb, and a block to push to it.
 #include "gen/styles/all.h"
 
 namespace obby::gen {

@@ -1,4 +1,4 @@
-// Deadly bars that sweep over a disc, to jump over or run round with.
+// Deadly bars that sweep over a disc. Players jump over them or run round with them.
 #include "gen/styles/all.h"
 
 namespace obby::gen {
@@ -22,7 +22,8 @@ void build(Sketch& s) {
     MotionSketch turning;
     turning.spin = speed;
     turning.offset = 4 * s.unit();
-    const uint32_t bars = s.chance(s.difficulty() - 0.3f) ? 2 : 1;  // one, or a cross
+    const uint32_t bars =
+        s.chance(s.difficulty() - 0.3f) ? 2 : 1;  // a single bar, or two that form a cross
     for (uint32_t k = 0; k < bars; ++k) {
       const Vec3 size = k == 0 ? Vec3{across - 1, high, 0.75f} : Vec3{0.75f, high, across - 1};
       Sketch::deadly(s.part("Bar", middle + Vec3{0, 0.25f + high / 2, 0}, size)).moving(turning);

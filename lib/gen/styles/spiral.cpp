@@ -14,10 +14,11 @@ constexpr Parameter kParameters[] = {
 };
 const auto& [kSize, kFoot, kGap, kEdge, kLanding] = kParameters;
 
-constexpr float kCore = 8, kBehind = 6;  // core diameter; from its side to the ledges' centers
+// Core diameter; distance from the core's side to the ledges' centers; studs.
+constexpr float kCore = 8, kBehind = 6;
 constexpr float kRadius = kCore / 2 + kBehind;
-constexpr float kShare = 0.7f;  // share of the highest ledge, since the jump also goes round a
-                                // corner
+// Share of the highest reachable ledge, since the jump also goes round a corner.
+constexpr float kShare = 0.7f;
 
 // Returns the turns around the core between ledges with gaps of about `gap` studs.
 float stepOf(float size, float gap) {

@@ -1,4 +1,4 @@
-// Walls to jump over, on a floor.
+// Walls on a floor, which players jump over.
 #include "gen/styles/all.h"
 
 namespace obby::gen {
@@ -13,7 +13,7 @@ constexpr Parameter kParameters[] = {
 const auto& [kWalls, kWidth, kThickness] = kParameters;
 
 // Returns the studs by which a wall extends beyond the floor on each side. A player who walks round
-// it falls too low to return.
+// the wall falls too low to return.
 float beyondFloor(const Params& p) {
   constexpr float kMax = 30;  // upper bound for low gravity
   return minf(0.5f * p.walkSpeed * sqrtf32(2 * (p.hipHeight + 1) / p.gravity) + 0.5f, kMax);

@@ -23,7 +23,7 @@ void build(Sketch& s) {
     s.wall("Cliff", 0, 2, width, up + kTooHigh, 4);
     s.advance(4, up + kTooHigh);
   } else {
-    // A wedge's vertical face is at its back. Turned about, it rises ahead.
+    // A wedge's vertical face is at its back. Turned by half a turn, the wedge rises ahead.
     const float run = up / steep;
     s.part("Ramp", {0, up / 2, run / 2}, {width, up, run})
         .shaped(schema::Shape::WEDGE)

@@ -14,7 +14,7 @@ struct Ball {
   OBBY_DEVICE static Vec3 axis(const ShapeData&, int) { return {}; }
   OBBY_DEVICE static int edges(const ShapeData&) { return 0; }
   OBBY_DEVICE static Vec3 edge(const ShapeData&, int) { return {}; }
-  // Only one direction can separate: from the centre to the closest point of the box.
+  // Only the direction from the centre to the closest point of the box can separate them.
   OBBY_DEVICE static Vec3 roundAxis(const ShapeData&, const LocalBox& box) {
     return closestPoint(box, {});
   }
@@ -29,7 +29,7 @@ struct Ball {
     const float r = radius(s);
     const float a = dot(d, d), b = dot(o, d), c = dot(o, o) - r * r;
     const float q = b * b - a * c;
-    if (c < 0 || q < 0 || b > 0) return false;  // starts inside, misses, or looks away
+    if (c < 0 || q < 0 || b > 0) return false;  // the ray starts inside, misses, or points away
     const float t = (-b - sqrtf32(q)) / a;
     if (t > tMax) return false;
     hit.t = maxf(t, 0.0f);

@@ -22,7 +22,7 @@ OBBY_DEVICE void blockFace(Vec3T<F> half, Vec3T<F> d, Vec3T<F>* out) {
   const Vec3T<F> size = abs(d), far = withSigns(half, d);
   const MaskOf<F> isX = (size.x >= size.y) & (size.x >= size.z), isY = size.y >= size.z;
   for (int k = 0; k < 4; ++k) {
-    // Signs along the two axes that follow the face's own.
+    // Signs along the two axes after the face's normal axis, in cyclic order.
     const F a = k == 0 || k == 3 ? 1.0f : -1.0f, b = k < 2 ? 1.0f : -1.0f;
     const Vec3T<F> x{far.x, half.y * a, half.z * b}, y{half.x * b, far.y, half.z * a},
         z{half.x * a, half.y * b, far.z};

@@ -46,7 +46,7 @@ struct CornerWedge {
       out[2] = {-h.x, -h.y, -h.z}, out[3] = {h.x, -h.y, -h.z};
       return 4;
     }
-    // A triangle of one side of the base and the apex.
+    // The face is a triangle: one side of the base, and the apex.
     const bool alongZ = toX == best || d.x == best;
     const float x = toX == best ? -h.x : h.x, z = toZ == best ? h.z : -h.z;
     out[0] = alongZ ? Vec3{x, -h.y, -h.z} : Vec3{-h.x, -h.y, z};

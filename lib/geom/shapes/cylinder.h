@@ -72,7 +72,7 @@ struct Cylinder {
     const float a = d.y * d.y + d.z * d.z, b = o.y * d.y + o.z * d.z,
                 c = o.y * o.y + o.z * o.z - r * r;
     if (a < 1e-12f) {
-      if (c > 0) return false;  // parallel to the axis, outside
+      if (c > 0) return false;  // the ray is parallel to the axis and outside
     } else {
       const float q = b * b - a * c;
       if (q < 0) return false;

@@ -14,11 +14,11 @@ struct PartContext {
   schema::Part::Reader part;
   const Params& params;
   Pose pose;
-  uint32_t collider;  // number that its first collider will have
+  uint32_t collider;  // index that the part's first collider will have
   ClockTables& clocks;
   Roles roles;
   uint32_t flags = 0;  // ColliderFlag bits
-  Clock own;           // started by a touch if a behaviour has called startOwn()
+  Clock own;           // clock that a touch starts, if a behaviour has called startOwn()
 };
 
 // Makes a touch of the part start `clock`.

@@ -1,4 +1,4 @@
-// The trajectory of a falling part, as a motion that its own clock drives.
+// The motion of a falling part, which its own clock drives.
 #pragma once
 
 #include <vector>
@@ -9,7 +9,8 @@
 
 namespace obby::level {
 
-// Returns the poses from the touch on, one per tick, at least two. The part stays at the last pose.
+// Returns the poses from the touch on, one per tick, at least two rows. The part stays at the last
+// pose.
 std::vector<Pose> fallTable(schema::Fall::Reader fall, const Pose& rest, const Params& params);
 
 }  // namespace obby::level

@@ -36,7 +36,7 @@ Status byTouch(PartContext& c) {
     OBBY_RETURN_IF_ERROR(startOwn(c, c.roles.vanishDelay + c.roles.vanishAway, "vanish"));
     c.roles.awayClock = kOwnClock;
   } else if (!c.roles.vanishInverted) {
-    return {};  // nothing makes it vanish
+    return {};  // the part never vanishes
   }
   c.flags |= kClocked;
   return {};

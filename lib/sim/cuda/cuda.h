@@ -9,8 +9,8 @@
 
 namespace obby::sim::cuda {
 
-// Opens GPU `which`, modulo the number of GPUs. A build without CUDA, a missing driver or a GPU
-// that cannot run this build's kernels is an error that says so.
+// Opens GPU `which`, modulo the number of GPUs. Errors: a build without CUDA, a missing driver, or
+// a GPU that cannot run this build's kernels.
 Result<std::unique_ptr<Device>> openDevice(uint32_t which);
 
 const void* stepEntry(StepKind kind);  // Kernel::entry of stepKernel

@@ -1,4 +1,4 @@
-// The step kernel in its form for a GPU.
+// The GPU form of the step kernel.
 #include "sim/step_kernel.h"
 
 namespace obby::sim::cuda {

@@ -17,8 +17,8 @@ struct Delivery {
   std::vector<DevicePlace> places;            // one per level, with memory for bodies
 };
 
-// Uploads levels while the device works. `patience`: as EnvGroupSettings::patience; `worlds`: on
-// each level. Errors: the device's.
+// Uploads levels while the device works. `patience`: as EnvGroupSettings::patience; `worlds`:
+// number of worlds on each level. Errors: the device's.
 Result<Delivery> deliver(sim::Device& device, std::span<const TrainingLevel* const> levels,
                          float patience, uint32_t worlds, ThreadPool& pool);
 

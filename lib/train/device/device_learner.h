@@ -24,7 +24,7 @@ struct DeviceBatch {
 
 class DeviceLearner {
  public:
-  // The arguments must outlive it.
+  // The arguments must outlive this object.
   DeviceLearner(const TrainerSettings& settings, sim::Device& device, Ranks& ranks,
                 DeviceRanks& direct)
       : settings_(settings), device_(device), ranks_(ranks), direct_(direct) {}

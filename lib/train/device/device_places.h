@@ -13,7 +13,7 @@ namespace obby::train {
 
 class DevicePlaces {
  public:
-  // The arguments must outlive it.
+  // The arguments must outlive this object.
   DevicePlaces(const TrainerSettings& settings, const LevelSource& source, sim::Device& device,
                ThreadPool& pool, uint32_t rank, uint32_t ranks);
 

@@ -1,5 +1,5 @@
-// The training kernels on a device besides those of lib/nn, by name. OBBY_TRAIN_KERNELS is their
-// only list.
+// The training kernels on a device, apart from those of lib/nn, by name. OBBY_TRAIN_KERNELS is
+// their only list.
 #pragma once
 
 #include "sim/kernel.h"

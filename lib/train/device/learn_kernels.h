@@ -1,5 +1,5 @@
-// Kernels for learning from a batch besides those of lib/nn: they gather minibatches and evaluate
-// the loss of each decision.
+// Kernels that learn from a batch, in addition to those of lib/nn. They gather minibatches and
+// evaluate the loss of each decision.
 #pragma once
 
 #include "base/shuffle.h"
@@ -14,7 +14,7 @@ enum Figure { kLossFigure, kEntropyFigure, kApproxKlFigure, kClippedFigure, kVal
 constexpr int kFigures = 8;  // padded
 
 struct MinibatchArguments {
-  const float* inputs;  // the batch's, (rows, kInputs)
+  const float* inputs;  // inputs of the batch, (rows, kInputs)
   const policy::Decision* decisions;
   const float *advantages, *returns;
   Shuffle shuffle;

@@ -26,7 +26,7 @@ class NextLevels {
     float hardest;
   };
 
-  // Source and device must outlive it.
+  // Source and device must outlive this object.
   NextLevels(const LevelSource& source, const EnvGroupSettings& settings, sim::Device& device,
              size_t places, int threads)
       : source_(source), settings_(settings), device_(device), next_(places), pool_(threads) {}
@@ -39,8 +39,9 @@ class NextLevels {
 
   // Starts to make the levels, one per place, once the previous request is done. Does not wait.
   void ask(std::vector<Wanted> wanted);
-  // Waits for all levels and returns that of a place; no level if the source was told to stop or
-  // had an error. Errors: the device's. Rethrows exceptions of the thread that made them.
+  // Waits for all levels and returns the level of a place. Returns no level if the source was told
+  // to stop or had an error. Errors: the device's. Rethrows exceptions of the thread that made
+  // them.
   Result<NextLevel> take(size_t place);
 
  private:

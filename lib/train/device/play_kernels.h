@@ -1,5 +1,5 @@
-// Kernels that play an iteration. In a tick every world observes (one thread per part of the
-// observation), the network runs (product.h), every world moves, and every place restarts ended
+// Kernels that play an iteration. In a tick, every world observes, with one thread per part of the
+// observation. Then the network runs (product.h), every world moves, and every place restarts ended
 // episodes.
 #pragma once
 
@@ -15,7 +15,7 @@ namespace obby::train {
 struct DevicePlace {
   TrainingView on;
   sim::RigidBody* bodies;  // (worldsOfPlace, on.level.bodyCount)
-  bool isNew;              // its worlds have not begun yet
+  bool isNew;              // the place's worlds have not begun yet
 };
 
 struct PlayArguments {
@@ -26,7 +26,7 @@ struct PlayArguments {
   uint32_t worldsOfPlace, worlds;
   uint32_t firstWorld;  // index among the worlds of all ranks
   RewardSettings reward;
-  SettleRules rules;  // for the current decision
+  SettleRules rules;  // rules of the current decision
   const float *means, *scales;
   float valueMean, valueDeviation;
   // Rows of the current tick, (worlds).

@@ -71,7 +71,8 @@ CheckpointStore::CheckpointStore(RunFiles files, RunIdentity identity, Ranks& ra
       stop_(stop),
       late_(late) {}
 
-// Two runs would overwrite each other's files unnoticed.
+// Locks the files, because two runs would overwrite each other's files unnoticed. Then checks that
+// they can be written.
 Status CheckpointStore::lockAndCheckFiles() {
   const std::pair<const char*, const std::string&> written[] = {
       {"--output", files_.policy}, {"--checkpoint", files_.checkpoint}};

@@ -58,9 +58,9 @@ class CheckpointStore {
   double secondsBefore() const { return secondsBefore_; }
 
   // Writes the checkpoint, then the policy. If training is killed between the two, the next run
-  // resumes from the newer one and writes the policy again. If the checkpoint cannot be written,
-  // the policy is written nevertheless. Before any decision was learned from, existing files are
-  // kept. `seconds`: of all runs.
+  // resumes from the newer checkpoint and writes the policy again. If the checkpoint cannot be
+  // written, the policy is written nevertheless. Until training has learned from a decision,
+  // existing files are kept. `seconds`: wall-clock time of all runs.
   Status save(const Trainer& trainer, double seconds) const;
 
  private:

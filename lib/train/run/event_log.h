@@ -36,7 +36,7 @@ class EventLog {
 
   io::Appender file_;
   std::string waiting_;  // whole events
-  uint64_t events_ = 0;  // number of them
+  uint64_t events_ = 0;  // number of waiting events
   Status held_;
 };
 

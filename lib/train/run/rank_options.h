@@ -9,10 +9,10 @@
 
 namespace obby::train {
 
-// `options`: how this rank was started, each as it reads after "started": "with --seed 3". The list
-// has the same length and order on every rank, up to the first that differs. Returns the error of
-// the first rank that differs from rank 0. It names both values of that rank's first differing
-// option.
+// `options`: how this rank was started, each worded to follow "started", such as "with --seed 3".
+// The list has the same length and order on every rank, up to the first that differs. Returns the
+// error of the first rank that differs from rank 0. It names both values of that rank's first
+// differing option.
 Status sameOnAllRanks(const std::vector<std::string>& options, Ranks& ranks);
 
 // Call one of these two once, before any other exchange. sameOptions() is for a rank that will run:

@@ -79,7 +79,8 @@ Status TrainingRun::saveMeanwhile() {
     return saved;
   }
   const bool readerGone = io::isBrokenPipe(saved.error()) || io::isInterrupted(saved.error());
-  double votes[] = {double(ranks_.first() && readerGone)};  // other ranks know only the message
+  // Other ranks have only the text of the error.
+  double votes[] = {double(ranks_.first() && readerGone)};
   ranks_.add(votes);
   if (!saved_ || votes[0] > 0) return saved;
   if (ranks_.first() && !failing_)
@@ -154,7 +155,7 @@ Status runTraining(Trainer& trainer, Ranks& ranks, const CheckpointStore& store,
                    const Levels& levels, const RunPlan& plan, const RunReport& report,
                    const std::atomic<bool>& stop, Timeout& timeout) {
   std::optional<EventLog> events;
-  std::optional<MetricsStream> metrics;  // an error before it is opened leaves no stream
+  std::optional<MetricsStream> metrics;  // stays empty if an earlier output fails
   const auto open = [&]() -> Status {
     if (!plan.eventFolder.empty()) {
       OBBY_ASSIGN(events, EventLog::open(plan.eventFolder, trainer.iterations()));

@@ -16,14 +16,14 @@
 namespace obby::train {
 
 struct RunLimits {
-  uint64_t decisions = 0;     // max of all runs
+  uint64_t decisions = 0;     // max decisions of all runs together
   double seconds = 0;         // max wall-clock time of this run
-  double saveSeconds = 60;    // between saves
+  double saveSeconds = 60;    // seconds between saves
   uint64_t eventsEvery = 10;  // iterations between two events of the log
 };
 
 struct RunProgress {
-  double share = 0;        // of the decisions or of the time, the larger, 0 to 1
+  double share = 0;        // share of the decisions or of the time, whichever is larger; 0 to 1
   double secondsLeft = 0;  // estimate
   double decisionsPerSecond = 0;
   double solved = 0, hardest = 0;  // as in Iteration
@@ -49,8 +49,8 @@ class TrainingRun {
 
   // Trains until a limit, a signal (Timeout::stop) or an error, and saves. If training itself
   // fails, nothing more can be saved. The first save must succeed. Later saves and events that
-  // cannot be written cause a warning, and training continues; it is an error if that is still so
-  // at the end.
+  // cannot be written cause a warning, and training continues; it is an error if writing still
+  // fails at the end.
   Status run();
 
  private:
@@ -64,7 +64,7 @@ class TrainingRun {
   double seconds() const;  // wall-clock time of this run
   double allSeconds() const { return store_.secondsBefore() + seconds(); }
   double meanRate() const;  // decisions per second, in this run
-  double presentRate();     // in the last seconds
+  double presentRate();     // decisions per second, over the last five to ten seconds
   Votes vote();
   Status report();
   void reportProgress();
@@ -85,20 +85,20 @@ class TrainingRun {
   Iteration last_;
   const std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
   double metricsAt_ = 0, savedAt_ = 0;    // seconds of this run
-  uint64_t metricsOf_ = 0;                // number of the iteration of the last record
+  uint64_t metricsOf_ = 0;                // iteration of the last record
   bool saved_ = false, failing_ = false;  // a save succeeded before the end; the last one failed
   bool eventsHeld_ = false;               // the user knows that events wait
-  Mark pace_[2];                          // for presentRate(): an older one, a newer one
+  Mark pace_[2];                          // an older and a newer mark, for presentRate()
 };
 
 struct RunPlan {
   RunLimits limits;
-  std::string eventFolder;  // for TensorBoard; may be empty
+  std::string eventFolder;  // folder of the events for TensorBoard; may be empty
   io::StreamIdentity identity;
 };
 
 // Opens the outputs of the first rank, with metrics on standard output, and runs the training. The
-// end record includes the counts of `levels`. `stop`: the signal.
+// end record includes the counts of `levels`. `stop` is set by a signal.
 Status runTraining(Trainer& trainer, Ranks& ranks, const CheckpointStore& store,
                    const Levels& levels, const RunPlan& plan, const RunReport& report,
                    const std::atomic<bool>& stop, Timeout& timeout);

@@ -7,7 +7,8 @@ namespace obby::view {
 
 namespace {
 
-constexpr float kField = 0.9f;   // pixels a stud at distance 1, per pixel of the picture's height
+// Pixels per stud at distance 1, divided by the picture's height in pixels.
+constexpr float kField = 0.9f;
 constexpr float kMargin = 0.9f;  // share of the picture that the points may fill
 constexpr float kNearest = 8;    // min studs from the eye to the nearest point
 constexpr float kMin = 8;        // min studs across a picture

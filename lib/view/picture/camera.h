@@ -11,7 +11,7 @@ namespace obby::view {
 struct Camera {
   Vec3 eye;                        // if orthographic: any point on the central ray
   Vec3 right, up, forward;         // unit
-  float scale = 1;                 // pixels a stud; if perspective, at a distance of one stud
+  float scale = 1;                 // pixels per stud; if perspective, at a distance of one stud
   float middleX = 0, middleY = 0;  // pixel of the forward direction
   bool perspective = true;
 

@@ -25,7 +25,7 @@ struct Solid {
   Pose pose;
   geom::ShapeKind kind = geom::ShapeKind::block;
   geom::ShapeData shape;
-  float coverage = 1;  // share of samples covered; below 1 it looks translucent
+  float coverage = 1;  // share of samples covered; below 1 the solid looks translucent
 };
 
 constexpr uint32_t kNothing = 0xffffffffu;

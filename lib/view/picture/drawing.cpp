@@ -36,7 +36,7 @@ constexpr const char* kStyle =
 // Maps the world to paper: the level runs to the right and down.
 struct Paper {
   Vec3 across, down;  // unit vectors in world axes
-  float scale = 1;    // pixels a stud
+  float scale = 1;    // pixels per stud
   Vec2 origin;        // paper coordinates of the upper left corner, studs
 
   Vec2 of(Vec3 v) const {

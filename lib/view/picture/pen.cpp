@@ -7,7 +7,7 @@ namespace obby::view {
 
 namespace {
 
-constexpr float kNearPlane = 0.2f;  // studs: nearer points are not drawn
+constexpr float kNearPlane = 0.2f;  // studs; points nearer to the eye are not drawn
 constexpr float kBias = 0.35f;      // studs by which a line may lie behind the surface below it
 
 // Edges of a box as pairs of corners, whose bits are the sides of X, Y and Z.

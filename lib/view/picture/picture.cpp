@@ -172,7 +172,7 @@ void addRows(const std::vector<Color>& samples, int rows, Image& out) {
 
 struct Scene {
   const World& world;
-  const QueryEntry* query;  // or null
+  const QueryEntry* query;  // may be null
   const Camera& camera;
   const Depths& sun;
 };
@@ -207,7 +207,7 @@ Image pictureOf(const LevelEntry& level, const QueryEntry* query, const PictureO
   }
   Image out{options.width, options.height, {}};
   out.pixels.reserve(size_t(options.width) * size_t(options.height));
-  const size_t row = size_t(width) * kSamples;  // in a row of pixels
+  const size_t row = size_t(width) * kSamples;  // samples in a row of pixels
   const int rows = int(std::clamp<size_t>(options.atOnce / row, 1, size_t(options.height)));
   for (int top = 0; top < options.height; top += rows)
     drawRows({world, query, camera, sun}, top, std::min(top + rows, options.height), out);

@@ -8,7 +8,8 @@
 
 namespace obby::view {
 
-// 8 bits a channel, no alpha. Equal images have equal bytes. Error: out of memory.
+// Returns the image as PNG with 8 bits per channel and no alpha. Equal images have equal bytes.
+// Error: out of memory.
 Result<std::string> pngOf(const Image& image);
 
 }  // namespace obby::view

@@ -7,14 +7,14 @@
 namespace obby::view {
 
 struct World {
-  std::vector<Solid> solids;      // one a collider of the level
+  std::vector<Solid> solids;      // one per collider of the level
   std::vector<Surface> surfaces;  // one for each solid
-  std::vector<bool> away;         // for each solid: currently without collision
+  std::vector<bool> away;         // true for each solid that is without collision at that tick
 };
 
 // Moving parts have their poses at that tick of the level clock, and touch-triggered ones are at
-// rest. Parts that are away are almost transparent. Plain parts have their own colour, others that
-// of their role.
+// rest. Parts that are away are almost transparent. Plain parts have their own colour, other parts
+// the colour of their role.
 World worldOf(const LevelEntry& entry, uint32_t tick);
 
 }  // namespace obby::view
