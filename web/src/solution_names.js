@@ -1,4 +1,4 @@
-// Names that distinguish the solutions of a query: player, time and jumps, a part that only their
+// Names that distinguish the solutions of a query: player, time, jumps, a part that only this
 // route touches, and a number if all of these are equal.
 import { routeKey } from './choice.js';
 import { routeNames } from './route_names.js';

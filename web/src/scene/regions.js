@@ -30,7 +30,7 @@ const kMaxNamed = 40; // max labels of one list
 /** @typedef {Materials & {solid: BoxGeometry, edges: EdgesGeometry}} Look */
 
 /**
- * Fades upward, so that a tall box does not hide its contents.
+ * Returns a material that fades upward, so that a tall box does not hide its contents.
  * @param {string} color
  */
 function fillMaterial(color) {
@@ -46,7 +46,8 @@ function fillMaterial(color) {
   });
 }
 
-// Color -> shared geometry and materials, since there may be hundreds of boxes.
+// Returns a function from a color to shared geometry and materials, since there may be hundreds
+// of boxes.
 function sharedLooks() {
   const solid = new BoxGeometry(1, 1, 1);
   const edges = new EdgesGeometry(solid);

@@ -16,7 +16,8 @@ const kMaxPoints = 120000; // max per picture; a browser without a GPU draws 400
 export const kLift = 0.35; // studs above the feet, so that lines do not sink into the floor
 
 /**
- * Returns the stride of samples for all thin lines of a picture: 1, or k for every k-th.
+ * Returns the stride of samples for all thin lines of a picture: 1 for every sample, or k for
+ * every k-th.
  * @param {Path[]} paths
  * @param {number[]} indices
  */
@@ -27,7 +28,7 @@ export function skipOf(paths, indices) {
 
 export class ThinLines {
   /**
-   * `indices`: into the query's paths; `skip`: from skipOf.
+   * `indices`: indices of the query's paths; `skip`: stride of samples, from skipOf.
    * @param {Path[]} paths
    * @param {number[]} indices
    * @param {number} skip
@@ -110,7 +111,7 @@ export class ThinLines {
     });
     this.drawn.needsUpdate = true;
     this.geometry.setDrawRange(0, at);
-    // Many lines form a translucent cloud, and few stay readable.
+    // Many lines form a translucent cloud; a few lines are more opaque, to stay readable.
     this.lines.material.opacity = Math.min(0.6, Math.max(0.16, 6 / Math.sqrt(count * 4 + 1)));
   }
 
