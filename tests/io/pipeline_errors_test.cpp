@@ -1,4 +1,4 @@
-// How a pipeline handles its own errors, errors of records, and errors of the tool before it.
+// Tests how a pipeline handles its own errors, errors in records, and errors of the upstream tool.
 #include "io/pipeline.h"
 
 #include <capnp/serialize.h>

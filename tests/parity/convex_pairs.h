@@ -12,7 +12,8 @@ namespace obby::parity {
 
 struct ConvexPair {
   geom::Convex a, b;
-  const Polytope* localA = nullptr;  // of hulls, since finding their faces is slow
+  // Precomputed faces of a hull (finding them is slow); null for other shapes.
+  const Polytope* localA = nullptr;
   const Polytope* localB = nullptr;
 };
 

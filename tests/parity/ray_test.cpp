@@ -182,7 +182,7 @@ class RayParity : public testing::TestWithParam<ShapeKind> {
     tally.report();
     EXPECT_GT(tally.hits, tally.rays / 5);
     EXPECT_LE(tally.otherSide,
-              tally.rays / 200);  // at edges, and on small balls, where Bullet is inexact
+              tally.rays / 200);  // Bullet is inexact at edges and on small balls
     // Bullet's cast counts some rays that pass within 1e-4 studs of an edge as hits.
     EXPECT_LE(tally.referenceWrong, tally.rays / 200);
   }

@@ -201,7 +201,7 @@ TEST(HullParity, RoundHullsAreTooDeepOnlyAtEdges) {
   }
   excess.report();
   EXPECT_GT(excess.overlapping, 10000);
-  EXPECT_LT(excess.earliest, 0.6);  // for a hull 4 studs across
+  EXPECT_LT(excess.earliest, 0.6);  // studs, for a hull 4 studs across
   EXPECT_LT(excess.deepest, 0.6);
 }
 

@@ -52,7 +52,7 @@ TEST(DynamicBodies, ComeToRestOnTheFloorAndSleep) {
 TEST(DynamicBodies, EveryShapeRestsOnItsLowestFace) {
   struct Case {
     schema::Shape shape;
-    float height;  // of the part's centre at rest
+    float height;  // height of the part's centre at rest, studs
   };
   const Case cases[] = {{schema::Shape::BLOCK, 1},    {schema::Shape::BALL, 1},
                         {schema::Shape::WEDGE, 1},    {schema::Shape::CORNER_WEDGE, 1},

@@ -13,7 +13,7 @@ using sim::State;
 using support::LevelBuilder;
 
 constexpr Turns kSouth = 0x8000;  // +Z
-constexpr float kFace = -4;       // of the trusses below, on their +Z side
+constexpr float kFace = -4;       // z of the +Z face of the trusses below
 constexpr float kClimb = 0.7f * 16;
 
 void asTruss(Part::Builder p) { p.setShape(schema::Shape::TRUSS); }

@@ -77,7 +77,7 @@ TEST(Button, CountsFromTheFirstOrTheLastTouch) {
     b.block({0, 10, -40}, {4, 20, 1}, [](Part::Builder p) { respond(p); });
     const auto level = b.compile();
     Play play(level, {0, 1, -6});
-    play.run(stand(), 90);  // on the button
+    play.run(stand(), 90);  // stands on the button
     return play.world.clocks[0].ticks;
   };
   EXPECT_GT(ticksOpen(false), 10u) << "a second signal after the first";

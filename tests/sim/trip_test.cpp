@@ -55,13 +55,14 @@ float slideOn(float friction) {
   return from - play.world.position.z;
 }
 
-// In Roblox, FallingDown has no control force. Contact friction alone slows the body: v^2 / (2 mu
-// g).
+// In Roblox, FallingDown has no control force. Contact friction alone slows the body, over a
+// distance of v^2 / (2 mu g).
 TEST(FallingDown, SlidesAsFarAsFrictionLets) {
   const float speed = 16, gravity = 196.2f;
   for (const float friction : {0.3f, 0.1f, 1.0f}) {
     const float mean = (friction + 0.3f) / 2;
-    const float far = speed * speed / (2 * mean * gravity) - speed / 480;  // in whole steps
+    // In whole steps, the slide is half a step shorter.
+    const float far = speed * speed / (2 * mean * gravity) - speed / 480;
     EXPECT_NEAR(slideOn(friction), far, 0.02f) << friction;
   }
 }

@@ -14,7 +14,7 @@ constexpr const char* kDoubtKind = "conveyor that a script changes";
 struct Answered {
   schema::Result::Reader result() const { return record->reader().getResult(); }
   std::string reason() const { return result().getReason(); }
-  std::vector<int32_t> doubtful, route;  // of the first solution
+  std::vector<int32_t> doubtful, route;  // fields of the first solution
   std::optional<io::Record> record;
 };
 

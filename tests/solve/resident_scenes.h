@@ -23,7 +23,7 @@ struct ResidentScene {
   }
   level::Level level;
   Question question;
-  uint32_t rollouts = 256;  // in each round
+  uint32_t rollouts = 256;  // rollouts per round
   uint32_t replayed = 1;    // the test replays one cell in this many
 };
 

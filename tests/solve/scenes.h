@@ -91,7 +91,8 @@ class LinesFile {
     static int count = 0;
     std::string name = std::string("obby-") + info->test_suite_name() + "-" + info->name() + "-" +
                        std::to_string(++count) + ".jsonl";
-    std::replace(name.begin(), name.end(), '/', '-');  // from parameterised tests
+    // Names of parameterised tests contain slashes.
+    std::replace(name.begin(), name.end(), '/', '-');
     return name;
   }
   std::string path_;

@@ -23,7 +23,7 @@ std::vector<double> figuresOf(const Iteration& i) {
 
 struct Learned {
   std::vector<std::vector<double>> figures;
-  std::vector<float> numbers;  // of the network
+  std::vector<float> numbers;  // parameters of the network
 };
 
 // Returns the results of iterations 4 to 6. If `broken`, the run is interrupted after the third and

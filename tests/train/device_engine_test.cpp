@@ -140,8 +140,8 @@ TEST_P(Parity, TheFirstIterationMatches) {
 
 INSTANTIATE_TEST_SUITE_P(WithAndWithoutDynamicBodies, Parity, testing::Bool());
 
-// Play without training, with many levels and with episodes that end or are truncated. In a hundred
-// of these runs, about half a world would draw a number between two roundings of a probability.
+// Plays many levels without training, with episodes that end or are truncated. A world whose random
+// number falls between two roundings of a probability would differ. Expect one in about 200 runs.
 TEST_P(Parity, PlayThroughManyLevelsMatches) {
   const Gaps gaps(GetParam());
   TrainerSettings settings = small();
@@ -343,7 +343,7 @@ TEST(DeviceEngine, RefusesAnotherObservation) {
             "the GPU supports only the standard observation, and the settings name another");
 }
 
-// Levels of which one is bad.
+// Levels, one of which is bad.
 class OneBad : public Gaps {
  public:
   explicit OneBad(uint64_t bad) : bad_(bad) {}
@@ -359,10 +359,10 @@ class OneBad : public Gaps {
 // A level that is made ahead may never be played. Its error is returned only once it is played.
 TEST(DeviceEngine, ReturnsTheErrorOfALevelOnceItIsPlayed) {
   Machine machine;
-  const OneBad first(5), second(8 + 5);  // of eight places
+  const OneBad first(5), second(8 + 5);  // eight places play the levels
   EXPECT_EQ(machine.make(first, tiny()).error().text(), "this level is bad");
   TrainerSettings settings = tiny();
-  settings.envGroup.episodes = 32;  // with 8 worlds no level is over after an iteration
+  settings.envGroup.episodes = 32;  // with 8 worlds, no level is finished after one iteration
   const auto trainer = machine.make(second, settings);
   ASSERT_TRUE(trainer) << trainer.error().text();
   ASSERT_TRUE((*trainer)->iterate());
@@ -375,7 +375,7 @@ TEST(DeviceEngine, ReturnsTheErrorOfALevelOnceItIsPlayed) {
   EXPECT_EQ(status.error().text(), "this level is bad");
 }
 
-// Levels of which one needs more memory than the machine has.
+// Levels, one of which needs more memory than the machine has.
 class OneTooLarge : public Gaps {
  public:
   Result<std::shared_ptr<const TrainingLevel>> level(uint64_t index, float hardest) const override {

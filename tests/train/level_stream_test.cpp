@@ -101,7 +101,7 @@ TEST(LevelStream, CompilesAllLevelsIfErrorsAreForgiven) {
   EXPECT_EQ(resumed.compiledOnReading(), 3u);
 }
 
-// Levels that are read on the way to a much later one wait as records.
+// Levels read on the way to a much later one are kept as uncompiled records.
 TEST(LevelStream, BoundsTheNumberOfCompiledLevels) {
   const LevelStream all(optionsOf(linesOf(40)));
   const LevelStream stream(optionsOf(linesOf(40)), {.compiledLevels = 8});

@@ -8,7 +8,7 @@
 
 namespace obby::train {
 
-constexpr uint32_t kTicks = 4;  // of the batch
+constexpr uint32_t kTicks = 4;  // ticks of the batch
 
 // Returns the decisions of `worlds` worlds from number `first` on. A world's decisions are the same
 // in every batch.

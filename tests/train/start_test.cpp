@@ -17,7 +17,7 @@ namespace {
 
 using Trainers = Result<std::unique_ptr<Trainer>>;
 
-constexpr uint64_t kIterations = 3;  // of the policy's training
+constexpr uint64_t kIterations = 3;  // iterations in which the policy is trained
 
 policy::PolicyFile fileOf(const TrainerState& state, const Trainer& trainer) {
   policy::PolicyFile file;

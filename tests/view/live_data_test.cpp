@@ -123,7 +123,7 @@ TEST(LiveData, LongerTrajectoriesRarelyResendMotion) {
     growing.add({line(trajectory)});
     sent += growing.since(before)["levels"].size();
   }
-  EXPECT_EQ(sent, 2u);  // at 20 and 40 seconds
+  EXPECT_EQ(sent, 2u);  // sent at 20 and 40 seconds
 }
 
 TEST(LiveData, AttemptsBeyondThePagesSizeAreResentThinned) {

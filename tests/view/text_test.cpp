@@ -232,7 +232,7 @@ TEST(Text, MapMarksPartsAwayAtTheStart) {
     EXPECT_TRUE(report) << report.error().text();
     return view::queryMap(*report, report->queries[0], {60, false, false});
   };
-  const auto count = [](const std::string& map, char glyph) {  // in the map's rows
+  const auto count = [](const std::string& map, char glyph) {  // counts in the map's rows only
     const size_t first = map.find('\n');
     const std::string rows = map.substr(first, map.find("S start") - first);
     return std::count(rows.begin(), rows.end(), glyph);

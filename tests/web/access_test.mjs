@@ -6,7 +6,7 @@ import { report } from './sample_report.mjs';
 
 const { options, test, run } = harness();
 const file = options.sample(report);
-const kMinContrast = 4.5; // of text to its background (WCAG 2.2, 1.4.3)
+const kMinContrast = 4.5; // min contrast of text and background (WCAG 2.2, 1.4.3)
 
 // Returns the lowest contrast of the panels' texts, with the text and the class of its element.
 const contrast = (page) =>

@@ -54,7 +54,8 @@ const open = (page, level, query) =>
     [level, query],
   );
 
-// Returns the max difference between the player in the picture and the points, and their number.
+// Returns the max distance of the drawn player from the recorded points on any axis, the number
+// of points, the trajectory's ticks, and whether the jumps agree.
 async function compare(page, level, record) {
   const { query, index = 0, path } = record;
   await open(page, level, query);

@@ -46,7 +46,7 @@ export class ThinLines {
       this.spans.push([first, count]);
       first += count;
     }
-    const vertices = first; // of all lines
+    const vertices = first; // number of vertices of all lines
     this.colors = new BufferAttribute(new Float32Array(3 * vertices), 3);
     this.drawn = new BufferAttribute(new Uint32Array(2 * vertices), 1);
     this.geometry = new BufferGeometry();
