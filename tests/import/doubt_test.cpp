@@ -217,7 +217,7 @@ TEST(Doubt, KnownWaitsRaiseNoDoubt) {
   }
 }
 
-// A poll once a second is slower than a step across the part.
+// Polling once a second is slower than a player who crosses the part.
 TEST(Doubt, PollingADistanceHarmsNearThePart) {
   Scene scene;
   const auto part = scene.part("Part", {20, 0, 0});

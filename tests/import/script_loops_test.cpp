@@ -1,5 +1,5 @@
 // Loops that end by their own effects, recursive functions, and lists and strings that scripts
-// build. The importer also reads the code after them.
+// build. The importer also reads the code after these.
 #include "import/motion_checks.h"
 
 namespace obby::test {

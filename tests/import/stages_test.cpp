@@ -1,4 +1,4 @@
-// Start, checkpoints in order, goal.
+// Tests the start, the order of checkpoints, and the goal.
 #include <algorithm>
 #include <chrono>
 

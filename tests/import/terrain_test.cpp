@@ -134,7 +134,7 @@ TEST(Terrain, SlopesAndWaterAreNamed) {
 }
 
 TEST(Terrain, TheNearestTerrainIsKeptAboveTheLimit) {
-  VoxelWriter writer;  // a chess board of blocks over 24 chunks: 12,288 a layer
+  VoxelWriter writer;  // a chessboard of blocks over 24 chunks: 12,288 blocks a layer
   for (int x = 0; x < 24; ++x)
     writer.chunk({x, 0, 0}, [](int cx, int y, int z) {
       return (cx + z) % 2 == 0 && y % 8 < 4 ? Cell{kGrass, 255} : Cell{};
@@ -184,7 +184,7 @@ TEST(SmoothGrid, DamageIsAnError) {
   EXPECT_FALSE(voxelChunks(""));
   EXPECT_TRUE(voxelChunks("\1\5")->empty());
   std::string far = good;
-  far[2] = 1;  // sixteen million chunks away
+  far[2] = 1;  // this chunk is sixteen million chunks away
   EXPECT_FALSE(voxelChunks(far));
 }
 

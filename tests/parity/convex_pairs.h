@@ -1,5 +1,5 @@
-// Random pairs of any two convex shapes at a chosen gap or depth along a chosen direction. Also the
-// exact answer for pairs that can be computed without iteration.
+// Random pairs of any two convex shapes at a chosen gap or depth along a chosen direction. Also
+// returns the exact answer for pairs whose answer can be computed without iteration.
 #pragma once
 
 #include <memory>

@@ -73,7 +73,7 @@ TEST(DynamicBodies, EveryShapeRestsOnItsLowestFace) {
   }
 }
 
-// Unions can have this shape: a single hull far from the part's centre, with its top at 0.
+// Unions can have this shape: a single hull far from the part's centre. The hull's top is at 0.
 TEST(DynamicBodies, RestOnAHullFarFromItsPartsCentre) {
   const auto slab = [](schema::Part::Builder p) {
     p.setShape(schema::Shape::HULL);

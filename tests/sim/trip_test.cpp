@@ -30,7 +30,7 @@ TEST(Trip, TakesControlForItsTimeOnly) {
   EXPECT_LT(play.world.position.z, -14) << "walks on, out of the part that tripped it";
 }
 
-// Adds a trip wire across at z = -10, which is not solid.
+// Adds a trip wire across the floor at z = -10. The wire is not solid.
 LevelBuilder& withWire(LevelBuilder& b, float seconds = 3, float after = 1) {
   return b.block({0, 1, -10}, {100, 40, 0.2f}, [=](Part::Builder p) {
     p.setSolid(false);
@@ -84,7 +84,7 @@ TEST(FallingDown, LegsCollideSoThatAStepStopsTheBody) {
 }
 
 TEST(FallingDown, KeepsItsMomentumInTheAir) {
-  LevelBuilder b = LevelBuilder().block({0, -1, 0}, {200, 2, 19.6f});  // ends at the wire
+  LevelBuilder b = LevelBuilder().block({0, -1, 0}, {200, 2, 19.6f});  // the floor ends at the wire
   const auto level = withWire(b).compile();
   Play play(level);
   play.settle().until(walk(kNorth), [](const World& w) { return w.position.z < -5; });

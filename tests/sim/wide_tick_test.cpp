@@ -86,7 +86,7 @@ std::vector<World> startsOver(const level::Level& level, uint32_t count) {
 
 class WideTick : public testing::TestWithParam<Scene> {};
 
-// 100 worlds fill some lanes only. 700 ticks cover walks, falls, pushes and deaths.
+// 100 worlds do not fill all lanes. 700 ticks cover walks, falls, pushes and deaths.
 TEST_P(WideTick, EqualsTheScalarTickBitForBit) {
   const level::Level level = GetParam().build();
   level::LevelView view = level.view();
@@ -229,8 +229,8 @@ TEST(WideTick, SaturatesTheJumpCount) {
   }
 }
 
-// The scalar tick first checks whether any floor is below. It must find floors at the very end of
-// the rays.
+// The scalar tick first checks whether any floor is below. This check must find floors at the very
+// end of the rays.
 TEST(WideTick, SensesFloorsAtTheEndOfTheRays) {
   const level::Level edge = LevelBuilder()
                                 .block({0, 2.7817647457f, 0}, {20, 2, 20})
