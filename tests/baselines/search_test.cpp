@@ -188,7 +188,7 @@ TEST(LearnedSearches, AreTheSameOnAnyNumberOfThreads) {
   }
 }
 
-// A known solution is found again before any round, and the search continues from it.
+// A known solution is found before the first round, and the search continues from it.
 TEST(LearnedSearches, TryEarlierAnswersFirst) {
   const level::Level stones = steppingStones().compile();
   Question question(stones);

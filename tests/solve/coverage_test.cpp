@@ -53,7 +53,7 @@ TEST(NewCellChance, HoldsForKnownProbabilities) {
 TEST(Saturation, MeansThatDoublingTheTimeFindsAlmostNothing) {
   EXPECT_TRUE(saturated(after(100'000, 10, 1000)));    // at most 16 more cells are expected
   EXPECT_FALSE(saturated(after(100'000, 100, 1000)));  // 120 more
-  EXPECT_FALSE(saturated(after(100, 0, 1000)));        // too early to say
+  EXPECT_FALSE(saturated(after(100, 0, 1000)));        // too early to tell
   EXPECT_FALSE(saturated(Coverage{}));
 }
 

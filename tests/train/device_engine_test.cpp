@@ -60,7 +60,7 @@ Difference differenceOf(const TrainerState& a, const TrainerState& b) {
   return out;
 }
 
-// Compares everything of two places that involves no rounding.
+// Compares all values of two places that involve no rounding.
 void expectSamePlaces(const TrainerState& a, const TrainerState& b) {
   ASSERT_EQ(a.envGroups.size(), b.envGroups.size());
   for (size_t c = 0; c < a.envGroups.size(); ++c) {
@@ -172,8 +172,8 @@ TEST_P(Parity, PlayThroughManyLevelsMatches) {
 
 // Each iteration starts from the CPU's network with Adam's moments, because learners that differ by
 // rounding soon diverge. A decision between two roundings of the clip range moves some weights by a
-// few hundred thousandths. A random number between two roundings of a probability (one in about a
-// hundred of these runs) moves the mean weight by less than 1e-4.
+// few hundred thousandths. A random number between two roundings of a probability, as in about one
+// of a hundred runs, moves the mean weight by less than 1e-4.
 TEST(DeviceEngine, EachIterationLearnsWhatTheCpuDoes) {
   const Gaps gaps;
   ThreadPool pool(1);

@@ -1,4 +1,4 @@
-// The distance left along a guide, and which part of the guide counts for a player.
+// Tests the distance left along a guide, and which section of the guide counts for a player.
 #include "train/guide.h"
 
 #include <gtest/gtest.h>

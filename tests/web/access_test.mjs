@@ -1,4 +1,4 @@
-// The page is usable for every reader: light and dark, at 200 % zoom, by keyboard, without hue.
+// Every reader can use the page: in light and dark, at 200 % zoom, by keyboard, without hue.
 import assert from 'node:assert/strict';
 import { arrive, frames, openReport, state, withoutWebGl } from './browser.mjs';
 import { harness } from './harness.mjs';

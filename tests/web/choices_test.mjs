@@ -137,7 +137,7 @@ test('trajectories far from a box are skipped', () => {
   assert.throws(() => meets(trajectory, crossed), /looked at/);
 });
 
-// Returns the distance from a point to the polyline through others.
+// Returns the distance from a point to the polyline through other points, in studs.
 function besideTrajectory(points, at) {
   let lowest = Infinity;
   for (let i = 0; i + 5 < points.length; i += 3) {

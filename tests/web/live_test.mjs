@@ -129,7 +129,7 @@ test('counts grow until the stream ends, keeping the selection', async ({ browse
   await frames(page);
   await options.picture(page, 'live-ended');
 
-  // A page that opens late shows the same, and so does the page file.
+  // A page that opens late shows the same, and the page file does, too.
   const late = await openLive(browser, address);
   await started(late.page);
   const file = await openReport(browser, out);

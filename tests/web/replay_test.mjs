@@ -11,7 +11,7 @@ import { harness } from './harness.mjs';
 const kMaxStuds = 1e-3; // max difference on each axis
 const { options, test, run } = harness();
 
-// Level name -> the solver's options.
+// Maps a level name to the solver's options.
 const kSolved = Object.entries({
   'several-routes': ['--query', 'any', '--solutions', '3'],
   'conveyor-and-pad': [],
