@@ -6,7 +6,7 @@ namespace {
 
 const char* const kWait = "wait that a script computes";
 
-// A barrier, and a script that calls it `b`.
+// A barrier, and a script in which the barrier is `b`.
 struct Barred : Scene {
   explicit Barred(const std::string& text) {
     script("local b = workspace.Barrier\n" + text, scripts);

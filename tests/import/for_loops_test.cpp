@@ -1,4 +1,4 @@
-// For loops that count for ever, and loops whose end depends on a model's position.
+// `for` loops that count for ever, and loops whose end depends on a model's position.
 #include <algorithm>
 
 #include "import/motion_checks.h"

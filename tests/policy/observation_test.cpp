@@ -69,7 +69,7 @@ TEST(Observation, ShowsKillPartsAndRegionsToAvoid) {
 TEST(Observation, ShowsOnlyCeilingsThatAreInTheWay) {
   LevelBuilder b = gap();
   b.block({0, 9, 0}, {30, 1, 30});     // high above
-  b.block({0, 3, -3.35f}, {4, 2, 1});  // at the height of the chest
+  b.block({0, 3, -3.35f}, {4, 2, 1});  // a block at the height of the chest
   const level::Level level = b.compile();
   const Look look(level);
   EXPECT_FLOAT_EQ(look.height(kFloor, 0, 0), 0);

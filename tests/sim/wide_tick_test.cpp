@@ -138,8 +138,8 @@ TEST(WideTick, LeavesEndedWorldsAlone) {
   EXPECT_EQ(running.tick, 1u);
 }
 
-// With a sleep time of 0, a body that is slow falls asleep at once. In the air it stays awake, both
-// when it begins to fall and at the apex of a throw.
+// With a sleep time of 0, a body that is slow falls asleep at once. In the air the body stays
+// awake, both when it begins to fall and at the apex of a throw.
 TEST(WideTick, LetsDynamicBodiesSleepOnlyAtRest) {
   const level::Level level = LevelBuilder()
                                  .block({0, -1, 0}, {200, 2, 200})

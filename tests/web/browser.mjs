@@ -42,7 +42,7 @@ export async function newPage(browser, { viewport = kViewport, density = kDensit
   return page;
 }
 
-// For `prepare`: removes WebGL from the browser.
+// A value for `prepare` that removes WebGL from the browser.
 export const withoutWebGl = (page) =>
   page.addInitScript(() => {
     const { prototype } = HTMLCanvasElement;

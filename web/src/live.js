@@ -52,7 +52,7 @@ export class Live {
   }
 
   /**
-   * After the stream has ended, a lost server does not matter.
+   * After the end of the stream, a lost connection does not matter.
    * @param {boolean} connected
    */
   tell(connected) {

@@ -8,7 +8,7 @@ import { plural, seconds } from './ui/dom.js';
 /** @import {Level, Query} from './types/report.js' */
 
 /**
- * Results by query. A changed query is another object.
+ * Cached results by query. A changed query is another object.
  * @type {WeakMap<Query, Map<number, {name: string, route: string}>>}
  */
 const known = new WeakMap();

@@ -13,8 +13,8 @@ export class Track {
     this.stride = raw.stride;
     this.count = raw.count;
     this.loopFrom = raw.loopFrom;
-    this.triggered = Boolean(raw.triggered); // ticks count from the motion's start, which the
-                                             // trajectory's events state
+    // If true, ticks count from the motion's start, which the trajectory's events state.
+    this.triggered = Boolean(raw.triggered);
     this.position = raw.position ? floats(raw.position) : null;
     this.rotation = raw.rotation ? shorts(raw.rotation) : null;
   }

@@ -22,8 +22,8 @@ import { dispose } from './dispose.js';
 
 const kAvoid = '#d873c4';
 const kWaypoint = '#ffd166';
-export const kMaxAlike = 500; // max regions drawn of one list, since a tag may mark thousands of
-                               // parts
+// Max regions drawn of one list, since a tag may mark thousands of parts.
+export const kMaxAlike = 500;
 const kMaxNamed = 40; // max labels of one list
 
 /** @typedef {{fill: ShaderMaterial, line: LineBasicMaterial}} Materials */
