@@ -191,9 +191,9 @@ TEST(SmoothGrid, DamageIsAnError) {
 TEST(SmoothGrid, ShoreCellsHoldMatterAndWater) {
   std::string voxels("\1\5", 2);
   voxels.append(12, '\0');
-  voxels += std::string("\xc2\x80\x00\x40", 4);  // grass with half occupancy, one cell, water with
-                                                 // a quarter
-  voxels += std::string("\x80\xfe", 2);          // air
+  // Grass with half occupancy in one cell, and water with a quarter.
+  voxels += std::string("\xc2\x80\x00\x40", 4);
+  voxels += std::string("\x80\xfe", 2);  // air
   for (int i = 0; i < 127; ++i) voxels += std::string("\x80\xff", 2);
   const auto chunks = voxelChunks(voxels);
   ASSERT_TRUE(chunks) << chunks.error().text();

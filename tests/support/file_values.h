@@ -47,8 +47,9 @@ enum class FileKind : uint8_t {
 
 struct FileValue {
   FileKind kind = FileKind::String;
-  Value value;  // the Document's value; monostate if the Document drops it or (OptionalCFrame) if
-                // it is absent
+  // The Document's value; monostate if the Document drops the kind, or for an absent
+  // OptionalCFrame.
+  Value value;
   std::string xmlElement;  // the element's name in XML
   bool acoustics = false;  // PhysicalProperties: true if the flag for acoustic absorption is set
 };
