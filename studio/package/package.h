@@ -10,8 +10,8 @@
 
 namespace obby::studio {
 
-// `folder` holds init.server.luau; `course` is the course's stream of records, JSON Lines. Errors
-// name the file that cannot be read.
+// `folder` holds init.server.luau; `course` is the course's stream of records, JSON Lines. Returns
+// the model file, or an error that names the unreadable file.
 Result<std::string> packagePlugin(const std::string& folder, const std::string& course);
 
 }  // namespace obby::studio

@@ -9,7 +9,7 @@ import { luauFiles, src, start } from './harness/luau.mjs';
 const include = fileURLToPath(new URL('include', import.meta.resolve('@rbxts/types/package.json')));
 const read = (name) => readFileSync(join(include, name), 'utf8').replace(/\/\*[\s\S]*?\*\//g, '');
 
-// Members that the typings lack. They are in the engine's documentation, and plugins use them.
+// Members that the typings lack, although the engine documents them and plugins use them.
 const beyond = new Set([
   'PluginAction.ActionId',
   'PluginAction.Text',

@@ -29,7 +29,7 @@ function entriesOf(text) {
   return entries;
 }
 
-// Returns the text between the brace at `open` and its counterpart.
+// Returns the text between the brace at `open` and the matching brace.
 function braced(text, open) {
   let depth = 0;
   for (let i = open; i < text.length; i++) {
@@ -90,7 +90,7 @@ function typeNamed(module, text) {
   return { name, home, members };
 }
 
-// Checks the members of a chain "a.b:c", as far as they have types of the plugin.
+// Checks the members of a chain "a.b:c" up to the first that does not have a type of the plugin.
 function follow(module, text, steps, where) {
   let type = typeNamed(module, text);
   for (const step of steps) {

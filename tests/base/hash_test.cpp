@@ -1,4 +1,4 @@
-// Digests equal the published ones of XXH3, so a hash from one machine is valid on every other.
+// Digests equal the published ones of XXH3, so a hash is the same on every machine.
 #include "base/hash.h"
 
 #include <gtest/gtest.h>

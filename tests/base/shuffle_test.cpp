@@ -48,7 +48,7 @@ TEST(Shuffle, HasNoVisibleStructure) {
     for (const int n : bins) worst = std::max(worst, std::abs(n - double(kPart) / kBins));
   }
   EXPECT_LT(worst, 80) << "five deviations of 15.5";
-  // A pair is this close with probability 32 / 65,536. Among 20 x 4096 pairs, 40 are expected.
+  // A pair is this close with probability 32 / 65,536. Of 20 x 4096 pairs, 40 are expected to be.
   EXPECT_LT(close, 80);
   EXPECT_GT(close, 10);
 }

@@ -1,4 +1,4 @@
-// Suggestions for mistyped names.
+// Tests the suggestions for mistyped names.
 #include "base/spelling.h"
 
 #include <gtest/gtest.h>

@@ -68,7 +68,8 @@ TEST(NetPass, ContinuesOnTheCpuIfTheDeviceFails) {
   const level::Level level = steppingStones().compile();
   const Problem problem = support::endlessProblem(level);
   ThreadPool pool(2);
-  for (int launches = 0; launches <= 15; ++launches) {  // three launches go forward, twelve back
+  // The forward pass has three launches, the backward pass twelve.
+  for (int launches = 0; launches <= 15; ++launches) {
     support::FailingDevice device(pool, launches);
     DeviceWork work = workOn(device, problem);
     NetPass here, there(&work);

@@ -64,8 +64,8 @@ TEST(GoalPolicy, MakesBetterMovesLikelier) {
   }
 }
 
-// Choices are made with flatter probabilities than the network's own. Compared with the network's
-// own probability, the ratio would be clipped and nothing learned.
+// Moves are drawn with flatter probabilities than the network's own. If the loss divided by the
+// network's own probability, the ratio would be clipped and nothing learned.
 TEST(GoalPolicy, LearnsWithTheSharpnessOfTheChoice) {
   constexpr float kSharpness = 0.25f;
   ThreadPool pool(1);

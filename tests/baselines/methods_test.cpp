@@ -1,5 +1,5 @@
-// Methods that learn pass the tests of every method. They take minutes for the harder queries, so
-// search_test.cpp tests them with smaller ones.
+// Methods that learn pass the tests of every method. On the harder queries they take minutes, so
+// search_test.cpp tests them on smaller ones.
 #include "baselines/methods.h"
 
 #include "solve/method_suite.h"

@@ -88,8 +88,8 @@ TEST(Neighbours, DistancesEqualThoseOfASort) {
   }
 }
 
-// Only cells in which the player stands count, with weight 1 / (1 + actions / 2). The start always
-// counts.
+// Only cells in which the player stands have a weight, 1 / (1 + actions / 2). The start always has
+// one.
 TEST(CellChoice, WeighsCellsByTheirActionCounts) {
   CellChoice choice;
   for (int n = 0; n < 6; ++n) choice.act(1);

@@ -92,7 +92,7 @@ TEST(LearnedSearches, KeepCellsInWhichThePlayerStands) {
     EXPECT_TRUE(grounded(search.archive().world(c))) << c;
 }
 
-// Expects that forgetting frees memory without changing anything that is still needed.
+// Expects that forgetting frees memory and changes nothing that is still needed.
 template <class S, class Settings>
 void expectForgettingToShowNowhere(const Problem& problem) {
   ThreadPool pool(2);
@@ -116,7 +116,7 @@ TEST(LearnedSearches, ForgetUnusedTrajectories) {
   expectForgettingToShowNowhere<Cflge, CflgeSettings>(problem);
 }
 
-// The play depends only on its start, its seed and its memory.
+// A rollout depends only on its start, its seed and the memory.
 TEST(Cflge, RemembersThePlacesOfAnEarlierAnswer) {
   const level::Level level = learnedSearchCorridor();
   Problem problem = support::endlessProblem(level);
@@ -188,7 +188,7 @@ TEST(LearnedSearches, AreTheSameOnAnyNumberOfThreads) {
   }
 }
 
-// A known solution is found again before any round, and the search continues from it.
+// A known solution is found before the first round, and the search continues from it.
 TEST(LearnedSearches, TryEarlierAnswersFirst) {
   const level::Level stones = steppingStones().compile();
   Question question(stones);
@@ -253,7 +253,7 @@ std::vector<Vec3> placesUnder(const Settings& settings, int rounds) {
   return search.places(0);
 }
 
-// A part has an effect if leaving it out changes the result.
+// A part of the method has an effect if leaving it out changes the result.
 TEST(Pbge, EachOfItsPartsHasAnEffect) {
   const auto under = [](auto&& change) {
     PbgeSettings settings;

@@ -128,7 +128,7 @@ LevelBuilder somewhere(schema::Shape shape, Random& random) {
   return b;
 }
 
-// Returns the closeness that ray() should have, computed from the simulator's shapes.
+// Returns the closeness that ray() should return, computed from the simulator's shapes.
 float castRay(const level::Collider& c, int elevation, int direction) {
   const Vec3 eye{0, kEyeHeight, 0}, flat = policy::rosetteDirection(0, direction);
   const float up = kRayDegrees[elevation] * kPi / 180;
@@ -270,7 +270,8 @@ TEST(NearestParts, AreSorted) {
   EXPECT_GT(before, 0);
 }
 
-// Inputs outside the maps stay the policy's own. Without parts nearby, the view is zero.
+// Inputs outside the maps equal those of the policy's own observation. Without parts nearby, the
+// view is zero.
 TEST(OtherViews, KeepThePolicysOtherInputs) {
   LevelBuilder far;
   far.block({200, -0.5f, 0}, {3, 1, 3});

@@ -94,7 +94,7 @@ TEST_F(SuiteFolder, UnsolvableQueriesRunOnceByTheFirstMethodOnly) {
   EXPECT_EQ(p.capOf(p.suite[2]), 10);
 }
 
-// Times of different kinds of machine cannot be compared.
+// Times on different kinds of machines cannot be compared.
 TEST_F(SuiteFolder, EachQueryAndSeedIsReportedFromOneKindOfMachine) {
   Plan p = plan();
   auto log = RunLog::open((folder_ / "runs.jsonl").string());

@@ -1,4 +1,4 @@
-// The log of bench_solve finds finished runs again. Runs that were cut off are repeated.
+// The log of bench_solve recognises finished runs. Runs that were cut off are repeated.
 #include "suite/run_log.h"
 
 #include <gtest/gtest.h>

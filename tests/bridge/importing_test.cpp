@@ -1,4 +1,4 @@
-// The bridge's replies if obby-import does not finish a level.
+// Tests the bridge's replies if obby-import does not finish a level.
 #include "bridge/importing.h"
 
 #include <gtest/gtest.h>

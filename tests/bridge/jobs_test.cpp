@@ -71,7 +71,7 @@ TEST(Jobs, answers_that_another_job_still_needs_are_kept) {
 }
 
 // Whatever the number of processors, a program has time to write its results before the system
-// kills it. This takes a second until the bridge checks it, and the time from SIGINT to SIGKILL.
+// kills it. It needs a second until the bridge's check, and the time from SIGINT to SIGKILL.
 TEST(Limits, the_system_ends_a_program_only_after_the_bridge_could) {
   for (const uint64_t seconds : {uint64_t(1), uint64_t(60), uint64_t(3600)}) {
     for (const uint32_t processors : {1u, 2u, 64u, 256u}) {

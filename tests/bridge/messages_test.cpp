@@ -71,7 +71,7 @@ TEST(Ring, held_messages_stay_within_a_bound_until_taken) {
   EXPECT_EQ(ring.after(74)->number, 75u);
 }
 
-// The carrier takes all messages when asked, so none is lost, however many arrive at once.
+// The client asks its carrier to take all messages, so none is lost, however many arrive at once.
 TEST(Client, asks_its_carrier_before_messages_are_lost) {
   Client client(1, 1000);
   uint64_t had = 0;

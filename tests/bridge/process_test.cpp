@@ -1,4 +1,4 @@
-// Programs that the bridge starts, and their descendants.
+// Tests programs that the bridge starts, and the descendants of these programs.
 #include "bridge/process.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// A program on the event loop, and the callbacks that take its lines.
+// Tests a program on the event loop, and the callbacks that receive its lines.
 #include "bridge/run.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
-// Recordings of the calibration course by our own simulator, under parameters that the fit must
-// find.
+// Recordings of the calibration course, made by our own simulator under parameters that the fit
+// must find.
 #pragma once
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// How certain a parameter is, from recordings of any frame rate.
+// Tests how certain a parameter is, given recordings at any frame rate.
 #include "calibrate/evidence.h"
 
 #include <gtest/gtest.h>
@@ -29,7 +29,8 @@ Frame amid(const Frame& a, const Frame& b) {
   return out;
 }
 
-// Adds a frame with the mean of its neighbours between each two frames. It carries no information.
+// Adds a frame between each two frames, with the mean of its neighbours. The added frames carry no
+// information.
 std::vector<Take> ofTwiceTheRate(std::vector<Take> takes) {
   for (Take& take : takes) {
     const std::vector<Frame> before = take.track.frames;
@@ -63,7 +64,7 @@ TEST(Evidence, InterpolatedFramesAddNoCertainty) {
   }
 }
 
-// At these steps a stiffer body would be unstable, and its level would not compile.
+// With these steps, a stiffer body would be unstable and its level would not compile.
 TEST(Evidence, TheGradientNextToAnInvalidBodyIsOneSided) {
   io::RecordBuilder stiff;
   auto now = stiff.root().initParams();

@@ -55,7 +55,7 @@ Take turningJump(uint16_t tricks) {
   return take;
 }
 
-// The engine that recorded the jumps has the trick of held jumps.
+// The engine that recorded the jumps allows the trick of held jumps.
 TEST(TrickEvidence, FindsTheTrickThatTheEngineHas) {
   ThreadPool pool(availableThreads());
   std::vector<Take> takes;

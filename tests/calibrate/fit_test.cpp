@@ -1,4 +1,4 @@
-// A fit finds the parameters of a recording again, and reports those that it cannot determine.
+// A fit recovers the parameters of a recording, and reports those that it cannot determine.
 #include "calibrate/fit.h"
 
 #include <gtest/gtest.h>
@@ -27,7 +27,8 @@ std::vector<Manoeuvre> jumps() {
   return manoeuvresNamed({"jump on the spot", "jump and turn back in the air", "hold jump"});
 }
 
-// Generations of a search, for at most kFew parameters and for more. A refinement follows.
+// Numbers of generations of a search, for at most kFew parameters and for more. A refinement
+// follows.
 constexpr size_t kFew = 3;
 constexpr uint32_t kForFew = 20, kForMany = 60;
 
@@ -125,7 +126,7 @@ TEST(Fit, IntervalsHoldTheTruthUnderNoise) {
 }
 
 // The recorder drops frames, records at uneven times, adds noise, and rounds inputs to sixteen
-// directions. Effects of an input show two frames late.
+// directions. The effect of an input shows two frames late.
 TEST(Fit, CopesWithABadRecorder) {
   const io::RecordBuilder truth = drawn(5);
   std::vector<Take> takes = takesUnder(truth.reader().getParams(), 0, firstManoeuvres(4));
@@ -137,7 +138,7 @@ TEST(Fit, CopesWithABadRecorder) {
   EXPECT_NEAR(found.delay, 2 / 60.0, 0.75 / 60);
   for (const Fitted& f : found.parameters) {
     const double value = valueOf(truth.reader().getParams(), f.parameter.name);
-    // A player reaches full speed within six steps, less than two frames, so traction is less
+    // A player reaches full speed within six steps (less than two frames), so traction is less
     // certain.
     const double share = f.parameter.name == "traction" ? 0.08 : 0.03;
     EXPECT_NEAR(f.value, value, share * value) << f.parameter.name;

@@ -45,8 +45,8 @@ TEST(Instants, AStandingPlayerDeterminesNoAge) {
   EXPECT_EQ(velocityAgeOf(takes, defaults()), 0);
 }
 
-// Falls show the largest differences. Take-offs and landings have jumps of velocity that have other
-// causes.
+// Falls show the largest differences. At take-offs and landings the velocity jumps for other
+// reasons.
 TEST(Instants, OldVelocitiesAreCorrected) {
   const std::vector<Take> takes = takesUnder(defaults(), 0, firstManoeuvres(2));
   const std::vector<Take> mended = withVelocitiesOfNow(late(takes, 0.25f), defaults());

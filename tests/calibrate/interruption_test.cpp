@@ -12,8 +12,7 @@
 namespace obby::calibrate {
 namespace {
 
-// Parameters of every kind: those with gradients, those counted in ticks, and those that decide
-// events and touches.
+// Parameters of every kind: with gradients, counted in ticks, and deciding events or touches.
 const std::vector<std::string> kOfAllKinds = {
     "walkSpeed", "gravity", "jumpSpeed", "landedTime", "floorAcquire", "coyoteTime", "bodyWidth"};
 
@@ -23,7 +22,7 @@ std::vector<Take> takesOfAnother() {
   setValue(truth.root().getParams(), "landedTime", 0.1);
   setValue(truth.root().getParams(), "floorAcquire", 1.05);
   // This manoeuvre alone determines as many of these parameters as all earlier manoeuvres of the
-  // course.
+  // course together.
   return takesUnder(truth.reader().getParams(), 0.02f, manoeuvresNamed({"hold jump"}));
 }
 
@@ -47,7 +46,7 @@ struct When {
 };
 
 struct Stopped {
-  FitProgress progress;  // at the stop
+  FitProgress progress;  // progress when the fit stopped
   Fit fit;
 };
 

@@ -84,8 +84,8 @@ TEST(FramePlay, TurnsThePlayerAboutTheCentreOfMass) {
   EXPECT_GT(farthest(a.take, {}), 0.05f);
 }
 
-// The legs of a walking player drive the root. Only the recorded velocity shows that the centre of
-// mass swings.
+// The legs of a walking player drive the root, so only the recorded velocity shows the swing of the
+// centre of mass.
 TEST(FramePlay, LegsDriveTheRoot) {
   io::RecordBuilder record;
   writeCourse(record.root().initLevel());
@@ -108,8 +108,8 @@ TEST(FramePlay, LegsDriveTheRoot) {
   EXPECT_LT(farthest(take, kCentre), 0.5f * farthest(take, {}));
 }
 
-// A start from rest. The number of steps in its second frame differs from what the frame's time
-// suggests.
+// The player starts from rest. The number of steps in the second frame differs from what the
+// frame's time suggests.
 TEST(FramePlay, DerivesAFramesStepsFromItsMotion) {
   const auto frame = [](double time, float place, float speed) {
     return Frame{time, {1, 0, 0}, false, {place, 3, 0}, {speed, 0, 0}, sim::State::running};
@@ -133,8 +133,8 @@ TEST(FramePlay, SteadyFramesHaveTheirMeanTime) {
   EXPECT_NEAR(ownSteps(steps)[5], 5 / 3.0, 0.02);
 }
 
-// At 144 frames a second, seven frames last 0.0486 s but may hold twelve physics steps. Their own
-// time is still below the 0.05 s of Landed.
+// At 144 frames a second, seven frames last 0.0486 s but may hold twelve physics steps, 0.05 s. By
+// the frames' own time, the 0.05 s of Landed have not passed.
 TEST(FramePlay, LandedLastsByTheFramesOwnTime) {
   io::RecordBuilder record;
   writeCourse(record.root().initLevel());

@@ -51,7 +51,8 @@ std::vector<Profile> scanned(const std::vector<Take>& takes, const std::vector<s
   return std::move(scan.profiles);
 }
 
-// One tick is equivalent to two: the tick that lands and the tick that runs again both count.
+// One tick is equivalent to two, because the tick that lands and the tick that runs again both
+// count.
 TEST(Ticks, LandingTicksAreFound) {
   for (const int ticks : {0, 2, 6}) {
     const io::RecordBuilder truth = with({{"landedTime", ticks / 60.0}});

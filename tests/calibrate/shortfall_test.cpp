@@ -64,8 +64,8 @@ TEST(Shortfall, NamesParametersAtAnEnd) {
   EXPECT_TRUE(s.strange.empty()) << "the recordings are followed";
 }
 
-// Times of zero ticks and accelerations of zero are valid results. They do not count as ends of a
-// range.
+// Times of zero ticks and accelerations of zero are valid results. These values do not count as
+// ends of a range.
 TEST(Shortfall, ZeroIsNotTheEndOfARange) {
   const auto takes = takesUnder(defaults(), 0, firstManoeuvres(2));
   Fit none = shortfallFitOf("landedTime");
@@ -92,7 +92,7 @@ TEST(Shortfall, RecordingsWithTheSameNameAreDistinguished) {
   EXPECT_TRUE(s.strange[0].untold.empty());
 }
 
-// An interrupted fit may not have tried a parameter, so the reason is not a recording.
+// An interrupted fit may not have tried a parameter, so the report does not blame a recording.
 TEST(Shortfall, NamesTheInterruptionOfAFit) {
   io::RecordBuilder truth;
   setValue(truth.root().initParams(), "walkSpeed", 24);

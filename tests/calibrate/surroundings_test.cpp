@@ -65,7 +65,7 @@ TEST(Surroundings, TheClockOfARecordingIsFoundFromItsMovingParts) {
   EXPECT_TRUE(straysOf(track, course.level.view()).empty());
 }
 
-// The clock is found in frames. It is the same time if the rules run in each step.
+// The clock is found in frames. If the rules run in each step, it is the same time in seconds.
 TEST(Surroundings, TheClockIsATimeAtAnyRate) {
   const Course course;
   Track track = course.lateRide();

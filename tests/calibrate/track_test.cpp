@@ -1,5 +1,5 @@
-// Recordings as the real engine produces them: with late, duplicate and missing frames, and inputs
-// at other rates. Also invalid recordings.
+// Tests recordings as the real engine produces them, with late, duplicate and missing frames, and
+// inputs at other rates. Also tests invalid recordings.
 #include "calibrate/track.h"
 
 #include <gtest/gtest.h>
@@ -47,7 +47,7 @@ TEST(Track, DropsDuplicateFrames) {
 }
 
 // If two frames have the same time, the first lasts zero seconds. A frame without poses repeats the
-// poses of the frame before, even if that frame is dropped.
+// poses of the previous frame, even if that frame is dropped.
 TEST(Track, TheLaterDuplicateFrameGivesInputAndPoses) {
   io::RecordBuilder record;
   auto recording = trackRecordOf(record, 5);

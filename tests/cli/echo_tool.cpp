@@ -1,4 +1,4 @@
-// The smallest tool, which only passes records through. Command-line tests use it for features that
+// The smallest tool. It only passes records through. Command-line tests use it for features that
 // all tools share.
 #include <unistd.h>
 

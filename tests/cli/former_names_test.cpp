@@ -1,4 +1,4 @@
-// Former names of options work everywhere but are never shown.
+// Former names of options are accepted everywhere but never shown.
 #include <gtest/gtest.h>
 #include <stdlib.h>
 

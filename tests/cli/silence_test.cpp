@@ -1,4 +1,4 @@
-// A stream that is discarded for a while.
+// Tests a stream whose output is discarded for a while.
 #include "cli/silence.h"
 
 #include <gtest/gtest.h>

@@ -16,7 +16,7 @@ using std::chrono::milliseconds;
 // Sends the signal twice, the second time after `later`. Exits with 0 if the stop flag is set for
 // `number`.
 void sentTwice(int number, milliseconds later) {
-  signal(number, SIG_DFL);  // the tests' parent may have ignored it
+  signal(number, SIG_DFL);  // the parent of the tests may ignore this signal
   installStopHandlers();
   raise(number);
   std::this_thread::sleep_for(later);

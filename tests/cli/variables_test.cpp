@@ -1,4 +1,4 @@
-// Environment variables that misspell an option.
+// Tests environment variables that misspell an option.
 #include "cli/variables.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Files that a tool refuses to write.
+// Tests which files a tool refuses to write.
 #include "cli/written_files.h"
 
 #include <gtest/gtest.h>

@@ -247,7 +247,7 @@ int main(int argc, char** argv) {
   sim::Device& device = option == "--emulate" ? host : *backend->device();
   std::printf("        %s against the CPU's lanes\n", device.name().c_str());
   Parity parity(device, pool);
-  // Tools that watch every access need small runs.
+  // Tools that check every memory access need small runs.
   const uint32_t worlds = option.empty() ? 20000 : 300;
   if (option != "--quick") parity.golden();
   compareWalkers(parity, worlds, 300);

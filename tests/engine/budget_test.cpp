@@ -1,4 +1,4 @@
-// Scripts that evade the instruction budgets must still leave the process intact.
+// Scripts that evade the instruction budgets must not harm the process.
 #include <gtest/gtest.h>
 
 #include "engine/place.h"

@@ -34,7 +34,8 @@ TEST(CollisionGroupsApi, NamesAndNumbersOfPartsAgree) {
             "1 1 A A 0 true 2");
 }
 
-// Returns "solid" or "passed" by the last observed value of CanCollide, or "untold" without one.
+// Returns "solid" or "passed" by the last observed value of CanCollide, or "untold" if none was
+// observed.
 std::string lastSolid(const engine::Observation& seen, InstanceId part) {
   std::string last = "untold";
   for (const engine::Change& change : seen.changes)

@@ -18,7 +18,7 @@ namespace {
 struct Case {
   const char* name;
   const char* source;
-  const char* printed;  // without the last line break
+  const char* printed;  // expected output, without the last line break
 };
 
 void PrintTo(const Case& value, std::ostream* out) { *out << value.name; }

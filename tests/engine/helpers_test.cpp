@@ -52,7 +52,7 @@ TEST(Helpers, MetatablesNameTypes) {
             "false script:3: attempt to perform arithmetic (idiv) on Instance and number\n");
 }
 
-// A runtime may replace the order of tables and the conversion to text.
+// A runtime may replace the functions that order tables and convert values to text.
 TEST(Helpers, UseTheRuntimesTextAndOrder) {
   lua_State* const state = luaL_newstate();
   luau::pushHelpers(state);

@@ -12,7 +12,7 @@ namespace obby::test {
 
 struct RunOutcome {
   std::string printed;  // lines; values are separated by blanks
-  std::string error;    // from the parser, the VM's compiler or the script
+  std::string error;    // error of the parser, the VM's compiler or the script
 };
 
 class LuaRunner {

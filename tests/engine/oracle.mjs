@@ -12,8 +12,8 @@ const packages = join(here, '..', '..', 'studio', 'node_modules');
 const { LuauState } = await import(pathToFileURL(join(packages, 'luau-web', 'src', 'index.js')));
 const kBatch = 20;
 
-// Collects the printed lines. It must be a single line, so that errors state the program's own
-// lines.
+// Collects the printed lines. The prefix must be a single line, so that errors state the
+// program's own lines.
 const before = `local lines = {} local function print(...)
   local values = { n = select("#", ...), ... }
   for i = 1, values.n do values[i] = tostring(values[i]) end

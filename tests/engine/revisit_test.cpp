@@ -1,4 +1,4 @@
-// Effects of parts that change after other parts were touched, and the causes of the changes.
+// Effects of parts that change after other parts are touched, and the causes of these changes.
 #include <gtest/gtest.h>
 
 #include "engine/observe.h"

@@ -1,5 +1,5 @@
-// The blobs inside properties: attributes, tags, collision data, terrain and base64. Also JSON with
-// comments.
+// Reads the blobs inside properties: attributes, tags, collision data, terrain and base64. Also
+// reads JSON with comments.
 #include <cstddef>
 #include <cstdint>
 #include <string_view>

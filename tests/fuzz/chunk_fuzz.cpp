@@ -1,4 +1,4 @@
-// Decompression of one chunk. The input has the claimed length first, then the chunk's body.
+// Decompression of one chunk. The input is the claimed length, followed by the chunk's body.
 #include <cstddef>
 #include <cstdint>
 #include <cstring>

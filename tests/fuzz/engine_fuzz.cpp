@@ -1,5 +1,6 @@
-// A place with arbitrary scripts. The first byte selects the kind and place of a script, and a NUL
-// begins the next script. A run ends within its budgets, and two runs give the same observation.
+// Runs a place with arbitrary scripts. The first byte selects the kind and place of a script, and a
+// NUL begins the next script. A run ends within its budgets, and two runs give the same
+// observation.
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>

@@ -1,4 +1,4 @@
-// Requests to a live page's server are either refused, or have the token and do not come from
+// Requests to a live page's server are refused unless they have the token and do not come from
 // another page.
 #include <cstdint>
 #include <cstdlib>

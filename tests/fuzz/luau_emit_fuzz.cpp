@@ -1,5 +1,5 @@
-// Arbitrary bytes as a Luau script. A script without syntax errors becomes Lua 5.1 text that the VM
-// compiles, unless it exceeds the VM's limits.
+// Parses arbitrary bytes as a Luau script. A script without syntax errors becomes Lua 5.1 text that
+// the VM compiles, unless it exceeds the VM's limits.
 #include <cstddef>
 #include <cstdint>
 #include <lua.hpp>

@@ -1,5 +1,5 @@
-// Streams of Cap'n Proto messages. The first byte selects whether the rest is the segment of one
-// message (after a valid table) or a whole stream, packed or not.
+// Reads streams of Cap'n Proto messages. The first byte selects whether the rest is the segment of
+// one message (after a valid table) or a whole stream, packed or not.
 #include <cstddef>
 #include <cstdint>
 #include <cstring>

@@ -1,6 +1,6 @@
-// Binary places. Plain mutation rarely keeps the length of a chunk valid. Therefore an input is a
-// list of chunks: a letter for the name, two bytes of length, the content. Inputs that begin with
-// '<' are used unchanged.
+// Reads binary places. Plain mutation rarely keeps the length of a chunk valid. Therefore an input
+// is a list of chunks: a letter for the name, two bytes of length, the content. Inputs that begin
+// with '<' are used unchanged.
 #include <cstddef>
 #include <cstdint>
 #include <string>

@@ -1,4 +1,4 @@
-// XML places. The input is read alone, and as the properties of a part.
+// Reads XML places. The input is read as a whole place, and as the properties of a part.
 #include <cstddef>
 #include <cstdint>
 #include <string>

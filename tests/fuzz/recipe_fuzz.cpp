@@ -1,4 +1,4 @@
-// Recipes of obby-gen. Any input gives either an error or levels that compile.
+// Recipes of obby-gen. Any input results in an error, or in levels that compile.
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>

@@ -1,5 +1,5 @@
-// Levels depend only on seed and index. Tests twins, constraints of queries, and reach from the
-// physics.
+// Levels depend only on seed and index. Also tests twins, query constraints, and the reach that
+// follows from the physics.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -58,7 +58,7 @@ TEST(Generator, ATwinLacksOneCrossingAndNamesIt) {
   }
 }
 
-// The route guides learners. A twin has no solution, so its query has no route.
+// The route guides training. A twin has no solution, so its query has no route.
 TEST(Generator, QueriesStateALineAndTheirDifficulty) {
   gen::Recipe recipe;
   recipe.difficulty = {0.2f, 0.7f};
@@ -156,8 +156,8 @@ TEST(Generator, CoursesHaveEachSingleStyleAtMostOnce) {
   }
 }
 
-// Mean gaps of straight courses that consist of gaps only, in studs: in the first and in the last
-// third.
+// Mean gaps in studs, in the first and the last third of straight courses that consist of gaps
+// only.
 struct MeanGaps {
   double first, last;
 };
@@ -189,9 +189,9 @@ MeanGaps meanGapsOfCourses(float courseFirst) {
   return {studs[0] / gaps[0], studs[2] / gaps[2]};
 }
 
-// By difficulty, a gap is 0.25 to 0.93 of the reach. With a first difficulty of 0.2, the mean
-// difficulty is 0.33 in the first third, which gives a share of 0.47. It is 0.88 in the last third,
-// which gives 0.84, 1.8 times as much.
+// From difficulty 0 to 1, a gap grows from 0.25 to 0.93 of the reach. With a first difficulty of
+// 0.2, the mean difficulty is 0.33 in the first third, so the mean gap is 0.47 of the reach. In the
+// last third the mean difficulty is 0.88, so the mean gap is 0.84 of the reach, 1.8 times as much.
 TEST(Generator, CoursesGetHarderFromTheirFirstDifficulty) {
   const MeanGaps growing = meanGapsOfCourses(0.2f);
   EXPECT_GT(growing.last, 1.5 * growing.first);

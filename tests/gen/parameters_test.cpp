@@ -33,7 +33,7 @@ TEST_P(Parameters, HaveUniqueNamesAndDescriptions) {
   }
 }
 
-// This test finds a parameter that no obstacle uses, or that is confused with another.
+// This test detects a parameter that no obstacle uses, or that is confused with another.
 TEST_P(Parameters, EachOneChangesLevels) {
   for (const gen::Parameter& p : styleOf(GetParam()).parameters) {
     int changed = 0;

@@ -1,4 +1,4 @@
-// Place files come back unchanged from the importer.
+// The importer reads place files back unchanged.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -37,7 +37,7 @@ void expectSame(schema::Quat::Reader a, schema::Quat::Reader b, const std::strin
 
 Vec3 turn(schema::Spin::Reader spin) { return level::vec(spin.getAxis()) * spin.getSpeed(); }
 
-// Returns the bounds of the part's centre over its position and its keys.
+// Returns the bounding box of the part's position and its keys' positions.
 Box wayOf(schema::Part::Reader part) {
   const Vec3 home = level::vec(part.getPosition());
   Box box{home, home};
@@ -71,7 +71,8 @@ void expectSameRoute(schema::Part::Reader a, schema::Part::Reader b, const std::
   EXPECT_LT(later, kRounding + (a.getMotion().getCarries() ? 2 * kFrame : 0)) << what;
 }
 
-// Styles draw these times in quarters of a second. These are whole frames, so waits are exact.
+// Styles draw these times in quarters of a second. These are whole numbers of frames, so waits are
+// exact.
 void expectSame(schema::Vanish::Reader a, schema::Vanish::Reader b, const std::string& what) {
   EXPECT_EQ(int(a.getTrigger()), int(b.getTrigger())) << what;
   if (a.getTrigger() == schema::VanishTrigger::SIGNAL) return;  // the times of its button apply
@@ -137,8 +138,8 @@ TEST_P(Places, RoundTripThroughTheImporter) {
 
 INSTANTIATE_TEST_SUITE_P(All, Places, ::testing::ValuesIn(styleNames()), testName);
 
-// A round checkpoint is a cylinder on its side. With its rotation, a respawned player would lie
-// down. Its look direction is still level.
+// A round checkpoint is a cylinder on its side. A player that respawned with its rotation would lie
+// down. The cylinder's look direction is still level.
 TEST(PlaceFile, ARespawnedPlayerStands) {
   gen::Recipe recipe = recipeFor("gaps", 0.5f);
   recipe.obstacles = {3, 3};

@@ -1,4 +1,4 @@
-// Recipes from JSON: valid ones, and errors that state the place and the remedy.
+// Tests recipes from JSON: valid ones, and errors that state the place and the remedy.
 #include <gtest/gtest.h>
 
 #include <fstream>

@@ -7,7 +7,7 @@ namespace {
 
 constexpr uint64_t kRoundaboutSeeds = 41;
 
-// A style whose walls may be impassable, and the prefix of that crossing's name.
+// A style whose walls may be impassable, and the name prefix of the impassable crossing.
 struct Planted {
   const char *style, *what;
 };

@@ -1,5 +1,5 @@
-// The line along which a level is built is its query's `route`. It stays on the course, follows the
-// order of parts, and crosses no gap wider than a jump.
+// The line along which a level is built is the `route` of its query. It stays on the course,
+// follows the order of parts, and crosses no gap wider than a jump.
 #include <algorithm>
 
 #include "gen/made.h"
@@ -66,7 +66,7 @@ bool isOver(const std::vector<Ground>& grounds, Vec3 at) {
   });
 }
 
-// Returns the length of the longest piece of the line that is above none of the grounds, in studs.
+// Returns the length in studs of the longest piece of the line that is not above any ground.
 float longestOverNothing(const std::vector<Vec3>& line, const std::vector<Ground>& grounds) {
   float longest = 0, now = 0;
   for (size_t i = 0; i + 1 < line.size(); ++i) {

@@ -61,7 +61,7 @@ TEST_P(Solved, MediumLevelsMostly) {
   EXPECT_EQ(t.unreachable, 0);
 }
 
-// The search is slow for jumps at the limit. A few levels show that they are possible.
+// The search is slow for jumps at the limit. A few levels show that these jumps are possible.
 TEST_P(Solved, LimitLevelsByHalfAtLeast) {
   const Tally t = tally(recipeFor(GetParam(), 1), false, 8, 3'000'000);
   EXPECT_GE(t.solved, 4) << t.unknown << " unknown";

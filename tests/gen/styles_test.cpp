@@ -68,7 +68,7 @@ TEST_P(Styles, TheLongestLevelsCompile) {
   }
 }
 
-// Returns the number of parts that differ in size from above. Heights are ignored, since they
+// Returns the number of parts whose size, seen from above, differs. Heights are ignored, since they
 // depend on earlier parts.
 size_t partsThatDiffer(const gen::Sketch& a, const gen::Sketch& b) {
   const auto alike = [](const gen::PartSketch& x, const gen::PartSketch& y) {
@@ -135,7 +135,7 @@ TEST_P(Styles, LevelsBeginAtTheStartAndEndAtTheGoal) {
   }
 }
 
-// The route guides learners.
+// The route guides training.
 TEST_P(Styles, TheLineGoesFromTheStartThroughAllStopsToTheGoal) {
   const gen::Generator generator = generatorOf(recipeFor(GetParam(), 0.5f));
   for (uint64_t seed = 0; seed < kStylesSeeds; ++seed) {

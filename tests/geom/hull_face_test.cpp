@@ -1,5 +1,4 @@
-// Hulls that do not contain their part's centre, as in unions: their faces, and contacts with other
-// shapes.
+// Faces and contacts of hulls that do not contain their part's centre, as in unions.
 #include "geom/hull_face.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// The orientation of each shape in its own frame. No other test would find a mirrored shape.
+// The orientation of each shape in its own frame. No other test would detect a mirrored shape.
 #include <gtest/gtest.h>
 
 #include "random_shapes.h"

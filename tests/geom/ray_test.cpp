@@ -88,7 +88,7 @@ TEST_P(Rays, MissIfTheyPointAwayOrAreTooShort) {
     EXPECT_FALSE(cast(GetParam(), s, o, -d, 40, other));
     EXPECT_FALSE(cast(GetParam(), s, o, d, hit.t * 0.999f, other));
     EXPECT_TRUE(cast(GetParam(), s, o, d, hit.t * 1.001f, other));
-    // t is in units of the direction.
+    // The result t is in units of the direction's length.
     ASSERT_TRUE(cast(GetParam(), s, o, d * 2, 40, other));
     EXPECT_NEAR(other.t * 2, hit.t, 2e-3f);
   }

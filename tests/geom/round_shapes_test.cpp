@@ -1,4 +1,5 @@
-// Curved faces: the separating axes against the body's exact distance to a ball or a cylinder.
+// Curved faces: compares the separating axes with the body's exact distance to a ball or a
+// cylinder.
 #include <gtest/gtest.h>
 
 #include "geom/penetration.h"

@@ -1,4 +1,4 @@
-// Support functions and separating axes of the shapes against their corners and definitions.
+// Compares support functions and separating axes with the corners and definitions of the shapes.
 #include <gtest/gtest.h>
 
 #include "random_shapes.h"

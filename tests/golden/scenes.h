@@ -132,7 +132,8 @@ inline LevelBuilder extremes() {
       .spawn({0, 6, 0});
 }
 
-// Steps of growing height, up to more than a player can climb, under a sloping ceiling.
+// Returns a level with steps of growing height, up to more than a player can climb, under a sloping
+// ceiling.
 inline LevelBuilder stairs() {
   LevelBuilder b = floorWith({});
   for (int i = 0; i < 12; ++i) {

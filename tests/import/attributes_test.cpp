@@ -1,4 +1,4 @@
-// The blobs of attributes and tags.
+// Tests the blobs that store attributes and tags.
 #include "import/format/attributes.h"
 
 #include <gmock/gmock.h>

@@ -1,4 +1,4 @@
-// The bodies of a place: StarterPlayer's settings for its players' avatars.
+// Players' bodies, from the avatar settings of StarterPlayer.
 #include <gmock/gmock.h>
 
 #include "import/records/level_record.h"

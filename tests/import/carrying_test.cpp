@@ -1,4 +1,4 @@
-// Motions by physics, which carry players: kits and constraints.
+// Motions by physics carry players: kits and constraints.
 #include <string>
 #include <utility>
 #include <vector>
@@ -73,7 +73,8 @@ TEST(Carrying, ASliderServoMovesToItsScriptedTargets) {
       {"task.wait(1) while true do slider.TargetPosition = 20 task.wait(5)\n"
        "slider.TargetPosition = 0 task.wait(5) end",
        {{2, 18}, {5, 28}, {7, 18}, {10, 8}}},
-      {"while true do slider.TargetPosition = 40 task.wait(2)\n"  // turns back before it arrives
+      // The slider turns back before it arrives.
+      {"while true do slider.TargetPosition = 40 task.wait(2)\n"
        "slider.TargetPosition = 0 task.wait(2) end",
        {{1, 18}, {2, 28}, {3, 18}, {4, 8}, {42, 28}}},
       {"while true do task.wait(5) slider.TargetPosition = 20\n"
@@ -221,7 +222,7 @@ TEST(Carrying, AnUnlimitedSliderMotorHoldsItsParts) {
   EXPECT_EQ(slider.scene.unmodelled("unanchored part"), 0u);
 }
 
-// The slider moves from its lower limit, 0, to its upper one, 5, in a second.
+// In one second, the slider moves from its lower limit, 0, to its upper limit, 5.
 TEST(Carrying, AReversingSliderMotorMovesBetweenItsLimits) {
   Decked slider(true);
   slider.scene.script(

@@ -1,4 +1,4 @@
-// Parts that depend on random numbers are in doubt, and no others are.
+// Parts that depend on random numbers are marked as doubtful, and no other parts are.
 #include "import/scene.h"
 #include "import/spawns.h"
 

@@ -48,7 +48,7 @@ TEST(ClassDefaults, EveryDefaultNamesAClassAndAPropertyOnce) {
   for (const DefaultRow& row : defaultRows()) {
     EXPECT_NE(engine::ClassTable::get().baseOf(row.className), nullptr) << row.className;
     EXPECT_TRUE(rows.insert({row.className, row.property}).second) << row.property;
-    // A default under a name that documents do not use would never be found.
+    // The importer would never find a default under a name that documents do not use.
     EXPECT_EQ(spellingOf(row.className, row.property).name, row.property);
   }
 }

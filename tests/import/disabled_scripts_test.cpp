@@ -1,4 +1,4 @@
-// Scripts that the file has disabled and that others enable.
+// Scripts that are disabled in the file and that other scripts enable.
 #include <string>
 
 #include "import/lever_scene.h"

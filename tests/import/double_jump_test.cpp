@@ -1,4 +1,5 @@
-// Jumps in the air that scripts give the player: their number, and whether a floor restores them.
+// Jumps in the air that scripts give the player: the number of jumps, and whether a floor restores
+// them.
 #include "import/player_script.h"
 
 namespace obby::test {

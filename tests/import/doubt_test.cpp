@@ -6,7 +6,7 @@ namespace {
 
 const char* const kWait = "wait that a script computes";
 
-// A barrier, and a script that calls it `b`.
+// A barrier, and a script in which the barrier is `b`.
 struct Barred : Scene {
   explicit Barred(const std::string& text) {
     script("local b = workspace.Barrier\n" + text, scripts);
@@ -217,7 +217,7 @@ TEST(Doubt, KnownWaitsRaiseNoDoubt) {
   }
 }
 
-// A poll once a second is slower than a step across the part.
+// Polling once a second is slower than a player who crosses the part.
 TEST(Doubt, PollingADistanceHarmsNearThePart) {
   Scene scene;
   const auto part = scene.part("Part", {20, 0, 0});

@@ -1,4 +1,4 @@
-// Touches after which a player can no longer go on, and doubts about the player's abilities.
+// Touches after which a player can no longer continue, and doubts about the player's abilities.
 #include "import/player_script.h"
 
 namespace obby::test {

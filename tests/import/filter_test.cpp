@@ -106,12 +106,12 @@ TEST_F(Filter, RecordsPassThroughUnchanged) {
   EXPECT_EQ(lines(inputs, file("hand.jsonl", text)), text);
 }
 
-// A stream may be larger than memory, and its writer may wait for the reader's output.
+// A stream may be larger than memory, and its writer may wait for the filter's output.
 TEST_F(Filter, RecordsAreReadAsTheyCome) {
   const std::string path = (folder_ / "pipe").string();
   ASSERT_EQ(mkfifo(path.c_str(), 0600), 0);
-  const int writer = ::open(
-      path.c_str(), O_RDWR);  // opening it for reading and writing does not wait for a reader
+  const int writer =
+      ::open(path.c_str(), O_RDWR);  // opening for reading and writing does not wait for a reader
   ASSERT_GE(writer, 0);
   const std::string first = "\n {\"type\":\"query\",\"id\":\"q\"}\n";
   ASSERT_EQ(::write(writer, first.data(), first.size()), ssize_t(first.size()));

@@ -1,4 +1,4 @@
-// For loops that count for ever, and loops whose end depends on a model's position.
+// `for` loops that count for ever, and loops whose end depends on a model's position.
 #include <algorithm>
 
 #include "import/motion_checks.h"
@@ -90,7 +90,7 @@ TEST(ForLoops, EndlessLoopsCanBreak) {
   EXPECT_TRUE(scene[last].kill);
 }
 
-// The script reads the model's position from its part, and sets it by a method.
+// The script reads the model's position from a part, and sets the position by a method.
 TEST(ForLoops, AModelsMotionCanEndByItsPosition) {
   const std::string step = "m:PivotTo(m:GetPivot() * CFrame.new(0, 0.1, 0)) task.wait(0.05) ";
   const std::string texts[] = {"while m.PrimaryPart.Position.Y < 3.95 do " + step + "end",

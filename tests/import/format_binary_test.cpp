@@ -1,4 +1,4 @@
-// The binary format piece by piece: rotations, chunks with false sizes, invalid trees.
+// Tests details of the binary format: rotations, chunks with false sizes, invalid trees.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

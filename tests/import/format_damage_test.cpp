@@ -78,7 +78,7 @@ TEST(DamagedXml, EveryFlippedBitGivesADocumentOrAnError) {
   EXPECT_GT(refused, whole.size());
 }
 
-// Files that are made to exhaust memory: many parts with names of a megabyte.
+// Some files are made to exhaust memory, for example by many parts with names of a megabyte.
 TEST(LongNames, AreCutAtAHundredCharactersWithOneWarning) {
   PlaceWriter place;
   const auto workspace = place.add("Workspace", "Workspace");
@@ -118,7 +118,7 @@ TEST(LongNames, PathsOfDeepTreesKeepTheirEnds) {
   EXPECT_THAT(path, testing::EndsWith("f/Last"));
 }
 
-// Each chunk may grow to 16 MiB, so a file of a few kilobytes may hold only a few of them.
+// Each chunk may decompress to 16 MiB, so a file of a few kilobytes may hold only a few chunks.
 TEST(HostileBinary, ManySmallChunksThatGrowAreRefused) {
   const std::string grown =
       propertyChunk(0, "Unknown", 0xee, std::string(16 << 20, 0), Packing::Zstd);

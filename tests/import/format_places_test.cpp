@@ -1,4 +1,4 @@
-// Real files, if present: binary and XML of the same content, and whole places.
+// Tests real files, if present: binary and XML files of the same content, and whole places.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// Markers of tower kits, if the kit's own modules are not in the file.
+// Tests markers of tower kits if the kit's own modules are missing from the file.
 #include "import/scene.h"
 
 namespace obby::test {

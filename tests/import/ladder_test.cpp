@@ -51,8 +51,8 @@ TEST(Ladders, StairsPlatformsAndPairsAreNotLadders) {
   for (int i = 0; i < 6; ++i) {
     others.push_back(rung(scene, {0, float(i), 20 + 2 * float(i)}, {6, 1, 2}));  // stairs
     others.push_back(rung(scene, {40, 3 * float(i), 0}, {12, 1, 12}));           // floors
-    others.push_back(rung(scene, {60, float(i), 0}, {4, 1, 1}));                 // a wall: no gaps
-    others.push_back(rung(scene, {80, 6 * float(i), 0}));                        // too far apart
+    others.push_back(rung(scene, {60, float(i), 0}, {4, 1, 1}));  // a wall, since there are no gaps
+    others.push_back(rung(scene, {80, 6 * float(i), 0}));         // too far apart
   }
   others.push_back(rung(scene, {100, 1, 0}));
   others.push_back(rung(scene, {100, 3, 0}));

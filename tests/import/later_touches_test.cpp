@@ -195,7 +195,7 @@ TEST(Touches, ATagKillsUnlessAScriptListens) {
   EXPECT_TRUE(scene[other].kill);
 }
 
-// Poison goes on after the player has left.
+// Poison continues after the player has left.
 TEST(Touches, LastingHarmCountsForOneTouch) {
   Scene scene;
   const auto poison = scene.part("Poison", {20, 0, 0});
@@ -237,7 +237,7 @@ TEST(Touches, AProximityPromptOpensADoor) {
   EXPECT_TRUE(scene[door].vanish);
 }
 
-// A plate holds a door open, which shuts when the player leaves.
+// A plate holds a door open. The door shuts when the player leaves.
 TEST(Touches, AHeldPlateOpensADoorWhileTouched) {
   Scene scene;
   const auto plate = scene.part("Plate", {20, 0, 0}), door = scene.part("Door", {40, 0, 0});

@@ -21,7 +21,7 @@ TEST(Levers, AnyCheckedEffectOfALeverArmsTheTrap) {
     for (const bool trapFirst : {false, true}) {
       LeverScene scene;
       if (trapFirst) scene.asks(condition);
-      // The script counts a touch once, however many limbs touch.
+      // The script counts a touch once, even if several limbs touch.
       scene.run(
           "local last = -9 lever.Touched:Connect(function() if time() - last < 1 then\n"
           "return end last = time() " +

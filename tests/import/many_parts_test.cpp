@@ -1,4 +1,4 @@
-// Places with more parts than the importer probes.
+// Tests places with more parts than the importer probes.
 #include <gtest/gtest.h>
 
 #include "import/scene.h"

@@ -45,7 +45,7 @@ TEST(Motion, AllKeysOfALevelHaveABudget) {
 }
 
 TEST(Motion, AllTicksOfALevelHaveABudget) {
-  constexpr size_t kParts = 600, kSeconds = 80;  // a round there and back takes 160 s
+  constexpr size_t kParts = 600, kSeconds = 80;  // a round trip takes 160 s
   static_assert(kParts * kSeconds * 2 * 60 > level::kMaxLevelRows);
   static_assert(kParts * kSeconds * 60 < level::kMaxLevelRows);
   importer::Motion motion;
@@ -90,8 +90,8 @@ TEST(Motion, DecorationYieldsItsBudgetToSolidParts) {
   EXPECT_EQ(level.ignored.at("moving decoration").count, kSolid + kLeaves - kRoom);
 }
 
-// Fails if the work takes longer than 10 s, as it would if it grew with the square of the number of
-// items.
+// Fails if the work takes longer than 10 s. Work that grows with the square of the number of items
+// would.
 template <class Work>
 void expectQuick(Work work) {
   const auto start = std::chrono::steady_clock::now();

@@ -24,7 +24,7 @@ inline void expectNear(Vec3 a, Vec3 b, float slack = 0.02f) {
   EXPECT_NEAR(a.z, b.z, slack);
 }
 
-// Returns the part's position `time` seconds after the start of its keys, on straight segments.
+// Returns the part's position `time` seconds after its first key, by linear interpolation.
 inline Vec3 at(const PartDraft& part, float time) {
   const auto& keys = part.motion->keys;
   for (size_t i = 1; i < keys.size(); ++i) {

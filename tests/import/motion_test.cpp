@@ -9,7 +9,7 @@ namespace {
 
 constexpr float kPi = 3.14159265f;
 
-// The marker parts of the destinations are parts like any others, if they are visible.
+// Visible marker parts at the destinations are parts like any others.
 TEST(Motion, TweenBetweenMarkerPartsInALoop) {
   Scene scene;
   const auto model = scene.add("Model", "Lift", scene.workspace);

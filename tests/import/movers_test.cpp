@@ -235,8 +235,8 @@ const char* const kSwing =
     "game:GetService('TweenService'):Create(m, TweenInfo.new(2, Enum.EasingStyle.Linear, "
     "Enum.EasingDirection.In, -1, true), {Position = Vector3.new(0, 8, 20)}):Play()";
 
-// A part follows its target with a lag of a tenth of a second. Scripts of the client work like
-// those of the server.
+// A part follows its target with a lag of a tenth of a second. Client scripts work like server
+// scripts.
 TEST(Movers, ATweenedTargetPositionIsAMotion) {
   for (const bool local : {false, true}) {
     Pushed lift("AlignPosition");

@@ -1,4 +1,4 @@
-// Parts that begin to move after their script has waited: the wait is their phase.
+// Parts that begin to move after their script has waited. The wait is the phase of the motion.
 #include <cmath>
 
 #include "import/motion_checks.h"
@@ -70,7 +70,7 @@ TEST(Phase, AMotionThatHappensOnceWaitsInItsKeys) {
     EXPECT_NEAR(poseAt(scene[part], time).position.y, y, 0.3) << time;
 }
 
-// The simulator accepts a motion that takes twenty minutes there and back.
+// The simulator accepts a motion whose round trip takes twenty minutes.
 TEST(Phase, AMotionCanLastTwentyMinutes) {
   for (const bool longer : {false, true}) {
     Scene scene;

@@ -1,4 +1,4 @@
-// Scripts of the player in a scene.
+// Adds scripts of the player to a scene.
 #pragma once
 
 #include <string>

@@ -12,7 +12,7 @@ const std::string kPlayerOf =
     " local player = game.Players:GetPlayerFromCharacter(hit.Parent)\n if not player then return "
     "end\n";
 
-// Expects a portal from a door that kills and sets the RespawnLocation 300 studs away.
+// Expects a door that kills and sets the RespawnLocation 300 studs away to be a portal.
 void expectLeadsToNext(Scene& scene) {
   spawn(scene, "Start", {});
   const InstanceId door = scene.part("Door", {20, 3, 0});
@@ -60,7 +60,7 @@ TEST(Portal, ALongRespawnTimeIsAwaited) {
   expectLeadsToNext(scene);
 }
 
-// The script also counts deaths, but the player respawns at the old place.
+// The script also counts deaths, but the player respawns at the old location.
 TEST(Portal, AKillThatCountsDeathsStaysAKill) {
   Scene scene;
   spawn(scene, "Start", {});

@@ -123,7 +123,7 @@ TEST(PoseSteps, EndlessTranslationsAreReported) {
   EXPECT_EQ(scene.unmodelled("motion without a period"), 1u);
 }
 
-// Two scripts move one part: it rises once, and moves or turns for ever.
+// Two scripts move one part. The part rises once, and also moves or turns for ever.
 TEST(PoseSteps, CombineWithAnEndlessMotionOfThePart) {
   const std::string rises = "for i = 1, 40 do p.Position += Vector3.new(0, 1, 0) task.wait() end";
   const std::string before = "local p = workspace.Mover\n";

@@ -19,7 +19,7 @@ PartDraft pad(Vec3 position, Vec3 size, Mat3 rotation = {}) {
   return part;
 }
 
-// Returns true if the upright segment from the feet to 5 studs above meets the box.
+// Returns true if the vertical line from the feet to 5 studs above them meets the box.
 bool standsIn(const importer::GoalBox& box, Vec3 feet) {
   for (float up = 0; up <= 5; up += 0.01f) {
     const Vec3 local = toLocal(box.pose, feet + Vec3{0, up, 0});

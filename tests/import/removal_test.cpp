@@ -6,7 +6,7 @@ namespace {
 
 const char* const kComesOrGoes = "part that comes and goes without a rhythm";
 
-// Expects that the part appears or vanishes for good at that second, and that no loss is noted.
+// Expects that the part appears or vanishes for good at `seconds`, and that no loss is noted.
 void expectOnce(Scene& scene, InstanceId part, float seconds, bool comes) {
   const auto& level = scene.level();
   ASSERT_EQ(level.parts.size(), 1u);

@@ -1,4 +1,4 @@
-// Rojo projects: folders of files as the place that Rojo builds from them.
+// Rojo projects: the importer reads a folder of files as the place that Rojo would build from them.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

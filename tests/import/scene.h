@@ -43,7 +43,7 @@ class Scene {
     (parent == kNoInstance ? document.roots : document.instances[parent].children).push_back(id);
     return id;
   }
-  // Adds an anchored part of 4 x 1 x 4.
+  // Adds an anchored part of 4 x 1 x 4 studs.
   InstanceId part(const std::string& name, Vec3 position, InstanceId parent,
                   const std::string& className = "Part") {
     const InstanceId id = add(className, name, parent);
@@ -81,7 +81,7 @@ class Scene {
     level_ = importer::buildLevel(tree, place, "test");
     return level_;
   }
-  // Returns the part of an instance. Fails the test if there is none.
+  // Returns the level's part for an instance. Fails the test if the level has none.
   const PartDraft& operator[](InstanceId id) const {
     static const PartDraft kNone;
     for (const auto& part : level_.parts)

@@ -1,5 +1,5 @@
 // Loops that end by their own effects, recursive functions, and lists and strings that scripts
-// build. The importer also reads the code after them.
+// build. The importer also reads the code after these.
 #include "import/motion_checks.h"
 
 namespace obby::test {
@@ -31,7 +31,7 @@ TEST(ScriptLoops, CodeAfterATerminatingLoopIsRead) {
         part);
     scene.level();
     ASSERT_TRUE(scene[part].vanish) << now.text;
-    // Each wait ends up to 1/30 s late.
+    // Each wait may be up to 1/30 s too long.
     EXPECT_GE(scene[part].vanish->delay, now.delay - 0.04f) << now.text;
     EXPECT_LE(scene[part].vanish->delay, now.delay + 0.4f) << now.text;
     EXPECT_NEAR(scene[part].vanish->away, 3, 0.06) << now.text;

@@ -1,4 +1,4 @@
-// Values that scripts compute: known ones are used, unknown ones are noted, not guessed.
+// Values that scripts compute. Known values are used; unknown values are noted, not guessed.
 #include <string>
 #include <utility>
 
@@ -50,7 +50,8 @@ TEST(ScriptValues, ClampedHealthReductionIsHarm) {
   }
 }
 
-// Returns a script that runs `way` when the part is touched. `h` is the character's humanoid.
+// Returns a script that runs the text `way` when the part is touched. `h` is the character's
+// humanoid.
 std::string touchThat(const std::string& way) {
   return "p.Touched:Connect(function(hit) local h = hit.Parent.Humanoid\n"
          "p.Transparency = 0.5 " +

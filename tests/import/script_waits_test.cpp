@@ -94,7 +94,7 @@ TEST(ScriptWaits, AnInnerLoopCanEndAtRandom) {
   EXPECT_TRUE(stepped.motion().spin);
 }
 
-// A loop with a condition may end by a function that it calls.
+// A function that a loop calls may end the loop.
 TEST(ScriptWaits, AFunctionCallCanEndAnInnerLoop) {
   const Overlap stepped(
       {"local open = true\n"

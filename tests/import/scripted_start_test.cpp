@@ -1,4 +1,4 @@
-// Script changes to parts at the start of play are in the level, with their lines as evidence.
+// Script changes to parts at the start of play are in the level, with the script lines as evidence.
 #include <chrono>
 
 #include "import/motion_checks.h"

@@ -1,4 +1,4 @@
-// Motions that come to rest between their ends, and those that a touch starts.
+// Motions that come to rest between their ends, and motions that a touch starts.
 #include "import/motion_checks.h"
 
 namespace obby::test {
@@ -19,7 +19,7 @@ std::string lerpEach(int seconds) {
          wait + "goal = Vector3.zero " + wait + "end";
 }
 
-// Expects a motion from one end to the other and back, in a round of `seconds`.
+// Expects a motion from one end to the other and back within `seconds`.
 void expectThereAndBack(const ScriptedPart& scene, double seconds, const std::string& what) {
   const PartDraft& pad = scene[scene.self];
   ASSERT_TRUE(pad.motion) << what;

@@ -28,7 +28,7 @@ end))",
   EXPECT_TRUE(place.scene[door].vanish);
 }
 
-// The player stands in the same pose as for a touch, with a yaw of 0.3 radians.
+// The player of a use stands in the same pose as for a touch, with a yaw of 0.3 radians.
 TEST(Uses, AreMadeWithTheYawOfATouch) {
   Place place;
   const auto door = place.scene.part("Door", {0, 10, 0});

@@ -20,7 +20,7 @@ TEST(Signals, EachPartHasItsOwnTouches) {
   }
 }
 
-// GetTagged finds the parts that have the tag already.
+// GetTagged finds the parts that already have the tag.
 TEST(Signals, AddedSignalsDoNotFireForEarlierTags) {
   for (const bool asked : {false, true}) {
     Scene scene;
@@ -38,7 +38,7 @@ TEST(Signals, AddedSignalsDoNotFireForEarlierTags) {
   }
 }
 
-// The file may contain the service or not.
+// The service may or may not be in the file.
 TEST(Signals, FrameSignalsMoveAndWait) {
   const char* const texts[] = {
       "local beat = run.Heartbeat beat:Connect(function(dt) turn() end)",

@@ -86,7 +86,7 @@ TEST(StageIdioms, PadsThatRequireAPredecessorFollowIt) {
 TEST(StageIdioms, PadsWithUntestedConditionsFollowTheirNumbers) {
   Scene scene;
   spawn(scene, "Start", {});
-  pads(scene, "Pads", {5, 4, 3, 2, 1});  // the tour touches the last one first
+  pads(scene, "Pads", {5, 4, 3, 2, 1});  // the importer's tour touches the last pad first
   scene.script(kLeaderstats + eachPad("local stage = player.leaderstats.Stage\n"
                                       "  if n == stage.Value + 1 then stage.Value = n end"),
                scene.scripts);

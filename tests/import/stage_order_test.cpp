@@ -87,7 +87,7 @@ TEST(Stages, TooManyEqualCheckpointsKeepTheFileOrder) {
   spawn(scene, "Start", {});
   std::vector<InstanceId> all;
   for (int i = 0; i <= 10000; ++i) {
-    const float x = 1030.0f - 0.1f * float(i);  // the last is the nearest
+    const float x = 1030.0f - 0.1f * float(i);  // the last spawn is the nearest
     all.push_back(scene.part("Checkpoint " + std::to_string(1 + i % 2), {x, 0, 0}));
     scene.tag(all.back(), "Checkpoint");
   }

@@ -1,4 +1,4 @@
-// Start, checkpoints in order, goal.
+// Tests the start, the order of checkpoints, and the goal.
 #include <algorithm>
 #include <chrono>
 
@@ -31,7 +31,7 @@ TEST(Stages, NumberedCheckpointsCountUpFromOne) {
   const auto& level = scene.level();
   EXPECT_EQ(order(level), (Names{"SpawnLocation", "2", "3", "10"}));
   EXPECT_EQ(level.spawns[3].stage, 3);
-  EXPECT_EQ(*level.parts[size_t(level.spawns[3].part)].goal, 0);  // the last is the end
+  EXPECT_EQ(*level.parts[size_t(level.spawns[3].part)].goal, 0);  // the last spawn is the end
 }
 
 TEST(Stages, TagsTakeTheirNumberFromAttributesNamesOrFolders) {

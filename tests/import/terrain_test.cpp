@@ -134,7 +134,7 @@ TEST(Terrain, SlopesAndWaterAreNamed) {
 }
 
 TEST(Terrain, TheNearestTerrainIsKeptAboveTheLimit) {
-  VoxelWriter writer;  // a chess board of blocks over 24 chunks: 12,288 a layer
+  VoxelWriter writer;  // a chessboard of blocks over 24 chunks: 12,288 blocks a layer
   for (int x = 0; x < 24; ++x)
     writer.chunk({x, 0, 0}, [](int cx, int y, int z) {
       return (cx + z) % 2 == 0 && y % 8 < 4 ? Cell{kGrass, 255} : Cell{};
@@ -184,16 +184,16 @@ TEST(SmoothGrid, DamageIsAnError) {
   EXPECT_FALSE(voxelChunks(""));
   EXPECT_TRUE(voxelChunks("\1\5")->empty());
   std::string far = good;
-  far[2] = 1;  // sixteen million chunks away
+  far[2] = 1;  // this chunk is sixteen million chunks away
   EXPECT_FALSE(voxelChunks(far));
 }
 
 TEST(SmoothGrid, ShoreCellsHoldMatterAndWater) {
   std::string voxels("\1\5", 2);
   voxels.append(12, '\0');
-  voxels += std::string("\xc2\x80\x00\x40", 4);  // grass with half occupancy, one cell, water with
-                                                 // a quarter
-  voxels += std::string("\x80\xfe", 2);          // air
+  // Grass with half occupancy in one cell, and water with a quarter.
+  voxels += std::string("\xc2\x80\x00\x40", 4);
+  voxels += std::string("\x80\xfe", 2);  // air
   for (int i = 0; i < 127; ++i) voxels += std::string("\x80\xff", 2);
   const auto chunks = voxelChunks(voxels);
   ASSERT_TRUE(chunks) << chunks.error().text();

@@ -1,5 +1,5 @@
-// Tweens of one part that overlap in time. Those of one property end each other; those of different
-// properties run in parallel.
+// Tweens of one part that overlap in time. A new tween of a property ends the previous one. Tweens
+// of different properties run in parallel.
 #include <string>
 #include <utility>
 #include <vector>
@@ -85,7 +85,7 @@ TEST(TweenOverlap, SwingsWithACommonPeriodAreOneMotion) {
   }
 }
 
-// A platform moves to and fro as it turns, by tweens or loops, of one script or two.
+// A platform moves to and fro as it turns. Tweens or loops move it, in one script or two.
 TEST(TweenOverlap, APlatformCanSwingAndTurn) {
   const std::string there = "tween(swing(2), to(20)):Play()\n";
   const std::string steps =
@@ -173,7 +173,7 @@ TEST(TweenOverlap, ALoopWithOtherChangesHasOnePeriod) {
     EXPECT_NEAR(poseAt(scene[part], time).position.z, float(z), 1) << time;
 }
 
-// Each new tween replaces the one before it after a single small step.
+// Each new tween replaces the previous one after a single small step.
 TEST(TweenOverlap, APartTweenedEveryFrameReachesItsTarget) {
   const Overlap there({"while true do tween(even(2), to(10)):Play() task.wait() end"});
   EXPECT_NEAR(there.z(2), 10 * (1 - std::exp(-1)), 0.3);
@@ -187,7 +187,7 @@ TEST(TweenOverlap, APoseCanBeSetDuringAnEndlessTween) {
   EXPECT_NEAR(both.z(5), 10, 0.2);
 }
 
-// If a single turn accompanies an endless swing, the level has the turned part from the start.
+// If a single turn happens during an endless swing, the part in the level is turned from the start.
 TEST(TweenOverlap, ASingleTweenDuringASwingCountsAsDone) {
   const Overlap both(
       {"tween(swing(2), to(20)):Play()\n"

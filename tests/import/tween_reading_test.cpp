@@ -36,7 +36,7 @@ TEST(TweenReading, ATweenedPropertyCanBeReadMidway) {
   }
 }
 
-// A part that follows a swing frame by frame gets its motion.
+// A part that follows a swinging part frame by frame gets the same motion.
 TEST(TweenReading, APartCanFollowATweenFrameByFrame) {
   Scene scene;
   scene.part("Mover");

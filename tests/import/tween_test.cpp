@@ -161,7 +161,7 @@ TEST(Tween, RepetitionsBeyondTheRunCountAsEndless) {
   EXPECT_EQ(ends.scene.level().unmodelled.count("motion that ends"), 1u);
 }
 
-// A script that plays tweens in an endless loop does not end with the last one observed.
+// A script that plays tweens in an endless loop does not end with the last observed tween.
 TEST(Tween, AlternatingTweensInALoopAreEndless) {
   Scene scene;
   const InstanceId slab = scene.part("Slab");

@@ -36,7 +36,7 @@ end))",
   EXPECT_NEAR(scene[part].vanish->away, 3, 1e-3);
 }
 
-constexpr double kFrames = 0.04;  // seconds, since waits end on a frame
+constexpr double kFrames = 0.04;  // tolerance in seconds, since waits end on a frame
 
 TEST(Vanish, PartsVanishAtOnceOrAfterADelay) {
   Scene scene;

@@ -1,4 +1,4 @@
-// A log that waits for the reader of its pipe stops waiting when it is stopped.
+// A log that waits for the reader of its pipe stops waiting on request.
 #include "io/appender.h"
 
 #include <fcntl.h>
@@ -45,7 +45,7 @@ TEST_F(StalledLog, AStopAbandonsAReaderThatReadsNothing) {
   EXPECT_EQ(status.error().input, path);
 }
 
-// A signal itself would interrupt a blocked write, so this test only sets the flag.
+// A real signal would interrupt a blocked write, so this test only sets the flag.
 TEST_F(StalledLog, AStopEndsAWaitingWrite) {
   std::thread other([&] {
     std::this_thread::sleep_for(std::chrono::milliseconds(100));

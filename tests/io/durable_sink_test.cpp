@@ -1,5 +1,6 @@
-// A durable file is on the disk before it is renamed, and its new name before close() returns. This
-// file replaces fsync() by a function that records the state of the files and fails on request.
+// A durable file is on the disk before it is renamed, and its new name is on the disk before
+// close() returns. This file replaces fsync() by a function that records the state of the files and
+// fails on request.
 #include <errno.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>

@@ -15,7 +15,8 @@ void put(const std::string& path, const std::string& text) { std::ofstream(path)
 class FileWatchTest : public testing::Test {
  protected:
   void SetUp() override { put(path_, "one"); }
-  const test::ScratchFolder folder_;  // own folder, since tests of one binary run at the same time
+  // One folder per test, since tests of one binary run at the same time.
+  const test::ScratchFolder folder_;
   const std::string path_ = folder_ / "watched";
   std::atomic<bool> never_{false};
 };

@@ -1,4 +1,5 @@
-// The frame of a stream. Every truncated stream is an error, and every whole stream can be read.
+// Tests the frame of a stream. Every truncated stream is an error, and every whole stream can be
+// read.
 #include <gtest/gtest.h>
 
 #include "io/stream.h"

@@ -113,7 +113,7 @@ TEST(HostileMessages, HugeClaimsCostNothing) {
 }
 
 TEST(HostileMessages, AListLargerThanTheMessageIsReported) {
-  // One segment with a Record of one data word and one pointer to a Level. The level's first
+  // One segment holds a Record of one data word and one pointer to a Level. The level's first
   // pointer (name) claims 2^28 bytes.
   const std::string bytes =
       little32({0, 10, 0, 0x00010001, 1, 0, 0, 0x00060000, 21, 0x80000002, 0,
@@ -148,7 +148,8 @@ TEST(HostileMessages, BadValuesAreRefusedAsInJson) {
 
 TEST(HostileMessages, AnUnknownKindPassesThrough) {
   std::string bytes = message(3, Format::capnp, Kind::QUERY);
-  const size_t discriminant = 16;  // it follows the segment table and the root pointer
+  // The discriminant follows the segment table and the root pointer.
+  const size_t discriminant = 16;
   ASSERT_EQ(bytes[discriminant], char(uint16_t(Kind::QUERY)));
   bytes[discriminant] = 99;
   StreamReader reader = StreamReader::overBytes(bytes, "in");

@@ -146,7 +146,7 @@ TEST(JsonErrors, NestingIsBounded) {
 TEST(JsonErrors, ARecordOfBillionsOfBytesIsRefusedBeforeItIsBuilt) {
   std::string line = "{\"type\":\"level\",\"parts\":[{}";
   for (int i = 0; i < 1800000; i++)
-    line += ",{}";  // each takes 19 words in memory and three bytes here
+    line += ",{}";  // each item takes 19 words in memory, but three bytes here
   EXPECT_EQ(jsonCodecErrorOf(line + "]}"), "parts: the record is larger than 256 MiB, the maximum");
 }
 

@@ -70,7 +70,7 @@ TEST(LostLevel, DropsQueriesThatNameNoLevel) {
 TEST(LostLevel, KeepsRecordsOfOtherLevels) {
   // The unreadable record is known to be a query.
   EXPECT_EQ(LostLevelRead({kLevel + "{\"type\":\"query\",\"id\":7}\n" + query("b")}).came, "+b");
-  // Later versions may define this kind.
+  // Later versions of the schema may define this kind of record.
   EXPECT_EQ(LostLevelRead({kLevel + "{\"type\":\"weather\"}\n" + query("b")}).came, "+b");
   EXPECT_EQ(LostLevelRead({kLost + kLevel + query("b")}).came, "+b");
 }

@@ -86,8 +86,8 @@ TEST(Numbers, AreAsShortAsTheyCanBe) {
 }
 
 TEST(Numbers, AreRoundedOnceToTheNearestFloat) {
-  // The number is halfway between two floats, plus an amount too small for a double. Rounding to a
-  // double first would give a tie, which rounds to the even neighbour below.
+  // The number is halfway between two floats, plus an amount that is lost in a double. Rounding to
+  // a double first would give a tie, which rounds to the even neighbour below.
   auto record = recordFromJson(R"({"type":"query","timeLimit":1.00000005960464477540})");
   ASSERT_TRUE(record);
   EXPECT_EQ(record->reader().getQuery().getTimeLimit(), std::nextafterf(1.0f, 2.0f));

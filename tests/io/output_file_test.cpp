@@ -1,5 +1,5 @@
-// Temporary names are short enough for their folder. If two processes want to write one file, only
-// one of them may.
+// Temporary names are short enough for their folder. If two processes try to write one file, only
+// one succeeds.
 #include "io/output_file.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// How a pipeline handles its own errors, errors of records, and errors of the tool before it.
+// Tests how a pipeline handles its own errors, errors in records, and errors of the upstream tool.
 #include "io/pipeline.h"
 
 #include <capnp/serialize.h>
@@ -52,7 +52,7 @@ TEST(Pipeline, ForgivenErrorsAreReportedAndCounted) {
 }
 
 // Unreadable records pass through unchanged, and so do queries of an unreadable level. The handler
-// gets none of them.
+// gets neither.
 TEST(Pipeline, EmitPassesOnUnreadableRecords) {
   const std::string lines =
       "{oops\n {\"type\":\"level\",\"parts\":7}\r\n{\"type\":\"query\",\"id\":\"a\"}\n"
@@ -126,8 +126,8 @@ TEST(Pipeline, ARecordThatTheOutputCannotHoldIsAnErrorAboutThatRecord) {
   }
 }
 
-// The record was already written, so it does not count as skipped. By then the pipeline reads the
-// next input.
+// The record was already written, so it does not count as skipped. At that point the pipeline
+// already reads the next input.
 TEST(Pipeline, ALateErrorNamesTheRecordThatItIsAbout) {
   for (OnError policy : {OnError::stop, OnError::skip, OnError::emit}) {
     Fixture f;

@@ -95,7 +95,8 @@ class RecordFiller {
     KJ_FAIL_ASSERT("a type that the generator does not know");
   }
 
-  // Returns any finite bit pattern half of the time, otherwise a plain number, sometimes -0.
+  // Returns an arbitrary finite bit pattern half of the time, otherwise a plain number, sometimes
+  // -0.
   float real32() {
     if (range_.set)
       return float(range_.min + (range_.max - range_.min) * 0.998 * double(random_.unit()));

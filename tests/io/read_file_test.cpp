@@ -1,5 +1,5 @@
-// Reading whole files, folders and pipes with and without a writer. A stop or a signal interrupts
-// it.
+// Tests reading of whole files, folders, and pipes with and without a writer. A stop or a signal
+// interrupts reading.
 #include "io/read_file.h"
 
 #include <fcntl.h>
@@ -41,7 +41,7 @@ TEST(ReadFile, ReturnsAllBytesAndNamesMissingFiles) {
   EXPECT_EQ(readFile(folder / "").error().message, "cannot read: Is a directory");
 }
 
-// An endless input would take all memory. If a file states too large a size, it is not read at all.
+// An endless input would take all memory. A file whose stated size is too large is not read at all.
 TEST(ReadFile, RefusesFilesAboveTheLimit) {
   ScratchFolder folder;
   std::ofstream(folder / "a") << std::string(2000, 'x');
@@ -142,7 +142,7 @@ TEST(ReadFile, ASignalEndsTheWaitWithoutAStop) {
       bytes = readFile(pipe.path);
       done = true;
     });
-    while (!done) {  // since the first signal may come before the wait
+    while (!done) {  // repeats, since the first signal may come before the wait
       pthread_kill(reader.native_handle(), SIGUSR1);
       std::this_thread::sleep_for(5ms);
     }

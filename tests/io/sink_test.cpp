@@ -225,7 +225,7 @@ TEST(Sink, PlacesThatCannotBeWrittenAreNamed) {
   auto directory = Sink::open(folder / "");
   ASSERT_FALSE(directory);
   EXPECT_EQ(directory.error().message, "cannot write: Is a directory");
-  auto nameless = Sink::open("");  // fails at once, not only at the end of the run
+  auto nameless = Sink::open("");  // open() fails at once, instead of at the end of the run
   ASSERT_FALSE(nameless);
   EXPECT_EQ(nameless.error().message, "the name of the output file is empty");
 }

@@ -1,4 +1,4 @@
-// Input from files, from pipes byte by byte, among signals, and stopped from outside.
+// Tests input from files and from pipes: single bytes, interrupting signals, and stop requests.
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <pthread.h>

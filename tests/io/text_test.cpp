@@ -1,4 +1,4 @@
-// Untrusted text in markup, and the byte order mark that editors add.
+// Tests untrusted text in markup, and the byte order mark that some editors add.
 #include "io/text.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Untrusted text, split into characters and shown on a terminal.
+// Tests splitting untrusted text into characters, and showing it on a terminal.
 #include "io/utf8.h"
 
 #include <gtest/gtest.h>

@@ -6,7 +6,7 @@
 namespace obby::level {
 namespace {
 
-// Returns the number of clocks besides the one of each role.
+// Returns the number of clocks in addition to one per role.
 uint32_t sharedClocks(support::LevelBuilder& b) {
   const Level level = b.compile();
   return level.view().clockCount - level.view().roleCount;

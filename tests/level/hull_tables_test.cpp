@@ -215,7 +215,7 @@ TEST(CompiledHulls, ThinAndWideHullsStay) {
   EXPECT_EQ(level.view().colliders[0].shape.half.x, 200);
 }
 
-// A mesh without thickness is still a floor: the part has no other geometry.
+// A mesh without thickness is still a floor, since the part has no other geometry.
 TEST(CompiledHulls, APartOfFlatHullsGetsTheEnginesMinimumThickness) {
   support::LevelBuilder b;
   b.part([](auto p) {

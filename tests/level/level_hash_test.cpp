@@ -1,4 +1,4 @@
-// The level's digest changes with everything that can change a trajectory, and only with that.
+// The level's digest changes with everything that can change a trajectory, and with nothing else.
 #include <gtest/gtest.h>
 
 #include <functional>

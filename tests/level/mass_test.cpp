@@ -1,4 +1,4 @@
-// Mass, centre and inertia of dynamic parts, against textbook formulas.
+// Compares mass, centre and inertia of dynamic parts with textbook formulas.
 #include "level/mass.h"
 
 #include <gtest/gtest.h>

@@ -33,7 +33,7 @@ TEST(MotionBudget, parts_that_spin_differently_do_not) {
   EXPECT_NE(level.view().movers[0].spins, level.view().movers[1].spins);
 }
 
-// If each table were as long as for one part alone, these parts would need about 25 million rows.
+// If each table were as long as for a single part, these parts would need about 25 million rows.
 TEST(MotionBudget, five_hundred_different_spins_get_shorter_tables) {
   const float first = 0.03f, step = 0.0003f;
   const auto level = spinners(500, first, step).tryCompile();

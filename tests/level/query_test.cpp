@@ -264,8 +264,8 @@ TEST(QueryErrors, NameThePathAndTheExpectation) {
   }
 }
 
-// The search divides positions into cells, and a trajectory must be able to store positions. So
-// coordinates are bounded.
+// Coordinates are bounded, because the search divides positions into cells and a trajectory stores
+// them.
 TEST(QueryErrors, AStartRegionWithoutAFloorInReach) {
   const auto refuse = [](float middle, float height) {
     queryExpectRefused(

@@ -152,8 +152,8 @@ TEST_F(ResolveTest, ATagThatIsListedAgainStandsForTheSameParts) {
   EXPECT_EQ(query().asReader().getAvoid().size(), 2u);
 }
 
-// A tag stands for two parts here. In a large place it may stand for so many that a short list
-// fills the memory.
+// Here a tag stands for two parts. In a large place a tag may stand for so many parts that a short
+// list of tags fills the memory.
 TEST_F(ResolveTest, TagsStandForABoundedNumberOfPlaces) {
   const auto tags = [](auto list) {
     for (uint32_t i = 0; i < list.size(); ++i) list[i].setPart("#Kill");

@@ -42,7 +42,7 @@ TEST(SideSpeed, CountsSpinningSeats) {
   EXPECT_NEAR(given(seat), 3 * kFarthest, 0.1f);
 }
 
-// These parts push players but do not carry them, so they do not make grid lists longer.
+// These parts push players but do not carry them, so the grid's lists do not get longer.
 TEST(SideSpeed, IgnoresSpinsThatDoNotCarry) { EXPECT_NEAR(given(speedsSpin(3, false)), 0, 1e-4f); }
 
 TEST(SideSpeed, CountsTurnsBetweenKeys) {

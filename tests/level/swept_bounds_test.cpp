@@ -73,7 +73,7 @@ TEST(SweptBounds, EqualTheBoundsOfAllKeysForManyHulls) {
   expectSame(SweptBounds(m, 500).of(half), boundsOfAll(keys, half));
 }
 
-// A scanned mesh that spins for twenty minutes: testing each row with each hull took minutes.
+// A scanned mesh spins for twenty minutes. Testing each row with each hull would take minutes.
 TEST(SweptBounds, ContainAHundredThousandHullsInLittleTime) {
   SweptBoundsDice dice{Random(53, 0)};
   const std::vector<Pose> keys = longTurn(72000);

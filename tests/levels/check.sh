@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # Solves the queries of one level and compares the verdicts with levels/expected.tsv.
 #   check.sh BIN LEVELS FILE
-# Queries that should be solved or proved unreachable get a generous time limit. The others get a short
-# one, since they use all of it. Rows marked `bench` are for bench_solve only.
+# Queries that should be solved or proved unreachable get a generous time limit. The others get a
+# short one, since their searches use all of it. Rows marked `bench` are for bench_solve only.
 set -euo pipefail
 bin=$1 levels=$2 file=$3
 

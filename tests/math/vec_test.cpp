@@ -92,7 +92,7 @@ TEST(Pose, ToLocalUndoesToWorld) {
   for (int i = 0; i < kRounds; ++i) {
     const Pose p = dice.pose(100);
     const Vec3 v = dice.vec(20);
-    // The largest intermediate value rounds by a few units in the last place.
+    // The rounding error is a few units in the last place of the largest intermediate value.
     const float tolerance = 2e-6f * (length(p.position) + length(v));
     expectNear(toLocal(p, toWorld(p, v)), v, tolerance);
     expectNear(toWorld(p, toLocal(p, v)), v, tolerance);

@@ -76,8 +76,8 @@ TEST_P(OfRows, MatchesTheOutputsAndGradientsOfTheCpu) {
   EXPECT_EQ(r.foundBelow, r.inputGradient);
 }
 
-// In every build, the CPU in the GPU's place fuses multiply and add if the kernel asks for it
-// (kernels.cpp).
+// In every build, the CPU that stands in for the GPU fuses multiply and add if the kernel requests
+// it (kernels.cpp).
 TEST(DeviceProducts, AreFusedOnRequestInEveryBuild) {
   constexpr size_t kRows = 16, kInner = 24, kColumns = 8;
   Random random(7, 7);

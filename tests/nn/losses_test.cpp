@@ -50,8 +50,8 @@ TEST(CrossEntropy, GradientsMatchFiniteDifferences) {
   }
 }
 
-// The first episode dies at its second decision. The second one goes on or is cut, so the last
-// value estimates the rest.
+// The first episode ends in death at its second decision. The second episode continues or is
+// truncated, so the last value estimates the rest.
 TEST(Advantages, BootstrapOnlyUnfinishedPlaythroughs) {
   const float values[] = {1, 1, 2, 2, 3, 3}, rewards[] = {1, 1, -1, 0, 2, 2}, last[] = {4, 4};
   const uint8_t done[] = {0, 0, 1, 0, 0, 0};

@@ -1,4 +1,4 @@
-// The division of rows into minibatches: as few as possible, of nearly equal sizes.
+// Rows are divided into as few minibatches as possible, of nearly equal sizes.
 #include "nn/minibatches.h"
 
 #include <gtest/gtest.h>

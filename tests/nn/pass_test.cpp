@@ -1,5 +1,5 @@
-// Rows through a network and back: products in a fixed order, gradients against finite differences
-// in double precision, and a step of the optimiser.
+// Tests forward and backward passes of a network: products in a fixed order, gradients against
+// finite differences in double precision, and a step of the optimiser.
 #include "nn/pass.h"
 
 #include <gtest/gtest.h>
@@ -53,7 +53,8 @@ TEST(Product, EqualsAPlainLoopBitForBit) {
   }
 }
 
-// The total weights each output by outGradient, so outGradient is its gradient by the outputs.
+// The total is the sum of the outputs weighted by outGradient, so its gradient by the outputs is
+// outGradient.
 TEST(Pass, GradientsMatchFiniteDifferences) {
   constexpr size_t kRows = 5;
   Random random(2, 2);
@@ -142,7 +143,7 @@ TEST(Normal, IsNearlyNormal) {
   EXPECT_NEAR(double(beyond) / kDraws, 0.317, 0.02);
 }
 
-// Columns are orthogonal and have the stated length, or rows if there are fewer rows. The padding
+// Columns (or rows, if there are fewer rows) are orthogonal and have the stated length. The padding
 // stays unchanged.
 TEST(Orthogonal, FillsColumnsOrRows) {
   for (const size_t rows : {3u, 9u}) {

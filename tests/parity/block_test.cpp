@@ -1,6 +1,6 @@
-// Compares the player's box with blocks: the general form and the two short ones, in a million
-// pairs. The references are Bullet's GJK and EPA and FCL's closed form. If a reference differs, the
-// exact separating axes in double precision decide (exact.h).
+// Tests contacts of the player's box with blocks, by the general form and the two short ones, in a
+// million pairs. The references are Bullet's GJK and EPA and FCL's closed form. If a reference
+// differs, the exact separating axes in double precision decide (exact.h).
 #include "geom/box_box.h"
 
 #include <gtest/gtest.h>
@@ -44,7 +44,7 @@ struct Tallies {
     EXPECT_GT(bullet.overlapping, min);
     EXPECT_GT(bullet.normals, min / 2);
     EXPECT_EQ(fclWrong, 0);
-    // For a few pairs in a thousand, EPA gives up or stops at a face that is not the best.
+    // For a few pairs in a thousand, EPA fails or stops at a face that is not the best.
     EXPECT_LE(bullet.referenceWrong, bullet.pairs / 200);
   }
 };

@@ -185,7 +185,7 @@ class BulletBodies {
   int steps_ = 0;
 };
 
-// The same bodies, simulated by both.
+// The same bodies, simulated by both engines.
 struct Both {
   OurBodies ours;
   BulletBodies bullet;

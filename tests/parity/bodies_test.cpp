@@ -1,6 +1,6 @@
 // Dynamic bodies against formulas where these exist, and against Bullet's rigid bodies. After an
 // impact on an edge, rounding decides the motion, so the tests compare only the height and the face
-// on which a body rests. If nothing tumbles, they compare the whole pose.
+// on which a body rests. If nothing tumbles, the tests compare the whole pose.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -11,7 +11,8 @@ namespace obby::parity {
 namespace {
 
 constexpr double kGravity = 196.2;
-constexpr double kRest = 0.02;  // studs: contacts rest 0.005 deep, and Bullet's differ by as much
+// Studs; our contacts rest 0.005 deep, and Bullet's differ by as much.
+constexpr double kRest = 0.02;
 
 BodySpec floorOf(float friction = 0.5f) {
   return {.position = {0, -1, 0}, .size = {400, 2, 400}, .friction = friction, .anchored = true};
@@ -187,7 +188,7 @@ TEST(BodiesParity, ArePushedByAWallThatMoves) {
   const BodyState ours = both.ours.state(0);
   EXPECT_NEAR(double(ours.position.x), face + 2, kRest);
   EXPECT_NEAR(double(ours.velocity.x), 10, 0.1);
-  // Bullet's block stays 0.04 ahead of the wall and drifts sideways by 0.35.
+  // Bullet's block stays 0.04 studs ahead of the wall and drifts sideways by 0.35 studs.
   EXPECT_NEAR(double(both.bullet.state(0).position.x), face + 2, 0.05);
   EXPECT_NEAR(double(ours.position.z), 0, 0.05);
   EXPECT_GT(ours.axes.x.x, 0.999f);

@@ -44,7 +44,7 @@ inline std::unique_ptr<btConvexShape> bulletShape(geom::ShapeKind kind,
 struct BulletContact {
   bool overlap = false;
   double depth = 0;  // studs; negative distance if apart
-  Vec3 normal;       // moving the box along it separates the two; zero if apart
+  Vec3 normal;       // moving the box along the normal separates the two; zero if apart
 };
 
 class BulletPair {

@@ -1,5 +1,5 @@
-// Random pairs of any two convex shapes at a chosen gap or depth along a chosen direction. Also the
-// exact answer for pairs that can be computed without iteration.
+// Random pairs of any two convex shapes at a chosen gap or depth along a chosen direction. Also
+// returns the exact answer for pairs whose answer can be computed without iteration.
 #pragma once
 
 #include <memory>
@@ -12,7 +12,8 @@ namespace obby::parity {
 
 struct ConvexPair {
   geom::Convex a, b;
-  const Polytope* localA = nullptr;  // of hulls, since finding their faces is slow
+  // Precomputed faces of a hull (finding them is slow); null for other shapes.
+  const Polytope* localA = nullptr;
   const Polytope* localB = nullptr;
 };
 

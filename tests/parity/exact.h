@@ -94,8 +94,8 @@ inline Polytope moved(Polytope p, const Pose& pose) {
 
 // The minimum translation that separates the two, exact up to the rounding of doubles.
 struct Exact {
-  double depth = 1e300;  // negative: apart, by at least this much
-  V3 normal;             // moving the second polytope along it separates them
+  double depth = 1e300;  // if negative, the two are apart by at least this much
+  V3 normal;             // moving the second polytope along the normal separates the two
   double next = 1e300;   // depth along the best axis in a clearly different direction
 };
 

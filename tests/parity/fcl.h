@@ -25,8 +25,8 @@ struct FclContact {
   V3 normal = V3::Zero();
 };
 
-// FCL prefers faces: it takes an axis between edges only if that is better by 5 %. So its depth is
-// at most 5 % above the minimum.
+// FCL prefers faces: it takes an axis between edges only if that axis is better by 5 %. So its
+// depth is at most 5 % above the minimum.
 constexpr double kFclPreference = 1.05;
 
 inline FclContact fclBoxBox(const Pose& pose, Vec3 half, const geom::UprightBox& box) {

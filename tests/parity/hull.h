@@ -1,4 +1,4 @@
-// A convex hull of points, with the tables of the level's compiler and its exact polytope.
+// A convex hull of points, with its exact polytope and the level compiler's tables for it.
 #pragma once
 
 #include "level/hull_tables.h"

@@ -85,8 +85,8 @@ class ManifoldParity : public testing::TestWithParam<ShapeKind> {
 };
 
 // The face that points most towards the other shape may not be the one in contact, and a corner may
-// lie off it. This affects one pair in 200, and one in twelve with hulls. A cylinder's cap counts
-// as an octagon and its side as a line, without the rim. This affects one pair in ten.
+// lie off it. This affects one pair in 200, or one in twelve with hulls. A cylinder's cap counts as
+// an octagon and its side as a line, without the rim. This affects one pair in ten.
 TEST_P(ManifoldParity, PointsAreOnBothShapesAndTheDeepestIsTheSeparation) {
   const double limit = GetParam() == ShapeKind::cylinder ? 0.12
                        : GetParam() == ShapeKind::hull   ? 0.1

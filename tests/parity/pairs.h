@@ -1,4 +1,4 @@
-// Random pairs of a shape and the player's box, of which about half overlap. Also a tally that
+// Random pairs of a shape and the player's box. About half of the pairs overlap. Also a tally that
 // compares answers of lib/geom with those of an outside library.
 #pragma once
 

@@ -139,15 +139,15 @@ class RayTally {
   bool isRound() const { return kind_ == ShapeKind::ball || kind_ == ShapeKind::cylinder; }
 
   // Returns the rounding of a curved side, which solves a quadratic in single precision. It grows
-  // with the squared distance. Small balls seen from far away, and rays that barely touch the side,
-  // are less exact.
+  // with the squared distance. Hits on small balls from far away, and grazing hits on the side, are
+  // less exact.
   double rounding(const Ray& ray, const Stretch& exact) const {
     if (!isRound()) return 0;
     const double far = double(dot(ray.from, ray.from));
     return std::min(0x1p-20 * far / std::max(exact.chord(), 1e-9), 0x1p-10 * std::sqrt(far));
   }
   bool isGrazing(const Ray& ray, const Stretch& exact) const {
-    if (exact.chord() < -1e200) return isRound();  // a line that misses a curved side
+    if (exact.chord() < -1e200) return isRound();  // the line misses a curved side
     const double far = double(dot(ray.from, ray.from));
     return std::abs(exact.chord()) < (isRound() ? 0x1p-10 * std::sqrt(far) : kTolerance);
   }
@@ -182,7 +182,7 @@ class RayParity : public testing::TestWithParam<ShapeKind> {
     tally.report();
     EXPECT_GT(tally.hits, tally.rays / 5);
     EXPECT_LE(tally.otherSide,
-              tally.rays / 200);  // at edges, and on small balls, where Bullet is inexact
+              tally.rays / 200);  // Bullet is inexact at edges and on small balls
     // Bullet's cast counts some rays that pass within 1e-4 studs of an edge as hits.
     EXPECT_LE(tally.referenceWrong, tally.rays / 200);
   }

@@ -69,8 +69,8 @@ TEST(SeparationParity, PolytopesMatchTheSearchOfAllAxes) {
     const Separation s = geom::separation(p.a, p.b, kSeparationMargin);
     const Polytope a = polytopeOf(p.a, p.localA), b = polytopeOf(p.b, p.localB);
     const Exact exact = exactPenetration(a, b);
-    // If edges are parallel, the exact axes give only a lower bound, which can be arbitrarily
-    // loose.
+    // If edges are parallel, the exact axes give only a lower bound, which can be arbitrarily far
+    // from the truth.
     if (exact.depth < 0) continue;
     // The compiler's tables merge nearly parallel edges of a hull.
     found.compare(p, s, -exact.depth, 5e-3, kDeeper);
@@ -87,8 +87,8 @@ TEST(SeparationParity, PolytopesMatchTheSearchOfAllAxes) {
   EXPECT_LT(found.deeperThanPreferred, found.pairs / 10000);
 }
 
-// For separated polytopes the answer is at most Bullet's distance. It is rarely far less: only
-// between corners, whose direction is not an axis.
+// For separated polytopes the answer is at most Bullet's distance. The answer is rarely far less:
+// only between corners, whose direction is not an axis.
 TEST(SeparationParity, NeverExceedsTheDistanceOfSeparatedPolytopes) {
   ConvexDice dice(703);
   Found found;
@@ -165,7 +165,7 @@ TEST(SeparationParity, ACylinderIsTooDeepOnlyAtRims) {
     const Separation s = geom::separation(p.a, p.b, kSeparationMargin);
     const double bullet = -bulletApart(p.a, p.b).depth;
     if (double(s.distance) > bullet + kTolerance) {
-      // EPA or GJK has not converged. If we move b out by our answer, Bullet also reports no
+      // EPA or GJK has not converged. After b is moved out by our answer, Bullet also reports no
       // overlap.
       ConvexPair out = p;
       out.b.pose.position += s.normal * (float(kTolerance) - s.distance);

@@ -93,8 +93,8 @@ struct Excess {
       deepest = std::max(deepest, depth - b.depth);
       return;
     }
-    // Either our depth is too small or Bullet's is too large. If Bullet's is, moving the box out by
-    // our depth separates the two for Bullet, too.
+    // Either our depth is too small or Bullet's is too large. If Bullet's is too large, then moving
+    // the box out by our depth separates the two for Bullet, too.
     Pair out = p;
     out.box.center += c.normal * (maxf(c.depth, 0) + float(kTolerance));
     const BulletContact after = bullets(out);
@@ -118,7 +118,7 @@ Pair cylinderPair(PairDice& dice, const Mat3& rotation) {
   return dice.around(ShapeKind::cylinder, shape, rotation);
 }
 
-// Pillars and discs: the player touches their side and their caps, never a tilted rim.
+// The player touches the side and the caps of pillars and discs, never a tilted rim.
 TEST(CylinderParity, IsExactWhenUpright) {
   PairDice dice(540);
   Excess excess;
@@ -149,10 +149,10 @@ TEST(CylinderParity, IsTooDeepOnlyAtRimsAtAnyRotation) {
   EXPECT_LT(excess.earliest, 0.25);
   EXPECT_LT(excess.deepest, 1.3);
   EXPECT_LT(excess.over, excess.overlapping / 8);
-  EXPECT_GT(excess.over, 0);  // if this fails, the axes are complete now: update physics.md
+  EXPECT_GT(excess.over, 0);  // if this fails, the axes are now complete: update physics.md
 }
 
-// Hulls with complete tables: up to 32 edges, without nearly parallel faces or edges.
+// Tests hulls with complete tables: up to 32 edges, without nearly parallel faces or edges.
 TEST(HullParity, IsExactWithAllEdges) {
   PairDice dice(550);
   Tally tally;
@@ -183,8 +183,8 @@ TEST(HullParity, IsExactWithAllEdges) {
   EXPECT_LE(tally.referenceWrong, tally.pairs / 200);
 }
 
-// Hulls with more than 32 edge directions are tested by faces alone. To edges of the body they
-// appear to have sharper corners.
+// For hulls with more than 32 edge directions, only faces are tested. Against edges of the body,
+// these hulls act as if their corners were sharper.
 TEST(HullParity, RoundHullsAreTooDeepOnlyAtEdges) {
   PairDice dice(551);
   Excess excess;
@@ -201,7 +201,7 @@ TEST(HullParity, RoundHullsAreTooDeepOnlyAtEdges) {
   }
   excess.report();
   EXPECT_GT(excess.overlapping, 10000);
-  EXPECT_LT(excess.earliest, 0.6);  // for a hull 4 studs across
+  EXPECT_LT(excess.earliest, 0.6);  // studs, for a hull 4 studs across
   EXPECT_LT(excess.deepest, 0.6);
 }
 

@@ -41,7 +41,8 @@ TEST(Loss, GradientsMatchFiniteDifferences) {
       outputs[m] = old - step;
       const auto less = ppoLossOf(outputs, d, PpoLossSettings{}, unused);
       outputs[m] = old;
-      if (more.clipped != at.clipped || less.clipped != at.clipped) continue;  // at the kink
+      // The loss has a kink here.
+      if (more.clipped != at.clipped || less.clipped != at.clipped) continue;
       EXPECT_NEAR(gradient[m], (more.loss - less.loss) / (2 * step), 1e-6) << n << " " << m;
     }
   }

@@ -107,7 +107,7 @@ std::vector<float> someLogits(Random& random) {
   return logits;
 }
 
-// Does the same as draw(), but move by move.
+// Does the same as draw(), but one move at a time.
 int drawPlainly(const std::vector<float>& logits, bool mayJump, Random& random) {
   const float max = logits[size_t(likeliest(logits.data(), mayJump))];
   float odds[kMoves], sum = 0;

@@ -69,7 +69,7 @@ TEST(Observation, ShowsKillPartsAndRegionsToAvoid) {
 TEST(Observation, ShowsOnlyCeilingsThatAreInTheWay) {
   LevelBuilder b = gap();
   b.block({0, 9, 0}, {30, 1, 30});     // high above
-  b.block({0, 3, -3.35f}, {4, 2, 1});  // at the height of the chest
+  b.block({0, 3, -3.35f}, {4, 2, 1});  // a block at the height of the chest
   const level::Level level = b.compile();
   const Look look(level);
   EXPECT_FLOAT_EQ(look.height(kFloor, 0, 0), 0);
@@ -133,7 +133,7 @@ TEST(Observation, ShowsDangersAsWideAsTheBodyTouchesThem) {
   EXPECT_FLOAT_EQ(Look(level).height(kDanger, 1, 0), 2) << "0.9 studs next to it";
 }
 
-// Stones above lava are safe. A kill tile level with its neighbours is not.
+// Stones above lava are safe. A kill tile at the same height as its neighbours is not.
 TEST(Observation, ShowsNoDangerBelowAFloor) {
   const auto kill = [](schema::Part::Builder p) { p.initKill(); };
   LevelBuilder b;
@@ -191,7 +191,7 @@ TEST_P(SeesMovers, ShowsPresentAndFutureHeights) {
 
 INSTANTIATE_TEST_SUITE_P(Observation, SeesMovers, testing::Values(30, 60, 240));
 
-// Observes the same moment of the same level with longer and shorter ticks.
+// Observes the same moment of a level with longer and shorter ticks.
 TEST(Observation, IsInSecondsForAnyTickLength) {
   std::vector<float> expected;
   for (const int rate : {60, 30, 120, 240}) {

@@ -26,7 +26,7 @@ Stretch<float> cutPlainly(const Solid& solid, float x, float z) {
   return s;
 }
 
-// Returns a block with any axis pointing up or down, and with zeros of either sign.
+// Returns a block with any of its axes pointing up or down, and with zeros of either sign.
 Solid uprightBlock(int n, Random& random) {
   const auto uniform = [&random](float lo, float hi) { return lo + (hi - lo) * random.unit(); };
   const SinCos turn = sinCos(Turns(random.next()));

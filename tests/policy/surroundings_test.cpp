@@ -1,4 +1,4 @@
-// The parts in sight, for any number and size of parts.
+// Tests which parts are in sight, for any number and size of parts.
 #include "policy/surroundings.h"
 
 #include <gtest/gtest.h>
@@ -24,7 +24,7 @@ LevelBuilder surroundingsGap() {
 }
 
 // A level's parts under a roof of plates of the maximum size, which are too high to be seen.
-// Squares of 8 studs would list the plates 132 million times. The level must outlive it.
+// Squares of 8 studs would list the plates 132 million times. The level must outlive this object.
 struct Roofed {
   explicit Roofed(const level::Level& level) : view(level.view()) {
     bounds.assign(view.bounds, view.bounds + view.colliderCount);
@@ -102,7 +102,7 @@ TEST(Surroundings, ListAPartInEverySquareThatSeesIt) {
   }
 }
 
-// The observation stops at the first part that is overhead.
+// The observation skips all parts from the first overhead one on.
 TEST(Surroundings, ListLowerPartsFirst) {
   const level::Level level = support::boxArena(60, 7).compile();
   const level::LevelView view = level.view();

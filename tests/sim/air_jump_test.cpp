@@ -1,4 +1,4 @@
-// Air jumps: a limited number between two floors, each for a new press of the key.
+// Air jumps: each needs a new press of the key, and their number between two floors is limited.
 #include <gtest/gtest.h>
 
 #include "level/params.h"

@@ -1,4 +1,4 @@
-// The choice of the backend, and the messages if the requested backend is missing.
+// Tests the choice of the backend, and the messages if the requested backend is missing.
 #include "sim/backend.h"
 
 #include <gmock/gmock.h>

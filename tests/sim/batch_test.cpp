@@ -19,7 +19,7 @@
 namespace obby::sim {
 namespace {
 
-constexpr uint32_t kRuled = 600;  // enough for every rule to end some worlds
+constexpr uint32_t kRuled = 600;  // ticks; enough for every rule to end some worlds
 constexpr uint32_t kWorlds = 90;
 
 std::vector<uint64_t> hashesOf(const Batch& batch) {
@@ -141,7 +141,7 @@ TEST(Batch, ended_worlds_wait_unless_the_course_restarts) {
   EXPECT_EQ(hashesOf(*lanes), hashesOf(*kernel));
 }
 
-// A walker, a table of actions and plans play the same actions.
+// A walker, a table of actions, and plans result in the same actions.
 TEST(Batch, walker_table_and_plans_are_equivalent) {
   const level::Level level = support::boxArena(20, 1).compile();
   const Course course = courseOf(level.view(), level.spawns()[0]);
@@ -207,7 +207,7 @@ TEST(Batch, wrong_actions_and_courses_are_errors) {
             "the queue names level 1, but there are 1 levels");
 }
 
-// The device holds a full copy: the level is freed and its memory overwritten.
+// The device holds a full copy, so the test frees the level and overwrites its memory.
 TEST(KernelBatch, needs_nothing_of_the_level_after_the_upload) {
   mallopt(M_PERTURB, 0x5a);
   ThreadPool pool(1);

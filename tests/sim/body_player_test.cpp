@@ -19,7 +19,7 @@ void loosen(schema::Part::Builder p, float density) {
   p.setFriction(0.5f);
 }
 
-// Returns the studs by which two seconds of walking push a box. The player's initial momentum is
+// Returns how far two seconds of walking push a box, in studs. The player's initial momentum is
 // spent by then.
 float pushed(float mass, float pushForce) {
   LevelBuilder b = longFloor();
@@ -33,8 +33,8 @@ float pushed(float mass, float pushForce) {
   return from - play.bodies[0].position.z;
 }
 
-// Friction holds up to 0.5 x 196.2 for each unit of mass. The drive pushes with 12.6 x 2060 x pair
-// friction.
+// Friction holds against up to 0.5 x 196.2 per unit of mass. The drive pushes with 12.6 x 2060 x
+// the friction of the pair.
 TEST(BodyPlayer, PushesBodiesThatFrictionDoesNotHold) {
   const float max = 12.6f * 2060 * 0.4f / (0.5f * 196.2f);
   EXPECT_GT(pushed(0.5f * max, 1e5f), 5);

@@ -74,7 +74,7 @@ float heightOf(const RigidBody& b, const level::LevelView& level, float side) {
   return side * geom::support(convexOf(c, poseOf(b, l)), {0, side, 0});
 }
 
-// The same worlds twice: one copy is simulated by tick(), the other by tickAll().
+// Two copies of the same worlds. tick() simulates one, tickAll() the other.
 struct Twins {
   const level::LevelView& level;
   std::vector<World> alone, wide;
@@ -177,7 +177,7 @@ RC_GTEST_PROP(BodyProperties, BlocksInLanesMoveAsAlone, ()) {
   const level::Level level = b.compile();
   Twins twins{level.view(), {}, {}, {}, {}, {}};
   for (int i = 0; i < 40; ++i) {
-    auto thrownHere = throws;  // different in each lane
+    auto thrownHere = throws;  // the throws differ between lanes
     for (Thrown& t : thrownHere) t.velocity = t.velocity * (0.2f * float(i % 6));
     twins.add(level.spawns()[0], throwAll(level.view(), thrownHere));
   }
@@ -190,7 +190,7 @@ RC_GTEST_PROP(BodyProperties, BlocksInLanesMoveAsAlone, ()) {
 
 // Only cubes and balls are tested: a flight keeps the spin, not the angular momentum, so other
 // shapes may gain energy. The bound is the energy of a fall of 0.05 studs. Not every seed passes
-// yet. Contacts are found once a tick while a body turns, so landings on corners gain more in one
+// yet. Contacts are found once a tick while a body turns. So landings on corners gain more in one
 // case of 300, and up to 0.5 studs in one of 20,000. With spins of at most 12 rad/s this is five
 // times as rare.
 RC_GTEST_PROP(BodyProperties, EnergyDoesNotGrow, ()) {

@@ -52,7 +52,7 @@ TEST(DynamicBodies, ComeToRestOnTheFloorAndSleep) {
 TEST(DynamicBodies, EveryShapeRestsOnItsLowestFace) {
   struct Case {
     schema::Shape shape;
-    float height;  // of the part's centre at rest
+    float height;  // height of the part's centre at rest, studs
   };
   const Case cases[] = {{schema::Shape::BLOCK, 1},    {schema::Shape::BALL, 1},
                         {schema::Shape::WEDGE, 1},    {schema::Shape::CORNER_WEDGE, 1},
@@ -73,7 +73,7 @@ TEST(DynamicBodies, EveryShapeRestsOnItsLowestFace) {
   }
 }
 
-// Unions can have this shape: a single hull far from the part's centre, with its top at 0.
+// Unions can have this shape: a single hull far from the part's centre. The hull's top is at 0.
 TEST(DynamicBodies, RestOnAHullFarFromItsPartsCentre) {
   const auto slab = [](schema::Part::Builder p) {
     p.setShape(schema::Shape::HULL);

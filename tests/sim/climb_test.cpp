@@ -1,4 +1,4 @@
-// Climbing trusses: each test states a fact of docs/physics.md.
+// Climbing of trusses. Each test checks a fact of docs/physics.md.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -13,7 +13,7 @@ using sim::State;
 using support::LevelBuilder;
 
 constexpr Turns kSouth = 0x8000;  // +Z
-constexpr float kFace = -4;       // of the trusses below, on their +Z side
+constexpr float kFace = -4;       // z of the +Z face of the trusses below
 constexpr float kClimb = 0.7f * 16;
 
 void asTruss(Part::Builder p) { p.setShape(schema::Shape::TRUSS); }
@@ -102,7 +102,7 @@ TEST(Climb, turns_the_player_to_the_face) {
   EXPECT_GT(play.world.position.y, 6);
 }
 
-// The forward key alone leads over the edge: no fall back, no second grip, no jump.
+// The forward key alone leads over the edge, without a fall back, a second grip or a jump.
 TEST(Climb, holding_forward_ends_on_top_of_20_studs) {
   for (const float speed : {4.0f, 10.0f, 16.0f, 20.0f}) {
     for (const float top : {3.0f, 6.0f, 20.0f, 20.3f, 20.6f}) {
@@ -155,7 +155,8 @@ TEST(Climb, grips_a_falling_player_within_a_few_steps) {
   EXPECT_NEAR(falls.world.velocity.y - kClimb, (before - kClimb) * std::pow(0.375f, 4), 0.01f);
 }
 
-// The key towards the truss grips it even during the fast rise of a jump from the floor.
+// A player who holds the key towards the truss grips it, even during the fast rise of a jump from
+// the floor.
 TEST(Climb, grips_while_rising) {
   const auto level = tower(60).compile();
   Play play(level, {0, 0, kFace + 2});
@@ -270,8 +271,8 @@ TEST(Climb, a_floor_of_trusses_is_walked_and_landed_on) {
   EXPECT_GE(play.world.jumps, 2);
 }
 
-// Returns rungs 0.3 thick with `gap` studs between them, up to 20 studs, in front of a wall with a
-// floor on top.
+// Returns a level with rungs 0.3 studs thick and `gap` studs apart, up to 20 studs, in front of a
+// wall with a floor on top.
 level::Level ladder(float gap, bool climbable) {
   LevelBuilder b;
   b.block({0, -1, 0}, {60, 2, 60}).spawn({0, 0, 0});

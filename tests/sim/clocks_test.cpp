@@ -1,4 +1,4 @@
-// Effects that touches start: buttons and the parts that respond, boosts, heals, and the limit of
+// Effects that touches start: buttons and the parts that respond, boosts, heals, and the limit on
 // clocks that run at once.
 #include <gtest/gtest.h>
 
@@ -51,7 +51,7 @@ TEST(Button, OpensADoorForItsTime) {
 
 TEST(Button, LeavesTheDoorClosedUntilItIsTouched) {
   const auto level = doorLevel(3).compile();
-  Play play(level, {20, 0, 0});  // passes next to the button
+  Play play(level, {20, 0, 0});  // the player passes next to the button
   play.settle().run(walk(kNorth), 200);
   EXPECT_GT(play.world.position.z, -20);
   EXPECT_EQ(play.world.clockCount, 0);
@@ -77,7 +77,7 @@ TEST(Button, CountsFromTheFirstOrTheLastTouch) {
     b.block({0, 10, -40}, {4, 20, 1}, [](Part::Builder p) { respond(p); });
     const auto level = b.compile();
     Play play(level, {0, 1, -6});
-    play.run(stand(), 90);  // on the button
+    play.run(stand(), 90);  // stands on the button
     return play.world.clocks[0].ticks;
   };
   EXPECT_GT(ticksOpen(false), 10u) << "a second signal after the first";

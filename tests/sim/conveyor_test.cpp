@@ -50,7 +50,7 @@ TEST(Conveyor, a_turning_conveyor_turns_about_its_moved_part) {
     const float gone = keyCount == 1 ? 0.0f : 6 * 20 * kTick;
     const Vec3 from = play.world.position - Vec3{100 + gone, 0, 0}, v = play.world.velocity;
     EXPECT_NEAR(v.x, kTurn * from.z, 2)
-        << keyCount;  // within 2: the conveyor is a tick behind, which is 0.8 studs/s
+        << keyCount;  // within 2 studs/s: the conveyor is a tick behind, which is 0.8 studs/s
     EXPECT_NEAR(v.z, -kTurn * from.x, 2) << keyCount;
   }
 }

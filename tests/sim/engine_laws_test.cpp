@@ -1,4 +1,4 @@
-// Laws of the real engine with their measured numbers (docs/physics.md). At rate 240 one tick is
+// Tests laws of the real engine against measured numbers (docs/physics.md). At rate 240 one tick is
 // one physics step.
 #include <gtest/gtest.h>
 
@@ -132,7 +132,8 @@ TEST(EngineLaws, RunningTurnsToFreefall28StepsAfterTheFloor) {
   EXPECT_NEAR(play.world.velocity.y, -kGravity * kStep * 28, 1e-3f) << "falls from the edge on";
 }
 
-// The depth depends on when in a step the feet pass their rest height. The test takes the mean.
+// The depth depends on the moment within a step at which the feet pass their rest height. The test
+// takes the mean.
 TEST(EngineLaws, TheLegsDipAndRecoverIn0_2Seconds) {
   struct Case {
     float height, speed, from, to;

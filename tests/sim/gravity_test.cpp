@@ -1,4 +1,4 @@
-// Gravity that a touch changes: for the player alone, and only while the boost lasts.
+// A touch can change gravity for the player alone, while the boost lasts.
 #include <gtest/gtest.h>
 
 #include "level/params.h"

@@ -1,4 +1,4 @@
-// A torso on an edge where no floor ray hits.
+// A torso rests on an edge where no floor ray hits.
 #include <gtest/gtest.h>
 
 #include "sim/play.h"

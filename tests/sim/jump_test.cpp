@@ -1,4 +1,4 @@
-// Jumping and falling: each test states a published fact (docs/physics.md).
+// Jumping and falling. Each test checks a published fact (docs/physics.md).
 #include <gtest/gtest.h>
 
 #include "sim/play.h"

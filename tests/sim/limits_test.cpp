@@ -1,5 +1,6 @@
 // Limits on what any part can do to a player. No part throws faster than the speed limit, hurts
-// once for each of its hulls, or shifts the grid. A part that should never be present never is.
+// more than once because it has several hulls, or shifts the grid. A part that should never be
+// present is never present.
 #include <gtest/gtest.h>
 
 #include "sim/play.h"

@@ -305,8 +305,7 @@ TEST(Motion, carriers_about_a_far_pivot_take_the_player_round) {
   expectToTurnAlong(arm, 20, 2, 2);
 }
 
-// A conveyor moves the player without turning the motion. Within each tick the player goes straight
-// on.
+// Within a tick, a conveyor moves the player straight on, without turning the motion.
 TEST(Conveyor, a_fast_turning_conveyor_carries_the_player_round) {
   const auto disc = LevelBuilder()
                         .block({0, -1, 0}, {40, 2, 40},

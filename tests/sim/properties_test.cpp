@@ -23,7 +23,7 @@ using support::LevelBuilder;
 // rapidcheck reads the variable at the first property, so it is set here.
 const int kSeeded = setenv("RC_PARAMS", "seed=20 max_success=400", 0);
 
-constexpr int kThrows = 20;  // per level, since a level takes longer to compile
+constexpr int kThrows = 20;  // throws per level, since compiling a level takes longer
 constexpr float kSide = 100;
 
 // Adds a far part that raises the level's limit of sideways speed to 774 studs/s.

@@ -37,7 +37,7 @@ inline rc::Gen<Vec3> vecOf(const rc::Gen<float>& of) {
 
 struct PartSpec {
   int shape;
-  Vec3 position, size, turn;  // `turn`: yaw and pitch; the components also set details of the role
+  Vec3 position, size, turn;  // `turn`: yaw and pitch; all components also set details of the role
   int role;
 };
 

@@ -78,7 +78,7 @@ TEST_F(RulesTest, AThinAvoidRegionIsNotSteppedOver) {
     ASSERT_LT(last.position.z, z);
     ASSERT_GT(last.position.z, z - 0.28f);
     avoid = {boxAt(z, {3, 3, 0.001f}), boxAt(z, {3, 3, 1})};
-    avoid[0].region.pose.position.x = 3.01f;  // next to the trajectory
+    avoid[0].region.pose.position.x = 3.01f;  // the region is next to the trajectory
     ASSERT_EQ(play(), Outcome::avoided);
     ASSERT_EQ(last.part, 1u);
   }
@@ -116,7 +116,8 @@ TEST_F(RulesTest, LanesDoNotSkipRegionsEither) {
   std::vector<World> worlds(kWorlds, sim::makeWorld(level.view(), {}));
   std::vector<World*> pointers;
   for (size_t i = 0; i < kWorlds; ++i) {
-    worlds[i].position.z -= 0.25f * float(i) / kWorlds;  // each crosses it at a different tick
+    // Each world crosses the region at a different tick.
+    worlds[i].position.z -= 0.25f * float(i) / kWorlds;
     pointers.push_back(&worlds[i]);
   }
   std::vector<World> alone = worlds;
@@ -184,7 +185,7 @@ TEST_F(RulesTest, TheGoalWaitsForEnoughJumps) {
 
 TEST_F(RulesTest, JumpsOfASegment) {
   query.goal = boxAt(-60, {3, 30, 1});
-  waypoints = {{boxAt(-8, {3, 30, 1})}};  // below the first jump
+  waypoints = {{boxAt(-8, {3, 30, 1})}};  // the waypoint lies below the first jump
   waypoints[0].segment.jumps = 1;
   query.last.jumps = 0;
   EXPECT_EQ(play(300, 1), Outcome::goal);

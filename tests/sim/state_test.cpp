@@ -1,4 +1,4 @@
-// Snapshots, hashes, batches and replays.
+// Tests snapshots, hashes, batches and replays.
 #include <gtest/gtest.h>
 
 #include "sim/batch.h"

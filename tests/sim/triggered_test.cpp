@@ -1,4 +1,4 @@
-// Parts that a touch or a signal moves: falling parts, lifts, ferries.
+// Parts that move after a touch or a signal: falling parts, lifts, ferries.
 #include <gtest/gtest.h>
 
 #include "sim/clocks.h"

@@ -30,7 +30,7 @@ TEST(Trip, TakesControlForItsTimeOnly) {
   EXPECT_LT(play.world.position.z, -14) << "walks on, out of the part that tripped it";
 }
 
-// Adds a trip wire across at z = -10, which is not solid.
+// Adds a trip wire across the floor at z = -10. The wire is not solid.
 LevelBuilder& withWire(LevelBuilder& b, float seconds = 3, float after = 1) {
   return b.block({0, 1, -10}, {100, 40, 0.2f}, [=](Part::Builder p) {
     p.setSolid(false);
@@ -55,13 +55,14 @@ float slideOn(float friction) {
   return from - play.world.position.z;
 }
 
-// In Roblox, FallingDown has no control force. Contact friction alone slows the body: v^2 / (2 mu
-// g).
+// In Roblox, FallingDown has no control force. Contact friction alone slows the body, over a
+// distance of v^2 / (2 mu g).
 TEST(FallingDown, SlidesAsFarAsFrictionLets) {
   const float speed = 16, gravity = 196.2f;
   for (const float friction : {0.3f, 0.1f, 1.0f}) {
     const float mean = (friction + 0.3f) / 2;
-    const float far = speed * speed / (2 * mean * gravity) - speed / 480;  // in whole steps
+    // In whole steps, the slide is half a step shorter.
+    const float far = speed * speed / (2 * mean * gravity) - speed / 480;
     EXPECT_NEAR(slideOn(friction), far, 0.02f) << friction;
   }
 }
@@ -83,7 +84,7 @@ TEST(FallingDown, LegsCollideSoThatAStepStopsTheBody) {
 }
 
 TEST(FallingDown, KeepsItsMomentumInTheAir) {
-  LevelBuilder b = LevelBuilder().block({0, -1, 0}, {200, 2, 19.6f});  // ends at the wire
+  LevelBuilder b = LevelBuilder().block({0, -1, 0}, {200, 2, 19.6f});  // the floor ends at the wire
   const auto level = withWire(b).compile();
   Play play(level);
   play.settle().until(walk(kNorth), [](const World& w) { return w.position.z < -5; });

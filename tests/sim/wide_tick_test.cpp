@@ -86,7 +86,7 @@ std::vector<World> startsOver(const level::Level& level, uint32_t count) {
 
 class WideTick : public testing::TestWithParam<Scene> {};
 
-// 100 worlds fill some lanes only. 700 ticks cover walks, falls, pushes and deaths.
+// 100 worlds do not fill all lanes. 700 ticks cover walks, falls, pushes and deaths.
 TEST_P(WideTick, EqualsTheScalarTickBitForBit) {
   const level::Level level = GetParam().build();
   level::LevelView view = level.view();
@@ -138,8 +138,8 @@ TEST(WideTick, LeavesEndedWorldsAlone) {
   EXPECT_EQ(running.tick, 1u);
 }
 
-// With a sleep time of 0, a body that is slow falls asleep at once. In the air it stays awake, both
-// when it begins to fall and at the apex of a throw.
+// With a sleep time of 0, a body that is slow falls asleep at once. In the air the body stays
+// awake, both when it begins to fall and at the apex of a throw.
 TEST(WideTick, LetsDynamicBodiesSleepOnlyAtRest) {
   const level::Level level = LevelBuilder()
                                  .block({0, -1, 0}, {200, 2, 200})
@@ -229,8 +229,8 @@ TEST(WideTick, SaturatesTheJumpCount) {
   }
 }
 
-// The scalar tick first checks whether any floor is below. It must find floors at the very end of
-// the rays.
+// The scalar tick first checks whether any floor is below. This check must find floors at the very
+// end of the rays.
 TEST(WideTick, SensesFloorsAtTheEndOfTheRays) {
   const level::Level edge = LevelBuilder()
                                 .block({0, 2.7817647457f, 0}, {20, 2, 20})

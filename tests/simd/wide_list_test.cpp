@@ -1,4 +1,4 @@
-// A list of lanes equals, in each lane, a scalar list that got the same calls.
+// In each lane, a list of lanes equals a scalar list that received the same calls.
 #include "simd/wide_list.h"
 
 #include <gtest/gtest.h>

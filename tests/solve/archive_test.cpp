@@ -66,7 +66,7 @@ TEST(Archive, AFullArchiveTakesNoNewCellsButBetterArrivals) {
 }
 
 // Bodies in the same places as the first world's share its memory. Every state keeps its own
-// bodies, whatever is offered before and after.
+// bodies, whatever other states are offered.
 TEST(Archive, KeepsTheBodiesOfEachState) {
   constexpr uint32_t kBodies = 3;
   Archive archive(kMaxCells, kBodies);
@@ -111,7 +111,7 @@ TEST(Archive, SingletonsAreCellsSeenByTheirFinderOnly) {
   archive.offer(9, arrival(10), {1, 0, 10}, 1);
   EXPECT_EQ(archive.singletons(), 3u);
   archive.offer(8, arrival(11), {2, 0, 11},
-                1);  // seen by another rollout, although its arrival is no better
+                1);  // another rollout has seen the cell, although its arrival is no better
   EXPECT_EQ(archive.singletons(), 2u);
   archive.noteSighted(2);
   archive.noteSighted(2);

@@ -1,5 +1,5 @@
-// Attacks on the bound on reach: random levels under random physics, and players that try to leave
-// it. Everything is a function of the seed.
+// Attacks on the bound on reach: players in random levels with random physics try to leave the
+// bound. Everything is a function of the seed.
 #pragma once
 
 #include <fmt/format.h>
@@ -172,7 +172,7 @@ class Attack {
     });
   }
 
-  // A player that holds keys for a while: at random, toward a part, or turning fast.
+  // A player that holds keys for a while: random keys, keys toward a part, or keys that turn fast.
   struct Player {
     Random random;
     uint32_t style, hold, jumpOneIn;

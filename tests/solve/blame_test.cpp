@@ -1,4 +1,4 @@
-// Names the part that took too much health, which the simulator does not report.
+// Tests the search for the part that took too much health, which the simulator does not report.
 #include "solve/search/rollouts/blame.h"
 
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@
 namespace obby::solve {
 namespace {
 
-// Returns the stones with a curtain that hurts over the first one, and another curtain far away.
+// Returns the stones with a hurting curtain over the first stone, and another curtain far away.
 LevelBuilder curtain() {
   const auto hot = [](schema::Part::Builder p) {
     p.setSolid(false);

@@ -52,7 +52,7 @@ TEST(Cell, DimensionsCountOnlyIfTheProblemNeedsThem) {
   clock.clockBin = 30;
   const uint32_t always = 0;
   clock.clock = {&always, {0, 0, 0}, 0.1f, 1, 1, 1};
-  clocks.clock.bins = &always;  // a clock that does not tell states apart, and is only counted
+  clocks.clock.bins = &always;  // this clock does not distinguish states; it is only counted
   for (const Binning& binning : {jumps, waypoints, clocks, health, clock}) {
     EXPECT_NE(cellKey(binning, a), cellKey(binning, b));
   }
@@ -135,7 +135,8 @@ TEST(Binning, MotionAndVanishingAndDamageAddDimensions) {
   EXPECT_GT(b.healthBins, 0u);
 }
 
-// A signal matters by its remaining time. A part that vanishes by itself only counts as running.
+// For a signal, the remaining time distinguishes states. For a part that vanishes by itself, only
+// whether its clock runs does.
 TEST(Cell, RunningSignalsDistinguishStates) {
   const level::Level level =
       steppingStones()
@@ -166,8 +167,7 @@ TEST(Cell, RunningSignalsDistinguishStates) {
   EXPECT_NE(key(signalA, 0), key(signalB, 0));
   EXPECT_EQ(key(signalA, 0), key(signalA, 20));
   EXPECT_NE(key(signalA, 0), key(signalA, 200));
-  const uint32_t vanishing =
-      signalA - 1;  // the last clock that belongs to a role and not to a signal
+  const uint32_t vanishing = signalA - 1;  // the last clock of a role; clocks of signals follow
   EXPECT_EQ(key(vanishing, 0), key(vanishing, 200));
   EXPECT_NE(key(vanishing, 0), cellKey(b, worldAt({0, 1, 0})));
 }

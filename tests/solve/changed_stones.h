@@ -1,5 +1,5 @@
-// The stepping stones, and the same with a fourth stone to which the goal has moved: an answer for
-// the first no longer solves the second.
+// The stepping stones, and a version with a fourth stone, which is the goal. An answer for the
+// first version does not solve the second.
 #pragma once
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
-// For every kind of constraint, the search finds a solution that keeps it. If that is impossible,
-// it finds none.
+// For every kind of constraint, the search finds a solution that keeps it. If no solution can keep
+// it, the search finds none.
 #include <gtest/gtest.h>
 
 #include "io/json_codec.h"
@@ -11,14 +11,14 @@ namespace {
 
 struct Case {
   const char* what;
-  const char* more;  // fields of the query
+  const char* more;  // further fields of the query
   bool solvable;
 };
 
 std::ostream& operator<<(std::ostream& out, const Case& c) { return out << c.what; }
 
 // Returns a level of stones A, B, C at z = -4, -20, -36. Their gaps of 8 studs require a jump. A
-// gap of 6 can be crossed in a fall that the legs still catch.
+// player can cross a gap of 6 without a jump, since the legs still catch the far side.
 std::string wideStones(const char* more) {
   return std::string(
              R"({"type":"level","name":"stones","physics":{"fallenPartsHeight":-40},"parts":[)"
@@ -43,7 +43,7 @@ Filtered ask(const Case& c, int threads) {
 
 class Constraint : public testing::TestWithParam<Case> {};
 
-// Solutions are verified before they count, so that `solved` implies a kept constraint.
+// Solutions are verified before they count, so `solved` implies that the constraint is kept.
 TEST_P(Constraint, IsKeptOrUnsolvable) {
   const Filtered f = ask(GetParam(), 2);
   ASSERT_TRUE(f.status) << f.status.error().text();
@@ -90,7 +90,7 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"without touching the second", R"(,"avoid":[{"part":"B","touch":true}])", false},
         Case{"the goal is a part", R"(,"goals":[{"part":"B","touch":true}],"maxJumps":1)", true}));
 
-// A floor with a hurting part across most of it, and a way around it.
+// A hurting part covers most of the floor's width, and players can go around it.
 TEST(Damage, IsKeptWithinItsBudget) {
   const std::string level =
       R"({"type":"level","name":"hot","parts":[{"name":"Floor","position":[0,-0.5,-15],"size":[40,1,40]},)"

@@ -47,13 +47,13 @@ TEST(NewCellChance, HoldsForKnownProbabilities) {
     }
     if (missing <= newCellChance(after(kDraws, once, 100))) ++held;
   }
-  EXPECT_GE(held, 190);  // of 200 trials; a bound that holds for 97.5 % would give 195
+  EXPECT_GE(held, 190);  // out of 200 trials; a bound that holds in 97.5 % of them would give 195
 }
 
 TEST(Saturation, MeansThatDoublingTheTimeFindsAlmostNothing) {
-  EXPECT_TRUE(saturated(after(100'000, 10, 1000)));    // at most 16 more cells
+  EXPECT_TRUE(saturated(after(100'000, 10, 1000)));    // at most 16 more cells are expected
   EXPECT_FALSE(saturated(after(100'000, 100, 1000)));  // 120 more
-  EXPECT_FALSE(saturated(after(100, 0, 1000)));        // too early to say
+  EXPECT_FALSE(saturated(after(100, 0, 1000)));        // too early to tell
   EXPECT_FALSE(saturated(Coverage{}));
 }
 

@@ -35,7 +35,7 @@ TEST(Crowding, HasALowerLimitForMovingParts) {
   EXPECT_FALSE(isUnknownAmong(sim::kMaxMovingCandidates + 1, 0)) << "standing still";
 }
 
-// One box covers each block of crowded places, whatever their number.
+// One box covers each block of crowded places, whatever the number of places.
 TEST(Crowding, MergesManyPlaces) {
   LevelBuilder b;
   b.block({0, -0.5f, 0}, {8, 1, 8}).spawn({0, 0, 0});

@@ -113,8 +113,8 @@ TEST(PressWindow, IsTheRunUpDividedByTheSpeed) {
         pressWindows(LastSegments(scene.problem, course, segments), {});
     ASSERT_EQ(windows.size(), 1u);
     const Params& p = scene.problem.level.params;
-    // The floor is sensed this far beyond its edge. A player whose feet are up to a hip height
-    // below the top still comes up.
+    // The floor is sensed this far beyond its edge. A player whose feet are at most a hip height
+    // below the top still gets up.
     const float toe = p.bodyDepth * p.floorRaySpread;
     const float seconds =
         (p.jumpSpeed + sqrtf32(p.jumpSpeed * p.jumpSpeed + 2 * p.gravity * p.hipHeight)) /
@@ -128,7 +128,8 @@ TEST(PressWindow, IsTheRunUpDividedByTheSpeed) {
 
 TEST(PressWindow, ContainsTheRecordedPressAndTrialsAimAtItsMiddle) {
   const GapScene scene(8);
-  // The press comes at the last moment. Most trials still pass, since players know when to press.
+  // The key is pressed at the last moment. Most trials still pass, since players know when to
+  // press.
   const Course late = scene.jumpAt(-9.8f);
   const std::vector<Segment> segments = segmentsOf(late);
   const PressWindow w = pressWindows(LastSegments(scene.problem, late, segments), {})[0];
@@ -226,7 +227,7 @@ TEST(Difficulty, TrialsKeepToTheQuery) {
 
 TEST(Difficulty, IncludesMovingPlatforms) {
   LevelBuilder b = steppingStones();
-  constexpr float kSpeed = 3;  // studs/s along X, from the start on
+  constexpr float kSpeed = 3;  // studs/s along X, from the start of the motion
   b.block({-3, -0.5f, -40}, {6, 1, 8}, [](schema::Part::Builder p) {
     auto motion = p.initMotion();
     motion.setCarries(true);

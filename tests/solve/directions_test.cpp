@@ -10,7 +10,7 @@ namespace {
 
 constexpr int32_t kEighth = 65536 / 8;
 
-// Returns the solutions of a gap that is diagonal to the facing at the start.
+// Returns the solutions for a gap that lies diagonally to the initial facing.
 std::vector<io::Record> solutionsOf(schema::Directions directions) {
   LevelBuilder b;
   b.block({0, -0.5f, 0}, {8, 1, 8}).block({5, -0.5f, -14}, {6, 1, 8});

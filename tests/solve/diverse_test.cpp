@@ -14,7 +14,7 @@ namespace {
 using Route = std::vector<int32_t>;
 
 // Returns a course that spends five ticks on each carrier in `parts`. `reached` holds the number of
-// waypoints that are passed before each stay.
+// waypoints passed before the player is on each carrier.
 Course carriedBy(const Problem& problem, const Route& parts, std::vector<uint8_t> reached = {}) {
   Course course;
   reached.resize(parts.size());
@@ -56,7 +56,7 @@ TEST(DirectRoute, SteppingAsideForAWaypointIsNoDetour) {
 
 TEST(DirectRoute, EndsAtTheLanding) {
   GapScene scene(5);
-  scene.problem.query.goal = boxAt({0, 4, -14}, {8, 4, 6});  // reached in the air
+  scene.problem.query.goal = boxAt({0, 4, -14}, {8, 4, 6});  // the goal is reached in the air
   const Course course = scene.jumpAt(-7);
   ASSERT_EQ(course.replay.worlds.back().outcome, sim::Outcome::goal);
   ASSERT_EQ(routeOf(course), (Route{0}));

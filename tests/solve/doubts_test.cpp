@@ -1,4 +1,4 @@
-// Solutions that depend on uncertain parts of the import, and how answers report them.
+// Solutions that depend on doubtful parts, and how answers report this.
 #include <gtest/gtest.h>
 
 #include <optional>
@@ -14,7 +14,7 @@ constexpr const char* kDoubtKind = "conveyor that a script changes";
 struct Answered {
   schema::Result::Reader result() const { return record->reader().getResult(); }
   std::string reason() const { return result().getReason(); }
-  std::vector<int32_t> doubtful, route;  // of the first solution
+  std::vector<int32_t> doubtful, route;  // fields of the first solution
   std::optional<io::Record> record;
 };
 
@@ -33,7 +33,7 @@ class DoubtfulLevel : public LevelBuilder {
   void loss(const char* kind, schema::Bearing bearing, bool anywhere) {
     losses_.push_back({kind, bearing, anywhere});
   }
-  // Solves the query for a goal of 8 x 4 x 8 around `goal`.
+  // Solves the query for a goal region of 8 x 4 x 8 studs around `goal`.
   Answered solve(Vec3 goal, std::vector<const char*> bodies = {}) {
     io::RecordBuilder level;
     level.root().setLevel(record());
@@ -83,7 +83,7 @@ class DoubtfulLevel : public LevelBuilder {
 
 constexpr Vec3 kBehindTheStone{0, 2, -28};
 
-// Returns a level whose middle stone, between start and goal, has an uncertain import.
+// Returns a level whose middle stone, between start and goal, the importer marked as doubtful.
 DoubtfulLevel stoneInDoubt() {
   DoubtfulLevel level;
   level.block({0, -0.5f, 0}, {8, 1, 8});
@@ -167,7 +167,7 @@ TEST(Doubts, AnAnswerForSeveralBodiesHoldsIfEachDoes) {
   EXPECT_TRUE(unsolved.result().getHolds());
 }
 
-// A loss that may help elsewhere leaves open whether the part is needed.
+// If a loss may help the player elsewhere, it is unknown whether the part is needed.
 TEST(Doubts, NoPartIsProvedNecessaryIfAnotherLossMayHelp) {
   DoubtfulLevel level = stoneInDoubt();
   level.loss("water", schema::Bearing::EITHER, true);

@@ -1,5 +1,5 @@
-// An earlier answer is tried first. If it still works it is found at once, otherwise the search
-// continues from it.
+// An earlier answer is tried first. If it still solves the query, it is found at once; otherwise
+// the search continues from it.
 #include "solve/answer/earlier_answers.h"
 
 #include <gmock/gmock.h>
@@ -50,7 +50,7 @@ TEST(EarlierAnswer, StillWorksOnTheSameLevelAtOnce) {
   const std::string before = answer(stonesText(), stepsOnly());
   const std::string again = answerAfter(before, stonesText());
   EXPECT_THAT(again, HasSubstr("An earlier solution still works."));
-  EXPECT_LT(stepsOf(again), 400u);  // one trajectory, not a round of them
+  EXPECT_LT(stepsOf(again), 400u);  // steps of one trajectory, not of a round
   FilterOptions verify;
   verify.task = Task::verify;
   const LinesFile file(again);
@@ -114,7 +114,8 @@ TEST(EarlierAnswer, GivesTheSameBytesOnAnyNumberOfThreads) {
 }
 
 TEST(EarlierAnswer, LeadsFurtherAfterAFailedSearch) {
-  // The search was cut off after its first round, but keeps the cells that its attempts reached.
+  // The earlier search was cut off after its first round, but the cells that its attempts reached
+  // are kept.
   const std::string before = answer(fourStones(), stepsOnly(1));
   ASSERT_THAT(before, HasSubstr("\"verdict\":\"unknown\""));
   EXPECT_LE(roundsOf(answerAfter(before, fourStones())),

@@ -1,4 +1,4 @@
-// Reducing a change to the necessary amount, with searches that miss some solutions.
+// Tests that a change is reduced to the necessary amount, even if searches miss some solutions.
 #include <gtest/gtest.h>
 
 #include "hand_played.h"
@@ -14,7 +14,7 @@ io::RecordBuilder record(const std::string& json) {
   return *std::move(decoded);
 }
 
-// A floor to walk along, without any need to jump.
+// A floor that the player can walk along without jumping.
 constexpr const char* kLevel =
     R"({"type":"level","name":"scene","parts":[{"name":"Floor","position":[0,-0.5,-15],)"
     R"("size":[8,1,38]}],"spawns":[{"position":[0,0,-2]}]})";
@@ -31,8 +31,8 @@ Trajectory jumpedThenWalked(const Problem& problem, int jumps) {
 
 int searches = 0;  // searches that allow more jumps than the query
 
-// A search that misses solutions. With one or five jumps allowed it finds none, with seven it finds
-// one of three jumps, and otherwise one of nine.
+// A search that misses solutions. With one or five jumps allowed, the search finds no solution.
+// With seven it finds one of three jumps, and otherwise one of nine.
 SearchOutcome missing(const Problem& problem, const Budget&, const Watcher& watcher,
                       const Machine&) {
   SearchOutcome outcome;

@@ -85,8 +85,8 @@ std::string query(const std::string& fields) {
   return R"({"type":"query","id":"q",)" + fields + "}\n";
 }
 
-// Three gaps of 8 studs, each of which requires a jump. A gap of 6 can be crossed in a fall that
-// the legs still catch.
+// Three gaps of 8 studs, each of which requires a jump. A player can cross a gap of 6 without a
+// jump, since the legs still catch the far side.
 const std::string kFourStones = level(R"({"name":"A","position":[0,-0.5,-4],"size":[8,1,8]},)"
                                       R"({"name":"B","position":[0,-0.5,-20],"size":[8,1,8]},)"
                                       R"({"name":"C","position":[0,-0.5,-36],"size":[8,1,8]},)"
@@ -118,7 +118,7 @@ TEST(Explain, CountsTheJumpsOfASegment) {
   EXPECT_EQ(jumps->text, "solvable with 2 jumps from the last waypoint to the goal instead of 1");
 }
 
-// The straight line to the goal's box is 40 studs, at 16 studs/s.
+// The straight line to the goal's box is 40 studs long, and the player walks at 16 studs/s.
 TEST(Explain, SaysHowLongItTakes) {
   const Explained e = explainAsk(kFourStones + query(kFourth + R"(,"timeLimit":1.5)"));
   const Said* time = e.of(schema::RelaxationKind::TIME);
@@ -144,7 +144,7 @@ TEST(Explain, ALittleLessTimeThanItSaysIsNotEnough) {
   EXPECT_FALSE(solvedIn(2 + time->amount - 0.2));
 }
 
-// Returns a level and query with a step up from the floor, on which the player must stand.
+// Returns a level with a step up from the floor, and a query whose player must stand on the step.
 std::string stepUp(double top) {
   return level(R"({"name":"Floor","position":[0,-0.5,-4],"size":[8,1,8]},)"
                R"({"name":"Ledge","position":[0,)" +
@@ -188,7 +188,7 @@ TEST(Explain, SaysHowMuchHigherJumpsShouldBe) {
   EXPECT_THAT(higher->text, testing::EndsWith(" %) higher"));
 }
 
-// Returns a corridor of floor. kLava as `more` puts a curtain of lava across it.
+// Returns a level with a corridor. With kLava as `more`, a curtain of lava hangs across it.
 std::string corridor(const std::string& more) {
   return level(R"({"name":"Floor","position":[0,-0.5,-15],"size":[8,1,38]},)"
                R"({"name":"Lamp","position":[0,30,-30],"size":[1,1,1],"solid":false,"kill":{}})" +

@@ -1,5 +1,5 @@
-// A search gives up players who have fallen below all parts. None of these players could have come
-// back.
+// A search gives up players who have fallen below all parts. None of these players could have
+// returned.
 #include "solve/search/rollouts/fatal_fall.h"
 
 #include <gtest/gtest.h>
@@ -39,7 +39,7 @@ TEST(FatalFall, CoversTheWholeMotionOfAMover) {
               0.1f);
 }
 
-// Plays random rollouts on after the search gave them up. All players fall without touching
+// Continues random rollouts after the search has given them up. All players fall without touching
 // anything.
 TEST(FatalFall, PlayersThatAreGivenUpFall) {
   LevelBuilder b = steppingStones();

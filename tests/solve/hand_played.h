@@ -30,8 +30,8 @@ inline std::function<sim::Action(const sim::World&)> walkAndJump(float from, flo
   };
 }
 
-// A platform from z = 0 to -8, a gap, and another platform of the same size. Tops are at 0, and the
-// goal is over the far half of the second.
+// A platform from z = 0 to -8, a gap, and another platform of the same size. The tops are at height
+// 0, and the goal is above the far half of the second platform.
 struct GapScene {
   explicit GapScene(float gap, float width = 8)
       : level(build(gap, width).compile()), question(level), problem(question.problem()) {

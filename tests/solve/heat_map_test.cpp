@@ -1,4 +1,4 @@
-// A coarse map of visited places keeps every cell, but not its exact position.
+// A coarse map of visited places counts every cell, but does not keep its exact position.
 #include "solve/search/archive/heat_map.h"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
-// Tests that every search method must pass. It solves easy queries, spends its budget on others,
-// uses an earlier answer, and depends only on its inputs. Private to tests: instantiate it for a
-// table.
+// Tests that every search method must pass. A method solves easy queries, spends its budget on
+// others, uses an earlier answer, and depends only on its inputs. Private to tests: instantiate it
+// for a table.
 #pragma once
 
 #include <gmock/gmock.h>

@@ -33,7 +33,7 @@ TEST(Ablations, SolveAndDifferFromAutoAndFromEachOther) {
   const level::Level arena = support::boxArena(30, 1).compile();
   Problem endless = support::endlessProblem(arena);
   level::WaypointView
-      waypoints[5];  // the hedge has an effect only if some cells have passed many waypoints
+      waypoints[5];  // the hedge has an effect only if some cells are past many waypoints
   for (level::WaypointView& w : waypoints) w.target = boxAt({8, 2, 0}, {4, 4, 4});
   endless.query.waypoints = waypoints;
   endless.query.waypointCount = 5;

@@ -11,7 +11,7 @@ namespace obby::solve {
 namespace {
 
 // Keys rotate a block about its centre, and a slow spin rotates it about a point ten studs away.
-// After half a turn of the spin, the block is twenty studs from the keys' centre.
+// After half a turn of the spin, the block is twenty studs away.
 TEST(PartMotion, BoundsCornersUnderKeysAndSpin) {
   LevelBuilder b;
   b.block({0, 0, 0}, {2, 2, 2}, [](schema::Part::Builder p) {

@@ -41,7 +41,7 @@ TEST_F(PassFilterTest, TheStartIsPassed) {
   EXPECT_TRUE(keeps({{"0,0,-2,0.1,1,0.1"}, {}}));
 }
 
-// A forbidden place rejects the trajectory even if the trajectory passes it last.
+// A trajectory that passes a forbidden place is rejected even if it passes that place last.
 TEST_F(PassFilterTest, AForbiddenPlaceAfterAllOthersCounts) {
   makeTrajectory();
   const std::string early = "0,2,-6,8,4,2", late = "0,6,-22,8,16,2";

@@ -159,8 +159,8 @@ TEST(SameKeys, SolveTheQueryForEveryPlayer) {
 }
 
 TEST(SameKeys, AreVerifiedForEveryPlayer) {
-  // These keys solve it at 30 frames a second for the R6 body. They are then claimed for the
-  // place's body, too.
+  // These keys solve the query at 30 frames a second for the R6 body. The changed answer claims
+  // them for the place's body, too.
   std::string out = playersAnswer(ledge(R"(,"bodies":["r6"],"frameRates":[30])"));
   const std::string asked = R"("bodies":["r6"],"frameRates":[30])";
   ASSERT_NE(out.find(asked), std::string::npos);

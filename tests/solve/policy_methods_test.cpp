@@ -1,5 +1,5 @@
-// Methods that a trained policy guides: the source of a rollout's moves, and results that depend
-// only on the inputs.
+// Methods guided by a trained policy. Tests where a rollout's moves come from, and that results
+// depend only on the inputs.
 #include <gtest/gtest.h>
 
 #include "policy/policy.h"

@@ -9,7 +9,8 @@
 namespace obby::solve {
 namespace {
 
-constexpr Vec3 kProgressRecordsGoal{0, 60, -28}, kGoalSize{8, 4, 8};  // far out of reach
+// This goal is far out of reach.
+constexpr Vec3 kProgressRecordsGoal{0, 60, -28}, kGoalSize{8, 4, 8};
 
 std::string lineOf(const io::RecordBuilder& record) {
   return *io::recordToJson(record.reader()) + "\n";

@@ -151,8 +151,8 @@ TEST(Filter, ALevelWithoutAnEndNeedsAQuery) {
                 "or put a query record after the level)"));
 }
 
-// A limit on the command line may be meant for the queries of the stream. The error says how to
-// apply it to them.
+// A user may mean a limit on the command line for the queries of the stream. The error says how to
+// apply it to these.
 TEST(Filter, ALimitOfANewQueryNeedsAGoalAndTheErrorNamesEach) {
   const std::string level = R"({"type":"level","name":"bare","parts":[{"name":"A"}],"spawns":[{}]})"
                             "\n";

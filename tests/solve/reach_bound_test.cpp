@@ -25,8 +25,7 @@ Problem problemOf(const level::Level& level, const level::QueryView& query = {})
           level.hasMotion()};
 }
 
-// Plays at random, and from the start again after each end. Fails at the first position outside the
-// bound.
+// Plays at random, and restarts after each end. Fails at the first position outside the bound.
 void expectHeld(const level::Level& level, const char* name, int worlds, int ticks) {
   if (unboundedPart(level.view()) != nullptr) return;
   const Problem problem = problemOf(level);
@@ -87,7 +86,7 @@ uint32_t jumpsAcross(const level::Level& level, bool mayJump = true) {
   return ReachBound(problem, mayJump).jumpsTo(query.goal);
 }
 
-// A search finds solutions up to 11.5 studs of gap and 8.8 of rise (docs/physics.md).
+// A search finds solutions for gaps of up to 11.5 studs and rises of up to 8.8 (docs/physics.md).
 TEST(ReachBound, AdmitsStepsThatPlayersCanMake) {
   EXPECT_EQ(jumpsAcross(platforms(9.5f, 0)), 1u);
   EXPECT_EQ(jumpsAcross(platforms(11.5f, 0)), 1u);
@@ -138,7 +137,7 @@ TEST(ReachBound, MovingPartsCountAlongTheirWholeMotion) {
   EXPECT_EQ(jumpsAcross(platforms(12, 40)), ReachBound::kNever) << "without it";
 }
 
-// Runs up a slope with the key held, and jumps at `jumpAt` unless that is kNever.
+// Runs up a slope with the key held, and jumps at tick `jumpAt` unless that is kNever.
 void expectRunHeld(float degrees, float walkSpeed, uint32_t jumpAt) {
   SCOPED_TRACE(fmt::format("{} degrees, {} studs/s, jump at tick {}", degrees, walkSpeed, jumpAt));
   const bool jumps = jumpAt != ReachBound::kNever;
@@ -172,8 +171,8 @@ TEST(ReachBound, HoldsForFastPlayersOnARamp) {
   }
 }
 
-// A slab slides away while the button's signal lasts, and then returns at once. A player who took
-// its place is inside it.
+// A slab slides away while the button's signal lasts, and then returns at once. A player who has
+// moved to its place is then inside the slab.
 TEST(ReachBound, HoldsForDepenetrationByAReturningSlab) {
   LevelBuilder b;
   b.block({0, -0.5f, 0}, {60, 1, 60}).spawn({0, 0, 20});
@@ -206,9 +205,9 @@ TEST(ReachBound, HoldsForDepenetrationByAReturningSlab) {
   EXPECT_GT(highest, 5) << "no player was lifted";
 }
 
-// A player tripped at the top slides down the slope, without legs to hold on.
+// A player who is tripped at the top slides down the slope, because the legs do not hold.
 TEST(ReachBound, HoldsForATrippedSlide) {
-  constexpr float kYaw = kPi / 4;  // diagonal, as speed is bounded along each axis
+  constexpr float kYaw = kPi / 4;  // diagonal, because the bound limits the speed on each axis
   const Vec3 ahead{-std::sin(kYaw), 0, -std::cos(kYaw)};
   const auto turned = [](schema::Part::Builder p) { support::setRotation(p.initRotation(), kYaw); };
   LevelBuilder b;

@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 
 const fs::path kCases = fs::path(OBBY_SOURCE_DIR) / ".." / "shared" / "cases" / "false-unreachable";
 
-// Returns the number of the trajectory's ticks that were compared with the bound.
+// Returns how many ticks of the trajectory were compared with the bound.
 uint32_t expectHeld(const io::Record& level, const io::Record& query, const io::Record& played) {
   const auto compiled = level::Level::compile(level.reader().getLevel());
   EXPECT_TRUE(compiled);

@@ -11,7 +11,7 @@
 namespace obby::solve {
 namespace {
 
-// Plays on without keys, and returns the maximum X. The bound must contain the player throughout.
+// Plays without keys, and returns the maximum X. The bound must contain the player throughout.
 float farthestHeld(const level::Level& level, uint32_t ticks) {
   const Problem problem = support::plainProblem(level, {});
   const ReachBound bound(problem, false);
@@ -28,7 +28,8 @@ float farthestHeld(const level::Level& level, uint32_t ticks) {
 }
 
 // Adds twenty adjacent walls from X = 2.5 to 32.5, much too tall for an exit at the top. A body
-// more than halfway into one is pushed out on its far side, more than halfway into the next.
+// that is more than halfway into a wall is pushed out on the far side, more than halfway into the
+// next wall.
 void addWalls(LevelBuilder& b) {
   for (int i = 0; i < 20; ++i) b.block({3.25f + 1.5f * float(i), 0, 0}, {1.5f, 40, 40});
 }

@@ -9,8 +9,8 @@
 namespace obby::solve {
 namespace {
 
-// The torso meets the edge of the block 229 studs down, where no leg ray hits. Of 300 studs/s, 126
-// are deflected sideways. Then the player walks on in that direction, or back.
+// The torso meets the edge of the block 229 studs down, where no leg ray hits. Of the 300 studs/s,
+// 126 are deflected sideways. Then the player walks in that direction, or back.
 TEST(ReachFalls, HoldsForAFallDeflectedByAnEdge) {
   LevelBuilder b;
   b.spawn({2.9f, 240, 0});

@@ -1,5 +1,5 @@
-// The bound on reach if more than keys moves the player: walls that push, seats, and teleporters
-// that keep the speed.
+// The bound on reach if something besides keys moves the player: walls that push, seats, and
+// teleporters that keep the speed.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -51,7 +51,7 @@ TEST(ReachBound, HoldsForAWallThatPushesInTheAir) {
   EXPECT_LT(farthest, -18) << "no player was pushed";
 }
 
-// A wall pushes only players that it can meet.
+// The bound considers a wall's push only for players that the wall can meet.
 TEST(ReachBound, ADistantWallPushesNoPlayer) {
   LevelBuilder b;
   b.block({0, -0.5f, 0}, {8, 1, 8}).spawn({0, 0, 0});
@@ -157,7 +157,7 @@ TEST(ReachBound, AForbiddenJumpIntoATeleporterIsNotDetected) {
   EXPECT_TRUE(cutOf(problem, {})) << "counted it is";
 }
 
-// A player who comes off a fast ramp may rise faster than any jump.
+// A player who leaves a fast ramp may rise faster than any jump.
 TEST(ReachBound, HoldsForATeleportOffARamp) {
   LevelBuilder b;
   b.block({0, -0.5f, 0}, {8, 1, 200}).spawn({0, 0, 90});

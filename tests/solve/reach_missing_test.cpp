@@ -1,5 +1,5 @@
-// An answer states how far the goal is out of reach. A part that is nearer by this distance plus
-// half a stud must be reachable.
+// An answer states how far the goal is out of reach. If a part is moved nearer by this distance
+// plus half a stud, it must be reachable.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -17,8 +17,8 @@ Missing missingAt(const support::Build& build, float studs) {
   return ReachBound(problem, true).missing(problem.query.goal);
 }
 
-// Tests that a designer can act on the distance. `easy` is a step, in studs, that is certainly
-// solvable.
+// Tests that a designer can rely on the distance. `easy` is the size of a step, in studs, that is
+// certainly solvable.
 void expectToActOn(float easy, const support::Build& build) {
   const Missing m = missingAt(build, 20);
   EXPECT_FALSE(m.more);
@@ -44,7 +44,7 @@ TEST(ReachMissing, IsSufficientForMovingPlatforms) {
   expectToActOn(6, [](float x) { return support::onto({0, 8, 0}, x); });
 }
 
-// A near part that leads nowhere is not named.
+// The answer does not name a near part that leads nowhere.
 TEST(ReachMissing, IsTheStepTowardTheGoal) {
   support::Scene scene = support::platforms(15, 0);
   scene.level.block({20, 0, 0}, {2, 1, 2});

@@ -1,5 +1,5 @@
-// The bound on reach where depenetration leads through thin parts: out of low blocks when a jump
-// begins, and out of high blocks through the floor below.
+// The bound on reach where depenetration moves the player through thin parts: out of low blocks
+// when a jump begins, and out of high blocks through the floor below.
 #include <gtest/gtest.h>
 
 #include <algorithm>

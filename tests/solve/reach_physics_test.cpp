@@ -12,7 +12,7 @@ namespace {
 
 using Physics = std::function<void(schema::PhysicsParams::Builder)>;
 
-// Returns a floor that `more` sets up, and a slope that is too far above it to stand on.
+// Returns a level with a floor, which `more` sets up, and a slope far out of reach above it.
 level::Level underASlope(const Physics& physics, const LevelBuilder::PartSetter& more = {}) {
   LevelBuilder b;
   b.block({0, -0.5f, 0}, {8, 1, 8}, more).spawn({0, 0, 0});
@@ -31,7 +31,7 @@ TEST(ReachPhysics, BouncingLegsAreUnbounded) {
   EXPECT_NE(unboundedPart(underASlope([](auto p) { p.setSubsteps(1); }).view()), nullptr);
 }
 
-// One tick of a fast climb, 7.7 studs, leads far past the top of the truss.
+// One tick of a fast climb is 7.7 studs and ends far above the top of the truss.
 TEST(ReachPhysics, HoldsForAFastClimb) {
   float max = 0;
   for (int i = 0; i < 9; ++i) {

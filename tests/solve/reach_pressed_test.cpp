@@ -47,7 +47,7 @@ LevelBuilder press(float beyond) {
   return b;
 }
 
-// Players deeper in the wall than below its top come out at the top.
+// Players who are farther inside the wall than below its top come out at the top.
 TEST(ReachPressed, HoldsForABlockThatPressesIntoAWall) {
   const level::Level level = press(15).compile();
   const Turns aside = turnsFromRadians(kPi / 2);  // toward -X

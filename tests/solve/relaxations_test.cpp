@@ -167,8 +167,8 @@ TEST(Relaxations, TheOtherAvoidRegionsStay) {
   EXPECT_EQ(std::string(rest[1].getName()), "c");
 }
 
-// The search has been on the floor and on the lift, never on the far platform. Lava and crate do
-// not count.
+// The search has visited the floor and the lift, but not the far platform. Lava and crate do not
+// count.
 TEST(Relaxations, PartsToLowerAreOutsideTheVisitedPlaces) {
   RelaxationsScene s(kGoal);
   s.footprints.note({{0, 0, -2}, {0, 0, -6}, {0, 6, -14}});

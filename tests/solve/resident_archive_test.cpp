@@ -1,5 +1,5 @@
 // The archive of a resident search is the same for any number of threads and stays within its
-// capacity. Replaying trajectories gives its states.
+// capacity. Replaying its trajectories results in its states.
 #include <set>
 
 #include "resident_scenes.h"
@@ -40,7 +40,7 @@ TEST(ResidentArchive, EveryStateIsRegeneratedFromItsTrajectory) {
   }
 }
 
-// No node is lost or duplicated: each belongs to a cell, or did until a better arrival.
+// No node is lost or duplicated: each belongs to a cell, or belonged to one until a better arrival.
 TEST(ResidentArchive, CellsAreDistinctAndSoAreTheirNodes) {
   ResidentScene scene(support::movingArena(40, 8, 3));
   ThreadPool pool(2);

@@ -1,4 +1,5 @@
-// The starts of a round's rollouts: half of them by weight, half from the states of lowest f.
+// Tests the starts of a round's rollouts. Half are drawn by weight, half are the states of lowest
+// f.
 #include <algorithm>
 #include <map>
 
@@ -8,7 +9,7 @@
 namespace obby::solve {
 namespace {
 
-// An archive of made-up cells, with the kernels of a choice run one index at a time.
+// An archive of made-up cells. The kernels of a choice run one index at a time.
 class ResidentChoice : public testing::Test {
  protected:
   explicit ResidentChoice(uint32_t cells = 9000) : ranks_(cells), waits_(cells), seen_(cells) {

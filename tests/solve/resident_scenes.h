@@ -23,8 +23,8 @@ struct ResidentScene {
   }
   level::Level level;
   Question question;
-  uint32_t rollouts = 256;  // in each round
-  uint32_t replayed = 1;    // the test replays one cell in this many
+  uint32_t rollouts = 256;  // rollouts per round
+  uint32_t replayed = 1;    // the test replays every `replayed`-th cell
 };
 
 // Returns levels whose cells differ in many ways: moving parts, jumps, waypoints, dynamic bodies.

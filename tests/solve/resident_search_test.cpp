@@ -74,7 +74,7 @@ TEST(ResidentSearch, SolvesLevels) {
   }
 }
 
-// A known solution is found again before any round.
+// A known solution is found before the first round.
 TEST(ResidentSearch, TriesEarlierAnswersFirst) {
   ResidentScene scene(steppingStones());
   scene.question.query.goal = boxAt({0, 2, -28}, {8, 4, 8});

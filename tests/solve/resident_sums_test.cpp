@@ -1,4 +1,4 @@
-// The tree of sums against plain loops, for numbers of leaves near its powers.
+// Compares the tree of sums with plain loops, for numbers of leaves near powers of its fan-out.
 #include <gtest/gtest.h>
 
 #include <numeric>

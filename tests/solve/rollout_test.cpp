@@ -34,7 +34,7 @@ TEST(Rollout, TheSameSeedAndStreamGiveTheSameActionsAndState) {
   for (uint64_t stream = 0; stream < 50; ++stream) {
     sim::World a = scene.question.problem().start, b = a;
     const uint32_t ticks = runRollout(c, 7, stream, a, nullptr, 100, [](auto, auto&) {});
-    // Plays half a rollout, then all of it: the draws depend only on the arguments.
+    // Plays half a rollout, then the whole one. The draws depend only on the arguments.
     runRollout(c, 7, stream, b, nullptr, ticks / 2, [](auto, auto&) {});
     b = scene.question.problem().start;
     EXPECT_EQ(runRollout(c, 7, stream, b, nullptr, 100, [](auto, auto&) {}), ticks);
@@ -128,7 +128,7 @@ TEST(Surfaces, AreStandablePlacesExceptOnKillParts) {
   EXPECT_TRUE(high);
 }
 
-// Aims at most a jump apart lead all the way up a truss.
+// Aims lie along the whole height of a truss, at most a jump apart.
 TEST(Surfaces, CoverTheWholeHeightOfATruss) {
   LevelBuilder b = steppingStones();
   b.block({50, 20, 0}, {2, 40, 2},

@@ -20,7 +20,7 @@ TEST(Route, ListsSupportingPartsInOrder) {
   const Course course = courseOf(problem, playByHand(problem, keys));
   ASSERT_EQ(course.replay.worlds.back().outcome, sim::Outcome::goal);
   EXPECT_EQ(course.ticks(), course.replay.worlds.size() - 1);
-  // The goal is reached in the air above the third stone.
+  // The player reaches the goal in the air above the third stone.
   EXPECT_EQ(routeOf(course), (Route{0, 1}));
 }
 

@@ -31,7 +31,7 @@ inline LevelBuilder steppingStones() {
 
 inline level::TargetView boxAt(Vec3 center, Vec3 size) { return {{{center, {}}, size * 0.5f}}; }
 
-// A query in plain form. It has no limits unless a test sets them.
+// A query with plain fields. It has no limits unless a test sets them.
 struct Question {
   explicit Question(const level::Level& l) : level(l) {
     query.goal = boxAt({0, 2, -28}, {8, 4, 8});
@@ -91,7 +91,8 @@ class LinesFile {
     static int count = 0;
     std::string name = std::string("obby-") + info->test_suite_name() + "-" + info->name() + "-" +
                        std::to_string(++count) + ".jsonl";
-    std::replace(name.begin(), name.end(), '/', '-');  // from parameterised tests
+    // Names of parameterised tests contain slashes.
+    std::replace(name.begin(), name.end(), '/', '-');
     return name;
   }
   std::string path_;

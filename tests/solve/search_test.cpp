@@ -21,7 +21,7 @@ FilterOptions searchStepsOnly(uint64_t maxSteps = 400'000, int threads = 2) {
   return o;
 }
 
-// An avoided region across the stones, which makes the query unsolvable.
+// An avoid region across the stones, which makes the query unsolvable.
 constexpr const char* kWall = R"(,"avoid":[{"position":[0,0,-10],"size":[200,200,1]}])";
 
 struct Answer {
@@ -112,7 +112,7 @@ TEST(Search, AnotherSeedGivesAnotherSearchWithTheSameVerdict) {
   EXPECT_NE(withoutTiming(a.output), withoutTiming(b.output));
 }
 
-// The gap is wider than any jump, but too narrow for the bound on reach to prove it.
+// The gap is wider than any jump, but too narrow for the bound on reach to prove this.
 TEST(Search, AGapTooWideIsUnknownWithEvidence) {
   const std::string text =
       R"({"type":"level","name":"gap","physics":{"fallenPartsHeight":-40},"parts":[)"

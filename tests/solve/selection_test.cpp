@@ -44,7 +44,7 @@ TEST(Potential, RisesTowardTheGoalAndWithWaypoints) {
 
 TEST(CellSelector, PicksInProportionToTheWeights) {
   Archive archive;
-  const uint32_t cells = 1500;  // several blocks of sums
+  const uint32_t cells = 1500;  // enough cells for several blocks of sums
   for (uint32_t i = 0; i < cells; ++i) {
     archive.offer(i + 1, sim::World{}, {}, i % 3 == 0 ? 4.0f : 1.0f);
   }

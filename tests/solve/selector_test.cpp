@@ -1,4 +1,4 @@
-// The cells that the selectors of rival methods pick from hand-made archives.
+// Tests which cells the selectors of rival methods pick from hand-made archives.
 #include "solve/search/selectors/selector.h"
 
 #include <gtest/gtest.h>
@@ -100,7 +100,7 @@ TEST(RrtSelector, StartsFromTheNearestCellOfEqualProgress) {
   auto counts = tally(s.choose(selector, 1000));
   EXPECT_EQ(counts[away], 0);
   EXPECT_GT(counts[start], 150);
-  EXPECT_GT(counts[middle], 500);  // the targets near it and those beyond it
+  EXPECT_GT(counts[middle], 500);  // targets near this cell, and targets beyond it
   const uint32_t further = s.add(at({0, 0, 900}, 0, 1));
   counts = tally(s.choose(selector, 1000));
   EXPECT_EQ(counts[away], 0);
@@ -131,7 +131,7 @@ TEST(RrtSelector, SameChoicesForAnyNumberOfThreads) {
   }
 }
 
-// A tree whose root, cell 0, has the children 1 and 2 from one rollout each.
+// A tree whose root is cell 0. Its children are cells 1 and 2, found by one rollout each.
 struct Fork : Scene {
   Fork() {
     add(at({}), 1);

@@ -1,5 +1,5 @@
-// Searches with mechanics that scripts add: gravity by touch, parts that only the root touches, air
-// jumps.
+// Searches with mechanics that scripts add: gravity changed by touch, parts that only the root
+// touches, air jumps.
 #include <gtest/gtest.h>
 
 #include "io/json_codec.h"
@@ -47,7 +47,7 @@ TEST(TouchedSearch, AnAirJumpCrossesAWiderGap) {
   EXPECT_EQ(ask(with(",\"airJumps\":1,\"jumpSpeed\":1"), 100'000).unknown, 1u);
 }
 
-// Returns a level whose floor leads between two boxes that kill, 0.8 studs apart.
+// Returns a level whose floor leads between two killing boxes that are 0.8 studs apart.
 std::string betweenKills(bool byRoot) {
   const std::string role =
       std::string(R"(,"solid":false,"kill":{})") + (byRoot ? R"(,"byRoot":true)" : "");

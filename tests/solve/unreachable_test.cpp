@@ -1,4 +1,5 @@
-// The verdict `unreachable`: its reasons, and its absence where a solution may exist.
+// Tests the verdict `unreachable`, its reasons, and that it is not claimed where a solution may
+// exist.
 #include "solve/proof/unreachable.h"
 
 #include <fmt/format.h>

@@ -33,7 +33,7 @@ TEST_F(Rules, VisitsCountInAnyOrderAndAllOfThem) {
   ASSERT_EQ(t.getOutcome(), Outcome::GOAL);
   EXPECT_EQ(t.getVisited(), 3u);
   EXPECT_TRUE(check()) << check().error().text();
-  setRegion(visits[1], {3.5f, 2, -6}, {1, 4, 2});  // next to the trajectory
+  setRegion(visits[1], {3.5f, 2, -6}, {1, 4, 2});  // the region is next to the trajectory
   expectWrong("outcome");
 }
 
@@ -129,8 +129,8 @@ class PostRules : public VerifierTest {
   PostRules() : VerifierTest(posts()) {}
   static LevelBuilder posts() {
     LevelBuilder b = steppingStones();
-    b.block({2.4f, 5, -16}, {1, 10, 1});   // arms reach to 2.05
-    b.block({-2.6f, 5, -16}, {1, 10, 1});  // 0.05 beyond their reach
+    b.block({2.4f, 5, -16}, {1, 10, 1});   // the arms reach to 2.05 studs
+    b.block({-2.6f, 5, -16}, {1, 10, 1});  // 0.05 studs beyond the arms' reach
     return b;
   }
 };

@@ -25,7 +25,7 @@ TEST_F(VerifierTest, RefusesAnEndShortOfTheGoal) {
 TEST_F(VerifierTest, RefusesAGoalReachedOnlyInARotatedBoxsBounds) {
   makeTrajectory();
   setRegion(q().initGoal(), {14, 2, -30},
-            {1, 4, 30});  // the trajectory meets it only if the rotation is applied
+            {1, 4, 30});  // the trajectory meets the box only if the rotation is applied
   expectWrong("outcome");
   auto r = q().getGoal().initRotation();
   r.setY(0.38268343f);  // 45 degrees
@@ -101,7 +101,7 @@ TEST_F(VerifierTest, RefusesTooManyJumpsInTotal) {
 TEST_F(VerifierTest, RefusesAnAvoidedRegion) {
   makeTrajectory();
   auto avoid = q().initAvoid(1);
-  setRegion(avoid[0], {3.9f, 1, -16}, {1, 2, 1});  // next to the trajectory
+  setRegion(avoid[0], {3.9f, 1, -16}, {1, 2, 1});  // the region is next to the trajectory
   EXPECT_TRUE(check());
   setRegion(avoid[0], {0, 7, -10}, {8, 6, 0.5f});  // the head passes through on the first jump
   expectWrong("outcome");

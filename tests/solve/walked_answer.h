@@ -1,5 +1,5 @@
-// A hand-made answer for the verifier to accept or refuse. It walks along -Z over the stepping
-// stones, jumps at their edges, and records the simulator's result.
+// A hand-made answer for the verifier to accept or refuse. The player walks along -Z over the
+// stepping stones and jumps at their edges. The answer records the simulator's result.
 #pragma once
 
 #include "io/json_codec.h"

@@ -89,7 +89,7 @@ TEST(Package, folders_nest_and_other_files_are_ignored) {
   ASSERT_NE(find(document, "obby/views"), nullptr);
   EXPECT_EQ(find(document, "obby/views")->className, "Folder");
   EXPECT_EQ(find(document, "obby/views/list")->className, "ModuleScript");
-  EXPECT_EQ(document.instances.size(), 5u);  // including the version and the course
+  EXPECT_EQ(document.instances.size(), 5u);  // these include the version and the course
 }
 
 TEST(Package, the_version_is_that_of_the_build) {

@@ -66,10 +66,10 @@ class Scene {
   btDiscreteDynamicsWorld world{&dispatcher_, &broadphase_, &solver_, &configuration_};
 };
 
-// Returns the requested velocity without the part that walls stopped, which the distance of the
-// step shows. Walls stop at most the component towards them. The controller also resolves
-// penetration in a single step. That motion must not count as velocity, since it would throw the
-// player back at up to a hundred studs/s.
+// Returns the requested velocity without the component that walls stopped, which is derived from
+// the distance of the step. Walls stop at most the component towards them. The controller also
+// resolves penetration in a single step. That motion must not count as velocity, since it would
+// throw the player back at up to a hundred studs/s.
 btVector3 leftOf(const btVector3& asked, const btVector3& gone) {
   btVector3 pushed = gone / kStep - asked;
   pushed.setY(0);
@@ -121,7 +121,8 @@ class KinematicPlayer : public Player {
     btVector3 lacking = hands.wanted - velocity_;
     if (lacking.length() > max) lacking *= max / lacking.length();
     // The controller lifts a moving body by this height, moves it, and puts it down again. In the
-    // air, that pushed the body into the part above, which threw it half a stud in a step.
+    // air, this would push the body into the part above, which would throw it half a stud in a
+    // step.
     controller_->setStepHeight(stands() ? game_.stepHeight : 0);
     const btVector3 before = position(), asked = velocity_ + lacking;
     controller_->setWalkDirection(asked * kStep);

@@ -21,11 +21,11 @@ struct BulletGame {
   float stepHeight = 0.35f;  // kinematic body
 };
 
-// Draws each parameter within a share of its default above.
+// Draws each parameter within the share `spread` of its default above.
 BulletGame drawnGame(BulletGame::Body body, uint64_t seed, float spread);
 
-// Writes the part of the calibration course that the game has: the static blocks except ice. The
-// fitted level must not contain anything that the game's player passes through.
+// Writes the parts of the calibration course that exist in the game: the static blocks except ice.
+// The fitted level must not contain anything that the game's player passes through.
 void writeBulletCourse(schema::Level::Builder to);
 
 // Returns the manoeuvres of the calibration course that this game supports. It has no trusses, ice
@@ -33,8 +33,8 @@ void writeBulletCourse(schema::Level::Builder to);
 std::vector<calibrate::Manoeuvre> bulletManoeuvres();
 
 // Returns a recording of the manoeuvre in this game, with steps of 1/240 s and a frame every fourth
-// step. Positions are those of the capsule's centre. The recording ends if the player falls far
-// below the start. Only the level's static blocks are used.
+// step. Positions are of the capsule's centre. The recording ends if the player falls far below the
+// start. Only the level's static blocks are used.
 calibrate::Track playedByBullet(const BulletGame& game, const level::Level& level,
                                 const calibrate::Manoeuvre& manoeuvre);
 

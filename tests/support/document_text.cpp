@@ -1,4 +1,4 @@
-// Floats are written so that equal text means equal bits, except that all NaNs have the same text.
+// Writes floats so that equal text means equal bits, except that all NaNs have the same text.
 #include "support/document_text.h"
 
 #include <algorithm>
@@ -67,7 +67,8 @@ struct ValueText {
 };
 
 // Returns the paths of all instances. A step of a path is the class, the name, and an index among
-// siblings with the same class and name. So an additional instance does not rename others.
+// siblings with the same class and name. Therefore an additional instance does not change the paths
+// of others.
 std::vector<std::string> pathsOf(const Document& document) {
   std::vector<std::string> paths(document.instances.size());
   const auto placeAll = [&](const std::vector<InstanceId>& siblings, const std::string& parent) {

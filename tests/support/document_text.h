@@ -13,8 +13,8 @@ namespace obby::test {
 // path of their target.
 std::vector<std::string> linesOf(const Document& document);
 
-// Returns at most `limit` lines that only one of the documents has, as "only in first: ...".
-// Returns an empty string if the documents are equal.
+// Returns at most `limit` lines that only one of the documents has, in the form "only in first:
+// ...". Returns an empty string if the documents are equal.
 std::string difference(const Document& first, const Document& second, size_t limit = 20);
 
 }  // namespace obby::test

@@ -1,4 +1,4 @@
-// Makes property values. The kind determines the name of the XML element.
+// Makes property values. A value's kind determines the name of its XML element.
 #include "support/file_values.h"
 
 #include <memory>

@@ -9,7 +9,7 @@
 
 namespace obby::test {
 
-// The numbers are those of the binary format.
+// The enumerators' values are the kinds' numbers in the binary format.
 enum class FileKind : uint8_t {
   String = 0x01,
   Bool = 0x02,
@@ -47,10 +47,11 @@ enum class FileKind : uint8_t {
 
 struct FileValue {
   FileKind kind = FileKind::String;
-  Value value;  // the Document's value; monostate if the Document drops it or (OptionalCFrame) if
-                // it is absent
+  // The Document's value; monostate if the Document drops the kind, or for an absent
+  // OptionalCFrame.
+  Value value;
   std::string xmlElement;  // the element's name in XML
-  bool acoustics = false;  // PhysicalProperties: the flag for acoustic absorption is set
+  bool acoustics = false;  // PhysicalProperties: true if the flag for acoustic absorption is set
 };
 
 FileValue text(std::string value);    // <string>
@@ -81,7 +82,8 @@ FileValue capabilities(int64_t bits);
 // Returns a sample of a kind that a Document does not keep (UDim2, Ray, Faces, ...).
 FileValue unread(FileKind kind);
 
-// Returns the value of an instance that lacks a property which others of its class have.
+// Returns the value that the format stores for an instance without a property that others of its
+// class have.
 FileValue emptyOf(const FileValue& like);
 
 }  // namespace obby::test

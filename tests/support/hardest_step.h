@@ -96,7 +96,7 @@ inline float missOf(const Problem& problem, const Actions& actions) {
   return lowest;
 }
 
-// Returns changed actions: other headings for a while, or a tick more or less.
+// Returns changed actions, with other headings for a while, or with a tick more or less.
 inline Actions changed(const Actions& from, Random& random) {
   Actions to = from;
   const auto any = [&] { return random.below(uint32_t(to.size())); };
@@ -118,7 +118,7 @@ inline Actions changed(const Actions& from, Random& random) {
   return to;
 }
 
-// Returns the hardest step, from `studs` up, that mutations of these actions solve.
+// Returns the hardest step, of at least `studs`, that mutations of these actions solve.
 inline float climb(const Build& build, float studs, float enough, Actions actions, uint64_t steps) {
   constexpr float kHarder = 0.02f;
   Random random(5, 5);

@@ -16,7 +16,7 @@ inline baselines::CflgeSettings hasty(baselines::CflgeSettings settings) {
   settings.explore = settings.patience = 12;
   settings.begin = 256;
   settings.refresh = 1000;
-  settings.moduleSteps = 0.02f;  // otherwise learning would take most of the time
+  settings.moduleSteps = 0.02f;  // few, since learning would take most of the time
   settings.policySteps = 1.0f / 128;
   return settings;
 }

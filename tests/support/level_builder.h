@@ -81,7 +81,7 @@ class LevelBuilder {
 
   Result<level::Level> tryCompile() { return level::Level::compile(record()); }
 
-  // Compiles the level. If a test builds an invalid level by mistake, it stops here.
+  // Compiles the level. A test that builds an invalid level by mistake stops here.
   level::Level compile() {
     auto level = tryCompile();
     if (!level) {

@@ -1,4 +1,4 @@
-// One function for each kind of property, and the table of their numbers.
+// One function for each kind of property, and the table of the kinds' numbers.
 #include "support/place_columns.h"
 
 #include <array>
@@ -15,7 +15,7 @@ namespace {
 
 using Values = std::vector<FileValue>;
 
-// Writes the most significant bytes of all values first, then the next ones.
+// Writes the most significant bytes of all values first, then the next bytes, and so on.
 template <class Unsigned>
 void interleave(std::string& out, const std::vector<Unsigned>& values) {
   for (int shift = static_cast<int>(sizeof(Unsigned)) * 8 - 8; shift >= 0; shift -= 8) {

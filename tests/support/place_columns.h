@@ -19,9 +19,9 @@ void append(std::string& out, uint32_t value);
 void appendFloat(std::string& out, float value);
 void appendDouble(std::string& out, double value);
 void appendString(std::string& out, const std::string& value);
-// Appends one byte for axis-aligned rotations, otherwise 0 and nine floats.
+// Appends one byte for an axis-aligned rotation, otherwise a zero byte and nine floats.
 void appendRotation(std::string& out, const Mat3& rotation);
-// Appends a column of referents: differences, zigzag, interleaved.
+// Appends a column of referents, as interleaved zigzag-coded differences.
 void appendReferents(std::string& out, const std::vector<int32_t>& referents);
 
 }  // namespace obby::test

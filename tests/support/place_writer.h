@@ -20,7 +20,7 @@ class PlaceWriter {
   // Adds an instance. Its parent must have been added before. An empty name omits the Name
   // property.
   Id add(std::string className, std::string name = {}, Id parent = kNoInstance);
-  // Sets `property`, spelled as in files: "size", "Color3uint8", "shape".
+  // Sets `property`, which is spelled as in files: "size", "Color3uint8", "shape".
   PlaceWriter& set(Id id, std::string property, FileValue value);
   PlaceWriter& tag(Id id, std::string tag);
   // Sets an attribute of one of these types: bool, int64_t (written as 32 bits), double,

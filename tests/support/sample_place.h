@@ -10,7 +10,7 @@ inline CFrame tiltedFrame() {
 }
 
 // Returns a place with Workspace, the part Lava, a Folder, the part Ice in it, and a script in
-// Lava. The ids follow this order.
+// Lava. The ids are in this order.
 inline PlaceWriter samplePlace() {
   PlaceWriter place;
   const auto workspace = place.add("Workspace", "Workspace");

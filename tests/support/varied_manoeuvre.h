@@ -11,10 +11,10 @@ namespace obby::test {
 // Maximum variation of a manoeuvre.
 struct Variation {
   float share;    // relative change of the duration of each hold
-  float radians;  // turn of the stick's direction, the same for the whole manoeuvre
+  float radians;  // change of the stick's direction, constant during the manoeuvre
 };
 constexpr Variation kElsewhere{0.2f, 0.35f};  // another trajectory through the same place
-constexpr Variation kAgain{0.05f, 0.05f};     // like a repetition by the same player
+constexpr Variation kAgain{0.05f, 0.05f};     // a repetition by the same player
 
 inline calibrate::Manoeuvre varied(calibrate::Manoeuvre manoeuvre, uint64_t seed,
                                    Variation max = kElsewhere) {

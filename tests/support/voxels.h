@@ -1,4 +1,4 @@
-// Writes the voxels of terrain as Studio saves them, from a function that returns a cell's content.
+// Writes terrain voxels as Studio saves them. A function returns each cell's content.
 #pragma once
 
 #include <cstdint>

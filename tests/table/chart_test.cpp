@@ -38,8 +38,7 @@ TEST(Chart, DrawsCurvesWhereTheirValuesAre) {
   plot.curves = {{"mine", {{1, 0}, {10, 0.5}, {100, 1}}, {{1, 0.1}}, {{1, 0}}, {}},
                  {"none", {}, {}, {}, {}}};
   const std::string svg = chartSvg({plot});
-  // The plot is 640 x 340 pixels at (62, 48). On the logarithmic axis, ten is halfway from 1 to
-  // 100.
+  // The plot is 640 x 340 pixels at (62, 48). On the logarithmic axis, 10 is halfway from 1 to 100.
   EXPECT_THAT(svg,
               HasSubstr("<polyline points=\"62.0,388.0 382.0,218.0 702.0,48.0 \" class=\"l0\""));
   EXPECT_THAT(svg, HasSubstr("<polygon points=\"62.0,354.0 62.0,388.0 \" class=\"f0\""));

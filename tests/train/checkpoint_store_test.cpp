@@ -1,4 +1,5 @@
-// The files of a training run: what is written, when it resumes, and which files are refused.
+// Tests the files of a training run: what is written, when a run resumes, and which files are
+// refused.
 #include "train/run/checkpoint_store.h"
 
 #include "policy/policy_file.h"

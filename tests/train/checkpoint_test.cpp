@@ -23,7 +23,7 @@ std::vector<double> figuresOf(const Iteration& i) {
 
 struct Learned {
   std::vector<std::vector<double>> figures;
-  std::vector<float> numbers;  // of the network
+  std::vector<float> numbers;  // parameters of the network
 };
 
 // Returns the results of iterations 4 to 6. If `broken`, the run is interrupted after the third and
@@ -96,7 +96,8 @@ TEST_P(Resuming, AfterAFailedSourceHasTheSameBits) { resumeWithMissingLevels(Get
 
 INSTANTIATE_TEST_SUITE_P(WithAndWithoutDynamicBodies, Resuming, testing::Bool());
 
-// Returns a checkpoint after a few iterations, so that all of its content differs from the start.
+// Returns a checkpoint after a few iterations, so that all of its content differs from the initial
+// state.
 std::string sample() {
   ThreadPool pool(1);
   const Gaps gaps(true);
@@ -191,7 +192,7 @@ TEST(Checkpoint, IsRefusedForOtherLevels) {
   EXPECT_FALSE(Trainer::resume(small(), bodies, pool, alone(), *(*trainer)->state()));
 }
 
-// A checkpoint is refused if a number from which others are computed is impossible.
+// A checkpoint is refused if it contains an impossible number from which others are computed.
 TEST(Checkpoint, IsRefusedWithImpossibleNumbers) {
   ThreadPool pool(1);
   const Gaps gaps;

@@ -60,7 +60,7 @@ Difference differenceOf(const TrainerState& a, const TrainerState& b) {
   return out;
 }
 
-// Compares everything of two places that involves no rounding.
+// Compares all values of two places that involve no rounding.
 void expectSamePlaces(const TrainerState& a, const TrainerState& b) {
   ASSERT_EQ(a.envGroups.size(), b.envGroups.size());
   for (size_t c = 0; c < a.envGroups.size(); ++c) {
@@ -140,8 +140,8 @@ TEST_P(Parity, TheFirstIterationMatches) {
 
 INSTANTIATE_TEST_SUITE_P(WithAndWithoutDynamicBodies, Parity, testing::Bool());
 
-// Play without training, with many levels and with episodes that end or are truncated. In a hundred
-// of these runs, about half a world would draw a number between two roundings of a probability.
+// Plays many levels without training, with episodes that end or are truncated. A world whose random
+// number falls between two roundings of a probability would differ. Expect one in about 200 runs.
 TEST_P(Parity, PlayThroughManyLevelsMatches) {
   const Gaps gaps(GetParam());
   TrainerSettings settings = small();
@@ -172,8 +172,8 @@ TEST_P(Parity, PlayThroughManyLevelsMatches) {
 
 // Each iteration starts from the CPU's network with Adam's moments, because learners that differ by
 // rounding soon diverge. A decision between two roundings of the clip range moves some weights by a
-// few hundred thousandths. A random number between two roundings of a probability (one in about a
-// hundred of these runs) moves the mean weight by less than 1e-4.
+// few hundred thousandths. A random number between two roundings of a probability, as in about one
+// of a hundred runs, moves the mean weight by less than 1e-4.
 TEST(DeviceEngine, EachIterationLearnsWhatTheCpuDoes) {
   const Gaps gaps;
   ThreadPool pool(1);
@@ -343,7 +343,7 @@ TEST(DeviceEngine, RefusesAnotherObservation) {
             "the GPU supports only the standard observation, and the settings name another");
 }
 
-// Levels of which one is bad.
+// Levels, one of which is bad.
 class OneBad : public Gaps {
  public:
   explicit OneBad(uint64_t bad) : bad_(bad) {}
@@ -359,10 +359,10 @@ class OneBad : public Gaps {
 // A level that is made ahead may never be played. Its error is returned only once it is played.
 TEST(DeviceEngine, ReturnsTheErrorOfALevelOnceItIsPlayed) {
   Machine machine;
-  const OneBad first(5), second(8 + 5);  // of eight places
+  const OneBad first(5), second(8 + 5);  // eight places play the levels
   EXPECT_EQ(machine.make(first, tiny()).error().text(), "this level is bad");
   TrainerSettings settings = tiny();
-  settings.envGroup.episodes = 32;  // with 8 worlds no level is over after an iteration
+  settings.envGroup.episodes = 32;  // with 8 worlds, no level is finished after one iteration
   const auto trainer = machine.make(second, settings);
   ASSERT_TRUE(trainer) << trainer.error().text();
   ASSERT_TRUE((*trainer)->iterate());
@@ -375,7 +375,7 @@ TEST(DeviceEngine, ReturnsTheErrorOfALevelOnceItIsPlayed) {
   EXPECT_EQ(status.error().text(), "this level is bad");
 }
 
-// Levels of which one needs more memory than the machine has.
+// Levels, one of which needs more memory than the machine has.
 class OneTooLarge : public Gaps {
  public:
   Result<std::shared_ptr<const TrainingLevel>> level(uint64_t index, float hardest) const override {

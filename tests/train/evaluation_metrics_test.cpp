@@ -1,4 +1,4 @@
-// The metrics of an evaluation.
+// Tests the metrics of an evaluation.
 #include "train/run/evaluation_metrics.h"
 
 #include <gtest/gtest.h>

@@ -12,7 +12,8 @@
 namespace obby::train {
 namespace {
 
-// During its lifetime no file of this process can grow beyond `bytes` bytes, as on a full disk.
+// While this object exists, no file of this process can grow beyond `bytes` bytes, as on a full
+// disk.
 class FullDisk {
  public:
   explicit FullDisk(rlim_t bytes) : handler_(signal(SIGXFSZ, SIG_IGN)) {

@@ -8,8 +8,8 @@ namespace obby::train {
 
 class Gaps : public LevelSource {
  public:
-  // If `bodies`, a dynamic body is in front of the gap, with a waypoint behind it. `seed` selects
-  // the levels.
+  // If `bodies`, a dynamic body is in front of the gap, and a waypoint is behind the body. `seed`
+  // selects the levels.
   explicit Gaps(bool bodies = false, uint64_t seed = 99) : bodies_(bodies), seed_(seed) {}
 
   Result<std::shared_ptr<const TrainingLevel>> level(uint64_t index, float) const override {

@@ -1,4 +1,4 @@
-// The distance left along a guide, and which part of the guide counts for a player.
+// Tests the distance left along a guide, and which section of the guide counts for a player.
 #include "train/guide.h"
 
 #include <gtest/gtest.h>
@@ -83,7 +83,7 @@ TEST(Guide, HasTheWaypointsOfItsQuery) {
     Player p;
     p.world = (*level)->start();
     p.world.position = {-40, 0, 0};
-    p.minLeft = 88;  // so that the way back is within reach
+    p.minLeft = 88;  // so large that the guide's way back counts
     judge(view, {}, p);
     EXPECT_GT(p.minLeft, 65 + 19) << "on the way out";
     p.world.waypoints = 1;

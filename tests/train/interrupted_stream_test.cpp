@@ -24,7 +24,7 @@ TEST(InterruptedStream, IsNotRepeated) {
   for (uint64_t i = 0; i < 3; ++i) EXPECT_EQ(hashOf(stream, i), hashOf(all, i)) << i;
 }
 
-// The last turn lacks queries, so it gets no number.
+// The last turn lacks queries, so the stream does not number it.
 TEST(InterruptedStream, HasAnIncompleteTurn) {
   const std::vector<std::string> easy(3, R"(,"difficulty":0.1)");
   const LevelStream stream(optionsOf(interruptedLines(3, easy)), {.choices = 2});
@@ -97,7 +97,7 @@ TEST(InterruptedStream, EndsWithoutAnErrorAfterASignal) {
   }
 }
 
-// The counts include records that were skipped here and upstream.
+// The counts include records skipped by this tool and upstream.
 TEST(LevelStream, SumsUpTheCountsOfItsRecords) {
   std::string text = linesOf(2);
   const std::string status = R"("status":"complete")";

@@ -15,8 +15,8 @@ namespace obby::train {
 inline constexpr const char* kHeaderLine = R"({"type":"header","schemaVersion":1})"
                                            "\n";
 
-// Returns a level and its query. Each level has a floor of a different width, and so a different
-// hash.
+// Returns a level and its query. Each level has a floor of a different width, and therefore a
+// different hash.
 inline std::string lineOf(uint64_t number, const std::string& more = "") {
   return fmt::format(
       R"({{"type":"level","name":"{0}","parts":[{{"shape":"block",)"

@@ -59,7 +59,7 @@ TEST(LevelStream, HoldsNoCompiledLevelThatIsPast) {
   hashOf(resumed, 399);
   EXPECT_LE(resumed.compiledHeld(), 1u);
   const LevelStream shared(optionsOf(linesOf(400)), {.choices = 1});
-  for (uint64_t i = 0; i < 400; i += 2) {  // another rank plays the others
+  for (uint64_t i = 0; i < 400; i += 2) {  // another rank plays the odd levels
     hashOf(shared, i);
     EXPECT_LE(shared.compiledHeld(), 1u) << i;
     shared.past(i);
@@ -68,7 +68,7 @@ TEST(LevelStream, HoldsNoCompiledLevelThatIsPast) {
   EXPECT_EQ(hashOf(shared, 401), hashOf(all, 1)) << "compiled again";
 }
 
-// Resuming within a stream takes no longer than reading it up to there.
+// Resuming within a stream takes no longer than reading the stream up to that level.
 TEST(LevelStream, CompilesNoLevelThatIsPastAfterAResume) {
   const LevelStream all(optionsOf(linesOf(40)));
   const LevelStream resumed(optionsOf(linesOf(40)));
@@ -90,7 +90,7 @@ TEST(LevelStream, CompilesAllQueriesOfAPresentTurn) {
   EXPECT_EQ(resumed.compiledOnReading(), 3u);
 }
 
-// Levels that do not compile get no number, so all levels must be compiled.
+// Levels that do not compile are not numbered, so all levels must be compiled.
 TEST(LevelStream, CompilesAllLevelsIfErrorsAreForgiven) {
   io::SourceOptions options =
       optionsOf(lineOf(0) + lineOf(1, R"(,"difficulty":1.5)") + lineOf(2) + lineOf(3));
@@ -101,7 +101,7 @@ TEST(LevelStream, CompilesAllLevelsIfErrorsAreForgiven) {
   EXPECT_EQ(resumed.compiledOnReading(), 3u);
 }
 
-// Levels that are read on the way to a much later one wait as records.
+// Levels read on the way to a much later one are kept as uncompiled records.
 TEST(LevelStream, BoundsTheNumberOfCompiledLevels) {
   const LevelStream all(optionsOf(linesOf(40)));
   const LevelStream stream(optionsOf(linesOf(40)), {.compiledLevels = 8});
@@ -111,7 +111,7 @@ TEST(LevelStream, BoundsTheNumberOfCompiledLevels) {
   EXPECT_EQ(stream.compiledHeld(), 0u);
 }
 
-// Without repetition, a turn drops its other queries once one of them is played.
+// Without repetition, a turn drops its other queries when one of them is played.
 TEST(LevelStream, ReturnsTheSameLevelAgain) {
   std::vector<std::string> more;
   for (int i = 0; i < 34; ++i)

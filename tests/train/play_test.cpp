@@ -1,5 +1,5 @@
-// The game that worlds train on: the reward of a move, the end of an episode, and the start of the
-// next one.
+// Tests the game on which worlds train: the reward of a move, the end of an episode, and the start
+// of the next episode.
 #include "train/play.h"
 
 #include <gtest/gtest.h>

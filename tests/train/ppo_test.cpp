@@ -1,5 +1,5 @@
-// PPO against hand-made numbers: the scale of returns, steps of the optimiser, and ranks that share
-// a batch.
+// Tests PPO against hand-made numbers: the scale of returns, steps of the optimiser, and ranks that
+// share a batch.
 #include "train/ppo.h"
 
 #include <gtest/gtest.h>
@@ -95,7 +95,7 @@ TEST(Ppo, ValueEstimatesStayWhenTheScaleOfReturnsMoves) {
   for (size_t i = 0; i < before.size(); ++i) EXPECT_NEAR(after[i], before[i], 1e-4f) << i;
 }
 
-// Each decision ends an episode. One half of the moves has a reward of 1, the other half none.
+// Each decision ends an episode. Half of the moves have a reward of 1, the others 0.
 TEST(Ppo, BetterMovesBecomeMoreLikely) {
   constexpr uint32_t kWorlds = 24, kDecisions = kTicks * kWorlds;
   ThreadPool pool(1);
@@ -130,8 +130,8 @@ TEST(Ppo, BetterMovesBecomeMoreLikely) {
   EXPECT_GT(shareOfGood(), 0.55);
 }
 
-// Columns of hidden layers have length sqrt(2), that of the value has length 1, and the moves have
-// almost equal probabilities.
+// Columns of hidden layers have length sqrt(2), the value head's column has length 1, and the moves
+// have almost equal probabilities.
 TEST(FirstNetwork, ColumnsHaveTheLengthsOfOrthogonalInitialisation) {
   const nn::Network<float> net = firstNetwork(3);
   const auto length2 = [&](size_t l, size_t column) {
@@ -152,7 +152,7 @@ TEST(FirstNetwork, ColumnsHaveTheLengthsOfOrthogonalInitialisation) {
   EXPECT_NE(firstNetwork(4).parameters(), net.parameters());
 }
 
-// Advantages are normalised, so eightfold rewards move the policy as much.
+// Advantages are normalised, so eightfold rewards move the policy by the same amount.
 TEST(Ppo, TheStepDoesNotDependOnTheUnitOfRewards) {
   constexpr uint32_t kWorlds = 24;
   ThreadPool pool(1);

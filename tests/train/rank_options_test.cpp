@@ -1,4 +1,4 @@
-// Ranks whose options differ from those of the first rank.
+// Tests ranks whose options differ from those of the first rank.
 #include "train/run/rank_options.h"
 
 #include <gtest/gtest.h>

@@ -35,7 +35,7 @@ TEST(Ranks, EveryRankReturnsTheFirstError) {
 struct RanksLearned {
   std::vector<float> numbers;
   Iteration last;
-  std::string checkpoint;  // after the third iteration
+  std::string checkpoint;  // checkpoint after the third iteration
 };
 
 // Returns the first rank's result of six iterations. `from` is a checkpoint after the third, or
@@ -107,7 +107,7 @@ TEST(Ranks, TwoRanksLearnToCrossAGap) {
   });
 }
 
-// Levels of which one is bad.
+// Levels, one of which is bad.
 class Bad : public Gaps {
  public:
   Result<std::shared_ptr<const TrainingLevel>> level(uint64_t index, float hardest) const override {

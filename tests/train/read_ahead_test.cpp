@@ -1,4 +1,4 @@
-// Levels that are made ahead, as for a GPU. Training ends without waiting for them.
+// Levels are made ahead, as for a GPU. Training ends without waiting for these levels.
 #include <gtest/gtest.h>
 
 #include "sim/host_device.h"

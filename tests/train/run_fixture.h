@@ -29,7 +29,7 @@ class RunFolder : public testing::Test {
   CheckpointStore store(RunFiles files) {
     return {std::move(files), {"obby-train --test", {"obby-train", "1", 5}}, alone(), no_, no_};
   }
-  // Returns the CPU's engine on small levels.
+  // Returns the CPU engine with small levels.
   std::unique_ptr<Engine> engine() { return makeCpuEngine(tiny(), gaps_, pool_, alone()); }
 
   // Opens the store, and returns its trainer after some iterations.

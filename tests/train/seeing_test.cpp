@@ -52,7 +52,7 @@ std::vector<uint64_t> seeingJudged(const policy::Network& network, policy::Obser
   return shown();
 }
 
-// Plays by hand: decide(scene, world) returns the action.
+// Plays with the actions that decide(scene, world) returns.
 template <class Decide>
 std::vector<uint64_t> played(Decide&& decide) {
   std::vector<uint64_t> states;

@@ -27,7 +27,8 @@ nn::Network<double> asDouble(const nn::Network<float>& net) {
   return out;
 }
 
-// A network and observations: states, and maps in which one height in three is not empty.
+// A network and its observations. The observations hold states, and maps in which one height in
+// three is not empty.
 struct Seen {
   std::vector<float> means, scales;
   std::vector<float> raw;  // (count, kInputs)

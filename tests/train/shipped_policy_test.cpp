@@ -1,4 +1,4 @@
-// The shipped policy, by itself on courses that it was not trained on (policies/README.md).
+// Tests the shipped policy alone, on courses that it was not trained on (policies/README.md).
 #include "policy/shipped_policy.h"
 
 #include <gtest/gtest.h>

@@ -8,10 +8,10 @@
 
 namespace obby::train {
 
-constexpr uint32_t kTicks = 4;  // of the batch
+constexpr uint32_t kTicks = 4;  // ticks of the batch
 
-// Returns the decisions of `worlds` worlds from number `first` on. A world's decisions are the same
-// in every batch.
+// Returns the decisions of `worlds` worlds, starting with world number `first`. A world's decisions
+// are the same in every batch.
 inline Batch someBatch(uint32_t first, uint32_t worlds) {
   Batch b(kTicks, worlds);
   b.seen.normaliseBy(std::vector<float>(policy::kInputs, 0.0f),

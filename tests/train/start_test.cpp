@@ -17,7 +17,7 @@ namespace {
 
 using Trainers = Result<std::unique_ptr<Trainer>>;
 
-constexpr uint64_t kIterations = 3;  // of the policy's training
+constexpr uint64_t kIterations = 3;  // iterations in which the policy is trained
 
 policy::PolicyFile fileOf(const TrainerState& state, const Trainer& trainer) {
   policy::PolicyFile file;
@@ -87,8 +87,8 @@ TEST(Start, EqualsThePolicyBitForBitOnADevice) {
   EXPECT_NE((*trainer)->network().numbers(), known.file.network.numbers());
 }
 
-// Training starts with the policy's network, value scale and normalisers. A run resumed from a
-// state with all of these gives the same results.
+// Training starts with the policy's network, value scale and normalisers. A run that resumes from a
+// state with these gives the same results.
 TEST(Start, DecidesTheFirstIteration) {
   const StartLearned known = learned();
   const Gaps gaps;

@@ -34,7 +34,7 @@ TEST(StreamedLevels, WithoutAgainEachLevelIsPlayedOnce) {
   EXPECT_EQ(*none, nullptr);
 }
 
-// Several ranks need the whole stream first.
+// With several ranks, the whole stream must be read first.
 TEST(StreamedLevels, AStreamThatSendsNothingIsAnErrorOnEveryRank) {
   ThreadRanks::run(2, [](Ranks& ranks) {
     const std::atomic<bool> interrupted{false};

@@ -27,7 +27,7 @@ TEST(Timeout, EndsAStalledStream) {
   EXPECT_TRUE(timeout.expired());
 }
 
-// Another thread makes the next levels while these are played.
+// Another thread makes the next levels while the current ones are played.
 TEST(LevelStream, DropsPastLevelsWhileAnotherThreadWaits) {
   const Standing standing(kHeaderLine + lineOf(0) + lineOf(1));
   const std::atomic<bool> interrupted{false};

@@ -108,7 +108,7 @@ TEST(Trainer, TheLearningRateFallsWithTheDecisions) {
   for (size_t i = 0; i < rates.size(); ++i) EXPECT_NEAR(rates[i], expected[i], 1e-6f) << i;
 }
 
-// Gaps that record the requested difficulty.
+// A source of gaps that records the requested difficulty.
 class Asked : public Gaps {
  public:
   Result<std::shared_ptr<const TrainingLevel>> level(uint64_t index, float hardest) const override {
@@ -171,7 +171,7 @@ TEST(Curriculum, LevelsBecomeEasierWhileTheSolvedShareIsLow) {
   EXPECT_LT(before, 0.5f);
 }
 
-// A few worlds end only a few episodes in an iteration. These episodes count, too.
+// A few worlds end only a few episodes in an iteration. These episodes also count.
 TEST(Curriculum, MovesEvenWithFewWorlds) {
   const Gaps gaps;
   ThreadPool pool(1);
@@ -188,7 +188,7 @@ TEST(Curriculum, MovesEvenWithFewWorlds) {
   EXPECT_GT(hardest, settings.easiest);
 }
 
-// Without the stop, a policy file with NaN could replace a good one.
+// If training did not stop, a policy file with NaN could replace a good one.
 TEST(Trainer, StopsOnceItHasDiverged) {
   const Gaps gaps;
   ThreadPool pool(1);
@@ -202,7 +202,8 @@ TEST(Trainer, StopsOnceItHasDiverged) {
     const auto iteration = (*resumed)->iterate();
     return iteration ? std::string() : iteration.error().text();
   };
-  // A checkpoint resumes only at its learning rate, and diverges again with the same bits.
+  // A checkpoint resumes only with its own learning rate, and then diverges again with the same
+  // bits.
   const std::string diverged =
       "training diverged: the network's weights are no longer finite (start again "
       "with a lower --learning-rate; resuming the last checkpoint would diverge again)";

@@ -1,4 +1,4 @@
-// The share of a report that fits in a page.
+// Tests how much of a report fits in a page.
 #include "view/budget.h"
 
 #include <gtest/gtest.h>
@@ -100,8 +100,8 @@ TEST(Budget, CountsMoreThanTheTicksOfATrajectory) {
   EXPECT_LT(sizes.attempts + sizes.whole, json.text().size() * 3 / 2);
 }
 
-// Thousands of moving parts that never repeat have tracks of this size. With --full nothing is
-// thinned out.
+// Thousands of moving parts whose motion never repeats have tracks of this size. With --full
+// nothing is thinned out.
 TEST(Budget, TooMuchMotionIsSampledMoreCoarsely) {
   view::PageSizes sizes;
   sizes.tracks = size_t(1500) << 20;

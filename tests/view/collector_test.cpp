@@ -1,4 +1,4 @@
-// A report that is read while it grows ends up equal to one that is read all at once.
+// A report that is read while it grows equals, at the end, one that is read at once.
 #include <gmock/gmock.h>
 
 #include "collecting.h"
@@ -40,7 +40,7 @@ TEST(Collector, TrajectoriesKeepTheirSerialThroughProgress) {
     for (const auto& path : collector.report().queries[0].paths) out.push_back(path.serial);
     return out;
   };
-  ASSERT_EQ(serials(), (std::vector<uint64_t>{2, 1}));  // the death, then the closest
+  ASSERT_EQ(serials(), (std::vector<uint64_t>{2, 1}));  // the death, then the closest attempt
   addAll(collector, {progressLine(near, {&right, &left}, 9)});
   EXPECT_EQ(serials(), (std::vector<uint64_t>{3, 2, 1}));
   EXPECT_TRUE(collector.report().queries[0].paths[1].played());
@@ -123,7 +123,7 @@ TEST(Collector, AFailingQueryDoesNotStopOthersFromBeingPlayed) {
   EXPECT_TRUE(collector.report().queries[1].paths[0].played());
 }
 
-// A query that names parts is changed before it is compiled. Errors still name its place in the
+// A query that names parts is rewritten before it is compiled. Errors still name its place in the
 // stream.
 TEST(Collector, AQueryThatNamesPartsIsRefusedAtItsPlace) {
   const std::string query =

@@ -1,5 +1,5 @@
-// A small course with a goal ahead, a drop to the left and a kill part to the right; its records,
-// and trajectories made by the simulator.
+// A small course with a goal ahead, a drop to the left and a kill part to the right. Also provides
+// its records, and trajectories made by the simulator.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -88,7 +88,7 @@ inline std::string resultLine(const std::string& verdict, uint32_t ticks) {
          R"(,"steps":"1234567","reason":"Straight on.","timing":{"firstSolution":0.25}})";
 }
 
-// Returns the first error, unless `errors` collects them.
+// Returns the first error, unless `errors` collects the errors.
 inline Result<view::Report> collect(const std::vector<std::string>& lines,
                                     std::vector<Error>* errors = nullptr,
                                     const std::vector<std::string>& only = {}) {

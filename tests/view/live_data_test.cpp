@@ -67,7 +67,7 @@ TEST(LiveData, APageGetsNewItemsOnce) {
   EXPECT_EQ(news["queries"][0]["trajectories"][0]["data"]["kind"], "solution");
   const uint64_t second = growing.data.revision();
   EXPECT_TRUE(growing.since(second)["queries"].empty());
-  // A page gets everything if it connects late or knew another server.
+  // A page gets everything if it connects late, or was connected to another server.
   for (const uint64_t from : {uint64_t(0), second + 1}) {
     EXPECT_EQ(serials(growing.since(from)["queries"][0]), (std::vector<uint64_t>{1, 2}));
     EXPECT_EQ(growing.since(from)["levels"].size(), 1u);
@@ -123,7 +123,7 @@ TEST(LiveData, LongerTrajectoriesRarelyResendMotion) {
     growing.add({line(trajectory)});
     sent += growing.since(before)["levels"].size();
   }
-  EXPECT_EQ(sent, 2u);  // at 20 and 40 seconds
+  EXPECT_EQ(sent, 2u);  // sent at 20 and 40 seconds
 }
 
 TEST(LiveData, AttemptsBeyondThePagesSizeAreResentThinned) {

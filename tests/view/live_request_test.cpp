@@ -89,7 +89,7 @@ TEST(LiveRequest, other_pages_may_only_link_here) {
       EXPECT_EQ(statusOf(head), target == page ? 0 : 403) << target << site;
     }
     head = honest(target);
-    head.fetchSite.reset();  // as from an old browser or another program
+    head.fetchSite.reset();  // old browsers and other programs omit this header
     EXPECT_EQ(statusOf(head), 0);
   }
 }

@@ -227,7 +227,7 @@ TEST(Tracks, CoverOnePeriodOfEachMotion) {
   const view::Track& fan = tracks[1];
   EXPECT_EQ(fan.part, 3u);
   EXPECT_TRUE(fan.positions.empty());
-  // 3 rad/s about Y for 20 ticks: a rotation of 1 rad, so a half angle of 0.5.
+  // At 3 rad/s about Y, 20 ticks are a rotation of 1 rad, so the half angle is 0.5.
   EXPECT_NEAR(fan.rotations[4 * 20 + 1], std::sin(0.5f) * 32767, 40);
   EXPECT_NEAR(fan.rotations[4 * 20 + 3], std::cos(0.5f) * 32767, 40);
 }

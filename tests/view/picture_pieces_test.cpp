@@ -1,5 +1,5 @@
-// A picture is drawn in pieces, so memory does not grow with its size. Long trajectories take no
-// extra memory either.
+// A picture is drawn in pieces, so memory does not grow with its size. Long trajectories do not
+// need extra memory either.
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 

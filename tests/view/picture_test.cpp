@@ -1,4 +1,4 @@
-// Pictures without a display: camera, occlusion, light, trajectories, and files.
+// Tests pictures without a display: camera, occlusion, light, trajectories, and files.
 #include "view/picture/picture.h"
 
 #include <gtest/gtest.h>
@@ -244,7 +244,7 @@ TEST(Picture, PartsAwayAtTheStartAreFaint) {
   EXPECT_TRUE(dashed(*away));
 }
 
-// The start is on the left, for one goal and for a list of goals.
+// The picture shows the start on the left, for one goal and for a list of goals.
 TEST(Drawing, RunsFromTheStartTowardsGoalsToo) {
   const std::string level =
       R"({"type":"level","name":"back","spawns":[{}],"parts":[{"position":[0,-1,20],"size":[8,2,60]}]})";
@@ -269,7 +269,7 @@ TEST(Drawing, SaysHowLongALongCourseIs) {
   EXPECT_EQ(lengthText(99.96f), "100");
 }
 
-// A camera on a large floor sees it, though all corners are outside the drawing.
+// A camera on a large floor sees the floor, although all of its corners are outside the drawing.
 TEST(Drawing, APartThatFillsThePageIsDrawn) {
   const auto plain = view_test::collect(
       {R"({"type":"level","name":"plain","spawns":[{}],"parts":[{"position":[0,-1,0],"size":[2000,2,2000]}]})",

@@ -162,7 +162,8 @@ struct Pushed {
   }
 };
 
-// Returns the position of a corner of the body, interpolated from its track as the page does it.
+// Returns the position of a corner of the body, interpolated from its track in the same way as the
+// page does.
 Vec3 cornerAt(const BodyTrack& track, uint32_t tick, Vec3 corner) {
   size_t i = 0;
   while (i + 2 < track.ticks.size() && track.ticks[i + 1] <= tick) ++i;
@@ -193,7 +194,7 @@ TEST(Replay, DynamicPartsFollowTheSimulator) {
   }
 }
 
-// Only changes are sampled. Rest takes no memory and keeps its duration.
+// Only changes are sampled. A rest needs no memory, and its duration is kept.
 TEST(Replay, APartThatRestsMovesAndRestsHasFourSamples) {
   const level::Level level = crateLevel();
   const level::LevelView& view = level.view();

@@ -1,4 +1,4 @@
-// How records are matched, and how those that cannot be shown are handled.
+// Tests how records are matched, and how records that cannot be shown are handled.
 #include "view/report.h"
 
 #include <gmock/gmock.h>
@@ -102,7 +102,7 @@ TEST(Report, SameLevelTwiceIsOneLevel) {
   EXPECT_THAT(report->queries, SizeIs(1));
 }
 
-// Versions of a level share its name.
+// Several versions of a level share a name.
 TEST(Report, QueriesBelongToThePrecedingLevelOfTheirName) {
   std::string second = kLevel, other = kLevel;
   second.replace(second.find(R"("size":[10,1,30])"), 16, R"("size":[12,1,30])");
@@ -121,7 +121,8 @@ TEST(Report, QueriesBelongToThePrecedingLevelOfTheirName) {
   EXPECT_EQ(levelOf({kLevel, second, other, kLevel, other}), 1);
 }
 
-// A query may omit its level. It then means the level before it in the stream, even a repeated one.
+// A query may omit its level. The query then refers to the level before it in the stream, even if
+// that level is a repeated one.
 TEST(Report, QueriesAfterARepeatedLevelBelongToIt) {
   const auto replaced = [](std::string text, const std::string& from, const std::string& to) {
     return text.replace(text.find(from), from.size(), to);

@@ -1,4 +1,4 @@
-// The roles of parts for the player.
+// Tests the roles of parts for the player.
 #include "view/roles.h"
 
 #include <gmock/gmock.h>

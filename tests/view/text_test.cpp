@@ -232,7 +232,7 @@ TEST(Text, MapMarksPartsAwayAtTheStart) {
     EXPECT_TRUE(report) << report.error().text();
     return view::queryMap(*report, report->queries[0], {60, false, false});
   };
-  const auto count = [](const std::string& map, char glyph) {  // in the map's rows
+  const auto count = [](const std::string& map, char glyph) {  // counts in the map's rows only
     const size_t first = map.find('\n');
     const std::string rows = map.substr(first, map.find("S start") - first);
     return std::count(rows.begin(), rows.end(), glyph);
@@ -260,7 +260,7 @@ TEST(Text, UsesColoursOnlyWhereAllowed) {
               HasSubstr("\x1b[38;2;"));
 }
 
-// Other terminals read the numbers of 24-bit colours as bold, blinking, and colours of their own.
+// Other terminals interpret the numbers of 24-bit colours as bold, blinking, and other colours.
 TEST(Text, Uses256ColoursOnTerminalsLimitedToThem) {
   const table::TerminalTraits few{80, true, true, true};
   const std::string text = view::textReport(solvedReport(), {few, view::Maps::few});
@@ -311,7 +311,7 @@ TEST(Text, LinesStayWithinTheWidth) {
   size_t start = 0;
   for (size_t end = text.find('\n'); end != text.npos; end = text.find('\n', start)) {
     const std::string row = text.substr(start, end - start);
-    // The table needs its columns. The map and its legend stay within the width.
+    // The table is as wide as its columns. The map and its legend stay within the width.
     if (row.find("verdict") == row.npos && row.find("solved") == row.npos) {
       EXPECT_LE(table::columnCount(row), 60u) << row;
     }
@@ -319,7 +319,7 @@ TEST(Text, LinesStayWithinTheWidth) {
   }
 }
 
-// Names in places use any script, and emoji.
+// Names in places may use any script, and emoji.
 TEST(Text, ColumnsAlignForAnyNames) {
   std::string first = kQuery, second = kQuery;
   first.replace(first.find("ahead"), 5, "\u706b\u5c71\U0001f525");

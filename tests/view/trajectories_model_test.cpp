@@ -84,7 +84,7 @@ TEST(TrajectoriesModel, HasEveryTrajectoryWithItsMarkers) {
       << "one model per trajectory";
 }
 
-// XML cannot represent control characters, not even escaped.
+// XML cannot represent control characters, even when they are escaped.
 TEST(TrajectoriesModel, ControlCharactersInNamesLeaveItXml) {
   const std::string id = R"("id":"ahead")";
   std::string query = view_test::kQuery;

@@ -1,4 +1,4 @@
-// The page is usable for every reader: light and dark, at 200 % zoom, by keyboard, without hue.
+// Every reader can use the page: in light and dark, at 200 % zoom, by keyboard, without hue.
 import assert from 'node:assert/strict';
 import { arrive, frames, openReport, state, withoutWebGl } from './browser.mjs';
 import { harness } from './harness.mjs';
@@ -6,7 +6,7 @@ import { report } from './sample_report.mjs';
 
 const { options, test, run } = harness();
 const file = options.sample(report);
-const kMinContrast = 4.5; // of text to its background (WCAG 2.2, 1.4.3)
+const kMinContrast = 4.5; // min contrast of text and background (WCAG 2.2, 1.4.3)
 
 // Returns the lowest contrast of the panels' texts, with the text and the class of its element.
 const contrast = (page) =>

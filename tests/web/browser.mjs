@@ -17,7 +17,8 @@ const kFlags = [
 const kViewport = { width: 1280, height: 800 };
 const kPatience = 120000; // max ms of each wait, enough for a slow machine
 
-// True if the tests save pictures for people to look at. Nothing is asserted about these.
+// True if the tests save pictures for people to look at. The tests assert nothing about these
+// pictures.
 export const kPictures = Boolean(process.env.OBBY_PICTURES);
 
 // Pixels of the 3D view per page pixel, on each axis. Without a GPU the time to draw grows with the
@@ -41,7 +42,7 @@ export async function newPage(browser, { viewport = kViewport, density = kDensit
   return page;
 }
 
-// For `prepare`: removes WebGL from the browser.
+// A value for `prepare` that removes WebGL from the browser.
 export const withoutWebGl = (page) =>
   page.addInitScript(() => {
     const { prototype } = HTMLCanvasElement;
@@ -51,8 +52,8 @@ export const withoutWebGl = (page) =>
     };
   });
 
-// `fragment`: of the address. `prepare`: called with the page before it loads anything. `more`:
-// options of newPage.
+// `fragment`: the fragment of the address. `prepare`: called with the page before it loads
+// anything. `more`: options of newPage.
 export async function openReport(
   browser,
   file,
@@ -91,7 +92,7 @@ export async function frames(page, count = 2) {
   );
 }
 
-// Moves the camera to its destination at once, and waits until that is drawn.
+// Moves the camera to its destination at once, and waits until the new view is drawn.
 export async function arrive(page) {
   await page.evaluate(() => window.obby.stage.rig.settle());
   await frames(page, 2);
@@ -100,7 +101,7 @@ export async function arrive(page) {
 export const state = (page) => page.evaluate(() => ({ ...window.obby.store.state }));
 
 // Returns the number of different colours in the 3D view, and the share of the most frequent one.
-// `anew`: redraws the view first.
+// `anew`: whether to redraw the view first.
 export async function colours(page, anew = true) {
   return page.evaluate((draw) => {
     if (draw) window.obby.stage.render();

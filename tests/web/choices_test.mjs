@@ -137,7 +137,7 @@ test('trajectories far from a box are skipped', () => {
   assert.throws(() => meets(trajectory, crossed), /looked at/);
 });
 
-// Returns the distance from a point to the polyline through others.
+// Returns the distance from a point to the polyline through other points, in studs.
 function besideTrajectory(points, at) {
   let lowest = Infinity;
   for (let i = 0; i + 5 < points.length; i += 3) {
@@ -153,7 +153,8 @@ function besideTrajectory(points, at) {
 test('motion paths are simplified within a tolerance', () => {
   const samplesOf = (count, at) =>
     Float32Array.from(Array.from({ length: count }, (_, i) => at(i)).flat());
-  const there = (i) => [1000 + 0.1 * Math.abs(100 - i), 3, -27]; // from 1010 to 1000 and back
+  // Moves from 1010 to 1000 and back.
+  const there = (i) => [1000 + 0.1 * Math.abs(100 - i), 3, -27];
   assert.deepEqual([...corners(samplesOf(201, there))], [1010, 3, -27, 1000, 3, -27, 1010, 3, -27]);
   const still = samplesOf(5, () => [1, 2, 3]);
   assert.deepEqual([...corners(still)], [1, 2, 3, 1, 2, 3]);

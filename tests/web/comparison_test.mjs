@@ -9,7 +9,7 @@ const set = (page, values) => page.evaluate((v) => window.obby.store.set(v), val
 const paths = report.queries[0].trajectories;
 
 const kLong = 0; // index of a trajectory of the sample
-const kShort = 4; // index of a trajectory with a fraction of its ticks
+const kShort = 4; // index of a trajectory with a fraction of that one's ticks
 
 // Returns the last tick of the timeline, and the positions of the selected trajectory's jumps in
 // thousandths of its length.

@@ -1,5 +1,6 @@
-// The page before the reader touches anything. It shows a query with an answer, distinguishable
-// rows, a player at its start, no clock if nothing can be played, and a legend of the colours.
+// Tests the page before the reader touches anything. The page shows a query with an answer,
+// distinguishable rows, a player at its start, no clock if nothing can be played, and a legend of
+// the colours.
 import assert from 'node:assert/strict';
 import { routeNames } from '../../web/src/route_names.js';
 import { solutionNames } from '../../web/src/solution_names.js';

@@ -20,7 +20,8 @@ const kSize = { width: 960, height: 600 };
 const kDifferent = 0.005; // max share of different pixels; drivers round edges differently
 const kThreshold = 0.15; // colour distance below which two pixels are equal
 
-// `fragment`: of the address, with the query, trajectory and time. `values`: for the store.
+// `fragment`: the fragment of the address, with the query, trajectory and time. `values`: values
+// to set in the store.
 const kScenes = {
   course: { fragment: '#q=whole course', values: {} },
   chosen: { fragment: '#q=whole course&traj=0&t=3.2', values: { ghost: 1, theme: 'dark' } },

@@ -1,5 +1,5 @@
-// Collects a file's tests and runs them in one page. Prints failures, which make the exit code 1.
-// With OBBY_PICTURES=1 the tests save pictures in their output folder.
+// Collects a file's tests and runs them in one page. Prints failures. If any test fails, the exit
+// code is 1. With OBBY_PICTURES=1 the tests save pictures in their output folder.
 import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { basename, join } from 'node:path';
 import { fillTemplate, kPictures, launch, openReport } from './browser.mjs';
@@ -26,7 +26,8 @@ export function harness() {
     return file;
   };
 
-  // Saves a picture for people to look at, if requested. Each takes about as long as a small test.
+  // Saves a picture for people to look at, if requested. Each picture takes about as long as a
+  // small test.
   options.picture = async (page, name, more = {}) => {
     if (kPictures) await page.screenshot({ path: join(options.out, `${name}.png`), ...more });
   };

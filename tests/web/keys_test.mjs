@@ -1,4 +1,4 @@
-// The page by keyboard: lists with a single tab stop, and keys of other keyboards.
+// Tests the page by keyboard: lists with a single tab stop, and other keyboard layouts.
 import assert from 'node:assert/strict';
 import { arrive, state } from './browser.mjs';
 import { harness } from './harness.mjs';
@@ -120,7 +120,8 @@ test('keys that need Alt match by their character', async ({ page }) => {
   assert.equal((await state(page)).query, 0);
   for (const how of [{ altKey: true }, { ctrlKey: true }, { metaKey: true }])
     await press({ key: 'l', code: 'KeyL', ...how });
-  await press({ key: ']', code: 'BracketRight', metaKey: true }); // goes forward in some browsers
+  // This shortcut goes forward in some browsers.
+  await press({ key: ']', code: 'BracketRight', metaKey: true });
   const { loop, query } = await state(page);
   assert.deepEqual([loop, query], [true, 0]);
   await arrive(page);

@@ -1,17 +1,17 @@
-// A large report in the page, and typical changes by a reader. size_test counts their work, and the
-// bench times them.
+// Puts a large report in the page, and makes typical changes by a reader. size_test counts their
+// work, and the bench times them.
 import { writeFileSync } from 'node:fs';
 import { fillTemplate } from './browser.mjs';
 import { largeReport } from './large_report.mjs';
 
-// Writes a page with so many parts and trajectories of ten seconds to `file`.
+// Writes a page with `parts` parts and `trajectories` trajectories of ten seconds to `file`.
 export function writeLargePage(template, file, parts, trajectories) {
   const report = largeReport(parts, trajectories, 600);
   writeFileSync(file, fillTemplate(template, report, report.title));
 }
 
-// Change -> the values that it sets the i-th time. They always differ from the previous ones and
-// need about as much work.
+// Maps a change to the values that it sets the i-th time. The values always differ from the
+// previous ones and need about as much work.
 export const kChanges = {
   again: () => ({}),
   select: (i) => ({ path: 100 + i }),

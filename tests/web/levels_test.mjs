@@ -22,7 +22,7 @@ function oddHulls() {
   return named('Odd hulls', { hulls: [{ part: level.hulls[0].part, pieces }] });
 }
 
-// Returns a level whose first part has the mesh of another.
+// Returns a level whose first part has the mesh of another part.
 function copiedMesh() {
   const { part, pieces } = level.hulls[0];
   const shape = Buffer.from(level.parts.shape, 'base64');

@@ -67,7 +67,7 @@ export async function openLive(browser, address, prepare = async () => {}) {
   return { page, trouble, requests, pieces };
 }
 
-// Waits until the selected query has so many trajectories.
+// Waits until the selected query has `count` trajectories.
 export async function trajectoriesAre(page, count) {
   await page
     .waitForFunction((n) => window.obby.query()?.paths.length === n, count)

@@ -90,7 +90,7 @@ test('a failed request is retried until live', async ({
   await started(page);
   await trajectoriesAre(page, 1);
   await page.evaluate(() => {
-    // Collected in the page, because the message is shown for a second only.
+    // The page collects the messages, because each is shown for only a second.
     window.said = [];
     const name = document.querySelector('.live .name');
     const note = () => window.said.push(name.textContent);

@@ -88,7 +88,8 @@ test('counts grow until the stream ends, keeping the selection', async ({ browse
   await options.picture(page, 'live-searching');
 
   viewer.write(...attempts.slice(0, 10));
-  await trajectoriesAre(page, 11); // including the closest one, while nothing is solved
+  // One of them is the closest attempt, shown while nothing is solved.
+  await trajectoriesAre(page, 11);
   await page.locator('.path').nth(4).click();
   await set(page, { tick: 12.5, ghost: 2, outcome: attempts[0].outcome, sort: 'time' });
   await page.evaluate(() => window.obby.stage.rig.restore([5, 30, 40, 0.4, -0.6, 30]));
@@ -128,7 +129,7 @@ test('counts grow until the stream ends, keeping the selection', async ({ browse
   await frames(page);
   await options.picture(page, 'live-ended');
 
-  // A page that opens late shows the same, and so does the page file.
+  // A page that opens late shows the same, and the page file does, too.
   const late = await openLive(browser, address);
   await started(late.page);
   const file = await openReport(browser, out);

@@ -1,4 +1,4 @@
-// The page as a reader uses it: opened from a file, clicked, played, scrubbed.
+// Tests the page as a reader uses it: opened from a file, clicked, played, scrubbed.
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
 import { writeFileSync } from 'node:fs';

@@ -11,7 +11,7 @@ import { harness } from './harness.mjs';
 const kMaxStuds = 1e-3; // max difference on each axis
 const { options, test, run } = harness();
 
-// Level name -> the solver's options.
+// Maps a level name to the solver's options.
 const kSolved = Object.entries({
   'several-routes': ['--query', 'any', '--solutions', '3'],
   'conveyor-and-pad': [],
@@ -54,7 +54,8 @@ const open = (page, level, query) =>
     [level, query],
   );
 
-// Returns the max difference between the player in the picture and the points, and their number.
+// Returns the max distance of the drawn player from the recorded points on any axis, the number
+// of points, the trajectory's ticks, and whether the jumps agree.
 async function compare(page, level, record) {
   const { query, index = 0, path } = record;
   await open(page, level, query);

@@ -23,8 +23,8 @@ const corners = [
   [26, 14.5, -102],
 ];
 
-// Returns a trajectory that hops from corner to corner. `stop`: share of the corners at which it
-// ends; `drift`: studs by which it swings sideways.
+// Returns a trajectory that hops from corner to corner. `stop`: the trajectory ends after this
+// share of the corners; `drift`: studs by which it swings sideways.
 function trajectory(
   kind,
   index,

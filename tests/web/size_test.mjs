@@ -11,8 +11,9 @@ import { change, kChanges, writeLargePage } from './large_page.mjs';
 const kTrajectories = 1000;
 const kMaxCalls = 60; // max draw calls of a picture
 const kMaxPieces = 450e3; // max triangles and lines of a picture
-const kMaxLines = 125e3; // max lines of a picture; without a GPU they take the most time
-const kMaxRows = 800; // max rows of the list: 400 solutions and 400 attempts; it states the rest
+const kMaxLines = 125e3; // max lines of a picture; without a GPU, lines take the most time
+// Max rows of the list: 400 solutions and 400 attempts; the list states the number of others.
+const kMaxRows = 800;
 const kMaxLaidOut = 200; // max rows with a layout; about a dozen are visible
 
 // Max kB that a change sends to the GPU: nothing, one trajectory with its marks, or the indices and
@@ -59,7 +60,7 @@ test('a large report needs few draw calls', async ({ browser }) => {
     assert.ok(sent < (kMaxSent[name] ?? kMaxSentForAll), `${name}: ${sent} kB`);
     assert.ok(rows > 0 && rows <= kMaxRows, `${name}: ${rows} rows`);
     if (name === 'colour') assert.ok(sent > kSentOfColours, `only ${sent} kB of colours`);
-    // The second change of a kind finds its GPU programs linked.
+    // For the second change of a kind, the GPU programs are already linked.
     await page.evaluate(() => (window.linked = 0));
     await change(page, values(1));
     assert.equal(await page.evaluate(() => window.linked), 0, `${name}: GPU programs linked again`);

@@ -242,7 +242,7 @@ test('jumps and landings of the selected trajectory are marked', async ({ page }
   const marked = await page.evaluate(() =>
     window.obby.stage.marks.group.children.map((cloud) => cloud.geometry.attributes.position.count),
   );
-  assert.deepEqual(marked, [1, 12]); // it walks one segment only, on the belt
+  assert.deepEqual(marked, [1, 12]); // this trajectory walks only one segment, on the belt
   assert.equal(await page.locator('.mark.jump').count(), 12);
   assert.equal(await page.locator('.mark.event').count(), 2);
 });

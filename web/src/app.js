@@ -104,7 +104,7 @@ export class App {
     const path = this.path();
     if (!this.query()?.paths.length && !hasMotion(this.level())) return 0;
     if (path) return Math.max(path.ticks, this.ghost()?.ticks ?? 0);
-    // A spread call to Math.max would exceed the limit on arguments for long lists.
+    // With a long list, a spread call to Math.max would exceed the limit on arguments.
     const min = Math.max(1, 10 * (this.level()?.tickRate ?? 60));
     return (this.query()?.paths ?? []).reduce((max, { ticks }) => Math.max(max, ticks), min);
   }

@@ -1,4 +1,4 @@
-// Base64 of little-endian values as typed arrays.
+// Decodes base64 of little-endian values into typed arrays.
 
 /** @import {Base64} from './types/page_data.js' */
 

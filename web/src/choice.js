@@ -5,7 +5,8 @@ import { bandRank, OUTCOMES } from './palette.js';
 /** @import {Path} from './path.js' */
 
 /**
- * Filters that accept everything. `killer`: a part, or -1 for any; `boxes`: from `boxOf` below.
+ * Filters that accept everything. `killer`: a part, or -1 for any; `boxes`: made by `boxOf`
+ * below.
  * @type {Readonly<Filters>}
  */
 export const UNFILTERED = {
@@ -28,8 +29,8 @@ export const SORTS = {
 };
 
 /**
- * Returns an axis-aligned box, in studs. `keep`: keeps only trajectories through it, or else drops
- * them.
+ * Returns an axis-aligned box, in studs. `keep`: the filter shows only trajectories through the
+ * box; if false, it hides them.
  * @param {number[]} a
  * @param {number[]} b
  * @returns {FilterBox}
@@ -162,7 +163,7 @@ const kRanks = {
 };
 
 /**
- * Returns the indices of the paths that pass all filters, sorted. Equal ones keep the stream's
+ * Returns the indices of the paths that pass all filters, sorted. Equal paths keep the stream's
  * order.
  * @param {Query} query
  * @param {State} state

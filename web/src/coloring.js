@@ -26,7 +26,8 @@ export const COLORINGS = {
   difficulty: 'difficulty',
 };
 
-// A ramp from low to high. Its lightness rises throughout, so that it works without hue.
+// The ramp from low to high values. Its lightness always rises, so that it is readable without
+// hue.
 const kRamp = [
   [76, 99, 176],
   [33, 145, 140],

@@ -7,7 +7,7 @@ import { partName } from './part_name.js';
 /** @import {Level} from './types/report.js' */
 
 /**
- * Returns the place nearest to the centroid of all.
+ * Returns the place nearest to the centroid of all places.
  * @param {Triple[]} places
  */
 function middlemost(places) {

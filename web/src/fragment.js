@@ -23,7 +23,8 @@ function queryAt(report, id, n) {
 const firstAnswered = ({ queries }) => Math.max(0, queries.findIndex(({ result }) => result));
 
 /**
- * `hash`: an address's fragment with its `#`; `shown`: the query to show if it names none.
+ * `hash`: an address's fragment with its `#`; `shown`: the query to show if the fragment names
+ * none.
  * @param {Report} report
  * @param {string} hash
  */
@@ -57,7 +58,7 @@ export function tickAt(time, rate) {
 }
 
 /**
- * Applies changes of the address's fragment. Following or pasting a link in the open page changes
+ * Applies changes to the address's fragment. Following or pasting a link in the open page changes
  * only the fragment.
  * @param {App} app
  */

@@ -11,8 +11,8 @@ import { LiveMark } from './ui/live_mark.js';
 /** @import {Query, Report} from './types/report.js' */
 
 /**
- * Returns true if only the numbers of a running search differ. They change often and need no
- * redraw.
+ * Returns true if the queries differ only in the numbers of a running search, which change often
+ * and need no redraw.
  * @param {Query | undefined} before
  * @param {Query | undefined} now
  */
@@ -52,7 +52,7 @@ export class Live {
   }
 
   /**
-   * After the stream has ended, a lost server does not matter.
+   * After the end of the stream, a lost connection does not matter.
    * @param {boolean} connected
    */
   tell(connected) {
@@ -108,7 +108,7 @@ export class Live {
     const { store, stage } = app;
     if (stage.level !== app.level()) app.glowing = -1; // it refers to a part of the removed level
     app.openQuery();
-    // Indices may have changed, and a trajectory may have come again with fewer samples.
+    // Indices may have changed, and a trajectory may have arrived again with fewer samples.
     const paths = app.query()?.paths ?? [];
     const indexOf = (/** @type {Path | undefined} */ path) =>
       path ? paths.findIndex(({ serial }) => serial === path.serial) : -1;

@@ -3,8 +3,8 @@
 /** @import {LivePiece} from './types/page_data.js' */
 
 const kAgain = 1000; // ms until a lost connection is retried
-const kIdle = 2; // pause after a piece, in multiples of its processing time, so that the page
-                 // stays responsive
+// Pause after a piece, in multiples of its processing time. It keeps the page responsive.
+const kIdle = 2;
 
 /** @param {number} ms */
 const pause = (ms) => new Promise((done) => setTimeout(done, ms));

@@ -9,8 +9,8 @@ import { Path } from './path.js';
 const kFormat = 4; // data format, as in a page file
 
 /**
- * Returns true if one of the ranges [first, last], ascending, contains the number. There may be a
- * range for each attempt.
+ * Returns true if one of the ranges [first, last], ascending, contains the number. There may be
+ * one range per attempt.
  * @param {[number, number][]} ranges
  * @param {number} number
  */
@@ -28,7 +28,7 @@ export class LiveReport {
   constructor() {
     /** @type {Report} */
     this.report = { title: '', notes: [], levels: [], queries: [] };
-    this.revision = 0; // of the last piece
+    this.revision = 0; // revision of the last piece
     /** @type {StreamState} */
     this.state = 'live';
   }

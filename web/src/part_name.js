@@ -1,5 +1,5 @@
-// Names of parts. A part gets a number if it has no name, as in hand-written levels, or if the
-// level lacks it, as for an answer of another version.
+// Names of parts. A part is named by its number if it has no name, as in hand-written levels, or
+// if the level lacks it, as when the answer is from another version.
 
 /** @import {Level} from './types/report.js' */
 

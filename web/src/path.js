@@ -21,8 +21,8 @@ function actionAt(runs, tick) {
 }
 
 /**
- * Returns a function that decodes the text on its first call. Only the points are needed to draw
- * all trajectories, and a user opens only a few of thousands.
+ * Returns a function that decodes the text on its first call. Drawing all trajectories needs only
+ * the points, and a user opens only a few of thousands.
  * @template T, V
  * @param {T} text
  * @param {(text: T) => V} as
@@ -117,7 +117,7 @@ export class Path {
   }
 
   /**
-   * Returns the velocity before a sample, studs a tick on each axis; zero at the start.
+   * Returns the velocity just before a sample, in studs a tick on each axis; zero at the start.
    * @param {number} sample
    * @returns {Pose['perTick']}
    */
@@ -147,7 +147,7 @@ export class Path {
   }
 
   /**
-   * Returns the input of the tick that ends at or contains `tick`, or nothing at the start.
+   * Returns the input during the tick that ends at or contains `tick`, or nothing at the start.
    * @param {number} tick
    */
   actionBefore(tick) {
@@ -163,7 +163,7 @@ export class Path {
   }
 
   /**
-   * Returns the horizontal distance walked so far, studs; sums are cached.
+   * Returns the horizontal distance walked up to `tick`, in studs. Sums are cached.
    * @param {number} tick
    */
   travelled(tick) {

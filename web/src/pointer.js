@@ -37,7 +37,7 @@ export class Pointer {
     /** @type {Vector3 | null} */
     this.corner = null; // first corner of the box in progress
     /** @type {readonly FilterBox[]} */
-    this.before = []; // the boxes without the one in progress
+    this.before = []; // all boxes but the one in progress
     canvas.addEventListener('pointerdown', (event) => this.press(event));
     canvas.addEventListener('pointerup', (event) => this.release(event));
     canvas.addEventListener('blur', () => canvas.classList.remove('pressed'));
@@ -130,7 +130,7 @@ export class Pointer {
   }
 
   /**
-   * Runs once a frame. A trajectory gets its note at once, a part once the pointer rests.
+   * Runs once a frame. A trajectory gets its note at once, a part only when the pointer rests.
    * @param {number} now
    */
   hover(now) {
@@ -163,7 +163,7 @@ export class Pointer {
   }
 
   /**
-   * Shows name and role, with the importer's reason for the role.
+   * Shows the part's name and role, and the importer's reason for the role.
    * @param {PointerEvent} event
    */
   hoverPart(event) {

@@ -28,7 +28,8 @@ function namesOf(routes, level) {
 }
 
 /**
- * Returns the part whose presence in the route, or else absence, excludes most of `others`.
+ * Returns the part whose presence in the route, or whose absence from it, excludes most of
+ * `others`.
  * @param {Set<number>} own
  * @param {Set<number>[]} others
  * @param {number[]} parts
@@ -67,7 +68,7 @@ function markOf(index, sets, parts, names) {
 }
 
 /**
- * Results by query. A changed query is another object.
+ * Cached results by query. A changed query is another object.
  * @type {WeakMap<Query, Map<string, {mark: string, text: string}>>}
  */
 const known = new WeakMap();

@@ -1,11 +1,11 @@
-// Keyboard shortcuts. They are disabled while the user types, and with Ctrl, Alt or Meta. Space
+// Keyboard shortcuts. They are disabled while the user types or holds Ctrl, Alt or Meta. Space
 // toggles a focused check box.
 import { nextTheme } from './theme.js';
 
 /** @import {App} from './app.js' */
 /** @import {NamesOf} from './types/report.js' */
 
-const kWithAlt = /^[[\]]$/; // some keyboards require Alt for these
+const kWithAlt = /^[[\]]$/; // characters that some keyboards type with Alt
 
 /** @param {EventTarget | null} target */
 function typing(target) {
@@ -131,7 +131,7 @@ export function bindKeys(app) {
   window.addEventListener('keyup', (event) => {
     app.shift = event.shiftKey;
     app.stage.rig.key(event.code, false);
-    // A focused button would treat Space as a click, which is correct only in the help.
+    // A focused button would treat Space as a click. Only the help wants that.
     if (event.key === ' ' && event.target instanceof HTMLButtonElement && !app.help.dialog.open)
       event.preventDefault();
   });

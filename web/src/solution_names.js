@@ -1,4 +1,4 @@
-// Names that distinguish the solutions of a query: player, time and jumps, a part that only their
+// Names that distinguish the solutions of a query: player, time, jumps, a part that only this
 // route touches, and a number if all of these are equal.
 import { routeKey } from './choice.js';
 import { routeNames } from './route_names.js';
@@ -8,7 +8,7 @@ import { plural, seconds } from './ui/dom.js';
 /** @import {Level, Query} from './types/report.js' */
 
 /**
- * Results by query. A changed query is another object.
+ * Cached results by query. A changed query is another object.
  * @type {WeakMap<Query, Map<number, {name: string, route: string}>>}
  */
 const known = new WeakMap();

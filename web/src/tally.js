@@ -1,7 +1,7 @@
 // Counts of values.
 
 /**
- * Returns [value, count], most frequent first.
+ * Returns a [value, count] pair per distinct value, most frequent first.
  * @template T
  * @param {T[]} values
  * @returns {[T, number][]}

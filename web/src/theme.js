@@ -1,4 +1,4 @@
-// Light or dark panels, as the system or the user chooses.
+// Switches between light and dark panels, as the system or the user chooses.
 
 /** @import {Store} from './store.js' */
 /** @import {State} from './types/report.js' */
@@ -21,7 +21,8 @@ export function bindTheme(store) {
 }
 
 /**
- * Switches to the other theme. If that is the system's, it follows the system again.
+ * Switches to the other theme. If the other theme is the system's, the page follows the system
+ * again.
  * @param {Store} store
  */
 export function nextTheme(store) {

@@ -4,8 +4,8 @@ import { floats, longs, shorts } from './bytes.js';
 /** @import {BodyTrackData, TrackData} from './types/page_data.js' */
 /** @import {Between} from './types/report.js' */
 
-// Poses of a moving part, one sample every `stride` ticks from tick 0 on. From `loopFrom` on they
-// repeat (-1: the last one stays).
+// Poses of a moving part, one sample every `stride` ticks from tick 0 on. The samples repeat from
+// `loopFrom` on; with -1 the last pose stays.
 export class Track {
   /** @param {TrackData} raw */
   constructor(raw) {
@@ -13,8 +13,8 @@ export class Track {
     this.stride = raw.stride;
     this.count = raw.count;
     this.loopFrom = raw.loopFrom;
-    this.triggered = Boolean(raw.triggered); // ticks count from the motion's start, which the
-                                             // trajectory's events state
+    // If true, ticks count from the motion's start, which the trajectory's events state.
+    this.triggered = Boolean(raw.triggered);
     this.position = raw.position ? floats(raw.position) : null;
     this.rotation = raw.rotation ? shorts(raw.rotation) : null;
   }
@@ -56,7 +56,7 @@ export class Track {
   }
 }
 
-// Poses of a dynamic part at some ticks of a trajectory, interpolated linearly.
+// Poses of a dynamic part at some ticks of a trajectory, with linear interpolation.
 export class BodyTrack {
   /** @param {BodyTrackData} raw */
   constructor(raw) {

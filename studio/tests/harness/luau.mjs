@@ -1,4 +1,4 @@
-// Runs Luau in this process. Plugin sources and tests are compiled from disk, and call the outside
+// Runs Luau in this process. Plugin sources and tests are compiled from disk, and call Node
 // through `native`. Only one call into Luau runs at a time; concurrency uses Luau's coroutines.
 import { readFileSync, readdirSync } from 'node:fs';
 import { dirname, join, relative } from 'node:path';

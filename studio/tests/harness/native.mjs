@@ -45,8 +45,8 @@ export class Native {
     this.sockets.set(id, socket);
   }
 
-  // Runs a built tool with that input. Answers with the output lines that match `keep`, because the
-  // VM's memory is small.
+  // Runs a built tool with the given input. Answers with the output lines that match `keep`,
+  // because the VM's memory is small.
   tool(id, name, options, input, keep) {
     const command = join(this.bin, name);
     const wanted = (line) => new RegExp(keep).test(line);
@@ -76,7 +76,7 @@ export class Native {
     };
   }
 
-  // Waits until something arrives, for at most so many seconds.
+  // Waits until something arrives, for at most `seconds`.
   async pause(seconds) {
     if (this.queue.length > 0) return;
     let timer;

@@ -12,7 +12,7 @@ export async function report(luau, name, path, play) {
       if (problem) console.log(`    ${problem.replaceAll('\n', '\n    ')}`);
     }
   } catch (error) {
-    // The whole error would print a megabyte of the VM.
+    // Printing the whole error would include a megabyte of the VM.
     console.log(`FAILED ${name}: ${error.message}`);
     return false;
   }

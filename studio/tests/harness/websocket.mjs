@@ -4,7 +4,7 @@ import { request } from 'node:http';
 
 const TEXT = 1;
 const CLOSE = 8;
-const LONGEST_SHORT = 125; // max payload bytes whose count fits into the second byte
+const LONGEST_SHORT = 125; // max payload bytes whose count fits into the frame's second byte
 
 function frame(opcode, payload) {
   const mask = randomBytes(4);

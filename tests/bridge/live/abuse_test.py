@@ -138,7 +138,8 @@ class AbuseTest(unittest.TestCase):
         self.assertEqual(bridge.process.wait(20), 0)
 
     def test_a_bridge_that_ends_when_it_is_idle_stays_while_a_level_is_read(self):
-        folder = driver.tempfile.mkdtemp(prefix="obby-bridge-")  # tools, of which one is slow
+        # A folder of tools, one of which is slow.
+        folder = driver.tempfile.mkdtemp(prefix="obby-bridge-")
         self.addCleanup(driver.shutil.rmtree, folder)
         for tool in ("obby-bridge", "obby-solve"):
             driver.shutil.copy(os.path.join(driver.BIN, tool), folder)
@@ -358,7 +359,7 @@ class AbuseTest(unittest.TestCase):
         self.assertEqual(refused.status, 507, refused.body)
         self.assertIn("free disk space", refused.json()["cure"])
         self.assertEqual(os.listdir(os.path.join(bridge.state, "levels")), [])
-        # A small level fits on the disk. Its answer arrives, but does not fit and is not kept.
+        # A small level fits on the disk. Its answer does not fit, so it is sent but not kept.
         level = bridge.place_level(LEVEL)
         job = bridge.ask(level=level, ask=["any", "left"])["job"]
         messages = bridge.messages(job)

@@ -22,7 +22,8 @@ def main(groups=1):
     """Runs the tests of the file, or only the named ones. Tests that mostly wait can run in several
     groups at the same time."""
     global BIN, LEVELS
-    # The test files import this module by its name and get the same object, with these folders.
+    # The test files import this module by its name and get the same object, with these two
+    # folders.
     BIN, LEVELS = os.path.abspath(sys.argv[1]), os.path.abspath(sys.argv[2])
     names = sys.argv[3:]
     if groups > 1 and not names:

@@ -41,7 +41,8 @@ class HostileTest(unittest.TestCase):
         self.assertFalse(os.path.exists(self.trace), "a program was started")
         self.assertEqual(self.bridge.get("/v1/info").json()["jobs"], [])
 
-    # These lists have pairs of a value and the status if it is the first wrong one (None: valid).
+    # These lists contain pairs of a value and the status of a request in which only that value is
+    # wrong (None: the value is valid).
     def hosts(self):
         port = self.bridge.port
         return [(f"127.0.0.1:{port}", None), (f"LOCALHOST:{port}", None), (f"[::1]:{port}", None),
@@ -184,7 +185,7 @@ class HostileTest(unittest.TestCase):
 
     def test_where_no_code_is_on_offer_none_is_read(self):
         headers = [("Host", f"127.0.0.1:{self.bridge.port}"), ("Content-Type", "application/json")]
-        for length in (1000, 1 << 40):  # of bodies that never arrive
+        for length in (1000, 1 << 40):  # lengths of bodies that never arrive
             self.assertEqual(
                 self.send("POST", "/v1/pair", headers + [("Content-Length", str(length))]), 403)
 

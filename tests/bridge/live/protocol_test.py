@@ -175,7 +175,8 @@ class ProtocolTest(unittest.TestCase):
         last = self.bridge.get("/v1/info").json()["cursor"] + 10**6
         self.assertEqual(self.bridge.get(f"/v1/jobs/{job}?cursor={last}&wait=1").status, 410)
         quiet = self.bridge.ask(level=level, queries=[impossible()], budget={"timeLimit": 60})
-        third = self.bridge.ask(level=level, queries=[impossible()])["job"]  # is queued, so it sends nothing
+        # This job is queued, so it sends nothing.
+        third = self.bridge.ask(level=level, queries=[impossible()])["job"]
         cursor = self.bridge.get(f"/v1/jobs/{third}").json()["cursor"]
         poll = f"/v1/jobs/{third}?cursor={cursor}"
         older = self.bridge.socket()
@@ -196,7 +197,7 @@ class ProtocolTest(unittest.TestCase):
         bridge = Bridge("--solve", driver.program(self, "cat >/dev/null\nexec sleep 1000\n"))
         self.addCleanup(bridge.close)
         level, polls = bridge.place_level(LEVEL), []
-        for _ in range(2):  # like several windows of one Studio
+        for _ in range(2):  # several windows of one Studio do this
             job = bridge.ask(level=level)["job"]
             heard = bridge.messages(job, until=lambda m: m.get("state") == "running")
             connection = bridge.socket()
@@ -254,7 +255,8 @@ class ProtocolTest(unittest.TestCase):
             self.assertEqual(answer.json().get("path"), path)
 
     def test_calibration_without_its_tool_is_refused_by_name(self):
-        folder = driver.tempfile.mkdtemp(prefix="obby-bridge-")  # with all tools except obby-calibrate
+        # Holds all tools except obby-calibrate.
+        folder = driver.tempfile.mkdtemp(prefix="obby-bridge-")
         self.addCleanup(driver.shutil.rmtree, folder)
         for tool in ("obby-bridge", "obby-solve", "obby-import"):
             driver.shutil.copy(os.path.join(driver.BIN, tool), folder)
@@ -273,7 +275,8 @@ class ProtocolTest(unittest.TestCase):
         records = [json.loads(line) for line in rehearsed.stdout.splitlines()]
         level = self.bridge.place(b"\n".join(json.dumps(r).encode() for r in records
                                              if r["type"] == "level") + b"\n").json()["level"]
-        few = ("jump on the spot", "jump and turn back in the air")  # all would take too long
+        # All manoeuvres would take too long.
+        few = ("jump on the spot", "jump and turn back in the air")
         recordings = [r for r in records if r["type"] == "recording" and r["name"] in few]
         self.assertEqual(len(recordings), 2)
         job = self.bridge.ask(task="calibrate", level=level, recordings=recordings,

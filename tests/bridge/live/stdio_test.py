@@ -161,7 +161,7 @@ class StdioTest(unittest.TestCase):
         stream.write(json.dumps({"id": 2, "method": "GET", "path": "/v1/levels/" + level}).encode())
         stream.write(b"\n")
         stream.flush()
-        time.sleep(0.5)  # so that the bridge finds the socket full
+        time.sleep(0.5)  # meanwhile the bridge finds the socket full
         self.assertGreater(len(json.loads(stream.readline())["text"]), 2 << 20)
 
     def test_nonsense_is_answered_and_survived(self):

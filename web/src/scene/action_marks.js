@@ -1,4 +1,4 @@
-// Marks along the selected trajectory: a dot at each jump, a small ring at each landing.
+// Marks along the selected trajectory: a dot at each jump and a small ring at each landing.
 import { Group, Points, PointsMaterial, BufferGeometry, Float32BufferAttribute } from 'three';
 import { dispose } from './dispose.js';
 import { glyphTexture } from './markers.js';

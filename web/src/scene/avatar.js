@@ -33,7 +33,7 @@ function limb(width, height, depth, material, x, y) {
   return mesh;
 }
 
-// For the ghost of a comparison: one colour, translucent.
+// The ghost of a comparison has one translucent colour.
 const kGhost = { color: GHOST_COLOR, emissive: '#16384a', transparent: true, opacity: 0.5 };
 
 export class Avatar {

@@ -20,7 +20,8 @@ const kKeys = {
 /** @typedef {{yaw: number, pitch: number}} Direction radians */
 /** @typedef {Direction & {target: Vector3, distance: number}} View */
 
-const kFarthest = 8000; // max distance in studs, or twice the distance that frames a larger level
+// Max distance in studs; in a larger level, twice the distance that frames it.
+const kFarthest = 8000;
 
 export class CameraRig {
   /** @param {HTMLElement} canvas */
@@ -31,7 +32,7 @@ export class CameraRig {
     this.goal = { target: new Vector3(), yaw: 0.7, pitch: -0.5, distance: 60 };
     /** @type {View} */
     this.now = { target: new Vector3(), yaw: 0.7, pitch: -0.5, distance: 60 };
-    this.framed = 0; // distance that frames the last target
+    this.framed = 0; // distance in studs that framed the last target
     /** @type {Set<string>} */
     this.keys = new Set();
     this.flySpeed = 40;

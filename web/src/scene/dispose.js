@@ -1,4 +1,4 @@
-// Frees the GPU resources of a tree of nodes. Removing it from the scene does not free them.
+// Frees the GPU resources of a tree of nodes. Removing the tree from the scene does not.
 import { InstancedMesh, Line, Mesh, Points, PointsMaterial } from 'three';
 
 /** @import {Object3D, Scene} from 'three' */
@@ -17,8 +17,9 @@ export function dispose(root) {
   });
 }
 
-// Views that leave a scene. They are freed only after the next picture: the renderer drops an
-// unused GPU program, and compiling it again for a similar view takes longer than drawing.
+// Views removed from a scene. They are freed only after the next picture, because the renderer
+// drops an unused GPU program, and compiling it again for a similar view takes longer than
+// drawing.
 export class Leaving {
   /** @param {Scene} scene */
   constructor(scene) {
@@ -28,8 +29,8 @@ export class Leaving {
   }
 
   /**
-   * `free`: frees the group's view. It runs at once if the view was never drawn, because a hidden
-   * page draws nothing while its stream goes on.
+   * `free`: frees the group's view. It runs at once if the view was never drawn: a hidden page
+   * draws nothing while its stream continues.
    * @param {Object3D} group
    * @param {() => void} free
    */

@@ -1,4 +1,4 @@
-// The extent of a level, ignoring a few outliers.
+// Computes the extent of a level without a few outliers.
 import { Box3, Vector3 } from 'three';
 
 /** @import {Level} from '../types/report.js' */

@@ -32,9 +32,9 @@ export class FilterBoxes {
   constructor() {
     this.group = new Group();
     /** @type {BufferGeometry[]} */
-    this.geometries = []; // of the boxes that are shown
-    // Kept alive, because the renderer drops a GPU program with its last material, and a drag
-    // recreates the boxes at each move.
+    this.geometries = []; // geometries of the boxes shown
+    // The materials stay alive between calls: a drag recreates the boxes at each move, and the
+    // renderer drops a GPU program with its last material.
     const dashes = { dashSize: 0.06, gapSize: 0.06 };
     this.kept = { line: new LineBasicMaterial({ color: kKeep }), fill: fillOf(kKeep) };
     this.dropped = {

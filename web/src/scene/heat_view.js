@@ -41,14 +41,16 @@ export function visits(paths) {
       const x = Math.floor(path.points[i] / kCell);
       const z = Math.floor(path.points[i + 2] / kCell);
       const key = keyOf(x, Math.floor(feet / kCell), z);
-      if (key !== here) cell = cells.get(key); // usually the cell of the sample before
+      // A sample is usually in the cell of the previous sample.
+      if (key !== here) cell = cells.get(key);
       here = key;
       if (!cell) {
         cell = { x: (x + 0.5) * kCell, y: feet, z: (z + 0.5) * kCell, count: 0, last: null };
         cells.set(key, cell);
       }
       if (feet < cell.y) cell.y = feet;
-      // Trajectories are processed in turn, so the last visitor shows if this one was here.
+      // Trajectories are processed in turn, so comparing with the last visitor counts each
+      // trajectory once.
       if (cell.last !== path) cell.count += 1;
       cell.last = path;
     }
@@ -57,7 +59,7 @@ export function visits(paths) {
 }
 
 /**
- * Returns the same for a result's heat map.
+ * Returns the cells of a result's heat map, in the form that visits() returns.
  * @param {HeatMap} map
  * @returns {{size: number, cells: Cell[]}}
  */
@@ -85,9 +87,9 @@ export class HeatView {
     this.group = new Group();
     /** @type {InstancedMesh | null} */
     this.mesh = null;
-    this.max = 0; // maximum of all tiles
-    // Kept alive, because the renderer drops a GPU program with its last material, and each filter
-    // recreates the map.
+    this.max = 0; // max count of any tile
+    // The material stays alive between maps: each filter recreates the map, and the renderer
+    // drops a GPU program with its last material.
     this.material = new MeshBasicMaterial({
       transparent: true,
       opacity: 0.9,

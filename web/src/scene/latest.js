@@ -1,5 +1,5 @@
-// The state of parts after the events up to a tick. It continues from the previous tick, since
-// hours of play have many events.
+// Computes the state of parts after the events up to a tick. It continues from the previous tick,
+// since hours of play have many events.
 
 /** @import {PartEvent} from '../types/page_data.js' */
 
@@ -13,7 +13,7 @@ export class Latest {
     /** @type {PartEvent[] | null} */
     this.events = null;
     this.tick = 0;
-    this.read = 0; // number of events up to that tick
+    this.read = 0; // number of events up to the previous tick
     /** @type {Map<number, number>} */
     this.values = new Map();
   }

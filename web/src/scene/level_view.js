@@ -87,7 +87,7 @@ export class LevelView {
     /** @type {Map<string, number[]>} */
     const groups = new Map();
     /** @type {Map<string, {piece: Float32Array, key: string, parts: number[]}>} */
-    const alike = new Map(); // equal pieces of hulls, since a place has many copies of one mesh
+    const alike = new Map(); // merges equal hull pieces: a place has many copies of one mesh
     const hullsOf = new Map(this.level.hulls.map((hull) => [hull.part, hull.pieces]));
     for (let part = 0; part < this.level.count; part++) {
       const key = this.keyOf(part);
@@ -216,7 +216,8 @@ export class LevelView {
   }
 
   /**
-   * `tracks`: of the dynamic parts that the trajectory moves; `tick`: ticks since its start.
+   * `tracks`: poses of the dynamic parts that the trajectory moves; `tick`: ticks since its
+   * start.
    * @param {BodyTrack[]} tracks
    * @param {number} tick
    */

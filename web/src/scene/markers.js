@@ -1,5 +1,5 @@
-// Marks the ends of attempts, one glyph per outcome, and the runners: a dot for each trajectory at
-// the current tick.
+// Marks the ends of attempts by a glyph per outcome, and the runners by a dot for each trajectory
+// at the current tick.
 import {
   BufferAttribute,
   BufferGeometry,

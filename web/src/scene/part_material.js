@@ -1,6 +1,6 @@
-// The material of parts: soft light, fine edges, and a pattern per role in studs, so that roles are
-// distinguishable without colour. Stripes kill, chevrons carry, rings throw, checks are the goal,
-// and dots vanish.
+// The material of parts: soft light, fine edges, and a pattern per role in studs, so that roles
+// are distinguishable without colour: stripes for kill, chevrons for carry, rings for throw,
+// checks for the goal, dots for vanishing.
 import { DoubleSide, FrontSide, MeshLambertMaterial } from 'three';
 import { GRAIN_SHADER } from './material_hints.js';
 
@@ -37,7 +37,8 @@ vec2 faceUv(vec3 p) {
   return n.y > n.x && n.y > n.z ? p.xz : n.x > n.z ? p.zy : p.xy;
 }
 ${GRAIN_SHADER}
-// 0 to 1 across an edge at 0.5, smooth at any distance, and its mean where finer than a pixel.
+// Rises from 0 to 1 across an edge at 0.5, smooth at any distance. Stripes finer than a pixel get
+// their mean.
 float band(float v) {
   float w = fwidth(v);
   float s = abs(fract(v) - 0.5) * 2.0;

@@ -13,8 +13,9 @@ import { kLift, skipOf, ThinLines } from './thin_lines.js';
 /** @import {Path} from '../path.js' */
 /** @import {Query, State, Tint} from '../types/report.js' */
 
-const kMaxThick = 12; // max thick solutions; more are thin lines, because a thick one costs a draw
-                       // call and many pixels
+// Max thick solutions. Further ones are thin lines, because a thick line costs a draw call and many
+// pixels.
+const kMaxThick = 12;
 
 /**
  * Returns pairs of points for line segments, from sample `first` to sample `last`.

@@ -19,7 +19,7 @@ export class Picker {
   }
 
   /**
-   * Returns the point on a part or at the height of the camera's target.
+   * Returns the point under the pointer, on a part or at the height of the camera's target.
    * @param {At} at
    */
   point(at) {

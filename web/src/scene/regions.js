@@ -22,15 +22,15 @@ import { dispose } from './dispose.js';
 
 const kAvoid = '#d873c4';
 const kWaypoint = '#ffd166';
-export const kMaxAlike = 500; // max regions drawn of one list, since a tag may mark thousands of
-                               // parts
+// Max regions drawn of one list, since a tag may mark thousands of parts.
+export const kMaxAlike = 500;
 const kMaxNamed = 40; // max labels of one list
 
 /** @typedef {{fill: ShaderMaterial, line: LineBasicMaterial}} Materials */
 /** @typedef {Materials & {solid: BoxGeometry, edges: EdgesGeometry}} Look */
 
 /**
- * Fades upward, so that a tall box does not hide its contents.
+ * Returns a material that fades upward, so that a tall box does not hide its contents.
  * @param {string} color
  */
 function fillMaterial(color) {
@@ -46,7 +46,8 @@ function fillMaterial(color) {
   });
 }
 
-// Color -> shared geometry and materials, since there may be hundreds of boxes.
+// Returns a function from a color to shared geometry and materials, since there may be hundreds
+// of boxes.
 function sharedLooks() {
   const solid = new BoxGeometry(1, 1, 1);
   const edges = new EdgesGeometry(solid);

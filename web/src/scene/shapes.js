@@ -1,5 +1,5 @@
-// Unit geometries of the part shapes (extent 1 on each axis, scaled per part), and each shape's
-// scale.
+// Unit geometries of the part shapes, and the scale of each part. Unit geometries have extent 1
+// on each axis.
 import {
   BoxGeometry,
   BufferGeometry,

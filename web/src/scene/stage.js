@@ -27,7 +27,7 @@ import { goneAtRest } from './vanishing.js';
 const kHaze = '#141821';
 const kPanelWidth = 210; // pixels on the right that the legend covers
 const kAirborne = 1; // bit of a sample's state
-const kMaxShadowed = 4000; // parts; larger levels have no shadows
+const kMaxShadowed = 4000; // max parts of a level with shadows
 
 /**
  * The renderer logs missing features to the console itself.
@@ -59,7 +59,8 @@ export class Stage {
     this.renderer.shadowMap.type = PCFShadowMap;
     this.renderer.shadowMap.autoUpdate = false; // a camera move does not change shadows
     this.sun = new Sun(this.scene);
-    // Bounds of the level. The initial box is not empty, or the camera's position would become NaN.
+    // Bounds of the level. The initial box must not be empty: the camera's position would become
+    // NaN.
     this.bounds = new Box3(new Vector3(-4, -4, -4), new Vector3(4, 4, 4));
     this.filterBoxes = new FilterBoxes();
     this.heat = new HeatView();
@@ -153,7 +154,7 @@ export class Stage {
     for (const view of this.ofQuery()) this.scene.add(view.group);
   }
 
-  // Returns the box of the query's regions and solutions, or else of the level.
+  // Returns the box around the query's regions and solutions, or else around the level.
   queryBox() {
     const box = new Box3();
     if (this.regionView) box.expandByObject(this.regionView.group);
@@ -205,8 +206,8 @@ export class Stage {
 
   resize() {
     const { clientWidth, clientHeight } = this.canvas.parentElement ?? this.canvas;
-    // The size is 0 while the page is hidden, as in a frame that opens later. Framing would fail
-    // then.
+    // The size is 0 while the page is hidden, for example in a frame that opens later, and
+    // framing would fail.
     if (!clientWidth || !clientHeight) return;
     if (this.width === clientWidth && this.height === clientHeight) return;
     [this.width, this.height] = [clientWidth, clientHeight];

@@ -7,16 +7,16 @@ const kOff = 0.01; // max studs between a sample and a straight segment
 const kStep = 0.02; // min studs that define a direction
 
 /**
- * `samples`: (x, y, z) each. Returns the first, the corners and the last. No sample is farther than
- * kStep from the polyline through them.
+ * `samples`: (x, y, z) each. Returns the first sample, the corners and the last sample. No sample
+ * is farther than kStep from the polyline through them.
  * @param {Float32Array} samples
  */
 export function corners(samples) {
   const out = [...samples.subarray(0, 3)];
-  let from = 0; // start of the segment: the sample of the last corner
+  let from = 0; // start of the current segment: the sample at the last corner
   /** @type {Triple | null} */
   let direction = null; // direction of the segment
-  let far = 0; // distance of the previous sample along it
+  let far = 0; // distance of the previous sample along `direction`, studs
   for (let i = 3; i < samples.length; i += 3) {
     let [x, y, z] = offset(samples, from, i);
     if (direction) {

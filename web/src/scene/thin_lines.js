@@ -16,7 +16,8 @@ const kMaxPoints = 120000; // max per picture; a browser without a GPU draws 400
 export const kLift = 0.35; // studs above the feet, so that lines do not sink into the floor
 
 /**
- * Returns the stride of samples for all thin lines of a picture: 1, or k for every k-th.
+ * Returns the stride of samples for all thin lines of a picture: 1 for every sample, or k for
+ * every k-th.
  * @param {Path[]} paths
  * @param {number[]} indices
  */
@@ -27,7 +28,7 @@ export function skipOf(paths, indices) {
 
 export class ThinLines {
   /**
-   * `indices`: into the query's paths; `skip`: from skipOf.
+   * `indices`: indices of the query's paths; `skip`: stride of samples, from skipOf.
    * @param {Path[]} paths
    * @param {number[]} indices
    * @param {number} skip
@@ -45,7 +46,7 @@ export class ThinLines {
       this.spans.push([first, count]);
       first += count;
     }
-    const vertices = first; // of all lines
+    const vertices = first; // number of vertices of all lines
     this.colors = new BufferAttribute(new Float32Array(3 * vertices), 3);
     this.drawn = new BufferAttribute(new Uint32Array(2 * vertices), 1);
     this.geometry = new BufferGeometry();
@@ -110,7 +111,7 @@ export class ThinLines {
     });
     this.drawn.needsUpdate = true;
     this.geometry.setDrawRange(0, at);
-    // Many lines form a translucent cloud, and few stay readable.
+    // Many lines form a translucent cloud; a few lines are more opaque, to stay readable.
     this.lines.material.opacity = Math.min(0.6, Math.max(0.16, 6 / Math.sqrt(count * 4 + 1)));
   }
 

@@ -4,7 +4,7 @@
 /** @import {Level} from '../types/report.js' */
 
 /**
- * Returns true if a part with a timer is away. Timers act on whole ticks.
+ * Returns true if a part with a timer is absent. Timers act on whole ticks.
  * @param {TimedVanish} rule
  * @param {number} tick
  */
@@ -14,7 +14,7 @@ export function timedAway(rule, tick) {
 }
 
 /**
- * Returns parts that are away until they are triggered.
+ * Returns the parts that are absent until they are triggered.
  * @param {Level} level
  */
 export function goneAtRest(level) {

@@ -260,7 +260,7 @@ export interface PageData {
   queries: QueryData[];
 }
 
-// Takes the place of the data in a live page, which fetches the data from the server.
+// Stands in for PageData in a live page, which fetches its data from the server.
 export interface LiveData {
   format: number;
   live: true;
@@ -276,7 +276,7 @@ export interface LiveQuery {
   trajectories: { serial: number; data: PathData }[];
 }
 
-// An answer of /data.
+// A response of /data.
 export interface LivePiece {
   format: number;
   revision: number;

@@ -1,5 +1,5 @@
-// The report as the page uses it, with typed arrays in place of base64 (data.js makes it), the
-// page's state, and types that several files share.
+// The report as the page uses it, the page's state, and types that several files share. data.js
+// makes the report, with typed arrays in place of base64.
 import type { Vector3 } from 'three';
 import type { Path } from '../path.js';
 import type { Track } from '../tracks.js';
@@ -40,7 +40,7 @@ export interface Query extends QueryBase {
 export interface Report {
   title: string;
   notes: string[];
-  levels: Level[]; // live: with holes for levels that have not arrived
+  levels: Level[]; // live: levels that have not arrived are undefined
   queries: Query[];
 }
 
@@ -83,7 +83,7 @@ export interface State extends Filters {
   drawing: boolean; // the next drag draws a box
   theme: 'auto' | 'light' | 'dark';
   heat: boolean;
-  heatMax: number; // count of the fullest tile
+  heatMax: number; // max count of a tile
   heatTrajectories: boolean; // the heat map counts trajectories even if the search has its own map
   cut: boolean;
   query: number;

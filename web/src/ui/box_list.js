@@ -1,4 +1,5 @@
-// The filter's boxes: position, whether paths through them are kept or dropped, and how many pass.
+// The filter's boxes: position, whether trajectories through them are kept or dropped, and how
+// many pass.
 import { boxOf, pathsThrough } from '../choice.js';
 import { el, keepingFocus, trajectories } from './dom.js';
 
@@ -46,7 +47,7 @@ export class BoxList {
       el('div', { class: 'box-bar' }, this.draw, add),
       this.items,
     );
-    // The focused field must survive the change that it causes.
+    // The focused field keeps the focus through the change that it causes.
     store.on(['boxes', 'query'], () => keepingFocus(this.items, () => this.fill()));
     store.on(['order'], () => this.count());
     store.on(['drawing'], ({ drawing }) => {

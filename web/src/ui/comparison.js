@@ -1,5 +1,5 @@
-// Compares two trajectories: their numbers, when they passed the query's places, and their current
-// distance.
+// Compares two trajectories: their figures, when each passed the query's places, and the current
+// distance between the players.
 import { Quaternion, Vector3 } from 'three';
 import { segmentMeets } from '../choice.js';
 import { causeOf, GHOST_COLOR } from '../palette.js';
@@ -87,7 +87,7 @@ export class Comparison {
     this.pairOf = pairOf;
     this.sourceOf = sourceOf;
     this.tintOf = tintOf;
-    // Screen readers must not announce it each tick.
+    // Screen readers must not announce this distance each tick.
     this.gap = el('output', { class: 'quiet', 'aria-live': 'off' });
     store.on(['path', 'ghost', 'colorBy', 'order'], () => keepingFocus(root, () => this.fill()));
     this.fill();

@@ -1,5 +1,5 @@
-// Shows how attempts ended, as one bar, and what killed them. A click filters the trajectories by
-// that end.
+// Shows how attempts ended, as one bar, and what killed the player. A click filters the
+// trajectories by that end.
 import { OUTCOME_STYLE } from '../palette.js';
 import { fullName, partName } from '../part_name.js';
 import { count, el, plural } from './dom.js';
@@ -91,7 +91,8 @@ function killers(query, level, store, ends) {
         on: {
           click: () => {
             const again = store.state.killer === part;
-            const known = part < (level?.count ?? 0); // a part of another version may be unknown
+            // The part may be from another version of the level.
+            const known = part < (level?.count ?? 0);
             store.set({ killer: again ? -1 : part, part: again || !known ? -1 : part });
           },
         },

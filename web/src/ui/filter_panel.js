@@ -73,7 +73,7 @@ export class FilterPanel {
     this.fold.setAttribute('aria-expanded', String(wanted));
   }
 
-  // Called when the query has changed. A focused panel is updated only after it loses the focus.
+  // Called when the query has changed. A focused panel is updated only after losing the focus.
   refresh() {
     this.stale = this.root.contains(document.activeElement);
     if (!this.stale) this.fill();

@@ -1,5 +1,5 @@
-// An answer's findings besides its verdict: the proof's cut, changes that would help, routes, and
-// the search's saturation.
+// Lists an answer's findings besides its verdict: the proof's cut, changes that would help,
+// routes, and the search's saturation.
 import { partName } from '../part_name.js';
 import { routeNames } from '../route_names.js';
 import { routeText } from '../route_text.js';
@@ -18,7 +18,7 @@ const SATURATION = {
 };
 
 /**
- * Returns a line. If it has a part of the level, a click shows that part.
+ * Returns a line of text. If `part` is in the level, a click shows it.
  * @param {string} text
  * @param {number} part
  * @param {Level | undefined} level

@@ -1,4 +1,4 @@
-// The legend of the heat map: a logarithmic scale from 1 to the count of the fullest tile.
+// The legend of the heat map: a logarithmic scale from 1 to the max count of a tile.
 import { heatColor } from '../coloring.js';
 import { count, el } from './dom.js';
 

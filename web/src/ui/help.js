@@ -1,4 +1,4 @@
-// The list of shortcuts behind `?`.
+// The list of shortcuts that `?` opens.
 import { el } from './dom.js';
 
 /** @type {[title: string, rows: [keys: string, text: string][]][]} */

@@ -1,5 +1,5 @@
-// Shows the input of the current tick relative to the camera, with speed and height. At the start
-// the player stands and no key is pressed.
+// Shows the input during the current tick, relative to the camera, with speed and height. At the
+// start the player stands and no key is pressed.
 import { decimal, el } from './dom.js';
 
 /** @import {Path} from '../path.js' */

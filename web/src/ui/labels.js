@@ -1,4 +1,5 @@
-// Labels of regions and places that follow the camera. Overlapping ones are stacked.
+// Places labels of regions and places in the picture as the camera moves. Overlapping labels are
+// stacked.
 import { el } from './dom.js';
 
 /** @import {PerspectiveCamera, Vector3} from 'three' */
@@ -55,7 +56,7 @@ export class Labels {
   }
 
   /**
-   * Returns a height above the labels already placed.
+   * Returns a position in pixels above the labels already placed.
    * @param {Placed[]} placed
    * @param {number} x
    * @param {number} wanted

@@ -7,7 +7,7 @@ const kRow = '[role=option]:not([hidden])';
 
 export class OneStop {
   /**
-   * `list`: its rows have the role option and are not in the tab order.
+   * `list`: an element whose rows have the role "option" and are not in the tab order.
    * @param {HTMLElement} list
    */
   constructor(list) {
@@ -36,7 +36,8 @@ export class OneStop {
     return isRow ? row : null;
   }
 
-  // Removes the focus from the rows and the list, which gets it when the mouse hits no row.
+  // Removes the focus from the rows and from the list, which gets the focus when a click hits no
+  // row.
   leave() {
     const focused = document.activeElement;
     if (focused instanceof HTMLElement && this.list.contains(focused)) focused.blur();
@@ -91,7 +92,7 @@ export class OneStop {
     };
     const to = places[key];
     if (to !== undefined) rows[Math.max(0, Math.min(to, rows.length - 1))].focus();
-    // On the selected row Space plays, as elsewhere.
+    // On the selected row, Space plays as elsewhere on the page.
     else if (key === 'Enter' || (key === ' ' && row.getAttribute('aria-selected') !== 'true'))
       row.dispatchEvent(new MouseEvent('click', { bubbles: true, shiftKey }));
     else return;

@@ -1,4 +1,4 @@
-// The filtered trajectories of the query: their number, sorting, colouring, and a row each.
+// The filtered trajectories of the query: their count, sorting and colouring, and a row for each.
 import { SORTS } from '../choice.js';
 import { COLORINGS } from '../coloring.js';
 import { BAND_STYLE, causeOf, hardestOf } from '../palette.js';
@@ -104,7 +104,7 @@ export class PathList {
   }
 
   /**
-   * In the order of discovery, solutions form a group of their own; otherwise there is one list.
+   * Sorted by discovery, solutions form their own group; otherwise there is one list.
    * @param {Query} query
    * @param {number[]} order
    * @param {Sort} sort
@@ -153,7 +153,7 @@ export class PathList {
   }
 
   /**
-   * Describes a solution by time, jumps and route, an attempt by its end.
+   * Describes a solution by time, jumps and route, and an attempt by how it ended.
    * @param {Path} path
    * @param {number} index
    */

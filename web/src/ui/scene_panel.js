@@ -115,7 +115,7 @@ export class ScenePanel {
       const show = () => {
         row.hidden = !isShown();
       };
-      this.store.on(['query', 'heat', 'order'], show); // an answer may arrive for the query
+      this.store.on(['query', 'heat', 'order'], show); // an answer for the query may arrive
       show();
       box.append(row);
     };
@@ -153,7 +153,7 @@ export class ScenePanel {
   inspect() {
     const level = this.levelOf();
     const { part } = this.store.state;
-    // Another query's level may have fewer parts, before the selection is reset.
+    // Another query's level may have fewer parts, and the selection is reset only later.
     const isKnown = level !== undefined && part >= 0 && part < level.count;
     this.inspector.hidden = !isKnown;
     this.inspector.replaceChildren();

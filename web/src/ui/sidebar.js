@@ -18,7 +18,7 @@ function badge(verdict) {
   const style = VERDICT_STYLE[verdict];
   return el('span', {
     class: 'badge',
-    role: 'img', // screen readers would skip the sign or spell it
+    role: 'img', // without a role, screen readers skip the sign or spell it out
     'aria-label': style.label,
     text: style.mark,
     style: { '--tint': style.color },
@@ -44,7 +44,7 @@ function sharedIds(queries) {
 }
 
 /**
- * Returns the numbers of the answer, or the progress of a running search.
+ * Returns the answer's figures, or the progress of a running search.
  * @param {Query} query
  * @returns {Partial<Result & Progress>}
  */

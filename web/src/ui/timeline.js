@@ -8,7 +8,7 @@ import { el, icon, seconds, svg } from './dom.js';
 /** @import {Store} from '../store.js' */
 
 const kSpeeds = [0.1, 0.25, 0.5, 1, 2, 4, 10];
-const kWide = 1000; // width of the plot in its own units
+const kWide = 1000; // width of the plot in SVG units
 const kMaxMarks = 2000; // max marks of each kind
 const kSliderKeys = /^(Arrow|Page|Home$|End$)/;
 
@@ -87,8 +87,8 @@ function heights(path, x) {
 }
 
 /**
- * Keeps one tick per position. Hours of play have more ticks than are visible, or than a call can
- * take.
+ * Keeps one tick per position. Hours of play have more ticks than are visible, and more than a
+ * call can have arguments.
  * @param {number[]} ticks
  * @param {Place} x
  */
@@ -158,7 +158,7 @@ export class Timeline {
           store.set({ playing: false });
           playback.seek(Number(this.slider.value));
         },
-        // Keys that move the slider belong to the page, all others to the browser.
+        // The page handles the keys that move the slider; the browser handles all others.
         keydown: (event) => {
           if (kSliderKeys.test(event.key)) event.preventDefault();
         },
@@ -255,7 +255,8 @@ export class Timeline {
     this.extras.append(button);
   }
 
-  // Draws the selected trajectory's profile. With a longer ghost it ends before the timeline does.
+  // Draws the selected trajectory's profile. If the ghost is longer, the profile ends before the
+  // timeline.
   draw() {
     const path = this.selected();
     const length = Math.max(1, this.playback.lengthOf());
@@ -276,7 +277,8 @@ export class Timeline {
     this.slider.value = String(tick);
     this.slider.style.setProperty('--share', `${(100 * tick) / Math.max(1, length)}%`);
     const [now, all] = [seconds(tick / rate), seconds(length / rate)];
-    this.slider.setAttribute('aria-valuetext', `${now} of ${all} s`); // its value is in ticks
+    // The slider's value is in ticks.
+    this.slider.setAttribute('aria-valuetext', `${now} of ${all} s`);
     this.time.textContent = `${now} / ${all} s`;
     this.tick.textContent = `tick ${Math.floor(tick + 1e-6)}`;
   }

@@ -1,5 +1,6 @@
-# Prints the scalars of a TensorBoard events file, one per line: step, tag, value. It follows the
-# documents of the formats, not our writer: TFRecord framing, CRC-32C and Protocol Buffers.
+# Prints the scalars of a TensorBoard events file, one per line: step, tag, value. The code
+# follows the specifications of the formats (TFRecord framing, CRC-32C and Protocol Buffers), not
+# our writer.
 import struct
 import sys
 
