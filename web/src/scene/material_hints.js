@@ -1,5 +1,4 @@
-// A faint grain for each kind of material, scaled in studs. Many of the engine's materials share
-// a grain.
+// A faint grain for each kind of material, in studs. Many of the engine's materials share one.
 export const GRAIN = {
   none: 0,
   glow: 1, // emits light
@@ -31,11 +30,10 @@ for (const grain of /** @type {(keyof typeof GRAIN)[]} */ (Object.keys(GRAIN)))
 /** @param {string} material */
 export const grainOf = (material) => grains.get(material) ?? GRAIN.none;
 
-// Factors for a point's brightness; `uv` in studs on the face.
+// Factors of a point's brightness; `uv` in studs on the face.
 export const GRAIN_SHADER = `
 float random(vec2 p) { return fract(sin(dot(p, vec2(12.9898, 78.233))) * 43758.5453); }
-// A dark line of half width `thin` at integer values of v. It fades out where it is finer than a
-// pixel.
+// A dark line at integers of v with half width thin, faded out where finer than a pixel.
 float seam(float v, float thin) {
   float w = fwidth(v);
   float d = 0.5 - abs(fract(v) - 0.5);
