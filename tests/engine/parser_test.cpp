@@ -71,7 +71,7 @@ const Wrong kWrong[] = {
      "'(' on a new line could begin a statement or a call: put ';' before a statement"},
     {"return 1 print(2)", 1, "expected the end of the block after 'return', found 'print'"},
     {"while true do break print(2) end", 1,
-     "expected the end of the block behind 'break', found 'print'"},
+     "expected the end of the block after 'break', found 'print'"},
     {"break", 1, "'break' outside of a loop"},
     {"while true do local function f() continue end end", 1, "'continue' outside of a loop"},
     {"function f() return ... end", 1, "'...' in a function that takes no '...'"},

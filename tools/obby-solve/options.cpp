@@ -94,7 +94,7 @@ OptionRow backendRow() {
 OptionRow bodyRow() {
   return detailed(
       repeatable(row("body", ValueType::text, "BODY", "",
-                     "avatar: r6, r15, each or the place's [default: place]", kSearchGroup)),
+                     "body: r6, r15, each or the place's [default: place]", kSearchGroup)),
       "place is the level's own body. Several are given with commas, or by repeating the option. A "
       "query with several bodies or frame rates is solved if it is for every one of them, and "
       "unreachable if it is for at least one. Its result lists the answer for each. each: the "
