@@ -1,4 +1,4 @@
-// Detects the tricks of the engine behind some recordings: each recording is played with and
+// Detects which engine tricks were active in the recordings: each recording is played with and
 // without every trick.
 #pragma once
 

@@ -40,7 +40,7 @@ class Recorder {
   static std::string_view shortened(std::string_view text) {
     return text.substr(0, kMaxProblemText);
   }
-  // Returns a count that grows with all that is recorded.
+  // Returns a count that increases with everything recorded.
   size_t activity() const { return changes_ + placed_ + seen_.harms.size() + seen_.tweens.size(); }
   // Returns true if the recorder's budget is used up.
   bool isFull() const {

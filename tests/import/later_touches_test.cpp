@@ -181,7 +181,7 @@ TEST(Touches, AClickThatMovesThePlayerIsReported) {
       "player.Character:PivotTo(CFrame.new(0, 99, 0)) end)",
       button);
   scene.level();
-  EXPECT_EQ(scene.unmodelled("use that acts on the player"), 1u);
+  EXPECT_EQ(scene.unmodelled("interaction that affects the player"), 1u);
 }
 
 TEST(Touches, ATagKillsUnlessAScriptListens) {

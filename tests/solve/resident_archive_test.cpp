@@ -1,5 +1,5 @@
 // The archive of a resident search is the same for any number of threads and stays within its
-// capacity. Replaying its trajectories results in its states.
+// capacity. Replaying its trajectories reproduces its states.
 #include <set>
 
 #include "resident_scenes.h"

@@ -13,7 +13,7 @@ namespace obby::importer {
 class LineIndex {
  public:
   LineIndex() = default;  // an empty index
-  // The text must outlive the index and have less than 4 GiB.
+  // The text must outlive the index and be smaller than 4 GiB.
   explicit LineIndex(std::string_view text);
 
   // Returns line `number`, counted from 1, without its line break, or nullopt past the end. Text

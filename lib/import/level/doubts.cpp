@@ -22,7 +22,7 @@ constexpr std::string_view kEasier[] = {"ability of the player",
                                         "tag walljump",
                                         "tag zipline",
                                         "tool",
-                                        "use that acts on the player"};
+                                        "interaction that affects the player"};
 // A part with this motion may reach a player anywhere; if it kills, no part of the level is safe.
 constexpr std::string_view kNoPeriod = "motion without a period";
 constexpr std::string_view kHarder[] = {"harm by climbing, swimming or sitting",

@@ -165,7 +165,7 @@ void noteObservedLosses(RoleContext& context, const ObservedPlace& place) {
   }
   if (report.sleeps)
     context.level.noteUnmodelled("script that still waits", tree, kNoInstance,
-                                 "what comes later is not seen");
+                                 "effects after the wait are not observed");
   noteChanges(context, report);
   noteComing(context, report);
   notePushes(context, report);

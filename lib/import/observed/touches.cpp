@@ -160,7 +160,7 @@ class Touches {
     if (!used)
       roles_.takePlayer(part, effects);
     else if (effects.touchesPlayer())
-      note("use that acts on the player", part.id,
+      note("interaction that affects the player", part.id,
            "the player stays as it is; " + roles_.reason(effects.line()));
     roles_.takeParts(part, used, effects);
   }

@@ -15,9 +15,8 @@ class DeviceAdam {
   Result<LearnerState> state() const;
   Status restore(const LearnerState& state);
 
-  // Updates `parameters` by `gradient`, a sum over `rows`. The mean gradient is scaled down to the
-  // norm `maxGradNorm` if it is longer. Adds its norm before scaling to `norm`. The three pointers
-  // are to device memory.
+  // Updates `parameters` by `gradient`, a sum over `rows`. Clips the mean gradient to the norm
+  // `maxGradNorm`, and adds the unclipped norm to `norm`. All three pointers are device pointers.
   Status step(float* parameters, const float* gradient, float rows, float maxGradNorm,
               float learningRate, double* norm);
 

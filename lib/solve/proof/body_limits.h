@@ -41,7 +41,7 @@ struct BodySpeeds {
   float jump = 0;      // max launch speed of a jump
   float slowJump = 0;  // min launch speed of a jump, under the worst boost
   float decay = 0;     // deceleration of excess speed by keys, studs/s^2
-  float turning = 0;   // studs/s by which turns next to parts push the body on
+  float turning = 0;   // speed that turning next to parts can add, studs/s
   float late = 0;      // seconds from the last tick on a floor to the end of a jump's first tick
   // For the trick of held jumps; 0 without it.
   float heldSeconds = 0;  // max time without gravity

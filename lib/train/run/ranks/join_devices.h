@@ -7,7 +7,7 @@
 
 namespace obby::train {
 
-// Every rank calls it after it has opened its GPU. Returns null if gradients go through the host: a
+// Every rank calls this after opening its GPU. Returns null if gradients go through the host: a
 // single rank, or a build without NCCL. Error: that of NCCL, the same on every rank.
 Result<std::unique_ptr<DeviceRanks>> joinDevices(Ranks& ranks);
 
