@@ -177,7 +177,7 @@ Reply Service::cancelJob(Client& client, const std::string& id) {
 
 std::optional<Reply> Service::checkSession(const Call& call) const {
   if (call.session.empty() || call.session == session_) return {};
-  return refuse(410, "the bridge has restarted since", kAskAgain);
+  return refuse(410, "the bridge has restarted since this session began", kAskAgain);
 }
 
 std::optional<Reply> Service::checkCursor(const Call& call, const Client& client,

@@ -148,7 +148,7 @@ std::vector<std::string> reasonsOf(const Shortfall& s, double tolerance) {
         fmt::format("'{}', {:.2f} to {:.2f} s: started as recorded, {:.2g} studs off in {}, {}",
                     w.recording, w.from, w.to, w.off, nameOf(w.state), causeOf(w)));
   if (out.empty())
-    out.emplace_back("no half second is that far off on its own: small errors add up");
+    out.emplace_back("no single half second exceeds the tolerance; small errors add up");
   return out;
 }
 

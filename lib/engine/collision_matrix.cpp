@@ -41,7 +41,7 @@ Result<GroupMatrix> decodeGroups(std::string_view blob) {
     const uint32_t mask = reader.number(kMaskBytes);
     const std::string name(reader.bytes(reader.number(1)));
     if (bytes != kMaskBytes || id >= matrix.masks.size())
-      return makeError("a collision group that cannot be");
+      return makeError("a collision group has an invalid id or mask");
     matrix.masks[id] = mask;
     matrix.ids[name] = uint8_t(id);
   }

@@ -128,7 +128,7 @@ Status PartCompiler::checkBudget(const PartContext& c) {
   return pathError(
       c.part.hasMotion() ? "motion" : "fall",
       fmt::format("the level's motions together need more than {} ticks of tables", kMaxLevelRows),
-      "shorten motions, or give parts the same spin: they share a table");
+      "shorten some motions, or give several parts the same spin, which then counts once");
 }
 
 void PartCompiler::push(Collider collider, uint32_t flags) {

@@ -63,7 +63,7 @@ Status EnvGroup::restore(EnvGroupState state) {
         fmt::format("{} levels in an env group, expected {}", state.places.size(), places_.size()));
   for (uint32_t p = 0; p < places_.size(); ++p) {
     static_cast<PlaceState&>(places_[p]) = std::move(state.places[p]);
-    if (places_[p].taken == 0) return makeError("a slot that never had a level");
+    if (places_[p].taken == 0) return makeError("an env of the checkpoint has no level");
     OBBY_RETURN_IF_ERROR(findLevel(p));
     OBBY_RETURN_IF_ERROR(needLevel(p));
     OBBY_RETURN_IF_ERROR(checkPlace(places_[p], *places_[p].level, settings_));

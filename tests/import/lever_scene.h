@@ -8,7 +8,7 @@
 namespace obby::test {
 
 inline constexpr const char* kMoreLater = "touch that does more later";
-inline constexpr const char* kLessLater = "touch that does less later";
+inline constexpr const char* kLessLater = "touch whose effect wears off";
 inline const std::string kKillHit = "hit.Parent.Humanoid.Health = 0 ";
 
 // Scripts can use the parts `lever` and `p` (the trap). The trap contains three values.

@@ -68,7 +68,7 @@ TEST(Signals, StoredConnectionsCanBeDisconnected) {
       "local touched = p.Touched local c c = touched:Connect(function(hit)\n"
       "c:Disconnect() p.CanCollide = false wait(3) p.CanCollide = true end)");
   EXPECT_TRUE(scene[scene.self].vanish);
-  EXPECT_EQ(scene.unmodelled("touch that does less later"), 1u);
+  EXPECT_EQ(scene.unmodelled("touch whose effect wears off"), 1u);
 }
 
 }  // namespace

@@ -66,7 +66,7 @@ void EffectRoles::takePlayer(PartDraft& part, const ProbeEffects& effects) {
   }
   if (effects.ends && !part.goal && !hasEvidence(part, kHarmless)) {
     part.kill = Kill{kDeadly, 0};
-    prove(part, "kill", "the player can go on no more; " + reason(*effects.ends));
+    prove(part, "kill", "the player cannot continue; " + reason(*effects.ends));
   }
   if (effects.stateOff)
     note("part that stops the player", part.id, "a state is switched off; ", *effects.stateOff);

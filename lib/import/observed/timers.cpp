@@ -120,9 +120,9 @@ void timersFromObservation(RoleContext& context, const engine::Report& report) {
     if (change.property == "Velocity" && change.time > report.probedAt &&
         ++belts[change.target] == 1)
       if (const PartDraft* const part = context.part(change.target); part && part->anchored)
-        context.level.noteUnmodelled(
-            "conveyor that a script changes", context.tree, change.target,
-            "keeps its velocity at the start of play; " + lineReason(context.tree, change.line));
+        context.level.noteUnmodelled("conveyor that a script changes", context.tree, change.target,
+                                     "simulated with its velocity at the start of play; " +
+                                         lineReason(context.tree, change.line));
 }
 
 void broughtFromObservation(RoleContext& context, const ObservedPlace& place) {

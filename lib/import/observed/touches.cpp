@@ -91,8 +91,8 @@ class Touches {
       if (!added.onlyStage()) noteMore(*part, when, added);
     }
     if (const ProbeEffects ended = endedIn(before, now); !ended.empty())
-      note("touch that does less later", part->id,
-           when + ", taken as if it stayed the same; " + roles_.reason(ended.line()));
+      note("touch whose effect wears off", part->id,
+           when + ", simulated as if the effect stayed the same; " + roles_.reason(ended.line()));
   }
 
   // Names listeners without a visible effect: scripts may count such touches towards a later

@@ -47,7 +47,7 @@ void hintsFromScripts(RoleContext& context, const ObservedPlace& place) {
     hint(context, id);
     if (!place.ran)
       context.level.noteUnmodelled("script that did not run", context.tree, id,
-                                   "what it does is missing");
+                                   "the level lacks its effects");
   }
 }
 

@@ -33,7 +33,7 @@ Status compileFall(PartContext& c) {
   const auto record = c.part.getFall();
   if (c.part.hasVanish() || c.part.hasMotion()) {
     return pathError("fall", "a part that falls cannot have motion or vanish",
-                     "remove its vanish or motion");
+                     "remove the part's 'vanish' and 'motion', or 'fall'");
   }
   if (!(record.getSpeed() >= 0)) {
     return pathError("fall.speed", "expected 0 or more studs/s, found " + shown(record.getSpeed()));

@@ -182,7 +182,7 @@ Status DevicePlaces::restore(std::span<EnvGroupState> envGroups) {
   const std::vector<size_t> all = allPlaces();
   for (const size_t p : all) {
     const PlaceState& s = *states[p];
-    if (s.taken == 0) return makeError("a slot that never had a level");
+    if (s.taken == 0) return makeError("an env of the checkpoint has no level");
     places_[p] = {s.taken, 0, s.hardest, 0, nullptr, false};
   }
   dropPastLevels();
