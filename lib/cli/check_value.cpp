@@ -3,21 +3,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <cstdint>
 
 #include "base/spelling.h"
+#include "io/parse_all.h"
 #include "io/text.h"
 
 namespace obby::cli {
 namespace {
-
-template <class T>
-bool parseAll(const std::string& text, T& out) {
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), out);
-  return error == std::errc() && end == text.data() + text.size();
-}
 
 bool contains(const std::vector<std::string>& choices, const std::string& text) {
   return std::find(choices.begin(), choices.end(), text) != choices.end();
@@ -64,20 +58,20 @@ std::optional<std::string> checkValue(const OptionRow& row, std::string& text) {
     case ValueType::file: return std::nullopt;
     case ValueType::integer: {
       int64_t value = 0;
-      if (!parseAll(text, value) || double(value) < row.min || double(value) > row.max ||
+      if (!io::parseAll(text, value) || double(value) < row.min || double(value) > row.max ||
           value % row.multiple != 0)
         return expected("a whole number" + bounds(row) + multiples(row));
       return std::nullopt;
     }
     case ValueType::number: {
       double value = 0;
-      if (!parseAll(text, value) || !std::isfinite(value) || value < row.min || value > row.max)
+      if (!io::parseAll(text, value) || !std::isfinite(value) || value < row.min || value > row.max)
         return expected("a number" + bounds(row));
       return std::nullopt;
     }
     case ValueType::seed: {
       uint64_t value = 0;
-      if (!parseAll(text, value)) return expected("a whole number from 0 to 2^64 - 1");
+      if (!io::parseAll(text, value)) return expected("a whole number from 0 to 2^64 - 1");
       return std::nullopt;
     }
     case ValueType::choice:

@@ -3,12 +3,12 @@
 #include <fmt/format.h>
 
 #include <bitset>
-#include <charconv>
 #include <cmath>
 #include <cstring>
 
 #include "base/spelling.h"
 #include "io/example.h"
+#include "io/parse_all.h"
 
 namespace obby::io {
 namespace {
@@ -26,13 +26,6 @@ constexpr size_t kMaxFields = 256;
 void setTuple(const StructPlan& plan, capnp::DynamicStruct::Builder out,
               const capnp::DynamicValue::Reader* values) {
   for (size_t i = 0; i < plan.fields.size(); i++) out.set(plan.fields[i].field, values[i]);
-}
-
-// Parses a number that must be the whole text.
-template <class T>
-bool parseAll(std::string_view text, T& out) {
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), out);
-  return error == std::errc() && end == text.data() + text.size();
 }
 
 }  // namespace

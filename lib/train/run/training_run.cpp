@@ -30,10 +30,6 @@ TrainingRun::TrainingRun(Trainer& trainer, Ranks& ranks, const CheckpointStore& 
   timeout_.begin();
 }
 
-double TrainingRun::seconds() const {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
-}
-
 double TrainingRun::meanRate() const {
   return double(last_.decisions - decisionsBefore_) / seconds();
 }

@@ -1,11 +1,11 @@
 // A training run: iterations until a limit, with saves, metrics and logs between them.
 #pragma once
 
-#include <chrono>
 #include <functional>
 #include <optional>
 #include <string>
 
+#include "base/stopwatch.h"
 #include "train/ranks.h"
 #include "train/run/checkpoint_store.h"
 #include "train/run/event_log.h"
@@ -61,7 +61,7 @@ class TrainingRun {
     double seconds;
     uint64_t decisions;
   };
-  double seconds() const;  // wall-clock time of this run
+  double seconds() const { return watch_.seconds(); }  // wall-clock time of this run
   double allSeconds() const { return store_.secondsBefore() + seconds(); }
   double meanRate() const;  // decisions per second, in this run
   double presentRate();     // decisions per second, over the last five to ten seconds
@@ -83,7 +83,7 @@ class TrainingRun {
   Timeout& timeout_;
   const uint64_t decisionsBefore_;
   Iteration last_;
-  const std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+  const Stopwatch watch_;
   double metricsAt_ = 0, savedAt_ = 0;    // seconds of this run
   uint64_t metricsOf_ = 0;                // iteration of the last record
   bool saved_ = false, failing_ = false;  // a save succeeded before the end; the last one failed
