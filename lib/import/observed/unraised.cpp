@@ -141,7 +141,7 @@ void noteUnraised(RoleContext& context, const engine::Report& report) {
     for (const engine::Heed& heed : heeds)
       context.level.noteUnmodelled(
           "event that is not raised", context.tree, heed.target,
-          name + " is never raised here; " + lineReason(context.tree, heed.line));
+          name + " did not occur while scripts ran; " + lineReason(context.tree, heed.line));
 }
 
 }  // namespace obby::importer

@@ -72,7 +72,7 @@ Status Instances::setAttributes(InstanceId id, const Json& object, const Place& 
 Result<InstanceId> Instances::addModel(const Json& model, std::string_view name, const Place& place,
                                        int depth) {
   if (!model.isObject()) return place.error("expected an object, found " + model.describe());
-  if (depth > kMaxModelDepth) return place.error("instances are nested too deep");
+  if (depth > kMaxModelDepth) return place.error("instances are nested deeper than 64 levels");
   const auto className = member(model, "ClassName", "className").text();
   if (!className) return place.at("ClassName").error("expected the name of a class");
   const std::string own = member(model, "Name", "name").text().value_or(*className);

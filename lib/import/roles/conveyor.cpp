@@ -80,7 +80,7 @@ void conveyorFromVelocity(RoleContext& context) {
     if (part.conveyor || part.jumpPad) continue;
     if (length(velocity) >= kMinSpeed && !isAligned(part, velocity)) {
       context.level.noteIgnored("saved velocity along no axis", context.tree.path(part.id),
-                                "taken as left over from physics, not as a conveyor");
+                                "treated as left over from physics, not as a conveyor");
       continue;
     }
     if (isUpward(velocity))

@@ -72,7 +72,7 @@ bool fromPusher(RoleContext& context, const ConstraintSettings& settings, const 
   constexpr const char* kKind = "motion of a pushing mover";
   const char* const name = velocityName(context.tree, id);
   if (!(length(mul(settings.vector(id, name), *axes)) < 1e-3f))
-    return leaveDriven(context, kKind, part, id, "nothing stops it");
+    return leaveDriven(context, kKind, part, id, "nothing stops the motion");
   return hold(context, part, "a mover holds it in place");
 }
 
@@ -103,7 +103,7 @@ bool fromTurner(RoleContext& context, const ConstraintSettings& settings, Instan
   Motion motion;
   motion.spin =
       Spin{toLocal(pivotOf(context.tree, part).rotation, normalize(turn)), length(turn), {}};
-  return giveDriven(context, part, motion, id, "turns it", true);
+  return giveDriven(context, part, motion, id, "turns the part", true);
 }
 
 // Returns the pulls summed over joined parts.
@@ -133,7 +133,7 @@ bool fromFollower(RoleContext& context, const ConstraintSettings& settings, Inst
   const Pose own = attachmentFrame(context.tree, context.tree.at(id), "Attachment0", drive->moving);
   constexpr float kNear = 1;  // max studs between the attachments
   if (way.spin || turns || !(length(own.position - drive->frame.position) <= kNear)) return false;
-  return giveDriven(context, *drive, Motion{}, "follows a moving part", true);
+  return giveDriven(context, *drive, Motion{}, "makes the part follow a moving part", true);
 }
 
 }  // namespace
@@ -169,8 +169,9 @@ void noteTurning(RoleContext& context, const ConstraintSettings& settings, Insta
   const auto force = forceOf(context.tree, settings, id);
   const char* const name = velocityName(context.tree, id);
   if (length(settings.vector(id, name)) >= 1e-3f && (!force || length(*force) > 0))
-    context.level.noteUnmodelled("part that two movers move", context.tree, part,
-                                 "it only turns in place; " + context.tree.path(id));
+    context.level.noteUnmodelled(
+        "part that two movers move", context.tree, part,
+        "simulated as turning in place; ignored: " + context.tree.path(id));
 }
 
 bool isPusher(const std::string& className) {
