@@ -167,7 +167,7 @@ TEST(DesignerQueries, RegionsWithoutAKindAndSecondStartsAreReported) {
             "left out; expected one of goal, start, avoid, visit, waypoint");
   EXPECT_EQ(import.warnings[1],
             "test.rbxl: ServerStorage/ObbyQueries/odd/there is an extra start and is left out; a "
-            "query has only one");
+            "query can have only one");
   EXPECT_EQ(import.queries[0].reader().getQuery().getStart().getRegion().getName(), "here");
 }
 

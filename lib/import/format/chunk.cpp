@@ -51,7 +51,7 @@ Result<Chunk> readHeader(std::string_view file, size_t offset) {
   }
   chunk.body = reader.bytes(chunk.compressed ? packed : raw);
   if (!reader.ok()) {
-    return chunkError(chunk, "claims " + std::to_string(chunk.compressed ? packed : raw) +
+    return chunkError(chunk, "claims to hold " + std::to_string(chunk.compressed ? packed : raw) +
                                  " bytes, but the file ends after " +
                                  std::to_string(file.size() - offset - kChunkHeaderSize));
   }

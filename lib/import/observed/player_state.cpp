@@ -28,7 +28,7 @@ void noteBody(RoleContext& context, const engine::Report& report) {
   if (report.arrived.stuck) {
     context.level.noteUnmodelled(
         "player that cannot walk", context.tree, kNoInstance,
-        "scripts hold the player until an event that did not occur; simulated as free");
+        "scripts hold the player until an event that did not occur; simulated as free to walk");
   }
 }
 

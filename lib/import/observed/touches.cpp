@@ -59,7 +59,7 @@ class Touches {
     const auto own = effects.asOf(probe.target, part->id);
     if (probe.lost || !own)
       return note("touch that was not tested", part->id,
-                  "the place has too many parts to test; treated as a plain part");
+                  "the place has too many parts to test; the effect is unknown");
     if (own->empty()) {
       takeHeardOnly(*part, true);
       return;

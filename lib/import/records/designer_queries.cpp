@@ -78,7 +78,7 @@ class Reader {
     const auto starts = regions(id, "start");
     if (!starts.empty()) fillRegion(starts[0], query.getStart().initRegion());
     for (size_t i = 1; i < starts.size(); ++i)
-      warn(starts[i], "is an extra start and is left out; a query has only one");
+      warn(starts[i], "is an extra start and is left out; a query can have only one");
     fillRegions(regions(id, "avoid"), [&](uint32_t n) { return query.initAvoid(n); });
     fillRegions(regions(id, "visit"), [&](uint32_t n) { return query.initVisits(n); });
     fillWaypoints(regions(id, "waypoint"), query);

@@ -51,7 +51,7 @@ Status Instances::setProperty(InstanceId id, const std::string& name, const Json
   if (parsed) {
     builder_.set(id, name, *std::move(parsed));
   } else if (defaultOf(className, spellingOf(className, name).name) != nullptr) {
-    builder_.warn(place.error("not read: " + value.describe()).text());
+    builder_.warn(place.error("ignored, as it cannot be read: " + value.describe()).text());
   }
   return {};
 }
@@ -64,7 +64,8 @@ Status Instances::setAttributes(InstanceId id, const Json& object, const Place& 
     if (parsed)
       builder_.setAttribute(id, name, *std::move(parsed));
     else
-      builder_.warn(place.at(name).error("not read: " + value.describe()).text());
+      builder_.warn(
+          place.at(name).error("ignored, as it cannot be read: " + value.describe()).text());
   }
   return {};
 }

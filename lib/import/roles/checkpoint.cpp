@@ -149,7 +149,7 @@ void checkpointFromMarkers(RoleContext& context) {
   if (owners.size() < 2 || !isRow) return;
   for (const auto& [number, ids] : owners)
     if (PartDraft* const part = touchPart(context, ids[0]); part && part->touch)
-      give(context, *part, ids[0], "a stage number of its own", true);
+      give(context, *part, ids[0], "it has a stage number of its own", true);
 }
 
 void checkpointFromNames(RoleContext& context) {

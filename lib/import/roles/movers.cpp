@@ -69,7 +69,7 @@ bool fromPusher(RoleContext& context, const ConstraintSettings& settings, const 
   const auto force = forceOf(context.tree, settings, id);
   const auto axes = force ? axesOf(*force, weightOf(context, part)) : std::nullopt;
   if (!axes) return false;
-  constexpr const char* kKind = "motion of a pushing mover";
+  constexpr const char* kKind = "motion by a BodyVelocity or LinearVelocity";
   const char* const name = velocityName(context.tree, id);
   if (!(length(mul(settings.vector(id, name), *axes)) < 1e-3f))
     return leaveDriven(context, kKind, part, id, "nothing stops the motion");
