@@ -203,15 +203,15 @@ class OrderReader {
   Status check() const {
     const bool solve = order_.task == Task::solve;
     if (recordsName_ && (std::string_view(recordsName_) == "queries") != solve) {
-      return pathError(recordsName_, "this member is not allowed with this task");
+      return pathError(recordsName_, "this field is not allowed with this task");
     }
     for (const BudgetRow* row : rows_) {
       if (solve ? row->solves : row->calibrates) continue;
       return pathError(std::string("budget.") + row->name,
-                       "this member is not allowed with this task");
+                       "this field is not allowed with this task");
     }
     if (isGiven("--trials=") && !isGiven("--difficulty"))
-      return pathError("budget.trials", "this member has no effect without budget.difficulty",
+      return pathError("budget.trials", "this field has no effect without budget.difficulty",
                        "set budget.difficulty to true, or leave out budget.trials");
     if (!isLevelId(order_.level)) {
       return pathError("level", "expected the id of a level",
@@ -224,9 +224,9 @@ class OrderReader {
       return pathError("recordings", "calibration needs at least one recording");
     }
     if (!solve && !order_.ask.empty())
-      return pathError("ask", "this member is not allowed with this task");
+      return pathError("ask", "this field is not allowed with this task");
     if (!solve && !order_.physics.empty()) {
-      return pathError("physics", "this member is not allowed with this task",
+      return pathError("physics", "this field is not allowed with this task",
                        "leave out physics; calibration finds the parameters");
     }
     if (!order_.ask.empty() && !order_.records.empty()) {

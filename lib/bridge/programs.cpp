@@ -29,7 +29,8 @@ Result<Programs> findPrograms(const std::string& solve) {
       return Error{solve, {}, {}, "this is not an executable program", {}};
   }
   if (out.solve.empty()) {
-    return makeError("there is no obby-solve next to obby-bridge", "name another one with --solve");
+    return makeError("there is no obby-solve next to obby-bridge",
+                     "give the path of one with --solve");
   }
   return out;
 }

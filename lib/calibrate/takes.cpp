@@ -66,7 +66,7 @@ std::vector<std::string> Takes::warnings() const {
   std::vector<std::string> out;
   for (const auto& [where, a] : astray_) {
     const std::string more =
-        a.recordings == 1 ? "" : fmt::format(" and less in {} more", a.recordings - 1);
+        a.recordings == 1 ? "" : fmt::format(" and less far off in {} more", a.recordings - 1);
     out.push_back(fmt::format(
         "level '{}': '{}' does not move as recorded, at any start time from 0 to {} seconds: "
         "{:.2g} studs off in '{}'{} (record its motion and import the level again, or leave these "

@@ -112,7 +112,7 @@ Status checkTime(const Frame& frame, uint32_t number, const Track& track) {
         number,
         fmt::format("the frame is {:.6g} s after the previous one, expected at most {:.6g} s",
                     frame.time - before, kLongestGap),
-        "give times in seconds; split a recording with a pause in two");
+        "give times in seconds; split a recording that has a pause into two");
   return {};
 }
 

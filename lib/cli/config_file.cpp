@@ -13,7 +13,7 @@ namespace obby::cli {
 namespace {
 
 constexpr const char* kQuotesHint =
-    "quote a value that contains blanks or commas; put several values in [brackets]";
+    "quote a value that contains spaces or commas; put several values in [brackets]";
 
 struct Item {
   std::string section, name;

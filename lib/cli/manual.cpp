@@ -95,7 +95,7 @@ std::string examples(const ToolSpec& spec) {
 
 std::string exitStatus(const ToolSpec& spec) {
   std::vector<ManualEntry> codes = {
-      {"0", "Everything that was asked for was done."},
+      {"0", "Everything requested was done."},
       {"2", "The command line, an input or an output has an error; stderr says where."},
       {"130", "Interrupted by Ctrl-C (SIGINT). Results finished by then were written."},
       {"143", "Ended by SIGTERM. Results finished by then were written."},

@@ -18,7 +18,7 @@ OptionRow configRow() {
           "read options from FILE, one `name = value` per line; a section such as "
           "[obby-solve] is for that tool only",
           kHelpGroup),
-      "Put text that contains blanks in 'quotes' and several values in [brackets]. Options above "
+      "Put text that contains spaces in 'quotes' and several values in [brackets]. Options above "
       "the first section are for every tool.");
 }
 
