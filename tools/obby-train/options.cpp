@@ -106,8 +106,8 @@ std::vector<OptionRow> learnRows() {
 
 OptionRow resumeRow() {
   OptionRow r = row("resume", ValueType::mode, "MODE", "no",
-                    "resume from the checkpoint; give the same levels and options, except "
-                    "--threads and --time-limit; =auto: start a new run if there is no checkpoint",
+                    "resume from the checkpoint; =auto: start a new run if there is none; give the "
+                    "same levels and options, except --threads and --time-limit",
                     kKeepGroup);
   r.details =
       "--on-error and the options that name output files may differ, too. --start-from need not be "

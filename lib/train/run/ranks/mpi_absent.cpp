@@ -8,7 +8,7 @@ Result<std::unique_ptr<JoinedRanks>> joinRanks(int*, char***) {
     const char* count = std::getenv(name);
     if (count != nullptr && std::atoi(count) > 1) {
       return makeError(
-          "started as one of several ranks, but built without MPI",
+          "obby-train was started as one of several ranks, but was built without MPI",
           "install libopenmpi-dev and build again, or start obby-train without mpirun");
     }
   }
