@@ -44,11 +44,12 @@ std::vector<OptionRow> fitRows() {
                   "exclude every Nth recording from the fit and measure the error on it; 0: none",
                   kFitGroup),
               0, 1000),
-      between(row("restarts", ValueType::integer, "N", "3",
-                  "number of searches, each from a different starting point", kFitGroup),
-              1, 1000),
+      between(
+          row("restarts", ValueType::integer, "N", "3",
+              "number of evolutionary searches, each from a different starting point", kFitGroup),
+          1, 1000),
       between(row("generations", ValueType::integer, "N", "100",
-                  "maximum generations of each evolutionary search", kFitGroup),
+                  "maximum generations of each search", kFitGroup),
               1, 100000),
   };
 }

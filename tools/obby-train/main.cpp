@@ -37,7 +37,8 @@ std::unique_ptr<train::DeviceRanks> directOf(cli::Context& context, const sim::B
   if (!backend.onDevice()) return nullptr;
   auto direct = train::joinDevices(ranks);
   if (direct) return *std::move(direct);
-  if (ranks.first()) context.note(direct.error().text() + "; gradients go through the host");
+  if (ranks.first())
+    context.note(direct.error().text() + "; the ranks exchange gradients through the host");
   return nullptr;
 }
 
