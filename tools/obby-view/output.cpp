@@ -20,7 +20,8 @@ Status Output::write(const view::Report& report, cli::Context& context) {
   const ViewFormat& format = wantedFormat(context.arguments());
   for (const view::QueryEntry& query : report.queries) {
     if (query.mismatch())
-      context.warn("query " + query.id + ": the replay of a recorded solution ends differently");
+      context.warn("query " + query.id +
+                   ": the replay of a recorded solution does not end as the record says");
   }
   OBBY_ASSIGN(const std::string text, format.render(report, context));
   if (format.page && text.size() > view::kPageWarning) {
