@@ -21,7 +21,7 @@ Status Output::write(const view::Report& report, cli::Context& context) {
   for (const view::QueryEntry& query : report.queries) {
     if (query.mismatch())
       context.warn("query " + query.id +
-                   ": the replay of a recorded solution does not end as the record says");
+                   ": a recorded solution cannot be reproduced by replaying it");
   }
   OBBY_ASSIGN(const std::string text, format.render(report, context));
   if (format.page && text.size() > view::kPageWarning) {
