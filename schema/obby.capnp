@@ -632,6 +632,7 @@ struct Progress {
   best @7 :Trajectory;       # the attempt that came closest
   newest @8 :Trajectory;     # the trajectory to the newest cell
   deaths @9 :List(Trajectory);  # the last attempts that failed in a new way or place, newest first
+  solution @10 :Trajectory;     # the solution found first, before it is improved; in one record only
 }
 
 enum Verdict {
@@ -734,7 +735,7 @@ struct Result {
   level @1 :Text;
   verdict @2 :Verdict $always;
   solutions @3 :UInt32 $always;
-  ticks @4 :UInt32 $always;          # ticks of the shortest solution
+  ticks @4 :UInt32 $always;          # ticks of the first solution in the list, which is the best
   jumps @5 :UInt32 $always;          # jumps of that solution
   steps @6 :UInt64;
   cells @7 :UInt64;
@@ -752,7 +753,7 @@ struct Result {
   heatMap @19 :HeatMap;      # heat map of a search, on request
   tricks @20 :List(Trick);   # tricks that the query allows
   players @21 :List(PlayerAnswer);  # only if the query names bodies or frame rates
-  holds @22 :Bool = true;    # false if the shortest solution depends on a loss of the import
+  holds @22 :Bool = true;    # false if the first solution depends on a loss of the import
   doubts @23 :List(Doubt);   # the reasons why `holds` is false
 }
 
@@ -767,7 +768,7 @@ struct PlayerAnswer {
   body @0 :Text;             # empty for the level's physics
   frameRate @1 :UInt16 $always;     # frames per second
   verdict @2 :Verdict $always;
-  ticks @3 :UInt32;          # ticks of the shortest solution, at this frame rate
+  ticks @3 :UInt32;          # ticks of the first solution, at this frame rate
   jumps @4 :UInt32;          # jumps of that solution
   reason @5 :Text;           # the answer in one sentence
 }

@@ -3,6 +3,7 @@
 #include "io/read_file.h"
 #include "options.h"
 #include "policy/shipped_policy.h"
+#include "solve/improve/improve.h"
 
 namespace obby::tools {
 
@@ -91,7 +92,8 @@ Status refuseIdle(const cli::Arguments& a, solve::Task task) {
   return cli::refuseTyped(a,
                           {"diverse", "difficulty", "final-only", "paths", "heat-map", "explain",
                            "time-limit", "max-steps", "solutions", "attempts", "trials", "method",
-                           "warm", "policy", "body", "frame-rate", "same-keys"},
+                           "warm", "policy", "body", "frame-rate", "same-keys", "improve",
+                           "prefer"},
                           message, "leave out this option");
 }
 
@@ -113,6 +115,11 @@ solve::Budget budgetOf(const cli::Context& context) {
   b.attempts = uint32_t(a.integer("attempts"));
   b.stop = &context.stop();
   return b;
+}
+
+void readPreference(const cli::Arguments& a, solve::SolverOptions& o) {
+  o.preference = solve::findPreference(a.text("prefer"));  // none: `first`
+  o.improveSteps = uint64_t(a.number("improve") * solve::kImproveStepsPerSecond);
 }
 
 void report(cli::Context& context, solve::FilterOptions& o) {
@@ -160,6 +167,7 @@ Result<solve::FilterOptions> filterOptions(cli::Context& context) {
                                           "add --difficulty, or leave out --trials"));
   }
   o.solver.budget = budgetOf(context);
+  readPreference(a, o.solver);
   report(context, o);
   return o;
 }

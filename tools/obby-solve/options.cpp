@@ -1,9 +1,12 @@
 // The option table of obby-solve.
 #include "options.h"
 
+#include <fmt/format.h>
+
 #include "baselines/methods.h"
 #include "cli/rows.h"
 #include "level/tricks.h"
+#include "solve/improve/preference.h"
 
 namespace obby::tools {
 
@@ -92,6 +95,27 @@ OptionRow backendRow() {
   return rare(r);
 }
 
+OptionRow preferRow() {
+  OptionRow r = row("prefer", ValueType::choice, "", "natural", "which solution is better",
+                    kSearchGroup);
+  for (const solve::Preference& p : solve::preferences()) {
+    r.choices.push_back(p.name);
+    r.details += fmt::format("{}: {}\n", p.name, p.description);
+  }
+  r.choices.push_back("first");
+  r.details += "first: the solution found first, not improved";
+  return r;
+}
+
+OptionRow improveRow() {
+  return detailed(between(row("improve", ValueType::number, "SECONDS", "0.2",
+                              "improve the solutions of a query for about this long",
+                              kSearchGroup),
+                          0, 100000),
+                  "The time is counted in simulated ticks, so that the answer is the same on "
+                  "every machine.");
+}
+
 OptionRow bodyRow() {
   return detailed(
       repeatable(row("body", ValueType::text, "BODY", "",
@@ -138,6 +162,8 @@ std::vector<OptionRow> searchRows() {
           flagRow("diverse", "with --solutions: one solution per distinct route", kSearchGroup),
           "A route is the sequence of parts that the player stands on. The result says how many "
           "solutions were found on each route."),
+      preferRow(),
+      improveRow(),
       methodRow(),
       rare(row("policy", ValueType::file, "FILE", "",
                "policy from obby-train for the methods auto, ge-ps and rl [default: the one that "

@@ -5,6 +5,7 @@
 
 #include "base/stopwatch.h"
 #include "solve/answer/cautious.h"
+#include "solve/answer/improve_answer.h"
 #include "solve/report/answer_records.h"
 #include "solve/report/difficulty/difficulty_records.h"
 #include "solve/report/relaxation/relaxation_records.h"
@@ -38,10 +39,11 @@ class Solving {
     const bool earlier = !problem.known.empty();
     problem.companions = question_.companions;
     problem.known.insert(problem.known.end(), question_.hints.begin(), question_.hints.end());
-    const Watcher watcher{[this](const Trajectory& p) { return accepts(p); },
+    const Watcher watcher{[this](const Trajectory& p) { return accepts(p) && showFirst(p); },
                           [this](const SearchView& v) { return look(v); }};
     SearchOutcome outcome = answer(problem, watcher, machine);
     OBBY_RETURN_IF_ERROR(weighDoubts(problem, machine, outcome));
+    improveSolutions(problem, machine, outcome);
     if (!earlier) outcome.knownSolutions = 0;
     if (!outcome.device && output_.deviceFailed) output_.deviceFailed(outcome.device.error());
     OBBY_RETURN_IF_ERROR(std::move(status_));
@@ -63,9 +65,19 @@ class Solving {
     return solves(p, posed_) && (!question_.accept || question_.accept(p));
   }
 
+  // Writes the first solution at once if it will be improved. Returns true.
+  bool showFirst(const Trajectory& p) {
+    if (shown_ || options_.preference == nullptr || !options_.progressRecords) return true;
+    shown_ = true;
+    io::RecordBuilder record;
+    fillFirstSolution(record.root().initProgress(), identity_, p, watch_.seconds(), options_.paths);
+    status_ = output_.write(record.reader());
+    return true;
+  }
+
   schema::Level::Reader levelRecord() const { return level_.record.reader().getLevel(); }
 
-  // Finds the doubtful parts that the shortest solution touches, and prefers solutions that touch
+  // Finds the doubtful parts that the first solution touches, and prefers solutions that touch
   // none.
   Status weighDoubts(const Problem& problem, const Machine& machine, SearchOutcome& outcome) {
     if (outcome.solutions.empty() || doubtful_.empty()) return {};
@@ -78,6 +90,17 @@ class Solving {
     OBBY_ASSIGN(avoiding_, avoidDoubts({level_, query_, problem, doubtful_, options_, watcher},
                                        machine, course, touched_, outcome));
     return {};
+  }
+
+  // Improves the solutions. None of them may touch further doubtful parts.
+  void improveSolutions(const Problem& problem, const Machine& machine, SearchOutcome& outcome) {
+    const auto known = [&](uint32_t part) { return std::ranges::find(touched_, part) != touched_.end(); };
+    const auto accept = [&](const Trajectory& p) {
+      return accepts(p) &&
+             std::ranges::all_of(touchedOf(doubtful_, problem.level, courseOf(problem, p)), known);
+    };
+    const auto stop = [this] { return question_.goOn && !question_.goOn(); };
+    improveAnswer({problem, options_, machine, accept, stop}, outcome);
   }
 
   // Skips the search if the query is proved unreachable. Nothing can be proved if the level lacks
@@ -125,7 +148,7 @@ class Solving {
     if (!options_.progressRecords) return true;
     io::RecordBuilder record;
     fillProgress(record.root().initProgress(), identity_, view, options_.paths);
-    status_ = output_.write(record.reader());
+    if (status_) status_ = output_.write(record.reader());
     return bool(status_);
   }
 
@@ -139,7 +162,7 @@ class Solving {
   Status writeAnswer(const Problem& problem, const SearchOutcome& outcome,
                      const std::optional<std::vector<Relaxation>>& relaxations, ThreadPool& pool) {
     uint32_t index = 0;
-    std::string hardest;  // text about the shortest solution
+    std::string hardest;  // text about the first solution
     for (const Trajectory& p : outcome.solutions) {
       io::RecordBuilder record;
       auto trajectory = record.root().initTrajectory();
@@ -196,11 +219,13 @@ class Solving {
   const PosedQuery posed_;
   const AnswerIdentity identity_;
   const std::vector<uint32_t> doubtful_ = doubtfulParts(levelRecord());
-  std::vector<uint32_t> touched_;  // doubtful parts of the shortest solution
+  std::vector<uint32_t> touched_;  // doubtful parts of the first solution
   Avoiding avoiding_ = Avoiding::notTried;
   uint32_t noted_ = 0;  // cells of the search noted so far
   Footprints footprints_;
   HeatMap heatMap_;
+  const Stopwatch watch_;
+  bool shown_ = false;  // the first solution has been written
   double nextProgress_ = kFirstProgress;
   Status status_;
 };

@@ -7,6 +7,7 @@
 
 #include "solve/answer/earlier_answers.h"
 #include "solve/answer/loaded_level.h"
+#include "solve/improve/preference.h"
 #include "solve/search/method.h"
 
 namespace obby::solve {
@@ -20,6 +21,8 @@ struct SolverOptions {
   bool heatMap = false;  // results include a map of where the search went
   const EarlierAnswers* earlier = nullptr;  // tried first; may be null
   bool explain = false;  // look for a change that makes a query solvable; may double the time
+  const Preference* preference = nullptr;  // improve solutions by it; null: keep those found first
+  uint64_t improveSteps = 0;               // budget for that, simulated ticks per query
   uint32_t difficultyTrials = 0;  // trials per segment; 0: no difficulty
 };
 

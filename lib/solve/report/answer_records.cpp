@@ -72,6 +72,14 @@ void fillProgress(schema::Progress::Builder record, const AnswerIdentity& identi
   for (uint32_t i = 0; i < deaths.size(); ++i) fillEnd(deaths[i], ends[i].node);
 }
 
+void fillFirstSolution(schema::Progress::Builder record, const AnswerIdentity& identity,
+                       const Trajectory& solution, double seconds, bool paths) {
+  record.setQuery(identity.query);
+  record.setSeconds(float(seconds));
+  fillTrajectory(record.initSolution(), identity, solution, 0);
+  if (paths) fillPath(record.getSolution(), solution);
+}
+
 schema::Verdict verdictOf(const SearchOutcome& outcome) {
   if (!outcome.solutions.empty()) return schema::Verdict::SOLVED;
   return outcome.cut ? schema::Verdict::UNREACHABLE : schema::Verdict::UNKNOWN;

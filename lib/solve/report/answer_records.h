@@ -14,6 +14,10 @@ namespace obby::solve {
 void fillProgress(schema::Progress::Builder record, const AnswerIdentity& identity,
                   const SearchView& view, bool paths);
 
+// Fills in the solution that was found first, and the seconds until then.
+void fillFirstSolution(schema::Progress::Builder record, const AnswerIdentity& identity,
+                       const Trajectory& solution, double seconds, bool paths);
+
 schema::Verdict verdictOf(const SearchOutcome& outcome);
 
 // Fills in everything but timing.compile, seed and heatMap, which the caller knows.

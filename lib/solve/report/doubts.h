@@ -36,7 +36,7 @@ enum class Avoiding : uint8_t {
 };
 
 // Fills in `holds` and `doubts` of a solved query and adds a sentence to its reason, if there is
-// any doubt. `touched`: doubtful parts that the shortest solution touches.
+// any doubt. `touched`: doubtful parts that the first solution touches.
 void fillDoubts(schema::Result::Builder result, schema::Level::Reader level,
                 const std::vector<uint32_t>& touched, Avoiding avoiding);
 

@@ -30,7 +30,7 @@ struct Watcher {
 
 struct SearchOutcome {
   Stopped stopped = Stopped::outOfTime;
-  std::vector<Trajectory> solutions;  // accepted, distinct, shortest first
+  std::vector<Trajectory> solutions;  // accepted, distinct; the best first
   std::vector<RouteTally> routes;     // routes of the solutions, if several were requested
   bool diverse = false;               // the solutions differ in route
   std::vector<Trajectory> attempts;   // failed trajectories, the closest first
