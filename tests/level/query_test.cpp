@@ -236,7 +236,7 @@ TEST(QueryErrors, NameThePathAndTheExpectation) {
         r.initWaypoints(1)[0].initRegion(), r.getWaypoints()[0].setSegmentTime(kQueryNan);
       },
       "waypoints[0].segmentTime", "seconds");
-  queryExpectRefused([](auto r) { r.initVisits(33); }, "visits", "at most 32, found 33");
+  queryExpectRefused([](auto r) { r.initVisits(33); }, "visits", "at most 32 visits, found 33");
   queryExpectRefused([](auto r) { r.setMinJumps(3), r.setMaxJumps(2); }, "minJumps",
                      "expected minJumps <= maxJumps, found 3 and 2");
   queryExpectRefused([](auto r) { r.setMinJumps(65536); }, "minJumps", "at most 65535");
@@ -254,9 +254,9 @@ TEST(QueryErrors, NameThePathAndTheExpectation) {
                      "forbid[0]", "every trajectory has this state, so it cannot be forbidden");
   queryExpectRefused([](auto r) { r.getGoal().setTouch(true); }, "goal.touch", "only a part");
   queryExpectRefused([](auto r) { r.initVisits(1)[0].setPart("Top"); }, "visits[0].part",
-                     "not filled in");
+                     "lacks its position and size");
   queryExpectRefused([](auto r) { r.initStart().initRegion().setPart("Top"); }, "start.region.part",
-                     "not filled in");
+                     "lacks its position and size");
   queryExpectRefused([](auto r) { r.setTimeLimit(0.01f); }, "timeLimit", "one tick");
   for (const float yaw : {kQueryNan, 1e30f}) {
     queryExpectRefused([=](auto r) { r.initStart().initRegion(), r.getStart().setYaw(yaw); },

@@ -184,7 +184,7 @@ TEST(Explain, SaysHowMuchHigherJumpsShouldBe) {
   ASSERT_NE(higher, nullptr) << e.reason;
   EXPECT_GT(higher->amount, 0.5);
   EXPECT_LT(higher->amount, 3);
-  EXPECT_THAT(higher->text, testing::StartsWith("solvable with jumps "));
+  EXPECT_THAT(higher->text, testing::StartsWith("solvable if jumps were "));
   EXPECT_THAT(higher->text, testing::EndsWith(" %) higher"));
 }
 
