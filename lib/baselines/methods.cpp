@@ -20,7 +20,7 @@ SearchOutcome runCflge(const Problem& p, const Budget& b, const Watcher& w, cons
 
 const std::vector<Method>& methods() {
   static const std::vector<Method> table = {
-      {"pbge", "ge without restored states: it trains a policy that returns and explores", runPbge},
+      {"pbge", "ge, but a policy that it trains returns to states and explores", runPbge},
       {"cflge",
        "trains a policy to reach goals drawn from sparse regions of a learned latent space",
        runCflge},

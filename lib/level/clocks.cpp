@@ -38,13 +38,13 @@ Status ClockTables::addButton(schema::Part::Reader part, size_t index, const Par
   const std::string path = fmt::format("parts[{}].button", index), name = button.getSignal();
   if (name.empty()) {
     return pathError(path + ".signal", "expected the name of a signal, found none",
-                     "give any name, and use it in the parts that respond");
+                     "choose any name, and use it as 'signal' in the parts that respond");
   }
   OBBY_ASSIGN(const uint32_t ticks, ticksOf(params, button.getSeconds(), path + ".seconds"));
   const Clock clock{button.getForever() ? kForever : ticks, button.getRestarts()};
   if (clock.length == 0) {
     return pathError(path + ".seconds", "the signal lasts less than one tick",
-                     "give more seconds, or \"forever\":true");
+                     "raise 'seconds', or set \"forever\":true");
   }
   const auto [it, added] = signals_.try_emplace(name, Signal{uint32_t(shared_.size()), index});
   if (added) {
@@ -52,9 +52,9 @@ Status ClockTables::addButton(schema::Part::Reader part, size_t index, const Par
   } else if (digestOf(shared_[it->second.clock]) != digestOf(clock)) {
     return pathError(
         path + ".seconds",
-        fmt::format("parts[{}] starts the same signal '{}' with other settings", it->second.part,
-                    name),
-        "give both the same seconds, forever and restarts, or give the signals different names");
+        fmt::format("the button of parts[{}] starts the same signal '{}' with different settings",
+                    it->second.part, name),
+        "give both buttons the same 'seconds', 'forever' and 'restarts', or different signals");
   }
   return {};
 }
@@ -75,7 +75,7 @@ Result<uint32_t> ClockTables::signal(const std::string& name, const std::string&
   const auto it = signals_.find(name);
   if (it == signals_.end()) {
     return pathError(path, fmt::format("no button starts the signal '{}'", name),
-                     "give a part that can be touched \"button\":{\"signal\":\"" + name + "\"}");
+                     "add \"button\":{\"signal\":\"" + name + "\"} to a part that can be touched");
   }
   it->second.used = true;
   return it->second.clock | kShared;
@@ -99,9 +99,10 @@ uint32_t ClockTables::share(const Clock& clock) {
 Status ClockTables::checkSignals() const {
   for (const auto& [name, signal] : signals_) {
     if (signal.used) continue;
-    return pathError(fmt::format("parts[{}].button.signal", signal.part),
-                     fmt::format("no part responds to the signal '{}'", name),
-                     "name it in the vanish.signal or motion.signal of a part");
+    return pathError(
+        fmt::format("parts[{}].button.signal", signal.part),
+        fmt::format("no part responds to the signal '{}'", name),
+        "set 'signal' to this name in the 'vanish' or 'motion' of a part, or remove the button");
   }
   return {};
 }

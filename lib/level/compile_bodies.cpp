@@ -12,8 +12,9 @@ bool isDynamic(schema::Part::Reader part) {
 Result<DynamicBody> bodyFrom(schema::Part::Reader part, Vec3 at,
                              const std::vector<Collider>& colliders, size_t first) {
   if (part.hasVanish() || part.hasOneWay()) {
-    return pathError(part.hasVanish() ? "vanish" : "oneWay", "a dynamic part is always solid",
-                     "anchor the part, or remove this field");
+    return pathError(part.hasVanish() ? "vanish" : "oneWay",
+                     "a dynamic part cannot vanish or be one-way",
+                     "set \"anchored\":true, or remove this field");
   }
   if (!(part.getDensity() >= 1e-4f && part.getDensity() <= 100))
     return pathError("density",
@@ -26,7 +27,8 @@ Result<DynamicBody> bodyFrom(schema::Part::Reader part, Vec3 at,
   }
   const MassProperties mass = massOf(shapes, part.getDensity());
   if (!(mass.mass > 0))
-    return pathError("size", "the shape of a dynamic part needs a volume", "anchor the part");
+    return pathError("size", "the shape of a dynamic part must have a volume",
+                     "set \"anchored\":true");
   OBBY_ASSIGN(const Quat turned, quaternion(part.getRotation(), "rotation"));
   DynamicBody bodies{at, turned, mass.center, mass.inverseInertia, 1 / mass.mass, 0, 0, 0};
   bodies.radius = radius + length(mass.center);

@@ -92,8 +92,10 @@ Result<Params> compileParams(schema::PhysicsParams::Reader record) {
     return Error{{},
                  {},
                  "physics.substeps",
-                 fmt::format("the legs are unstable with steps of {:.4f} s", p.substepSeconds),
-                 fmt::format("raise controlRate x substeps above {:.0f}", p.hoverDamping / 2)};
+                 fmt::format("the simulated legs are unstable with physics steps of {:.4f} s",
+                             p.substepSeconds),
+                 fmt::format("raise controlRate or substeps until their product is above {:.0f}",
+                             p.hoverDamping / 2)};
   }
   return p;
 }

@@ -127,8 +127,8 @@ Status PartCompiler::checkBudget(const PartContext& c) {
   overBudget_ = true;
   return pathError(
       c.part.hasMotion() ? "motion" : "fall",
-      fmt::format("the level's motions together need more than {} ticks of tables", kMaxLevelRows),
-      "shorten some motions, or give several parts the same spin, which then counts once");
+      fmt::format("the level's motions together need more than {} stored poses", kMaxLevelRows),
+      "shorten some motions, or give several parts the same spin, which then counts only once");
 }
 
 void PartCompiler::push(Collider collider, uint32_t flags) {
@@ -244,7 +244,7 @@ Status PartCompiler::compile(schema::Level::Reader level) {
     return pathError(
         fmt::format("parts[{}].anchored", bodies[kMaxBodies]),
         fmt::format("expected at most {} dynamic parts, found {}", kMaxBodies, bodies.size()),
-        "anchor those that no player pushes");
+        "anchor the parts that no player pushes");
   }
   for (const uint32_t index : bodies) OBBY_RETURN_IF_ERROR(addAt(parts[index], index));
   return finish();

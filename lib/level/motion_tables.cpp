@@ -37,8 +37,9 @@ Result<std::vector<MotionKey>> readKeys(schema::Motion::Reader motion) {
     const std::string path = fmt::format("motion.keys[{}]", keys.size());
     const double time = record.getTime();
     if (!std::isfinite(time) || time < (keys.empty() ? 0.0 : keys.back().time)) {
-      return pathError(path + ".time", "expected non-decreasing times in seconds, found " +
-                                           shown(record.getTime()));
+      return pathError(path + ".time",
+                       "expected 0 or more seconds, not earlier than the previous key, found " +
+                           shown(record.getTime()));
     }
     OBBY_ASSIGN(const Vec3 at, position(record.getPosition(), path + ".position"));
     OBBY_ASSIGN(const Quat turned, quaternion(record.getRotation(), path + ".rotation"));
@@ -87,7 +88,7 @@ Status planKeys(schema::Motion::Reader motion, const Params& params, uint32_t ma
   // end.
   const double wait = plan.once ? std::max(0.0, -plan.offset) * params.controlRate : 0;
   if (wait > maxTicks(params)) {
-    return pathError("motion.offset", "the wait is " + longerThanMax(params));
+    return pathError("motion.offset", "the wait before the motion is " + longerThanMax(params));
   }
   const uint32_t rows = plan.once ? uint32_t(ticks + wait) + 2 : rowsFor(ticks, maxRows);
   if (length <= 0 || rows == 0) return {};
@@ -103,7 +104,8 @@ Status planSpin(schema::Spin::Reader spin, const Params& params, uint32_t maxRow
                 MotionPlan& plan) {
   OBBY_ASSIGN(plan.spin.axis, direction(spin.getAxis(), "motion.spin.axis"));
   if (!std::isfinite(spin.getSpeed()))
-    return pathError("motion.spin.speed", "expected finite rad/s, found " + shown(spin.getSpeed()));
+    return pathError("motion.spin.speed",
+                     "expected a finite speed in rad/s, found " + shown(spin.getSpeed()));
   OBBY_ASSIGN(plan.pivot, position(spin.getPivot(), "motion.spin.pivot"));
   const double speed = spin.getSpeed();
   if (std::fabs(speed) < 1e-4) return {};
@@ -121,7 +123,8 @@ Status planSpin(schema::Spin::Reader spin, const Params& params, uint32_t maxRow
 }  // namespace
 
 std::string longerThanMax(const Params& params) {
-  return fmt::format("longer than {:.0f} minutes", maxTicks(params) / params.controlRate / 60);
+  return fmt::format("longer than the allowed {:.0f} minutes",
+                     maxTicks(params) / params.controlRate / 60);
 }
 
 Result<MotionPlan> planMotion(schema::Motion::Reader motion, const Params& params,
@@ -131,7 +134,7 @@ Result<MotionPlan> planMotion(schema::Motion::Reader motion, const Params& param
   plan.offset = motion.getOffset();
   if (!std::isfinite(plan.offset))
     return pathError("motion.offset",
-                     "expected finite seconds, found " + shown(motion.getOffset()));
+                     "expected a finite number of seconds, found " + shown(motion.getOffset()));
   if (!plan.keys.empty()) OBBY_RETURN_IF_ERROR(planKeys(motion, params, maxRows, plan));
   if (motion.hasSpin()) OBBY_RETURN_IF_ERROR(planSpin(motion.getSpin(), params, maxRows, plan));
   return plan;

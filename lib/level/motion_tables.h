@@ -24,7 +24,7 @@ inline double maxTicks(const Params& p) {
   return std::max(double(kMaxRows), 1200.0 * p.controlRate);
 }
 
-std::string longerThanMax(const Params& params);  // text of errors: "longer than 20 minutes"
+std::string longerThanMax(const Params& params);  // as in "longer than the allowed 20 minutes"
 
 // A checked key of a motion record.
 struct MotionKey {

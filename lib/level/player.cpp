@@ -21,11 +21,12 @@ const FrameRate* findRate(uint32_t framesPerSecond) {
 
 Status check(const Player& player, const std::string& body, const std::string& rate) {
   if (!player.body.empty() && findBody(player.body) == nullptr) {
-    return Error{{},
-                 {},
-                 body,
-                 fmt::format("unknown body '{}'", player.body),
-                 fmt::format("give {}, or {} for the level's physics", bodyNames(), kPlaceBody)};
+    return Error{
+        {},
+        {},
+        body,
+        fmt::format("unknown body '{}'", player.body),
+        fmt::format("give {}, or {} for the body that the level sets", bodyNames(), kPlaceBody)};
   }
   if (player.frameRate == 0 || findRate(player.frameRate) != nullptr) return {};
   return Error{

@@ -35,7 +35,7 @@ Result<StartPose> startPose(schema::Query::Reader record, const Level& level) {
   const int32_t spawn = start.getSpawn() == -1 ? 0 : start.getSpawn();
   if (level.spawns().empty()) {
     return pathError("start", "the level has no spawn, and the query has no start region",
-                     "give the level a spawn, or the query \"start\":{\"region\":...}");
+                     "add a spawn to the level, or \"start\":{\"region\":...} to the query");
   }
   if (spawn < 0 || size_t(spawn) >= level.spawns().size()) {
     const size_t last = level.spawns().size() - 1;
@@ -85,7 +85,7 @@ Result<WaypointView> compileWaypoint(schema::Waypoint::Reader record, schema::Ar
                                      const Params& params, QueryTargets& targets,
                                      const std::string& path) {
   if (!record.hasRegion())
-    return pathError(path + ".region", "the waypoint has no region", "give it a box or a part");
+    return pathError(path + ".region", "the waypoint has no region", "add a box or a part");
   WaypointView waypoint;
   OBBY_ASSIGN(waypoint.target, targets.compile(record.getRegion(), path + ".region", arrive));
   OBBY_ASSIGN(waypoint.maxJumps, jumpsWithin(record.getMaxJumps(), path + ".maxJumps"));
@@ -102,7 +102,8 @@ Result<uint32_t> forbiddenStates(schema::Query::Reader record) {
   for (const State state : record.getForbid()) {
     if (state != State::JUMPING && state != State::CLIMBING && state != State::SEATED &&
         state != State::FALLING_DOWN) {
-      return pathError(fmt::format("forbid[{}]", i), "every trajectory needs this state",
+      return pathError(fmt::format("forbid[{}]", i),
+                       "every trajectory has this state, so it cannot be forbidden",
                        "forbid only jumping, climbing, seated or fallingDown");
     }
     bits |= 1u << uint32_t(state);
@@ -117,8 +118,8 @@ Result<QueryView> compileLimits(schema::Query::Reader record, const Params& para
   OBBY_ASSIGN(q.maxJumps, jumpsWithin(record.getMaxJumps(), "maxJumps"));
   q.minJumps = std::max(record.getMinJumps(), 0);
   if (q.maxJumps >= 0 && q.minJumps > q.maxJumps) {
-    return pathError("minJumps",
-                     fmt::format("minJumps is {}, but maxJumps is {}", q.minJumps, q.maxJumps));
+    return pathError("minJumps", fmt::format("expected minJumps <= maxJumps, found {} and {}",
+                                             q.minJumps, q.maxJumps));
   }
   constexpr int32_t kMaxJumps = 65535;  // World::jumps
   if (q.minJumps > kMaxJumps) {
@@ -147,7 +148,7 @@ Result<Query> Query::compile(schema::Query::Reader record, const Level& level) {
   if (auto players = playersOf(record); !players) return std::move(players).error();
   OBBY_ASSIGN(q.start_, startPose(record, level));
   if (!record.hasGoal() && record.getGoals().size() == 0) {
-    return pathError("goal", "the query has no goal", "give it a box or a part");
+    return pathError("goal", "the query has no goal", "add a box or a part");
   }
   QueryTargets targets(level.view(), level.partCount(), q.touched_);
   const schema::Arrive arrive = record.getArrive();
@@ -158,8 +159,8 @@ Result<Query> Query::compile(schema::Query::Reader record, const Level& level) {
   OBBY_ASSIGN(const auto others, targets.compile(record.getGoals(), "goals", arrive));
   q.goals_.insert(q.goals_.end(), others.begin(), others.end());
   if (record.getWaypoints().size() > kMaxWaypoints) {
-    return pathError("waypoints", fmt::format("expected at most {}, found {}", kMaxWaypoints,
-                                              record.getWaypoints().size()));
+    return pathError("waypoints", fmt::format("expected at most {} waypoints, found {}",
+                                              kMaxWaypoints, record.getWaypoints().size()));
   }
   for (const auto waypoint : record.getWaypoints()) {
     const std::string path = fmt::format("waypoints[{}]", q.waypoints_.size());
@@ -169,7 +170,7 @@ Result<Query> Query::compile(schema::Query::Reader record, const Level& level) {
   if (record.getVisits().size() > kMaxVisits) {
     return pathError(
         "visits",
-        fmt::format("expected at most {}, found {}", kMaxVisits, record.getVisits().size()),
+        fmt::format("expected at most {} visits, found {}", kMaxVisits, record.getVisits().size()),
         "a #tag counts once for each part with that tag");
   }
   OBBY_ASSIGN(q.visits_, targets.compile(record.getVisits(), "visits", arrive));

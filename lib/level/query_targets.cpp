@@ -6,8 +6,8 @@ namespace obby::level {
 
 Status checkLookedUp(schema::Region::Reader record, const std::string& path) {
   if (record.getPart().size() == 0 || record.getPartIndex() >= 0) return {};
-  return pathError(path + ".part", "the box of this part is not filled in",
-                   "run the query through obby-solve, which fills it in");
+  return pathError(path + ".part", "the query names a part, but lacks its position and size",
+                   "run the query through obby-solve, which adds them");
 }
 
 Result<TargetView> QueryTargets::compile(schema::Region::Reader record, const std::string& path,
@@ -38,12 +38,12 @@ Result<TargetView> QueryTargets::boxOrPart(schema::Region::Reader record, const 
   OBBY_ASSIGN(target.region, region(record, path));
   if (!record.getTouch()) return target;
   if (part < 0) {
-    return pathError(path + ".touch", "a box cannot be touched, only a part can",
+    return pathError(path + ".touch", "this is a box, but only a part can be touched",
                      "name the part: {\"part\":\"Finish\",\"touch\":true}");
   }
   if (size_t(part) >= parts_) {
     return pathError(path + ".partIndex",
-                     fmt::format("there is no part {}: the level has {}", part, parts_));
+                     fmt::format("there is no part {}: the level has {} parts", part, parts_));
   }
   listTouched(uint32_t(part), target);
   if (target.touchCount == 0) {
@@ -54,7 +54,7 @@ Result<TargetView> QueryTargets::boxOrPart(schema::Region::Reader record, const 
     return pathError(
         path + ".touch",
         fmt::format("'{}' cannot be touched: it is not solid and does nothing on touch", name),
-        "remove touch to ask for the space around the part");
+        "remove 'touch' to ask for the box around the part");
   }
   return target;
 }

@@ -58,8 +58,9 @@ inline Result<Vec3> direction(schema::Vec3::Reader record, const std::string& pa
   Vec3 v = vec(record);
   if (maxf(absf(v.x), maxf(absf(v.y), absf(v.z))) > 1e18f) v = v * 1e-20f;  // squares overflow
   if (!isFinite(v) || length(v) < 1e-6f) {
-    return pathError(path, "expected a direction in the part's frame, found " + shown(vec(record)),
-                     hint);
+    return pathError(
+        path, "expected a nonzero direction in the part's frame, found " + shown(vec(record)),
+        hint);
   }
   return normalize(v);
 }
@@ -79,7 +80,7 @@ inline Result<Quat> quaternion(schema::Quat::Reader record, const std::string& p
   const Quat q{record.getX(), record.getY(), record.getZ(), record.getW()};
   const float n2 = q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w;
   if (!(n2 > 1e-6f) || !(n2 < 1e6f))
-    return pathError(path, "expected a quaternion [x,y,z,w] that is not zero, at most 1000 long",
+    return pathError(path, "expected a quaternion [x,y,z,w] whose length is 0.001 to 1000",
                      "use [0,0,0,1] for no rotation");
   return normalize(q);
 }

@@ -86,10 +86,10 @@ class ListedParts {
       if (!parts) return inField(parts.error(), fmt::format("{}[{}]", name, i));
       places_ += (*parts)->size();
       if (places_ > kMaxPlaces) {
-        return pathError(
-            fmt::format("{}[{}].part", name, i),
-            fmt::format("with '{}' the query has more than {} places", selector, kMaxPlaces),
-            "name each part once, or use one box around many parts");
+        return pathError(fmt::format("{}[{}].part", name, i),
+                         fmt::format("with '{}', the query lists more than {} parts and boxes",
+                                     selector, kMaxPlaces),
+                         "name each part once, or use one box around many parts");
       }
       for (const uint32_t part : **parts) entries.push_back({i, part, (*parts)->size() > 1});
     }

@@ -179,9 +179,10 @@ Result<uint32_t> matchPart(PartIndex& parts, const std::string& selector) {
   OBBY_ASSIGN(const std::vector<uint32_t> found, matchParts(parts, selector));
   if (found.size() == 1) return found.front();
   const schema::Level::Reader level = parts.level();
-  return makeError(fmt::format("'{}' names {} parts of level '{}'", selector, found.size(),
-                               level.getName().cStr()),
-                   "give one of " + listParts(parts, found));
+  return makeError(
+      fmt::format("expected the name of one part, but '{}' names {} parts of level '{}'", selector,
+                  found.size(), level.getName().cStr()),
+      "give one of " + listParts(parts, found));
 }
 
 Result<uint32_t> matchPart(schema::Level::Reader level, const std::string& selector) {

@@ -16,7 +16,8 @@ Result<uint16_t> tricksOf(capnp::List<schema::Trick>::Reader list, const std::st
   for (uint32_t i = 0; i < list.size(); ++i) {
     const uint32_t bit = uint32_t(list[i]) < 16 ? 1u << uint32_t(list[i]) : 0;
     if ((bit & kAllTricks) == 0) {
-      return pathError(fmt::format("{}[{}]", path, i), "this version does not know the trick");
+      return pathError(fmt::format("{}[{}]", path, i),
+                       "this version of obby does not have this trick");
     }
     bits |= uint16_t(bit);
   }

@@ -45,7 +45,7 @@ Status take(capnp::List<float>::Reader from, size_t expected, const std::string&
   if (from.size() != expected)
     return makeError(fmt::format("it has {} {}, expected {}", from.size(), what, expected));
   for (const float v : from) {
-    if (!std::isfinite(v)) return makeError(fmt::format("the {} are not all finite", what));
+    if (!std::isfinite(v)) return makeError(fmt::format("not all {} are finite", what));
     *to++ = v;
   }
   return {};
@@ -94,11 +94,11 @@ Status decode(schema::PolicyFile::Reader file, PolicyFile& out) {
   out.training = {t.getCommand(), t.getVersion(), t.getSeed(),   t.getDecisions(),
                   t.getSeconds(), t.getHardest(), t.getSolved(), t.getStart()};
   for (const double v : {t.getSeconds(), double(t.getHardest()), double(t.getSolved())})
-    if (!std::isfinite(v)) return makeError("the numbers about its training are not all finite");
+    if (!std::isfinite(v)) return makeError("not all numbers about its training are finite");
   out.values = {file.getValueMean(), file.getValueDeviation()};
   const bool sound = std::isfinite(out.values.mean) && std::isfinite(out.values.deviation);
   if (!sound || out.values.deviation < 0)
-    return makeError("the mean or deviation of its values is not a valid number");
+    return makeError("'valueMean' or 'valueDeviation' is not a valid number");
   return {};
 }
 

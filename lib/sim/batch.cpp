@@ -11,12 +11,12 @@ namespace {
 
 Status checkPlans(const Actions& a, uint32_t worlds) {
   if (a.firsts.size() != size_t(worlds) + 1) {
-    return makeError(fmt::format("{} plans for {} worlds", a.firsts.size(), worlds),
-                     "give firsts one entry for each world and one more");
+    return makeError(fmt::format("'firsts' has {} entries for {} worlds", a.firsts.size(), worlds),
+                     "give it one entry for each world, and one more");
   }
   for (size_t i = 0; i + 1 < a.firsts.size(); ++i) {
     if (a.firsts[i] > a.firsts[i + 1])
-      return makeError(fmt::format("plan {} ends before it begins", i));
+      return makeError(fmt::format("plan {} ends before it starts", i));
   }
   if (a.firsts.back() <= a.runs.size()) return {};
   return makeError(
@@ -26,8 +26,9 @@ Status checkPlans(const Actions& a, uint32_t worlds) {
 Status checkActions(const Actions& a, uint32_t ticks, uint32_t worlds) {
   if (a.kind == ActionKind::plans) return checkPlans(a, worlds);
   if (a.kind == ActionKind::walker || a.table.size() == size_t(ticks) * worlds) return {};
-  return makeError(fmt::format("expected actions for {} ticks of {} worlds, found {}", ticks,
-                               worlds, a.table.size()));
+  return makeError(
+      fmt::format("expected an action for each of {} ticks in each of {} worlds, found {}", ticks,
+                  worlds, a.table.size()));
 }
 
 }  // namespace

@@ -14,14 +14,16 @@ Status checkCourse(const Course& c) {
   const size_t levels = c.levels.size();
   if (levels == 0) return makeError("a batch needs at least one level");
   if (c.starts.size() != levels) {
-    return makeError(fmt::format("{} starts for {} levels", c.starts.size(), levels));
+    return makeError(fmt::format("found {} starts for {} levels, expected one for each",
+                                 c.starts.size(), levels));
   }
   if (!c.queries.empty() && c.queries.size() != levels) {
-    return makeError(fmt::format("{} queries for {} levels", c.queries.size(), levels));
+    return makeError(fmt::format("found {} queries for {} levels, expected one for each",
+                                 c.queries.size(), levels));
   }
   for (const World& w : c.starts) {
     if (w.outcome != Outcome::running)
-      return makeError("a start must be a state in which play goes on");
+      return makeError("one of the start states has already ended");
   }
   for (const uint32_t i : c.queue) {
     if (i >= levels)

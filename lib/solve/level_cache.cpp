@@ -19,8 +19,8 @@ std::vector<std::string> LevelCache::add(LevelPointer level) {
 Result<LevelCache::LevelPointer> LevelCache::named(const std::string& name) const {
   const LevelPointer* found = levels_.find(name);
   if (!name.empty() && found) return *found;
-  Error error{{}, {}, "level", "no level before this record", {}};
-  if (!name.empty()) error.message = fmt::format("no level '{}' before this record", name);
+  Error error{{}, {}, "level", "there is no level before this record", {}};
+  if (!name.empty()) error.message = fmt::format("there is no level '{}' before this record", name);
   error.hint = "put a level record before its queries in the stream";
   if (name.empty()) return error;
   return levels_.explained(std::move(error), "put queries and trajectories right after their level",

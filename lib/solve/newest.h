@@ -65,7 +65,7 @@ class Newest {
   // that, as in "put a after b"; `many` names the values.
   Error explained(Error missing, const char* order, const char* many) const {
     if (dropped_ == 0) return missing;
-    missing.message += fmt::format(" is still in memory: the oldest {} were dropped", dropped_);
+    missing.message += fmt::format(", or it is one of {} that were dropped from memory", dropped_);
     missing.hint =
         fmt::format("{}; only the newest {} are kept, up to {} MiB", order, many, maxBytes_ >> 20);
     return missing;

@@ -32,7 +32,7 @@ Result<io::Record> QueryCache::named(const std::string& level, const std::string
   Error error{{},
               {},
               "query",
-              fmt::format("no query '{}' before this record", id),
+              fmt::format("there is no query '{}' before this record", id),
               "put the query record before its trajectories in the stream"};
   return queries_.explained(std::move(error), "put trajectories right after their query",
                             "queries");

@@ -48,9 +48,9 @@ TEST(CompileErrors, Position) {
 
 TEST(CompileErrors, Rotation) {
   for (const float w : {0.0f, kNan, kInf, 1e-8f}) {
-    expectRefused([=](auto p) { p.initRotation().setW(w); }, ".rotation", "not zero");
+    expectRefused([=](auto p) { p.initRotation().setW(w); }, ".rotation", "0.001 to 1000");
   }
-  expectRefused([](auto p) { p.initRotation().setW(1001); }, ".rotation", "at most 1000 long");
+  expectRefused([](auto p) { p.initRotation().setW(1001); }, ".rotation", "0.001 to 1000");
   LevelBuilder b;
   b.part([](schema::Part::Builder p) {
     addKeys(p, {0, 1});
@@ -100,7 +100,7 @@ TEST(CompileErrors, VanishTimerWithoutAPeriod) {
       v.setPhase(phase);
     };
   };
-  expectRefused(timer(0, 0, 0), ".vanish", "period of 0");
+  expectRefused(timer(0, 0, 0), ".vanish", "less than one tick");
   for (const float phase : {kNan, kInf, -kInf}) {
     expectRefused(timer(0, 1, phase), ".vanish.phase", "seconds");
   }
@@ -135,7 +135,7 @@ TEST(CompileErrors, Boost) {
 TEST(CompileErrors, NegativeSeconds) {
   expectRefused([](auto p) { p.initFall().setDelay(-1); }, ".fall.delay", "expected 0 or more");
   expectRefused([](auto p) { p.initFall().setAway(kNan); }, ".fall.away", "expected 0 or more");
-  expectRefused([](auto p) { p.initFall().setSeconds(0); }, ".fall.seconds", "at least one tick");
+  expectRefused([](auto p) { p.initFall().setSeconds(0); }, ".fall.seconds", "less than one tick");
   expectRefused([](auto p) { p.initFall().setSpeed(-1); }, ".fall.speed", "expected 0 or more");
   for (const float bad : {-1.0f, kNan}) {
     expectRefused([=](auto p) { p.initVanish().setDelay(bad); }, ".vanish.delay",
@@ -160,16 +160,16 @@ TEST(CompileErrors, FallsOfPartsThatNothingCanTouch) {
     };
   };
   expectRefused(fall(-1, 1, 0), ".fall.delay", "expected 0 or more");
-  expectRefused(fall(1, 0, 0), ".fall.seconds", "at least one tick");
+  expectRefused(fall(1, 0, 0), ".fall.seconds", "less than one tick");
   expectRefused(fall(1, 1, -1), ".fall.speed", "expected 0 or more");
-  expectRefused(fall(1e6f, 1e6f, 0), ".fall", "longer than 20 minutes");
+  expectRefused(fall(1e6f, 1e6f, 0), ".fall", "longer than the allowed 20 minutes");
   expectRefused([](auto p) { p.setTouch(false), p.initFall(), p.initMotion(); }, ".fall",
-                "cannot have motion or vanish");
+                "cannot have 'motion' or 'vanish'");
 }
 
 TEST(CompileErrors, DynamicPartsThatLoseTheirCollision) {
-  expectRefused([](auto p) { p.setAnchored(false), p.initVanish(); }, ".vanish", "always solid");
-  expectRefused([](auto p) { p.setAnchored(false), p.initOneWay(); }, ".oneWay", "always solid");
+  expectRefused([](auto p) { p.setAnchored(false), p.initVanish(); }, ".vanish", "cannot vanish");
+  expectRefused([](auto p) { p.setAnchored(false), p.initOneWay(); }, ".oneWay", "cannot vanish");
 }
 
 TEST(CompileErrors, OneWayWithoutADirection) {
@@ -181,9 +181,9 @@ TEST(CompileErrors, OneWayWithoutADirection) {
 
 TEST(CompileErrors, OneTouchStartsOneTimedEffect) {
   expectRefused([](auto p) { p.initFall(), p.initVanish(); }, ".fall",
-                "cannot have motion or vanish");
+                "cannot have 'motion' or 'vanish'");
   expectRefused([](auto p) { p.initFall(), p.initMotion(); }, ".fall",
-                "cannot have motion or vanish");
+                "cannot have 'motion' or 'vanish'");
   expectRefused(
       [](auto p) {
         p.initVanish();
@@ -234,10 +234,14 @@ TEST(CompileErrors, ButtonsOfOneSignalMustAgree) {
 }
 
 TEST(CompileErrors, MotionKeys) {
-  expectRefused([](auto p) { addKeys(p, {0, 2, 1.5f}); }, ".motion.keys[2].time", "non-decreasing");
-  expectRefused([](auto p) { addKeys(p, {-1}); }, ".motion.keys[0].time", "non-decreasing");
+  expectRefused([](auto p) { addKeys(p, {0, 2, 1.5f}); }, ".motion.keys[2].time", "not earlier");
+  expectRefused([](auto p) { addKeys(p, {-1}); }, ".motion.keys[0].time", "not earlier");
   expectRefused([](auto p) { addKeys(p, {0, kNan}); }, ".motion.keys[1].time", "seconds");
-  expectRefused([](auto p) { addKeys(p, {0, 1201}); }, ".motion.keys", "longer than 20 minutes");
+  expectRefused(
+      [](auto p) {
+        addKeys(p, {0, 1201});
+      },
+      ".motion.keys", "longer than the allowed 20 minutes");
   expectRefused(
       [](auto p) {
         addKeys(p, {0, 1});
@@ -249,7 +253,7 @@ TEST(CompileErrors, MotionKeys) {
         addKeys(p, {0, 1});
         p.getMotion().getKeys()[0].initRotation().setW(0);
       },
-      ".motion.keys[0].rotation", "not zero");
+      ".motion.keys[0].rotation", "0.001 to 1000");
   expectRefused([](auto p) { p.initMotion().setOffset(kInf); }, ".motion.offset", "seconds");
 }
 

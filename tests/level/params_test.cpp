@@ -177,7 +177,7 @@ TEST(Params, UnstableLegsAreRefused) {
   const auto coarse = at(30, 1);
   ASSERT_FALSE(bool(coarse));
   EXPECT_EQ(coarse.error().path, "physics.substeps");
-  EXPECT_EQ(coarse.error().hint, "raise controlRate x substeps above 55");
+  EXPECT_EQ(coarse.error().hint, "raise controlRate or substeps until their product is above 55");
 }
 
 }  // namespace

@@ -236,9 +236,9 @@ TEST(QueryErrors, NameThePathAndTheExpectation) {
         r.initWaypoints(1)[0].initRegion(), r.getWaypoints()[0].setSegmentTime(kQueryNan);
       },
       "waypoints[0].segmentTime", "seconds");
-  queryExpectRefused([](auto r) { r.initVisits(33); }, "visits", "at most 32, found 33");
+  queryExpectRefused([](auto r) { r.initVisits(33); }, "visits", "at most 32 visits, found 33");
   queryExpectRefused([](auto r) { r.setMinJumps(3), r.setMaxJumps(2); }, "minJumps",
-                     "minJumps is 3, but maxJumps is 2");
+                     "expected minJumps <= maxJumps, found 3 and 2");
   queryExpectRefused([](auto r) { r.setMinJumps(65536); }, "minJumps", "at most 65535");
   queryExpectRefused([](auto r) { r.setMaxDamage(-2); }, "maxDamage", "health");
   queryExpectRefused([](auto r) { r.setMaxJumps(-2); }, "maxJumps", "(-1: any)");
@@ -251,12 +251,12 @@ TEST(QueryErrors, NameThePathAndTheExpectation) {
       "waypoints[0].segmentJumps", "(-1: any)");
   queryExpectRefused([](auto r) { r.initStart().setSpawn(-2); }, "start.spawn", "0 to 1, found -2");
   queryExpectRefused([](auto r) { r.initForbid(1).set(0, schema::PlayerState::FREEFALL); },
-                     "forbid[0]", "every trajectory needs this state");
+                     "forbid[0]", "every trajectory has this state, so it cannot be forbidden");
   queryExpectRefused([](auto r) { r.getGoal().setTouch(true); }, "goal.touch", "only a part");
   queryExpectRefused([](auto r) { r.initVisits(1)[0].setPart("Top"); }, "visits[0].part",
-                     "not filled in");
+                     "lacks its position and size");
   queryExpectRefused([](auto r) { r.initStart().initRegion().setPart("Top"); }, "start.region.part",
-                     "not filled in");
+                     "lacks its position and size");
   queryExpectRefused([](auto r) { r.setTimeLimit(0.01f); }, "timeLimit", "one tick");
   for (const float yaw : {kQueryNan, 1e30f}) {
     queryExpectRefused([=](auto r) { r.initStart().initRegion(), r.getStart().setYaw(yaw); },

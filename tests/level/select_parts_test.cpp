@@ -41,7 +41,8 @@ TEST_F(SelectTest, SelectsByNamePathSuffixTagGuidAndIndex) {
 
 TEST_F(SelectTest, SeveralMatchesAreListed) {
   EXPECT_EQ(error("Lava"),
-            "'Lava' names 2 parts of level 'tower' (give one of 'S1/Lava', 'S2/Lava')");
+            "expected the name of one part, but 'Lava' names 2 parts of level 'tower' (give one of "
+            "'S1/Lava', 'S2/Lava')");
 }
 
 TEST_F(SelectTest, ListedNamesAreValidSelectors) {
@@ -63,7 +64,9 @@ TEST_F(SelectTest, PartsWithoutAUniqueNameAreListedByIndex) {
   const char* const expected[] = {"part:0", "part:1", "part:2", "part:3", "part:4", "part:5", "/D"};
   for (uint32_t i = 0; i < 7; ++i) EXPECT_EQ(selectorOf(index, i), expected[i]);
   EXPECT_EQ(selectorOf(index, 7), "x//D");
-  EXPECT_EQ(error("A"), "'A' names 2 parts of level 'odd' (give one of 'part:0', 'part:1')");
+  EXPECT_EQ(error("A"),
+            "expected the name of one part, but 'A' names 2 parts of level 'odd' (give one of "
+            "'part:0', 'part:1')");
 }
 
 TEST_F(SelectTest, NoMatchSuggestsSimilarNames) {

@@ -98,13 +98,14 @@ TEST(PolicyFileTest, RefusesOtherVersionsByName) {
       refusal(changed([](auto f) { f.setHash(f.getHash() ^ 1); })),
       "x.obp: the policy file is damaged: its hash does not match (restore a copy, or train a "
       "new policy)");
-  expect(refusal(changed([](auto f) { f.getTraining().setSolved(NAN); })), "not all finite");
+  expect(refusal(changed([](auto f) { f.getTraining().setSolved(NAN); })),
+         "about its training are finite");
   expect(refusal(changed([](auto f) { f.setValueMean(INFINITY); })),
-         "the mean or deviation of its values is not");
+         "'valueMean' or 'valueDeviation' is not");
   expect(refusal(changed([](auto f) { f.setValueDeviation(NAN); })),
-         "the mean or deviation of its values is not");
+         "'valueMean' or 'valueDeviation' is not");
   expect(refusal(changed([](auto f) { f.setValueDeviation(-1); })),
-         "the mean or deviation of its values is not");
+         "'valueMean' or 'valueDeviation' is not");
 }
 
 TEST(PolicyFileTest, RefusesTextAfterTheMessage) {
@@ -117,7 +118,7 @@ TEST(PolicyFileTest, RefusesNumbersThatAreNotFinite) {
   file.network.numbers()[1000] = std::numeric_limits<float>::quiet_NaN();
   const auto read = readPolicy(writePolicy(file), "x");
   ASSERT_FALSE(read);
-  EXPECT_NE(read.error().text().find("not all finite"), std::string::npos);
+  EXPECT_NE(read.error().text().find("are finite"), std::string::npos);
 }
 
 }  // namespace

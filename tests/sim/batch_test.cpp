@@ -195,7 +195,7 @@ TEST(Batch, wrong_actions_and_courses_are_errors) {
   const auto batch = *makeCpuBatch(course, 4, pool);
   const std::vector<Action> few(7);
   EXPECT_EQ(batch->step(2, Actions::tabulated(few)).error().message,
-            "expected actions for 2 ticks of 4 worlds, found 7");
+            "expected an action for each of 2 ticks in each of 4 worlds, found 7");
   const uint32_t firsts[5] = {0, 1, 1, 1, 2};
   const ActionRun run{};
   EXPECT_EQ(batch->step(2, Actions::plans({&run, 1}, firsts)).error().message,

@@ -184,7 +184,7 @@ TEST(Explain, SaysHowMuchHigherJumpsShouldBe) {
   ASSERT_NE(higher, nullptr) << e.reason;
   EXPECT_GT(higher->amount, 0.5);
   EXPECT_LT(higher->amount, 3);
-  EXPECT_THAT(higher->text, testing::StartsWith("solvable with jumps "));
+  EXPECT_THAT(higher->text, testing::StartsWith("solvable if jumps were "));
   EXPECT_THAT(higher->text, testing::EndsWith(" %) higher"));
 }
 
@@ -248,7 +248,7 @@ TEST(Explain, MakesNoClaimIfNoChangeHelps) {
       explainAsk(corridor("") + query(R"("goal":{"position":[0,400,-30],"size":[8,4,4]})"));
   EXPECT_EQ(e.verdict, schema::Verdict::UNREACHABLE);
   EXPECT_THAT(e.all, IsEmpty());
-  EXPECT_THAT(e.reason, HasSubstr("No single change that was tried makes it solvable."));
+  EXPECT_THAT(e.reason, HasSubstr("No single change that was tried makes the query solvable."));
 }
 
 TEST(Explain, MakesNoClaimIfTwoChangesAreNeeded) {

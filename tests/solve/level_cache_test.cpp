@@ -38,8 +38,9 @@ TEST(LevelCache, KeepsAsManyOfTheNewestAsFit) {
   EXPECT_THAT(known.add(levelCalled("a")), IsEmpty());
   EXPECT_THAT(known.add(levelCalled("b")), IsEmpty());
   EXPECT_THAT(known.add(levelCalled("c")), ElementsAre("a"));
-  EXPECT_THAT(errorOf(known, "a"), HasSubstr("level: no level 'a' before this record is still in "
-                                             "memory: the oldest 1 were dropped (put queries"));
+  EXPECT_THAT(errorOf(known, "a"),
+              HasSubstr("level: there is no level 'a' before this record, or it is one of 1 that "
+                        "were dropped from memory (put queries"));
   EXPECT_EQ(errorOf(known, "b"), "found");
   EXPECT_EQ(errorOf(known, "c"), "found");
 }
@@ -107,8 +108,9 @@ TEST(EndlessStream, TheErrorMentionsADroppedLevel) {
       R"({"type":"query","id":"late","level":"stones","goal":{"position":[0,2,-28]}})"
       "\n";
   EXPECT_EQ(verdictOn(text, LevelCache::kMaxBytes), "fine");
-  EXPECT_THAT(verdictOn(text, 1),
-              HasSubstr(":4: level: no level 'stones' before this record is still in memory"));
+  EXPECT_THAT(
+      verdictOn(text, 1),
+      HasSubstr(":4: level: there is no level 'stones' before this record, or it is one of"));
 }
 
 TEST(EndlessStream, QueriesGoWithTheirLevel) {
@@ -118,7 +120,7 @@ TEST(EndlessStream, QueriesGoWithTheirLevel) {
       R"({"type":"trajectory","query":"q","level":"stones","actions":[{"ticks":10}],"ticks":10})"
       "\n";
   EXPECT_THAT(verdictOn(text, LevelCache::kMaxBytes), Not(HasSubstr("no query")));
-  EXPECT_THAT(verdictOn(text, 1), HasSubstr(":5: query: no query 'q' before this record"));
+  EXPECT_THAT(verdictOn(text, 1), HasSubstr(":5: query: there is no query 'q' before this record"));
 }
 
 TEST(EndlessStream, AnIdIsNamedOnce) {

@@ -44,10 +44,11 @@ TEST(Overrun, IsNamedInTheReason) {
   EXPECT_EQ(reasonFor(outcome, level, {}, {}).find("more than"), std::string::npos);
   outcome.statistics.overruns = sim::kOverruns;
   const std::string reason = reasonFor(outcome, level, {}, {});
-  EXPECT_NE(reason.find("more than 48 parts at once (16 moving); the simulator ignored the rest."),
+  EXPECT_NE(reason.find(
+                "more than 48 parts, or 16 moving parts, at once; the simulator ignored the rest."),
             std::string::npos)
       << reason;
-  EXPECT_NE(reason.find("more than 8 touched parts at work at once; the rest did not react."),
+  EXPECT_NE(reason.find("more than 8 touched parts were active at once; the rest did not react."),
             std::string::npos)
       << reason;
   EXPECT_NE(reason.find(

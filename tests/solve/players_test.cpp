@@ -97,7 +97,7 @@ TEST(Players, AFailingPlayerDecidesTheVerdict) {
   const std::string out = playersAnswer(ledge(R"(,"bodies":["r6","place"])"));
   const std::string result = resultOf(out);
   EXPECT_THAT(result, HasSubstr(R"("verdict":"unreachable")"));
-  EXPECT_THAT(result, HasSubstr("Solved for R6 at 60 frames a second; nobody can with the place's "
+  EXPECT_THAT(result, HasSubstr("Solved for R6 at 60 frames a second; unreachable for the place's "
                                 "body at 60 frames a second. The place's body at 60 frames a "
                                 "second: No player can reach the goal."));
   EXPECT_THAT(result, HasSubstr(R"("cut":{)"));
@@ -153,7 +153,8 @@ TEST(Players, AnswersDoNotDependOnThreads) {
 TEST(SameKeys, SolveTheQueryForEveryPlayer) {
   const std::string out = playersAnswer(
       stonesText(R"(,"bodies":["r6","r15"],"frameRates":[60,30,144],"sameKeys":true)"));
-  EXPECT_THAT(resultOf(out), HasSubstr(R"("reason":"The same keys solve it for R6 and R15 at)"));
+  EXPECT_THAT(resultOf(out),
+              HasSubstr(R"("reason":"The same key presses solve it for R6 and R15 at)"));
   EXPECT_EQ(lines(out, "trajectory").size(), 6u);
   EXPECT_EQ(checked(out).counts.verified, 6u);
 }
@@ -170,13 +171,13 @@ TEST(SameKeys, AreVerifiedForEveryPlayer) {
   const Filtered check = checked(out);
   ASSERT_FALSE(check.status);
   EXPECT_THAT(check.status.error().text(),
-              HasSubstr("the same keys do not reach the goal with the place's body at 30"));
+              HasSubstr("the same key presses do not reach the goal with the place's body at 30"));
 }
 
 TEST(SameKeys, AreNotSearchedIfOnePlayerCannot) {
   const std::string out = playersAnswer(ledge(R"(,"bodies":["r6","place"],"sameKeys":true)"));
   EXPECT_THAT(resultOf(out), HasSubstr(R"("verdict":"unreachable")"));
-  EXPECT_THAT(resultOf(out), HasSubstr("Nobody can with the place's body at 60 frames a second."));
+  EXPECT_THAT(resultOf(out), HasSubstr("Unreachable for the place's body at 60 frames a second."));
   EXPECT_EQ(lines(out, "trajectory").size(), 0u);
 }
 
@@ -200,7 +201,7 @@ TEST(PlayersText, NamesPlayersWithAndWithoutASolution) {
   EXPECT_EQ(playersText({{"r6", 60, kSolved}, {"r15", 60, kSolved}}, true),
             "Solved for R6 and R15 at 60 frames a second.");
   EXPECT_EQ(playersText({{"", 30, kNot}, {"", 60, kSolved}, {"", 240, kUnknown}}, false),
-            "Solved at 60 frames a second; nobody can at 30 frames a second; no solution found at "
+            "Solved at 60 frames a second; unreachable at 30 frames a second; no solution found at "
             "240 frames a second.");
   EXPECT_EQ(playersText({{"r6", 30, kSolved}, {"r6", 60, kSolved}, {"r15", 60, kSolved}}, true),
             "Solved for R6 at 30 and 60 frames a second and R15 at 60 frames a second.");

@@ -33,7 +33,8 @@ TEST(QueryCache, KeepsAsManyOfTheNewestAsFit) {
   QueryCache known(2 * queryCacheBytesOfOne());
   for (const char* id : {"a", "b", "c"}) known.add("l", queryCalled(id));
   EXPECT_EQ(queryCacheErrorOf(known, "l", "a"),
-            "query: no query 'a' before this record is still in memory: the oldest 1 were dropped "
+            "query: there is no query 'a' before this record, or it is one of 1 that were dropped "
+            "from memory "
             "(put trajectories right after their query; only the newest queries are kept, up to "
             "0 MiB)");
   EXPECT_EQ(queryCacheErrorOf(known, "l", "b"), "found");
@@ -87,7 +88,7 @@ TEST(EndlessStream, TheErrorMentionsADroppedQuery) {
   const Filtered f = runFilter(file.path(), std::move(o));
   ASSERT_FALSE(f.status);
   EXPECT_THAT(f.status.error().text(),
-              HasSubstr(":4: query: no query 'q' before this record is still in memory"));
+              HasSubstr(":4: query: there is no query 'q' before this record, or it is one of"));
 }
 
 }  // namespace

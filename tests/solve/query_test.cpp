@@ -168,16 +168,18 @@ TEST(Filter, ALimitOfANewQueryNeedsAGoalAndTheErrorNamesEach) {
     return f.status ? "" : f.status.error().text();
   };
   const std::string wrong =
-      ":1: --max-jumps: asks a new query, but level 'bare' has no goal part and no checkpoint to "
-      "reach (give --goal PLACE";
+      ":1: --max-jumps: this option starts a new query, but level 'bare' has no goal part and no "
+      "checkpoint (give --goal PLACE";
   EXPECT_THAT(errorOf(level), testing::EndsWith(wrong + ")"));
-  EXPECT_THAT(errorOf(level + query),
-              testing::EndsWith(wrong + ", or --each to apply it to the level's own query)"));
-  EXPECT_THAT(errorOf(level + query + query + query),
-              testing::EndsWith(wrong + ", or --each to apply it to the level's own 3 queries)"));
+  EXPECT_THAT(
+      errorOf(level + query),
+      testing::EndsWith(wrong + ", or --each to apply the option to the level's own query)"));
+  EXPECT_THAT(
+      errorOf(level + query + query + query),
+      testing::EndsWith(wrong + ", or --each to apply the option to the level's own 3 queries)"));
   EXPECT_THAT(errorOf(level + query + level), testing::EndsWith("the level's own query)"));
   o.quick->waypoints = {"A"};
-  EXPECT_THAT(errorOf(level), HasSubstr(":1: --waypoint: asks a new query"));
+  EXPECT_THAT(errorOf(level), HasSubstr(":1: --waypoint: this option starts a new query"));
   o.each = true;
   EXPECT_TRUE(filter(level + query, o).status);
   EXPECT_THAT(filter(level, o).status.error().text(),

@@ -134,7 +134,7 @@ TEST(Search, AGapTooWideIsUnknownWithEvidence) {
   EXPECT_LT(result.getClosest(), 21);
   EXPECT_THAT(result.getReason().cStr(), HasSubstr(" % of attempts fell"));
   EXPECT_THAT(result.getReason().cStr(),
-              testing::EndsWith(" This is not a proof that there is none."));
+              testing::EndsWith(" This does not prove that no solution exists."));
   EXPECT_THAT(f.output, HasSubstr("\"status\":\"budget\""));
   uint64_t ends = 0;
   bool lava = false;

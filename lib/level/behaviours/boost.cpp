@@ -21,10 +21,10 @@ Status checkGravity(float factor, const Params& params) {
                      "use 1 to leave the gravity unchanged");
   }
   if (!(factor * params.gravity <= kMaxGravity)) {
-    return pathError(
-        "boost.gravity",
-        "expected a gravity of at most 2000 studs/s^2, found " + shown(factor * params.gravity),
-        "use a smaller factor");
+    return pathError("boost.gravity",
+                     "expected a factor that gives at most 2000 studs/s^2, found one that gives " +
+                         shown(factor * params.gravity),
+                     "use a smaller factor");
   }
   return {};
 }

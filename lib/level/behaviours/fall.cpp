@@ -21,9 +21,9 @@ Result<FallTicks> fallTicks(schema::Fall::Reader fall, const Params& params) {
   OBBY_ASSIGN(t.fall, ticksOf(params, fall.getSeconds(), "fall.seconds"));
   OBBY_ASSIGN(t.away, ticksOf(params, fall.getAway(), "fall.away"));
   if (t.delay + t.fall > maxTicks(params)) {
-    return pathError("fall", "delay and seconds together are " + longerThanMax(params));
+    return pathError("fall", "'delay' and 'seconds' together are " + longerThanMax(params));
   }
-  if (t.fall == 0) return pathError("fall.seconds", "expected at least one tick");
+  if (t.fall == 0) return pathError("fall.seconds", "the fall lasts less than one tick");
   return t;
 }
 
@@ -32,8 +32,8 @@ Result<FallTicks> fallTicks(schema::Fall::Reader fall, const Params& params) {
 Status compileFall(PartContext& c) {
   const auto record = c.part.getFall();
   if (c.part.hasVanish() || c.part.hasMotion()) {
-    return pathError("fall", "a part that falls cannot have motion or vanish",
-                     "remove the part's 'vanish' and 'motion', or 'fall'");
+    return pathError("fall", "a part with 'fall' cannot have 'motion' or 'vanish'",
+                     "remove 'fall', or remove 'motion' and 'vanish'");
   }
   if (!(record.getSpeed() >= 0)) {
     return pathError("fall.speed", "expected 0 or more studs/s, found " + shown(record.getSpeed()));

@@ -10,7 +10,7 @@ namespace {
 // Returns the ticks into the period at tick 0. A negative phase counts back from the period's end.
 Result<uint32_t> phaseOf(const Params& params, float phase, uint32_t period) {
   if (!std::isfinite(phase)) {
-    return pathError("vanish.phase", "expected finite seconds, found " + shown(phase));
+    return pathError("vanish.phase", "expected a finite number of seconds, found " + shown(phase));
   }
   const uint32_t ticks = ticksFromSeconds(params, std::fabs(phase));
   return phase < 0 ? (period - ticks % period) % period : ticks;
@@ -19,7 +19,8 @@ Result<uint32_t> phaseOf(const Params& params, float phase, uint32_t period) {
 Status byTimer(PartContext& c) {
   const uint32_t period = c.roles.vanishDelay + c.roles.vanishAway;
   if (period == 0)
-    return pathError("vanish", "the timer has a period of 0 ticks", "set delay or away");
+    return pathError("vanish", "the timer's period lasts less than one tick",
+                     "raise 'delay' or 'away'");
   OBBY_ASSIGN(c.roles.vanishPhase, phaseOf(c.params, c.part.getVanish().getPhase(), period));
   c.flags |= kVanishTimer;
   return {};

@@ -51,27 +51,31 @@ class Gpu : public Device {
     OBBY_RETURN_IF_ERROR(check(cudaSetDevice(number_), "cannot use the GPU"));  // set per thread
     const cudaError_t code = cudaMalloc(&memory, bytes);
     if (code == cudaErrorMemoryAllocation) cudaGetLastError();  // clears the handled error
-    OBBY_RETURN_IF_ERROR(check(code, fmt::format("allocating {} bytes on the GPU", bytes).c_str()));
+    OBBY_RETURN_IF_ERROR(
+        check(code, fmt::format("cannot allocate {} bytes on the GPU", bytes).c_str()));
     return memory;
   }
   void release(void* memory) override { cudaFree(memory); }
   Status upload(void* to, const void* from, size_t bytes) override {
-    return check(cudaMemcpy(to, from, bytes, cudaMemcpyHostToDevice), "copying to the GPU");
+    return check(cudaMemcpy(to, from, bytes, cudaMemcpyHostToDevice),
+                 "cannot copy data to the GPU");
   }
   Status uploadAside(void* to, const void* from, size_t bytes) override {
     OBBY_RETURN_IF_ERROR(check(cudaSetDevice(number_), "cannot use the GPU"));  // set per thread
     OBBY_RETURN_IF_ERROR(check(cudaMemcpyAsync(to, from, bytes, cudaMemcpyHostToDevice, aside_),
-                               "copying to the GPU"));
-    return check(cudaStreamSynchronize(aside_), "copying to the GPU");
+                               "cannot copy data to the GPU"));
+    return check(cudaStreamSynchronize(aside_), "cannot copy data to the GPU");
   }
   Status download(void* to, const void* from, size_t bytes) const override {
-    return check(cudaMemcpy(to, from, bytes, cudaMemcpyDeviceToHost), "copying from the GPU");
+    return check(cudaMemcpy(to, from, bytes, cudaMemcpyDeviceToHost),
+                 "cannot copy data from the GPU");
   }
   Status copy(void* to, const void* from, size_t bytes) override {
-    return check(cudaMemcpy(to, from, bytes, cudaMemcpyDeviceToDevice), "copying on the GPU");
+    return check(cudaMemcpy(to, from, bytes, cudaMemcpyDeviceToDevice),
+                 "cannot copy data on the GPU");
   }
   Status fill(void* to, uint8_t value, size_t bytes) override {
-    return check(cudaMemset(to, value, bytes), "clearing GPU memory");
+    return check(cudaMemset(to, value, bytes), "cannot clear GPU memory");
   }
 
   Status launch(const Kernel& kernel, const void* arguments, uint32_t count) override {

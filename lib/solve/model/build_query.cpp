@@ -239,14 +239,15 @@ bool hasEnd(schema::Level::Reader level) { return lastPart(level) >= 0; }
 
 Error lacksGoal(schema::Level::Reader level, const QuickQuery& quick, uint64_t queries) {
   std::string hint = "give --goal PLACE";
-  if (queries == 1) hint += ", or --each to apply it to the level's own query";
+  if (queries == 1) hint += ", or --each to apply the option to the level's own query";
   if (queries > 1)
-    hint += fmt::format(", or --each to apply it to the level's own {} queries", queries);
+    hint += fmt::format(", or --each to apply the option to the level's own {} queries", queries);
   return inOption(
-      makeError(fmt::format(
-                    "asks a new query, but level '{}' has no goal part and no checkpoint to reach",
-                    level.getName().cStr()),
-                std::move(hint)),
+      makeError(
+          fmt::format(
+              "this option starts a new query, but level '{}' has no goal part and no checkpoint",
+              level.getName().cStr()),
+          std::move(hint)),
       firstOption(quick));
 }
 

@@ -43,7 +43,7 @@ Error unknown(const char* option, const char* what, const std::string& word,
                {},
                option,
                fmt::format("unknown {} '{}'", what, word),
-               fmt::format("give {}; or each", known)};
+               fmt::format("give {}, or each", known)};
 }
 
 std::vector<std::string> bodiesOf(schema::Level::Reader level, const AskedPlayers& asked) {
@@ -76,7 +76,7 @@ Result<AskedPlayers> askedPlayers(const std::vector<std::string>& bodies,
   for (const std::string& word : asked.bodies) {
     if (word == kEach || isBody(word)) continue;
     return unknown("--body", "body", word,
-                   fmt::format("{}, or {}", level::bodyNames(), level::kPlaceBody));
+                   fmt::format("{}, {}", level::bodyNames(), level::kPlaceBody));
   }
   for (const std::string& word : asked.frameRates) {
     if (word == kEach || isRate(word)) continue;

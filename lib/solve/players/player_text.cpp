@@ -75,7 +75,7 @@ std::string playersText(const std::vector<PlayerVerdict>& players, bool namesBod
     const char *start, *preposition;
   };
   constexpr Clause kClauses[] = {{schema::Verdict::SOLVED, "solved", "for"},
-                                 {schema::Verdict::UNREACHABLE, "nobody can", "with"},
+                                 {schema::Verdict::UNREACHABLE, "unreachable", "for"},
                                  {schema::Verdict::UNKNOWN, "no solution found", "for"}};
   std::string text;
   for (const Clause& clause : kClauses) {
@@ -90,10 +90,10 @@ std::string playersText(const std::vector<PlayerVerdict>& players, bool namesBod
 
 std::string sameKeysText(const std::vector<PlayerVerdict>& players, bool namesBodies) {
   const auto barred = with(schema::Verdict::UNREACHABLE, players);
-  if (!barred.empty()) return "Nobody can" + groupText(barred, namesBodies, "with") + ".";
+  if (!barred.empty()) return "Unreachable" + groupText(barred, namesBodies, "for") + ".";
   const bool solved = players.front().verdict == schema::Verdict::SOLVED;
-  return (solved ? "The same keys solve it" : "No keys found that solve it") +
-         groupText(players, namesBodies, "for") + (solved ? "." : " alike.");
+  return (solved ? "The same key presses solve it" : "No solution found") +
+         groupText(players, namesBodies, "for") + (solved ? "." : " with the same key presses.");
 }
 
 }  // namespace obby::solve

@@ -14,7 +14,7 @@ struct PlayerVerdict {
   schema::Verdict verdict;
 };
 
-// Returns text like "Solved for R6 and R15 at 60 frames a second; nobody can with R15 at 30 frames
+// Returns text like "Solved for R6 and R15 at 60 frames a second; unreachable for R15 at 30 frames
 // a second." Without `namesBodies` the text names only the frame rates.
 std::string playersText(const std::vector<PlayerVerdict>& players, bool namesBodies);
 // Describes a search for keys that solve the query for all players.

@@ -21,11 +21,12 @@ Status checkKeys(const LoadedLevel& level, schema::Query::Reader query, const le
     OBBY_ASSIGN(const KeyPlayer other, KeyPlayer::make(c));
     if (other.solve(plan.actions, first.rate)) continue;
     const PlayerVerdict who{c.player.body, c.rate, schema::Verdict::UNKNOWN};
-    return Error{{},
-                 {},
-                 "actions",
-                 fmt::format("the same keys do not reach the goal with {}", playerText(who, true)),
-                 {}};
+    return Error{
+        {},
+        {},
+        "actions",
+        fmt::format("the same key presses do not reach the goal with {}", playerText(who, true)),
+        {}};
   }
   return {};
 }

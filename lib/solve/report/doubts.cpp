@@ -87,13 +87,13 @@ std::string textOf(schema::Level::Reader level, const Kinds& kinds,
                    const std::vector<uint32_t>& touched, Avoiding avoiding) {
   std::string text;
   if (!touched.empty()) {
-    text = fmt::format(" This may differ in the game: it uses {}.",
+    text = fmt::format(" This may differ in the game: the solution uses {}.",
                        listed(partTexts(level, kinds, touched), "and"));
     const char* const them = touched.size() == 1 ? "it" : "them";
     if (avoiding == Avoiding::notFound) {
       text += fmt::format(" No solution without {} was found.", them);
     } else if (avoiding == Avoiding::impossible) {
-      text += fmt::format(" There is none without {}.", them);
+      text += fmt::format(" No solution exists without {}.", them);
     }
   }
   std::vector<std::string> anywhere;
@@ -103,8 +103,8 @@ std::string textOf(schema::Level::Reader level, const Kinds& kinds,
     }
   }
   if (anywhere.empty()) return text;
-  return text +
-         fmt::format(" What is not simulated may matter anywhere: {}.", listed(anywhere, "and"));
+  return text + fmt::format(" These are not simulated and may matter anywhere in the place: {}.",
+                            listed(anywhere, "and"));
 }
 
 }  // namespace

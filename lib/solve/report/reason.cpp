@@ -110,9 +110,9 @@ std::string hopeText(const Coverage& t) {
   const float more = 100 * newCellsIfTwice(t);
   if (!saturated(t)) return " The search was still finding new places, so more time may help.";
   if (more < 0.1f) {
-    return " Searching twice as long would find almost nothing new at the search's resolution.";
+    return " Searching twice as long would find almost no new places.";
   }
-  return fmt::format(" Searching twice as long would explore only about {:.{}f} % more.", more,
+  return fmt::format(" Searching twice as long would find only about {:.{}f} % more places.", more,
                      more < 1 ? 1 : 0);
 }
 
@@ -121,18 +121,19 @@ std::string overrunText(uint8_t overruns) {
   std::string text;
   if (overruns & sim::kCandidateOverrun) {
     text += fmt::format(
-        " Some attempts met more than {} parts at once ({} moving); the simulator ignored the "
-        "rest.",
+        " Some attempts met more than {} parts, or {} moving parts, at once; the simulator ignored "
+        "the rest.",
         sim::kMaxCandidates, sim::kMaxMovingCandidates);
   }
   if (overruns & sim::kClockOverrun) {
     text += fmt::format(
-        " Some attempts had more than {} touched parts at work at once; the rest did not react.",
+        " In some attempts, more than {} touched parts were active at once; the rest did not "
+        "react.",
         sim::kMaxClocks);
   }
   if (overruns & sim::kContactOverrun) {
     text += fmt::format(
-        " In some attempts dynamic parts had more than {} contacts at once; the simulator ignored "
+        " In some attempts, dynamic parts had more than {} contacts at once; the simulator ignored "
         "the rest.",
         sim::kMaxBodyContacts);
   }
@@ -146,7 +147,7 @@ std::string unmodelledText(schema::Level::Reader level) {
     if (u.getBearing() == schema::Bearing::HARDER) continue;
     kinds += fmt::format("{}{} ({})", kinds.empty() ? "" : ", ", u.getKind().cStr(), u.getCount());
   }
-  return kinds.empty() ? kinds : " The place has things that are not simulated: " + kinds + ".";
+  return kinds.empty() ? kinds : " Not simulated in this place: " + kinds + ".";
 }
 
 std::string stepText(const Cut& cut, const level::Level& level, schema::Level::Reader record) {
@@ -161,7 +162,7 @@ std::string stepText(const Cut& cut, const level::Level& level, schema::Level::R
   if (lacks.empty()) return {};
   return fmt::format(" From {}, {} is {}{}{}.", from,
                      m.to == level::kNone ? cut.target : nameOf(m.to), m.blocked ? "at least " : "",
-                     lacks, m.more ? ", and there are more such steps behind it" : "");
+                     lacks, m.more ? ", and later steps are out of reach, too" : "");
 }
 
 // Returns "none is", "only 1 is" or "only 2 are".
@@ -172,11 +173,11 @@ std::string allowedText(uint32_t n) {
 
 // Tells for which tricks the cut holds.
 std::string tricksText(const Cut& cut) {
-  if (cut.withTricks) return " That holds with every trick, too.";
-  if (cut.mayHelp == 0) return " Several tricks together might make it.";
+  if (cut.withTricks) return " No trick changes this.";
+  if (cut.mayHelp == 0) return " This assumes normal play; several tricks together might help.";
   std::vector<std::string> names;
   for (const auto trick : level::tricksIn(cut.mayHelp)) names.push_back(level::trickName(trick));
-  return fmt::format(" This assumes normal play; a {} might make it.", listed(names, "or"));
+  return fmt::format(" This assumes normal play; a {} might help.", listed(names, "or"));
 }
 
 std::string cutText(const Cut& cut, const level::Level& level, schema::Level::Reader record) {
@@ -206,7 +207,8 @@ std::string reasonFor(const SearchOutcome& outcome, const level::Level& level,
                                  playText(outcome.statistics.steps, rate),
                                  outcome.stopped == Stopped::interrupted ? " (interrupted)" : "");
   text += placeText(outcome, asked) + endsText(outcome, asked) + hopeText(outcome.coverage);
-  return text + overruns + unmodelledText(levelRecord) + " This is not a proof that there is none.";
+  return text + overruns + unmodelledText(levelRecord) +
+         " This does not prove that no solution exists.";
 }
 
 }  // namespace obby::solve

@@ -77,7 +77,7 @@ Status checkDirections(schema::Query::Reader query, const sim::Plan& plan) {
     return Error{{},
                  {},
                  fmt::format("actions[{}].heading", i),
-                 "the player walks in none of the keyboard's eight directions",
+                 "the heading is not one of the keyboard's eight directions",
                  {}};
   }
   return {};

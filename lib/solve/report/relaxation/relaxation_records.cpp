@@ -16,8 +16,8 @@ void fillRelaxations(schema::Result::Builder record, const std::vector<Relaxatio
     relaxations[i].setSteps(found[i].steps);
     relaxations[i].setText(found[i].text);
   }
-  std::string advice =
-      found.empty() ? "no single change that was tried makes it solvable" : found.front().text;
+  std::string advice = found.empty() ? "no single change that was tried makes the query solvable"
+                                     : found.front().text;
   advice.front() = char(std::toupper(advice.front()));
   record.setReason(record.getReason().cStr() + (" " + advice) + ".");
 }

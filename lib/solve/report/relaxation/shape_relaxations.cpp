@@ -114,7 +114,7 @@ std::vector<Change> jumpHeightChanges(const Failure& failure) {
     level.getPhysics().setJumpSpeed(float(launchFor(now, height * (1 + n * kHigherNotch))));
   };
   c.text = [height](uint32_t n) {
-    return fmt::format("solvable with jumps {:.1f} studs ({:.0f} %) higher",
+    return fmt::format("solvable if jumps were {:.1f} studs ({:.0f} %) higher",
                        n * kHigherNotch * height, 100 * n * kHigherNotch);
   };
   return {c};
