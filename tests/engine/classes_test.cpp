@@ -12,17 +12,18 @@ TEST(Classes, HavePropertiesThatScriptsMayOnlyRead) {
 }
 
 TEST(Classes, ATagAnnouncesItsFirstAndItsLastInstance) {
-  EXPECT_EQ(resultOf("local tags, result = game:GetService('CollectionService'), ''\n"
-                     "tags.TagAdded:Connect(function(tag) result ..= ' +' .. tag end)\n"
-                     "tags.TagRemoved:Connect(function(tag) result ..= ' -' .. tag end)\n"
-                     "tags:GetInstanceAddedSignal('Kill'):Connect(function() result ..= ' part' end)\n"
-                     "local part, other = Instance.new('Part'), Instance.new('Part', workspace)\n"
-                     "part:AddTag('Kill')\n"
-                     "part.Parent = workspace\n"
-                     "other:AddTag('Kill')\n"
-                     "part:Destroy()\n"
-                     "other:RemoveTag('Kill')\n"),
-            " part +Kill part -Kill");
+  EXPECT_EQ(
+      resultOf("local tags, result = game:GetService('CollectionService'), ''\n"
+               "tags.TagAdded:Connect(function(tag) result ..= ' +' .. tag end)\n"
+               "tags.TagRemoved:Connect(function(tag) result ..= ' -' .. tag end)\n"
+               "tags:GetInstanceAddedSignal('Kill'):Connect(function() result ..= ' part' end)\n"
+               "local part, other = Instance.new('Part'), Instance.new('Part', workspace)\n"
+               "part:AddTag('Kill')\n"
+               "part.Parent = workspace\n"
+               "other:AddTag('Kill')\n"
+               "part:Destroy()\n"
+               "other:RemoveTag('Kill')\n"),
+      " part +Kill part -Kill");
 }
 
 }  // namespace
