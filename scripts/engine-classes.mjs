@@ -78,6 +78,13 @@ export function classLines(files) {
   return [...lines, ...enumsOf(read('generated/enums.d.ts'))];
 }
 
+// Returns "Class.Property" for each property that scripts may only read.
+export function readOnlyProperties(files) {
+  const pattern = /^ {4}readonly (\w+)\??: (?!RBXScriptSignal)/gm;
+  const own = ([name, { body }]) => [...body.matchAll(pattern)].map(([, property]) => `${name}.${property}`);
+  return files.flatMap((file) => [...interfaces(read(file))].flatMap(own));
+}
+
 // Returns the names of the classes that Instance.new makes.
 export function creatableClasses() {
   const { body } = interfaces(read('generated/None.d.ts')).get('CreatableInstances');

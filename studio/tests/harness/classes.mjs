@@ -1,6 +1,6 @@
 // The engine's classes and enums as published (npm @rbxts/types, made from the engine's own dump),
 // with the members that only plugins may use.
-import { classLines, creatableClasses } from '../../../scripts/engine-classes.mjs';
+import { classLines, creatableClasses, readOnlyProperties } from '../../../scripts/engine-classes.mjs';
 
 // Members that the typings lack, although the engine documents them and plugins use them.
 const beyond = `
@@ -36,6 +36,11 @@ export function member(className, name) {
   const known = classes.get(className);
   return known ? known.members.get(name) ?? member(known.base, name) : '';
 }
+
+const readOnly = new Set(readOnlyProperties(files));
+export const isReadOnly = (className, name) =>
+  readOnly.has(`${className}.${name}`) ||
+  (classes.has(className) && isReadOnly(classes.get(className).base, name));
 
 export const enumItems = (name) => enums.get(name) ?? '';
 
