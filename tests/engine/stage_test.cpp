@@ -87,5 +87,13 @@ TEST(Stage, APartWithoutAShapeIsABlock) {
   EXPECT_EQ(std::get<bool>(seen.changes[0].value), false);
 }
 
+TEST(Stage, ACancelledThreadDoesNotWait) {
+  Place place;
+  place.script("task.cancel(task.delay(100, function() end))", place.scripts);
+  engine::Stage stage(place.document, {});
+  stage.start();
+  EXPECT_FALSE(stage.isBusy());
+}
+
 }  // namespace
 }  // namespace obby::test

@@ -4,10 +4,13 @@ import { readFileSync, readdirSync } from 'node:fs';
 import { dirname, join, relative } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { LuauState } from 'luau-web';
+import * as classes from './classes.mjs';
 
 export const tests = dirname(dirname(fileURLToPath(import.meta.url)));
 export const src = join(dirname(tests), 'src');
-const course = join(dirname(dirname(tests)), 'levels', 'calibration', 'course.jsonl');
+const root = dirname(dirname(tests));
+const api = join(root, 'lib', 'engine', 'api'); // the twin of the engine
+const course = join(root, 'levels', 'calibration', 'course.jsonl');
 // The tests' version of the modules that the build generates.
 export const built = {
   'version.luau': 'return table.freeze({ version = "0.0.0-test", protocol = 1 })',
@@ -27,12 +30,13 @@ export async function start(native) {
   // Compiles a function that creates the chunk, so that a file is compiled only once. Compiled code
   // is never freed, and the VM's memory is small.
   native.compile = (path) => {
-    const name = path.replace(/^src\//, '');
-    const made = path.startsWith('src/') && built[name];
-    const file = path.startsWith('src/') ? join(src, name) : join(tests, path);
-    const text = made || readFileSync(file, 'utf8');
+    const [, top, name] = /^(src\/|api\/)?(.*)$/.exec(path);
+    const made = top === 'src/' && built[name];
+    const folder = { 'src/': src, 'api/': api }[top] ?? tests;
+    const text = made || readFileSync(join(folder, name), 'utf8');
     return state.loadstring(`return function(...) ${text}\nend`, path, true);
   };
+  Object.assign(native, classes);
   native.sources = [...luauFiles(src).filter((name) => name !== entry), ...Object.keys(built)]
     .map((name) => name.slice(0, -'.luau'.length))
     .join('\n');
