@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "calibrate/range_text.h"
 #include "io/text.h"
 #include "table/chart.h"
 

@@ -1,5 +1,4 @@
 #include "gen/generator.h"
-#include "gen/recipe_check.h"
 
 #include <algorithm>
 
