@@ -1,10 +1,8 @@
-#include "io/record.h"
+#include "io/record_storage.h"
 
 #include <kj/exception.h>
 
 #include <new>
-
-#include "io/record_storage.h"
 
 namespace obby::io {
 
