@@ -99,13 +99,14 @@ kj::Promise<Body> readBody(kj::AsyncInputStream& body, const Call& call, const L
       const bool gone = e.getType() == kj::Exception::Type::DISCONNECTED && !r->sent_.ended();
       if (gone) kj::throwFatalException(kj::mv(e));
       if (r->sent_.over()) return r->sentTooMuch();
-      return refuse(400, "the body is not a gzip stream", "send it plain, or gzip all of it");
+      return refuse(400, "the body is not a gzip stream",
+                    "send it uncompressed, or gzip all of it");
     });
   }
   const auto late = uint64_t(limits.requestSeconds * 1000) * kj::MILLISECONDS;
   return read
       .exclusiveJoin(timer.afterDelay(late).then(
-          [] { return Body(refuse(408, "the body came too slowly", "send it faster")); }))
+          [] { return Body(refuse(408, "the body arrived too slowly", "send it faster")); }))
       .attach(kj::mv(reader));
 }
 

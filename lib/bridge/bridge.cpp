@@ -82,8 +82,8 @@ Status serveHttp(const Options& options, const std::atomic<bool>& stop, const Re
   OBBY_RETURN_IF_ERROR(host.open(options.needToken));
   Service& service = host.service();
   if (options.needToken && !options.pair && !service.paired()) {
-    return makeError("no client is paired yet, so none could connect",
-                     "start it with --pair to show a pairing code");
+    return makeError("no client is paired yet, so no client could connect",
+                     "start obby-bridge with --pair to show a pairing code");
   }
   OBBY_ASSIGN(loopback::Listener listener, loopback::listenOn(options.port));
   reports.say(fmt::format("listening on http://127.0.0.1:{}", listener.port));

@@ -41,7 +41,7 @@ class Relay {
   kj::Promise<void> sendMore() {
     client_->hold(cursor_);
     if (closing_) return socket_->close(kNormal, "bye");
-    if (client_->dropSocket) return socket_->close(kSilent, "nothing was received for too long");
+    if (client_->dropSocket) return socket_->close(kSilent, "the client sent nothing for too long");
     if (!client_->ring().reaches(cursor_)) return sendReload();
     if (const Message* message = client_->ring().after(cursor_)) {
       cursor_ = message->number;
@@ -63,7 +63,7 @@ class Relay {
     return send(io::JsonWriter()
                     .open('{')
                     .field("type", "reload")
-                    .field("error", "messages after that cursor are no longer kept")
+                    .field("error", "messages after this cursor are no longer kept")
                     .field("cure", "get session and cursor from /v1/info, then ask again")
                     .finish(),
                 [this] { return socket_->close(kReload, "reload"); });

@@ -36,7 +36,7 @@ kj::Promise<void> HttpFront::request(kj::HttpMethod method, kj::StringPtr url,
                                      kj::AsyncInputStream& requestBody, Response& response) {
   auto checked = check(method, url, headers);
   if (Reply* refusal = std::get_if<Reply>(&checked)) {
-    note(fmt::format("refused with {}: {}", refusal->status, refusal->body));
+    note(fmt::format("a request was refused with {}: {}", refusal->status, refusal->body));
     return send(std::move(*refusal), response);
   }
   Call call = std::get<Call>(std::move(checked));

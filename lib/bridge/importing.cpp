@@ -65,13 +65,13 @@ struct Collector {
     } else if (how.signal != 0 || (how.code != 0 && !error)) {
       out.refusal =
           refuse(422,
-                 how.signal != 0 ? fmt::format("obby-import was ended by signal {}", how.signal)
+                 how.signal != 0 ? fmt::format("obby-import was killed by signal {}", how.signal)
                                  : fmt::format("obby-import ended with exit code {}", how.code),
-                 "the file may be damaged or need more memory than is allowed");
+                 "check the file, or start obby-bridge with a larger --memory");
     } else if (how.code != 0) {
       out.refusal = refuse(422, *error);
     } else if (out.levels == 0) {
-      out.refusal = refuse(422, "it holds no level", "send a place or level records");
+      out.refusal = refuse(422, "the body has no level", "send a place or level records");
     }
     return std::move(out);
   }

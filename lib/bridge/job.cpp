@@ -27,7 +27,7 @@ bool worthTelling(std::string_view type) {
 std::string endingOf(const Exit& how) {
   if (how.signal == 0) return fmt::format("the program ended with exit code {}", how.code);
   if (how.signal == SIGXCPU) return kTimeIsUp;
-  return fmt::format("the program was ended by signal {} ({})", how.signal, strsignal(how.signal));
+  return fmt::format("the program was killed by signal {} ({})", how.signal, strsignal(how.signal));
 }
 
 }  // namespace
@@ -131,7 +131,9 @@ void Job::keep(std::string_view line) {
 
 void Job::keepNothing() {
   answer_.reset();  // removes the file: an incomplete answer is useless
-  tell("report", "report", R"({"message":"this answer is not kept for a warm start"})");
+  tell("report", "report",
+       R"({"message":"this answer is not kept for a warm start: )"
+       R"(it is too large, or the disk is full"})");
 }
 
 void Job::closeAnswer() {

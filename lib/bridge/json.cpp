@@ -53,9 +53,9 @@ Status forMembers(const JsonTree& tree, const Node& node, const std::string& pat
   for (const Node& each : tree.children(node)) {
     const std::string_view name = tree.name(each);
     if (std::find(seen.begin(), seen.end(), name) != seen.end()) {
-      return pathError(path, "given twice: " + io::quoted(name));
+      return pathError(path, "this field is given twice: " + io::quoted(name));
     }
-    if (seen.size() >= 64) return pathError(path, "more than 64 members");
+    if (seen.size() >= 64) return pathError(path, "expected at most 64 fields, found more");
     seen.push_back(name);
     if (each.type == Type::null) continue;
     OBBY_RETURN_IF_ERROR(member(name, each));
@@ -84,7 +84,7 @@ Error unknownMember(const std::string& path, std::string_view name,
                     const std::vector<std::string>& known) {
   const std::string near = nearestName(name, known);
   const std::string where = path.empty() ? io::quoted(name) : path + "." + io::quoted(name);
-  return pathError(where, "unknown",
+  return pathError(where, "unknown field",
                    near.empty() ? fmt::format("expected one of {}", fmt::join(known, ", "))
                                 : "did you mean " + near + "?");
 }

@@ -33,7 +33,7 @@ Status forElements(const io::JsonTree& tree, const io::JsonTree::Node& node,
 Result<std::string> jsonString(const io::JsonTree& tree, const io::JsonTree::Node& node,
                                const std::string& path);
 
-// Returns the error "options.speed: unknown (did you mean ...)".
+// Returns the error "options.speed: unknown field (did you mean ...)".
 Error unknownMember(const std::string& path, std::string_view name,
                     const std::vector<std::string>& known);
 

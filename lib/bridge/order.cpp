@@ -102,7 +102,7 @@ class OrderReader {
 
   Status records(const Node& value, const char* name, const char* type, io::Kind kind) {
     if (recordsName_)
-      return pathError(name, fmt::format("cannot be combined with {}", recordsName_));
+      return pathError(name, fmt::format("cannot be combined with '{}'", recordsName_));
     recordsName_ = name;
     return forElements(tree_, value, name, [&](uint32_t i, const Node& record) -> Status {
       OBBY_RETURN_IF_ERROR(countOf(order_.records.size() + 1, name));
@@ -142,7 +142,7 @@ class OrderReader {
 
   Status countOf(size_t count, const char* name) const {
     if (count <= limits_.queries) return {};
-    return pathError(name, fmt::format("more than {} entries", limits_.queries),
+    return pathError(name, fmt::format("expected at most {} entries, found more", limits_.queries),
                      "split them into several jobs");
   }
 
@@ -203,14 +203,15 @@ class OrderReader {
   Status check() const {
     const bool solve = order_.task == Task::solve;
     if (recordsName_ && (std::string_view(recordsName_) == "queries") != solve) {
-      return pathError(recordsName_, "is not allowed with this task");
+      return pathError(recordsName_, "this field is not allowed with this task");
     }
     for (const BudgetRow* row : rows_) {
       if (solve ? row->solves : row->calibrates) continue;
-      return pathError(std::string("budget.") + row->name, "is not allowed with this task");
+      return pathError(std::string("budget.") + row->name,
+                       "this field is not allowed with this task");
     }
     if (isGiven("--trials=") && !isGiven("--difficulty"))
-      return pathError("budget.trials", "has no effect without budget.difficulty",
+      return pathError("budget.trials", "this field has no effect without budget.difficulty",
                        "set budget.difficulty to true, or leave out budget.trials");
     if (!isLevelId(order_.level)) {
       return pathError("level", "expected the id of a level",
@@ -220,15 +221,16 @@ class OrderReader {
       return pathError("warm", "expected the id of an earlier solve job");
     }
     if (!solve && order_.records.empty()) {
-      return pathError("recordings", "required to calibrate");
+      return pathError("recordings", "calibration needs at least one recording");
     }
-    if (!solve && !order_.ask.empty()) return pathError("ask", "is not allowed with this task");
+    if (!solve && !order_.ask.empty())
+      return pathError("ask", "this field is not allowed with this task");
     if (!solve && !order_.physics.empty()) {
-      return pathError("physics", "is not allowed with this task",
-                       "leave it out: calibration finds it");
+      return pathError("physics", "this field is not allowed with this task",
+                       "leave out physics; calibration finds the parameters");
     }
     if (!order_.ask.empty() && !order_.records.empty()) {
-      return pathError("ask", "cannot be combined with queries");
+      return pathError("ask", "cannot be combined with 'queries'");
     }
     return {};
   }

@@ -30,7 +30,7 @@ std::optional<Reply> addOwnQueries(const StoredLevel& level, const std::vector<s
     if (found == ids.end()) {
       const std::string near = nearestName(wanted, ids);
       return refuse(404, "the level has no query " + io::quoted(wanted),
-                    near.empty() ? "see the queries in the reply of POST /v1/levels"
+                    near.empty() ? "see the queries in the reply to POST /v1/levels"
                                  : "did you mean " + near + "?");
     }
     out.append(level.queries[size_t(found - ids.begin())]).append("\n");
@@ -66,7 +66,7 @@ std::variant<JobPlan, Reply> Service::plan(const Order& order, Client& client, u
     return refuse(501, kNoCalibrate, "install all of obby");
   const auto level = store_.get(order.level);
   if (!level) return refuse(500, level.error());
-  if (!*level) return refuse(404, "no such level", "send it to /v1/levels again");
+  if (!*level) return refuse(404, "there is no level with this id", "send it to /v1/levels again");
   JobPlan out;
   out.command = {solve ? programs_.solve : programs_.calibrate,
                  {"--progress=json", "--json-errors"},
@@ -97,7 +97,7 @@ std::optional<Reply> Service::addWarmStart(const Order& order, Client& client, J
   std::error_code ignored;  // a bridge that started since may have removed old answers
   if (!earlier || !earlier->answerKept() ||
       !std::filesystem::exists(earlier->answerPath(), ignored)) {
-    return refuse(409, "no answer of " + order.warm + " is kept", "leave out warm");
+    return refuse(409, "the answer of job " + order.warm + " is not kept", "leave out 'warm'");
   }
   to.command.arguments.push_back("--warm=" + earlier->answerPath());
   to.warm = earlier->number();

@@ -26,10 +26,11 @@ Result<Programs> findPrograms(const std::string& solve) {
   if (!solve.empty()) {
     out.solve = fs::absolute(solve, error).string();
     if (error || !isProgram(out.solve))
-      return Error{solve, {}, {}, "not an executable program", {}};
+      return Error{solve, {}, {}, "this is not an executable program", {}};
   }
   if (out.solve.empty()) {
-    return makeError("there is no obby-solve next to this program", "name it with --solve");
+    return makeError("there is no obby-solve next to obby-bridge",
+                     "give the path of one with --solve");
   }
   return out;
 }

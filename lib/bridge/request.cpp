@@ -148,7 +148,7 @@ std::optional<Reply> checkContent(const RequestHead& head, Call& call) {
   const auto content = head.contentType ? contentOf(*head.contentType) : std::nullopt;
   const bool right = content && (*content == Content::json) != level;
   if (!right) {
-    return refuse(415, "this content type is not accepted here",
+    return refuse(415, "this content type is not accepted at this address",
                   level ? "send a place as application/octet-stream, records as "
                           "application/x-ndjson"
                         : "send application/json");
@@ -159,7 +159,7 @@ std::optional<Reply> checkContent(const RequestHead& head, Call& call) {
   call.gzip = encoding == "gzip" && !stranger;
   if (call.gzip || encoding == "identity") return {};
   return refuse(415, "this content encoding is not accepted",
-                stranger ? "send it plain" : "send it plain or as gzip");
+                stranger ? "send it uncompressed" : "send it uncompressed or as gzip");
 }
 
 }  // namespace
@@ -175,7 +175,7 @@ bool isJobId(std::string_view text) {
 
 std::variant<Call, Reply> route(std::string_view method, std::string_view target) {
   if (target.size() > kMaxTarget || target.empty() || target[0] != '/') {
-    return refuse(400, "not an address of the bridge", "see docs/bridge.md");
+    return refuse(400, "expected a path such as /v1/info", "see docs/bridge.md");
   }
   const auto [path, parameters] = loopback::targetOf(target);
   bool found = false;
@@ -188,7 +188,7 @@ std::variant<Call, Reply> route(std::string_view method, std::string_view target
     if (auto wrong = readParameters(parameters, row, call)) return *std::move(wrong);
     return call;
   }
-  if (found) return refuse(405, "this method is not allowed here", "see docs/bridge.md");
+  if (found) return refuse(405, "this method is not allowed at this address", "see docs/bridge.md");
   return refuse(404, "there is nothing at this address", "see docs/bridge.md");
 }
 

@@ -63,21 +63,23 @@ Result<Tokens> Tokens::open(std::string path, size_t max) {
   struct stat about {};
   if (stat(out.path_.c_str(), &about) != 0) {
     if (errno == ENOENT) return out;
-    return io::fileError(out.path_, "cannot access it");
+    return io::fileError(out.path_, "cannot access this file");
   }
   if ((about.st_mode & 077) != 0) {
     return Error{out.path_,
                  {},
                  {},
                  "other users can read the tokens",
-                 "run chmod 600 on it, then pair again"};
+                 "run chmod 600 on this file, then pair again"};
   }
   OBBY_ASSIGN(const std::string text, io::readFile(out.path_));
   for (size_t at = 0; at < text.size();) {
     const size_t end = std::min(text.find('\n', at), text.size());
     const std::string line = text.substr(at, end - at);
     at = end + 1;
-    if (!isToken(line)) return Error{out.path_, {}, {}, "not a token file", "remove it"};
+    if (!isToken(line))
+      return Error{
+          out.path_, {}, {}, "this is not a file of tokens", "remove the file, then pair again"};
     out.entries_.push_back({line, out.next_++});
   }
   return out;

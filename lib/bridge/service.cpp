@@ -13,10 +13,11 @@ namespace {
 
 constexpr size_t kSessionBytes = 8;
 constexpr uint32_t kImports = 2;  // max number at a time
-constexpr const char* kAskAgain = "reload: get session and cursor from /v1/info, then ask again";
+constexpr const char* kAskAgain = "get session and cursor from /v1/info, then ask again";
 
 Reply noSuchJob() {
-  return refuse(404, "no such job", "it may have ended long ago, or the bridge was restarted");
+  return refuse(404, "there is no job with this id",
+                "it may have ended long ago, or the bridge was restarted");
 }
 
 Reply levelReply(int status, const std::string& id, const std::vector<std::string>& queries,
@@ -65,7 +66,7 @@ kj::Promise<Reply> Service::handle(const Call& call, std::string body) {
     case Endpoint::putJob: return putJob(std::move(who), body);
     case Endpoint::cancelJob: return cancelJob(*who, call.id);
     case Endpoint::getJob: break;
-    default: return refuse(426, "events come over a WebSocket", "open one");
+    default: return refuse(426, "events are sent over a WebSocket", "open a WebSocket");
   }
   Job* job = jobs_.find(*who, call.id);
   const uint64_t poll = job ? ++job->polls : 0;
@@ -155,7 +156,7 @@ kj::Promise<Reply> Service::putLevel(std::string body) {
 Reply Service::getLevel(const Call& call) const {
   const auto level = store_.get(call.id);
   if (!level) return refuse(500, level.error());
-  if (!*level) return refuse(404, "no such level", "send it to /v1/levels again");
+  if (!*level) return refuse(404, "there is no level with this id", "send it to /v1/levels again");
   if (call.moving) {
     auto some = movingParts((*level)->levels);
     if (!some) return refuse(500, some.error());
@@ -169,7 +170,7 @@ Reply Service::getLevel(const Call& call) const {
 Reply Service::cancelJob(Client& client, const std::string& id) {
   Job* job = jobs_.find(client, id);
   if (!job) return noSuchJob();
-  jobs_.cancel(*job, "the client cancelled it");
+  jobs_.cancel(*job, "the client cancelled the job");
   job = jobs_.find(client, id);  // the limit of kept jobs may have removed it
   const JobState state = job ? job->state() : JobState::cancelled;
   return {202, io::JsonWriter().open('{').field("job", id).field("state", nameOf(state)).finish()};
@@ -184,9 +185,9 @@ std::optional<Reply> Service::checkCursor(const Call& call, const Client& client
                                           uint64_t cursor) const {
   if (auto wrong = checkSession(call)) return wrong;
   if (cursor > client.ring().last())
-    return refuse(410, "that cursor is ahead of the last message", kAskAgain);
+    return refuse(410, "this cursor is ahead of the last message", kAskAgain);
   if (client.ring().reaches(cursor)) return {};
-  return refuse(410, "messages after that cursor are no longer kept", kAskAgain);
+  return refuse(410, "messages after this cursor are no longer kept", kAskAgain);
 }
 
 kj::Promise<Reply> Service::getJob(std::shared_ptr<Client> client, Call call, double until,

@@ -22,7 +22,7 @@ struct LineReader {
     if (name != "body" && name != "text" && name != "base64") {
       return unknownMember("", name, {"id", "method", "path", "body", "text", "base64"});
     }
-    if (bodyName) return pathError(std::string(name), "there is a body already");
+    if (bodyName) return pathError(std::string(name), "the body is given twice");
     bodyName = "body";
     if (name == "text") return text(value, "text", out.body);
     if (name == "base64") return base64(value);

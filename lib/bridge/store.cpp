@@ -37,11 +37,11 @@ Status makePrivate(const std::string& path) {
   if (error) return folderError(path, "cannot create the folder: " + error.message());
   struct stat about {};
   if (stat(path.c_str(), &about) != 0 || !S_ISDIR(about.st_mode)) {
-    return folderError(path, "is not a folder");
+    return folderError(path, "this is not a folder");
   }
-  if (about.st_uid != geteuid()) return folderError(path, "belongs to another user");
+  if (about.st_uid != geteuid()) return folderError(path, "the folder belongs to another user");
   if ((about.st_mode & 077) != 0 && chmod(path.c_str(), 0700) != 0) {
-    return folderError(path, std::string("cannot make it private: ") + strerror(errno));
+    return folderError(path, std::string("cannot make the folder private: ") + strerror(errno));
   }
   return {};
 }

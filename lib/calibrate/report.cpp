@@ -73,17 +73,20 @@ std::string textOf(const Fit& fit, const std::vector<Outcome>& outcomes, double 
     out +=
         fmt::format("  {} and {} cannot be told apart by these recordings (correlation {:.2f})\n",
                     t.one, t.other, t.correlation);
-  out += fmt::format("\nRecordings, replayed to the end: studs off\n  {:<32} {:>8} {:>8} {:>8}\n",
-                     "", "mean", "at end", "max");
+  out += fmt::format(
+      "\nStuds off in each recording, replayed to the end\n  {:<32} {:>8} {:>8} {:>8}\n", "",
+      "mean", "at end", "max");
   for (const Outcome& o : outcomes) out += lineOf(o);
   const double mean = meanMiss(outcomes);
   const auto worst = std::max_element(
       outcomes.begin(), outcomes.end(),
       [](const Outcome& a, const Outcome& b) { return a.miss.mean < b.miss.mean; });
   if (mean <= tolerance)
-    return out + fmt::format("\n{:.3f} studs off, within the tolerance of {:g}\n", mean, tolerance);
-  out += fmt::format("\n{:.3f} studs off, above the tolerance of {:g}; worst: '{}'\n", mean,
-                     tolerance, worst->name);
+    return out + fmt::format("\nThe simulator is {:.3f} studs off, within the tolerance of {:g}\n",
+                             mean, tolerance);
+  out +=
+      fmt::format("\nThe simulator is {:.3f} studs off, above the tolerance of {:g}; worst: '{}'\n",
+                  mean, tolerance, worst->name);
   if (!why.empty())
     out += fmt::format("\nWhy the fit is not closer\n  {}\n", fmt::join(why, "\n  "));
   return out;

@@ -113,20 +113,21 @@ std::string shortOf(const Shortfall& s, double tolerance) {
   if (!s.strange.empty()) {
     const Strange& worst = s.strange.front();
     if (!worst.untold.empty())
-      return fmt::format("the fitted ones do not determine {}, on which '{}' depends",
+      return fmt::format("the fitted recordings do not determine {}, on which '{}' depends",
                          fmt::join(worst.untold, ", "), worst.recording);
-    return fmt::format("no parameters explain '{}' from {:.2f} to {:.2f} s, in {}", worst.recording,
-                       worst.from, worst.to, nameOf(worst.state));
+    return fmt::format("no parameter values explain '{}' from {:.2f} to {:.2f} s, in state {}",
+                       worst.recording, worst.from, worst.to, nameOf(worst.state));
   }
   if (!s.ends.empty())
-    return fmt::format("{} is at the end of the range searched", fmt::join(s.ends, ", "));
+    return fmt::format("the best fit is at a limit of the range searched for {}",
+                       fmt::join(s.ends, ", "));
   return "small errors add up";
 }
 
 namespace {
 
 std::string causeOf(const Strange& w) {
-  if (w.untold.empty()) return "whatever the parameters";
+  if (w.untold.empty()) return "with any parameter values";
   return fmt::format("because of {}, which the fitted recordings do not determine",
                      fmt::join(w.untold, " or "));
 }
@@ -142,10 +143,11 @@ std::vector<std::string> reasonsOf(const Shortfall& s, double tolerance) {
                     "no fit can be closer",
                     s.noise));
   for (const std::string& name : s.ends)
-    out.push_back(fmt::format("{} is at the end of the range searched", name));
+    out.push_back(fmt::format("the best fit is at a limit of the range searched for {}", name));
   for (const Strange& w : s.strange)
     out.push_back(
-        fmt::format("'{}', {:.2f} to {:.2f} s: started as recorded, {:.2g} studs off in {}, {}",
+        fmt::format("'{}', {:.2f} to {:.2f} s: started as recorded, the simulator is {:.2g} studs "
+                    "off in state {}, {}",
                     w.recording, w.from, w.to, w.off, nameOf(w.state), causeOf(w)));
   if (out.empty())
     out.emplace_back("no single half second exceeds the tolerance; small errors add up");

@@ -29,7 +29,7 @@ Status Takes::add(schema::Recording::Reader recording) {
                  {},
                  "level",
                  fmt::format("there is no level '{}' before this recording", track.level),
-                 "give the level it was recorded in as well"};
+                 "put the level of this recording before it"};
   const auto record = level->second.reader().getLevel();
   OBBY_ASSIGN(const level::Level compiled, level::Level::compile(record));
   OBBY_RETURN_IF_ERROR(place(track, record, compiled));
@@ -66,9 +66,9 @@ std::vector<std::string> Takes::warnings() const {
   std::vector<std::string> out;
   for (const auto& [where, a] : astray_) {
     const std::string more =
-        a.recordings == 1 ? "" : fmt::format(" and less in {} more", a.recordings - 1);
+        a.recordings == 1 ? "" : fmt::format(" and less far off in {} more", a.recordings - 1);
     out.push_back(fmt::format(
-        "level '{}': '{}' does not move as recorded, wherever its clock of {} seconds starts: "
+        "level '{}': '{}' does not move as recorded, at any start time from 0 to {} seconds: "
         "{:.2g} studs off in '{}'{} (record its motion and import the level again, or leave these "
         "recordings out)",
         where.first, a.part, kLongestClock, a.studs, a.recording, more));

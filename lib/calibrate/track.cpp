@@ -95,7 +95,7 @@ Status checkNumbers(const Frame& f, uint32_t number) {
                      within(f.position, level::kMaxCoordinate) && within(f.velocity, kFastest) &&
                      level::isFinite(f.facing);
   if (sound) return {};
-  return inFrame(number, "a number is not finite or out of range",
+  return inFrame(number, "a number is not finite, or is out of range",
                  "use studs and studs/s; leave out bad frames");
 }
 
@@ -112,7 +112,7 @@ Status checkTime(const Frame& frame, uint32_t number, const Track& track) {
         number,
         fmt::format("the frame is {:.6g} s after the previous one, expected at most {:.6g} s",
                     frame.time - before, kLongestGap),
-        "give times in seconds; split a recording with a pause in two");
+        "give times in seconds; split a recording that has a pause into two");
   return {};
 }
 
@@ -126,14 +126,16 @@ Status addPoses(schema::RecordingFrame::Reader frame, uint32_t number, Track& tr
     return {};
   }
   if (poses.size() != count)
-    return inFrame(number, fmt::format("{} poses for {} parts", poses.size(), count),
-                   "give a pose for each of the recording's parts, or none if none has moved");
+    return inFrame(
+        number, fmt::format("found {} poses for {} parts", poses.size(), count),
+        "give one pose for each part of the recording, or no poses if no part has moved");
   for (const auto pose : poses) {
     const auto q = pose.getRotation();
     const PartPose to{vec(pose.getPosition()),
                       normalize(Quat{q.getX(), q.getY(), q.getZ(), q.getW()})};
     if (!within(to.position, level::kMaxCoordinate) || !std::isfinite(to.rotation.w))
-      return inFrame(number, "a pose with a number that is not finite", "leave out bad frames");
+      return inFrame(number, "a number of a pose is not finite, or is out of range",
+                     "leave out bad frames");
     track.poses.push_back(to);
   }
   return {};
@@ -187,8 +189,8 @@ Result<Track> trackOf(schema::Recording::Reader record) {
     return Error{{},
                  {},
                  "frames",
-                 fmt::format("expected at least 2, found {}", track.frames.size()),
-                 "leave out recordings with fewer"};
+                 fmt::format("expected at least 2 frames, found {}", track.frames.size()),
+                 "leave out this recording"};
   return track;
 }
 

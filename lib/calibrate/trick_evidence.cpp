@@ -54,8 +54,7 @@ std::string textOf(std::span<const TrickEvidence> evidence) {
   for (const TrickEvidence& e : evidence) {
     if (!e.isOn()) continue;
     text += fmt::format(
-        "{}with {}s the simulator is {:.3f} studs off instead of {:.3f}, and closer to {} "
-        "recording{}",
+        "{}with {}s the simulator is {:.3f} studs off instead of {:.3f}, and {} recording{} closer",
         text.empty() ? "" : "; ", level::trickName(e.trick), e.with, e.without, e.nearer,
         e.nearer == 1 ? " is" : "s are");
   }

@@ -27,7 +27,7 @@ std::string bounds(const OptionRow& row) {
 }
 
 std::string multiples(const OptionRow& row) {
-  return row.multiple > 1 ? fmt::format(", a multiple of {}", row.multiple) : std::string();
+  return row.multiple > 1 ? fmt::format(" that is a multiple of {}", row.multiple) : std::string();
 }
 
 std::optional<std::string> checkFlag(std::string& text) {

@@ -13,7 +13,7 @@ namespace obby::cli {
 namespace {
 
 constexpr const char* kQuotesHint =
-    "quote a value that contains blanks or commas; put several values in [brackets]";
+    "quote a value that contains spaces or commas; put several values in [brackets]";
 
 struct Item {
   std::string section, name;
@@ -155,7 +155,9 @@ class Reader {
         case 'n': out += '\n'; break;
         case 'r': out += '\r'; break;
         case 't': out += '\t'; break;
-        default: return wrong("unknown escape", "use 'single quotes' to keep a backslash as it is");
+        default:
+          return wrong("unknown escape sequence",
+                       "use 'single quotes' to keep the backslash as it is");
       }
       at_++;
     }
@@ -180,10 +182,10 @@ Status add(Config& values, Item item, const std::vector<OptionRow>& rows) {
   };
   const OptionRow* row = findRow(rows, item.name);
   if (!row)
-    return wrong("unknown option", "put the options of another tool in a section with its name");
+    return wrong("unknown option", "put options of other tools in a section such as [obby-solve]");
   if (item.blank || (item.alone && row->type != ValueType::flag)) {
     const bool text = row->type == ValueType::text;
-    return wrong("needs a value", text ? "write '' for an empty text, or leave out the line"
+    return wrong("needs a value", text ? "write '' for empty text, or leave out the line"
                                        : "leave out the line to keep the default");
   }
   if (item.alone) item.value.texts = {"true"};

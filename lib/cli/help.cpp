@@ -86,7 +86,7 @@ std::string optionList(const std::vector<OptionRow>& rows, const HelpStyle& styl
 const char* const kOtherSources =
     "Any option can also be set with an environment variable (OBBY_QUIET for --quiet) or in the "
     "--config file. The command line wins, then variables, then the file. An option without effect "
-    "is an error on the command line, ignored elsewhere.";
+    "is an error on the command line and ignored elsewhere.";
 
 size_t helpWidth(int descriptor) {
   return std::clamp(terminalWidth(descriptor), kNarrowest, kWidest);
@@ -120,8 +120,8 @@ std::string helpText(const ToolSpec& spec, const std::vector<OptionRow>& rows,
   out += wrappedLines(sentence(spec.summary), 0, style.width) + "\n" + examples(spec, style) +
          "\n" + usageLine(spec, style.width);
   if (spec.takesInputs)
-    out += wrappedLines(fmt::format("FILE: {}; - or none is standard input.", spec.inputHelp), 0,
-                        style.width);
+    out += wrappedLines(fmt::format("FILE: {}; - or no FILE means standard input.", spec.inputHelp),
+                        0, style.width);
   out += optionList(rows, style) + paragraph(spec.notes);
   if (style.all) out += paragraph(spec.details);
   out += paragraph(kOtherSources);

@@ -60,7 +60,7 @@ std::string optionTag(const OptionRow& row) {
 // Keeps the line breaks of the details.
 std::string optionEntry(const OptionRow& row) {
   std::string text = escaped(sentence(row.help)) + "\n";
-  if (row.repeatable) text += "May be given more than once.\n";
+  if (row.repeatable) text += "This option may be given more than once.\n";
   if (!row.defaultText.empty()) text += escaped("Default: " + row.defaultText) + ".\n";
   std::string_view details = row.details;
   while (!details.empty()) {
@@ -95,11 +95,11 @@ std::string examples(const ToolSpec& spec) {
 
 std::string exitStatus(const ToolSpec& spec) {
   std::vector<ManualEntry> codes = {
-      {"0", "Everything that was asked for is done."},
-      {"2", "The command line, an input or an output is at fault; stderr says where."},
-      {"130", "Interrupted by Ctrl-C (SIGINT). Results that were finished are written."},
-      {"143", "Ended by SIGTERM. Results that were finished are written."},
-      {"141", "The reader of standard output has gone (SIGPIPE)."}};
+      {"0", "Everything requested was done."},
+      {"2", "The command line, an input or an output has an error; stderr says where."},
+      {"130", "Interrupted by Ctrl-C (SIGINT). Results finished by then were written."},
+      {"143", "Ended by SIGTERM. Results finished by then were written."},
+      {"141", "The program that reads standard output closed it early (SIGPIPE)."}};
   codes.insert(codes.begin() + 1, spec.exitCodes.begin(), spec.exitCodes.end());
   std::stable_sort(codes.begin(), codes.end(), [](const ManualEntry& a, const ManualEntry& b) {
     return std::stoi(a.name) < std::stoi(b.name);
@@ -110,10 +110,11 @@ std::string exitStatus(const ToolSpec& spec) {
 std::string environment(const ToolSpec& spec) {
   return section("ENVIRONMENT") +
          entries({{"OBBY_NAME",
-                   "Sets the option --name, for every option that does not print something and "
-                   "exit: OBBY_QUIET=yes is --quiet. A dash becomes an underscore."},
-                  {"NO_COLOR", "If it is set and not empty, " + spec.name + " prints no colours."},
-                  {"TERM", "If it is \"dumb\", no colours are printed."}});
+                   "Sets the option --name: OBBY_QUIET=yes means --quiet. A dash becomes an "
+                   "underscore. Options that print something and exit have no variable."},
+                  {"NO_COLOR",
+                   "If this variable is set and not empty, " + spec.name + " prints no colours."},
+                  {"TERM", "If this variable is \"dumb\", no colours are printed."}});
 }
 
 std::string seeAlso(const ToolSpec& spec) {
@@ -141,7 +142,7 @@ std::string manualPage(const ToolSpec& spec, const std::vector<OptionRow>& rows)
   out += section("SYNOPSIS") + bold(spec.name) + " " + escaped(usageWords(spec)) + "\n";
   out += section("DESCRIPTION");
   if (spec.takesInputs)
-    out += paragraphs(fmt::format("FILE: {}; - or none is standard input.", spec.inputHelp));
+    out += paragraphs(fmt::format("FILE: {}; - or no FILE means standard input.", spec.inputHelp));
   out += paragraphs(spec.notes) + paragraphs(spec.details) + options(rows) + examples(spec) +
          exitStatus(spec) + environment(spec);
   if (!spec.files.empty()) out += section("FILES") + entries(spec.files);

@@ -18,23 +18,23 @@ OptionRow configRow() {
           "read options from FILE, one `name = value` per line; a section such as "
           "[obby-solve] is for that tool only",
           kHelpGroup),
-      "Put text that contains blanks in 'quotes' and several values in [brackets]. Options above "
+      "Put text that contains spaces in 'quotes' and several values in [brackets]. Options above "
       "the first section are for every tool.");
 }
 
 std::vector<OptionRow> makeUniversalRows() {
   return {
-      lettered(universalFlag("quiet", "no warnings and no progress on stderr"), 'q'),
-      lettered(universalFlag("verbose", "say on stderr what is being done"), 'v'),
+      lettered(universalFlag("quiet", "print no warnings and no progress on stderr"), 'q'),
+      lettered(universalFlag("verbose", "also print notes about the run on stderr"), 'v'),
       rare(universalFlag("no-color",
-                         "no colours (the default if NO_COLOR is set, if TERM is dumb, or without "
-                         "a terminal)")),
+                         "print no colours (the default if NO_COLOR is set, TERM is dumb or the "
+                         "output is not a terminal)")),
       rare(universalFlag("json-errors",
                          "print errors, warnings and notes on stderr as JSON, one object per "
                          "line")),
       configRow(),
       rare(universalFlag("print-config",
-                         "print the options in force, in the format of --config, and exit")),
+                         "print the effective options in the format of --config and exit")),
       rare(universalFlag("schema", "print the schema of the streams and exit")),
       rare(choosing(row("completion", ValueType::choice, "", "",
                         "print a completion script for this shell and exit", kHelpGroup),
@@ -47,12 +47,10 @@ std::vector<OptionRow> makeUniversalRows() {
 }
 
 OptionRow outputRow() {
-  return lettered(
-      detailed(row("output", ValueType::file, "FILE", "-",
-                   "write to FILE, which appears only when the run is complete or interrupted",
-                   kFilesGroup),
-               "- is standard output."),
-      'o');
+  return lettered(detailed(row("output", ValueType::file, "FILE", "-",
+                               "write to FILE, which is created when the run ends", kFilesGroup),
+                           "- is standard output."),
+                  'o');
 }
 
 OptionRow formatRow() {
@@ -72,12 +70,12 @@ OptionRow threadsRow() {
   return detailed(between(row("threads", ValueType::integer, "N", "0",
                               "threads to use; 0: all available CPUs", kRunGroup),
                           0, 4096),
-                  "Results do not depend on it.");
+                  "Results do not depend on the number of threads.");
 }
 
 OptionRow backendRow() {
   return choosing(row("backend", ValueType::choice, "", "auto",
-                      "where worlds are simulated; results do not depend on it", kRunGroup),
+                      "device that simulates worlds; results do not depend on it", kRunGroup),
                   {"auto", "cpu", "cuda"});
 }
 
@@ -88,12 +86,12 @@ OptionRow timeLimitRow() {
 }
 
 OptionRow progressRow() {
-  OptionRow out = choosing(
-      row("progress", ValueType::mode, "", "auto",
-          "progress on stderr; auto: a live line on a terminal, else nothing; line: the same on a "
-          "terminal, else a line every 10 s; json: JSON objects",
-          kHelpGroup),
-      {"auto", "line", "json", "none"});
+  OptionRow out =
+      choosing(row("progress", ValueType::mode, "", "auto",
+                   "progress on stderr; auto: a live line on a terminal, otherwise none; line: "
+                   "like auto, but elsewhere a line every 10 s; json: JSON objects",
+                   kHelpGroup),
+               {"auto", "line", "json", "none"});
   out.details =
       "A terminal that also shows the records gets no live line: auto prints nothing there, and "
       "line prints a line every 10 s. --progress alone means --progress=line.";

@@ -92,7 +92,7 @@ int run(const ToolSpec& spec, int argc, char** argv, const RunFunction& body, Co
   const bool reads = spec.takesInputs && (!spec.readsInputs || spec.readsInputs(*arguments));
   if (!reads && !line.inputs.empty())
     return fail(console, makeError("unexpected argument " + io::quoted(line.inputs.front()),
-                                   "with these options no input is read"));
+                                   "the tool reads no input with these options"));
   if (reads && line.inputs.empty() && isatty(STDIN_FILENO) == 1) {
     console.line(shortHelp(spec, helpWidth(STDERR_FILENO)));
     return int(ExitCode::failed);
@@ -123,7 +123,8 @@ int runTool(const ToolSpec& spec, int argc, char** argv, const RunFunction& body
   try {
     return run(spec, argc, argv, body, console);
   } catch (const std::bad_alloc&) {
-    return fail(console, makeError("not enough memory", "raise the limit that ulimit -v shows"));
+    return fail(console,
+                makeError("not enough memory", "raise the memory limit that ulimit -v shows"));
   } catch (const std::exception& e) {
     return fail(console, makeError(std::string("internal error: ") + e.what()));
   }

@@ -64,7 +64,7 @@ std::vector<Kept> readBy(const Arguments& arguments, std::span<const WrittenFile
     const auto isIt = [&](const WrittenFile& file) { return file.option == option.first; };
     if (std::any_of(written.begin(), written.end(), isIt)) continue;
     for (const std::string& path : value.texts) {
-      if (!path.empty()) out.push_back({"named by --" + option.first, placeOf(path, STDIN_FILENO)});
+      if (!path.empty()) out.push_back({"used by --" + option.first, placeOf(path, STDIN_FILENO)});
     }
   }
   return out;
@@ -89,9 +89,8 @@ Status refuseOverwriting(const Arguments& arguments, std::span<const WrittenFile
                        same->said,
                    standard ? "write to another file" : "name another file"};
     }
-    kept.push_back(
-        {standard ? "where standard output goes" : fmt::format("where --{} goes", file.option),
-         std::move(place)});
+    kept.push_back({standard ? "used by standard output" : fmt::format("used by --{}", file.option),
+                    std::move(place)});
   }
   return {};
 }

@@ -35,7 +35,8 @@ Result<GroupMatrix> decodeGroups(std::string_view blob) {
   matrix.masks.fill(~0u);
   GroupReader reader{blob};
   const uint32_t version = reader.number(1), count = reader.number(1);
-  if (version != kGroupsVersion) return makeError("collision groups of an unknown version");
+  if (version != kGroupsVersion)
+    return makeError("the data of the collision groups has an unknown version");
   for (uint32_t i = 0; i < count && !reader.ended; ++i) {
     const uint32_t id = reader.number(1), bytes = reader.number(1);
     const uint32_t mask = reader.number(kMaskBytes);
@@ -45,7 +46,7 @@ Result<GroupMatrix> decodeGroups(std::string_view blob) {
     matrix.masks[id] = mask;
     matrix.ids[name] = uint8_t(id);
   }
-  if (reader.ended) return makeError("the collision groups end early");
+  if (reader.ended) return makeError("the data of the collision groups ends early");
   return matrix;
 }
 

@@ -50,7 +50,7 @@ int Host::use(lua_State* L, const std::string& name) {
   if (lua_isnil(L, -1)) {
     lua_pop(L, 1);
     const std::string_view text = embeddedFile(name);
-    if (text.empty()) return luaL_error(L, "the runtime has no file %s", name.c_str());
+    if (text.empty()) return luaL_error(L, "the engine's runtime lacks the file %s", name.c_str());
     if (luaL_loadbuffer(L, text.data(), text.size(), ("=" + name).c_str()) != 0) lua_error(L);
     lua_call(L, 0, 1);
     lua_pushvalue(L, -1);

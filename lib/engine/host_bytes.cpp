@@ -58,7 +58,7 @@ double integerFrom(std::string_view bytes, bool isSigned) {
 int bytesOf(lua_State* L) {
   const size_t size = size_t(luaL_checkint(L, 2));
   const double value = luaL_checknumber(L, 3);
-  if (size > kMaxBytes) return luaL_error(L, "a number of %d bytes", int(size));
+  if (size > kMaxBytes) return luaL_error(L, "a number cannot have %d bytes", int(size));
   const std::string bytes = !isReal(luaL_checkstring(L, 1)) ? bytesOfInteger(value, size)
                             : size == sizeof(float)         ? bytesOfReal(float(value))
                                                             : bytesOfReal(value);

@@ -60,7 +60,7 @@ class Watcher {
     report_.complete = !stage_.isExhausted();
     report_.over = report_.complete && stage_.isIdle();
     report_.sleeps = stage_.sleeps();
-    if (!report_.complete) report_.failure = "the scripts' budget was used up";
+    if (!report_.complete) report_.failure = "the scripts used up their time or memory";
     report_.culprit = stage_.greedyScript();
     children_.finish();
     return std::move(report_);
@@ -105,7 +105,7 @@ class Watcher {
         [&] { return toBytes(revisit(stage_, plan_, report_.probes)); },
         [this](const std::string& bytes) {
           if (!fromBytes(bytes, report_.revisits) && report_.failure.empty())
-            report_.failure = "later touches of parts took too long";
+            report_.failure = "testing later touches of parts took too long";
         });
   }
 
@@ -129,7 +129,7 @@ Report observeOnce(const Document& document, const Plan& plan) {
       plan.timeLimit,
       [&]() -> std::string {
         if (!enterCage(plan.timeLimit, kProcessMemory)) {
-          report.failure = "there is no cage to run scripts in";
+          report.failure = "no script ran, as the sandbox could not be started";
           return toBytes(report);
         }
         return toBytes(Watcher(document, own).watch());
@@ -137,7 +137,7 @@ Report observeOnce(const Document& document, const Plan& plan) {
       [&](const std::string& bytes) {
         if (!fromBytes(bytes, report)) {
           report = {};
-          report.failure = "the scripts took too long or broke down";
+          report.failure = "the scripts took too long or crashed";
           if (own.settings.runningScript) report.culprit = *own.settings.runningScript;
         }
       });
@@ -158,7 +158,7 @@ Report observe(const Document& document, const Plan& plan) {
   }
   for (const InstanceId script : own.settings.skipped)
     report.undisturbed.problems.push_back(
-        {script, "it uses too much time or memory, so it is left out", 1, Failure::limited});
+        {script, "left out, as it uses too much time or memory", 1, Failure::limited});
   return report;
 }
 

@@ -7,7 +7,7 @@
 
 namespace obby::engine {
 
-constexpr const char* kTooManyParts = "too many parts to touch";
+constexpr const char* kTooManyParts = "the place has too many parts to test the touch of each";
 
 struct Choice {
   std::vector<Probe> probes;

@@ -28,7 +28,7 @@ Result<Generator> Generator::make(const Recipe& recipe, bool unsolvable) {
   OBBY_RETURN_IF_ERROR(checkRecipe(recipe));
   OBBY_ASSIGN(const Params params, paramsOf(recipe.physics));
   if (unsolvable && Reach(params).cut()) {
-    return makeError("with these physics players jump too far for an unsolvable level",
+    return makeError("with these physics parameters, players jump too far for an unsolvable level",
                      "raise gravity, or lower walkSpeed or jumpSpeed");
   }
   return Generator(recipe, params, unsolvable);

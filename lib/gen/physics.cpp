@@ -24,7 +24,7 @@ Status setPhysics(schema::PhysicsParams::Builder to, const std::vector<NamedNumb
     if (!found) {
       const std::string near = nearestName(change.name, names);
       return level::pathError(
-          "physics." + change.name, "there is no such physics parameter",
+          "physics." + change.name, "unknown physics parameter",
           near.empty() ? "see PhysicsParams in obby-gen --schema" : "did you mean " + near + "?");
     }
     const bool whole = known.getType().isUInt16();

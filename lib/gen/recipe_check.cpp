@@ -20,7 +20,7 @@ Status checkStyles(const std::vector<NamedNumber>& weights, const std::string& p
     const std::string here = path + "." + w.name;
     OBBY_ASSIGN(const Style* style, styleNamed(w.name, here));
     if (inCourses && style->chains) {
-      return pathError(here, "a course cannot be part of a course", "leave it out");
+      return pathError(here, "a course cannot be part of a course", "leave out this style");
     }
     if (!(w.value >= 0 && w.value <= 1e6f)) {
       return pathError(here, fmt::format("expected a weight from 0 to 1000000, found {}", w.value));

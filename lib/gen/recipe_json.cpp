@@ -112,7 +112,8 @@ class Reader {
     for (const Node& member : tree_.children(node)) {
       const std::string_view name = tree_.name(member);
       const std::string here = path.empty() ? std::string(name) : path + "." + std::string(name);
-      if (!seen.insert(name).second) return pathError(here, "given twice", "keep one of the two");
+      if (!seen.insert(name).second)
+        return pathError(here, "this key is given twice", "keep one of the two");
       OBBY_RETURN_IF_ERROR(take(member, here));
     }
     return {};

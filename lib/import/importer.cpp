@@ -17,10 +17,10 @@ namespace {
 
 void warn(const LevelDraft& level, const std::vector<io::RecordBuilder>& queries, bool wanted,
           std::vector<std::string>& warnings) {
-  if (level.parts.empty()) warnings.push_back(level.file + ": no parts in the world");
+  if (level.parts.empty()) warnings.push_back(level.file + ": the place has no parts");
   if (level.spawns.empty())
     warnings.push_back(level.file +
-                       ": no start found: there is no SpawnLocation and no part named Start");
+                       ": no start found: the place has no SpawnLocation and no part named Start");
   else if (wanted && queries.empty())
     warnings.push_back(level.file + ": no goal or checkpoint found, so no query is written");
   std::string kinds;

@@ -29,7 +29,7 @@ Error tooLarge(const std::string& name, uint64_t max, const std::string& found) 
                {},
                {},
                fmt::format("expected at most {} bytes, found {}", max, found),
-               "it is read into memory whole: give a smaller file"};
+               "this file is read into memory whole; give a smaller one"};
 }
 
 }  // namespace

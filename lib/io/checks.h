@@ -40,7 +40,7 @@ class WordBudget {
     left_ = words > left_ ? 0 : left_ - words;
     return left_ > 0;
   }
-  static constexpr const char* kMessage = "the record is larger than 256 MiB, the maximum";
+  static constexpr const char* kMessage = "the record is larger than the maximum of 256 MiB";
 
  private:
   uint64_t left_ = kMaxMessageWords;

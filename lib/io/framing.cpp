@@ -55,11 +55,12 @@ Status Framing::acceptEnd(schema::End::Reader end) {
                "records",
                fmt::format("the end record counts {} records, but the stream has {}",
                            end.getRecords(), came),
-               "it was cut or mixed with another: run the tool that wrote it again"};
+               "the stream was cut or mixed with another; rerun the tool that wrote it"};
 }
 
 Status Framing::atEnd() const {
-  if (total_ == 0) return makeError("the input is empty", "check the file, or the tool upstream");
+  if (total_ == 0)
+    return makeError("the input is empty", "check the file, or the tool that writes it");
   if (inside_) return makeError("the stream ends without its end record", kCutOffHint);
   return {};
 }

@@ -12,7 +12,7 @@
 namespace obby::io {
 
 // The hint for an input that is incomplete.
-inline constexpr const char* kCutOffHint = "it was cut off: run the tool that wrote it again";
+inline constexpr const char* kCutOffHint = "the input was cut off; rerun the tool that wrote it";
 
 class Framing {
  public:

@@ -15,7 +15,7 @@ bool JsonEncoder::record(capnp::DynamicStruct::Reader record) {
     out.close();
     return true;
   }
-  error = makeError("cannot write a record of a kind that this program lacks as JSON");
+  error = makeError("cannot write this record as JSON: this program does not know its type");
   return false;
 }
 

@@ -165,7 +165,7 @@ Result<JsonTree> JsonTree::parse(std::string_view text) {
   JsonTree tree;
   JsonTreeBuilder builder(tree, text);
   if (!nlohmann::json::sax_parse(text.begin(), text.end(), &builder)) {
-    if (builder.message.empty()) builder.message = "not JSON";
+    if (builder.message.empty()) builder.message = "the text is not JSON";
     return makeError(builder.message);
   }
   return tree;

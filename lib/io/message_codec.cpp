@@ -42,8 +42,7 @@ Result<size_t> tableWords(const Words& words) {
   const uint64_t segments = uint64_t(half(words, 0)) + 1;
   if (segments > kMaxSegments)
     return makeError(
-        fmt::format("expected a message of at most {} segments, found one that claims {}",
-                    kMaxSegments, segments));
+        fmt::format("expected a message of at most {} segments, found {}", kMaxSegments, segments));
   return size_t(segments / 2 + 1);
 }
 
@@ -53,9 +52,8 @@ Result<size_t> bodyWords(const Words& words) {
   uint64_t sum = 0;
   for (uint64_t i = 0; i < segments; i++) sum += half(words, i + 1);
   if (sum > kMaxMessageWords)
-    return makeError(
-        fmt::format("expected a message of at most {} MiB, found one that claims {} MiB",
-                    kMaxMessageWords >> 17, sum >> 17));
+    return makeError(fmt::format("expected a message of at most {} MiB, found {} MiB",
+                                 kMaxMessageWords >> 17, sum >> 17));
   return size_t(sum);
 }
 

@@ -91,7 +91,7 @@ const FieldPlan* kindOf(Reader in) {
 Result<RecordBuilder> normalForm(schema::Record::Reader in, uint64_t words) {
   const Reader record(in);
   const FieldPlan* kind = kindOf(record);
-  if (!kind) return makeError("cannot convert a record of a kind that this program lacks");
+  if (!kind) return makeError("cannot convert this record: this program does not know its type");
   // Apart from the kind, the copy has no more words than `in`.
   RecordBuilder out(1 + words + kind->type.record->words());
   Copier copier;

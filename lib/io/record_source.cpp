@@ -54,12 +54,12 @@ struct RecordSource::Impl {
     const schema::EndStatus before = summary.status;
     summary.add({end.getStatus(), end.getSkipped(), end.getErrors()});
     if (summary.status == before || whole()) return;
-    incomplete = Error{
-        reader->name(),
-        record.place(),
-        {},
-        failed() ? "the input ended with an error upstream" : "the input was interrupted upstream",
-        {}};
+    incomplete = Error{reader->name(),
+                       record.place(),
+                       {},
+                       failed() ? "the tool that wrote this input stopped at an error"
+                                : "the tool that wrote this input was interrupted",
+                       {}};
   }
 
   bool failed() const { return summary.status == schema::EndStatus::FAILED; }
@@ -93,10 +93,11 @@ struct RecordSource::Impl {
   bool leaveOut(const Record& record) {
     if (lostLevel.empty() || !namesNoLevel(record)) return false;
     skip({reader->name(), record.place(), "level",
-          fmt::format("no level is named, and the record at {}, which may be its level, could not "
-                      "be read",
-                      lostLevel),
-          "fix that record, or name the level"},
+          fmt::format(
+              "this record names no level, and the record at {}, which may be its level, could not "
+              "be read",
+              lostLevel),
+          "fix that record, or name the level in this one"},
          false);
     return true;
   }
@@ -202,7 +203,7 @@ Status RecordSource::checkWhole() const {
     if (impl_->options.warn) impl_->options.warn(error);
     return {};
   }
-  error.hint = "give the whole stream, or use what came with --on-error skip";
+  error.hint = "rerun that tool, or accept the incomplete stream with --on-error skip";
   return error;
 }
 

@@ -22,7 +22,8 @@ namespace {
 
 constexpr size_t kBlock = size_t(256) << 10;
 constexpr int kWaitMilliseconds = 50;
-constexpr const char* kBrokenPipe = "the reader of the output has closed it (broken pipe)";
+constexpr const char* kBrokenPipe =
+    "the program that reads the output closed it early (broken pipe)";
 
 Error outputError(const std::string& name, const char* doing) {
   return errno == EPIPE ? Error{name, {}, {}, kBrokenPipe, {}} : fileError(name, doing);

@@ -30,8 +30,8 @@ Error strangeBytes(std::string_view begin, const std::string& name) {
     return makeError("expected a stream of records, found a Roblox file",
                      "convert it with obby-import");
   if (begin[0] == '[')
-    return makeError("expected one record a line, found a JSON array",
-                     "write its elements one a line: jq -c '.[]'" + name);
+    return makeError("expected one record per line, found a JSON array",
+                     "write each element on its own line: jq -c '.[]'" + name);
   if (begin.substr(0, 2) == "\x1f\x8b" || begin.substr(0, 4) == "\x28\xb5\x2f\xfd" ||
       begin.substr(0, 4) == kZip)
     return makeError("expected a stream of records, found compressed data", "decompress it first");
@@ -114,7 +114,8 @@ struct StreamReader::Impl {
         newline = length != std::string_view::npos;
         if (newline) break;
         scanned = length = source.buffered().size();
-        if (scanned > kMaxLine) return makeError("expected a line of at most 1 GiB, found more");
+        if (scanned > kMaxLine)
+          return makeError("expected a line of at most 1 GiB, found a longer one");
         OBBY_ASSIGN(const size_t came, source.fill());
         if (came == 0) break;
       }
@@ -172,8 +173,8 @@ struct StreamReader::Impl {
 
   // The usual cause is a record that is printed over several lines.
   Error notOneLine(const Error& error) const {
-    return makeError(error.message + "; expected one record a line",
-                     "join the lines of a record: jq -c ." + argument());
+    return makeError(error.message + "; expected one record per line",
+                     "join the lines of each record: jq -c ." + argument());
   }
 
   Next nextMessage() {
@@ -225,9 +226,10 @@ Result<std::optional<Record>> StreamReader::next() {
   try {
     return impl_->next();
   } catch (const std::bad_alloc&) {
-    return impl_->fatal(makeError("not enough memory for this record",
-                                  "raise the memory limit (ulimit -v) or make the record smaller"),
-                        impl_->recordPlace());
+    return impl_->fatal(
+        makeError("not enough memory for this record",
+                  "raise the memory limit that ulimit -v shows, or make the record smaller"),
+        impl_->recordPlace());
   }
 }
 

@@ -81,13 +81,14 @@ Status StreamWriter::pass(const Record& record) {
     return impl_->send(storage.raw + '\n');
   }
   if (record.known()) return write(record.reader());
-  return Error{
-      storage.input,
-      storage.place,
-      {},
-      storage.unreadable ? "cannot convert a record that cannot be read"
-                         : "cannot convert a record of a kind that this program lacks",
-      fmt::format("give the output the format of the input: --format {}", nameOf(storage.format))};
+  return Error{storage.input,
+               storage.place,
+               {},
+               storage.unreadable
+                   ? "cannot convert this record: it could not be read"
+                   : "cannot convert this record: this program does not know its type",
+               fmt::format("write the output in the format of the input: --format {}",
+                           nameOf(storage.format))};
 }
 
 Status StreamWriter::flush() { return impl_->sink.flush(); }

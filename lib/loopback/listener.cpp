@@ -15,11 +15,12 @@ constexpr int kBacklog = 64;
 
 Error portError(uint16_t port, const char* what) {
   const bool busy = errno == EADDRINUSE;
-  return Error{{},
-               {},
-               fmt::format("--port {}", port),
-               fmt::format("cannot {}: {}", what, std::strerror(errno)),
-               busy ? "another program may be using it; choose another port with --port" : ""};
+  return Error{
+      {},
+      {},
+      fmt::format("--port {}", port),
+      fmt::format("cannot {}: {}", what, std::strerror(errno)),
+      busy ? "another program may be using this port; choose another port with --port" : ""};
 }
 
 }  // namespace

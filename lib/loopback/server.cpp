@@ -63,7 +63,7 @@ kj::Promise<void> Server::run() {
       open_++;
       tasks_.add(server_->listenHttp(kj::mv(connection)).attach(kj::defer([this] { open_--; })));
     } else {
-      note_("a connection was refused: too many are open");
+      note_("a connection was refused: too many connections are open");
     }
     return run();
   });
@@ -110,9 +110,9 @@ kj::Promise<void> Server::handleApplicationError(kj::Exception exception,
   note_(std::string("a request failed: ") + exception.getDescription().cStr());
   KJ_IF_MAYBE (answer, response) {
     const bool slow = exception.getType() == kj::Exception::Type::OVERLOADED;
-    return send(slow ? failure(408, "the request came too slowly", "send it faster")
+    return send(slow ? failure(408, "the request arrived too slowly", "send it faster")
                      : failure(500, "the server failed to answer this request",
-                               "start it with -v to see why"),
+                               "start this program with -v to see why"),
                 *answer);
   }
   return kj::READY_NOW;

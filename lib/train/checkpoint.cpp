@@ -30,13 +30,14 @@ Error refused(const std::string& name, const std::string& what) {
 
 Status decode(schema::SavedTraining::Reader file, Checkpoint& out) {
   if (file.getVersion() != kVersion)
-    return makeError(fmt::format("layout version {}, expected {}", file.getVersion(), kVersion));
+    return makeError(
+        fmt::format("its layout version is {}, expected {}", file.getVersion(), kVersion));
   if (file.getObservationVersion() != policy::kObservationVersion) {
-    return makeError(fmt::format("made for observation version {}, expected {}",
+    return makeError(fmt::format("its observation version is {}, expected {}",
                                  file.getObservationVersion(), policy::kObservationVersion));
   }
   if (file.getStateLayout() != stateLayout())
-    return makeError("made by a version with another world layout");
+    return makeError("a version of obby-train with another layout of worlds wrote it");
   out.program = file.getProgram();
   for (const auto s : file.getSettings())
     out.settings.push_back({presentSettingName(s.getName()), s.getValue()});
@@ -65,7 +66,7 @@ Status checkHash(Words& words, const capnp::ReaderOptions& options) {
   uint64_t hash = 0;
   std::memcpy(&hash, words.asBytes().begin() + at, sizeof hash);
   std::memset(words.asBytes().begin() + at, 0, sizeof hash);
-  return digest(words) == hash ? Status() : makeError("its hash does not match: it is damaged");
+  return digest(words) == hash ? Status() : makeError("it is damaged: its hash does not match");
 }
 
 void encode(const Checkpoint& checkpoint, schema::SavedTraining::Builder file) {
@@ -104,7 +105,7 @@ std::string writeCheckpoint(const Checkpoint& checkpoint) {
 
 Result<Checkpoint> readCheckpoint(std::string_view bytes, const std::string& name) {
   if (bytes.empty() || bytes.size() % sizeof(capnp::word) != 0)
-    return refused(name, "its length is not a whole number of words");
+    return refused(name, "it is damaged: its length is 0 or not a multiple of 8 bytes");
   Words words = kj::heapArray<capnp::word>(bytes.size() / sizeof(capnp::word));
   std::memcpy(words.asBytes().begin(), bytes.data(), bytes.size());
   capnp::ReaderOptions options;

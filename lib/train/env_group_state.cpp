@@ -35,7 +35,8 @@ Status checkPlace(const PlaceState& s, const TrainingLevel& level,
                   const EnvGroupSettings& settings) {
   if (s.waits() && s.bodies.empty() && s.reached.empty()) return {};
   if (s.levelHash != level.hash())
-    return makeError("one of its levels has changed", "give the same levels as before");
+    return makeError("a level differs from the one that the checkpoint was trained on",
+                     "give the same levels as in the earlier run");
   const auto& scene = level.scene();
   bool sound = s.players.size() == settings.worlds && s.reached.size() <= kMaxReached &&
                s.bodies.size() == s.players.size() * level.startBodies().size();
@@ -44,7 +45,8 @@ Status checkPlace(const PlaceState& s, const TrainingLevel& level,
   for (const Reached& r : s.reached)
     sound = sound && isSound(r.world, scene.level, scene.query) && std::isfinite(r.minLeft);
   for (const sim::RigidBody& b : s.bodies) sound = sound && isSound(b);
-  return sound ? Status() : makeError("its worlds do not fit its levels");
+  return sound ? Status()
+               : makeError("the checkpoint is damaged: its worlds do not match its levels");
 }
 
 EnvGroupState EnvGroup::state() const {
@@ -59,8 +61,8 @@ EnvGroupState EnvGroup::state() const {
 
 Status EnvGroup::restore(EnvGroupState state) {
   if (state.places.size() != places_.size())
-    return makeError(
-        fmt::format("{} levels in an env group, expected {}", state.places.size(), places_.size()));
+    return makeError(fmt::format("an env group of the checkpoint has {} levels, expected {}",
+                                 state.places.size(), places_.size()));
   for (uint32_t p = 0; p < places_.size(); ++p) {
     static_cast<PlaceState&>(places_[p]) = std::move(state.places[p]);
     if (places_[p].taken == 0) return makeError("an env of the checkpoint has no level");

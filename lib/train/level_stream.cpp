@@ -53,7 +53,7 @@ Result<std::shared_ptr<const TrainingLevel>> LevelStream::level(uint64_t index,
     }
     const auto found = reader_.turns.find(number);
     if (found == reader_.turns.end())
-      return makeError(fmt::format("level {} of the stream has already passed", number));
+      return makeError(fmt::format("level {} of the stream is no longer in memory", number));
     item = chosen(found->second, index, hardest);
     reader_.played(number, found->second, *item);
   }
@@ -128,7 +128,7 @@ Status LevelStream::Reader::readTo(uint64_t index) {
   return Error{inputName,
                {},
                {},
-               "no levels with queries to train on",
+               "the input has no level with a query",
                "pipe obby-gen into obby-train, or use --generate"};
 }
 
@@ -184,8 +184,9 @@ Status LevelStream::Reader::takeQuery(const io::Record& record) {
     return source.forgive(record, makeError("there is no level before this query"));
   if (level == nullptr) {
     return source.forgive(
-        record, makeError(fmt::format("there is no level '{}' among the {} before this query", name,
-                                      levels.size())));
+        record,
+        makeError(fmt::format("there is no level '{}' before this query (levels in memory: {})",
+                              name, levels.size())));
   }
   auto query = withPlaces(level->record, record);
   if (!query) return source.forgive(record, query.error());

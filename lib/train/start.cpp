@@ -35,7 +35,7 @@ Result<Start> startFrom(const policy::PolicyFile& file) {
     seen.sum[i] = seen.rows * mean;
     seen.squares[i] = seen.rows * (mean * mean + deviation * deviation);
     if (float(seen.mean(i)) != means[i] || scaleOf(seen.deviation(i)) != scales[i])
-      return makeError("its normalisers are not valid for further training",
+      return makeError("the policy's normalisers are not valid for further training",
                        "name a policy that obby-train wrote");
   }
   nn::LearnerState& learner = start.learner;

@@ -39,9 +39,10 @@ bool allFinite(const std::vector<T>& numbers) {
 template <class List, class To>
 Status take(const List& from, const char* what, size_t expected, To* to) {
   if (from.size() != expected)
-    return makeError(fmt::format("{} {}, expected {}", from.size(), what, expected));
+    return makeError(fmt::format("it has {} {}, expected {}", from.size(), what, expected));
   for (const auto v : from) {
-    if (!std::isfinite(double(v))) return makeError(fmt::format("{} that are not finite", what));
+    if (!std::isfinite(double(v)))
+      return makeError(fmt::format("it is damaged: some of its {} are not finite", what));
     *to++ = v;
   }
   return {};
@@ -63,8 +64,8 @@ std::vector<sim::World> worldsOf(const std::vector<T>& rows) {
 template <class T>
 Status rowsOf(capnp::Data::Reader bytes, const char* what, std::vector<T>& rows) {
   if (bytes.size() % sizeof(T) != 0)
-    return makeError(
-        fmt::format("{} bytes of {}, expected a multiple of {}", bytes.size(), what, sizeof(T)));
+    return makeError(fmt::format("it has {} bytes of {}, expected a multiple of {}", bytes.size(),
+                                 what, sizeof(T)));
   rows.resize(bytes.size() / sizeof(T));
   if (!rows.empty()) std::memcpy(rows.data(), bytes.begin(), bytes.size());
   return {};
@@ -103,7 +104,7 @@ Status readReached(schema::SavedPlace::Reader from, std::vector<Reached>& out) {
   OBBY_RETURN_IF_ERROR(rowsOf(from.getReached(), "restart worlds", worlds));
   const auto minLeft = from.getReachedMinLeft();
   if (minLeft.size() != worlds.size())
-    return makeError("lists of restart worlds that differ in length");
+    return makeError("it is damaged: its lists of restart worlds differ in length");
   for (uint32_t i = 0; i < worlds.size(); ++i) out.push_back({worlds[i], minLeft[i]});
   return {};
 }
@@ -113,7 +114,7 @@ Status readPlace(schema::SavedPlace::Reader from, PlaceState& out) {
   out.hardest = from.getHardest();
   out.nextHardest = from.getNextHardest();
   if (!isShare(out.hardest) || !isShare(out.nextHardest))
-    return makeError("a level's difficulty must be from 0 to 1");
+    return makeError("it is damaged: the difficulty of a level is not from 0 to 1");
   out.levelHash = from.getLevelHash();
   out.counts.played = from.getPlayed();
   out.counts.solvedOnce = from.getSolvedOnce();
@@ -127,7 +128,7 @@ Status readPlace(schema::SavedPlace::Reader from, PlaceState& out) {
   const auto fromStart = from.getFromStart();
   if (minLeft.size() != worlds.size() || ticks.size() != worlds.size() ||
       fromStart.size() != worlds.size())
-    return makeError("lists of a slot's players that differ in length");
+    return makeError("it is damaged: its lists of a level's players differ in length");
   for (uint32_t i = 0; i < worlds.size(); ++i)
     out.players.push_back({worlds[i], 0, minLeft[i], ticks[i], fromStart[i], worlds[i].jumps});
   return {};

@@ -26,10 +26,10 @@ Result<StreamCopy> copyOfStream(io::SourceOptions options, Timeout& timeout, uin
     if (!record) break;
     if (isWanted(*record)) OBBY_RETURN_IF_ERROR(writer.write(record->reader()));
     if (copy.records.size() > max) {
-      return makeError(
-          fmt::format("more than {} bytes of levels, which several ranks must read in full first",
-                      max),
-          "give a stream that ends, or use --generate");
+      return makeError(fmt::format("the stream has more than {} bytes of levels, and several ranks "
+                                   "must read all of it before they start",
+                                   max),
+                       "give a stream that ends, or use --generate");
     }
   }
   OBBY_RETURN_IF_ERROR(writer.close());

@@ -24,7 +24,8 @@ Result<std::unique_ptr<Trainer>> Trainer::resume(const TrainerSettings& settings
 Status Trainer::restore(TrainerState state) {
   const size_t each = settings_.envGroups, all = each * ranks_.count();
   if (state.envGroups.size() != all)
-    return makeError(fmt::format("{} env groups, expected {}", state.envGroups.size(), all));
+    return makeError(
+        fmt::format("the checkpoint has {} env groups, expected {}", state.envGroups.size(), all));
   OBBY_RETURN_IF_ERROR(engine_->restore(
       state.learner, std::span(state.envGroups).subspan(ranks_.number() * each, each)));
   iterations_ = state.iterations;
@@ -65,7 +66,7 @@ Status Trainer::sameNetwork() const {
   for (size_t rank = 1; rank < all.size(); ++rank) {
     if (all[rank] != all[0])
       return makeError(fmt::format("the network of rank {} differs from that of rank 0", rank),
-                       "run all ranks with the same build on machines of one kind");
+                       "run all ranks with the same build on machines of the same type");
   }
   return {};
 }

@@ -19,7 +19,7 @@ Result<std::vector<Vec3>> routeOf(schema::Query::Reader query) {
   if (record.size() == 1 || record.size() > kMaxPlaces) {
     return level::pathError(
         "route", fmt::format("expected 2 to {} places, found {}", kMaxPlaces, record.size()),
-        "leave it out if no way through is known");
+        "leave out 'route' if no route is known");
   }
   std::vector<Vec3> route;
   for (const auto place : record) {
@@ -33,7 +33,7 @@ Status checkDifficulty(float said) {
   if (said == -1 || (said >= 0 && said <= 1)) return {};
   return level::pathError("difficulty",
                           "expected a number from 0 (trivial) to 1 (jumps at the limit)",
-                          "leave it out if it is not known");
+                          "leave out 'difficulty' if it is not known");
 }
 
 Guide guideOf(std::vector<Vec3> route, const level::Query& query) {

@@ -76,7 +76,7 @@ TEST_F(WrittenFiles, FilesNamedByOptionsAreKeptUnlessRenewed) {
   make("policy");
   give("policy", "policy");
   EXPECT_EQ(refused({{"output", "./policy"}}),
-            "--output: './policy' is also named by --policy (name another file)");
+            "--output: './policy' is also used by --policy (name another file)");
   give("policy", "policy", true);
   EXPECT_EQ(refused({{"output", "policy"}}), "");
   // An option that names an output does not count as one that names an input.
@@ -88,7 +88,7 @@ TEST_F(WrittenFiles, FilesNamedByOptionsAreKeptUnlessRenewed) {
 
 TEST_F(WrittenFiles, TwoOutputsMustDiffer) {
   EXPECT_EQ(refused({{"output", "new"}, {"log", "log"}, {"curve", "./new"}}),
-            "--curve: './new' is also where --output goes (name another file)");
+            "--curve: './new' is also used by --output (name another file)");
   EXPECT_EQ(refused({{"output", "new"}, {"log", ""}, {"curve", ""}}), "");
   EXPECT_EQ(refused({{"output", "/dev/null"}, {"log", "/dev/null"}}), "");
   make("old");
@@ -102,7 +102,7 @@ TEST_F(WrittenFiles, ALinkToAMissingFileCountsAsItsTarget) {
   fs::create_symlink("runs/new", "link");
   fs::create_symlink("link", "link to it");
   EXPECT_EQ(refused({{"output", "runs/new"}, {"checkpoint", "link"}}),
-            "--checkpoint: 'link' is also where --output goes (name another file)");
+            "--checkpoint: 'link' is also used by --output (name another file)");
   EXPECT_NE(refused({{"output", "link to it"}, {"checkpoint", "./runs/new"}}), "");
   EXPECT_NE(refused({{"output", "link"}, {"checkpoint", "link to it"}}), "");
   EXPECT_EQ(refused({{"output", "link"}, {"checkpoint", "runs/other"}}), "");

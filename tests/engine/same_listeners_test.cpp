@@ -61,7 +61,8 @@ TEST(SameListeners, PartsWithoutAProbedPartnerAreNamed) {
     const InstanceId part = place.part("Part", {20.0f + 10 * float(i), 0, 0});
     place.script("local number = " + std::to_string(i) + "\n" + kDeadly, part);
   }
-  EXPECT_EQ(observeWith(2, place).failure, "too many parts to touch");
+  EXPECT_EQ(observeWith(2, place).failure,
+            "the place has too many parts to test the touch of each");
 }
 
 }  // namespace

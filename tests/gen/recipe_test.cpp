@@ -67,7 +67,7 @@ TEST(Recipe, ErrorsStatePathAndRemedy) {
        "zzz: unknown key (expected one of styles, difficulty, obstacles, course, turns, limits, "
        "excess, "
        "parameters, physics)"},
-      {R"({"turns": 1, "turns": 0})", "turns: given twice (keep one of the two)"},
+      {R"({"turns": 1, "turns": 0})", "turns: this key is given twice (keep one of the two)"},
       {R"({"turns": "often"})", "turns: expected a number, found text \"often\""},
       {R"({"turns": 2})", "turns: expected a range between 0 and 1, found 2 to 2"},
       {R"({"styles": {"gapps": 1}})",
@@ -87,7 +87,7 @@ TEST(Recipe, ErrorsStatePathAndRemedy) {
       {R"({"obstacles": 1.5})", "obstacles: expected a whole number up to 1000000, found 1.5"},
       {R"({"course": {"first": 1e999}})", "column 26: the number is too large"},
       {R"({"course": {"styles": {"course": 1}}})",
-       "course.styles.course: a course cannot be part of a course (leave it out)"},
+       "course.styles.course: a course cannot be part of a course (leave out this style)"},
       {R"({"parameters": {"gapps": {}}})",
        "parameters.gapps: there is no style \"gapps\" (did you mean gaps?)"},
       {R"({"parameters": {"gaps": {"sise": 5}}})",
@@ -103,10 +103,10 @@ TEST(Recipe, ErrorsStatePathAndRemedy) {
       {R"({"parameters": {"gaps": {"size": [5]}}})",
        "parameters.gaps.size: expected one value or [trivial, limit], found an array of 1"},
       {R"({"parameters": {"gaps": {"size": 5, "size": 6}}})",
-       "parameters.gaps.size: given twice (keep one of the two)"},
+       "parameters.gaps.size: this key is given twice (keep one of the two)"},
       {R"({"parameters": {"gaps": 5}})", "parameters.gaps: expected an object, found 5"},
       {R"({"physics": {"gravty": 80}})",
-       "physics.gravty: there is no such physics parameter (did you mean gravity?)"},
+       "physics.gravty: unknown physics parameter (did you mean gravity?)"},
       {R"({"physics": {"gravity": -1}})",
        "physics.gravity: expected a number from 0 to 2000, found -1"},
       {R"({"physics": {"controlRate": 70000}})", "physics.controlRate: expected a whole number"},
@@ -125,7 +125,8 @@ TEST(Recipe, AMillionNamesTakeLessThanAMinute) {
   for (int i = 0; i < 1000000; ++i) text += "\"n" + std::to_string(1000000 + i) + "\":1,";
   const Status status = tried(text + R"("n1000000":1}})");
   ASSERT_FALSE(status);
-  EXPECT_EQ(status.error().text(), "physics.n1000000: given twice (keep one of the two)");
+  EXPECT_EQ(status.error().text(),
+            "physics.n1000000: this key is given twice (keep one of the two)");
 }
 
 // Every JSON block of the page is a working recipe.

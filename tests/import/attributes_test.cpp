@@ -117,7 +117,7 @@ TEST(Attributes, AttributesBeyondAThousandAreDropped) {
   EXPECT_EQ(fits.values.size(), 1000u);
   const DecodedAttributes many = decodeAttributes(blob(100000));
   EXPECT_EQ(many.warning,
-            "more than 1000 attributes; 'a1000' and the attributes after it are lost");
+            "it has more than 1000 attributes; 'a1000' and the attributes after it are lost");
   EXPECT_EQ(many.values.size(), 1000u);
 }
 

@@ -5,7 +5,7 @@
 namespace obby::test {
 namespace {
 
-const char* kByChance = "part that differs by chance";
+const char* kByChance = "part that varies at random";
 
 bool isByChance(const PartDraft& part) {
   return std::count(part.doubts.begin(), part.doubts.end(), kByChance) > 0;

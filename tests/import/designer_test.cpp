@@ -128,7 +128,7 @@ TEST(DesignerQueries, InvalidStatesAndTicksAreReported) {
   const importer::Import import = place.imported();
   std::string all;
   for (const std::string& warning : import.warnings) all += warning + "\n";
-  for (const char* word : {"flying", "startTick", "forbid that is not a string"})
+  for (const char* word : {"flying", "startTick", "'forbid' that is not a string"})
     EXPECT_NE(all.find(word), std::string::npos) << word << " in\n" << all;
   const auto q = import.queries[0].reader().getQuery();
   EXPECT_EQ(q.getForbid().size(), 1u);
@@ -167,7 +167,7 @@ TEST(DesignerQueries, RegionsWithoutAKindAndSecondStartsAreReported) {
             "left out; expected one of goal, start, avoid, visit, waypoint");
   EXPECT_EQ(import.warnings[1],
             "test.rbxl: ServerStorage/ObbyQueries/odd/there is an extra start and is left out; a "
-            "query has only one");
+            "query can have only one");
   EXPECT_EQ(import.queries[0].reader().getQuery().getStart().getRegion().getName(), "here");
 }
 

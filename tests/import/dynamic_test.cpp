@@ -36,7 +36,7 @@ TEST(DynamicParts, VanishingPartsAreAnchoredAndReported) {
   scene.level();
   EXPECT_TRUE(scene[plank].anchored);
   EXPECT_TRUE(scene[plank].vanish);
-  EXPECT_EQ(scene.evidence(plank, "anchored"), "guessed: only anchored parts can vanish");
+  EXPECT_EQ(scene.evidence(plank, "anchored"), "guessed: unanchored parts cannot vanish");
   EXPECT_FALSE(scene[crate].anchored);
   EXPECT_EQ(scene.unmodelled("unanchored part"), 1u);
 }

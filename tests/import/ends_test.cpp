@@ -68,7 +68,7 @@ TEST(Body, AScriptedSlopeLimitAppliesToThePlayer) {
 TEST(Body, AScriptedHipHeightIsReported) {
   Scene scene;
   bodyBy("human.HipHeight = 18", scene);
-  EXPECT_EQ(scene.unmodelled("size of the player's body"), 1u);
+  EXPECT_EQ(scene.unmodelled("hip height that scripts change"), 1u);
 }
 
 TEST(Body, DisabledControlsAreReported) {

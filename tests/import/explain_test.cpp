@@ -38,8 +38,8 @@ TEST(Explain, UnmodelledFeaturesHaveAnExample) {
   Scene scene;
   scene.part("Chair", {}, scene.workspace, "VehicleSeat");
   const std::string text = explained(scene);
-  EXPECT_THAT(text, HasSubstr("     1  vehicle seat: treated as a plain part: players do not sit "
-                              "in it\n        for example Workspace/Chair\n"));
+  EXPECT_THAT(text, HasSubstr("     1  vehicle seat: treated as a plain part; the simulated player "
+                              "does not sit in it\n        for example Workspace/Chair\n"));
 }
 
 TEST(Explain, APartOnAScreenIsNamedAfterItsViewportFrame) {

@@ -114,15 +114,16 @@ TEST(FormatBinary, ChunksMayComeInAnyOrder) {
 
 TEST(FormatBinary, BrokenTreesAreErrors) {
   EXPECT_EQ(errorOf(twoParts("", goodParents())), "accepted");
-  EXPECT_THAT(errorOf(twoParts("", parentChunk({0, 1}, {1, 0}))), HasSubstr("their own ancestors"));
+  EXPECT_THAT(errorOf(twoParts("", parentChunk({0, 1}, {1, 0}))),
+              HasSubstr("in a cycle of parents"));
   EXPECT_THAT(errorOf(twoParts("", parentChunk({0, 1}, {-1, 1}))),
-              HasSubstr("their own ancestors"));
-  EXPECT_THAT(errorOf(twoParts("", parentChunk({0, 1}, {-1, 9}))), HasSubstr("no instance 9"));
-  EXPECT_THAT(errorOf(twoParts("", parentChunk({0, 7}, {-1, 0}))), HasSubstr("no instance 7"));
+              HasSubstr("in a cycle of parents"));
+  EXPECT_THAT(errorOf(twoParts("", parentChunk({0, 1}, {-1, 9}))), HasSubstr("missing instance 9"));
+  EXPECT_THAT(errorOf(twoParts("", parentChunk({0, 7}, {-1, 0}))), HasSubstr("missing instance 7"));
   EXPECT_THAT(errorOf(twoParts("", parentChunk({0, 0}, {-1, -1}))), HasSubstr("two parents"));
   EXPECT_THAT(errorOf(twoParts("", parentChunk({0}, {-1}))),
-              HasSubstr("without a place in the tree"));
-  EXPECT_THAT(errorOf(twoParts("", "")), HasSubstr("without a place in the tree"));
+              HasSubstr("without an entry in the PRNT chunk"));
+  EXPECT_THAT(errorOf(twoParts("", "")), HasSubstr("without an entry in the PRNT chunk"));
 }
 
 TEST(FormatBinary, DuplicateOrNegativeReferentsAreErrors) {
@@ -145,8 +146,8 @@ TEST(FormatBinary, PropertiesThatDoNotFitTheirClassAreErrors) {
   EXPECT_EQ(withProperty(0, 2, "\x01"),
             "f:byte 73: PROP: Part.X: the data ends early: expected 2 values");
   EXPECT_THAT(withProperty(0, 0x10, std::string("\x01\x01", 2) + std::string(24, '\0')),
-              HasSubstr("no rotation with id 1"));
-  EXPECT_THAT(withProperty(0, 0x1c, std::string(8, '\0')), HasSubstr("no shared string 0"));
+              HasSubstr("unknown rotation id 1"));
+  EXPECT_THAT(withProperty(0, 0x1c, std::string(8, '\0')), HasSubstr("missing shared string 0"));
   EXPECT_THAT(withProperty(0, 0x1e, std::string(1, '\x11')), HasSubstr("expected a CFrame column"));
   // A string that claims 4 GiB.
   EXPECT_THAT(withProperty(0, 0x01, "\xff\xff\xff\xffzzzz"), HasSubstr("ends early"));
@@ -162,9 +163,9 @@ TEST(FormatBinary, ClaimedSizesAllocateNothing) {
   EXPECT_THAT(withChunk("INST" + zero + huge + zero + "x"), HasSubstr("but the file ends"));
   EXPECT_THAT(withChunk("INST" + huge + huge + zero + "x"), HasSubstr("but the file ends"));
   EXPECT_THAT(withChunk("INST" + std::string("\x04\0\0\0", 4) + huge + zero + "abcd"),
-              HasSubstr("claims to hold 1073741823 bytes in 4"));
+              HasSubstr("claims to hold 1073741823 bytes; its packed size is 4"));
   EXPECT_THAT(withChunk("INST" + std::string("\x05\0\0\0", 4) + huge + zero + "\x28\xb5\x2f\xfd "),
-              HasSubstr("claims to hold 1073741823 bytes in 5"));
+              HasSubstr("claims to hold 1073741823 bytes; its packed size is 5"));
   // Huge counts inside a chunk.
   std::string instances;
   append(instances, 0);
@@ -180,12 +181,12 @@ TEST(FormatBinary, ClaimedSizesAllocateNothing) {
 TEST(FormatBinary, DamagedCompressionIsAnError) {
   std::string lz4 = chunk("INST", std::string(100, 'a'), Packing::Lz4);
   lz4[8] = 99;
-  EXPECT_THAT(errorOf(fileHeader(0, 0) + lz4 + endChunk()), HasSubstr("damaged LZ4"));
+  EXPECT_THAT(errorOf(fileHeader(0, 0) + lz4 + endChunk()), HasSubstr("LZ4 data is damaged"));
   std::string zstd = chunk("INST", std::string(100, 'a'), Packing::Zstd);
   zstd[8] = 101;
   EXPECT_THAT(errorOf(fileHeader(0, 0) + zstd + endChunk()), HasSubstr("but holds 100"));
   zstd[8] = 99;
-  EXPECT_THAT(errorOf(fileHeader(0, 0) + zstd + endChunk()), HasSubstr("damaged zstd"));
+  EXPECT_THAT(errorOf(fileHeader(0, 0) + zstd + endChunk()), HasSubstr("zstd data is damaged"));
 }
 
 TEST(FormatBinary, FilesMadeToExhaustMemoryAreRefused) {

@@ -95,7 +95,7 @@ TEST(LongNames, AreCutAtAHundredCharactersWithOneWarning) {
     EXPECT_EQ(std::string(parts[99].getSource().getPath().cStr()),
               "Workspace/" + name.substr(0, 200) + "/P");
     ASSERT_FALSE(made->warnings.empty());
-    EXPECT_EQ(made->warnings.front(), "long: 1 name cut at 100 characters, as the engine does");
+    EXPECT_EQ(made->warnings.front(), "long: 1 name cut to 100 characters, as in the engine");
     EXPECT_EQ(std::count_if(made->warnings.begin(), made->warnings.end(),
                             [](const auto& w) { return w.find("100 characters") != w.npos; }),
               1);

@@ -161,7 +161,7 @@ TEST(GravityByTouch, AResettingPadRestoresTheWalkSpeed) {
   EXPECT_FALSE(scene[fast].boost->resets);
   ASSERT_TRUE(scene[back].boost);
   EXPECT_TRUE(scene[back].boost->resets);
-  EXPECT_EQ(scene.unmodelled("touch that does more later"), 1u);
+  EXPECT_EQ(scene.unmodelled("touch with a later effect"), 1u);
 }
 
 TEST(GravityByTouch, AForceOnEveryBodyChangesTheLevelsGravity) {

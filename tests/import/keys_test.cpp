@@ -54,7 +54,7 @@ TEST(Keys, AnActionThatReplacesTheJumpIsTheJump) {
   return Enum.ContextActionResult.Sink
 end, false, Enum.PlayerActions.CharacterJump))");
   EXPECT_FLOAT_EQ(scene.level().world.jumpSpeed, 120);
-  EXPECT_EQ(scene.unmodelled("keys that scripts take away"), 0u);
+  EXPECT_EQ(scene.unmodelled("controls that scripts take away"), 0u);
 }
 
 TEST(Keys, DisabledControlsAreReported) {
@@ -64,7 +64,7 @@ TEST(Keys, DisabledControlsAreReported) {
             "Enum.ContextActionResult.Sink end, false, "
             "unpack(Enum.PlayerActions:GetEnumItems()))");
   scene.level();
-  EXPECT_GE(scene.unmodelled("keys that scripts take away"), 4u);
+  EXPECT_GE(scene.unmodelled("controls that scripts take away"), 4u);
 }
 
 TEST(Keys, AHeldScreenButtonIsAnAbility) {

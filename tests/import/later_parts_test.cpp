@@ -53,7 +53,7 @@ TEST(LaterParts, ATemporaryPartIsReported) {
                scene.scripts);
   EXPECT_EQ(scene.level().parts.size(), 1u);
   EXPECT_EQ(scene.level().unmodelled.size(), 1u);
-  EXPECT_EQ(scene.unmodelled("part that comes later"), 1u);
+  EXPECT_EQ(scene.unmodelled("part that appears later"), 1u);
 }
 
 TEST(LaterParts, LateListenersAreGuessesAndReported) {
@@ -77,7 +77,7 @@ TEST(LaterParts, ABrokenJointThatFreesItsPartIsReported) {
     scene.set(weld, "Part1", Ref{ledge});
     scene.script(std::string("wait(6) ") + goes, scene.scripts);
     scene.level();
-    EXPECT_EQ(scene.unmodelled("part that scripts let loose"), 1u) << goes;
+    EXPECT_EQ(scene.unmodelled("part that scripts release"), 1u) << goes;
   }
 }
 

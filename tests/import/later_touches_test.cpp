@@ -33,7 +33,7 @@ void expectComesOnce(const std::string& text) {
   EXPECT_TRUE(pad.vanish || pad.kill || pad.jumpPad) << text;
   ASSERT_EQ(scene.unmodelled(kLessLater), 1u) << text;
   EXPECT_EQ(scene.level().unmodelled.at(kLessLater).example, "Workspace/Pad") << text;
-  EXPECT_EQ(noteOf(scene.level(), kLessLater).rfind("from its second touch on", 0), 0u) << text;
+  EXPECT_EQ(noteOf(scene.level(), kLessLater).rfind("from the second touch on", 0), 0u) << text;
 }
 
 TEST(LaterTouches, EffectsBehindAPermanentFlagOccurOnce) {
@@ -124,7 +124,7 @@ TEST(LaterTouches, PadsThatNeedAnOrderAreFound) {
 
 // Effects after the longest probe, or after the run, may help a player.
 TEST(LaterTouches, ScriptsStillWaitingAreReported) {
-  const char* const kWaits = "script that still waits";
+  const char* const kWaits = "script still waiting at the end of the run";
   ScriptedPart touched("p.Touched:Connect(function() task.wait(20) p.CanCollide = false end)");
   EXPECT_EQ(touched.unmodelled(kWaits), 1u);
   ScriptedPart late("task.wait(90) p.CanCollide = false");
@@ -281,7 +281,7 @@ TEST(Touches, ASearchBoxWithoutAPartIsReported) {
       scene.scripts);
   scene.part("Floor", {90, 0, 0});
   scene.level();
-  EXPECT_EQ(scene.unmodelled("place where scripts look for players"), 1u);
+  EXPECT_EQ(scene.unmodelled("region where scripts look for players"), 1u);
 }
 
 // A velocity held for a while reaches as high as one set once.

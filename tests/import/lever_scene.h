@@ -7,7 +7,7 @@
 
 namespace obby::test {
 
-inline constexpr const char* kMoreLater = "touch that does more later";
+inline constexpr const char* kMoreLater = "touch with a later effect";
 inline constexpr const char* kLessLater = "touch whose effect wears off";
 inline const std::string kKillHit = "hit.Parent.Humanoid.Health = 0 ";
 

@@ -56,7 +56,7 @@ TEST(ManyParts, EffectsThatDependOnThePartsPositionAreReported) {
       "part.Touched:Connect(function(hit)\n"
       " hit.Parent:PivotTo(part.CFrame + Vector3.new(0, 50, 0)) end)");
   EXPECT_FALSE(row.last().teleport);
-  EXPECT_EQ(row.unmodelled("touch that was not tried"), kMany - 100u);
+  EXPECT_EQ(row.unmodelled("touch that was not tested"), kMany - 100u);
 }
 
 }  // namespace

@@ -27,8 +27,8 @@ void expectBudgetForOne(size_t parts, const importer::Motion& motion) {
   size_t moving = 0;
   for (const PartDraft& part : level.parts) moving += part.motion ? 1 : 0;
   EXPECT_EQ(moving, parts);
-  ASSERT_EQ(level.unmodelled.count("motion of too many poses"), 1u);
-  EXPECT_EQ(level.unmodelled.at("motion of too many poses").count, parts);
+  ASSERT_EQ(level.unmodelled.count("motion with too many poses"), 1u);
+  EXPECT_EQ(level.unmodelled.at("motion with too many poses").count, parts);
 }
 
 importer::MotionKey keyAt(float time, float height) {
@@ -85,7 +85,7 @@ TEST(Motion, DecorationYieldsItsBudgetToSolidParts) {
   }
   constexpr size_t kCapacity = importer::kMaxLevelKeys / kKeys;
   EXPECT_EQ(moving, kCapacity);
-  EXPECT_EQ(level.unmodelled.count("motion of too many poses"), 0u);
+  EXPECT_EQ(level.unmodelled.count("motion with too many poses"), 0u);
   ASSERT_EQ(level.ignored.count("moving decoration"), 1u);
   EXPECT_EQ(level.ignored.at("moving decoration").count, kSolid + kLeaves - kCapacity);
 }

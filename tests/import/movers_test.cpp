@@ -74,7 +74,7 @@ TEST(Movers, AMoverWithoutVelocityHoldsItsPart) {
   EXPECT_TRUE(floats.scene[floats.part].anchored);
   EXPECT_NE(floats.scene.evidence(floats.part, "held"), "");
   EXPECT_EQ(floats.scene.unmodelled("constraint BodyVelocity"), 0u);
-  EXPECT_EQ(floats.scene.unmodelled("motion of a pushing mover"), 0u);
+  EXPECT_EQ(floats.scene.unmodelled("motion by a BodyVelocity or LinearVelocity"), 0u);
 }
 
 TEST(Movers, AVelocitySetByATouchBeginsWithIt) {
@@ -167,7 +167,7 @@ TEST(Movers, APermanentPushIsReported) {
       {"while true do m.Velocity = Vector3.new(0, 10, 0) task.wait(2)\n"
        "m.Velocity = Vector3.new(0, -5, 0) task.wait(2) end",
        "motion without a period"},
-      {"print('as in the file')", "motion of a pushing mover"}};
+      {"print('as in the file')", "motion by a BodyVelocity or LinearVelocity"}};
   for (const auto& [text, kind] : cases) {
     Pushed away("BodyVelocity");
     away.scene.set(away.mover, "MaxForce", Vec3{1e6f, 1e6f, 1e6f});

@@ -114,7 +114,7 @@ TEST(Moves, APadKillingOnlyFallingPlayersIsInDoubt) {
 end))",
                pad);
   scene.level();
-  EXPECT_EQ(scene[pad].doubts, std::vector<std::string>{"touch that differs in a fall"});
+  EXPECT_EQ(scene[pad].doubts, std::vector<std::string>{"touch that acts differently in a fall"});
 }
 
 }  // namespace

@@ -101,7 +101,7 @@ TEST(PartDoubts, ANameKillsOnlyIfScriptsDoNotDecide) {
 
 TEST(PartDoubts, HelpfulAndHarmfulLossesAreDistinguished) {
   EXPECT_EQ(importer::bearingOf("tool"), importer::Bearing::easier);
-  EXPECT_EQ(importer::bearingOf("harm by itself"), importer::Bearing::harder);
+  EXPECT_EQ(importer::bearingOf("harm without a touch"), importer::Bearing::harder);
   EXPECT_EQ(importer::bearingOf("script that fails"), importer::Bearing::either);
 }
 
@@ -123,7 +123,7 @@ end)",
                arm);
   scene.level();
   EXPECT_TRUE(scene[arm].kill);
-  EXPECT_FALSE(scene.level().unmodelled.contains("harm by itself"));
+  EXPECT_FALSE(scene.level().unmodelled.contains("harm without a touch"));
 }
 
 }  // namespace

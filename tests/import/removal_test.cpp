@@ -4,7 +4,7 @@
 namespace obby::test {
 namespace {
 
-const char* const kComesOrGoes = "part that comes and goes without a rhythm";
+const char* const kComesOrGoes = "part that comes and goes irregularly";
 
 // Expects that the part appears or vanishes for good at `seconds`, and that no loss is noted.
 void expectOnce(Scene& scene, InstanceId part, float seconds, bool comes) {

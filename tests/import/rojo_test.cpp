@@ -206,7 +206,8 @@ TEST_F(Rojo, NothingOutsideIsReadUnlessTheProjectSaysSo) {
   fs::create_directory_symlink(folder_ / "src", folder_ / "src" / "loop");
   read();
   EXPECT_EQ(size(), 2u);
-  EXPECT_THAT(project_.document.warnings, ElementsAre(HasSubstr("loop: leads into itself")));
+  EXPECT_THAT(project_.document.warnings,
+              ElementsAre(HasSubstr("loop: the folder contains itself")));
 }
 
 TEST_F(Rojo, ErrorsNameTheFileAndTheKeys) {
@@ -221,12 +222,13 @@ TEST_F(Rojo, ErrorsNameTheFileAndTheKeys) {
   EXPECT_THAT(error(), HasSubstr("tree.A: has no class"));
   project(R"({"$className": "Part", "$path": "a.luau"})");
   file("a.luau", "");
-  EXPECT_THAT(error(), HasSubstr("tree.$className: the $path gives a ModuleScript"));
+  EXPECT_THAT(error(),
+              HasSubstr("tree.$className: does not match the $path, which gives a ModuleScript"));
   project(R"({"$path": "b.model.json"})");
   file("b.model.json", R"({"ClassName": "Model", "Children": [{"ClassName": "Part"}, {}]})");
   EXPECT_THAT(error(), HasSubstr("b.model.json: Children[1].ClassName: expected the name"));
   project(R"({"$path": "."})");
-  EXPECT_THAT(error(), HasSubstr("tree.$path: leads to nothing"));
+  EXPECT_THAT(error(), HasSubstr("tree.$path: no instance can be made"));
 }
 
 TEST(RojoGlobs, StarsAndExceptions) {

@@ -125,7 +125,7 @@ TEST(ScriptValues, IntermittentHarmIsHarm) {
   for (const char* text : texts) {
     ScriptedPart scene(text);
     EXPECT_TRUE(scene[scene.self].kill) << text;
-    EXPECT_EQ(scene.unmodelled("touch that does more later"), 1u) << text;
+    EXPECT_EQ(scene.unmodelled("touch with a later effect"), 1u) << text;
   }
 }
 

@@ -8,8 +8,8 @@ namespace {
 
 TEST(ScriptedChanges, LateChangesAreReportedAndNotApplied) {
   const std::pair<const char*, const char*> cases[] = {
-      {"wait(5) workspace.Barrier.Anchored = false", "part that scripts let loose"},
-      {"wait(5) workspace.Barrier.CanTouch = false", "touch that scripts switch"},
+      {"wait(5) workspace.Barrier.Anchored = false", "part that scripts release"},
+      {"wait(5) workspace.Barrier.CanTouch = false", "touch that scripts switch on or off"},
       {"wait(5) workspace.Barrier.Size = Vector3.one", "size that scripts change"},
       {"while true do workspace.Barrier.Size += Vector3.yAxis wait(4) end",
        "size that scripts change"}};

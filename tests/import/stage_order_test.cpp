@@ -78,7 +78,8 @@ TEST(Stages, CheckpointsOfOneNumberFollowTheDistance) {
   EXPECT_EQ(*scene[near].checkpoint, 1);
   EXPECT_EQ(*scene[far].checkpoint, 2);
   EXPECT_EQ(*scene[next].checkpoint, 3);
-  EXPECT_EQ(scene[near].evidence.back().reason, "ordered by distance: others have its number");
+  EXPECT_EQ(scene[near].evidence.back().reason,
+            "ordered by distance: other checkpoints have the same number");
   EXPECT_FALSE(scene[next].evidence.front().guessed);
 }
 

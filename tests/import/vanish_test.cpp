@@ -133,7 +133,7 @@ TEST(Vanish, RandomVanishingIsReported) {
   scene.level();
   EXPECT_FALSE(scene[part].vanish);
   EXPECT_TRUE(scene[part].solid);
-  EXPECT_EQ(scene.unmodelled("part that comes and goes without a rhythm"), 1u);
+  EXPECT_EQ(scene.unmodelled("part that comes and goes irregularly"), 1u);
 }
 
 TEST(Vanish, FadeWithoutLosingCollisionIsADecoy) {

@@ -96,8 +96,8 @@ struct Case {
 
 TEST(Framing, Rules) {
   const std::string hint = " (convert a place file with obby-import, or make levels with obby-gen)";
-  const std::string cut = " (it was cut off: run the tool that wrote it again)",
-                    empty = "in: the input is empty (check the file, or the tool upstream)";
+  const std::string cut = " (the input was cut off; rerun the tool that wrote it)",
+                    empty = "in: the input is empty (check the file, or the tool that writes it)";
   const std::string h = "{\"type\":\"header\"}\n", l = "{\"type\":\"level\"}\n",
                     e = "{\"type\":\"end\"}\n";
   const std::string line = "{\"type\":\"level\"}";
@@ -122,9 +122,8 @@ TEST(Framing, Rules) {
       {h + l + "{\"type\":\"end\"}", "in:3: the last line has no newline" + cut, 2},
       {h + l + "{\"type\":\"end\",\"records\":\"2\"}\n", "", 3},
       {h + l + l + "{\"type\":\"end\",\"records\":\"2\"}\n",
-       "in:4: records: the end record counts 2 records, but the stream has 3 (it was cut or mixed "
-       "with "
-       "another: run the tool that wrote it again)",
+       "in:4: records: the end record counts 2 records, but the stream has 3 (the stream was cut "
+       "or mixed with another; rerun the tool that wrote it)",
        3},
       {"{\"type\":\"header\",\"schemaMajor\":3,\"schemaMinor\":5}\n",
        "in:1: schemaMajor: the stream was written with schema 3.5, but this program (0.1.0) reads "
@@ -142,15 +141,15 @@ TEST(Framing, Rules) {
       {"PK\x03\x04zzzzzzzz",
        "in: expected a stream of records, found compressed data (decompress it first)", 0},
       {"[1,2]",
-       "in: expected one record a line, found a JSON array (write its elements one a line: jq -c "
+       "in: expected one record per line, found a JSON array (write each element on its own line: "
+       "jq -c "
        "'.[]' in)",
        0},
       {std::string("\xff\xd8\xff\xe0\0\x10JF", 8),
        "in: expected JSON lines or Cap'n Proto messages, found binary data" + hint, 0},
       {"{\n  \"type\": \"level\"\n}\n",
-       "in:1: column 2: the text ends in the middle of a value; expected one record a line (join "
-       "the "
-       "lines of a record: jq -c . in)",
+       "in:1: column 2: the text ends in the middle of a value; expected one record per line (join "
+       "the lines of each record: jq -c . in)",
        0},
   };
   for (const Case& c : cases) {

@@ -100,14 +100,14 @@ TEST(HostileMessages, HugeClaimsCostNothing) {
   rusage before{}, after{};
   getrusage(RUSAGE_SELF, &before);
   EXPECT_EQ(errorOf(little32({0, 0x7fffffff})),
-            "in:byte 0: expected a message of at most 256 MiB, found one that claims 16383 MiB");
+            "in:byte 0: expected a message of at most 256 MiB, found 16383 MiB");
   EXPECT_EQ(errorOf(little32({511, 0x2000000})),
-            "in:byte 0: the input ends in the middle of a message (it was cut off: run the tool "
-            "that wrote it again)");
+            "in:byte 0: the input ends in the middle of a message (the input was cut off; rerun "
+            "the tool that wrote it)");
   // The claimed size is below the limit, but the bytes are missing.
   EXPECT_EQ(errorOf(little32({0, 0x1fffffe})),
-            "in:byte 0: the input ends in the middle of a message (it was cut off: run the tool "
-            "that wrote it again)");
+            "in:byte 0: the input ends in the middle of a message (the input was cut off; rerun "
+            "the tool that wrote it)");
   getrusage(RUSAGE_SELF, &after);
   EXPECT_LT(after.ru_maxrss - before.ru_maxrss, 64 << 10);  // KiB
 }

@@ -57,10 +57,10 @@ TEST(LostLevel, DropsQueriesThatNameNoLevel) {
     const LostLevelRead read({text}, onError);
     EXPECT_EQ(read.came, "+ac+e");
     ASSERT_EQ(read.reports.size(), 3u);
-    EXPECT_EQ(
-        read.reports[1],
-        "in0:4: level: no level is named, and the record at in0:3, which may be its level, could "
-        "not be read (fix that record, or name the level)");
+    EXPECT_EQ(read.reports[1],
+              "in0:4: level: this record names no level, and the record at in0:3, which may be its "
+              "level, could "
+              "not be read (fix that record, or name the level in this one)");
     EXPECT_EQ(read.reports[2].find("in0:6: level: "), 0u) << read.reports[2];
     EXPECT_EQ(read.summary.skipped, 3u);
     EXPECT_EQ(read.summary.errors, 3u);

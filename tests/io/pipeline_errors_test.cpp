@@ -95,8 +95,8 @@ TEST(Pipeline, EmitWarnsAboutRecordsThatTheOutputCannotHold) {
   EXPECT_EQ(f.reports.size(), 1u);
   EXPECT_EQ(warnings,
             std::vector<std::string>{f.options.inputs[0] +
-                                     ":1: cannot convert a record that cannot be read (give the "
-                                     "output the format of the input: --format jsonl)"});
+                                     ":1: cannot convert this record: it could not be read (write "
+                                     "the output in the format of the input: --format jsonl)"});
   EXPECT_EQ(f.end(),
             "{\"type\":\"end\",\"status\":\"complete\",\"records\":\"2\",\"skipped\":\"1\","
             "\"errors\":\"1\"}\n");
@@ -179,8 +179,8 @@ TEST(RecordSource, AMissingRecordIsAttributedToTheErrorThatEndedTheInput) {
   };
   EXPECT_EQ(said("complete"), ": no query of that name");
   EXPECT_EQ(said("budget"), ": no query of that name");
-  EXPECT_EQ(said("interrupted"), "2: the input was interrupted upstream");
-  EXPECT_EQ(said("failed"), "2: the input ended with an error upstream");
+  EXPECT_EQ(said("interrupted"), "2: the tool that wrote this input was interrupted");
+  EXPECT_EQ(said("failed"), "2: the tool that wrote this input stopped at an error");
 }
 
 TEST(Pipeline, AnUpstreamFailureIsReportedOnceAndPassedOn) {
@@ -191,7 +191,8 @@ TEST(Pipeline, AnUpstreamFailureIsReportedOnceAndPassedOn) {
   f.input(failed);
   f.input(failed);
   ASSERT_TRUE(f.pipeline().runAndFinish(passAll));
-  EXPECT_EQ(warnings, std::vector<std::string>{"the input ended with an error upstream"});
+  EXPECT_EQ(warnings,
+            std::vector<std::string>{"the tool that wrote this input stopped at an error"});
   EXPECT_EQ(f.end(), "{\"type\":\"end\",\"status\":\"failed\",\"records\":\"3\"}\n");
   Pipeline again = f.pipeline();
   ASSERT_TRUE(again.run(passAll));

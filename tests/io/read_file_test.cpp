@@ -46,7 +46,7 @@ TEST(ReadFile, RefusesFilesAboveTheLimit) {
   ScratchFolder folder;
   std::ofstream(folder / "a") << std::string(2000, 'x');
   EXPECT_EQ(readFile(folder / "a", nullptr, 2000)->size(), 2000u);
-  const std::string cure = " (it is read into memory whole: give a smaller file)";
+  const std::string cure = " (this file is read into memory whole; give a smaller one)";
   EXPECT_EQ(readFile(folder / "a", nullptr, 1999).error().text(),
             folder / "a: expected at most 1999 bytes, found 2000" + cure);
   std::ofstream(folder / "sparse").flush();

@@ -184,7 +184,7 @@ TEST(Doubts, UnreachableHoldsIfALossCanOnlyHinder) {
     DoubtfulLevel level;
     level.block({0, -0.5f, 0}, {8, 1, 8});
     level.block({0, -0.5f, -48}, {8, 1, 8});
-    level.loss("harm by itself", bearing, true);
+    level.loss("harm without a touch", bearing, true);
     const Answered answered = level.solve({0, 2, -48});
     const bool shown = bearing == schema::Bearing::HARDER;
     EXPECT_EQ(answered.result().getVerdict() == schema::Verdict::UNREACHABLE, shown);

@@ -340,7 +340,7 @@ TEST(DeviceEngine, RefusesAnotherObservation) {
   const auto trainer = machine.make(gaps, settings);
   ASSERT_FALSE(trainer);
   EXPECT_EQ(trainer.error().message,
-            "the GPU supports only the standard observation, and the settings name another");
+            "the GPU supports only the standard observation, but the settings name another one");
 }
 
 // Levels, one of which is bad.

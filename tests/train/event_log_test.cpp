@@ -89,7 +89,8 @@ TEST_F(EventLogs, EventsWaitUntilAFullDiskHasSpace) {
     EXPECT_FALSE(log->held());
     const Status missing = log->finish();
     ASSERT_FALSE(missing);
-    EXPECT_NE(missing.error().text().find("events missing at its end: 2"), std::string::npos)
+    EXPECT_NE(missing.error().text().find("events missing at the end of the log: 2"),
+              std::string::npos)
         << missing.error().text();
     EXPECT_EQ(bytes(), before) << "only whole events are written";
   }

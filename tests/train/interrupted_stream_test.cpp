@@ -17,7 +17,8 @@ TEST(InterruptedStream, IsNotRepeated) {
   for (const uint64_t index : {3, 4, 3}) {
     const auto none = stream.level(index, 1);
     ASSERT_FALSE(none) << index;
-    EXPECT_EQ(none.error().text().find("levels:8: the input was interrupted upstream"), 0u)
+    EXPECT_EQ(none.error().text().find("levels:8: the tool that wrote this input was interrupted"),
+              0u)
         << none.error().text();
     EXPECT_NE(none.error().text().find("--on-error skip"), std::string::npos);
   }
@@ -42,7 +43,8 @@ TEST(InterruptedStream, IsRepeatedIfErrorsAreForgiven) {
   for (uint64_t i = 0; i < 9; ++i) EXPECT_EQ(hashOf(stream, i), hashOf(all, i % 3)) << i;
   EXPECT_TRUE(errors.empty());
   ASSERT_EQ(warned.size(), 1u);
-  EXPECT_EQ(warned[0].find("levels:8: the input was interrupted upstream"), 0u) << warned[0];
+  EXPECT_EQ(warned[0].find("levels:8: the tool that wrote this input was interrupted"), 0u)
+      << warned[0];
   EXPECT_EQ(stream.summary().status, schema::EndStatus::INTERRUPTED);
 }
 
@@ -59,7 +61,8 @@ TEST(InterruptedStream, IsNotCopiedForOtherRanks) {
   Timeout timeout(interrupted, Timeout::kNone);
   const auto none = copyOfStream(optionsOf(interruptedLines(3)), timeout);
   ASSERT_FALSE(none);
-  EXPECT_EQ(none.error().text().find("levels:8: the input was interrupted upstream"), 0u)
+  EXPECT_EQ(none.error().text().find("levels:8: the tool that wrote this input was interrupted"),
+            0u)
       << none.error().text();
   io::SourceOptions options = optionsOf(interruptedLines(3));
   options.onError = io::OnError::skip;

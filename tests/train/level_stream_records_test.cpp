@@ -48,7 +48,8 @@ TEST(LevelStream, KeepsLevelsUpToABudgetOfBytes) {
   EXPECT_EQ(hashOf(last, 1), hashOf(all, 1));
   const auto level = last.level(2, 1);
   ASSERT_FALSE(level);
-  EXPECT_EQ(level.error().text(), "levels:6: there is no level '0' among the 1 before this query");
+  EXPECT_EQ(level.error().text(),
+            "levels:6: there is no level '0' before this query (levels in memory: 1)");
 }
 
 // As in obby-solve, parameters apply to later levels. A level's own values take precedence.

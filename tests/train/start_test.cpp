@@ -217,7 +217,7 @@ TEST(Start, RefusesNormalisersThatTrainingCannotProduce) {
   EXPECT_EQ(error(1), "");
   for (const float scale : {0.0f, -1.0f, 51.0f}) {
     EXPECT_EQ(error(scale),
-              "its normalisers are not valid for further training (name a policy that "
+              "the policy's normalisers are not valid for further training (name a policy that "
               "obby-train wrote)")
         << scale;
   }

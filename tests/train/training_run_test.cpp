@@ -91,9 +91,9 @@ TEST_F(TrainingRuns, AFailingSaveBetweenGoodOnesIsAWarning) {
   });
   ASSERT_TRUE(done) << done.error().text();
   ASSERT_EQ(warnings_.size(), 1u);
-  EXPECT_NE(warnings_[0].find("training continues, and the next save tries again"),
+  EXPECT_NE(warnings_[0].find("training continues, and saving is tried again later"),
             std::string::npos);
-  EXPECT_EQ(notes_, std::vector<std::string>{"saving works again"});
+  EXPECT_EQ(notes_, std::vector<std::string>{"the checkpoint and the policy can be saved again"});
 }
 
 TEST_F(TrainingRuns, AFailingFirstSaveEndsTheRun) {

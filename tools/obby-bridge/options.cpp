@@ -36,14 +36,13 @@ std::vector<OptionRow> limitRows() {
   const bridge::Limits d;
   return {
       limitRow("max-body", "MIB", double(d.bodyBytes / kMiB),
-               "maximum size of a request; four times this when decompressed", 1, 1024),
+               "maximum size of a request; after decompression, four times this", 1, 1024),
       limitRow("memory", "MIB", double(d.memoryBytes / kMiB),
-               "address space of each program that the bridge starts; 0: no limit", 0, 1e6),
+               "maximum address space of each program that the bridge starts; 0: no limit", 0, 1e6),
       limitRow("cpu-time", "SECONDS", double(d.cpuSeconds),
-               "processor time after which a program that the bridge started is interrupted", 1,
-               1e6),
+               "CPU time after which a program that the bridge started is interrupted", 1, 1e6),
       limitRow("request-timeout", "SECONDS", d.requestSeconds,
-               "time for a request to arrive and for its answer to be read", 0.1, 3600),
+               "maximum time for a request to arrive and for its answer to be read", 0.1, 3600),
       limitRow("ping", "SECONDS", d.pingSeconds, "time between pings on a WebSocket", 0.1, 3600),
       limitRow("silence", "SECONDS", d.silenceSeconds,
                "close a WebSocket when its client has sent nothing for this long", 0.1, 3600),
@@ -92,7 +91,7 @@ cli::ToolSpec bridgeSpec() {
       between(row("port", ValueType::integer, "PORT", kPort,
                   "listen on this port of the loopback interface; 0: on any free one", kClients),
               0, 65535),
-      flagRow("pair", "show a code that gives one new client a token", kClients),
+      flagRow("pair", "show a code for pairing one new client", kClients),
       flagRow("no-token", "require no token: any program on this machine may send requests",
               kClients),
       flagRow("stdio", "serve the program that started this one, over standard input and output",
@@ -116,8 +115,8 @@ cli::ToolSpec bridgeSpec() {
       "token of a paired client, unless --no-token is given. docs/bridge.md describes the "
       "protocol.";
   spec.files = {{"~/.local/state/obby",
-                 "Tokens, levels and answers. $XDG_STATE_HOME/obby, if that variable is set; "
-                 "--state-dir names another folder."}};
+                 "Tokens, levels and answers. If XDG_STATE_HOME is set, the folder is "
+                 "$XDG_STATE_HOME/obby; --state-dir sets another one."}};
   return spec;
 }
 
@@ -142,7 +141,7 @@ Result<bridge::Options> bridgeOptions(const cli::Context& context) {
                  {},
                  "--state-dir",
                  "neither XDG_STATE_HOME nor HOME is set",
-                 "name a folder for tokens, levels and answers"};
+                 "give --state-dir DIR, a folder for tokens, levels and answers"};
   }
   bridge::Limits& l = out.limits;
   l.jobs = uint32_t(a.integer("jobs"));

@@ -95,9 +95,9 @@ Result<std::vector<std::string>> whyNotNearer(cli::Context& context, const calib
   if (miss <= tolerance) return std::vector<std::string>();
   OBBY_ASSIGN(const calibrate::Shortfall shortfall,
               calibrate::shortfallOf(heldOut.empty() ? takes : heldOut, fit, params, tolerance));
-  context.warn(
-      fmt::format("the recordings are {:.3f} studs off, more than the tolerance of {:g}: {}", miss,
-                  tolerance, calibrate::shortOf(shortfall, tolerance)));
+  context.warn(fmt::format(
+      "the simulator is {:.3f} studs off the recordings, more than the tolerance of {:g}: {}", miss,
+      tolerance, calibrate::shortOf(shortfall, tolerance)));
   return calibrate::reasonsOf(shortfall, tolerance);
 }
 
@@ -112,9 +112,9 @@ std::vector<calibrate::Take> playable(cli::Context& context,
     if (level) {
       out.push_back(take);
     } else {
-      context.warn(
-          fmt::format("'{}' is left out: level '{}' cannot be played with these parameters: {}",
-                      take.track.name, take.track.level, level.error().text()));
+      context.warn(fmt::format(
+          "recording '{}' is left out: level '{}' cannot be played with these parameters: {}",
+          take.track.name, take.track.level, level.error().text()));
     }
   }
   return out;
@@ -176,15 +176,17 @@ Status calibrateFrom(cli::Context& context, io::Pipeline& pipeline, Asked asked,
   std::vector<calibrate::Take> takes = source.take();
   if (context.stop()) return {};
   if (takes.empty())
-    return pipeline.source().lacking(makeError(
-        context.arguments().flag("play") ? "no recordings to play" : "no recordings to fit to",
-        "record some in Studio, or try obby-calibrate --rehearse | obby-calibrate"));
+    return pipeline.source().lacking(
+        makeError(context.arguments().flag("play") ? "the input has no recordings to play"
+                                                   : "the input has no recordings to fit to",
+                  "record some in Studio, or try obby-calibrate --rehearse | obby-calibrate"));
   if (context.arguments().flag("play"))
     return tools::playTakes(context, pipeline, takes, asked.now.reader().getParams());
   const uint32_t every = uint32_t(context.arguments().integer("held-out"));
   const auto heldOut = every == 0 || takes.size() < every ? std::vector<calibrate::Take>()
                                                           : calibrate::holdOut(takes, every);
-  if (takes.empty()) return makeError("--held-out 1 leaves nothing to fit to", "give 2 or more");
+  if (takes.empty())
+    return makeError("--held-out 1 leaves no recording to fit to", "give 2 or more");
   ThreadPool pool(context.threads());
   calibrate::FitSettings settings = tools::fitSettings(context);
   settings.heldOut = heldOut;

@@ -44,19 +44,19 @@ std::vector<OptionRow> fitRows() {
                   "exclude every Nth recording from the fit and measure the error on it; 0: none",
                   kFitGroup),
               0, 1000),
-      between(row("restarts", ValueType::integer, "N", "3",
-                  "number of searches, each from a different starting point", kFitGroup),
-              1, 1000),
-      between(row("generations", ValueType::integer, "N", "100", "maximum generations of a search",
-                  kFitGroup),
+      between(
+          row("restarts", ValueType::integer, "N", "3",
+              "number of evolutionary searches, each from a different starting point", kFitGroup),
+          1, 1000),
+      between(row("generations", ValueType::integer, "N", "100",
+                  "maximum generations of each search", kFitGroup),
               1, 100000),
   };
 }
 
 OptionRow tricksRow() {
-  OptionRow r =
-      row("tricks", ValueType::choice, "", "none",
-          "with --play: what the engine did in these recordings, besides normal play", kPlayGroup);
+  OptionRow r = row("tricks", ValueType::choice, "", "none",
+                    "with --play: tricks that the recordings contain", kPlayGroup);
   r.choices = level::trickOptions();
   return repeatable(rare(r));
 }
@@ -79,11 +79,10 @@ std::vector<OptionRow> rehearseRows() {
           "write the calibration course and its manoeuvres, to be played and recorded in Studio "
           "(docs/calibration.md)",
           kRehearseGroup),
-      flagRow(
-          "rehearse",
-          "write the calibration course with recordings from the simulator, with the parameters "
-          "given by --set",
-          kRehearseGroup),
+      flagRow("rehearse",
+              "write the calibration course with simulated recordings, made with the parameters "
+              "given by --set",
+              kRehearseGroup),
       between(
           row("noise", ValueType::number, "STUDS", "0",
               "with --rehearse: maximum error of a recorded position on each axis", kRehearseGroup),
@@ -104,7 +103,7 @@ cli::ToolSpec calibrateSpec() {
        "obby-calibrate --course -o course.jsonl"},
       {"Simulate recordings under weaker gravity",
        "obby-calibrate --rehearse --set gravity=180 -o takes.jsonl"},
-      {"Check that recordings of the course would determine gravity",
+      {"Check that gravity can be recovered from recordings of the course",
        "obby-calibrate --rehearse --set gravity=180 | obby-calibrate --fit gravity --restarts 1"},
       {"Compare recordings with the simulator under weaker gravity",
        "obby-calibrate --rehearse | obby-calibrate --play --set gravity=190"},
@@ -120,9 +119,9 @@ cli::ToolSpec calibrateSpec() {
                    rehearseRows(),
                    {cli::commonRow(cli::Common::threads), cli::commonRow(cli::Common::seed)}});
   spec.notes =
-      "With --play the output is a metrics record for each recording and one for all. Otherwise it "
-      "is a params record, and metrics with each parameter's confidence interval and "
-      "each recording's error. Levels and recordings are not passed on; other records are.";
+      "A fit writes a params record, and metrics with each parameter's confidence interval and "
+      "each recording's error. --play writes a metrics record for each recording and one for all. "
+      "Levels and recordings are not passed on; other records are.";
   return spec;
 }
 
@@ -172,7 +171,7 @@ Status applySet(const cli::Arguments& a, schema::PhysicsParams::Builder params) 
                    {},
                    "--set",
                    fmt::format("expected NAME=VALUE, found '{}'", text),
-                   "write for example --set gravity=180"};
+                   "for example --set gravity=180"};
     OBBY_RETURN_IF_ERROR(calibrate::setNamed(params, text.substr(0, sign), value));
   }
   return {};

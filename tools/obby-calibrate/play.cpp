@@ -36,12 +36,14 @@ Status writeSummary(io::Pipeline& pipeline, const std::vector<Fidelity>& all,
 
 std::string textOf(size_t count, const calibrate::FidelitySummary& s) {
   std::string out = fmt::format(
-      "{} recording{} played: the position is off by {:.3f} studs in the median recording, by "
+      "{} recording{} played: the mean position error is {:.3f} studs in the median recording, and "
       "at most {:.3f} studs in 95 % of them",
       count, count == 1 ? "" : "s", s.medianMean, s.p95Mean);
   if (s.medianApex)
-    out += fmt::format("; the top of a jump by {:.3f} in the median", *s.medianApex);
-  if (s.matched) out += fmt::format("; {:.0f} % of state changes within a frame", 100 * *s.matched);
+    out +=
+        fmt::format("; the height of a jump is off by {:.3f} studs in the median", *s.medianApex);
+  if (s.matched)
+    out += fmt::format("; {:.0f} % of state changes are within a frame", 100 * *s.matched);
   return out;
 }
 

@@ -35,7 +35,7 @@ Status nameFits(const cli::Arguments& a) {
                  {},
                  "--output",
                  fmt::format("place files are written as {}, not as {}", kPlaceEnding, ending),
-                 "name the file so, or give --format"};
+                 "name the file *.rbxlx, or give --format"};
   }
   return {};
 }
@@ -70,14 +70,14 @@ Result<std::vector<gen::Generator>> generatorsOf(const cli::Arguments& a,
 
 Status noneKept(const tools::CheckOptions& check) {
   return makeError(fmt::format("--check rejected {} levels in a row", tools::kMaxRefused),
-                   check.unsolvable ? "try another style, or more excess in the recipe"
+                   check.unsolvable ? "try another style, or raise 'excess' in the recipe"
                                     : "raise --check-steps, or try another style or difficulty");
 }
 
 // Returns a message about the levels that --check left out, with the reason.
 std::string leftOut(const tools::Emission& made, const tools::CheckOptions& check, bool twins) {
   const std::string unsolved = fmt::format("not solved within {} steps", check.steps);
-  const std::string unproved = "not shown to be unreachable";
+  const std::string unproved = "not proved unreachable";
   return fmt::format("--check left out {} of {} {}: {}", made.refused, made.refused + made.kept,
                      twins ? "pairs" : "levels",
                      twins              ? unsolved + ", or the twin " + unproved

@@ -32,10 +32,10 @@ OptionRow formatRow() {
 
 std::vector<OptionRow> levelRows() {
   return {
-      between(
-          row("count", ValueType::integer, "N", "1",
-              "levels to write, not counting those that --check drops; 0: endless", kLevelGroup),
-          0, 9e15),
+      between(row("count", ValueType::integer, "N", "1",
+                  "number of levels to write, besides those that --check drops; 0: no limit",
+                  kLevelGroup),
+              0, 9e15),
       between(
           row("first", ValueType::integer, "N", "0",
               "number of the first level; level N of a seed is the same in every run", kLevelGroup),
@@ -49,7 +49,7 @@ std::vector<OptionRow> levelRows() {
           "write each level and then its unsolvable twin; --count counts pairs, and --check keeps "
           "both or neither",
           kLevelGroup),
-      flagRow("list", "list the styles and exit; with --style: what a recipe may set for them",
+      flagRow("list", "list the styles and exit; with --style: list the parameters of these styles",
               kLevelGroup),
   };
 }
@@ -62,7 +62,7 @@ std::vector<OptionRow> checkRows() {
           "solver's answer is written after the query",
           kCheckGroup),
       between(row("check-steps", ValueType::integer, "N", "1000000",
-                  "steps (simulated ticks) that --check spends on each level", kCheckGroup),
+                  "maximum steps (simulated ticks) of --check for each level", kCheckGroup),
               1, 9e15),
   };
 }
@@ -90,7 +90,7 @@ cli::ToolSpec genSpec() {
        "obby-gen --style course | obby-solve | obby-view -o course.html"},
       {"Generate a thousand levels of all styles",
        "obby-gen --count 1000 --seed 7 -o levels.capnp"},
-      {"Generate the hardest jumps that the solver solves",
+      {"Generate jumps at a player's limit, each checked by the solver",
        "obby-gen --style gaps --difficulty limit --check --count 3 -o gaps.jsonl"},
       {"Generate unsolvable levels, each with one gap that is too wide",
        "obby-gen --style gaps --difficulty limit --unsolvable --count 3"},
@@ -104,8 +104,8 @@ cli::ToolSpec genSpec() {
        checkRows(),
        {cli::commonRow(cli::Common::threads), cli::commonRow(cli::Common::seed)}});
   spec.notes =
-      "The same options and recipe give the same output, whatever --threads or the machine. Level "
-      "N of a seed and its unsolvable twin differ in one gap or obstacle only.";
+      "The same options and recipe give the same output, on any machine and with any --threads. "
+      "Level N of a seed and its unsolvable twin differ in one gap or obstacle only.";
   return spec;
 }
 

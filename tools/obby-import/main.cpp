@@ -14,8 +14,9 @@ using namespace obby;
 
 // Options for records do not apply to a table.
 Status refuseOptionsOfRecords(const cli::Arguments& a) {
-  return cli::refuseTyped(a, {"format", "no-queries"}, "cannot be combined with --explain",
-                          "leave it out: --explain writes a table instead of records");
+  return cli::refuseTyped(
+      a, {"format", "no-queries"}, "cannot be combined with --explain",
+      "leave out this option, because --explain writes a table instead of records");
 }
 
 // Writes the tables of all inputs. Stops at an input that ends the run, and returns its error.

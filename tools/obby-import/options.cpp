@@ -17,12 +17,13 @@ cli::ToolSpec importSpec() {
   spec.examples = {
       {"Convert a place file to records: the level and a query for each stage",
        "obby-import first-steps.rbxlx"},
-      {"List what was recognised, guessed and left out", "obby-import --explain first-steps.rbxlx"},
+      {"List the parts that were recognised, guessed or left out",
+       "obby-import --explain first-steps.rbxlx"},
       {"Solve every stage and show the answers",
        "obby-import demo.rbxlx | obby-solve --time-limit 5 | obby-view"},
-      {"Keep only the level, as Cap'n Proto, under a name of its own",
+      {"Write only the level, as Cap'n Proto, under another name",
        "obby-import --no-queries --name intro -o intro.capnp first-steps.rbxlx"},
-      {"Combine several inputs, hand-written levels among them",
+      {"Combine several inputs, including hand-written levels",
        "obby-import first-steps.rbxlx teaser.jsonl -o all.jsonl"},
       {"Use physics from obby-calibrate: a params record applies to the levels after it",
        "echo '{\"type\":\"params\",\"gravity\":190}' | obby-import - first-steps.rbxlx"},
@@ -44,12 +45,9 @@ cli::ToolSpec importSpec() {
       "default.project.json) or streams of records";
   spec.notes =
       "The format of an input is recognised by its content. A Rojo project is recognised by its "
-      "name, "
-      "*.project.json, or as a folder that holds default.project.json. A place's scripts run in a "
-      "sandbox, without access to files, the network or other programs. If a part is taken for the "
-      "wrong "
-      "thing, add a tag to the "
-      "part to correct it (docs/import.md).";
+      "name, *.project.json, or as a folder that holds default.project.json. A place's scripts run "
+      "in a sandbox, without access to files, the network or other programs. If a part gets the "
+      "wrong role, correct it with a tag on the part (docs/import.md).";
   return spec;
 }
 

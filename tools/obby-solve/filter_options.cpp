@@ -51,15 +51,16 @@ Status refuseIdleQuick(const cli::Arguments& a, const solve::FilterOptions& o) {
   const std::string option = asking(a, true);
   if (o.task == solve::Task::filter && (!option.empty() || a.typed("each"))) {
     return refused(option.empty() ? "each" : option,
-                   "cannot be combined with --pass or --not-pass, which ask nothing",
-                   "leave it out");
+                   "cannot be combined with --pass or --not-pass, which do not search",
+                   "leave out this option");
   }
   if (o.task == solve::Task::verify && !option.empty() && !o.each) {
     return refused(option, "cannot be combined with --verify",
                    "add --each to check trajectories under this limit");
   }
   if (a.typed("each") && !o.quick) {
-    return refused("each", "needs a limit", "write for example --each --max-jumps 3");
+    return refused("each", "needs another option to apply to the queries",
+                   "for example --each --max-jumps 3");
   }
   return {};
 }
@@ -70,7 +71,7 @@ Status readQuick(const cli::Arguments& a, solve::FilterOptions& o) {
   OBBY_RETURN_IF_ERROR(refuseIdleQuick(a, o));
   if (o.task == solve::Task::answer && o.quick && !o.each && !o.only.empty()) {
     return refused("query", "cannot be combined with a query asked on the command line",
-                   "add --each to change the stream's query");
+                   "add --each to apply these options to the queries in the input");
   }
   return {};
 }
@@ -80,18 +81,18 @@ Status refuseIdle(const cli::Arguments& a, solve::Task task) {
   if (task == solve::Task::answer) {
     if (a.integer("solutions") > 1) return {};
     return cli::refuseTyped(a, {"diverse"}, "needs --solutions 2 or more",
-                            "write for example --solutions 5 --diverse");
+                            "for example --solutions 5 --diverse");
   }
   // These options only control the search or its reports.
   const char* const message =
       task == solve::Task::verify
-          ? "cannot be combined with --verify, which searches nothing"
-          : "cannot be combined with --pass or --not-pass, which search nothing";
+          ? "cannot be combined with --verify, which does not search"
+          : "cannot be combined with --pass or --not-pass, which do not search";
   return cli::refuseTyped(a,
                           {"diverse", "difficulty", "final-only", "paths", "heat-map", "explain",
                            "time-limit", "max-steps", "solutions", "attempts", "trials", "method",
                            "warm", "policy", "body", "frame-rate", "same-keys"},
-                          message, "leave it out");
+                          message, "leave out this option");
 }
 
 Result<std::shared_ptr<const policy::PolicyFile>> policyOf(const cli::Arguments& a) {

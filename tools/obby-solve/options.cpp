@@ -42,28 +42,28 @@ OptionRow forbidRow() {
 }
 
 OptionRow arriveRow() {
-  OptionRow r = row("arrive", ValueType::choice, "", "stand", "what reaching a solid part means",
+  OptionRow r = row("arrive", ValueType::choice, "", "stand", "when a solid part counts as reached",
                     kQueryGroup);
   r.choices = {"stand", "touch"};
   r.details =
-      "stand: standing on it, sitting on it or holding on to it\n"
-      "touch: the body being next to it; grazing its side while falling past counts";
+      "stand: the player stands or sits on the part, or holds on to it\n"
+      "touch: the body is next to the part; grazing its side while falling past counts";
   return rare(r);
 }
 
 OptionRow tricksRow() {
   OptionRow r =
       row("tricks", ValueType::choice, "", "none",
-          "moves that the player may use, though designers do not plan with them", kQueryGroup);
+          "tricks that the player may use: moves that designers do not plan with", kQueryGroup);
   r.choices = level::trickOptions();
   r.details =
       "none: normal play\n"
       "held-jump: a jump made while turning rises up to 9.7 studs\n"
       "hanging-landing: a jump right after a landing starts up to 1.1 studs higher\n"
-      "wall-hop: faces any way at once in the air, to step on seams and corners of walls\n"
-      "ladder-flick: grips a truss again while rising from a jump off it\n"
-      "leg-throw: is thrown up by legs that a floor comes under suddenly\n"
-      "all: each of these";
+      "wall-hop: the player turns instantly in the air, to step on seams and corners of walls\n"
+      "ladder-flick: the player grips a truss again while rising from a jump off it\n"
+      "leg-throw: a floor that comes under the legs suddenly throws the player up\n"
+      "all: all of these";
   return repeatable(rare(r));
 }
 
@@ -72,8 +72,9 @@ OptionRow directionsRow() {
                     "directions in which the player can walk", kQueryGroup);
   r.choices = {"any", "keyboard"};
   r.details =
-      "any: as with a thumbstick, or a camera that turns\n"
-      "keyboard: eight, as with keys and a camera that stays behind the facing at the start";
+      "any: every direction, as with a thumbstick or a camera that turns\n"
+      "keyboard: eight directions, as with a keyboard and a camera that stays behind the player's "
+      "facing at the start";
   return rare(r);
 }
 
@@ -86,37 +87,36 @@ OptionRow timeLimitRow() {
 
 OptionRow backendRow() {
   OptionRow r = cli::commonRow(cli::Common::backend);
-  r.help = "where rollouts are simulated; the answers do not depend on it";
-  r.details = "auto is the CPU: the rounds of a search are small for a GPU.";
+  r.help = "device that simulates rollouts; the answers do not depend on it";
+  r.details = "auto uses the CPU, because the rounds of a search are too small for a GPU.";
   return rare(r);
 }
 
 OptionRow bodyRow() {
   return detailed(
       repeatable(row("body", ValueType::text, "BODY", "",
-                     "body: r6, r15, each or the place's [default: place]", kSearchGroup)),
-      "place is the level's own body. Several are given with commas, or by repeating the option. A "
-      "query with several bodies or frame rates is solved if it is for every one of them, and "
-      "unreachable if it is for at least one. Its result lists the answer for each. each: the "
-      "bodies that the place admits.");
+                     "body: r6, r15, place (as the place sets) or each (all that the place allows) "
+                     "[default: place]",
+                     kSearchGroup)),
+      "To give several bodies, separate them with commas or repeat the option. A query with "
+      "several bodies or frame rates is solved if it is solved for all of them, and unreachable if "
+      "it is unreachable for at least one. Its result lists the answer for each.");
 }
 
 OptionRow frameRateRow() {
-  return detailed(
-      rare(repeatable(row("frame-rate", ValueType::text, "N", "",
-                          "solve for a player at 30, 60, 120, 144 or 240 frames a second, or "
-                          "each [default: the level's]",
-                          kSearchGroup))),
-      "The controller reads the keys once a frame. Physics steps are 1/240 s, at 144 frames a "
-      "second 1/288 s.");
+  return detailed(rare(repeatable(row("frame-rate", ValueType::text, "N", "",
+                                      "frames a second of the player's game: 30, 60, 120, 144, 240 "
+                                      "or each (all of these) [default: the level's]",
+                                      kSearchGroup))),
+                  "The game reads the player's inputs once a frame. A physics step is 1/240 s, or "
+                  "1/288 s at 144 frames a second.");
 }
 
 OptionRow sameKeysRow() {
-  return rare(
-      flagRow("same-keys",
-              "with several bodies or frame rates: find keys that, held by time, solve it for "
-              "all of them",
-              kSearchGroup));
+  return rare(flagRow("same-keys",
+                      "with several bodies or frame rates: find one sequence of timed inputs that "
+                      "works for all of them",
+                      kSearchGroup));
 }
 
 std::vector<OptionRow> searchRows() {
@@ -130,23 +130,22 @@ std::vector<OptionRow> searchRows() {
       detailed(between(row("max-steps", ValueType::integer, "N", "",
                            "stop a query after about N steps (simulated ticks)", kSearchGroup),
                        1, 9e15),
-               "Unlike --time-limit it stops at the same point on every machine."),
+               "Unlike --time-limit, it stops at the same point on every machine."),
       between(
           row("solutions", ValueType::integer, "K", "1", "find K distinct solutions", kSearchGroup),
           1, 1000),
       detailed(
           flagRow("diverse", "with --solutions: one solution per distinct route", kSearchGroup),
-          "A route is the sequence of parts that the player stands on. The result has the "
-          "number of "
-          "solutions found on each."),
+          "A route is the sequence of parts that the player stands on. The result says how many "
+          "solutions were found on each route."),
       methodRow(),
       rare(row("policy", ValueType::file, "FILE", "",
                "policy from obby-train for the methods auto, ge-ps and rl [default: the one that "
                "comes with the program]",
                kSearchGroup)),
       rare(renewed(row("warm", ValueType::file, "FILE", "",
-                       "earlier answers to these queries: try their trajectories first and search "
-                       "on from them",
+                       "earlier answers to these queries; the search tries their trajectories "
+                       "first and continues from them",
                        kSearchGroup))),
       detailed(flagRow("watch", "answer again whenever an input file changes", kSearchGroup),
                "The search starts from the last answers. With -o, each run replaces FILE; without "
@@ -157,10 +156,10 @@ std::vector<OptionRow> searchRows() {
 std::vector<OptionRow> outputRows() {
   return {
       flagRow("difficulty", "rate the difficulty of each solution, step by step", kOutputGroup),
-      rare(between(
-          row("trials", ValueType::integer, "N", "1000",
-              "with --difficulty: attempts at each step by a player with noise", kOutputGroup),
-          1, 1000000)),
+      rare(between(row("trials", ValueType::integer, "N", "1000",
+                       "with --difficulty: simulated attempts at each step by an imprecise player",
+                       kOutputGroup),
+                   1, 1000000)),
       flagRow("explain",
               "for a query without a solution, find a single change that makes it solvable; can "
               "double the time",
@@ -173,7 +172,8 @@ std::vector<OptionRow> outputRows() {
           "paths",
           "add the player's positions to each trajectory, for readers that cannot replay it",
           kOutputGroup)),
-      rare(flagRow("heat-map", "add to each result a heat map of where the search went",
+      rare(flagRow("heat-map",
+                   "add to each result a heat map of the places that the search visited",
                    kOutputGroup)),
       lettered(
           flagRow("exit-status",
@@ -202,7 +202,7 @@ std::vector<OptionRow> runRows() {
 std::vector<cli::Example> examples() {
   return {
       {"Answer all queries of a level", "obby-solve wedge-climb.jsonl -o answers.jsonl"},
-      {"From a place file to a page",
+      {"Solve a place file and write a page",
        "obby-import first-steps.rbxlx | obby-solve | obby-view -o report.html"},
       {"Ask a query on the command line",
        "obby-solve several-routes.jsonl --goal Goal --max-jumps 9 --max-time 30"},
@@ -231,9 +231,9 @@ std::vector<OptionRow> queryRows() {
               "else the last checkpoint]",
               kQueryGroup)),
       repeatable(row("waypoint", ValueType::text, "PLACE", "",
-                     "pass here first; if repeated, in this order", kQueryGroup)),
+                     "pass here on the way; if repeated, in this order", kQueryGroup)),
       repeatable(row("visit", ValueType::text, "PLACE", "",
-                     "pass here first; if repeated, in any order", kQueryGroup)),
+                     "pass here on the way; if repeated, in any order", kQueryGroup)),
       repeatable(
           row("avoid", ValueType::text, "PLACE", "", "never enter this part or box", kQueryGroup)),
       between(row("max-jumps", ValueType::integer, "N", "", "jump at most N times", kQueryGroup), 0,
@@ -276,19 +276,17 @@ cli::ToolSpec solveSpec() {
       "the level's list of parts), or a box x,y,z,sx,sy,sz (centre and size in studs). touch:PART "
       "means touching the part itself, not just its box. If several parts share a #TAG, --goal "
       "accepts any of them, and --start and --waypoint reject the tag; other options apply to all "
-      "of "
-      "them.\n\n"
-      "A query asked on the command line is answered alone; queries in the input are passed on "
-      "unanswered (--each applies the options to them instead). Without -o, a terminal shows a "
-      "short table; pipes and files get records.";
+      "of them.\n\n"
+      "A query on the command line is answered alone; queries in the input are passed on "
+      "unanswered, except with --each. Without -o, a terminal shows a short table.";
   spec.details =
-      "A level without a query is asked for a trajectory from its spawn to its goal or last "
-      "checkpoint.\n\n"
+      "For a level without a query, obby-solve searches for a trajectory from its spawn to its "
+      "goal or last checkpoint.\n\n"
       "The answer to a query depends only on the stream, --seed, --max-steps, --solutions, "
       "--attempts, --diverse, --trials, --method, --body, --frame-rate, --same-keys and the files "
-      "of --policy and --warm. It does not "
-      "depend on --threads, --backend or the machine. Progress records and result.timing do, and "
-      "so does the point where --time-limit stops a search that finds nothing.";
+      "of --policy and --warm. It does not depend on --threads, --backend or the machine. Progress "
+      "records and result.timing do depend on them, and so does the point where --time-limit stops "
+      "a search that finds nothing.";
   spec.exitCodes = {
       {"1", "With --exit-status: a query is unreachable."},
       {"3", "With --exit-status: no query is unreachable, but a verdict is unknown."}};

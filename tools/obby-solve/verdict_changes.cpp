@@ -53,7 +53,7 @@ std::string VerdictChanges::finish() {
                                   wordFor(verdict)));
   }
   for (const auto& [key, verdict] : before_) {
-    if (!now_.contains(key)) changes.push_back(nameOf(key) + " is gone");
+    if (!now_.contains(key)) changes.push_back(nameOf(key) + " was removed");
   }
   before_ = std::move(now_);
   now_.clear();

@@ -135,7 +135,7 @@ class Watch {
   // Announces the watch once, after the first run.
   void sayWhatFor() {
     if (said_ || context_.stop()) return;
-    context_.tell(fmt::format("watching {}; Ctrl-C ends", quotedNames(context_.inputs())));
+    context_.tell(fmt::format("watching {}; press Ctrl-C to stop", quotedNames(context_.inputs())));
     said_ = true;
   }
 

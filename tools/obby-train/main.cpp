@@ -37,7 +37,8 @@ std::unique_ptr<train::DeviceRanks> directOf(cli::Context& context, const sim::B
   if (!backend.onDevice()) return nullptr;
   auto direct = train::joinDevices(ranks);
   if (direct) return *std::move(direct);
-  if (ranks.first()) context.note(direct.error().text() + "; gradients go through the host");
+  if (ranks.first())
+    context.note(direct.error().text() + "; the ranks exchange gradients through the host");
   return nullptr;
 }
 
@@ -95,7 +96,11 @@ void showPlayed(cli::Context& context, uint32_t levels, const train::EvaluationS
 
 Status evaluate(cli::Context& context, train::Ranks& ranks) {
   if (ranks.count() > 1)
-    return Error{{}, {}, "--eval", "cannot run with several ranks", "start it without mpirun"};
+    return Error{{},
+                 {},
+                 "--eval",
+                 "cannot be combined with several ranks",
+                 "start obby-train without mpirun"};
   const cli::Arguments& a = context.arguments();
   OBBY_RETURN_IF_ERROR(tools::filesFit(a));
   const std::string& path = a.text("eval");
@@ -126,12 +131,12 @@ Status evaluate(cli::Context& context, train::Ranks& ranks) {
 // An interrupted write without a signal means that the time limit gave up a reader.
 Status explained(Status done, const cli::Context& context) {
   if (done || !io::isInterrupted(done.error()) || context.stop()) return done;
-  return Error{
-      done.error().input,
-      {},
-      {},
-      "the reader stopped reading and the --time-limit ran out: the last records are missing",
-      "check what delays the reader, or write to a file"};
+  return Error{done.error().input,
+               {},
+               {},
+               "the last records are missing: the program that reads the output had stopped "
+               "reading when --time-limit ran out",
+               "check that program, or write the output to a file"};
 }
 
 // All ranks return the same error, but only the first one reports it.

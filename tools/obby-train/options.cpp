@@ -71,21 +71,22 @@ std::vector<OptionRow> learnRows() {
       learnRow("decisions", ValueType::integer, "N", s.decisions,
                "decisions to learn from, 20 per second of play", 1, 9e15),
       common(cli::Common::timeLimit,
-             "stop after this wall-clock time, whatever --decisions or --eval-levels says",
-             "A stream that sends nothing is waited for 3 seconds longer."),
+             "stop after this wall-clock time, regardless of --decisions or --eval-levels",
+             "If the stream sends nothing, obby-train waits for it 3 seconds longer."),
       row("start-from", ValueType::file, "FILE", "",
           "start from this policy instead of a new network, for example to fine-tune it on your "
           "own levels",
           kLearnGroup),
       common(cli::Common::backend,
-             "device that simulates and learns; auto uses a GPU if there is one",
+             "device for simulation and learning; auto uses a GPU if there is one",
              "Policies trained on a GPU and on the CPU differ by rounding."),
       cli::commonRow(cli::Common::threads),
       common(cli::Common::seed,
              "random seed: same seed, same results unless a time limit ends the run", ""),
-      rare(multipleOf(learnRow("worlds", ValueType::integer, "N", s.worlds(),
-                               "worlds that play at a time; a multiple of 256", kEnvGroup, 1 << 20),
-                      kEnvGroup)),
+      rare(multipleOf(
+          learnRow("worlds", ValueType::integer, "N", s.worlds(),
+                   "worlds that play at the same time; a multiple of 256", kEnvGroup, 1 << 20),
+          kEnvGroup)),
       rare(renamed(learnRow("learning-rate", ValueType::number, "R", s.ppo.learningRate,
                             "initial learning rate; it falls to a tenth of this", 1e-7, 1),
                    "rate")),
@@ -104,14 +105,13 @@ std::vector<OptionRow> learnRows() {
 }
 
 OptionRow resumeRow() {
-  OptionRow r =
-      row("resume", ValueType::mode, "MODE", "no",
-          "resume from the checkpoint; give the same levels and options, except --threads and "
-          "--time-limit; =auto: start a new run if there is none",
-          kKeepGroup);
+  OptionRow r = row("resume", ValueType::mode, "MODE", "no",
+                    "resume from the checkpoint; =auto: start a new run if there is none; give the "
+                    "same levels and options, except --threads and --time-limit",
+                    kKeepGroup);
   r.details =
       "--on-error and the options that name output files may differ, too. --start-from need not be "
-      "given again.";
+      "repeated.";
   r.choices = {"no", "yes", "auto"};
   r.bare = "yes";
   return r;
@@ -196,7 +196,7 @@ Status optionsFit(const cli::Arguments& a) {
                        "name a policy with --eval FILE, or leave out this option"));
   if (a.has("tensorboard")) return {};
   return cli::refuseTyped(a, {"log-every"}, "has no effect without --tensorboard",
-                          "add it, or leave out --log-every");
+                          "add --tensorboard, or leave out --log-every");
 }
 
 Status filesFit(const cli::Arguments& a) {
@@ -205,10 +205,10 @@ Status filesFit(const cli::Arguments& a) {
   const auto wrong = [](const std::string& option, const char* message) {
     return Error{{}, {}, "--" + option, message, "name a file"};
   };
-  if (a.text("output").empty()) return wrong("output", "the name is empty");
+  if (a.text("output").empty()) return wrong("output", "the file name is empty");
   for (const char* name : {"output", "checkpoint"}) {
     if (a.text(name) == "-")
-      return wrong(name, "cannot be standard output, where the metrics records go");
+      return wrong(name, "cannot be standard output, which receives the metrics");
   }
   const train::RunFiles files = runFiles(a);
   const cli::WrittenFile written[] = {
@@ -241,8 +241,8 @@ cli::ToolSpec trainSpec() {
   for (OptionRow& r : spec.options)
     if (r.group == cli::kRunGroup) r.group = kLearnGroup;
   spec.notes =
-      "Metrics go to standard output, a record every few seconds. Generated levels begin easy and "
-      "get harder, up to --difficulty, as the policy improves. Levels from a stream are also "
+      "Metrics go to standard output, as a record every few seconds. Generated levels begin easy "
+      "and get harder, up to --difficulty, as the policy improves. Levels from a stream are also "
       "ordered from easy to hard if their queries state a difficulty, as obby-gen's do.";
   spec.details =
       "The same seed, levels and --worlds give the same policy on one machine and backend, for any "

@@ -119,7 +119,7 @@ Status checkEnding(const cli::Arguments& arguments) {
   return Error{{},
                {},
                "--output",
-               "no format has the ending " + io::quoted(ending),
+               "no format has the extension " + io::quoted(ending),
                "use " + endingsText(known) + ", or choose with --format"};
 }
 

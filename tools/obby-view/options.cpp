@@ -47,7 +47,7 @@ OptionRow onErrorRow() {
 std::vector<OptionRow> contentRows() {
   return {
       cli::repeatable(row("query", ValueType::text, "ID", "", "show this query only", kContent)),
-      flagRow("full", "show everything, however large the page gets", kContent)};
+      flagRow("full", "show everything, even if the page becomes large", kContent)};
 }
 
 std::vector<OptionRow> textRows() {
@@ -123,7 +123,7 @@ Status refuseIdle(const cli::Arguments& arguments) {
   }
   const std::string format = wantedFormat(arguments).name;
   const std::string message = "has no effect on " + format + " output";
-  constexpr const char* kCure = "choose the output with --format or the ending of FILE";
+  constexpr const char* kCure = "choose the format with --format or the extension of FILE";
   if (format != "text") {
     OBBY_RETURN_IF_ERROR(cli::refuseTyped(arguments, {"width", "ascii", "no-map"}, message, kCure));
   }

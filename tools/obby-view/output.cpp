@@ -25,7 +25,8 @@ Status Output::write(const view::Report& report, cli::Context& context) {
   }
   OBBY_ASSIGN(const std::string text, format.render(report, context));
   if (format.page && text.size() > view::kPageWarning) {
-    context.warn("the page is " + std::to_string(text.size() >> 20) + " MB; browsers may be slow");
+    context.warn("the page is " + std::to_string(text.size() >> 20) +
+                 " MB, so browsers may show it slowly");
   }
   OBBY_RETURN_IF_ERROR(sink_.write(text));
   return sink_.close();

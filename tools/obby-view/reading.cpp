@@ -70,10 +70,10 @@ std::vector<std::string> Reading::notes(const view::Report& report) const {
   std::vector<std::string> notes = notes_;
   switch (source_.status()) {
     case schema::EndStatus::FAILED:
-      notes.push_back("The input ended with an error upstream.");
+      notes.push_back("The program that wrote the input ended with an error.");
       break;
     case schema::EndStatus::INTERRUPTED:
-      notes.push_back("The run was interrupted before every query had an answer.");
+      notes.push_back("The run was interrupted before it had answered every query.");
       break;
     case schema::EndStatus::BUDGET: notes.push_back(budgetNote(report)); break;
     case schema::EndStatus::COMPLETE: break;
@@ -82,7 +82,7 @@ std::vector<std::string> Reading::notes(const view::Report& report) const {
 }
 
 Error nothingToShow() {
-  return makeError("the input has nothing to show", "give it levels, queries or results");
+  return makeError("the input has nothing to show", "give levels, queries or results as input");
 }
 
 std::optional<view::Report> readReport(cli::Context& context) {

@@ -19,8 +19,8 @@ using cli::ValueType;
 
 OptionRow styleRow(const char* group) {
   OptionRow r = row("style", ValueType::text, "NAME", "",
-                    "make levels of this style only; if repeated, equal numbers of each; "
-                    "obby-gen --list lists them",
+                    "make only levels of this style; if repeated, equal numbers of each; obby-gen "
+                    "--list lists the styles",
                     group);
   r.repeatable = true;
   return r;

@@ -152,7 +152,7 @@ ExprPtr ExpressionParser::keywordValue() {
 
 ExprPtr ExpressionParser::vararg() {
   const int line = next().line;
-  if (!around_.vararg) fail(line, "'...' in a function that takes no '...'");
+  if (!around_.vararg) fail(line, "'...' is used in a function that does not take it");
   return make(ExprKind::vararg, line);
 }
 
@@ -168,7 +168,7 @@ ExprPtr ExpressionParser::choice() {
     adopt(*expr, choice());
     return expr;
   }
-  if (!acceptKeyword("else")) failHere("'else': an 'if' that is a value needs one");
+  if (!acceptKeyword("else")) failHere("'else' of the 'if' expression");
   adopt(*expr, expression());
   return expr;
 }

@@ -39,7 +39,8 @@ StatPtr StatementParser::forLoop(int line) {
     stat->kind = StatKind::numericFor;
     stat->values = expressionList();
     if (stat->values.size() < 2) failHere("',' and the last value of the loop");
-    if (stat->values.size() > 3) fail(line, "'for' takes a first value, a last value and a step");
+    if (stat->values.size() > 3)
+      fail(line, "'for' takes only a first value, a last value and a step");
   } else {
     expectKeyword("in");
     stat->values = expressionList();

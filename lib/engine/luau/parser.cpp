@@ -130,7 +130,7 @@ StatPtr StatementParser::attributed(int line) {
   else if (acceptKeyword("function"))
     return namedFunction(line);
   if (acceptKeyword("function")) return localFunction(line);
-  failHere("'function' behind an attribute");
+  failHere("'function' after an attribute");
   return nullptr;
 }
 

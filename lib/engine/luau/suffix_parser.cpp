@@ -28,10 +28,10 @@ ExprPtr ExpressionParser::interpolated() {
   auto part = make(ExprKind::string, expr->line, std::exchange(expr->text, {}));
   for (;;) {
     expr->keys.push_back(std::move(part));
-    if (peek().kind == TokenKind::continuation) failHere("an expression inside of '{}'");
+    if (peek().kind == TokenKind::continuation) failHere("an expression inside '{}'");
     adopt(*expr, expression());
     if (peek().kind != TokenKind::continuation) {
-      failHere("'}' to go on with the string of line " + std::to_string(expr->line));
+      failHere("'}' to continue the string of line " + std::to_string(expr->line));
       expr->keys.push_back(make(ExprKind::string, expr->line));
       return expr;
     }
@@ -85,13 +85,15 @@ void ExpressionParser::arguments(Expr& call) {
     adopt(call, table());
   } else if (isSymbol("(")) {
     if (line != lineBefore())
-      fail(line, "'(' on a new line could begin a statement or a call: put ';' before a statement");
+      fail(line,
+           "'(' on a new line could begin a statement or a call: put ';' before it to begin a "
+           "statement");
     next();
     if (accept(")")) return;
     for (auto& argument : expressionList()) adopt(call, std::move(argument));
     close(")", "(", line);
   } else {
-    failHere("'(', '{' or a string with the arguments of a call");
+    failHere("'(', '{' or a string as the arguments of a call");
   }
 }
 

@@ -7,7 +7,7 @@ namespace obby::luau {
 
 bool TokenCursor::Depth::tooDeep() const {
   if (cursor_.depth_ <= kMaxDepth) return false;
-  cursor_.fail(cursor_.peek().line, "nested too deeply");
+  cursor_.fail(cursor_.peek().line, "the code is nested too deeply");
   cursor_.next();
   return true;
 }

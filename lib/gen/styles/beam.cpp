@@ -6,7 +6,7 @@ namespace obby::gen {
 namespace {
 
 constexpr Parameter kParameters[] = {
-    {"beams", "", 1, 3, 1, 12, "one behind the other"},
+    {"beams", "", 1, 3, 1, 12, "number of beams"},
     {"pad", "studs", 6, 4, 2, 30, "size of the pad behind a beam"},
     {"width", "studs", 3, 0.75f, 0.25f, 10, "width of a beam"},
     {"length", "studs", 10, 22, 2, 60, "length of a beam"},

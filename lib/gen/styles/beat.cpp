@@ -6,8 +6,9 @@ namespace obby::gen {
 namespace {
 
 constexpr Parameter kParameters[] = {
-    {"platforms", "", 2, 5, 1, 12, "in a row"},
-    {"beat", "seconds", 2.5f, 1.25f, 0.5f, 10, "how long a platform is there, and then gone"},
+    {"platforms", "", 2, 5, 1, 12, "number of platforms"},
+    {"beat", "seconds", 2.5f, 1.25f, 0.5f, 10,
+     "time that a platform stays, and then the time until it returns"},
     {"size", "studs", 7, 4.5f, 2, 20, "size of a platform"},
 };
 const auto& [kPlatforms, kPeriod, kSize] = kParameters;

@@ -11,7 +11,7 @@ constexpr Parameter kParameters[] = {
     {"there", "seconds", 12, 5, 2, 60, "how long the bridge stays"},
     {"beyond", "studs", 6, 10, 6, 30, "how much longer than a jump the bridge is"},
     {"width", "studs", 6, 2, 1, 12, "width of the bridge"},
-    {"bankAside", "studs", 0, 4, 0, 4, "offset of the bridge button to either side"},
+    {"bankAside", "studs", 0, 4, 0, 4, "offset of the bridge button, to either side"},
 };
 const auto& [kOpen, kAside, kThere, kBeyond, kWidth, kBankAside] = kParameters;
 

@@ -6,12 +6,12 @@ namespace obby::gen {
 namespace {
 
 constexpr Parameter kParameters[] = {
-    {"doors", "", 1, 3, 1, 6, "on the way"},
+    {"doors", "", 1, 3, 1, 6, "number of doors"},
     {"size", "studs", 8, 5, 3, 16, "size of the carrier; doors are 2 studs wider"},
     {"apart", "studs", 12, 16, 8, 30,
      "distance from door to door; increased so that no jump can cross it"},
     {"speed", "studs/s", 6, 10, 2, 30, "speed of the carrier"},
-    {"gap", "studs", 0.5f, 2, 0.25f, 6, "distance to jump onto and off the carrier"},
+    {"gap", "studs", 0.5f, 2, 0.25f, 6, "length of the jumps onto and off the carrier"},
     {"width", "studs", 10, 6, 2, 30, "width of the dock"},
 };
 const auto& [kDoors, kSize, kApart, kSpeed, kGap, kWidth] = kParameters;

@@ -7,9 +7,9 @@ namespace obby::gen {
 namespace {
 
 constexpr Parameter kParameters[] = {
-    {"rows", "", 3, 5, 1, 12, "rows of three tiles"},
+    {"rows", "", 3, 5, 1, 12, "number of rows of three tiles"},
     {"tile", "studs", 7, 4.5f, 3, 12, "size of a tile"},
-    {"taken", "", 0, 0.9f, 0, 1, "share of the other safe tiles that are deadly too"},
+    {"taken", "", 0, 0.9f, 0, 1, "share of the safe tiles off the route that become deadly"},
 };
 const auto& [kRows, kTile, kTaken] = kParameters;
 

@@ -6,12 +6,13 @@ namespace obby::gen {
 namespace {
 
 constexpr Parameter kParameters[] = {
-    {"belts", "", 1, 3, 1, 12, "one behind the other"},
+    {"belts", "", 1, 3, 1, 12, "number of belts"},
     {"length", "studs", 10, 20, 4, 60, "length of a belt"},
     {"width", "studs", 10, 5, 2, 30, "width of a belt"},
     {"against", "", 0.25f, 0.75f, 0, 0.75f,
-     "speed of belts against the player, as a share of walking speed"},
-    {"along", "", 0.25f, 0.5f, 0, 1, "speed of belts along and across"},
+     "speed of belts against the player, as a share of the walking speed"},
+    {"along", "", 0.25f, 0.5f, 0, 1,
+     "speed of belts along and across the route, as a share of the walking speed"},
     {"floor", "studs", 9, 6, 2, 30, "width of the floor behind a belt"},
 };
 const auto& [kBelts, kLength, kWidth, kAgainst, kAlong, kFloor] = kParameters;
@@ -36,9 +37,10 @@ void build(Sketch& s) {
 
 }  // namespace
 
-constinit const Style kConveyorStyle{.name = "conveyor",
-                                     .description = "belts against, across and along the way",
-                                     .build = build,
-                                     .parameters = kParameters};
+constinit const Style kConveyorStyle{
+    .name = "conveyor",
+    .description = "belts that run against, across and along the route",
+    .build = build,
+    .parameters = kParameters};
 
 }  // namespace obby::gen

@@ -53,7 +53,7 @@ void build(Sketch& s) {
 }  // namespace
 
 constinit const Style kDecoyStyle{.name = "decoy",
-                                  .description = "a dead end, and the way around it",
+                                  .description = "a dead end, and the route around it",
                                   .build = build,
                                   .parameters = kParameters,
                                   .single = true,

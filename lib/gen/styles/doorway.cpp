@@ -6,7 +6,7 @@ namespace obby::gen {
 namespace {
 
 constexpr Parameter kParameters[] = {
-    {"walls", "", 1, 3, 1, 12, "one behind the other"},
+    {"walls", "", 1, 3, 1, 12, "number of walls"},
     {"hole", "studs", 6, 3, 3, 12, "width of the gap in a wall"},
 };
 const auto& [kWalls, kHole] = kParameters;

@@ -6,9 +6,9 @@ namespace obby::gen {
 namespace {
 
 constexpr Parameter kParameters[] = {
-    {"lifts", "", 1, 2, 1, 6, "one behind the other"},
+    {"lifts", "", 1, 2, 1, 6, "number of lifts"},
     {"size", "studs", 8, 4.5f, 3, 20, "size of a lift"},
-    {"speed", "studs/s", 4, 8, 2, 30, "average"},
+    {"speed", "studs/s", 4, 8, 2, 30, "average speed of a lift"},
     {"height", "studs", 2, 10, 2, 40, "how far the ledge is above the highest jump"},
     {"edge", "studs", 1, 3, 0, 5, "distance from the lift to the ledge"},
     {"width", "studs", 10, 6, 2, 30, "width of the ledge"},

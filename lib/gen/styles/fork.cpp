@@ -11,7 +11,8 @@ constexpr Parameter kParameters[] = {
     {"stone", "studs", 6, 4, 2, 12, "size of a stone"},
     {"beamWidth", "studs", 3, 1, 0.5f, 8, "width of the beam"},
     {"laneWidth", "studs", 8, 5, 2, 12, "width of the lane with hurdles"},
-    {"hurdle", "studs", 1, 4.5f, 0.5f, 6, "height of a hurdle; at most 0.7 of a jump"},
+    {"hurdle", "studs", 1, 4.5f, 0.5f, 6,
+     "height of a hurdle; at most 0.7 of the height of a jump"},
     {"hillWidth", "studs", 8, 5, 2, 12, "width of the hill"},
 };
 const auto& [kStone, kBeamWidth, kLaneWidth, kHurdle, kHillWidth] = kParameters;

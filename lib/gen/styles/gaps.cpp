@@ -7,10 +7,10 @@ namespace obby::gen {
 namespace {
 
 constexpr Parameter kParameters[] = {
-    {"stones", "", 2, 4, 1, 12, "in a row"},
+    {"stones", "", 2, 4, 1, 12, "number of stones"},
     {"up", "studs", 0, 2, 0, 4, "how much higher or lower the next stone is"},
     {"size", "studs", 7, 4, 2, 30, "size of a stone"},
-    {"aside", "studs", 0, 1.5f, 0, 3, "offset of a stone to either side"},
+    {"aside", "studs", 0, 1.5f, 0, 3, "offset of a stone, to either side"},
 };
 const auto& [kStones, kUp, kSize, kAside] = kParameters;
 

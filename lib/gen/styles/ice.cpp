@@ -6,7 +6,7 @@ namespace obby::gen {
 namespace {
 
 constexpr Parameter kParameters[] = {
-    {"lanes", "", 1, 3, 1, 12, "one behind the other"},
+    {"lanes", "", 1, 3, 1, 12, "number of lanes"},
     {"width", "studs", 10, 5, 2, 30, "width of a lane"},
     {"friction", "", 0.09f, 0.09f - 0.07f, 0, 2, "friction of the ice"},
     {"length", "studs", 10, 18, 4, 60, "length of a lane"},

@@ -6,9 +6,9 @@ namespace obby::gen {
 namespace {
 
 constexpr Parameter kParameters[] = {
-    {"pads", "", 1, 2, 1, 6, "one behind the other"},
+    {"pads", "", 1, 2, 1, 6, "number of pads"},
     {"height", "studs", 2, 12, 2, 60, "how far the ledge is above the highest jump"},
-    {"spare", "studs", 6, 1.5f, 0.5f, 20, "how far above the ledge the pad throws"},
+    {"spare", "studs", 6, 1.5f, 0.5f, 20, "how far above the ledge the pad throws the player"},
     {"width", "studs", 10, 7, 3, 30, "width of floor and ledge"},
     {"size", "studs", 6, 3, 1, 10, "size of the pad"},
     {"edge", "studs", 2, 5, 0, 8, "distance from the floor to the ledge"},

@@ -6,9 +6,9 @@ namespace obby::gen {
 namespace {
 
 constexpr Parameter kParameters[] = {
-    {"stones", "", 2, 4, 1, 12, "in a row"},
+    {"stones", "", 2, 4, 1, 12, "number of stones"},
     {"size", "studs", 6, 3.5f, 2, 12, "size of a stone"},
-    {"aside", "studs", 0, 2, 0, 3, "offset of a stone to either side"},
+    {"aside", "studs", 0, 2, 0, 3, "offset of a stone, to either side"},
 };
 const auto& [kStones, kSize, kAside] = kParameters;
 

@@ -6,7 +6,7 @@ namespace obby::gen {
 namespace {
 
 constexpr Parameter kParameters[] = {
-    {"walls", "", 1, 4, 1, 12, "one behind the other"},
+    {"walls", "", 1, 4, 1, 12, "number of walls"},
     {"width", "studs", 12, 6, 2, 30, "width of floor and walls"},
     {"run", "studs", 14, 9, 6, 40, "distance from wall to wall"},
 };

@@ -8,7 +8,7 @@ namespace {
 constexpr Parameter kParameters[] = {
     {"length", "studs", 16, 34, 8, 100, "length of the log"},
     {"diameter", "studs", 8, 5, 3, 20, "diameter of the log"},
-    {"spikes", "", 2, 8, 1, 12, "along the log"},
+    {"spikes", "", 2, 8, 1, 12, "number of spikes along the log"},
     {"speed", "rad/s", 0.5f, 2, 0.5f, 6, "speed of the spikes, in either direction"},
     {"height", "studs", 2, 4, 1, 6, "height of a spike"},
 };

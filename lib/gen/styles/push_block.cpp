@@ -8,7 +8,8 @@ namespace {
 constexpr Parameter kParameters[] = {
     {"width", "studs", 16, 22, 12, 40, "width of the yard"},
     {"over", "studs", 1.25f, 2, 1.25f, 3, "how far the wall is above the highest jump"},
-    {"away", "studs", 3, 7, 3, 15, "distance from the block to the wall, beyond a jump"},
+    {"away", "studs", 3, 7, 3, 15,
+     "how much the distance from the block to the wall exceeds a jump"},
 };
 const auto& [kWidth, kOver, kAway] = kParameters;
 

@@ -6,10 +6,11 @@ namespace obby::gen {
 namespace {
 
 constexpr Parameter kParameters[] = {
-    {"platforms", "", 1, 4, 1, 12, "in a row"},
+    {"platforms", "", 1, 4, 1, 12, "number of platforms"},
     {"size", "studs", 7, 4, 2, 20, "size of a platform"},
-    {"travel", "studs", 3, 8, 0.25f, 12, "distance to either side"},
-    {"speed", "studs/s", 6, 9, 3, 30, "average, without the 0.75 s at each end"},
+    {"travel", "studs", 3, 8, 0.25f, 12, "how far a platform slides to either side"},
+    {"speed", "studs/s", 6, 9, 3, 30,
+     "average speed of a platform, without its 0.75 s at each end"},
 };
 const auto& [kPlatforms, kSize, kTravel, kSpeed] = kParameters;
 

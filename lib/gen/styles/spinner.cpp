@@ -6,7 +6,7 @@ namespace obby::gen {
 namespace {
 
 constexpr Parameter kParameters[] = {
-    {"discs", "", 1, 2, 1, 6, "one behind the other"},
+    {"discs", "", 1, 2, 1, 6, "number of discs"},
     {"diameter", "studs", 18, 14, 8, 40, "diameter of a disc"},
     {"height", "studs", 0.75f, 2, 0.25f, 4, "height of a bar"},
     {"speed", "rad/s", 0.75f, 2.75f, 0.5f, 6, "speed of a bar, in either direction"},

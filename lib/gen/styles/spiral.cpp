@@ -7,7 +7,7 @@ namespace {
 
 constexpr Parameter kParameters[] = {
     {"size", "studs", 5, 3, 2, 8, "size of a ledge"},
-    {"foot", "studs", 10, 6, 3, 20, "width of the floor before it"},
+    {"foot", "studs", 10, 6, 3, 20, "width of the floor before the ledges"},
     {"gap", "studs", 1, 5, 0, 6, "distance from ledge to ledge"},
     {"edge", "studs", 0, 1, 0, 3, "distance from the last ledge to the landing"},
     {"landing", "studs", 8, 5, 2, 20, "width of the landing"},

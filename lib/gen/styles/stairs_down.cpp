@@ -6,7 +6,7 @@ namespace obby::gen {
 namespace {
 
 constexpr Parameter kParameters[] = {
-    {"steps", "", 3, 5, 1, 12, "steps of the stairs"},
+    {"steps", "", 3, 5, 1, 12, "number of steps"},
     {"drop", "studs", 3, 12, 0, 20, "how much lower the next step is"},
     {"size", "studs", 7, 3.5f, 2, 30, "size of a step"},
 };

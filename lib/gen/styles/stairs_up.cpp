@@ -6,7 +6,7 @@ namespace obby::gen {
 namespace {
 
 constexpr Parameter kParameters[] = {
-    {"steps", "", 3, 5, 1, 12, "steps of the stairs"},
+    {"steps", "", 3, 5, 1, 12, "number of steps"},
     {"width", "studs", 8, 5, 2, 30, "width of the stairs"},
     {"depth", "studs", 6, 4, 2, 30, "depth of a step"},
 };

@@ -6,9 +6,9 @@ namespace obby::gen {
 namespace {
 
 constexpr Parameter kParameters[] = {
-    {"towers", "", 1, 2, 1, 6, "one behind the other"},
+    {"towers", "", 1, 2, 1, 6, "number of towers"},
     {"width", "studs", 10, 6, 4, 30, "width of a tower"},
-    {"foot", "studs", 9, 6, 4, 30, "length of the floor before it"},
+    {"foot", "studs", 9, 6, 4, 30, "length of the floor before a tower"},
     {"height", "studs", 4, 24, 4, 80, "how far a tower is above the highest jump; even numbers"},
 };
 const auto& [kTowers, kWidth, kFoot, kHeight] = kParameters;

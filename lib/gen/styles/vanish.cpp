@@ -6,10 +6,10 @@ namespace obby::gen {
 namespace {
 
 constexpr Parameter kParameters[] = {
-    {"tiles", "", 3, 6, 1, 20, "in a row"},
+    {"tiles", "", 3, 6, 1, 20, "number of tiles"},
     {"size", "studs", 6, 4, 2, 20, "size of a tile"},
-    {"delay", "seconds", 1.5f, 0.5f, 0.25f, 10, "from the touch until it disappears"},
-    {"aside", "studs", 0, 1.5f, 0, 3, "offset of a tile to either side"},
+    {"delay", "seconds", 1.5f, 0.5f, 0.25f, 10, "time from touching a tile until it disappears"},
+    {"aside", "studs", 0, 1.5f, 0, 3, "offset of a tile, to either side"},
 };
 const auto& [kTiles, kSize, kDelay, kAside] = kParameters;
 

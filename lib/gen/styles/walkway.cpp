@@ -6,7 +6,7 @@ namespace obby::gen {
 namespace {
 
 constexpr Parameter kParameters[] = {
-    {"segments", "", 2, 4, 1, 12, "straight stretches"},
+    {"segments", "", 2, 4, 1, 12, "number of straight stretches"},
     {"width", "studs", 8, 2.5f, 1, 12, "width of the walkway"},
     {"length", "studs", 12, 26, 8, 60, "length of a stretch"},
 };

@@ -6,7 +6,7 @@ namespace obby::gen {
 namespace {
 
 constexpr Parameter kParameters[] = {
-    {"walls", "", 1, 2, 1, 12, "one behind the other"},
+    {"walls", "", 1, 2, 1, 12, "number of walls"},
     {"width", "studs", 12, 8, 3, 30, "width of floor and walls"},
     {"thickness", "studs", 2, 1, 0.5f, 6, "thickness of a wall"},
 };

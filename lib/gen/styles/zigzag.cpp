@@ -6,7 +6,7 @@ namespace obby::gen {
 namespace {
 
 constexpr Parameter kParameters[] = {
-    {"stones", "", 3, 6, 1, 12, "in a row"},
+    {"stones", "", 3, 6, 1, 12, "number of stones"},
     {"size", "studs", 6, 3, 2, 20, "size of a stone"},
     {"up", "studs", 0, 4, 0, 6, "how much higher the next stone is, in an upward jump"},
     {"down", "studs", 0, 3, 0, 12, "how much lower the next stone is, in a downward jump"},

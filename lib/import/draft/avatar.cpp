@@ -36,9 +36,9 @@ void noteR15(const Tree& tree, InstanceId player, LevelDraft& level) {
   if (level.avatar.height != 1) note += fmt::format(", {:.3g} times as high", level.avatar.height);
   if (level.avatar.width != 1) note += fmt::format(", {:.3g} times as wide", level.avatar.width);
   if (get<EnumItem>(starter, "GameSettingsR15Collision").value == kOuterBox) {
-    note += "; the collision boxes of other avatars follow their meshes";
+    note += "; in the game, the collision boxes of other avatars follow their meshes";
   }
-  if (isTaller(starter)) note += "; the place's body type has other proportions";
+  if (isTaller(starter)) note += "; the place's body type has other proportions than this body";
   level.noteIgnored("R15 avatars", tree.path(player), note);
 }
 
@@ -65,7 +65,7 @@ void readCollider(const Tree& tree, LevelDraft& level) {
       get<EnumItem>(from, "TouchAndQueryDetectionMode").value != kUseParts;
   std::string note = fmt::format("the body collides as one box of {:.3g} x {:.3g} x {:.3g} studs",
                                  size.x, size.y, size.z);
-  note += "; simulated from the hips up, and as the head alone while Jumping";
+  note += "; simulated only above the hips, and only at the head while Jumping";
   level.noteIgnored("single collider", tree.path(rules), note);
 }
 
@@ -91,7 +91,7 @@ void readAvatar(const Tree& tree, LevelDraft& level) {
   } else {
     to.bodies = {"r6", "r15"};
     level.noteIgnored("avatar chosen by the player", tree.path(player),
-                      "simulated as the R6 body; obby-solve --body each asks for R15, too");
+                      "simulated as the R6 body; obby-solve --body each also answers for R15");
   }
 }
 

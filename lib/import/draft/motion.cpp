@@ -200,8 +200,8 @@ int giveMotion(RoleContext& context, InstanceId moved, const Motion& ofPivot,
     if (!isBounded(own)) {
       context.level.noteUnmodelled(
           "motion out of range", context.tree, part->id,
-          "it takes or waits more than 20 minutes, runs back in time, turns about no axis or "
-          "leaves the world; stays at its position in the file; " +
+          "it lasts or waits longer than 20 minutes, runs back in time, has no axis of rotation or "
+          "leaves the world; the part stays at its position in the file; " +
               reason);
       continue;
     }

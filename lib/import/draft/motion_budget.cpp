@@ -41,11 +41,11 @@ void take(MotionBudget& budget, const Motion& motion) {
 }
 
 void noteTooMany(RoleContext& context, InstanceId part, const std::string& reason) {
-  context.level.noteUnmodelled("motion of too many poses", context.tree, part,
+  context.level.noteUnmodelled("motion with too many poses", context.tree, part,
                                "the level's motions have more than " +
                                    std::to_string(kMaxLevelKeys) + " poses or " +
                                    std::to_string(level::kMaxLevelRows) +
-                                   " ticks; stays at its position in the file; " + reason);
+                                   " ticks; the part stays at its position in the file; " + reason);
 }
 
 void stop(RoleContext& context, PartDraft& part) {
@@ -102,7 +102,7 @@ void settleMotions(RoleContext& context) {
     else
       context.level.noteIgnored("moving decoration", context.tree.path(id),
                                 "players never touch it, and the level has reached its limit on "
-                                "motion data; stays at its position in the file; " +
+                                "motion data; the part stays at its position in the file; " +
                                     reason);
   }
 }

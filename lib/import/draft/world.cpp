@@ -45,7 +45,7 @@ void readHealthScript(const Tree& tree, InstanceId player, LevelDraft& level) {
     return;
   }
   level.noteUnmodelled("custom Health script", tree, script,
-                       "health is assumed to regenerate by the default 1 % a second");
+                       "simulated with the default regeneration of 1 % of health per second");
 }
 
 // Returns the instance that enables the Character Controller Library for the player, or
@@ -64,12 +64,12 @@ InstanceId controllerLibrary(const Tree& tree, InstanceId player) {
 void noteSimulation(const Tree& tree, InstanceId workspace, LevelDraft& level) {
   if (get<EnumItem>(tree.at(workspace), "AuthorityMode").value == kServerAuthority)
     level.noteUnmodelled("server authority", tree, workspace,
-                         "the server moves the characters; the simulator follows laws measured on "
-                         "characters that their players' own machines move");
+                         "the server moves the characters; simulated as if each player's own "
+                         "machine moved them");
   if (get<EnumItem>(tree.at(workspace), "UseFixedSimulation").value != 0)
     level.noteIgnored("fixed simulation", tree.path(workspace),
-                      "characters move at a fixed frequency whatever the frame rate; simulated "
-                      "at 60 steps a second");
+                      "characters move at a fixed frequency at any frame rate; simulated "
+                      "at 60 steps per second");
 }
 
 void noteCharacter(const Tree& tree, InstanceId player, LevelDraft& level) {
@@ -80,7 +80,7 @@ void noteCharacter(const Tree& tree, InstanceId player, LevelDraft& level) {
   const InstanceId custom = tree.child(player, "StarterCharacter");
   if (custom != kNoInstance)
     level.noteUnmodelled("custom character model", tree, custom,
-                         "simulated as the standard body with hip height 2");
+                         "simulated as the standard body, with a hip height of 2 studs");
 }
 
 }  // namespace

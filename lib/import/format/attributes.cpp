@@ -136,8 +136,8 @@ DecodedAttributes decodeAttributes(std::string_view blob) {
     Value value = kind->read(reader);
     if (!reader.ok()) break;
     if (out.values.size() >= kMaxAttributes && !out.values.contains(key)) {
-      out.warning = "more than " + std::to_string(kMaxAttributes) + " attributes; " + quoted(key) +
-                    " and the attributes after it are lost";
+      out.warning = "it has more than " + std::to_string(kMaxAttributes) + " attributes; " +
+                    quoted(key) + " and the attributes after it are lost";
       return out;
     }
     out.values[std::move(key)] = std::move(value);

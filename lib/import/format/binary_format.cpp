@@ -36,7 +36,7 @@ class BinaryReader {
     OBBY_RETURN_IF_ERROR(readAll(chunks, "PRNT", &BinaryReader::readParents));
     if (placedCount_ < builder_.size()) {
       return chunkError(chunks.back(), io::plural(builder_.size() - placedCount_, "instance") +
-                                           " without a place in the tree (PRNT)");
+                                           " without an entry in the PRNT chunk");
     }
     const Chunk* tree = nullptr;
     for (const Chunk& chunk : chunks) {
@@ -100,7 +100,7 @@ class BinaryReader {
   Status readProperty(const Chunk& chunk, ByteReader& reader) {
     const uint32_t classId = reader.u32();
     const std::string name(reader.string());
-    if (!reader.ok()) return chunkError(chunk, "ends before the property's name");
+    if (!reader.ok()) return chunkError(chunk, "the chunk ends before the property's name");
     const auto group = classes_.find(classId);
     if (group == classes_.end()) {
       return chunkError(chunk, "'" + name + "' belongs to class id " + std::to_string(classId) +
@@ -109,10 +109,10 @@ class BinaryReader {
     const ClassGroup& owner = group->second;
     const std::string path = owner.name + "." + name;
     const uint8_t kind = reader.u8();
-    if (!reader.ok()) return chunkError(chunk, path + ": ends before the kind of the values");
+    if (!reader.ok()) return chunkError(chunk, path + ": the column ends before its value type");
     if (!isKnownKind(kind)) {
       builder_.warn("byte " + std::to_string(chunk.offset) + ": PROP " + path +
-                    " skipped: values of unknown kind " + std::to_string(kind));
+                    " skipped: unknown value type " + std::to_string(kind));
       return {};
     }
     std::vector<Value> values;
@@ -138,7 +138,7 @@ class BinaryReader {
       const InstanceId parent = context_.resolve(parents[i]).target;
       if (child == kNoInstance || (parent == kNoInstance && parents[i] != -1)) {
         const int32_t unknown = child == kNoInstance ? children[i] : parents[i];
-        return chunkError(chunk, "there is no instance " + std::to_string(unknown));
+        return chunkError(chunk, "refers to the missing instance " + std::to_string(unknown));
       }
       if (placed_[child]) {
         return chunkError(chunk, "instance " + std::to_string(children[i]) + " has two parents");
@@ -163,7 +163,7 @@ class BinaryReader {
     return chunkError(chunk, std::move(error.message));
   }
   static Error tooShort(const Chunk& chunk, uint32_t count, const char* what) {
-    return chunkError(chunk, "ends before its " + std::to_string(count) + " " + what);
+    return chunkError(chunk, "the chunk ends before its " + std::to_string(count) + " " + what);
   }
 
   std::string_view file_;

@@ -122,7 +122,7 @@ std::vector<CFrame> frames(Column& c) {
   for (CFrame& frame : out) {
     if (const uint8_t id = c.reader.u8(); id != 0) {
       const auto rotation = rotationFromId(id);
-      if (!rotation) c.fail("there is no rotation with id " + std::to_string(id));
+      if (!rotation) c.fail("unknown rotation id " + std::to_string(id));
       frame.rotation = rotation.value_or(Mat3{});
     } else {
       std::array<float, 9> rows{};
@@ -140,7 +140,8 @@ void readCFrames(Column& c) {
   c.convert(frames(c), [](const CFrame& f) { return f; });
 }
 void readOptionalCFrames(Column& c) {
-  if (c.reader.u8() != 0x10) return c.fail("expected a CFrame column inside the optional one");
+  if (c.reader.u8() != 0x10)
+    return c.fail("expected a CFrame column inside the OptionalCFrame column");
   const std::vector<CFrame> all = frames(c);
   if (c.reader.u8() != 0x02) return c.fail("expected a bool column after the CFrames");
   if (!c.reader.has(c.count)) return;
@@ -169,7 +170,7 @@ void readPhysical(Column& c) {
 void readSharedStrings(Column& c) {
   for (const uint32_t index : readUint32Column(c.reader, c.count)) {
     if (index >= c.context.sharedStrings.size()) {
-      return c.fail("there is no shared string " + std::to_string(index));
+      return c.fail("refers to the missing shared string " + std::to_string(index));
     }
     c.out.emplace_back(SharedBlob{c.context.sharedStrings[index]});
   }
@@ -215,7 +216,7 @@ void readContents(Column& c) {
   size_t uri = 0, object = 0;
   for (const uint32_t source : sources) {
     if ((source == kUri && uri >= uris.size()) || (source == kObject && object >= objects.size())) {
-      return c.fail("more content values than addresses");
+      return c.fail("there are more content values than addresses");
     }
     if (source == kUri) {
       c.out.emplace_back(std::string(uris[uri++]));

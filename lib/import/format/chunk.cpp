@@ -28,8 +28,8 @@ Status checkRawLength(const Chunk& chunk, size_t fileSize) {
   if (raw > kMaxRaw || chunk.body.size() > kMaxRaw ||
       raw > kAlwaysAllowed + kAllowedPerByte * fileSize ||
       (!zstd && raw > kLz4MaxRatio * chunk.body.size() + 64)) {
-    return chunkError(chunk, "claims to hold " + std::to_string(raw) + " bytes in " +
-                                 std::to_string(chunk.body.size()));
+    return chunkError(chunk, "claims to hold " + std::to_string(raw) +
+                                 " bytes; its packed size is " + std::to_string(chunk.body.size()));
   }
   return {};
 }
@@ -51,7 +51,7 @@ Result<Chunk> readHeader(std::string_view file, size_t offset) {
   }
   chunk.body = reader.bytes(chunk.compressed ? packed : raw);
   if (!reader.ok()) {
-    return chunkError(chunk, "claims " + std::to_string(chunk.compressed ? packed : raw) +
+    return chunkError(chunk, "claims to hold " + std::to_string(chunk.compressed ? packed : raw) +
                                  " bytes, but the file ends after " +
                                  std::to_string(file.size() - offset - kChunkHeaderSize));
   }
@@ -80,7 +80,7 @@ Result<ChunkData> decompress(const Chunk& chunk, size_t fileSize, size_t& total)
   total += chunk.rawLength;
   if (total > kTotalAlwaysAllowed + kTotalAllowedPerByte * fileSize) {
     return chunkError(chunk, "the chunks up to this one claim to hold " + std::to_string(total) +
-                                 " bytes in a file of " + std::to_string(fileSize));
+                                 " bytes; the file size is " + std::to_string(fileSize));
   }
   ChunkData out;
   // The buffer is not cleared: untouched pages cost nothing.
@@ -98,7 +98,8 @@ Result<ChunkData> decompress(const Chunk& chunk, size_t fileSize, size_t& total)
     good = n >= 0;
     got = good ? static_cast<size_t>(n) : 0;
   }
-  if (!good) return chunkError(chunk, zstd ? "damaged zstd data" : "damaged LZ4 data");
+  if (!good)
+    return chunkError(chunk, zstd ? "the zstd data is damaged" : "the LZ4 data is damaged");
   if (got != chunk.rawLength) {
     return chunkError(chunk, "claims to hold " + std::to_string(chunk.rawLength) +
                                  " bytes, but holds " + std::to_string(got));

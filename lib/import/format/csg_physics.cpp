@@ -48,7 +48,7 @@ Result<std::vector<Vec3>> readHull(ByteReader& reader) {
   if (!reader.has(indices, 4)) return damaged(reader, "expected the triangles of a hull");
   for (uint32_t i = 0; i < indices; ++i) {
     if (reader.u32() >= corners.size())
-      return damaged(reader, "a triangle refers to a missing corner");
+      return damaged(reader, "a triangle refers to a corner that does not exist");
   }
   return corners;
 }
@@ -68,13 +68,13 @@ Result<std::vector<std::vector<Vec3>>> readHulls(ByteReader& reader) {
     OBBY_ASSIGN(std::vector<Vec3> corners, readHull(reader));
     hulls.push_back(std::move(corners));
   }
-  if (!reader.ok()) return damaged(reader, "ends early");
+  if (!reader.ok()) return damaged(reader, "the data ends early");
   return hulls;
 }
 
 Result<std::vector<std::vector<Vec3>>> readPackedHulls(ByteReader& reader) {
   reader.bytes(2);  // the kind of decomposition, and a zero
-  if (!reader.ok()) return damaged(reader, "ends early");
+  if (!reader.ok()) return damaged(reader, "the data ends early");
   OBBY_ASSIGN(const std::string unpacked, unpackHulls(reader.bytes(reader.remaining())));
   return decodePackedHulls(unpacked);
 }
@@ -93,12 +93,13 @@ float scaleOf(float size, float initial) {
 Result<Collision> decodeCollision(std::string_view blob) {
   if (blob.empty()) return Collision{};
   if (blob.substr(0, kKeyMagic.size()) == kKeyMagic) {
-    return unsupported("CSGK is only a key to data elsewhere");
+    return unsupported("CSGK names hulls that are not in the file");
   }
   ByteReader reader(blob);
-  if (reader.bytes(kMagic.size()) != kMagic) return damaged(reader, "expected CSGPHS");
+  if (reader.bytes(kMagic.size()) != kMagic)
+    return damaged(reader, "expected the signature CSGPHS");
   const uint32_t version = reader.u32();
-  if (!reader.ok()) return damaged(reader, "ends before its version");
+  if (!reader.ok()) return damaged(reader, "the data ends before its version");
   const std::string name = "CSGPHS " + std::to_string(version);
   if (version == 0) {
     if (reader.bytes(5) != "BLOCK") return damaged(reader, "expected BLOCK");
@@ -110,7 +111,7 @@ Result<Collision> decodeCollision(std::string_view blob) {
   out.kind = CollisionKind::Hulls;
   OBBY_ASSIGN(out.hulls, packed ? readPackedHulls(reader) : readHulls(reader));
   std::erase_if(out.hulls, [](const auto& hull) { return hull.size() < kFewestCorners; });
-  if (out.hulls.empty()) return unsupported(name + " without hulls");
+  if (out.hulls.empty()) return unsupported(name + " has no hulls");
   out.detail = name + ", " + std::to_string(out.hulls.size()) + " hulls";
   return out;
 }

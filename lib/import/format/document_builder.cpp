@@ -242,8 +242,7 @@ Result<Document> DocumentBuilder::finish(std::string file, bool binary) {
     stack.insert(stack.end(), old[id].children.rbegin(), old[id].children.rend());
   }
   if (order.size() < old.size()) {
-    return makeError(io::plural(old.size() - order.size(), "instance") +
-                     " below no root, as their own ancestors");
+    return makeError(io::plural(old.size() - order.size(), "instance") + " in a cycle of parents");
   }
   OBBY_RETURN_IF_ERROR(checkDepth(order));
 
@@ -272,8 +271,8 @@ Result<Document> DocumentBuilder::finish(std::string file, bool binary) {
   document_.file = std::move(file);
   document_.format = std::string(place ? "rbxl" : "rbxm") + (binary ? "" : "x");
   if (cutNames_ > 0) {
-    document_.warnings.push_back(io::plural(cutNames_, "name") + " cut at " +
-                                 std::to_string(kMaxName) + " characters, as the engine does");
+    document_.warnings.push_back(io::plural(cutNames_, "name") + " cut to " +
+                                 std::to_string(kMaxName) + " characters, as in the engine");
   }
   if (droppedWarnings_ > 0) {
     document_.warnings.push_back("and " + io::plural(droppedWarnings_, "more warning"));

@@ -88,7 +88,7 @@ bool countHull(Bits& bits, Counts& counts) {
 }
 
 Result<std::vector<Vec3>> readCorners(ByteReader& reader, size_t count) {
-  if (!reader.has(count, kCornerBytes)) return broken("end before their corners");
+  if (!reader.has(count, kCornerBytes)) return broken("the data ends before the corners");
   std::vector<Vec3> corners(count);
   for (Vec3& corner : corners) {
     const float x = reader.f32(), y = reader.f32(), z = reader.f32();
@@ -102,11 +102,11 @@ Result<std::vector<Vec3>> readCorners(ByteReader& reader, size_t count) {
 // Reads the starts of the slices of a list, and the end of the last one: u32 count, u32 each.
 Result<std::vector<uint32_t>> readStarts(ByteReader& reader) {
   const uint32_t count = reader.u32();
-  if (!reader.has(count, 4)) return broken("end in the plain ones");
+  if (!reader.has(count, 4)) return broken("the data ends within the plain hulls");
   std::vector<uint32_t> starts(count);
   for (uint32_t& start : starts) start = reader.u32();
   if (!std::is_sorted(starts.begin(), starts.end()) || (count > 0 && starts[0] != 0))
-    return broken("the slices of plain ones are not in order");
+    return broken("the slices of plain hulls are not in order");
   return starts;
 }
 
@@ -116,11 +116,11 @@ Status readPlain(std::string_view block, std::vector<std::vector<Vec3>>& hulls) 
   if (const uint32_t indices = faces.empty() ? 0 : faces.back(); reader.has(indices, 4))
     reader.bytes(size_t(indices) * 4);
   OBBY_ASSIGN(const std::vector<uint32_t> floats, readStarts(reader));
-  if (!reader.ok()) return broken("end in the plain ones");
-  if (floats.size() != faces.size()) return broken("plain ones lack corners or triangles");
+  if (!reader.ok()) return broken("the data ends within the plain hulls");
+  if (floats.size() != faces.size()) return broken("plain hulls lack corners or triangles");
   for (size_t i = 1; i < floats.size(); ++i) {
     const uint32_t count = floats[i] - floats[i - 1];
-    if (count % 3 != 0) return broken("a plain one has a part of a corner");
+    if (count % 3 != 0) return broken("a plain hull ends within a corner");
     OBBY_ASSIGN(std::vector<Vec3> corners, readCorners(reader, count / 3));
     hulls.push_back(std::move(corners));
   }
@@ -140,7 +140,7 @@ Status readCoded(const PackedHead& head, std::string_view symbols, ByteReader& r
     hulls.push_back(std::move(hull));
   }
   if (corners != head.corners || faces != head.faces || bits.left() > 0)
-    return broken("the symbols do not agree with the counts");
+    return broken("the symbols do not match the counts");
   return {};
 }
 
@@ -155,11 +155,11 @@ Result<std::string> unpackHulls(std::string_view frame) {
   ZSTD_inBuffer input = {frame.data(), frame.size(), 0};
   for (;;) {
     const size_t had = out.size();
-    if (had > max) return broken("their frame claims to hold more than its size allows");
+    if (had > max) return broken("the zstd frame claims to hold more than its size allows");
     out.resize(had + kUnpackStep);
     ZSTD_outBuffer output = {out.data(), out.size(), had};
     const size_t left = ZSTD_decompressStream(context.get(), &output, &input);
-    if (ZSTD_isError(left)) return broken("damaged zstd data");
+    if (ZSTD_isError(left)) return broken("the zstd data is damaged");
     const bool stuck = output.pos == had && input.pos == input.size;
     out.resize(output.pos);
     if (left == 0) return out;
@@ -172,11 +172,11 @@ Result<std::vector<std::vector<Vec3>>> decodePackedHulls(std::string_view unpack
   const PackedHead head = readPackedHead(reader);
   const std::string_view plain = reader.bytes(head.plainBytes);
   const std::string_view symbols = reader.bytes(head.symbolBytes);
-  if (!reader.ok()) return broken("end early");
+  if (!reader.ok()) return broken("the data ends early");
   if (symbols.size() < (size_t(head.symbolBits) + 31) / 32 * 4)
-    return broken("the symbols have fewer bytes than bits");
+    return broken("the symbols have fewer bytes than their bits need");
   if (head.cornerBytes != size_t(head.corners) * kCornerBytes)
-    return broken("the number of corners is not that of their bytes");
+    return broken("the number of corners does not match the number of bytes");
   std::vector<std::vector<Vec3>> hulls;
   if (!plain.empty()) OBBY_RETURN_IF_ERROR(readPlain(plain, hulls));
   OBBY_RETURN_IF_ERROR(readCoded(head, symbols, reader, hulls));

@@ -46,7 +46,7 @@ Result<Document> readDocument(std::string_view bytes, const std::string& file) {
   return Error{file,
                "byte 0",
                {},
-               "not a Roblox place or model",
+               "the file is not a Roblox place or model",
                "expected the binary or XML format of a .rbxl, .rbxm, .rbxlx or .rbxmx file"};
 }
 

@@ -73,12 +73,12 @@ Result<std::vector<VoxelChunk>> voxelChunks(std::string_view blob) {
     const auto offset = readOffset(reader);
     if (!advance(chunk.x, offset[0]) || !advance(chunk.y, offset[1]) ||
         !advance(chunk.z, offset[2]))
-      return brokenGrid(reader, "a chunk is farther away than terrain can be");
+      return brokenGrid(reader, "a chunk lies outside the limits of terrain");
     const size_t begin = reader.position();
     size_t cells = 0;
     while (cells < kChunkCells && reader.ok()) cells += readRun(reader).cells;
-    if (!reader.ok()) return brokenGrid(reader, "ends in a chunk");
-    if (cells != kChunkCells) return brokenGrid(reader, "a run of cells leaves its chunk");
+    if (!reader.ok()) return brokenGrid(reader, "the data ends within a chunk");
+    if (cells != kChunkCells) return brokenGrid(reader, "a run of cells exceeds its chunk");
     chunk.runs = blob.substr(begin, reader.position() - begin);
     chunks.push_back(chunk);
   }

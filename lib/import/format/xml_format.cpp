@@ -77,7 +77,7 @@ class XmlReader {
 
   Result<InstanceId> addItem(pugi::xml_node item, InstanceId parent) {
     const std::string_view className = item.attribute("class").value();
-    if (className.empty()) return at(startOf(item), "Item", "has no class");
+    if (className.empty()) return at(startOf(item), "Item", "the item has no class");
     const InstanceId id = builder_.add(std::string(className));
     if (builder_.overBudget()) return at(startOf(item), builder_.budgetError());
     builder_.setParent(id, parent);

@@ -46,7 +46,7 @@ void readParts(const Tree& tree, const Assemblies& assemblies, const CollisionGr
     if (!groups.isSettled(tree.at(id)))
       level.noteUnmodelled(
           "collision group " + groupNameOf(tree.at(id)), tree, id,
-          "its collisions are not known: the file does not list it, or scripts set groups");
+          "its collisions are unknown: the file does not list the group, or scripts change groups");
     level.parts.push_back(std::move(*part));
   }
 }

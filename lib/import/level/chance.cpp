@@ -10,8 +10,8 @@
 namespace obby::importer {
 namespace {
 
-constexpr const char* kByChance = "part that differs by chance";
-constexpr const char* kChanceNote = "taken as it is for one set of random numbers";
+constexpr const char* kByChance = "part that varies at random";
+constexpr const char* kChanceNote = "simulated as it was in one run of the scripts";
 
 // Clears the phase: a player who waits meets every phase.
 template <class T>
@@ -22,7 +22,7 @@ std::optional<T> withoutPhase(std::optional<T> value, float T::*phase) {
 
 // Returns the first property in which two drafts of a part differ for a player, else null.
 const char* differenceOf(const PartDraft& a, const PartDraft& b) {
-  if (!isSame(a.pose, b.pose)) return "its place";
+  if (!isSame(a.pose, b.pose)) return "its position";
   if (!(a.size == b.size) || a.shape != b.shape || a.hulls.size() != b.hulls.size())
     return "its shape";
   if (a.solid != b.solid || a.anchored != b.anchored || a.oneWay != b.oneWay)
@@ -31,13 +31,13 @@ const char* differenceOf(const PartDraft& a, const PartDraft& b) {
   if (withoutPhase(a.vanish, &Vanish::phase) != withoutPhase(b.vanish, &Vanish::phase))
     return "when it vanishes";
   if (withoutPhase(a.motion, &Motion::offset) != withoutPhase(b.motion, &Motion::offset))
-    return "how it moves";
-  if (a.teleport != b.teleport) return "where it leads";
+    return "its motion";
+  if (a.teleport != b.teleport) return "its destination";
   const auto effects = [](const PartDraft& part) {
     return std::tie(part.conveyor, part.jumpPad, part.boost, part.trip, part.button);
   };
   if (effects(a) != effects(b) || a.seat != b.seat || a.climbable != b.climbable)
-    return "what a touch does";
+    return "the effect of a touch";
   if (a.checkpoint != b.checkpoint || a.goal != b.goal) return "its stage";
   return nullptr;
 }
@@ -78,7 +78,7 @@ void noteChance(LevelDraft& level, const Tree& tree, size_t fromFile, const Leve
   };
   for (const PartDraft& part : level.parts) {
     if (part.id >= fromFile) {
-      if (!made.take(part)) note(part.id, "it");
+      if (!made.take(part)) note(part.id, "the part");
       continue;
     }
     const auto same = others.find(part.id);
@@ -89,7 +89,7 @@ void noteChance(LevelDraft& level, const Tree& tree, size_t fromFile, const Leve
   }
   for (const auto& [id, part] : std::map(others.begin(), others.end()))
     note(id, "whether it is there");
-  if (!made.empty()) note(kNoInstance, "what scripts build");
+  if (!made.empty()) note(kNoInstance, "the set of parts that scripts add");
 }
 
 }  // namespace obby::importer

@@ -33,7 +33,7 @@ int unanchorMovable(const Tree& tree, const Assemblies& assemblies, LevelDraft& 
     if (assemblies.members(part.id).size() > 1) {
       anchor(tree, level, part, "joined to other unanchored parts");
     } else if (part.vanish) {
-      anchor(tree, level, part, "only anchored parts can vanish");
+      anchor(tree, level, part, "unanchored parts cannot vanish");
     } else {
       ++count;
     }

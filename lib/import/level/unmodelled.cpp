@@ -48,7 +48,7 @@ void noteNames(RoleContext& context) {
     if (row && !kept.count(row->word))
       context.level.noteUnmodelled(
           row->kind, context.tree, part.id,
-          "nothing in the file says what it does; treated as a plain part");
+          "nothing in the file gives it a function; treated as a plain part");
   }
 }
 
@@ -57,15 +57,18 @@ void noteInstances(RoleContext& context) {
   for (const PartDraft& part : context.level.parts) {
     const Instance& instance = tree.at(part.id);
     if (instance.className == "VehicleSeat")
-      context.level.noteUnmodelled("vehicle seat", tree, part.id,
-                                   "treated as a plain part: players do not sit in it");
+      context.level.noteUnmodelled(
+          "vehicle seat", tree, part.id,
+          "treated as a plain part; the simulated player does not sit in it");
     if (!hasRole(part) && !hasEvidence(part, kHarmless))
       for (const std::string& tag : instance.tags)
-        context.level.noteIgnored("tag " + tag, tree.path(part.id), "not a tag that gives a role");
+        context.level.noteIgnored("tag " + tag, tree.path(part.id),
+                                  "the tag gives the part no role");
   }
   for (InstanceId id = 0; id < tree.size(); ++id)
     if (tree.at(id).className == "DragDetector")
-      context.level.noteUnmodelled("part that players drag", tree, id, "it stays where it is");
+      context.level.noteUnmodelled("part that players drag", tree, id,
+                                   "the simulated player does not drag it");
     else if (isA(tree.at(id).className, "BackpackItem"))
       context.level.noteUnmodelled("tool", tree, id, "the simulated player has no tools");
 }

@@ -29,12 +29,15 @@ void EffectRoles::takeParts(PartDraft& part, bool used, const ProbeEffects& effe
     if (!other->motion)
       takeMotion(part, *other, moved, used);
     else if (other->motion->trigger == MotionTrigger::always)
-      note(kStarted, moved.part, "keeps its own motion; ", moved.line);
+      note(kStarted, moved.part, "simulated with only the motion that it has without the touch; ",
+           moved.line);
   }
   for (const Changed& size : effects.sizes)
-    note("size that scripts change", size.part, "stays as it is at the start; ", size.line);
+    note("size that scripts change", size.part, "simulated with its size at the start; ",
+         size.line);
   for (const Changed& belt : effects.belts)
-    if (context_.part(belt.part)) note("conveyor that a touch changes", belt.part, "", belt.line);
+    if (context_.part(belt.part))
+      note("conveyor that a touch changes", belt.part, "not simulated; ", belt.line);
 }
 
 void EffectRoles::takeDrives(PartDraft& part, const engine::Probe& probe,
@@ -47,7 +50,7 @@ void EffectRoles::takeDrives(PartDraft& part, const engine::Probe& probe,
     done.insert(moved.driver);
   }
   for (const auto& [id, line] : effects.others)
-    if (isJoint(id) && !done.contains(id)) note(kStarted, id, "moves or rests as before; ", line);
+    if (isJoint(id) && !done.contains(id)) note(kStarted, id, "not simulated; ", line);
 }
 
 bool EffectRoles::isJoint(InstanceId id) const {
@@ -101,7 +104,8 @@ void EffectRoles::takeMotion(PartDraft& part, PartDraft& other, const Moved& mov
               samePose(motion->keys.front().pose, motion->keys.back().pose);
     seconds = double(motion->keys.back().time);
   }
-  if (!motion) return note(kStarted, moved.part, "stays where it is; ", moved.line);
+  if (!motion)
+    return note(kStarted, moved.part, "not simulated; the part stays where it is; ", moved.line);
   const bool own = &other == &part && !used;
   motion->trigger = own ? MotionTrigger::touch : MotionTrigger::signal;
   if (motion->repeat != Repeat::once) motion->offset = 0;  // it rests where its keys begin

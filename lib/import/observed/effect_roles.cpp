@@ -60,16 +60,18 @@ void EffectRoles::takePlayer(PartDraft& part, const ProbeEffects& effects) {
     prove(part, "kill", reason(effects.harm->line));
     if (effects.harm->stoppable && !shield_.empty())
       context_.level.noteUnmodelled("harm that a force field stops", context_.tree, part.id,
-                                    "players are taken to have none; " + shield_);
+                                    "the simulated player has no force field; " + shield_);
     if (effects.harm->lasts)
-      note("harm that goes on after a touch", part.id, "dealt all at once; ", effects.harm->line);
+      note("harm that goes on after a touch", part.id, "simulated as dealt all at once; ",
+           effects.harm->line);
   }
   if (effects.ends && !part.goal && !hasEvidence(part, kHarmless)) {
     part.kill = Kill{kDeadly, 0};
     prove(part, "kill", "the player cannot continue; " + reason(*effects.ends));
   }
   if (effects.stateOff)
-    note("part that stops the player", part.id, "a state is switched off; ", *effects.stateOff);
+    note("part that stops the player", part.id, "a touch disables a player state; not simulated; ",
+         *effects.stateOff);
   if (effects.push) takePush(part, *effects.push);
   if (effects.teleport && !effects.harm) takeTeleport(part, *effects.teleport);
   if (effects.boost) takeBoost(part, *effects.boost);
@@ -82,7 +84,7 @@ void EffectRoles::takePlayer(PartDraft& part, const ProbeEffects& effects) {
     part.goal = 0;
     prove(part, "goal", reason(*effects.won));
   }
-  if (effects.force) note("force on the player", part.id, "does not act; ", *effects.force);
+  if (effects.force) note("force on the player", part.id, "not simulated; ", *effects.force);
 }
 
 void EffectRoles::takePush(PartDraft& part, const Push& push) {
@@ -93,7 +95,7 @@ void EffectRoles::takePush(PartDraft& part, const Push& push) {
   if (pad.velocity.y == 0 && pad.velocity.x == 0 && pad.velocity.z == 0) return;
   if (push.seconds > 0) {
     pad.velocity.y = push.launchSpeed(context_.level.world.gravity);
-    note("push that lasts", part.id, "given all at once; ", push.line);
+    note("push that lasts", part.id, "simulated as one push; ", push.line);
   }
   part.jumpPad = pad;
   prove(part, "jumpPad", reason(push.line));
@@ -117,10 +119,10 @@ void EffectRoles::takeBoost(PartDraft& part, const Booster& boost) {
   own.forever = boost.forever;
   own.resets = boost.resets;
   if (!(own.walkSpeed > 0) || !(own.jumpSpeed > 0))
-    return note("part that stops the player", part.id, "", boost.line);
+    return note("part that stops the player", part.id, "not simulated; ", boost.line);
   if (!(own.gravity >= 0) || own.gravity > kMaxBoostFactor ||
       own.gravity * base_.gravity > kMaxGravity)
-    return note("force on the player", part.id, "does not act; ", boost.line);
+    return note("force on the player", part.id, "not simulated; ", boost.line);
   part.boost = own;
   prove(part, "boost", reason(boost.line));
 }
@@ -154,7 +156,8 @@ void EffectRoles::takeAbility(engine::Approach approach, const engine::AirJumps&
   const bool leaps = keys && inAir.count > 0;
   if (leaps) {
     level.world.airJumps = std::min(inAir.count, kAnyAirJumps);
-    level.noteIgnored("ability of the player", "", "jumps in the air; " + reason(inAir.line));
+    level.noteIgnored("ability of the player", "",
+                      "the player can jump in the air; " + reason(inAir.line));
   }
   if (effects.empty() && !leaps) noteUnknown(approach);
   constexpr double kMinSeconds = 1;  // shorter boosts do not help a jump
@@ -162,29 +165,29 @@ void EffectRoles::takeAbility(engine::Approach approach, const engine::AirJumps&
       effects.boost && !effects.boost->forever && effects.boost->seconds < kMinSeconds;
   if (isTaken)
     level.noteIgnored("ability of the player", "",
-                      "a script takes it back at once; " + reason(effects.boost->line));
+                      "it lasts less than 1 s; ignored; " + reason(effects.boost->line));
   const bool falls = effects.boost && effects.boost->gravity == 1 && !isTaken;
   if (falls && effects.boost->walk > 0 && effects.boost->jump > 0 && !effects.boost->resets) {
     World& world = level.world;
     world.walkSpeed = std::max(world.walkSpeed, base_.walkSpeed * effects.boost->walk);
     world.jumpSpeed = std::max(world.jumpSpeed, base_.jumpSpeed * effects.boost->jump);
     level.noteIgnored("ability of the player", "",
-                      "used all the time; " + reason(effects.boost->line));
+                      "simulated as always in use; " + reason(effects.boost->line));
   }
   for (const Away& back : effects.backs)
     if (PartDraft* const other = context_.part(back.part);
         other && !back.seconds && !other->vanish) {
       other->solid = true;  // players use the key or button if it helps
       prove(*other, "solid",
-            "once keys, chat or a button on the screen are used; " + reason(back.line));
+            "solid once the player uses keys, chat or a screen button; " + reason(back.line));
     }
   if (!effects.aways.empty() || !effects.moved.empty())
     level.noteUnmodelled("button on the screen", context_.tree, kNoInstance,
-                         "the player does not use it");
+                         "the simulated player never uses it");
   if ((effects.boost && !falls && !isTaken) || effects.push || effects.teleport || effects.force ||
       (effects.jumps && !leaps))
     level.noteUnmodelled("ability of the player", context_.tree, kNoInstance,
-                         "the player does not use it");
+                         "the simulated player never uses it");
 }
 
 }  // namespace obby::importer

@@ -12,8 +12,8 @@
 namespace obby::importer {
 namespace {
 
-constexpr const char* kLetGo = "part that scripts let loose";
-constexpr const char* kStays = "stays as it is at the start";
+constexpr const char* kLetGo = "part that scripts release";
+constexpr const char* kStays = "simulated as it is at the start";
 
 // Properties whose changes in play have no field in the level.
 struct LossRow {
@@ -23,11 +23,11 @@ struct LossRow {
 };
 constexpr LossRow kLosses[] = {
     {"Gravity", "gravity that scripts change", "simulated with the gravity at the start"},
-    {"WalkSpeed", "speed that scripts change", "the player's speed stays the same"},
-    {"JumpPower", "speed that scripts change", "the player's jump stays the same"},
-    {"JumpHeight", "speed that scripts change", "the player's jump stays the same"},
+    {"WalkSpeed", "speed that scripts change", "simulated with the walk speed at the start"},
+    {"JumpPower", "speed that scripts change", "simulated with the jump at the start"},
+    {"JumpHeight", "speed that scripts change", "simulated with the jump at the start"},
     {"Size", "size that scripts change", kStays},
-    {"CanTouch", "touch that scripts switch", kStays},
+    {"CanTouch", "touch that scripts switch on or off", kStays},
     {"Anchored", kLetGo, kStays},
 };
 
@@ -54,9 +54,9 @@ void noteLimbs(RoleContext& context, const engine::Report& report) {
 void noteLooks(RoleContext& context, const engine::Report& report) {
   for (const engine::Change& change : report.undisturbed.changes)
     if (change.property == "note looks")
-      context.level.noteUnmodelled("place where scripts look for players", context.tree,
-                                   kNoInstance,
-                                   "no part is there; " + lineReason(context.tree, change.line));
+      context.level.noteUnmodelled(
+          "region where scripts look for players", context.tree, kNoInstance,
+          "not simulated, as no part is there; " + lineReason(context.tree, change.line));
 }
 
 // Notes pushes of a living player. Scripts may put a dead one anywhere.
@@ -66,9 +66,8 @@ void notePushes(RoleContext& context, const engine::Report& report) {
     return change.time > report.probedAt && isPush(change);
   });
   if (push != changes.end() && report.undisturbed.harms.empty())
-    context.level.noteUnmodelled(
-        "push without a touch", context.tree, kNoInstance,
-        "not simulated: the player stays where it is; " + lineReason(context.tree, push->line));
+    context.level.noteUnmodelled("push without a touch", context.tree, kNoInstance,
+                                 "not simulated; " + lineReason(context.tree, push->line));
 }
 
 // Returns true for speeds that each new body gets again.
@@ -97,9 +96,9 @@ void noteComing(RoleContext& context, const engine::Report& report) {
     const bool* const there = std::get_if<bool>(&change.value);
     const bool comes = change.property == "Parent" && there && *there;
     if (comes && change.time > report.probedAt && isMadePart(change.target))
-      return context.level.noteUnmodelled(
-          kComesLater, context.tree, kNoInstance,
-          "it does not stay, and is left out; " + lineReason(context.tree, change.line));
+      return context.level.noteUnmodelled(kComesLater, context.tree, kNoInstance,
+                                          "a script adds it and removes it again; left out; " +
+                                              lineReason(context.tree, change.line));
   }
 }
 
@@ -143,8 +142,8 @@ void noteChanges(RoleContext& context, const engine::Report& report) {
   for (const engine::Harm& harm : report.undisturbed.harms)
     if (harm.hurts() && !known.contains(harm.line))
       return context.level.noteUnmodelled(
-          "harm by itself", context.tree, kNoInstance,
-          "no part deals it; " + lineReason(context.tree, harm.line));
+          "harm without a touch", context.tree, kNoInstance,
+          "not simulated, as no part causes it; " + lineReason(context.tree, harm.line));
 }
 
 }  // namespace
@@ -159,13 +158,13 @@ void noteObservedLosses(RoleContext& context, const ObservedPlace& place) {
     if (problem.script >= tree.size()) continue;
     if (problem.failure == engine::Failure::refused)
       context.level.noteIgnored("script that fails", tree.path(problem.script),
-                                "in the game, too: " + problem.text);
+                                "it fails in the game, too: " + problem.text);
     else
       context.level.noteUnmodelled("script that fails", tree, problem.script, problem.text);
   }
   if (report.sleeps)
-    context.level.noteUnmodelled("script that still waits", tree, kNoInstance,
-                                 "effects after the wait are not observed");
+    context.level.noteUnmodelled("script still waiting at the end of the run", tree, kNoInstance,
+                                 "the level lacks the effects after the wait");
   noteChanges(context, report);
   noteComing(context, report);
   notePushes(context, report);
@@ -173,7 +172,8 @@ void noteObservedLosses(RoleContext& context, const ObservedPlace& place) {
   noteLimbs(context, report);
   for (const auto& [what, count] : report.undisturbed.counts) {
     (void)count;
-    context.level.noteIgnored("not in the twin of the engine", what, "does nothing");
+    context.level.noteIgnored("not available when scripts ran", what,
+                              "scripts got no result, an error or an endless wait");
   }
 }
 

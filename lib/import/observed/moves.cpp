@@ -63,21 +63,22 @@ class Moves {
     if (move.approach == Approach::jump && sudden) {
       context_.level.world.jumpSpeed = 0;
       context_.level.noteIgnored("ability of the player", "",
-                                 "a jump kills: " + lineReason(context_.tree, first->line));
+                                 "jumping kills, so the simulated player cannot jump; " +
+                                     lineReason(context_.tree, first->line));
       return;
     }
-    note(harmKind(move.approach), "not dealt; ", effects.harm->line);
+    note(harmKind(move.approach), "not simulated; ", effects.harm->line);
   }
 
   void takeChanges(const ProbeEffects& effects) {
     if (effects.boost)
-      note("speed that scripts change", "depends on how the player moves, not simulated; ",
+      note("speed that scripts change", "depends on how the player moves; not simulated; ",
            effects.boost->line);
     if (effects.teleport || effects.force || effects.trips)
-      note("push without a touch", "depends on how the player moves, not simulated; ",
+      note("push without a touch", "depends on how the player moves; not simulated; ",
            effects.line());
     if (!effects.aways.empty() || !effects.backs.empty() || !effects.moved.empty())
-      note("part that the player's moves change", "stays as it is; ", effects.line());
+      note("part that the player's moves change", "not simulated; ", effects.line());
   }
 
   void takeLaunch(const ProbeEffects& effects) {
@@ -96,11 +97,13 @@ class Moves {
   void launch() {
     if (launches_ == 0 || context_.level.world.jumpSpeed == 0) return;
     if (launches_ < jumps_)
-      return note("ability of the player", "the player does not use it; ", line_);
+      return note("ability of the player", "the simulated player never uses it; ", line_);
     context_.level.world.jumpSpeed = *speed_;
-    context_.level.noteIgnored("ability of the player", "",
-                               "at each jump; " + lineReason(context_.tree, line_));
-    if (held_) note("push that lasts", "given all at once; ", line_);
+    context_.level.noteIgnored(
+        "ability of the player", "",
+        "a script launches the player at each jump; simulated as the jump; " +
+            lineReason(context_.tree, line_));
+    if (held_) note("push that lasts", "simulated as one push; ", line_);
   }
 
   // Notes controls that scripts take from the player by an action of their own.
@@ -111,8 +114,7 @@ class Moves {
       const bool jump = *name == "CharacterJump" || *name == "Space";
       const bool walk = name->rfind("Character", 0) == 0 && !jump;
       if (walk || (jump && launches_ == 0 && report_.airJumps.count == 0))
-        note("keys that scripts take away", "the player's controls stay as they are; ",
-             change.line);
+        note("controls that scripts take away", "the simulated player keeps them; ", change.line);
     }
   }
 

@@ -161,7 +161,7 @@ void movingFromObservation(RoleContext& context, const engine::Report& report) {
       giveMotion(context, id, *motion, reason, false);
     } else {
       context.level.noteUnmodelled("motion without a period", context.tree, id,
-                                   "stays where it is at the start; " + reason);
+                                   "the part stays where it is at the start; " + reason);
       if (!part->anchored) part->evidence.push_back({"held", reason, false});
       part->anchored = true;
     }

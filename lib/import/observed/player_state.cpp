@@ -15,19 +15,20 @@ void noteBody(RoleContext& context, const engine::Report& report) {
     if (change.time > report.probedAt) return;
     const auto note = [&](const char* kind) {
       context.level.noteUnmodelled(kind, context.tree, kNoInstance,
-                                   "stays as it is; " + lineReason(context.tree, change.line));
+                                   "not simulated; " + lineReason(context.tree, change.line));
     };
     const double* const number = std::get_if<double>(&change.value);
     if (change.property.rfind("note state off ", 0) == 0)
       note("state of the player that scripts switch off");
     else if (change.target == engine::kPlayer && change.property == "HipHeight")
-      note("size of the player's body");
+      note("hip height that scripts change");
     else if (change.target == engine::kPlayer && change.property == "MaxSlopeAngle" && number)
       world.maxSlope = maxSlopeOf(*number);
   }
   if (report.arrived.stuck) {
-    context.level.noteUnmodelled("player that cannot walk", context.tree, kNoInstance,
-                                 "scripts hold it until something that was not seen");
+    context.level.noteUnmodelled(
+        "player that cannot walk", context.tree, kNoInstance,
+        "scripts hold the player until an event that did not occur; simulated as free to walk");
   }
 }
 
@@ -58,7 +59,7 @@ void applyPlayerState(RoleContext& context, const ObservedPlace& place) {
     world.gravity -= float(player.lift);
   else if (player.lift > 0)
     context.level.noteUnmodelled("force on the player", context.tree, kNoInstance,
-                                 "the force would make the player float up; it is not simulated");
+                                 "it would make the player float up; not simulated");
   world.maxHealth = float(settled.maxHealth);
   noteBody(context, place.report);
 }

@@ -102,7 +102,7 @@ ProbeEffects endedIn(const ProbeEffects& before, const ProbeEffects& now) {
 
 std::string whenOf(const Tree& tree, const engine::Revisit& revisit) {
   switch (revisit.cause) {
-    case engine::Cause::again: return "from its second touch on";
+    case engine::Cause::again: return "from the second touch on";
     case engine::Cause::time: return "at some times";
     case engine::Cause::lever:
       if (revisit.lever < tree.size())

@@ -10,7 +10,7 @@
 namespace obby::importer {
 
 // A loss: a part that is missing at the start.
-constexpr const char* kComesLater = "part that comes later";
+constexpr const char* kComesLater = "part that appears later";
 
 // Notes changes that scripts made to parts before play began.
 void noteSettled(RoleContext& context, const ObservedPlace& place);

@@ -81,7 +81,8 @@ void giveOnce(RoleContext& context, PartDraft& part, const Turn& turn) {
   part.solid = part.solid || turn.byCollision;
   if (turn.back && !part.anchored)
     context.level.noteUnmodelled(kComesLater, context.tree, part.id,
-                                 "stays where it comes; " + lineReason(context.tree, turn.line));
+                                 "unanchored in the game; simulated as fixed where it appears; " +
+                                     lineReason(context.tree, turn.line));
   part.evidence.push_back({"vanish", lineReason(context.tree, turn.line), false});
 }
 
@@ -90,8 +91,8 @@ void giveTimer(RoleContext& context, PartDraft& part, const Turns& turns) {
   const std::string reason = lineReason(context.tree, turns.line);
   if (!period && turns.later.size() == 1) return giveOnce(context, part, turns.later.front());
   if (!period || turns.back.size() < 2) {
-    context.level.noteUnmodelled("part that comes and goes without a rhythm", context.tree, part.id,
-                                 "stays as in the file; " + reason);
+    context.level.noteUnmodelled("part that comes and goes irregularly", context.tree, part.id,
+                                 "simulated as it is in the file; " + reason);
     return;
   }
   const double gone = turns.gone[turns.gone.size() - 2];

@@ -13,7 +13,7 @@
 namespace obby::importer {
 namespace {
 
-constexpr const char* kPosition = "nothing happens while only limbs are inside";
+constexpr const char* kPosition = "acts only while the player's HumanoidRootPart is inside";
 
 class Touches {
  public:
@@ -26,17 +26,20 @@ class Touches {
     if (!part) return roles_.takeAbility(probe.approach, report_.airJumps, effects);
     noteFailure(*part, probe, effects.empty());
     if (probe.byFall)
-      note("touch that differs in a fall", part->id, "treated as for a walking player");
-    if (probe.lost) return note("touch that broke down", part->id, "treated as a plain part");
+      note("touch that acts differently in a fall", part->id, "simulated as for a walking player");
+    if (probe.lost)
+      return note("touch whose test failed", part->id,
+                  "the scripts took too long or crashed; treated as a plain part");
     if (probe.sleeps)
-      note("script that still waits", part->id, "later effects of the touch are not seen");
+      note("script still waiting at the end of the run", part->id,
+           "the level lacks the effects after the wait");
     if (effects.empty()) {
       if (!probe.byPlace) takeHeardOnly(*part, false);
       return;
     }
     if (!probe.allOver)
-      return note("place where scripts act", part->id,
-                  "it applies to only a region of the part; treated as a plain part");
+      return note("region where scripts act", part->id,
+                  "only a region of the part has the effect; treated as a plain part");
     if (effects.stage) part->stageSigns[NumberFrom::asked] = 0;
     if (probe.byPlace) part->touch = true;  // the script polls; it does not wait for a touch
     part->byRoot = probe.byRoot && part->shape == Shape::block && effects.touchesPlayer();
@@ -55,7 +58,8 @@ class Touches {
     const ProbeEffects effects = effectsAt(partOf(probe), probe);
     const auto own = effects.asOf(probe.target, part->id);
     if (probe.lost || !own)
-      return note("touch that was not tried", part->id, "there are too many parts to touch");
+      return note("touch that was not tested", part->id,
+                  "the place has too many parts to test; the effect is unknown");
     if (own->empty()) {
       takeHeardOnly(*part, true);
       return;
@@ -92,7 +96,7 @@ class Touches {
     }
     if (const ProbeEffects ended = endedIn(before, now); !ended.empty())
       note("touch whose effect wears off", part->id,
-           when + ", simulated as if the effect stayed the same; " + roles_.reason(ended.line()));
+           when + "; simulated as if it did not wear off; " + roles_.reason(ended.line()));
   }
 
   // Names listeners without a visible effect: scripts may count such touches towards a later
@@ -108,7 +112,7 @@ class Touches {
           });
       if (!isKnown)
         note("input without a visible effect", part->id,
-             "scripts may count it for something that comes later");
+             "scripts may count touches of it towards a later effect");
     }
   }
 
@@ -125,7 +129,7 @@ class Touches {
     if (part.kill || hasEvidence(part, kHarmless)) return;
     part.heardOnly = true;
     part.evidence.push_back(
-        {kHarmless, "scripts listen to it, and do nothing to a player", guessed});
+        {kHarmless, "scripts handle its touch but do nothing to the player", guessed});
   }
 
   // Returns the part that a player touches; for a click or prompt the part that contains it.
@@ -161,7 +165,7 @@ class Touches {
       roles_.takePlayer(part, effects);
     else if (effects.touchesPlayer())
       note("interaction that affects the player", part.id,
-           "the player stays as it is; " + roles_.reason(effects.line()));
+           "not simulated; " + roles_.reason(effects.line()));
     roles_.takeParts(part, used, effects);
   }
 
@@ -174,8 +178,8 @@ class Touches {
     if (comesLater(probe, effects)) noteMore(part, "some time after the start", effects);
   }
   void noteMore(PartDraft& part, const std::string& when, const ProbeEffects& more) {
-    note("touch that does more later", part.id,
-         when + ", taken as if from the start; " + roles_.reason(more.line()));
+    note("touch with a later effect", part.id,
+         when + "; simulated as present from the start; " + roles_.reason(more.line()));
   }
   // Notes a script error that leaves the effects of a touch unknown. After an unsupported feature,
   // or without any effect, the script may go on in the game.

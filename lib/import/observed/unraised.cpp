@@ -139,9 +139,9 @@ class Unraised {
 void noteUnraised(RoleContext& context, const engine::Report& report) {
   for (const auto& [name, heeds] : Unraised(report).all())
     for (const engine::Heed& heed : heeds)
-      context.level.noteUnmodelled(
-          "event that is not raised", context.tree, heed.target,
-          name + " is never raised here; " + lineReason(context.tree, heed.line));
+      context.level.noteUnmodelled("event that is not raised", context.tree, heed.target,
+                                   name + " did not occur or change while scripts ran; " +
+                                       lineReason(context.tree, heed.line));
 }
 
 }  // namespace obby::importer

@@ -158,20 +158,18 @@ PartDraft partOf(const TerrainBlock& block, InstanceId id, bool solid) {
 
 void noteLosses(const Terrain& terrain, const Tree& tree, InstanceId id, LevelDraft& level) {
   if (terrain.chunksLeft + terrain.blocksLeft > 0)
-    level.noteUnmodelled(
-        kTerrainKind, tree, id,
-        fmt::format(
-            "too much of it: {} and {} are left out, the nearest {:.0f} studs from the parts",
-            io::plural(terrain.chunksLeft, "chunk"), io::plural(terrain.blocksLeft, "block"),
-            terrain.leftFrom));
+    level.noteUnmodelled(kTerrainKind, tree, id,
+                         fmt::format("the terrain is too large: {} and {} are left out, the "
+                                     "nearest {:.0f} studs from the parts",
+                                     io::plural(terrain.chunksLeft, "chunk"),
+                                     io::plural(terrain.blocksLeft, "block"), terrain.leftFrom));
   if (terrain.shape.slopes > 0)
-    level.noteUnmodelled(
-        "slope of terrain", tree, id,
-        fmt::format("its surface is made of steps, at {} places", terrain.shape.slopes));
+    level.noteUnmodelled("slope of terrain", tree, id,
+                         fmt::format("simulated as steps, at {} places", terrain.shape.slopes));
   if (terrain.shape.water > 0)
     level.noteUnmodelled("water", tree, id,
-                         fmt::format("{} cells of terrain hold water: players fall through it and "
-                                     "cannot swim",
+                         fmt::format("{} cells of terrain hold water: the simulated player falls "
+                                     "through it and does not swim",
                                      terrain.shape.water));
 }
 
@@ -189,7 +187,7 @@ void addVoxels(const Tree& tree, InstanceId id, std::string_view bytes, LevelDra
   level.partsRead += uint32_t(terrain.shape.blocks.size());
   if (!terrain.shape.blocks.empty())
     level.noteIgnored(kTerrainKind, tree.path(id),
-                      io::plural(count, "chunk") + " of voxels stand as " +
+                      io::plural(count, "chunk") + " of voxels simulated as " +
                           io::plural(terrain.shape.blocks.size(), "block"));
   noteLosses(terrain, tree, id, level);
 }
@@ -206,9 +204,8 @@ void addTerrain(const Tree& tree, LevelDraft& level) {
   for (const char* name : {"ClusterGridV3", "ClusterGridV2", "ClusterGrid"}) {
     const size_t voxels = voxelBytes(tree.at(terrain), name).size();
     if (voxels <= kEmptyTerrain) continue;
-    level.noteUnmodelled(
-        kTerrainKind, tree, terrain,
-        std::to_string(voxels) + " bytes of voxels that players could stand on are left out");
+    level.noteUnmodelled(kTerrainKind, tree, terrain,
+                         std::to_string(voxels) + " bytes of voxels in an old format are left out");
     return;
   }
 }

@@ -78,7 +78,7 @@ class Reader {
     const auto starts = regions(id, "start");
     if (!starts.empty()) fillRegion(starts[0], query.getStart().initRegion());
     for (size_t i = 1; i < starts.size(); ++i)
-      warn(starts[i], "is an extra start and is left out; a query has only one");
+      warn(starts[i], "is an extra start and is left out; a query can have only one");
     fillRegions(regions(id, "avoid"), [&](uint32_t n) { return query.initAvoid(n); });
     fillRegions(regions(id, "visit"), [&](uint32_t n) { return query.initVisits(n); });
     fillWaypoints(regions(id, "waypoint"), query);
@@ -159,7 +159,7 @@ class Reader {
   void fillForbidden(InstanceId id, schema::Query::Builder query) {
     if (!tree_.at(id).attributes.contains(kForbid)) return;
     if (!attribute<std::string>(tree_.at(id), kForbid)) {
-      warn(id, "has an attribute forbid that is not a string");
+      warn(id, "has an attribute 'forbid' that is not a string");
       return;
     }
     std::vector<schema::PlayerState> states;
@@ -171,7 +171,7 @@ class Reader {
       KJ_IF_MAYBE (state, known.findEnumerantByName(name)) {
         states.push_back(schema::PlayerState(state->getOrdinal()));
       } else {
-        warn(id, fmt::format("forbids {}, which is not a player state", name));
+        warn(id, fmt::format("forbids '{}', which is not a player state", name));
       }
     }
     if (states.empty()) return;
@@ -187,7 +187,7 @@ class Reader {
     if (tick && *tick >= 0 && *tick <= kMaxStart && std::floor(*tick) == *tick) {
       query.initStart().setTick(uint32_t(std::floor(*tick * rate_ / kStartRate + 0.5)));
     } else {
-      warn(id, "has an attribute startTick that is not a whole number of 0 or more");
+      warn(id, "has an attribute 'startTick' that is not a whole number of 0 or more");
     }
   }
 
@@ -200,9 +200,10 @@ class Reader {
       const double* number = std::get_if<double>(&value);
       KJ_IF_MAYBE (field, to.getSchema().findFieldByName(name.c_str())) {
         if (number && setNumber(to, *field, *number)) continue;
-        warn(id, fmt::format("has an attribute {} that is not a number in its range", name));
+        warn(id,
+             fmt::format("has an attribute '{}' that is not a number or is out of range", name));
       } else {
-        warn(id, fmt::format("has an unknown attribute {}", name));
+        warn(id, fmt::format("has an unknown attribute '{}'", name));
       }
     }
   }
@@ -251,8 +252,8 @@ std::optional<io::Record> designerPhysics(const Tree& tree, std::vector<std::str
   auto read = io::recordFromJson(*text);
   if (read && read->reader().isParams()) return io::Record(*std::move(read));
   warnings.push_back(tree.document().file + ": " + tree.path(folder) +
-                     ": its physics setting is not a valid params record: " +
-                     (read ? "it is another kind of record" : read.error().text()));
+                     ": its attribute 'physics' is not a valid params record: " +
+                     (read ? "the record has another type" : read.error().text()));
   return {};
 }
 

@@ -77,8 +77,9 @@ std::string numbersOf(const PartDraft& part, const std::string& role) {
   if (role == "jumpPad" && part.jumpPad)
     return fmt::format("{:.4g} studs/s; ", length(part.jumpPad->velocity));
   if (role == "vanish" && part.vanish)
-    return fmt::format("{} {:.3g} s, away {:.3g} s; ", part.vanish->timer ? "solid" : "after",
-                       part.vanish->delay, part.vanish->away);
+    return fmt::format("{} {:.3g} s, away {:.3g} s; ",
+                       part.vanish->timer ? "solid" : "vanishes after", part.vanish->delay,
+                       part.vanish->away);
   if (role == "checkpoint" && part.checkpoint) return fmt::format("stage {}; ", *part.checkpoint);
   if (role == "motion" && part.motion) {
     const Motion& m = *part.motion;

@@ -51,7 +51,7 @@ Status Instances::setProperty(InstanceId id, const std::string& name, const Json
   if (parsed) {
     builder_.set(id, name, *std::move(parsed));
   } else if (defaultOf(className, spellingOf(className, name).name) != nullptr) {
-    builder_.warn(place.error("not read: " + value.describe()).text());
+    builder_.warn(place.error("ignored, as it cannot be read: " + value.describe()).text());
   }
   return {};
 }
@@ -64,7 +64,8 @@ Status Instances::setAttributes(InstanceId id, const Json& object, const Place& 
     if (parsed)
       builder_.setAttribute(id, name, *std::move(parsed));
     else
-      builder_.warn(place.at(name).error("not read: " + value.describe()).text());
+      builder_.warn(
+          place.at(name).error("ignored, as it cannot be read: " + value.describe()).text());
   }
   return {};
 }
@@ -72,7 +73,7 @@ Status Instances::setAttributes(InstanceId id, const Json& object, const Place& 
 Result<InstanceId> Instances::addModel(const Json& model, std::string_view name, const Place& place,
                                        int depth) {
   if (!model.isObject()) return place.error("expected an object, found " + model.describe());
-  if (depth > kMaxModelDepth) return place.error("instances are nested too deep");
+  if (depth > kMaxModelDepth) return place.error("instances are nested deeper than 64 levels");
   const auto className = member(model, "ClassName", "className").text();
   if (!className) return place.at("ClassName").error("expected the name of a class");
   const std::string own = member(model, "Name", "name").text().value_or(*className);

@@ -91,7 +91,8 @@ class ProjectReader {
     for (const auto& [none, glob] : root["globIgnorePaths"].members())
       if (const auto text = glob.text(); text && text->size() <= kMaxGlob)
         scope.ignored.push_back(*text);
-    if (root["syncRules"]) builder_.warn(place.at("syncRules").error("not followed").text());
+    if (root["syncRules"])
+      builder_.warn(place.at("syncRules").error("not supported; ignored").text());
     const Json tree = root["tree"];
     if (!tree.isObject()) return place.at("tree").error("expected an object");
     if (!isGiven || tree["$className"].text() != "DataModel")
@@ -115,7 +116,7 @@ class ProjectReader {
   // Returns the instance of a node, or kNoInstance for an optional path that does not exist.
   Result<InstanceId> node(const Json& json, const std::string& name, const std::string& parentClass,
                           const Place& place, const Scope& scope, int depth) {
-    if (depth > kMaxProjectDepth) return place.error("nested deeper than 64 levels");
+    if (depth > kMaxProjectDepth) return place.error("nodes are nested deeper than 64 levels");
     const std::string stated = json["$className"].text().value_or("");
     const std::string wanted = stated.empty() ? inferredClass(name, parentClass) : stated;
     InstanceId id = kNoInstance;
@@ -126,12 +127,14 @@ class ProjectReader {
     if (id == kNoInstance) {
       if (wanted.empty() && isOptional) return kNoInstance;
       if (wanted.empty())
-        return place.error("has no class", "give it a $className, or a $path that leads to a file");
+        return place.error("the node has no class",
+                           "give it a $className, or a $path that leads to a file");
       OBBY_ASSIGN(id, made_.add(wanted, name, place));
     } else if (made_.classOf(id) == "Folder" && !wanted.empty()) {
       builder_.become(id, wanted);
     } else if (!stated.empty() && stated != made_.classOf(id)) {
-      return place.at("$className").error("the $path gives a " + made_.classOf(id));
+      return place.at("$className")
+          .error("does not match the $path, which gives a " + made_.classOf(id));
     }
     made_.rename(id, name);
     OBBY_RETURN_IF_ERROR(made_.setProperties(id, json["$properties"], place.at("$properties")));
@@ -153,7 +156,7 @@ class ProjectReader {
       return place.error("there is no file or folder " + path.string());
     }
     OBBY_ASSIGN(const InstanceId id, entry(path, name, scope, depth + 1));
-    if (id == kNoInstance) return place.error("leads to nothing that makes an instance");
+    if (id == kNoInstance) return place.error("no instance can be made of this file or folder");
     return id;
   }
 
@@ -164,7 +167,7 @@ class ProjectReader {
     if (depth > kMaxProjectDepth) return place.error("folders are nested deeper than 64 levels");
     if (files_.isFolder(path)) {
       if (!files_.enter(path)) {
-        builder_.warn(place.error("leads into itself; left out").text());
+        builder_.warn(place.error("the folder contains itself; left out").text());
         return kNoInstance;
       }
       auto id = folder(path, name, scope, depth);
@@ -195,7 +198,10 @@ class ProjectReader {
     if (kind == FileKind::table)
       return withText("LocalizationTable", name, "Contents", content, place);
     if (kind == FileKind::data) {
-      builder_.warn(place.error("kept as a ModuleScript that returns the text").text());
+      builder_.warn(place
+                        .error("this format is not parsed; the file becomes a ModuleScript that "
+                               "returns its text")
+                        .text());
       return withText("ModuleScript", name, "Source", luauOf(content), place);
     }
     return script(kind, name, withUnixLines(std::move(content)), place, scope);

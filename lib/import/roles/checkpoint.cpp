@@ -149,7 +149,7 @@ void checkpointFromMarkers(RoleContext& context) {
   if (owners.size() < 2 || !isRow) return;
   for (const auto& [number, ids] : owners)
     if (PartDraft* const part = touchPart(context, ids[0]); part && part->touch)
-      give(context, *part, ids[0], "its value Stage", true);
+      give(context, *part, ids[0], "it has a stage number of its own", true);
 }
 
 void checkpointFromNames(RoleContext& context) {
@@ -170,7 +170,7 @@ void checkpointFromSiblings(RoleContext& context) {
     const bool isOpen = !hasRole(part) && part.touch && !part.checkpoint;
     if (!isOpen || !(isHeardOnly(part) || isInRowFolder(tree, part.id))) continue;
     if (rows.contains(rowOf(tree, part.id)))
-      give(context, part, part.id, "numbered like the checkpoints beside it", true);
+      give(context, part, part.id, "numbered like the other checkpoints of its row", true);
   }
 }
 

@@ -79,8 +79,9 @@ void conveyorFromVelocity(RoleContext& context) {
     if (length(velocity) < kMinSpeed && length(angular) < kMinSpeed) continue;
     if (part.conveyor || part.jumpPad) continue;
     if (length(velocity) >= kMinSpeed && !isAligned(part, velocity)) {
-      context.level.noteIgnored("saved velocity along no axis", context.tree.path(part.id),
-                                "taken as left over from physics, not as a conveyor");
+      context.level.noteIgnored("saved velocity along no axis of the part or the world",
+                                context.tree.path(part.id),
+                                "treated as left over from physics, not as a conveyor");
       continue;
     }
     if (isUpward(velocity))

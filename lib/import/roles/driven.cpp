@@ -16,8 +16,8 @@ std::string unknownDirection(RoleContext& context, const ConstraintSettings& set
                              const Drive& drive) {
   const InstanceId motor = drive.constraint;
   if (settings.number(motor, "Velocity") == 0) return "";
-  if (!settings.hasLimits(motor)) return "no limit stops it";
-  return baseMoves(context, drive) ? "the part it slides on moves too" : "";
+  if (!settings.hasLimits(motor)) return "no limit stops the motion";
+  return baseMoves(context, drive) ? "the part that carries the slider moves, too" : "";
 }
 
 bool toItsLimit(RoleContext& context, const ConstraintSettings& settings, const Drive& drive,
@@ -28,7 +28,7 @@ bool toItsLimit(RoleContext& context, const ConstraintSettings& settings, const 
   const Track track = trackOf(context.tree, drive);
   if (velocity == 0 || !(std::abs(limit - track.now) >= kArrived)) return false;
   return giveDriven(context, drive, slideTo(track, limit, std::abs(velocity), spin),
-                    "motor drives it to its limit", false);
+                    "motor drives the part to its limit", false);
 }
 
 // Returns the motion of a part that is attached to `base` and moves along with it, or nullopt if
@@ -102,11 +102,11 @@ bool giveDriven(RoleContext& context, const Drive& drive, Motion motion, const s
   auto combined = carried(context.part(drive.base), own, std::move(motion));
   if (combined)
     return giveDriven(context, drive.moving, std::move(*combined), drive.constraint, what, guessed);
-  if (!hold(context, drive.moving, "it moves on a moving part")) return false;
+  if (!hold(context, drive.moving, "it is attached to a moving part")) return false;
   context.level.noteUnmodelled(
       "motion on a moving part", context.tree, drive.constraint,
-      "the driven part is on a part that moves by itself, and the two motions are not combined; "
-      "it stays at its position in the file");
+      "the driven part is attached to a moving part, and the two motions cannot be combined; "
+      "the driven part stays at its position in the file");
   return true;
 }
 
@@ -123,9 +123,9 @@ bool hold(RoleContext& context, InstanceId part, const std::string& why) {
 
 bool leaveDriven(RoleContext& context, const char* kind, InstanceId part, InstanceId constraint,
                  const std::string& why) {
-  if (!hold(context, part, "it is not known where its motor drives it")) return false;
+  if (!hold(context, part, "the end of its motor-driven motion is unknown")) return false;
   context.level.noteUnmodelled(kind, context.tree, constraint,
-                               "the part it drives stays at its position in the file; " + why);
+                               "the driven part stays at its position in the file; " + why);
   return true;
 }
 
@@ -158,7 +158,8 @@ bool standStill(RoleContext& context, const Drive& drive, const std::optional<Sp
   if (!spin && stays) return hold(context, drive.moving, "a motor holds it in place");
   Motion motion;
   motion.spin = spin;
-  return giveDriven(context, drive, std::move(motion), spin ? "motor" : "holds it in place", false);
+  return giveDriven(context, drive, std::move(motion), spin ? "motor" : "holds the part in place",
+                    false);
 }
 
 bool fromSliderMotor(RoleContext& context, const ConstraintSettings& settings, const Drive& drive,
@@ -169,9 +170,8 @@ bool fromSliderMotor(RoleContext& context, const ConstraintSettings& settings, c
   if (unknown.empty() && toItsLimit(context, settings, drive, spin)) return true;
   if (!standStill(context, drive, spin)) return false;
   if (!unknown.empty())
-    context.level.noteUnmodelled(
-        "motion of a slider's motor", context.tree, motor,
-        unknown + "; the part it drives stays at its position in the file");
+    context.level.noteUnmodelled("motion of a slider's motor", context.tree, motor,
+                                 unknown + "; the driven part stays at its position in the file");
   return true;
 }
 

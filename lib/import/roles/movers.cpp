@@ -69,10 +69,10 @@ bool fromPusher(RoleContext& context, const ConstraintSettings& settings, const 
   const auto force = forceOf(context.tree, settings, id);
   const auto axes = force ? axesOf(*force, weightOf(context, part)) : std::nullopt;
   if (!axes) return false;
-  constexpr const char* kKind = "motion of a pushing mover";
+  constexpr const char* kKind = "motion by a BodyVelocity or LinearVelocity";
   const char* const name = velocityName(context.tree, id);
   if (!(length(mul(settings.vector(id, name), *axes)) < 1e-3f))
-    return leaveDriven(context, kKind, part, id, "nothing stops it");
+    return leaveDriven(context, kKind, part, id, "nothing stops the motion");
   return hold(context, part, "a mover holds it in place");
 }
 
@@ -103,7 +103,7 @@ bool fromTurner(RoleContext& context, const ConstraintSettings& settings, Instan
   Motion motion;
   motion.spin =
       Spin{toLocal(pivotOf(context.tree, part).rotation, normalize(turn)), length(turn), {}};
-  return giveDriven(context, part, motion, id, "turns it", true);
+  return giveDriven(context, part, motion, id, "turns the part", true);
 }
 
 // Returns the pulls summed over joined parts.
@@ -135,7 +135,7 @@ bool fromFollower(RoleContext& context, const ConstraintSettings& settings, Inst
   constexpr float kNear = 1;  // max studs between the attachments
   if (baseMotion.spin || turns || !(length(own.position - drive->frame.position) <= kNear))
     return false;
-  return giveDriven(context, *drive, Motion{}, "follows a moving part", true);
+  return giveDriven(context, *drive, Motion{}, "makes the part follow a moving part", true);
 }
 
 }  // namespace
@@ -171,8 +171,9 @@ void noteTurning(RoleContext& context, const ConstraintSettings& settings, Insta
   const auto force = forceOf(context.tree, settings, id);
   const char* const name = velocityName(context.tree, id);
   if (length(settings.vector(id, name)) >= 1e-3f && (!force || length(*force) > 0))
-    context.level.noteUnmodelled("part that two movers move", context.tree, part,
-                                 "it only turns in place; " + context.tree.path(id));
+    context.level.noteUnmodelled(
+        "part that two movers move", context.tree, part,
+        "simulated as turning in place; ignored: " + context.tree.path(id));
 }
 
 bool isPusher(const std::string& className) {

@@ -40,7 +40,7 @@ bool fromHinge(RoleContext& context, const ConstraintSettings& settings, Instanc
   Motion motion;
   motion.spin = spinOf(context, settings, *drive);
   if (motion.spin && settings.hasAngularLimits(id))
-    return leaveDriven(context, kHingeMotor, drive->moving, id, "limits stop its turn");
+    return leaveDriven(context, kHingeMotor, drive->moving, id, "its limits stop the turn");
   return motion.spin && giveDriven(context, *drive, std::move(motion), "motor", false);
 }
 
@@ -137,9 +137,10 @@ void movingFromConstraints(RoleContext& context) {
     const InstanceId moved = dynamicPart(context, id);
     if (moved == kNoInstance) continue;  // moves nothing in the level
     const std::string& className = context.tree.at(id).className;
-    context.level.noteUnmodelled("constraint " + className, context.tree, id,
-                                 isHolder(className) ? "the part stays at its position in the file"
-                                                     : "the part it holds or drives moves freely");
+    context.level.noteUnmodelled(
+        "constraint " + className, context.tree, id,
+        isHolder(className) ? "not simulated; the part stays at its position in the file"
+                            : "not simulated; the part that it holds or drives moves freely");
     if (isHolder(className)) held.insert(moved);
   }
   for (InstanceId id : held) hold(context, id, "a mover holds it in place");

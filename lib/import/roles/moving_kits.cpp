@@ -96,8 +96,9 @@ void movingFromTags(RoleContext& context) {
     const Waypoints waypoints = waypointsOf(tree, id);
     const auto speed = tree.number(id, "speed");
     if (waypoints.points.size() < 2) {
-      context.level.noteUnmodelled("moving platform without waypoints", tree, id,
-                                   "tag " + tag + "; stays at its position in the file");
+      context.level.noteUnmodelled(
+          "moving platform without waypoints", tree, id,
+          "tag " + tag + "; the platform stays at its position in the file");
       return;
     }
     give(context, waypoints, std::max(speed.value_or(kTemplateSpeed), 0.1),
@@ -109,7 +110,7 @@ void movingFromTags(RoleContext& context) {
     if (!speed) speed = tree.number(id, "RotationSpeed");
     Motion motion;
     motion.spin = Spin{{0, 1, 0}, float(speed.value_or(kDefaultSpin) * 3.14159265358979 / 180), {}};
-    giveMotion(context, id, motion, "tag " + tag + ", speed in degrees/s", true);
+    giveMotion(context, id, motion, "tag " + tag + "; its speed is read as degrees/s", true);
   });
 }
 
@@ -128,7 +129,7 @@ void movingFromMarkers(RoleContext& context) {
     const Waypoints waypoints = waypointsOf(tree, model);
     if (touchStarts && waypoints.points.size() >= 2)
       context.level.noteUnmodelled("motion that a touch or click starts", tree, model,
-                                   "treated as always moving");
+                                   "simulated as always moving");
     give(context, waypoints, 0, std::clamp(delay.value_or(old ? kKitDelay : kKit6Delay), 0.1, 60.0),
          "marker Positions", true);
   }

@@ -33,7 +33,7 @@ class Order {
     for (auto first = chain_.begin(); first != chain_.end();) {
       const auto end = std::find_if(
           first, chain_.end(), [&](const Numbered& one) { return one.number != first->number; });
-      sortByDistance(chain_, first, end, "others have its number");
+      sortByDistance(chain_, first, end, "other checkpoints have the same number");
       first = end;
     }
     if (chain_.empty()) {

@@ -157,7 +157,8 @@ class SpawnRoles {
     if (forWinners(spawn)) return giveWinners(spawn, changesTeam || part.checkpoint);
     if (part.checkpoint) return;
     if (remote_.contains(part.id))
-      return course_.prove(spawn, "start", "SpawnLocation of a checkpoint elsewhere", false);
+      return course_.prove(spawn, "start",
+                           "a checkpoint elsewhere respawns players at this SpawnLocation", false);
     const int number = numberOf(spawn);
     const bool isOther = number != kUnnumbered && number != numberOf(course_.start);
     if (!isOther && !changesTeam) return giveStart(spawn);

@@ -54,7 +54,7 @@ class DeviceEngine : public Engine {
 Status DeviceEngine::make() {
   if (settings_.envGroup.observe != EnvGroupSettings().observe)
     return makeError(
-        "the GPU supports only the standard observation, and the settings name another",
+        "the GPU supports only the standard observation, but the settings name another one",
         "train on the CPU");
   OBBY_RETURN_IF_ERROR(learner_.make());
   OBBY_RETURN_IF_ERROR(means_.make(device_, policy::kInputs));

@@ -173,8 +173,8 @@ Status DevicePlaces::restore(std::span<EnvGroupState> envGroups) {
   std::vector<PlaceState*> states;
   for (EnvGroupState& envGroup : envGroups) {
     if (envGroup.places.size() != settings_.envGroup.levels)
-      return makeError(fmt::format("{} levels in an env group, expected {}", envGroup.places.size(),
-                                   settings_.envGroup.levels));
+      return makeError(fmt::format("an env group of the checkpoint has {} levels, expected {}",
+                                   envGroup.places.size(), settings_.envGroup.levels));
     for (PlaceState& place : envGroup.places) states.push_back(&place);
   }
   OBBY_RETURN_IF_ERROR(make());

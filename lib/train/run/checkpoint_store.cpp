@@ -82,7 +82,7 @@ Status CheckpointStore::lockAndCheckFiles() {
                  {},
                  option,
                  fmt::format("another obby-train is writing '{}'", path),
-                 "stop it, or name another file"};
+                 "stop that run, or name another file"};
   }
   for (const auto& [option, path] : written) {
     if (!path.empty()) OBBY_RETURN_IF_ERROR(canBeWritten(path));
@@ -108,7 +108,7 @@ Result<std::string> CheckpointStore::checkpointBytes() const {
   if (files_.resume == Resume::automatic && none) return std::string();
   auto bytes = io::readFile(path, &stop_, maxBytesOf(path));
   if (!bytes && none)
-    bytes.error().hint = "use --resume=auto to start fresh if there is no checkpoint";
+    bytes.error().hint = "use --resume=auto to start a new run if there is no checkpoint";
   if (bytes && bytes->empty()) return readCheckpoint(*bytes, path).error();
   return bytes;
 }

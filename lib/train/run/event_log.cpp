@@ -122,7 +122,7 @@ Status EventLog::finish() {
   write();
   if (held_) return {};
   Error error = held_.error();
-  error.hint = fmt::format("events missing at its end: {}", events_);
+  error.hint = fmt::format("events missing at the end of the log: {}", events_);
   return error;
 }
 

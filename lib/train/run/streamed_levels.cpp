@@ -42,8 +42,8 @@ Result<Levels> streamedLevels(io::SourceOptions options, Ranks& ranks, bool agai
 }
 
 Error lateStream() {
-  return makeError("too few levels arrived within --time-limit: nothing was trained",
-                   "check what delays the stream, or raise --time-limit");
+  return makeError("too few levels arrived within --time-limit, so nothing was trained",
+                   "check the program that writes the levels, or raise --time-limit");
 }
 
 }  // namespace obby::train

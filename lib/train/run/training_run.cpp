@@ -69,7 +69,8 @@ Status TrainingRun::run() {
 Status TrainingRun::saveMeanwhile() {
   Status saved = save();
   if (saved) {
-    if (failing_ && ranks_.first()) report_.note("saving works again");
+    if (failing_ && ranks_.first())
+      report_.note("the checkpoint and the policy can be saved again");
     saved_ = true;
     failing_ = false;
     return saved;
@@ -80,7 +81,7 @@ Status TrainingRun::saveMeanwhile() {
   ranks_.add(votes);
   if (!saved_ || votes[0] > 0) return saved;
   if (ranks_.first() && !failing_)
-    report_.warn(saved.error().text() + "; training continues, and the next save tries again");
+    report_.warn(saved.error().text() + "; training continues, and saving is tried again later");
   failing_ = true;
   return {};
 }
@@ -120,8 +121,8 @@ void TrainingRun::reportHeldEvents() {
   const Status& held = outputs_.events->held();
   if (!held && !eventsHeld_)
     report_.warn(held.error().text() +
-                 "; training continues, and events wait until there is space");
-  if (held && eventsHeld_) report_.note("the log is complete again");
+                 "; training continues, and its events are written when there is space");
+  if (held && eventsHeld_) report_.note("the TensorBoard log is complete again");
   eventsHeld_ = !held;
 }
 

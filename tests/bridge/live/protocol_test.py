@@ -220,7 +220,7 @@ class ProtocolTest(unittest.TestCase):
         os.remove(os.path.join(self.bridge.state, "answers", f"{session}-{first}.jsonl"))
         gone = self.bridge.post("/v1/jobs", {"level": level, "warm": first})
         self.assertEqual(gone.status, 409)
-        self.assertIn("leave out warm", gone.json()["cure"])
+        self.assertIn("leave out 'warm'", gone.json()["cure"])
 
     def test_a_query_that_cannot_be_asked_stops_no_other(self):
         level = self.bridge.place_level(LEVEL)

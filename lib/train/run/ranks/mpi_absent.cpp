@@ -7,8 +7,9 @@ Result<std::unique_ptr<JoinedRanks>> joinRanks(int*, char***) {
   for (const char* name : {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE"}) {
     const char* count = std::getenv(name);
     if (count != nullptr && std::atoi(count) > 1) {
-      return makeError("started as one of several ranks, but built without MPI",
-                       "install libopenmpi-dev and build again, or start it without mpirun");
+      return makeError(
+          "obby-train was started as one of several ranks, but was built without MPI",
+          "install libopenmpi-dev and build again, or start obby-train without mpirun");
     }
   }
   return std::unique_ptr<JoinedRanks>(std::make_unique<Alone>());

@@ -26,18 +26,19 @@ class NcclRanks : public DeviceRanks {
   Status join(Ranks& ranks) {
     ncclUniqueId id{};
     OBBY_RETURN_IF_ERROR(
-        ranks.agree(ranks.first() ? check(ncclGetUniqueId(&id), "cannot start") : Status()));
+        ranks.agree(ranks.first() ? check(ncclGetUniqueId(&id), "cannot create the group of ranks")
+                                  : Status()));
     const std::string bytes = ranks.share(std::string(id.internal, sizeof id.internal));
     std::memcpy(id.internal, bytes.data(), sizeof id.internal);
     return ranks.agree(
         check(ncclCommInitRank(&joined_, int(ranks.count()), id, int(ranks.number())),
-              "the ranks' GPUs cannot join"));
+              "the ranks' GPUs cannot join the group"));
   }
 
   // Runs in the same stream as all kernels.
   Status gather(sim::Device&, const float* mine, size_t count, float* all) override {
     return check(ncclAllGather(mine, all, count, ncclFloat, joined_, nullptr),
-                 "exchanging gradients");
+                 "cannot exchange gradients");
   }
 
  private:
