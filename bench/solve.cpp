@@ -142,10 +142,9 @@ Result<uint64_t> programDigest() {
 }
 
 // Makes the missing runs of one query and seed. `known`: the makers whose runs count.
-Status runMissing(cli::Context& context, const std::vector<bench::Question>& questions,
-                  uint64_t program, const bench::Maker& known, ThreadPool& pool,
-                  bench::RunLog& log) {
-  for (const bench::Question& q : questions) {
+Status runMissing(cli::Context& context, const std::vector<bench::Trial>& trials, uint64_t program,
+                  const bench::Maker& known, ThreadPool& pool, bench::RunLog& log) {
+  for (const bench::Trial& q : trials) {
     if (context.stop()) break;
     bench::Run planned = bench::plannedRun(q, program);
     planned.machine = bench::machineKind();
@@ -166,9 +165,9 @@ Status runAllMissing(cli::Context& context, const bench::Plan& plan, uint64_t pr
   for (uint64_t seed = 1; seed <= plan.seeds; ++seed) {
     for (size_t q = 0; q < plan.suite.size() && !context.stop(); ++q) {
       context.progress({fmt::format("{} seed {}", plan.suite[q].name(), seed), done++ / all, {}});
-      const std::vector<bench::Question> questions = plan.questionsAt(q, seed);
-      if (byMachine && bench::machineOf(questions, log, known).runs == questions.size()) continue;
-      OBBY_RETURN_IF_ERROR(runMissing(context, questions, program, here, pool, log));
+      const std::vector<bench::Trial> trials = plan.trialsAt(q, seed);
+      if (byMachine && bench::machineOf(trials, log, known).runs == trials.size()) continue;
+      OBBY_RETURN_IF_ERROR(runMissing(context, trials, program, here, pool, log));
     }
   }
   return {};

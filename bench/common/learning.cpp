@@ -82,8 +82,8 @@ void add(Report& report, const LearningRow& row, const char* metric, std::vector
   std::sort(values.begin(), values.end());
   const double sum = std::accumulate(values.begin(), values.end(), 0.0);
   report.add(row.name, metric, sum / double(values.size()), "");
-  report.add(row.name, fmt::format("{}Least", metric), values.front(), "");
-  report.add(row.name, fmt::format("{}Most", metric), values.back(), "");
+  report.add(row.name, fmt::format("{}Min", metric), values.front(), "");
+  report.add(row.name, fmt::format("{}Max", metric), values.back(), "");
 }
 
 Status reportRow(Report& report, const LearningRow& row, const gen::Recipe& recipe,

@@ -18,26 +18,26 @@ const char* nameOf(schema::Verdict verdict) {
 
 }  // namespace
 
-Run plannedRun(const Question& question, uint64_t program) {
+Run plannedRun(const Trial& trial, uint64_t program) {
   Run run;
-  run.method = question.method.name;
-  run.file = question.query.file;
-  run.query = question.query.id;
-  run.expected = question.query.expected;
-  run.seed = question.seed;
-  run.cap = question.cap;
-  run.content = question.query.content;
+  run.method = trial.method.name;
+  run.file = trial.query.file;
+  run.query = trial.query.id;
+  run.expected = trial.query.expected;
+  run.seed = trial.seed;
+  run.cap = trial.cap;
+  run.content = trial.query.content;
   run.program = program;
   return run;
 }
 
-Result<std::optional<Run>> ask(const Question& question, Run run, ThreadPool& pool,
+Result<std::optional<Run>> ask(const Trial& trial, Run run, ThreadPool& pool,
                                const std::atomic<bool>& stop) {
   solve::SolverOptions options;
-  options.budget.seed = question.seed;
-  options.budget.seconds = question.cap;
+  options.budget.seed = trial.seed;
+  options.budget.seconds = trial.cap;
   options.budget.stop = &stop;
-  options.method = &question.method;
+  options.method = &trial.method;
   options.policy = &policy::shippedPolicy().network;
   options.progressRecords = false;
   const auto write = [&](schema::Record::Reader record) -> Status {
@@ -50,8 +50,8 @@ Result<std::optional<Run>> ask(const Question& question, Run run, ThreadPool& po
   Result<solve::QueryAnswer> answer = makeError("not asked");
   run.timing.seconds = secondsOf([&] {
     answer = [&]() -> Result<solve::QueryAnswer> {
-      OBBY_ASSIGN(const solve::LoadedLevel level, solve::loadLevel(question.query.level));
-      return solve::solveQuery(level, question.query.query.reader().getQuery(), options, pool,
+      OBBY_ASSIGN(const solve::LoadedLevel level, solve::loadLevel(trial.query.level));
+      return solve::solveQuery(level, trial.query.query.reader().getQuery(), options, pool,
                                {write, {}, {}});
     }();
   });

@@ -11,19 +11,19 @@
 
 namespace obby::bench {
 
-struct Question {
+struct Trial {
   const SuiteQuery& query;
   const solve::Method& method;
   uint64_t seed;
   double cap;  // seconds
 };
 
-// Returns the run that will answer a question, without its result.
-Run plannedRun(const Question& question, uint64_t program);
+// Returns the run of a trial, without its result.
+Run plannedRun(const Trial& trial, uint64_t program);
 
 // Makes the run: compiles the level, searches on all threads, and verifies the solution by a
 // replay. Its seconds include all of these. Returns nothing if `stop` was set meanwhile.
-Result<std::optional<Run>> ask(const Question& question, Run planned, ThreadPool& pool,
+Result<std::optional<Run>> ask(const Trial& trial, Run planned, ThreadPool& pool,
                                const std::atomic<bool>& stop);
 
 }  // namespace obby::bench

@@ -12,7 +12,7 @@ namespace {
 
 constexpr float kJump = 8.6f;    // studs, on the flat
 constexpr float kRise = 3;       // studs of distance that one stud of height counts as
-constexpr float kBeside = 12;    // studs from the straight line: about a jump
+constexpr float kNear = 12;      // studs from the straight line: about a jump
 constexpr float kMaxParts = 40;  // a larger number means a field of equal parts
 constexpr uint32_t kHazard = level::kKill | level::kPad | level::kConveyor | level::kClocked |
                              level::kVanishTimer | level::kMoving | level::kTeleport |
@@ -55,8 +55,8 @@ std::vector<Vec3> straightRoute(const level::Query& query) {
   return route;
 }
 
-bool beside(const Box& box, const std::vector<Vec3>& route) {
-  const Vec3 margin{kBeside, kBeside, kBeside};
+bool isNear(const Box& box, const std::vector<Vec3>& route) {
+  const Vec3 margin{kNear, kNear, kNear};
   for (size_t i = 1; i < route.size(); ++i) {
     const Vec3 lo = min(route[i - 1], route[i]) - margin, hi = max(route[i - 1], route[i]) + margin;
     if (box.lo.x <= hi.x && box.hi.x >= lo.x && box.lo.y <= hi.y && box.hi.y >= lo.y &&
@@ -70,7 +70,7 @@ bool beside(const Box& box, const std::vector<Vec3>& route) {
 float hazards(const level::LevelView& level, const std::vector<Vec3>& route) {
   std::set<uint32_t> parts;
   for (uint32_t i = 0; i < level.colliderCount; ++i) {
-    if ((level.bounds[i].flags & kHazard) && beside(level.bounds[i].box(), route)) {
+    if ((level.bounds[i].flags & kHazard) && isNear(level.bounds[i].box(), route)) {
       parts.insert(level.colliders[i].part);
     }
   }

@@ -18,27 +18,27 @@ double Plan::capOf(const SuiteQuery& query) const {
   return query.solvable() ? cap : std::min(cap, unsolvableCap);
 }
 
-std::vector<Question> Plan::questionsAt(size_t query, uint64_t seed) const {
-  std::vector<Question> all;
+std::vector<Trial> Plan::trialsAt(size_t query, uint64_t seed) const {
+  std::vector<Trial> all;
   for (size_t m = 0; m < methods.size(); ++m) {
     if (asks(m, query, seed)) all.push_back({suite[query], *methods[m], seed, capOf(suite[query])});
   }
   return all;
 }
 
-std::vector<Question> Plan::questions() const {
-  std::vector<Question> all;
+std::vector<Trial> Plan::trials() const {
+  std::vector<Trial> all;
   for (uint64_t seed = 1; seed <= seeds; ++seed) {
     for (size_t q = 0; q < suite.size(); ++q) {
-      for (const Question& question : questionsAt(q, seed)) all.push_back(question);
+      for (const Trial& trial : trialsAt(q, seed)) all.push_back(trial);
     }
   }
   return all;
 }
 
-Made machineOf(const std::vector<Question>& questions, const RunLog& log, const Maker& maker) {
+Made machineOf(const std::vector<Trial>& trials, const RunLog& log, const Maker& maker) {
   std::vector<std::string> keys;
-  for (const Question& question : questions) keys.push_back(plannedRun(question, 0).key());
+  for (const Trial& trial : trials) keys.push_back(plannedRun(trial, 0).key());
   return log.mostlyBy(keys, maker);
 }
 
@@ -54,10 +54,10 @@ Results resultsOf(const Plan& plan, const RunLog& log, const Maker& maker) {
   for (size_t q = 0; q < plan.suite.size(); ++q) {
     for (uint64_t seed = 1; seed <= plan.seeds; ++seed) {
       Maker one = maker;
-      if (!plan.anyMachine) one.machine = machineOf(plan.questionsAt(q, seed), log, maker).machine;
+      if (!plan.anyMachine) one.machine = machineOf(plan.trialsAt(q, seed), log, maker).machine;
       for (size_t m = 0; m < plan.methods.size(); ++m) {
-        const Question question{plan.suite[q], *plan.methods[m], seed, plan.capOf(plan.suite[q])};
-        const Run* run = log.find(plannedRun(question, 0).key(), one);
+        const Trial trial{plan.suite[q], *plan.methods[m], seed, plan.capOf(plan.suite[q])};
+        const Run* run = log.find(plannedRun(trial, 0).key(), one);
         if (run) results.runs[m][q].push_back(*run);
       }
     }

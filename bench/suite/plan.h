@@ -27,14 +27,14 @@ struct Plan {
   double capOf(const SuiteQuery& query) const;
 
   // Returns one query with one seed for each method that answers it.
-  std::vector<Question> questionsAt(size_t query, uint64_t seed) const;
-  // Returns all questions, query by query within a seed, so that an interrupted series is balanced.
-  std::vector<Question> questions() const;
+  std::vector<Trial> trialsAt(size_t query, uint64_t seed) const;
+  // Returns all trials, query by query within a seed, so that an interrupted series is balanced.
+  std::vector<Trial> trials() const;
 };
 
 // Returns the kind of machine with the most runs of a query and a seed. All methods must use one
 // kind, because times are comparable only within it.
-Made machineOf(const std::vector<Question>& questions, const RunLog& log, const Maker& maker);
+Made machineOf(const std::vector<Trial>& trials, const RunLog& log, const Maker& maker);
 
 // Returns the planned runs in the log. For each query and seed they come from the kind of machine
 // with the most runs, unless any machine counts. `program` 0 stands for any program.

@@ -15,7 +15,7 @@ Turns nearestParts(const policy::Scene& scene, const sim::World& world,
   std::partial_sort(parts.begin(), parts.begin() + listed, parts.end());
   for (int i = 0; i < listed; ++i) {
     const PartInSight& part = parts[size_t(i)];
-    std::copy(part.told.begin(), part.told.end(), inputs + partInput(i, kPartCenter));
+    std::copy(part.features.begin(), part.features.end(), inputs + partInput(i, kPartCenter));
   }
   return ahead;
 }

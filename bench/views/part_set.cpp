@@ -31,7 +31,7 @@ class Features {
     float sums[kViewInputs];
     std::copy(std::begin(biases_), std::end(biases_), sums);
     for (int n = 0; n < kPartNumbers; ++n) {
-      const float number = part.told[size_t(n)];
+      const float number = part.features[size_t(n)];
       for (int i = 0; i < kViewInputs; ++i) sums[i] += weights_[n][i] * number;
     }
     const float weight = kFade / (kFade + part.distance);

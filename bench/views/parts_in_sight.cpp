@@ -12,9 +12,9 @@ static_assert(policy::kMoments == 2);
 constexpr policy::Moments kThen = 2;  // the second moment only
 
 void put(PartInSight& part, PartNumber at, Vec3 v, float half) {
-  part.told[size_t(at)] = policy::squashed(v.x, half);
-  part.told[size_t(at) + 1] = policy::squashed(v.y, half);
-  part.told[size_t(at) + 2] = policy::squashed(v.z, half);
+  part.features[size_t(at)] = policy::squashed(v.x, half);
+  part.features[size_t(at) + 1] = policy::squashed(v.y, half);
+  part.features[size_t(at) + 2] = policy::squashed(v.z, half);
 }
 
 // Collects parts in the order in which they are seen.
@@ -31,7 +31,7 @@ class Gatherer {
       PartInSight& part = parts_.back();
       const Vec3 moved = sight.solid.center - last_.solid.center;
       put(part, kPartMoved, toLocal(axes_, moved), kFastPart);
-      part.told[kPartThere] = kStays;
+      part.features[kPartThere] = kStays;
       return;
     }
     last_ = sight;
@@ -50,10 +50,10 @@ class Gatherer {
     put(part, kPartCenter, solid.center, kFarPart);
     put(part, kPartHalf, (box.hi - box.lo) * 0.5f, kLargePart);
     put(part, kPartNearest, nearest, kNearPart);
-    part.told[sight.kind == policy::kDanger ? kPartIsDanger : kPartIsFloor] = 1;
-    part.told[kPartThere] = sight.moments == policy::kAlways ? kStays
-                            : sight.moments == kThen         ? kComes
-                                                             : kGoes;
+    part.features[sight.kind == policy::kDanger ? kPartIsDanger : kPartIsFloor] = 1;
+    part.features[kPartThere] = sight.moments == policy::kAlways ? kStays
+                                : sight.moments == kThen         ? kComes
+                                                                 : kGoes;
     return part;
   }
 

@@ -28,12 +28,12 @@ constexpr float kFarPart = 8, kLargePart = 4, kNearPart = 4, kFastPart = 2;
 
 struct PartInSight {
   float distance = 0;  // distance to the part's box, studs
-  std::array<float, kPartNumbers> told{};
+  std::array<float, kPartNumbers> features{};
 
   // Orders by distance. Ties are decided by the features, so that the order of parts in the level
   // does not matter.
   friend bool operator<(const PartInSight& a, const PartInSight& b) {
-    return a.distance != b.distance ? a.distance < b.distance : a.told < b.told;
+    return a.distance != b.distance ? a.distance < b.distance : a.features < b.features;
   }
 };
 

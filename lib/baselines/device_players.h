@@ -7,11 +7,19 @@
 #include <vector>
 
 #include "baselines/device_kernels.h"
+#include "baselines/episode.h"
 #include "baselines/names.h"
-#include "baselines/view.h"
+#include "geom/region.h"
 #include "sim/batch.h"
 
 namespace obby::baselines {
+
+// A player's view in methods that learn during the search.
+struct View {
+  const Episode* player;
+  geom::Region next;  // region that the player has to reach
+  Turns ahead;        // heading of the observation
+};
 
 class DevicePlayers {
  public:

@@ -19,10 +19,10 @@ bool isProgram(const fs::path& path) {
 Result<Programs> findPrograms(const std::string& solve) {
   std::error_code error;
   const fs::path here = fs::read_symlink("/proc/self/exe", error).parent_path();
-  const auto beside = [&](const char* name) {
+  const auto sibling = [&](const char* name) {
     return !error && isProgram(here / name) ? (here / name).string() : std::string();
   };
-  Programs out{beside("obby-solve"), beside("obby-import"), beside("obby-calibrate")};
+  Programs out{sibling("obby-solve"), sibling("obby-import"), sibling("obby-calibrate")};
   if (!solve.empty()) {
     out.solve = fs::absolute(solve, error).string();
     if (error || !isProgram(out.solve))

@@ -210,17 +210,17 @@ class Fitter {
     OBBY_ASSIGN(const Derivatives derivatives, derivativesAt(objective, point, work_));
     if (work_.stopped()) return {};
     const Evidence evidence = evidenceOf(derivatives);
-    std::vector<Parameter> told;
+    std::vector<Parameter> determined;
     Found trial = found_.copy();
     for (size_t i = 0; i < seen_.size(); ++i) {
       if (!isDifferentiable(seen_[i].kind) || evidence.half[i] < kNothing) {
-        told.push_back(seen_[i]);
+        determined.push_back(seen_[i]);
       } else {
         setValue(trial.values.root().getParams(), seen_[i].name, valueOf(now_, seen_[i].name));
       }
     }
-    if (told.size() == seen_.size()) return {};
-    const Objective less(sharp_.takes(), told, trial.params(), sharp_.settings());
+    if (determined.size() == seen_.size()) return {};
+    const Objective less(sharp_.takes(), determined, trial.params(), sharp_.settings());
     OBBY_ASSIGN(const std::vector<double> there,
                 refined(less, trial.in(less), kGradientRounds, work_));
     if (less.loss(there) > objective.loss(point) + slackOf(derivatives, objective.frames()))

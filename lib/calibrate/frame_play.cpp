@@ -24,9 +24,9 @@ constexpr float kSlack = 0.2f;   // rounding error of a sum of mean frames, step
 uint32_t stepsByMotion(const Frame& a, const Frame& b, uint32_t steps, float dt) {
   if (a.state != sim::State::running || b.state != sim::State::running) return steps;
   const auto offAt = [&](int n) {
-    const Vec3 way =
+    const Vec3 travel =
         (a.velocity * float(n) + (b.velocity - a.velocity) * (0.5f * float(n + 1))) * dt;
-    const Vec3 off = b.position - a.position - way;
+    const Vec3 off = b.position - a.position - travel;
     return std::hypot(off.x, off.z);
   };
   int best = int(steps);

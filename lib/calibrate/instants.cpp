@@ -40,8 +40,8 @@ void addStrides(const std::vector<Frame>& f, int axis, double own, std::vector<S
     const double seconds = f[i + 1].time - f[i].time, change = rate * seconds;
     if (std::fabs(change) < kMinChange) continue;
     const double sum = along(f[i].velocity + f[i + 1].velocity, axis);
-    const double way = along(f[i + 1].position - f[i].position, axis);
-    to.push_back({way - 0.5 * sum * seconds - own * change, change});
+    const double distance = along(f[i + 1].position - f[i].position, axis);
+    to.push_back({distance - 0.5 * sum * seconds - own * change, change});
   }
 }
 

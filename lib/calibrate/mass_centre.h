@@ -16,7 +16,10 @@ struct MassCentre {
 
   bool isRoot() const { return ahead == 0 && right == 0; }
   // Returns the offset from the root's centre in world axes, for an avatar that faces `yaw`.
-  Vec3 at(Turns yaw) const;
+  Vec3 at(Turns yaw) const {
+    const Vec3 front = directionOf(sinCos(yaw));
+    return front * ahead + rightOf(front) * right;
+  }
 };
 
 }  // namespace obby::calibrate

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "calibrate/range_text.h"
 #include "io/text.h"
 #include "table/chart.h"
 
@@ -34,7 +33,7 @@ table{border-collapse:collapse;width:100%;font-variant-numeric:tabular-nums}
 th,td{text-align:left;padding:.25rem .75rem .25rem 0;border-bottom:1px solid var(--line);vertical-align:middle}
 th{font-weight:600}td.n,th.n{text-align:right}.faint{color:var(--faint)}.bad{color:var(--bad)}
 .lead{font-size:1.1rem}summary{cursor:pointer;padding:.35rem 0;border-bottom:1px solid var(--line)}
-summary:focus-visible{outline:2px solid var(--mark)}svg.bar .room{fill:var(--line)}svg.bar .is{fill:var(--mark)}
+summary:focus-visible{outline:2px solid var(--mark)}svg.bar .range{fill:var(--line)}svg.bar .is{fill:var(--mark)}
 svg.bar .was{stroke:var(--faint);stroke-width:2}details svg{max-width:100%;height:auto}
 .wide{overflow-x:auto}
 </style></head><body>
@@ -50,7 +49,7 @@ std::string barOf(const Fitted& f) {
   const double low = placeOf(p, f.low), high = placeOf(p, f.high);
   std::string out = fmt::format(
       "<svg class=\"bar\" width=\"{0}\" height=\"16\" role=\"img\" aria-label=\"{1}; searched: "
-      "{2} to {3}\"><rect class=\"room\" y=\"6\" width=\"{0}\" height=\"4\"/>",
+      "{2} to {3}\"><rect class=\"range\" y=\"6\" width=\"{0}\" height=\"4\"/>",
       kBar, rangeText(number(f.low), number(f.high)), number(p.lowest), number(p.highest));
   const bool unknown = f.low == p.lowest && f.high == p.highest;
   if (!unknown)

@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "calibrate/range_text.h"
-
 namespace obby::calibrate {
 
 namespace {
@@ -38,6 +36,10 @@ std::string lineOf(const Outcome& o) {
 }
 
 }  // namespace
+
+std::string rangeText(const std::string& low, const std::string& high) {
+  return low == high ? low : fmt::format("{} to {}", low, high);
+}
 
 std::string interruptionOf(const Fit& fit) {
   if (!fit.stopped) return {};

@@ -16,6 +16,9 @@ struct Outcome {
   Miss miss;
 };
 
+// Joins the printed ends of a range, or returns one if both print the same.
+std::string rangeText(const std::string& low, const std::string& high);
+
 // Returns a note that the fit was interrupted, or an empty text.
 std::string interruptionOf(const Fit& fit);
 

@@ -46,8 +46,8 @@ bool differ(const Result<std::vector<float>>& a, const Result<std::vector<float>
 
 // Returns the recordings whose residuals change if the tick-valued parameters take any mix of their
 // min and max values.
-std::vector<Take> telling(const Objective& objective, const std::vector<double>& point,
-                          const std::vector<Profile>& profiles, const Work& work) {
+std::vector<Take> decisiveTakes(const Objective& objective, const std::vector<double>& point,
+                                const std::vector<Profile>& profiles, const Work& work) {
   std::vector<Take> out;
   for (const Take& take : objective.takes()) {
     if (work.stopped()) break;
@@ -148,8 +148,8 @@ Scan scanOf(const Objective& objective, const std::vector<double>& point, Tried 
     whole[p.coordinate] =
         shareOfCount(objective, p.coordinate, countAt(objective, point, p.coordinate));
   if (choices.empty() || work.stopped()) return out;
-  const std::vector<Take> told = telling(objective, point, out.profiles, work);
-  const Objective some = objective.of(told);
+  const std::vector<Take> decisive = decisiveTakes(objective, point, out.profiles, work);
+  const Objective some = objective.of(decisive);
   out.frames = some.frames();
   std::vector<std::vector<double>> points;
   for (const Choice& choice : choices) points.push_back(pointOf(choice, out.profiles, whole));

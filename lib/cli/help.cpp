@@ -83,7 +83,7 @@ std::string optionList(const std::vector<OptionRow>& rows, const HelpStyle& styl
 
 }  // namespace
 
-const char* const kOtherWays =
+const char* const kOtherSources =
     "Any option can also be set with an environment variable (OBBY_QUIET for --quiet) or in the "
     "--config file. The command line wins, then variables, then the file. An option without effect "
     "is an error on the command line and ignored elsewhere.";
@@ -124,7 +124,7 @@ std::string helpText(const ToolSpec& spec, const std::vector<OptionRow>& rows,
                         0, style.width);
   out += optionList(rows, style) + paragraph(spec.notes);
   if (style.all) out += paragraph(spec.details);
-  out += paragraph(kOtherWays);
+  out += paragraph(kOtherSources);
   const bool repeats =
       std::any_of(rows.begin(), rows.end(), [](const OptionRow& row) { return row.repeatable; });
   std::string end = repeats ? "Options with ... may be repeated." : "";

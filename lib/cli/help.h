@@ -35,6 +35,6 @@ std::string usageWords(const ToolSpec& spec);
 std::vector<std::string> optionGroups(const std::vector<OptionRow>& rows);
 
 // Describes the other ways to set an option.
-extern const char* const kOtherWays;
+extern const char* const kOtherSources;
 
 }  // namespace obby::cli

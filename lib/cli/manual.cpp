@@ -81,8 +81,8 @@ std::string options(const std::vector<OptionRow>& all) {
     for (const OptionRow& row : rows)
       if (row.group == group) out += optionEntry(row);
   }
-  return out + ".SS " + roff::argument("Variables and config file") + "\n" + escaped(kOtherWays) +
-         "\n";
+  return out + ".SS " + roff::argument("Variables and config file") + "\n" +
+         escaped(kOtherSources) + "\n";
 }
 
 std::string examples(const ToolSpec& spec) {

@@ -122,6 +122,13 @@ OptionRow commonRow(Common option) {
   return {};
 }
 
+std::vector<OptionRow> joined(std::initializer_list<std::vector<OptionRow>> groups) {
+  std::vector<OptionRow> rows;
+  for (const std::vector<OptionRow>& group : groups)
+    rows.insert(rows.end(), group.begin(), group.end());
+  return rows;
+}
+
 const std::vector<OptionRow>& universalRows() {
   static const std::vector<OptionRow> rows = makeUniversalRows();
   return rows;

@@ -1,6 +1,7 @@
 // Makes the rows of an option table: short functions, and the rows that tools have in common.
 #pragma once
 
+#include <initializer_list>
 #include <string>
 #include <utility>
 #include <vector>
@@ -94,6 +95,9 @@ inline OptionRow withDefault(OptionRow r, std::string defaultText) {
   r.defaultText = std::move(defaultText);
   return r;
 }
+
+// Returns the rows of all groups in one table.
+std::vector<OptionRow> joined(std::initializer_list<std::vector<OptionRow>> groups);
 
 // Returns the rows that every tool has: --help, --help-all, --version, --quiet, --verbose,
 // --no-color, --json-errors, --schema, --config, --print-config, --completion, --man. runTool adds

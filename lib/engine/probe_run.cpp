@@ -15,7 +15,7 @@ constexpr double kPress = 2;         // seconds that keys and buttons are held
 constexpr float kFallSpeed = 140;    // studs/s, reached after about 50 studs
 constexpr uint32_t kFastFrames = 3;  // frames in which a falling player still has its speed
 constexpr double kQuiet = 1.0;       // seconds without a change end a probe
-constexpr double kAtLeast = 1.5;
+constexpr double kMinProbe = 1.5;
 // Seconds from death to respawn: bounds on the place's RespawnTime, and extra time for scripts that
 // load the body themselves.
 constexpr double kMinRespawn = 5, kLongestRespawn = 30, kScriptedWait = 6;
@@ -81,7 +81,7 @@ Probe runProbe(Stage& stage, const Plan& plan, Probe probe, Manner manner) {
   const bool stands = isTouch(probe.approach);
   uint32_t hold = framesOf(manner.patient ? kPatientHold : kHold), frame = 0, quiet = 0;
   const bool lasts = !stands && stage.use(probe.target);
-  const uint32_t min = manner.patient ? hold : framesOf(lasts ? kPress + kQuiet : kAtLeast);
+  const uint32_t min = manner.patient ? hold : framesOf(lasts ? kPress + kQuiet : kMinProbe);
   while (frame < max && (frame < min || quiet < framesOf(kQuiet))) {
     const bool leaves = manner.stay == Stay::brief && hurtIn(stage.harms());
     if (leaves) hold = std::min(hold, frame);

@@ -18,9 +18,9 @@ namespace {
 
 constexpr uint32_t kTouch = 12, kBetween = 4;  // frames of a touch, and after it
 constexpr uint32_t kShortTouch = 4, kLongTour = 100;
-constexpr double kSettleAtLeast = 1, kSettleAtMost = 20;  // seconds after the tour
-constexpr size_t kMaxPatient = 32;                        // parts that had no effect at first
-constexpr size_t kMaxProbed = 100;                        // parts that kill come last
+constexpr double kMinSettle = 1, kMaxSettle = 20;  // seconds after the tour
+constexpr size_t kMaxPatient = 32;                 // parts that had no effect at first
+constexpr size_t kMaxProbed = 100;                 // parts that kill come last
 constexpr uint64_t kOfOneTour = 20'000'000, kOfAll = 100'000'000;  // instructions
 
 class Tour {
@@ -176,8 +176,8 @@ class Tour {
   void settle() {
     const uint32_t begun = stage_.frames();
     const auto passed = [&] { return stage_.frames() - begun; };
-    while (!stage_.isExhausted() && (passed() < framesOf(kSettleAtLeast) ||
-                                     (stage_.isBusy() && passed() < framesOf(kSettleAtMost))))
+    while (!stage_.isExhausted() && (passed() < framesOf(kMinSettle) ||
+                                     (stage_.isBusy() && passed() < framesOf(kMaxSettle))))
       stage_.run(10);
     stage_.revive();
   }

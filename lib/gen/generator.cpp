@@ -1,5 +1,4 @@
 #include "gen/generator.h"
-#include "gen/recipe_check.h"
 
 #include <algorithm>
 
@@ -87,9 +86,9 @@ Sketch Generator::draw(const Style& style, float difficulty, const Random& rando
   std::vector<const Style*> chain(obstacles, &style);
   if (style.chains) pickChain(s, chain);
   for (uint32_t i = 0; i < obstacles; ++i) {
-    const float way = obstacles > 1 ? float(i) / float(obstacles - 1) : 1.0f;
+    const float progress = obstacles > 1 ? float(i) / float(obstacles - 1) : 1.0f;
     const float first = style.chains ? recipe_.courseFirst : 1.0f;
-    s.begin(difficulty * (first + (1 - first) * way));
+    s.begin(difficulty * (first + (1 - first) * progress));
     chain[i]->build(s);
     const bool last = i + 1 == obstacles;
     s.rest(last, !spreads(*chain[i]) && (last || !spreads(*chain[i + 1])));

@@ -60,4 +60,7 @@ struct Recipe {
   static Result<Recipe> fromJson(std::string_view text);
 };
 
+// Error: unknown names, ranges whose ends are in the wrong order, numbers out of bounds.
+Status checkRecipe(const Recipe& recipe);
+
 }  // namespace obby::gen

@@ -1,4 +1,4 @@
-#include "gen/recipe_check.h"
+#include "gen/recipe.h"
 
 #include <fmt/format.h>
 

@@ -8,7 +8,6 @@
 
 #include "base/spelling.h"
 #include "gen/recipe.h"
-#include "gen/recipe_check.h"
 #include "gen/styles.h"
 #include "io/json_tree.h"
 #include "level/record_values.h"

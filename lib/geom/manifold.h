@@ -58,13 +58,13 @@ OBBY_DEVICE void farthest(const Ring& ring, float side, Ring& out) {
   const Vec3 corner = ring.at(best);
   out.add(true, corner);
   float slopes[2] = {1, 1};
-  const Vec3 beside[2] = {ring.next(best), ring.at((best + ring.count - 1) % ring.count)};
+  const Vec3 neighbours[2] = {ring.next(best), ring.at((best + ring.count - 1) % ring.count)};
   for (int i = 0; i < 2 && ring.count > 1; ++i) {
-    const Vec3 d = beside[i] - corner;
+    const Vec3 d = neighbours[i] - corner;
     slopes[i] = absf(d.z) / maxf(length(d), 1e-6f);
   }
   const int flatter = slopes[1] < slopes[0] ? 1 : 0;
-  out.add(slopes[flatter] < 1e-3f, beside[flatter]);
+  out.add(slopes[flatter] < 1e-3f, neighbours[flatter]);
 }
 
 // Returns the meeting point of shapes whose facing features do not overlap: edge to edge, or at a

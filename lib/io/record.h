@@ -2,17 +2,26 @@
 // to copy.
 #pragma once
 
+#include <capnp/message.h>
+
 #include <cstdint>
 #include <memory>
 #include <string>
 
 #include "base/result.h"
-#include "io/record_memory.h"
 #include "schema/obby.capnp.h"
 
 namespace obby::io {
 
 using Kind = schema::Record::Which;
+
+// The memory of a record that is being built. If none is left it throws std::bad_alloc, as other
+// code does, instead of an exception of Cap'n Proto that names its source code.
+class RecordMemory final : public capnp::MallocMessageBuilder {
+ public:
+  using MallocMessageBuilder::MallocMessageBuilder;
+  kj::ArrayPtr<capnp::word> allocateSegment(unsigned int minimumWords) override;
+};
 
 // A record being built or changed: `auto level = builder.root().initLevel();`. Throws
 // std::bad_alloc if there is no memory for it.

@@ -40,7 +40,7 @@ struct RecordSource::Impl {
   SourceSummary summary;
   uint64_t warnings = 0;
   uint32_t schemaMinor = 0;
-  bool toldToStop = false;
+  bool wasStopped = false;
   std::optional<Error> incomplete;  // error of the first end record with the most severe status
   // Place of the last level, if it could not be read; otherwise empty.
   std::string lostLevel;
@@ -162,7 +162,7 @@ struct RecordSource::Impl {
       if (!leaveOut(record)) return got;
       if (options.onError == OnError::emit) return std::optional<Record>(bytesOf(record));
     }
-    toldToStop = true;
+    wasStopped = true;
     return std::optional<Record>();
   }
 };
@@ -185,7 +185,7 @@ Status RecordSource::forgive(const Record& record, Error error) {
 }
 
 bool RecordSource::stopped() const {
-  return impl_->toldToStop || (impl_->options.stop && impl_->options.stop->load());
+  return impl_->wasStopped || (impl_->options.stop && impl_->options.stop->load());
 }
 
 schema::EndStatus RecordSource::status() const {

@@ -1,6 +1,19 @@
 #include "io/record_storage.h"
 
+#include <kj/exception.h>
+
+#include <new>
+
 namespace obby::io {
+
+kj::ArrayPtr<capnp::word> RecordMemory::allocateSegment(unsigned int minimumWords) {
+  try {
+    return MallocMessageBuilder::allocateSegment(minimumWords);
+  } catch (const kj::Exception& e) {
+    if (e.getType() == kj::Exception::Type::OVERLOADED) throw std::bad_alloc();  // ENOMEM
+    throw;
+  }
+}
 
 Record::Record(std::shared_ptr<const Storage> storage) : storage_(std::move(storage)) {}
 

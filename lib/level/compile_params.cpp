@@ -55,13 +55,13 @@ void derive(Params& p) {
   };
   p.landedSteps = uint16_t(std::min(steps(p.landedTime), 255u));
   // Counters for these limits start at 0, and a limit of 0 would be reached at once.
-  const auto atLeastOne = [&p](float seconds) {
+  const auto positiveTicks = [&p](float seconds) {
     return uint16_t(std::max(1u, ticksFromSeconds(p, seconds)));
   };
   p.coyoteSteps = uint16_t(std::max(1u, steps(p.coyoteTime)));
   p.graceSteps = uint16_t(std::max(1u, steps(p.offFloorGrace)));
-  p.squeezeTicks = atLeastOne(p.squeezeTime);
-  p.sleepTicks = atLeastOne(p.sleepTime);
+  p.squeezeTicks = positiveTicks(p.squeezeTime);
+  p.sleepTicks = positiveTicks(p.sleepTime);
 }
 
 }  // namespace

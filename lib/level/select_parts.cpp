@@ -15,11 +15,11 @@ namespace obby::level {
 
 namespace {
 
-constexpr size_t kShown = 5;        // candidates in a hint
-constexpr int kLongestEnd = 8;      // max path components in a selector that is the end of a path
-constexpr float kGrowUp = 0.5f;     // studs
-constexpr float kGrowSide = 1;      // studs
-constexpr float kStandingRoom = 5;  // studs
+constexpr size_t kShown = 5;          // candidates in a hint
+constexpr int kLongestEnd = 8;        // max path components in a selector that is the end of a path
+constexpr float kGrowUp = 0.5f;       // studs
+constexpr float kGrowSide = 1;        // studs
+constexpr float kStandingHeight = 5;  // studs
 
 // Returns a list of selectors that can be typed, one for each part.
 std::string listParts(PartIndex& index, const std::vector<uint32_t>& parts) {
@@ -243,8 +243,8 @@ PlainRegion regionAround(schema::Part::Reader part) {
 }
 
 PlainRegion regionOnTop(schema::Part::Reader part) {
-  const Vec3 up{0, halfHeight(part) + kStandingRoom / 2, 0};
-  return {part.getName().cStr(), vec(part.getPosition()) + up, {}, {4, kStandingRoom, 4}};
+  const Vec3 up{0, halfHeight(part) + kStandingHeight / 2, 0};
+  return {part.getName().cStr(), vec(part.getPosition()) + up, {}, {4, kStandingHeight, 4}};
 }
 
 }  // namespace obby::level

@@ -44,9 +44,9 @@ float speedOf(const Roles& r, const Collider& c, const Box& box) {
   const Vec3 turning = abs(r.conveyorAngular);
   const Vec3 far = max(abs(box.lo - c.pose.position), abs(box.hi - c.pose.position));
   const bool moves = c.mover != kNone || c.body != kNoBody;
-  const float beside = moves ? length(c.shape.half) : sideways(far);
+  const float radius = moves ? length(c.shape.half) : sideways(far);
   const float above = moves ? length(c.shape.half) : far.y;
-  return sideways(r.conveyorVelocity) + turning.y * beside + sideways(turning) * above;
+  return sideways(r.conveyorVelocity) + turning.y * radius + sideways(turning) * above;
 }
 
 }  // namespace

@@ -2,7 +2,17 @@
 // number type. Sums have the same order on every machine.
 #pragma once
 
-#include "nn/exponential_double.h"
+#include "math/exponential.h"
+
+namespace obby {
+
+// In double precision, by libm, and on the host only: tests compare the gradients of the templates
+// with finite differences. No result of a program depends on these.
+inline double expNegative(double x) { return __builtin_exp(x); }
+inline double expOf(double x) { return __builtin_exp(x); }
+inline double logOf(double x) { return __builtin_log(x); }
+
+}  // namespace obby
 
 namespace obby::nn {
 

@@ -39,11 +39,11 @@ OBBY_DEVICE Vec3 rosetteDirection(Turns ahead, int d) {
 OBBY_DEVICE void placePoints(Turns ahead, Rosette& r) {
   r.x[0] = r.z[0] = 0;
   for (int d = 0; d < kDirections; ++d) {
-    const Vec3 way = rosetteDirection(ahead, d);
+    const Vec3 direction = rosetteDirection(ahead, d);
     for (int ring = 0; ring < kRings; ++ring) {
       const int i = 1 + ring * kDirections + d;
-      r.x[i] = way.x * ringRadius(ring);
-      r.z[i] = way.z * ringRadius(ring);
+      r.x[i] = direction.x * ringRadius(ring);
+      r.z[i] = direction.z * ringRadius(ring);
     }
   }
   for (int i = kPoints; i < kPaddedPoints; ++i) r.x[i] = r.z[i] = 1e9f;
@@ -52,9 +52,9 @@ OBBY_DEVICE void placePoints(Turns ahead, Rosette& r) {
 // Places a single point of the rosette, with the same bits as placePoints().
 OBBY_DEVICE Points<1> placePoint(Turns ahead, int point) {
   if (point == 0) return {{0}, {0}};
-  const Vec3 way = rosetteDirection(ahead, (point - 1) % kDirections);
+  const Vec3 direction = rosetteDirection(ahead, (point - 1) % kDirections);
   const float radius = ringRadius((point - 1) / kDirections);
-  return {{way.x * radius}, {way.z * radius}};
+  return {{direction.x * radius}, {direction.z * radius}};
 }
 
 // Returns the height of the solid's top where it obstructs a player who walks or jumps there,

@@ -89,11 +89,11 @@ class Table {
     Row heads;
     std::copy(std::begin(kHeads), std::end(kHeads), heads.begin());
     heads[kRoute] += arrow() + "to";
-    const bool beside = reasonsBeside();
-    std::string out = line(heads, nullptr, beside);
+    const bool inColumn = reasonsInColumn();
+    std::string out = line(heads, nullptr, inColumn);
     for (size_t i = 0; i < rows_.size(); ++i) {
-      out += line(rows_[i], &states_[i], beside);
-      if (!beside) out += linesOf(rows_[i][kReason]);
+      out += line(rows_[i], &states_[i], inColumn);
+      if (!inColumn) out += linesOf(rows_[i][kReason]);
     }
     const size_t others = answers_.size() - rows_.size();
     if (others == 1) out += "1 other query was not asked in this run.\n";
@@ -155,13 +155,13 @@ class Table {
     return used;
   }
 
-  bool reasonsBeside() const {
+  bool reasonsInColumn() const {
     if (widths_[kReason] == 0) return false;
     return terminal_.width >= usedColumns() + std::max(kMinReason, widths_[kReason]);
   }
 
   // `state` is null for the line of headings.
-  std::string line(const Row& row, const State* state, bool beside) const {
+  std::string line(const Row& row, const State* state, bool inColumn) const {
     std::string text;
     for (size_t c = 0; c < kReason; ++c) {
       if (widths_[c] == 0) continue;
@@ -169,7 +169,7 @@ class Table {
       text += c == kVerdict && state ? colored(cell, verdictOf(*state).color, terminal_) : cell;
       text += std::string(kGap, ' ');
     }
-    if (beside) text += fitted(row[kReason], terminal_.width - usedColumns(), !terminal_.utf8);
+    if (inColumn) text += fitted(row[kReason], terminal_.width - usedColumns(), !terminal_.utf8);
     text.erase(text.find_last_not_of(' ') + 1);
     return text + "\n";
   }

@@ -14,10 +14,10 @@ Flow::Flow(size_t width, size_t gap, std::string indent)
       out_(indent_) {}
 
 void Flow::add(std::string_view piece, size_t columns) {
-  const bool beside = begun_ && used_ + gap_ + columns <= width_;
-  if (begun_) out_ += beside ? std::string(gap_, ' ') : "\n" + indent_;
+  const bool fits = begun_ && used_ + gap_ + columns <= width_;
+  if (begun_) out_ += fits ? std::string(gap_, ' ') : "\n" + indent_;
   out_ += piece;
-  used_ = beside ? used_ + gap_ + columns : columns;
+  used_ = fits ? used_ + gap_ + columns : columns;
   begun_ = true;
 }
 

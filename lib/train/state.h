@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "nn/learner.h"
+#include "train/normaliser.h"
 #include "train/play.h"
-#include "train/value_scale.h"
 
 namespace obby::train {
 

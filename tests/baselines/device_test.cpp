@@ -116,7 +116,7 @@ void expectTheSameOnADevice(const Problem& problem, int rounds, const char* name
 // The smallest difference would make trajectories diverge.
 TEST(LearnedDevice, SearchesAreTheSameCellByCell) {
   for (const auto& [name, scene] : residentScenes()) {
-    const Problem problem = scene->question.problem();
+    const Problem problem = scene->asked.problem();
     const int rounds = problem.level.bodyCount != 0 ? 3 : 6;  // dynamic bodies make searches slow
     expectTheSameOnADevice<Pbge, PbgeSettings>(problem, rounds, name);
     expectTheSameOnADevice<Cflge, CflgeSettings>(problem, rounds, name);

@@ -83,9 +83,9 @@ TEST(Cflge, KeepsTrajectoriesThatReplayAndCountsItsWork) {
 // The player cannot stand in cells that are only reached in flight, so they cannot be goals.
 TEST(LearnedSearches, KeepCellsInWhichThePlayerStands) {
   const level::Level stones = steppingStones().compile();
-  Question question(stones);
+  PlainQuery asked(stones);
   ThreadPool pool(2);
-  Pbge search(question.problem(), 1, {}, {pool});
+  Pbge search(asked.problem(), 1, {}, {pool});
   for (int r = 0; r < 30; ++r) search.round();
   ASSERT_GT(search.cellCount(), 20u);
   for (uint32_t c = 1; c < search.cellCount(); ++c)
@@ -191,8 +191,8 @@ TEST(LearnedSearches, AreTheSameOnAnyNumberOfThreads) {
 // A known solution is found before the first round, and the search continues from it.
 TEST(LearnedSearches, TryEarlierAnswersFirst) {
   const level::Level stones = steppingStones().compile();
-  Question question(stones);
-  Problem problem = question.problem();
+  PlainQuery asked(stones);
+  Problem problem = asked.problem();
   ThreadPool pool(2);
   Pbge search(problem, 1, {}, {pool});
   while (search.goals().empty()) {

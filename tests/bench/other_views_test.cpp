@@ -132,8 +132,8 @@ LevelBuilder somewhere(schema::Shape shape, Random& random) {
 float castRay(const level::Collider& c, int elevation, int direction) {
   const Vec3 eye{0, kEyeHeight, 0}, flat = policy::rosetteDirection(0, direction);
   const float up = kRayDegrees[elevation] * kPi / 180;
-  const Vec3 way = flat * std::cos(up) + Vec3{0, std::sin(up), 0};
-  const Vec3 o = toLocal(c.pose, eye), d = toLocal(c.pose.rotation, way);
+  const Vec3 ray = flat * std::cos(up) + Vec3{0, std::sin(up), 0};
+  const Vec3 o = toLocal(c.pose, eye), d = toLocal(c.pose.rotation, ray);
   geom::RayHit hit{};
   const bool met = geom::visitShape(
       c.kind, [&](auto shape) { return shape.castRay(c.shape, o, d, kRayReach, hit); });
@@ -164,7 +164,7 @@ TEST(Rays, MeetShapesLikeTheSimulatorsRays) {
   }
 }
 
-float told(float studs, float half) { return policy::squashed(studs, half); }
+float feature(float studs, float half) { return policy::squashed(studs, half); }
 
 TEST(NearestParts, AreListedInThePlayersFrameNearestFirst) {
   LevelBuilder b;
@@ -180,21 +180,21 @@ TEST(NearestParts, AreListedInThePlayersFrameNearestFirst) {
     EXPECT_EQ(list(i, kPartThere), kStays) << i;
     for (int axis = 0; axis < 3; ++axis) EXPECT_EQ(list(i, kPartMoved, axis), 0) << i;
   }
-  EXPECT_NEAR(list(0, kPartNearest, 2), told(-2.5f, kNearPart), 1e-5f) << "below";
-  EXPECT_NEAR(list(0, kPartHalf, 2), told(0.5f, kLargePart), 1e-5f);
-  EXPECT_NEAR(list(1, kPartCenter, 1), told(6, kFarPart), 1e-5f) << "to the right";
-  EXPECT_NEAR(list(1, kPartCenter, 2), told(2, kFarPart), 1e-5f) << "up";
-  EXPECT_NEAR(list(1, kPartNearest, 1), told(5, kNearPart), 1e-5f);
-  EXPECT_NEAR(list(2, kPartCenter, 0), told(9, kFarPart), 1e-5f) << "ahead";
-  EXPECT_NEAR(list(2, kPartHalf, 0), told(1, kLargePart), 1e-5f);
-  EXPECT_NEAR(list(2, kPartHalf, 1), told(2, kLargePart), 1e-5f);
-  EXPECT_NEAR(list(2, kPartNearest, 0), told(8, kNearPart), 1e-5f);
+  EXPECT_NEAR(list(0, kPartNearest, 2), feature(-2.5f, kNearPart), 1e-5f) << "below";
+  EXPECT_NEAR(list(0, kPartHalf, 2), feature(0.5f, kLargePart), 1e-5f);
+  EXPECT_NEAR(list(1, kPartCenter, 1), feature(6, kFarPart), 1e-5f) << "to the right";
+  EXPECT_NEAR(list(1, kPartCenter, 2), feature(2, kFarPart), 1e-5f) << "up";
+  EXPECT_NEAR(list(1, kPartNearest, 1), feature(5, kNearPart), 1e-5f);
+  EXPECT_NEAR(list(2, kPartCenter, 0), feature(9, kFarPart), 1e-5f) << "ahead";
+  EXPECT_NEAR(list(2, kPartHalf, 0), feature(1, kLargePart), 1e-5f);
+  EXPECT_NEAR(list(2, kPartHalf, 1), feature(2, kLargePart), 1e-5f);
+  EXPECT_NEAR(list(2, kPartNearest, 0), feature(8, kNearPart), 1e-5f);
 }
 
 TEST(NearestParts, IncludeTheirFutureMotion) {
   const List list = listOf(coming(true));
   ASSERT_EQ(list.count(), 2) << "what moves is listed once";
-  EXPECT_NEAR(list(1, kPartMoved, 0), told(-4 * 0.4f, kFastPart), 2e-2f);
+  EXPECT_NEAR(list(1, kPartMoved, 0), feature(-4 * 0.4f, kFastPart), 2e-2f);
   EXPECT_EQ(list(1, kPartThere), kStays);
   EXPECT_EQ(list(0, kPartMoved, 0), 0);
 }

@@ -86,7 +86,7 @@ TEST_F(SuiteFolder, ContentIsEverythingThatCanChangeATrajectory) {
 
 TEST_F(SuiteFolder, UnsolvableQueriesRunOnceByTheFirstMethodOnly) {
   const Plan p = plan();
-  EXPECT_EQ(p.questions().size(), 2u * 2 * 2 + 1);
+  EXPECT_EQ(p.trials().size(), 2u * 2 * 2 + 1);
   EXPECT_TRUE(p.asks(0, 2, 1));
   EXPECT_FALSE(p.asks(0, 2, 2));
   EXPECT_FALSE(p.asks(1, 2, 1));
@@ -107,8 +107,8 @@ TEST_F(SuiteFolder, EachQueryAndSeedIsReportedFromOneKindOfMachine) {
     return bool(log->append(run));
   };
   ASSERT_TRUE(append(0, "8 lanes", 2) && append(1, "8 lanes", 3) && append(1, "16 lanes", 1));
-  EXPECT_EQ(machineOf(p.questionsAt(0, 1), *log, {}).runs, 2u);
-  EXPECT_EQ(machineOf(p.questionsAt(0, 2), *log, {}).runs, 0u);
+  EXPECT_EQ(machineOf(p.trialsAt(0, 1), *log, {}).runs, 2u);
+  EXPECT_EQ(machineOf(p.trialsAt(0, 2), *log, {}).runs, 0u);
   const Results results = resultsOf(p, *log, {});
   ASSERT_EQ(results.runs[0][0].size(), 1u);
   ASSERT_EQ(results.runs[1][0].size(), 1u);
@@ -130,22 +130,22 @@ TEST_F(SuiteFolder, ARunIsAnswered) {
   const Plan p = plan();
   ThreadPool pool(1);
   const std::atomic<bool> stop{false};
-  const Question question{p.suite[0], *p.methods[0], 1, 20};
-  const auto run = ask(question, plannedRun(question, 5), pool, stop);
+  const Trial trial{p.suite[0], *p.methods[0], 1, 20};
+  const auto run = ask(trial, plannedRun(trial, 5), pool, stop);
   ASSERT_TRUE(run) << run.error().text();
   ASSERT_TRUE(*run);
   EXPECT_EQ((*run)->verdict, "solved");
   EXPECT_TRUE((*run)->timing.solved);
   EXPECT_GT((*run)->timing.steps, 0);
-  EXPECT_EQ((*run)->key(), plannedRun(question, 6).key());
+  EXPECT_EQ((*run)->key(), plannedRun(trial, 6).key());
 }
 
 TEST_F(SuiteFolder, AnInterruptedRunDoesNotCount) {
   const Plan p = plan();
   ThreadPool pool(1);
   const std::atomic<bool> stop{true};
-  const Question question{p.suite[0], *p.methods[0], 1, 20};
-  const auto run = ask(question, plannedRun(question, 5), pool, stop);
+  const Trial trial{p.suite[0], *p.methods[0], 1, 20};
+  const auto run = ask(trial, plannedRun(trial, 5), pool, stop);
   ASSERT_TRUE(run);
   EXPECT_FALSE(*run);
 }

@@ -75,9 +75,9 @@ TEST(Evidence, TheGradientNextToAnInvalidBodyIsOneSided) {
   std::vector<double> point = objective.start();
   point[0] = shareOf(damping[0], 479.5);
   ASSERT_TRUE(objective.residuals(point));
-  std::vector<double> beside = point;
-  beside[0] += 0.004;
-  ASSERT_FALSE(objective.residuals(beside));
+  std::vector<double> shifted = point;
+  shifted[0] += 0.004;
+  ASSERT_FALSE(objective.residuals(shifted));
   Undisturbed hands;
   const auto derivatives = derivativesAt(objective, point, hands.work);
   ASSERT_TRUE(derivatives) << derivatives.error().text();

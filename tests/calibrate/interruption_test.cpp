@@ -102,18 +102,18 @@ TEST(Fit, LeavesUntriedIntervalsUnknown) {
 // evaluations between reports vary.
 TEST(Fit, ReportsProgressContinuously) {
   const std::atomic<bool> stop{false};
-  std::vector<FitProgress> told;
+  std::vector<FitProgress> reports;
   const Fit whole = interruptionFitted(
-      stop, [&](const FitProgress& progress) { told.push_back(progress); }, 1);
+      stop, [&](const FitProgress& progress) { reports.push_back(progress); }, 1);
   EXPECT_FALSE(whole.stopped);
   EXPECT_EQ(textOf(whole, {}, 1, {}).find("interrupted"), std::string::npos);
   std::set<std::string> tasks;
   uint64_t longest = 0;
-  for (size_t i = 1; i < told.size(); ++i) {
-    EXPECT_GE(told[i].share, told[i - 1].share);
-    EXPECT_LE(told[i].share, 1);
-    longest = std::max(longest, told[i].evaluations - told[i - 1].evaluations);
-    tasks.insert(told[i].task);
+  for (size_t i = 1; i < reports.size(); ++i) {
+    EXPECT_GE(reports[i].share, reports[i - 1].share);
+    EXPECT_LE(reports[i].share, 1);
+    longest = std::max(longest, reports[i].evaluations - reports[i - 1].evaluations);
+    tasks.insert(reports[i].task);
   }
   EXPECT_EQ(tasks, (std::set<std::string>{"searching", "refining", "crossing", "weighing"}));
   EXPECT_LT(longest, whole.evaluations / 20) << "never silent for long";

@@ -40,8 +40,8 @@ TEST(OtherEngine, NoPlayerIsThrown) {
   for (const uint64_t seed : {1, 2, 3, 4, 5, 6}) {
     const auto game = test::drawnGame(test::BulletGame::Body::kinematic, seed, 0.25f);
     std::vector<Manoeuvre> shown = test::bulletManoeuvres();
-    uint64_t way = 100 * seed + 50;
-    for (Manoeuvre& m : shown) m = test::varied(m, ++way, test::kAgain);
+    uint64_t variant = 100 * seed + 50;
+    for (Manoeuvre& m : shown) m = test::varied(m, ++variant, test::kAgain);
     for (const Take& take : played(game, shown)) {
       const auto& frames = take.track.frames;
       for (size_t i = 1; i < frames.size(); ++i) {

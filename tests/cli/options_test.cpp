@@ -28,6 +28,13 @@ std::string verdict(const OptionRow& row, std::string text) {
   return wrong ? *wrong : "ok " + text;
 }
 
+TEST(Joined, KeepsTheOrderOfGroupsAndRows) {
+  const OptionRow a = flagRow("a", "", ""), b = flagRow("b", "", ""), c = flagRow("c", "", "");
+  std::vector<std::string> names;
+  for (const OptionRow& row : joined({{b, a}, {}, {c}})) names.push_back(row.name);
+  EXPECT_EQ(names, (std::vector<std::string>{"b", "a", "c"}));
+}
+
 TEST(CheckValue, NumbersMustBeWholeTextsInRange) {
   const OptionRow row = integerRow(-3, 16);
   EXPECT_EQ(verdict(row, "16"), "ok 16");

@@ -38,7 +38,7 @@ void expectSame(schema::Quat::Reader a, schema::Quat::Reader b, const std::strin
 Vec3 turn(schema::Spin::Reader spin) { return level::vec(spin.getAxis()) * spin.getSpeed(); }
 
 // Returns the bounding box of the part's position and its keys' positions.
-Box wayOf(schema::Part::Reader part) {
+Box motionBounds(schema::Part::Reader part) {
   const Vec3 home = level::vec(part.getPosition());
   Box box{home, home};
   for (const auto key : part.getMotion().getKeys()) {
@@ -52,8 +52,8 @@ Box wayOf(schema::Part::Reader part) {
 float roundOf(schema::Motion::Reader motion) {
   const auto keys = motion.getKeys();
   if (keys.size() == 0) return 0;
-  const float way = keys[keys.size() - 1].getTime() - keys[0].getTime();
-  return motion.getRepeat() == schema::Repeat::PING_PONG ? 2 * way : way;
+  const float duration = keys[keys.size() - 1].getTime() - keys[0].getTime();
+  return motion.getRepeat() == schema::Repeat::PING_PONG ? 2 * duration : duration;
 }
 
 // Positions and times of tweens are written with all digits. Poses a few hundred studs from the
@@ -63,7 +63,7 @@ void expectSameRoute(schema::Part::Reader a, schema::Part::Reader b, const std::
   // kFrame is in seconds; kRounding is in studs and in seconds. Motions are sampled once a frame,
   // and their keys lie on samples.
   constexpr float kFrame = 1.0f / 60, kRounding = 0.02f;
-  const Box before = wayOf(a), after = wayOf(b);
+  const Box before = motionBounds(a), after = motionBounds(b);
   EXPECT_LT(length(before.lo - after.lo), kRounding) << what;
   EXPECT_LT(length(before.hi - after.hi), kRounding) << what;
   const float later = roundOf(b.getMotion()) - roundOf(a.getMotion());

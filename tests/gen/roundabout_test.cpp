@@ -21,7 +21,7 @@ gen::Recipe recipeOf(const Planted& planted, const char* physics, float value) {
 }
 
 // Returns the studs by which walls extend beyond the widest floor.
-float besideFloors(const gen::Sketch& sketch) {
+float overhangOf(const gen::Sketch& sketch) {
   float outermost = 0, half = 0;
   for (const gen::PartSketch& p : sketch.parts()) {
     const float end = absf(p.position.x) + p.size.x / 2;
@@ -39,9 +39,10 @@ TEST(Roundabout, AroundAnImpassableWallIsBeyondAJump) {
       const gen::Generated made = twins.generate(seed, 0);
       if (made.sketch.plantedWhat().rfind(planted.what, 0) != 0) continue;
       ++walls;
-      const float beside = besideFloors(made.sketch);
-      EXPECT_GE(2 * beside, twins.reach().gap(0)) << made.name << ": there and back";
-      EXPECT_GE(beside, twins.reach().gap(-20)) << made.name << ": to a lane that turns behind it";
+      const float overhang = overhangOf(made.sketch);
+      EXPECT_GE(2 * overhang, twins.reach().gap(0)) << made.name << ": there and back";
+      EXPECT_GE(overhang, twins.reach().gap(-20))
+          << made.name << ": to a lane that turns behind it";
     }
     EXPECT_GT(walls, 2) << planted.style;
   }

@@ -8,9 +8,9 @@ namespace obby::test {
 namespace {
 
 constexpr uint64_t kRouteSeeds = 12;
-constexpr float kBeside = 3.25f;  // studs next to the floors, since hops lead to both sides
-constexpr float kAbove = 0.51f;   // studs above or below the tops, since lines do not climb buttons
-constexpr float kStep = 0.5f;     // studs between the samples of a line
+constexpr float kSideMargin = 3.25f;  // studs next to the floors, since hops lead to both sides
+constexpr float kAbove = 0.51f;  // studs above or below the tops, since lines do not climb buttons
+constexpr float kStep = 0.5f;    // studs between the samples of a line
 
 // A part, and the range over which its centre moves.
 struct Ground {
@@ -34,7 +34,7 @@ std::vector<Ground> groundsOf(const gen::Sketch& sketch) {
 
 // Horizontal distance of a point from a part, and its height above the part's top, in studs.
 struct Off {
-  float beside, above;
+  float sideways, above;
 };
 
 // Returns the offset of `at`. `share` is the progress of the part's motion, from 0 to 1.
@@ -56,13 +56,13 @@ bool anywhere(const Ground& g, Vec3 at, const Is& is) {
 
 bool standsOn(const Ground& g, Vec3 at) {
   return g.carries && anywhere(g, at, [](const Off& off) {
-           return off.beside <= kBeside && absf(off.above) <= kAbove;
+           return off.sideways <= kSideMargin && absf(off.above) <= kAbove;
          });
 }
 
 bool isOver(const std::vector<Ground>& grounds, Vec3 at) {
   return std::any_of(grounds.begin(), grounds.end(), [&](const Ground& g) {
-    return g.carries && anywhere(g, at, [](const Off& off) { return off.beside <= kBeside; });
+    return g.carries && anywhere(g, at, [](const Off& off) { return off.sideways <= kSideMargin; });
   });
 }
 
@@ -111,7 +111,7 @@ TEST_P(RouteTest, StandsOnTheCourseInItsOrder) {
 TEST_P(RouteTest, CrossesNoGapWiderThanAJump) {
   const float widest = generatorOf({}).reach().gap(0);
   forLevels([&](const gen::Generated& made) {
-    const float limit = widest - kBeside;  // the margin does not count as floor at both ends
+    const float limit = widest - kSideMargin;  // the margin does not count as floor at both ends
     EXPECT_LE(longestOverNothing(made.sketch.line(), groundsOf(made.sketch)), limit) << made.name;
   });
 }

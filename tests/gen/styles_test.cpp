@@ -6,7 +6,7 @@
 #include <set>
 
 #include "gen/made.h"
-#include "gen/recipe_check.h"
+#include "gen/recipe.h"
 #include "level/level.h"
 
 namespace obby::test {

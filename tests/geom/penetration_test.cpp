@@ -72,8 +72,8 @@ TEST(BoxUprightBlock, PushesAFootUpAndASideSideways) {
   const Contact up = boxUprightBlock<float>({pose, {4, 1, 4}}, above);
   EXPECT_NEAR(up.depth, 0.1f, 1e-5f);
   EXPECT_TRUE(up.normal == (Vec3{0, 1, 0}));
-  const UprightBox beside{{-4.9f, 0, 0}, {1, 1, 0.5f}, sinCos(0)};
-  const Contact out = boxUprightBlock<float>({pose, {4, 1, 4}}, beside);
+  const UprightBox atSide{{-4.9f, 0, 0}, {1, 1, 0.5f}, sinCos(0)};
+  const Contact out = boxUprightBlock<float>({pose, {4, 1, 4}}, atSide);
   EXPECT_NEAR(out.depth, 0.1f, 1e-5f);
   EXPECT_TRUE(out.normal == (Vec3{-1, 0, 0}));
 }

@@ -109,9 +109,9 @@ std::string answer(const Asked& asked) {
       level.emplace(*std::move(compiled));
     }
     if ((*record)->which() != io::Kind::QUERY) continue;
-    const auto question = (*record)->reader().getQuery();
-    if (std::string_view(question.getId().cStr()) != asked.query) continue;
-    const auto query = level::Query::compile(question, *level);
+    const auto queryRecord = (*record)->reader().getQuery();
+    if (std::string_view(queryRecord.getId().cStr()) != asked.query) continue;
+    const auto query = level::Query::compile(queryRecord, *level);
     EXPECT_TRUE(query) << query.error().text();
     return lineOf(asked, searched(asked, *level, *query));
   }

@@ -233,9 +233,9 @@ TEST(Carrying, AReversingSliderMotorMovesBetweenItsLimits) {
   for (const auto& [part, height] : {std::pair{slider.c.arm, 8.0f}, {slider.deck, 9.0f}}) {
     ASSERT_TRUE(slider.scene[part].motion);
     EXPECT_TRUE(slider.scene[part].motion->carries);
-    for (const auto& [time, way] :
+    for (const auto& [time, travel] :
          {std::pair{8.0, 0.0f}, {8.5, 2.5f}, {11, 5.0f}, {12.5, 2.5f}, {15, 0.0f}})
-      EXPECT_NEAR(poseAt(slider.scene[part], time).position.y, height + way, 0.15f) << time;
+      EXPECT_NEAR(poseAt(slider.scene[part], time).position.y, height + travel, 0.15f) << time;
   }
   EXPECT_TRUE(slider.scene.level().unmodelled.empty());
 }

@@ -20,7 +20,7 @@ struct Disabled : LeverScene {
 };
 
 TEST(DisabledScripts, RunOnceAnotherScriptEnablesThem) {
-  const std::string ways[] = {
+  const std::string scripts[] = {
       kDisabledOn,
       "p.Kill.Enabled = true",
       "game.Players.PlayerAdded:Connect(function() " + kDisabledOn + "end)",
@@ -30,13 +30,13 @@ TEST(DisabledScripts, RunOnceAnotherScriptEnablesThem) {
       "end",
       "for _, s in pairs(p:GetChildren()) do if s.ClassName == 'Script' then s.Enabled = true "
       "end end"};
-  for (const std::string& way : ways) {
+  for (const std::string& script : scripts) {
     Disabled scene;
-    scene.run(way);
+    scene.run(script);
     scene.level();
-    EXPECT_FALSE(scene[scene.lever].kill) << way;
-    ASSERT_TRUE(scene[scene.trap].kill) << way;
-    EXPECT_EQ(scene.evidence(scene.trap, "kill").rfind("script Kill line 2", 0), 0u) << way;
+    EXPECT_FALSE(scene[scene.lever].kill) << script;
+    ASSERT_TRUE(scene[scene.trap].kill) << script;
+    EXPECT_EQ(scene.evidence(scene.trap, "kill").rfind("script Kill line 2", 0), 0u) << script;
   }
 }
 
@@ -56,16 +56,16 @@ TEST(DisabledScripts, ALeverThatEnablesThemArmsTheTrap) {
 }
 
 TEST(DisabledScripts, StayDisabledUnlessAScriptEnablesThem) {
-  const std::string ways[] = {"print(p.Kill.Disabled)",
-                              "p.Kill.Disabled = true",
-                              "p.Kill.Enabled = false",
-                              "p.Other.Disabled = false",
-                              "if false then " + kDisabledOn + "end",
-                              "local k = p.Kill:Clone() k.Disabled = false k.Parent = nil"};
-  for (const std::string& way : ways) {
+  const std::string scripts[] = {"print(p.Kill.Disabled)",
+                                 "p.Kill.Disabled = true",
+                                 "p.Kill.Enabled = false",
+                                 "p.Other.Disabled = false",
+                                 "if false then " + kDisabledOn + "end",
+                                 "local k = p.Kill:Clone() k.Disabled = false k.Parent = nil"};
+  for (const std::string& script : scripts) {
     Disabled scene;
-    scene.run(way);
-    expectHarmless(scene, way);
+    scene.run(script);
+    expectHarmless(scene, script);
   }
   Disabled itself("script.Disabled = false " + kDisabledKills);
   expectHarmless(itself, "itself");

@@ -27,7 +27,7 @@ TEST(Kill, ScriptInThePartWithItsLineAsEvidence) {
 }
 
 TEST(Kill, EveryMethodOfTakingHealthIsRecognised) {
-  const std::pair<const char*, float> ways[] = {
+  const std::pair<const char*, float> statements[] = {
       {"h.Health = h.Health - 30", 30},
       {"h.Health -= 10", 10},
       {"h:TakeDamage(25)", 25},
@@ -37,7 +37,7 @@ TEST(Kill, EveryMethodOfTakingHealthIsRecognised) {
       {"h.Health = 0", 100},
       {"h.Health = h.Health - h.Health", 100},
       {"hit.Parent:BreakJoints()", 100}};
-  for (const auto& [way, damage] : ways) {
+  for (const auto& [statement, damage] : statements) {
     Scene scene;
     const auto part = scene.part("Part");
     scene.value("NumberValue", "Damage", 42.0, part);
@@ -45,13 +45,13 @@ TEST(Kill, EveryMethodOfTakingHealthIsRecognised) {
     scene.script(
         "local function onTouch(hit)\n local h = hit.Parent:FindFirstChildOfClass('Humanoid')\n"
         " if h ~= nil then " +
-            std::string(way) +
+            std::string(statement) +
             " end\nend\n"
             "script.Parent.Touched:Connect(onTouch)",
         part);
     scene.level();
-    ASSERT_TRUE(scene[part].kill) << way;
-    EXPECT_FLOAT_EQ(scene[part].kill->damage, damage) << way;
+    ASSERT_TRUE(scene[part].kill) << statement;
+    EXPECT_FLOAT_EQ(scene[part].kill->damage, damage) << statement;
   }
 }
 

@@ -83,11 +83,11 @@ TEST(Motion, DecorationYieldsItsBudgetToSolidParts) {
     moving += part.motion ? 1 : 0;
     EXPECT_TRUE(part.motion || !(part.solid || part.kill)) << part.id;
   }
-  constexpr size_t kRoom = importer::kMaxLevelKeys / kKeys;
-  EXPECT_EQ(moving, kRoom);
+  constexpr size_t kCapacity = importer::kMaxLevelKeys / kKeys;
+  EXPECT_EQ(moving, kCapacity);
   EXPECT_EQ(level.unmodelled.count("motion with too many poses"), 0u);
   ASSERT_EQ(level.ignored.count("moving decoration"), 1u);
-  EXPECT_EQ(level.ignored.at("moving decoration").count, kSolid + kLeaves - kRoom);
+  EXPECT_EQ(level.ignored.at("moving decoration").count, kSolid + kLeaves - kCapacity);
 }
 
 // Fails if the work takes longer than 10 s. Work that grows with the square of the number of items
@@ -126,10 +126,10 @@ TEST(Motion, AModelWithManyMarkerFoldersUsesTheFirst) {
   const auto model = scene.add("Model", "Lift", scene.workspace);
   const auto platform = scene.part("Platform", {}, model);
   for (int i = 0; i < 20000; ++i) {
-    const auto way = scene.add("Folder", "Positions", model);
+    const auto folder = scene.add("Folder", "Positions", model);
     if (i > 0) continue;
-    scene.part("1", {}, way);
-    scene.part("2", {0, 20, 0}, way);
+    scene.part("1", {}, folder);
+    scene.part("2", {0, 20, 0}, folder);
   }
   expectQuick([&] { scene.level(); });
   ASSERT_TRUE(scene[platform].motion);

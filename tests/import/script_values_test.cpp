@@ -38,49 +38,49 @@ TEST(ScriptValues, AFunctionCanReturnEitherOfTwoValues) {
 }
 
 TEST(ScriptValues, ClampedHealthReductionIsHarm) {
-  const char* const ways[] = {"h.Health = math.max(0, h.Health - 30)",
-                              "h.Health = math.max(h.Health - 30, 0)",
-                              "h.Health = math.clamp(h.Health - 30, 0, h.MaxHealth)",
-                              "h.Health = math.min(h.Health - 30, h.MaxHealth)"};
-  for (const char* way : ways) {
+  const char* const statements[] = {"h.Health = math.max(0, h.Health - 30)",
+                                    "h.Health = math.max(h.Health - 30, 0)",
+                                    "h.Health = math.clamp(h.Health - 30, 0, h.MaxHealth)",
+                                    "h.Health = math.min(h.Health - 30, h.MaxHealth)"};
+  for (const char* statement : statements) {
     ScriptedPart scene("p.Touched:Connect(function(hit) local h = hit.Parent.Humanoid\n" +
-                       std::string(way) + " end)");
-    ASSERT_TRUE(scene[scene.self].kill) << way;
-    EXPECT_FLOAT_EQ(scene[scene.self].kill->damage, 30) << way;
+                       std::string(statement) + " end)");
+    ASSERT_TRUE(scene[scene.self].kill) << statement;
+    EXPECT_FLOAT_EQ(scene[scene.self].kill->damage, 30) << statement;
   }
 }
 
-// Returns a script that runs the text `way` when the part is touched. `h` is the character's
+// Returns a script that runs the text `statement` when the part is touched. `h` is the character's
 // humanoid.
-std::string touchThat(const std::string& way) {
+std::string touchThat(const std::string& statement) {
   return "p.Touched:Connect(function(hit) local h = hit.Parent.Humanoid\n"
          "p.Transparency = 0.5 " +
-         way + " end)";
+         statement + " end)";
 }
 
 TEST(ScriptValues, ClampedHealingIsNotHarm) {
-  const char* const ways[] = {"h.Health = math.min(h.Health + 20, h.MaxHealth)",
-                              "h.Health = math.min(h.MaxHealth, h.Health + 20)",
-                              "h.Health = math.min(h.Health + 20, 100)",
-                              "h.Health = math.clamp(h.Health + 20, 0, h.MaxHealth)"};
-  for (const char* way : ways) {
-    ScriptedPart scene(touchThat(way));
-    EXPECT_FALSE(scene[scene.self].kill) << way;
-    EXPECT_EQ(scene.unmodelled("damage that a script computes"), 0u) << way;
+  const char* const statements[] = {"h.Health = math.min(h.Health + 20, h.MaxHealth)",
+                                    "h.Health = math.min(h.MaxHealth, h.Health + 20)",
+                                    "h.Health = math.min(h.Health + 20, 100)",
+                                    "h.Health = math.clamp(h.Health + 20, 0, h.MaxHealth)"};
+  for (const char* statement : statements) {
+    ScriptedPart scene(touchThat(statement));
+    EXPECT_FALSE(scene[scene.self].kill) << statement;
+    EXPECT_EQ(scene.unmodelled("damage that a script computes"), 0u) << statement;
   }
 }
 
 TEST(ScriptValues, HarmCanBeAFractionOfHealth) {
-  const std::pair<const char*, float> ways[] = {{"h:TakeDamage(h.MaxHealth / 4)", 25},
-                                                {"h.Health -= h.MaxHealth * 0.5", 50},
-                                                {"h:TakeDamage(h.MaxHealth)", 100},
-                                                {"h:TakeDamage(h.MaxHealth * 2)", 100},
-                                                {"h.Health -= h.MaxHealth", 100}};
-  for (const auto& [way, damage] : ways) {
+  const std::pair<const char*, float> statements[] = {{"h:TakeDamage(h.MaxHealth / 4)", 25},
+                                                      {"h.Health -= h.MaxHealth * 0.5", 50},
+                                                      {"h:TakeDamage(h.MaxHealth)", 100},
+                                                      {"h:TakeDamage(h.MaxHealth * 2)", 100},
+                                                      {"h.Health -= h.MaxHealth", 100}};
+  for (const auto& [statement, damage] : statements) {
     ScriptedPart scene("p.Touched:Connect(function(hit) local h = hit.Parent.Humanoid\n" +
-                       std::string(way) + " end)");
-    ASSERT_TRUE(scene[scene.self].kill) << way;
-    EXPECT_FLOAT_EQ(scene[scene.self].kill->damage, damage) << way;
+                       std::string(statement) + " end)");
+    ASSERT_TRUE(scene[scene.self].kill) << statement;
+    EXPECT_FLOAT_EQ(scene[scene.self].kill->damage, damage) << statement;
   }
 }
 

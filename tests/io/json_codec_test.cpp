@@ -213,7 +213,7 @@ TEST(JsonMeaning, MisspeltFieldsAreReported) {
 }
 
 TEST(JsonMeaning, TheSearchForMisspeltFieldsIsBounded) {
-  const auto told = [](const std::string& notes) {
+  const auto countMisspelt = [](const std::string& notes) {
     std::vector<Error> misspelt;
     EXPECT_TRUE(recordFromJsonIfKnown("{\"type\":\"level\"" + notes + ",\"part\":[]}", &misspelt));
     return misspelt.size();
@@ -223,8 +223,8 @@ TEST(JsonMeaning, TheSearchForMisspeltFieldsIsBounded) {
     same += ",\"a note of mine\":1";
     different += ",\"a note of mine, number " + std::to_string(i) + "\":1";
   }
-  EXPECT_EQ(told(same), 1u);
-  EXPECT_EQ(told(different), 0u);
+  EXPECT_EQ(countMisspelt(same), 1u);
+  EXPECT_EQ(countMisspelt(different), 0u);
 }
 
 TEST(JsonMeaning, MisspeltKindsAreErrors) {

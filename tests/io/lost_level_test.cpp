@@ -84,8 +84,8 @@ TEST(LostLevel, IsAnyRecordOfUnreadableKind) {
 }
 
 TEST(LostLevel, DropsTrajectoriesToo) {
-  const std::string way = "{\"type\":\"trajectory\",\"query\":\"b\",\"outcome\":\"goal\"}\n";
-  EXPECT_EQ(LostLevelRead({kLevel + way + kLost + query("b") + way}).came, "+t");
+  const std::string trajectory = "{\"type\":\"trajectory\",\"query\":\"b\",\"outcome\":\"goal\"}\n";
+  EXPECT_EQ(LostLevelRead({kLevel + trajectory + kLost + query("b") + trajectory}).came, "+t");
 }
 
 TEST(LostLevel, AppliesToLaterInputs) {

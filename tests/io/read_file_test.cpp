@@ -54,8 +54,9 @@ TEST(ReadFile, RefusesFilesAboveTheLimit) {
   EXPECT_EQ(readFile(folder / "sparse").error().text(),
             folder / "sparse: expected at most 1073741824 bytes, found 1073741825" + cure);
   const std::atomic<bool> stop{false};
-  for (const std::atomic<bool>* told : {static_cast<const std::atomic<bool>*>(nullptr), &stop}) {
-    EXPECT_EQ(readFile("/dev/zero", told, 1 << 20).error().text(),
+  for (const std::atomic<bool>* stopFlag :
+       {static_cast<const std::atomic<bool>*>(nullptr), &stop}) {
+    EXPECT_EQ(readFile("/dev/zero", stopFlag, 1 << 20).error().text(),
               "/dev/zero: expected at most 1048576 bytes, found more" + cure);
   }
 }

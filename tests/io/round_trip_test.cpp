@@ -31,7 +31,7 @@ std::string rewritten(const std::string& bytes, Format format) {
   }
 }
 
-void expectAllWaysEqual(schema::Record::Reader record) {
+void expectAllFormatsEqual(schema::Record::Reader record) {
   const std::string json = written(record, Format::jsonl);
   const std::string capnp = written(record, Format::capnp);
   const std::string packed = written(record, Format::capnpPacked);
@@ -58,7 +58,7 @@ TEST(RoundTrip, EveryKindWithEveryFieldSet) {
       ASSERT_TRUE(back) << back.error().text();
       EXPECT_EQ(written(back->reader(), Format::capnp), written(record.reader(), Format::capnp));
     } else {
-      expectAllWaysEqual(record.reader());
+      expectAllFormatsEqual(record.reader());
     }
   }
 }
@@ -69,14 +69,14 @@ TEST(RoundTrip, RandomRecordsOfEveryKind) {
     if (isFrame(kind)) continue;
     const float chances[] = {0.1f, 0.5f, 0.9f, 1.0f};
     test::RecordFiller filler(1000 + round, chances[round / 10 % 4], round % 7);
-    expectAllWaysEqual(filler.fill(Kind(kind)).reader());
+    expectAllFormatsEqual(filler.fill(Kind(kind)).reader());
   }
 }
 
 TEST(RoundTrip, AnEmptyRecordOfEveryKind) {
   for (uint32_t kind = 0; kind < test::kKinds; kind++) {
     test::RecordFiller filler(kind, 0.0f, 0);
-    if (!isFrame(kind)) expectAllWaysEqual(filler.fill(Kind(kind)).reader());
+    if (!isFrame(kind)) expectAllFormatsEqual(filler.fill(Kind(kind)).reader());
   }
 }
 

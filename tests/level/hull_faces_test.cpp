@@ -120,9 +120,9 @@ std::vector<Vec3> drum(int sides, float lower, float upper, float height) {
   std::vector<Vec3> out;
   for (int i = 0; i < sides; ++i) {
     const float turn = 6.2831853f * float(i) / float(sides);
-    const Vec3 way{std::cos(turn), 0, std::sin(turn)};
-    out.push_back(way * lower);
-    if (upper > 0 || i == 0) out.push_back(way * upper + Vec3{0, height, 0});
+    const Vec3 direction{std::cos(turn), 0, std::sin(turn)};
+    out.push_back(direction * lower);
+    if (upper > 0 || i == 0) out.push_back(direction * upper + Vec3{0, height, 0});
   }
   return out;
 }

@@ -58,9 +58,9 @@ TEST(SweptBounds, EqualTheBoundsOfAllKeys) {
 std::vector<Pose> longTurn(uint32_t rows) {
   std::vector<Pose> keys;
   for (uint32_t k = 0; k < rows; ++k) {
-    const float way = float(k) / float(rows), angle = 4.7f * way;
+    const float share = float(k) / float(rows), angle = 4.7f * share;
     const Quat turned{0.5f * std::sin(angle), 0.2f * std::sin(angle), 0, std::cos(angle)};
-    keys.push_back({Vec3{40 * way, 5, 30 * std::sin(3 * way)}, toMat3(normalize(turned))});
+    keys.push_back({Vec3{40 * share, 5, 30 * std::sin(3 * share)}, toMat3(normalize(turned))});
   }
   return keys;
 }

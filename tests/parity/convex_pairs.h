@@ -68,10 +68,10 @@ class ConvexDice : public PairDice {
   // random offset, or corner to corner in a random direction.
   void place(ConvexPair& p, float gap) {
     Vec3 d = direction(), aside{};
-    const uint32_t way = random().below(3);
-    if (way == 0 && geom::axes(p.a) > 0) d = faceOf(p.a);
-    if (way == 1 && geom::axes(p.b) > 0) d = faceOf(p.b);
-    if (way < 2) aside = vec(0.7f * minf(min(p.a.shape.half), min(p.b.shape.half)));
+    const uint32_t choice = random().below(3);
+    if (choice == 0 && geom::axes(p.a) > 0) d = faceOf(p.a);
+    if (choice == 1 && geom::axes(p.b) > 0) d = faceOf(p.b);
+    if (choice < 2) aside = vec(0.7f * minf(min(p.a.shape.half), min(p.b.shape.half)));
     // With a at the origin the computation loses no precision.
     const Vec3 at = p.a.pose.position;
     p.a.pose.position = p.b.pose.position = {};

@@ -65,9 +65,9 @@ TEST(Button, ClosesAnInvertedPartForItsTime) {
   Play pressed(level);
   pressed.settle().run(walk(kNorth), 120);
   EXPECT_GT(pressed.world.position.z, -20) << "solid while the signal lasts";
-  Play beside(level, {20, 0, 0});
-  beside.settle().run(walk(kNorth), 120);
-  EXPECT_LT(beside.world.position.z, -22) << "away otherwise";
+  Play unpressed(level, {20, 0, 0});
+  unpressed.settle().run(walk(kNorth), 120);
+  EXPECT_LT(unpressed.world.position.z, -22) << "away otherwise";
 }
 
 TEST(Button, CountsFromTheFirstOrTheLastTouch) {
@@ -115,9 +115,9 @@ TEST(Boost, LastsWhileThePartIsTouchedWithoutSeconds) {
   Play on(level, {0, 0.2f, -6});
   on.settle().run(stand(true)).run(stand(), 40);
   EXPECT_NEAR(on.highest() - 0.2f, 79.5f * 79.5f / (2 * 196.2f), 0.5f);
-  Play beside(level, {20, 0, -6});
-  beside.settle().run(stand(true)).run(stand(), 40);
-  EXPECT_NEAR(beside.highest(), 53 * 53 / (2 * 196.2f), 0.3f);
+  Play off(level, {20, 0, -6});
+  off.settle().run(stand(true)).run(stand(), 40);
+  EXPECT_NEAR(off.highest(), 53 * 53 / (2 * 196.2f), 0.3f);
 }
 
 TEST(Boost, ForeverLastsAndTheLastTouchedCounts) {

@@ -14,7 +14,7 @@ using sim::State;
 constexpr uint16_t kMax = 0xffff;
 
 // Expects another jump to give the maximum count, both from one below it and from the maximum.
-void expectToStayAtTheMost(const Play& ready) {
+void expectToStayAtMax(const Play& ready) {
   for (const uint16_t before : {uint16_t(kMax - 1), kMax}) {
     Play play = ready;
     play.world.jumps = before;
@@ -27,7 +27,7 @@ void expectToStayAtTheMost(const Play& ready) {
 TEST(JumpCount, SaturatesOnAFloor) {
   const auto level = flatLevel();
   Play play(level);
-  expectToStayAtTheMost(play.settle());
+  expectToStayAtMax(play.settle());
 }
 
 TEST(JumpCount, SaturatesOnATruss) {
@@ -41,7 +41,7 @@ TEST(JumpCount, SaturatesOnATruss) {
     return w.state == State::climbing && w.position.y > 10;
   };
   ASSERT_GE(play.until(walk(kNorth), hangs), 0);
-  expectToStayAtTheMost(play);
+  expectToStayAtMax(play);
 }
 
 TEST(JumpCount, SaturatesOnASeat) {
@@ -51,7 +51,7 @@ TEST(JumpCount, SaturatesOnASeat) {
   play.settle();
   const auto sits = [](const sim::World& w) { return w.state == State::seated; };
   ASSERT_GE(play.until(walk(kNorth), sits), 0);
-  expectToStayAtTheMost(play);
+  expectToStayAtMax(play);
 }
 
 TEST(JumpCount, LeavesJumpsWhenSaturatedWithoutALimit) {

@@ -23,15 +23,15 @@ constexpr uint32_t kCurtain = 4;
 
 struct Hot {
   explicit Hot(float maxDamage = 10) {
-    question.query.maxDamage = maxDamage;
-    problem = question.problem();
+    asked.query.maxDamage = maxDamage;
+    problem = asked.problem();
   }
   sim::World walked() const {
     return playByHand(problem, [](const sim::World&) { return sim::Action{0, true, false}; }).end;
   }
   level::Level level = curtain().compile();
-  Question question{level};
-  Problem problem = question.problem();
+  PlainQuery asked{level};
+  Problem problem = asked.problem();
 };
 
 TEST(Blame, NamesThePartThatTookTooMuchHealth) {

@@ -73,7 +73,7 @@ LevelBuilder stonesAndLift() {
 TEST(Cell, NearMovingPartsTheClockCountsModuloTheirPeriod) {
   const level::Level level = stonesAndLift().compile();
   const ClockMap clock(level.view(), 10);
-  const Binning b = makeBinning(Question(level).problem(), 1, clock);
+  const Binning b = makeBinning(PlainQuery(level).problem(), 1, clock);
   sim::World early = worldAt({48, 1, 0}), later = early, other = early;
   early.tick = 10;
   later.tick = 10 + 240 * 7;
@@ -108,7 +108,7 @@ TEST(ClockMap, JoinsThePeriodsOfPartsThatAreNearEachOther) {
 TEST(Binning, FollowsTheQueryAndTheLevel) {
   const level::Level stones = steppingStones().compile();
   const ClockMap clock(stones.view(), 10);
-  Question q(stones);
+  PlainQuery q(stones);
   const Binning plain = makeBinning(q.problem(), 1, clock);
   EXPECT_FALSE(plain.jumps || plain.waypoints || plain.clocks);
   EXPECT_EQ(plain.clockBin, 0u);
@@ -128,7 +128,7 @@ TEST(Binning, MotionAndVanishingAndDamageAddDimensions) {
           .block({40, 0, 0}, {4, 1, 4}, [](schema::Part::Builder p) { p.initKill().setDamage(40); })
           .compile();
   const ClockMap clock(level.view(), 10);
-  Question q(level);
+  PlainQuery q(level);
   const Binning b = makeBinning(q.problem(), 1, clock);
   EXPECT_GT(b.clockBin, 0u);
   EXPECT_TRUE(b.clocks);
@@ -157,7 +157,7 @@ TEST(Cell, RunningSignalsDistinguishStates) {
           .block({60, 0, 0}, {4, 1, 4}, [](schema::Part::Builder p) { p.initVanish(); })
           .compile();
   const ClockMap clock(level.view(), 10);
-  const Binning b = makeBinning(Question(level).problem(), 1, clock);
+  const Binning b = makeBinning(PlainQuery(level).problem(), 1, clock);
   const uint32_t count = level.view().clockCount, signalA = count - 2, signalB = count - 1;
   const auto key = [&](uint32_t running, uint32_t ticks) {
     sim::World w = worldAt({0, 1, 0});
@@ -177,7 +177,7 @@ TEST(Binning, AFasterPlayerHasWiderCells) {
   fast.physics([](schema::PhysicsParams::Builder p) { p.setWalkSpeed(32); });
   const level::Level level = fast.compile();
   const ClockMap clock(level.view(), 10);
-  EXPECT_FLOAT_EQ(makeBinning(Question(level).problem(), 1, clock).inverseWidth, 0.5f);
+  EXPECT_FLOAT_EQ(makeBinning(PlainQuery(level).problem(), 1, clock).inverseWidth, 0.5f);
 }
 
 }  // namespace

@@ -45,7 +45,7 @@ struct Pair {
   static level::StartPose start() { return {{0, 0, -2}, 0, 0}; }
 
   level::Level own, other;
-  Question asked;
+  PlainQuery asked;
   Problem problem;
 };
 

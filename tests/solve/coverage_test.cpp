@@ -58,7 +58,7 @@ TEST(Saturation, MeansThatDoublingTheTimeFindsAlmostNothing) {
 }
 
 SearchOutcome coverageSearched(const level::Level& level, uint64_t steps) {
-  Question q(level);
+  PlainQuery q(level);
   q.query.goal = boxAt({0, 60, -28}, {4, 4, 4});
   Budget budget;
   budget.maxSteps = steps;

@@ -50,12 +50,12 @@ TEST(DeviceSearch, AFailingDeviceIsGivenUpAndTheAnswersAreTheSame) {
 
 TEST(DeviceSearch, TheArchiveIsTheSameCellByCell) {
   const level::Level level = support::movingArena(40, 8, 3).compile();
-  Question question(level);
-  question.query.goal = boxAt({0, 500, 0}, {2, 2, 2});
+  PlainQuery asked(level);
+  asked.query.goal = boxAt({0, 500, 0}, {2, 2, 2});
   ThreadPool pool(2);
   sim::HostDevice device(pool);
-  GoExplore threads(question.problem(), 4, {}, pool);
-  GoExplore kernel(question.problem(), 4, {}, {pool, &device});
+  GoExplore threads(asked.problem(), 4, {}, pool);
+  GoExplore kernel(asked.problem(), 4, {}, {pool, &device});
   for (int round = 0; round < 25; ++round) {
     threads.round();
     kernel.round();

@@ -29,8 +29,8 @@ Difficulty ofBeam(float width, const std::function<void(LevelBuilder&)>& more = 
   b.block({0, -0.5f, -20}, {width, 1, 24});
   if (more) more(b);
   const level::Level level = b.compile();
-  Question question(level);
-  Problem problem = question.problem();
+  PlainQuery asked(level);
+  Problem problem = asked.problem();
   problem.query.goal = boxAt({0, 2, -38}, {8, 4, 2});
   return measured(problem, courseOf(problem, playByHand(problem, walkAndJump(1e3f, 1e3f))));
 }
@@ -61,8 +61,8 @@ TEST(NoisyPlayer, ReturnsToThePath) {
   b.block({0, -0.5f, -50}, {20, 1, 100});
   b.spawn({0, 0, -2});
   const level::Level level = b.compile();
-  Question question(level);
-  Problem problem = question.problem();
+  PlainQuery asked(level);
+  Problem problem = asked.problem();
   problem.query.goal = boxAt({0, 2, -90}, {20, 4, 2});
   const Course course = courseOf(problem, playByHand(problem, walkAndJump(1e3f, 1e3f)));
   const std::vector<Segment> segments = segmentsOf(course);
@@ -206,22 +206,22 @@ TEST(Difficulty, IsTheSameOnAnyNumberOfThreads) {
 
 TEST(Difficulty, TrialsKeepToTheQuery) {
   const level::Level level = steppingStones().compile();
-  Question question(level);
+  PlainQuery asked(level);
   const auto keys = [](const sim::World& w) {
     const float z = w.position.z;
     return sim::Action{0, true, (z < -7 && z > -9) || (z < -19 && z > -21)};
   };
   const auto successOf = [&] {
-    const Problem problem = question.problem();
+    const Problem problem = asked.problem();
     return measured(problem, courseOf(problem, playByHand(problem, keys))).success;
   };
   const float free = successOf();
   EXPECT_GT(free, 0.98f);
-  question.avoid.push_back(boxAt({5.3f, 4, -16}, {10, 20, 8}));
+  asked.avoid.push_back(boxAt({5.3f, 4, -16}, {10, 20, 8}));
   EXPECT_LT(successOf(), free - 0.05f);
-  question.avoid.clear();
+  asked.avoid.clear();
   // Adds a narrow waypoint before the second stone.
-  question.waypoints.push_back({boxAt({0, 4, -12}, {0.5f, 20, 1})});
+  asked.waypoints.push_back({boxAt({0, 4, -12}, {0.5f, 20, 1})});
   EXPECT_LT(successOf(), free - 0.05f);
 }
 
@@ -238,8 +238,8 @@ TEST(Difficulty, IncludesMovingPlatforms) {
     keys[1].setTime(12 / kSpeed);
   });
   const level::Level level = b.compile();
-  Question question(level);
-  Problem problem = question.problem();
+  PlainQuery asked(level);
+  Problem problem = asked.problem();
   problem.query.goal = boxAt({0, 2, -43}, {40, 6, 1});
   const Course course = courseOf(problem, playByHand(problem, [](const sim::World& w) {
                                    const float z = w.position.z;

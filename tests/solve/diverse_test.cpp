@@ -32,8 +32,8 @@ Course carriedBy(const Problem& problem, const Route& parts, std::vector<uint8_t
 
 struct Stones {
   level::Level level = steppingStones().compile();
-  Question question{level};
-  Problem problem = question.problem();
+  PlainQuery asked{level};
+  Problem problem = asked.problem();
 };
 
 TEST(DirectRoute, SteppingBackIsNotAnotherRoute) {

@@ -14,7 +14,7 @@ namespace {
 TEST(FatalFall, LiesBelowThePartsTheRegionsAndTheStart) {
   LevelBuilder b = steppingStones();
   const level::Level stones = b.compile();
-  Question q(stones);
+  PlainQuery q(stones);
   const float alone = fatalHeight(q.problem());
   EXPECT_LT(alone, -1 - stones.view().params.bodyTop);
   q.query.goal = boxAt({0, -20, -28}, {8, 4, 8});
@@ -35,8 +35,8 @@ TEST(FatalFall, CoversTheWholeMotionOfAMover) {
     p.getMotion().setRepeat(schema::Repeat::PING_PONG);
   });
   const level::Level lift = b.compile();
-  EXPECT_NEAR(fatalHeight(Question(lift).problem()), fatalHeight(Question(still).problem()) - 30,
-              0.1f);
+  EXPECT_NEAR(fatalHeight(PlainQuery(lift).problem()),
+              fatalHeight(PlainQuery(still).problem()) - 30, 0.1f);
 }
 
 // Continues random rollouts after the search has given them up. All players fall without touching
@@ -45,7 +45,7 @@ TEST(FatalFall, PlayersThatAreGivenUpFall) {
   LevelBuilder b = steppingStones();
   b.physics([](schema::PhysicsParams::Builder p) { p.setFallenPartsHeight(-60); });
   const level::Level stones = b.compile();
-  Question q(stones);
+  PlainQuery q(stones);
   q.query.goal = boxAt({0, 60, -28}, {4, 4, 4});
   const Problem problem = q.problem();
   ThreadPool pool(1);

@@ -34,7 +34,7 @@ inline std::function<sim::Action(const sim::World&)> walkAndJump(float from, flo
 // 0, and the goal is above the far half of the second platform.
 struct GapScene {
   explicit GapScene(float gap, float width = 8)
-      : level(build(gap, width).compile()), question(level), problem(question.problem()) {
+      : level(build(gap, width).compile()), asked(level), problem(asked.problem()) {
     problem.query.goal = boxAt({0, 2, -14 - gap}, {width, 4, 4});
   }
   static LevelBuilder build(float gap, float width) {
@@ -49,7 +49,7 @@ struct GapScene {
     return courseOf(problem, playByHand(problem, walkAndJump(z, z - 0.26f)));
   }
   level::Level level;
-  Question question;
+  PlainQuery asked;
   Problem problem;
 };
 

@@ -68,8 +68,8 @@ TEST(HeatMap, DoesNotDependOnTheOrderOfUpdates) {
 
 TEST(HeatMap, HasEachCellOfASearch) {
   const level::Level level = steppingStones().compile();
-  Question question(level);
-  const Problem problem = question.problem();
+  PlainQuery asked(level);
+  const Problem problem = asked.problem();
   ThreadPool pool(1);
   GoExplore search(problem, 1, {}, pool);
   HeatMap map;

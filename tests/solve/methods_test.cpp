@@ -29,7 +29,7 @@ INSTANTIATE_TEST_SUITE_P(Rows, MethodTest, testing::ValuesIn(methods()), nameOf)
 // Each ablation changes the search but still solves easy queries.
 TEST(Ablations, SolveAndDifferFromAutoAndFromEachOther) {
   const level::Level stones = steppingStones().compile();
-  Question easy(stones);
+  PlainQuery easy(stones);
   const level::Level arena = support::boxArena(30, 1).compile();
   Problem endless = support::endlessProblem(arena);
   level::WaypointView

@@ -27,12 +27,12 @@ TEST_F(PassFilterTest, AThinBoxIsPassedBetweenTicks) {
   for (int i = 0; i < 30; ++i) {
     const float z = -16 - 0.01f * float(i);
     const std::string across = fmt::format("0,2,{},8,4,0.002", z);
-    const std::string beside = fmt::format("40,2,{},8,4,0.002", z);
+    const std::string nextTo = fmt::format("40,2,{},8,4,0.002", z);
     EXPECT_TRUE(keeps({{across}, {}})) << z;
     EXPECT_FALSE(keeps({{}, {across}})) << z;
-    EXPECT_FALSE(keeps({{beside}, {}})) << z;
-    EXPECT_TRUE(keeps({{}, {beside}})) << z;
-    EXPECT_TRUE(keeps({{across}, {beside}})) << z;
+    EXPECT_FALSE(keeps({{nextTo}, {}})) << z;
+    EXPECT_TRUE(keeps({{}, {nextTo}})) << z;
+    EXPECT_TRUE(keeps({{across}, {nextTo}})) << z;
   }
 }
 

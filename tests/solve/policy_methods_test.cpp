@@ -70,7 +70,7 @@ TEST(PolicyMethods, GiveTheSameBytesOnAnyNumberOfThreadsAndOnADevice) {
 // Rollouts by a policy are kernels like the others, so the device runs all of them.
 TEST(PolicyMethods, RunOnTheDevice) {
   const level::Level stones = steppingStones().compile();
-  Question q(stones);
+  PlainQuery q(stones);
   ThreadPool pool(1);
   Problem problem = q.problem();
   problem.policy = &policy::shippedPolicy().network;
@@ -159,7 +159,7 @@ TEST(PolicyFirst, StartsAtItsRound) {
 // At each decision the policy chooses an action from the current state, up to the last tick.
 TEST(PolicyMethods, ThePolicyPlaysEveryTickOfARollout) {
   const level::Level stones = steppingStones().compile();
-  Question q(stones);
+  PlainQuery q(stones);
   Problem problem = q.problem();
   problem.policy = &policy::shippedPolicy().network;
   const ExploreSetup setup(problem, 1, aloneSettings());
@@ -196,7 +196,7 @@ TEST(PlainGoExplore, MatchesTheDocumentation) {
   EXPECT_EQ(s.cellWidth, 1);
   EXPECT_EQ(s.explore.aimShare, 0);
   const level::Level stones = steppingStones().compile();
-  Question q(stones);
+  PlainQuery q(stones);
   const Problem problem = q.problem();
   const ExploreSetup setup(problem, 1, s);
   EXPECT_EQ(setup.rules.ticks, 120u);

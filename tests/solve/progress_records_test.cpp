@@ -29,9 +29,9 @@ struct Searched {
 
 Searched searched(int rounds, bool paths = false) {
   static const level::Level level = steppingStones().compile();
-  Question question(level);
-  question.query.goal = boxAt(kProgressRecordsGoal, kGoalSize);
-  const Problem problem = question.problem();
+  PlainQuery asked(level);
+  asked.query.goal = boxAt(kProgressRecordsGoal, kGoalSize);
+  const Problem problem = asked.problem();
   ThreadPool pool(1);
   GoExplore search(problem, 1, {}, pool);
   for (int round = 0; round < rounds; ++round) search.round();

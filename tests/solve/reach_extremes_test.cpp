@@ -88,11 +88,11 @@ TEST(ReachExtremes, APartTouchedByACornerIsReached) {
   });
   const level::Level level = b.compile();
   const uint32_t touched[] = {0};
-  Question question(level);
-  question.query.goal.touchCount = 1;
-  question.query.touched = touched;
-  question.query.touchedCount = 1;
-  const Problem problem = question.problem();
+  PlainQuery asked(level);
+  asked.query.goal.touchCount = 1;
+  asked.query.touched = touched;
+  asked.query.touchedCount = 1;
+  const Problem problem = asked.problem();
   sim::World w = problem.start;
   sim::advance(w, nullptr, level.view(), &problem.query, {});
   EXPECT_EQ(w.outcome, sim::Outcome::goal) << "no player touched it";

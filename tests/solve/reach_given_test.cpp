@@ -143,10 +143,10 @@ TEST(ReachBound, AForbiddenJumpIntoATeleporterIsNotDetected) {
   });
   b.physics([](schema::PhysicsParams::Builder p) { p.setJumpSpeed(212); });
   const level::Level level = b.compile();
-  Question question(level);
-  question.query.goal = boxAt({0, 102, 0}, {4, 4, 4});
-  question.query.forbidden = 1u << uint32_t(sim::State::jumping);
-  Problem problem = question.problem();
+  PlainQuery asked(level);
+  asked.query.goal = boxAt({0, 102, 0}, {4, 4, 4});
+  asked.query.forbidden = 1u << uint32_t(sim::State::jumping);
+  Problem problem = asked.problem();
   sim::World w = problem.start;
   for (uint32_t t = 0; t <= 10; ++t) {
     sim::advance(w, nullptr, level.view(), &problem.query, {0, false, t == 10});

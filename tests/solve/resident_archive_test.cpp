@@ -14,12 +14,12 @@ void rounds(ResidentExplore& search, int count) {
 TEST(ResidentArchive, IsTheSameForAnyNumberOfThreads) {
   for (const auto& [name, scene] : residentScenes()) {
     ThreadPool one(1);
-    ResidentExplore expected(scene->question.problem(), 4, smallRounds(scene->rollouts), {one});
+    ResidentExplore expected(scene->asked.problem(), 4, smallRounds(scene->rollouts), {one});
     rounds(expected, 8);
     EXPECT_GT(expected.cellCount(), 20u) << name;
     for (const int threads : {2, 3}) {
       ThreadPool pool(threads);
-      ResidentExplore search(scene->question.problem(), 4, smallRounds(scene->rollouts), {pool});
+      ResidentExplore search(scene->asked.problem(), 4, smallRounds(scene->rollouts), {pool});
       rounds(search, 8);
       expectSameArchive(search, expected, std::string(name) + ", " + std::to_string(threads));
     }
@@ -29,7 +29,7 @@ TEST(ResidentArchive, IsTheSameForAnyNumberOfThreads) {
 TEST(ResidentArchive, EveryStateIsRegeneratedFromItsTrajectory) {
   for (const auto& [name, scene] : residentScenes()) {
     ThreadPool pool(2);
-    ResidentExplore search(scene->question.problem(), 9, smallRounds(scene->rollouts), {pool});
+    ResidentExplore search(scene->asked.problem(), 9, smallRounds(scene->rollouts), {pool});
     rounds(search, 6);
     const std::vector<ArchivedCell> cells = search.cells();
     for (size_t c = 0; c < cells.size(); c += scene->replayed) {
@@ -44,9 +44,9 @@ TEST(ResidentArchive, EveryStateIsRegeneratedFromItsTrajectory) {
 TEST(ResidentArchive, CellsAreDistinctAndSoAreTheirNodes) {
   ResidentScene scene(support::movingArena(40, 8, 3));
   ThreadPool pool(2);
-  ResidentExplore search(scene.question.problem(), 2, smallRounds(), {pool});
+  ResidentExplore search(scene.asked.problem(), 2, smallRounds(), {pool});
   rounds(search, 10);
-  const Problem problem = scene.question.problem();
+  const Problem problem = scene.asked.problem();
   const ExploreSetup setup(problem, 2, smallRounds().explore);
   std::set<uint64_t> keys;
   std::set<uint32_t> nodes;
@@ -68,8 +68,8 @@ TEST(ResidentArchive, AFullArchiveKeepsTheSameCellsForAnyNumberOfThreads) {
   ResidentSettings settings = smallRounds();
   settings.maxCells = 100;
   ThreadPool one(1), three(3);
-  ResidentExplore expected(scene.question.problem(), 4, settings, {one});
-  ResidentExplore search(scene.question.problem(), 4, settings, {three});
+  ResidentExplore expected(scene.asked.problem(), 4, settings, {one});
+  ResidentExplore search(scene.asked.problem(), 4, settings, {three});
   uint64_t nodes = 0;
   for (int i = 0; i < 12; ++i) {
     expected.round();
@@ -89,7 +89,7 @@ TEST(ResidentArchive, GrowsWithItsContent) {
   settings.explore.groundedOnly = false;
   settings.explore.cellWidth = 0.5f;
   ThreadPool pool(2);
-  ResidentExplore search(scene.question.problem(), 4, settings, {pool});
+  ResidentExplore search(scene.asked.problem(), 4, settings, {pool});
   rounds(search, 4);
   ASSERT_GT(search.cellCount(), 20'000u);
   const std::vector<ArchivedCell> cells = search.cells();

@@ -19,7 +19,7 @@ class ResidentMerge : public testing::Test {
     PlayedStarts played;
     played.capacity = 4;
     for (const auto& visits : trajectories) {
-      PlayedStart trajectory{scene_.question.problem().start, {}, uint32_t(visits.size())};
+      PlayedStart trajectory{scene_.asked.problem().start, {}, uint32_t(visits.size())};
       played.trajectories.push_back(trajectory);
       for (uint32_t n = 0; n < played.capacity; ++n) {
         sim::World w = trajectory.end;
@@ -39,7 +39,7 @@ class ResidentMerge : public testing::Test {
   float markOf(uint32_t cell) { return (*rounds().cells(0))[cell].world.position.x; }
   ResidentRounds& rounds() {
     if (!rounds_) {
-      auto opened = ResidentRounds::open(device_, setup_, scene_.question.problem(), maxCells_);
+      auto opened = ResidentRounds::open(device_, setup_, scene_.asked.problem(), maxCells_);
       EXPECT_TRUE(opened);
       rounds_.emplace(*std::move(opened));
     }
@@ -49,7 +49,7 @@ class ResidentMerge : public testing::Test {
   ResidentScene scene_{steppingStones()};
   ThreadPool pool_{3};
   sim::HostDevice device_{pool_};
-  ExploreSetup setup_{scene_.question.problem(), 1, {}};
+  ExploreSetup setup_{scene_.asked.problem(), 1, {}};
   uint32_t maxCells_ = 100;
   std::optional<ResidentRounds> rounds_;
 };

@@ -18,11 +18,11 @@ inline ResidentSettings smallRounds(uint32_t rollouts = 256) {
 
 // A level and a query for it.
 struct ResidentScene {
-  explicit ResidentScene(LevelBuilder builder) : level(builder.compile()), question(level) {
-    question.query.goal = boxAt({0, 500, 0}, {2, 2, 2});  // out of reach
+  explicit ResidentScene(LevelBuilder builder) : level(builder.compile()), asked(level) {
+    asked.query.goal = boxAt({0, 500, 0}, {2, 2, 2});  // out of reach
   }
   level::Level level;
-  Question question;
+  PlainQuery asked;
   uint32_t rollouts = 256;  // rollouts per round
   uint32_t replayed = 1;    // the test replays every `replayed`-th cell
 };
@@ -33,9 +33,9 @@ inline std::vector<std::pair<const char*, std::unique_ptr<ResidentScene>>> resid
   all.emplace_back("stones", std::make_unique<ResidentScene>(steppingStones()));
   all.emplace_back("moving", std::make_unique<ResidentScene>(support::movingArena(40, 8, 3)));
   all.emplace_back("jumps", std::make_unique<ResidentScene>(support::boxArena(40, 5)));
-  all.back().second->question.query.maxJumps = 3;
+  all.back().second->asked.query.maxJumps = 3;
   all.emplace_back("waypoints", std::make_unique<ResidentScene>(steppingStones()));
-  Question& q = all.back().second->question;
+  PlainQuery& q = all.back().second->asked;
   q.waypoints = {{boxAt({3, 2, -18}, {2, 4, 2})}, {boxAt({-3, 2, -1}, {2, 4, 2})}};
   q.query.goal = boxAt({0, 2, -28}, {8, 4, 8});
   all.emplace_back("loose", std::make_unique<ResidentScene>(golden::dynamicBodies()));

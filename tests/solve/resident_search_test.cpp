@@ -77,9 +77,9 @@ TEST(ResidentSearch, SolvesLevels) {
 // A known solution is found before the first round.
 TEST(ResidentSearch, TriesEarlierAnswersFirst) {
   ResidentScene scene(steppingStones());
-  scene.question.query.goal = boxAt({0, 2, -28}, {8, 4, 8});
+  scene.asked.query.goal = boxAt({0, 2, -28}, {8, 4, 8});
   ThreadPool pool(2);
-  Problem problem = scene.question.problem();
+  Problem problem = scene.asked.problem();
   ResidentExplore search(problem, 1, smallRounds(), {pool});
   while (search.goals().empty()) {
     ASSERT_LT(search.statistics().steps, 3'000'000u);
@@ -110,7 +110,7 @@ TEST(ResidentSearch, TriesEarlierAnswersFirst) {
 TEST(ResidentSearch, CountsHowAttemptsEnd) {
   ResidentScene scene(steppingStones());
   ThreadPool pool(2);
-  ResidentExplore search(scene.question.problem(), 3, smallRounds(), {pool});
+  ResidentExplore search(scene.asked.problem(), 3, smallRounds(), {pool});
   for (int i = 0; i < 5; ++i) search.round();
   uint64_t ends = 0;
   for (const EndCount& e : search.attempts().counts()) ends += e.count;

@@ -15,16 +15,16 @@ namespace {
 
 struct RolloutScene {
   explicit RolloutScene(LevelBuilder builder = steppingStones())
-      : level(builder.compile()), question(level), surfaces(level.view()) {}
+      : level(builder.compile()), asked(level), surfaces(level.view()) {}
   ExploreContext context(float aimShare = 0.5f) {
-    const Problem p = question.problem();
+    const Problem p = asked.problem();
     return {p.level,          p.query,
             surfaces.view(),  jumpReach(p.level.params),
             {aimShare, 0.1f}, limitsJumps(p.query),
             fatalHeight(p)};
   }
   level::Level level;
-  Question question;
+  PlainQuery asked;
   Surfaces surfaces;
 };
 
@@ -32,11 +32,11 @@ TEST(Rollout, TheSameSeedAndStreamGiveTheSameActionsAndState) {
   RolloutScene scene;
   const ExploreContext c = scene.context();
   for (uint64_t stream = 0; stream < 50; ++stream) {
-    sim::World a = scene.question.problem().start, b = a;
+    sim::World a = scene.asked.problem().start, b = a;
     const uint32_t ticks = runRollout(c, 7, stream, a, nullptr, 100, [](auto, auto&) {});
     // Plays half a rollout, then the whole one. The draws depend only on the arguments.
     runRollout(c, 7, stream, b, nullptr, ticks / 2, [](auto, auto&) {});
-    b = scene.question.problem().start;
+    b = scene.asked.problem().start;
     EXPECT_EQ(runRollout(c, 7, stream, b, nullptr, 100, [](auto, auto&) {}), ticks);
     EXPECT_EQ(sim::stateHash(a), sim::stateHash(b));
   }
@@ -47,7 +47,7 @@ TEST(Rollout, StreamsDiffer) {
   const ExploreContext c = scene.context();
   std::set<uint64_t> ends;
   for (uint64_t stream = 0; stream < 50; ++stream) {
-    sim::World w = scene.question.problem().start;
+    sim::World w = scene.asked.problem().start;
     runRollout(c, 7, stream, w, nullptr, 60, [](auto, auto&) {});
     ends.insert(sim::stateHash(w));
   }
@@ -56,11 +56,11 @@ TEST(Rollout, StreamsDiffer) {
 
 TEST(Rollout, StopsAtTheEndOfTheTrajectory) {
   RolloutScene scene;
-  scene.question.avoid.push_back(boxAt({0, 2, -8}, {100, 40, 1}));
+  scene.asked.avoid.push_back(boxAt({0, 2, -8}, {100, 40, 1}));
   const ExploreContext c = scene.context();
   int avoided = 0;
   for (uint64_t stream = 0; stream < 100; ++stream) {
-    sim::World w = scene.question.problem().start;
+    sim::World w = scene.asked.problem().start;
     const uint32_t ticks = runRollout(c, 1, stream, w, nullptr, 300, [](auto, auto&) {});
     if (w.outcome != sim::Outcome::avoided) continue;
     ++avoided;
@@ -72,11 +72,11 @@ TEST(Rollout, StopsAtTheEndOfTheTrajectory) {
 
 TEST(Rollout, NeverJumpsBeyondALimit) {
   RolloutScene scene;
-  scene.question.query.maxJumps = 1;
+  scene.asked.query.maxJumps = 1;
   const ExploreContext c = scene.context();
   bool jumped = false;
   for (uint64_t stream = 0; stream < 100; ++stream) {
-    sim::World w = scene.question.problem().start;
+    sim::World w = scene.asked.problem().start;
     runRollout(c, 1, stream, w, nullptr, 300, [](auto, auto&) {});
     EXPECT_LE(w.jumps, 1);
     EXPECT_NE(w.outcome, sim::Outcome::jumps);
@@ -91,7 +91,7 @@ TEST(Rollout, AimedMacrosCrossAGapMoreOftenThanRandomOnes) {
     const ExploreContext c = scene.context(aimShare);
     int count = 0;
     for (uint64_t stream = 0; stream < 400; ++stream) {
-      sim::World w = scene.question.problem().start;
+      sim::World w = scene.asked.problem().start;
       bool across = false;
       runRollout(c, 3, stream, w, nullptr, 90, [&](auto, const sim::World& now) {
         across = across || (grounded(now) && now.position.z < -12);

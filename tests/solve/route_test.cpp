@@ -11,8 +11,8 @@ using Route = std::vector<int32_t>;
 
 TEST(Route, ListsSupportingPartsInOrder) {
   const level::Level level = steppingStones().compile();
-  Question question(level);
-  const Problem problem = question.problem();
+  PlainQuery asked(level);
+  const Problem problem = asked.problem();
   const auto keys = [](const sim::World& w) {
     const float z = w.position.z;
     return sim::Action{0, true, (z < -7 && z > -9) || (z < -19 && z > -21)};
@@ -49,8 +49,8 @@ TEST(Route, AStartInTheAirHasNoSupport) {
   LevelBuilder b = GapScene::build(5, 8);
   b.block({0, 9.5f, -2}, {2, 1, 2}, [](schema::Part::Builder p) { p.setSolid(false); });
   const level::Level level = b.compile();
-  Question question(level);
-  Problem problem = question.problem();
+  PlainQuery asked(level);
+  Problem problem = asked.problem();
   problem.start.position.y = 10;
   problem.query.goal = boxAt({0, 2, -7}, {8, 4, 1});
   const auto keys = [](const sim::World& w) { return sim::Action{0, w.position.y < 1, false}; };
@@ -79,8 +79,8 @@ TEST(Route, TrussesAndMovingPlatformsCarry) {
   });
   b.spawn({0, 0, -2});
   const level::Level level = b.compile();
-  Question question(level);
-  Problem problem = question.problem();
+  PlainQuery asked(level);
+  Problem problem = asked.problem();
   problem.query.goal = boxAt({0, 13, -17}, {8, 4, 2});
   const Trajectory p = playByHand(problem, [](const sim::World&) {
     return sim::Action{0, true, false};
@@ -100,8 +100,8 @@ TEST(Route, SeatsAndDynamicPartsCarry) {
   b.block({0, 0.5f, -16}, {8, 1, 4}, [](schema::Part::Builder p) { p.setAnchored(false); });
   b.spawn({0, 0, -2});
   const level::Level level = b.compile();
-  Question question(level);
-  Problem problem = question.problem();
+  PlainQuery asked(level);
+  Problem problem = asked.problem();
   problem.query.goal = boxAt({0, 3, -17.5f}, {8, 4, 1});
   const Trajectory p = playByHand(problem, [](const sim::World& w) {
     const bool leaves = w.state == sim::State::seated && w.tick > 60;
@@ -122,8 +122,8 @@ TEST(Route, AToeBeyondTheSeamIsNotAnotherSupport) {
   b.block({-0.9f, 0.05f, -10}, {0.2f, 0.1f, 0.2f});
   b.spawn({0, 0, -2});
   const level::Level level = b.compile();
-  Question question(level);
-  Problem problem = question.problem();
+  PlainQuery asked(level);
+  Problem problem = asked.problem();
   problem.query.goal = boxAt({0, 2, -30}, {8, 4, 2});
   const Trajectory p = playByHand(problem, [](const sim::World&) {
     return sim::Action{0, true, false};

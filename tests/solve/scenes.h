@@ -31,9 +31,9 @@ inline LevelBuilder steppingStones() {
 
 inline level::TargetView boxAt(Vec3 center, Vec3 size) { return {{{center, {}}, size * 0.5f}}; }
 
-// A query with plain fields. It has no limits unless a test sets them.
-struct Question {
-  explicit Question(const level::Level& l) : level(l) {
+// A query with plain fields, for one level. It has no limits unless a test sets them.
+struct PlainQuery {
+  explicit PlainQuery(const level::Level& l) : level(l) {
     query.goal = boxAt({0, 2, -28}, {8, 4, 8});
   }
   Problem problem() {

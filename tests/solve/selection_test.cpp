@@ -24,7 +24,7 @@ TEST(SelectionWeight, LeansTowardThePotentialButNeverBelowATenth) {
 
 TEST(Potential, RisesTowardTheGoalAndWithWaypoints) {
   const level::Level level = steppingStones().compile();
-  Question q(level);
+  PlainQuery q(level);
   q.waypoints.push_back({boxAt({0, 2, -16}, {8, 4, 8}), -1});
   const Potential potential(q.problem());
   sim::World w = sim::makeWorld(level.view(), level.spawns()[0]);

@@ -24,9 +24,9 @@ sim::World at(Vec3 position, uint32_t tick = 0, uint8_t waypoints = 0) {
 
 // The stepping stones, with everything that a selector needs.
 struct Scene {
-  Scene() : level(steppingStones().compile()), question(level), surfaces(level.view()) {}
+  Scene() : level(steppingStones().compile()), asked(level), surfaces(level.view()) {}
   ExploreContext context() {
-    const Problem p = question.problem();
+    const Problem p = asked.problem();
     return {p.level, p.query, surfaces.view(), jumpReach(p.level.params), {}, false, -1e30f};
   }
   uint32_t add(const sim::World& w, float potential = 1) {
@@ -42,7 +42,7 @@ struct Scene {
     return choices;
   }
   level::Level level;
-  Question question;
+  PlainQuery asked;
   Surfaces surfaces;
   Archive archive;
   uint64_t stream = 0;
@@ -93,8 +93,8 @@ TEST(NearestCells, AgreesWithALinearScan) {
 
 TEST(RrtSelector, StartsFromTheNearestCellOfEqualProgress) {
   Scene s;
-  s.question.waypoints.push_back({boxAt({0, 2, -16}, {8, 4, 8}), -1});
-  RrtSelector selector(s.question.problem(), s.context());
+  s.asked.waypoints.push_back({boxAt({0, 2, -16}, {8, 4, 8}), -1});
+  RrtSelector selector(s.asked.problem(), s.context());
   const uint32_t start = s.add(at({0, 0, -2})), middle = s.add(at({0, 0, -16}));
   const uint32_t away = s.add(at({0, 0, 900}));
   auto counts = tally(s.choose(selector, 1000));
@@ -109,7 +109,7 @@ TEST(RrtSelector, StartsFromTheNearestCellOfEqualProgress) {
 
 TEST(RrtSelector, RolloutsAreShortAndOfAnyLength) {
   Scene s;
-  RrtSelector selector(s.question.problem(), s.context());
+  RrtSelector selector(s.asked.problem(), s.context());
   s.add(at({0, 0, -2}));
   std::map<uint32_t, int> lengths;
   for (const Choice& c : s.choose(selector, 2000)) ++lengths[c.ticks];
@@ -122,7 +122,7 @@ TEST(RrtSelector, SameChoicesForAnyNumberOfThreads) {
   std::vector<uint32_t> expected;
   for (const int threads : {1, 2, 3, 8}) {
     Scene s;
-    RrtSelector selector(s.question.problem(), s.context());
+    RrtSelector selector(s.asked.problem(), s.context());
     for (int i = 0; i < 500; ++i) s.add(at({float(i % 7), 0, -float(i % 30)}));
     std::vector<uint32_t> cells;
     for (const Choice& c : s.choose(selector, 300, threads)) cells.push_back(c.cell);
@@ -199,18 +199,18 @@ TEST(MctsSelector, EqualRewardsAreSharedEqually) {
 // The player walks at 16 studs/s, and a second has 60 ticks.
 TEST(BeamSelector, TicksLeftAssumeAStraightWalkThroughTheWaypoints) {
   Scene s;
-  EXPECT_FLOAT_EQ(BeamSelector(s.question.problem()).ticksLeft(at({0, 0, -12})), 12 * 60 / 16.0f);
-  s.question.waypoints.push_back({boxAt({0, 2, -4}, {2, 4, 2}), -1});
-  const BeamSelector selector(s.question.problem());
+  EXPECT_FLOAT_EQ(BeamSelector(s.asked.problem()).ticksLeft(at({0, 0, -12})), 12 * 60 / 16.0f);
+  s.asked.waypoints.push_back({boxAt({0, 2, -4}, {2, 4, 2}), -1});
+  const BeamSelector selector(s.asked.problem());
   EXPECT_FLOAT_EQ(selector.ticksLeft(at({0, 0, -12}, 0, 1)), 12 * 60 / 16.0f);
-  const float back = 7, there = geom::distance(s.question.query.goal.region, {0, 2, -4}) -
-                                length(Vec3{1, 2, 1});
+  const float back = 7,
+              there = geom::distance(s.asked.query.goal.region, {0, 2, -4}) - length(Vec3{1, 2, 1});
   EXPECT_FLOAT_EQ(selector.ticksLeft(at({0, 0, -12})), (back + there) * 60 / 16);
 }
 
 TEST(BeamSelector, MinimisesTicksSoFarPlusTicksLeft) {
   Scene s;
-  BeamSelector selector(s.question.problem());
+  BeamSelector selector(s.asked.problem());
   s.add(at({0, 0, -2}, 0));
   const uint32_t near = s.add(at({0, 0, -14}, 60)), late = s.add(at({0, 0, -15}, 900));
   const uint32_t second = s.add(at({0, 0, -13}, 60));
@@ -221,8 +221,8 @@ TEST(BeamSelector, MinimisesTicksSoFarPlusTicksLeft) {
 
 TEST(BeamSelector, PassedWaypointsCount) {
   Scene s;
-  s.question.waypoints.push_back({boxAt({0, 2, -2}, {4, 4, 2}), -1});
-  BeamSelector selector(s.question.problem());
+  s.asked.waypoints.push_back({boxAt({0, 2, -2}, {4, 4, 2}), -1});
+  BeamSelector selector(s.asked.problem());
   s.add(at({0, 0, -16}, 10));
   const uint32_t behind = s.add(at({0, 0, -3}, 10, 1));
   EXPECT_EQ(tally(s.choose(selector, 4)), (std::map<uint32_t, int>{{behind, 4}}));
@@ -230,7 +230,7 @@ TEST(BeamSelector, PassedWaypointsCount) {
 
 TEST(BeamSelector, NoCellStarves) {
   Scene s;
-  BeamSelector selector(s.question.problem());
+  BeamSelector selector(s.asked.problem());
   for (int i = 0; i < 50; ++i) s.add(at({0, 0, -float(i % 10)}, uint32_t(i) * 5));
   std::map<uint32_t, int> counts;
   for (int round = 0; round < 600; ++round) {
@@ -242,7 +242,7 @@ TEST(BeamSelector, NoCellStarves) {
 
 TEST(BeamSelector, FewCellsShareTheRound) {
   Scene s;
-  BeamSelector selector(s.question.problem());
+  BeamSelector selector(s.asked.problem());
   s.add(at({0, 0, -2}));
   EXPECT_EQ(tally(s.choose(selector, 32))[0], 32);
 }
@@ -251,7 +251,7 @@ TEST(BeamSelector, SameChoicesForAnyNumberOfThreads) {
   std::vector<uint32_t> expected;
   for (const int threads : {1, 2, 3, 8}) {
     Scene s;
-    BeamSelector selector(s.question.problem());
+    BeamSelector selector(s.asked.problem());
     for (uint32_t i = 0; i < 20000; ++i) {
       s.add(at({float(i % 11), 0, -float(i * 7 % 29)}, i * 37 % 1009));
     }

@@ -57,17 +57,17 @@ TEST(Evaluation, EndsWithItsTimeLimit) {
 
 TEST(Evaluation, ReportsItsProgress) {
   for (const int threads : {1, 3}) {
-    std::vector<EvaluationSoFar> told;
+    std::vector<EvaluationSoFar> reports;
     ThreadPool pool(threads);
     const std::atomic<bool> stop{false};
     const Evaluation e = evaluate(policy::Network(), SomeBad(), ofLevels(10), pool, stop,
-                                  [&](const EvaluationSoFar& soFar) { told.push_back(soFar); });
-    ASSERT_EQ(told.size(), 8u) << threads;
-    for (uint32_t i = 0; i < told.size(); ++i) {
-      EXPECT_EQ(told[i].levels, i + 1);
-      EXPECT_FLOAT_EQ(float(told[i].done), float(i + 1) / 10);
+                                  [&](const EvaluationSoFar& soFar) { reports.push_back(soFar); });
+    ASSERT_EQ(reports.size(), 8u) << threads;
+    for (uint32_t i = 0; i < reports.size(); ++i) {
+      EXPECT_EQ(reports[i].levels, i + 1);
+      EXPECT_FLOAT_EQ(float(reports[i].done), float(i + 1) / 10);
     }
-    EXPECT_EQ(told.back().likeliest, e.likeliest);
+    EXPECT_EQ(reports.back().likeliest, e.likeliest);
   }
 }
 
@@ -142,9 +142,9 @@ class Pit : public LevelSource {
     q.setId("out");
     support::set(q.initGoal().initPosition(), {0, 2, -400});
     support::set(q.getGoal().initSize(), {4, 4, 4});
-    auto way = q.initRoute(4000);
-    for (uint32_t i = 0; i < way.size(); ++i)
-      support::set(way[i], {0, 0, i % 2 == 0 ? 0.0f : -400.0f});
+    auto route = q.initRoute(4000);
+    for (uint32_t i = 0; i < route.size(); ++i)
+      support::set(route[i], {0, 0, i % 2 == 0 ? 0.0f : -400.0f});
     return TrainingLevel::make(b.record(), q.asReader());
   }
 };
@@ -162,10 +162,10 @@ TEST(Evaluation, EndsDuringALongEpisode) {
     stop = true;
   });
   ThreadPool pool(1);
-  const Evaluation told = evaluate(policy::Network(), Pit(), ofLevels(2), pool, stop);
+  const Evaluation evaluation = evaluate(policy::Network(), Pit(), ofLevels(2), pool, stop);
   stopper.join();
-  EXPECT_EQ(told.levels, 0u);
-  EXPECT_FALSE(told.timeUp);
+  EXPECT_EQ(evaluation.levels, 0u);
+  EXPECT_FALSE(evaluation.timeUp);
   EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(30));
 }
 

@@ -34,14 +34,14 @@ TEST(InterruptedStream, HasAnIncompleteTurn) {
 }
 
 TEST(InterruptedStream, IsRepeatedIfErrorsAreForgiven) {
-  std::vector<std::string> told, warned;
+  std::vector<std::string> errors, warned;
   io::SourceOptions options = optionsOf(interruptedLines(3));
   options.onError = io::OnError::skip;
-  options.report = [&](const Error& error) { told.push_back(error.text()); };
+  options.report = [&](const Error& error) { errors.push_back(error.text()); };
   options.warn = [&](const Error& error) { warned.push_back(error.text()); };
   const LevelStream all(optionsOf(linesOf(3))), stream(std::move(options));
   for (uint64_t i = 0; i < 9; ++i) EXPECT_EQ(hashOf(stream, i), hashOf(all, i % 3)) << i;
-  EXPECT_TRUE(told.empty());
+  EXPECT_TRUE(errors.empty());
   ASSERT_EQ(warned.size(), 1u);
   EXPECT_EQ(warned[0].find("levels:8: the tool that wrote this input was interrupted"), 0u)
       << warned[0];

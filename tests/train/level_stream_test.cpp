@@ -271,18 +271,18 @@ TEST(LevelStream, RefusesADifficultyOutOfRange) {
 // Records that cannot be read, and records without a valid meaning.
 TEST(LevelStream, SkipsBadRecordsIfErrorsAreForgiven) {
   const LevelStream all(optionsOf(linesOf(3)));
-  std::vector<std::string> told;
+  std::vector<std::string> errors;
   io::SourceOptions options = optionsOf(lineOf(0) + R"({"type":"level","parts":7})" + "\n" +
                                         lineOf(1, R"(,"difficulty":1.5)") + lineOf(2));
   options.onError = io::OnError::skip;
-  options.report = [&](const Error& error) { told.push_back(error.text()); };
+  options.report = [&](const Error& error) { errors.push_back(error.text()); };
   const LevelStream some(std::move(options));
   EXPECT_EQ(hashOf(some, 0), hashOf(all, 0));
   EXPECT_EQ(hashOf(some, 1), hashOf(all, 2));
   EXPECT_EQ(hashOf(some, 2), hashOf(all, 0)) << "it repeats";
-  ASSERT_EQ(told.size(), 2u);
-  EXPECT_EQ(told[0].find("levels:3: parts: "), 0u) << told[0];
-  EXPECT_EQ(told[1].find("levels:5: difficulty: "), 0u) << told[1];
+  ASSERT_EQ(errors.size(), 2u);
+  EXPECT_EQ(errors[0].find("levels:3: parts: "), 0u) << errors[0];
+  EXPECT_EQ(errors[1].find("levels:5: difficulty: "), 0u) << errors[1];
 }
 
 TEST(LevelStream, NeedsALevel) {

@@ -90,10 +90,6 @@ std::vector<OptionRow> rehearseRows() {
   };
 }
 
-std::vector<OptionRow> runRows() {
-  return {cli::commonRow(cli::Common::threads), cli::commonRow(cli::Common::seed)};
-}
-
 }  // namespace
 
 cli::ToolSpec calibrateSpec() {
@@ -115,10 +111,13 @@ cli::ToolSpec calibrateSpec() {
        "obby-calibrate --rehearse --noise 0.01 | "
        "obby-calibrate --fit walkSpeed --restarts 1 --report found.html"},
   };
-  spec.options = {cli::commonRow(cli::Common::output), cli::commonRow(cli::Common::format),
-                  cli::commonRow(cli::Common::onError), cli::commonRow(cli::Common::progress)};
-  for (const auto& rows : {fitRows(), playRows(), rehearseRows(), runRows()})
-    spec.options.insert(spec.options.end(), rows.begin(), rows.end());
+  spec.options =
+      cli::joined({{cli::commonRow(cli::Common::output), cli::commonRow(cli::Common::format),
+                    cli::commonRow(cli::Common::onError), cli::commonRow(cli::Common::progress)},
+                   fitRows(),
+                   playRows(),
+                   rehearseRows(),
+                   {cli::commonRow(cli::Common::threads), cli::commonRow(cli::Common::seed)}});
   spec.notes =
       "A fit writes a params record, and metrics with each parameter's confidence interval and "
       "each recording's error. --play writes a metrics record for each recording and one for all. "

@@ -10,7 +10,7 @@
 #include "cli/tool.h"
 #include "emit.h"
 #include "gen/place/place_file.h"
-#include "gen/recipe_check.h"
+#include "gen/recipe.h"
 #include "io/pipeline.h"
 #include "options.h"
 #include "shared/recipe_options.h"

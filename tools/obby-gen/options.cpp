@@ -67,10 +67,6 @@ std::vector<OptionRow> checkRows() {
   };
 }
 
-std::vector<OptionRow> runRows() {
-  return {cli::commonRow(cli::Common::threads), cli::commonRow(cli::Common::seed)};
-}
-
 std::string lineOf(const gen::Style& s) {
   return fmt::format("{:<13} {}\n", s.name, s.description);
 }
@@ -101,12 +97,12 @@ cli::ToolSpec genSpec() {
       {"Generate a place file to open in Studio",
        "obby-gen --style course --difficulty easy -o course.rbxlx"},
   };
-  spec.options = {cli::commonRow(cli::Common::output), formatRow(),
-                  cli::commonRow(cli::Common::progress)};
-  for (const auto& rows : {recipeRows(kLevelGroup, "the recipe's, else easy..hard"), levelRows(),
-                           checkRows(), runRows()}) {
-    spec.options.insert(spec.options.end(), rows.begin(), rows.end());
-  }
+  spec.options = cli::joined(
+      {{cli::commonRow(cli::Common::output), formatRow(), cli::commonRow(cli::Common::progress)},
+       recipeRows(kLevelGroup, "the recipe's, else easy..hard"),
+       levelRows(),
+       checkRows(),
+       {cli::commonRow(cli::Common::threads), cli::commonRow(cli::Common::seed)}});
   spec.notes =
       "The same options and recipe give the same output, on any machine and with any --threads. "
       "Level N of a seed and its unsolvable twin differ in one gap or obstacle only.";

@@ -289,12 +289,14 @@ cli::ToolSpec solveSpec() {
   spec.inputHelp = "streams with levels and queries";
   spec.tableAtTerminal = true;
   spec.examples = examples();
-  spec.options = {cli::commonRow(cli::Common::output), rare(cli::commonRow(cli::Common::format)),
-                  cli::commonRow(cli::Common::progress),
-                  rare(cli::commonRow(cli::Common::onError))};
-  for (const auto& rows : {queryRows(), searchRows(), outputRows(), answeredRows(), runRows()}) {
-    spec.options.insert(spec.options.end(), rows.begin(), rows.end());
-  }
+  spec.options = cli::joined(
+      {{cli::commonRow(cli::Common::output), rare(cli::commonRow(cli::Common::format)),
+        cli::commonRow(cli::Common::progress), rare(cli::commonRow(cli::Common::onError))},
+       queryRows(),
+       searchRows(),
+       outputRows(),
+       answeredRows(),
+       runRows()});
   spec.notes =
       "PLACE: a part, given by name, path, end of its path, GUID, #TAG or part:INDEX (its index in "
       "the level's list of parts), or a box x,y,z,sx,sy,sz (centre and size in studs). touch:PART "

@@ -12,7 +12,7 @@
 #include "policy/policy_file.h"
 #include "shared/generated_levels.h"
 #include "train/device/device_engine.h"
-#include "train/run/evaluation_metrics.h"
+#include "train/run/metrics.h"
 #include "train/run/rank_options.h"
 #include "train/run/ranks/join_devices.h"
 #include "train/run/ranks/join_ranks.h"

@@ -231,11 +231,13 @@ cli::ToolSpec trainSpec() {
   spec.examples = examples();
   spec.readsInputs = [](const cli::Arguments& a) { return !makesLevels(a); };
   spec.alwaysToStandardOutput = true;  // the metrics
-  spec.options = {outputRow(), onErrorRow(), cli::commonRow(cli::Common::progress)};
-  for (const auto& rows : {levelRows(), recipeRows(kLevelGroup, kDifficulty), learnRows(),
-                           keepRows(), logRows(), evaluateRows()}) {
-    spec.options.insert(spec.options.end(), rows.begin(), rows.end());
-  }
+  spec.options = cli::joined({{outputRow(), onErrorRow(), cli::commonRow(cli::Common::progress)},
+                              levelRows(),
+                              recipeRows(kLevelGroup, kDifficulty),
+                              learnRows(),
+                              keepRows(),
+                              logRows(),
+                              evaluateRows()});
   for (OptionRow& r : spec.options)
     if (r.group == cli::kRunGroup) r.group = kLearnGroup;
   spec.notes =

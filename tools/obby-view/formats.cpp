@@ -50,9 +50,9 @@ Result<std::string> png(const view::Report& report, const cli::Context& context)
 Result<std::string> svg(const view::Report& report, const cli::Context& context) {
   OBBY_ASSIGN(const view::PictureOptions options, pictureOptions(context.arguments()));
   OBBY_ASSIGN(const Subject subject, subjectOf(report));
-  const bool beside = context.arguments().text("from") == "side";
+  const bool fromSide = context.arguments().text("from") == "side";
   return drawingOf(*subject.level, subject.query,
-                   {beside ? view::Side::beside : view::Side::above, options.width});
+                   {fromSide ? view::Side::beside : view::Side::above, options.width});
 }
 
 Result<std::string> rbxmx(const view::Report& report, const cli::Context&) {

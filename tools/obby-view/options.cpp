@@ -101,9 +101,11 @@ cli::ToolSpec viewSpec() {
       {"Draw a solution from the side, as a vector drawing",
        "obby-solve --query right several-routes.jsonl | obby-view --from side -o route.svg"},
   };
-  spec.options = {commonRow(cli::Common::output), formatRow(), onErrorRow()};
-  for (const auto& rows : {contentRows(), textRows(), pictureRows(), liveRows()})
-    spec.options.insert(spec.options.end(), rows.begin(), rows.end());
+  spec.options = cli::joined({{commonRow(cli::Common::output), formatRow(), onErrorRow()},
+                              contentRows(),
+                              textRows(),
+                              pictureRows(),
+                              liveRows()});
   spec.notes =
       "A trajectory record holds only actions, so obby-view replays it. A trajectory that does "
       "not end as its record says is shown as a mismatch.";

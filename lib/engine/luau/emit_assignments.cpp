@@ -92,23 +92,26 @@ void StatementEmitter::assignInOrder(const Stat& stat) {
 
 void StatementEmitter::bindTargets(const Stat& stat) {
   for (size_t i = 0; i < stat.targets.size(); ++i) {
-    const Expr& target = *stat.targets[i];
-    if (target.kind == ExprKind::name) continue;
-    const bool index = target.kind == ExprKind::index;
-    keyword("local");
-    out_.word(own(fmt::format("o{}", i)));
-    if (index) {
-      out_.symbol(",");
-      out_.word(own(fmt::format("k{}", i)));
-    }
-    out_.symbol("=");
-    single(*target.kids[0]);
-    if (index) {
-      out_.symbol(",");
-      single(*target.kids[1]);
-    }
-    out_.symbol(";");
+    if (stat.targets[i]->kind != ExprKind::name) bindTarget(*stat.targets[i], std::to_string(i));
   }
+}
+
+// local o,k=OBJECT,KEY;
+void StatementEmitter::bindTarget(const Expr& target, const std::string& number) {
+  const bool index = target.kind == ExprKind::index;
+  keyword("local");
+  out_.word(own("o" + number));
+  if (index) {
+    out_.symbol(",");
+    out_.word(own("k" + number));
+  }
+  out_.symbol("=");
+  single(*target.kids[0]);
+  if (index) {
+    out_.symbol(",");
+    single(*target.kids[1]);
+  }
+  out_.symbol(";");
 }
 
 template <class Write>
@@ -145,16 +148,8 @@ void StatementEmitter::compound(const Stat& stat) {
 void StatementEmitter::compoundField(const Stat& stat) {
   const Expr& target = *stat.targets[0];
   const bool index = target.kind == ExprKind::index;
-  keyword("do local");
-  out_.word(own("o"));
-  if (index) out_.symbol("," + own("k"));
-  out_.symbol("=");
-  single(*target.kids[0]);
-  if (index) {
-    out_.symbol(",");
-    single(*target.kids[1]);
-  }
-  out_.symbol(";");
+  keyword("do");
+  bindTarget(target, "");
   update(stat, [&] {
     out_.word(own("o"));
     out_.symbol(index ? "[" + own("k") + "]" : "." + target.text);

@@ -56,13 +56,13 @@ std::vector<ExprPtr> ExpressionParser::expressionList() {
   return list;
 }
 
-ExprPtr ExpressionParser::expression(int least) {
+ExprPtr ExpressionParser::expression(int minBinding) {
   const Depth depth(*this);
   if (depth.tooDeep()) return make(ExprKind::unknown, peek().line);
   ExprPtr left = unary();
   for (;;) {
     const Binding binding = bindingOf(peek());
-    if (binding.left == 0 || binding.left < least) return left;
+    if (binding.left == 0 || binding.left < minBinding) return left;
     if (peek().text == "..") {
       left = concatenation(std::move(left));
       continue;

@@ -22,7 +22,7 @@ class ExpressionParser : protected TypeParser {
 
   virtual Block block() = 0;  // parses the statements of a function
 
-  ExprPtr expression(int least = 0) override;
+  ExprPtr expression(int minBinding = 0) override;
   ExprPtr concatenation(ExprPtr first);
   ExprPtr unary();
   ExprPtr simple();

@@ -30,11 +30,11 @@ void appendUtf8(std::string& out, uint32_t code) {
   for (int i = more - 1; i >= 0; --i) out += char(0x80 | ((code >> (6 * i)) & 0x3F));
 }
 
-// Returns the number from at most `most` digits of a base.
-std::optional<uint32_t> digits(std::string_view source, size_t& at, size_t most, int base) {
+// Returns the number from at most `maxCount` digits of a base.
+std::optional<uint32_t> digits(std::string_view source, size_t& at, size_t maxCount, int base) {
   size_t count = 0;
   uint32_t value = 0;
-  for (; count < most && at < source.size(); ++count, ++at) {
+  for (; count < maxCount && at < source.size(); ++count, ++at) {
     const unsigned char c = static_cast<unsigned char>(source[at]);
     if (base == 10 ? !isDigit(char(c)) : !std::isxdigit(c)) break;
     value = value * uint32_t(base) + uint32_t(isDigit(char(c)) ? c - '0' : (c | 0x20) - 'a' + 10);

@@ -103,7 +103,7 @@ void Resolver::declare(std::string_view name, bool constant) {
   local = {name, scope_, int(scope_->locals.size()), constant};
   scope_->locals.push_back(&local);
   visible_[name].push_back(&local);
-  function_->most = std::max(function_->most, ++function_->active);
+  function_->maxActive = std::max(function_->maxActive, ++function_->active);
 }
 
 void Resolver::seen(std::string_view name) {

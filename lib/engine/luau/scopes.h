@@ -29,7 +29,7 @@ struct FunctionScope {
   FunctionScope* outer = nullptr;
   std::unordered_set<const Local*> upvalues;
   std::vector<Scope*> scopes;
-  int active = 0, most = 0;  // local variables in scope now, and their maximum
+  int active = 0, maxActive = 0;  // local variables in scope now, and their maximum
 };
 
 // A block with its variables. A function's parameters and a loop's variables belong to its body.

@@ -41,8 +41,8 @@ void limitUpvalues(const FunctionScope& function, const std::deque<Scope>& scope
 }
 
 void limitLocals(const FunctionScope& function) {
-  if (function.most <= kMaxLocals) return;
-  int total = function.most;
+  if (function.maxActive <= kMaxLocals) return;
+  int total = function.maxActive;
   std::vector<std::pair<int, Scope*>> movable;
   for (Scope* scope : function.scopes) {
     const int count = int(scope->locals.size());

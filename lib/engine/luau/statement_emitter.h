@@ -35,6 +35,7 @@ class StatementEmitter final : private ExpressionEmitter {
   void assign(const Stat& stat);
   void assignInOrder(const Stat& stat);
   void bindTargets(const Stat& stat);
+  void bindTarget(const Expr& target, const std::string& number);
   void compound(const Stat& stat);
   void compoundField(const Stat& stat);
   // Emits `target = target op value`; `write` writes the target.

@@ -13,7 +13,7 @@ class TypeParser : protected TokenCursor {
  protected:
   using TokenCursor::TokenCursor;
 
-  virtual ExprPtr expression(int least = 0) = 0;  // typeof(expression)
+  virtual ExprPtr expression(int minBinding = 0) = 0;  // typeof(expression)
 
   void type();
   void typeAtom();

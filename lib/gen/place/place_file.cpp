@@ -95,14 +95,14 @@ void PlaceFile::writeCarrier(const PartSketch& part, Vec3 shift) {
   xml_.endProperties();
   xml_.end();
   const uint32_t attachment = xml_.lastReferent();
-  const float way = length(motion.keys.back().position - motion.keys.front().position);
+  const float distance = length(motion.keys.back().position - motion.keys.front().position);
   xml_.begin("AlignPosition", "AlignPosition");
   xml_.reference("Attachment0", attachment);
   xml_.token("Mode", 0);
   xml_.vector("Position", motion.keys.front().position + shift);
   xml_.number("MaxForce", kForce);
   xml_.number("Responsiveness", kResponse);
-  xml_.number("MaxVelocity", way / maxf(motion.keys.back().time, 0.1f));
+  xml_.number("MaxVelocity", distance / maxf(motion.keys.back().time, 0.1f));
   xml_.endProperties();
   xml_.end();
   xml_.begin("AlignOrientation", "AlignOrientation");

@@ -26,8 +26,8 @@ void buildDoor(Sketch& s) {
   const float width = 20, seconds = s.mix(kOpen), high = maxf(14.0f, s.reach().rise() + 5);
   const bool shut = s.straight() && s.broken("button");
   // In a solvable level the wall is no wider than necessary, or it would block other obstacles.
-  const float beside = shut ? s.roundabout(kRoundabout) : kRoundabout;
-  const float side = (width - kDoor) / 2 + beside, middle = (kDoor + side) / 2;
+  const float overhang = shut ? s.roundabout(kRoundabout) : kRoundabout;
+  const float side = (width - kDoor) / 2 + overhang, middle = (kDoor + side) / 2;
   const float aside = s.mixEitherSign(kAside);
   s.wall("Wall", -middle, kRun, side, high, 1);
   s.wall("Wall", middle, kRun, side, high, 1);

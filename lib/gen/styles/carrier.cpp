@@ -22,14 +22,15 @@ void build(Sketch& s) {
   const float size = s.mix(kSize), apart = s.mix(kApart), speed = s.mix(kSpeed);
   // The gap is too wide to jump, even off a platform at its max speed.
   const float jumped = kProof * s.reach().gap(0) + kFast * speed * s.reach().flight();
-  const float between = maxf(apart, jumped / float(doors + 1)), way = between * float(doors + 1);
-  const float seconds = way / speed, gap = s.mix(kGap);
+  const float between = maxf(apart, jumped / float(doors + 1)),
+              distance = between * float(doors + 1);
+  const float seconds = distance / speed, gap = s.mix(kGap);
   const float hole = size + 2, side = 10;
   const float high = maxf(12, s.reach().rise() + 3);  // the lintel's top is too high to step on
   const float first = gap + size / 2;
   s.noteCarrier(kFast * speed);
   if (!s.broken("carrier")) {
-    MotionSketch m = s.slide({0, -0.5f, first}, {0, -0.5f, first + way}, seconds, 0);
+    MotionSketch m = s.slide({0, -0.5f, first}, {0, -0.5f, first + distance}, seconds, 0);
     m.carries = true;
     m.smooth = false;
     s.part("Carrier", {0, -0.5f, first}, {size, 1, size}).colored(colors::kMoving).moving(m);
@@ -41,7 +42,7 @@ void build(Sketch& s) {
     s.wall("Gate right", middle, ahead, side, high, 1, -3);
     s.part("Lintel", {0, high - 3 + 1, ahead}, {hole + 2 * side, 2, 1}).colored(colors::kWall);
   }
-  s.advance(gap + size + way);
+  s.advance(gap + size + distance);
   s.floor("Dock", 6, s.mix(kWidth), gap);
 }
 

@@ -19,11 +19,11 @@ void build(Sketch& s) {
                                   // visible
   const uint32_t rows = s.mixCount(kRows);
   const float tile = s.mix(kTile), taken = s.steady(kTaken);
-  int way = s.below(2) == 0 ? 0 : 2;  // column of the tile that stays safe
+  int safeFile = s.below(2) == 0 ? 0 : 2;  // column of the tile that stays safe
   for (uint32_t row = 0; row < rows; ++row) {
     for (int file = 0; file < kFiles; ++file) {
-      const bool spared = (file - way) % 2 == 0 && !s.chance(taken);
-      const bool safe = file == way || spared;
+      const bool spared = (file - safeFile) % 2 == 0 && !s.chance(taken);
+      const bool safe = file == safeFile || spared;
       const float down = safe ? 0 : kLower;
       PartSketch& p = s.part(safe ? "Tile" : "Deadly tile",
                              {tile * float(file - 1), -0.5f - down, tile / 2}, {tile, 1, tile});
@@ -33,7 +33,7 @@ void build(Sketch& s) {
         Sketch::deadly(p);
       }
     }
-    way = way == 1 ? (s.below(2) == 0 ? 0 : 2) : 1;
+    safeFile = safeFile == 1 ? (s.below(2) == 0 ? 0 : 2) : 1;
     s.advance(tile);
     s.expectJumps(1);
   }

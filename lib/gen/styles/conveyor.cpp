@@ -24,8 +24,10 @@ void build(Sketch& s) {
     const uint32_t kind = s.below(3);
     const float share = kind == 0 ? s.mix(kAgainst) : s.mix(kAlong);
     const float speed = minf(walk, 40.0f) * share;
-    const Vec3 way = kind == 0 ? Vec3{0, 0, -1} : kind == 1 ? Vec3{s.side(), 0, 0} : Vec3{0, 0, 1};
-    const Vec3 velocity = s.direction(way * speed);
+    const Vec3 heading = kind == 0   ? Vec3{0, 0, -1}
+                         : kind == 1 ? Vec3{s.side(), 0, 0}
+                                     : Vec3{0, 0, 1};
+    const Vec3 velocity = s.direction(heading * speed);
     s.noteCarrier(speed);
     s.floor("Belt", long_, width).colored(colors::kBelt).conveyor = velocity;
     s.floor("Floor", 6, s.mix(kFloor));

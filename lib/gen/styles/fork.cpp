@@ -65,15 +65,15 @@ void build(Sketch& s) {
   const uint32_t routes = 2 + s.below(2), first = s.below(kRouteCount);
   const float width = kApart * float(routes - 1) + 8, left = -kApart * float(routes - 1) / 2;
   // Offset to the right of the middle or right-hand route, studs.
-  const float way = left + kApart * float(routes / 2);
+  const float offset = left + kApart * float(routes / 2);
   s.floor("Crossing", 6, width);
-  s.via({way, 0, -3});
+  s.via({offset, 0, -3});
   for (uint32_t i = 0; i < routes; ++i) {
     kRoutes[(first + i) % kRouteCount](s, left + kApart * float(i));
   }
   s.advance(kLong);
   s.floor("Junction", 6, width);
-  s.via({way, 0, -3});
+  s.via({offset, 0, -3});
   s.noteCarrier(kSlide);
   s.expectRoute(width);
 }

@@ -17,14 +17,15 @@ const auto& [kPlatforms, kSize, kTravel, kSpeed] = kParameters;
 void build(Sketch& s) {
   const uint32_t platforms = s.mixCount(kPlatforms);
   for (uint32_t i = 0; i < platforms; ++i) {
-    const float size = s.mix(kSize), way = s.mix(kTravel), gap = s.gap(0, 0.65f);
-    const float seconds = 1.5f + 2 * way / s.mix(kSpeed);
+    const float size = s.mix(kSize), travel = s.mix(kTravel), gap = s.gap(0, 0.65f);
+    const float seconds = 1.5f + 2 * travel / s.mix(kSpeed);
     const float ahead = gap + size / 2;
     const bool carries = s.chance(0.3f);
-    MotionSketch m = s.slide({-way, -0.5f, ahead}, {way, -0.5f, ahead}, seconds, 8 * s.unit());
+    MotionSketch m =
+        s.slide({-travel, -0.5f, ahead}, {travel, -0.5f, ahead}, seconds, 8 * s.unit());
     m.carries = carries;
-    s.noteCarrier(3.2f * way / seconds);
-    s.part("Slider", {-way, -0.5f, ahead}, {size, 1, size}).colored(colors::kMoving).moving(m);
+    s.noteCarrier(3.2f * travel / seconds);
+    s.part("Slider", {-travel, -0.5f, ahead}, {size, 1, size}).colored(colors::kMoving).moving(m);
     s.advance(gap + size);
   }
 }

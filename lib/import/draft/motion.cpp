@@ -34,9 +34,9 @@ bool isStraight(const std::vector<MotionKey>& keys, size_t from, size_t to, Stra
   for (size_t i = from + 1; i < to; ++i) {
     const float span = keys[to].time - keys[from].time;
     const float t = span > 0 ? (keys[i].time - keys[from].time) / span : 0;
-    const Pose way = between(keys[from].pose, keys[to].pose, t);
-    if (length(way.position - keys[i].pose.position) > slack.place ||
-        length(rotationVector(way.rotation * inverse(keys[i].pose.rotation))) > slack.turn)
+    const Pose expected = between(keys[from].pose, keys[to].pose, t);
+    if (length(expected.position - keys[i].pose.position) > slack.place ||
+        length(rotationVector(expected.rotation * inverse(keys[i].pose.rotation))) > slack.turn)
       return false;
   }
   return true;

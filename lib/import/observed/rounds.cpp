@@ -32,12 +32,12 @@ std::vector<Slack> slacksOf(const std::vector<Pose>& poses) {
   constexpr size_t kAround = 4;              // frames; scripts may set poses only now and then
   std::vector<Slack> slacks(poses.size());
   for (size_t i = 1; i < poses.size(); ++i) {
-    const float way = length(poses[i].position - poses[i - 1].position);
+    const float distance = length(poses[i].position - poses[i - 1].position);
     const float turn = turnBetween(poses[i], poses[i - 1]);
-    if (way > kJump || turn > 0.5f) continue;
+    if (distance > kJump || turn > 0.5f) continue;
     const size_t last = std::min(poses.size() - 1, i + kAround);
     for (size_t k = i > kAround ? i - kAround : 0; k <= last; ++k) {
-      slacks[k].place = std::max(slacks[k].place, kShare * way);
+      slacks[k].place = std::max(slacks[k].place, kShare * distance);
       slacks[k].turn = std::max(slacks[k].turn, kShare * turn);
     }
   }

@@ -92,9 +92,9 @@ std::vector<double> turnedBy(const Steps& steps, const std::vector<double>& angl
 Vec3 stillPoint(const Pose& turned) {
   const Vec3 turn = rotationVector(turned.rotation);
   const Vec3 axis = normalize(turn);
-  const Vec3 way = turned.position - axis * dot(turned.position, axis);
+  const Vec3 shift = turned.position - axis * dot(turned.position, axis);
   const double half = double(length(turn)) / 2;
-  return way * 0.5f + cross(axis, way) * float(0.5 / std::tan(half));
+  return shift * 0.5f + cross(axis, shift) * float(0.5 / std::tan(half));
 }
 
 bool staysAt(const std::vector<Pose>& poses, size_t begin, Vec3 pivot) {
@@ -112,8 +112,8 @@ std::optional<Vec3> pivotIn(const std::vector<Pose>& poses, size_t begin,
   if (staysAt(poses, begin, {})) return Vec3{};
   size_t quarter = 1;
   while (quarter + 1 < turned.size() && turned[quarter] < kQuarter) ++quarter;
-  const Pose way = inverse(poses[begin]) * poses[begin + quarter];
-  const Vec3 pivot = stillPoint(way);
+  const Pose relative = inverse(poses[begin]) * poses[begin + quarter];
+  const Vec3 pivot = stillPoint(relative);
   return isFinite(pivot) && staysAt(poses, begin, pivot) ? std::optional(pivot) : std::nullopt;
 }
 

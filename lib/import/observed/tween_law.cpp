@@ -29,8 +29,8 @@ struct Law {
   const engine::TweenChange* change;
   double begun = 0;  // seconds at which its delay begins
 
-  double leg() const { return tween->seconds * (tween->reverses ? 2 : 1); }
-  double round() const { return tween->delay + leg(); }
+  double playTime() const { return tween->seconds * (tween->reverses ? 2 : 1); }
+  double round() const { return tween->delay + playTime(); }
   double end() const {
     if (tween->repeats < 0) return std::numeric_limits<double>::infinity();
     return begun + round() * (tween->repeats + 1.0);
@@ -46,7 +46,7 @@ double Law::easedAt(double time) const {
   if (time >= end()) return tween->reverses ? level::ease(style, direction, 0) : 1;
   double within = std::fmod(std::max(time - begun, 0.0), round()) - tween->delay;
   if (within < 0) return level::ease(style, direction, 0);
-  if (within > tween->seconds) within = leg() - within;
+  if (within > tween->seconds) within = playTime() - within;
   return level::ease(style, direction, std::min(within / tween->seconds, 1.0));
 }
 

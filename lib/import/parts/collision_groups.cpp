@@ -42,7 +42,7 @@ std::string groupNameOf(const Instance& part) {
 CollisionGroups::CollisionGroups(const Tree& tree, const ObservedPlace& place, bool scriptsTell,
                                  LevelDraft& level)
     : tree_(tree), ran_(place.ran) {
-  if (scriptsTell) told_ = place.report.collisionGroups;
+  if (scriptsTell) reported_ = place.report.collisionGroups;
   matrix_.masks.fill(~0u);
   for (const char* service : {"Workspace", "PhysicsService"}) {
     const InstanceId id = tree.service(service);
@@ -90,7 +90,7 @@ Evidence passedEvidence(const Instance& part) {
 bool CollisionGroups::isSettled(const Instance& part) const {
   const std::string group = groupNameOf(part);
   if (group == kDefaultGroup) return true;
-  if (std::find(told_.begin(), told_.end(), group) != told_.end()) return true;
+  if (std::find(reported_.begin(), reported_.end(), group) != reported_.end()) return true;
   const auto name = get<std::string>(part, "CollisionGroup");
   const bool isNamed = !name.empty() && name != kDefaultGroup;
   return isSaved_ && !byScripts_ && (!isNamed || matrix_.ids.count(name) > 0);

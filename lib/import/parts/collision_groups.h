@@ -34,7 +34,8 @@ class CollisionGroups {
   bool isSaved_ = false;    // the file has a matrix
   bool byScripts_ = false;  // a script mentions collision groups
   bool ran_ = false;
-  std::vector<std::string> told_;  // groups that the twin reported, if scripts ran without errors
+  std::vector<std::string>
+      reported_;  // groups that the twin reported, if scripts ran without errors
   bool touchesUseGroups_ = false;
   uint8_t players_ = 0;
 };

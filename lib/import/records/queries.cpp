@@ -12,9 +12,9 @@
 namespace obby::importer {
 namespace {
 
-constexpr float kAbove = 0.5f;  // studs above the part
-constexpr float kBeside = 1;    // studs on each side
-constexpr float kMin = 0.05f;   // studs; the simulator makes thinner parts this thick
+constexpr float kAbove = 0.5f;    // studs above the part
+constexpr float kSideMargin = 1;  // studs on each side
+constexpr float kMin = 0.05f;     // studs; the simulator makes thinner parts this thick
 
 struct Target {
   int part;
@@ -56,7 +56,7 @@ GoalBox goalBox(const PartDraft& part) {
   const int tall = up[0] > up[1] ? (up[0] > up[2] ? 0 : 2) : (up[1] >= up[2] ? 1 : 2);
   const Vec3 axis = tall == 0 ? r.x : tall == 1 ? r.y : r.z;
   float size[3] = {maxf(part.size.x, kMin), maxf(part.size.y, kMin), maxf(part.size.z, kMin)};
-  for (int i = 0; i < 3; ++i) size[i] += i == tall ? kAbove : 2 * kBeside;
+  for (int i = 0; i < 3; ++i) size[i] += i == tall ? kAbove : 2 * kSideMargin;
   GoalBox box{part.pose, {size[0], size[1], size[2]}};
   box.pose.position += axis * ((axis.y < 0 ? -0.5f : 0.5f) * kAbove);
   return box;

@@ -37,12 +37,12 @@ std::optional<Motion> carried(const PartDraft* base, const Pose& own, Motion mot
   if (!base || !base->motion) return motion;
   const Pose back = inverse(base->pose);
   const Pose fromBase = back * (motion.keys.empty() ? own : motion.keys.front().pose);
-  Motion way = withArcs(*base->motion, length(fromBase.position));
-  if (way.spin || way.keys.empty() || motion.keys.size() > 1) return std::nullopt;
-  motion.keys = std::move(way.keys);
+  Motion baseMotion = withArcs(*base->motion, length(fromBase.position));
+  if (baseMotion.spin || baseMotion.keys.empty() || motion.keys.size() > 1) return std::nullopt;
+  motion.keys = std::move(baseMotion.keys);
   for (MotionKey& key : motion.keys) key.pose = key.pose * fromBase;
-  motion.repeat = way.repeat;
-  motion.offset = way.offset;
+  motion.repeat = baseMotion.repeat;
+  motion.offset = baseMotion.offset;
   return motion;
 }
 
@@ -99,9 +99,9 @@ bool giveDriven(RoleContext& context, InstanceId moving, Motion motion, Instance
 bool giveDriven(RoleContext& context, const Drive& drive, Motion motion, const std::string& what,
                 bool guessed) {
   const Pose own = pivotOf(context.tree, drive.moving);
-  auto way = carried(context.part(drive.base), own, std::move(motion));
-  if (way)
-    return giveDriven(context, drive.moving, std::move(*way), drive.constraint, what, guessed);
+  auto combined = carried(context.part(drive.base), own, std::move(motion));
+  if (combined)
+    return giveDriven(context, drive.moving, std::move(*combined), drive.constraint, what, guessed);
   if (!hold(context, drive.moving, "it is attached to a moving part")) return false;
   context.level.noteUnmodelled(
       "motion on a moving part", context.tree, drive.constraint,

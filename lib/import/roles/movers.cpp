@@ -126,13 +126,15 @@ bool fromFollower(RoleContext& context, const ConstraintSettings& settings, Inst
   if (settings.choice(id, "Mode") != kTwoAttachments) return false;
   const auto drive = driveOf(context, id);
   if (!drive || !drive->reversed || !baseMoves(context, *drive)) return false;
-  const Motion& way = *context.part(drive->base)->motion;
-  const bool turns = std::any_of(way.keys.begin(), way.keys.end(), [&](const MotionKey& key) {
-    return !samePose({{}, key.pose.rotation}, {{}, way.keys.front().pose.rotation});
-  });
+  const Motion& baseMotion = *context.part(drive->base)->motion;
+  const bool turns =
+      std::any_of(baseMotion.keys.begin(), baseMotion.keys.end(), [&](const MotionKey& key) {
+        return !samePose({{}, key.pose.rotation}, {{}, baseMotion.keys.front().pose.rotation});
+      });
   const Pose own = attachmentFrame(context.tree, context.tree.at(id), "Attachment0", drive->moving);
   constexpr float kNear = 1;  // max studs between the attachments
-  if (way.spin || turns || !(length(own.position - drive->frame.position) <= kNear)) return false;
+  if (baseMotion.spin || turns || !(length(own.position - drive->frame.position) <= kNear))
+    return false;
   return giveDriven(context, *drive, Motion{}, "makes the part follow a moving part", true);
 }
 

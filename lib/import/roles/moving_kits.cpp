@@ -28,60 +28,63 @@ struct Waypoints {
 };
 
 Waypoints waypointsOf(const Tree& tree, InstanceId model) {
-  Waypoints way;
+  Waypoints waypoints;
   for (InstanceId child : tree.at(model).children) {
     const std::string name = lower(tree.at(child).name);
     const bool isPath =
         std::find(std::begin(kPathNames), std::end(kPathNames), name) != std::end(kPathNames);
-    if (isPath && !tree.isPart(child) && way.folder == kNoInstance) way.folder = child;
-    if (name == "platform" || name == "movingpart") way.platform = child;
+    if (isPath && !tree.isPart(child) && waypoints.folder == kNoInstance) waypoints.folder = child;
+    if (name == "platform" || name == "movingpart") waypoints.platform = child;
   }
-  if (way.folder == kNoInstance) return way;
+  if (waypoints.folder == kNoInstance) return waypoints;
   for (InstanceId child : tree.at(model).children)
-    if (way.platform == kNoInstance && child != way.folder && !tree.partsOf(child).empty())
-      way.platform = child;
-  for (InstanceId point : tree.at(way.folder).children)
-    if (tree.isPart(point)) way.points.push_back(point);
+    if (waypoints.platform == kNoInstance && child != waypoints.folder &&
+        !tree.partsOf(child).empty())
+      waypoints.platform = child;
+  for (InstanceId point : tree.at(waypoints.folder).children)
+    if (tree.isPart(point)) waypoints.points.push_back(point);
   const auto number = [&](InstanceId id) { return firstNumber(tree.at(id).name).value_or(0); };
-  std::stable_sort(way.points.begin(), way.points.end(),
+  std::stable_sort(waypoints.points.begin(), waypoints.points.end(),
                    [&](InstanceId a, InstanceId b) { return number(a) < number(b); });
-  return way;
+  return waypoints;
 }
 
 // Returns the round trip over the waypoints. If `speed` is 0, each segment takes kAlignTime.
-Motion alongPoints(const Tree& tree, const Waypoints& way, double speed, double delay) {
+Motion alongPoints(const Tree& tree, const Waypoints& waypoints, double speed, double delay) {
   Motion motion;
   motion.carries = true;
   double now = 0;
   const auto add = [&](const Pose& pose) {
     motion.keys.push_back({float(now), pose, Easing::linear, EasingDirection::out});
   };
-  const Pose start = pivotOf(tree, way.points.front());
+  const Pose start = pivotOf(tree, waypoints.points.front());
   add(start);
   now += delay;
   add(start);
-  for (size_t i = 1; i <= way.points.size(); ++i) {
-    const Pose pose = pivotOf(tree, way.points[i % way.points.size()]);
+  for (size_t i = 1; i <= waypoints.points.size(); ++i) {
+    const Pose pose = pivotOf(tree, waypoints.points[i % waypoints.points.size()]);
     const double distance = double(length(pose.position - motion.keys.back().pose.position));
     now +=
         speed > 0 ? std::max(distance / speed, 1e-3) : std::min(kAlignTime, std::max(delay, 0.1));
     add(pose);
-    if (i == way.points.size()) break;
+    if (i == waypoints.points.size()) break;
     now += speed > 0 ? delay : std::max(0.0, delay - kAlignTime);
     add(pose);
   }
   return motion;
 }
 
-void give(RoleContext& context, const Waypoints& way, double speed, double delay,
+void give(RoleContext& context, const Waypoints& waypoints, double speed, double delay,
           const std::string& reason, bool guessed) {
-  if (way.platform == kNoInstance || way.points.size() < 2) return;
-  giveMotion(context, way.platform, alongPoints(context.tree, way, speed, delay), reason, guessed);
-  for (InstanceId point : way.points) {
+  if (waypoints.platform == kNoInstance || waypoints.points.size() < 2) return;
+  giveMotion(context, waypoints.platform, alongPoints(context.tree, waypoints, speed, delay),
+             reason, guessed);
+  for (InstanceId point : waypoints.points) {
     PartDraft* part = context.part(point);
     if (!part || part->motion) continue;
     part->solid = part->touch = false;
-    part->evidence.push_back({"marker", "waypoint of " + context.tree.path(way.platform), false});
+    part->evidence.push_back(
+        {"marker", "waypoint of " + context.tree.path(waypoints.platform), false});
   }
 }
 
@@ -90,15 +93,15 @@ void give(RoleContext& context, const Waypoints& way, double speed, double delay
 void movingFromTags(RoleContext& context) {
   const Tree& tree = context.tree;
   context.eachTagged(kMovingTags, [&](InstanceId id, const std::string& tag) {
-    const Waypoints way = waypointsOf(tree, id);
+    const Waypoints waypoints = waypointsOf(tree, id);
     const auto speed = tree.number(id, "speed");
-    if (way.points.size() < 2) {
+    if (waypoints.points.size() < 2) {
       context.level.noteUnmodelled(
           "moving platform without waypoints", tree, id,
           "tag " + tag + "; the platform stays at its position in the file");
       return;
     }
-    give(context, way, std::max(speed.value_or(kTemplateSpeed), 0.1),
+    give(context, waypoints, std::max(speed.value_or(kTemplateSpeed), 0.1),
          std::clamp(tree.number(id, "delay").value_or(kTemplateDelay), 0.0, 60.0), "tag " + tag,
          !speed);
   });
@@ -123,11 +126,11 @@ void movingFromMarkers(RoleContext& context) {
     auto delay = tree.number(model, "MoveDelay");
     const bool old = !delay && tree.number(model, "Delay");
     if (!delay) delay = tree.number(model, "Delay");
-    const Waypoints way = waypointsOf(tree, model);
-    if (touchStarts && way.points.size() >= 2)
+    const Waypoints waypoints = waypointsOf(tree, model);
+    if (touchStarts && waypoints.points.size() >= 2)
       context.level.noteUnmodelled("motion that a touch or click starts", tree, model,
                                    "simulated as always moving");
-    give(context, way, 0, std::clamp(delay.value_or(old ? kKitDelay : kKit6Delay), 0.1, 60.0),
+    give(context, waypoints, 0, std::clamp(delay.value_or(old ? kKitDelay : kKit6Delay), 0.1, 60.0),
          "marker Positions", true);
   }
 }

@@ -17,7 +17,7 @@ Status check(cudaError_t code, const char* what) {
 class Gpu : public Device {
  public:
   ~Gpu() override {
-    for (const cudaStream_t stream : {aside_, beside_}) {
+    for (const cudaStream_t stream : {copies_, kernels_}) {
       if (stream != nullptr) cudaStreamDestroy(stream);
     }
     for (const cudaEvent_t event : {asked_, done_}) {
@@ -31,7 +31,7 @@ class Gpu : public Device {
     if (count == 0) return makeError("CUDA: no usable GPU");
     number_ = int(which % uint32_t(count));
     OBBY_RETURN_IF_ERROR(check(cudaSetDevice(number_), "cannot use the GPU"));
-    for (cudaStream_t* const stream : {&aside_, &beside_}) {
+    for (cudaStream_t* const stream : {&copies_, &kernels_}) {
       OBBY_RETURN_IF_ERROR(
           check(cudaStreamCreateWithFlags(stream, cudaStreamNonBlocking), "cannot use the GPU"));
     }
@@ -62,9 +62,9 @@ class Gpu : public Device {
   }
   Status uploadAside(void* to, const void* from, size_t bytes) override {
     OBBY_RETURN_IF_ERROR(check(cudaSetDevice(number_), "cannot use the GPU"));  // set per thread
-    OBBY_RETURN_IF_ERROR(check(cudaMemcpyAsync(to, from, bytes, cudaMemcpyHostToDevice, aside_),
+    OBBY_RETURN_IF_ERROR(check(cudaMemcpyAsync(to, from, bytes, cudaMemcpyHostToDevice, copies_),
                                "cannot copy data to the GPU"));
-    return check(cudaStreamSynchronize(aside_), "cannot copy data to the GPU");
+    return check(cudaStreamSynchronize(copies_), "cannot copy data to the GPU");
   }
   Status download(void* to, const void* from, size_t bytes) const override {
     return check(cudaMemcpy(to, from, bytes, cudaMemcpyDeviceToHost),
@@ -91,10 +91,10 @@ class Gpu : public Device {
   Status enqueueTogether(const Kernel& a, const Kernel& b, const void* arguments,
                          uint32_t count) override {
     OBBY_RETURN_IF_ERROR(check(cudaEventRecord(asked_, nullptr), b.name));
-    OBBY_RETURN_IF_ERROR(check(cudaStreamWaitEvent(beside_, asked_, 0), b.name));
-    OBBY_RETURN_IF_ERROR(enqueueOn(beside_, b, arguments, count));
+    OBBY_RETURN_IF_ERROR(check(cudaStreamWaitEvent(kernels_, asked_, 0), b.name));
+    OBBY_RETURN_IF_ERROR(enqueueOn(kernels_, b, arguments, count));
     OBBY_RETURN_IF_ERROR(enqueueOn(nullptr, a, arguments, count));
-    OBBY_RETURN_IF_ERROR(check(cudaEventRecord(done_, beside_), b.name));
+    OBBY_RETURN_IF_ERROR(check(cudaEventRecord(done_, kernels_), b.name));
     return check(cudaStreamWaitEvent(nullptr, done_, 0), b.name);
   }
 
@@ -141,8 +141,8 @@ class Gpu : public Device {
 
   cudaDeviceProp properties_{};
   int number_ = 0;
-  cudaStream_t aside_ = nullptr, beside_ = nullptr;  // streams of copies and of kernels
-  cudaEvent_t asked_ = nullptr, done_ = nullptr;     // events of enqueueTogether()
+  cudaStream_t copies_ = nullptr, kernels_ = nullptr;  // streams of copies and of kernels
+  cudaEvent_t asked_ = nullptr, done_ = nullptr;       // events of enqueueTogether()
 };
 
 }  // namespace

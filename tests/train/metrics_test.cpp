@@ -1,5 +1,5 @@
 // Tests the metrics of an evaluation.
-#include "train/run/evaluation_metrics.h"
+#include "train/run/metrics.h"
 
 #include <gtest/gtest.h>
 
