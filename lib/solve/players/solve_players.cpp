@@ -126,7 +126,7 @@ class PlayersSolving {
       OBBY_RETURN_IF_ERROR(solve(first, options, asked));
       addWork(first, steps, seconds);
       const bool startOver = first.stopped == Stopped::interrupted && refused >= max;
-      if (!startOver || secondsLeft() <= 0 || steps >= options_.budget.maxSteps || told())
+      if (!startOver || secondsLeft() <= 0 || steps >= options_.budget.maxSteps || interrupted())
         return {};
     }
   }
@@ -239,7 +239,7 @@ class PlayersSolving {
     const auto cut = std::ranges::find(cases_, Stopped::interrupted, &PlayerCase::stopped);
     return cut == cases_.end() ? cases_.front().stopped : Stopped::interrupted;
   }
-  bool told() const { return options_.budget.stop != nullptr && options_.budget.stop->load(); }
+  bool interrupted() const { return options_.budget.stop != nullptr && options_.budget.stop->load(); }
   double secondsLeft() const { return std::max(0.0, options_.budget.seconds - watch_.seconds()); }
   uint64_t stepsLeft() const {
     return options_.budget.maxSteps - std::min(steps_, options_.budget.maxSteps);

@@ -41,14 +41,14 @@ std::string_view firstKind(const Kinds& kinds, schema::Part::Reader part) {
 
 // Returns a box that encloses the player with all limbs during the course.
 Box spaceOf(const level::LevelView& level, const Course& course) {
-  constexpr float kBeside = 8;  // studs, farther than the arms reach
+  constexpr float kAround = 8;  // studs, farther than the arms reach
   Box space{course.at(0).position, course.at(0).position};
   for (const sim::World& world : course.replay.worlds) {
     space.lo = min(space.lo, world.position);
     space.hi = max(space.hi, world.position);
   }
-  space.lo -= Vec3{kBeside, kBeside, kBeside};
-  space.hi += Vec3{kBeside, kBeside + level.params.bodyTop, kBeside};
+  space.lo -= Vec3{kAround, kAround, kAround};
+  space.hi += Vec3{kAround, kAround + level.params.bodyTop, kAround};
   return space;
 }
 

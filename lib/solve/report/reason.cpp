@@ -37,7 +37,7 @@ std::string solvedText(const SearchOutcome& outcome, const level::Level& level) 
   if (const uint32_t n = targetsReached(best.end)) text += ", via " + io::plural(n, "waypoint");
   text += ".";
   if (outcome.solutions.size() > 1) {
-    text += fmt::format(" This is the shortest of {} {}.", outcome.solutions.size(),
+    text += fmt::format(" This is the best of {} {}.", outcome.solutions.size(),
                         outcome.diverse ? "routes" : "distinct solutions");
   }
   if (outcome.knownSolutions > 0) text += " An earlier solution still works.";
