@@ -1,5 +1,4 @@
 // The page: connects state, stage and panels, and runs the frame loop.
-import { Vector3 } from 'three';
 import { hasMotion } from './data.js';
 import { followAddress, readFragment, tickAt, writeFragment } from './fragment.js';
 import { Playback } from './playback.js';
@@ -8,9 +7,11 @@ import { OUTCOME_STYLE } from './palette.js';
 import { panelsOf } from './panels.js';
 import { Pointer } from './pointer.js';
 import { Stage } from './scene/stage.js';
+import { Views } from './scene/views.js';
 import { bindKeys } from './shortcuts.js';
 import { INITIAL, Store } from './store.js';
 import { bindTheme } from './theme.js';
+import { freeArea } from './ui/free_area.js';
 import { Labels } from './ui/labels.js';
 import { Trajectories } from './trajectories.js';
 
@@ -30,6 +31,7 @@ export class App {
     );
     bindTheme(this.store);
     this.stage = new Stage(canvas());
+    this.views = new Views(this.stage, () => this.measure());
     this.labels = new Labels(byId('labels'));
     this.pointer = new Pointer(this, canvas(), byId('tip'));
     this.trajectories = new Trajectories(this);
@@ -68,7 +70,7 @@ export class App {
     this.showSelection();
     this.applyToggles();
     this.stage.resize();
-    this.stage.frameQuery(true);
+    this.views.query(true);
     if (found.camera) this.stage.rig.restore(found.camera);
     this.moved = Boolean(found.camera); // the user has chosen a view
     this.lastFrame = performance.now();
@@ -136,7 +138,11 @@ export class App {
       this.trajectories.choose();
       this.showSelection();
       this.applyToggles();
-      this.stage.frameQuery(false);
+      store.set({ follow: false });
+      this.views.query(false);
+    });
+    store.on(['follow'], ({ follow }) => {
+      if (!follow) this.stage.rig.unfollow();
     });
     store.on(['path'], () => this.showSelection());
     store.on(['hoverPath'], (state) =>
@@ -168,6 +174,7 @@ export class App {
     const path = this.path();
     this.stage.pathView?.select(path);
     this.stage.marks.set(path);
+    this.hud.root.hidden = !path;
     if (this.store.state.tick > this.length()) this.store.set({ tick: this.length() });
     document.title = path
       ? `${this.report.title}: ${OUTCOME_STYLE[path.outcome].label}`
@@ -199,13 +206,20 @@ export class App {
   }
 
   focusSelection() {
-    const { part, tick } = this.store.state;
+    const { part } = this.store.state;
     const path = this.path();
-    if (part >= 0) this.stage.framePart(part);
-    else if (path) {
-      const { x, y, z } = path.poseAt(tick);
-      this.stage.rig.frame(new Vector3(x, y + 2.5, z), 14);
-    } else this.stage.frameQuery(false);
+    this.store.set({ follow: false });
+    if (part >= 0) this.views.part(part);
+    else if (path) this.views.path(path);
+    else this.views.query(false);
+  }
+
+  // Updates the area of the picture that no panel covers.
+  measure() {
+    const panels = [
+      ...document.querySelectorAll('#scene-panel > *, #hud, #comparison'),
+    ].map((node) => /** @type {HTMLElement} */ (node));
+    this.stage.rig.free = freeArea(this.stage.canvas, panels);
   }
 
   /** @param {number} now */
@@ -218,10 +232,8 @@ export class App {
     const { state } = this.store;
     const tick = Math.min(state.tick, this.length());
     const path = this.path();
-    if (state.follow && path) {
-      const { x, y, z } = path.poseAt(tick);
-      this.stage.rig.follow(new Vector3(x, y + 2.5, z));
-    }
+    const level = this.level();
+    if (state.follow && path && level) this.views.follow(path, tick, level);
     this.stage.resize();
     const before = this.view();
     this.stage.rig.update(passed, this.shift);

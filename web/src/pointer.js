@@ -53,7 +53,7 @@ export class Pointer {
       tip.hidden = true;
     });
     this.store.on(['drawing'], ({ drawing }) => {
-      app.stage.rig.locked = drawing;
+      app.stage.rig.input.locked = drawing;
       canvas.style.cursor = drawing ? 'crosshair' : '';
       if (!drawing) this.corner = null;
     });

@@ -63,6 +63,15 @@ function draw(app) {
   app.store.set({ drawing });
 }
 
+/**
+ * Returns the views, for one that ends the following of the player.
+ * @param {App} app
+ */
+function free({ store, views }) {
+  store.set({ follow: false });
+  return views;
+}
+
 /** @type {NamesOf<boolean>[]} */
 const kToggles = [
   'solutions',
@@ -108,9 +117,9 @@ const kByKey = {
   l: (app) => app.store.set({ loop: !app.store.state.loop }),
   c: (app) => app.store.set({ colors: app.store.state.colors === 'roles' ? 'level' : 'roles' }),
   f: (app) => app.focusSelection(),
-  g: (app) => app.store.set({ follow: !app.store.state.follow }),
-  t: (app) => app.stage.frameTop(),
-  r: (app) => app.stage.frameQuery(false),
+  g: (app) => app.store.set({ follow: !app.store.state.follow && Boolean(app.path()) }),
+  t: (app) => free(app).above(),
+  r: (app) => free(app).course(),
 };
 
 /** @param {App} app */

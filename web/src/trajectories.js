@@ -96,8 +96,8 @@ export class Trajectories {
     store.on(['boxes'], ({ boxes }) => app.stage.filterBoxes.set(boxes));
     store.on(['frame'], ({ frame }) => {
       if (frame < 0) return;
-      app.stage.framePart(frame);
-      store.set({ frame: -1 });
+      app.views.part(frame);
+      store.set({ frame: -1, follow: false });
     });
   }
 }
