@@ -1,5 +1,6 @@
 // Keyboard shortcuts. They are disabled while the user types or holds Ctrl, Alt or Meta. Space
 // toggles a focused check box.
+import { isAttempt } from './choice.js';
 import { nextTheme } from './theme.js';
 
 /** @import {App} from './app.js' */
@@ -37,7 +38,9 @@ function moveQuery(app, by) {
  * @param {number} by
  */
 function neighbour(app, by) {
-  const { order, path } = app.store.state;
+  const { order: listed, path, attempts } = app.store.state;
+  const paths = app.query()?.paths ?? [];
+  const order = listed.filter((i) => attempts || i === path || !isAttempt(paths[i]));
   if (!order.length) return;
   const at = order.indexOf(path);
   const next = at < 0 ? (by > 0 ? 0 : order.length - 1) : (at + by + order.length) % order.length;

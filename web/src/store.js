@@ -70,7 +70,7 @@ export const INITIAL = {
   part: -1,
   colors: 'roles',
   solutions: true,
-  attempts: true,
+  attempts: false,
   markers: true,
   runners: false,
   regions: true,

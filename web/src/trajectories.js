@@ -1,6 +1,6 @@
 // Applies filters, sorting and colours to the list and the picture of trajectories.
 import { Vector3 } from 'three';
-import { boxOf, listed, UNFILTERED } from './choice.js';
+import { boxOf, isAttempt, listed, UNFILTERED } from './choice.js';
 import { coloring } from './coloring.js';
 import { deathLabels } from './death_labels.js';
 import { searched, visits } from './scene/heat_view.js';
@@ -35,9 +35,11 @@ export class Trajectories {
   }
 
   show() {
-    const { order, isolate } = this.store.state;
-    if (!this.app.query()) return;
-    this.app.stage.showPaths(new Set(isolate ? [] : order), this.coloring.of);
+    const { order, isolate, attempts } = this.store.state;
+    const query = this.app.query();
+    if (!query) return;
+    const drawn = order.filter((index) => attempts || !isAttempt(query.paths[index]));
+    this.app.stage.showPaths(new Set(isolate ? [] : drawn), this.coloring.of);
   }
 
   // Sets the labels: regions, the proof's step, and the killers of the shown trajectories.
@@ -88,7 +90,11 @@ export class Trajectories {
     const { app, store } = this;
     const filters = /** @type {(keyof Filters)[]} */ (Object.keys(UNFILTERED));
     store.on([...filters, 'sort', 'descending'], () => this.choose());
-    store.on(['order', 'isolate', 'colorBy'], () => this.show());
+    store.on(['order', 'isolate', 'colorBy', 'attempts'], () => this.show());
+    // A filter for failures asks for them.
+    store.on(['outcome', 'killer'], ({ outcome, killer }) => {
+      if (killer >= 0 || (outcome && outcome !== 'goal')) store.set({ attempts: true });
+    });
     store.on(['order', 'isolate', 'cut', 'attempts', 'markers'], () => this.label());
     store.on(['order', 'heat', 'heatTrajectories'], () => this.warm());
     store.on(['path', 'ghost'], () => app.stage.pathView?.compare(app.ghost()));

@@ -101,9 +101,8 @@ export class PathView {
    * @param {State} state
    * @param {boolean} dimmed
    */
-  show({ solutions, attempts }, dimmed) {
+  show({ solutions }, dimmed) {
     this.solutions.visible = solutions;
-    this.attempts.visible = attempts;
     for (const line of this.thick.values()) line.material.opacity = dimmed ? 0.28 : 0.75;
   }
 

@@ -31,7 +31,9 @@ export class ScenePanel {
       this.card('Legend', this.legend, true),
       this.card('Display', this.toggles(), false),
     );
-    store.on(['order', 'colorBy', 'heat', 'heatTrajectories', 'heatMax'], () => this.fillLegend());
+    store.on(['order', 'attempts', 'colorBy', 'heat', 'heatTrajectories', 'heatMax'], () =>
+      this.fillLegend(),
+    );
     store.on(['part', 'query'], () => this.inspect());
     this.fillLegend();
   }
@@ -81,7 +83,9 @@ export class ScenePanel {
     });
     const { legend } = this.coloringOf();
     if (legend.length) this.legend.append(el('hr'));
-    for (const [label, tint, kind] of legend)
+    const { attempts, colorBy } = this.store.state;
+    const isDrawn = (/** @type {string} */ kind) => attempts || kind !== 'attempt' || colorBy !== 'outcome';
+    for (const [label, tint, kind] of legend.filter(([, , kind]) => isDrawn(kind)))
       this.legend.append(
         el(
           'div',
@@ -120,7 +124,7 @@ export class ScenePanel {
       box.append(row);
     };
     add('solutions', 'Solutions', '1');
-    add('attempts', 'Attempts', '2');
+    add('attempts', 'Failed attempts', '2');
     add('markers', 'Attempt ends', '3');
     add('runners', 'All players', '4');
     add('regions', 'Regions', '5');
