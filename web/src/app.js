@@ -1,5 +1,6 @@
 // The page: connects state, stage and panels, and runs the frame loop.
 import { hasMotion } from './data.js';
+import { Film } from './export/film.js';
 import { followAddress, readFragment, tickAt, writeFragment } from './fragment.js';
 import { Playback } from './playback.js';
 import { byId, canvas } from './page.js';
@@ -8,11 +9,13 @@ import { panelsOf } from './panels.js';
 import { Pointer } from './pointer.js';
 import { Stage } from './scene/stage.js';
 import { Views } from './scene/views.js';
+import { Ruler } from './ruler.js';
 import { bindKeys } from './shortcuts.js';
 import { INITIAL, Store } from './store.js';
 import { bindTheme } from './theme.js';
 import { freeArea } from './ui/free_area.js';
 import { Labels } from './ui/labels.js';
+import { Status } from './ui/status.js';
 import { Trajectories } from './trajectories.js';
 
 /** @import {Live} from './live.js' */
@@ -35,6 +38,9 @@ export class App {
     this.labels = new Labels(byId('labels'));
     this.pointer = new Pointer(this, canvas(), byId('tip'));
     this.trajectories = new Trajectories(this);
+    this.ruler = new Ruler(this);
+    this.status = new Status(byId('status'), this.store);
+    this.film = new Film(this);
     this.dirty = true;
     this.shift = false; // the Shift key is held
     this.glowing = -1; // part
@@ -133,7 +139,8 @@ export class App {
     store.on(['query'], () => {
       this.openQuery();
       const none = { part: -1, hoverPath: -1, ghost: -1, route: '', killer: -1, drawing: false };
-      store.set({ path: this.firstPath(), tick: 0, playing: false, ...none });
+      const still = { measuring: false, ruler: [], loopFrom: 0, loopTo: 0 };
+      store.set({ path: this.firstPath(), tick: 0, playing: false, ...none, ...still });
       this.filters.fill();
       this.trajectories.choose();
       this.showSelection();
@@ -276,6 +283,7 @@ export class App {
       this.store.state.labels && this.store.state.regions,
     );
     this.hud.show(path, tick, this.playback.rateOf(), this.stage.rig.now.yaw);
+    this.film.drawn();
     clearTimeout(this.saving);
     this.saving = setTimeout(
       () =>

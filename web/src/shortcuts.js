@@ -12,7 +12,7 @@ const kWithAlt = /^[[\]]$/; // characters that some keyboards type with Alt
 function typing(target) {
   return (
     target instanceof HTMLElement &&
-    (target.matches('input[type=search], input[type=number], select, textarea') ||
+    (target.matches('input:not([type=checkbox], [type=range]), select, textarea') ||
       target.isContentEditable)
   );
 }
@@ -111,13 +111,18 @@ const kByKey = {
     app.store.set(
       app.store.state.drawing
         ? { drawing: false }
-        : { path: -1, part: -1, ghost: -1, playing: false, follow: false },
+        : app.store.state.measuring
+          ? { measuring: false, ruler: [] }
+          : { path: -1, part: -1, ghost: -1, playing: false, follow: false },
     ),
   b: (app) => draw(app),
   i: (app) => app.store.set({ isolate: !app.store.state.isolate }),
   x: (app) => pin(app),
   y: (app) => nextTheme(app.store),
-  l: (app) => app.store.set({ loop: !app.store.state.loop }),
+  l: (app) => app.playback.toggleLoop(),
+  ',': (app) => app.playback.markFrom(),
+  '.': (app) => app.playback.markTo(),
+  m: (app) => app.ruler.toggle(),
   c: (app) => app.store.set({ colors: app.store.state.colors === 'roles' ? 'level' : 'roles' }),
   f: (app) => app.focusSelection(),
   g: (app) => app.store.set({ follow: !app.store.state.follow && Boolean(app.path()) }),

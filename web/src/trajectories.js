@@ -4,6 +4,7 @@ import { boxOf, isAttempt, listed, UNFILTERED } from './choice.js';
 import { coloring } from './coloring.js';
 import { deathLabels } from './death_labels.js';
 import { searched, visits } from './scene/heat_view.js';
+import { RULER_COLOR } from './scene/ruler_view.js';
 
 /** @import {App} from './app.js' */
 /** @import {Coloring, Filters} from './types/report.js' */
@@ -39,14 +40,19 @@ export class Trajectories {
     const query = this.app.query();
     if (!query) return;
     const drawn = order.filter((index) => attempts || !isAttempt(query.paths[index]));
-    this.app.stage.showPaths(new Set(isolate ? [] : drawn), this.coloring.of);
+    this.app.stage.showPaths(new Set(isolate ? [] : drawn), this.coloring);
   }
 
   // Sets the labels: regions, the proof's step, and the killers of the shown trajectories.
   label() {
     const { stage, labels } = this.app;
+    const measure = this.app.ruler?.label();
+    const ofRuler = measure ? [{ ...measure, at: new Vector3(...measure.at), color: RULER_COLOR }] : [];
     const query = this.app.query();
-    if (!query) return;
+    if (!query) {
+      labels.set(ofRuler);
+      return;
+    }
     const { order, attempts, markers, cut, isolate } = this.store.state;
     const isShown = attempts && markers && !isolate;
     const shown = isShown ? order.map((index) => query.paths[index]) : [];
@@ -57,7 +63,7 @@ export class Trajectories {
     const { regionView, cutView } = stage;
     if (cutView) cutView.group.visible = cut;
     const ofCut = (cut && cutView?.labels) || [];
-    labels.set([...(regionView?.labels ?? []), ...ofCut, ...deaths]);
+    labels.set([...(regionView?.labels ?? []), ...ofCut, ...deaths, ...ofRuler]);
   }
 
   // Updates the heat map. Counting takes a while, so it runs only while the map is shown.

@@ -16,13 +16,14 @@ import { pathsOfMotion } from './motion_paths.js';
 import { noPicture } from './no_picture.js';
 import { PathView } from './path_view.js';
 import { RegionView } from './regions.js';
+import { RulerView } from './ruler_view.js';
 import { Solids } from './solids.js';
 import { Sun } from './sun.js';
 import { goneAtRest } from './vanishing.js';
 
 /** @import {Group} from 'three' */
 /** @import {Path} from '../path.js' */
-/** @import {ColorMode, Level, Query, Tint} from '../types/report.js' */
+/** @import {ColorMode, Coloring, Level, Query, Tint} from '../types/report.js' */
 /** @import {Renderer} from './no_picture.js' */
 
 const kHaze = '#141821';
@@ -65,9 +66,10 @@ export class Stage {
     this.filterBoxes = new FilterBoxes();
     this.heat = new HeatView();
     this.marks = new ActionMarks();
+    this.rulerView = new RulerView();
     this.gone = new Latest((solid) => solid !== 0);
     this.starts = new Latest((start) => start < 0);
-    this.scene.add(this.filterBoxes.group, this.heat.group, this.marks.group);
+    this.scene.add(this.filterBoxes.group, this.heat.group, this.marks.group, this.rulerView.group);
     this.leaving = new Leaving(this.scene);
     this.width = 0; // pixels
     this.height = 0;
@@ -158,14 +160,14 @@ export class Stage {
   }
 
   /**
-   * `shown`: set of indices; `tint`: path -> colour.
+   * `shown`: set of indices.
    * @param {Set<number>} shown
-   * @param {Tint} tint
+   * @param {Coloring} coloring
    */
-  showPaths(shown, tint) {
+  showPaths(shown, { of: tint, along }) {
     this.shown = shown;
     for (const view of [this.pathView, this.markers]) {
-      if (tint !== this.tint) view?.setColors(tint); // otherwise already set
+      if (tint !== this.tint) view?.setColors(tint, along); // otherwise already set
       view?.setShown(shown);
     }
     this.tint = tint;

@@ -12,6 +12,8 @@ const kSections = [
       ['Home End', 'first or last tick'],
       ['− +', 'slower or faster'],
       ['L', 'loop'],
+      [', .', 'loop from here, to here (or Shift and drag over the profile)'],
+      ['click the clock', 'type a time'],
     ],
   ],
   [
@@ -25,6 +27,7 @@ const kSections = [
       ['Shift click', 'compare with this one'],
       ['I', 'draw only the selected one'],
       ['B', 'draw a box to filter trajectories'],
+      ['M', 'measure between two points'],
       ['Esc', 'clear selection'],
     ],
   ],

@@ -2,11 +2,16 @@
 // part.
 import { ROLES } from '../data.js';
 import { ROLE_STYLE } from '../palette.js';
+import { partName } from '../part_name.js';
 import { checkbox, decimal, el } from './dom.js';
 import { heatLegend } from './heat_legend.js';
 
 /** @import {Store} from '../store.js' */
+/** @import {PartList} from './part_list.js' */
 /** @import {Coloring, Level, NamesOf, Query} from '../types/report.js' */
+
+const kSolid = 1; // bits of a part's flags
+const kTouch = 2;
 
 export class ScenePanel {
   /**
@@ -17,8 +22,10 @@ export class ScenePanel {
    * @param {() => Query | undefined} now.queryOf
    * @param {() => Level | undefined} now.levelOf
    * @param {() => Coloring} now.coloringOf
+   * @param {PartList} now.parts
+   * @param {HTMLElement} now.tools
    */
-  constructor(root, store, { queryOf, levelOf, coloringOf }) {
+  constructor(root, store, { queryOf, levelOf, coloringOf, parts, tools }) {
     this.root = root;
     this.store = store;
     this.queryOf = queryOf;
@@ -30,6 +37,8 @@ export class ScenePanel {
       this.inspector,
       this.card('Legend', this.legend, true),
       this.card('Display', this.toggles(), false),
+      this.card('Parts', parts.root, false, () => parts.refresh()),
+      this.card('Tools', tools, false),
     );
     store.on(['order', 'attempts', 'colorBy', 'heat', 'heatTrajectories', 'heatMax'], () =>
       this.fillLegend(),
@@ -43,8 +52,9 @@ export class ScenePanel {
    * @param {string} title
    * @param {HTMLElement} content
    * @param {boolean} open
+   * @param {() => void} [shown] called when the body is unfolded
    */
-  card(title, content, open) {
+  card(title, content, open, shown) {
     const body = el('div', { class: 'panel-body', hidden: !open }, content);
     const fold = el('button', {
       class: 'fold',
@@ -55,6 +65,7 @@ export class ScenePanel {
         click: () => {
           body.hidden = !body.hidden;
           fold.setAttribute('aria-expanded', String(!body.hidden));
+          if (!body.hidden) shown?.();
         },
       },
     });
@@ -172,9 +183,16 @@ export class ScenePanel {
     const facts = el('dl', {});
     const add = (/** @type {string} */ label, /** @type {string} */ value) =>
       facts.append(el('dt', { text: label }), el('dd', { text: value }));
+    const path = level.names[part].split('/');
+    if (path.length > 1) add('In', path.slice(0, -1).join(' / '));
     add('Role', ROLE_STYLE[role].label);
     const material = level.materials[level.material[part] ?? 0];
     if (material) add('Material', material.replace(/(?<=[a-z])(?=[A-Z])/g, ' '));
+    const flags = level.flags[part];
+    add('Collides', flags & kSolid ? 'yes' : 'no (CanCollide is off)');
+    if (!(flags & kTouch)) add('Touch', 'no (CanTouch is off)');
+    const tags = level.tags?.[part] ?? [];
+    if (tags.length) add('Tags', tags.join(', '));
     add('Size', size);
     add('Position', at);
     for (const note of level.notes[part] ?? []) add('Reason', note);
@@ -182,7 +200,7 @@ export class ScenePanel {
       el(
         'header',
         {},
-        el('strong', { text: level.names[part] || `Part ${part}` }),
+        el('strong', { text: level.names[part] ? partName(level, part) : `Part ${part}` }),
         el('button', {
           class: 'plain close',
           type: 'button',
