@@ -9,7 +9,7 @@ import { panelsOf } from './panels.js';
 import { Pointer } from './pointer.js';
 import { Stage } from './scene/stage.js';
 import { Views } from './scene/views.js';
-import { Ruler } from './ruler.js';
+import { NO_RULER, Ruler } from './ruler.js';
 import { bindKeys } from './shortcuts.js';
 import { INITIAL, Store } from './store.js';
 import { bindTheme } from './theme.js';
@@ -139,13 +139,13 @@ export class App {
     store.on(['query'], () => {
       this.openQuery();
       const none = { part: -1, hoverPath: -1, ghost: -1, route: '', killer: -1, drawing: false };
-      const still = { measuring: false, ruler: [], loopFrom: 0, loopTo: 0 };
+      const still = { loopFrom: 0, loopTo: 0 };
       store.set({ path: this.firstPath(), tick: 0, playing: false, ...none, ...still });
       this.filters.fill();
       this.trajectories.choose();
       this.showSelection();
       this.applyToggles();
-      store.set({ follow: false });
+      store.set({ follow: false, measuring: false, ruler: NO_RULER });
       this.views.query(false);
     });
     store.on(['follow'], ({ follow }) => {

@@ -3,6 +3,9 @@
 /** @import {App} from './app.js' */
 /** @import {Triple} from './types/page_data.js' */
 
+/** @type {readonly Triple[]} */
+export const NO_RULER = Object.freeze([]);
+
 /** @param {number} studs */
 const studs = (studs) => (Math.abs(studs) < 0.05 ? 0 : studs).toFixed(1);
 
@@ -50,7 +53,7 @@ export class Ruler {
 
   toggle() {
     const measuring = !this.store.state.measuring;
-    this.store.set({ measuring, drawing: false, ruler: [] });
+    this.store.set({ measuring, drawing: false, ruler: NO_RULER });
   }
 
   /** @param {Triple} at */

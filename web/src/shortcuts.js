@@ -1,6 +1,7 @@
 // Keyboard shortcuts. They are disabled while the user types or holds Ctrl, Alt or Meta. Space
 // toggles a focused check box.
 import { isAttempt } from './choice.js';
+import { NO_RULER } from './ruler.js';
 import { nextTheme } from './theme.js';
 
 /** @import {App} from './app.js' */
@@ -112,7 +113,7 @@ const kByKey = {
       app.store.state.drawing
         ? { drawing: false }
         : app.store.state.measuring
-          ? { measuring: false, ruler: [] }
+          ? { measuring: false, ruler: NO_RULER }
           : { path: -1, part: -1, ghost: -1, playing: false, follow: false },
     ),
   b: (app) => draw(app),

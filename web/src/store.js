@@ -1,6 +1,7 @@
 // The page's state, one flat object. `set` notifies listeners of the changed names. No other object
 // holds state.
 import { UNFILTERED } from './choice.js';
+import { NO_RULER } from './ruler.js';
 
 /** @import {State} from './types/report.js' */
 
@@ -54,7 +55,7 @@ export const INITIAL = {
   frame: -1,
   drawing: false,
   measuring: false,
-  ruler: [],
+  ruler: NO_RULER,
   status: '',
   theme: 'auto',
   heat: false,

@@ -20,6 +20,7 @@ export class Film {
     this.recorder = null;
     this.canvas = stillCanvas(app);
     this.end = 0; // tick
+    this.loop = false; // the loop's switch before the recording
     this.isKept = true;
     app.store.on(['query', 'path'], () => this.stop(false));
     app.store.on(['playing'], ({ playing }) => {
@@ -61,14 +62,14 @@ export class Film {
     recorder.addEventListener('stop', () => this.save(pieces));
     recorder.start();
     this.recorder = recorder;
-    store.set({ tick: from, playing: true, status: 'Recording a film. Pause to end it' });
+    store.set({ tick: from, playing: true, loop: false, status: 'Recording a film. Pause to end it' });
   }
 
   // Called after each picture of the page.
   drawn() {
     if (!this.recorder) return;
     drawStill(this.app, this.canvas);
-    if (this.app.store.state.tick >= this.end - 1e-6) this.app.store.set({ playing: false });
+    if (this.app.store.state.tick >= this.end) this.app.store.set({ playing: false });
   }
 
   finish() {
@@ -81,7 +82,7 @@ export class Film {
     this.isKept = keep;
     this.recorder.stop();
     this.recorder = null;
-    this.app.store.set({ playing: false, status: '' });
+    this.app.store.set({ playing: false, loop: this.loop, status: '' });
   }
 
   /** @param {Blob[]} pieces */

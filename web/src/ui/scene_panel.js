@@ -2,7 +2,6 @@
 // part.
 import { ROLES } from '../data.js';
 import { ROLE_STYLE } from '../palette.js';
-import { partName } from '../part_name.js';
 import { checkbox, decimal, el } from './dom.js';
 import { heatLegend } from './heat_legend.js';
 
@@ -12,6 +11,15 @@ import { heatLegend } from './heat_legend.js';
 
 const kSolid = 1; // bits of a part's flags
 const kTouch = 2;
+
+/**
+ * Returns a part's path, which may break after each of its slashes.
+ * @param {string} path
+ */
+function breakable(path) {
+  const words = path.split(/(?<=\/)/).flatMap((word) => [word, el('wbr')]);
+  return el('strong', {}, ...words);
+}
 
 export class ScenePanel {
   /**
@@ -183,8 +191,6 @@ export class ScenePanel {
     const facts = el('dl', {});
     const add = (/** @type {string} */ label, /** @type {string} */ value) =>
       facts.append(el('dt', { text: label }), el('dd', { text: value }));
-    const path = level.names[part].split('/');
-    if (path.length > 1) add('In', path.slice(0, -1).join(' / '));
     add('Role', ROLE_STYLE[role].label);
     const material = level.materials[level.material[part] ?? 0];
     if (material) add('Material', material.replace(/(?<=[a-z])(?=[A-Z])/g, ' '));
@@ -200,7 +206,7 @@ export class ScenePanel {
       el(
         'header',
         {},
-        el('strong', { text: level.names[part] ? partName(level, part) : `Part ${part}` }),
+        breakable(level.names[part] || `Part ${part}`),
         el('button', {
           class: 'plain close',
           type: 'button',
