@@ -72,7 +72,10 @@ export async function openReport(
   await prepare(page);
   await page.goto(pathToFileURL(file).href + fragment);
   await started(page);
-  if (attempts) await page.evaluate(() => window.obby.store.set({ attempts: true }));
+  if (attempts) {
+    await page.evaluate(() => window.obby.store.set({ attempts: true }));
+    await frames(page, 2);
+  }
   return { page, trouble, requests };
 }
 
