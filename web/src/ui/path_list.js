@@ -21,6 +21,16 @@ const KIND_NAMES = { closest: 'Closest', newest: 'Newest' };
  */
 const entries = (names) => /** @type {[K, string][]} */ (Object.entries(names));
 
+/**
+ * Says why the list is empty.
+ * @param {number} all trajectories of the query
+ * @param {number} listed ... that pass the filter
+ */
+function emptyText(all, listed) {
+  if (!all) return 'This query has no trajectories.';
+  return listed ? 'Only failed attempts, which are not shown.' : 'No trajectory matches the filter.';
+}
+
 export class PathList {
   /**
    * `sourceOf`: returns the current {query, level}; `tintOf`: path -> colour.
@@ -61,8 +71,7 @@ export class PathList {
     return el(
       'div',
       { class: 'list-bar' },
-      this.count,
-      this.attempts,
+      el('div', { class: 'list-head' }, this.count, this.attempts),
       choice(store, 'sort', 'Sort by', entries(SORTS)),
       direction,
       choice(store, 'colorBy', 'Colour by', entries(COLORINGS)),
@@ -115,13 +124,13 @@ export class PathList {
         );
       this.rows.append(group);
     }
-    if (!listed.length)
+    // An empty list box would be an error.
+    this.rows.setAttribute('role', order.length ? 'listbox' : 'group');
+    if (!order.length)
       this.rows.append(
         el('p', {
           class: 'quiet',
-          text: all
-            ? 'No trajectory matches the filter.'
-            : 'This query has no trajectories.',
+          text: emptyText(all, listed.length),
         }),
       );
   }
