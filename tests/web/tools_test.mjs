@@ -125,7 +125,8 @@ test('the loop runs in a range', async ({ page }) => {
   await page.mouse.up();
   await page.keyboard.up('Shift');
   const drawn = await state(page);
-  assert.ok(Math.abs(drawn.loopTo - 2 * drawn.loopFrom) < 4, `${drawn.loopFrom} to ${drawn.loopTo}`);
+  const { loopFrom: from, loopTo: to } = drawn;
+  assert.ok(Math.abs(to - 2 * from) < 4, `${from} to ${to}`);
   await put(page, { loopFrom: 0, loopTo: 0 });
 });
 
@@ -145,7 +146,8 @@ test('the tree selects a part, and the inspector tells about it', async ({ page 
   await page.locator('#scene-panel .fold', { hasText: 'Parts' }).click();
   assert.ok((await page.locator('.parts summary').count()) > 0);
   await page.getByLabel('Find a part').fill('hazard');
-  assert.deepEqual(await page.locator('.parts .part').allInnerTexts(), [report.levels[0].names[lava]]);
+  const found = await page.locator('.parts .part').allInnerTexts();
+  assert.deepEqual(found, [report.levels[0].names[lava]]);
   await page.locator('.parts .part').click();
   assert.equal((await state(page)).part, lava);
   const facts = await page.locator('.inspector').innerText();

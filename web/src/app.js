@@ -223,10 +223,9 @@ export class App {
 
   // Updates the area of the picture that no panel covers.
   measure() {
-    const panels = [
-      ...document.querySelectorAll('#scene-panel > *, #hud, #comparison'),
-    ].map((node) => /** @type {HTMLElement} */ (node));
-    this.stage.rig.free = freeArea(this.stage.canvas, panels);
+    /** @type {NodeListOf<HTMLElement>} */
+    const panels = document.querySelectorAll('#scene-panel > *, #hud, #comparison');
+    this.stage.rig.free = freeArea(this.stage.canvas, this.film.running ? [] : [...panels]);
   }
 
   /** @param {number} now */

@@ -1,5 +1,5 @@
-// Colour ramps for numbers. Their lightness rises with the number, so that they are readable without
-// hue.
+// Colour ramps for numbers. Their lightness rises with the number, so that they are readable
+// without hue.
 
 // The ramp of trajectories.
 const kRamp = [

@@ -53,7 +53,8 @@ export class Playback {
   // The loop's range begins, or ends, at the current moment.
   markFrom() {
     const { tick, loopTo } = this.store.state;
-    this.store.set({ loop: true, loopFrom: tick, loopTo: loopTo > tick ? loopTo : this.lengthOf() });
+    const end = loopTo > tick ? loopTo : this.lengthOf();
+    this.store.set({ loop: true, loopFrom: tick, loopTo: end });
   }
 
   markTo() {

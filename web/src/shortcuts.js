@@ -96,6 +96,7 @@ const kToggles = [
  */
 const kByKey = {
   '?': (app) => app.help.toggle(),
+  F1: (app) => app.help.toggle(),
   '[': (app) => moveQuery(app, -1),
   ']': (app) => moveQuery(app, 1),
   '+': (app) => app.playback.faster(1),
@@ -137,7 +138,7 @@ export function bindKeys(app) {
     app.shift = event.shiftKey;
     if (typing(event.target) || ticking(event)) return;
     if (event.ctrlKey || event.metaKey || (event.altKey && !kWithAlt.test(event.key))) return;
-    if (app.help.dialog.open && event.key !== '?') return;
+    if (app.help.dialog.open && !['?', 'F1'].includes(event.key)) return;
     if (app.stage.rig.key(event.code, true)) return;
     const act = kByKey[event.key.length === 1 ? event.key.toLowerCase() : event.key];
     const toggle = /^\d$/.test(event.key) ? kToggles[(Number(event.key) + 9) % 10] : undefined;

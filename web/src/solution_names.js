@@ -55,7 +55,8 @@ export function solutionNames(query, level) {
     const key = [name, ...facts].join();
     const number = (taken.get(key) ?? 0) + 1;
     taken.set(key, number);
-    names.set(index, { name: number > 1 ? `${name} (${number})` : name, facts: route ? facts : [] });
+    const unique = number > 1 ? `${name} (${number})` : name;
+    names.set(index, { name: unique, facts: route ? facts : [] });
   });
   known.set(query, names);
   return names;

@@ -47,7 +47,9 @@ export class Trajectories {
   label() {
     const { stage, labels } = this.app;
     const measure = this.app.ruler?.label();
-    const ofRuler = measure ? [{ ...measure, at: new Vector3(...measure.at), color: RULER_COLOR }] : [];
+    const ofRuler = measure
+      ? [{ ...measure, at: new Vector3(...measure.at), color: RULER_COLOR }]
+      : [];
     const query = this.app.query();
     if (!query) {
       labels.set(ofRuler);

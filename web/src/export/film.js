@@ -30,7 +30,10 @@ export class Film {
 
   // True if the browser can record films.
   static possible() {
-    return typeof MediaRecorder !== 'undefined' && kTypes.some((type) => MediaRecorder.isTypeSupported(type));
+    return (
+      typeof MediaRecorder !== 'undefined' &&
+      kTypes.some((type) => MediaRecorder.isTypeSupported(type))
+    );
   }
 
   get running() {
@@ -43,9 +46,9 @@ export class Film {
   }
 
   start() {
-    const { store, playback, status } = this.app;
+    const { store, playback } = this.app;
     const { from, to } = rangeOf(store.state, playback.lengthOf());
-    if (to <= 0) return status.say('There is nothing to play');
+    if (to <= 0) return this.app.status.say('There is nothing to play');
     this.canvas = stillCanvas(this.app);
     drawStill(this.app, this.canvas); // a stream needs a first picture
     this.end = to;
@@ -62,7 +65,9 @@ export class Film {
     recorder.addEventListener('stop', () => this.save(pieces));
     recorder.start();
     this.recorder = recorder;
-    store.set({ tick: from, playing: true, loop: false, status: 'Recording a film. Pause to end it' });
+    this.app.measure(); // a film has no panels
+    const status = 'Recording a film. Pause to end it';
+    store.set({ tick: from, playing: true, loop: false, status });
   }
 
   // Called after each picture of the page.
@@ -82,6 +87,7 @@ export class Film {
     this.isKept = keep;
     this.recorder.stop();
     this.recorder = null;
+    this.app.measure();
     this.app.store.set({ playing: false, loop: this.loop, status: '' });
   }
 

@@ -1,6 +1,12 @@
 // The ruler in the picture: the straight line between two points, and its horizontal and vertical
 // parts, visible through parts.
-import { BufferGeometry, Float32BufferAttribute, Group, LineBasicMaterial, LineSegments } from 'three';
+import {
+  BufferGeometry,
+  Float32BufferAttribute,
+  Group,
+  LineBasicMaterial,
+  LineSegments,
+} from 'three';
 
 /** @import {Triple} from '../types/page_data.js' */
 

@@ -112,7 +112,8 @@ function solidsOf(level) {
     const size = level.size.subarray(3 * part, 3 * part + 3);
     const pieces = hulls.get(part) ?? [];
     for (const piece of pieces) {
-      const [low, high] = [new Vector3(1, 1, 1), new Vector3(-1, -1, -1)].map((v) => v.multiplyScalar(1e9));
+      const low = new Vector3(Infinity, Infinity, Infinity);
+      const high = low.clone().negate();
       for (let i = 0; i + 2 < piece.length; i += 3) {
         const corner = new Vector3().fromArray(piece, i);
         low.min(corner);

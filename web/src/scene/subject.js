@@ -35,7 +35,8 @@ function addCorners(out, position, rotation, half) {
  * @param {Region} region
  */
 function addRegion(out, { position, rotation, size }) {
-  const half = new Vector3(...size).multiplyScalar(0.5).min(new Vector3(kMaxHalf, kMaxHalf, kMaxHalf));
+  const max = new Vector3(kMaxHalf, kMaxHalf, kMaxHalf);
+  const half = new Vector3(...size).multiplyScalar(0.5).min(max);
   addCorners(out, new Vector3(...position), new Quaternion(...rotation).normalize(), half);
 }
 

@@ -52,7 +52,7 @@ const kSections = [
       ['1 … 9, 0', 'switches under Display'],
       ['C', 'colours of roles or of the level'],
       ['Y', 'light or dark'],
-      ['?', 'this list'],
+      ['? F1', 'this list'],
     ],
   ],
 ];

@@ -1,5 +1,5 @@
-// The tree of parts with a search field. A click on a part selects and frames it. Folders are filled
-// when they are opened, since a place may have thousands of parts.
+// The tree of parts with a search field. A click on a part selects and frames it. Folders are
+// filled when they are opened, since a place may have thousands of parts.
 import { ROLES } from '../data.js';
 import { ROLE_STYLE } from '../palette.js';
 import { fullName, partName } from '../part_name.js';
@@ -96,7 +96,8 @@ export class PartList {
   rows(parts, nameOf) {
     const rows = parts.slice(0, kMaxShown).map((part) => this.row(part, nameOf(part)));
     const left = parts.length - rows.length;
-    const more = el('p', { class: 'quiet', text: `and ${plural(left, 'more part')}. Search for them.` });
+    const text = `and ${plural(left, 'more part')}. Search for them.`;
+    const more = el('p', { class: 'quiet', text });
     return left > 0 ? [...rows, more] : rows;
   }
 

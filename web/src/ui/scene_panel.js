@@ -103,7 +103,8 @@ export class ScenePanel {
     const { legend } = this.coloringOf();
     if (legend.length) this.legend.append(el('hr'));
     const { attempts, colorBy } = this.store.state;
-    const isDrawn = (/** @type {string} */ kind) => attempts || kind !== 'attempt' || colorBy !== 'outcome';
+    const isDrawn = (/** @type {string} */ kind) =>
+      attempts || kind !== 'attempt' || colorBy !== 'outcome';
     for (const [label, tint, kind] of legend.filter(([, , kind]) => isDrawn(kind)))
       this.legend.append(
         el(

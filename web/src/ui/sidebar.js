@@ -227,9 +227,10 @@ export class Sidebar {
    */
   course({ start, goal, goals, title }) {
     const from = placeName(start, 'the start');
-    const several = goals.length + (goal ? 1 : 0) > 1;
-    const to = several ? `one of ${goals.length + (goal ? 1 : 0)} goals` : placeName(goal ?? goals[0], 'the goal');
-    return el('p', { class: 'quiet course', text: `From ${from} to ${to}`, hidden: Boolean(title) });
+    const count = goals.length + (goal ? 1 : 0);
+    const to = count > 1 ? `one of ${count} goals` : placeName(goal ?? goals[0], 'the goal');
+    const text = `From ${from} to ${to}`;
+    return el('p', { class: 'quiet course', text, hidden: Boolean(title) });
   }
 
   /** @param {Query} query */

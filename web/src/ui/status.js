@@ -1,5 +1,5 @@
-// The message at the top of the picture: what the ruler measured, or what was saved. A message about
-// something finished goes away by itself.
+// The message at the top of the picture: what the ruler measured, or what was saved. A message
+// about something finished goes away by itself.
 
 /** @import {Store} from '../store.js' */
 

@@ -197,8 +197,8 @@ export class Timeline {
     const { playing, speed, loop } = this.store.state;
     const range = rangeOf(this.store.state, this.playback.lengthOf());
     const rate = this.playback.rateOf();
-    const part = range.isPart ? `: ${seconds(range.from / rate)} to ${seconds(range.to / rate)} s` : '';
-    this.loop.title = `Loop${part} (L)`;
+    const ends = [range.from, range.to].map((tick) => seconds(tick / rate));
+    this.loop.title = range.isPart ? `Loop from ${ends.join(' to ')} s (L)` : 'Loop (L)';
     this.button.replaceChildren(icon(playing ? 'pause' : 'play'));
     this.button.setAttribute('aria-label', playing ? 'Pause' : 'Play');
     this.button.title = `${playing ? 'Pause' : 'Play'} (Space)`;

@@ -10,7 +10,12 @@ import { el } from './dom.js';
  * @returns {HTMLElement}
  */
 export function toolsOf(app) {
-  const button = (/** @type {string} */ text, /** @type {string} */ title, /** @type {() => void} */ click) =>
+  /**
+   * @param {string} text
+   * @param {string} title
+   * @param {() => void} click
+   */
+  const button = (text, title, click) =>
     el('button', { class: 'plain text', type: 'button', text, title, on: { click } });
   const ruler = button('Measure', 'Click two points for distance, reach and height (M)', () =>
     app.ruler.toggle(),
