@@ -10,8 +10,8 @@ import { fitted } from './framing.js';
 const kAzimuths = 12;
 const kPitches = [-0.55, -0.8, -1.1]; // radians
 const kSteep = 0.08; // cost of each steeper pitch
-const kFills = 0.25; // worth of a view that fills the picture
-const kLevel = 0.35; // worth of a view whose points are all equally far away
+const kFills = 0.3; // worth of a view that fills the picture
+const kLevel = 0.28; // worth of a view whose points are all equally far away
 const kReads = 0.06; // worth of a view with the start on the left
 const kTolerance = 0.6; // studs before a point within which a part does not hide it
 const kMaxTests = 4e6; // max pairs of a solid and a line
