@@ -68,7 +68,7 @@ test('the first view is not behind a wall', () => {
     const direction = bestDirection(subject, solids, kSlopes);
     const { eye } = fitted(frame, direction, kSlopes);
     assert.equal(visibleShare(seen, eye, solids), 1);
-    assert.ok(eye.z * z < 0, `the wall is at ${z}, the eye at ${eye.z}`);
+    assert.ok((z - eye.z) * z > 0, `the wall is at ${z}, the eye at ${eye.z}`);
   }
   const glass = new Solids(blocks([[20, 20, 14], [90, 40, 2], 60]));
   assert.equal(visibleShare(seen, new Vector3(20, 10, 60), glass), 1, 'glass hides nothing');
