@@ -5,7 +5,7 @@ import { Solids, entry } from '../../web/src/scene/solids.js';
 import { bestDirection, visibleShare } from '../../web/src/scene/view_choice.js';
 import { axesOf, fitted } from '../../web/src/scene/framing.js';
 import { headingAt } from '../../web/src/scene/follow_camera.js';
-import { arrive, frames, state } from './browser.mjs';
+import { arrive, frames, openReport, state } from './browser.mjs';
 import { harness } from './harness.mjs';
 import { report } from './sample_report.mjs';
 
@@ -186,6 +186,20 @@ test('a wall behind the player does not hide it', async ({ page }) => {
   assert.ok(distances.near < 9 && distances.near > 8, 'it comes closer at once');
   assert.ok(distances.back > distances.near && distances.back < 10, 'and goes back smoothly');
 });
+
+for (const [width, height] of [[390, 844], [768, 1024], [3840, 2160]])
+  test(`${width} × ${height} pixels show the query and no overflow`, async ({ browser }) => {
+    const viewport = { width, height };
+    const { page } = await openReport(browser, options.sample(report), { viewport, density: 0.25 });
+    assert.ok((await beyond(page, 'query')) < 0);
+    const sizes = await page.evaluate(() => ({
+      wide: document.documentElement.scrollWidth,
+      text: document.querySelector('.detail .reason').getBoundingClientRect().height,
+    }));
+    assert.ok(sizes.wide <= width, `${sizes.wide} pixels wide`);
+    assert.ok(width < 3000 || sizes.text > 24, 'panels grow with a large window');
+    await page.context().close();
+  });
 
 test('the page raised no error', async ({ trouble }) => assert.deepEqual(trouble, []));
 
