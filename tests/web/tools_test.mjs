@@ -165,7 +165,23 @@ const saved = async (page, name) => {
   return { name: file.suggestedFilename(), bytes: readFileSync(await file.path()) };
 };
 
-test('the picture and the film are saved', async ({ page }) => {
+// Returns what a browser finds in a film.
+async function played(browser, bytes) {
+  const page = await browser.newPage();
+  const found = await page.evaluate(async (base64) => {
+    const video = document.createElement('video');
+    video.src = `data:video/webm;base64,${base64}`;
+    await new Promise((done, failed) => {
+      video.onloadeddata = done;
+      video.onerror = () => failed(new Error(video.error.message));
+    });
+    return { duration: video.duration, width: video.videoWidth };
+  }, bytes.toString('base64'));
+  await page.close();
+  return found;
+}
+
+test('the picture and the film are saved', async ({ page, browser }) => {
   await page.locator('#scene-panel .fold', { hasText: 'Tools' }).click();
   const picture = await saved(page, 'Save picture');
   assert.match(picture.name, /\.png$/);
@@ -181,6 +197,9 @@ test('the picture and the film are saved', async ({ page }) => {
   assert.match(film.name, /\.webm$/);
   assert.equal(film.bytes.readUInt32BE(0), 0x1a45dfa3, 'the beginning of a WebM file');
   assert.ok(film.bytes.length > 4000);
+  const seen = await played(browser, film.bytes);
+  assert.ok(Math.abs(seen.duration - 31 / 30) < 0.08, `${seen.duration} s: 16 pictures and 15 held`);
+  assert.ok(Math.abs(seen.width - width) < 2);
   assert.match(await page.locator('#status').innerText(), /^Saved a film/);
   assert.equal((await state(page)).playing, false);
   await put(page, { loopFrom: 0, loopTo: 0 });

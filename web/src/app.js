@@ -231,8 +231,14 @@ export class App {
   /** @param {number} now */
   frame(now) {
     if (!this.stage.canvas.isConnected) return; // the page has shown an error
-    const passed = Math.min((now - this.lastFrame) / 1000, 0.25);
+    if (this.film.busy) {
+      requestAnimationFrame((next) => this.frame(next));
+      return;
+    }
+    // A film has its own clock.
+    const passed = this.film.running ? this.film.step : Math.min((now - this.lastFrame) / 1000, 0.25);
     this.lastFrame = now;
+    if (this.film.running) this.dirty = true;
     this.playback.advance(passed);
     this.pointer.hover(now);
     const { state } = this.store;
