@@ -19,7 +19,7 @@ try {
   await page.context().close();
 
   const filmed = await openReport(browser, report, { ...kFilm, fragment: kQuery });
-  await filmed.page.evaluate((speed) => window.obby.store.set({ follow: true, speed }), kSlow);
+  await filmed.page.evaluate((speed) => window.obby.store.set({ follow: true, isolate: true, speed }), kSlow);
   await frames(filmed.page, 30); // the camera arrives behind the player
   const [film] = await Promise.all([
     filmed.page.waitForEvent('download', { timeout: kPatience }),

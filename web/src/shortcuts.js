@@ -76,6 +76,12 @@ function free({ store, views }) {
   return views;
 }
 
+/** @param {App} app */
+function follow(app) {
+  if (!app.path()) app.status.say('Select a trajectory to follow its player');
+  app.store.set({ follow: !app.store.state.follow && Boolean(app.path()) });
+}
+
 /** @type {NamesOf<boolean>[]} */
 const kToggles = [
   'solutions',
@@ -127,7 +133,7 @@ const kByKey = {
   m: (app) => app.ruler.toggle(),
   c: (app) => app.store.set({ colors: app.store.state.colors === 'roles' ? 'level' : 'roles' }),
   f: (app) => app.focusSelection(),
-  g: (app) => app.store.set({ follow: !app.store.state.follow && Boolean(app.path()) }),
+  g: (app) => follow(app),
   t: (app) => free(app).above(),
   r: (app) => free(app).course(),
 };

@@ -11,7 +11,7 @@ import { webm } from './webm.js';
 /** @import {Coded} from './webm.js' */
 
 const kRate = 30; // pictures a second
-const kBits = 6e6; // a second
+const kBits = 0.1; // per pixel of a picture
 const kBetweenKeys = 60; // pictures
 const kHold = 15; // times that the last picture is repeated
 const kMaxQueue = 6; // pictures that wait for the encoder
@@ -80,7 +80,8 @@ export class Film {
       },
     });
     const { width, height } = this.canvas;
-    this.encoder.configure({ codec: kCodec.encoder, width, height, bitrate: kBits, framerate: kRate });
+    const bitrate = Math.round(kBits * width * height * kRate);
+    this.encoder.configure({ codec: kCodec.encoder, width, height, bitrate, framerate: kRate });
     this.app.measure(); // a film has no panels
     const note = 'Recording a film. Pause to end it';
     store.set({ tick: from, playing: true, loop: false, status: note });
