@@ -19,7 +19,8 @@ try {
   await page.context().close();
 
   const filmed = await openReport(browser, report, { ...kFilm, fragment: kQuery });
-  await filmed.page.evaluate((speed) => window.obby.store.set({ follow: true, isolate: true, speed }), kSlow);
+  const values = { follow: true, isolate: true, speed: kSlow };
+  await filmed.page.evaluate((v) => window.obby.store.set(v), values);
   await frames(filmed.page, 30); // the camera arrives behind the player
   const [film] = await Promise.all([
     filmed.page.waitForEvent('download', { timeout: kPatience }),

@@ -235,8 +235,8 @@ export class App {
       requestAnimationFrame((next) => this.frame(next));
       return;
     }
-    // A film has its own clock.
-    const passed = this.film.running ? this.film.step : Math.min((now - this.lastFrame) / 1000, 0.25);
+    const since = Math.min((now - this.lastFrame) / 1000, 0.25);
+    const passed = this.film.running ? this.film.step : since; // a film has its own clock
     this.lastFrame = now;
     if (this.film.running) this.dirty = true;
     this.playback.advance(passed);
