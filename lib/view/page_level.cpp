@@ -98,6 +98,18 @@ void writeNames(io::JsonWriter& json, schema::Level::Reader level) {
   json.close();
 }
 
+void writeTags(io::JsonWriter& json, schema::Level::Reader level) {
+  json.key("tags").open('{');
+  for (uint32_t i = 0; i < level.getParts().size(); ++i) {
+    const auto tags = level.getParts()[i].getTags();
+    if (tags.size() == 0) continue;
+    json.key(std::to_string(i)).open('[');
+    for (const auto tag : tags) json.value(std::string_view(tag.cStr()));
+    json.close();
+  }
+  json.close();
+}
+
 void writeHulls(io::JsonWriter& json, schema::Level::Reader level) {
   json.key("hulls").open('[');
   for (uint32_t i = 0; i < level.getParts().size(); ++i) {
@@ -190,6 +202,7 @@ void writeLevel(io::JsonWriter& json, const LevelEntry& entry, uint32_t ticksSho
   json.field("span", physics.getArmSpan()).close();
   writeColumns(json, level, entry.level->view());
   writeNames(json, level);
+  writeTags(json, level);
   writeHulls(json, level);
   writeVanishing(json, level, entry.level->view());
   writeConveyors(json, level);

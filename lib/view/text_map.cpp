@@ -16,7 +16,7 @@
 namespace obby::view {
 namespace {
 
-constexpr size_t kMaxColumns = 110, kMaxRows = 36, kMaxName = 60;
+constexpr size_t kMaxColumns = 110, kMaxName = 60;
 
 constexpr Ink kPart{':', "░", {84, 92, 106}}, kKill{'x', "▒", {214, 60, 64}},
     kMoving{'~', "~", {164, 139, 250}}, kStart{'S', "S", {53, 196, 141}},
@@ -202,14 +202,14 @@ std::string heading(const table::TerminalTraits& terminal, const QueryEntry& que
 }  // namespace
 
 std::string queryMap(const Report& report, const QueryEntry& query,
-                     const table::TerminalTraits& terminal) {
+                     const table::TerminalTraits& terminal, size_t maxRows) {
   if (query.level < 0) return {};
   const LevelEntry& level = report.levels[size_t(query.level)];
   const Box extent = extentOf(level, query);
   const Frame frame{extent.hi.z - extent.lo.z > extent.hi.x - extent.lo.x};
   const Vec2 a = frame.of(extent.lo), b = frame.of(extent.hi);
   Raster raster({std::min(a.x, b.x), std::min(a.y, b.y)}, {std::max(a.x, b.x), std::max(a.y, b.y)},
-                std::min(terminal.width, kMaxColumns), kMaxRows, terminal);
+                std::min(terminal.width, kMaxColumns), maxRows, terminal);
   drawAttempts(raster, query, frame);
   const uint32_t tick = query.compiled ? query.compiled->start().tick : 0;
   const std::vector<Drawn> parts = partsOf(level, tick, frame, extent);

@@ -12,7 +12,9 @@
 namespace obby::view {
 namespace {
 
-constexpr size_t kFewMaps = 3;
+constexpr size_t kFewMaps = 6;           // max maps without a request
+constexpr size_t kTallMaps = 3;          // more maps than these are lower
+constexpr size_t kTall = 36, kLow = 18;  // max rows of a map
 
 std::string clean(const std::string& text, const table::TerminalTraits& terminal) {
   return io::tamed(text, !terminal.utf8);
@@ -47,9 +49,10 @@ std::string maps(const Report& report, const std::vector<size_t>& rows,
     const std::string id = quoted(clean(report.queries[rows.front()].id, options.terminal));
     return fmt::format("\nFor a map of one query: obby-view --query {} FILE\n", id);
   }
+  const size_t height = rows.size() <= kTallMaps ? kTall : kLow;
   std::string out;
   for (const size_t row : rows) {
-    const std::string map = queryMap(report, report.queries[row], options.terminal);
+    const std::string map = queryMap(report, report.queries[row], options.terminal, height);
     if (!map.empty()) out += "\n" + map;
   }
   return out;

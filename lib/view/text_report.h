@@ -29,6 +29,6 @@ std::vector<table::Answer> answersOf(const Report& report);
 // Returns a map of one query from above: parts, regions and trajectories. Returns an empty text if
 // the query's level is not in the streams.
 std::string queryMap(const Report& report, const QueryEntry& query,
-                     const table::TerminalTraits& terminal);
+                     const table::TerminalTraits& terminal, size_t maxRows = 36);
 
 }  // namespace obby::view

@@ -47,6 +47,12 @@ TEST(Page, AQueryMayHaveATitle) {
               HasSubstr(R"("id":"stage1","level":0,"title":"Stage 1: 'A' to 'B'")"));
 }
 
+TEST(Page, TagsAreThoseOfTheRecord) {
+  auto report = collect({R"({"type":"level","name":"L","parts":[{},{"tags":["Lava","Hot"]}]})"});
+  ASSERT_TRUE(report) << report.error().text();
+  EXPECT_THAT(view::pageData(*report, {}), HasSubstr(R"("tags":{"1":["Lava","Hot"]})"));
+}
+
 TEST(Page, MaterialsAreNamedOnceAndFitInAByte) {
   std::string level = R"({"type":"level","name":"L","parts":[{},{"material":"Wood"})";
   for (int i = 0; i < 300; ++i) level += R"(,{"material":"M)" + std::to_string(i) + R"("})";

@@ -136,8 +136,11 @@ std::vector<std::string> stages(int count) {
 }
 
 TEST(Text, MapsOfManyQueriesAreDrawnWhenAskedFor) {
-  const auto report = collect(stages(4));
+  const auto report = collect(stages(7)), four = collect(stages(4));
   ASSERT_TRUE(report) << report.error().text();
+  const std::string lower = view::textReport(*four, {kAscii, view::Maps::few});
+  EXPECT_THAT(lower, ::testing::HasSubstr("S start")) << "up to six have maps";
+  EXPECT_THAT(lower, ::testing::Not(::testing::HasSubstr("For a map")));
   const auto mapsIn = [&](view::Maps maps) {
     const std::string text = view::textReport(*report, {kAscii, maps});
     size_t count = 0;
@@ -148,7 +151,7 @@ TEST(Text, MapsOfManyQueriesAreDrawnWhenAskedFor) {
   };
   EXPECT_EQ(mapsIn(view::Maps::none), 0u);
   EXPECT_EQ(mapsIn(view::Maps::few), 0u);
-  EXPECT_EQ(mapsIn(view::Maps::all), 4u);
+  EXPECT_EQ(mapsIn(view::Maps::all), 7u);
   EXPECT_THAT(view::textReport(*report, {kAscii, view::Maps::few}),
               ::testing::EndsWith("\nFor a map of one query: obby-view --query 'stage 1' FILE\n"));
 }

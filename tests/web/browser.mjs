@@ -52,12 +52,13 @@ export const withoutWebGl = (page) =>
     };
   });
 
-// `fragment`: the fragment of the address. `prepare`: called with the page before it loads
+// `attempts`: whether to show failed attempts, which a reader sees on request. `fragment`: the
+// fragment of the address. `prepare`: called with the page before it loads
 // anything. `more`: options of newPage.
 export async function openReport(
   browser,
   file,
-  { fragment = '', prepare = async () => {}, ...more } = {},
+  { attempts = true, fragment = '', prepare = async () => {}, ...more } = {},
 ) {
   const page = await newPage(browser, { offline: true, ...more });
   const trouble = [];
@@ -71,6 +72,10 @@ export async function openReport(
   await prepare(page);
   await page.goto(pathToFileURL(file).href + fragment);
   await started(page);
+  if (attempts) {
+    await page.evaluate(() => window.obby.store.set({ attempts: true }));
+    await frames(page, 2);
+  }
   return { page, trouble, requests };
 }
 

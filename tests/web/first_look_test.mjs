@@ -5,7 +5,7 @@ import assert from 'node:assert/strict';
 import { routeNames } from '../../web/src/route_names.js';
 import { solutionNames } from '../../web/src/solution_names.js';
 import { decimal } from '../../web/src/ui/dom.js';
-import { frames, state } from './browser.mjs';
+import { frames, openReport, state } from './browser.mjs';
 import { harness } from './harness.mjs';
 import { report } from './sample_report.mjs';
 
@@ -29,12 +29,12 @@ const marks = (...routes) =>
 
 test('routes are distinguished by their unshared parts', () => {
   assert.deepEqual(marks([0, 1, 4]), [''], 'there is one only');
-  assert.deepEqual(marks([0, 3, 4], [0, 1, 4]), ['via Lift', 'via Plank']);
-  assert.deepEqual(marks([0, 4], [0, 3, 4]), ['without Lift', 'via Lift']);
-  assert.deepEqual(marks([0, 1, 4], [0, 2, 4]), ['via Plank #1', 'via Plank #2']);
+  assert.deepEqual(marks([0, 3, 4], [0, 1, 4]), ['over the Lift', 'over the Plank']);
+  assert.deepEqual(marks([0, 4], [0, 3, 4]), ['not over the Lift', 'over the Lift']);
+  assert.deepEqual(marks([0, 1, 4], [0, 2, 4]), ['over Plank #1', 'over Plank #2']);
   assert.deepEqual(
     marks([0, 1, 2, 4], [0, 1, 4], [0, 2, 4]),
-    ['via Plank #1, via Plank #2', 'without Plank #2', 'without Plank #1'],
+    ['over Plank #1, over Plank #2', 'not over Plank #2', 'not over Plank #1'],
     'one part alone is not enough',
   );
   assert.deepEqual(marks([0, 1, 3, 4], [0, 3, 1, 4]), ['route 1', 'route 2'], 'the same parts');
@@ -45,8 +45,8 @@ test('routes with the same text show their difference', () => {
   assert.deepEqual(
     [...routeNames({ paths }, place).values()].map(({ text }) => text),
     [
-      'Spawn → Plank → Finish (via Plank #1)',
-      'Spawn → Plank → Finish (via Plank #2)',
+      'Spawn → Plank → Finish (over Plank #1)',
+      'Spawn → Plank → Finish (over Plank #2)',
       'Spawn → Lift → Finish',
     ],
   );
@@ -61,13 +61,21 @@ test('every solution has its own name', () => {
     { kind: 'attempt', route: [], ticks: 9, jumps: 0 },
   ];
   assert.deepEqual(
-    [...solutionNames({ paths }, place)].map(([index, { name, route }]) => [index, name, route]),
+    [...solutionNames({ paths }, place)].map(([index, { name, facts }]) => [index, name, ...facts]),
     [
-      [0, '5.50 s, 3 jumps', 'via Plank'],
-      [1, '5.50 s, 3 jumps', 'via Lift'],
-      [2, '5.50 s, 3 jumps (2)', 'via Lift'],
-      [3, '6.00 s, 1 jump', 'via Lift'],
+      [0, 'over the Plank', '3 jumps', '5.50 s'],
+      [1, 'over the Lift', '3 jumps', '5.50 s'],
+      [2, 'over the Lift (2)', '3 jumps', '5.50 s'],
+      [3, 'over the Lift', '1 jump', '6.00 s'],
     ],
+  );
+});
+
+test('solutions of one route are named by jumps and time', () => {
+  const paths = [solution([0, 1], 330, 3), solution([0, 1], 192, 1)];
+  assert.deepEqual(
+    [...solutionNames({ paths }, place).values()],
+    ['3 jumps, 5.50 s', '1 jump, 3.20 s'].map((name) => ({ name, facts: [] })),
   );
 });
 
@@ -89,10 +97,10 @@ test('the first query with an answer is shown', async ({ page }) => {
 test('rows show routes of solutions and ends of attempts', async ({
   page,
 }) => {
-  const rows = await page.locator('.path').allInnerTexts();
-  assert.match(rows[0], /^9\.00 s, 12 jumps\s+Hard\s+via Step 1$/);
-  assert.match(rows[1], /^9\.00 s, 12 jumps\s+without Step 1$/);
-  assert.ok(rows.some((text) => /^Killed by Lava\s+\d+ jumps\s+\d\.\d\d s$/.test(text)));
+  const rows = await page.locator('.path').allTextContents();
+  assert.match(rows[0], /^over Step 1\s*Hard\s*12 jumps\s*9\.00 s$/);
+  assert.match(rows[1], /^not over Step 1\s*12 jumps\s*9\.00 s$/);
+  assert.ok(rows.some((text) => /^Killed by Lava\s*\d+ jumps\s*\d\.\d\d s$/.test(text)));
 });
 
 test('the player starts standing with no key pressed', async ({ page }) => {
@@ -106,6 +114,32 @@ test('the player starts standing with no key pressed', async ({ page }) => {
   assert.ok((await held()) >= 2, 'a direction and the jump of the first tick');
   assert.doesNotMatch(await hud.innerText(), /Speed\s+0\.0 studs\/s/);
   await page.keyboard.press('Home');
+});
+
+test('failed attempts are listed and drawn on request', async ({ browser }) => {
+  const { page } = await openReport(browser, file, { attempts: false });
+  const shown = () =>
+    page.evaluate(() => [
+      document.querySelectorAll('.path').length,
+      window.obby.stage.shown.size,
+      document.querySelectorAll('.label[style*="f0484e"]').length > 0,
+    ]);
+  const [few, drawn, labels] = await shown();
+  assert.deepEqual([few, labels], [drawn, false], 'no deaths are named');
+  await page.locator('.list .attempts').click();
+  const [all, drawnThen] = await shown();
+  assert.deepEqual([all, drawnThen], [course.trajectories.length, course.trajectories.length]);
+  assert.ok(few < all);
+  await page.locator('#view').focus();
+  await page.keyboard.press('2');
+  assert.equal((await shown())[0], few);
+  await page.locator('.killer').first().click();
+  assert.equal((await state(page)).attempts, true, 'a click on a killer asks for its attempts');
+  await page.context().close();
+});
+
+test('a query says from where to where it goes', async ({ page }) => {
+  assert.match(await page.locator('.course').innerText(), /^From .+ to .+/);
 });
 
 test('the search effort is shown on request', async ({ page }) => {

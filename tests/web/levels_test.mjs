@@ -179,7 +179,7 @@ test('the wheel zooms in from far away', async ({ page }) => {
   await page.waitForFunction((d) => window.obby.stage.rig.goal.distance < d, far);
   const near = await page.evaluate(() => window.obby.stage.rig.goal.distance);
   assert.ok(near > 0.8 * far, `${far} to ${near} studs`);
-  await page.evaluate(() => window.obby.stage.frameQuery(true));
+  await page.evaluate(() => window.obby.views.query(true));
 });
 
 test('a query without its level shows no old picture', async ({ page }) => {
@@ -263,7 +263,7 @@ test('framing on a hidden page takes effect later', async ({ page }) => {
     }, display);
   await show('none');
   await frames(page, 2);
-  await page.evaluate(() => window.obby.stage.frameQuery(true));
+  await page.evaluate(() => window.obby.views.query(true));
   await show('');
   await frames(page, 3);
   const eye = await page.evaluate(() => window.obby.stage.rig.camera.position.toArray());

@@ -70,6 +70,7 @@ test('counts grow until the stream ends, keeping the selection', async ({ browse
   viewer.write(header, level, query);
   await started(page);
   await page.waitForFunction(() => window.obby.query());
+  await page.evaluate(() => window.obby.store.set({ attempts: true }));
   viewer.write(progress(1, attempts[0], [attempts[1]]));
   await trajectoriesAre(page, 2);
   assert.match(await page.locator('.detail').innerText(), /Searching[\s\S]*Closest to goal\s+19.0 studs/i);

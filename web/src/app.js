@@ -1,6 +1,6 @@
 // The page: connects state, stage and panels, and runs the frame loop.
-import { Vector3 } from 'three';
 import { hasMotion } from './data.js';
+import { Film } from './export/film.js';
 import { followAddress, readFragment, tickAt, writeFragment } from './fragment.js';
 import { Playback } from './playback.js';
 import { byId, canvas } from './page.js';
@@ -8,10 +8,14 @@ import { OUTCOME_STYLE } from './palette.js';
 import { panelsOf } from './panels.js';
 import { Pointer } from './pointer.js';
 import { Stage } from './scene/stage.js';
+import { Views } from './scene/views.js';
+import { NO_RULER, Ruler } from './ruler.js';
 import { bindKeys } from './shortcuts.js';
 import { INITIAL, Store } from './store.js';
 import { bindTheme } from './theme.js';
+import { freeArea } from './ui/free_area.js';
 import { Labels } from './ui/labels.js';
+import { Status } from './ui/status.js';
 import { Trajectories } from './trajectories.js';
 
 /** @import {Live} from './live.js' */
@@ -30,9 +34,13 @@ export class App {
     );
     bindTheme(this.store);
     this.stage = new Stage(canvas());
+    this.views = new Views(this.stage, () => this.measure());
     this.labels = new Labels(byId('labels'));
     this.pointer = new Pointer(this, canvas(), byId('tip'));
     this.trajectories = new Trajectories(this);
+    this.ruler = new Ruler(this);
+    this.status = new Status(byId('status'), this.store);
+    this.film = new Film(this);
     this.dirty = true;
     this.shift = false; // the Shift key is held
     this.glowing = -1; // part
@@ -68,7 +76,7 @@ export class App {
     this.showSelection();
     this.applyToggles();
     this.stage.resize();
-    this.stage.frameQuery(true);
+    this.views.query(true);
     if (found.camera) this.stage.rig.restore(found.camera);
     this.moved = Boolean(found.camera); // the user has chosen a view
     this.lastFrame = performance.now();
@@ -131,12 +139,17 @@ export class App {
     store.on(['query'], () => {
       this.openQuery();
       const none = { part: -1, hoverPath: -1, ghost: -1, route: '', killer: -1, drawing: false };
-      store.set({ path: this.firstPath(), tick: 0, playing: false, ...none });
+      const still = { loopFrom: 0, loopTo: 0 };
+      store.set({ path: this.firstPath(), tick: 0, playing: false, ...none, ...still });
       this.filters.fill();
       this.trajectories.choose();
       this.showSelection();
       this.applyToggles();
-      this.stage.frameQuery(false);
+      store.set({ follow: false, measuring: false, ruler: NO_RULER });
+      this.views.query(false);
+    });
+    store.on(['follow'], ({ follow }) => {
+      if (!follow) this.stage.rig.unfollow();
     });
     store.on(['path'], () => this.showSelection());
     store.on(['hoverPath'], (state) =>
@@ -168,6 +181,7 @@ export class App {
     const path = this.path();
     this.stage.pathView?.select(path);
     this.stage.marks.set(path);
+    this.hud.root.hidden = !path;
     if (this.store.state.tick > this.length()) this.store.set({ tick: this.length() });
     document.title = path
       ? `${this.report.title}: ${OUTCOME_STYLE[path.outcome].label}`
@@ -199,29 +213,39 @@ export class App {
   }
 
   focusSelection() {
-    const { part, tick } = this.store.state;
+    const { part } = this.store.state;
     const path = this.path();
-    if (part >= 0) this.stage.framePart(part);
-    else if (path) {
-      const { x, y, z } = path.poseAt(tick);
-      this.stage.rig.frame(new Vector3(x, y + 2.5, z), 14);
-    } else this.stage.frameQuery(false);
+    this.store.set({ follow: false });
+    if (part >= 0) this.views.part(part);
+    else if (path) this.views.path(path);
+    else this.views.query(false);
+  }
+
+  // Updates the area of the picture that no panel covers.
+  measure() {
+    /** @type {NodeListOf<HTMLElement>} */
+    const panels = document.querySelectorAll('#scene-panel > *, #hud, #comparison');
+    this.stage.rig.free = freeArea(this.stage.canvas, this.film.running ? [] : [...panels]);
   }
 
   /** @param {number} now */
   frame(now) {
     if (!this.stage.canvas.isConnected) return; // the page has shown an error
-    const passed = Math.min((now - this.lastFrame) / 1000, 0.25);
+    if (this.film.busy) {
+      requestAnimationFrame((next) => this.frame(next));
+      return;
+    }
+    const since = Math.min((now - this.lastFrame) / 1000, 0.25);
+    const passed = this.film.running ? this.film.step : since; // a film has its own clock
     this.lastFrame = now;
+    if (this.film.running) this.dirty = true;
     this.playback.advance(passed);
     this.pointer.hover(now);
     const { state } = this.store;
     const tick = Math.min(state.tick, this.length());
     const path = this.path();
-    if (state.follow && path) {
-      const { x, y, z } = path.poseAt(tick);
-      this.stage.rig.follow(new Vector3(x, y + 2.5, z));
-    }
+    const level = this.level();
+    if (state.follow && path && level) this.views.follow(path, tick, level);
     this.stage.resize();
     const before = this.view();
     this.stage.rig.update(passed, this.shift);
@@ -264,6 +288,7 @@ export class App {
       this.store.state.labels && this.store.state.regions,
     );
     this.hud.show(path, tick, this.playback.rateOf(), this.stage.rig.now.yaw);
+    this.film.drawn();
     clearTimeout(this.saving);
     this.saving = setTimeout(
       () =>

@@ -133,6 +133,12 @@ export function pathsThrough(query, box) {
   return found;
 }
 
+/**
+ * Returns true for a failed attempt that is neither the closest nor the newest one.
+ * @param {Path} path
+ */
+export const isAttempt = ({ kind }) => kind === 'attempt';
+
 /** @param {Path} path */
 export const routeKey = (path) => (path.route ?? []).join(' ');
 

@@ -1,5 +1,7 @@
-// Colours of trajectories by outcome, route, method, time, jumps or difficulty, with legends.
+// Colours of trajectories by outcome, route, method, time, jumps, difficulty, speed or height, with
+// legends.
 import { routeKey } from './choice.js';
+import { NO_VALUE_COLOR as kNone, rampColor } from './color_ramps.js';
 import {
   BAND_STYLE,
   BANDS,
@@ -10,6 +12,7 @@ import {
   VERDICT_STYLE,
 } from './palette.js';
 import { routeNames } from './route_names.js';
+import { byScalar } from './scalar_colors.js';
 import { tally } from './tally.js';
 import { plural } from './ui/dom.js';
 
@@ -24,52 +27,13 @@ export const COLORINGS = {
   time: 'time',
   jumps: 'jumps',
   difficulty: 'difficulty',
+  speed: 'speed',
+  height: 'height',
 };
 
-// The ramp from low to high values. Its lightness always rises, so that it is readable without
-// hue.
-const kRamp = [
-  [76, 99, 176],
-  [33, 145, 140],
-  [94, 201, 98],
-  [253, 231, 37],
-];
-// The colour map "inferno" of matplotlib (CC0), without its near-black beginning.
-const kHeat = [
-  [66, 10, 104],
-  [106, 23, 110],
-  [147, 38, 103],
-  [188, 55, 84],
-  [221, 81, 58],
-  [243, 120, 25],
-  [252, 165, 10],
-  [246, 215, 70],
-  [252, 255, 164],
-];
 // The palette of Okabe and Ito for colour-blind readers (https://jfly.uni-koeln.de/color/), without
 // black.
 const kDistinct = ['#e69f00', '#56b4e9', '#009e73', '#f0e442', '#0072b2', '#d55e00', '#cc79a7'];
-const kNone = '#8190a8';
-
-/**
- * @param {number[][]} ramp
- * @param {number} share
- */
-function mixed(ramp, share) {
-  const s = Math.min(Math.max(share, 0), 1) * (ramp.length - 1);
-  const i = Math.min(ramp.length - 2, Math.floor(s));
-  const mix = ramp[i].map((v, k) => Math.round(v + (ramp[i + 1][k] - v) * (s - i)));
-  return `#${mix.map((v) => v.toString(16).padStart(2, '0')).join('')}`;
-}
-
-/** @param {number} share */
-export const rampColor = (share) => mixed(kRamp, share);
-
-/**
- * Returns a colour of the heat map, which has its own ramp, since it lies on parts of all colours.
- * @param {number} share
- */
-export const heatColor = (share) => mixed(kHeat, share);
 
 /**
  * @param {Query} query
@@ -125,7 +89,6 @@ function byRoute(query, level) {
   /** @type {Coloring['legend']} */
   const legend = [...colors].map(([key, color]) => [
     routeNames(query, level).get(key)?.text ?? key,
-
     color,
     'solution',
   ]);
@@ -188,6 +151,7 @@ export function coloring(query, level, mode) {
       (p) => p.jumps,
       (v) => plural(Math.round(v), 'jump'),
     );
+  if (mode === 'speed' || mode === 'height') return byScalar(query, mode, rate);
   if (mode === 'difficulty') return byDifficulty(query);
   return byOutcome(query);
 }

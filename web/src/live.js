@@ -74,7 +74,7 @@ export class Live {
     const changed = live.take(raw, [chosen, ghost]);
     if (app) {
       this.refresh(app, changed, before, [chosen, ghost]);
-      if (!before && app.query() && !app.moved) app.stage.frameQuery(true);
+      if (!before && app.query() && !app.moved) app.views.query(true);
       this.followNewest(app, changed.fresh);
     } else if (live.report.levels.length) {
       this.app = this.begin(live.report);

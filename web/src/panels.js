@@ -5,10 +5,12 @@ import { Comparison } from './ui/comparison.js';
 import { FilterPanel } from './ui/filter_panel.js';
 import { Help } from './ui/help.js';
 import { Hud } from './ui/hud.js';
+import { PartList } from './ui/part_list.js';
 import { PathList } from './ui/path_list.js';
 import { ScenePanel } from './ui/scene_panel.js';
 import { Sidebar } from './ui/sidebar.js';
 import { Timeline } from './ui/timeline.js';
+import { toolsOf } from './ui/tools.js';
 
 /** @import {App} from './app.js' */
 /** @import {Path} from './path.js' */
@@ -40,6 +42,8 @@ export function panelsOf(app) {
     queryOf: () => app.query(),
     levelOf: () => app.level(),
     coloringOf: () => trajectories.coloring,
+    parts: new PartList(store, () => app.level()),
+    tools: toolsOf(app),
   });
   const hud = new Hud(byId('hud'));
   const help = new Help(dialog());

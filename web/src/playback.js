@@ -1,6 +1,18 @@
 // The playback clock, which converts wall time to ticks of the selected trajectory.
 
 /** @import {Store} from './store.js' */
+/** @import {State} from './types/report.js' */
+
+/**
+ * Returns the ticks between which playback runs: the loop's range, or the whole length.
+ * @param {Pick<State, 'loop' | 'loopFrom' | 'loopTo'>} state
+ * @param {number} length
+ */
+export function rangeOf({ loop, loopFrom, loopTo }, length) {
+  const to = Math.min(loopTo, length);
+  const isPart = loop && to - loopFrom >= 1;
+  return { from: isPart ? loopFrom : 0, to: isPart ? to : length, isPart };
+}
 
 export class Playback {
   /**
@@ -18,13 +30,14 @@ export class Playback {
   advance(seconds) {
     const { playing, tick, speed, loop } = this.store.state;
     if (!playing) return;
-    const length = this.lengthOf();
+    const { from, to, isPart } = rangeOf(this.store.state, this.lengthOf());
     let next = tick + Math.min(seconds, 0.25) * speed * this.rateOf();
-    if (next >= length) {
-      // Pauses on the last frame before looping, so that the end is visible.
-      const pause = 0.7 * this.rateOf() * speed;
-      if (loop && length > 0) next = next >= length + pause ? 0 : next;
-      else next = length;
+    if (isPart && tick < from) next = from;
+    if (next >= to) {
+      // Pauses on the last frame before looping, so that the end is visible. A range has no pause.
+      const pause = isPart ? 0 : 0.7 * this.rateOf() * speed;
+      if (loop && to > 0) next = next >= to + pause ? from : next;
+      else next = to;
       if (!loop) this.store.set({ playing: false });
     }
     this.store.set({ tick: next });
@@ -35,6 +48,24 @@ export class Playback {
     if (!this.lengthOf()) return;
     if (!playing && tick >= this.lengthOf()) this.store.set({ tick: 0 });
     this.store.set({ playing: !playing });
+  }
+
+  // The loop's range begins, or ends, at the current moment.
+  markFrom() {
+    const { tick, loopTo } = this.store.state;
+    const end = loopTo > tick ? loopTo : this.lengthOf();
+    this.store.set({ loop: true, loopFrom: tick, loopTo: end });
+  }
+
+  markTo() {
+    const { tick, loopFrom } = this.store.state;
+    this.store.set({ loop: true, loopFrom: loopFrom < tick ? loopFrom : 0, loopTo: tick });
+  }
+
+  // Switches the loop. Without a loop its range is forgotten.
+  toggleLoop() {
+    const loop = !this.store.state.loop;
+    this.store.set({ loop, ...(loop ? {} : { loopFrom: 0, loopTo: 0 }) });
   }
 
   /** @param {number} tick */

@@ -53,7 +53,7 @@ export class Pointer {
       tip.hidden = true;
     });
     this.store.on(['drawing'], ({ drawing }) => {
-      app.stage.rig.locked = drawing;
+      app.stage.rig.input.locked = drawing;
       canvas.style.cursor = drawing ? 'crosshair' : '';
       if (!drawing) this.corner = null;
     });
@@ -104,6 +104,11 @@ export class Pointer {
   click(event) {
     const { state } = this.store;
     const at = this.inCanvas(event);
+    if (state.measuring) {
+      const point = this.picker.point(at);
+      if (point) this.app.ruler.add(point.toArray());
+      return;
+    }
     const hit = this.picker.path(state, at);
     if (hit && event.shiftKey) {
       this.store.set({ ghost: hit.path === state.path ? -1 : hit.path });
@@ -136,7 +141,8 @@ export class Pointer {
   hover(now) {
     const event = this.moved;
     this.moved = null;
-    if (!this.app.level() || this.store.state.drawing) return;
+    const { drawing, measuring } = this.store.state;
+    if (!this.app.level() || drawing || measuring) return;
     if (event) {
       const hit = this.hoverPath(event);
       this.rest = hit ? null : { event, since: now };

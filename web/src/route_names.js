@@ -47,8 +47,14 @@ function bestMark(own, others, parts) {
 }
 
 /**
- * Returns text that distinguishes a route, such as "via Plank" or "without Lift", or its number if
- * parts do not.
+ * Returns a name as English has it in a sentence: "the Plank", but "Step 3" and "Ramp #2".
+ * @param {string} name
+ */
+const called = (name) => (/^\p{L}+$/u.test(name) ? `the ${name}` : name);
+
+/**
+ * Returns text that distinguishes a route, such as "over the Plank" or "not over the Lift", or its
+ * number if parts do not.
  * @param {number} index
  * @param {Set<number>[]} sets
  * @param {number[]} parts
@@ -60,7 +66,7 @@ function markOf(index, sets, parts, names) {
   while (others.length && marks.length < kMaxMarks) {
     const mark = bestMark(sets[index], others, parts);
     if (!mark) break;
-    marks.push(`${mark.isOn ? 'via' : 'without'} ${names.get(mark.part)}`);
+    marks.push(`${mark.isOn ? 'over' : 'not over'} ${called(names.get(mark.part) ?? '')}`);
     others = mark.left;
   }
   if (others.length) marks.push(`route ${index + 1}`);

@@ -1,5 +1,7 @@
 // Keyboard shortcuts. They are disabled while the user types or holds Ctrl, Alt or Meta. Space
 // toggles a focused check box.
+import { isAttempt } from './choice.js';
+import { NO_RULER } from './ruler.js';
 import { nextTheme } from './theme.js';
 
 /** @import {App} from './app.js' */
@@ -11,7 +13,7 @@ const kWithAlt = /^[[\]]$/; // characters that some keyboards type with Alt
 function typing(target) {
   return (
     target instanceof HTMLElement &&
-    (target.matches('input[type=search], input[type=number], select, textarea') ||
+    (target.matches('input:not([type=checkbox], [type=range]), select, textarea') ||
       target.isContentEditable)
   );
 }
@@ -37,7 +39,9 @@ function moveQuery(app, by) {
  * @param {number} by
  */
 function neighbour(app, by) {
-  const { order, path } = app.store.state;
+  const { order: listed, path, attempts } = app.store.state;
+  const paths = app.query()?.paths ?? [];
+  const order = listed.filter((i) => attempts || i === path || !isAttempt(paths[i]));
   if (!order.length) return;
   const at = order.indexOf(path);
   const next = at < 0 ? (by > 0 ? 0 : order.length - 1) : (at + by + order.length) % order.length;
@@ -63,6 +67,21 @@ function draw(app) {
   app.store.set({ drawing });
 }
 
+/**
+ * Returns the views, for one that ends the following of the player.
+ * @param {App} app
+ */
+function free({ store, views }) {
+  store.set({ follow: false });
+  return views;
+}
+
+/** @param {App} app */
+function follow(app) {
+  if (!app.path()) app.status.say('Select a trajectory to follow its player');
+  app.store.set({ follow: !app.store.state.follow && Boolean(app.path()) });
+}
+
 /** @type {NamesOf<boolean>[]} */
 const kToggles = [
   'solutions',
@@ -83,6 +102,7 @@ const kToggles = [
  */
 const kByKey = {
   '?': (app) => app.help.toggle(),
+  F1: (app) => app.help.toggle(),
   '[': (app) => moveQuery(app, -1),
   ']': (app) => moveQuery(app, 1),
   '+': (app) => app.playback.faster(1),
@@ -99,18 +119,23 @@ const kByKey = {
     app.store.set(
       app.store.state.drawing
         ? { drawing: false }
-        : { path: -1, part: -1, ghost: -1, playing: false, follow: false },
+        : app.store.state.measuring
+          ? { measuring: false, ruler: NO_RULER }
+          : { path: -1, part: -1, ghost: -1, playing: false, follow: false },
     ),
   b: (app) => draw(app),
   i: (app) => app.store.set({ isolate: !app.store.state.isolate }),
   x: (app) => pin(app),
   y: (app) => nextTheme(app.store),
-  l: (app) => app.store.set({ loop: !app.store.state.loop }),
+  l: (app) => app.playback.toggleLoop(),
+  ',': (app) => app.playback.markFrom(),
+  '.': (app) => app.playback.markTo(),
+  m: (app) => app.ruler.toggle(),
   c: (app) => app.store.set({ colors: app.store.state.colors === 'roles' ? 'level' : 'roles' }),
   f: (app) => app.focusSelection(),
-  g: (app) => app.store.set({ follow: !app.store.state.follow }),
-  t: (app) => app.stage.frameTop(),
-  r: (app) => app.stage.frameQuery(false),
+  g: (app) => follow(app),
+  t: (app) => free(app).above(),
+  r: (app) => free(app).course(),
 };
 
 /** @param {App} app */
@@ -119,7 +144,7 @@ export function bindKeys(app) {
     app.shift = event.shiftKey;
     if (typing(event.target) || ticking(event)) return;
     if (event.ctrlKey || event.metaKey || (event.altKey && !kWithAlt.test(event.key))) return;
-    if (app.help.dialog.open && event.key !== '?') return;
+    if (app.help.dialog.open && !['?', 'F1'].includes(event.key)) return;
     if (app.stage.rig.key(event.code, true)) return;
     const act = kByKey[event.key.length === 1 ? event.key.toLowerCase() : event.key];
     const toggle = /^\d$/.test(event.key) ? kToggles[(Number(event.key) + 9) % 10] : undefined;

@@ -1,5 +1,5 @@
-// Names that distinguish the solutions of a query: player, time, jumps, a part that only this
-// route touches, and a number if all of these are equal.
+// Names that distinguish the solutions of a query: the player, a part that only this route touches,
+// jumps and time, and a number if all of these are equal.
 import { routeKey } from './choice.js';
 import { routeNames } from './route_names.js';
 import { plural, seconds } from './ui/dom.js';
@@ -9,7 +9,7 @@ import { plural, seconds } from './ui/dom.js';
 
 /**
  * Cached results by query. A changed query is another object.
- * @type {WeakMap<Query, Map<number, {name: string, route: string}>>}
+ * @type {WeakMap<Query, Map<number, Named>>}
  */
 const known = new WeakMap();
 
@@ -27,11 +27,16 @@ function playerOf({ body, frameRate }) {
 }
 
 /**
- * Returns a map from a solution's index to {name, route}. The route is empty if all solutions
- * share it.
+ * A solution's name, and what a row adds to it.
+ * @typedef {{name: string, facts: string[]}} Named
+ */
+
+/**
+ * Returns a map from a solution's index to its name. If all solutions share one route, jumps and
+ * time are the name.
  * @param {Query} query
  * @param {Level | undefined} level
- * @returns {Map<number, {name: string, route: string}>}
+ * @returns {Map<number, Named>}
  */
 export function solutionNames(query, level) {
   const before = known.get(query);
@@ -40,15 +45,18 @@ export function solutionNames(query, level) {
   const routes = routeNames(query, level);
   /** @type {Map<string, number>} */
   const taken = new Map();
+  /** @type {Map<number, Named>} */
   const names = new Map();
   query.paths.forEach((path, index) => {
     if (path.kind !== 'solution') return;
     const route = routes.get(routeKey(path))?.mark ?? '';
-    const time = `${seconds(path.ticks / rate)} s, ${plural(path.jumps, 'jump')}`;
-    const name = playerOf(path) + time;
-    const number = (taken.get(name + route) ?? 0) + 1;
-    taken.set(name + route, number);
-    names.set(index, { name: number > 1 ? `${name} (${number})` : name, route });
+    const facts = [plural(path.jumps, 'jump'), `${seconds(path.ticks / rate)} s`];
+    const name = playerOf(path) + (route || facts.join(', '));
+    const key = [name, ...facts].join();
+    const number = (taken.get(key) ?? 0) + 1;
+    taken.set(key, number);
+    const unique = number > 1 ? `${name} (${number})` : name;
+    names.set(index, { name: unique, facts: route ? facts : [] });
   });
   known.set(query, names);
   return names;

@@ -1,6 +1,7 @@
 // The page's state, one flat object. `set` notifies listeners of the changed names. No other object
 // holds state.
 import { UNFILTERED } from './choice.js';
+import { NO_RULER } from './ruler.js';
 
 /** @import {State} from './types/report.js' */
 
@@ -53,6 +54,9 @@ export const INITIAL = {
   ghost: -1,
   frame: -1,
   drawing: false,
+  measuring: false,
+  ruler: NO_RULER,
+  status: '',
   theme: 'auto',
   heat: false,
   heatMax: 0,
@@ -64,13 +68,15 @@ export const INITIAL = {
   playing: false,
   speed: 1,
   loop: true,
+  loopFrom: 0,
+  loopTo: 0,
   follow: false,
   followNewest: false,
   hoverPath: -1,
   part: -1,
   colors: 'roles',
   solutions: true,
-  attempts: true,
+  attempts: false,
   markers: true,
   runners: false,
   regions: true,

@@ -1,9 +1,10 @@
 // Applies filters, sorting and colours to the list and the picture of trajectories.
 import { Vector3 } from 'three';
-import { boxOf, listed, UNFILTERED } from './choice.js';
+import { boxOf, isAttempt, listed, UNFILTERED } from './choice.js';
 import { coloring } from './coloring.js';
 import { deathLabels } from './death_labels.js';
 import { searched, visits } from './scene/heat_view.js';
+import { RULER_COLOR } from './scene/ruler_view.js';
 
 /** @import {App} from './app.js' */
 /** @import {Coloring, Filters} from './types/report.js' */
@@ -35,16 +36,25 @@ export class Trajectories {
   }
 
   show() {
-    const { order, isolate } = this.store.state;
-    if (!this.app.query()) return;
-    this.app.stage.showPaths(new Set(isolate ? [] : order), this.coloring.of);
+    const { order, isolate, attempts } = this.store.state;
+    const query = this.app.query();
+    if (!query) return;
+    const drawn = order.filter((index) => attempts || !isAttempt(query.paths[index]));
+    this.app.stage.showPaths(new Set(isolate ? [] : drawn), this.coloring);
   }
 
   // Sets the labels: regions, the proof's step, and the killers of the shown trajectories.
   label() {
     const { stage, labels } = this.app;
+    const measure = this.app.ruler?.label();
+    const ofRuler = measure
+      ? [{ ...measure, at: new Vector3(...measure.at), color: RULER_COLOR }]
+      : [];
     const query = this.app.query();
-    if (!query) return;
+    if (!query) {
+      labels.set(ofRuler);
+      return;
+    }
     const { order, attempts, markers, cut, isolate } = this.store.state;
     const isShown = attempts && markers && !isolate;
     const shown = isShown ? order.map((index) => query.paths[index]) : [];
@@ -55,7 +65,7 @@ export class Trajectories {
     const { regionView, cutView } = stage;
     if (cutView) cutView.group.visible = cut;
     const ofCut = (cut && cutView?.labels) || [];
-    labels.set([...(regionView?.labels ?? []), ...ofCut, ...deaths]);
+    labels.set([...(regionView?.labels ?? []), ...ofCut, ...deaths, ...ofRuler]);
   }
 
   // Updates the heat map. Counting takes a while, so it runs only while the map is shown.
@@ -88,7 +98,11 @@ export class Trajectories {
     const { app, store } = this;
     const filters = /** @type {(keyof Filters)[]} */ (Object.keys(UNFILTERED));
     store.on([...filters, 'sort', 'descending'], () => this.choose());
-    store.on(['order', 'isolate', 'colorBy'], () => this.show());
+    store.on(['order', 'isolate', 'colorBy', 'attempts'], () => this.show());
+    // A filter for failures asks for them.
+    store.on(['outcome', 'killer'], ({ outcome, killer }) => {
+      if (killer >= 0 || (outcome && outcome !== 'goal')) store.set({ attempts: true });
+    });
     store.on(['order', 'isolate', 'cut', 'attempts', 'markers'], () => this.label());
     store.on(['order', 'heat', 'heatTrajectories'], () => this.warm());
     store.on(['path', 'ghost'], () => app.stage.pathView?.compare(app.ghost()));
@@ -96,8 +110,8 @@ export class Trajectories {
     store.on(['boxes'], ({ boxes }) => app.stage.filterBoxes.set(boxes));
     store.on(['frame'], ({ frame }) => {
       if (frame < 0) return;
-      app.stage.framePart(frame);
-      store.set({ frame: -1 });
+      app.views.part(frame);
+      store.set({ frame: -1, follow: false });
     });
   }
 }

@@ -7,6 +7,7 @@
 #include "view/extent.h"
 #include "view/picture/pen.h"
 #include "view/picture/shade.h"
+#include "view/picture/view_choice.h"
 #include "view/picture/world.h"
 
 namespace obby::view {
@@ -15,10 +16,6 @@ namespace {
 
 constexpr int kSamples = 2;        // per pixel, each axis
 constexpr int kSunSamples = 2048;  // each axis
-constexpr float kDown = 0.62f;     // downward component of a view direction, per stud across
-constexpr float kTurned = 0.45f;   // component of a view direction along the level
-constexpr float kSteep = 1.2f;
-constexpr float kWorthIt = 0.08f;  // share of a trajectory by which another view must show more
 constexpr float kAboveFeet = 1;    // studs: trajectories run through the body, not along the floor
 constexpr float kVeil = 0.16f;
 
@@ -34,69 +31,10 @@ Rgb regionColor(RegionKind kind) {
   }
 }
 
-std::vector<Vec3> boxCorners(const Box& box) {
-  std::vector<Vec3> out;
-  for (int i = 0; i < 8; ++i)
-    out.push_back(
-        {i & 1 ? box.hi.x : box.lo.x, i & 2 ? box.hi.y : box.lo.y, i & 4 ? box.hi.z : box.lo.z});
-  return out;
-}
-
 std::vector<Vec3> feetOf(const Playback& play) {
   std::vector<Vec3> out;
   for (const Vec3 feet : play.feet) out.push_back(feet + Vec3{0, kAboveFeet, 0});
   return out;
-}
-
-// Returns view directions: from the side with the start on the left, from further along, from
-// behind, and steeper ones, where less is hidden.
-std::vector<Vec3> looksOf(const Box& extent, const QueryEntry* query) {
-  const Vec3 along = alongOf(extent, query);
-  const Vec3 across = cross(Vec3{0, 1, 0}, along);  // left of the direction along the level
-  std::vector<Vec3> out;
-  for (const float down : {kDown, kSteep}) {
-    for (const float turned : {kTurned, -kTurned, 2.0f, -2.0f})
-      out.push_back(across + along * turned - Vec3{0, down * length(across + along * turned), 0});
-  }
-  for (const float turned : {kTurned, -kTurned})
-    out.push_back(along * turned - across - Vec3{0, kDown, 0});
-  return out;
-}
-
-// Returns the share of the points that are in the picture and not hidden.
-float visible(const std::vector<Vec3>& points, const Camera& camera, int width, int height,
-              const std::vector<Solid>& solids) {
-  Depths seen(camera, width, height);
-  for (const Solid& solid : solids) {
-    if (solid.coverage > 0.5f) seen.add(solid, 0);
-  }
-  float count = 0;
-  for (const Vec3 point : points) {
-    const Vec3 p = camera.project(point);
-    // Trajectories that leave the level leave the picture, too.
-    if (!(p.z > 0 && p.x >= 0 && p.y >= 0 && p.x < float(width) && p.y < float(height))) continue;
-    count += p.z <= seen.depth(int(p.x), int(p.y)) + 0.5f ? 1.0f : 0.0f;
-  }
-  return count / float(points.size());
-}
-
-// Returns the first view that shows about as much of the first trajectory as the best view.
-Vec3 bestLook(const Box& extent, const QueryEntry* query, const std::vector<Solid>& solids) {
-  const std::vector<Vec3> looks = looksOf(extent, query);
-  if (!query || query->paths.empty()) return looks[0];
-  const std::vector<Vec3> trajectory = feetOf(query->paths[0].playback),
-                          corners = boxCorners(extent);
-  constexpr int kWidth = 160, kHeight = 90;
-  size_t best = 0;
-  float max = -1;
-  for (size_t i = 0; i < looks.size(); ++i) {
-    const Camera camera = framed(corners, looks[i], kWidth, kHeight, true);
-    const float share = visible(trajectory, camera, kWidth, kHeight, solids);
-    if (share <= max + kWorthIt) continue;
-    max = share;
-    best = i;
-  }
-  return looks[best];
 }
 
 void drawPath(Pen& pen, const PathEntry& path, bool first) {
@@ -193,14 +131,13 @@ void drawRows(const Scene& scene, int top, int bottom, Image& out) {
 }  // namespace
 
 Image pictureOf(const LevelEntry& level, const QueryEntry* query, const PictureOptions& options) {
-  const Box extent = query ? extentOf(level, *query) : level.level->bounds();
-  const std::vector<Vec3> corners = boxCorners(extent);
+  const Subject subject = subjectOf(level, query);
   const uint32_t tick = query && query->compiled ? query->compiled->start().tick : 0;
   const World world = worldOf(level, tick);
   const int width = options.width * kSamples, height = options.height * kSamples;
-  const Vec3 look = bestLook(extent, query, world.solids);
-  const Camera camera = framed(corners, look, width, height, true);
-  Depths sun(framed(corners, -sunward(), kSunSamples, kSunSamples, false), kSunSamples,
+  const Vec3 look = bestLook(subject, world.solids, options.width, options.height);
+  const Camera camera = framed(subject.frame, look, width, height, true);
+  Depths sun(framed(subject.frame, -sunward(), kSunSamples, kSunSamples, false), kSunSamples,
              kSunSamples);
   for (uint32_t i = 0; i < world.solids.size(); ++i) {
     if (world.solids[i].coverage > 0.5f) sun.add(world.solids[i], i);

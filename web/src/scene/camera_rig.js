@@ -1,7 +1,8 @@
-// The camera, as in Studio: left-drag orbits, right-drag looks, middle-drag pans, the wheel zooms,
-// WASD and QE fly. Two fingers zoom and pan. It can follow the player, and glides to whatever is
-// framed.
-import { MathUtils, PerspectiveCamera, Vector3 } from 'three';
+// The camera: its pivot, direction and distance. It glides to whatever is framed, flies by keys,
+// and can follow the player from behind or through its eyes.
+import { MathUtils, PerspectiveCamera, Vector2, Vector3 } from 'three';
+import { CameraInput } from './camera_input.js';
+import { axesOf, fitted } from './framing.js';
 
 /** @import {Box3} from 'three' */
 /** @import {Triple} from '../types/page_data.js' */
@@ -20,14 +21,27 @@ const kKeys = {
 /** @typedef {{yaw: number, pitch: number}} Direction radians */
 /** @typedef {Direction & {target: Vector3, distance: number}} View */
 
+// The part of the picture that no panel covers, as shares of its width and height.
+/** @typedef {{left: number, top: number, right: number, bottom: number}} Free */
+
 // Max distance in studs; in a larger level, twice the distance that frames it.
 const kFarthest = 8000;
+const kMargin = 0.86; // share of the free area that framed points may fill
+const kField = 50; // degrees, vertical
+const kFieldOfEyes = 70; // ... of a player's own view
+const kGlide = 14; // rate of the camera's approach to its goal, per second
+const kBehind = { distance: 18, pitch: -0.3 }; // initial view of a followed player
+const kEyes = 3; // studs below which a followed camera moves into the player's head
+const kFarBehind = 200; // max distance from a followed player
+const kOffWalls = 0.5; // studs between a wall and the eye
+
+/** @param {number} angle */
+const wrapped = (angle) => angle - 2 * Math.PI * Math.round(angle / (2 * Math.PI));
 
 export class CameraRig {
   /** @param {HTMLElement} canvas */
   constructor(canvas) {
-    this.camera = new PerspectiveCamera(50, 1, 0.1, 20000);
-    this.target = new Vector3(); // pivot of orbiting
+    this.camera = new PerspectiveCamera(kField, 1, 0.1, 20000);
     /** @type {View} */
     this.goal = { target: new Vector3(), yaw: 0.7, pitch: -0.5, distance: 60 };
     /** @type {View} */
@@ -36,55 +50,42 @@ export class CameraRig {
     /** @type {Set<string>} */
     this.keys = new Set();
     this.flySpeed = 40;
-    /** @type {{button: number, x: number, y: number} | null} */
-    this.drag = null;
-    /** @type {Map<number, {x: number, y: number}>} */
-    this.fingers = new Map(); // pointer id of a touch -> position
-    this.locked = false; // the left button has another function
-    this.free = 1; // share of the width not covered by panels
+    this.size = new Vector2(1, 1); // pixels
+    /** @type {Free} */
+    this.free = { left: 0, top: 0, right: 1, bottom: 1 };
+    this.middle = new Vector2(0.5, 0.5); // place of the target in the picture, gliding
+    /** @type {number | null} */
+    this.heading = null; // yaw of the followed player
+    this.reach = Infinity; // distance of the wall behind the player, eased
+    /** @type {(from: Vector3, to: Vector3) => number} */
+    this.sight = () => 1; // share of a line before a wall
     this.onUserMove = () => {};
-    this.listen(canvas);
+    this.input = new CameraInput(canvas, this);
   }
 
-  /** @param {HTMLElement} canvas */
-  listen(canvas) {
-    canvas.addEventListener('contextmenu', (event) => event.preventDefault());
-    canvas.addEventListener('pointerdown', (event) => {
-      canvas.setPointerCapture(event.pointerId);
-      if (event.pointerType === 'touch') {
-        if (event.isPrimary) this.fingers.clear(); // the end of a previous touch was not reported
-        this.fingers.set(event.pointerId, { x: event.clientX, y: event.clientY });
-      }
-      this.drag = null;
-      if (this.fingers.size > 1) return;
-      if (this.locked && event.button === 0) return;
-      this.drag = {
-        button: event.shiftKey && event.button === 0 ? 1 : event.button,
-        x: event.clientX,
-        y: event.clientY,
-      };
-    });
-    canvas.addEventListener('pointermove', (event) => {
-      if (this.fingers.size > 1) this.pinch(event);
-      else this.dragTo(event);
-    });
-    const end = (/** @type {PointerEvent} */ { pointerId }) => {
-      this.drag = null;
-      this.fingers.delete(pointerId);
-    };
-    canvas.addEventListener('pointerup', end);
-    canvas.addEventListener('pointercancel', end);
-    canvas.addEventListener(
-      'wheel',
-      (event) => {
-        event.preventDefault();
-        if (this.drag?.button === 2)
-          this.flySpeed = MathUtils.clamp(this.flySpeed * Math.exp(-event.deltaY / 600), 2, 2000);
-        else this.approach(Math.exp(event.deltaY / 700));
-      },
-      { passive: false },
-    );
-    window.addEventListener('blur', () => this.keys.clear());
+  get following() {
+    return this.heading !== null;
+  }
+
+  // True if the camera looks through the player's eyes.
+  get inside() {
+    return this.following && this.now.distance < kEyes;
+  }
+
+  /**
+   * @param {number} width
+   * @param {number} height
+   */
+  resize(width, height) {
+    this.size.set(width, height);
+    this.camera.aspect = width / Math.max(1, height);
+  }
+
+  // Returns the slopes of the free area's borders, see fitted().
+  slopes() {
+    const { left, top, right, bottom } = this.free;
+    const tall = Math.tan(MathUtils.degToRad(kField / 2)) * kMargin;
+    return { wide: tall * this.camera.aspect * (right - left), tall: tall * (bottom - top) };
   }
 
   /**
@@ -92,36 +93,10 @@ export class CameraRig {
    * @param {number} times
    */
   approach(times) {
-    const farthest = Math.max(kFarthest, 2 * this.framed);
-    this.goal.distance = MathUtils.clamp(this.goal.distance * times, 1, farthest);
-  }
-
-  /**
-   * Handles the move of one of several fingers. Only the first two count.
-   * @param {PointerEvent} event
-   */
-  pinch({ pointerId, clientX, clientY }) {
-    const finger = this.fingers.get(pointerId);
-    if (!finger) return;
-    const [a, b] = this.fingers.values();
-    const apart = () => Math.max(1, Math.hypot(a.x - b.x, a.y - b.y));
-    const before = apart();
-    const [dx, dy] = [clientX - finger.x, clientY - finger.y];
-    [finger.x, finger.y] = [clientX, clientY];
-    if (finger !== a && finger !== b) return;
-    this.approach(before / apart());
-    this.pan(dx / 2, dy / 2);
-  }
-
-  /** @param {PointerEvent} event */
-  dragTo(event) {
-    if (!this.drag) return;
-    const dx = event.clientX - this.drag.x;
-    const dy = event.clientY - this.drag.y;
-    this.drag.x = event.clientX;
-    this.drag.y = event.clientY;
-    if (this.drag.button === 1) this.pan(dx, dy);
-    else this.turn(dx, dy, this.drag.button === 2);
+    const farthest = this.following ? kFarBehind : Math.max(kFarthest, 2 * this.framed);
+    const next = Math.max(this.goal.distance, this.following ? kEyes : 0) * times;
+    if (this.following && next < kEyes) this.goal.distance = 0;
+    else this.goal.distance = MathUtils.clamp(next, 1, farthest);
   }
 
   /**
@@ -133,7 +108,7 @@ export class CameraRig {
     const eye = this.eyeOf(this.goal);
     this.goal.yaw -= dx * 0.005;
     this.goal.pitch = MathUtils.clamp(this.goal.pitch - dy * 0.005, -1.55, 1.55);
-    if (aboutEye) {
+    if (aboutEye && !this.following) {
       this.onUserMove();
       this.goal.target.copy(eye).addScaledVector(this.forwardOf(this.goal), this.goal.distance);
     }
@@ -153,12 +128,8 @@ export class CameraRig {
   }
 
   /** @param {Direction} direction */
-  forwardOf({ yaw, pitch }) {
-    return new Vector3(
-      -Math.sin(yaw) * Math.cos(pitch),
-      Math.sin(pitch),
-      -Math.cos(yaw) * Math.cos(pitch),
-    );
+  forwardOf(direction) {
+    return axesOf(direction).forward;
   }
 
   /** @param {View} view */
@@ -186,66 +157,97 @@ export class CameraRig {
     for (const code of this.keys) move.add(new Vector3(...kKeys[code]));
     if (move.lengthSq() === 0) return;
     this.onUserMove();
-    const forward = this.forwardOf(this.goal);
-    const right = new Vector3(Math.cos(this.goal.yaw), 0, -Math.sin(this.goal.yaw));
+    const { forward, right } = axesOf(this.goal);
     const step = seconds * this.flySpeed * (fast ? 4 : 1);
     this.goal.target.addScaledVector(forward, move.z * step).addScaledVector(right, move.x * step);
     this.goal.target.y += move.y * step;
   }
 
   /**
-   * Frames a sphere. `view` may also set yaw and pitch.
+   * Frames a sphere from the current direction.
    * @param {Vector3} centre
    * @param {number} radius
-   * @param {Partial<Direction>} view
    */
-  frame(centre, radius, view = {}, atOnce = false) {
-    const fit = Math.tan(MathUtils.degToRad(this.camera.fov / 2)) * Math.min(1, this.camera.aspect);
-    Object.assign(this.goal, view);
+  frame(centre, radius) {
+    const { wide, tall } = this.slopes();
     this.goal.target.copy(centre);
-    this.goal.distance = Math.max(4, (radius / fit) * 1.08);
-    if (atOnce) this.settle();
+    this.goal.distance = Math.max(4, radius / Math.min(wide, tall));
   }
 
   /**
-   * Frames a box as closely as its corners allow.
-   * @param {Box3} box
+   * Frames points as closely as they allow.
+   * @param {ArrayLike<number>} points x, y, z each
    * @param {Direction} direction
    */
-  frameBox(box, { yaw, pitch }, atOnce = false) {
-    const centre = box.getCenter(new Vector3());
-    const forward = this.forwardOf({ yaw, pitch });
-    const right = new Vector3(Math.cos(yaw), 0, -Math.sin(yaw));
-    const up = right.clone().cross(forward);
-    const tall = Math.tan(MathUtils.degToRad(this.camera.fov / 2)) * 0.86;
-    const wide = tall * this.camera.aspect * this.free;
-    let distance = 8;
-    for (let corner = 0; corner < 8; corner++) {
-      const at = new Vector3(
-        (corner & 1 ? box.max : box.min).x,
-        (corner & 2 ? box.max : box.min).y,
-        (corner & 4 ? box.max : box.min).z,
-      ).sub(centre);
-      const near = -at.dot(forward);
-      distance = Math.max(
-        distance,
-        near + Math.abs(at.dot(right)) / wide,
-        near + Math.abs(at.dot(up)) / tall,
-      );
-    }
-    this.frame(centre, 1, { yaw, pitch }, false);
-    this.goal.distance = distance;
+  framePoints(points, direction, atOnce = false) {
+    const { eye, near, far } = fitted(points, direction, this.slopes());
+    const distance = Math.max(8, (near + far) / 2);
+    const target = eye.addScaledVector(this.forwardOf(direction), distance);
+    // The shorter way around.
+    const yaw = this.now.yaw + wrapped(direction.yaw - this.now.yaw);
+    this.goal = { target, yaw, pitch: direction.pitch, distance };
     this.framed = distance;
     if (atOnce) this.settle();
   }
 
-  /** @param {Vector3} point */
-  follow(point) {
-    this.goal.target.copy(point);
+  /**
+   * @param {Box3} box
+   * @param {Direction} direction
+   */
+  frameBox({ min, max }, direction, atOnce = false) {
+    const corners = [0, 1, 2, 3, 4, 5, 6, 7].flatMap((i) => [
+      (i & 1 ? max : min).x,
+      (i & 2 ? max : min).y,
+      (i & 4 ? max : min).z,
+    ]);
+    this.framePoints(corners, direction, atOnce);
+  }
+
+  /**
+   * Follows a player. The camera turns with it; drags turn it further, and the wheel sets the
+   * distance.
+   * @param {Vector3} head
+   * @param {number} heading yaw in radians
+   */
+  follow(head, heading) {
+    if (this.heading === null) {
+      Object.assign(this.goal, kBehind, { yaw: this.goal.yaw + wrapped(heading - this.goal.yaw) });
+      this.reach = Infinity;
+    } else this.goal.yaw += wrapped(heading - this.heading);
+    this.heading = heading;
+    this.goal.target.copy(head);
+  }
+
+  unfollow() {
+    if (this.heading === null) return;
+    this.heading = null;
+    this.goal.distance = Math.max(this.goal.distance, kBehind.distance);
   }
 
   settle() {
     this.now = { ...this.goal, target: this.goal.target.clone() };
+    this.middle.copy(this.wantedMiddle());
+    this.reach = Infinity;
+  }
+
+  wantedMiddle() {
+    const { left, top, right, bottom } = this.free;
+    return new Vector2((left + right) / 2, (top + bottom) / 2);
+  }
+
+  /**
+   * Returns the distance of the eye: in front of a wall behind the followed player. It comes closer
+   * at once and backs away smoothly.
+   * @param {number} share
+   */
+  clearDistance(share) {
+    const { distance } = this.now;
+    if (!this.following || distance < kEyes) return distance;
+    const hit = this.sight(this.now.target, this.eyeOf(this.now));
+    const clear = hit < 1 ? Math.max(0.5, hit * distance - kOffWalls) : distance;
+    const from = Math.min(this.reach, distance);
+    this.reach = clear < from ? clear : from + (clear - from) * share;
+    return this.reach;
   }
 
   /**
@@ -254,16 +256,22 @@ export class CameraRig {
    */
   update(seconds, fast) {
     this.fly(seconds, fast);
-    const share = 1 - Math.exp(-seconds * 14);
+    const share = 1 - Math.exp(-seconds * kGlide);
+    const turn = this.following ? 1 - Math.exp((-seconds * kGlide) / 3) : share;
     this.now.target.lerp(this.goal.target, share);
-    this.now.yaw += (this.goal.yaw - this.now.yaw) * share;
+    this.now.yaw += (this.goal.yaw - this.now.yaw) * turn;
     this.now.pitch += (this.goal.pitch - this.now.pitch) * share;
     this.now.distance += (this.goal.distance - this.now.distance) * share;
-    this.camera.position.copy(this.eyeOf(this.now));
-    this.camera.near = Math.max(0.05, this.now.distance / 500);
-    this.camera.far = Math.max(4000, this.now.distance * 40);
-    this.camera.lookAt(this.now.target);
-    this.camera.updateProjectionMatrix();
+    this.middle.lerp(this.wantedMiddle(), share);
+    const distance = this.inside ? 0.01 : this.clearDistance(share);
+    this.camera.position.copy(this.eyeOf({ ...this.now, distance }));
+    this.camera.fov += ((this.inside ? kFieldOfEyes : kField) - this.camera.fov) * share;
+    this.camera.near = Math.max(0.05, distance / 500);
+    this.camera.far = Math.max(4000, distance * 40);
+    this.camera.lookAt(this.camera.position.clone().add(this.forwardOf(this.now)));
+    const { x, y } = this.size;
+    const [left, top] = [(0.5 - this.middle.x) * x, (0.5 - this.middle.y) * y];
+    this.camera.setViewOffset(x, y, left, top, x, y);
   }
 
   /** @returns {Camera} */

@@ -2,7 +2,7 @@
 // brightness grows with the search's cells in it, or with the trajectories through it. A trajectory
 // counts once per cube.
 import { Color, Group, InstancedMesh, Matrix4, MeshBasicMaterial, PlaneGeometry } from 'three';
-import { heatColor } from '../coloring.js';
+import { heatColor } from '../color_ramps.js';
 
 /** @import {Path} from '../path.js' */
 /** @import {HeatMap} from '../types/report.js' */

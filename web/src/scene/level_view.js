@@ -20,6 +20,7 @@ import { timedAway } from './vanishing.js';
 
 /** @import {BufferGeometry, Object3D} from 'three' */
 /** @import {BodyTrack} from '../tracks.js' */
+/** @import {Solids} from './solids.js' */
 /** @import {Between, ColorMode, Level} from '../types/report.js' */
 
 const kNeutral = new Color('#808998');
@@ -43,9 +44,11 @@ export class LevelView {
    * `colors`: 'roles', or 'level' for the parts' own colours.
    * @param {Level} level
    * @param {ColorMode} colors
+   * @param {Solids} solids told of each change
    */
-  constructor(level, colors) {
+  constructor(level, colors, solids) {
     this.level = level;
+    this.solids = solids;
     this.group = new Group();
     this.uniforms = { uTime: { value: 0 }, uPatterns: { value: 1 }, uGrain: { value: 1 } };
     /** @type {PartMesh[]} */
@@ -212,6 +215,7 @@ export class LevelView {
     for (const [part, rule] of this.vanishOf) {
       const away = rule.trigger === 'timer' ? timedAway(rule, tick) : gone.has(part);
       this.setAttribute(part, 'aAlpha', away ? kFaint : this.alphaOf(part));
+      this.solids.setAway(part, away);
     }
   }
 
@@ -253,6 +257,7 @@ export class LevelView {
           .slerp(new Quaternion().fromArray(track.rotation, 4 * next).normalize(), share);
       }
       mesh.setMatrixAt(at, matrix.compose(position, rotation, scale));
+      this.solids.place(part, position, rotation);
       mesh.instanceMatrix.needsUpdate = true;
       mesh.boundingSphere = null; // outdated: rays would miss parts that moved
     }

@@ -1,6 +1,6 @@
 // Trajectories of a query as lines. Attempts are thin and faint in one buffer, solutions bright,
 // and the selected one thick. Its played part is brighter than the rest.
-import { AdditiveBlending, Group } from 'three';
+import { AdditiveBlending, Color, Group } from 'three';
 import { LineMaterial } from 'three/addons/lines/LineMaterial.js';
 import { LineSegments2 } from 'three/addons/lines/LineSegments2.js';
 import { LineSegmentsGeometry } from 'three/addons/lines/LineSegmentsGeometry.js';
@@ -11,7 +11,7 @@ import { kLift, skipOf, ThinLines } from './thin_lines.js';
 /** @import {Object3D} from 'three' */
 /** @import {LineMaterialParameters} from 'three/addons/lines/LineMaterial.js' */
 /** @import {Path} from '../path.js' */
-/** @import {Query, State, Tint} from '../types/report.js' */
+/** @import {Along, Query, State, Tint} from '../types/report.js' */
 
 // Max thick solutions. Further ones are thin lines, because a thick line costs a draw call and many
 // pixels.
@@ -54,12 +54,37 @@ function thickLine(path, color, width, opacity, options = {}, range = []) {
   return line;
 }
 
+/**
+ * Colours a line along its trajectory; without `along` it keeps its one colour.
+ * @param {Object3D} line
+ * @param {Path} path
+ * @param {Along | undefined} along
+ */
+function paint(line, path, along) {
+  if (!(line instanceof LineSegments2) || (!along && !line.material.vertexColors)) return;
+  if (along) {
+    const colors = new Float32Array(6 * (path.samples - 1));
+    const color = new Color();
+    for (let i = 0; i < path.samples; i++) {
+      color.set(along(path, i));
+      if (i > 0) color.toArray(colors, 6 * i - 3);
+      if (i < path.samples - 1) color.toArray(colors, 6 * i);
+    }
+    line.geometry.setColors(colors);
+    line.material.color.set('#ffffff');
+  }
+  line.material.vertexColors = Boolean(along);
+  line.material.needsUpdate = true;
+}
+
 export class PathView {
   /** @param {Query} query */
   constructor(query) {
     this.paths = query.paths;
     /** @type {Tint} */
     this.tint = pathColor;
+    /** @type {Along | undefined} */
+    this.along = undefined;
     this.group = new Group();
     const indices = query.paths.map((_, i) => i);
     const isSolution = (/** @type {number} */ i) => query.paths[i].kind === 'solution';
@@ -101,9 +126,8 @@ export class PathView {
    * @param {State} state
    * @param {boolean} dimmed
    */
-  show({ solutions, attempts }, dimmed) {
+  show({ solutions }, dimmed) {
     this.solutions.visible = solutions;
-    this.attempts.visible = attempts;
     for (const line of this.thick.values()) line.material.opacity = dimmed ? 0.28 : 0.75;
   }
 
@@ -118,14 +142,18 @@ export class PathView {
   }
 
   /**
-   * `tint`: path -> colour.
    * @param {Tint} tint
+   * @param {Along} [along] the colour at a sample, if it changes along a trajectory
    */
-  setColors(tint) {
+  setColors(tint, along) {
     this.tint = tint;
-    this.failed.setColors(tint);
-    this.further.setColors(tint);
-    for (const [index, line] of this.thick) line.material.color.set(tint(this.paths[index]));
+    this.along = along;
+    this.failed.setColors(tint, along);
+    this.further.setColors(tint, along);
+    for (const [index, line] of this.thick) {
+      line.material.color.set(tint(this.paths[index]));
+      paint(line, this.paths[index], along);
+    }
   }
 
   /** @param {Group} group */
@@ -155,6 +183,7 @@ export class PathView {
       thickLine(path, tint, 3.6, 0.75),
       this.played,
     );
+    for (const i of [2, 3]) paint(this.selection.children[i], path, this.along);
     this.selection.children.forEach((line, i) => {
       line.renderOrder = 7 + i;
     });

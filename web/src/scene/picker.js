@@ -45,7 +45,7 @@ export class Picker {
     const isVisible = (/** @type {Path} */ { kind }, /** @type {number} */ index) =>
       index === chosen ||
       index === ghost ||
-      (shown.has(index) && (kind === 'solution' ? solutions : attempts));
+      (shown.has(index) && (kind === 'solution' ? solutions : kind !== 'attempt' || attempts));
     return pickPath(query?.paths ?? [], this.screen(), at, isVisible);
   }
 

@@ -16,16 +16,17 @@ import { pathsOfMotion } from './motion_paths.js';
 import { noPicture } from './no_picture.js';
 import { PathView } from './path_view.js';
 import { RegionView } from './regions.js';
+import { RulerView } from './ruler_view.js';
+import { Solids } from './solids.js';
 import { Sun } from './sun.js';
 import { goneAtRest } from './vanishing.js';
 
 /** @import {Group} from 'three' */
 /** @import {Path} from '../path.js' */
-/** @import {ColorMode, Level, Query, Tint} from '../types/report.js' */
+/** @import {ColorMode, Coloring, Level, Query, Tint} from '../types/report.js' */
 /** @import {Renderer} from './no_picture.js' */
 
 const kHaze = '#141821';
-const kPanelWidth = 210; // pixels on the right that the legend covers
 const kAirborne = 1; // bit of a sample's state
 const kMaxShadowed = 4000; // max parts of a level with shadows
 
@@ -65,9 +66,10 @@ export class Stage {
     this.filterBoxes = new FilterBoxes();
     this.heat = new HeatView();
     this.marks = new ActionMarks();
+    this.rulerView = new RulerView();
     this.gone = new Latest((solid) => solid !== 0);
     this.starts = new Latest((start) => start < 0);
-    this.scene.add(this.filterBoxes.group, this.heat.group, this.marks.group);
+    this.scene.add(this.filterBoxes.group, this.heat.group, this.marks.group, this.rulerView.group);
     this.leaving = new Leaving(this.scene);
     this.width = 0; // pixels
     this.height = 0;
@@ -77,6 +79,8 @@ export class Stage {
     this.level = undefined;
     /** @type {LevelView | undefined} */
     this.levelView = undefined;
+    /** @type {Solids | undefined} */
+    this.solids = undefined;
     /** @type {Avatar | undefined} */
     this.avatar = undefined;
     /** @type {Avatar | undefined} */
@@ -123,7 +127,8 @@ export class Stage {
   setLevel(level, colors) {
     for (const node of this.ofLevel()) this.leaving.take(node, () => dispose(node));
     this.level = level;
-    this.levelView = new LevelView(level, colors);
+    this.solids = new Solids(level);
+    this.levelView = new LevelView(level, colors, this.solids);
     this.avatar = new Avatar(level.body);
     this.avatar.group.visible = false;
     this.ghost = new Avatar(level.body, true);
@@ -154,51 +159,15 @@ export class Stage {
     for (const view of this.ofQuery()) this.scene.add(view.group);
   }
 
-  // Returns the box around the query's regions and solutions, or else around the level.
-  queryBox() {
-    const box = new Box3();
-    if (this.regionView) box.expandByObject(this.regionView.group);
-    for (const path of this.query?.paths ?? []) {
-      if (path.kind !== 'solution') continue;
-      for (let i = 0; i < path.samples; i += 8)
-        box.expandByPoint(new Vector3().fromArray(path.points, 3 * i));
-    }
-    return box.isEmpty() ? this.bounds.clone() : box.expandByScalar(3);
-  }
-
-  /** @param {boolean} atOnce */
-  frameQuery(atOnce) {
-    const box = this.queryBox();
-    this.sun.cover(box);
-    const size = box.getSize(new Vector3());
-    // Looks along the shorter side, so that the level runs across the screen.
-    const yaw = size.x >= size.z ? 0.55 : Math.PI / 2 - 0.55;
-    this.rig.frameBox(box, { yaw, pitch: -0.52 }, atOnce);
-  }
-
   /**
-   * Frames a part at its current pose.
-   * @param {number} part
-   */
-  framePart(part) {
-    if (this.levelView) this.rig.frame(this.levelView.centreOf(part), 14);
-  }
-
-  frameTop() {
-    const box = this.queryBox();
-    const size = box.getSize(new Vector3());
-    this.rig.frameBox(box, { yaw: size.x >= size.z ? 0 : Math.PI / 2, pitch: -1.549 });
-  }
-
-  /**
-   * `shown`: set of indices; `tint`: path -> colour.
+   * `shown`: set of indices.
    * @param {Set<number>} shown
-   * @param {Tint} tint
+   * @param {Coloring} coloring
    */
-  showPaths(shown, tint) {
+  showPaths(shown, { of: tint, along }) {
     this.shown = shown;
     for (const view of [this.pathView, this.markers]) {
-      if (tint !== this.tint) view?.setColors(tint); // otherwise already set
+      if (tint !== this.tint) view?.setColors(tint, along); // otherwise already set
       view?.setShown(shown);
     }
     this.tint = tint;
@@ -212,12 +181,7 @@ export class Stage {
     if (this.width === clientWidth && this.height === clientHeight) return;
     [this.width, this.height] = [clientWidth, clientHeight];
     this.renderer.setSize(clientWidth, clientHeight, false);
-    this.rig.camera.aspect = clientWidth / Math.max(1, clientHeight);
-    // The picture is centred in the area that the legend leaves free.
-    const covered = clientWidth > 900 ? kPanelWidth : 0;
-    this.rig.free = 1 - covered / clientWidth;
-    const size = /** @type {const} */ ([clientWidth, clientHeight]);
-    this.rig.camera.setViewOffset(...size, covered / 2, 0, ...size);
+    this.rig.resize(clientWidth, clientHeight);
   }
 
   /**
@@ -259,7 +223,7 @@ export class Stage {
    */
   poseAvatar(avatar, path, tick) {
     if (!avatar || !this.level) return;
-    avatar.group.visible = Boolean(path);
+    avatar.group.visible = Boolean(path) && !(avatar === this.avatar && this.rig.inside);
     if (!path) return;
     const pose = path.poseAt(tick);
     const speed = Math.hypot(pose.perTick[0], pose.perTick[2]) * this.level.tickRate;

@@ -10,7 +10,7 @@ import {
 } from 'three';
 
 /** @import {Path} from '../path.js' */
-/** @import {Tint} from '../types/report.js' */
+/** @import {Along, Tint} from '../types/report.js' */
 
 const kMaxPoints = 120000; // max per picture; a browser without a GPU draws 400 segments a ms
 export const kLift = 0.35; // studs above the feet, so that lines do not sink into the floor
@@ -82,13 +82,20 @@ export class ThinLines {
     return position;
   }
 
-  /** @param {Tint} colorOf */
-  setColors(colorOf) {
+  /**
+   * @param {Tint} colorOf
+   * @param {Along} [along] the colour at a sample, if it changes along a trajectory
+   */
+  setColors(colorOf, along) {
     const { array } = this.colors;
     const tint = new Color();
     this.spans.forEach(([first, samples], k) => {
-      tint.set(colorOf(this.paths[this.indices[k]]));
-      for (let i = first; i < first + samples; i++) tint.toArray(array, 3 * i);
+      const path = this.paths[this.indices[k]];
+      tint.set(colorOf(path));
+      for (let i = 0; i < samples; i++) {
+        if (along) tint.set(along(path, Math.min(i * this.skip, path.samples - 1)));
+        tint.toArray(array, 3 * (first + i));
+      }
     });
     this.colors.needsUpdate = true;
   }

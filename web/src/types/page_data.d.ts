@@ -97,6 +97,7 @@ export interface LevelFacts {
   body: Body;
   names: string[];
   notes: Record<number, string[] | undefined>; // by part
+  tags?: Record<number, string[] | undefined>; // by part
   vanish: Vanish[];
   conveyors: { part: number; velocity: Triple }[];
   bodies: number[];

@@ -69,7 +69,15 @@ export interface Filters {
 }
 
 export type Sort = 'found' | 'time' | 'jumps' | 'outcome' | 'difficulty' | 'route';
-export type ColorBy = 'outcome' | 'route' | 'method' | 'time' | 'jumps' | 'difficulty';
+export type ColorBy =
+  | 'outcome'
+  | 'route'
+  | 'method'
+  | 'time'
+  | 'jumps'
+  | 'difficulty'
+  | 'speed'
+  | 'height';
 export type ColorMode = 'roles' | 'level';
 
 export interface State extends Filters {
@@ -81,6 +89,9 @@ export interface State extends Filters {
   ghost: number; // trajectory that runs next to the selected one
   frame: number; // part for the camera to frame; trajectories.js resets it
   drawing: boolean; // the next drag draws a box
+  measuring: boolean; // clicks place the ruler
+  ruler: readonly Triple[]; // its ends, at most two
+  status: string; // a message about what the reader just did
   theme: 'auto' | 'light' | 'dark';
   heat: boolean;
   heatMax: number; // max count of a tile
@@ -92,6 +103,8 @@ export interface State extends Filters {
   playing: boolean;
   speed: number;
   loop: boolean;
+  loopFrom: number; // range of the loop in ticks; empty: everything
+  loopTo: number;
   follow: boolean;
   followNewest: boolean; // live: select each new solution
   hoverPath: number;
@@ -112,8 +125,12 @@ export type NamesOf<T> = { [K in keyof State]: State[K] extends T ? K : never }[
 
 export type Tint = (path: Path) => string;
 
+// The colour of a trajectory at a sample.
+export type Along = (path: Path, sample: number) => string;
+
 export interface Coloring {
   of: Tint;
+  along?: Along; // if the colour changes along a trajectory
   legend: [label: string, color: string, swatch: 'solution' | 'attempt'][];
 }
 

@@ -1,5 +1,5 @@
 // The legend of the heat map: a logarithmic scale from 1 to the max count of a tile.
-import { heatColor } from '../coloring.js';
+import { heatColor } from '../color_ramps.js';
 import { count, el } from './dom.js';
 
 /** @import {Query, State} from '../types/report.js' */

@@ -1,10 +1,10 @@
 // The filtered trajectories of the query: their count, sorting and colouring, and a row for each.
-import { SORTS } from '../choice.js';
+import { isAttempt, SORTS } from '../choice.js';
 import { COLORINGS } from '../coloring.js';
 import { BAND_STYLE, causeOf, hardestOf } from '../palette.js';
 import { partName } from '../part_name.js';
 import { solutionNames } from '../solution_names.js';
-import { choice, el, plural, reveal, seconds, trajectories } from './dom.js';
+import { checkbox, choice, el, plural, reveal, seconds, trajectories } from './dom.js';
 import { OneStop } from './one_stop.js';
 
 /** @import {Path} from '../path.js' */
@@ -21,6 +21,16 @@ const KIND_NAMES = { closest: 'Closest', newest: 'Newest' };
  */
 const entries = (names) => /** @type {[K, string][]} */ (Object.entries(names));
 
+/**
+ * Says why the list is empty.
+ * @param {number} all trajectories of the query
+ * @param {number} listed ... that pass the filter
+ */
+function emptyText(all, listed) {
+  if (!all) return 'This query has no trajectories.';
+  return listed ? 'Only failed attempts, which are not shown.' : 'No trajectory matches the filter.';
+}
+
 export class PathList {
   /**
    * `sourceOf`: returns the current {query, level}; `tintOf`: path -> colour.
@@ -33,12 +43,13 @@ export class PathList {
     this.sourceOf = sourceOf;
     this.tintOf = tintOf;
     this.count = el('output', { class: 'count' });
+    this.attempts = this.attemptsSwitch();
     this.rows = el('div', { class: 'paths', role: 'listbox', 'aria-label': 'Trajectories' });
     this.root = el('section', { class: 'list' }, this.bar(), this.rows);
     this.stop = new OneStop(this.rows);
-    store.on(['order'], () => this.stop.refill(() => this.fill()));
+    store.on(['order', 'attempts'], () => this.stop.refill(() => this.fill()));
     store.on(['colorBy'], () => this.color());
-    store.on(['path', 'hoverPath', 'ghost', 'order'], () => this.mark());
+    store.on(['path', 'hoverPath', 'ghost', 'order', 'attempts'], () => this.mark());
     store.on(['path', 'order'], () => reveal(this.rows));
   }
 
@@ -60,11 +71,30 @@ export class PathList {
     return el(
       'div',
       { class: 'list-bar' },
-      this.count,
+      el('div', { class: 'list-head' }, this.count, this.attempts),
       choice(store, 'sort', 'Sort by', entries(SORTS)),
       direction,
       choice(store, 'colorBy', 'Colour by', entries(COLORINGS)),
     );
+  }
+
+  // Attempts are listed and drawn on request.
+  attemptsSwitch() {
+    const { store } = this;
+    const input = checkbox((checked) => store.set({ attempts: checked }));
+    store.on(['attempts'], ({ attempts }) => {
+      input.checked = attempts;
+    });
+    input.checked = store.state.attempts;
+    return el('label', { class: 'attempts', title: 'Key 2' }, input, el('span', {}));
+  }
+
+  /** @param {Query} query */
+  fillSwitch({ paths }) {
+    const failed = paths.filter(isAttempt).length;
+    const text = /** @type {HTMLElement} */ (this.attempts.lastChild);
+    text.textContent = `${plural(failed, 'failed attempt')}`;
+    this.attempts.hidden = failed === 0;
   }
 
   fill() {
@@ -73,10 +103,12 @@ export class PathList {
     this.count.textContent = '';
     this.root.hidden = !query; // a level without a query has no trajectories
     if (!query) return;
-    const { order, sort } = this.store.state;
+    const { order: listed, sort, attempts } = this.store.state;
+    this.fillSwitch(query);
+    const order = listed.filter((index) => attempts || !isAttempt(query.paths[index]));
     const all = query.paths.length;
     this.count.textContent =
-      order.length === all ? trajectories(all) : `${order.length} of ${trajectories(all)}`;
+      listed.length === all ? trajectories(all) : `${listed.length} of ${trajectories(all)}`;
     for (const [title, indices] of this.groups(query, order, sort)) {
       const group = el('div', { role: 'group', 'aria-label': title || undefined });
       const count = el('small', { text: ` ${indices.length}` });
@@ -92,13 +124,13 @@ export class PathList {
         );
       this.rows.append(group);
     }
+    // An empty list box would be an error.
+    this.rows.setAttribute('role', order.length ? 'listbox' : 'group');
     if (!order.length)
       this.rows.append(
         el('p', {
           class: 'quiet',
-          text: all
-            ? 'No trajectory matches the filter.'
-            : 'This query has no trajectories.',
+          text: emptyText(all, listed.length),
         }),
       );
   }
@@ -112,11 +144,13 @@ export class PathList {
    */
   groups(query, order, sort) {
     if (sort !== 'found') return [['', order]];
-    const solution = (/** @type {number} */ index) => query.paths[index].kind === 'solution';
+    const ofKinds = (/** @type {string[]} */ ...kinds) =>
+      order.filter((index) => kinds.includes(query.paths[index].kind));
     /** @type {[string, number[]][]} */
     const groups = [
-      ['Solutions', order.filter(solution)],
-      ['Attempts', order.filter((index) => !solution(index))],
+      ['Solutions', ofKinds('solution')],
+      ['Best so far', ofKinds('closest', 'newest')],
+      ['Failed attempts', ofKinds('attempt')],
     ];
     return groups.filter(([, indices]) => indices.length);
   }
@@ -153,7 +187,7 @@ export class PathList {
   }
 
   /**
-   * Describes a solution by time, jumps and route, and an attempt by how it ended.
+   * Describes a solution by what sets it apart, and an attempt by how it ended.
    * @param {Path} path
    * @param {number} index
    */
@@ -162,7 +196,10 @@ export class PathList {
     const fact = (/** @type {string} */ text, more = '') =>
       el('span', { class: `fact${more}`, text });
     const solution = query && solutionNames(query, level).get(index);
-    if (solution) return { name: solution.name, facts: [fact(solution.route, ' route')] };
+    if (solution) {
+      const [jumps, time] = solution.facts;
+      return { name: solution.name, facts: jumps ? [fact(jumps), fact(time, ' time')] : [] };
+    }
     const time = `${seconds(path.ticks / (level?.tickRate ?? 60))} s`;
     return {
       name: KIND_NAMES[path.kind] ?? causeOf(path, level, partName, 'short'),

@@ -6,7 +6,20 @@ import { checkbox, decimal, el } from './dom.js';
 import { heatLegend } from './heat_legend.js';
 
 /** @import {Store} from '../store.js' */
+/** @import {PartList} from './part_list.js' */
 /** @import {Coloring, Level, NamesOf, Query} from '../types/report.js' */
+
+const kSolid = 1; // bits of a part's flags
+const kTouch = 2;
+
+/**
+ * Returns a part's path, which may break after each of its slashes.
+ * @param {string} path
+ */
+function breakable(path) {
+  const words = path.split(/(?<=\/)/).flatMap((word) => [word, el('wbr')]);
+  return el('strong', {}, ...words);
+}
 
 export class ScenePanel {
   /**
@@ -17,8 +30,10 @@ export class ScenePanel {
    * @param {() => Query | undefined} now.queryOf
    * @param {() => Level | undefined} now.levelOf
    * @param {() => Coloring} now.coloringOf
+   * @param {PartList} now.parts
+   * @param {HTMLElement} now.tools
    */
-  constructor(root, store, { queryOf, levelOf, coloringOf }) {
+  constructor(root, store, { queryOf, levelOf, coloringOf, parts, tools }) {
     this.root = root;
     this.store = store;
     this.queryOf = queryOf;
@@ -30,8 +45,12 @@ export class ScenePanel {
       this.inspector,
       this.card('Legend', this.legend, true),
       this.card('Display', this.toggles(), false),
+      this.card('Parts', parts.root, false, () => parts.refresh()),
+      this.card('Tools', tools, false),
     );
-    store.on(['order', 'colorBy', 'heat', 'heatTrajectories', 'heatMax'], () => this.fillLegend());
+    store.on(['order', 'attempts', 'colorBy', 'heat', 'heatTrajectories', 'heatMax'], () =>
+      this.fillLegend(),
+    );
     store.on(['part', 'query'], () => this.inspect());
     this.fillLegend();
   }
@@ -41,8 +60,9 @@ export class ScenePanel {
    * @param {string} title
    * @param {HTMLElement} content
    * @param {boolean} open
+   * @param {() => void} [shown] called when the body is unfolded
    */
-  card(title, content, open) {
+  card(title, content, open, shown) {
     const body = el('div', { class: 'panel-body', hidden: !open }, content);
     const fold = el('button', {
       class: 'fold',
@@ -53,6 +73,7 @@ export class ScenePanel {
         click: () => {
           body.hidden = !body.hidden;
           fold.setAttribute('aria-expanded', String(!body.hidden));
+          if (!body.hidden) shown?.();
         },
       },
     });
@@ -81,7 +102,10 @@ export class ScenePanel {
     });
     const { legend } = this.coloringOf();
     if (legend.length) this.legend.append(el('hr'));
-    for (const [label, tint, kind] of legend)
+    const { attempts, colorBy } = this.store.state;
+    const isDrawn = (/** @type {string} */ kind) =>
+      attempts || kind !== 'attempt' || colorBy !== 'outcome';
+    for (const [label, tint, kind] of legend.filter(([, , kind]) => isDrawn(kind)))
       this.legend.append(
         el(
           'div',
@@ -120,7 +144,7 @@ export class ScenePanel {
       box.append(row);
     };
     add('solutions', 'Solutions', '1');
-    add('attempts', 'Attempts', '2');
+    add('attempts', 'Failed attempts', '2');
     add('markers', 'Attempt ends', '3');
     add('runners', 'All players', '4');
     add('regions', 'Regions', '5');
@@ -171,6 +195,11 @@ export class ScenePanel {
     add('Role', ROLE_STYLE[role].label);
     const material = level.materials[level.material[part] ?? 0];
     if (material) add('Material', material.replace(/(?<=[a-z])(?=[A-Z])/g, ' '));
+    const flags = level.flags[part];
+    add('Collides', flags & kSolid ? 'yes' : 'no (CanCollide is off)');
+    if (!(flags & kTouch)) add('Touch', 'no (CanTouch is off)');
+    const tags = level.tags?.[part] ?? [];
+    if (tags.length) add('Tags', tags.join(', '));
     add('Size', size);
     add('Position', at);
     for (const note of level.notes[part] ?? []) add('Reason', note);
@@ -178,7 +207,7 @@ export class ScenePanel {
       el(
         'header',
         {},
-        el('strong', { text: level.names[part] || `Part ${part}` }),
+        breakable(level.names[part] || `Part ${part}`),
         el('button', {
           class: 'plain close',
           type: 'button',

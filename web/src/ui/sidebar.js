@@ -8,10 +8,20 @@ import { OneStop } from './one_stop.js';
 
 /** @import {ShownVerdict} from '../palette.js' */
 /** @import {Store} from '../store.js' */
-/** @import {Progress} from '../types/page_data.js' */
+/** @import {Progress, Region} from '../types/page_data.js' */
 /** @import {Query, Report, Result} from '../types/report.js' */
 
 const kMaxUnsearched = 8; // max number of queries without a search field
+
+/**
+ * Returns a region's name, or `otherwise` if it has none or says the same.
+ * @param {Region | null | undefined} region
+ * @param {string} otherwise
+ */
+function placeName(region, otherwise) {
+  const name = region?.name ?? '';
+  return !name || otherwise.endsWith(name.toLowerCase()) ? otherwise : name;
+}
 
 /** @param {ShownVerdict} verdict */
 function badge(verdict) {
@@ -212,13 +222,15 @@ export class Sidebar {
   }
 
   /**
-   * Describes start and goal by the names of their places.
+   * Says from where to where a query goes, unless its title does.
    * @param {Query} query
    */
-  course({ start, goal }) {
-    const ends = [start?.name && `from ${start.name}`, goal?.name && `to ${goal.name}`];
-    const text = ends.filter(Boolean).join(' ');
-    return el('p', { class: 'quiet course', text, hidden: !text });
+  course({ start, goal, goals, title }) {
+    const from = placeName(start, 'the start');
+    const count = goals.length + (goal ? 1 : 0);
+    const to = count > 1 ? `one of ${count} goals` : placeName(goal ?? goals[0], 'the goal');
+    const text = `From ${from} to ${to}`;
+    return el('p', { class: 'quiet course', text, hidden: Boolean(title) });
   }
 
   /** @param {Query} query */
@@ -232,7 +244,6 @@ export class Sidebar {
     if (result?.verdict === 'solved') {
       add('Play time', `${seconds(result.ticks / rate)} s`);
       add('Jumps', String(result.jumps));
-      if (result.firstSolution > 0) add('Found after', `${seconds(result.firstSolution)} s`);
     } else if (Number(steps) > 0) {
       add('Closest to goal', `${closest.toFixed(1)} studs`);
       if (searched > 0) add('Searched', `${seconds(searched)} s`);
@@ -245,9 +256,10 @@ export class Sidebar {
    * @param {Query} query
    */
   effort(query) {
-    const { steps = 0, cells = 0, stepsPerSecond = 0 } = numbersOf(query);
+    const { steps = 0, cells = 0, stepsPerSecond = 0, firstSolution = 0 } = numbersOf(query);
     /** @type {[string, string][]} */
     const facts = [];
+    if (firstSolution > 0) facts.push(['Found after', `${seconds(firstSolution)} s`]);
     if (Number(steps) > 0) facts.push(['Simulated ticks', count(steps)]);
     if (Number(cells) > 0) facts.push(['Places explored', count(cells)]);
     if (stepsPerSecond > 0) facts.push(['Ticks per second', count(Math.round(stepsPerSecond))]);

@@ -1,0 +1,56 @@
+// Tests from which side pictures show a query: it is not hidden behind a wall, and reads from left
+// to right.
+#include "view/picture/view_choice.h"
+
+#include <gtest/gtest.h>
+
+#include "view/course.h"
+
+namespace obby::view {
+namespace {
+
+Solid wall(Vec3 center, Vec3 half) {
+  Solid solid;
+  solid.pose.position = center;
+  solid.shape.half = half;
+  return solid;
+}
+
+Subject walkAlongX() {
+  Subject subject;
+  for (float x = 0; x <= 40; x += 4) subject.seen.push_back({x, 2, 0});
+  subject.frame = subject.seen;
+  subject.from = subject.seen.front();
+  subject.to = subject.seen.back();
+  return subject;
+}
+
+TEST(ViewChoice, IsNotBehindAWall) {
+  const Subject subject = walkAlongX();
+  for (const float z : {-14.0f, 14.0f}) {
+    const Vec3 look = bestLook(subject, {wall({20, 20, z}, {45, 20, 1})}, 640, 360);
+    const Camera camera = framed(subject.frame, look, 640, 360, true);
+    EXPECT_GT((z - camera.eye.z) * z, 0) << "the eye is on the route's side; z " << z;
+  }
+}
+
+TEST(ViewChoice, ReadsFromLeftToRight) {
+  const Subject subject = walkAlongX();
+  const Vec3 look = bestLook(subject, {}, 640, 360);
+  EXPECT_LT(look.z, 0) << "so that +x is on the right";
+  EXPECT_LT(look.y, 0) << "from above";
+}
+
+TEST(ViewChoice, TheSubjectHasStartGoalAndTrajectory) {
+  const Report shown = view_test::solvedReport();
+  const Subject subject = subjectOf(shown.levels.at(0), &shown.queries.at(0));
+  ASSERT_TRUE(subject.from && subject.to);
+  Box box{subject.frame[0], subject.frame[0]};
+  for (const Vec3 p : subject.frame) box = join(box, {p, p});
+  for (const Vec3 p : subject.seen)
+    EXPECT_TRUE(overlaps(grow(box, {0.01f, 2, 0.01f}), Box{p, p})) << p.x << " " << p.y;
+  EXPECT_FALSE(subjectOf(shown.levels.at(0), nullptr).frame.empty());
+}
+
+}  // namespace
+}  // namespace obby::view
