@@ -1,6 +1,6 @@
 // Measures how good solutions are: time, jumps, turns back, key changes and path length of the
-// suite's solutions, relative to the best known ones (bench/results/best-known.tsv), and the time to
-// the first and the final solution.
+// suite's solutions, relative to the best known ones (bench/results/best-known.tsv), and the time
+// to the first and the final solution.
 //   bench_quality [--json] [--seconds S] [--record] [FILE:ID ...]
 //     --seconds S   improve each query for S seconds [default: 0.2]
 //     --record      enter better values into the table of the best known
@@ -53,7 +53,7 @@ double quantile(std::vector<double> values, double share) {
   return values[std::min(values.size() - 1, size_t(share * double(values.size())))];
 }
 
-double sumOf(const std::vector<Quality>& all, double Quality::* field) {
+double sumOf(const std::vector<Quality>& all, double Quality::*field) {
   double sum = 0;
   for (const Quality& q : all) sum += q.*field;
   return sum;
@@ -69,7 +69,7 @@ void reportRows(Report& report, const char* name, const std::vector<Quality>& al
     firsts.push_back(all[i].firstSeconds * 1000);
     finals.push_back(all[i].finalSeconds * 1000);
   }
-  const auto total = [&](double Quality::* field) {
+  const auto total = [&](double Quality::*field) {
     return sumOf(all, field) / std::max(1.0, sumOf(best, field));
   };
   report.add(name, "queries", double(all.size()), "");

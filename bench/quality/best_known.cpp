@@ -45,8 +45,8 @@ Status BestKnown::write(const std::string& path) const {
 void BestKnown::note(const std::string& query, const Quality& quality) {
   const auto [at, isNew] = best_.try_emplace(query, quality);
   if (isNew) return;
-  for (double Quality::* field : {&Quality::ticks, &Quality::jumps, &Quality::turnsBack,
-                                  &Quality::changes, &Quality::length})
+  for (double Quality::*field :
+       {&Quality::ticks, &Quality::jumps, &Quality::turnsBack, &Quality::changes, &Quality::length})
     at->second.*field = std::min(at->second.*field, quality.*field);
 }
 

@@ -52,8 +52,8 @@ std::optional<Quality> measure(const SuiteQuery& query, const solve::Preference*
   const auto write = [&](schema::Record::Reader record) -> Status {
     if (record.isTrajectory() && !quality) {
       const auto t = record.getTrajectory();
-      quality = Quality{double(t.getTicks()), double(t.getJumps()), 0,
-                        double(t.getActions().size()), 0, 0, 0};
+      quality = Quality{
+          double(t.getTicks()), double(t.getJumps()), 0, double(t.getActions().size()), 0, 0, 0};
       measurePath(t.getPath(), *quality);
     } else if (record.isResult() && quality) {
       quality->firstSeconds = double(record.getResult().getTiming().getFirstSolution());
@@ -63,8 +63,8 @@ std::optional<Quality> measure(const SuiteQuery& query, const solve::Preference*
   };
   const auto level = solve::loadLevel(query.level);
   if (!level) return std::nullopt;
-  const auto answer = solve::solveQuery(*level, query.query.reader().getQuery(), options, pool,
-                                        {write, {}, {}});
+  const auto answer =
+      solve::solveQuery(*level, query.query.reader().getQuery(), options, pool, {write, {}, {}});
   return answer && answer->verdict == schema::Verdict::SOLVED ? quality : std::nullopt;
 }
 

@@ -123,7 +123,7 @@ TEST(Parser, NestingIsBounded) {
        {std::pair("(", ")"), std::pair("{", "}"), std::pair("- ", ""), std::pair("`{", "}`"),
         std::pair("1^", ""), std::pair("if 1 then 1 else ", "")}) {
     EXPECT_EQ(nested(open, close, 40), "") << open;
-    EXPECT_EQ(nested(open, close, 20'000), "nested too deeply") << open;
+    EXPECT_EQ(nested(open, close, 20'000), "the code is nested too deeply") << open;
   }
   EXPECT_EQ(nested("1 + ", "", 900), "");
   EXPECT_EQ(nested("1 + ", "", 20'000), "this expression is too long");

@@ -126,7 +126,7 @@ TEST(FormatRoundTrip, OtherContentIsRefused) {
     const Result<Document> document = readDocument(bytes, "other.bin");
     ASSERT_FALSE(document);
     EXPECT_THAT(document.error().text(),
-                testing::StartsWith("other.bin:byte 0: not a Roblox place"));
+                testing::StartsWith("other.bin:byte 0: the file is not a Roblox place"));
   }
 }
 

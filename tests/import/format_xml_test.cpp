@@ -186,7 +186,7 @@ TEST(FormatXml, StructureMistakesAreErrors) {
     return document ? "accepted" : document.error().text();
   };
   EXPECT_EQ(errorOf("<roblox version=\"4\"><Item referent=\"A\"/></roblox>"),
-            "f:byte 20: Item: has no class");
+            "f:byte 20: Item: the item has no class");
   EXPECT_THAT(errorOf("<roblox version=\"4\"><Item class=\"A\"></roblox>"), HasSubstr("XML"));
   EXPECT_EQ(errorOf("<roblox version=\"4\"></roblox>"), "accepted");
 }

@@ -219,7 +219,7 @@ TEST_F(Rojo, ErrorsNameTheFileAndTheKeys) {
   project(R"({"$className": "Folder", "A": 5})");
   EXPECT_THAT(error(), HasSubstr("tree.A: expected an object, found 5"));
   project(R"({"$className": "Folder", "A": {}})");
-  EXPECT_THAT(error(), HasSubstr("tree.A: has no class"));
+  EXPECT_THAT(error(), HasSubstr("tree.A: the node has no class"));
   project(R"({"$className": "Part", "$path": "a.luau"})");
   file("a.luau", "");
   EXPECT_THAT(error(),

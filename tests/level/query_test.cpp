@@ -220,7 +220,7 @@ TEST(QueryErrors, NameThePathAndTheExpectation) {
       },
       "goal.position", "three numbers");
   queryExpectRefused([](auto r) { r.getGoal().initRotation().setW(0); }, "goal.rotation",
-                     "not zero");
+                     "length is 0.001 to 1000");
   queryExpectRefused([](auto r) { r.initWaypoints(1); }, "waypoints[0].region", "has no region");
   queryExpectRefused(
       [](auto r) {

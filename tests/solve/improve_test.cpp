@@ -85,9 +85,9 @@ TEST(Cost, OfAJumpIsItsPriceAndItsKey) {
 
 TEST(Cost, OfAPassNearAKillPartFallsWithDistance) {
   double last = 1e9;
-  for (const float x : {3.0f, 4.0f, 5.0f, 9.0f}) {
+  for (const float x : {3.5f, 4.0f, 5.0f, 9.0f}) {
     LevelBuilder b = LongFloor::build();
-    b.block({x, 2, -30}, {2, 4, 20}).initKill().setDamage(100);
+    b.block({x, 2, -30}, {2, 4, 20}, [](schema::Part::Builder p) { p.initKill().setDamage(100); });
     const level::Level level = b.compile();
     PlainQuery asked(level);
     asked.query.goal = boxAt({0, 2, -70}, {8, 4, 4});

@@ -89,12 +89,12 @@ Status refuseIdle(const cli::Arguments& a, solve::Task task) {
       task == solve::Task::verify
           ? "cannot be combined with --verify, which does not search"
           : "cannot be combined with --pass or --not-pass, which do not search";
-  return cli::refuseTyped(a,
-                          {"diverse", "difficulty", "final-only", "paths", "heat-map", "explain",
-                           "time-limit", "max-steps", "solutions", "attempts", "trials", "method",
-                           "warm", "policy", "body", "frame-rate", "same-keys", "improve",
-                           "prefer"},
-                          message, "leave out this option");
+  return cli::refuseTyped(
+      a,
+      {"diverse", "difficulty", "final-only", "paths", "heat-map", "explain", "time-limit",
+       "max-steps", "solutions", "attempts", "trials", "method", "warm", "policy", "body",
+       "frame-rate", "same-keys", "improve", "prefer"},
+      message, "leave out this option");
 }
 
 Result<std::shared_ptr<const policy::PolicyFile>> policyOf(const cli::Arguments& a) {

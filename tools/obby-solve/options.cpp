@@ -96,8 +96,7 @@ OptionRow backendRow() {
 }
 
 OptionRow preferRow() {
-  OptionRow r = row("prefer", ValueType::choice, "", "natural", "which solution is better",
-                    kSearchGroup);
+  OptionRow r = row("prefer", ValueType::choice, "", "natural", "what to prefer", kSearchGroup);
   for (const solve::Preference& p : solve::preferences()) {
     r.choices.push_back(p.name);
     r.details += fmt::format("{}: {}\n", p.name, p.description);
@@ -108,12 +107,12 @@ OptionRow preferRow() {
 }
 
 OptionRow improveRow() {
-  return detailed(between(row("improve", ValueType::number, "SECONDS", "0.2",
-                              "improve the solutions of a query for about this long",
-                              kSearchGroup),
-                          0, 100000),
-                  "The time is counted in simulated ticks, so that the answer is the same on "
-                  "every machine.");
+  return detailed(
+      rare(between(row("improve", ValueType::number, "SECONDS", "0.2",
+                       "improve the solutions of a query for about this long", kSearchGroup),
+                   0, 100000)),
+      "The time is counted in simulated ticks, so that the answer is the same on "
+      "every machine.");
 }
 
 OptionRow bodyRow() {
@@ -186,10 +185,7 @@ std::vector<OptionRow> outputRows() {
                        "with --difficulty: simulated attempts at each step by an imprecise player",
                        kOutputGroup),
                    1, 1000000)),
-      flagRow("explain",
-              "for a query without a solution, find a single change that makes it solvable; can "
-              "double the time",
-              kOutputGroup),
+      flagRow("explain", "find one change that would make a query solvable", kOutputGroup),
       rare(between(row("attempts", ValueType::integer, "N", "24",
                        "failed attempts to show for each query", kOutputGroup),
                    0, 1000)),
@@ -221,7 +217,7 @@ std::vector<OptionRow> answeredRows() {
 
 std::vector<OptionRow> runRows() {
   OptionRow seed = cli::commonRow(cli::Common::seed);
-  seed.help = "random seed: same seed, same results unless a time limit ends the run";
+  seed.help = "random seed; the same seed gives the same answer";
   return {seed, cli::commonRow(cli::Common::threads), backendRow()};
 }
 
@@ -270,9 +266,9 @@ std::vector<OptionRow> queryRows() {
       between(row("max-time", ValueType::number, "SECONDS", "", "arrive within this game time",
                   kQueryGroup),
               0.02, 100000),
-      between(row("max-damage", ValueType::number, "HEALTH", "",
-                  "lose at most this much health, of 100", kQueryGroup),
-              0, 1e6),
+      rare(between(row("max-damage", ValueType::number, "HEALTH", "",
+                       "lose at most this much health, of 100", kQueryGroup),
+                   0, 1e6)),
       repeatable(forbidRow()),
       arriveRow(),
       tricksRow(),

@@ -64,8 +64,7 @@ void improveAnswer(const AnswerToImprove& answer, SearchOutcome& outcome) {
   if (outcome.solutions.size() > 1) {
     outcome.statistics.steps += improveEach(answer, task, outcome);
   } else {
-    Improved best =
-        improveWidely(task, outcome.solutions.front(), *options.method, answer.machine);
+    Improved best = improveWidely(task, outcome.solutions.front(), *options.method, answer.machine);
     outcome.solutions.front() = std::move(best.trajectory);
     outcome.statistics.steps += best.steps;
   }

@@ -94,7 +94,9 @@ class Solving {
 
   // Improves the solutions. None of them may touch further doubtful parts.
   void improveSolutions(const Problem& problem, const Machine& machine, SearchOutcome& outcome) {
-    const auto known = [&](uint32_t part) { return std::ranges::find(touched_, part) != touched_.end(); };
+    const auto known = [&](uint32_t part) {
+      return std::ranges::find(touched_, part) != touched_.end();
+    };
     const auto accept = [&](const Trajectory& p) {
       return accepts(p) &&
              std::ranges::all_of(touchedOf(doubtful_, problem.level, courseOf(problem, p)), known);

@@ -23,7 +23,7 @@ struct SolverOptions {
   bool explain = false;  // look for a change that makes a query solvable; may double the time
   const Preference* preference = nullptr;  // improve solutions by it; null: keep those found first
   uint64_t improveSteps = 0;               // budget for that, simulated ticks per query
-  uint32_t difficultyTrials = 0;  // trials per segment; 0: no difficulty
+  uint32_t difficultyTrials = 0;           // trials per segment; 0: no difficulty
 };
 
 // Progress of a query, to show to a person.

@@ -13,9 +13,9 @@ namespace obby::solve {
 struct CostState {
   double cost = 0;  // seconds
   uint32_t ticks = 0;
-  sim::Action last{};     // of the last tick
-  bool moved = false;     // `heading` is valid
-  Turns heading = 0;      // direction of movement when it was last sampled
+  sim::Action last{};  // of the last tick
+  bool moved = false;  // `heading` is valid
+  Turns heading = 0;   // direction of movement when it was last sampled
 };
 
 class CostMeter {

@@ -9,12 +9,12 @@ namespace obby::solve {
 
 namespace {
 
-constexpr uint32_t kWindow = 24;         // points ahead among which the nearest is looked for
-constexpr float kHeightShare = 0.1f;     // weight of height in the distance to a point
-constexpr uint32_t kJumpPatience = 12;   // ticks
-constexpr uint32_t kBeyondLanding = 3;   // points beyond the landing at which a jump aims
-constexpr uint32_t kBeyondLaunch = 2;    // points beyond the launch at which a run-up aims
-constexpr float kArrived = 0.3f;         // studs
+constexpr uint32_t kWindow = 24;        // points ahead among which the nearest is looked for
+constexpr float kHeightShare = 0.1f;    // weight of height in the distance to a point
+constexpr uint32_t kJumpPatience = 12;  // ticks
+constexpr uint32_t kBeyondLanding = 3;  // points beyond the landing at which a jump aims
+constexpr uint32_t kBeyondLaunch = 2;   // points beyond the launch at which a run-up aims
+constexpr float kArrived = 0.3f;        // studs
 
 float flatSquared(Vec3 v) { return v.x * v.x + v.z * v.z; }
 
@@ -84,8 +84,8 @@ void Follower::steer(const sim::World& w, bool onGround, const Params& params) {
     to = guide_->points[++target].position - w.position;
   const float distance = sqrtf32(flatSquared(to));
   const float speed2 = flatSquared(w.velocity);
-  held_.walk = onGround ? distance > kArrived || !settings_.synced
-                        : 2 * params.airAccel * distance > speed2;
+  held_.walk =
+      onGround ? distance > kArrived || !settings_.synced : 2 * params.airAccel * distance > speed2;
   if (!held_.walk) {
     held_.heading = 0;
     return;

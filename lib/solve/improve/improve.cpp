@@ -122,9 +122,8 @@ class WideImproving {
   void fewerJumps() {
     const int32_t jumps = best_.line().worlds.back().jumps;
     if (jumps <= tooFewJumps_ + 1) return;
-    const int32_t limit = tooFewJumps_ < task_.problem.query.minJumps
-                              ? tooFewJumps_ + 1
-                              : (tooFewJumps_ + jumps) / 2;
+    const int32_t limit =
+        tooFewJumps_ < task_.problem.query.minJumps ? tooFewJumps_ + 1 : (tooFewJumps_ + jumps) / 2;
     if (!searchWhole({limit, -1}, 0)) tooFewJumps_ = limit;
   }
 

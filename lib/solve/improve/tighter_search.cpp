@@ -10,7 +10,8 @@ Problem tighter(const Problem& problem, const TighterLimits& limits) {
   Problem tight = problem;
   tight.known.clear();
   level::QueryView& q = tight.query;
-  if (limits.jumps >= 0) q.maxJumps = q.maxJumps < 0 ? limits.jumps : std::min(q.maxJumps, limits.jumps);
+  if (limits.jumps >= 0)
+    q.maxJumps = q.maxJumps < 0 ? limits.jumps : std::min(q.maxJumps, limits.jumps);
   if (limits.ticks >= 0) {
     const auto ticks = uint32_t(std::max<int64_t>(limits.ticks, 1));
     q.timeLimitTicks = q.timeLimitTicks == 0 ? ticks : std::min(q.timeLimitTicks, ticks);

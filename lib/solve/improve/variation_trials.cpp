@@ -21,8 +21,8 @@ struct VariationTrials::Member {
   std::vector<sim::Action> played;
 };
 
-// Stops variations that have failed, that cost more than the whole line, or that are back on the line
-// without a gain.
+// Stops variations that have failed, that cost more than the whole line, or that are back on the
+// line without a gain.
 bool VariationTrials::goesOn(const Line& line, const Member& m) const {
   if (m.world.outcome != sim::Outcome::running) return false;
   if (m.cost.cost >= line.cost() - kMinGain) return false;
@@ -54,8 +54,8 @@ void VariationTrials::tick(std::vector<Member*>& running) {
   steps_ += running.size();
 }
 
-std::vector<std::vector<sim::Action>> VariationTrials::cheaper(const Line& line,
-                                                      const std::vector<Variation>& variations) {
+std::vector<std::vector<sim::Action>> VariationTrials::cheaper(
+    const Line& line, const std::vector<Variation>& variations) {
   std::vector<Member> members;
   members.reserve(variations.size());
   for (const Variation& c : variations) {

@@ -1,4 +1,5 @@
-// Plays changed trajectories together in SIMD lanes, and returns the cheapest that reaches the goal.
+// Plays changed trajectories together in SIMD lanes, and returns the cheapest that reaches the
+// goal.
 #pragma once
 
 #include <optional>
@@ -18,7 +19,8 @@ struct Variation {
 class VariationTrials {
  public:
   // Both must outlive the trials.
-  VariationTrials(const Problem& problem, const CostMeter& meter) : problem_(problem), meter_(meter) {}
+  VariationTrials(const Problem& problem, const CostMeter& meter)
+      : problem_(problem), meter_(meter) {}
 
   // Returns the actions of each variation that reaches the goal at a lower cost than the line, the
   // cheapest first.

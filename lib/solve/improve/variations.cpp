@@ -2,15 +2,14 @@
 
 #include <algorithm>
 
-
 namespace obby::solve {
 
 namespace {
 
 constexpr uint32_t kMinSpan = 12, kDoublings = 5;  // spans of 12 to 383 ticks
-constexpr float kMaxBend = 2.5f;                      // studs
-constexpr uint32_t kMaxJumpShift = 14;                    // ticks
-constexpr uint32_t kRunUp = 30;                       // ticks before a removed jump
+constexpr float kMaxBend = 2.5f;                   // studs
+constexpr uint32_t kMaxJumpShift = 14;             // ticks
+constexpr uint32_t kRunUp = 30;                    // ticks before a removed jump
 
 struct Span {
   uint32_t from, to;  // ticks of the line, from < to
@@ -56,8 +55,8 @@ void cut(const Line& line, const VariationContext& context, Variation& variation
   const Vec3 run = to.position - from.position;
   const float ticks = std::max(1.0f, sqrtf32(run.x * run.x + run.z * run.z) / context.studsPerTick);
   const bool synced = variation.settings.synced;
-  const uint32_t count = synced ? span.to - span.from - 1
-                                : std::min(uint32_t(ticks), span.to - span.from - 1);
+  const uint32_t count =
+      synced ? span.to - span.from - 1 : std::min(uint32_t(ticks), span.to - span.from - 1);
   const uint32_t kind = random.below(3);
   auto points = straight(from, to, count, 1 / ticks, kind == 1 ? kGuideEdgeJump : 0);
   if (kind == 2 && !points.empty()) points[random.below(count)].marks |= kGuideJump;
@@ -85,7 +84,8 @@ void removeJumps(const Line& line, Variation& variation, Random& random) {
   const auto first = random.below(uint32_t(jumps.size()));
   const uint32_t more = random.below(3) == 0 ? random.below(uint32_t(jumps.size())) : 0;
   const size_t end = std::min(jumps.size(), size_t(first) + 1 + more);
-  for (size_t i = first; i < end; ++i) variation.guide.points[jumps[i]].marks &= uint8_t(~kGuideJump);
+  for (size_t i = first; i < end; ++i)
+    variation.guide.points[jumps[i]].marks &= uint8_t(~kGuideJump);
   const uint32_t early = std::min(jumps[first], random.below(kRunUp));
   variation.start = jumps[first] - early;
   variation.guide.tail = std::min(variation.guide.last(), jumps[end - 1] + 40);
@@ -128,8 +128,10 @@ std::vector<Run> runsAfter(const Line& line, uint32_t from) {
   };
   for (uint32_t t = from; t < line.ticks(); ++t) {
     const bool more = t > from && same(line.actions[t], line.actions[t - 1]);
-    if (more) ++runs.back().to;
-    else runs.push_back({t, t + 1});
+    if (more)
+      ++runs.back().to;
+    else
+      runs.push_back({t, t + 1});
     if (runs.size() > 12) break;
   }
   return runs;

@@ -8,8 +8,8 @@ namespace obby::solve {
 
 // What the draws depend on besides the line.
 struct VariationContext {
-  bool hasClock;          // parts move or vanish by the clock: variations often keep the timing
-  float studsPerTick;     // at walking speed
+  bool hasClock;       // parts move or vanish by the clock: variations often keep the timing
+  float studsPerTick;  // at walking speed
 };
 
 // Returns the variations to try first: cut corners by different amounts, with and without jumps.

@@ -239,7 +239,9 @@ class PlayersSolving {
     const auto cut = std::ranges::find(cases_, Stopped::interrupted, &PlayerCase::stopped);
     return cut == cases_.end() ? cases_.front().stopped : Stopped::interrupted;
   }
-  bool interrupted() const { return options_.budget.stop != nullptr && options_.budget.stop->load(); }
+  bool interrupted() const {
+    return options_.budget.stop != nullptr && options_.budget.stop->load();
+  }
   double secondsLeft() const { return std::max(0.0, options_.budget.seconds - watch_.seconds()); }
   uint64_t stepsLeft() const {
     return options_.budget.maxSteps - std::min(steps_, options_.budget.maxSteps);

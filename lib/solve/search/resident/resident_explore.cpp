@@ -16,7 +16,8 @@ uint64_t stateBytes(const Problem& problem) {
 }
 
 uint32_t fittingCells(const Problem& problem, uint32_t max) {
-  constexpr uint64_t kOtherBytes = 2 * sizeof(CellSlot) + 48;  // table, sums, other arrays of a cell
+  constexpr uint64_t kOtherBytes =
+      2 * sizeof(CellSlot) + 48;  // table, sums, other arrays of a cell
   return uint32_t(std::min<uint64_t>(max, kArchiveBytes / (stateBytes(problem) + kOtherBytes)));
 }
 
