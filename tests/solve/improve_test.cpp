@@ -5,6 +5,7 @@
 
 #include "hand_played.h"
 #include "solve/improve/line.h"
+#include "solve/improve/press_risk.h"
 #include "untimed.h"
 
 namespace obby::solve {
@@ -19,9 +20,16 @@ Trajectory play(const Problem& problem, const std::vector<sim::Action>& actions)
   return trajectoryOf(playLine(problem, actions, meter));
 }
 
+uint32_t missedPresses(const Problem& problem, const Trajectory& p) {
+  const CostMeter meter(problem, preferenceOf("natural").weights, problem.bounds);
+  return PressRisk(problem).missed(playLine(problem, actionsOf(p), meter));
+}
+
 double costOf(const Problem& problem, const Trajectory& p, const char* preference) {
-  const CostMeter meter(problem, preferenceOf(preference).weights, problem.bounds);
-  return playLine(problem, actionsOf(p), meter).cost();
+  const CostWeights& weights = preferenceOf(preference).weights;
+  const CostMeter meter(problem, weights, problem.bounds);
+  const double risk = double(weights.press) * missedPresses(problem, p);
+  return playLine(problem, actionsOf(p), meter).cost() + risk;
 }
 
 // A floor 80 studs long with the goal at its end. The player could just walk.
@@ -98,6 +106,24 @@ TEST(Cost, OfAPassNearAKillPartFallsWithDistance) {
     EXPECT_TRUE(x > 5 ? cost <= last : cost < last) << x;
     last = cost;
   }
+}
+
+uint32_t missedPresses(const GapScene& scene, float pressAt) {
+  return missedPresses(scene.problem, play(scene.problem, scene.jumpAt(pressAt).actions));
+}
+
+TEST(PressRisk, CountsPressesThatMissTheLanding) {
+  EXPECT_EQ(missedPresses(GapScene(4), -6), 0u) << "a short gap, pressed early";
+  EXPECT_EQ(missedPresses(GapScene(4), -8), 2u) << "late presses come after the edge";
+  EXPECT_GE(missedPresses(GapScene(10.5f), -7.9f), 3u) << "a wide gap needs the last moment";
+}
+
+TEST(Improve, PrefersAJumpThatCanBePressedLate) {
+  const GapScene scene(6);
+  const Trajectory late = play(scene.problem, scene.jumpAt(-8).actions);
+  ASSERT_EQ(late.end.outcome, sim::Outcome::goal);
+  const Improved better = improve(taskFor(scene.problem, "natural"), late);
+  EXPECT_LT(missedPresses(scene.problem, better.trajectory), missedPresses(scene.problem, late));
 }
 
 TEST(Improve, WalksStraightWhereThatIsPossible) {

@@ -7,14 +7,16 @@
 #include "sim/carrier.h"
 #include "sim/targets.h"
 #include "solve/model/trajectory.h"
+#include "solve/search/rollouts/explore_context.h"
 
 namespace obby::solve {
 
 namespace {
 
-constexpr float kHazardReach = 3;  // studs at which a part that kills begins to cost
-constexpr float kEdgeReach = 1;    // studs from an edge at which it begins to cost
-constexpr float kMinSpeed = 2;     // studs/s; a slower player has no direction of movement
+constexpr float kHazardReach = 3;      // studs at which a part that kills begins to cost
+constexpr float kEdgeReach = 1;        // studs from an edge at which it begins to cost
+constexpr float kLandingReach = 1.5f;  // studs, for landings
+constexpr float kMinSpeed = 2;         // studs/s; a slower player has no direction of movement
 
 // Returns 1 at distance 0 or less, 0 from `reach` on.
 float closeness(float distance, float reach) {
@@ -48,6 +50,10 @@ void CostMeter::note(CostState& state, const sim::Action& action, bool jumped,
   if (jumped) state.cost += weights_.jump;
   if (changesKeys(state.last, action)) state.cost += weights_.change;
   state.last = action;
+  const bool inAir = !grounded(after);
+  if (state.inAir && !inAir && weights_.landing > 0)
+    state.cost += double(weights_.landing * nearEdge(after, bodies, kLandingReach));
+  state.inAir = inAir;
   if (++state.ticks % kPathStep == 0) state.cost += sampled(state, after, bodies);
 }
 
@@ -65,7 +71,7 @@ double CostMeter::sampled(CostState& state, const sim::World& w,
   const double seconds = kPathStep * secondsPerTick_;
   if (weights_.hazard > 0 && !hazards_.empty())
     cost += double(weights_.hazard * nearHazard(w, bodies)) * seconds;
-  if (weights_.edge > 0) cost += double(weights_.edge * nearEdge(w, bodies)) * seconds;
+  if (weights_.edge > 0) cost += double(weights_.edge * nearEdge(w, bodies, kEdgeReach)) * seconds;
   return cost;
 }
 
@@ -85,7 +91,7 @@ float CostMeter::nearHazard(const sim::World& w, const sim::RigidBody* bodies) c
   return worst;
 }
 
-float CostMeter::nearEdge(const sim::World& w, const sim::RigidBody* bodies) const {
+float CostMeter::nearEdge(const sim::World& w, const sim::RigidBody* bodies, float reach) const {
   if (w.state != sim::State::running && w.state != sim::State::landed) return 0;
   const uint32_t collider = sim::carrierOf(w, bodies, problem_.level);
   if (collider == level::kNone) return 0;
@@ -94,8 +100,7 @@ float CostMeter::nearEdge(const sim::World& w, const sim::RigidBody* bodies) con
   const Vec3 half = c.shape.half;
   const float inside = std::min(half.x - std::abs(local.x), half.z - std::abs(local.z));
   // A player on a narrow beam has no choice.
-  const float reach = std::min(kEdgeReach, std::min(half.x, half.z));
-  return closeness(inside, reach);
+  return closeness(inside, std::min(reach, std::min(half.x, half.z)));
 }
 
 }  // namespace obby::solve

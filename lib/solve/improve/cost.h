@@ -14,6 +14,7 @@ struct CostState {
   double cost = 0;  // seconds
   uint32_t ticks = 0;
   sim::Action last{};  // of the last tick
+  bool inAir = false;
   bool moved = false;  // `heading` is valid
   Turns heading = 0;   // direction of movement when it was last sampled
 };
@@ -31,7 +32,8 @@ class CostMeter {
  private:
   double sampled(CostState& state, const sim::World& w, const sim::RigidBody* bodies) const;
   float nearHazard(const sim::World& w, const sim::RigidBody* bodies) const;
-  float nearEdge(const sim::World& w, const sim::RigidBody* bodies) const;
+  // `reach`: studs from an edge at which it begins to count.
+  float nearEdge(const sim::World& w, const sim::RigidBody* bodies, float reach) const;
 
   const Problem& problem_;
   CostWeights weights_;

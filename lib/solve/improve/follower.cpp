@@ -20,9 +20,9 @@ float flatSquared(Vec3 v) { return v.x * v.x + v.z * v.z; }
 
 }  // namespace
 
-Follower::Follower(const Guide& guide, uint32_t start, const FollowSettings& settings,
-                   const sim::World& world, const sim::Action& last)
-    : guide_(&guide), settings_(settings), at_(start), jumps_(world.jumps), held_(last) {
+Follower::Follower(uint32_t start, const FollowSettings& settings, const sim::World& world,
+                   const sim::Action& last)
+    : settings_(settings), at_(start), jumps_(world.jumps), held_(last) {
   held_.jump = false;
 }
 
@@ -96,7 +96,8 @@ void Follower::steer(const sim::World& w, bool onGround, const Params& params) {
     held_.heading = Turns(sim::walkableHeading<int32_t>(wanted, params));
 }
 
-sim::Action Follower::next(const sim::World& w, const Params& params) {
+sim::Action Follower::next(const Guide& guide, const sim::World& w, const Params& params) {
+  guide_ = &guide;
   const bool onGround = grounded(w);
   advance(w);
   const bool jump = wantsJump(w, onGround);

@@ -13,12 +13,13 @@ struct FollowSettings {
 
 class Follower {
  public:
-  // Begins at point `start`. The guide must outlive the follower.
-  Follower(const Guide& guide, uint32_t start, const FollowSettings& settings,
-           const sim::World& world, const sim::Action& last);
+  Follower() = default;
+  // Begins at point `start` of a guide, after `last`.
+  Follower(uint32_t start, const FollowSettings& settings, const sim::World& world,
+           const sim::Action& last);
 
-  // Returns the keys for the next tick.
-  sim::Action next(const sim::World& w, const Params& params);
+  // Returns the keys for the next tick. The guide must be the same at each call.
+  sim::Action next(const Guide& guide, const sim::World& w, const Params& params);
 
   uint32_t at() const { return at_; }  // the nearest point of the guide
 
@@ -30,12 +31,12 @@ class Follower {
   void steer(const sim::World& w, bool onGround, const Params& params);
   const GuidePoint& here() const { return guide_->points[at_]; }
 
-  const Guide* guide_;
+  const Guide* guide_ = nullptr;  // valid within next()
   FollowSettings settings_;
-  uint32_t at_;
+  uint32_t at_ = 0;
   bool first_ = true;
   uint32_t pending_ = 0;  // ticks for which a jump is still wanted
-  uint32_t jumps_;        // made by the player at the last tick
+  uint32_t jumps_ = 0;    // made by the player at the last tick
   sim::Action held_;
 };
 

@@ -14,10 +14,12 @@ bool needsExactKeys(const sim::World& w) {
 
 }  // namespace
 
-Guide guideAlong(const Line& line) {
+Guide guideAlong(const Line& line) { return guideAlong(line, 0, line.ticks()); }
+
+Guide guideAlong(const Line& line, uint32_t from, uint32_t to) {
   Guide guide;
-  guide.points.reserve(line.worlds.size());
-  for (uint32_t t = 0; t <= line.ticks(); ++t) {
+  guide.points.reserve(to - from + 1);
+  for (uint32_t t = from; t <= to; ++t) {
     const sim::World& w = line.worlds[t];
     GuidePoint point{w.position, 0, {}};
     if (line.ticks() > 0) point.action = line.actions[std::min(t, line.ticks() - 1)];

@@ -34,8 +34,10 @@ struct Guide {
   uint32_t last() const { return uint32_t(points.size()) - 1; }
 };
 
-// Returns the guide that follows all of the line. index() must be called before it is used.
+// Return the guide that follows the line, or its ticks `from` to `to`. index() must be called
+// before it is used.
 Guide guideAlong(const Line& line);
+Guide guideAlong(const Line& line, uint32_t from, uint32_t to);
 
 // Fills in nextGround and nextJump.
 void index(Guide& guide);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "solve/improve/press_risk.h"
 #include "solve/improve/tighter_search.h"
 #include "solve/improve/variations.h"
 
@@ -28,6 +29,7 @@ class Improving {
       : task_(task),
         meter_(meter),
         trials_(task.problem, meter_),
+        risk_(task.problem),
         random_(task.seed, stream),
         context_{task.problem.hasClock,
                  task.problem.level.params.walkSpeed / task.problem.level.params.controlRate} {
@@ -35,12 +37,12 @@ class Improving {
   }
 
   const Line& line() const { return line_; }
-  double cost() const { return line_.cost(); }
-  uint64_t steps() const { return trials_.steps() + replayed_; }
+  double cost() const { return line_.cost() + line_.risk; }
+  uint64_t steps() const { return trials_.steps() + risk_.steps() + replayed_; }
 
   // Take over another solution if it is cheaper.
   void offer(const Line& other) {
-    if (other.cost() < cost()) line_ = other;
+    if (other.cost() + other.risk < cost()) line_ = other;
   }
   void offer(const Trajectory& other) { offer(play(actionsOf(other))); }
 
@@ -62,14 +64,17 @@ class Improving {
 
   Line play(const std::vector<sim::Action>& actions) {
     replayed_ += actions.size();
-    return playLine(task_.problem, actions, meter_);
+    Line line = playLine(task_.problem, actions, meter_);
+    const float price = task_.preference.weights.press;
+    if (price > 0) line.risk = double(price) * risk_.missed(line);
+    return line;
   }
 
   // Replaces the line by the cheapest variation that is accepted.
   void take(const std::vector<Variation>& variations) {
     for (const auto& actions : trials_.cheaper(line_, variations)) {
       Line line = play(actions);
-      if (!task_.accept(trajectoryOf(line))) continue;
+      if (line.cost() + line.risk >= cost() || !task_.accept(trajectoryOf(line))) continue;
       line_ = std::move(line);
       return;
     }
@@ -78,6 +83,7 @@ class Improving {
   const ImproveTask& task_;
   const CostMeter& meter_;
   VariationTrials trials_;
+  PressRisk risk_;
   Random random_;
   const VariationContext context_;
   Line line_;

@@ -14,6 +14,7 @@ struct Line {
   std::vector<sim::RigidBody> bodies;  // (ticks + 1, level.bodyCount)
   std::vector<sim::Action> actions;    // (ticks): actions[t] leads from state t to state t + 1
   std::vector<CostState> costs;        // (ticks + 1)
+  double risk = 0;                     // seconds, for jumps that need an exact press
 
   uint32_t ticks() const { return uint32_t(actions.size()); }
   double cost() const { return costs.back().cost; }

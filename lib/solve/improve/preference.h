@@ -9,12 +9,14 @@ namespace obby::solve {
 
 // Prices in seconds of play. A trajectory may take that much longer to avoid one unit.
 struct CostWeights {
-  float second;  // per second of play
-  float jump;    // per jump
-  float turn;    // per radian by which the direction of movement turns
-  float change;  // per change of the keys held
-  float hazard;  // per second right next to a part that kills
-  float edge;    // per second on the edge of the part that carries the player
+  float second;   // per second of play
+  float jump;     // per jump
+  float turn;     // per radian by which the direction of movement turns
+  float change;   // per change of the keys held
+  float hazard;   // per second right next to a part that kills
+  float edge;     // per second on the edge of the part that carries the player
+  float landing;  // per landing on an edge
+  float press;    // per press of a jump, a little early or late, that misses the landing
 };
 
 struct Preference {

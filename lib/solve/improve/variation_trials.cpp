@@ -41,7 +41,7 @@ void VariationTrials::tick(std::vector<Member*>& running) {
   for (Member* m : running) {
     worlds_.push_back(&m->world);
     bodies_.push_back(m->bodies.data());
-    actions_.push_back(m->follower.next(m->world, problem_.level.params));
+    actions_.push_back(m->follower.next(m->variation->guide, m->world, problem_.level.params));
     m->played.push_back(actions_.back());
   }
   jumps_.clear();
@@ -63,7 +63,7 @@ std::vector<std::vector<sim::Action>> VariationTrials::cheaper(
     const sim::World& world = line.worlds[c.start];
     const sim::Action last = c.start > 0 ? line.actions[c.start - 1] : sim::Action{};
     members.push_back({&c,
-                       Follower(c.guide, c.start, c.settings, world, last),
+                       Follower(c.start, c.settings, world, last),
                        world,
                        {bodies.begin(), bodies.end()},
                        line.costs[c.start],
