@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "calibrate/surroundings.h"
+#include "io/text.h"
 
 namespace obby::calibrate {
 
@@ -66,12 +67,13 @@ std::vector<std::string> Takes::warnings() const {
   std::vector<std::string> out;
   for (const auto& [where, a] : astray_) {
     const std::string more =
-        a.recordings == 1 ? "" : fmt::format(" and less far off in {} more", a.recordings - 1);
+        a.recordings == 1 ? "" : ", and less in " + io::plural(a.recordings - 1, "other recording");
     out.push_back(fmt::format(
-        "level '{}': '{}' does not move as recorded, at any start time from 0 to {} seconds: "
-        "{:.2g} studs off in '{}'{} (record its motion and import the level again, or leave these "
+        "level '{}': no start time from 0 to {} seconds makes '{}' move as recorded: it is {:.2g} "
+        "studs off in recording '{}'{} (record its motion and import the level again, or leave "
+        "these "
         "recordings out)",
-        where.first, a.part, kLongestClock, a.studs, a.recording, more));
+        where.first, kLongestClock, a.part, a.studs, a.recording, more));
   }
   return out;
 }

@@ -59,7 +59,7 @@ TEST(Takes, APartWithAnotherMotionIsAWarning) {
   EXPECT_EQ(got.takes.size(), 3u);
   ASSERT_EQ(got.warnings.size(), 1u) << "one for one cause";
   EXPECT_NE(got.warnings[0].find("(Ferry)"), std::string::npos) << got.warnings[0];
-  EXPECT_NE(got.warnings[0].find("and less far off in 2 more"), std::string::npos)
+  EXPECT_NE(got.warnings[0].find("and less in 2 other recordings"), std::string::npos)
       << got.warnings[0];
 }
 

@@ -33,7 +33,7 @@ OptionRow formatRow() {
 std::vector<OptionRow> levelRows() {
   return {
       between(row("count", ValueType::integer, "N", "1",
-                  "number of levels to write, besides those that --check drops; 0: no limit",
+                  "number of levels to write, not counting those that --check drops; 0: no limit",
                   kLevelGroup),
               0, 9e15),
       between(

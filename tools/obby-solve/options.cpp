@@ -96,7 +96,7 @@ OptionRow backendRow() {
 }
 
 OptionRow preferRow() {
-  OptionRow r = row("prefer", ValueType::choice, "", "natural", "what to prefer", kSearchGroup);
+  OptionRow r = row("prefer", ValueType::choice, "", "natural", "kind of solution", kSearchGroup);
   for (const solve::Preference& p : solve::preferences()) {
     r.choices.push_back(p.name);
     r.details += fmt::format("{}: {}\n", p.name, p.description);

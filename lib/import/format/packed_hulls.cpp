@@ -174,7 +174,7 @@ Result<std::vector<std::vector<Vec3>>> decodePackedHulls(std::string_view unpack
   const std::string_view symbols = reader.bytes(head.symbolBytes);
   if (!reader.ok()) return broken("the data ends early");
   if (symbols.size() < (size_t(head.symbolBits) + 31) / 32 * 4)
-    return broken("the symbols have fewer bytes than their bits need");
+    return broken("the symbol data is shorter than its bit count requires");
   if (head.cornerBytes != size_t(head.corners) * kCornerBytes)
     return broken("the number of corners does not match the number of bytes");
   std::vector<std::vector<Vec3>> hulls;

@@ -112,7 +112,7 @@ class Touches {
           });
       if (!isKnown)
         note("input without a visible effect", part->id,
-             "scripts may count touches of it towards a later effect");
+             "scripts may count its touches for a later effect");
     }
   }
 

@@ -10,7 +10,7 @@ constexpr Preference kPreferences[] = {
     {"natural",
      "as a player would go: quick, with few jumps, turns and key changes, and not along "
      "edges",
-     {1, 0.3f, 0.1f, 0.04f, 0.5f, 0.15f, 0.1f, 0.2f}},
+     {1, 0.3f, 0.15f, 0.04f, 0.5f, 0.15f, 0.1f, 0.2f}},
     {"fast", "the shortest time", {1, 0.01f, 0.002f, 0.001f, 0, 0, 0, 0}},
     {"safe", "far from parts that kill and from edges", {1, 0.6f, 0.1f, 0.04f, 6, 3, 1, 1}},
     {"few-jumps",

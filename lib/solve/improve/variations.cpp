@@ -117,6 +117,18 @@ void bend(const Line& line, Variation& variation, Random& random) {
   variation.guide.tail = span.to;
 }
 
+// Stands still for a span, for example on a part that moves.
+void rest(const Line& line, Variation& variation, Random& random) {
+  const Span span = drawSpan(line, random);
+  for (uint32_t i = span.from; i < span.to; ++i) {
+    GuidePoint& point = variation.guide.points[i];
+    point.marks = uint8_t((point.marks | kGuideRepeat) & ~kGuideJump);
+    point.action = {};
+  }
+  variation.start = span.from;
+  variation.guide.tail = span.to;
+}
+
 struct Run {
   uint32_t from, to;  // ticks with the same keys
 };
@@ -194,13 +206,14 @@ std::vector<Variation> sweep(const Line& line, const VariationContext& context) 
 
 Variation drawVariation(const Line& line, const VariationContext& context, Random& random) {
   Variation variation{guideAlong(line), 0, drawSettings(context, random)};
-  switch (random.below(8)) {
+  switch (random.below(context.hasClock ? 9 : 8)) {
     case 0: follow(line, variation, random); break;
     case 1:
     case 2: cut(line, context, variation, random); break;
     case 3: removeJumps(line, variation, random); break;
     case 4: shiftJump(line, variation, random); break;
     case 5: bend(line, variation, random); break;
+    case 8: rest(line, variation, random); break;
     default: simplify(line, variation, random); break;
   }
   index(variation.guide);
