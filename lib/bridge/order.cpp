@@ -36,6 +36,7 @@ constexpr BudgetRow kBudgetRows[] = {
     {"difficulty", "--difficulty", Shape::truth},
     {"trials", "--trials", Shape::whole, 1, 1000000},
     {"explain", "--explain", Shape::truth},
+    {"improve", "--improve", Shape::number, 0, 600},
     {"paths", "--paths", Shape::truth},
     {"heatMap", "--heat-map", Shape::truth},
     {"restarts", "--restarts", Shape::whole, 1, 1000, false, true},

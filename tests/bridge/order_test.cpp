@@ -84,6 +84,8 @@ TEST(Order, conflicting_members_are_refused) {
   EXPECT_EQ(pathOf(parse("\"budget\":{\"trials\":50}")), "budget.trials");
   EXPECT_EQ(pathOf(parse("\"budget\":{\"trials\":50,\"difficulty\":false}")), "budget.trials");
   EXPECT_TRUE(parse("\"budget\":{\"trials\":50,\"difficulty\":true}"));
+  EXPECT_TRUE(parse("\"budget\":{\"improve\":0}"));
+  EXPECT_EQ(pathOf(parse("\"budget\":{\"improve\":601}")), "budget.improve");
   EXPECT_EQ(pathOf(parse("\"recordings\":[{}]")), "recordings");
   EXPECT_EQ(pathOf(parse("\"recordings\":[{}],\"queries\":[{}]")), "queries");
   const std::string calibrate = "\"task\":\"calibrate\",\"recordings\":[{}]";

@@ -60,6 +60,7 @@ class PlayersSolving {
       SolverOptions options = options_;
       options.budget.seconds = secondsLeft() / double(cases_.size() - i);
       options.budget.maxSteps = stepsLeft() / (cases_.size() - i);
+      options.improveSteps = options_.improveSteps / cases_.size();
       // A change that helps one player is enough.
       options.explain = options_.explain && !explained_;
       OBBY_RETURN_IF_ERROR(solve(cases_[i], options,
