@@ -88,8 +88,8 @@ OptionRow timeLimitRow() {
 OptionRow progressRow() {
   OptionRow out =
       choosing(row("progress", ValueType::mode, "", "auto",
-                   "progress on stderr; auto: a live line on a terminal, otherwise none; line: "
-                   "like auto, but elsewhere a line every 10 s; json: JSON objects",
+                   "progress on stderr; auto: a live line on a terminal, else none; line: a "
+                   "live line on a terminal, else one every 10 s; json: JSON objects",
                    kHelpGroup),
                {"auto", "line", "json", "none"});
   out.details =

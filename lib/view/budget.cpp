@@ -123,9 +123,7 @@ Budget budgetFor(const PageSizes& sizes, size_t target, Budget min) {
         b.trackStride));
   }
   if (sizes.longMotion) {
-    b.notes.push_back(
-        "Moving parts are shown for ten minutes. Parts whose motion takes longer stand still "
-        "after that.");
+    b.notes.push_back("Motion is shown for ten minutes. Parts that move for longer stop there.");
   }
   if (b.attemptsOneOf > 1) {
     b.notes.push_back(

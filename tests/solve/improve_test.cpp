@@ -202,12 +202,15 @@ TEST(Improve, TheFirstSolutionIsShownBefore) {
 
 TEST(Improve, SeveralSolutionsStayDistinct) {
   const LinesFile file(stonesText());
-  FilterOptions options = improving("natural", 1);
-  options.solver.budget.solutions = 4;
-  options.solver.progressRecords = false;
-  const Filtered found = runFilter(file.path(), options);
-  ASSERT_TRUE(found.status) << found.status.error().text();
-  EXPECT_NE(found.output.find("\"solutions\":4"), std::string::npos) << found.output;
+  for (const uint32_t count : {2u, 3u, 4u, 5u, 6u}) {
+    FilterOptions options = improving("natural", 1);
+    options.solver.budget.solutions = count;
+    options.solver.progressRecords = false;
+    const Filtered found = runFilter(file.path(), options);
+    ASSERT_TRUE(found.status) << found.status.error().text();
+    EXPECT_NE(found.output.find("\"solutions\":" + std::to_string(count)), std::string::npos)
+        << found.output;
+  }
 }
 
 }  // namespace

@@ -180,7 +180,7 @@ Status optionsFit(const cli::Arguments& a) {
   if (makesLevels(a)) {
     OBBY_RETURN_IF_ERROR(cli::refuseTyped(
         a, {"on-error"}, "has no effect on generated levels, because no stream is read",
-        kOneOfTwo));
+        "leave out --on-error"));
   }
   if (a.has("eval")) {
     OBBY_RETURN_IF_ERROR(cli::refuseTyped(

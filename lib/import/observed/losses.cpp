@@ -56,7 +56,7 @@ void noteLooks(RoleContext& context, const engine::Report& report) {
     if (change.property == "note looks")
       context.level.noteUnmodelled(
           "region where scripts look for players", context.tree, kNoInstance,
-          "not simulated, as no part is there; " + lineReason(context.tree, change.line));
+          "not simulated, because no part marks it; " + lineReason(context.tree, change.line));
 }
 
 // Notes pushes of a living player. Scripts may put a dead one anywhere.

@@ -41,8 +41,12 @@ uint64_t improveEach(const AnswerToImprove& answer, ImproveTask task, SearchOutc
     done.push_back(improve(task, p));
     steps += done.back().steps;
   }
-  std::ranges::stable_sort(done, {}, &Improved::cost);
-  std::ranges::transform(done, outcome.solutions.begin(), &Improved::trajectory);
+  // Pointers are sorted, since the buffer of stable_sort ignores the alignment of sim::World.
+  std::vector<Improved*> order;
+  for (Improved& d : done) order.push_back(&d);
+  std::ranges::stable_sort(order, {}, &Improved::cost);
+  std::ranges::transform(order, outcome.solutions.begin(),
+                         [](Improved* d) { return std::move(d->trajectory); });
   return steps;
 }
 
