@@ -32,7 +32,7 @@ OBBY_DEVICE bool meets(const Region& region, Vec3 a, Vec3 b) {
 // Returns true if the segment a..b meets the region anywhere while it moves by `shift`. The segment
 // sweeps a parallelogram. Unless it meets the box, one of ten axes separates the two: the box's
 // three, the parallelogram's normal, and the cross products of edges.
-OBBY_DEVICE bool meetsOnTheWay(const Region& region, Vec3 a, Vec3 b, Vec3 shift) {
+OBBY_DEVICE bool meetsAlong(const Region& region, Vec3 a, Vec3 b, Vec3 shift) {
   const Vec3 u = toLocal(region.pose.rotation, (b - a) * 0.5f);
   const Vec3 v = toLocal(region.pose.rotation, shift * 0.5f);
   const Vec3 middle = toLocal(region.pose, a) + u + v;

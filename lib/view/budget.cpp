@@ -66,7 +66,7 @@ std::vector<uint32_t> ticksShown(const Report& report) {
     }
     for (const PathEntry& path : query.paths) {
       if (!path.played()) continue;
-      last = std::max(last, uint64_t(path.told().getStartTick()) + path.playback.ticks());
+      last = std::max(last, uint64_t(path.inLevelTicks().getStartTick()) + path.playback.ticks());
     }
     // Later times wrap around where the motion repeats.
     uint32_t& shown = ticks[size_t(query.level)];
@@ -89,7 +89,7 @@ void PageSizes::add(const QueryEntry& query) {
     const bool attempt = path.kind == PathKind::attempt;
     (attempt ? attempts : fixed) += path.playback.feet.size() * kSampleBytes;
     size_t& rest = attempt ? whole : fixed;
-    rest += kTrajectoryBytes + path.told().getActions().size() * kRunBytes;
+    rest += kTrajectoryBytes + path.inLevelTicks().getActions().size() * kRunBytes;
     rest += (path.playback.events.size() + path.playback.motions.size()) * kEventBytes;
     for (const BodyTrack& track : path.playback.bodies) rest += base64Size(track.bytes());
   }

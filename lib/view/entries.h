@@ -32,14 +32,14 @@ struct PathEntry {
   bool dropped = false;  // evicted for newer ones; erased in the next update
 
   // The trajectory in the level's ticks, if the player's frame rate differs; else absent.
-  std::optional<io::Record> retold = {};
+  std::optional<io::Record> resampled = {};
 
   bool played() const { return !playback.feet.empty(); }
   bool ofProgress() const { return record.which() == io::Kind::PROGRESS; }
   schema::Trajectory::Reader reader() const;
   // Returns the trajectory in the level's ticks.
-  schema::Trajectory::Reader told() const {
-    return retold ? retold->reader().getTrajectory() : reader();
+  schema::Trajectory::Reader inLevelTicks() const {
+    return resampled ? resampled->reader().getTrajectory() : reader();
   }
 };
 

@@ -35,9 +35,9 @@ class Events {
 
   // A slow page receives only the newest revision, because one request fetches all the data.
   kj::Promise<void> go() {
-    if (told_ != data_.revision()) {
-      told_ = data_.revision();
-      return write(fmt::format("data: {{\"revision\":{}}}\n\n", told_));
+    if (sent_ != data_.revision()) {
+      sent_ = data_.revision();
+      return write(fmt::format("data: {{\"revision\":{}}}\n\n", sent_));
     }
     if (timer_.now() >= next_) return write(":\n\n");
     return timer_.afterDelay(kNewsLook).then([this] { return go(); });
@@ -47,7 +47,7 @@ class Events {
   const LiveData& data_;
   kj::Timer& timer_;
   InTime inTime_;
-  uint64_t told_ = 0;
+  uint64_t sent_ = 0;
   kj::TimePoint next_ = kj::origin<kj::TimePoint>();
   std::string text_;  // being sent
 };

@@ -208,16 +208,16 @@ void writeBodies(io::JsonWriter& json, const std::vector<BodyTrack>& tracks) {
 
 void writePath(io::JsonWriter& json, const PathEntry& path, uint32_t stride) {
   constexpr const char* kKinds[] = {"solution", "attempt", "closest", "newest"};
-  const auto record = path.told();
+  const auto record = path.inLevelTicks();
   const Playback& play = path.playback;
   // A replay without its query cannot tell why the trajectory ended, but the record can.
-  const bool told = play.outcome == schema::Outcome::RUNNING && play.mismatch.empty();
+  const bool unfinished = play.outcome == schema::Outcome::RUNNING && play.mismatch.empty();
   json.open('{').field("kind", kKinds[size_t(path.kind)]).field("index", record.getIndex());
   json.field("method", std::string_view(record.getMethod().cStr()));
   if (record.getBody().size() > 0) json.field("body", std::string_view(record.getBody().cStr()));
   if (record.getFrameRate() > 0) json.field("frameRate", uint32_t(record.getFrameRate()));
-  json.field("outcome", enumName(told ? record.getOutcome() : play.outcome));
-  json.field("part", told ? record.getPart() : play.part).field("ticks", play.ticks());
+  json.field("outcome", enumName(unfinished ? record.getOutcome() : play.outcome));
+  json.field("part", unfinished ? record.getPart() : play.part).field("ticks", play.ticks());
   json.field("jumps", play.jumps()).field("startTick", record.getStartTick());
   json.field("stride", stride).field("avoid", record.getAvoid());
   json.key("route").list(record.getRoute());

@@ -35,7 +35,7 @@ std::vector<Vec3> placesOf(const std::vector<Vec3>& feet, const TickSamples& sam
 }
 
 // Keeps the last of several samples in one tick.
-BodyTrack retold(const BodyTrack& track, uint32_t from, uint32_t to) {
+BodyTrack resampled(const BodyTrack& track, uint32_t from, uint32_t to) {
   BodyTrack out;
   out.part = track.part;
   for (size_t i = 0; i < track.ticks.size(); ++i) {
@@ -53,7 +53,7 @@ BodyTrack retold(const BodyTrack& track, uint32_t from, uint32_t to) {
   return out;
 }
 
-io::Record retold(schema::Trajectory::Reader record, uint32_t from, uint32_t to) {
+io::Record resampled(schema::Trajectory::Reader record, uint32_t from, uint32_t to) {
   io::RecordBuilder copy;
   copy.root().setTrajectory(record);
   auto t = copy.root().getTrajectory();
@@ -83,7 +83,7 @@ Result<level::Query> queryAtRate(const QueryEntry& entry, const level::Level& le
 
 }  // namespace
 
-Playback retold(Playback playback, uint32_t from, uint32_t to) {
+Playback resampled(Playback playback, uint32_t from, uint32_t to) {
   const TickSamples samples{playback.ticks(), from, to};
   const auto next = [&](uint32_t tick) { return level::nextTickAtRate(tick, from, to); };
   playback.feet = placesOf(playback.feet, samples);
@@ -95,7 +95,7 @@ Playback retold(Playback playback, uint32_t from, uint32_t to) {
     event.tick = next(event.tick);
     if (event.start != kRests) event.start = event.start * to / from;
   }
-  for (BodyTrack& track : playback.bodies) track = retold(track, from, to);
+  for (BodyTrack& track : playback.bodies) track = resampled(track, from, to);
   return playback;
 }
 
@@ -111,13 +111,13 @@ Result<const level::Level*> PlayerReplays::levelFor(const LevelEntry& level, int
   return known.get();
 }
 
-Result<PlayerReplays::Told> PlayerReplays::play(const LevelEntry& level, int index,
-                                                const QueryEntry& query,
-                                                schema::Trajectory::Reader record) {
+Result<PlayerReplays::Replayed> PlayerReplays::play(const LevelEntry& level, int index,
+                                                    const QueryEntry& query,
+                                                    schema::Trajectory::Reader record) {
   OBBY_ASSIGN(const level::Player player, level::playerOf(record));
   if (player.isLevels()) {
     OBBY_ASSIGN(Playback own, playBack(*level.level, query.compiled.get(), record));
-    return Told{std::move(own), {}};
+    return Replayed{std::move(own), {}};
   }
   OBBY_ASSIGN(const level::Level* const played, levelFor(level, index, player));
   const uint16_t to = level.level->view().params.controlRate;
@@ -127,8 +127,8 @@ Result<PlayerReplays::Told> PlayerReplays::play(const LevelEntry& level, int ind
     OBBY_ASSIGN(rules, queryAtRate(query, *played, to));
   }
   OBBY_ASSIGN(Playback own, playBack(*played, rules ? &*rules : nullptr, record));
-  if (from == to) return Told{std::move(own), {}};
-  return Told{retold(std::move(own), from, to), retold(record, from, to)};
+  if (from == to) return Replayed{std::move(own), {}};
+  return Replayed{resampled(std::move(own), from, to), resampled(record, from, to)};
 }
 
 }  // namespace obby::view

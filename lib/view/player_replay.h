@@ -18,19 +18,19 @@ struct LevelEntry;
 
 // Converts a playback from `from` to `to` ticks per second. Positions are interpolated linearly,
 // and events move to the next tick.
-Playback retold(Playback playback, uint32_t from, uint32_t to);
+Playback resampled(Playback playback, uint32_t from, uint32_t to);
 
 class PlayerReplays {
  public:
-  struct Told {
+  struct Replayed {
     Playback playback;
     // The trajectory in the level's ticks; absent if the record is in these ticks already.
     std::optional<io::Record> record;
   };
 
   // `query` belongs to `level`, whose index in the report is `index`.
-  Result<Told> play(const LevelEntry& level, int index, const QueryEntry& query,
-                    schema::Trajectory::Reader record);
+  Result<Replayed> play(const LevelEntry& level, int index, const QueryEntry& query,
+                        schema::Trajectory::Reader record);
 
  private:
   Result<const level::Level*> levelFor(const LevelEntry& level, int index,

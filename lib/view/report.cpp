@@ -204,9 +204,10 @@ Status Collector::play(const QueryEntry& entry, PathEntry& path) {
                      "view the stream that holds the level, too");
   }
   const LevelEntry& level = report_.levels[size_t(entry.level)];
-  OBBY_ASSIGN(PlayerReplays::Told told, players_.play(level, entry.level, entry, path.reader()));
-  Playback playback = std::move(told.playback);
-  path.retold = std::move(told.record);
+  OBBY_ASSIGN(PlayerReplays::Replayed replayed,
+              players_.play(level, entry.level, entry, path.reader()));
+  Playback playback = std::move(replayed.playback);
+  path.resampled = std::move(replayed.record);
   const size_t cost = costOf(path, playback);
   if (!fits(cost) && budget_.rolls) evictFor(cost, path.kind);
   if (fits(cost)) {

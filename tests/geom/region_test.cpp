@@ -66,11 +66,11 @@ TEST(Region, ASweptLineMeetsExactlyIfItMeetsAtSomePoint) {
       met |= meets(r, a + gone, b + gone);
       nearlyMet |= meets(larger, a + gone, b + gone);
     }
-    const bool onTheWay = meetsOnTheWay(r, a, b, shift);
-    ASSERT_GE(onTheWay, met) << i;
-    ASSERT_LE(onTheWay, nearlyMet) << i;
-    swept += onTheWay;
-    between += onTheWay && !meets(r, a, b) && !meets(r, a + shift, b + shift);
+    const bool along = meetsAlong(r, a, b, shift);
+    ASSERT_GE(along, met) << i;
+    ASSERT_LE(along, nearlyMet) << i;
+    swept += along;
+    between += along && !meets(r, a, b) && !meets(r, a + shift, b + shift);
   }
   EXPECT_GT(swept, 500);
   EXPECT_GT(between, 100);
@@ -82,8 +82,8 @@ TEST(Region, ASweepOfZeroLengthIsThePosition) {
     const Region r{{dice.vec(3), dice.rotation()}, dice.half()};
     const Region larger{r.pose, r.half * 1.001f}, smaller{r.pose, r.half * 0.999f};
     const Vec3 a = dice.vec(6), b = a + Vec3{0, 5, 0};
-    ASSERT_LE(meets(smaller, a, b), meetsOnTheWay(r, a, b, {}));
-    ASSERT_LE(meetsOnTheWay(r, a, b, {}), meets(larger, a, b));
+    ASSERT_LE(meets(smaller, a, b), meetsAlong(r, a, b, {}));
+    ASSERT_LE(meetsAlong(r, a, b, {}), meets(larger, a, b));
   }
 }
 

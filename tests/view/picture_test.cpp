@@ -185,7 +185,7 @@ TEST(Picture, ShowsPartsPathsAndIsTheSameEveryTime) {
 
 TEST(Drawing, HasPartsPathsAndAnEscapedTitle) {
   const Report shown = view_test::solvedReport();
-  for (const Side side : {Side::above, Side::beside}) {
+  for (const Side side : {Side::above, Side::lateral}) {
     const std::string svg = drawingOf(shown.levels[0], &shown.queries[0], {side, 640});
     EXPECT_EQ(svg.find("</script>"), std::string::npos);
     EXPECT_NE(svg.find("&lt;/script&gt;"), std::string::npos);

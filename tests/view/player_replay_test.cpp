@@ -34,7 +34,7 @@ io::RecordBuilder walk(uint32_t rate) {
   return record;
 }
 
-PlayerReplays::Told told(uint32_t rate) {
+PlayerReplays::Replayed told(uint32_t rate) {
   PlayerReplays players;
   const LevelEntry level = floorLevel();
   const QueryEntry query;
@@ -46,7 +46,7 @@ PlayerReplays::Told told(uint32_t rate) {
 
 TEST(PlayerReplay, IsReportedInTheLevelsTicks) {
   for (const uint32_t rate : {30u, 144u, 240u}) {
-    const PlayerReplays::Told t = told(rate);
+    const PlayerReplays::Replayed t = told(rate);
     EXPECT_EQ(t.playback.ticks(), 60u) << rate;
     ASSERT_EQ(t.playback.jumps(), 1u);
     EXPECT_NEAR(t.playback.jumpTicks[0], 31, 1) << rate;
@@ -61,7 +61,7 @@ TEST(PlayerReplay, IsReportedInTheLevelsTicks) {
 }
 
 TEST(PlayerReplay, EqualsTheRecordAtTheLevelsOwnRate) {
-  const PlayerReplays::Told t = told(60);
+  const PlayerReplays::Replayed t = told(60);
   EXPECT_FALSE(t.record);
   EXPECT_EQ(t.playback.ticks(), 60u);
 }

@@ -52,7 +52,7 @@ Result<std::string> svg(const view::Report& report, const cli::Context& context)
   OBBY_ASSIGN(const Subject subject, subjectOf(report));
   const bool fromSide = context.arguments().text("from") == "side";
   return drawingOf(*subject.level, subject.query,
-                   {fromSide ? view::Side::beside : view::Side::above, options.width});
+                   {fromSide ? view::Side::lateral : view::Side::above, options.width});
 }
 
 Result<std::string> rbxmx(const view::Report& report, const cli::Context&) {

@@ -51,7 +51,7 @@ class BoxRegion {
   // Returns true if holds() is true anywhere on the straight line between two positions of the
   // feet. s is a share of the line, t a share of the height. Six half planes clip the square of all
   // (s, t) to the part inside the box.
-  bool holdsOnTheWay(Point from, Point to, double height) const {
+  bool holdsAlong(Point from, Point to, double height) const {
     const double half[3] = {size_.x / 2, size_.y / 2, size_.z / 2};
     std::vector<Share> left = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
     for (int i = 0; i < 3; ++i) {

@@ -51,7 +51,7 @@ bool Place::isEntered(const level::LevelView& level, const sim::World& before,
   if (holds(level, world, bodies)) return true;
   const bool teleported = (world.flags & sim::kArrived) != 0 && (before.flags & sim::kArrived) == 0;
   if (touch_ || teleported) return false;
-  return box_.holdsOnTheWay(feetOf(before), feetOf(world), level.params.bodyTop);
+  return box_.holdsAlong(feetOf(before), feetOf(world), level.params.bodyTop);
 }
 
 }  // namespace obby::solve

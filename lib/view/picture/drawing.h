@@ -7,7 +7,7 @@
 
 namespace obby::view {
 
-enum class Side { above, beside };
+enum class Side { above, lateral };
 
 struct DrawingOptions {
   Side side = Side::above;
