@@ -32,8 +32,7 @@ struct Judged {
     const bool teleported = (w.flags & ~before.flags & kArrived) != 0;
     if (target.touchCount != 0 || teleported) return false;
     const Vec3 up{0, level.params.bodyTop, 0};
-    return geom::meetsAlong(target.region, before.feet, before.feet + up,
-                               w.position - before.feet);
+    return geom::meetsAlong(target.region, before.feet, before.feet + up, w.position - before.feet);
   }
 };
 
