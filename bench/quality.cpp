@@ -14,7 +14,6 @@
 #include "common/report.h"
 #include "quality/best_known.h"
 #include "quality/measure.h"
-#include "solve/methods.h"
 #include "suite/suite.h"
 
 namespace {

@@ -35,7 +35,7 @@ uint64_t improveEach(const AnswerToImprove& answer, ImproveTask task, SearchOutc
       const auto differs = [&](const Improved& other) {
         return pathsDiffer(q.path, other.trajectory.path, kDistinct);
       };
-      return answer.accept(q) && (outcome.diverse || std::ranges::all_of(done, differs)) &&
+      return (outcome.diverse || std::ranges::all_of(done, differs)) && answer.accept(q) &&
              directRouteOf(answer.problem, courseOf(answer.problem, q)) == route;
     };
     done.push_back(improve(task, p));

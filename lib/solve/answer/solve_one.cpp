@@ -67,7 +67,8 @@ class Solving {
 
   // Writes the first solution at once if it will be improved. Returns true.
   bool showFirst(const Trajectory& p) {
-    if (shown_ || options_.preference == nullptr || !options_.progressRecords) return true;
+    const bool improves = options_.preference != nullptr && options_.improveSteps > 0;
+    if (shown_ || !improves || !options_.progressRecords) return true;
     shown_ = true;
     io::RecordBuilder record;
     fillFirstSolution(record.root().initProgress(), identity_, p, watch_.seconds(), options_.paths);
@@ -98,8 +99,9 @@ class Solving {
       return std::ranges::find(touched_, part) != touched_.end();
     };
     const auto accept = [&](const Trajectory& p) {
-      return accepts(p) &&
-             std::ranges::all_of(touchedOf(doubtful_, problem.level, courseOf(problem, p)), known);
+      if (!accepts(p)) return false;
+      if (doubtful_.empty()) return true;  // the course costs a replay
+      return std::ranges::all_of(touchedOf(doubtful_, problem.level, courseOf(problem, p)), known);
     };
     const auto stop = [this] { return question_.goOn && !question_.goOn(); };
     improveAnswer({problem, options_, machine, accept, stop}, outcome);

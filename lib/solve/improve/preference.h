@@ -1,5 +1,5 @@
-// What makes one solution better than another: the weights of a trajectory's cost, and named sets
-// of them.
+// The weights of a trajectory's cost, and named sets of them. A solution is better if it costs
+// less.
 #pragma once
 
 #include <span>

@@ -57,20 +57,6 @@ void PressRisk::addPresses(const Line& line, uint32_t jump, std::vector<Press>& 
   }
 }
 
-void PressRisk::tick(std::vector<Press*>& running) {
-  worlds_.clear();
-  bodies_.clear();
-  actions_.clear();
-  for (Press* p : running) {
-    worlds_.push_back(&p->world);
-    bodies_.push_back(p->bodies.data());
-    actions_.push_back(p->follower.next(p->guide, p->world, problem_.level.params));
-    --p->ticksLeft;
-  }
-  sim::advanceAll(problem_.level, &problem_.query, worlds_, bodies_.data(), actions_.data());
-  steps_ += running.size();
-}
-
 uint32_t PressRisk::missed(const Line& line) {
   std::vector<Press> presses;
   for (uint32_t t = 0; t < line.ticks(); ++t) {
@@ -79,7 +65,12 @@ uint32_t PressRisk::missed(const Line& line) {
   std::vector<Press*> running;
   for (Press& p : presses) running.push_back(&p);
   while (!running.empty()) {
-    tick(running);
+    for (Press* p : running) {
+      const sim::Action keys = p->follower.next(p->guide, p->world, problem_.level.params);
+      lockstep_.add(p->world, p->bodies, keys);
+      --p->ticksLeft;
+    }
+    lockstep_.advance();
     std::erase_if(running, [](const Press* p) { return p->isOver(); });
   }
   return uint32_t(std::ranges::count_if(presses, [](const Press& p) { return !p.landed(); }));

@@ -19,6 +19,7 @@ struct VariationTrials::Member {
   std::vector<sim::RigidBody> bodies;
   CostState cost;
   std::vector<sim::Action> played;
+  uint32_t jumps = 0;  // before the tick
 };
 
 // Stops variations that have failed, that cost more than the whole line, or that are back on the
@@ -35,23 +36,16 @@ bool VariationTrials::goesOn(const Line& line, const Member& m) const {
 }
 
 void VariationTrials::tick(std::vector<Member*>& running) {
-  worlds_.clear();
-  bodies_.clear();
-  actions_.clear();
   for (Member* m : running) {
-    worlds_.push_back(&m->world);
-    bodies_.push_back(m->bodies.data());
-    actions_.push_back(m->follower.next(m->variation->guide, m->world, problem_.level.params));
-    m->played.push_back(actions_.back());
+    m->played.push_back(m->follower.next(m->variation->guide, m->world, problem_.level.params));
+    m->jumps = m->world.jumps;
+    lockstep_.add(m->world, m->bodies, m->played.back());
   }
-  jumps_.clear();
-  for (const Member* m : running) jumps_.push_back(m->world.jumps);
-  sim::advanceAll(problem_.level, &problem_.query, worlds_, bodies_.data(), actions_.data());
-  for (size_t i = 0; i < running.size(); ++i) {
-    Member& m = *running[i];
-    meter_.note(m.cost, actions_[i], m.world.jumps > jumps_[i], m.world, m.bodies.data());
+  lockstep_.advance();
+  for (Member* m : running) {
+    const bool jumped = m->world.jumps > m->jumps;
+    meter_.note(m->cost, m->played.back(), jumped, m->world, m->bodies.data());
   }
-  steps_ += running.size();
 }
 
 std::vector<std::vector<sim::Action>> VariationTrials::cheaper(

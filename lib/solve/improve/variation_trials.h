@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "solve/improve/follower.h"
+#include "solve/improve/lockstep.h"
 
 namespace obby::solve {
 
@@ -20,14 +21,14 @@ class VariationTrials {
  public:
   // Both must outlive the trials.
   VariationTrials(const Problem& problem, const CostMeter& meter)
-      : problem_(problem), meter_(meter) {}
+      : problem_(problem), meter_(meter), lockstep_(problem) {}
 
   // Returns the actions of each variation that reaches the goal at a lower cost than the line, the
   // cheapest first.
   std::vector<std::vector<sim::Action>> cheaper(const Line& line,
                                                 const std::vector<Variation>& variations);
 
-  uint64_t steps() const { return steps_; }  // simulated ticks
+  uint64_t steps() const { return lockstep_.steps(); }  // simulated ticks
 
  private:
   struct Member;
@@ -37,11 +38,7 @@ class VariationTrials {
 
   const Problem& problem_;
   const CostMeter& meter_;
-  uint64_t steps_ = 0;
-  std::vector<sim::World*> worlds_;
-  std::vector<sim::RigidBody*> bodies_;
-  std::vector<sim::Action> actions_;
-  std::vector<uint16_t> jumps_;  // before the tick
+  Lockstep lockstep_;
 };
 
 }  // namespace obby::solve

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "solve/search/rollouts/action_runs.h"
+
 namespace obby::solve {
 
 namespace {
@@ -135,11 +137,8 @@ struct Run {
 
 std::vector<Run> runsAfter(const Line& line, uint32_t from) {
   std::vector<Run> runs;
-  const auto same = [](const sim::Action& a, const sim::Action& b) {
-    return a.walk == b.walk && a.jump == b.jump && a.heading == b.heading;
-  };
   for (uint32_t t = from; t < line.ticks(); ++t) {
-    const bool more = t > from && same(line.actions[t], line.actions[t - 1]);
+    const bool more = t > from && sameKeys(line.actions[t], line.actions[t - 1]);
     if (more)
       ++runs.back().to;
     else

@@ -6,7 +6,7 @@
 
 namespace obby::solve {
 
-// What the draws depend on besides the line.
+// The facts besides the line that the draws depend on.
 struct VariationContext {
   bool hasClock;       // parts move or vanish by the clock: variations often keep the timing
   float studsPerTick;  // at walking speed

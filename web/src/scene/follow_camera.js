@@ -1,4 +1,4 @@
-// Where the camera that follows a player looks: the direction of travel, smoothed so that hops and
+// The view of the camera that follows a player: the direction of travel, smoothed so that hops and
 // turns on the spot do not shake it.
 
 /** @import {Path} from '../path.js' */

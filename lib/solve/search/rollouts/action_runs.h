@@ -14,12 +14,13 @@ inline uint32_t ticksOf(const ActionRuns& runs) {
   return ticks;
 }
 
+inline bool sameKeys(const sim::Action& a, const sim::Action& b) {
+  return a.heading == b.heading && a.walk == b.walk && a.jump == b.jump;
+}
+
 // Appends one tick of `action`.
 inline void hold(ActionRuns& runs, const sim::Action& action) {
-  const auto same = [&](const sim::Action& a) {
-    return a.heading == action.heading && a.walk == action.walk && a.jump == action.jump;
-  };
-  if (runs.empty() || !same(runs.back().action)) runs.push_back({action, 0});
+  if (runs.empty() || !sameKeys(runs.back().action, action)) runs.push_back({action, 0});
   runs.back().ticks++;
 }
 
