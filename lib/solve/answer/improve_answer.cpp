@@ -4,6 +4,7 @@
 
 #include "base/stopwatch.h"
 #include "solve/improve/improve.h"
+#include "solve/model/route.h"
 
 namespace obby::solve {
 
