@@ -54,7 +54,7 @@ function toCpp(page) {
 
 namespace obby::view {
 namespace {
-constexpr std::string_view kPieces[] = {
+const std::string_view kPieces[] = {
 ${chunks.join('\n')}
 };
 }  // namespace

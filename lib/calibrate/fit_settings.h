@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <span>
 
+#include "calibrate/objective.h"
 #include "calibrate/work.h"
 
 namespace obby::calibrate {

@@ -4,7 +4,9 @@
 #include <vector>
 
 #include "calibrate/mass_centre.h"
+#include "calibrate/track.h"
 #include "level/level.h"
+#include "sim/world.h"
 
 namespace obby::calibrate {
 

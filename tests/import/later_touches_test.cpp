@@ -85,8 +85,8 @@ TEST(LaterTouches, EffectsRepeatAfterTheDebounce) {
 TEST(LaterTouches, PermanentEffectsNeedNoSecondTouch) {
   const char* const texts[] = {
       "local c c = p.Touched:Connect(function() c:Disconnect() p.CanCollide = false end)",
-      "local done = false p.Touched:Connect(function() if done then return end done = true\n"
-      "p:Destroy() end)",
+      ("local done = false p.Touched:Connect(function() if done then return end done = true\n"
+       "p:Destroy() end)"),
       "p.Touched:Once(function() p.Color = Color3.new(1, 0, 0) end)"};
   for (const char* text : texts) {
     ScriptedPart scene(text);

@@ -63,8 +63,8 @@ TEST(Luau, EndlessAndRecursiveScriptsAreReadWithinABudget) {
       "local t = {} for i = 1, 1e9 do table.insert(t, t) end",
       "for i = 1, 1e9 do for j = 1, 1e9 do x = i * j end end",
       "for i = 1, 10, 0 do end",
-      "for _, a in workspace:GetDescendants() do for _, b in workspace:GetDescendants() do "
-      "for _, c in workspace:GetDescendants() do x = a == b end end end",
+      ("for _, a in workspace:GetDescendants() do for _, b in workspace:GetDescendants() do "
+       "for _, c in workspace:GetDescendants() do x = a == b end end end"),
       "local function again() task.delay(0, again) end again()",
       "local function again() spawn(again) spawn(again) end again()",
       "workspace.Part.Touched:Connect(function f() end)",

@@ -11,16 +11,16 @@ const std::string kThereAndBack =
 
 TEST(ScriptWaits, ALoopCanCheckWhetherATweenIsOver) {
   const char* const texts[] = {
-      "while true do there:Play()\n"
-      "repeat task.wait() until there.PlaybackState == Enum.PlaybackState.Completed\n"
-      "back:Play()\n"
-      "repeat task.wait() until back.PlaybackState == Enum.PlaybackState.Completed end",
-      "while true do there:Play()\n"
-      "while there.PlaybackState == Enum.PlaybackState.Playing do print(p.Name) task.wait() end\n"
-      "back:Play()\n"
-      "while back.PlaybackState ~= Enum.PlaybackState.Completed do task.wait() end end",
-      "while true do there:Play() task.wait(there.TweenInfo.Time)\n"
-      "back:Play() task.wait(back.TweenInfo.Time) end"};
+      ("while true do there:Play()\n"
+       "repeat task.wait() until there.PlaybackState == Enum.PlaybackState.Completed\n"
+       "back:Play()\n"
+       "repeat task.wait() until back.PlaybackState == Enum.PlaybackState.Completed end"),
+      ("while true do there:Play()\n"
+       "while there.PlaybackState == Enum.PlaybackState.Playing do print(p.Name) task.wait() end\n"
+       "back:Play()\n"
+       "while back.PlaybackState ~= Enum.PlaybackState.Completed do task.wait() end end"),
+      ("while true do there:Play() task.wait(there.TweenInfo.Time)\n"
+       "back:Play() task.wait(back.TweenInfo.Time) end")};
   for (const char* text : texts) {
     const Overlap tweened({kThereAndBack + text});
     ASSERT_FALSE(tweened.motion().keys.empty()) << text;

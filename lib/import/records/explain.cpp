@@ -56,8 +56,8 @@ std::string wrapped(std::string_view raw, size_t indent) {
   std::string out;
   size_t begin = 0, margin = 0;
   while (begin < text.size()) {
-    const size_t space = kWidth - margin;
-    size_t length = byteAt(std::string_view(text).substr(begin), space);
+    const size_t width = kWidth - margin;
+    size_t length = byteAt(std::string_view(text).substr(begin), width);
     if (begin + length < text.size()) {
       const size_t space = text.rfind(' ', begin + length);
       if (space != std::string::npos && space > begin) length = space - begin;
