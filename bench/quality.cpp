@@ -1,15 +1,18 @@
 // Measures how good solutions are: time, jumps, turns back, key changes and path length of the
 // suite's solutions, relative to the best known ones (bench/results/best-known.tsv), and the time
 // to the first and the final solution.
-//   bench_quality [--json] [--seconds S] [--record] [FILE:ID ...]
+//   bench_quality [--json] [--seconds S] [--prefer P] [--record] [--each] [FILE:ID ...]
 //     --seconds S   improve each query for S seconds [default: 0.2]
+//     --prefer P    only this preference; "first" does not improve [default: all]
 //     --record      enter better values into the table of the best known
+//     --each        also print each query's ticks, jumps, turns back and key changes, each next to
+//                   the best known
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <cstring>
+#include <string_view>
 
 #include "common/report.h"
 #include "quality/best_known.h"
@@ -22,24 +25,33 @@ using namespace obby;
 using namespace obby::bench;
 
 struct Options {
-  bool json = false, record = false;
+  bool json = false, record = false, each = false;
   double seconds = 0.2;
+  std::string prefer;  // empty for all
   std::vector<std::string> only;
 };
 
 Options optionsOf(int argc, char** argv) {
   Options o;
   for (int i = 1; i < argc; ++i) {
-    if (std::strcmp(argv[i], "--json") == 0) {
+    const std::string_view argument = argv[i];
+    const bool hasValue = i + 1 < argc;
+    if (argument == "--json") {
       o.json = true;
-    } else if (std::strcmp(argv[i], "--record") == 0) {
+    } else if (argument == "--record") {
       o.record = true;
-    } else if (std::strcmp(argv[i], "--seconds") == 0 && i + 1 < argc) {
+    } else if (argument == "--each") {
+      o.each = true;
+    } else if (argument == "--seconds" && hasValue) {
       o.seconds = std::strtod(argv[++i], nullptr);
-    } else if (argv[i][0] != '-') {
-      o.only.emplace_back(argv[i]);
+    } else if (argument == "--prefer" && hasValue) {
+      o.prefer = argv[++i];
+    } else if (!argument.starts_with('-')) {
+      o.only.emplace_back(argument);
     } else {
-      fmt::print(stderr, "usage: bench_quality [--json] [--seconds S] [--record] [FILE:ID ...]\n");
+      fmt::print(stderr,
+                 "usage: bench_quality [--json] [--seconds S] [--prefer P] [--record] [--each] "
+                 "[FILE:ID ...]\n");
       std::exit(2);
     }
   }
@@ -87,6 +99,13 @@ void reportRows(Report& report, const char* name, const std::vector<Quality>& al
   report.add(name, "final90", quantile(finals, 0.9), "ms");
 }
 
+void printEach(const char* preference, const std::string& query, const Quality& q,
+               const Quality& best) {
+  fmt::print("{:<10} {:<44} {:>5}/{:<5} {:>3}/{:<3} {:>3}/{:<3} {:>4}/{}\n", preference, query,
+             q.ticks, best.ticks, q.jumps, best.jumps, q.turnsBack, best.turnsBack, q.changes,
+             best.changes);
+}
+
 int run(const Options& options) {
   const std::string levels = OBBY_SOURCE_DIR "/levels";
   const std::string table = OBBY_SOURCE_DIR "/bench/results/best-known.tsv";
@@ -108,6 +127,7 @@ int run(const Options& options) {
   for (const solve::Preference& p : solve::preferences()) preferences.push_back(&p);
   for (const solve::Preference* p : preferences) {
     Row row{p == nullptr ? "first" : p->name, {}, {}};
+    if (!options.prefer.empty() && row.preference != options.prefer) continue;
     for (const SuiteQuery& q : *suite) {
       const auto quality = measure(q, p, options.seconds, pool);
       if (!quality) continue;  // unsolved within the budget
@@ -121,6 +141,8 @@ int run(const Options& options) {
   for (const Row& row : rows) {
     std::vector<Quality> best;
     for (const std::string& name : row.names) best.push_back(known->of(name));
+    for (size_t i = 0; options.each && i < row.all.size(); ++i)
+      printEach(row.preference.c_str(), row.names[i], row.all[i], best[i]);
     reportRows(report, row.preference.c_str(), row.all, best);
   }
   if (!options.record) return 0;

@@ -34,6 +34,12 @@ struct Guide {
   uint32_t last() const { return uint32_t(points.size()) - 1; }
 };
 
+// A line with the guide that follows it.
+struct GuidedLine {
+  Line line;
+  Guide guide;
+};
+
 // Return the guide that follows the line, or its ticks `from` to `to`. index() must be called
 // before it is used.
 Guide guideAlong(const Line& line);

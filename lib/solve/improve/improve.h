@@ -11,7 +11,7 @@ namespace obby::solve {
 
 // Simulated ticks that count as a second of improvement. A step budget gives the same answer on
 // every machine, which a time limit does not.
-constexpr double kImproveStepsPerSecond = 3e6;
+constexpr double kImproveStepsPerSecond = 4.5e6;
 
 // All that it refers to must outlive the task.
 struct ImproveTask {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "solve/improve/splice.h"
 #include "solve/search/rollouts/action_runs.h"
 
 namespace obby::solve {
@@ -12,6 +13,7 @@ constexpr uint32_t kMinSpan = 12, kDoublings = 5;  // spans of 12 to 383 ticks
 constexpr float kMaxBend = 2.5f;                   // studs
 constexpr uint32_t kMaxJumpShift = 14;             // ticks
 constexpr uint32_t kRunUp = 30;                    // ticks before a removed jump
+constexpr float kSpliceShare = 0.4f;               // of the variations, if there are donors
 
 struct Span {
   uint32_t from, to;  // ticks of the line, from < to
@@ -37,12 +39,13 @@ void follow(const Line& line, Variation& variation, Random& random) {
   variation.guide.tail = variation.start;
 }
 
-// Returns the points of a straight run from `from` to `to`, both excluded.
+// Returns the points of a straight run from `from` to `to`, both excluded. Stands still for `wait`
+// points before it, and for those that are left after it.
 std::vector<GuidePoint> straight(const GuidePoint& from, const GuidePoint& to, uint32_t count,
-                                 float walked, uint8_t marks) {
+                                 uint32_t wait, float walked, uint8_t marks) {
   std::vector<GuidePoint> points;
   for (uint32_t i = 1; i <= count; ++i) {
-    const float share = std::min(1.0f, float(i) * walked);
+    const float share = std::clamp(float(int32_t(i) - int32_t(wait)) * walked, 0.0f, 1.0f);
     points.push_back({from.position + share * (to.position - from.position), marks, from.action});
   }
   return points;
@@ -60,7 +63,9 @@ void cut(const Line& line, const VariationContext& context, Variation& variation
   const uint32_t count =
       synced ? span.to - span.from - 1 : std::min(uint32_t(ticks), span.to - span.from - 1);
   const uint32_t kind = random.below(3);
-  auto points = straight(from, to, count, 1 / ticks, kind == 1 ? kGuideEdgeJump : 0);
+  const uint32_t idle = count - std::min(count, uint32_t(ticks));
+  const uint32_t wait = random.below(2) ? idle : 0;
+  auto points = straight(from, to, count, wait, 1 / ticks, kind == 1 ? kGuideEdgeJump : 0);
   if (kind == 2 && !points.empty()) points[random.below(count)].marks |= kGuideJump;
   guide.points[span.from].marks &= uint8_t(~kGuideJump);
   const auto first = guide.points.begin() + span.from + 1;
@@ -101,6 +106,7 @@ void shiftJump(const Line& line, Variation& variation, Random& random) {
   const auto to = uint32_t(std::clamp(int32_t(from) + by, 0, int32_t(variation.guide.last())));
   variation.guide.points[from].marks &= uint8_t(~kGuideJump);
   variation.guide.points[to].marks |= kGuideJump;
+  variation.mayCostMore = true;
   variation.start = std::min(from, to);
   variation.start -= std::min(variation.start, random.below(kRunUp));
   variation.guide.tail = std::min(variation.guide.last(), std::max(from, to) + 40);
@@ -187,11 +193,11 @@ void simplify(const Line& line, Variation& variation, Random& random) {
 
 }  // namespace
 
-std::vector<Variation> sweep(const Line& line, const VariationContext& context) {
+std::vector<Variation> sweep(const GuidedLine& base, const VariationContext& context) {
   std::vector<Variation> variations;
   for (const bool jumps : {true, false}) {
     for (const uint32_t lookahead : {6u, 12u, 20u, 35u}) {
-      Variation variation{guideAlong(line), 0, {lookahead, 512, context.hasClock}};
+      Variation variation{base.guide, 0, {lookahead, 512, context.hasClock}};
       if (!jumps) {
         for (GuidePoint& point : variation.guide.points) point.marks &= uint8_t(~kGuideJump);
         variation.guide.tail = variation.guide.last();
@@ -203,17 +209,21 @@ std::vector<Variation> sweep(const Line& line, const VariationContext& context) 
   return variations;
 }
 
-Variation drawVariation(const Line& line, const VariationContext& context, Random& random) {
-  Variation variation{guideAlong(line), 0, drawSettings(context, random)};
-  switch (random.below(context.hasClock ? 9 : 8)) {
-    case 0: follow(line, variation, random); break;
-    case 1:
-    case 2: cut(line, context, variation, random); break;
-    case 3: removeJumps(line, variation, random); break;
-    case 4: shiftJump(line, variation, random); break;
-    case 5: bend(line, variation, random); break;
-    case 8: rest(line, variation, random); break;
-    default: simplify(line, variation, random); break;
+Variation drawVariation(const GuidedLine& base, const VariationContext& context, Random& random) {
+  const Line& line = base.line;
+  Variation variation{base.guide, 0, drawSettings(context, random)};
+  const bool splices = !context.donors.empty() && random.unit() < kSpliceShare;
+  if (!splices || !splice(line, context.donors, variation, random)) {
+    switch (random.below(context.hasClock ? 9 : 8)) {
+      case 0: follow(line, variation, random); break;
+      case 1:
+      case 2: cut(line, context, variation, random); break;
+      case 3: removeJumps(line, variation, random); break;
+      case 4: shiftJump(line, variation, random); break;
+      case 5: bend(line, variation, random); break;
+      case 8: rest(line, variation, random); break;
+      default: simplify(line, variation, random); break;
+    }
   }
   index(variation.guide);
   return variation;
