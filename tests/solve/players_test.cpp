@@ -181,6 +181,44 @@ TEST(SameKeys, AreNotSearchedIfOnePlayerCannot) {
   EXPECT_EQ(lines(out, "trajectory").size(), 0u);
 }
 
+FilterOptions improving() {
+  FilterOptions o = quickly(2'000'000);
+  o.solver.preference = findPreference("natural");
+  o.solver.improveSteps = 200'000;
+  return o;
+}
+
+TEST(SharedKeys, ReplaceTheSolutionsOfImprovedAnswers) {
+  const std::string out =
+      playersAnswer(stonesText(R"(,"bodies":["r6","r15"],"frameRates":[60,30,144])"), improving());
+  EXPECT_THAT(resultOf(out),
+              HasSubstr(R"("reason":"The same key presses solve it for R6 and R15 at)"));
+  EXPECT_EQ(lines(out, "trajectory").size(), 6u);
+  EXPECT_EQ(checked(out).counts.verified, 6u);
+}
+
+// A wall with a low passage on the right, for the short body of the place alone, and a ledge on the
+// left that only an R6 body can climb, with no time to try both.
+std::string twoRoutes() {
+  return R"({"type":"level","name":"two routes","physics":{"fallenPartsHeight":-40,"hipHeight":0.5,)"
+         R"("headBottom":2.5,"bodyTop":3.5},"parts":[)"
+         R"({"name":"Floor","position":[0,-0.5,-12],"size":[24,1,32]},)"
+         R"({"name":"Ledge","position":[-6,4.3,-12],"size":[12,8.6,4]},)"
+         R"({"name":"Wall","position":[6,23.6,-12],"size":[12,40,4]}],)"
+         R"("spawns":[{"position":[0,0,-4]}]})"
+         "\n"
+         R"({"type":"query","id":"q","goal":{"position":[0,2,-22],"size":[24,4,8]},)"
+         R"("timeLimit":1.1,"bodies":["r6","place"]})"
+         "\n";
+}
+
+TEST(SharedKeys, AreNotNeeded) {
+  const std::string out = playersAnswer(twoRoutes(), improving());
+  EXPECT_THAT(resultOf(out), HasSubstr(R"("reason":"Solved for R6 and the place's body at 60)"));
+  EXPECT_EQ(lines(out, "trajectory").size(), 2u);
+  EXPECT_EQ(checked(out).counts.verified, 2u);
+}
+
 TEST(Retimed, KeysRoundToThePlayersNextTick) {
   const sim::Action walk{100, true, false}, jump{100, true, true};
   const ActionRuns runs{{walk, 5}, {jump, 1}, {walk, 10}};

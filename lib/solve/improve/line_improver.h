@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "solve/improve/improve.h"
+#include "solve/improve/improve_task.h"
 #include "solve/improve/press_risk.h"
 #include "solve/improve/variations.h"
 

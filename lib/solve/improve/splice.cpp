@@ -1,6 +1,7 @@
 #include "solve/improve/splice.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "solve/search/rollouts/explore_context.h"
 

@@ -1,7 +1,8 @@
 // Puts the best spans of several solutions together.
 #pragma once
 
-#include "solve/improve/variations.h"
+#include "base/random.h"
+#include "solve/improve/variation_pool.h"
 
 namespace obby::solve {
 

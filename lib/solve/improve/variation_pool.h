@@ -10,6 +10,8 @@
 
 namespace obby::solve {
 
+using GuidedLines = std::vector<std::shared_ptr<const GuidedLine>>;
+
 // A variation of a line: keep its first `start` ticks, then follow the guide from point `start` on.
 struct Variation {
   Guide guide;

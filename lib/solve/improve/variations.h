@@ -6,8 +6,6 @@
 
 namespace obby::solve {
 
-using GuidedLines = std::vector<std::shared_ptr<const GuidedLine>>;
-
 // The facts besides the line that the draws depend on.
 struct VariationContext {
   bool hasClock;              // parts move or vanish by the clock: variations often keep the timing

@@ -44,8 +44,9 @@ std::string reasonOf(const std::vector<PlayerCase>& cases, const PlayersAsked& a
   std::vector<PlayerVerdict> verdicts;
   for (const PlayerCase& c : cases) verdicts.push_back(verdictOf(c));
   const PlayerCase& base = decisive(cases);
-  const std::string summary = asked.sameKeys ? sameKeysText(verdicts, asked.namesBodies)
-                                             : playersText(verdicts, asked.namesBodies);
+  const std::string summary = asked.keys == PlayersKeys::own
+                                  ? playersText(verdicts, asked.namesBodies)
+                                  : sameKeysText(verdicts, asked.namesBodies);
   const std::string own = base.answer().getReason().cStr();
   if (cases.size() == 1) return summary + " " + own;
   std::string who = playerText(verdictOf(base), asked.namesBodies);
