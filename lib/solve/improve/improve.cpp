@@ -12,8 +12,8 @@ namespace {
 constexpr float kAround = 20;  // studs around the first solution in which hazards count
 
 // Budgets, as shares of the task's.
-constexpr double kFirst = 0.02;     // varying the first solution before any search
-constexpr double kSearching = 0.5;  // until the last search has begun
+constexpr double kFirst = 0.02;      // varying the first solution before any search
+constexpr double kSearching = 0.35;  // until the last search has begun
 constexpr double kOneSearch = 0.05;
 constexpr double kLook = 0.015;     // varying each solution that a search finds
 constexpr uint32_t kSearches = 12;  // max searches
