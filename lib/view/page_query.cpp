@@ -213,6 +213,7 @@ void writePath(io::JsonWriter& json, const PathEntry& path, uint32_t stride) {
   // A replay without its query cannot tell why the trajectory ended, but the record can.
   const bool unfinished = play.outcome == schema::Outcome::RUNNING && play.mismatch.empty();
   json.open('{').field("kind", kKinds[size_t(path.kind)]).field("index", record.getIndex());
+  if (path.provisional()) json.field("provisional", true);
   json.field("method", std::string_view(record.getMethod().cStr()));
   if (record.getBody().size() > 0) json.field("body", std::string_view(record.getBody().cStr()));
   if (record.getFrameRate() > 0) json.field("frameRate", uint32_t(record.getFrameRate()));

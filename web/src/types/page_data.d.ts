@@ -225,6 +225,7 @@ export type PartEvent = Triple;
 
 export interface PathFacts {
   kind: Kind;
+  provisional?: boolean; // a first solution that the search still improves
   index: number;
   method: string;
   body?: string;
