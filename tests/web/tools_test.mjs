@@ -6,6 +6,7 @@ import { foundParts, partTree } from '../../web/src/part_tree.js';
 import { rangeOf } from '../../web/src/playback.js';
 import { measure, rulerText } from '../../web/src/ruler.js';
 import { byScalar } from '../../web/src/scalar_colors.js';
+import { byStep } from '../../web/src/step_colors.js';
 import { parseTime } from '../../web/src/ui/clock.js';
 import { frames, state } from './browser.mjs';
 import { harness } from './harness.mjs';
@@ -61,6 +62,25 @@ test('colours along a line follow speed and height', () => {
   assert.equal(along(path, 0), along(path, 1));
   assert.deepEqual(legend.map(([label]) => label), ['0.0 studs', '2.5 studs', '5.0 studs']);
   assert.deepEqual(byScalar({ paths: [] }, 'speed', 60).legend, []);
+});
+
+test('colours by margin and by time to press follow the steps of a solution', () => {
+  const { steps } = report.queries[0].trajectories[0].difficulty;
+  const path = { difficulty: { steps }, tickOf: (i) => i };
+  const bare = { tickOf: (i) => i };
+  const margin = byStep({ paths: [path, bare] }, 'margin');
+  const at = (tick) => margin.along(path, tick);
+  const [least, , most, none] = margin.legend.map(([, color]) => color);
+  assert.equal(at(100), least, 'beyond the edge');
+  assert.equal(margin.of(path), least, 'a trajectory is as its closest step');
+  assert.notEqual(at(0), at(70));
+  assert.notEqual(at(70), most, 'the nearer of edge and part that kills counts');
+  assert.equal(at(140), none);
+  assert.equal(margin.along(bare, 0), none);
+  const window = byStep({ paths: [path] }, 'window');
+  assert.equal(window.along(path, 0), none, 'a step without a jump');
+  assert.notEqual(window.along(path, 90), none);
+  assert.deepEqual(byStep({ paths: [bare] }, 'window').legend.map(([label]) => label), ['Not measured']);
 });
 
 test('two clicks measure, and Escape ends it', async ({ page }) => {
@@ -138,6 +158,9 @@ test('speed colours the lines, and the legend is its scale', async ({ page }) =>
   assert.equal(await colored(), true);
   assert.match(await page.locator('.legend').innerText(), /studs\/s/);
   await frames(page, 2);
+  await put(page, { colorBy: 'margin' });
+  assert.equal(await colored(), true);
+  assert.match(await page.locator('.legend').innerText(), /2 studs or more/);
   await put(page, { colorBy: 'outcome' });
   assert.equal(await colored(), false);
 });

@@ -1,5 +1,5 @@
-// Colours of trajectories by outcome, route, method, time, jumps, difficulty, speed or height, with
-// legends.
+// Colours of trajectories by outcome, route, method, time, jumps, difficulty, speed, height or
+// closeness to failing, with legends.
 import { routeKey } from './choice.js';
 import { NO_VALUE_COLOR as kNone, rampColor } from './color_ramps.js';
 import {
@@ -13,6 +13,7 @@ import {
 } from './palette.js';
 import { routeNames } from './route_names.js';
 import { byScalar } from './scalar_colors.js';
+import { byStep } from './step_colors.js';
 import { tally } from './tally.js';
 import { plural } from './ui/dom.js';
 
@@ -29,6 +30,8 @@ export const COLORINGS = {
   difficulty: 'difficulty',
   speed: 'speed',
   height: 'height',
+  margin: 'margin',
+  window: 'time to press',
 };
 
 // The palette of Okabe and Ito for colour-blind readers (https://jfly.uni-koeln.de/color/), without
@@ -152,6 +155,7 @@ export function coloring(query, level, mode) {
       (v) => plural(Math.round(v), 'jump'),
     );
   if (mode === 'speed' || mode === 'height') return byScalar(query, mode, rate);
+  if (mode === 'margin' || mode === 'window') return byStep(query, mode);
   if (mode === 'difficulty') return byDifficulty(query);
   return byOutcome(query);
 }
