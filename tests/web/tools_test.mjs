@@ -108,7 +108,7 @@ test('a click on the clock takes a time', async ({ page }) => {
   await page.keyboard.type('1.5');
   await page.keyboard.press('Enter');
   assert.equal((await state(page)).tick, 90);
-  assert.match(await page.locator('.clock .time').innerText(), /^1\.50 \//);
+  assert.match(await page.locator('.clock .time').innerText(), /^1\.500 \//);
   await page.locator('.clock .time').click();
   await page.keyboard.type('l');
   await page.keyboard.press('Escape');
@@ -116,12 +116,38 @@ test('a click on the clock takes a time', async ({ page }) => {
   assert.deepEqual([tick, loop, path], [90, true, 0], 'letters in the field are no shortcuts');
 });
 
+test('comma and period step one tick, and clock and player are exact', async ({ page }) => {
+  await page.locator('#view').focus();
+  const { rate, points } = await page.evaluate(() => {
+    const [path] = window.obby.query().paths;
+    return { rate: window.obby.playback.rateOf(), points: [...path.points.slice(0, 12)] };
+  });
+  await put(page, { tick: 0.4, playing: true });
+  for (const tick of [1, 2, 3]) {
+    await page.keyboard.press('.');
+    assert.deepEqual([(await state(page)).tick, (await state(page)).playing], [tick, false]);
+    const time = (tick / rate).toFixed(3);
+    const shown = await page.locator('.clock').innerText();
+    assert.ok(shown.startsWith(`${time} /`) && shown.includes(`tick ${tick}`), shown);
+    const at = await page.evaluate((t) => window.obby.path().poseAt(t), tick);
+    assert.deepEqual([at.x, at.y, at.z], points.slice(3 * tick, 3 * tick + 3));
+  }
+  await page.keyboard.press(',');
+  assert.equal((await state(page)).tick, 2);
+  // A typed time leads to the tick that shows it.
+  await page.locator('.clock .time').click();
+  await page.keyboard.type((7 / rate).toFixed(2));
+  await page.keyboard.press('Enter');
+  assert.equal((await state(page)).tick, 7);
+  await page.locator('#view').focus();
+});
+
 test('the loop runs in a range', async ({ page }) => {
   await page.locator('#view').focus();
   await put(page, { tick: 100 });
-  await page.keyboard.press(',');
+  await page.keyboard.press('<');
   await put(page, { tick: 130 });
-  await page.keyboard.press('.');
+  await page.keyboard.press('>');
   assert.equal(await page.locator('.profile .range').count(), 1);
   await put(page, { playing: true, tick: 120 });
   const ticks = await page.evaluate(() => {

@@ -58,7 +58,7 @@ export class Timeline {
     });
     this.clock = new Clock((time) => {
       store.set({ playing: false });
-      playback.seek(time * playback.rateOf());
+      playback.seek(Math.round(time * playback.rateOf())); // the tick whose time is nearest
     });
     this.speed = el(
       'select',
@@ -187,10 +187,10 @@ export class Timeline {
     const rate = this.playback.rateOf();
     this.slider.value = String(tick);
     this.slider.style.setProperty('--share', `${(100 * tick) / Math.max(1, length)}%`);
-    const [now, all] = [seconds(tick / rate), seconds(length / rate)];
+    const now = (tick / rate).toFixed(3); // tells ticks apart, also those of 240 a second
     // The slider's value is in ticks.
-    this.slider.setAttribute('aria-valuetext', `${now} of ${all} s`);
-    this.clock.show(now, all, Math.floor(tick + 1e-6));
+    this.slider.setAttribute('aria-valuetext', `${now} of ${seconds(length / rate)} s`);
+    this.clock.show(now, seconds(length / rate), Math.floor(tick + 1e-6));
   }
 
   showState() {
