@@ -58,8 +58,11 @@ const kSections = [
 ];
 
 export class Help {
-  /** @param {HTMLDialogElement} dialog */
-  constructor(dialog) {
+  /**
+   * @param {HTMLDialogElement} dialog
+   * @param {() => void} reset resets the view settings
+   */
+  constructor(dialog, reset) {
     this.dialog = dialog;
     const close = el('button', {
       class: 'plain close',
@@ -88,6 +91,22 @@ export class Help {
             ),
           ),
         ),
+      ),
+      el(
+        'footer',
+        {},
+        el('p', { class: 'quiet', text: 'The browser keeps camera mode, colours, speed and layers for the next page.' }),
+        el('button', {
+          class: 'plain reset',
+          type: 'button',
+          text: 'Reset view settings',
+          on: {
+            click: () => {
+              reset();
+              dialog.close();
+            },
+          },
+        }),
       ),
     );
     dialog.addEventListener('click', (event) => {

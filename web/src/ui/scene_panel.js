@@ -159,6 +159,7 @@ export class ScenePanel {
     const original = checkbox((checked) =>
       this.store.set({ colors: checked ? 'level' : 'roles' }),
     );
+    original.checked = this.store.state.colors === 'level';
     this.store.on(['colors'], (state) => {
       original.checked = state.colors === 'level';
     });

@@ -1,5 +1,5 @@
 // The bar at the bottom: play, step, scrub over the height profile, time and speed.
-import { rangeOf } from '../playback.js';
+import { rangeOf, SPEEDS } from '../playback.js';
 import { Clock } from './clock.js';
 import { el, icon, seconds, svg } from './dom.js';
 import { profileOf, rangeMark } from './profile.js';
@@ -8,7 +8,6 @@ import { profileOf, rangeMark } from './profile.js';
 /** @import {Playback} from '../playback.js' */
 /** @import {Store} from '../store.js' */
 
-const kSpeeds = [0.1, 0.25, 0.5, 1, 2, 4, 10];
 const kSliderKeys = /^(Arrow|Page|Home$|End$)/;
 
 export class Timeline {
@@ -67,7 +66,7 @@ export class Timeline {
         title: 'Speed (− and +)',
         on: { change: () => store.set({ speed: Number(this.speed.value) }) },
       },
-      ...kSpeeds.map((speed) => el('option', { value: String(speed), text: `${speed}×` })),
+      ...SPEEDS.map((speed) => el('option', { value: String(speed), text: `${speed}×` })),
     );
     this.loop = el(
       'button',
