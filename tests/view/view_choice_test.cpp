@@ -34,6 +34,33 @@ TEST(ViewChoice, IsNotBehindAWall) {
   }
 }
 
+TEST(ViewChoice, AnOrthographicCameraIsNotBehindADistantWall) {
+  for (const float z : {-300.0f, 300.0f}) {
+    const Vec3 look = bestLook(walkAlongX(), {wall({20, 200, z}, {900, 400, 1})}, 640, 360, false);
+    EXPECT_GT(look.z * z, 0) << "it looks towards the wall; z " << z;
+  }
+}
+
+TEST(ViewChoice, FramesTheClosestAttemptAndTheMissingStep) {
+  auto left = view_test::walk(view_test::kLeft, 300), near = view_test::walk(view_test::kAhead, 40);
+  io::RecordBuilder progress,
+      answer(view_test::recordOf(view_test::resultLine("unreachable", 0)).reader());
+  progress.root().initProgress().setQuery("ahead");
+  progress.root().getProgress().setBest(near.reader().getTrajectory());
+  const std::vector<std::string> lines = {view_test::kLevel, view_test::kQuery,
+                                          view_test::line(progress)};
+  const auto running = view_test::collect(lines);
+  ASSERT_TRUE(running) << running.error().text();
+  const size_t framed = subjectOf(running->levels[0], &running->queries[0]).frame.size();
+  answer.root().getResult().initCut().setTo(4);
+  const auto failed = view_test::collect(
+      {view_test::kLevel, view_test::kQuery, view_test::line(left), view_test::line(answer)});
+  ASSERT_TRUE(failed) << failed.error().text();
+  const Subject subject = subjectOf(failed->levels[0], &failed->queries[0]);
+  EXPECT_EQ(subject.frame.back(), (Vec3{-24, 0, -20})) << "the rock";
+  EXPECT_GT(framed, subject.frame.size()) << "failed attempts are not framed";
+}
+
 TEST(ViewChoice, ReadsFromLeftToRight) {
   const Subject subject = walkAlongX();
   const Vec3 look = bestLook(subject, {}, 640, 360);
