@@ -4,7 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "view/course.h"
+#include "view/extent.h"
 
 namespace obby::view {
 namespace {
@@ -59,6 +62,27 @@ TEST(ViewChoice, FramesTheClosestAttemptAndTheMissingStep) {
   const Subject subject = subjectOf(failed->levels[0], &failed->queries[0]);
   EXPECT_EQ(subject.frame.back(), (Vec3{-24, 0, -20})) << "the rock";
   EXPECT_GT(framed, subject.frame.size()) << "failed attempts are not framed";
+}
+
+TEST(ViewChoice, FramesTheFloorAroundTheStart) {
+  const Report shown = view_test::solvedReport();
+  const Subject subject = subjectOf(shown.levels.at(0), &shown.queries.at(0));
+  // The floor is 10 studs wide and begins 5 studs behind the start.
+  for (const Vec3 corner : {Vec3{-5, 0, 5}, Vec3{5, 0, 5}, Vec3{5, 0, -12}})
+    EXPECT_NE(std::find(subject.frame.begin(), subject.frame.end(), corner), subject.frame.end());
+}
+
+TEST(ViewChoice, AHugeGroundIsNotFramed) {
+  const auto place = [](const char* size) {
+    return view_test::collect(
+        {std::string(R"({"type":"level","name":"place","parts":[{"position":[0,-8,0],"size":)") +
+         size + R"(},{"position":[40,2,0],"size":[4,4,4]},{"size":[12,1,12]}]})"});
+  };
+  const auto huge = place("[2048,16,2048]"), plain = place("[200,16,200]");
+  ASSERT_TRUE(huge) << huge.error().text();
+  ASSERT_TRUE(plain) << plain.error().text();
+  EXPECT_EQ(courseOf(huge->levels[0]).hi.x, 42);
+  EXPECT_EQ(courseOf(plain->levels[0]).hi.x, 100);
 }
 
 TEST(ViewChoice, ReadsFromLeftToRight) {

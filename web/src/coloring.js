@@ -1,6 +1,6 @@
 // Colours of trajectories by outcome, route, method, time, jumps, difficulty, speed, height or
 // closeness to failing, with legends.
-import { routeKey } from './choice.js';
+import { isAttempt, routeKey } from './choice.js';
 import { NO_VALUE_COLOR as kNone, rampColor } from './color_ramps.js';
 import {
   BAND_STYLE,
@@ -51,7 +51,10 @@ function byOutcome(query) {
     legend.push([VERDICT_STYLE.mismatch.label, VERDICT_STYLE.mismatch.color, 'solution']);
   for (const outcome of OUTCOMES) {
     const { label, color } = OUTCOME_STYLE[outcome];
-    if (outcome !== 'goal' && outcomes.has(outcome)) legend.push([label, color, 'attempt']);
+    if (outcome === 'goal' || !outcomes.has(outcome)) continue;
+    // The closest and the newest trajectory are drawn even without the failed attempts.
+    const drawn = query.paths.some((path) => path.outcome === outcome && !isAttempt(path));
+    legend.push([label, color, drawn ? 'solution' : 'attempt']);
   }
   return { of: pathColor, legend };
 }

@@ -23,6 +23,7 @@ constexpr float kTolerance = 0.6f;                 // studs a part may be before
 constexpr float kMaxHalf = 24;                     // studs; larger goals are framed in part
 constexpr float kWaist = 2, kHead = 5.5f;          // studs above the feet
 constexpr float kAroundStart = 4;                  // studs
+constexpr float kNearStart = 12;                   // studs of the floor around the start
 constexpr size_t kSeen = 48;                       // tested points of a trajectory
 constexpr size_t kFramed = 200;                    // framed points of a trajectory
 constexpr size_t kMaxSolutions = 12;               // framed solutions
@@ -77,6 +78,23 @@ void addPath(const std::vector<Vec3>& feet, std::vector<Vec3>& out) {
     out.push_back(feet[i]);
     out.push_back(feet[i] + Vec3{0, kHead, 0});
   }
+}
+
+// Adds the top of the part that the player stands on, as far as it is near.
+void addFloor(const LevelEntry& level, Vec3 feet, std::vector<Vec3>& out) {
+  const Vec3 near{kNearStart, kNearStart, kNearStart};
+  Box floor{feet - near, feet - near};
+  bool found = false;
+  for (const auto part : level.reader().getParts()) {
+    const Box box = boxOf(cornersOf(part));
+    if (box.hi.y > feet.y + 1 || box.hi.y <= floor.hi.y) continue;
+    if (box.lo.x > feet.x || box.hi.x < feet.x || box.lo.z > feet.z || box.hi.z < feet.z) continue;
+    floor = box;
+    found = true;
+  }
+  if (!found) return;
+  const Vec3 lo = max(floor.lo, feet - near), hi = min(floor.hi, feet + near);
+  addBox({{lo.x, hi.y, lo.z}, hi}, out);
 }
 
 // Returns the trajectories to frame: the solutions, or else the closest.
@@ -160,12 +178,13 @@ Subject subjectOf(const LevelEntry& level, const QueryEntry* query) {
       const Vec3 feet = query->compiled->start().feet;
       const Vec3 around{kAroundStart, 0, kAroundStart};
       addBox({feet - around, feet + around + Vec3{0, kHead, 0}}, out.frame);
+      addFloor(level, feet, out.frame);
       out.from = feet + Vec3{0, kWaist, 0};
     }
     for (const PathEntry* path : framedPaths(*query)) addPath(path->playback.feet, out.frame);
     addCut(level, *query, out.frame);
   }
-  if (out.frame.empty()) addBox(level.level->bounds(), out.frame);
+  if (out.frame.empty()) addBox(courseOf(level), out.frame);
   for (int i = 0; i < kEnds; ++i) {
     for (const auto& end : {out.from, out.to}) {
       if (end) out.seen.push_back(*end);

@@ -100,12 +100,12 @@ export class ScenePanel {
         ),
       );
     });
-    const { legend } = this.coloringOf();
-    if (legend.length) this.legend.append(el('hr'));
     const { attempts, colorBy } = this.store.state;
     const isDrawn = (/** @type {string} */ kind) =>
       attempts || kind !== 'attempt' || colorBy !== 'outcome';
-    for (const [label, tint, kind] of legend.filter(([, , kind]) => isDrawn(kind)))
+    const legend = this.coloringOf().legend.filter(([, , kind]) => isDrawn(kind));
+    if (legend.length) this.legend.append(el('hr'));
+    for (const [label, tint, kind] of legend)
       this.legend.append(
         el(
           'div',
