@@ -246,6 +246,7 @@ test('the picture and the film are saved', async ({ page, browser }) => {
   assert.match(film.name, /\.webm$/);
   assert.equal(film.bytes.readUInt32BE(0), 0x1a45dfa3, 'the beginning of a WebM file');
   assert.ok(film.bytes.length > 4000);
+  assert.ok(film.bytes.includes('V_VP9'), 'this browser encodes VP9');
   const seen = await played(browser, film.bytes);
   assert.ok(Math.abs(seen.duration - 31 / 30) < 0.08, `${seen.duration} s: 16 pictures and 15 held`);
   assert.ok(Math.abs(seen.width - width) < 2);
