@@ -1,9 +1,10 @@
 #include "view/picture/depth_order.h"
 
 #include <algorithm>
-#include <numeric>
+#include <cmath>
 #include <optional>
 #include <set>
+#include <utility>
 
 #include "geom/shapes/table.h"
 
